@@ -1,0 +1,67 @@
+// The advancing front: from a boundary, a chart maker and a rule set to a mesh.
+#pragma once
+
+#include <memory>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "engine/front_input.h"
+#include "engine/local_transform.h"
+#include "engine/mesh.h"
+#include "engine/observer.h"
+#include "engine/rule_set.h"
+#include "engine/size_field.h"
+
+namespace af2 {
+
+/// Extras of a run; the defaults do nothing.
+struct MeshingOptions {
+  AF2MeshingObserver* observer = nullptr;
+  ProgressCallback progress;  ///< called from the thread that runs the engine
+  std::stop_token stop;       ///< may be requested from any thread; answered within a few steps
+};
+
+enum class Outcome { Complete, Stuck, Cancelled };
+
+/// A front edge that no rule took, and why each rule was refused last.
+struct StuckEdge {
+  VertexId from, to;
+  int level = 1;
+  std::vector<RuleRefusal> refusals;
+};
+
+/// What a run gives: always the mesh so far, and how it ended.
+struct MeshingResult {
+  Outcome outcome = Outcome::Complete;
+  Mesh mesh;  ///< vertices of the input first, with their ids, then the new ones
+  std::vector<StuckEdge> stuck;      ///< front edges that are left, if stuck
+  std::vector<VertexId> unused;      ///< isolated vertices that no element uses
+  std::size_t steps = 0, failedSteps = 0;
+};
+
+/// The engine. Holds a rule set, compiled; meshes any number of regions with it, from any number of
+/// threads at once.
+class AF2Algorithm {
+ public:
+  explicit AF2Algorithm(std::shared_ptr<const RuleSet> rules);
+  ~AF2Algorithm();
+  AF2Algorithm(AF2Algorithm&&) noexcept;
+  AF2Algorithm& operator=(AF2Algorithm&&) noexcept;
+
+  /// Meshes the region that `input` bounds.
+  ///
+  /// Throws InputError if the input is no set of closed loops: an edge of length zero, an id out of
+  /// range, the same directed edge twice, a vertex with two positions, a number that is not finite;
+  /// or if a size is not positive. Getting stuck and being cancelled are results, not errors.
+  MeshingResult execute(const AF2LocalTransformMaker& maker, const FrontInput& input,
+                        const SizeField& size, const MeshingOptions& options = {}) const;
+
+  const RuleSet& rules() const;
+
+ private:
+  struct Compiled;
+  std::unique_ptr<const Compiled> compiled_;
+};
+
+}  // namespace af2

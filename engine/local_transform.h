@@ -1,0 +1,125 @@
+// Charts: the 2-D picture of the surface in which one step of the advance takes place.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <new>
+#include <optional>
+#include <type_traits>
+#include <utility>
+
+#include "engine/point.h"
+
+namespace af2 {
+
+/// How far a front vertex takes part in a step.
+enum class ChartView {
+  Legal,     ///< may be matched, and is in the way of new elements
+  Obstacle,  ///< its place in the chart is too distorted to match, but it is in the way
+  Hidden,    ///< belongs to another sheet of the surface; neither
+};
+
+struct ChartPoint {
+  Point2 position;
+  ChartView view = ChartView::Legal;
+};
+
+/// The fast form of going down to the chart: orthogonal projection onto a plane.
+///
+/// x = scale * (p - origin).xAxis, y likewise. A point whose normal makes a cosine with `normal` of
+/// less than `minCosine` is an Obstacle, of less than `hiddenCosine` Hidden; so is a point farther
+/// than `maxHeight` (model units) from the plane.
+struct ProjectionFrame {
+  Point3 origin, xAxis, yAxis, normal;
+  double scale = 1;
+  double minCosine = -2, hiddenCosine = -2;  ///< -2: normals are not looked at (plane surfaces)
+  double maxHeight = 1e300;
+
+  ChartPoint project(const SurfacePoint& point) const {
+    const Point3 d = point.position - origin;
+    ChartPoint result{{scale * dot(d, xAxis), scale * dot(d, yAxis)}, ChartView::Legal};
+    if (minCosine <= -2) return result;
+    const double cosine = dot(point.normal, normal);
+    if (cosine < hiddenCosine || std::abs(dot(d, normal)) > maxHeight) result.view = ChartView::Hidden;
+    else if (cosine < minCosine) result.view = ChartView::Obstacle;
+    return result;
+  }
+};
+
+/// A chart around one base edge. Source: [VanderZee16], local transforms.
+class AF2LocalTransform {
+ public:
+  virtual ~AF2LocalTransform() = default;
+  virtual ChartPoint transformFromSurface(const SurfacePoint& point) const = 0;
+  /// Nothing where the surface cannot be reached from this point of the chart.
+  virtual std::optional<SurfacePoint> transformToSurface(Point2 point) const = 0;
+  /// Not null: transformFromSurface is this projection, and the engine does it by itself in batches.
+  virtual const ProjectionFrame* projection() const { return nullptr; }
+};
+
+/// Room for one chart at a time, so that a step of the advance need not allocate.
+class ChartSlot {
+ public:
+  ChartSlot() = default;
+  ChartSlot(const ChartSlot&) = delete;
+  ChartSlot& operator=(const ChartSlot&) = delete;
+  ~ChartSlot() { clear(); }
+
+  /// Makes a chart of type T in this slot, instead of what it held.
+  template <class T, class... Arguments>
+  const T& emplace(Arguments&&... arguments) {
+    static_assert(sizeof(T) <= kSize && alignof(T) <= alignof(std::max_align_t));
+    clear();
+    T* chart = ::new (static_cast<void*>(room_)) T(std::forward<Arguments>(arguments)...);
+    inPlace_ = chart;
+    return *chart;
+  }
+
+  const AF2LocalTransform& hold(std::unique_ptr<AF2LocalTransform> chart) {
+    clear();
+    held_ = std::move(chart);
+    return *held_;
+  }
+
+ private:
+  static constexpr std::size_t kSize = 512;
+
+  void clear() {
+    if (inPlace_) inPlace_->~AF2LocalTransform();
+    inPlace_ = nullptr;
+    held_.reset();
+  }
+
+  alignas(std::max_align_t) std::byte room_[kSize];
+  AF2LocalTransform* inPlace_ = nullptr;
+  std::unique_ptr<AF2LocalTransform> held_;
+};
+
+/// Makes the chart in which one step of the advance takes place: the one question that the engine
+/// asks of a surface. Derive from this to mesh a new kind of surface.
+///
+/// The engine calls one maker from one thread only.
+class AF2LocalTransformMaker {
+ public:
+  virtual ~AF2LocalTransformMaker() = default;
+
+  /// Returns a chart with `from` at (0, 0) and `to` on the positive x axis.
+  ///
+  /// from, to    ends of the base edge, apart; the region still to be meshed lies to the left of
+  ///             from -> to, seen from the side to which the normals point
+  /// edgeLength  what becomes length 1 in the chart, in model units, > 0
+  ///
+  /// Throws GeometryError if there is no chart here, e.g. no normal at `from` or at `to`.
+  virtual std::unique_ptr<AF2LocalTransform> makeLocalTransform(const SurfacePoint& from,
+                                                                const SurfacePoint& to,
+                                                                double edgeLength) const = 0;
+
+  /// The same chart, made in `slot`. Override it together with the above to avoid the allocation.
+  virtual const AF2LocalTransform& makeLocalTransformIn(ChartSlot& slot, const SurfacePoint& from,
+                                                        const SurfacePoint& to,
+                                                        double edgeLength) const {
+    return slot.hold(makeLocalTransform(from, to, edgeLength));
+  }
+};
+
+}  // namespace af2

@@ -1,0 +1,33 @@
+// The mesh that the engine makes: vertices and elements in creation order.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "engine/ids.h"
+#include "engine/point.h"
+
+namespace af2 {
+
+/// A triangle or quadrilateral, counter-clockwise seen from the side to which normals point.
+struct Element {
+  std::array<VertexId, 4> corners;
+
+  bool isQuad() const { return !corners[3].isNone(); }
+  int size() const { return isQuad() ? 4 : 3; }
+  std::span<const VertexId> vertices() const {
+    return {corners.data(), static_cast<std::size_t>(size())};
+  }
+  bool operator==(const Element&) const = default;
+};
+
+struct Mesh {
+  std::vector<SurfacePoint> vertices;
+  std::vector<Element> elements;
+  std::vector<std::uint16_t> rule;  ///< by element: index of the rule that made it
+  bool operator==(const Mesh&) const = default;
+};
+
+}  // namespace af2
