@@ -1,0 +1,62 @@
+// From a CAD model to a checked mesh of its faces.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <stop_token>
+#include <vector>
+
+#include "engine/algorithm.h"
+#include "geometry/model_check.h"
+#include "geometry/model_mesh.h"
+#include "geometry/occ/model.h"
+
+namespace af2::geometry {
+
+/// Wanted edge lengths, in model units. The smallest of those that apply at a place counts.
+struct ModelSizes {
+  double size = 0;                  ///< everywhere; must be > 0
+  std::map<int, double> faceSizes;  ///< by face id; instead of `size`
+  std::map<int, double> edgeSizes;  ///< by edge id; along that edge, instead of the faces' sizes
+  /// Further limit by position. Must be pure and callable from several threads at once.
+  std::function<double(const Point3&)> function;
+
+  /// Curves and surfaces need a smaller size where they turn quickly: a segment of an edge turns by
+  /// at most `edgeTurn` radians, an edge on a face by about `faceTurn`.
+  double edgeTurn = 0.7854;
+  double faceTurn = 0.7;
+  /// But for the sake of curvature the size never drops below this fraction of the wanted one.
+  double leastFraction = 0.1;
+  /// Most growth of the size per unit of length, away from short segments of the boundary.
+  double growth = 0.4;
+};
+
+/// How far the meshing of a model has come. Work is counted in expected elements.
+struct ModelProgress {
+  double workDone = 0, workTotal = 0;
+  int facesDone = 0, faces = 0;
+  std::size_t elements = 0;
+};
+
+struct ModelMeshingOptions {
+  ModelSizes sizes;
+  std::vector<int> faces;  ///< ids of the faces to mesh; empty: all
+  int threads = 0;         ///< 0: as many as the machine has. The mesh does not depend on it.
+  /// Called from several threads, one at a time.
+  std::function<void(const ModelProgress&)> progress;
+  std::stop_token stop;
+  /// The observer of one face, or null; asked for from the thread that meshes the face.
+  std::function<AF2MeshingObserver*(int face)> observer;
+};
+
+/// Meshes the faces asked for, each within its edges, which are divided once and shared.
+///
+/// A face that cannot be meshed is reported as failed and does not spoil the others; so does
+/// cancelling. Vertices are numbered: those of model vertices, those along the edges, those inside
+/// the faces, each in the order of the model.
+///
+/// Throws InputError for a size that is not positive or an id that the model does not have.
+ModelMesh meshModel(const Model& model, const AF2Algorithm& algorithm,
+                    const ModelMeshingOptions& options);
+
+}  // namespace af2::geometry
