@@ -34,9 +34,9 @@ struct StuckEdge {
 /// What a run gives: always the mesh so far, and how it ended.
 struct MeshingResult {
   Outcome outcome = Outcome::Complete;
-  Mesh mesh;  ///< vertices of the input first, with their ids, then the new ones
-  std::vector<StuckEdge> stuck;      ///< front edges that are left, if stuck
-  std::vector<VertexId> unused;      ///< isolated vertices that no element uses
+  Mesh mesh;                     ///< vertices of the input first, with their ids, then the new ones
+  std::vector<StuckEdge> stuck;  ///< front edges that are left, if stuck
+  std::vector<VertexId> unused;  ///< isolated vertices that no element uses
   std::size_t steps = 0, failedSteps = 0;
 };
 

@@ -37,7 +37,7 @@ class AF2Surroundings {
 struct AF2Binding {
   /// Chart positions in pattern order; [0] is a = (0, 0), [1] is b = (|ab|, 0).
   std::span<const Point2> vertices;
-  int level = 1;  ///< quality level of the base edge
+  int level = 1;                                  ///< quality level of the base edge
   const AF2Surroundings* surroundings = nullptr;  ///< never null while the engine runs
 };
 

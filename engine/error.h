@@ -1,4 +1,5 @@
-// The three kinds of error that are thrown; rule files report diagnostics instead (dsl/diagnostic.h).
+// The three kinds of error that are thrown; rule files report diagnostics instead
+// (dsl/diagnostic.h).
 #pragma once
 
 #include <stdexcept>

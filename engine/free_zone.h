@@ -47,15 +47,30 @@ class AF2FreeZoneDef {
   virtual Made makeFreeZone(const AF2Binding& binding) const = 0;
 };
 
+/// The convex polygon on plain arrays, shared by the open and the fast form of the zone.
+namespace convex_polygon {
+
+/// Largest depth, in chart units, to which a corner may lie inside the chord of its neighbours and
+/// still pass for straight: rounding of corners that are collinear by construction.
+inline constexpr double kStraightTolerance = 1e-9;
+
+/// Drops corners that repeat their predecessor or lie a rounding error inside a chord, in place.
+/// Returns how many are left: 0 unless they run once around a convex region of positive area,
+/// counter-clockwise.
+int normalize(Point2* corners, int count, double straightTolerance = kStraightTolerance);
+
+/// Both want normalized corners.
+bool contains(std::span<const Point2> corners, Point2 point, ZoneBoundary boundary);
+bool meets(std::span<const Point2> corners, Point2 from, Point2 to, ZoneBoundary boundary);
+
+}  // namespace convex_polygon
+
 /// A convex polygon, corners counter-clockwise. Corners may coincide and may be straight.
 class ConvexPolygonZone final : public AF2FreeZone {
  public:
-  /// Largest depth, in chart units, to which a corner may lie inside the chord of its neighbours
-  /// and still pass for straight: rounding of corners that are collinear by construction.
-  static constexpr double kStraightTolerance = 1e-9;
-
   /// Whether the corners run once around a convex region of positive area, counter-clockwise.
-  static bool isConvex(std::span<const Point2> corners, double straightTolerance = kStraightTolerance);
+  static bool isConvex(std::span<const Point2> corners,
+                       double straightTolerance = convex_polygon::kStraightTolerance);
 
   /// Throws InputError unless `isConvex(corners)`.
   explicit ConvexPolygonZone(std::vector<Point2> corners);
@@ -66,7 +81,7 @@ class ConvexPolygonZone final : public AF2FreeZone {
   std::span<const Point2> corners() const { return corners_; }
 
  private:
-  std::vector<Point2> corners_;  // as given, less those that repeat or lie inside a chord
+  std::vector<Point2> corners_;  // normalized
 };
 
 /// The usual definition: a convex polygon whose corners fade from preferred to limiting ones as the

@@ -9,7 +9,8 @@
 namespace af2 {
 
 /// One corner of a boundary loop. A vertex may be a corner several times: at the ends of a seam, or
-/// where loops touch; its parameters (u, v) then differ from corner to corner, its position does not.
+/// where loops touch; its parameters (u, v) then differ from corner to corner, its position does
+/// not.
 struct BoundaryCorner {
   VertexId vertex;
   SurfacePoint point;

@@ -8,8 +8,8 @@ namespace af2 {
 /// What the order may depend on: one front edge a -> b when it enters the queue or its level rises.
 struct FrontEdgeFacts {
   int level = 1;
-  int layerA = 0, layerB = 0;  ///< layers of elements between the vertex and the boundary
-  double length = 1;           ///< in units of the wanted length
+  int layerA = 0, layerB = 0;   ///< layers of elements between the vertex and the boundary
+  double length = 1;            ///< in units of the wanted length
   double turnA = 0, turnB = 0;  ///< free angles at the ends, radians in (0, 2 pi]
 };
 
@@ -31,7 +31,9 @@ class LayeredFrontOrder final : public AF2FrontOrder {
  public:
   LayeredFrontOrder(int level, int layerA, int layerB);
   int keyCount() const override { return 1; }
-  double key(int, const FrontEdgeFacts& edge) const override { return wholeKey(edge.level, edge.layerA, edge.layerB); }
+  double key(int, const FrontEdgeFacts& edge) const override {
+    return wholeKey(edge.level, edge.layerA, edge.layerB);
+  }
   bool needsTurns() const override { return false; }
   int wholeKey(int level, int layerA, int layerB) const {
     return level_ * level + layerA_ * layerA + layerB_ * layerB;

@@ -40,8 +40,10 @@ struct ProjectionFrame {
     ChartPoint result{{scale * dot(d, xAxis), scale * dot(d, yAxis)}, ChartView::Legal};
     if (minCosine <= -2) return result;
     const double cosine = dot(point.normal, normal);
-    if (cosine < hiddenCosine || std::abs(dot(d, normal)) > maxHeight) result.view = ChartView::Hidden;
-    else if (cosine < minCosine) result.view = ChartView::Obstacle;
+    if (cosine < hiddenCosine || std::abs(dot(d, normal)) > maxHeight)
+      result.view = ChartView::Hidden;
+    else if (cosine < minCosine)
+      result.view = ChartView::Obstacle;
     return result;
   }
 };
@@ -53,7 +55,8 @@ class AF2LocalTransform {
   virtual ChartPoint transformFromSurface(const SurfacePoint& point) const = 0;
   /// Nothing where the surface cannot be reached from this point of the chart.
   virtual std::optional<SurfacePoint> transformToSurface(Point2 point) const = 0;
-  /// Not null: transformFromSurface is this projection, and the engine does it by itself in batches.
+  /// Not null: transformFromSurface is this projection, and the engine does it by itself in
+  /// batches.
   virtual const ProjectionFrame* projection() const { return nullptr; }
 };
 

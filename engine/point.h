@@ -20,7 +20,8 @@ struct Point3 {
 /// A point on a surface together with what the surface is like there.
 struct SurfacePoint {
   Point3 position;
-  Point3 normal;  ///< unit length, pointing to the side from which the face is seen; zero: undefined
+  Point3
+      normal;  ///< unit length, pointing to the side from which the face is seen; zero: undefined
   double u = 0, v = 0;  ///< surface parameters; on a seam those of the side one comes from
   bool operator==(const SurfacePoint&) const = default;
 };
@@ -33,8 +34,12 @@ inline double cross(Point2 p, Point2 q) { return p.x * q.y - p.y * q.x; }
 inline double length(Point2 p) { return std::sqrt(dot(p, p)); }
 inline double distance(Point2 p, Point2 q) { return length(q - p); }
 
-inline Point3 operator+(const Point3& p, const Point3& q) { return {p.x + q.x, p.y + q.y, p.z + q.z}; }
-inline Point3 operator-(const Point3& p, const Point3& q) { return {p.x - q.x, p.y - q.y, p.z - q.z}; }
+inline Point3 operator+(const Point3& p, const Point3& q) {
+  return {p.x + q.x, p.y + q.y, p.z + q.z};
+}
+inline Point3 operator-(const Point3& p, const Point3& q) {
+  return {p.x - q.x, p.y - q.y, p.z - q.z};
+}
 inline Point3 operator*(double s, const Point3& p) { return {s * p.x, s * p.y, s * p.z}; }
 inline double dot(const Point3& p, const Point3& q) { return p.x * q.x + p.y * q.y + p.z * q.z; }
 inline Point3 cross(const Point3& p, const Point3& q) {

@@ -4,19 +4,19 @@
 namespace af2 {
 
 enum class Refusal {
-  None,           ///< not refused
-  Class,          ///< the base edge's quality level is outside the rule's range
-  Pattern,        ///< no front vertices where the pattern wants them
-  Require,        ///< a `require` condition does not hold
-  NoValue,        ///< an expression has no value at this match
-  Shape,          ///< the free zone has no valid shape at this match
-  Convexity,      ///< the commonest kind of it: a corner list that is not convex
+  None,             ///< not refused
+  Class,            ///< the base edge's quality level is outside the rule's range
+  Pattern,          ///< no front vertices where the pattern wants them
+  Require,          ///< a `require` condition does not hold
+  NoValue,          ///< an expression has no value at this match
+  Shape,            ///< the free zone has no valid shape at this match
+  Convexity,        ///< the commonest kind of it: a corner list that is not convex
   ZoneHitByVertex,  ///< the free zone holds a vertex of the front
   ZoneHitByEdge,    ///< the free zone holds part of a front edge
-  Inverted,       ///< a new element would not be positively oriented
-  Score,          ///< the rule set does not accept the score
-  Surface,        ///< a new vertex has no place on the surface, or an element would fold over there
-  Beaten,         ///< another rule scored better
+  Inverted,         ///< a new element would not be positively oriented
+  Score,            ///< the rule set does not accept the score
+  Surface,  ///< a new vertex has no place on the surface, or an element would fold over there
+  Beaten,   ///< another rule scored better
 };
 
 /// One word for a reason, as rule tests and reports write it.

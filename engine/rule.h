@@ -40,8 +40,8 @@ struct PatternEdge {
   bool operator==(const PatternEdge&) const = default;
 };
 
-/// A new triangle or quadrilateral, counter-clockwise. Matched vertices come first in the numbering,
-/// then the new ones.
+/// A new triangle or quadrilateral, counter-clockwise. Matched vertices come first in the
+/// numbering, then the new ones.
 struct RuleElement {
   std::array<std::int8_t, 4> corners{-1, -1, -1, -1};
   int size() const { return corners[3] < 0 ? 3 : 4; }
@@ -69,7 +69,7 @@ struct RuleDefinition {
   std::vector<RuleElement> elements;
   std::vector<std::shared_ptr<const AF2BindingFunction>> requirements;  ///< each nonzero to hold
   std::shared_ptr<const AF2BindingFunction> cost;  ///< added to the score; null: nothing
-  int priority = 0;  ///< among equal scores the smaller one wins
+  int priority = 0;                                ///< among equal scores the smaller one wins
   RuleSource source;
 };
 
@@ -97,8 +97,8 @@ class AF2Rule {
   const std::vector<PatternEdge>& consumedEdges() const { return consumed_; }
   /// Edges that join the front: the reversed boundary of the new elements, less consumed edges.
   const std::vector<PatternEdge>& newEdges() const { return new_; }
-  /// The vertices between a and b of the walk a -> ... -> b around the new elements, i.e. what takes
-  /// the place of the base edge before opposite edges cancel.
+  /// The vertices between a and b of the walk a -> ... -> b around the new elements, i.e. what
+  /// takes the place of the base edge before opposite edges cancel.
   const std::vector<std::int8_t>& replacement() const { return replacement_; }
 
  private:

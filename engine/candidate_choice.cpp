@@ -1,0 +1,396 @@
+#include "engine/candidate_choice.h"
+
+#include <algorithm>
+
+#include "engine/predicates.h"
+#include "engine/surroundings.h"
+
+namespace af2 {
+namespace {
+
+/// A new element on a curved surface may lean against the normal at a corner by this cosine (78
+/// degrees) at most: beyond that it is a fold of the mesh, not an approximation of the surface.
+constexpr double kMinNormalCosine = 0.2;
+
+std::span<const Point2> matchedPoints(const Candidate& c) {
+  return {c.match.points.data(), static_cast<std::size_t>(c.rule->matchedCount)};
+}
+
+/// Chart positions of an element's corners.
+struct Corners {
+  std::array<Point2, 4> points;
+  int count;
+  Corners(const RuleElement& element, const Match& match) : count(element.size()) {
+    for (int i = 0; i < count; ++i)
+      points[static_cast<std::size_t>(i)] =
+          match.points[static_cast<std::size_t>(element.corners[static_cast<std::size_t>(i)])];
+  }
+  std::span<const Point2> span() const { return {points.data(), static_cast<std::size_t>(count)}; }
+  bool turnsLeftEverywhere() const {
+    if (count == 3) return orientation(points[0], points[1], points[2]) == Turn::Left;
+    for (std::size_t i = 0; i < 4; ++i)
+      if (orientation(points[i], points[(i + 1) % 4], points[(i + 2) % 4]) != Turn::Left)
+        return false;
+    return true;
+  }
+};
+
+Refusal placeNewPoints(const CompiledRule& rule, const AF2Binding& binding, Match& match) {
+  Point2* points = match.points.data() + rule.matchedCount;
+  if (rule.newPoints) {
+    double x[AffineBatch::kCapacity], y[AffineBatch::kCapacity];
+    rule.newPoints->evaluate(match.points.data(), x, y);
+    for (int k = 0; k < rule.newCount; ++k) points[k] = {x[k], y[k]};
+    return Refusal::None;
+  }
+  for (const auto& transform : rule.rule->definition().newVertices) {
+    const auto point = transform->transformPoint(binding);
+    if (!point || !std::isfinite(point->x) || !std::isfinite(point->y)) return Refusal::NoValue;
+    *points++ = *point;
+  }
+  return Refusal::None;
+}
+
+Refusal requirementsHold(const CompiledRule& rule, const AF2Binding& binding) {
+  for (const auto& requirement : rule.rule->definition().requirements) {
+    const auto value = requirement->evaluate(binding);
+    if (!value) return Refusal::NoValue;
+    if (*value == 0) return Refusal::Require;
+  }
+  return Refusal::None;
+}
+
+/// The badnesses of the new elements as one number.
+Refusal scoreElements(const RuleSetDefinition& set, const CompiledRule& rule, const Match& match,
+                      double& score) {
+  const auto& elements = rule.rule->definition().elements;
+  double largest = 0, sum = 0;
+  bool isFirst = true;
+  for (const RuleElement& element : elements) {
+    const Corners corners(element, match);
+    if (!corners.turnsLeftEverywhere()) return Refusal::Inverted;
+    const auto badness = set.metric->badness(corners.span());
+    if (!badness) return Refusal::NoValue;
+    largest = isFirst ? *badness : std::max(largest, *badness);
+    sum += *badness;
+    isFirst = false;
+  }
+  switch (set.scoreOf) {
+    case ScoreOf::Max:
+      score = largest;
+      break;
+    case ScoreOf::Sum:
+      score = sum;
+      break;
+    case ScoreOf::Mean:
+      score = sum / static_cast<double>(elements.size());
+      break;
+  }
+  return Refusal::None;
+}
+
+/// The fast form of a free zone at one match.
+struct PolygonView {
+  std::array<Point2, AffineBatch::kCapacity> corners;
+  int count = 0;
+
+  bool make(const FastZone& zone, int level, const Match& match) {
+    double x[AffineBatch::kCapacity], y[AffineBatch::kCapacity];
+    const AffineBatch& batch = zone.at(level);
+    batch.evaluate(match.points.data(), x, y);
+    for (std::size_t k = 0; k < static_cast<std::size_t>(batch.count); ++k)
+      corners[k] = {x[k], y[k]};
+    count = convex_polygon::normalize(corners.data(), batch.count);
+    return count > 0;
+  }
+  std::span<const Point2> span() const { return {corners.data(), static_cast<std::size_t>(count)}; }
+  Box2 boundingBox() const {
+    Box2 box{corners[0], corners[0]};
+    for (Point2 p : span()) {
+      box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y)};
+      box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y)};
+    }
+    return box;
+  }
+  bool contains(Point2 p, ZoneBoundary b) const { return convex_polygon::contains(span(), p, b); }
+  bool meets(Point2 p, Point2 q, ZoneBoundary b) const {
+    return convex_polygon::meets(span(), p, q, b);
+  }
+};
+
+bool lies(const Box2& box, Point2 p) {
+  return p.x >= box.low.x && p.x <= box.high.x && p.y >= box.low.y && p.y <= box.high.y;
+}
+
+bool mayMeet(const Box2& box, Point2 p, Point2 q) {
+  return std::max(p.x, q.x) >= box.low.x && std::min(p.x, q.x) <= box.high.x &&
+         std::max(p.y, q.y) >= box.low.y && std::min(p.y, q.y) <= box.high.y;
+}
+
+bool isMatchedVertex(const StepView& view, const Candidate& candidate, PlaceId place) {
+  const VertexId id = view.front[place].vertex;
+  for (std::size_t v = 0; v < static_cast<std::size_t>(candidate.rule->matchedCount); ++v)
+    if (view.front[candidate.match.places[v]].vertex == id) return true;
+  return false;
+}
+
+bool isMatchedEdge(const Candidate& candidate, PlaceId place) {
+  for (const PatternEdge& e : candidate.rule->rule->definition().edges)
+    if (candidate.match.places[static_cast<std::size_t>(e.from)] == place) return true;
+  return false;
+}
+
+/// Whether direction center -> d lies in the free sector of a place, which runs counter-clockwise
+/// from the next to the previous vertex of the front; both ends belong to it.
+bool sectorContains(Point2 center, Point2 next, Point2 previous, Point2 d) {
+  const Turn width = orientation(center, next, previous);
+  const bool leftOfNext = orientation(center, next, d) != Turn::Right;
+  const bool rightOfPrevious = orientation(center, previous, d) != Turn::Left;
+  if (width == Turn::Left) return leftOfNext && rightOfPrevious;
+  if (width == Turn::Right) return leftOfNext || rightOfPrevious;
+  return dot(next - center, previous - center) > 0 || leftOfNext;
+}
+
+bool placeIsOpenTo(const StepView& view, PlaceId id, Point2 center, Point2 d1, Point2 d2) {
+  if (view.front.isIsolated(id)) return true;
+  const Point2 next = view.chart.project(view.front[view.front.next(id)].point).position;
+  const Point2 previous = view.chart.project(view.front[view.front.previous(id)].point).position;
+  return sectorContains(center, next, previous, d1) && sectorContains(center, next, previous, d2);
+}
+
+/// A vertex may stand on the front more than once; the place at which the new elements lie is the
+/// one whose free sector they fill. None: they would cover what is meshed already.
+PlaceId openPlace(const StepView& view, PlaceId matched, Point2 center, Point2 d1, Point2 d2) {
+  if (placeIsOpenTo(view, matched, center, d1, d2)) return matched;
+  const VertexId id = view.front[matched].vertex;
+  for (std::size_t i = 0; i < view.near.count(); ++i) {
+    const PlaceId other = view.near.place(i);
+    if (other != matched && view.front[other].vertex == id &&
+        placeIsOpenTo(view, other, center, d1, d2))
+      return other;
+  }
+  return {};
+}
+
+/// Puts the open places of all matched vertices on the walk into `places`; false if one has none.
+bool findOpenPlaces(const StepView& view, const Candidate& c, std::vector<PlaceId>& places) {
+  places.assign(c.match.places.begin(), c.match.places.begin() + c.rule->matchedCount);
+  const auto& walk = c.rule->rule->replacement();
+  const auto at = [&](int v) { return c.match.points[static_cast<std::size_t>(v)]; };
+  const Point2 first = at(walk.front()), last = at(walk.back());
+  if (!placeIsOpenTo(view, places[0], at(0), first, first)) return false;
+  if (!placeIsOpenTo(view, places[1], at(1), last, last)) return false;
+  for (std::size_t i = 0; i < walk.size(); ++i) {
+    if (walk[i] >= c.rule->matchedCount) continue;
+    const auto v = static_cast<std::size_t>(walk[i]);
+    const Point2 before = at(i == 0 ? 0 : walk[i - 1]);
+    const Point2 after = at(i + 1 == walk.size() ? 1 : walk[i + 1]);
+    places[v] = openPlace(view, places[v], at(walk[i]), before, after);
+    if (places[v].isNone()) return false;
+  }
+  return true;
+}
+
+/// Whether every corner of the new elements still faces the way the surface does.
+bool staysUnfolded(const StepView& view, const Application& application) {
+  const CompiledRule& rule = *application.rule;
+  const auto pointOf = [&](std::int8_t v) -> const SurfacePoint& {
+    return v < rule.matchedCount
+               ? view.front[application.places[static_cast<std::size_t>(v)]].point
+               : application.newPoints[static_cast<std::size_t>(v - rule.matchedCount)];
+  };
+  for (const RuleElement& element : rule.rule->definition().elements) {
+    const auto n = static_cast<std::size_t>(element.size());
+    for (std::size_t i = 0; i < n; ++i) {
+      const SurfacePoint& corner = pointOf(element.corners[i]);
+      const Point3 ahead = pointOf(element.corners[(i + 1) % n]).position - corner.position;
+      const Point3 behind = pointOf(element.corners[(i + n - 1) % n]).position - corner.position;
+      const Point3 normal = cross(ahead, behind);
+      const double cosine = dot(normal, corner.normal);
+      if (corner.normal == Point3{}) continue;  // a pole without a normal
+      if (!(cosine > 0 &&
+            cosine * cosine > kMinNormalCosine * kMinNormalCosine * dot(normal, normal)))
+        return false;
+    }
+  }
+  return true;
+}
+
+}  // namespace
+
+CandidateChoice::CandidateChoice(const CompiledRules& rules, const Front& front,
+                                 const FrontIndex& index, const SizeField& size,
+                                 const std::vector<std::uint8_t>& valence)
+    : rules_(rules), front_(front), index_(index), size_(size), valence_(valence) {}
+
+StepView CandidateChoice::viewOf(const StepChart& chart, PlaceId base) const {
+  const int level = front_[base].level;
+  return {front_, near_, chart, base, level, rules_.set().matchTolerance(level)};
+}
+
+void CandidateChoice::gather(const StepChart& chart, PlaceId base) {
+  const double baseLength = chart.project(front_[front_.next(base)].point).position.x;
+  near_.gather(front_, index_, chart, base, rules_.windowAt(front_[base].level, baseLength));
+}
+
+const Application* CandidateChoice::choose(const StepChart& chart, PlaceId base) {
+  gather(chart, base);
+  const StepView view = viewOf(chart, base);
+  collect(view);
+  RuleRefusal culprit;
+  while (candidateCount_ > 0) {
+    std::size_t best = 0;
+    for (std::size_t i = 1; i < candidateCount_; ++i)
+      if (isBetter(candidates_[i], candidates_[best])) best = i;
+    if (testZone(view, candidates_[best], culprit) == Refusal::None &&
+        prepare(view, candidates_[best]) == Refusal::None)
+      return &application_;
+    std::swap(candidates_[best], candidates_[--candidateCount_]);
+  }
+  return nullptr;
+}
+
+void CandidateChoice::collect(const StepView& view) {
+  candidateCount_ = 0;
+  RuleMatcher matcher(view);
+  for (const CompiledRule& rule : rules_.rules()) {
+    if (view.level < rule.firstLevel || view.level > rule.lastLevel) continue;
+    matcher.forEachMatch(rule, [&](const Match& match) {
+      if (candidateCount_ == candidates_.size()) candidates_.emplace_back();
+      Candidate& candidate = candidates_[candidateCount_];
+      candidate.rule = &rule;
+      candidate.match = match;
+      if (evaluate(view, candidate) == Refusal::None) ++candidateCount_;
+    });
+  }
+}
+
+Refusal CandidateChoice::evaluate(const StepView& view, Candidate& candidate) const {
+  const CompiledRule& rule = *candidate.rule;
+  const FrontSurroundings surroundings(view, rule, candidate.match, size_, valence_);
+  const AF2Binding binding{matchedPoints(candidate), view.level, &surroundings};
+  if (!rule.isPlain)
+    if (const Refusal r = requirementsHold(rule, binding); r != Refusal::None) return r;
+  if (const Refusal r = placeNewPoints(rule, binding, candidate.match); r != Refusal::None)
+    return r;
+  const RuleSetDefinition& set = rules_.set().definition();
+  if (const Refusal r = scoreElements(set, rule, candidate.match, candidate.score);
+      r != Refusal::None)
+    return r;
+  if (rule.rule->definition().cost) {
+    const auto cost = rule.rule->definition().cost->evaluate(binding);
+    if (!cost || !std::isfinite(*cost)) return Refusal::NoValue;
+    candidate.score += *cost;
+  }
+  return !set.acceptance || set.acceptance->accepts(candidate.score, view.level) ? Refusal::None
+                                                                                 : Refusal::Score;
+}
+
+bool CandidateChoice::isBetter(const Candidate& one, const Candidate& other) const {
+  if (one.score != other.score) return one.score < other.score;
+  const int priority = one.rule->rule->definition().priority;
+  const int otherPriority = other.rule->rule->definition().priority;
+  if (priority != otherPriority) return priority < otherPriority;
+  if (one.rule->index != other.rule->index) return one.rule->index < other.rule->index;
+  for (std::size_t v = 0; v < static_cast<std::size_t>(one.rule->matchedCount); ++v) {
+    const PlaceId p = one.match.places[v], q = other.match.places[v];
+    if (front_[p].vertex != front_[q].vertex) return front_[p].vertex < front_[q].vertex;
+    if (p != q) return p < q;
+  }
+  return false;
+}
+
+Refusal CandidateChoice::testZone(const StepView& view, const Candidate& candidate,
+                                  RuleRefusal& culprit) {
+  if (candidate.rule->zone) {
+    PolygonView polygon;
+    if (!polygon.make(*candidate.rule->zone, view.level, candidate.match))
+      return Refusal::Convexity;
+    return searchZone(view, candidate, polygon.boundingBox(), polygon, culprit);
+  }
+  const FrontSurroundings surroundings(view, *candidate.rule, candidate.match, size_, valence_);
+  const auto made = candidate.rule->rule->definition().zone->makeFreeZone(
+      {matchedPoints(candidate), view.level, &surroundings});
+  if (!made.zone) return made.refusal;
+  return searchZone(view, candidate, made.zone->boundingBox(), *made.zone, culprit);
+}
+
+template <class Zone>
+Refusal CandidateChoice::searchZone(const StepView& view, const Candidate& candidate,
+                                    const Box2& box, const Zone& zone, RuleRefusal& culprit) {
+  const Window wanted{box.low.x, box.low.y, box.high.x, box.high.y};
+  if (!near_.window().contains(wanted)) {
+    Window larger = near_.window();
+    larger.include(wanted);
+    near_.gather(front_, index_, view.chart, view.base, larger);
+  }
+  for (std::size_t i = 0; i < near_.count(); ++i) {
+    if (!lies(box, near_.from(i)) || !zone.contains(near_.from(i), ZoneBoundary::Counts) ||
+        isMatchedVertex(view, candidate, near_.place(i)))
+      continue;
+    culprit.from = front_[near_.place(i)].vertex;
+    culprit.to = VertexId();
+    return Refusal::ZoneHitByVertex;
+  }
+  for (std::size_t i = 0; i < near_.count(); ++i) {
+    if (!mayMeet(box, near_.from(i), near_.to(i)) || isMatchedEdge(candidate, near_.place(i)) ||
+        !zone.meets(near_.from(i), near_.to(i), ZoneBoundary::Ignored))
+      continue;
+    culprit.from = front_[near_.place(i)].vertex;
+    culprit.to = front_[front_.next(near_.place(i))].vertex;
+    return Refusal::ZoneHitByEdge;
+  }
+  return Refusal::None;
+}
+
+Refusal CandidateChoice::prepare(const StepView& view, const Candidate& candidate) {
+  application_.rule = candidate.rule;
+  application_.score = candidate.score;
+  if (!findOpenPlaces(view, candidate, application_.places)) return Refusal::Inverted;
+  application_.newPoints.clear();
+  for (int k = 0; k < candidate.rule->newCount; ++k) {
+    const auto point = view.chart.lift(
+        candidate.match.points[static_cast<std::size_t>(candidate.rule->matchedCount + k)]);
+    if (!point) return Refusal::Surface;
+    application_.newPoints.push_back(*point);
+  }
+  const bool isPlane = view.chart.frame() && view.chart.frame()->minCosine <= -2;
+  return isPlane || staysUnfolded(view, application_) ? Refusal::None : Refusal::Surface;
+}
+
+std::vector<RuleRefusal> CandidateChoice::explain(const StepChart& chart, PlaceId base) {
+  gather(chart, base);
+  const StepView view = viewOf(chart, base);
+  std::vector<RuleRefusal> refusals;
+  for (const CompiledRule& rule : rules_.rules()) refusals.push_back(explainRule(view, rule));
+  return refusals;
+}
+
+RuleRefusal CandidateChoice::explainRule(const StepView& view, const CompiledRule& rule) {
+  RuleRefusal result{rule.index, Refusal::Class, {}, {}};
+  if (view.level < rule.firstLevel || view.level > rule.lastLevel) return result;
+  result.reason = Refusal::Pattern;
+  // Zone tests may gather anew, so matches are collected before they are tested.
+  std::vector<Match> matches;
+  RuleMatcher(view).forEachMatch(rule, [&](const Match& match) { matches.push_back(match); });
+  for (const Match& match : matches) {
+    const RuleRefusal refusal = explainMatch(view, rule, match);
+    if (refusal.reason > result.reason) result = refusal;
+  }
+  return result;
+}
+
+RuleRefusal CandidateChoice::explainMatch(const StepView& view, const CompiledRule& rule,
+                                          const Match& match) {
+  Candidate candidate{0, &rule, match};
+  RuleRefusal result{rule.index, evaluate(view, candidate), {}, {}};
+  // Inverted elements and scores are checked after the zone, though they are cheaper to find out.
+  if (result.reason == Refusal::Require || result.reason == Refusal::NoValue) return result;
+  const Refusal zone = testZone(view, candidate, result);
+  if (zone != Refusal::None) result.reason = zone;
+  if (result.reason == Refusal::None) result.reason = prepare(view, candidate);
+  if (result.reason == Refusal::None) result.reason = Refusal::Beaten;
+  return result;
+}
+
+}  // namespace af2

@@ -1,0 +1,67 @@
+// Chooses what to do at one base edge: scores every match of every rule, then tests free zones in
+// order of score and takes the first that is free.
+#pragma once
+
+#include <vector>
+
+#include "engine/compiled_rules.h"
+#include "engine/neighborhood.h"
+#include "engine/observer.h"
+#include "engine/rule_matcher.h"
+#include "engine/size_field.h"
+
+namespace af2 {
+
+/// A match that would be accepted if its free zone is free.
+struct Candidate {
+  double score = 0;
+  const CompiledRule* rule = nullptr;
+  Match match;  ///< with the positions of the new vertices behind those of the matched ones
+};
+
+/// The chosen candidate, with everything that is needed to apply it.
+struct Application {
+  const CompiledRule* rule = nullptr;
+  double score = 0;
+  std::vector<PlaceId> places;          ///< by matched vertex
+  std::vector<SurfacePoint> newPoints;  ///< by new vertex, on the surface
+};
+
+/// Reused from step to step; after the first steps nothing is allocated.
+class CandidateChoice {
+ public:
+  CandidateChoice(const CompiledRules& rules, const Front& front, const FrontIndex& index,
+                  const SizeField& size, const std::vector<std::uint8_t>& valence);
+
+  /// The best applicable rule at the edge that leaves `base`, or null. Valid until the next call.
+  const Application* choose(const StepChart& chart, PlaceId base);
+
+  /// For each rule in order why it is not the one to apply; call it before the front changes.
+  std::vector<RuleRefusal> explain(const StepChart& chart, PlaceId base);
+
+ private:
+  void gather(const StepChart& chart, PlaceId base);
+  void collect(const StepView& view);
+  Refusal evaluate(const StepView& view, Candidate& candidate) const;
+  bool isBetter(const Candidate& one, const Candidate& other) const;
+  Refusal testZone(const StepView& view, const Candidate& candidate, RuleRefusal& culprit);
+  template <class Zone>
+  Refusal searchZone(const StepView& view, const Candidate& candidate, const Box2& box,
+                     const Zone& zone, RuleRefusal& culprit);
+  Refusal prepare(const StepView& view, const Candidate& candidate);
+  RuleRefusal explainRule(const StepView& view, const CompiledRule& rule);
+  RuleRefusal explainMatch(const StepView& view, const CompiledRule& rule, const Match& match);
+  StepView viewOf(const StepChart& chart, PlaceId base) const;
+
+  const CompiledRules& rules_;
+  const Front& front_;
+  const FrontIndex& index_;
+  const SizeField& size_;
+  const std::vector<std::uint8_t>& valence_;
+  Neighborhood near_;
+  std::vector<Candidate> candidates_;  // [0, candidateCount_) are in use
+  std::size_t candidateCount_ = 0;
+  Application application_;
+};
+
+}  // namespace af2

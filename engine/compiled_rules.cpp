@@ -1,0 +1,282 @@
+#include "engine/compiled_rules.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "engine/error.h"
+
+namespace af2 {
+namespace {
+
+constexpr double kEverywhere = 1e6;
+
+/// Base lengths for which windows are kept; a step uses the first that is not smaller than its own.
+constexpr std::array<double, 8> kBaseLengths{0.5, 0.75, 1, 1.25, 1.5, 2, 3, 4};
+
+// ---- binding steps -----------------------------------------------------------------------------
+
+struct ChainWalk {
+  const RuleDefinition& rule;
+  std::vector<BindingStep> steps;
+  std::vector<bool> isBound;
+
+  int successor(int v) const {
+    for (const PatternEdge& e : rule.edges)
+      if (e.from == v) return e.to;
+    return -1;
+  }
+  int predecessor(int v) const {
+    for (const PatternEdge& e : rule.edges)
+      if (e.to == v) return e.from;
+    return -1;
+  }
+  void bind(BindingStep::Kind kind, int vertex, int from) {
+    steps.push_back({kind, static_cast<std::int8_t>(vertex), static_cast<std::int8_t>(from)});
+    isBound[static_cast<std::size_t>(vertex)] = true;
+  }
+  bool bound(int v) const { return isBound[static_cast<std::size_t>(v)]; }
+
+  /// Binds the rest of the chain that v belongs to, forward and backward.
+  void follow(int v) {
+    using Kind = BindingStep::Kind;
+    int u = v;
+    for (int w = successor(u); w >= 0; u = w, w = successor(u)) {
+      if (bound(w)) {
+        if (!(u == 0 && w == 1)) bind(Kind::Closes, w, u);
+        return;  // a closed chain has been walked all round
+      }
+      bind(Kind::Next, w, u);
+    }
+    u = v;
+    for (int w = predecessor(u); w >= 0 && !bound(w); u = w, w = predecessor(u))
+      bind(Kind::Previous, w, u);
+  }
+};
+
+std::vector<BindingStep> bindingSteps(const RuleDefinition& rule) {
+  const std::size_t matched = rule.vertices.size();
+  ChainWalk walk{rule, {}, std::vector<bool>(matched, false)};
+  walk.isBound[0] = walk.isBound[1] = true;
+  walk.follow(1);
+  int u = 0;
+  for (int w = walk.predecessor(0); w >= 0 && !walk.bound(w); u = w, w = walk.predecessor(u))
+    walk.bind(BindingStep::Kind::Previous, w, u);
+  for (int v = 2; v < static_cast<int>(matched); ++v) {
+    if (walk.bound(v)) continue;
+    if (!rule.vertices[static_cast<std::size_t>(v)].tolerance)
+      throw InputError("rule \"" + rule.name + "\": vertex " +
+                       rule.vertices[static_cast<std::size_t>(v)].name +
+                       " may be anywhere; give it a tolerance, or join it to a or b by a chain");
+    walk.bind(BindingStep::Kind::Any, v, -1);
+    walk.follow(v);
+  }
+  return walk.steps;
+}
+
+std::vector<SlopeTest> slopeTests(const RuleDefinition& rule) {
+  std::vector<SlopeTest> tests;
+  for (const PatternEdge& e : rule.edges) {
+    if (!e.slope) continue;
+    const auto at = [&](int v) { return rule.vertices[static_cast<std::size_t>(v)].reference; };
+    tests.push_back({static_cast<std::int8_t>(e.from), static_cast<std::int8_t>(e.to),
+                     at(e.to) - at(e.from), *e.slope});
+  }
+  return tests;
+}
+
+// ---- fast forms --------------------------------------------------------------------------------
+
+const AffinePointTransform* asAffine(const std::shared_ptr<const AF2PointTransform>& transform,
+                                     int matchedCount) {
+  const auto* affine = dynamic_cast<const AffinePointTransform*>(transform.get());
+  return affine && affine->vertexCount() <= matchedCount ? affine : nullptr;
+}
+
+std::optional<AffineBatch> fastNewPoints(const AF2Rule& rule) {
+  AffineBatch batch;
+  if (rule.newCount() > AffineBatch::kCapacity) return std::nullopt;
+  for (const auto& transform : rule.definition().newVertices) {
+    const auto* affine = asAffine(transform, rule.matchedCount());
+    if (!affine) return std::nullopt;
+    batch.add(*affine, rule.matchedCount());
+  }
+  return batch;
+}
+
+bool fadesAtAll(const ConvexPolygonZoneDef& def) {
+  return std::any_of(def.corners().begin(), def.corners().end(),
+                     [](const auto& corner) { return corner.limiting != nullptr; });
+}
+
+std::optional<FastZone> fastZone(const AF2Rule& rule, int maxLevel) {
+  const auto* def = dynamic_cast<const ConvexPolygonZoneDef*>(rule.definition().zone.get());
+  if (!def || def->corners().size() > AffineBatch::kCapacity) return std::nullopt;
+  FastZone zone;
+  const int levels = fadesAtAll(*def) ? maxLevel : 1;
+  for (int level = 1; level <= levels; ++level) {
+    AffineBatch batch;
+    for (const auto& corner : def->corners()) {
+      const auto* preferred = asAffine(corner.preferred, rule.matchedCount());
+      const auto* limiting =
+          corner.limiting ? asAffine(corner.limiting, rule.matchedCount()) : preferred;
+      if (!preferred || !limiting) return std::nullopt;
+      batch.add(corner.limiting ? preferred->blend(*limiting, def->fade(level)) : *preferred,
+                rule.matchedCount());
+    }
+    zone.byLevel.push_back(std::move(batch));
+  }
+  return zone;
+}
+
+// ---- windows -----------------------------------------------------------------------------------
+
+/// Half extents of the ellipse form(d) <= tolerance.
+Point2 ellipseExtent(const ToleranceForm& form, double tolerance) {
+  const double det = form.xx * form.yy - 0.25 * form.xy * form.xy;
+  if (!(det > 1e-12 * form.xx * form.yy) || !(form.xx > 0)) return {kEverywhere, kEverywhere};
+  return {std::sqrt(tolerance * form.yy / det), std::sqrt(tolerance * form.xx / det)};
+}
+
+/// Every place that a free vertex of the rule can match, and the end of its chain at its reference.
+Window matchWindow(const CompiledRule& rule, double tolerance) {
+  Window window;
+  for (const BindingStep& step : rule.steps) {
+    if (step.kind != BindingStep::Kind::Any) continue;
+    const PatternVertex& v =
+        rule.rule->definition().vertices[static_cast<std::size_t>(step.vertex)];
+    const Point2 extent = ellipseExtent(*v.tolerance, tolerance);
+    window.include(v.reference.x - extent.x, v.reference.y - extent.y);
+    window.include(v.reference.x + extent.x, v.reference.y + extent.y);
+  }
+  return window;
+}
+
+/// Where the zone lies when matched vertices deviate by half of what is allowed, to either side.
+Window zoneWindow(const CompiledRule& rule, int level, double baseLength, double tolerance) {
+  Window window;
+  const RuleDefinition& definition = rule.rule->definition();
+  const AF2Surroundings nothingAround;
+  std::vector<Point2> matched(definition.vertices.size());
+  for (int corner = 0; corner < 4; ++corner) {
+    matched[1] = {baseLength, 0};
+    for (std::size_t i = 2; i < matched.size(); ++i) {
+      const PatternVertex& v = definition.vertices[i];
+      const Point2 extent = ellipseExtent(v.tolerance.value_or(ToleranceForm{}), tolerance);
+      const double dx = std::min(0.5 * extent.x, 1.0), dy = std::min(0.5 * extent.y, 1.0);
+      matched[i] = v.reference + Point2{corner & 1 ? dx : -dx, corner & 2 ? dy : -dy};
+    }
+    if (rule.zone) {
+      double x[AffineBatch::kCapacity], y[AffineBatch::kCapacity];
+      const AffineBatch& corners = rule.zone->at(level);
+      corners.evaluate(matched.data(), x, y);
+      for (int k = 0; k < corners.count; ++k) window.include(x[k], y[k]);
+      continue;
+    }
+    const auto made = definition.zone->makeFreeZone({matched, level, &nothingAround});
+    if (!made.zone) continue;
+    const Box2 box = made.zone->boundingBox();
+    window.include(std::max(box.low.x, -kEverywhere), std::max(box.low.y, -kEverywhere));
+    window.include(std::min(box.high.x, kEverywhere), std::min(box.high.y, kEverywhere));
+  }
+  return window;
+}
+
+}  // namespace
+
+void AffineBatch::add(const AffinePointTransform& transform, int matchedCount) {
+  rows.resize(static_cast<std::size_t>(matchedCount - 1));
+  constantX[count] = transform.constant().x;
+  constantY[count] = transform.constant().y;
+  for (const AffinePointTransform::Term& t : transform.terms()) {
+    if (t.vertex == 0) continue;  // a is the origin of the chart
+    Row& row = rows[static_cast<std::size_t>(t.vertex - 1)];
+    row.xx[count] = t.xx;
+    row.yy[count] = t.yy;
+    row.xy[count] = t.xy;
+    row.yx[count] = t.yx;
+    isMixed = isMixed || t.xy != 0 || t.yx != 0;
+  }
+  ++count;
+}
+
+void AffineBatch::evaluate(const Point2* matched, double* x, double* y) const {
+  for (int k = 0; k < kCapacity; ++k) x[k] = constantX[k], y[k] = constantY[k];
+  for (std::size_t j = 0; j < rows.size(); ++j) {
+    const Row& row = rows[j];
+    const Point2 p = matched[j + 1];
+    if (isMixed) {
+      for (int k = 0; k < kCapacity; ++k) {
+        x[k] += row.xx[k] * p.x + row.xy[k] * p.y;
+        y[k] += row.yx[k] * p.x + row.yy[k] * p.y;
+      }
+    } else {
+      for (int k = 0; k < kCapacity; ++k) {
+        x[k] += row.xx[k] * p.x;
+        y[k] += row.yy[k] * p.y;
+      }
+    }
+  }
+}
+
+void Window::include(double x, double y) {
+  lowX = std::min(lowX, x);
+  lowY = std::min(lowY, y);
+  highX = std::max(highX, x);
+  highY = std::max(highY, y);
+}
+
+void Window::include(const Window& other) {
+  include(other.lowX, other.lowY);
+  include(other.highX, other.highY);
+}
+
+CompiledRules::CompiledRules(const RuleSet& rules) : set_(rules) {
+  for (std::size_t i = 0; i < rules.rules().size(); ++i) {
+    const AF2Rule& rule = rules.rules()[i];
+    const RuleDefinition& definition = rule.definition();
+    CompiledRule compiled;
+    compiled.rule = &rule;
+    compiled.index = static_cast<std::uint16_t>(i);
+    compiled.firstLevel = definition.firstLevel;
+    compiled.lastLevel = definition.lastLevel.value_or(std::numeric_limits<int>::max());
+    compiled.matchedCount = rule.matchedCount();
+    compiled.newCount = rule.newCount();
+    compiled.steps = bindingSteps(definition);
+    compiled.slopes = slopeTests(definition);
+    compiled.newPoints = fastNewPoints(rule);
+    compiled.zone = fastZone(rule, rules.maxLevel());
+    compiled.isPlain = definition.requirements.empty() && !definition.cost;
+    rules_.push_back(std::move(compiled));
+  }
+
+  windows_.resize(static_cast<std::size_t>(rules.maxLevel()));
+  for (int level = 1; level <= rules.maxLevel(); ++level) {
+    const double tolerance = rules.matchTolerance(level);
+    for (double baseLength : kBaseLengths) {
+      Window window;
+      for (const CompiledRule& rule : rules_) {
+        if (level < rule.firstLevel || level > rule.lastLevel) continue;
+        window.include(matchWindow(rule, tolerance));
+        window.include(zoneWindow(rule, level, baseLength, tolerance));
+      }
+      windows_[static_cast<std::size_t>(level - 1)].push_back(window);
+    }
+  }
+}
+
+Window CompiledRules::windowAt(int level, double baseLength) const {
+  const auto& row = windows_[static_cast<std::size_t>(std::clamp(level, 1, set_.maxLevel()) - 1)];
+  const auto bucket = std::lower_bound(kBaseLengths.begin(), kBaseLengths.end(), baseLength);
+  if (bucket != kBaseLengths.end())
+    return row[static_cast<std::size_t>(bucket - kBaseLengths.begin())];
+  // Longer bases stretch the window in proportion, which is generous.
+  Window window = row.back();
+  const double stretch = baseLength / kBaseLengths.back();
+  window.include(stretch * window.lowX, stretch * window.lowY);
+  window.include(stretch * window.highX, stretch * window.highY);
+  return window;
+}
+
+}  // namespace af2

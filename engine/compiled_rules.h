@@ -1,0 +1,99 @@
+// Rules made ready for the loop: binding steps, coefficient tables by level, search windows.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "engine/rule_set.h"
+
+namespace af2 {
+
+/// Up to eight affine points of a rule, evaluated together: structure of arrays, one row of
+/// coefficients for each matched vertex.
+struct AffineBatch {
+  static constexpr int kCapacity = 8;
+  struct Row {
+    double xx[kCapacity]{}, yy[kCapacity]{};
+    double xy[kCapacity]{}, yx[kCapacity]{};
+  };
+
+  int count = 0;
+  bool isMixed = false;  ///< whether any x depends on a y or the other way round
+  double constantX[kCapacity]{}, constantY[kCapacity]{};
+  std::vector<Row> rows;  ///< by matched vertex from b on: a is the origin
+
+  void add(const AffinePointTransform& transform, int matchedCount);
+  /// Slots from `count` on hold nothing of use.
+  void evaluate(const Point2* matched, double* x, double* y) const;
+};
+
+/// The free zone of a rule in its fast form: a convex polygon with affine corners.
+struct FastZone {
+  std::vector<AffineBatch> byLevel;  ///< one for all levels, or [level - 1], the last for all above
+  const AffineBatch& at(int level) const {
+    const auto last = byLevel.size() - 1;
+    const auto index = static_cast<std::size_t>(level - 1);
+    return byLevel[index < last ? index : last];
+  }
+};
+
+/// How one pattern vertex finds its place on the front.
+struct BindingStep {
+  enum class Kind : std::uint8_t {
+    Next,      ///< the place after that of `from`
+    Previous,  ///< the place before that of `from`
+    Closes,    ///< a check: the place after that of `from` is that of `vertex`
+    Any,       ///< every legal place in the window
+  };
+  Kind kind = Kind::Next;
+  std::int8_t vertex = 0;
+  std::int8_t from = 0;
+};
+
+struct SlopeTest {
+  std::int8_t from, to;
+  Point2 reference;
+  ToleranceForm form;
+};
+
+/// An axis-parallel window around the base edge, in chart units.
+struct Window {
+  double lowX = 0, lowY = 0, highX = 0, highY = 0;
+  void include(double x, double y);
+  void include(const Window& other);
+  bool contains(const Window& w) const {
+    return lowX <= w.lowX && lowY <= w.lowY && highX >= w.highX && highY >= w.highY;
+  }
+};
+
+struct CompiledRule {
+  const AF2Rule* rule = nullptr;
+  std::uint16_t index = 0;
+  int firstLevel = 1, lastLevel = 1;
+  int matchedCount = 2, newCount = 0;
+  std::vector<BindingStep> steps;
+  std::vector<SlopeTest> slopes;
+  std::optional<AffineBatch> newPoints;  ///< the fast form, if all new points are affine
+  std::optional<FastZone> zone;          ///< the fast form, if the zone has it
+  bool isPlain = false;  ///< no requirement and no cost: nothing but geometry decides
+};
+
+class CompiledRules {
+ public:
+  explicit CompiledRules(const RuleSet& rules);
+
+  const RuleSet& set() const { return set_; }
+  const std::vector<CompiledRule>& rules() const { return rules_; }
+  /// What a step at this level looks at first. It holds every place that a rule can match, and the
+  /// free zones of typical matches; a zone that sticks out is fetched on its own.
+  Window windowAt(int level, double baseLength) const;
+
+ private:
+  const RuleSet& set_;
+  std::vector<CompiledRule> rules_;
+  std::vector<std::vector<Window>> windows_;  // [level - 1][base length bucket]
+};
+
+}  // namespace af2

@@ -1,0 +1,129 @@
+#include "engine/front_index.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/error.h"
+
+namespace af2 {
+namespace {
+
+/// Cells as multiples of the longest edge of their band: large enough that a step looks into few of
+/// them, small enough that it finds few edges that are no neighbours.
+constexpr double kCellPerLength = 2.0;
+constexpr int kMiddleBand = 16;
+
+}  // namespace
+
+FrontIndex::FrontIndex(const Box3& box, double typicalLength)
+    : origin_(box.low), typicalLength_(typicalLength), bands_(kBands) {
+  for (int i = 0; i < kBands; ++i) {
+    Band& band = bands_[static_cast<std::size_t>(i)];
+    const double longest = typicalLength * std::ldexp(2.0, 2 * (i - kMiddleBand));
+    band.cellSize = kCellPerLength * longest;
+    band.inverseCellSize = 1 / band.cellSize;
+  }
+}
+
+std::size_t FrontIndex::bandOf(double length) const {
+  if (length == 0) return kMiddleBand;
+  // Band i holds lengths in typical * [1/2, 2) * 4^(i - middle).
+  const int exponent = std::ilogb(2 * length / typicalLength_);
+  const int band = kMiddleBand + (exponent >= 0 ? exponent / 2 : -((1 - exponent) / 2));
+  return static_cast<std::size_t>(std::clamp(band, 0, kBands - 1));
+}
+
+std::uint64_t FrontIndex::keyAt(const Band& band, const Point3& point) const {
+  const Point3 d = band.inverseCellSize * (point - origin_);
+  return keyOf(static_cast<std::int64_t>(std::floor(d.x)),
+               static_cast<std::int64_t>(std::floor(d.y)),
+               static_cast<std::int64_t>(std::floor(d.z)));
+}
+
+FrontIndex::CellRange FrontIndex::cellsAround(const Band& band, const Box3& box) const {
+  const auto cellIndex = [&](double x, double origin) {
+    constexpr double kFar =
+        1e6;  // keeps the products in range; coordinates repeat after 2^21 cells
+    return static_cast<std::int64_t>(
+        std::floor(std::clamp((x - origin) * band.inverseCellSize, -kFar, kFar)));
+  };
+  return {
+      {cellIndex(box.low.x - band.reach, origin_.x), cellIndex(box.low.y - band.reach, origin_.y),
+       cellIndex(box.low.z - band.reach, origin_.z)},
+      {cellIndex(box.high.x + band.reach, origin_.x), cellIndex(box.high.y + band.reach, origin_.y),
+       cellIndex(box.high.z + band.reach, origin_.z)}};
+}
+
+void FrontIndex::insert(Front& front, PlaceId id) {
+  const Point3& from = front[id].point.position;
+  const Point3& to = front[front.next(id)].point.position;
+  const double length = distance(from, to);
+  const std::size_t bandIndex = bandOf(length);
+  Band& band = bands_[bandIndex];
+  band.reach = std::max(band.reach, 0.5 * length);
+
+  const std::uint32_t cellIndex = findOrAdd(band, keyAt(band, 0.5 * (from + to)));
+  Cell& cell = band.cells[cellIndex];
+  Place& place = front[id];
+  place.cell = static_cast<std::uint32_t>(bandIndex) << kBandShift | cellIndex;
+  place.previousInCell = PlaceId();
+  place.nextInCell = cell.first;
+  if (!cell.first.isNone()) front[cell.first].previousInCell = id;
+  cell.first = id;
+  ++band.edges;
+  if (band.cells.size() > 64 && band.cells.size() > 4 * band.edges) dropEmptyCells(front, band);
+}
+
+void FrontIndex::erase(Front& front, PlaceId id) {
+  Place& place = front[id];
+  if (place.cell == kEmpty) return;
+  Band& band = bands_[place.cell >> kBandShift];
+  Cell& cell = band.cells[place.cell & ((1u << kBandShift) - 1)];
+  if (!place.nextInCell.isNone()) front[place.nextInCell].previousInCell = place.previousInCell;
+  if (!place.previousInCell.isNone())
+    front[place.previousInCell].nextInCell = place.nextInCell;
+  else
+    cell.first = place.nextInCell;
+  place.cell = kEmpty;
+  --band.edges;
+}
+
+std::uint32_t FrontIndex::findOrAdd(Band& band, std::uint64_t key) {
+  if (2 * (band.cells.size() + 1) > band.slots.size())
+    rehash(band, std::max<std::size_t>(64, 2 * band.slots.size()));
+  const std::size_t mask = band.slots.size() - 1;
+  std::size_t i = hash(key) & mask;
+  for (; band.slots[i] != kEmpty; i = (i + 1) & mask)
+    if (band.cells[band.slots[i]].key == key) return band.slots[i];
+  band.slots[i] = static_cast<std::uint32_t>(band.cells.size());
+  AF2_CHECK(band.cells.size() < (1u << kBandShift), "fewer than 2^27 cells are in use");
+  band.cells.push_back({key, PlaceId()});
+  return band.slots[i];
+}
+
+void FrontIndex::rehash(Band& band, std::size_t slots) {
+  band.slots.assign(slots, kEmpty);
+  for (std::size_t c = 0; c < band.cells.size(); ++c) {
+    std::size_t i = hash(band.cells[c].key) & (slots - 1);
+    while (band.slots[i] != kEmpty) i = (i + 1) & (slots - 1);
+    band.slots[i] = static_cast<std::uint32_t>(c);
+  }
+}
+
+/// The front moves on and leaves empty cells behind; they would fill the table in time.
+void FrontIndex::dropEmptyCells(Front& front, Band& band) {
+  std::size_t kept = 0;
+  for (const Cell& cell : band.cells) {
+    if (cell.first.isNone()) continue;
+    for (PlaceId id = cell.first; !id.isNone(); id = front[id].nextInCell)
+      front[id].cell =
+          (front[id].cell & ~((1u << kBandShift) - 1)) | static_cast<std::uint32_t>(kept);
+    band.cells[kept++] = cell;
+  }
+  band.cells.resize(kept);
+  std::size_t slots = 64;
+  while (slots < 4 * (kept + 1)) slots *= 2;
+  rehash(band, slots);
+}
+
+}  // namespace af2

@@ -1,0 +1,108 @@
+// Which front edges lie near a box: a hierarchy of hashed grids, one for each band of edge lengths.
+// The only place where search speed is tuned.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "engine/front.h"
+#include "engine/point.h"
+
+namespace af2 {
+
+struct Box3 {
+  Point3 low, high;
+};
+
+/// Edges are kept by their midpoint, in the grid of their length; bands are a factor of 4 wide, so
+/// that a mesh of nearly uniform size lives in one grid.
+class FrontIndex {
+ public:
+  /// box        holds all vertices to come, roughly: it only sets the resolution of coordinates
+  /// typicalLength  the length that lies in the middle of a band
+  FrontIndex(const Box3& box, double typicalLength);
+
+  void insert(Front& front, PlaceId id);
+  /// Does nothing if the edge is not in the index.
+  void erase(Front& front, PlaceId id);
+
+  /// Calls visit(PlaceId) for every edge that may meet the box, in an order that depends on nothing
+  /// but the history of inserts and erases. A superset: cells are not cut at the box.
+  template <class Visit>
+  void forEachNear(const Front& front, const Box3& box, Visit&& visit) const {
+    for (const Band& band : bands_) {
+      if (band.edges == 0) continue;
+      const CellRange range = cellsAround(band, box);
+      if (range.count() > band.cells.size()) {
+        for (const Cell& cell : band.cells) visitCell(front, cell, visit);
+        continue;
+      }
+      for (std::int64_t z = range.low[2]; z <= range.high[2]; ++z)
+        for (std::int64_t y = range.low[1]; y <= range.high[1]; ++y)
+          for (std::int64_t x = range.low[0]; x <= range.high[0]; ++x)
+            if (const Cell* cell = find(band, keyOf(x, y, z))) visitCell(front, *cell, visit);
+    }
+  }
+
+ private:
+  struct Cell {
+    std::uint64_t key = 0;
+    PlaceId first;
+  };
+  struct Band {
+    double cellSize = 1, inverseCellSize = 1;
+    double reach = 0;  ///< largest distance of an edge's points from its midpoint, so far
+    std::size_t edges = 0;
+    std::vector<Cell> cells;           ///< in order of first use
+    std::vector<std::uint32_t> slots;  ///< open addressing into cells; a power of two
+  };
+  struct CellRange {
+    std::int64_t low[3], high[3];
+    std::size_t count() const {
+      return static_cast<std::size_t>(high[0] - low[0] + 1) *
+             static_cast<std::size_t>(high[1] - low[1] + 1) *
+             static_cast<std::size_t>(high[2] - low[2] + 1);
+    }
+  };
+
+  static std::uint64_t keyOf(std::int64_t x, std::int64_t y, std::int64_t z) {
+    constexpr std::uint64_t kMask = (1u << 21) - 1;
+    return (static_cast<std::uint64_t>(x) & kMask) | (static_cast<std::uint64_t>(y) & kMask) << 21 |
+           (static_cast<std::uint64_t>(z) & kMask) << 42;
+  }
+  static std::size_t hash(std::uint64_t key) {
+    key *= 0x9e3779b97f4a7c15u;
+    return static_cast<std::size_t>(key ^ (key >> 32));
+  }
+
+  std::size_t bandOf(double length) const;
+  CellRange cellsAround(const Band& band, const Box3& box) const;
+  std::uint64_t keyAt(const Band& band, const Point3& point) const;
+
+  const Cell* find(const Band& band, std::uint64_t key) const {
+    const std::size_t mask = band.slots.size() - 1;
+    for (std::size_t i = hash(key) & mask;; i = (i + 1) & mask) {
+      const std::uint32_t slot = band.slots[i];
+      if (slot == kEmpty) return nullptr;
+      if (band.cells[slot].key == key) return &band.cells[slot];
+    }
+  }
+  std::uint32_t findOrAdd(Band& band, std::uint64_t key);
+  static void rehash(Band& band, std::size_t slots);
+  static void dropEmptyCells(Front& front, Band& band);
+
+  template <class Visit>
+  static void visitCell(const Front& front, const Cell& cell, Visit&& visit) {
+    for (PlaceId id = cell.first; !id.isNone(); id = front[id].nextInCell) visit(id);
+  }
+
+  static constexpr std::uint32_t kEmpty = 0xffffffffu;
+  static constexpr int kBands = 32;
+  static constexpr std::uint32_t kBandShift = 27;  // a place's cell: band in the high bits
+
+  Point3 origin_;
+  double typicalLength_;
+  std::vector<Band> bands_;
+};
+
+}  // namespace af2

@@ -1,0 +1,103 @@
+// Enumerates every way to bind a rule's pattern to the front around one base edge.
+#pragma once
+
+#include <array>
+#include <utility>
+
+#include "engine/compiled_rules.h"
+#include "engine/front.h"
+#include "engine/neighborhood.h"
+
+namespace af2 {
+
+/// What one step of the advance looks at.
+struct StepView {
+  const Front& front;
+  const Neighborhood& near;
+  const StepChart& chart;
+  PlaceId base;
+  int level;
+  double tolerance;  ///< largest value of a tolerance form at this level
+};
+
+/// A bound pattern: places and chart positions by pattern vertex; then room for the new vertices.
+struct Match {
+  std::array<PlaceId, AF2Rule::kMaxVertices> places;
+  std::array<Point2, AF2Rule::kMaxVertices + AffineBatch::kCapacity> points;
+};
+
+/// Calls visit(const Match&) for every complete binding of one rule.
+class RuleMatcher {
+ public:
+  explicit RuleMatcher(const StepView& view);
+
+  template <class Visit>
+  void forEachMatch(const CompiledRule& rule, Visit&& visit) {
+    bind(rule, 0, visit);
+  }
+
+ private:
+  struct Candidate {
+    PlaceId place;
+    ChartPoint point;
+  };
+
+  template <class Visit>
+  void bind(const CompiledRule& rule, std::size_t index, Visit& visit) {
+    if (index == rule.steps.size()) {
+      if (slopesFit(rule)) visit(std::as_const(match_));
+      return;
+    }
+    const BindingStep& step = rule.steps[index];
+    const PlaceId from =
+        step.from < 0 ? PlaceId() : match_.places[static_cast<std::size_t>(step.from)];
+    switch (step.kind) {
+      case BindingStep::Kind::Closes:
+        if (view_.front.next(from) == match_.places[static_cast<std::size_t>(step.vertex)])
+          bind(rule, index + 1, visit);
+        return;
+      case BindingStep::Kind::Next:
+      case BindingStep::Kind::Previous: {
+        const Candidate candidate =
+            step.kind == BindingStep::Kind::Next ? after(from) : before(from);
+        if (accept(rule, index, candidate.place, candidate.point.position,
+                   candidate.point.view == ChartView::Legal))
+          bind(rule, index + 1, visit);
+        return;
+      }
+      case BindingStep::Kind::Any:
+        for (std::size_t i = 0; i < view_.near.count(); ++i)
+          if (accept(rule, index, view_.near.place(i), view_.near.from(i), view_.near.isLegal(i)))
+            bind(rule, index + 1, visit);
+        return;
+    }
+  }
+
+  /// Binds the vertex of a step if the place fits it.
+  bool accept(const CompiledRule& rule, std::size_t index, PlaceId place, Point2 point,
+              bool isLegal) {
+    const auto vertex = static_cast<std::size_t>(rule.steps[index].vertex);
+    const PatternVertex& wanted = rule.rule->definition().vertices[vertex];
+    if (wanted.tolerance && !((*wanted.tolerance)(point - wanted.reference) <= view_.tolerance))
+      return false;
+    if (!isLegal || isBound(rule, index, view_.front[place].vertex)) return false;
+    match_.places[vertex] = place;
+    match_.points[vertex] = point;
+    return true;
+  }
+
+  /// Whether an earlier step has bound this mesh vertex: pattern vertices are all different.
+  bool isBound(const CompiledRule& rule, std::size_t index, VertexId id) const;
+  bool slopesFit(const CompiledRule& rule) const;
+  Candidate after(PlaceId place) const;
+  Candidate before(PlaceId place) const;
+  Candidate at(PlaceId place) const {
+    return {place, view_.chart.project(view_.front[place].point)};
+  }
+
+  const StepView& view_;
+  Match match_;
+  Candidate afterBase_, beforeBase_;  // what nearly every rule asks for
+};
+
+}  // namespace af2

@@ -1,0 +1,53 @@
+#include "engine/surroundings.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace af2 {
+namespace {
+
+double distanceToSegment(Point2 p, Point2 a, Point2 b) {
+  const Point2 ab = b - a;
+  const double squared = dot(ab, ab);
+  const double t = squared > 0 ? std::clamp(dot(p - a, ab) / squared, 0.0, 1.0) : 0.0;
+  return distance(p, a + t * ab);
+}
+
+}  // namespace
+
+double FrontSurroundings::size(Point2 point) const {
+  const auto onSurface = view_.chart.lift(point);
+  return onSurface ? size_.sizeAt(*onSurface) / view_.chart.unit() : 1;
+}
+
+std::optional<double> FrontSurroundings::turn(int vertex) const {
+  const auto& edges = rule_.rule->definition().edges;
+  const bool isInChain = std::any_of(edges.begin(), edges.end(), [&](const PatternEdge& e) {
+    return e.from == vertex || e.to == vertex;
+  });
+  if (!isInChain) return std::nullopt;
+  return view_.front.turn(match_.places[static_cast<std::size_t>(vertex)]);
+}
+
+double FrontSurroundings::distanceToFront(Point2 point) const {
+  double nearest = distanceToSegment(point, match_.points[0], match_.points[1]);
+  for (std::size_t i = 0; i < view_.near.count(); ++i)
+    nearest = std::min(nearest, distanceToSegment(point, view_.near.from(i), view_.near.to(i)));
+  return nearest;
+}
+
+double FrontSurroundings::curvature(Point2 point) const {
+  constexpr double kStep = 0.25;  // of the wanted length: the scale that matters to an element
+  const auto here = view_.chart.lift(point);
+  if (!here) return 0;
+  double largest = 0;
+  for (Point2 d : {Point2{kStep, 0}, Point2{0, kStep}}) {
+    const auto there = view_.chart.lift(point + d);
+    if (!there) continue;
+    const double away = distance(here->position, there->position);
+    if (away > 0) largest = std::max(largest, distance(here->normal, there->normal) / away);
+  }
+  return largest * view_.chart.unit();
+}
+
+}  // namespace af2
