@@ -278,7 +278,7 @@ class Run {
   template <class Visit>
   void forEachEdge(Visit&& visit) const {
     for (std::size_t i = 0; i < front_.capacity(); ++i)
-      if (front_.isUsed(PlaceId(i)) && !front_.isIsolated(PlaceId(i))) visit(PlaceId(i));
+      if (front_.hasEdge(PlaceId(i))) visit(PlaceId(i));
   }
 
   bool revive() {

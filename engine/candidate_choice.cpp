@@ -152,7 +152,8 @@ bool sectorContains(Point2 center, Point2 next, Point2 previous, Point2 d) {
 }
 
 bool placeIsOpenTo(const StepView& view, PlaceId id, Point2 center, Point2 d1, Point2 d2) {
-  if (view.front.isIsolated(id)) return true;
+  // At an isolated vertex and at the end of an open chain all directions are free.
+  if (!view.front.hasEdge(id) || !view.front.hasEdgeBefore(id)) return true;
   const Point2 next = view.chart.project(view.front[view.front.next(id)].point).position;
   const Point2 previous = view.chart.project(view.front[view.front.previous(id)].point).position;
   return sectorContains(center, next, previous, d1) && sectorContains(center, next, previous, d2);

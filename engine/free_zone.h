@@ -90,7 +90,8 @@ class ConvexPolygonZoneDef final : public AF2FreeZoneDef {
  public:
   struct Corner {
     std::shared_ptr<const AF2PointTransform> preferred;
-    std::shared_ptr<const AF2PointTransform> limiting;  ///< null: the preferred one at every level
+    std::shared_ptr<const AF2PointTransform> limiting =
+        nullptr;  ///< null: the preferred one at every level
   };
 
   /// fade  weight of the preferred corner by level; [0] is level 1; the last one holds for higher

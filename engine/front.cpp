@@ -35,12 +35,20 @@ PlaceId Front::addLoop(std::span<const BoundaryCorner> corners, std::span<const 
   return PlaceId(first);
 }
 
+PlaceId Front::addOpenChain(std::span<const BoundaryCorner> corners,
+                            std::span<const double> sizes) {
+  const PlaceId first = addLoop(corners, sizes);
+  places_[first.value + corners.size() - 1].level = kNoEdge;
+  --edgeCount_;
+  return first;
+}
+
 PlaceId Front::addIsolated(const BoundaryCorner& corner, double size) {
   Place place;
   place.point = corner.point;
   place.vertex = corner.vertex;
   place.size = size;
-  place.level = 1;
+  place.level = kNoEdge;
   const PlaceId id(places_.size());
   place.next = place.previous = id;
   places_.push_back(place);

@@ -16,7 +16,7 @@ struct Place {
   SurfacePoint point;
   double size = 0;  ///< wanted edge length at the vertex
   VertexId vertex;
-  PlaceId next, previous;              ///< itself: an isolated vertex, which has no edge
+  PlaceId next, previous;              ///< itself: an isolated vertex
   std::int32_t level = 0;              ///< quality level of the edge; 0: the place is not in use
   std::int32_t layer = 0;              ///< layers of elements between the vertex and the boundary
   std::uint32_t age = 0;               ///< counts up with each edge that joins the front
@@ -41,7 +41,13 @@ class Front {
     std::vector<PlaceId> removed;  ///< places that left the front, or whose old edge did
   };
 
+  /// Level of a place that no edge leaves: an isolated vertex, the end of an open chain.
+  static constexpr std::int32_t kNoEdge = -1;
+
+  /// Returns the first of the new places, which are numbered on.
   PlaceId addLoop(std::span<const BoundaryCorner> corners, std::span<const double> sizes);
+  /// A part of a loop whose rest is not known, for trying rules: `replace` is not for it.
+  PlaceId addOpenChain(std::span<const BoundaryCorner> corners, std::span<const double> sizes);
   PlaceId addIsolated(const BoundaryCorner& corner, double size);
 
   /// Replaces the edge that leaves `base` by the path base -> walk... -> next(base).
@@ -58,7 +64,10 @@ class Front {
   Place& operator[](PlaceId id) { return places_[id.value]; }
   PlaceId next(PlaceId id) const { return places_[id.value].next; }
   PlaceId previous(PlaceId id) const { return places_[id.value].previous; }
-  bool isUsed(PlaceId id) const { return places_[id.value].level > 0; }
+  bool isUsed(PlaceId id) const { return places_[id.value].level != 0; }
+  /// Whether an edge leaves the place; whether one arrives there.
+  bool hasEdge(PlaceId id) const { return places_[id.value].level > 0; }
+  bool hasEdgeBefore(PlaceId id) const { return hasEdge(previous(id)); }
   bool isIsolated(PlaceId id) const { return places_[id.value].next == id; }
 
   /// Edges on the front; isolated vertices on it.

@@ -56,7 +56,7 @@ FrontIndex::CellRange FrontIndex::cellsAround(const Band& band, const Box3& box)
 
 void FrontIndex::insert(Front& front, PlaceId id) {
   const Point3& from = front[id].point.position;
-  const Point3& to = front[front.next(id)].point.position;
+  const Point3& to = front.hasEdge(id) ? front[front.next(id)].point.position : from;
   const double length = distance(from, to);
   const std::size_t bandIndex = bandOf(length);
   Band& band = bands_[bandIndex];

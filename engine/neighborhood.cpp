@@ -43,7 +43,7 @@ void Neighborhood::gather(const Front& front, const FrontIndex& index, const Ste
   index.forEachNear(front, box, [&](PlaceId id) {
     const Place& place = front[id];
     const ChartPoint from = chart.project(place.point);
-    const ChartPoint to = place.next == id ? from : chart.project(front[place.next].point);
+    const ChartPoint to = place.level < 0 ? from : chart.project(front[place.next].point);
     const bool isOutside = std::max(from.position.x, to.position.x) < window.lowX ||
                            std::min(from.position.x, to.position.x) > window.highX ||
                            std::max(from.position.y, to.position.y) < window.lowY ||

@@ -36,7 +36,8 @@ struct PatternVertex {
 /// A front edge from -> to that the rule wants; the unmeshed region lies to its left.
 struct PatternEdge {
   int from = 0, to = 0;
-  std::optional<ToleranceForm> slope;  ///< tolerance on the deviation of the edge vector
+  std::optional<ToleranceForm> slope =
+      std::nullopt;  ///< tolerance on the deviation of the edge vector
   bool operator==(const PatternEdge&) const = default;
 };
 

@@ -53,11 +53,15 @@ class RuleMatcher {
         step.from < 0 ? PlaceId() : match_.places[static_cast<std::size_t>(step.from)];
     switch (step.kind) {
       case BindingStep::Kind::Closes:
-        if (view_.front.next(from) == match_.places[static_cast<std::size_t>(step.vertex)])
+        if (view_.front.hasEdge(from) &&
+            view_.front.next(from) == match_.places[static_cast<std::size_t>(step.vertex)])
           bind(rule, index + 1, visit);
         return;
       case BindingStep::Kind::Next:
       case BindingStep::Kind::Previous: {
+        if (!(step.kind == BindingStep::Kind::Next ? view_.front.hasEdge(from)
+                                                   : view_.front.hasEdgeBefore(from)))
+          return;
         const Candidate candidate =
             step.kind == BindingStep::Kind::Next ? after(from) : before(from);
         if (accept(rule, index, candidate.place, candidate.point.position,

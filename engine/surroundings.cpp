@@ -25,8 +25,10 @@ std::optional<double> FrontSurroundings::turn(int vertex) const {
   const bool isInChain = std::any_of(edges.begin(), edges.end(), [&](const PatternEdge& e) {
     return e.from == vertex || e.to == vertex;
   });
-  if (!isInChain) return std::nullopt;
-  return view_.front.turn(match_.places[static_cast<std::size_t>(vertex)]);
+  const PlaceId place = match_.places[static_cast<std::size_t>(vertex)];
+  if (!isInChain || !view_.front.hasEdge(place) || !view_.front.hasEdgeBefore(place))
+    return std::nullopt;
+  return view_.front.turn(place);
 }
 
 double FrontSurroundings::distanceToFront(Point2 point) const {

@@ -1,0 +1,148 @@
+#include "engine/single_step.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <string>
+
+#include "engine/candidate_choice.h"
+#include "engine/error.h"
+
+namespace af2 {
+namespace {
+
+using Edge = std::pair<std::size_t, std::size_t>;
+
+class PlaneChart final : public AF2LocalTransform {
+ public:
+  PlaneChart(const Point3& from, const Point3& to, double unit) : unit_(unit) {
+    const Point3 x = af2::unit(to - from);
+    frame_ = {from, x, {-x.y, x.x, 0}, {0, 0, 1}, 1 / unit};
+  }
+  ChartPoint transformFromSurface(const SurfacePoint& p) const override {
+    return frame_.project(p);
+  }
+  std::optional<SurfacePoint> transformToSurface(Point2 p) const override {
+    const Point3 q = frame_.origin + unit_ * (p.x * frame_.xAxis + p.y * frame_.yAxis);
+    return SurfacePoint{q, {0, 0, 1}, q.x, q.y};
+  }
+  const ProjectionFrame* projection() const override { return &frame_; }
+
+ private:
+  double unit_;
+  ProjectionFrame frame_;
+};
+
+BoundaryCorner cornerAt(const FrontPiece& piece, std::size_t v) {
+  if (v >= piece.vertices.size())
+    throw InputError("piece of front: there is no vertex " + std::to_string(v));
+  const Point2 p = piece.vertices[v];
+  if (!std::isfinite(p.x) || !std::isfinite(p.y))
+    throw InputError("piece of front: vertex " + std::to_string(v) +
+                     " is not at a finite position");
+  return {VertexId(v), {{p.x, p.y, 0}, {0, 0, 1}, p.x, p.y}};
+}
+
+bool isClosed(const std::vector<std::size_t>& chain) {
+  return chain.size() > 2 && chain.front() == chain.back();
+}
+
+/// A front, its index, and the place of each edge.
+struct Scene {
+  Front front;
+  FrontIndex index;
+  std::set<Edge> edges;
+  PlaceId base;
+
+  explicit Scene(const FrontPiece& piece) : index({}, piece.size) {
+    for (const auto& chain : piece.chains) addChain(piece, chain);
+    for (std::size_t v : piece.isolated)
+      index.insert(front, front.addIsolated(cornerAt(piece, v), piece.size));
+    if (base.isNone()) throw InputError("piece of front: the base is not one of the edges");
+    front[base].level = piece.level;
+  }
+
+  void addChain(const FrontPiece& piece, const std::vector<std::size_t>& chain) {
+    if (chain.size() < 2) throw InputError("piece of front: a chain has fewer than two vertices");
+    const std::size_t count = isClosed(chain) ? chain.size() - 1 : chain.size();
+    std::vector<BoundaryCorner> corners;
+    for (std::size_t i = 0; i < count; ++i) corners.push_back(cornerAt(piece, chain[i]));
+    for (std::size_t i = 0; i + 1 < chain.size(); ++i) {
+      const Edge edge{chain[i], chain[i + 1]};
+      if (cornerAt(piece, edge.first).point.position == cornerAt(piece, edge.second).point.position)
+        throw InputError("piece of front: an edge has length zero");
+      if (!edges.insert(edge).second) throw InputError("piece of front: an edge is given twice");
+    }
+    const std::vector<double> sizes(count, piece.size);
+    const PlaceId first =
+        isClosed(chain) ? front.addLoop(corners, sizes) : front.addOpenChain(corners, sizes);
+    for (std::size_t i = 0; i < count; ++i) {
+      const PlaceId id(first.value + i);
+      index.insert(front, id);
+      if (i + 1 < chain.size() && Edge{chain[i], chain[i + 1]} == piece.base) base = id;
+    }
+  }
+};
+
+/// The directed edges after the new elements have taken theirs away and left their reverses.
+std::vector<Edge> frontAfter(std::set<Edge> edges,
+                             const std::vector<std::vector<std::size_t>>& elements) {
+  for (const auto& element : elements) {
+    for (std::size_t i = 0; i < element.size(); ++i) {
+      const Edge edge{element[i], element[(i + 1) % element.size()]};
+      if (edges.erase(edge) == 0) edges.insert({edge.second, edge.first});
+    }
+  }
+  return {edges.begin(), edges.end()};
+}
+
+void describe(SingleStep& step, const Scene& scene, const FrontPiece& piece,
+              const Application& application) {
+  const CompiledRule& rule = *application.rule;
+  step.rule = rule.index;
+  step.score = application.score;
+  for (PlaceId id : application.places) step.matched.push_back(scene.front[id].vertex.value);
+  for (const SurfacePoint& p : application.newPoints)
+    step.newVertices.push_back({p.position.x, p.position.y});
+  for (const RuleElement& wanted : rule.rule->definition().elements) {
+    std::vector<std::size_t> element;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(wanted.size()); ++i) {
+      const auto v = static_cast<std::size_t>(wanted.corners[i]);
+      const auto matched = static_cast<std::size_t>(rule.matchedCount);
+      element.push_back(v < matched ? step.matched[v] : piece.vertices.size() + v - matched);
+    }
+    step.elements.push_back(std::move(element));
+  }
+}
+
+}  // namespace
+
+SingleStep takeSingleStep(const RuleSet& rules, const FrontPiece& piece) {
+  if (!(piece.size > 0) || !std::isfinite(piece.size))
+    throw InputError("piece of front: the size must be a positive number");
+  if (piece.level < 1 || piece.level > rules.maxLevel())
+    throw InputError("piece of front: the level must be between 1 and " +
+                     std::to_string(rules.maxLevel()));
+  const CompiledRules compiled(rules);
+  Scene scene(piece);
+  const UniformSize size(piece.size);
+  const std::vector<std::uint8_t> valence(piece.vertices.size(), 0);
+  CandidateChoice choice(compiled, scene.front, scene.index, size, valence);
+
+  const bool isWanted = rules.definition().unit == ChartUnit::WantedLength;
+  const double unit = isWanted ? piece.size : scene.front.edgeLength(scene.base);
+  const PlaneChart plane(scene.front[scene.base].point.position,
+                         scene.front[scene.front.next(scene.base)].point.position, unit);
+  const StepChart chart(plane, unit);
+
+  SingleStep step;
+  step.refusals = choice.explain(chart, scene.base);
+  if (const Application* application = choice.choose(chart, scene.base)) {
+    describe(step, scene, piece, *application);
+    std::erase_if(step.refusals, [&](const RuleRefusal& r) { return r.rule == *step.rule; });
+  }
+  step.frontAfter = frontAfter(scene.edges, step.elements);
+  return step;
+}
+
+}  // namespace af2
