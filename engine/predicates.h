@@ -32,6 +32,9 @@ inline Turn orientation(Point2 a, Point2 b, Point2 c) {
     if (det > detail::kOrientationErrorBound * size) return Turn::Left;
     if (-det > detail::kOrientationErrorBound * size) return Turn::Right;
   }
+  // Edges that share a vertex with a zone ask this all the time; exact arithmetic is slow to say
+  // it.
+  if (a == c || b == c || a == b) return Turn::Straight;
   return detail::exactOrientation(a, b, c);
 }
 
