@@ -164,8 +164,8 @@ bool placeIsOpenTo(const StepView& view, PlaceId id, Point2 center, Point2 d1, P
 PlaceId openPlace(const StepView& view, PlaceId matched, Point2 center, Point2 d1, Point2 d2) {
   if (placeIsOpenTo(view, matched, center, d1, d2)) return matched;
   const VertexId id = view.front[matched].vertex;
-  for (std::size_t i = 0; i < view.near.count(); ++i) {
-    const PlaceId other = view.near.place(i);
+  for (const Neighborhood::Edge& edge : view.near.edges()) {
+    const PlaceId other = edge.place;
     if (other != matched && view.front[other].vertex == id &&
         placeIsOpenTo(view, other, center, d1, d2))
       return other;
@@ -325,20 +325,20 @@ Refusal CandidateChoice::searchZone(const StepView& view, const Candidate& candi
     larger.include(wanted);
     near_.gather(front_, index_, view.chart, view.base, larger);
   }
-  for (std::size_t i = 0; i < near_.count(); ++i) {
-    if (!lies(box, near_.from(i)) || !zone.contains(near_.from(i), ZoneBoundary::Counts) ||
-        isMatchedVertex(view, candidate, near_.place(i)))
+  for (const Neighborhood::Edge& edge : near_.edges()) {
+    if (!lies(box, edge.from) || !zone.contains(edge.from, ZoneBoundary::Counts) ||
+        isMatchedVertex(view, candidate, edge.place))
       continue;
-    culprit.from = front_[near_.place(i)].vertex;
+    culprit.from = front_[edge.place].vertex;
     culprit.to = VertexId();
     return Refusal::ZoneHitByVertex;
   }
-  for (std::size_t i = 0; i < near_.count(); ++i) {
-    if (!mayMeet(box, near_.from(i), near_.to(i)) || isMatchedEdge(candidate, near_.place(i)) ||
-        !zone.meets(near_.from(i), near_.to(i), ZoneBoundary::Ignored))
+  for (const Neighborhood::Edge& edge : near_.edges()) {
+    if (!mayMeet(box, edge.from, edge.to) || isMatchedEdge(candidate, edge.place) ||
+        !zone.meets(edge.from, edge.to, ZoneBoundary::Ignored))
       continue;
-    culprit.from = front_[near_.place(i)].vertex;
-    culprit.to = front_[front_.next(near_.place(i))].vertex;
+    culprit.from = front_[edge.place].vertex;
+    culprit.to = front_[front_.next(edge.place)].vertex;
     return Refusal::ZoneHitByEdge;
   }
   return Refusal::None;

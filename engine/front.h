@@ -12,7 +12,7 @@
 namespace af2 {
 
 /// One corner of the front and the edge that leaves it. A vertex may have several places.
-struct Place {
+struct alignas(64) Place {
   SurfacePoint point;
   double size = 0;  ///< wanted edge length at the vertex
   VertexId vertex;

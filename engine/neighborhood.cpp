@@ -26,18 +26,9 @@ Box3 StepChart::boxOf(const Window& w, const Point3& origin) const {
   return {center - r, center + r};
 }
 
-void Neighborhood::clear() {
-  places_.clear();
-  fromX_.clear();
-  fromY_.clear();
-  toX_.clear();
-  toY_.clear();
-  views_.clear();
-}
-
 void Neighborhood::gather(const Front& front, const FrontIndex& index, const StepChart& chart,
                           PlaceId base, const Window& window) {
-  clear();
+  edges_.clear();
   window_ = window;
   const Box3 box = chart.boxOf(window, front[base].point.position);
   index.forEachNear(front, box, [&](PlaceId id) {
@@ -49,12 +40,7 @@ void Neighborhood::gather(const Front& front, const FrontIndex& index, const Ste
                            std::max(from.position.y, to.position.y) < window.lowY ||
                            std::min(from.position.y, to.position.y) > window.highY;
     if (isOutside || (from.view == ChartView::Hidden && to.view == ChartView::Hidden)) return;
-    places_.push_back(id);
-    fromX_.push_back(from.position.x);
-    fromY_.push_back(from.position.y);
-    toX_.push_back(to.position.x);
-    toY_.push_back(to.position.y);
-    views_.push_back(from.view);
+    edges_.push_back({from.position, to.position, id, from.view});
   });
 }
 

@@ -1,6 +1,7 @@
-// The front near one base edge, drawn in the chart: structure of arrays, reused from step to step.
+// The front near one base edge, drawn in the chart; its buffer is reused from step to step.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "engine/compiled_rules.h"
@@ -36,23 +37,21 @@ class StepChart {
 /// Every edge of the front that may meet a window. The start points of the edges are the vertices.
 class Neighborhood {
  public:
+  struct Edge {
+    Point2 from, to;
+    PlaceId place;
+    ChartView view;  ///< of the start point
+  };
+
   void gather(const Front& front, const FrontIndex& index, const StepChart& chart, PlaceId base,
               const Window& window);
 
-  std::size_t count() const { return places_.size(); }
-  PlaceId place(std::size_t i) const { return places_[i]; }
-  Point2 from(std::size_t i) const { return {fromX_[i], fromY_[i]}; }
-  Point2 to(std::size_t i) const { return {toX_[i], toY_[i]}; }
-  bool isLegal(std::size_t i) const { return views_[i] == ChartView::Legal; }
+  std::span<const Edge> edges() const { return edges_; }
   const Window& window() const { return window_; }
 
  private:
-  void clear();
-
   Window window_;
-  std::vector<PlaceId> places_;
-  std::vector<double> fromX_, fromY_, toX_, toY_;
-  std::vector<ChartView> views_;  // of the start points
+  std::vector<Edge> edges_;
 };
 
 }  // namespace af2

@@ -70,8 +70,8 @@ class RuleMatcher {
         return;
       }
       case BindingStep::Kind::Any:
-        for (std::size_t i = 0; i < view_.near.count(); ++i)
-          if (accept(rule, index, view_.near.place(i), view_.near.from(i), view_.near.isLegal(i)))
+        for (const Neighborhood::Edge& edge : view_.near.edges())
+          if (accept(rule, index, edge.place, edge.from, edge.view == ChartView::Legal))
             bind(rule, index + 1, visit);
         return;
     }

@@ -33,8 +33,8 @@ std::optional<double> FrontSurroundings::turn(int vertex) const {
 
 double FrontSurroundings::distanceToFront(Point2 point) const {
   double nearest = distanceToSegment(point, match_.points[0], match_.points[1]);
-  for (std::size_t i = 0; i < view_.near.count(); ++i)
-    nearest = std::min(nearest, distanceToSegment(point, view_.near.from(i), view_.near.to(i)));
+  for (const Neighborhood::Edge& edge : view_.near.edges())
+    nearest = std::min(nearest, distanceToSegment(point, edge.from, edge.to));
   return nearest;
 }
 
