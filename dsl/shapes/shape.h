@@ -2,8 +2,8 @@
 // `-` and `=>` build once the expressions inside them are numbers.
 //
 // Use: build a Shape from evaluated points and numbers, `fade` it if there is a limiting one, and
-// hand it to `makeZone`. What the language calls an error of the text (different constructors on the
-// two sides of `=>`, an unbounded zone) is asked for with `fadeMismatch` and `isBounded`.
+// hand it to `makeZone`. What the language calls an error of the text (different constructors on
+// the two sides of `=>`, an unbounded zone) is asked for with `fadeMismatch` and `isBounded`.
 #pragma once
 
 #include <memory>
@@ -47,8 +47,8 @@ class Shape {
  public:
   /// Corners counter-clockwise.
   static Shape convex(std::vector<Point2> corners);
-  /// A simple closed path, counter-clockwise. Steps of no length are passed over; an arc whose `via`
-  /// lies on the chord is straight.
+  /// A simple closed path, counter-clockwise. Steps of no length are passed over; an arc whose
+  /// `via` lies on the chord is straight.
   static Shape poly(std::vector<PathStep> path);
   static Shape disc(Point2 centre, double radius);
   /// The half plane to the left of the line through `point` along `direction`.
@@ -86,15 +86,16 @@ class Shape {
   std::vector<Shape> parts_;
 };
 
-/// `preferred => limiting`: t * preferred + (1 - t) * limiting, number by number; nothing if the two
-/// are not built by the same constructors.
+/// `preferred => limiting`: t * preferred + (1 - t) * limiting, number by number; nothing if the
+/// two are not built by the same constructors.
 std::optional<Shape> fade(const Shape& preferred, const Shape& limiting, double t);
 
 /// Why two shapes cannot fade into each other ("a disc cannot fade into a hull"); nothing if they
 /// can. Depends on constructors and counts alone, so it may be asked at the reference match.
 std::optional<std::string> fadeMismatch(const Shape& preferred, const Shape& limiting);
 
-/// Whether the shape lies in some box. Exact. Half planes are the only parts that do not.
+/// Whether the shape lies in some box; true of shapes that makeZone refuses for another reason.
+/// Exact. Half planes are the only parts that lie in none.
 bool isBounded(const Shape& shape);
 
 /// A zone, or why there is none at this match.
@@ -107,8 +108,8 @@ struct MadeZone {
 /// The free zone of a shape.
 ///
 /// Every answer of the zone is exact for the numbers as given: a point or an edge that touches the
-/// boundary is told from one that enters by the last bit. An edge that runs along an inner seam of a
-/// union meets the zone, one that touches it from outside does not. Two derived sets are rounded
+/// boundary is told from one that enters by the last bit. An edge that runs along an inner seam of
+/// a union meets the zone, one that touches it from outside does not. Two derived sets are rounded
 /// before they are used: the flanks of a sector that are not multiples of 90 degrees, and what
 /// `grow` makes of half planes, arcs, `&` and `-`.
 ///
