@@ -1,0 +1,55 @@
+#include "geometry/io/mesh_files.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <string>
+
+#include "engine/error.h"
+#include "geometry/io/formats.h"
+#include "geometry/io/output_file.h"
+
+namespace af2::geometry {
+namespace {
+
+constexpr std::array kFormats{
+    MeshFormat{".vtu", "VTK XML unstructured grid", &writeVtu},
+    MeshFormat{".vtk", "legacy VTK", &writeVtk},
+    MeshFormat{".msh", "Gmsh 4.1", &writeMsh},
+    MeshFormat{".stl", "STL", &writeStl},
+    MeshFormat{".obj", "Wavefront OBJ", &writeObj},
+    MeshFormat{".ply", "PLY", &writePly},
+};
+
+std::string lowerCase(std::string text) {
+  std::ranges::transform(text, text.begin(), [](unsigned char c) { return std::tolower(c); });
+  return text;
+}
+
+std::string knownExtensions() {
+  std::string list;
+  for (const MeshFormat& format : kFormats) list += " " + std::string(format.extension);
+  return list;
+}
+
+}  // namespace
+
+std::span<const MeshFormat> meshFormats() { return kFormats; }
+
+const MeshFormat& meshFormatOf(const std::filesystem::path& file) {
+  const std::string extension = lowerCase(file.extension().string());
+  for (const MeshFormat& format : kFormats) {
+    if (format.extension == extension) return format;
+  }
+  throw InputError("cannot write '" + file.string() + "': its extension names no mesh format; use" +
+                   knownExtensions());
+}
+
+void writeMesh(const ModelMesh& mesh, const std::filesystem::path& file) {
+  const MeshFormat& format = meshFormatOf(file);
+  OutputFile output(file);
+  format.write(mesh, output);
+  output.commit();
+}
+
+}  // namespace af2::geometry

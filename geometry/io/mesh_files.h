@@ -1,0 +1,31 @@
+// Mesh files: which formats there are, and writing a mesh in the one that a file's name asks for.
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string_view>
+
+#include "geometry/model_mesh.h"
+
+namespace af2::geometry {
+
+class OutputFile;
+
+struct MeshFormat {
+  std::string_view extension;  ///< with the dot, lower case
+  std::string_view name;
+  void (*write)(const ModelMesh&, OutputFile&);
+};
+
+/// In the order in which help texts name them.
+std::span<const MeshFormat> meshFormats();
+
+/// The format that the extension of `file` stands for; upper and lower case are the same.
+/// Throws InputError, naming the known extensions, if there is none.
+const MeshFormat& meshFormatOf(const std::filesystem::path& file);
+
+/// Writes `mesh` to `file`, whole or not at all. Throws InputError as meshFormatOf and OutputFile
+/// do.
+void writeMesh(const ModelMesh& mesh, const std::filesystem::path& file);
+
+}  // namespace af2::geometry

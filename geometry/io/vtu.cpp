@@ -1,0 +1,184 @@
+// VTK's XML format. All arrays are inline base64 without compression: read by everything that reads
+// VTU, and the same bytes for the same mesh.
+#include <array>
+#include <string>
+
+#include "geometry/io/formats.h"
+#include "geometry/quality.h"
+
+namespace af2::geometry {
+namespace {
+
+constexpr std::uint8_t kVtkTriangle = 5, kVtkQuad = 9;
+
+/// Encodes a stream of values to base64, three bytes at a time.
+class Base64Stream {
+ public:
+  explicit Base64Stream(OutputFile& file) : file_(file) {}
+  ~Base64Stream() { finish(); }
+  Base64Stream(const Base64Stream&) = delete;
+  Base64Stream& operator=(const Base64Stream&) = delete;
+
+  template <class T>
+  void put(T value) {
+    unsigned char bytes[sizeof(T)];
+    std::memcpy(bytes, &value, sizeof value);
+    for (const unsigned char byte : bytes) {
+      group_ = group_ << 8 | byte;
+      if (++held_ == 3) encodeGroup();
+    }
+  }
+
+ private:
+  static constexpr char kDigits[] =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+
+  void encodeGroup() {
+    const char digits[4] = {kDigits[group_ >> 18 & 63], kDigits[group_ >> 12 & 63],
+                            kDigits[group_ >> 6 & 63], kDigits[group_ & 63]};
+    file_.bytes(digits, sizeof digits);
+    group_ = 0;
+    held_ = 0;
+  }
+
+  void finish() {
+    if (held_ == 0) return;
+    const int missing = 3 - held_;
+    group_ <<= 8 * missing;
+    const char digits[4] = {kDigits[group_ >> 18 & 63], kDigits[group_ >> 12 & 63],
+                            missing == 2 ? '=' : kDigits[group_ >> 6 & 63], '='};
+    file_.bytes(digits, sizeof digits);
+  }
+
+  OutputFile& file_;
+  std::uint32_t group_ = 0;
+  int held_ = 0;
+};
+
+struct ArrayHead {
+  std::string_view type, name;
+  int components = 1;
+};
+
+std::string xmlEscaped(std::string_view text) {
+  std::string result;
+  for (const char c : text) {
+    if (c == '&')
+      result += "&amp;";
+    else if (c == '<')
+      result += "&lt;";
+    else if (c == '>')
+      result += "&gt;";
+    else if (c == '"')
+      result += "&quot;";
+    else if (static_cast<unsigned char>(c) < ' ')
+      result += ' ';
+    else
+      result += c;
+  }
+  return result;
+}
+
+/// One data array; `fill` puts exactly `bytes` bytes into the stream.
+template <class Fill>
+void dataArray(OutputFile& file, const ArrayHead& head, std::uint64_t bytes, Fill fill) {
+  file.text("<DataArray type=\"");
+  file.text(head.type);
+  file.text("\" Name=\"");
+  file.text(xmlEscaped(head.name));
+  if (head.components > 1) {
+    file.text("\" NumberOfComponents=\"");
+    file.number(head.components);
+  }
+  file.text("\" format=\"binary\">\n");
+  {
+    Base64Stream stream(file);
+    stream.put(bytes);
+    fill(stream);
+  }
+  file.text("\n</DataArray>\n");
+}
+
+/// Readers of VTU do not agree on arrays of text. So each rule becomes a number named after it:
+/// a field "rule: NAME" that holds the id.
+void writeRuleNames(const ModelMesh& mesh, OutputFile& file) {
+  file.text("<FieldData>\n");
+  for (std::size_t rule = 0; rule < mesh.ruleNames.size(); ++rule) {
+    file.text("<DataArray type=\"Int32\" Name=\"");
+    file.text(xmlEscaped("rule: " + mesh.ruleNames[rule]));
+    file.text("\" NumberOfTuples=\"1\" format=\"ascii\">");
+    file.number(rule);
+    file.text("</DataArray>\n");
+  }
+  file.text("</FieldData>\n");
+}
+
+void writePoints(const ModelMesh& mesh, OutputFile& file) {
+  file.text("<Points>\n");
+  dataArray(file, {"Float64", "Points", 3}, mesh.vertices.size() * 3 * sizeof(double),
+            [&](Base64Stream& out) {
+              for (const Point3& p : mesh.vertices) {
+                out.put(p.x);
+                out.put(p.y);
+                out.put(p.z);
+              }
+            });
+  file.text("</Points>\n");
+}
+
+void writeCells(const ModelMesh& mesh, OutputFile& file) {
+  std::uint64_t corners = 0;
+  for (const Element& element : mesh.elements)
+    corners += static_cast<std::uint64_t>(element.size());
+  file.text("<Cells>\n");
+  dataArray(file, {"Int32", "connectivity"}, corners * 4, [&](Base64Stream& out) {
+    for (const Element& element : mesh.elements) {
+      for (const VertexId vertex : element.vertices()) out.put(vertex.value);
+    }
+  });
+  dataArray(file, {"Int64", "offsets"}, mesh.elements.size() * 8, [&](Base64Stream& out) {
+    std::int64_t end = 0;
+    for (const Element& element : mesh.elements) out.put(end += element.size());
+  });
+  dataArray(file, {"UInt8", "types"}, mesh.elements.size(), [&](Base64Stream& out) {
+    for (const Element& element : mesh.elements) {
+      out.put(element.isQuad() ? kVtkQuad : kVtkTriangle);
+    }
+  });
+  file.text("</Cells>\n");
+}
+
+void writeCellData(const ModelMesh& mesh, OutputFile& file) {
+  file.text("<CellData Scalars=\"face\">\n");
+  dataArray(file, {"Int32", "face"}, mesh.elements.size() * 4, [&](Base64Stream& out) {
+    for (const std::int32_t face : mesh.face) out.put(face);
+  });
+  dataArray(file, {"Int32", "rule"}, mesh.elements.size() * 4, [&](Base64Stream& out) {
+    for (const std::uint16_t rule : mesh.rule) out.put(std::int32_t{rule});
+  });
+  dataArray(file, {"Float64", "quality"}, mesh.elements.size() * 8, [&](Base64Stream& out) {
+    for (const Element& element : mesh.elements) out.put(shapeQuality(mesh.vertices, element));
+  });
+  file.text("</CellData>\n");
+}
+
+}  // namespace
+
+void writeVtu(const ModelMesh& mesh, OutputFile& file) {
+  file.text(
+      "<?xml version=\"1.0\"?>\n"
+      "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" "
+      "header_type=\"UInt64\">\n<UnstructuredGrid>\n");
+  writeRuleNames(mesh, file);
+  file.text("<Piece NumberOfPoints=\"");
+  file.number(mesh.vertices.size());
+  file.text("\" NumberOfCells=\"");
+  file.number(mesh.elements.size());
+  file.text("\">\n");
+  writePoints(mesh, file);
+  writeCells(mesh, file);
+  writeCellData(mesh, file);
+  file.text("</Piece>\n</UnstructuredGrid>\n</VTKFile>\n");
+}
+
+}  // namespace af2::geometry

@@ -1,0 +1,116 @@
+#include "geometry/quality.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+#include "geometry/mesh_edges.h"
+
+namespace af2::geometry {
+namespace {
+
+double squared(const Point3& p) { return dot(p, p); }
+
+double triangleQuality(const Point3& a, const Point3& b, const Point3& c) {
+  const double edges = squared(b - a) + squared(c - b) + squared(a - c);
+  return edges > 0 ? 2 * std::sqrt(3.0) * length(cross(b - a, c - a)) / edges : 0;
+}
+
+/// Quality of the corner between the edges `p` and `q` of a quadrilateral with normal `normal`.
+double cornerQuality(const Point3& p, const Point3& q, const Point3& normal) {
+  const double edges = squared(p) + squared(q);
+  if (edges == 0) return 0;
+  const Point3 turn = cross(p, q);
+  return std::copysign(2 * length(turn) / edges, dot(turn, normal));
+}
+
+double quadQuality(const std::array<Point3, 4>& corner) {
+  const Point3 normal = cross(corner[2] - corner[0], corner[3] - corner[1]);
+  double least = 1;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const Point3 toNext = corner[(i + 1) % 4] - corner[i];
+    const Point3 toLast = corner[(i + 3) % 4] - corner[i];
+    least = std::min(least, cornerQuality(toNext, toLast, normal));
+  }
+  return least;
+}
+
+double degreesBetween(const Point3& p, const Point3& q) {
+  return std::atan2(length(cross(p, q)), dot(p, q)) * 180 / std::numbers::pi;
+}
+
+void measureAngles(const ModelMesh& mesh, MeshQuality& result) {
+  result.minAngle = 180;
+  for (const Element& element : mesh.elements) {
+    const std::size_t size = element.vertices().size();
+    const auto corner = [&](std::size_t i) {
+      return mesh.vertices[element.corners[i % size].value];
+    };
+    for (std::size_t i = 0; i < size; ++i) {
+      const double angle =
+          degreesBetween(corner(i + 1) - corner(i), corner(i + size - 1) - corner(i));
+      result.minAngle = std::min(result.minAngle, angle);
+      result.maxAngle = std::max(result.maxAngle, angle);
+    }
+  }
+}
+
+void measureShapes(const ModelMesh& mesh, MeshQuality& result) {
+  std::vector<double> values;
+  values.reserve(mesh.elements.size());
+  for (const Element& element : mesh.elements) {
+    values.push_back(shapeQuality(mesh.vertices, element));
+  }
+  result.min = *std::ranges::min_element(values);
+  result.mean = std::reduce(values.begin(), values.end()) / static_cast<double>(values.size());
+  result.p1 = percentile(values, 0.01);
+}
+
+LengthRatio measureLengths(const ModelMesh& mesh, const WantedLength& wanted) {
+  std::vector<double> ratios;
+  for (const MeshEdge& edge : meshEdges(mesh)) {
+    const Point3 &from = mesh.vertices[edge.from.value], &to = mesh.vertices[edge.to.value];
+    const Point3 middle = 0.5 * (from + to);
+    double want = wanted(edge.firstFace, edge.modelEdge, middle);
+    if (edge.lastFace != edge.firstFace) {
+      want = std::min(want, wanted(edge.lastFace, edge.modelEdge, middle));
+    }
+    ratios.push_back(distance(from, to) / want);
+  }
+  LengthRatio result;
+  result.mean = std::reduce(ratios.begin(), ratios.end()) / static_cast<double>(ratios.size());
+  result.p5 = percentile(ratios, 0.05);
+  result.p95 = percentile(ratios, 0.95);
+  return result;
+}
+
+}  // namespace
+
+double shapeQuality(const std::vector<Point3>& vertices, const Element& element) {
+  const auto corner = [&](std::size_t i) { return vertices[element.corners[i].value]; };
+  if (!element.isQuad()) return triangleQuality(corner(0), corner(1), corner(2));
+  return quadQuality({corner(0), corner(1), corner(2), corner(3)});
+}
+
+MeshQuality measureQuality(const ModelMesh& mesh, const WantedLength& wanted) {
+  MeshQuality result;
+  if (mesh.elements.empty()) return result;
+  measureShapes(mesh, result);
+  measureAngles(mesh, result);
+  result.edges = measureLengths(mesh, wanted);
+  return result;
+}
+
+double percentile(std::span<double> values, double part) {
+  if (values.empty()) return 0;
+  const double place = part * static_cast<double>(values.size() - 1);
+  const auto below = static_cast<std::size_t>(place);
+  const auto at = values.begin() + static_cast<std::ptrdiff_t>(below);
+  std::nth_element(values.begin(), at, values.end());
+  if (below + 1 == values.size()) return *at;
+  const double next = *std::min_element(at + 1, values.end());
+  return *at + (place - static_cast<double>(below)) * (next - *at);
+}
+
+}  // namespace af2::geometry

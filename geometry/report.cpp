@@ -1,0 +1,99 @@
+#include "geometry/report.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "geometry/fingerprint.h"
+#include "geometry/io/output_file.h"
+
+namespace af2::geometry {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json toJson(const FaceReport& face) {
+  Json json{{"id", face.id}};
+  if (!face.name.empty()) json["name"] = face.name;
+  json["surface_type"] = face.surfaceType;
+  json["status"] = toString(face.status);
+  json["elements"] = face.elements;
+  json["seconds"] = face.seconds;
+  json["reason"] = face.reason;
+  return json;
+}
+
+Json toJson(const StageSeconds& seconds) {
+  return {{"read", seconds.read},
+          {"edges", seconds.edges},
+          {"surface", seconds.surface},
+          {"optimize", seconds.optimize},
+          {"write", seconds.write}};
+}
+
+Json toJson(const MeshQuality& quality) {
+  return {{"min", quality.min},
+          {"p1", quality.p1},
+          {"mean", quality.mean},
+          {"min_angle", quality.minAngle},
+          {"max_angle", quality.maxAngle},
+          {"edge_ratio",
+           {{"mean", quality.edges.mean}, {"p5", quality.edges.p5}, {"p95", quality.edges.p95}}}};
+}
+
+}  // namespace
+
+const char* toString(RunStatus status) {
+  switch (status) {
+    case RunStatus::Complete:
+      return "complete";
+    case RunStatus::Partial:
+      return "partial";
+    case RunStatus::Failed:
+      return "failed";
+    case RunStatus::Cancelled:
+      return "cancelled";
+  }
+  return "failed";
+}
+
+const char* toString(FaceStatus status) {
+  switch (status) {
+    case FaceStatus::Complete:
+      return "complete";
+    case FaceStatus::Failed:
+      return "failed";
+    case FaceStatus::Cancelled:
+      return "cancelled";
+    case FaceStatus::Skipped:
+      return "skipped";
+  }
+  return "failed";
+}
+
+RunStatus statusOf(const ModelMesh& mesh) {
+  const auto count = [&](FaceStatus status) {
+    return std::ranges::count(mesh.faces, status, &FaceReport::status);
+  };
+  if (count(FaceStatus::Cancelled) > 0) return RunStatus::Cancelled;
+  if (count(FaceStatus::Complete) == 0) return RunStatus::Failed;
+  return count(FaceStatus::Failed) > 0 ? RunStatus::Partial : RunStatus::Complete;
+}
+
+void writeReport(const RunReport& report, const ModelMesh& mesh, OutputFile& file) {
+  const auto quads = std::ranges::count_if(mesh.elements, &Element::isQuad);
+  Json json{{"status", toString(report.status)}};
+  if (!report.reason.empty()) json["reason"] = report.reason;
+  json["vertices"] = mesh.vertices.size();
+  json["triangles"] = static_cast<std::ptrdiff_t>(mesh.elements.size()) - quads;
+  json["quads"] = quads;
+  json["faces"] = Json::array();
+  for (const FaceReport& face : mesh.faces) json["faces"].push_back(toJson(face));
+  json["seconds"] = toJson(mesh.seconds);
+  json["quality"] = toJson(report.quality);
+  json["fingerprint"] = fingerprint(mesh);
+  // Names come from CAD files, which need not be valid UTF-8.
+  file.text(json.dump(2, ' ', false, Json::error_handler_t::replace));
+  file.text("\n");
+}
+
+}  // namespace af2::geometry

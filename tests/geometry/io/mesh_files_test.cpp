@@ -1,0 +1,80 @@
+#include "geometry/io/mesh_files.h"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "engine/error.h"
+#include "small_meshes.h"
+
+namespace af2::geometry {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string written(const ModelMesh& mesh, std::string_view extension) {
+  const fs::path path = fs::path(::testing::TempDir()) / ("af2_mesh" + std::string(extension));
+  writeMesh(mesh, path);
+  std::ostringstream text;
+  text << std::ifstream(path).rdbuf();
+  fs::remove(path);
+  return text.str();
+}
+
+TEST(MeshFiles, GoByTheExtensionInAnyCase) {
+  EXPECT_EQ(meshFormatOf("a.b/mesh.VTU").name, "VTK XML unstructured grid");
+  EXPECT_EQ(meshFormatOf("mesh.msh").name, "Gmsh 4.1");
+}
+
+TEST(MeshFiles, RefuseAnUnknownExtensionAndNameTheKnownOnes) {
+  try {
+    meshFormatOf("mesh.xyz");
+    FAIL() << "no error";
+  } catch (const InputError& error) {
+    EXPECT_STREQ(
+        error.what(),
+        "cannot write 'mesh.xyz': its extension names no mesh format; use .vtu .vtk .msh .stl "
+        ".obj .ply");
+  }
+  EXPECT_THROW(meshFormatOf("mesh"), InputError);
+}
+
+TEST(MeshFiles, AreTheSameBytesForTheSameMesh) {
+  for (const MeshFormat& format : meshFormats()) {
+    EXPECT_EQ(written(cubeMesh(), format.extension), written(cubeMesh(), format.extension));
+  }
+}
+
+TEST(MeshFiles, CanHoldAnEmptyMesh) {
+  for (const MeshFormat& format : meshFormats()) {
+    EXPECT_FALSE(written({}, format.extension).empty()) << format.name;
+  }
+}
+
+TEST(MeshFiles, StlSplitsAQuadAlongItsShorterDiagonal) {
+  // 84 bytes of head and 50 for each triangle; the first corner follows the normal.
+  const std::string bytes =
+      written(oneElement({{0, 0, 0}, {3, 0, 0}, {4, 2, 0}, {1, 2, 0}}), ".stl");
+  ASSERT_EQ(bytes.size(), 84u + 2 * 50);
+  float corner[9];
+  std::memcpy(corner, bytes.data() + 84 + 50 + 12, sizeof corner);
+  EXPECT_EQ(corner[0], 3);  // second triangle: b, c, d
+  EXPECT_EQ(corner[3], 4);
+  EXPECT_EQ(corner[6], 1);
+}
+
+TEST(MeshFiles, ObjIsReadable) {
+  EXPECT_EQ(written(oneElement({{0, 0, 0.1}, {1, 0, 0}, {0, 1e-300, 0}}), ".obj"),
+            "# surface mesh by AF2\nv 0 0 0.1\nv 1 0 0\nv 0 1e-300 0\ng face_1\nf 1 2 3\n");
+}
+
+TEST(MeshFiles, VtuEscapesTheNamesOfRules) {
+  EXPECT_NE(written(cubeMesh(), ".vtu").find("rule: free &quot;triangle&quot; &lt;a &amp; b&gt;"),
+            std::string::npos);
+}
+
+}  // namespace
+}  // namespace af2::geometry

@@ -1,0 +1,83 @@
+#include "geometry/quality.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "small_meshes.h"
+
+namespace af2::geometry {
+namespace {
+
+const double kHeight = std::sqrt(3.0) / 2;
+
+double qualityOf(std::vector<Point3> corners) {
+  const ModelMesh mesh = oneElement(std::move(corners));
+  return shapeQuality(mesh.vertices, mesh.elements[0]);
+}
+
+TEST(ShapeQuality, IsOneForTheEquilateralTriangleOfAnySize) {
+  EXPECT_NEAR(qualityOf({{0, 0, 0}, {1, 0, 0}, {0.5, kHeight, 0}}), 1, 1e-15);
+  EXPECT_NEAR(qualityOf({{0, 0, 0}, {0, 1e-6, 0}, {0, 0.5e-6, kHeight * 1e-6}}), 1, 1e-12);
+}
+
+TEST(ShapeQuality, OfATriangleIsAreaOverSquaredEdges) {
+  // area 1/2, squared edges 1 + 1 + 2
+  EXPECT_NEAR(qualityOf({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}), 4 * std::sqrt(3.0) * 0.5 / 4, 1e-15);
+}
+
+TEST(ShapeQuality, IsZeroForDegenerateElements) {
+  EXPECT_EQ(qualityOf({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}), 0);
+  EXPECT_EQ(qualityOf({{1, 1, 1}, {1, 1, 1}, {1, 1, 1}}), 0);
+  EXPECT_EQ(qualityOf({{1, 1, 1}, {1, 1, 1}, {1, 1, 1}, {1, 1, 1}}), 0);
+}
+
+TEST(ShapeQuality, OfAQuadIsThatOfItsWorstCorner) {
+  EXPECT_NEAR(qualityOf({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}), 1, 1e-15);
+  EXPECT_NEAR(qualityOf({{0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {0, 1, 0}}), 0.8, 1e-15);
+  EXPECT_NEAR(qualityOf({{0, 0, 0}, {1, 0, 0}, {1.5, kHeight, 0}, {0.5, kHeight, 0}}), kHeight,
+              1e-15);
+}
+
+TEST(ShapeQuality, OfAQuadWithAReflexCornerIsNegative) {
+  EXPECT_LT(qualityOf({{0, 0, 0}, {2, 0, 0}, {0.5, 0.5, 0}, {0, 2, 0}}), 0);
+}
+
+TEST(Percentile, InterpolatesBetweenNeighbours) {
+  std::vector<double> values{4, 1, 3, 2, 5};
+  EXPECT_EQ(percentile(values, 0), 1);
+  EXPECT_EQ(percentile(values, 0.5), 3);
+  EXPECT_NEAR(percentile(values, 0.05), 1.2, 1e-15);
+  EXPECT_EQ(percentile(values, 1), 5);
+  EXPECT_EQ(percentile({}, 0.5), 0);
+}
+
+TEST(MeasureQuality, OfAnEmptyMeshIsZero) {
+  const MeshQuality quality = measureQuality({}, [](int, int, const Point3&) { return 1.0; });
+  EXPECT_EQ(quality.mean, 0);
+  EXPECT_EQ(quality.maxAngle, 0);
+}
+
+TEST(MeasureQuality, CountsEachEdgeOnce) {
+  // The cube has 12 edges of length 1 and, on five faces, a diagonal.
+  const MeshQuality quality =
+      measureQuality(cubeMesh(), [](int, int, const Point3&) { return 0.5; });
+  EXPECT_NEAR(quality.edges.mean, 2 * (12 + 5 * std::sqrt(2.0)) / 17, 1e-12);
+  EXPECT_NEAR(quality.edges.p5, 2, 1e-12);
+  EXPECT_NEAR(quality.edges.p95, 2 * std::sqrt(2.0), 1e-12);
+  EXPECT_NEAR(quality.minAngle, 45, 1e-12);
+  EXPECT_NEAR(quality.maxAngle, 90, 1e-12);
+}
+
+TEST(MeasureQuality, HoldsASharedEdgeAgainstTheSmallerWantedLength) {
+  const auto wanted = [](int face, int edge, const Point3&) {
+    return edge > 0 ? 0.125 : face == 1 ? 0.5 : 1.0;
+  };
+  const MeshQuality quality = measureQuality(cubeMesh(), wanted);
+  // Four edges around face 1 and its diagonal at 0.5; the four model edges of the lid at 0.125.
+  const double sum = 4 * 2 + 2 * std::sqrt(2.0) + 4 * 8 + 4 * 1 + 4 * std::sqrt(2.0);
+  EXPECT_NEAR(quality.edges.mean, sum / 17, 1e-12);
+}
+
+}  // namespace
+}  // namespace af2::geometry
