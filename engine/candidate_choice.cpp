@@ -2,15 +2,12 @@
 
 #include <algorithm>
 
+#include "engine/element_shape.h"
 #include "engine/predicates.h"
 #include "engine/surroundings.h"
 
 namespace af2 {
 namespace {
-
-/// A new element on a curved surface may lean against the normal at a corner by this cosine (78
-/// degrees) at most: beyond that it is a fold of the mesh, not an approximation of the surface.
-constexpr double kMinNormalCosine = 0.2;
 
 std::span<const Point2> matchedPoints(const Candidate& c) {
   return {c.match.points.data(), static_cast<std::size_t>(c.rule->matchedCount)};
@@ -204,13 +201,8 @@ bool staysUnfolded(const StepView& view, const Application& application) {
     const auto n = static_cast<std::size_t>(element.size());
     for (std::size_t i = 0; i < n; ++i) {
       const SurfacePoint& corner = pointOf(element.corners[i]);
-      const Point3 ahead = pointOf(element.corners[(i + 1) % n]).position - corner.position;
-      const Point3 behind = pointOf(element.corners[(i + n - 1) % n]).position - corner.position;
-      const Point3 normal = cross(ahead, behind);
-      const double cosine = dot(normal, corner.normal);
-      if (corner.normal == Point3{}) continue;  // a pole without a normal
-      if (!(cosine > 0 &&
-            cosine * cosine > kMinNormalCosine * kMinNormalCosine * dot(normal, normal)))
+      if (!facesNormal(corner.position, pointOf(element.corners[(i + 1) % n]).position,
+                       pointOf(element.corners[(i + n - 1) % n]).position, corner.normal))
         return false;
     }
   }

@@ -1,0 +1,110 @@
+#include "engine/edge_swap.h"
+
+#include <array>
+#include <cmath>
+
+#include "engine/element_shape.h"
+
+namespace af2 {
+namespace {
+
+constexpr int kWantedInside = 6;
+/// A swap for the sake of valence may not make a triangle worse than this: smoothing repairs it.
+constexpr double kFairDistortion = 2.5;
+
+double angleAt(const SurfacePoint& corner, const SurfacePoint& ahead, const SurfacePoint& behind) {
+  const Point3 p = ahead.position - corner.position, q = behind.position - corner.position;
+  return std::atan2(length(cross(p, q)), dot(p, q));
+}
+
+class Swapper {
+ public:
+  Swapper(MeshTopology& topology, SwapGoal goal, const std::vector<std::uint8_t>& wantedAtFixed)
+      : topology_(topology), goal_(goal), wantedAtFixed_(wantedAtFixed) {}
+
+  bool trySwap(Corner side) {
+    const Corner other = topology_.across(side);
+    if (other.isNone() || topology_.sizeOf(side) != 3 || topology_.sizeOf(other) != 3) return false;
+    const VertexId a = topology_.vertexAt(side), b = topology_.vertexAt(topology_.next(side));
+    const VertexId c = topology_.vertexAt(topology_.previous(side));
+    const VertexId d = topology_.vertexAt(topology_.previous(other));
+    if (topology_.valence(a) <= fewest(a) || topology_.valence(b) <= fewest(b)) return false;
+    if (!isWorthwhile(a, b, c, d) || topology_.areJoined(c, d)) return false;
+    topology_.swap(side);
+    return true;
+  }
+
+ private:
+  int fewest(VertexId v) const { return topology_.isFixed(v) ? 1 : 3; }
+  int defect(VertexId v, int change) const {
+    const int wanted = topology_.isFixed(v) ? wantedAtFixed_[v.value] : kWantedInside;
+    const int off = topology_.valence(v) + change - wanted;
+    return off * off;
+  }
+
+  bool isWorthwhile(VertexId a, VertexId b, VertexId c, VertexId d) const {
+    if (goal_ == SwapGoal::Valence) {
+      const int before = defect(a, 0) + defect(b, 0) + defect(c, 0) + defect(d, 0);
+      const int after = defect(a, -1) + defect(b, -1) + defect(c, 1) + defect(d, 1);
+      return after < before && worst(a, d, c, d, b, c) < kFairDistortion;
+    }
+    const double before = worst(a, b, c, b, a, d);
+    if (before < kBest) return false;
+    return worst(a, d, c, d, b, c) < (1 - 1e-9) * before;
+  }
+
+  double worst(VertexId a, VertexId b, VertexId c, VertexId d, VertexId e, VertexId f) const {
+    return std::max(distortion(a, b, c), distortion(d, e, f));
+  }
+  double distortion(VertexId a, VertexId b, VertexId c) const {
+    const auto& vertices = topology_.mesh().vertices;
+    const std::array<const SurfacePoint*, 3> corners{&vertices[a.value], &vertices[b.value],
+                                                     &vertices[c.value]};
+    return elementDistortion(corners);
+  }
+
+  /// Two triangles better than this cannot both be better the other way round.
+  static constexpr double kBest = 1.05;
+
+  MeshTopology& topology_;
+  SwapGoal goal_;
+  const std::vector<std::uint8_t>& wantedAtFixed_;
+};
+
+}  // namespace
+
+std::vector<std::uint8_t> wantedValences(const MeshTopology& topology) {
+  const Mesh& mesh = topology.mesh();
+  std::vector<double> angles(topology.fixedCount(), 0);
+  for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
+    const auto corners = mesh.elements[e].vertices();
+    const std::size_t n = corners.size();
+    for (std::size_t i = 0; i < n; ++i) {
+      if (!topology.isFixed(corners[i])) continue;
+      const auto at = [&](std::size_t k) -> const SurfacePoint& {
+        return mesh.vertices[corners[k % n].value];
+      };
+      angles[corners[i].value] += angleAt(at(i), at(i + 1), at(i + n - 1));
+    }
+  }
+  std::vector<std::uint8_t> wanted;
+  for (double angle : angles)
+    wanted.push_back(static_cast<std::uint8_t>(std::max(1.0, std::round(angle / (M_PI / 3)))));
+  return wanted;
+}
+
+std::size_t swapSides(MeshTopology& topology, SwapGoal goal,
+                      const std::vector<std::uint8_t>& wantedAtFixed) {
+  Swapper swapper(topology, goal, wantedAtFixed);
+  std::size_t swaps = 0;
+  for (std::size_t e = 0; e < topology.mesh().elements.size(); ++e) {
+    for (std::size_t i = 0; i < 3 && !topology.isDead(e); ++i) {
+      const Corner side(e, i);
+      // Each side is looked at from one of its elements.
+      if (topology.across(side).code > side.code) swaps += swapper.trySwap(side);
+    }
+  }
+  return swaps;
+}
+
+}  // namespace af2

@@ -1,0 +1,55 @@
+// The distortion of elements that the optimiser lowers: the inverse of the mean ratio.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+#include "engine/mesh.h"
+#include "engine/point.h"
+
+namespace af2 {
+
+/// An element may lean against the surface normal at a corner by this cosine (78 degrees) at most:
+/// beyond that it is a fold of the mesh, not an approximation of the surface.
+inline constexpr double kMinNormalCosine = 0.2;
+
+/// Whether the corner between two edges of an element faces the way the surface does there.
+/// A zero normal, at a pole without one, faces every way.
+inline bool facesNormal(const Point3& corner, const Point3& ahead, const Point3& behind,
+                        const Point3& normal) {
+  const Point3 turned = cross(ahead - corner, behind - corner);
+  const double cosine = dot(turned, normal);
+  if (normal == Point3{}) return true;
+  return cosine > 0 && cosine * cosine > kMinNormalCosine * kMinNormalCosine * dot(turned, turned);
+}
+
+/// Squared edges over area, scaled to 1 for the ideal corner. Source: [Knupp01].
+inline double cornerDistortion(const Point3& corner, const Point3& ahead, const Point3& behind,
+                               bool ofTriangle) {
+  constexpr double kTwoRootThree = 3.4641016151377544;
+  const Point3 p = ahead - corner, q = behind - corner;
+  const double twiceArea = length(cross(p, q));
+  const double squares = dot(p, p) + dot(q, q);
+  if (!(twiceArea > 0)) return INFINITY;
+  if (!ofTriangle) return squares / (2 * twiceArea);
+  const Point3 r = behind - ahead;
+  return (squares + dot(r, r)) / (kTwoRootThree * twiceArea);
+}
+
+/// Distortion of a triangle, or of the worst corner of a quadrilateral: 1 for the ideal element,
+/// growing without bound, infinite for one that folds against the surface.
+inline double elementDistortion(std::span<const SurfacePoint* const> corners) {
+  const std::size_t n = corners.size();
+  double worst = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    const Point3& corner = corners[i]->position;
+    const Point3& ahead = corners[i + 1 == n ? 0 : i + 1]->position;
+    const Point3& behind = corners[i == 0 ? n - 1 : i - 1]->position;
+    if (!facesNormal(corner, ahead, behind, corners[i]->normal)) return INFINITY;
+    if (n == 4 || i == 0) worst = std::max(worst, cornerDistortion(corner, ahead, behind, n == 3));
+  }
+  return worst;
+}
+
+}  // namespace af2

@@ -1,0 +1,32 @@
+// After the front has closed: swaps, smoothing and collapse, until the mesh is as good as it gets.
+#pragma once
+
+#include <stop_token>
+
+#include "engine/front_input.h"
+#include "engine/local_transform.h"
+#include "engine/mesh.h"
+#include "engine/size_field.h"
+
+namespace af2 {
+
+struct OptimizeOptions {
+  int rounds = 2;           ///< of swapping and smoothing
+  int smoothingSweeps = 3;  ///< over all vertices, in each round
+  std::stop_token stop;     ///< what is done so far stays
+};
+
+/// What was done.
+struct OptimizeReport {
+  std::size_t swaps = 0, moves = 0, collapses = 0;
+};
+
+/// Improves the shape of the elements of a complete mesh, in place.
+///
+/// Never moves or removes the vertices of `input`, never turns an element over, never leaves the
+/// surface: vertices move through charts of `maker`. Depends on nothing but its arguments.
+OptimizeReport optimizeMesh(Mesh& mesh, const FrontInput& input,
+                            const AF2LocalTransformMaker& maker, const SizeField& size,
+                            const OptimizeOptions& options = {});
+
+}  // namespace af2

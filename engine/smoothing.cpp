@@ -1,0 +1,219 @@
+#include "engine/smoothing.h"
+
+#include <array>
+#include <vector>
+
+#include "engine/element_shape.h"
+#include "engine/error.h"
+#include "engine/neighborhood.h"
+
+namespace af2 {
+namespace {
+
+/// The distortion of one corner as a function of a moving point x of the plane:
+/// scale * (count |x|^2 - 2 sum.x + fixed) / (a.x + a0), the denominator being twice the area.
+struct Term {
+  double scale, count;
+  Point2 sum;
+  double fixed;
+  Point2 a;
+  double a0;
+};
+
+constexpr double kTriangleScale = 0.28867513459481287;  // 1 / (2 sqrt(3))
+constexpr double kQuadScale = 0.5;
+
+Term triangleTerm(Point2 p, Point2 q) {
+  return {kTriangleScale,         2,          p + q, dot(p, p) + dot(q, q) + dot(p - q, p - q),
+          {p.y - q.y, q.x - p.x}, cross(p, q)};
+}
+
+/// The corner of a quadrilateral at the moving point itself, between p ahead and q behind.
+Term ownCornerTerm(Point2 p, Point2 q) {
+  return {kQuadScale, 2, p + q, dot(p, p) + dot(q, q), {p.y - q.y, q.x - p.x}, cross(p, q)};
+}
+
+/// The corner at the next vertex n, between o ahead and the moving point behind.
+Term nextCornerTerm(Point2 n, Point2 o) {
+  const Point2 u = o - n;
+  return {kQuadScale, 1, n, dot(n, n) + dot(u, u), {-u.y, u.x}, -cross(u, n)};
+}
+
+/// The corner at the previous vertex p, between the moving point ahead and o behind.
+Term previousCornerTerm(Point2 p, Point2 o) {
+  const Point2 u = o - p;
+  return {kQuadScale, 1, p, dot(p, p) + dot(u, u), {u.y, -u.x}, -cross(p, u)};
+}
+
+struct Energy {
+  double value = 0;
+  Point2 gradient;
+  double xx = 0, xy = 0, yy = 0;  // second derivatives
+};
+
+/// Sum of squared distortions: the squares let bad elements weigh more than good ones.
+/// Infinite where an element would have no area.
+double energyAt(std::span<const Term> terms, Point2 x) {
+  double energy = 0;
+  for (const Term& t : terms) {
+    const double area = dot(t.a, x) + t.a0;
+    if (!(area > 0)) return INFINITY;
+    const double f = t.scale * (t.count * dot(x, x) - 2 * dot(t.sum, x) + t.fixed) / area;
+    energy += f * f;
+  }
+  return energy;
+}
+
+Energy derivativesAt(std::span<const Term> terms, Point2 x) {
+  Energy e;
+  for (const Term& t : terms) {
+    const double area = dot(t.a, x) + t.a0;
+    if (!(area > 0)) {
+      e.value = INFINITY;
+      return e;
+    }
+    const double inverse = 1 / area;
+    const double ratio = (t.count * dot(x, x) - 2 * dot(t.sum, x) + t.fixed) * inverse;
+    const double gx = (2 * (t.count * x.x - t.sum.x) - ratio * t.a.x) * inverse;
+    const double gy = (2 * (t.count * x.y - t.sum.y) - ratio * t.a.y) * inverse;
+    const double hxx = (2 * t.count - 2 * gx * t.a.x) * inverse;
+    const double hyy = (2 * t.count - 2 * gy * t.a.y) * inverse;
+    const double hxy = -(gx * t.a.y + gy * t.a.x) * inverse;
+    const double weight = t.scale * t.scale;
+    e.value += weight * ratio * ratio;
+    e.gradient.x += 2 * weight * ratio * gx;
+    e.gradient.y += 2 * weight * ratio * gy;
+    e.xx += 2 * weight * (gx * gx + ratio * hxx);
+    e.xy += 2 * weight * (gx * gy + ratio * hxy);
+    e.yy += 2 * weight * (gy * gy + ratio * hyy);
+  }
+  return e;
+}
+
+/// A step of Newton's method from the origin, shortened until it lowers the energy; (0, 0): none.
+Point2 improvedPosition(std::span<const Term> terms, double reach) {
+  constexpr int kHalvings = 4;
+  const Energy e = derivativesAt(terms, {0, 0});
+  if (!std::isfinite(e.value)) return {};
+  const double det = e.xx * e.yy - e.xy * e.xy;
+  Point2 step;
+  if (e.xx > 0 && det > 0) {
+    step = {-(e.yy * e.gradient.x - e.xy * e.gradient.y) / det,
+            -(e.xx * e.gradient.y - e.xy * e.gradient.x) / det};
+  } else {
+    const double slope = length(e.gradient);
+    if (!(slope > 0)) return {};
+    step = (-0.25 * reach / slope) * e.gradient;
+  }
+  if (length(step) > 0.5 * reach) step = (0.5 * reach / length(step)) * step;
+  for (int i = 0; i < kHalvings; ++i, step = 0.5 * step)
+    if (energyAt(terms, step) < e.value) return step;
+  return {};
+}
+
+class Smoother {
+ public:
+  Smoother(MeshTopology& topology, Mesh& mesh, const AF2LocalTransformMaker& maker,
+           const SizeField& size)
+      : topology_(topology), mesh_(mesh), maker_(maker), size_(size) {}
+
+  bool smooth(VertexId v) {
+    const Corner first = topology_.cornerOf(v);
+    if (first.isNone() || !collectStar(first)) return false;
+    const SurfacePoint& here = mesh_.vertices[v.value];
+    const SurfacePoint& neighbor = at(topology_.next(first));
+    const double unit = distance(here.position, neighbor.position);
+    if (!(unit > 0)) return false;
+    try {
+      return moveInChart(v, {maker_.makeLocalTransformIn(slot_, here, neighbor, unit), unit});
+    } catch (const GeometryError&) {
+      return false;  // no chart at this vertex: it stays where it is
+    }
+  }
+
+ private:
+  const SurfacePoint& at(Corner c) const { return mesh_.vertices[topology_.vertexAt(c).value]; }
+
+  /// The corners of the vertex; false if it lies at the rim after all.
+  bool collectStar(Corner first) {
+    star_.clear();
+    Corner c = first;
+    do {
+      star_.push_back(c);
+      c = topology_.aroundVertex(c);
+    } while (!c.isNone() && c != first);
+    return c == first;
+  }
+
+  bool moveInChart(VertexId v, const StepChart& chart) {
+    if (!makeTerms(chart)) return false;
+    const Point2 target = improvedPosition(terms_, reach_);
+    // Less than a thousandth of an edge is not worth a query of the surface.
+    if (length(target) < 1e-3 * reach_) return false;
+    const auto lifted = chart.lift(target);
+    if (!lifted) return false;
+    const bool isPlane = chart.frame() && chart.frame()->minCosine <= -2;
+    const SurfacePoint before = mesh_.vertices[v.value];
+    const double worstBefore = isPlane ? 0 : worstDistortion();
+    mesh_.vertices[v.value] = *lifted;
+    if (isPlane || worstDistortion() <= std::max(worstBefore, kGoodDistortion)) return true;
+    mesh_.vertices[v.value] = before;
+    return false;
+  }
+
+  bool makeTerms(const StepChart& chart) {
+    terms_.clear();
+    reach_ = INFINITY;
+    const auto project = [&](Corner c) { return chart.project(at(c)); };
+    for (Corner c : star_) {
+      const ChartPoint next = project(topology_.next(c)), previous = project(topology_.previous(c));
+      if (next.view == ChartView::Hidden || previous.view == ChartView::Hidden) return false;
+      reach_ = std::min(reach_, length(next.position));
+      if (topology_.sizeOf(c) == 3) {
+        terms_.push_back(triangleTerm(next.position, previous.position));
+        continue;
+      }
+      const Point2 opposite = project(topology_.next(topology_.next(c))).position;
+      terms_.push_back(ownCornerTerm(next.position, previous.position));
+      terms_.push_back(nextCornerTerm(next.position, opposite));
+      terms_.push_back(previousCornerTerm(previous.position, opposite));
+    }
+    return true;
+  }
+
+  double worstDistortion() const {
+    double worst = 0;
+    for (Corner c : star_) {
+      std::array<const SurfacePoint*, 4> corners{};
+      const auto n = static_cast<std::size_t>(topology_.sizeOf(c));
+      for (std::size_t i = 0; i < n; ++i) corners[i] = &at(Corner(c.element(), i));
+      worst = std::max(worst, elementDistortion({corners.data(), n}));
+    }
+    return worst;
+  }
+
+  /// Below this an element counts as good, and may get worse for the sake of its neighbours.
+  static constexpr double kGoodDistortion = 1.2;
+
+  MeshTopology& topology_;
+  Mesh& mesh_;
+  const AF2LocalTransformMaker& maker_;
+  const SizeField& size_;
+  ChartSlot slot_;
+  std::vector<Corner> star_;
+  std::vector<Term> terms_;
+  double reach_ = 0;
+};
+
+}  // namespace
+
+std::size_t smoothVertices(MeshTopology& topology, Mesh& mesh, const AF2LocalTransformMaker& maker,
+                           const SizeField& size) {
+  Smoother smoother(topology, mesh, maker, size);
+  std::size_t moved = 0;
+  for (std::size_t v = topology.fixedCount(); v < mesh.vertices.size(); ++v)
+    moved += smoother.smooth(VertexId(v));
+  return moved;
+}
+
+}  // namespace af2
