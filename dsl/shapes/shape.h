@@ -122,4 +122,8 @@ MadeZone makeZone(const Shape& shape);
 /// chord is farther than `sag` from its arc. Empty if makeZone refuses the shape.
 std::vector<std::vector<Point2>> outline(const Shape& shape, double sag = 1e-3);
 
+/// The same for any zone. Of one whose form is not known, a user's own, the boundary is traced in
+/// steps of a hundredth of its box.
+std::vector<std::vector<Point2>> outline(const AF2FreeZone& zone, double sag = 1e-3);
+
 }  // namespace af2::dsl

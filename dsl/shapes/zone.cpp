@@ -25,10 +25,36 @@ class ShapeZone final : public AF2FreeZone {
     return region_.meets({from, to}, boundary);
   }
 
+  const shapes::Region& region() const { return region_; }
+
  private:
   shapes::Region region_;
   Box2 box_;
 };
+
+/// The sides between sampled cells inside and outside, the inside on their left.
+std::vector<shapes::Piece> tracedBoundary(const AF2FreeZone& zone) {
+  constexpr int kCells = 100;
+  const Box2 box = zone.boundingBox();
+  const Point2 cell = (1.0 / kCells) * (box.high - box.low);
+  const auto at = [&](int x, int y) { return box.low + Point2{x * cell.x, y * cell.y}; };
+  const auto isInside = [&](int x, int y) {
+    const Point2 centre = at(x, y) + 0.5 * cell;
+    return x >= 0 && y >= 0 && x < kCells && y < kCells &&
+           zone.contains(centre, ZoneBoundary::Counts);
+  };
+  std::vector<shapes::Piece> pieces;
+  const auto add = [&](Point2 from, Point2 to) { pieces.push_back({from, to, std::nullopt}); };
+  for (int y = 0; y < kCells; ++y)
+    for (int x = 0; x < kCells; ++x) {
+      if (!isInside(x, y)) continue;
+      if (!isInside(x, y - 1)) add(at(x, y), at(x + 1, y));
+      if (!isInside(x + 1, y)) add(at(x + 1, y), at(x + 1, y + 1));
+      if (!isInside(x, y + 1)) add(at(x + 1, y + 1), at(x, y + 1));
+      if (!isInside(x - 1, y)) add(at(x, y + 1), at(x, y));
+    }
+  return pieces;
+}
 
 bool isFinite(const Box2& box) {
   return std::isfinite(box.low.x + box.low.y + box.high.x + box.high.y);
@@ -61,6 +87,14 @@ std::vector<std::vector<Point2>> outline(const Shape& shape, double sag) {
   if (built.refusal != Refusal::None || !shapes::isBounded(built.region)) return {};
   const Box2 box = shapes::finiteBox(built.region, built.box);
   return shapes::loopsOf(shapes::boundaryOf(built.region, box), sag);
+}
+
+std::vector<std::vector<Point2>> outline(const AF2FreeZone& zone, double sag) {
+  if (const auto* polygon = dynamic_cast<const ConvexPolygonZone*>(&zone))
+    return {{polygon->corners().begin(), polygon->corners().end()}};
+  if (const auto* shape = dynamic_cast<const ShapeZone*>(&zone))
+    return shapes::loopsOf(shapes::boundaryOf(shape->region(), shape->boundingBox()), sag);
+  return shapes::loopsOf(tracedBoundary(zone), sag);
 }
 
 }  // namespace af2::dsl

@@ -56,6 +56,25 @@ TEST(Outline, ClipsHalfPlanes) {
   EXPECT_NEAR(areaOf(loops), M_PI / 2, 1e-3);
 }
 
+/// A zone that is no shape of the language.
+class DiamondZone final : public AF2FreeZone {
+ public:
+  Box2 boundingBox() const override { return {{-1, -1}, {1, 1}}; }
+  bool contains(Point2 p, ZoneBoundary) const override { return std::abs(p.x) + std::abs(p.y) < 1; }
+  bool meets(Point2, Point2, ZoneBoundary) const override { return false; }
+};
+
+TEST(Outline, OfAUsersZoneIsTraced) {
+  const auto loops = outline(DiamondZone());
+  ASSERT_EQ(loops.size(), 1u);
+  EXPECT_NEAR(areaOf(loops), 2, 0.05);
+}
+
+TEST(Outline, OfAZoneIsThatOfItsShape) {
+  const Shape shape = Shape::disc({0, 0}, 2) - Shape::hull({{0, 0}, {1, 0}, {0, 1}});
+  EXPECT_EQ(outline(*makeZone(shape).zone), outline(shape));
+}
+
 TEST(Outline, EnclosesWhatTheZoneContains) {
   SCOPED_TRACE(test::seedNote());
   test::RandomShapes random(test::seedOfRun() + 20);
