@@ -21,12 +21,12 @@ struct ModelSizes {
   /// Further limit by position. Must be pure and callable from several threads at once.
   std::function<double(const Point3&)> function;
 
-  /// Curves and surfaces need a smaller size where they turn quickly: a segment of an edge turns by
-  /// at most `edgeTurn` radians, an edge on a face by about `faceTurn`.
-  double edgeTurn = 0.7854;
-  double faceTurn = 0.7;
-  /// But for the sake of curvature the size never drops below this fraction of the wanted one.
-  double leastFraction = 0.1;
+  /// Where an edge turns quickly it needs shorter segments: one segment turns by at most `edgeTurn`
+  /// radians, unless it would be shorter than `edgeLeast` times the wanted length.
+  double edgeTurn = 0.7854, edgeLeast = 0.1;
+  /// Likewise on faces, and on edges next to them: an edge of an element turns by about `faceTurn`
+  /// radians around the smaller radius of curvature.
+  double faceTurn = 0.7, faceLeast = 0.35;
   /// Most growth of the size per unit of length, away from short segments of the boundary.
   double growth = 0.4;
 };

@@ -1,0 +1,123 @@
+#include "geometry/occ/chains.h"
+
+#include <algorithm>
+#include <map>
+#include <optional>
+
+#include "engine/error.h"
+
+namespace af2::geometry {
+
+namespace {
+
+/// A number that grows with the angle of a direction, from 0 to 4 for a full turn.
+double pseudoAngle(Point2 d) {
+  const double sum = std::abs(d.x) + std::abs(d.y);
+  if (sum == 0) return 0;
+  const double t = d.y / sum;
+  if (d.x < 0) return 2 - t;
+  return d.y < 0 ? 4 + t : t;
+}
+
+/// Directions around one vertex, as angles in its tangent plane.
+class TangentPlane {
+ public:
+  explicit TangentPlane(const SurfacePoint& at) : at_(at) {
+    const Point3& n = at.normal;
+    // Any direction across the normal will do, e.g. from the coordinate axis farthest from it.
+    const double x = std::abs(n.x), y = std::abs(n.y), z = std::abs(n.z);
+    const Point3 axis = x <= y && x <= z ? Point3{1, 0, 0} : y <= z ? Point3{0, 1, 0} : Point3{0, 0, 1};
+    xAxis_ = unit(cross(axis, n));
+    yAxis_ = cross(n, xAxis_);
+  }
+  double angleTowards(const SurfacePoint& other) const {
+    const Point3 d = other.position - at_.position;
+    return pseudoAngle({dot(d, xAxis_), dot(d, yAxis_)});
+  }
+
+ private:
+  const SurfacePoint& at_;
+  Point3 xAxis_, yAxis_;
+};
+
+/// How far one turns clockwise from `from` to `to`, in (0, 4].
+double clockwise(double from, double to) { return from > to ? from - to : from - to + 4; }
+
+class Linker {
+ public:
+  explicit Linker(std::vector<Chain> chains) : chains_(std::move(chains)) {
+    for (std::size_t i = 0; i < chains_.size(); ++i)
+      starting_[chains_[i].corners.front().vertex].push_back(i);
+  }
+
+  std::vector<std::vector<BoundaryCorner>> loops() {
+    std::vector<std::vector<BoundaryCorner>> result;
+    std::vector<bool> used(chains_.size(), false);
+    for (std::size_t i = 0; i < chains_.size(); ++i)
+      if (!used[i]) result.push_back(follow(i, used));
+    return result;
+  }
+
+ private:
+  std::vector<BoundaryCorner> follow(std::size_t first, std::vector<bool>& used) {
+    std::vector<BoundaryCorner> loop;
+    for (std::size_t i = first; !used[i]; i = successor(i, first, used)) {
+      used[i] = true;
+      const auto& corners = chains_[i].corners;
+      loop.insert(loop.end(), corners.begin(), corners.end() - 1);
+    }
+    return loop;
+  }
+
+  /// The chain that leaves the end of chain `i` next to it, clockwise; `first` closes the loop.
+  std::size_t successor(std::size_t i, std::size_t first, const std::vector<bool>& used) const {
+    const auto& corners = chains_[i].corners;
+    const BoundaryCorner& end = corners.back();
+    const TangentPlane plane(end.point);
+    const double back = plane.angleTowards(corners[corners.size() - 2].point);
+    std::optional<std::size_t> best;
+    double bestTurn = 0;
+    const auto found = starting_.find(end.vertex);
+    if (found != starting_.end()) {
+      for (const std::size_t candidate : found->second) {
+        if (used[candidate] && candidate != first) continue;
+        const double turn = clockwise(back, plane.angleTowards(chains_[candidate].corners[1].point));
+        if (best && turn >= bestTurn) continue;
+        best = candidate;
+        bestTurn = turn;
+      }
+    }
+    if (!best)
+      throw GeometryError("the boundary is not closed: nothing follows edge " +
+                          std::to_string(chains_[i].edge));
+    return *best;
+  }
+
+  std::vector<Chain> chains_;
+  std::map<VertexId, std::vector<std::size_t>> starting_;
+};
+
+}  // namespace
+
+void cancelOppositeChains(std::vector<Chain>& chains) {
+  for (std::size_t i = 0; i < chains.size(); ++i) {
+    const auto& a = chains[i].corners;
+    if (a.size() != 2) continue;
+    const auto opposite = [&](const Chain& other) {
+      return other.edge != chains[i].edge && other.corners.size() == 2 &&
+             other.corners.front().vertex == a.back().vertex &&
+             other.corners.back().vertex == a.front().vertex;
+    };
+    const auto found = std::find_if(chains.begin() + static_cast<std::ptrdiff_t>(i) + 1, chains.end(), opposite);
+    if (found == chains.end()) continue;
+    chains.erase(found);
+    chains.erase(chains.begin() + static_cast<std::ptrdiff_t>(i));
+    --i;
+  }
+}
+
+std::vector<std::vector<BoundaryCorner>> linkChains(std::vector<Chain> chains) {
+  return Linker(std::move(chains)).loops();
+}
+
+}  // namespace af2::geometry

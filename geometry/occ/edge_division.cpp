@@ -1,0 +1,186 @@
+#include "geometry/occ/edge_division.h"
+
+#include <BRepAdaptor_Curve.hxx>
+#include <BRep_Tool.hxx>
+#include <TopExp.hxx>
+#include <TopoDS.hxx>
+#include <algorithm>
+#include <map>
+#include <numeric>
+
+#include "engine/error.h"
+#include "geometry/occ/edge_samples.h"
+#include "geometry/occ/parallel.h"
+#include "geometry/occ/points.h"
+
+namespace af2::geometry {
+
+namespace {
+
+/// An edge that is shorter than this share of the wanted size, and than the tolerances of its
+/// vertices, is taken for one point.
+constexpr double kPointLike = 1e-3;
+/// So is one that is shorter than this share of the model, where coordinates blur.
+constexpr double kBlur = 1e-10;
+
+/// The ends of an edge: indices of points.
+struct Ends {
+  std::uint32_t first = 0, last = 0;
+};
+
+/// Which points were found to be the same.
+class Merging {
+ public:
+  explicit Merging(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0u); }
+  std::uint32_t find(std::uint32_t i) const {
+    while (parent_[i] != i) i = parent_[i];
+    return i;
+  }
+  void merge(std::uint32_t a, std::uint32_t b) {
+    a = find(a);
+    b = find(b);
+    parent_[std::max(a, b)] = std::min(a, b);
+  }
+
+ private:
+  std::vector<std::uint32_t> parent_;
+};
+
+class Division {
+ public:
+  Division(const ModelShape& model, const ModelSizes& sizes, int threads, std::stop_token stop)
+      : model_(model), sizes_(sizes), samples_(static_cast<std::size_t>(model.edges.Extent())) {
+    sampleAll(threads, stop);
+    findEnds();
+    mergePointLikeEdges();
+    gradeAll();
+  }
+
+  DividedEdges result() {
+    const std::vector<std::size_t> least = leastSegments();
+    for (std::size_t i = 0; i < samples_.size(); ++i) divideEdge(i, least[i]);
+    return std::move(result_);
+  }
+
+ private:
+  void sampleAll(int threads, const std::stop_token& stop) {
+    TopTools_IndexedDataMapOfShapeListOfShape faces;
+    TopExp::MapShapesAndUniqueAncestors(model_.shape, TopAbs_EDGE, TopAbs_FACE, faces);
+    forEachInParallel(samples_.size(), threads, [&](std::size_t i) {
+      if (!stop.stop_requested())
+        samples_[i] = sampleEdge(model_, static_cast<int>(i) + 1, faces, sizes_);
+    });
+  }
+
+  void findEnds() {
+    for (int id = 1; id <= model_.vertices.Extent(); ++id)
+      result_.points.push_back(toPoint(BRep_Tool::Pnt(model_.vertex(id))));
+    for (std::size_t i = 0; i < samples_.size(); ++i) {
+      const TopoDS_Edge edge = TopoDS::Edge(model_.edge(static_cast<int>(i) + 1).Oriented(TopAbs_FORWARD));
+      ends_.push_back(endsOf(edge, samples_[i]));
+    }
+  }
+
+  /// An edge may lack vertices, e.g. a full circle; it then gets points of its own.
+  Ends endsOf(const TopoDS_Edge& edge, const EdgeSamples& samples) {
+    const TopoDS_Vertex first = TopExp::FirstVertex(edge), last = TopExp::LastVertex(edge);
+    Ends ends;
+    ends.first = first.IsNull() ? addPoint(samples.start) : indexOf(first);
+    const bool closed = distance(samples.start, samples.end) <= 1e-9 * model_.diagonal;
+    if (!last.IsNull())
+      ends.last = indexOf(last);
+    else
+      ends.last = closed ? ends.first : addPoint(samples.end);
+    return ends;
+  }
+
+  std::uint32_t indexOf(const TopoDS_Vertex& vertex) const {
+    return static_cast<std::uint32_t>(model_.vertices.FindIndex(vertex) - 1);
+  }
+  std::uint32_t addPoint(const Point3& point) {
+    result_.points.push_back(point);
+    return static_cast<std::uint32_t>(result_.points.size() - 1);
+  }
+
+  bool isPointLike(std::size_t i) const {
+    const EdgeSamples& samples = samples_[i];
+    if (samples.pieces.empty()) return samples.problem.empty();
+    if (samples.length <= kBlur * model_.diagonal) return true;
+    const TopoDS_Edge edge = model_.edge(static_cast<int>(i) + 1);
+    const TopoDS_Vertex first = TopExp::FirstVertex(edge), last = TopExp::LastVertex(edge);
+    if (first.IsNull() || last.IsNull()) return false;
+    const double tolerance = std::max(BRep_Tool::Tolerance(first), BRep_Tool::Tolerance(last));
+    return samples.length <= tolerance &&
+           samples.length <= kPointLike * samples.pieces.front().sizes.front();
+  }
+
+  void mergePointLikeEdges() {
+    Merging merging(result_.points.size());
+    for (std::size_t i = 0; i < samples_.size(); ++i) {
+      if (!isPointLike(i)) continue;
+      samples_[i].pieces.clear();
+      if (!BRep_Tool::Degenerated(model_.edge(static_cast<int>(i) + 1)))
+        merging.merge(ends_[i].first, ends_[i].last);
+    }
+    for (Ends& ends : ends_) ends = {merging.find(ends.first), merging.find(ends.last)};
+  }
+
+  /// Sizes at shared ends agree, and grow from there no faster than wanted.
+  void gradeAll() {
+    constexpr int kRounds = 3;  // a short edge passes a small size on to the edges beyond it
+    std::vector<double> atPoint(result_.points.size(), 1e300);
+    for (int round = 0; round < kRounds; ++round) {
+      for (std::size_t i = 0; i < samples_.size(); ++i) {
+        if (samples_[i].pieces.empty()) continue;
+        double &first = atPoint[ends_[i].first], &last = atPoint[ends_[i].last];
+        gradeSizes(samples_[i], first, last, sizes_.growth);
+        first = std::min(first, samples_[i].pieces.front().sizes.front());
+        last = std::min(last, samples_[i].pieces.back().sizes.back());
+      }
+    }
+  }
+
+  std::vector<std::size_t> leastSegments() const {
+    std::map<std::pair<std::uint32_t, std::uint32_t>, std::size_t> sameEnds;
+    const auto key = [&](std::size_t i) { return std::minmax(ends_[i].first, ends_[i].last); };
+    for (std::size_t i = 0; i < samples_.size(); ++i)
+      if (!samples_[i].pieces.empty()) ++sameEnds[key(i)];
+    std::vector<std::size_t> least;
+    for (std::size_t i = 0; i < samples_.size(); ++i) {
+      if (ends_[i].first == ends_[i].last)
+        least.push_back(3);
+      else
+        least.push_back(sameEnds[key(i)] > 1 ? 2 : 1);
+    }
+    return least;
+  }
+
+  void divideEdge(std::size_t i, std::size_t least) {
+    DividedEdge edge;
+    edge.problem = samples_[i].problem;
+    if (!samples_[i].pieces.empty()) {
+      edge.parameters = divide(samples_[i], least);
+      const BRepAdaptor_Curve curve(model_.edge(static_cast<int>(i) + 1));
+      edge.points.push_back(ends_[i].first);
+      for (std::size_t k = 1; k + 1 < edge.parameters.size(); ++k)
+        edge.points.push_back(addPoint(toPoint(curve.Value(edge.parameters[k]))));
+      edge.points.push_back(ends_[i].last);
+    }
+    result_.edges.push_back(std::move(edge));
+  }
+
+  const ModelShape& model_;
+  const ModelSizes& sizes_;
+  std::vector<EdgeSamples> samples_;
+  std::vector<Ends> ends_;
+  DividedEdges result_;
+};
+
+}  // namespace
+
+DividedEdges divideEdges(const ModelShape& model, const ModelSizes& sizes, int threads,
+                         std::stop_token stop) {
+  return Division(model, sizes, threads, std::move(stop)).result();
+}
+
+}  // namespace af2::geometry

@@ -1,0 +1,34 @@
+// Divides each edge of a model once, so that the faces on both sides share its vertices.
+// Not installed: includers need OpenCASCADE's headers.
+#pragma once
+
+#include <cstdint>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "geometry/occ/mesh_model.h"
+#include "geometry/occ/model_shape.h"
+
+namespace af2::geometry {
+
+struct DividedEdge {
+  /// Along the curve, ends included; empty: the edge has no length (a pole, a point) or is unusable.
+  std::vector<double> parameters;
+  std::vector<std::uint32_t> points;  ///< by parameter: index into DividedEdges::points
+  std::string problem;                ///< why it is unusable; its faces fail
+};
+
+struct DividedEdges {
+  std::vector<Point3> points;      ///< model vertices first, then along the edges
+  std::vector<DividedEdge> edges;  ///< [0] is edge 1
+};
+
+/// Divides all edges, whichever faces are asked for, so that these mesh alike alone or together.
+///
+/// Segments are as long as the sizes want along the curve in space. Closed edges have at least three
+/// segments, edges with the same two ends at least two: no two edges share a segment.
+DividedEdges divideEdges(const ModelShape& model, const ModelSizes& sizes, int threads,
+                         std::stop_token stop);
+
+}  // namespace af2::geometry

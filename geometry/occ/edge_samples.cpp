@@ -1,0 +1,298 @@
+#include "geometry/occ/edge_samples.h"
+
+#include <BRepAdaptor_Curve.hxx>
+#include <BRep_Tool.hxx>
+#include <Geom2d_Curve.hxx>
+#include <Precision.hxx>
+#include <Standard_Failure.hxx>
+#include <TColStd_Array1OfReal.hxx>
+#include <TopoDS.hxx>
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "engine/error.h"
+#include "geometry/occ/face_surface.h"
+#include "geometry/occ/points.h"
+#include "geometry/occ/sizing.h"
+
+namespace af2::geometry {
+
+namespace {
+
+/// Samples per wanted segment: position errors are then a few thousandths of a segment.
+constexpr double kSamplesPerSegment = 10;
+constexpr int kMinSamples = 16;
+constexpr double kMaxSamples = 2e6;
+
+/// Chord between unit tangents beyond which a curve has a kink, i.e. an angle of about 20 degrees.
+constexpr double kKink = 0.35;
+
+struct CurvePoint {
+  Point3 position, tangent;  ///< tangent of any length
+};
+
+CurvePoint pointAt(const BRepAdaptor_Curve& curve, double parameter) {
+  gp_Pnt position;
+  gp_Vec tangent;
+  curve.D1(parameter, position, tangent);
+  return {toPoint(position), toPoint(tangent)};
+}
+
+/// The size that the faces beside an edge want along it.
+class WantedAlongEdge {
+ public:
+  WantedAlongEdge(const ModelShape& model, int edgeId,
+                  const TopTools_IndexedDataMapOfShapeListOfShape& faces, const ModelSizes& sizes)
+      : sizes_(sizes) {
+    const TopoDS_Edge edge = model.edge(edgeId);
+    const auto given = sizes.edgeSizes.find(edgeId);
+    if (given != sizes.edgeSizes.end()) given_ = given->second;
+    largest_ = given_.value_or(sizes.size);
+    if (!faces.Contains(edge) || given_) return;
+    for (const TopoDS_Shape& face : faces.FindFromKey(edge)) addFace(model, edge, TopoDS::Face(face));
+  }
+
+  /// An upper bound.
+  double largest() const { return largest_; }
+
+  double at(const Point3& position, double parameter) const {
+    double size = largest_;
+    for (const Neighbor& face : faces_) size = std::min(size, onFace(face, position, parameter));
+    return limitByFunction(sizes_, size, position);
+  }
+
+ private:
+  struct Neighbor {
+    double wanted;
+    std::optional<FaceSurface> surface;
+    Handle(Geom2d_Curve) curve;
+  };
+
+  void addFace(const ModelShape& model, const TopoDS_Edge& edge, const TopoDS_Face& face) {
+    Neighbor neighbor{wantedOnFace(sizes_, model.faces.FindIndex(face)), std::nullopt, {}};
+    largest_ = faces_.empty() ? neighbor.wanted : std::min(largest_, neighbor.wanted);
+    try {
+      double first, last;
+      neighbor.surface.emplace(face);
+      neighbor.curve = BRep_Tool::CurveOnSurface(edge, face, first, last);
+    } catch (const std::exception&) {  // reported when the face is meshed
+      neighbor.surface.reset();
+    } catch (const Standard_Failure&) {
+      neighbor.surface.reset();
+    }
+    if (neighbor.surface && neighbor.surface->isPlane()) neighbor.surface.reset();
+    faces_.push_back(std::move(neighbor));
+  }
+
+  double onFace(const Neighbor& face, const Point3& position, double parameter) const {
+    if (!face.surface || face.curve.IsNull()) return face.wanted;
+    const gp_Pnt2d uv = face.curve->Value(parameter);
+    const double radius =
+        face.surface->curvatureRadiusAt(SurfacePoint{position, {}, uv.X(), uv.Y()});
+    return limitByCurvature(sizes_, face.wanted, radius);
+  }
+
+  const ModelSizes& sizes_;
+  std::optional<double> given_;
+  std::vector<Neighbor> faces_;
+  double largest_;
+};
+
+/// Parameters at which the curve changes its formula.
+std::vector<double> breaksOf(const BRepAdaptor_Curve& curve) {
+  const int count = curve.NbIntervals(GeomAbs_C1);
+  TColStd_Array1OfReal bounds(1, count + 1);
+  curve.Intervals(bounds, GeomAbs_C1);
+  return {bounds.begin(), bounds.end()};
+}
+
+double roughLength(const BRepAdaptor_Curve& curve) {
+  constexpr int kChords = 24;
+  const double first = curve.FirstParameter(), last = curve.LastParameter();
+  double sum = 0;
+  Point3 previous = toPoint(curve.Value(first));
+  for (int i = 1; i <= kChords; ++i) {
+    const Point3 next = toPoint(curve.Value(first + (last - first) * i / kChords));
+    sum += distance(previous, next);
+    previous = next;
+  }
+  return sum;
+}
+
+/// Samples one interval in which the curve is smooth.
+class IntervalSampler {
+ public:
+  IntervalSampler(const BRepAdaptor_Curve& curve, const WantedAlongEdge& wanted,
+                  const ModelSizes& sizes)
+      : curve_(curve), wanted_(wanted), sizes_(sizes) {}
+
+  /// Appends the interval to a piece. `atStart` and `atEnd` become the unit tangents at its ends.
+  void append(EdgePiece& piece, double low, double high, int cells, Point3& atStart, Point3& atEnd) {
+    // Just inside the interval: at its ends the derivative may be that of the neighbour.
+    const double inset = 1e-7 * (high - low);
+    CurvePoint before = pointAt(curve_, low + inset);
+    atStart = unit(before.tangent);
+    if (piece.parameters.empty()) addPoint(piece, low, 0, before.position);
+    const double step = (high - low) / cells;
+    for (int i = 1; i <= cells; ++i) {
+      const bool isLast = i == cells;
+      const double parameter = isLast ? high : low + i * step;
+      const CurvePoint here = pointAt(curve_, isLast ? high - inset : parameter);
+      const double ds = (length(before.tangent) + length(here.tangent)) / 2 * step;
+      addPoint(piece, parameter, piece.arcLength.back() + ds, here.position);
+      limitByTurn(piece, distance(unit(before.tangent), unit(here.tangent)), ds);
+      before = here;
+    }
+    atEnd = unit(before.tangent);
+  }
+
+ private:
+  void addPoint(EdgePiece& piece, double parameter, double arcLength, const Point3& position) {
+    piece.parameters.push_back(parameter);
+    piece.arcLength.push_back(arcLength);
+    piece.sizes.push_back(wanted_.at(position, parameter));
+  }
+
+  /// The last cell turns by `turn` within `ds`.
+  void limitByTurn(EdgePiece& piece, double turn, double ds) const {
+    if (turn * piece.sizes.back() <= sizes_.edgeTurn * ds) return;
+    const double size = std::max(sizes_.edgeTurn * ds / turn, sizes_.edgeLeast * wanted_.largest());
+    for (std::size_t i = piece.sizes.size() - 2; i < piece.sizes.size(); ++i)
+      piece.sizes[i] = std::min(piece.sizes[i], size);
+  }
+
+  const BRepAdaptor_Curve& curve_;
+  const WantedAlongEdge& wanted_;
+  const ModelSizes& sizes_;
+};
+
+void samplePieces(const BRepAdaptor_Curve& curve, const WantedAlongEdge& wanted,
+                  const ModelSizes& sizes, EdgeSamples& samples) {
+  const std::vector<double> breaks = breaksOf(curve);
+  const std::size_t intervals = breaks.size() - 1;
+  const double total = kSamplesPerSegment * roughLength(curve) / wanted.largest();
+  if (total > kMaxSamples) {
+    samples.problem = "needs more than " + std::to_string(static_cast<long>(total / kSamplesPerSegment)) +
+                      " segments; ask for a larger size";
+    return;
+  }
+  const int cells = std::max(kMinSamples, static_cast<int>(total / static_cast<double>(intervals)));
+  IntervalSampler sampler(curve, wanted, sizes);
+  Point3 previousEnd;
+  for (std::size_t i = 0; i < intervals; ++i) {
+    EdgePiece piece;
+    Point3 atStart, atEnd;
+    const bool smooth =
+        i > 0 && distance(previousEnd,
+                          unit(pointAt(curve, breaks[i] + 1e-7 * (breaks[i + 1] - breaks[i])).tangent)) <
+                     kKink;
+    if (!smooth) samples.pieces.push_back({});
+    sampler.append(samples.pieces.back(), breaks[i], breaks[i + 1], cells, atStart, atEnd);
+    previousEnd = atEnd;
+  }
+}
+
+void gradePiece(EdgePiece& piece, double growth) {
+  const std::vector<double>& s = piece.arcLength;
+  std::vector<double>& h = piece.sizes;
+  for (std::size_t i = 1; i < h.size(); ++i)
+    h[i] = std::min(h[i], h[i - 1] + growth * (s[i] - s[i - 1]));
+  for (std::size_t i = h.size() - 1; i-- > 0;)
+    h[i] = std::min(h[i], h[i + 1] + growth * (s[i + 1] - s[i]));
+}
+
+/// Number of segments up to each sample, if segments had exactly the wanted sizes.
+std::vector<double> countAlong(const EdgePiece& piece) {
+  std::vector<double> count(piece.sizes.size(), 0);
+  for (std::size_t i = 1; i < count.size(); ++i)
+    count[i] = count[i - 1] + 2 * (piece.arcLength[i] - piece.arcLength[i - 1]) /
+                                  (piece.sizes[i - 1] + piece.sizes[i]);
+  return count;
+}
+
+/// Appends the ends of `segments` equal shares of the count, without the start of the piece.
+void place(const EdgePiece& piece, const std::vector<double>& count, std::size_t segments,
+           std::vector<double>& parameters) {
+  std::size_t cell = 1;
+  for (std::size_t k = 1; k < segments; ++k) {
+    const double target = count.back() * static_cast<double>(k) / static_cast<double>(segments);
+    while (cell + 1 < count.size() && count[cell] < target) ++cell;
+    const double t = (target - count[cell - 1]) / (count[cell] - count[cell - 1]);
+    parameters.push_back(piece.parameters[cell - 1] +
+                         t * (piece.parameters[cell] - piece.parameters[cell - 1]));
+  }
+  parameters.push_back(piece.parameters.back());
+}
+
+}  // namespace
+
+EdgeSamples sampleEdge(const ModelShape& model, int edgeId,
+                       const TopTools_IndexedDataMapOfShapeListOfShape& faces,
+                       const ModelSizes& sizes) {
+  EdgeSamples samples;
+  const TopoDS_Edge edge = model.edge(edgeId);
+  if (BRep_Tool::Degenerated(edge)) return samples;
+  try {
+    const BRepAdaptor_Curve curve(edge);
+    const double first = curve.FirstParameter(), last = curve.LastParameter();
+    if (Precision::IsInfinite(first) || Precision::IsInfinite(last)) {
+      samples.problem = "is infinite";
+      return samples;
+    }
+    if (!(last > first)) return samples;
+    samples.start = toPoint(curve.Value(first));
+    samples.end = toPoint(curve.Value(last));
+    samplePieces(curve, WantedAlongEdge(model, edgeId, faces, sizes), sizes, samples);
+    for (const EdgePiece& piece : samples.pieces) samples.length += piece.arcLength.back();
+  } catch (const Standard_Failure& failure) {
+    samples.problem = std::string("has no usable curve (") + failure.DynamicType()->Name() + ")";
+  }
+  if (!samples.problem.empty() || !std::isfinite(samples.length)) {
+    if (samples.problem.empty()) samples.problem = "has a curve with values that are not numbers";
+    samples.pieces.clear();
+  }
+  return samples;
+}
+
+void gradeSizes(EdgeSamples& samples, double first, double last, double growth) {
+  if (samples.pieces.empty()) return;
+  double& front = samples.pieces.front().sizes.front();
+  double& back = samples.pieces.back().sizes.back();
+  front = std::min(front, first);
+  back = std::min(back, last);
+  for (std::size_t i = 0; i < samples.pieces.size(); ++i) {
+    std::vector<double>& sizes = samples.pieces[i].sizes;
+    if (i > 0) sizes.front() = std::min(sizes.front(), samples.pieces[i - 1].sizes.back());
+    gradePiece(samples.pieces[i], growth);
+  }
+  for (std::size_t i = samples.pieces.size() - 1; i-- > 0;) {
+    std::vector<double>& sizes = samples.pieces[i].sizes;
+    sizes.back() = std::min(sizes.back(), samples.pieces[i + 1].sizes.front());
+    gradePiece(samples.pieces[i], growth);
+  }
+}
+
+std::vector<double> divide(const EdgeSamples& samples, std::size_t leastSegments) {
+  std::vector<std::vector<double>> counts;
+  std::vector<std::size_t> segments;
+  std::size_t total = 0;
+  for (const EdgePiece& piece : samples.pieces) {
+    counts.push_back(countAlong(piece));
+    segments.push_back(static_cast<std::size_t>(std::max(1.0, std::floor(counts.back().back() + 0.5))));
+    total += segments.back();
+  }
+  for (; total < leastSegments; ++total) {
+    std::size_t coarsest = 0;
+    const auto load = [&](std::size_t i) { return counts[i].back() / static_cast<double>(segments[i]); };
+    for (std::size_t i = 1; i < segments.size(); ++i)
+      if (load(i) > load(coarsest)) coarsest = i;
+    ++segments[coarsest];
+  }
+  std::vector<double> parameters{samples.pieces.front().parameters.front()};
+  for (std::size_t i = 0; i < samples.pieces.size(); ++i)
+    place(samples.pieces[i], counts[i], segments[i], parameters);
+  return parameters;
+}
+
+}  // namespace af2::geometry

@@ -1,0 +1,40 @@
+// An edge as a table: where its points are and which size is wanted there.
+// Not installed: includers need OpenCASCADE's headers.
+#pragma once
+
+#include <TopTools_IndexedDataMapOfShapeListOfShape.hxx>
+#include <string>
+#include <vector>
+
+#include "geometry/occ/mesh_model.h"
+#include "geometry/occ/model_shape.h"
+
+namespace af2::geometry {
+
+/// A smooth piece of an edge, sampled finely against the sizes wanted on it.
+struct EdgePiece {
+  std::vector<double> parameters;
+  std::vector<double> arcLength;  ///< from the start of the piece
+  std::vector<double> sizes;
+};
+
+struct EdgeSamples {
+  std::vector<EdgePiece> pieces;  ///< split where the curve has a kink; empty: no length or unusable
+  Point3 start, end;
+  double length = 0;
+  std::string problem;  ///< why it is unusable
+};
+
+/// faces  of each edge of the model
+EdgeSamples sampleEdge(const ModelShape& model, int edge,
+                       const TopTools_IndexedDataMapOfShapeListOfShape& faces,
+                       const ModelSizes& sizes);
+
+/// Lets sizes grow along the edge by no more than `growth` per unit of length, from `first` and
+/// `last` at its ends.
+void gradeSizes(EdgeSamples& samples, double first, double last, double growth);
+
+/// Parameters that divide the edge into pieces of the wanted sizes, ends included.
+std::vector<double> divide(const EdgeSamples& samples, std::size_t leastSegments);
+
+}  // namespace af2::geometry

@@ -1,0 +1,149 @@
+#include "geometry/occ/face_boundary.h"
+
+#include <BRep_Tool.hxx>
+#include <Geom2d_Curve.hxx>
+#include <ShapeAnalysis_Surface.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
+#include <algorithm>
+#include <cmath>
+#include <unordered_map>
+
+#include "engine/error.h"
+#include "geometry/occ/chains.h"
+#include "geometry/occ/points.h"
+
+namespace af2::geometry {
+
+namespace {
+
+/// Where the points of an edge lie in the parameters of a face.
+class EdgeOnFace {
+ public:
+  EdgeOnFace(const TopoDS_Edge& edge, const TopoDS_Face& face) : face_(face) {
+    BRep_Tool::Range(edge, first_, last_);
+    curve_ = BRep_Tool::CurveOnSurface(edge, face, curveFirst_, curveLast_);
+  }
+
+  gp_Pnt2d at(double parameter, const Point3& position) {
+    if (curve_.IsNull()) return project(position);
+    const double t = (parameter - first_) / (last_ - first_);
+    return curve_->Value(curveFirst_ + t * (curveLast_ - curveFirst_));
+  }
+
+ private:
+  /// For the rare edge that lacks its curve in the parameters. Slow, and once per boundary point.
+  gp_Pnt2d project(const Point3& position) {
+    if (analysis_.IsNull()) analysis_ = new ShapeAnalysis_Surface(BRep_Tool::Surface(face_));
+    previous_ = hasPrevious_ ? analysis_->NextValueOfUV(previous_, toOcc(position), 1e-7)
+                             : analysis_->ValueOfUV(toOcc(position), 1e-7);
+    hasPrevious_ = true;
+    return previous_;
+  }
+
+  const TopoDS_Face& face_;
+  Handle(Geom2d_Curve) curve_;
+  Handle(ShapeAnalysis_Surface) analysis_;
+  gp_Pnt2d previous_;
+  bool hasPrevious_ = false;
+  double first_ = 0, last_ = 1, curveFirst_ = 0, curveLast_ = 1;
+};
+
+class BoundaryFinder {
+ public:
+  BoundaryFinder(const ModelShape& model, int faceId, const DividedEdges& divided,
+                 const FaceSurface& surface)
+      : model_(model), divided_(divided), surface_(surface) {
+    const TopoDS_Face face = model.face(faceId);
+    reversed_ = face.Orientation() == TopAbs_REVERSED;
+    forward_ = TopoDS::Face(face.Oriented(TopAbs_FORWARD));
+  }
+
+  FaceBoundary find() {
+    for (TopExp_Explorer it(forward_, TopAbs_EDGE); it.More(); it.Next())
+      addEdge(TopoDS::Edge(it.Current()));
+    if (chains_.empty()) throw GeometryError("the face has no boundary");
+    cancelOppositeChains(chains_);
+    if (chains_.empty()) throw GeometryError("the face has no width: its boundary runs back on itself");
+    for (const Chain& chain : chains_) addUses(chain);
+    result_.input.loops = linkChains(std::move(chains_));
+    result_.input.vertexCount = result_.points.size();
+    addIsolatedVertices();
+    return std::move(result_);
+  }
+
+ private:
+  void addEdge(const TopoDS_Edge& edge) {
+    if (edge.Orientation() == TopAbs_EXTERNAL) return;
+    const int id = model_.edges.FindIndex(edge);
+    const DividedEdge& divided = divided_.edges[static_cast<std::size_t>(id) - 1];
+    if (!divided.problem.empty())
+      throw GeometryError("edge " + std::to_string(id) + " " + divided.problem);
+    if (divided.points.empty()) return;
+    if (edge.Orientation() == TopAbs_INTERNAL) {
+      addChain(id, divided, TopoDS::Edge(edge.Oriented(TopAbs_FORWARD)));
+      addChain(id, divided, TopoDS::Edge(edge.Oriented(TopAbs_REVERSED)));
+    } else {
+      addChain(id, divided, edge);
+    }
+  }
+
+  void addChain(int id, const DividedEdge& divided, const TopoDS_Edge& edge) {
+    Chain chain;
+    chain.edge = id;
+    EdgeOnFace onFace(edge, forward_);
+    for (std::size_t i = 0; i < divided.points.size(); ++i) {
+      const Point3& position = divided_.points[divided.points[i]];
+      const gp_Pnt2d uv = onFace.at(divided.parameters[i], position);
+      chain.corners.push_back(
+          {vertexOf(divided.points[i]), surface_.pointAt(position, uv.X(), uv.Y())});
+    }
+    chain.reversed = (edge.Orientation() == TopAbs_REVERSED) != reversed_;
+    if (chain.reversed) std::reverse(chain.corners.begin(), chain.corners.end());
+    chains_.push_back(std::move(chain));
+  }
+
+  VertexId vertexOf(std::uint32_t point) {
+    const auto [found, isNew] = vertices_.try_emplace(point, VertexId(result_.points.size()));
+    if (isNew) result_.points.push_back(point);
+    return found->second;
+  }
+
+  void addUses(const Chain& chain) {
+    for (std::uint32_t i = 0; i + 1 < chain.corners.size(); ++i)
+      result_.uses.push_back({chain.edge, i});
+  }
+
+  /// Vertices inside the face that stand on no edge of it.
+  void addIsolatedVertices() {
+    for (TopoDS_Iterator it(forward_); it.More(); it.Next()) {
+      if (it.Value().ShapeType() != TopAbs_VERTEX) continue;
+      const TopoDS_Vertex vertex = TopoDS::Vertex(it.Value());
+      const auto point = static_cast<std::uint32_t>(model_.vertices.FindIndex(vertex) - 1);
+      if (vertices_.contains(point)) continue;
+      const Point3& position = divided_.points[point];
+      const gp_Pnt2d uv = BRep_Tool::Parameters(vertex, forward_);
+      const VertexId id = vertexOf(point);
+      result_.input.isolated.push_back({id, surface_.pointAt(position, uv.X(), uv.Y())});
+      result_.input.vertexCount = result_.points.size();
+    }
+  }
+
+  const ModelShape& model_;
+  const DividedEdges& divided_;
+  const FaceSurface& surface_;
+  TopoDS_Face forward_;
+  bool reversed_ = false;
+  std::vector<Chain> chains_;
+  std::unordered_map<std::uint32_t, VertexId> vertices_;  // looked up only, never walked through
+  FaceBoundary result_;
+};
+
+}  // namespace
+
+FaceBoundary findBoundary(const ModelShape& model, int face, const DividedEdges& divided,
+                          const FaceSurface& surface) {
+  return BoundaryFinder(model, face, divided, surface).find();
+}
+
+}  // namespace af2::geometry

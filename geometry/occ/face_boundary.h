@@ -1,0 +1,30 @@
+// The directed loops around a face, made of the divided edges.
+// Not installed: includers need OpenCASCADE's headers.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "engine/front_input.h"
+#include "geometry/occ/edge_division.h"
+#include "geometry/occ/face_surface.h"
+
+namespace af2::geometry {
+
+/// One segment of an edge as a face runs along it.
+struct SegmentUse {
+  int edge = 0;
+  std::uint32_t segment = 0;
+};
+
+struct FaceBoundary {
+  FrontInput input;
+  std::vector<std::uint32_t> points;  ///< by vertex id: index into DividedEdges::points
+  std::vector<SegmentUse> uses;
+};
+
+/// Throws GeometryError, saying which edge is at fault, if the face has no closed boundary.
+FaceBoundary findBoundary(const ModelShape& model, int face, const DividedEdges& divided,
+                          const FaceSurface& surface);
+
+}  // namespace af2::geometry

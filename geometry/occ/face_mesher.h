@@ -1,0 +1,37 @@
+// Meshes one face within its divided edges.
+// Not installed: includers need OpenCASCADE's headers.
+#pragma once
+
+#include "geometry/occ/edge_division.h"
+#include "geometry/occ/face_boundary.h"
+#include "geometry/occ/mesh_model.h"
+
+namespace af2::geometry {
+
+/// The mesh of a face. Corners of elements are numbered: first the vertices of the boundary, then
+/// those inside.
+struct FaceMesh {
+  FaceReport report;
+  std::vector<std::uint32_t> boundary;  ///< indices into DividedEdges::points
+  std::vector<Point3> inside;
+  std::vector<Element> elements;
+  std::vector<std::uint16_t> rule;
+  std::vector<SegmentUse> uses;
+};
+
+/// What all faces of a run share.
+struct FaceMeshingContext {
+  const ModelShape& model;
+  const AF2Algorithm& algorithm;
+  const ModelMeshingOptions& options;
+  const DividedEdges& divided;
+  std::function<void(int face, const Progress&)> progress;
+};
+
+/// Never throws for a fault of the face: that becomes a failed report.
+FaceMesh meshFace(const FaceMeshingContext& context, int face);
+
+/// Area of a face of the model; 0 if it cannot be told.
+double areaOf(const ModelShape& model, int face);
+
+}  // namespace af2::geometry

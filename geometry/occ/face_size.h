@@ -1,0 +1,23 @@
+// The wanted size on one face.
+// Not installed: includers need OpenCASCADE's headers.
+#pragma once
+
+#include "engine/size_field.h"
+#include "geometry/occ/face_surface.h"
+#include "geometry/occ/mesh_model.h"
+
+namespace af2::geometry {
+
+/// The size that the options give, limited by curvature.
+class FaceSize final : public SizeField {
+ public:
+  FaceSize(const ModelSizes& sizes, int face, const FaceSurface& surface);
+  double sizeAt(const SurfacePoint& point) const override;
+
+ private:
+  const ModelSizes& sizes_;
+  const FaceSurface& surface_;
+  double wanted_;
+};
+
+}  // namespace af2::geometry

@@ -1,0 +1,146 @@
+#include "geometry/occ/face_surface.h"
+
+#include <BRepTools.hxx>
+#include <BRep_Tool.hxx>
+#include <TopoDS.hxx>
+#include <cmath>
+#include <limits>
+
+#include "engine/error.h"
+#include "geometry/occ/points.h"
+#include "geometry/plane_chart.h"
+
+namespace af2::geometry {
+
+namespace {
+
+template <class... Cases>
+struct Overloaded : Cases... {
+  using Cases::operator()...;
+};
+template <class... Cases>
+Overloaded(Cases...) -> Overloaded<Cases...>;
+
+Handle(Geom_Surface) surfaceOf(const TopoDS_Face& face) {
+  const Handle(Geom_Surface) surface = BRep_Tool::Surface(face);
+  if (surface.IsNull()) throw GeometryError("the face has no surface");
+  return surface;
+}
+
+/// A closed form whose normals agree with those of the parametrisation at a place of the face.
+template <class Quadric>
+Quadric oriented(Quadric outer, Quadric inner, const Point3& position, const Point3& normal) {
+  return dot(outer.normalAt(position), normal) > 0 ? outer : inner;
+}
+
+/// The nappe on which the face lies; nothing if it lies on both.
+std::optional<ConeSurface> nappeOf(const gp_Cone& cone, const TopoDS_Face& face,
+                                   const Point3& position, const Point3& normal) {
+  double u1, u2, v1, v2;
+  BRepTools::UVBounds(face, u1, u2, v1, v2);
+  const double sine = std::sin(cone.SemiAngle());
+  const double reference = cone.RefRadius();
+  const double slack = 1e-9 * (std::abs(reference) + std::abs(sine) * (v2 - v1));
+  const double low = std::min(reference + v1 * sine, reference + v2 * sine);
+  const double high = std::max(reference + v1 * sine, reference + v2 * sine);
+  if (low < -slack && high > slack) return std::nullopt;
+
+  const Point3 apex = toPoint(cone.Apex());
+  Point3 axis = toPoint(cone.Axis().Direction());
+  if (dot(position - apex, axis) < 0) axis = -1 * axis;
+  const double tangent = std::abs(std::tan(cone.SemiAngle()));
+  return oriented(ConeSurface(apex, axis, tangent, Side::Outer),
+                  ConeSurface(apex, axis, tangent, Side::Inner), position, normal);
+}
+
+/// A place of the face's part of the surface that is no pole.
+SurfacePoint samplePoint(const TopoDS_Face& face, const GeneralSurface& surface) {
+  double u1, u2, v1, v2;
+  BRepTools::UVBounds(face, u1, u2, v1, v2);
+  const double u = u1 + 0.4142 * (u2 - u1), v = v1 + 0.4142 * (v2 - v1);
+  return {surface.frameAt(u, v).position, surface.normalAt(u, v), u, v};
+}
+
+}  // namespace
+
+FaceSurface::FaceSurface(const TopoDS_Face& face)
+    : flipped_(face.Orientation() == TopAbs_REVERSED),
+      parametric_(surfaceOf(face), flipped_),
+      surface_(parametric_) {
+  const GeomAdaptor_Surface adaptor(surfaceOf(face));
+  const SurfacePoint sample = samplePoint(face, parametric_);
+  const Point3 &p = sample.position, &n = sample.normal;
+  if (!(length(n) > 0)) return;
+  switch (adaptor.GetType()) {
+    case GeomAbs_Plane:
+      surface_ = PlaneSurface{n};
+      break;
+    case GeomAbs_Cylinder: {
+      const gp_Cylinder c = adaptor.Cylinder();
+      const Point3 onAxis = toPoint(c.Location()), axis = toPoint(c.Axis().Direction());
+      surface_ = oriented(CylinderSurface(onAxis, axis, c.Radius(), Side::Outer),
+                          CylinderSurface(onAxis, axis, c.Radius(), Side::Inner), p, n);
+      break;
+    }
+    case GeomAbs_Cone:
+      if (const auto cone = nappeOf(adaptor.Cone(), face, p, n)) surface_ = *cone;
+      break;
+    case GeomAbs_Sphere: {
+      const gp_Sphere s = adaptor.Sphere();
+      const Point3 centre = toPoint(s.Location());
+      surface_ = oriented(SphereSurface(centre, s.Radius(), Side::Outer),
+                          SphereSurface(centre, s.Radius(), Side::Inner), p, n);
+      break;
+    }
+    case GeomAbs_Torus: {
+      const gp_Torus t = adaptor.Torus();
+      if (t.MinorRadius() >= t.MajorRadius()) break;  // crosses itself: leave it to the parameters
+      const Point3 centre = toPoint(t.Location()), axis = toPoint(t.Axis().Direction());
+      surface_ = oriented(
+          TorusSurface(centre, axis, t.MajorRadius(), t.MinorRadius(), Side::Outer),
+          TorusSurface(centre, axis, t.MajorRadius(), t.MinorRadius(), Side::Inner), p, n);
+      break;
+    }
+    default:
+      break;
+  }
+}
+
+SurfacePoint FaceSurface::pointAt(const Point3& position, double u, double v) const {
+  return std::visit(
+      Overloaded{[&](const PlaneSurface& plane) { return SurfacePoint{position, plane.normal, u, v}; },
+                 [&](const GeneralSurface& general) {
+                   general.refine(position, u, v);
+                   return SurfacePoint{position, general.normalAt(u, v), u, v};
+                 },
+                 [&](const auto& quadric) {
+                   return SurfacePoint{position, quadric.normalAt(position), u, v};
+                 }},
+      surface_);
+}
+
+double FaceSurface::curvatureRadiusAt(const SurfacePoint& point) const {
+  return std::visit(
+      Overloaded{
+          [](const PlaneSurface&) { return std::numeric_limits<double>::infinity(); },
+          [](const CylinderSurface& cylinder) { return cylinder.radius(); },
+          [](const SphereSurface& sphere) { return sphere.radius(); },
+          [&](const GeneralSurface& general) { return general.curvatureRadiusAt(point.u, point.v); },
+          [&](const auto& other) { return other.curvatureRadiusAt(point.position); }},
+      surface_);
+}
+
+std::unique_ptr<AF2LocalTransformMaker> FaceSurface::makeCharts(const ChartLimits& limits) const {
+  using Maker = std::unique_ptr<AF2LocalTransformMaker>;
+  return std::visit(
+      Overloaded{[](const PlaneSurface& plane) -> Maker {
+                   return std::make_unique<PlaneChartMaker>(plane.normal);
+                 },
+                 [&](const auto& curved) -> Maker {
+                   using Curved = std::decay_t<decltype(curved)>;
+                   return std::make_unique<MeanNormalChartMaker<Curved>>(curved, limits);
+                 }},
+      surface_);
+}
+
+}  // namespace af2::geometry

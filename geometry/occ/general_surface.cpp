@@ -1,0 +1,149 @@
+#include "geometry/occ/general_surface.h"
+
+#include <Precision.hxx>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "geometry/occ/points.h"
+
+namespace af2::geometry {
+
+namespace {
+
+/// A new vertex lies exactly on the surface wherever Newton stops; this, in wanted edge lengths, is
+/// only how far it may be from where the rule wants it.
+constexpr double kPlaceTolerance = 2e-3;
+constexpr int kMaxSteps = 12;
+
+/// du x dv counts as zero below this sine of the angle between them or ratio of their lengths.
+constexpr double kDegenerate = 1e-6;
+
+ParameterRange rangeOf(double low, double high, bool closed) {
+  return {low, high, closed && !Precision::IsInfinite(low) && !Precision::IsInfinite(high)};
+}
+
+}  // namespace
+
+double ParameterRange::bring(double value) const {
+  if (!closed) return std::clamp(value, low, high);
+  if (value >= low && value <= high) return value;
+  return value - std::floor((value - low) / width()) * width();
+}
+
+double ParameterRange::near(double value, double other) const {
+  if (!closed) return value;
+  return value - std::round((value - other) / width()) * width();
+}
+
+GeneralSurface::GeneralSurface(const Handle(Geom_Surface) & surface, bool flipped)
+    : adaptor_(std::make_shared<GeomAdaptor_Surface>(surface)), sign_(flipped ? -1 : 1) {
+  double u1, u2, v1, v2;
+  surface->Bounds(u1, u2, v1, v2);
+  u_ = rangeOf(u1, u2, surface->IsUClosed());
+  v_ = rangeOf(v1, v2, surface->IsVClosed());
+}
+
+GeneralSurface::Frame GeneralSurface::frameAt(double u, double v) const {
+  gp_Pnt position;
+  gp_Vec du, dv;
+  adaptor_->D1(u, v, position, du, dv);
+  return {toPoint(position), toPoint(du), toPoint(dv)};
+}
+
+std::optional<Point3> GeneralSurface::unitNormal(const Frame& frame) const {
+  const Point3 normal = cross(frame.du, frame.dv);
+  const double size = length(normal);
+  const double longest = std::max(length(frame.du), length(frame.dv));
+  if (!(size > kDegenerate * longest * longest)) return std::nullopt;
+  return (sign_ / size) * normal;
+}
+
+Point3 GeneralSurface::normalAt(double u, double v) const {
+  if (const auto normal = unitNormal(frameAt(u, v))) return *normal;
+  // A pole: look a little way off in all directions that the range allows.
+  for (const double step : {1e-4, 1e-3, 1e-2}) {
+    Point3 sum;
+    for (const auto& [a, b] : {std::array{-1.0, 0.0}, std::array{1.0, 0.0}, std::array{0.0, -1.0},
+                               std::array{0.0, 1.0}, std::array{0.25, 0.5}, std::array{-0.25, 0.5},
+                               std::array{0.25, -0.5}, std::array{-0.25, -0.5}}) {
+      const double nearU = u_.bring(u + a * step * u_.width());
+      const double nearV = v_.bring(v + b * step * v_.width());
+      if (const auto normal = unitNormal(frameAt(nearU, nearV))) sum = sum + *normal;
+    }
+    if (length(sum) > kDegenerate) return unit(sum);
+  }
+  return {};
+}
+
+double GeneralSurface::curvatureRadiusAt(double u, double v) const {
+  constexpr double kInfinite = std::numeric_limits<double>::infinity();
+  gp_Pnt position;
+  gp_Vec du, dv, duu, dvv, duv;
+  adaptor_->D2(u, v, position, du, dv, duu, dvv, duv);
+  const gp_Vec normal = du.Crossed(dv);
+  const double e = du.SquareMagnitude(), f = du.Dot(dv), g = dv.SquareMagnitude();
+  const double det = e * g - f * f;
+  if (!(det > kDegenerate * std::max(e, g) * std::max(e, g))) return kInfinite;
+  const double size = std::sqrt(det);
+  const double l = duu.Dot(normal) / size, m = duv.Dot(normal) / size, n = dvv.Dot(normal) / size;
+  const double mean = (e * n - 2 * f * m + g * l) / (2 * det);
+  const double gauss = (l * n - m * m) / det;
+  const double largest = std::abs(mean) + std::sqrt(std::max(0.0, mean * mean - gauss));
+  return largest > 0 ? 1 / largest : kInfinite;
+}
+
+void GeneralSurface::refine(const Point3& position, double& u, double& v) const {
+  double bestU = u, bestV = v, best = std::numeric_limits<double>::infinity();
+  double atU = u, atV = v;
+  for (int step = 0; step < kMaxSteps; ++step) {
+    const Frame s = frameAt(atU, atV);
+    const Point3 r = position - s.position;
+    const double gap = length(r);
+    if (gap < best) {
+      best = gap;
+      bestU = atU;
+      bestV = atV;
+    }
+    const double e = dot(s.du, s.du), f = dot(s.du, s.dv), g = dot(s.dv, s.dv);
+    const double det = e * g - f * f;
+    if (!(det > kDegenerate * e * g)) break;
+    const double a = dot(r, s.du), b = dot(r, s.dv);
+    const double stepU = (g * a - f * b) / det, stepV = (e * b - f * a) / det;
+    atU = u_.closed ? atU + stepU : u_.bring(atU + stepU);
+    atV = v_.closed ? atV + stepV : v_.bring(atV + stepV);
+    if (std::abs(stepU) <= 1e-14 * u_.width() && std::abs(stepV) <= 1e-14 * v_.width()) break;
+  }
+  u = bestU;
+  v = bestV;
+}
+
+std::optional<SurfacePoint> GeneralSurface::hit(const SurfaceLine& line) const {
+  double u = u_.bring((line.from.u + u_.near(line.to.u, line.from.u)) / 2);
+  double v = v_.bring((line.from.v + v_.near(line.to.v, line.from.v)) / 2);
+  const double tolerance = kPlaceTolerance * line.edgeLength;
+  double last = std::numeric_limits<double>::infinity();
+  for (int step = 0; step < kMaxSteps; ++step) {
+    const Frame s = frameAt(u, v);
+    const Point3 r = line.start - s.position;
+    const double rx = dot(r, line.xAxis), ry = dot(r, line.yAxis);
+    const double gap = std::abs(rx) + std::abs(ry);
+    if (gap <= tolerance) {
+      const Point3 normal = normalAt(u, v);
+      return SurfacePoint{s.position, normal, u, v};
+    }
+    if (gap > 4 * last) return std::nullopt;  // running away
+    last = gap;
+    const double a = dot(s.du, line.xAxis), b = dot(s.dv, line.xAxis);
+    const double c = dot(s.du, line.yAxis), d = dot(s.dv, line.yAxis);
+    const double det = a * d - b * c;
+    if (!(std::abs(det) > kDegenerate * (std::abs(a) + std::abs(c)) * (std::abs(b) + std::abs(d))))
+      return std::nullopt;
+    u = u_.bring(u + (d * rx - b * ry) / det);
+    v = v_.bring(v + (a * ry - c * rx) / det);
+  }
+  return std::nullopt;
+}
+
+}  // namespace af2::geometry

@@ -1,0 +1,59 @@
+// Surfaces without a closed form (splines, revolutions, extrusions, offsets, ...), evaluated by
+// OpenCASCADE. Not installed: includers need OpenCASCADE's headers.
+#pragma once
+
+#include <GeomAdaptor_Surface.hxx>
+#include <Geom_Surface.hxx>
+#include <memory>
+#include <optional>
+
+#include "geometry/mean_normal_chart.h"
+
+namespace af2::geometry {
+
+/// One parameter of a surface: its range, and whether it comes back to where it started.
+struct ParameterRange {
+  double low = 0, high = 1;
+  bool closed = false;
+
+  double width() const { return high - low; }
+  /// `value` brought into the range: around, if closed, else to the nearer end.
+  double bring(double value) const;
+  /// The copy of `value` that is nearest to `other`, if closed.
+  double near(double value, double other) const;
+};
+
+/// A surface in terms of its parameters. Not to be used from two threads at once: it keeps the
+/// polynomials of the last patch.
+class GeneralSurface {
+ public:
+  struct Frame {
+    Point3 position, du, dv;
+  };
+
+  /// flipped  the face's normals are opposite to du x dv
+  GeneralSurface(const Handle(Geom_Surface) & surface, bool flipped);
+
+  /// Newton on the two parameters, seeded at the middle of the base edge.
+  std::optional<SurfacePoint> hit(const SurfaceLine& line) const;
+
+  Frame frameAt(double u, double v) const;
+  /// Where du x dv vanishes (a pole), the mean of the normals around.
+  Point3 normalAt(double u, double v) const;
+  /// Smallest radius of normal curvature; infinite where there is none.
+  double curvatureRadiusAt(double u, double v) const;
+  /// Moves (u, v) to the foot of the perpendicular from `position`, if it is near.
+  void refine(const Point3& position, double& u, double& v) const;
+
+  const ParameterRange& uRange() const { return u_; }
+  const ParameterRange& vRange() const { return v_; }
+
+ private:
+  std::optional<Point3> unitNormal(const Frame& frame) const;
+
+  std::shared_ptr<const GeomAdaptor_Surface> adaptor_;
+  ParameterRange u_, v_;
+  double sign_;
+};
+
+}  // namespace af2::geometry

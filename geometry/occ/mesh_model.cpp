@@ -1,0 +1,245 @@
+#include "geometry/occ/mesh_model.h"
+
+#include <algorithm>
+#include <chrono>
+#include <mutex>
+#include <numeric>
+
+#include "engine/error.h"
+#include "geometry/occ/edge_division.h"
+#include "geometry/occ/face_mesher.h"
+#include "geometry/occ/parallel.h"
+#include "geometry/occ/sizing.h"
+
+namespace af2::geometry {
+
+namespace {
+
+class Stopwatch {
+ public:
+  double seconds() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+std::vector<int> facesAskedFor(const Model& model, const ModelMeshingOptions& options) {
+  std::vector<int> faces = options.faces;
+  if (faces.empty()) {
+    faces.resize(static_cast<std::size_t>(model.faceCount()));
+    std::iota(faces.begin(), faces.end(), 1);
+  }
+  std::sort(faces.begin(), faces.end());
+  faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+  for (const int face : faces)
+    if (face < 1 || face > model.faceCount())
+      throw InputError("face " + std::to_string(face) + ": the model has faces 1 to " +
+                       std::to_string(model.faceCount()));
+  return faces;
+}
+
+/// Adds up how far the faces have come and tells it, one caller at a time.
+class ProgressSum {
+ public:
+  ProgressSum(const ModelMeshingOptions& options, const std::vector<double>& work)
+      : options_(options), work_(work), elements_(work.size(), 0) {
+    sum_.faces = static_cast<int>(work.size());
+    for (const double w : work) sum_.workTotal += w;
+  }
+
+  void advance(std::size_t index, std::size_t elements) {
+    const std::lock_guard lock(mutex_);
+    update(index, elements, std::min(static_cast<double>(elements), 0.99 * work_[index]));
+    tell();
+  }
+  void finish(std::size_t index, std::size_t elements) {
+    const std::lock_guard lock(mutex_);
+    update(index, elements, work_[index]);
+    ++sum_.facesDone;
+    tell();
+  }
+
+ private:
+  void update(std::size_t index, std::size_t elements, double done) {
+    sum_.elements += elements - elements_[index].count;
+    sum_.workDone += done - elements_[index].done;
+    elements_[index] = {elements, done};
+  }
+  void tell() const {
+    if (options_.progress) options_.progress(sum_);
+  }
+
+  struct Part {
+    Part(std::size_t c = 0, double d = 0) : count(c), done(d) {}
+    std::size_t count;
+    double done;
+  };
+  const ModelMeshingOptions& options_;
+  const std::vector<double>& work_;
+  std::vector<Part> elements_;
+  ModelProgress sum_;
+  std::mutex mutex_;
+};
+
+/// Joins the meshes of faces. Vertices that no element uses are left out.
+class Assembly {
+ public:
+  explicit Assembly(const DividedEdges& divided) : divided_(divided) {}
+
+  ModelMesh join(std::vector<FaceMesh>& faces) {
+    numberBoundary(faces);
+    for (FaceMesh& face : faces) add(face);
+    addSegments(faces);
+    return std::move(mesh_);
+  }
+
+ private:
+  static constexpr std::uint32_t kUnused = 0xffffffffu;
+
+  void numberBoundary(const std::vector<FaceMesh>& faces) {
+    ids_.assign(divided_.points.size(), kUnused);
+    for (const FaceMesh& face : faces)
+      for (const Element& element : face.elements)
+        for (const VertexId v : element.vertices())
+          if (v.value < face.boundary.size()) ids_[face.boundary[v.value]] = 0;
+    for (std::size_t i = 0; i < ids_.size(); ++i)
+      if (ids_[i] != kUnused) ids_[i] = addVertex(divided_.points[i]);
+  }
+
+  std::uint32_t addVertex(const Point3& position) {
+    mesh_.vertices.push_back(position);
+    return static_cast<std::uint32_t>(mesh_.vertices.size() - 1);
+  }
+
+  void add(FaceMesh& face) {
+    const std::size_t boundaryCount = face.boundary.size();
+    const std::size_t base = mesh_.vertices.size();
+    mesh_.vertices.insert(mesh_.vertices.end(), face.inside.begin(), face.inside.end());
+    for (Element element : face.elements) {
+      for (VertexId& v : element.corners) {
+        if (v.isNone()) continue;
+        v = v.value < boundaryCount ? VertexId(ids_[face.boundary[v.value]])
+                                    : VertexId(base + v.value - boundaryCount);
+      }
+      mesh_.elements.push_back(element);
+      mesh_.face.push_back(face.report.id);
+    }
+    mesh_.rule.insert(mesh_.rule.end(), face.rule.begin(), face.rule.end());
+    mesh_.faces.push_back(std::move(face.report));
+  }
+
+  void addSegments(const std::vector<FaceMesh>& faces) {
+    std::vector<std::vector<int>> uses;
+    for (const DividedEdge& edge : divided_.edges)
+      uses.emplace_back(edge.points.empty() ? 0 : edge.points.size() - 1, 0);
+    for (const FaceMesh& face : faces)
+      for (const SegmentUse& use : face.uses)
+        ++uses[static_cast<std::size_t>(use.edge) - 1][use.segment];
+    for (std::size_t e = 0; e < uses.size(); ++e)
+      for (std::size_t i = 0; i < uses[e].size(); ++i)
+        if (uses[e][i] > 0) addSegment(e, i, uses[e][i]);
+  }
+
+  void addSegment(std::size_t edge, std::size_t i, int uses) {
+    const std::vector<std::uint32_t>& points = divided_.edges[edge].points;
+    mesh_.segments.push_back({VertexId(ids_[points[i]]), VertexId(ids_[points[i + 1]]),
+                              static_cast<int>(edge) + 1, uses});
+  }
+
+  const DividedEdges& divided_;
+  std::vector<std::uint32_t> ids_;
+  ModelMesh mesh_;
+};
+
+class ModelMesher {
+ public:
+  ModelMesher(const Model& model, const AF2Algorithm& algorithm, const ModelMeshingOptions& options)
+      : model_(model), algorithm_(algorithm), options_(options) {}
+
+  ModelMesh mesh() {
+    const std::vector<int> faces = facesAskedFor(model_, options_);
+    const Stopwatch edgesWatch;
+    divided_ = divideEdges(model_.shape(), options_.sizes, options_.threads, options_.stop);
+    const double edgeSeconds = edgesWatch.seconds();
+
+    const Stopwatch facesWatch;
+    std::vector<FaceMesh> meshes = meshFaces(faces);
+    ModelMesh mesh = Assembly(divided_).join(meshes);
+    for (const AF2Rule& rule : algorithm_.rules().rules()) mesh.ruleNames.push_back(rule.name());
+    mesh.seconds.edges = edgeSeconds;
+    mesh.seconds.surface = facesWatch.seconds();
+    return mesh;
+  }
+
+ private:
+  std::vector<FaceMesh> meshFaces(const std::vector<int>& faces) {
+    const std::vector<double> areas = areasOf(faces);
+    const std::vector<double> work = expectedElements(faces, areas);
+    ProgressSum progress(options_, work);
+    std::vector<FaceMesh> meshes(faces.size());
+    const std::vector<std::size_t> order = largestFirst(work);
+    forEachInParallel(faces.size(), options_.threads, [&](std::size_t k) {
+      const std::size_t i = order[k];
+      const FaceMeshingContext context{
+          model_.shape(), algorithm_, options_, divided_,
+          [&](int, const Progress& p) { progress.advance(i, p.elements); }};
+      meshes[i] = options_.stop.stop_requested() ? cancelled(faces[i]) : meshFace(context, faces[i]);
+      meshes[i].report.area = areas[i];
+      progress.finish(i, meshes[i].elements.size());
+    });
+    return meshes;
+  }
+
+  FaceMesh cancelled(int face) const {
+    FaceMesh mesh;
+    mesh.report.id = face;
+    mesh.report.name = model_.faceName(face);
+    mesh.report.surfaceType = model_.surfaceType(face);
+    mesh.report.status = FaceStatus::Cancelled;
+    return mesh;
+  }
+
+  std::vector<double> areasOf(const std::vector<int>& faces) const {
+    std::vector<double> areas(faces.size(), 0);
+    forEachInParallel(faces.size(), options_.threads, [&](std::size_t i) {
+      if (!options_.stop.stop_requested()) areas[i] = areaOf(model_.shape(), faces[i]);
+    });
+    return areas;
+  }
+
+  std::vector<double> expectedElements(const std::vector<int>& faces,
+                                       const std::vector<double>& areas) const {
+    constexpr double kUnitTriangle = 0.4330127018922193;  // area of the one with edges of length 1
+    std::vector<double> work;
+    for (std::size_t i = 0; i < faces.size(); ++i) {
+      const double size = wantedOnFace(options_.sizes, faces[i]);
+      work.push_back(1 + areas[i] / (kUnitTriangle * size * size));
+    }
+    return work;
+  }
+
+  static std::vector<std::size_t> largestFirst(const std::vector<double>& work) {
+    std::vector<std::size_t> order(work.size());
+    std::iota(order.begin(), order.end(), 0u);
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return work[a] > work[b]; });
+    return order;
+  }
+
+  const Model& model_;
+  const AF2Algorithm& algorithm_;
+  const ModelMeshingOptions& options_;
+  DividedEdges divided_;
+};
+
+}  // namespace
+
+ModelMesh meshModel(const Model& model, const AF2Algorithm& algorithm,
+                    const ModelMeshingOptions& options) {
+  checkSizes(options.sizes, model);
+  return ModelMesher(model, algorithm, options).mesh();
+}
+
+}  // namespace af2::geometry

@@ -1,0 +1,23 @@
+#include "geometry/occ/model.h"
+
+#include "geometry/occ/model_shape.h"
+
+namespace af2::geometry {
+
+Model::Model(std::shared_ptr<const ModelShape> shape) : shape_(std::move(shape)) {}
+
+int Model::faceCount() const { return shape_->faces.Extent(); }
+int Model::edgeCount() const { return shape_->edges.Extent(); }
+int Model::vertexCount() const { return shape_->vertices.Extent(); }
+
+const std::string& Model::faceName(int face) const {
+  return shape_->faceNames.at(static_cast<std::size_t>(face) - 1);
+}
+const std::string& Model::surfaceType(int face) const {
+  return shape_->surfaceTypes.at(static_cast<std::size_t>(face) - 1);
+}
+const std::string& Model::unit() const { return shape_->unit; }
+double Model::diagonal() const { return shape_->diagonal; }
+const std::vector<std::string>& Model::notes() const { return shape_->notes; }
+
+}  // namespace af2::geometry

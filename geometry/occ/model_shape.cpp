@@ -1,0 +1,92 @@
+#include "geometry/occ/model_shape.h"
+
+#include <BRepAdaptor_Surface.hxx>
+#include <BRepBndLib.hxx>
+#include <BRepLib.hxx>
+#include <BRep_Tool.hxx>
+#include <Bnd_Box.hxx>
+#include <Standard_Failure.hxx>
+#include <TopExp.hxx>
+#include <TopoDS.hxx>
+#include <cmath>
+
+#include "geometry/occ/model.h"
+
+namespace af2::geometry {
+
+namespace {
+
+std::string surfaceTypeOf(const TopoDS_Face& face) {
+  TopLoc_Location location;
+  if (BRep_Tool::Surface(face, location).IsNull()) return "none";
+  switch (BRepAdaptor_Surface(face, false).GetType()) {
+    case GeomAbs_Plane: return "plane";
+    case GeomAbs_Cylinder: return "cylinder";
+    case GeomAbs_Cone: return "cone";
+    case GeomAbs_Sphere: return "sphere";
+    case GeomAbs_Torus: return "torus";
+    case GeomAbs_BezierSurface: return "bezier";
+    case GeomAbs_BSplineSurface: return "bspline";
+    case GeomAbs_SurfaceOfRevolution: return "revolution";
+    case GeomAbs_SurfaceOfExtrusion: return "extrusion";
+    case GeomAbs_OffsetSurface: return "offset";
+    default: return "other";
+  }
+}
+
+/// Diagonal of a box around all vertices and edges; faces would cost a search for their extremes.
+double diagonalOf(const ModelShape& model) {
+  Bnd_Box box;
+  for (int id = 1; id <= model.edges.Extent(); ++id) {
+    try {
+      Bnd_Box edgeBox;
+      BRepBndLib::Add(model.edges(id), edgeBox, false);
+      if (!edgeBox.IsOpen()) box.Add(edgeBox);
+    } catch (const Standard_Failure&) {  // reported when the edge is divided
+    }
+  }
+  if (box.IsVoid()) return 0;
+  return std::sqrt(box.SquareExtent());
+}
+
+/// Some files give edges as curves in the parameters of a face only.
+void buildMissingCurves(ModelShape& model) {
+  int built = 0;
+  for (int id = 1; id <= model.edges.Extent(); ++id) {
+    const TopoDS_Edge edge = model.edge(id);
+    double first, last;
+    if (BRep_Tool::Degenerated(edge) || !BRep_Tool::Curve(edge, first, last).IsNull()) continue;
+    try {
+      if (BRepLib::BuildCurve3d(edge)) ++built;
+    } catch (const Standard_Failure&) {  // reported when the edge is divided
+    }
+  }
+  if (built > 0)
+    model.notes.push_back(std::to_string(built) +
+                          " edges had no curve in space; built from their faces");
+}
+
+}  // namespace
+
+TopoDS_Face ModelShape::face(int id) const { return TopoDS::Face(faces(id)); }
+TopoDS_Edge ModelShape::edge(int id) const { return TopoDS::Edge(edges(id)); }
+TopoDS_Vertex ModelShape::vertex(int id) const { return TopoDS::Vertex(vertices(id)); }
+
+std::shared_ptr<const ModelShape> makeModelShape(ReadShape read) {
+  auto model = std::make_shared<ModelShape>();
+  model->shape = read.shape;
+  model->unit = std::move(read.unit);
+  model->notes = std::move(read.notes);
+  TopExp::MapShapes(model->shape, TopAbs_FACE, model->faces);
+  TopExp::MapShapes(model->shape, TopAbs_EDGE, model->edges);
+  TopExp::MapShapes(model->shape, TopAbs_VERTEX, model->vertices);
+  for (int id = 1; id <= model->faces.Extent(); ++id) {
+    model->faceNames.push_back(read.nameOf ? read.nameOf(model->face(id)) : "");
+    model->surfaceTypes.push_back(surfaceTypeOf(model->face(id)));
+  }
+  buildMissingCurves(*model);
+  model->diagonal = diagonalOf(*model);
+  return model;
+}
+
+}  // namespace af2::geometry

@@ -1,0 +1,43 @@
+// The OpenCASCADE side of a model. Not installed: includers need OpenCASCADE's headers.
+#pragma once
+
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <TopoDS_Edge.hxx>
+#include <TopoDS_Face.hxx>
+#include <TopoDS_Shape.hxx>
+#include <TopoDS_Vertex.hxx>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace af2::geometry {
+
+/// A shape with its parts numbered. Immutable once made, so that threads may share it.
+struct ModelShape {
+  TopoDS_Shape shape;
+  TopTools_IndexedMapOfShape faces, edges, vertices;  ///< numbered from 1
+  std::vector<std::string> faceNames;                 ///< [0] is face 1
+  std::vector<std::string> surfaceTypes;
+  std::string unit;
+  double diagonal = 0;
+  std::vector<std::string> notes;
+
+  TopoDS_Face face(int id) const;
+  TopoDS_Edge edge(int id) const;
+  TopoDS_Vertex vertex(int id) const;
+};
+
+/// What a reader of one format hands over.
+struct ReadShape {
+  TopoDS_Shape shape;
+  std::string unit;
+  std::vector<std::string> notes;
+  std::function<std::string(const TopoDS_Face&)> nameOf;  ///< may be empty
+};
+
+/// Numbers the parts of a shape and completes what threads must find ready: a curve in space for
+/// every edge.
+std::shared_ptr<const ModelShape> makeModelShape(ReadShape read);
+
+}  // namespace af2::geometry

@@ -1,0 +1,125 @@
+#include <Interface_Check.hxx>
+#include <Interface_ReportEntity.hxx>
+#include <Interface_Static.hxx>
+#include <STEPControl_Reader.hxx>
+#include <StepData_StepModel.hxx>
+#include <StepShape_Face.hxx>
+#include <StepShape_HArray1OfFaceBound.hxx>
+#include <TCollection_HAsciiString.hxx>
+#include <TopTools_DataMapOfShapeInteger.hxx>
+#include <TransferBRep.hxx>
+#include <Transfer_TransientProcess.hxx>
+#include <XSControl_TransferReader.hxx>
+#include <XSControl_WorkSession.hxx>
+#include <cstring>
+
+#include "engine/error.h"
+#include "geometry/occ/readers.h"
+#include "geometry/occ/trial.h"
+
+namespace af2::geometry {
+
+namespace {
+
+/// Names of the faces as the file gives them, found by the shape that each became.
+class StepFaceNames {
+ public:
+  explicit StepFaceNames(const Handle(Transfer_TransientProcess) & process) {
+    for (int i = 1; i <= process->NbMapped(); ++i) {
+      const auto face = Handle(StepShape_Face)::DownCast(process->Mapped(i));
+      if (face.IsNull() || face->Name().IsNull()) continue;
+      const TopoDS_Shape shape = TransferBRep::ShapeResult(process, face);
+      const std::string name = face->Name()->ToCString();
+      if (shape.IsNull() || !isName(name)) continue;
+      index_.Bind(shape.Located(TopLoc_Location()), static_cast<int>(names_.size()));
+      names_.push_back(name);
+    }
+  }
+
+  std::string operator()(const TopoDS_Face& face) const {
+    const int* index = index_.Seek(face.Located(TopLoc_Location()));
+    return index ? names_[static_cast<std::size_t>(*index)] : std::string();
+  }
+
+ private:
+  /// Some systems write a placeholder or the number of the entity.
+  static bool isName(const std::string& name) {
+    return !name.empty() && name != "NONE" && name[0] != '#';
+  }
+
+  TopTools_DataMapOfShapeInteger index_;
+  std::vector<std::string> names_;
+};
+
+/// Damage to what only concerns the picture of the model is harmless.
+bool isDrawn(const Handle(Standard_Transient) & entity) {
+  return std::strncmp(entity->DynamicType()->Name(), "StepVisual_", 11) == 0;
+}
+
+/// The fault of a report on an entity, if it is a reference to what is not there. Others, e.g. a
+/// name without quotes, are common and harmless.
+const char* brokenReference(const Handle(Interface_Check) & check) {
+  for (int i = 1; i <= check->NbFails(); ++i)
+    if (std::strstr(check->CFail(i), "illegal type") || std::strstr(check->CFail(i), "nresolved"))
+      return check->CFail(i);
+  return nullptr;
+}
+
+/// Takes out the boundaries of a face that refer to nothing. The face then fails by itself, instead
+/// of the whole file.
+void dropMissingBounds(const Handle(StepShape_Face) & face) {
+  const auto bounds = face->Bounds();
+  if (bounds.IsNull()) return;
+  int present = 0;
+  for (int i = 1; i <= bounds->Length(); ++i)
+    if (!bounds->Value(i).IsNull()) ++present;
+  auto kept = present > 0 ? new StepShape_HArray1OfFaceBound(1, present)
+                          : new StepShape_HArray1OfFaceBound();
+  for (int i = 1, next = 1; i <= bounds->Length(); ++i)
+    if (!bounds->Value(i).IsNull()) kept->SetValue(next++, bounds->Value(i));
+  face->SetBounds(kept);
+}
+
+/// Repairs faces that refer to missing bounds. Says which entities are damaged, empty if none.
+std::string checkReferences(const Handle(StepData_StepModel) & model) {
+  int count = 0;
+  std::string first;
+  for (int i = 1; i <= model->NbEntities(); ++i) {
+    const Handle(Standard_Transient) entity = model->Value(i);
+    if (!model->IsReportEntity(i) || isDrawn(entity)) continue;
+    const char* fault = brokenReference(model->ReportEntity(i)->Check());
+    if (!fault) continue;
+    if (count++ == 0)
+      first = "#" + std::to_string(model->IdentLabel(entity)) + ": " + fault;
+    const auto face = Handle(StepShape_Face)::DownCast(entity);
+    if (!face.IsNull()) dropMissingBounds(face);
+  }
+  if (count == 0) return "";
+  return std::to_string(count) + " entities of this STEP file refer to what it does not hold (" +
+         first + ")";
+}
+
+}  // namespace
+
+ReadShape readStep(const std::filesystem::path& path) {
+  STEPControl_Reader reader;
+  Interface_Static::SetCVal("xstep.cascade.unit", "MM");
+  if (reader.ReadFile(path.c_str()) != IFSelect_RetDone)
+    throw InputError(path.string() +
+                     ": this STEP file is damaged or cut off; export the model again");
+  ReadShape result;
+  const std::string damage = checkReferences(reader.StepModel());
+  if (!damage.empty()) {
+    constexpr std::chrono::seconds kLimit(120);
+    if (!survives([&] { reader.TransferRoots(); }, kLimit))
+      throw InputError(path.string() + ": " + damage + "; export the model again");
+    result.notes.push_back(damage + "; what uses them may be missing");
+  }
+  reader.TransferRoots();
+  result.unit = "mm";
+  result.shape = reader.OneShape();
+  result.nameOf = StepFaceNames(reader.WS()->TransferReader()->TransientProcess());
+  return result;
+}
+
+}  // namespace af2::geometry

@@ -1,0 +1,51 @@
+#include "geometry/occ/sizing.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/error.h"
+
+namespace af2::geometry {
+
+namespace {
+
+bool isSize(double size) { return std::isfinite(size) && size > 0; }
+
+void checkAll(const std::map<int, double>& sizes, int count, const std::string& kind) {
+  for (const auto& [id, size] : sizes) {
+    if (id < 1 || id > count)
+      throw InputError("size for " + kind + " " + std::to_string(id) + ": the model has " + kind +
+                       "s 1 to " + std::to_string(count));
+    if (!isSize(size))
+      throw InputError("size for " + kind + " " + std::to_string(id) + ": must be positive");
+  }
+}
+
+}  // namespace
+
+void checkSizes(const ModelSizes& sizes, const Model& model) {
+  if (!isSize(sizes.size)) throw InputError("the size must be a positive number");
+  checkAll(sizes.faceSizes, model.faceCount(), "face");
+  checkAll(sizes.edgeSizes, model.edgeCount(), "edge");
+}
+
+double wantedOnFace(const ModelSizes& sizes, int face) {
+  const auto found = sizes.faceSizes.find(face);
+  return found == sizes.faceSizes.end() ? sizes.size : found->second;
+}
+
+double limitByFunction(const ModelSizes& sizes, double size, const Point3& position) {
+  if (!sizes.function) return size;
+  const double limit = sizes.function(position);
+  if (!(limit > 0))
+    throw InputError("the size function gives " + std::to_string(limit) + " at (" +
+                     std::to_string(position.x) + ", " + std::to_string(position.y) + ", " +
+                     std::to_string(position.z) + "); it must be positive");
+  return std::min(size, limit);
+}
+
+double limitByCurvature(const ModelSizes& sizes, double size, double radius) {
+  return std::min(size, std::max(sizes.faceTurn * radius, sizes.faceLeast * size));
+}
+
+}  // namespace af2::geometry
