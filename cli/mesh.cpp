@@ -1,0 +1,102 @@
+// af2 mesh
+#include <fmt/core.h>
+
+#include "cli/exit_code.h"
+#include "cli/interrupt.h"
+#include "cli/mesh_run.h"
+#include "cli/mesh_summary.h"
+#include "cli/model_runs.h"
+#include "cli/rule_loading.h"
+#include "cli/verbs.h"
+#include "engine/error.h"
+#include "geometry/io/mesh_files.h"
+#include "geometry/io/output_file.h"
+#include "geometry/report.h"
+
+namespace af2::cli {
+namespace {
+
+using geometry::ModelMesh;
+using geometry::RunReport;
+using geometry::RunStatus;
+
+geometry::WantedLength wantedLength(const MeshRequest& request) {
+  return [&request](int face, int edge, const Point3&) {
+    const auto byEdge = request.edgeSizes.find(edge);
+    if (byEdge != request.edgeSizes.end()) return byEdge->second;
+    const auto byFace = request.faceSizes.find(face);
+    return byFace != request.faceSizes.end() ? byFace->second : request.size;
+  };
+}
+
+void writeOutputs(const MeshRequest& request, ModelMesh& mesh) {
+  if (mesh.elements.empty()) return;  // an empty file would look like a result
+  const Stopwatch writing;
+  for (const auto& output : request.outputs) geometry::writeMesh(mesh, output);
+  mesh.seconds.write = writing.seconds();
+}
+
+void writeReportIfAsked(const MeshRequest& request, const RunReport& report,
+                        const ModelMesh& mesh) {
+  if (request.report.empty()) return;
+  geometry::OutputFile file(request.report);
+  geometry::writeReport(report, mesh, file);
+  file.commit();
+}
+
+ExitCode exitCodeOf(RunStatus status) {
+  switch (status) {
+    case RunStatus::Complete:
+      return kComplete;
+    case RunStatus::Cancelled:
+      return kCancelled;
+    case RunStatus::Partial:
+    case RunStatus::Failed:
+      return kPartial;
+  }
+  return kPartial;
+}
+
+void tell(const MeshRequest& request, const RunReport& report, const ModelMesh& mesh) {
+  fmt::print(stderr, "{}", failureText(mesh));
+  if (report.status == RunStatus::Cancelled) fmt::print(stderr, "af2: stopped before the end\n");
+  if (mesh.elements.empty() && !request.outputs.empty()) {
+    fmt::print(stderr, "af2: there is no mesh, so no file was written\n");
+  }
+  if (!request.quiet) fmt::print("{}", summaryText(mesh, report.quality));
+}
+
+int meshAndTell(const MeshRequest& request) {
+  const Interrupt interrupt;
+  ModelMesh mesh =
+      runMesh(request, loadRuleSet(request.rules), {!request.quiet, interrupt.token()});
+  RunReport report;
+  report.status = statusOf(mesh);
+  report.quality = measureQuality(mesh, wantedLength(request));
+  writeOutputs(request, mesh);
+  writeReportIfAsked(request, report, mesh);
+  tell(request, report, mesh);
+  return exitCodeOf(report.status);
+}
+
+/// A report is written even if the model is unusable: whoever runs many models reads only that.
+int meshOrReportWhyNot(const MeshRequest& request) {
+  try {
+    return meshAndTell(request);
+  } catch (const std::runtime_error& error) {
+    RunReport report;
+    report.reason = error.what();
+    writeReportIfAsked(request, report, {});
+    throw;
+  }
+}
+
+}  // namespace
+
+Action declareMesh(CLI::App& command) {
+  const auto options = std::make_shared<MeshOptions>();
+  declareMeshOptions(command, *options);
+  return [options] { return meshOrReportWhyNot(checkedRequest(*options)); };
+}
+
+}  // namespace af2::cli

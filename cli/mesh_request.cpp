@@ -1,0 +1,117 @@
+#include "cli/mesh_request.h"
+
+#include <fmt/core.h>
+
+#include <set>
+
+#include "cli/number_lists.h"
+#include "cli/rules_location.h"
+#include "cli/usage_error.h"
+#include "engine/error.h"
+#include "geometry/io/mesh_files.h"
+#include "geometry/io/output_file.h"
+
+namespace af2::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+void checkReadable(const fs::path& model) {
+  std::error_code ignored;
+  const fs::file_status status = fs::status(model, ignored);
+  if (!fs::exists(status)) throw InputError(fmt::format("there is no file '{}'", model.string()));
+  if (fs::is_directory(status)) {
+    throw InputError(
+        fmt::format("'{}' is a directory; give a STEP, IGES, BREP or .poly file", model.string()));
+  }
+}
+
+/// Outputs are part of the command line: what is wrong with them is wrong usage.
+template <class Check>
+void asUsage(Check check) {
+  try {
+    check();
+  } catch (const InputError& error) {
+    throw UsageError(error.what());
+  }
+}
+
+void checkOutputs(const MeshRequest& request) {
+  std::set<fs::path> seen;
+  const auto checkOne = [&](const fs::path& file) {
+    if (!seen.insert(fs::weakly_canonical(file)).second) {
+      throw UsageError(fmt::format("'{}' is to be written twice", file.string()));
+    }
+    std::error_code ignored;
+    if (fs::equivalent(file, request.model, ignored)) {
+      throw UsageError(fmt::format("'{}' would overwrite the model", file.string()));
+    }
+    asUsage([&] { geometry::checkWritable(file); });
+  };
+  for (const fs::path& output : request.outputs) {
+    asUsage([&] { geometry::meshFormatOf(output); });
+    checkOne(output);
+  }
+  if (!request.report.empty()) checkOne(request.report);
+}
+
+std::string outputHelp() {
+  std::string help = "file for the mesh; its extension names the format:";
+  for (const geometry::MeshFormat& format : geometry::meshFormats()) {
+    help += fmt::format(" {}", format.extension);
+  }
+  return help + ". May be given several times";
+}
+
+}  // namespace
+
+void declareMeshOptions(CLI::App& command, MeshOptions& options) {
+  command.add_option("model", options.model, "STEP, IGES or BREP file, or a .poly file (planar)")
+      ->required();
+  command.add_option("-s,--size", options.size, "wanted edge length, in the model's unit")
+      ->required();
+  command
+      .add_option("-r,--rules", options.rules, "rule file; a path, or a name in the rules of AF2")
+      ->capture_default_str();
+  command.add_option("-o,--output", options.outputs, outputHelp())->take_all()->expected(1);
+  command.add_option("--faces", options.faces, "mesh only these faces, e.g. 3,7-9");
+  command
+      .add_option("--face-size", options.faceSizes, "another size for some faces, e.g. 3,7-9=0.1")
+      ->take_all()
+      ->expected(1);
+  command
+      .add_option("--edge-size", options.edgeSizes, "another size along some edges, e.g. 5=0.05")
+      ->take_all()
+      ->expected(1);
+  command.add_option("-j,--threads", options.threads,
+                     "threads to use; the mesh does not depend on it");
+  command.add_option("--report", options.report, "file for a report in JSON");
+  command.add_flag("-q,--quiet", options.quiet, "print nothing unless something is wrong");
+}
+
+bool MeshRequest::isPlanar() const { return model.extension() == ".poly"; }
+
+MeshRequest checkedRequest(const MeshOptions& options) {
+  MeshRequest request;
+  request.model = options.model;
+  request.size = parseSize("--size", options.size);
+  if (!options.faces.empty()) request.faces = parseIds("--faces", options.faces);
+  request.faceSizes = parseSizes("--face-size", options.faceSizes);
+  request.edgeSizes = parseSizes("--edge-size", options.edgeSizes);
+  if (options.threads < 0 || options.threads > 4096) {
+    throw UsageError(fmt::format("--threads {}: give 1 to 4096", options.threads));
+  }
+  request.threads = options.threads;
+  request.quiet = options.quiet;
+  request.report = options.report;
+  request.outputs.assign(options.outputs.begin(), options.outputs.end());
+  if (request.isPlanar() && !(request.faceSizes.empty() && request.edgeSizes.empty())) {
+    throw UsageError("a .poly file has no --face-size and no --edge-size; use --size");
+  }
+  checkReadable(request.model);
+  request.rules = findRuleFile(options.rules);
+  checkOutputs(request);
+  return request;
+}
+
+}  // namespace af2::cli

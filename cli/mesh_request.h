@@ -1,0 +1,38 @@
+// What `af2 mesh` was asked to do, checked as far as the command line alone allows.
+#pragma once
+
+#include <CLI/App.hpp>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace af2::cli {
+
+/// The options as they were typed.
+struct MeshOptions {
+  std::string model, size, rules = "tri/classic.af2", faces, report;
+  std::vector<std::string> outputs, faceSizes, edgeSizes;
+  int threads = 0;
+  bool quiet = false;
+};
+
+void declareMeshOptions(CLI::App& command, MeshOptions& options);
+
+struct MeshRequest {
+  std::filesystem::path model, rules, report;  ///< no report if empty
+  std::vector<std::filesystem::path> outputs;
+  double size = 0;
+  std::map<int, double> faceSizes, edgeSizes;
+  std::vector<int> faces;  ///< empty: all
+  int threads = 0;         ///< 0: as many as the machine has
+  bool quiet = false;
+
+  bool isPlanar() const;  ///< whether the model is a .poly file
+};
+
+/// Throws UsageError for options that make no sense or files that cannot be written, InputError for
+/// files that cannot be read.
+MeshRequest checkedRequest(const MeshOptions& options);
+
+}  // namespace af2::cli

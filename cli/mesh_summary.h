@@ -1,0 +1,20 @@
+// What `af2 mesh` tells at the end.
+#pragma once
+
+#include <string>
+
+#include "geometry/model_mesh.h"
+#include "geometry/quality.h"
+
+namespace af2::cli {
+
+/// Three lines: what was made, how good it is, how long it took.
+std::string summaryText(const geometry::ModelMesh& mesh, const geometry::MeshQuality& quality);
+
+/// One line for each face that failed, with its reason; empty if none did.
+std::string failureText(const geometry::ModelMesh& mesh);
+
+/// 1234567 as "1 234 567".
+std::string grouped(std::size_t number);
+
+}  // namespace af2::cli

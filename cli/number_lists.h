@@ -1,0 +1,21 @@
+// Lists of numbers as they are typed on the command line.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace af2::cli {
+
+/// "3,7-9" gives {3, 7, 8, 9}: sorted, each once, all >= 1. Throws UsageError, which names
+/// `option`.
+std::vector<int> parseIds(const std::string& option, const std::string& text);
+
+/// Each of "3=0.1" or "3,7-9=0.1" gives a value > 0 to the ids in front of it; a later one
+/// overrules an earlier one. Throws UsageError, which names `option`.
+std::map<int, double> parseSizes(const std::string& option, const std::vector<std::string>& texts);
+
+/// A number > 0. Throws UsageError, which names `option`.
+double parseSize(const std::string& option, const std::string& text);
+
+}  // namespace af2::cli

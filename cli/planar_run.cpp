@@ -1,0 +1,31 @@
+// `af2 mesh` for planar domains.
+#include <fmt/core.h>
+
+#include "cli/model_runs.h"
+#include "cli/progress_bar.h"
+#include "cli/usage_error.h"
+#include "geometry/planar/mesh_planar.h"
+
+namespace af2::cli {
+
+geometry::ModelMesh runPlanar(const MeshRequest& request, const AF2Algorithm& algorithm,
+                              const RunControl& control) {
+  if (!request.faces.empty())
+    throw UsageError("a .poly file is meshed as a whole: leave out --faces");
+  Stopwatch reading;
+  const geometry::PlanarDomain domain = geometry::readPoly(request.model);
+  const double readSeconds = reading.seconds();
+
+  ProgressBar bar(control.showProgress);
+  geometry::PlanarMeshingOptions options;
+  options.size = request.size;
+  options.stop = control.stop;
+  options.progress = [&](const Progress& progress) {
+    bar.show("meshing", 0, fmt::format("{} elements", progress.elements));
+  };
+  geometry::ModelMesh mesh = geometry::meshPlanar(domain, algorithm, options);
+  mesh.seconds.read = readSeconds;
+  return mesh;
+}
+
+}  // namespace af2::cli

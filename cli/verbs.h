@@ -1,0 +1,24 @@
+// The verbs of the program, `af2 VERB ...`, each in a file of its own.
+#pragma once
+
+#include <CLI/App.hpp>
+#include <functional>
+
+namespace af2::cli {
+
+/// What a verb does once the command line is read; gives the exit code. Throws UsageError,
+/// InputError and GeometryError, whose messages reach the user.
+using Action = std::function<int()>;
+
+/// Declares the options of a verb on its subcommand.
+struct Verb {
+  const char* name;
+  const char* summary;  ///< for `af2 --help`
+  Action (*declare)(CLI::App& command);
+};
+
+Action declareMesh(CLI::App& command);
+Action declareInspect(CLI::App& command);
+Action declareVersion(CLI::App& command);
+
+}  // namespace af2::cli

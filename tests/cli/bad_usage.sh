@@ -1,0 +1,63 @@
+#!/usr/bin/env bash
+# What cannot be done is told in one line with the way out, and leaves no file behind.
+. "$(dirname "$0")/support.sh"
+cylinder=$models/cylinder.step
+
+usage() { expect 2 "$@"; says_one_line; }
+unusable() { expect 1 "$@"; says_one_line; }
+
+usage "$af2"
+usage "$af2" mash "$cylinder"; told "'mash' is no verb of af2"
+usage "$af2" mesh; told 'model is required'
+usage "$af2" mesh "$cylinder"; told '--size is required'
+for size in 0 -1 nan inf 1mm ''; do
+  usage "$af2" mesh "$cylinder" "--size=$size"; told 'greater than 0'
+done
+usage "$af2" mesh "$cylinder" --size 1 --sise 2; told '--sise'
+usage "$af2" mesh "$cylinder" --size 1 --faces 0; told 'ids begin at 1'
+usage "$af2" mesh "$cylinder" --size 1 --faces 99; told 'there is no face 99'
+usage "$af2" mesh "$cylinder" --size 1 --edge-size 99=0.1; told 'there is no edge 99'
+usage "$af2" mesh "$cylinder" --size 1 --face-size 1; told '3,7-9=0.1'
+usage "$af2" mesh "$cylinder" --size 1 --threads -1; told '--threads'
+usage "$af2" mesh "$cylinder" --size 1 --threads two; told '--threads'
+usage "$af2" mesh "$cylinder" --size 1 -o mesh.xyz; told '.vtu'
+usage "$af2" mesh "$cylinder" --size 1 -o mesh; told '.vtu'
+usage "$af2" mesh "$cylinder" --size 1 -o nowhere/a.vtu; told "mkdir -p"
+usage "$af2" mesh "$cylinder" --size 1 -o a.vtu -o ./a.vtu; told 'twice'
+mkdir folder.vtu
+usage "$af2" mesh "$cylinder" --size 1 -o folder.vtu; told 'it is a directory'
+usage "$af2" mesh "$cylinder" --size 1 --report nowhere/r.json; told 'mkdir -p'
+
+unusable "$af2" mesh nothing.step --size 1; told "there is no file 'nothing.step'"
+unusable "$af2" mesh . --size 1; told 'is a directory'
+unusable "$af2" mesh "$cylinder" --size 1 -r nothing.af2; told "there is no rule file 'nothing.af2'"
+unusable "$af2" mesh "$cylinder" --size 1 -r "$models"; told 'is a directory'
+unusable "$af2" inspect nothing.step; told 'nothing.step'
+unusable env AF2_RULES=/nowhere "$af2" mesh "$cylinder" --size 1; told 'AF2_RULES'
+: >empty.step
+unusable "$af2" mesh empty.step --size 1 --report empty.json; told 'empty.step'
+[ "$(json empty.json status)" = failed ] || fail "no report of an empty file"
+head -c 3000 "$cylinder" >cut.step
+unusable "$af2" mesh cut.step --size 1; told 'cut.step'
+head -c 5000 /dev/urandom >noise.brep
+unusable "$af2" mesh noise.brep --size 1; told 'noise.brep'
+echo 'no mesh at all' >text.igs
+unusable "$af2" mesh text.igs --size 1; told 'text.igs'
+echo 'rule "broken" {' >broken.af2
+expect 1 "$af2" mesh "$cylinder" --size 1 -r broken.af2; told 'broken.af2:1'
+
+if [ "$(id -u)" -ne 0 ]; then
+  mkdir locked && chmod a-w locked
+  usage "$af2" mesh "$cylinder" --size 1 -o locked/a.vtu; told 'no permission'
+fi
+
+expect 0 "$af2" --help
+expect 0 "$af2" mesh --help
+expect 0 "$af2" version
+expect 0 "$af2" version --json
+python3 -m json.tool <out >/dev/null || fail 'version --json is no JSON'
+
+rm -f out err
+left=$(find . -name '*.vtu' -type f -o -name '*.tmp')
+[ -z "$left" ] || fail "left behind: $left"
+finish

@@ -1,0 +1,30 @@
+#!/usr/bin/env bash
+# The models of the examples come out complete, in every format, with a report.
+. "$(dirname "$0")/support.sh"
+
+for model in brickhole cylinder die; do
+  expect 0 "$af2" mesh "$models/$model.step" --size 1 -o $model.vtu --report $model.json
+  [ "$(json $model.json status)" = complete ] || fail "status of $model"
+  [ "$(json $model.json triangles)" -gt 100 ] || fail "number of triangles of $model"
+  [ -s $model.vtu ] || fail "$model.vtu is missing"
+done
+
+expect 0 "$af2" mesh "$models/cylinder.brep" -s 1 -o a.vtu -o a.vtk -o a.msh -o a.stl -o a.obj -o a.ply
+for format in vtu vtk msh stl obj ply; do
+  [ -s a.$format ] || fail "a.$format is missing"
+done
+
+expect 0 "$af2" mesh "$models/cylinder.step" --size 1 --faces 1-2 --report some.json
+[ "$(json some.json status)" = complete ] || fail "status of some faces"
+[ "$(json some.json triangles)" -lt "$(json cylinder.json triangles)" ] || fail "all faces were meshed"
+
+expect 0 "$af2" mesh "$models/cylinder.step" --size 1 --face-size 1=0.25 --report fine.json
+[ "$(json fine.json triangles)" -gt "$(json cylinder.json triangles)" ] || fail "--face-size did nothing"
+
+expect 0 "$af2" mesh "$models/cylinder.step" --size 1 --quiet
+[ ! -s out ] && [ ! -s err ] || fail "--quiet printed something"
+
+expect 0 "$af2" inspect "$models/cylinder.step"
+grep -q cylinder out || fail "inspect does not tell of the cylinder"
+
+finish
