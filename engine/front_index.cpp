@@ -10,7 +10,7 @@ namespace {
 
 /// Cells as multiples of the longest edge of their band: large enough that a step looks into few of
 /// them, small enough that it finds few edges that are no neighbours.
-constexpr double kCellPerLength = 2.0;
+constexpr double kCellPerLength = 3.0;
 constexpr int kMiddleBand = 16;
 
 }  // namespace
