@@ -8,23 +8,21 @@
 namespace af2 {
 
 OptimizeReport optimizeMesh(Mesh& mesh, const FrontInput& input,
-                            const AF2LocalTransformMaker& maker, const SizeField& size,
-                            const OptimizeOptions& options) {
+                            const AF2LocalTransformMaker& maker, const OptimizeOptions& options) {
   OptimizeReport report;
   MeshTopology topology(mesh, input);
+  VertexSmoother smoother(topology, mesh, maker);
   const std::vector<std::uint8_t> wanted = wantedValences(topology);
   const auto smooth = [&] {
-    for (int sweep = 0; sweep < options.smoothingSweeps; ++sweep) {
-      if (options.stop.stop_requested()) return;
-      report.moves += smoothVertices(topology, mesh, maker, size);
-    }
+    for (int sweep = 0; sweep < options.smoothingSweeps; ++sweep)
+      if (!options.stop.stop_requested()) report.moves += smoother.sweep();
   };
-  for (int round = 0; round < options.rounds; ++round) {
-    if (options.stop.stop_requested()) break;
+  for (int round = 0; round < options.rounds && !options.stop.stop_requested(); ++round) {
     report.swaps += swapSides(topology, SwapGoal::Valence, wanted);
     report.collapses += collapseEdges(topology);
     smooth();
     report.swaps += swapSides(topology, SwapGoal::Shape, wanted);
+    smoother.wakeAll();
   }
   smooth();
   topology.compact();

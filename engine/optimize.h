@@ -6,13 +6,12 @@
 #include "engine/front_input.h"
 #include "engine/local_transform.h"
 #include "engine/mesh.h"
-#include "engine/size_field.h"
 
 namespace af2 {
 
 struct OptimizeOptions {
   int rounds = 2;           ///< of swapping and smoothing
-  int smoothingSweeps = 3;  ///< over all vertices, in each round
+  int smoothingSweeps = 2;  ///< over all vertices, in each round
   std::stop_token stop;     ///< what is done so far stays
 };
 
@@ -26,7 +25,7 @@ struct OptimizeReport {
 /// Never moves or removes the vertices of `input`, never turns an element over, never leaves the
 /// surface: vertices move through charts of `maker`. Depends on nothing but its arguments.
 OptimizeReport optimizeMesh(Mesh& mesh, const FrontInput& input,
-                            const AF2LocalTransformMaker& maker, const SizeField& size,
+                            const AF2LocalTransformMaker& maker,
                             const OptimizeOptions& options = {});
 
 }  // namespace af2

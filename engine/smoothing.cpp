@@ -5,42 +5,31 @@
 
 #include "engine/element_shape.h"
 #include "engine/error.h"
-#include "engine/neighborhood.h"
 
 namespace af2 {
 namespace {
 
-/// The distortion of one corner as a function of a moving point x of the plane:
-/// scale * (count |x|^2 - 2 sum.x + fixed) / (a.x + a0), the denominator being twice the area.
-struct Term {
-  double scale, count;
-  Point2 sum;
-  double fixed;
-  Point2 a;
-  double a0;
-};
-
 constexpr double kTriangleScale = 0.28867513459481287;  // 1 / (2 sqrt(3))
 constexpr double kQuadScale = 0.5;
 
-Term triangleTerm(Point2 p, Point2 q) {
+DistortionTerm triangleTerm(Point2 p, Point2 q) {
   return {kTriangleScale,         2,          p + q, dot(p, p) + dot(q, q) + dot(p - q, p - q),
           {p.y - q.y, q.x - p.x}, cross(p, q)};
 }
 
 /// The corner of a quadrilateral at the moving point itself, between p ahead and q behind.
-Term ownCornerTerm(Point2 p, Point2 q) {
+DistortionTerm ownCornerTerm(Point2 p, Point2 q) {
   return {kQuadScale, 2, p + q, dot(p, p) + dot(q, q), {p.y - q.y, q.x - p.x}, cross(p, q)};
 }
 
 /// The corner at the next vertex n, between o ahead and the moving point behind.
-Term nextCornerTerm(Point2 n, Point2 o) {
+DistortionTerm nextCornerTerm(Point2 n, Point2 o) {
   const Point2 u = o - n;
   return {kQuadScale, 1, n, dot(n, n) + dot(u, u), {-u.y, u.x}, -cross(u, n)};
 }
 
 /// The corner at the previous vertex p, between the moving point ahead and o behind.
-Term previousCornerTerm(Point2 p, Point2 o) {
+DistortionTerm previousCornerTerm(Point2 p, Point2 o) {
   const Point2 u = o - p;
   return {kQuadScale, 1, p, dot(p, p) + dot(u, u), {u.y, -u.x}, -cross(p, u)};
 }
@@ -53,9 +42,9 @@ struct Energy {
 
 /// Sum of squared distortions: the squares let bad elements weigh more than good ones.
 /// Infinite where an element would have no area.
-double energyAt(std::span<const Term> terms, Point2 x) {
+double energyAt(std::span<const DistortionTerm> terms, Point2 x) {
   double energy = 0;
-  for (const Term& t : terms) {
+  for (const DistortionTerm& t : terms) {
     const double area = dot(t.a, x) + t.a0;
     if (!(area > 0)) return INFINITY;
     const double f = t.scale * (t.count * dot(x, x) - 2 * dot(t.sum, x) + t.fixed) / area;
@@ -64,9 +53,9 @@ double energyAt(std::span<const Term> terms, Point2 x) {
   return energy;
 }
 
-Energy derivativesAt(std::span<const Term> terms, Point2 x) {
+Energy derivativesAt(std::span<const DistortionTerm> terms, Point2 x) {
   Energy e;
-  for (const Term& t : terms) {
+  for (const DistortionTerm& t : terms) {
     const double area = dot(t.a, x) + t.a0;
     if (!(area > 0)) {
       e.value = INFINITY;
@@ -91,7 +80,7 @@ Energy derivativesAt(std::span<const Term> terms, Point2 x) {
 }
 
 /// A step of Newton's method from the origin, shortened until it lowers the energy; (0, 0): none.
-Point2 improvedPosition(std::span<const Term> terms, double reach) {
+Point2 improvedPosition(std::span<const DistortionTerm> terms, double reach) {
   constexpr int kHalvings = 4;
   const Energy e = derivativesAt(terms, {0, 0});
   if (!std::isfinite(e.value)) return {};
@@ -111,109 +100,105 @@ Point2 improvedPosition(std::span<const Term> terms, double reach) {
   return {};
 }
 
-class Smoother {
- public:
-  Smoother(MeshTopology& topology, Mesh& mesh, const AF2LocalTransformMaker& maker,
-           const SizeField& size)
-      : topology_(topology), mesh_(mesh), maker_(maker), size_(size) {}
-
-  bool smooth(VertexId v) {
-    const Corner first = topology_.cornerOf(v);
-    if (first.isNone() || !collectStar(first)) return false;
-    const SurfacePoint& here = mesh_.vertices[v.value];
-    const SurfacePoint& neighbor = at(topology_.next(first));
-    const double unit = distance(here.position, neighbor.position);
-    if (!(unit > 0)) return false;
-    try {
-      return moveInChart(v, {maker_.makeLocalTransformIn(slot_, here, neighbor, unit), unit});
-    } catch (const GeometryError&) {
-      return false;  // no chart at this vertex: it stays where it is
-    }
-  }
-
- private:
-  const SurfacePoint& at(Corner c) const { return mesh_.vertices[topology_.vertexAt(c).value]; }
-
-  /// The corners of the vertex; false if it lies at the rim after all.
-  bool collectStar(Corner first) {
-    star_.clear();
-    Corner c = first;
-    do {
-      star_.push_back(c);
-      c = topology_.aroundVertex(c);
-    } while (!c.isNone() && c != first);
-    return c == first;
-  }
-
-  bool moveInChart(VertexId v, const StepChart& chart) {
-    if (!makeTerms(chart)) return false;
-    const Point2 target = improvedPosition(terms_, reach_);
-    // Less than a thousandth of an edge is not worth a query of the surface.
-    if (length(target) < 1e-3 * reach_) return false;
-    const auto lifted = chart.lift(target);
-    if (!lifted) return false;
-    const bool isPlane = chart.frame() && chart.frame()->minCosine <= -2;
-    const SurfacePoint before = mesh_.vertices[v.value];
-    const double worstBefore = isPlane ? 0 : worstDistortion();
-    mesh_.vertices[v.value] = *lifted;
-    if (isPlane || worstDistortion() <= std::max(worstBefore, kGoodDistortion)) return true;
-    mesh_.vertices[v.value] = before;
-    return false;
-  }
-
-  bool makeTerms(const StepChart& chart) {
-    terms_.clear();
-    reach_ = INFINITY;
-    const auto project = [&](Corner c) { return chart.project(at(c)); };
-    for (Corner c : star_) {
-      const ChartPoint next = project(topology_.next(c)), previous = project(topology_.previous(c));
-      if (next.view == ChartView::Hidden || previous.view == ChartView::Hidden) return false;
-      reach_ = std::min(reach_, length(next.position));
-      if (topology_.sizeOf(c) == 3) {
-        terms_.push_back(triangleTerm(next.position, previous.position));
-        continue;
-      }
-      const Point2 opposite = project(topology_.next(topology_.next(c))).position;
-      terms_.push_back(ownCornerTerm(next.position, previous.position));
-      terms_.push_back(nextCornerTerm(next.position, opposite));
-      terms_.push_back(previousCornerTerm(previous.position, opposite));
-    }
-    return true;
-  }
-
-  double worstDistortion() const {
-    double worst = 0;
-    for (Corner c : star_) {
-      std::array<const SurfacePoint*, 4> corners{};
-      const auto n = static_cast<std::size_t>(topology_.sizeOf(c));
-      for (std::size_t i = 0; i < n; ++i) corners[i] = &at(Corner(c.element(), i));
-      worst = std::max(worst, elementDistortion({corners.data(), n}));
-    }
-    return worst;
-  }
-
-  /// Below this an element counts as good, and may get worse for the sake of its neighbours.
-  static constexpr double kGoodDistortion = 1.2;
-
-  MeshTopology& topology_;
-  Mesh& mesh_;
-  const AF2LocalTransformMaker& maker_;
-  const SizeField& size_;
-  ChartSlot slot_;
-  std::vector<Corner> star_;
-  std::vector<Term> terms_;
-  double reach_ = 0;
-};
+/// Below this an element counts as good, and may get worse for the sake of its neighbours.
+constexpr double kGoodDistortion = 1.2;
+/// Moves of less than this part of an edge are not worth a query of the surface.
+constexpr double kLeastMove = 1e-3;
 
 }  // namespace
 
-std::size_t smoothVertices(MeshTopology& topology, Mesh& mesh, const AF2LocalTransformMaker& maker,
-                           const SizeField& size) {
-  Smoother smoother(topology, mesh, maker, size);
+VertexSmoother::VertexSmoother(MeshTopology& topology, Mesh& mesh,
+                               const AF2LocalTransformMaker& maker)
+    : topology_(topology), mesh_(mesh), maker_(maker) {
+  wakeAll();
+}
+
+void VertexSmoother::wakeAll() { isAwake_.assign(mesh_.vertices.size(), 1); }
+
+std::size_t VertexSmoother::sweep() {
   std::size_t moved = 0;
-  for (std::size_t v = topology.fixedCount(); v < mesh.vertices.size(); ++v)
-    moved += smoother.smooth(VertexId(v));
+  for (std::size_t v = topology_.fixedCount(); v < mesh_.vertices.size(); ++v) {
+    if (!isAwake_[v]) continue;
+    isAwake_[v] = 0;
+    if (!smooth(VertexId(v))) continue;
+    ++moved;
+    isAwake_[v] = 1;
+    for (Corner c : star_) isAwake_[topology_.vertexAt(topology_.next(c)).value] = 1;
+  }
   return moved;
+}
+
+bool VertexSmoother::smooth(VertexId v) {
+  const Corner first = topology_.cornerOf(v);
+  if (first.isNone() || !collectStar(first)) return false;
+  const SurfacePoint& here = mesh_.vertices[v.value];
+  const SurfacePoint& neighbor = at(topology_.next(first));
+  const double unit = distance(here.position, neighbor.position);
+  if (!(unit > 0)) return false;
+  try {
+    return moveInChart(v, {maker_.makeLocalTransformIn(slot_, here, neighbor, unit), unit});
+  } catch (const GeometryError&) {
+    return false;  // no chart at this vertex: it stays where it is
+  }
+}
+
+/// The corners of the vertex; false if it lies at the rim after all.
+bool VertexSmoother::collectStar(Corner first) {
+  star_.clear();
+  Corner c = first;
+  do {
+    star_.push_back(c);
+    c = topology_.aroundVertex(c);
+  } while (!c.isNone() && c != first);
+  return c == first;
+}
+
+bool VertexSmoother::moveInChart(VertexId v, const StepChart& chart) {
+  if (!makeTerms(chart)) return false;
+  const Point2 target = improvedPosition(terms_, reach_);
+  if (length(target) < kLeastMove * reach_) return false;
+  const auto lifted = chart.lift(target);
+  if (!lifted) return false;
+  const bool isPlane = chart.frame() && chart.frame()->minCosine <= -2;
+  const SurfacePoint before = mesh_.vertices[v.value];
+  const double worstBefore = isPlane ? 0 : worstDistortion();
+  mesh_.vertices[v.value] = *lifted;
+  if (isPlane || worstDistortion() <= std::max(worstBefore, kGoodDistortion)) return true;
+  mesh_.vertices[v.value] = before;
+  return false;
+}
+
+bool VertexSmoother::makeTerms(const StepChart& chart) {
+  terms_.clear();
+  reach_ = INFINITY;
+  // Going round, what is behind in one element is ahead in the next.
+  ChartPoint ahead = chart.project(at(topology_.next(star_.front())));
+  for (Corner c : star_) {
+    const ChartPoint behind = chart.project(at(topology_.previous(c)));
+    if (behind.view == ChartView::Hidden) return false;
+    reach_ = std::min(reach_, length(ahead.position));
+    if (topology_.sizeOf(c) == 3) {
+      terms_.push_back(triangleTerm(ahead.position, behind.position));
+    } else {
+      const Point2 opposite = chart.project(at(topology_.next(topology_.next(c)))).position;
+      terms_.push_back(ownCornerTerm(ahead.position, behind.position));
+      terms_.push_back(nextCornerTerm(ahead.position, opposite));
+      terms_.push_back(previousCornerTerm(behind.position, opposite));
+    }
+    ahead = behind;
+  }
+  return true;
+}
+
+double VertexSmoother::worstDistortion() const {
+  double worst = 0;
+  for (Corner c : star_) {
+    std::array<const SurfacePoint*, 4> corners{};
+    const auto n = static_cast<std::size_t>(topology_.sizeOf(c));
+    for (std::size_t i = 0; i < n; ++i) corners[i] = &at(Corner(c.element(), i));
+    worst = std::max(worst, elementDistortion({corners.data(), n}));
+  }
+  return worst;
 }
 
 }  // namespace af2

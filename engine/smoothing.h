@@ -1,14 +1,51 @@
 // Moves inner vertices to where the elements around them are least distorted.
 #pragma once
 
+#include <vector>
+
 #include "engine/local_transform.h"
 #include "engine/mesh_topology.h"
-#include "engine/size_field.h"
+#include "engine/neighborhood.h"
 
 namespace af2 {
 
-/// One sweep over all inner vertices in order. Returns how many were moved.
-std::size_t smoothVertices(MeshTopology& topology, Mesh& mesh, const AF2LocalTransformMaker& maker,
-                           const SizeField& size);
+/// The distortion of one corner as a function of a moving point x of the plane:
+/// scale * (count |x|^2 - 2 sum.x + fixed) / (a.x + a0), the denominator being twice the area.
+struct DistortionTerm {
+  double scale, count;
+  Point2 sum;
+  double fixed;
+  Point2 a;
+  double a0;
+};
+
+/// Smooths a mesh sweep by sweep. A vertex whose surroundings have not changed since it last found
+/// nothing to gain is passed over.
+class VertexSmoother {
+ public:
+  VertexSmoother(MeshTopology& topology, Mesh& mesh, const AF2LocalTransformMaker& maker);
+
+  /// One sweep over all inner vertices in order. Returns how many were moved.
+  std::size_t sweep();
+  /// After swaps and collapses: every vertex is worth a look again.
+  void wakeAll();
+
+ private:
+  bool smooth(VertexId v);
+  bool collectStar(Corner first);
+  bool moveInChart(VertexId v, const StepChart& chart);
+  bool makeTerms(const StepChart& chart);
+  double worstDistortion() const;
+  const SurfacePoint& at(Corner c) const { return mesh_.vertices[topology_.vertexAt(c).value]; }
+
+  MeshTopology& topology_;
+  Mesh& mesh_;
+  const AF2LocalTransformMaker& maker_;
+  ChartSlot slot_;
+  std::vector<std::uint8_t> isAwake_;
+  std::vector<Corner> star_;
+  std::vector<DistortionTerm> terms_;
+  double reach_ = 0;  ///< length of the shortest edge at the vertex
+};
 
 }  // namespace af2
