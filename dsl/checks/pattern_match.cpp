@@ -1,0 +1,75 @@
+#include "dsl/checks/pattern_match.h"
+
+#include <cmath>
+
+namespace af2::dsl {
+namespace {
+
+bool isWithin(const std::optional<ToleranceForm>& form, Point2 deviation, double tolerance) {
+  return !form || (*form)(deviation) <= tolerance;
+}
+
+}  // namespace
+
+PatternMatch::PatternMatch(const AF2Rule& rule, std::vector<Point2> vertices, int level)
+    : rule_(&rule), vertices_(std::move(vertices)), level_(level) {}
+
+PatternMatch PatternMatch::atReference(const AF2Rule& rule, int level) {
+  std::vector<Point2> vertices;
+  for (const PatternVertex& vertex : rule.definition().vertices)
+    vertices.push_back(vertex.reference);
+  return PatternMatch(rule, std::move(vertices), level);
+}
+
+std::optional<double> PatternMatch::turn(int vertex) const {
+  std::optional<Point2> previous, next;
+  for (const PatternEdge& edge : rule_->definition().edges) {
+    if (edge.from == vertex) next = vertices_[edge.to];
+    if (edge.to == vertex) previous = vertices_[edge.from];
+  }
+  if (!previous || !next) return std::nullopt;
+  const Point2 from = *next - vertices_[vertex], to = *previous - vertices_[vertex];
+  const double angle = std::atan2(cross(from, to), dot(from, to));
+  return angle > 0 ? angle : angle + 2 * M_PI;
+}
+
+std::optional<std::vector<Point2>> PatternMatch::placeAll() const {
+  std::vector<Point2> placed = vertices_;
+  for (const auto& transform : rule_->definition().newVertices) {
+    const auto point = transform->transformPoint(binding());
+    if (!point) return std::nullopt;
+    placed.push_back(*point);
+  }
+  return placed;
+}
+
+Refusal PatternMatch::refusalOfMatch(const RuleSet& rules) const {
+  const RuleDefinition& definition = rule_->definition();
+  if (!rule_->appliesAt(level_)) return Refusal::Class;
+  const double tolerance = rules.matchTolerance(level_);
+  for (std::size_t i = 2; i < vertices_.size(); ++i) {
+    const PatternVertex& vertex = definition.vertices[i];
+    if (!isWithin(vertex.tolerance, vertices_[i] - vertex.reference, tolerance))
+      return Refusal::Pattern;
+  }
+  for (const PatternEdge& edge : definition.edges) {
+    const Point2 reference =
+        definition.vertices[edge.to].reference - definition.vertices[edge.from].reference;
+    if (!isWithin(edge.slope, vertices_[edge.to] - vertices_[edge.from] - reference, tolerance))
+      return Refusal::Pattern;
+  }
+  for (const auto& requirement : definition.requirements) {
+    const auto value = requirement->evaluate(binding());
+    if (!value) return Refusal::NoValue;
+    if (*value == 0) return Refusal::Require;
+  }
+  return Refusal::None;
+}
+
+std::vector<Point2> cornersOf(const RuleElement& element, const std::vector<Point2>& placed) {
+  std::vector<Point2> corners;
+  for (int i = 0; i < element.size(); ++i) corners.push_back(placed[element.corners[i]]);
+  return corners;
+}
+
+}  // namespace af2::dsl

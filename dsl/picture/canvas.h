@@ -1,0 +1,98 @@
+// Drawing with Cairo in coordinates of a chart: y up, unit the wanted edge length. The only file of
+// the room that knows Cairo is canvas.cpp.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "engine/free_zone.h"
+#include "engine/point.h"
+
+namespace af2::dsl {
+
+enum class PictureFormat { Svg, Png };
+
+namespace picture {
+
+struct Color {
+  double red = 0, green = 0, blue = 0, alpha = 1;
+};
+
+/// 0xrrggbb as in style sheets.
+constexpr Color color(unsigned rgb, double alpha = 1) {
+  return {((rgb >> 16) & 255) / 255.0, ((rgb >> 8) & 255) / 255.0, (rgb & 255) / 255.0, alpha};
+}
+
+constexpr Color faded(Color color, double alpha) {
+  color.alpha = alpha;
+  return color;
+}
+
+enum class Weight { Normal, Bold };
+enum class Anchor { Left, Middle, Right };
+
+struct TextStyle {
+  double size = 12;
+  Color color;
+  Weight weight = Weight::Normal;
+  Anchor anchor = Anchor::Left;
+  bool halo = false;  ///< a white edge around the letters, for text upon lines
+};
+
+using Loop = std::vector<Point2>;
+
+/// A drawing surface. Positions are in pixels from the top left, or, once a view is set, in the
+/// chart; widths and sizes are always in pixels.
+class Canvas {
+ public:
+  /// Draws and returns the bytes of the file. The same drawing gives the same bytes.
+  static std::string render(PictureFormat format, double width, double height,
+                            const std::function<void(Canvas&)>& draw);
+
+  Canvas(const Canvas&) = delete;
+  Canvas& operator=(const Canvas&) = delete;
+
+  void fillRectangle(Point2 low, Point2 high, double radius, Color fill);
+  void strokeRectangle(Point2 low, Point2 high, double radius, Color stroke, double width);
+  /// `at` is where the baseline of the text begins, or its middle or end by the anchor.
+  void text(const std::string& text, Point2 at, const TextStyle& style);
+  double widthOf(const std::string& text, const TextStyle& style);
+
+  /// From now on points are of the chart: `world` fits into the pixel box, centred, no more than
+  /// `largestScale` pixels to the unit, and nothing is drawn outside. Ends with the scope.
+  class View {
+   public:
+    View(Canvas& canvas, Point2 low, Point2 high, const Box2& world, double largestScale);
+    ~View();
+    View(const View&) = delete;
+    View& operator=(const View&) = delete;
+
+   private:
+    Canvas& canvas_;
+  };
+
+  void fill(const std::vector<Loop>& loops, Color color);
+  void stroke(const std::vector<Loop>& loops, Color color, double width, bool dashed = false);
+  void line(Point2 from, Point2 to, Color color, double width);
+  void arrow(Point2 from, Point2 to, Color color, double width);
+  /// A soft band along the right side of an edge, `width` pixels wide.
+  void band(Point2 from, Point2 to, Color color, double width);
+  void dot(Point2 at, double radius, Color fill, Color edge, double edgeWidth);
+  void cross(Point2 at, double radius, Color color, double width);
+  /// Text whose middle lies `distance` pixels from `at` in the given direction.
+  void label(const std::string& text, Point2 at, Point2 direction, double distance,
+             const TextStyle& style);
+
+ private:
+  struct Surface;
+  explicit Canvas(Surface& surface) : surface_(surface) {}
+  Point2 pixel(Point2 p) const;
+  void path(const std::vector<Loop>& loops);
+
+  Surface& surface_;
+};
+
+}  // namespace picture
+}  // namespace af2::dsl

@@ -1,0 +1,366 @@
+#include "dsl/picture/rule_picture.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "dsl/checks/pattern_match.h"
+#include "dsl/shapes/shape.h"
+
+namespace af2::dsl {
+namespace {
+
+using picture::Anchor;
+using picture::Canvas;
+using picture::Color;
+using picture::color;
+using picture::faded;
+using picture::Loop;
+using picture::TextStyle;
+using picture::Weight;
+
+constexpr Color kInk = color(0x1f2933), kMuted = color(0x6b7785), kFrame = color(0xdde3ea);
+constexpr Color kPaper = color(0xffffff), kZone = color(0x3b82d6), kElement = color(0x9fd8a4);
+constexpr Color kElementEdge = color(0x2f8f46), kNewFront = color(0xd6382e);
+constexpr Color kTolerance = color(0xb97a10), kKept = color(0x8c97a5), kMeshed = color(0x9aa5b1);
+
+constexpr double kTitleHeight = 44, kFooterHeight = 26, kMargin = 26, kLargestScale = 150;
+
+// --- what there is to draw
+
+struct Zone {
+  int level;
+  std::vector<Loop> loops;
+};
+
+struct Scene {
+  const RuleSet& rules;
+  const AF2Rule& rule;
+  std::vector<Point2> placed;  ///< matched vertices, then new ones as far as they have a value
+  std::vector<Point2> references;
+  std::vector<Zone> zones;
+  std::vector<Loop> tolerances;
+  std::vector<Point2> marks;
+  std::string title, subtitle, note;
+};
+
+/// Points on w(x - centre) = tolerance; axes longer than `longest` are cut down to it.
+Loop ellipse(const ToleranceForm& w, Point2 centre, double tolerance, double longest) {
+  const double mean = 0.5 * (w.xx + w.yy), half = 0.5 * (w.xx - w.yy);
+  const double spread = std::sqrt(half * half + 0.25 * w.xy * w.xy);
+  const double angle = 0.5 * std::atan2(w.xy, w.xx - w.yy);  // of the stronger axis
+  const auto axis = [&](double strength) {
+    return strength * longest * longest > tolerance ? std::sqrt(tolerance / strength) : longest;
+  };
+  const double p = axis(mean + spread), q = axis(mean - spread);
+  const Point2 u{std::cos(angle), std::sin(angle)};
+  Loop loop;
+  constexpr int kCorners = 72;
+  for (int i = 0; i < kCorners; ++i) {
+    const double t = 2 * M_PI * i / kCorners, x = p * std::cos(t), y = q * std::sin(t);
+    loop.push_back(centre + Point2{x * u.x - y * u.y, x * u.y + y * u.x});
+  }
+  return loop;
+}
+
+std::vector<Loop> toleranceLoops(const RuleSet& rules, const AF2Rule& rule, int level) {
+  constexpr double kLongest = 6;
+  std::vector<Loop> loops;
+  const double tolerance = rules.matchTolerance(std::min(level, rules.maxLevel()));
+  for (std::size_t i = 2; i < rule.definition().vertices.size(); ++i) {
+    const PatternVertex& vertex = rule.definition().vertices[i];
+    if (vertex.tolerance)
+      loops.push_back(ellipse(*vertex.tolerance, vertex.reference, tolerance, kLongest));
+  }
+  return loops;
+}
+
+std::vector<int> levelsOf(const RuleSet& rules, const AF2Rule& rule,
+                          const PictureOptions& options) {
+  if (!options.levels.empty()) return options.levels;
+  const int first = rule.definition().firstLevel;
+  const int last =
+      std::min(rule.definition().lastLevel.value_or(rules.maxLevel()), rules.maxLevel());
+  std::vector<int> levels{first};
+  for (const int level : {2 * first, 4 * first, last})
+    if (level > levels.back() && level <= last) levels.push_back(level);
+  return levels;
+}
+
+/// The zones of a match at several levels, less those that look like the one before.
+std::vector<Zone> zonesOf(const AF2Rule& rule, const std::vector<Point2>& vertices,
+                          const std::vector<int>& levels, std::string& note) {
+  std::vector<Zone> zones;
+  for (const int level : levels) {
+    const PatternMatch match(rule, vertices, level);
+    const auto made = rule.definition().zone->makeFreeZone(match.binding());
+    if (!made.zone) {
+      if (zones.empty()) note = fmt::format("no zone here: {}", toString(made.refusal));
+      continue;
+    }
+    auto loops = outline(*made.zone);
+    if (zones.empty() || zones.back().loops != loops) zones.push_back({level, std::move(loops)});
+  }
+  return zones;
+}
+
+std::string levelText(const RuleDefinition& rule) {
+  if (!rule.lastLevel) return fmt::format("quality {}", rule.firstLevel);
+  return fmt::format("quality {}..{}", rule.firstLevel, *rule.lastLevel);
+}
+
+std::string sourceText(const RuleDefinition& rule) {
+  const std::string mirrored = rule.source.mirrored ? ", mirrored" : "";
+  if (rule.source.file.empty()) return levelText(rule) + mirrored;
+  const std::string file = rule.source.file.substr(rule.source.file.find_last_of('/') + 1);
+  return fmt::format("{}{}  \u00b7  {}:{}", levelText(rule), mirrored, file, rule.source.line);
+}
+
+Scene sceneOf(const RuleSet& rules, const AF2Rule& rule, std::vector<Point2> vertices,
+              const std::vector<int>& levels, const PictureOptions& options) {
+  Scene scene{rules, rule, {}, {}, {}, {}, {}, rule.name(), sourceText(rule.definition()), ""};
+  const PatternMatch match(rule, std::move(vertices), levels.front());
+  scene.placed = match.placeAll().value_or(match.vertices());
+  scene.references = PatternMatch::atReference(rule, levels.front()).vertices();
+  scene.zones = zonesOf(rule, match.vertices(), levels, scene.note);
+  if (options.tolerances) scene.tolerances = toleranceLoops(rules, rule, levels.front());
+  return scene;
+}
+
+Scene referenceScene(const RuleSet& rules, const AF2Rule& rule, const PictureOptions& options) {
+  const auto levels = levelsOf(rules, rule, options);
+  return sceneOf(rules, rule, PatternMatch::atReference(rule, levels.front()).vertices(), levels,
+                 options);
+}
+
+// --- the chart
+
+void include(Box2& box, Point2 p, double margin = 0) {
+  box.low = {std::min(box.low.x, p.x - margin), std::min(box.low.y, p.y - margin)};
+  box.high = {std::max(box.high.x, p.x + margin), std::max(box.high.y, p.y + margin)};
+}
+
+/// All of the pattern and the widest zone; of tolerances what is close, for they may be very wide.
+Box2 worldOf(const Scene& scene) {
+  constexpr double kClose = 1.25;
+  Box2 world{scene.placed[0], scene.placed[0]};
+  for (const Point2 p : scene.placed) include(world, p, 0.12);
+  for (const Loop& loop : scene.tolerances) {
+    const auto isClose = [&](Point2 p) {
+      return std::any_of(scene.references.begin(), scene.references.end(),
+                         [p](Point2 q) { return distance(p, q) < kClose; });
+    };
+    for (const Point2 p : loop)
+      if (isClose(p)) include(world, p);
+  }
+  for (const Zone& zone : scene.zones)
+    for (const Loop& loop : zone.loops)
+      for (const Point2 p : loop) include(world, p);
+  for (const Point2 p : scene.marks) include(world, p, 0.1);
+  return world;
+}
+
+void drawZones(Canvas& canvas, const Scene& scene) {
+  const double steps = static_cast<double>(scene.zones.size());
+  for (std::size_t i = 0; i < scene.zones.size(); ++i) {
+    const double depth = (static_cast<double>(i) + 1) / steps;
+    canvas.fill(scene.zones[i].loops, faded(kZone, 0.13));
+    canvas.stroke(scene.zones[i].loops, faded(kZone, 0.35 + 0.5 * depth), 1.1);
+  }
+}
+
+bool isPlaced(const Scene& scene, const RuleElement& element) {
+  return std::all_of(element.corners.begin(), element.corners.begin() + element.size(),
+                     [&](int corner) { return corner < static_cast<int>(scene.placed.size()); });
+}
+
+void drawElements(Canvas& canvas, const Scene& scene) {
+  for (const RuleElement& element : scene.rule.definition().elements) {
+    if (!isPlaced(scene, element)) continue;
+    const Loop corners = cornersOf(element, scene.placed);
+    canvas.fill({corners}, faded(kElement, 0.62));
+    canvas.stroke({corners}, kElementEdge, 1.4);
+  }
+}
+
+bool isAmong(const PatternEdge& edge, const std::vector<PatternEdge>& edges) {
+  return std::any_of(edges.begin(), edges.end(),
+                     [&](const PatternEdge& e) { return e.from == edge.from && e.to == edge.to; });
+}
+
+void drawFront(Canvas& canvas, const Scene& scene) {
+  const AF2Rule& rule = scene.rule;
+  const auto at = [&](int vertex) { return scene.placed[vertex]; };
+  for (const PatternEdge& edge : rule.definition().edges) {
+    const bool isConsumed = isAmong(edge, rule.consumedEdges());
+    const bool isBase = edge.from == 0 && edge.to == 1;
+    canvas.arrow(at(edge.from), at(edge.to), isConsumed ? kInk : kKept, isBase ? 3.2 : 2.2);
+  }
+  for (const PatternEdge& edge : rule.newEdges())
+    if (std::max(edge.from, edge.to) < static_cast<int>(scene.placed.size()))
+      canvas.arrow(at(edge.from), at(edge.to), kNewFront, 2);
+}
+
+/// Away from the neighbors, so that names stand beside lines and not upon them.
+Point2 labelDirection(const Scene& scene, std::size_t vertex) {
+  Point2 sum{};
+  for (const RuleElement& element : scene.rule.definition().elements) {
+    if (!isPlaced(scene, element)) continue;
+    const Loop corners = cornersOf(element, scene.placed);
+    const auto self = std::find(corners.begin(), corners.end(), scene.placed[vertex]);
+    if (self == corners.end()) continue;
+    for (const Point2 corner : corners) {
+      const Point2 away = scene.placed[vertex] - corner;
+      if (length(away) > 0) sum = sum + (1 / length(away)) * away;
+    }
+  }
+  if (length(sum) < 0.05) {
+    Point2 centre{};
+    for (const Point2 p : scene.placed) centre = centre + p;
+    sum = scene.placed[vertex] - (1.0 / static_cast<double>(scene.placed.size())) * centre;
+  }
+  return sum;
+}
+
+void drawVertices(Canvas& canvas, const Scene& scene, bool names) {
+  const RuleDefinition& definition = scene.rule.definition();
+  const std::size_t matched = definition.vertices.size();
+  for (std::size_t i = 0; i < scene.placed.size(); ++i) {
+    const bool isNew = i >= matched;
+    canvas.dot(scene.placed[i], isNew ? 4.6 : 4, isNew ? kPaper : kInk,
+               isNew ? kElementEdge : kPaper, isNew ? 2.4 : 1);
+    if (!names) continue;
+    const std::string& name =
+        isNew ? definition.newVertexNames[i - matched] : definition.vertices[i].name;
+    const TextStyle style{14, isNew ? kElementEdge : kInk, Weight::Bold, Anchor::Middle, true};
+    canvas.label(name, scene.placed[i], labelDirection(scene, i), 15, style);
+  }
+}
+
+void drawChart(Canvas& canvas, const Scene& scene, bool names) {
+  for (const PatternEdge& edge : scene.rule.definition().edges)
+    canvas.band(scene.placed[edge.from], scene.placed[edge.to], faded(kMeshed, 0.4), 11);
+  drawZones(canvas, scene);
+  for (const Loop& loop : scene.tolerances)
+    canvas.stroke({loop}, faded(kTolerance, 0.8), 1.1, true);
+  drawElements(canvas, scene);
+  drawFront(canvas, scene);
+  for (std::size_t i = 2; i < scene.references.size(); ++i) {
+    if (scene.references[i] == scene.placed[i]) continue;
+    canvas.line(scene.references[i], scene.placed[i], faded(kTolerance, 0.6), 1);
+    canvas.dot(scene.references[i], 2.5, kPaper, kTolerance, 1.2);
+  }
+  drawVertices(canvas, scene, names);
+  for (const Point2 mark : scene.marks) canvas.cross(mark, 6, kNewFront, 2.6);
+}
+
+// --- panels and sheets
+
+void drawLevels(Canvas& canvas, const Scene& scene, Point2 at, double right) {
+  const TextStyle style{10.5, kMuted};
+  if (!scene.note.empty()) {
+    canvas.text(scene.note, at, {11, kNewFront});
+    at.x += canvas.widthOf(scene.note, {11, kNewFront}) + 16;
+  }
+  if (scene.zones.size() < 2 || at.x > right - 120) return;
+  canvas.text("zone at q", at, style);
+  at.x += canvas.widthOf("zone at q", style) + 8;
+  for (std::size_t i = 0; i < scene.zones.size(); ++i) {
+    for (std::size_t k = 0; k <= i; ++k)
+      canvas.fillRectangle({at.x, at.y - 9}, {at.x + 12, at.y + 1}, 2, faded(kZone, 0.17));
+    canvas.strokeRectangle({at.x, at.y - 9}, {at.x + 12, at.y + 1}, 2, faded(kZone, 0.6), 0.8);
+    const std::string text = std::to_string(scene.zones[i].level);
+    canvas.text(text, {at.x + 16, at.y}, style);
+    at.x += 26 + canvas.widthOf(text, style);
+  }
+}
+
+void drawPanel(Canvas& canvas, const Scene& scene, Point2 low, Point2 high, bool names) {
+  canvas.strokeRectangle(low + Point2{0.5, 0.5}, high - Point2{0.5, 0.5}, 8, kFrame, 1);
+  canvas.text(scene.title, low + Point2{14, 24}, {14.5, kInk, Weight::Bold});
+  canvas.text(scene.subtitle, low + Point2{14, 40}, {10.5, kMuted});
+  drawLevels(canvas, scene, {low.x + 14, high.y - 12}, high.x);
+
+  // The margin leaves room for names beyond the outermost vertices.
+  Box2 world = worldOf(scene);
+  const Point2 size = high - low - Point2{2 * kMargin, kTitleHeight + kFooterHeight + kMargin};
+  const Point2 extent = world.high - world.low;
+  const double scale = std::min({kLargestScale, size.x / extent.x, size.y / extent.y});
+  const double pixels = (kMargin - 8) / scale;
+  world = {world.low - Point2{pixels, pixels}, world.high + Point2{pixels, pixels}};
+  const Canvas::View view(canvas, low + Point2{4, kTitleHeight}, high - Point2{4, kFooterHeight},
+                          world, scale);
+  drawChart(canvas, scene, names);
+}
+
+void drawKey(Canvas& canvas, Point2 at) {
+  const TextStyle style{11.5, kMuted};
+  const auto word = [&](const std::string& text) {
+    canvas.text(text, {at.x, at.y + 4}, style);
+    at.x += canvas.widthOf(text, style) + 22;
+  };
+  const auto arrow = [&](Color stroke, double width, const std::string& text) {
+    canvas.arrow(at, at + Point2{34, 0}, stroke, width);
+    at.x += 42;
+    word(text);
+  };
+  const auto patch = [&](Color fill, Color edge, const std::string& text) {
+    canvas.fillRectangle(at + Point2{0, -6}, at + Point2{16, 6}, 3, fill);
+    canvas.strokeRectangle(at + Point2{0, -6}, at + Point2{16, 6}, 3, edge, 1.1);
+    at.x += 23;
+    word(text);
+  };
+  arrow(kInk, 2.4, "front, consumed");
+  arrow(kKept, 2.2, "front, kept");
+  arrow(kNewFront, 2, "new front");
+  patch(faded(kElement, 0.62), kElementEdge, "new element");
+  patch(faded(kZone, 0.2), faded(kZone, 0.7), "free zone");
+  patch(faded(kTolerance, 0.08), kTolerance, "tolerance");
+}
+
+std::string drawScene(const Scene& scene, PictureFormat format, const PictureOptions& options) {
+  return Canvas::render(format, options.width, options.height, [&](Canvas& canvas) {
+    drawPanel(canvas, scene, {6, 6}, {options.width - 6, options.height - 6}, options.names);
+  });
+}
+
+}  // namespace
+
+std::string drawRule(const RuleSet& rules, const AF2Rule& rule, PictureFormat format,
+                     const PictureOptions& options) {
+  return drawScene(referenceScene(rules, rule, options), format, options);
+}
+
+std::string drawMatch(const RuleSet& rules, const AF2Rule& rule, const DrawnMatch& match,
+                      PictureFormat format, const PictureOptions& options) {
+  Scene scene = sceneOf(rules, rule, match.vertices, {match.level}, options);
+  scene.marks = match.marks;
+  scene.subtitle += fmt::format("  \u00b7  at level {}", match.level);
+  if (!match.note.empty()) scene.note = match.note;
+  return drawScene(scene, format, options);
+}
+
+std::string drawRuleSet(const RuleSet& rules, PictureFormat format, const PictureOptions& options) {
+  constexpr double kGap = 12, kHeader = 76, kNarrowest = 820;
+  const int count = static_cast<int>(rules.rules().size());
+  const int columns = std::clamp(static_cast<int>(std::ceil(std::sqrt(1.3 * count))), 1, 6);
+  const int rows = (count + columns - 1) / columns;
+  const double width =
+      std::max(kNarrowest, 2 * kGap + columns * options.width + (columns - 1) * kGap);
+  const double height = kHeader + rows * (options.height + kGap);
+  return Canvas::render(format, width, height, [&](Canvas& canvas) {
+    canvas.text(rules.name(), {kGap + 2, 34}, {21, kInk, Weight::Bold});
+    const std::string number = fmt::format("{} rules", count);
+    canvas.text(number, {width - kGap - 2, 34}, {12, kMuted, Weight::Normal, Anchor::Right});
+    drawKey(canvas, {kGap + 2, 56});
+    for (int i = 0; i < count; ++i) {
+      const Point2 low{kGap + (i % columns) * (options.width + kGap),
+                       kHeader + (i / columns) * (options.height + kGap)};
+      const Scene scene = referenceScene(rules, rules.rules()[i], options);
+      drawPanel(canvas, scene, low, low + Point2{options.width, options.height}, options.names);
+    }
+  });
+}
+
+}  // namespace af2::dsl

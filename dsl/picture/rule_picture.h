@@ -1,0 +1,40 @@
+// Pictures of rules: pattern, tolerances, free zone by level, new elements and new front.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "dsl/picture/canvas.h"
+#include "engine/rule_set.h"
+
+namespace af2::dsl {
+
+struct PictureOptions {
+  double width = 420, height = 400;  ///< of one rule, in pixels
+  /// The quality levels whose zones are shown; empty: the rule's first one, twice and four times
+  /// that, and the last one of the set.
+  std::vector<int> levels = {};
+  bool names = true;
+  bool tolerances = true;
+};
+
+/// A rule at its reference match. Returns the bytes of the file.
+std::string drawRule(const RuleSet& rules, const AF2Rule& rule, PictureFormat format,
+                     const PictureOptions& options = {});
+
+/// All rules of a set on one sheet, with a key.
+std::string drawRuleSet(const RuleSet& rules, PictureFormat format,
+                        const PictureOptions& options = {.width = 300, .height = 300});
+
+/// One match of a rule, as a finding shows it.
+struct DrawnMatch {
+  std::vector<Point2> vertices;  ///< the matched ones in pattern order
+  int level = 1;
+  std::vector<Point2> marks;  ///< places that are at fault: a red cross each
+  std::string note;           ///< below the picture
+};
+
+std::string drawMatch(const RuleSet& rules, const AF2Rule& rule, const DrawnMatch& match,
+                      PictureFormat format, const PictureOptions& options = {});
+
+}  // namespace af2::dsl
