@@ -8,6 +8,7 @@
 
 #include "engine/error.h"
 #include "engine/mesh_check.h"
+#include "engine/optimize.h"
 #include "geometry/graded_size.h"
 #include "geometry/occ/face_size.h"
 
@@ -43,36 +44,91 @@ struct Attempt {
   std::string fault;  ///< empty: complete and sound
 };
 
+/// Stops a run that no longer fills a region but grows without end, because the boundary does not
+/// enclose one.
+class RunawayGuard {
+ public:
+  RunawayGuard(std::size_t limit, const std::stop_token& outer)
+      : limit_(limit), forward_(outer, Forward{&source_}) {}
+
+  std::stop_token token() const { return source_.get_token(); }
+  void see(const Progress& progress) {
+    if (progress.elements <= limit_) return;
+    ranAway_ = true;
+    source_.request_stop();
+  }
+  bool ranAway() const { return ranAway_; }
+
+ private:
+  struct Forward {
+    std::stop_source* source;
+    void operator()() const { source->request_stop(); }
+  };
+  std::size_t limit_;
+  bool ranAway_ = false;
+  std::stop_source source_;
+  std::stop_callback<Forward> forward_;
+};
+
 class FaceMesher {
  public:
-  FaceMesher(const FaceMeshingContext& context, int face)
-      : context_(context), face_(face), surface_(context.model.face(face)) {}
+  FaceMesher(const FaceMeshingContext& context, int face, double expectedElements)
+      : context_(context),
+        face_(face),
+        expected_(expectedElements),
+        surface_(context.model.face(face)) {}
 
   void meshInto(FaceMesh& mesh) {
     FaceBoundary boundary = findBoundary(context_.model, face_, context_.divided, surface_);
     const FaceSize wanted(context_.options.sizes, face_, surface_);
     const GradedSize size(wanted, boundary.input, context_.options.sizes.growth);
-    Attempt attempt = run(*surface_.makeCharts({}), boundary.input, size);
-    if (attempt.result.outcome == Outcome::Cancelled) {
+    const auto charts = surface_.makeCharts({});
+    Attempt attempt = run(*charts, boundary.input, size);
+    if (attempt.result.outcome == Outcome::Cancelled && attempt.fault.empty()) {
       mesh.report.status = FaceStatus::Cancelled;
       return;
     }
     if (!attempt.fault.empty()) throw GeometryError(attempt.fault);
+    if (context_.options.optimize) {
+      const auto start = std::chrono::steady_clock::now();
+      OptimizeOptions options;
+      options.stop = context_.options.stop;
+      optimizeMesh(attempt.result.mesh, boundary.input, *charts, options);
+      // What the optimiser leaves is held against the same checks; the raw mesh has passed them.
+      if (!faultOf(attempt.result, boundary.input).empty())
+        attempt = run(*charts, boundary.input, size);
+      const auto end = std::chrono::steady_clock::now();
+      mesh.optimizeSeconds = std::chrono::duration<double>(end - start).count();
+    }
     take(attempt.result, boundary, mesh);
   }
 
  private:
   Attempt run(const AF2LocalTransformMaker& charts, const FrontInput& input, const SizeField& size) {
+    RunawayGuard guard(elementLimit(input), context_.options.stop);
     MeshingOptions options;
-    options.stop = context_.options.stop;
+    options.stop = guard.token();
     if (context_.options.observer) options.observer = context_.options.observer(face_);
-    if (context_.progress)
-      options.progress = [this](const Progress& progress) { context_.progress(face_, progress); };
+    options.progress = [&](const Progress& progress) {
+      guard.see(progress);
+      if (context_.progress) context_.progress(progress);
+    };
     Attempt attempt{context_.algorithm.execute(charts, input, size, options), ""};
-    if (attempt.result.outcome == Outcome::Stuck)
+    if (guard.ranAway())
+      attempt.fault = "far more elements than the area has room for: the boundary does not enclose "
+                      "a region";
+    else if (attempt.result.outcome == Outcome::Stuck)
       attempt.fault = stuckReason(attempt.result, context_.algorithm);
-    if (attempt.result.outcome == Outcome::Complete) attempt.fault = faultOf(attempt.result, input);
+    else if (attempt.result.outcome == Outcome::Complete)
+      attempt.fault = faultOf(attempt.result, input);
     return attempt;
+  }
+
+  /// Many more than expected: short segments of the boundary and curvature want smaller elements.
+  std::size_t elementLimit(const FrontInput& input) const {
+    std::size_t corners = 0;
+    for (const auto& loop : input.loops) corners += loop.size();
+    return static_cast<std::size_t>(std::min(100 * expected_, 1e9)) + 100 * corners + 10000;
   }
 
   static std::string faultOf(const MeshingResult& result, const FrontInput& input) {
@@ -95,6 +151,7 @@ class FaceMesher {
 
   const FaceMeshingContext& context_;
   int face_;
+  double expected_;
   FaceSurface surface_;
 };
 
@@ -105,7 +162,7 @@ void fail(FaceMesh& mesh, const std::string& reason) {
 
 }  // namespace
 
-FaceMesh meshFace(const FaceMeshingContext& context, int face) {
+FaceMesh meshFace(const FaceMeshingContext& context, int face, double expectedElements) {
   FaceMesh mesh;
   const auto start = std::chrono::steady_clock::now();
   const auto index = static_cast<std::size_t>(face) - 1;
@@ -113,7 +170,7 @@ FaceMesh meshFace(const FaceMeshingContext& context, int face) {
   mesh.report.name = context.model.faceNames[index];
   mesh.report.surfaceType = context.model.surfaceTypes[index];
   try {
-    FaceMesher(context, face).meshInto(mesh);
+    FaceMesher(context, face, expectedElements).meshInto(mesh);
   } catch (const Standard_Failure& failure) {
     fail(mesh, std::string("OpenCASCADE: ") + failure.DynamicType()->Name());
   } catch (const std::exception& failure) {

@@ -17,6 +17,7 @@ struct FaceMesh {
   std::vector<Element> elements;
   std::vector<std::uint16_t> rule;
   std::vector<SegmentUse> uses;
+  double optimizeSeconds = 0;  ///< part of report.seconds
 };
 
 /// What all faces of a run share.
@@ -25,11 +26,11 @@ struct FaceMeshingContext {
   const AF2Algorithm& algorithm;
   const ModelMeshingOptions& options;
   const DividedEdges& divided;
-  std::function<void(int face, const Progress&)> progress;
+  ProgressCallback progress;
 };
 
 /// Never throws for a fault of the face: that becomes a failed report.
-FaceMesh meshFace(const FaceMeshingContext& context, int face);
+FaceMesh meshFace(const FaceMeshingContext& context, int face, double expectedElements);
 
 /// Area of a face of the model; 0 if it cannot be told.
 double areaOf(const ModelShape& model, int face);

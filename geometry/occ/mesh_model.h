@@ -44,6 +44,7 @@ struct ModelMeshingOptions {
   int threads = 0;         ///< 0: as many as the machine has. The mesh does not depend on it.
   /// Called from several threads, one at a time.
   std::function<void(const ModelProgress&)> progress;
+  bool optimize = true;    ///< swaps and smoothing after the front has closed; false: the raw front
   std::stop_token stop;
   /// The observer of one face, or null; asked for from the thread that meshes the face.
   std::function<AF2MeshingObserver*(int face)> observer;
