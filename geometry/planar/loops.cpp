@@ -1,0 +1,215 @@
+#include "geometry/planar/loops.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "engine/error.h"
+#include "engine/predicates.h"
+#include "geometry/planar/clean_segments.h"
+
+namespace af2::geometry {
+
+namespace {
+
+bool before(Point2 p, Point2 q) { return p.x < q.x || (p.x == q.x && p.y < q.y); }
+
+/// Half-edge 2 p runs along piece p, 2 p + 1 against it.
+using HalfEdge = int;
+HalfEdge twin(HalfEdge h) { return h ^ 1; }
+DirectedPiece directed(HalfEdge h) { return {h / 2, (h & 1) != 0}; }
+
+/// The subdivision of the plane by the pieces: its cycles of half-edges, each with its face on the
+/// left, and how they nest.
+class Subdivision {
+ public:
+  explicit Subdivision(PlanarRegions& result) : result_(result) {
+    sortAroundPoints();
+    followCycles();
+    findOuterCycles();
+    nest();
+  }
+
+  /// Bounded faces, by their outer cycle; ordered by their leftmost, then lowest point.
+  std::vector<std::size_t> faces() const {
+    std::vector<std::size_t> faces;
+    for (std::size_t c = 0; c < cycles_.size(); ++c)
+      if (!cycles_[c].isOutside) faces.push_back(c);
+    std::stable_sort(faces.begin(), faces.end(), [&](std::size_t a, std::size_t b) {
+      return before(leftmost(cycles_[a]), leftmost(cycles_[b]));
+    });
+    return faces;
+  }
+
+  /// The face in which a point lies, if it is bounded.
+  std::size_t faceAround(Point2 p) const { return smallestAround(p, kNoComponent); }
+  static constexpr std::size_t kNoFace = ~std::size_t{0};
+
+  PlanarRegion region(std::size_t face) const {
+    PlanarRegion region;
+    addLoop(cycles_[face], region);
+    for (const Cycle& cycle : cycles_)
+      if (cycle.isOutside && cycle.around == face) addLoop(cycle, region);
+    return region;
+  }
+
+ private:
+  static constexpr int kNoComponent = -1;
+
+  struct Cycle {
+    std::vector<HalfEdge> edges;
+    int component = 0;
+    bool isOutside = false;      ///< goes around its component from outside
+    std::size_t around = kNoFace;  ///< if outside: the face in which the component lies
+    double area = 0;
+  };
+
+  int startOf(HalfEdge h) const { return result_.start(directed(h)); }
+  int endOf(HalfEdge h) const { return startOf(twin(h)); }
+  Point2 point(int i) const { return result_.points[static_cast<std::size_t>(i)]; }
+
+  /// Half-edges that leave each point, counter-clockwise, starting from straight down.
+  void sortAroundPoints() {
+    leaving_.resize(result_.points.size());
+    for (HalfEdge h = 0; h < static_cast<int>(2 * result_.pieces.size()); ++h)
+      leaving_[static_cast<std::size_t>(startOf(h))].push_back(h);
+    for (auto& around : leaving_)
+      std::sort(around.begin(), around.end(), [&](HalfEdge g, HalfEdge h) { return turnsBefore(g, h); });
+    position_.resize(2 * result_.pieces.size());
+    for (const auto& around : leaving_)
+      for (std::size_t i = 0; i < around.size(); ++i)
+        position_[static_cast<std::size_t>(around[i])] = i;
+  }
+
+  bool turnsBefore(HalfEdge g, HalfEdge h) const {
+    const Point2 centre = point(startOf(g)), p = point(endOf(g)), q = point(endOf(h));
+    // The right half-plane first, with straight down at its start and straight up at its end.
+    const auto isLeft = [&](Point2 r) { return r.x < centre.x; };
+    if (isLeft(p) != isLeft(q)) return isLeft(q);
+    const auto isDown = [&](Point2 r) { return r.x == centre.x && r.y < centre.y; };
+    if (isDown(p) != isDown(q)) return isDown(p);
+    return orientation(centre, p, q) == Turn::Left;
+  }
+
+  /// With the face on the left: at the end, the half-edge next clockwise from the way back.
+  HalfEdge next(HalfEdge h) const {
+    const auto& around = leaving_[static_cast<std::size_t>(endOf(h))];
+    const std::size_t i = position_[static_cast<std::size_t>(twin(h))];
+    return around[(i + around.size() - 1) % around.size()];
+  }
+
+  void followCycles() {
+    cycleOf_.assign(position_.size(), kNoFace);
+    for (HalfEdge first = 0; first < static_cast<int>(position_.size()); ++first) {
+      if (cycleOf_[static_cast<std::size_t>(first)] != kNoFace) continue;
+      Cycle cycle;
+      HalfEdge h = first;
+      do {
+        cycleOf_[static_cast<std::size_t>(h)] = cycles_.size();
+        cycle.edges.push_back(h);
+        h = next(h);
+      } while (h != first);
+      cycle.area = areaOf(cycle);
+      cycles_.push_back(std::move(cycle));
+    }
+  }
+
+  double areaOf(const Cycle& cycle) const {
+    const Point2 origin = point(startOf(cycle.edges.front()));
+    double sum = 0;
+    for (const HalfEdge h : cycle.edges) sum += cross(point(startOf(h)) - origin, point(endOf(h)) - origin);
+    return sum / 2;
+  }
+
+  Point2 leftmost(const Cycle& cycle) const {
+    Point2 best = point(startOf(cycle.edges.front()));
+    for (const HalfEdge h : cycle.edges)
+      if (before(point(startOf(h)), best)) best = point(startOf(h));
+    return best;
+  }
+
+  /// At the leftmost, then lowest point of a component all edges leave to the right; the outside is
+  /// what comes after the last of them.
+  void findOuterCycles() {
+    std::vector<int> component(result_.points.size());
+    std::iota(component.begin(), component.end(), 0);
+    const auto root = [&](int i) {
+      while (component[static_cast<std::size_t>(i)] != i) i = component[static_cast<std::size_t>(i)];
+      return i;
+    };
+    for (const PlanarPiece& piece : result_.pieces) {
+      const int a = root(piece.from), b = root(piece.to);
+      // The root is the leftmost point.
+      if (before(point(a), point(b)))
+        component[static_cast<std::size_t>(b)] = a;
+      else
+        component[static_cast<std::size_t>(a)] = b;
+    }
+    for (Cycle& cycle : cycles_) cycle.component = root(startOf(cycle.edges.front()));
+    for (std::size_t v = 0; v < leaving_.size(); ++v) {
+      if (leaving_[v].empty() || root(static_cast<int>(v)) != static_cast<int>(v)) continue;
+      cycles_[cycleOf_[static_cast<std::size_t>(leaving_[v].back())]].isOutside = true;
+    }
+  }
+
+  void nest() {
+    for (Cycle& cycle : cycles_)
+      if (cycle.isOutside)
+        cycle.around = smallestAround(point(startOf(cycle.edges.front())), cycle.component);
+  }
+
+  /// The smallest bounded cycle around a point, among other components.
+  std::size_t smallestAround(Point2 p, int component) const {
+    std::size_t best = kNoFace;
+    for (std::size_t c = 0; c < cycles_.size(); ++c) {
+      const Cycle& cycle = cycles_[c];
+      if (cycle.isOutside || cycle.component == component || !contains(cycle, p)) continue;
+      if (best == kNoFace || cycle.area < cycles_[best].area) best = c;
+    }
+    return best;
+  }
+
+  /// Counts the edges that a ray to the right crosses. Exact.
+  bool contains(const Cycle& cycle, Point2 p) const {
+    bool inside = false;
+    for (const HalfEdge h : cycle.edges) {
+      const Point2 a = point(startOf(h)), b = point(endOf(h));
+      if ((a.y > p.y) == (b.y > p.y)) continue;
+      const Turn turn = orientation(a, b, p);
+      if (b.y > a.y ? turn == Turn::Left : turn == Turn::Right) inside = !inside;
+    }
+    return inside;
+  }
+
+  void addLoop(const Cycle& cycle, PlanarRegion& region) const {
+    std::vector<DirectedPiece> loop;
+    for (const HalfEdge h : cycle.edges) loop.push_back(directed(h));
+    region.loops.push_back(std::move(loop));
+    region.area += cycle.area;
+  }
+
+  PlanarRegions& result_;
+  std::vector<std::vector<HalfEdge>> leaving_;
+  std::vector<std::size_t> position_;  // by half-edge: where it stands in leaving_
+  std::vector<std::size_t> cycleOf_;
+  std::vector<Cycle> cycles_;
+};
+
+}  // namespace
+
+PlanarRegions findRegions(const PlanarDomain& domain) {
+  PlanarRegions result = cleanSegments(domain);
+  const Subdivision plane(result);
+  std::vector<std::size_t> holes;
+  for (const Point2 hole : domain.holes) holes.push_back(plane.faceAround(hole));
+  const std::vector<std::size_t> faces = plane.faces();
+  if (faces.empty())
+    throw InputError(domain.name + ": its segments enclose nothing; each outline must be closed");
+  for (const std::size_t face : faces)
+    if (std::find(holes.begin(), holes.end(), face) == holes.end())
+      result.regions.push_back(plane.region(face));
+  if (result.regions.empty())
+    throw InputError(domain.name + ": every region that its segments enclose is a hole");
+  return result;
+}
+
+}  // namespace af2::geometry

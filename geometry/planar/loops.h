@@ -1,0 +1,48 @@
+// From segments in the plane to the regions that they bound.
+#pragma once
+
+#include <vector>
+
+#include "geometry/planar/poly_file.h"
+
+namespace af2::geometry {
+
+/// A piece of a segment between two points of a PlanarRegions.
+struct PlanarPiece {
+  int from = 0, to = 0;
+  int segment = 0;  ///< index in the domain
+};
+
+/// One piece as a region runs along it, with the region on the left.
+struct DirectedPiece {
+  int piece = 0;
+  bool reversed = false;
+};
+
+/// A connected region: its outer loop first, then the loops around what is left out inside, and
+/// around segments that end inside.
+struct PlanarRegion {
+  std::vector<std::vector<DirectedPiece>> loops;
+  double area = 0;
+};
+
+struct PlanarRegions {
+  std::vector<Point2> points;  ///< each position once
+  std::vector<PlanarPiece> pieces;  ///< that meet at their ends only
+  std::vector<PlanarRegion> regions;
+
+  int start(DirectedPiece d) const {
+    const PlanarPiece& p = pieces[static_cast<std::size_t>(d.piece)];
+    return d.reversed ? p.to : p.from;
+  }
+  int end(DirectedPiece d) const { return start({d.piece, !d.reversed}); }
+};
+
+/// Finds the bounded regions of a domain, less those with a hole point inside. All decisions are
+/// exact.
+///
+/// Points with the same position are taken as one, equal segments likewise; a segment on which a
+/// point lies is split there. Throws InputError if segments cross, or if nothing is enclosed.
+PlanarRegions findRegions(const PlanarDomain& domain);
+
+}  // namespace af2::geometry

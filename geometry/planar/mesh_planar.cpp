@@ -1,0 +1,228 @@
+#include "geometry/planar/mesh_planar.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "engine/error.h"
+#include "engine/mesh_check.h"
+#include "geometry/graded_size.h"
+#include "geometry/plane_chart.h"
+#include "geometry/planar/loops.h"
+
+namespace af2::geometry {
+
+namespace {
+
+constexpr Point3 kUp{0, 0, 1};
+
+SurfacePoint inPlane(Point2 p) { return {{p.x, p.y, 0}, kUp, p.x, p.y}; }
+
+class DomainSize final : public SizeField {
+ public:
+  explicit DomainSize(const PlanarMeshingOptions& options) : options_(options) {}
+  double sizeAt(const SurfacePoint& point) const override {
+    if (!options_.function) return options_.size;
+    const double limit = options_.function(point.position);
+    if (!(limit > 0)) throw InputError("the size function gives a size that is not positive");
+    return std::min(options_.size, limit);
+  }
+
+ private:
+  const PlanarMeshingOptions& options_;
+};
+
+class PlanarMesher {
+ public:
+  PlanarMesher(const PlanarDomain& domain, const AF2Algorithm& algorithm,
+               const PlanarMeshingOptions& options)
+      : algorithm_(algorithm), options_(options), size_(options), regions_(findRegions(domain)) {}
+
+  ModelMesh mesh() {
+    for (const AF2Rule& rule : algorithm_.rules().rules()) mesh_.ruleNames.push_back(rule.name());
+    for (std::size_t i = 0; i < regions_.regions.size(); ++i) findUses(regions_.regions[i]);
+    numberPoints();
+    for (const PlanarPiece& piece : regions_.pieces) divide(piece);
+    for (std::size_t i = 0; i < regions_.regions.size(); ++i) meshRegion(i);
+    addSegments();
+    return std::move(mesh_);
+  }
+
+ private:
+  void findUses(const PlanarRegion& region) {
+    uses_.resize(regions_.pieces.size(), 0);
+    for (const auto& loop : region.loops)
+      for (const DirectedPiece d : loop) ++uses_[static_cast<std::size_t>(d.piece)];
+  }
+
+  /// Points that no region uses are left out.
+  void numberPoints() {
+    ids_.resize(regions_.points.size());
+    for (std::size_t i = 0; i < regions_.pieces.size(); ++i)
+      if (uses_[i] > 0)
+        for (const int end : {regions_.pieces[i].from, regions_.pieces[i].to})
+          ids_[static_cast<std::size_t>(end)] = VertexId(std::size_t{0});
+    for (std::size_t i = 0; i < ids_.size(); ++i)
+      if (!ids_[i].isNone()) ids_[i] = addVertex(regions_.points[i]);
+  }
+
+  VertexId addVertex(Point2 p) {
+    mesh_.vertices.push_back({p.x, p.y, 0});
+    return VertexId(mesh_.vertices.size() - 1);
+  }
+
+  /// Equal shares of the wanted sizes along the piece, at least one segment.
+  void divide(const PlanarPiece& piece) {
+    std::vector<VertexId> along;
+    if (uses_[divided_.size()] > 0) {
+      const Point2 from = regions_.points[static_cast<std::size_t>(piece.from)];
+      const Point2 to = regions_.points[static_cast<std::size_t>(piece.to)];
+      along.push_back(ids_[static_cast<std::size_t>(piece.from)]);
+      for (const double t : sharesBetween(from, to)) along.push_back(addVertex(from + t * (to - from)));
+      along.push_back(ids_[static_cast<std::size_t>(piece.to)]);
+    }
+    divided_.push_back(std::move(along));
+  }
+
+  std::vector<double> sharesBetween(Point2 from, Point2 to) const {
+    constexpr double kMostSegments = 1e7;
+    const double total = distance(from, to);
+    const double samples = std::ceil((options_.function ? 10 : 1) * total / options_.size) + 1;
+    if (!(samples < kMostSegments))
+      throw InputError("a segment of the domain would need more than 10 million pieces; ask for a "
+                       "larger size");
+    const auto cells = static_cast<std::size_t>(samples);
+    std::vector<double> count{0};
+    double before = size_.sizeAt(inPlane(from));
+    for (std::size_t i = 1; i <= cells; ++i) {
+      const double t = static_cast<double>(i) / static_cast<double>(cells);
+      const double here = size_.sizeAt(inPlane(from + t * (to - from)));
+      count.push_back(count.back() + 2 * total / static_cast<double>(cells) / (before + here));
+      before = here;
+    }
+    const auto pieces = static_cast<std::size_t>(std::max(1.0, std::floor(count.back() + 0.5)));
+    std::vector<double> shares;
+    std::size_t cell = 1;
+    for (std::size_t k = 1; k < pieces; ++k) {
+      const double target = count.back() * static_cast<double>(k) / static_cast<double>(pieces);
+      while (cell < cells && count[cell] < target) ++cell;
+      const double within = (target - count[cell - 1]) / (count[cell] - count[cell - 1]);
+      shares.push_back((static_cast<double>(cell - 1) + within) / static_cast<double>(cells));
+    }
+    return shares;
+  }
+
+  void meshRegion(std::size_t index) {
+    const auto start = std::chrono::steady_clock::now();
+    const PlanarRegion& region = regions_.regions[index];
+    FaceReport report;
+    report.id = static_cast<int>(index) + 1;
+    report.surfaceType = "plane";
+    report.area = region.area;
+    std::vector<VertexId> boundary;
+    const FrontInput input = boundaryOf(region, boundary);
+    const GradedSize size(size_, input, options_.growth);
+    const MeshingResult result =
+        algorithm_.execute(PlaneChartMaker(kUp), input, size,
+                           {options_.observer, options_.progress, options_.stop});
+    judge(result, input, report);
+    if (report.status == FaceStatus::Complete) add(result, boundary, report);
+    const auto end = std::chrono::steady_clock::now();
+    report.seconds = std::chrono::duration<double>(end - start).count();
+    mesh_.seconds.surface += report.seconds;
+    mesh_.faces.push_back(std::move(report));
+  }
+
+  FrontInput boundaryOf(const PlanarRegion& region, std::vector<VertexId>& boundary) {
+    localIds_.resize(mesh_.vertices.size());
+    FrontInput input;
+    for (const auto& loop : region.loops) {
+      std::vector<BoundaryCorner> corners;
+      for (const DirectedPiece d : loop) {
+        std::vector<VertexId> along = divided_[static_cast<std::size_t>(d.piece)];
+        if (d.reversed) std::reverse(along.begin(), along.end());
+        along.pop_back();
+        for (const VertexId id : along) corners.push_back(cornerOf(id, boundary));
+      }
+      input.loops.push_back(std::move(corners));
+    }
+    for (const VertexId id : boundary) localIds_[id.value] = VertexId();
+    input.vertexCount = boundary.size();
+    return input;
+  }
+
+  BoundaryCorner cornerOf(VertexId id, std::vector<VertexId>& boundary) {
+    VertexId& local = localIds_[id.value];
+    if (local.isNone()) {
+      local = VertexId(boundary.size());
+      boundary.push_back(id);
+    }
+    const Point3& p = mesh_.vertices[id.value];
+    return {local, inPlane({p.x, p.y})};
+  }
+
+  void judge(const MeshingResult& result, const FrontInput& input, FaceReport& report) const {
+    if (result.outcome == Outcome::Cancelled) {
+      report.status = FaceStatus::Cancelled;
+    } else if (result.outcome == Outcome::Stuck) {
+      report.status = FaceStatus::Failed;
+      const Point3& p = result.mesh.vertices[result.stuck.front().from.value].position;
+      report.reason = "the front got stuck with " + std::to_string(result.stuck.size()) +
+                      " edges left, the first at (" + std::to_string(p.x) + ", " +
+                      std::to_string(p.y) + ")";
+    } else if (const auto faults = checkMesh(result.mesh, input); !faults.empty()) {
+      report.status = FaceStatus::Failed;
+      report.reason = describe(faults.front(), result.mesh);
+    }
+  }
+
+  void add(const MeshingResult& result, const std::vector<VertexId>& boundary, FaceReport& report) {
+    const std::size_t base = mesh_.vertices.size();
+    for (std::size_t i = boundary.size(); i < result.mesh.vertices.size(); ++i)
+      mesh_.vertices.push_back(result.mesh.vertices[i].position);
+    for (Element element : result.mesh.elements) {
+      for (VertexId& v : element.corners)
+        if (!v.isNone())
+          v = v.value < boundary.size() ? boundary[v.value] : VertexId(base + v.value - boundary.size());
+      mesh_.elements.push_back(element);
+      mesh_.face.push_back(report.id);
+    }
+    mesh_.rule.insert(mesh_.rule.end(), result.mesh.rule.begin(), result.mesh.rule.end());
+    report.elements = result.mesh.elements.size();
+  }
+
+  /// Counts only the faces that were meshed.
+  void addSegments() {
+    std::vector<int> uses(regions_.pieces.size(), 0);
+    for (std::size_t i = 0; i < regions_.regions.size(); ++i) {
+      if (mesh_.faces[i].status != FaceStatus::Complete) continue;
+      for (const auto& loop : regions_.regions[i].loops)
+        for (const DirectedPiece d : loop) ++uses[static_cast<std::size_t>(d.piece)];
+    }
+    for (std::size_t p = 0; p < divided_.size(); ++p)
+      for (std::size_t i = 0; uses[p] > 0 && i + 1 < divided_[p].size(); ++i)
+        mesh_.segments.push_back(
+            {divided_[p][i], divided_[p][i + 1], regions_.pieces[p].segment + 1, uses[p]});
+  }
+
+  const AF2Algorithm& algorithm_;
+  const PlanarMeshingOptions& options_;
+  DomainSize size_;
+  PlanarRegions regions_;
+  std::vector<int> uses_;      // by piece
+  std::vector<VertexId> ids_;  // by point
+  std::vector<VertexId> localIds_;  // by vertex of the mesh, while one region is read
+  std::vector<std::vector<VertexId>> divided_;  // by piece, ends included; empty if unused
+  ModelMesh mesh_;
+};
+
+}  // namespace
+
+ModelMesh meshPlanar(const PlanarDomain& domain, const AF2Algorithm& algorithm,
+                     const PlanarMeshingOptions& options) {
+  if (!(options.size > 0) || !std::isfinite(options.size))
+    throw InputError("the size must be a positive number");
+  return PlanarMesher(domain, algorithm, options).mesh();
+}
+
+}  // namespace af2::geometry
