@@ -35,6 +35,7 @@ geometry::ModelMeshingOptions meshingOptions(const MeshRequest& request, const R
   options.sizes.edgeSizes = request.edgeSizes;
   options.faces = request.faces;
   options.threads = request.threads;
+  options.optimize = request.optimize;
   options.stop = control.stop;
   options.progress = [&bar](const geometry::ModelProgress& progress) {
     const double part = progress.workTotal > 0 ? progress.workDone / progress.workTotal : 0;

@@ -39,7 +39,7 @@ void asUsage(Check check) {
 void checkOutputs(const MeshRequest& request) {
   std::set<fs::path> seen;
   const auto checkOne = [&](const fs::path& file) {
-    if (!seen.insert(fs::weakly_canonical(file)).second) {
+    if (!seen.insert(fs::weakly_canonical(fs::absolute(file))).second) {
       throw UsageError(fmt::format("'{}' is to be written twice", file.string()));
     }
     std::error_code ignored;
@@ -85,6 +85,7 @@ void declareMeshOptions(CLI::App& command, MeshOptions& options) {
       ->expected(1);
   command.add_option("-j,--threads", options.threads,
                      "threads to use; the mesh does not depend on it");
+  command.add_flag("--no-optimize", options.rawFront, "leave the mesh as the front made it");
   command.add_option("--report", options.report, "file for a report in JSON");
   command.add_flag("-q,--quiet", options.quiet, "print nothing unless something is wrong");
 }
@@ -103,14 +104,15 @@ MeshRequest checkedRequest(const MeshOptions& options) {
   }
   request.threads = options.threads;
   request.quiet = options.quiet;
+  request.optimize = !options.rawFront;
   request.report = options.report;
   request.outputs.assign(options.outputs.begin(), options.outputs.end());
   if (request.isPlanar() && !(request.faceSizes.empty() && request.edgeSizes.empty())) {
     throw UsageError("a .poly file has no --face-size and no --edge-size; use --size");
   }
+  checkOutputs(request);
   checkReadable(request.model);
   request.rules = findRuleFile(options.rules);
-  checkOutputs(request);
   return request;
 }
 

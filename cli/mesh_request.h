@@ -14,7 +14,7 @@ struct MeshOptions {
   std::string model, size, rules = "tri/classic.af2", faces, report;
   std::vector<std::string> outputs, faceSizes, edgeSizes;
   int threads = 0;
-  bool quiet = false;
+  bool quiet = false, rawFront = false;
 };
 
 void declareMeshOptions(CLI::App& command, MeshOptions& options);
@@ -26,7 +26,7 @@ struct MeshRequest {
   std::map<int, double> faceSizes, edgeSizes;
   std::vector<int> faces;  ///< empty: all
   int threads = 0;         ///< 0: as many as the machine has
-  bool quiet = false;
+  bool quiet = false, optimize = true;
 
   bool isPlanar() const;  ///< whether the model is a .poly file
 };

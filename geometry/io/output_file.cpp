@@ -55,20 +55,34 @@ void refuseOddTargets(const fs::path& target) {
   if (fs::exists(status) && !fs::is_regular_file(status)) refuse(target, "it is not a plain file");
 }
 
+constexpr const char* kOpenFiles = "/proc/self/fd";
+
+/// A file without a name, which vanishes even if the program is killed; -1 where there is no such.
+int openNameless(const fs::path& directory) {
+  if (::access(kOpenFiles, X_OK) != 0) return -1;  // it could not get a name later
+  return ::open(directory.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0666);
+}
+
+int openNamed(const fs::path& path) {
+  return ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+}
+
 }  // namespace
 
 OutputFile::OutputFile(const fs::path& target) : target_(resolved(target)) {
   refuseOddTargets(target_);
   temporary_ = target_;
   temporary_ += "." + std::to_string(::getpid()) + ".tmp";
-  descriptor_ = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  descriptor_ = openNameless(directoryOf(target_));
+  named_ = descriptor_ < 0;
+  if (named_) descriptor_ = openNamed(temporary_);
   if (descriptor_ < 0) refuse(target_, explained(errno, directoryOf(target_)));
   buffer_ = std::make_unique_for_overwrite<char[]>(kCapacity);
 }
 
 OutputFile::~OutputFile() {
   if (descriptor_ >= 0) ::close(descriptor_);
-  if (!temporary_.empty()) ::unlink(temporary_.c_str());
+  if (named_) ::unlink(temporary_.c_str());
 }
 
 void OutputFile::number(double value) {
@@ -110,11 +124,23 @@ void OutputFile::writeThrough(const char* data, std::size_t size) {
 void OutputFile::commit() {
   flush();
   if (::fsync(descriptor_) != 0 && errno != EINVAL) fail("syncing");
+  giveName();
   const int closed = ::close(descriptor_);
   descriptor_ = -1;
   if (closed != 0) fail("closing");
   if (::rename(temporary_.c_str(), target_.c_str()) != 0) fail("renaming");
-  temporary_.clear();
+  named_ = false;
+}
+
+/// A nameless file cannot take the place of another one, a named one can.
+void OutputFile::giveName() {
+  if (named_) return;
+  const std::string self = std::string(kOpenFiles) + "/" + std::to_string(descriptor_);
+  ::unlink(temporary_.c_str());  // left by a process of the same number
+  if (::linkat(AT_FDCWD, self.c_str(), AT_FDCWD, temporary_.c_str(), AT_SYMLINK_FOLLOW) != 0) {
+    fail("naming");
+  }
+  named_ = true;
 }
 
 void OutputFile::fail(const char* doing) const {

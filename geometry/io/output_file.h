@@ -58,10 +58,12 @@ class OutputFile {
   void bytesPastBuffer(const void* data, std::size_t size);
   void writeThrough(const char* data, std::size_t size);
   void flush();
+  void giveName();
   [[noreturn]] void fail(const char* doing) const;
 
   std::filesystem::path target_, temporary_;
   int descriptor_ = -1;
+  bool named_ = false;  ///< whether there is a file `temporary_`
   std::unique_ptr<char[]> buffer_;
   std::size_t used_ = 0;
 };

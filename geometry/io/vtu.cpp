@@ -15,9 +15,6 @@ constexpr std::uint8_t kVtkTriangle = 5, kVtkQuad = 9;
 class Base64Stream {
  public:
   explicit Base64Stream(OutputFile& file) : file_(file) {}
-  ~Base64Stream() { finish(); }
-  Base64Stream(const Base64Stream&) = delete;
-  Base64Stream& operator=(const Base64Stream&) = delete;
 
   template <class T>
   void put(T value) {
@@ -27,6 +24,16 @@ class Base64Stream {
       group_ = group_ << 8 | byte;
       if (++held_ == 3) encodeGroup();
     }
+  }
+
+  /// Must be called after the last value.
+  void finish() {
+    if (held_ == 0) return;
+    const int missing = 3 - held_;
+    group_ <<= 8 * missing;
+    const char digits[4] = {kDigits[group_ >> 18 & 63], kDigits[group_ >> 12 & 63],
+                            missing == 2 ? '=' : kDigits[group_ >> 6 & 63], '='};
+    file_.bytes(digits, sizeof digits);
   }
 
  private:
@@ -39,15 +46,6 @@ class Base64Stream {
     file_.bytes(digits, sizeof digits);
     group_ = 0;
     held_ = 0;
-  }
-
-  void finish() {
-    if (held_ == 0) return;
-    const int missing = 3 - held_;
-    group_ <<= 8 * missing;
-    const char digits[4] = {kDigits[group_ >> 18 & 63], kDigits[group_ >> 12 & 63],
-                            missing == 2 ? '=' : kDigits[group_ >> 6 & 63], '='};
-    file_.bytes(digits, sizeof digits);
   }
 
   OutputFile& file_;
@@ -91,11 +89,10 @@ void dataArray(OutputFile& file, const ArrayHead& head, std::uint64_t bytes, Fil
     file.number(head.components);
   }
   file.text("\" format=\"binary\">\n");
-  {
-    Base64Stream stream(file);
-    stream.put(bytes);
-    fill(stream);
-  }
+  Base64Stream stream(file);
+  stream.put(bytes);
+  fill(stream);
+  stream.finish();
   file.text("\n</DataArray>\n");
 }
 

@@ -10,9 +10,10 @@ usage "$af2"
 usage "$af2" mash "$cylinder"; told "'mash' is no verb of af2"
 usage "$af2" mesh; told 'model is required'
 usage "$af2" mesh "$cylinder"; told '--size is required'
-for size in 0 -1 nan inf 1mm ''; do
+for size in 0 -1 nan inf 1mm; do
   usage "$af2" mesh "$cylinder" "--size=$size"; told 'greater than 0'
 done
+usage "$af2" mesh "$cylinder" --size=; told '--size'
 usage "$af2" mesh "$cylinder" --size 1 --sise 2; told '--sise'
 usage "$af2" mesh "$cylinder" --size 1 --faces 0; told 'ids begin at 1'
 usage "$af2" mesh "$cylinder" --size 1 --faces 99; told 'there is no face 99'

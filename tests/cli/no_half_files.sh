@@ -10,16 +10,16 @@ expect 2 "$af2" mesh "$models/die.step" --size 1 --faces 999 -o die.vtu
 expect 0 "$af2" mesh "$models/cylinder.step" --size 0.1 -o whole.vtu
 for seconds in 0.05 0.1 0.2 0.3 0.4; do
   echo old >killed.vtu
-  timeout -s KILL $seconds "$af2" mesh "$models/cylinder.step" --size 0.1 -o killed.vtu >out 2>err </dev/null
+  { timeout -s KILL $seconds "$af2" mesh "$models/cylinder.step" --size 0.1 -o killed.vtu >out 2>err </dev/null; } 2>/dev/null
   [ "$(head -c 4 killed.vtu)" = old ] || cmp -s killed.vtu whole.vtu || fail "half a file after $seconds s"
 done
 
 # A disk that fills up.
-if [ -w /dev/shm ] && (ulimit -f 64) 2>/dev/null; then
+if (ulimit -f 64) 2>/dev/null; then
   echo old >small.vtu
   (ulimit -f 64; trap '' XFSZ; exec "$af2" mesh "$models/cylinder.step" --size 0.1 -o small.vtu) >out 2>err </dev/null
   [ $? -ne 0 ] || fail "a file that was too large did not matter"
   [ "$(cat small.vtu)" = old ] || fail "half a file after a refused write"
 fi
-[ -z "$(find . -name 'small*.tmp')" ] || fail "a temporary file is left"
+[ -z "$(find . -name '*.tmp')" ] || fail "a temporary file is left"
 finish

@@ -1,0 +1,33 @@
+// Meshes a CAD model from within a program: embedding MODEL SIZE OUTPUT
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+
+#include "dsl/rule_file.h"
+#include "engine/algorithm.h"
+#include "engine/error.h"
+#include "geometry/io/mesh_files.h"
+#include "geometry/occ/mesh_model.h"
+
+int main(int count, char** arguments) {
+  if (count != 4) {
+    std::fprintf(stderr, "usage: embedding MODEL SIZE OUTPUT\n");
+    return 2;
+  }
+  try {
+    const af2::dsl::LoadedRules loaded = af2::dsl::loadRules(RULES);
+    if (!loaded.rules) throw af2::InputError(af2::dsl::toPretty(loaded.diagnostics));
+    const af2::AF2Algorithm algorithm(loaded.rules);
+
+    af2::geometry::ModelMeshingOptions options;
+    options.sizes.size = std::atof(arguments[2]);
+    const af2::geometry::Model model = af2::geometry::readModel(arguments[1]);
+    const af2::geometry::ModelMesh mesh = af2::geometry::meshModel(model, algorithm, options);
+
+    af2::geometry::writeMesh(mesh, arguments[3]);
+    std::printf("%zu vertices, %zu elements\n", mesh.vertices.size(), mesh.elements.size());
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "%s\n", error.what());
+    return 1;
+  }
+}
