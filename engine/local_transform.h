@@ -14,9 +14,9 @@ namespace af2 {
 
 /// How far a front vertex takes part in a step.
 enum class ChartView {
-  Legal,     ///< may be matched, and is in the way of new elements
-  Obstacle,  ///< its place in the chart is too distorted to match, but it is in the way
-  Hidden,    ///< belongs to another sheet of the surface; neither
+  Legal = 0,  ///< may be matched, and is in the way of new elements
+  Obstacle,   ///< its place in the chart is too distorted to match, but it is in the way
+  Hidden,     ///< belongs to another sheet of the surface; neither
 };
 
 struct ChartPoint {
@@ -37,14 +37,12 @@ struct ProjectionFrame {
 
   ChartPoint project(const SurfacePoint& point) const {
     const Point3 d = point.position - origin;
-    ChartPoint result{{scale * dot(d, xAxis), scale * dot(d, yAxis)}, ChartView::Legal};
-    if (minCosine <= -2) return result;
+    const Point2 position{scale * dot(d, xAxis), scale * dot(d, yAxis)};
+    if (minCosine <= -2) return {position, ChartView::Legal};
     const double cosine = dot(point.normal, normal);
-    if (cosine < hiddenCosine || std::abs(dot(d, normal)) > maxHeight)
-      result.view = ChartView::Hidden;
-    else if (cosine < minCosine)
-      result.view = ChartView::Obstacle;
-    return result;
+    const bool isHidden = (cosine < hiddenCosine) | (std::abs(dot(d, normal)) > maxHeight);
+    const int view = isHidden ? 2 : cosine < minCosine ? 1 : 0;
+    return {position, static_cast<ChartView>(view)};
   }
 };
 

@@ -28,20 +28,37 @@ Box3 StepChart::boxOf(const Window& w, const Point3& origin) const {
 
 void Neighborhood::gather(const Front& front, const FrontIndex& index, const StepChart& chart,
                           PlaceId base, const Window& window) {
-  edges_.clear();
   window_ = window;
-  const Box3 box = chart.boxOf(window, front[base].point.position);
-  index.forEachNear(front, box, [&](PlaceId id) {
+  found_.clear();
+  index.forEachNear(front, chart.boxOf(window, front[base].point.position),
+                    [&](PlaceId id) { found_.push_back(id); });
+  if (edges_.size() < found_.size()) edges_.resize(2 * found_.size());
+  if (chart.frame())
+    draw(front, *chart.frame());
+  else
+    draw(front, chart);
+}
+
+/// Two short loops, and storing every edge before knowing whether it stays, keep the processor
+/// busy: which edges lie in the window is not to be guessed.
+template <class Projection>
+void Neighborhood::draw(const Front& front, const Projection& given) {
+  const Projection projection = given;
+  const Window window = window_;
+  Edge* edge = edges_.data();
+  for (PlaceId id : found_) {
     const Place& place = front[id];
-    const ChartPoint from = chart.project(place.point);
-    const ChartPoint to = place.level < 0 ? from : chart.project(front[place.next].point);
-    const bool isOutside = std::max(from.position.x, to.position.x) < window.lowX ||
-                           std::min(from.position.x, to.position.x) > window.highX ||
-                           std::max(from.position.y, to.position.y) < window.lowY ||
-                           std::min(from.position.y, to.position.y) > window.highY;
-    if (isOutside || (from.view == ChartView::Hidden && to.view == ChartView::Hidden)) return;
-    edges_.push_back({from.position, to.position, id, from.view});
-  });
+    const Place& end = place.level < 0 ? place : front[place.next];
+    const ChartPoint from = projection.project(place.point), to = projection.project(end.point);
+    *edge = {from.position, to.position, id, from.view};
+    const bool isInside = (std::max(from.position.x, to.position.x) >= window.lowX) &
+                          (std::min(from.position.x, to.position.x) <= window.highX) &
+                          (std::max(from.position.y, to.position.y) >= window.lowY) &
+                          (std::min(from.position.y, to.position.y) <= window.highY) &
+                          !((from.view == ChartView::Hidden) & (to.view == ChartView::Hidden));
+    edge += isInside;
+  }
+  count_ = static_cast<std::size_t>(edge - edges_.data());
 }
 
 }  // namespace af2

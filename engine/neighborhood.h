@@ -46,12 +46,17 @@ class Neighborhood {
   void gather(const Front& front, const FrontIndex& index, const StepChart& chart, PlaceId base,
               const Window& window);
 
-  std::span<const Edge> edges() const { return edges_; }
+  std::span<const Edge> edges() const { return {edges_.data(), count_}; }
   const Window& window() const { return window_; }
 
  private:
+  template <class Projection>
+  void draw(const Front& front, const Projection& projection);
+
   Window window_;
-  std::vector<Edge> edges_;
+  std::vector<PlaceId> found_;
+  std::vector<Edge> edges_;  // [0, count_) are in use
+  std::size_t count_ = 0;
 };
 
 }  // namespace af2
