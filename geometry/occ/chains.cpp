@@ -50,23 +50,42 @@ class Linker {
       starting_[chains_[i].corners.front().vertex].push_back(i);
   }
 
-  std::vector<std::vector<BoundaryCorner>> loops() {
-    std::vector<std::vector<BoundaryCorner>> result;
+  LinkedLoops link() {
+    findParameterScale();
     std::vector<bool> used(chains_.size(), false);
     for (std::size_t i = 0; i < chains_.size(); ++i)
-      if (!used[i]) result.push_back(follow(i, used));
-    return result;
+      if (!used[i]) result_.loops.push_back(follow(i, used));
+    return std::move(result_);
   }
 
  private:
   std::vector<BoundaryCorner> follow(std::size_t first, std::vector<bool>& used) {
     std::vector<BoundaryCorner> loop;
-    for (std::size_t i = first; !used[i]; i = successor(i, first, used)) {
+    std::size_t i = first;
+    do {
       used[i] = true;
       const auto& corners = chains_[i].corners;
       loop.insert(loop.end(), corners.begin(), corners.end() - 1);
-    }
+      i = successor(i, first, used);
+      compareParameters(corners.back().point, chains_[i].corners.front().point);
+    } while (!used[i]);
     return loop;
+  }
+
+  void findParameterScale() {
+    double u1 = 1e300, u2 = -1e300, v1 = 1e300, v2 = -1e300;
+    for (const Chain& chain : chains_)
+      for (const BoundaryCorner& corner : chain.corners) {
+        u1 = std::min(u1, corner.point.u), u2 = std::max(u2, corner.point.u);
+        v1 = std::min(v1, corner.point.v), v2 = std::max(v2, corner.point.v);
+      }
+    uTolerance_ = kSameParameter * (u2 - u1);
+    vTolerance_ = kSameParameter * (v2 - v1);
+  }
+
+  void compareParameters(const SurfacePoint& end, const SurfacePoint& start) {
+    if (std::abs(end.u - start.u) > uTolerance_ || std::abs(end.v - start.v) > vTolerance_)
+      result_.closedInParameters = false;
   }
 
   /// The chain that leaves the end of chain `i` next to it, clockwise; `first` closes the loop.
@@ -93,6 +112,11 @@ class Linker {
     return *best;
   }
 
+  /// Share of the range of a parameter.
+  static constexpr double kSameParameter = 1e-3;
+
+  LinkedLoops result_;
+  double uTolerance_ = 0, vTolerance_ = 0;
   std::vector<Chain> chains_;
   std::map<VertexId, std::vector<std::size_t>> starting_;
 };
@@ -116,8 +140,8 @@ void cancelOppositeChains(std::vector<Chain>& chains) {
   }
 }
 
-std::vector<std::vector<BoundaryCorner>> linkChains(std::vector<Chain> chains) {
-  return Linker(std::move(chains)).loops();
+LinkedLoops linkChains(std::vector<Chain> chains) {
+  return Linker(std::move(chains)).link();
 }
 
 }  // namespace af2::geometry

@@ -18,10 +18,18 @@ struct Chain {
 /// directions: between them there is no room.
 void cancelOppositeChains(std::vector<Chain>& chains);
 
-/// Joins chains to loops. Where several meet at a vertex, each is followed by the one that bounds
-/// the same sector, in the tangent plane.
+/// Chains joined to loops.
+struct LinkedLoops {
+  std::vector<std::vector<BoundaryCorner>> loops;
+  /// Whether each chain starts at the parameters (u, v) at which the one before ends, so that the
+  /// loops are closed in the plane of the parameters. They are not at poles.
+  bool closedInParameters = true;
+};
+
+/// Where several chains meet at a vertex, each is followed by the one that bounds the same sector,
+/// in the tangent plane.
 ///
 /// Throws GeometryError if some chain has no successor: the boundary is not closed.
-std::vector<std::vector<BoundaryCorner>> linkChains(std::vector<Chain> chains);
+LinkedLoops linkChains(std::vector<Chain> chains);
 
 }  // namespace af2::geometry

@@ -66,7 +66,9 @@ class BoundaryFinder {
     cancelOppositeChains(chains_);
     if (chains_.empty()) throw GeometryError("the face has no width: its boundary runs back on itself");
     for (const Chain& chain : chains_) addUses(chain);
-    result_.input.loops = linkChains(std::move(chains_));
+    LinkedLoops linked = linkChains(std::move(chains_));
+    result_.input.loops = std::move(linked.loops);
+    result_.closedInParameters = linked.closedInParameters;
     result_.input.vertexCount = result_.points.size();
     addIsolatedVertices();
     return std::move(result_);

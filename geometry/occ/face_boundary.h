@@ -21,6 +21,7 @@ struct FaceBoundary {
   FrontInput input;
   std::vector<std::uint32_t> points;  ///< by vertex id: index into DividedEdges::points
   std::vector<SegmentUse> uses;
+  bool closedInParameters = true;  ///< the loops are closed curves in (u, v), too
 };
 
 /// Throws GeometryError, saying which edge is at fault, if the face has no closed boundary.

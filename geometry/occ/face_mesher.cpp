@@ -4,71 +4,16 @@
 #include <GProp_GProps.hxx>
 #include <Standard_Failure.hxx>
 #include <chrono>
-#include <cstdio>
 
 #include "engine/error.h"
-#include "engine/mesh_check.h"
 #include "engine/optimize.h"
 #include "geometry/graded_size.h"
+#include "geometry/occ/face_attempt.h"
 #include "geometry/occ/face_size.h"
 
 namespace af2::geometry {
 
 namespace {
-
-std::string toText(const Point3& p) {
-  char text[96];
-  std::snprintf(text, sizeof text, "(%.6g, %.6g, %.6g)", p.x, p.y, p.z);
-  return text;
-}
-
-/// Where and why the front got stuck: its first edge, and what kept the most promising rule away.
-std::string stuckReason(const MeshingResult& result, const AF2Algorithm& algorithm) {
-  std::string text = "the front got stuck with " + std::to_string(result.stuck.size()) + " edges left";
-  if (result.stuck.empty()) return text;
-  const StuckEdge& edge = result.stuck.front();
-  text += ", the first from " + toText(result.mesh.vertices[edge.from.value].position) + " to " +
-          toText(result.mesh.vertices[edge.to.value].position);
-  const RuleRefusal* farthest = nullptr;
-  for (const RuleRefusal& refusal : edge.refusals)
-    if (!farthest || refusal.reason > farthest->reason) farthest = &refusal;
-  if (farthest)
-    text += "; rule '" + algorithm.rules().rules()[farthest->rule].name() + "': " +
-            toString(farthest->reason);
-  return text;
-}
-
-/// One way to mesh a face, and how it went.
-struct Attempt {
-  MeshingResult result;
-  std::string fault;  ///< empty: complete and sound
-};
-
-/// Stops a run that no longer fills a region but grows without end, because the boundary does not
-/// enclose one.
-class RunawayGuard {
- public:
-  RunawayGuard(std::size_t limit, const std::stop_token& outer)
-      : limit_(limit), forward_(outer, Forward{&source_}) {}
-
-  std::stop_token token() const { return source_.get_token(); }
-  void see(const Progress& progress) {
-    if (progress.elements <= limit_) return;
-    ranAway_ = true;
-    source_.request_stop();
-  }
-  bool ranAway() const { return ranAway_; }
-
- private:
-  struct Forward {
-    std::stop_source* source;
-    void operator()() const { source->request_stop(); }
-  };
-  std::size_t limit_;
-  bool ranAway_ = false;
-  std::stop_source source_;
-  std::stop_callback<Forward> forward_;
-};
 
 class FaceMesher {
  public:
@@ -82,60 +27,31 @@ class FaceMesher {
     FaceBoundary boundary = findBoundary(context_.model, face_, context_.divided, surface_);
     const FaceSize wanted(context_.options.sizes, face_, surface_);
     const GradedSize size(wanted, boundary.input, context_.options.sizes.growth);
-    const auto charts = surface_.makeCharts({});
-    Attempt attempt = run(*charts, boundary.input, size);
-    if (attempt.result.outcome == Outcome::Cancelled && attempt.fault.empty()) {
+    FaceAttempt attempt = fillFace({face_, surface_, boundary, size, expected_, context_.algorithm,
+                                    context_.options, context_.progress});
+    if (!attempt.fault.empty()) throw GeometryError(attempt.fault);
+    if (attempt.result.outcome == Outcome::Cancelled) {
       mesh.report.status = FaceStatus::Cancelled;
       return;
     }
-    if (!attempt.fault.empty()) throw GeometryError(attempt.fault);
-    if (context_.options.optimize) {
-      const auto start = std::chrono::steady_clock::now();
-      OptimizeOptions options;
-      options.stop = context_.options.stop;
-      optimizeMesh(attempt.result.mesh, boundary.input, *charts, options);
-      // What the optimiser leaves is held against the same checks; the raw mesh has passed them.
-      if (!faultOf(attempt.result, boundary.input).empty())
-        attempt = run(*charts, boundary.input, size);
-      const auto end = std::chrono::steady_clock::now();
-      mesh.optimizeSeconds = std::chrono::duration<double>(end - start).count();
-    }
+    if (context_.options.optimize) optimize(attempt, boundary.input, mesh);
     take(attempt.result, boundary, mesh);
   }
 
  private:
-  Attempt run(const AF2LocalTransformMaker& charts, const FrontInput& input, const SizeField& size) {
-    RunawayGuard guard(elementLimit(input), context_.options.stop);
-    MeshingOptions options;
-    options.stop = guard.token();
-    if (context_.options.observer) options.observer = context_.options.observer(face_);
-    options.progress = [&](const Progress& progress) {
-      guard.see(progress);
-      if (context_.progress) context_.progress(progress);
-    };
-    Attempt attempt{context_.algorithm.execute(charts, input, size, options), ""};
-    if (guard.ranAway())
-      attempt.fault = "far more elements than the area has room for: the boundary does not enclose "
-                      "a region";
-    else if (attempt.result.outcome == Outcome::Stuck)
-      attempt.fault = stuckReason(attempt.result, context_.algorithm);
-    else if (attempt.result.outcome == Outcome::Complete)
-      attempt.fault = faultOf(attempt.result, input);
-    return attempt;
-  }
-
-  /// Many more than expected: short segments of the boundary and curvature want smaller elements.
-  std::size_t elementLimit(const FrontInput& input) const {
-    std::size_t corners = 0;
-    for (const auto& loop : input.loops) corners += loop.size();
-    return static_cast<std::size_t>(std::min(100 * expected_, 1e9)) + 100 * corners + 10000;
-  }
-
-  static std::string faultOf(const MeshingResult& result, const FrontInput& input) {
-    const std::vector<MeshFault> faults = checkMesh(result.mesh, input);
-    if (faults.empty()) return "";
-    return "the mesh has " + std::to_string(faults.size()) +
-           " faults: " + describe(faults.front(), result.mesh);
+  void optimize(FaceAttempt& attempt, const FrontInput& input, FaceMesh& mesh) const {
+    // Charts in parameters know a vertex of a seam on one of its sheets only.
+    const bool inParameters = dynamic_cast<MetricChartMaker*>(attempt.charts.get()) != nullptr;
+    if (inParameters && hasTwoSheets(input)) return;
+    const auto start = std::chrono::steady_clock::now();
+    OptimizeOptions options;
+    options.stop = context_.options.stop;
+    Mesh raw = attempt.result.mesh;
+    optimizeMesh(attempt.result.mesh, input, *attempt.charts, options);
+    // What the optimiser leaves is held against the same checks that the raw mesh has passed.
+    if (!faultOf(attempt.result.mesh, input).empty()) attempt.result.mesh = std::move(raw);
+    const auto end = std::chrono::steady_clock::now();
+    mesh.optimizeSeconds = std::chrono::duration<double>(end - start).count();
   }
 
   static void take(MeshingResult& result, FaceBoundary& boundary, FaceMesh& mesh) {

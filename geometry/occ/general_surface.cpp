@@ -52,6 +52,12 @@ GeneralSurface::Frame GeneralSurface::frameAt(double u, double v) const {
   return {toPoint(position), toPoint(du), toPoint(dv)};
 }
 
+SurfacePoint GeneralSurface::pointAt(double u, double v) const {
+  const Frame frame = frameAt(u, v);
+  const auto normal = unitNormal(frame);
+  return {frame.position, normal ? *normal : normalAt(u, v), u, v};
+}
+
 std::optional<Point3> GeneralSurface::unitNormal(const Frame& frame) const {
   const Point3 normal = cross(frame.du, frame.dv);
   const double size = length(normal);
@@ -130,8 +136,8 @@ std::optional<SurfacePoint> GeneralSurface::hit(const SurfaceLine& line) const {
     const double rx = dot(r, line.xAxis), ry = dot(r, line.yAxis);
     const double gap = std::abs(rx) + std::abs(ry);
     if (gap <= tolerance) {
-      const Point3 normal = normalAt(u, v);
-      return SurfacePoint{s.position, normal, u, v};
+      const auto normal = unitNormal(s);
+      return SurfacePoint{s.position, normal ? *normal : normalAt(u, v), u, v};
     }
     if (gap > 4 * last) return std::nullopt;  // running away
     last = gap;

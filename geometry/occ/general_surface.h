@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "geometry/mean_normal_chart.h"
+#include "geometry/metric_chart.h"
 
 namespace af2::geometry {
 
@@ -25,19 +26,17 @@ struct ParameterRange {
 
 /// A surface in terms of its parameters. Not to be used from two threads at once: it keeps the
 /// polynomials of the last patch.
-class GeneralSurface {
+class GeneralSurface final : public ParametricSurface {
  public:
-  struct Frame {
-    Point3 position, du, dv;
-  };
-
   /// flipped  the face's normals are opposite to du x dv
   GeneralSurface(const Handle(Geom_Surface) & surface, bool flipped);
 
   /// Newton on the two parameters, seeded at the middle of the base edge.
   std::optional<SurfacePoint> hit(const SurfaceLine& line) const;
 
-  Frame frameAt(double u, double v) const;
+  Frame frameAt(double u, double v) const override;
+  SurfacePoint pointAt(double u, double v) const override;
+  bool isFlipped() const override { return sign_ < 0; }
   /// Where du x dv vanishes (a pole), the mean of the normals around.
   Point3 normalAt(double u, double v) const;
   /// Smallest radius of normal curvature; infinite where there is none.

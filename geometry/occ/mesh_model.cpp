@@ -169,6 +169,7 @@ class ModelMesher {
     const double optimizeShare = shareOfOptimizing(meshes);
     ModelMesh mesh = Assembly(divided_).join(meshes);
     for (const AF2Rule& rule : algorithm_.rules().rules()) mesh.ruleNames.push_back(rule.name());
+    mesh.ruleNames.push_back("closing");  // what closes a stuck front
     mesh.seconds.edges = edgeSeconds;
     const double surfaceSeconds = facesWatch.seconds();
     mesh.seconds.optimize = optimizeShare * surfaceSeconds;

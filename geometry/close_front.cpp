@@ -1,0 +1,119 @@
+#include "geometry/close_front.h"
+
+#include <algorithm>
+#include <optional>
+#include <set>
+
+#include "engine/predicates.h"
+
+namespace af2::geometry {
+
+namespace {
+
+/// Beyond this the front is not merely stuck somewhere, and the work grows with the third power.
+constexpr std::size_t kMostEdges = 600;
+
+struct Edge {
+  VertexId from, to;
+  auto operator<=>(const Edge&) const = default;
+};
+
+class Closer {
+ public:
+  Closer(const MeshingResult& result, const std::function<Point2(VertexId)>& inPlane)
+      : inPlane_(inPlane) {
+    for (const StuckEdge& edge : result.stuck) front_.push_back({edge.from, edge.to});
+  }
+
+  /// Nothing if some edge has no triangle.
+  std::optional<std::vector<Element>> close() {
+    while (!front_.empty()) {
+      const Edge base = *std::min_element(front_.begin(), front_.end(), [&](Edge e, Edge f) {
+        return std::pair(lengthOf(e), e) < std::pair(lengthOf(f), f);
+      });
+      const std::optional<VertexId> apex = bestApex(base);
+      if (!apex) return std::nullopt;
+      elements_.push_back({{base.from, base.to, *apex, VertexId()}});
+      std::erase(front_, base);
+      join({base.from, *apex});
+      join({*apex, base.to});
+    }
+    return std::move(elements_);
+  }
+
+ private:
+  double lengthOf(Edge e) const { return distance(inPlane_(e.from), inPlane_(e.to)); }
+  bool isOnFront(Edge e) const { return std::find(front_.begin(), front_.end(), e) != front_.end(); }
+
+  /// Adds an edge to the front, or takes out the opposite one.
+  void join(Edge e) {
+    const auto opposite = std::find(front_.begin(), front_.end(), Edge{e.to, e.from});
+    if (opposite == front_.end())
+      front_.push_back(e);
+    else
+      front_.erase(opposite);
+  }
+
+  std::optional<VertexId> bestApex(Edge base) const {
+    std::set<VertexId> tried;
+    std::optional<VertexId> best;
+    double bestShape = -1;
+    for (const Edge& e : front_) {
+      const VertexId apex = e.from;
+      if (apex == base.from || apex == base.to || !tried.insert(apex).second) continue;
+      const double shape = shapeOf(base, apex);
+      if (shape <= bestShape || !isFree(base, apex)) continue;
+      best = apex;
+      bestShape = shape;
+    }
+    return best;
+  }
+
+  /// Area over squared edges.
+  double shapeOf(Edge base, VertexId apex) const {
+    const Point2 a = inPlane_(base.from), b = inPlane_(base.to), c = inPlane_(apex);
+    return std::abs(cross(b - a, c - a)) / (dot(b - a, b - a) + dot(c - b, c - b) + dot(a - c, a - c));
+  }
+
+  bool isFree(Edge base, VertexId apex) const {
+    const Point2 a = inPlane_(base.from), b = inPlane_(base.to), c = inPlane_(apex);
+    if (orientation(a, b, c) != Turn::Left) return false;
+    if (isOnFront({base.from, apex}) || isOnFront({apex, base.to})) return false;
+    for (const Edge& e : front_) {
+      const bool isCorner = e.from == base.from || e.from == base.to || e.from == apex;
+      if (!isCorner && holds(a, b, c, inPlane_(e.from))) return false;
+      if (crosses({base.from, apex}, e) || crosses({apex, base.to}, e)) return false;
+    }
+    return true;
+  }
+
+  static bool holds(Point2 a, Point2 b, Point2 c, Point2 p) {
+    return orientation(a, b, p) != Turn::Right && orientation(b, c, p) != Turn::Right &&
+           orientation(c, a, p) != Turn::Right;
+  }
+
+  bool crosses(Edge side, Edge e) const {
+    if (side.from == e.from || side.from == e.to || side.to == e.from || side.to == e.to) return false;
+    return segmentsMeet(inPlane_(side.from), inPlane_(side.to), inPlane_(e.from), inPlane_(e.to));
+  }
+
+  const std::function<Point2(VertexId)>& inPlane_;
+  std::vector<Edge> front_;
+  std::vector<Element> elements_;
+};
+
+}  // namespace
+
+bool closeFront(MeshingResult& result, const std::function<Point2(VertexId)>& inPlane,
+                std::uint16_t rule) {
+  if (result.stuck.empty() || result.stuck.size() > kMostEdges) return false;
+  const auto elements = Closer(result, inPlane).close();
+  if (!elements) return false;
+  result.mesh.elements.insert(result.mesh.elements.end(), elements->begin(), elements->end());
+  result.mesh.rule.insert(result.mesh.rule.end(), elements->size(), rule);
+  result.stuck.clear();
+  result.outcome = Outcome::Complete;
+  return true;
+}
+
+}  // namespace af2::geometry

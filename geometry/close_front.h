@@ -1,0 +1,24 @@
+// Closes what is left of a front that got stuck, without new vertices.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "engine/algorithm.h"
+
+namespace af2::geometry {
+
+/// Triangulates the region to the left of the front edges that are left in `result`, whatever the
+/// shape of its triangles, and appends them with `rule` as the rule that made them.
+///
+/// The rules of a rule set make good elements, and need room for them; in a sliver of a face, or
+/// where fronts have met badly, there may be none. Any region that is bounded by straight edges can
+/// be triangulated from its corners, though.
+///
+/// inPlane  where a vertex lies in a plane in which the front does not cross itself
+///
+/// Returns whether it succeeded; if not, `result` is unchanged. Decisions are exact in the plane.
+bool closeFront(MeshingResult& result, const std::function<Point2(VertexId)>& inPlane,
+                std::uint16_t rule);
+
+}  // namespace af2::geometry

@@ -1,0 +1,188 @@
+#include "geometry/occ/face_attempt.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "engine/error.h"
+#include "engine/mesh_check.h"
+#include "geometry/close_front.h"
+
+namespace af2::geometry {
+
+namespace {
+
+std::string toText(const Point3& p) {
+  char text[96];
+  std::snprintf(text, sizeof text, "(%.6g, %.6g, %.6g)", p.x, p.y, p.z);
+  return text;
+}
+
+/// Where and why the front got stuck: its first edge, and what kept the most promising rule away.
+std::string stuckReason(const MeshingResult& result, const AF2Algorithm& algorithm) {
+  std::string text = "the front got stuck with " + std::to_string(result.stuck.size()) + " edges left";
+  if (result.stuck.empty()) return text;
+  const StuckEdge& edge = result.stuck.front();
+  text += ", the first from " + toText(result.mesh.vertices[edge.from.value].position) + " to " +
+          toText(result.mesh.vertices[edge.to.value].position);
+  const RuleRefusal* farthest = nullptr;
+  for (const RuleRefusal& refusal : edge.refusals)
+    if (!farthest || refusal.reason > farthest->reason) farthest = &refusal;
+  if (farthest)
+    text += "; rule '" + algorithm.rules().rules()[farthest->rule].name() + "': " +
+            toString(farthest->reason);
+  return text;
+}
+
+/// Stops a run that no longer fills a region but grows without end, because the boundary does not
+/// enclose one.
+class RunawayGuard {
+ public:
+  RunawayGuard(std::size_t limit, const std::stop_token& outer)
+      : limit_(limit), forward_(outer, Forward{&source_}) {}
+
+  std::stop_token token() const { return source_.get_token(); }
+  void see(const Progress& progress) {
+    if (progress.elements <= limit_) return;
+    ranAway_ = true;
+    source_.request_stop();
+  }
+  bool ranAway() const { return ranAway_; }
+
+ private:
+  struct Forward {
+    std::stop_source* source;
+    void operator()() const { source->request_stop(); }
+  };
+  std::size_t limit_;
+  bool ranAway_ = false;
+  std::stop_source source_;
+  std::stop_callback<Forward> forward_;
+};
+
+/// Many more than expected: short segments of the boundary and curvature want smaller elements.
+std::size_t elementLimit(const FaceTask& task) {
+  std::size_t corners = 0;
+  for (const auto& loop : task.boundary.input.loops) corners += loop.size();
+  return static_cast<std::size_t>(std::min(100 * task.expectedElements, 1e9)) + 100 * corners + 10000;
+}
+
+FaceAttempt attempt(const FaceTask& task, std::unique_ptr<AF2LocalTransformMaker> charts) {
+  RunawayGuard guard(elementLimit(task), task.options.stop);
+  MeshingOptions options;
+  options.stop = guard.token();
+  if (task.options.observer) options.observer = task.options.observer(task.face);
+  options.progress = [&](const Progress& progress) {
+    guard.see(progress);
+    if (task.progress) task.progress(progress);
+  };
+  FaceAttempt attempt;
+  attempt.charts = std::move(charts);
+  attempt.result = task.algorithm.execute(*attempt.charts, task.boundary.input, task.size, options);
+  if (guard.ranAway())
+    attempt.fault =
+        "far more elements than the area has room for: the boundary does not enclose a region";
+  else if (attempt.result.outcome == Outcome::Stuck)
+    attempt.fault = stuckReason(attempt.result, task.algorithm);
+  else if (attempt.result.outcome == Outcome::Complete)
+    attempt.fault = faultOf(attempt.result.mesh, task.boundary.input);
+  return attempt;
+}
+
+/// The plane across the mean normal of the vertices that are left on the front.
+ProjectionFrame planeOfFront(const MeshingResult& result) {
+  Point3 normal;
+  for (const StuckEdge& edge : result.stuck)
+    normal = normal + result.mesh.vertices[edge.from.value].normal;
+  normal = unit(normal);
+  const double x = std::abs(normal.x), y = std::abs(normal.y), z = std::abs(normal.z);
+  const Point3 axis =
+      x <= y && x <= z ? Point3{1, 0, 0} : (y <= z ? Point3{0, 1, 0} : Point3{0, 0, 1});
+  ProjectionFrame frame;
+  frame.origin = result.mesh.vertices[result.stuck.front().from.value].position;
+  frame.xAxis = unit(cross(axis, normal));
+  frame.yAxis = cross(normal, frame.xAxis);
+  frame.normal = normal;
+  return frame;
+}
+
+/// Parameters, scaled so that both have about the same unit of length, and mirrored if need be.
+struct ScaledParameters {
+  double u = 1, v = 1;
+};
+
+ScaledParameters scaleOf(const ParametricSurface& surface, const MeshingResult& result) {
+  double du = 0, dv = 0;
+  for (const StuckEdge& edge : result.stuck) {
+    const SurfacePoint& p = result.mesh.vertices[edge.from.value];
+    const auto frame = surface.frameAt(p.u, p.v);
+    du += length(frame.du);
+    dv += length(frame.dv);
+  }
+  const auto count = static_cast<double>(result.stuck.size());
+  return {du / count, (surface.isFlipped() ? -1 : 1) * dv / count};
+}
+
+/// Closes the front of a stuck attempt, if the result is sound.
+bool close(const FaceTask& task, FaceAttempt& attempt, bool inParameters) {
+  if (attempt.result.outcome != Outcome::Stuck || attempt.result.stuck.empty()) return false;
+  MeshingResult closed = attempt.result;
+  const auto& vertices = attempt.result.mesh.vertices;
+  const auto rule = static_cast<std::uint16_t>(task.algorithm.rules().rules().size());
+  bool done = false;
+  if (inParameters) {
+    const ScaledParameters scale = scaleOf(task.surface.inParameters(), closed);
+    done = closeFront(
+        closed,
+        [&](VertexId v) {
+          return Point2{scale.u * vertices[v.value].u, scale.v * vertices[v.value].v};
+        },
+        rule);
+  } else {
+    const ProjectionFrame plane = planeOfFront(closed);
+    done = closeFront(
+        closed, [&](VertexId v) { return plane.project(vertices[v.value]).position; }, rule);
+  }
+  if (!done || !faultOf(closed.mesh, task.boundary.input).empty()) return false;
+  attempt.closingElements = closed.mesh.elements.size() - attempt.result.mesh.elements.size();
+  attempt.result = std::move(closed);
+  attempt.fault.clear();
+  return true;
+}
+
+}  // namespace
+
+std::string faultOf(const Mesh& mesh, const FrontInput& input) {
+  const std::vector<MeshFault> faults = checkMesh(mesh, input);
+  if (faults.empty()) return "";
+  return "the mesh has " + std::to_string(faults.size()) + " faults: " + describe(faults.front(), mesh);
+}
+
+bool hasTwoSheets(const FrontInput& input) {
+  std::vector<const SurfacePoint*> seen(input.vertexCount, nullptr);
+  for (const auto& loop : input.loops) {
+    for (const BoundaryCorner& corner : loop) {
+      const SurfacePoint*& first = seen[corner.vertex.value];
+      if (first && (first->u != corner.point.u || first->v != corner.point.v)) return true;
+      first = &corner.point;
+    }
+  }
+  return false;
+}
+
+FaceAttempt fillFace(const FaceTask& task) {
+  FaceAttempt first = attempt(task, task.surface.makeCharts({}));
+  if (first.fault.empty()) return first;
+  const bool hasSecond = !task.surface.isPlane() && task.boundary.closedInParameters;
+  FaceAttempt second;
+  if (hasSecond) {
+    second = attempt(task, std::make_unique<MetricChartMaker>(task.surface.inParameters()));
+    if (second.fault.empty()) return second;
+  }
+  if (close(task, first, false)) return first;
+  if (hasSecond && close(task, second, !hasTwoSheets(task.boundary.input))) return second;
+  if (hasSecond) first.fault += "; in parameters: " + second.fault;
+  return first;
+}
+
+}  // namespace af2::geometry

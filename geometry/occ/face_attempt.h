@@ -1,0 +1,43 @@
+// One way after the other to fill a face, until one gives a sound mesh.
+// Not installed: includers need OpenCASCADE's headers.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "geometry/occ/face_boundary.h"
+#include "geometry/occ/mesh_model.h"
+
+namespace af2::geometry {
+
+/// A mesh of a face and the charts with which it was made.
+struct FaceAttempt {
+  MeshingResult result;
+  std::unique_ptr<AF2LocalTransformMaker> charts;
+  std::string fault;  ///< empty: complete and sound, or cancelled
+  std::size_t closingElements = 0;  ///< how many were made without a rule, to close a stuck front
+};
+
+/// What is given for a face.
+struct FaceTask {
+  int face = 0;
+  const FaceSurface& surface;
+  const FaceBoundary& boundary;
+  const SizeField& size;
+  double expectedElements = 1;
+  const AF2Algorithm& algorithm;
+  const ModelMeshingOptions& options;
+  const ProgressCallback& progress;
+};
+
+/// The published charts first; then, where the loops are closed in the parameters, charts in these,
+/// which cannot fold; last, what is left of a stuck front is closed without rules.
+FaceAttempt fillFace(const FaceTask& task);
+
+/// What is wrong with the mesh of a face; empty if nothing is.
+std::string faultOf(const Mesh& mesh, const FrontInput& input);
+
+/// Whether a vertex stands at two places of the parameters, as those of a seam do.
+bool hasTwoSheets(const FrontInput& input);
+
+}  // namespace af2::geometry
