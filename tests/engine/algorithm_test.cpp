@@ -1,0 +1,486 @@
+// How a run is followed, stopped and ended; what goes wrong and how it is told.
+#include "engine/algorithm.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <chrono>
+#include <limits>
+#include <stdexcept>
+#include <thread>
+
+#include "engine/error.h"
+#include "tests/support/meshing.h"
+
+namespace af2 {
+namespace {
+
+using namespace af2::testing;
+using Clock = std::chrono::steady_clock;
+
+std::shared_ptr<const RuleSet> setOf(std::vector<AF2Rule> rules) {
+  RuleSetDefinition set = triangleSetDefinition();
+  set.rules = std::move(rules);
+  return std::make_shared<RuleSet>(set);
+}
+
+MeshingResult run(const FrontInput& input, double size, const MeshingOptions& options,
+                  std::shared_ptr<const RuleSet> set = triangleSet()) {
+  return AF2Algorithm(std::move(set)).execute(FlatMaker(), input, UniformSize(size), options);
+}
+
+// ---- observers and progress --------------------------------------------------------------------
+
+class Recorder : public AF2MeshingObserver {
+ public:
+  explicit Recorder(bool wantsRefusals) : wantsRefusals_(wantsRefusals) {}
+  void stepTaken(const StepReport& step) override { steps.push_back(step); }
+  bool wantsRefusals() const override { return wantsRefusals_; }
+  void rulesRefused(const StepReport& step, std::span<const RuleRefusal> list) override {
+    EXPECT_EQ(step.elements, steps.back().elements);
+    refusals.emplace_back(list.begin(), list.end());
+  }
+  std::vector<StepReport> steps;
+  std::vector<std::vector<RuleRefusal>> refusals;
+
+ private:
+  bool wantsRefusals_;
+};
+
+TEST(Observer, HearsOfEachStep) {
+  Recorder recorder(false);
+  MeshingOptions options;
+  options.observer = &recorder;
+  const FrontInput input = discWithHole(.05);
+  const MeshingResult result = run(input, .05, options);
+  ASSERT_EQ(result.outcome, Outcome::Complete);
+  ASSERT_EQ(recorder.steps.size(), result.steps);
+  EXPECT_TRUE(recorder.refusals.empty());
+  std::size_t failed = 0, elements = 0;
+  for (const StepReport& step : recorder.steps) {
+    failed += !step.applied;
+    EXPECT_EQ(step.applied, step.elements > elements);
+    elements = step.elements;
+    EXPECT_GE(step.level, 1);
+    EXPECT_TRUE(!step.applied || step.rule == result.mesh.rule[elements - 1]);
+  }
+  EXPECT_EQ(failed, result.failedSteps);
+  EXPECT_EQ(elements, result.mesh.elements.size());
+  EXPECT_EQ(recorder.steps.back().frontEdges, 0u);
+}
+
+TEST(Observer, HearsWhyEachOtherRuleWasRefused) {
+  Recorder recorder(true);
+  MeshingOptions options;
+  options.observer = &recorder;
+  const MeshingResult result = run(discWithHole(.05), .05, options);
+  ASSERT_EQ(recorder.refusals.size(), result.steps);
+  for (std::size_t i = 0; i < recorder.steps.size(); ++i) {
+    const StepReport& step = recorder.steps[i];
+    std::vector<bool> isTold(12, false);
+    for (const RuleRefusal& r : recorder.refusals[i]) {
+      EXPECT_NE(r.reason, Refusal::None);
+      EXPECT_FALSE(isTold.at(r.rule)) << "told twice";
+      isTold[r.rule] = true;
+      EXPECT_TRUE(step.applied || r.reason != Refusal::Beaten) << "beaten by nothing";
+      const bool isHit = r.reason == Refusal::ZoneHitByVertex || r.reason == Refusal::ZoneHitByEdge;
+      EXPECT_EQ(isHit, !r.from.isNone());
+    }
+    for (std::size_t rule = 0; rule < 12; ++rule)
+      EXPECT_EQ(isTold[rule], !(step.applied && step.rule == rule));
+  }
+}
+
+TEST(Observer, DoesNotChangeTheMesh) {
+  const FrontInput input = discWithHole(.03);
+  const MeshingResult plain = run(input, .03, {});
+  for (bool wantsRefusals : {false, true}) {
+    Recorder recorder(wantsRefusals);
+    MeshingOptions options;
+    options.observer = &recorder;
+    expectEqualResults(run(input, .03, options), plain);
+  }
+}
+
+TEST(Progress, IsToldWhileALargeMeshIsMade) {
+  std::vector<Progress> heard;
+  MeshingOptions options;
+  options.progress = [&](const Progress& p) { heard.push_back(p); };
+  const MeshingResult result = run(square(.01), .01, options);
+  ASSERT_GE(heard.size(), 2u);
+  for (std::size_t i = 1; i < heard.size(); ++i)
+    EXPECT_GT(heard[i].elements, heard[i - 1].elements);
+  EXPECT_LE(heard.back().elements, result.mesh.elements.size());
+}
+
+// ---- cancelling --------------------------------------------------------------------------------
+
+TEST(Cancelling, BeforeTheRunGivesNoElements) {
+  std::stop_source source;
+  source.request_stop();
+  MeshingOptions options;
+  options.stop = source.get_token();
+  const FrontInput input = square(.1);
+  const MeshingResult result = run(input, .1, options);
+  EXPECT_EQ(result.outcome, Outcome::Cancelled);
+  EXPECT_TRUE(result.mesh.elements.empty());
+  EXPECT_EQ(result.mesh.vertices.size(), input.vertexCount);
+}
+
+TEST(Cancelling, FromAnotherThreadAnswersWithin100MillisecondsWithTheMeshSoFar) {
+  const FrontInput input = square(.0015);  // takes seconds
+  std::stop_source source;
+  MeshingOptions options;
+  options.stop = source.get_token();
+  std::atomic<bool> isRunning = false;
+  options.progress = [&](const Progress&) { isRunning = true; };
+  Clock::time_point asked;
+  std::jthread canceller([&] {
+    while (!isRunning) std::this_thread::yield();
+    asked = Clock::now();
+    source.request_stop();
+  });
+  const MeshingResult result = run(input, .0015, options);
+  const auto answered = Clock::now();
+  canceller.join();
+  EXPECT_EQ(result.outcome, Outcome::Cancelled);
+  EXPECT_LT(std::chrono::duration<double>(answered - asked).count(), .1);
+  EXPECT_FALSE(result.mesh.elements.empty());
+  EXPECT_EQ(result.mesh.rule.size(), result.mesh.elements.size());
+  for (const MeshFault& fault : checkMesh(result.mesh, input))
+    EXPECT_TRUE(fault.kind != MeshFault::Kind::Inverted &&
+                fault.kind != MeshFault::Kind::BadElement &&
+                fault.kind != MeshFault::Kind::OverlappingEdge)
+        << describe(fault, result.mesh);
+}
+
+TEST(Cancelling, FromTheProgressCallbackOrTheObserverWorksToo) {
+  std::stop_source source;
+  class Stopper final : public AF2MeshingObserver {
+   public:
+    explicit Stopper(std::stop_source& s) : source_(s) {}
+    void stepTaken(const StepReport& step) override {
+      if (step.elements >= 10) source_.request_stop();
+    }
+
+   private:
+    std::stop_source& source_;
+  } stopper(source);
+  MeshingOptions options;
+  options.stop = source.get_token();
+  options.observer = &stopper;
+  const MeshingResult result = run(square(.05), .05, options);
+  EXPECT_EQ(result.outcome, Outcome::Cancelled);
+  EXPECT_GE(result.mesh.elements.size(), 10u);
+  EXPECT_LE(result.mesh.elements.size(), 13u) << "answered within a few steps";
+}
+
+// ---- getting stuck -----------------------------------------------------------------------------
+
+TEST(Stuck, WithoutFillingRulesTellsWhereAndWhy) {
+  const FrontInput input = square(.5);
+  const auto set = setOf({freeTriangle(), flatTriangle(5, .5, .7)});
+  const MeshingResult result = run(input, .5, {}, set);
+  EXPECT_EQ(result.outcome, Outcome::Stuck);
+  ASSERT_FALSE(result.stuck.empty());
+  for (const StuckEdge& edge : result.stuck) {
+    EXPECT_LT(edge.from.value, result.mesh.vertices.size());
+    EXPECT_LT(edge.to.value, result.mesh.vertices.size());
+    EXPECT_EQ(edge.level, set->maxLevel());
+    ASSERT_EQ(edge.refusals.size(), 2u);
+    for (const RuleRefusal& r : edge.refusals) {
+      EXPECT_NE(r.reason, Refusal::None);
+      EXPECT_NE(r.reason, Refusal::Beaten);
+    }
+  }
+}
+
+TEST(Stuck, KeepsTheMeshSoFarAndTheFrontThatIsLeft) {
+  const FrontInput input = square(.25);
+  const MeshingResult result = run(input, .25, {}, setOf({freeTriangle(), right60()}));
+  ASSERT_EQ(result.outcome, Outcome::Stuck);
+  EXPECT_FALSE(result.mesh.elements.empty());
+  // What is meshed and what the front still bounds make up the square.
+  double left = 0;
+  for (const StuckEdge& e : result.stuck)
+    left += .5 * cross(result.mesh.vertices[e.from.value].position,
+                       result.mesh.vertices[e.to.value].position)
+                     .z;
+  EXPECT_NEAR(areaOf(result.mesh) + left, 1, 1e-12);
+}
+
+/// Runs until it ends by itself, but not for ever.
+Outcome outcomeOf(const FrontInput& input, double size) {
+  std::stop_source source;
+  MeshingOptions options;
+  options.stop = source.get_token();
+  options.progress = [&](const Progress& p) {
+    if (p.elements > 50000) source.request_stop();
+  };
+  try {
+    return run(input, size, options).outcome;
+  } catch (const InputError&) {
+    return Outcome::Stuck;  // told before the run: just as good
+  }
+}
+
+TEST(Stuck, OnABoundaryOfTheWrongOrientation) {
+  // The region to the left of such a loop is the rest of the plane: the front runs outwards.
+  FrontInput input;
+  std::vector<Point2> clockwise = divided({{0, 0}, {1, 0}, {1, 1}, {0, 1}}, .25);
+  std::reverse(clockwise.begin(), clockwise.end());
+  addLoop(input, clockwise);
+  EXPECT_EQ(outcomeOf(input, .25), Outcome::Stuck) << "it never ends by itself";
+}
+
+TEST(Stuck, WhereABoundaryCrossesItself) {
+  FrontInput input;
+  addLoop(input, divided({{0, 0}, {1, 1}, {1, 0}, {0, 1}}, .1));
+  EXPECT_EQ(outcomeOf(input, .1), Outcome::Stuck) << "it never ends by itself";
+}
+
+TEST(Stuck, OnAnIsolatedVertexThatLiesOutside) {
+  FrontInput input = square(.25);
+  input.isolated.push_back(flatCorner(input.vertexCount++, {5, 5}));
+  const MeshingResult result = run(input, .25, {});
+  EXPECT_EQ(result.outcome, Outcome::Stuck);
+  EXPECT_EQ(result.unused, std::vector<VertexId>{VertexId(input.vertexCount - 1)});
+  EXPECT_TRUE(result.stuck.empty());
+  EXPECT_NEAR(areaOf(result.mesh), 1, 1e-12);
+}
+
+TEST(Stuck, ExplainsTheFirstHundredEdges) {
+  const FrontInput input = square(.01);
+  const MeshingResult result = run(input, .01, {}, setOf({fillTriangle()}));
+  ASSERT_EQ(result.outcome, Outcome::Stuck);
+  ASSERT_EQ(result.stuck.size(), 400u);
+  for (std::size_t i = 0; i < 400; ++i)
+    EXPECT_EQ(result.stuck[i].refusals.size(), i < 100 ? 1u : 0u) << i;
+}
+
+// ---- what users bring --------------------------------------------------------------------------
+
+struct UserError : std::runtime_error {
+  UserError() : std::runtime_error("user") {}
+};
+
+TEST(UserCode, ExceptionsOfASizeFieldReachTheCaller) {
+  const AF2Algorithm algorithm(triangleSet());
+  const FrontInput input = square(.1);
+  int calls = 0;
+  const SizeFunction failing([&](const Point3&) -> double {
+    if (++calls > 60) throw UserError();
+    return .1;
+  });
+  EXPECT_THROW(algorithm.execute(FlatMaker(), input, failing), UserError);
+  expectGoodMesh(algorithm.execute(FlatMaker(), input, UniformSize(.1)), input, .1);
+}
+
+TEST(UserCode, SizesThatAreNotPositiveAreInputErrors) {
+  const AF2Algorithm algorithm(triangleSet());
+  for (double bad : {0.0, -1.0, std::numeric_limits<double>::quiet_NaN(),
+                     std::numeric_limits<double>::infinity()}) {
+    EXPECT_THROW(algorithm.execute(FlatMaker(), square(.1), UniformSize(bad)), InputError);
+    int calls = 0;
+    const SizeFunction inside([&](const Point3&) { return ++calls > 60 ? bad : .1; });
+    EXPECT_THROW(algorithm.execute(FlatMaker(), square(.1), inside), InputError);
+  }
+}
+
+TEST(UserCode, ExceptionsOfAnObserverReachTheCaller) {
+  class Thrower final : public AF2MeshingObserver {
+    void stepTaken(const StepReport&) override { throw UserError(); }
+  } thrower;
+  MeshingOptions options;
+  options.observer = &thrower;
+  EXPECT_THROW(run(square(.1), .1, options), UserError);
+}
+
+TEST(UserCode, ExceptionsOfTheProgressCallbackReachTheCaller) {
+  MeshingOptions options;
+  options.progress = [](const Progress&) { throw UserError(); };
+  EXPECT_THROW(run(square(.01), .01, options), UserError);
+}
+
+/// Fails in a part of the plane, in one way or another.
+class PartialMaker final : public AF2LocalTransformMaker {
+ public:
+  enum class Failure { Throws, ThrowsOther, NoSurface, NonFinite };
+  explicit PartialMaker(Failure failure) : failure_(failure) {}
+  std::unique_ptr<AF2LocalTransform> makeLocalTransform(const SurfacePoint& from,
+                                                        const SurfacePoint& to,
+                                                        double unit) const override {
+    const bool isBad = from.position.x > .5;
+    if (isBad && failure_ == Failure::Throws) throw GeometryError("no normal here");
+    if (isBad && failure_ == Failure::ThrowsOther) throw UserError();
+    return std::make_unique<Chart>(from.position, to.position, unit, failure_);
+  }
+
+ private:
+  class Chart final : public AF2LocalTransform {
+   public:
+    Chart(const Point3& from, const Point3& to, double unit, Failure failure)
+        : flat_(from, to, unit), failure_(failure) {}
+    ChartPoint transformFromSurface(const SurfacePoint& p) const override {
+      return flat_.transformFromSurface(p);
+    }
+    std::optional<SurfacePoint> transformToSurface(Point2 p) const override {
+      const auto point = flat_.transformToSurface(p);
+      if (point->position.x <= .5) return point;
+      if (failure_ == Failure::NoSurface) return std::nullopt;
+      const double nan = std::numeric_limits<double>::quiet_NaN();
+      return SurfacePoint{{nan, nan, nan}, {0, 0, 1}, 0, 0};
+    }
+
+   private:
+    FlatChart flat_;
+    Failure failure_;
+  };
+  Failure failure_;
+};
+
+MeshingResult runPartly(PartialMaker::Failure failure) {
+  return AF2Algorithm(triangleSet()).execute(PartialMaker(failure), square(.1), UniformSize(.1));
+}
+
+TEST(UserCode, AGeometryErrorOfTheMakerIsAPlaceWithoutAChart) {
+  const MeshingResult result = runPartly(PartialMaker::Failure::Throws);
+  ASSERT_EQ(result.outcome, Outcome::Stuck);
+  EXPECT_FALSE(result.mesh.elements.empty());
+  for (const StuckEdge& edge : result.stuck)
+    if (result.mesh.vertices[edge.from.value].position.x > .5) {
+      ASSERT_EQ(edge.refusals.size(), 12u);
+      for (const RuleRefusal& r : edge.refusals) EXPECT_EQ(r.reason, Refusal::Surface);
+    }
+}
+
+TEST(UserCode, OtherExceptionsOfTheMakerReachTheCaller) {
+  EXPECT_THROW(runPartly(PartialMaker::Failure::ThrowsOther), UserError);
+}
+
+TEST(UserCode, APointWithoutAFinitePlaceOnTheSurfaceRefusesTheRule) {
+  using Failure = PartialMaker::Failure;
+  for (Failure failure : {Failure::NoSurface, Failure::NonFinite}) {
+    Recorder recorder(true);
+    MeshingOptions options;
+    options.observer = &recorder;
+    const FrontInput input = square(.1);
+    // Rules that need no new vertex may still fill the region.
+    const MeshingResult result =
+        AF2Algorithm(triangleSet()).execute(PartialMaker(failure), input, UniformSize(.1), options);
+    bool isTold = false;
+    for (const auto& refusals : recorder.refusals)
+      for (const RuleRefusal& r : refusals) isTold = isTold || r.reason == Refusal::Surface;
+    EXPECT_TRUE(isTold);
+    for (std::size_t v = input.vertexCount; v < result.mesh.vertices.size(); ++v)
+      EXPECT_LE(result.mesh.vertices[v].position.x, .5);
+  }
+}
+
+// ---- input that is none ------------------------------------------------------------------------
+
+std::string errorOf(const FrontInput& input) {
+  try {
+    run(input, .1, {});
+    return "no error";
+  } catch (const InputError& e) {
+    return e.what();
+  }
+}
+
+TEST(InputRejection, OfNoRuleSet) { EXPECT_THROW(AF2Algorithm(nullptr), InputError); }
+
+TEST(InputRejection, OfALoopOfOneCorner) {
+  FrontInput input = square(.5);
+  input.loops[0].resize(1);
+  EXPECT_EQ(errorOf(input), "boundary: a loop has fewer than two corners");
+}
+
+TEST(InputRejection, OfAnEdgeOfLengthZero) {
+  FrontInput input;
+  addLoop(input, {{0, 0}, {1, 0}, {1, 0}, {0, 1}});
+  EXPECT_EQ(errorOf(input), "boundary: the edge from vertex 1 to vertex 2 has length zero");
+}
+
+TEST(InputRejection, OfAnIdOutOfRange) {
+  FrontInput input = square(.5);
+  input.vertexCount = 5;
+  EXPECT_EQ(errorOf(input), "boundary: vertex 5 is not below the vertex count 5");
+}
+
+TEST(InputRejection, OfAnEdgeGivenTwice) {
+  FrontInput input = square(.5);
+  input.loops.push_back(input.loops[0]);
+  EXPECT_EQ(errorOf(input),
+            "boundary: the edge from vertex 0 to vertex 1 is given twice in the same direction");
+}
+
+TEST(InputRejection, OfAVertexWithTwoPositions) {
+  FrontInput input = square(.5);
+  BoundaryCorner corner = input.loops[0][0];
+  corner.point.position.x += 1e-9;
+  input.isolated.push_back(corner);
+  EXPECT_EQ(errorOf(input), "boundary: vertex 0 is given with two positions");
+}
+
+TEST(InputRejection, OfACoordinateThatIsNotFinite) {
+  FrontInput input = square(.5);
+  input.loops[0][2].point.position.z = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(errorOf(input), "boundary: vertex 2 has a coordinate that is not a finite number");
+}
+
+TEST(InputRejection, OfAnIsolatedVertexThatIsOnTheBoundary) {
+  FrontInput input = square(.5);
+  input.isolated.push_back(input.loops[0][1]);
+  EXPECT_NE(errorOf(input), "no error");
+}
+
+TEST(InputRejection, OfAnIsolatedVertexGivenTwice) {
+  FrontInput input = square(.5);
+  const BoundaryCorner corner = flatCorner(input.vertexCount++, {.5, .5});
+  input.isolated = {corner, corner};
+  EXPECT_NE(errorOf(input), "no error");
+}
+
+TEST(InputRejection, OfAVertexThatIsNowhere) {
+  // An id below the count that no corner has: its position would be made up.
+  FrontInput input = square(.5);
+  ++input.vertexCount;
+  const MeshingResult result = run(input, .5, {});
+  EXPECT_EQ(result.outcome, Outcome::Complete) << "it is simply not used";
+}
+
+// ---- determinism -------------------------------------------------------------------------------
+
+TEST(Determinism, TwoRunsGiveEqualResults) {
+  const FrontInput input = discWithHole(.02);
+  const AF2Algorithm algorithm(triangleSet());
+  const MeshingResult one = algorithm.execute(FlatMaker(), input, UniformSize(.02));
+  expectEqualResults(algorithm.execute(FlatMaker(), input, UniformSize(.02)), one);
+  expectEqualResults(meshFlat(input, .02), one);
+}
+
+TEST(Determinism, SeveralThreadsMayUseOneAlgorithm) {
+  const FrontInput input = discWithHole(.02);
+  const AF2Algorithm algorithm(triangleSet());
+  const MeshingResult expected = algorithm.execute(FlatMaker(), input, UniformSize(.02));
+  std::vector<MeshingResult> results(4);
+  {
+    std::vector<std::jthread> threads;
+    for (MeshingResult& result : results)
+      threads.emplace_back(
+          [&] { result = algorithm.execute(FlatMaker(), input, UniformSize(.02)); });
+  }
+  for (const MeshingResult& result : results) expectEqualResults(result, expected);
+}
+
+TEST(Determinism, AMovedAlgorithmStaysItself) {
+  AF2Algorithm one(triangleSet());
+  const AF2Algorithm other(std::move(one));
+  EXPECT_EQ(other.rules().name(), "triangles");
+  const FrontInput input = square(.1);
+  expectEqualResults(other.execute(FlatMaker(), input, UniformSize(.1)), meshFlat(input, .1));
+}
+
+}  // namespace
+}  // namespace af2
