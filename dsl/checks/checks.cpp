@@ -1,0 +1,78 @@
+#include "dsl/checks/checks.h"
+
+#include <algorithm>
+#include <array>
+#include <set>
+
+namespace af2::dsl {
+namespace {
+
+constexpr std::array kChecks{
+    Check{"T2", "Are chains, vertices and elements named as they should be?", checkPattern},
+    Check{"T1", "Do elements and pattern close up?", checkTopology},
+    Check{"F1", "Does every step make progress?", checkProgress},
+    Check{"G1", "Are the elements positive at the reference match?", checkOrientation},
+    Check{"Z2 Z4 Z5", "Is the zone a bounded region, counter-clockwise, at the reference match?",
+          checkZones},
+    Check{"D2", "Is every rule tried at some level?", checkLevels},
+    Check{"P1", "Does every rule keep the parity of the front?", checkParity},
+    Check{"M1 M2", "Has every rule its mirror image, once?", checkMirrors},
+};
+
+}  // namespace
+
+std::span<const Check> checks() { return kChecks; }
+
+void Findings::add(const CompiledRule& rule, Severity severity, const char* code, Span span,
+                   std::string message, std::string label, std::string help,
+                   std::vector<DiagnosticNote> notes) {
+  Diagnostic d;
+  d.severity = severity;
+  d.code = code;
+  d.message = std::move(message);
+  d.label = std::move(label);
+  d.help = std::move(help);
+  d.notes = std::move(notes);
+  d.rule = rule.definition.name;
+  d.place = placeOf(rule.home->source, span);
+  diagnostics_.add(std::move(d));
+}
+
+void runChecks(const CheckedRules& given, DiagnosticList& diagnostics) {
+  std::vector<CompiledRule> sound(given.rules.begin(), given.rules.end());
+  for (const Check& check : kChecks) {
+    DiagnosticList found;
+    Findings findings(found);
+    check.run({sound, given.settings, given.main}, findings);
+    std::set<std::string> faulty;
+    for (Diagnostic& d : found.take()) {
+      if (d.severity == Severity::Error) faulty.insert(d.rule);
+      diagnostics.add(std::move(d));
+    }
+    std::erase_if(sound,
+                  [&](const CompiledRule& rule) { return faulty.contains(rule.definition.name); });
+  }
+}
+
+std::string vertexName(const CompiledRule& rule, int vertex) {
+  const auto index = static_cast<std::size_t>(vertex);
+  const auto& d = rule.definition;
+  return index < d.vertices.size() ? d.vertices[index].name
+                                   : d.newVertexNames[index - d.vertices.size()];
+}
+
+std::optional<std::vector<Point2>> referencePositions(const CompiledRule& rule) {
+  const RuleDefinition& d = rule.definition;
+  std::vector<Point2> points;
+  for (const PatternVertex& v : d.vertices) points.push_back(v.reference);
+  const std::vector<Point2> matched = points;
+  const AF2Surroundings uniform;
+  for (const auto& transform : d.newVertices) {
+    const auto at = transform->transformPoint({matched, d.firstLevel, &uniform});
+    if (!at) return std::nullopt;
+    points.push_back(*at);
+  }
+  return points;
+}
+
+}  // namespace af2::dsl

@@ -1,0 +1,62 @@
+// The table of static checks: what is held against every rule set before it runs.
+#pragma once
+
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "dsl/compiled_rule.h"
+#include "dsl/diagnostic.h"
+#include "engine/rule_set.h"
+
+namespace af2::dsl {
+
+/// What checks look at: compiled rules, before the engine has seen them.
+struct CheckedRules {
+  std::span<const CompiledRule> rules;
+  const RuleSetDefinition& settings;  ///< without rules
+  const Module& main;
+};
+
+/// Takes findings about one rule.
+class Findings {
+ public:
+  explicit Findings(DiagnosticList& diagnostics) : diagnostics_(diagnostics) {}
+  void add(const CompiledRule& rule, Severity severity, const char* code, Span span,
+           std::string message, std::string label = {}, std::string help = {},
+           std::vector<DiagnosticNote> notes = {});
+
+ private:
+  DiagnosticList& diagnostics_;
+};
+
+/// One check. Give it a file of its own, a row in checks.cpp and a case in tests/dsl/cases.
+struct Check {
+  std::string_view codes;  ///< "T1", or several: "M1 M2"
+  std::string_view question;
+  void (*run)(const CheckedRules& rules, Findings& findings);
+};
+
+std::span<const Check> checks();
+
+/// Runs all checks. A rule in which one check found an error is not shown to the checks after it.
+void runChecks(const CheckedRules& rules, DiagnosticList& diagnostics);
+
+void checkPattern(const CheckedRules& rules, Findings& findings);
+void checkTopology(const CheckedRules& rules, Findings& findings);
+void checkOrientation(const CheckedRules& rules, Findings& findings);
+void checkProgress(const CheckedRules& rules, Findings& findings);
+void checkParity(const CheckedRules& rules, Findings& findings);
+void checkMirrors(const CheckedRules& rules, Findings& findings);
+void checkLevels(const CheckedRules& rules, Findings& findings);
+void checkZones(const CheckedRules& rules, Findings& findings);
+
+// ---- what several checks ask --------------------------------------------------------------------
+
+/// Name of a vertex of a rule.
+std::string vertexName(const CompiledRule& rule, int vertex);
+
+/// Positions of all vertices at the reference match; nothing if a new vertex has none there.
+std::optional<std::vector<Point2>> referencePositions(const CompiledRule& rule);
+
+}  // namespace af2::dsl

@@ -1,0 +1,17 @@
+// D2: a rule that waits for a level that is never reached.
+#include "dsl/checks/checks.h"
+
+namespace af2::dsl {
+
+void checkLevels(const CheckedRules& rules, Findings& findings) {
+  for (const CompiledRule& rule : rules.rules)
+    if (rule.definition.firstLevel > rules.settings.maxLevel)
+      findings.add(rule, Severity::Warning, "D2", rule.levelSpan,
+                   "this rule is never tried: the quality levels end at " +
+                       std::to_string(rules.settings.maxLevel),
+                   "",
+                   "lower its level, or say `classes 1.." +
+                       std::to_string(rule.definition.firstLevel) + ";` in the rule set");
+}
+
+}  // namespace af2::dsl

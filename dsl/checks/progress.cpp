@@ -1,0 +1,13 @@
+// F1: every step takes area away from what is left to be meshed, so the advance ends.
+#include "dsl/checks/checks.h"
+
+namespace af2::dsl {
+
+void checkProgress(const CheckedRules& rules, Findings& findings) {
+  for (const CompiledRule& rule : rules.rules)
+    if (rule.definition.elements.empty())
+      findings.add(rule, Severity::Error, "F1", rule.title, "this rule makes no element",
+                   "applying it would change nothing", "add `tri a b c;` or `quad a b c d;`");
+}
+
+}  // namespace af2::dsl

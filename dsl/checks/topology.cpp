@@ -1,0 +1,129 @@
+// T1: the elements and the pattern close up.
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "dsl/checks/checks.h"
+
+namespace af2::dsl {
+namespace {
+
+using Edge = std::pair<int, int>;
+
+std::string edgeName(const CompiledRule& rule, Edge e) {
+  return vertexName(rule, e.first) + "->" + vertexName(rule, e.second);
+}
+
+std::vector<Edge> edgesOf(const RuleElement& element) {
+  std::vector<Edge> edges;
+  for (int c = 0; c < element.size(); ++c)
+    edges.emplace_back(element.corners[static_cast<std::size_t>(c)],
+                       element.corners[static_cast<std::size_t>((c + 1) % element.size())]);
+  return edges;
+}
+
+/// Each directed edge with the element that has it; false after telling that two have it.
+bool collectEdges(const CompiledRule& rule, std::map<Edge, std::size_t>& owner,
+                  Findings& findings) {
+  bool isRight = true;
+  for (std::size_t i = 0; i < rule.definition.elements.size(); ++i)
+    for (const Edge& e : edgesOf(rule.definition.elements[i])) {
+      const auto [known, isNew] = owner.emplace(e, i);
+      if (isNew) continue;
+      isRight = false;
+      const bool isSame = known->second == i;
+      findings.add(
+          rule, Severity::Error, "T1", rule.elementSpans[i],
+          "the new elements do not fit together: " + edgeName(rule, e) +
+              (isSame ? " occurs twice in one element" : " occurs in two of them"),
+          "", "neighbouring elements use their common edge in opposite directions",
+          {{"the other element", placeOf(rule.home->source, rule.elementSpans[known->second])}});
+    }
+  return isRight;
+}
+
+/// The pattern's edges lie on the boundary of the elements, in their own direction, or apart.
+bool checkPatternEdges(const CompiledRule& rule, const std::map<Edge, std::size_t>& owner,
+                       Findings& findings) {
+  std::set<int> corners;
+  for (const auto& [e, i] : owner) corners.insert(e.first);
+  bool isRight = true;
+  for (std::size_t k = 0; k < rule.definition.edges.size(); ++k) {
+    const PatternEdge& edge = rule.definition.edges[k];
+    const Edge e{edge.from, edge.to}, back{edge.to, edge.from};
+    const auto against = owner.find(back);
+    if (against != owner.end()) {
+      isRight = false;
+      findings.add(rule, Severity::Error, "T1", rule.elementSpans[against->second],
+                   "this element lies on the wrong side of the front edge " + edgeName(rule, e),
+                   "it has " + edgeName(rule, back),
+                   "corners run counter-clockwise, so that the element has " + edgeName(rule, e),
+                   {{"the front edge", placeOf(rule.home->source, rule.edgeSpans[k])}});
+    } else if (!owner.contains(e) && corners.contains(e.first) && corners.contains(e.second)) {
+      isRight = false;
+      findings.add(
+          rule, Severity::Error, "T1", rule.edgeSpans[k],
+          "the front edge " + edgeName(rule, e) + " is left over between corners of new elements",
+          "no element has this edge",
+          "add the element that takes it, or leave the edge out of the pattern");
+    }
+  }
+  return isRight;
+}
+
+/// Number of connected groups of elements; a common vertex joins.
+std::size_t groups(const RuleDefinition& rule) {
+  std::vector<std::set<int>> parts;
+  for (const RuleElement& element : rule.elements) {
+    std::set<int> joined(element.corners.begin(), element.corners.begin() + element.size());
+    std::vector<std::set<int>> rest;
+    for (std::set<int>& part : parts) {
+      const bool touches =
+          std::any_of(part.begin(), part.end(), [&](int v) { return joined.contains(v); });
+      if (touches)
+        joined.insert(part.begin(), part.end());
+      else
+        rest.push_back(std::move(part));
+    }
+    rest.push_back(std::move(joined));
+    parts = std::move(rest);
+  }
+  return parts.size();
+}
+
+/// The boundary of the union has one walk if the union is a disc, or discs that touch in vertices:
+/// then corners - edges + elements = 1.
+void checkDisc(const CompiledRule& rule, const std::map<Edge, std::size_t>& owner,
+               Findings& findings) {
+  if (groups(rule.definition) > 1) {
+    findings.add(rule, Severity::Error, "T1", rule.elementSpans.back(),
+                 "the new elements do not hang together", "",
+                 "all elements of a rule share vertices with each other");
+    return;
+  }
+  std::set<int> corners;
+  std::set<Edge> edges;
+  for (const auto& [e, i] : owner) {
+    corners.insert(e.first);
+    edges.insert({std::min(e.first, e.second), std::max(e.first, e.second)});
+  }
+  const auto euler = static_cast<long>(corners.size()) - static_cast<long>(edges.size()) +
+                     static_cast<long>(rule.definition.elements.size());
+  if (euler != 1)
+    findings.add(rule, Severity::Error, "T1", rule.elementSpans.back(),
+                 "the new elements leave a hole or overlap", "",
+                 "together they must fill one region without holes");
+}
+
+}  // namespace
+
+void checkTopology(const CheckedRules& rules, Findings& findings) {
+  for (const CompiledRule& rule : rules.rules) {
+    if (rule.definition.elements.empty()) continue;
+    std::map<Edge, std::size_t> owner;
+    if (collectEdges(rule, owner, findings) && checkPatternEdges(rule, owner, findings))
+      checkDisc(rule, owner, findings);
+  }
+}
+
+}  // namespace af2::dsl

@@ -1,0 +1,30 @@
+// A rule between text and engine: its definition, and where each part of it was written.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "dsl/ast.h"
+#include "dsl/module.h"
+#include "engine/rule.h"
+
+namespace af2::dsl {
+
+/// One rule: a family gives several, a rule with a mirror two.
+struct CompiledRule {
+  RuleDefinition definition;
+  const Rule* text = nullptr;
+  const Module* home = nullptr;  ///< the file that `text` is from
+  Span title;                    ///< of a mirror: the mirror's title
+  bool isMirror = false;
+  std::vector<Span> elementSpans;  ///< one for each element of the definition
+  std::vector<Span> vertexSpans;   ///< matched, then new ones: where each is defined
+  std::vector<Span> edgeSpans;     ///< one for each pattern edge; the implied base: the title
+  std::vector<Span> zoneSpans;     ///< the zone clauses
+  Span levelSpan;
+  std::optional<Span> mirrorSpan;  ///< of the clause `mirror "..."` of this rule
+  std::string doc;
+};
+
+}  // namespace af2::dsl

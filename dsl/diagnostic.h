@@ -1,0 +1,74 @@
+// What is told about a rule file: place, fault, way out.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "dsl/source_text.h"
+
+namespace af2::dsl {
+
+enum class Severity { Error, Warning };
+
+/// A place in a file, kept without the file.
+struct DiagnosticPlace {
+  std::string file;
+  int line = 0, column = 0, endLine = 0,
+      endColumn = 0;  ///< from 1; the end is exclusive; 0: no place
+  std::string text;   ///< the line, for the picture with the caret
+  bool operator==(const DiagnosticPlace&) const = default;
+};
+
+/// A further remark, perhaps about another place.
+struct DiagnosticNote {
+  std::string message;
+  std::optional<DiagnosticPlace> place;
+  bool operator==(const DiagnosticNote&) const = default;
+};
+
+/// One finding. Self-contained: it can be shown without the text that it is about.
+struct Diagnostic {
+  Severity severity = Severity::Error;
+  std::string code;     ///< such as "A1"; see code_explanations.h
+  std::string message;  ///< the fault, one line without a full stop
+  DiagnosticPlace place;
+  std::string label;  ///< a few words beside the caret; may be empty
+  std::vector<DiagnosticNote> notes;
+  std::string help;  ///< the way out; may be empty
+  std::string rule;  ///< the title of the rule it is about; may be empty
+  bool operator==(const Diagnostic&) const = default;
+};
+
+DiagnosticPlace placeOf(const SourceText& source, Span span);
+
+bool hasErrors(std::span<const Diagnostic> diagnostics);
+
+/// Collects findings: the same thing is told once, files in the order in which they were first
+/// seen, places in the order of the text.
+class DiagnosticList {
+ public:
+  /// Findings beyond this many are counted but not kept.
+  static constexpr std::size_t kMost = 50;
+
+  void add(Diagnostic diagnostic);
+  bool hasErrors() const { return hasErrors_; }
+  std::size_t size() const { return found_.size(); }
+  /// Sorted; if there were more than kMost, a last one says how many were left out.
+  std::vector<Diagnostic> take();
+
+ private:
+  std::vector<Diagnostic> found_;
+  bool hasErrors_ = false;
+};
+
+/// The forms in which findings can be written. Colour is left to the caller: none.
+std::string toPretty(const Diagnostic& diagnostic);
+std::string toPretty(std::span<const Diagnostic> diagnostics);
+std::string toGcc(std::span<const Diagnostic> diagnostics);
+/// A list of {file, line, column, end_line, end_column, severity, code, message, notes, help}.
+std::string toJson(std::span<const Diagnostic> diagnostics);
+std::string toSarif(std::span<const Diagnostic> diagnostics);
+
+}  // namespace af2::dsl

@@ -1,0 +1,32 @@
+// From text to tree. The only file that knows Boost.Spirit is grammar.cpp.
+#pragma once
+
+#include <vector>
+
+#include "dsl/ast.h"
+#include "dsl/diagnostic.h"
+#include "dsl/lexer.h"
+#include "dsl/source_text.h"
+#include "dsl/syntax_errors.h"
+
+namespace af2::dsl {
+
+/// Limits that keep any input, however wild, within time and stack.
+struct ParseLimits {
+  std::size_t bytes = 8u << 20;
+  int nesting = 100;     ///< brackets within brackets
+  int operators = 1500;  ///< in one statement
+};
+
+struct ParsedFile {
+  File file;
+  std::vector<Comment> comments;
+  std::vector<BrokenStretch> broken;
+};
+
+/// Reads a file; whatever cannot be read is told (codes L and S) and left out of the tree. Each
+/// broken clause is told once, and reading goes on behind it.
+ParsedFile parseFile(const SourceText& source, DiagnosticList& diagnostics,
+                     const ParseLimits& limits = {});
+
+}  // namespace af2::dsl

@@ -1,0 +1,20 @@
+// From text to words.
+#pragma once
+
+#include <vector>
+
+#include "dsl/diagnostic.h"
+#include "dsl/token.h"
+
+namespace af2::dsl {
+
+struct TokenList {
+  std::vector<Token> tokens;  ///< ends with a token of kind End
+  std::vector<Comment> comments;
+};
+
+/// Splits a text into words. What cannot be read is told (codes L) and left out, or replaced by
+/// something of the same kind so that it causes no further errors.
+TokenList readTokens(const SourceText& source, DiagnosticList& diagnostics);
+
+}  // namespace af2::dsl

@@ -1,0 +1,48 @@
+// Files and the files that they import.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "dsl/expressions.h"
+#include "dsl/module.h"
+
+namespace af2::dsl {
+
+/// Reads a file and everything that it imports, and registers what each defines.
+class Library {
+ public:
+  Library(CompileContext& context, std::vector<std::filesystem::path> searchPaths)
+      : context_(context), searchPaths_(std::move(searchPaths)) {}
+
+  const Module& load(std::string name, std::string text);
+  std::vector<std::unique_ptr<Module>> takeModules() { return std::move(modules_); }
+  const std::vector<std::unique_ptr<Module>>& modules() const { return modules_; }
+
+ private:
+  const Module* import(Module& into, const Import& item);
+  std::filesystem::path findFile(const Module& from, const std::string& path) const;
+  void registerItems(Module& module);
+  void registerConstant(Module& module, const Constant& item);
+  void registerFunction(Module& module, const Name& name, const std::vector<Name>& parameters,
+                        const Expr& body, bool isMetric);
+  void registerTemplate(Module& module, const Template& item);
+  void registerImport(Module& module, const Import& item);
+  bool isFree(const Module& module, const Name& name, bool isFunction);
+  void tell(const Module& module, const char* code, Span span, std::string message,
+            std::string help, std::vector<DiagnosticNote> notes = {});
+
+  CompileContext& context_;
+  std::vector<std::filesystem::path> searchPaths_;
+  std::vector<std::unique_ptr<Module>> modules_;
+  std::map<std::string, Module*> byPath_;
+  std::vector<const Module*> loading_;  ///< the chain of imports that led here
+};
+
+/// Reads a whole file; nothing if that is not possible, then `fault` says why.
+std::optional<std::string> readFile(const std::filesystem::path& path, std::string& fault);
+
+}  // namespace af2::dsl

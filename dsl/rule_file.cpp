@@ -1,0 +1,383 @@
+#include "dsl/rule_file.h"
+
+#include <algorithm>
+#include <set>
+
+#include "dsl/checks/checks.h"
+#include "dsl/library.h"
+#include "dsl/rule_compiler.h"
+#include "dsl/rule_set_compiler.h"
+#include "dsl/words.h"
+#include "engine/error.h"
+
+namespace af2::dsl {
+namespace {
+
+/// Compiles one main file: its rule set, and its rules with those that it uses from elsewhere.
+class FileCompiler {
+ public:
+  FileCompiler(CompileContext& context, const Library& library)
+      : context_(context), library_(library), main_(*library.modules().front()) {}
+
+  /// Null if there are errors. The compiled rules are left in `rules`.
+  std::shared_ptr<const RuleSet> compile(std::vector<CompiledRule>& rules);
+
+ private:
+  using Parameters = std::map<std::string, RuleCompiler::Parameter>;
+
+  void tell(const Module& home, const char* code, Span span, std::string message,
+            std::string help = {}, std::vector<DiagnosticNote> notes = {}) {
+    Diagnostic d;
+    d.code = code;
+    d.message = std::move(message);
+    d.place = placeOf(home.source, span);
+    d.help = std::move(help);
+    d.notes = std::move(notes);
+    context_.diagnostics.add(std::move(d));
+  }
+
+  std::vector<PlacedRuleSet> ruleSets();
+  bool addBase(std::vector<PlacedRuleSet>& chain, std::set<const RuleSetBlock*>& seen);
+  std::optional<PlacedRuleSet> findRuleSet(const std::string& name,
+                                           const RuleSetBlock* except) const;
+  void compileItems(const Module& module);
+  void compileInstance(const Module& module, const Instance& instance);
+  void checkTemplate(const Module& module, const Template& item);
+  void compileUse(const Module& module, const Use& use);
+  void append(std::vector<CompiledRule> compiled);
+  void checkTitles();
+  void checkKinds(const RuleSetCompiler& settings);
+  std::set<int> sizesMade() const;
+  bool holdsRule(const Module& module, const std::string& title) const;
+
+  CompileContext& context_;
+  const Library& library_;
+  const Module& main_;
+  std::unique_ptr<RuleSetCompiler> settings_;
+  std::vector<CompiledRule> rules_;
+  std::set<const Module*> using_;
+};
+
+std::optional<PlacedRuleSet> FileCompiler::findRuleSet(const std::string& name,
+                                                       const RuleSetBlock* except) const {
+  for (const auto& module : library_.modules())
+    for (const Item& item : module->parsed.file.items)
+      if (const auto* block = std::get_if<RuleSetBlock>(&item.content))
+        if (block->name.text == name && block != except) return PlacedRuleSet{block, module.get()};
+  return std::nullopt;
+}
+
+/// Puts the rule set that the first one extends before it.
+bool FileCompiler::addBase(std::vector<PlacedRuleSet>& chain, std::set<const RuleSetBlock*>& seen) {
+  const PlacedRuleSet first = chain.front();
+  if (!first.block->base) return false;
+  const auto base = findRuleSet(first.block->base->text, first.block);
+  if (!base) {
+    std::vector<std::string> known;
+    for (const auto& module : library_.modules())
+      for (const Item& item : module->parsed.file.items)
+        if (const auto* block = std::get_if<RuleSetBlock>(&item.content))
+          if (block != first.block) known.push_back(block->name.text);
+    const std::string help = didYouMean(first.block->base->text, known);
+    tell(*first.home, "R1", first.block->base->span,
+         "there is no rule set \"" + first.block->base->text + "\"",
+         help.empty() ? "import the file in which it stands" : help);
+    return false;
+  }
+  if (!seen.insert(base->block).second) {
+    tell(*first.home, "R4", first.block->base->span,
+         "these rule sets extend each other in a circle");
+    return false;
+  }
+  chain.insert(chain.begin(), *base);
+  return true;
+}
+
+std::vector<PlacedRuleSet> FileCompiler::ruleSets() {
+  std::vector<const RuleSetBlock*> own;
+  std::set<std::string> extended;
+  for (const Item& item : main_.parsed.file.items)
+    if (const auto* block = std::get_if<RuleSetBlock>(&item.content)) {
+      own.push_back(block);
+      if (block->base) extended.insert(block->base->text);
+    }
+  std::vector<const RuleSetBlock*> heads;
+  for (const RuleSetBlock* block : own)
+    if (!extended.contains(block->name.text) || (own.size() == 1)) heads.push_back(block);
+  if (heads.empty() && !own.empty()) heads.push_back(own.back());
+  if (heads.empty()) {
+    bool isBroken = !main_.brokenNames.empty() || main_.parsed.file.items.empty();
+    for (const Item& item : main_.parsed.file.items)
+      isBroken = isBroken || item.content.index() == 0;
+    const bool hasText = !main_.parsed.file.items.empty() || !main_.source.text().empty();
+    if (!isBroken || !context_.diagnostics.hasErrors())
+      tell(main_, "R5", {0, 0}, "this file has no rule set",
+           hasText ? "add `ruleset \"name\" { ... }`" : "the file is empty");
+    return {};
+  }
+  for (std::size_t i = 1; i < heads.size(); ++i)
+    tell(main_, "R5", heads[i]->name.span, "this file has a second rule set",
+         "keep one `ruleset` in the file that is run",
+         {{"the first one", placeOf(main_.source, heads[0]->name.span)}});
+  std::vector<PlacedRuleSet> chain{{heads[0], &main_}};
+  std::set<const RuleSetBlock*> seen{heads[0]};
+  while (addBase(chain, seen)) {
+  }
+  return chain;
+}
+
+void FileCompiler::append(std::vector<CompiledRule> compiled) {
+  for (CompiledRule& rule : compiled) rules_.push_back(std::move(rule));
+}
+
+void FileCompiler::compileInstance(const Module& module, const Instance& instance) {
+  ProgramBuilder builder;
+  ExpressionCompiler values(context_, module, ExpressionPlace::Constant, Algebra(builder, {}));
+  const Expr& call = instance.call;
+  if (call.kind != ExprKind::Call) {
+    if (!call.isMissing())
+      values.tell("S1", call.span, "an instance is written `template(values)`", "",
+                  "rule \"title\" = name(1, 2);");
+    return;
+  }
+  const Module* home = &module;
+  if (!call.qualifier.empty()) {
+    const auto library = module.imports.find(call.qualifier);
+    if (library == module.imports.end())
+      return values.tell("R1", call.span, "nothing is imported as '" + call.qualifier + "'");
+    if (!library->second) return;
+    home = library->second;
+  }
+  const auto found = home->templates.find(call.name);
+  if (found == home->templates.end()) {
+    if (home->brokenNames.contains(call.name)) return;
+    std::vector<std::string> known;
+    for (const auto& [name, t] : home->templates) known.push_back(name);
+    return values.tell("R1", call.span, "there is no template '" + call.name + "'", "",
+                       didYouMean(call.name, known));
+  }
+  if (home == &module && found->second.span.begin > call.span.begin &&
+      found->second.home == &module)
+    return values.tell("R1", call.span,
+                       "the template '" + call.name + "' is used before it is defined", "",
+                       "move the template up");
+  const Template& text = *found->second.text;
+  if (call.parts.size() != text.parameters.size()) {
+    std::string usage = text.name.text + "(";
+    for (const Name& p : text.parameters) usage += (usage.back() == '(' ? "" : ", ") + p.text;
+    return values.tell("Y6", call.span,
+                       "'" + call.name + "' is instantiated with " +
+                           std::to_string(call.parts.size()) +
+                           (call.parts.size() == 1 ? " value" : " values"),
+                       "", "the template is " + usage + ")");
+  }
+  Parameters parameters;
+  for (std::size_t i = 0; i < call.parts.size(); ++i) {
+    const Value value = values.evaluate(call.parts[i]);
+    RuleCompiler::Parameter p;
+    p.span = text.parameters[i].span;
+    p.value.type = value.type;
+    const auto known = [&](Node node) {
+      return node < 0 ? 0.0 : builder.constantValue(node).value_or(0);
+    };
+    p.value.number = known(value.number);
+    p.value.x = known(value.at.x);
+    p.value.y = known(value.at.y);
+    if (value.type == Type::Shape) {
+      values.tell("Y1", call.parts[i].span, "a template's value cannot be a shape", "",
+                  "give numbers, angles or vectors");
+      p.value.type = Type::Any;
+    }
+    parameters[text.parameters[i].text] = p;
+  }
+  append(RuleCompiler(context_, *found->second.home, settings_->shared())
+             .compile(text.rule, parameters, &instance.title));
+}
+
+/// A template is checked by its text alone as well, so that faults show before it is used.
+void FileCompiler::checkTemplate(const Module& module, const Template& item) {
+  Parameters parameters;
+  std::set<std::string> seen;
+  for (const Name& name : item.parameters) {
+    if (!seen.insert(name.text).second)
+      tell(module, "R2", name.span, "the parameter '" + name.text + "' is given twice",
+           "choose another name");
+    RuleCompiler::Parameter p;
+    p.span = name.span;
+    parameters[name.text] = p;
+  }
+  RuleCompiler(context_, module, settings_->shared()).compile(item.rule, parameters);
+}
+
+bool FileCompiler::holdsRule(const Module& module, const std::string& title) const {
+  const auto isTitled = [&](const Rule& rule) {
+    if (rule.title.text == title) return true;
+    return std::any_of(rule.clauses.begin(), rule.clauses.end(), [&](const Clause& clause) {
+      const auto* mirror = std::get_if<MirrorClause>(&clause.content);
+      return mirror && mirror->title.text == title;
+    });
+  };
+  for (const Item& item : module.parsed.file.items) {
+    if (const auto* rule = std::get_if<Rule>(&item.content); rule && isTitled(*rule)) return true;
+    if (const auto* instance = std::get_if<Instance>(&item.content);
+        instance && instance->title.text == title)
+      return true;
+  }
+  return false;
+}
+
+void FileCompiler::compileUse(const Module& module, const Use& use) {
+  const auto library = module.imports.find(use.library.text);
+  if (library == module.imports.end()) {
+    std::vector<std::string> known;
+    for (const auto& [name, m] : module.imports) known.push_back(name);
+    const std::string help = didYouMean(use.library.text, known);
+    if (!module.brokenNames.contains(use.library.text))
+      tell(module, "R1", use.library.span, "nothing is imported as '" + use.library.text + "'",
+           help.empty() ? "import the file first: `import \"" + use.library.text + ".af2\" as " +
+                              use.library.text + ";`"
+                        : help);
+    return;
+  }
+  if (!library->second || library->second == &module) return;
+  if (!using_.insert(library->second).second) return;  // circles are told where they are imported
+  const std::size_t before = rules_.size();
+  compileItems(*library->second);
+  using_.erase(library->second);
+  const auto wanted = [&](const std::string& title) {
+    return std::any_of(rules_.begin() + static_cast<std::ptrdiff_t>(before), rules_.end(),
+                       [&](const CompiledRule& r) { return r.definition.name == title; });
+  };
+  std::vector<std::string> titles;
+  for (std::size_t i = before; i < rules_.size(); ++i) titles.push_back(rules_[i].definition.name);
+  const auto checkTitle = [&](const Name& name) {
+    if (wanted(name.text) || holdsRule(*library->second, name.text)) return;
+    tell(module, "R1", name.span, "'" + use.library.text + "' has no rule \"" + name.text + "\"",
+         didYouMean(name.text, titles));
+  };
+  if (use.rule) checkTitle(*use.rule);
+  for (const Name& name : use.except) checkTitle(name);
+  const auto isLeftOut = [&](const CompiledRule& rule) {
+    const std::string& title = rule.definition.name;
+    if (use.rule && use.rule->text != title) return true;
+    return std::any_of(use.except.begin(), use.except.end(),
+                       [&](const Name& n) { return n.text == title; });
+  };
+  rules_.erase(
+      std::remove_if(rules_.begin() + static_cast<std::ptrdiff_t>(before), rules_.end(), isLeftOut),
+      rules_.end());
+}
+
+void FileCompiler::compileItems(const Module& module) {
+  for (const Item& item : module.parsed.file.items) {
+    if (const auto* rule = std::get_if<Rule>(&item.content))
+      append(RuleCompiler(context_, module, settings_->shared()).compile(*rule, {}));
+    else if (const auto* instance = std::get_if<Instance>(&item.content))
+      compileInstance(module, *instance);
+    else if (const auto* text = std::get_if<Template>(&item.content))
+      checkTemplate(module, *text);
+    else if (const auto* use = std::get_if<Use>(&item.content))
+      compileUse(module, *use);
+  }
+}
+
+void FileCompiler::checkTitles() {
+  std::map<std::string, const CompiledRule*> seen;
+  for (const CompiledRule& rule : rules_) {
+    const auto [known, isNew] = seen.emplace(rule.definition.name, &rule);
+    if (isNew) continue;
+    tell(*rule.home, "R2", rule.title, "there are two rules \"" + rule.definition.name + "\"",
+         "give each rule a title of its own; in a family write a parameter into it, as in \"free "
+         "{k}\"",
+         {{"the other one", placeOf(known->second->home->source, known->second->title)}});
+  }
+}
+
+void FileCompiler::checkKinds(const RuleSetCompiler& settings) {
+  if (settings.kinds().empty()) return;
+  for (const CompiledRule& rule : rules_)
+    for (std::size_t i = 0; i < rule.definition.elements.size(); ++i) {
+      const std::string kind = rule.definition.elements[i].size() == 3 ? "tri" : "quad";
+      if (!settings.kinds().contains(kind))
+        tell(*rule.home, "T2", rule.elementSpans[i],
+             "this rule makes a " + kind + ", which the rule set does not list",
+             "add '" + kind + "' to the `elements` of the rule set");
+    }
+}
+
+std::set<int> FileCompiler::sizesMade() const {
+  std::set<int> sizes;
+  for (const CompiledRule& rule : rules_)
+    for (const RuleElement& element : rule.definition.elements) sizes.insert(element.size());
+  return sizes;
+}
+
+std::shared_ptr<const RuleSet> FileCompiler::compile(std::vector<CompiledRule>& rules) {
+  settings_ = std::make_unique<RuleSetCompiler>(context_, main_, ruleSets());
+  compileItems(main_);
+  checkTitles();
+  checkKinds(*settings_);
+  RuleSetDefinition definition = settings_->finish(sizesMade());
+  runChecks({rules_, definition, main_}, context_.diagnostics);
+  if (rules_.empty() && !context_.diagnostics.hasErrors())
+    tell(main_, "R5", {0, 0}, "this file has no rules", "add `rule \"title\" quality 1 { ... }`");
+  rules = std::move(rules_);
+  if (context_.diagnostics.hasErrors()) return nullptr;
+  for (const CompiledRule& rule : rules) {
+    try {
+      definition.rules.emplace_back(rule.definition);
+    } catch (const InputError& error) {
+      tell(*rule.home, "T1", rule.title, error.what());
+    }
+  }
+  if (context_.diagnostics.hasErrors()) return nullptr;
+  try {
+    return std::make_shared<const RuleSet>(std::move(definition));
+  } catch (const InputError& error) {
+    tell(main_, "R5", {0, 0}, error.what());
+    return nullptr;
+  }
+}
+
+bool isAllowed(const Diagnostic& d, const std::vector<std::string>& allowed) {
+  return d.severity == Severity::Warning &&
+         std::find(allowed.begin(), allowed.end(), d.code) != allowed.end();
+}
+
+}  // namespace
+
+LoadedRules loadRulesFromText(std::string name, std::string text, const LoadOptions& options) {
+  static const Registry noRegistry;
+  DiagnosticList diagnostics;
+  CompileContext context{diagnostics, options.registry ? *options.registry : noRegistry};
+  Library library(context, options.searchPaths);
+  library.load(std::move(name), std::move(text));
+  auto file = std::make_shared<LoadedFile>();
+  LoadedRules result;
+  result.rules = FileCompiler(context, library).compile(file->rules);
+  file->modules = library.takeModules();
+  result.file = std::move(file);
+  result.diagnostics = diagnostics.take();
+  std::erase_if(result.diagnostics,
+                [&](const Diagnostic& d) { return isAllowed(d, options.allowed); });
+  return result;
+}
+
+LoadedRules loadRules(const std::filesystem::path& path, const LoadOptions& options) {
+  std::string fault;
+  std::optional<std::string> text = readFile(path, fault);
+  if (text) return loadRulesFromText(path.string(), std::move(*text), options);
+  LoadedRules result;
+  Diagnostic d;
+  d.code = "R3";
+  d.message = "cannot read the rule file: " + fault;
+  d.place.file = path.string();
+  d.help = "check the path";
+  result.diagnostics.push_back(std::move(d));
+  auto file = std::make_shared<LoadedFile>();
+  file->modules.push_back(std::make_unique<Module>(SourceText(path.string(), "")));
+  result.file = std::move(file);
+  return result;
+}
+
+}  // namespace af2::dsl

@@ -1,0 +1,45 @@
+// Rule files: from a path or a text to an immutable rule set, with all that is to be said about it.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "dsl/compiled_rule.h"
+#include "dsl/diagnostic.h"
+#include "dsl/module.h"
+#include "dsl/registry.h"
+#include "engine/rule_set.h"
+
+namespace af2::dsl {
+
+struct LoadOptions {
+  /// Where imports are looked for after the folder of the importing file.
+  std::vector<std::filesystem::path> searchPaths;
+  /// Functions, metrics and zone shapes of the caller; null: none.
+  const Registry* registry = nullptr;
+  /// Codes of warnings that are not told.
+  std::vector<std::string> allowed;
+};
+
+/// The files and rules behind a rule set, for tests, pictures and further checks.
+struct LoadedFile {
+  std::vector<std::unique_ptr<Module>> modules;  ///< [0] is the file itself, then its imports
+  std::vector<CompiledRule> rules;               ///< as in the rule set, if there is one
+  const Module& main() const { return *modules.front(); }
+};
+
+struct LoadedRules {
+  std::shared_ptr<const RuleSet> rules;  ///< null if there are errors
+  std::vector<Diagnostic> diagnostics;   ///< errors and warnings, in the order of the text
+  std::shared_ptr<const LoadedFile> file;
+};
+
+/// Never throws on what stands in the file, nor when there is none: that is a diagnostic (R3).
+LoadedRules loadRules(const std::filesystem::path& path, const LoadOptions& options = {});
+
+/// `name` is what diagnostics call the text; imports are looked for beside it.
+LoadedRules loadRulesFromText(std::string name, std::string text, const LoadOptions& options = {});
+
+}  // namespace af2::dsl

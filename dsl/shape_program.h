@@ -1,0 +1,62 @@
+// Shapes whose numbers are worked out at a match.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "dsl/program.h"
+#include "dsl/values.h"
+#include "engine/free_zone.h"
+
+namespace af2::dsl {
+
+/// A tree of shape constructors together with the program that works out its numbers.
+class ShapeProgram {
+ public:
+  ShapeProgram(const ProgramBuilder& builder, const ShapeValue& shape);
+
+  /// Nothing where a number has no value.
+  std::optional<Shape> shapeAt(const AF2Binding& binding) const;
+  /// 1 or 0: whether a point lies in the closed shape; NaN where it has no valid form.
+  double holds(const AF2Binding& binding, Point2 point) const;
+
+ private:
+  friend class UserZoneDef;
+  Shape build(const ShapeValue& shape, std::span<const double> numbers, std::size_t& next) const;
+  ShapeValue shape_;
+  Program program_;
+};
+
+/// The zone clauses of a rule that are not one list of corners.
+class ShapeZoneDef final : public AF2FreeZoneDef {
+ public:
+  struct Alternative {
+    std::shared_ptr<const AF2BindingFunction> when;  ///< null: always
+    std::shared_ptr<const ShapeProgram> shape;
+  };
+
+  /// The first alternative whose condition holds is the zone; if none does, the match is refused.
+  explicit ShapeZoneDef(std::vector<Alternative> alternatives);
+
+  Made makeFreeZone(const AF2Binding& binding) const override;
+  /// The shape at a match, for pictures and checks; nothing if there is none.
+  std::optional<Shape> shapeAt(const AF2Binding& binding) const;
+  std::span<const Alternative> alternatives() const { return alternatives_; }
+
+ private:
+  std::vector<Alternative> alternatives_;
+};
+
+/// A registered zone shape with its arguments.
+class UserZoneDef final : public AF2FreeZoneDef {
+ public:
+  UserZoneDef(std::shared_ptr<const UserShape> shape, Program arguments);
+  Made makeFreeZone(const AF2Binding& binding) const override;
+
+ private:
+  std::shared_ptr<const UserShape> shape_;
+  Program arguments_;
+};
+
+}  // namespace af2::dsl

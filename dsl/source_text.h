@@ -1,0 +1,46 @@
+// The text of one rule file, and how places in it are found again.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace af2::dsl {
+
+/// A half-open range of bytes of a text. An empty span at 0 stands for "nowhere in particular".
+struct Span {
+  std::uint32_t begin = 0, end = 0;
+  bool operator==(const Span&) const = default;
+};
+
+/// The smallest span that holds both.
+inline Span cover(Span a, Span b) {
+  return {a.begin < b.begin ? a.begin : b.begin, a.end > b.end ? a.end : b.end};
+}
+
+/// A place as people count it: lines and columns from 1, columns in characters.
+struct LinePlace {
+  int line = 1, column = 1;
+  bool operator==(const LinePlace&) const = default;
+};
+
+/// A named text with its lines. Immutable.
+class SourceText {
+ public:
+  SourceText(std::string name, std::string text);
+
+  /// What the text is called in diagnostics: the path as the user gave it.
+  const std::string& name() const { return name_; }
+  std::string_view text() const { return text_; }
+  LinePlace place(std::uint32_t offset) const;
+  int lineOf(std::uint32_t offset) const;
+  /// A line, counted from 1, without its line break. Empty beyond the last one.
+  std::string_view line(int number) const;
+
+ private:
+  std::string name_, text_;
+  std::vector<std::uint32_t> lineStarts_;
+};
+
+}  // namespace af2::dsl

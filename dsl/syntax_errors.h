@@ -1,0 +1,55 @@
+// Telling what could not be read, once, and finding where reading can go on.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "dsl/diagnostic.h"
+#include "dsl/token.h"
+
+namespace af2::dsl {
+
+/// What was being read when it broke; says where the next one may begin.
+enum class SyntaxUnit { Item, RuleHeader, Clause, Setting, TestClause, MirrorPart };
+
+/// Parts that the grammar may find missing, beyond plain symbols.
+inline constexpr const char* kNoSecondFade = "no second =>";
+inline constexpr const char* kItem = "an item";
+inline constexpr const char* kClause = "a clause";
+inline constexpr const char* kSetting = "a setting";
+inline constexpr const char* kTestClause = "a test clause";
+
+/// A stretch of the file that could not be read, with the names that occur in it: they may have
+/// been meant to be defined there.
+struct BrokenStretch {
+  Span span;
+  std::vector<std::string> names;
+};
+
+class SyntaxErrors {
+ public:
+  SyntaxErrors(const SourceText& source, DiagnosticList& diagnostics)
+      : source_(source), diagnostics_(diagnostics) {}
+
+  /// Tells that `wanted` was not found at `where`, in a unit that began at `first`. Returns where
+  /// to go on, beyond `first`.
+  const Token* tellAndRecover(SyntaxUnit unit, const Token* first, const Token* where,
+                              const Token* last, const std::string& wanted);
+
+  void tell(const char* code, Span span, std::string message, std::string help);
+  std::vector<BrokenStretch> takeBroken() { return std::move(broken_); }
+
+  /// Whether an item of the file begins here, as `rule "...` and `const H` do.
+  static bool beginsItem(const Token* token);
+
+ private:
+  void tellMissing(SyntaxUnit unit, const Token* where, const std::string& wanted);
+  void tellUnknownWord(const Token* where, const std::string& wanted);
+
+  const SourceText& source_;
+  DiagnosticList& diagnostics_;
+  std::vector<BrokenStretch> broken_;
+  const Token* resumedAt_ = nullptr;
+};
+
+}  // namespace af2::dsl

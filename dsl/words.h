@@ -1,0 +1,26 @@
+// The words of the language, in one table: for the grammar, for "did you mean", for editors.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace af2::dsl {
+
+/// Words that begin an item of a file, a clause of a rule, of a rule set, of a test.
+std::span<const std::string_view> itemWords();
+std::span<const std::string_view> clauseWords();
+std::span<const std::string_view> settingWords();
+std::span<const std::string_view> testWords();
+
+/// Words that cannot be names.
+bool isReserved(std::string_view word);
+
+/// The word of `known` that is most probably meant by `written`; empty if none is near.
+std::string nearest(std::string_view written, const std::vector<std::string>& known);
+
+/// "did you mean 'x'?" or nothing.
+std::string didYouMean(std::string_view written, const std::vector<std::string>& known);
+
+}  // namespace af2::dsl
