@@ -54,7 +54,13 @@ void checkInput(const FrontInput& input) {
       edges.emplace_back(corner.vertex, next.vertex);
     }
   }
-  for (const BoundaryCorner& corner : input.isolated) checkCorner(input, corner, at, isKnown);
+  for (const BoundaryCorner& corner : input.isolated) {
+    const bool isTaken = corner.vertex.value < isKnown.size() && isKnown[corner.vertex.value];
+    checkCorner(input, corner, at, isKnown);
+    if (isTaken)
+      throw InputError("boundary: " + nameOf(corner.vertex) +
+                       " is given as isolated, but it is on a loop or given before");
+  }
   std::sort(edges.begin(), edges.end());
   const auto twice = std::adjacent_find(edges.begin(), edges.end());
   if (twice != edges.end())

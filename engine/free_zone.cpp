@@ -1,6 +1,7 @@
 #include "engine/free_zone.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 #include "engine/error.h"
@@ -32,28 +33,48 @@ double reflexDepth(Point2 p, Point2 q, Point2 r) {
   return chord > 0 ? -cross(q - p, r - q) / chord : 0;
 }
 
+/// Largest distance of a corner from the first, along an axis; not finite if a coordinate is not.
+double extentOf(const Point2* corners, int count) {
+  double extent = 0, check = 0;
+  for (int i = 0; i < count; ++i) {
+    const Point2 d = corners[i] - corners[0];
+    extent = std::max({extent, std::abs(d.x), std::abs(d.y)});
+    check += 0 * d.x + 0 * d.y;  // std::max passes over what is not a number
+  }
+  return extent + check;
+}
+
 }  // namespace
 
 int convex_polygon::normalize(Point2* corners, int count, double straightTolerance) {
+  const double tolerance = straightTolerance * std::min(extentOf(corners, count), 1.0);
+  if (!std::isfinite(tolerance)) return 0;
   count = dropRepetitions(corners, count);
   bool hasLeftTurn = false;
-  int changes = 0;
-  for (int i = 0; i < count && count >= 3;) {
+  // Once round and on until every corner has been found good since the last one was dropped.
+  for (int i = 0, good = 0; good < count && count >= 3;) {
     const Point2 p = corners[i == 0 ? count - 1 : i - 1], q = corners[i];
     const Point2 r = corners[i + 1 == count ? 0 : i + 1];
     const Turn turn = orientation(p, q, r);
-    // A corner that runs straight back is no corner of a region.
-    if (turn != Turn::Left && dot(q - p, r - q) < 0) return 0;
-    if (turn == Turn::Right) {
-      if (!(reflexDepth(p, q, r) <= straightTolerance)) return 0;
-      drop(corners, count, i);
-      i = std::max(0, i - 1);
+    const bool runsBack = turn != Turn::Left && dot(q - p, r - q) < 0;
+    if (!runsBack && turn != Turn::Right) {
+      hasLeftTurn = hasLeftTurn || turn == Turn::Left;
+      ++good;
+      i = i + 1 == count ? 0 : i + 1;
       continue;
     }
-    hasLeftTurn = hasLeftTurn || turn == Turn::Left;
-    ++i;
+    // A corner that runs straight back is no corner of a region, unless two corners that ought to
+    // coincide have changed places by rounding.
+    if (runsBack ? std::min(distance(p, q), distance(q, r)) > tolerance
+                 : !(reflexDepth(p, q, r) <= tolerance))
+      return 0;
+    drop(corners, count, i);
+    i = i == 0 ? count - 1 : i - 1;
+    good = 0;
+    hasLeftTurn = false;
   }
   if (count < 3 || !hasLeftTurn) return 0;
+  int changes = 0;
   for (int i = 0; i < count; ++i) {
     const Point2 p = corners[i == 0 ? count - 1 : i - 1], q = corners[i];
     changes += pointsUp(q - p) != pointsUp(corners[i + 1 == count ? 0 : i + 1] - q);

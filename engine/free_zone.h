@@ -51,7 +51,8 @@ class AF2FreeZoneDef {
 namespace convex_polygon {
 
 /// Largest depth, in chart units, to which a corner may lie inside the chord of its neighbours and
-/// still pass for straight: rounding of corners that are collinear by construction.
+/// still pass for straight: rounding of corners that are collinear by construction. For zones
+/// smaller than 1 it counts in units of their extent.
 inline constexpr double kStraightTolerance = 1e-9;
 
 /// Drops corners that repeat their predecessor or lie a rounding error inside a chord, in place.

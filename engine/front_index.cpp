@@ -42,8 +42,7 @@ std::uint64_t FrontIndex::keyAt(const Band& band, const Point3& point) const {
 
 FrontIndex::CellRange FrontIndex::cellsAround(const Band& band, const Box3& box) const {
   const auto cellIndex = [&](double x, double origin) {
-    constexpr double kFar =
-        1e6;  // keeps the products in range; coordinates repeat after 2^21 cells
+    constexpr double kFar = 1e15;  // cells; whole numbers of this size are exact
     return static_cast<std::int64_t>(
         std::floor(std::clamp((x - origin) * band.inverseCellSize, -kFar, kFar)));
   };

@@ -33,7 +33,7 @@ class FrontIndex {
     for (const Band& band : bands_) {
       if (band.edges == 0) continue;
       const CellRange range = cellsAround(band, box);
-      if (range.count() > band.cells.size()) {
+      if (range.count() > static_cast<double>(band.cells.size())) {
         for (const Cell& cell : band.cells) visitCell(front, cell, visit);
         continue;
       }
@@ -58,10 +58,10 @@ class FrontIndex {
   };
   struct CellRange {
     std::int64_t low[3], high[3];
-    std::size_t count() const {
-      return static_cast<std::size_t>(high[0] - low[0] + 1) *
-             static_cast<std::size_t>(high[1] - low[1] + 1) *
-             static_cast<std::size_t>(high[2] - low[2] + 1);
+    double count() const {
+      double product = 1;
+      for (int i = 0; i < 3; ++i) product *= static_cast<double>(high[i] - low[i] + 1);
+      return product;
     }
   };
 

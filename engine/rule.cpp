@@ -27,6 +27,19 @@ std::string edgeName(const RuleDefinition& rule, Edge edge) {
   return vertexName(rule, edge.first) + "->" + vertexName(rule, edge.second);
 }
 
+/// Names are for messages and pictures: those that are given must tell vertices apart.
+void checkNames(const RuleDefinition& rule) {
+  if (rule.newVertexNames.size() > rule.newVertices.size())
+    fail(rule, "names more new vertices than it has");
+  std::set<std::string> names;
+  const auto add = [&](const std::string& name) {
+    if (!name.empty() && !names.insert(name).second)
+      fail(rule, "has two vertices of the name " + name);
+  };
+  for (const PatternVertex& v : rule.vertices) add(v.name);
+  for (const std::string& name : rule.newVertexNames) add(name);
+}
+
 void checkVertices(const RuleDefinition& rule) {
   const std::size_t total = rule.vertices.size() + rule.newVertices.size();
   if (rule.vertices.size() < 2) fail(rule, "needs the ends a, b of the base edge");
@@ -35,6 +48,7 @@ void checkVertices(const RuleDefinition& rule) {
                    std::to_string(AF2Rule::kMaxVertices) + " are possible");
   for (const auto& transform : rule.newVertices)
     if (!transform) fail(rule, "a new vertex has no position");
+  checkNames(rule);
   if (!rule.zone) fail(rule, "has no free zone");
   if (rule.firstLevel < 1 || (rule.lastLevel && *rule.lastLevel < rule.firstLevel))
     fail(rule, "its quality levels are empty");

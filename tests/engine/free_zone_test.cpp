@@ -95,6 +95,23 @@ TEST(FreeZone, TakesACornerARoundingErrorInsideAChordForStraight) {
   EXPECT_FALSE(ConvexPolygonZone::isConvex(Points{{0, 0}, {.5, 1e-8}, {1, 0}, {.5, 1}}));
 }
 
+TEST(FreeZone, JudgesConvexityByTheExtentOfASmallZone) {
+  const Points fineDent{{0, 0}, {1, 0}, {.5, .5}, {0, 1}, {.1, .5}};
+  for (double s : {1.0, 1e-6, 1e-9, 1e-14, 1e-40}) {
+    EXPECT_FALSE(ConvexPolygonZone::isConvex(scaled(s, kDent))) << s;
+    EXPECT_FALSE(ConvexPolygonZone::isConvex(scaled(s, fineDent))) << s;
+    EXPECT_FALSE(ConvexPolygonZone::isConvex(scaled(s, kClockwiseSquare))) << s;
+    EXPECT_FALSE(ConvexPolygonZone::isConvex(scaled(s, kDoubleLoop))) << s;
+    EXPECT_TRUE(ConvexPolygonZone::isConvex(scaled(s, kSquare))) << s;
+  }
+}
+
+TEST(FreeZone, TakesCornersForOneThatHaveChangedPlacesByRounding) {
+  const double eps = 1e-15;
+  EXPECT_TRUE(ConvexPolygonZone::isConvex(Points{{0, 0}, {1, 0}, {1, 1}, {1, 1 - eps}, {0, 1}}));
+  EXPECT_TRUE(ConvexPolygonZone::isConvex(Points{{0, 0}, {1, 0}, {1 - eps, 0}, {1, 1}, {0, 1}}));
+}
+
 TEST(FreeZone, IsConvexWhicheverCornerComesFirst) {
   for (const Points& corners : {kSquare, kTinyPentagon, kHugeDiamond, kDent, kDoubleLoop, kWide,
                                 Points{{0, 0}, {.5, 1e-12}, {1, 0}, {.5, 1}}}) {
