@@ -8,8 +8,10 @@ namespace af2::geometry {
 
 namespace {
 
-/// A mesh of straight elements has another area than a curved face; but not half or double.
-constexpr double kLeastAreaRatio = 0.5, kMostAreaRatio = 1.5;
+/// A mesh of straight elements has another area than a curved face, or than a plane face with a
+/// curved boundary: on a face of a few elements, quite another one.
+constexpr double kMostAreaFactor = 1.4, kMostAreaFactorOfFew = 5;
+constexpr std::size_t kFewElements = 60;
 
 struct HalfEdge {
   VertexId low, high;
@@ -126,7 +128,8 @@ class Checker {
     for (const FaceReport& face : mesh_.faces) {
       if (face.status != FaceStatus::Complete || !(face.area > 0)) continue;
       const double ratio = areas_[face.id] / face.area;
-      if (ratio >= kLeastAreaRatio && ratio <= kMostAreaRatio) continue;
+      const double most = face.elements < kFewElements ? kMostAreaFactorOfFew : kMostAreaFactor;
+      if (ratio >= 1 / most && ratio <= most) continue;
       add(face.id, "the elements have " + std::to_string(ratio) + " times the area of the face", {});
     }
   }

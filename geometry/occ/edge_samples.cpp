@@ -90,7 +90,7 @@ class WantedAlongEdge {
     const gp_Pnt2d uv = face.curve->Value(parameter);
     const double radius =
         face.surface->curvatureRadiusAt(SurfacePoint{position, {}, uv.X(), uv.Y()});
-    return limitByCurvature(sizes_, face.wanted, radius);
+    return limitByCurvature(sizes_, face.wanted, radius, face.surface->isBent());
   }
 
   const ModelSizes& sizes_;

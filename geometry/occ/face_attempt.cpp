@@ -150,6 +150,58 @@ bool close(const FaceTask& task, FaceAttempt& attempt, bool inParameters) {
   return true;
 }
 
+FaceAttempt fillWithRules(const FaceTask& task) {
+  FaceAttempt first = attempt(task, task.surface.makeCharts({}));
+  if (first.fault.empty()) return first;
+  const bool hasSecond = !task.surface.isPlane() && task.boundary.closedInParameters;
+  FaceAttempt second;
+  if (hasSecond) {
+    second = attempt(task, std::make_unique<MetricChartMaker>(task.surface.inParameters()));
+    if (second.fault.empty()) return second;
+  }
+  if (close(task, first, false)) return first;
+  if (hasSecond && close(task, second, !hasTwoSheets(task.boundary.input))) return second;
+  if (hasSecond) first.fault += "; in parameters: " + second.fault;
+  return first;
+}
+
+/// How many times too large or too small the area of a mesh is, at least 1.
+double areaError(const FaceTask& task, const FaceAttempt& attempt) {
+  double area = 0;
+  for (const Element& element : attempt.result.mesh.elements) {
+    const auto c = element.vertices();
+    const auto at = [&](std::size_t i) { return attempt.result.mesh.vertices[c[i].value].position; };
+    Point3 sum;
+    for (std::size_t i = 1; i + 1 < c.size(); ++i)
+      sum = sum + cross(at(i) - at(0), at(i + 1) - at(0));
+    area += length(sum) / 2;
+  }
+  return std::max(area / task.area, task.area / area);
+}
+
+bool isNearArea(const FaceTask& task, const FaceAttempt& attempt) {
+  constexpr double kNear = 1.25;
+  return task.surface.isPlane() || !(task.area > 0) || areaError(task, attempt) < kNear;
+}
+
+FaceAttempt fillWithoutVertices(const FaceTask& task) {
+  FaceAttempt attempt;
+  attempt.charts = task.surface.makeCharts({});
+  attempt.fault = "not filled";
+  if (!task.boundary.closedInParameters || hasTwoSheets(task.boundary.input)) return attempt;
+  attempt.result.outcome = Outcome::Stuck;
+  attempt.result.mesh.vertices.resize(task.boundary.input.vertexCount);
+  for (const auto& loop : task.boundary.input.loops) {
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      const BoundaryCorner& corner = loop[i];
+      attempt.result.mesh.vertices[corner.vertex.value] = corner.point;
+      attempt.result.stuck.push_back({corner.vertex, loop[(i + 1) % loop.size()].vertex, 1, {}});
+    }
+  }
+  close(task, attempt, true);
+  return attempt;
+}
+
 }  // namespace
 
 std::string faultOf(const Mesh& mesh, const FrontInput& input) {
@@ -171,18 +223,11 @@ bool hasTwoSheets(const FrontInput& input) {
 }
 
 FaceAttempt fillFace(const FaceTask& task) {
-  FaceAttempt first = attempt(task, task.surface.makeCharts({}));
-  if (first.fault.empty()) return first;
-  const bool hasSecond = !task.surface.isPlane() && task.boundary.closedInParameters;
-  FaceAttempt second;
-  if (hasSecond) {
-    second = attempt(task, std::make_unique<MetricChartMaker>(task.surface.inParameters()));
-    if (second.fault.empty()) return second;
-  }
-  if (close(task, first, false)) return first;
-  if (hasSecond && close(task, second, !hasTwoSheets(task.boundary.input))) return second;
-  if (hasSecond) first.fault += "; in parameters: " + second.fault;
-  return first;
+  FaceAttempt filled = fillWithRules(task);
+  if (!filled.fault.empty() || isNearArea(task, filled)) return filled;
+  FaceAttempt bare = fillWithoutVertices(task);
+  return bare.fault.empty() && areaError(task, bare) < areaError(task, filled) ? std::move(bare)
+                                                                              : std::move(filled);
 }
 
 }  // namespace af2::geometry

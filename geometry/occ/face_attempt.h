@@ -24,6 +24,7 @@ struct FaceTask {
   const FaceSurface& surface;
   const FaceBoundary& boundary;
   const SizeField& size;
+  double area = 0;  ///< of the face; 0: unknown
   double expectedElements = 1;
   const AF2Algorithm& algorithm;
   const ModelMeshingOptions& options;
@@ -31,7 +32,8 @@ struct FaceTask {
 };
 
 /// The published charts first; then, where the loops are closed in the parameters, charts in these,
-/// which cannot fold; last, what is left of a stuck front is closed without rules.
+/// which cannot fold; last, what is left of a stuck front is closed without rules. A curved strip
+/// that is narrow against the sag of its segments is better filled without vertices inside.
 FaceAttempt fillFace(const FaceTask& task);
 
 /// What is wrong with the mesh of a face; empty if nothing is.

@@ -17,9 +17,10 @@ namespace {
 
 class FaceMesher {
  public:
-  FaceMesher(const FaceMeshingContext& context, int face, double expectedElements)
+  FaceMesher(const FaceMeshingContext& context, int face, double area, double expectedElements)
       : context_(context),
         face_(face),
+        area_(area),
         expected_(expectedElements),
         surface_(context.model.face(face)) {}
 
@@ -27,7 +28,7 @@ class FaceMesher {
     FaceBoundary boundary = findBoundary(context_.model, face_, context_.divided, surface_);
     const FaceSize wanted(context_.options.sizes, face_, surface_);
     const GradedSize size(wanted, boundary.input, context_.options.sizes.growth);
-    FaceAttempt attempt = fillFace({face_, surface_, boundary, size, expected_, context_.algorithm,
+    FaceAttempt attempt = fillFace({face_, surface_, boundary, size, area_, expected_, context_.algorithm,
                                     context_.options, context_.progress});
     if (!attempt.fault.empty()) throw GeometryError(attempt.fault);
     if (attempt.result.outcome == Outcome::Cancelled) {
@@ -47,7 +48,7 @@ class FaceMesher {
     OptimizeOptions options;
     options.stop = context_.options.stop;
     Mesh raw = attempt.result.mesh;
-    optimizeMesh(attempt.result.mesh, input, *attempt.charts, options);
+    optimizeMesh(attempt.result.mesh, boundaryOf(input), *attempt.charts, options);
     // What the optimiser leaves is held against the same checks that the raw mesh has passed.
     if (!faultOf(attempt.result.mesh, input).empty()) attempt.result.mesh = std::move(raw);
     const auto end = std::chrono::steady_clock::now();
@@ -67,7 +68,7 @@ class FaceMesher {
 
   const FaceMeshingContext& context_;
   int face_;
-  double expected_;
+  double area_, expected_;
   FaceSurface surface_;
 };
 
@@ -78,15 +79,17 @@ void fail(FaceMesh& mesh, const std::string& reason) {
 
 }  // namespace
 
-FaceMesh meshFace(const FaceMeshingContext& context, int face, double expectedElements) {
+FaceMesh meshFace(const FaceMeshingContext& context, int face, double area,
+                  double expectedElements) {
   FaceMesh mesh;
   const auto start = std::chrono::steady_clock::now();
   const auto index = static_cast<std::size_t>(face) - 1;
   mesh.report.id = face;
+  mesh.report.area = area;
   mesh.report.name = context.model.faceNames[index];
   mesh.report.surfaceType = context.model.surfaceTypes[index];
   try {
-    FaceMesher(context, face, expectedElements).meshInto(mesh);
+    FaceMesher(context, face, area, expectedElements).meshInto(mesh);
   } catch (const Standard_Failure& failure) {
     fail(mesh, std::string("OpenCASCADE: ") + failure.DynamicType()->Name());
   } catch (const std::exception& failure) {

@@ -30,7 +30,8 @@ struct FaceMeshingContext {
 };
 
 /// Never throws for a fault of the face: that becomes a failed report.
-FaceMesh meshFace(const FaceMeshingContext& context, int face, double expectedElements);
+FaceMesh meshFace(const FaceMeshingContext& context, int face, double area,
+                  double expectedElements);
 
 /// Area of a face of the model; 0 if it cannot be told.
 double areaOf(const ModelShape& model, int face);

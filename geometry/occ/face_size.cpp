@@ -11,7 +11,8 @@ double FaceSize::sizeAt(const SurfacePoint& point) const {
   const double size =
       surface_.isPlane()
           ? wanted_
-          : limitByCurvature(sizes_, wanted_, surface_.curvatureRadiusAt(point));
+          : limitByCurvature(sizes_, wanted_, surface_.curvatureRadiusAt(point),
+                             surface_.isBent());
   return limitByFunction(sizes_, size, point.position);
 }
 

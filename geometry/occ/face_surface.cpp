@@ -5,6 +5,7 @@
 #include <TopoDS.hxx>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 #include "engine/error.h"
 #include "geometry/occ/points.h"
@@ -33,11 +34,18 @@ Quadric oriented(Quadric outer, Quadric inner, const Point3& position, const Poi
   return dot(outer.normalAt(position), normal) > 0 ? outer : inner;
 }
 
-/// The nappe on which the face lies; nothing if it lies on both.
-std::optional<ConeSurface> nappeOf(const gp_Cone& cone, const TopoDS_Face& face,
-                                   const Point3& position, const Point3& normal) {
+/// The part of the parameters that a face takes up.
+struct Bounds {
   double u1, u2, v1, v2;
-  BRepTools::UVBounds(face, u1, u2, v1, v2);
+  explicit Bounds(const TopoDS_Face& face) { BRepTools::UVBounds(face, u1, u2, v1, v2); }
+  double u(double share) const { return u1 + share * (u2 - u1); }
+  double v(double share) const { return v1 + share * (v2 - v1); }
+};
+
+/// The nappe on which the face lies; nothing if it lies on both.
+std::optional<ConeSurface> nappeOf(const gp_Cone& cone, const Bounds& bounds,
+                                   const Point3& position, const Point3& normal) {
+  const double v1 = bounds.v1, v2 = bounds.v2;
   const double sine = std::sin(cone.SemiAngle());
   const double reference = cone.RefRadius();
   const double slack = 1e-9 * (std::abs(reference) + std::abs(sine) * (v2 - v1));
@@ -54,11 +62,24 @@ std::optional<ConeSurface> nappeOf(const gp_Cone& cone, const TopoDS_Face& face,
 }
 
 /// A place of the face's part of the surface that is no pole.
-SurfacePoint samplePoint(const TopoDS_Face& face, const GeneralSurface& surface) {
-  double u1, u2, v1, v2;
-  BRepTools::UVBounds(face, u1, u2, v1, v2);
-  const double u = u1 + 0.4142 * (u2 - u1), v = v1 + 0.4142 * (v2 - v1);
+SurfacePoint samplePoint(const Bounds& bounds, const GeneralSurface& surface) {
+  const double u = bounds.u(0.4142), v = bounds.v(0.4142);
   return {surface.frameAt(u, v).position, surface.normalAt(u, v), u, v};
+}
+
+/// Whether some two of a few normals differ by more than `kBent`.
+bool bendsFar(const Bounds& bounds, const GeneralSurface& surface) {
+  constexpr double kBent = -0.2;  // the cosine of about 100 degrees
+  constexpr int kSamples = 4;
+  std::vector<Point3> normals;
+  for (int i = 0; i <= kSamples; ++i)
+    for (int j = 0; j <= kSamples; ++j)
+      normals.push_back(surface.normalAt(bounds.u(0.01 + 0.98 * i / kSamples),
+                                         bounds.v(0.01 + 0.98 * j / kSamples)));
+  for (const Point3& n : normals)
+    for (const Point3& m : normals)
+      if (dot(n, m) < kBent) return true;
+  return false;
 }
 
 }  // namespace
@@ -68,9 +89,11 @@ FaceSurface::FaceSurface(const TopoDS_Face& face)
       parametric_(surfaceOf(face), flipped_),
       surface_(parametric_) {
   const GeomAdaptor_Surface adaptor(surfaceOf(face));
-  const SurfacePoint sample = samplePoint(face, parametric_);
+  const Bounds bounds(face);
+  const SurfacePoint sample = samplePoint(bounds, parametric_);
   const Point3 &p = sample.position, &n = sample.normal;
   if (!(length(n) > 0)) return;
+  isBent_ = adaptor.GetType() != GeomAbs_Plane && bendsFar(bounds, parametric_);
   switch (adaptor.GetType()) {
     case GeomAbs_Plane:
       surface_ = PlaneSurface{n};
@@ -83,7 +106,7 @@ FaceSurface::FaceSurface(const TopoDS_Face& face)
       break;
     }
     case GeomAbs_Cone:
-      if (const auto cone = nappeOf(adaptor.Cone(), face, p, n)) surface_ = *cone;
+      if (const auto cone = nappeOf(adaptor.Cone(), bounds, p, n)) surface_ = *cone;
       break;
     case GeomAbs_Sphere: {
       const gp_Sphere s = adaptor.Sphere();

@@ -28,6 +28,8 @@ class FaceSurface {
   SurfacePoint pointAt(const Point3& position, double u, double v) const;
   double curvatureRadiusAt(const SurfacePoint& point) const;
   bool isPlane() const { return std::holds_alternative<PlaneSurface>(surface_); }
+  /// Whether normals of the face differ by more than about a right angle.
+  bool isBent() const { return isBent_; }
 
   /// Makes the published charts; for a plane, the exact one.
   std::unique_ptr<AF2LocalTransformMaker> makeCharts(const ChartLimits& limits) const;
@@ -39,7 +41,7 @@ class FaceSurface {
   using Surface = std::variant<PlaneSurface, CylinderSurface, ConeSurface, SphereSurface,
                                TorusSurface, GeneralSurface>;
 
-  bool flipped_;
+  bool flipped_, isBent_ = false;
   GeneralSurface parametric_;
   Surface surface_;
 };

@@ -199,7 +199,7 @@ class ModelMesher {
       const FaceMeshingContext context{
           model_.shape(), algorithm_, options_, divided_,
           [&](const Progress& p) { progress.advance(i, p.elements); }};
-      meshes[i] = options_.stop.stop_requested() ? cancelled(faces[i]) : meshFace(context, faces[i], work[i]);
+      meshes[i] = options_.stop.stop_requested() ? cancelled(faces[i]) : meshFace(context, faces[i], areas[i], work[i]);
       meshes[i].report.area = areas[i];
       progress.finish(i, meshes[i].elements.size());
     });

@@ -44,8 +44,9 @@ double limitByFunction(const ModelSizes& sizes, double size, const Point3& posit
   return std::min(size, limit);
 }
 
-double limitByCurvature(const ModelSizes& sizes, double size, double radius) {
-  return std::min(size, std::max(sizes.faceTurn * radius, sizes.faceLeast * size));
+double limitByCurvature(const ModelSizes& sizes, double size, double radius, bool isBent) {
+  const double least = isBent ? sizes.bentFaceLeast : sizes.faceLeast;
+  return std::min(size, std::max(sizes.faceTurn * radius, least * size));
 }
 
 }  // namespace af2::geometry

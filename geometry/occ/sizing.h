@@ -15,7 +15,8 @@ double wantedOnFace(const ModelSizes& sizes, int face);
 /// positive size.
 double limitByFunction(const ModelSizes& sizes, double size, const Point3& position);
 
-/// `size`, or less where an edge of an element would turn by more than sizes.faceTurn.
-double limitByCurvature(const ModelSizes& sizes, double size, double radius);
+/// `size`, or less where an edge of an element would turn by more than sizes.faceTurn, on a face that
+/// bends by more than a right angle or less.
+double limitByCurvature(const ModelSizes& sizes, double size, double radius, bool isBent);
 
 }  // namespace af2::geometry
