@@ -129,6 +129,8 @@ class Run {
     result_.mesh.vertices.resize(input.vertexCount);
     valence_.resize(input.vertexCount, 0);
     for (const auto& loop : input.loops) addLoop(loop);
+    front_.untangle();
+    for (std::size_t i = 0; i < front_.capacity(); ++i) enter(PlaceId(i));
     for (const BoundaryCorner& corner : input.isolated) addIsolated(corner);
   }
 
@@ -151,8 +153,7 @@ class Run {
       sizes.push_back(sizeAt(size_, corner.point));
       result_.mesh.vertices[corner.vertex.value] = corner.point;
     }
-    const PlaceId first = front_.addLoop(loop, sizes);
-    for (std::size_t i = 0; i < loop.size(); ++i) enter(PlaceId(first.value + i));
+    front_.addLoop(loop, sizes);
   }
 
   void addIsolated(const BoundaryCorner& corner) {

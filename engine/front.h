@@ -49,6 +49,9 @@ class Front {
   /// A part of a loop whose rest is not known, for trying rules: `replace` is not for it.
   PlaceId addOpenChain(std::span<const BoundaryCorner> corners, std::span<const double> sizes);
   PlaceId addIsolated(const BoundaryCorner& corner, double size);
+  /// Where loops touch in a vertex, links edges anew so that each free sector there is bounded by
+  /// an edge and the one that follows it: loops may be given apart or as one walk.
+  void untangle();
 
   /// Replaces the edge that leaves `base` by the path base -> walk... -> next(base).
   ///
@@ -92,6 +95,9 @@ class Front {
     places_[to.value].previous = from;
   }
   void exchangePredecessors(PlaceId p, PlaceId q);
+  /// For each place of one vertex the place whose edge arrives at the end of its free sector;
+  /// nothing if the edges there do not pair off.
+  std::vector<PlaceId> freeNeighbors(std::span<const PlaceId> places) const;
   void cancelOppositeEdges(PlaceId id, Change& change);
 
   std::vector<Place> places_;

@@ -47,18 +47,13 @@ class EdgeTable {
 
 class Checker {
  public:
-  Checker(const Mesh& mesh, const FrontInput& input) : mesh_(mesh), fixedCount_(input.vertexCount) {
-    for (const auto& loop : input.loops)
-      for (std::size_t i = 0; i < loop.size(); ++i)
-        boundary_.emplace_back(loop[i].vertex, loop[(i + 1) % loop.size()].vertex);
-    std::sort(boundary_.begin(), boundary_.end());
-  }
+  Checker(const Mesh& mesh, const MeshBoundary& boundary) : mesh_(mesh), boundary_(boundary) {}
 
   std::vector<MeshFault> check() {
     for (std::size_t i = 0; i < mesh_.elements.size(); ++i) checkElement(ElementId(i));
     edges_.sort(mesh_.vertices.size());
     for (std::size_t v = 0; v < mesh_.vertices.size(); ++v) checkVertex(VertexId(v));
-    for (const Edge& e : boundary_)
+    for (const Edge& e : boundary_.edges)
       if (edges_.count(e.first, e.second) == 0)
         add(MeshFault::Kind::BoundaryNotKept, {}, e.first, e.second);
     return std::move(faults_);
@@ -97,11 +92,6 @@ class Checker {
     return true;
   }
 
-  bool isBoundary(VertexId from, VertexId to) const {
-    return from.value < fixedCount_ && to.value < fixedCount_ &&
-           std::binary_search(boundary_.begin(), boundary_.end(), Edge{from, to});
-  }
-
   void checkVertex(VertexId v) {
     const auto outgoing = edges_.from(v);
     if (outgoing.empty()) add(MeshFault::Kind::UnusedVertex, {}, v);
@@ -110,17 +100,16 @@ class Checker {
       for (std::size_t j = 0; j < i; ++j)
         if (outgoing[j].to == to) add(MeshFault::Kind::OverlappingEdge, element, v, to);
       const bool hasPartner = edges_.count(to, v) > 0;
-      const bool isGiven = isBoundary(v, to);
+      const bool isGiven = boundary_.contains(v, to);
       if (!hasPartner && !isGiven) add(MeshFault::Kind::OpenEdge, element, v, to);
-      if (hasPartner && isGiven && !isBoundary(to, v))
+      if (hasPartner && isGiven && !boundary_.contains(to, v))
         add(MeshFault::Kind::BoundaryNotKept, element, v, to);
     }
   }
 
   const Mesh& mesh_;
-  std::size_t fixedCount_;
+  const MeshBoundary& boundary_;
   EdgeTable edges_;
-  std::vector<Edge> boundary_;
   std::vector<MeshFault> faults_;
 };
 
@@ -161,8 +150,8 @@ std::string describe(const MeshFault& fault, const Mesh& mesh) {
   return text;
 }
 
-std::vector<MeshFault> checkMesh(const Mesh& mesh, const FrontInput& input) {
-  return Checker(mesh, input).check();
+std::vector<MeshFault> checkMesh(const Mesh& mesh, const MeshBoundary& boundary) {
+  return Checker(mesh, boundary).check();
 }
 
 }  // namespace af2

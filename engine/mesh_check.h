@@ -28,7 +28,10 @@ struct MeshFault {
 /// One line that tells the fault and its place.
 std::string describe(const MeshFault& fault, const Mesh& mesh);
 
-/// All faults of a mesh that should fill the region which `input` bounds; none: the mesh is sound.
-std::vector<MeshFault> checkMesh(const Mesh& mesh, const FrontInput& input);
+/// All faults of a mesh that should fill the region inside a boundary; none: the mesh is sound.
+std::vector<MeshFault> checkMesh(const Mesh& mesh, const MeshBoundary& boundary);
+inline std::vector<MeshFault> checkMesh(const Mesh& mesh, const FrontInput& input) {
+  return checkMesh(mesh, boundaryOf(input));
+}
 
 }  // namespace af2

@@ -38,9 +38,9 @@ SidesByVertex sortSides(const Mesh& mesh) {
 
 }  // namespace
 
-MeshTopology::MeshTopology(Mesh& mesh, const FrontInput& input)
+MeshTopology::MeshTopology(Mesh& mesh, const MeshBoundary& boundary)
     : mesh_(mesh),
-      fixedCount_(input.vertexCount),
+      fixedCount_(boundary.fixedCount),
       across_(4 * mesh.elements.size()),
       cornerOf_(mesh.vertices.size()),
       valence_(mesh.vertices.size(), 0) {
@@ -55,7 +55,7 @@ MeshTopology::MeshTopology(Mesh& mesh, const FrontInput& input)
       }
     }
   }
-  cutAt(input);
+  cutAt(boundary);
   findCorners();
 }
 
@@ -66,18 +66,11 @@ void MeshTopology::setAcross(Corner c, Corner d) {
 }
 
 /// Lines inside the region, and seams, have elements on both sides; they must stay edges.
-void MeshTopology::cutAt(const FrontInput& input) {
-  std::vector<std::pair<VertexId, VertexId>> edges;
-  for (const auto& loop : input.loops)
-    for (std::size_t i = 0; i < loop.size(); ++i)
-      edges.emplace_back(loop[i].vertex, loop[(i + 1) % loop.size()].vertex);
-  std::sort(edges.begin(), edges.end());
+void MeshTopology::cutAt(const MeshBoundary& boundary) {
   for (std::size_t e = 0; e < mesh_.elements.size(); ++e) {
     for (std::size_t i = 0; i < static_cast<std::size_t>(mesh_.elements[e].size()); ++i) {
       const Corner c(e, i);
-      const std::pair edge(vertexAt(c), vertexAt(next(c)));
-      if (across(c).isNone() || !isFixed(edge.first) || !isFixed(edge.second)) continue;
-      if (!std::binary_search(edges.begin(), edges.end(), edge)) continue;
+      if (across(c).isNone() || !boundary.contains(vertexAt(c), vertexAt(next(c)))) continue;
       setAcross(across(c), Corner());
       setAcross(c, Corner());
     }

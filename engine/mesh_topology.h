@@ -27,7 +27,7 @@ struct Corner {
 /// their sides: nothing is swapped or walked across them.
 class MeshTopology {
  public:
-  MeshTopology(Mesh& mesh, const FrontInput& input);
+  MeshTopology(Mesh& mesh, const MeshBoundary& boundary);
 
   const Mesh& mesh() const { return mesh_; }
   VertexId vertexAt(Corner c) const { return mesh_.elements[c.element()].corners[c.index()]; }
@@ -65,7 +65,7 @@ class MeshTopology {
 
  private:
   void setAcross(Corner c, Corner d);
-  void cutAt(const FrontInput& input);
+  void cutAt(const MeshBoundary& boundary);
   void findCorners();
   void renewCornerOf(Corner c);
 

@@ -7,10 +7,10 @@
 
 namespace af2 {
 
-OptimizeReport optimizeMesh(Mesh& mesh, const FrontInput& input,
+OptimizeReport optimizeMesh(Mesh& mesh, const MeshBoundary& boundary,
                             const AF2LocalTransformMaker& maker, const OptimizeOptions& options) {
   OptimizeReport report;
-  MeshTopology topology(mesh, input);
+  MeshTopology topology(mesh, boundary);
   VertexSmoother smoother(topology, mesh, maker);
   const std::vector<std::uint8_t> wanted = wantedValences(topology);
   const auto smooth = [&] {
@@ -19,7 +19,7 @@ OptimizeReport optimizeMesh(Mesh& mesh, const FrontInput& input,
   };
   for (int round = 0; round < options.rounds && !options.stop.stop_requested(); ++round) {
     report.swaps += swapSides(topology, SwapGoal::Valence, wanted);
-    report.collapses += collapseEdges(topology);
+    if (options.collapse) report.collapses += collapseEdges(topology);
     smooth();
     report.swaps += swapSides(topology, SwapGoal::Shape, wanted);
     smoother.wakeAll();

@@ -12,6 +12,7 @@ namespace af2 {
 struct OptimizeOptions {
   int rounds = 2;           ///< of swapping and smoothing
   int smoothingSweeps = 2;  ///< over all vertices, in each round
+  bool collapse = true;     ///< whether inner vertices may be taken out
   std::stop_token stop;     ///< what is done so far stays
 };
 
@@ -22,9 +23,10 @@ struct OptimizeReport {
 
 /// Improves the shape of the elements of a complete mesh, in place.
 ///
-/// Never moves or removes the vertices of `input`, never turns an element over, never leaves the
-/// surface: vertices move through charts of `maker`. Depends on nothing but its arguments.
-OptimizeReport optimizeMesh(Mesh& mesh, const FrontInput& input,
+/// Never moves or removes the fixed vertices of the boundary, never turns an element over, never
+/// leaves the surface: vertices move through charts of `maker`. Depends on nothing but its
+/// arguments.
+OptimizeReport optimizeMesh(Mesh& mesh, const MeshBoundary& boundary,
                             const AF2LocalTransformMaker& maker,
                             const OptimizeOptions& options = {});
 

@@ -1,0 +1,40 @@
+// Meshes one region from boundary to finished mesh, on as many threads as the caller's arena has.
+#pragma once
+
+#include <functional>
+#include <memory>
+
+#include "engine/algorithm.h"
+#include "engine/region_split.h"
+
+namespace af2 {
+
+/// A region and what it lies on.
+struct RegionTask {
+  const FrontInput& input;
+  const SizeField& size;
+  /// Makes one chart maker for each piece: a maker serves one thread only. Must be callable from
+  /// several threads at once.
+  std::function<std::unique_ptr<AF2LocalTransformMaker>()> makeCharts;
+  /// Null: the region is not cut.
+  const ParametricSurface* surface = nullptr;
+  SplitOptions split;
+  bool optimize = true;
+};
+
+struct RegionMesh {
+  MeshingResult result;
+  std::string fault;           ///< what is wrong with the mesh; empty: it is sound
+  double optimizeSeconds = 0;  ///< summed over threads
+  double seconds = 0;          ///< likewise, in all
+};
+
+/// Cuts the region where it is large, meshes the pieces at the same time, optimises them and the
+/// lines where they meet, and checks all of it. The mesh depends on the task alone, not on the
+/// number of threads; the progress callback is called from several threads, one at a time.
+///
+/// Throws what AF2Algorithm::execute throws.
+RegionMesh meshRegion(const AF2Algorithm& algorithm, const RegionTask& task,
+                      const MeshingOptions& options);
+
+}  // namespace af2

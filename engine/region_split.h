@@ -1,0 +1,49 @@
+// Cuts one region into pieces that can be meshed at the same time: recursive bisection along lines
+// in the parameter plane of the surface.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "engine/front_input.h"
+#include "engine/size_field.h"
+
+namespace af2 {
+
+/// A surface given by its parameters, for placing the vertices of cuts. May be asked from several
+/// threads at once.
+class ParametricSurface {
+ public:
+  virtual ~ParametricSurface() = default;
+  /// Throws GeometryError if there is no point with a normal at (u, v).
+  virtual SurfacePoint at(double u, double v) const = 0;
+};
+
+/// A piece of a region, with vertices numbered on its own: a self-contained value.
+struct RegionPiece {
+  FrontInput input;
+  std::vector<VertexId> vertices;  ///< by vertex of the piece: its id in the whole region
+};
+
+/// The pieces of a region in a fixed order. Their cut edges are boundary edges of the two pieces
+/// that they lie between, in opposite directions.
+struct SplitRegion {
+  std::vector<SurfacePoint> cutVertices;  ///< their ids follow those of the region's boundary
+  std::vector<RegionPiece> pieces;        ///< one, the region itself, if it was not worth a cut
+};
+
+struct SplitOptions {
+  /// Regions that are expected to get more elements than this are cut. Larger pieces lose less
+  /// quality along the cuts; smaller ones keep more threads busy.
+  double pieceElements = 40000;
+};
+
+/// Depends on nothing but its arguments: the pieces are the same for any number of threads.
+///
+/// The parameters of the corners must draw the region as it is: loops that do not cross each other,
+/// outer ones counter-clockwise or, if the face is reversed, all the other way round. Where a cut
+/// would come too close to the boundary another one is tried; a region that has none stays whole.
+SplitRegion splitRegion(const FrontInput& input, const ParametricSurface& surface,
+                        const SizeField& size, const SplitOptions& options = {});
+
+}  // namespace af2
