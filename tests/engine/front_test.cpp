@@ -209,6 +209,40 @@ TEST(Front, MeasuresTheFreeAngleAtAPlace) {
   EXPECT_NEAR(front.turn(placeOf(front, 9)), 4 * right, 1e-14) << "the end of a slit";
 }
 
+TEST(Front, LinksLoopsThatTouchInAVertexByTheirFreeSectors) {
+  // A triangular hole hangs from the middle of the lower side, vertex 1.
+  Front front;
+  addPolygon(front, {{0, 0}, {2, 0}, {4, 0}, {4, 4}, {0, 4}});
+  std::vector<BoundaryCorner> hole{flatCorner(1, {2, 0}), flatCorner(5, {1, 2}),
+                                   flatCorner(6, {3, 2})};
+  front.addLoop(hole, std::vector<double>(3, 1.0));
+  front.untangle();
+  expectSound(front);
+  EXPECT_EQ(loopsOf(front), (Loops{{0, 1, 5, 6, 1, 2, 3, 4}}));
+}
+
+TEST(Front, LinksLinesThatMeetInAVertexByTheirFreeSectors) {
+  Front front;
+  const Point2 ends[]{{1, 0}, {0, 1}, {-1, 0}};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::vector<BoundaryCorner> line{flatCorner(0, {0, 0}), flatCorner(1 + i, ends[i])};
+    front.addLoop(line, std::vector<double>(2, 1.0));
+  }
+  front.untangle();
+  expectSound(front);
+  EXPECT_EQ(loopsOf(front), (Loops{{0, 1, 0, 3, 0, 2}}));
+}
+
+TEST(Front, LeavesWalksAsTheyAreThatAreRightAlready) {
+  Front front;
+  addPolygon(front, kHexagon);
+  replace(front, 0, {existingVertex(front, placeOf(front, 3))});
+  const Loops before = loopsOf(front);
+  front.untangle();
+  expectSound(front);
+  EXPECT_EQ(loopsOf(front), before);
+}
+
 /// How often an edge runs from u to v more often than from v to u.
 using NetEdges = std::map<std::pair<std::size_t, std::size_t>, int>;
 
