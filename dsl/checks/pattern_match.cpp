@@ -72,4 +72,28 @@ std::vector<Point2> cornersOf(const RuleElement& element, const std::vector<Poin
   return corners;
 }
 
+std::vector<std::vector<int>> chainsOf(const RuleDefinition& rule) {
+  std::vector<PatternEdge> edges = rule.edges;
+  std::vector<std::vector<int>> chains;
+  while (!edges.empty()) {
+    std::vector<int> chain{edges.front().from, edges.front().to};
+    edges.erase(edges.begin());
+    for (auto edge = edges.begin(); edge != edges.end();) {
+      const bool isClosed = chain.front() == chain.back();
+      if (!isClosed && edge->from == chain.back()) {
+        chain.push_back(edge->to);
+      } else if (!isClosed && edge->to == chain.front()) {
+        chain.insert(chain.begin(), edge->from);
+      } else {
+        ++edge;
+        continue;
+      }
+      edges.erase(edge);
+      edge = edges.begin();
+    }
+    chains.push_back(std::move(chain));
+  }
+  return chains;
+}
+
 }  // namespace af2::dsl

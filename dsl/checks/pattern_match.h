@@ -39,4 +39,8 @@ class PatternMatch final : public AF2Surroundings {
 /// The corners of an element, out of PatternMatch::placeAll.
 std::vector<Point2> cornersOf(const RuleElement& element, const std::vector<Point2>& placed);
 
+/// The pattern's edges as walks over its vertices, the one with the base edge first; a closed walk
+/// ends in the vertex in which it begins.
+std::vector<std::vector<int>> chainsOf(const RuleDefinition& rule);
+
 }  // namespace af2::dsl

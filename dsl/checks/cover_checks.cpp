@@ -1,0 +1,129 @@
+// Z1: do all elements lie in the free zone?
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "dsl/checks/rule_sample.h"
+#include "dsl/checks/test_text.h"
+#include "dsl/checks/zone_depth.h"
+#include "engine/predicates.h"
+
+namespace af2::dsl {
+namespace {
+
+struct Uncovered {
+  const SampledMatch* match;
+  int element;
+  MeasuredZone::Poke poke;
+};
+
+bool isPositive(const std::vector<Point2>& corners) {
+  const std::size_t n = corners.size();
+  for (std::size_t i = 0; i < n; ++i)
+    if (orientation(corners[i], corners[(i + 1) % n], corners[(i + 2) % n]) != Turn::Left)
+      return false;
+  return true;
+}
+
+bool isUsable(const SampledMatch& one) { return one.zone && one.placed; }
+
+std::optional<Uncovered> uncoveredElement(const SampledMatch& one) {
+  const MeasuredZone zone(*one.zone);
+  std::optional<Uncovered> worst;
+  const auto& elements = one.match.rule().definition().elements;
+  for (std::size_t i = 0; i < elements.size(); ++i) {
+    const auto corners = cornersOf(elements[i], *one.placed);
+    if (!isPositive(corners)) return std::nullopt;  // another finding
+    const auto poke = zone.pokeOf(corners);
+    if (poke.depth > zone.tolerance() && (!worst || poke.depth > worst->poke.depth))
+      worst = Uncovered{&one, static_cast<int>(i), poke};
+  }
+  return worst;
+}
+
+bool holds(const std::vector<Point2>& corners, Point2 p) {
+  const std::size_t n = corners.size();
+  for (std::size_t i = 0; i < n; ++i)
+    if (orientation(corners[i], corners[(i + 1) % n], p) != Turn::Left) return false;
+  return true;
+}
+
+/// A place inside the element and outside the zone: from where it sticks out most towards its
+/// middle.
+std::optional<Point2> unseenPlace(const Uncovered& uncovered) {
+  const SampledMatch& one = *uncovered.match;
+  const auto corners =
+      cornersOf(one.match.rule().definition().elements[uncovered.element], *one.placed);
+  Point2 middle{};
+  for (const Point2 corner : corners)
+    middle = middle + (1.0 / static_cast<double>(corners.size())) * corner;
+  for (const double t : {0.3, 0.2, 0.1, 0.05, 0.02, 0.01, 0.001}) {
+    const Point2 p = uncovered.poke.at + t * (middle - uncovered.poke.at);
+    for (const double digits : {1e2, 1e3, 1e5}) {
+      const Point2 q{std::round(p.x * digits) / digits, std::round(p.y * digits) / digits};
+      if (holds(corners, q) && !one.zone->contains(q, ZoneBoundary::Counts)) return q;
+    }
+  }
+  return std::nullopt;
+}
+
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+/// One that shows well and is not far-fetched: the closest to the reference of the deeper half.
+const Uncovered& exampleOf(const std::vector<Uncovered>& all, double leastDepth) {
+  const Uncovered* best = nullptr;
+  for (const Uncovered& one : all)
+    if (one.poke.depth >= leastDepth && (!best || one.match->deviation < best->match->deviation))
+      best = &one;
+  return *best;
+}
+
+}  // namespace
+
+std::optional<SampledFinding> findUncovered(const RuleSample& sample) {
+  std::vector<Uncovered> all;
+  std::vector<double> depths;
+  std::size_t valid = 0;
+  for (const SampledMatch& one : sample.matches) {
+    if (!isUsable(one)) continue;
+    ++valid;
+    if (const auto uncovered = uncoveredElement(one)) {
+      all.push_back(*uncovered);
+      depths.push_back(uncovered->poke.depth);
+    }
+  }
+  if (all.empty()) return std::nullopt;
+
+  const double middle = median(depths);
+  const auto shows = [&](const SampledMatch& one) {
+    const auto uncovered = isUsable(one) ? uncoveredElement(one) : std::nullopt;
+    return uncovered && uncovered->poke.depth > 0.5 * middle && unseenPlace(*uncovered);
+  };
+  const SampledMatch match = simplified(*exampleOf(all, middle).match, sample.rules, shows);
+  const Uncovered example = *uncoveredElement(match);
+  const auto unseen = unseenPlace(example);
+  SampledFinding finding = findingAbout(sample, "Z1", Severity::Error);
+  finding.element = example.element;
+  finding.message = fmt::format(
+      "a new element of rule '{}' sticks out of the free zone at {:.2g} % of the matches at level "
+      "{}, by {:.2g} in the middle and {:.2g} at most",
+      sample.name(), 100.0 * static_cast<double>(all.size()) / static_cast<double>(valid),
+      sample.level, middle, *std::max_element(depths.begin(), depths.end()));
+  finding.help = "an obstacle there would not be seen; move the zone's corners outwards";
+  finding.example = {example.match->match.vertices(), sample.level, {example.poke.at}, {}};
+  if (!unseen) return finding;
+  finding.example.obstacles = {*unseen};
+  finding.test =
+      writeTest(example.match->match,
+                {fmt::format("{}: an obstacle inside the new element is seen", sample.name()),
+                 {*unseen},
+                 fmt::format("not rule \"{}\" because zone hit by vertex o", sample.name())});
+  return finding;
+}
+
+}  // namespace af2::dsl

@@ -1,0 +1,48 @@
+#include "dsl/checks/rule_sample.h"
+
+#include <cmath>
+
+#include "dsl/checks/match_sampler.h"
+
+namespace af2::dsl {
+
+PatternMatch roundedTo(const PatternMatch& match, double step) {
+  const double scale = std::round(1 / step);  // dividing by it gives the shortest decimals
+  std::vector<Point2> vertices;
+  for (const Point2 p : match.vertices())
+    vertices.push_back({std::round(p.x * scale) / scale, std::round(p.y * scale) / scale});
+  return PatternMatch(match.rule(), std::move(vertices), match.level());
+}
+
+SampledMatch examine(PatternMatch match) {
+  SampledMatch result{std::move(match), 0, {}, nullptr, Refusal::None};
+  result.deviation = deviationOf(result.match);
+  result.placed = result.match.placeAll();
+  auto made = result.match.rule().definition().zone->makeFreeZone(result.match.binding());
+  result.zone = std::move(made.zone);
+  result.zoneRefusal = made.refusal;
+  return result;
+}
+
+SampledFinding findingAbout(const RuleSample& sample, const char* code, Severity severity) {
+  SampledFinding finding;
+  finding.code = code;
+  finding.severity = severity;
+  finding.rule = sample.index;
+  return finding;
+}
+
+RuleSample sampleRule(const RuleSet& rules, std::size_t index, const SamplingOptions& options) {
+  const AF2Rule& rule = rules.rules()[index];
+  RuleSample sample{rules, index, rule, rule.definition().firstLevel, {}};
+  if (sample.level > rules.maxLevel()) return sample;
+  MatchSampler sampler(rules, rule, sample.level, options.seed + index);
+  for (int i = 0; i < options.samples; ++i) {
+    auto match = sampler.next();
+    if (!match) break;
+    sample.matches.push_back(examine(std::move(*match)));
+  }
+  return sample;
+}
+
+}  // namespace af2::dsl

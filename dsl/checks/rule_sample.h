@@ -1,0 +1,72 @@
+// A rule with many of its matches, drawn once for all sampled checks.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "dsl/checks/pattern_match.h"
+#include "dsl/checks/sampled_checks.h"
+
+namespace af2::dsl {
+
+/// A match that passes pattern and `require`, and what the rule makes of it.
+struct SampledMatch {
+  PatternMatch match;
+  double deviation = 0;                       ///< from the reference
+  std::optional<std::vector<Point2>> placed;  ///< all vertices; none: NoValue
+  std::shared_ptr<const AF2FreeZone> zone;    ///< null: refused
+  Refusal zoneRefusal = Refusal::None;
+};
+
+struct RuleSample {
+  const RuleSet& rules;
+  std::size_t index;
+  const AF2Rule& rule;
+  int level;
+  std::vector<SampledMatch> matches;
+
+  const std::string& name() const { return rule.name(); }
+};
+
+/// The match with coordinates that are multiples of `step`.
+PatternMatch roundedTo(const PatternMatch& match, double step);
+
+/// What the rule makes of a match.
+SampledMatch examine(PatternMatch match);
+
+/// The match with coordinates of as few digits as still show what `shows` tells of it.
+template <class Shows>
+SampledMatch simplified(const SampledMatch& one, const RuleSet& rules, const Shows& shows) {
+  for (double step = 0.1; step > 1e-6; step *= 0.1) {
+    PatternMatch rounded = roundedTo(one.match, step);
+    if (rounded.refusalOfMatch(rules) != Refusal::None) continue;
+    SampledMatch candidate = examine(std::move(rounded));
+    if (shows(candidate)) return candidate;
+  }
+  return one;
+}
+
+/// A finding about the rule, still without message and example.
+SampledFinding findingAbout(const RuleSample& sample, const char* code, Severity severity);
+
+/// Matches at the rule's first level; empty if the rule set never reaches it.
+RuleSample sampleRule(const RuleSet& rules, std::size_t rule, const SamplingOptions& options);
+
+// ---- the checks; each gives one finding or none ------------------------------------------------
+
+/// G2: every element turns left at each corner.
+std::optional<SampledFinding> findInverted(const RuleSample& sample);
+/// Z1: every element lies in the free zone, or an obstacle inside it would not be seen.
+std::optional<SampledFinding> findUncovered(const RuleSample& sample);
+/// Z2: share of the matches for which the zone has no valid shape.
+double shareOfLost(const RuleSample& sample);
+std::optional<SampledFinding> findLost(const RuleSample& sample);
+/// Z3: the zone does not grow as the level rises.
+std::optional<SampledFinding> findGrowing(const RuleSample& sample);
+/// D3: there are situations in which the rule is chosen.
+std::optional<SampledFinding> findNeverChosen(const RuleSample& sample,
+                                              const SamplingOptions& options);
+
+}  // namespace af2::dsl

@@ -1,0 +1,158 @@
+// Z2: how many matches are lost to zones without a valid shape? Z3: does the zone shrink with the
+// level?
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "dsl/checks/rule_sample.h"
+#include "dsl/checks/test_text.h"
+#include "dsl/checks/zone_depth.h"
+
+namespace af2::dsl {
+namespace {
+
+bool isLost(const SampledMatch& one) {
+  return one.zoneRefusal == Refusal::Convexity || one.zoneRefusal == Refusal::Shape;
+}
+
+struct Growth {
+  int level = 0, laterLevel = 0;
+  double depth = 0;
+  Point2 at;
+};
+
+/// The deepest point of the zone at a later level outside of the zone at an earlier one.
+Growth growthAt(const PatternMatch& match, int level, int laterLevel) {
+  Growth growth{level, laterLevel, 0, {}};
+  const auto zoneAt = [&](int l) {
+    const PatternMatch other(match.rule(), match.vertices(), l);
+    return match.rule().definition().zone->makeFreeZone(other.binding()).zone;
+  };
+  const auto early = zoneAt(level), late = zoneAt(laterLevel);
+  if (!early || !late) return growth;
+  const MeasuredZone measured(*early), later(*late);
+  for (const auto& loop : later.outlineLoops())
+    for (const Point2 p : loop) {
+      const double depth = measured.depthOutside(p);
+      if (depth > std::max(growth.depth, measured.tolerance())) {
+        growth.depth = depth;
+        growth.at = p;
+      }
+    }
+  return growth;
+}
+
+/// A place of few digits that only the later zone holds, close to where it grows most.
+Point2 grownPlace(const PatternMatch& match, const Growth& growth) {
+  const auto zoneAt = [&](int level) {
+    const PatternMatch other(match.rule(), match.vertices(), level);
+    return match.rule().definition().zone->makeFreeZone(other.binding()).zone;
+  };
+  const auto early = zoneAt(growth.level), late = zoneAt(growth.laterLevel);
+  const Box2 box = late->boundingBox();
+  const Point2 middle = 0.5 * (box.low + box.high);
+  for (const double digits : {1e2, 1e3, 1e4, 1e6})
+    for (const double t : {0.02, 0.01, 0.003, 0.001}) {
+      const Point2 p = growth.at + t * (middle - growth.at);
+      const Point2 q{std::round(p.x * digits) / digits, std::round(p.y * digits) / digits};
+      if (!early->contains(q, ZoneBoundary::Counts) && late->contains(q, ZoneBoundary::Ignored))
+        return q;
+    }
+  return growth.at;
+}
+
+std::vector<int> levelsOf(const RuleSample& sample) {
+  const int last = std::min(sample.rule.definition().lastLevel.value_or(sample.rules.maxLevel()),
+                            sample.rules.maxLevel());
+  std::vector<int> levels{sample.level};
+  for (const int level : {sample.level + 1, 3 * sample.level, last})
+    if (level > levels.back() && level <= last) levels.push_back(level);
+  return levels;
+}
+
+Growth worstGrowth(const PatternMatch& match, const std::vector<int>& levels) {
+  Growth worst;
+  for (std::size_t i = 0; i + 1 < levels.size(); ++i) {
+    const Growth growth = growthAt(match, levels[i], levels[i + 1]);
+    if (growth.depth > worst.depth) worst = growth;
+  }
+  return worst;
+}
+
+SampledFinding growthFinding(const RuleSample& sample, const PatternMatch& match,
+                             const Growth& growth, int count, int looked) {
+  SampledFinding finding = findingAbout(sample, "Z3", Severity::Warning);
+  finding.message = fmt::format(
+      "the free zone of rule '{}' grows as the level rises: at {} of {} matches, by up to {:.2g} "
+      "from level {} to {}",
+      sample.name(), count, looked, growth.depth, growth.level, growth.laterLevel);
+  finding.help = "keep the limiting corners, right of '=>', inside the preferred zone";
+  const Point2 obstacle = grownPlace(match, growth);
+  finding.example = {match.vertices(), growth.laterLevel, {growth.at}, {obstacle}};
+  const PatternMatch later(sample.rule, match.vertices(), growth.laterLevel);
+  finding.test = writeTest(
+      later, {fmt::format("{}: what is free at level {} stays free", sample.name(), growth.level),
+              {obstacle},
+              fmt::format("rule \"{}\"", sample.name())});
+  return finding;
+}
+
+}  // namespace
+
+double shareOfLost(const RuleSample& sample) {
+  if (sample.matches.empty()) return 0;
+  const auto lost = std::count_if(sample.matches.begin(), sample.matches.end(), isLost);
+  return static_cast<double>(lost) / static_cast<double>(sample.matches.size());
+}
+
+std::optional<SampledFinding> findLost(const RuleSample& sample) {
+  constexpr double kTolerable = 0.2;
+  const double share = shareOfLost(sample);
+  if (share <= kTolerable) return std::nullopt;
+
+  const SampledMatch* nearest = nullptr;
+  for (const SampledMatch& one : sample.matches)
+    if (isLost(one) && (!nearest || one.deviation < nearest->deviation)) nearest = &one;
+  SampledFinding finding = findingAbout(sample, "Z2", Severity::Warning);
+  const SampledMatch example = simplified(*nearest, sample.rules, isLost);
+  const bool isConvexity = example.zoneRefusal == Refusal::Convexity;
+  finding.message =
+      fmt::format("{:.0f} % of the matches of rule '{}' at level {} are lost because its zone {}",
+                  100 * share, sample.name(), sample.level,
+                  isConvexity ? "is not convex there" : "has no valid shape there");
+  finding.help = isConvexity ? "use poly(...), which need not be convex, or other corners"
+                             : "make the tolerance smaller, or give the shape another form";
+  finding.example = {example.match.vertices(), sample.level, {}, {}};
+  finding.test =
+      writeTest(example.match, {fmt::format("{}: no match is lost to its zone", sample.name()),
+                                {},
+                                fmt::format("rule \"{}\"", sample.name())});
+  return finding;
+}
+
+std::optional<SampledFinding> findGrowing(const RuleSample& sample) {
+  constexpr int kLooked = 200;
+  const auto levels = levelsOf(sample);
+  const auto reference = PatternMatch::atReference(sample.rule, sample.level);
+  Growth worst = worstGrowth(reference, levels);
+  PatternMatch match = reference;
+  int count = worst.depth > 0, looked = 1;
+  for (const SampledMatch& one : sample.matches) {
+    if (looked > kLooked) break;
+    if (!one.zone) continue;
+    ++looked;
+    const Growth growth = worstGrowth(one.match, levels);
+    count += growth.depth > 0;
+    if (growth.depth <= worst.depth) continue;
+    const auto shows = [&](const SampledMatch& other) {
+      return other.zone && worstGrowth(other.match, levels).depth > worst.depth;
+    };
+    match = simplified(one, sample.rules, shows).match;
+    worst = worstGrowth(match, levels);
+  }
+  if (count == 0) return std::nullopt;
+  return growthFinding(sample, match, worst, count, looked);
+}
+
+}  // namespace af2::dsl
