@@ -11,7 +11,7 @@ namespace af2::cli {
 
 /// The options as they were typed.
 struct MeshOptions {
-  std::string model, size, rules = "tri/classic.af2", faces, report;
+  std::string model, size, rules = "tri/even.af2", faces, report;
   std::vector<std::string> outputs, faceSizes, edgeSizes;
   int threads = 0;
   bool quiet = false, rawFront = false;

@@ -39,7 +39,7 @@ bool isComplete(const geometry::ModelMesh& mesh) {
 }
 
 int run(const char* file, double size, bool optimize) {
-  const auto loaded = af2::dsl::loadRules(AF2_SOURCE_RULES "/tri/classic.af2");
+  const auto loaded = af2::dsl::loadRules(AF2_SOURCE_RULES "/tri/even.af2");
   if (!loaded.rules) {
     std::fprintf(stderr, "%s", af2::dsl::toPretty(loaded.diagnostics).c_str());
     return 1;
