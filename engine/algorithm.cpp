@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <tuple>
 
@@ -102,6 +103,46 @@ Extent extentOf(const FrontInput& input) {
   return extent;
 }
 
+/// A region all of whose boundary lies in one plane, with one normal.
+bool isFlat(const FrontInput& input, double diagonal) {
+  constexpr double kRounding = 1e-9;
+  const SurfacePoint& first = input.loops[0][0].point;
+  if (first.normal == Point3{}) return false;
+  for (const auto& loop : input.loops)
+    for (const BoundaryCorner& corner : loop)
+      if (distance(corner.point.normal, first.normal) > kRounding ||
+          std::abs(dot(corner.point.position - first.position, first.normal)) >
+              kRounding * diagonal)
+        return false;
+  return true;
+}
+
+double flatArea(const FrontInput& input) {
+  const SurfacePoint& first = input.loops[0][0].point;
+  double area = 0;
+  for (const auto& loop : input.loops)
+    for (std::size_t i = 0; i < loop.size(); ++i)
+      area += 0.5 *
+              dot(first.normal, cross(loop[i].point.position - first.position,
+                                      loop[(i + 1) % loop.size()].point.position - first.position));
+  return area;
+}
+
+/// Of a flat region it can be told beforehand whether its boundary runs the right way round, and
+/// where no vertex can lie: a front that runs outwards would never end.
+std::optional<Box3> limitsOfFlatRegion(const FrontInput& input) {
+  const Extent extent = extentOf(input);
+  if (extent.edges == 0) return std::nullopt;
+  const double diagonal = distance(extent.box.low, extent.box.high);
+  if (!isFlat(input, diagonal)) return std::nullopt;
+  if (!(flatArea(input) > 1e-15 * diagonal * diagonal))
+    throw InputError(
+        "boundary: its loops bound no area on their left, seen against the normals; turn round the "
+        "loops that run the wrong way");
+  const Point3 margin{diagonal, diagonal, diagonal};
+  return Box3{extent.box.low - margin, extent.box.high + margin};
+}
+
 FrontIndex makeIndex(const FrontInput& input) {
   const Extent extent = extentOf(input);
   if (extent.edges == 0) return FrontIndex({}, 1);
@@ -128,6 +169,7 @@ class Run {
         choice_(rules, front_, index_, size, valence_) {
     result_.mesh.vertices.resize(input.vertexCount);
     valence_.resize(input.vertexCount, 0);
+    if (const auto limits = limitsOfFlatRegion(input)) choice_.keepWithin(*limits);
     for (const auto& loop : input.loops) addLoop(loop);
     front_.untangle();
     for (std::size_t i = 0; i < front_.capacity(); ++i) enter(PlaceId(i));

@@ -52,7 +52,8 @@ class AF2Algorithm {
   /// Meshes the region that `input` bounds.
   ///
   /// Throws InputError if the input is no set of closed loops: an edge of length zero, an id out of
-  /// range, the same directed edge twice, a vertex with two positions, a number that is not finite;
+  /// range, the same directed edge twice, a vertex with two positions, a number that is not finite,
+  /// a flat region whose loops run the wrong way round;
   /// or if a size is not positive. Getting stuck and being cancelled are results, not errors.
   MeshingResult execute(const AF2LocalTransformMaker& maker, const FrontInput& input,
                         const SizeField& size, const MeshingOptions& options = {}) const;

@@ -189,6 +189,12 @@ bool findOpenPlaces(const StepView& view, const Candidate& c, std::vector<PlaceI
   return true;
 }
 
+/// False also for coordinates that are not numbers.
+bool holds(const Box3& box, const Point3& p) {
+  return p.x >= box.low.x && p.x <= box.high.x && p.y >= box.low.y && p.y <= box.high.y &&
+         p.z >= box.low.z && p.z <= box.high.z;
+}
+
 /// Whether every corner of the new elements still faces the way the surface does.
 bool staysUnfolded(const StepView& view, const Application& application) {
   const CompiledRule& rule = *application.rule;
@@ -344,7 +350,7 @@ Refusal CandidateChoice::prepare(const StepView& view, const Candidate& candidat
   for (int k = 0; k < candidate.rule->newCount; ++k) {
     const auto point = view.chart.lift(
         candidate.match.points[static_cast<std::size_t>(candidate.rule->matchedCount + k)]);
-    if (!point) return Refusal::Surface;
+    if (!point || !holds(limits_, point->position)) return Refusal::Surface;
     application_.newPoints.push_back(*point);
   }
   const bool isPlane = view.chart.frame() && view.chart.frame()->minCosine <= -2;

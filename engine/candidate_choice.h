@@ -33,6 +33,9 @@ class CandidateChoice {
   CandidateChoice(const CompiledRules& rules, const Front& front, const FrontIndex& index,
                   const SizeField& size, const std::vector<std::uint8_t>& valence);
 
+  /// For a region known to lie within a box: no new vertex is put outside of it.
+  void keepWithin(const Box3& box) { limits_ = box; }
+
   /// The best applicable rule at the edge that leaves `base`, or null. Valid until the next call.
   const Application* choose(const StepChart& chart, PlaceId base);
 
@@ -62,6 +65,7 @@ class CandidateChoice {
   std::vector<Candidate> candidates_;  // [0, candidateCount_) are in use
   std::size_t candidateCount_ = 0;
   Application application_;
+  Box3 limits_{{-1e300, -1e300, -1e300}, {1e300, 1e300, 1e300}};
 };
 
 }  // namespace af2

@@ -215,7 +215,7 @@ Outcome outcomeOf(const FrontInput& input, double size) {
   MeshingOptions options;
   options.stop = source.get_token();
   options.progress = [&](const Progress& p) {
-    if (p.elements > 50000) source.request_stop();
+    if (p.elements > 200000) source.request_stop();
   };
   try {
     return run(input, size, options).outcome;
@@ -224,18 +224,34 @@ Outcome outcomeOf(const FrontInput& input, double size) {
   }
 }
 
-TEST(Stuck, OnABoundaryOfTheWrongOrientation) {
-  // The region to the left of such a loop is the rest of the plane: the front runs outwards.
+TEST(InputRejection, OfABoundaryOfTheWrongOrientation) {
+  // The region to the left of such a loop is the rest of the plane: the front would run outwards.
   FrontInput input;
   std::vector<Point2> clockwise = divided({{0, 0}, {1, 0}, {1, 1}, {0, 1}}, .25);
   std::reverse(clockwise.begin(), clockwise.end());
   addLoop(input, clockwise);
-  EXPECT_EQ(outcomeOf(input, .25), Outcome::Stuck) << "it never ends by itself";
+  try {
+    run(input, .25, {});
+    FAIL();
+  } catch (const InputError& e) {
+    EXPECT_STREQ(e.what(),
+                 "boundary: its loops bound no area on their left, seen against the normals; turn "
+                 "round the loops that run the wrong way");
+  }
 }
 
 TEST(Stuck, WhereABoundaryCrossesItself) {
-  FrontInput input;
-  addLoop(input, divided({{0, 0}, {1, 1}, {1, 0}, {0, 1}}, .1));
+  // One lobe is bounded the wrong way round.
+  for (double right : {1.0, .5, 2.0}) {
+    FrontInput input;
+    addLoop(input, divided({{0, 0}, {right, 1}, {right, 0}, {0, 1.5}}, .1));
+    EXPECT_EQ(outcomeOf(input, .1), Outcome::Stuck) << "it never ends by itself";
+  }
+}
+
+TEST(Stuck, WhereAHoleLiesOutside) {
+  FrontInput input = square(.1);
+  addLoop(input, circle({3, 0}, .3, 20, true));
   EXPECT_EQ(outcomeOf(input, .1), Outcome::Stuck) << "it never ends by itself";
 }
 
