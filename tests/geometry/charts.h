@@ -1,0 +1,21 @@
+// Base edges for tests of charts.
+#pragma once
+
+#include "engine/local_transform.h"
+
+namespace af2::testing {
+
+/// The base edge of a chart with a given origin, x axis and normal.
+struct BaseEdge {
+  SurfacePoint from, to;
+  BaseEdge(const Point3& origin, const Point3& along, const Point3& normal)
+      : from{origin, normal}, to{origin + along, normal} {}
+};
+
+/// Sum of the distances of the coordinates.
+inline double gap(const Point3& p, const Point3& q) {
+  return std::abs(p.x - q.x) + std::abs(p.y - q.y) + std::abs(p.z - q.z);
+}
+inline double gap(Point2 p, Point2 q) { return std::abs(p.x - q.x) + std::abs(p.y - q.y); }
+
+}  // namespace af2::testing

@@ -1,0 +1,70 @@
+#include "geometry/close_front.h"
+
+#include <gtest/gtest.h>
+
+namespace af2::geometry {
+namespace {
+
+/// A stuck result whose front is the given loops.
+MeshingResult stuckAt(const std::vector<std::vector<Point2>>& loops) {
+  MeshingResult result;
+  result.outcome = Outcome::Stuck;
+  for (const auto& loop : loops) {
+    const std::size_t base = result.mesh.vertices.size();
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      result.mesh.vertices.push_back({{loop[i].x, loop[i].y, 0}, {0, 0, 1}});
+      result.stuck.push_back({VertexId(base + i), VertexId(base + (i + 1) % loop.size()), 1, {}});
+    }
+  }
+  return result;
+}
+
+bool close(MeshingResult& result) {
+  const auto vertices = result.mesh.vertices;
+  return closeFront(
+      result,
+      [&](VertexId v) { return Point2{vertices[v.value].position.x, vertices[v.value].position.y}; },
+      99);
+}
+
+double areaOf(const Mesh& mesh) {
+  double area = 0;
+  for (const Element& e : mesh.elements) {
+    const Point3 a = mesh.vertices[e.corners[0].value].position;
+    area += cross(mesh.vertices[e.corners[1].value].position - a,
+                  mesh.vertices[e.corners[2].value].position - a).z / 2;
+  }
+  return area;
+}
+
+TEST(CloseFront, FillsAPolygonThatIsNotConvex) {
+  MeshingResult result = stuckAt({{{0, 0}, {4, 0}, {4, 4}, {2, 1}, {0, 4}}});
+  ASSERT_TRUE(close(result));
+  EXPECT_EQ(result.outcome, Outcome::Complete);
+  EXPECT_EQ(result.mesh.elements.size(), 3u);
+  EXPECT_DOUBLE_EQ(areaOf(result.mesh), 10);
+  EXPECT_EQ(result.mesh.rule, (std::vector<std::uint16_t>{99, 99, 99}));
+}
+
+TEST(CloseFront, FillsAroundAHole) {
+  MeshingResult result = stuckAt({{{0, 0}, {4, 0}, {4, 4}, {0, 4}}, {{1, 1}, {1, 3}, {3, 3}, {3, 1}}});
+  ASSERT_TRUE(close(result));
+  EXPECT_EQ(result.mesh.elements.size(), 8u);
+  EXPECT_DOUBLE_EQ(areaOf(result.mesh), 12);
+}
+
+TEST(CloseFront, FillsASliver) {
+  MeshingResult result = stuckAt({{{0, 0}, {1, 1e-9}, {2, 0}, {3, 1e-9}, {3, 2e-9}, {1.5, 3e-9}}});
+  ASSERT_TRUE(close(result));
+  EXPECT_EQ(result.mesh.elements.size(), 4u);
+}
+
+TEST(CloseFront, LeavesAFrontThatRunsTheWrongWayRoundAlone) {
+  MeshingResult result = stuckAt({{{0, 0}, {0, 4}, {4, 4}, {4, 0}}});
+  EXPECT_FALSE(close(result));
+  EXPECT_EQ(result.outcome, Outcome::Stuck);
+  EXPECT_TRUE(result.mesh.elements.empty());
+}
+
+}  // namespace
+}  // namespace af2::geometry

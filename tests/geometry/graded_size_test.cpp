@@ -1,0 +1,51 @@
+#include "geometry/graded_size.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+namespace af2::geometry {
+namespace {
+
+TEST(GrowingSize, IsTheSmallestOfWhatGrowsFromItsSources) {
+  const std::vector<SizeSource> sources{{{0, 0, 0}, 0.1}, {{1, 0, 0}, 0.2}, {{0, 3, 1}, 0.05}};
+  const GrowingSize size(sources, 0.4, 1.0);
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> any(-4, 4);
+  for (int i = 0; i < 1000; ++i) {
+    const Point3 p{any(random), any(random), any(random)};
+    double expected = 1;
+    for (const SizeSource& s : sources)
+      expected = std::min(expected, s.size + 0.4 * distance(s.position, p));
+    EXPECT_DOUBLE_EQ(size.at(p), expected);
+  }
+}
+
+TEST(GradedSize, IsAsWantedFarFromShortSegments) {
+  FrontInput square;
+  square.vertexCount = 5;
+  const auto corner = [](std::size_t id, double x, double y) {
+    return BoundaryCorner{VertexId(id), {{x, y, 0}, {0, 0, 1}}};
+  };
+  square.loops = {{corner(0, 0, 0), corner(1, 0.01, 0), corner(2, 0.02, 0), corner(3, 10, 0),
+                   corner(4, 10, 10)}};
+  const UniformSize wanted(1);
+  const GradedSize size(wanted, square, 0.5);
+  EXPECT_NEAR(size.sizeAt({{0.01, 0, 0}, {}}), 0.01, 1e-12);
+  EXPECT_NEAR(size.sizeAt({{0.01, 0.4, 0}, {}}), 0.21, 1e-12);
+  EXPECT_EQ(size.sizeAt({{10, 10, 0}, {}}), 1);
+}
+
+TEST(GradedSize, LeavesAnEvenBoundaryAlone) {
+  FrontInput square;
+  square.vertexCount = 4;
+  for (const auto& [x, y] : {std::pair{0.0, 0.0}, {0.8, 0.0}, {0.8, 0.8}, {0.0, 0.8}}) {
+    if (square.loops.empty()) square.loops.emplace_back();
+    square.loops[0].push_back({VertexId(square.loops[0].size()), {{x, y, 0}, {0, 0, 1}}});
+  }
+  const UniformSize wanted(1);
+  EXPECT_EQ(GradedSize(wanted, square, 0.5).sizeAt({{0, 0, 0}, {}}), 1);
+}
+
+}  // namespace
+}  // namespace af2::geometry

@@ -1,0 +1,83 @@
+#include "geometry/model_check.h"
+
+#include <gtest/gtest.h>
+
+namespace af2::geometry {
+namespace {
+
+VertexId v(std::size_t i) { return VertexId(i); }
+Element triangle(std::size_t a, std::size_t b, std::size_t c) { return {{v(a), v(b), v(c), VertexId()}}; }
+
+/// Two faces of one triangle each, which share the edge 0-1.
+ModelMesh roof() {
+  ModelMesh mesh;
+  mesh.vertices = {{0, 0, 1}, {1, 0, 1}, {0, 1, 0}, {0, -1, 0}};
+  mesh.elements = {triangle(0, 1, 2), triangle(1, 0, 3)};
+  mesh.face = {1, 2};
+  mesh.rule = {0, 0};
+  mesh.segments = {{v(0), v(1), 1, 2}, {v(1), v(2), 2, 1}, {v(2), v(0), 3, 1},
+                   {v(0), v(3), 4, 1}, {v(3), v(1), 5, 1}};
+  mesh.faces.resize(2);
+  mesh.faces[0].id = 1;
+  mesh.faces[1].id = 2;
+  return mesh;
+}
+
+std::string firstFinding(const ModelMesh& mesh) {
+  const auto findings = checkModelMesh(mesh);
+  return findings.empty() ? "" : findings.front().what;
+}
+
+TEST(ModelCheck, FindsNothingWrongWithASoundMesh) { EXPECT_EQ(firstFinding(roof()), ""); }
+
+TEST(ModelCheck, FindsASegmentThatIsNotUsedAsOftenAsItsFacesRunAlongIt) {
+  ModelMesh mesh = roof();
+  mesh.segments[0].uses = 1;
+  EXPECT_EQ(firstFinding(mesh), "a segment of the boundary is used 2 times, not 1");
+}
+
+TEST(ModelCheck, FindsAMissingSegment) {
+  ModelMesh mesh = roof();
+  mesh.segments.push_back({v(2), v(3), 6, 1});
+  EXPECT_EQ(firstFinding(mesh), "a segment of the boundary is missing from the mesh");
+}
+
+TEST(ModelCheck, FindsAnOpenEdge) {
+  ModelMesh mesh = roof();
+  mesh.segments.pop_back();
+  EXPECT_EQ(firstFinding(mesh), "an edge has 1 elements, not 2");
+}
+
+TEST(ModelCheck, FindsElementsOfOneFaceThatLookTheWrongWay) {
+  ModelMesh mesh = roof();
+  mesh.face = {1, 1};
+  mesh.segments.erase(mesh.segments.begin());
+  mesh.elements[1] = triangle(0, 1, 3);
+  EXPECT_EQ(firstFinding(mesh), "two elements use an edge in the same direction");
+}
+
+TEST(ModelCheck, FindsElementsThatAreNone) {
+  ModelMesh mesh = roof();
+  mesh.elements[0] = triangle(0, 1, 1);
+  EXPECT_EQ(firstFinding(mesh), "an element has a corner twice");
+  mesh.elements[0] = triangle(0, 1, 17);
+  EXPECT_EQ(firstFinding(mesh), "an element has a corner that is no vertex");
+  mesh = roof();
+  mesh.vertices[2] = {0.5, 0, 1};
+  EXPECT_EQ(firstFinding(mesh), "an element has no area");
+}
+
+TEST(ModelCheck, FindsAnAreaFarFromThatOfTheFace) {
+  ModelMesh mesh = roof();
+  mesh.faces[0].area = 100;
+  EXPECT_NE(firstFinding(mesh).find("times the area of the face"), std::string::npos);
+}
+
+TEST(ModelCheck, StopsAtTheLimit) {
+  ModelMesh mesh = roof();
+  mesh.segments.clear();
+  EXPECT_EQ(checkModelMesh(mesh, 2).size(), 2u);
+}
+
+}  // namespace
+}  // namespace af2::geometry

@@ -1,0 +1,103 @@
+#include "geometry/occ/edge_division.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "tests/geometry/occ/shapes.h"
+
+namespace af2::geometry {
+namespace {
+
+DividedEdges divide(const Model& model, const ModelSizes& sizes) {
+  return divideEdges(model.shape(), sizes, 1, {});
+}
+
+ModelSizes uniform(double size) {
+  ModelSizes sizes;
+  sizes.size = size;
+  return sizes;
+}
+
+std::vector<double> lengths(const DividedEdges& divided, const DividedEdge& edge) {
+  std::vector<double> result;
+  for (std::size_t i = 0; i + 1 < edge.points.size(); ++i)
+    result.push_back(distance(divided.points[edge.points[i]], divided.points[edge.points[i + 1]]));
+  return result;
+}
+
+TEST(EdgeDivision, MakesEqualSegmentsOfAboutTheWantedLength) {
+  const DividedEdges divided = divide(testing::box(1, 2, 3), uniform(0.3));
+  ASSERT_EQ(divided.edges.size(), 12u);
+  for (const DividedEdge& edge : divided.edges) {
+    const auto pieces = lengths(divided, edge);
+    const double total = pieces.size() * pieces[0];
+    EXPECT_EQ(pieces.size(), static_cast<std::size_t>(std::floor(total / 0.3 + 0.5)));
+    for (const double piece : pieces) EXPECT_NEAR(piece, pieces[0], 1e-12);
+  }
+}
+
+TEST(EdgeDivision, SharesTheVerticesOfTheModel) {
+  const DividedEdges divided = divide(testing::box(1, 2, 3), uniform(100));
+  std::set<std::uint32_t> used;
+  for (const DividedEdge& edge : divided.edges) {
+    ASSERT_EQ(edge.points.size(), 2u);
+    used.insert(edge.points.begin(), edge.points.end());
+  }
+  EXPECT_EQ(used.size(), 8u);
+}
+
+TEST(EdgeDivision, TurnsByAtMostAnEighthOfACircleInOneSegment) {
+  const DividedEdges divided = divide(testing::cylinder(1, 1), uniform(1.5));
+  for (const DividedEdge& edge : divided.edges)
+    if (edge.points.front() == edge.points.back()) EXPECT_EQ(edge.points.size(), 9u);
+}
+
+TEST(EdgeDivision, GivesClosedEdgesAtLeastThreeSegments) {
+  const DividedEdges divided = divide(testing::cylinder(1, 1), uniform(1000));
+  for (const DividedEdge& edge : divided.edges)
+    if (edge.points.front() == edge.points.back()) EXPECT_EQ(edge.points.size(), 4u);
+}
+
+TEST(EdgeDivision, GivesPolesNoSegments) {
+  const DividedEdges divided = divide(testing::sphere(1), uniform(0.5));
+  int empty = 0;
+  for (const DividedEdge& edge : divided.edges) empty += edge.points.empty() ? 1 : 0;
+  EXPECT_EQ(empty, 2);
+}
+
+TEST(EdgeDivision, PutsVerticesOntoTheCurve) {
+  const DividedEdges divided = divide(testing::torus(3, 1), uniform(0.4));
+  for (const Point3& p : divided.points) {
+    const double r = std::sqrt(p.x * p.x + p.y * p.y) - 3;
+    EXPECT_NEAR(std::sqrt(r * r + p.z * p.z), 1, 1e-12);
+  }
+}
+
+TEST(EdgeDivision, TakesSizesByEdgeAndByTheFinerOfItsFaces) {
+  ModelSizes sizes = uniform(1);
+  sizes.faceSizes[2] = 0.1;
+  sizes.edgeSizes[1] = 0.05;
+  const Model model = testing::box(1, 1, 1);
+  const DividedEdges divided = divide(model, sizes);
+  EXPECT_EQ(divided.edges[0].points.size(), 21u);
+  int fine = 0;
+  for (const DividedEdge& edge : divided.edges) fine += edge.points.size() >= 11 ? 1 : 0;
+  EXPECT_GE(fine, 4);
+}
+
+TEST(EdgeDivision, FollowsASizeFunctionAlongTheEdge) {
+  ModelSizes sizes = uniform(1);
+  sizes.function = [](const Point3& p) { return 0.1 + 0.1 * p.z; };
+  const DividedEdges divided = divide(testing::box(0.1, 0.1, 10), sizes);
+  for (const DividedEdge& edge : divided.edges) {
+    if (edge.points.size() < 4) continue;
+    for (std::size_t i = 0; i + 1 < edge.points.size(); ++i) {
+      const Point3 &p = divided.points[edge.points[i]], &q = divided.points[edge.points[i + 1]];
+      EXPECT_NEAR(distance(p, q), 0.1 + 0.05 * (p.z + q.z), 0.12 * distance(p, q));
+    }
+  }
+}
+
+}  // namespace
+}  // namespace af2::geometry

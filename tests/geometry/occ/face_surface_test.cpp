@@ -1,0 +1,80 @@
+#include "geometry/occ/face_surface.h"
+
+#include <BRepTools.hxx>
+#include <gtest/gtest.h>
+
+#include "tests/geometry/occ/shapes.h"
+
+namespace af2::geometry {
+namespace {
+
+/// For each face: the closed forms agree with OpenCASCADE on points, normals and curvature.
+void expectClosedFormsAgree(const Model& model) {
+  for (int id = 1; id <= model.faceCount(); ++id) {
+    const TopoDS_Face face = model.shape().face(id);
+    const FaceSurface surface(face);
+    double u1, u2, v1, v2;
+    BRepTools::UVBounds(face, u1, u2, v1, v2);
+    for (const double s : {0.1, 0.37, 0.8}) {
+      for (const double t : {0.2, 0.55, 0.9}) {
+        const SurfacePoint there =
+            surface.inParameters().pointAt(u1 + s * (u2 - u1), v1 + t * (v2 - v1));
+        const SurfacePoint here = surface.pointAt(there.position, there.u, there.v);
+        EXPECT_LT(distance(here.normal, there.normal), 1e-12) << model.surfaceType(id);
+        if (surface.isPlane()) continue;
+        EXPECT_NEAR(surface.curvatureRadiusAt(here),
+                    surface.inParameters().curvatureRadiusAt(there.u, there.v), 1e-9)
+            << model.surfaceType(id);
+      }
+    }
+  }
+}
+
+TEST(FaceSurface, AgreesWithOpenCascade) {
+  expectClosedFormsAgree(testing::box(1, 2, 3));
+  expectClosedFormsAgree(testing::cylinder(2, 3));
+  expectClosedFormsAgree(testing::cone(2, 0, 3));
+  expectClosedFormsAgree(testing::cone(1, 2, 3));
+  expectClosedFormsAgree(testing::sphere(2));
+  expectClosedFormsAgree(testing::torus(3, 1));
+}
+
+TEST(FaceSurface, FlipsTheNormalsOfReversedFaces) {
+  expectClosedFormsAgree(testing::modelOf(BRepPrimAPI_MakeSphere(2).Shape().Reversed()));
+  expectClosedFormsAgree(testing::modelOf(BRepPrimAPI_MakeCone(2, 1, 3).Shape().Reversed()));
+}
+
+TEST(FaceSurface, KnowsWhichFacesBendFar) {
+  const Model ball = testing::sphere(1), slab = testing::box(1, 1, 1);
+  EXPECT_TRUE(FaceSurface(ball.shape().face(1)).isBent());
+  EXPECT_FALSE(FaceSurface(slab.shape().face(1)).isBent());
+  const Model wedge = testing::modelOf(BRepPrimAPI_MakeCylinder(1, 1, 0.5).Shape());
+  EXPECT_FALSE(FaceSurface(wedge.shape().face(1)).isBent());
+}
+
+TEST(GeneralSurface, FindsItsWayBackToParameters) {
+  const Model model = testing::torus(3, 1);
+  const FaceSurface surface(model.shape().face(1));
+  const GeneralSurface& general = surface.inParameters();
+  double u = 1.1, v = 2.0;
+  general.refine(general.frameAt(1.3, 1.7).position, u, v);
+  EXPECT_NEAR(u, 1.3, 1e-10);
+  EXPECT_NEAR(v, 1.7, 1e-10);
+}
+
+TEST(GeneralSurface, IsMetByALineNearItsSeed) {
+  const Model model = testing::torus(3, 1);
+  const GeneralSurface& general = FaceSurface(model.shape().face(1)).inParameters();
+  const MeanNormalChartMaker<GeneralSurface> charts(general);
+  const SurfacePoint from = general.pointAt(6.2, 0.1), to = general.pointAt(0.05, 0.1);
+  const auto chart = charts.makeLocalTransform(from, to, distance(from.position, to.position));
+  for (const Point2 p : {Point2{0.5, 0.8}, Point2{-0.3, 0.5}, Point2{1.5, 1}}) {
+    const auto hit = chart->transformToSurface(p);
+    ASSERT_TRUE(hit);
+    EXPECT_LT(distance(chart->transformFromSurface(*hit).position, p), 0.01);
+    EXPECT_LT(distance(general.frameAt(hit->u, hit->v).position, hit->position), 1e-14);
+  }
+}
+
+}  // namespace
+}  // namespace af2::geometry

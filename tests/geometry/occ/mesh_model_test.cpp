@@ -1,0 +1,215 @@
+#include "geometry/occ/mesh_model.h"
+
+#include <BRepAlgoAPI_Cut.hxx>
+#include <gtest/gtest.h>
+
+#include <numbers>
+#include <set>
+
+#include "engine/error.h"
+#include "tests/geometry/occ/shapes.h"
+#include "tests/support/triangle_rules.h"
+
+namespace af2::geometry {
+namespace {
+
+using std::numbers::pi;
+
+const AF2Algorithm& algorithm() {
+  static const AF2Algorithm instance(testing::triangleSet());
+  return instance;
+}
+
+ModelMesh mesh(const Model& model, double size, const std::vector<int>& faces = {}) {
+  ModelMeshingOptions options;
+  options.sizes.size = size;
+  options.faces = faces;
+  options.threads = 1;
+  return meshModel(model, algorithm(), options);
+}
+
+/// Signed volume inside a closed mesh: positive if its elements look outwards.
+double volumeOf(const ModelMesh& mesh) {
+  double volume = 0;
+  for (const Element& e : mesh.elements) {
+    const auto at = [&](std::size_t i) { return mesh.vertices[e.corners[i].value]; };
+    volume += dot(at(0), cross(at(1), at(2))) / 6;
+  }
+  return volume;
+}
+
+int eulerNumber(const ModelMesh& mesh) {
+  std::set<std::pair<VertexId, VertexId>> edges;
+  for (const Element& e : mesh.elements)
+    for (std::size_t i = 0; i < 3; ++i)
+      edges.insert(std::minmax(e.corners[i], e.corners[(i + 1) % 3]));
+  return static_cast<int>(mesh.vertices.size()) - static_cast<int>(edges.size()) +
+         static_cast<int>(mesh.elements.size());
+}
+
+void expectSound(const ModelMesh& mesh) {
+  for (const FaceReport& face : mesh.faces)
+    EXPECT_EQ(face.status, FaceStatus::Complete) << "face " << face.id << ": " << face.reason;
+  for (const MeshFinding& finding : checkModelMesh(mesh)) ADD_FAILURE() << finding.what;
+}
+
+/// Closed, oriented outwards, of the right volume up to what chords cut off.
+void expectSolid(const ModelMesh& mesh, double volume, int euler, double tolerance) {
+  expectSound(mesh);
+  EXPECT_EQ(eulerNumber(mesh), euler);
+  EXPECT_NEAR(volumeOf(mesh), volume, tolerance * volume);
+}
+
+TEST(ModelMeshing, MeshesABoxExactly) { expectSolid(mesh(testing::box(1, 2, 3), 0.3), 6, 2, 1e-12); }
+
+TEST(ModelMeshing, MeshesACylinderAcrossItsSeam) {
+  expectSolid(mesh(testing::cylinder(1, 3), 0.2), 3 * pi, 2, 0.01);
+}
+
+TEST(ModelMeshing, MeshesASphereOverItsPoles) {
+  const ModelMesh result = mesh(testing::sphere(1), 0.2);
+  expectSolid(result, 4 * pi / 3, 2, 0.02);
+  for (const Point3& p : result.vertices) EXPECT_NEAR(length(p), 1, 1e-12);
+}
+
+TEST(ModelMeshing, MeshesATorus) {
+  const ModelMesh result = mesh(testing::torus(3, 1), 0.3);
+  expectSolid(result, 2 * pi * pi * 3, 0, 0.02);
+  for (const Point3& p : result.vertices) {
+    const double r = std::sqrt(p.x * p.x + p.y * p.y) - 3;
+    EXPECT_NEAR(std::sqrt(r * r + p.z * p.z), 1, 1e-12);
+  }
+}
+
+TEST(ModelMeshing, MeshesAConeWithItsTip) {
+  expectSolid(mesh(testing::cone(1, 0, 2), 0.2), 2 * pi / 3, 2, 0.02);
+}
+
+TEST(ModelMeshing, MeshesACutOffCone) {
+  expectSolid(mesh(testing::cone(1, 2, 2), 0.3), 2 * pi * 7 / 3, 2, 0.02);
+}
+
+TEST(ModelMeshing, MeshesABoxWithARoundHole) {
+  const TopoDS_Shape cut = BRepAlgoAPI_Cut(
+      BRepPrimAPI_MakeBox(gp_Pnt(-2, -2, 0), 4, 4, 1).Shape(), BRepPrimAPI_MakeCylinder(0.5, 1).Shape());
+  expectSolid(mesh(testing::modelOf(cut), 0.25), 16 - pi / 4, 0, 0.01);
+}
+
+TEST(ModelMeshing, StaysSoundAtSizesFarTooLarge) {
+  expectSound(mesh(testing::box(1, 2, 3), 100));
+  expectSound(mesh(testing::cylinder(1, 3), 100));
+  expectSound(mesh(testing::sphere(1), 100));
+  expectSound(mesh(testing::torus(3, 1), 100));
+}
+
+TEST(ModelMeshing, TurnsInsideOutWithTheModel) {
+  const Model inside = testing::modelOf(BRepPrimAPI_MakeSphere(1).Shape().Reversed());
+  const ModelMesh result = mesh(inside, 0.3);
+  expectSound(result);
+  EXPECT_LT(volumeOf(result), -3);
+}
+
+TEST(ModelMeshing, MeshesOnlyTheFacesAskedFor) {
+  const Model model = testing::box(1, 2, 3);
+  const ModelMesh result = mesh(model, 0.3, {5, 2});
+  expectSound(result);
+  ASSERT_EQ(result.faces.size(), 2u);
+  EXPECT_EQ(result.faces[0].id, 2);
+  EXPECT_EQ(result.faces[1].id, 5);
+  EXPECT_THROW(mesh(model, 0.3, {7}), InputError);
+}
+
+TEST(ModelMeshing, DividesEdgesAlikeForOneFaceAndForAll) {
+  const Model model = testing::cylinder(1, 2);
+  std::set<std::tuple<double, double, double>> all;
+  for (const Point3& p : mesh(model, 0.3).vertices) all.insert({p.x, p.y, p.z});
+  const ModelMesh one = mesh(model, 0.3, {2});
+  for (const EdgeSegment& segment : one.segments) {
+    const Point3& p = one.vertices[segment.from.value];
+    EXPECT_TRUE(all.contains({p.x, p.y, p.z}));
+  }
+}
+
+TEST(ModelMeshing, DoesNotDependOnTheNumberOfThreads) {
+  const Model model = testing::cone(1, 2, 2);
+  ModelMeshingOptions options;
+  options.sizes.size = 0.2;
+  options.threads = 1;
+  const ModelMesh one = meshModel(model, algorithm(), options);
+  options.threads = 4;
+  const ModelMesh four = meshModel(model, algorithm(), options);
+  EXPECT_EQ(one.vertices, four.vertices);
+  EXPECT_EQ(one.elements, four.elements);
+  EXPECT_EQ(one.face, four.face);
+  EXPECT_EQ(one.rule, four.rule);
+  EXPECT_EQ(one.segments, four.segments);
+}
+
+TEST(ModelMeshing, TakesSizesByFace) {
+  ModelMeshingOptions options;
+  options.sizes.size = 1;
+  options.sizes.faceSizes[3] = 0.1;
+  const ModelMesh result = meshModel(testing::box(1, 1, 1), algorithm(), options);
+  expectSound(result);
+  EXPECT_GT(result.faces[2].elements, 200u);
+  options.sizes.faceSizes[9] = 0.1;
+  EXPECT_THROW(meshModel(testing::box(1, 1, 1), algorithm(), options), InputError);
+}
+
+TEST(ModelMeshing, TakesSizesFromAFunction) {
+  ModelMeshingOptions options;
+  options.sizes.size = 1;
+  options.sizes.function = [](const Point3& p) { return 0.05 + 0.2 * p.z; };
+  const ModelMesh result = meshModel(testing::box(1, 1, 2), algorithm(), options);
+  expectSound(result);
+  double low = 0, high = 0;
+  for (const Point3& p : result.vertices) (p.z < 1 ? low : high) += 1;
+  EXPECT_GT(low, 4 * high);
+  options.sizes.function = [](const Point3&) { return 0.0; };
+  EXPECT_THROW(meshModel(testing::box(1, 1, 2), algorithm(), options), InputError);
+}
+
+TEST(ModelMeshing, NumbersVerticesOfTheModelThenOfEdgesThenOfFaces) {
+  const ModelMesh result = mesh(testing::box(1, 1, 1), 0.25);
+  for (std::size_t i = 0; i < 8; ++i) {
+    const Point3& p = result.vertices[i];
+    for (const double x : {p.x, p.y, p.z}) EXPECT_TRUE(x == 0 || x == 1);
+  }
+  std::uint32_t last = 0;
+  for (const EdgeSegment& segment : result.segments) last = std::max(last, segment.to.value);
+  EXPECT_EQ(last, 8u + 12 * 3 - 1);
+}
+
+TEST(ModelMeshing, TellsItsProgress) {
+  ModelMeshingOptions options;
+  options.sizes.size = 0.1;
+  options.threads = 2;
+  ModelProgress last;
+  options.progress = [&](const ModelProgress& progress) {
+    EXPECT_GE(progress.workDone, last.workDone - 1e-9);
+    last = progress;
+  };
+  const ModelMesh result = meshModel(testing::box(1, 2, 3), algorithm(), options);
+  EXPECT_NEAR(last.workDone, last.workTotal, 1e-6 * last.workTotal);
+  EXPECT_EQ(last.facesDone, 6);
+  EXPECT_EQ(last.elements, result.elements.size());
+}
+
+TEST(ModelMeshing, StopsWhenAskedAndSaysSo) {
+  std::stop_source source;
+  source.request_stop();
+  ModelMeshingOptions options;
+  options.sizes.size = 0.01;
+  options.stop = source.get_token();
+  const ModelMesh result = meshModel(testing::box(1, 2, 3), algorithm(), options);
+  ASSERT_EQ(result.faces.size(), 6u);
+  for (const FaceReport& face : result.faces) EXPECT_EQ(face.status, FaceStatus::Cancelled);
+}
+
+TEST(ModelMeshing, RefusesASizeThatIsNotPositive) {
+  EXPECT_THROW(mesh(testing::box(1, 1, 1), 0), InputError);
+  EXPECT_THROW(mesh(testing::box(1, 1, 1), std::nan("")), InputError);
+}
+
+}  // namespace
+}  // namespace af2::geometry

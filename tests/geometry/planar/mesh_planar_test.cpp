@@ -1,0 +1,105 @@
+#include "geometry/planar/mesh_planar.h"
+
+#include "geometry/model_check.h"
+#include "tests/geometry/planar/poly_text.h"
+#include "tests/support/triangle_rules.h"
+
+namespace af2::geometry {
+namespace {
+
+const std::string kSquareWithHole =
+    "8 2 0 0\n1 0 0\n2 4 0\n3 4 4\n4 0 4\n5 1 1\n6 3 1\n7 3 3\n8 1 3\n"
+    "8 0\n1 1 2\n2 2 3\n3 3 4\n4 4 1\n5 5 6\n6 6 7\n7 7 8\n8 8 5\n1\n1 2 2\n";
+
+class PlanarMeshing : public ::testing::Test {
+ protected:
+  AF2Algorithm algorithm{testing::triangleSet()};
+  PlanarMeshingOptions options;
+
+  ModelMesh mesh(const std::string& text) { return meshPlanar(testing::polyOf(text), algorithm, options); }
+
+  static double areaOf(const ModelMesh& mesh) {
+    double area = 0;
+    for (const Element& e : mesh.elements) {
+      const Point3& a = mesh.vertices[e.corners[0].value];
+      area += cross(mesh.vertices[e.corners[1].value] - a, mesh.vertices[e.corners[2].value] - a).z / 2;
+    }
+    return area;
+  }
+};
+
+TEST_F(PlanarMeshing, FillsASquareAroundItsHole) {
+  options.size = 0.5;
+  const ModelMesh result = mesh(kSquareWithHole);
+  EXPECT_TRUE(checkModelMesh(result).empty());
+  EXPECT_NEAR(areaOf(result), 12, 1e-12);
+  ASSERT_EQ(result.faces.size(), 1u);
+  EXPECT_EQ(result.faces[0].status, FaceStatus::Complete);
+  EXPECT_EQ(result.faces[0].area, 12);
+  EXPECT_EQ(result.segments.size(), 48u);
+}
+
+TEST_F(PlanarMeshing, SharesVerticesBetweenRegions) {
+  options.size = 0.5;
+  const std::string withoutHole = kSquareWithHole.substr(0, kSquareWithHole.size() - 8) + "0\n";
+  const ModelMesh result = mesh(withoutHole);
+  EXPECT_TRUE(checkModelMesh(result).empty());
+  EXPECT_EQ(result.faces.size(), 2u);
+  EXPECT_NEAR(areaOf(result), 16, 1e-12);
+}
+
+TEST_F(PlanarMeshing, KeepsASegmentThatEndsInside) {
+  options.size = 0.5;
+  const ModelMesh result =
+      mesh("5 2 0 0\n1 0 0\n2 4 0\n3 4 4\n4 0 4\n5 2 2\n5 0\n1 1 2\n2 2 3\n3 3 4\n4 4 1\n5 1 5\n0\n");
+  EXPECT_TRUE(checkModelMesh(result).empty());
+  int inside = 0;
+  for (const EdgeSegment& segment : result.segments) {
+    if (segment.edge != 5) continue;
+    ++inside;
+    EXPECT_EQ(segment.uses, 2);
+  }
+  EXPECT_EQ(inside, 6);
+}
+
+TEST_F(PlanarMeshing, FollowsASizeFunction) {
+  options.size = 1;
+  options.function = [](const Point3& p) { return 0.1 + 0.2 * p.x; };
+  const ModelMesh result = mesh("4 2 0 0\n1 0 0\n2 4 0\n3 4 4\n4 0 4\n4 0\n1 1 2\n2 2 3\n3 3 4\n4 4 1\n0\n");
+  EXPECT_TRUE(checkModelMesh(result).empty());
+  int left = 0, right = 0;
+  for (const EdgeSegment& segment : result.segments) {
+    if (segment.edge == 4) ++left;
+    if (segment.edge == 2) ++right;
+  }
+  EXPECT_EQ(left, 40);
+  EXPECT_NEAR(right, 4.0 / 0.9, 1);
+}
+
+TEST_F(PlanarMeshing, GivesTheSameBytesEachTime) {
+  options.size = 0.3;
+  const ModelMesh first = mesh(kSquareWithHole), second = mesh(kSquareWithHole);
+  EXPECT_EQ(first.vertices, second.vertices);
+  EXPECT_EQ(first.elements, second.elements);
+}
+
+TEST_F(PlanarMeshing, RefusesASizeThatIsNotPositive) {
+  options.size = 0;
+  EXPECT_THROW(mesh(kSquareWithHole), InputError);
+  options.size = 1;
+  options.function = [](const Point3&) { return -1.0; };
+  EXPECT_THROW(mesh(kSquareWithHole), InputError);
+}
+
+TEST_F(PlanarMeshing, StopsWhenAsked) {
+  options.size = 0.01;
+  std::stop_source source;
+  source.request_stop();
+  options.stop = source.get_token();
+  const ModelMesh result = mesh(kSquareWithHole);
+  EXPECT_EQ(result.faces[0].status, FaceStatus::Cancelled);
+  EXPECT_TRUE(result.elements.empty());
+}
+
+}  // namespace
+}  // namespace af2::geometry
