@@ -60,15 +60,15 @@ RegionMesh meshPiece(const AF2Algorithm& algorithm, const RegionTask& task, cons
   const Stopwatch watch;
   RegionMesh piece;
   const MeshBoundary boundary = boundaryOf(input);
-  const auto charts = task.makeCharts();
-  piece.result = algorithm.execute(*charts, input, task.size, options);
+  const PieceTools tools = task.makeTools();
+  piece.result = algorithm.execute(*tools.charts, input, *tools.size, options);
   if (piece.result.outcome == Outcome::Complete) piece.fault = faultOf(piece.result.mesh, boundary);
   if (piece.result.outcome == Outcome::Complete && piece.fault.empty() && task.optimize) {
     const Stopwatch optimizing;
     Mesh mesh = piece.result.mesh;
     OptimizeOptions how;
     how.stop = options.stop;
-    optimizeMesh(mesh, boundary, *charts, how);
+    optimizeMesh(mesh, boundary, *tools.charts, how);
     // The optimiser is held to the same checks; if it should fail them, the raw mesh stands.
     if (faultOf(mesh, boundary).empty()) piece.result.mesh = std::move(mesh);
     piece.optimizeSeconds = optimizing.seconds();
@@ -199,7 +199,7 @@ void optimizeAlongCuts(Mesh& mesh, const RegionTask& task, std::size_t cuts, std
   OptimizeOptions how;
   how.collapse = false;  // so that vertices and elements keep their numbers
   how.stop = std::move(stop);
-  optimizeMesh(strip.mesh, strip.boundary, *task.makeCharts(), how);
+  optimizeMesh(strip.mesh, strip.boundary, *task.makeTools().charts, how);
   if (!faultOf(strip.mesh, strip.boundary).empty()) return;
   for (std::size_t v = strip.boundary.fixedCount; v < strip.vertices.size(); ++v)
     mesh.vertices[strip.vertices[v].value] = strip.mesh.vertices[v];
@@ -234,7 +234,8 @@ RegionMesh meshRegion(const AF2Algorithm& algorithm, const RegionTask& task,
                       const MeshingOptions& options) {
   const Stopwatch watch;
   SplitRegion split;
-  if (task.surface) split = splitRegion(task.input, *task.surface, task.size, task.split);
+  if (task.surface)
+    split = splitRegion(task.input, *task.surface, *task.makeTools().size, task.split);
   if (split.pieces.size() <= 1) return meshPiece(algorithm, task, task.input, options);
 
   RegionMesh whole;

@@ -9,16 +9,20 @@
 
 namespace af2 {
 
+/// What one piece needs for itself: neither is shared between threads.
+struct PieceTools {
+  std::unique_ptr<AF2LocalTransformMaker> charts;
+  std::shared_ptr<const SizeField> size;
+};
+
 /// A region and what it lies on.
 struct RegionTask {
   const FrontInput& input;
-  const SizeField& size;
-  /// Makes one chart maker for each piece: a maker serves one thread only. Must be callable from
-  /// several threads at once.
-  std::function<std::unique_ptr<AF2LocalTransformMaker>()> makeCharts;
+  /// Must be callable from several threads at once.
+  std::function<PieceTools()> makeTools;
   /// Null: the region is not cut.
-  const ParametricSurface* surface = nullptr;
-  SplitOptions split;
+  const SurfaceEvaluator* surface = nullptr;
+  SplitOptions split = {};
   bool optimize = true;
 };
 

@@ -71,7 +71,7 @@ struct Crossing {
 
 class Bisector {
  public:
-  Bisector(const ParametricSurface& surface, const SizeField& size)
+  Bisector(const SurfaceEvaluator& surface, const SizeField& size)
       : surface_(surface), size_(size) {}
 
   /// The cuts of the best line, none if no line will do.
@@ -240,7 +240,7 @@ class Bisector {
     return true;
   }
 
-  const ParametricSurface& surface_;
+  const SurfaceEvaluator& surface_;
   const SizeField& size_;
   const Loops* loops_ = nullptr;
   Plane plane_;
@@ -338,7 +338,7 @@ std::vector<Loops> regionsOf(Loops loops, const Plane& plane, bool isReversed) {
 
 class Splitter {
  public:
-  Splitter(const FrontInput& input, const ParametricSurface& surface, const SizeField& size,
+  Splitter(const FrontInput& input, const SurfaceEvaluator& surface, const SizeField& size,
            const SplitOptions& options)
       : input_(input), surface_(surface), size_(size), options_(options) {}
 
@@ -393,9 +393,9 @@ class Splitter {
     }
   }
 
-  class Mirror final : public ParametricSurface {
+  class Mirror final : public SurfaceEvaluator {
    public:
-    explicit Mirror(const ParametricSurface& surface) : surface_(surface) {}
+    explicit Mirror(const SurfaceEvaluator& surface) : surface_(surface) {}
     SurfacePoint at(double u, double v) const override {
       SurfacePoint p = surface_.at(v, u);
       std::swap(p.u, p.v);
@@ -403,7 +403,7 @@ class Splitter {
     }
 
    private:
-    const ParametricSurface& surface_;
+    const SurfaceEvaluator& surface_;
   };
 
   class MirrorSize final : public SizeField {
@@ -480,7 +480,7 @@ class Splitter {
   }
 
   const FrontInput& input_;
-  const ParametricSurface& surface_;
+  const SurfaceEvaluator& surface_;
   const SizeField& size_;
   const SplitOptions& options_;
   bool isReversed_ = false;
@@ -489,7 +489,7 @@ class Splitter {
 
 }  // namespace
 
-SplitRegion splitRegion(const FrontInput& input, const ParametricSurface& surface,
+SplitRegion splitRegion(const FrontInput& input, const SurfaceEvaluator& surface,
                         const SizeField& size, const SplitOptions& options) {
   return Splitter(input, surface, size, options).split();
 }

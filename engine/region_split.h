@@ -10,11 +10,10 @@
 
 namespace af2 {
 
-/// A surface given by its parameters, for placing the vertices of cuts. May be asked from several
-/// threads at once.
-class ParametricSurface {
+/// Gives points of a surface from its parameters, for placing the vertices of cuts.
+class SurfaceEvaluator {
  public:
-  virtual ~ParametricSurface() = default;
+  virtual ~SurfaceEvaluator() = default;
   /// Throws GeometryError if there is no point with a normal at (u, v).
   virtual SurfacePoint at(double u, double v) const = 0;
 };
@@ -35,7 +34,7 @@ struct SplitRegion {
 struct SplitOptions {
   /// Regions that are expected to get more elements than this are cut. Larger pieces lose less
   /// quality along the cuts; smaller ones keep more threads busy.
-  double pieceElements = 40000;
+  double pieceElements = 80000;
 };
 
 /// Depends on nothing but its arguments: the pieces are the same for any number of threads.
@@ -43,7 +42,7 @@ struct SplitOptions {
 /// The parameters of the corners must draw the region as it is: loops that do not cross each other,
 /// outer ones counter-clockwise or, if the face is reversed, all the other way round. Where a cut
 /// would come too close to the boundary another one is tried; a region that has none stays whole.
-SplitRegion splitRegion(const FrontInput& input, const ParametricSurface& surface,
+SplitRegion splitRegion(const FrontInput& input, const SurfaceEvaluator& surface,
                         const SizeField& size, const SplitOptions& options = {});
 
 }  // namespace af2

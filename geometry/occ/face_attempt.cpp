@@ -20,7 +20,8 @@ std::string toText(const Point3& p) {
 
 /// Where and why the front got stuck: its first edge, and what kept the most promising rule away.
 std::string stuckReason(const MeshingResult& result, const AF2Algorithm& algorithm) {
-  std::string text = "the front got stuck with " + std::to_string(result.stuck.size()) + " edges left";
+  std::string text =
+      "the front got stuck with " + std::to_string(result.stuck.size()) + " edges left";
   if (result.stuck.empty()) return text;
   const StuckEdge& edge = result.stuck.front();
   text += ", the first from " + toText(result.mesh.vertices[edge.from.value].position) + " to " +
@@ -29,8 +30,8 @@ std::string stuckReason(const MeshingResult& result, const AF2Algorithm& algorit
   for (const RuleRefusal& refusal : edge.refusals)
     if (!farthest || refusal.reason > farthest->reason) farthest = &refusal;
   if (farthest)
-    text += "; rule '" + algorithm.rules().rules()[farthest->rule].name() + "': " +
-            toString(farthest->reason);
+    text += "; rule '" + algorithm.rules().rules()[farthest->rule].name() +
+            "': " + toString(farthest->reason);
   return text;
 }
 
@@ -64,10 +65,25 @@ class RunawayGuard {
 std::size_t elementLimit(const FaceTask& task) {
   std::size_t corners = 0;
   for (const auto& loop : task.boundary.input.loops) corners += loop.size();
-  return static_cast<std::size_t>(std::min(100 * task.expectedElements, 1e9)) + 100 * corners + 10000;
+  return static_cast<std::size_t>(std::min(100 * task.expectedElements, 1e9)) + 100 * corners +
+         10000;
 }
 
-FaceAttempt attempt(const FaceTask& task, std::unique_ptr<AF2LocalTransformMaker> charts) {
+/// Points of a face for the cuts between its pieces.
+class FacePoints final : public SurfaceEvaluator {
+ public:
+  explicit FacePoints(const FaceSurface& surface) : surface_(surface) {}
+  SurfacePoint at(double u, double v) const override {
+    return surface_.pointAt(surface_.inParameters().pointAt(u, v).position, u, v);
+  }
+
+ private:
+  const FaceSurface& surface_;
+};
+
+/// Runs the engine with a guard and reports what came of it.
+template <class Run>
+FaceAttempt guarded(const FaceTask& task, Run&& run) {
   RunawayGuard guard(elementLimit(task), task.options.stop);
   MeshingOptions options;
   options.stop = guard.token();
@@ -76,17 +92,47 @@ FaceAttempt attempt(const FaceTask& task, std::unique_ptr<AF2LocalTransformMaker
     guard.see(progress);
     if (task.progress) task.progress(progress);
   };
-  FaceAttempt attempt;
-  attempt.charts = std::move(charts);
-  attempt.result = task.algorithm.execute(*attempt.charts, task.boundary.input, task.size, options);
+  FaceAttempt attempt = run(options);
   if (guard.ranAway())
     attempt.fault =
         "far more elements than the area has room for: the boundary does not enclose a region";
   else if (attempt.result.outcome == Outcome::Stuck)
     attempt.fault = stuckReason(attempt.result, task.algorithm);
-  else if (attempt.result.outcome == Outcome::Complete)
-    attempt.fault = faultOf(attempt.result.mesh, task.boundary.input);
   return attempt;
+}
+
+FaceAttempt attempt(const FaceTask& task, std::unique_ptr<AF2LocalTransformMaker> charts) {
+  return guarded(task, [&](const MeshingOptions& options) {
+    FaceAttempt attempt;
+    attempt.charts = std::move(charts);
+    attempt.result =
+        task.algorithm.execute(*attempt.charts, task.boundary.input, task.size, options);
+    if (attempt.result.outcome == Outcome::Complete)
+      attempt.fault = faultOf(attempt.result.mesh, task.boundary.input);
+    return attempt;
+  });
+}
+
+/// With the published charts, in pieces if the face is large.
+FaceAttempt attemptInPieces(const FaceTask& task) {
+  return guarded(task, [&](const MeshingOptions& options) {
+    const FacePoints points(task.surface);
+    const bool canCut = task.boundary.closedInParameters;
+    RegionMesh mesh = meshRegion(task.algorithm,
+                                 {task.boundary.input,
+                                  task.makeTools,
+                                  canCut ? &points : nullptr,
+                                  {},
+                                  task.options.optimize},
+                                 options);
+    FaceAttempt attempt;
+    attempt.charts = task.surface.makeCharts({});
+    attempt.result = std::move(mesh.result);
+    attempt.fault = std::move(mesh.fault);
+    attempt.isOptimized = task.options.optimize;
+    attempt.optimizeShare = mesh.seconds > 0 ? mesh.optimizeSeconds / mesh.seconds : 0;
+    return attempt;
+  });
 }
 
 /// The plane across the mean normal of the vertices that are left on the front.
@@ -151,7 +197,7 @@ bool close(const FaceTask& task, FaceAttempt& attempt, bool inParameters) {
 }
 
 FaceAttempt fillWithRules(const FaceTask& task) {
-  FaceAttempt first = attempt(task, task.surface.makeCharts({}));
+  FaceAttempt first = attemptInPieces(task);
   if (first.fault.empty()) return first;
   const bool hasSecond = !task.surface.isPlane() && task.boundary.closedInParameters;
   FaceAttempt second;
@@ -170,7 +216,9 @@ double areaError(const FaceTask& task, const FaceAttempt& attempt) {
   double area = 0;
   for (const Element& element : attempt.result.mesh.elements) {
     const auto c = element.vertices();
-    const auto at = [&](std::size_t i) { return attempt.result.mesh.vertices[c[i].value].position; };
+    const auto at = [&](std::size_t i) {
+      return attempt.result.mesh.vertices[c[i].value].position;
+    };
     Point3 sum;
     for (std::size_t i = 1; i + 1 < c.size(); ++i)
       sum = sum + cross(at(i) - at(0), at(i + 1) - at(0));
@@ -207,7 +255,8 @@ FaceAttempt fillWithoutVertices(const FaceTask& task) {
 std::string faultOf(const Mesh& mesh, const FrontInput& input) {
   const std::vector<MeshFault> faults = checkMesh(mesh, input);
   if (faults.empty()) return "";
-  return "the mesh has " + std::to_string(faults.size()) + " faults: " + describe(faults.front(), mesh);
+  return "the mesh has " + std::to_string(faults.size()) +
+         " faults: " + describe(faults.front(), mesh);
 }
 
 bool hasTwoSheets(const FrontInput& input) {
@@ -227,7 +276,7 @@ FaceAttempt fillFace(const FaceTask& task) {
   if (!filled.fault.empty() || isNearArea(task, filled)) return filled;
   FaceAttempt bare = fillWithoutVertices(task);
   return bare.fault.empty() && areaError(task, bare) < areaError(task, filled) ? std::move(bare)
-                                                                              : std::move(filled);
+                                                                               : std::move(filled);
 }
 
 }  // namespace af2::geometry

@@ -2,9 +2,11 @@
 // Not installed: includers need OpenCASCADE's headers.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 
+#include "engine/mesh_region.h"
 #include "geometry/occ/face_boundary.h"
 #include "geometry/occ/mesh_model.h"
 
@@ -15,6 +17,8 @@ struct FaceAttempt {
   MeshingResult result;
   std::unique_ptr<AF2LocalTransformMaker> charts;
   std::string fault;  ///< empty: complete and sound, or cancelled
+  bool isOptimized = false;
+  double optimizeShare = 0;  ///< of the time, if optimised
   std::size_t closingElements = 0;  ///< how many were made without a rule, to close a stuck front
 };
 
@@ -29,6 +33,8 @@ struct FaceTask {
   const AF2Algorithm& algorithm;
   const ModelMeshingOptions& options;
   const ProgressCallback& progress;
+  /// Charts and sizes of the face for one thread more.
+  const std::function<PieceTools()>& makeTools;
 };
 
 /// The published charts first; then, where the loops are closed in the parameters, charts in these,

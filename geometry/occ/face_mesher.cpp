@@ -15,6 +15,16 @@ namespace af2::geometry {
 
 namespace {
 
+class Stopwatch {
+ public:
+  double seconds() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
 class FaceMesher {
  public:
   FaceMesher(const FaceMeshingContext& context, int face, double area, double expectedElements)
@@ -28,31 +38,52 @@ class FaceMesher {
     FaceBoundary boundary = findBoundary(context_.model, face_, context_.divided, surface_);
     const FaceSize wanted(context_.options.sizes, face_, surface_);
     const GradedSize size(wanted, boundary.input, context_.options.sizes.growth);
-    FaceAttempt attempt = fillFace({face_, surface_, boundary, size, area_, expected_, context_.algorithm,
-                                    context_.options, context_.progress});
+    const Stopwatch filling;
+    FaceAttempt attempt =
+        fillFace({face_, surface_, boundary, size, area_, expected_, context_.algorithm,
+                  context_.options, context_.progress, [&] { return makeTools(boundary.input); }});
+    mesh.optimizeSeconds = attempt.optimizeShare * filling.seconds();
     if (!attempt.fault.empty()) throw GeometryError(attempt.fault);
     if (attempt.result.outcome == Outcome::Cancelled) {
       mesh.report.status = FaceStatus::Cancelled;
       return;
     }
-    if (context_.options.optimize) optimize(attempt, boundary.input, mesh);
+    if (context_.options.optimize && !attempt.isOptimized) optimize(attempt, boundary.input, mesh);
     take(attempt.result, boundary, mesh);
   }
 
  private:
+  /// A size field with a surface of its own: OpenCASCADE's evaluators are not to be shared.
+  struct OwnSize final : SizeField {
+    OwnSize(const FaceMeshingContext& context, int face, const FrontInput& input)
+        : surface(context.model.face(face)),
+          wanted(context.options.sizes, face, surface),
+          graded(wanted, input, context.options.sizes.growth) {}
+    double sizeAt(const SurfacePoint& point) const override { return graded.sizeAt(point); }
+
+    FaceSurface surface;
+    FaceSize wanted;
+    GradedSize graded;
+  };
+
+  PieceTools makeTools(const FrontInput& input) const {
+    auto size = std::make_shared<const OwnSize>(context_, face_, input);
+    auto charts = size->surface.makeCharts({});
+    return {std::move(charts), std::move(size)};
+  }
+
   void optimize(FaceAttempt& attempt, const FrontInput& input, FaceMesh& mesh) const {
     // Charts in parameters know a vertex of a seam on one of its sheets only.
     const bool inParameters = dynamic_cast<MetricChartMaker*>(attempt.charts.get()) != nullptr;
     if (inParameters && hasTwoSheets(input)) return;
-    const auto start = std::chrono::steady_clock::now();
+    const Stopwatch watch;
     OptimizeOptions options;
     options.stop = context_.options.stop;
     Mesh raw = attempt.result.mesh;
     optimizeMesh(attempt.result.mesh, boundaryOf(input), *attempt.charts, options);
     // What the optimiser leaves is held against the same checks that the raw mesh has passed.
     if (!faultOf(attempt.result.mesh, input).empty()) attempt.result.mesh = std::move(raw);
-    const auto end = std::chrono::steady_clock::now();
-    mesh.optimizeSeconds = std::chrono::duration<double>(end - start).count();
+    mesh.optimizeSeconds += watch.seconds();
   }
 
   static void take(MeshingResult& result, FaceBoundary& boundary, FaceMesh& mesh) {
@@ -82,7 +113,7 @@ void fail(FaceMesh& mesh, const std::string& reason) {
 FaceMesh meshFace(const FaceMeshingContext& context, int face, double area,
                   double expectedElements) {
   FaceMesh mesh;
-  const auto start = std::chrono::steady_clock::now();
+  const Stopwatch watch;
   const auto index = static_cast<std::size_t>(face) - 1;
   mesh.report.id = face;
   mesh.report.area = area;
@@ -95,8 +126,7 @@ FaceMesh meshFace(const FaceMeshingContext& context, int face, double area,
   } catch (const std::exception& failure) {
     fail(mesh, failure.what());
   }
-  const auto end = std::chrono::steady_clock::now();
-  mesh.report.seconds = std::chrono::duration<double>(end - start).count();
+  mesh.report.seconds = watch.seconds();
   return mesh;
 }
 
