@@ -75,8 +75,7 @@ bool ExpressionCompiler::isAllowedHere(const Expr& expr, const Builtin& builtin)
   const bool isFact = builtin.name == "layer" || builtin.name == "turn" || builtin.name == "corner";
   if (place_ == ExpressionPlace::Rule || (place_ == ExpressionPlace::FrontOrder && isFact))
     return true;
-  if (place_ == ExpressionPlace::Test && (builtin.name == "turn" || builtin.name == "corner"))
-    return true;
+  if (place_ == ExpressionPlace::Test && builtin.name == "turn") return true;
   // Within a def nothing is known about the place of its calls.
   if (place_ == ExpressionPlace::Constant && !locals.empty()) return true;
   const char* here =
@@ -130,7 +129,7 @@ bool ExpressionCompiler::fits(const Value& value, char kind, const Value* firstA
          "this is " + describe(value) + ", the first is " + describe(*firstAlike));
     return false;
   }
-  if (isRight && kind == 'c' &&
+  if (isRight && kind == 'c' && place_ != ExpressionPlace::Test &&
       !(static_cast<std::size_t>(value.vertex) < inChain.size() &&
         inChain[static_cast<std::size_t>(value.vertex)])) {
     tell("Y5", argument.span, "this vertex has no known place on the front",
@@ -186,6 +185,13 @@ Value ExpressionCompiler::callBuiltin(const Expr& expr, const Builtin& builtin) 
         isRight;
   }
   if (!isRight) return {};
+  if (place_ == ExpressionPlace::Test && builtin.name == "turn") {
+    const auto turn = turnInTest(arguments[0].vertex);
+    if (turn) return algebra_.angle(*turn);
+    tell("Y5", expr.span, "this vertex has no turn", "its chain is open here",
+         "a turn needs a neighbour on both sides");
+    return {};
+  }
   return needValue(expr, builtin.make(algebra_, arguments));
 }
 

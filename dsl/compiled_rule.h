@@ -1,6 +1,7 @@
 // A rule between text and engine: its definition, and where each part of it was written.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,6 +11,12 @@
 #include "engine/rule.h"
 
 namespace af2::dsl {
+
+/// A name with a known value that a rule is compiled with: of its family, of its template.
+struct RuleParameter {
+  ConstantName value;
+  Span span;
+};
 
 /// One rule: a family gives several, a rule with a mirror two.
 struct CompiledRule {
@@ -24,6 +31,8 @@ struct CompiledRule {
   std::vector<Span> zoneSpans;     ///< the zone clauses
   Span levelSpan;
   std::optional<Span> mirrorSpan;  ///< of the clause `mirror "..."` of this rule
+  std::map<std::string, RuleParameter> parameters;
+  const MirrorClause* mirror = nullptr;  ///< of a mirror: the clause that asks for it
   std::string doc;
 };
 

@@ -47,11 +47,16 @@ class ExpressionCompiler {
   std::vector<bool> inChain;   ///< by matched vertex
   std::vector<Value> corners;  ///< of the element to be measured, in metrics
   std::function<Node()> fade;  ///< weight of the preferred corner
-  std::string ruleTitle;       ///< for diagnostics
+  /// Free angle at a vertex of a test; nothing where its chain is open.
+  std::function<std::optional<double>(int)> turnInTest;
+  std::string ruleTitle;  ///< for diagnostics
 
   const Algebra& algebra() const { return algebra_; }
   ProgramBuilder& builder() const { return algebra_.builder(); }
   const Module& module() const { return *module_; }
+
+  /// Goes on with the names and places of another file.
+  void readIn(const Module& module) { module_ = &module; }
 
   /// Any value; where there is none it has been told, and the result is of type Any.
   Value evaluate(const Expr& expr);

@@ -784,6 +784,8 @@ void RuleCompiler::compileOne(const Rule& rule, const std::map<std::string, Para
                                   "remove this clause");
     if (!compiled) continue;
     compiled->doc = rule.doc;
+    compiled->parameters = parameters;
+    compiled->mirror = mirrors[i];
     if (mirrors.size() > 1) compiled->mirrorSpan = mirrorSpans[std::max<std::size_t>(1, i)];
     result.push_back(std::move(*compiled));
   }
@@ -837,6 +839,52 @@ std::vector<CompiledRule> RuleCompiler::compile(const Rule& rule,
     }
     if (isRight) compileOne(rule, all, ownTitle, result);
   }
+  return result;
+}
+
+std::optional<CompiledProperty> RuleCompiler::compileProperty(const Property& property,
+                                                              const Module& written,
+                                                              const CompiledRule& rule) {
+  ClauseCompiler compiler(context_, *rule.home, settings_, *rule.text, rule.mirror);
+  for (const auto& [name, parameter] : rule.parameters) compiler.define(name, parameter);
+  if (!compiler.compile(rule.definition.name, rule.title)) return std::nullopt;
+  ExpressionCompiler& expressions = compiler.expressions();
+  expressions.readIn(written);
+  expressions.ruleTitle.clear();
+  CompiledProperty result;
+  result.title = property.title.text;
+  result.span = property.title.span;
+  result.rule = rule.definition.name;
+  result.firstLevel = result.lastLevel = rule.definition.firstLevel;
+  if (property.variable) {
+    const auto first = expressions.constantNumber(property.first, "the first level");
+    const auto last = expressions.constantNumber(property.last, "the last level");
+    if (!first || !last) return std::nullopt;
+    const bool isRange = *first >= 1 && *first <= *last && *last <= settings_.maxLevel &&
+                         *first == std::floor(*first) && *last == std::floor(*last);
+    if (!isRange) {
+      expressions.tell(
+          "Y3", cover(property.first.span, property.last.span),
+          "the levels must be whole numbers from 1 to " + std::to_string(settings_.maxLevel));
+      return std::nullopt;
+    }
+    result.firstLevel = static_cast<int>(*first);
+    result.lastLevel = static_cast<int>(*last);
+    Local level;
+    level.kind = LocalKind::Parameter;
+    level.value = expressions.algebra().scalar(
+        Type::Number, expressions.builder().make(Op::Level, std::initializer_list<Node>{}));
+    expressions.locals[property.variable->text] = level;
+  }
+  bool isRight = true;
+  for (const Expr& expr : property.expectations) {
+    const Value value = expressions.truth(expr, "what is expected");
+    isRight = isRight && !value.isAny();
+    if (value.isAny()) continue;
+    result.expectations.push_back(makeFunction(expressions.builder(), value.number));
+    result.expectationSpans.push_back(expr.span);
+  }
+  if (!isRight) return std::nullopt;
   return result;
 }
 

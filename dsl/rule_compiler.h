@@ -8,6 +8,7 @@
 
 #include "dsl/compiled_rule.h"
 #include "dsl/expressions.h"
+#include "dsl/test_compiler.h"
 
 namespace af2::dsl {
 
@@ -18,9 +19,6 @@ struct SharedSettings {
   const Expr* fadeExpression = nullptr;  ///< null: 1/q
   const Module* fadeHome = nullptr;
 };
-
-/// Names with known values that a rule is compiled with: of its family, of its template.
-using Arguments = std::map<std::string, std::pair<Value, Span>>;
 
 /// `{k}` filled in. Tells what it does not know.
 std::string filledTitle(ExpressionCompiler& expressions, const Name& title);
@@ -35,16 +33,17 @@ class RuleCompiler {
   RuleCompiler(CompileContext& context, const Module& home, const SharedSettings& settings)
       : context_(context), home_(home), settings_(settings) {}
 
-  struct Parameter {
-    ConstantName value;
-    Span span;
-  };
+  using Parameter = RuleParameter;
 
   /// `title`: instead of the rule's own, for instances of templates. With unknown parameters (type
   /// Any) only types are checked, and nothing is returned.
   std::vector<CompiledRule> compile(const Rule& rule,
                                     const std::map<std::string, Parameter>& parameters,
                                     const Name* title = nullptr);
+
+  /// A property of a compiled rule; `home` of the property may be another file than the rule's.
+  std::optional<CompiledProperty> compileProperty(const Property& property, const Module& written,
+                                                  const CompiledRule& rule);
 
  private:
   void compileOne(const Rule& rule, const std::map<std::string, Parameter>& parameters,

@@ -19,8 +19,8 @@ class FileCompiler {
   FileCompiler(CompileContext& context, const Library& library)
       : context_(context), library_(library), main_(*library.modules().front()) {}
 
-  /// Null if there are errors. The compiled rules are left in `rules`.
-  std::shared_ptr<const RuleSet> compile(std::vector<CompiledRule>& rules);
+  /// Null if there are errors. Compiled rules and tests are left in `result`.
+  std::shared_ptr<const RuleSet> compile(LoadedFile& result);
 
  private:
   using Parameters = std::map<std::string, RuleCompiler::Parameter>;
@@ -47,6 +47,8 @@ class FileCompiler {
   void append(std::vector<CompiledRule> compiled);
   void checkTitles();
   void checkKinds(const RuleSetCompiler& settings);
+  void compileTests(LoadedFile& result);
+  void compileProperty(const Property& property, LoadedFile& result);
   std::set<int> sizesMade() const;
   bool holdsRule(const Module& module, const std::string& title) const;
 
@@ -312,18 +314,52 @@ std::set<int> FileCompiler::sizesMade() const {
   return sizes;
 }
 
-std::shared_ptr<const RuleSet> FileCompiler::compile(std::vector<CompiledRule>& rules) {
+void FileCompiler::compileProperty(const Property& property, LoadedFile& result) {
+  const auto rule = std::find_if(rules_.begin(), rules_.end(), [&](const CompiledRule& r) {
+    return r.definition.name == property.rule.text;
+  });
+  if (rule == rules_.end()) {
+    if (holdsRule(main_, property.rule.text)) return;  // it has errors of its own
+    std::vector<std::string> titles;
+    for (const CompiledRule& r : rules_) titles.push_back(r.definition.name);
+    return tell(main_, "R1", property.rule.span, "there is no rule \"" + property.rule.text + "\"",
+                didYouMean(property.rule.text, titles));
+  }
+  auto compiled = RuleCompiler(context_, *rule->home, settings_->shared())
+                      .compileProperty(property, main_, *rule);
+  if (compiled) result.properties.push_back(std::move(*compiled));
+}
+
+void FileCompiler::compileTests(LoadedFile& result) {
+  std::map<std::string, Span> titles;
+  for (const Item& item : main_.parsed.file.items) {
+    if (const auto* test = std::get_if<Test>(&item.content)) {
+      const auto [known, isNew] = titles.emplace(test->title.text, test->title.span);
+      if (!isNew)
+        tell(main_, "R2", test->title.span, "there are two tests \"" + test->title.text + "\"",
+             "give each test a title of its own",
+             {{"the other one", placeOf(main_.source, known->second)}});
+      auto compiled = compileTest(context_, main_, *test, rules_, settings_->shared().maxLevel);
+      if (compiled) result.tests.push_back(std::move(*compiled));
+    } else if (const auto* property = std::get_if<Property>(&item.content)) {
+      compileProperty(*property, result);
+    }
+  }
+}
+
+std::shared_ptr<const RuleSet> FileCompiler::compile(LoadedFile& result) {
   settings_ = std::make_unique<RuleSetCompiler>(context_, main_, ruleSets());
   compileItems(main_);
   checkTitles();
   checkKinds(*settings_);
+  compileTests(result);
   RuleSetDefinition definition = settings_->finish(sizesMade());
   runChecks({rules_, definition, main_}, context_.diagnostics);
   if (rules_.empty() && !context_.diagnostics.hasErrors())
     tell(main_, "R5", {0, 0}, "this file has no rules", "add `rule \"title\" quality 1 { ... }`");
-  rules = std::move(rules_);
+  result.rules = std::move(rules_);
   if (context_.diagnostics.hasErrors()) return nullptr;
-  for (const CompiledRule& rule : rules) {
+  for (const CompiledRule& rule : result.rules) {
     try {
       definition.rules.emplace_back(rule.definition);
     } catch (const InputError& error) {
@@ -354,7 +390,7 @@ LoadedRules loadRulesFromText(std::string name, std::string text, const LoadOpti
   library.load(std::move(name), std::move(text));
   auto file = std::make_shared<LoadedFile>();
   LoadedRules result;
-  result.rules = FileCompiler(context, library).compile(file->rules);
+  result.rules = FileCompiler(context, library).compile(*file);
   file->modules = library.takeModules();
   result.file = std::move(file);
   result.diagnostics = diagnostics.take();

@@ -10,6 +10,7 @@
 #include "dsl/diagnostic.h"
 #include "dsl/module.h"
 #include "dsl/registry.h"
+#include "dsl/test_compiler.h"
 #include "engine/rule_set.h"
 
 namespace af2::dsl {
@@ -27,6 +28,8 @@ struct LoadOptions {
 struct LoadedFile {
   std::vector<std::unique_ptr<Module>> modules;  ///< [0] is the file itself, then its imports
   std::vector<CompiledRule> rules;               ///< as in the rule set, if there is one
+  std::vector<CompiledTest> tests;               ///< of the file itself, those without errors
+  std::vector<CompiledProperty> properties;
   const Module& main() const { return *modules.front(); }
 };
 
