@@ -19,6 +19,8 @@ geometry::ModelMesh runPlanar(const MeshRequest& request, const AF2Algorithm& al
   ProgressBar bar(control.showProgress);
   geometry::PlanarMeshingOptions options;
   options.size = request.size;
+  options.optimize = request.optimize;
+  options.threads = request.threads;
   options.stop = control.stop;
   options.progress = [&](const Progress& progress) {
     bar.show("meshing", 0, fmt::format("{} elements", progress.elements));

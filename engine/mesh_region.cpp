@@ -1,6 +1,7 @@
 #include "engine/mesh_region.h"
 
 #include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <chrono>
@@ -223,7 +224,13 @@ std::vector<RegionMesh> meshPieces(const AF2Algorithm& algorithm, const RegionTa
   if (options.observer) {
     for (std::size_t p = 0; p < pieces.size(); ++p) mesh(p);  // it hears one step after the other
   } else {
-    tbb::parallel_for(std::size_t{0}, pieces.size(), mesh, tbb::simple_partitioner());
+    const auto meshAll = [&] {
+      tbb::parallel_for(std::size_t{0}, pieces.size(), mesh, tbb::simple_partitioner());
+    };
+    if (task.threads > 0)
+      tbb::task_arena(task.threads).execute(meshAll);
+    else
+      meshAll();
   }
   return pieces;
 }

@@ -24,6 +24,7 @@ struct RegionTask {
   const SurfaceEvaluator* surface = nullptr;
   SplitOptions split = {};
   bool optimize = true;
+  int threads = 0;  ///< at most so many; 0: as many as the caller's TBB arena has
 };
 
 struct RegionMesh {

@@ -5,10 +5,10 @@
 #include <cmath>
 
 #include "engine/error.h"
-#include "engine/mesh_check.h"
+#include "engine/mesh_region.h"
 #include "geometry/graded_size.h"
-#include "geometry/plane_chart.h"
 #include "geometry/planar/loops.h"
+#include "geometry/plane_chart.h"
 
 namespace af2::geometry {
 
@@ -17,6 +17,11 @@ namespace {
 constexpr Point3 kUp{0, 0, 1};
 
 SurfacePoint inPlane(Point2 p) { return {{p.x, p.y, 0}, kUp, p.x, p.y}; }
+
+class PlanePoints final : public SurfaceEvaluator {
+ public:
+  SurfacePoint at(double u, double v) const override { return inPlane({u, v}); }
+};
 
 class DomainSize final : public SizeField {
  public:
@@ -78,7 +83,8 @@ class PlanarMesher {
       const Point2 from = regions_.points[static_cast<std::size_t>(piece.from)];
       const Point2 to = regions_.points[static_cast<std::size_t>(piece.to)];
       along.push_back(ids_[static_cast<std::size_t>(piece.from)]);
-      for (const double t : sharesBetween(from, to)) along.push_back(addVertex(from + t * (to - from)));
+      for (const double t : sharesBetween(from, to))
+        along.push_back(addVertex(from + t * (to - from)));
       along.push_back(ids_[static_cast<std::size_t>(piece.to)]);
     }
     divided_.push_back(std::move(along));
@@ -89,8 +95,9 @@ class PlanarMesher {
     const double total = distance(from, to);
     const double samples = std::ceil((options_.function ? 10 : 1) * total / options_.size) + 1;
     if (!(samples < kMostSegments))
-      throw InputError("a segment of the domain would need more than 10 million pieces; ask for a "
-                       "larger size");
+      throw InputError(
+          "a segment of the domain would need more than 10 million pieces; ask for a "
+          "larger size");
     const auto cells = static_cast<std::size_t>(samples);
     std::vector<double> count{0};
     double before = size_.sizeAt(inPlane(from));
@@ -121,15 +128,27 @@ class PlanarMesher {
     report.area = region.area;
     std::vector<VertexId> boundary;
     const FrontInput input = boundaryOf(region, boundary);
-    const GradedSize size(size_, input, options_.growth);
-    const MeshingResult result =
-        algorithm_.execute(PlaneChartMaker(kUp), input, size,
-                           {options_.observer, options_.progress, options_.stop});
-    judge(result, input, report);
-    if (report.status == FaceStatus::Complete) add(result, boundary, report);
+    const auto size = std::make_shared<const GradedSize>(size_, input, options_.growth);
+    const PlanePoints plane;
+    const RegionTask task{input,
+                          [&] {
+                            return PieceTools{std::make_unique<PlaneChartMaker>(kUp), size};
+                          },
+                          &plane,
+                          {},
+                          options_.optimize,
+                          options_.threads};
+    RegionMesh meshed =
+        af2::meshRegion(algorithm_, task, {options_.observer, options_.progress, options_.stop});
+    judge(meshed, report);
+    if (report.status == FaceStatus::Complete) add(meshed.result, boundary, report);
+
     const auto end = std::chrono::steady_clock::now();
     report.seconds = std::chrono::duration<double>(end - start).count();
-    mesh_.seconds.surface += report.seconds;
+    const double optimizing =
+        meshed.seconds > 0 ? report.seconds * meshed.optimizeSeconds / meshed.seconds : 0;
+    mesh_.seconds.optimize += optimizing;
+    mesh_.seconds.surface += report.seconds - optimizing;
     mesh_.faces.push_back(std::move(report));
   }
 
@@ -161,19 +180,17 @@ class PlanarMesher {
     return {local, inPlane({p.x, p.y})};
   }
 
-  void judge(const MeshingResult& result, const FrontInput& input, FaceReport& report) const {
-    if (result.outcome == Outcome::Cancelled) {
-      report.status = FaceStatus::Cancelled;
-    } else if (result.outcome == Outcome::Stuck) {
-      report.status = FaceStatus::Failed;
-      const Point3& p = result.mesh.vertices[result.stuck.front().from.value].position;
-      report.reason = "the front got stuck with " + std::to_string(result.stuck.size()) +
-                      " edges left, the first at (" + std::to_string(p.x) + ", " +
-                      std::to_string(p.y) + ")";
-    } else if (const auto faults = checkMesh(result.mesh, input); !faults.empty()) {
-      report.status = FaceStatus::Failed;
-      report.reason = describe(faults.front(), result.mesh);
-    }
+  static void judge(const RegionMesh& meshed, FaceReport& report) {
+    const MeshingResult& result = meshed.result;
+    if (result.outcome == Outcome::Complete && meshed.fault.empty()) return;
+    report.status =
+        result.outcome == Outcome::Cancelled ? FaceStatus::Cancelled : FaceStatus::Failed;
+    report.reason = meshed.fault;
+    if (result.outcome != Outcome::Stuck || result.stuck.empty()) return;
+    const Point3& p = result.mesh.vertices[result.stuck.front().from.value].position;
+    report.reason = "the front got stuck with " + std::to_string(result.stuck.size()) +
+                    " edges left, the first at (" + std::to_string(p.x) + ", " +
+                    std::to_string(p.y) + ")";
   }
 
   void add(const MeshingResult& result, const std::vector<VertexId>& boundary, FaceReport& report) {
@@ -183,7 +200,8 @@ class PlanarMesher {
     for (Element element : result.mesh.elements) {
       for (VertexId& v : element.corners)
         if (!v.isNone())
-          v = v.value < boundary.size() ? boundary[v.value] : VertexId(base + v.value - boundary.size());
+          v = v.value < boundary.size() ? boundary[v.value]
+                                        : VertexId(base + v.value - boundary.size());
       mesh_.elements.push_back(element);
       mesh_.face.push_back(report.id);
     }
@@ -209,9 +227,9 @@ class PlanarMesher {
   const PlanarMeshingOptions& options_;
   DomainSize size_;
   PlanarRegions regions_;
-  std::vector<int> uses_;      // by piece
-  std::vector<VertexId> ids_;  // by point
-  std::vector<VertexId> localIds_;  // by vertex of the mesh, while one region is read
+  std::vector<int> uses_;                       // by piece
+  std::vector<VertexId> ids_;                   // by point
+  std::vector<VertexId> localIds_;              // by vertex of the mesh, while one region is read
   std::vector<std::vector<VertexId>> divided_;  // by piece, ends included; empty if unused
   ModelMesh mesh_;
 };

@@ -11,18 +11,20 @@
 namespace af2::geometry {
 
 struct PlanarMeshingOptions {
-  double size = 0;  ///< wanted edge length, > 0
+  double size = 0;                                ///< wanted edge length, > 0
   std::function<double(const Point3&)> function;  ///< further limit by position; may be empty
   /// Most growth of the size per unit of length, away from short segments of the boundary.
   double growth = 0.4;
+  bool optimize = true;  ///< swaps and smoothing after the front has closed
+  int threads = 0;       ///< 0: as many as the machine has. The mesh does not depend on it.
   ProgressCallback progress;
   std::stop_token stop;
   AF2MeshingObserver* observer = nullptr;
 };
 
 /// Meshes the regions that the segments bound: the outside and the regions of hole points are left
-/// out. Each connected region is a face: 1, 2, ... in the order of its lowest, then leftmost vertex.
-/// Segments inside a region are kept as edges of the mesh.
+/// out. Each connected region is a face: 1, 2, ... in the order of its lowest, then leftmost
+/// vertex. Segments inside a region are kept as edges of the mesh.
 ///
 /// Throws InputError if segments cross, if they enclose nothing, or if a size is not positive.
 ModelMesh meshPlanar(const PlanarDomain& domain, const AF2Algorithm& algorithm,
