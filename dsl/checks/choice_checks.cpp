@@ -46,7 +46,7 @@ std::string describe(const RuleSet& rules, const Winners& winners) {
   const auto most = std::max_element(winners.begin(), winners.end(),
                                      [](auto& p, auto& q) { return p.second < q.second; });
   if (most->first < 0)
-    return fmt::format("no rule was in {} of them, mostly for its score", most->second);
+    return fmt::format("no rule was in {} of them", most->second);
   return fmt::format("'{}' was in {} of them", rules.rules()[most->first].name(), most->second);
 }
 

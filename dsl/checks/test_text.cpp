@@ -50,7 +50,9 @@ class Writer {
       if (!isPlaced_[i]) points.push_back(vertex(static_cast<int>(i)));
     for (std::size_t i = 0; i < obstacles.size(); ++i)
       points.push_back(place(obstacleName(i, obstacles.size()), obstacles[i]));
-    return fmt::format("{}", fmt::join(points, ", "));
+    std::string result;
+    for (const std::string& point : points) result += (result.empty() ? "" : ", ") + point;
+    return result;
   }
 
   /// "o", or "o1", "o2", ...; with underscores if the rule has a vertex of that name.

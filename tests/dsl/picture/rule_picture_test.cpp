@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <fstream>
 
+#include "dsl/picture/coverage_picture.h"
 #include "sample_rules.h"
 
 namespace af2::dsl {
@@ -71,6 +72,15 @@ TEST(RulePicture, SaysWhenThereIsNoZone) {
   const std::string png = drawMatch(rules, rules.rules()[4], match, PictureFormat::Png);
   EXPECT_TRUE(isPng(png));
   keep("no zone.png", png);
+}
+
+TEST(CoveragePicture, ShowsTheThreeMaps) {
+  const RuleSet rules = test::sampleRules();
+  const Coverage coverage = measureCoverage(rules, 5);
+  const std::string png = drawCoverage(coverage, rules.name(), PictureFormat::Png);
+  EXPECT_TRUE(isPng(png));
+  EXPECT_TRUE(isSvg(drawCoverage(coverage, rules.name(), PictureFormat::Svg)));
+  keep("coverage.png", png);
 }
 
 }  // namespace

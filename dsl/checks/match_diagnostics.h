@@ -1,0 +1,20 @@
+// Findings about all matches of rules, told at the places of the text.
+#pragma once
+
+#include <vector>
+
+#include "dsl/checks/coverage.h"
+#include "dsl/checks/sampled_checks.h"
+#include "dsl/diagnostic.h"
+#include "dsl/rule_file.h"
+
+namespace af2::dsl {
+
+/// One diagnostic for each finding, with the counter-example as a `test` on one line in a note.
+/// Left out are codes that the rule itself allows: meta { allow "Z1, Z2"; }.
+std::vector<Diagnostic> diagnosticsOf(const LoadedRules& loaded, const SampledResult& result);
+
+/// N1, at the head of the file: a warning if there are situations that no rule accepts.
+std::vector<Diagnostic> diagnosticsOf(const LoadedRules& loaded, const Coverage& coverage);
+
+}  // namespace af2::dsl

@@ -1,0 +1,129 @@
+#include "dsl/picture/coverage_picture.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace af2::dsl {
+namespace {
+
+using picture::Anchor;
+using picture::Canvas;
+using picture::Color;
+using picture::color;
+using picture::TextStyle;
+using picture::Weight;
+
+constexpr Color kInk = color(0x1f2933), kMuted = color(0x6b7785), kFrame = color(0xdde3ea);
+constexpr Color kNone = color(0xb3261e);
+constexpr double kCell = 17, kLeft = 74, kGap = 58, kTop = 96;
+
+/// From good to late.
+constexpr std::array kRamp{color(0x2f8f46), color(0x86c06c), color(0xd6e08a), color(0xf6d365),
+                           color(0xf0a04b)};
+
+Color blend(Color p, Color q, double t) {
+  return {p.red + t * (q.red - p.red), p.green + t * (q.green - p.green),
+          p.blue + t * (q.blue - p.blue), 1};
+}
+
+Color colorOf(int level, int lastLevel) {
+  if (level == CoverageMap::kNone) return kNone;
+  const double share = lastLevel > 1 ? std::log(level) / std::log(lastLevel) : 0;
+  const double place = share * (kRamp.size() - 1);
+  const auto index = std::min(static_cast<std::size_t>(place), kRamp.size() - 2);
+  return blend(kRamp[index], kRamp[index + 1], place - static_cast<double>(index));
+}
+
+bool isAngle(const std::string& name) { return name.find("angle") != std::string::npos; }
+
+std::string tick(double value, const std::string& name) {
+  if (isAngle(name)) return fmt::format("{}\u00b0", static_cast<int>(value));
+  return fmt::format("{:.2g}", value);
+}
+
+double widthOf(const CoverageMap& map) { return kCell * static_cast<double>(map.xs.size()); }
+double heightOf(const CoverageMap& map) { return kCell * static_cast<double>(map.ys.size()); }
+
+void drawCells(Canvas& canvas, const CoverageMap& map, int lastLevel, Point2 low) {
+  for (std::size_t y = 0; y < map.ys.size(); ++y)
+    for (std::size_t x = 0; x < map.xs.size(); ++x) {
+      const int level = map.level(x, y);
+      if (level == CoverageMap::kImpossible) continue;
+      const Point2 at =
+          low + kCell * Point2{static_cast<double>(x), static_cast<double>(map.ys.size() - 1 - y)};
+      canvas.fillRectangle(at + Point2{0.6, 0.6}, at + Point2{kCell - 0.6, kCell - 0.6}, 2.5,
+                           colorOf(level, lastLevel));
+    }
+}
+
+/// Every third or so of the values, so that they do not touch.
+void drawTicks(Canvas& canvas, const CoverageMap& map, Point2 low) {
+  const double bottom = low.y + heightOf(map);
+  const std::size_t step = map.xs.size() > 30 ? 5 : 3;
+  for (std::size_t x = step - 1; x < map.xs.size(); x += step)
+    canvas.text(tick(map.xs[x], map.xName),
+                {low.x + kCell * (static_cast<double>(x) + 0.5), bottom + 14},
+                {10, kMuted, Weight::Normal, Anchor::Middle});
+  canvas.text(map.xName, {low.x + 0.5 * widthOf(map), bottom + 30},
+              {11, kInk, Weight::Normal, Anchor::Middle});
+  if (map.yName.empty()) return;
+  for (std::size_t y = 2; y < map.ys.size(); y += 3)
+    canvas.text(tick(map.ys[y], map.yName),
+                {low.x - 7, bottom - kCell * (static_cast<double>(y) + 0.5) + 4},
+                {10, kMuted, Weight::Normal, Anchor::Right});
+}
+
+void drawMap(Canvas& canvas, const CoverageMap& map, int lastLevel, Point2 low) {
+  canvas.text(map.title, low - Point2{0, 12}, {13.5, kInk, Weight::Bold});
+  if (!map.yName.empty()) {
+    const double width = canvas.widthOf(map.title, {13.5, kInk, Weight::Bold});
+    canvas.text("up: " + map.yName, low + Point2{width + 12, -12}, {11, kMuted});
+  }
+  canvas.strokeRectangle(low - Point2{2, 2}, low + Point2{widthOf(map) + 2, heightOf(map) + 2}, 4,
+                         kFrame, 1);
+  drawCells(canvas, map, lastLevel, low);
+  drawTicks(canvas, map, low);
+}
+
+void drawKey(Canvas& canvas, int lastLevel, Point2 at) {
+  const TextStyle style{11.5, kMuted};
+  const auto entry = [&](Color fill, const std::string& text) {
+    canvas.fillRectangle(at + Point2{0, -10}, at + Point2{14, 4}, 2.5, fill);
+    canvas.text(text, at + Point2{20, 2}, style);
+    at.x += 34 + canvas.widthOf(text, style);
+  };
+  int last = 0;
+  for (const double share : {0.0, 0.3, 0.5, 0.75, 1.0}) {
+    const int level = static_cast<int>(std::round(std::pow(lastLevel, share)));
+    if (level != last)
+      entry(colorOf(level, lastLevel),
+            last == 0 ? fmt::format("taken at level {}", level) : std::to_string(level));
+    last = level;
+  }
+  entry(kNone, fmt::format("by no rule up to level {}", lastLevel));
+}
+
+}  // namespace
+
+std::string drawCoverage(const Coverage& coverage, const std::string& ruleSet,
+                         PictureFormat format) {
+  double width = 620, height = kTop;
+  for (const CoverageMap& map : coverage.maps) {
+    width = std::max(width, kLeft + widthOf(map) + 24);
+    height += heightOf(map) + kGap + 20;
+  }
+  return Canvas::render(format, width, height - 20, [&](Canvas& canvas) {
+    canvas.text("What " + ruleSet + " covers", {24, 34}, {19, kInk, Weight::Bold});
+    drawKey(canvas, coverage.lastLevel, {24, 58});
+    double top = kTop + 6;
+    for (const CoverageMap& map : coverage.maps) {
+      drawMap(canvas, map, coverage.lastLevel, {kLeft, top});
+      top += heightOf(map) + kGap + 20;
+    }
+  });
+}
+
+}  // namespace af2::dsl

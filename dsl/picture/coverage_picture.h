@@ -1,0 +1,16 @@
+// Heat maps of the situations that a rule set covers.
+#pragma once
+
+#include <string>
+
+#include "dsl/checks/coverage.h"
+#include "dsl/picture/canvas.h"
+
+namespace af2::dsl {
+
+/// Green: taken at level 1; through yellow to orange: later; red: by no rule; white: no such
+/// situation. Returns the bytes of the file.
+std::string drawCoverage(const Coverage& coverage, const std::string& ruleSet,
+                         PictureFormat format);
+
+}  // namespace af2::dsl
