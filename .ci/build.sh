@@ -14,9 +14,9 @@ packages_for() {
 
 # missing_packages NAME...: those that are not installed.
 missing_packages() {
-  local installed
-  installed=$(dpkg-query -W -f='${db:Status-Status} ${Package}\n' "$@" 2>/dev/null |
-    awk '$1 == "installed" { print $2 }')
+  local known installed
+  known=$(dpkg-query -W -f='${db:Status-Status} ${Package}\n' "$@" 2>/dev/null) || true
+  installed=$(awk '$1 == "installed" { print $2 }' <<<"$known")
   comm -23 <(printf '%s\n' "$@" | sort -u) <(printf '%s\n' "$installed" | sort -u)
 }
 
