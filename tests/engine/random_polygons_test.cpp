@@ -54,6 +54,47 @@ TEST_P(RandomRegion, IsMeshedCompletely) {
   }
 }
 
+/// Every side divided into parts whose lengths differ by up to `spread` squared.
+Points dividedUnevenly(std::mt19937& random, const Points& corners, double size, double spread) {
+  std::uniform_real_distribution<double> unit(0, 1);
+  Points result;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const Point2 p = corners[i], q = corners[(i + 1) % corners.size()];
+    const double total = distance(p, q);
+    for (double at = 0; at < total - 1e-12;) {
+      result.push_back(p + (at / total) * (q - p));
+      const double part = size * std::pow(spread, 2 * unit(random) - 1);
+      at = at + 1.4 * part > total ? total : at + part;
+    }
+  }
+  return result;
+}
+
+/// The classical set stops on needles that its score bound refuses at every level. With a last
+/// level that takes every positive element and looks far, nothing is left over.
+std::shared_ptr<const RuleSet> setWithLastResort() {
+  RuleSetDefinition set = triangleSetDefinition();
+  std::vector<double> bounds = byLevel(50, [](double q) { return 2 + .5 * q * q; });
+  bounds.back() = 1e300;
+  set.acceptance = std::make_shared<ScoreBound>(bounds);
+  set.matchTolerance.back() = 400;
+  return std::make_shared<RuleSet>(set);
+}
+
+TEST_P(RandomRegion, IsMeshedCompletelyWithALastResortHoweverUnevenItsBoundary) {
+  const AF2Algorithm algorithm(setWithLastResort());
+  for (unsigned i = 0; i < 10; ++i) {
+    const unsigned seed = 10 * GetParam() + i;
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    std::mt19937 random(seed);
+    const double size = .05 + .1 * std::uniform_real_distribution<double>(0, 1)(random);
+    FrontInput input;
+    const Points corners = starShaped(random, {0, 0}, 1, .6);
+    addLoop(input, dividedUnevenly(random, corners, size, 8));
+    expectGoodMesh(algorithm.execute(FlatMaker(), input, UniformSize(size)), input, 0);
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Meshes, RandomRegion, ::testing::Range(0u, 10u));
 
 }  // namespace
