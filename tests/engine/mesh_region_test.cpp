@@ -1,0 +1,130 @@
+// Regions cut into pieces: that the pieces fit together, and that threads change nothing.
+#include "engine/mesh_region.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+
+#include "tests/support/meshing.h"
+
+namespace af2 {
+namespace {
+
+using namespace af2::testing;
+
+class FlatPoints final : public SurfaceEvaluator {
+ public:
+  SurfacePoint at(double u, double v) const override { return {{u, v, 0}, {0, 0, 1}, u, v}; }
+};
+
+const FlatPoints kPlane;
+
+RegionMesh meshIn(const FrontInput& input, double size, double pieceElements, int threads,
+                  const MeshingOptions& options = {}) {
+  const auto tools = [&] {
+    return PieceTools{std::make_unique<FlatMaker>(), std::make_shared<UniformSize>(size)};
+  };
+  return meshRegion(AF2Algorithm(triangleSet()),
+                    {input, tools, &kPlane, {pieceElements}, true, threads}, options);
+}
+
+FrontInput comb() {
+  FrontInput input;
+  std::vector<Point2> outline{{0, 0}, {9, 0}};
+  for (int i = 4; i >= 0; --i) {
+    outline.push_back({2.0 * i + 1, 4});
+    outline.push_back({2.0 * i, 4});
+    if (i > 0) outline.insert(outline.end(), {{2.0 * i, 1}, {2.0 * i - 1, 1}});
+  }
+  addLoop(input, divided(outline, .1));
+  return input;
+}
+
+FrontInput manyHoles() {
+  FrontInput input;
+  addLoop(input, divided({{0, 0}, {6, 0}, {6, 4}, {0, 4}}, .1));
+  for (int i = 0; i < 5; ++i)
+    for (int j = 0; j < 3; ++j) addLoop(input, circle({1.0 + i, 1.0 + j}, .25, 16, true));
+  return input;
+}
+
+TEST(RegionSplit, LeavesSmallRegionsWhole) {
+  const FrontInput input = square(.1);
+  const SplitRegion split = splitRegion(input, kPlane, UniformSize(.1));
+  ASSERT_EQ(split.pieces.size(), 1u);
+  EXPECT_TRUE(split.cutVertices.empty());
+  EXPECT_EQ(split.pieces[0].input.vertexCount, input.vertexCount);
+}
+
+TEST(RegionSplit, KeepsTheAreaAndSharesCutEdges) {
+  for (const FrontInput& input : {square(.02), discWithHole(.01), comb(), manyHoles()}) {
+    const SplitRegion split =
+        splitRegion(input, kPlane, UniformSize(.02), {areaOf(input) / (.433 * 4e-4) / 7});
+    ASSERT_GT(split.pieces.size(), 2u);
+    double area = 0;
+    std::vector<std::pair<VertexId, VertexId>> edges;
+    for (const RegionPiece& piece : split.pieces) {
+      area += areaOf(piece.input);
+      for (const auto& [from, to] : boundaryOf(piece.input).edges)
+        edges.emplace_back(piece.vertices[from.value], piece.vertices[to.value]);
+    }
+    EXPECT_NEAR(area, areaOf(input), 1e-9);
+    std::sort(edges.begin(), edges.end());
+    EXPECT_EQ(std::adjacent_find(edges.begin(), edges.end()), edges.end());
+    const MeshBoundary given = boundaryOf(input);
+    for (const auto& [from, to] : edges)
+      EXPECT_TRUE(given.contains(from, to) ||
+                  std::binary_search(edges.begin(), edges.end(), std::pair(to, from)));
+  }
+}
+
+TEST(RegionSplit, DrawsReversedRegionsInTheMirror) {
+  // Loops clockwise in the parameters: the face is seen from below.
+  FrontInput input = square(.02);
+  for (auto& loop : input.loops)
+    for (BoundaryCorner& c : loop) std::swap(c.point.u, c.point.v);
+  class Mirrored final : public SurfaceEvaluator {
+   public:
+    SurfacePoint at(double u, double v) const override { return {{v, u, 0}, {0, 0, 1}, u, v}; }
+  };
+  const SplitRegion split = splitRegion(input, Mirrored(), UniformSize(.02), {1000});
+  EXPECT_GT(split.pieces.size(), 2u);
+  double area = 0;
+  for (const RegionPiece& piece : split.pieces) area += areaOf(piece.input);
+  EXPECT_NEAR(area, 1, 1e-9);
+}
+
+TEST(MeshRegion, GivesTheSameMeshForAnyNumberOfThreads) {
+  const FrontInput input = manyHoles();
+  const RegionMesh one = meshIn(input, .1, 600, 1);
+  for (int threads : {2, 3, 7})
+    EXPECT_EQ(meshIn(input, .1, 600, threads).result.mesh, one.result.mesh);
+}
+
+TEST(MeshRegion, FillsPiecesAsSoundlyAsTheWhole) {
+  for (const FrontInput& input : {square(.02), discWithHole(.01), comb(), manyHoles()}) {
+    const double size = input.loops.size() == 1 && areaOf(input) < 2 ? .02
+                        : input.loops.size() == 2                    ? .01
+                                                                     : .1;
+    const RegionMesh mesh = meshIn(input, size, areaOf(input) / (.433 * size * size) / 6, 2);
+    EXPECT_EQ(mesh.fault, "");
+    expectGoodMesh(mesh.result, input, .3);
+  }
+}
+
+TEST(MeshRegion, TellsItsProgressAndStopsWhenAsked) {
+  const FrontInput input = square(.01);
+  std::stop_source source;
+  MeshingOptions options;
+  options.stop = source.get_token();
+  std::atomic<std::size_t> calls = 0;
+  options.progress = [&](const Progress&) {
+    if (++calls == 2) source.request_stop();
+  };
+  const RegionMesh mesh = meshIn(input, .002, 40000, 2, options);
+  EXPECT_EQ(mesh.result.outcome, Outcome::Cancelled);
+  EXPECT_GE(calls, 2u);
+}
+
+}  // namespace
+}  // namespace af2

@@ -1,0 +1,109 @@
+// That optimising makes meshes better and keeps what must be kept.
+#include "engine/optimize.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/meshing.h"
+
+namespace af2 {
+namespace {
+
+using namespace af2::testing;
+
+struct Case {
+  FrontInput input;
+  MeshingResult result;
+};
+
+Case meshed(FrontInput input, double size) {
+  Case c{std::move(input), {}};
+  c.result = AF2Algorithm(triangleSet()).execute(FlatMaker(), c.input, UniformSize(size));
+  EXPECT_EQ(c.result.outcome, Outcome::Complete);
+  return c;
+}
+
+double meanQuality(const Mesh& mesh) {
+  double sum = 0;
+  for (const Element& e : mesh.elements) sum += triangleQuality(mesh, e);
+  return sum / static_cast<double>(mesh.elements.size());
+}
+
+TEST(Optimize, MakesTheWorstAndTheMeanTriangleBetter) {
+  for (Case c : {meshed(square(.02), .02), meshed(discWithHole(.02), .02)}) {
+    const double worst = minQuality(c.result.mesh), mean = meanQuality(c.result.mesh);
+    optimizeMesh(c.result.mesh, boundaryOf(c.input), FlatMaker());
+    EXPECT_GT(minQuality(c.result.mesh), std::max(worst, .7));
+    EXPECT_GT(meanQuality(c.result.mesh), mean);
+    EXPECT_TRUE(checkMesh(c.result.mesh, c.input).empty());
+    EXPECT_NEAR(areaOf(c.result.mesh), areaOf(c.input), 1e-9);
+  }
+}
+
+TEST(Optimize, LeavesTheBoundaryWhereItIs) {
+  Case c = meshed(discWithHole(.03), .03);
+  const auto before = c.result.mesh.vertices;
+  optimizeMesh(c.result.mesh, boundaryOf(c.input), FlatMaker());
+  for (std::size_t v = 0; v < c.input.vertexCount; ++v)
+    EXPECT_EQ(c.result.mesh.vertices[v], before[v]);
+}
+
+TEST(Optimize, GivesTheSameMeshTwice) {
+  Case c = meshed(discWithHole(.03), .03), d = c;
+  optimizeMesh(c.result.mesh, boundaryOf(c.input), FlatMaker());
+  optimizeMesh(d.result.mesh, boundaryOf(d.input), FlatMaker());
+  EXPECT_EQ(c.result.mesh, d.result.mesh);
+}
+
+TEST(Optimize, TakesOutAVertexAmongThreeTriangles) {
+  Mesh mesh;
+  FrontInput input;
+  addLoop(input, {{0, 0}, {1, 0}, {.5, .9}});
+  for (const BoundaryCorner& c : input.loops[0]) mesh.vertices.push_back(c.point);
+  mesh.vertices.push_back({{.5, .05, 0}, {0, 0, 1}, .5, .05});
+  for (std::size_t i = 0; i < 3; ++i)
+    mesh.elements.push_back({{VertexId(3), VertexId(i), VertexId((i + 1) % 3), VertexId()}});
+  mesh.rule = {0, 0, 0};
+  const OptimizeReport report = optimizeMesh(mesh, boundaryOf(input), FlatMaker());
+  EXPECT_EQ(report.collapses, 1u);
+  EXPECT_EQ(mesh.elements.size(), 1u);
+  EXPECT_TRUE(checkMesh(mesh, input).empty());
+}
+
+TEST(Optimize, SmoothsQuads) {
+  // A 4 x 4 grid of quads with its inner vertices pushed about.
+  Mesh mesh;
+  FrontInput input;
+  const auto id = [](int i, int j) {  // the rim first
+    const std::vector<std::pair<int, int>> rim{{0, 0}, {1, 0}, {2, 0}, {3, 0}, {4, 0}, {4, 1},
+                                               {4, 2}, {4, 3}, {4, 4}, {3, 4}, {2, 4}, {1, 4},
+                                               {0, 4}, {0, 3}, {0, 2}, {0, 1}};
+    const auto at = std::find(rim.begin(), rim.end(), std::pair(i, j));
+    if (at != rim.end()) return VertexId(static_cast<std::size_t>(at - rim.begin()));
+    return VertexId(static_cast<std::size_t>(16 + (i - 1) + 3 * (j - 1)));
+  };
+  addLoop(input, divided({{0, 0}, {4, 0}, {4, 4}, {0, 4}}, 1));
+  for (const BoundaryCorner& c : input.loops[0]) mesh.vertices.push_back(c.point);
+  for (int j = 1; j < 4; ++j)
+    for (int i = 1; i < 4; ++i)
+      mesh.vertices.push_back(
+          {{i + .3 * ((i + j) % 2) - .1, j - .3 * (i % 2), 0}, {0, 0, 1}, 0, 0});
+  for (int j = 0; j < 4; ++j) {
+    for (int i = 0; i < 4; ++i) {
+      mesh.elements.push_back({{id(i, j), id(i + 1, j), id(i + 1, j + 1), id(i, j + 1)}});
+      mesh.rule.push_back(0);
+    }
+  }
+  ASSERT_TRUE(checkMesh(mesh, input).empty());
+  OptimizeOptions options;
+  options.smoothingSweeps = 30;
+  optimizeMesh(mesh, boundaryOf(input), FlatMaker(), options);
+  EXPECT_TRUE(checkMesh(mesh, input).empty());
+  for (int j = 1; j < 4; ++j)
+    for (int i = 1; i < 4; ++i)
+      EXPECT_LT(distance(mesh.vertices[id(i, j).value].position,
+                         Point3{static_cast<double>(i), static_cast<double>(j), 0}),
+                .02);
+}
+
+}  // namespace
+}  // namespace af2
