@@ -15,7 +15,7 @@ OptimizeReport optimizeMesh(Mesh& mesh, const MeshBoundary& boundary,
   const std::vector<std::uint8_t> wanted = wantedValences(topology);
   const auto smooth = [&] {
     for (int sweep = 0; sweep < options.smoothingSweeps; ++sweep)
-      if (!options.stop.stop_requested()) report.moves += smoother.sweep();
+      if (!options.stop.stop_requested()) report.moves += smoother.sweep(options.stop);
   };
   for (int round = 0; round < options.rounds && !options.stop.stop_requested(); ++round) {
     report.swaps += swapSides(topology, SwapGoal::Valence, wanted);

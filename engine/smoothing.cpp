@@ -115,9 +115,11 @@ VertexSmoother::VertexSmoother(MeshTopology& topology, Mesh& mesh,
 
 void VertexSmoother::wakeAll() { isAwake_.assign(mesh_.vertices.size(), 1); }
 
-std::size_t VertexSmoother::sweep() {
+std::size_t VertexSmoother::sweep(const std::stop_token& stop) {
+  constexpr std::size_t kLookInterval = 1024;
   std::size_t moved = 0;
   for (std::size_t v = topology_.fixedCount(); v < mesh_.vertices.size(); ++v) {
+    if (v % kLookInterval == 0 && stop.stop_requested()) break;
     if (!isAwake_[v]) continue;
     isAwake_[v] = 0;
     if (!smooth(VertexId(v))) continue;

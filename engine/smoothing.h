@@ -1,6 +1,7 @@
 // Moves inner vertices to where the elements around them are least distorted.
 #pragma once
 
+#include <stop_token>
 #include <vector>
 
 #include "engine/local_transform.h"
@@ -25,8 +26,9 @@ class VertexSmoother {
  public:
   VertexSmoother(MeshTopology& topology, Mesh& mesh, const AF2LocalTransformMaker& maker);
 
-  /// One sweep over all inner vertices in order. Returns how many were moved.
-  std::size_t sweep();
+  /// One sweep over all inner vertices in order; ends early if asked to stop. Returns how many were
+  /// moved.
+  std::size_t sweep(const std::stop_token& stop = {});
   /// After swaps and collapses: every vertex is worth a look again.
   void wakeAll();
 
