@@ -24,6 +24,9 @@ std::optional<double> rootWithSlope(double a, double b, double c, double sign) {
 
 Point3 across(const Point3& p, const Point3& axis) { return p - dot(p, axis) * axis; }
 
+/// Of 30 degrees between axis and surface.
+constexpr double kSharpTangent = 0.577;
+
 double signOf(Side side) { return side == Side::Outer ? 1.0 : -1.0; }
 
 }  // namespace
@@ -58,14 +61,15 @@ std::optional<SurfacePoint> SphereSurface::hit(const SurfaceLine& line) const {
   return SurfacePoint{centre_ + radial, sign_ * unit(radial)};
 }
 
-ConeSurface::ConeSurface(const Point3& apex, const Point3& axis, double tangent, Side side)
-    : apex_(apex), axis_(axis), tangent_(tangent), sign_(signOf(side)) {}
+ConeSurface::ConeSurface(const Point3& apex, const Point3& axis, double tangent, Side side,
+                         double extent)
+    : apex_(apex), axis_(axis), tangent_(tangent), sign_(signOf(side)), tipRadius_(1e-9 * extent) {}
 
 Point3 ConeSurface::normalAt(const Point3& position) const {
   const Point3 d = position - apex_;
-  const Point3 radial = unit(across(d, axis_));
-  if (radial == Point3{}) return -sign_ * axis_;
-  return sign_ * unit(radial - tangent_ * axis_);
+  const Point3 radial = across(d, axis_);
+  if (length(radial) <= tipRadius_) return tangent_ < kSharpTangent ? Point3{} : -sign_ * axis_;
+  return sign_ * unit(unit(radial) - tangent_ * axis_);
 }
 
 double ConeSurface::curvatureRadiusAt(const Point3& position) const {

@@ -42,16 +42,21 @@ class ConeSurface {
  public:
   /// axis     of unit length, from the apex to where the nappe widens
   /// tangent  of the angle between axis and surface, > 0
-  ConeSurface(const Point3& apex, const Point3& axis, double tangent, Side side);
+  /// extent   of the face, roughly: what is nearer to the apex than a billionth of it is the apex
+  ConeSurface(const Point3& apex, const Point3& axis, double tangent, Side side,
+              double extent = 1);
   std::optional<SurfacePoint> hit(const SurfaceLine& line) const;
-  /// At the apex, the mean of the normals around it, which is along the axis.
+  /// At the apex, the mean of the normals around it, which is along the axis; but zero if the cone
+  /// is so sharp that elements around the apex lean too far against that.
   Point3 normalAt(const Point3& position) const;
   /// Smaller radius of curvature.
   double curvatureRadiusAt(const Point3& position) const;
+  /// The same, at a distance from the apex along the surface.
+  double curvatureRadiusAtDistance(double distance) const { return distance * tangent_; }
 
  private:
   Point3 apex_, axis_;
-  double tangent_, sign_;
+  double tangent_, sign_, tipRadius_;
 };
 
 class TorusSurface {

@@ -28,6 +28,10 @@ constexpr double kMaxSamples = 2e6;
 /// Chord between unit tangents beyond which a curve has a kink, i.e. an angle of about 20 degrees.
 constexpr double kKink = 0.35;
 
+/// However short an edge is against the wanted size, it may have this many segments to follow its
+/// turns: a small hole is to stay a hole.
+constexpr double kSegmentsForTurns = 6;
+
 struct CurvePoint {
   Point3 position, tangent;  ///< tangent of any length
 };
@@ -88,9 +92,7 @@ class WantedAlongEdge {
   double onFace(const Neighbor& face, const Point3& position, double parameter) const {
     if (!face.surface || face.curve.IsNull()) return face.wanted;
     const gp_Pnt2d uv = face.curve->Value(parameter);
-    const double radius =
-        face.surface->curvatureRadiusAt(SurfacePoint{position, {}, uv.X(), uv.Y()});
-    return limitByCurvature(sizes_, face.wanted, radius, face.surface->isBent());
+    return limitByCurvature(sizes_, face.wanted, *face.surface, {position, {}, uv.X(), uv.Y()});
   }
 
   const ModelSizes& sizes_;
@@ -124,8 +126,11 @@ double roughLength(const BRepAdaptor_Curve& curve) {
 class IntervalSampler {
  public:
   IntervalSampler(const BRepAdaptor_Curve& curve, const WantedAlongEdge& wanted,
-                  const ModelSizes& sizes)
-      : curve_(curve), wanted_(wanted), sizes_(sizes) {}
+                  const ModelSizes& sizes, double length)
+      : curve_(curve),
+        wanted_(wanted),
+        turn_(sizes.edgeTurn),
+        least_(std::min(sizes.edgeLeast * wanted.largest(), length / kSegmentsForTurns)) {}
 
   /// Appends the interval to a piece. `atStart` and `atEnd` become the unit tangents at its ends.
   void append(EdgePiece& piece, double low, double high, int cells, Point3& atStart, Point3& atEnd) {
@@ -156,29 +161,30 @@ class IntervalSampler {
 
   /// The last cell turns by `turn` within `ds`.
   void limitByTurn(EdgePiece& piece, double turn, double ds) const {
-    if (turn * piece.sizes.back() <= sizes_.edgeTurn * ds) return;
-    const double size = std::max(sizes_.edgeTurn * ds / turn, sizes_.edgeLeast * wanted_.largest());
+    if (turn * piece.sizes.back() <= turn_ * ds) return;
+    const double size = std::max(turn_ * ds / turn, least_);
     for (std::size_t i = piece.sizes.size() - 2; i < piece.sizes.size(); ++i)
       piece.sizes[i] = std::min(piece.sizes[i], size);
   }
 
   const BRepAdaptor_Curve& curve_;
   const WantedAlongEdge& wanted_;
-  const ModelSizes& sizes_;
+  double turn_, least_;
 };
 
 void samplePieces(const BRepAdaptor_Curve& curve, const WantedAlongEdge& wanted,
                   const ModelSizes& sizes, EdgeSamples& samples) {
   const std::vector<double> breaks = breaksOf(curve);
   const std::size_t intervals = breaks.size() - 1;
-  const double total = kSamplesPerSegment * roughLength(curve) / wanted.largest();
+  const double length = roughLength(curve);
+  const double total = kSamplesPerSegment * length / wanted.largest();
   if (total > kMaxSamples) {
     samples.problem = "needs more than " + std::to_string(static_cast<long>(total / kSamplesPerSegment)) +
                       " segments; ask for a larger size";
     return;
   }
   const int cells = std::max(kMinSamples, static_cast<int>(total / static_cast<double>(intervals)));
-  IntervalSampler sampler(curve, wanted, sizes);
+  IntervalSampler sampler(curve, wanted, sizes, length);
   Point3 previousEnd;
   for (std::size_t i = 0; i < intervals; ++i) {
     EdgePiece piece;

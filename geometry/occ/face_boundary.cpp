@@ -98,7 +98,7 @@ class BoundaryFinder {
       const Point3& position = divided_.points[divided.points[i]];
       const gp_Pnt2d uv = onFace.at(divided.parameters[i], position);
       chain.corners.push_back(
-          {vertexOf(divided.points[i]), surface_.pointAt(position, uv.X(), uv.Y())});
+          {vertexOf(divided.points[i]), surface_.boundaryPoint(position, uv.X(), uv.Y())});
     }
     chain.reversed = (edge.Orientation() == TopAbs_REVERSED) != reversed_;
     if (chain.reversed) std::reverse(chain.corners.begin(), chain.corners.end());
@@ -126,7 +126,7 @@ class BoundaryFinder {
       const Point3& position = divided_.points[point];
       const gp_Pnt2d uv = BRep_Tool::Parameters(vertex, forward_);
       const VertexId id = vertexOf(point);
-      result_.input.isolated.push_back({id, surface_.pointAt(position, uv.X(), uv.Y())});
+      result_.input.isolated.push_back({id, surface_.boundaryPoint(position, uv.X(), uv.Y())});
       result_.input.vertexCount = result_.points.size();
     }
   }

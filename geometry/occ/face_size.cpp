@@ -11,8 +11,7 @@ double FaceSize::sizeAt(const SurfacePoint& point) const {
   const double size =
       surface_.isPlane()
           ? wanted_
-          : limitByCurvature(sizes_, wanted_, surface_.curvatureRadiusAt(point),
-                             surface_.isBent());
+          : limitByCurvature(sizes_, wanted_, surface_, point);
   return limitByFunction(sizes_, size, point.position);
 }
 

@@ -44,7 +44,8 @@ struct Bounds {
 
 /// The nappe on which the face lies; nothing if it lies on both.
 std::optional<ConeSurface> nappeOf(const gp_Cone& cone, const Bounds& bounds,
-                                   const Point3& position, const Point3& normal) {
+                                   const Point3& position, const Point3& normal,
+                                   double extent) {
   const double v1 = bounds.v1, v2 = bounds.v2;
   const double sine = std::sin(cone.SemiAngle());
   const double reference = cone.RefRadius();
@@ -57,8 +58,14 @@ std::optional<ConeSurface> nappeOf(const gp_Cone& cone, const Bounds& bounds,
   Point3 axis = toPoint(cone.Axis().Direction());
   if (dot(position - apex, axis) < 0) axis = -1 * axis;
   const double tangent = std::abs(std::tan(cone.SemiAngle()));
-  return oriented(ConeSurface(apex, axis, tangent, Side::Outer),
-                  ConeSurface(apex, axis, tangent, Side::Inner), position, normal);
+  return oriented(ConeSurface(apex, axis, tangent, Side::Outer, extent),
+                  ConeSurface(apex, axis, tangent, Side::Inner, extent), position, normal);
+}
+
+bool reachesTip(const gp_Cone& cone, const Bounds& bounds) {
+  const double tip = -cone.RefRadius() / std::sin(cone.SemiAngle());
+  const double slack = 1e-6 * (bounds.v2 - bounds.v1);
+  return tip > bounds.v1 - slack && tip < bounds.v2 + slack;
 }
 
 /// A place of the face's part of the surface that is no pole.
@@ -67,33 +74,28 @@ SurfacePoint samplePoint(const Bounds& bounds, const GeneralSurface& surface) {
   return {surface.frameAt(u, v).position, surface.normalAt(u, v), u, v};
 }
 
-/// Whether some two of a few normals differ by more than `kBent`.
-bool bendsFar(const Bounds& bounds, const GeneralSurface& surface) {
-  constexpr double kBent = -0.2;  // the cosine of about 100 degrees
-  constexpr int kSamples = 4;
-  std::vector<Point3> normals;
-  for (int i = 0; i <= kSamples; ++i)
-    for (int j = 0; j <= kSamples; ++j)
-      normals.push_back(surface.normalAt(bounds.u(0.01 + 0.98 * i / kSamples),
-                                         bounds.v(0.01 + 0.98 * j / kSamples)));
-  for (const Point3& n : normals)
-    for (const Point3& m : normals)
-      if (dot(n, m) < kBent) return true;
-  return false;
+/// A few places all over the face's part of the surface.
+std::vector<SurfacePoint> spread(const Bounds& bounds, const GeneralSurface& surface) {
+  constexpr int kSteps = 4;
+  std::vector<SurfacePoint> points;
+  for (int i = 0; i <= kSteps; ++i)
+    for (int j = 0; j <= kSteps; ++j)
+      points.push_back(surface.pointAt(bounds.u(0.01 + 0.98 * i / kSteps),
+                                       bounds.v(0.01 + 0.98 * j / kSteps)));
+  return points;
 }
 
 }  // namespace
 
 FaceSurface::FaceSurface(const TopoDS_Face& face)
-    : flipped_(face.Orientation() == TopAbs_REVERSED),
-      parametric_(surfaceOf(face), flipped_),
+    : parametric_(surfaceOf(face), face.Orientation() == TopAbs_REVERSED),
       surface_(parametric_) {
   const GeomAdaptor_Surface adaptor(surfaceOf(face));
   const Bounds bounds(face);
   const SurfacePoint sample = samplePoint(bounds, parametric_);
   const Point3 &p = sample.position, &n = sample.normal;
   if (!(length(n) > 0)) return;
-  isBent_ = adaptor.GetType() != GeomAbs_Plane && bendsFar(bounds, parametric_);
+  measure(spread(bounds, parametric_));
   switch (adaptor.GetType()) {
     case GeomAbs_Plane:
       surface_ = PlaneSurface{n};
@@ -106,7 +108,11 @@ FaceSurface::FaceSurface(const TopoDS_Face& face)
       break;
     }
     case GeomAbs_Cone:
-      if (const auto cone = nappeOf(adaptor.Cone(), bounds, p, n)) surface_ = *cone;
+      if (const auto cone = nappeOf(adaptor.Cone(), bounds, p, n, extent_)) {
+        surface_ = *cone;
+        hasTip_ = reachesTip(adaptor.Cone(), bounds);
+        developed_.emplace(adaptor.Cone(), parametric_, bounds.u(0.5), sample.v);
+      }
       break;
     case GeomAbs_Sphere: {
       const gp_Sphere s = adaptor.Sphere();
@@ -129,6 +135,27 @@ FaceSurface::FaceSurface(const TopoDS_Face& face)
   }
 }
 
+void FaceSurface::measure(const std::vector<SurfacePoint>& points) {
+  constexpr double kBent = -0.2;  // the cosine of about 100 degrees
+  for (const SurfacePoint& p : points) {
+    for (const SurfacePoint& q : points) {
+      isBent_ = isBent_ || dot(p.normal, q.normal) < kBent;
+      extent_ = std::max(extent_, distance(p.position, q.position));
+    }
+  }
+}
+
+const ParametricSurface& FaceSurface::inParameters() const {
+  if (developed_) return *developed_;
+  return parametric_;
+}
+
+SurfacePoint FaceSurface::boundaryPoint(const Point3& position, double u, double v) const {
+  if (!developed_) return pointAt(position, u, v);
+  const Point2 flat = developed_->develop(u, v);
+  return pointAt(position, flat.x, flat.y);
+}
+
 SurfacePoint FaceSurface::pointAt(const Point3& position, double u, double v) const {
   return std::visit(
       Overloaded{[&](const PlaneSurface& plane) { return SurfacePoint{position, plane.normal, u, v}; },
@@ -142,14 +169,18 @@ SurfacePoint FaceSurface::pointAt(const Point3& position, double u, double v) co
       surface_);
 }
 
-double FaceSurface::curvatureRadiusAt(const SurfacePoint& point) const {
+double FaceSurface::curvatureRadiusAt(const SurfacePoint& point, double reach) const {
   return std::visit(
       Overloaded{
           [](const PlaneSurface&) { return std::numeric_limits<double>::infinity(); },
           [](const CylinderSurface& cylinder) { return cylinder.radius(); },
           [](const SphereSurface& sphere) { return sphere.radius(); },
           [&](const GeneralSurface& general) { return general.curvatureRadiusAt(point.u, point.v); },
-          [&](const auto& other) { return other.curvatureRadiusAt(point.position); }},
+          [&](const ConeSurface& cone) {
+            const double radius = cone.curvatureRadiusAt(point.position);
+            return hasTip_ ? std::max(radius, cone.curvatureRadiusAtDistance(reach)) : radius;
+          },
+          [&](const TorusSurface& torus) { return torus.curvatureRadiusAt(point.position); }},
       surface_);
 }
 

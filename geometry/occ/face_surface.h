@@ -5,9 +5,11 @@
 #include <TopoDS_Face.hxx>
 #include <memory>
 #include <variant>
+#include <vector>
 
 #include "engine/local_transform.h"
 #include "geometry/mean_normal_chart.h"
+#include "geometry/occ/developed_cone.h"
 #include "geometry/occ/general_surface.h"
 #include "geometry/quadric_surfaces.h"
 
@@ -23,27 +25,38 @@ class FaceSurface {
   /// Throws GeometryError if the face has no surface.
   explicit FaceSurface(const TopoDS_Face& face);
 
-  /// A point of the boundary, whose position is given: it may lie beside the surface by as much as
-  /// the tolerances of the model allow. (u, v) is improved where it is needed later.
+  /// A point of the boundary from its place in OpenCASCADE's parameters. The position is given: it
+  /// may lie beside the surface by as much as the tolerances of the model allow.
+  SurfacePoint boundaryPoint(const Point3& position, double u, double v) const;
+  /// A point at its place in our parameters, which is improved where it is needed later.
   SurfacePoint pointAt(const Point3& position, double u, double v) const;
-  double curvatureRadiusAt(const SurfacePoint& point) const;
+  /// Smaller radius of curvature. Near the tip of a cone, that at a distance of `reach` from it:
+  /// smaller elements would see the same sharp tip.
+  double curvatureRadiusAt(const SurfacePoint& point, double reach = 0) const;
   bool isPlane() const { return std::holds_alternative<PlaneSurface>(surface_); }
   /// Whether normals of the face differ by more than about a right angle.
   bool isBent() const { return isBent_; }
+  /// Distance of the parts of the face that are farthest from each other, roughly.
+  double extent() const { return extent_; }
 
   /// Makes the published charts; for a plane, the exact one.
   std::unique_ptr<AF2LocalTransformMaker> makeCharts(const ChartLimits& limits) const;
 
-  bool flipped() const { return flipped_; }
-  const GeneralSurface& inParameters() const { return parametric_; }
+  /// The surface by our parameters (u, v): OpenCASCADE's, but for a cone those of the unrolled cone.
+  const ParametricSurface& inParameters() const;
+  const GeneralSurface& inOccParameters() const { return parametric_; }
 
  private:
+  void measure(const std::vector<SurfacePoint>& points);
+
   using Surface = std::variant<PlaneSurface, CylinderSurface, ConeSurface, SphereSurface,
                                TorusSurface, GeneralSurface>;
 
-  bool flipped_, isBent_ = false;
   GeneralSurface parametric_;
   Surface surface_;
+  std::optional<DevelopedCone> developed_;
+  bool isBent_ = false, hasTip_ = false;
+  double extent_ = 0;
 };
 
 }  // namespace af2::geometry

@@ -4,13 +4,16 @@
 #include <tbb/task_arena.h>
 #include <tbb/task_group.h>
 
+#include <algorithm>
 #include <atomic>
 
 namespace af2::geometry {
 
 void forEachInParallel(std::size_t count, int threads,
                        const std::function<void(std::size_t)>& work) {
-  const int workers = threads > 0 ? threads : tbb::info::default_concurrency();
+  // More threads than cores bring nothing, and TBB would print a warning.
+  const int cores = tbb::info::default_concurrency();
+  const int workers = threads > 0 ? std::min(threads, cores) : cores;
   if (workers == 1 || count <= 1) {
     for (std::size_t i = 0; i < count; ++i) work(i);
     return;

@@ -100,9 +100,8 @@ Format formatOf(const fs::path& path) {
   const Format format = formatByContent(start);
   if (format != Format::Unknown) return format;
   const Format byName = formatByName(path);
-  if (byName == Format::Iges) return byName;  // the start of an IGES file may be anything
   if (byName != Format::Unknown)
-    throw InputError(path.string() + ": does not start like a " + nameOf(byName) +
+    throw InputError(path.string() + ": does not start like " + (byName == Format::Iges ? "an " : "a ") + nameOf(byName) +
                      " file; it is damaged or something else, export the model again");
   throw InputError(path.string() + ": is no STEP, IGES or BREP file; export the model as one of these");
 }

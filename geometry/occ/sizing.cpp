@@ -44,9 +44,16 @@ double limitByFunction(const ModelSizes& sizes, double size, const Point3& posit
   return std::min(size, limit);
 }
 
-double limitByCurvature(const ModelSizes& sizes, double size, double radius, bool isBent) {
-  const double least = isBent ? sizes.bentFaceLeast : sizes.faceLeast;
-  return std::min(size, std::max(sizes.faceTurn * radius, least * size));
+double limitByCurvature(const ModelSizes& sizes, double size, const FaceSurface& surface,
+                        const SurfacePoint& point) {
+  // A bent face must not be cut off by a few large elements, however large the wanted size; but a
+  // long thin one, a wire, shall not be cut into too many.
+  constexpr double kShareOfBentFace = 1.0 / 15;
+  const double least =
+      surface.isBent()
+          ? std::min(sizes.bentFaceLeast * size, kShareOfBentFace * surface.extent())
+          : sizes.faceLeast * size;
+  return std::min(size, std::max(sizes.faceTurn * surface.curvatureRadiusAt(point, size), least));
 }
 
 }  // namespace af2::geometry

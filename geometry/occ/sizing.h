@@ -1,6 +1,8 @@
 // Wanted sizes as the options give them, and their limits by curvature.
+// Not installed: includers need OpenCASCADE's headers.
 #pragma once
 
+#include "geometry/occ/face_surface.h"
 #include "geometry/occ/mesh_model.h"
 
 namespace af2::geometry {
@@ -15,8 +17,8 @@ double wantedOnFace(const ModelSizes& sizes, int face);
 /// positive size.
 double limitByFunction(const ModelSizes& sizes, double size, const Point3& position);
 
-/// `size`, or less where an edge of an element would turn by more than sizes.faceTurn, on a face that
-/// bends by more than a right angle or less.
-double limitByCurvature(const ModelSizes& sizes, double size, double radius, bool isBent);
+/// `size`, or less where an edge of an element would turn by more than sizes.faceTurn.
+double limitByCurvature(const ModelSizes& sizes, double size, const FaceSurface& surface,
+                        const SurfacePoint& point);
 
 }  // namespace af2::geometry

@@ -54,6 +54,8 @@ TEST(TorusSurface, MeetsLinesWhereTheyCross) {
 TEST(ConeSurface, HasTheMeanNormalAtItsApex) {
   const ConeSurface cone({0, 0, 0}, {0, 0, 1}, 1, Side::Outer);
   EXPECT_EQ(cone.normalAt({0, 0, 0}), (Point3{0, 0, -1}));
+  const ConeSurface needle({0, 0, 0}, {0, 0, 1}, 0.1, Side::Outer);
+  EXPECT_EQ(needle.normalAt({0, 0, 0}), (Point3{0, 0, 0}));
 }
 
 TEST(ConeSurface, IsNotMetOnItsOtherNappe) {

@@ -18,12 +18,12 @@ void expectClosedFormsAgree(const Model& model) {
     for (const double s : {0.1, 0.37, 0.8}) {
       for (const double t : {0.2, 0.55, 0.9}) {
         const SurfacePoint there =
-            surface.inParameters().pointAt(u1 + s * (u2 - u1), v1 + t * (v2 - v1));
+            surface.inOccParameters().pointAt(u1 + s * (u2 - u1), v1 + t * (v2 - v1));
         const SurfacePoint here = surface.pointAt(there.position, there.u, there.v);
         EXPECT_LT(distance(here.normal, there.normal), 1e-12) << model.surfaceType(id);
         if (surface.isPlane()) continue;
         EXPECT_NEAR(surface.curvatureRadiusAt(here),
-                    surface.inParameters().curvatureRadiusAt(there.u, there.v), 1e-9)
+                    surface.inOccParameters().curvatureRadiusAt(there.u, there.v), 1e-6)
             << model.surfaceType(id);
       }
     }
@@ -52,10 +52,31 @@ TEST(FaceSurface, KnowsWhichFacesBendFar) {
   EXPECT_FALSE(FaceSurface(wedge.shape().face(1)).isBent());
 }
 
+TEST(DevelopedCone, IsIsometric) {
+  for (const Model& model : {testing::cone(1, 0, 2), testing::cone(1, 2, 2)}) {
+    const FaceSurface surface(model.shape().face(1));
+    const ParametricSurface& flat = surface.inParameters();
+    for (const double s : {-2.0, 0.1, 1.9}) {
+      for (const double t : {0.3, 0.8}) {
+        const SurfacePoint raw = surface.inOccParameters().pointAt(3 + s, t);
+        const SurfacePoint p = surface.boundaryPoint(raw.position, raw.u, raw.v);
+        EXPECT_LT(distance(flat.pointAt(p.u, p.v).position, raw.position), 1e-13);
+        EXPECT_LT(distance(flat.pointAt(p.u, p.v).normal, raw.normal), 1e-13);
+        const auto frame = flat.frameAt(p.u, p.v);
+        EXPECT_NEAR(length(frame.du), 1, 1e-13);
+        EXPECT_NEAR(dot(frame.du, frame.dv), 0, 1e-13);
+        EXPECT_LT(distance(flat.pointAt(p.u + 1e-6, p.v).position,
+                           raw.position + 1e-6 * frame.du), 1e-11);
+        EXPECT_EQ(dot(cross(frame.du, frame.dv), raw.normal) < 0, flat.isFlipped());
+      }
+    }
+  }
+}
+
 TEST(GeneralSurface, FindsItsWayBackToParameters) {
   const Model model = testing::torus(3, 1);
   const FaceSurface surface(model.shape().face(1));
-  const GeneralSurface& general = surface.inParameters();
+  const GeneralSurface& general = surface.inOccParameters();
   double u = 1.1, v = 2.0;
   general.refine(general.frameAt(1.3, 1.7).position, u, v);
   EXPECT_NEAR(u, 1.3, 1e-10);
@@ -64,7 +85,7 @@ TEST(GeneralSurface, FindsItsWayBackToParameters) {
 
 TEST(GeneralSurface, IsMetByALineNearItsSeed) {
   const Model model = testing::torus(3, 1);
-  const GeneralSurface& general = FaceSurface(model.shape().face(1)).inParameters();
+  const GeneralSurface& general = FaceSurface(model.shape().face(1)).inOccParameters();
   const MeanNormalChartMaker<GeneralSurface> charts(general);
   const SurfacePoint from = general.pointAt(6.2, 0.1), to = general.pointAt(0.05, 0.1);
   const auto chart = charts.makeLocalTransform(from, to, distance(from.position, to.position));

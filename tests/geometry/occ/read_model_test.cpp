@@ -81,7 +81,7 @@ TEST_F(ReadModel, SaysWhenTheFileIsEmptyOrSomethingElse) {
   EXPECT_TRUE(says(messageOf(file("a.step", "")), "is empty"));
   EXPECT_TRUE(says(messageOf(file("b.step", "hello\n")), "does not start like a STEP file"));
   EXPECT_TRUE(says(messageOf(file("c.brep", "\x01\x02\x03")), "does not start like a BREP file"));
-  EXPECT_TRUE(says(messageOf(file("d.iges", "hello\n")), "IGES"));
+  EXPECT_TRUE(says(messageOf(file("d.iges", "hello\n")), "does not start like an IGES file"));
   EXPECT_TRUE(says(messageOf(file("e.dat", "hello\n")), "is no STEP, IGES or BREP file"));
 }
 
