@@ -1,5 +1,6 @@
 #include "engine/mesh_region.h"
 
+#include <tbb/info.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 

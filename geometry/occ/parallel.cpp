@@ -9,16 +9,10 @@
 
 namespace af2::geometry {
 
-void forEachInParallel(std::size_t count, int threads,
-                       const std::function<void(std::size_t)>& work) {
-  // More threads than cores bring nothing, and TBB would print a warning.
-  const int cores = tbb::info::default_concurrency();
-  const int workers = threads > 0 ? std::min(threads, cores) : cores;
-  if (workers == 1 || count <= 1) {
-    for (std::size_t i = 0; i < count; ++i) work(i);
-    return;
-  }
-  // A counter instead of ranges: things are to be started in order, the largest first.
+namespace {
+
+/// A counter instead of ranges: things are to be started in order, the largest first.
+void runAll(std::size_t count, int workers, const std::function<void(std::size_t)>& work) {
   std::atomic<std::size_t> next = 0;
   const auto takeAll = [&] {
     for (std::size_t i = next++; i < count; i = next++) {
@@ -30,12 +24,23 @@ void forEachInParallel(std::size_t count, int threads,
       }
     }
   };
-  tbb::task_arena arena(workers);
-  arena.execute([&] {
-    tbb::task_group group;
-    for (int i = 1; i < workers; ++i) group.run(takeAll);
-    group.run_and_wait(takeAll);
-  });
+  tbb::task_group group;
+  for (int i = 1; i < workers; ++i) group.run(takeAll);
+  group.run_and_wait(takeAll);
+}
+
+}  // namespace
+
+void forEachInParallel(std::size_t count, int threads,
+                       const std::function<void(std::size_t)>& work) {
+  if (threads <= 0) {
+    runAll(count, tbb::this_task_arena::max_concurrency(), work);
+    return;
+  }
+  // More threads than cores bring nothing, and TBB would print a warning. An arena is wanted for a
+  // single thread, too: it holds for what the work does in parallel by itself.
+  const int workers = std::min(threads, tbb::info::default_concurrency());
+  tbb::task_arena(workers).execute([&] { runAll(count, workers, work); });
 }
 
 }  // namespace af2::geometry
