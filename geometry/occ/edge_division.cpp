@@ -119,8 +119,7 @@ class Division {
     for (std::size_t i = 0; i < samples_.size(); ++i) {
       if (!isPointLike(i)) continue;
       samples_[i].pieces.clear();
-      if (!BRep_Tool::Degenerated(model_.edge(static_cast<int>(i) + 1)))
-        merging.merge(ends_[i].first, ends_[i].last);
+      merging.merge(ends_[i].first, ends_[i].last);
     }
     for (Ends& ends : ends_) ends = {merging.find(ends.first), merging.find(ends.last)};
   }
