@@ -110,9 +110,9 @@ std::optional<SampledFinding> findUncovered(const RuleSample& sample) {
   SampledFinding finding = findingAbout(sample, "Z1", Severity::Error);
   finding.element = example.element;
   finding.message = fmt::format(
-      "a new element of rule '{}' sticks out of the free zone at {:.2g} % of the matches at level "
+      "a new element of rule '{}' sticks out of the free zone at {} of the matches at level "
       "{}, by {:.2g} in the middle and {:.2g} at most",
-      sample.name(), 100.0 * static_cast<double>(all.size()) / static_cast<double>(valid),
+      sample.name(), percent(static_cast<double>(all.size()) / static_cast<double>(valid)),
       sample.level, middle, *std::max_element(depths.begin(), depths.end()));
   finding.help = "an obstacle there would not be seen; move the zone's corners outwards";
   finding.example = {example.match->match.vertices(), sample.level, {example.poke.at}, {}};

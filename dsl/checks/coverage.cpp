@@ -147,7 +147,7 @@ std::optional<SampledFinding> findUncoveredSituations(const Coverage& coverage) 
     const auto possible = std::count_if(map.levels.begin(), map.levels.end(),
                                         [](int l) { return l != CoverageMap::kImpossible; });
     const double share = static_cast<double>(none) / static_cast<double>(possible);
-    shares += fmt::format("{}{:.0f} % of {}", shares.empty() ? "" : ", ", 100 * share, map.title);
+    shares += fmt::format("{}{} of {}", shares.empty() ? "" : ", ", percent(share), map.title);
     if (share <= worstShare) continue;
     worst = &map;
     worstShare = share;

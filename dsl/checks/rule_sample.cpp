@@ -1,5 +1,6 @@
 #include "dsl/checks/rule_sample.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "dsl/checks/match_sampler.h"
@@ -32,12 +33,23 @@ SampledFinding findingAbout(const RuleSample& sample, const char* code, Severity
   return finding;
 }
 
-RuleSample sampleRule(const RuleSet& rules, std::size_t index, const SamplingOptions& options) {
+std::vector<int> levelsOf(const RuleSet& rules, const AF2Rule& rule) {
+  const int first = rule.definition().firstLevel;
+  const int last = std::min({rule.definition().lastLevel.value_or(rules.maxLevel()),
+                             rules.maxLevel(), first + kLevelsLookedAt - 1});
+  if (first > last) return {};
+  std::vector<int> levels{first};
+  for (const int level : {first + 1, 2 * first + 1, 4 * first + 1, last})
+    if (level > levels.back() && level <= last) levels.push_back(level);
+  return levels;
+}
+
+RuleSample sampleRule(const RuleSet& rules, std::size_t index, int level, int count,
+                      std::uint64_t seed) {
   const AF2Rule& rule = rules.rules()[index];
-  RuleSample sample{rules, index, rule, rule.definition().firstLevel, {}};
-  if (sample.level > rules.maxLevel()) return sample;
-  MatchSampler sampler(rules, rule, sample.level, options.seed + index);
-  for (int i = 0; i < options.samples; ++i) {
+  RuleSample sample{rules, index, rule, level, {}};
+  MatchSampler sampler(rules, rule, level, seed + index);
+  for (int i = 0; i < count; ++i) {
     auto match = sampler.next();
     if (!match) break;
     sample.matches.push_back(examine(std::move(*match)));

@@ -51,8 +51,13 @@ SampledMatch simplified(const SampledMatch& one, const RuleSet& rules, const Sho
 /// A finding about the rule, still without message and example.
 SampledFinding findingAbout(const RuleSample& sample, const char* code, Severity severity);
 
-/// Matches at the rule's first level; empty if the rule set never reaches it.
-RuleSample sampleRule(const RuleSet& rules, std::size_t rule, const SamplingOptions& options);
+/// The rule's first level, some later ones, and the last one at which it is tried or which is
+/// looked at; empty if the rule set never reaches the rule.
+std::vector<int> levelsOf(const RuleSet& rules, const AF2Rule& rule);
+
+/// Matches of a rule at a level.
+RuleSample sampleRule(const RuleSet& rules, std::size_t rule, int level, int count,
+                      std::uint64_t seed);
 
 // ---- the checks; each gives one finding or none ------------------------------------------------
 

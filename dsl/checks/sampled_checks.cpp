@@ -1,38 +1,99 @@
 #include "dsl/checks/sampled_checks.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+
 #include "dsl/checks/proof.h"
 #include "dsl/checks/rule_sample.h"
 
 namespace af2::dsl {
+namespace {
 
-SampledResult runSampledChecks(const RuleSet& rules, const SamplingOptions& options) {
-  SampledResult result;
-  for (std::size_t i = 0; i < rules.rules().size(); ++i) {
-    const RuleSample sample = sampleRule(rules, i, options);
+using Find = std::optional<SampledFinding> (*)(const RuleSample&);
+using Proves = bool (*)(const RuleSet&, const AF2Rule&, int level);
+
+bool provesAtAllLevels(const RuleSet& rules, const AF2Rule& rule, const std::vector<int>& levels,
+                       Proves proves) {
+  for (int level = levels.front(); level <= levels.back(); ++level)
+    if (!proves(rules, rule, level)) return false;
+  return true;
+}
+
+/// All checks of one rule.
+class RuleChecks {
+ public:
+  RuleChecks(const RuleSet& rules, std::size_t index, const SamplingOptions& options,
+             std::vector<SampledFinding>& findings)
+      : rules_(rules),
+        index_(index),
+        options_(options),
+        findings_(findings),
+        levels_(levelsOf(rules, rules.rules()[index])) {}
+
+  RuleAnswers run() {
     RuleAnswers answers;
-    if (sample.matches.empty()) {
-      result.answers.push_back(answers);
-      continue;
-    }
-    const auto keep = [&result](std::optional<SampledFinding> finding) {
-      if (finding) result.findings.push_back(std::move(*finding));
-      return finding.has_value();
-    };
-    keep(findNeverChosen(sample, options));
-    if (keep(findInverted(sample)))
-      answers.positive = Answer::Refuted;
-    else if (provesPositive(rules, sample.rule, sample.level))
-      answers.positive = Answer::Proven;
-    if (keep(findUncovered(sample)))
-      answers.covered = Answer::Refuted;
-    else if (provesCovered(rules, sample.rule, sample.level))
-      answers.covered = Answer::Proven;
+    if (levels_.empty()) return answers;
+    const RuleSample sample =
+        sampleRule(rules_, index_, levels_.front(), options_.samples, options_.seed);
+    if (sample.matches.empty()) return answers;
+
+    keep(findNeverChosen(sample, options_));
+    answers.positive = answer(sample, findInverted, provesPositive);
+    answers.covered = answer(sample, findUncovered, provesCovered);
     keep(findLost(sample));
     keep(findGrowing(sample));
     answers.lostMatches = shareOfLost(sample);
-    result.answers.push_back(answers);
+    return answers;
   }
+
+ private:
+  bool keep(std::optional<SampledFinding> finding) {
+    if (finding) findings_.push_back(std::move(*finding));
+    return finding.has_value();
+  }
+
+  /// Samples at the rule's own level, then a proof, and only then samples at other levels.
+  Answer answer(const RuleSample& sample, Find find, Proves proves) {
+    if (keep(find(sample))) return Answer::Refuted;
+    if (provesAtAllLevels(rules_, sample.rule, levels_, proves)) return Answer::Proven;
+    for (std::size_t i = 1; i < levels_.size(); ++i)
+      if (keep(find(sampleRule(rules_, index_, levels_[i], options_.samples / 4, options_.seed))))
+        return Answer::Refuted;
+    return Answer::Sampled;
+  }
+
+  const RuleSet& rules_;
+  std::size_t index_;
+  const SamplingOptions& options_;
+  std::vector<SampledFinding>& findings_;
+  std::vector<int> levels_;
+};
+
+std::string count(const SampledResult& result, Answer RuleAnswers::*question) {
+  const auto number = [&](Answer answer) {
+    return std::count_if(result.answers.begin(), result.answers.end(),
+                         [&](const RuleAnswers& a) { return a.*question == answer; });
+  };
+  std::string text = fmt::format("proven for {}", number(Answer::Proven));
+  if (number(Answer::Sampled)) text += fmt::format(", sampled for {}", number(Answer::Sampled));
+  if (number(Answer::Refuted)) text += fmt::format(", false for {}", number(Answer::Refuted));
+  return text;
+}
+
+}  // namespace
+
+SampledResult runSampledChecks(const RuleSet& rules, const SamplingOptions& options) {
+  SampledResult result;
+  for (std::size_t i = 0; i < rules.rules().size(); ++i)
+    result.answers.push_back(RuleChecks(rules, i, options, result.findings).run());
   return result;
+}
+
+std::string summaryOf(const SampledResult& result) {
+  return fmt::format("{} rules; elements positive (G2): {}; inside the free zone (Z1): {}",
+                     result.answers.size(), count(result, &RuleAnswers::positive),
+                     count(result, &RuleAnswers::covered));
 }
 
 }  // namespace af2::dsl

@@ -37,6 +37,9 @@ struct SampledFinding {
   std::string test;  ///< a `test` block that shows the fault, ready to be put into the rule file
 };
 
+/// Levels beyond a rule's first one, itself included, at which its elements and zone are looked at.
+inline constexpr int kLevelsLookedAt = 20;
+
 /// How well a question about all matches of a rule is answered.
 enum class Answer {
   Proven,   ///< holds for every match
@@ -55,8 +58,11 @@ struct SampledResult {
   std::vector<RuleAnswers> answers;      ///< by rule
 };
 
-/// G2, Z1, Z2, Z3 at each rule's own level, and D3. Rules that the rule set's levels never reach
-/// are passed over.
+/// G2 and Z1 at the first kLevelsLookedAt levels of each rule, Z2 at its own level, Z3, and D3. Rules
+/// that the rule set's levels never reach are passed over.
 SampledResult runSampledChecks(const RuleSet& rules, const SamplingOptions& options = {});
+
+/// "12 rules; elements positive (G2): proven for 11, sampled for 1; inside the free zone (Z1): ..."
+std::string summaryOf(const SampledResult& result);
 
 }  // namespace af2::dsl

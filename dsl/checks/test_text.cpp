@@ -70,6 +70,12 @@ class Writer {
 
 }  // namespace
 
+std::string percent(double share) {
+  const double value = 100 * share;
+  return value >= 10 || value == 0 ? fmt::format("{:.0f} %", value)
+                                   : fmt::format("{:.2g} %", value);
+}
+
 std::string shortest(double number) { return fmt::format("{}", number == 0 ? 0.0 : number); }
 
 std::string writeTest(const PatternMatch& match, const TestText& text) {

@@ -18,6 +18,9 @@ struct TestText {
 /// that the test stands on the same match to the last bit.
 std::string writeTest(const PatternMatch& match, const TestText& text);
 
+/// A share in per cent, with the digits that matter: "0.41 %", "86 %".
+std::string percent(double share);
+
 /// A number with the fewest digits that give it back.
 std::string shortest(double number);
 

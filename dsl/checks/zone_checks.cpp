@@ -62,15 +62,6 @@ Point2 grownPlace(const PatternMatch& match, const Growth& growth) {
   return growth.at;
 }
 
-std::vector<int> levelsOf(const RuleSample& sample) {
-  const int last = std::min(sample.rule.definition().lastLevel.value_or(sample.rules.maxLevel()),
-                            sample.rules.maxLevel());
-  std::vector<int> levels{sample.level};
-  for (const int level : {sample.level + 1, 3 * sample.level, last})
-    if (level > levels.back() && level <= last) levels.push_back(level);
-  return levels;
-}
-
 Growth worstGrowth(const PatternMatch& match, const std::vector<int>& levels) {
   Growth worst;
   for (std::size_t i = 0; i + 1 < levels.size(); ++i) {
@@ -118,8 +109,8 @@ std::optional<SampledFinding> findLost(const RuleSample& sample) {
   const SampledMatch example = simplified(*nearest, sample.rules, isLost);
   const bool isConvexity = example.zoneRefusal == Refusal::Convexity;
   finding.message =
-      fmt::format("{:.0f} % of the matches of rule '{}' at level {} are lost because its zone {}",
-                  100 * share, sample.name(), sample.level,
+      fmt::format("{} of the matches of rule '{}' at level {} are lost because its zone {}",
+                  percent(share), sample.name(), sample.level,
                   isConvexity ? "is not convex there" : "has no valid shape there");
   finding.help = isConvexity ? "use poly(...), which need not be convex, or other corners"
                              : "make the tolerance smaller, or give the shape another form";
@@ -133,7 +124,7 @@ std::optional<SampledFinding> findLost(const RuleSample& sample) {
 
 std::optional<SampledFinding> findGrowing(const RuleSample& sample) {
   constexpr int kLooked = 200;
-  const auto levels = levelsOf(sample);
+  const auto levels = levelsOf(sample.rules, sample.rule);
   const auto reference = PatternMatch::atReference(sample.rule, sample.level);
   Growth worst = worstGrowth(reference, levels);
   PatternMatch match = reference;

@@ -106,23 +106,38 @@ void drawKey(Canvas& canvas, int lastLevel, Point2 at) {
   entry(kNone, fmt::format("by no rule up to level {}", lastLevel));
 }
 
+/// The top left of each map: beside one another as far as the widest map reaches, then below.
+std::vector<Point2> layOut(const Coverage& coverage) {
+  constexpr double kSlack = 120;
+  double widest = 0;
+  for (const CoverageMap& map : coverage.maps) widest = std::max(widest, kLeft + widthOf(map));
+  std::vector<Point2> places;
+  Point2 at{kLeft, kTop + 10};
+  double bottom = at.y;
+  for (const CoverageMap& map : coverage.maps) {
+    if (at.x > kLeft && at.x + widthOf(map) > widest + kSlack) at = {kLeft, bottom};
+    places.push_back(at);
+    bottom = std::max(bottom, at.y + heightOf(map) + kGap + 24);
+    at.x += widthOf(map) + kLeft;
+  }
+  return places;
+}
+
 }  // namespace
 
 std::string drawCoverage(const Coverage& coverage, const std::string& ruleSet,
                          PictureFormat format) {
-  double width = 620, height = kTop;
-  for (const CoverageMap& map : coverage.maps) {
-    width = std::max(width, kLeft + widthOf(map) + 24);
-    height += heightOf(map) + kGap + 20;
+  const auto places = layOut(coverage);
+  double width = 0, height = 0;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    width = std::max(width, places[i].x + widthOf(coverage.maps[i]) + 26);
+    height = std::max(height, places[i].y + heightOf(coverage.maps[i]) + 46);
   }
-  return Canvas::render(format, width, height - 20, [&](Canvas& canvas) {
+  return Canvas::render(format, width, height, [&](Canvas& canvas) {
     canvas.text("What " + ruleSet + " covers", {24, 34}, {19, kInk, Weight::Bold});
-    drawKey(canvas, coverage.lastLevel, {24, 58});
-    double top = kTop + 6;
-    for (const CoverageMap& map : coverage.maps) {
-      drawMap(canvas, map, coverage.lastLevel, {kLeft, top});
-      top += heightOf(map) + kGap + 20;
-    }
+    drawKey(canvas, coverage.lastLevel, {24, 62});
+    for (std::size_t i = 0; i < places.size(); ++i)
+      drawMap(canvas, coverage.maps[i], coverage.lastLevel, places[i]);
   });
 }
 

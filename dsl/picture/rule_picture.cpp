@@ -147,12 +147,12 @@ Box2 worldOf(const Scene& scene) {
   Box2 world{scene.placed[0], scene.placed[0]};
   for (const Point2 p : scene.placed) include(world, p, 0.12);
   for (const Loop& loop : scene.tolerances) {
-    const auto isClose = [&](Point2 p) {
-      return std::any_of(scene.references.begin(), scene.references.end(),
-                         [p](Point2 q) { return distance(p, q) < kClose; });
+    const auto isFar = [&](Point2 p) {
+      return std::all_of(scene.references.begin() + 2, scene.references.end(),
+                         [p](Point2 q) { return distance(p, q) > kClose; });
     };
-    for (const Point2 p : loop)
-      if (isClose(p)) include(world, p);
+    if (std::none_of(loop.begin(), loop.end(), isFar))
+      for (const Point2 p : loop) include(world, p);
   }
   for (const Zone& zone : scene.zones)
     for (const Loop& loop : zone.loops)

@@ -109,8 +109,8 @@ Built buildConvex(const Shape& shape) {
   if (!ConvexPolygonZone::isConvex(shape.points()))
     return refused(Refusal::Convexity,
                    "the corners do not run counter-clockwise around a convex region");
-  const auto corners = ConvexPolygonZone(shape.points()).corners();
-  return buildPolygon({corners.begin(), corners.end()});
+  const ConvexPolygonZone zone(shape.points());
+  return buildPolygon({zone.corners().begin(), zone.corners().end()});
 }
 
 /// The chords as a polygon by the even-odd rule, and each piece between an arc and its chord added

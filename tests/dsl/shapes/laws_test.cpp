@@ -102,6 +102,31 @@ TEST(Laws, PointsAndEdgesAgree) {
   }
 }
 
+/// The engine's fast form and the general one, on polygons whose corners, sides and diagonals the
+/// lattice hits all the time.
+TEST(Laws, AConvexPolygonAnswersLikeTheEnginesOwn) {
+  SCOPED_TRACE(test::seedNote());
+  RandomShapes random(test::seedOfRun() + 14);
+  int tried = 0;
+  while (tried < 200) {
+    std::vector<Point2> corners;
+    for (int k = random.integer(3, 6); k > 0; --k) corners.push_back(random.latticePoint());
+    if (!ConvexPolygonZone::isConvex(corners)) continue;
+    ++tried;
+    const MadeZone list = makeZone(Shape::convex(corners)), hull = makeZone(Shape::hull(corners));
+    const MadeZone inside = makeZone(Shape::convex(corners) & Shape::disc({0, 0}, 100));
+    for (int k = 0; k < 60; ++k) {
+      const Point2 p = random.latticePoint(), q = random.latticePoint();
+      for (const auto* other : {&hull, &inside}) {
+        ASSERT_EQ(placeOf(list, p), placeOf(*other, p));
+        ASSERT_EQ(meets(list, p, q), meets(*other, p, q));
+        ASSERT_EQ(list.zone->meets(p, q, ZoneBoundary::Counts),
+                  other->zone->meets(p, q, ZoneBoundary::Counts));
+      }
+    }
+  }
+}
+
 Point2 turned(Point2 p) { return {-p.y, p.x}; }
 
 /// The shape turned by a right angle, which loses no bit.
