@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """Draws a surface mesh: draw_mesh.py MESH PICTURE.png [--azimuth A] [--elevation E]
 
-Needs Debian's python3-meshio and python3-matplotlib. Elements that face the viewer are drawn from
+Needs Debian's python3-meshio, python3-matplotlib and python3-pil. Elements that face the viewer are drawn from
 back to front, one colour for each face of the model.
 """
 import argparse
@@ -13,6 +13,7 @@ import matplotlib.pyplot as plt
 import meshio
 import numpy as np
 from matplotlib.collections import PolyCollection
+from PIL import Image
 
 PALETTE = np.array([plt.get_cmap("Pastel1")(i)[:3] for i in (1, 2, 3, 4, 6, 8)])
 LIGHT = np.array([-0.35, 0.45, 0.82])
@@ -58,6 +59,7 @@ def main():
     axes.set_aspect("equal")
     axes.axis("off")
     figure.savefig(chosen.picture, bbox_inches="tight", pad_inches=0.02)
+    Image.open(chosen.picture).convert("RGB").quantize(48).save(chosen.picture, optimize=True)
 
 
 if __name__ == "__main__":
