@@ -59,7 +59,7 @@ def main():
     axes.set_aspect("equal")
     axes.axis("off")
     figure.savefig(chosen.picture, bbox_inches="tight", pad_inches=0.02)
-    Image.open(chosen.picture).convert("RGB").quantize(48).save(chosen.picture, optimize=True)
+    Image.open(chosen.picture).convert("RGB").quantize(128).save(chosen.picture, optimize=True)
 
 
 if __name__ == "__main__":
