@@ -1,6 +1,7 @@
 #include "geometry/quadric_surfaces.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace af2::geometry {
 
@@ -104,11 +105,14 @@ Point3 TorusSurface::normalAt(const Point3& position) const {
   return sign_ * unit(fromCentreLine(position));
 }
 
-double TorusSurface::curvatureRadiusAt(const Point3& position) const {
-  const Point3 d = position - centre_;
-  const double fromAxis = length(across(d, axis_));
+double TorusSurface::radiusAroundAxisAt(const Point3& position) const {
+  const double fromAxis = length(across(position - centre_, axis_));
   const double cosine = std::abs(fromAxis - major_) / minor_;
-  return cosine * minor_ > fromAxis ? fromAxis / cosine : minor_;
+  return cosine > 0 ? fromAxis / cosine : std::numeric_limits<double>::infinity();
+}
+
+double TorusSurface::curvatureRadiusAt(const Point3& position) const {
+  return std::min(minor_, radiusAroundAxisAt(position));
 }
 
 std::optional<SurfacePoint> TorusSurface::hit(const SurfaceLine& line) const {

@@ -67,7 +67,10 @@ class TorusSurface {
   TorusSurface(const Point3& centre, const Point3& axis, double major, double minor, Side side);
   std::optional<SurfacePoint> hit(const SurfaceLine& line) const;
   Point3 normalAt(const Point3& position) const;
+  /// Smaller radius of curvature.
   double curvatureRadiusAt(const Point3& position) const;
+  /// That along the circles around the axis.
+  double radiusAroundAxisAt(const Point3& position) const;
 
  private:
   /// From the nearest point of the centre line to a position.

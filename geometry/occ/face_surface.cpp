@@ -3,6 +3,7 @@
 #include <BRepTools.hxx>
 #include <BRep_Tool.hxx>
 #include <TopoDS.hxx>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -74,15 +75,35 @@ SurfacePoint samplePoint(const Bounds& bounds, const GeneralSurface& surface) {
   return {surface.frameAt(u, v).position, surface.normalAt(u, v), u, v};
 }
 
-/// A few places all over the face's part of the surface.
-std::vector<SurfacePoint> spread(const Bounds& bounds, const GeneralSurface& surface) {
-  constexpr int kSteps = 4;
+/// Points along a parameter line across the face.
+std::vector<SurfacePoint> alongU(const Bounds& bounds, const GeneralSurface& surface, double v) {
+  constexpr int kSteps = 8;
   std::vector<SurfacePoint> points;
   for (int i = 0; i <= kSteps; ++i)
-    for (int j = 0; j <= kSteps; ++j)
-      points.push_back(surface.pointAt(bounds.u(0.01 + 0.98 * i / kSteps),
-                                       bounds.v(0.01 + 0.98 * j / kSteps)));
+    points.push_back(surface.pointAt(bounds.u(static_cast<double>(i) / kSteps), bounds.v(v)));
   return points;
+}
+std::vector<SurfacePoint> alongV(const Bounds& bounds, const GeneralSurface& surface, double u) {
+  constexpr int kSteps = 8;
+  std::vector<SurfacePoint> points;
+  for (int i = 0; i <= kSteps; ++i)
+    points.push_back(surface.pointAt(bounds.u(u), bounds.v(static_cast<double>(i) / kSteps)));
+  return points;
+}
+
+/// Whether the normals turn by more than about 100 degrees along a line.
+bool isBent(const std::vector<SurfacePoint>& line) {
+  constexpr double kBent = 1.7;
+  double turn = 0;
+  for (std::size_t i = 1; i < line.size(); ++i) turn += distance(line[i - 1].normal, line[i].normal);
+  return turn > kBent;
+}
+
+double extentOf(const std::vector<SurfacePoint>& points) {
+  double extent = 0;
+  for (const SurfacePoint& p : points)
+    for (const SurfacePoint& q : points) extent = std::max(extent, distance(p.position, q.position));
+  return extent;
 }
 
 }  // namespace
@@ -95,7 +116,7 @@ FaceSurface::FaceSurface(const TopoDS_Face& face)
   const SurfacePoint sample = samplePoint(bounds, parametric_);
   const Point3 &p = sample.position, &n = sample.normal;
   if (!(length(n) > 0)) return;
-  measure(spread(bounds, parametric_));
+  if (adaptor.GetType() != GeomAbs_Plane) measure(face);
   switch (adaptor.GetType()) {
     case GeomAbs_Plane:
       surface_ = PlaneSurface{n};
@@ -135,13 +156,13 @@ FaceSurface::FaceSurface(const TopoDS_Face& face)
   }
 }
 
-void FaceSurface::measure(const std::vector<SurfacePoint>& points) {
-  constexpr double kBent = -0.2;  // the cosine of about 100 degrees
-  for (const SurfacePoint& p : points) {
-    for (const SurfacePoint& q : points) {
-      isBent_ = isBent_ || dot(p.normal, q.normal) < kBent;
-      extent_ = std::max(extent_, distance(p.position, q.position));
-    }
+void FaceSurface::measure(const TopoDS_Face& face) {
+  const Bounds bounds(face);
+  for (const double share : {0.02, 0.5, 0.98}) {
+    const auto u = alongU(bounds, parametric_, share), v = alongV(bounds, parametric_, share);
+    isBentInU_ = isBentInU_ || geometry::isBent(u);
+    isBentInV_ = isBentInV_ || geometry::isBent(v);
+    extent_ = std::max({extent_, extentOf(u), extentOf(v)});
   }
 }
 
@@ -181,6 +202,24 @@ double FaceSurface::curvatureRadiusAt(const SurfacePoint& point, double reach) c
             return hasTip_ ? std::max(radius, cone.curvatureRadiusAtDistance(reach)) : radius;
           },
           [&](const TorusSurface& torus) { return torus.curvatureRadiusAt(point.position); }},
+      surface_);
+}
+
+double FaceSurface::bentRadiusAt(const SurfacePoint& point, double reach) const {
+  constexpr double kInfinite = std::numeric_limits<double>::infinity();
+  if (!isBent()) return kInfinite;
+  return std::visit(
+      Overloaded{[](const PlaneSurface&) { return std::numeric_limits<double>::infinity(); },
+                 [&](const TorusSurface& torus) {
+                   return isBentInV_ ? torus.curvatureRadiusAt(point.position)
+                                     : torus.radiusAroundAxisAt(point.position);
+                 },
+                 [&](const GeneralSurface& general) {
+                   const auto radii = general.radiiAlongParameters(point.u, point.v);
+                   return std::min(isBentInU_ ? radii.u : kInfinite,
+                                   isBentInV_ ? radii.v : kInfinite);
+                 },
+                 [&](const auto&) { return curvatureRadiusAt(point, reach); }},
       surface_);
 }
 

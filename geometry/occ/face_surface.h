@@ -34,8 +34,9 @@ class FaceSurface {
   /// smaller elements would see the same sharp tip.
   double curvatureRadiusAt(const SurfacePoint& point, double reach = 0) const;
   bool isPlane() const { return std::holds_alternative<PlaneSurface>(surface_); }
-  /// Whether normals of the face differ by more than about a right angle.
-  bool isBent() const { return isBent_; }
+  /// Smaller radius of curvature along those parameter lines on which the face turns by more than
+  /// about a right angle: a tube, but not the rounding of an edge. Infinite if there are none.
+  double bentRadiusAt(const SurfacePoint& point, double reach = 0) const;
   /// Distance of the parts of the face that are farthest from each other, roughly.
   double extent() const { return extent_; }
 
@@ -47,7 +48,8 @@ class FaceSurface {
   const GeneralSurface& inOccParameters() const { return parametric_; }
 
  private:
-  void measure(const std::vector<SurfacePoint>& points);
+  void measure(const TopoDS_Face& face);
+  bool isBent() const { return isBentInU_ || isBentInV_; }
 
   using Surface = std::variant<PlaneSurface, CylinderSurface, ConeSurface, SphereSurface,
                                TorusSurface, GeneralSurface>;
@@ -55,7 +57,7 @@ class FaceSurface {
   GeneralSurface parametric_;
   Surface surface_;
   std::optional<DevelopedCone> developed_;
-  bool isBent_ = false, hasTip_ = false;
+  bool isBentInU_ = false, isBentInV_ = false, hasTip_ = false;
   double extent_ = 0;
 };
 

@@ -100,6 +100,19 @@ double GeneralSurface::curvatureRadiusAt(double u, double v) const {
   return largest > 0 ? 1 / largest : kInfinite;
 }
 
+GeneralSurface::Radii GeneralSurface::radiiAlongParameters(double u, double v) const {
+  gp_Pnt position;
+  gp_Vec du, dv, duu, dvv, duv;
+  adaptor_->D2(u, v, position, du, dv, duu, dvv, duv);
+  const gp_Vec normal = du.Crossed(dv);
+  const auto radius = [&](const gp_Vec& first, const gp_Vec& second) {
+    const double bend = std::abs(second.Dot(normal));
+    return bend > 0 ? first.SquareMagnitude() * normal.Magnitude() / bend
+                    : std::numeric_limits<double>::infinity();
+  };
+  return {radius(du, duu), radius(dv, dvv)};
+}
+
 void GeneralSurface::refine(const Point3& position, double& u, double& v) const {
   double bestU = u, bestV = v, best = std::numeric_limits<double>::infinity();
   double atU = u, atV = v;

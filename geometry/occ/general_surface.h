@@ -41,6 +41,11 @@ class GeneralSurface final : public ParametricSurface {
   Point3 normalAt(double u, double v) const;
   /// Smallest radius of normal curvature; infinite where there is none.
   double curvatureRadiusAt(double u, double v) const;
+  /// Radii of normal curvature along the two parameter lines.
+  struct Radii {
+    double u, v;
+  };
+  Radii radiiAlongParameters(double u, double v) const;
   /// Moves (u, v) to the foot of the perpendicular from `position`, if it is near.
   void refine(const Point3& position, double& u, double& v) const;
 

@@ -25,7 +25,7 @@ struct ModelSizes {
   /// radians, unless it would be shorter than `edgeLeast` times the wanted length.
   double edgeTurn = 0.7854, edgeLeast = 0.1;
   /// Likewise on faces, and on edges next to them: an edge of an element turns by about `faceTurn`
-  /// radians around the smaller radius of curvature. `bentFaceLeast` is for faces that bend by more
+  /// radians around the smaller radius of curvature. `bentFaceLeast` is for tubes, which turn by more
   /// than about a right angle: elements across the whole of them would cut off too much.
   double faceTurn = 0.7, faceLeast = 0.35, bentFaceLeast = 0.1;
   /// Most growth of the size per unit of length, away from short segments of the boundary.

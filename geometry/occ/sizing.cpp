@@ -46,14 +46,14 @@ double limitByFunction(const ModelSizes& sizes, double size, const Point3& posit
 
 double limitByCurvature(const ModelSizes& sizes, double size, const FaceSurface& surface,
                         const SurfacePoint& point) {
-  // A bent face must not be cut off by a few large elements, however large the wanted size; but a
-  // long thin one, a wire, shall not be cut into too many.
+  const double radius = surface.curvatureRadiusAt(point, size);
+  const double gentle =
+      std::min(size, std::max(sizes.faceTurn * radius, sizes.faceLeast * size));
+  // A tube must not be cut off by a few large elements, however large the wanted size; but a long
+  // thin one, a wire, shall not be cut into too many.
   constexpr double kShareOfBentFace = 1.0 / 15;
-  const double least =
-      surface.isBent()
-          ? std::min(sizes.bentFaceLeast * size, kShareOfBentFace * surface.extent())
-          : sizes.faceLeast * size;
-  return std::min(size, std::max(sizes.faceTurn * surface.curvatureRadiusAt(point, size), least));
+  const double least = std::min(sizes.bentFaceLeast * size, kShareOfBentFace * surface.extent());
+  return std::min(gentle, std::max(sizes.faceTurn * surface.bentRadiusAt(point, size), least));
 }
 
 }  // namespace af2::geometry

@@ -44,12 +44,22 @@ TEST(FaceSurface, FlipsTheNormalsOfReversedFaces) {
   expectClosedFormsAgree(testing::modelOf(BRepPrimAPI_MakeCone(2, 1, 3).Shape().Reversed()));
 }
 
-TEST(FaceSurface, KnowsWhichFacesBendFar) {
-  const Model ball = testing::sphere(1), slab = testing::box(1, 1, 1);
-  EXPECT_TRUE(FaceSurface(ball.shape().face(1)).isBent());
-  EXPECT_FALSE(FaceSurface(slab.shape().face(1)).isBent());
-  const Model wedge = testing::modelOf(BRepPrimAPI_MakeCylinder(1, 1, 0.5).Shape());
-  EXPECT_FALSE(FaceSurface(wedge.shape().face(1)).isBent());
+TEST(FaceSurface, TellsTubesFromRoundings) {
+  const auto bentRadius = [](const TopoDS_Shape& shape) {
+    const Model model = testing::modelOf(shape);
+    const FaceSurface surface(model.shape().face(1));
+    double u1, u2, v1, v2;
+    BRepTools::UVBounds(model.shape().face(1), u1, u2, v1, v2);
+    return surface.bentRadiusAt(
+        surface.inOccParameters().pointAt((u1 + u2) / 2, (v1 + v2) / 2));
+  };
+  EXPECT_DOUBLE_EQ(bentRadius(BRepPrimAPI_MakeSphere(2).Shape()), 2);
+  EXPECT_DOUBLE_EQ(bentRadius(BRepPrimAPI_MakeCylinder(2, 1).Shape()), 2);
+  EXPECT_TRUE(std::isinf(bentRadius(BRepPrimAPI_MakeCylinder(2, 1, 1.5).Shape())));
+  EXPECT_TRUE(std::isinf(bentRadius(BRepPrimAPI_MakeBox(1, 1, 1).Shape())));
+  EXPECT_DOUBLE_EQ(bentRadius(BRepPrimAPI_MakeTorus(3, 1).Shape()), 1);
+  // A quarter of the tube, all the way round: only the large circles count.
+  EXPECT_GT(bentRadius(BRepPrimAPI_MakeTorus(3, 1, 0, 1.5).Shape()), 3);
 }
 
 TEST(DevelopedCone, IsIsometric) {
