@@ -7,6 +7,13 @@ int main(int count, char** arguments) {
   static constexpr Verb kVerbs[] = {
       {"mesh", "mesh the faces of a model", declareMesh},
       {"inspect", "list the faces and edges of a model", declareInspect},
+      {"check", "find mistakes in rule files", declareCheck},
+      {"test", "run the tests of rule files", declareTest},
+      {"fmt", "lay out rule files", declareFmt},
+      {"draw", "draw rules", declareDraw},
+      {"eval", "tell what one rule does at given positions", declareEval},
+      {"compile", "show what rules become", declareCompile},
+      {"explain-code", "explain the code of a diagnostic", declareExplainCode},
       {"version", "tell the version", declareVersion},
   };
   return runProgram(kVerbs, count, arguments);

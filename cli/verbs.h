@@ -19,6 +19,13 @@ struct Verb {
 
 Action declareMesh(CLI::App& command);
 Action declareInspect(CLI::App& command);
+Action declareCheck(CLI::App& command);
+Action declareTest(CLI::App& command);
+Action declareFmt(CLI::App& command);
+Action declareDraw(CLI::App& command);
+Action declareEval(CLI::App& command);
+Action declareCompile(CLI::App& command);
+Action declareExplainCode(CLI::App& command);
 Action declareVersion(CLI::App& command);
 
 }  // namespace af2::cli

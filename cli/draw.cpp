@@ -1,0 +1,102 @@
+// af2 draw
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+
+#include "cli/exit_code.h"
+#include "cli/match_arguments.h"
+#include "cli/number_lists.h"
+#include "cli/rule_files.h"
+#include "cli/text_files.h"
+#include "cli/usage_error.h"
+#include "cli/verbs.h"
+#include "dsl/checks/coverage.h"
+#include "dsl/picture/coverage_picture.h"
+#include "dsl/picture/rule_picture.h"
+
+namespace af2::cli {
+namespace {
+
+struct DrawOptions {
+  std::string file, rule, output, levels;
+  std::vector<std::string> match;
+  bool coverage = false, noNames = false, noTolerances = false;
+  double size = 0;
+};
+
+dsl::PictureFormat formatOf(const std::string& output) {
+  const std::string extension = std::filesystem::path(output).extension().string();
+  if (extension == ".svg" || output == "-") return dsl::PictureFormat::Svg;
+  if (extension == ".png") return dsl::PictureFormat::Png;
+  throw UsageError(fmt::format("--output '{}' ends in neither .svg nor .png", output));
+}
+
+dsl::PictureOptions pictureOptions(const DrawOptions& options, double usual) {
+  dsl::PictureOptions picture;
+  const double size = options.size > 0 ? options.size : usual;
+  picture.width = picture.height = size;
+  if (!options.levels.empty()) picture.levels = parseIds("--levels", options.levels);
+  picture.names = !options.noNames;
+  picture.tolerances = !options.noTolerances;
+  return picture;
+}
+
+std::string drawOne(const DrawOptions& options, const RuleSet& rules, dsl::PictureFormat format) {
+  const AF2Rule& rule = findRule(rules, options.rule);
+  const dsl::PictureOptions picture = pictureOptions(options, 420);
+  if (options.match.empty()) return dsl::drawRule(rules, rule, format, picture);
+  dsl::DrawnMatch match;
+  match.vertices = matchedVertices(rule, parseMatch("--match", options.match));
+  match.level = picture.levels.empty() ? rule.definition().firstLevel : picture.levels.front();
+  return dsl::drawMatch(rules, rule, match, format, picture);
+}
+
+int draw(DrawOptions options) {
+  if (!options.match.empty() && options.rule.empty()) {
+    throw UsageError("--match needs --rule: it places the vertices of one rule");
+  }
+  if (options.output.empty()) options.output = stemOf(options.file) + ".svg";
+  const dsl::PictureFormat format = formatOf(options.output);
+  const dsl::LoadedRules loaded = loadSoundRuleFile(options.file);
+  const RuleSet& rules = *loaded.rules;
+  std::string drawn = fmt::format("{} rules", rules.rules().size());
+  std::string picture;
+  if (options.coverage) {
+    drawn = "coverage";
+    picture = dsl::drawCoverage(dsl::measureCoverage(rules), rules.name(), format);
+  } else if (!options.rule.empty()) {
+    drawn = fmt::format("rule \"{}\"", options.rule);
+    picture = drawOne(options, rules, format);
+  } else {
+    picture = dsl::drawRuleSet(rules, format, pictureOptions(options, 300));
+  }
+  writeText(options.output, picture);
+  if (options.output != "-") fmt::print("drew {} -> {}\n", drawn, options.output);
+  return kComplete;
+}
+
+}  // namespace
+
+Action declareDraw(CLI::App& command) {
+  const auto options = std::make_shared<DrawOptions>();
+  command.add_option("file", options->file, "rule file, or - for stdin")->required();
+  command.add_option("--rule", options->rule, "only the rule with this title");
+  command.add_option("-o,--output", options->output,
+                     "picture, .svg or .png; default: the name of the file, .svg; - is stdout");
+  command.add_option("--levels,--level,--class", options->levels,
+                     "quality levels whose zones are shown, such as 1,5,20");
+  command
+      .add_option("--match", options->match, "with --rule: where a vertex is, such as c=0.6,0.9")
+      ->allow_extra_args(false);
+  command.add_option("--size", options->size, "width and height of one rule in pixels")
+      ->check(CLI::Range(50.0, 4000.0));
+  command.add_flag("--no-names", options->noNames, "leave out the names of vertices");
+  command.add_flag("--no-tolerances", options->noTolerances, "leave out the tolerance ellipses");
+  command.add_flag("--coverage", options->coverage,
+                   "draw which situations the rules take, and at which level");
+  return [options] { return draw(*options); };
+}
+
+}  // namespace af2::cli

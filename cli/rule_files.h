@@ -1,0 +1,35 @@
+// Rule files as the command line names them.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "dsl/rule_file.h"
+
+namespace af2::cli {
+
+/// A text and what diagnostics call it.
+struct RuleText {
+  std::string name, text;
+};
+
+/// Directories become the .af2 files below them, in order of path; other names stay, among them "-"
+/// for standard input. Throws UsageError if a directory has no rule file.
+std::vector<std::string> expandRuleFiles(const std::vector<std::string>& names);
+
+/// The text of a file or of standard input. Throws InputError if it cannot be read.
+RuleText readRuleText(const std::string& name);
+
+/// Loads a file, named by its path or within the rules of AF2, or standard input. That there is no
+/// such file is a diagnostic.
+dsl::LoadedRules loadRuleFile(const std::string& name,
+                              const std::vector<std::string>& allowed = {});
+
+/// The same for verbs that need a rule set: prints what is wrong to stderr and throws InputError if
+/// there is an error.
+dsl::LoadedRules loadSoundRuleFile(const std::string& name);
+
+/// The stem of a file name, for the files that are made from it; "rules" for standard input.
+std::string stemOf(const std::string& name);
+
+}  // namespace af2::cli

@@ -1,0 +1,29 @@
+// All that the checks find in a rule file.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "dsl/checks/sampled_checks.h"
+#include "dsl/rule_file.h"
+
+namespace af2::cli {
+
+struct FindingOptions {
+  bool quick = false;                ///< nothing that looks at many matches
+  int samples = 0;                   ///< for each rule; 0: as the checks see fit
+  std::string pictures;              ///< folder for pictures of findings; empty: none
+  std::vector<std::string> allowed;  ///< codes that are not told
+};
+
+struct RuleFindings {
+  std::vector<dsl::Diagnostic> diagnostics;  ///< in the order of the text
+  std::size_t ruleCount = 0;
+  std::size_t proven = 0;   ///< rules for which G2 and Z1 are proven for every match
+  std::size_t sampled = 0;  ///< rules for which samples showed nothing against one of them
+};
+
+/// What is told of a file: from reading it, and, if that went without errors, from all its matches.
+RuleFindings findIn(const std::string& name, const FindingOptions& options);
+
+}  // namespace af2::cli
