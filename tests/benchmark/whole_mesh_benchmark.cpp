@@ -1,6 +1,7 @@
 // Meshes a CAD model with AF2 on one thread and prints what the drivers of the peers print:
-//   whole_mesh_benchmark [--optimize] MODEL SIZE
-// Without --optimize: the raw front. whole_mesh_benchmark.py runs this beside the peers.
+//   whole_mesh_benchmark [--optimize] MODEL SIZE [RULES]
+// Without --optimize: the raw front. RULES: a rule file, else that of `af2 mesh`.
+// whole_mesh_benchmark.py runs this beside the peers.
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -38,18 +39,27 @@ bool isComplete(const geometry::ModelMesh& mesh) {
   return !mesh.elements.empty();
 }
 
-int run(const char* file, double size, bool optimize) {
-  const auto loaded = af2::dsl::loadRules(AF2_SOURCE_RULES "/tri/even.af2");
+struct Task {
+  const char* model;
+  double size;
+  const char* rules = AF2_SOURCE_RULES "/tri/even.af2";
+  bool optimize = false;
+};
+
+int run(const Task& task) {
+  af2::dsl::LoadOptions loading;
+  loading.searchPaths = {AF2_SOURCE_RULES};
+  const auto loaded = af2::dsl::loadRules(task.rules, loading);
   if (!loaded.rules) {
     std::fprintf(stderr, "%s", af2::dsl::toPretty(loaded.diagnostics).c_str());
     return 1;
   }
   const af2::AF2Algorithm algorithm(loaded.rules);
-  const geometry::Model model = geometry::readModel(file);
+  const geometry::Model model = geometry::readModel(task.model);
   geometry::ModelMeshingOptions options;
-  options.sizes.size = size;
+  options.sizes.size = task.size;
   options.threads = 1;
-  options.optimize = optimize;
+  options.optimize = task.optimize;
 
   const double start = af2::benchmark::userSeconds();
   const geometry::ModelMesh mesh = geometry::meshModel(model, algorithm, options);
@@ -63,13 +73,17 @@ int run(const char* file, double size, bool optimize) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  const bool optimize = argc == 4 && std::strcmp(argv[1], "--optimize") == 0;
-  if (argc != 3 && !optimize) {
-    std::fprintf(stderr, "usage: whole_mesh_benchmark [--optimize] MODEL SIZE\n");
+  const bool optimize = argc > 1 && std::strcmp(argv[1], "--optimize") == 0;
+  const int first = optimize ? 2 : 1;
+  if (argc < first + 2 || argc > first + 3) {
+    std::fprintf(stderr, "usage: whole_mesh_benchmark [--optimize] MODEL SIZE [RULES]\n");
     return 2;
   }
+  Task task{argv[first], std::atof(argv[first + 1])};
+  task.optimize = optimize;
+  if (argc == first + 3) task.rules = argv[first + 2];
   try {
-    return run(argv[argc - 2], std::atof(argv[argc - 1]), optimize);
+    return run(task);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "whole_mesh_benchmark: %s\n", error.what());
     return 1;
