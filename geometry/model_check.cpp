@@ -15,13 +15,29 @@ constexpr std::size_t kFewElements = 60;
 
 struct HalfEdge {
   VertexId low, high;
+  std::uint32_t element;
   bool forward;  ///< from low to high
-  std::size_t element;
   auto key() const { return std::pair(low, high); }
 };
 
 HalfEdge halfEdge(VertexId from, VertexId to, std::size_t element) {
-  return from < to ? HalfEdge{from, to, true, element} : HalfEdge{to, from, false, element};
+  const auto index = static_cast<std::uint32_t>(element);
+  return from < to ? HalfEdge{from, to, index, true} : HalfEdge{to, from, index, false};
+}
+
+/// Sorts by low, then high end, keeping the order of equal ones: first into a bucket for each low
+/// end, of which each has but a few.
+std::vector<HalfEdge> sorted(const std::vector<HalfEdge>& edges, std::size_t vertexCount) {
+  std::vector<std::uint32_t> start(vertexCount + 1, 0);
+  for (const HalfEdge& e : edges) ++start[e.low.value + 1];
+  for (std::size_t v = 0; v < vertexCount; ++v) start[v + 1] += start[v];
+  std::vector<std::uint32_t> next(start.begin(), start.end() - 1);
+  std::vector<HalfEdge> result(edges.size());
+  for (const HalfEdge& e : edges) result[next[e.low.value]++] = e;
+  for (std::size_t v = 0; v < vertexCount; ++v)
+    std::stable_sort(result.begin() + start[v], result.begin() + start[v + 1],
+                     [](const HalfEdge& a, const HalfEdge& b) { return a.high < b.high; });
+  return result;
 }
 
 class Checker {
@@ -71,9 +87,7 @@ class Checker {
   }
 
   void sortEdges() {
-    std::sort(edges_.begin(), edges_.end(), [](const HalfEdge& a, const HalfEdge& b) {
-      return std::pair(a.key(), a.element) < std::pair(b.key(), b.element);
-    });
+    edges_ = sorted(edges_, mesh_.vertices.size());
     for (const EdgeSegment& s : mesh_.segments) {
       const auto [low, high] = std::minmax(s.from, s.to);
       segments_[{low, high}] += s.uses;

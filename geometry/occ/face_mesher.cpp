@@ -49,6 +49,9 @@ class FaceMesher {
       return;
     }
     if (context_.options.optimize && !attempt.isOptimized) optimize(attempt, boundary.input, mesh);
+    if (attempt.closingElements > 0)
+      mesh.report.reason = std::to_string(attempt.closingElements) +
+                           " elements were made without a rule, where the front got stuck";
     take(attempt.result, boundary, mesh);
   }
 

@@ -231,7 +231,17 @@ class ModelMesher {
       const double size = wantedOnFace(options_.sizes, faces[i]);
       work.push_back(1 + areas[i] / (kUnitTriangle * size * size));
     }
+    refuseTooMany(std::accumulate(work.begin(), work.end(), 0.0));
     return work;
+  }
+
+  /// Vertices and elements have 32-bit numbers.
+  static void refuseTooMany(double elements) {
+    constexpr double kMostElements = 2e9;
+    if (elements > kMostElements)
+      throw InputError("the size asks for about " +
+                       std::to_string(static_cast<long long>(elements / 1e9)) +
+                       " thousand million elements; ask for a larger size");
   }
 
   static std::vector<std::size_t> largestFirst(const std::vector<double>& work) {

@@ -2,11 +2,15 @@
 
 #include <BRepAdaptor_Surface.hxx>
 #include <BRepBndLib.hxx>
+#include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepLib.hxx>
+#include <BRepTools_ReShape.hxx>
 #include <BRep_Tool.hxx>
 #include <Bnd_Box.hxx>
+#include <Precision.hxx>
 #include <Standard_Failure.hxx>
 #include <TopExp.hxx>
+#include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 #include <cmath>
 
@@ -66,6 +70,38 @@ void buildMissingCurves(ModelShape& model) {
                           " edges had no curve in space; built from their faces");
 }
 
+bool hasEdges(const TopoDS_Shape& face) { return TopExp_Explorer(face, TopAbs_EDGE).More(); }
+
+/// The same face with a seam and poles as its boundary; null if its surface is not closed.
+TopoDS_Shape withSeams(const TopoDS_Face& face) {
+  const Handle(Geom_Surface) surface = BRep_Tool::Surface(face);
+  if (surface.IsNull()) return {};
+  double u1, u2, v1, v2;
+  surface->Bounds(u1, u2, v1, v2);
+  for (const double bound : {u1, u2, v1, v2})
+    if (Precision::IsInfinite(bound)) return {};
+  BRepBuilderAPI_MakeFace maker(surface, u1, u2, v1, v2, Precision::Confusion());
+  return maker.IsDone() ? maker.Face().Oriented(face.Orientation()) : TopoDS_Shape();
+}
+
+/// A whole sphere or torus may come without any edge. A front has to start somewhere.
+void giveBoundaries(ReadShape& read) {
+  TopTools_IndexedMapOfShape faces;
+  TopExp::MapShapes(read.shape, TopAbs_FACE, faces);
+  BRepTools_ReShape replacing;
+  int count = 0;
+  for (int i = 1; i <= faces.Extent(); ++i) {
+    if (hasEdges(faces(i))) continue;
+    const TopoDS_Shape closed = withSeams(TopoDS::Face(faces(i)));
+    if (closed.IsNull()) continue;
+    replacing.Replace(faces(i), closed);
+    ++count;
+  }
+  if (count == 0) return;
+  read.shape = replacing.Apply(read.shape);
+  read.notes.push_back(std::to_string(count) + " faces had no boundary; given their seams");
+}
+
 }  // namespace
 
 TopoDS_Face ModelShape::face(int id) const { return TopoDS::Face(faces(id)); }
@@ -74,6 +110,7 @@ TopoDS_Vertex ModelShape::vertex(int id) const { return TopoDS::Vertex(vertices(
 
 std::shared_ptr<const ModelShape> makeModelShape(ReadShape read) {
   auto model = std::make_shared<ModelShape>();
+  giveBoundaries(read);
   model->shape = read.shape;
   model->unit = std::move(read.unit);
   model->notes = std::move(read.notes);

@@ -1,6 +1,9 @@
 #include "geometry/occ/mesh_model.h"
 
 #include <BRepAlgoAPI_Cut.hxx>
+#include <BRep_Builder.hxx>
+#include <Geom_SphericalSurface.hxx>
+#include <Geom_ToroidalSurface.hxx>
 #include <gtest/gtest.h>
 
 #include <numbers>
@@ -79,6 +82,23 @@ TEST(ModelMeshing, MeshesATorus) {
     const double r = std::sqrt(p.x * p.x + p.y * p.y) - 3;
     EXPECT_NEAR(std::sqrt(r * r + p.z * p.z), 1, 1e-12);
   }
+}
+
+TEST(ModelMeshing, MeshesFacesWithoutAnyBoundary) {
+  const gp_Ax3 frame;
+  for (const Handle(Geom_Surface)& surface :
+       {Handle(Geom_Surface)(new Geom_SphericalSurface(frame, 1)),
+        Handle(Geom_Surface)(new Geom_ToroidalSurface(frame, 3, 1))}) {
+    TopoDS_Face face;
+    BRep_Builder().MakeFace(face, surface, 1e-7);
+    const Model model = testing::modelOf(face);
+    EXPECT_EQ(model.notes().size(), 1u);
+    expectSound(mesh(model, 0.3));
+  }
+}
+
+TEST(ModelMeshing, RefusesASizeThatAsksForMoreElementsThanCanBeNumbered) {
+  EXPECT_THROW(mesh(testing::box(1, 1, 1), 1e-5), InputError);
 }
 
 TEST(ModelMeshing, MeshesAConeWithItsTip) {
