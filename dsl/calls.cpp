@@ -358,8 +358,11 @@ const FunctionName* ExpressionCompiler::findFunction(const Expr& call, bool& isT
 
 Value ExpressionCompiler::evaluateCall(const Expr& expr) {
   bool isTold = false;
-  if (const FunctionName* function = findFunction(expr, isTold))
-    return callFunction(expr, *function);
+  if (const FunctionName* function = findFunction(expr, isTold)) {
+    if (!isBelow(expr, function->home, function->span)) return callFunction(expr, *function);
+    for (const Expr& part : expr.parts) evaluate(part);
+    return usedTooEarly(expr, function->span);
+  }
   if (isTold) return {};
   if (const Builtin* builtin = findBuiltin(expr.name)) return callBuiltin(expr, *builtin);
   if (const BuiltinMetric* metric = findBuiltinMetric(expr.name)) return callMetric(expr, *metric);

@@ -2,11 +2,13 @@
 #pragma once
 
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "dsl/ast.h"
+#include "dsl/diagnostic.h"
 #include "dsl/module.h"
 #include "engine/rule.h"
 
@@ -24,6 +26,7 @@ struct CompiledRule {
   const Rule* text = nullptr;
   const Module* home = nullptr;  ///< the file that `text` is from
   Span title;                    ///< of a mirror: the mirror's title
+  DiagnosticPlace titlePlace;    ///< of an instance: in the file that asks for it
   bool isMirror = false;
   std::vector<Span> elementSpans;  ///< one for each element of the definition
   std::vector<Span> vertexSpans;   ///< matched, then new ones: where each is defined
@@ -34,6 +37,7 @@ struct CompiledRule {
   std::map<std::string, RuleParameter> parameters;
   const MirrorClause* mirror = nullptr;  ///< of a mirror: the clause that asks for it
   std::string doc;
+  std::shared_ptr<const RuleDefinition> image;  ///< what its mirror image would be
 };
 
 }  // namespace af2::dsl

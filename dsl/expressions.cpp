@@ -125,8 +125,28 @@ Value ExpressionCompiler::fromConstant(const ConstantName& constant) const {
   }
 }
 
+/// Everything is defined above its use, in the order of the text.
+bool ExpressionCompiler::isBelow(const Expr& expr, const Module* home, Span definition) {
+  return home == module_ && expr.qualifier.empty() && definition.begin > expr.span.begin;
+}
+
+Value ExpressionCompiler::usedTooEarly(const Expr& expr, Span definition) {
+  const bool isItself =
+      module_->source.lineOf(definition.begin) == module_->source.lineOf(expr.span.begin) &&
+      definition.begin < expr.span.begin;
+  tell("R1", expr.span,
+       isItself ? "'" + expr.name + "' is defined in terms of itself"
+                : "'" + expr.name + "' is used before it is defined",
+       "", isItself ? "definitions cannot be recursive" : "move its definition up", Severity::Error,
+       {{"defined here", placeOf(module_->source, definition)}});
+  return {};
+}
+
 Value ExpressionCompiler::unknownName(const Expr& expr, bool isFunction) {
   if (module_->brokenNames.contains(expr.name)) return {};
+  if (const auto below = definedBelow.find(expr.name);
+      !isFunction && calls_.empty() && below != definedBelow.end())
+    return usedTooEarly(expr, below->second);
   // Defined further down is the commonest slip after a typing error.
   for (const Item& item : module_->parsed.file.items) {
     const Name* name = nullptr;
@@ -135,12 +155,7 @@ Value ExpressionCompiler::unknownName(const Expr& expr, bool isFunction) {
     if (const auto* f = std::get_if<Function>(&item.content))
       name = isFunction ? &f->name : nullptr;
     if (const auto* m = std::get_if<Metric>(&item.content)) name = isFunction ? &m->name : nullptr;
-    if (!name || name->text != expr.name) continue;
-    if (name->span.begin < expr.span.begin && name->span.end + 2000 < expr.span.begin) continue;
-    tell("R1", expr.span, "'" + expr.name + "' is used before it is defined", "",
-         "move its definition up", Severity::Error,
-         {{"defined here", placeOf(module_->source, name->span)}});
-    return {};
+    if (name && name->text == expr.name) return usedTooEarly(expr, name->span);
   }
   std::vector<std::string> known = isFunction ? builtinNames() : namesInScope();
   if (isFunction) {
@@ -185,7 +200,11 @@ Value ExpressionCompiler::evaluateName(const Expr& expr) {
     return algebra_.scalar(Type::Number,
                            builder().make(Op::Input, std::initializer_list<Node>{}, 0));
   const auto constant = module_->constants.find(expr.name);
-  if (constant != module_->constants.end()) return fromConstant(constant->second);
+  if (constant != module_->constants.end()) {
+    if (isBelow(expr, constant->second.home, constant->second.span))
+      return usedTooEarly(expr, constant->second.span);
+    return fromConstant(constant->second);
+  }
   if (!corners.empty() && isMetricName(expr.name)) return evaluateCall(expr);
   if (place_ == ExpressionPlace::Rule || place_ == ExpressionPlace::FrontOrder) {
     const std::vector<std::string> bands{"end", "side", "corner", "reversal"};
@@ -475,14 +494,14 @@ Value ExpressionCompiler::evaluate(const Expr& expr) {
   return {};
 }
 
-void ExpressionCompiler::checkBody(const FunctionName& function) {
+Value ExpressionCompiler::checkBody(const FunctionName& function) {
   for (const Name& parameter : *function.parameters) {
     Local local;
     local.span = parameter.span;
     local.kind = LocalKind::Parameter;
     locals[parameter.text] = local;
   }
-  evaluate(*function.body);
+  return evaluate(*function.body);
 }
 
 }  // namespace af2::dsl

@@ -44,9 +44,10 @@ class ExpressionCompiler {
       : context_(context), module_(&module), place_(place), algebra_(algebra) {}
 
   std::map<std::string, Local> locals;
-  std::vector<bool> inChain;   ///< by matched vertex
-  std::vector<Value> corners;  ///< of the element to be measured, in metrics
-  std::function<Node()> fade;  ///< weight of the preferred corner
+  std::map<std::string, Span> definedBelow;  ///< names of the rule, wherever they are defined
+  std::vector<bool> inChain;                 ///< by matched vertex
+  std::vector<Value> corners;                ///< of the element to be measured, in metrics
+  std::function<Node()> fade;                ///< weight of the preferred corner
   /// Free angle at a vertex of a test; nothing where its chain is open.
   std::function<std::optional<double>(int)> turnInTest;
   std::string ruleTitle;  ///< for diagnostics
@@ -77,7 +78,7 @@ class ExpressionCompiler {
   Corner corner(const Expr& expr);
 
   /// Types only, parameters unknown: for definitions that nobody has called yet.
-  void checkBody(const FunctionName& function);
+  Value checkBody(const FunctionName& function);
 
   void tell(const char* code, Span span, std::string message, std::string label = {},
             std::string help = {}, Severity severity = Severity::Error,
@@ -129,6 +130,8 @@ class ExpressionCompiler {
   Value wrongType(const Expr& expr, const std::string& wanted, const Value& found);
   Value wrongOperands(const Expr& expr, const Value& a, const Value& b, std::string help);
   Value unknownName(const Expr& expr, bool isFunction);
+  bool isBelow(const Expr& expr, const Module* home, Span definition);
+  Value usedTooEarly(const Expr& expr, Span definition);
   Value fromConstant(const ConstantName& constant) const;
   const FunctionName* findFunction(const Expr& call, bool& isTold);
 

@@ -639,9 +639,11 @@ const auto classesSetting_def = word("classes") >>
                                 need(sum, "a whole number")[into(&ClassesSetting::last)] >>
                                 need(";");
 const auto scaleSetting_def = word("scale") >>
-                              need(anyName, "h or base")[into(&ScaleSetting::unit)] >> need(";");
+                              need(OneOf{"h", "base"}, "h or base")[into(&ScaleSetting::unit)] >>
+                              need(";");
 const auto paritySetting_def = word("parity") >>
-                               need(anyName, "even or any")[into(&ParitySetting::parity)] >>
+                               need(OneOf{"even", "any"},
+                                    "even or any")[into(&ParitySetting::parity)] >>
                                need(";");
 const auto setting_def =
     spanned(!word("}") >> !atBlockEnd >>

@@ -156,7 +156,10 @@ void Library::registerFunction(Module& module, const Name& name,
                               isMetric ? ExpressionPlace::Metric : ExpressionPlace::Rule,
                               Algebra(builder, {}));
   compiler.fade = [&builder] { return builder.constant(1); };
-  compiler.checkBody(function);
+  const Value result = compiler.checkBody(function);
+  const auto isBadMetric = [](const Value& v) { return !v.isAny() && v.type != Type::Number; };
+  if (isMetric && isBadMetric(result))
+    compiler.tell("Y1", body.span, "a metric must be a number", "this is " + describe(result));
   function.isBroken = found.hasErrors();
   for (Diagnostic& d : found.take()) context_.diagnostics.add(std::move(d));
   if (isFree(module, name, true)) module.functions[name.text] = function;

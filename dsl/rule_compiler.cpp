@@ -121,8 +121,20 @@ class ClauseCompiler {
   void compilePriority(const PriorityClause& clause, Span span);
   void applyOverrides();
   void warnAboutNames();
-  std::shared_ptr<const AF2FreeZoneDef> cornerZone(const ZoneClause& clause);
-  std::optional<ShapeValue> shapeOf(const ZoneClause& clause);
+  /// A zone clause, evaluated where it stands: everything is defined above its use.
+  struct ReadZone {
+    const ZoneClause* text = nullptr;
+    std::vector<ExpressionCompiler::Corner> corners;  ///< of a list
+    Value shape;                                      ///< of a shape
+    Value when;
+    bool isRight = false;
+  };
+
+  void readZone(const ZoneClause& clause, Span span);
+  std::shared_ptr<const AF2FreeZoneDef> cornerZone(const ReadZone& zone);
+  ShapeValue shapeOf(const ReadZone& zone);
+  void compileUserZone(const ReadZone& zone);
+  void listNamesBelow();
   static ShapeValue unionOf(std::vector<ShapeValue> shapes);
   bool isShapeClause(const ZoneClause& clause) { return clause.corners.size() == 1; }
 
@@ -134,7 +146,7 @@ class ClauseCompiler {
   ExpressionCompiler expressions_;
   CompiledRule result_;
   std::map<std::string, int> matched_;
-  std::vector<const ZoneClause*> zones_;
+  std::vector<ReadZone> zones_;
   std::map<std::string, bool> atDefined_;
   std::vector<NodePair> newPlaces_;
   std::set<std::string> broken_;
@@ -269,6 +281,7 @@ std::optional<ToleranceForm> ClauseCompiler::toleranceOf(const Tolerance& tolera
   isAny = tolerance.any;
   if (tolerance.any) return std::nullopt;
   const auto form = formOf(tolerance.form);
+  hasErrors_ = hasErrors_ || !form;
   return form ? form : ToleranceForm{};
 }
 
@@ -276,6 +289,7 @@ void ClauseCompiler::compilePlaces(const AtClause& at) {
   for (const Place& place : at.places) {
     const auto x = expressions_.constantNumber(place.x, "a reference coordinate");
     const auto y = expressions_.constantNumber(place.y, "a reference coordinate");
+    hasErrors_ = hasErrors_ || !x || !y;
     const auto index = static_cast<int>(definition().vertices.size());
     if (!defineLocal(place.name, algebra().vertex(index), LocalKind::Vertex)) continue;
     PatternVertex vertex;
@@ -486,6 +500,7 @@ void ClauseCompiler::compileRequire(const RequireClause& clause) {
 
 void ClauseCompiler::compileCost(const CostClause& clause) {
   const Value value = expressions_.number(clause.value, "a cost");
+  hasErrors_ = hasErrors_ || (value.isAny() && !isGeneric_);
   if (value.isAny()) return;
   definition().cost = makeFunction(builder_, value.number);
 }
@@ -516,8 +531,7 @@ void ClauseCompiler::compileClause(const Clause& clause) {
         } else if constexpr (std::is_same_v<Content, NewClause>) {
           compileNew(content);
         } else if constexpr (std::is_same_v<Content, ZoneClause>) {
-          zones_.push_back(&content);
-          result_.zoneSpans.push_back(clause.span);
+          readZone(content, clause.span);
         } else if constexpr (std::is_same_v<Content, ElementClause>) {
           compileElements(content);
         } else if constexpr (std::is_same_v<Content, RequireClause>) {
@@ -559,21 +573,41 @@ void ClauseCompiler::applyOverrides() {
   }
 }
 
+void ClauseCompiler::readZone(const ZoneClause& clause, Span span) {
+  ReadZone zone;
+  zone.text = &clause;
+  zone.isRight = clause.corners.size() != 2;
+  if (!zone.isRight) tell("Y6", span, "a zone needs at least three corners", "2 are given");
+  if (isShapeClause(clause)) {
+    zone.shape = expressions_.shape(clause.corners[0]);
+    zone.isRight = !zone.shape.isAny();
+  } else {
+    for (const Expr& expr : clause.corners) {
+      auto corner = expressions_.corner(expr);
+      const bool isBroken =
+          corner.preferred.isAny() || (corner.limiting && corner.limiting->isAny());
+      zone.isRight = zone.isRight && !isBroken;
+      zone.corners.push_back(std::move(corner));
+    }
+  }
+  if (!clause.when.isMissing()) {
+    zone.when = expressions_.truth(clause.when, "what follows `when`");
+    zone.isRight = zone.isRight && !zone.when.isAny();
+  }
+  hasErrors_ = hasErrors_ || !zone.isRight;
+  zones_.push_back(std::move(zone));
+  result_.zoneSpans.push_back(span);
+}
+
 /// The list form of a zone, in the engine's fast form.
-std::shared_ptr<const AF2FreeZoneDef> ClauseCompiler::cornerZone(const ZoneClause& clause) {
+std::shared_ptr<const AF2FreeZoneDef> ClauseCompiler::cornerZone(const ReadZone& zone) {
   std::vector<ConvexPolygonZoneDef::Corner> corners;
-  for (const Expr& expr : clause.corners) {
-    const auto corner = expressions_.corner(expr);
-    if (corner.preferred.isAny() || (corner.limiting && corner.limiting->isAny())) continue;
+  for (const auto& corner : zone.corners) {
     ConvexPolygonZoneDef::Corner made;
     made.preferred = makeTransform(builder_, algebra().toBase(corner.preferred.at));
     if (corner.limiting)
       made.limiting = makeTransform(builder_, algebra().toBase(corner.limiting->at));
     corners.push_back(std::move(made));
-  }
-  if (corners.size() != clause.corners.size()) {
-    hasErrors_ = true;
-    return nullptr;
   }
   if (mirror_) {
     std::reverse(corners.begin(), corners.end());
@@ -582,28 +616,26 @@ std::shared_ptr<const AF2FreeZoneDef> ClauseCompiler::cornerZone(const ZoneClaus
   return std::make_shared<ConvexPolygonZoneDef>(std::move(corners), settings_.fade);
 }
 
-std::optional<ShapeValue> ClauseCompiler::shapeOf(const ZoneClause& clause) {
-  if (isShapeClause(clause)) {
-    const Value value = expressions_.shape(clause.corners[0]);
-    if (value.isAny()) return std::nullopt;
-    if (value.shape->user) return *value.shape;
-    return reflected(algebra(), *value.shape);
-  }
+ShapeValue ClauseCompiler::shapeOf(const ReadZone& zone) {
+  if (isShapeClause(*zone.text)) return reflected(algebra(), *zone.shape.shape);
   ShapeValue result;
   result.kind = ShapeKind::Convex;
-  bool isRight = true;
-  for (const Expr& expr : clause.corners) {
-    const auto corner = expressions_.corner(expr);
-    if (corner.preferred.isAny() || (corner.limiting && corner.limiting->isAny())) {
-      isRight = false;
-      continue;
-    }
+  for (const auto& corner : zone.corners)
     result.points.push_back(
         corner.limiting ? algebra().lerp(corner.limiting->at, corner.preferred.at, fadeNode())
                         : corner.preferred.at);
-  }
-  if (!isRight) return std::nullopt;
   return reflected(algebra(), result);
+}
+
+void ClauseCompiler::compileUserZone(const ReadZone& zone) {
+  const Span span = zone.text->corners[0].span;
+  if (zones_.size() > 1 || !zone.text->when.isMissing())
+    return tell("Y7", span, "a registered shape can only be the whole zone");
+  if (mirror_)
+    return tell("Y7", span, "a rule with a registered zone shape cannot be mirrored", "",
+                "write the mirror image as a rule of its own");
+  definition().zone = std::make_shared<UserZoneDef>(zone.shape.shape->user,
+                                                    builder_.program(zone.shape.shape->numbers));
 }
 
 ShapeValue ClauseCompiler::unionOf(std::vector<ShapeValue> shapes) {
@@ -619,61 +651,49 @@ ShapeValue ClauseCompiler::unionOf(std::vector<ShapeValue> shapes) {
 }
 
 void ClauseCompiler::compileZones() {
-  for (std::size_t i = 0; i < zones_.size(); ++i) {
-    if (zones_[i]->corners.size() == 2)
-      tell("Y6", result_.zoneSpans[i], "a zone needs at least three corners", "2 are given");
-  }
-  const bool hasConditions = std::any_of(zones_.begin(), zones_.end(),
-                                         [](const ZoneClause* z) { return !z->when.isMissing(); });
-  if (zones_.size() == 1 && !hasConditions && !isShapeClause(*zones_[0]) &&
-      zones_[0]->corners.size() > 2) {
-    definition().zone = cornerZone(*zones_[0]);
-    return;
-  }
-  std::vector<ShapeZoneDef::Alternative> alternatives;
-  std::vector<ShapeValue> united;
-  bool isRight = true, hadElse = false;
-  for (std::size_t i = 0; i < zones_.size(); ++i) {
-    const ZoneClause& zone = *zones_[i];
-    if (zone.corners.size() == 2) continue;
-    const bool isElse = zone.when.isMissing();
-    if (hasConditions && hadElse)
+  if (zones_.empty()) return;
+  const auto hasWhen = [](const ReadZone& z) { return !z.text->when.isMissing(); };
+  const bool hasConditions = std::any_of(zones_.begin(), zones_.end(), hasWhen);
+  for (std::size_t i = 1; i < zones_.size(); ++i)
+    if (hasConditions && !hasWhen(zones_[i - 1]))
       tell("D1", result_.zoneSpans[i], "this zone is never used", "",
            "the one without `when` takes all that is left; write it last");
-    hadElse = hadElse || isElse;
-    Value when;
-    if (!isElse) when = expressions_.truth(zone.when, "what follows `when`");
-    auto shape = shapeOf(zone);
-    if (!shape || (!isElse && when.isAny())) {
-      isRight = false;
-      continue;
-    }
-    if (shape->user) {
-      if (zones_.size() > 1 || hasConditions)
-        tell("Y7", zone.corners[0].span, "a registered shape can only be the whole zone");
-      const Program arguments = builder_.program(shape->numbers);
-      if (mirror_)
-        tell("Y7", zone.corners[0].span, "a rule with a registered zone shape cannot be mirrored",
-             "", "write the mirror image as a rule of its own");
-      else
-        definition().zone = std::make_shared<UserZoneDef>(shape->user, arguments);
-      return;
-    }
-    if (!hasConditions)
-      united.push_back(std::move(*shape));
-    else
-      alternatives.push_back({isElse ? nullptr : makeFunction(builder_, when.number),
-                              std::make_shared<const ShapeProgram>(builder_, *shape)});
-  }
-  if (!isRight) {
-    hasErrors_ = true;
+  if (!std::all_of(zones_.begin(), zones_.end(), [](const ReadZone& z) { return z.isRight; }))
+    return;
+  for (const ReadZone& zone : zones_)
+    if (isShapeClause(*zone.text) && zone.shape.shape->user) return compileUserZone(zone);
+  if (zones_.size() == 1 && !hasConditions && !isShapeClause(*zones_[0].text)) {
+    definition().zone = cornerZone(zones_[0]);
     return;
   }
-  if (!united.empty())
-    alternatives.push_back(
-        {nullptr, std::make_shared<const ShapeProgram>(builder_, unionOf(std::move(united)))});
-  if (!alternatives.empty())
-    definition().zone = std::make_shared<ShapeZoneDef>(std::move(alternatives));
+  const auto program = [&](const ShapeValue& shape) {
+    return std::make_shared<const ShapeProgram>(builder_, shape);
+  };
+  std::vector<ShapeZoneDef::Alternative> alternatives;
+  std::vector<ShapeValue> united;
+  for (const ReadZone& zone : zones_) {
+    if (!hasConditions)
+      united.push_back(shapeOf(zone));
+    else
+      alternatives.push_back({hasWhen(zone) ? makeFunction(builder_, zone.when.number) : nullptr,
+                              program(shapeOf(zone))});
+  }
+  if (!united.empty()) alternatives.push_back({nullptr, program(unionOf(std::move(united)))});
+  definition().zone = std::make_shared<ShapeZoneDef>(std::move(alternatives));
+}
+
+/// So that a name used too early is told apart from one that there is not.
+void ClauseCompiler::listNamesBelow() {
+  for (const Clause& clause : rule_.clauses) {
+    if (const auto* at = std::get_if<AtClause>(&clause.content))
+      for (const Place& p : at->places) expressions_.definedBelow.emplace(p.name.text, p.name.span);
+    if (const auto* let = std::get_if<LetClause>(&clause.content))
+      for (const Definition& d : let->values)
+        expressions_.definedBelow.emplace(d.name.text, d.name.span);
+    if (const auto* made = std::get_if<NewClause>(&clause.content))
+      for (const Definition& d : made->vertices)
+        expressions_.definedBelow.emplace(d.name.text, d.name.span);
+  }
 }
 
 void ClauseCompiler::warnAboutNames() {
@@ -699,6 +719,7 @@ std::optional<CompiledRule> ClauseCompiler::compile(const std::string& title, Sp
   definition().vertices = {PatternVertex{"a", {0, 0}, std::nullopt},
                            PatternVertex{"b", {1, 0}, std::nullopt}};
   poisonBrokenNames();
+  listNamesBelow();
   collectPattern();
   readLevels();
   definition().edges.push_back({0, 1, std::nullopt});
@@ -764,8 +785,21 @@ std::string filledTitle(ExpressionCompiler& expressions, const Name& title) {
   return result;
 }
 
+/// The exact mirror image of a sound rule, whether it asks for one or not.
+std::shared_ptr<const RuleDefinition> RuleCompiler::imageOf(
+    const Rule& rule, const std::map<std::string, Parameter>& parameters) {
+  DiagnosticList silent;
+  CompileContext quiet{silent, context_.registry};
+  const MirrorClause plain;
+  ClauseCompiler compiler(quiet, home_, settings_, rule, &plain);
+  for (const auto& [name, parameter] : parameters) compiler.define(name, parameter);
+  auto compiled = compiler.compile(rule.title.text, rule.title.span);
+  if (!compiled) return nullptr;
+  return std::make_shared<const RuleDefinition>(std::move(compiled->definition));
+}
+
 void RuleCompiler::compileOne(const Rule& rule, const std::map<std::string, Parameter>& parameters,
-                              const Name& title, std::vector<CompiledRule>& result) {
+                              const InstanceTitle& title, std::vector<CompiledRule>& result) {
   std::vector<const MirrorClause*> mirrors{nullptr};
   std::vector<Span> mirrorSpans{{}};
   for (const Clause& clause : rule.clauses)
@@ -776,16 +810,22 @@ void RuleCompiler::compileOne(const Rule& rule, const std::map<std::string, Para
   for (std::size_t i = 0; i < mirrors.size(); ++i) {
     ClauseCompiler compiler(context_, home_, settings_, rule, mirrors[i]);
     for (const auto& [name, parameter] : parameters) compiler.define(name, parameter);
-    const Name& ownTitle = i == 0 ? title : mirrors[i]->title;
-    const std::string filled = filledTitle(compiler.expressions(), ownTitle);
-    auto compiled = compiler.compile(filled, ownTitle.span);
+    const InstanceTitle ownTitle = i == 0 ? title : InstanceTitle{mirrors[i]->title, &home_};
+    const std::string filled = filledTitle(compiler.expressions(), ownTitle.title);
+    const Span titleSpan = ownTitle.home == &home_ ? ownTitle.title.span : rule.title.span;
+    auto compiled = compiler.compile(filled, titleSpan);
     if (i > 1)
       compiler.expressions().tell("R2", mirrorSpans[i], "a rule has one mirror image", "",
                                   "remove this clause");
     if (!compiled) continue;
     compiled->doc = rule.doc;
+    compiled->titlePlace = placeOf(ownTitle.home->source, ownTitle.title.span);
+    if (ownTitle.home != &home_)
+      compiled->definition.source = {ownTitle.home->source.name(), compiled->titlePlace.line,
+                                     false};
     compiled->parameters = parameters;
     compiled->mirror = mirrors[i];
+    if (!mirrors[i]) compiled->image = imageOf(rule, parameters);
     if (mirrors.size() > 1) compiled->mirrorSpan = mirrorSpans[std::max<std::size_t>(1, i)];
     result.push_back(std::move(*compiled));
   }
@@ -793,9 +833,9 @@ void RuleCompiler::compileOne(const Rule& rule, const std::map<std::string, Para
 
 std::vector<CompiledRule> RuleCompiler::compile(const Rule& rule,
                                                 const std::map<std::string, Parameter>& parameters,
-                                                const Name* title) {
+                                                const InstanceTitle* instance) {
   std::vector<CompiledRule> result;
-  const Name& ownTitle = title ? *title : rule.title;
+  const InstanceTitle ownTitle = instance ? *instance : InstanceTitle{rule.title, &home_};
   if (!rule.family) {
     compileOne(rule, parameters, ownTitle, result);
     return result;

@@ -35,19 +35,27 @@ class RuleCompiler {
 
   using Parameter = RuleParameter;
 
-  /// `title`: instead of the rule's own, for instances of templates. With unknown parameters (type
+  /// The title of an instance, and the file in which it stands.
+  struct InstanceTitle {
+    Name title;
+    const Module* home = nullptr;
+  };
+
+  /// `instance`: its title instead of the rule's own. With unknown parameters (type
   /// Any) only types are checked, and nothing is returned.
   std::vector<CompiledRule> compile(const Rule& rule,
                                     const std::map<std::string, Parameter>& parameters,
-                                    const Name* title = nullptr);
+                                    const InstanceTitle* instance = nullptr);
 
   /// A property of a compiled rule; `home` of the property may be another file than the rule's.
   std::optional<CompiledProperty> compileProperty(const Property& property, const Module& written,
                                                   const CompiledRule& rule);
 
  private:
+  std::shared_ptr<const RuleDefinition> imageOf(const Rule& rule,
+                                                const std::map<std::string, Parameter>& parameters);
   void compileOne(const Rule& rule, const std::map<std::string, Parameter>& parameters,
-                  const Name& title, std::vector<CompiledRule>& result);
+                  const InstanceTitle& title, std::vector<CompiledRule>& result);
 
   CompileContext& context_;
   const Module& home_;

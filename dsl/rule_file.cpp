@@ -192,8 +192,9 @@ void FileCompiler::compileInstance(const Module& module, const Instance& instanc
     }
     parameters[text.parameters[i].text] = p;
   }
+  const RuleCompiler::InstanceTitle title{instance.title, &module};
   append(RuleCompiler(context_, *found->second.home, settings_->shared())
-             .compile(text.rule, parameters, &instance.title));
+             .compile(text.rule, parameters, &title));
 }
 
 /// A template is checked by its text alone as well, so that faults show before it is used.
@@ -284,14 +285,41 @@ void FileCompiler::compileItems(const Module& module) {
 }
 
 void FileCompiler::checkTitles() {
-  std::map<std::string, const CompiledRule*> seen;
+  std::map<std::string, DiagnosticPlace> seen;
+  const auto add = [&](const std::string& title, const DiagnosticPlace& at) {
+    const auto [known, isNew] = seen.emplace(title, at);
+    if (isNew || known->second == at) return;
+    Diagnostic d;
+    d.code = "R2";
+    d.message = "there are two rules \"" + title + "\"";
+    d.place = at;
+    d.help =
+        "give each rule a title of its own; in a family write a parameter into it, as in \"free "
+        "{k}\"";
+    d.notes = {{"the other one", known->second}};
+    context_.diagnostics.add(std::move(d));
+  };
+  // By the text first: rules with errors of their own are not among the compiled ones.
+  const auto addText = [&](const Name& title) {
+    if (title.text.find('{') == std::string::npos)
+      add(title.text, placeOf(main_.source, title.span));
+  };
+  for (const Item& item : main_.parsed.file.items) {
+    if (const auto* instance = std::get_if<Instance>(&item.content)) addText(instance->title);
+    const auto* rule = std::get_if<Rule>(&item.content);
+    if (!rule) continue;
+    addText(rule->title);
+    for (const Clause& clause : rule->clauses)
+      if (const auto* mirror = std::get_if<MirrorClause>(&clause.content)) addText(mirror->title);
+  }
+  std::map<std::string, int> members;
   for (const CompiledRule& rule : rules_) {
-    const auto [known, isNew] = seen.emplace(rule.definition.name, &rule);
-    if (isNew) continue;
-    tell(*rule.home, "R2", rule.title, "there are two rules \"" + rule.definition.name + "\"",
-         "give each rule a title of its own; in a family write a parameter into it, as in \"free "
-         "{k}\"",
-         {{"the other one", placeOf(known->second->home->source, known->second->title)}});
+    add(rule.definition.name, rule.titlePlace);
+    if (rule.text->family && ++members[rule.definition.name] == 2)
+      tell(*rule.home, "R2", rule.title,
+           "several rules of this family have the title \"" + rule.definition.name + "\"",
+           "write a parameter into the title, as in \"" + rule.text->title.text + " {" +
+               rule.text->family->names[0].text + "}\"");
   }
 }
 

@@ -1,8 +1,45 @@
-// M1, M2: mirror images.
+// M1, M2: every rule has its mirror image, once.
+#include <algorithm>
+
 #include "dsl/checks/checks.h"
+#include "dsl/checks/rule_comparison.h"
 
 namespace af2::dsl {
+namespace {
 
-void checkMirrors(const CheckedRules&, Findings&) {}
+void checkOne(const CompiledRule& rule, std::span<const CompiledRule> all, Findings& findings) {
+  if (rule.isMirror || !rule.image) return;
+  const bool isItsOwnMirror = doTheSame(rule.definition, *rule.image);
+  if (rule.mirrorSpan) {
+    if (isItsOwnMirror)
+      findings.add(rule, Severity::Warning, "M2", *rule.mirrorSpan,
+                   "this rule is its own mirror image", "the mirror does the same once more",
+                   "remove the `mirror` clause");
+    return;
+  }
+  if (isItsOwnMirror) return;
+  const auto image = [&](const CompiledRule& other) {
+    return &other != &rule && doTheSame(other.definition, *rule.image);
+  };
+  if (std::any_of(all.begin(), all.end(), image)) return;
+  const auto similar = std::find_if(all.begin(), all.end(), [&](const CompiledRule& other) {
+    return &other != &rule && areAlike(other.definition, *rule.image);
+  });
+  if (similar != all.end()) {
+    findings.add(rule, Severity::Warning, "M1", rule.title,
+                 "this rule and \"" + similar->definition.name + "\" are not quite mirror images",
+                 "", "if they are meant to be, write one of them as `mirror`",
+                 {{"the other rule", placeOf(similar->home->source, similar->title)}});
+    return;
+  }
+  findings.add(rule, Severity::Warning, "M1", rule.title, "this rule has no mirror image", "",
+               "add `mirror \"...\";` if the other side should work alike");
+}
+
+}  // namespace
+
+void checkMirrors(const CheckedRules& rules, Findings& findings) {
+  for (const CompiledRule& rule : rules.rules) checkOne(rule, rules.rules, findings);
+}
 
 }  // namespace af2::dsl

@@ -61,11 +61,15 @@ bool checkPatternEdges(const CompiledRule& rule, const std::map<Edge, std::size_
                    {{"the front edge", placeOf(rule.home->source, rule.edgeSpans[k])}});
     } else if (!owner.contains(e) && corners.contains(e.first) && corners.contains(e.second)) {
       isRight = false;
-      findings.add(
-          rule, Severity::Error, "T1", rule.edgeSpans[k],
-          "the front edge " + edgeName(rule, e) + " is left over between corners of new elements",
-          "no element has this edge",
-          "add the element that takes it, or leave the edge out of the pattern");
+      const auto after = std::find_if(owner.begin(), owner.end(),
+                                      [&](const auto& o) { return o.first.first == e.second; });
+      findings.add(rule, Severity::Error, "T1",
+                   cover(rule.elementSpans.front(), rule.elementSpans[after->second]),
+                   "the new elements do not close up with the front",
+                   edgeName(rule, e) + " is left over between their corners",
+                   "add or mend the element that has " + edgeName(rule, e) +
+                       ", or leave this edge out of the pattern",
+                   {{"the front edge", placeOf(rule.home->source, rule.edgeSpans[k])}});
     }
   }
   return isRight;

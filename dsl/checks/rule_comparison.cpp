@@ -1,0 +1,190 @@
+#include "dsl/checks/rule_comparison.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "dsl/given_match.h"
+
+namespace af2::dsl {
+namespace {
+
+constexpr double kSame = 1e-9;  // both sides are rounded results of the same formulas
+
+/// For each vertex of one rule, matched and new, the one of the other; empty if there is none.
+using Renumbering = std::vector<int>;
+
+bool isNear(Point2 p, Point2 q) {
+  return std::abs(p.x - q.x) <= kSame && std::abs(p.y - q.y) <= kSame;
+}
+
+bool isSameForm(const std::optional<ToleranceForm>& a, const std::optional<ToleranceForm>& b) {
+  if (!a || !b) return a.has_value() == b.has_value();
+  return std::abs(a->xx - b->xx) <= kSame && std::abs(a->xy - b->xy) <= kSame &&
+         std::abs(a->yy - b->yy) <= kSame;
+}
+
+std::optional<Renumbering> matchVertices(const RuleDefinition& a, const RuleDefinition& b) {
+  if (a.vertices.size() != b.vertices.size() || a.newVertices.size() != b.newVertices.size())
+    return std::nullopt;
+  Renumbering to{0, 1};
+  std::set<int> taken{0, 1};
+  for (std::size_t i = 2; i < a.vertices.size(); ++i) {
+    int found = -1;
+    for (std::size_t k = 2; k < b.vertices.size() && found < 0; ++k)
+      if (!taken.contains(static_cast<int>(k)) &&
+          isNear(a.vertices[i].reference, b.vertices[k].reference))
+        found = static_cast<int>(k);
+    if (found < 0) return std::nullopt;
+    taken.insert(found);
+    to.push_back(found);
+  }
+  return to;
+}
+
+/// Fixed deviations: no two alike, none special.
+double deviation(std::size_t sample, std::size_t coordinate) {
+  if (sample == 0) return 0;
+  const double x = 0.6180339887498949 * static_cast<double>(7 * sample + coordinate + 1);
+  return 0.3 * (x - std::floor(x) - 0.5);
+}
+
+std::vector<Point2> matchOf(const RuleDefinition& rule, std::size_t sample) {
+  std::vector<Point2> points{{0, 0}, {1 + deviation(sample, 0), 0}};
+  for (std::size_t i = 2; i < rule.vertices.size(); ++i)
+    points.push_back(rule.vertices[i].reference +
+                     Point2{deviation(sample, 2 * i), deviation(sample, 2 * i + 1)});
+  return points;
+}
+
+std::vector<Point2> renumbered(const std::vector<Point2>& points, const Renumbering& to) {
+  std::vector<Point2> result(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i)
+    result[static_cast<std::size_t>(to[i])] = points[i];
+  return result;
+}
+
+std::vector<std::optional<Point2>> newPlaces(const RuleDefinition& rule,
+                                             const AF2Binding& binding) {
+  std::vector<std::optional<Point2>> places;
+  for (const auto& transform : rule.newVertices)
+    places.push_back(transform->transformPoint(binding));
+  return places;
+}
+
+bool isSamePlace(const std::optional<Point2>& p, const std::optional<Point2>& q) {
+  return p && q ? isNear(*p, *q) : p.has_value() == q.has_value();
+}
+
+bool matchNewVertices(const RuleDefinition& a, const RuleDefinition& b, Renumbering& to) {
+  const std::size_t matched = a.vertices.size();
+  const GivenMatch here(a, matchOf(a, 1), a.firstLevel),
+      there(b, renumbered(here.matched(), to), a.firstLevel);
+  const auto placesA = newPlaces(a, here.binding()), placesB = newPlaces(b, there.binding());
+  std::set<std::size_t> taken;
+  for (const auto& place : placesA) {
+    std::size_t found = placesB.size();
+    for (std::size_t k = 0; k < placesB.size(); ++k)
+      if (!taken.contains(k) && isSamePlace(place, placesB[k])) found = std::min(found, k);
+    if (found == placesB.size()) return false;
+    taken.insert(found);
+    to.push_back(static_cast<int>(matched + found));
+  }
+  return true;
+}
+
+std::set<std::vector<int>> elementsOf(const RuleDefinition& rule, const Renumbering& to) {
+  std::set<std::vector<int>> result;
+  for (const RuleElement& element : rule.elements) {
+    std::vector<int> corners;
+    for (int c = 0; c < element.size(); ++c) {
+      const auto vertex = static_cast<std::size_t>(element.corners[static_cast<std::size_t>(c)]);
+      corners.push_back(to.empty() ? static_cast<int>(vertex) : to[vertex]);
+    }
+    std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
+    result.insert(std::move(corners));
+  }
+  return result;
+}
+
+bool haveSameEdges(const RuleDefinition& a, const RuleDefinition& b, const Renumbering& to) {
+  if (a.edges.size() != b.edges.size()) return false;
+  return std::all_of(a.edges.begin(), a.edges.end(), [&](const PatternEdge& e) {
+    const int from = to[static_cast<std::size_t>(e.from)], end = to[static_cast<std::size_t>(e.to)];
+    return std::any_of(b.edges.begin(), b.edges.end(), [&](const PatternEdge& other) {
+      return other.from == from && other.to == end && isSameForm(e.slope, other.slope);
+    });
+  });
+}
+
+bool haveSameTolerances(const RuleDefinition& a, const RuleDefinition& b, const Renumbering& to) {
+  for (std::size_t i = 2; i < a.vertices.size(); ++i)
+    if (!isSameForm(a.vertices[i].tolerance, b.vertices[static_cast<std::size_t>(to[i])].tolerance))
+      return false;
+  return true;
+}
+
+bool requirementsHold(const RuleDefinition& rule, const AF2Binding& binding) {
+  return std::all_of(rule.requirements.begin(), rule.requirements.end(), [&](const auto& r) {
+    const auto value = r->evaluate(binding);
+    return value && *value != 0;
+  });
+}
+
+double costOf(const RuleDefinition& rule, const AF2Binding& binding) {
+  return rule.cost ? rule.cost->evaluate(binding).value_or(-1) : 0;
+}
+
+bool haveSameZones(const RuleDefinition& a, const RuleDefinition& b, const AF2Binding& here,
+                   const AF2Binding& there) {
+  const auto zoneA = a.zone->makeFreeZone(here), zoneB = b.zone->makeFreeZone(there);
+  if (!zoneA.zone || !zoneB.zone) return !zoneA.zone && !zoneB.zone;
+  constexpr std::size_t kPoints = 150;
+  const Box2 boxA = zoneA.zone->boundingBox(), boxB = zoneB.zone->boundingBox();
+  const Point2 low{std::min(boxA.low.x, boxB.low.x), std::min(boxA.low.y, boxB.low.y)};
+  const Point2 high{std::max(boxA.high.x, boxB.high.x), std::max(boxA.high.y, boxB.high.y)};
+  for (std::size_t i = 0; i < kPoints; ++i) {
+    const double s = 0.5 + deviation(i + 1, 3) / 0.3, t = 0.5 + deviation(i + 1, 5 + i) / 0.3;
+    const Point2 p{low.x + s * (high.x - low.x), low.y + t * (high.y - low.y)};
+    if (zoneA.zone->contains(p, ZoneBoundary::Counts) !=
+        zoneB.zone->contains(p, ZoneBoundary::Counts))
+      return false;
+  }
+  return true;
+}
+
+bool agreeAtMatches(const RuleDefinition& a, const RuleDefinition& b, const Renumbering& to) {
+  const std::size_t matched = a.vertices.size();
+  const Renumbering matchedTo(to.begin(), to.begin() + static_cast<std::ptrdiff_t>(matched));
+  for (std::size_t sample = 0; sample < 4; ++sample) {
+    for (int level : {a.firstLevel, a.firstLevel + 2}) {
+      const GivenMatch here(a, matchOf(a, sample), level),
+          there(b, renumbered(here.matched(), matchedTo), level);
+      const auto placesA = newPlaces(a, here.binding()), placesB = newPlaces(b, there.binding());
+      for (std::size_t i = 0; i < placesA.size(); ++i)
+        if (!isSamePlace(placesA[i], placesB[static_cast<std::size_t>(to[matched + i]) - matched]))
+          return false;
+      if (requirementsHold(a, here.binding()) != requirementsHold(b, there.binding())) return false;
+      if (std::abs(costOf(a, here.binding()) - costOf(b, there.binding())) > kSame) return false;
+      if (!haveSameZones(a, b, here.binding(), there.binding())) return false;
+    }
+  }
+  return true;
+}
+
+}  // namespace
+
+bool areAlike(const RuleDefinition& a, const RuleDefinition& b) {
+  const auto to = matchVertices(a, b);
+  return to && haveSameEdges(a, b, *to) && a.elements.size() == b.elements.size();
+}
+
+bool doTheSame(const RuleDefinition& a, const RuleDefinition& b) {
+  auto to = matchVertices(a, b);
+  if (!to || !haveSameEdges(a, b, *to) || !haveSameTolerances(a, b, *to)) return false;
+  if (a.firstLevel != b.firstLevel || a.lastLevel != b.lastLevel) return false;
+  if (!matchNewVertices(a, b, *to)) return false;
+  return elementsOf(a, *to) == elementsOf(b, {}) && agreeAtMatches(a, b, *to);
+}
+
+}  // namespace af2::dsl

@@ -1,0 +1,486 @@
+#include "dsl/rls_file.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <string_view>
+
+namespace af2::dsl {
+namespace {
+
+constexpr std::array<std::string_view, 10> kClauses{
+    "quality",  "mappoints", "maplines", "newpoints",    "newlines",
+    "freearea", "freearea2", "elements", "orientations", "endrule"};
+
+/// Words of the files for tetrahedra, which look alike.
+constexpr std::array<std::string_view, 10> kSolidClauses{
+    "freeset",  "flags",    "tolfak",   "freezone",  "freezone2",
+    "mapfaces", "newfaces", "mapedges", "elements3", "freezonelimit"};
+
+/// What AF2 can hold in one rule, and more than any rule needs.
+constexpr std::size_t kMostPoints = 12, kMostParts = 64;
+
+enum class Kind { Word, Number, String, Sign, End };
+
+struct Token {
+  Kind kind = Kind::End;
+  std::string_view text;
+  Span span;
+  bool is(std::string_view other) const { return kind != Kind::String && text == other; }
+};
+
+bool isSpace(char c) { return std::isspace(static_cast<unsigned char>(c)) != 0; }
+bool isDigit(char c) { return c >= '0' && c <= '9'; }
+bool isLetter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0 || c == '_'; }
+
+std::size_t numberLength(std::string_view text) {
+  std::size_t i = 0;
+  if (i < text.size() && (text[i] == '-' || text[i] == '+')) ++i;
+  const std::size_t first = i;
+  bool hasPoint = false;
+  while (i < text.size() && (isDigit(text[i]) || (text[i] == '.' && !hasPoint)))
+    hasPoint |= text[i++] == '.';
+  if (i - first == (hasPoint ? 1u : 0u)) return 0;
+  if (i < text.size() && (text[i] == 'e' || text[i] == 'E')) {
+    std::size_t j = i + 1;
+    if (j < text.size() && (text[j] == '-' || text[j] == '+')) ++j;
+    const std::size_t digits = j;
+    while (j < text.size() && isDigit(text[j])) ++j;
+    if (j > digits) i = j;
+  }
+  return i;
+}
+
+std::vector<Token> tokensOf(std::string_view text) {
+  std::vector<Token> tokens;
+  std::size_t i = 0;
+  const auto add = [&](Kind kind, std::size_t length) {
+    tokens.push_back({kind,
+                      text.substr(i, length),
+                      {static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(i + length)}});
+    i += length;
+  };
+  while (i < text.size()) {
+    if (isSpace(text[i])) {
+      ++i;
+    } else if (text[i] == '"') {
+      const std::size_t close = text.find_first_of("\"\n", i + 1);
+      const bool isClosed = close != std::string_view::npos && text[close] == '"';
+      const std::size_t end = close == std::string_view::npos ? text.size() : close;
+      isClosed ? add(Kind::String, end + 1 - i) : add(Kind::Sign, 1);
+    } else if (const std::size_t number = numberLength(text.substr(i))) {
+      add(Kind::Number, number);
+    } else if (isLetter(text[i])) {
+      std::size_t end = i;
+      while (end < text.size() && (isLetter(text[end]) || isDigit(text[end]))) ++end;
+      add(Kind::Word, end - i);
+    } else {
+      add(Kind::Sign, 1);
+    }
+  }
+  const auto end = static_cast<std::uint32_t>(text.size());
+  tokens.push_back({Kind::End, {}, {end, end}});
+  return tokens;
+}
+
+std::size_t editDistance(std::string_view one, std::string_view other) {
+  std::vector<std::size_t> row(other.size() + 1);
+  for (std::size_t j = 0; j <= other.size(); ++j) row[j] = j;
+  for (std::size_t i = 1; i <= one.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i;
+    for (std::size_t j = 1; j <= other.size(); ++j) {
+      const std::size_t above = row[j];
+      row[j] = std::min({above + 1, row[j - 1] + 1, diagonal + (one[i - 1] != other[j - 1])});
+      diagonal = above;
+    }
+  }
+  return row[other.size()];
+}
+
+std::string_view nearest(std::string_view word) {
+  std::string_view best;
+  std::size_t least = 3;
+  for (std::string_view clause : kClauses) {
+    if (word.size() > 20) break;
+    const std::size_t distance = editDistance(word, clause);
+    if (distance < least) best = clause, least = distance;
+  }
+  return best;
+}
+
+bool isClause(const Token& token) {
+  return token.kind == Kind::Word && std::ranges::find(kClauses, token.text) != kClauses.end();
+}
+
+/// Thrown where a part cannot be read; the reader goes on at the next clause.
+struct Unreadable {};
+
+class Reader {
+ public:
+  Reader(const SourceText& source, DiagnosticList& diagnostics)
+      : source_(source), diagnostics_(diagnostics), tokens_(tokensOf(source.text())) {}
+
+  std::vector<RlsRule> read() {
+    while (now().kind != Kind::End) {
+      if (now().is("rule")) {
+        readRule();
+      } else {
+        passOver();
+      }
+    }
+    return std::move(rules_);
+  }
+
+ private:
+  const Token& now() const { return tokens_[at_]; }
+  const Token& ahead(std::size_t n) const { return tokens_[std::min(at_ + n, tokens_.size() - 1)]; }
+  void next() {
+    if (now().kind != Kind::End) ++at_;
+  }
+
+  void tell(Severity severity, const char* code, Span span, std::string message, std::string help,
+            std::string label = {}) {
+    Diagnostic d;
+    d.severity = severity;
+    d.code = code;
+    d.message = std::move(message);
+    d.place = placeOf(source_, span);
+    d.label = std::move(label);
+    d.help = std::move(help);
+    d.rule = rule_.name;
+    diagnostics_.add(std::move(d));
+    if (severity == Severity::Error) isSound_ = false;
+  }
+
+  std::string shown(const Token& token) const {
+    if (token.kind == Kind::End) return "the end of the file";
+    return "'" + std::string(token.text.substr(0, 40)) + "'";
+  }
+
+  [[noreturn]] void unreadable(const std::string& wanted) {
+    tell(Severity::Error, "I1", now().span, "here should be " + wanted + ", not " + shown(now()),
+         "a clause is a keyword and its parts, each closed by ';'");
+    throw Unreadable{};
+  }
+
+  void expect(std::string_view sign) {
+    if (!now().is(sign)) unreadable("'" + std::string(sign) + "'");
+    next();
+  }
+
+  // Text between rules does not count, which is how a rule with a misspelt 'rule' gets lost.
+  void passOver() {
+    const Token first = now();
+    bool looksLikeRule = false;
+    Span last = first.span;
+    while (now().kind != Kind::End && !now().is("rule")) {
+      looksLikeRule |= isClause(now());
+      last = now().span;
+      next();
+    }
+    tell(
+        Severity::Warning, "I4", looksLikeRule ? first.span : cover(first.span, last),
+        looksLikeRule ? "a rule is lost here: it does not begin with the word 'rule'"
+                      : "this stands outside of the rules and does not count",
+        looksLikeRule ? "write 'rule' where it says " + shown(first) + " to have it imported" : "");
+  }
+
+  void readRule() {
+    rule_ = {};
+    isSound_ = true;
+    rule_.span = now().span;
+    const Span word = now().span;
+    next();
+    if (now().kind == Kind::String) {
+      rule_.name = std::string(now().text.substr(1, now().text.size() - 2));
+      rule_.span = now().span;
+      next();
+    } else {
+      tell(Severity::Error, "I1", now().span, "a rule has a name in quotes",
+           "write: rule \"its name\"", "instead of " + shown(now()));
+    }
+    while (!now().is("endrule")) {
+      if (now().kind == Kind::End || (now().is("rule") && ahead(1).kind == Kind::String)) {
+        tell(Severity::Error, "I1", word, "this rule does not end", "close it with 'endrule'");
+        return;
+      }
+      readClauseOrRecover();
+    }
+    next();
+    checkNumbers();
+    if (isSound_) rules_.push_back(std::move(rule_));
+    rule_ = {};
+  }
+
+  void readClauseOrRecover() {
+    try {
+      readClause();
+    } catch (const Unreadable&) {
+      while (now().kind != Kind::End && !isClause(now()) && !now().is("rule")) next();
+    }
+  }
+
+  void readClause() {
+    const Token clause = now();
+    if (!isClause(clause)) unknownClause(clause);
+    next();
+    if (clause.is("quality")) readQuality(clause);
+    if (clause.is("mappoints")) readAll([&] { readMapPoint(); });
+    if (clause.is("maplines")) readAll([&] { readMapLine(); });
+    if (clause.is("newpoints")) readAll([&] { readPoint(rule_.newPoints); });
+    if (clause.is("freearea")) readAll([&] { readPoint(rule_.freeArea); });
+    if (clause.is("freearea2")) readAll([&] { readPoint(rule_.freeArea2); });
+    if (clause.is("newlines")) readAll([&] { readTuple(rule_.newLines, 2, 2); });
+    if (clause.is("elements")) readAll([&] { readTuple(rule_.elements, 3, 4); });
+    if (clause.is("orientations")) readAll([&] { readTuple(rule_.orientations, 3, 3); });
+  }
+
+  [[noreturn]] void unknownClause(const Token& token) {
+    if (std::ranges::find(kSolidClauses, token.text) != kSolidClauses.end()) {
+      tell(Severity::Error, "I3", token.span,
+           shown(token) + " belongs to rules that fill volumes with tetrahedra",
+           "AF2 meshes surfaces: import a rule file for surfaces");
+    } else {
+      const std::string_view known = nearest(token.text);
+      tell(Severity::Error, "I1", token.span, shown(token) + " is no clause of a rule",
+           known.empty()
+               ? "clauses are quality, mappoints, maplines, newpoints, newlines, freearea, "
+                 "freearea2, elements, orientations, endrule"
+               : "did you mean '" + std::string(known) + "'?");
+    }
+    next();
+    throw Unreadable{};
+  }
+
+  template <class Read>
+  void readAll(Read read) {
+    if (!now().is("(")) {
+      if (!isClause(now())) unreadable("'('");
+      return;  // a clause without parts
+    }
+    while (now().is("(")) read();
+  }
+
+  Exact number() {
+    if (now().kind != Kind::Number) unreadable("a number");
+    const std::optional<Exact> value = exactValue(now().text);
+    if (!value) {
+      tell(Severity::Error, "I2", now().span, "this number is too long or too large",
+           "numbers have at most 30 digits and exponents from -30 to 30");
+      throw Unreadable{};
+    }
+    next();
+    return *value;
+  }
+
+  static std::optional<Exact> exactValue(std::string_view text) {
+    boost::multiprecision::cpp_int digits = 0, scale = 1;
+    constexpr std::size_t kLongest = 32;
+    constexpr int kLargestExponent = 30;
+    const bool isNegative = text.front() == '-';
+    if (text.front() == '-' || text.front() == '+') text.remove_prefix(1);
+    const std::size_t mantissa = std::min(text.find_first_of("eE"), text.size());
+    if (mantissa > kLongest || text.size() - mantissa > 4) return std::nullopt;
+    bool isFraction = false;
+    for (char c : text.substr(0, mantissa)) {
+      if (c == '.') {
+        isFraction = true;
+        continue;
+      }
+      digits = digits * 10 + (c - '0');
+      if (isFraction) scale *= 10;
+    }
+    int exponent = 0;
+    if (mantissa < text.size()) exponent = std::stoi(std::string(text.substr(mantissa + 1)));
+    if (exponent > kLargestExponent || exponent < -kLargestExponent) return std::nullopt;
+    for (int i = 0; i < exponent; ++i) digits *= 10;
+    for (int i = 0; i > exponent; --i) scale *= 10;
+    return Exact(isNegative ? -digits : digits, scale);
+  }
+
+  int wholeNumber(const std::string& what) {
+    const Token token = now();
+    const Exact value = number();
+    if (denominator(value) != 1 || value < -1000000 || value > 1000000) {
+      tell(Severity::Error, "I2", token.span, what + " is a whole number, not " + shown(token), "");
+      throw Unreadable{};
+    }
+    return numerator(value).convert_to<int>();
+  }
+
+  void readQuality(const Token& clause) {
+    const Token value = now();
+    rule_.quality = wholeNumber("a quality");
+    rule_.qualitySpan = cover(clause.span, value.span);
+    if (now().is(";")) next();
+  }
+
+  RlsForm readForm() {
+    RlsForm form;
+    const Span open = now().span;
+    expect("{");
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (i > 0) expect(",");
+      form.weights[i] = number();
+    }
+    form.span = cover(open, now().span);
+    expect("}");
+    return form;
+  }
+
+  /// `{...}` and `del`, in any order, up to the ';'.
+  template <class Part>
+  void readRest(Part& part) {
+    while (!now().is(";")) {
+      if (now().is("{")) {
+        part.form = readForm();
+      } else if (now().is("del")) {
+        part.isDeleted = true;
+        next();
+      } else {
+        unreadable("'{', 'del' or ';'");
+      }
+    }
+    part.span = cover(part.span, now().span);
+    next();
+  }
+
+  void readMapPoint() {
+    RlsMapPoint point;
+    point.span = now().span;
+    expect("(");
+    point.x = number();
+    expect(",");
+    point.y = number();
+    expect(")");
+    readRest(point);
+    rule_.mapPoints.push_back(std::move(point));
+    limit(rule_.mapPoints, kMostPoints, "mappoints");
+  }
+
+  void readMapLine() {
+    RlsLine line;
+    line.span = now().span;
+    expect("(");
+    line.from = wholeNumber("the number of a point");
+    expect(",");
+    line.to = wholeNumber("the number of a point");
+    expect(")");
+    readRest(line);
+    rule_.mapLines.push_back(std::move(line));
+    limit(rule_.mapLines, kMostPoints, "maplines");
+  }
+
+  std::vector<RlsTerm> readRow() {
+    std::vector<RlsTerm> row;
+    expect("{");
+    while (!now().is("}")) {
+      RlsTerm term;
+      term.span = now().span;
+      term.coefficient = number();
+      const Token& of = now();
+      const bool isCoordinate =
+          of.kind == Kind::Word && of.text.size() >= 2 && of.text.size() <= 5 &&
+          std::string_view("xXyY").find(of.text[0]) != std::string_view::npos &&
+          std::all_of(of.text.begin() + 1, of.text.end(), isDigit);
+      if (!isCoordinate) unreadable("a coordinate such as X2 or Y3");
+      term.isX = of.text[0] == 'x' || of.text[0] == 'X';
+      term.point = std::stoi(std::string(of.text.substr(1)));
+      term.span = cover(term.span, of.span);
+      next();
+      row.push_back(std::move(term));
+      if (row.size() > kMostParts) unreadable("'}'");
+      if (now().is(",")) next();
+    }
+    next();
+    return row;
+  }
+
+  void readPoint(std::vector<RlsPoint>& points) {
+    RlsPoint point;
+    point.span = now().span;
+    expect("(");
+    point.x = number();
+    expect(",");
+    point.y = number();
+    expect(")");
+    for (auto& row : point.rows)
+      if (now().is("{")) row = readRow();
+    point.span = cover(point.span, now().span);
+    expect(";");
+    points.push_back(std::move(point));
+    limit(points, kMostParts, "points");
+  }
+
+  void readTuple(std::vector<RlsTuple>& tuples, std::size_t least, std::size_t most) {
+    RlsTuple tuple;
+    tuple.span = now().span;
+    expect("(");
+    tuple.points.push_back(wholeNumber("the number of a point"));
+    while (now().is(",")) {
+      next();
+      tuple.points.push_back(wholeNumber("the number of a point"));
+      if (tuple.points.size() > most) unreadable("')'");
+    }
+    if (tuple.points.size() < least) unreadable("',' and the number of a further point");
+    expect(")");
+    tuple.span = cover(tuple.span, now().span);
+    expect(";");
+    tuples.push_back(std::move(tuple));
+    limit(tuples, kMostParts, "parts");
+  }
+
+  template <class Part>
+  void limit(const std::vector<Part>& parts, std::size_t most, const std::string& what) {
+    if (parts.size() <= most) return;
+    tell(Severity::Error, "I2", parts.back().span,
+         "more than " + std::to_string(most) + " " + what + " in one rule", "");
+    throw Unreadable{};
+  }
+
+  void checkNumbers() {
+    if (!isSound_) return;
+    const auto old = static_cast<int>(rule_.mapPoints.size());
+    const int all = old + static_cast<int>(rule_.newPoints.size());
+    const auto check = [&](int point, Span span, int most, const char* kind) {
+      if (point >= 1 && point <= most) return;
+      tell(Severity::Error, "I2", span, "there is no point " + std::to_string(point),
+           "this rule has " + std::to_string(most) + " " + kind);
+    };
+    if (rule_.mapLines.empty())
+      tell(Severity::Error, "I2", rule_.span, "this rule has no maplines",
+           "the first of them is the base edge: maplines (1, 2) del;");
+    for (const RlsLine& line : rule_.mapLines)
+      for (int point : {line.from, line.to}) check(point, line.span, old, "mappoints");
+    for (const auto* tuples : {&rule_.elements, &rule_.newLines})
+      for (const RlsTuple& tuple : *tuples)
+        for (int point : tuple.points) check(point, tuple.span, all, "points, new ones included");
+    for (const RlsTuple& tuple : rule_.orientations)
+      for (int point : tuple.points) check(point, tuple.span, old, "mappoints");
+    if (rule_.elements.empty())
+      tell(Severity::Error, "I2", rule_.span, "this rule makes no elements", "give it 'elements'");
+    if (rule_.freeArea.size() < 3)
+      tell(Severity::Error, "I2", rule_.span, "a free area has three corners or more",
+           "this one has " + std::to_string(rule_.freeArea.size()));
+    if (static_cast<std::size_t>(all) > kMostPoints)
+      tell(Severity::Error, "I2", rule_.span, "a rule has at most 12 points, new ones included",
+           "split it");
+  }
+
+  const SourceText& source_;
+  DiagnosticList& diagnostics_;
+  std::vector<Token> tokens_;
+  std::size_t at_ = 0;
+  std::vector<RlsRule> rules_;
+  RlsRule rule_;
+  bool isSound_ = true;
+};
+
+}  // namespace
+
+std::vector<RlsRule> readRls(const SourceText& source, DiagnosticList& diagnostics) {
+  return Reader(source, diagnostics).read();
+}
+
+}  // namespace af2::dsl

@@ -1,0 +1,90 @@
+// Golden cases: every file of cases/ gives exactly the text of its .expected file.
+// AF2_UPDATE_CASES=1 in the environment writes them anew.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "dsl/code_explanations.h"
+#include "dsl/rule_file.h"
+
+namespace af2::dsl {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string contents(const fs::path& path) {
+  std::ifstream file(path);
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+std::vector<std::string> caseNames() {
+  std::vector<std::string> names;
+  for (const auto& entry : fs::directory_iterator(AF2_CASES_DIR))
+    if (entry.path().extension() == ".af2" && !entry.path().stem().string().starts_with("lib_"))
+      names.push_back(entry.path().stem().string());
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+class Cases : public testing::TestWithParam<std::string> {};
+
+TEST_P(Cases, AreToldAsExpected) {
+  const fs::path folder(AF2_CASES_DIR), expected = folder / (GetParam() + ".expected");
+  const fs::path before = fs::current_path();
+  fs::current_path(folder);  // so that paths in messages are the same everywhere
+  const LoadedRules loaded = loadRules(GetParam() + ".af2");
+  fs::current_path(before);
+  const std::string told = toPretty(loaded.diagnostics);
+  if (std::getenv("AF2_UPDATE_CASES")) std::ofstream(expected) << told;
+  EXPECT_EQ(told, contents(expected));
+  for (const Diagnostic& d : loaded.diagnostics)
+    EXPECT_TRUE(findCodeExplanation(d.code)) << d.code << " is not explained";
+}
+
+INSTANTIATE_TEST_SUITE_P(Golden, Cases, testing::ValuesIn(caseNames()),
+                         [](const auto& info) { return info.param; });
+
+TEST(CodeExplanations, AreSortedAndFoundInEitherForm) {
+  const auto all = codeExplanations();
+  EXPECT_TRUE(std::is_sorted(all.begin(), all.end(), [](const auto& a, const auto& b) {
+    return a.code[0] != b.code[0] ? a.code[0] < b.code[0]
+                                  : std::stoi(a.code.substr(1)) < std::stoi(b.code.substr(1));
+  }));
+  EXPECT_EQ(findCodeExplanation("af2-a1"), findCodeExplanation("A1"));
+  EXPECT_EQ(findCodeExplanation("X9"), nullptr);
+}
+
+TEST(Diagnostics, AreWrittenForPeopleAndMachines) {
+  const LoadedRules loaded = loadRulesFromText("x.af2", "af2 1;\nconst H = ;\nruleset \"s\" {}\n");
+  ASSERT_GE(loaded.diagnostics.size(), 1u);
+  EXPECT_EQ(toPretty(loaded.diagnostics[0]),
+            "error[AF2-S3]: an expression is missing between '=' and ';'\n"
+            " --> x.af2:2:11\n"
+            "  |\n"
+            "2 | const H = ;\n"
+            "  |           ^\n"
+            "  = help: write a number, a point, a name, ...\n");
+  EXPECT_EQ(toGcc({&loaded.diagnostics[0], 1}),
+            "x.af2:2:11: error: an expression is missing between '=' and ';' [AF2-S3]\n");
+  EXPECT_NE(toJson(loaded.diagnostics).find("\"end_column\": 12"), std::string::npos)
+      << toJson(loaded.diagnostics);
+  EXPECT_NE(toSarif(loaded.diagnostics).find("\"ruleId\": \"AF2-S3\""), std::string::npos);
+}
+
+TEST(Diagnostics, AreAtMostFifty) {
+  std::string text = "af2 1;\nruleset \"s\" {}\n";
+  for (int i = 0; i < 200; ++i)
+    text += "const c" + std::to_string(i) + " = nothing" + std::to_string(i) + ";\n";
+  const LoadedRules loaded = loadRulesFromText("x.af2", text);
+  EXPECT_EQ(loaded.diagnostics.size(), 50u);
+  EXPECT_EQ(loaded.diagnostics[0].place.line, 3);
+}
+
+}  // namespace
+}  // namespace af2::dsl
