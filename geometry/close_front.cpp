@@ -43,7 +43,9 @@ class Closer {
 
  private:
   double lengthOf(Edge e) const { return distance(inPlane_(e.from), inPlane_(e.to)); }
-  bool isOnFront(Edge e) const { return std::find(front_.begin(), front_.end(), e) != front_.end(); }
+  bool isOnFront(Edge e) const {
+    return std::find(front_.begin(), front_.end(), e) != front_.end();
+  }
 
   /// Adds an edge to the front, or takes out the opposite one.
   void join(Edge e) {
@@ -72,7 +74,8 @@ class Closer {
   /// Area over squared edges.
   double shapeOf(Edge base, VertexId apex) const {
     const Point2 a = inPlane_(base.from), b = inPlane_(base.to), c = inPlane_(apex);
-    return std::abs(cross(b - a, c - a)) / (dot(b - a, b - a) + dot(c - b, c - b) + dot(a - c, a - c));
+    return std::abs(cross(b - a, c - a)) /
+           (dot(b - a, b - a) + dot(c - b, c - b) + dot(a - c, a - c));
   }
 
   bool isFree(Edge base, VertexId apex) const {
@@ -93,7 +96,8 @@ class Closer {
   }
 
   bool crosses(Edge side, Edge e) const {
-    if (side.from == e.from || side.from == e.to || side.to == e.from || side.to == e.to) return false;
+    if (side.from == e.from || side.from == e.to || side.to == e.from || side.to == e.to)
+      return false;
     return segmentsMeet(inPlane_(side.from), inPlane_(side.to), inPlane_(e.from), inPlane_(e.to));
   }
 

@@ -18,7 +18,8 @@ constexpr double kThinning = 1.3;
 double largestWanted(const FrontInput& boundary, const SizeField& wanted) {
   double largest = 0;
   for (const auto& loop : boundary.loops)
-    for (const BoundaryCorner& corner : loop) largest = std::max(largest, wanted.sizeAt(corner.point));
+    for (const BoundaryCorner& corner : loop)
+      largest = std::max(largest, wanted.sizeAt(corner.point));
   return largest;
 }
 
@@ -48,7 +49,8 @@ void GrowingSize::thin() {
     const std::size_t from = kept.size() > 16 ? kept.size() - 16 : 0;
     bool covered = false;
     for (std::size_t i = from; i < kept.size() && !covered; ++i)
-      covered = kept[i].size + growth_ * distance(kept[i].position, s.position) <= kThinning * s.size;
+      covered =
+          kept[i].size + growth_ * distance(kept[i].position, s.position) <= kThinning * s.size;
     if (!covered) kept.push_back(s);
   }
   sources_ = std::move(kept);
@@ -62,7 +64,8 @@ void GrowingSize::sortIntoCells() {
                    [&](const SizeSource& a, const SizeSource& b) { return key(a) < key(b); });
   for (std::uint32_t i = 0; i < sources_.size(); ++i) {
     const auto [x, y, z] = key(sources_[i]);
-    if (cells_.empty() || std::tuple(cells_.back().x, cells_.back().y, cells_.back().z) != key(sources_[i]))
+    if (cells_.empty() ||
+        std::tuple(cells_.back().x, cells_.back().y, cells_.back().z) != key(sources_[i]))
       cells_.push_back({x, y, z, i, i});
     cells_.back().last = i + 1;
   }
@@ -76,7 +79,8 @@ double GrowingSize::at(const Point3& position) const {
       auto cell = std::lower_bound(cells_.begin(), cells_.end(), Cell{i, j, z - 1, 0, 0});
       for (; cell != cells_.end() && cell->x == i && cell->y == j && cell->z <= z + 1; ++cell)
         for (std::uint32_t k = cell->first; k < cell->last; ++k)
-          size = std::min(size, sources_[k].size + growth_ * distance(sources_[k].position, position));
+          size =
+              std::min(size, sources_[k].size + growth_ * distance(sources_[k].position, position));
     }
   }
   return size;

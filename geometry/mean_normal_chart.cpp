@@ -16,8 +16,9 @@ ProjectionFrame meanNormalFrame(const SurfacePoint& from, const SurfacePoint& to
   const Point3 sum = from.normal + to.normal;
   const Point3 across = sum - dot(sum, along) * along;
   if (!(length(across) > kLeastNormal))
-    throw GeometryError("the normals at the ends of an edge cancel: the edge turns by 180 degrees; "
-                        "ask for a smaller size here");
+    throw GeometryError(
+        "the normals at the ends of an edge cancel: the edge turns by 180 degrees; "
+        "ask for a smaller size here");
 
   ProjectionFrame frame;
   frame.origin = from.position;

@@ -8,13 +8,15 @@ namespace af2::geometry {
 
 /// How far around the base edge a chart is trusted.
 struct ChartLimits {
-  /// Least cosine between the normal of the surface and that of the chart at a vertex that rules may
-  /// match, and at a new vertex. At 0.25, about 75 degrees, lengths are foreshortened four times.
+  /// Least cosine between the normal of the surface and that of the chart at a vertex that rules
+  /// may match, and at a new vertex. At 0.25, about 75 degrees, lengths are foreshortened four
+  /// times.
   double minCosine = 0.25;
   /// What faces away is another sheet of the surface.
   double hiddenCosine = 0;
-  /// Largest distance from the plane, in wanted edge lengths. A surface that curls up as much as the
-  /// least cosine allows stays within it; another sheet of the face with the same normal mostly not.
+  /// Largest distance from the plane, in wanted edge lengths. A surface that curls up as much as
+  /// the least cosine allows stays within it; another sheet of the face with the same normal mostly
+  /// not.
   double maxHeight = 2.5;
 };
 
@@ -31,7 +33,8 @@ struct SurfaceLine {
 
 /// The plane of a chart.
 ///
-/// Throws GeometryError if the mean of the normals at `from` and `to` is along the base edge or zero.
+/// Throws GeometryError if the mean of the normals at `from` and `to` is along the base edge or
+/// zero.
 ProjectionFrame meanNormalFrame(const SurfacePoint& from, const SurfacePoint& to, double edgeLength,
                                 const ChartLimits& limits);
 

@@ -38,9 +38,9 @@ class MetricChart final : public AF2LocalTransform {
 
  private:
   const ParametricSurface& surface_;
-  double u_, v_;                // of the start of the base edge
-  double xu_, xv_, yu_, yv_;    // from parameters to the chart
-  double ux_, uy_, vx_, vy_;    // and back
+  double u_, v_;              // of the start of the base edge
+  double xu_, xv_, yu_, yv_;  // from parameters to the chart
+  double ux_, uy_, vx_, vy_;  // and back
 };
 
 class MetricChartMaker final : public AF2LocalTransformMaker {

@@ -102,7 +102,8 @@ class Checker {
       i = end;
     }
     for (const auto& [key, uses] : segments_)
-      if (uses > 0) add(0, "a segment of the boundary is missing from the mesh", position(key.first));
+      if (uses > 0)
+        add(0, "a segment of the boundary is missing from the mesh", position(key.first));
   }
 
   void checkEdge(std::size_t first, std::size_t last) {
@@ -112,8 +113,10 @@ class Checker {
     const auto segment = segments_.find(edge.key());
     if (segment != segments_.end()) {
       if (count != segment->second)
-        add(face, "a segment of the boundary is used " + std::to_string(count) + " times, not " +
-                      std::to_string(segment->second), position(edge.low));
+        add(face,
+            "a segment of the boundary is used " + std::to_string(count) + " times, not " +
+                std::to_string(segment->second),
+            position(edge.low));
       segment->second = 0;
       checkSameFaceTwins(first, last);
       return;
@@ -144,7 +147,8 @@ class Checker {
       const double ratio = areas_[face.id] / face.area;
       const double most = face.elements < kFewElements ? kMostAreaFactorOfFew : kMostAreaFactor;
       if (ratio >= 1 / most && ratio <= most) continue;
-      add(face.id, "the elements have " + std::to_string(ratio) + " times the area of the face", {});
+      add(face.id, "the elements have " + std::to_string(ratio) + " times the area of the face",
+          {});
     }
   }
 

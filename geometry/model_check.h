@@ -10,7 +10,7 @@ namespace af2::geometry {
 
 /// Something that should hold of a mesh and does not.
 struct MeshFinding {
-  int face = 0;        ///< where; 0: not on one face
+  int face = 0;  ///< where; 0: not on one face
   std::string what;
   Point3 place;
   bool operator==(const MeshFinding&) const = default;

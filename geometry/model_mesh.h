@@ -20,8 +20,8 @@ struct FaceReport {
   FaceStatus status = FaceStatus::Complete;
   std::size_t elements = 0;
   double seconds = 0;
-  double area = 0;      ///< of the CAD face, model units squared
-  std::string reason;   ///< where and why, when it failed
+  double area = 0;     ///< of the CAD face, model units squared
+  std::string reason;  ///< where and why, when it failed
 };
 
 /// A piece of a divided model edge. `uses` is how often the faces that were asked for run along it:
@@ -41,8 +41,8 @@ struct StageSeconds {
 struct ModelMesh {
   std::vector<Point3> vertices;
   std::vector<Element> elements;
-  std::vector<std::int32_t> face;    ///< by element: id of the model face
-  std::vector<std::uint16_t> rule;   ///< by element: index in ruleNames
+  std::vector<std::int32_t> face;   ///< by element: id of the model face
+  std::vector<std::uint16_t> rule;  ///< by element: index in ruleNames
   std::vector<std::string> ruleNames;
   std::vector<EdgeSegment> segments;
   std::vector<FaceReport> faces;

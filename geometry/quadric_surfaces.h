@@ -43,8 +43,7 @@ class ConeSurface {
   /// axis     of unit length, from the apex to where the nappe widens
   /// tangent  of the angle between axis and surface, > 0
   /// extent   of the face, roughly: what is nearer to the apex than a billionth of it is the apex
-  ConeSurface(const Point3& apex, const Point3& axis, double tangent, Side side,
-              double extent = 1);
+  ConeSurface(const Point3& apex, const Point3& axis, double tangent, Side side, double extent = 1);
   std::optional<SurfacePoint> hit(const SurfaceLine& line) const;
   /// At the apex, the mean of the normals around it, which is along the axis; but zero if the cone
   /// is so sharp that elements around the apex lean too far against that.

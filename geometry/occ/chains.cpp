@@ -26,7 +26,9 @@ class TangentPlane {
     const Point3& n = at.normal;
     // Any direction across the normal will do, e.g. from the coordinate axis farthest from it.
     const double x = std::abs(n.x), y = std::abs(n.y), z = std::abs(n.z);
-    const Point3 axis = x <= y && x <= z ? Point3{1, 0, 0} : y <= z ? Point3{0, 1, 0} : Point3{0, 0, 1};
+    const Point3 axis = x <= y && x <= z ? Point3{1, 0, 0}
+                        : y <= z         ? Point3{0, 1, 0}
+                                         : Point3{0, 0, 1};
     xAxis_ = unit(cross(axis, n));
     yAxis_ = cross(n, xAxis_);
   }
@@ -100,7 +102,8 @@ class Linker {
     if (found != starting_.end()) {
       for (const std::size_t candidate : found->second) {
         if (used[candidate] && candidate != first) continue;
-        const double turn = clockwise(back, plane.angleTowards(chains_[candidate].corners[1].point));
+        const double turn =
+            clockwise(back, plane.angleTowards(chains_[candidate].corners[1].point));
         if (best && turn >= bestTurn) continue;
         best = candidate;
         bestTurn = turn;
@@ -132,7 +135,8 @@ void cancelOppositeChains(std::vector<Chain>& chains) {
              other.corners.front().vertex == a.back().vertex &&
              other.corners.back().vertex == a.front().vertex;
     };
-    const auto found = std::find_if(chains.begin() + static_cast<std::ptrdiff_t>(i) + 1, chains.end(), opposite);
+    const auto found =
+        std::find_if(chains.begin() + static_cast<std::ptrdiff_t>(i) + 1, chains.end(), opposite);
     if (found == chains.end()) continue;
     chains.erase(found);
     chains.erase(chains.begin() + static_cast<std::ptrdiff_t>(i));
@@ -140,8 +144,6 @@ void cancelOppositeChains(std::vector<Chain>& chains) {
   }
 }
 
-LinkedLoops linkChains(std::vector<Chain> chains) {
-  return Linker(std::move(chains)).link();
-}
+LinkedLoops linkChains(std::vector<Chain> chains) { return Linker(std::move(chains)).link(); }
 
 }  // namespace af2::geometry

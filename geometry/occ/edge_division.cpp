@@ -31,7 +31,9 @@ struct Ends {
 /// Which points were found to be the same.
 class Merging {
  public:
-  explicit Merging(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0u); }
+  explicit Merging(std::size_t count) : parent_(count) {
+    std::iota(parent_.begin(), parent_.end(), 0u);
+  }
   std::uint32_t find(std::uint32_t i) const {
     while (parent_[i] != i) i = parent_[i];
     return i;
@@ -76,7 +78,8 @@ class Division {
     for (int id = 1; id <= model_.vertices.Extent(); ++id)
       result_.points.push_back(toPoint(BRep_Tool::Pnt(model_.vertex(id))));
     for (std::size_t i = 0; i < samples_.size(); ++i) {
-      const TopoDS_Edge edge = TopoDS::Edge(model_.edge(static_cast<int>(i) + 1).Oriented(TopAbs_FORWARD));
+      const TopoDS_Edge edge =
+          TopoDS::Edge(model_.edge(static_cast<int>(i) + 1).Oriented(TopAbs_FORWARD));
       ends_.push_back(endsOf(edge, samples_[i]));
     }
   }

@@ -13,7 +13,8 @@
 namespace af2::geometry {
 
 struct DividedEdge {
-  /// Along the curve, ends included; empty: the edge has no length (a pole, a point) or is unusable.
+  /// Along the curve, ends included; empty: the edge has no length (a pole, a point) or is
+  /// unusable.
   std::vector<double> parameters;
   std::vector<std::uint32_t> points;  ///< by parameter: index into DividedEdges::points
   std::string problem;                ///< why it is unusable; its faces fail
@@ -26,8 +27,8 @@ struct DividedEdges {
 
 /// Divides all edges, whichever faces are asked for, so that these mesh alike alone or together.
 ///
-/// Segments are as long as the sizes want along the curve in space. Closed edges have at least three
-/// segments, edges with the same two ends at least two: no two edges share a segment.
+/// Segments are as long as the sizes want along the curve in space. Closed edges have at least
+/// three segments, edges with the same two ends at least two: no two edges share a segment.
 DividedEdges divideEdges(const ModelShape& model, const ModelSizes& sizes, int threads,
                          std::stop_token stop);
 

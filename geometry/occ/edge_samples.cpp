@@ -54,7 +54,8 @@ class WantedAlongEdge {
     if (given != sizes.edgeSizes.end()) given_ = given->second;
     largest_ = given_.value_or(sizes.size);
     if (!faces.Contains(edge) || given_) return;
-    for (const TopoDS_Shape& face : faces.FindFromKey(edge)) addFace(model, edge, TopoDS::Face(face));
+    for (const TopoDS_Shape& face : faces.FindFromKey(edge))
+      addFace(model, edge, TopoDS::Face(face));
   }
 
   /// An upper bound.
@@ -133,7 +134,8 @@ class IntervalSampler {
         least_(std::min(sizes.edgeLeast * wanted.largest(), length / kSegmentsForTurns)) {}
 
   /// Appends the interval to a piece. `atStart` and `atEnd` become the unit tangents at its ends.
-  void append(EdgePiece& piece, double low, double high, int cells, Point3& atStart, Point3& atEnd) {
+  void append(EdgePiece& piece, double low, double high, int cells, Point3& atStart,
+              Point3& atEnd) {
     // Just inside the interval: at its ends the derivative may be that of the neighbour.
     const double inset = 1e-7 * (high - low);
     CurvePoint before = pointAt(curve_, low + inset);
@@ -179,7 +181,8 @@ void samplePieces(const BRepAdaptor_Curve& curve, const WantedAlongEdge& wanted,
   const double length = roughLength(curve);
   const double total = kSamplesPerSegment * length / wanted.largest();
   if (total > kMaxSamples) {
-    samples.problem = "needs more than " + std::to_string(static_cast<long>(total / kSamplesPerSegment)) +
+    samples.problem = "needs more than " +
+                      std::to_string(static_cast<long>(total / kSamplesPerSegment)) +
                       " segments; ask for a larger size";
     return;
   }
@@ -190,9 +193,10 @@ void samplePieces(const BRepAdaptor_Curve& curve, const WantedAlongEdge& wanted,
     EdgePiece piece;
     Point3 atStart, atEnd;
     const bool smooth =
-        i > 0 && distance(previousEnd,
-                          unit(pointAt(curve, breaks[i] + 1e-7 * (breaks[i + 1] - breaks[i])).tangent)) <
-                     kKink;
+        i > 0 &&
+        distance(previousEnd,
+                 unit(pointAt(curve, breaks[i] + 1e-7 * (breaks[i + 1] - breaks[i])).tangent)) <
+            kKink;
     if (!smooth) samples.pieces.push_back({});
     sampler.append(samples.pieces.back(), breaks[i], breaks[i + 1], cells, atStart, atEnd);
     previousEnd = atEnd;
@@ -285,12 +289,15 @@ std::vector<double> divide(const EdgeSamples& samples, std::size_t leastSegments
   std::size_t total = 0;
   for (const EdgePiece& piece : samples.pieces) {
     counts.push_back(countAlong(piece));
-    segments.push_back(static_cast<std::size_t>(std::max(1.0, std::floor(counts.back().back() + 0.5))));
+    segments.push_back(
+        static_cast<std::size_t>(std::max(1.0, std::floor(counts.back().back() + 0.5))));
     total += segments.back();
   }
   for (; total < leastSegments; ++total) {
     std::size_t coarsest = 0;
-    const auto load = [&](std::size_t i) { return counts[i].back() / static_cast<double>(segments[i]); };
+    const auto load = [&](std::size_t i) {
+      return counts[i].back() / static_cast<double>(segments[i]);
+    };
     for (std::size_t i = 1; i < segments.size(); ++i)
       if (load(i) > load(coarsest)) coarsest = i;
     ++segments[coarsest];

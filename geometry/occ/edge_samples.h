@@ -19,7 +19,8 @@ struct EdgePiece {
 };
 
 struct EdgeSamples {
-  std::vector<EdgePiece> pieces;  ///< split where the curve has a kink; empty: no length or unusable
+  std::vector<EdgePiece>
+      pieces;  ///< split where the curve has a kink; empty: no length or unusable
   Point3 start, end;
   double length = 0;
   std::string problem;  ///< why it is unusable

@@ -18,7 +18,7 @@ struct FaceAttempt {
   std::unique_ptr<AF2LocalTransformMaker> charts;
   std::string fault;  ///< empty: complete and sound, or cancelled
   bool isOptimized = false;
-  double optimizeShare = 0;  ///< of the time, if optimised
+  double optimizeShare = 0;         ///< of the time, if optimised
   std::size_t closingElements = 0;  ///< how many were made without a rule, to close a stuck front
 };
 

@@ -64,7 +64,8 @@ class BoundaryFinder {
       addEdge(TopoDS::Edge(it.Current()));
     if (chains_.empty()) throw GeometryError("the face has no boundary");
     cancelOppositeChains(chains_);
-    if (chains_.empty()) throw GeometryError("the face has no width: its boundary runs back on itself");
+    if (chains_.empty())
+      throw GeometryError("the face has no width: its boundary runs back on itself");
     for (const Chain& chain : chains_) addUses(chain);
     LinkedLoops linked = linkChains(std::move(chains_));
     result_.input.loops = std::move(linked.loops);

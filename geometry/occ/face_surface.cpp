@@ -45,8 +45,7 @@ struct Bounds {
 
 /// The nappe on which the face lies; nothing if it lies on both.
 std::optional<ConeSurface> nappeOf(const gp_Cone& cone, const Bounds& bounds,
-                                   const Point3& position, const Point3& normal,
-                                   double extent) {
+                                   const Point3& position, const Point3& normal, double extent) {
   const double v1 = bounds.v1, v2 = bounds.v2;
   const double sine = std::sin(cone.SemiAngle());
   const double reference = cone.RefRadius();
@@ -95,22 +94,23 @@ std::vector<SurfacePoint> alongV(const Bounds& bounds, const GeneralSurface& sur
 bool isBent(const std::vector<SurfacePoint>& line) {
   constexpr double kBent = 1.7;
   double turn = 0;
-  for (std::size_t i = 1; i < line.size(); ++i) turn += distance(line[i - 1].normal, line[i].normal);
+  for (std::size_t i = 1; i < line.size(); ++i)
+    turn += distance(line[i - 1].normal, line[i].normal);
   return turn > kBent;
 }
 
 double extentOf(const std::vector<SurfacePoint>& points) {
   double extent = 0;
   for (const SurfacePoint& p : points)
-    for (const SurfacePoint& q : points) extent = std::max(extent, distance(p.position, q.position));
+    for (const SurfacePoint& q : points)
+      extent = std::max(extent, distance(p.position, q.position));
   return extent;
 }
 
 }  // namespace
 
 FaceSurface::FaceSurface(const TopoDS_Face& face)
-    : parametric_(surfaceOf(face), face.Orientation() == TopAbs_REVERSED),
-      surface_(parametric_) {
+    : parametric_(surfaceOf(face), face.Orientation() == TopAbs_REVERSED), surface_(parametric_) {
   const GeomAdaptor_Surface adaptor(surfaceOf(face));
   const Bounds bounds(face);
   const SurfacePoint sample = samplePoint(bounds, parametric_);
@@ -146,9 +146,9 @@ FaceSurface::FaceSurface(const TopoDS_Face& face)
       const gp_Torus t = adaptor.Torus();
       if (t.MinorRadius() >= t.MajorRadius()) break;  // crosses itself: leave it to the parameters
       const Point3 centre = toPoint(t.Location()), axis = toPoint(t.Axis().Direction());
-      surface_ = oriented(
-          TorusSurface(centre, axis, t.MajorRadius(), t.MinorRadius(), Side::Outer),
-          TorusSurface(centre, axis, t.MajorRadius(), t.MinorRadius(), Side::Inner), p, n);
+      surface_ =
+          oriented(TorusSurface(centre, axis, t.MajorRadius(), t.MinorRadius(), Side::Outer),
+                   TorusSurface(centre, axis, t.MajorRadius(), t.MinorRadius(), Side::Inner), p, n);
       break;
     }
     default:
@@ -178,16 +178,17 @@ SurfacePoint FaceSurface::boundaryPoint(const Point3& position, double u, double
 }
 
 SurfacePoint FaceSurface::pointAt(const Point3& position, double u, double v) const {
-  return std::visit(
-      Overloaded{[&](const PlaneSurface& plane) { return SurfacePoint{position, plane.normal, u, v}; },
-                 [&](const GeneralSurface& general) {
-                   general.refine(position, u, v);
-                   return SurfacePoint{position, general.normalAt(u, v), u, v};
-                 },
-                 [&](const auto& quadric) {
-                   return SurfacePoint{position, quadric.normalAt(position), u, v};
-                 }},
-      surface_);
+  return std::visit(Overloaded{[&](const PlaneSurface& plane) {
+                                 return SurfacePoint{position, plane.normal, u, v};
+                               },
+                               [&](const GeneralSurface& general) {
+                                 general.refine(position, u, v);
+                                 return SurfacePoint{position, general.normalAt(u, v), u, v};
+                               },
+                               [&](const auto& quadric) {
+                                 return SurfacePoint{position, quadric.normalAt(position), u, v};
+                               }},
+                    surface_);
 }
 
 double FaceSurface::curvatureRadiusAt(const SurfacePoint& point, double reach) const {
@@ -196,7 +197,9 @@ double FaceSurface::curvatureRadiusAt(const SurfacePoint& point, double reach) c
           [](const PlaneSurface&) { return std::numeric_limits<double>::infinity(); },
           [](const CylinderSurface& cylinder) { return cylinder.radius(); },
           [](const SphereSurface& sphere) { return sphere.radius(); },
-          [&](const GeneralSurface& general) { return general.curvatureRadiusAt(point.u, point.v); },
+          [&](const GeneralSurface& general) {
+            return general.curvatureRadiusAt(point.u, point.v);
+          },
           [&](const ConeSurface& cone) {
             const double radius = cone.curvatureRadiusAt(point.position);
             return hasTip_ ? std::max(radius, cone.curvatureRadiusAtDistance(reach)) : radius;
@@ -225,15 +228,15 @@ double FaceSurface::bentRadiusAt(const SurfacePoint& point, double reach) const 
 
 std::unique_ptr<AF2LocalTransformMaker> FaceSurface::makeCharts(const ChartLimits& limits) const {
   using Maker = std::unique_ptr<AF2LocalTransformMaker>;
-  return std::visit(
-      Overloaded{[](const PlaneSurface& plane) -> Maker {
-                   return std::make_unique<PlaneChartMaker>(plane.normal);
-                 },
-                 [&](const auto& curved) -> Maker {
-                   using Curved = std::decay_t<decltype(curved)>;
-                   return std::make_unique<MeanNormalChartMaker<Curved>>(curved, limits);
-                 }},
-      surface_);
+  return std::visit(Overloaded{[](const PlaneSurface& plane) -> Maker {
+                                 return std::make_unique<PlaneChartMaker>(plane.normal);
+                               },
+                               [&](const auto& curved) -> Maker {
+                                 using Curved = std::decay_t<decltype(curved)>;
+                                 return std::make_unique<MeanNormalChartMaker<Curved>>(curved,
+                                                                                       limits);
+                               }},
+                    surface_);
 }
 
 }  // namespace af2::geometry

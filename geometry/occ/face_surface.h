@@ -43,7 +43,8 @@ class FaceSurface {
   /// Makes the published charts; for a plane, the exact one.
   std::unique_ptr<AF2LocalTransformMaker> makeCharts(const ChartLimits& limits) const;
 
-  /// The surface by our parameters (u, v): OpenCASCADE's, but for a cone those of the unrolled cone.
+  /// The surface by our parameters (u, v): OpenCASCADE's, but for a cone those of the unrolled
+  /// cone.
   const ParametricSurface& inParameters() const;
   const GeneralSurface& inOccParameters() const { return parametric_; }
 

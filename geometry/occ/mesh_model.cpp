@@ -196,10 +196,10 @@ class ModelMesher {
     const std::vector<std::size_t> order = largestFirst(work);
     forEachInParallel(faces.size(), options_.threads, [&](std::size_t k) {
       const std::size_t i = order[k];
-      const FaceMeshingContext context{
-          model_.shape(), algorithm_, options_, divided_,
-          [&](const Progress& p) { progress.advance(i, p.elements); }};
-      meshes[i] = options_.stop.stop_requested() ? cancelled(faces[i]) : meshFace(context, faces[i], areas[i], work[i]);
+      const FaceMeshingContext context{model_.shape(), algorithm_, options_, divided_,
+                                       [&](const Progress& p) { progress.advance(i, p.elements); }};
+      meshes[i] = options_.stop.stop_requested() ? cancelled(faces[i])
+                                                 : meshFace(context, faces[i], areas[i], work[i]);
       meshes[i].report.area = areas[i];
       progress.finish(i, meshes[i].elements.size());
     });

@@ -25,8 +25,8 @@ struct ModelSizes {
   /// radians, unless it would be shorter than `edgeLeast` times the wanted length.
   double edgeTurn = 0.7854, edgeLeast = 0.1;
   /// Likewise on faces, and on edges next to them: an edge of an element turns by about `faceTurn`
-  /// radians around the smaller radius of curvature. `bentFaceLeast` is for tubes, which turn by more
-  /// than about a right angle: elements across the whole of them would cut off too much.
+  /// radians around the smaller radius of curvature. `bentFaceLeast` is for tubes, which turn by
+  /// more than about a right angle: elements across the whole of them would cut off too much.
   double faceTurn = 0.7, faceLeast = 0.35, bentFaceLeast = 0.1;
   /// Most growth of the size per unit of length, away from short segments of the boundary.
   double growth = 0.4;
@@ -45,7 +45,7 @@ struct ModelMeshingOptions {
   int threads = 0;         ///< 0: as many as the machine has. The mesh does not depend on it.
   /// Called from several threads, one at a time.
   std::function<void(const ModelProgress&)> progress;
-  bool optimize = true;    ///< swaps and smoothing after the front has closed; false: the raw front
+  bool optimize = true;  ///< swaps and smoothing after the front has closed; false: the raw front
   std::stop_token stop;
   /// The observer of one face, or null; asked for from the thread that meshes the face.
   std::function<AF2MeshingObserver*(int face)> observer;

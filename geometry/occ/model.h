@@ -17,7 +17,8 @@ class Model {
  public:
   explicit Model(std::shared_ptr<const ModelShape> shape);
 
-  /// Faces, edges and vertices are numbered 1, 2, ... in the order in which they stand in the model.
+  /// Faces, edges and vertices are numbered 1, 2, ... in the order in which they stand in the
+  /// model.
   int faceCount() const;
   int edgeCount() const;
   int vertexCount() const;

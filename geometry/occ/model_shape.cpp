@@ -24,17 +24,28 @@ std::string surfaceTypeOf(const TopoDS_Face& face) {
   TopLoc_Location location;
   if (BRep_Tool::Surface(face, location).IsNull()) return "none";
   switch (BRepAdaptor_Surface(face, false).GetType()) {
-    case GeomAbs_Plane: return "plane";
-    case GeomAbs_Cylinder: return "cylinder";
-    case GeomAbs_Cone: return "cone";
-    case GeomAbs_Sphere: return "sphere";
-    case GeomAbs_Torus: return "torus";
-    case GeomAbs_BezierSurface: return "bezier";
-    case GeomAbs_BSplineSurface: return "bspline";
-    case GeomAbs_SurfaceOfRevolution: return "revolution";
-    case GeomAbs_SurfaceOfExtrusion: return "extrusion";
-    case GeomAbs_OffsetSurface: return "offset";
-    default: return "other";
+    case GeomAbs_Plane:
+      return "plane";
+    case GeomAbs_Cylinder:
+      return "cylinder";
+    case GeomAbs_Cone:
+      return "cone";
+    case GeomAbs_Sphere:
+      return "sphere";
+    case GeomAbs_Torus:
+      return "torus";
+    case GeomAbs_BezierSurface:
+      return "bezier";
+    case GeomAbs_BSplineSurface:
+      return "bspline";
+    case GeomAbs_SurfaceOfRevolution:
+      return "revolution";
+    case GeomAbs_SurfaceOfExtrusion:
+      return "extrusion";
+    case GeomAbs_OffsetSurface:
+      return "offset";
+    default:
+      return "other";
   }
 }
 

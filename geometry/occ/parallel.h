@@ -6,8 +6,9 @@
 
 namespace af2::geometry {
 
-/// Calls work(0), ..., work(count - 1), each once, started in this order, on up to `threads` threads
-/// (0: as many as the caller's TBB arena has). The first exception stops the rest and is thrown on.
+/// Calls work(0), ..., work(count - 1), each once, started in this order, on up to `threads`
+/// threads (0: as many as the caller's TBB arena has). The first exception stops the rest and is
+/// thrown on.
 void forEachInParallel(std::size_t count, int threads,
                        const std::function<void(std::size_t)>& work);
 

@@ -55,7 +55,8 @@ std::string startOf(const fs::path& path) {
 /// An IGES file is made of lines of 80 columns; column 73 holds the letter of the section.
 bool looksLikeIges(const std::string& start) {
   const std::size_t end = start.find_first_of("\r\n");
-  return end != std::string::npos && end >= 73 && end <= 81 && (start[72] == 'S' || start[72] == 'C' || start[72] == 'B');
+  return end != std::string::npos && end >= 73 && end <= 81 &&
+         (start[72] == 'S' || start[72] == 'C' || start[72] == 'B');
 }
 
 Format formatByContent(const std::string& start) {
@@ -79,10 +80,14 @@ Format formatByName(const fs::path& path) {
 
 const char* nameOf(Format format) {
   switch (format) {
-    case Format::Step: return "STEP";
-    case Format::Iges: return "IGES";
-    case Format::Brep: return "BREP";
-    default: return "CAD";
+    case Format::Step:
+      return "STEP";
+    case Format::Iges:
+      return "IGES";
+    case Format::Brep:
+      return "BREP";
+    default:
+      return "CAD";
   }
 }
 
@@ -101,17 +106,22 @@ Format formatOf(const fs::path& path) {
   if (format != Format::Unknown) return format;
   const Format byName = formatByName(path);
   if (byName != Format::Unknown)
-    throw InputError(path.string() + ": does not start like " + (byName == Format::Iges ? "an " : "a ") + nameOf(byName) +
+    throw InputError(path.string() + ": does not start like " +
+                     (byName == Format::Iges ? "an " : "a ") + nameOf(byName) +
                      " file; it is damaged or something else, export the model again");
-  throw InputError(path.string() + ": is no STEP, IGES or BREP file; export the model as one of these");
+  throw InputError(path.string() +
+                   ": is no STEP, IGES or BREP file; export the model as one of these");
 }
 
 ReadShape readAs(Format format, const fs::path& path) {
   const Silence silence;
   switch (format) {
-    case Format::Step: return readStep(path);
-    case Format::Iges: return readIges(path);
-    default: return readBrep(path);
+    case Format::Step:
+      return readStep(path);
+    case Format::Iges:
+      return readIges(path);
+    default:
+      return readBrep(path);
   }
 }
 
@@ -141,18 +151,20 @@ ReadShape readShape(const fs::path& path) {
 Model readModel(const fs::path& path) {
   ReadShape read = readShape(path);
   if (read.shape.IsNull())
-    throw InputError(path.string() + ": holds no shape; it is cut off, or was exported without one");
+    throw InputError(path.string() +
+                     ": holds no shape; it is cut off, or was exported without one");
   std::shared_ptr<const ModelShape> shape;
   try {
     const Silence silence;
     shape = makeModelShape(std::move(read));
   } catch (const Standard_Failure& failure) {
-    throw InputError(path.string() + ": the shape in it is damaged (" + failure.DynamicType()->Name() +
-                     "); repair or export the model again");
+    throw InputError(path.string() + ": the shape in it is damaged (" +
+                     failure.DynamicType()->Name() + "); repair or export the model again");
   }
   if (shape->faces.IsEmpty())
-    throw InputError(path.string() + ": holds no face, only " + std::to_string(shape->edges.Extent()) +
-                     " edges and " + std::to_string(shape->vertices.Extent()) +
+    throw InputError(path.string() + ": holds no face, only " +
+                     std::to_string(shape->edges.Extent()) + " edges and " +
+                     std::to_string(shape->vertices.Extent()) +
                      " vertices; export the model with its surfaces");
   return Model(shape);
 }

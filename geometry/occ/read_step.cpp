@@ -89,8 +89,7 @@ std::string checkReferences(const Handle(StepData_StepModel) & model) {
     if (!model->IsReportEntity(i) || isDrawn(entity)) continue;
     const char* fault = brokenReference(model->ReportEntity(i)->Check());
     if (!fault) continue;
-    if (count++ == 0)
-      first = "#" + std::to_string(model->IdentLabel(entity)) + ": " + fault;
+    if (count++ == 0) first = "#" + std::to_string(model->IdentLabel(entity)) + ": " + fault;
     const auto face = Handle(StepShape_Face)::DownCast(entity);
     if (!face.IsNull()) dropMissingBounds(face);
   }

@@ -37,7 +37,8 @@ class Cleaner {
     std::vector<int> order(domain_.points.size());
     std::iota(order.begin(), order.end(), 0);
     const auto at = [&](int i) { return domain_.points[static_cast<std::size_t>(i)]; };
-    std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return before(at(a), at(b)); });
+    std::stable_sort(order.begin(), order.end(),
+                     [&](int a, int b) { return before(at(a), at(b)); });
     std::vector<int> first(order.size());  // by point: the first in the file at the same position
     for (std::size_t i = 0; i < order.size(); ++i) {
       const auto point = static_cast<std::size_t>(order[i]);
@@ -67,8 +68,12 @@ class Cleaner {
   }
 
   Point2 point(int i) const { return result_.points[static_cast<std::size_t>(i)]; }
-  double low(std::size_t i) const { return std::min(point(segments_[i].from).x, point(segments_[i].to).x); }
-  double high(std::size_t i) const { return std::max(point(segments_[i].from).x, point(segments_[i].to).x); }
+  double low(std::size_t i) const {
+    return std::min(point(segments_[i].from).x, point(segments_[i].to).x);
+  }
+  double high(std::size_t i) const {
+    return std::max(point(segments_[i].from).x, point(segments_[i].to).x);
+  }
 
   /// Sweeps over x; segments whose ranges of x do not overlap are not compared.
   void findMeetings() {

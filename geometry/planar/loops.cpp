@@ -58,7 +58,7 @@ class Subdivision {
   struct Cycle {
     std::vector<HalfEdge> edges;
     int component = 0;
-    bool isOutside = false;      ///< goes around its component from outside
+    bool isOutside = false;        ///< goes around its component from outside
     std::size_t around = kNoFace;  ///< if outside: the face in which the component lies
     double area = 0;
   };
@@ -73,7 +73,8 @@ class Subdivision {
     for (HalfEdge h = 0; h < static_cast<int>(2 * result_.pieces.size()); ++h)
       leaving_[static_cast<std::size_t>(startOf(h))].push_back(h);
     for (auto& around : leaving_)
-      std::sort(around.begin(), around.end(), [&](HalfEdge g, HalfEdge h) { return turnsBefore(g, h); });
+      std::sort(around.begin(), around.end(),
+                [&](HalfEdge g, HalfEdge h) { return turnsBefore(g, h); });
     position_.resize(2 * result_.pieces.size());
     for (const auto& around : leaving_)
       for (std::size_t i = 0; i < around.size(); ++i)
@@ -116,7 +117,8 @@ class Subdivision {
   double areaOf(const Cycle& cycle) const {
     const Point2 origin = point(startOf(cycle.edges.front()));
     double sum = 0;
-    for (const HalfEdge h : cycle.edges) sum += cross(point(startOf(h)) - origin, point(endOf(h)) - origin);
+    for (const HalfEdge h : cycle.edges)
+      sum += cross(point(startOf(h)) - origin, point(endOf(h)) - origin);
     return sum / 2;
   }
 
@@ -133,7 +135,8 @@ class Subdivision {
     std::vector<int> component(result_.points.size());
     std::iota(component.begin(), component.end(), 0);
     const auto root = [&](int i) {
-      while (component[static_cast<std::size_t>(i)] != i) i = component[static_cast<std::size_t>(i)];
+      while (component[static_cast<std::size_t>(i)] != i)
+        i = component[static_cast<std::size_t>(i)];
       return i;
     };
     for (const PlanarPiece& piece : result_.pieces) {

@@ -27,7 +27,7 @@ struct PlanarRegion {
 };
 
 struct PlanarRegions {
-  std::vector<Point2> points;  ///< each position once
+  std::vector<Point2> points;       ///< each position once
   std::vector<PlanarPiece> pieces;  ///< that meet at their ends only
   std::vector<PlanarRegion> regions;
 

@@ -113,8 +113,8 @@ class PolyReader {
     fs::path nodes = path_;
     nodes.replace_extension(".node");
     if (!fs::exists(nodes))
-      throw InputError(domain_.name + ": holds no vertices, and there is no file " + nodes.string() +
-                       " beside it that does");
+      throw InputError(domain_.name + ": holds no vertices, and there is no file " +
+                       nodes.string() + " beside it that does");
     WordFile file(nodes);
     file.expectLine("the number of vertices");
     readPoints(file);

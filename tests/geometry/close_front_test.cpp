@@ -23,7 +23,9 @@ bool close(MeshingResult& result) {
   const auto vertices = result.mesh.vertices;
   return closeFront(
       result,
-      [&](VertexId v) { return Point2{vertices[v.value].position.x, vertices[v.value].position.y}; },
+      [&](VertexId v) {
+        return Point2{vertices[v.value].position.x, vertices[v.value].position.y};
+      },
       99);
 }
 
@@ -32,7 +34,9 @@ double areaOf(const Mesh& mesh) {
   for (const Element& e : mesh.elements) {
     const Point3 a = mesh.vertices[e.corners[0].value].position;
     area += cross(mesh.vertices[e.corners[1].value].position - a,
-                  mesh.vertices[e.corners[2].value].position - a).z / 2;
+                  mesh.vertices[e.corners[2].value].position - a)
+                .z /
+            2;
   }
   return area;
 }
@@ -47,7 +51,8 @@ TEST(CloseFront, FillsAPolygonThatIsNotConvex) {
 }
 
 TEST(CloseFront, FillsAroundAHole) {
-  MeshingResult result = stuckAt({{{0, 0}, {4, 0}, {4, 4}, {0, 4}}, {{1, 1}, {1, 3}, {3, 3}, {3, 1}}});
+  MeshingResult result =
+      stuckAt({{{0, 0}, {4, 0}, {4, 4}, {0, 4}}, {{1, 1}, {1, 3}, {3, 3}, {3, 1}}});
   ASSERT_TRUE(close(result));
   EXPECT_EQ(result.mesh.elements.size(), 8u);
   EXPECT_DOUBLE_EQ(areaOf(result.mesh), 12);

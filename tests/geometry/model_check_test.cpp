@@ -6,7 +6,9 @@ namespace af2::geometry {
 namespace {
 
 VertexId v(std::size_t i) { return VertexId(i); }
-Element triangle(std::size_t a, std::size_t b, std::size_t c) { return {{v(a), v(b), v(c), VertexId()}}; }
+Element triangle(std::size_t a, std::size_t b, std::size_t c) {
+  return {{v(a), v(b), v(c), VertexId()}};
+}
 
 /// Two faces of one triangle each, which share the edge 0-1.
 ModelMesh roof() {
@@ -15,8 +17,11 @@ ModelMesh roof() {
   mesh.elements = {triangle(0, 1, 2), triangle(1, 0, 3)};
   mesh.face = {1, 2};
   mesh.rule = {0, 0};
-  mesh.segments = {{v(0), v(1), 1, 2}, {v(1), v(2), 2, 1}, {v(2), v(0), 3, 1},
-                   {v(0), v(3), 4, 1}, {v(3), v(1), 5, 1}};
+  mesh.segments = {{v(0), v(1), 1, 2},
+                   {v(1), v(2), 2, 1},
+                   {v(2), v(0), 3, 1},
+                   {v(0), v(3), 4, 1},
+                   {v(3), v(1), 5, 1}};
   mesh.faces.resize(2);
   mesh.faces[0].id = 1;
   mesh.faces[1].id = 2;

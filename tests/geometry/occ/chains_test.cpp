@@ -10,7 +10,9 @@ namespace {
 BoundaryCorner corner(std::size_t id, double x, double y) {
   return {VertexId(id), {{x, y, 0}, {0, 0, 1}, x, y}};
 }
-Chain chain(int edge, std::vector<BoundaryCorner> corners) { return {edge, false, std::move(corners)}; }
+Chain chain(int edge, std::vector<BoundaryCorner> corners) {
+  return {edge, false, std::move(corners)};
+}
 
 std::vector<std::size_t> ids(const std::vector<BoundaryCorner>& loop) {
   std::vector<std::size_t> result;
@@ -54,7 +56,8 @@ TEST(Chains, TellWhenTheyAreOpenInTheParameters) {
   const auto a = corner(0, 0, 0), b = corner(1, 1, 0), c = corner(2, 0, 1);
   auto pole = a;
   pole.point.u = 0.5;
-  EXPECT_FALSE(linkChains({chain(1, {a, b}), chain(2, {b, c}), chain(3, {c, pole})}).closedInParameters);
+  EXPECT_FALSE(
+      linkChains({chain(1, {a, b}), chain(2, {b, c}), chain(3, {c, pole})}).closedInParameters);
 }
 
 TEST(Chains, OfOneSegmentCancelTheirOpposites) {

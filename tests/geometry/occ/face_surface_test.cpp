@@ -1,7 +1,7 @@
 #include "geometry/occ/face_surface.h"
 
-#include <BRepTools.hxx>
 #include <gtest/gtest.h>
+#include <BRepTools.hxx>
 
 #include "tests/geometry/occ/shapes.h"
 
@@ -50,8 +50,7 @@ TEST(FaceSurface, TellsTubesFromRoundings) {
     const FaceSurface surface(model.shape().face(1));
     double u1, u2, v1, v2;
     BRepTools::UVBounds(model.shape().face(1), u1, u2, v1, v2);
-    return surface.bentRadiusAt(
-        surface.inOccParameters().pointAt((u1 + u2) / 2, (v1 + v2) / 2));
+    return surface.bentRadiusAt(surface.inOccParameters().pointAt((u1 + u2) / 2, (v1 + v2) / 2));
   };
   EXPECT_DOUBLE_EQ(bentRadius(BRepPrimAPI_MakeSphere(2).Shape()), 2);
   EXPECT_DOUBLE_EQ(bentRadius(BRepPrimAPI_MakeCylinder(2, 1).Shape()), 2);
@@ -75,8 +74,8 @@ TEST(DevelopedCone, IsIsometric) {
         const auto frame = flat.frameAt(p.u, p.v);
         EXPECT_NEAR(length(frame.du), 1, 1e-13);
         EXPECT_NEAR(dot(frame.du, frame.dv), 0, 1e-13);
-        EXPECT_LT(distance(flat.pointAt(p.u + 1e-6, p.v).position,
-                           raw.position + 1e-6 * frame.du), 1e-11);
+        EXPECT_LT(distance(flat.pointAt(p.u + 1e-6, p.v).position, raw.position + 1e-6 * frame.du),
+                  1e-11);
         EXPECT_EQ(dot(cross(frame.du, frame.dv), raw.normal) < 0, flat.isFlipped());
       }
     }

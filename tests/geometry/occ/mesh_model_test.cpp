@@ -1,10 +1,10 @@
 #include "geometry/occ/mesh_model.h"
 
+#include <gtest/gtest.h>
 #include <BRepAlgoAPI_Cut.hxx>
 #include <BRep_Builder.hxx>
 #include <Geom_SphericalSurface.hxx>
 #include <Geom_ToroidalSurface.hxx>
-#include <gtest/gtest.h>
 
 #include <numbers>
 #include <set>
@@ -63,7 +63,9 @@ void expectSolid(const ModelMesh& mesh, double volume, int euler, double toleran
   EXPECT_NEAR(volumeOf(mesh), volume, tolerance * volume);
 }
 
-TEST(ModelMeshing, MeshesABoxExactly) { expectSolid(mesh(testing::box(1, 2, 3), 0.3), 6, 2, 1e-12); }
+TEST(ModelMeshing, MeshesABoxExactly) {
+  expectSolid(mesh(testing::box(1, 2, 3), 0.3), 6, 2, 1e-12);
+}
 
 TEST(ModelMeshing, MeshesACylinderAcrossItsSeam) {
   expectSolid(mesh(testing::cylinder(1, 3), 0.2), 3 * pi, 2, 0.01);
@@ -86,7 +88,7 @@ TEST(ModelMeshing, MeshesATorus) {
 
 TEST(ModelMeshing, MeshesFacesWithoutAnyBoundary) {
   const gp_Ax3 frame;
-  for (const Handle(Geom_Surface)& surface :
+  for (const Handle(Geom_Surface) & surface :
        {Handle(Geom_Surface)(new Geom_SphericalSurface(frame, 1)),
         Handle(Geom_Surface)(new Geom_ToroidalSurface(frame, 3, 1))}) {
     TopoDS_Face face;
@@ -110,8 +112,8 @@ TEST(ModelMeshing, MeshesACutOffCone) {
 }
 
 TEST(ModelMeshing, MeshesABoxWithARoundHole) {
-  const TopoDS_Shape cut = BRepAlgoAPI_Cut(
-      BRepPrimAPI_MakeBox(gp_Pnt(-2, -2, 0), 4, 4, 1).Shape(), BRepPrimAPI_MakeCylinder(0.5, 1).Shape());
+  const TopoDS_Shape cut = BRepAlgoAPI_Cut(BRepPrimAPI_MakeBox(gp_Pnt(-2, -2, 0), 4, 4, 1).Shape(),
+                                           BRepPrimAPI_MakeCylinder(0.5, 1).Shape());
   expectSolid(mesh(testing::modelOf(cut), 0.25), 16 - pi / 4, 0, 0.01);
 }
 

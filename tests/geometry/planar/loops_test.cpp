@@ -6,7 +6,8 @@ namespace af2::geometry {
 namespace {
 
 /// A domain of closed outlines, one after the other.
-PlanarDomain outlines(const std::vector<std::vector<Point2>>& loops, std::vector<Point2> holes = {}) {
+PlanarDomain outlines(const std::vector<std::vector<Point2>>& loops,
+                      std::vector<Point2> holes = {}) {
   PlanarDomain domain;
   domain.name = "test.poly";
   domain.holes = std::move(holes);
@@ -15,8 +16,8 @@ PlanarDomain outlines(const std::vector<std::vector<Point2>>& loops, std::vector
     const int count = static_cast<int>(loop.size());
     domain.points.insert(domain.points.end(), loop.begin(), loop.end());
     for (int i = 0; i < count; ++i)
-      domain.segments.push_back({base + i, base + (i + 1) % count, 0,
-                                 static_cast<int>(domain.segments.size()) + 1});
+      domain.segments.push_back(
+          {base + i, base + (i + 1) % count, 0, static_cast<int>(domain.segments.size()) + 1});
   }
   return domain;
 }
@@ -32,7 +33,8 @@ std::vector<double> areas(const PlanarDomain& domain) {
 }
 
 TEST(Regions, LeaveOutHolesByTheirPoints) {
-  EXPECT_EQ(areas(outlines({square(0, 0, 4), square(1, 1, 2)}, {{2, 2}})), (std::vector<double>{12}));
+  EXPECT_EQ(areas(outlines({square(0, 0, 4), square(1, 1, 2)}, {{2, 2}})),
+            (std::vector<double>{12}));
 }
 
 TEST(Regions, AreMeshedOnBothSidesOfAnOutlineWithoutHolePoint) {
@@ -95,9 +97,12 @@ TEST(Regions, IgnoreSegmentsOutside) {
 }
 
 TEST(Regions, RefuseCrossingSegmentsWithTheirLines) {
-  EXPECT_EQ(testing::messageOf([] { findRegions(outlines({{{0, 0}, {1, 1}, {1, 0}, {0, 1}}})); }),
-            "test.poly:3: this segment crosses the one in line 1; put a vertex where they cross and "
-            "split both there");
+  EXPECT_EQ(
+      testing::messageOf([] {
+        findRegions(outlines({{{0, 0}, {1, 1}, {1, 0}, {0, 1}}}));
+      }),
+      "test.poly:3: this segment crosses the one in line 1; put a vertex where they cross and "
+      "split both there");
 }
 
 TEST(Regions, RefuseADomainThatEnclosesNothing) {
@@ -105,7 +110,9 @@ TEST(Regions, RefuseADomainThatEnclosesNothing) {
   open.segments.pop_back();
   EXPECT_EQ(testing::messageOf([&] { findRegions(open); }),
             "test.poly: its segments enclose nothing; each outline must be closed");
-  EXPECT_EQ(testing::messageOf([] { findRegions(outlines({square(0, 0, 1)}, {{0.5, 0.5}})); }),
+  EXPECT_EQ(testing::messageOf([] {
+              findRegions(outlines({square(0, 0, 1)}, {{0.5, 0.5}}));
+            }),
             "test.poly: every region that its segments enclose is a hole");
 }
 

@@ -16,13 +16,16 @@ class PlanarMeshing : public ::testing::Test {
   AF2Algorithm algorithm{testing::triangleSet()};
   PlanarMeshingOptions options;
 
-  ModelMesh mesh(const std::string& text) { return meshPlanar(testing::polyOf(text), algorithm, options); }
+  ModelMesh mesh(const std::string& text) {
+    return meshPlanar(testing::polyOf(text), algorithm, options);
+  }
 
   static double areaOf(const ModelMesh& mesh) {
     double area = 0;
     for (const Element& e : mesh.elements) {
       const Point3& a = mesh.vertices[e.corners[0].value];
-      area += cross(mesh.vertices[e.corners[1].value] - a, mesh.vertices[e.corners[2].value] - a).z / 2;
+      area +=
+          cross(mesh.vertices[e.corners[1].value] - a, mesh.vertices[e.corners[2].value] - a).z / 2;
     }
     return area;
   }
@@ -50,8 +53,8 @@ TEST_F(PlanarMeshing, SharesVerticesBetweenRegions) {
 
 TEST_F(PlanarMeshing, KeepsASegmentThatEndsInside) {
   options.size = 0.5;
-  const ModelMesh result =
-      mesh("5 2 0 0\n1 0 0\n2 4 0\n3 4 4\n4 0 4\n5 2 2\n5 0\n1 1 2\n2 2 3\n3 3 4\n4 4 1\n5 1 5\n0\n");
+  const ModelMesh result = mesh(
+      "5 2 0 0\n1 0 0\n2 4 0\n3 4 4\n4 0 4\n5 2 2\n5 0\n1 1 2\n2 2 3\n3 3 4\n4 4 1\n5 1 5\n0\n");
   EXPECT_TRUE(checkModelMesh(result).empty());
   int inside = 0;
   for (const EdgeSegment& segment : result.segments) {
@@ -65,7 +68,8 @@ TEST_F(PlanarMeshing, KeepsASegmentThatEndsInside) {
 TEST_F(PlanarMeshing, FollowsASizeFunction) {
   options.size = 1;
   options.function = [](const Point3& p) { return 0.1 + 0.2 * p.x; };
-  const ModelMesh result = mesh("4 2 0 0\n1 0 0\n2 4 0\n3 4 4\n4 0 4\n4 0\n1 1 2\n2 2 3\n3 3 4\n4 4 1\n0\n");
+  const ModelMesh result =
+      mesh("4 2 0 0\n1 0 0\n2 4 0\n3 4 4\n4 0 4\n4 0\n1 1 2\n2 2 3\n3 3 4\n4 4 1\n0\n");
   EXPECT_TRUE(checkModelMesh(result).empty());
   int left = 0, right = 0;
   for (const EdgeSegment& segment : result.segments) {

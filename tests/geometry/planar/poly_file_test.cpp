@@ -57,8 +57,9 @@ TEST(PolyFile, TellsTheLineOfAMistake) {
             "test.poly:3: vertex 1 stands here for the second time");
   EXPECT_EQ(messageOf([] { polyOf("3 2 0 0\n1 0 0\n2 1 0\n"); }),
             "test.poly:4: the file ends where vertex 3 of 3 should follow");
-  EXPECT_EQ(messageOf([] { polyOf("1 3 0 0\n1 0 0 0\n"); }),
-            "test.poly:1: the dimension is not 2; only planar domains can be read from this format");
+  EXPECT_EQ(
+      messageOf([] { polyOf("1 3 0 0\n1 0 0 0\n"); }),
+      "test.poly:1: the dimension is not 2; only planar domains can be read from this format");
   EXPECT_EQ(messageOf([] { polyOf("1 2 0 0\n1 0 inf\n"); }),
             "test.poly:2: 'inf' is no number; y should stand here");
 }

@@ -1,0 +1,91 @@
+#include "geometry/sound_faces.h"
+
+#include <algorithm>
+#include <charconv>
+
+#include "geometry/model_check.h"
+
+namespace af2::geometry {
+namespace {
+
+/// Enough to find every bad face of a model, and no more than fits into the memory.
+constexpr std::size_t kMostFindings = 1'000'000;
+
+std::string shortest(double number) {
+  char text[32];
+  return {text, std::to_chars(text, text + sizeof text, number).ptr};
+}
+
+std::string describe(const MeshFinding& finding) {
+  const Point3& p = finding.place;
+  return "the mesh does not pass its checks: " + finding.what + ", near (" + shortest(p.x) + ", " +
+         shortest(p.y) + ", " + shortest(p.z) + ")";
+}
+
+bool isOneOf(const std::vector<int>& sorted, int id) {
+  return std::ranges::binary_search(sorted, id);
+}
+
+/// Removes vertices and segments that nothing refers to any more.
+void dropUnusedVertices(ModelMesh& mesh) {
+  std::vector<bool> used(mesh.vertices.size(), false);
+  for (const Element& element : mesh.elements) {
+    for (const VertexId vertex : element.vertices()) used[vertex.value] = true;
+  }
+  std::vector<VertexId> renumbered(mesh.vertices.size());
+  std::size_t count = 0;
+  for (std::size_t v = 0; v < used.size(); ++v) {
+    if (!used[v]) continue;
+    mesh.vertices[count] = mesh.vertices[v];
+    renumbered[v] = VertexId(count++);
+  }
+  mesh.vertices.resize(count);
+  for (Element& element : mesh.elements) {
+    for (VertexId& corner : element.corners) {
+      if (!corner.isNone()) corner = renumbered[corner.value];
+    }
+  }
+  std::erase_if(mesh.segments,
+                [&](const EdgeSegment& s) { return !used[s.from.value] || !used[s.to.value]; });
+  for (EdgeSegment& segment : mesh.segments) {
+    segment.from = renumbered[segment.from.value];
+    segment.to = renumbered[segment.to.value];
+  }
+}
+
+}  // namespace
+
+void dropElements(ModelMesh& mesh, const std::vector<int>& faces) {
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < mesh.elements.size(); ++i) {
+    if (isOneOf(faces, mesh.face[i])) continue;
+    mesh.elements[kept] = mesh.elements[i];
+    mesh.face[kept] = mesh.face[i];
+    mesh.rule[kept++] = mesh.rule[i];
+  }
+  mesh.elements.resize(kept);
+  mesh.face.resize(kept);
+  mesh.rule.resize(kept);
+  dropUnusedVertices(mesh);
+}
+
+std::vector<std::string> keepSoundFaces(ModelMesh& mesh) {
+  std::vector<std::string> elsewhere;
+  std::vector<int> bad;
+  for (const MeshFinding& finding : checkModelMesh(mesh, kMostFindings)) {
+    const auto face = std::ranges::find(mesh.faces, finding.face, &FaceReport::id);
+    if (face == mesh.faces.end()) {
+      elsewhere.push_back(describe(finding));
+      continue;
+    }
+    if (isOneOf(bad, face->id)) continue;
+    bad.insert(std::ranges::upper_bound(bad, face->id), face->id);
+    if (face->status == FaceStatus::Complete) face->status = FaceStatus::Failed;
+    face->elements = 0;
+    face->reason = describe(finding);
+  }
+  if (!bad.empty()) dropElements(mesh, bad);
+  return elsewhere;
+}
+
+}  // namespace af2::geometry
