@@ -94,7 +94,8 @@ TEST(GeneralSurface, FindsItsWayBackToParameters) {
 
 TEST(GeneralSurface, IsMetByALineNearItsSeed) {
   const Model model = testing::torus(3, 1);
-  const GeneralSurface& general = FaceSurface(model.shape().face(1)).inOccParameters();
+  const FaceSurface surface(model.shape().face(1));
+  const GeneralSurface& general = surface.inOccParameters();
   const MeanNormalChartMaker<GeneralSurface> charts(general);
   const SurfacePoint from = general.pointAt(6.2, 0.1), to = general.pointAt(0.05, 0.1);
   const auto chart = charts.makeLocalTransform(from, to, distance(from.position, to.position));
