@@ -13,6 +13,9 @@
 namespace af2::dsl {
 namespace {
 
+/// How many levels above its first one a rule is given a chance.
+constexpr int kHighestRise = 6;
+
 FrontPiece pieceOf(const PatternMatch& match, int level) {
   FrontPiece piece;
   piece.vertices = match.vertices();
@@ -45,21 +48,19 @@ using Winners = std::map<int, int>;
 std::string describe(const RuleSet& rules, const Winners& winners) {
   const auto most = std::max_element(winners.begin(), winners.end(),
                                      [](auto& p, auto& q) { return p.second < q.second; });
-  if (most->first < 0)
-    return fmt::format("no rule was in {} of them", most->second);
+  if (most->first < 0) return fmt::format("no rule was in {} of them", most->second);
   return fmt::format("'{}' was in {} of them", rules.rules()[most->first].name(), most->second);
 }
 
 /// Whether the rule is chosen in one random situation around a match.
-bool isChosen(const RuleSample& sample, const SampledMatch& one, RandomNumbers& random,
-              Winners& winners) {
-  const RuleDefinition& definition = sample.rule.definition();
+bool isChosen(const RuleSet& rules, const RuleSample& sample, const SampledMatch& one,
+              RandomNumbers& random, Winners& winners) {
   const int last =
-      std::min(definition.lastLevel.value_or(sample.rules.maxLevel()), sample.rules.maxLevel());
-  const int rise = random.unit() < 0.5 ? 0 : static_cast<int>(random.between(0, 10));
+      std::min(sample.rule.definition().lastLevel.value_or(rules.maxLevel()), rules.maxLevel());
+  const int rise = random.unit() < 0.5 ? 0 : static_cast<int>(random.between(0, kHighestRise + 1));
   FrontPiece piece = pieceOf(one.match, std::min(sample.level + rise, last));
   addObstacles(piece, *one.zone, random);
-  const SingleStep step = takeSingleStep(sample.rules, piece);
+  const SingleStep step = takeSingleStep(rules, piece);
   ++winners[step.rule ? static_cast<int>(*step.rule) : -1];
   return step.rule == sample.index;
 }
@@ -68,6 +69,7 @@ bool isChosen(const RuleSample& sample, const SampledMatch& one, RandomNumbers& 
 
 std::optional<SampledFinding> findNeverChosen(const RuleSample& sample,
                                               const SamplingOptions& options) {
+  const RuleSet rules = upToLevel(sample.rules, sample.level + kHighestRise);
   RandomNumbers random(options.seed + 7919 * (sample.index + 1));
   Winners winners;
   int situations = 0;
@@ -75,7 +77,7 @@ std::optional<SampledFinding> findNeverChosen(const RuleSample& sample,
     if (situations == options.situations) break;
     if (!one.zone || !one.placed) continue;
     ++situations;
-    if (isChosen(sample, one, random, winners)) return std::nullopt;
+    if (isChosen(rules, sample, one, random, winners)) return std::nullopt;
   }
   if (situations == 0) return std::nullopt;
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "dsl/checks/rule_sample.h"
 #include "dsl/checks/test_text.h"
 #include "engine/predicates.h"
 
@@ -120,8 +121,9 @@ std::optional<std::size_t> typicalGap(const CoverageMap& map) {
 Coverage measureCoverage(const RuleSet& rules, int lastLevel) {
   Coverage coverage;
   coverage.lastLevel = std::min(lastLevel, rules.maxLevel());
+  const RuleSet lower = upToLevel(rules, coverage.lastLevel);
   const auto add = [&](CoverageMap grid, const auto& make) {
-    coverage.maps.push_back(mapOf(rules, coverage.lastLevel, std::move(grid), make));
+    coverage.maps.push_back(mapOf(lower, coverage.lastLevel, std::move(grid), make));
   };
   add({"one edge", "length of the edge", "", lengths(0.3, 3, 46), {0}, {}, {}},
       [](double length, double) { return oneEdge(length); });

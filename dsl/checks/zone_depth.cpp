@@ -21,14 +21,17 @@ double distanceToSide(Point2 p, Point2 a, Point2 b) {
 }  // namespace
 
 MeasuredZone::MeasuredZone(const AF2FreeZone& zone)
-    : zone_(zone),
-      loops_(outline(zone, kSag)),
-      isConvex_(dynamic_cast<const ConvexPolygonZone*>(&zone) != nullptr) {}
+    : zone_(zone), isConvex_(dynamic_cast<const ConvexPolygonZone*>(&zone) != nullptr) {}
+
+const std::vector<std::vector<Point2>>& MeasuredZone::outlineLoops() const {
+  if (!loops_) loops_ = outline(zone_, kSag);
+  return *loops_;
+}
 
 double MeasuredZone::depthOutside(Point2 point) const {
   if (zone_.contains(point, ZoneBoundary::Counts)) return 0;
   double depth = std::numeric_limits<double>::infinity();
-  for (const auto& loop : loops_)
+  for (const auto& loop : outlineLoops())
     for (std::size_t i = 0, j = loop.size() - 1; i < loop.size(); j = i++)
       depth = std::min(depth, distanceToSide(point, loop[j], loop[i]));
   return depth;

@@ -28,12 +28,13 @@ class MeasuredZone {
   /// along its edges.
   Poke pokeOf(std::span<const Point2> corners) const;
 
-  const std::vector<std::vector<Point2>>& outlineLoops() const { return loops_; }
-  const AF2FreeZone& zone() const { return zone_; }
+  /// Worked out when first asked for; most zones are never measured, for nothing sticks out of
+  /// them.
+  const std::vector<std::vector<Point2>>& outlineLoops() const;
 
  private:
   const AF2FreeZone& zone_;
-  std::vector<std::vector<Point2>> loops_;
+  mutable std::optional<std::vector<std::vector<Point2>>> loops_;
   bool isConvex_;
 };
 
