@@ -143,7 +143,7 @@ Value ExpressionCompiler::usedTooEarly(const Expr& expr, Span definition) {
 }
 
 Value ExpressionCompiler::unknownName(const Expr& expr, bool isFunction) {
-  if (module_->brokenNames.contains(expr.name)) return {};
+  if (module_->brokenNames.contains(expr.name) || module_->hasBrokenImport) return {};
   if (const auto below = definedBelow.find(expr.name);
       !isFunction && calls_.empty() && below != definedBelow.end())
     return usedTooEarly(expr, below->second);
@@ -232,6 +232,9 @@ Value ExpressionCompiler::evaluateImported(const Expr& expr) {
   if (!library->second) return {};
   const auto constant = library->second->constants.find(expr.name);
   if (constant != library->second->constants.end()) return fromConstant(constant->second);
+  const auto metric = library->second->functions.find(expr.name);
+  if (metric != library->second->functions.end() && metric->second.isMetric && !corners.empty())
+    return callFunction(expr, metric->second);
   std::vector<std::string> known;
   for (const auto& [name, c] : library->second->constants) known.push_back(name);
   tell("R1", expr.span, "'" + expr.qualifier + "' has no constant '" + expr.name + "'", "",
@@ -411,11 +414,9 @@ Value ExpressionCompiler::evaluateRange(const Expr& expr) {
   if (high.type != x.type)
     return wrongType(expr.parts[2], x.type == Type::Angle ? "an angle" : "a number", high);
   const auto from = builder().constantValue(low.number), to = builder().constantValue(high.number);
-  if (from && to && *from > *to) {
+  if (from && to && *from > *to)
     tell("D1", cover(expr.parts[1].span, expr.parts[2].span), "this range is empty",
-         "its end lies below its beginning", "write the smaller bound first", Severity::Error);
-    return {};
-  }
+         "its end lies below its beginning", "write the smaller bound first", Severity::Warning);
   return algebra_.scalar(
       Type::Truth,
       builder().make(Op::And, {builder().make(Op::LessEqual, {low.number, x.number}),

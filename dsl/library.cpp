@@ -54,6 +54,9 @@ const Module& Library::load(std::string name, std::string text) {
                  item.span.end >= stretch.span.end;
         });
     if (isInside) continue;
+    const std::string_view written = module.source.text().substr(stretch.span.begin);
+    module.hasBrokenImport =
+        module.hasBrokenImport || written.starts_with("import") || written.starts_with("use");
     for (const std::string& broken : stretch.names)
       module.brokenNames.emplace(broken, stretch.span);
   }
@@ -213,8 +216,7 @@ const Module* Library::import(Module& into, const Import& item) {
     std::string chain;
     for (const Module* m : loading_) chain += m->source.name() + " -> ";
     std::vector<DiagnosticNote> notes;
-    if (loading_.size() > 1)
-      notes.push_back({"imported through " + chain + item.path.text, std::nullopt});
+    notes.push_back({"imported through " + chain + item.path.text, std::nullopt});
     tell(into, "R3", item.path.span, "cannot import \"" + item.path.text + "\": " + fault,
          "paths are taken from the folder of the importing file", std::move(notes));
     return nullptr;
@@ -238,6 +240,7 @@ void Library::registerImport(Module& module, const Import& item) {
   if (item.alias && module.imports.contains(name))
     tell(module, "R2", span, "'" + name + "' is given to two imports", "choose another name");
   module.imports[name] = imported;
+  module.hasBrokenImport = module.hasBrokenImport || (!imported && !item.alias);
   if (!imported) return;
   if (item.alias) return;
   const auto clash = [&](const std::string& text, const Module* home, Span at) {

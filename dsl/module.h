@@ -49,7 +49,8 @@ struct Module {
   std::map<std::string, FunctionName> functions;
   std::map<std::string, TemplateName> templates;
   std::map<std::string, const Module*>
-      imports;                              ///< by the name given with `as`, or the file's stem
+      imports;                   ///< by the name given with `as`, or the file's stem
+  bool hasBrokenImport = false;  ///< names may be missing that would have come from there
   std::map<std::string, Span> brokenNames;  ///< perhaps defined in what could not be read
 };
 

@@ -92,7 +92,7 @@ class Search {
 
   std::string best() {
     for (const Phrase& name : names_) offer(name);
-    if (!best_.empty()) return best_;
+    if (!best_.empty() && bestCost_ == names_[0].cost) return best_;
     parts_ = names_;
     addMiddles();
     for (std::size_t i = names_.size(); i < parts_.size(); ++i) offer(parts_[i]);
@@ -114,7 +114,8 @@ class Search {
     const Exact dx = target_.exact[weights_] - phrase.sum.exact[weights_];
     const Exact dy = target_.exact[weights_ + 1] - phrase.sum.exact[weights_ + 1];
     const bool isExact = dx == 0 && dy == 0;
-    const int price = phrase.cost + (isExact ? 0 : 6 + af2::dsl::cost(dx) + af2::dsl::cost(dy));
+    const int price =
+        phrase.cost + (isExact ? 0 : 6 + 2 * (af2::dsl::cost(dx) + af2::dsl::cost(dy)));
     if (!best_.empty() && price >= bestCost_) return;
     best_ = isExact ? phrase.text : phrase.text + " + " + coordinates(dx, dy);
     bestCost_ = price;
@@ -174,7 +175,7 @@ class Search {
   void offerLerp(const Phrase& p, const Phrase& q, const Exact& t) {
     const Sum sum = combine(p.sum, 1 - t, q.sum, t);
     const bool areNames = p.cost + q.cost == 4;
-    if (t == 2 && areNames) return offer({"2*" + q.text + " - " + p.text, sum, 8});
+    if (t == 2 && areNames) return offer({"2*" + q.text + " - " + p.text, sum, 7});
     offer({"lerp(" + p.text + ", " + q.text + ", " + numberText(t) + ")", sum,
            4 + p.cost + q.cost + af2::dsl::cost(t)});
   }

@@ -5,6 +5,7 @@
 #include <optional>
 #include <set>
 
+#include "dsl/printer.h"
 #include "dsl/rls_file.h"
 #include "dsl/rls_rule.h"
 #include "dsl/rls_rule_text.h"
@@ -27,7 +28,9 @@ class Importer {
            "rules begin with: rule \"name\"");
     if (diagnostics_.hasErrors()) return {};
     for (const ClassicRule& rule : rules_) titles_.push_back(titleOf(rule));
-    return header() + writeRules(texts());
+    const std::string text = header() + writeRules(texts());
+    const Formatted formatted = format("imported.af2", text);
+    return formatted.text.empty() ? text : formatted.text;
   }
 
  private:
@@ -74,6 +77,7 @@ class Importer {
   }
 
   std::vector<RuleText> texts() {
+    isPartner_.assign(rules_.size(), false);
     std::vector<bool> isWritten(rules_.size());
     std::vector<RuleText> texts;
     for (std::size_t i = 0; i < rules_.size(); ++i) {
@@ -88,9 +92,10 @@ class Importer {
   std::optional<std::size_t> writeTwin(std::size_t i, const std::vector<bool>& isWritten,
                                        RuleText& text) {
     std::string difference;
-    const auto ownTwin = findTwin(rules_[i], rules_[i], difference);
-    if (ownTwin) return std::nullopt;
+    if (findTwin(rules_[i], rules_[i], difference) || isPartner_[i]) return std::nullopt;
     std::string nearest;
+    if (!difference.empty())
+      nearest = "this rule would be its own mirror image, but for " + difference;
     for (std::size_t j = i + 1; j < rules_.size(); ++j) {
       if (isWritten[j]) continue;
       const auto twin = findTwin(rules_[i], rules_[j], difference);
@@ -100,13 +105,15 @@ class Importer {
         text.hasMirror = true;
         return j;
       }
-      if (nearest.empty() && !difference.empty() && rules_[i].quality == rules_[j].quality)
-        nearest = "this would be the mirror image of \"" + titles_[j] + "\", but for " + difference;
+      if (!nearest.empty() || difference.empty() || rules_[i].quality != rules_[j].quality)
+        continue;
+      nearest = "this would be the mirror image of \"" + titles_[j] + "\", but for " + difference;
+      isPartner_[j] = true;
     }
-    if (!nearest.empty()) {
-      text.remarks.push_back(nearest);
-      tell(Severity::Warning, "I6", rules_[i].span, nearest, "both are kept as they are");
-    }
+    if (nearest.empty()) nearest = "this rule has no mirror image in the file";
+    text.remarks.push_back(nearest);
+    tell(Severity::Warning, "I6", rules_[i].span, nearest,
+         "if its mirror image is wanted, add: mirror \"a title\";");
     return std::nullopt;
   }
 
@@ -141,6 +148,7 @@ class Importer {
   std::vector<ClassicRule> rules_;
   std::vector<std::string> titles_;
   std::set<std::string> used_;
+  std::vector<bool> isPartner_;  // rules that an earlier one was compared with in a remark
 };
 
 }  // namespace

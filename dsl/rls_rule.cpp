@@ -41,8 +41,7 @@ class Converter {
     readElements();
     readZone();
     readOrientations();
-    checkElements();
-    checkFront();
+    if (checkElements()) checkFront();
     return std::move(rule_);
   }
 
@@ -259,7 +258,9 @@ class Converter {
     return std::nullopt;
   }
 
-  void checkElements() {
+  /// False if one wrong element explains all that there is to say about the front.
+  bool checkElements() {
+    bool isExplained = false;
     for (std::size_t i = 0; i < rule_.elements.size(); ++i) {
       if (isTurnedLeft(rule_.elements[i])) continue;
       const auto better = fittingElement(i);
@@ -267,7 +268,9 @@ class Converter {
            "this element does not run counter-clockwise where the rule expects its corners",
            better ? "with " + fileNumbers(*better) + " instead all the rest would fit"
                   : "elements run counter-clockwise");
+      isExplained |= better.has_value();
     }
+    return !isExplained;
   }
 
   /// The edges that leave and join the front follow from the elements; what the file says of them

@@ -137,10 +137,21 @@ class Comparison {
     return corners;
   }
 
+  /// The new elements turn left at every corner in any case, so corners of theirs do not count.
+  static bool isImplied(const ClassicRule& rule, const Numbers& triple) {
+    return std::ranges::any_of(rule.elements, [&](const Numbers& element) {
+      const auto place = [&](int v) { return std::ranges::find(element, v) - element.begin(); };
+      const std::ptrdiff_t n = std::ssize(element);
+      const std::ptrdiff_t i = place(triple[0]), j = place(triple[1]), k = place(triple[2]);
+      return i < n && j < n && k < n && (j - i + n) % n < (k - i + n) % n;
+    });
+  }
+
   std::set<Numbers> orientations(const ClassicRule& rule, bool isImage) const {
     std::set<Numbers> result;
     for (const auto& triple : rule.orientations) {
       Numbers v(triple.begin(), triple.end());
+      if (isImplied(rule, v)) continue;
       if (isImage) v = {at(triple[2]), at(triple[1]), at(triple[0])};
       result.insert(rotated(v));
     }

@@ -492,8 +492,7 @@ void ClauseCompiler::compileRequire(const RequireClause& clause) {
       expressions_.tell("D1", expr.span,
                         *constant != 0 ? "this condition always holds"
                                        : "this condition never holds, so the rule never applies",
-                        "", "it does not depend on the match",
-                        *constant != 0 ? Severity::Warning : Severity::Error);
+                        "", "it does not depend on the match", Severity::Warning);
     definition().requirements.push_back(makeFunction(builder_, value.number));
   }
 }
@@ -656,8 +655,9 @@ void ClauseCompiler::compileZones() {
   const bool hasConditions = std::any_of(zones_.begin(), zones_.end(), hasWhen);
   for (std::size_t i = 1; i < zones_.size(); ++i)
     if (hasConditions && !hasWhen(zones_[i - 1]))
-      tell("D1", result_.zoneSpans[i], "this zone is never used", "",
-           "the one without `when` takes all that is left; write it last");
+      expressions_.tell("D1", result_.zoneSpans[i], "this zone is never used", "",
+                        "the one without `when` takes all that is left; write it last",
+                        Severity::Warning);
   if (!std::all_of(zones_.begin(), zones_.end(), [](const ReadZone& z) { return z.isRight; }))
     return;
   for (const ReadZone& zone : zones_)

@@ -152,7 +152,7 @@ void FileCompiler::compileInstance(const Module& module, const Instance& instanc
   }
   const auto found = home->templates.find(call.name);
   if (found == home->templates.end()) {
-    if (home->brokenNames.contains(call.name)) return;
+    if (home->brokenNames.contains(call.name) || home->hasBrokenImport) return;
     std::vector<std::string> known;
     for (const auto& [name, t] : home->templates) known.push_back(name);
     return values.tell("R1", call.span, "there is no template '" + call.name + "'", "",
@@ -235,7 +235,7 @@ void FileCompiler::compileUse(const Module& module, const Use& use) {
     std::vector<std::string> known;
     for (const auto& [name, m] : module.imports) known.push_back(name);
     const std::string help = didYouMean(use.library.text, known);
-    if (!module.brokenNames.contains(use.library.text))
+    if (!module.brokenNames.contains(use.library.text) && !module.hasBrokenImport)
       tell(module, "R1", use.library.span, "nothing is imported as '" + use.library.text + "'",
            help.empty() ? "import the file first: `import \"" + use.library.text + ".af2\" as " +
                               use.library.text + ";`"

@@ -200,6 +200,9 @@ const CompiledRule* TestCompiler::findRule(const Name& title) {
     titles.push_back(rule.definition.name);
   }
   hasErrors_ = true;
+  if (module_.hasBrokenImport) return nullptr;
+  for (const auto& [name, imported] : module_.imports)
+    if (!imported) return nullptr;
   // A rule with errors is not among the compiled ones; it has been told about.
   for (const Item& item : module_.parsed.file.items) {
     const auto isTitled = [&](const Name& name) {

@@ -19,6 +19,19 @@ constexpr std::array kChecks{
     Check{"M1 M2", "Has every rule its mirror image, once?", checkMirrors},
 };
 
+bool isNeverTried(const CheckedRules& given, const std::string& title) {
+  return std::ranges::any_of(given.rules, [&](const CompiledRule& rule) {
+    return rule.definition.name == title && rule.definition.firstLevel > given.settings.maxLevel;
+  });
+}
+
+/// A rule that is switched off by its level can do no harm: its errors are worth telling, but do
+/// not keep the others from being used.
+void excuse(Diagnostic& d) {
+  d.severity = Severity::Warning;
+  d.notes.push_back({"this rule is never tried, so the others can be used all the same", {}});
+}
+
 }  // namespace
 
 std::span<const Check> checks() { return kChecks; }
@@ -48,7 +61,10 @@ void runChecks(const CheckedRules& given, DiagnosticList& diagnostics) {
     for (Diagnostic& d : found.take()) {
       // While rules are missing because of errors, whose twins they are cannot be said.
       if (d.code == "M1" && diagnostics.hasErrors()) continue;
-      if (d.severity == Severity::Error) faulty.insert(d.rule);
+      if (d.severity == Severity::Error) {
+        faulty.insert(d.rule);
+        if (isNeverTried(given, d.rule)) excuse(d);
+      }
       diagnostics.add(std::move(d));
     }
     std::erase_if(sound,

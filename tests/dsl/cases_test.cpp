@@ -48,7 +48,7 @@ TEST_P(Cases, AreToldAsExpected) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Golden, Cases, testing::ValuesIn(caseNames()),
-                         [](const auto& info) { return info.param; });
+                         [](const auto& tested) { return tested.param; });
 
 TEST(CodeExplanations, AreSortedAndFoundInEitherForm) {
   const auto all = codeExplanations();
