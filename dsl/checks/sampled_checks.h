@@ -58,8 +58,8 @@ struct SampledResult {
   std::vector<RuleAnswers> answers;      ///< by rule
 };
 
-/// G2 and Z1 at the first kLevelsLookedAt levels of each rule, Z2 at its own level, Z3, and D3. Rules
-/// that the rule set's levels never reach are passed over.
+/// G2 and Z1 at the first kLevelsLookedAt levels of each rule, Z2 at its own level, Z3, and D3.
+/// Rules that the rule set's levels never reach are passed over.
 SampledResult runSampledChecks(const RuleSet& rules, const SamplingOptions& options = {});
 
 /// "12 rules; elements positive (G2): proven for 11, sampled for 1; inside the free zone (Z1): ..."
