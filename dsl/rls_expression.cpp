@@ -75,6 +75,8 @@ int cost(const Exact& number) {
   return static_cast<int>(text.size()) + (text.find('/') != std::string::npos ? 6 : 0);
 }
 
+constexpr int kNameCost = 2;
+
 struct Phrase {
   std::string text;
   Sum sum;
@@ -86,13 +88,13 @@ class Search {
   Search(Sum target, const std::vector<NamedPoint>& points)
       : target_(std::move(target)), weights_(target_.exact.size() - 2) {
     for (const NamedPoint& point : points) {
-      if (point.map.isPointSum()) names_.push_back({point.name, sumOf(point.map), 2});
+      if (point.map.isPointSum()) names_.push_back({point.name, sumOf(point.map), kNameCost});
     }
   }
 
   std::string best() {
     for (const Phrase& name : names_) offer(name);
-    if (!best_.empty() && bestCost_ == names_[0].cost) return best_;
+    if (!best_.empty() && bestCost_ == kNameCost) return best_;
     parts_ = names_;
     addMiddles();
     for (std::size_t i = names_.size(); i < parts_.size(); ++i) offer(parts_[i]);
@@ -115,10 +117,17 @@ class Search {
     const Exact dy = target_.exact[weights_ + 1] - phrase.sum.exact[weights_ + 1];
     const bool isExact = dx == 0 && dy == 0;
     const int price =
-        phrase.cost + (isExact ? 0 : 6 + 2 * (af2::dsl::cost(dx) + af2::dsl::cost(dy)));
+        phrase.cost +
+        (bearsConstant(phrase) && phrase.cost > kNameCost + (isExact ? 0 : -1) ? 6 : 0) +
+        (isExact ? 0 : 4 + af2::dsl::cost(dx) + af2::dsl::cost(dy));
     if (!best_.empty() && price >= bestCost_) return;
     best_ = isExact ? phrase.text : phrase.text + " + " + coordinates(dx, dy);
     bestCost_ = price;
+  }
+
+  /// Such a phrase may be right by chance: its constant comes from a new vertex nearby.
+  bool bearsConstant(const Phrase& phrase) const {
+    return phrase.sum.exact[weights_] != 0 || phrase.sum.exact[weights_ + 1] != 0;
   }
 
   void addMiddles() {
@@ -174,7 +183,7 @@ class Search {
 
   void offerLerp(const Phrase& p, const Phrase& q, const Exact& t) {
     const Sum sum = combine(p.sum, 1 - t, q.sum, t);
-    const bool areNames = p.cost + q.cost == 4;
+    const bool areNames = p.cost + q.cost == 2 * kNameCost;
     if (t == 2 && areNames) return offer({"2*" + q.text + " - " + p.text, sum, 7});
     offer({"lerp(" + p.text + ", " + q.text + ", " + numberText(t) + ")", sum,
            4 + p.cost + q.cost + af2::dsl::cost(t)});

@@ -1,0 +1,49 @@
+// af2 import
+#include <fmt/core.h>
+
+#include <memory>
+
+#include "cli/exit_code.h"
+#include "cli/rule_files.h"
+#include "cli/text_files.h"
+#include "cli/verbs.h"
+#include "dsl/rls_import.h"
+
+namespace af2::cli {
+namespace {
+
+struct ImportOptions {
+  std::string input, output = "-", format = "pretty";
+  bool quiet = false;
+};
+
+int importRules(const ImportOptions& options) {
+  RuleText file = readRuleText(options.input);
+  const dsl::ImportedRules rules = dsl::importRls(std::move(file.name), std::move(file.text));
+  const bool failed = dsl::hasErrors(rules.diagnostics);
+  if (!options.quiet || failed) {
+    fmt::print(stderr, "{}",
+               options.format == "json" ? dsl::toJson(rules.diagnostics)
+                                        : dsl::toPretty(rules.diagnostics));
+  }
+  if (failed) return kUnusable;
+  writeText(options.output, rules.text);
+  return kComplete;
+}
+
+}  // namespace
+
+Action declareImport(CLI::App& command) {
+  const auto options = std::make_shared<ImportOptions>();
+  command.add_option("file", options->input, "rule file of Netgen (.rls), or - for stdin")
+      ->required();
+  command.add_option("-o,--output", options->output, "the .af2 file to write; - is stdout")
+      ->capture_default_str();
+  command.add_option("--format", options->format, "of what is noticed: pretty or json")
+      ->check(CLI::IsMember({"pretty", "json"}))
+      ->capture_default_str();
+  command.add_flag("-q,--quiet", options->quiet, "tell errors only");
+  return [options] { return importRules(*options); };
+}
+
+}  // namespace af2::cli
