@@ -36,27 +36,35 @@ std::string stuckReason(const MeshingResult& result, const AF2Algorithm& algorit
 }
 
 /// Stops a run that no longer fills a region but grows without end, because the boundary does not
-/// enclose one.
+/// enclose one; or that is stuck almost everywhere, though still trying. Goes by what has been done,
+/// never by the clock.
 class RunawayGuard {
  public:
-  RunawayGuard(std::size_t limit, const std::stop_token& outer)
-      : limit_(limit), forward_(outer, Forward{&source_}) {}
+  RunawayGuard(std::size_t limit, bool mayStall, const std::stop_token& outer)
+      : limit_(limit), mayStall_(mayStall), forward_(outer, Forward{&source_}) {}
 
   std::stop_token token() const { return source_.get_token(); }
   void see(const Progress& progress) {
-    if (progress.elements <= limit_) return;
-    ranAway_ = true;
-    source_.request_stop();
+    ranAway_ = progress.elements > limit_;
+    stalls_ = progress.elements < elements_ + kLeastGain ? stalls_ + 1 : 0;
+    elements_ = progress.elements;
+    if (ranAway_ || isStalled()) source_.request_stop();
   }
   bool ranAway() const { return ranAway_; }
+  /// Thousands of steps brought next to nothing, and there is another way to try.
+  bool isStalled() const { return mayStall_ && stalls_ >= kMostStalls; }
 
  private:
   struct Forward {
     std::stop_source* source;
     void operator()() const { source->request_stop(); }
   };
-  std::size_t limit_;
-  bool ranAway_ = false;
+  static constexpr std::size_t kLeastGain = 64;  // elements from one report to the next
+  static constexpr int kMostStalls = 2;
+
+  std::size_t limit_, elements_ = 0;
+  int stalls_ = 0;
+  bool mayStall_, ranAway_ = false;
   std::stop_source source_;
   std::stop_callback<Forward> forward_;
 };
@@ -83,8 +91,8 @@ class FacePoints final : public SurfaceEvaluator {
 
 /// Runs the engine with a guard and reports what came of it.
 template <class Run>
-FaceAttempt guarded(const FaceTask& task, Run&& run) {
-  RunawayGuard guard(elementLimit(task), task.options.stop);
+FaceAttempt guarded(const FaceTask& task, bool mayStall, Run&& run) {
+  RunawayGuard guard(elementLimit(task), mayStall, task.options.stop);
   MeshingOptions options;
   options.stop = guard.token();
   if (task.options.observer) options.observer = task.options.observer(task.face);
@@ -96,13 +104,15 @@ FaceAttempt guarded(const FaceTask& task, Run&& run) {
   if (guard.ranAway())
     attempt.fault =
         "far more elements than the area has room for: the boundary does not enclose a region";
+  else if (guard.isStalled())
+    attempt.fault = "the front got stuck almost everywhere";
   else if (attempt.result.outcome == Outcome::Stuck)
     attempt.fault = stuckReason(attempt.result, task.algorithm);
   return attempt;
 }
 
 FaceAttempt attempt(const FaceTask& task, std::unique_ptr<AF2LocalTransformMaker> charts) {
-  return guarded(task, [&](const MeshingOptions& options) {
+  return guarded(task, false, [&](const MeshingOptions& options) {
     FaceAttempt attempt;
     attempt.charts = std::move(charts);
     attempt.result =
@@ -113,9 +123,14 @@ FaceAttempt attempt(const FaceTask& task, std::unique_ptr<AF2LocalTransformMaker
   });
 }
 
+/// Charts in the parameters.
+bool hasSecondWay(const FaceTask& task) {
+  return !task.surface.isPlane() && task.boundary.closedInParameters;
+}
+
 /// With the published charts, in pieces if the face is large.
 FaceAttempt attemptInPieces(const FaceTask& task) {
-  return guarded(task, [&](const MeshingOptions& options) {
+  return guarded(task, hasSecondWay(task), [&](const MeshingOptions& options) {
     const FacePoints points(task.surface);
     const bool canCut = task.boundary.closedInParameters;
     RegionMesh mesh = meshRegion(task.algorithm,
@@ -199,7 +214,7 @@ bool close(const FaceTask& task, FaceAttempt& attempt, bool inParameters) {
 FaceAttempt fillWithRules(const FaceTask& task) {
   FaceAttempt first = attemptInPieces(task);
   if (first.fault.empty()) return first;
-  const bool hasSecond = !task.surface.isPlane() && task.boundary.closedInParameters;
+  const bool hasSecond = hasSecondWay(task);
   FaceAttempt second;
   if (hasSecond) {
     second = attempt(task, std::make_unique<MetricChartMaker>(task.surface.inParameters()));
