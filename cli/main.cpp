@@ -11,9 +11,10 @@ int main(int count, char** arguments) {
       {"test", "run the tests of rule files", declareTest},
       {"fmt", "lay out rule files", declareFmt},
       {"draw", "draw rules", declareDraw},
+      {"doc", "make a gallery of a rule set", declareDoc},
+      {"new", "begin a rule set or a rule", declareNew},
       {"eval", "tell what one rule does at given positions", declareEval},
       {"compile", "show what rules become", declareCompile},
-      {"import", "rewrite rule files of Netgen (.rls)", declareImport},
       {"explain-code", "explain the code of a diagnostic", declareExplainCode},
       {"version", "tell the version", declareVersion},
   };

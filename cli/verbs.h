@@ -23,10 +23,11 @@ Action declareCheck(CLI::App& command);
 Action declareTest(CLI::App& command);
 Action declareFmt(CLI::App& command);
 Action declareDraw(CLI::App& command);
+Action declareDoc(CLI::App& command);
+Action declareNew(CLI::App& command);
 Action declareEval(CLI::App& command);
 Action declareCompile(CLI::App& command);
 Action declareExplainCode(CLI::App& command);
-Action declareImport(CLI::App& command);
 Action declareVersion(CLI::App& command);
 
 }  // namespace af2::cli

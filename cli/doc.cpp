@@ -1,0 +1,46 @@
+// af2 doc
+#include <fmt/core.h>
+
+#include <filesystem>
+#include <memory>
+
+#include "cli/exit_code.h"
+#include "cli/gallery.h"
+#include "cli/rule_files.h"
+#include "cli/text_files.h"
+#include "cli/usage_error.h"
+#include "cli/verbs.h"
+
+namespace af2::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+int document(const std::string& file, const std::string& output) {
+  const dsl::LoadedRules loaded = loadSoundRuleFile(file);
+  const fs::path folder = output.empty() ? stemOf(file) + "-doc" : output;
+  for (const auto& [path, content] : makeGallery(loaded)) {
+    const fs::path target = folder / path;
+    std::error_code error;
+    fs::create_directories(target.parent_path(), error);
+    if (error) {
+      throw UsageError(fmt::format("cannot make the folder '{}': {}", target.parent_path().string(),
+                                   error.message()));
+    }
+    writeText(target.string(), content);
+  }
+  fmt::print("wrote {}\n", (folder / "index.html").string());
+  return kComplete;
+}
+
+}  // namespace
+
+Action declareDoc(CLI::App& command) {
+  const auto file = std::make_shared<std::string>();
+  const auto output = std::make_shared<std::string>();
+  command.add_option("file", *file, "rule file, or - for stdin")->required();
+  command.add_option("-o,--output", *output, "a folder; default: the name of the file with -doc");
+  return [file, output] { return document(*file, *output); };
+}
+
+}  // namespace af2::cli
