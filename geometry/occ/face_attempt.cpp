@@ -73,7 +73,7 @@ class RunawayGuard {
 std::size_t elementLimit(const FaceTask& task) {
   std::size_t corners = 0;
   for (const auto& loop : task.boundary.input.loops) corners += loop.size();
-  return static_cast<std::size_t>(std::min(100 * task.expectedElements, 1e9)) + 100 * corners +
+  return static_cast<std::size_t>(std::min(100 * task.expectedElements, 1e9)) + 30 * corners +
          10000;
 }
 

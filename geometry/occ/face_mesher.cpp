@@ -2,6 +2,7 @@
 
 #include <BRepGProp.hxx>
 #include <GProp_GProps.hxx>
+#include <Precision.hxx>
 #include <Standard_Failure.hxx>
 #include <chrono>
 
@@ -137,7 +138,8 @@ double areaOf(const ModelShape& model, int face) {
   try {
     GProp_GProps properties;
     BRepGProp::SurfaceProperties(model.face(face), properties);
-    return std::abs(properties.Mass());
+    const double area = std::abs(properties.Mass());
+    return area < Precision::Infinite() ? area : 0;  // no boundary, or not a number
   } catch (const Standard_Failure&) {
     return 0;
   }

@@ -94,8 +94,9 @@ std::string checkReferences(const Handle(StepData_StepModel) & model) {
     if (!face.IsNull()) dropMissingBounds(face);
   }
   if (count == 0) return "";
-  return std::to_string(count) + " entities of this STEP file refer to what it does not hold (" +
-         first + ")";
+  return (count == 1 ? "an entity of this STEP file refers"
+                     : std::to_string(count) + " entities of this STEP file refer") +
+         (" to what it does not hold (" + first + ")");
 }
 
 }  // namespace
