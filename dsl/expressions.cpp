@@ -35,7 +35,8 @@ std::vector<std::string> ExpressionCompiler::namesInScope() const {
   std::vector<std::string> names;
   for (const auto& [name, local] : locals) names.push_back(name);
   for (const auto& [name, constant] : module_->constants) names.push_back(name);
-  if (place_ != ExpressionPlace::Constant && place_ != ExpressionPlace::Metric)
+  if (place_ != ExpressionPlace::Constant && place_ != ExpressionPlace::Metric &&
+      place_ != ExpressionPlace::Test)
     names.push_back("q");
   if (place_ == ExpressionPlace::Acceptance) names.push_back("score");
   return names;
@@ -178,6 +179,11 @@ Value ExpressionCompiler::unknownName(const Expr& expr, bool isFunction) {
        std::string(isFunction ? "there is no function '" : "there is no '") + expr.name + "'" +
            (isFunction ? "" : " here"),
        "", help);
+  if (!isFunction && place_ == ExpressionPlace::Rule && calls_.empty()) {
+    Local broken;  // told once for each rule
+    broken.kind = LocalKind::Broken;
+    locals.emplace(expr.name, std::move(broken));
+  }
   return {};
 }
 

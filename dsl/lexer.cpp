@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cmath>
 #include <string_view>
+#include <utility>
 
 namespace af2::dsl {
 namespace {
@@ -41,6 +42,7 @@ class Lexer {
 
   void tell(const char* code, std::size_t from, std::size_t to, std::string message,
             std::string help) {
+    isDoubtful_ = true;
     Diagnostic d;
     d.code = code;
     d.message = std::move(message);
@@ -51,6 +53,7 @@ class Lexer {
 
   void add(TokenKind kind, std::size_t from, std::string text, double number = 0) {
     Token token{kind, spanOf(from, at_), std::move(text), number, std::move(doc_), lineIsEmpty_};
+    token.isDoubtful = std::exchange(isDoubtful_, false);
     doc_.clear();
     lineIsEmpty_ = false;
     result_.tokens.push_back(std::move(token));
@@ -246,6 +249,7 @@ class Lexer {
   std::size_t at_ = 0;
   std::string doc_;
   bool lineIsEmpty_ = true;
+  bool isDoubtful_ = false;
 };
 
 }  // namespace

@@ -99,6 +99,12 @@ class ClauseCompiler {
     expressions_.tell(code, span, std::move(message), "", std::move(help), Severity::Warning);
   }
 
+  void markBroken(const std::string& name) {
+    broken_.insert(name);
+    Local local;
+    local.kind = LocalKind::Broken;
+    expressions_.locals.emplace(name, std::move(local));
+  }
   bool defineLocal(const Name& name, Value value, LocalKind kind);
   void poisonBrokenNames();
   void collectPattern();
@@ -328,6 +334,7 @@ std::optional<int> ClauseCompiler::matchedVertex(const Name& name, const char* u
   std::string help = didYouMean(name.text, known);
   tell("R1", name.span, "the vertex '" + name.text + "' has no place", "",
        help.empty() ? "say where it is expected: `at " + name.text + " (x, y);`" : help);
+  markBroken(name.text);
   return std::nullopt;
 }
 
@@ -442,7 +449,12 @@ std::optional<int> ClauseCompiler::elementVertex(const Name& kind, const Name& n
          "make it a vertex with `new " + name.text + " = ...;`");
     return std::nullopt;
   }
-  std::string help = didYouMean(name.text, known);
+  const std::string help = didYouMean(name.text, known);
+  if (local != expressions_.locals.end() && local->second.kind == LocalKind::Broken) {
+    hasErrors_ = true;  // told where it was first used
+    return std::nullopt;
+  }
+  markBroken(name.text);
   tell("R1", name.span,
        "'" + kind.text + "' uses the vertex '" + name.text + "', which this rule does not have", "",
        "vertices of this rule: " + list + (help.empty() ? "" : "; " + help));
@@ -896,27 +908,28 @@ std::optional<CompiledProperty> RuleCompiler::compileProperty(const Property& pr
   result.span = property.title.span;
   result.rule = rule.definition.name;
   result.firstLevel = result.lastLevel = rule.definition.firstLevel;
+  bool isRight = true;
   if (property.variable) {
     const auto first = expressions.constantNumber(property.first, "the first level");
     const auto last = expressions.constantNumber(property.last, "the last level");
-    if (!first || !last) return std::nullopt;
-    const bool isRange = *first >= 1 && *first <= *last && *last <= settings_.maxLevel &&
-                         *first == std::floor(*first) && *last == std::floor(*last);
-    if (!isRange) {
+    const bool isRange = first && last && *first >= 1 && *first <= *last &&
+                         *last <= settings_.maxLevel && *first == std::floor(*first) &&
+                         *last == std::floor(*last);
+    isRight = isRange;
+    if (first && last && !isRange)
       expressions.tell(
           "Y3", cover(property.first.span, property.last.span),
           "the levels must be whole numbers from 1 to " + std::to_string(settings_.maxLevel));
-      return std::nullopt;
+    if (isRange) {
+      result.firstLevel = static_cast<int>(*first);
+      result.lastLevel = static_cast<int>(*last);
     }
-    result.firstLevel = static_cast<int>(*first);
-    result.lastLevel = static_cast<int>(*last);
     Local level;
     level.kind = LocalKind::Parameter;
     level.value = expressions.algebra().scalar(
         Type::Number, expressions.builder().make(Op::Level, std::initializer_list<Node>{}));
     expressions.locals[property.variable->text] = level;
   }
-  bool isRight = true;
   for (const Expr& expr : property.expectations) {
     const Value value = expressions.truth(expr, "what is expected");
     isRight = isRight && !value.isAny();

@@ -53,21 +53,25 @@ bool isComparison(const Token& token) {
 }
 
 /// Where a `rule`, test or other block of which the beginning is known may be gone on with.
-bool endsBlockEarly(const Token* token) {
-  return token->kind == TokenKind::End || SyntaxErrors::beginsItem(token);
+/// Tests name rules as items do; there only the beginning of a line counts.
+bool endsBlockEarly(const Token* token, SyntaxUnit unit) {
+  if (token->kind == TokenKind::End) return true;
+  return SyntaxErrors::beginsItem(token) && (unit != SyntaxUnit::TestClause || token->startsLine);
 }
 
 const Token* skipUnit(SyntaxUnit unit, const Token* first, const Token* from) {
   int braces = 0;
+  if (unit != SyntaxUnit::RuleHeader)
+    for (const Token* t = first; t < from; ++t) braces += t->is("{") ? 1 : t->is("}") ? -1 : 0;
   for (const Token* t = from;; ++t) {
-    if (endsBlockEarly(t) && t > first) return t;
+    if (endsBlockEarly(t, unit) && t > first) return t;
     if (t->kind == TokenKind::End) return t;
     if (t->is("{")) {
       if (unit == SyntaxUnit::RuleHeader) return t;
       ++braces;
     } else if (t->is("}")) {
       if (braces == 0) return unit == SyntaxUnit::Item ? t + 1 : t;
-      if (--braces == 0) return t + 1;
+      if (--braces <= 0) return t + 1;
     } else if (t->is(";") && braces == 0) {
       // A header that ends in `;` has no body; what was meant as one cannot be told from clauses.
       return t + 1;
@@ -158,6 +162,13 @@ void SyntaxErrors::tellMissing(SyntaxUnit unit, const Token* where, const std::s
                 "write '==' to ask whether two things are equal");
   if (wanted == ";" && (where->is("&") || where->is("|")))
     return tell("S1", here, "unexpected " + found(*where), "conditions are joined by `and`, `or`");
+  if (wanted == ";" && where->is(")"))
+    return tell("S1", here, "this ')' closes nothing", "delete it");
+  const bool isDoubled = where->span.begin == before->span.end && where->text == before->text;
+  if (isDoubled && (where->is("&") || where->is("|")))
+    return tell("S1", cover(before->span, where->span),
+                "'" + where->text + where->text + "' means nothing",
+                "conditions are joined by `and`, `or`");
   if (wanted == "an expression")
     return tell("S3", here,
                 "an expression is missing between '" + before->text.substr(0, 40) + "' and " +
@@ -173,19 +184,21 @@ void SyntaxErrors::tellMissing(SyntaxUnit unit, const Token* where, const std::s
     return tell("S1", behind,
                 "'" + wanted + "' is missing after '" + before->text.substr(0, 40) + "'",
                 "add '" + wanted + "'");
-  tell("S1", here, "expected " + quoted(wanted) + ", found " + found(*where), "");
+  tell("S1", here, "expected " + quoted(wanted) + ", found " + found(*where),
+       where->kind == TokenKind::Name ? didYouMean(where->text, {wanted}) : "");
 }
 
 const Token* SyntaxErrors::tellAndRecover(SyntaxUnit unit, const Token* first, const Token* where,
                                           const Token* last, const std::string& wanted) {
-  if (where != resumedAt_ || where == first) {
+  const bool isTold = where->isDoubtful || (where > first && (where - 1)->isDoubtful);
+  if (!isTold && (where != resumedAt_ || where == first)) {
     if (wanted == kItem || wanted == kClause || wanted == kSetting || wanted == kTestClause)
       tellUnknownWord(where, wanted);
     else
       tellMissing(unit, where, wanted);
   }
   const Token* resumed = skipUnit(unit, first, where == first ? first + 1 : where);
-  if (where == first && !endsBlockEarly(first)) {
+  if (where == first && !endsBlockEarly(first, unit)) {
     // The first word itself is wrong; what hangs on it goes with it.
     resumed = skipUnit(unit, first, first->is("{") || first->is(";") ? first : first + 1);
   }
