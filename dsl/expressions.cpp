@@ -33,7 +33,8 @@ void ExpressionCompiler::tell(const char* code, Span span, std::string message, 
 
 std::vector<std::string> ExpressionCompiler::namesInScope() const {
   std::vector<std::string> names;
-  for (const auto& [name, local] : locals) names.push_back(name);
+  for (const auto& [name, local] : locals)
+    if (local.kind != LocalKind::Broken) names.push_back(name);
   for (const auto& [name, constant] : module_->constants) names.push_back(name);
   if (place_ != ExpressionPlace::Constant && place_ != ExpressionPlace::Metric &&
       place_ != ExpressionPlace::Test)
