@@ -1,0 +1,121 @@
+// What must be empty: the zone clauses of a rule.
+#include "dsl/clause_compiler.h"
+
+#include <algorithm>
+
+#include "dsl/compiled_forms.h"
+#include "dsl/shape_program.h"
+
+namespace af2::dsl {
+
+void ClauseCompiler::readZone(const ZoneClause& clause, Span span) {
+  ReadZone zone;
+  zone.text = &clause;
+  zone.isRight = clause.corners.size() != 2;
+  if (!zone.isRight) tell("Y6", span, "a zone needs at least three corners", "2 are given");
+  if (isShapeClause(clause)) {
+    zone.shape = expressions_.shape(clause.corners[0]);
+    zone.isRight = !zone.shape.isAny();
+  } else {
+    for (const Expr& expr : clause.corners) {
+      auto corner = expressions_.corner(expr);
+      const bool isBroken =
+          corner.preferred.isAny() || (corner.limiting && corner.limiting->isAny());
+      zone.isRight = zone.isRight && !isBroken;
+      zone.corners.push_back(std::move(corner));
+    }
+  }
+  if (!clause.when.isMissing()) {
+    zone.when = expressions_.truth(clause.when, "what follows `when`");
+    zone.isRight = zone.isRight && !zone.when.isAny();
+  }
+  hasErrors_ = hasErrors_ || !zone.isRight;
+  zones_.push_back(std::move(zone));
+  result_.zoneSpans.push_back(span);
+}
+
+/// The list form of a zone, in the engine's fast form.
+std::shared_ptr<const AF2FreeZoneDef> ClauseCompiler::cornerZone(const ReadZone& zone) {
+  std::vector<ConvexPolygonZoneDef::Corner> corners;
+  for (const auto& corner : zone.corners) {
+    ConvexPolygonZoneDef::Corner made;
+    made.preferred = makeTransform(builder_, algebra().toBase(corner.preferred.at));
+    if (corner.limiting)
+      made.limiting = makeTransform(builder_, algebra().toBase(corner.limiting->at));
+    corners.push_back(std::move(made));
+  }
+  if (mirror_) {
+    std::reverse(corners.begin(), corners.end());
+    std::rotate(corners.begin(), corners.end() - 2, corners.end());  // a, b come first again
+  }
+  return std::make_shared<ConvexPolygonZoneDef>(std::move(corners), settings_.fade);
+}
+
+ShapeValue ClauseCompiler::shapeOf(const ReadZone& zone) {
+  if (isShapeClause(*zone.text)) return reflected(algebra(), *zone.shape.shape);
+  ShapeValue result;
+  result.kind = ShapeKind::Convex;
+  for (const auto& corner : zone.corners)
+    result.points.push_back(
+        corner.limiting ? algebra().lerp(corner.limiting->at, corner.preferred.at, fadeNode())
+                        : corner.preferred.at);
+  return reflected(algebra(), result);
+}
+
+void ClauseCompiler::compileUserZone(const ReadZone& zone) {
+  const Span span = zone.text->corners[0].span;
+  if (zones_.size() > 1 || !zone.text->when.isMissing())
+    return tell("Y7", span, "a registered shape can only be the whole zone");
+  if (mirror_)
+    return tell("Y7", span, "a rule with a registered zone shape cannot be mirrored", "",
+                "write the mirror image as a rule of its own");
+  definition().zone = std::make_shared<UserZoneDef>(zone.shape.shape->user,
+                                                    builder_.program(zone.shape.shape->numbers));
+}
+
+ShapeValue ClauseCompiler::unionOf(std::vector<ShapeValue> shapes) {
+  ShapeValue result = std::move(shapes[0]);
+  for (std::size_t i = 1; i < shapes.size(); ++i) {
+    ShapeValue both;
+    both.kind = ShapeKind::Union;
+    both.parts = {std::make_shared<const ShapeValue>(std::move(result)),
+                  std::make_shared<const ShapeValue>(std::move(shapes[i]))};
+    result = std::move(both);
+  }
+  return result;
+}
+
+void ClauseCompiler::compileZones() {
+  if (zones_.empty()) return;
+  const auto hasWhen = [](const ReadZone& z) { return !z.text->when.isMissing(); };
+  const bool hasConditions = std::any_of(zones_.begin(), zones_.end(), hasWhen);
+  for (std::size_t i = 1; i < zones_.size(); ++i)
+    if (hasConditions && !hasWhen(zones_[i - 1]))
+      expressions_.tell("D1", result_.zoneSpans[i], "this zone is never used", "",
+                        "the one without `when` takes all that is left; write it last",
+                        Severity::Warning);
+  if (!std::all_of(zones_.begin(), zones_.end(), [](const ReadZone& z) { return z.isRight; }))
+    return;
+  for (const ReadZone& zone : zones_)
+    if (isShapeClause(*zone.text) && zone.shape.shape->user) return compileUserZone(zone);
+  if (zones_.size() == 1 && !hasConditions && !isShapeClause(*zones_[0].text)) {
+    definition().zone = cornerZone(zones_[0]);
+    return;
+  }
+  const auto program = [&](const ShapeValue& shape) {
+    return std::make_shared<const ShapeProgram>(builder_, shape);
+  };
+  std::vector<ShapeZoneDef::Alternative> alternatives;
+  std::vector<ShapeValue> united;
+  for (const ReadZone& zone : zones_) {
+    if (!hasConditions)
+      united.push_back(shapeOf(zone));
+    else
+      alternatives.push_back({hasWhen(zone) ? makeFunction(builder_, zone.when.number) : nullptr,
+                              program(shapeOf(zone))});
+  }
+  if (!united.empty()) alternatives.push_back({nullptr, program(unionOf(std::move(united)))});
+  definition().zone = std::make_shared<ShapeZoneDef>(std::move(alternatives));
+}
+
+}  // namespace af2::dsl
