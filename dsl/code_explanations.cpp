@@ -54,6 +54,43 @@ const std::array kExplanations{
                     "The engine refuses such a match, but a rule that often fails so costs time "
                     "and leaves gaps.\n\n"
                     "Way out: tighten a tolerance, or add `require convex(...)`."},
+    CodeExplanation{"I1", "a rule file of Netgen cannot be read here",
+                    "Such a file is a list of `rule \"name\" ... endrule`. A clause is a keyword "
+                    "and its parts, each\n"
+                    "closed by ';': points `(x, y) { 0.5 X2 } { 0.5 Y2 };`, lines `(1, 2) del;`, "
+                    "elements `(1, 2, 3);`."},
+    CodeExplanation{"I2", "a rule of Netgen contradicts itself or asks too much",
+                    "A number of a point that there is not, a front that branches, no elements, "
+                    "more points than a\n"
+                    "rule can have."},
+    CodeExplanation{"I3", "a rule for volumes",
+                    "freeset, flags, tolfak and the like belong to rules that fill volumes with "
+                    "tetrahedra. They look\n"
+                    "like rules for surfaces, but AF2 meshes surfaces only."},
+    CodeExplanation{"I4", "text outside of the rules",
+                    "What stands between `endrule` and the next `rule` is passed over without a "
+                    "word by the program that\n"
+                    "such files are made for. A rule whose first word is misspelt gets lost that "
+                    "way."},
+    CodeExplanation{"I5", "a part of a rule that does nothing",
+                    "A tolerance on an end of the base edge, `del` on a point, a term that follows "
+                    "a point that there\n"
+                    "is not: they change nothing where the file comes from, and nothing here."},
+    CodeExplanation{"I6", "parts of a rule that do not fit together",
+                    "Which edges leave the front and which join it follows from the elements; "
+                    "`del`, `newlines`, the\n"
+                    "areas and the orientations are held against that. A rule that is nearly the "
+                    "mirror image of another\n"
+                    "is told as well."},
+    CodeExplanation{"I7", "a rule that is switched off",
+                    "Levels of such files end at 200; a larger `quality` is the usual way to "
+                    "switch a rule off."},
+    CodeExplanation{"I8", "a rule was renamed or turned",
+                    "Titles are unique here, and the base edge runs from a to b."},
+    CodeExplanation{"I9", "an imported rule that will be refused",
+                    "The rule is written out as its numbers say, but the checks of rule files find "
+                    "an error in it.\n\n"
+                    "Way out: mend it in either file; `af2 check` tells more."},
     CodeExplanation{"L1", "an unknown character",
                     "Outside of strings and comments a rule file is plain ASCII. Names hold "
                     "letters, digits and '_'."},

@@ -57,7 +57,9 @@ std::string printExpression(const Expr& e) {
     case ExprKind::Tuple:
       return "(" + list(e.parts) + ")";
     case ExprKind::Member:
-      return printExpression(e.parts[0]) + "." + e.name;
+      // A number needs the blank: `1.x` is no number.
+      return printExpression(e.parts[0]) + (e.parts[0].kind == ExprKind::Number ? " ." : ".") +
+             e.name;
     case ExprKind::Negate:
       return "-" + printExpression(e.parts[0]);
     case ExprKind::Not:

@@ -23,7 +23,8 @@ void checkOne(const CompiledRule& rule, std::span<const CompiledRule> all, Findi
   };
   if (std::any_of(all.begin(), all.end(), image)) return;
   const auto similar = std::find_if(all.begin(), all.end(), [&](const CompiledRule& other) {
-    return &other != &rule && areAlike(other.definition, *rule.image);
+    return &other != &rule && areAlike(other.definition, *rule.image) &&
+           !areAlike(other.definition, rule.definition);
   });
   if (similar != all.end()) {
     findings.add(rule, Severity::Warning, "M1", rule.title,
