@@ -3,7 +3,7 @@
 A block fenced as ```af2 is a rule file, or items of one, or a meta clause; what is missing is added.
 "```af2 finds A1" must have the finding A1, and "```af2 NAME.af2" is added to a file that grows through
 its page and is checked after each addition. Tests in the blocks must pass. Lines that begin with "$ af2"
-in ```console blocks are run, in one folder for each page."""
+in ```console blocks are run, in one folder for each page; "# exit code 3" at the end says what is expected."""
 
 import json
 import os
@@ -40,7 +40,7 @@ def completed(text):
     return "af2 1;\n" + text
 
 
-def check(place, name, folder, code=None):
+def check(place, name, folder, code):
     """Checks and tests a file in a folder."""
     found = run("check", "--quick", "--format", "json", name, folder=folder)
     diagnostics = json.loads(found.stdout)
@@ -64,8 +64,9 @@ def commands(place, text, folder):
         command = line[2:].replace("af2", f"'{PROGRAM}'", 1)
         if not has_cad() and (".step" in line or ".brep" in line):
             continue
+        wanted = int(line.partition("# exit code ")[2] or 0)
         done = subprocess.run(command, shell=True, capture_output=True, text=True, cwd=folder, timeout=600)
-        if done.returncode != 0:
+        if done.returncode != wanted:
             failures.append(f"{place}: exit code {done.returncode}: {line}\n{done.stdout}{done.stderr}")
 
 
@@ -82,14 +83,15 @@ def examine(page):
             if language != "af2":
                 continue
             count += 1
-            if info.endswith(".af2"):
-                with open(pathlib.Path(folder) / info, "a", encoding="utf-8") as file:
+            name, _, code = info.partition("finds ")
+            if name.strip():
+                with open(pathlib.Path(folder) / name.strip(), "a", encoding="utf-8") as file:
                     file.write(body)
-                check(place, info, folder)
+                check(place, name.strip(), folder, code)
             else:
                 example = pathlib.Path(folder) / "example.af2"
                 example.write_text(completed(body), encoding="utf-8")
-                check(place, example.name, folder, info.removeprefix("finds ") if info else None)
+                check(place, example.name, folder, code)
     return count
 
 
