@@ -73,7 +73,9 @@ TEST(Mutations, NeverBreakTheReader) {
     EXPECT_EQ(loaded.rules == nullptr, hasErrors(loaded.diagnostics)) << text;
     if (loaded.rules) runRuleTests(loaded);
     const std::string once = format("x.af2", text).text;
-    if (!once.empty()) EXPECT_EQ(format("x.af2", once).text, once) << text;
+    if (!once.empty()) {
+      EXPECT_EQ(format("x.af2", once).text, once) << text;
+    }
     if (HasFailure()) return;
   }
 }
