@@ -18,7 +18,7 @@ constexpr std::array<std::string_view, 10> kSolidClauses{
     "mapfaces", "newfaces", "mapedges", "elements3", "freezonelimit"};
 
 /// What AF2 can hold in one rule, and more than any rule needs.
-constexpr std::size_t kMostPoints = 12, kMostParts = 64;
+constexpr std::size_t kMostPoints = 12, kMostElements = 8, kMostParts = 64, kMostRules = 1000;
 
 enum class Kind { Word, Number, String, Sign, End };
 
@@ -125,6 +125,9 @@ class Reader {
     while (now().kind != Kind::End) {
       if (now().is("rule")) {
         readRule();
+        if (rules_.size() <= kMostRules) continue;
+        tell(Severity::Error, "I2", now().span, "more than 1000 rules in one file", "split it");
+        break;
       } else {
         passOver();
       }
@@ -463,6 +466,9 @@ class Reader {
     if (rule_.freeArea.size() < 3)
       tell(Severity::Error, "I2", rule_.span, "a free area has three corners or more",
            "this one has " + std::to_string(rule_.freeArea.size()));
+    if (rule_.elements.size() > kMostElements)
+      tell(Severity::Error, "I2", rule_.span, "a rule makes at most 8 elements",
+           "this one makes " + std::to_string(rule_.elements.size()));
     if (static_cast<std::size_t>(all) > kMostPoints)
       tell(Severity::Error, "I2", rule_.span, "a rule has at most 12 points, new ones included",
            "split it");

@@ -10,6 +10,7 @@
 #include "dsl/rls_rule.h"
 #include "dsl/rls_rule_text.h"
 #include "dsl/rls_twins.h"
+#include "dsl/rule_file.h"
 
 namespace af2::dsl {
 namespace {
@@ -30,7 +31,9 @@ class Importer {
     for (const ClassicRule& rule : rules_) titles_.push_back(titleOf(rule));
     const std::string text = header() + writeRules(texts());
     const Formatted formatted = format("imported.af2", text);
-    return formatted.text.empty() ? text : formatted.text;
+    const std::string& written = formatted.text.empty() ? text : formatted.text;
+    tellWhatCannotBeUsed(written);
+    return written;
   }
 
  private:
@@ -42,6 +45,17 @@ class Importer {
     d.place = placeOf(source_, span);
     d.help = std::move(help);
     diagnostics_.add(std::move(d));
+  }
+
+  void tellWhatCannotBeUsed(const std::string& text) {
+    std::set<std::string> told;
+    for (const Diagnostic& d : loadRulesFromText("imported.af2", text).diagnostics) {
+      if (d.severity != Severity::Error || !told.insert(d.rule).second) continue;
+      const auto i = static_cast<std::size_t>(std::ranges::find(titles_, d.rule) - titles_.begin());
+      tell(Severity::Warning, "I9", i < rules_.size() ? rules_[i].span : Span{},
+           "the imported rule will be refused: " + d.message,
+           "mend it here or in the imported file, where `af2 check` tells more");
+    }
   }
 
   /// The front is made of chains: no vertex begins or ends two of its edges.
@@ -100,6 +114,10 @@ class Importer {
       if (isWritten[j]) continue;
       const auto twin = findTwin(rules_[i], rules_[j], difference);
       if (twin) {
+        if (!twin->ownForms.empty())
+          tell(Severity::Warning, "I6", rules_[j].span,
+               "this is the mirror image of \"" + titles_[i] + "\" but for its tolerances",
+               "the mirror keeps tolerances of its own");
         text.clauses.push_back(mirrorClause(rules_[i], rules_[j], *twin, titles_[j]));
         text.remarks.insert(text.remarks.end(), rules_[j].remarks.begin(), rules_[j].remarks.end());
         text.hasMirror = true;

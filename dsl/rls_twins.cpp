@@ -58,8 +58,11 @@ class Comparison {
     return image == own && !hasSlopes(rule_) && !hasSlopes(other_);
   }
 
-  /// New vertices may be numbered differently: tries all orders.
+  /// New vertices may be numbered differently: tries all orders, as long as these are few.
   bool haveLikeElements() {
+    constexpr std::size_t kMostReordered = 5;
+    if (rule_.added.size() > kMostReordered)
+      return elementsOf(rule_, true) == elementsOf(other_, false);
     const auto matched = static_cast<std::ptrdiff_t>(rule_.matched.size());
     do {
       if (elementsOf(rule_, true) == elementsOf(other_, false)) return true;

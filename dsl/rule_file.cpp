@@ -391,7 +391,8 @@ std::shared_ptr<const RuleSet> FileCompiler::compile(LoadedFile& result) {
     try {
       definition.rules.emplace_back(rule.definition);
     } catch (const InputError& error) {
-      tell(*rule.home, "T1", rule.title, error.what());
+      const bool isNeverTried = rule.definition.firstLevel > definition.maxLevel;  // told as that
+      if (!isNeverTried) tell(*rule.home, "T1", rule.title, error.what());
     }
   }
   if (context_.diagnostics.hasErrors()) return nullptr;

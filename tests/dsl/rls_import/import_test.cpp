@@ -93,6 +93,18 @@ TEST(ImportRls, HoldsDelAndNewlinesAgainstTheElements) {
              "expects its corners; with (1, 2, 3) instead");
 }
 
+TEST(ImportRls, TellsWhichRulesWillBeRefused) {
+  expectTold(with("(1, 2, 3);", "(1, 3, 2);"),
+             "line 1: warning I9: the imported rule will be refused");
+}
+
+TEST(ImportRls, ToleratesFaultsInRulesThatAreSwitchedOff) {
+  std::string text = with("(1, 2, 3);", "(1, 3, 2);");
+  text.replace(text.find("quality 1"), 9, "quality 300");
+  const LoadedRules loaded = loadRulesFromText("x.af2", importRls("x.rls", text + kRule).text);
+  EXPECT_TRUE(loaded.rules) << toPretty(loaded.diagnostics);
+}
+
 TEST(ImportRls, TellsOfLimitsThatDoNotFit) {
   expectTold(with("elements", "freearea2\n(0, 0);\nelements"),
              "line 17: warning I6: freearea2 has 1 corners, freearea 3");
