@@ -69,12 +69,25 @@ class RunawayGuard {
   std::stop_callback<Forward> forward_;
 };
 
-/// Many more than expected: short segments of the boundary and curvature want smaller elements.
+/// Several times what the sizes along the boundary let expect. Only a size function may want much
+/// smaller elements inside.
 std::size_t elementLimit(const FaceTask& task) {
+  constexpr double kUnitTriangle = 0.433;  // area of the one with edges of length 1
+  constexpr double kMargin = 4, kFunctionMargin = 1e5;
   std::size_t corners = 0;
-  for (const auto& loop : task.boundary.input.loops) corners += loop.size();
-  return static_cast<std::size_t>(std::min(100 * task.expectedElements, 1e9)) + 30 * corners +
-         10000;
+  double density = 0;
+  for (const auto& loop : task.boundary.input.loops) {
+    corners += loop.size();
+    for (const BoundaryCorner& corner : loop) {
+      const double size = task.size.sizeAt(corner.point);
+      density += 1 / (size * size);
+    }
+  }
+  const double byBoundary =
+      task.area * density / (kUnitTriangle * static_cast<double>(std::max<std::size_t>(corners, 1)));
+  const double expected = std::max(task.expectedElements, byBoundary);
+  const double margin = task.options.sizes.function ? kFunctionMargin : kMargin;
+  return static_cast<std::size_t>(std::min(margin * expected, 1e9)) + 12 * corners + 2000;
 }
 
 /// Points of a face for the cuts between its pieces.
