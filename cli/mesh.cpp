@@ -12,6 +12,7 @@
 #include "geometry/io/mesh_files.h"
 #include "geometry/io/output_file.h"
 #include "geometry/report.h"
+#include "geometry/sound_faces.h"
 
 namespace af2::cli {
 namespace {
@@ -59,6 +60,7 @@ ExitCode exitCodeOf(RunStatus status) {
 
 void tell(const MeshRequest& request, const RunReport& report, const ModelMesh& mesh) {
   fmt::print(stderr, "{}", failureText(mesh));
+  if (!report.reason.empty()) fmt::print(stderr, "af2: {}\n", report.reason);
   if (report.status == RunStatus::Cancelled) fmt::print(stderr, "af2: stopped before the end\n");
   if (mesh.elements.empty() && !request.outputs.empty()) {
     fmt::print(stderr, "af2: there is no mesh, so no file was written\n");
@@ -66,12 +68,22 @@ void tell(const MeshRequest& request, const RunReport& report, const ModelMesh& 
   if (!request.quiet) fmt::print("{}", summaryText(mesh, report.quality));
 }
 
+/// The status of a run once its mesh has been checked; faces that do not pass are taken out.
+RunReport checkedReport(ModelMesh& mesh) {
+  RunReport report;
+  for (const std::string& finding : geometry::keepSoundFaces(mesh)) report.reason = finding;
+  report.status = statusOf(mesh);
+  if (!report.reason.empty() && report.status == RunStatus::Complete) {
+    report.status = RunStatus::Partial;
+  }
+  return report;
+}
+
 int meshAndTell(const MeshRequest& request) {
   const Interrupt interrupt;
   ModelMesh mesh =
       runMesh(request, loadRuleSet(request.rules), {!request.quiet, interrupt.token()});
-  RunReport report;
-  report.status = statusOf(mesh);
+  RunReport report = checkedReport(mesh);
   report.quality = measureQuality(mesh, wantedLength(request));
   writeOutputs(request, mesh);
   writeReportIfAsked(request, report, mesh);

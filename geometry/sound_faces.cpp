@@ -17,9 +17,10 @@ std::string shortest(double number) {
 }
 
 std::string describe(const MeshFinding& finding) {
+  std::string text = "the mesh does not pass its checks: " + finding.what;
   const Point3& p = finding.place;
-  return "the mesh does not pass its checks: " + finding.what + ", near (" + shortest(p.x) + ", " +
-         shortest(p.y) + ", " + shortest(p.z) + ")";
+  if (p == Point3{}) return text;  // it is about the whole face
+  return text + ", near (" + shortest(p.x) + ", " + shortest(p.y) + ", " + shortest(p.z) + ")";
 }
 
 bool isOneOf(const std::vector<int>& sorted, int id) {
