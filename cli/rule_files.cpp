@@ -93,8 +93,8 @@ dsl::LoadedRules loadRuleFile(const std::string& name, const std::vector<std::st
 
 dsl::LoadedRules loadSoundRuleFile(const std::string& name) {
   dsl::LoadedRules loaded = loadRuleFile(name);
-  fmt::print(stderr, "{}", dsl::toPretty(loaded.diagnostics));
   if (loaded.rules) return loaded;
+  fmt::print(stderr, "{}", dsl::toPretty(loaded.diagnostics));
   throw InputError(fmt::format("the rule file '{}' has errors, see above", name));
 }
 

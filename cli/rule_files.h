@@ -25,8 +25,8 @@ RuleText readRuleText(const std::string& name);
 dsl::LoadedRules loadRuleFile(const std::string& name,
                               const std::vector<std::string>& allowed = {});
 
-/// The same for verbs that need a rule set: prints what is wrong to stderr and throws InputError if
-/// there is an error.
+/// The same for verbs that need a rule set: if there is an error, prints what is wrong to stderr
+/// and throws InputError. Warnings are left to `af2 check`.
 dsl::LoadedRules loadSoundRuleFile(const std::string& name);
 
 /// The stem of a file name, for the files that are made from it; "rules" for standard input.

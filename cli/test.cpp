@@ -68,8 +68,8 @@ class TestRun {
 
   void file(const std::string& name) {
     const dsl::LoadedRules loaded = loadRuleFile(name);
-    fmt::print(stderr, "{}", dsl::toPretty(loaded.diagnostics));
     if (!loaded.rules) {
+      fmt::print(stderr, "{}", dsl::toPretty(loaded.diagnostics));
       ++totals_.broken;
       return;
     }
