@@ -332,7 +332,8 @@ Refusal CandidateChoice::searchZone(const StepView& view, const Candidate& candi
     return Refusal::ZoneHitByVertex;
   }
   for (const Neighborhood::Edge& edge : near_.edges()) {
-    if (!mayMeet(box, edge.from, edge.to) || isMatchedEdge(candidate, edge.place) ||
+    if (!front_.hasEdge(edge.place) || !mayMeet(box, edge.from, edge.to) ||
+        isMatchedEdge(candidate, edge.place) ||
         !zone.meets(edge.from, edge.to, ZoneBoundary::Ignored))
       continue;
     culprit.from = front_[edge.place].vertex;
