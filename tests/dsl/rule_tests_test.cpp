@@ -109,12 +109,20 @@ TEST(RuleTests, HoldPropertiesAgainstMatches) {
   EXPECT_NE(failed[0].find("it fails at level 1 for b = ("), std::string::npos) << failed[0];
 }
 
-TEST(RuleTests, OfTheClassicalTrianglesPass) {
-  const LoadedRules rules = loadRules(AF2_SOURCE_DIR "/rules/tri/classic.af2");
+void expectAllPass(const char* file, std::size_t atLeast) {
+  const LoadedRules rules = loadRules(file);
   ASSERT_TRUE(rules.rules) << toPretty(rules.diagnostics);
   const auto results = runRuleTests(rules);
-  EXPECT_GE(results.size(), 11u);
+  EXPECT_GE(results.size(), atLeast);
   for (const TestResult& result : results) EXPECT_TRUE(result.passed()) << toText(result);
+}
+
+TEST(RuleTests, OfTheClassicalTrianglesPass) {
+  expectAllPass(AF2_SOURCE_DIR "/rules/tri/classic.af2", 11);
+}
+
+TEST(RuleTests, OfTheClassicalQuadsPass) {
+  expectAllPass(AF2_SOURCE_DIR "/rules/quad/classic.af2", 18);
 }
 
 }  // namespace
