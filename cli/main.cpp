@@ -15,6 +15,7 @@ int main(int count, char** arguments) {
       {"new", "begin a rule set or a rule", declareNew},
       {"eval", "tell what one rule does at given positions", declareEval},
       {"compile", "show what rules become", declareCompile},
+      {"import", "rewrite rule files of Netgen (.rls)", declareImport},
       {"explain-code", "explain the code of a diagnostic", declareExplainCode},
       {"version", "tell the version", declareVersion},
   };

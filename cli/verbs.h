@@ -28,6 +28,7 @@ Action declareNew(CLI::App& command);
 Action declareEval(CLI::App& command);
 Action declareCompile(CLI::App& command);
 Action declareExplainCode(CLI::App& command);
+Action declareImport(CLI::App& command);
 Action declareVersion(CLI::App& command);
 
 }  // namespace af2::cli
