@@ -36,8 +36,8 @@ std::string stuckReason(const MeshingResult& result, const AF2Algorithm& algorit
 }
 
 /// Stops a run that no longer fills a region but grows without end, because the boundary does not
-/// enclose one; or that is stuck almost everywhere, though still trying. Goes by what has been done,
-/// never by the clock.
+/// enclose one; or that is stuck almost everywhere, though still trying. Goes by what has been
+/// done, never by the clock.
 class RunawayGuard {
  public:
   RunawayGuard(std::size_t limit, bool mayStall, const std::stop_token& outer)
@@ -84,7 +84,8 @@ std::size_t elementLimit(const FaceTask& task) {
     }
   }
   const double byBoundary =
-      task.area * density / (kUnitTriangle * static_cast<double>(std::max<std::size_t>(corners, 1)));
+      task.area * density /
+      (kUnitTriangle * static_cast<double>(std::max<std::size_t>(corners, 1)));
   const double expected = std::max(task.expectedElements, byBoundary);
   const double margin = task.options.sizes.function ? kFunctionMargin : kMargin;
   return static_cast<std::size_t>(std::min(margin * expected, 1e9)) + 12 * corners + 2000;
