@@ -16,7 +16,8 @@ namespace {
 namespace fs = std::filesystem;
 
 std::string written(const ModelMesh& mesh, std::string_view extension) {
-  const fs::path path = fs::path(::testing::TempDir()) / ("af2_mesh" + std::string(extension));
+  const std::string test = ::testing::UnitTest::GetInstance()->current_test_info()->name();
+  const fs::path path = fs::path(::testing::TempDir()) / ("af2_" + test + std::string(extension));
   writeMesh(mesh, path);
   std::ostringstream text;
   text << std::ifstream(path).rdbuf();

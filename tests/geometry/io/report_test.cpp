@@ -13,8 +13,8 @@ namespace af2::geometry {
 namespace {
 
 nlohmann::json written(const RunReport& report, const ModelMesh& mesh) {
-  const std::filesystem::path path =
-      std::filesystem::path(::testing::TempDir()) / "af2_report.json";
+  const std::string test = ::testing::UnitTest::GetInstance()->current_test_info()->name();
+  const auto path = std::filesystem::path(::testing::TempDir()) / ("af2_report_" + test + ".json");
   OutputFile file(path);
   writeReport(report, mesh, file);
   file.commit();
