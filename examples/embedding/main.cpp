@@ -8,6 +8,7 @@
 #include "engine/error.h"
 #include "geometry/io/mesh_files.h"
 #include "geometry/occ/mesh_model.h"
+#include "geometry/sound_faces.h"
 
 int main(int count, char** arguments) {
   if (count != 4) {
@@ -22,10 +23,19 @@ int main(int count, char** arguments) {
     af2::geometry::ModelMeshingOptions options;
     options.sizes.size = std::atof(arguments[2]);
     const af2::geometry::Model model = af2::geometry::readModel(arguments[1]);
-    const af2::geometry::ModelMesh mesh = af2::geometry::meshModel(model, algorithm, options);
+    af2::geometry::ModelMesh mesh = af2::geometry::meshModel(model, algorithm, options);
 
+    // Faces that fail the checks of the joined mesh are taken out and told, like those that got
+    // stuck.
+    bool isWhole = af2::geometry::keepSoundFaces(mesh).empty();
+    for (const af2::geometry::FaceReport& face : mesh.faces) {
+      if (face.status == af2::geometry::FaceStatus::Complete) continue;
+      std::fprintf(stderr, "face %d: %s\n", face.id, face.reason.c_str());
+      isWhole = false;
+    }
     af2::geometry::writeMesh(mesh, arguments[3]);
     std::printf("%zu vertices, %zu elements\n", mesh.vertices.size(), mesh.elements.size());
+    return isWhole ? 0 : 3;
   } catch (const std::exception& error) {
     std::fprintf(stderr, "%s\n", error.what());
     return 1;
