@@ -125,7 +125,9 @@ class BoundaryFinder {
       const auto point = static_cast<std::uint32_t>(model_.vertices.FindIndex(vertex) - 1);
       if (vertices_.contains(point)) continue;
       const Point3& position = divided_.points[point];
-      const gp_Pnt2d uv = BRep_Tool::Parameters(vertex, forward_);
+      // The file may not say where on the surface such a vertex lies; it is rare, so look.
+      const gp_Pnt2d uv =
+          ShapeAnalysis_Surface(BRep_Tool::Surface(forward_)).ValueOfUV(toOcc(position), 1e-7);
       const VertexId id = vertexOf(point);
       result_.input.isolated.push_back({id, surface_.boundaryPoint(position, uv.X(), uv.Y())});
       result_.input.vertexCount = result_.points.size();
