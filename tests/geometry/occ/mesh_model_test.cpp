@@ -2,9 +2,15 @@
 
 #include <gtest/gtest.h>
 #include <BRepAlgoAPI_Cut.hxx>
+#include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRep_Builder.hxx>
 #include <Geom_SphericalSurface.hxx>
 #include <Geom_ToroidalSurface.hxx>
+#include <TopoDS_Face.hxx>
+#include <TopoDS_Vertex.hxx>
+#include <gp_Pln.hxx>
+
+#include <algorithm>
 
 #include <numbers>
 #include <set>
@@ -231,6 +237,18 @@ TEST(ModelMeshing, StopsWhenAskedAndSaysSo) {
 TEST(ModelMeshing, RefusesASizeThatIsNotPositive) {
   EXPECT_THROW(mesh(testing::box(1, 1, 1), 0), InputError);
   EXPECT_THROW(mesh(testing::box(1, 1, 1), std::nan("")), InputError);
+}
+
+TEST(MeshModel, UsesAVertexInsideAFaceThatTheFileGivesNoParametersFor) {
+  const BRep_Builder builder;
+  TopoDS_Face face = BRepBuilderAPI_MakeFace(gp_Pln(), 0, 4, 0, 4).Face();
+  TopoDS_Vertex vertex;
+  builder.MakeVertex(vertex, gp_Pnt(1.7, 2.2, 0), 1e-7);
+  builder.Add(face, vertex.Oriented(TopAbs_INTERNAL));
+  const ModelMesh result = mesh(testing::modelOf(face), .5);
+  expectSound(result);
+  const Point3 wanted{1.7, 2.2, 0};
+  EXPECT_EQ(std::count(result.vertices.begin(), result.vertices.end(), wanted), 1);
 }
 
 }  // namespace
