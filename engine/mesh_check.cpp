@@ -154,4 +154,11 @@ std::vector<MeshFault> checkMesh(const Mesh& mesh, const MeshBoundary& boundary)
   return Checker(mesh, boundary).check();
 }
 
+std::string faultOf(const Mesh& mesh, const MeshBoundary& boundary) {
+  const std::vector<MeshFault> faults = checkMesh(mesh, boundary);
+  if (faults.empty()) return "";
+  return "the mesh has " + std::to_string(faults.size()) +
+         " faults: " + describe(faults.front(), mesh);
+}
+
 }  // namespace af2

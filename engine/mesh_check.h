@@ -34,4 +34,7 @@ inline std::vector<MeshFault> checkMesh(const Mesh& mesh, const FrontInput& inpu
   return checkMesh(mesh, boundaryOf(input));
 }
 
+/// How many faults a mesh has, and the first in words; empty: it is sound.
+std::string faultOf(const Mesh& mesh, const MeshBoundary& boundary);
+
 }  // namespace af2

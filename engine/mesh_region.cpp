@@ -5,27 +5,17 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
-#include <chrono>
 #include <mutex>
 
 #include "engine/mesh_check.h"
 #include "engine/optimize.h"
+#include "engine/stopwatch.h"
 
 namespace af2 {
 namespace {
 
 /// How many rings of elements along a cut are optimised once the pieces are joined.
 constexpr int kRingsAlongCuts = 4;
-
-class Stopwatch {
- public:
-  double seconds() const {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-  }
-
- private:
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
 
 /// Adds up what the pieces report; forwards it one call at a time.
 class SharedProgress {
@@ -51,12 +41,6 @@ class SharedProgress {
   std::vector<Progress> last_;
 };
 
-std::string faultOf(const Mesh& mesh, const MeshBoundary& boundary) {
-  const std::vector<MeshFault> faults = checkMesh(mesh, boundary);
-  if (faults.empty()) return "";
-  return "the mesh has " + std::to_string(faults.size()) + " faults: " + describe(faults[0], mesh);
-}
-
 RegionMesh meshPiece(const AF2Algorithm& algorithm, const RegionTask& task, const FrontInput& input,
                      const MeshingOptions& options) {
   const Stopwatch watch;
@@ -67,12 +51,9 @@ RegionMesh meshPiece(const AF2Algorithm& algorithm, const RegionTask& task, cons
   if (piece.result.outcome == Outcome::Complete) piece.fault = faultOf(piece.result.mesh, boundary);
   if (piece.result.outcome == Outcome::Complete && piece.fault.empty() && task.optimize) {
     const Stopwatch optimizing;
-    Mesh mesh = piece.result.mesh;
     OptimizeOptions how;
     how.stop = options.stop;
-    optimizeMesh(mesh, boundary, *tools.charts, how);
-    // The optimiser is held to the same checks; if it should fail them, the raw mesh stands.
-    if (faultOf(mesh, boundary).empty()) piece.result.mesh = std::move(mesh);
+    optimizeMesh(piece.result.mesh, boundary, *tools.charts, how);
     piece.optimizeSeconds = optimizing.seconds();
   }
   piece.seconds = watch.seconds();
@@ -202,7 +183,6 @@ void optimizeAlongCuts(Mesh& mesh, const RegionTask& task, std::size_t cuts, std
   how.collapse = false;  // so that vertices and elements keep their numbers
   how.stop = std::move(stop);
   optimizeMesh(strip.mesh, strip.boundary, *task.makeTools().charts, how);
-  if (!faultOf(strip.mesh, strip.boundary).empty()) return;
   for (std::size_t v = strip.boundary.fixedCount; v < strip.vertices.size(); ++v)
     mesh.vertices[strip.vertices[v].value] = strip.mesh.vertices[v];
   for (std::size_t e = 0; e < strip.elements.size(); ++e) {

@@ -2,6 +2,7 @@
 
 #include "engine/edge_collapse.h"
 #include "engine/edge_swap.h"
+#include "engine/mesh_check.h"
 #include "engine/mesh_topology.h"
 #include "engine/smoothing.h"
 
@@ -10,6 +11,7 @@ namespace af2 {
 OptimizeReport optimizeMesh(Mesh& mesh, const MeshBoundary& boundary,
                             const AF2LocalTransformMaker& maker, const OptimizeOptions& options) {
   OptimizeReport report;
+  Mesh before = mesh;
   MeshTopology topology(mesh, boundary);
   VertexSmoother smoother(topology, mesh, maker);
   const std::vector<std::uint8_t> wanted = wantedValences(topology);
@@ -26,7 +28,9 @@ OptimizeReport optimizeMesh(Mesh& mesh, const MeshBoundary& boundary,
   }
   smooth();
   topology.compact();
-  return report;
+  if (checkMesh(mesh, boundary).empty()) return report;
+  mesh = std::move(before);
+  return {};
 }
 
 }  // namespace af2

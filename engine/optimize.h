@@ -24,7 +24,8 @@ struct OptimizeReport {
 /// Improves the shape of the elements of a complete mesh, in place.
 ///
 /// Never moves or removes the fixed vertices of the boundary, never turns an element over, never
-/// leaves the surface: vertices move through charts of `maker`. Depends on nothing but its
+/// leaves the surface: vertices move through charts of `maker`. What comes out is held
+/// against checkMesh; should it not pass, the mesh stays as it was. Depends on nothing but its
 /// arguments.
 OptimizeReport optimizeMesh(Mesh& mesh, const MeshBoundary& boundary,
                             const AF2LocalTransformMaker& maker,

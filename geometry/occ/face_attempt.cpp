@@ -132,7 +132,7 @@ FaceAttempt attempt(const FaceTask& task, std::unique_ptr<AF2LocalTransformMaker
     attempt.result =
         task.algorithm.execute(*attempt.charts, task.boundary.input, task.size, options);
     if (attempt.result.outcome == Outcome::Complete)
-      attempt.fault = faultOf(attempt.result.mesh, task.boundary.input);
+      attempt.fault = faultOf(attempt.result.mesh, af2::boundaryOf(task.boundary.input));
     return attempt;
   });
 }
@@ -218,7 +218,7 @@ bool close(const FaceTask& task, FaceAttempt& attempt, bool inParameters) {
     done = closeFront(
         closed, [&](VertexId v) { return plane.project(vertices[v.value]).position; }, rule);
   }
-  if (!done || !faultOf(closed.mesh, task.boundary.input).empty()) return false;
+  if (!done || !faultOf(closed.mesh, af2::boundaryOf(task.boundary.input)).empty()) return false;
   attempt.closingElements = closed.mesh.elements.size() - attempt.result.mesh.elements.size();
   attempt.result = std::move(closed);
   attempt.fault.clear();
@@ -280,13 +280,6 @@ FaceAttempt fillWithoutVertices(const FaceTask& task) {
 }
 
 }  // namespace
-
-std::string faultOf(const Mesh& mesh, const FrontInput& input) {
-  const std::vector<MeshFault> faults = checkMesh(mesh, input);
-  if (faults.empty()) return "";
-  return "the mesh has " + std::to_string(faults.size()) +
-         " faults: " + describe(faults.front(), mesh);
-}
 
 bool hasTwoSheets(const FrontInput& input) {
   std::vector<const SurfacePoint*> seen(input.vertexCount, nullptr);

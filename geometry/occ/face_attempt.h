@@ -42,9 +42,6 @@ struct FaceTask {
 /// that is narrow against the sag of its segments is better filled without vertices inside.
 FaceAttempt fillFace(const FaceTask& task);
 
-/// What is wrong with the mesh of a face; empty if nothing is.
-std::string faultOf(const Mesh& mesh, const FrontInput& input);
-
 /// Whether a vertex stands at two places of the parameters, as those of a seam do.
 bool hasTwoSheets(const FrontInput& input);
 

@@ -4,10 +4,10 @@
 #include <GProp_GProps.hxx>
 #include <Precision.hxx>
 #include <Standard_Failure.hxx>
-#include <chrono>
 
 #include "engine/error.h"
 #include "engine/optimize.h"
+#include "engine/stopwatch.h"
 #include "geometry/graded_size.h"
 #include "geometry/occ/face_attempt.h"
 #include "geometry/occ/face_size.h"
@@ -15,16 +15,6 @@
 namespace af2::geometry {
 
 namespace {
-
-class Stopwatch {
- public:
-  double seconds() const {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-  }
-
- private:
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
 
 class FaceMesher {
  public:
@@ -83,10 +73,7 @@ class FaceMesher {
     const Stopwatch watch;
     OptimizeOptions options;
     options.stop = context_.options.stop;
-    Mesh raw = attempt.result.mesh;
     optimizeMesh(attempt.result.mesh, boundaryOf(input), *attempt.charts, options);
-    // What the optimiser leaves is held against the same checks that the raw mesh has passed.
-    if (!faultOf(attempt.result.mesh, input).empty()) attempt.result.mesh = std::move(raw);
     mesh.optimizeSeconds += watch.seconds();
   }
 

@@ -1,11 +1,11 @@
 #include "geometry/occ/mesh_model.h"
 
 #include <algorithm>
-#include <chrono>
 #include <mutex>
 #include <numeric>
 
 #include "engine/error.h"
+#include "engine/stopwatch.h"
 #include "geometry/occ/edge_division.h"
 #include "geometry/occ/face_mesher.h"
 #include "geometry/occ/parallel.h"
@@ -14,16 +14,6 @@
 namespace af2::geometry {
 
 namespace {
-
-class Stopwatch {
- public:
-  double seconds() const {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-  }
-
- private:
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
 
 std::vector<int> facesAskedFor(const Model& model, const ModelMeshingOptions& options) {
   std::vector<int> faces = options.faces;
