@@ -11,8 +11,8 @@
 #include "engine/error.h"
 #include "geometry/io/mesh_files.h"
 #include "geometry/io/output_file.h"
+#include "geometry/quality.h"
 #include "geometry/report.h"
-#include "geometry/sound_faces.h"
 
 namespace af2::cli {
 namespace {
@@ -68,10 +68,10 @@ void tell(const MeshRequest& request, const RunReport& report, const ModelMesh& 
   if (!request.quiet) fmt::print("{}", summaryText(mesh, report.quality));
 }
 
-/// The status of a run once its mesh has been checked; faces that do not pass are taken out.
-RunReport checkedReport(ModelMesh& mesh) {
+/// The status of a run, by its faces and by what the checks of the whole found.
+RunReport reportOf(const ModelMesh& mesh) {
   RunReport report;
-  for (const std::string& finding : geometry::keepSoundFaces(mesh)) report.reason = finding;
+  for (const std::string& finding : mesh.findings) report.reason = finding;
   report.status = statusOf(mesh);
   if (!report.reason.empty() && report.status == RunStatus::Complete) {
     report.status = RunStatus::Partial;
@@ -83,7 +83,7 @@ int meshAndTell(const MeshRequest& request) {
   const Interrupt interrupt;
   ModelMesh mesh =
       runMesh(request, loadRuleSet(request.rules), {!request.quiet, interrupt.token()});
-  RunReport report = checkedReport(mesh);
+  RunReport report = reportOf(mesh);
   report.quality = measureQuality(mesh, wantedLength(request));
   writeOutputs(request, mesh);
   writeReportIfAsked(request, report, mesh);

@@ -46,6 +46,8 @@ struct ModelMesh {
   std::vector<std::string> ruleNames;
   std::vector<EdgeSegment> segments;
   std::vector<FaceReport> faces;
+  /// What the last checks found that is not on one face; empty: nothing.
+  std::vector<std::string> findings;
   StageSeconds seconds;
 };
 

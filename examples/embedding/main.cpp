@@ -8,7 +8,6 @@
 #include "engine/error.h"
 #include "geometry/io/mesh_files.h"
 #include "geometry/occ/mesh_model.h"
-#include "geometry/sound_faces.h"
 
 int main(int count, char** arguments) {
   if (count != 4) {
@@ -23,11 +22,10 @@ int main(int count, char** arguments) {
     af2::geometry::ModelMeshingOptions options;
     options.sizes.size = std::atof(arguments[2]);
     const af2::geometry::Model model = af2::geometry::readModel(arguments[1]);
-    af2::geometry::ModelMesh mesh = af2::geometry::meshModel(model, algorithm, options);
+    const af2::geometry::ModelMesh mesh = af2::geometry::meshModel(model, algorithm, options);
 
-    // Faces that fail the checks of the joined mesh are taken out and told, like those that got
-    // stuck.
-    bool isWhole = af2::geometry::keepSoundFaces(mesh).empty();
+    // A face that cannot be meshed, or fails the checks, does not spoil the others; it is told.
+    bool isWhole = mesh.findings.empty();
     for (const af2::geometry::FaceReport& face : mesh.faces) {
       if (face.status == af2::geometry::FaceStatus::Complete) continue;
       std::fprintf(stderr, "face %d: %s\n", face.id, face.reason.c_str());

@@ -10,6 +10,7 @@
 #include "geometry/occ/face_mesher.h"
 #include "geometry/occ/parallel.h"
 #include "geometry/occ/sizing.h"
+#include "geometry/sound_faces.h"
 
 namespace af2::geometry {
 
@@ -164,6 +165,7 @@ class ModelMesher {
     const double surfaceSeconds = facesWatch.seconds();
     mesh.seconds.optimize = optimizeShare * surfaceSeconds;
     mesh.seconds.surface = surfaceSeconds - mesh.seconds.optimize;
+    mesh.findings = keepSoundFaces(mesh);
     return mesh;
   }
 

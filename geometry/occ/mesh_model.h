@@ -57,8 +57,8 @@ struct ModelMeshingOptions {
 /// cancelling. Vertices are numbered: those of model vertices, those along the edges, those inside
 /// the faces, each in the order of the model.
 ///
-/// Each face is held against its own boundary and surface. What only shows in the joined mesh is
-/// left to keepSoundFaces (geometry/sound_faces.h): call it before the mesh is used or written.
+/// Each face is held against its own boundary and surface, and the joined mesh once more: what does
+/// not pass is taken out and reported.
 ///
 /// Throws InputError for a size that is not positive or an id that the model does not have.
 ModelMesh meshModel(const Model& model, const AF2Algorithm& algorithm,

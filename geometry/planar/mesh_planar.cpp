@@ -9,6 +9,7 @@
 #include "geometry/graded_size.h"
 #include "geometry/planar/loops.h"
 #include "geometry/plane_chart.h"
+#include "geometry/sound_faces.h"
 
 namespace af2::geometry {
 
@@ -50,6 +51,7 @@ class PlanarMesher {
     for (const PlanarPiece& piece : regions_.pieces) divide(piece);
     for (std::size_t i = 0; i < regions_.regions.size(); ++i) meshRegion(i);
     addSegments();
+    mesh_.findings = keepSoundFaces(mesh_);
     return std::move(mesh_);
   }
 
