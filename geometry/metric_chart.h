@@ -3,15 +3,14 @@
 #pragma once
 
 #include "engine/local_transform.h"
+#include "geometry/surface_frame.h"
 
 namespace af2::geometry {
 
 /// A surface by its parameters, as a metric chart needs it.
 class ParametricSurface {
  public:
-  struct Frame {
-    Point3 position, du, dv;
-  };
+  using Frame = SurfaceFrame;
   virtual ~ParametricSurface() = default;
   virtual Frame frameAt(double u, double v) const = 0;
   /// With (u, v), position and normal of the face.

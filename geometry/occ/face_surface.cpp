@@ -41,6 +41,7 @@ struct Bounds {
   explicit Bounds(const TopoDS_Face& face) { BRepTools::UVBounds(face, u1, u2, v1, v2); }
   double u(double share) const { return u1 + share * (u2 - u1); }
   double v(double share) const { return v1 + share * (v2 - v1); }
+  SplineSurface::Box box() const { return {u1, u2, v1, v2}; }
 };
 
 /// The nappe on which the face lies; nothing if it lies on both.
@@ -110,7 +111,8 @@ double extentOf(const std::vector<SurfacePoint>& points) {
 }  // namespace
 
 FaceSurface::FaceSurface(const TopoDS_Face& face)
-    : parametric_(surfaceOf(face), face.Orientation() == TopAbs_REVERSED), surface_(parametric_) {
+    : parametric_(surfaceOf(face), face.Orientation() == TopAbs_REVERSED, Bounds(face).box()),
+      surface_(parametric_) {
   const GeomAdaptor_Surface adaptor(surfaceOf(face));
   const Bounds bounds(face);
   const SurfacePoint sample = samplePoint(bounds, parametric_);

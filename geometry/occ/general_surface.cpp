@@ -37,19 +37,13 @@ double ParameterRange::near(double value, double other) const {
   return value - std::round((value - other) / width()) * width();
 }
 
-GeneralSurface::GeneralSurface(const Handle(Geom_Surface) & surface, bool flipped)
-    : adaptor_(std::make_shared<GeomAdaptor_Surface>(surface)), sign_(flipped ? -1 : 1) {
+GeneralSurface::GeneralSurface(const Handle(Geom_Surface) & surface, bool flipped,
+                               const SplineSurface::Box& box)
+    : values_(surface, box), sign_(flipped ? -1 : 1) {
   double u1, u2, v1, v2;
   surface->Bounds(u1, u2, v1, v2);
   u_ = rangeOf(u1, u2, surface->IsUClosed());
   v_ = rangeOf(v1, v2, surface->IsVClosed());
-}
-
-GeneralSurface::Frame GeneralSurface::frameAt(double u, double v) const {
-  gp_Pnt position;
-  gp_Vec du, dv;
-  adaptor_->D1(u, v, position, du, dv);
-  return {toPoint(position), toPoint(du), toPoint(dv)};
 }
 
 SurfacePoint GeneralSurface::pointAt(double u, double v) const {
@@ -85,15 +79,14 @@ Point3 GeneralSurface::normalAt(double u, double v) const {
 
 double GeneralSurface::curvatureRadiusAt(double u, double v) const {
   constexpr double kInfinite = std::numeric_limits<double>::infinity();
-  gp_Pnt position;
-  gp_Vec du, dv, duu, dvv, duv;
-  adaptor_->D2(u, v, position, du, dv, duu, dvv, duv);
-  const gp_Vec normal = du.Crossed(dv);
-  const double e = du.SquareMagnitude(), f = du.Dot(dv), g = dv.SquareMagnitude();
+  const SurfaceJet s = values_.jetAt(u, v);
+  const Point3 normal = cross(s.du, s.dv);
+  const double e = dot(s.du, s.du), f = dot(s.du, s.dv), g = dot(s.dv, s.dv);
   const double det = e * g - f * f;
   if (!(det > kDegenerate * std::max(e, g) * std::max(e, g))) return kInfinite;
   const double size = std::sqrt(det);
-  const double l = duu.Dot(normal) / size, m = duv.Dot(normal) / size, n = dvv.Dot(normal) / size;
+  const double l = dot(s.duu, normal) / size, m = dot(s.duv, normal) / size,
+               n = dot(s.dvv, normal) / size;
   const double mean = (e * n - 2 * f * m + g * l) / (2 * det);
   const double gauss = (l * n - m * m) / det;
   const double largest = std::abs(mean) + std::sqrt(std::max(0.0, mean * mean - gauss));
@@ -101,16 +94,14 @@ double GeneralSurface::curvatureRadiusAt(double u, double v) const {
 }
 
 GeneralSurface::Radii GeneralSurface::radiiAlongParameters(double u, double v) const {
-  gp_Pnt position;
-  gp_Vec du, dv, duu, dvv, duv;
-  adaptor_->D2(u, v, position, du, dv, duu, dvv, duv);
-  const gp_Vec normal = du.Crossed(dv);
-  const auto radius = [&](const gp_Vec& first, const gp_Vec& second) {
-    const double bend = std::abs(second.Dot(normal));
-    return bend > 0 ? first.SquareMagnitude() * normal.Magnitude() / bend
+  const SurfaceJet s = values_.jetAt(u, v);
+  const Point3 normal = cross(s.du, s.dv);
+  const auto radius = [&](const Point3& first, const Point3& second) {
+    const double bend = std::abs(dot(second, normal));
+    return bend > 0 ? dot(first, first) * length(normal) / bend
                     : std::numeric_limits<double>::infinity();
   };
-  return {radius(du, duu), radius(dv, dvv)};
+  return {radius(s.du, s.duu), radius(s.dv, s.dvv)};
 }
 
 void GeneralSurface::refine(const Point3& position, double& u, double& v) const {

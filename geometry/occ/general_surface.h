@@ -1,14 +1,14 @@
-// Surfaces without a closed form (splines, revolutions, extrusions, offsets, ...), evaluated by
-// OpenCASCADE. Not installed: includers need OpenCASCADE's headers.
+// Surfaces by their parameters: those without a closed form (splines, revolutions, extrusions,
+// offsets, ...), and the others where parameters are asked for. Not installed: includers need
+// OpenCASCADE's headers.
 #pragma once
 
-#include <GeomAdaptor_Surface.hxx>
 #include <Geom_Surface.hxx>
-#include <memory>
 #include <optional>
 
 #include "geometry/mean_normal_chart.h"
 #include "geometry/metric_chart.h"
+#include "geometry/occ/surface_values.h"
 
 namespace af2::geometry {
 
@@ -24,17 +24,17 @@ struct ParameterRange {
   double near(double value, double other) const;
 };
 
-/// A surface in terms of its parameters. Not to be used from two threads at once: it keeps the
-/// polynomials of the last patch.
+/// A surface in terms of its parameters. Not to be used from two threads at once.
 class GeneralSurface final : public ParametricSurface {
  public:
   /// flipped  the face's normals are opposite to du x dv
-  GeneralSurface(const Handle(Geom_Surface) & surface, bool flipped);
+  /// box      where the surface is wanted; elsewhere it may take longer
+  GeneralSurface(const Handle(Geom_Surface) & surface, bool flipped, const SplineSurface::Box& box);
 
   /// Newton on the two parameters, seeded at the middle of the base edge.
   std::optional<SurfacePoint> hit(const SurfaceLine& line) const;
 
-  Frame frameAt(double u, double v) const override;
+  Frame frameAt(double u, double v) const override { return values_.frameAt(u, v); }
   SurfacePoint pointAt(double u, double v) const override;
   bool isFlipped() const override { return sign_ < 0; }
   /// Where du x dv vanishes (a pole), the mean of the normals around.
@@ -55,7 +55,7 @@ class GeneralSurface final : public ParametricSurface {
  private:
   std::optional<Point3> unitNormal(const Frame& frame) const;
 
-  std::shared_ptr<const GeomAdaptor_Surface> adaptor_;
+  SurfaceValues values_;
   ParameterRange u_, v_;
   double sign_;
 };
