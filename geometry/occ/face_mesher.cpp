@@ -1,8 +1,5 @@
 #include "geometry/occ/face_mesher.h"
 
-#include <BRepGProp.hxx>
-#include <GProp_GProps.hxx>
-#include <Precision.hxx>
 #include <Standard_Failure.hxx>
 
 #include "engine/error.h"
@@ -119,17 +116,6 @@ FaceMesh meshFace(const FaceMeshingContext& context, int face, double area,
   }
   mesh.report.seconds = watch.seconds();
   return mesh;
-}
-
-double areaOf(const ModelShape& model, int face) {
-  try {
-    GProp_GProps properties;
-    BRepGProp::SurfaceProperties(model.face(face), properties);
-    const double area = std::abs(properties.Mass());
-    return area < Precision::Infinite() ? area : 0;  // no boundary, or not a number
-  } catch (const Standard_Failure&) {
-    return 0;
-  }
 }
 
 }  // namespace af2::geometry

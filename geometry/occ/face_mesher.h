@@ -33,7 +33,4 @@ struct FaceMeshingContext {
 FaceMesh meshFace(const FaceMeshingContext& context, int face, double area,
                   double expectedElements);
 
-/// Area of a face of the model; 0 if it cannot be told.
-double areaOf(const ModelShape& model, int face);
-
 }  // namespace af2::geometry

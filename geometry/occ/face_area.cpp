@@ -1,0 +1,222 @@
+#include "geometry/occ/face_area.h"
+
+#include <BRepTools.hxx>
+#include <BRep_Tool.hxx>
+#include <Geom2dAdaptor_Curve.hxx>
+#include <GeomAdaptor_Surface.hxx>
+#include <Precision.hxx>
+#include <Standard_Failure.hxx>
+#include <TColStd_Array1OfReal.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <optional>
+
+#include "geometry/occ/points.h"
+#include "geometry/occ/surface_values.h"
+
+namespace af2::geometry {
+
+namespace {
+
+/// Integrates by the rule of Gauss and Kronrod with 7 and 15 points, halving where they differ.
+class Integral {
+ public:
+  /// tolerance  for each part: absolute, or a share of the part
+  explicit Integral(double tolerance) : tolerance_(tolerance) {}
+
+  template <class Function>
+  double of(const Function& function, double low, double high, int depth = 0) const {
+    const double middle = (low + high) / 2, half = (high - low) / 2;
+    const double centre = function(middle);
+    double gauss = kGauss[3] * centre, kronrod = kKronrod[7] * centre;
+    for (std::size_t i = 0; i < 7; ++i) {
+      const double sum = function(middle - half * kNodes[i]) + function(middle + half * kNodes[i]);
+      kronrod += kKronrod[i] * sum;
+      if (i % 2 == 1) gauss += kGauss[i / 2] * sum;
+    }
+    const double error = std::abs(half * (kronrod - gauss));
+    constexpr int kDeepest = 8;
+    if (depth == kDeepest || error <= tolerance_ + kRelative * std::abs(half * kronrod))
+      return half * kronrod;
+    return of(function, low, middle, depth + 1) + of(function, middle, high, depth + 1);
+  }
+
+ private:
+  static constexpr double kRelative = 1e-5;
+  // Nodes from the end of the interval inwards; every second one, and the middle, are those of
+  // Gauss.
+  static constexpr std::array kNodes{
+      0.991455371120812639206854697526329, 0.949107912342758524526189684047851,
+      0.864864423359769072789712788640926, 0.741531185599394439863864773280788,
+      0.586087235467691130294144838258730, 0.405845151377397166906606412076961,
+      0.207784955007898467600689403773245};
+  static constexpr std::array kKronrod{
+      0.022935322010529224963732008058970, 0.063092092629978553290700663189204,
+      0.104790010322250183839876322541518, 0.140653259715525918745189590510238,
+      0.169004726639267902826583426598550, 0.190350578064785409913256402421014,
+      0.204432940075298892414161999234649, 0.209482141084727828012999174891714};
+  static constexpr std::array kGauss{
+      0.129484966168869693270611432679082, 0.279705391489276667901467771423780,
+      0.381830050505118944950369775488975, 0.417959183673469387755102040816327};
+
+  double tolerance_;
+};
+
+/// Area of the strip of width dv, per dv, from the middle of the box to the u that is given. From
+/// the middle, because there the gaps of a boundary that is not quite closed do least harm.
+using StripArea = std::function<double(double u, double v)>;
+
+/// Strips of the surfaces whose parameters are at right angles: as high everywhere as they are at
+/// v.
+std::optional<StripArea> closedForm(const GeomAdaptor_Surface& surface,
+                                    const SplineSurface::Box& box) {
+  const double from = (box.u1 + box.u2) / 2;
+  switch (surface.GetType()) {
+    case GeomAbs_Plane:
+      return [=](double u, double) { return u - from; };
+    case GeomAbs_Cylinder:
+      return [=, r = surface.Cylinder().Radius()](double u, double) { return r * (u - from); };
+    case GeomAbs_Sphere:
+      return [=, r = surface.Sphere().Radius()](double u, double v) {
+        return r * r * std::cos(v) * (u - from);
+      };
+    case GeomAbs_Cone: {
+      const double r = surface.Cone().RefRadius(), sine = std::sin(surface.Cone().SemiAngle());
+      if ((r + box.v1 * sine) * (r + box.v2 * sine) < 0) return std::nullopt;  // on both nappes
+      return [=](double u, double v) { return (r + v * sine) * (u - from); };
+    }
+    case GeomAbs_Torus: {
+      const double major = surface.Torus().MajorRadius(), minor = surface.Torus().MinorRadius();
+      if (minor > major) return std::nullopt;
+      return [=](double u, double v) { return minor * (major + minor * std::cos(v)) * (u - from); };
+    }
+    default:
+      return std::nullopt;
+  }
+}
+
+/// Strips of any other surface, piece by piece between the u where its formula changes.
+class SummedStrips {
+ public:
+  SummedStrips(const Handle(Geom_Surface) & surface, const GeomAdaptor_Surface& adaptor,
+               const SplineSurface::Box& box, double tolerance)
+      : values_(surface, box), integral_(tolerance), from_((box.u1 + box.u2) / 2) {
+    const int count = adaptor.NbUIntervals(GeomAbs_C2);
+    TColStd_Array1OfReal bounds(1, count + 1);
+    adaptor.UIntervals(bounds, GeomAbs_C2);
+    breaks_.assign(bounds.begin(), bounds.end());
+  }
+
+  double operator()(double u, double v) const {
+    const auto width = [&](double at) {
+      const SurfaceFrame frame = values_.frameAt(at, v);
+      return length(cross(frame.du, frame.dv));
+    };
+    const double low = std::min(from_, u), high = std::max(from_, u);
+    double sum = 0, last = low;
+    for (const double b : breaks_) {
+      if (!(b > last && b < high)) continue;
+      sum += integral_.of(width, last, b);
+      last = b;
+    }
+    sum += integral_.of(width, last, high);
+    return u < from_ ? -sum : sum;
+  }
+
+ private:
+  SurfaceValues values_;
+  Integral integral_;
+  double from_;
+  std::vector<double> breaks_;
+};
+
+/// By Green's theorem the area is the integral of the strips up to the boundary over dv, once
+/// around the face.
+class BoundaryIntegral {
+ public:
+  BoundaryIntegral(const TopoDS_Face& face, const SplineSurface::Box& box, StripArea strip,
+                   double tolerance)
+      : face_(face), box_(box), strip_(std::move(strip)), integral_(tolerance) {}
+
+  void add(const TopoDS_Edge& edge) {
+    double first, last;
+    const Handle(Geom2d_Curve) curve = BRep_Tool::CurveOnSurface(edge, face_, first, last);
+    if (curve.IsNull()) throw Standard_Failure("an edge has no curve in the parameters");
+    const Geom2dAdaptor_Curve adaptor(curve, first, last);
+    const double sign = edge.Orientation() == TopAbs_REVERSED ? -1 : 1;
+    const gp_Pnt2d start = adaptor.Value(first), end = adaptor.Value(last);
+    gapU_ += sign * (end.X() - start.X());
+    gapV_ += sign * (end.Y() - start.Y());
+    sum_ += sign * along(adaptor);
+  }
+
+  /// 0 if the boundary is not closed in the parameters.
+  double area() const {
+    constexpr double kGap = 1e-3;  // share of the box
+    const bool isClosed = std::abs(gapU_) <= kGap * (box_.u2 - box_.u1) &&
+                          std::abs(gapV_) <= kGap * (box_.v2 - box_.v1);
+    return isClosed ? std::abs(sum_) : 0;
+  }
+
+ private:
+  double along(const Geom2dAdaptor_Curve& curve) const {
+    const auto rate = [&](double t) {
+      gp_Pnt2d place;
+      gp_Vec2d tangent;
+      curve.D1(t, place, tangent);
+      return tangent.Y() == 0 ? 0 : strip_(place.X(), place.Y()) * tangent.Y();
+    };
+    const int count = curve.NbIntervals(GeomAbs_C2);
+    TColStd_Array1OfReal bounds(1, count + 1);
+    curve.Intervals(bounds, GeomAbs_C2);
+    double sum = 0;
+    for (int i = 1; i <= count; ++i) sum += integral_.of(rate, bounds(i), bounds(i + 1));
+    return sum;
+  }
+
+  const TopoDS_Face& face_;
+  SplineSurface::Box box_;
+  StripArea strip_;
+  Integral integral_;
+  double sum_ = 0, gapU_ = 0, gapV_ = 0;
+};
+
+double areaOf(const TopoDS_Face& face) {
+  const Handle(Geom_Surface) surface = BRep_Tool::Surface(face);
+  if (surface.IsNull()) return 0;
+  SplineSurface::Box box{};
+  BRepTools::UVBounds(face, box.u1, box.u2, box.v1, box.v2);
+  const GeomAdaptor_Surface adaptor(surface);
+  const SurfaceFrame middle =
+      SurfaceValues(surface, box).frameAt((box.u1 + box.u2) / 2, (box.v1 + box.v2) / 2);
+  // What the rules of Gauss and Kronrod differ by, against the size of the box. Kronrod's alone is
+  // better by some digits.
+  constexpr double kShare = 1e-5;
+  const double perStrip = kShare * length(cross(middle.du, middle.dv)) * (box.u2 - box.u1);
+  auto strip = closedForm(adaptor, box);
+  if (!strip) strip = SummedStrips(surface, adaptor, box, perStrip);
+  BoundaryIntegral integral(face, box, std::move(*strip), perStrip * (box.v2 - box.v1));
+  for (TopExp_Explorer it(face, TopAbs_EDGE); it.More(); it.Next()) {
+    const TopoDS_Edge edge = TopoDS::Edge(it.Current());
+    if (edge.Orientation() == TopAbs_FORWARD || edge.Orientation() == TopAbs_REVERSED)
+      integral.add(edge);
+  }
+  return integral.area();
+}
+
+}  // namespace
+
+double areaOf(const ModelShape& model, int face) {
+  try {
+    const double area = areaOf(TopoDS::Face(model.face(face).Oriented(TopAbs_FORWARD)));
+    return area < Precision::Infinite() ? area : 0;  // no boundary, or not a number
+  } catch (const Standard_Failure&) {
+    return 0;
+  }
+}
+
+}  // namespace af2::geometry

@@ -1,0 +1,14 @@
+// The area of a face of the model, from its surface and its boundary.
+// Not installed: includers need OpenCASCADE's headers.
+#pragma once
+
+#include "geometry/occ/model_shape.h"
+
+namespace af2::geometry {
+
+/// Area of a face of the model, to about five digits; 0 if it cannot be told, as where the boundary
+/// is not closed in the parameters. Independent of how
+/// edges are divided and of any mesh.
+double areaOf(const ModelShape& model, int face);
+
+}  // namespace af2::geometry
