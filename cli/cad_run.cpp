@@ -6,6 +6,7 @@
 #include "cli/model_runs.h"
 #include "cli/progress_bar.h"
 #include "cli/usage_error.h"
+#include "engine/error.h"
 #include "geometry/occ/mesh_model.h"
 
 namespace af2::cli {
@@ -19,20 +20,51 @@ void checkId(const std::string& option, const char* kind, int id, int count) {
 
 void checkIds(const MeshRequest& request, const geometry::Model& model) {
   for (const int face : request.faces) checkId("--faces", "face", face, model.faceCount());
-  for (const auto& [face, size] : request.faceSizes) {
+  for (const auto& [face, size] : request.sizes.faceSizes) {
     checkId("--face-size", "face", face, model.faceCount());
   }
-  for (const auto& [edge, size] : request.edgeSizes) {
+  for (const auto& [edge, size] : request.sizes.edgeSizes) {
     checkId("--edge-size", "edge", edge, model.edgeCount());
   }
 }
 
-geometry::ModelMeshingOptions meshingOptions(const MeshRequest& request, const RunControl& control,
-                                             ProgressBar& bar) {
+/// Sizes by name become sizes by face; those on the command line count more.
+std::map<int, double> sizesOfFaces(const SizeRequest& request, const geometry::Model& model) {
+  std::map<int, double> sizes;
+  for (const auto& [pattern, size] : request.file.parts) {
+    bool fits = false;
+    for (int face = 1; face <= model.faceCount(); ++face) {
+      if (!geometry::fitsPattern(model.faceName(face), pattern)) continue;
+      sizes[face] = size;
+      fits = true;
+    }
+    if (!fits)
+      throw InputError(fmt::format(
+          "the sizes are for parts named '{}', but no face has such a name (see af2 inspect)",
+          pattern));
+  }
+  for (const auto& [face, size] : request.faceSizes) sizes[face] = size;
+  return sizes;
+}
+
+geometry::ModelSizes modelSizes(const SizeRequest& request, const geometry::Model& model) {
+  geometry::ModelSizes sizes;
+  sizes.size = request.size;
+  sizes.minSize = request.smallest;
+  sizes.maxSize = request.largest;
+  sizes.elementsPerTurn = request.elementsPerTurn;
+  sizes.growth = request.growth;
+  sizes.faceSizes = sizesOfFaces(request, model);
+  sizes.edgeSizes = request.edgeSizes;
+  sizes.sources = request.file.sources;
+  return sizes;
+}
+
+geometry::ModelMeshingOptions meshingOptions(const MeshRequest& request,
+                                             const geometry::Model& model,
+                                             const RunControl& control, ProgressBar& bar) {
   geometry::ModelMeshingOptions options;
-  options.sizes.size = request.size;
-  options.sizes.faceSizes = request.faceSizes;
-  options.sizes.edgeSizes = request.edgeSizes;
+  options.sizes = modelSizes(request.sizes, model);
   options.faces = request.faces;
   options.threads = request.threads;
   options.optimize = request.optimize;
@@ -55,7 +87,7 @@ geometry::ModelMesh runCad(const MeshRequest& request, const AF2Algorithm& algor
   const double readSeconds = reading.seconds();
   checkIds(request, model);
   geometry::ModelMesh mesh =
-      geometry::meshModel(model, algorithm, meshingOptions(request, control, bar));
+      geometry::meshModel(model, algorithm, meshingOptions(request, model, control, bar));
   mesh.seconds.read = readSeconds;
   return mesh;
 }

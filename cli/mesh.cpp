@@ -23,10 +23,11 @@ using geometry::RunStatus;
 
 geometry::WantedLength wantedLength(const MeshRequest& request) {
   return [&request](int face, int edge, const Point3&) {
-    const auto byEdge = request.edgeSizes.find(edge);
-    if (byEdge != request.edgeSizes.end()) return byEdge->second;
-    const auto byFace = request.faceSizes.find(face);
-    return byFace != request.faceSizes.end() ? byFace->second : request.size;
+    const SizeRequest& sizes = request.sizes;
+    const auto byEdge = sizes.edgeSizes.find(edge);
+    if (byEdge != sizes.edgeSizes.end()) return byEdge->second;
+    const auto byFace = sizes.faceSizes.find(face);
+    return byFace != sizes.faceSizes.end() ? byFace->second : sizes.size;
   };
 }
 

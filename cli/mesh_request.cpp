@@ -68,21 +68,12 @@ std::string outputHelp() {
 void declareMeshOptions(CLI::App& command, MeshOptions& options) {
   command.add_option("model", options.model, "STEP, IGES or BREP file, or a .poly file (planar)")
       ->required();
-  command.add_option("-s,--size", options.size, "wanted edge length, in the model's unit")
-      ->required();
+  declareSizeOptions(command, options.sizes);
   command
       .add_option("-r,--rules", options.rules, "rule file; a path, or a name in the rules of AF2")
       ->capture_default_str();
   command.add_option("-o,--output", options.outputs, outputHelp())->take_all()->expected(1);
   command.add_option("--faces", options.faces, "mesh only these faces, e.g. 3,7-9");
-  command
-      .add_option("--face-size", options.faceSizes, "another size for some faces, e.g. 3,7-9=0.1")
-      ->take_all()
-      ->expected(1);
-  command
-      .add_option("--edge-size", options.edgeSizes, "another size along some edges, e.g. 5=0.05")
-      ->take_all()
-      ->expected(1);
   command.add_option("-j,--threads", options.threads,
                      "threads to use; the mesh does not depend on it");
   command.add_flag("--no-optimize", options.rawFront, "leave the mesh as the front made it");
@@ -95,10 +86,8 @@ bool MeshRequest::isPlanar() const { return model.extension() == ".poly"; }
 MeshRequest checkedRequest(const MeshOptions& options) {
   MeshRequest request;
   request.model = options.model;
-  request.size = parseSize("--size", options.size);
+  request.sizes = checkedSizes(options.sizes);
   if (!options.faces.empty()) request.faces = parseIds("--faces", options.faces);
-  request.faceSizes = parseSizes("--face-size", options.faceSizes);
-  request.edgeSizes = parseSizes("--edge-size", options.edgeSizes);
   if (options.threads < 0 || options.threads > 4096) {
     throw UsageError(fmt::format("--threads {}: give 1 to 4096", options.threads));
   }
@@ -107,8 +96,8 @@ MeshRequest checkedRequest(const MeshOptions& options) {
   request.optimize = !options.rawFront;
   request.report = options.report;
   request.outputs.assign(options.outputs.begin(), options.outputs.end());
-  if (request.isPlanar() && !(request.faceSizes.empty() && request.edgeSizes.empty())) {
-    throw UsageError("a .poly file has no --face-size and no --edge-size; use --size");
+  if (request.isPlanar() && !(request.sizes.faceSizes.empty() && request.sizes.edgeSizes.empty())) {
+    throw UsageError("a .poly file has no --face-size and no --edge-size; use --size or --sizes");
   }
   checkOutputs(request);
   checkReadable(request.model);

@@ -3,16 +3,18 @@
 
 #include <CLI/App.hpp>
 #include <filesystem>
-#include <map>
 #include <string>
 #include <vector>
+
+#include "cli/size_request.h"
 
 namespace af2::cli {
 
 /// The options as they were typed.
 struct MeshOptions {
-  std::string model, size, rules = "tri/even.af2", faces, report;
-  std::vector<std::string> outputs, faceSizes, edgeSizes;
+  std::string model, rules = "tri/even.af2", faces, report;
+  SizeOptions sizes;
+  std::vector<std::string> outputs;
   int threads = 0;
   bool quiet = false, rawFront = false;
 };
@@ -22,8 +24,7 @@ void declareMeshOptions(CLI::App& command, MeshOptions& options);
 struct MeshRequest {
   std::filesystem::path model, rules, report;  ///< no report if empty
   std::vector<std::filesystem::path> outputs;
-  double size = 0;
-  std::map<int, double> faceSizes, edgeSizes;
+  SizeRequest sizes;
   std::vector<int> faces;  ///< empty: all
   int threads = 0;         ///< 0: as many as the machine has
   bool quiet = false, optimize = true;

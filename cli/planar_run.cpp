@@ -18,7 +18,11 @@ geometry::ModelMesh runPlanar(const MeshRequest& request, const AF2Algorithm& al
 
   ProgressBar bar(control.showProgress);
   geometry::PlanarMeshingOptions options;
-  options.size = request.size;
+  options.size = request.sizes.size;
+  options.minSize = request.sizes.smallest;
+  options.maxSize = request.sizes.largest;
+  options.growth = request.sizes.growth;
+  options.sources = request.sizes.file.sources;
   options.optimize = request.optimize;
   options.threads = request.threads;
   options.stop = control.stop;

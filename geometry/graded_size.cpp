@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <tuple>
 
 namespace af2::geometry {
 
@@ -23,68 +22,24 @@ double largestWanted(const FrontInput& boundary, const SizeField& wanted) {
   return largest;
 }
 
-}  // namespace
-
-GrowingSize::GrowingSize(std::vector<SizeSource> sources, double growth, double largest)
-    : sources_(std::move(sources)), growth_(growth), largest_(largest) {
-  if (sources_.empty()) return;
-  double smallest = largest_;
-  for (const SizeSource& s : sources_) smallest = std::min(smallest, s.size);
-  cellSize_ = std::max(largest_ - smallest, 1e-3 * largest_) / growth_;  // how far a source reaches
-  thin();
-  sortIntoCells();
-}
-
-std::int64_t GrowingSize::cellOf(double coordinate) const {
-  return static_cast<std::int64_t>(std::floor(coordinate / cellSize_));
-}
-
 /// Keeps every second source or so of an evenly divided edge: the smallest first, in order.
-void GrowingSize::thin() {
-  std::stable_sort(sources_.begin(), sources_.end(),
+std::vector<SizeSource> thinned(std::vector<SizeSource> sources, double growth) {
+  std::stable_sort(sources.begin(), sources.end(),
                    [](const SizeSource& a, const SizeSource& b) { return a.size < b.size; });
   std::vector<SizeSource> kept;
-  for (const SizeSource& s : sources_) {
+  for (const SizeSource& s : sources) {
     // Neighbours along a loop were added shortly before, so a look at the last ones is enough.
     const std::size_t from = kept.size() > 16 ? kept.size() - 16 : 0;
     bool covered = false;
     for (std::size_t i = from; i < kept.size() && !covered; ++i)
       covered =
-          kept[i].size + growth_ * distance(kept[i].position, s.position) <= kThinning * s.size;
+          kept[i].size + growth * distance(kept[i].position, s.position) <= kThinning * s.size;
     if (!covered) kept.push_back(s);
   }
-  sources_ = std::move(kept);
+  return kept;
 }
 
-void GrowingSize::sortIntoCells() {
-  const auto key = [&](const SizeSource& s) {
-    return std::tuple(cellOf(s.position.x), cellOf(s.position.y), cellOf(s.position.z));
-  };
-  std::stable_sort(sources_.begin(), sources_.end(),
-                   [&](const SizeSource& a, const SizeSource& b) { return key(a) < key(b); });
-  for (std::uint32_t i = 0; i < sources_.size(); ++i) {
-    const auto [x, y, z] = key(sources_[i]);
-    if (cells_.empty() ||
-        std::tuple(cells_.back().x, cells_.back().y, cells_.back().z) != key(sources_[i]))
-      cells_.push_back({x, y, z, i, i});
-    cells_.back().last = i + 1;
-  }
-}
-
-double GrowingSize::at(const Point3& position) const {
-  double size = largest_;
-  const std::int64_t x = cellOf(position.x), y = cellOf(position.y), z = cellOf(position.z);
-  for (std::int64_t i = x - 1; i <= x + 1; ++i) {
-    for (std::int64_t j = y - 1; j <= y + 1; ++j) {
-      auto cell = std::lower_bound(cells_.begin(), cells_.end(), Cell{i, j, z - 1, 0, 0});
-      for (; cell != cells_.end() && cell->x == i && cell->y == j && cell->z <= z + 1; ++cell)
-        for (std::uint32_t k = cell->first; k < cell->last; ++k)
-          size =
-              std::min(size, sources_[k].size + growth_ * distance(sources_[k].position, position));
-    }
-  }
-  return size;
-}
+}  // namespace
 
 std::vector<SizeSource> shortSegments(const FrontInput& boundary, const SizeField& wanted) {
   std::vector<SizeSource> sources;
@@ -105,7 +60,8 @@ std::vector<SizeSource> shortSegments(const FrontInput& boundary, const SizeFiel
 
 GradedSize::GradedSize(const SizeField& wanted, const FrontInput& boundary, double growth)
     : wanted_(wanted),
-      growing_(shortSegments(boundary, wanted), growth, largestWanted(boundary, wanted)) {}
+      growing_(thinned(shortSegments(boundary, wanted), growth), growth,
+               largestWanted(boundary, wanted)) {}
 
 double GradedSize::sizeAt(const SurfacePoint& point) const {
   const double wanted = wanted_.sizeAt(point);

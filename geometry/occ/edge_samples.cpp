@@ -52,7 +52,7 @@ class WantedAlongEdge {
     const TopoDS_Edge edge = model.edge(edgeId);
     const auto given = sizes.edgeSizes.find(edgeId);
     if (given != sizes.edgeSizes.end()) given_ = given->second;
-    largest_ = given_.value_or(sizes.size);
+    largest_ = bounded(sizes, given_.value_or(sizes.size));
     if (!faces.Contains(edge) || given_) return;
     for (const TopoDS_Shape& face : faces.FindFromKey(edge))
       addFace(model, edge, TopoDS::Face(face));
@@ -61,10 +61,11 @@ class WantedAlongEdge {
   /// An upper bound.
   double largest() const { return largest_; }
 
+  /// Before the limits by position, which are asked for along a whole piece.
   double at(const Point3& position, double parameter) const {
     double size = largest_;
     for (const Neighbor& face : faces_) size = std::min(size, onFace(face, position, parameter));
-    return limitByFunction(sizes_, size, position);
+    return size;
   }
 
  private:
@@ -158,6 +159,7 @@ class IntervalSampler {
   void addPoint(EdgePiece& piece, double parameter, double arcLength, const Point3& position) {
     piece.parameters.push_back(parameter);
     piece.arcLength.push_back(arcLength);
+    piece.positions.push_back(position);
     piece.sizes.push_back(wanted_.at(position, parameter));
   }
 
@@ -174,32 +176,80 @@ class IntervalSampler {
   double turn_, least_;
 };
 
-void samplePieces(const BRepAdaptor_Curve& curve, const WantedAlongEdge& wanted,
-                  const ModelSizes& sizes, EdgeSamples& samples) {
+/// Brings the sizes of a piece below those that are wanted by position, and between the bounds.
+void limitByPosition(EdgePiece& piece, const ModelSizes& sizes) {
+  if (sizes.function) {
+    std::vector<double> limits(piece.positions.size());
+    sizes.function.at(piece.positions, limits);
+    for (std::size_t i = 0; i < limits.size(); ++i)
+      piece.sizes[i] = std::min(piece.sizes[i], limits[i]);
+  }
+  for (double& size : piece.sizes) size = bounded(sizes, size);
+}
+
+std::vector<EdgePiece> sampleInCells(const BRepAdaptor_Curve& curve, const WantedAlongEdge& wanted,
+                                     const ModelSizes& sizes, double length, double total) {
   const std::vector<double> breaks = breaksOf(curve);
   const std::size_t intervals = breaks.size() - 1;
-  const double length = roughLength(curve);
-  const double total = kSamplesPerSegment * length / wanted.largest();
-  if (total > kMaxSamples) {
-    samples.problem = "needs more than " +
-                      std::to_string(static_cast<long>(total / kSamplesPerSegment)) +
-                      " segments; ask for a larger size";
-    return;
-  }
   const int cells = std::max(kMinSamples, static_cast<int>(total / static_cast<double>(intervals)));
   IntervalSampler sampler(curve, wanted, sizes, length);
+  std::vector<EdgePiece> pieces;
   Point3 previousEnd;
   for (std::size_t i = 0; i < intervals; ++i) {
-    EdgePiece piece;
     Point3 atStart, atEnd;
     const bool smooth =
         i > 0 &&
         distance(previousEnd,
                  unit(pointAt(curve, breaks[i] + 1e-7 * (breaks[i + 1] - breaks[i])).tangent)) <
             kKink;
-    if (!smooth) samples.pieces.push_back({});
-    sampler.append(samples.pieces.back(), breaks[i], breaks[i + 1], cells, atStart, atEnd);
+    if (!smooth) pieces.push_back({});
+    sampler.append(pieces.back(), breaks[i], breaks[i + 1], cells, atStart, atEnd);
     previousEnd = atEnd;
+  }
+  for (EdgePiece& piece : pieces) limitByPosition(piece, sizes);
+  return pieces;
+}
+
+/// Number of segments up to each sample, if segments had exactly the wanted sizes.
+std::vector<double> countAlong(const EdgePiece& piece) {
+  std::vector<double> count(piece.sizes.size(), 0);
+  for (std::size_t i = 1; i < count.size(); ++i)
+    count[i] = count[i - 1] + 2 * (piece.arcLength[i] - piece.arcLength[i - 1]) /
+                                  (piece.sizes[i - 1] + piece.sizes[i]);
+  return count;
+}
+
+/// How many times too long the cells are. Sizes that were asked for may be far below the largest,
+/// and small in a few places only: samples are to be dense there as well.
+double coarseness(const std::vector<EdgePiece>& pieces) {
+  constexpr double kMostOfSize = 0.25;  // length of a cell
+  double worst = 0;
+  for (const EdgePiece& piece : pieces)
+    for (std::size_t i = 1; i < piece.sizes.size(); ++i)
+      worst = std::max(worst, (piece.arcLength[i] - piece.arcLength[i - 1]) / piece.sizes[i]);
+  return worst / kMostOfSize;
+}
+
+void samplePieces(const BRepAdaptor_Curve& curve, const WantedAlongEdge& wanted,
+                  const ModelSizes& sizes, EdgeSamples& samples) {
+  constexpr int kMostRounds = 4;
+  constexpr double kMargin = 1.25, kMostAtOnce = 16;
+  const double length = roughLength(curve);
+  double total = kSamplesPerSegment * length / wanted.largest();
+  if (total > kMaxSamples) {
+    samples.problem = "needs more than " +
+                      std::to_string(static_cast<long>(total / kSamplesPerSegment)) +
+                      " segments; ask for a larger size";
+    return;
+  }
+  samples.pieces = sampleInCells(curve, wanted, sizes, length, total);
+  if (!sizes.function && sizes.elementsPerTurn == 0) return;
+  for (int round = 0; round < kMostRounds; ++round) {
+    const double tooCoarse = coarseness(samples.pieces);
+    if (tooCoarse <= 1) return;
+    total = std::min(kMargin * tooCoarse, kMostAtOnce) * std::max(total, double(kMinSamples));
+    if (total > kMaxSamples) return;
+    samples.pieces = sampleInCells(curve, wanted, sizes, length, total);
   }
 }
 
@@ -210,15 +260,6 @@ void gradePiece(EdgePiece& piece, double growth) {
     h[i] = std::min(h[i], h[i - 1] + growth * (s[i] - s[i - 1]));
   for (std::size_t i = h.size() - 1; i-- > 0;)
     h[i] = std::min(h[i], h[i + 1] + growth * (s[i + 1] - s[i]));
-}
-
-/// Number of segments up to each sample, if segments had exactly the wanted sizes.
-std::vector<double> countAlong(const EdgePiece& piece) {
-  std::vector<double> count(piece.sizes.size(), 0);
-  for (std::size_t i = 1; i < count.size(); ++i)
-    count[i] = count[i - 1] + 2 * (piece.arcLength[i] - piece.arcLength[i - 1]) /
-                                  (piece.sizes[i - 1] + piece.sizes[i]);
-  return count;
 }
 
 /// Appends the ends of `segments` equal shares of the count, without the start of the piece.

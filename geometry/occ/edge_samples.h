@@ -15,6 +15,7 @@ namespace af2::geometry {
 struct EdgePiece {
   std::vector<double> parameters;
   std::vector<double> arcLength;  ///< from the start of the piece
+  std::vector<Point3> positions;
   std::vector<double> sizes;
 };
 

@@ -10,7 +10,7 @@ FaceSize::FaceSize(const ModelSizes& sizes, int face, const FaceSurface& surface
 double FaceSize::sizeAt(const SurfacePoint& point) const {
   const double size =
       surface_.isPlane() ? wanted_ : limitByCurvature(sizes_, wanted_, surface_, point);
-  return limitByFunction(sizes_, size, point.position);
+  return bounded(sizes_, limitByFunction(sizes_, size, point.position));
 }
 
 }  // namespace af2::geometry

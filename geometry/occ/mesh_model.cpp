@@ -147,17 +147,21 @@ class Assembly {
 
 class ModelMesher {
  public:
-  ModelMesher(const Model& model, const AF2Algorithm& algorithm, const ModelMeshingOptions& options)
-      : model_(model), algorithm_(algorithm), options_(options) {}
+  ModelMesher(const Model& model, const AF2Algorithm& algorithm, ModelMeshingOptions options)
+      : model_(model), algorithm_(algorithm), options_(std::move(options)) {}
 
   ModelMesh mesh() {
     const std::vector<int> faces = facesAskedFor(model_, options_);
+    const std::vector<double> areas = areasOf(faces);
+    const std::vector<double> work = expectedElements(faces, areas);
     const Stopwatch edgesWatch;
+    options_.sizes =
+        spreadSizes(model_.shape(), std::move(options_.sizes), options_.threads, options_.stop);
     divided_ = divideEdges(model_.shape(), options_.sizes, options_.threads, options_.stop);
     const double edgeSeconds = edgesWatch.seconds();
 
     const Stopwatch facesWatch;
-    std::vector<FaceMesh> meshes = meshFaces(faces);
+    std::vector<FaceMesh> meshes = meshFaces(faces, areas, work);
     const double optimizeShare = shareOfOptimizing(meshes);
     ModelMesh mesh = Assembly(divided_).join(meshes);
     for (const AF2Rule& rule : algorithm_.rules().rules()) mesh.ruleNames.push_back(rule.name());
@@ -181,9 +185,8 @@ class ModelMesher {
     return all > 0 ? optimizing / all : 0;
   }
 
-  std::vector<FaceMesh> meshFaces(const std::vector<int>& faces) {
-    const std::vector<double> areas = areasOf(faces);
-    const std::vector<double> work = expectedElements(faces, areas);
+  std::vector<FaceMesh> meshFaces(const std::vector<int>& faces, const std::vector<double>& areas,
+                                  const std::vector<double>& work) {
     ProgressSum progress(options_, work);
     std::vector<FaceMesh> meshes(faces.size());
     const std::vector<std::size_t> order = largestFirst(work);
@@ -247,7 +250,7 @@ class ModelMesher {
 
   const Model& model_;
   const AF2Algorithm& algorithm_;
-  const ModelMeshingOptions& options_;
+  ModelMeshingOptions options_;
   DividedEdges divided_;
 };
 

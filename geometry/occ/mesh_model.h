@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <limits>
 #include <map>
 #include <stop_token>
 #include <vector>
@@ -10,16 +11,26 @@
 #include "geometry/model_check.h"
 #include "geometry/model_mesh.h"
 #include "geometry/occ/model.h"
+#include "geometry/position_size.h"
+#include "geometry/size_sources.h"
 
 namespace af2::geometry {
 
 /// Wanted edge lengths, in model units. The smallest of those that apply at a place counts.
 struct ModelSizes {
-  double size = 0;                  ///< everywhere; must be > 0
+  double size = 0;  ///< everywhere; must be > 0
+  /// Bounds of all wanted sizes, however they come about. Edges of the model that are shorter than
+  /// `minSize` are kept nevertheless.
+  double minSize = 0, maxSize = std::numeric_limits<double>::infinity();
   std::map<int, double> faceSizes;  ///< by face id; instead of `size`
   std::map<int, double> edgeSizes;  ///< by edge id; along that edge, instead of the faces' sizes
-  /// Further limit by position. Must be pure and callable from several threads at once.
-  std::function<double(const Point3&)> function;
+  SizeSources sources;              ///< points, boxes and background fields
+  PositionSize function;            ///< further limit by position
+
+  /// How many edges of elements go around a full turn of a curved face or edge; 0: the gentle
+  /// limits below. Where a turn would need edges smaller than `minSize`, or if that is 0, than a
+  /// twentieth of the size, it gets fewer.
+  double elementsPerTurn = 0;
 
   /// Where an edge turns quickly it needs shorter segments: one segment turns by at most `edgeTurn`
   /// radians, unless it would be shorter than `edgeLeast` times the wanted length.
@@ -28,7 +39,7 @@ struct ModelSizes {
   /// radians around the smaller radius of curvature. `bentFaceLeast` is for tubes, which turn by
   /// more than about a right angle: elements across the whole of them would cut off too much.
   double faceTurn = 0.7, faceLeast = 0.35, bentFaceLeast = 0.1;
-  /// Most growth of the size per unit of length, away from short segments of the boundary.
+  /// Most growth of the size per unit of length, away from whatever wants a small one.
   double growth = 0.4;
 };
 

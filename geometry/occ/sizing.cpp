@@ -9,6 +9,8 @@ namespace af2::geometry {
 
 namespace {
 
+constexpr double kFewestPerTurn = 3;
+
 bool isSize(double size) { return std::isfinite(size) && size > 0; }
 
 void checkAll(const std::map<int, double>& sizes, int count, const std::string& kind) {
@@ -25,23 +27,27 @@ void checkAll(const std::map<int, double>& sizes, int count, const std::string& 
 
 void checkSizes(const ModelSizes& sizes, const Model& model) {
   if (!isSize(sizes.size)) throw InputError("the size must be a positive number");
+  if (!(sizes.minSize >= 0) || !(sizes.maxSize >= sizes.minSize) || !(sizes.maxSize > 0))
+    throw InputError("the smallest size must not be negative, nor above the largest");
+  if (sizes.elementsPerTurn != 0 && !(sizes.elementsPerTurn >= kFewestPerTurn))
+    throw InputError("a turn needs at least 3 elements");
+  if (!(sizes.growth > 0) || !std::isfinite(sizes.growth))
+    throw InputError("the growth of sizes must be a positive number");
   checkAll(sizes.faceSizes, model.faceCount(), "face");
   checkAll(sizes.edgeSizes, model.edgeCount(), "edge");
 }
 
 double wantedOnFace(const ModelSizes& sizes, int face) {
   const auto found = sizes.faceSizes.find(face);
-  return found == sizes.faceSizes.end() ? sizes.size : found->second;
+  return bounded(sizes, found == sizes.faceSizes.end() ? sizes.size : found->second);
+}
+
+double bounded(const ModelSizes& sizes, double size) {
+  return std::clamp(size, sizes.minSize, sizes.maxSize);
 }
 
 double limitByFunction(const ModelSizes& sizes, double size, const Point3& position) {
-  if (!sizes.function) return size;
-  const double limit = sizes.function(position);
-  if (!(limit > 0))
-    throw InputError("the size function gives " + std::to_string(limit) + " at (" +
-                     std::to_string(position.x) + ", " + std::to_string(position.y) + ", " +
-                     std::to_string(position.z) + "); it must be positive");
-  return std::min(size, limit);
+  return sizes.function ? std::min(size, sizes.function.at(position)) : size;
 }
 
 double limitByCurvature(const ModelSizes& sizes, double size, const FaceSurface& surface,

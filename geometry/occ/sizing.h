@@ -2,19 +2,29 @@
 // Not installed: includers need OpenCASCADE's headers.
 #pragma once
 
+#include <stop_token>
+
 #include "geometry/occ/face_surface.h"
 #include "geometry/occ/mesh_model.h"
+#include "geometry/occ/model_shape.h"
 
 namespace af2::geometry {
 
 /// Throws InputError for a size that is not positive or an id that the model does not have.
 void checkSizes(const ModelSizes& sizes, const Model& model);
 
+/// The same sizes, but what they want by position, and on the faces by curvature and function, is
+/// one function: it grows from wherever it is small, through space, by no more than sizes.growth.
+ModelSizes spreadSizes(const ModelShape& model, ModelSizes sizes, int threads,
+                       const std::stop_token& stop);
+
+/// `size`, brought between the bounds of all sizes.
+double bounded(const ModelSizes& sizes, double size);
+
 /// The size for a face as the options say it, before all limits.
 double wantedOnFace(const ModelSizes& sizes, int face);
 
-/// The function's limit at a position, if there is a function. Throws InputError unless it gives a
-/// positive size.
+/// The function's limit at a position, if there is a function.
 double limitByFunction(const ModelSizes& sizes, double size, const Point3& position);
 
 /// `size`, or less where an edge of an element would turn by more than sizes.faceTurn.

@@ -26,16 +26,21 @@ class PlanePoints final : public SurfaceEvaluator {
 
 class DomainSize final : public SizeField {
  public:
-  explicit DomainSize(const PlanarMeshingOptions& options) : options_(options) {}
+  explicit DomainSize(const PlanarMeshingOptions& options) : options_(options) {
+    if (!options.sources.isEmpty()) sources_ = sizeFrom(options.sources, options.growth);
+  }
+  /// Whether sizes differ from place to place.
+  bool isVaried() const { return options_.function || sources_; }
   double sizeAt(const SurfacePoint& point) const override {
-    if (!options_.function) return options_.size;
-    const double limit = options_.function(point.position);
-    if (!(limit > 0)) throw InputError("the size function gives a size that is not positive");
-    return std::min(options_.size, limit);
+    double size = options_.size;
+    if (options_.function) size = std::min(size, options_.function.at(point.position));
+    if (sources_) size = std::min(size, sources_.at(point.position));
+    return std::clamp(size, options_.minSize, options_.maxSize);
   }
 
  private:
   const PlanarMeshingOptions& options_;
+  PositionSize sources_;
 };
 
 class PlanarMesher {
@@ -92,23 +97,45 @@ class PlanarMesher {
     divided_.push_back(std::move(along));
   }
 
-  std::vector<double> sharesBetween(Point2 from, Point2 to) const {
-    constexpr double kMostSegments = 1e7;
-    const double total = distance(from, to);
-    const double samples = std::ceil((options_.function ? 10 : 1) * total / options_.size) + 1;
-    if (!(samples < kMostSegments))
-      throw InputError(
-          "a segment of the domain would need more than 10 million pieces; ask for a "
-          "larger size");
-    const auto cells = static_cast<std::size_t>(samples);
+  /// How many segments of the wanted sizes fit up to the end of each of `cells` equal cells.
+  std::vector<double> countAlong(Point2 from, Point2 to, std::size_t cells, bool& fine) const {
+    constexpr double kMostOfSize = 0.25;  // length of a cell
+    const double step = distance(from, to) / static_cast<double>(cells);
     std::vector<double> count{0};
     double before = size_.sizeAt(inPlane(from));
+    fine = true;
     for (std::size_t i = 1; i <= cells; ++i) {
       const double t = static_cast<double>(i) / static_cast<double>(cells);
       const double here = size_.sizeAt(inPlane(from + t * (to - from)));
-      count.push_back(count.back() + 2 * total / static_cast<double>(cells) / (before + here));
+      count.push_back(count.back() + 2 * step / (before + here));
+      fine = fine && step <= kMostOfSize * here;
       before = here;
     }
+    return count;
+  }
+
+  std::vector<double> sharesBetween(Point2 from, Point2 to) const {
+    constexpr double kMostSegments = 1e7, kSamplesPerSegment = 10, kDenser = 8;
+    constexpr int kMostRounds = 4;
+    const double samplesPerSize = size_.isVaried() ? kSamplesPerSegment : 1;
+    double cells = std::ceil(samplesPerSize * distance(from, to) / options_.size) + 1;
+    if (!(cells < kMostSegments))
+      throw InputError(
+          "a segment of the domain would need more than 10 million pieces; ask for a "
+          "larger size");
+    bool fine = true;
+    std::vector<double> count = countAlong(from, to, static_cast<std::size_t>(cells), fine);
+    for (int round = 0; size_.isVaried() && !fine && round < kMostRounds; ++round) {
+      cells *= kDenser;
+      if (cells > kMostSegments) break;
+      count = countAlong(from, to, static_cast<std::size_t>(cells), fine);
+    }
+    return equalShares(count);
+  }
+
+  /// Where along the cells each of the whole number of segments ends, but for the last.
+  static std::vector<double> equalShares(const std::vector<double>& count) {
+    const std::size_t cells = count.size() - 1;
     const auto pieces = static_cast<std::size_t>(std::max(1.0, std::floor(count.back() + 0.5)));
     std::vector<double> shares;
     std::size_t cell = 1;

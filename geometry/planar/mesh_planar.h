@@ -1,19 +1,24 @@
 // From a planar domain to a checked mesh, without a CAD kernel.
 #pragma once
 
-#include <functional>
+#include <limits>
 #include <stop_token>
 
 #include "engine/algorithm.h"
 #include "geometry/model_mesh.h"
 #include "geometry/planar/poly_file.h"
+#include "geometry/position_size.h"
+#include "geometry/size_sources.h"
 
 namespace af2::geometry {
 
 struct PlanarMeshingOptions {
-  double size = 0;                                ///< wanted edge length, > 0
-  std::function<double(const Point3&)> function;  ///< further limit by position; may be empty
-  /// Most growth of the size per unit of length, away from short segments of the boundary.
+  double size = 0;  ///< wanted edge length, > 0
+  /// Bounds of all wanted sizes, however they come about.
+  double minSize = 0, maxSize = std::numeric_limits<double>::infinity();
+  SizeSources sources;    ///< points, boxes and background fields
+  PositionSize function;  ///< further limit by position
+  /// Most growth of the size per unit of length, away from whatever wants a small one.
   double growth = 0.4;
   bool optimize = true;  ///< swaps and smoothing after the front has closed
   int threads = 0;       ///< 0: as many as the machine has. The mesh does not depend on it.

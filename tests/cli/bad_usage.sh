@@ -19,6 +19,12 @@ usage "$af2" mesh "$cylinder" --size 1 --faces 0; told 'ids begin at 1'
 usage "$af2" mesh "$cylinder" --size 1 --faces 99; told 'there is no face 99'
 usage "$af2" mesh "$cylinder" --size 1 --edge-size 99=0.1; told 'there is no edge 99'
 usage "$af2" mesh "$cylinder" --size 1 --face-size 1; told '3,7-9=0.1'
+usage "$af2" mesh "$cylinder" --size 1 --curvature 2; told 'at least 3'
+usage "$af2" mesh "$cylinder" --size 1 --min-size 2 --max-size 1; told 'above --max-size'
+usage "$af2" mesh "$cylinder" --size 1 --grading 0; told '--grading'
+unusable "$af2" mesh "$cylinder" --size 1 --sizes nothing.json; told 'nothing.json'
+echo '{"parts": {"nowhere": 1}}' >sizes.json
+unusable "$af2" mesh "$cylinder" --size 1 --sizes sizes.json; told "no face has such a name"
 usage "$af2" mesh "$cylinder" --size 1 --threads -1; told '--threads'
 usage "$af2" mesh "$cylinder" --size 1 --threads two; told '--threads'
 usage "$af2" mesh "$cylinder" --size 1 -o mesh.xyz; told '.vtu'

@@ -21,6 +21,13 @@ expect 0 "$af2" mesh "$models/cylinder.step" --size 1 --faces 1-2 --report some.
 expect 0 "$af2" mesh "$models/cylinder.step" --size 1 --face-size 1=0.25 --report fine.json
 [ "$(json fine.json triangles)" -gt "$(json cylinder.json triangles)" ] || fail "--face-size did nothing"
 
+echo '{"points": [{"at": [0, 0, 0], "size": 0.2}], "parts": {"*": 0.9}}' >sizes.json
+expect 0 "$af2" mesh "$models/cylinder.step" --size 1 --sizes sizes.json --report near.json
+[ "$(json near.json triangles)" -gt "$(json cylinder.json triangles)" ] || fail "--sizes did nothing"
+expect 0 "$af2" mesh "$models/cylinder.step" --size 1 --curvature 40 --min-size 0.3 --grading 0.2 --report round.json
+[ "$(json round.json triangles)" -gt "$(json cylinder.json triangles)" ] || fail "--curvature did nothing"
+expect 0 "$af2" mesh "$models/plate.poly" --size 1 --max-size 0.5 --sizes sizes.json
+
 expect 0 "$af2" mesh "$models/cylinder.step" --size 1 --quiet
 [ ! -s out ] && [ ! -s err ] || fail "--quiet printed something"
 

@@ -21,6 +21,24 @@ TEST(GrowingSize, IsTheSmallestOfWhatGrowsFromItsSources) {
   }
 }
 
+TEST(GrowingSize, FindsTheSmallestAmongManyBalls) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> any(0, 10), some(0.01, 0.5);
+  std::vector<SizeSource> sources;
+  for (int i = 0; i < 777; ++i)
+    sources.push_back({{any(random), any(random), any(random)}, some(random), some(random)});
+  const GrowingSize size(sources, 0.3, 2);
+  for (int i = 0; i < 300; ++i) {
+    const Point3 p{2 * any(random) - 5, any(random), any(random)};
+    double expected = 2;
+    for (const SizeSource& s : sources) {
+      const double outside = std::max(0.0, distance(s.position, p) - s.radius);
+      expected = std::min(expected, s.size + 0.3 * outside);
+    }
+    EXPECT_EQ(size.at(p), expected);
+  }
+}
+
 TEST(GradedSize, IsAsWantedFarFromShortSegments) {
   FrontInput square;
   square.vertexCount = 5;

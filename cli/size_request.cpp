@@ -1,0 +1,55 @@
+#include "cli/size_request.h"
+
+#include <fmt/core.h>
+
+#include <limits>
+
+#include "cli/number_lists.h"
+#include "cli/usage_error.h"
+
+namespace af2::cli {
+
+void declareSizeOptions(CLI::App& command, SizeOptions& options) {
+  command.add_option("-s,--size", options.size, "wanted edge length, in the model's unit")
+      ->required();
+  command.add_option("--min-size", options.smallest, "no wanted size is smaller than this");
+  command.add_option("--max-size", options.largest, "no wanted size is larger than this");
+  command.add_option("--curvature", options.curvature,
+                     "elements around a full turn of a curved face or edge, e.g. 20");
+  command.add_option("--grading", options.grading,
+                     "most growth of the size per unit of length, default 0.4");
+  command.add_option("--sizes", options.file,
+                     "file (JSON) with sizes at points, in boxes, in fields, of named parts");
+  command
+      .add_option("--face-size", options.faceSizes, "another size for some faces, e.g. 3,7-9=0.1")
+      ->take_all()
+      ->expected(1);
+  command
+      .add_option("--edge-size", options.edgeSizes, "another size along some edges, e.g. 5=0.05")
+      ->take_all()
+      ->expected(1);
+}
+
+SizeRequest checkedSizes(const SizeOptions& options) {
+  SizeRequest request;
+  request.size = parseSize("--size", options.size);
+  if (!options.smallest.empty()) request.smallest = parseSize("--min-size", options.smallest);
+  request.largest = options.largest.empty() ? std::numeric_limits<double>::infinity()
+                                            : parseSize("--max-size", options.largest);
+  if (request.smallest > request.largest)
+    throw UsageError(
+        fmt::format("--min-size {} is above --max-size {}", options.smallest, options.largest));
+  if (!options.curvature.empty()) {
+    request.elementsPerTurn = parseSize("--curvature", options.curvature);
+    if (request.elementsPerTurn < 3)
+      throw UsageError(
+          fmt::format("--curvature {}: a turn needs at least 3 elements", options.curvature));
+  }
+  if (!options.grading.empty()) request.growth = parseSize("--grading", options.grading);
+  request.faceSizes = parseSizes("--face-size", options.faceSizes);
+  request.edgeSizes = parseSizes("--edge-size", options.edgeSizes);
+  if (!options.file.empty()) request.file = geometry::readSizeFile(options.file);
+  return request;
+}
+
+}  // namespace af2::cli

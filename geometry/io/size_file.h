@@ -1,0 +1,27 @@
+// Wanted sizes from a file: JSON (docs/formats.md tells each field).
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "geometry/size_sources.h"
+
+namespace af2::geometry {
+
+struct SizeFile {
+  SizeSources sources;
+  /// Sizes by name, where `*` stands for any text and `?` for any character; in the order of the
+  /// file, the last one that fits counts.
+  std::vector<std::pair<std::string, double>> parts;
+};
+
+/// Throws InputError, naming the file and the place in it, for anything that it does not
+/// understand.
+SizeFile readSizeFile(const std::filesystem::path& path);
+
+/// Whether `name` fits a pattern with `*` and `?`.
+bool fitsPattern(const std::string& name, const std::string& pattern);
+
+}  // namespace af2::geometry

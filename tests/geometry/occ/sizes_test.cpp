@@ -1,0 +1,133 @@
+// Sizes that are asked for, on CAD models.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+#include <numbers>
+
+#include "engine/error.h"
+#include "geometry/mesh_edges.h"
+#include "geometry/occ/mesh_model.h"
+#include "tests/geometry/occ/shapes.h"
+#include "tests/support/triangle_rules.h"
+
+namespace af2::geometry {
+namespace {
+
+ModelMesh mesh(const Model& model, const ModelSizes& sizes) {
+  static const AF2Algorithm algorithm(testing::triangleSet());
+  ModelMeshingOptions options;
+  options.sizes = sizes;
+  options.threads = 1;
+  ModelMesh result = meshModel(model, algorithm, options);
+  for (const FaceReport& face : result.faces)
+    EXPECT_EQ(face.status, FaceStatus::Complete) << face.reason;
+  EXPECT_TRUE(result.findings.empty());
+  return result;
+}
+
+ModelSizes sizesOf(double size) {
+  ModelSizes sizes;
+  sizes.size = size;
+  return sizes;
+}
+
+std::map<int, int> segmentsByEdge(const ModelMesh& mesh) {
+  std::map<int, int> count;
+  for (const EdgeSegment& segment : mesh.segments) ++count[segment.edge];
+  return count;
+}
+
+double meanLength(const ModelMesh& mesh) {
+  double sum = 0;
+  const std::vector<MeshEdge> edges = meshEdges(mesh);
+  for (const MeshEdge& edge : edges)
+    sum += distance(mesh.vertices[edge.from.value], mesh.vertices[edge.to.value]);
+  return sum / static_cast<double>(edges.size());
+}
+
+/// The longest edge at each vertex over the shortest one, at its worst.
+double worstStep(const ModelMesh& mesh) {
+  std::vector<double> shortest(mesh.vertices.size(), 1e300), longest(mesh.vertices.size(), 0);
+  for (const MeshEdge& edge : meshEdges(mesh)) {
+    const double length = distance(mesh.vertices[edge.from.value], mesh.vertices[edge.to.value]);
+    for (const VertexId v : {edge.from, edge.to}) {
+      shortest[v.value] = std::min(shortest[v.value], length);
+      longest[v.value] = std::max(longest[v.value], length);
+    }
+  }
+  double worst = 1;
+  for (std::size_t v = 0; v < shortest.size(); ++v)
+    if (longest[v] > 0) worst = std::max(worst, longest[v] / shortest[v]);
+  return worst;
+}
+
+TEST(Sizes, GiveATurnTheElementsThatAreAskedFor) {
+  for (const double turn : {12.0, 30.0}) {
+    ModelSizes sizes = sizesOf(3);
+    sizes.elementsPerTurn = turn;
+    sizes.minSize = 0.01;
+    const ModelMesh ball = mesh(testing::sphere(1), sizes);
+    EXPECT_NEAR(meanLength(ball), 2 * std::numbers::pi / turn, 0.2 / turn * 2 * std::numbers::pi);
+    int circles = 0;
+    for (const auto& [edge, count] : segmentsByEdge(mesh(testing::cylinder(1, 2), sizes)))
+      if (count == turn) ++circles;
+    EXPECT_EQ(circles, 2);
+  }
+}
+
+TEST(Sizes, StopAtTheSmallestAndTheLargest) {
+  ModelSizes sizes = sizesOf(5);
+  sizes.elementsPerTurn = 100;
+  sizes.minSize = 0.3;
+  EXPECT_NEAR(meanLength(mesh(testing::sphere(1), sizes)), 0.3, 0.05);
+  sizes = sizesOf(5);
+  sizes.maxSize = 0.25;
+  sizes.faceSizes[1] = 4;
+  EXPECT_NEAR(meanLength(mesh(testing::box(1, 1, 1), sizes)), 0.25, 0.04);
+  sizes.minSize = 1;
+  EXPECT_THROW(mesh(testing::box(1, 1, 1), sizes), InputError);
+}
+
+TEST(Sizes, AtAPointSpreadEvenlyThroughSpace) {
+  ModelSizes sizes = sizesOf(1);
+  sizes.sources.points = {{{5, 5, 2}, 0.05}};
+  sizes.growth = 0.3;
+  const ModelMesh result = mesh(testing::box(10, 10, 2), sizes);
+  EXPECT_LT(worstStep(result), 3);
+  double nearest = 1e300, farthest = 0;
+  for (const MeshEdge& edge : meshEdges(result)) {
+    const Point3 &p = result.vertices[edge.from.value], &q = result.vertices[edge.to.value];
+    const double reach = distance(0.5 * (p + q), Point3{5, 5, 2});
+    if (reach < 0.1) nearest = std::min(nearest, distance(p, q));
+    if (reach > 5) farthest = std::max(farthest, distance(p, q));
+  }
+  EXPECT_LT(nearest, 0.1);
+  EXPECT_GT(farthest, 0.8);
+}
+
+TEST(Sizes, InABoxAreKeptOnEdgesAndFaces) {
+  ModelSizes sizes = sizesOf(1);
+  sizes.sources.boxes = {{{0, 0, 0}, {1, 1, 4}, 0.1}};
+  const ModelMesh result = mesh(testing::box(4, 4, 4), sizes);
+  std::size_t inside = 0;
+  for (const MeshEdge& edge : meshEdges(result)) {
+    const Point3 &p = result.vertices[edge.from.value], &q = result.vertices[edge.to.value];
+    if (std::max({p.x, p.y, q.x, q.y}) > 0.9) continue;
+    ++inside;
+    EXPECT_LT(distance(p, q), 0.17);
+  }
+  EXPECT_GT(inside, 1000u);
+  EXPECT_LT(worstStep(result), 3);
+}
+
+TEST(Sizes, OfAFunctionReachTheFacesAroundThem) {
+  // Small inside one face only: without spreading, the edges would not know.
+  ModelSizes sizes = sizesOf(1);
+  sizes.function = [](const Point3& p) { return distance(p, Point3{2, 2, 4}) < 1 ? 0.05 : 10.0; };
+  const ModelMesh result = mesh(testing::box(4, 4, 4), sizes);
+  EXPECT_LT(worstStep(result), 4.5);
+}
+
+}  // namespace
+}  // namespace af2::geometry
