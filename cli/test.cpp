@@ -49,12 +49,13 @@ nlohmann::ordered_json jsonOf(const dsl::TestResult& result) {
 /// Microseconds for one step on the front of each test.
 void printTimes(const dsl::LoadedRules& loaded) {
   using Clock = std::chrono::steady_clock;
+  SingleStepper stepper(*loaded.rules);
   constexpr auto kLongEnough = std::chrono::milliseconds(20);
   for (const dsl::CompiledTest& test : loaded.file->tests) {
     std::size_t steps = 0;
     const auto begin = Clock::now();
     while (Clock::now() - begin < kLongEnough) {
-      takeSingleStep(*loaded.rules, test.piece);
+      stepper.take(test.piece);
       ++steps;
     }
     const std::chrono::duration<double, std::micro> spent = Clock::now() - begin;

@@ -34,8 +34,9 @@ void note(Refusal reason, Seen& seen) {
 
 std::vector<Seen> runAll(const dsl::LoadedRules& loaded) {
   std::vector<Seen> seen(loaded.rules->rules().size());
+  SingleStepper stepper(*loaded.rules);
   for (const dsl::CompiledTest& test : loaded.file->tests) {
-    const SingleStep step = takeSingleStep(*loaded.rules, test.piece);
+    const SingleStep step = stepper.take(test.piece);
     if (step.rule) seen[*step.rule].applied = true;
     for (const RuleRefusal& refusal : step.refusals) note(refusal.reason, seen[refusal.rule]);
   }

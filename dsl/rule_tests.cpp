@@ -233,12 +233,12 @@ bool satisfies(const RuleDefinition& rule, const AF2Binding& binding) {
 
 }  // namespace
 
-TestResult runTest(const LoadedRules& rules, const CompiledTest& test) {
+TestResult runTest(const LoadedRules& rules, SingleStepper& stepper, const CompiledTest& test) {
   const SourceText& source = rules.file->main().source;
   TestResult result;
   result.title = test.title;
   result.place = placeOf(source, test.span);
-  const SingleStep step = takeSingleStep(*rules.rules, test.piece);
+  const SingleStep step = stepper.take(test.piece);
   if (step.rule) {
     result.appliedRule = rules.rules->rules()[*step.rule].name();
     result.score = step.score;
@@ -293,11 +293,12 @@ TestResult runProperty(const LoadedRules& rules, const CompiledProperty& propert
 std::vector<TestResult> runRuleTests(const LoadedRules& rules, const std::string& filter) {
   std::vector<TestResult> results;
   if (!rules.rules) return results;
+  SingleStepper stepper(*rules.rules);
   const auto isWanted = [&](const std::string& title) {
     return title.find(filter) != std::string::npos;
   };
   for (const CompiledTest& test : rules.file->tests)
-    if (isWanted(test.title)) results.push_back(runTest(rules, test));
+    if (isWanted(test.title)) results.push_back(runTest(rules, stepper, test));
   for (const CompiledProperty& property : rules.file->properties)
     if (isWanted(property.title)) results.push_back(runProperty(rules, property));
   return results;

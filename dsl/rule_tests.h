@@ -26,8 +26,8 @@ struct TestResult {
   bool passed() const { return failures.empty(); }
 };
 
-/// One test. `rules` must be without errors.
-TestResult runTest(const LoadedRules& rules, const CompiledTest& test);
+/// One test. `rules` must be without errors, and `stepper` one for its rule set.
+TestResult runTest(const LoadedRules& rules, SingleStepper& stepper, const CompiledTest& test);
 
 /// One property, on matches spread over what its rule accepts; the same ones each time.
 TestResult runProperty(const LoadedRules& rules, const CompiledProperty& property);

@@ -232,7 +232,7 @@ void Window::include(const Window& other) {
   include(other.highX, other.highY);
 }
 
-CompiledRules::CompiledRules(const RuleSet& rules) : set_(rules) {
+CompiledRules::CompiledRules(const RuleSet& rules, std::optional<int> onlyLevel) : set_(rules) {
   for (std::size_t i = 0; i < rules.rules().size(); ++i) {
     const AF2Rule& rule = rules.rules()[i];
     const RuleDefinition& definition = rule.definition();
@@ -252,7 +252,7 @@ CompiledRules::CompiledRules(const RuleSet& rules) : set_(rules) {
   }
 
   windows_.resize(static_cast<std::size_t>(rules.maxLevel()));
-  for (int level = 1; level <= rules.maxLevel(); ++level) {
+  for (int level = onlyLevel.value_or(1); level <= onlyLevel.value_or(rules.maxLevel()); ++level) {
     const double tolerance = rules.matchTolerance(level);
     for (double baseLength : kBaseLengths) {
       Window window;

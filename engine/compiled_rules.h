@@ -82,7 +82,8 @@ struct CompiledRule {
 
 class CompiledRules {
  public:
-  explicit CompiledRules(const RuleSet& rules);
+  /// onlyLevel  for steps at one level alone: no windows are made for the others
+  explicit CompiledRules(const RuleSet& rules, std::optional<int> onlyLevel = std::nullopt);
 
   const RuleSet& set() const { return set_; }
   const std::vector<CompiledRule>& rules() const { return rules_; }

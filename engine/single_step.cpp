@@ -7,31 +7,12 @@
 
 #include "engine/candidate_choice.h"
 #include "engine/error.h"
+#include "engine/plane_chart.h"
 
 namespace af2 {
 namespace {
 
 using Edge = std::pair<std::size_t, std::size_t>;
-
-class PlaneChart final : public AF2LocalTransform {
- public:
-  PlaneChart(const Point3& from, const Point3& to, double unit) : unit_(unit) {
-    const Point3 x = af2::unit(to - from);
-    frame_ = {from, x, {-x.y, x.x, 0}, {0, 0, 1}, 1 / unit};
-  }
-  ChartPoint transformFromSurface(const SurfacePoint& p) const override {
-    return frame_.project(p);
-  }
-  std::optional<SurfacePoint> transformToSurface(Point2 p) const override {
-    const Point3 q = frame_.origin + unit_ * (p.x * frame_.xAxis + p.y * frame_.yAxis);
-    return SurfacePoint{q, {0, 0, 1}, q.x, q.y};
-  }
-  const ProjectionFrame* projection() const override { return &frame_; }
-
- private:
-  double unit_;
-  ProjectionFrame frame_;
-};
 
 BoundaryCorner cornerAt(const FrontPiece& piece, std::size_t v) {
   if (v >= piece.vertices.size())
@@ -115,34 +96,74 @@ void describe(SingleStep& step, const Scene& scene, const FrontPiece& piece,
   }
 }
 
+/// What is asked at the base edge of a piece.
+class Question {
+ public:
+  Question(const CompiledRules& rules, const FrontPiece& piece)
+      : scene_(piece),
+        size_(piece.size),
+        valence_(piece.vertices.size(), 0),
+        unit_(rules.set().definition().unit == ChartUnit::WantedLength
+                  ? piece.size
+                  : scene_.front.edgeLength(scene_.base)),
+        plane_(scene_.front[scene_.base].point, scene_.front[scene_.front.next(scene_.base)].point,
+               {0, 0, 1}, unit_),
+        chart_(plane_, unit_),
+        choice_(rules, scene_.front, scene_.index, size_, valence_) {}
+
+  const Scene& scene() const { return scene_; }
+  const Application* choose() { return choice_.choose(chart_, scene_.base); }
+  std::vector<RuleRefusal> explain() { return choice_.explain(chart_, scene_.base); }
+
+ private:
+  Scene scene_;
+  UniformSize size_;
+  std::vector<std::uint8_t> valence_;
+  double unit_;
+  PlaneChart plane_;
+  StepChart chart_;
+  CandidateChoice choice_;
+};
+
 }  // namespace
 
-SingleStep takeSingleStep(const RuleSet& rules, const FrontPiece& piece) {
+SingleStepper::SingleStepper(const RuleSet& rules)
+    : rules_(rules), byLevel_(static_cast<std::size_t>(rules.maxLevel())) {}
+
+SingleStepper::~SingleStepper() = default;
+
+const CompiledRules& SingleStepper::compiledFor(const FrontPiece& piece) {
   if (!(piece.size > 0) || !std::isfinite(piece.size))
     throw InputError("piece of front: the size must be a positive number");
-  if (piece.level < 1 || piece.level > rules.maxLevel())
+  if (piece.level < 1 || piece.level > rules_.maxLevel())
     throw InputError("piece of front: the level must be between 1 and " +
-                     std::to_string(rules.maxLevel()));
-  const CompiledRules compiled(rules);
-  Scene scene(piece);
-  const UniformSize size(piece.size);
-  const std::vector<std::uint8_t> valence(piece.vertices.size(), 0);
-  CandidateChoice choice(compiled, scene.front, scene.index, size, valence);
+                     std::to_string(rules_.maxLevel()));
+  auto& compiled = byLevel_[static_cast<std::size_t>(piece.level - 1)];
+  if (!compiled) compiled = std::make_unique<const CompiledRules>(rules_, piece.level);
+  return *compiled;
+}
 
-  const bool isWanted = rules.definition().unit == ChartUnit::WantedLength;
-  const double unit = isWanted ? piece.size : scene.front.edgeLength(scene.base);
-  const PlaneChart plane(scene.front[scene.base].point.position,
-                         scene.front[scene.front.next(scene.base)].point.position, unit);
-  const StepChart chart(plane, unit);
+std::optional<std::size_t> SingleStepper::chosenRule(const FrontPiece& piece) {
+  Question question(compiledFor(piece), piece);
+  const Application* application = question.choose();
+  if (!application) return std::nullopt;
+  return application->rule->index;
+}
 
+SingleStep SingleStepper::take(const FrontPiece& piece) {
+  Question question(compiledFor(piece), piece);
   SingleStep step;
-  step.refusals = choice.explain(chart, scene.base);
-  if (const Application* application = choice.choose(chart, scene.base)) {
-    describe(step, scene, piece, *application);
+  step.refusals = question.explain();
+  if (const Application* application = question.choose()) {
+    describe(step, question.scene(), piece, *application);
     std::erase_if(step.refusals, [&](const RuleRefusal& r) { return r.rule == *step.rule; });
   }
-  step.frontAfter = frontAfter(scene.edges, step.elements);
+  step.frontAfter = frontAfter(question.scene().edges, step.elements);
   return step;
+}
+
+SingleStep takeSingleStep(const RuleSet& rules, const FrontPiece& piece) {
+  return SingleStepper(rules).take(piece);
 }
 
 }  // namespace af2

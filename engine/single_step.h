@@ -2,6 +2,7 @@
 // authors.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -11,6 +12,8 @@
 #include "engine/rule_set.h"
 
 namespace af2 {
+
+class CompiledRules;
 
 /// A piece of front in the plane. The unmeshed region lies to the left of each edge.
 struct FrontPiece {
@@ -37,10 +40,29 @@ struct SingleStep {
   std::vector<RuleRefusal> refusals;
 };
 
-/// Tries all rules of the set at the base edge of a piece of front.
+/// Takes steps with one rule set, which is made ready only once for each level. It must outlive the
+/// stepper; one stepper serves one thread.
 ///
-/// Throws InputError if the piece is no front: an index out of range, an edge of length zero, the
-/// same edge twice, a base that is not among the edges, a level or size out of range.
+/// All throw InputError if the piece is no front: an index out of range, an edge of length zero,
+/// the same edge twice, a base that is not among the edges, a level or size out of range.
+class SingleStepper {
+ public:
+  explicit SingleStepper(const RuleSet& rules);
+  ~SingleStepper();
+
+  /// Tries all rules of the set at the base edge of a piece of front.
+  SingleStep take(const FrontPiece& piece);
+  /// The rule that would be applied, none if every rule is refused; costs less than half as much.
+  std::optional<std::size_t> chosenRule(const FrontPiece& piece);
+
+ private:
+  const CompiledRules& compiledFor(const FrontPiece& piece);
+
+  const RuleSet& rules_;
+  std::vector<std::unique_ptr<const CompiledRules>> byLevel_;  // [level - 1]; null until needed
+};
+
+/// One step with a stepper of its own.
 SingleStep takeSingleStep(const RuleSet& rules, const FrontPiece& piece);
 
 }  // namespace af2

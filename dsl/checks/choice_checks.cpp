@@ -53,23 +53,22 @@ std::string describe(const RuleSet& rules, const Winners& winners) {
 }
 
 /// Whether the rule is chosen in one random situation around a match.
-bool isChosen(const RuleSet& rules, const RuleSample& sample, const SampledMatch& one,
+bool isChosen(SingleStepper& stepper, const RuleSample& sample, const SampledMatch& one,
               RandomNumbers& random, Winners& winners) {
-  const int last =
-      std::min(sample.rule.definition().lastLevel.value_or(rules.maxLevel()), rules.maxLevel());
+  const int maxLevel = sample.rules.maxLevel();
+  const int last = std::min(sample.rule.definition().lastLevel.value_or(maxLevel), maxLevel);
   const int rise = random.unit() < 0.5 ? 0 : static_cast<int>(random.between(0, kHighestRise + 1));
   FrontPiece piece = pieceOf(one.match, std::min(sample.level + rise, last));
   addObstacles(piece, *one.zone, random);
-  const SingleStep step = takeSingleStep(rules, piece);
-  ++winners[step.rule ? static_cast<int>(*step.rule) : -1];
-  return step.rule == sample.index;
+  const auto chosen = stepper.chosenRule(piece);
+  ++winners[chosen ? static_cast<int>(*chosen) : -1];
+  return chosen == sample.index;
 }
 
 }  // namespace
 
-std::optional<SampledFinding> findNeverChosen(const RuleSample& sample,
+std::optional<SampledFinding> findNeverChosen(const RuleSample& sample, SingleStepper& stepper,
                                               const SamplingOptions& options) {
-  const RuleSet rules = upToLevel(sample.rules, sample.level + kHighestRise);
   RandomNumbers random(options.seed + 7919 * (sample.index + 1));
   Winners winners;
   int situations = 0;
@@ -77,7 +76,7 @@ std::optional<SampledFinding> findNeverChosen(const RuleSample& sample,
     if (situations == options.situations) break;
     if (!one.zone || !one.placed) continue;
     ++situations;
-    if (isChosen(rules, sample, one, random, winners)) return std::nullopt;
+    if (isChosen(stepper, sample, one, random, winners)) return std::nullopt;
   }
   if (situations == 0) return std::nullopt;
 

@@ -69,19 +69,19 @@ bool isPossible(const FrontPiece& piece) {
   return true;
 }
 
-int lowestLevel(const RuleSet& rules, FrontPiece piece, int lastLevel) {
+int lowestLevel(SingleStepper& stepper, FrontPiece piece, int lastLevel) {
   if (!isPossible(piece)) return CoverageMap::kImpossible;
   for (piece.level = 1; piece.level <= lastLevel; ++piece.level)
-    if (takeSingleStep(rules, piece).rule) return piece.level;
+    if (stepper.chosenRule(piece)) return piece.level;
   return CoverageMap::kNone;
 }
 
 template <class MakePiece>
-CoverageMap mapOf(const RuleSet& rules, int lastLevel, CoverageMap map, const MakePiece& make) {
+CoverageMap mapOf(SingleStepper& stepper, int lastLevel, CoverageMap map, const MakePiece& make) {
   for (const double y : map.ys)
     for (const double x : map.xs) {
       map.pieces.push_back(make(x, y));
-      map.levels.push_back(lowestLevel(rules, map.pieces.back(), lastLevel));
+      map.levels.push_back(lowestLevel(stepper, map.pieces.back(), lastLevel));
     }
   return map;
 }
@@ -121,9 +121,9 @@ std::optional<std::size_t> typicalGap(const CoverageMap& map) {
 Coverage measureCoverage(const RuleSet& rules, int lastLevel) {
   Coverage coverage;
   coverage.lastLevel = std::min(lastLevel, rules.maxLevel());
-  const RuleSet lower = upToLevel(rules, coverage.lastLevel);
+  SingleStepper stepper(rules);
   const auto add = [&](CoverageMap grid, const auto& make) {
-    coverage.maps.push_back(mapOf(lower, coverage.lastLevel, std::move(grid), make));
+    coverage.maps.push_back(mapOf(stepper, coverage.lastLevel, std::move(grid), make));
   };
   add({"one edge", "length of the edge", "", lengths(0.3, 3, 46), {0}, {}, {}},
       [](double length, double) { return oneEdge(length); });

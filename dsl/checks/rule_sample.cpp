@@ -44,13 +44,6 @@ std::vector<int> levelsOf(const RuleSet& rules, const AF2Rule& rule) {
   return levels;
 }
 
-RuleSet upToLevel(const RuleSet& rules, int level) {
-  RuleSetDefinition definition = rules.definition();
-  definition.maxLevel = std::min(level, definition.maxLevel);
-  definition.matchTolerance.resize(static_cast<std::size_t>(definition.maxLevel));
-  return RuleSet(std::move(definition));
-}
-
 RuleSample sampleRule(const RuleSet& rules, std::size_t index, int level, int count,
                       std::uint64_t seed) {
   const AF2Rule& rule = rules.rules()[index];

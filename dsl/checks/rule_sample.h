@@ -8,6 +8,7 @@
 
 #include "dsl/checks/pattern_match.h"
 #include "dsl/checks/sampled_checks.h"
+#include "engine/single_step.h"
 
 namespace af2::dsl {
 
@@ -55,10 +56,6 @@ SampledFinding findingAbout(const RuleSample& sample, const char* code, Severity
 /// looked at; empty if the rule set never reaches the rule.
 std::vector<int> levelsOf(const RuleSet& rules, const AF2Rule& rule);
 
-/// The rule set without its levels above `level`: steps with it are prepared much faster, and end
-/// in the same way.
-RuleSet upToLevel(const RuleSet& rules, int level);
-
 /// Matches of a rule at a level.
 RuleSample sampleRule(const RuleSet& rules, std::size_t rule, int level, int count,
                       std::uint64_t seed);
@@ -75,7 +72,7 @@ std::optional<SampledFinding> findLost(const RuleSample& sample);
 /// Z3: the zone does not grow as the level rises.
 std::optional<SampledFinding> findGrowing(const RuleSample& sample);
 /// D3: there are situations in which the rule is chosen.
-std::optional<SampledFinding> findNeverChosen(const RuleSample& sample,
+std::optional<SampledFinding> findNeverChosen(const RuleSample& sample, SingleStepper& stepper,
                                               const SamplingOptions& options);
 
 }  // namespace af2::dsl

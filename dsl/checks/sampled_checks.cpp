@@ -23,10 +23,11 @@ bool provesAtAllLevels(const RuleSet& rules, const AF2Rule& rule, const std::vec
 /// All checks of one rule.
 class RuleChecks {
  public:
-  RuleChecks(const RuleSet& rules, std::size_t index, const SamplingOptions& options,
-             std::vector<SampledFinding>& findings)
+  RuleChecks(const RuleSet& rules, std::size_t index, SingleStepper& stepper,
+             const SamplingOptions& options, std::vector<SampledFinding>& findings)
       : rules_(rules),
         index_(index),
+        stepper_(stepper),
         options_(options),
         findings_(findings),
         levels_(levelsOf(rules, rules.rules()[index])) {}
@@ -38,7 +39,7 @@ class RuleChecks {
         sampleRule(rules_, index_, levels_.front(), options_.samples, options_.seed);
     if (sample.matches.empty()) return answers;
 
-    keep(findNeverChosen(sample, options_));
+    keep(findNeverChosen(sample, stepper_, options_));
     answers.positive = answer(sample, findInverted, provesPositive);
     answers.covered = answer(sample, findUncovered, provesCovered);
     keep(findLost(sample));
@@ -65,6 +66,7 @@ class RuleChecks {
 
   const RuleSet& rules_;
   std::size_t index_;
+  SingleStepper& stepper_;
   const SamplingOptions& options_;
   std::vector<SampledFinding>& findings_;
   std::vector<int> levels_;
@@ -85,8 +87,9 @@ std::string count(const SampledResult& result, Answer RuleAnswers::*question) {
 
 SampledResult runSampledChecks(const RuleSet& rules, const SamplingOptions& options) {
   SampledResult result;
+  SingleStepper stepper(rules);
   for (std::size_t i = 0; i < rules.rules().size(); ++i)
-    result.answers.push_back(RuleChecks(rules, i, options, result.findings).run());
+    result.answers.push_back(RuleChecks(rules, i, stepper, options, result.findings).run());
   return result;
 }
 

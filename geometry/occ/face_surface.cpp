@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "engine/error.h"
+#include "engine/plane_chart.h"
 #include "geometry/occ/points.h"
-#include "geometry/plane_chart.h"
 
 namespace af2::geometry {
 

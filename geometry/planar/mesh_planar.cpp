@@ -6,9 +6,9 @@
 
 #include "engine/error.h"
 #include "engine/mesh_region.h"
+#include "engine/plane_chart.h"
 #include "geometry/graded_size.h"
 #include "geometry/planar/loops.h"
-#include "geometry/plane_chart.h"
 #include "geometry/sound_faces.h"
 
 namespace af2::geometry {

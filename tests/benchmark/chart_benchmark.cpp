@@ -3,8 +3,8 @@
 
 #include <cmath>
 
+#include "engine/plane_chart.h"
 #include "geometry/mean_normal_chart.h"
-#include "geometry/plane_chart.h"
 #include "geometry/quadric_surfaces.h"
 
 namespace af2::benchmark {
@@ -34,7 +34,7 @@ void makeAndLift(::benchmark::State& state, const AF2LocalTransformMaker& maker,
 
 void planeChart(::benchmark::State& state) {
   const SurfacePoint from{{0, 0, 0}, {0, 0, 1}}, to{{kSize, 0, 0}, {0, 0, 1}};
-  makeAndLift(state, geometry::PlaneChartMaker(), from, to);
+  makeAndLift(state, PlaneChartMaker(), from, to);
 }
 BENCHMARK(planeChart);
 

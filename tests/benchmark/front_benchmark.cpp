@@ -69,8 +69,9 @@ void chooseRule(::benchmark::State& state) {
   std::size_t i = 0;
   for (auto _ : state) {
     const PlaceId base(i);
-    const testing::FlatChart plane(square.front[base].point.position,
-                                   square.front[square.front.next(base)].point.position, size);
+    const PlaneChart plane =
+        testing::flatChart(square.front[base].point.position,
+                           square.front[square.front.next(base)].point.position, size);
     const StepChart chart(plane, size);
     ::benchmark::DoNotOptimize(choice.choose(chart, base));
     i = (i + 997) % count;

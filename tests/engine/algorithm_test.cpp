@@ -336,7 +336,7 @@ class PartialMaker final : public AF2LocalTransformMaker {
   class Chart final : public AF2LocalTransform {
    public:
     Chart(const Point3& from, const Point3& to, double unit, Failure failure)
-        : flat_(from, to, unit), failure_(failure) {}
+        : flat_(flatChart(from, to, unit)), failure_(failure) {}
     ChartPoint transformFromSurface(const SurfacePoint& p) const override {
       return flat_.transformFromSurface(p);
     }
@@ -349,7 +349,7 @@ class PartialMaker final : public AF2LocalTransformMaker {
     }
 
    private:
-    FlatChart flat_;
+    PlaneChart flat_;
     Failure failure_;
   };
   Failure failure_;

@@ -47,8 +47,8 @@ TEST(Neighborhood, HoldsEveryEdgeThatMayMeetTheWindow) {
     }
     const auto at = [&](PlaceId id) { return scene.front[id].point; };
     const double unit = .7;
-    const FlatChart fast(at(PlaceId(0u)).position, at(PlaceId(1u)).position, unit);
-    const SlowFlatChart slow(at(PlaceId(0u)).position, at(PlaceId(1u)).position, unit);
+    const PlaneChart fast = flatChart(at(PlaceId(0u)).position, at(PlaceId(1u)).position, unit);
+    const SlowFlatChart slow(at(PlaceId(0u)), at(PlaceId(1u)), unit);
     const Window window{-1, -.5, 2, 3};
     std::set<PlaceId> expected;
     for (std::size_t i = 0; i < scene.front.capacity(); ++i) {
@@ -72,7 +72,7 @@ TEST(Neighborhood, HoldsEveryEdgeThatMayMeetTheWindow) {
 TEST(Neighborhood, HoldsTheBaseItselfOnTheXAxis) {
   Scene scene;
   scene.add({{1, 1}, {2, 2}, {0, 3}});
-  const FlatChart chart({1, 1, 0}, {2, 2, 0}, 2);
+  const PlaneChart chart = flatChart({1, 1, 0}, {2, 2, 0}, 2);
   const auto edges = scene.gather(chart, 2, {0, 0, 1, 1});
   const auto base = std::find_if(edges.begin(), edges.end(),
                                  [](const auto& e) { return e.place == PlaceId(0u); });
@@ -87,7 +87,7 @@ TEST(Neighborhood, HoldsIsolatedVerticesAsEdgesOfLengthZero) {
   scene.add({{0, 0}, {1, 0}, {0, 1}});
   const PlaceId id = scene.front.addIsolated(flatCorner(3, {.5, .75}), 1);
   scene.index.insert(scene.front, id);
-  const FlatChart chart({0, 0, 0}, {1, 0, 0}, 1);
+  const PlaneChart chart = flatChart({0, 0, 0}, {1, 0, 0}, 1);
   for (const auto& e : scene.gather(chart, 1, {0, 0, 1, 1}))
     if (e.place == id) {
       EXPECT_EQ(e.from, (Point2{.5, .75}));

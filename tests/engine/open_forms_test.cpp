@@ -111,7 +111,7 @@ class AllocatingMaker final : public AF2LocalTransformMaker {
   std::unique_ptr<AF2LocalTransform> makeLocalTransform(const SurfacePoint& from,
                                                         const SurfacePoint& to,
                                                         double unit) const override {
-    return std::make_unique<FlatChart>(from.position, to.position, unit);
+    return PlaneChartMaker().makeLocalTransform(from, to, unit);
   }
 };
 

@@ -8,34 +8,22 @@
 
 #include "engine/error.h"
 #include "engine/front_input.h"
-#include "engine/local_transform.h"
+#include "engine/plane_chart.h"
 
 namespace af2::testing {
 
-class FlatChart final : public AF2LocalTransform {
- public:
-  FlatChart(const Point3& from, const Point3& to, double unit) : unit_(unit) {
-    const Point3 x = af2::unit(to - from);
-    frame_ = {from, x, {-x.y, x.x, 0}, {0, 0, 1}, 1 / unit};
-  }
-  ChartPoint transformFromSurface(const SurfacePoint& p) const override {
-    return frame_.project(p);
-  }
-  std::optional<SurfacePoint> transformToSurface(Point2 p) const override {
-    const Point3 q = frame_.origin + unit_ * (p.x * frame_.xAxis + p.y * frame_.yAxis);
-    return SurfacePoint{q, {0, 0, 1}, q.x, q.y};
-  }
-  const ProjectionFrame* projection() const override { return &frame_; }
+using FlatMaker = PlaneChartMaker;
 
- private:
-  double unit_;
-  ProjectionFrame frame_;
-};
+inline PlaneChart flatChart(const Point3& from, const Point3& to, double unit) {
+  constexpr Point3 kUp{0, 0, 1};
+  return PlaneChart({from, kUp}, {to, kUp}, kUp, unit);
+}
 
 /// The same chart without its fast form.
 class SlowFlatChart final : public AF2LocalTransform {
  public:
-  SlowFlatChart(const Point3& from, const Point3& to, double unit) : chart_(from, to, unit) {}
+  SlowFlatChart(const SurfacePoint& from, const SurfacePoint& to, double unit)
+      : chart_(from, to, {0, 0, 1}, unit) {}
   ChartPoint transformFromSurface(const SurfacePoint& p) const override {
     return chart_.transformFromSurface(p);
   }
@@ -44,25 +32,17 @@ class SlowFlatChart final : public AF2LocalTransform {
   }
 
  private:
-  FlatChart chart_;
+  PlaneChart chart_;
 };
 
-template <class Chart>
-class FlatMakerOf final : public AF2LocalTransformMaker {
+class SlowFlatMaker final : public AF2LocalTransformMaker {
  public:
   std::unique_ptr<AF2LocalTransform> makeLocalTransform(const SurfacePoint& from,
                                                         const SurfacePoint& to,
                                                         double unit) const override {
-    return std::make_unique<Chart>(from.position, to.position, unit);
-  }
-  const AF2LocalTransform& makeLocalTransformIn(ChartSlot& slot, const SurfacePoint& from,
-                                                const SurfacePoint& to,
-                                                double unit) const override {
-    return slot.emplace<Chart>(from.position, to.position, unit);
+    return std::make_unique<SlowFlatChart>(from, to, unit);
   }
 };
-using FlatMaker = FlatMakerOf<FlatChart>;
-using SlowFlatMaker = FlatMakerOf<SlowFlatChart>;
 
 inline BoundaryCorner flatCorner(std::size_t id, Point2 p) {
   return {VertexId(id), {{p.x, p.y, 0}, {0, 0, 1}, p.x, p.y}};

@@ -1,6 +1,6 @@
-#include "geometry/plane_chart.h"
+#include "engine/plane_chart.h"
 
-namespace af2::geometry {
+namespace af2 {
 
 PlaneChart::PlaneChart(const SurfacePoint& from, const SurfacePoint& to, const Point3& normal,
                        double edgeLength)
@@ -14,4 +14,4 @@ PlaneChart::PlaneChart(const SurfacePoint& from, const SurfacePoint& to, const P
   frame_.scale = 1 / edgeLength;
 }
 
-}  // namespace af2::geometry
+}  // namespace af2

@@ -3,7 +3,7 @@
 
 #include "engine/local_transform.h"
 
-namespace af2::geometry {
+namespace af2 {
 
 /// Exact in both directions and defined everywhere.
 class PlaneChart final : public AF2LocalTransform {
@@ -47,4 +47,4 @@ class PlaneChartMaker final : public AF2LocalTransformMaker {
   Point3 normal_;
 };
 
-}  // namespace af2::geometry
+}  // namespace af2

@@ -1,10 +1,10 @@
-#include "geometry/plane_chart.h"
+#include "engine/plane_chart.h"
 
 #include <gtest/gtest.h>
 
 #include "tests/geometry/charts.h"
 
-namespace af2::geometry {
+namespace af2 {
 namespace {
 
 TEST(PlaneChart, IsExactThereAndBack) {
@@ -26,4 +26,4 @@ TEST(PlaneChart, HasTheRegionToTheLeftAbove) {
 }
 
 }  // namespace
-}  // namespace af2::geometry
+}  // namespace af2
