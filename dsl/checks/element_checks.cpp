@@ -36,12 +36,13 @@ std::optional<Inverted> invertedElement(const SampledMatch& one) {
 }
 
 /// The smallest of the parallelograms that the elements' corners span: it changes sign without a
-/// jump where a side shrinks to nothing. Nothing for matches that are none.
-std::optional<double> leastTurn(const SampledMatch& one) {
-  if (!one.zone || !one.placed) return std::nullopt;
+/// jump where a side shrinks to nothing. Nothing where a vertex has no place.
+std::optional<double> leastTurn(const PatternMatch& match) {
+  const auto placed = match.placeAll();
+  if (!placed) return std::nullopt;
   double least = std::numeric_limits<double>::infinity();
-  for (const RuleElement& element : one.match.rule().definition().elements) {
-    const auto corners = cornersOf(element, *one.placed);
+  for (const RuleElement& element : match.rule().definition().elements) {
+    const auto corners = cornersOf(element, *placed);
     for (std::size_t i = 0, n = corners.size(); i < n; ++i)
       least = std::min(least, cross(corners[(i + 1) % n] - corners[i],
                                     corners[(i + 2) % n] - corners[(i + 1) % n]));
@@ -61,34 +62,39 @@ PatternMatch moved(const PatternMatch& match, double reach, RandomNumbers& rando
 std::optional<SampledMatch> flattened(const RuleSample& sample, SampledMatch best,
                                       RandomNumbers& random) {
   constexpr int kSteps = 200;
-  double reach = 0.3, least = *leastTurn(best);
+  double reach = 0.3, least = *leastTurn(best.match);
+  const auto improve = [&](PatternMatch next) {
+    const auto turn = leastTurn(next);
+    if (!turn || *turn >= least || next.refusalOfMatch(sample.rules) != Refusal::None) return false;
+    SampledMatch candidate = examine(std::move(next));
+    if (!candidate.zone) return false;
+    least = *turn;
+    best = std::move(candidate);
+    return true;
+  };
   for (int step = 0; step < kSteps; ++step) {
     if (invertedElement(best)) return best;
-    PatternMatch next = moved(best.match, reach, random);
-    if (next.refusalOfMatch(sample.rules) != Refusal::None) continue;
-    SampledMatch candidate = examine(std::move(next));
-    const auto turn = leastTurn(candidate);
-    if (turn && *turn < least) {
-      least = *turn;
-      best = std::move(candidate);
-    } else {
-      reach *= 0.98;
-    }
+    if (!improve(moved(best.match, reach, random))) reach *= 0.98;
   }
   return std::nullopt;
 }
 
-/// Searches from the flattest samples on.
-std::optional<SampledMatch> searchInverted(const RuleSample& sample) {
-  constexpr std::size_t kStarts = 12;
-  std::vector<std::pair<double, std::size_t>> order;
-  for (std::size_t i = 0; i < sample.matches.size(); ++i)
-    if (const auto turn = leastTurn(sample.matches[i])) order.push_back({*turn, i});
-  std::sort(order.begin(), order.end());
-  RandomNumbers random(sample.index + 1);
-  for (std::size_t i = 0; i < std::min(kStarts, order.size()); ++i)
-    if (auto found = flattened(sample, sample.matches[order[i].second], random)) return found;
-  return std::nullopt;
+SampledFinding invertedFinding(const RuleSample& sample, const SampledMatch& nearest,
+                               std::string share) {
+  const auto shows = [](const SampledMatch& one) { return invertedElement(one).has_value(); };
+  const SampledMatch example = simplified(nearest, sample.rules, shows);
+  const Inverted inverted = *invertedElement(example);
+  SampledFinding finding = findingAbout(sample, "G2", Severity::Error);
+  finding.element = inverted.element;
+  finding.message = fmt::format("a new element turns over at {} that rule '{}' accepts at level {}",
+                                share, sample.name(), sample.level);
+  finding.help = "require that the corners turn left, or make the pattern's tolerance smaller";
+  finding.example = {example.match.vertices(), sample.level, {inverted.corner}, {}};
+  finding.test =
+      writeTest(example.match, {fmt::format("{}: no element turns over", sample.name()),
+                                {},
+                                fmt::format("not rule \"{}\" because require", sample.name())});
+  return finding;
 }
 
 }  // namespace
@@ -102,26 +108,23 @@ std::optional<SampledFinding> findInverted(const RuleSample& sample) {
     ++count;
     if (!nearest || one.deviation < nearest->deviation) nearest = &one;
   }
-  std::optional<SampledMatch> searched;
-  if (!nearest) searched = searchInverted(sample);
-  if (searched) nearest = &*searched;
   if (!nearest) return std::nullopt;
+  return invertedFinding(sample, *nearest, fmt::format("{} of {} matches", count, valid));
+}
 
-  const auto shows = [](const SampledMatch& one) { return invertedElement(one).has_value(); };
-  const SampledMatch example = simplified(*nearest, sample.rules, shows);
-  const Inverted inverted = *invertedElement(example);
-  SampledFinding finding = findingAbout(sample, "G2", Severity::Error);
-  finding.element = inverted.element;
-  finding.message =
-      fmt::format("a new element turns over at {} of {} matches that rule '{}' accepts at level {}",
-                  count, valid, sample.name(), sample.level);
-  finding.help = "require that the corners turn left, or make the pattern's tolerance smaller";
-  finding.example = {example.match.vertices(), sample.level, {inverted.corner}, {}};
-  finding.test =
-      writeTest(example.match, {fmt::format("{}: no element turns over", sample.name()),
-                                {},
-                                fmt::format("not rule \"{}\" because require", sample.name())});
-  return finding;
+std::optional<SampledFinding> searchInverted(const RuleSample& sample) {
+  constexpr std::size_t kStarts = 12;
+  std::vector<std::pair<double, std::size_t>> order;
+  for (std::size_t i = 0; i < sample.matches.size(); ++i) {
+    if (!sample.matches[i].zone) continue;
+    if (const auto turn = leastTurn(sample.matches[i].match)) order.push_back({*turn, i});
+  }
+  std::sort(order.begin(), order.end());
+  RandomNumbers random(sample.index + 1);
+  for (std::size_t i = 0; i < std::min(kStarts, order.size()); ++i)
+    if (const auto found = flattened(sample, sample.matches[order[i].second], random))
+      return invertedFinding(sample, *found, "a few matches");
+  return std::nullopt;
 }
 
 }  // namespace af2::dsl

@@ -64,6 +64,8 @@ RuleSample sampleRule(const RuleSet& rules, std::size_t rule, int level, int cou
 
 /// G2: every element turns left at each corner.
 std::optional<SampledFinding> findInverted(const RuleSample& sample);
+/// G2 again, for faults that hide from samples: from the flattest of them on to flatter ones.
+std::optional<SampledFinding> searchInverted(const RuleSample& sample);
 /// Z1: every element lies in the free zone, or an obstacle inside it would not be seen.
 std::optional<SampledFinding> findUncovered(const RuleSample& sample);
 /// Z2: share of the matches for which the zone has no valid shape.

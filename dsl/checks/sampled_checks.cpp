@@ -40,8 +40,8 @@ class RuleChecks {
     if (sample.matches.empty()) return answers;
 
     keep(findNeverChosen(sample, stepper_, options_));
-    answers.positive = answer(sample, findInverted, provesPositive);
-    answers.covered = answer(sample, findUncovered, provesCovered);
+    answers.positive = answer(sample, {findInverted, searchInverted}, provesPositive);
+    answers.covered = answer(sample, {findUncovered}, provesCovered);
     keep(findLost(sample));
     keep(findGrowing(sample));
     answers.lostMatches = shareOfLost(sample);
@@ -54,13 +54,19 @@ class RuleChecks {
     return finding.has_value();
   }
 
-  /// Samples at the rule's own level, then a proof, and only then samples at other levels.
-  Answer answer(const RuleSample& sample, Find find, Proves proves) {
-    if (keep(find(sample))) return Answer::Refuted;
+  /// Samples at the rule's own level, then a proof, and only then what costs more: a search, and
+  /// samples at other levels.
+  Answer answer(const RuleSample& sample, std::vector<Find> finds, Proves proves) {
+    if (keep(finds.front()(sample))) return Answer::Refuted;
     if (provesAtAllLevels(rules_, sample.rule, levels_, proves)) return Answer::Proven;
-    for (std::size_t i = 1; i < levels_.size(); ++i)
-      if (keep(find(sampleRule(rules_, index_, levels_[i], options_.samples / 4, options_.seed))))
-        return Answer::Refuted;
+    for (std::size_t i = 1; i < finds.size(); ++i)
+      if (keep(finds[i](sample))) return Answer::Refuted;
+    for (std::size_t i = 1; i < levels_.size(); ++i) {
+      const RuleSample other =
+          sampleRule(rules_, index_, levels_[i], options_.samples / 4, options_.seed);
+      for (const Find find : finds)
+        if (keep(find(other))) return Answer::Refuted;
+    }
     return Answer::Sampled;
   }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 #include "dsl/checks/rule_sample.h"
 #include "dsl/checks/test_text.h"
@@ -22,38 +23,45 @@ struct Growth {
   Point2 at;
 };
 
+std::unique_ptr<const AF2FreeZone> zoneAt(const PatternMatch& match, int level) {
+  const PatternMatch other(match.rule(), match.vertices(), level);
+  return match.rule().definition().zone->makeFreeZone(other.binding()).zone;
+}
+
+/// A place that the later zone holds and the earlier one does not, close to a point of the later
+/// one's boundary: sure, whatever was rounded on the way to it.
+bool isGrown(const AF2FreeZone& early, const AF2FreeZone& late, Point2 p) {
+  constexpr double kInwards = 1e-4;
+  const Box2 box = late.boundingBox();
+  const Point2 inner = p + kInwards * (0.5 * (box.low + box.high) - p);
+  return !early.contains(inner, ZoneBoundary::Counts) &&
+         late.contains(inner, ZoneBoundary::Ignored);
+}
+
 /// The deepest point of the zone at a later level outside of the zone at an earlier one.
 Growth growthAt(const PatternMatch& match, int level, int laterLevel) {
   Growth growth{level, laterLevel, 0, {}};
-  const auto zoneAt = [&](int l) {
-    const PatternMatch other(match.rule(), match.vertices(), l);
-    return match.rule().definition().zone->makeFreeZone(other.binding()).zone;
-  };
-  const auto early = zoneAt(level), late = zoneAt(laterLevel);
+  const auto early = zoneAt(match, level), late = zoneAt(match, laterLevel);
   if (!early || !late) return growth;
   const MeasuredZone measured(*early), later(*late);
   for (const auto& loop : later.outlineLoops())
     for (const Point2 p : loop) {
+      if (!isGrown(*early, *late, p)) continue;
       const double depth = measured.depthOutside(p);
-      if (depth > std::max(growth.depth, measured.tolerance())) {
-        growth.depth = depth;
-        growth.at = p;
-      }
+      if (depth <= growth.depth) continue;
+      growth.depth = depth;
+      growth.at = p;
     }
   return growth;
 }
 
 /// A place of few digits that only the later zone holds, close to where it grows most.
 Point2 grownPlace(const PatternMatch& match, const Growth& growth) {
-  const auto zoneAt = [&](int level) {
-    const PatternMatch other(match.rule(), match.vertices(), level);
-    return match.rule().definition().zone->makeFreeZone(other.binding()).zone;
-  };
-  const auto early = zoneAt(growth.level), late = zoneAt(growth.laterLevel);
+  const auto early = zoneAt(match, growth.level), late = zoneAt(match, growth.laterLevel);
   const Box2 box = late->boundingBox();
   const Point2 middle = 0.5 * (box.low + box.high);
   for (const double digits : {1e2, 1e3, 1e4, 1e6})
-    for (const double t : {0.02, 0.01, 0.003, 0.001}) {
+    for (const double t : {0.02, 0.01, 0.003, 0.001, 1e-4}) {
       const Point2 p = growth.at + t * (middle - growth.at);
       const Point2 q{std::round(p.x * digits) / digits, std::round(p.y * digits) / digits};
       if (!early->contains(q, ZoneBoundary::Counts) && late->contains(q, ZoneBoundary::Ignored))
@@ -123,15 +131,15 @@ std::optional<SampledFinding> findLost(const RuleSample& sample) {
 }
 
 std::optional<SampledFinding> findGrowing(const RuleSample& sample) {
-  constexpr int kLooked = 200;
+  constexpr int kLooked = 200, kCurvedLooked = 8;  // outlines of curved zones cost much
   const auto levels = levelsOf(sample.rules, sample.rule);
   const auto reference = PatternMatch::atReference(sample.rule, sample.level);
   Growth worst = worstGrowth(reference, levels);
   PatternMatch match = reference;
   int count = worst.depth > 0, looked = 1;
   for (const SampledMatch& one : sample.matches) {
-    if (looked > kLooked) break;
     if (!one.zone) continue;
+    if (looked > (isConvexPolygon(*one.zone) ? kLooked : kCurvedLooked)) break;
     ++looked;
     const Growth growth = worstGrowth(one.match, levels);
     count += growth.depth > 0;

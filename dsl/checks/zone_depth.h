@@ -9,6 +9,13 @@
 
 namespace af2::dsl {
 
+/// A place in the interior of a convex element, close to its edges, that the closed zone does not
+/// hold: an obstacle there would not be seen. Answers are exact for the numbers as given. Looked
+/// for are corners if the zone is convex, else many points along the edges.
+std::optional<Point2> unseenPlace(const AF2FreeZone& zone, std::span<const Point2> element);
+
+bool isConvexPolygon(const AF2FreeZone& zone);
+
 /// A zone with its outline, so that distances to it can be measured.
 class MeasuredZone {
  public:
@@ -17,17 +24,6 @@ class MeasuredZone {
   /// 0 for points of the closed zone, else the distance to it.
   double depthOutside(Point2 point) const;
 
-  /// Depths up to this come from rounding, or from arcs measured as chords.
-  double tolerance() const { return isConvex_ ? 1e-6 : 1e-4; }
-
-  struct Poke {
-    double depth = 0;
-    Point2 at;
-  };
-  /// The deepest point of an element outside: of its corners for a convex zone, else of many points
-  /// along its edges.
-  Poke pokeOf(std::span<const Point2> corners) const;
-
   /// Worked out when first asked for; most zones are never measured, for nothing sticks out of
   /// them.
   const std::vector<std::vector<Point2>>& outlineLoops() const;
@@ -35,7 +31,6 @@ class MeasuredZone {
  private:
   const AF2FreeZone& zone_;
   mutable std::optional<std::vector<std::vector<Point2>>> loops_;
-  bool isConvex_;
 };
 
 }  // namespace af2::dsl

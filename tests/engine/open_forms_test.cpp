@@ -184,7 +184,7 @@ TEST(OpenForms, AZoneMayBeNonConvex) {
   for (const auto& [input, size] : regions())
     expectGoodMesh(
         AF2Algorithm(std::make_shared<RuleSet>(set)).execute(FlatMaker(), input, UniformSize(size)),
-        input, .02);
+        input, .01);
 }
 
 TEST(OpenForms, AZoneMayBeLargerThanTheWindow) {
