@@ -76,11 +76,12 @@ class WantedAlongEdge {
   };
 
   void addFace(const ModelShape& model, const TopoDS_Edge& edge, const TopoDS_Face& face) {
-    Neighbor neighbor{wantedOnFace(sizes_, model.faces.FindIndex(face)), std::nullopt, {}};
+    const int id = model.faces.FindIndex(face);
+    Neighbor neighbor{wantedOnFace(sizes_, id), std::nullopt, {}};
     largest_ = faces_.empty() ? neighbor.wanted : std::min(largest_, neighbor.wanted);
     try {
       double first, last;
-      neighbor.surface.emplace(face);
+      neighbor.surface.emplace(model.surface(id));
       neighbor.curve = BRep_Tool::CurveOnSurface(edge, face, first, last);
     } catch (const std::exception&) {  // reported when the face is meshed
       neighbor.surface.reset();

@@ -20,7 +20,7 @@ class FaceMesher {
         face_(face),
         area_(area),
         expected_(expectedElements),
-        surface_(context.model.face(face)) {}
+        surface_(context.model.surface(face)) {}
 
   void meshInto(FaceMesh& mesh) {
     FaceBoundary boundary = findBoundary(context_.model, face_, context_.divided, surface_);
@@ -47,7 +47,7 @@ class FaceMesher {
   /// A size field with a surface of its own: OpenCASCADE's evaluators are not to be shared.
   struct OwnSize final : SizeField {
     OwnSize(const FaceMeshingContext& context, int face, const FrontInput& input)
-        : surface(context.model.face(face)),
+        : surface(context.model.surface(face)),
           wanted(context.options.sizes, face, surface),
           graded(wanted, input, context.options.sizes.growth) {}
     double sizeAt(const SurfacePoint& point) const override { return graded.sizeAt(point); }

@@ -36,13 +36,17 @@ Quadric oriented(Quadric outer, Quadric inner, const Point3& position, const Poi
 }
 
 /// The part of the parameters that a face takes up.
-struct Bounds {
-  double u1, u2, v1, v2;
-  explicit Bounds(const TopoDS_Face& face) { BRepTools::UVBounds(face, u1, u2, v1, v2); }
+struct Bounds : SplineSurface::Box {
   double u(double share) const { return u1 + share * (u2 - u1); }
   double v(double share) const { return v1 + share * (v2 - v1); }
-  SplineSurface::Box box() const { return {u1, u2, v1, v2}; }
 };
+
+SplineSurface::Box boxOf(const TopoDS_Face& face) {
+  surfaceOf(face);  // OpenCASCADE does not look whether there is one
+  SplineSurface::Box bounds{};
+  BRepTools::UVBounds(face, bounds.u1, bounds.u2, bounds.v1, bounds.v2);
+  return bounds;
+}
 
 /// The nappe on which the face lies; nothing if it lies on both.
 std::optional<ConeSurface> nappeOf(const gp_Cone& cone, const Bounds& bounds,
@@ -111,14 +115,17 @@ double extentOf(const std::vector<SurfacePoint>& points) {
 }  // namespace
 
 FaceSurface::FaceSurface(const TopoDS_Face& face)
-    : parametric_(surfaceOf(face), face.Orientation() == TopAbs_REVERSED, Bounds(face).box()),
-      surface_(parametric_) {
-  const GeomAdaptor_Surface adaptor(surfaceOf(face));
-  const Bounds bounds(face);
+    : FaceSurface(surfaceOf(face), boxOf(face), face.Orientation() == TopAbs_REVERSED) {}
+
+FaceSurface::FaceSurface(const Handle(Geom_Surface) & surface, const SplineSurface::Box& box,
+                         bool flipped)
+    : parametric_(surface, flipped, box), surface_(parametric_) {
+  const GeomAdaptor_Surface adaptor(surface);
+  const Bounds bounds{box};
   const SurfacePoint sample = samplePoint(bounds, parametric_);
   const Point3 &p = sample.position, &n = sample.normal;
   if (!(length(n) > 0)) return;
-  if (adaptor.GetType() != GeomAbs_Plane) measure(face);
+  if (adaptor.GetType() != GeomAbs_Plane) measure(box);
   switch (adaptor.GetType()) {
     case GeomAbs_Plane:
       surface_ = PlaneSurface{n};
@@ -158,8 +165,8 @@ FaceSurface::FaceSurface(const TopoDS_Face& face)
   }
 }
 
-void FaceSurface::measure(const TopoDS_Face& face) {
-  const Bounds bounds(face);
+void FaceSurface::measure(const SplineSurface::Box& box) {
+  const Bounds bounds{box};
   for (const double share : {0.02, 0.5, 0.98}) {
     const auto u = alongU(bounds, parametric_, share), v = alongV(bounds, parametric_, share);
     isBentInU_ = isBentInU_ || geometry::isBent(u);

@@ -19,7 +19,8 @@ struct PlaneSurface {
   Point3 normal;
 };
 
-/// Knows normals, curvature and charts of a face. Not to be shared between threads.
+/// Knows normals, curvature and charts of a face. Not to be shared between threads, but each may
+/// have a copy.
 class FaceSurface {
  public:
   /// Throws GeometryError if the face has no surface.
@@ -49,7 +50,9 @@ class FaceSurface {
   const GeneralSurface& inOccParameters() const { return parametric_; }
 
  private:
-  void measure(const TopoDS_Face& face);
+  /// flipped  the normals of the face are opposite to du x dv
+  FaceSurface(const Handle(Geom_Surface) & surface, const SplineSurface::Box& box, bool flipped);
+  void measure(const SplineSurface::Box& box);
   bool isBent() const { return isBentInU_ || isBentInV_; }
 
   using Surface = std::variant<PlaneSurface, CylinderSurface, ConeSurface, SphereSurface,

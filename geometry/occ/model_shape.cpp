@@ -14,6 +14,7 @@
 #include <TopoDS.hxx>
 #include <cmath>
 
+#include "geometry/occ/face_surfaces.h"
 #include "geometry/occ/model.h"
 
 namespace af2::geometry {
@@ -118,6 +119,7 @@ void giveBoundaries(ReadShape& read) {
 TopoDS_Face ModelShape::face(int id) const { return TopoDS::Face(faces(id)); }
 TopoDS_Edge ModelShape::edge(int id) const { return TopoDS::Edge(edges(id)); }
 TopoDS_Vertex ModelShape::vertex(int id) const { return TopoDS::Vertex(vertices(id)); }
+FaceSurface ModelShape::surface(int face) const { return surfaces->of(this->face(face), face); }
 
 std::shared_ptr<const ModelShape> makeModelShape(ReadShape read) {
   auto model = std::make_shared<ModelShape>();
@@ -132,6 +134,7 @@ std::shared_ptr<const ModelShape> makeModelShape(ReadShape read) {
     model->faceNames.push_back(read.nameOf ? read.nameOf(model->face(id)) : "");
     model->surfaceTypes.push_back(surfaceTypeOf(model->face(id)));
   }
+  model->surfaces = std::make_shared<const FaceSurfaces>(model->faces.Extent());
   buildMissingCurves(*model);
   model->diagonal = diagonalOf(*model);
   return model;

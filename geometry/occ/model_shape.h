@@ -13,7 +13,10 @@
 
 namespace af2::geometry {
 
-/// A shape with its parts numbered. Immutable once made, so that threads may share it.
+class FaceSurface;
+class FaceSurfaces;
+
+/// A shape with its parts numbered. Does not change once made, so threads may share it.
 struct ModelShape {
   TopoDS_Shape shape;
   TopTools_IndexedMapOfShape faces, edges, vertices;  ///< numbered from 1
@@ -26,6 +29,10 @@ struct ModelShape {
   TopoDS_Face face(int id) const;
   TopoDS_Edge edge(int id) const;
   TopoDS_Vertex vertex(int id) const;
+  /// The surface of a face, for the calling thread alone. Throws GeometryError if it has none.
+  FaceSurface surface(int face) const;
+
+  std::shared_ptr<const FaceSurfaces> surfaces;  ///< what surface() copies
 };
 
 /// What a reader of one format hands over.

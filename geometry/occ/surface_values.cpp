@@ -113,19 +113,29 @@ std::optional<SplineDefinition> splineDefinitionOf(const GeomAdaptor_Surface& su
 }
 
 SurfaceValues::SurfaceValues(const Handle(Geom_Surface) & surface, const SplineSurface::Box& box)
-    : adaptor_(std::make_shared<GeomAdaptor_Surface>(surface)) {
+    : surface_(surface), adaptor_(std::make_unique<GeomAdaptor_Surface>(surface)) {
   const auto definition = splineDefinitionOf(*adaptor_, box);
   if (!definition) return;
-  if (auto spline = SplineSurface::make(*definition, box))
-    spline_ = std::make_shared<const SplineSurface>(std::move(*spline));
+  auto spline = SplineSurface::make(*definition, box);
+  if (!spline) return;
+  spline_ = std::make_shared<const SplineSurface>(std::move(*spline));
+  adaptor_.reset();
 }
+
+SurfaceValues::SurfaceValues(const SurfaceValues& other)
+    : surface_(other.surface_),
+      spline_(other.spline_),
+      adaptor_(spline_ ? nullptr : std::make_unique<GeomAdaptor_Surface>(surface_)) {}
 
 SurfaceFrame SurfaceValues::frameAt(double u, double v) const {
   if (spline_)
     if (const auto frame = spline_->frameAt(u, v)) return *frame;
   gp_Pnt position;
   gp_Vec du, dv;
-  adaptor_->D1(u, v, position, du, dv);
+  if (adaptor_)
+    adaptor_->D1(u, v, position, du, dv);
+  else
+    surface_->D1(u, v, position, du, dv);
   return {toPoint(position), toPoint(du), toPoint(dv)};
 }
 
@@ -134,7 +144,10 @@ SurfaceJet SurfaceValues::jetAt(double u, double v) const {
     if (const auto jet = spline_->jetAt(u, v)) return *jet;
   gp_Pnt position;
   gp_Vec du, dv, duu, dvv, duv;
-  adaptor_->D2(u, v, position, du, dv, duu, dvv, duv);
+  if (adaptor_)
+    adaptor_->D2(u, v, position, du, dv, duu, dvv, duv);
+  else
+    surface_->D2(u, v, position, du, dv, duu, dvv, duv);
   return {toPoint(position), toPoint(du), toPoint(dv), toPoint(duu), toPoint(duv), toPoint(dvv)};
 }
 

@@ -15,19 +15,24 @@ namespace af2::geometry {
 std::optional<SplineDefinition> splineDefinitionOf(const GeomAdaptor_Surface& surface,
                                                    const SplineSurface::Box& box);
 
-/// Not to be used from two threads at once: OpenCASCADE keeps the polynomials of the last patch.
-/// Copies share them.
+/// Not to be used from two threads at once: OpenCASCADE's evaluators keep what they computed last.
+/// Each thread may have a copy; copies share the tables only.
 class SurfaceValues {
  public:
   /// box  where the surface is wanted; elsewhere it may take longer
   SurfaceValues(const Handle(Geom_Surface) & surface, const SplineSurface::Box& box);
+  SurfaceValues(const SurfaceValues& other);
+  SurfaceValues(SurfaceValues&&) = default;
+  SurfaceValues& operator=(const SurfaceValues& other) { return *this = SurfaceValues(other); }
+  SurfaceValues& operator=(SurfaceValues&&) = default;
 
   SurfaceFrame frameAt(double u, double v) const;
   SurfaceJet jetAt(double u, double v) const;
 
  private:
-  std::shared_ptr<const GeomAdaptor_Surface> adaptor_;
-  std::shared_ptr<const SplineSurface> spline_;
+  Handle(Geom_Surface) surface_;
+  std::shared_ptr<const SplineSurface> spline_;   ///< null: there is none
+  std::unique_ptr<GeomAdaptor_Surface> adaptor_;  ///< without a spline
 };
 
 }  // namespace af2::geometry
