@@ -131,8 +131,8 @@ std::optional<SplineSurface::Spans::Place> SplineSurface::Spans::find(double par
 SplineSurface::SplineSurface(Spans u, Spans v, bool isRational)
     : u_(std::move(u)),
       v_(std::move(v)),
-      dimension_(isRational ? 4 : 3),
-      stride_(3 + dimension_ * static_cast<std::size_t>((u_.degree() + 1) * (v_.degree() + 1))) {}
+      isRational_(isRational),
+      stride_(4 + 4 * static_cast<std::size_t>((u_.degree() + 1) * (v_.degree() + 1))) {}
 
 std::optional<SplineSurface> SplineSurface::make(const SplineDefinition& definition, const Box& box,
                                                  std::size_t mostNumbers) {
@@ -173,38 +173,46 @@ void SplineSurface::fillPatch(const SplineDefinition& definition, std::size_t iu
   // Relative to one of its poles, so that derivatives do not suffer far from the origin.
   const Point3 origin = definition.poles[poleAt(0, 0)];
   out[0] = origin.x, out[1] = origin.y, out[2] = origin.z;
-  out += 3;
+  out += 4;
 
-  std::vector<double> alongV(nu * nv * dimension_, 0.0);  // Bezier by v, still poles by u
+  std::vector<double> alongV(4 * nu * nv, 0.0);  // Bezier by v, still poles by u
   for (std::size_t i = 0; i < nu; ++i) {
     for (std::size_t m = 0; m < nv; ++m) {
       const std::size_t pole = poleAt(i, m);
-      const double weight = dimension_ == 4 ? definition.weights[pole] : 1;
+      const double weight = isRational_ ? definition.weights[pole] : 1;
       const Point3 p = weight * (definition.poles[pole] - origin);
       const std::array<double, 4> homogeneous{p.x, p.y, p.z, weight};
       for (std::size_t j = 0; j < nv; ++j)
-        for (std::size_t k = 0; k < dimension_; ++k)
-          alongV[(i * nv + j) * dimension_ + k] += toBezierV[j * nv + m] * homogeneous[k];
+        for (std::size_t k = 0; k < 4; ++k)
+          alongV[4 * (i * nv + j) + k] += toBezierV[j * nv + m] * homogeneous[k];
     }
   }
-  const std::size_t row = nv * dimension_;
+  const std::size_t row = 4 * nv;
   for (std::size_t i = 0; i < nu; ++i)
     for (std::size_t m = 0; m < nu; ++m)
       for (std::size_t k = 0; k < row; ++k)
         out[i * row + k] += toBezierU[i * nu + m] * alongV[m * row + k];
 }
 
-/// What Bernstein's polynomials sum up to: [a][b] is the derivative a times by u, b times by v,
-/// x, y, z and perhaps the weight.
+/// x, y, z and weight, which a processor handles two or four at a time.
+struct Four {
+  std::array<double, 4> of{};
+
+  void add(double factor, const double* numbers) {
+    for (std::size_t k = 0; k < 4; ++k) of[k] += factor * numbers[k];
+  }
+};
+
+/// What Bernstein's polynomials sum up to: [a][b] is the derivative a times by u, b times by v.
 template <int Order>
 struct SplineSurface::Sums {
-  std::array<std::array<std::array<double, 4>, Order + 1>, Order + 1> by;
+  std::array<std::array<Four, Order + 1>, Order + 1> by;
   Point3 origin;
 
   Point3 point(std::size_t a, std::size_t b) const {
-    return {by[a][b][0], by[a][b][1], by[a][b][2]};
+    return {by[a][b].of[0], by[a][b].of[1], by[a][b].of[2]};
   }
-  double weight(std::size_t a, std::size_t b) const { return by[a][b][3]; }
+  double weight(std::size_t a, std::size_t b) const { return by[a][b].of[3]; }
 };
 
 template <int Order>
@@ -214,25 +222,18 @@ SplineSurface::Sums<Order> SplineSurface::sumsAt(const Spans::Place& u,
   const Bernstein<Order> bv(v_.degree(), v.local, v.perUnit);
   const auto nu = static_cast<std::size_t>(u_.degree()) + 1;
   const auto nv = static_cast<std::size_t>(v_.degree()) + 1;
-  const std::size_t row = nv * dimension_;
-  const double* coefficients = patch(u.span, v.span);
-
-  Sums<Order> sums{};
-  sums.origin = {coefficients[0], coefficients[1], coefficients[2]};
-  coefficients += 3;
-  std::array<std::array<double, 4 * kMost>, Order + 1> rows;
-  for (std::size_t a = 0; a <= Order; ++a)
-    for (std::size_t k = 0; k < row; ++k) rows[a][k] = bu.by[a][0] * coefficients[k];
-  for (std::size_t i = 1; i < nu; ++i) {
-    coefficients += row;
+  const double* coefficient = patch(u.span, v.span);
+  Sums<Order> sums;
+  sums.origin = {coefficient[0], coefficient[1], coefficient[2]};
+  for (std::size_t i = 0; i < nu; ++i) {
+    std::array<Four, Order + 1> row;
+    for (std::size_t j = 0; j < nv; ++j) {
+      coefficient += 4;
+      for (std::size_t b = 0; b <= Order; ++b) row[b].add(bv.by[b][j], coefficient);
+    }
     for (std::size_t a = 0; a <= Order; ++a)
-      for (std::size_t k = 0; k < row; ++k) rows[a][k] += bu.by[a][i] * coefficients[k];
+      for (std::size_t b = 0; a + b <= Order; ++b) sums.by[a][b].add(bu.by[a][i], row[b].of.data());
   }
-  for (std::size_t a = 0; a <= Order; ++a)
-    for (std::size_t b = 0; a + b <= Order; ++b)
-      for (std::size_t j = 0; j < nv; ++j)
-        for (std::size_t k = 0; k < dimension_; ++k)
-          sums.by[a][b][k] += bv.by[b][j] * rows[a][j * dimension_ + k];
   return sums;
 }
 
@@ -240,7 +241,7 @@ std::optional<SurfaceFrame> SplineSurface::frameAt(double u, double v) const {
   const auto atU = u_.find(u), atV = v_.find(v);
   if (!atU || !atV) return std::nullopt;
   const Sums<1> s = sumsAt<1>(*atU, *atV);
-  if (dimension_ == 3) return SurfaceFrame{s.origin + s.point(0, 0), s.point(1, 0), s.point(0, 1)};
+  if (!isRational_) return SurfaceFrame{s.origin + s.point(0, 0), s.point(1, 0), s.point(0, 1)};
   const double inverse = 1 / s.weight(0, 0);
   const Point3 position = inverse * s.point(0, 0);
   return SurfaceFrame{s.origin + position, inverse * (s.point(1, 0) - s.weight(1, 0) * position),
@@ -251,7 +252,7 @@ std::optional<SurfaceJet> SplineSurface::jetAt(double u, double v) const {
   const auto atU = u_.find(u), atV = v_.find(v);
   if (!atU || !atV) return std::nullopt;
   const Sums<2> s = sumsAt<2>(*atU, *atV);
-  if (dimension_ == 3)
+  if (!isRational_)
     return SurfaceJet{s.origin + s.point(0, 0),
                       s.point(1, 0),
                       s.point(0, 1),

@@ -91,8 +91,8 @@ class SplineSurface {
   Sums<Order> sumsAt(const Spans::Place& u, const Spans::Place& v) const;
 
   Spans u_, v_;
-  std::size_t dimension_;  ///< of the coefficients: 3, or 4 with the weight
-  std::size_t stride_;     ///< numbers of a patch: its origin, then its coefficients by u, v
+  bool isRational_;
+  std::size_t stride_;  ///< numbers of a patch: four each for its origin and, by u and v, its poles
   std::vector<double> numbers_;
 };
 
