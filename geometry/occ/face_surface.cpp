@@ -200,38 +200,32 @@ SurfacePoint FaceSurface::pointAt(const Point3& position, double u, double v) co
                     surface_);
 }
 
-double FaceSurface::curvatureRadiusAt(const SurfacePoint& point, double reach) const {
-  return std::visit(
-      Overloaded{
-          [](const PlaneSurface&) { return std::numeric_limits<double>::infinity(); },
-          [](const CylinderSurface& cylinder) { return cylinder.radius(); },
-          [](const SphereSurface& sphere) { return sphere.radius(); },
-          [&](const GeneralSurface& general) {
-            return general.curvatureRadiusAt(point.u, point.v);
-          },
-          [&](const ConeSurface& cone) {
-            const double radius = cone.curvatureRadiusAt(point.position);
-            return hasTip_ ? std::max(radius, cone.curvatureRadiusAtDistance(reach)) : radius;
-          },
-          [&](const TorusSurface& torus) { return torus.curvatureRadiusAt(point.position); }},
-      surface_);
-}
-
-double FaceSurface::bentRadiusAt(const SurfacePoint& point, double reach) const {
+FaceSurface::Radii FaceSurface::radiiAt(const SurfacePoint& point, double reach) const {
   constexpr double kInfinite = std::numeric_limits<double>::infinity();
-  if (!isBent()) return kInfinite;
+  const auto alike = [&](double radius) { return Radii{radius, isBent() ? radius : kInfinite}; };
   return std::visit(
-      Overloaded{[](const PlaneSurface&) { return std::numeric_limits<double>::infinity(); },
+      Overloaded{[&](const PlaneSurface&) {
+                   return Radii{kInfinite, kInfinite};
+                 },
+                 [&](const CylinderSurface& cylinder) { return alike(cylinder.radius()); },
+                 [&](const SphereSurface& sphere) { return alike(sphere.radius()); },
+                 [&](const ConeSurface& cone) {
+                   const double here = cone.curvatureRadiusAt(point.position);
+                   return alike(hasTip_ ? std::max(here, cone.curvatureRadiusAtDistance(reach))
+                                        : here);
+                 },
                  [&](const TorusSurface& torus) {
-                   return isBentInV_ ? torus.curvatureRadiusAt(point.position)
-                                     : torus.radiusAroundAxisAt(point.position);
+                   const double radius = torus.curvatureRadiusAt(point.position);
+                   const double bent = isBentInV_   ? radius
+                                       : isBentInU_ ? torus.radiusAroundAxisAt(point.position)
+                                                    : kInfinite;
+                   return Radii{radius, bent};
                  },
                  [&](const GeneralSurface& general) {
-                   const auto radii = general.radiiAlongParameters(point.u, point.v);
-                   return std::min(isBentInU_ ? radii.u : kInfinite,
-                                   isBentInV_ ? radii.v : kInfinite);
-                 },
-                 [&](const auto&) { return curvatureRadiusAt(point, reach); }},
+                   const auto radii = general.radiiAt(point.u, point.v);
+                   return Radii{radii.smallest, std::min(isBentInU_ ? radii.u : kInfinite,
+                                                         isBentInV_ ? radii.v : kInfinite)};
+                 }},
       surface_);
 }
 

@@ -31,13 +31,17 @@ class FaceSurface {
   SurfacePoint boundaryPoint(const Point3& position, double u, double v) const;
   /// A point at its place in our parameters, which is improved where it is needed later.
   SurfacePoint pointAt(const Point3& position, double u, double v) const;
-  /// Smaller radius of curvature. Near the tip of a cone, that at a distance of `reach` from it:
-  /// smaller elements would see the same sharp tip.
-  double curvatureRadiusAt(const SurfacePoint& point, double reach = 0) const;
+  /// How the surface bends at a point.
+  struct Radii {
+    /// Smaller radius of curvature. Near the tip of a cone, that at a distance of `reach` from it:
+    /// smaller elements would see the same sharp tip.
+    double smallest;
+    /// Smaller radius of curvature along those parameter lines on which the face turns by more than
+    /// about a right angle: a tube, but not the rounding of an edge. Infinite if there are none.
+    double bent;
+  };
+  Radii radiiAt(const SurfacePoint& point, double reach = 0) const;
   bool isPlane() const { return std::holds_alternative<PlaneSurface>(surface_); }
-  /// Smaller radius of curvature along those parameter lines on which the face turns by more than
-  /// about a right angle: a tube, but not the rounding of an edge. Infinite if there are none.
-  double bentRadiusAt(const SurfacePoint& point, double reach = 0) const;
   /// Distance of the parts of the face that are farthest from each other, roughly.
   double extent() const { return extent_; }
 

@@ -20,6 +20,22 @@ constexpr int kMaxSteps = 12;
 /// du x dv counts as zero below this sine of the angle between them or ratio of their lengths.
 constexpr double kDegenerate = 1e-6;
 
+constexpr double kInfinite = std::numeric_limits<double>::infinity();
+
+/// Smallest radius of normal curvature. `normal` is du x dv.
+double smallestRadius(const SurfaceJet& s, const Point3& normal) {
+  const double e = dot(s.du, s.du), f = dot(s.du, s.dv), g = dot(s.dv, s.dv);
+  const double det = e * g - f * f;
+  if (!(det > kDegenerate * std::max(e, g) * std::max(e, g))) return kInfinite;
+  const double size = std::sqrt(det);
+  const double l = dot(s.duu, normal) / size, m = dot(s.duv, normal) / size,
+               n = dot(s.dvv, normal) / size;
+  const double mean = (e * n - 2 * f * m + g * l) / (2 * det);
+  const double gauss = (l * n - m * m) / det;
+  const double largest = std::abs(mean) + std::sqrt(std::max(0.0, mean * mean - gauss));
+  return largest > 0 ? 1 / largest : kInfinite;
+}
+
 ParameterRange rangeOf(double low, double high, bool closed) {
   return {low, high, closed && !Precision::IsInfinite(low) && !Precision::IsInfinite(high)};
 }
@@ -77,31 +93,14 @@ Point3 GeneralSurface::normalAt(double u, double v) const {
   return {};
 }
 
-double GeneralSurface::curvatureRadiusAt(double u, double v) const {
-  constexpr double kInfinite = std::numeric_limits<double>::infinity();
+GeneralSurface::Radii GeneralSurface::radiiAt(double u, double v) const {
   const SurfaceJet s = values_.jetAt(u, v);
   const Point3 normal = cross(s.du, s.dv);
-  const double e = dot(s.du, s.du), f = dot(s.du, s.dv), g = dot(s.dv, s.dv);
-  const double det = e * g - f * f;
-  if (!(det > kDegenerate * std::max(e, g) * std::max(e, g))) return kInfinite;
-  const double size = std::sqrt(det);
-  const double l = dot(s.duu, normal) / size, m = dot(s.duv, normal) / size,
-               n = dot(s.dvv, normal) / size;
-  const double mean = (e * n - 2 * f * m + g * l) / (2 * det);
-  const double gauss = (l * n - m * m) / det;
-  const double largest = std::abs(mean) + std::sqrt(std::max(0.0, mean * mean - gauss));
-  return largest > 0 ? 1 / largest : kInfinite;
-}
-
-GeneralSurface::Radii GeneralSurface::radiiAlongParameters(double u, double v) const {
-  const SurfaceJet s = values_.jetAt(u, v);
-  const Point3 normal = cross(s.du, s.dv);
-  const auto radius = [&](const Point3& first, const Point3& second) {
+  const auto radiusAlong = [&](const Point3& first, const Point3& second) {
     const double bend = std::abs(dot(second, normal));
-    return bend > 0 ? dot(first, first) * length(normal) / bend
-                    : std::numeric_limits<double>::infinity();
+    return bend > 0 ? dot(first, first) * length(normal) / bend : kInfinite;
   };
-  return {radius(s.du, s.duu), radius(s.dv, s.dvv)};
+  return {smallestRadius(s, normal), radiusAlong(s.du, s.duu), radiusAlong(s.dv, s.dvv)};
 }
 
 void GeneralSurface::refine(const Point3& position, double& u, double& v) const {

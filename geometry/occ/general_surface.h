@@ -39,13 +39,12 @@ class GeneralSurface final : public ParametricSurface {
   bool isFlipped() const override { return sign_ < 0; }
   /// Where du x dv vanishes (a pole), the mean of the normals around.
   Point3 normalAt(double u, double v) const;
-  /// Smallest radius of normal curvature; infinite where there is none.
-  double curvatureRadiusAt(double u, double v) const;
-  /// Radii of normal curvature along the two parameter lines.
+  /// Radii of normal curvature: the smallest, and those along the two parameter lines; infinite
+  /// where there is no curvature.
   struct Radii {
-    double u, v;
+    double smallest, u, v;
   };
-  Radii radiiAlongParameters(double u, double v) const;
+  Radii radiiAt(double u, double v) const;
   /// Moves (u, v) to the foot of the perpendicular from `position`, if it is near.
   void refine(const Point3& position, double& u, double& v) const;
 

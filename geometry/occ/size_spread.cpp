@@ -41,7 +41,7 @@ class FaceSampler {
       : face_(TopoDS::Face(model.face(face).Oriented(TopAbs_FORWARD))),
         sizes_(sizes),
         wanted_(wantedOnFace(sizes, face)),
-        surface_(model.face(face)) {}
+        surface_(model.surface(face)) {}
 
   std::vector<SizeSource> sources() {
     if (!sizes_.function && (sizes_.elementsPerTurn == 0 || surface_.isPlane())) return {};

@@ -52,13 +52,14 @@ double limitByFunction(const ModelSizes& sizes, double size, const Point3& posit
 
 double limitByCurvature(const ModelSizes& sizes, double size, const FaceSurface& surface,
                         const SurfacePoint& point) {
-  const double radius = surface.curvatureRadiusAt(point, size);
-  const double gentle = std::min(size, std::max(sizes.faceTurn * radius, sizes.faceLeast * size));
+  const FaceSurface::Radii radii = surface.radiiAt(point, size);
+  const double gentle =
+      std::min(size, std::max(sizes.faceTurn * radii.smallest, sizes.faceLeast * size));
   // A tube must not be cut off by a few large elements, however large the wanted size; but a long
   // thin one, a wire, shall not be cut into too many.
   constexpr double kShareOfBentFace = 1.0 / 15;
   const double least = std::min(sizes.bentFaceLeast * size, kShareOfBentFace * surface.extent());
-  return std::min(gentle, std::max(sizes.faceTurn * surface.bentRadiusAt(point, size), least));
+  return std::min(gentle, std::max(sizes.faceTurn * radii.bent, least));
 }
 
 }  // namespace af2::geometry

@@ -12,6 +12,9 @@
 #include <BRepPrimAPI_MakeTorus.hxx>
 #include <BRep_Builder.hxx>
 #include <Geom_BSplineSurface.hxx>
+#include <Message.hxx>
+#include <Message_Messenger.hxx>
+#include <Message_Printer.hxx>
 #include <STEPControl_Writer.hxx>
 #include <Standard_Failure.hxx>
 #include <TColStd_Array1OfInteger.hxx>
@@ -64,10 +67,10 @@ TopoDS_Shape manyFaces() {
   for (int i = 0; i < 50; ++i) row.add(BRepPrimAPI_MakeBox(row.next(), 1, 1.1, 0.9).Shape());
   for (int i = 0; i < 50; ++i)
     row.add(BRepBuilderAPI_NurbsConvert(BRepPrimAPI_MakeBox(row.next(), 1, 1.1, 0.9).Shape()));
-  for (int i = 0; i < 60; ++i) row.add(BRepPrimAPI_MakeCylinder(row.next(), 0.5, 0.5, 2).Shape());
-  for (int i = 0; i < 50; ++i) row.add(BRepPrimAPI_MakeCone(row.next(), 0.6, 0.4, 0.7).Shape());
+  for (int i = 0; i < 30; ++i) row.add(BRepPrimAPI_MakeCylinder(row.next(), 0.5, 0.5, 2).Shape());
+  for (int i = 0; i < 30; ++i) row.add(BRepPrimAPI_MakeCone(row.next(), 0.6, 0.4, 0.7).Shape());
   for (int i = 0; i < 35; ++i) row.add(BRepPrimAPI_MakeTorus(row.next(), 0.6, 0.2, 1.0).Shape());
-  for (int i = 0; i < 35; ++i) row.add(BRepPrimAPI_MakeSphere(row.next(), 0.5).Shape());
+  for (int i = 0; i < 55; ++i) row.add(BRepPrimAPI_MakeSphere(row.next(), 0.5).Shape());
   return row.shape();
 }
 
@@ -90,6 +93,7 @@ int main(int argc, char** argv) {
     std::fprintf(stderr, "usage: benchmark_models DIRECTORY\n");
     return 2;
   }
+  Message::DefaultMessenger()->RemovePrinters(STANDARD_TYPE(Message_Printer));  // it is talkative
   try {
     std::filesystem::create_directories(argv[1]);
     if (writeAll(argv[1])) return 0;

@@ -22,8 +22,8 @@ void expectClosedFormsAgree(const Model& model) {
         const SurfacePoint here = surface.pointAt(there.position, there.u, there.v);
         EXPECT_LT(distance(here.normal, there.normal), 1e-12) << model.surfaceType(id);
         if (surface.isPlane()) continue;
-        EXPECT_NEAR(surface.curvatureRadiusAt(here),
-                    surface.inOccParameters().curvatureRadiusAt(there.u, there.v), 1e-6)
+        EXPECT_NEAR(surface.radiiAt(here).smallest,
+                    surface.inOccParameters().radiiAt(there.u, there.v).smallest, 1e-6)
             << model.surfaceType(id);
       }
     }
@@ -50,7 +50,7 @@ TEST(FaceSurface, TellsTubesFromRoundings) {
     const FaceSurface surface(model.shape().face(1));
     double u1, u2, v1, v2;
     BRepTools::UVBounds(model.shape().face(1), u1, u2, v1, v2);
-    return surface.bentRadiusAt(surface.inOccParameters().pointAt((u1 + u2) / 2, (v1 + v2) / 2));
+    return surface.radiiAt(surface.inOccParameters().pointAt((u1 + u2) / 2, (v1 + v2) / 2)).bent;
   };
   EXPECT_DOUBLE_EQ(bentRadius(BRepPrimAPI_MakeSphere(2).Shape()), 2);
   EXPECT_DOUBLE_EQ(bentRadius(BRepPrimAPI_MakeCylinder(2, 1).Shape()), 2);
