@@ -80,15 +80,15 @@ class WantedAlongEdge {
     Neighbor neighbor{wantedOnFace(sizes_, id), std::nullopt, {}};
     largest_ = faces_.empty() ? neighbor.wanted : std::min(largest_, neighbor.wanted);
     try {
+      const FaceSurface surface = model.surface(id);
       double first, last;
-      neighbor.surface.emplace(model.surface(id));
-      neighbor.curve = BRep_Tool::CurveOnSurface(edge, face, first, last);
+      if (!surface.isPlane()) {
+        neighbor.curve = BRep_Tool::CurveOnSurface(edge, face, first, last);
+        neighbor.surface = surface;
+      }
     } catch (const std::exception&) {  // reported when the face is meshed
-      neighbor.surface.reset();
     } catch (const Standard_Failure&) {
-      neighbor.surface.reset();
     }
-    if (neighbor.surface && neighbor.surface->isPlane()) neighbor.surface.reset();
     faces_.push_back(std::move(neighbor));
   }
 

@@ -1,5 +1,6 @@
 #include "geometry/occ/face_area.h"
 
+#include <BRepAdaptor_Curve.hxx>
 #include <BRepTools.hxx>
 #include <BRep_Tool.hxx>
 #include <Geom2dAdaptor_Curve.hxx>
@@ -76,8 +77,6 @@ std::optional<StripArea> closedForm(const GeomAdaptor_Surface& surface,
                                     const SplineSurface::Box& box) {
   const double from = (box.u1 + box.u2) / 2;
   switch (surface.GetType()) {
-    case GeomAbs_Plane:
-      return [=](double u, double) { return u - from; };
     case GeomAbs_Cylinder:
       return [=, r = surface.Cylinder().Radius()](double u, double) { return r * (u - from); };
     case GeomAbs_Sphere:
@@ -134,78 +133,138 @@ class SummedStrips {
   std::vector<double> breaks_;
 };
 
+/// What the rules of Gauss and Kronrod may differ by, as a share. Kronrod's alone is better by some
+/// digits.
+constexpr double kShare = 1e-5;
+/// A boundary with a larger gap, as a share of its extent, is not closed.
+constexpr double kGap = 1e-3;
+
+/// Integrates a rate along a curve, piece by piece between the parameters where its formula
+/// changes.
+template <class Curve, class Rate>
+double integrateAlong(const Curve& curve, const Integral& integral, const Rate& rate) {
+  const int count = curve.NbIntervals(GeomAbs_C2);
+  TColStd_Array1OfReal bounds(1, count + 1);
+  curve.Intervals(bounds, GeomAbs_C2);
+  double sum = 0;
+  for (int i = 1; i <= count; ++i) sum += integral.of(rate, bounds(i), bounds(i + 1));
+  return sum;
+}
+
+double signOf(const TopoDS_Edge& edge) { return edge.Orientation() == TopAbs_REVERSED ? -1 : 1; }
+
 /// By Green's theorem the area is the integral of the strips up to the boundary over dv, once
 /// around the face.
-class BoundaryIntegral {
+class CurvedArea {
  public:
-  BoundaryIntegral(const TopoDS_Face& face, const SplineSurface::Box& box, StripArea strip,
-                   double tolerance)
-      : face_(face), box_(box), strip_(std::move(strip)), integral_(tolerance) {}
+  CurvedArea(const TopoDS_Face& face, const Handle(Geom_Surface) & surface,
+             const GeomAdaptor_Surface& adaptor)
+      : face_(face), box_(boxOf(face)) {
+    const SurfaceFrame middle =
+        SurfaceValues(surface, box_).frameAt((box_.u1 + box_.u2) / 2, (box_.v1 + box_.v2) / 2);
+    const double perStrip = kShare * length(cross(middle.du, middle.dv)) * (box_.u2 - box_.u1);
+    integral_ = Integral(perStrip * (box_.v2 - box_.v1));
+    if (auto closed = closedForm(adaptor, box_))
+      strip_ = std::move(*closed);
+    else
+      strip_ = SummedStrips(surface, adaptor, box_, perStrip);
+  }
 
   void add(const TopoDS_Edge& edge) {
     double first, last;
     const Handle(Geom2d_Curve) curve = BRep_Tool::CurveOnSurface(edge, face_, first, last);
     if (curve.IsNull()) throw Standard_Failure("an edge has no curve in the parameters");
     const Geom2dAdaptor_Curve adaptor(curve, first, last);
-    const double sign = edge.Orientation() == TopAbs_REVERSED ? -1 : 1;
     const gp_Pnt2d start = adaptor.Value(first), end = adaptor.Value(last);
-    gapU_ += sign * (end.X() - start.X());
-    gapV_ += sign * (end.Y() - start.Y());
-    sum_ += sign * along(adaptor);
+    gapU_ += signOf(edge) * (end.X() - start.X());
+    gapV_ += signOf(edge) * (end.Y() - start.Y());
+    sum_ += signOf(edge) * integrateAlong(adaptor, integral_, [&](double t) {
+              gp_Pnt2d place;
+              gp_Vec2d tangent;
+              adaptor.D1(t, place, tangent);
+              return tangent.Y() == 0 ? 0 : strip_(place.X(), place.Y()) * tangent.Y();
+            });
   }
 
   /// 0 if the boundary is not closed in the parameters.
   double area() const {
-    constexpr double kGap = 1e-3;  // share of the box
     const bool isClosed = std::abs(gapU_) <= kGap * (box_.u2 - box_.u1) &&
                           std::abs(gapV_) <= kGap * (box_.v2 - box_.v1);
     return isClosed ? std::abs(sum_) : 0;
   }
 
  private:
-  double along(const Geom2dAdaptor_Curve& curve) const {
-    const auto rate = [&](double t) {
-      gp_Pnt2d place;
-      gp_Vec2d tangent;
-      curve.D1(t, place, tangent);
-      return tangent.Y() == 0 ? 0 : strip_(place.X(), place.Y()) * tangent.Y();
-    };
-    const int count = curve.NbIntervals(GeomAbs_C2);
-    TColStd_Array1OfReal bounds(1, count + 1);
-    curve.Intervals(bounds, GeomAbs_C2);
-    double sum = 0;
-    for (int i = 1; i <= count; ++i) sum += integral_.of(rate, bounds(i), bounds(i + 1));
-    return sum;
+  static SplineSurface::Box boxOf(const TopoDS_Face& face) {
+    SplineSurface::Box box{};
+    BRepTools::UVBounds(face, box.u1, box.u2, box.v1, box.v2);
+    return box;
   }
 
   const TopoDS_Face& face_;
   SplineSurface::Box box_;
   StripArea strip_;
-  Integral integral_;
+  Integral integral_{0};
   double sum_ = 0, gapU_ = 0, gapV_ = 0;
 };
+
+/// In a plane, the triangles from some point to the boundary. The edges are taken in space: many
+/// files have no curves in the parameters of planes, and to make them takes long.
+class PlaneArea {
+ public:
+  explicit PlaneArea(const gp_Pln& plane) : normal_(toPoint(plane.Axis().Direction())) {}
+
+  void add(const TopoDS_Edge& edge) {
+    if (BRep_Tool::Degenerated(edge)) return;
+    const BRepAdaptor_Curve curve(edge);
+    const Point3 start = toPoint(curve.Value(curve.FirstParameter()));
+    const Point3 end = toPoint(curve.Value(curve.LastParameter()));
+    const Point3 middle =
+        toPoint(curve.Value((curve.FirstParameter() + curve.LastParameter()) / 2));
+    if (!origin_) origin_ = start;
+    extent_ = std::max({extent_, distance(middle, *origin_), distance(end, *origin_)});
+    gap_ = gap_ + signOf(edge) * (end - start);
+    sum_ += signOf(edge) * triangles(curve, start, end);
+  }
+
+  /// 0 if the boundary is not closed.
+  double area() const { return length(gap_) <= kGap * extent_ ? std::abs(sum_) : 0; }
+
+ private:
+  double triangles(const BRepAdaptor_Curve& curve, const Point3& start, const Point3& end) const {
+    const auto between = [&](const Point3& p, const Point3& d) {
+      return dot(cross(p - *origin_, d), normal_) / 2;
+    };
+    if (curve.GetType() == GeomAbs_Line) return between(start, end - start);
+    return integrateAlong(curve, Integral(kShare * extent_ * extent_), [&](double t) {
+      gp_Pnt place;
+      gp_Vec tangent;
+      curve.D1(t, place, tangent);
+      return between(toPoint(place), toPoint(tangent));
+    });
+  }
+
+  Point3 normal_;
+  std::optional<Point3> origin_;
+  double sum_ = 0, extent_ = 0;
+  Point3 gap_;
+};
+
+template <class Area>
+double areaWithin(const TopoDS_Face& face, Area area) {
+  for (TopExp_Explorer it(face, TopAbs_EDGE); it.More(); it.Next()) {
+    const TopoDS_Edge edge = TopoDS::Edge(it.Current());
+    if (edge.Orientation() == TopAbs_FORWARD || edge.Orientation() == TopAbs_REVERSED)
+      area.add(edge);
+  }
+  return area.area();
+}
 
 double areaOf(const TopoDS_Face& face) {
   const Handle(Geom_Surface) surface = BRep_Tool::Surface(face);
   if (surface.IsNull()) return 0;
-  SplineSurface::Box box{};
-  BRepTools::UVBounds(face, box.u1, box.u2, box.v1, box.v2);
   const GeomAdaptor_Surface adaptor(surface);
-  const SurfaceFrame middle =
-      SurfaceValues(surface, box).frameAt((box.u1 + box.u2) / 2, (box.v1 + box.v2) / 2);
-  // What the rules of Gauss and Kronrod differ by, against the size of the box. Kronrod's alone is
-  // better by some digits.
-  constexpr double kShare = 1e-5;
-  const double perStrip = kShare * length(cross(middle.du, middle.dv)) * (box.u2 - box.u1);
-  auto strip = closedForm(adaptor, box);
-  if (!strip) strip = SummedStrips(surface, adaptor, box, perStrip);
-  BoundaryIntegral integral(face, box, std::move(*strip), perStrip * (box.v2 - box.v1));
-  for (TopExp_Explorer it(face, TopAbs_EDGE); it.More(); it.Next()) {
-    const TopoDS_Edge edge = TopoDS::Edge(it.Current());
-    if (edge.Orientation() == TopAbs_FORWARD || edge.Orientation() == TopAbs_REVERSED)
-      integral.add(edge);
-  }
-  return integral.area();
+  if (adaptor.GetType() == GeomAbs_Plane) return areaWithin(face, PlaneArea(adaptor.Plane()));
+  return areaWithin(face, CurvedArea(face, surface, adaptor));
 }
 
 }  // namespace

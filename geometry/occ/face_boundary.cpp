@@ -1,12 +1,15 @@
 #include "geometry/occ/face_boundary.h"
 
 #include <BRep_Tool.hxx>
+#include <ElSLib.hxx>
 #include <Geom2d_Curve.hxx>
+#include <GeomAdaptor_Surface.hxx>
 #include <ShapeAnalysis_Surface.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <unordered_map>
 
 #include "engine/error.h"
@@ -20,18 +23,28 @@ namespace {
 /// Where the points of an edge lie in the parameters of a face.
 class EdgeOnFace {
  public:
-  EdgeOnFace(const TopoDS_Edge& edge, const TopoDS_Face& face) : face_(face) {
+  EdgeOnFace(const TopoDS_Edge& edge, const TopoDS_Face& face, const std::optional<gp_Pln>& plane)
+      : face_(face), plane_(plane) {
+    if (plane_) return;
     BRep_Tool::Range(edge, first_, last_);
     curve_ = BRep_Tool::CurveOnSurface(edge, face, curveFirst_, curveLast_);
   }
 
   gp_Pnt2d at(double parameter, const Point3& position) {
+    if (plane_) return inPlane(position);
     if (curve_.IsNull()) return project(position);
     const double t = (parameter - first_) / (last_ - first_);
     return curve_->Value(curveFirst_ + t * (curveLast_ - curveFirst_));
   }
 
  private:
+  /// Many files have no curves in the parameters of planes, and to make them takes long.
+  gp_Pnt2d inPlane(const Point3& position) const {
+    double u, v;
+    ElSLib::Parameters(*plane_, toOcc(position), u, v);
+    return {u, v};
+  }
+
   /// For the rare edge that lacks its curve in the parameters. Slow, and once per boundary point.
   gp_Pnt2d project(const Point3& position) {
     if (analysis_.IsNull()) analysis_ = new ShapeAnalysis_Surface(BRep_Tool::Surface(face_));
@@ -42,6 +55,7 @@ class EdgeOnFace {
   }
 
   const TopoDS_Face& face_;
+  const std::optional<gp_Pln>& plane_;
   Handle(Geom2d_Curve) curve_;
   Handle(ShapeAnalysis_Surface) analysis_;
   gp_Pnt2d previous_;
@@ -57,6 +71,8 @@ class BoundaryFinder {
     const TopoDS_Face face = model.face(faceId);
     reversed_ = face.Orientation() == TopAbs_REVERSED;
     forward_ = TopoDS::Face(face.Oriented(TopAbs_FORWARD));
+    const GeomAdaptor_Surface adaptor(BRep_Tool::Surface(forward_));
+    if (adaptor.GetType() == GeomAbs_Plane) plane_ = adaptor.Plane();
   }
 
   FaceBoundary find() {
@@ -94,7 +110,7 @@ class BoundaryFinder {
   void addChain(int id, const DividedEdge& divided, const TopoDS_Edge& edge) {
     Chain chain;
     chain.edge = id;
-    EdgeOnFace onFace(edge, forward_);
+    EdgeOnFace onFace(edge, forward_, plane_);
     for (std::size_t i = 0; i < divided.points.size(); ++i) {
       const Point3& position = divided_.points[divided.points[i]];
       const gp_Pnt2d uv = onFace.at(divided.parameters[i], position);
@@ -138,6 +154,7 @@ class BoundaryFinder {
   const DividedEdges& divided_;
   const FaceSurface& surface_;
   TopoDS_Face forward_;
+  std::optional<gp_Pln> plane_;
   bool reversed_ = false;
   std::vector<Chain> chains_;
   std::unordered_map<std::uint32_t, VertexId> vertices_;  // looked up only, never walked through

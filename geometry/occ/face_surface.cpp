@@ -42,7 +42,8 @@ struct Bounds : SplineSurface::Box {
 };
 
 SplineSurface::Box boxOf(const TopoDS_Face& face) {
-  surfaceOf(face);  // OpenCASCADE does not look whether there is one
+  // A plane is the same everywhere, and files often lack curves in its parameters.
+  if (GeomAdaptor_Surface(surfaceOf(face)).GetType() == GeomAbs_Plane) return {0, 1, 0, 1};
   SplineSurface::Box bounds{};
   BRepTools::UVBounds(face, bounds.u1, bounds.u2, bounds.v1, bounds.v2);
   return bounds;
