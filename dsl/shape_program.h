@@ -16,6 +16,11 @@ class ShapeProgram {
  public:
   ShapeProgram(const ProgramBuilder& builder, const ShapeValue& shape);
 
+  /// The tree of constructors, and its numbers in the order of the tree: of each shape its points,
+  /// its own numbers, then those of its parts.
+  const ShapeValue& shape() const { return shape_; }
+  const Program& program() const { return program_; }
+
   /// Nothing where a number has no value.
   std::optional<Shape> shapeAt(const AF2Binding& binding) const;
   /// 1 or 0: whether a point lies in the closed shape; NaN where it has no valid form.

@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "dsl/checks/rule_graph.h"
+
 namespace af2::dsl {
 namespace {
 
-constexpr double kShortestBase = 0.7, kLongestBase = 1.4;
-
 /// Where any position will do, and where a form does not bound an axis.
-constexpr double kFarthest = 2.5;
+constexpr double kFarthest = kFarthestVertex;
 
 }  // namespace
 
@@ -55,7 +55,7 @@ std::optional<PatternMatch> MatchSampler::next() {
   constexpr int kTries = 2000;
   const bool isScaled = rules_.definition().unit == ChartUnit::BaseLength;
   for (int attempt = 0; attempt < kTries; ++attempt) {
-    const double base = isScaled ? 1 : random_.between(kShortestBase, kLongestBase);
+    const double base = isScaled ? 1 : random_.between(kBaseLengths.low, kBaseLengths.high);
     std::vector<Point2> vertices{{0, 0}, {base, 0}};
     const auto& pattern = rule_.definition().vertices;
     for (std::size_t i = 2; i < pattern.size(); ++i) vertices.push_back(draw(pattern[i]));

@@ -1,18 +1,30 @@
-// Proofs over all matches of an affine rule.
+// Proofs over all matches of a rule.
 #pragma once
+
+#include <cstddef>
 
 #include "engine/rule_set.h"
 
 namespace af2::dsl {
 
-/// Whether it is proven that no element turns over, at any match at this level whose zone is convex
-/// and whose base is 0.7 to 1.4 times the wanted length. False: not proven, not disproven.
-///
-/// First by writing corners as combinations of zone corners; where that does not do, by interval
-/// branch and bound over the tolerance ellipses. Bounds allow for rounding of 1e-9.
-bool provesPositive(const RuleSet& rules, const AF2Rule& rule, int level);
+/// How far a proof may go.
+struct ProofEffort {
+  std::size_t mostBoxes = 0;  ///< that are looked at, for all levels of one question
+  double smallestSide = 0;    ///< boxes are not cut finer
+};
 
-/// Whether it is proven that every element lies in the zone, at any such match.
-bool provesCovered(const RuleSet& rules, const AF2Rule& rule, int level);
+inline constexpr ProofEffort kUsualEffort{2000, 1e-3};
+inline constexpr ProofEffort kGreatEffort{400'000, 1e-5};
+
+/// Which matches are meant: the base is 0.7 to 1.4 times the wanted length; every other vertex is
+/// where its tolerance allows, one that may be anywhere within 2.5 lengths of its reference; the
+/// size field is uniform (h is 1); everything else that rules may ask of the front is anything.
+///
+/// False: not proven, not disproven. `effort` is used up as boxes are looked at. Bounds are rounded
+/// outwards; what is shown to be at least -1e-7 counts as not negative.
+bool provesPositive(const RuleSet& rules, const AF2Rule& rule, int level, ProofEffort& effort);
+
+/// Whether every element lies in the zone, at any such match with elements that are positive.
+bool provesCovered(const RuleSet& rules, const AF2Rule& rule, int level, ProofEffort& effort);
 
 }  // namespace af2::dsl

@@ -11,12 +11,12 @@ namespace af2::dsl {
 namespace {
 
 using Find = std::optional<SampledFinding> (*)(const RuleSample&);
-using Proves = bool (*)(const RuleSet&, const AF2Rule&, int level);
+using Proves = bool (*)(const RuleSet&, const AF2Rule&, int level, ProofEffort&);
 
 bool provesAtAllLevels(const RuleSet& rules, const AF2Rule& rule, const std::vector<int>& levels,
-                       Proves proves) {
+                       ProofEffort effort, Proves proves) {
   for (int level = levels.front(); level <= levels.back(); ++level)
-    if (!proves(rules, rule, level)) return false;
+    if (!proves(rules, rule, level, effort)) return false;
   return true;
 }
 
@@ -58,7 +58,8 @@ class RuleChecks {
   /// samples at other levels.
   Answer answer(const RuleSample& sample, std::vector<Find> finds, Proves proves) {
     if (keep(finds.front()(sample))) return Answer::Refuted;
-    if (provesAtAllLevels(rules_, sample.rule, levels_, proves)) return Answer::Proven;
+    if (provesAtAllLevels(rules_, sample.rule, levels_, options_.effort, proves))
+      return Answer::Proven;
     for (std::size_t i = 1; i < finds.size(); ++i)
       if (keep(finds[i](sample))) return Answer::Refuted;
     for (std::size_t i = 1; i < levels_.size(); ++i) {

@@ -7,15 +7,17 @@
 #include <string>
 #include <vector>
 
+#include "dsl/checks/proof.h"
 #include "dsl/diagnostic.h"
 #include "engine/rule_set.h"
 
 namespace af2::dsl {
 
 struct SamplingOptions {
-  int samples = 2000;      ///< matches looked at for each rule and level
-  int situations = 1000;   ///< pieces of front in which a rule may be chosen (D3)
-  std::uint64_t seed = 1;  ///< the same seed gives the same findings
+  int samples = 2000;                 ///< matches looked at for each rule and level
+  int situations = 1000;              ///< pieces of front in which a rule may be chosen (D3)
+  std::uint64_t seed = 1;             ///< the same seed gives the same findings
+  ProofEffort effort = kUsualEffort;  ///< for each rule, for G2 and for Z1
 };
 
 /// A match that shows what is wrong: for a picture (drawMatch) and for a test.
