@@ -65,6 +65,7 @@ geometry::ModelMeshingOptions meshingOptions(const MeshRequest& request,
                                              const RunControl& control, ProgressBar& bar) {
   geometry::ModelMeshingOptions options;
   options.sizes = modelSizes(request.sizes, model);
+  options.edgePoints = request.edgePoints;
   options.faces = request.faces;
   options.threads = request.threads;
   options.optimize = request.optimize;

@@ -21,16 +21,6 @@ using geometry::ModelMesh;
 using geometry::RunReport;
 using geometry::RunStatus;
 
-geometry::WantedLength wantedLength(const MeshRequest& request) {
-  return [&request](int face, int edge, const Point3&) {
-    const SizeRequest& sizes = request.sizes;
-    const auto byEdge = sizes.edgeSizes.find(edge);
-    if (byEdge != sizes.edgeSizes.end()) return byEdge->second;
-    const auto byFace = sizes.faceSizes.find(face);
-    return byFace != sizes.faceSizes.end() ? byFace->second : sizes.size;
-  };
-}
-
 void writeOutputs(const MeshRequest& request, ModelMesh& mesh) {
   if (mesh.elements.empty()) return;  // an empty file would look like a result
   const Stopwatch writing;
@@ -85,7 +75,7 @@ int meshAndTell(const MeshRequest& request) {
   ModelMesh mesh =
       runMesh(request, loadRuleSet(request.rules), {!request.quiet, interrupt.token()});
   RunReport report = reportOf(mesh);
-  report.quality = measureQuality(mesh, wantedLength(request));
+  report.quality = measureQuality(mesh);
   writeOutputs(request, mesh);
   writeReportIfAsked(request, report, mesh);
   tell(request, report, mesh);

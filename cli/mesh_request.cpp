@@ -74,6 +74,10 @@ void declareMeshOptions(CLI::App& command, MeshOptions& options) {
       ->capture_default_str();
   command.add_option("-o,--output", options.outputs, outputHelp())->take_all()->expected(1);
   command.add_option("--faces", options.faces, "mesh only these faces, e.g. 3,7-9");
+  command.add_option("--boundary", options.boundary,
+                     "file (JSON) with the vertices along edges that are divided already");
+  command.add_flag("--keep-boundary", options.keepBoundary,
+                   "take the segments of a .poly file as they are");
   command.add_option("-j,--threads", options.threads,
                      "threads to use; the mesh does not depend on it");
   command.add_flag("--no-optimize", options.rawFront, "leave the mesh as the front made it");
@@ -99,8 +103,16 @@ MeshRequest checkedRequest(const MeshOptions& options) {
   if (request.isPlanar() && !(request.sizes.faceSizes.empty() && request.sizes.edgeSizes.empty())) {
     throw UsageError("a .poly file has no --face-size and no --edge-size; use --size or --sizes");
   }
+  if (request.isPlanar() && !options.boundary.empty()) {
+    throw UsageError("a .poly file brings its own boundary; use --keep-boundary");
+  }
+  if (!request.isPlanar() && options.keepBoundary) {
+    throw UsageError("--keep-boundary is for .poly files; a CAD model takes --boundary FILE");
+  }
+  request.keepBoundary = options.keepBoundary;
   checkOutputs(request);
   checkReadable(request.model);
+  if (!options.boundary.empty()) request.edgePoints = geometry::readEdgePoints(options.boundary);
   request.rules = findRuleFile(options.rules);
   return request;
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "cli/size_request.h"
+#include "geometry/io/boundary_file.h"
 
 namespace af2::cli {
 
@@ -16,7 +17,8 @@ struct MeshOptions {
   SizeOptions sizes;
   std::vector<std::string> outputs;
   int threads = 0;
-  bool quiet = false, rawFront = false;
+  std::string boundary;
+  bool quiet = false, rawFront = false, keepBoundary = false;
 };
 
 void declareMeshOptions(CLI::App& command, MeshOptions& options);
@@ -25,9 +27,10 @@ struct MeshRequest {
   std::filesystem::path model, rules, report;  ///< no report if empty
   std::vector<std::filesystem::path> outputs;
   SizeRequest sizes;
-  std::vector<int> faces;  ///< empty: all
-  int threads = 0;         ///< 0: as many as the machine has
-  bool quiet = false, optimize = true;
+  std::vector<int> faces;           ///< empty: all
+  int threads = 0;                  ///< 0: as many as the machine has
+  geometry::EdgePoints edgePoints;  ///< edges that are divided already
+  bool quiet = false, optimize = true, keepBoundary = false;
 
   bool isPlanar() const;  ///< whether the model is a .poly file
 };

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <numeric>
 
 #include "geometry/fingerprint.h"
 
@@ -25,6 +26,23 @@ std::string countText(const geometry::ModelMesh& mesh) {
   return text;
 }
 
+/// Shares of the edges by their length over the wanted one; the ends of the histogram in one.
+std::string lengthsText(const geometry::LengthRatio& edges) {
+  constexpr auto& kBounds = geometry::LengthRatio::kBounds;
+  constexpr std::size_t kFirst = 2, kLast = 6;  // 0.5 and 2
+  const auto total = std::accumulate(edges.histogram.begin(), edges.histogram.end(), 0.0);
+  const auto share = [&](std::size_t first, std::size_t last) {
+    double sum = 0;
+    for (std::size_t i = first; i < last; ++i) sum += static_cast<double>(edges.histogram[i]);
+    return total > 0 ? 100 * sum / total : 0;
+  };
+  std::string text = fmt::format("edge/size  <{} {:.1f} %", kBounds[kFirst], share(0, kFirst + 1));
+  for (std::size_t i = kFirst; i < kLast; ++i)
+    text += fmt::format("  {}-{} {:.1f} %", kBounds[i], kBounds[i + 1], share(i + 1, i + 2));
+  return text +
+         fmt::format("  >{} {:.1f} %", kBounds[kLast], share(kLast + 1, edges.histogram.size()));
+}
+
 std::string secondsText(const geometry::StageSeconds& seconds) {
   return fmt::format(
       "seconds: read {:.2f}  edges {:.2f}  surface {:.2f}  optimize {:.2f}  write {:.2f}",
@@ -42,11 +60,11 @@ std::string grouped(std::size_t number) {
 std::string summaryText(const geometry::ModelMesh& mesh, const geometry::MeshQuality& quality) {
   return fmt::format(
       "{}\n"
-      "quality min {:.3f}  mean {:.3f}  angles {:.1f}-{:.1f} deg  edge/size {:.2f}-{:.2f}  "
-      "fingerprint {}\n"
+      "quality min {:.3f}  mean {:.3f}  angles {:.1f}-{:.1f} deg  fingerprint {}\n"
+      "{}\n"
       "{}\n",
       countText(mesh), quality.min, quality.mean, quality.minAngle, quality.maxAngle,
-      quality.edges.p5, quality.edges.p95, geometry::fingerprint(mesh), secondsText(mesh.seconds));
+      geometry::fingerprint(mesh), lengthsText(quality.edges), secondsText(mesh.seconds));
 }
 
 std::string failureText(const geometry::ModelMesh& mesh) {

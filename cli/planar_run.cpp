@@ -23,6 +23,7 @@ geometry::ModelMesh runPlanar(const MeshRequest& request, const AF2Algorithm& al
   options.maxSize = request.sizes.largest;
   options.growth = request.sizes.growth;
   options.sources = request.sizes.file.sources;
+  options.keepBoundary = request.keepBoundary;
   options.optimize = request.optimize;
   options.threads = request.threads;
   options.stop = control.stop;

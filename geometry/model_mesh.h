@@ -40,6 +40,9 @@ struct StageSeconds {
 
 struct ModelMesh {
   std::vector<Point3> vertices;
+  /// By vertex: the edge length that was asked for there, before anything spread from short edges
+  /// of the model; may be empty.
+  std::vector<double> wantedSizes;
   std::vector<Element> elements;
   std::vector<std::int32_t> face;   ///< by element: id of the model face
   std::vector<std::uint16_t> rule;  ///< by element: index in ruleNames

@@ -67,18 +67,24 @@ void measureShapes(const ModelMesh& mesh, MeshQuality& result) {
   result.p1 = percentile(values, 0.01);
 }
 
-LengthRatio measureLengths(const ModelMesh& mesh, const WantedLength& wanted) {
-  std::vector<double> ratios;
-  for (const MeshEdge& edge : meshEdges(mesh)) {
-    const Point3 &from = mesh.vertices[edge.from.value], &to = mesh.vertices[edge.to.value];
-    const Point3 middle = 0.5 * (from + to);
-    double want = wanted(edge.firstFace, edge.modelEdge, middle);
-    if (edge.lastFace != edge.firstFace) {
-      want = std::min(want, wanted(edge.lastFace, edge.modelEdge, middle));
-    }
-    ratios.push_back(distance(from, to) / want);
-  }
+LengthRatio measureLengths(const ModelMesh& mesh) {
   LengthRatio result;
+  if (mesh.wantedSizes.empty()) return result;
+  std::vector<double> ratios, lengths, wanted;
+  for (const MeshEdge& edge : meshEdges(mesh)) {
+    const auto [from, to] = std::pair(edge.from.value, edge.to.value);
+    lengths.push_back(distance(mesh.vertices[from], mesh.vertices[to]));
+    wanted.push_back((mesh.wantedSizes[from] + mesh.wantedSizes[to]) / 2);
+    ratios.push_back(lengths.back() / wanted.back());
+    const auto bin = std::ranges::upper_bound(LengthRatio::kBounds, ratios.back());
+    ++result.histogram[static_cast<std::size_t>(bin - LengthRatio::kBounds.begin())];
+  }
+  const auto [shortest, longest] = std::ranges::minmax(lengths);
+  const auto [least, most] = std::ranges::minmax(wanted);
+  result.leastLength = shortest;
+  result.mostLength = longest;
+  result.leastWanted = least;
+  result.mostWanted = most;
   result.mean = std::reduce(ratios.begin(), ratios.end()) / static_cast<double>(ratios.size());
   result.p5 = percentile(ratios, 0.05);
   result.p95 = percentile(ratios, 0.95);
@@ -93,12 +99,12 @@ double shapeQuality(const std::vector<Point3>& vertices, const Element& element)
   return quadQuality({corner(0), corner(1), corner(2), corner(3)});
 }
 
-MeshQuality measureQuality(const ModelMesh& mesh, const WantedLength& wanted) {
+MeshQuality measureQuality(const ModelMesh& mesh) {
   MeshQuality result;
   if (mesh.elements.empty()) return result;
   measureShapes(mesh, result);
   measureAngles(mesh, result);
-  result.edges = measureLengths(mesh, wanted);
+  result.edges = measureLengths(mesh);
   return result;
 }
 

@@ -1,7 +1,7 @@
 // How good the elements of a mesh are, in the numbers that a report gives.
 #pragma once
 
-#include <functional>
+#include <array>
 #include <span>
 #include <vector>
 
@@ -16,9 +16,15 @@ namespace af2::geometry {
 /// over. A square has 1, a rectangle of 1 : 2 has 0.8, a rhombus the sine of its angle.
 double shapeQuality(const std::vector<Point3>& vertices, const Element& element);
 
-/// Mean and percentiles of edge length over wanted length.
+/// Edge length over wanted length.
 struct LengthRatio {
+  /// The histogram counts the edges below the first bound, between each two, and above the last.
+  static constexpr std::array kBounds{0.25, 0.35, 0.5, 0.71, 1.0, 1.41, 2.0, 2.83, 4.0};
+
   double mean = 0, p5 = 0, p95 = 0;
+  std::array<std::size_t, kBounds.size() + 1> histogram{};
+  double leastWanted = 0, mostWanted = 0;  ///< the smallest and the largest wanted length
+  double leastLength = 0, mostLength = 0;  ///< the shortest and the longest edge
 };
 
 /// All zero for a mesh without elements.
@@ -28,12 +34,9 @@ struct MeshQuality {
   LengthRatio edges;                  ///< each edge of the mesh counts once
 };
 
-/// The wanted length of an edge with its middle at `middle`, which belongs to the model face `face`
-/// and runs along the model edge `edge` (0: along none). Must be > 0.
-using WantedLength = std::function<double(int face, int edge, const Point3& middle)>;
-
-/// An edge that belongs to several faces is held against the smallest of their wanted lengths.
-MeshQuality measureQuality(const ModelMesh& mesh, const WantedLength& wanted);
+/// An edge is held against the mean of the sizes that were wanted at its ends; its lengths are all
+/// zero if the mesh does not know these.
+MeshQuality measureQuality(const ModelMesh& mesh);
 
 /// The value below which the fraction `part` (0 to 1) of `values` lies, between neighbours by
 /// linear interpolation; 0 if there are none. Reorders `values`.

@@ -30,14 +30,23 @@ Json toJson(const StageSeconds& seconds) {
           {"write", seconds.write}};
 }
 
+Json toJson(const LengthRatio& edges) {
+  return {{"mean", edges.mean},
+          {"p5", edges.p5},
+          {"p95", edges.p95},
+          {"bounds", LengthRatio::kBounds},
+          {"histogram", edges.histogram},
+          {"asked", {edges.leastWanted, edges.mostWanted}},
+          {"achieved", {edges.leastLength, edges.mostLength}}};
+}
+
 Json toJson(const MeshQuality& quality) {
   return {{"min", quality.min},
           {"p1", quality.p1},
           {"mean", quality.mean},
           {"min_angle", quality.minAngle},
           {"max_angle", quality.maxAngle},
-          {"edge_ratio",
-           {{"mean", quality.edges.mean}, {"p5", quality.edges.p5}, {"p95", quality.edges.p95}}}};
+          {"edge_ratio", toJson(quality.edges)}};
 }
 
 }  // namespace

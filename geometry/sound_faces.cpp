@@ -38,9 +38,11 @@ void dropUnusedVertices(ModelMesh& mesh) {
   for (std::size_t v = 0; v < used.size(); ++v) {
     if (!used[v]) continue;
     mesh.vertices[count] = mesh.vertices[v];
+    if (!mesh.wantedSizes.empty()) mesh.wantedSizes[count] = mesh.wantedSizes[v];
     renumbered[v] = VertexId(count++);
   }
   mesh.vertices.resize(count);
+  if (!mesh.wantedSizes.empty()) mesh.wantedSizes.resize(count);
   for (Element& element : mesh.elements) {
     for (VertexId& corner : element.corners) {
       if (!corner.isNone()) corner = renumbered[corner.value];

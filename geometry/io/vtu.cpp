@@ -145,6 +145,15 @@ void writeCells(const ModelMesh& mesh, OutputFile& file) {
   file.text("</Cells>\n");
 }
 
+void writePointData(const ModelMesh& mesh, OutputFile& file) {
+  if (mesh.wantedSizes.empty()) return;
+  file.text("<PointData>\n");
+  dataArray(file, {"Float64", "wanted_size"}, mesh.wantedSizes.size() * 8, [&](Base64Stream& out) {
+    for (const double size : mesh.wantedSizes) out.put(size);
+  });
+  file.text("</PointData>\n");
+}
+
 void writeCellData(const ModelMesh& mesh, OutputFile& file) {
   file.text("<CellData Scalars=\"face\">\n");
   dataArray(file, {"Int32", "face"}, mesh.elements.size() * 4, [&](Base64Stream& out) {
@@ -174,6 +183,7 @@ void writeVtu(const ModelMesh& mesh, OutputFile& file) {
   file.text("\">\n");
   writePoints(mesh, file);
   writeCells(mesh, file);
+  writePointData(mesh, file);
   writeCellData(mesh, file);
   file.text("</Piece>\n</UnstructuredGrid>\n</VTKFile>\n");
 }

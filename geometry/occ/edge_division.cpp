@@ -10,8 +10,10 @@
 
 #include "engine/error.h"
 #include "geometry/occ/edge_samples.h"
+#include "geometry/occ/given_points.h"
 #include "geometry/occ/parallel.h"
 #include "geometry/occ/points.h"
+#include "geometry/occ/sizing.h"
 
 namespace af2::geometry {
 
@@ -50,8 +52,12 @@ class Merging {
 
 class Division {
  public:
-  Division(const ModelShape& model, const ModelSizes& sizes, int threads, std::stop_token stop)
-      : model_(model), sizes_(sizes), samples_(static_cast<std::size_t>(model.edges.Extent())) {
+  Division(const ModelShape& model, const ModelSizes& sizes, int threads, std::stop_token stop,
+           const EdgePoints& given)
+      : model_(model),
+        sizes_(sizes),
+        given_(given),
+        samples_(static_cast<std::size_t>(model.edges.Extent())) {
     sampleAll(threads, stop);
     findEnds();
     mergePointLikeEdges();
@@ -131,14 +137,28 @@ class Division {
   void gradeAll() {
     constexpr int kRounds = 3;  // a short edge passes a small size on to the edges beyond it
     std::vector<double> atPoint(result_.points.size(), 1e300);
+    for (const auto& [edge, points] : given_) limitBesideGiven(edge, points, atPoint);
     for (int round = 0; round < kRounds; ++round) {
       for (std::size_t i = 0; i < samples_.size(); ++i) {
-        if (samples_[i].pieces.empty()) continue;
+        if (samples_[i].pieces.empty() || given_.contains(static_cast<int>(i) + 1)) continue;
         double &first = atPoint[ends_[i].first], &last = atPoint[ends_[i].last];
         gradeSizes(samples_[i], first, last, sizes_.growth);
         first = std::min(first, samples_[i].pieces.front().sizes.front());
         last = std::min(last, samples_[i].pieces.back().sizes.back());
       }
+    }
+  }
+
+  /// The edges beyond the ends of a given one are to go on from its segments there.
+  void limitBesideGiven(int edge, const std::vector<Point3>& points,
+                        std::vector<double>& atPoint) const {
+    const Ends ends = ends_[static_cast<std::size_t>(edge) - 1];
+    for (const std::uint32_t end : {ends.first, ends.last}) {
+      if (points.empty()) continue;
+      const Point3& place = result_.points[end];
+      const double segment =
+          std::min(distance(place, points.front()), distance(place, points.back()));
+      atPoint[end] = std::min(atPoint[end], bounded(sizes_, segment));
     }
   }
 
@@ -157,7 +177,28 @@ class Division {
     return least;
   }
 
+  /// Takes the points that are given for an edge, in its own direction.
+  DividedEdge takeGiven(std::size_t i, std::size_t least, const std::vector<Point3>& points) {
+    const int id = static_cast<int>(i) + 1;
+    GivenPoints given = placeOnEdge(model_, id, points, samples_[i].length);
+    if (given.points.size() + 1 < least)
+      throw InputError("the points given for edge " + std::to_string(id) + " make " +
+                       std::to_string(given.points.size() + 1) + " segments; it needs at least " +
+                       std::to_string(least) + ", or it would share a segment");
+    DividedEdge edge;
+    edge.parameters = std::move(given.parameters);
+    edge.points.push_back(ends_[i].first);
+    for (const Point3& point : given.points) edge.points.push_back(addPoint(point));
+    edge.points.push_back(ends_[i].last);
+    return edge;
+  }
+
   void divideEdge(std::size_t i, std::size_t least) {
+    const auto given = given_.find(static_cast<int>(i) + 1);
+    if (given != given_.end() && !samples_[i].pieces.empty()) {
+      result_.edges.push_back(takeGiven(i, least, given->second));
+      return;
+    }
     DividedEdge edge;
     edge.problem = samples_[i].problem;
     if (!samples_[i].pieces.empty()) {
@@ -173,6 +214,7 @@ class Division {
 
   const ModelShape& model_;
   const ModelSizes& sizes_;
+  const EdgePoints& given_;
   std::vector<EdgeSamples> samples_;
   std::vector<Ends> ends_;
   DividedEdges result_;
@@ -181,8 +223,8 @@ class Division {
 }  // namespace
 
 DividedEdges divideEdges(const ModelShape& model, const ModelSizes& sizes, int threads,
-                         std::stop_token stop) {
-  return Division(model, sizes, threads, std::move(stop)).result();
+                         std::stop_token stop, const EdgePoints& given) {
+  return Division(model, sizes, threads, std::move(stop), given).result();
 }
 
 }  // namespace af2::geometry

@@ -27,9 +27,12 @@ struct DividedEdges {
 
 /// Divides all edges, whichever faces are asked for, so that these mesh alike alone or together.
 ///
-/// Segments are as long as the sizes want along the curve in space. Closed edges have at least
+/// Segments are as long as the sizes want along the curve in space, or between the points that are
+/// given for an edge. Closed edges have at least
 /// three segments, edges with the same two ends at least two: no two edges share a segment.
+///
+/// Throws InputError if the points given for an edge do not lie on it, in order and apart.
 DividedEdges divideEdges(const ModelShape& model, const ModelSizes& sizes, int threads,
-                         std::stop_token stop);
+                         std::stop_token stop, const EdgePoints& given = {});
 
 }  // namespace af2::geometry

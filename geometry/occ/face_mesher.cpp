@@ -40,6 +40,8 @@ class FaceMesher {
     if (attempt.closingElements > 0)
       mesh.report.reason = std::to_string(attempt.closingElements) +
                            " elements were made without a rule, where the front got stuck";
+    for (const SurfacePoint& vertex : attempt.result.mesh.vertices)
+      mesh.wantedSizes.push_back(wanted.sizeAt(vertex));
     take(attempt.result, boundary, mesh);
   }
 

@@ -14,6 +14,7 @@ struct FaceMesh {
   FaceReport report;
   std::vector<std::uint32_t> boundary;  ///< indices into DividedEdges::points
   std::vector<Point3> inside;
+  std::vector<double> wantedSizes;  ///< by vertex
   std::vector<Element> elements;
   std::vector<std::uint16_t> rule;
   std::vector<SegmentUse> uses;

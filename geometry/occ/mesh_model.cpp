@@ -1,6 +1,7 @@
 #include "geometry/occ/mesh_model.h"
 
 #include <algorithm>
+#include <limits>
 #include <mutex>
 #include <numeric>
 
@@ -78,12 +79,14 @@ class ProgressSum {
 /// Joins the meshes of faces. Vertices that no element uses are left out.
 class Assembly {
  public:
-  explicit Assembly(const DividedEdges& divided) : divided_(divided) {}
+  Assembly(const DividedEdges& divided, const ModelSizes& sizes)
+      : divided_(divided), sizes_(sizes) {}
 
   ModelMesh join(std::vector<FaceMesh>& faces) {
     numberBoundary(faces);
     for (FaceMesh& face : faces) add(face);
     addSegments(faces);
+    takeSizesOfEdges();
     return std::move(mesh_);
   }
 
@@ -102,6 +105,7 @@ class Assembly {
 
   std::uint32_t addVertex(const Point3& position) {
     mesh_.vertices.push_back(position);
+    mesh_.wantedSizes.push_back(std::numeric_limits<double>::infinity());
     return static_cast<std::uint32_t>(mesh_.vertices.size() - 1);
   }
 
@@ -109,6 +113,15 @@ class Assembly {
     const std::size_t boundaryCount = face.boundary.size();
     const std::size_t base = mesh_.vertices.size();
     mesh_.vertices.insert(mesh_.vertices.end(), face.inside.begin(), face.inside.end());
+    mesh_.wantedSizes.insert(
+        mesh_.wantedSizes.end(),
+        face.wantedSizes.end() - static_cast<std::ptrdiff_t>(face.inside.size()),
+        face.wantedSizes.end());
+    for (std::size_t i = 0; i < boundaryCount && !face.wantedSizes.empty(); ++i) {
+      const std::uint32_t id = ids_[face.boundary[i]];
+      if (id != kUnused)
+        mesh_.wantedSizes[id] = std::min(mesh_.wantedSizes[id], face.wantedSizes[i]);
+    }
     for (Element element : face.elements) {
       for (VertexId& v : element.corners) {
         if (v.isNone()) continue;
@@ -140,7 +153,19 @@ class Assembly {
                               static_cast<int>(edge) + 1, uses});
   }
 
+  /// Along an edge with a size of its own those of its faces do not count.
+  void takeSizesOfEdges() {
+    if (sizes_.edgeSizes.empty()) return;
+    for (const EdgeSegment& segment : mesh_.segments) {
+      const auto own = sizes_.edgeSizes.find(segment.edge);
+      if (own == sizes_.edgeSizes.end()) continue;
+      for (const VertexId v : {segment.from, segment.to})
+        mesh_.wantedSizes[v.value] = bounded(sizes_, own->second);
+    }
+  }
+
   const DividedEdges& divided_;
+  const ModelSizes& sizes_;
   std::vector<std::uint32_t> ids_;
   ModelMesh mesh_;
 };
@@ -157,13 +182,14 @@ class ModelMesher {
     const Stopwatch edgesWatch;
     options_.sizes =
         spreadSizes(model_.shape(), std::move(options_.sizes), options_.threads, options_.stop);
-    divided_ = divideEdges(model_.shape(), options_.sizes, options_.threads, options_.stop);
+    divided_ = divideEdges(model_.shape(), options_.sizes, options_.threads, options_.stop,
+                           options_.edgePoints);
     const double edgeSeconds = edgesWatch.seconds();
 
     const Stopwatch facesWatch;
     std::vector<FaceMesh> meshes = meshFaces(faces, areas, work);
     const double optimizeShare = shareOfOptimizing(meshes);
-    ModelMesh mesh = Assembly(divided_).join(meshes);
+    ModelMesh mesh = Assembly(divided_, options_.sizes).join(meshes);
     for (const AF2Rule& rule : algorithm_.rules().rules()) mesh.ruleNames.push_back(rule.name());
     mesh.ruleNames.push_back("closing");  // what closes a stuck front
     mesh.seconds.edges = edgeSeconds;
@@ -259,6 +285,10 @@ class ModelMesher {
 ModelMesh meshModel(const Model& model, const AF2Algorithm& algorithm,
                     const ModelMeshingOptions& options) {
   checkSizes(options.sizes, model);
+  for (const auto& [edge, points] : options.edgePoints)
+    if (edge < 1 || edge > model.edgeCount())
+      throw InputError("points for edge " + std::to_string(edge) + ": the model has edges 1 to " +
+                       std::to_string(model.edgeCount()));
   return ModelMesher(model, algorithm, options).mesh();
 }
 

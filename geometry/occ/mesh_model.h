@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "engine/algorithm.h"
+#include "geometry/edge_points.h"
 #include "geometry/model_check.h"
 #include "geometry/model_mesh.h"
 #include "geometry/occ/model.h"
@@ -52,6 +53,9 @@ struct ModelProgress {
 
 struct ModelMeshingOptions {
   ModelSizes sizes;
+  /// Edges that are divided already, by id: the vertices between their ends, in order along the
+  /// edge, one way or the other; none: the edge is a single segment. They are kept as they are.
+  EdgePoints edgePoints;
   std::vector<int> faces;  ///< ids of the faces to mesh; empty: all
   int threads = 0;         ///< 0: as many as the machine has. The mesh does not depend on it.
   /// Called from several threads, one at a time.
@@ -71,7 +75,8 @@ struct ModelMeshingOptions {
 /// Each face is held against its own boundary and surface, and the joined mesh once more: what does
 /// not pass is taken out and reported.
 ///
-/// Throws InputError for a size that is not positive or an id that the model does not have.
+/// Throws InputError for a size that is not positive, an id that the model does not have, or points
+/// that do not divide their edge.
 ModelMesh meshModel(const Model& model, const AF2Algorithm& algorithm,
                     const ModelMeshingOptions& options);
 

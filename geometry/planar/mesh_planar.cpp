@@ -56,6 +56,8 @@ class PlanarMesher {
     for (const PlanarPiece& piece : regions_.pieces) divide(piece);
     for (std::size_t i = 0; i < regions_.regions.size(); ++i) meshRegion(i);
     addSegments();
+    for (const Point3& p : mesh_.vertices)
+      mesh_.wantedSizes.push_back(size_.sizeAt(inPlane({p.x, p.y})));
     mesh_.findings = keepSoundFaces(mesh_);
     return std::move(mesh_);
   }
@@ -117,6 +119,7 @@ class PlanarMesher {
   std::vector<double> sharesBetween(Point2 from, Point2 to) const {
     constexpr double kMostSegments = 1e7, kSamplesPerSegment = 10, kDenser = 8;
     constexpr int kMostRounds = 4;
+    if (options_.keepBoundary) return {};
     const double samplesPerSize = size_.isVaried() ? kSamplesPerSegment : 1;
     double cells = std::ceil(samplesPerSize * distance(from, to) / options_.size) + 1;
     if (!(cells < kMostSegments))

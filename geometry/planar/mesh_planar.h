@@ -20,6 +20,8 @@ struct PlanarMeshingOptions {
   PositionSize function;  ///< further limit by position
   /// Most growth of the size per unit of length, away from whatever wants a small one.
   double growth = 0.4;
+  /// The segments of the domain are edges of the mesh as they are, however long.
+  bool keepBoundary = false;
   bool optimize = true;  ///< swaps and smoothing after the front has closed
   int threads = 0;       ///< 0: as many as the machine has. The mesh does not depend on it.
   ProgressCallback progress;

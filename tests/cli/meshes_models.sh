@@ -26,6 +26,10 @@ expect 0 "$af2" mesh "$models/cylinder.step" --size 1 --sizes sizes.json --repor
 [ "$(json near.json triangles)" -gt "$(json cylinder.json triangles)" ] || fail "--sizes did nothing"
 expect 0 "$af2" mesh "$models/cylinder.step" --size 1 --curvature 40 --min-size 0.3 --grading 0.2 --report round.json
 [ "$(json round.json triangles)" -gt "$(json cylinder.json triangles)" ] || fail "--curvature did nothing"
+echo '{"edges": {"3": []}}' >divided.json
+expect 0 "$af2" mesh "$models/brickhole.step" --size 1 --boundary divided.json --report divided_report.json
+expect 0 "$af2" mesh "$models/brickhole.step" --size 1 --report plain.json
+[ "$(json divided_report.json vertices)" -lt "$(json plain.json vertices)" ] || fail "--boundary did nothing"
 expect 0 "$af2" mesh "$models/plate.poly" --size 1 --max-size 0.5 --sizes sizes.json
 
 expect 0 "$af2" mesh "$models/cylinder.step" --size 1 --quiet

@@ -53,30 +53,34 @@ TEST(Percentile, InterpolatesBetweenNeighbours) {
 }
 
 TEST(MeasureQuality, OfAnEmptyMeshIsZero) {
-  const MeshQuality quality = measureQuality({}, [](int, int, const Point3&) { return 1.0; });
+  const MeshQuality quality = measureQuality({});
   EXPECT_EQ(quality.mean, 0);
   EXPECT_EQ(quality.maxAngle, 0);
 }
 
 TEST(MeasureQuality, CountsEachEdgeOnce) {
   // The cube has 12 edges of length 1 and, on five faces, a diagonal.
-  const MeshQuality quality =
-      measureQuality(cubeMesh(), [](int, int, const Point3&) { return 0.5; });
-  EXPECT_NEAR(quality.edges.mean, 2 * (12 + 5 * std::sqrt(2.0)) / 17, 1e-12);
-  EXPECT_NEAR(quality.edges.p5, 2, 1e-12);
-  EXPECT_NEAR(quality.edges.p95, 2 * std::sqrt(2.0), 1e-12);
+  ModelMesh cube = cubeMesh();
+  cube.wantedSizes.assign(cube.vertices.size(), 0.6);
+  const MeshQuality quality = measureQuality(cube);
+  EXPECT_NEAR(quality.edges.mean, (12 + 5 * std::sqrt(2.0)) / 17 / 0.6, 1e-12);
+  EXPECT_NEAR(quality.edges.p5, 1 / 0.6, 1e-12);
+  EXPECT_NEAR(quality.edges.p95, std::sqrt(2.0) / 0.6, 1e-12);
   EXPECT_NEAR(quality.minAngle, 45, 1e-12);
   EXPECT_NEAR(quality.maxAngle, 90, 1e-12);
+  EXPECT_EQ(quality.edges.histogram, (std::array<std::size_t, 10>{0, 0, 0, 0, 0, 0, 12, 5, 0, 0}));
+  EXPECT_EQ(quality.edges.leastWanted, 0.6);
+  EXPECT_EQ(quality.edges.leastLength, 1);
+  EXPECT_NEAR(quality.edges.mostLength, std::sqrt(2.0), 1e-15);
 }
 
-TEST(MeasureQuality, HoldsASharedEdgeAgainstTheSmallerWantedLength) {
-  const auto wanted = [](int face, int edge, const Point3&) {
-    return edge > 0 ? 0.125 : face == 1 ? 0.5 : 1.0;
-  };
-  const MeshQuality quality = measureQuality(cubeMesh(), wanted);
-  // Four edges around face 1 and its diagonal at 0.5; the four model edges of the lid at 0.125.
-  const double sum = 4 * 2 + 2 * std::sqrt(2.0) + 4 * 8 + 4 * 1 + 4 * std::sqrt(2.0);
-  EXPECT_NEAR(quality.edges.mean, sum / 17, 1e-12);
+TEST(MeasureQuality, HoldsAnEdgeAgainstTheSizesAtItsEnds) {
+  ModelMesh mesh = oneElement({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
+  mesh.wantedSizes = {1, 3, 1};
+  const double sum = 1 / 2.0 + std::sqrt(2.0) / 2 + 1;
+  EXPECT_NEAR(measureQuality(mesh).edges.mean, sum / 3, 1e-12);
+  mesh.wantedSizes.clear();
+  EXPECT_EQ(measureQuality(mesh).edges.mean, 0);
 }
 
 }  // namespace

@@ -121,6 +121,24 @@ TEST(Sizes, InABoxAreKeptOnEdgesAndFaces) {
   EXPECT_LT(worstStep(result), 3);
 }
 
+TEST(Sizes, AreToldForEachVertex) {
+  ModelSizes sizes = sizesOf(1);
+  sizes.faceSizes[1] = 0.5;
+  sizes.edgeSizes[5] = 0.125;
+  sizes.sources.points = {{{2, 2, 2}, 0.25}};
+  const ModelMesh result = mesh(testing::box(2, 2, 2), sizes);
+  ASSERT_EQ(result.wantedSizes.size(), result.vertices.size());
+  for (std::size_t v = 0; v < result.vertices.size(); ++v) {
+    EXPECT_GT(result.wantedSizes[v], 0.1);
+    EXPECT_LE(result.wantedSizes[v], 0.25 + 0.4 * distance(result.vertices[v], {2, 2, 2}) + 1e-12);
+  }
+  for (std::size_t e = 0; e < result.elements.size(); ++e)
+    for (const VertexId v : result.elements[e].vertices())
+      EXPECT_LE(result.wantedSizes[v.value], result.face[e] == 1 ? 0.5 : 1);
+  for (const EdgeSegment& segment : result.segments)
+    EXPECT_LE(result.wantedSizes[segment.from.value], segment.edge == 5 ? 0.125 : 1);
+}
+
 TEST(Sizes, OfAFunctionReachTheFacesAroundThem) {
   // Small inside one face only: without spreading, the edges would not know.
   ModelSizes sizes = sizesOf(1);

@@ -65,6 +65,26 @@ TEST_F(PlanarMeshing, KeepsASegmentThatEndsInside) {
   EXPECT_EQ(inside, 6);
 }
 
+TEST_F(PlanarMeshing, KeepsTheBoundaryThatIsGiven) {
+  options.size = 0.5;
+  options.keepBoundary = true;
+  const ModelMesh result = mesh(kSquareWithHole);
+  EXPECT_TRUE(checkModelMesh(result).empty());
+  EXPECT_EQ(result.faces[0].status, FaceStatus::Complete);
+  EXPECT_EQ(result.segments.size(), 8u);
+}
+
+TEST_F(PlanarMeshing, FollowsPointsBoxesAndBounds) {
+  options.size = 1;
+  options.sources.points = {{{0, 0, 0}, 0.1}};
+  options.minSize = 0.3;
+  const ModelMesh result = mesh(kSquareWithHole);
+  EXPECT_TRUE(checkModelMesh(result).empty());
+  ASSERT_EQ(result.wantedSizes.size(), result.vertices.size());
+  EXPECT_EQ(result.wantedSizes[0], 0.3);
+  EXPECT_GT(result.elements.size(), 60u);
+}
+
 TEST_F(PlanarMeshing, FollowsASizeFunction) {
   options.size = 1;
   options.function = [](const Point3& p) { return 0.1 + 0.2 * p.x; };

@@ -1,0 +1,31 @@
+#include "geometry/io/boundary_file.h"
+
+#include <charconv>
+
+#include "geometry/io/json_file.h"
+
+namespace af2::geometry {
+namespace {
+
+int edgeId(const JsonValue& json, const std::string& text) {
+  int id = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), id);
+  if (error != std::errc() || end != text.data() + text.size() || id < 1)
+    json.fail("'" + text + "' is no id of an edge");
+  return id;
+}
+
+}  // namespace
+
+EdgePoints readEdgePoints(const std::filesystem::path& path) {
+  const JsonValue json = JsonValue::readFile(path);
+  json.expectKeys({"edges"});
+  EdgePoints edges;
+  for (const auto& [id, points] : json.at("edges").members()) {
+    std::vector<Point3>& own = edges[edgeId(json, id)];
+    for (const JsonValue& point : points.elements()) own.push_back(point.point());
+  }
+  return edges;
+}
+
+}  // namespace af2::geometry

@@ -1,0 +1,14 @@
+// Divisions of edges from a file: JSON (docs/formats.md).
+#pragma once
+
+#include <filesystem>
+
+#include "geometry/edge_points.h"
+
+namespace af2::geometry {
+
+/// Throws InputError, naming the file and the place in it, for anything that it does not
+/// understand.
+EdgePoints readEdgePoints(const std::filesystem::path& path);
+
+}  // namespace af2::geometry

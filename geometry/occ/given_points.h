@@ -1,0 +1,24 @@
+// Points from outside that divide an edge.
+// Not installed: includers need OpenCASCADE's headers.
+#pragma once
+
+#include <vector>
+
+#include "engine/point.h"
+#include "geometry/occ/model_shape.h"
+
+namespace af2::geometry {
+
+struct GivenPoints {
+  std::vector<Point3> points;      ///< as they were given, in the direction of the edge
+  std::vector<double> parameters;  ///< of the points, and of the ends of the edge around them
+};
+
+/// Finds where the points between the ends of an edge lie on its curve.
+///
+/// Throws InputError unless they lie on it, in order and apart: within the tolerance of the edge or
+/// a hundredth of the segments beside them.
+GivenPoints placeOnEdge(const ModelShape& model, int edge, std::vector<Point3> points,
+                        double length);
+
+}  // namespace af2::geometry
