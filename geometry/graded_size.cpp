@@ -11,6 +11,14 @@ namespace {
 /// grading.
 constexpr double kShort = 0.6;
 
+/// A segment that is so many times longer than wanted is far too long; a division from outside may
+/// have such.
+constexpr double kLong = 2;
+
+/// How fast sizes may shrink away from long segments, per unit of length: the next element is then
+/// about two thirds as large.
+constexpr double kShrinking = 1;
+
 /// A source may be left out if the others around it want no more than this times its size there.
 constexpr double kThinning = 1.3;
 
@@ -39,6 +47,20 @@ std::vector<SizeSource> thinned(std::vector<SizeSource> sources, double growth) 
   return kept;
 }
 
+/// Sources with negative sizes, so that the smallest of them is the longest segment.
+std::vector<SizeSource> longSegments(const FrontInput& boundary, const SizeField& wanted) {
+  std::vector<SizeSource> sources;
+  for (const auto& loop : boundary.loops) {
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      const SurfacePoint &from = loop[i].point, &to = loop[(i + 1) % loop.size()].point;
+      const double segment = distance(from.position, to.position);
+      if (segment < kLong * std::max(wanted.sizeAt(from), wanted.sizeAt(to))) continue;
+      sources.push_back({0.5 * (from.position + to.position), -segment});
+    }
+  }
+  return sources;
+}
+
 }  // namespace
 
 std::vector<SizeSource> shortSegments(const FrontInput& boundary, const SizeField& wanted) {
@@ -61,11 +83,14 @@ std::vector<SizeSource> shortSegments(const FrontInput& boundary, const SizeFiel
 GradedSize::GradedSize(const SizeField& wanted, const FrontInput& boundary, double growth)
     : wanted_(wanted),
       growing_(thinned(shortSegments(boundary, wanted), growth), growth,
-               largestWanted(boundary, wanted)) {}
+               largestWanted(boundary, wanted)),
+      shrinking_(longSegments(boundary, wanted), kShrinking, 0) {}
 
 double GradedSize::sizeAt(const SurfacePoint& point) const {
-  const double wanted = wanted_.sizeAt(point);
-  return growing_.isEmpty() ? wanted : std::min(wanted, growing_.at(point.position));
+  double size = wanted_.sizeAt(point);
+  if (!shrinking_.isEmpty()) size = std::max(size, -shrinking_.at(point.position));
+  if (!growing_.isEmpty()) size = std::min(size, growing_.at(point.position));
+  return size;
 }
 
 }  // namespace af2::geometry

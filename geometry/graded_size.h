@@ -12,7 +12,9 @@ namespace af2::geometry {
 /// The corners of a boundary at which it is divided more finely than `wanted` asks for.
 std::vector<SizeSource> shortSegments(const FrontInput& boundary, const SizeField& wanted);
 
-/// `wanted`, but near short segments of the boundary no more than what grows from them.
+/// `wanted`, but near short segments of the boundary no more than what grows from them, and near
+/// segments that are far too long no less than what shrinks away from these: the front has to come
+/// from their length down to the wanted one in steps.
 class GradedSize final : public SizeField {
  public:
   GradedSize(const SizeField& wanted, const FrontInput& boundary, double growth);
@@ -21,6 +23,7 @@ class GradedSize final : public SizeField {
  private:
   const SizeField& wanted_;
   GrowingSize growing_;
+  GrowingSize shrinking_;  ///< of sizes with the other sign
 };
 
 }  // namespace af2::geometry

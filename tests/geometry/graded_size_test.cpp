@@ -47,11 +47,25 @@ TEST(GradedSize, IsAsWantedFarFromShortSegments) {
   };
   square.loops = {{corner(0, 0, 0), corner(1, 0.01, 0), corner(2, 0.02, 0), corner(3, 10, 0),
                    corner(4, 10, 10)}};
+  const UniformSize wanted(10);
+  const GradedSize size(wanted, square, 1);
+  EXPECT_NEAR(size.sizeAt({{0.01, 0, 0}, {}}), 0.01, 1e-12);
+  EXPECT_NEAR(size.sizeAt({{0.01, 0.4, 0}, {}}), 0.41, 1e-12);
+  EXPECT_EQ(size.sizeAt({{10, 10, 0}, {}}), 10);
+}
+
+TEST(GradedSize, ComesDownFromLongSegmentsInSteps) {
+  FrontInput square;
+  square.vertexCount = 4;
+  square.loops.emplace_back();
+  for (const auto& [x, y] : {std::pair{0.0, 0.0}, {8.0, 0.0}, {8.0, 8.0}, {0.0, 8.0}})
+    square.loops[0].push_back({VertexId(square.loops[0].size()), {{x, y, 0}, {0, 0, 1}}});
   const UniformSize wanted(1);
   const GradedSize size(wanted, square, 0.5);
-  EXPECT_NEAR(size.sizeAt({{0.01, 0, 0}, {}}), 0.01, 1e-12);
-  EXPECT_NEAR(size.sizeAt({{0.01, 0.4, 0}, {}}), 0.21, 1e-12);
-  EXPECT_EQ(size.sizeAt({{10, 10, 0}, {}}), 1);
+  EXPECT_EQ(size.sizeAt({{4, 0, 0}, {}}), 8);
+  EXPECT_EQ(size.sizeAt({{4, 4, 0}, {}}), 4);
+  EXPECT_EQ(size.sizeAt({{4, -6, 0}, {}}), 2);
+  EXPECT_EQ(size.sizeAt({{4, -20, 0}, {}}), 1);
 }
 
 TEST(GradedSize, LeavesAnEvenBoundaryAlone) {
