@@ -53,6 +53,7 @@ geometry::ModelSizes modelSizes(const SizeRequest& request, const geometry::Mode
   sizes.minSize = request.smallest;
   sizes.maxSize = request.largest;
   sizes.elementsPerTurn = request.elementsPerTurn;
+  sizes.elementsAcross = request.elementsAcross;
   sizes.growth = request.growth;
   sizes.faceSizes = sizesOfFaces(request, model);
   sizes.edgeSizes = request.edgeSizes;

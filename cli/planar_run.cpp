@@ -21,6 +21,7 @@ geometry::ModelMesh runPlanar(const MeshRequest& request, const AF2Algorithm& al
   options.size = request.sizes.size;
   options.minSize = request.sizes.smallest;
   options.maxSize = request.sizes.largest;
+  options.elementsAcross = request.sizes.elementsAcross;
   options.growth = request.sizes.growth;
   options.sources = request.sizes.file.sources;
   options.keepBoundary = request.keepBoundary;

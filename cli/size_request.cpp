@@ -16,6 +16,8 @@ void declareSizeOptions(CLI::App& command, SizeOptions& options) {
   command.add_option("--max-size", options.largest, "no wanted size is larger than this");
   command.add_option("--curvature", options.curvature,
                      "elements around a full turn of a curved face or edge, e.g. 20");
+  command.add_option("--proximity", options.proximity,
+                     "elements across strips of faces, walls and gaps, e.g. 3");
   command.add_option("--grading", options.grading,
                      "most growth of the size per unit of length, default 0.4");
   command.add_option("--sizes", options.file,
@@ -45,6 +47,8 @@ SizeRequest checkedSizes(const SizeOptions& options) {
       throw UsageError(
           fmt::format("--curvature {}: a turn needs at least 3 elements", options.curvature));
   }
+  if (!options.proximity.empty())
+    request.elementsAcross = parseSize("--proximity", options.proximity);
   if (!options.grading.empty()) request.growth = parseSize("--grading", options.grading);
   request.faceSizes = parseSizes("--face-size", options.faceSizes);
   request.edgeSizes = parseSizes("--edge-size", options.edgeSizes);

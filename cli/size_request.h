@@ -12,7 +12,7 @@ namespace af2::cli {
 
 /// As they were typed; empty: not given.
 struct SizeOptions {
-  std::string size, smallest, largest, curvature, grading, file;
+  std::string size, smallest, largest, curvature, proximity, grading, file;
   std::vector<std::string> faceSizes, edgeSizes;
 };
 
@@ -21,7 +21,7 @@ void declareSizeOptions(CLI::App& command, SizeOptions& options);
 struct SizeRequest {
   double size = 0, smallest = 0;
   double largest;  ///< infinite if not given
-  double elementsPerTurn = 0, growth = 0.4;
+  double elementsPerTurn = 0, elementsAcross = 0, growth = 0.4;
   std::map<int, double> faceSizes, edgeSizes;
   geometry::SizeFile file;
 };

@@ -165,6 +165,13 @@ struct PreparedSources {
 
 }  // namespace
 
+void addSources(std::vector<SizeSource> points, double least, SizeSources& sources) {
+  for (SizeSource& point : points) {
+    point.size = std::max(point.size, least);
+    sources.points.push_back(point);
+  }
+}
+
 PositionSize sizeFrom(SizeSources sources, double growth) {
   check(sources);
   const auto prepared = std::make_shared<const PreparedSources>(std::move(sources), growth);

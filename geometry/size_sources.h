@@ -32,6 +32,13 @@ struct SizeSources {
   bool isEmpty() const { return points.empty() && boxes.empty() && grids.empty(); }
 };
 
+/// The smallest size that curvature and narrow places may ask for: what is given, or a twentieth of
+/// the wanted size.
+inline double leastForLimits(double size, double given) { return given > 0 ? given : size / 20; }
+
+/// Adds points to sources, none of which wants less than `least`.
+void addSources(std::vector<SizeSource> points, double least, SizeSources& sources);
+
 /// The size that `sources` want, growing by `growth` per unit of length away from each; infinite
 /// where there is none. Also within a background field it grows no faster: where the field does,
 /// its larger sizes are lowered.

@@ -7,6 +7,7 @@
 
 #include "engine/error.h"
 #include "engine/stopwatch.h"
+#include "geometry/narrow_places.h"
 #include "geometry/occ/edge_division.h"
 #include "geometry/occ/face_area.h"
 #include "geometry/occ/face_mesher.h"
@@ -289,7 +290,18 @@ ModelMesh meshModel(const Model& model, const AF2Algorithm& algorithm,
     if (edge < 1 || edge > model.edgeCount())
       throw InputError("points for edge " + std::to_string(edge) + ": the model has edges 1 to " +
                        std::to_string(model.edgeCount()));
-  return ModelMesher(model, algorithm, options).mesh();
+  if (options.sizes.elementsAcross == 0) return ModelMesher(model, algorithm, options).mesh();
+  ModelMeshingOptions finer = options;
+  finer.sizes.elementsAcross = 0;
+  ModelMeshingOptions first = finer;
+  first.faces.clear();  // narrow places are between any two
+  first.optimize = false;
+  first.progress = {};
+  first.observer = {};
+  const ModelMesh coarse = ModelMesher(model, algorithm, std::move(first)).mesh();
+  addSources(narrowPlaces(coarse, options.sizes.elementsAcross),
+             leastForLimits(options.sizes.size, options.sizes.minSize), finer.sizes.sources);
+  return ModelMesher(model, algorithm, std::move(finer)).mesh();
 }
 
 }  // namespace af2::geometry

@@ -33,6 +33,11 @@ struct ModelSizes {
   /// twentieth of the size, it gets fewer.
   double elementsPerTurn = 0;
 
+  /// How many elements lie across what is narrow: strips of faces, walls and gaps; 0: it does not
+  /// matter. A first mesh shows where that is. Where it would need edges smaller than `minSize`, or
+  /// if that is 0, than a twentieth of the size, there are fewer.
+  double elementsAcross = 0;
+
   /// Where an edge turns quickly it needs shorter segments: one segment turns by at most `edgeTurn`
   /// radians, unless it would be shorter than `edgeLeast` times the wanted length.
   double edgeTurn = 0.7854, edgeLeast = 0.1;

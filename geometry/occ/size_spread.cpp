@@ -23,14 +23,11 @@ constexpr int kFewestCells = 4, kMostCells = 48;
 /// What wants nearly the size of its face need not be spread.
 constexpr double kSmall = 0.9;
 
-/// The smallest share of the size that curvature may ask for, unless the smallest size is given.
-constexpr double kLeastOfCurvature = 0.05;
-
 /// The options for gentle curvature, set so that a turn gets as many elements as asked for.
 void setTurns(ModelSizes& sizes) {
   if (sizes.elementsPerTurn == 0) return;
   sizes.edgeTurn = sizes.faceTurn = 2 * std::numbers::pi / sizes.elementsPerTurn;
-  const double least = sizes.minSize > 0 ? 0 : kLeastOfCurvature;
+  const double least = sizes.minSize > 0 ? 0 : leastForLimits(1, 0);
   sizes.edgeLeast = sizes.faceLeast = sizes.bentFaceLeast = least;
 }
 

@@ -31,6 +31,8 @@ void checkSizes(const ModelSizes& sizes, const Model& model) {
     throw InputError("the smallest size must not be negative, nor above the largest");
   if (sizes.elementsPerTurn != 0 && !(sizes.elementsPerTurn >= kFewestPerTurn))
     throw InputError("a turn needs at least 3 elements");
+  if (!(sizes.elementsAcross >= 0) || !std::isfinite(sizes.elementsAcross))
+    throw InputError("the number of elements across narrow places must not be negative");
   if (!(sizes.growth > 0) || !std::isfinite(sizes.growth))
     throw InputError("the growth of sizes must be a positive number");
   checkAll(sizes.faceSizes, model.faceCount(), "face");

@@ -8,6 +8,7 @@
 #include "engine/mesh_region.h"
 #include "engine/plane_chart.h"
 #include "geometry/graded_size.h"
+#include "geometry/narrow_places.h"
 #include "geometry/planar/loops.h"
 #include "geometry/sound_faces.h"
 
@@ -272,7 +273,17 @@ ModelMesh meshPlanar(const PlanarDomain& domain, const AF2Algorithm& algorithm,
                      const PlanarMeshingOptions& options) {
   if (!(options.size > 0) || !std::isfinite(options.size))
     throw InputError("the size must be a positive number");
-  return PlanarMesher(domain, algorithm, options).mesh();
+  if (options.elementsAcross == 0) return PlanarMesher(domain, algorithm, options).mesh();
+  PlanarMeshingOptions finer = options;
+  finer.elementsAcross = 0;
+  PlanarMeshingOptions first = finer;
+  first.optimize = false;
+  first.progress = {};
+  first.observer = nullptr;
+  const ModelMesh coarse = PlanarMesher(domain, algorithm, first).mesh();
+  addSources(narrowPlaces(coarse, options.elementsAcross),
+             leastForLimits(options.size, options.minSize), finer.sources);
+  return PlanarMesher(domain, algorithm, finer).mesh();
 }
 
 }  // namespace af2::geometry

@@ -31,6 +31,7 @@ expect 0 "$af2" mesh "$models/brickhole.step" --size 1 --boundary divided.json -
 expect 0 "$af2" mesh "$models/brickhole.step" --size 1 --report plain.json
 [ "$(json divided_report.json vertices)" -lt "$(json plain.json vertices)" ] || fail "--boundary did nothing"
 expect 0 "$af2" mesh "$models/plate.poly" --size 1 --max-size 0.5 --sizes sizes.json
+expect 0 "$af2" mesh "$models/plate.poly" --size 1 --proximity 3 --keep-boundary
 
 expect 0 "$af2" mesh "$models/cylinder.step" --size 1 --quiet
 [ ! -s out ] && [ ! -s err ] || fail "--quiet printed something"

@@ -121,6 +121,18 @@ TEST(Sizes, InABoxAreKeptOnEdgesAndFaces) {
   EXPECT_LT(worstStep(result), 3);
 }
 
+TEST(Sizes, PutElementsAcrossAThinPlate) {
+  ModelSizes sizes = sizesOf(1);
+  sizes.elementsAcross = 2;
+  const ModelMesh plate = mesh(testing::box(4, 4, 0.5), sizes);
+  EXPECT_NEAR(meanLength(plate), 0.25, 0.05);
+  // One of its edges of length 0.5 has two segments.
+  for (const auto& [edge, count] : segmentsByEdge(plate)) EXPECT_GE(count, 2);
+  EXPECT_NEAR(meanLength(mesh(testing::box(4, 4, 4), sizes)), 1, 0.2) << "nothing narrow here";
+  sizes.minSize = 0.4;
+  EXPECT_NEAR(meanLength(mesh(testing::box(4, 4, 0.5), sizes)), 0.4, 0.06);
+}
+
 TEST(Sizes, AreToldForEachVertex) {
   ModelSizes sizes = sizesOf(1);
   sizes.faceSizes[1] = 0.5;

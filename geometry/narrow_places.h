@@ -1,0 +1,20 @@
+// Where a mesh is too coarse for what is narrow: strips of faces, walls and gaps.
+#pragma once
+
+#include <vector>
+
+#include "geometry/growing_size.h"
+#include "geometry/model_mesh.h"
+
+namespace af2::geometry {
+
+/// Places at which fewer than `elementsAcross` elements of the wanted sizes lie between opposite
+/// boundaries of a face, or between opposite elements of a wall or a gap, each with the size that
+/// would make it so many. Asks how far it is from the middle of each boundary edge across its face,
+/// and from the middle of each element along its normal, both ways; things that meet in a vertex
+/// are not opposite to each other. Only as exact as the elements are small.
+///
+/// mesh  must know its wanted sizes
+std::vector<SizeSource> narrowPlaces(const ModelMesh& mesh, double elementsAcross);
+
+}  // namespace af2::geometry
