@@ -172,7 +172,7 @@ constexpr std::array kBuiltins{
     Builtin{"lerp", "lln", "lerp(from, to, t)", lerp},
     Builtin{"centroid", "p*", "centroid(p, q, ...)", centroid},
     Builtin{"perp", "v", "perp(v)", perp},
-    Builtin{"rot", "vr", "rot(v, angle)", rot},
+    Builtin{"rot", "va", "rot(v, angle)", rot},
     Builtin{"unit", "v", "unit(v)", unit},
     Builtin{"len", "v", "len(v)", len},
     Builtin{"dot", "vv", "dot(u, v)", dot},

@@ -5,6 +5,7 @@
 
 #include "dsl/builtins.h"
 #include "dsl/expressions.h"
+#include "dsl/type_help.h"
 #include "dsl/words.h"
 
 namespace af2::dsl {
@@ -158,8 +159,9 @@ bool ExpressionCompiler::fits(const Value& value, char kind, const Value* firstA
     tell("Y1", argument.span, "this is not " + kindName(kind), "this is " + describe(value), help);
     return false;
   }
+  const std::string way = wayToType(kindName(kind), value);
   tell("Y1", argument.span, "this is not " + kindName(kind), "this is " + describe(value),
-       "the call is " + usage);
+       (way.empty() ? "" : way + "; ") + "the call is " + usage);
   return false;
 }
 

@@ -9,6 +9,16 @@
 
 namespace af2::dsl {
 
+/// A constant of the same name cannot be reached in the rule.
+void ClauseCompiler::warnIfHiding(const Name& name) {
+  const auto constant = home_.constants.find(name.text);
+  if (mirror_ || constant == home_.constants.end()) return;
+  expressions_.tell(
+      "A2", name.span, "'" + name.text + "' hides the constant of that name", "",
+      "choose another name", Severity::Warning,
+      {{"the constant", placeOf(constant->second.home->source, constant->second.span)}});
+}
+
 bool ClauseCompiler::defineLocal(const Name& name, Value value, LocalKind kind) {
   auto& locals = expressions_.locals;
   const auto known = locals.find(name.text);
@@ -32,11 +42,7 @@ bool ClauseCompiler::defineLocal(const Name& name, Value value, LocalKind kind) 
          Severity::Error, std::move(notes));
     return false;
   }
-  if (home_.constants.contains(name.text) && !mirror_)
-    expressions_.tell("A2", name.span, "'" + name.text + "' hides the constant of that name", "",
-                      "choose another name", Severity::Warning,
-                      {{"the constant", placeOf(home_.constants.at(name.text).home->source,
-                                                home_.constants.at(name.text).span)}});
+  warnIfHiding(name);
   Local local;
   local.value = std::move(value);
   local.span = name.span;
@@ -216,7 +222,7 @@ void ClauseCompiler::applyOverrides() {
              found == matched_.end()
                  ? "the rule has no vertex '" + name.text + "' with a tolerance"
                  : "'" + name.text + "' is an end of the base edge and carries no tolerance",
-             "", didYouMean(name.text, known));
+             "", helpAmong(name.text, known, "vertices of this rule"));
         continue;
       }
       bool isAny = false;
@@ -266,7 +272,6 @@ std::optional<CompiledRule> ClauseCompiler::compile(const std::string& title, Sp
   }
   definition().vertices = {PatternVertex{"a", {0, 0}, std::nullopt},
                            PatternVertex{"b", {1, 0}, std::nullopt}};
-  poisonBrokenNames();
   listNamesBelow();
   collectPattern();
   readLevels();

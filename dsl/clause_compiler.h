@@ -30,11 +30,13 @@ class ClauseCompiler {
     result_.text = &rule;
     result_.home = &home;
     result_.isMirror = mirror != nullptr;
+    poisonBrokenNames();
   }
 
   ExpressionCompiler& expressions() { return expressions_; }
 
   void define(const std::string& name, const RuleCompiler::Parameter& parameter) {
+    warnIfHiding({name, parameter.span});
     Local local;
     local.value = valueOf(parameter.value);
     local.span = parameter.span;
@@ -100,6 +102,7 @@ class ClauseCompiler {
     expressions_.tell(code, span, std::move(message), "", std::move(help), Severity::Warning);
   }
 
+  void warnIfHiding(const Name& name);
   void markBroken(const std::string& name) {
     broken_.insert(name);
     Local local;

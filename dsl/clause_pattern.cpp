@@ -14,7 +14,7 @@ void ClauseCompiler::poisonBrokenNames() {
     if (stretch.span.begin < rule_.span.begin || stretch.span.end > rule_.span.end) continue;
     hasErrors_ = true;
     for (const std::string& name : stretch.names) {
-      if (name == "a" || name == "b" || isBuiltin(name)) continue;
+      if (name == "a" || name == "b") continue;
       broken_.insert(name);
       Local local;
       local.kind = LocalKind::Broken;
@@ -72,6 +72,13 @@ void ClauseCompiler::readLevels() {
 
 std::optional<ToleranceForm> ClauseCompiler::formOf(const Expr& expr) {
   const bool isForm = expr.kind == ExprKind::Tuple && expr.parts.size() == 3;
+  if (expr.kind == ExprKind::Tuple && !isForm) {
+    for (const Expr& part : expr.parts) expressions_.constantNumber(part, "a coefficient");
+    tell("Y6", expr.span, "a form has three coefficients, (xx, xy, yy)",
+         std::to_string(expr.parts.size()) + " are given",
+         "write `~ w` for the same weight in all directions, or `~ (xx, xy, yy)`");
+    return std::nullopt;
+  }
   if (!isForm) {
     const auto weight = expressions_.constantNumber(expr, "a tolerance");
     if (!weight) return std::nullopt;

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <tuple>
 
+#include "dsl/characters.h"
 #include "dsl/code_explanations.h"
 
 namespace af2::dsl {
@@ -30,6 +31,26 @@ std::size_t characters(const std::string& text) {
   }));
 }
 
+/// `count` characters from the one at `from` on; what a terminal cannot show becomes a question
+/// mark, and each character stays one.
+std::string printable(std::string_view line, std::size_t from, std::size_t count) {
+  std::string result;
+  for (std::size_t at = 0, index = 0; at < line.size() && index < from + count;) {
+    const auto first = static_cast<unsigned char>(line[at]);
+    const std::size_t size = characterSize(line.substr(at));
+    const bool isTrail = (first & 0xC0) == 0x80;  // astray: places do not count it either
+    const bool isShown = first >= 0x80 ? size > 1 : first >= 0x20 && first != 0x7F;
+    if (!isTrail && index++ >= from) {
+      if (isShown)
+        result += line.substr(at, size);
+      else
+        result += first == '\t' ? ' ' : '?';
+    }
+    at += size;
+  }
+  return result;
+}
+
 /// Long lines are cut around the place, so that garbage does not flood the terminal.
 struct Excerpt {
   std::string text;
@@ -43,15 +64,13 @@ Excerpt excerpt(const DiagnosticPlace& place) {
   const std::size_t end =
       place.endLine == place.line ? static_cast<std::size_t>(place.endColumn - 1) : width;
   if (end > result.caret) result.length = end - result.caret;
-  std::replace(result.text.begin(), result.text.end(), '\t', ' ');
-  for (char& c : result.text)
-    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = '?';
-  if (result.text.size() > kWidest && width == result.text.size()) {
-    const std::size_t from = result.caret > kWidest / 2 ? result.caret - kWidest / 2 : 0;
-    result.text = result.text.substr(from, kWidest);
+  std::size_t from = 0;
+  if (width > kWidest) {
+    from = result.caret > kWidest / 2 ? result.caret - kWidest / 2 : 0;
     result.caret -= from;
     result.length = std::min(result.length, kWidest - std::min(kWidest - 1, result.caret));
   }
+  result.text = printable(place.text, from, kWidest);
   return result;
 }
 
@@ -72,6 +91,7 @@ std::string margin(const DiagnosticPlace& place) {
 
 Json jsonOf(const Diagnostic& d) {
   Json notes = Json::array();
+  if (!d.label.empty()) notes.push_back(d.label);
   for (const DiagnosticNote& note : d.notes) {
     std::string text = note.message;
     if (note.place) text += " (" + where(*note.place) + ")";
@@ -84,11 +104,9 @@ Json jsonOf(const Diagnostic& d) {
             {"end_column", d.place.endColumn},
             {"severity", word(d.severity)},
             {"code", d.code},
-            {"message", d.message}};
-  if (!d.label.empty()) json["label"] = d.label;
-  if (!d.rule.empty()) json["rule"] = d.rule;
-  json["notes"] = notes;
-  json["help"] = d.help;
+            {"message", d.message},
+            {"notes", notes},
+            {"help", d.help}};
   return json;
 }
 
@@ -137,6 +155,10 @@ void DiagnosticList::add(Diagnostic diagnostic) {
   });
   // Far more than are shown, so that sorting can still bring the first ones to the front.
   if (!isKnown && found_.size() < 20 * kMost) found_.push_back(std::move(diagnostic));
+}
+
+void DiagnosticList::append(DiagnosticList others) {
+  for (Diagnostic& diagnostic : others.found_) add(std::move(diagnostic));
 }
 
 std::vector<Diagnostic> DiagnosticList::take() {

@@ -53,6 +53,7 @@ class DiagnosticList {
   static constexpr std::size_t kMost = 50;
 
   void add(Diagnostic diagnostic);
+  void append(DiagnosticList others);
   bool hasErrors() const { return hasErrors_; }
   std::size_t size() const { return found_.size(); }
   /// Sorted; if there were more than kMost, a last one says how many were left out.

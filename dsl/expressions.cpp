@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "dsl/builtins.h"
+#include "dsl/type_help.h"
 #include "dsl/words.h"
 
 namespace af2::dsl {
@@ -56,12 +57,8 @@ Value ExpressionCompiler::wrongType(const Expr& expr, const std::string& wanted,
     return {};
   }
   const bool wantsPoint = wanted == "a point" || wanted == "a vector";
-  std::string help;
-  if (wanted == "a point" && found.isVector()) help = "add it to a point, as in `a + (0, 1)`";
-  if (wanted == "a vector" && found.isPoint())
-    help = "a vector is the difference of two points, as in `b - a`";
   tell(wantsPoint && found.type == Type::Geometric ? "A1" : "Y1", expr.span,
-       "this is not " + wanted, "this is " + describe(found), help);
+       "this is not " + wanted, "this is " + describe(found), wayToType(wanted, found));
   return {};
 }
 
@@ -164,7 +161,8 @@ Value ExpressionCompiler::unknownName(const Expr& expr, bool isFunction) {
     for (const auto& [name, function] : module_->functions) known.push_back(name);
     for (const auto& [name, f] : context_.registry.functions()) known.push_back(name);
   }
-  std::string help = didYouMean(expr.name, known);
+  std::string help = habitOf(expr.name);
+  if (help.empty()) help = didYouMean(expr.name, known);
   if (isFunction && help.empty() &&
       (locals.contains(expr.name) || module_->constants.contains(expr.name)))
     help = "'" + expr.name + "' is a value; it cannot be called";
@@ -439,7 +437,8 @@ Value ExpressionCompiler::evaluateIf(const Expr& expr) {
   if (!isAlike || a.type == Type::Shape) {
     tell("Y2", expr.span, "`then` and `else` must be of one type",
          describe(a) + " and " + describe(b),
-         a.type == Type::Shape ? "use several `zone ... when ...` clauses for shapes" : "");
+         a.type == Type::Shape ? "use several `zone ... when ...` clauses for shapes"
+                               : "let both give the same kind of value");
     return {};
   }
   const auto choose = [&](Node x, Node y) { return builder().make(Op::Select, {c.number, x, y}); };
@@ -503,10 +502,16 @@ Value ExpressionCompiler::evaluate(const Expr& expr) {
 }
 
 Value ExpressionCompiler::checkBody(const FunctionName& function) {
-  for (const Name& parameter : *function.parameters) {
+  const std::size_t count = function.parameters->size();
+  for (std::size_t i = 0; i < count; ++i) {
+    const Name& parameter = (*function.parameters)[i];
     Local local;
     local.span = parameter.span;
     local.kind = LocalKind::Parameter;
+    // The last parameters of a metric are corners, whatever else it takes; others may be anything.
+    constexpr std::size_t kFewestCorners = 3;
+    if (function.isMetric && i + kFewestCorners >= count)
+      local.value = algebra_.vertex(static_cast<int>(i + kFewestCorners - count));
     locals[parameter.text] = local;
   }
   return evaluate(*function.body);

@@ -5,7 +5,9 @@
 #include <initializer_list>
 #include <limits>
 
+#include "dsl/clause_forms.h"
 #include "dsl/syntax_errors.h"
+#include "dsl/version.h"
 #include "dsl/words.h"
 
 // The grammar runs over words (lexer.h), not over characters: no skipper, small types, and every
@@ -90,13 +92,13 @@ struct NumberWord : TokenParser<NumberWord, Expr> {
   bool parse(It& first, It const& last, Context const&, RContext&, Attribute& attribute) const {
     if (first == last || first->kind != TokenKind::Number) return false;
     Expr number;
-    number.kind = ExprKind::Number;
+    number.kind = first->isDoubtful ? ExprKind::Missing : ExprKind::Number;
     number.span = first->span;
     number.name = first->text;
     number.number = first->number;
     ++first;
     if (first != last && first->kind == TokenKind::Name && first->text == "deg") {
-      number.kind = ExprKind::Angle;
+      if (number.kind == ExprKind::Number) number.kind = ExprKind::Angle;
       number.span = cover(number.span, first->span);
       ++first;
     }
@@ -254,6 +256,27 @@ struct Recovering {
   }
 };
 
+/// `{`; where a clause of a rule follows instead it is told to be missing, and taken to be there.
+struct OpenBrace : x3::parser<OpenBrace> {
+  using attribute_type = x3::unused_type;
+  static bool const has_attribute = false;
+  explicit constexpr OpenBrace(bool t) : tells(t) {}
+  bool tells;
+
+  template <class Context, class RContext, class Attribute>
+  bool parse(It& first, It const& last, Context const& context, RContext&, Attribute&) const {
+    if (first == last) return false;
+    if (first->is("{")) {
+      ++first;
+      return true;
+    }
+    const bool isMissing = first->startsLine && !formOf(SyntaxUnit::Clause, first->text).empty() &&
+                           first->kind == TokenKind::Name;
+    if (isMissing && tells) x3::get<ParsingTag>(context).get().tellMissingBrace(first);
+    return isMissing;
+  }
+};
+
 // ---- expressions --------------------------------------------------------------------------------
 
 #define AF2_RULE(id, attribute, text, ...) \
@@ -273,7 +296,7 @@ AF2_RULE(bracketed, Expr, "an expression");
 AF2_RULE(choice, Expr, "an expression");
 AF2_RULE(corner, Expr, "a corner");
 
-constexpr const char* kExpression = "an expression";
+constexpr const char* kExpression = kExpressionWanted;
 
 Expr binary(const std::string& symbol, Expr left, Expr right) {
   Expr result;
@@ -573,7 +596,7 @@ const auto ruleHeader_def = word("rule") >>
                             need(string, "the rule's title in quotes")[into(&RuleHeader::title)] >>
                             -family[into(&RuleHeader::family)] >>
                             need(levels, "quality")[into(&RuleHeader::levels)] >>
-                            need(&Word("{"), "{");
+                            need(&OpenBrace(true), "{");
 const auto setHeader = [](auto& context) {
   Rule& value = x3::_val(context);
   RuleHeader& header = x3::_attr(context);
@@ -581,8 +604,9 @@ const auto setHeader = [](auto& context) {
   value.family = std::move(header.family);
   value.levels = std::move(header.levels);
 };
-const auto rule_def = spanned(&Word("rule") >> ruleHeader[setHeader] >> need("{") >>
-                              *clause[append(&Rule::clauses)] >> need("}"));
+const auto rule_def =
+    spanned(&Word("rule") >> ruleHeader[setHeader] >> need(OpenBrace(false), "{") >>
+            *clause[append(&Rule::clauses)] >> need("}"));
 const auto instance_def = word("rule") >> string[into(&Instance::title)] >> word("=") >>
                           need(post, "template(values)")[into(&Instance::call)] >> need(";");
 const auto parameters_def = need("(") >> list(name, push, kName) >> need(")");
@@ -835,35 +859,6 @@ BOOST_SPIRIT_DEFINE(importItem, useItem, constant, function, metric, fileItem, w
 
 // ---- what is looked at before -------------------------------------------------------------------
 
-/// `af2 1;` at the beginning.
-It readVersion(const std::vector<Token>& tokens, SyntaxErrors& errors) {
-  It at = tokens.data();
-  if (!at->is("af2")) {
-    errors.tell("S7", at->span, "a rule file begins with `af2 1;`",
-                "add `af2 1;` as the first line");
-    return at;
-  }
-  const Token& version = at[1];
-  if (version.kind != TokenKind::Number ||
-      version.text.find_first_not_of("0123456789") != std::string::npos) {
-    errors.tell("S7", cover(at->span, version.kind == TokenKind::End ? at->span : version.span),
-                "the version of the language is missing", "write `af2 1;`");
-    while (at->kind != TokenKind::End && !at->is(";") && !(at > tokens.data() && at->startsLine))
-      ++at;
-    return at->is(";") ? at + 1 : at;
-  }
-  if (version.number != 1)
-    errors.tell("S7", version.span,
-                "this is version 1 of the language; the file asks for " + version.text,
-                "write `af2 1;`");
-  if (!at[2].is(";")) {
-    errors.tell("S2", version.span, "';' is missing after 'af2 " + version.text + "'",
-                "write `af2 1;`");
-    return at + 2;
-  }
-  return at + 3;
-}
-
 /// Whether brackets and operators stay within what the stack can hold; the grammar and all that
 /// walks over the tree are recursive.
 bool isWithinLimits(const std::vector<Token>& tokens, const ParseLimits& limits,
@@ -917,10 +912,14 @@ ParsedFile parseFile(const SourceText& source, DiagnosticList& diagnostics,
                 "split it, and join the parts with `import` and `use`");
     return result;
   }
-  TokenList words = readTokens(source, diagnostics);
+  DiagnosticList lexical;
+  TokenList words = readTokens(source, lexical);
   result.comments = std::move(words.comments);
-  if (!isWithinLimits(words.tokens, limits, errors)) return result;
+  if (!words.isText) diagnostics.append(std::move(lexical));
+  if (!words.isText || !isWithinLimits(words.tokens, limits, errors)) return result;
   It first = readVersion(words.tokens, errors);
+  if (!first) return result;  // its words make no sense, so they need not be spelt well
+  diagnostics.append(std::move(lexical));
   const It last = words.tokens.data() + words.tokens.size();
   const auto grammar = x3::with<ParsingTag>(std::ref(errors))[wholeFile];
   x3::parse(first, last, grammar, result.file);

@@ -11,6 +11,7 @@ namespace af2::dsl {
 struct TokenList {
   std::vector<Token> tokens;  ///< ends with a token of kind End
   std::vector<Comment> comments;
+  bool isText = true;  ///< false: this is no text at all, and nothing was read
 };
 
 /// Splits a text into words. What cannot be read is told (codes L) and left out, or replaced by

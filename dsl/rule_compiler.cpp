@@ -36,7 +36,8 @@ std::string filledTitle(ExpressionCompiler& expressions, const Name& title) {
                             : expressions.builder().constantValue(value.number);
     if (number) {
       result += shownNumber(value.type == Type::Angle ? *number * 180 / std::numbers::pi : *number);
-    } else if (!isParameter) {
+    } else if (!isParameter &&
+               !(local != expressions.locals.end() && local->second.kind == LocalKind::Broken)) {
       std::vector<std::string> known;
       for (const auto& [text, l] : expressions.locals)
         if (l.kind == LocalKind::Parameter) known.push_back(text);

@@ -7,6 +7,7 @@
 #include "dsl/library.h"
 #include "dsl/rule_compiler.h"
 #include "dsl/rule_set_compiler.h"
+#include "dsl/titles.h"
 #include "dsl/words.h"
 #include "engine/error.h"
 
@@ -213,20 +214,10 @@ void FileCompiler::checkTemplate(const Module& module, const Template& item) {
 }
 
 bool FileCompiler::holdsRule(const Module& module, const std::string& title) const {
-  const auto isTitled = [&](const Rule& rule) {
-    if (rule.title.text == title) return true;
-    return std::any_of(rule.clauses.begin(), rule.clauses.end(), [&](const Clause& clause) {
-      const auto* mirror = std::get_if<MirrorClause>(&clause.content);
-      return mirror && mirror->title.text == title;
-    });
-  };
-  for (const Item& item : module.parsed.file.items) {
-    if (const auto* rule = std::get_if<Rule>(&item.content); rule && isTitled(*rule)) return true;
-    if (const auto* instance = std::get_if<Instance>(&item.content);
-        instance && instance->title.text == title)
-      return true;
-  }
-  return false;
+  return std::ranges::any_of(module.parsed.file.items, [&](const Item& item) {
+    return std::ranges::any_of(titlesOf(item),
+                               [&](const Name* name) { return mayBecome(name->text, title); });
+  });
 }
 
 void FileCompiler::compileUse(const Module& module, const Use& use) {
@@ -256,7 +247,7 @@ void FileCompiler::compileUse(const Module& module, const Use& use) {
   const auto checkTitle = [&](const Name& name) {
     if (wanted(name.text) || holdsRule(*library->second, name.text)) return;
     tell(module, "R1", name.span, "'" + use.library.text + "' has no rule \"" + name.text + "\"",
-         didYouMean(name.text, titles));
+         helpAmong(name.text, titles, "rules of that file"));
   };
   if (use.rule) checkTitle(*use.rule);
   for (const Name& name : use.except) checkTitle(name);
@@ -304,14 +295,8 @@ void FileCompiler::checkTitles() {
     if (title.text.find('{') == std::string::npos)
       add(title.text, placeOf(main_.source, title.span));
   };
-  for (const Item& item : main_.parsed.file.items) {
-    if (const auto* instance = std::get_if<Instance>(&item.content)) addText(instance->title);
-    const auto* rule = std::get_if<Rule>(&item.content);
-    if (!rule) continue;
-    addText(rule->title);
-    for (const Clause& clause : rule->clauses)
-      if (const auto* mirror = std::get_if<MirrorClause>(&clause.content)) addText(mirror->title);
-  }
+  for (const Item& item : main_.parsed.file.items)
+    for (const Name* title : titlesOf(item)) addText(*title);
   std::map<std::string, int> members;
   for (const CompiledRule& rule : rules_) {
     add(rule.definition.name, rule.titlePlace);
@@ -351,7 +336,7 @@ void FileCompiler::compileProperty(const Property& property, LoadedFile& result)
     std::vector<std::string> titles;
     for (const CompiledRule& r : rules_) titles.push_back(r.definition.name);
     return tell(main_, "R1", property.rule.span, "there is no rule \"" + property.rule.text + "\"",
-                didYouMean(property.rule.text, titles));
+                helpAmong(property.rule.text, titles, "rules of this file"));
   }
   auto compiled = RuleCompiler(context_, *rule->home, settings_->shared())
                       .compileProperty(property, main_, *rule);

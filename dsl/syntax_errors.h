@@ -14,6 +14,7 @@ enum class SyntaxUnit { Item, RuleHeader, Clause, Setting, TestClause, MirrorPar
 
 /// Parts that the grammar may find missing, beyond plain symbols.
 inline constexpr const char* kNoSecondFade = "no second =>";
+inline constexpr const char* kExpressionWanted = "an expression";
 inline constexpr const char* kItem = "an item";
 inline constexpr const char* kClause = "a clause";
 inline constexpr const char* kSetting = "a setting";
@@ -36,20 +37,29 @@ class SyntaxErrors {
   const Token* tellAndRecover(SyntaxUnit unit, const Token* first, const Token* where,
                               const Token* last, const std::string& wanted);
 
-  void tell(const char* code, Span span, std::string message, std::string help);
+  void tell(const char* code, Span span, std::string message, std::string help,
+            std::vector<DiagnosticNote> notes = {});
+  /// Tells that a block's `{` is missing before `clause`; reading goes on as if it stood there.
+  void tellMissingBrace(const Token* clause);
+  /// `af2 1;` stands where it does not belong; that has been told.
+  void expectVersionAt(const Token* token) { version_ = token; }
   std::vector<BrokenStretch> takeBroken() { return std::move(broken_); }
 
   /// Whether an item of the file begins here, as `rule "...` and `const H` do.
   static bool beginsItem(const Token* token);
 
  private:
-  void tellMissing(SyntaxUnit unit, const Token* where, const std::string& wanted);
+  void tellMissing(SyntaxUnit unit, const Token* first, const Token* where,
+                   const std::string& wanted);
   void tellUnknownWord(const Token* where, const std::string& wanted);
+  void tellUnclosed(SyntaxUnit unit, const Token* first, const Token* where);
 
   const SourceText& source_;
   DiagnosticList& diagnostics_;
   std::vector<BrokenStretch> broken_;
   const Token* resumedAt_ = nullptr;
+  const Token* version_ = nullptr;
+  int missingBraces_ = 0;  ///< blocks that were taken to end early: their `}` may still come
 };
 
 }  // namespace af2::dsl

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "dsl/rule_compiler.h"
+#include "dsl/titles.h"
 #include "dsl/words.h"
 
 namespace af2::dsl {
@@ -205,22 +206,16 @@ const CompiledRule* TestCompiler::findRule(const Name& title) {
     if (!imported) return nullptr;
   // A rule with errors is not among the compiled ones; it has been told about.
   for (const Item& item : module_.parsed.file.items) {
-    const auto isTitled = [&](const Name& name) {
-      return name.text == title.text || name.text.find('{') != std::string::npos;
-    };
-    if (const auto* rule = std::get_if<Rule>(&item.content)) {
-      if (isTitled(rule->title)) return nullptr;
-      for (const Clause& clause : rule->clauses)
-        if (const auto* mirror = std::get_if<MirrorClause>(&clause.content);
-            mirror && isTitled(mirror->title))
-          return nullptr;
-    }
-    if (const auto* instance = std::get_if<Instance>(&item.content);
-        instance && isTitled(instance->title))
-      return nullptr;
     if (item.content.index() == 0) return nullptr;
+    for (const Name* written : titlesOf(item)) {
+      const bool isCompiled = std::ranges::any_of(rules_, [&](const CompiledRule& rule) {
+        return mayBecome(written->text, rule.definition.name);
+      });
+      if (!isCompiled && mayBecome(written->text, title.text)) return nullptr;
+      if (!isCompiled) titles.push_back(written->text);
+    }
   }
-  const std::string help = didYouMean(title.text, titles);
+  const std::string help = helpAmong(title.text, titles, "rules of this file");
   tell("R1", title.span, "there is no rule \"" + title.text + "\"", "", help);
   return nullptr;
 }
@@ -242,7 +237,7 @@ std::optional<CompiledExpectation::IsRule> TestCompiler::compileOutcome(const Ex
       for (const PatternVertex& v : vertices) names.push_back(v.name);
       tell("R1", vertex.span,
            "the rule \"" + result.title + "\" matches no vertex '" + vertex.text + "'", "",
-           didYouMean(vertex.text, names));
+           helpAmong(vertex.text, names, "vertices that it matches"));
     } else if (bound) {
       result.bindings.emplace_back(vertex.text, *bound);
     }

@@ -24,6 +24,59 @@ constexpr std::array<std::string_view, 32> kReserved{
     "tri",    "quad",     "require", "mirror", "weld",   "quality", "expect", "for",
     "and",    "or",       "not",     "if",     "then",   "else",    "in",     "when"};
 
+struct Habit {
+  std::string_view written, meaning;
+};
+
+constexpr Habit kHabits[]{
+    {"mappoints", "vertices that a rule expects stand in `at c (x, y);`"},
+    {"maplines", "front edges that a rule expects stand in `front a -> b -> c;`"},
+    {"newpoints", "a new vertex is written `new c = mid(a, b) + (0, 1);`"},
+    {"newlines", "new edges follow from the elements; leave them out"},
+    {"freearea", "the free zone is written `zone a, b, ...;`"},
+    {"freearea2", "the limiting zone stands beside the preferred one: `preferred => limit`"},
+    {"orientations", "write `require ccw(a, b, c);`"},
+    {"endrule", "a rule ends with '}'"},
+    {"triangle", "a triangle is written `tri a b c;`"},
+    {"quadrilateral", "a quadrilateral is written `quad a b c d;`"},
+    {"point", "a vertex that a rule expects is written `at c (x, y);`"},
+    {"vertex", "a vertex that a rule expects is written `at c (x, y);`"},
+    {"edge", "front edges are written `front a -> b;`"},
+    {"condition", "conditions are written `require ...;`"},
+    {"include", "write `import \"file.af2\";`"},
+    {"function", "functions are written `def name(p, q) = ...;`"},
+    {"var", "values are written `let m = ...;` in a rule, `const H = ...;` in a file"},
+    {"set", "values are written `let m = ...;` in a rule, `const H = ...;` in a file"},
+    {"pi", "angles are written in degrees, as in 60deg"},
+    {"PI", "angles are written in degrees, as in 60deg"},
+    {"distance", "the distance of two points is dist(p, q)"},
+    {"length", "the length of a vector is len(v)"},
+    {"norm", "the length of a vector is len(v)"},
+    {"normalize", "the unit vector is unit(v)"},
+    {"normalise", "the unit vector is unit(v)"},
+    {"rotate", "a vector is turned by rot(v, angle)"},
+    {"midpoint", "the middle of two points is mid(p, q)"},
+    {"mix", "what lies between two points is lerp(p, q, t)"},
+    {"interpolate", "what lies between two points is lerp(p, q, t)"},
+    {"average", "the centre of points is centroid(p, q, ...)"},
+    {"intersect", "where two lines meet is cut(p, u, q, v)"},
+    {"project", "the nearest point of a line is foot(p, q, r)"},
+    {"circle", "a disc is written disc(centre, radius)"},
+    {"polygon", "a region with any corners is written poly(p, q, ...)"},
+    {"pow", "powers are written x^2"},
+    {"atan", "use atan2(y, x), or angle(p, v, q)"},
+    {"acos", "use angle(p, v, q), the angle at v"},
+    {"true", "conditions are comparisons; leave out what always holds"},
+    {"false", "conditions are comparisons"},
+};
+
+std::string lowered(std::string_view word) {
+  std::string result(word);
+  for (char& c : result)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return result;
+}
+
 /// Number of single-letter changes, swaps of neighbours counting as one.
 std::size_t editDistance(std::string_view a, std::string_view b) {
   std::vector<std::vector<std::size_t>> d(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
@@ -51,9 +104,24 @@ bool isReserved(std::string_view word) {
   return std::find(kReserved.begin(), kReserved.end(), word) != kReserved.end();
 }
 
+bool isClauseWord(std::string_view word) {
+  const auto holds = [&](std::span<const std::string_view> words) {
+    return std::find(words.begin(), words.end(), word) != words.end();
+  };
+  return holds(kItems) || holds(kClauses) || holds(kSettings) || holds(kTests);
+}
+
+std::string habitOf(std::string_view word) {
+  for (const Habit& habit : kHabits)
+    if (habit.written == word) return std::string(habit.meaning);
+  return {};
+}
+
 std::string nearest(std::string_view written, const std::vector<std::string>& known) {
   constexpr std::size_t kLongest = 64;  // the distance costs the product of the lengths
   if (written.size() > kLongest) return {};
+  for (const std::string& word : known)
+    if (word != written && lowered(word) == lowered(written)) return word;
   std::string best;
   std::size_t bestDistance = written.size() <= 2 ? 1 : written.size() <= 5 ? 2 : 3;
   ++bestDistance;
@@ -66,6 +134,16 @@ std::string nearest(std::string_view written, const std::vector<std::string>& kn
     }
   }
   return best;
+}
+
+std::string helpAmong(std::string_view written, const std::vector<std::string>& known,
+                      const std::string& what) {
+  constexpr std::size_t kLongest = 120;
+  const std::string guess = didYouMean(written, known);
+  if (!guess.empty() || known.empty()) return guess;
+  std::string list;
+  for (const std::string& word : known) list += (list.empty() ? "" : ", ") + word;
+  return list.size() > kLongest ? std::string() : what + ": " + list;
 }
 
 std::string didYouMean(std::string_view written, const std::vector<std::string>& known) {

@@ -14,11 +14,22 @@ std::span<const std::string_view> clauseWords();
 std::span<const std::string_view> settingWords();
 std::span<const std::string_view> testWords();
 
+/// Whether a word begins a clause of any kind.
+bool isClauseWord(std::string_view word);
+
 /// Words that cannot be names.
 bool isReserved(std::string_view word);
 
 /// The word of `known` that is most probably meant by `written`; empty if none is near.
 std::string nearest(std::string_view written, const std::vector<std::string>& known);
+
+/// What a word of other languages, or of Netgen's rule files, is called here: a whole sentence, or
+/// nothing.
+std::string habitOf(std::string_view word);
+
+/// "did you mean 'x'?", or else "`what`: x, y, z" where those are few.
+std::string helpAmong(std::string_view written, const std::vector<std::string>& known,
+                      const std::string& what);
 
 /// "did you mean 'x'?" or nothing.
 std::string didYouMean(std::string_view written, const std::vector<std::string>& known);

@@ -7,7 +7,8 @@
 namespace af2::dsl {
 namespace {
 
-void checkRepetition(const CompiledRule& rule, std::size_t i, Findings& findings) {
+/// Whether no element repeats a vertex; tells the one that does.
+bool checkRepetition(const CompiledRule& rule, std::size_t i, Findings& findings) {
   const RuleElement& element = rule.definition.elements[i];
   std::set<int> seen;
   for (int c = 0; c < element.size(); ++c) {
@@ -16,9 +17,10 @@ void checkRepetition(const CompiledRule& rule, std::size_t i, Findings& findings
       findings.add(rule, Severity::Error, "T2", rule.elementSpans[i],
                    "this element uses the vertex '" + vertexName(rule, vertex) + "' twice", "",
                    "an element has three or four different corners");
-      return;
+      return false;
     }
   }
+  return true;
 }
 
 bool consumesBase(const RuleDefinition& rule) {
@@ -65,9 +67,10 @@ void checkCount(const CompiledRule& rule, Findings& findings) {
 
 void checkPattern(const CheckedRules& rules, Findings& findings) {
   for (const CompiledRule& rule : rules.rules) {
+    bool isRight = !rule.definition.elements.empty();
     for (std::size_t i = 0; i < rule.definition.elements.size(); ++i)
-      checkRepetition(rule, i, findings);
-    if (!rule.definition.elements.empty()) checkNewVertices(rule, findings);
+      isRight = checkRepetition(rule, i, findings) && isRight;
+    if (isRight) checkNewVertices(rule, findings);
     checkCount(rule, findings);
     if (!rule.definition.elements.empty() && !consumesBase(rule.definition))
       findings.add(rule, Severity::Error, "T2", rule.elementSpans.front(),

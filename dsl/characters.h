@@ -1,0 +1,36 @@
+// Characters beyond plain ASCII, and texts that are none.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace af2::dsl {
+
+/// A character that word processors and other alphabets put where plain ASCII is meant.
+struct LookAlike {
+  std::string_view written;  ///< in UTF-8
+  std::string_view meant;    ///< a word of the language, `"`, `'`, or a blank
+  std::string_view name;     ///< what people call it; empty: it shows by itself
+};
+
+/// The look-alike with which `text` begins, or null.
+const LookAlike* lookAlikeAt(std::string_view text);
+
+/// Number of bytes of the character with which `text` begins, at least 1; also where it is
+/// malformed.
+std::size_t characterSize(std::string_view text);
+
+/// Whether `text` begins with a letter that is not ASCII, as in names of other languages.
+bool beginsWithForeignLetter(std::string_view text);
+
+/// Why a file cannot be read as text, or not all of it.
+struct UnreadableText {
+  std::size_t from = 0, to = 0;
+  std::string fault, help;
+  bool isHopeless = true;  ///< reading on would only find garbage
+};
+std::optional<UnreadableText> findUnreadable(std::string_view text);
+
+}  // namespace af2::dsl

@@ -1,0 +1,268 @@
+// What is said about a part that could not be read: the fault as its author would name it, and the
+// form.
+#include <algorithm>
+#include <optional>
+
+#include "dsl/clause_forms.h"
+#include "dsl/syntax_errors.h"
+#include "dsl/words.h"
+
+namespace af2::dsl {
+namespace {
+
+std::string found(const Token& token) {
+  switch (token.kind) {
+    case TokenKind::End:
+      return "the end of the file";
+    case TokenKind::Number:
+      return "the number " + token.text.substr(0, 40);
+    case TokenKind::String:
+      return "the string \"" + token.text.substr(0, 40) + "\"";
+    default:
+      return "'" + token.text.substr(0, 40) + "'";
+  }
+}
+
+bool isSymbolName(const std::string& wanted) {
+  return !wanted.empty() && wanted.find(' ') == std::string::npos;
+}
+
+std::string quoted(const std::string& wanted) {
+  return isSymbolName(wanted) ? "'" + wanted + "'" : wanted;
+}
+
+bool isComparison(const Token& token) {
+  for (const char* symbol : {"<", "<=", ">", ">=", "==", "!="})
+    if (token.is(symbol)) return true;
+  return false;
+}
+
+bool beginsOperand(const Token& token) {
+  return token.kind == TokenKind::Number || token.is("(") ||
+         (token.kind == TokenKind::Name && !isReserved(token.text));
+}
+
+bool endsOperand(const Token& token) {
+  return token.kind == TokenKind::Number || token.is(")") ||
+         (token.kind == TokenKind::Name && !isReserved(token.text));
+}
+
+/// The last character of what stands before: where something is missing at the end of a line.
+Span behind(const Token* where) {
+  const Token* before = where - 1;  // a unit has begun, so there is one
+  return {before->span.end > 0 ? before->span.end - 1 : 0, before->span.end};
+}
+
+Span placeFor(const Token* where) {
+  return where->kind == TokenKind::End ? behind(where) : where->span;
+}
+
+struct Fault {
+  const char* code;
+  Span span;
+  std::string message, help;
+};
+
+/// An operator of another language, spelt with two symbols of this one.
+struct Spelling {
+  const char *first, *second, *meaning;
+};
+
+constexpr Spelling kSpellings[]{
+    {"&", "&", "conditions are joined by `and`, `or`"},
+    {"|", "|", "conditions are joined by `and`, `or`"},
+    {"*", "*", "powers are written x^2"},
+    {"<", ">", "unequal is written !="},
+    {"=", "<", "at most is written <="},
+    {"<", "-", "an edge is written a -> b"},
+    {"-", ">", "an arrow is written -> without a blank"},
+    {"=", ">", "a fade is written => without a blank"},
+    {":", "=", "write = alone"},
+    {"+", "=", "values do not change; give the new one a name of its own"},
+    {"-", "=", "values do not change; give the new one a name of its own"},
+    {"+", "+", "write one +"},
+};
+
+/// The fault is the second symbol of a pair, or the first.
+std::optional<Fault> foreignOperator(const Token* where) {
+  for (const Token* first : {where - 1, where}) {
+    const Token* second = first + 1;
+    if (first->kind != TokenKind::Symbol || second->kind != TokenKind::Symbol) continue;
+    for (const Spelling& s : kSpellings)
+      if (first->is(s.first) && second->is(s.second))
+        return Fault{"S1", cover(first->span, second->span),
+                     "'" + first->text + (first->span.end == second->span.begin ? "" : " ") +
+                         second->text + "' means nothing",
+                     s.meaning};
+  }
+  return std::nullopt;
+}
+
+bool isUnitWord(SyntaxUnit unit, const Token& token) {
+  return token.kind == TokenKind::Name && !formOf(unit, token.text).empty();
+}
+
+/// The end of a clause was wanted.
+std::optional<Fault> missingEnd(SyntaxUnit unit, const Token* first, const Token* where) {
+  const Token* before = where - 1;
+  const std::string ended = "'" + before->text.substr(0, 40) + "'";
+  const bool beginsNext =
+      unit == SyntaxUnit::Item ? SyntaxErrors::beginsItem(where) : isUnitWord(unit, *where);
+  if (where->startsLine || beginsNext || where->is("}") || where->kind == TokenKind::End)
+    return Fault{"S2", behind(where), "';' is missing after " + ended,
+                 first->is("const") || first->is("def") || unit == SyntaxUnit::Item
+                     ? "end it with ';'"
+                     : "end the clause with ';'"};
+  if (isComparison(*where))
+    return Fault{"S1", where->span, "comparisons do not chain",
+                 "write `a < b and b < c`, or `x in low..high`"};
+  if (where->is("="))
+    return Fault{"S1", where->span, "'=' does not compare",
+                 "write '==' to ask whether two things are equal"};
+  if (where->is("=>"))
+    return first->is("require")
+               ? Fault{"S1", where->span, "'=>' does not compare", "at least is written >="}
+               : Fault{"S1", where->span, "'=>' belongs to the corners and shapes of a zone",
+                       "only a zone fades from a preferred to a limiting form"};
+  if (where->is("&") || where->is("|"))
+    return Fault{"S1", where->span, "unexpected " + found(*where),
+                 "conditions are joined by `and`, `or`"};
+  if (where->is(")")) return Fault{"S1", where->span, "this ')' closes nothing", "delete it"};
+  if (where->is(":"))
+    return Fault{"S2", where->span, "';' is missing: found ':'", "end the clause with ';'"};
+  return std::nullopt;
+}
+
+/// Two operands side by side.
+std::optional<Fault> missingBetween(SyntaxUnit unit, const Token* first, const Token* where,
+                                    const std::string& wanted) {
+  const Token* before = where - 1;
+  const bool isGap = endsOperand(*before) && beginsOperand(*where) && before > first;
+  if (!isGap || (wanted != ";" && wanted != ")" && wanted != "->" && wanted != ","))
+    return std::nullopt;
+  const std::string between =
+      " is missing between '" + before->text.substr(0, 40) + "' and " + found(*where);
+  if (first->is("front") && (unit == SyntaxUnit::Clause || unit == SyntaxUnit::TestClause))
+    return Fault{"S1", where->span, "'->'" + between,
+                 "edges are written a -> b; chains are parted by ','"};
+  if (wanted == "->") return std::nullopt;
+  return Fault{"S1", where->span, "an operator or ','" + between,
+               "there is no silent multiplication; arguments are parted by ','"};
+}
+
+/// The bracket that `where` does not close.
+const Token* openBracket(const Token* first, const Token* where) {
+  int closed = 0;
+  for (const Token* t = where; t-- > first;) {
+    closed += t->is(")") - t->is("(");
+    if (closed < 0) return t;
+  }
+  return nullptr;
+}
+
+std::string formHelp(SyntaxUnit unit, const Token* first, const std::string& wanted) {
+  if (wanted == "then" || wanted == "else")
+    return "a choice is written `if condition then x else y`";
+  const bool isFamily = wanted == "in" || wanted == "values in parentheses";
+  const std::string_view form =
+      formOf(unit == SyntaxUnit::RuleHeader && !isFamily ? SyntaxUnit::Item : unit, first->text);
+  return form.empty() ? std::string() : "it is written " + std::string(form);
+}
+
+}  // namespace
+
+void SyntaxErrors::tellMissingBrace(const Token* clause) {
+  tell("S1", behind(clause), "'{' is missing after '" + (clause - 1)->text.substr(0, 40) + "'",
+       "the clauses of a rule stand in braces");
+}
+
+void SyntaxErrors::tellUnknownWord(const Token* where, const std::string& wanted) {
+  const auto words = wanted == kItem         ? itemWords()
+                     : wanted == kSetting    ? settingWords()
+                     : wanted == kTestClause ? testWords()
+                                             : clauseWords();
+  const char* place = wanted == kItem         ? "at the top level of a file"
+                      : wanted == kSetting    ? "in a rule set"
+                      : wanted == kTestClause ? "in a test"
+                                              : "in a rule";
+  const std::vector<std::string> known(words.begin(), words.end());
+  std::string list;
+  for (const std::string& word : known) list += (list.empty() ? "" : ", ") + word;
+  list = "here stands one of: " + list;
+  if (where == version_) return;
+  if (where->is("af2"))
+    return tell("S7", where->span, "the version of the language is said once, at the top",
+                "delete it here");
+  if (where->is("weld"))
+    return tell("S4", where->span, "'weld' is reserved; rules cannot join vertices yet",
+                "remove the clause");
+  if (where->is(";"))
+    return tell("S1", where->span, "this ';' ends nothing",
+                "delete it; what ends in a brace takes no ';'");
+  if (where->is("}") && missingBraces_ > 0) {
+    --missingBraces_;  // of a block that was taken to end above
+    return;
+  }
+  if (where->is("}"))
+    return tell("S1", where->span, "this '}' closes nothing",
+                "delete it, or look above for a '}' too many");
+  if (where->kind != TokenKind::Name)
+    return tell("S1", where->span, "unexpected " + found(*where) + " " + place, list);
+  std::string help = habitOf(where->text);
+  if (help.empty()) help = didYouMean(where->text, known);
+  const bool isElsewhere = isReserved(where->text) || (help.empty() && isClauseWord(where->text));
+  tell("S4", where->span,
+       "'" + where->text.substr(0, 60) + "' " + (isElsewhere ? "cannot stand " : "means nothing ") +
+           place,
+       help.empty() ? list : help);
+}
+
+void SyntaxErrors::tellMissing(SyntaxUnit unit, const Token* first, const Token* where,
+                               const std::string& wanted) {
+  const Token* before = where - 1;
+  const Span here = placeFor(where);
+  const auto tellFault = [&](const Fault& f) { tell(f.code, f.span, f.message, f.help); };
+
+  if (wanted == kNoSecondFade)
+    return tell("S8", here, "a corner or shape fades only once; '=>' does not chain",
+                "write `preferred => limit`; use lerp for what lies between");
+  if (wanted == "}") return tellUnclosed(unit, first, where);
+  if (const auto fault = foreignOperator(where)) return tellFault(*fault);
+  if (wanted == ";")
+    if (const auto fault = missingEnd(unit, first, where)) return tellFault(*fault);
+  if (const auto fault = missingBetween(unit, first, where, wanted)) return tellFault(*fault);
+
+  const std::string help = formHelp(unit, first, wanted);
+  const bool isWord = where->kind == TokenKind::Name && isReserved(where->text);
+  if (wanted == kExpressionWanted)
+    return tell("S3", here,
+                "an expression is missing between '" + before->text.substr(0, 40) + "' and " +
+                    found(*where),
+                isWord ? "'" + where->text + "' is a word of the language and cannot be a name"
+                       : "write a number, a point, a name, ...");
+  if (isWord && wanted.find("name") != std::string::npos)
+    return tell("S9", here, "'" + where->text + "' is a word of the language and cannot be a name",
+                "choose another name");
+  if (wanted == ")")
+    if (const Token* open = openBracket(first, where))
+      return tell("S1", where->startsLine ? behind(where) : here,
+                  "')' is missing before " + found(*where), "close the bracket",
+                  {{"it is opened here", placeOf(source_, open->span)}});
+  if (where->startsLine && isSymbolName(wanted))
+    return tell("S1", behind(where),
+                "'" + wanted + "' is missing after '" + before->text.substr(0, 40) + "'", help);
+  std::string guess = where->kind == TokenKind::Name ? didYouMean(where->text, {wanted}) : "";
+  tell("S1", here, "expected " + quoted(wanted) + ", found " + found(*where),
+       guess.empty() ? help : guess);
+}
+
+void SyntaxErrors::tellUnclosed(SyntaxUnit unit, const Token* first, const Token* where) {
+  const char* what = unit == SyntaxUnit::MirrorPart || first->is("mirror") ? "this mirror"
+                     : first->is("meta")                                   ? "this meta"
+                                                                           : "this block";
+  tell("S5", placeFor(where),
+       std::string(what) + " is not closed: '}' is missing before " + found(*where), "add '}'",
+       {{"it begins here", placeOf(source_, first->span)}});
+}
+
+}  // namespace af2::dsl

@@ -1,0 +1,18 @@
+// What must hold for any bytes that are handed to a reader: told or read, never a crash.
+#pragma once
+
+#include <string>
+
+namespace af2::fuzz {
+
+/// Reads, formats and, if it is sound, runs a rule file (.af2). Throws std::logic_error if the
+/// readers contradict themselves.
+void tryRuleFile(const std::string& text);
+
+/// Imports a rule file of Netgen (.rls); what comes out must be a sound rule file.
+void tryRlsFile(const std::string& text);
+
+/// Reads a planar domain (.poly).
+void tryPolyFile(const std::string& text);
+
+}  // namespace af2::fuzz
