@@ -260,37 +260,21 @@ std::shared_ptr<const AF2Acceptance> RuleSetCompiler::acceptance() {
   return std::make_shared<ExpressionAcceptance>(whole);
 }
 
-/// Rows appear by themselves when a row is finished before the next begins, and is gone on with
-/// where it was left: at a vertex that turns like the end of a row.
 std::shared_ptr<const AF2FrontOrder> RuleSetCompiler::rows(const RowsSetting& setting,
                                                            const Module& home) {
-  std::string start = "smallest_turn";
+  RowStart start = RowStart::SmallestTurn;
   for (const MetaEntry& argument : setting.arguments) {
+    const std::string& value = argument.value.text;
     if (argument.key.text != "start")
       tell(home, "R1", argument.key.span, "'rows' has no argument '" + argument.key.text + "'",
            "write rows(start: smallest_turn)");
-    else if (argument.value.text != "smallest_turn" && argument.value.text != "oldest")
-      tell(home, "R1", argument.value.span, "rows cannot start at '" + argument.value.text + "'",
+    else if (value != "smallest_turn" && value != "oldest")
+      tell(home, "R1", argument.value.span, "rows cannot start at '" + value + "'",
            "rows start at smallest_turn or at oldest");
-    else
-      start = argument.value.text;
+    else if (value == "oldest")
+      start = RowStart::Oldest;
   }
-  ProgramBuilder b;
-  const auto vertexFact = [&](Op op, int v) {
-    return b.make(op, std::initializer_list<Node>{}, v);
-  };
-  const Node q = b.make(Op::Level, std::initializer_list<Node>{});
-  Node key = b.add(b.add(vertexFact(Op::Layer, 0), vertexFact(Op::Layer, 1)),
-                   b.multiply(b.constant(2), q));
-  const Node end = b.constant(130 * std::numbers::pi / 180), half = b.constant(0.5);
-  for (int v : {0, 1})
-    key = b.subtract(key, b.multiply(half, b.make(Op::Less, {vertexFact(Op::Turn, v), end})));
-  std::vector<Program> keys{b.program(std::array<Node, 1>{key})};
-  if (start == "smallest_turn") {
-    const Node smallest = b.make(Op::Minimum, {vertexFact(Op::Turn, 0), vertexFact(Op::Turn, 1)});
-    keys.push_back(b.program(std::array<Node, 1>{smallest}));
-  }
-  return std::make_shared<ExpressionFrontOrder>(std::move(keys));
+  return std::make_shared<RowFrontOrder>(start);
 }
 
 std::shared_ptr<const AF2FrontOrder> RuleSetCompiler::order() {

@@ -65,16 +65,25 @@ class Verdict {
     return text;
   }
 
+  /// A zone that several things hit is refused for each of them.
   bool isReason(const RuleRefusal& refusal, const Expected::IsRule& expected) const {
     if (expected.reason == "shape")
       return refusal.reason == Refusal::Shape || refusal.reason == Refusal::Convexity;
-    if (expected.reason != toString(refusal.reason)) return false;
-    const auto& at = expected.reasonVertices;
-    if (refusal.reason == Refusal::ZoneHitByVertex)
-      return at.size() == 1 && refusal.from.value == at[0];
-    if (refusal.reason == Refusal::ZoneHitByEdge)
-      return at.size() == 2 && refusal.from.value == at[0] && refusal.to.value == at[1];
-    return true;
+    if (!expected.reasonVertices.empty())
+      return (refusal.reason == Refusal::ZoneHitByVertex ||
+              refusal.reason == Refusal::ZoneHitByEdge) &&
+             isObstacle(refusal.rule, expected.reasonVertices);
+    return expected.reason == toString(refusal.reason);
+  }
+
+  bool isObstacle(std::size_t rule, const std::vector<std::size_t>& vertices) const {
+    const Refusal kind = vertices.size() == 1 ? Refusal::ZoneHitByVertex : Refusal::ZoneHitByEdge;
+    const auto obstacles = SingleStepper(rules_).obstacles(test_.piece);
+    return std::any_of(obstacles.begin(), obstacles.end(), [&](const RuleRefusal& obstacle) {
+      return obstacle.rule == rule && obstacle.reason == kind &&
+             obstacle.from.value == vertices[0] &&
+             (vertices.size() == 1 || obstacle.to.value == vertices[1]);
+    });
   }
 
   bool isBoundSo(const Expected::IsRule& expected) const {

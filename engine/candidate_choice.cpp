@@ -131,6 +131,19 @@ bool isMatchedVertex(const StepView& view, const Candidate& candidate, PlaceId p
   return false;
 }
 
+/// In the unit of the chart. Zones are tested exactly, and often a new vertex is a corner of its
+/// zone: where rows meet, rounding must not decide whether the vertex that is there already is
+/// seen.
+constexpr double kSamePlace = 1e-9;
+
+bool isAtNewVertex(const Candidate& candidate, Point2 p) {
+  const auto first = static_cast<std::size_t>(candidate.rule->matchedCount);
+  const auto end = first + static_cast<std::size_t>(candidate.rule->newCount);
+  for (std::size_t v = first; v < end; ++v)
+    if (distance(candidate.match.points[v], p) <= kSamePlace) return true;
+  return false;
+}
+
 bool isMatchedEdge(const Candidate& candidate, PlaceId place) {
   for (const PatternEdge& e : candidate.rule->rule->definition().edges)
     if (candidate.match.places[static_cast<std::size_t>(e.from)] == place) return true;
@@ -266,7 +279,7 @@ void CandidateChoice::collect(const StepView& view) {
 
 Refusal CandidateChoice::evaluate(const StepView& view, Candidate& candidate) const {
   const CompiledRule& rule = *candidate.rule;
-  const FrontSurroundings surroundings(view, rule, candidate.match, size_, valence_);
+  const FrontSurroundings surroundings(view, index_, rule, candidate.match, size_, valence_);
   const AF2Binding binding{matchedPoints(candidate), view.level, &surroundings};
   if (!rule.isPlain)
     if (const Refusal r = requirementsHold(rule, binding); r != Refusal::None) return r;
@@ -301,46 +314,65 @@ bool CandidateChoice::isBetter(const Candidate& one, const Candidate& other) con
 
 Refusal CandidateChoice::testZone(const StepView& view, const Candidate& candidate,
                                   RuleRefusal& culprit) {
+  Refusal hit = Refusal::None;
+  const auto stopAt = [&](Refusal reason, VertexId from, VertexId to) {
+    hit = reason;
+    culprit.from = from;
+    culprit.to = to;
+    return false;
+  };
+  const Refusal refusal = visitObstacles(view, candidate, stopAt);
+  return refusal == Refusal::None ? hit : refusal;
+}
+
+/// Returns why there is no zone at this match, or None.
+template <class Visit>
+Refusal CandidateChoice::visitObstacles(const StepView& view, const Candidate& candidate,
+                                        Visit&& visit) {
   if (candidate.rule->zone) {
     PolygonView polygon;
     if (!polygon.make(*candidate.rule->zone, view.level, candidate.match))
       return Refusal::Convexity;
-    return searchZone(view, candidate, polygon.boundingBox(), polygon, culprit);
+    searchZone(view, candidate, polygon.boundingBox(), polygon, visit);
+    return Refusal::None;
   }
-  const FrontSurroundings surroundings(view, *candidate.rule, candidate.match, size_, valence_);
+  const FrontSurroundings surroundings(view, index_, *candidate.rule, candidate.match, size_,
+                                       valence_);
   const auto made = candidate.rule->rule->definition().zone->makeFreeZone(
       {matchedPoints(candidate), view.level, &surroundings});
   if (!made.zone) return made.refusal;
-  return searchZone(view, candidate, made.zone->boundingBox(), *made.zone, culprit);
+  searchZone(view, candidate, made.zone->boundingBox(), *made.zone, visit);
+  return Refusal::None;
 }
 
-template <class Zone>
-Refusal CandidateChoice::searchZone(const StepView& view, const Candidate& candidate,
-                                    const Box2& box, const Zone& zone, RuleRefusal& culprit) {
+/// Vertices come first, then edges, until `visit` returns false.
+template <class Zone, class Visit>
+void CandidateChoice::searchZone(const StepView& view, const Candidate& candidate, Box2 box,
+                                 const Zone& zone, Visit&& visit) {
   const Window wanted{box.low.x, box.low.y, box.high.x, box.high.y};
   if (!near_.window().contains(wanted)) {
     Window larger = near_.window();
     larger.include(wanted);
     near_.gather(front_, index_, view.chart, view.base, larger);
   }
+  const Box2 reach{{box.low.x - kSamePlace, box.low.y - kSamePlace},
+                   {box.high.x + kSamePlace, box.high.y + kSamePlace}};
   for (const Neighborhood::Edge& edge : near_.edges()) {
-    if (!lies(box, edge.from) || !zone.contains(edge.from, ZoneBoundary::Counts) ||
+    if (!lies(reach, edge.from) ||
+        !(zone.contains(edge.from, ZoneBoundary::Counts) || isAtNewVertex(candidate, edge.from)) ||
         isMatchedVertex(view, candidate, edge.place))
       continue;
-    culprit.from = front_[edge.place].vertex;
-    culprit.to = VertexId();
-    return Refusal::ZoneHitByVertex;
+    if (!visit(Refusal::ZoneHitByVertex, front_[edge.place].vertex, VertexId())) return;
   }
   for (const Neighborhood::Edge& edge : near_.edges()) {
     if (!front_.hasEdge(edge.place) || !mayMeet(box, edge.from, edge.to) ||
         isMatchedEdge(candidate, edge.place) ||
         !zone.meets(edge.from, edge.to, ZoneBoundary::Ignored))
       continue;
-    culprit.from = front_[edge.place].vertex;
-    culprit.to = front_[front_.next(edge.place)].vertex;
-    return Refusal::ZoneHitByEdge;
+    if (!visit(Refusal::ZoneHitByEdge, front_[edge.place].vertex,
+               front_[front_.next(edge.place)].vertex))
+      return;
   }
-  return Refusal::None;
 }
 
 Refusal CandidateChoice::prepare(const StepView& view, const Candidate& candidate) {
@@ -358,6 +390,33 @@ Refusal CandidateChoice::prepare(const StepView& view, const Candidate& candidat
   return isPlane || staysUnfolded(view, application_) ? Refusal::None : Refusal::Surface;
 }
 
+std::vector<RuleRefusal> CandidateChoice::obstacles(const StepChart& chart, PlaceId base) {
+  gather(chart, base);
+  const StepView view = viewOf(chart, base);
+  std::vector<RuleRefusal> found;
+  for (const CompiledRule& rule : rules_.rules()) {
+    for (const Match& match : matchesOf(view, rule)) {
+      Candidate candidate{0, &rule, match};
+      const Refusal reason = evaluate(view, candidate);
+      if (reason == Refusal::Require || reason == Refusal::NoValue) continue;
+      visitObstacles(view, candidate, [&](Refusal hit, VertexId from, VertexId to) {
+        found.push_back({rule.index, hit, from, to});
+        return true;
+      });
+    }
+  }
+  return found;
+}
+
+/// Zone tests may gather anew, so matches are collected before they are tested.
+std::vector<Match> CandidateChoice::matchesOf(const StepView& view,
+                                              const CompiledRule& rule) const {
+  std::vector<Match> matches;
+  if (view.level >= rule.firstLevel && view.level <= rule.lastLevel)
+    RuleMatcher(view).forEachMatch(rule, [&](const Match& match) { matches.push_back(match); });
+  return matches;
+}
+
 std::vector<RuleRefusal> CandidateChoice::explain(const StepChart& chart, PlaceId base) {
   gather(chart, base);
   const StepView view = viewOf(chart, base);
@@ -370,10 +429,7 @@ RuleRefusal CandidateChoice::explainRule(const StepView& view, const CompiledRul
   RuleRefusal result{rule.index, Refusal::Class, {}, {}};
   if (view.level < rule.firstLevel || view.level > rule.lastLevel) return result;
   result.reason = Refusal::Pattern;
-  // Zone tests may gather anew, so matches are collected before they are tested.
-  std::vector<Match> matches;
-  RuleMatcher(view).forEachMatch(rule, [&](const Match& match) { matches.push_back(match); });
-  for (const Match& match : matches) {
+  for (const Match& match : matchesOf(view, rule)) {
     const RuleRefusal refusal = explainMatch(view, rule, match);
     if (refusal.reason > result.reason) result = refusal;
   }

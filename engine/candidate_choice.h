@@ -42,15 +42,21 @@ class CandidateChoice {
   /// For each rule in order why it is not the one to apply; call it before the front changes.
   std::vector<RuleRefusal> explain(const StepChart& chart, PlaceId base);
 
+  /// All that hits the free zone of any match of any rule, each thing for itself.
+  std::vector<RuleRefusal> obstacles(const StepChart& chart, PlaceId base);
+
  private:
   void gather(const StepChart& chart, PlaceId base);
   void collect(const StepView& view);
   Refusal evaluate(const StepView& view, Candidate& candidate) const;
   bool isBetter(const Candidate& one, const Candidate& other) const;
   Refusal testZone(const StepView& view, const Candidate& candidate, RuleRefusal& culprit);
-  template <class Zone>
-  Refusal searchZone(const StepView& view, const Candidate& candidate, const Box2& box,
-                     const Zone& zone, RuleRefusal& culprit);
+  template <class Visit>
+  Refusal visitObstacles(const StepView& view, const Candidate& candidate, Visit&& visit);
+  template <class Zone, class Visit>
+  void searchZone(const StepView& view, const Candidate& candidate, Box2 box, const Zone& zone,
+                  Visit&& visit);
+  std::vector<Match> matchesOf(const StepView& view, const CompiledRule& rule) const;
   Refusal prepare(const StepView& view, const Candidate& candidate);
   RuleRefusal explainRule(const StepView& view, const CompiledRule& rule);
   RuleRefusal explainMatch(const StepView& view, const CompiledRule& rule, const Match& match);

@@ -43,4 +43,22 @@ class LayeredFrontOrder final : public AF2FrontOrder {
   int level_, layerA_, layerB_;
 };
 
+/// Where a row begins on its loop: at the vertex with the smallest free angle, or at the oldest
+/// edge.
+enum class RowStart { SmallestTurn, Oldest };
+
+/// Whole rows instead of keys: from the start of a row edge after edge around the loop, then the
+/// next row. Edges that join the front belong to a later row.
+class RowFrontOrder final : public AF2FrontOrder {
+ public:
+  explicit RowFrontOrder(RowStart start) : start_(start) {}
+  RowStart start() const { return start_; }
+  int keyCount() const override { return 0; }
+  double key(int, const FrontEdgeFacts&) const override { return 0; }
+  bool needsTurns() const override { return false; }
+
+ private:
+  RowStart start_;
+};
+
 }  // namespace af2

@@ -19,9 +19,12 @@ FrontEdgeFacts factsOf(const Front& front, PlaceId id, bool needsTurns) {
 }  // namespace
 
 FrontQueue::FrontQueue(const AF2FrontOrder& order)
-    : order_(order), layered_(dynamic_cast<const LayeredFrontOrder*>(&order)) {}
+    : order_(order), layered_(dynamic_cast<const LayeredFrontOrder*>(&order)) {
+  if (const auto* rows = dynamic_cast<const RowFrontOrder*>(&order)) rows_.emplace(rows->start());
+}
 
 void FrontQueue::push(const Front& front, PlaceId id) {
+  if (rows_) return rows_->push(front, id);
   const Entry entry{id, front[id].age};
   if (layered_) {
     const auto key = static_cast<std::size_t>(
@@ -38,6 +41,7 @@ void FrontQueue::push(const Front& front, PlaceId id) {
 }
 
 PlaceId FrontQueue::pop(const Front& front) {
+  if (rows_) return rows_->pop(front);
   for (; lowest_ < buckets_.size(); ++lowest_) {
     Bucket& bucket = buckets_[lowest_];
     while (bucket.head < bucket.entries.size()) {

@@ -1,12 +1,14 @@
-// Which front edge is next: a priority queue in the order that the rule set states.
+// Which front edge is next: a queue in the order that the rule set states.
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <queue>
 #include <vector>
 
 #include "engine/front.h"
 #include "engine/front_order.h"
+#include "engine/row_walk.h"
 
 namespace af2 {
 
@@ -44,6 +46,7 @@ class FrontQueue {
   }
 
   const AF2FrontOrder& order_;
+  std::optional<RowWalk> rows_;       // an order in rows has a queue of its own
   const LayeredFrontOrder* layered_;  // the fast form: buckets by whole key
   std::vector<Bucket> buckets_;
   std::size_t lowest_ = 0;

@@ -114,6 +114,7 @@ class Question {
   const Scene& scene() const { return scene_; }
   const Application* choose() { return choice_.choose(chart_, scene_.base); }
   std::vector<RuleRefusal> explain() { return choice_.explain(chart_, scene_.base); }
+  std::vector<RuleRefusal> obstacles() { return choice_.obstacles(chart_, scene_.base); }
 
  private:
   Scene scene_;
@@ -148,6 +149,10 @@ std::optional<std::size_t> SingleStepper::chosenRule(const FrontPiece& piece) {
   const Application* application = question.choose();
   if (!application) return std::nullopt;
   return application->rule->index;
+}
+
+std::vector<RuleRefusal> SingleStepper::obstacles(const FrontPiece& piece) {
+  return Question(compiledFor(piece), piece).obstacles();
 }
 
 SingleStep SingleStepper::take(const FrontPiece& piece) {

@@ -54,6 +54,8 @@ class SingleStepper {
   SingleStep take(const FrontPiece& piece);
   /// The rule that would be applied, none if every rule is refused; costs less than half as much.
   std::optional<std::size_t> chosenRule(const FrontPiece& piece);
+  /// All that hits the free zone of any match of any rule; a refusal names the first only.
+  std::vector<RuleRefusal> obstacles(const FrontPiece& piece);
 
  private:
   const CompiledRules& compiledFor(const FrontPiece& piece);

@@ -32,9 +32,20 @@ std::optional<double> FrontSurroundings::turn(int vertex) const {
 }
 
 double FrontSurroundings::distanceToFront(Point2 point) const {
-  double nearest = distanceToSegment(point, match_.points[0], match_.points[1]);
-  for (const Neighborhood::Edge& edge : view_.near.edges())
-    nearest = std::min(nearest, distanceToSegment(point, edge.from, edge.to));
+  // Never farther than the base edge; what the rules look at may not reach that far.
+  const double toBase = distanceToSegment(point, match_.points[0], match_.points[1]);
+  const Window reach{point.x - toBase, point.y - toBase, point.x + toBase, point.y + toBase};
+  if (view_.near.window().contains(reach)) return nearestEdge(view_.near, point, toBase);
+  Neighborhood wider;
+  wider.gather(view_.front, index_, view_.chart, view_.base, reach);
+  return nearestEdge(wider, point, toBase);
+}
+
+double FrontSurroundings::nearestEdge(const Neighborhood& near, Point2 point,
+                                      double nearest) const {
+  for (const Neighborhood::Edge& edge : near.edges())
+    if (view_.front.hasEdge(edge.place))
+      nearest = std::min(nearest, distanceToSegment(point, edge.from, edge.to));
   return nearest;
 }
 

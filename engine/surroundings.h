@@ -11,9 +11,10 @@ namespace af2 {
 
 class FrontSurroundings final : public AF2Surroundings {
  public:
-  FrontSurroundings(const StepView& view, const CompiledRule& rule, const Match& match,
-                    const SizeField& size, const std::vector<std::uint8_t>& valence)
-      : view_(view), rule_(rule), match_(match), size_(size), valence_(valence) {}
+  FrontSurroundings(const StepView& view, const FrontIndex& index, const CompiledRule& rule,
+                    const Match& match, const SizeField& size,
+                    const std::vector<std::uint8_t>& valence)
+      : view_(view), index_(index), rule_(rule), match_(match), size_(size), valence_(valence) {}
 
   double size(Point2 point) const override;
   std::optional<double> turn(int vertex) const override;
@@ -25,11 +26,14 @@ class FrontSurroundings final : public AF2Surroundings {
   double curvature(Point2 point) const override;
 
  private:
+  /// Of the edges there, but at most `nearest`.
+  double nearestEdge(const Neighborhood& near, Point2 point, double nearest) const;
   const Place& placeOf(int vertex) const {
     return view_.front[match_.places[static_cast<std::size_t>(vertex)]];
   }
 
   const StepView& view_;
+  const FrontIndex& index_;
   const CompiledRule& rule_;
   const Match& match_;
   const SizeField& size_;

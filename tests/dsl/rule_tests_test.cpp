@@ -75,6 +75,28 @@ TEST(RuleTests, KnowWhyARuleIsRefused) {
             Lines{"ok    t\n"});
 }
 
+TEST(RuleTests, KnowAllThatHitsAZone) {
+  EXPECT_EQ(outcomes(R"(test "t" {
+    front p (0, 0) -> r (1, 0), u (-1, 1) -> v (2, 1), w (-1, 1.2) -> x (2, 1.2), m (3, 0) -> n (3, 1);
+    expect not rule "free" because zone hit by edge u -> v;
+    expect not rule "free" because zone hit by edge w -> x;
+  }
+  test "vertices and edges" {
+    front p (0, 0) -> r (1, 0), u (-1, 1) -> v (2, 1);
+    point w (0.5, 0.5), x (0.6, 0.5);
+    expect not rule "free" because zone hit by edge u -> v;
+    expect not rule "free" because zone hit by vertex w;
+    expect not rule "free" because zone hit by vertex x;
+  })"),
+            (Lines{"ok    t\n", "ok    vertices and edges\n"}));
+  const Lines failed = outcomes(R"(test "t" {
+    front p (0, 0) -> r (1, 0), u (-1, 1) -> v (2, 1), m (3, 0) -> n (3, 1);
+    expect not rule "free" because zone hit by edge m -> n;
+  })");
+  ASSERT_EQ(failed.size(), 1u);
+  EXPECT_NE(failed[0].find("FAIL"), std::string::npos);
+}
+
 TEST(RuleTests, BindMirrorsAndBases) {
   EXPECT_EQ(outcomes(R"(test "t" {
     front s (0.5, 0.9) -> p (0, 0) -> r (1, 0);

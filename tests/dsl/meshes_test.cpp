@@ -1,0 +1,210 @@
+// Whole meshes of flat regions with rules from text: what only the engine's loop can show.
+#include <gtest/gtest.h>
+
+#include "dsl/rule_file.h"
+#include "tests/support/meshing.h"
+
+namespace af2::dsl {
+namespace {
+
+using namespace af2::testing;
+
+std::shared_ptr<const RuleSet> rulesFrom(const std::string& text) {
+  const LoadedRules loaded = loadRulesFromText("test.af2", "af2 1;\n" + text);
+  EXPECT_TRUE(loaded.rules) << toPretty(loaded.diagnostics);
+  return loaded.rules;
+}
+
+MeshingResult mesh(const std::shared_ptr<const RuleSet>& rules, const FrontInput& input,
+                   double size) {
+  return AF2Algorithm(rules).execute(FlatMaker(), input, UniformSize(size));
+}
+
+FrontInput rectangle(double width, double height, double size) {
+  FrontInput input;
+  addLoop(input, divided({{0, 0}, {width, 0}, {width, height}, {0, height}}, size));
+  return input;
+}
+
+std::size_t quadCount(const Mesh& mesh) {
+  return static_cast<std::size_t>(std::count_if(mesh.elements.begin(), mesh.elements.end(),
+                                                [](const Element& e) { return e.isQuad(); }));
+}
+
+int sharedCorners(const Element& one, const Element& other) {
+  int count = 0;
+  for (VertexId v : one.corners)
+    count += !v.isNone() && std::count(other.corners.begin(), other.corners.end(), v) > 0;
+  return count;
+}
+
+/// Fills a rectangle with unit squares, row after row.
+const std::string kGrid = R"(
+rule "next" quality 1 {
+  front d -> a -> b;
+  at    d (0, 1);
+  new   c = d + (b - a);
+  zone  a, b, lerp(b, c, 1.3) => c, lerp(a, d, 1.3) => d, d;
+  quad  a b c d;
+  mirror "next, left";
+}
+rule "last" quality 1 {
+  front d -> a -> b -> c;
+  at    d (0, 1), c (1, 1);
+  zone  a, b, c, d;
+  quad  a b c d;
+}
+)";
+const std::string kClose = R"(
+rule "close" quality 1 {
+  front a -> b -> c -> d -> a;
+  at    d (0, 1), c (1, 1);
+  zone  a, b, c, d;
+  quad  a b c d;
+}
+)";
+const std::string kQuads = "ruleset \"grid\" { elements quad; score max of jacobian_badness; ";
+
+// The new vertex of "next" is a corner of its zone: where rounding had put the vertex that stands
+// there already a hair outside of the zone, a second one was made beside it.
+TEST(RuleMeshes, SeeAVertexAtTheVeryPlaceOfANewOne) {
+  for (const char* order : {"", "front rows;"}) {
+    const auto rules = rulesFrom(kQuads + order + "}" + kGrid + kClose);
+    for (double size : {0.2, 0.1, 0.05, 1.0 / 13}) {
+      const FrontInput input = rectangle(1, 1, size);
+      const MeshingResult result = mesh(rules, input, size);
+      expectGoodMesh(result, input, 0);
+      EXPECT_NEAR(static_cast<double>(result.mesh.elements.size()), 1 / (size * size), 1e-6);
+    }
+  }
+}
+
+TEST(RuleMeshes, RowsGoEdgeAfterEdgeAroundTheLoop) {
+  const auto rules = rulesFrom(kQuads + "front rows(start: smallest_turn); }" + kGrid + kClose);
+  const FrontInput input = rectangle(9, 7, 1);
+  const MeshingResult result = mesh(rules, input, 1);
+  expectGoodMesh(result, input, 0);
+  const auto& elements = result.mesh.elements;
+  // Rows of 28, 20, 12 and 3 squares. Each is beside the one before, and the last closes the row.
+  std::size_t first = 0;
+  for (std::size_t count : {28u, 20u, 12u}) {
+    for (std::size_t i = first + 1; i < first + count; ++i)
+      EXPECT_EQ(sharedCorners(elements[i - 1], elements[i]), 2) << i;
+    EXPECT_EQ(sharedCorners(elements[first], elements[first + count - 1]), 2) << first;
+    first += count;
+  }
+  ASSERT_EQ(elements.size(), first + 3);
+}
+
+TEST(RuleMeshes, QuadsInRowsFillRegionsWithHolesAndCorners) {
+  const LoadedRules rules = loadRules(AF2_SOURCE_DIR "/rules/quad/rows.af2");
+  ASSERT_TRUE(rules.rules) << toPretty(rules.diagnostics);
+  FrontInput plate = rectangle(10, 6, 0.25);
+  addLoop(plate, circle({3, 3}, 1.5, 38, true));
+  FrontInput shape;
+  addLoop(shape, divided({{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}}, 0.1));
+  for (const auto& [input, size] : {std::pair{plate, 0.25}, {shape, 0.1}}) {
+    const MeshingResult result = mesh(rules.rules, input, size);
+    expectGoodMesh(result, input, 0);
+    EXPECT_GE(static_cast<double>(quadCount(result.mesh)),
+              0.9 * static_cast<double>(result.mesh.elements.size()));
+  }
+}
+
+// The square in the middle of 3 x 3: what surrounds it is known.
+TEST(RuleMeshes, RulesKnowTheirSurroundings) {
+  const std::string middle = R"(
+rule "middle" quality 1 {
+  front   a -> b -> c -> d -> a;
+  at      d (0, 1), c (1, 1);
+  require WHAT;
+  zone    a, b, c, d;
+  quad    a b c d;
+  cost    -1;
+})";
+  // "last" can do it, too, but at a higher cost.
+  const auto holds = [&](const std::string& what) {
+    std::string rule = middle;
+    rule.replace(rule.find("WHAT"), 4, what);
+    const FrontInput input = rectangle(3, 3, 1);
+    const MeshingResult result = mesh(rulesFrom(kQuads + "}" + kGrid + rule), input, 1);
+    EXPECT_EQ(result.mesh.elements.size(), 9u);
+    return result.mesh.rule.back() == 3;
+  };
+  EXPECT_TRUE(holds("layer(a) == 1, layer(c) == 1, not on_boundary(b)"));
+  EXPECT_TRUE(holds("valence(a) == 3, valence(b) == 3, valence(c) == 3, valence(d) == 3"));
+  EXPECT_TRUE(holds("loop_size() == 4"));
+  EXPECT_TRUE(holds("abs(dist_front(centroid(a, b, c, d)) - 0.5) < 1e-12"));
+  EXPECT_TRUE(holds("dist_front(mid(c, d)) == 0"));
+  EXPECT_TRUE(holds("h(a) == 1, h(mid(a, c)) == 1, curvature(mid(a, c)) == 0"));
+  EXPECT_TRUE(holds("abs(turn(a) / 90deg - 1) < 1e-12, abs(turn(c) / 90deg - 1) < 1e-12"));
+  EXPECT_FALSE(holds("loop_size() != 4"));
+  EXPECT_FALSE(holds("layer(a) == 0 or on_boundary(c)"));
+  EXPECT_FALSE(holds("valence(c) != 3"));
+}
+
+TEST(RuleMeshes, LoopSizeFollowsTheFrontAsItShrinksAndSplits) {
+  // A hexagon: an ear is cut while six edges are left, then while five, then four, then the rest.
+  for (const auto& [bound, isPossible] : {std::pair{"> 3", true}, {"> 4", false}}) {
+    const auto rules = rulesFrom(std::string(R"(
+ruleset "ears" { elements tri; }
+rule "ear" quality 1 {
+  front   a -> b -> c;
+  at      c (1.5, 0.866) ~ any;
+  require loop_size() )") + bound +
+                                 R"(;
+  zone    a, b, c;
+  tri     a b c;
+}
+rule "last" quality 1 {
+  front   a -> b -> c -> a;
+  at      c (0.5, 0.866) ~ any;
+  require loop_size() == 3;
+  zone    a, b, c;
+  tri     a b c;
+})");
+    FrontInput input;
+    addLoop(input, circle({0, 0}, 1, 6));
+    EXPECT_EQ(mesh(rules, input, 1).outcome == Outcome::Complete, isPossible) << bound;
+  }
+}
+
+// Only the rule's own zone used to be looked at, which is much smaller than this.
+TEST(RuleMeshes, TheDistanceToTheFrontIsKnownFarFromTheBase) {
+  const auto rules = rulesFrom(R"(
+ruleset "far" { elements tri; }
+rule "far" quality 1 {
+  new     c = mid(a, b) + (0, 0.1);
+  require abs(dist_front(mid(a, b) + (0, 7)) - 2) < 1e-12;
+  zone    a, b, c;
+  tri     a b c;
+})");
+  FrontInput input;
+  addLoop(input, {{0, 0}, {1, 0}, {9, 1}, {9, 12}, {-8, 12}, {-8, 1}});
+  addLoop(input, {{0.4, 5}, {0.5, 5}, {0.6, 5}, {0.5, 4.9}});
+  EXPECT_GT(mesh(rules, input, 1).mesh.elements.size(), 0u);
+}
+
+TEST(RuleMeshes, SizesAreInTheUnitOfTheFrame) {
+  // The wanted length is 0.5 at x = 0 and 1 at x = 2; the frame of the base has their mean, 0.75.
+  class Growing final : public SizeField {
+   public:
+    double sizeAt(const SurfacePoint& p) const override { return 0.5 + 0.25 * p.position.x; }
+  };
+  const auto rules = rulesFrom(R"(
+ruleset "sizes" { elements quad; score max of jacobian_badness; }
+rule "whole" quality 1 {
+  front   a -> b -> c -> d -> a;
+  at      c (1, 1) ~ any, d (0, 1) ~ any;
+  require abs(h(a) - 0.5/0.75) < 1e-12, abs(h(b) - 1/0.75) < 1e-12, abs(b.x - 2/0.75) < 1e-12;
+  zone    a, b, c, d;
+  quad    a b c d;
+})");
+  FrontInput input;
+  addLoop(input, {{0, 0}, {2, 0}, {2, 2}, {0, 2}});
+  const MeshingResult result = AF2Algorithm(rules).execute(FlatMaker(), input, Growing());
+  EXPECT_EQ(result.outcome, Outcome::Complete);
+}
+
+}  // namespace
+}  // namespace af2::dsl
