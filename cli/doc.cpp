@@ -10,6 +10,7 @@
 #include "cli/text_files.h"
 #include "cli/usage_error.h"
 #include "cli/verbs.h"
+#include "engine/error.h"
 
 namespace af2::cli {
 namespace {
@@ -17,7 +18,11 @@ namespace {
 namespace fs = std::filesystem;
 
 int document(const std::string& file, const std::string& output) {
-  const dsl::LoadedRules loaded = loadSoundRuleFile(file);
+  const dsl::LoadedRules loaded = loadRuleFile(file);
+  if (dsl::hasErrors(loaded.diagnostics)) {
+    fmt::print(stderr, "{}", dsl::toPretty(loaded.diagnostics));
+    throw InputError(fmt::format("the rule file '{}' has errors, see above", file));
+  }
   const fs::path folder = output.empty() ? stemOf(file) + "-doc" : output;
   for (const auto& [path, content] : makeGallery(loaded)) {
     const fs::path target = folder / path;

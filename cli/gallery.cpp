@@ -83,19 +83,20 @@ class Gallery {
  public:
   explicit Gallery(const dsl::LoadedRules& loaded)
       : loaded_(loaded),
-        rules_(*loaded.rules),
+        rules_(loaded.rules.get()),
         results_(dsl::runRuleTests(loaded)),
         tests_(testsByRule(loaded, results_)) {}
 
   Site make() {
     std::string body = head() + levelChoice() + index();
-    for (std::size_t i = 0; i < rules_.rules().size(); ++i) body += article(i);
+    body += definitions();
+    for (std::size_t i = 0; i < ruleCount(); ++i) body += article(i);
     site_["index.html"] = fmt::format(
         "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
         "<meta name=\"viewport\" content=\"width=device-width\">\n<title>{}</title>\n"
         "<style>{}</style>\n</head>\n<body>\n<main>\n{}</main>\n<script>{}</script>\n"
         "</body>\n</html>\n",
-        escapeHtml(rules_.name()), kStyle, body, kScript);
+        escapeHtml(name()), kStyle, body, kScript);
     return std::move(site_);
   }
 
@@ -105,8 +106,30 @@ class Gallery {
     const auto failed = static_cast<std::ptrdiff_t>(results_.size()) - passed;
     std::string tests = results_.empty() ? "no tests" : fmt::format("{} tests pass", passed);
     if (failed > 0) tests += fmt::format(", <span class=\"bad\">{} fail</span>", failed);
-    return fmt::format("<h1>{}</h1>\n<p class=\"soft\">{} rules, {}</p>\n{}",
-                       escapeHtml(rules_.name()), rules_.rules().size(), tests, settings());
+    return fmt::format("<h1>{}</h1>\n<p class=\"soft\">{} rules, {}</p>\n{}", escapeHtml(name()),
+                       ruleCount(), tests, settings());
+  }
+
+  std::size_t ruleCount() const { return rules_ ? rules_->rules().size() : 0; }
+
+  std::string name() const {
+    return rules_ ? rules_->name() : std::string(loaded_.file->main().source.name());
+  }
+
+  /// What other files may import, with what is written above it.
+  std::string definitions() const {
+    const dsl::Module& main = loaded_.file->main();
+    std::string out;
+    for (const dsl::Item& item : main.parsed.file.items) {
+      const std::string code = "<pre>" + codeHtml(main.source, item.span) + "</pre>\n";
+      if (std::holds_alternative<dsl::Constant>(item.content)) out += code;
+      if (const auto* f = std::get_if<dsl::Function>(&item.content))
+        out += paragraph(f->doc) + code;
+      if (const auto* m = std::get_if<dsl::Metric>(&item.content)) out += paragraph(m->doc) + code;
+      if (const auto* t = std::get_if<dsl::Template>(&item.content))
+        out += paragraph(t->doc) + code;
+    }
+    return out.empty() ? out : "<section>\n<h2>Definitions</h2>\n" + out + "</section>\n";
   }
 
   /// The text of the rule set itself, with what is written above it.
@@ -114,7 +137,7 @@ class Gallery {
     const dsl::Module& main = loaded_.file->main();
     for (const dsl::Item& item : main.parsed.file.items) {
       const auto* block = std::get_if<dsl::RuleSetBlock>(&item.content);
-      if (!block || block->name.text != rules_.name()) continue;
+      if (!block || block->name.text != name()) continue;
       std::string out = paragraph(block->doc);
       return out + "<pre>" + codeHtml(main.source, item.span) + "</pre>\n";
     }
@@ -138,9 +161,9 @@ class Gallery {
 
   std::string index() const {
     std::string out = "<ul class=\"index\">\n";
-    for (std::size_t i = 0; i < rules_.rules().size(); ++i) {
+    for (std::size_t i = 0; i < ruleCount(); ++i) {
       out += fmt::format("<li><a href=\"#rule-{}\">{}</a></li>\n", i + 1,
-                         escapeHtml(rules_.rules()[i].name()));
+                         escapeHtml(rules_->rules()[i].name()));
     }
     return out + "</ul>\n";
   }
@@ -180,7 +203,7 @@ class Gallery {
   std::string pictures(std::size_t i) {
     std::string out = picture(i, "all", {});
     for (const int level : kLevels) {
-      if (level <= rules_.maxLevel() && rules_.rules()[i].appliesAt(level)) {
+      if (level <= rules_->maxLevel() && rules_->rules()[i].appliesAt(level)) {
         out += picture(i, std::to_string(level), {level});
       }
     }
@@ -188,17 +211,17 @@ class Gallery {
   }
 
   std::string picture(std::size_t i, const std::string& level, std::vector<int> levels) {
-    const AF2Rule& rule = rules_.rules()[i];
+    const AF2Rule& rule = rules_->rules()[i];
     dsl::PictureOptions options;
     options.levels = std::move(levels);
     const std::string path = fmt::format("pictures/rule-{}-{}.svg", i + 1, level);
-    site_[path] = dsl::drawRule(rules_, rule, dsl::PictureFormat::Svg, options);
+    site_[path] = dsl::drawRule(*rules_, rule, dsl::PictureFormat::Svg, options);
     return fmt::format("<img src=\"{}\" data-level=\"{}\" loading=\"lazy\" alt=\"{}\">", path,
                        level, escapeHtml(rule.name()));
   }
 
   const dsl::LoadedRules& loaded_;
-  const RuleSet& rules_;
+  const RuleSet* rules_;  // null: a library without rules
   std::vector<dsl::TestResult> results_;
   std::map<std::string, std::vector<TestOfRule>> tests_;
   Site site_;

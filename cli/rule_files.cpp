@@ -49,6 +49,7 @@ fs::path resolved(const std::string& name) {
 dsl::LoadOptions optionsFor(const std::vector<std::string>& allowed) {
   dsl::LoadOptions options;
   options.allowed = allowed;
+  options.needsRuleSet = false;
   try {
     options.searchPaths = {rulesDirectory()};
   } catch (const InputError&) {
@@ -94,6 +95,8 @@ dsl::LoadedRules loadRuleFile(const std::string& name, const std::vector<std::st
 dsl::LoadedRules loadSoundRuleFile(const std::string& name) {
   dsl::LoadedRules loaded = loadRuleFile(name);
   if (loaded.rules) return loaded;
+  if (!dsl::hasErrors(loaded.diagnostics))
+    throw InputError(fmt::format("there is no rule in the file '{}'", name));
   fmt::print(stderr, "{}", dsl::toPretty(loaded.diagnostics));
   throw InputError(fmt::format("the rule file '{}' has errors, see above", name));
 }

@@ -21,12 +21,13 @@ std::vector<std::string> expandRuleFiles(const std::vector<std::string>& names);
 RuleText readRuleText(const std::string& name);
 
 /// Loads a file, named by its path or within the rules of AF2, or standard input. That there is no
-/// such file is a diagnostic.
+/// such file is a diagnostic; that there is no rule set is none, since files that others import
+/// have none.
 dsl::LoadedRules loadRuleFile(const std::string& name,
                               const std::vector<std::string>& allowed = {});
 
-/// The same for verbs that need a rule set: if there is an error, prints what is wrong to stderr
-/// and throws InputError. Warnings are left to `af2 check`.
+/// The same for verbs that look at rules: if there is an error, prints what is wrong to stderr and
+/// throws InputError; also if there is no rule. Warnings are left to `af2 check`.
 dsl::LoadedRules loadSoundRuleFile(const std::string& name);
 
 /// The stem of a file name, for the files that are made from it; "rules" for standard input.

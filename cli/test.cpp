@@ -70,8 +70,13 @@ class TestRun {
   void file(const std::string& name) {
     const dsl::LoadedRules loaded = loadRuleFile(name);
     if (!loaded.rules) {
-      fmt::print(stderr, "{}", dsl::toPretty(loaded.diagnostics));
-      ++totals_.broken;
+      if (dsl::hasErrors(loaded.diagnostics)) {
+        fmt::print(stderr, "{}", dsl::toPretty(loaded.diagnostics));
+        ++totals_.broken;
+      } else if (!loaded.file->tests.empty()) {
+        fmt::print(stderr, "{}: a test needs a rule, and this file has none\n", name);
+        ++totals_.broken;
+      }
       return;
     }
     for (const dsl::TestResult& result : dsl::runRuleTests(loaded, options_.filter)) add(result);

@@ -65,12 +65,10 @@ ShapeValue ClauseCompiler::shapeOf(const ReadZone& zone) {
 void ClauseCompiler::compileUserZone(const ReadZone& zone) {
   const Span span = zone.text->corners[0].span;
   if (zones_.size() > 1 || !zone.text->when.isMissing())
-    return tell("Y7", span, "a registered shape can only be the whole zone");
-  if (mirror_)
-    return tell("Y7", span, "a rule with a registered zone shape cannot be mirrored", "",
-                "write the mirror image as a rule of its own");
-  definition().zone = std::make_shared<UserZoneDef>(zone.shape.shape->user,
-                                                    builder_.program(zone.shape.shape->numbers));
+    return tell("Y7", span, "a registered shape can only be the whole zone", "",
+                "let the shape itself be the union, or choose in C++ by one more argument");
+  definition().zone = std::make_shared<UserZoneDef>(
+      zone.shape.shape->user, builder_.program(zone.shape.shape->numbers), mirror_ != nullptr);
 }
 
 ShapeValue ClauseCompiler::unionOf(std::vector<ShapeValue> shapes) {

@@ -83,6 +83,19 @@ std::vector<Point2> cornersOf(const ConvexPolygonZoneDef& zone, const AF2Binding
   return corners;
 }
 
+Point2 firstPoint(const Shape& shape) {
+  return shape.parts().empty() ? shape.points().front() : firstPoint(shape.parts().front());
+}
+
+/// A loop begins at the first corner that the shape is written with, if that is on it.
+std::vector<std::vector<Point2>> outlineAsWritten(const Shape& shape) {
+  auto loops = outline(shape);
+  for (std::vector<Point2>& loop : loops)
+    if (const auto first = std::ranges::find(loop, firstPoint(shape)); first != loop.end())
+      std::rotate(loop.begin(), first, loop.end());
+  return loops;
+}
+
 std::vector<std::vector<Point2>> drawn(const AF2FreeZoneDef& zone, const AF2Binding& binding) {
   if (const auto* list = dynamic_cast<const ConvexPolygonZoneDef*>(&zone)) {
     auto corners = cornersOf(*list, binding);
@@ -90,7 +103,7 @@ std::vector<std::vector<Point2>> drawn(const AF2FreeZoneDef& zone, const AF2Bind
     return {std::move(corners)};
   }
   if (const auto* free = dynamic_cast<const ShapeZoneDef*>(&zone))
-    if (const auto shape = free->shapeAt(binding)) return outline(*shape);
+    if (const auto shape = free->shapeAt(binding)) return outlineAsWritten(*shape);
   return {};
 }
 

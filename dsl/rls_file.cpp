@@ -123,7 +123,7 @@ class Reader {
 
   std::vector<RlsRule> read() {
     while (now().kind != Kind::End) {
-      if (now().is("rule")) {
+      if (beginsRule()) {
         readRule();
         if (rules_.size() <= kMostRules) continue;
         tell(Severity::Error, "I2", now().span, "more than 1000 rules in one file", "split it");
@@ -172,12 +172,46 @@ class Reader {
     next();
   }
 
+  /// The word in the prose between rules begins none: what follows has neither name nor clauses.
+  bool beginsRule() const {
+    if (!now().is("rule")) return false;
+    if (ahead(1).kind == Kind::String) return true;
+    for (std::size_t n = 1; ahead(n).kind != Kind::End && !ahead(n).is("rule"); ++n)
+      if (isClause(ahead(n))) return true;
+    return false;
+  }
+
+  /// Rules for volumes are told as what they are, not by each thing in them that surfaces have not.
+  bool passOverSolidRule() {
+    std::size_t length = 1;
+    bool isSolid = false;
+    Token solid;
+    for (; ahead(length).kind != Kind::End && !ahead(length).is("endrule"); ++length) {
+      const Token& token = ahead(length);
+      if (token.is("rule") && ahead(length + 1).kind == Kind::String) break;
+      if (isSolid || std::ranges::find(kSolidClauses, token.text) == kSolidClauses.end()) continue;
+      isSolid = true;
+      solid = token;
+    }
+    if (!isSolid) return false;
+    tellSolid(solid);
+    at_ = std::min(at_ + length, tokens_.size() - 1);
+    if (now().is("endrule")) next();
+    return true;
+  }
+
+  void tellSolid(const Token& token) {
+    tell(Severity::Error, "I3", token.span,
+         shown(token) + " belongs to rules that fill volumes with tetrahedra",
+         "AF2 meshes surfaces: import a rule file for surfaces");
+  }
+
   // Text between rules does not count, which is how a rule with a misspelt 'rule' gets lost.
   void passOver() {
     const Token first = now();
     bool looksLikeRule = false;
     Span last = first.span;
-    while (now().kind != Kind::End && !now().is("rule")) {
+    while (now().kind != Kind::End && !beginsRule()) {
       looksLikeRule |= isClause(now());
       last = now().span;
       next();
@@ -194,6 +228,7 @@ class Reader {
     isSound_ = true;
     rule_.span = now().span;
     const Span word = now().span;
+    if (passOverSolidRule()) return;
     next();
     if (now().kind == Kind::String) {
       rule_.name = std::string(now().text.substr(1, now().text.size() - 2));
@@ -240,18 +275,11 @@ class Reader {
   }
 
   [[noreturn]] void unknownClause(const Token& token) {
-    if (std::ranges::find(kSolidClauses, token.text) != kSolidClauses.end()) {
-      tell(Severity::Error, "I3", token.span,
-           shown(token) + " belongs to rules that fill volumes with tetrahedra",
-           "AF2 meshes surfaces: import a rule file for surfaces");
-    } else {
-      const std::string_view known = nearest(token.text);
-      tell(Severity::Error, "I1", token.span, shown(token) + " is no clause of a rule",
-           known.empty()
-               ? "clauses are quality, mappoints, maplines, newpoints, newlines, freearea, "
-                 "freearea2, elements, orientations, endrule"
-               : "did you mean '" + std::string(known) + "'?");
-    }
+    const std::string_view known = nearest(token.text);
+    tell(Severity::Error, "I1", token.span, shown(token) + " is no clause of a rule",
+         known.empty() ? "clauses are quality, mappoints, maplines, newpoints, newlines, freearea, "
+                         "freearea2, elements, orientations, endrule"
+                       : "did you mean '" + std::string(known) + "'?");
     next();
     throw Unreadable{};
   }

@@ -17,10 +17,13 @@ namespace {
 /// Compiles one main file: its rule set, and its rules with those that it uses from elsewhere.
 class FileCompiler {
  public:
-  FileCompiler(CompileContext& context, const Library& library)
-      : context_(context), library_(library), main_(*library.modules().front()) {}
+  FileCompiler(CompileContext& context, const Library& library, bool needsRuleSet)
+      : context_(context),
+        library_(library),
+        main_(*library.modules().front()),
+        needsRuleSet_(needsRuleSet) {}
 
-  /// Null if there are errors. Compiled rules and tests are left in `result`.
+  /// Null if there are errors or no rules. Compiled rules and tests are left in `result`.
   std::shared_ptr<const RuleSet> compile(LoadedFile& result);
 
  private:
@@ -56,6 +59,7 @@ class FileCompiler {
   CompileContext& context_;
   const Library& library_;
   const Module& main_;
+  bool needsRuleSet_;
   std::unique_ptr<RuleSetCompiler> settings_;
   std::vector<CompiledRule> rules_;
   std::set<const Module*> using_;
@@ -108,6 +112,7 @@ std::vector<PlacedRuleSet> FileCompiler::ruleSets() {
   for (const RuleSetBlock* block : own)
     if (!extended.contains(block->name.text) || (own.size() == 1)) heads.push_back(block);
   if (heads.empty() && !own.empty()) heads.push_back(own.back());
+  if (heads.empty() && !needsRuleSet_) return {};
   if (heads.empty()) {
     bool isBroken = !main_.brokenNames.empty() || main_.parsed.file.items.empty();
     for (const Item& item : main_.parsed.file.items)
@@ -309,7 +314,7 @@ void FileCompiler::checkTitles() {
 }
 
 void FileCompiler::checkKinds(const RuleSetCompiler& settings) {
-  if (settings.kinds().empty()) return;
+  if (settings.kinds().empty() || settings.kinds().contains("poly")) return;
   for (const CompiledRule& rule : rules_)
     for (std::size_t i = 0; i < rule.definition.elements.size(); ++i) {
       const std::string kind = rule.definition.elements[i].size() == 3 ? "tri" : "quad";
@@ -368,10 +373,10 @@ std::shared_ptr<const RuleSet> FileCompiler::compile(LoadedFile& result) {
   compileTests(result);
   RuleSetDefinition definition = settings_->finish(sizesMade());
   runChecks({rules_, definition, main_}, context_.diagnostics);
-  if (rules_.empty() && !context_.diagnostics.hasErrors())
+  if (rules_.empty() && !context_.diagnostics.hasErrors() && needsRuleSet_)
     tell(main_, "R5", {0, 0}, "this file has no rules", "add `rule \"title\" quality 1 { ... }`");
   result.rules = std::move(rules_);
-  if (context_.diagnostics.hasErrors()) return nullptr;
+  if (context_.diagnostics.hasErrors() || result.rules.empty()) return nullptr;
   for (const CompiledRule& rule : result.rules) {
     try {
       definition.rules.emplace_back(rule.definition);
@@ -404,7 +409,7 @@ LoadedRules loadRulesFromText(std::string name, std::string text, const LoadOpti
   library.load(std::move(name), std::move(text));
   auto file = std::make_shared<LoadedFile>();
   LoadedRules result;
-  result.rules = FileCompiler(context, library).compile(*file);
+  result.rules = FileCompiler(context, library, options.needsRuleSet).compile(*file);
   file->modules = library.takeModules();
   result.file = std::move(file);
   result.diagnostics = diagnostics.take();

@@ -22,6 +22,9 @@ struct LoadOptions {
   const Registry* registry = nullptr;
   /// Codes of warnings that are not told.
   std::vector<std::string> allowed;
+  /// Whether the file is to be run, which takes a rule set and rules. Without, a file may be a
+  /// library: its rules get the default settings.
+  bool needsRuleSet = true;
 };
 
 /// The files and rules behind a rule set, for tests, pictures and further checks.
@@ -34,7 +37,7 @@ struct LoadedFile {
 };
 
 struct LoadedRules {
-  std::shared_ptr<const RuleSet> rules;  ///< null if there are errors
+  std::shared_ptr<const RuleSet> rules;  ///< null if there are errors, or a library has no rules
   std::vector<Diagnostic> diagnostics;   ///< errors and warnings, in the order of the text
   std::shared_ptr<const LoadedFile> file;
 };

@@ -176,9 +176,6 @@ void RuleSetCompiler::readKinds() {
   const auto* elements = find<ElementsSetting>(&home);
   if (!elements) return;
   for (const Name& kind : elements->kinds) {
-    if (kind.text == "poly")
-      tell(*home, "T2", kind.span, "elements with more than four corners cannot be made",
-           "leave tri and quad");
     if (!kinds_.insert(kind.text).second)
       tell(*home, "R2", kind.span, "'" + kind.text + "' is given twice", "give it once");
   }

@@ -267,7 +267,8 @@ Value ExpressionCompiler::inside(const Expr& expr) {
   const Value s = shape(expr.parts[1]);
   if (p.isAny() || s.isAny()) return {};
   if (s.shape->user) {
-    tell("Y7", expr.parts[1].span, "a registered shape can only be a whole zone", "", "");
+    tell("Y7", expr.parts[1].span, "a registered shape can only be a whole zone", "",
+         "register a function of the point that says whether it is inside");
     return {};
   }
   const NodePair at = algebra_.toBase(p.at);

@@ -36,6 +36,29 @@ std::vector<PathStep> pathOf(const std::vector<Point2>& points, const std::vecto
   return path;
 }
 
+/// A zone in the frame reflected through x = ends / 2, whatever it is like.
+class ReflectedZone final : public AF2FreeZone {
+ public:
+  ReflectedZone(std::unique_ptr<const AF2FreeZone> zone, double ends)
+      : zone_(std::move(zone)), ends_(ends) {}
+  Box2 boundingBox() const override {
+    const Box2 box = zone_->boundingBox();
+    return {{ends_ - box.high.x, box.low.y}, {ends_ - box.low.x, box.high.y}};
+  }
+  bool contains(Point2 p, ZoneBoundary boundary) const override {
+    return zone_->contains(reflected(p), boundary);
+  }
+  bool meets(Point2 from, Point2 to, ZoneBoundary boundary) const override {
+    return zone_->meets(reflected(from), reflected(to), boundary);
+  }
+
+ private:
+  Point2 reflected(Point2 p) const { return {ends_ - p.x, p.y}; }
+
+  std::unique_ptr<const AF2FreeZone> zone_;
+  double ends_;
+};
+
 }  // namespace
 
 ShapeProgram::ShapeProgram(const ProgramBuilder& builder, const ShapeValue& shape)
@@ -84,9 +107,8 @@ std::optional<Shape> ShapeProgram::shapeAt(const AF2Binding& binding) const {
 
 double ShapeProgram::holds(const AF2Binding& binding, Point2 point) const {
   const auto shape = shapeAt(binding);
-  const MadeZone made = shape ? makeZone(*shape) : MadeZone{};
-  if (!made.zone) return std::numeric_limits<double>::quiet_NaN();
-  return made.zone->contains(point, ZoneBoundary::Counts) ? 1 : 0;
+  const auto holds = shape ? af2::dsl::holds(*shape, point) : std::nullopt;
+  return holds ? (*holds ? 1 : 0) : std::numeric_limits<double>::quiet_NaN();
 }
 
 ShapeZoneDef::ShapeZoneDef(std::vector<Alternative> alternatives)
@@ -121,13 +143,16 @@ AF2FreeZoneDef::Made ShapeZoneDef::makeFreeZone(const AF2Binding& binding) const
   return {nullptr, Refusal::Shape};
 }
 
-UserZoneDef::UserZoneDef(std::shared_ptr<const UserShape> shape, Program arguments)
-    : shape_(std::move(shape)), arguments_(std::move(arguments)) {}
+UserZoneDef::UserZoneDef(std::shared_ptr<const UserShape> shape, Program arguments, bool isMirrored)
+    : shape_(std::move(shape)), arguments_(std::move(arguments)), isMirrored_(isMirrored) {}
 
 AF2FreeZoneDef::Made UserZoneDef::makeFreeZone(const AF2Binding& binding) const {
   std::vector<double> numbers(arguments_.resultCount());
   if (!arguments_.run(binding, {}, numbers)) return {nullptr, Refusal::NoValue};
-  return shape_->make(numbers);
+  Made made = shape_->make(numbers);
+  if (isMirrored_ && made.zone)
+    made.zone = std::make_unique<ReflectedZone>(std::move(made.zone), binding.vertices[1].x);
+  return made;
 }
 
 }  // namespace af2::dsl

@@ -53,15 +53,17 @@ class ShapeZoneDef final : public AF2FreeZoneDef {
   std::vector<Alternative> alternatives_;
 };
 
-/// A registered zone shape with its arguments.
+/// A registered zone shape with its arguments; of a mirrored rule both are in the frame reflected
+/// through the perpendicular bisector of the base.
 class UserZoneDef final : public AF2FreeZoneDef {
  public:
-  UserZoneDef(std::shared_ptr<const UserShape> shape, Program arguments);
+  UserZoneDef(std::shared_ptr<const UserShape> shape, Program arguments, bool isMirrored);
   Made makeFreeZone(const AF2Binding& binding) const override;
 
  private:
   std::shared_ptr<const UserShape> shape_;
   Program arguments_;
+  bool isMirrored_;
 };
 
 }  // namespace af2::dsl

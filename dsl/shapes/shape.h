@@ -118,6 +118,10 @@ struct MadeZone {
 /// clockwise or has no area, an unbounded zone (Shape).
 MadeZone makeZone(const Shape& shape);
 
+/// Whether a point lies in the closed shape, which may be unbounded or empty; nothing if makeZone
+/// refuses it for another reason.
+std::optional<bool> holds(const Shape& shape, Point2 point);
+
 /// The boundary for drawing: closed loops with the shape on their left, arcs sampled so that no
 /// chord is farther than `sag` from its arc. Empty if makeZone refuses the shape.
 std::vector<std::vector<Point2>> outline(const Shape& shape, double sag = 1e-3);

@@ -82,6 +82,12 @@ MadeZone makeZone(const Shape& shape) {
   return {std::make_unique<ShapeZone>(std::move(built.region), built.box)};
 }
 
+std::optional<bool> holds(const Shape& shape, Point2 point) {
+  const shapes::Built built = shapes::build(shape);
+  if (built.refusal != Refusal::None) return std::nullopt;
+  return built.region.locate(point) != shapes::Place::Out;
+}
+
 std::vector<std::vector<Point2>> outline(const Shape& shape, double sag) {
   const shapes::Built built = shapes::build(shape);
   if (built.refusal != Refusal::None || !shapes::isBounded(built.region)) return {};

@@ -33,6 +33,20 @@ sed 's/a b d, b c d/a b d, b c e/; s/0.866/0,866/' good.af2 >bad.af2
 sed 's/expect rule "right"/expect rule "left"/; s/ with c = s//' good.af2 >failing.af2
 sed '/mirror/d' good.af2 >warned.af2
 
+# a library, which other files import: no rule set, no rules
+cat >lib.af2 <<'END'
+af2 1;
+
+## Height of the even triangle.
+const H = sqrt(3)/2;
+END
+expect 0 "$af2" check lib.af2; says '0 rules: 0 errors'
+expect 0 "$af2" fmt --check lib.af2
+expect 0 "$af2" test lib.af2; says '0 passed, 0 failed'
+expect 0 "$af2" doc lib.af2 -o lib-doc
+grep -q 'sqrt' lib-doc/index.html || fail 'the page of a library lacks its constants'
+expect 1 "$af2" draw lib.af2
+
 # check
 expect 0 "$af2" check good.af2; says '2 rules: 0 errors'
 expect 1 "$af2" check bad.af2; says 'bad.af2:9:'

@@ -47,6 +47,26 @@ TEST(Evaluate, GivesTheFirstReason) {
   EXPECT_EQ(evaluateRule(*classic(), request).refused, Refusal::None);
 }
 
+TEST(Evaluate, GivesTheCornersOfAZoneAsWritten) {
+  const LoadedRules loaded = loadRulesFromText("ell.af2", R"(af2 1;
+ruleset "s" { elements tri; }
+rule "ell" quality 1 {
+  new  c = mid(a, b) + (0, 0.5);
+  zone poly(a, b, b + (0, 1.4) => b + (0, 1), mid(a, b) + (0, 0.9), a + (0, 1.4));
+  tri  a b c;
+})");
+  ASSERT_TRUE(loaded.rules) << toPretty(loaded.diagnostics);
+  EvalRequest request;
+  request.rule = "ell";
+  request.level = 2;
+  const EvalResult result = evaluateRule(*loaded.rules, request);
+  ASSERT_EQ(result.zones.size(), 1u);
+  const std::vector<Point2> wanted{{0, 0}, {1, 0}, {1, 1.2}, {0.5, 0.9}, {0, 1.4}};
+  ASSERT_EQ(result.zones[0].size(), wanted.size());
+  for (std::size_t i = 0; i < wanted.size(); ++i)
+    EXPECT_LT(distance(result.zones[0][i], wanted[i]), 1e-15) << i;
+}
+
 TEST(Evaluate, WritesJson) {
   EvalRequest request;
   request.rule = "free triangle 1";

@@ -142,6 +142,35 @@ TEST(Expressions, MakeZonesOfRegisteredShapes) {
   EXPECT_TRUE(made.zone->contains({2, 2}, ZoneBoundary::Counts));
 }
 
+TEST(Expressions, MirrorZonesOfRegisteredShapes) {
+  Registry registry;
+  registry.addShape({"right_of", "p", [](std::span<const double> n) -> AF2FreeZoneDef::Made {
+                       return {std::make_unique<ConvexPolygonZone>(std::vector<Point2>{
+                                   {n[0], n[1]}, {n[0] + 1, n[1]}, {n[0], n[1] + 2}}),
+                               Refusal::None};
+                     }});
+  const LoadedRules rules = load("zone right_of(b); quad a b c d; mirror \"left\";", &registry);
+  ASSERT_TRUE(rules.rules) << toPretty(rules.diagnostics);
+  // In the text's frame the triangle begins at b; seen from the other side, at a, and turned over.
+  const auto made = rules.rules->rules()[1].definition().zone->makeFreeZone({kMatch, 1, nullptr});
+  ASSERT_TRUE(made.zone);
+  const double left = made.zone->boundingBox().low.x;
+  EXPECT_DOUBLE_EQ(left, -1);
+  EXPECT_TRUE(made.zone->contains({-0.9, 0.1}, ZoneBoundary::Counts));
+  EXPECT_FALSE(made.zone->contains({-0.9, 1.9}, ZoneBoundary::Counts));
+  EXPECT_TRUE(made.zone->contains({-0.05, 1.8}, ZoneBoundary::Counts));
+  EXPECT_TRUE(made.zone->meets({-2, 1}, {2, 1}, ZoneBoundary::Ignored));
+  EXPECT_FALSE(made.zone->meets({-2, 2.1}, {2, 2.1}, ZoneBoundary::Counts));
+}
+
+TEST(Expressions, KnowWhatIsInsideOfUnboundedShapes) {
+  EXPECT_EQ(value("if inside(a + (5, 5), left(a, b - a)) then 1 else 0", 1), 1);
+  EXPECT_EQ(value("if inside(a + (5, -5), left(a, b - a)) then 1 else 0", 1), 0);
+  EXPECT_EQ(value("if inside(a + (0, 0.5), left(a, b - a) - disc(a, 1)) then 1 else 0", 1), 0);
+  EXPECT_EQ(value("if inside(a + (0, 3), left(a, b - a) - disc(a, 1)) then 1 else 0", 1), 1);
+  EXPECT_EQ(value("if inside(a, disc(a, 1) - disc(a, 2)) then 1 else 0", 1), 0) << "empty";
+}
+
 std::string faults(const std::string& clauses) {
   std::string codes;
   for (const Diagnostic& d : load("zone a, b, c, d; quad a b c d; " + clauses).diagnostics)

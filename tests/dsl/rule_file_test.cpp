@@ -135,6 +135,39 @@ TEST(ClassicTriangles, PlaceVerticesAndZonesAsPublished) {
   }
 }
 
+TEST(Libraries, NeedNoRuleSetUnlessTheyAreRun) {
+  const std::string definitions = "af2 1;\nconst H = sqrt(3)/2;\ndef up(p) = p + (0, H);\n";
+  const std::string withRule =
+      definitions +
+      "rule \"free\" quality 1 { new c = up(mid(a, b)); zone a, b, c; tri a b c; }\n"
+      "test \"t\" { front p (0, 0) -> r (1, 0); expect rule \"free\"; }\n";
+  LoadOptions library;
+  library.needsRuleSet = false;
+  for (const std::string& text : {definitions, withRule}) {
+    const LoadedRules run = loadRulesFromText("lib.af2", text);
+    ASSERT_EQ(run.diagnostics.size(), 1u) << toPretty(run.diagnostics);
+    EXPECT_EQ(run.diagnostics[0].code, "R5");
+    EXPECT_TRUE(loadRulesFromText("lib.af2", text, library).diagnostics.empty());
+  }
+  EXPECT_FALSE(loadRulesFromText("lib.af2", definitions, library).rules);
+  const LoadedRules loaded = loadRulesFromText("lib.af2", withRule, library);
+  ASSERT_TRUE(loaded.rules);
+  EXPECT_EQ(loaded.rules->maxLevel(), 50) << "the settings are the default ones";
+  EXPECT_EQ(loadRulesFromText("lib.af2", definitions + "const H = 1;", library).diagnostics.size(),
+            1u)
+      << "everything else is told";
+}
+
+TEST(RuleSets, MayListPolyForElementsOfAnyKind) {
+  const std::string rules = R"(
+rule "tri" quality 1 { new c = mid(a, b) + (0, 1); zone a, b, c; poly a b c; }
+rule "quad" quality 1 { new c = b + (0, 1), d = a + (0, 1); zone a, b, c, d; poly a b c d; })";
+  const LoadedRules loaded =
+      loadRulesFromText("p.af2", "af2 1; ruleset \"p\" { elements poly; }" + rules);
+  ASSERT_TRUE(loaded.rules) << toPretty(loaded.diagnostics);
+  EXPECT_TRUE(loaded.rules->makesTriangles() && loaded.rules->makesQuads());
+}
+
 TEST(ClassicTriangles, KeepToAffineForms) {
   const LoadedRules loaded = classic();
   ASSERT_TRUE(loaded.rules);

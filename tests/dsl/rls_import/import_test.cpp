@@ -116,6 +116,24 @@ TEST(ImportRls, TellsOfLostRules) {
   expectTold("some words\n" + kRule, "line 1: warning I4: this stands outside of the rules");
 }
 
+TEST(ImportRls, ReadsProseThatSpeaksOfARule) {
+  const std::string prose = "(* each rule below is for one corner *)\n";
+  expectTold(prose + kRule, "line 1: warning I4: this stands outside of the rules");
+  EXPECT_TRUE(loadRulesFromText("x.af2", importRls("x.rls", prose + kRule).text).rules);
+}
+
+TEST(ImportRls, TellsARuleForVolumesOnce) {
+  const std::string solid =
+      "rule \"solid\"\nquality 1\nmappoints\n(0, 0, 0);\n(1, 0, 0);\nmapfaces\n(1, 2, 3) del;\n"
+      "newfaces\n(1, 2, 4);\nfreeset\n1 2 3;\nendrule\n";
+  const std::string all = told(solid + solid);
+  EXPECT_NE(all.find("line 6: error I3: 'mapfaces' belongs to rules that fill volumes"),
+            std::string::npos)
+      << all;
+  EXPECT_NE(all.find("line 18: error I3"), std::string::npos) << all;
+  EXPECT_EQ(all.find("I1"), std::string::npos) << all;
+}
+
 TEST(ImportRls, TellsErrorsWithTheirLines) {
   expectTold(with("mappoints", "mappoint"),
              "line 3: error I1: 'mappoint' is no clause of a rule; did you mean 'mappoints'?");
