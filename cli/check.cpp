@@ -3,13 +3,18 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <filesystem>
 #include <memory>
 
 #include "cli/exit_code.h"
+#include "cli/line_difference.h"
 #include "cli/rule_files.h"
 #include "cli/rule_findings.h"
+#include "cli/text_files.h"
+#include "cli/usage_error.h"
 #include "cli/verbs.h"
 #include "dsl/code_explanations.h"
+#include "engine/stopwatch.h"
 
 namespace af2::cli {
 namespace {
@@ -21,38 +26,58 @@ struct CheckOptions {
   std::string format = "pretty";
   FindingOptions findings;
   bool strict = false, quiet = false;
+  bool fix = false, diff = false;
 };
 
 std::string counted(std::size_t count, const char* what) {
   return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
 }
 
+/// " (G2, Z1 proven on levels 1..20 for 11 rules, sampled for 3)"
 std::string proofText(const RuleFindings& all) {
-  if (all.proven + all.sampled == 0) return {};
-  if (all.sampled == 0) return " (G2 and Z1 proven)";
-  return fmt::format(" (G2 and Z1 proven for {}, tried on samples for {})",
-                     counted(all.proven, "rule"), all.sampled);
+  if (all.proven + all.sampled + all.refuted == 0) return {};
+  std::string text = fmt::format(" (G2, Z1 proven on levels 1..{} for {}", all.lastLevel,
+                                 counted(all.proven, "rule"));
+  if (all.sampled > 0) text += fmt::format(", sampled for {}", all.sampled);
+  if (all.refuted > 0) text += fmt::format(", false for {}", all.refuted);
+  return text + ")";
 }
 
 std::size_t countOf(const std::vector<Diagnostic>& diagnostics, dsl::Severity severity) {
   return static_cast<std::size_t>(std::ranges::count(diagnostics, severity, &Diagnostic::severity));
 }
 
-std::string summaryOf(const CheckOptions& options, const RuleFindings& all) {
+std::string summaryOf(const CheckOptions& options, const RuleFindings& all, double seconds) {
   std::string files;
   if (options.files.size() > 1) files = counted(options.files.size(), "file") + ", ";
-  return fmt::format("{}{}: {}, {}{}\n", files, counted(all.ruleCount, "rule"),
+  return fmt::format("{}{}, {}, {} in {:.1f} s{}\n", files, counted(all.ruleCount, "rule"),
                      counted(countOf(all.diagnostics, dsl::Severity::Error), "error"),
-                     counted(countOf(all.diagnostics, dsl::Severity::Warning), "warning"),
+                     counted(countOf(all.diagnostics, dsl::Severity::Warning), "warning"), seconds,
                      proofText(all));
 }
 
-void tell(const CheckOptions& options, const RuleFindings& all) {
+void tell(const CheckOptions& options, const RuleFindings& all, double seconds) {
   if (options.format == "json") return fmt::print("{}", dsl::toJson(all.diagnostics));
   if (options.format == "sarif") return fmt::print("{}", dsl::toSarif(all.diagnostics));
   if (options.format == "gcc") return fmt::print("{}", dsl::toGcc(all.diagnostics));
   fmt::print("{}", dsl::toPretty(all.diagnostics));
-  if (!options.quiet) fmt::print("{}", summaryOf(options, all));
+  if (!options.quiet) fmt::print("{}", summaryOf(options, all, seconds));
+}
+
+/// Mends the files, and tells how.
+void fixFiles(const CheckOptions& options) {
+  for (const std::string& file : options.files) {
+    if (file == "-") throw UsageError("--fix and --diff need a file, not standard input");
+    const RuleText input = readRuleText(file);
+    std::error_code ignored;
+    if (!std::filesystem::exists(file, ignored)) continue;  // one of AF2's own rules
+    const dsl::FixedText fixed = fixRuleText(input);
+    if (fixed.text == input.text) continue;
+    fmt::print(stderr, "{}", lineDifference(input.name, input.text, fixed.text));
+    if (!options.diff) writeText(input.name, fixed.text);
+    for (const std::string& what : fixed.done)
+      fmt::print(stderr, "{}: {}{}\n", input.name, what, options.diff ? " (not written)" : "");
+  }
 }
 
 /// A file that several others import is told about once.
@@ -69,6 +94,8 @@ int check(CheckOptions options) {
   for (std::string& code : options.findings.allowed) {
     if (const auto* known = dsl::findCodeExplanation(code)) code = known->code;
   }
+  if (options.fix || options.diff) fixFiles(options);
+  const Stopwatch watch;
   RuleFindings all;
   for (const std::string& file : options.files) {
     RuleFindings one = findIn(file, options.findings);
@@ -76,8 +103,10 @@ int check(CheckOptions options) {
     all.ruleCount += one.ruleCount;
     all.proven += one.proven;
     all.sampled += one.sampled;
+    all.refuted += one.refuted;
+    all.lastLevel = std::max(all.lastLevel, one.lastLevel);
   }
-  tell(options, all);
+  tell(options, all, watch.seconds());
   const bool hasFindings =
       dsl::hasErrors(all.diagnostics) || (options.strict && !all.diagnostics.empty());
   return hasFindings ? kUnusable : kComplete;
@@ -94,6 +123,11 @@ Action declareCheck(CLI::App& command) {
   command.add_flag("--strict", options->strict, "warnings are findings, too: exit code 1");
   command.add_flag("--quick", options->findings.quick,
                    "only what the text tells; no proofs, no samples of matches");
+  command.add_flag("--prove", options->findings.prove,
+                   "let proofs take their time: some seconds for each rule that resists");
+  command.add_flag("--fix", options->fix,
+                   "first mend what has one obvious remedy; shows what it changes in the files");
+  command.add_flag("--diff", options->diff, "show what --fix would change, and leave the files");
   command.add_option("--samples", options->findings.samples, "matches tried for each rule")
       ->check(CLI::Range(1, 10'000'000));
   command.add_option("--allow", options->findings.allowed, "codes that are not told")

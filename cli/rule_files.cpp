@@ -92,6 +92,10 @@ dsl::LoadedRules loadRuleFile(const std::string& name, const std::vector<std::st
   return dsl::loadRulesFromText(std::move(input.name), std::move(input.text), options);
 }
 
+dsl::FixedText fixRuleText(const RuleText& input) {
+  return dsl::fixText(input.name, input.text, optionsFor({}));
+}
+
 dsl::LoadedRules loadSoundRuleFile(const std::string& name) {
   dsl::LoadedRules loaded = loadRuleFile(name);
   if (loaded.rules) return loaded;

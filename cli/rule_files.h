@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "dsl/fixes.h"
 #include "dsl/rule_file.h"
 
 namespace af2::cli {
@@ -25,6 +26,9 @@ RuleText readRuleText(const std::string& name);
 /// have none.
 dsl::LoadedRules loadRuleFile(const std::string& name,
                               const std::vector<std::string>& allowed = {});
+
+/// A rule text with what has one obvious remedy mended.
+dsl::FixedText fixRuleText(const RuleText& input);
 
 /// The same for verbs that look at rules: if there is an error, prints what is wrong to stderr and
 /// throws InputError; also if there is no rule. Warnings are left to `af2 check`.

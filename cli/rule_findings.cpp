@@ -100,8 +100,14 @@ void countAnswers(const dsl::SampledResult& result, RuleFindings& findings) {
     const auto is = [&](dsl::Answer what) {
       return (answer.positive == what ? 1 : 0) + (answer.covered == what ? 1 : 0);
     };
-    if (is(dsl::Answer::Proven) == 2) ++findings.proven;
-    if (is(dsl::Answer::Sampled) > 0 && is(dsl::Answer::Refuted) == 0) ++findings.sampled;
+    findings.lastLevel = std::max(findings.lastLevel, answer.lastLevel);
+    if (answer.lastLevel == 0) continue;  // never tried
+    if (is(dsl::Answer::Refuted) > 0)
+      ++findings.refuted;
+    else if (is(dsl::Answer::Proven) == 2)
+      ++findings.proven;
+    else
+      ++findings.sampled;
   }
 }
 
@@ -130,6 +136,7 @@ RuleFindings findIn(const std::string& name, const FindingOptions& options) {
   PictureFolder pictures(options.pictures);
   dsl::SamplingOptions sampling;
   if (options.samples > 0) sampling.samples = options.samples;
+  if (options.prove) sampling.effort = dsl::kGreatEffort;
   const dsl::SampledResult result = dsl::runSampledChecks(*loaded.rules, sampling);
   countAnswers(result, findings);
   addMatchFindings(stemOf(name), loaded, result, pictures, findings.diagnostics);

@@ -12,6 +12,7 @@ namespace af2::cli {
 struct FindingOptions {
   bool quick = false;                ///< nothing that looks at many matches
   int samples = 0;                   ///< for each rule; 0: as the checks see fit
+  bool prove = false;                ///< proofs may take their time
   std::string pictures;              ///< folder for pictures of findings; empty: none
   std::vector<std::string> allowed;  ///< codes that are not told
 };
@@ -21,6 +22,8 @@ struct RuleFindings {
   std::size_t ruleCount = 0;
   std::size_t proven = 0;   ///< rules for which G2 and Z1 are proven for every match
   std::size_t sampled = 0;  ///< rules for which samples showed nothing against one of them
+  std::size_t refuted = 0;  ///< rules with a counter-example
+  int lastLevel = 0;        ///< the highest one at which a rule was looked at
 };
 
 /// What is told of a file: from reading it, and, if that went without errors, from all its matches.

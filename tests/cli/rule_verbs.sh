@@ -48,7 +48,7 @@ grep -q 'sqrt' lib-doc/index.html || fail 'the page of a library lacks its const
 expect 1 "$af2" draw lib.af2
 
 # check
-expect 0 "$af2" check good.af2; says '2 rules: 0 errors'
+expect 0 "$af2" check good.af2; says '2 rules, 0 errors'
 expect 1 "$af2" check bad.af2; says 'bad.af2:9:'
 expect 0 "$af2" check --quick warned.af2; says 'AF2-M1'
 expect 1 "$af2" check --quick --strict warned.af2
