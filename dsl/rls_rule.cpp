@@ -37,7 +37,7 @@ class Converter {
     readQuality();
     numberVertices();
     readPattern();
-    for (const RlsPoint& point : text_.newPoints) rule_.added.push_back(mapOf(point));
+    readNewPoints();
     readElements();
     readZone();
     readOrientations();
@@ -164,6 +164,16 @@ class Converter {
     if (weight != 0)
       warn("I5", term.span, "this coordinate comes twice in one row: the last one counts", "");
     weight = term.coefficient;
+  }
+
+  void readNewPoints() {
+    for (const RlsPoint& point : text_.newPoints) {
+      rule_.added.push_back(mapOf(point));
+      if (rule_.added.back().isPointSum()) continue;
+      warn("I6", point.span,
+           "this point is no sum of points: its x and its y do not follow the same matched points",
+           "it is kept as it is, but a front that is turned a little gets another element");
+    }
   }
 
   void readElements() {

@@ -3,20 +3,21 @@
 #include <algorithm>
 #include <array>
 #include <set>
+#include <utility>
 
 namespace af2::dsl {
 namespace {
 
 constexpr std::array kChecks{
-    Check{"T2", "Are chains, vertices and elements named as they should be?", checkPattern},
-    Check{"T1", "Do elements and pattern close up?", checkTopology},
-    Check{"F1", "Does every step make progress?", checkProgress},
-    Check{"G1", "Are the elements positive at the reference match?", checkOrientation},
-    Check{"Z2 Z4 Z5", "Is the zone a bounded region, counter-clockwise, at the reference match?",
+    Check{0, "T2", "Are chains, vertices and elements named as they should be?", checkPattern},
+    Check{1, "T1", "Do elements and pattern close up?", checkTopology},
+    Check{1, "F1", "Does every step make progress?", checkProgress},
+    Check{1, "G1", "Are the elements positive at the reference match?", checkOrientation},
+    Check{2, "Z2 Z4 Z5", "Is the zone a bounded region, counter-clockwise, at the reference match?",
           checkZones},
-    Check{"D2", "Is every rule tried at some level?", checkLevels},
-    Check{"P1", "Does every rule keep the parity of the front?", checkParity},
-    Check{"M1 M2", "Has every rule its mirror image, once?", checkMirrors},
+    Check{2, "D2", "Is every rule tried at some level?", checkLevels},
+    Check{2, "P1", "Does every rule keep the parity of the front?", checkParity},
+    Check{2, "M1 M2", "Has every rule its mirror image, once?", checkMirrors},
 };
 
 bool isNeverTried(const CheckedRules& given, const std::string& title) {
@@ -53,22 +54,30 @@ void Findings::add(const CompiledRule& rule, Severity severity, const char* code
 
 void runChecks(const CheckedRules& given, DiagnosticList& diagnostics) {
   std::vector<CompiledRule> sound(given.rules.begin(), given.rules.end());
+  std::set<std::string> faulty;
+  std::vector<DiagnosticPlace> toldPlaces;
+  const auto isTold = [&](const DiagnosticPlace& place) {
+    return std::ranges::find(toldPlaces, place) != toldPlaces.end();
+  };
+  int stage = 0;
   for (const Check& check : kChecks) {
+    if (check.stage != std::exchange(stage, check.stage))
+      std::erase_if(
+          sound, [&](const CompiledRule& rule) { return faulty.contains(rule.definition.name); });
     DiagnosticList found;
     Findings findings(found);
     check.run({sound, given.settings, given.main}, findings);
-    std::set<std::string> faulty;
     for (Diagnostic& d : found.take()) {
       // While rules are missing because of errors, whose twins they are cannot be said.
       if (d.code == "M1" && diagnostics.hasErrors()) continue;
       if (d.severity == Severity::Error) {
+        if (isTold(d.place)) continue;
+        toldPlaces.push_back(d.place);
         faulty.insert(d.rule);
         if (isNeverTried(given, d.rule)) excuse(d);
       }
       diagnostics.add(std::move(d));
     }
-    std::erase_if(sound,
-                  [&](const CompiledRule& rule) { return faulty.contains(rule.definition.name); });
   }
 }
 

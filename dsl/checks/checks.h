@@ -32,6 +32,7 @@ class Findings {
 
 /// One check. Give it a file of its own, a row in checks.cpp and a case in tests/dsl/cases.
 struct Check {
+  int stage = 0;           ///< rules in which one stage finds errors are not shown to later ones
   std::string_view codes;  ///< "T1", or several: "M1 M2"
   std::string_view question;
   void (*run)(const CheckedRules& rules, Findings& findings);
@@ -39,7 +40,7 @@ struct Check {
 
 std::span<const Check> checks();
 
-/// Runs all checks. A rule in which one check found an error is not shown to the checks after it.
+/// Runs all checks. Of one place only the first error is told.
 void runChecks(const CheckedRules& rules, DiagnosticList& diagnostics);
 
 void checkPattern(const CheckedRules& rules, Findings& findings);

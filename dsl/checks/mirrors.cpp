@@ -22,14 +22,26 @@ void checkOne(const CompiledRule& rule, std::span<const CompiledRule> all, Findi
     return &other != &rule && doTheSame(other.definition, *rule.image);
   };
   if (std::any_of(all.begin(), all.end(), image)) return;
-  const auto similar = std::find_if(all.begin(), all.end(), [&](const CompiledRule& other) {
+  const auto isSimilar = [&](const CompiledRule& other) {
     return &other != &rule && areAlike(other.definition, *rule.image) &&
            !areAlike(other.definition, rule.definition);
+  };
+  auto similar = std::find_if(all.begin(), all.end(), [&](const CompiledRule& other) {
+    return isSimilar(other) && other.definition.firstLevel == rule.definition.firstLevel;
   });
+  if (similar == all.end()) similar = std::find_if(all.begin(), all.end(), isSimilar);
+  if (areAlike(rule.definition, *rule.image)) {
+    findings.add(rule, Severity::Warning, "M1", rule.title,
+                 "this rule is not quite its own mirror image",
+                 "its image differs in " + differenceOf(rule.definition, *rule.image),
+                 "make it symmetric, or add `mirror \"...\";`");
+    return;
+  }
   if (similar != all.end()) {
     findings.add(rule, Severity::Warning, "M1", rule.title,
                  "this rule and \"" + similar->definition.name + "\" are not quite mirror images",
-                 "", "if they are meant to be, write one of them as `mirror`",
+                 "they differ in " + differenceOf(similar->definition, *rule.image),
+                 "if they are meant to be, write one of them as `mirror`",
                  {{"the other rule", placeOf(similar->home->source, similar->title)}});
     return;
   }

@@ -1,5 +1,6 @@
 // G1: every new element is positive at the reference match.
 #include "dsl/checks/checks.h"
+#include "dsl/checks/fitting_element.h"
 #include "engine/predicates.h"
 
 namespace af2::dsl {
@@ -24,6 +25,7 @@ void checkOrientation(const CheckedRules& rules, Findings& findings) {
       }
       if (left == n) continue;
       const bool isClockwise = right == n;
+      const std::string meant = fittingElement(rule, i);
       findings.add(rule, Severity::Error, "G1", rule.elementSpans[i],
                    isClockwise ? "this element runs clockwise at the reference match"
                    : n == 3    ? "this element has no area at the reference match"
@@ -31,8 +33,9 @@ void checkOrientation(const CheckedRules& rules, Findings& findings) {
                    isClockwise ? ""
                    : n == 4    ? "at the corner '" + vertexName(rule, bad) + "'"
                                : "",
-                   isClockwise ? "name its corners counter-clockwise"
-                               : "move a vertex, or take another set of corners");
+                   !meant.empty() ? "did you mean `" + meant + "`?"
+                   : isClockwise  ? "name its corners counter-clockwise"
+                                  : "move a vertex, or take another set of corners");
     }
   }
 }

@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <limits>
 #include <set>
+#include <span>
 
 #include "dsl/given_match.h"
 
@@ -135,10 +138,21 @@ double costOf(const RuleDefinition& rule, const AF2Binding& binding) {
   return rule.cost ? rule.cost->evaluate(binding).value_or(-1) : 0;
 }
 
+bool haveSamePoints(std::span<const Point2> first, std::span<const Point2> second) {
+  return std::ranges::all_of(first, [&](Point2 p) {
+    return std::ranges::any_of(second, [&](Point2 q) { return isNear(p, q); });
+  });
+}
+
 bool haveSameZones(const RuleDefinition& a, const RuleDefinition& b, const AF2Binding& here,
                    const AF2Binding& there) {
   const auto zoneA = a.zone->makeFreeZone(here), zoneB = b.zone->makeFreeZone(there);
   if (!zoneA.zone || !zoneB.zone) return !zoneA.zone && !zoneB.zone;
+  const auto* polygonA = dynamic_cast<const ConvexPolygonZone*>(zoneA.zone.get());
+  const auto* polygonB = dynamic_cast<const ConvexPolygonZone*>(zoneB.zone.get());
+  if (polygonA && polygonB)
+    return haveSamePoints(polygonA->corners(), polygonB->corners()) &&
+           haveSamePoints(polygonB->corners(), polygonA->corners());
   constexpr std::size_t kPoints = 150;
   const Box2 boxA = zoneA.zone->boundingBox(), boxB = zoneB.zone->boundingBox();
   const Point2 low{std::min(boxA.low.x, boxB.low.x), std::min(boxA.low.y, boxB.low.y)};
@@ -172,7 +186,63 @@ bool agreeAtMatches(const RuleDefinition& a, const RuleDefinition& b, const Renu
   return true;
 }
 
+/// The farthest that a point of one list is from all of the other; infinite if one has none.
+double distanceOf(const std::vector<Point2>& first, const std::vector<Point2>& second) {
+  double farthest = 0;
+  for (const Point2 p : first) {
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const Point2 q : second) nearest = std::min(nearest, distance(p, q));
+    farthest = std::max(farthest, nearest);
+  }
+  return farthest;
+}
+
+std::vector<Point2> pointsOf(const std::vector<std::optional<Point2>>& places) {
+  std::vector<Point2> points;
+  for (const auto& place : places)
+    if (place) points.push_back(*place);
+  return points;
+}
+
+/// Corners of a zone that is a convex polygon.
+std::vector<Point2> zoneCorners(const RuleDefinition& rule, const AF2Binding& binding) {
+  const auto made = rule.zone->makeFreeZone(binding);
+  const auto* polygon = dynamic_cast<const ConvexPolygonZone*>(made.zone.get());
+  if (!polygon) return {};
+  return {polygon->corners().begin(), polygon->corners().end()};
+}
+
+std::string byUpTo(const char* what, double size) {
+  char text[80];
+  std::snprintf(text, sizeof text, "%s by up to %.2g", what, size);
+  return text;
+}
+
 }  // namespace
+
+std::string differenceOf(const RuleDefinition& a, const RuleDefinition& b) {
+  const auto to = matchVertices(a, b);
+  if (!to) return {};
+  double vertices = 0, zones = 0;
+  for (std::size_t sample = 0; sample < 20; ++sample) {
+    const GivenMatch here(a, matchOf(a, sample), a.firstLevel),
+        there(b, renumbered(here.matched(), *to), a.firstLevel);
+    vertices = std::max(vertices, distanceOf(pointsOf(newPlaces(a, here.binding())),
+                                             pointsOf(newPlaces(b, there.binding()))));
+    const auto cornersA = zoneCorners(a, here.binding()),
+               cornersB = zoneCorners(b, there.binding());
+    if (cornersA.empty() || cornersB.empty()) continue;
+    zones = std::max({zones, distanceOf(cornersA, cornersB), distanceOf(cornersB, cornersA)});
+  }
+  std::vector<std::string> parts;
+  if (a.firstLevel != b.firstLevel || a.lastLevel != b.lastLevel) parts.push_back("levels");
+  if (!haveSameTolerances(a, b, *to)) parts.push_back("tolerances");
+  if (vertices > kSame) parts.push_back(byUpTo("new vertices", vertices));
+  if (zones > kSame) parts.push_back(byUpTo("free zones", zones));
+  std::string text;
+  for (const std::string& part : parts) text += (text.empty() ? "" : ", ") + part;
+  return text.empty() ? "conditions, costs, elements or zones" : text;
+}
 
 bool areAlike(const RuleDefinition& a, const RuleDefinition& b) {
   const auto to = matchVertices(a, b);

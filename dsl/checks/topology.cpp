@@ -4,6 +4,7 @@
 #include <set>
 
 #include "dsl/checks/checks.h"
+#include "dsl/checks/fitting_element.h"
 
 namespace af2::dsl {
 namespace {
@@ -12,6 +13,16 @@ using Edge = std::pair<int, int>;
 
 std::string edgeName(const CompiledRule& rule, Edge e) {
   return vertexName(rule, e.first) + "->" + vertexName(rule, e.second);
+}
+
+/// The element that was meant, if there is one such; else what is said in general.
+std::string wayOut(const CompiledRule& rule, std::string otherwise) {
+  for (std::size_t i = 0; i < rule.definition.elements.size(); ++i) {
+    const std::string meant = fittingElement(rule, i);
+    if (!meant.empty())
+      return "did you mean `" + meant + "` as element " + std::to_string(i + 1) + "?";
+  }
+  return otherwise;
 }
 
 std::vector<Edge> edgesOf(const RuleElement& element) {
@@ -67,8 +78,8 @@ bool checkPatternEdges(const CompiledRule& rule, const std::map<Edge, std::size_
                    cover(rule.elementSpans.front(), rule.elementSpans[after->second]),
                    "the new elements do not close up with the front",
                    edgeName(rule, e) + " is left over between their corners",
-                   "add or mend the element that has " + edgeName(rule, e) +
-                       ", or leave this edge out of the pattern",
+                   wayOut(rule, "add or mend the element that has " + edgeName(rule, e) +
+                                    ", or leave this edge out of the pattern"),
                    {{"the front edge", placeOf(rule.home->source, rule.edgeSpans[k])}});
     }
   }

@@ -66,6 +66,14 @@ expect 1 "$af2" check --quick --format sarif bad.af2
 [ "$(json out version)" = 2.1.0 ] || fail 'no SARIF 2.1.0'
 expect 1 "$af2" check --quick --format gcc bad.af2; says 'bad.af2:9:'
 expect 2 "$af2" check --format xml good.af2
+sed 's/0\.866/HEIGHT/; s/^  elements tri;/&\n}\nconst HEIGT = 0.866;/; /^}$/{x;s/^/x/;/^x$/{x;d};x}' good.af2 >misspelt.af2
+cp misspelt.af2 kept.af2
+expect 1 "$af2" check --quick misspelt.af2; says "did you mean 'HEIGT'?"
+expect 0 "$af2" check --quick --diff misspelt.af2 || true
+cmp -s misspelt.af2 kept.af2 || fail '--diff changed the file'
+expect 0 "$af2" check --quick --fix misspelt.af2
+grep -q 'HEIGT)' misspelt.af2 || fail '--fix did not take the name that is meant'
+expect 2 "$af2" check --fix - <good.af2
 expect 2 "$af2" check
 expect 1 bash -c "'$af2' check --quick - <bad.af2"; says '<stdin>:9:'
 mkdir -p some/rules
