@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <utility>
+
+#include "geometry/mesh_sides.h"
 
 namespace af2::geometry {
 
@@ -13,31 +16,30 @@ namespace {
 constexpr double kMostAreaFactor = 1.4, kMostAreaFactorOfFew = 5;
 constexpr std::size_t kFewElements = 60;
 
-struct HalfEdge {
+/// How often a piece of a model edge is to be used. Several may have the same ends.
+struct WantedUses {
   VertexId low, high;
-  std::uint32_t element;
-  bool forward;  ///< from low to high
+  int uses = 0;
   auto key() const { return std::pair(low, high); }
 };
 
-HalfEdge halfEdge(VertexId from, VertexId to, std::size_t element) {
-  const auto index = static_cast<std::uint32_t>(element);
-  return from < to ? HalfEdge{from, to, index, true} : HalfEdge{to, from, index, false};
-}
-
-/// Sorts by low, then high end, keeping the order of equal ones: first into a bucket for each low
-/// end, of which each has but a few.
-std::vector<HalfEdge> sorted(const std::vector<HalfEdge>& edges, std::size_t vertexCount) {
-  std::vector<std::uint32_t> start(vertexCount + 1, 0);
-  for (const HalfEdge& e : edges) ++start[e.low.value + 1];
-  for (std::size_t v = 0; v < vertexCount; ++v) start[v + 1] += start[v];
-  std::vector<std::uint32_t> next(start.begin(), start.end() - 1);
-  std::vector<HalfEdge> result(edges.size());
-  for (const HalfEdge& e : edges) result[next[e.low.value]++] = e;
-  for (std::size_t v = 0; v < vertexCount; ++v)
-    std::stable_sort(result.begin() + start[v], result.begin() + start[v + 1],
-                     [](const HalfEdge& a, const HalfEdge& b) { return a.high < b.high; });
-  return result;
+std::vector<WantedUses> wantedUses(const ModelMesh& mesh) {
+  std::vector<WantedUses> all;
+  for (const EdgeSegment& s : mesh.segments) {
+    const auto [low, high] = std::minmax(s.from, s.to);
+    all.push_back({low, high, s.uses});
+  }
+  std::sort(all.begin(), all.end(),
+            [](const WantedUses& a, const WantedUses& b) { return a.key() < b.key(); });
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (kept > 0 && all[kept - 1].key() == all[i].key())
+      all[kept - 1].uses += all[i].uses;
+    else
+      all[kept++] = all[i];
+  }
+  all.resize(kept);
+  return all;
 }
 
 class Checker {
@@ -46,7 +48,6 @@ class Checker {
 
   std::vector<MeshFinding> check() {
     for (std::size_t i = 0; i < mesh_.elements.size(); ++i) checkElement(i);
-    sortEdges();
     checkEdges();
     checkAreas();
     return std::move(findings_);
@@ -63,19 +64,20 @@ class Checker {
     for (const VertexId v : corners) {
       if (v.value < mesh_.vertices.size()) continue;
       add(mesh_.face[i], "an element has a corner that is no vertex", {});
+      unsound_.push_back(i);
       return;
     }
     for (std::size_t a = 0; a < corners.size(); ++a)
       for (std::size_t b = a + 1; b < corners.size(); ++b)
         if (corners[a] == corners[b]) {
           add(mesh_.face[i], "an element has a corner twice", position(corners[a]));
+          unsound_.push_back(i);
           return;
         }
     const double area = areaOf(i);
     if (!(area > 0)) add(mesh_.face[i], "an element has no area", position(corners[0]));
-    areas_[mesh_.face[i]] += area;
-    for (std::size_t a = 0; a < corners.size(); ++a)
-      edges_.push_back(halfEdge(corners[a], corners[(a + 1) % corners.size()], i));
+    if (i == 0 || mesh_.face[i] != mesh_.face[i - 1]) areaOfFace_ = &areas_[mesh_.face[i]];
+    *areaOfFace_ += area;
   }
 
   double areaOf(std::size_t i) const {
@@ -86,59 +88,58 @@ class Checker {
     return length(sum) / 2;
   }
 
-  void sortEdges() {
-    edges_ = sorted(edges_, mesh_.vertices.size());
-    for (const EdgeSegment& s : mesh_.segments) {
-      const auto [low, high] = std::minmax(s.from, s.to);
-      segments_[{low, high}] += s.uses;
-    }
-  }
-
   void checkEdges() {
-    for (std::size_t i = 0; i < edges_.size();) {
-      std::size_t end = i;
-      while (end < edges_.size() && edges_[end].key() == edges_[i].key()) ++end;
-      checkEdge(i, end);
-      i = end;
+    const MeshSides sides(mesh_,
+                          [&](std::size_t i) { return !std::ranges::binary_search(unsound_, i); });
+    const std::vector<WantedUses> wanted = wantedUses(mesh_);
+    auto segment = wanted.begin();  // both are in order
+    for (std::size_t v = 0; v < mesh_.vertices.size(); ++v) {
+      std::span<const MeshSide> left = sides.of(v);
+      while (!left.empty()) {
+        const std::pair key(VertexId(v), VertexId(left.front().to));
+        std::size_t count = 1;
+        while (count < left.size() && left[count].to == left.front().to) ++count;
+        for (; segment != wanted.end() && segment->key() < key; ++segment) addMissing(*segment);
+        if (segment != wanted.end() && segment->key() == key)
+          checkSegment(*segment++, left.first(count));
+        else
+          checkEdge(position(key.first), left.first(count));
+        left = left.subspan(count);
+      }
     }
-    for (const auto& [key, uses] : segments_)
-      if (uses > 0)
-        add(0, "a segment of the boundary is missing from the mesh", position(key.first));
+    for (; segment != wanted.end(); ++segment) addMissing(*segment);
   }
 
-  void checkEdge(std::size_t first, std::size_t last) {
-    const HalfEdge& edge = edges_[first];
-    const int face = mesh_.face[edge.element];
-    const auto count = static_cast<int>(last - first);
-    const auto segment = segments_.find(edge.key());
-    if (segment != segments_.end()) {
-      if (count != segment->second)
-        add(face,
-            "a segment of the boundary is used " + std::to_string(count) + " times, not " +
-                std::to_string(segment->second),
-            position(edge.low));
-      segment->second = 0;
-      checkSameFaceTwins(first, last);
-      return;
-    }
-    if (count != 2) {
-      add(face, "an edge has " + std::to_string(count) + " elements, not 2", position(edge.low));
-      return;
-    }
-    if (edges_[first].forward == edges_[first + 1].forward)
-      add(face, "two elements use an edge in the same direction", position(edge.low));
-    if (face != mesh_.face[edges_[first + 1].element])
-      add(face, "an edge that is no model edge has two faces", position(edge.low));
+  void addMissing(const WantedUses& segment) {
+    if (segment.uses > 0)
+      add(0, "a segment of the boundary is missing from the mesh", position(segment.low));
   }
 
-  /// Along a seam a face uses a segment twice, in opposite directions.
-  void checkSameFaceTwins(std::size_t first, std::size_t last) {
-    for (std::size_t i = first; i < last; ++i)
-      for (std::size_t k = i + 1; k < last; ++k)
-        if (mesh_.face[edges_[i].element] == mesh_.face[edges_[k].element] &&
-            edges_[i].forward == edges_[k].forward)
-          add(mesh_.face[edges_[i].element], "a face uses a segment twice in one direction",
-              position(edges_[i].low));
+  int faceOf(const MeshSide& side) const { return mesh_.face[side.element()]; }
+
+  void checkSegment(const WantedUses& segment, std::span<const MeshSide> sides) {
+    if (std::cmp_not_equal(sides.size(), segment.uses))
+      add(faceOf(sides.front()),
+          "a segment of the boundary is used " + std::to_string(sides.size()) + " times, not " +
+              std::to_string(segment.uses),
+          position(segment.low));
+    // Along a seam a face uses a segment twice, in opposite directions.
+    for (std::size_t i = 0; i < sides.size(); ++i)
+      for (std::size_t k = i + 1; k < sides.size(); ++k)
+        if (faceOf(sides[i]) == faceOf(sides[k]) && sides[i].isForward() == sides[k].isForward())
+          add(faceOf(sides[i]), "a face uses a segment twice in one direction",
+              position(segment.low));
+  }
+
+  void checkEdge(const Point3& place, std::span<const MeshSide> sides) {
+    const int face = faceOf(sides.front());
+    if (sides.size() != 2) {
+      add(face, "an edge has " + std::to_string(sides.size()) + " elements, not 2", place);
+      return;
+    }
+    if (sides[0].isForward() == sides[1].isForward())
+      add(face, "two elements use an edge in the same direction", place);
+    if (face != faceOf(sides[1])) add(face, "an edge that is no model edge has two faces", place);
   }
 
   void checkAreas() {
@@ -154,9 +155,9 @@ class Checker {
 
   const ModelMesh& mesh_;
   std::size_t limit_;
-  std::vector<HalfEdge> edges_;
-  std::map<std::pair<VertexId, VertexId>, int> segments_;
-  std::map<int, double> areas_;
+  std::vector<std::size_t> unsound_;  ///< elements with wrong corners, in order
+  std::map<int, double> areas_;       ///< by face
+  double* areaOfFace_ = nullptr;      ///< in areas_, of the element before
   std::vector<MeshFinding> findings_;
 };
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 #include <numeric>
+#include <optional>
 
 #include "geometry/mesh_edges.h"
 
@@ -36,24 +37,31 @@ double quadQuality(const std::array<Point3, 4>& corner) {
   return least;
 }
 
-double degreesBetween(const Point3& p, const Point3& q) {
-  return std::atan2(length(cross(p, q)), dot(p, q)) * 180 / std::numbers::pi;
-}
+/// The angle at a corner of an element. Angles are compared without being computed.
+struct Corner {
+  double sine = 0, cosine = 1;  ///< times the lengths of both sides
+
+  Corner(const Point3& p, const Point3& q) : sine(length(cross(p, q))), cosine(dot(p, q)) {}
+  double degrees() const { return std::atan2(sine, cosine) * 180 / std::numbers::pi; }
+  bool isSharperThan(const Corner& other) const {
+    const double turn = other.sine * cosine - sine * other.cosine;
+    return turn > 0 || (turn == 0 && cosine > 0 && other.cosine < 0);  // 0 and 180 degrees
+  }
+};
 
 void measureAngles(const ModelMesh& mesh, MeshQuality& result) {
-  result.minAngle = 180;
+  std::optional<Corner> sharpest, bluntest;
   for (const Element& element : mesh.elements) {
     const std::size_t size = element.vertices().size();
-    const auto corner = [&](std::size_t i) {
-      return mesh.vertices[element.corners[i % size].value];
-    };
+    const auto at = [&](std::size_t i) { return mesh.vertices[element.corners[i % size].value]; };
     for (std::size_t i = 0; i < size; ++i) {
-      const double angle =
-          degreesBetween(corner(i + 1) - corner(i), corner(i + size - 1) - corner(i));
-      result.minAngle = std::min(result.minAngle, angle);
-      result.maxAngle = std::max(result.maxAngle, angle);
+      const Corner here(at(i + 1) - at(i), at(i + size - 1) - at(i));
+      if (!sharpest || here.isSharperThan(*sharpest)) sharpest = here;
+      if (!bluntest || bluntest->isSharperThan(here)) bluntest = here;
     }
   }
+  result.minAngle = sharpest->degrees();
+  result.maxAngle = bluntest->degrees();
 }
 
 void measureShapes(const ModelMesh& mesh, MeshQuality& result) {

@@ -96,6 +96,8 @@ SplineSurface::Spans::Spans(const SplineBasis& basis, double from, double to)
     knots_.push_back(k);
   }
   breaks_.push_back(basis.high());
+  for (std::size_t i = 0; i < knots_.size(); ++i)
+    perUnit_.push_back(1 / (breaks_[i + 1] - breaks_[i]));
   last_ = knots_.size() - 1;
   if (period_ > 0) return;
   const auto spanOf = [&](double parameter) {
@@ -124,8 +126,7 @@ std::optional<SplineSurface::Spans::Place> SplineSurface::Spans::find(double par
     (x < breaks_[middle] ? high : low) = middle;
   }
   if (low < first_ || low > last_) return std::nullopt;
-  const double perUnit = 1 / (breaks_[low + 1] - breaks_[low]);
-  return Place{low - first_, (x - breaks_[low]) * perUnit, perUnit};
+  return Place{low - first_, (x - breaks_[low]) * perUnit_[low], perUnit_[low]};
 }
 
 SplineSurface::SplineSurface(Spans u, Spans v, bool isRational)

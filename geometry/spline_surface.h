@@ -73,6 +73,7 @@ class SplineSurface {
     int degree_;
     double period_;
     std::vector<double> breaks_;      ///< one more than spans
+    std::vector<double> perUnit_;     ///< by span
     std::vector<std::size_t> knots_;  ///< by span
     std::size_t first_ = 0, last_ = 0;
   };

@@ -1,7 +1,6 @@
 #include "geometry/occ/face_area.h"
 
 #include <BRepAdaptor_Curve.hxx>
-#include <BRepTools.hxx>
 #include <BRep_Tool.hxx>
 #include <Geom2dAdaptor_Curve.hxx>
 #include <GeomAdaptor_Surface.hxx>
@@ -16,8 +15,9 @@
 #include <functional>
 #include <optional>
 
+#include "engine/error.h"
+#include "geometry/occ/face_surface.h"
 #include "geometry/occ/points.h"
-#include "geometry/occ/surface_values.h"
 
 namespace af2::geometry {
 
@@ -101,9 +101,10 @@ std::optional<StripArea> closedForm(const GeomAdaptor_Surface& surface,
 /// Strips of any other surface, piece by piece between the u where its formula changes.
 class SummedStrips {
  public:
-  SummedStrips(const Handle(Geom_Surface) & surface, const GeomAdaptor_Surface& adaptor,
-               const SplineSurface::Box& box, double tolerance)
-      : values_(surface, box), integral_(tolerance), from_((box.u1 + box.u2) / 2) {
+  SummedStrips(const FaceSurface& surface, const GeomAdaptor_Surface& adaptor, double tolerance)
+      : surface_(surface.inOccParameters()),
+        integral_(tolerance),
+        from_((surface.box().u1 + surface.box().u2) / 2) {
     const int count = adaptor.NbUIntervals(GeomAbs_C2);
     TColStd_Array1OfReal bounds(1, count + 1);
     adaptor.UIntervals(bounds, GeomAbs_C2);
@@ -112,7 +113,7 @@ class SummedStrips {
 
   double operator()(double u, double v) const {
     const auto width = [&](double at) {
-      const SurfaceFrame frame = values_.frameAt(at, v);
+      const SurfaceFrame frame = surface_.frameAt(at, v);
       return length(cross(frame.du, frame.dv));
     };
     const double low = std::min(from_, u), high = std::max(from_, u);
@@ -127,7 +128,7 @@ class SummedStrips {
   }
 
  private:
-  SurfaceValues values_;
+  const GeneralSurface& surface_;
   Integral integral_;
   double from_;
   std::vector<double> breaks_;
@@ -136,8 +137,6 @@ class SummedStrips {
 /// What the rules of Gauss and Kronrod may differ by, as a share. Kronrod's alone is better by some
 /// digits.
 constexpr double kShare = 1e-5;
-/// A boundary with a larger gap, as a share of its extent, is not closed.
-constexpr double kGap = 1e-3;
 
 /// Integrates a rate along a curve, piece by piece between the parameters where its formula
 /// changes.
@@ -157,17 +156,18 @@ double signOf(const TopoDS_Edge& edge) { return edge.Orientation() == TopAbs_REV
 /// around the face.
 class CurvedArea {
  public:
-  CurvedArea(const TopoDS_Face& face, const Handle(Geom_Surface) & surface,
+  CurvedArea(const TopoDS_Face& face, const FaceSurface& surface,
              const GeomAdaptor_Surface& adaptor)
-      : face_(face), box_(boxOf(face)) {
+      : face_(face) {
+    const SplineSurface::Box& box = surface.box();
     const SurfaceFrame middle =
-        SurfaceValues(surface, box_).frameAt((box_.u1 + box_.u2) / 2, (box_.v1 + box_.v2) / 2);
-    const double perStrip = kShare * length(cross(middle.du, middle.dv)) * (box_.u2 - box_.u1);
-    integral_ = Integral(perStrip * (box_.v2 - box_.v1));
-    if (auto closed = closedForm(adaptor, box_))
+        surface.inOccParameters().frameAt((box.u1 + box.u2) / 2, (box.v1 + box.v2) / 2);
+    const double perStrip = kShare * length(cross(middle.du, middle.dv)) * (box.u2 - box.u1);
+    integral_ = Integral(perStrip * (box.v2 - box.v1));
+    if (auto closed = closedForm(adaptor, box))
       strip_ = std::move(*closed);
     else
-      strip_ = SummedStrips(surface, adaptor, box_, perStrip);
+      strip_ = SummedStrips(surface, adaptor, perStrip);
   }
 
   void add(const TopoDS_Edge& edge) {
@@ -175,9 +175,6 @@ class CurvedArea {
     const Handle(Geom2d_Curve) curve = BRep_Tool::CurveOnSurface(edge, face_, first, last);
     if (curve.IsNull()) throw Standard_Failure("an edge has no curve in the parameters");
     const Geom2dAdaptor_Curve adaptor(curve, first, last);
-    const gp_Pnt2d start = adaptor.Value(first), end = adaptor.Value(last);
-    gapU_ += signOf(edge) * (end.X() - start.X());
-    gapV_ += signOf(edge) * (end.Y() - start.Y());
     sum_ += signOf(edge) * integrateAlong(adaptor, integral_, [&](double t) {
               gp_Pnt2d place;
               gp_Vec2d tangent;
@@ -186,25 +183,13 @@ class CurvedArea {
             });
   }
 
-  /// 0 if the boundary is not closed in the parameters.
-  double area() const {
-    const bool isClosed = std::abs(gapU_) <= kGap * (box_.u2 - box_.u1) &&
-                          std::abs(gapV_) <= kGap * (box_.v2 - box_.v1);
-    return isClosed ? std::abs(sum_) : 0;
-  }
+  double area() const { return std::abs(sum_); }
 
  private:
-  static SplineSurface::Box boxOf(const TopoDS_Face& face) {
-    SplineSurface::Box box{};
-    BRepTools::UVBounds(face, box.u1, box.u2, box.v1, box.v2);
-    return box;
-  }
-
   const TopoDS_Face& face_;
-  SplineSurface::Box box_;
   StripArea strip_;
   Integral integral_{0};
-  double sum_ = 0, gapU_ = 0, gapV_ = 0;
+  double sum_ = 0;
 };
 
 /// In a plane, the triangles from some point to the boundary. The edges are taken in space: many
@@ -222,12 +207,10 @@ class PlaneArea {
         toPoint(curve.Value((curve.FirstParameter() + curve.LastParameter()) / 2));
     if (!origin_) origin_ = start;
     extent_ = std::max({extent_, distance(middle, *origin_), distance(end, *origin_)});
-    gap_ = gap_ + signOf(edge) * (end - start);
     sum_ += signOf(edge) * triangles(curve, start, end);
   }
 
-  /// 0 if the boundary is not closed.
-  double area() const { return length(gap_) <= kGap * extent_ ? std::abs(sum_) : 0; }
+  double area() const { return std::abs(sum_); }
 
  private:
   double triangles(const BRepAdaptor_Curve& curve, const Point3& start, const Point3& end) const {
@@ -246,7 +229,6 @@ class PlaneArea {
   Point3 normal_;
   std::optional<Point3> origin_;
   double sum_ = 0, extent_ = 0;
-  Point3 gap_;
 };
 
 template <class Area>
@@ -259,11 +241,9 @@ double areaWithin(const TopoDS_Face& face, Area area) {
   return area.area();
 }
 
-double areaOf(const TopoDS_Face& face) {
-  const Handle(Geom_Surface) surface = BRep_Tool::Surface(face);
-  if (surface.IsNull()) return 0;
-  const GeomAdaptor_Surface adaptor(surface);
-  if (adaptor.GetType() == GeomAbs_Plane) return areaWithin(face, PlaneArea(adaptor.Plane()));
+double areaOf(const TopoDS_Face& face, const FaceSurface& surface) {
+  const GeomAdaptor_Surface adaptor(BRep_Tool::Surface(face));
+  if (surface.isPlane()) return areaWithin(face, PlaneArea(adaptor.Plane()));
   return areaWithin(face, CurvedArea(face, surface, adaptor));
 }
 
@@ -271,8 +251,11 @@ double areaOf(const TopoDS_Face& face) {
 
 double areaOf(const ModelShape& model, int face) {
   try {
-    const double area = areaOf(TopoDS::Face(model.face(face).Oriented(TopAbs_FORWARD)));
+    const TopoDS_Face forward = TopoDS::Face(model.face(face).Oriented(TopAbs_FORWARD));
+    const double area = areaOf(forward, model.surface(face));
     return area < Precision::Infinite() ? area : 0;  // no boundary, or not a number
+  } catch (const GeometryError&) {                   // no surface
+    return 0;
   } catch (const Standard_Failure&) {
     return 0;
   }

@@ -6,8 +6,7 @@
 
 namespace af2::geometry {
 
-/// Area of a face of the model, to about five digits; 0 if it cannot be told, as where the boundary
-/// is not closed in the parameters. Independent of how
+/// Area of a face of the model, to about five digits; 0 if it cannot be told. Independent of how
 /// edges are divided and of any mesh.
 double areaOf(const ModelShape& model, int face);
 

@@ -120,13 +120,13 @@ FaceSurface::FaceSurface(const TopoDS_Face& face)
 
 FaceSurface::FaceSurface(const Handle(Geom_Surface) & surface, const SplineSurface::Box& box,
                          bool flipped)
-    : parametric_(surface, flipped, box), surface_(parametric_) {
+    : box_(box), parametric_(surface, flipped, box), surface_(parametric_) {
   const GeomAdaptor_Surface adaptor(surface);
   const Bounds bounds{box};
   const SurfacePoint sample = samplePoint(bounds, parametric_);
   const Point3 &p = sample.position, &n = sample.normal;
   if (!(length(n) > 0)) return;
-  if (adaptor.GetType() != GeomAbs_Plane) measure(box);
+  if (adaptor.GetType() != GeomAbs_Plane) measure();
   switch (adaptor.GetType()) {
     case GeomAbs_Plane:
       surface_ = PlaneSurface{n};
@@ -166,8 +166,8 @@ FaceSurface::FaceSurface(const Handle(Geom_Surface) & surface, const SplineSurfa
   }
 }
 
-void FaceSurface::measure(const SplineSurface::Box& box) {
-  const Bounds bounds{box};
+void FaceSurface::measure() {
+  const Bounds bounds{box_};
   for (const double share : {0.02, 0.5, 0.98}) {
     const auto u = alongU(bounds, parametric_, share), v = alongV(bounds, parametric_, share);
     isBentInU_ = isBentInU_ || geometry::isBent(u);

@@ -44,6 +44,8 @@ class FaceSurface {
   bool isPlane() const { return std::holds_alternative<PlaneSurface>(surface_); }
   /// Distance of the parts of the face that are farthest from each other, roughly.
   double extent() const { return extent_; }
+  /// The part of OpenCASCADE's parameters that the face takes up; of a plane, any part.
+  const SplineSurface::Box& box() const { return box_; }
 
   /// Makes the published charts; for a plane, the exact one.
   std::unique_ptr<AF2LocalTransformMaker> makeCharts(const ChartLimits& limits) const;
@@ -56,12 +58,13 @@ class FaceSurface {
  private:
   /// flipped  the normals of the face are opposite to du x dv
   FaceSurface(const Handle(Geom_Surface) & surface, const SplineSurface::Box& box, bool flipped);
-  void measure(const SplineSurface::Box& box);
+  void measure();
   bool isBent() const { return isBentInU_ || isBentInV_; }
 
   using Surface = std::variant<PlaneSurface, CylinderSurface, ConeSurface, SphereSurface,
                                TorusSurface, GeneralSurface>;
 
+  SplineSurface::Box box_;
   GeneralSurface parametric_;
   Surface surface_;
   std::optional<DevelopedCone> developed_;

@@ -11,6 +11,7 @@
 #include "geometry/occ/edge_division.h"
 #include "geometry/occ/face_area.h"
 #include "geometry/occ/face_mesher.h"
+#include "geometry/occ/face_surface.h"
 #include "geometry/occ/parallel.h"
 #include "geometry/occ/sizing.h"
 #include "geometry/sound_faces.h"
@@ -179,7 +180,7 @@ class ModelMesher {
   ModelMesh mesh() {
     const std::vector<int> faces = facesAskedFor(model_, options_);
     const std::vector<double> areas = areasOf(faces);
-    const std::vector<double> work = expectedElements(faces, areas);
+    const std::vector<double> work = workOf(faces, areas);
     const Stopwatch edgesWatch;
     options_.sizes =
         spreadSizes(model_.shape(), std::move(options_.sizes), options_.threads, options_.stop);
@@ -246,14 +247,14 @@ class ModelMesher {
     return areas;
   }
 
-  std::vector<double> expectedElements(const std::vector<int>& faces,
-                                       const std::vector<double>& areas) const {
-    constexpr double kUnitTriangle = 0.4330127018922193;  // area of the one with edges of length 1
-    std::vector<double> work;
-    for (std::size_t i = 0; i < faces.size(); ++i) {
-      const double size = wantedOnFace(options_.sizes, faces[i]);
-      work.push_back(1 + areas[i] / (kUnitTriangle * size * size));
-    }
+  std::vector<double> workOf(const std::vector<int>& faces,
+                             const std::vector<double>& areas) const {
+    std::vector<double> work(faces.size(), 1);
+    forEachInParallel(faces.size(), options_.threads, [&](std::size_t i) {
+      if (!(areas[i] > 0) || options_.stop.stop_requested()) return;
+      work[i] +=
+          expectedElements(options_.sizes, faces[i], model_.shape().surface(faces[i]), areas[i]);
+    });
     refuseTooMany(std::accumulate(work.begin(), work.end(), 0.0));
     return work;
   }

@@ -31,4 +31,8 @@ double limitByFunction(const ModelSizes& sizes, double size, const Point3& posit
 double limitByCurvature(const ModelSizes& sizes, double size, const FaceSurface& surface,
                         const SurfacePoint& point);
 
+/// About how many triangles a face will have: its area over theirs, at the sizes that the options
+/// and curvature ask for.
+double expectedElements(const ModelSizes& sizes, int face, const FaceSurface& surface, double area);
+
 }  // namespace af2::geometry

@@ -52,6 +52,19 @@ TEST(Percentile, InterpolatesBetweenNeighbours) {
   EXPECT_EQ(percentile({}, 0.5), 0);
 }
 
+TEST(MeasureQuality, FindsTheExtremeAnglesOfFlatElements) {
+  const auto anglesOf = [](const std::vector<Point3>& corners) {
+    return measureQuality(oneElement(corners), [](int, int, const Point3&) { return 1.0; });
+  };
+  for (const auto& corners : {std::vector<Point3>{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}},
+                              std::vector<Point3>{{1, 0, 0}, {2, 0, 0}, {0, 0, 0}}}) {
+    EXPECT_EQ(anglesOf(corners).minAngle, 0);
+    EXPECT_NEAR(anglesOf(corners).maxAngle, 180, 1e-12);
+  }
+  EXPECT_NEAR(anglesOf({{0, 0, 0}, {1, 0, 0}, {0, 1e-6, 0}}).minAngle, 180e-6 / 3.14159265, 1e-9);
+  EXPECT_NEAR(anglesOf({{0, 0, 0}, {1, 0, 0}, {0, 1e-6, 0}}).maxAngle, 90, 1e-12);
+}
+
 TEST(MeasureQuality, OfAnEmptyMeshIsZero) {
   const MeshQuality quality = measureQuality({});
   EXPECT_EQ(quality.mean, 0);

@@ -2,19 +2,13 @@
 
 #include <gtest/gtest.h>
 #include <BRepAlgoAPI_Cut.hxx>
-#include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_NurbsConvert.hxx>
 #include <BRepGProp.hxx>
 #include <BRepPrimAPI_MakeRevol.hxx>
-#include <BRep_Builder.hxx>
 #include <GProp_GProps.hxx>
-#include <Geom_Plane.hxx>
-#include <TopoDS_Face.hxx>
-#include <TopoDS_Wire.hxx>
 #include <gp_Pln.hxx>
 
-#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -78,19 +72,6 @@ TEST(FaceArea, OfSurfacesWithoutClosedFormIsThatOfOpenCascade) {
           .Shape();
   expectAreasOfOpenCascade(
       BRepPrimAPI_MakeRevol(square, gp_Ax1(gp_Pnt(0, 0, 0), gp_Dir(0.3, 0, 1)), 2.0).Shape());
-}
-
-TEST(FaceArea, CannotBeToldIfTheBoundaryIsOpen) {
-  const std::array corners{gp_Pnt(0, 0, 0), gp_Pnt(1, 0, 0), gp_Pnt(1, 1, 0), gp_Pnt(0, 1, 0)};
-  const BRep_Builder builder;
-  TopoDS_Wire wire;
-  builder.MakeWire(wire);
-  for (std::size_t i = 0; i < 3; ++i)
-    builder.Add(wire, BRepBuilderAPI_MakeEdge(corners[i], corners[i + 1]).Edge());
-  TopoDS_Face face;
-  builder.MakeFace(face, new Geom_Plane(gp::XOY()), 1e-7);
-  builder.Add(face, wire);
-  EXPECT_EQ(sumOfAreas(testing::modelOf(face)), 0);
 }
 
 TEST(FaceArea, DoesNotDependOnTheOrientation) {
