@@ -366,14 +366,16 @@ void FileCompiler::compileTests(LoadedFile& result) {
 }
 
 std::shared_ptr<const RuleSet> FileCompiler::compile(LoadedFile& result) {
-  settings_ = std::make_unique<RuleSetCompiler>(context_, main_, ruleSets());
+  std::vector<PlacedRuleSet> sets = ruleSets();
+  const bool needsRules = needsRuleSet_ || !sets.empty();
+  settings_ = std::make_unique<RuleSetCompiler>(context_, main_, std::move(sets));
   compileItems(main_);
   checkTitles();
   checkKinds(*settings_);
   compileTests(result);
   RuleSetDefinition definition = settings_->finish(sizesMade());
   runChecks({rules_, definition, main_}, context_.diagnostics);
-  if (rules_.empty() && !context_.diagnostics.hasErrors() && needsRuleSet_)
+  if (rules_.empty() && !context_.diagnostics.hasErrors() && needsRules)
     tell(main_, "R5", {0, 0}, "this file has no rules", "add `rule \"title\" quality 1 { ... }`");
   result.rules = std::move(rules_);
   if (context_.diagnostics.hasErrors() || result.rules.empty()) return nullptr;

@@ -38,9 +38,9 @@ cat >lib.af2 <<'END'
 af2 1;
 
 ## Height of the even triangle.
-const H = sqrt(3)/2;
+const H = sqrt(3) / 2;
 END
-expect 0 "$af2" check lib.af2; says '0 rules: 0 errors'
+expect 0 "$af2" check lib.af2; says '0 rules, 0 errors'
 expect 0 "$af2" fmt --check lib.af2
 expect 0 "$af2" test lib.af2; says '0 passed, 0 failed'
 expect 0 "$af2" doc lib.af2 -o lib-doc
@@ -69,7 +69,7 @@ expect 2 "$af2" check --format xml good.af2
 sed 's/0\.866/HEIGHT/; s/^  elements tri;/&\n}\nconst HEIGT = 0.866;/; /^}$/{x;s/^/x/;/^x$/{x;d};x}' good.af2 >misspelt.af2
 cp misspelt.af2 kept.af2
 expect 1 "$af2" check --quick misspelt.af2; says "did you mean 'HEIGT'?"
-expect 0 "$af2" check --quick --diff misspelt.af2 || true
+expect 1 "$af2" check --quick --diff misspelt.af2
 cmp -s misspelt.af2 kept.af2 || fail '--diff changed the file'
 expect 0 "$af2" check --quick --fix misspelt.af2
 grep -q 'HEIGT)' misspelt.af2 || fail '--fix did not take the name that is meant'

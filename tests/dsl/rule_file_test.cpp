@@ -156,6 +156,9 @@ TEST(Libraries, NeedNoRuleSetUnlessTheyAreRun) {
   EXPECT_EQ(loadRulesFromText("lib.af2", definitions + "const H = 1;", library).diagnostics.size(),
             1u)
       << "everything else is told";
+  const LoadedRules begun = loadRulesFromText("begun.af2", "af2 1;\nruleset \"s\" {}\n", library);
+  ASSERT_EQ(begun.diagnostics.size(), 1u) << "a rule set is there to be run";
+  EXPECT_EQ(begun.diagnostics[0].code, "R5");
 }
 
 TEST(RuleSets, MayListPolyForElementsOfAnyKind) {
