@@ -10,12 +10,12 @@ namespace {
 
 constexpr std::array kChecks{
     Check{0, "T2", "Are chains, vertices and elements named as they should be?", checkPattern},
+    Check{0, "D2", "Is every rule tried at some level?", checkLevels},
     Check{1, "T1", "Do elements and pattern close up?", checkTopology},
     Check{1, "F1", "Does every step make progress?", checkProgress},
     Check{1, "G1", "Are the elements positive at the reference match?", checkOrientation},
     Check{2, "Z2 Z4 Z5", "Is the zone a bounded region, counter-clockwise, at the reference match?",
           checkZones},
-    Check{2, "D2", "Is every rule tried at some level?", checkLevels},
     Check{2, "P1", "Does every rule keep the parity of the front?", checkParity},
     Check{2, "M1 M2", "Has every rule its mirror image, once?", checkMirrors},
 };

@@ -21,6 +21,7 @@ struct CoverageMap {
   std::vector<double> xs, ys;  ///< lengths, or angles in degrees
   std::vector<int> levels;     ///< by row, then column: the lowest level at which a rule applies
   std::vector<FrontPiece> pieces;  ///< the situations themselves
+  std::vector<bool> isOrdinary;    ///< see isOrdinary below
 
   int level(std::size_t x, std::size_t y) const { return levels[y * xs.size() + x]; }
 };
@@ -35,7 +36,13 @@ struct Coverage {
 /// Angles are those of the unmeshed side.
 Coverage measureCoverage(const RuleSet& rules, int lastLevel = 10);
 
-/// A finding, about no rule in particular, if there are situations that no rule accepts.
+/// Whether a front in good order comes to look like this: edges of 0.6 to 1.7 times the wanted
+/// length, no free angle below 45 or above 315 degrees, and vertices that are not neighbours at
+/// least half an edge apart.
+bool isOrdinary(const FrontPiece& piece);
+
+/// A finding, about no rule in particular, if no rule accepts some ordinary situations. It has a
+/// test for each kind of piece, on a situation amid those that are left out.
 std::optional<SampledFinding> findUncoveredSituations(const Coverage& coverage);
 
 }  // namespace af2::dsl

@@ -44,6 +44,8 @@ Diagnostic diagnosticOf(const SampledFinding& finding) {
   diagnostic.message = finding.message;
   diagnostic.help = finding.help;
   if (!finding.test.empty()) diagnostic.notes.push_back({onOneLine(finding.test), std::nullopt});
+  for (const std::string& test : finding.furtherTests)
+    diagnostic.notes.push_back({onOneLine(test), std::nullopt});
   return diagnostic;
 }
 

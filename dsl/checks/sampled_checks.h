@@ -37,6 +37,7 @@ struct SampledFinding {
   std::string help;
   CounterExample example;
   std::string test;  ///< a `test` block that shows the fault, ready to be put into the rule file
+  std::vector<std::string> furtherTests;  ///< of N1
 };
 
 /// Levels beyond a rule's first one, itself included, at which its elements and zone are looked at.
