@@ -33,15 +33,21 @@ std::map<int, double> sizesOfFaces(const SizeRequest& request, const geometry::M
   std::map<int, double> sizes;
   for (const auto& [pattern, size] : request.file.parts) {
     bool fits = false;
+    for (const geometry::FaceGroup& group : model.groups()) {
+      if (!geometry::fitsPattern(group.name, pattern)) continue;
+      for (const int face : group.faces) sizes[face] = size;
+      fits = true;
+    }
     for (int face = 1; face <= model.faceCount(); ++face) {
       if (!geometry::fitsPattern(model.faceName(face), pattern)) continue;
       sizes[face] = size;
       fits = true;
     }
     if (!fits)
-      throw InputError(fmt::format(
-          "the sizes are for parts named '{}', but no face has such a name (see af2 inspect)",
-          pattern));
+      throw InputError(
+          fmt::format("the sizes are for parts named '{}', but no face or group has such a name "
+                      "(see af2 inspect)",
+                      pattern));
   }
   for (const auto& [face, size] : request.faceSizes) sizes[face] = size;
   return sizes;
@@ -68,6 +74,7 @@ geometry::ModelMeshingOptions meshingOptions(const MeshRequest& request,
   options.sizes = modelSizes(request.sizes, model);
   options.edgePoints = request.edgePoints;
   options.faces = request.faces;
+  options.order = request.order;
   options.threads = request.threads;
   options.optimize = request.optimize;
   options.stop = control.stop;

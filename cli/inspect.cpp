@@ -35,6 +35,14 @@ void printFaces(const geometry::Model& model) {
   }
 }
 
+void printGroups(const geometry::Model& model) {
+  if (model.groups().empty()) return;
+  fmt::print("{:>8}  {:<12}  {}\n", "faces", "group", "name");
+  for (const geometry::FaceGroup& group : model.groups())
+    fmt::print("{:>8}  {:<12}  {}\n", group.faces.size(), geometry::toString(group.kind),
+               group.name);
+}
+
 }  // namespace
 #endif
 
@@ -48,6 +56,7 @@ Action declareInspect(CLI::App& command) {
     const geometry::Model model = geometry::readModel(*path);
     printOverview(model);
     *brief ? printSurfaceTypes(model) : printFaces(model);
+    printGroups(model);
     return kComplete;
 #else
     throw InputError("this af2 was built without OpenCASCADE; build it with -DAF2_BUILD_OCC=ON");

@@ -56,6 +56,10 @@ void tell(const MeshRequest& request, const RunReport& report, const ModelMesh& 
   if (mesh.elements.empty() && !request.outputs.empty()) {
     fmt::print(stderr, "af2: there is no mesh, so no file was written\n");
   }
+  if (!mesh.straightened.empty()) {
+    fmt::print(stderr, "af2: {} elements of second order kept straight sides (see --report)\n",
+               mesh.straightened.size());
+  }
   if (!request.quiet) fmt::print("{}", summaryText(mesh, report.quality));
 }
 

@@ -50,6 +50,9 @@ void checkOutputs(const MeshRequest& request) {
   };
   for (const fs::path& output : request.outputs) {
     asUsage([&] { geometry::meshFormatOf(output); });
+    if (request.order == 2 && !geometry::meshFormatOf(output).holdsSecondOrder)
+      throw UsageError(
+          fmt::format("'{}' cannot hold elements of order 2; use .vtu or .msh", output.string()));
     checkOne(output);
   }
   if (!request.report.empty()) checkOne(request.report);
@@ -80,6 +83,8 @@ void declareMeshOptions(CLI::App& command, MeshOptions& options) {
                    "take the segments of a .poly file as they are");
   command.add_option("-j,--threads", options.threads,
                      "threads to use; the mesh does not depend on it");
+  command.add_option("--order", options.order,
+                     "2: elements with vertices at the middles of their sides, on the surface");
   command.add_flag("--no-optimize", options.rawFront, "leave the mesh as the front made it");
   command.add_option("--report", options.report, "file for a report in JSON");
   command.add_flag("-q,--quiet", options.quiet, "print nothing unless something is wrong");
@@ -96,6 +101,9 @@ MeshRequest checkedRequest(const MeshOptions& options) {
     throw UsageError(fmt::format("--threads {}: give 1 to 4096", options.threads));
   }
   request.threads = options.threads;
+  if (options.order != 1 && options.order != 2)
+    throw UsageError(fmt::format("--order {}: elements can have order 1 or 2", options.order));
+  request.order = options.order;
   request.quiet = options.quiet;
   request.optimize = !options.rawFront;
   request.report = options.report;

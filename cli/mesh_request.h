@@ -16,7 +16,7 @@ struct MeshOptions {
   std::string model, rules = "tri/even.af2", faces, report;
   SizeOptions sizes;
   std::vector<std::string> outputs;
-  int threads = 0;
+  int threads = 0, order = 1;
   std::string boundary;
   bool quiet = false, rawFront = false, keepBoundary = false;
 };
@@ -28,6 +28,7 @@ struct MeshRequest {
   std::vector<std::filesystem::path> outputs;
   SizeRequest sizes;
   std::vector<int> faces;           ///< empty: all
+  int order = 1;                    ///< of the elements
   int threads = 0;                  ///< 0: as many as the machine has
   geometry::EdgePoints edgePoints;  ///< edges that are divided already
   bool quiet = false, optimize = true, keepBoundary = false;

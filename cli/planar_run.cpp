@@ -25,6 +25,7 @@ geometry::ModelMesh runPlanar(const MeshRequest& request, const AF2Algorithm& al
   options.growth = request.sizes.growth;
   options.sources = request.sizes.file.sources;
   options.keepBoundary = request.keepBoundary;
+  options.order = request.order;
   options.optimize = request.optimize;
   options.threads = request.threads;
   options.stop = control.stop;

@@ -1,7 +1,9 @@
 // The mesh of a whole model: the meshes of its faces, joined at the shared vertices of their edges.
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -24,12 +26,31 @@ struct FaceReport {
   std::string reason;  ///< where and why, when it failed
 };
 
+enum class GroupKind {
+  Part,   ///< what the file gives a name
+  Solid,  ///< a solid of the model
+  Layer,
+  Color,  ///< named "#rrggbb"
+};
+
+/// "part", "solid", "layer" or "color".
+const char* toString(GroupKind kind);
+
+/// Faces of the model that belong together. A face may belong to several groups.
+struct FaceGroup {
+  std::string name;
+  GroupKind kind = GroupKind::Part;
+  std::vector<int> faces;  ///< ids, ascending
+  bool operator==(const FaceGroup&) const = default;
+};
+
 /// A piece of a divided model edge. `uses` is how often the faces that were asked for run along it:
 /// 2 inside a closed shell and along a seam, 1 at its border.
 struct EdgeSegment {
   VertexId from, to;
   int edge = 0;  ///< id of the model edge, 1, 2, ...
   int uses = 0;
+  Point3 middle{};  ///< halfway along the edge; only for elements of second order
   bool operator==(const EdgeSegment&) const = default;
 };
 
@@ -44,14 +65,26 @@ struct ModelMesh {
   /// of the model; may be empty.
   std::vector<double> wantedSizes;
   std::vector<Element> elements;
+  /// Second order: by element, the vertices at the middles of its sides, [0] between corners 0 and
+  /// 1; they follow all other vertices. Empty: first order.
+  std::vector<std::array<VertexId, 4>> midsides;
+  /// Second order: elements that kept straight sides, because curved ones would turn them over.
+  std::vector<ElementId> straightened;
   std::vector<std::int32_t> face;   ///< by element: id of the model face
   std::vector<std::uint16_t> rule;  ///< by element: index in ruleNames
   std::vector<std::string> ruleNames;
   std::vector<EdgeSegment> segments;
   std::vector<FaceReport> faces;
+  std::vector<FaceGroup> groups;
   /// What the last checks found that is not on one face; empty: nothing.
   std::vector<std::string> findings;
   StageSeconds seconds;
 };
+
+/// The vertices at corners of elements: all but those at the middles of sides, which follow.
+inline std::span<const Point3> cornerVertices(const ModelMesh& mesh) {
+  const std::span<const Point3> all = mesh.vertices;
+  return mesh.midsides.empty() ? all : all.first(mesh.midsides.front().front().value);
+}
 
 }  // namespace af2::geometry

@@ -65,6 +65,20 @@ const char* toString(RunStatus status) {
   return "failed";
 }
 
+const char* toString(GroupKind kind) {
+  switch (kind) {
+    case GroupKind::Part:
+      return "part";
+    case GroupKind::Solid:
+      return "solid";
+    case GroupKind::Layer:
+      return "layer";
+    case GroupKind::Color:
+      return "color";
+  }
+  return "part";
+}
+
 const char* toString(FaceStatus status) {
   switch (status) {
     case FaceStatus::Complete:
@@ -92,11 +106,21 @@ void writeReport(const RunReport& report, const ModelMesh& mesh, OutputFile& fil
   const auto quads = std::ranges::count_if(mesh.elements, &Element::isQuad);
   Json json{{"status", toString(report.status)}};
   if (!report.reason.empty()) json["reason"] = report.reason;
+  json["order"] = mesh.midsides.empty() ? 1 : 2;
+  for (const ElementId element : mesh.straightened) {
+    const Point3& p = mesh.vertices[mesh.elements[element.value].corners[0].value];
+    json["straightened"].push_back({{"element", element.value},
+                                    {"face", mesh.face[element.value]},
+                                    {"place", {p.x, p.y, p.z}}});
+  }
   json["vertices"] = mesh.vertices.size();
   json["triangles"] = static_cast<std::ptrdiff_t>(mesh.elements.size()) - quads;
   json["quads"] = quads;
   json["faces"] = Json::array();
   for (const FaceReport& face : mesh.faces) json["faces"].push_back(toJson(face));
+  for (const FaceGroup& group : mesh.groups)
+    json["groups"].push_back(
+        {{"kind", toString(group.kind)}, {"name", group.name}, {"faces", group.faces}});
   json["seconds"] = toJson(mesh.seconds);
   json["quality"] = toJson(report.quality);
   json["fingerprint"] = fingerprint(mesh);

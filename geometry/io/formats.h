@@ -14,6 +14,8 @@ void writeVtk(const ModelMesh& mesh, OutputFile& file);
 void writeMsh(const ModelMesh& mesh, OutputFile& file);
 /// STL, binary; quadrilaterals are split.
 void writeStl(const ModelMesh& mesh, OutputFile& file);
+/// TetGen's .smesh, text; quadrilaterals are split, each model face is a boundary marker.
+void writeSmesh(const ModelMesh& mesh, OutputFile& file);
 /// Wavefront OBJ, text: each model face is a group.
 void writeObj(const ModelMesh& mesh, OutputFile& file);
 /// PLY, binary.

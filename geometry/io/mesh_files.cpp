@@ -13,12 +13,13 @@ namespace af2::geometry {
 namespace {
 
 constexpr std::array kFormats{
-    MeshFormat{".vtu", "VTK XML unstructured grid", &writeVtu},
+    MeshFormat{".vtu", "VTK XML unstructured grid", &writeVtu, true},
     MeshFormat{".vtk", "legacy VTK", &writeVtk},
-    MeshFormat{".msh", "Gmsh 4.1", &writeMsh},
+    MeshFormat{".msh", "Gmsh 4.1", &writeMsh, true},
     MeshFormat{".stl", "STL", &writeStl},
     MeshFormat{".obj", "Wavefront OBJ", &writeObj},
     MeshFormat{".ply", "PLY", &writePly},
+    MeshFormat{".smesh", "TetGen", &writeSmesh},
 };
 
 std::string lowerCase(std::string text) {

@@ -15,6 +15,7 @@ struct MeshFormat {
   std::string_view extension;  ///< with the dot, lower case
   std::string_view name;
   void (*write)(const ModelMesh&, OutputFile&);
+  bool holdsSecondOrder = false;  ///< if not, the middles of sides are left out
 };
 
 /// In the order in which help texts name them.

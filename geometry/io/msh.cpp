@@ -1,5 +1,6 @@
 // Gmsh's format, version 4.1, binary. Each model face is a surface entity and, under its name, a
-// physical group of the same number, so that boundary conditions can be given by face.
+// physical group of the same number, so that boundary conditions can be given by face; and it
+// belongs to the physical groups of the parts, solids, layers and colours of the model.
 #include <algorithm>
 #include <map>
 #include <set>
@@ -10,7 +11,23 @@
 namespace af2::geometry {
 namespace {
 
-constexpr std::int32_t kSurface = 2, kGmshTriangle = 2, kGmshQuad = 3, kNoParameters = 0;
+constexpr std::int32_t kSurface = 2, kNoParameters = 0;
+
+/// Gmsh's number for a kind of element.
+std::int32_t typeOf(const ModelMesh& mesh, bool isQuad) {
+  constexpr std::int32_t kTriangle = 2, kQuad = 3, kTriangle2 = 9, kQuad2 = 16;
+  if (mesh.midsides.empty()) return isQuad ? kQuad : kTriangle;
+  return isQuad ? kQuad2 : kTriangle2;
+}
+
+/// Corners, then middles of sides.
+std::vector<VertexId> verticesOf(const ModelMesh& mesh, std::size_t element) {
+  const auto corners = mesh.elements[element].vertices();
+  std::vector<VertexId> vertices(corners.begin(), corners.end());
+  for (std::size_t i = 0; !mesh.midsides.empty() && i < corners.size(); ++i)
+    vertices.push_back(mesh.midsides[element][i]);
+  return vertices;
+}
 
 struct Box {
   Point3 low{1e300, 1e300, 1e300}, high{-1e300, -1e300, -1e300};
@@ -24,30 +41,56 @@ struct Box {
 /// The mesh of one model face.
 struct Entity {
   std::int32_t face = 0;
-  std::string name;
+  std::vector<std::int32_t> groups;  ///< physical groups: its own first
   Box box;
   std::vector<std::uint32_t> vertices;  ///< those that no earlier entity has
   std::vector<std::uint32_t> triangles, quads;
 };
 
+std::int32_t highestFace(const ModelMesh& mesh) {
+  std::int32_t highest = 0;
+  for (const FaceReport& face : mesh.faces) highest = std::max(highest, face.id);
+  for (const FaceGroup& group : mesh.groups)
+    for (const int face : group.faces) highest = std::max(highest, face);
+  return highest;
+}
+
 /// Names of groups must differ and fit between quotation marks.
-std::string groupName(const FaceReport& face, std::set<std::string>& taken) {
-  std::string name = face.name.empty() ? "face " + std::to_string(face.id) : face.name;
+std::string uniqueName(std::string name, const std::string& what, std::set<std::string>& taken) {
   std::ranges::replace_if(
       name, [](unsigned char c) { return c < ' ' || c == '"'; }, '_');
   name.resize(std::min<std::size_t>(name.size(), 100));  // the format allows 127
-  if (!taken.insert(name).second) {
-    name += " (face " + std::to_string(face.id) + ")";
-    taken.insert(name);
-  }
+  const std::string plain = name;
+  for (int count = 1; !taken.insert(name).second; ++count)
+    name = plain + " (" + what + (count > 1 ? " " + std::to_string(count) : "") + ")";
   return name;
 }
 
+/// Physical groups by their number: one for each face, with its id; then those of the model.
 std::map<std::int32_t, std::string> groupNames(const ModelMesh& mesh) {
   std::map<std::int32_t, std::string> names;
   std::set<std::string> taken;
-  for (const FaceReport& face : mesh.faces) names[face.id] = groupName(face, taken);
+  for (const FaceReport& face : mesh.faces)
+    names[face.id] = uniqueName(face.name.empty() ? "face " + std::to_string(face.id) : face.name,
+                                "face " + std::to_string(face.id), taken);
+  const std::int32_t firstGroup = highestFace(mesh) + 1;
+  for (std::size_t i = 0; i < mesh.groups.size(); ++i) {
+    const FaceGroup& group = mesh.groups[i];
+    const std::int32_t id = firstGroup + static_cast<std::int32_t>(i);
+    const bool isNamed = group.kind == GroupKind::Part || group.kind == GroupKind::Layer;
+    names[id] = uniqueName(isNamed ? group.name : toString(group.kind) + (" " + group.name),
+                           toString(group.kind), taken);
+  }
   return names;
+}
+
+std::vector<std::int32_t> groupsOf(const ModelMesh& mesh, std::int32_t face) {
+  std::vector<std::int32_t> groups{face};
+  const std::int32_t firstGroup = highestFace(mesh) + 1;
+  for (std::size_t i = 0; i < mesh.groups.size(); ++i)
+    if (std::ranges::binary_search(mesh.groups[i].faces, face))
+      groups.push_back(firstGroup + static_cast<std::int32_t>(i));
+  return groups;
 }
 
 std::vector<Entity> entitiesOf(const ModelMesh& mesh) {
@@ -56,18 +99,16 @@ std::vector<Entity> entitiesOf(const ModelMesh& mesh) {
   for (std::uint32_t i = 0; i < mesh.elements.size(); ++i) {
     Entity& entity = byFace[mesh.face[i]];
     (mesh.elements[i].isQuad() ? entity.quads : entity.triangles).push_back(i);
-    for (const VertexId vertex : mesh.elements[i].vertices()) {
+    for (const VertexId vertex : verticesOf(mesh, i)) {
       entity.box.add(mesh.vertices[vertex.value]);
       if (!placed[vertex.value]) entity.vertices.push_back(vertex.value);
       placed[vertex.value] = true;
     }
   }
-  const std::map<std::int32_t, std::string> names = groupNames(mesh);
   std::vector<Entity> entities;
   for (auto& [face, entity] : byFace) {
     entity.face = face;
-    const auto name = names.find(face);
-    entity.name = name == names.end() ? "face " + std::to_string(face) : name->second;
+    entity.groups = groupsOf(mesh, face);
     std::ranges::sort(entity.vertices);
     entities.push_back(std::move(entity));
   }
@@ -88,14 +129,20 @@ void putHead(OutputFile& file, std::uint64_t blocks, std::uint64_t count,
   file.binary(highestTag);
 }
 
-void writePhysicalNames(const std::vector<Entity>& entities, OutputFile& file) {
+/// Only of groups that some element belongs to.
+void writePhysicalNames(const ModelMesh& mesh, const std::vector<Entity>& entities,
+                        OutputFile& file) {
+  const std::map<std::int32_t, std::string> names = groupNames(mesh);
+  std::set<std::int32_t> used;
+  for (const Entity& entity : entities) used.insert(entity.groups.begin(), entity.groups.end());
   file.text("$PhysicalNames\n");
-  file.number(entities.size());
-  for (const Entity& entity : entities) {
+  file.number(used.size());
+  for (const std::int32_t group : used) {
+    const auto name = names.find(group);
     file.text("\n2 ");
-    file.number(entity.face);
+    file.number(group);
     file.text(" \"");
-    file.text(entity.name);
+    file.text(name == names.end() ? "face " + std::to_string(group) : name->second);
     file.text("\"");
   }
   file.text("\n$EndPhysicalNames\n");
@@ -111,8 +158,8 @@ void writeEntities(const std::vector<Entity>& entities, OutputFile& file) {
     file.binary(entity.face);
     putPoint(file, entity.box.low);
     putPoint(file, entity.box.high);
-    file.binary(std::uint64_t{1});
-    file.binary(entity.face);       // the physical group
+    file.binary(std::uint64_t{entity.groups.size()});
+    for (const std::int32_t group : entity.groups) file.binary(group);
     file.binary(std::uint64_t{0});  // bounding curves
   }
   file.text("\n$EndEntities\n");
@@ -143,7 +190,7 @@ void writeBlock(const ModelMesh& mesh, std::int32_t face, std::int32_t type,
   file.binary(std::uint64_t{elements.size()});
   for (const std::uint32_t element : elements) {
     file.binary(std::uint64_t{element} + 1);
-    for (const VertexId vertex : mesh.elements[element].vertices()) {
+    for (const VertexId vertex : verticesOf(mesh, element)) {
       file.binary(std::uint64_t{vertex.value} + 1);
     }
   }
@@ -155,8 +202,8 @@ void writeElements(const ModelMesh& mesh, const std::vector<Entity>& entities, O
   file.text("$Elements\n");
   putHead(file, blocks, mesh.elements.size(), mesh.elements.size());
   for (const Entity& entity : entities) {
-    writeBlock(mesh, entity.face, kGmshTriangle, entity.triangles, file);
-    writeBlock(mesh, entity.face, kGmshQuad, entity.quads, file);
+    writeBlock(mesh, entity.face, typeOf(mesh, false), entity.triangles, file);
+    writeBlock(mesh, entity.face, typeOf(mesh, true), entity.quads, file);
   }
   file.text("\n$EndElements\n");
 }
@@ -168,7 +215,7 @@ void writeMsh(const ModelMesh& mesh, OutputFile& file) {
   file.text("$MeshFormat\n4.1 1 8\n");
   file.binary(std::int32_t{1});  // tells readers the order of bytes
   file.text("\n$EndMeshFormat\n");
-  writePhysicalNames(entities, file);
+  writePhysicalNames(mesh, entities, file);
   writeEntities(entities, file);
   writeNodes(mesh, entities, file);
   writeElements(mesh, entities, file);

@@ -5,7 +5,7 @@ namespace af2::geometry {
 
 void writeObj(const ModelMesh& mesh, OutputFile& file) {
   file.text("# surface mesh by AF2\n");
-  for (const Point3& p : mesh.vertices) {
+  for (const Point3& p : cornerVertices(mesh)) {
     file.text("v ");
     file.number(p.x);
     file.text(" ");

@@ -6,11 +6,11 @@ namespace af2::geometry {
 
 void writePly(const ModelMesh& mesh, OutputFile& file) {
   file.text("ply\nformat binary_little_endian 1.0\ncomment surface mesh by AF2\nelement vertex ");
-  file.number(mesh.vertices.size());
+  file.number(cornerVertices(mesh).size());
   file.text("\nproperty double x\nproperty double y\nproperty double z\nelement face ");
   file.number(mesh.elements.size());
   file.text("\nproperty list uchar int vertex_indices\nend_header\n");
-  for (const Point3& p : mesh.vertices) {
+  for (const Point3& p : cornerVertices(mesh)) {
     file.binary(p.x);
     file.binary(p.y);
     file.binary(p.z);

@@ -1,5 +1,6 @@
 // Binary STL: loose triangles in single precision, which is all that the format can hold.
 #include "geometry/io/formats.h"
+#include "geometry/io/triangles_of.h"
 
 namespace af2::geometry {
 namespace {
@@ -20,13 +21,6 @@ void putTriangle(OutputFile& file, const Point3& a, const Point3& b, const Point
   file.binary(std::uint16_t{0});
 }
 
-/// Split along the shorter diagonal, the first one if both are equally long.
-void putQuad(OutputFile& file, const Point3& a, const Point3& b, const Point3& c, const Point3& d) {
-  const bool alongAc = distance(a, c) <= distance(b, d);
-  putTriangle(file, a, b, alongAc ? c : d);
-  putTriangle(file, alongAc ? a : b, c, d);
-}
-
 }  // namespace
 
 void writeStl(const ModelMesh& mesh, OutputFile& file) {
@@ -34,13 +28,9 @@ void writeStl(const ModelMesh& mesh, OutputFile& file) {
   for (const Element& element : mesh.elements) triangles += element.isQuad() ? 2 : 1;
   file.bytes(kHeader, sizeof kHeader);
   file.binary(triangles);
-  for (const Element& element : mesh.elements) {
-    const auto corner = [&](int i) { return mesh.vertices[element.corners[std::size_t(i)].value]; };
-    if (element.isQuad())
-      putQuad(file, corner(0), corner(1), corner(2), corner(3));
-    else
-      putTriangle(file, corner(0), corner(1), corner(2));
-  }
+  for (const Element& element : mesh.elements)
+    for (const auto& [a, b, c] : trianglesOf(mesh, element))
+      putTriangle(file, mesh.vertices[a.value], mesh.vertices[b.value], mesh.vertices[c.value]);
 }
 
 }  // namespace af2::geometry

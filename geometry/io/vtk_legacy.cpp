@@ -49,8 +49,8 @@ void writeCellData(const ModelMesh& mesh, OutputFile& file) {
 
 void writeVtk(const ModelMesh& mesh, OutputFile& file) {
   file.text("# vtk DataFile Version 3.0\nsurface mesh by AF2\nBINARY\nDATASET UNSTRUCTURED_GRID\n");
-  sectionHead(file, "POINTS", mesh.vertices.size(), " double\n");
-  for (const Point3& p : mesh.vertices) {
+  sectionHead(file, "POINTS", cornerVertices(mesh).size(), " double\n");
+  for (const Point3& p : cornerVertices(mesh)) {
     file.bigEndian(p.x);
     file.bigEndian(p.y);
     file.bigEndian(p.z);

@@ -1,6 +1,8 @@
 // VTK's XML format. All arrays are inline base64 without compression: read by everything that reads
 // VTU, and the same bytes for the same mesh.
 #include <array>
+#include <cstdlib>
+#include <map>
 #include <string>
 
 #include "geometry/io/formats.h"
@@ -9,7 +11,7 @@
 namespace af2::geometry {
 namespace {
 
-constexpr std::uint8_t kVtkTriangle = 5, kVtkQuad = 9;
+constexpr std::uint8_t kVtkTriangle = 5, kVtkQuad = 9, kVtkTriangle2 = 22, kVtkQuad2 = 23;
 
 /// Encodes a stream of values to base64, three bytes at a time.
 class Base64Stream {
@@ -96,17 +98,27 @@ void dataArray(OutputFile& file, const ArrayHead& head, std::uint64_t bytes, Fil
   file.text("\n</DataArray>\n");
 }
 
-/// Readers of VTU do not agree on arrays of text. So each rule becomes a number named after it:
-/// a field "rule: NAME" that holds the id.
-void writeRuleNames(const ModelMesh& mesh, OutputFile& file) {
-  file.text("<FieldData>\n");
-  for (std::size_t rule = 0; rule < mesh.ruleNames.size(); ++rule) {
-    file.text("<DataArray type=\"Int32\" Name=\"");
-    file.text(xmlEscaped("rule: " + mesh.ruleNames[rule]));
-    file.text("\" NumberOfTuples=\"1\" format=\"ascii\">");
-    file.number(rule);
-    file.text("</DataArray>\n");
+void writeField(const std::string& name, const std::vector<int>& values, OutputFile& file) {
+  file.text("<DataArray type=\"Int32\" Name=\"");
+  file.text(xmlEscaped(name));
+  file.text("\" NumberOfTuples=\"");
+  file.number(values.size());
+  file.text("\" format=\"ascii\">");
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (i > 0) file.text(" ");
+    file.number(values[i]);
   }
+  file.text("</DataArray>\n");
+}
+
+/// Readers of VTU do not agree on arrays of text. So each rule becomes a number named after it:
+/// a field "rule: NAME" that holds the id; and each group a field that holds the ids of its faces.
+void writeNames(const ModelMesh& mesh, OutputFile& file) {
+  file.text("<FieldData>\n");
+  for (std::size_t rule = 0; rule < mesh.ruleNames.size(); ++rule)
+    writeField("rule: " + mesh.ruleNames[rule], {static_cast<int>(rule)}, file);
+  for (const FaceGroup& group : mesh.groups)
+    writeField(std::string(toString(group.kind)) + ": " + group.name, group.faces, file);
   file.text("</FieldData>\n");
 }
 
@@ -125,21 +137,29 @@ void writePoints(const ModelMesh& mesh, OutputFile& file) {
 
 void writeCells(const ModelMesh& mesh, OutputFile& file) {
   std::uint64_t corners = 0;
+  const bool isSecondOrder = !mesh.midsides.empty();
+  const int perCorner = isSecondOrder ? 2 : 1;
   for (const Element& element : mesh.elements)
-    corners += static_cast<std::uint64_t>(element.size());
+    corners += static_cast<std::uint64_t>(perCorner * element.size());
   file.text("<Cells>\n");
   dataArray(file, {"Int32", "connectivity"}, corners * 4, [&](Base64Stream& out) {
-    for (const Element& element : mesh.elements) {
-      for (const VertexId vertex : element.vertices()) out.put(vertex.value);
+    for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
+      const auto vertices = mesh.elements[e].vertices();
+      for (const VertexId vertex : vertices) out.put(vertex.value);
+      for (std::size_t i = 0; isSecondOrder && i < vertices.size(); ++i)
+        out.put(mesh.midsides[e][i].value);
     }
   });
   dataArray(file, {"Int64", "offsets"}, mesh.elements.size() * 8, [&](Base64Stream& out) {
     std::int64_t end = 0;
-    for (const Element& element : mesh.elements) out.put(end += element.size());
+    for (const Element& element : mesh.elements) out.put(end += perCorner * element.size());
   });
   dataArray(file, {"UInt8", "types"}, mesh.elements.size(), [&](Base64Stream& out) {
     for (const Element& element : mesh.elements) {
-      out.put(element.isQuad() ? kVtkQuad : kVtkTriangle);
+      if (isSecondOrder)
+        out.put(element.isQuad() ? kVtkQuad2 : kVtkTriangle2);
+      else
+        out.put(element.isQuad() ? kVtkQuad : kVtkTriangle);
     }
   });
   file.text("</Cells>\n");
@@ -154,6 +174,47 @@ void writePointData(const ModelMesh& mesh, OutputFile& file) {
   file.text("</PointData>\n");
 }
 
+/// By face: the index of its first group of a kind, counted from 1 within the kind; 0: none.
+std::map<std::int32_t, int> firstGroups(const ModelMesh& mesh, GroupKind kind) {
+  std::map<std::int32_t, int> first;
+  int index = 0;
+  for (const FaceGroup& group : mesh.groups) {
+    if (group.kind != kind) continue;
+    ++index;
+    for (const int face : group.faces) first.try_emplace(face, index);
+  }
+  return first;
+}
+
+/// For looking at: the solid of each element, and its colour. A face between two solids is shown
+/// with the first one; the fields have it in both.
+void writeGroupsOfCells(const ModelMesh& mesh, OutputFile& file) {
+  const auto groupAt = [&](const std::map<std::int32_t, int>& first, std::size_t element) {
+    const auto found = first.find(mesh.face[element]);
+    return found == first.end() ? 0 : found->second;
+  };
+  const std::map<std::int32_t, int> solids = firstGroups(mesh, GroupKind::Solid);
+  if (!solids.empty())
+    dataArray(file, {"Int32", "solid"}, mesh.elements.size() * 4, [&](Base64Stream& out) {
+      for (std::size_t e = 0; e < mesh.elements.size(); ++e)
+        out.put(std::int32_t{groupAt(solids, e)});
+    });
+  const std::map<std::int32_t, int> colors = firstGroups(mesh, GroupKind::Color);
+  if (colors.empty()) return;
+  std::vector<std::array<std::uint8_t, 3>> values{{128, 128, 128}};  // of faces without
+  for (const FaceGroup& group : mesh.groups) {
+    if (group.kind != GroupKind::Color) continue;
+    const unsigned long rgb = std::strtoul(group.name.c_str() + 1, nullptr, 16);
+    values.push_back({static_cast<std::uint8_t>(rgb >> 16), static_cast<std::uint8_t>(rgb >> 8),
+                      static_cast<std::uint8_t>(rgb)});
+  }
+  dataArray(file, {"UInt8", "color", 3}, mesh.elements.size() * 3, [&](Base64Stream& out) {
+    for (std::size_t e = 0; e < mesh.elements.size(); ++e)
+      for (const std::uint8_t part : values[static_cast<std::size_t>(groupAt(colors, e))])
+        out.put(part);
+  });
+}
+
 void writeCellData(const ModelMesh& mesh, OutputFile& file) {
   file.text("<CellData Scalars=\"face\">\n");
   dataArray(file, {"Int32", "face"}, mesh.elements.size() * 4, [&](Base64Stream& out) {
@@ -165,6 +226,7 @@ void writeCellData(const ModelMesh& mesh, OutputFile& file) {
   dataArray(file, {"Float64", "quality"}, mesh.elements.size() * 8, [&](Base64Stream& out) {
     for (const Element& element : mesh.elements) out.put(shapeQuality(mesh.vertices, element));
   });
+  writeGroupsOfCells(mesh, file);
   file.text("</CellData>\n");
 }
 
@@ -175,7 +237,7 @@ void writeVtu(const ModelMesh& mesh, OutputFile& file) {
       "<?xml version=\"1.0\"?>\n"
       "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" "
       "header_type=\"UInt64\">\n<UnstructuredGrid>\n");
-  writeRuleNames(mesh, file);
+  writeNames(mesh, file);
   file.text("<Piece NumberOfPoints=\"");
   file.number(mesh.vertices.size());
   file.text("\" NumberOfCells=\"");

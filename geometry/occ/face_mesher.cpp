@@ -42,10 +42,40 @@ class FaceMesher {
                            " elements were made without a rule, where the front got stuck";
     for (const SurfacePoint& vertex : attempt.result.mesh.vertices)
       mesh.wantedSizes.push_back(wanted.sizeAt(vertex));
+    if (context_.options.order == 2) findMiddles(attempt.result.mesh, mesh);
     take(attempt.result, boundary, mesh);
   }
 
  private:
+  /// Through the chart of each side, which goes back to the surface from the middle of the side.
+  void findMiddles(const Mesh& meshed, FaceMesh& mesh) const {
+    const auto charts = surface_.makeCharts({});
+    for (const Element& element : meshed.elements) {
+      SideMiddles& middles = mesh.middles.emplace_back();
+      const auto corners = element.vertices();
+      for (std::size_t i = 0; i < corners.size(); ++i) {
+        // The same way round for the elements on both sides.
+        const auto [first, last] = std::minmax(corners[i], corners[(i + 1) % corners.size()]);
+        middles[i] = middleOf(meshed.vertices[first.value], meshed.vertices[last.value], *charts);
+      }
+    }
+  }
+
+  /// Where the surface cannot be reached: of the straight side.
+  static Point3 middleOf(const SurfacePoint& from, const SurfacePoint& to,
+                         const AF2LocalTransformMaker& charts) {
+    const Point3 straight = 0.5 * (from.position + to.position);
+    const double side = distance(from.position, to.position);
+    try {
+      ChartSlot slot;
+      const auto middle =
+          charts.makeLocalTransformIn(slot, from, to, side).transformToSurface({0.5, 0});
+      if (middle && distance(middle->position, straight) < side / 2) return middle->position;
+    } catch (const GeometryError&) {
+    }
+    return straight;
+  }
+
   /// A size field with a surface of its own: OpenCASCADE's evaluators are not to be shared.
   struct OwnSize final : SizeField {
     OwnSize(const FaceMeshingContext& context, int face, const FrontInput& input)

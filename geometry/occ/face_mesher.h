@@ -5,6 +5,7 @@
 #include "geometry/occ/edge_division.h"
 #include "geometry/occ/face_boundary.h"
 #include "geometry/occ/mesh_model.h"
+#include "geometry/second_order.h"
 
 namespace af2::geometry {
 
@@ -17,6 +18,7 @@ struct FaceMesh {
   std::vector<double> wantedSizes;  ///< by vertex
   std::vector<Element> elements;
   std::vector<std::uint16_t> rule;
+  std::vector<SideMiddles> middles;  ///< by element; only for elements of second order
   std::vector<SegmentUse> uses;
   double optimizeSeconds = 0;  ///< part of report.seconds
 };

@@ -1,7 +1,7 @@
 #include "geometry/occ/mesh_model.h"
 
 #include <algorithm>
-#include <limits>
+#include <map>
 #include <mutex>
 #include <numeric>
 
@@ -12,8 +12,10 @@
 #include "geometry/occ/face_area.h"
 #include "geometry/occ/face_mesher.h"
 #include "geometry/occ/face_surface.h"
+#include "geometry/occ/join_faces.h"
 #include "geometry/occ/parallel.h"
 #include "geometry/occ/sizing.h"
+#include "geometry/second_order.h"
 #include "geometry/sound_faces.h"
 
 namespace af2::geometry {
@@ -78,100 +80,6 @@ class ProgressSum {
   std::mutex mutex_;
 };
 
-/// Joins the meshes of faces. Vertices that no element uses are left out.
-class Assembly {
- public:
-  Assembly(const DividedEdges& divided, const ModelSizes& sizes)
-      : divided_(divided), sizes_(sizes) {}
-
-  ModelMesh join(std::vector<FaceMesh>& faces) {
-    numberBoundary(faces);
-    for (FaceMesh& face : faces) add(face);
-    addSegments(faces);
-    takeSizesOfEdges();
-    return std::move(mesh_);
-  }
-
- private:
-  static constexpr std::uint32_t kUnused = 0xffffffffu;
-
-  void numberBoundary(const std::vector<FaceMesh>& faces) {
-    ids_.assign(divided_.points.size(), kUnused);
-    for (const FaceMesh& face : faces)
-      for (const Element& element : face.elements)
-        for (const VertexId v : element.vertices())
-          if (v.value < face.boundary.size()) ids_[face.boundary[v.value]] = 0;
-    for (std::size_t i = 0; i < ids_.size(); ++i)
-      if (ids_[i] != kUnused) ids_[i] = addVertex(divided_.points[i]);
-  }
-
-  std::uint32_t addVertex(const Point3& position) {
-    mesh_.vertices.push_back(position);
-    mesh_.wantedSizes.push_back(std::numeric_limits<double>::infinity());
-    return static_cast<std::uint32_t>(mesh_.vertices.size() - 1);
-  }
-
-  void add(FaceMesh& face) {
-    const std::size_t boundaryCount = face.boundary.size();
-    const std::size_t base = mesh_.vertices.size();
-    mesh_.vertices.insert(mesh_.vertices.end(), face.inside.begin(), face.inside.end());
-    mesh_.wantedSizes.insert(
-        mesh_.wantedSizes.end(),
-        face.wantedSizes.end() - static_cast<std::ptrdiff_t>(face.inside.size()),
-        face.wantedSizes.end());
-    for (std::size_t i = 0; i < boundaryCount && !face.wantedSizes.empty(); ++i) {
-      const std::uint32_t id = ids_[face.boundary[i]];
-      if (id != kUnused)
-        mesh_.wantedSizes[id] = std::min(mesh_.wantedSizes[id], face.wantedSizes[i]);
-    }
-    for (Element element : face.elements) {
-      for (VertexId& v : element.corners) {
-        if (v.isNone()) continue;
-        v = v.value < boundaryCount ? VertexId(ids_[face.boundary[v.value]])
-                                    : VertexId(base + v.value - boundaryCount);
-      }
-      mesh_.elements.push_back(element);
-      mesh_.face.push_back(face.report.id);
-    }
-    mesh_.rule.insert(mesh_.rule.end(), face.rule.begin(), face.rule.end());
-    mesh_.faces.push_back(std::move(face.report));
-  }
-
-  void addSegments(const std::vector<FaceMesh>& faces) {
-    std::vector<std::vector<int>> uses;
-    for (const DividedEdge& edge : divided_.edges)
-      uses.emplace_back(edge.points.empty() ? 0 : edge.points.size() - 1, 0);
-    for (const FaceMesh& face : faces)
-      for (const SegmentUse& use : face.uses)
-        ++uses[static_cast<std::size_t>(use.edge) - 1][use.segment];
-    for (std::size_t e = 0; e < uses.size(); ++e)
-      for (std::size_t i = 0; i < uses[e].size(); ++i)
-        if (uses[e][i] > 0) addSegment(e, i, uses[e][i]);
-  }
-
-  void addSegment(std::size_t edge, std::size_t i, int uses) {
-    const std::vector<std::uint32_t>& points = divided_.edges[edge].points;
-    mesh_.segments.push_back({VertexId(ids_[points[i]]), VertexId(ids_[points[i + 1]]),
-                              static_cast<int>(edge) + 1, uses});
-  }
-
-  /// Along an edge with a size of its own those of its faces do not count.
-  void takeSizesOfEdges() {
-    if (sizes_.edgeSizes.empty()) return;
-    for (const EdgeSegment& segment : mesh_.segments) {
-      const auto own = sizes_.edgeSizes.find(segment.edge);
-      if (own == sizes_.edgeSizes.end()) continue;
-      for (const VertexId v : {segment.from, segment.to})
-        mesh_.wantedSizes[v.value] = bounded(sizes_, own->second);
-    }
-  }
-
-  const DividedEdges& divided_;
-  const ModelSizes& sizes_;
-  std::vector<std::uint32_t> ids_;
-  ModelMesh mesh_;
-};
-
 class ModelMesher {
  public:
   ModelMesher(const Model& model, const AF2Algorithm& algorithm, ModelMeshingOptions options)
@@ -191,18 +99,39 @@ class ModelMesher {
     const Stopwatch facesWatch;
     std::vector<FaceMesh> meshes = meshFaces(faces, areas, work);
     const double optimizeShare = shareOfOptimizing(meshes);
-    ModelMesh mesh = Assembly(divided_, options_.sizes).join(meshes);
+    const std::map<int, std::vector<SideMiddles>> middles = takeMiddles(meshes);
+    ModelMesh mesh = joinFaces(model_.shape(), divided_, options_, meshes);
     for (const AF2Rule& rule : algorithm_.rules().rules()) mesh.ruleNames.push_back(rule.name());
     mesh.ruleNames.push_back("closing");  // what closes a stuck front
+    mesh.groups = model_.groups();
     mesh.seconds.edges = edgeSeconds;
     const double surfaceSeconds = facesWatch.seconds();
     mesh.seconds.optimize = optimizeShare * surfaceSeconds;
     mesh.seconds.surface = surfaceSeconds - mesh.seconds.optimize;
     mesh.findings = keepSoundFaces(mesh);
+    if (options_.order == 2) makeSecondOrder(mesh, middlesOf(mesh, middles));
     return mesh;
   }
 
  private:
+  static std::map<int, std::vector<SideMiddles>> takeMiddles(std::vector<FaceMesh>& meshes) {
+    std::map<int, std::vector<SideMiddles>> middles;
+    for (FaceMesh& mesh : meshes) middles[mesh.report.id] = std::move(mesh.middles);
+    return middles;
+  }
+
+  /// Of the faces that are still there, whose elements lie one face after the other.
+  static std::vector<SideMiddles> middlesOf(const ModelMesh& mesh,
+                                            const std::map<int, std::vector<SideMiddles>>& byFace) {
+    std::vector<SideMiddles> middles;
+    for (std::size_t first = 0; first < mesh.face.size();) {
+      const std::vector<SideMiddles>& own = byFace.at(mesh.face[first]);
+      middles.insert(middles.end(), own.begin(), own.end());
+      first += own.size();
+    }
+    return middles;
+  }
+
   /// Faces are meshed and optimised one beside the other; the time is shared out by what each took.
   static double shareOfOptimizing(const std::vector<FaceMesh>& meshes) {
     double all = 0, optimizing = 0;
@@ -287,6 +216,7 @@ class ModelMesher {
 ModelMesh meshModel(const Model& model, const AF2Algorithm& algorithm,
                     const ModelMeshingOptions& options) {
   checkSizes(options.sizes, model);
+  if (options.order != 1 && options.order != 2) throw InputError("elements can have order 1 or 2");
   for (const auto& [edge, points] : options.edgePoints)
     if (edge < 1 || edge > model.edgeCount())
       throw InputError("points for edge " + std::to_string(edge) + ": the model has edges 1 to " +

@@ -61,6 +61,7 @@ struct ModelMeshingOptions {
   /// Edges that are divided already, by id: the vertices between their ends, in order along the
   /// edge, one way or the other; none: the edge is a single segment. They are kept as they are.
   EdgePoints edgePoints;
+  int order = 1;           ///< 2: elements with vertices at the middles of their sides as well
   std::vector<int> faces;  ///< ids of the faces to mesh; empty: all
   int threads = 0;         ///< 0: as many as the machine has. The mesh does not depend on it.
   /// Called from several threads, one at a time.

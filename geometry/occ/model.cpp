@@ -16,6 +16,7 @@ const std::string& Model::faceName(int face) const {
 const std::string& Model::surfaceType(int face) const {
   return shape_->surfaceTypes.at(static_cast<std::size_t>(face) - 1);
 }
+const std::vector<FaceGroup>& Model::groups() const { return shape_->groups; }
 const std::string& Model::unit() const { return shape_->unit; }
 double Model::diagonal() const { return shape_->diagonal; }
 const std::vector<std::string>& Model::notes() const { return shape_->notes; }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/point.h"
+#include "geometry/model_mesh.h"
 
 namespace af2::geometry {
 
@@ -27,6 +28,8 @@ class Model {
   const std::string& faceName(int face) const;
   /// "plane", "cylinder", "cone", "sphere", "torus", "bspline", ...
   const std::string& surfaceType(int face) const;
+  /// What the file says belongs together (STEP only: names of parts, layers, colours), and solids.
+  const std::vector<FaceGroup>& groups() const;
   /// The unit of all coordinates: "mm" from STEP and IGES; empty from BREP, which does not say.
   const std::string& unit() const;
   /// Diagonal of the box around all vertices and edges.

@@ -13,6 +13,7 @@
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 #include <cmath>
+#include <set>
 
 #include "geometry/occ/face_surfaces.h"
 #include "geometry/occ/model.h"
@@ -114,6 +115,65 @@ void giveBoundaries(ReadShape& read) {
   read.notes.push_back(std::to_string(count) + " faces had no boundary; given their seams");
 }
 
+/// Finds faces of the model by the shapes of groups, which may have been placed anew: the same
+/// geometry at the same place is the same face.
+class FaceFinder {
+ public:
+  explicit FaceFinder(const ModelShape& model) : model_(model) {
+    for (int id = 1; id <= model.faces.Extent(); ++id) {
+      const int index = shapes_.Add(model.faces(id).Located(TopLoc_Location()));
+      ids_.resize(static_cast<std::size_t>(shapes_.Extent()));
+      ids_[static_cast<std::size_t>(index) - 1].push_back(id);
+    }
+  }
+
+  void addFaces(const TopoDS_Shape& shape, std::set<int>& faces) const {
+    for (TopExp_Explorer it(shape, TopAbs_FACE); it.More(); it.Next())
+      if (const int id = find(it.Current()); id > 0) faces.insert(id);
+  }
+
+ private:
+  int find(const TopoDS_Shape& face) const {
+    const int index = shapes_.FindIndex(face.Located(TopLoc_Location()));
+    if (index == 0) return 0;
+    for (const int id : ids_[static_cast<std::size_t>(index) - 1])
+      if (isSamePlace(model_.faces(id).Location(), face.Location())) return id;
+    return 0;
+  }
+  static bool isSamePlace(const TopLoc_Location& a, const TopLoc_Location& b) {
+    if (a == b) return true;
+    constexpr double kSame = 1e-9;
+    const gp_Trsf from = a.Transformation(), to = b.Transformation();
+    for (int row = 1; row <= 3; ++row)
+      for (int column = 1; column <= 4; ++column) {
+        const double p = from.Value(row, column), q = to.Value(row, column);
+        if (std::abs(p - q) > kSame * (1 + std::abs(p))) return false;
+      }
+    return true;
+  }
+
+  const ModelShape& model_;
+  TopTools_IndexedMapOfShape shapes_;  // faces without their places
+  std::vector<std::vector<int>> ids_;  // by these: ids of the model
+};
+
+/// The groups of the file, then the solids of the model.
+std::vector<FaceGroup> faceGroups(const ModelShape& model, const std::vector<ShapeGroup>& read) {
+  const FaceFinder finder(model);
+  std::vector<FaceGroup> groups;
+  const auto add = [&](const ShapeGroup& group) {
+    std::set<int> faces;
+    for (const TopoDS_Shape& shape : group.shapes) finder.addFaces(shape, faces);
+    if (!faces.empty()) groups.push_back({group.name, group.kind, {faces.begin(), faces.end()}});
+  };
+  for (const ShapeGroup& group : read) add(group);
+  TopTools_IndexedMapOfShape solids;
+  TopExp::MapShapes(model.shape, TopAbs_SOLID, solids);
+  for (int i = 1; i <= solids.Extent(); ++i)
+    add({std::to_string(i), GroupKind::Solid, {solids(i)}});
+  return groups;
+}
+
 }  // namespace
 
 TopoDS_Face ModelShape::face(int id) const { return TopoDS::Face(faces(id)); }
@@ -134,6 +194,7 @@ std::shared_ptr<const ModelShape> makeModelShape(ReadShape read) {
     model->faceNames.push_back(read.nameOf ? read.nameOf(model->face(id)) : "");
     model->surfaceTypes.push_back(surfaceTypeOf(model->face(id)));
   }
+  model->groups = faceGroups(*model, read.groups);
   model->surfaces = std::make_shared<const FaceSurfaces>(model->faces.Extent());
   buildMissingCurves(*model);
   model->diagonal = diagonalOf(*model);

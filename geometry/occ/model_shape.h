@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "geometry/model_mesh.h"
 namespace af2::geometry {
 
 class FaceSurface;
@@ -22,6 +23,7 @@ struct ModelShape {
   TopTools_IndexedMapOfShape faces, edges, vertices;  ///< numbered from 1
   std::vector<std::string> faceNames;                 ///< [0] is face 1
   std::vector<std::string> surfaceTypes;
+  std::vector<FaceGroup> groups;
   std::string unit;
   double diagonal = 0;
   std::vector<std::string> notes;
@@ -35,12 +37,20 @@ struct ModelShape {
   std::shared_ptr<const FaceSurfaces> surfaces;  ///< what surface() copies
 };
 
+/// Parts of a shape that a file says belong together.
+struct ShapeGroup {
+  std::string name;
+  GroupKind kind = GroupKind::Part;
+  std::vector<TopoDS_Shape> shapes;
+};
+
 /// What a reader of one format hands over.
 struct ReadShape {
   TopoDS_Shape shape;
   std::string unit;
   std::vector<std::string> notes;
   std::function<std::string(const TopoDS_Face&)> nameOf;  ///< may be empty
+  std::vector<ShapeGroup> groups;
 };
 
 /// Numbers the parts of a shape and completes what threads must find ready: a curve in space for

@@ -1,11 +1,13 @@
 #include <Interface_Check.hxx>
 #include <Interface_ReportEntity.hxx>
 #include <Interface_Static.hxx>
+#include <STEPCAFControl_Reader.hxx>
 #include <STEPControl_Reader.hxx>
 #include <StepData_StepModel.hxx>
 #include <StepShape_Face.hxx>
 #include <StepShape_HArray1OfFaceBound.hxx>
 #include <TCollection_HAsciiString.hxx>
+#include <TDocStd_Document.hxx>
 #include <TopTools_DataMapOfShapeInteger.hxx>
 #include <TransferBRep.hxx>
 #include <Transfer_TransientProcess.hxx>
@@ -15,6 +17,7 @@
 
 #include "engine/error.h"
 #include "geometry/occ/readers.h"
+#include "geometry/occ/step_groups.h"
 #include "geometry/occ/trial.h"
 
 namespace af2::geometry {
@@ -102,22 +105,29 @@ std::string checkReferences(const Handle(StepData_StepModel) & model) {
 }  // namespace
 
 ReadShape readStep(const std::filesystem::path& path) {
-  STEPControl_Reader reader;
+  STEPCAFControl_Reader withAttributes;
+  withAttributes.SetNameMode(true);
+  withAttributes.SetColorMode(true);
+  withAttributes.SetLayerMode(true);
+  withAttributes.SetPropsMode(false);
+  Handle(TDocStd_Document) document = new TDocStd_Document("XmlXCAF");
+  STEPControl_Reader& reader = withAttributes.ChangeReader();
   Interface_Static::SetCVal("xstep.cascade.unit", "MM");
-  if (reader.ReadFile(path.c_str()) != IFSelect_RetDone)
+  if (withAttributes.ReadFile(path.c_str()) != IFSelect_RetDone)
     throw InputError(path.string() +
                      ": this STEP file is damaged or cut off; export the model again");
   ReadShape result;
   const std::string damage = checkReferences(reader.StepModel());
   if (!damage.empty()) {
     constexpr std::chrono::seconds kLimit(120);
-    if (!survives([&] { reader.TransferRoots(); }, kLimit))
+    if (!survives([&] { withAttributes.Transfer(document); }, kLimit))
       throw InputError(path.string() + ": " + damage + "; export the model again");
     result.notes.push_back(damage + "; what uses them may be missing");
   }
-  reader.TransferRoots();
+  withAttributes.Transfer(document);
   result.unit = "mm";
   result.shape = reader.OneShape();
+  result.groups = groupsOf(document);
   result.nameOf = StepFaceNames(reader.WS()->TransferReader()->TransientProcess());
   return result;
 }

@@ -10,6 +10,7 @@
 #include "geometry/graded_size.h"
 #include "geometry/narrow_places.h"
 #include "geometry/planar/loops.h"
+#include "geometry/second_order.h"
 #include "geometry/sound_faces.h"
 
 namespace af2::geometry {
@@ -60,10 +61,23 @@ class PlanarMesher {
     for (const Point3& p : mesh_.vertices)
       mesh_.wantedSizes.push_back(size_.sizeAt(inPlane({p.x, p.y})));
     mesh_.findings = keepSoundFaces(mesh_);
+    if (options_.order == 2) makeSecondOrder(mesh_, straightMiddles());
     return std::move(mesh_);
   }
 
  private:
+  std::vector<SideMiddles> straightMiddles() const {
+    std::vector<SideMiddles> middles;
+    for (const Element& element : mesh_.elements) {
+      const auto corners = element.vertices();
+      SideMiddles& own = middles.emplace_back();
+      for (std::size_t i = 0; i < corners.size(); ++i)
+        own[i] = 0.5 * (mesh_.vertices[corners[i].value] +
+                        mesh_.vertices[corners[(i + 1) % corners.size()].value]);
+    }
+    return middles;
+  }
+
   void findUses(const PlanarRegion& region) {
     uses_.resize(regions_.pieces.size(), 0);
     for (const auto& loop : region.loops)
@@ -252,8 +266,10 @@ class PlanarMesher {
     }
     for (std::size_t p = 0; p < divided_.size(); ++p)
       for (std::size_t i = 0; uses[p] > 0 && i + 1 < divided_[p].size(); ++i)
-        mesh_.segments.push_back(
-            {divided_[p][i], divided_[p][i + 1], regions_.pieces[p].segment + 1, uses[p]});
+        mesh_.segments.push_back({divided_[p][i], divided_[p][i + 1],
+                                  regions_.pieces[p].segment + 1, uses[p],
+                                  0.5 * (mesh_.vertices[divided_[p][i].value] +
+                                         mesh_.vertices[divided_[p][i + 1].value])});
   }
 
   const AF2Algorithm& algorithm_;

@@ -24,6 +24,7 @@ struct PlanarMeshingOptions {
   double growth = 0.4;
   /// The segments of the domain are edges of the mesh as they are, however long.
   bool keepBoundary = false;
+  int order = 1;         ///< 2: elements with vertices at the middles of their sides as well
   bool optimize = true;  ///< swaps and smoothing after the front has closed
   int threads = 0;       ///< 0: as many as the machine has. The mesh does not depend on it.
   ProgressCallback progress;

@@ -24,7 +24,9 @@ usage "$af2" mesh "$cylinder" --size 1 --min-size 2 --max-size 1; told 'above --
 usage "$af2" mesh "$cylinder" --size 1 --grading 0; told '--grading'
 unusable "$af2" mesh "$cylinder" --size 1 --sizes nothing.json; told 'nothing.json'
 echo '{"parts": {"nowhere": 1}}' >sizes.json
-unusable "$af2" mesh "$cylinder" --size 1 --sizes sizes.json; told "no face has such a name"
+unusable "$af2" mesh "$cylinder" --size 1 --sizes sizes.json; told "no face or group has such a name"
+usage "$af2" mesh "$cylinder" --size 1 --order 3; told 'order 1 or 2'
+usage "$af2" mesh "$cylinder" --size 1 --order 2 -o a.stl; told 'cannot hold elements of order 2'
 usage "$af2" mesh "$cylinder" --size 1 --threads -1; told '--threads'
 usage "$af2" mesh "$cylinder" --size 1 --threads two; told '--threads'
 usage "$af2" mesh "$cylinder" --size 1 -o mesh.xyz; told '.vtu'

@@ -33,6 +33,11 @@ expect 0 "$af2" mesh "$models/brickhole.step" --size 1 --report plain.json
 expect 0 "$af2" mesh "$models/plate.poly" --size 1 --max-size 0.5 --sizes sizes.json
 expect 0 "$af2" mesh "$models/plate.poly" --size 1 --proximity 3 --keep-boundary
 
+expect 0 "$af2" mesh "$models/cylinder.step" --size 1 --order 2 -o second.vtu -o second.msh --report second.json
+[ "$(json second.json order)" = 2 ] || fail "order of the elements"
+[ "$(json second.json vertices)" -gt "$(json cylinder.json vertices)" ] || fail "--order did nothing"
+[ "$(json second.json groups 0 kind)" = solid ] || [ "$(json second.json groups 0 kind)" = part ] || fail "no groups"
+
 expect 0 "$af2" mesh "$models/cylinder.step" --size 1 --quiet
 [ ! -s out ] && [ ! -s err ] || fail "--quiet printed something"
 

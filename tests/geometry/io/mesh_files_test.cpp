@@ -38,7 +38,7 @@ TEST(MeshFiles, RefuseAnUnknownExtensionAndNameTheKnownOnes) {
     EXPECT_STREQ(
         error.what(),
         "cannot write 'mesh.xyz': its extension names no mesh format; use .vtu .vtk .msh .stl "
-        ".obj .ply");
+        ".obj .ply .smesh");
   }
   EXPECT_THROW(meshFormatOf("mesh"), InputError);
 }

@@ -42,3 +42,24 @@ assert msh.cell_data_dict["gmsh:physical"]["triangle"].tolist() == FACES
 assert msh.cell_data_dict["gmsh:geometrical"]["quad"].tolist() == [6]
 assert msh.field_data["lid"].tolist() == [6, 2]
 assert msh.field_data["face 3"].tolist() == [3, 2]
+
+# Groups: by number and name; a face may be in several.
+assert read(".vtu").field_data["part: lower half"].tolist() == [1, 2]
+assert read(".vtu").field_data["solid: 1"].tolist() == [1, 2, 3, 4, 5, 6]
+assert read(".vtu").cell_data_dict["solid"]["quad"].tolist() == [1]
+assert read(".vtu").cell_data_dict["color"]["quad"].tolist() == [[255, 128, 0]]
+assert msh.field_data["lower half"].tolist() == [7, 2]
+assert msh.field_data["lid (layer)"].tolist() == [8, 2]
+assert msh.field_data["color #ff8000"].tolist() == [9, 2]
+assert msh.field_data["solid 1"].tolist() == [10, 2]
+
+# Elements of second order.
+for extension in [".vtu", ".msh"]:
+    mesh = meshio.read(f"{directory}/cube2{extension}")
+    assert len(mesh.points) == 8 + 17, extension
+    triangles, quads = mesh.cells_dict["triangle6"], mesh.cells_dict["quad8"]
+    assert triangles.shape == (10, 6) and quads.shape == (1, 8), extension
+    for cells, size in [(triangles, 3), (quads, 4)]:
+        corners = mesh.points[cells[:, :size]]
+        middles = (corners + np.roll(corners, -1, axis=1)) / 2
+        assert np.abs(mesh.points[cells[:, size:]] - middles).max() < 1e-15, extension

@@ -41,6 +41,10 @@ ModelMesh cubeMesh() {
     mesh.segments.push_back(
         {VertexId(4 + i), VertexId(4 + (i + 1) % 4), static_cast<int>(i) + 1, 2});
   }
+  mesh.groups = {{"lower half", GroupKind::Part, {1, 2}},
+                 {"lid", GroupKind::Layer, {6}},
+                 {"#ff8000", GroupKind::Color, {2, 6}},
+                 {"1", GroupKind::Solid, {1, 2, 3, 4, 5, 6}}};
   return mesh;
 }
 

@@ -1,0 +1,22 @@
+// Elements as triangles, for formats and programs that know nothing else. Not installed.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "geometry/model_mesh.h"
+
+namespace af2::geometry {
+
+/// A quadrilateral is split along the shorter diagonal, the first one if both are equally long.
+inline std::vector<std::array<VertexId, 3>> trianglesOf(const ModelMesh& mesh,
+                                                        const Element& element) {
+  const auto& [a, b, c, d] = element.corners;
+  if (!element.isQuad()) return {{a, b, c}};
+  const auto at = [&](VertexId v) { return mesh.vertices[v.value]; };
+  const bool alongAc = distance(at(a), at(c)) <= distance(at(b), at(d));
+  if (alongAc) return {{a, b, c}, {a, c, d}};
+  return {{a, b, d}, {b, c, d}};
+}
+
+}  // namespace af2::geometry
