@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <memory>
 
+#include "cli/colour.h"
 #include "cli/exit_code.h"
 #include "cli/line_difference.h"
 #include "cli/rule_files.h"
@@ -60,7 +61,7 @@ void tell(const CheckOptions& options, const RuleFindings& all, double seconds) 
   if (options.format == "json") return fmt::print("{}", dsl::toJson(all.diagnostics));
   if (options.format == "sarif") return fmt::print("{}", dsl::toSarif(all.diagnostics));
   if (options.format == "gcc") return fmt::print("{}", dsl::toGcc(all.diagnostics));
-  fmt::print("{}", dsl::toPretty(all.diagnostics));
+  fmt::print("{}", dsl::toPretty(all.diagnostics, colourOf(stdout)));
   if (!options.quiet) fmt::print("{}", summaryOf(options, all, seconds));
 }
 

@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 
+#include "cli/colour.h"
 #include "cli/exit_code.h"
 #include "cli/line_difference.h"
 #include "cli/rule_files.h"
@@ -24,7 +25,7 @@ struct FmtOptions {
 bool formatOne(const FmtOptions& options, const std::string& name) {
   const RuleText input = readRuleText(name);
   const dsl::Formatted formatted = dsl::format(input.name, input.text);
-  fmt::print(stderr, "{}", dsl::toPretty(formatted.diagnostics));
+  fmt::print(stderr, "{}", dsl::toPretty(formatted.diagnostics, colourOf(stderr)));
   if (dsl::hasErrors(formatted.diagnostics)) return true;
   const bool differs = formatted.text != input.text;
   if (options.check) {

@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include "cli/colour.h"
 #include "cli/exit_code.h"
 #include "cli/rule_files.h"
 #include "cli/text_files.h"
@@ -24,7 +25,7 @@ int importRules(const ImportOptions& options) {
   if (!options.quiet || failed) {
     fmt::print(stderr, "{}",
                options.format == "json" ? dsl::toJson(rules.diagnostics)
-                                        : dsl::toPretty(rules.diagnostics));
+                                        : dsl::toPretty(rules.diagnostics, colourOf(stderr)));
   }
   if (failed) return kUnusable;
   writeText(options.output, rules.text);

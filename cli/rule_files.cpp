@@ -8,8 +8,10 @@
 #include <iostream>
 #include <iterator>
 
+#include "cli/colour.h"
 #include "cli/rules_location.h"
 #include "cli/usage_error.h"
+#include "dsl/library.h"
 #include "engine/error.h"
 
 namespace af2::cli {
@@ -32,8 +34,6 @@ std::vector<std::string> ruleFilesBelow(const fs::path& folder) {
   }
   return files;
 }
-
-std::string contentOf(std::istream& in) { return {std::istreambuf_iterator<char>(in), {}}; }
 
 /// As a path if there is such a file, else within the rules of AF2; else the name as it is.
 fs::path resolved(const std::string& name) {
@@ -74,7 +74,7 @@ std::vector<std::string> expandRuleFiles(const std::vector<std::string>& names) 
 }
 
 RuleText readRuleText(const std::string& name) {
-  if (name == kStandardInput) return {"<stdin>", contentOf(std::cin)};
+  if (name == kStandardInput) return {"<stdin>", dsl::readRuleText(std::cin)};
   const fs::path path = resolved(name);
   std::error_code ignored;
   if (fs::is_directory(path, ignored)) {
@@ -82,7 +82,7 @@ RuleText readRuleText(const std::string& name) {
   }
   std::ifstream file(path, std::ios::binary);
   if (!file) throw InputError(fmt::format("the rule file '{}' cannot be read", name));
-  return {path.string(), contentOf(file)};
+  return {path.string(), dsl::readRuleText(file)};
 }
 
 dsl::LoadedRules loadRuleFile(const std::string& name, const std::vector<std::string>& allowed) {
@@ -101,7 +101,7 @@ dsl::LoadedRules loadSoundRuleFile(const std::string& name) {
   if (loaded.rules) return loaded;
   if (!dsl::hasErrors(loaded.diagnostics))
     throw InputError(fmt::format("there is no rule in the file '{}'", name));
-  fmt::print(stderr, "{}", dsl::toPretty(loaded.diagnostics));
+  fmt::print(stderr, "{}", dsl::toPretty(loaded.diagnostics, colourOf(stderr)));
   throw InputError(fmt::format("the rule file '{}' has errors, see above", name));
 }
 

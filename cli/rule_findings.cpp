@@ -128,9 +128,11 @@ void sortByPlace(std::vector<Diagnostic>& diagnostics, const std::string& mainFi
 
 RuleFindings findIn(const std::string& name, const FindingOptions& options) {
   RuleFindings findings;
-  const dsl::LoadedRules loaded = loadRuleFile(name, options.allowed);
+  dsl::LoadedRules loaded = loadRuleFile(name, options.allowed);
   findings.diagnostics = loaded.diagnostics;
-  if (loaded.file) findings.ruleCount = loaded.file->rules.size();
+  findings.ruleCount = loaded.file->rules.size();
+  const bool isWhole = loaded.rules != nullptr;
+  loaded.rules = loaded.file->soundRules;
   if (!loaded.rules || options.quick) return findings;
 
   PictureFolder pictures(options.pictures);
@@ -140,7 +142,11 @@ RuleFindings findIn(const std::string& name, const FindingOptions& options) {
   const dsl::SampledResult result = dsl::runSampledChecks(*loaded.rules, sampling);
   countAnswers(result, findings);
   addMatchFindings(stemOf(name), loaded, result, pictures, findings.diagnostics);
-  addCoverageFindings(stemOf(name), loaded, pictures, findings.diagnostics);
+  // Which rule is chosen, and what none takes, shows only where no rule is missing.
+  if (isWhole)
+    addCoverageFindings(stemOf(name), loaded, pictures, findings.diagnostics);
+  else
+    drop(findings.diagnostics, {"D3"});
   drop(findings.diagnostics, options.allowed);
   sortByPlace(findings.diagnostics, std::string(loaded.file->main().source.name()));
   return findings;

@@ -26,7 +26,7 @@ struct RuleFindings {
   int lastLevel = 0;        ///< the highest one at which a rule was looked at
 };
 
-/// What is told of a file: from reading it, and, if that went without errors, from all its matches.
+/// What is told of a file: from reading it, and from all matches of its sound rules.
 RuleFindings findIn(const std::string& name, const FindingOptions& options);
 
 }  // namespace af2::cli

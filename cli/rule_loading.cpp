@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "cli/colour.h"
 #include "cli/rules_location.h"
 #include "dsl/rule_file.h"
 #include "engine/error.h"
@@ -21,7 +22,7 @@ std::shared_ptr<const RuleSet> loadRuleSet(const std::filesystem::path& file) {
   dsl::LoadOptions options;
   options.searchPaths = {rulesDirectory()};
   const dsl::LoadedRules loaded = dsl::loadRules(file, options);
-  fmt::print(stderr, "{}", dsl::toPretty(loaded.diagnostics));
+  fmt::print(stderr, "{}", dsl::toPretty(loaded.diagnostics, colourOf(stderr)));
   const auto errors = std::ranges::count_if(loaded.diagnostics, isError);
   if (loaded.rules) return loaded.rules;
   throw InputError(fmt::format("{} error{} in the rule file '{}', see above", errors,

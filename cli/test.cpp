@@ -7,6 +7,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "cli/colour.h"
 #include "cli/exit_code.h"
 #include "cli/rule_files.h"
 #include "cli/test_coverage.h"
@@ -71,7 +72,7 @@ class TestRun {
     const dsl::LoadedRules loaded = loadRuleFile(name);
     if (!loaded.rules) {
       if (dsl::hasErrors(loaded.diagnostics)) {
-        fmt::print(stderr, "{}", dsl::toPretty(loaded.diagnostics));
+        fmt::print(stderr, "{}", dsl::toPretty(loaded.diagnostics, colourOf(stderr)));
         ++totals_.broken;
       } else if (!loaded.file->tests.empty()) {
         fmt::print(stderr, "{}: a test needs a rule, and this file has none\n", name);

@@ -92,8 +92,11 @@ const std::array kExplanations{
                     "an error in it.\n\n"
                     "Way out: mend it in either file; `af2 check` tells more."},
     CodeExplanation{"L1", "an unknown character",
-                    "Outside of strings and comments a rule file is plain ASCII. Names hold "
-                    "letters, digits and '_'."},
+                    "Outside of strings and comments a rule file is plain ASCII, written in UTF-8. "
+                    "Names hold letters,\n"
+                    "digits and '_'. Typographic quotes, dashes and arrows, brackets [ ] and the "
+                    "comments of other\n"
+                    "languages are read as what they mean, but are errors all the same."},
     CodeExplanation{"L2", "a number is malformed",
                     "Numbers are 12, 1.5, .5, 2e-3; angles 60deg; ranges 1..30. There is no 1., no "
                     "1.2.3, no 0x10."},
@@ -153,7 +156,10 @@ const std::array kExplanations{
         "Files, brackets within brackets and single expressions have limits, so that no input can "
         "exhaust\n"
         "time or memory.\n\nWay out: name parts with `let`, `const` or `def`, or split the file."},
-    CodeExplanation{"S7", "the version is missing", "A rule file begins with `af2 1;`."},
+    CodeExplanation{"S7", "the version is missing",
+                    "A rule file begins with `af2 1;`. What begins with nothing of the kind is not "
+                    "read further; rule\n"
+                    "files of Netgen are rewritten by `af2 import`."},
     CodeExplanation{
         "S8", "'=>' does not chain",
         "A corner or shape fades once, from its preferred to its limiting form: `p => l`."},

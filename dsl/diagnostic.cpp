@@ -6,7 +6,6 @@
 #include <tuple>
 
 #include "dsl/characters.h"
-#include "dsl/code_explanations.h"
 
 namespace af2::dsl {
 namespace {
@@ -15,9 +14,26 @@ using Json = nlohmann::ordered_json;
 
 const char* word(Severity severity) { return severity == Severity::Error ? "error" : "warning"; }
 
-std::string header(const Diagnostic& d) {
-  return std::string(word(d.severity)) + "[AF2-" + d.code + "]: " + d.message;
-}
+/// What is set off in which way on a terminal.
+class Paint {
+ public:
+  Paint(Colour colour, Severity severity)
+      : isOn_(colour == Colour::Terminal),
+        loud_(severity == Severity::Error ? "\x1b[1;31m" : "\x1b[1;33m") {}
+
+  std::string loud(const std::string& text) const { return in(loud_, text); }
+  std::string strong(const std::string& text) const { return in("\x1b[1m", text); }
+  std::string frame(const std::string& text) const { return in("\x1b[1;34m", text); }
+  std::string aside(const std::string& text) const { return in("\x1b[1;36m", text); }
+
+ private:
+  std::string in(const char* style, const std::string& text) const {
+    return isOn_ ? style + text + "\x1b[0m" : text;
+  }
+
+  bool isOn_;
+  const char* loud_;
+};
 
 std::string where(const DiagnosticPlace& place) {
   if (place.line == 0) return place.file;
@@ -25,7 +41,7 @@ std::string where(const DiagnosticPlace& place) {
 }
 
 /// Characters, not bytes, so that carets stand where the eye expects them.
-std::size_t characters(const std::string& text) {
+std::size_t characters(std::string_view text) {
   return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
     return (static_cast<unsigned char>(c) & 0xC0) != 0x80;
   }));
@@ -59,10 +75,11 @@ struct Excerpt {
 
 Excerpt excerpt(const DiagnosticPlace& place) {
   constexpr std::size_t kWidest = 160;
-  Excerpt result{place.text, static_cast<std::size_t>(place.column - 1), 1};
+  Excerpt result{place.text, static_cast<std::size_t>(place.column - place.textColumn), 1};
   const std::size_t width = characters(result.text);
-  const std::size_t end =
-      place.endLine == place.line ? static_cast<std::size_t>(place.endColumn - 1) : width;
+  const std::size_t end = place.endLine == place.line
+                              ? static_cast<std::size_t>(place.endColumn - place.textColumn)
+                              : width;
   if (end > result.caret) result.length = end - result.caret;
   std::size_t from = 0;
   if (width > kWidest) {
@@ -74,15 +91,14 @@ Excerpt excerpt(const DiagnosticPlace& place) {
   return result;
 }
 
-void appendPicture(std::string& out, const DiagnosticPlace& place, const std::string& label) {
-  if (place.line == 0) return;
-  const std::string number = std::to_string(place.line);
+void appendPicture(std::string& out, const Diagnostic& d, const Paint& paint) {
+  if (d.place.line == 0) return;
+  const std::string number = std::to_string(d.place.line);
   const std::string margin(number.size(), ' ');
-  const Excerpt e = excerpt(place);
-  out += margin + " |\n" + number + " | " + e.text + "\n";
-  out += margin + " | " + std::string(e.caret, ' ') + std::string(e.length, '^');
-  if (!label.empty()) out += " " + label;
-  out += "\n";
+  const Excerpt e = excerpt(d.place);
+  out += paint.frame(margin + " |") + "\n" + paint.frame(number + " |") + " " + e.text + "\n";
+  out += paint.frame(margin + " |") + " " + std::string(e.caret, ' ') +
+         paint.loud(std::string(e.length, '^') + (d.label.empty() ? "" : " " + d.label)) + "\n";
 }
 
 std::string margin(const DiagnosticPlace& place) {
@@ -114,32 +130,23 @@ std::string dump(const Json& json) {
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-Json sarifRegion(const DiagnosticPlace& p) {
-  return {{"startLine", std::max(1, p.line)},
-          {"startColumn", std::max(1, p.column)},
-          {"endLine", std::max(1, p.endLine)},
-          {"endColumn", std::max(1, p.endColumn)}};
-}
-
-Json sarifResult(const Diagnostic& d) {
-  std::string text = d.message;
-  if (!d.label.empty()) text += ": " + d.label;
-  if (!d.help.empty()) text += "\nhelp: " + d.help;
-  return {{"ruleId", "AF2-" + d.code},
-          {"level", word(d.severity)},
-          {"message", {{"text", text}}},
-          {"locations", Json::array({{{"physicalLocation",
-                                       {{"artifactLocation", {{"uri", d.place.file}}},
-                                        {"region", sarifRegion(d.place)}}}}})}};
-}
-
 }  // namespace
 
 DiagnosticPlace placeOf(const SourceText& source, Span span) {
   const LinePlace from = source.place(span.begin);
   const LinePlace to = source.place(std::max(span.begin, span.end));
-  return {source.name(), from.line, from.column,
-          to.line,       to.column, std::string(source.line(from.line))};
+  DiagnosticPlace place{source.name(), from.line, from.column, to.line, to.column, {}};
+  const std::string_view line = source.line(from.line);
+  constexpr std::size_t kLongest = 4000, kBefore = 400;
+  const std::size_t column =
+      std::min<std::size_t>(span.begin - source.startOf(from.line), line.size());
+  std::size_t first = line.size() > kLongest && column > kBefore ? column - kBefore : 0;
+  while (first > 0 && (static_cast<unsigned char>(line[first]) & 0xC0) == 0x80) --first;
+  place.text = line.substr(first, kLongest);
+  if (first > 0)
+    place.textColumn =
+        from.column - static_cast<int>(characters(line.substr(first, column - first)));
+  return place;
 }
 
 bool hasErrors(std::span<const Diagnostic> diagnostics) {
@@ -147,14 +154,25 @@ bool hasErrors(std::span<const Diagnostic> diagnostics) {
                      [](const Diagnostic& d) { return d.severity == Severity::Error; });
 }
 
+bool DiagnosticList::takes(Severity severity) {
+  const bool isError = severity == Severity::Error;
+  hasErrors_ = hasErrors_ || isError;
+  if (!isFull()) return true;
+  // Errors push warnings out, so that a file with errors never looks clean.
+  const auto warning = std::find_if(found_.rbegin(), found_.rend(), [](const Diagnostic& d) {
+    return d.severity == Severity::Warning;
+  });
+  if (!isError || warning == found_.rend()) return false;
+  found_.erase(std::next(warning).base());
+  return true;
+}
+
 void DiagnosticList::add(Diagnostic diagnostic) {
-  hasErrors_ = hasErrors_ || diagnostic.severity == Severity::Error;
   const bool isKnown = std::any_of(found_.begin(), found_.end(), [&](const Diagnostic& d) {
     return d.code == diagnostic.code && d.place.file == diagnostic.place.file &&
            d.place.line == diagnostic.place.line && d.place.column == diagnostic.place.column;
   });
-  // Far more than are shown, so that sorting can still bring the first ones to the front.
-  if (!isKnown && found_.size() < 20 * kMost) found_.push_back(std::move(diagnostic));
+  if (!isKnown && takes(diagnostic.severity)) found_.push_back(std::move(diagnostic));
 }
 
 void DiagnosticList::append(DiagnosticList others) {
@@ -175,28 +193,33 @@ std::vector<Diagnostic> DiagnosticList::take() {
       if (found_[i].severity == Severity::Warning)
         found_.erase(found_.begin() + static_cast<std::ptrdiff_t>(i));
     if (found_.size() > kMost) found_.resize(kMost);
-    found_.back().notes.push_back({std::to_string(left) + " more findings are not shown", {}});
+    const bool isAll = left + kMost < kKept;
+    found_.back().notes.push_back(
+        {std::to_string(left) + (isAll ? "" : " or more") + " further findings are not shown", {}});
   }
   return std::move(found_);
 }
 
-std::string toPretty(const Diagnostic& d) {
-  std::string out = header(d) + "\n";
+std::string toPretty(const Diagnostic& d, Colour colour) {
+  const Paint paint(colour, d.severity);
+  std::string out = paint.loud(std::string(word(d.severity)) + "[AF2-" + d.code + "]") +
+                    paint.strong(": " + d.message) + "\n";
   const std::string indent = margin(d.place);
-  out += indent + "--> " + where(d.place) + "\n";
-  appendPicture(out, d.place, d.label);
+  out += indent + paint.frame("-->") + " " + where(d.place) + "\n";
+  appendPicture(out, d, paint);
   for (const DiagnosticNote& note : d.notes) {
-    out += indent + " = note: " + note.message;
+    out += indent + paint.frame(" =") + " " + paint.aside("note") + ": " + note.message;
     if (note.place) out += " (" + where(*note.place) + ")";
     out += "\n";
   }
-  if (!d.help.empty()) out += indent + " = help: " + d.help + "\n";
+  if (!d.help.empty())
+    out += indent + paint.frame(" =") + " " + paint.aside("help") + ": " + d.help + "\n";
   return out;
 }
 
-std::string toPretty(std::span<const Diagnostic> diagnostics) {
+std::string toPretty(std::span<const Diagnostic> diagnostics, Colour colour) {
   std::string out;
-  for (const Diagnostic& d : diagnostics) out += toPretty(d) + "\n";
+  for (const Diagnostic& d : diagnostics) out += toPretty(d, colour) + "\n";
   return out;
 }
 
@@ -211,22 +234,6 @@ std::string toJson(std::span<const Diagnostic> diagnostics) {
   Json list = Json::array();
   for (const Diagnostic& d : diagnostics) list.push_back(jsonOf(d));
   return dump(list);
-}
-
-std::string toSarif(std::span<const Diagnostic> diagnostics) {
-  Json results = Json::array(), rules = Json::array();
-  std::map<std::string, bool> seen;
-  for (const Diagnostic& d : diagnostics) {
-    results.push_back(sarifResult(d));
-    if (!seen.emplace(d.code, true).second) continue;
-    const CodeExplanation* explanation = findCodeExplanation(d.code);
-    rules.push_back({{"id", "AF2-" + d.code},
-                     {"shortDescription", {{"text", explanation ? explanation->title : d.code}}}});
-  }
-  return dump({{"$schema", "https://json.schemastore.org/sarif-2.1.0.json"},
-               {"version", "2.1.0"},
-               {"runs", Json::array({{{"tool", {{"driver", {{"name", "af2"}, {"rules", rules}}}}},
-                                      {"results", results}}})}});
 }
 
 }  // namespace af2::dsl

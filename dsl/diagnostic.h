@@ -16,8 +16,9 @@ enum class Severity { Error, Warning };
 struct DiagnosticPlace {
   std::string file;
   int line = 0, column = 0, endLine = 0,
-      endColumn = 0;  ///< from 1; the end is exclusive; 0: no place
-  std::string text;   ///< the line, for the picture with the caret
+      endColumn = 0;   ///< from 1; the end is exclusive; 0: no place
+  std::string text;    ///< the line, or of a very long one what lies around the place
+  int textColumn = 1;  ///< where in the line `text` begins
   bool operator==(const DiagnosticPlace&) const = default;
 };
 
@@ -49,9 +50,14 @@ bool hasErrors(std::span<const Diagnostic> diagnostics);
 /// seen, places in the order of the text.
 class DiagnosticList {
  public:
-  /// Findings beyond this many are counted but not kept.
+  /// At most so many are shown; some more are kept, since they are not found in the order of the
+  /// text.
   static constexpr std::size_t kMost = 50;
+  static constexpr std::size_t kKept = 4 * kMost;
 
+  /// Whether another finding would be kept. An error that is not counts all the same.
+  bool takes(Severity severity);
+  bool isFull() const { return found_.size() >= kKept; }
   void add(Diagnostic diagnostic);
   void append(DiagnosticList others);
   bool hasErrors() const { return hasErrors_; }
@@ -64,12 +70,15 @@ class DiagnosticList {
   bool hasErrors_ = false;
 };
 
-/// The forms in which findings can be written. Colour is left to the caller: none.
-std::string toPretty(const Diagnostic& diagnostic);
-std::string toPretty(std::span<const Diagnostic> diagnostics);
+enum class Colour { None, Terminal };
+
+/// The forms in which findings can be written.
+std::string toPretty(const Diagnostic& diagnostic, Colour colour = Colour::None);
+std::string toPretty(std::span<const Diagnostic> diagnostics, Colour colour = Colour::None);
 std::string toGcc(std::span<const Diagnostic> diagnostics);
 /// A list of {file, line, column, end_line, end_column, severity, code, message, notes, help}.
 std::string toJson(std::span<const Diagnostic> diagnostics);
+/// SARIF 2.1.0, as code hosts take it.
 std::string toSarif(std::span<const Diagnostic> diagnostics);
 
 }  // namespace af2::dsl

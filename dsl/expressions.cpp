@@ -13,6 +13,7 @@ namespace af2::dsl {
 void ExpressionCompiler::tell(const char* code, Span span, std::string message, std::string label,
                               std::string help, Severity severity,
                               std::vector<DiagnosticNote> notes) {
+  if (!context_.diagnostics.takes(severity)) return;
   Diagnostic d;
   d.severity = severity;
   d.code = code;
@@ -143,6 +144,10 @@ Value ExpressionCompiler::usedTooEarly(const Expr& expr, Span definition) {
 
 Value ExpressionCompiler::unknownName(const Expr& expr, bool isFunction) {
   if (module_->brokenNames.contains(expr.name) || module_->hasBrokenImport) return {};
+  if (context_.diagnostics.isFull()) {  // guessing what was meant would take its time for each
+    tell("R1", expr.span, "there is no '" + expr.name + "' here");
+    return {};
+  }
   if (const auto below = definedBelow.find(expr.name);
       !isFunction && calls_.empty() && below != definedBelow.end())
     return usedTooEarly(expr, below->second);

@@ -35,6 +35,7 @@ struct CompileContext {
   DiagnosticList& diagnostics;
   const Registry& registry;
   std::size_t stepsLeft = 2'000'000;  ///< defs that call each other can grow without bound
+  std::size_t rulesLeft = 5'000;      ///< so can families, and files that use each other
 };
 
 class ExpressionCompiler {

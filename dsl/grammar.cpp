@@ -108,10 +108,14 @@ struct NumberWord : TokenParser<NumberWord, Expr> {
 };
 
 struct IntegerWord : TokenParser<IntegerWord, int> {
+  explicit constexpr IntegerWord(int l) : least(l) {}
+  int least;
+
   template <class Context, class RContext, class Attribute>
   bool parse(It& first, It const& last, Context const&, RContext&, Attribute& attribute) const {
     if (first == last || first->kind != TokenKind::Number) return false;
-    if (first->text.find_first_not_of("0123456789") != std::string::npos || first->number > 1e6)
+    if (first->text.find_first_not_of("0123456789") != std::string::npos || first->number > 1e6 ||
+        first->number < least)
       return false;
     x3::traits::move_to(static_cast<int>(first->number), attribute);
     ++first;
@@ -176,7 +180,7 @@ const auto word = [](const char* text) { return Word(text); };
 const NameWord name(Reserved::Refused), anyName(Reserved::Allowed);
 const StringWord string;
 const NumberWord number;
-const IntegerWord integer;
+const IntegerWord integer(0), ordinal(1);
 const BlockEnd atBlockEnd;
 const FileEnd atFileEnd;
 
@@ -734,7 +738,8 @@ const auto testSize_def = word("size") >> need(expr, kExpression)[into(&TestSize
                           need(";");
 
 const auto expectedVertex_def =
-    (word("new") >> need(integer, "the number of a new vertex")[into(&ExpectedVertex::newIndex)]) |
+    (word("new") >>
+     need(ordinal, "the number of a new vertex, from 1")[into(&ExpectedVertex::newIndex)]) |
     name[into(&ExpectedVertex::name)];
 const auto expectedChain_def = expectedVertex[push] >> need("->") >>
                                need(expectedVertex, kVertex)[push] >>
@@ -859,6 +864,8 @@ BOOST_SPIRIT_DEFINE(importItem, useItem, constant, function, metric, fileItem, w
 
 // ---- what is looked at before -------------------------------------------------------------------
 
+constexpr const char* kSplit = "split it, and join the parts with `import` and `use`";
+
 /// Whether brackets and operators stay within what the stack can hold; the grammar and all that
 /// walks over the tree are recursive.
 bool isWithinLimits(const std::vector<Token>& tokens, const ParseLimits& limits,
@@ -908,13 +915,17 @@ ParsedFile parseFile(const SourceText& source, DiagnosticList& diagnostics,
   ParsedFile result;
   if (source.text().size() > limits.bytes) {
     errors.tell("S6", {0, 0},
-                "the file is larger than " + std::to_string(limits.bytes >> 20) + " MiB",
-                "split it, and join the parts with `import` and `use`");
+                "the file is larger than " + std::to_string(limits.bytes >> 20) + " MiB", kSplit);
     return result;
   }
   DiagnosticList lexical;
-  TokenList words = readTokens(source, lexical);
+  TokenList words = readTokens(source, lexical, limits.words);
   result.comments = std::move(words.comments);
+  if (words.isCut) {
+    errors.tell("S6", words.tokens.back().span,
+                "the file has more than " + std::to_string(limits.words) + " words", kSplit);
+    return result;
+  }
   if (!words.isText) diagnostics.append(std::move(lexical));
   if (!words.isText || !isWithinLimits(words.tokens, limits, errors)) return result;
   It first = readVersion(words.tokens, errors);

@@ -14,6 +14,7 @@ namespace af2::dsl {
 /// Limits that keep any input, however wild, within time and stack.
 struct ParseLimits {
   std::size_t bytes = 8u << 20;
+  std::size_t words = 400'000;
   int nesting = 100;     ///< brackets within brackets
   int operators = 1500;  ///< in one statement
 };

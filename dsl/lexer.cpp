@@ -26,10 +26,11 @@ class Lexer {
   Lexer(const SourceText& source, DiagnosticList& diagnostics)
       : source_(source), text_(source.text()), diagnostics_(diagnostics) {}
 
-  TokenList read() {
+  TokenList read(std::size_t most) {
     if (text_.starts_with("\xEF\xBB\xBF")) at_ = 3;
     if (isText())
-      while (at_ < text_.size()) readOne();
+      while (at_ < text_.size() && result_.tokens.size() <= most) readOne();
+    result_.isCut = result_.tokens.size() > most;
     add(TokenKind::End, at_, "");
     return std::move(result_);
   }
@@ -46,6 +47,7 @@ class Lexer {
   void tell(const char* code, std::size_t from, std::size_t to, std::string message,
             std::string help) {
     isDoubtful_ = true;
+    if (!diagnostics_.takes(Severity::Error)) return;
     Diagnostic d;
     d.code = code;
     d.message = std::move(message);
@@ -376,8 +378,8 @@ class Lexer {
 
 }  // namespace
 
-TokenList readTokens(const SourceText& source, DiagnosticList& diagnostics) {
-  return Lexer(source, diagnostics).read();
+TokenList readTokens(const SourceText& source, DiagnosticList& diagnostics, std::size_t most) {
+  return Lexer(source, diagnostics).read(most);
 }
 
 }  // namespace af2::dsl

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <fstream>
-#include <sstream>
 
 #include "dsl/builtins.h"
 #include "dsl/standard_library.h"
@@ -21,17 +20,25 @@ std::optional<std::string> readFile(const std::filesystem::path& path, std::stri
     fault = std::filesystem::exists(path, error) ? "it cannot be read" : "there is no such file";
     return std::nullopt;
   }
-  std::ostringstream text;
-  text << file.rdbuf();
+  std::string text = readRuleText(file);
   if (file.bad()) {
     fault = "it cannot be read";
     return std::nullopt;
   }
-  return std::move(text).str();
+  return text;
+}
+
+std::string readRuleText(std::istream& in) {
+  std::string text(ParseLimits{}.bytes + 1, '\0');
+  in.read(text.data(), static_cast<std::streamsize>(text.size()));
+  text.resize(static_cast<std::size_t>(in.gcount()));
+  text.shrink_to_fit();
+  return text;
 }
 
 void Library::tell(const Module& module, const char* code, Span span, std::string message,
                    std::string help, std::vector<DiagnosticNote> notes) {
+  if (!context_.diagnostics.takes(Severity::Error)) return;
   Diagnostic d;
   d.code = code;
   d.message = std::move(message);
@@ -210,7 +217,15 @@ const Module* Library::import(Module& into, const Import& item) {
   }
   if (const auto known = byPath_.find(key); known != byPath_.end()) return known->second;
   std::string fault;
-  std::optional<std::string> text = readFile(path, fault);
+  // Pipes and devices may be read from outside, where somebody sees to it that they end.
+  const bool isSpecial = std::filesystem::exists(path, error) &&
+                         !std::filesystem::is_regular_file(path, error) &&
+                         !std::filesystem::is_directory(path, error);
+  std::optional<std::string> text;
+  if (isSpecial)
+    fault = "it is no ordinary file";
+  else
+    text = readFile(path, fault);
   if (!text) text = standardFile(item.path.text);
   if (!text) {
     std::string chain;

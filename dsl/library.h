@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <istream>
 #include <map>
 #include <memory>
 #include <string>
@@ -42,7 +43,10 @@ class Library {
   std::vector<const Module*> loading_;  ///< the chain of imports that led here
 };
 
-/// Reads a whole file; nothing if that is not possible, then `fault` says why.
+/// A text as far as it can be a rule file: one byte more than the longest there may be, at most.
+std::string readRuleText(std::istream& in);
+
+/// Reads a file in that way; nothing if that is not possible, then `fault` says why.
 std::optional<std::string> readFile(const std::filesystem::path& path, std::string& fault);
 
 }  // namespace af2::dsl

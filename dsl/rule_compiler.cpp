@@ -66,6 +66,8 @@ std::shared_ptr<const RuleDefinition> RuleCompiler::imageOf(
 
 void RuleCompiler::compileOne(const Rule& rule, const std::map<std::string, Parameter>& parameters,
                               const InstanceTitle& title, std::vector<CompiledRule>& result) {
+  if (context_.rulesLeft == 0) return;
+  if (--context_.rulesLeft == 0) return tellTooMany(title);
   std::vector<const MirrorClause*> mirrors{nullptr};
   std::vector<Span> mirrorSpans{{}};
   for (const Clause& clause : rule.clauses)
@@ -97,6 +99,15 @@ void RuleCompiler::compileOne(const Rule& rule, const std::map<std::string, Para
   }
 }
 
+void RuleCompiler::tellTooMany(const InstanceTitle& title) {
+  Diagnostic d;
+  d.code = "S6";
+  d.message = "there are too many rules";
+  d.place = placeOf(title.home->source, title.title.span);
+  d.help = "5000 are the most, members of families and rules of other files among them";
+  context_.diagnostics.add(std::move(d));
+}
+
 std::vector<CompiledRule> RuleCompiler::compile(const Rule& rule,
                                                 const std::map<std::string, Parameter>& parameters,
                                                 const InstanceTitle* instance) {
@@ -114,6 +125,7 @@ std::vector<CompiledRule> RuleCompiler::compile(const Rule& rule,
       values.tell("R2", name.span, "the parameter '" + name.text + "' is given twice", "",
                   "choose another name");
   for (const Expr& tuple : rule.family->tuples) {
+    if (context_.rulesLeft == 0) break;
     const bool isTuple = tuple.kind == ExprKind::Tuple || tuple.kind == ExprKind::Paren;
     const std::span<const Expr> parts =
         isTuple ? std::span<const Expr>(tuple.parts) : std::span<const Expr>(&tuple, 1);

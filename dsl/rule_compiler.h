@@ -54,6 +54,7 @@ class RuleCompiler {
  private:
   std::shared_ptr<const RuleDefinition> imageOf(const Rule& rule,
                                                 const std::map<std::string, Parameter>& parameters);
+  void tellTooMany(const InstanceTitle& title);
   void compileOne(const Rule& rule, const std::map<std::string, Parameter>& parameters,
                   const InstanceTitle& title, std::vector<CompiledRule>& result);
 

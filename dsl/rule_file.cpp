@@ -54,6 +54,8 @@ class FileCompiler {
   void compileTests(LoadedFile& result);
   void compileProperty(const Property& property, LoadedFile& result);
   std::set<int> sizesMade() const;
+  std::shared_ptr<const RuleSet> ruleSetOf(std::vector<CompiledRule>& rules,
+                                           RuleSetDefinition definition);
   bool holdsRule(const Module& module, const std::string& title) const;
 
   CompileContext& context_;
@@ -62,7 +64,7 @@ class FileCompiler {
   bool needsRuleSet_;
   std::unique_ptr<RuleSetCompiler> settings_;
   std::vector<CompiledRule> rules_;
-  std::set<const Module*> using_;
+  std::set<const Module*> using_, usedWhole_;
 };
 
 std::optional<PlacedRuleSet> FileCompiler::findRuleSet(const std::string& name,
@@ -239,6 +241,8 @@ void FileCompiler::compileUse(const Module& module, const Use& use) {
     return;
   }
   if (!library->second || library->second == &module) return;
+  const bool isWhole = !use.rule && use.except.empty();
+  if (isWhole && !usedWhole_.insert(library->second).second) return;  // its rules are there
   if (!using_.insert(library->second).second) return;  // circles are told where they are imported
   const std::size_t before = rules_.size();
   compileItems(*library->second);
@@ -269,6 +273,7 @@ void FileCompiler::compileUse(const Module& module, const Use& use) {
 
 void FileCompiler::compileItems(const Module& module) {
   for (const Item& item : module.parsed.file.items) {
+    if (context_.rulesLeft == 0) return;
     if (const auto* rule = std::get_if<Rule>(&item.content))
       append(RuleCompiler(context_, module, settings_->shared()).compile(*rule, {}));
     else if (const auto* instance = std::get_if<Instance>(&item.content))
@@ -365,35 +370,48 @@ void FileCompiler::compileTests(LoadedFile& result) {
   }
 }
 
+/// Makes the engine's rules, and leaves out of `rules` those that it would not take.
+std::shared_ptr<const RuleSet> FileCompiler::ruleSetOf(std::vector<CompiledRule>& rules,
+                                                       RuleSetDefinition definition) {
+  std::erase_if(rules, [&](const CompiledRule& rule) {
+    try {
+      definition.rules.emplace_back(rule.definition);
+      return false;
+    } catch (const InputError& error) {
+      const bool isNeverTried = rule.definition.firstLevel > definition.maxLevel;  // told as that
+      if (!isNeverTried) tell(*rule.home, "T1", rule.title, error.what());
+      return true;
+    }
+  });
+  try {
+    return std::make_shared<const RuleSet>(std::move(definition));
+  } catch (const InputError& error) {
+    if (!context_.diagnostics.hasErrors()) tell(main_, "R5", {0, 0}, error.what());
+    return nullptr;
+  }
+}
+
 std::shared_ptr<const RuleSet> FileCompiler::compile(LoadedFile& result) {
   std::vector<PlacedRuleSet> sets = ruleSets();
-  const bool needsRules = needsRuleSet_ || !sets.empty();
+  const bool hasRuleSet = !sets.empty(), needsRules = needsRuleSet_ || hasRuleSet;
   settings_ = std::make_unique<RuleSetCompiler>(context_, main_, std::move(sets));
   compileItems(main_);
   checkTitles();
   checkKinds(*settings_);
   compileTests(result);
   RuleSetDefinition definition = settings_->finish(sizesMade());
-  runChecks({rules_, definition, main_}, context_.diagnostics);
+  std::vector<CompiledRule> sound = runChecks({rules_, definition, main_}, context_.diagnostics);
   if (rules_.empty() && !context_.diagnostics.hasErrors() && needsRules)
     tell(main_, "R5", {0, 0}, "this file has no rules", "add `rule \"title\" quality 1 { ... }`");
-  result.rules = std::move(rules_);
-  if (context_.diagnostics.hasErrors() || result.rules.empty()) return nullptr;
-  for (const CompiledRule& rule : result.rules) {
-    try {
-      definition.rules.emplace_back(rule.definition);
-    } catch (const InputError& error) {
-      const bool isNeverTried = rule.definition.firstLevel > definition.maxLevel;  // told as that
-      if (!isNeverTried) tell(*rule.home, "T1", rule.title, error.what());
-    }
-  }
-  if (context_.diagnostics.hasErrors()) return nullptr;
-  try {
-    return std::make_shared<const RuleSet>(std::move(definition));
-  } catch (const InputError& error) {
-    tell(main_, "R5", {0, 0}, error.what());
-    return nullptr;
-  }
+  if (!context_.diagnostics.hasErrors()) sound = rules_;  // those that are never tried as well
+  const bool isUsable = hasRuleSet || !context_.diagnostics.hasErrors();
+  if (isUsable && !sound.empty()) result.soundRules = ruleSetOf(sound, std::move(definition));
+  std::set<std::string> titles;
+  for (const CompiledRule& rule : sound) titles.insert(rule.definition.name);
+  result.rules = std::move(sound);
+  for (CompiledRule& rule : rules_)
+    if (!titles.contains(rule.definition.name)) result.rules.push_back(std::move(rule));
+  return context_.diagnostics.hasErrors() ? nullptr : result.soundRules;
 }
 
 bool isAllowed(const Diagnostic& d, const std::vector<std::string>& allowed) {

@@ -30,8 +30,11 @@ struct LoadOptions {
 /// The files and rules behind a rule set, for tests, pictures and further checks.
 struct LoadedFile {
   std::vector<std::unique_ptr<Module>> modules;  ///< [0] is the file itself, then its imports
-  std::vector<CompiledRule> rules;               ///< as in the rule set, if there is one
-  std::vector<CompiledTest> tests;               ///< of the file itself, those without errors
+  std::vector<CompiledRule> rules;               ///< those of `soundRules` first, in its order
+  /// The rule set; of a file with errors what is sound of it, so that further checks can tell all
+  /// mistakes in one run. Null if there is no rule set, or nothing sound.
+  std::shared_ptr<const RuleSet> soundRules;
+  std::vector<CompiledTest> tests;  ///< of the file itself, those without errors
   std::vector<CompiledProperty> properties;
   const Module& main() const { return *modules.front(); }
 };

@@ -35,6 +35,8 @@ class SourceText {
   std::string_view text() const { return text_; }
   LinePlace place(std::uint32_t offset) const;
   int lineOf(std::uint32_t offset) const;
+  /// Offset of the first byte of a line that there is.
+  std::uint32_t startOf(int line) const { return lineStarts_[static_cast<std::size_t>(line - 1)]; }
   /// A line, counted from 1, without its line break. Empty beyond the last one.
   std::string_view line(int number) const;
 

@@ -68,6 +68,7 @@ bool SyntaxErrors::beginsItem(const Token* token) {
 
 void SyntaxErrors::tell(const char* code, Span span, std::string message, std::string help,
                         std::vector<DiagnosticNote> notes) {
+  if (!diagnostics_.takes(Severity::Error)) return;
   Diagnostic d;
   d.code = code;
   d.message = std::move(message);
@@ -100,6 +101,8 @@ const Token* SyntaxErrors::tellAndRecover(SyntaxUnit unit, const Token* first, c
     // The first word itself is wrong; what hangs on it goes with it.
     resumed = skipUnit(unit, first, first->is("{") || first->is(";") ? first : first + 1);
   }
+  constexpr std::size_t kMostBroken = 1000;  // more tell nothing new, and take up memory
+  if (broken_.size() >= kMostBroken) resumed = last - 1;
   resumed = std::min(resumed, last - 1);  // the End token stays
   BrokenStretch stretch;
   if (resumed > first) stretch.span = cover(first->span, (resumed - 1)->span);

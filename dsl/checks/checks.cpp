@@ -10,12 +10,12 @@ namespace {
 
 constexpr std::array kChecks{
     Check{0, "T2", "Are chains, vertices and elements named as they should be?", checkPattern},
-    Check{0, "D2", "Is every rule tried at some level?", checkLevels},
+    Check{0, "D2", "Is every rule tried at some level?", checkLevels, true},
     Check{1, "T1", "Do elements and pattern close up?", checkTopology},
     Check{1, "F1", "Does every step make progress?", checkProgress},
     Check{1, "G1", "Are the elements positive at the reference match?", checkOrientation},
     Check{2, "Z2 Z4 Z5", "Is the zone a bounded region, counter-clockwise, at the reference match?",
-          checkZones},
+          checkZones, true},
     Check{2, "P1", "Does every rule keep the parity of the front?", checkParity},
     Check{2, "M1 M2", "Has every rule its mirror image, once?", checkMirrors},
 };
@@ -52,7 +52,7 @@ void Findings::add(const CompiledRule& rule, Severity severity, const char* code
   diagnostics_.add(std::move(d));
 }
 
-void runChecks(const CheckedRules& given, DiagnosticList& diagnostics) {
+std::vector<CompiledRule> runChecks(const CheckedRules& given, DiagnosticList& diagnostics) {
   std::vector<CompiledRule> sound(given.rules.begin(), given.rules.end());
   std::set<std::string> faulty;
   std::vector<DiagnosticPlace> toldPlaces;
@@ -66,7 +66,8 @@ void runChecks(const CheckedRules& given, DiagnosticList& diagnostics) {
           sound, [&](const CompiledRule& rule) { return faulty.contains(rule.definition.name); });
     DiagnosticList found;
     Findings findings(found);
-    check.run({sound, given.settings, given.main}, findings);
+    const std::span<const CompiledRule> shown = check.standsAlone ? given.rules : sound;
+    check.run({shown, given.settings, given.main}, findings);
     for (Diagnostic& d : found.take()) {
       // While rules are missing because of errors, whose twins they are cannot be said.
       if (d.code == "M1" && diagnostics.hasErrors()) continue;
@@ -79,6 +80,9 @@ void runChecks(const CheckedRules& given, DiagnosticList& diagnostics) {
       diagnostics.add(std::move(d));
     }
   }
+  std::erase_if(sound,
+                [&](const CompiledRule& rule) { return faulty.contains(rule.definition.name); });
+  return sound;
 }
 
 std::string vertexName(const CompiledRule& rule, int vertex) {

@@ -36,12 +36,13 @@ struct Check {
   std::string_view codes;  ///< "T1", or several: "M1 M2"
   std::string_view question;
   void (*run)(const CheckedRules& rules, Findings& findings);
+  bool standsAlone = false;  ///< what other checks found makes no difference to it
 };
 
 std::span<const Check> checks();
 
-/// Runs all checks. Of one place only the first error is told.
-void runChecks(const CheckedRules& rules, DiagnosticList& diagnostics);
+/// Runs all checks. Of one place only the first error is told. Returns the rules without errors.
+std::vector<CompiledRule> runChecks(const CheckedRules& rules, DiagnosticList& diagnostics);
 
 void checkPattern(const CheckedRules& rules, Findings& findings);
 void checkTopology(const CheckedRules& rules, Findings& findings);

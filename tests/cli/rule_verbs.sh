@@ -50,7 +50,18 @@ expect 1 "$af2" draw lib.af2
 # check
 expect 0 "$af2" check good.af2; says '2 rules, 0 errors'
 expect 1 "$af2" check bad.af2; says 'bad.af2:9:'
+cat >partly.af2 <<'END'
+af2 1;
+ruleset "s" { elements tri; }
+rule "narrow" quality 1 { front a -> b -> c; at c (0.5, 0.8); zone a, b, lerp(b, c, 0.5); tri a b c; }
+rule "broken" quality 1 { new c = a + b; zone a, b, c; tri a b c; }
+END
+expect 1 "$af2" check partly.af2; says 'AF2-Z1'; says 'AF2-A1'
 expect 0 "$af2" check --quick warned.af2; says 'AF2-M1'
+expect 1 env AF2_COLOR=always "$af2" check bad.af2; says $'\x1b[1;31merror'
+expect 1 env AF2_COLOR=always "$af2" check --format gcc bad.af2; says 'bad.af2:9:'
+expect 1 env TERM=xterm "$af2" check bad.af2
+! grep -q $'\x1b' out || fail 'colours in a file'
 expect 1 "$af2" check --quick --strict warned.af2
 expect 0 "$af2" check --quick --strict --allow M1 warned.af2
 expect 1 "$af2" check nothing.af2; says 'nothing.af2'

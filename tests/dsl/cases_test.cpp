@@ -77,6 +77,40 @@ TEST(Diagnostics, AreWrittenForPeopleAndMachines) {
   EXPECT_NE(toSarif(loaded.diagnostics).find("\"ruleId\": \"AF2-S3\""), std::string::npos);
 }
 
+TEST(Diagnostics, InJsonHaveTheKeysThatAreDocumentedAndNoOthers) {
+  const std::string json =
+      toJson(loadRulesFromText("x.af2", "af2 1;\nrule \"r\" quality 1.5 {}\n").diagnostics);
+  std::vector<std::string> keys;
+  for (std::size_t at = json.find("    \""); at != json.npos; at = json.find("    \"", at + 5))
+    if (const auto end = json.find("\": ", at); end < json.find('\n', at))
+      keys.push_back(json.substr(at + 5, end - at - 5));
+  keys.resize(10);
+  EXPECT_EQ(keys, (std::vector<std::string>{"file", "line", "column", "end_line", "end_column",
+                                            "severity", "code", "message", "notes", "help"}))
+      << json;
+  EXPECT_NE(json.find("\"this is 1.5\""), std::string::npos) << "the words beside the caret";
+}
+
+TEST(Diagnostics, InSarifHaveAddressesAndRelatedPlaces) {
+  const LoadedRules loaded = loadRulesFromText(
+      "my rules/gr\u00FCn.af2", "af2 1;\nconst H = 1;\nconst H = 2;\nruleset \"s\" {}\n");
+  const std::string sarif = toSarif(loaded.diagnostics);
+  EXPECT_NE(sarif.find("\"uri\": \"my%20rules/gr%C3%BCn.af2\""), std::string::npos) << sarif;
+  EXPECT_NE(sarif.find("\"relatedLocations\""), std::string::npos);
+  EXPECT_NE(sarif.find("\"columnKind\": \"unicodeCodePoints\""), std::string::npos);
+  const LoadedRules missing = loadRules("there is no such file.af2");
+  EXPECT_EQ(toSarif(missing.diagnostics).find("\"region\""), std::string::npos) << "no place";
+}
+
+TEST(Diagnostics, AreColouredOnATerminalAndSayTheSame) {
+  const LoadedRules loaded = loadRulesFromText("x.af2", "af2 1;\nconst H = 1;\nconst H = ;\n");
+  std::string coloured = toPretty(loaded.diagnostics, Colour::Terminal);
+  EXPECT_NE(coloured.find("\x1b[1;31merror"), std::string::npos);
+  for (std::size_t at; (at = coloured.find('\x1b')) != coloured.npos;)
+    coloured.erase(at, coloured.find('m', at) - at + 1);
+  EXPECT_EQ(coloured, toPretty(loaded.diagnostics));
+}
+
 TEST(Diagnostics, AreAtMostFifty) {
   std::string text = "af2 1;\nruleset \"s\" {}\n";
   for (int i = 0; i < 200; ++i)
