@@ -100,8 +100,7 @@ void countAnswers(const dsl::SampledResult& result, RuleFindings& findings) {
     const auto is = [&](dsl::Answer what) {
       return (answer.positive == what ? 1 : 0) + (answer.covered == what ? 1 : 0);
     };
-    findings.lastLevel = std::max(findings.lastLevel, answer.lastLevel);
-    if (answer.lastLevel == 0) continue;  // never tried
+    if (!answer.isTried) continue;
     if (is(dsl::Answer::Refuted) > 0)
       ++findings.refuted;
     else if (is(dsl::Answer::Proven) == 2)

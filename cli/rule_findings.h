@@ -23,7 +23,6 @@ struct RuleFindings {
   std::size_t proven = 0;   ///< rules for which G2 and Z1 are proven for every match
   std::size_t sampled = 0;  ///< rules for which samples showed nothing against one of them
   std::size_t refuted = 0;  ///< rules with a counter-example
-  int lastLevel = 0;        ///< the highest one at which a rule was looked at
 };
 
 /// What is told of a file: from reading it, and from all matches of its sound rules.

@@ -35,7 +35,7 @@ class RuleChecks {
   RuleAnswers run() {
     RuleAnswers answers;
     if (levels_.empty()) return answers;
-    answers.lastLevel = levels_.back();
+    answers.isTried = true;
     const RuleSample sample =
         sampleRule(rules_, index_, levels_.front(), options_.samples, options_.seed);
     if (sample.matches.empty()) return answers;

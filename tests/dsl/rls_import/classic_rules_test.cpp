@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdio>
+#include <deque>
 #include <random>
 
 #include "dsl/rls_import.h"
@@ -164,6 +166,86 @@ void compareAll(std::span<const RuleNumbers> rules) {
 TEST(ImportedClassicRules, TrianglesDoWhatTheirNumbersSay) { compareAll(kTriangles); }
 
 TEST(ImportedClassicRules, QuadsDoWhatTheirNumbersSay) { compareAll(kQuads); }
+
+/// Random rules in the form of the tables: positions are sums with random weights, and constants
+/// that put them where the rule is sound.
+class RandomRules {
+ public:
+  explicit RandomRules(unsigned seed) : random_(seed) {}
+
+  std::vector<RuleNumbers> make(int count) {
+    std::vector<RuleNumbers> rules;
+    for (int i = 0; i < count; ++i) rules.push_back(one(i));
+    return rules;
+  }
+
+ private:
+  std::string_view keep(std::string text) { return texts_.emplace_back(std::move(text)); }
+  int pick(int count) { return static_cast<int>(random_() % static_cast<unsigned>(count)); }
+  static std::string number(double x) {
+    char text[40];
+    std::snprintf(text, sizeof text, "%.12g", x);
+    return text;
+  }
+
+  /// One that has the value `at` where all points stand at their references.
+  std::string sum(double at, char axis, const std::vector<Point2>& references) {
+    std::string terms;
+    for (std::size_t i = 1; i < references.size(); ++i) {
+      if (pick(2) == 0) continue;
+      const bool isCrossed = pick(5) == 0;
+      const bool isX = (axis == 'x') != isCrossed;
+      const double weight = 0.125 * (pick(25) - 12);
+      if (weight == 0 || (i == 1 && !isX)) continue;
+      at -= weight * (isX ? references[i].x : references[i].y);
+      terms += (weight > 0 ? "+" : "") + number(weight) + "*" + (isX ? "x" : "y") +
+               std::to_string(i + 1);
+    }
+    return number(at) + terms;
+  }
+  std::string point(Point2 at, const std::vector<Point2>& references) {
+    return "(" + sum(at.x, 'x', references) + ", " + sum(at.y, 'y', references) + ") ";
+  }
+  double near(double x) { return x + 0.001 * (pick(201) - 100); }
+
+  RuleNumbers one(int i) {
+    std::vector<Point2> references{{0, 0}, {1, 0}};
+    const int shape = pick(3);  // a free triangle, one beside a vertex, a corner of two triangles
+    if (shape > 0) references.push_back({near(1.5), near(0.9)});
+    std::string points = "(0,0) (1,0)";
+    if (shape > 0) points += " (" + number(references[2].x) + "," + number(references[2].y) + ")";
+    const Point2 apex{near(0.5), near(0.9)};
+    const auto area = [&] {
+      std::string text = "(0, 0) (x2, 0) ";
+      if (shape == 2) text += "(x3, y3) ";
+      return text + point({near(1), near(1.6)}, references) +
+             point({near(0), near(1.4)}, references);
+    };
+    RuleNumbers rule{};
+    rule.name = keep("random " + std::to_string(i));
+    rule.quality = 1 + pick(30);
+    rule.points = keep(points);
+    rule.edges = shape == 2 ? "1-2 2-3" : "1-2";
+    rule.added = keep(point(apex, references));
+    rule.zone = keep(area());
+    if (pick(2) == 0) rule.limit = keep(area());
+    const std::string_view beside = pick(2) == 0 ? "1-2-4" : "2-4-1";
+    rule.elements = shape == 0 ? "1-2-3" : shape == 1 ? beside : "1-2-4 2-3-4";
+    rule.newLines = shape == 0 ? "1-3 3-2" : shape == 1 ? "1-4 4-2" : "1-4 4-3";
+    return rule;
+  }
+
+  std::mt19937 random_;
+  std::deque<std::string> texts_;
+};
+
+TEST(ImportedRules, OfAnyKindDoWhatTheirNumbersSay) {
+  for (unsigned seed = 1; seed <= 6 && !testing::Test::HasFailure(); ++seed) {
+    SCOPED_TRACE(seed);
+    RandomRules random(seed);
+    compareAll(random.make(20));
+  }
+}
 
 TEST(ImportedClassicRules, TolerancesAreThoseOfTheFile) {
   const auto set = load(import(kTriangles));
