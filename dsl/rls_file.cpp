@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <string_view>
+
+#include "dsl/rls_tokens.h"
 
 namespace af2::dsl {
 namespace {
@@ -20,68 +21,10 @@ constexpr std::array<std::string_view, 10> kSolidClauses{
 /// What AF2 can hold in one rule, and more than any rule needs.
 constexpr std::size_t kMostPoints = 12, kMostElements = 8, kMostParts = 64, kMostRules = 1000;
 
-enum class Kind { Word, Number, String, Sign, End };
+using Kind = RlsTokenKind;
+using Token = RlsToken;
 
-struct Token {
-  Kind kind = Kind::End;
-  std::string_view text;
-  Span span;
-  bool is(std::string_view other) const { return kind != Kind::String && text == other; }
-};
-
-bool isSpace(char c) { return std::isspace(static_cast<unsigned char>(c)) != 0; }
 bool isDigit(char c) { return c >= '0' && c <= '9'; }
-bool isLetter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0 || c == '_'; }
-
-std::size_t numberLength(std::string_view text) {
-  std::size_t i = 0;
-  if (i < text.size() && (text[i] == '-' || text[i] == '+')) ++i;
-  const std::size_t first = i;
-  bool hasPoint = false;
-  while (i < text.size() && (isDigit(text[i]) || (text[i] == '.' && !hasPoint)))
-    hasPoint |= text[i++] == '.';
-  if (i - first == (hasPoint ? 1u : 0u)) return 0;
-  if (i < text.size() && (text[i] == 'e' || text[i] == 'E')) {
-    std::size_t j = i + 1;
-    if (j < text.size() && (text[j] == '-' || text[j] == '+')) ++j;
-    const std::size_t digits = j;
-    while (j < text.size() && isDigit(text[j])) ++j;
-    if (j > digits) i = j;
-  }
-  return i;
-}
-
-std::vector<Token> tokensOf(std::string_view text) {
-  std::vector<Token> tokens;
-  std::size_t i = 0;
-  const auto add = [&](Kind kind, std::size_t length) {
-    tokens.push_back({kind,
-                      text.substr(i, length),
-                      {static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(i + length)}});
-    i += length;
-  };
-  while (i < text.size()) {
-    if (isSpace(text[i])) {
-      ++i;
-    } else if (text[i] == '"') {
-      const std::size_t close = text.find_first_of("\"\n", i + 1);
-      const bool isClosed = close != std::string_view::npos && text[close] == '"';
-      const std::size_t end = close == std::string_view::npos ? text.size() : close;
-      isClosed ? add(Kind::String, end + 1 - i) : add(Kind::Sign, 1);
-    } else if (const std::size_t number = numberLength(text.substr(i))) {
-      add(Kind::Number, number);
-    } else if (isLetter(text[i])) {
-      std::size_t end = i;
-      while (end < text.size() && (isLetter(text[end]) || isDigit(text[end]))) ++end;
-      add(Kind::Word, end - i);
-    } else {
-      add(Kind::Sign, 1);
-    }
-  }
-  const auto end = static_cast<std::uint32_t>(text.size());
-  tokens.push_back({Kind::End, {}, {end, end}});
-  return tokens;
-}
 
 std::size_t editDistance(std::string_view one, std::string_view other) {
   std::vector<std::size_t> row(other.size() + 1);
@@ -119,7 +62,7 @@ struct Unreadable {};
 class Reader {
  public:
   Reader(const SourceText& source, DiagnosticList& diagnostics)
-      : source_(source), diagnostics_(diagnostics), tokens_(tokensOf(source.text())) {}
+      : source_(source), diagnostics_(diagnostics), tokens_(rlsTokensOf(source.text())) {}
 
   std::vector<RlsRule> read() {
     while (now().kind != Kind::End) {

@@ -53,7 +53,7 @@ enum class Answer {
 struct RuleAnswers {
   Answer positive = Answer::Sampled;  ///< G2: all elements are positive
   Answer covered = Answer::Sampled;   ///< Z1: all elements lie in the free zone
-  bool isTried = false;    ///< whether the levels of the rule set reach the rule
+  bool isTried = false;               ///< whether the levels of the rule set reach the rule
   double lostMatches = 0;  ///< Z2: share of matches lost because the zone has no valid shape
 };
 
