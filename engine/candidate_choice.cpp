@@ -5,6 +5,7 @@
 #include "engine/element_shape.h"
 #include "engine/predicates.h"
 #include "engine/surroundings.h"
+#include "engine/zone_polygon.h"
 
 namespace af2 {
 namespace {
@@ -32,6 +33,16 @@ struct Corners {
   }
 };
 
+/// The badness of an element that turns left everywhere; nothing if it has none.
+std::optional<double> badnessOf(const CompiledRules& rules, const Corners& corners) {
+  if (rules.fastMetric() && corners.count == 3) {
+    const double badness = rules.fastMetric()->triangleBadness(corners.points[0], corners.points[1],
+                                                               corners.points[2]);
+    return std::isfinite(badness) ? std::optional(badness) : std::nullopt;
+  }
+  return rules.set().definition().metric->badness(corners.span());
+}
+
 Refusal placeNewPoints(const CompiledRule& rule, const AF2Binding& binding, Match& match) {
   Point2* points = match.points.data() + rule.matchedCount;
   if (rule.newPoints) {
@@ -58,7 +69,7 @@ Refusal requirementsHold(const CompiledRule& rule, const AF2Binding& binding) {
 }
 
 /// The badnesses of the new elements as one number.
-Refusal scoreElements(const RuleSetDefinition& set, const CompiledRule& rule, const Match& match,
+Refusal scoreElements(const CompiledRules& rules, const CompiledRule& rule, const Match& match,
                       double& score) {
   const auto& elements = rule.rule->definition().elements;
   double largest = 0, sum = 0;
@@ -66,13 +77,13 @@ Refusal scoreElements(const RuleSetDefinition& set, const CompiledRule& rule, co
   for (const RuleElement& element : elements) {
     const Corners corners(element, match);
     if (!corners.turnsLeftEverywhere()) return Refusal::Inverted;
-    const auto badness = set.metric->badness(corners.span());
+    const auto badness = badnessOf(rules, corners);
     if (!badness) return Refusal::NoValue;
     largest = isFirst ? *badness : std::max(largest, *badness);
     sum += *badness;
     isFirst = false;
   }
-  switch (set.scoreOf) {
+  switch (rules.set().definition().scoreOf) {
     case ScoreOf::Max:
       score = largest;
       break;
@@ -86,50 +97,39 @@ Refusal scoreElements(const RuleSetDefinition& set, const CompiledRule& rule, co
   return Refusal::None;
 }
 
-/// The fast form of a free zone at one match.
-struct PolygonView {
-  std::array<Point2, AffineBatch::kCapacity> corners;
-  int count = 0;
-
-  bool make(const FastZone& zone, int level, const Match& match) {
-    double x[AffineBatch::kCapacity], y[AffineBatch::kCapacity];
-    const AffineBatch& batch = zone.at(level);
-    batch.evaluate(match.points.data(), x, y);
-    for (std::size_t k = 0; k < static_cast<std::size_t>(batch.count); ++k)
-      corners[k] = {x[k], y[k]};
-    count = convex_polygon::normalize(corners.data(), batch.count);
-    return count > 0;
-  }
-  std::span<const Point2> span() const { return {corners.data(), static_cast<std::size_t>(count)}; }
-  Box2 boundingBox() const {
-    Box2 box{corners[0], corners[0]};
-    for (Point2 p : span()) {
-      box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y)};
-      box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y)};
-    }
-    return box;
-  }
-  bool contains(Point2 p, ZoneBoundary b) const { return convex_polygon::contains(span(), p, b); }
-  bool meets(Point2 p, Point2 q, ZoneBoundary b) const {
-    return convex_polygon::meets(span(), p, q, b);
-  }
-};
-
 bool lies(const Box2& box, Point2 p) {
   return p.x >= box.low.x && p.x <= box.high.x && p.y >= box.low.y && p.y <= box.high.y;
 }
 
 bool mayMeet(const Box2& box, Point2 p, Point2 q) {
-  return std::max(p.x, q.x) >= box.low.x && std::min(p.x, q.x) <= box.high.x &&
-         std::max(p.y, q.y) >= box.low.y && std::min(p.y, q.y) <= box.high.y;
+  return (std::max(p.x, q.x) >= box.low.x) & (std::min(p.x, q.x) <= box.high.x) &
+         (std::max(p.y, q.y) >= box.low.y) & (std::min(p.y, q.y) <= box.high.y);
 }
 
-bool isMatchedVertex(const StepView& view, const Candidate& candidate, PlaceId place) {
-  const VertexId id = view.front[place].vertex;
-  for (std::size_t v = 0; v < static_cast<std::size_t>(candidate.rule->matchedCount); ++v)
-    if (view.front[candidate.match.places[v]].vertex == id) return true;
-  return false;
-}
+/// What a zone need not be free of: the vertices and edges that the rule has matched.
+class MatchedParts {
+ public:
+  MatchedParts(const Front& front, const Candidate& c)
+      : vertexCount_(static_cast<std::size_t>(c.rule->matchedCount)) {
+    for (std::size_t v = 0; v < vertexCount_; ++v) vertices_[v] = front[c.match.places[v]].vertex;
+    for (const PatternEdge& e : c.rule->rule->definition().edges)
+      edges_[edgeCount_++] = c.match.places[static_cast<std::size_t>(e.from)];
+  }
+  bool holdVertex(VertexId id) const { return holds(vertices_, vertexCount_, id); }
+  bool holdEdge(PlaceId id) const { return holds(edges_, edgeCount_, id); }
+
+ private:
+  template <class Id>
+  static bool holds(const std::array<Id, AF2Rule::kMaxVertices>& ids, std::size_t count, Id id) {
+    bool isFound = false;
+    for (std::size_t i = 0; i < count; ++i) isFound |= ids[i] == id;
+    return isFound;
+  }
+
+  std::array<VertexId, AF2Rule::kMaxVertices> vertices_;
+  std::array<PlaceId, AF2Rule::kMaxVertices> edges_;
+  std::size_t vertexCount_, edgeCount_ = 0;
+};
 
 /// In the unit of the chart. Zones are tested exactly, and often a new vertex is a corner of its
 /// zone: where rows meet, rounding must not decide whether the vertex that is there already is
@@ -144,29 +144,33 @@ bool isAtNewVertex(const Candidate& candidate, Point2 p) {
   return false;
 }
 
-bool isMatchedEdge(const Candidate& candidate, PlaceId place) {
-  for (const PatternEdge& e : candidate.rule->rule->definition().edges)
-    if (candidate.match.places[static_cast<std::size_t>(e.from)] == place) return true;
-  return false;
-}
+/// The free directions at a place: counter-clockwise from the next to the previous vertex of the
+/// front; both ends belong to them.
+struct Sector {
+  Point2 center, next, previous;
 
-/// Whether direction center -> d lies in the free sector of a place, which runs counter-clockwise
-/// from the next to the previous vertex of the front; both ends belong to it.
-bool sectorContains(Point2 center, Point2 next, Point2 previous, Point2 d) {
-  const Turn width = orientation(center, next, previous);
-  const bool leftOfNext = orientation(center, next, d) != Turn::Right;
-  const bool rightOfPrevious = orientation(center, previous, d) != Turn::Left;
-  if (width == Turn::Left) return leftOfNext && rightOfPrevious;
-  if (width == Turn::Right) return leftOfNext || rightOfPrevious;
-  return dot(next - center, previous - center) > 0 || leftOfNext;
-}
+  bool contains(Point2 d) const {
+    const bool leftOfNext = orientation(center, next, d) != Turn::Right;
+    const bool rightOfPrevious = orientation(center, previous, d) != Turn::Left;
+    if (leftOfNext && rightOfPrevious) return true;
+    switch (orientation(center, next, previous)) {
+      case Turn::Left:
+        return false;
+      case Turn::Right:
+        return leftOfNext || rightOfPrevious;
+      case Turn::Straight:
+        break;
+    }
+    return leftOfNext || dot(next - center, previous - center) > 0;
+  }
+};
 
 bool placeIsOpenTo(const StepView& view, PlaceId id, Point2 center, Point2 d1, Point2 d2) {
   // At an isolated vertex and at the end of an open chain all directions are free.
   if (!view.front.hasEdge(id) || !view.front.hasEdgeBefore(id)) return true;
-  const Point2 next = view.chart.project(view.front[view.front.next(id)].point).position;
-  const Point2 previous = view.chart.project(view.front[view.front.previous(id)].point).position;
-  return sectorContains(center, next, previous, d1) && sectorContains(center, next, previous, d2);
+  const Sector sector{center, view.chart.project(view.front[view.front.next(id)].point).position,
+                      view.chart.project(view.front[view.front.previous(id)].point).position};
+  return sector.contains(d1) && (d1 == d2 || sector.contains(d2));
 }
 
 /// A vertex may stand on the front more than once; the place at which the new elements lie is the
@@ -285,8 +289,7 @@ Refusal CandidateChoice::evaluate(const StepView& view, Candidate& candidate) co
     if (const Refusal r = requirementsHold(rule, binding); r != Refusal::None) return r;
   if (const Refusal r = placeNewPoints(rule, binding, candidate.match); r != Refusal::None)
     return r;
-  const RuleSetDefinition& set = rules_.set().definition();
-  if (const Refusal r = scoreElements(set, rule, candidate.match, candidate.score);
+  if (const Refusal r = scoreElements(rules_, rule, candidate.match, candidate.score);
       r != Refusal::None)
     return r;
   if (rule.rule->definition().cost) {
@@ -294,8 +297,9 @@ Refusal CandidateChoice::evaluate(const StepView& view, Candidate& candidate) co
     if (!cost || !std::isfinite(*cost)) return Refusal::NoValue;
     candidate.score += *cost;
   }
-  return !set.acceptance || set.acceptance->accepts(candidate.score, view.level) ? Refusal::None
-                                                                                 : Refusal::Score;
+  const auto& acceptance = rules_.set().definition().acceptance;
+  return !acceptance || acceptance->accepts(candidate.score, view.level) ? Refusal::None
+                                                                         : Refusal::Score;
 }
 
 bool CandidateChoice::isBetter(const Candidate& one, const Candidate& other) const {
@@ -330,8 +334,8 @@ template <class Visit>
 Refusal CandidateChoice::visitObstacles(const StepView& view, const Candidate& candidate,
                                         Visit&& visit) {
   if (candidate.rule->zone) {
-    PolygonView polygon;
-    if (!polygon.make(*candidate.rule->zone, view.level, candidate.match))
+    ZonePolygon polygon;
+    if (!polygon.make(*candidate.rule->zone, view.level, candidate.match.points.data()))
       return Refusal::Convexity;
     searchZone(view, candidate, polygon.boundingBox(), polygon, visit);
     return Refusal::None;
@@ -355,23 +359,22 @@ void CandidateChoice::searchZone(const StepView& view, const Candidate& candidat
     larger.include(wanted);
     near_.gather(front_, index_, view.chart, view.base, larger);
   }
+  const MatchedParts matched(front_, candidate);
   const Box2 reach{{box.low.x - kSamePlace, box.low.y - kSamePlace},
                    {box.high.x + kSamePlace, box.high.y + kSamePlace}};
   for (const Neighborhood::Edge& edge : near_.edges()) {
-    if (!lies(reach, edge.from) ||
-        !(zone.contains(edge.from, ZoneBoundary::Counts) || isAtNewVertex(candidate, edge.from)) ||
-        isMatchedVertex(view, candidate, edge.place))
+    if (!lies(reach, edge.from)) continue;
+    const VertexId vertex = front_[edge.place].vertex;
+    if (matched.holdVertex(vertex)) continue;
+    if (!zone.contains(edge.from, ZoneBoundary::Counts) && !isAtNewVertex(candidate, edge.from))
       continue;
-    if (!visit(Refusal::ZoneHitByVertex, front_[edge.place].vertex, VertexId())) return;
+    if (!visit(Refusal::ZoneHitByVertex, vertex, VertexId())) return;
   }
   for (const Neighborhood::Edge& edge : near_.edges()) {
-    if (!front_.hasEdge(edge.place) || !mayMeet(box, edge.from, edge.to) ||
-        isMatchedEdge(candidate, edge.place) ||
-        !zone.meets(edge.from, edge.to, ZoneBoundary::Ignored))
-      continue;
-    if (!visit(Refusal::ZoneHitByEdge, front_[edge.place].vertex,
-               front_[front_.next(edge.place)].vertex))
-      return;
+    if (!mayMeet(box, edge.from, edge.to) || matched.holdEdge(edge.place)) continue;
+    const Place& place = front_[edge.place];
+    if (place.level <= 0 || !zone.meets(edge.from, edge.to, ZoneBoundary::Ignored)) continue;
+    if (!visit(Refusal::ZoneHitByEdge, place.vertex, front_[place.next].vertex)) return;
   }
 }
 
@@ -386,8 +389,8 @@ Refusal CandidateChoice::prepare(const StepView& view, const Candidate& candidat
     if (!point || !holds(limits_, point->position)) return Refusal::Surface;
     application_.newPoints.push_back(*point);
   }
-  const bool isPlane = view.chart.frame() && view.chart.frame()->minCosine <= -2;
-  return isPlane || staysUnfolded(view, application_) ? Refusal::None : Refusal::Surface;
+  return view.chart.isPlane() || staysUnfolded(view, application_) ? Refusal::None
+                                                                   : Refusal::Surface;
 }
 
 std::vector<RuleRefusal> CandidateChoice::obstacles(const StepChart& chart, PlaceId base) {

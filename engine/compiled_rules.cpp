@@ -33,7 +33,9 @@ struct ChainWalk {
     return -1;
   }
   void bind(BindingStep::Kind kind, int vertex, int from) {
-    steps.push_back({kind, static_cast<std::int8_t>(vertex), static_cast<std::int8_t>(from)});
+    const PatternVertex& wanted = rule.vertices[static_cast<std::size_t>(vertex)];
+    steps.push_back({kind, static_cast<std::int8_t>(vertex), static_cast<std::int8_t>(from),
+                     wanted.reference, wanted.tolerance.value_or(ToleranceForm{0, 0, 0})});
     isBound[static_cast<std::size_t>(vertex)] = true;
   }
   bool bound(int v) const { return isBound[static_cast<std::size_t>(v)]; }
@@ -201,23 +203,44 @@ void AffineBatch::add(const AffinePointTransform& transform, int matchedCount) {
   ++count;
 }
 
-void AffineBatch::evaluate(const Point2* matched, double* x, double* y) const {
-  for (int k = 0; k < kCapacity; ++k) x[k] = constantX[k], y[k] = constantY[k];
-  for (std::size_t j = 0; j < rows.size(); ++j) {
-    const Row& row = rows[j];
-    const Point2 p = matched[j + 1];
-    if (isMixed) {
-      for (int k = 0; k < kCapacity; ++k) {
-        x[k] += row.xx[k] * p.x + row.xy[k] * p.y;
-        y[k] += row.yx[k] * p.x + row.yy[k] * p.y;
-      }
-    } else {
-      for (int k = 0; k < kCapacity; ++k) {
-        x[k] += row.xx[k] * p.x;
-        y[k] += row.yy[k] * p.y;
+namespace {
+
+/// As many sums at a time as fit into registers, so that rows are read and nothing else.
+template <int kSlots, bool kIsMixed>
+void evaluateSlots(const AffineBatch& batch, const Point2* matched, double* x, double* y) {
+  double sumX[kSlots], sumY[kSlots];
+  for (int k = 0; k < kSlots; ++k) sumX[k] = batch.constantX[k], sumY[k] = batch.constantY[k];
+  for (const AffineBatch::Row& row : batch.rows) {
+    const Point2 p = *++matched;
+    for (int k = 0; k < kSlots; ++k) {
+      if constexpr (kIsMixed) {
+        sumX[k] += row.xx[k] * p.x + row.xy[k] * p.y;
+        sumY[k] += row.yx[k] * p.x + row.yy[k] * p.y;
+      } else {
+        sumX[k] += row.xx[k] * p.x;
+        sumY[k] += row.yy[k] * p.y;
       }
     }
   }
+  for (int k = 0; k < kSlots; ++k) x[k] = sumX[k], y[k] = sumY[k];
+}
+
+template <int kSlots>
+void evaluateSlots(const AffineBatch& batch, const Point2* matched, double* x, double* y) {
+  if (batch.isMixed)
+    evaluateSlots<kSlots, true>(batch, matched, x, y);
+  else
+    evaluateSlots<kSlots, false>(batch, matched, x, y);
+}
+
+}  // namespace
+
+void AffineBatch::evaluate(const Point2* matched, double* x, double* y) const {
+  static_assert(kCapacity == 8);
+  if (count <= 2) return evaluateSlots<2>(*this, matched, x, y);
+  if (count <= 4) return evaluateSlots<4>(*this, matched, x, y);
+  if (count <= 6) return evaluateSlots<6>(*this, matched, x, y);
+  evaluateSlots<8>(*this, matched, x, y);
 }
 
 void Window::include(double x, double y) {
@@ -232,7 +255,9 @@ void Window::include(const Window& other) {
   include(other.highX, other.highY);
 }
 
-CompiledRules::CompiledRules(const RuleSet& rules, std::optional<int> onlyLevel) : set_(rules) {
+CompiledRules::CompiledRules(const RuleSet& rules, std::optional<int> onlyLevel)
+    : set_(rules),
+      fastMetric_(dynamic_cast<const ShapeSizeMetric*>(rules.definition().metric.get())) {
   for (std::size_t i = 0; i < rules.rules().size(); ++i) {
     const AF2Rule& rule = rules.rules()[i];
     const RuleDefinition& definition = rule.definition();

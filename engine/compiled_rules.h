@@ -50,6 +50,10 @@ struct BindingStep {
   Kind kind = Kind::Next;
   std::int8_t vertex = 0;
   std::int8_t from = 0;
+  Point2 reference;    ///< of the vertex
+  ToleranceForm form;  ///< 0 everywhere if any position will do
+
+  bool fits(Point2 point, double tolerance) const { return form(point - reference) <= tolerance; }
 };
 
 struct SlopeTest {
@@ -86,6 +90,8 @@ class CompiledRules {
   explicit CompiledRules(const RuleSet& rules, std::optional<int> onlyLevel = std::nullopt);
 
   const RuleSet& set() const { return set_; }
+  /// The fast form of the rule set's metric, if it has it, else null.
+  const ShapeSizeMetric* fastMetric() const { return fastMetric_; }
   const std::vector<CompiledRule>& rules() const { return rules_; }
   /// What a step at this level looks at first. It holds every place that a rule can match, and the
   /// free zones of typical matches; a zone that sticks out is fetched on its own.
@@ -93,6 +99,7 @@ class CompiledRules {
 
  private:
   const RuleSet& set_;
+  const ShapeSizeMetric* fastMetric_;
   std::vector<CompiledRule> rules_;
   std::vector<std::vector<Window>> windows_;  // [level - 1][base length bucket]
 };

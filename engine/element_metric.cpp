@@ -8,14 +8,17 @@
 namespace af2 {
 namespace {
 
-/// Perimeter^2 / area of the equilateral triangle and of the square, the least there is.
-const double kTrianglePerimeterRatio = 12 * std::sqrt(3.0);
+/// Perimeter^2 / area of the square.
 constexpr double kSquarePerimeterRatio = 16;
 
 }  // namespace
 
 std::optional<double> ShapeSizeMetric::badness(std::span<const Point2> corners) const {
   const std::size_t n = corners.size();
+  if (n == 3) {
+    const double result = triangleBadness(corners[0], corners[1], corners[2]);
+    return std::isfinite(result) ? std::optional(result) : std::nullopt;
+  }
   double perimeter = 0, doubleArea = 0, size = 0;
   for (std::size_t i = 0; i < n; ++i) {
     const Point2 p = corners[i], q = corners[i + 1 == n ? 0 : i + 1];
@@ -24,8 +27,8 @@ std::optional<double> ShapeSizeMetric::badness(std::span<const Point2> corners) 
     doubleArea += cross(p - corners[0], q - corners[0]);
     size += edge + 1 / edge - 2;
   }
-  const double best = n == 3 ? kTrianglePerimeterRatio : kSquarePerimeterRatio;
-  const double result = weight_ * (perimeter * perimeter / (0.5 * doubleArea * best) - 1) + size;
+  const double result =
+      weight_ * (perimeter * perimeter / (0.5 * doubleArea * kSquarePerimeterRatio) - 1) + size;
   if (!(doubleArea > 0) || !std::isfinite(result)) return std::nullopt;
   return result;
 }

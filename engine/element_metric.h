@@ -1,6 +1,7 @@
 // How good a new element is, and when a rule's result is good enough.
 #pragma once
 
+#include <cmath>
 #include <memory>
 #include <optional>
 #include <span>
@@ -26,9 +27,22 @@ class ShapeSizeMetric final : public AF2ElementMetric {
  public:
   explicit ShapeSizeMetric(double weight) : weight_(weight) {}
   std::optional<double> badness(std::span<const Point2> corners) const override;
+  /// badness({a, b, c}), to the last bit; not finite where that has no value.
+  double triangleBadness(Point2 a, Point2 b, Point2 c) const {
+    const double doubleArea = cross(b - a, c - a);
+    if (!(doubleArea > 0)) return INFINITY;
+    const double ab = distance(a, b), bc = distance(b, c), ca = distance(c, a);
+    const double perimeter = ab + bc + ca;
+    const double size = (ab + 1 / ab - 2) + (bc + 1 / bc - 2) + (ca + 1 / ca - 2);
+    return weight_ * (perimeter * perimeter / (0.5 * doubleArea * kTrianglePerimeterRatio) - 1) +
+           size;
+  }
   double weight() const { return weight_; }
 
  private:
+  /// Perimeter^2 / area of the equilateral triangle, the least there is: 12 sqrt(3).
+  static constexpr double kTrianglePerimeterRatio = 20.784609690826528;
+
   double weight_;
 };
 

@@ -27,6 +27,11 @@ int dropRepetitions(Point2* corners, int count) {
   return count;
 }
 
+/// Whether a point that turns to `turn` is beyond a line that has the polygon on its other side.
+bool isBeyond(Turn turn, Turn side, ZoneBoundary boundary) {
+  return turn == side || (turn == Turn::Straight && boundary == ZoneBoundary::Ignored);
+}
+
 /// How far q lies inside the chord from p to r, > 0 for a reflex corner.
 double reflexDepth(Point2 p, Point2 q, Point2 r) {
   const double chord = distance(p, r);
@@ -98,28 +103,30 @@ bool convex_polygon::meets(std::span<const Point2> corners, Point2 from, Point2 
                            ZoneBoundary boundary) {
   if (from == to) return contains(corners, from, boundary);
   // Two convex sets are apart iff a line along an edge of one of them separates them.
-  const bool touchingCounts = boundary == ZoneBoundary::Counts;
-  const auto isBeyond = [&](Turn turn, Turn side) {
-    return turn == side || (turn == Turn::Straight && !touchingCounts);
-  };
   Point2 p = corners.back();
   for (Point2 q : corners) {
-    if (isBeyond(orientation(p, q, from), Turn::Right) &&
-        isBeyond(orientation(p, q, to), Turn::Right))
+    if (isBeyond(orientation(p, q, from), Turn::Right, boundary) &&
+        isBeyond(orientation(p, q, to), Turn::Right, boundary))
       return false;
     p = q;
   }
+  return meetsLine(corners, from, to, boundary);
+}
+
+bool convex_polygon::meetsLine(std::span<const Point2> corners, Point2 from, Point2 to,
+                               ZoneBoundary boundary) {
   bool allLeft = true, allRight = true;
   for (Point2 q : corners) {
     const Turn turn = orientation(from, to, q);
-    allLeft = allLeft && isBeyond(turn, Turn::Left);
-    allRight = allRight && isBeyond(turn, Turn::Right);
+    allLeft = allLeft && isBeyond(turn, Turn::Left, boundary);
+    allRight = allRight && isBeyond(turn, Turn::Right, boundary);
+    if (!allLeft && !allRight) break;
   }
   if (allLeft || allRight) return false;
-  if (!touchingCounts) return true;
+  if (boundary == ZoneBoundary::Ignored) return true;
   // Where touching counts, a segment in line with an edge may still end before the polygon begins.
   if (contains(corners, from, boundary) || contains(corners, to, boundary)) return true;
-  p = corners.back();
+  Point2 p = corners.back();
   for (Point2 q : corners) {
     if (segmentsMeet(from, to, p, q)) return true;
     p = q;

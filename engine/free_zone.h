@@ -60,9 +60,11 @@ inline constexpr double kStraightTolerance = 1e-9;
 /// counter-clockwise.
 int normalize(Point2* corners, int count, double straightTolerance = kStraightTolerance);
 
-/// Both want normalized corners.
+/// All want normalized corners.
 bool contains(std::span<const Point2> corners, Point2 point, ZoneBoundary boundary);
 bool meets(std::span<const Point2> corners, Point2 from, Point2 to, ZoneBoundary boundary);
+/// What is left to ask if no side of the polygon separates it from the segment, which has a length.
+bool meetsLine(std::span<const Point2> corners, Point2 from, Point2 to, ZoneBoundary boundary);
 
 }  // namespace convex_polygon
 

@@ -13,15 +13,24 @@ namespace {
 constexpr double kCellPerLength = 3.0;
 constexpr int kMiddleBand = 16;
 
+/// The largest whole number not above x; std::floor is a call where nothing newer than SSE2 is
+/// taken for granted.
+std::int64_t wholePart(double x) {
+  const auto truncated = static_cast<std::int64_t>(x);
+  return truncated - (static_cast<double>(truncated) > x);
+}
+
 }  // namespace
 
 FrontIndex::FrontIndex(const Box3& box, double typicalLength)
-    : origin_(box.low), typicalLength_(typicalLength), bands_(kBands) {
+    : typicalLength_(typicalLength), bands_(kBands) {
   for (int i = 0; i < kBands; ++i) {
     Band& band = bands_[static_cast<std::size_t>(i)];
     const double longest = typicalLength * std::ldexp(2.0, 2 * (i - kMiddleBand));
     band.cellSize = kCellPerLength * longest;
     band.inverseCellSize = 1 / band.cellSize;
+    const double half = 0.5 * band.cellSize;
+    band.origin = box.low - Point3{half, half, half};
   }
 }
 
@@ -34,23 +43,19 @@ std::size_t FrontIndex::bandOf(double length) const {
 }
 
 std::uint64_t FrontIndex::keyAt(const Band& band, const Point3& point) const {
-  const Point3 d = band.inverseCellSize * (point - origin_);
-  return keyOf(static_cast<std::int64_t>(std::floor(d.x)),
-               static_cast<std::int64_t>(std::floor(d.y)),
-               static_cast<std::int64_t>(std::floor(d.z)));
+  const Point3 d = band.inverseCellSize * (point - band.origin);
+  return keyOf(wholePart(d.x), wholePart(d.y), wholePart(d.z));
 }
 
 FrontIndex::CellRange FrontIndex::cellsAround(const Band& band, const Box3& box) const {
-  const auto cellIndex = [&](double x, double origin) {
+  const auto cellIndex = [&](double d) {
     constexpr double kFar = 1e15;  // cells; whole numbers of this size are exact
-    return static_cast<std::int64_t>(
-        std::floor(std::clamp((x - origin) * band.inverseCellSize, -kFar, kFar)));
+    return wholePart(std::clamp(d * band.inverseCellSize, -kFar, kFar));
   };
-  return {
-      {cellIndex(box.low.x - band.reach, origin_.x), cellIndex(box.low.y - band.reach, origin_.y),
-       cellIndex(box.low.z - band.reach, origin_.z)},
-      {cellIndex(box.high.x + band.reach, origin_.x), cellIndex(box.high.y + band.reach, origin_.y),
-       cellIndex(box.high.z + band.reach, origin_.z)}};
+  const Point3 reach{band.reach, band.reach, band.reach};
+  const Point3 low = box.low - reach - band.origin, high = box.high + reach - band.origin;
+  return {{cellIndex(low.x), cellIndex(low.y), cellIndex(low.z)},
+          {cellIndex(high.x), cellIndex(high.y), cellIndex(high.z)}};
 }
 
 void FrontIndex::insert(Front& front, PlaceId id) {

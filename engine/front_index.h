@@ -2,6 +2,7 @@
 // The only place where search speed is tuned.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -33,7 +34,7 @@ class FrontIndex {
     for (const Band& band : bands_) {
       if (band.edges == 0) continue;
       const CellRange range = cellsAround(band, box);
-      if (range.count() > static_cast<double>(band.cells.size())) {
+      if (range.count() > band.cells.size()) {
         for (const Cell& cell : band.cells) visitCell(front, cell, visit);
         continue;
       }
@@ -51,6 +52,7 @@ class FrontIndex {
   };
   struct Band {
     double cellSize = 1, inverseCellSize = 1;
+    Point3 origin;     ///< half a cell off, so that a front in a plane z = 0 keeps to one layer
     double reach = 0;  ///< largest distance of an edge's points from its midpoint, so far
     std::size_t edges = 0;
     std::vector<Cell> cells;           ///< in order of first use
@@ -58,9 +60,12 @@ class FrontIndex {
   };
   struct CellRange {
     std::int64_t low[3], high[3];
-    double count() const {
-      double product = 1;
-      for (int i = 0; i < 3; ++i) product *= static_cast<double>(high[i] - low[i] + 1);
+    /// Of cells; of very large ranges only that they are large.
+    std::uint64_t count() const {
+      constexpr std::uint64_t kMany = 1u << 20;
+      std::uint64_t product = 1;
+      for (int i = 0; i < 3; ++i)
+        product *= std::min(static_cast<std::uint64_t>(high[i] - low[i]) + 1, kMany);
       return product;
     }
   };
@@ -100,7 +105,6 @@ class FrontIndex {
   static constexpr int kBands = 32;
   static constexpr std::uint32_t kBandShift = 27;  // a place's cell: band in the high bits
 
-  Point3 origin_;
   double typicalLength_;
   std::vector<Band> bands_;
 };

@@ -38,11 +38,14 @@ struct ProjectionFrame {
   ChartPoint project(const SurfacePoint& point) const {
     const Point3 d = point.position - origin;
     const Point2 position{scale * dot(d, xAxis), scale * dot(d, yAxis)};
-    if (minCosine <= -2) return {position, ChartView::Legal};
+    return {position, minCosine <= -2 ? ChartView::Legal : viewOf(point, d)};
+  }
+  /// Where normals are looked at; d = point.position - origin.
+  ChartView viewOf(const SurfacePoint& point, const Point3& d) const {
     const double cosine = dot(point.normal, normal);
     const bool isHidden = (cosine < hiddenCosine) | (std::abs(dot(d, normal)) > maxHeight);
     const int view = isHidden ? 2 : cosine < minCosine ? 1 : 0;
-    return {position, static_cast<ChartView>(view)};
+    return static_cast<ChartView>(view);
   }
 };
 

@@ -1,8 +1,69 @@
 #include "engine/neighborhood.h"
 
 #include <algorithm>
+#include <bit>
 
 namespace af2 {
+namespace {
+
+/// Two coordinates in one register. Each is worked out as on its own, so that every processor has
+/// the same results.
+using Pair = double __attribute__((vector_size(16)));
+
+Pair smaller(Pair p, Pair q) { return q < p ? q : p; }
+Pair larger(Pair p, Pair q) { return p < q ? q : p; }
+/// 1 if a comparison holds for both coordinates, else 0.
+std::ptrdiff_t bothHold(decltype(Pair{} < Pair{}) comparison) {
+  return -(comparison[0] & comparison[1]);
+}
+
+Point2 pointAt(Pair position) {
+  static_assert(sizeof(Point2) == sizeof(Pair));
+  return std::bit_cast<Point2>(position);
+}
+
+struct Drawn {
+  Pair position;
+  ChartView view;
+};
+
+/// ProjectionFrame::project for many points.
+template <bool kIsPlane>
+class FrameDrawing {
+ public:
+  explicit FrameDrawing(const ProjectionFrame& f)
+      : frame_(f),
+        x_{f.xAxis.x, f.yAxis.x},
+        y_{f.xAxis.y, f.yAxis.y},
+        z_{f.xAxis.z, f.yAxis.z},
+        scale_{f.scale, f.scale} {}
+
+  Drawn operator()(const SurfacePoint& point) const {
+    const Point3 d = point.position - frame_.origin;
+    const Pair position =
+        scale_ * (Pair{d.x, d.x} * x_ + Pair{d.y, d.y} * y_ + Pair{d.z, d.z} * z_);
+    return {position, kIsPlane ? ChartView::Legal : frame_.viewOf(point, d)};
+  }
+
+ private:
+  const ProjectionFrame frame_;
+  const Pair x_, y_, z_, scale_;
+};
+
+/// A chart of any kind.
+class ChartDrawing {
+ public:
+  explicit ChartDrawing(const StepChart& chart) : chart_(chart) {}
+  Drawn operator()(const SurfacePoint& point) const {
+    const ChartPoint p = chart_.project(point);
+    return {Pair{p.position.x, p.position.y}, p.view};
+  }
+
+ private:
+  const StepChart& chart_;
+};
+
+}  // namespace
 
 Box3 StepChart::boxOf(const Window& w, const Point3& origin) const {
   if (!frame_) {
@@ -14,8 +75,7 @@ Box3 StepChart::boxOf(const Window& w, const Point3& origin) const {
   }
   const double halfX = 0.5 * (w.highX - w.lowX) * unit_, halfY = 0.5 * (w.highY - w.lowY) * unit_;
   const double midX = 0.5 * (w.highX + w.lowX) * unit_, midY = 0.5 * (w.highY + w.lowY) * unit_;
-  const bool isPlane = frame_->minCosine <= -2;
-  const double height = isPlane ? 0 : std::min(frame_->maxHeight, 2 * std::max(halfX, halfY));
+  const double height = isPlane() ? 0 : std::min(frame_->maxHeight, 2 * std::max(halfX, halfY));
   const Point3 center = frame_->origin + midX * frame_->xAxis + midY * frame_->yAxis;
   const auto extent = [&](double x, double y, double n) {
     return std::abs(x) * halfX + std::abs(y) * halfY + std::abs(n) * height;
@@ -29,34 +89,39 @@ Box3 StepChart::boxOf(const Window& w, const Point3& origin) const {
 void Neighborhood::gather(const Front& front, const FrontIndex& index, const StepChart& chart,
                           PlaceId base, const Window& window) {
   window_ = window;
-  found_.clear();
+  if (found_.size() < front.capacity()) {
+    found_.resize(2 * front.capacity());
+    edges_.resize(2 * front.capacity());
+  }
+  foundEnd_ = found_.data();
   index.forEachNear(front, chart.boxOf(window, front[base].point.position),
-                    [&](PlaceId id) { found_.push_back(id); });
-  if (edges_.size() < found_.size()) edges_.resize(2 * found_.size());
-  if (chart.frame())
-    draw(front, *chart.frame());
+                    [end = &foundEnd_](PlaceId id) { *(*end)++ = id; });
+  if (chart.isPlane())
+    draw(front, FrameDrawing<true>(*chart.frame()));
+  else if (chart.frame())
+    draw(front, FrameDrawing<false>(*chart.frame()));
   else
-    draw(front, chart);
+    draw(front, ChartDrawing(chart));
 }
 
 /// Two short loops, and storing every edge before knowing whether it stays, keep the processor
 /// busy: which edges lie in the window is not to be guessed.
-template <class Projection>
-void Neighborhood::draw(const Front& front, const Projection& given) {
-  const Projection projection = given;
-  const Window window = window_;
+template <class Drawing>
+void Neighborhood::draw(const Front& front, const Drawing& drawing) {
+  const Pair low{window_.lowX, window_.lowY}, high{window_.highX, window_.highY};
   Edge* edge = edges_.data();
-  for (PlaceId id : found_) {
-    const Place& place = front[id];
-    const Place& end = place.level < 0 ? place : front[place.next];
-    const ChartPoint from = projection.project(place.point), to = projection.project(end.point);
-    *edge = {from.position, to.position, id, from.view};
-    const bool isInside = (std::max(from.position.x, to.position.x) >= window.lowX) &
-                          (std::min(from.position.x, to.position.x) <= window.highX) &
-                          (std::max(from.position.y, to.position.y) >= window.lowY) &
-                          (std::min(from.position.y, to.position.y) <= window.highY) &
-                          !((from.view == ChartView::Hidden) & (to.view == ChartView::Hidden));
-    edge += isInside;
+  for (const PlaceId* found = found_.data(); found != foundEnd_; ++found) {
+    const Place& place = front[*found];
+    const Place& end = front[place.level < 0 ? *found : place.next];
+    const Drawn from = drawing(place.point), to = drawing(end.point);
+    edge->from = pointAt(from.position);
+    edge->to = pointAt(to.position);
+    edge->place = *found;
+    edge->view = from.view;
+    const auto isInside =
+        (larger(from.position, to.position) >= low) & (smaller(from.position, to.position) <= high);
+    const bool isHidden = (from.view == ChartView::Hidden) & (to.view == ChartView::Hidden);
+    edge += isHidden ? 0 : bothHold(isInside);
   }
   count_ = static_cast<std::size_t>(edge - edges_.data());
 }

@@ -24,6 +24,8 @@ class StepChart {
     return transform_.transformToSurface(point);
   }
   const ProjectionFrame* frame() const { return frame_; }
+  /// Whether nothing but the projection matters: a surface without folds or other sheets.
+  bool isPlane() const { return frame_ && frame_->minCosine <= -2; }
   double unit() const { return unit_; }  ///< what is length 1 in the chart, in model units
   /// A box in space that holds what the window shows.
   Box3 boxOf(const Window& window, const Point3& origin) const;
@@ -50,11 +52,13 @@ class Neighborhood {
   const Window& window() const { return window_; }
 
  private:
-  template <class Projection>
-  void draw(const Front& front, const Projection& projection);
+  template <class Drawing>
+  void draw(const Front& front, const Drawing& drawing);
 
   Window window_;
+  // Room for the whole front, so that nothing need be asked when one more is found.
   std::vector<PlaceId> found_;
+  PlaceId* foundEnd_ = nullptr;
   std::vector<Edge> edges_;  // [0, count_) are in use
   std::size_t count_ = 0;
 };

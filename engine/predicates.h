@@ -20,6 +20,12 @@ Turn exactOrientation(Point2 a, Point2 b, Point2 c);
 inline constexpr double kOrientationErrorBound = 3.3306690738754716e-16;
 /// Below this the products may have lost bits to underflow, and the bound proves nothing.
 inline constexpr double kUnderflowGuard = 1e-290;
+
+/// Whether left - right is certainly positive, for the two products of an orientation.
+inline bool isPlainlyLeft(double left, double right) {
+  const double size = std::abs(left) + std::abs(right);
+  return (left - right > kOrientationErrorBound * size) & (size > kUnderflowGuard) & (size < 1e300);
+}
 }  // namespace detail
 
 /// Which way the path a -> b -> c turns. Exact.
@@ -28,10 +34,9 @@ inline Turn orientation(Point2 a, Point2 b, Point2 c) {
   const double right = (a.y - c.y) * (b.x - c.x);
   const double det = left - right;
   const double size = std::abs(left) + std::abs(right);
-  if (size > detail::kUnderflowGuard && size < 1e300) {
-    if (det > detail::kOrientationErrorBound * size) return Turn::Left;
-    if (-det > detail::kOrientationErrorBound * size) return Turn::Right;
-  }
+  if (std::abs(det) > detail::kOrientationErrorBound * size && size > detail::kUnderflowGuard &&
+      size < 1e300)
+    return det > 0 ? Turn::Left : Turn::Right;
   // Edges that share a vertex with a zone ask this all the time; exact arithmetic is slow to say
   // it.
   if (a == c || b == c || a == b) return Turn::Straight;

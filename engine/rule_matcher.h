@@ -80,11 +80,10 @@ class RuleMatcher {
   /// Binds the vertex of a step if the place fits it.
   bool accept(const CompiledRule& rule, std::size_t index, PlaceId place, Point2 point,
               bool isLegal) {
-    const auto vertex = static_cast<std::size_t>(rule.steps[index].vertex);
-    const PatternVertex& wanted = rule.rule->definition().vertices[vertex];
-    if (wanted.tolerance && !((*wanted.tolerance)(point - wanted.reference) <= view_.tolerance))
-      return false;
+    const BindingStep& step = rule.steps[index];
+    if (!step.fits(point, view_.tolerance)) return false;
     if (!isLegal || isBound(rule, index, view_.front[place].vertex)) return false;
+    const auto vertex = static_cast<std::size_t>(step.vertex);
     match_.places[vertex] = place;
     match_.points[vertex] = point;
     return true;

@@ -161,7 +161,7 @@ bool VertexSmoother::moveInChart(VertexId v, const StepChart& chart) {
   if (length(target) < kLeastMove * reach_) return false;
   const auto lifted = chart.lift(target);
   if (!lifted) return false;
-  const bool isPlane = chart.frame() && chart.frame()->minCosine <= -2;
+  const bool isPlane = chart.isPlane();
   const SurfacePoint before = mesh_.vertices[v.value];
   const double worstBefore = isPlane ? 0 : worstDistortion();
   mesh_.vertices[v.value] = *lifted;
