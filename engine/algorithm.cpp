@@ -275,9 +275,9 @@ class Run {
     addVertices(application);
     addElements(application, firstNew);
     makeWalk(base, application, firstNew);
-    index_.erase(front_, base);
+    index_.erase(base);
     front_.replace(base, walk_, change_);
-    for (PlaceId id : change_.removed) index_.erase(front_, id);
+    for (PlaceId id : change_.removed) index_.erase(id);
     front_.release(change_);
     for (PlaceId id : change_.added) enter(id);
   }

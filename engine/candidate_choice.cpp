@@ -165,12 +165,25 @@ struct Sector {
   }
 };
 
+Point2 positionOf(const StepView& view, PlaceId id) {
+  return view.chart.project(view.front[id].point).position;
+}
+
 bool placeIsOpenTo(const StepView& view, PlaceId id, Point2 center, Point2 d1, Point2 d2) {
+  const Place& place = view.front[id];
   // At an isolated vertex and at the end of an open chain all directions are free.
-  if (!view.front.hasEdge(id) || !view.front.hasEdgeBefore(id)) return true;
-  const Sector sector{center, view.chart.project(view.front[view.front.next(id)].point).position,
-                      view.chart.project(view.front[view.front.previous(id)].point).position};
-  return sector.contains(d1) && (d1 == d2 || sector.contains(d2));
+  if (place.level <= 0 || !view.front.hasEdge(place.previous)) return true;
+  const Sector sector{center, positionOf(view, place.next), positionOf(view, place.previous)};
+  return sector.contains(d1) && sector.contains(d2);
+}
+
+/// The same for the ends a and b of the base, whose edge is drawn already.
+bool baseIsOpenTo(const StepView& view, const Match& match, Point2 first, Point2 last) {
+  const Point2 a = match.points[0], b = match.points[1];
+  const PlaceId before = view.front.previous(match.places[0]), end = match.places[1];
+  return (!view.front.hasEdge(before) || Sector{a, b, positionOf(view, before)}.contains(first)) &&
+         (!view.front.hasEdge(end) ||
+          Sector{b, positionOf(view, view.front.next(end)), a}.contains(last));
 }
 
 /// A vertex may stand on the front more than once; the place at which the new elements lie is the
@@ -192,9 +205,7 @@ bool findOpenPlaces(const StepView& view, const Candidate& c, std::vector<PlaceI
   places.assign(c.match.places.begin(), c.match.places.begin() + c.rule->matchedCount);
   const auto& walk = c.rule->rule->replacement();
   const auto at = [&](int v) { return c.match.points[static_cast<std::size_t>(v)]; };
-  const Point2 first = at(walk.front()), last = at(walk.back());
-  if (!placeIsOpenTo(view, places[0], at(0), first, first)) return false;
-  if (!placeIsOpenTo(view, places[1], at(1), last, last)) return false;
+  if (!baseIsOpenTo(view, c.match, at(walk.front()), at(walk.back()))) return false;
   for (std::size_t i = 0; i < walk.size(); ++i) {
     if (walk[i] >= c.rule->matchedCount) continue;
     const auto v = static_cast<std::size_t>(walk[i]);
@@ -261,7 +272,7 @@ const Application* CandidateChoice::choose(const StepChart& chart, PlaceId base)
     if (testZone(view, candidates_[best], culprit) == Refusal::None &&
         prepare(view, candidates_[best]) == Refusal::None)
       return &application_;
-    std::swap(candidates_[best], candidates_[--candidateCount_]);
+    if (best != --candidateCount_) candidates_[best] = candidates_[candidateCount_];
   }
   return nullptr;
 }

@@ -16,12 +16,10 @@ struct alignas(64) Place {
   SurfacePoint point;
   double size = 0;  ///< wanted edge length at the vertex
   VertexId vertex;
-  PlaceId next, previous;              ///< itself: an isolated vertex
-  std::int32_t level = 0;              ///< quality level of the edge; 0: the place is not in use
-  std::int32_t layer = 0;              ///< layers of elements between the vertex and the boundary
-  std::uint32_t age = 0;               ///< counts up with each edge that joins the front
-  PlaceId nextInCell, previousInCell;  ///< owned by FrontIndex
-  std::uint32_t cell = 0xffffffffu;
+  PlaceId next, previous;  ///< itself: an isolated vertex
+  std::int32_t level = 0;  ///< quality level of the edge; 0: the place is not in use
+  std::int32_t layer = 0;  ///< layers of elements between the vertex and the boundary
+  std::uint32_t age = 0;   ///< counts up with each edge that joins the front
 };
 
 /// A vertex on the walk that takes the place of a base edge.

@@ -35,9 +35,10 @@ FrontIndex::FrontIndex(const Box3& box, double typicalLength)
 }
 
 std::size_t FrontIndex::bandOf(double length) const {
-  if (length == 0) return kMiddleBand;
   // Band i holds lengths in typical * [1/2, 2) * 4^(i - middle).
-  const int exponent = std::ilogb(2 * length / typicalLength_);
+  const double ratio = 2 * length / typicalLength_;
+  if ((ratio >= 1 && ratio < 4) || length == 0) return kMiddleBand;
+  const int exponent = std::ilogb(ratio);
   const int band = kMiddleBand + (exponent >= 0 ? exponent / 2 : -((1 - exponent) / 2));
   return static_cast<std::size_t>(std::clamp(band, 0, kBands - 1));
 }
@@ -58,7 +59,7 @@ FrontIndex::CellRange FrontIndex::cellsAround(const Band& band, const Box3& box)
           {cellIndex(high.x), cellIndex(high.y), cellIndex(high.z)}};
 }
 
-void FrontIndex::insert(Front& front, PlaceId id) {
+void FrontIndex::insert(const Front& front, PlaceId id) {
   const Point3& from = front[id].point.position;
   const Point3& to = front.hasEdge(id) ? front[front.next(id)].point.position : from;
   const double length = distance(from, to);
@@ -68,27 +69,26 @@ void FrontIndex::insert(Front& front, PlaceId id) {
 
   const std::uint32_t cellIndex = findOrAdd(band, keyAt(band, 0.5 * (from + to)));
   Cell& cell = band.cells[cellIndex];
-  Place& place = front[id];
-  place.cell = static_cast<std::uint32_t>(bandIndex) << kBandShift | cellIndex;
-  place.previousInCell = PlaceId();
-  place.nextInCell = cell.first;
-  if (!cell.first.isNone()) front[cell.first].previousInCell = id;
+  if (id.value >= entries_.size()) entries_.resize(std::max(front.capacity(), 2 * entries_.size()));
+  entries_[id.value] = {cell.first, PlaceId(),
+                        static_cast<std::uint32_t>(bandIndex) << kBandShift | cellIndex};
+  if (!cell.first.isNone()) entries_[cell.first.value].previous = id;
   cell.first = id;
   ++band.edges;
-  if (band.cells.size() > 64 && band.cells.size() > 4 * band.edges) dropEmptyCells(front, band);
+  if (band.cells.size() > 64 && band.cells.size() > 4 * band.edges) dropEmptyCells(band);
 }
 
-void FrontIndex::erase(Front& front, PlaceId id) {
-  Place& place = front[id];
-  if (place.cell == kEmpty) return;
-  Band& band = bands_[place.cell >> kBandShift];
-  Cell& cell = band.cells[place.cell & ((1u << kBandShift) - 1)];
-  if (!place.nextInCell.isNone()) front[place.nextInCell].previousInCell = place.previousInCell;
-  if (!place.previousInCell.isNone())
-    front[place.previousInCell].nextInCell = place.nextInCell;
+void FrontIndex::erase(PlaceId id) {
+  if (id.value >= entries_.size() || entries_[id.value].cell == kEmpty) return;
+  Entry& entry = entries_[id.value];
+  Band& band = bands_[entry.cell >> kBandShift];
+  Cell& cell = band.cells[entry.cell & ((1u << kBandShift) - 1)];
+  if (!entry.next.isNone()) entries_[entry.next.value].previous = entry.previous;
+  if (!entry.previous.isNone())
+    entries_[entry.previous.value].next = entry.next;
   else
-    cell.first = place.nextInCell;
-  place.cell = kEmpty;
+    cell.first = entry.next;
+  entry.cell = kEmpty;
   --band.edges;
 }
 
@@ -115,13 +115,14 @@ void FrontIndex::rehash(Band& band, std::size_t slots) {
 }
 
 /// The front moves on and leaves empty cells behind; they would fill the table in time.
-void FrontIndex::dropEmptyCells(Front& front, Band& band) {
+void FrontIndex::dropEmptyCells(Band& band) {
   std::size_t kept = 0;
   for (const Cell& cell : band.cells) {
     if (cell.first.isNone()) continue;
-    for (PlaceId id = cell.first; !id.isNone(); id = front[id].nextInCell)
-      front[id].cell =
-          (front[id].cell & ~((1u << kBandShift) - 1)) | static_cast<std::uint32_t>(kept);
+    visitCell(cell, [&](PlaceId id) {
+      std::uint32_t& own = entries_[id.value].cell;
+      own = (own & ~((1u << kBandShift) - 1)) | static_cast<std::uint32_t>(kept);
+    });
     band.cells[kept++] = cell;
   }
   band.cells.resize(kept);

@@ -23,32 +23,40 @@ class FrontIndex {
   /// typicalLength  the length that lies in the middle of a band
   FrontIndex(const Box3& box, double typicalLength);
 
-  void insert(Front& front, PlaceId id);
+  /// The edge that leaves a place, or an isolated vertex.
+  void insert(const Front& front, PlaceId id);
   /// Does nothing if the edge is not in the index.
-  void erase(Front& front, PlaceId id);
+  void erase(PlaceId id);
 
   /// Calls visit(PlaceId) for every edge that may meet the box, in an order that depends on nothing
   /// but the history of inserts and erases. A superset: cells are not cut at the box.
   template <class Visit>
-  void forEachNear(const Front& front, const Box3& box, Visit&& visit) const {
+  void forEachNear(const Box3& box, Visit&& visit) const {
     for (const Band& band : bands_) {
       if (band.edges == 0) continue;
       const CellRange range = cellsAround(band, box);
       if (range.count() > band.cells.size()) {
-        for (const Cell& cell : band.cells) visitCell(front, cell, visit);
+        for (const Cell& cell : band.cells) visitCell(cell, visit);
         continue;
       }
       for (std::int64_t z = range.low[2]; z <= range.high[2]; ++z)
         for (std::int64_t y = range.low[1]; y <= range.high[1]; ++y)
           for (std::int64_t x = range.low[0]; x <= range.high[0]; ++x)
-            if (const Cell* cell = find(band, keyOf(x, y, z))) visitCell(front, *cell, visit);
+            if (const Cell* cell = find(band, keyOf(x, y, z))) visitCell(*cell, visit);
     }
   }
 
  private:
+  static constexpr std::uint32_t kEmpty = 0xffffffffu;
+
   struct Cell {
     std::uint64_t key = 0;
     PlaceId first;
+  };
+  /// Of one place: its neighbours in the list of its cell.
+  struct Entry {
+    PlaceId next, previous;
+    std::uint32_t cell = kEmpty;
   };
   struct Band {
     double cellSize = 1, inverseCellSize = 1;
@@ -94,19 +102,19 @@ class FrontIndex {
   }
   std::uint32_t findOrAdd(Band& band, std::uint64_t key);
   static void rehash(Band& band, std::size_t slots);
-  static void dropEmptyCells(Front& front, Band& band);
+  void dropEmptyCells(Band& band);
 
   template <class Visit>
-  static void visitCell(const Front& front, const Cell& cell, Visit&& visit) {
-    for (PlaceId id = cell.first; !id.isNone(); id = front[id].nextInCell) visit(id);
+  void visitCell(const Cell& cell, Visit&& visit) const {
+    for (PlaceId id = cell.first; !id.isNone(); id = entries_[id.value].next) visit(id);
   }
 
-  static constexpr std::uint32_t kEmpty = 0xffffffffu;
   static constexpr int kBands = 32;
-  static constexpr std::uint32_t kBandShift = 27;  // a place's cell: band in the high bits
+  static constexpr std::uint32_t kBandShift = 27;  // an entry's cell: band in the high bits
 
   double typicalLength_;
   std::vector<Band> bands_;
+  std::vector<Entry> entries_;  // by place; apart from the places, so that lists are close together
 };
 
 }  // namespace af2

@@ -93,9 +93,10 @@ void Neighborhood::gather(const Front& front, const FrontIndex& index, const Ste
     found_.resize(2 * front.capacity());
     edges_.resize(2 * front.capacity());
   }
-  foundEnd_ = found_.data();
-  index.forEachNear(front, chart.boxOf(window, front[base].point.position),
-                    [end = &foundEnd_](PlaceId id) { *(*end)++ = id; });
+  PlaceId* end = found_.data();
+  index.forEachNear(chart.boxOf(window, front[base].point.position),
+                    [&](PlaceId id) { *end++ = id; });
+  foundEnd_ = end;
   if (chart.isPlane())
     draw(front, FrameDrawing<true>(*chart.frame()));
   else if (chart.frame())

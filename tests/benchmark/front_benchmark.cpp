@@ -33,7 +33,7 @@ void indexEraseAndInsert(::benchmark::State& state) {
   const std::size_t count = square.front.edgeCount();
   std::size_t i = 0;
   for (auto _ : state) {
-    square.index.erase(square.front, PlaceId(i));
+    square.index.erase(PlaceId(i));
     square.index.insert(square.front, PlaceId(i));
     i = (i + 997) % count;
   }
@@ -48,7 +48,7 @@ void indexSearch(::benchmark::State& state) {
   for (auto _ : state) {
     const Point3 at = square.front[PlaceId(i)].point.position;
     const Point3 reach{3 * size, 3 * size, 3 * size};
-    square.index.forEachNear(square.front, {at - reach, at + reach}, [&](PlaceId) { ++found; });
+    square.index.forEachNear({at - reach, at + reach}, [&](PlaceId) { ++found; });
     i = (i + 997) % count;
   }
   state.counters["edges"] =

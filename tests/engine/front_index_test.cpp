@@ -33,7 +33,7 @@ bool boxesMeet(const Point3& p, const Point3& q, const Box3& box) {
 void expectFindsAll(const Front& front, const FrontIndex& index, const std::set<PlaceId>& inIndex,
                     const Box3& box) {
   std::set<PlaceId> found;
-  index.forEachNear(front, box, [&](PlaceId id) {
+  index.forEachNear(box, [&](PlaceId id) {
     EXPECT_TRUE(found.insert(id).second) << "visited twice";
     EXPECT_TRUE(inIndex.contains(id)) << "not in the index";
   });
@@ -83,7 +83,7 @@ TEST_P(RandomIndex, FindsWhatABruteForceSearchFinds) {
     } else {
       auto it = inIndex.begin();
       std::advance(it, static_cast<std::ptrdiff_t>(random() % inIndex.size()));
-      index.erase(front, *it);
+      index.erase(*it);
       outside.push_back(*it);
       inIndex.erase(it);
     }
@@ -132,10 +132,10 @@ TEST(FrontIndex, IgnoresTheErasureOfAnEdgeThatIsNotInIt) {
   FrontIndex index({{0, 0, 0}, {1, 1, 0}}, 1);
   Front front;
   const PlaceId id = addEdgePair(front, {0, 0, 0}, {1, 0, 0});
-  index.erase(front, id);
+  index.erase(id);
   index.insert(front, id);
-  index.erase(front, id);
-  index.erase(front, id);
+  index.erase(id);
+  index.erase(id);
   expectFindsAll(front, index, {}, {{-1, -1, -1}, {2, 2, 1}});
 }
 
@@ -158,9 +158,9 @@ TEST(FrontIndex, VisitsInAnOrderThatDependsOnItsHistoryAlone) {
       const Point3 p{unit(random), unit(random), 0};
       index.insert(front, addEdgePair(front, p, p + Point3{.9, .1, 0}));
     }
-    for (int i = 0; i < 200; i += 6) index.erase(front, PlaceId(static_cast<std::size_t>(2 * i)));
+    for (int i = 0; i < 200; i += 6) index.erase(PlaceId(static_cast<std::size_t>(2 * i)));
     std::vector<PlaceId> order;
-    index.forEachNear(front, {{2, 2, 0}, {8, 8, 0}}, [&](PlaceId id) { order.push_back(id); });
+    index.forEachNear({{2, 2, 0}, {8, 8, 0}}, [&](PlaceId id) { order.push_back(id); });
     return order;
   };
   EXPECT_EQ(visit(), visit());
