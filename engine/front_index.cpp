@@ -23,7 +23,7 @@ std::int64_t wholePart(double x) {
 }  // namespace
 
 FrontIndex::FrontIndex(const Box3& box, double typicalLength)
-    : typicalLength_(typicalLength), bands_(kBands) {
+    : typicalLength_(typicalLength), origin_(box.low), bands_(kBands) {
   for (int i = 0; i < kBands; ++i) {
     Band& band = bands_[static_cast<std::size_t>(i)];
     const double longest = typicalLength * std::ldexp(2.0, 2 * (i - kMiddleBand));
@@ -59,6 +59,64 @@ FrontIndex::CellRange FrontIndex::cellsAround(const Band& band, const Box3& box)
           {cellIndex(high.x), cellIndex(high.y), cellIndex(high.z)}};
 }
 
+/// Single precision is enough to leave out what is far; what it rounds away is added.
+float FrontIndex::roundedUp(double half, double farthest) const {
+  constexpr double kRounding = 2.4e-7;  // 4 * 2^-24
+  return static_cast<float>((1 + kRounding) * half + kRounding * farthest);
+}
+
+FrontIndex::Query FrontIndex::queryOf(const Box3& box) const {
+  const Point3 center = 0.5 * (box.low + box.high) - origin_, half = 0.5 * (box.high - box.low);
+  const auto grown = [&](double h, double c) { return roundedUp(h, std::abs(c)); };
+  return {static_cast<float>(center.x), static_cast<float>(center.y), static_cast<float>(center.z),
+          grown(half.x, center.x),      grown(half.y, center.y),      grown(half.z, center.z)};
+}
+
+PlaceId* FrontIndex::collectNear(const Box3& box, PlaceId* found) const {
+  const Query query = queryOf(box);
+  for (std::size_t b = firstBand_; b <= lastBand_; ++b) {
+    const Band& band = bands_[b];
+    if (band.edges == 0) continue;
+    const CellRange range = cellsAround(band, box);
+    if (range.count() <= band.cells.size()) {
+      found = collectInRange(band, range, query, found);
+    } else {
+      for (const Cell& cell : band.cells) found = collectInCell(cell, query, found);
+    }
+  }
+  return found;
+}
+
+PlaceId* FrontIndex::collectInRange(const Band& band, const CellRange& range, const Query& query,
+                                    PlaceId* found) const {
+  const std::size_t mask = band.slots.size() - 1;
+  constexpr std::int64_t kBlock = 4;
+  for (std::int64_t z = range.low[2]; z <= range.high[2]; ++z) {
+    for (std::int64_t y = range.low[1]; y <= range.high[1]; ++y) {
+      for (std::int64_t x = range.low[0]; x <= range.high[0]; ++x) {
+        const std::uint64_t key = keyOf(x, y, z);
+        if (!band.isBlockUsed[hash(blockOf(key)) & mask]) {
+          x |= kBlock - 1;  // on to the next block
+          continue;
+        }
+        if (const Cell* cell = find(band, key)) found = collectInCell(*cell, query, found);
+      }
+    }
+  }
+  return found;
+}
+
+/// Stores every edge before knowing whether it stays: that is not to be guessed.
+PlaceId* FrontIndex::collectInCell(const Cell& cell, const Query& query, PlaceId* found) const {
+  for (PlaceId id = cell.first; !id.isNone();) {
+    const Entry& entry = entries_[id.value];
+    *found = id;
+    found += query.mayMeet(entry);
+    id = entry.next;
+  }
+  return found;
+}
+
 void FrontIndex::insert(const Front& front, PlaceId id) {
   const Point3& from = front[id].point.position;
   const Point3& to = front.hasEdge(id) ? front[front.next(id)].point.position : from;
@@ -66,11 +124,21 @@ void FrontIndex::insert(const Front& front, PlaceId id) {
   const std::size_t bandIndex = bandOf(length);
   Band& band = bands_[bandIndex];
   band.reach = std::max(band.reach, 0.5 * length);
+  firstBand_ = std::min(firstBand_, bandIndex);
+  lastBand_ = std::max(lastBand_, bandIndex);
 
-  const std::uint32_t cellIndex = findOrAdd(band, keyAt(band, 0.5 * (from + to)));
+  const Point3 middle = 0.5 * (from + to);
+  const std::uint32_t cellIndex = findOrAdd(band, keyAt(band, middle));
   Cell& cell = band.cells[cellIndex];
   if (id.value >= entries_.size()) entries_.resize(std::max(front.capacity(), 2 * entries_.size()));
-  entries_[id.value] = {cell.first, PlaceId(),
+  const Point3 d = middle - origin_;
+  const double farthest = std::max({std::abs(d.x), std::abs(d.y), std::abs(d.z)});
+  entries_[id.value] = {static_cast<float>(d.x),
+                        static_cast<float>(d.y),
+                        static_cast<float>(d.z),
+                        roundedUp(0.5 * length, farthest),
+                        cell.first,
+                        PlaceId(),
                         static_cast<std::uint32_t>(bandIndex) << kBandShift | cellIndex};
   if (!cell.first.isNone()) entries_[cell.first.value].previous = id;
   cell.first = id;
@@ -102,16 +170,23 @@ std::uint32_t FrontIndex::findOrAdd(Band& band, std::uint64_t key) {
   band.slots[i] = static_cast<std::uint32_t>(band.cells.size());
   AF2_CHECK(band.cells.size() < (1u << kBandShift), "fewer than 2^27 cells are in use");
   band.cells.push_back({key, PlaceId()});
+  markBlock(band, key);
   return band.slots[i];
 }
 
 void FrontIndex::rehash(Band& band, std::size_t slots) {
   band.slots.assign(slots, kEmpty);
+  band.isBlockUsed.assign(slots, 0);
   for (std::size_t c = 0; c < band.cells.size(); ++c) {
     std::size_t i = hash(band.cells[c].key) & (slots - 1);
     while (band.slots[i] != kEmpty) i = (i + 1) & (slots - 1);
     band.slots[i] = static_cast<std::uint32_t>(c);
+    markBlock(band, band.cells[c].key);
   }
+}
+
+void FrontIndex::markBlock(Band& band, std::uint64_t key) {
+  band.isBlockUsed[hash(blockOf(key)) & (band.isBlockUsed.size() - 1)] = 1;
 }
 
 /// The front moves on and leaves empty cells behind; they would fill the table in time.
@@ -119,10 +194,10 @@ void FrontIndex::dropEmptyCells(Band& band) {
   std::size_t kept = 0;
   for (const Cell& cell : band.cells) {
     if (cell.first.isNone()) continue;
-    visitCell(cell, [&](PlaceId id) {
+    for (PlaceId id = cell.first; !id.isNone(); id = entries_[id.value].next) {
       std::uint32_t& own = entries_[id.value].cell;
       own = (own & ~((1u << kBandShift) - 1)) | static_cast<std::uint32_t>(kept);
-    });
+    }
     band.cells[kept++] = cell;
   }
   band.cells.resize(kept);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -28,23 +29,10 @@ class FrontIndex {
   /// Does nothing if the edge is not in the index.
   void erase(PlaceId id);
 
-  /// Calls visit(PlaceId) for every edge that may meet the box, in an order that depends on nothing
-  /// but the history of inserts and erases. A superset: cells are not cut at the box.
-  template <class Visit>
-  void forEachNear(const Box3& box, Visit&& visit) const {
-    for (const Band& band : bands_) {
-      if (band.edges == 0) continue;
-      const CellRange range = cellsAround(band, box);
-      if (range.count() > band.cells.size()) {
-        for (const Cell& cell : band.cells) visitCell(cell, visit);
-        continue;
-      }
-      for (std::int64_t z = range.low[2]; z <= range.high[2]; ++z)
-        for (std::int64_t y = range.low[1]; y <= range.high[1]; ++y)
-          for (std::int64_t x = range.low[0]; x <= range.high[0]; ++x)
-            if (const Cell* cell = find(band, keyOf(x, y, z))) visitCell(*cell, visit);
-    }
-  }
+  /// Writes every edge that may meet the box to `found`, each once, and returns the end: the order
+  /// depends on nothing but the history of inserts and erases. There must be room for all edges of
+  /// the front and one more.
+  PlaceId* collectNear(const Box3& box, PlaceId* found) const;
 
  private:
   static constexpr std::uint32_t kEmpty = 0xffffffffu;
@@ -53,10 +41,22 @@ class FrontIndex {
     std::uint64_t key = 0;
     PlaceId first;
   };
-  /// Of one place: its neighbours in the list of its cell.
-  struct Entry {
+  /// Of one place: about where its edge is, and its neighbours in the list of its cell. All that a
+  /// search looks at lies in one line of the cache.
+  struct alignas(32) Entry {
+    float x = 0, y = 0, z = 0;  ///< of the midpoint, from the origin of the index
+    float half = 0;             ///< no point of the edge is farther than this along an axis
     PlaceId next, previous;
     std::uint32_t cell = kEmpty;
+  };
+  /// A box as entries see it, a little larger.
+  struct Query {
+    float x, y, z;
+    float halfX, halfY, halfZ;
+    bool mayMeet(const Entry& e) const {
+      return (std::abs(e.x - x) <= halfX + e.half) & (std::abs(e.y - y) <= halfY + e.half) &
+             (std::abs(e.z - z) <= halfZ + e.half);
+    }
   };
   struct Band {
     double cellSize = 1, inverseCellSize = 1;
@@ -65,6 +65,8 @@ class FrontIndex {
     std::size_t edges = 0;
     std::vector<Cell> cells;           ///< in order of first use
     std::vector<std::uint32_t> slots;  ///< open addressing into cells; a power of two
+    /// Whether there may be a cell in a block of 4 x 4 x 4, by hash; as many as slots.
+    std::vector<std::uint8_t> isBlockUsed;
   };
   struct CellRange {
     std::int64_t low[3], high[3];
@@ -79,9 +81,15 @@ class FrontIndex {
   };
 
   static std::uint64_t keyOf(std::int64_t x, std::int64_t y, std::int64_t z) {
-    constexpr std::uint64_t kMask = (1u << 21) - 1;
-    return (static_cast<std::uint64_t>(x) & kMask) | (static_cast<std::uint64_t>(y) & kMask) << 21 |
-           (static_cast<std::uint64_t>(z) & kMask) << 42;
+    constexpr std::uint64_t kMask = (1u << kKeyBits) - 1;
+    return (static_cast<std::uint64_t>(x) & kMask) |
+           (static_cast<std::uint64_t>(y) & kMask) << kKeyBits |
+           (static_cast<std::uint64_t>(z) & kMask) << 2 * kKeyBits;
+  }
+  /// The block of a cell.
+  static std::uint64_t blockOf(std::uint64_t key) {
+    constexpr std::uint64_t kLow = 3;
+    return key & ~(kLow | kLow << kKeyBits | kLow << 2 * kKeyBits);
   }
   static std::size_t hash(std::uint64_t key) {
     key *= 0x9e3779b97f4a7c15u;
@@ -102,18 +110,22 @@ class FrontIndex {
   }
   std::uint32_t findOrAdd(Band& band, std::uint64_t key);
   static void rehash(Band& band, std::size_t slots);
+  static void markBlock(Band& band, std::uint64_t key);
   void dropEmptyCells(Band& band);
+  Query queryOf(const Box3& box) const;
+  float roundedUp(double half, double farthest) const;
+  PlaceId* collectInRange(const Band& band, const CellRange& range, const Query& query,
+                          PlaceId* found) const;
+  PlaceId* collectInCell(const Cell& cell, const Query& query, PlaceId* found) const;
 
-  template <class Visit>
-  void visitCell(const Cell& cell, Visit&& visit) const {
-    for (PlaceId id = cell.first; !id.isNone(); id = entries_[id.value].next) visit(id);
-  }
-
+  static constexpr int kKeyBits = 21;
   static constexpr int kBands = 32;
   static constexpr std::uint32_t kBandShift = 27;  // an entry's cell: band in the high bits
 
   double typicalLength_;
+  Point3 origin_;
   std::vector<Band> bands_;
+  std::size_t firstBand_ = kBands, lastBand_ = 0;  // of those that hold or have held an edge
   std::vector<Entry> entries_;  // by place; apart from the places, so that lists are close together
 };
 

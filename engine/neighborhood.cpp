@@ -89,14 +89,11 @@ Box3 StepChart::boxOf(const Window& w, const Point3& origin) const {
 void Neighborhood::gather(const Front& front, const FrontIndex& index, const StepChart& chart,
                           PlaceId base, const Window& window) {
   window_ = window;
-  if (found_.size() < front.capacity()) {
-    found_.resize(2 * front.capacity());
-    edges_.resize(2 * front.capacity());
+  if (found_.size() < front.capacity() + 1) {
+    found_.resize(2 * front.capacity() + 1);
+    edges_.resize(2 * front.capacity() + 1);
   }
-  PlaceId* end = found_.data();
-  index.forEachNear(chart.boxOf(window, front[base].point.position),
-                    [&](PlaceId id) { *end++ = id; });
-  foundEnd_ = end;
+  foundEnd_ = index.collectNear(chart.boxOf(window, front[base].point.position), found_.data());
   if (chart.isPlane())
     draw(front, FrameDrawing<true>(*chart.frame()));
   else if (chart.frame())

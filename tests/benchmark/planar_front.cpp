@@ -1,16 +1,26 @@
-// The front and the optimiser on one planar region: time and quality in one line each.
+// The engine on one planar region: time, memory and quality in one line for each stage.
 //
-// planar_front square|disc N [RULES [ROUNDS SWEEPS]]: wanted length 1/N; RULES as for `af2 mesh
-// -r`. Raw front first, best of three runs; then the same mesh optimised.
+// planar_front SHAPE N [OPTION...]
+//   SHAPE  square, disc (with a hole), graded (a square with sizes from 1/N to 50/N)
+//   N      the wanted length is 1/N
+//   --rules FILE, --rounds R, --sweeps S   other rules, other effort of the optimiser
+//   --threads T   in pieces and optimised, as the library does it, on T threads
+//   --raw         without the optimiser
+//
+// Times are CPU times of the process per triangle, but for threads also seconds on the clock.
+// Memory is the largest the process ever held, less what it held before, per triangle.
+#include <sys/resource.h>
+
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+#include <ctime>
 #include <string_view>
 
 #include "dsl/diagnostic.h"
 #include "dsl/rule_file.h"
-#include "engine/algorithm.h"
 #include "engine/mesh_check.h"
+#include "engine/mesh_region.h"
 #include "engine/optimize.h"
 #include "engine/stopwatch.h"
 #include "tests/support/flat_surface.h"
@@ -21,7 +31,61 @@ namespace {
 using namespace af2;
 using namespace af2::testing;
 
-void tell(const char* what, const Mesh& mesh, double seconds, const FrontInput& input) {
+struct Task {
+  std::string_view shape;
+  double size = 0;
+  const char* rules = AF2_SOURCE_RULES "/tri/even.af2";
+  OptimizeOptions how;
+  int threads = 0;
+  bool optimize = true;
+};
+
+double cpuSeconds() {
+  timespec time{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+double peakBytes() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return 1024.0 * static_cast<double>(usage.ru_maxrss);
+}
+
+/// From h at x = 0 to kGrading h at x = 1.
+constexpr double kGrading = 50;
+
+std::shared_ptr<const SizeField> sizeOf(const Task& task) {
+  if (task.shape != "graded") return std::make_shared<UniformSize>(task.size);
+  return std::make_shared<SizeFunction>(
+      [h = task.size](const Point3& p) { return h * (1 + (kGrading - 1) * p.x); });
+}
+
+/// A unit square whose lower and upper sides are divided by the graded size.
+FrontInput gradedSquare(double size) {
+  const double edges = std::round(std::log(kGrading) / (size * (kGrading - 1)));
+  std::vector<Point2> lower, polygon;
+  for (double k = 0; k < edges; ++k)
+    lower.push_back({(std::pow(kGrading, k / edges) - 1) / (kGrading - 1), 0});
+  const std::vector<Point2> right = divided({{1, 0}, {1, 1}}, kGrading * size);
+  const std::vector<Point2> left = divided({{0, 1}, {0, 0}}, size);
+  polygon = lower;
+  polygon.insert(polygon.end(), right.begin(), right.begin() + std::ssize(right) / 2);
+  polygon.push_back({1, 1});
+  for (std::size_t k = lower.size(); k-- > 1;) polygon.push_back({lower[k].x, 1});
+  polygon.insert(polygon.end(), left.begin(), left.begin() + std::ssize(left) / 2);
+  FrontInput input;
+  addLoop(input, polygon);
+  return input;
+}
+
+FrontInput regionOf(const Task& task) {
+  if (task.shape == "graded") return gradedSquare(task.size);
+  return task.shape == "square" ? square(task.size) : discWithHole(task.size);
+}
+
+void tell(const char* what, const Mesh& mesh, double seconds, double bytes,
+          const FrontInput& input) {
   std::vector<double> quality;
   double sum = 0;
   for (const Element& e : mesh.elements) {
@@ -30,44 +94,96 @@ void tell(const char* what, const Mesh& mesh, double seconds, const FrontInput& 
   }
   std::sort(quality.begin(), quality.end());
   const auto count = static_cast<double>(quality.size());
-  std::printf("%-9s %8zu triangles  %6.0f ns each  min %.3f  p1 %.3f  mean %.4f  faults %zu\n",
-              what, quality.size(), 1e9 * seconds / count, quality.front(),
-              quality[quality.size() / 100], sum / count,
-              checkMesh(mesh, boundaryOf(input)).size());
+  std::printf(
+      "%-9s %8zu triangles  %6.0f ns and %4.0f bytes each  min %.3f  p1 %.3f  mean %.4f  "
+      "faults %zu\n",
+      what, quality.size(), 1e9 * seconds / count, bytes / count, quality.front(),
+      quality[quality.size() / 100], sum / count, checkMesh(mesh, boundaryOf(input)).size());
+}
+
+bool meshInPieces(const AF2Algorithm& algorithm, const Task& task, const FrontInput& input) {
+  struct Plane final : SurfaceEvaluator {
+    SurfacePoint at(double u, double v) const override { return {{u, v, 0}, {0, 0, 1}, u, v}; }
+  } plane;
+  const auto size = sizeOf(task);
+  const RegionTask region{
+      input,         [&] { return PieceTools{std::make_unique<FlatMaker>(), size}; },
+      &plane,        {},
+      task.optimize, task.threads};
+  const double before = peakBytes(), start = cpuSeconds();
+  const Stopwatch watch;
+  const RegionMesh mesh = meshRegion(algorithm, region, {});
+  const double seconds = watch.seconds(), cpu = cpuSeconds() - start;
+  tell("pieces", mesh.result.mesh, cpu, peakBytes() - before, input);
+  std::printf("%-9s %.3f s on the clock, %.3f s of CPU time\n", "", seconds, cpu);
+  return mesh.result.outcome == Outcome::Complete && mesh.fault.empty();
+}
+
+bool meshWhole(const AF2Algorithm& algorithm, const Task& task, const FrontInput& input) {
+  const auto size = sizeOf(task);
+  const double before = peakBytes();
+  MeshingResult result;
+  double best = 1e300, bytes = 0;
+  for (int run = 0; run < 3; ++run) {
+    result = {};
+    const double start = cpuSeconds();
+    result = algorithm.execute(FlatMaker(), input, *size);
+    best = std::min(best, cpuSeconds() - start);
+    if (run == 0) bytes = peakBytes() - before;
+  }
+  tell("raw", result.mesh, best, bytes, input);
+  if (!task.optimize) return result.outcome == Outcome::Complete;
+
+  const double start = cpuSeconds();
+  optimizeMesh(result.mesh, boundaryOf(input), FlatMaker(), task.how);
+  tell("optimised", result.mesh, cpuSeconds() - start, peakBytes() - before, input);
+  return result.outcome == Outcome::Complete;
+}
+
+bool read(int count, char** arguments, Task& task) {
+  if (count < 3) return false;
+  task.shape = arguments[1];
+  task.size = 1 / std::atof(arguments[2]);
+  for (int i = 3; i < count; ++i) {
+    const std::string_view option = arguments[i];
+    if (option == "--raw") {
+      task.optimize = false;
+      continue;
+    }
+    if (++i == count) return false;
+    if (option == "--rules")
+      task.rules = arguments[i];
+    else if (option == "--rounds")
+      task.how.rounds = std::atoi(arguments[i]);
+    else if (option == "--sweeps")
+      task.how.smoothingSweeps = std::atoi(arguments[i]);
+    else if (option == "--threads")
+      task.threads = std::atoi(arguments[i]);
+    else
+      return false;
+  }
+  return (task.shape == "square" || task.shape == "disc" || task.shape == "graded") &&
+         task.size > 0 && task.size <= 0.25 && task.threads >= 0;
 }
 
 }  // namespace
 
 int main(int count, char** arguments) {
-  if (count < 3 || !(std::atof(arguments[2]) >= 4)) {
-    std::fprintf(stderr, "usage: planar_front square|disc N [RULES [ROUNDS SWEEPS]]\n");
+  Task task;
+  if (!read(count, arguments, task)) {
+    std::fprintf(stderr,
+                 "usage: planar_front square|disc|graded N [--rules FILE] [--rounds R] "
+                 "[--sweeps S] [--threads T] [--raw]\n");
     return 2;
   }
-  const double size = 1 / std::atof(arguments[2]);
-  const FrontInput input =
-      std::string_view(arguments[1]) == "square" ? square(size) : discWithHole(size);
-  const auto loaded = dsl::loadRules(count > 3 ? arguments[3] : AF2_SOURCE_RULES "/tri/even.af2");
+  const auto loaded = dsl::loadRules(task.rules);
   if (!loaded.rules) {
     std::fprintf(stderr, "%s", dsl::toPretty(loaded.diagnostics).c_str());
     return 1;
   }
   const AF2Algorithm algorithm(loaded.rules);
-  MeshingResult result;
-  double best = 1e300;
-  for (int run = 0; run < 3; ++run) {
-    const Stopwatch watch;
-    result = algorithm.execute(FlatMaker(), input, UniformSize(size));
-    best = std::min(best, watch.seconds());
-  }
-  tell("raw", result.mesh, best, input);
-
-  OptimizeOptions options;
-  if (count > 5) {
-    options.rounds = std::atoi(arguments[4]);
-    options.smoothingSweeps = std::atoi(arguments[5]);
-  }
-  const Stopwatch watch;
-  optimizeMesh(result.mesh, boundaryOf(input), FlatMaker(), options);
-  tell("optimised", result.mesh, watch.seconds(), input);
-  return result.outcome == Outcome::Complete ? 0 : 3;
+  const FrontInput input = regionOf(task);
+  const bool isDone =
+      task.threads > 0 ? meshInPieces(algorithm, task, input) : meshWhole(algorithm, task, input);
+  return isDone ? 0 : 3;
 }
