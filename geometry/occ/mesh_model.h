@@ -42,9 +42,11 @@ struct ModelSizes {
   /// radians, unless it would be shorter than `edgeLeast` times the wanted length.
   double edgeTurn = 0.7854, edgeLeast = 0.1;
   /// Likewise on faces, and on edges next to them: an edge of an element turns by about `faceTurn`
-  /// radians around the smaller radius of curvature. `bentFaceLeast` is for tubes, which turn by
-  /// more than about a right angle: elements across the whole of them would cut off too much.
-  double faceTurn = 0.7, faceLeast = 0.35, bentFaceLeast = 0.1;
+  /// radians around the smaller radius of curvature. The default puts three rows of triangles
+  /// across the rounding of a right angle: with two and a half, their vertices would not fit in.
+  /// `bentFaceLeast` is for tubes, which turn by more than about a right angle: elements across the
+  /// whole of them would cut off too much.
+  double faceTurn = 0.6046, faceLeast = 0.35, bentFaceLeast = 0.1;
   /// Most growth of the size per unit of length, away from whatever wants a small one.
   double growth = 0.4;
 };

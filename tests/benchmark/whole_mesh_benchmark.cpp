@@ -1,14 +1,18 @@
-// Meshes a CAD model with AF2 on one thread and prints what the drivers of the peers print:
-//   whole_mesh_benchmark [--optimize] MODEL SIZE [RULES]
-// Without --optimize: the raw front. RULES: a rule file, else that of `af2 mesh`.
+// Meshes a CAD model with AF2 and prints what the drivers of the peers print:
+//   whole_mesh_benchmark [--optimize] [--threads N] MODEL SIZE [RULES]
+// Without --optimize: the raw front. Without --threads: one thread, and seconds of user time; with
+// it, seconds by the clock. RULES: a rule file, else that of `af2 mesh`.
 // whole_mesh_benchmark.py runs this beside the peers.
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <exception>
+#include <optional>
 #include <vector>
 
 #include "dsl/rule_file.h"
+#include "engine/stopwatch.h"
 #include "geometry/occ/mesh_model.h"
 #include "result_line.h"
 
@@ -40,10 +44,11 @@ bool isComplete(const geometry::ModelMesh& mesh) {
 }
 
 struct Task {
-  const char* model;
-  double size;
+  const char* model = "";
+  double size = 0;
   const char* rules = AF2_SOURCE_RULES "/tri/even.af2";
   bool optimize = false;
+  int threads = 0;  ///< 0: not given
 };
 
 int run(const Task& task) {
@@ -58,32 +63,51 @@ int run(const Task& task) {
   const geometry::Model model = geometry::readModel(task.model);
   geometry::ModelMeshingOptions options;
   options.sizes.size = task.size;
-  options.threads = 1;
+  options.threads = std::max(task.threads, 1);
   options.optimize = task.optimize;
 
   const double start = af2::benchmark::userSeconds();
+  const af2::Stopwatch clock;
   const geometry::ModelMesh mesh = geometry::meshModel(model, algorithm, options);
-  const double seconds = af2::benchmark::userSeconds() - start;
+  const double seconds = task.threads > 0 ? clock.seconds() : af2::benchmark::userSeconds() - start;
 
   if (!isComplete(mesh)) return 3;
   af2::benchmark::printResult(stdout, seconds, qualitiesOf(mesh));
   return 0;
 }
 
+/// Nothing if the arguments are no task.
+std::optional<Task> taskOf(std::vector<const char*> arguments) {
+  Task task;
+  std::size_t next = 0;
+  for (; next < arguments.size() && std::strncmp(arguments[next], "--", 2) == 0; ++next) {
+    const bool isThreads = std::strcmp(arguments[next], "--threads") == 0;
+    if (std::strcmp(arguments[next], "--optimize") == 0)
+      task.optimize = true;
+    else if (isThreads && next + 1 < arguments.size() && std::atoi(arguments[next + 1]) > 0)
+      task.threads = std::atoi(arguments[++next]);
+    else
+      return std::nullopt;
+  }
+  const std::size_t left = arguments.size() - next;
+  if (left < 2 || left > 3) return std::nullopt;
+  task.model = arguments[next];
+  task.size = std::atof(arguments[next + 1]);
+  if (left == 3) task.rules = arguments[next + 2];
+  return task;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
-  const bool optimize = argc > 1 && std::strcmp(argv[1], "--optimize") == 0;
-  const int first = optimize ? 2 : 1;
-  if (argc < first + 2 || argc > first + 3) {
-    std::fprintf(stderr, "usage: whole_mesh_benchmark [--optimize] MODEL SIZE [RULES]\n");
+  const std::optional<Task> task = taskOf({argv + 1, argv + argc});
+  if (!task) {
+    std::fprintf(stderr,
+                 "usage: whole_mesh_benchmark [--optimize] [--threads N] MODEL SIZE [RULES]\n");
     return 2;
   }
-  Task task{argv[first], std::atof(argv[first + 1])};
-  task.optimize = optimize;
-  if (argc == first + 3) task.rules = argv[first + 2];
   try {
-    return run(task);
+    return run(*task);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "whole_mesh_benchmark: %s\n", error.what());
     return 1;

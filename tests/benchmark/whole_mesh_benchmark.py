@@ -2,7 +2,8 @@
 """Compares AF2 with Netgen and Gmsh on whole CAD models, at uniform sizes.
 
     whole_mesh_benchmark.py --af2 BUILD/tests/benchmark/whole_mesh_benchmark \
-        [--netgen BUILD/tests/benchmark/netgen_driver] [--output docs/benchmarks.md]
+        [--netgen BUILD/tests/benchmark/netgen_driver] [--output docs/benchmarks.md] \
+        [--models examples/models DIRECTORY] [--only die sphere:0.5,0.25]
 
 Each program meshes in a process of its own, one thread, in turns within the same run, so that all
 of them see the same state of the machine. Seconds are user time from the model in memory to the
@@ -36,8 +37,10 @@ def options() -> argparse.Namespace:
     parser.add_argument("--af2", required=True, help="the program whole_mesh_benchmark")
     parser.add_argument("--netgen", help="the program netgen_driver, if it was built")
     parser.add_argument("--gmsh", action="store_true", help="run Gmsh through its Python module")
-    parser.add_argument("--models", type=Path, default=REPOSITORY / "examples" / "models")
-    parser.add_argument("--only", nargs="+", default=MODELS, metavar="MODEL")
+    parser.add_argument("--models", type=Path, nargs="+", help="directories with STEP files",
+                        default=[REPOSITORY / "examples" / "models"])
+    parser.add_argument("--only", nargs="+", default=MODELS, metavar="MODEL[:SIZE,...]",
+                        help="names without .step; with sizes of their own, if --sizes do not fit")
     parser.add_argument("--sizes", nargs="+", type=float, default=SIZES)
     parser.add_argument("--rounds", type=int, default=3)
     parser.add_argument("--timeout", type=float, default=300, help="seconds for one mesh")
@@ -95,13 +98,26 @@ def row(model: str, size: float, name: str, results: dict[str, dict]) -> str:
             f"{result['percentile1']:.3f} | {result['mean']:.4f} | {result['mebibytes']:.0f} |")
 
 
+def tasks_of(entry: str, chosen: argparse.Namespace) -> tuple[str, list[float]]:
+    """A model and its sizes from MODEL or MODEL:SIZE,SIZE."""
+    model, _, sizes = entry.partition(":")
+    return model, [float(size) for size in sizes.split(",")] if sizes else chosen.sizes
+
+
+def file_of(model: str, chosen: argparse.Namespace) -> Path:
+    for directory in chosen.models:
+        if (directory / f"{model}.step").exists():
+            return directory / f"{model}.step"
+    sys.exit(f"there is no {model}.step in {', '.join(map(str, chosen.models))}")
+
+
 def table(commands: dict[str, list[str]], chosen: argparse.Namespace) -> list[str]:
     lines = ["| model | size | program | triangles | user s | 1000/s | AF2 is faster by | "
              "min | 1st percentile | mean | MiB |",
              "|---|---|---|---:|---:|---:|---:|---:|---:|---:|---:|"]
-    for model in chosen.only:
-        for size in chosen.sizes:
-            found = measure(commands, chosen.models / f"{model}.step", size, chosen)
+    for model, sizes in (tasks_of(entry, chosen) for entry in chosen.only):
+        for size in sizes:
+            found = measure(commands, file_of(model, chosen), size, chosen)
             for name in commands:
                 lines.append(row(model, size, name, found))
                 print(lines[-1], file=sys.stderr)
