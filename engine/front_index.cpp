@@ -72,23 +72,22 @@ FrontIndex::Query FrontIndex::queryOf(const Box3& box) const {
           grown(half.x, center.x),      grown(half.y, center.y),      grown(half.z, center.z)};
 }
 
-PlaceId* FrontIndex::collectNear(const Box3& box, PlaceId* found) const {
-  const Query query = queryOf(box);
+std::size_t FrontIndex::collectNear(const Box3& box, std::vector<PlaceId>& found) const {
+  Search search{queryOf(box), found, 0};
   for (std::size_t b = firstBand_; b <= lastBand_; ++b) {
     const Band& band = bands_[b];
     if (band.edges == 0) continue;
     const CellRange range = cellsAround(band, box);
     if (range.count() <= band.cells.size()) {
-      found = collectInRange(band, range, query, found);
+      collectInRange(band, range, search);
     } else {
-      for (const Cell& cell : band.cells) found = collectInCell(cell, query, found);
+      for (const Cell& cell : band.cells) collectInCell(cell, search);
     }
   }
-  return found;
+  return search.count;
 }
 
-PlaceId* FrontIndex::collectInRange(const Band& band, const CellRange& range, const Query& query,
-                                    PlaceId* found) const {
+void FrontIndex::collectInRange(const Band& band, const CellRange& range, Search& search) const {
   const std::size_t mask = band.slots.size() - 1;
   constexpr std::int64_t kBlock = 4;
   for (std::int64_t z = range.low[2]; z <= range.high[2]; ++z) {
@@ -99,22 +98,25 @@ PlaceId* FrontIndex::collectInRange(const Band& band, const CellRange& range, co
           x |= kBlock - 1;  // on to the next block
           continue;
         }
-        if (const Cell* cell = find(band, key)) found = collectInCell(*cell, query, found);
+        if (const Cell* cell = find(band, key)) collectInCell(*cell, search);
       }
     }
   }
-  return found;
 }
 
 /// Stores every edge before knowing whether it stays: that is not to be guessed.
-PlaceId* FrontIndex::collectInCell(const Cell& cell, const Query& query, PlaceId* found) const {
+void FrontIndex::collectInCell(const Cell& cell, Search& search) const {
+  if (search.found.size() < search.count + cell.edges)
+    search.found.resize(2 * (search.count + cell.edges));
+  const Query query = search.query;
+  PlaceId* found = search.found.data() + search.count;
   for (PlaceId id = cell.first; !id.isNone();) {
     const Entry& entry = entries_[id.value];
     *found = id;
     found += query.mayMeet(entry);
     id = entry.next;
   }
-  return found;
+  search.count = static_cast<std::size_t>(found - search.found.data());
 }
 
 void FrontIndex::insert(const Front& front, PlaceId id) {
@@ -142,6 +144,7 @@ void FrontIndex::insert(const Front& front, PlaceId id) {
                         static_cast<std::uint32_t>(bandIndex) << kBandShift | cellIndex};
   if (!cell.first.isNone()) entries_[cell.first.value].previous = id;
   cell.first = id;
+  ++cell.edges;
   ++band.edges;
   if (band.cells.size() > 64 && band.cells.size() > 4 * band.edges) dropEmptyCells(band);
 }
@@ -157,6 +160,7 @@ void FrontIndex::erase(PlaceId id) {
   else
     cell.first = entry.next;
   entry.cell = kEmpty;
+  --cell.edges;
   --band.edges;
 }
 
@@ -169,7 +173,7 @@ std::uint32_t FrontIndex::findOrAdd(Band& band, std::uint64_t key) {
     if (band.cells[band.slots[i]].key == key) return band.slots[i];
   band.slots[i] = static_cast<std::uint32_t>(band.cells.size());
   AF2_CHECK(band.cells.size() < (1u << kBandShift), "fewer than 2^27 cells are in use");
-  band.cells.push_back({key, PlaceId()});
+  band.cells.push_back({key, PlaceId(), 0});
   markBlock(band, key);
   return band.slots[i];
 }

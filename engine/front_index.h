@@ -29,10 +29,9 @@ class FrontIndex {
   /// Does nothing if the edge is not in the index.
   void erase(PlaceId id);
 
-  /// Writes every edge that may meet the box to `found`, each once, and returns the end: the order
-  /// depends on nothing but the history of inserts and erases. There must be room for all edges of
-  /// the front and one more.
-  PlaceId* collectNear(const Box3& box, PlaceId* found) const;
+  /// Puts every edge that may meet the box into `found`, each once, and returns how many: the order
+  /// depends on nothing but the history of inserts and erases. `found` grows and never shrinks.
+  std::size_t collectNear(const Box3& box, std::vector<PlaceId>& found) const;
 
  private:
   static constexpr std::uint32_t kEmpty = 0xffffffffu;
@@ -40,6 +39,7 @@ class FrontIndex {
   struct Cell {
     std::uint64_t key = 0;
     PlaceId first;
+    std::uint32_t edges = 0;
   };
   /// Of one place: about where its edge is, and its neighbours in the list of its cell. All that a
   /// search looks at lies in one line of the cache.
@@ -57,6 +57,11 @@ class FrontIndex {
       return (std::abs(e.x - x) <= halfX + e.half) & (std::abs(e.y - y) <= halfY + e.half) &
              (std::abs(e.z - z) <= halfZ + e.half);
     }
+  };
+  struct Search {
+    Query query;
+    std::vector<PlaceId>& found;
+    std::size_t count;
   };
   struct Band {
     double cellSize = 1, inverseCellSize = 1;
@@ -114,9 +119,8 @@ class FrontIndex {
   void dropEmptyCells(Band& band);
   Query queryOf(const Box3& box) const;
   float roundedUp(double half, double farthest) const;
-  PlaceId* collectInRange(const Band& band, const CellRange& range, const Query& query,
-                          PlaceId* found) const;
-  PlaceId* collectInCell(const Cell& cell, const Query& query, PlaceId* found) const;
+  void collectInRange(const Band& band, const CellRange& range, Search& search) const;
+  void collectInCell(const Cell& cell, Search& search) const;
 
   static constexpr int kKeyBits = 21;
   static constexpr int kBands = 32;

@@ -89,11 +89,8 @@ Box3 StepChart::boxOf(const Window& w, const Point3& origin) const {
 void Neighborhood::gather(const Front& front, const FrontIndex& index, const StepChart& chart,
                           PlaceId base, const Window& window) {
   window_ = window;
-  if (found_.size() < front.capacity() + 1) {
-    found_.resize(2 * front.capacity() + 1);
-    edges_.resize(2 * front.capacity() + 1);
-  }
-  foundEnd_ = index.collectNear(chart.boxOf(window, front[base].point.position), found_.data());
+  foundCount_ = index.collectNear(chart.boxOf(window, front[base].point.position), found_);
+  if (edges_.size() <= foundCount_) edges_.resize(2 * foundCount_ + 1);
   if (chart.isPlane())
     draw(front, FrameDrawing<true>(*chart.frame()));
   else if (chart.frame())
@@ -108,13 +105,13 @@ template <class Drawing>
 void Neighborhood::draw(const Front& front, const Drawing& drawing) {
   const Pair low{window_.lowX, window_.lowY}, high{window_.highX, window_.highY};
   Edge* edge = edges_.data();
-  for (const PlaceId* found = found_.data(); found != foundEnd_; ++found) {
-    const Place& place = front[*found];
-    const Place& end = front[place.level < 0 ? *found : place.next];
+  for (const PlaceId id : std::span(found_.data(), foundCount_)) {
+    const Place& place = front[id];
+    const Place& end = front[place.level < 0 ? id : place.next];
     const Drawn from = drawing(place.point), to = drawing(end.point);
     edge->from = pointAt(from.position);
     edge->to = pointAt(to.position);
-    edge->place = *found;
+    edge->place = id;
     edge->view = from.view;
     const auto isInside =
         (larger(from.position, to.position) >= low) & (smaller(from.position, to.position) <= high);

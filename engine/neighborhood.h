@@ -56,9 +56,8 @@ class Neighborhood {
   void draw(const Front& front, const Drawing& drawing);
 
   Window window_;
-  // Room for the whole front, so that nothing need be asked when one more is found.
-  std::vector<PlaceId> found_;
-  PlaceId* foundEnd_ = nullptr;
+  std::vector<PlaceId> found_;  // [0, foundCount_) are in use
+  std::size_t foundCount_ = 0;
   std::vector<Edge> edges_;  // [0, count_) are in use
   std::size_t count_ = 0;
 };

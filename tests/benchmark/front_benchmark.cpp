@@ -44,13 +44,12 @@ void indexSearch(::benchmark::State& state) {
   const double size = 1e-3;
   const SquareFront square(size);
   const std::size_t count = square.front.edgeCount();
-  std::vector<PlaceId> room(count + 1);
+  std::vector<PlaceId> room;
   std::size_t i = 0, found = 0;
   for (auto _ : state) {
     const Point3 at = square.front[PlaceId(i)].point.position;
     const Point3 reach{3 * size, 3 * size, 3 * size};
-    found += static_cast<std::size_t>(
-        square.index.collectNear({at - reach, at + reach}, room.data()) - room.data());
+    found += square.index.collectNear({at - reach, at + reach}, room);
     i = (i + 997) % count;
   }
   state.counters["edges"] =

@@ -29,9 +29,9 @@ bool boxesMeet(const Point3& p, const Point3& q, const Box3& box) {
          std::max(p.z, q.z) >= box.low.z && std::min(p.z, q.z) <= box.high.z;
 }
 
-std::vector<PlaceId> edgesNear(const Front& front, const FrontIndex& index, const Box3& box) {
-  std::vector<PlaceId> found(front.capacity() + 1);
-  found.erase(found.begin() + (index.collectNear(box, found.data()) - found.data()), found.end());
+std::vector<PlaceId> edgesNear(const FrontIndex& index, const Box3& box) {
+  std::vector<PlaceId> found;
+  found.resize(index.collectNear(box, found));
   return found;
 }
 
@@ -39,7 +39,7 @@ std::vector<PlaceId> edgesNear(const Front& front, const FrontIndex& index, cons
 void expectFindsAll(const Front& front, const FrontIndex& index, const std::set<PlaceId>& inIndex,
                     const Box3& box) {
   std::set<PlaceId> found;
-  for (PlaceId id : edgesNear(front, index, box)) {
+  for (PlaceId id : edgesNear(index, box)) {
     EXPECT_TRUE(found.insert(id).second) << "found twice";
     EXPECT_TRUE(inIndex.contains(id)) << "not in the index";
   }
@@ -165,7 +165,7 @@ TEST(FrontIndex, FindsInAnOrderThatDependsOnItsHistoryAlone) {
       index.insert(front, addEdgePair(front, p, p + Point3{.9, .1, 0}));
     }
     for (int i = 0; i < 200; i += 6) index.erase(PlaceId(static_cast<std::size_t>(2 * i)));
-    return edgesNear(front, index, {{2, 2, 0}, {8, 8, 0}});
+    return edgesNear(index, {{2, 2, 0}, {8, 8, 0}});
   };
   EXPECT_EQ(visit(), visit());
   EXPECT_FALSE(visit().empty());
