@@ -30,8 +30,10 @@ class FileCompiler {
   using Parameters = std::map<std::string, RuleCompiler::Parameter>;
 
   void tell(const Module& home, const char* code, Span span, std::string message,
-            std::string help = {}, std::vector<DiagnosticNote> notes = {}) {
+            std::string help = {}, std::vector<DiagnosticNote> notes = {},
+            Severity severity = Severity::Error) {
     Diagnostic d;
+    d.severity = severity;
     d.code = code;
     d.message = std::move(message);
     d.place = placeOf(home.source, span);
@@ -40,6 +42,7 @@ class FileCompiler {
     context_.diagnostics.add(std::move(d));
   }
 
+  void warnOfRulesAlone();
   std::vector<PlacedRuleSet> ruleSets();
   bool addBase(std::vector<PlacedRuleSet>& chain, std::set<const RuleSetBlock*>& seen);
   std::optional<PlacedRuleSet> findRuleSet(const std::string& name,
@@ -102,6 +105,17 @@ bool FileCompiler::addBase(std::vector<PlacedRuleSet>& chain, std::set<const Rul
   return true;
 }
 
+/// Rules without a rule set are for other files to use; or the rule set was forgotten.
+void FileCompiler::warnOfRulesAlone() {
+  for (const Item& item : main_.parsed.file.items) {
+    if (!std::holds_alternative<Rule>(item.content)) continue;
+    tell(main_, "R5", std::get<Rule>(item.content).title.span,
+         "this file has rules, but no rule set: only files that `use` them can run",
+         "add `ruleset \"name\" { ... }` if this file is to be run itself", {}, Severity::Warning);
+    return;
+  }
+}
+
 std::vector<PlacedRuleSet> FileCompiler::ruleSets() {
   std::vector<const RuleSetBlock*> own;
   std::set<std::string> extended;
@@ -114,7 +128,10 @@ std::vector<PlacedRuleSet> FileCompiler::ruleSets() {
   for (const RuleSetBlock* block : own)
     if (!extended.contains(block->name.text) || (own.size() == 1)) heads.push_back(block);
   if (heads.empty() && !own.empty()) heads.push_back(own.back());
-  if (heads.empty() && !needsRuleSet_) return {};
+  if (heads.empty() && !needsRuleSet_) {
+    warnOfRulesAlone();
+    return {};
+  }
   if (heads.empty()) {
     bool isBroken = !main_.brokenNames.empty() || main_.parsed.file.items.empty();
     for (const Item& item : main_.parsed.file.items)
