@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "geometry/occ/parallel.h"
 #include "geometry/occ/points.h"
 #include "geometry/occ/sizing.h"
 
@@ -17,7 +18,12 @@ class Assembly {
 
   ModelMesh join(std::vector<FaceMesh>& faces) {
     numberBoundary(faces);
-    for (FaceMesh& face : faces) add(face);
+    makeRoom(faces);
+    forEachInParallel(faces.size(), options_.threads, [&](std::size_t i) { place(faces[i], i); });
+    for (FaceMesh& face : faces) {
+      takeSizesOfBoundary(face);
+      mesh_.faces.push_back(std::move(face.report));
+    }
     addSegments(faces);
     takeSizesOfEdges();
     return std::move(mesh_);
@@ -27,13 +33,38 @@ class Assembly {
   static constexpr std::uint32_t kUnused = 0xffffffffu;
 
   void numberBoundary(const std::vector<FaceMesh>& faces) {
-    ids_.assign(divided_.points.size(), kUnused);
-    for (const FaceMesh& face : faces)
-      for (const Element& element : face.elements)
+    std::vector<std::vector<std::uint8_t>> isUsed(faces.size());  // by vertex of the boundary
+    forEachInParallel(faces.size(), options_.threads, [&](std::size_t i) {
+      isUsed[i].assign(faces[i].boundary.size(), 0);
+      for (const Element& element : faces[i].elements)
         for (const VertexId v : element.vertices())
-          if (v.value < face.boundary.size()) ids_[face.boundary[v.value]] = 0;
+          if (v.value < isUsed[i].size()) isUsed[i][v.value] = 1;
+    });
+    ids_.assign(divided_.points.size(), kUnused);
+    for (std::size_t i = 0; i < faces.size(); ++i)
+      for (std::size_t v = 0; v < isUsed[i].size(); ++v)
+        if (isUsed[i][v]) ids_[faces[i].boundary[v]] = 0;
     for (std::size_t i = 0; i < ids_.size(); ++i)
       if (ids_[i] != kUnused) ids_[i] = addVertex(divided_.points[i]);
+  }
+
+  /// Where the vertices inside a face and its elements begin, in the order of the faces.
+  struct Start {
+    std::size_t vertex, element;
+  };
+
+  void makeRoom(const std::vector<FaceMesh>& faces) {
+    Start next{mesh_.vertices.size(), 0};
+    for (const FaceMesh& face : faces) {
+      starts_.push_back(next);
+      next.vertex += face.inside.size();
+      next.element += face.elements.size();
+    }
+    mesh_.vertices.resize(next.vertex);
+    mesh_.wantedSizes.resize(next.vertex);
+    mesh_.elements.resize(next.element);
+    mesh_.face.resize(next.element);
+    mesh_.rule.resize(next.element);
   }
 
   std::uint32_t addVertex(const Point3& position) {
@@ -42,30 +73,36 @@ class Assembly {
     return static_cast<std::uint32_t>(mesh_.vertices.size() - 1);
   }
 
-  void add(FaceMesh& face) {
+  void place(const FaceMesh& face, std::size_t index) {
     const std::size_t boundaryCount = face.boundary.size();
-    const std::size_t base = mesh_.vertices.size();
-    mesh_.vertices.insert(mesh_.vertices.end(), face.inside.begin(), face.inside.end());
-    mesh_.wantedSizes.insert(
-        mesh_.wantedSizes.end(),
-        face.wantedSizes.end() - static_cast<std::ptrdiff_t>(face.inside.size()),
-        face.wantedSizes.end());
-    for (std::size_t i = 0; i < boundaryCount && !face.wantedSizes.empty(); ++i) {
+    const auto [vertex, element] = starts_[index];
+    const auto at = [](auto& all, std::size_t i) {
+      return all.begin() + static_cast<std::ptrdiff_t>(i);
+    };
+    std::copy(face.inside.begin(), face.inside.end(), at(mesh_.vertices, vertex));
+    std::copy(face.wantedSizes.end() - static_cast<std::ptrdiff_t>(face.inside.size()),
+              face.wantedSizes.end(), at(mesh_.wantedSizes, vertex));
+    std::copy(face.rule.begin(), face.rule.end(), at(mesh_.rule, element));
+    std::fill_n(at(mesh_.face, element), face.elements.size(), face.report.id);
+    for (std::size_t i = 0; i < face.elements.size(); ++i) {
+      Element& placed = mesh_.elements[element + i];
+      placed = face.elements[i];
+      for (VertexId& v : placed.corners) {
+        if (v.isNone()) continue;
+        v = v.value < boundaryCount ? VertexId(ids_[face.boundary[v.value]])
+                                    : VertexId(vertex + v.value - boundaryCount);
+      }
+    }
+  }
+
+  /// On an edge that faces share, the smallest of what they want counts.
+  void takeSizesOfBoundary(const FaceMesh& face) {
+    if (face.wantedSizes.empty()) return;
+    for (std::size_t i = 0; i < face.boundary.size(); ++i) {
       const std::uint32_t id = ids_[face.boundary[i]];
       if (id != kUnused)
         mesh_.wantedSizes[id] = std::min(mesh_.wantedSizes[id], face.wantedSizes[i]);
     }
-    for (Element element : face.elements) {
-      for (VertexId& v : element.corners) {
-        if (v.isNone()) continue;
-        v = v.value < boundaryCount ? VertexId(ids_[face.boundary[v.value]])
-                                    : VertexId(base + v.value - boundaryCount);
-      }
-      mesh_.elements.push_back(element);
-      mesh_.face.push_back(face.report.id);
-    }
-    mesh_.rule.insert(mesh_.rule.end(), face.rule.begin(), face.rule.end());
-    mesh_.faces.push_back(std::move(face.report));
   }
 
   void addSegments(const std::vector<FaceMesh>& faces) {
@@ -110,7 +147,8 @@ class Assembly {
   const DividedEdges& divided_;
   const ModelMeshingOptions& options_;
   const ModelSizes& sizes_;
-  std::vector<std::uint32_t> ids_;
+  std::vector<std::uint32_t> ids_;  ///< by point of the divided edges
+  std::vector<Start> starts_;       ///< by face
   ModelMesh mesh_;
 };
 
