@@ -17,6 +17,7 @@ Json toJson(const FaceReport& face) {
   json["surface_type"] = face.surfaceType;
   json["status"] = toString(face.status);
   json["elements"] = face.elements;
+  json["area"] = face.area;
   json["seconds"] = face.seconds;
   json["reason"] = face.reason;
   return json;

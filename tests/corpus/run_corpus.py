@@ -1,0 +1,225 @@
+#!/usr/bin/python3
+"""Meshes every CAD model of some folders and writes one table: what came of each.
+
+    run_corpus.py --af2 build/cli/af2 FOLDER... [-j 2] [--limit 60] [--output table.md]
+
+Each model runs in a process of its own with a time limit, at a size of a fortieth of its diagonal
+unless the folder has an index.json that gives one ("file", "h"). What AF2 delivers is examined by
+mesh_oracle.py, which shares no code with it. The exit code is 1 if a run crashed, hung, gave an
+exit code that does not fit its report, or called a mesh complete that is not sound.
+
+Needs NumPy (Debian: python3-numpy).
+"""
+
+import argparse
+import json
+import re
+import subprocess
+import sys
+import tempfile
+import time
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import asdict, dataclass, field
+from pathlib import Path
+
+import mesh_oracle
+
+SUFFIXES = {".step", ".stp", ".iges", ".igs", ".brep", ".brp", ".rle"}
+DIAGONALS_PER_SIZE = 40
+MOST_AREA_ERROR = 0.05
+LEAST_ANGLE = 0.5
+
+
+@dataclass
+class Row:
+    model: str
+    size: float = 0.0
+    exit_code: int = 0
+    status: str = ""
+    faces: int = 0
+    failed: int = 0
+    closed_by_hand: int = 0
+    elements: int = 0
+    mean: float = 0.0
+    p1: float = 0.0
+    min_angle: float = 0.0
+    open_edges: int = 0
+    multiple_edges: int = 0
+    intersections: int = 0
+    folds: int = 0
+    area_error: float = 0.0  # the largest over the faces
+    total_area_error: float = 0.0
+    seconds: float = 0.0
+    reason: str = ""
+    faults: list = field(default_factory=list)
+    notes: list = field(default_factory=list)
+
+
+def options() -> argparse.Namespace:
+    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+    parser.add_argument("folders", nargs="+", type=Path, help="folders or single models")
+    parser.add_argument("--af2", required=True, help="the program")
+    parser.add_argument("--rules", default="tri/even.af2")
+    parser.add_argument("-j", type=int, default=1, help="models at the same time")
+    parser.add_argument("--limit", type=float, default=60, help="seconds for each model")
+    parser.add_argument("--only", default="", help="regular expression for the names of models")
+    parser.add_argument("--output", type=Path, help="file for the table in Markdown")
+    parser.add_argument("--json", type=Path, help="file for all that is known, in JSON")
+    parser.add_argument("--keep", type=Path, help="folder that keeps the meshes and reports")
+    parser.add_argument("--no-oracle", action="store_true", help="believe AF2's own checks")
+    return parser.parse_args()
+
+
+def models_of(folder: Path) -> list:
+    """Pairs of a model and its size, 0 where none is given."""
+    if folder.is_file():
+        return [(folder, 0.0)]
+    index = folder / "index.json"
+    if index.exists():
+        return [(folder / entry["file"], entry.get("h") or 0.0) for entry in json.loads(index.read_text())]
+    return [(path, 0.0) for path in sorted(folder.rglob("*")) if path.suffix.lower() in SUFFIXES]
+
+
+def default_size(af2: str, model: Path) -> float:
+    try:
+        text = subprocess.run([af2, "inspect", "--brief", str(model)], capture_output=True, text=True,
+                              timeout=60, errors="replace").stdout
+    except subprocess.TimeoutExpired:
+        return 0.0
+    found = re.search(r"diagonal ([0-9.eE+-]+)", text)
+    return float(found.group(1)) / DIAGONALS_PER_SIZE if found else 0.0
+
+
+def run_one(arguments: argparse.Namespace, model: Path, size: float) -> Row:
+    row = Row(model.stem, size or default_size(arguments.af2, model) or 1.0)
+    with tempfile.TemporaryDirectory() as temporary:
+        folder = arguments.keep or Path(temporary)
+        mesh, report = folder / (model.stem + ".vtu"), folder / (model.stem + ".json")
+        for old in (mesh, report):
+            old.unlink(missing_ok=True)
+        command = [arguments.af2, "mesh", str(model), "-q", "-r", arguments.rules, "-s", repr(row.size),
+                   "-o", str(mesh), "--report", str(report), "-j", "1"]
+        start = time.monotonic()
+        try:
+            done = subprocess.run(command, capture_output=True, text=True, errors="replace",
+                                  timeout=arguments.limit)
+            row.exit_code, row.reason = done.returncode, done.stderr.strip().split("\n")[0]
+        except subprocess.TimeoutExpired:
+            row.exit_code, row.status, row.reason = -1, "hang", f"no end after {arguments.limit:g} s"
+        row.seconds = time.monotonic() - start
+        if report.exists():
+            read_report(row, json.loads(report.read_text()))
+        if row.status != "hang" and mesh.exists() and not arguments.no_oracle:
+            hold_against_oracle(row, mesh, json.loads(report.read_text()))
+    judge(row)
+    return row
+
+
+def read_report(row: Row, report: dict) -> None:
+    row.status = report["status"]
+    row.faces = len(report["faces"])
+    failed = [face for face in report["faces"] if face["status"] == "failed"]
+    row.failed = len(failed)
+    row.elements = report["triangles"] + report["quads"]
+    row.mean, row.p1 = report["quality"]["mean"], report["quality"]["p1"]
+    row.min_angle = report["quality"]["min_angle"]
+    row.notes = [f"face {f['id']} ({f['surface_type']}): {f['reason']}" for f in report["faces"] if f["reason"]]
+    if failed:
+        row.reason = f"face {failed[0]['id']} ({failed[0]['surface_type']}): {failed[0]['reason']}"
+    elif report.get("reason"):
+        row.reason = report["reason"]
+
+
+def hold_against_oracle(row: Row, mesh: Path, report: dict) -> None:
+    found = mesh_oracle.examine(mesh)
+    row.min_angle = found.min_angle
+    row.open_edges, row.multiple_edges = found.open_edges, found.multiple_edges
+    row.intersections, row.folds = found.intersections, found.folds
+    if found.turned_edges:
+        row.faults.append(f"{found.turned_edges} edges with triangles in the same direction")
+    if found.examples:
+        row.notes.append(f"intersections at {found.examples}")
+    total = wanted_total = 0.0
+    for face in report["faces"]:
+        wanted, got = face.get("area", 0), found.area.get(face["id"], 0)
+        if face["status"] != "complete" or not wanted > 0:
+            continue
+        total, wanted_total = total + got, wanted_total + wanted
+        error = abs(got / wanted - 1)
+        if error > row.area_error:
+            row.area_error = error
+        if error > MOST_AREA_ERROR:
+            row.notes.append(f"face {face['id']} ({face['surface_type']}): {got / wanted:.3f} of its area {wanted:.3g}")
+    row.total_area_error = abs(total / wanted_total - 1) if wanted_total else 0.0
+
+
+def judge(row: Row) -> None:
+    codes = {"complete": 0, "partial": 3, "failed": 3}
+    if row.status == "hang":
+        row.faults.append("no end")
+    elif row.exit_code < 0:
+        row.status = "crash"
+        row.faults.append(f"signal {-row.exit_code}")
+    elif row.exit_code == 1:
+        row.status = "refused"
+        if not row.reason:
+            row.faults.append("refused without a reason")
+    elif codes.get(row.status) != row.exit_code:
+        row.faults.append(f"exit code {row.exit_code} with status {row.status!r}")
+    if row.status == "complete":
+        if row.intersections or row.folds:
+            row.faults.append(f"{row.intersections} intersections, {row.folds} folds")
+        if row.total_area_error > MOST_AREA_ERROR:
+            row.faults.append(f"area wrong by {100 * row.total_area_error:.1f} %")
+        if row.min_angle < LEAST_ANGLE:
+            row.faults.append(f"angle of {row.min_angle:.2g} degrees")
+
+
+def table(rows: list) -> str:
+    head = ("model", "status", "faces", "failed", "elements", "mean", "1 %", "least angle", "open", ">2",
+            "cross", "area", "s", "remark")
+    lines = ["| " + " | ".join(head) + " |", "|" + "---|" * len(head)]
+    for r in rows:
+        remark = "; ".join(r.faults) or (r.reason if r.status != "complete" else "")
+        remark = remark.replace("|", "/")
+        lines.append(f"| {r.model} | {r.status} | {r.faces} | {r.failed} | {r.elements} | {r.mean:.3f} | {r.p1:.3f} | "
+                     f"{r.min_angle:.1f} | {r.open_edges} | {r.multiple_edges} | {r.intersections + r.folds} | "
+                     f"{100 * r.area_error:.1f} % | {r.seconds:.1f} | {remark[:160]} |")
+    return "\n".join(lines)
+
+
+def summary(rows: list) -> str:
+    count = {}
+    for row in rows:
+        count[row.status] = count.get(row.status, 0) + 1
+    readable = [row for row in rows if row.status != "refused"]
+    sound = [row for row in readable if row.status == "complete" and not row.faults]
+    text = ", ".join(f"{n} {status}" for status, n in sorted(count.items()))
+    share = 100 * len(sound) / max(len(readable), 1)
+    return (f"{len(rows)} models: {text}. Of {len(readable)} that were read, {len(sound)} ({share:.1f} %) are complete "
+            f"and sound; {sum(r.elements for r in rows)} elements, {sum(r.seconds for r in rows):.0f} s, "
+            f"the slowest {max(r.seconds for r in rows):.1f} s.")
+
+
+def main() -> int:
+    arguments = options()
+    if arguments.keep:
+        arguments.keep.mkdir(parents=True, exist_ok=True)
+    models = [m for folder in arguments.folders for m in models_of(folder)
+              if re.search(arguments.only, m[0].stem)]
+    if not models:
+        sys.exit("no models found")
+    with ThreadPoolExecutor(arguments.j) as pool:
+        rows = list(pool.map(lambda m: run_one(arguments, *m), models))
+    text = summary(rows) + "\n\n" + table(rows) + "\n"
+    print(text)
+    if arguments.output:
+        arguments.output.write_text(text)
+    if arguments.json:
+        arguments.json.write_text(json.dumps([asdict(row) for row in rows], indent=1))
+    bad = [row for row in rows if row.faults and row.status in ("crash", "hang", "complete")]
+    return 1 if bad else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
