@@ -20,6 +20,7 @@ Json toJson(const FaceReport& face) {
   json["area"] = face.area;
   json["seconds"] = face.seconds;
   json["reason"] = face.reason;
+  if (!face.attempts.empty()) json["attempts"] = face.attempts;
   return json;
 }
 

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "engine/error.h"
+#include "geometry/plane_axes.h"
 
 namespace af2::geometry {
 
@@ -19,28 +20,10 @@ double pseudoAngle(Point2 d) {
   return d.y < 0 ? 4 + t : t;
 }
 
-/// Directions around one vertex, as angles in its tangent plane.
-class TangentPlane {
- public:
-  explicit TangentPlane(const SurfacePoint& at) : at_(at) {
-    const Point3& n = at.normal;
-    // Any direction across the normal will do, e.g. from the coordinate axis farthest from it.
-    const double x = std::abs(n.x), y = std::abs(n.y), z = std::abs(n.z);
-    const Point3 axis = x <= y && x <= z ? Point3{1, 0, 0}
-                        : y <= z         ? Point3{0, 1, 0}
-                                         : Point3{0, 0, 1};
-    xAxis_ = unit(cross(axis, n));
-    yAxis_ = cross(n, xAxis_);
-  }
-  double angleTowards(const SurfacePoint& other) const {
-    const Point3 d = other.position - at_.position;
-    return pseudoAngle({dot(d, xAxis_), dot(d, yAxis_)});
-  }
-
- private:
-  const SurfacePoint& at_;
-  Point3 xAxis_, yAxis_;
-};
+/// The direction from one vertex to another in the tangent plane of the first.
+double angleTowards(const PlaneAxes& axes, const SurfacePoint& other) {
+  return pseudoAngle(axes(other));
+}
 
 /// How far one turns clockwise from `from` to `to`, in (0, 4].
 double clockwise(double from, double to) { return from > to ? from - to : from - to + 4; }
@@ -94,8 +77,8 @@ class Linker {
   std::size_t successor(std::size_t i, std::size_t first, const std::vector<bool>& used) const {
     const auto& corners = chains_[i].corners;
     const BoundaryCorner& end = corners.back();
-    const TangentPlane plane(end.point);
-    const double back = plane.angleTowards(corners[corners.size() - 2].point);
+    const PlaneAxes plane(end.point);
+    const double back = angleTowards(plane, corners[corners.size() - 2].point);
     std::optional<std::size_t> best;
     double bestTurn = 0;
     const auto found = starting_.find(end.vertex);
@@ -103,7 +86,7 @@ class Linker {
       for (const std::size_t candidate : found->second) {
         if (used[candidate] && candidate != first) continue;
         const double turn =
-            clockwise(back, plane.angleTowards(chains_[candidate].corners[1].point));
+            clockwise(back, angleTowards(plane, chains_[candidate].corners[1].point));
         if (best && turn >= bestTurn) continue;
         best = candidate;
         bestTurn = turn;

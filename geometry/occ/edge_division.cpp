@@ -11,6 +11,7 @@
 #include "engine/error.h"
 #include "geometry/occ/edge_samples.h"
 #include "geometry/occ/given_points.h"
+#include "geometry/occ/open_ends.h"
 #include "geometry/occ/parallel.h"
 #include "geometry/occ/points.h"
 #include "geometry/occ/sizing.h"
@@ -22,13 +23,9 @@ namespace {
 /// An edge that is shorter than this share of the wanted size, and than the tolerances of its
 /// vertices, is taken for one point.
 constexpr double kPointLike = 1e-3;
-/// So is one that is shorter than this share of the model, where coordinates blur.
-constexpr double kBlur = 1e-10;
-
-/// The ends of an edge: indices of points.
-struct Ends {
-  std::uint32_t first = 0, last = 0;
-};
+/// So is one that is shorter than this share of the model, where coordinates blur, or than this
+/// share of the wanted size, whatever the tolerances say.
+constexpr double kBlur = 1e-10, kInvisible = 1e-6;
 
 /// Which points were found to be the same.
 class Merging {
@@ -60,7 +57,7 @@ class Division {
         samples_(static_cast<std::size_t>(model.edges.Extent())) {
     sampleAll(threads, stop);
     findEnds();
-    mergePointLikeEdges();
+    mergePoints();
     gradeAll();
   }
 
@@ -114,23 +111,39 @@ class Division {
   bool isPointLike(std::size_t i) const {
     const EdgeSamples& samples = samples_[i];
     if (samples.pieces.empty()) return samples.problem.empty();
-    if (samples.length <= kBlur * model_.diagonal) return true;
+    if (samples.length <= std::max(kBlur * model_.diagonal, kInvisible * samples.wanted))
+      return true;
     const TopoDS_Edge edge = model_.edge(static_cast<int>(i) + 1);
     const TopoDS_Vertex first = TopExp::FirstVertex(edge), last = TopExp::LastVertex(edge);
     if (first.IsNull() || last.IsNull()) return false;
     const double tolerance = std::max(BRep_Tool::Tolerance(first), BRep_Tool::Tolerance(last));
-    return samples.length <= tolerance &&
-           samples.length <= kPointLike * samples.pieces.front().sizes.front();
+    return samples.length <= tolerance && samples.length <= kPointLike * samples.wanted;
   }
 
-  void mergePointLikeEdges() {
+  void mergePoints() {
     Merging merging(result_.points.size());
     for (std::size_t i = 0; i < samples_.size(); ++i) {
       if (!isPointLike(i)) continue;
       samples_[i].pieces.clear();
       merging.merge(ends_[i].first, ends_[i].last);
     }
+    apply(merging);
+    for (const auto& [end, start] : gaps()) merging.merge(end, start);
+    apply(merging);
+  }
+
+  void apply(const Merging& merging) {
     for (Ends& ends : ends_) ends = {merging.find(ends.first), merging.find(ends.last)};
+  }
+
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> gaps() const {
+    const double blur = std::min(kBlur * model_.diagonal, kPointLike * sizes_.size);
+    std::vector<double> tolerance(result_.points.size(), blur);
+    for (int id = 1; id <= model_.vertices.Extent(); ++id)
+      tolerance[static_cast<std::size_t>(id) - 1] += BRep_Tool::Tolerance(model_.vertex(id));
+    std::vector<bool> isUsed;
+    for (const EdgeSamples& samples : samples_) isUsed.push_back(!samples.pieces.empty());
+    return gapsInWires(model_, ends_, isUsed, result_.points, tolerance);
   }
 
   /// Sizes at shared ends agree, and grow from there no faster than wanted.
@@ -221,6 +234,13 @@ class Division {
 };
 
 }  // namespace
+
+std::size_t DividedEdges::segmentCount() const {
+  std::size_t count = 0;
+  for (const DividedEdge& edge : edges)
+    if (!edge.points.empty()) count += edge.points.size() - 1;
+  return count;
+}
 
 DividedEdges divideEdges(const ModelShape& model, const ModelSizes& sizes, int threads,
                          std::stop_token stop, const EdgePoints& given) {

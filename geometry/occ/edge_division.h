@@ -23,6 +23,8 @@ struct DividedEdge {
 struct DividedEdges {
   std::vector<Point3> points;      ///< model vertices first, then along the edges
   std::vector<DividedEdge> edges;  ///< [0] is edge 1
+
+  std::size_t segmentCount() const;
 };
 
 /// Divides all edges, whichever faces are asked for, so that these mesh alike alone or together.

@@ -295,7 +295,9 @@ EdgeSamples sampleEdge(const ModelShape& model, int edgeId,
     if (!(last > first)) return samples;
     samples.start = toPoint(curve.Value(first));
     samples.end = toPoint(curve.Value(last));
-    samplePieces(curve, WantedAlongEdge(model, edgeId, faces, sizes), sizes, samples);
+    const WantedAlongEdge wanted(model, edgeId, faces, sizes);
+    samples.wanted = wanted.largest();
+    samplePieces(curve, wanted, sizes, samples);
     for (const EdgePiece& piece : samples.pieces) samples.length += piece.arcLength.back();
   } catch (const Standard_Failure& failure) {
     samples.problem = std::string("has no usable curve (") + failure.DynamicType()->Name() + ")";

@@ -24,6 +24,7 @@ struct EdgeSamples {
       pieces;  ///< split where the curve has a kink; empty: no length or unusable
   Point3 start, end;
   double length = 0;
+  double wanted = 0;    ///< the size asked for, before all limits
   std::string problem;  ///< why it is unusable
 };
 

@@ -158,8 +158,8 @@ class CurvedArea {
  public:
   CurvedArea(const TopoDS_Face& face, const FaceSurface& surface,
              const GeomAdaptor_Surface& adaptor)
-      : face_(face) {
-    const SplineSurface::Box& box = surface.box();
+      : face_(face), box_(surface.box()) {
+    const SplineSurface::Box& box = box_;
     const SurfaceFrame middle =
         surface.inOccParameters().frameAt((box.u1 + box.u2) / 2, (box.v1 + box.v2) / 2);
     const double perStrip = kShare * length(cross(middle.du, middle.dv)) * (box.u2 - box.u1);
@@ -175,6 +175,9 @@ class CurvedArea {
     const Handle(Geom2d_Curve) curve = BRep_Tool::CurveOnSurface(edge, face_, first, last);
     if (curve.IsNull()) throw Standard_Failure("an edge has no curve in the parameters");
     const Geom2dAdaptor_Curve adaptor(curve, first, last);
+    const gp_Pnt2d start = adaptor.Value(first), end = adaptor.Value(last);
+    gapU_ += signOf(edge) * (end.X() - start.X());
+    gapV_ += signOf(edge) * (end.Y() - start.Y());
     sum_ += signOf(edge) * integrateAlong(adaptor, integral_, [&](double t) {
               gp_Pnt2d place;
               gp_Vec2d tangent;
@@ -183,13 +186,25 @@ class CurvedArea {
             });
   }
 
-  double area() const { return std::abs(sum_); }
+  /// A wire may go around the period of its surface: it is not closed in the parameters then.
+  void endWire() {
+    constexpr double kGap = 0.1;  // share of the box; wires of damaged files have smaller gaps
+    if (!(std::abs(gapU_) <= kGap * (box_.u2 - box_.u1) &&
+          std::abs(gapV_) <= kGap * (box_.v2 - box_.v1)))
+      isClosed_ = false;
+    gapU_ = gapV_ = 0;
+  }
+
+  /// 0 if some wire is not closed in the parameters.
+  double area() const { return isClosed_ ? std::abs(sum_) : 0; }
 
  private:
   const TopoDS_Face& face_;
+  SplineSurface::Box box_;
   StripArea strip_;
   Integral integral_{0};
-  double sum_ = 0;
+  double sum_ = 0, gapU_ = 0, gapV_ = 0;
+  bool isClosed_ = true;
 };
 
 /// In a plane, the triangles from some point to the boundary. The edges are taken in space: many
@@ -210,6 +225,7 @@ class PlaneArea {
     sum_ += signOf(edge) * triangles(curve, start, end);
   }
 
+  void endWire() {}
   double area() const { return std::abs(sum_); }
 
  private:
@@ -233,10 +249,13 @@ class PlaneArea {
 
 template <class Area>
 double areaWithin(const TopoDS_Face& face, Area area) {
-  for (TopExp_Explorer it(face, TopAbs_EDGE); it.More(); it.Next()) {
-    const TopoDS_Edge edge = TopoDS::Edge(it.Current());
-    if (edge.Orientation() == TopAbs_FORWARD || edge.Orientation() == TopAbs_REVERSED)
-      area.add(edge);
+  for (TopoDS_Iterator wire(face); wire.More(); wire.Next()) {
+    for (TopExp_Explorer it(wire.Value(), TopAbs_EDGE); it.More(); it.Next()) {
+      const TopoDS_Edge edge = TopoDS::Edge(it.Current());
+      if (edge.Orientation() == TopAbs_FORWARD || edge.Orientation() == TopAbs_REVERSED)
+        area.add(edge);
+    }
+    area.endWire();
   }
   return area.area();
 }

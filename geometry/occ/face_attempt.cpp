@@ -7,6 +7,7 @@
 #include "engine/error.h"
 #include "engine/mesh_check.h"
 #include "geometry/close_front.h"
+#include "geometry/occ/face_trouble.h"
 
 namespace af2::geometry {
 
@@ -87,7 +88,7 @@ std::size_t elementLimit(const FaceTask& task) {
       task.area * density /
       (kUnitTriangle * static_cast<double>(std::max<std::size_t>(corners, 1)));
   const double expected = std::max(task.expectedElements, byBoundary);
-  const double margin = task.options.sizes.function ? kFunctionMargin : kMargin;
+  const double margin = task.mayBeFineInside ? kFunctionMargin : kMargin;
   return static_cast<std::size_t>(std::min(margin * expected, 1e9)) + 12 * corners + 2000;
 }
 
@@ -170,13 +171,11 @@ ProjectionFrame planeOfFront(const MeshingResult& result) {
   for (const StuckEdge& edge : result.stuck)
     normal = normal + result.mesh.vertices[edge.from.value].normal;
   normal = unit(normal);
-  const double x = std::abs(normal.x), y = std::abs(normal.y), z = std::abs(normal.z);
-  const Point3 axis =
-      x <= y && x <= z ? Point3{1, 0, 0} : (y <= z ? Point3{0, 1, 0} : Point3{0, 0, 1});
   ProjectionFrame frame;
   frame.origin = result.mesh.vertices[result.stuck.front().from.value].position;
-  frame.xAxis = unit(cross(axis, normal));
-  frame.yAxis = cross(normal, frame.xAxis);
+  const PlaneAxes axes(frame.origin, normal);
+  frame.xAxis = axes.xAxis();
+  frame.yAxis = axes.yAxis();
   frame.normal = normal;
   return frame;
 }
@@ -225,34 +224,52 @@ bool close(const FaceTask& task, FaceAttempt& attempt, bool inParameters) {
   return true;
 }
 
+/// Whether the wanted edges turn so far that a plane across the mean normal would fold within the
+/// reach of the rules, while the surface can be unrolled without any distortion.
+bool isBetterUnrolled(const FaceTask& task) {
+  constexpr double kMostTurn = 0.45;  // radians
+  if (!task.surface.isDeveloped() || !hasSecondWay(task)) return false;
+  for (const auto& loop : task.boundary.input.loops)
+    for (const BoundaryCorner& corner : loop)
+      if (task.size.sizeAt(corner.point) >
+          kMostTurn * task.surface.radiiAt(corner.point, 0).smallest)
+        return true;
+  return false;
+}
+
+FaceAttempt attemptInParameters(const FaceTask& task) {
+  return attempt(task, std::make_unique<MetricChartMaker>(task.surface.inParameters()));
+}
+
 FaceAttempt fillWithRules(const FaceTask& task) {
+  if (isBetterUnrolled(task)) {
+    FaceAttempt unrolled = attemptInParameters(task);
+    if (unrolled.fault.empty()) return unrolled;
+  }
   FaceAttempt first = attemptInPieces(task);
   if (first.fault.empty()) return first;
+  std::vector<std::string> steps{(task.surface.isPlane() ? "plane: " : "mean normal planes: ") +
+                                 first.fault};
   const bool hasSecond = hasSecondWay(task);
   FaceAttempt second;
   if (hasSecond) {
-    second = attempt(task, std::make_unique<MetricChartMaker>(task.surface.inParameters()));
+    second = attemptInParameters(task);
+    second.steps = steps;
     if (second.fault.empty()) return second;
+    steps.push_back("charts in parameters: " + second.fault);
   }
+  first.steps = second.steps = steps;
   if (close(task, first, false)) return first;
   if (hasSecond && close(task, second, !hasTwoSheets(task.boundary.input))) return second;
   if (hasSecond) first.fault += "; in parameters: " + second.fault;
+  first.failures.push_back(first.result);
+  first.failures.push_back(std::move(second.result));
   return first;
 }
 
 /// How many times too large or too small the area of a mesh is, at least 1.
 double areaError(const FaceTask& task, const FaceAttempt& attempt) {
-  double area = 0;
-  for (const Element& element : attempt.result.mesh.elements) {
-    const auto c = element.vertices();
-    const auto at = [&](std::size_t i) {
-      return attempt.result.mesh.vertices[c[i].value].position;
-    };
-    Point3 sum;
-    for (std::size_t i = 1; i + 1 < c.size(); ++i)
-      sum = sum + cross(at(i) - at(0), at(i + 1) - at(0));
-    area += length(sum) / 2;
-  }
+  const double area = areaOfElements(attempt.result.mesh);
   return std::max(area / task.area, task.area / area);
 }
 

@@ -20,6 +20,8 @@ struct FaceAttempt {
   bool isOptimized = false;
   double optimizeShare = 0;         ///< of the time, if optimised
   std::size_t closingElements = 0;  ///< how many were made without a rule, to close a stuck front
+  std::vector<std::string> steps;   ///< what was tried before in vain, and why it failed
+  std::vector<MeshingResult> failures;  ///< what these came to, if all failed
 };
 
 /// What is given for a face.
@@ -32,6 +34,8 @@ struct FaceTask {
   double expectedElements = 1;
   const AF2Algorithm& algorithm;
   const ModelMeshingOptions& options;
+  /// Whether sizes inside may be much smaller than along the boundary.
+  bool mayBeFineInside = false;
   const ProgressCallback& progress;
   /// Charts and sizes of the face for one thread more.
   const std::function<PieceTools()>& makeTools;

@@ -15,6 +15,8 @@
 #include "engine/error.h"
 #include "geometry/occ/chains.h"
 #include "geometry/occ/points.h"
+#include "geometry/occ/wire_orientation.h"
+#include "geometry/plane_axes.h"
 
 namespace af2::geometry {
 
@@ -76,9 +78,13 @@ class BoundaryFinder {
   }
 
   FaceBoundary find() {
-    for (TopExp_Explorer it(forward_, TopAbs_EDGE); it.More(); it.Next())
-      addEdge(TopoDS::Edge(it.Current()));
+    for (TopoDS_Iterator wire(forward_); wire.More(); wire.Next()) {
+      for (TopExp_Explorer it(wire.Value(), TopAbs_EDGE); it.More(); it.Next())
+        addEdge(TopoDS::Edge(it.Current()));
+      wire_.resize(chains_.size(), wires_++);
+    }
     if (chains_.empty()) throw GeometryError("the face has no boundary");
+    if (surface_.isPlane()) orientWiresOfPlane();
     cancelOppositeChains(chains_);
     if (chains_.empty())
       throw GeometryError("the face has no width: its boundary runs back on itself");
@@ -92,6 +98,14 @@ class BoundaryFinder {
   }
 
  private:
+  void orientWiresOfPlane() {
+    const PlaneAxes axes(chains_[0].corners[0].point);
+    const int turned = orientWires(chains_, wire_, [&](const SurfacePoint& p) { return axes(p); });
+    if (turned > 0)
+      result_.repairs.push_back(std::to_string(turned) +
+                                " of its wires ran the wrong way round; turned");
+  }
+
   void addEdge(const TopoDS_Edge& edge) {
     if (edge.Orientation() == TopAbs_EXTERNAL) return;
     const int id = model_.edges.FindIndex(edge);
@@ -157,6 +171,8 @@ class BoundaryFinder {
   std::optional<gp_Pln> plane_;
   bool reversed_ = false;
   std::vector<Chain> chains_;
+  std::vector<std::size_t> wire_;  // by chain
+  std::size_t wires_ = 0;
   std::unordered_map<std::uint32_t, VertexId> vertices_;  // looked up only, never walked through
   FaceBoundary result_;
 };

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "engine/front_input.h"
@@ -21,7 +22,8 @@ struct FaceBoundary {
   FrontInput input;
   std::vector<std::uint32_t> points;  ///< by vertex id: index into DividedEdges::points
   std::vector<SegmentUse> uses;
-  bool closedInParameters = true;  ///< the loops are closed curves in (u, v), too
+  bool closedInParameters = true;    ///< the loops are closed curves in (u, v), too
+  std::vector<std::string> repairs;  ///< what was not as it should be and was put right
 };
 
 /// Throws GeometryError, saying which edge is at fault, if the face has no closed boundary.

@@ -1,6 +1,8 @@
 #include "geometry/occ/face_mesher.h"
 
 #include <Standard_Failure.hxx>
+#include <algorithm>
+#include <iterator>
 
 #include "engine/error.h"
 #include "engine/optimize.h"
@@ -24,14 +26,18 @@ class FaceMesher {
 
   void meshInto(FaceMesh& mesh) {
     FaceBoundary boundary = findBoundary(context_.model, face_, context_.divided, surface_);
+    if (!boundary.repairs.empty()) mesh.report.area = area_ = 0;  // was found with the old boundary
     const FaceSize wanted(context_.options.sizes, face_, surface_);
     const GradedSize size(wanted, boundary.input, context_.options.sizes.growth);
     const Stopwatch filling;
-    FaceAttempt attempt =
-        fillFace({face_, surface_, boundary, size, area_, expected_, context_.algorithm,
-                  context_.options, context_.progress, [&] { return makeTools(boundary.input); }});
+    FaceAttempt attempt = fill(boundary, size, mesh);
     mesh.optimizeSeconds = attempt.optimizeShare * filling.seconds();
-    if (!attempt.fault.empty()) throw GeometryError(attempt.fault);
+    mesh.report.attempts = boundary.repairs;
+    std::ranges::move(attempt.steps, std::back_inserter(mesh.report.attempts));
+    if (!attempt.fault.empty()) {
+      mesh.trouble = troubleOfFailure(surface_, boundary, attempt.failures);
+      throw GeometryError(attempt.fault);
+    }
     if (attempt.result.outcome == Outcome::Cancelled) {
       mesh.report.status = FaceStatus::Cancelled;
       return;
@@ -43,6 +49,7 @@ class FaceMesher {
     for (const SurfacePoint& vertex : attempt.result.mesh.vertices)
       mesh.wantedSizes.push_back(wanted.sizeAt(vertex));
     if (context_.options.order == 2) findMiddles(attempt.result.mesh, mesh);
+    mesh.trouble = troubleOfMesh(attempt.result.mesh, boundary, surface_.isPlane(), area_);
     take(attempt.result, boundary, mesh);
   }
 
@@ -76,6 +83,17 @@ class FaceMesher {
     return straight;
   }
 
+  FaceAttempt fill(const FaceBoundary& boundary, const SizeField& size, FaceMesh& mesh) const {
+    try {
+      return fillFace({face_, surface_, boundary, size, area_, expected_, context_.algorithm,
+                       context_.options, context_.mayBeFineInside, context_.progress,
+                       [&] { return makeTools(boundary.input); }});
+    } catch (...) {
+      mesh.trouble = troubleOfFailure(surface_, boundary, {});
+      throw;
+    }
+  }
+
   /// A size field with a surface of its own: OpenCASCADE's evaluators are not to be shared.
   struct OwnSize final : SizeField {
     OwnSize(const FaceMeshingContext& context, int face, const FrontInput& input)
@@ -96,10 +114,10 @@ class FaceMesher {
   }
 
   void optimize(FaceAttempt& attempt, const FrontInput& input, FaceMesh& mesh) const {
+    const Stopwatch watch;
     // Charts in parameters know a vertex of a seam on one of its sheets only.
     const bool inParameters = dynamic_cast<MetricChartMaker*>(attempt.charts.get()) != nullptr;
-    if (inParameters && hasTwoSheets(input)) return;
-    const Stopwatch watch;
+    if (inParameters && hasTwoSheets(input)) attempt.charts = surface_.makeCharts({});
     OptimizeOptions options;
     options.stop = context_.options.stop;
     optimizeMesh(attempt.result.mesh, boundaryOf(input), *attempt.charts, options);

@@ -4,6 +4,7 @@
 
 #include "geometry/occ/edge_division.h"
 #include "geometry/occ/face_boundary.h"
+#include "geometry/occ/face_trouble.h"
 #include "geometry/occ/mesh_model.h"
 #include "geometry/second_order.h"
 
@@ -21,6 +22,7 @@ struct FaceMesh {
   std::vector<SideMiddles> middles;  ///< by element; only for elements of second order
   std::vector<SegmentUse> uses;
   double optimizeSeconds = 0;  ///< part of report.seconds
+  FaceTrouble trouble;
 };
 
 /// What all faces of a run share.
@@ -30,6 +32,8 @@ struct FaceMeshingContext {
   const ModelMeshingOptions& options;
   const DividedEdges& divided;
   ProgressCallback progress;
+  /// Whether sizes inside a face may be much smaller than along its boundary.
+  bool mayBeFineInside = false;
 };
 
 /// Never throws for a fault of the face: that becomes a failed report.

@@ -53,6 +53,10 @@ class FaceSurface {
   /// The surface by our parameters (u, v): OpenCASCADE's, but for a cone those of the unrolled
   /// cone.
   const ParametricSurface& inParameters() const;
+  /// Whether lengths in our parameters are those on the surface, up to a factor for each of them.
+  bool isDeveloped() const {
+    return developed_ || std::holds_alternative<CylinderSurface>(surface_);
+  }
   const GeneralSurface& inOccParameters() const { return parametric_; }
 
  private:

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <map>
-#include <mutex>
 #include <numeric>
 
 #include "engine/error.h"
@@ -14,6 +13,8 @@
 #include "geometry/occ/face_surface.h"
 #include "geometry/occ/join_faces.h"
 #include "geometry/occ/parallel.h"
+#include "geometry/occ/progress_sum.h"
+#include "geometry/occ/retries.h"
 #include "geometry/occ/sizing.h"
 #include "geometry/second_order.h"
 #include "geometry/sound_faces.h"
@@ -37,49 +38,6 @@ std::vector<int> facesAskedFor(const Model& model, const ModelMeshingOptions& op
   return faces;
 }
 
-/// Adds up how far the faces have come and tells it, one caller at a time.
-class ProgressSum {
- public:
-  ProgressSum(const ModelMeshingOptions& options, const std::vector<double>& work)
-      : options_(options), work_(work), elements_(work.size(), 0) {
-    sum_.faces = static_cast<int>(work.size());
-    for (const double w : work) sum_.workTotal += w;
-  }
-
-  void advance(std::size_t index, std::size_t elements) {
-    const std::lock_guard lock(mutex_);
-    update(index, elements, std::min(static_cast<double>(elements), 0.99 * work_[index]));
-    tell();
-  }
-  void finish(std::size_t index, std::size_t elements) {
-    const std::lock_guard lock(mutex_);
-    update(index, elements, work_[index]);
-    ++sum_.facesDone;
-    tell();
-  }
-
- private:
-  void update(std::size_t index, std::size_t elements, double done) {
-    sum_.elements += elements - elements_[index].count;
-    sum_.workDone += done - elements_[index].done;
-    elements_[index] = {elements, done};
-  }
-  void tell() const {
-    if (options_.progress) options_.progress(sum_);
-  }
-
-  struct Part {
-    Part(std::size_t c = 0, double d = 0) : count(c), done(d) {}
-    std::size_t count;
-    double done;
-  };
-  const ModelMeshingOptions& options_;
-  const std::vector<double>& work_;
-  std::vector<Part> elements_;
-  ModelProgress sum_;
-  std::mutex mutex_;
-};
-
 class ModelMesher {
  public:
   ModelMesher(const Model& model, const AF2Algorithm& algorithm, ModelMeshingOptions options)
@@ -87,20 +45,26 @@ class ModelMesher {
 
   ModelMesh mesh() {
     const std::vector<int> faces = facesAskedFor(model_, options_);
-    const std::vector<double> areas = areasOf(faces);
-    const std::vector<double> work = workOf(faces, areas);
+    areas_ = areasOf(faces);
+    work_ = workOf(faces, areas_);
     const Stopwatch edgesWatch;
     options_.sizes =
         spreadSizes(model_.shape(), std::move(options_.sizes), options_.threads, options_.stop);
-    divided_ = divideEdges(model_.shape(), options_.sizes, options_.threads, options_.stop,
-                           options_.edgePoints);
+    FaceMeshes state;
+    state.divided = divideEdges(model_.shape(), options_.sizes, options_.threads, options_.stop,
+                                options_.edgePoints);
     const double edgeSeconds = edgesWatch.seconds();
 
     const Stopwatch facesWatch;
-    std::vector<FaceMesh> meshes = meshFaces(faces, areas, work);
-    const double optimizeShare = shareOfOptimizing(meshes);
-    const std::map<int, std::vector<SideMiddles>> middles = takeMiddles(meshes);
-    ModelMesh mesh = joinFaces(model_.shape(), divided_, options_, meshes);
+    meshFaces(faces, state);
+    retryPoorFaces({model_.shape(), options_, faces,
+                    [&](std::size_t i, const ModelMeshingOptions& options, FaceMeshes& into) {
+                      meshOne(faces, i, options, into, {});
+                    }},
+                   state);
+    const double optimizeShare = shareOfOptimizing(state.meshes);
+    const std::map<int, std::vector<SideMiddles>> middles = takeMiddles(state.meshes);
+    ModelMesh mesh = joinFaces(model_.shape(), state.divided, options_, state.meshes);
     for (const AF2Rule& rule : algorithm_.rules().rules()) mesh.ruleNames.push_back(rule.name());
     mesh.ruleNames.push_back("closing");  // what closes a stuck front
     mesh.groups = model_.groups();
@@ -142,21 +106,26 @@ class ModelMesher {
     return all > 0 ? optimizing / all : 0;
   }
 
-  std::vector<FaceMesh> meshFaces(const std::vector<int>& faces, const std::vector<double>& areas,
-                                  const std::vector<double>& work) {
-    ProgressSum progress(options_, work);
-    std::vector<FaceMesh> meshes(faces.size());
-    const std::vector<std::size_t> order = largestFirst(work);
+  void meshFaces(const std::vector<int>& faces, FaceMeshes& state) {
+    ProgressSum progress(options_, work_);
+    state.meshes.resize(faces.size());
+    const std::vector<std::size_t> order = largestFirst(work_);
     forEachInParallel(faces.size(), options_.threads, [&](std::size_t k) {
       const std::size_t i = order[k];
-      const FaceMeshingContext context{model_.shape(), algorithm_, options_, divided_,
-                                       [&](const Progress& p) { progress.advance(i, p.elements); }};
-      meshes[i] = options_.stop.stop_requested() ? cancelled(faces[i])
-                                                 : meshFace(context, faces[i], areas[i], work[i]);
-      meshes[i].report.area = areas[i];
-      progress.finish(i, meshes[i].elements.size());
+      meshOne(faces, i, options_, state,
+              [&](const Progress& p) { progress.advance(i, p.elements); });
+      progress.finish(i, state.meshes[i].elements.size());
     });
-    return meshes;
+  }
+
+  void meshOne(const std::vector<int>& faces, std::size_t i, const ModelMeshingOptions& options,
+               FaceMeshes& state, ProgressCallback progress) const {
+    const FaceMeshingContext context{
+        model_.shape(), algorithm_,          options,
+        state.divided,  std::move(progress), static_cast<bool>(options_.sizes.function)};
+    state.meshes[i] = options.stop.stop_requested()
+                          ? cancelled(faces[i])
+                          : meshFace(context, faces[i], areas_[i], work_[i]);
   }
 
   FaceMesh cancelled(int face) const {
@@ -208,7 +177,7 @@ class ModelMesher {
   const Model& model_;
   const AF2Algorithm& algorithm_;
   ModelMeshingOptions options_;
-  DividedEdges divided_;
+  std::vector<double> areas_, work_;  // by face that was asked for
 };
 
 }  // namespace

@@ -23,6 +23,21 @@ void checkAll(const std::map<int, double>& sizes, int count, const std::string& 
   }
 }
 
+/// A tube must not be cut off by a few large elements, however large the wanted size: with fewer
+/// than five or so around it a front has no room. But a long thin one, a wire, shall not be cut
+/// into too many.
+double leastOnTube(const ModelSizes& sizes, double size, const FaceSurface& surface,
+                   double radius) {
+  constexpr double kShareOfBentFace = 1.0 / 15;
+  constexpr double kMostElements = 1e5;
+  constexpr double kElements = 14.5;  // on a tube with edges of length 1, over length * radius
+  constexpr double kMostAlong = 2e4, kLeastSize = 1e-4;  // where a spline has no radius at all
+  const double extent = surface.extent();
+  const double many = std::max({std::sqrt(kElements * radius * extent / kMostElements),
+                                extent / kMostAlong, kLeastSize * size});
+  return std::min({sizes.bentFaceLeast * size, kShareOfBentFace * extent, many});
+}
+
 }  // namespace
 
 void checkSizes(const ModelSizes& sizes, const Model& model) {
@@ -57,10 +72,7 @@ double limitByCurvature(const ModelSizes& sizes, double size, const FaceSurface&
   const FaceSurface::Radii radii = surface.radiiAt(point, size);
   const double gentle =
       std::min(size, std::max(sizes.faceTurn * radii.smallest, sizes.faceLeast * size));
-  // A tube must not be cut off by a few large elements, however large the wanted size; but a long
-  // thin one, a wire, shall not be cut into too many.
-  constexpr double kShareOfBentFace = 1.0 / 15;
-  const double least = std::min(sizes.bentFaceLeast * size, kShareOfBentFace * surface.extent());
+  const double least = leastOnTube(sizes, size, surface, radii.bent);
   return std::min(gentle, std::max(sizes.faceTurn * radii.bent, least));
 }
 

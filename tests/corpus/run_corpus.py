@@ -13,10 +13,14 @@ Needs NumPy (Debian: python3-numpy).
 
 import argparse
 import json
+import os
 import re
+import resource
+import signal
 import subprocess
 import sys
 import tempfile
+import threading
 import time
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import asdict, dataclass, field
@@ -49,7 +53,8 @@ class Row:
     folds: int = 0
     area_error: float = 0.0  # the largest over the faces
     total_area_error: float = 0.0
-    seconds: float = 0.0
+    seconds: float = 0.0  # of processor time, which does not depend on what else runs
+    wall: float = 0.0
     reason: str = ""
     faults: list = field(default_factory=list)
     notes: list = field(default_factory=list)
@@ -99,20 +104,37 @@ def run_one(arguments: argparse.Namespace, model: Path, size: float) -> Row:
             old.unlink(missing_ok=True)
         command = [arguments.af2, "mesh", str(model), "-q", "-r", arguments.rules, "-s", repr(row.size),
                    "-o", str(mesh), "--report", str(report), "-j", "1"]
-        start = time.monotonic()
-        try:
-            done = subprocess.run(command, capture_output=True, text=True, errors="replace",
-                                  timeout=arguments.limit)
-            row.exit_code, row.reason = done.returncode, done.stderr.strip().split("\n")[0]
-        except subprocess.TimeoutExpired:
-            row.exit_code, row.status, row.reason = -1, "hang", f"no end after {arguments.limit:g} s"
-        row.seconds = time.monotonic() - start
+        run_limited(row, command, arguments.limit)
         if report.exists():
             read_report(row, json.loads(report.read_text()))
         if row.status != "hang" and mesh.exists() and not arguments.no_oracle:
             hold_against_oracle(row, mesh, json.loads(report.read_text()))
     judge(row)
     return row
+
+
+def run_limited(row: Row, command: list, limit: float) -> None:
+    """Runs a command, and ends it when it has used up its seconds of processor time."""
+    def forbid_more():
+        resource.setrlimit(resource.RLIMIT_CPU, (int(limit), int(limit) + 1))
+        resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
+
+    with tempfile.TemporaryFile() as errors:
+        start = time.monotonic()
+        process = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=errors,
+                                   preexec_fn=forbid_more)
+        # Something that waits without end uses no processor time.
+        stopper = threading.Timer(20 * limit, process.kill)
+        stopper.start()
+        _, status, usage = os.wait4(process.pid, 0)
+        stopper.cancel()
+        process.returncode = row.exit_code = os.waitstatus_to_exitcode(status)
+        row.wall = time.monotonic() - start
+        row.seconds = usage.ru_utime + usage.ru_stime
+        errors.seek(0)
+        row.reason = errors.read().decode(errors="replace").strip().split("\n")[0]
+    if -row.exit_code in (signal.SIGXCPU, signal.SIGKILL):
+        row.status, row.reason = "hang", f"no end after {limit:g} s"
 
 
 def read_report(row: Row, report: dict) -> None:

@@ -1,0 +1,176 @@
+#include "geometry/occ/face_trouble.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/mesh_check.h"
+#include "geometry/boundary_crossings.h"
+
+namespace af2::geometry {
+
+namespace {
+
+constexpr double kFiner = 0.5;
+/// More places than this at once would not make the next try better, only slower.
+constexpr std::size_t kMostPlaces = 2000;
+
+/// Angles below this are opened, in degrees, to about the second where that is possible.
+constexpr double kLeastAngle = 1, kWantedAngle = 3;
+/// Curved and round faces may lose this share of their area to straight edges.
+constexpr double kMostAreaError = 0.1, kWantedAreaError = 0.05;
+
+Point3 middle(const Point3& a, const Point3& b) { return 0.5 * (a + b); }
+
+void addEdge(std::vector<SizeSource>& places, const Point3& a, const Point3& b, double share) {
+  if (places.size() < kMostPlaces) places.push_back({middle(a, b), share * distance(a, b)});
+}
+
+void addStuck(const MeshingResult& result, std::vector<SizeSource>& places) {
+  for (const StuckEdge& edge : result.stuck)
+    addEdge(places, result.mesh.vertices[edge.from.value].position,
+            result.mesh.vertices[edge.to.value].position, kFiner);
+}
+
+void addFaults(const MeshingResult& result, const MeshBoundary& boundary,
+               std::vector<SizeSource>& places) {
+  if (result.outcome != Outcome::Complete || result.mesh.vertices.empty()) return;
+  const auto at = [&](VertexId v) -> const Point3& {
+    return result.mesh.vertices[v.value].position;
+  };
+  for (const MeshFault& fault : checkMesh(result.mesh, boundary)) {
+    if (!fault.element.isNone()) {
+      const auto c = result.mesh.elements[fault.element.value].vertices();
+      for (std::size_t i = 0; i < c.size(); ++i)
+        addEdge(places, at(c[i]), at(c[(i + 1) % c.size()]), kFiner);
+    } else if (!fault.from.isNone() && !fault.to.isNone()) {
+      addEdge(places, at(fault.from), at(fault.to), kFiner);
+    }
+  }
+}
+
+void addSegment(const FrontInput& input, SegmentPlace place, double share,
+                std::vector<SizeSource>& places) {
+  const auto& loop = input.loops[place.loop];
+  addEdge(places, loop[place.corner].point.position,
+          loop[(place.corner + 1) % loop.size()].point.position, share);
+}
+
+void addCrossings(const FaceSurface& surface, const FaceBoundary& boundary,
+                  std::vector<SizeSource>& places) {
+  if (!surface.isPlane() && !boundary.closedInParameters) return;
+  constexpr std::size_t kMostCrossings = 200;
+  const BoundaryPicture picture(surface, boundary.input);
+  for (const auto& [a, b] : crossingsOf(boundary.input, picture, kMostCrossings)) {
+    addSegment(boundary.input, a, kFiner, places);
+    addSegment(boundary.input, b, kFiner, places);
+  }
+}
+
+void addBoundary(const FrontInput& input, double share, std::vector<SizeSource>& places) {
+  for (std::size_t l = 0; l < input.loops.size(); ++l)
+    for (std::size_t i = 0; i < input.loops[l].size(); ++i)
+      addSegment(input, {l, i}, share, places);
+}
+
+/// The least angle of an element in degrees.
+double leastAngle(const Mesh& mesh, std::span<const VertexId> c) {
+  double least = 180;
+  for (std::size_t i = 0; i < c.size(); ++i) {
+    const auto at = [&](std::size_t k) -> const Point3& {
+      return mesh.vertices[c[k % c.size()].value].position;
+    };
+    const Point3 p = at(i + 1) - at(i), q = at(i + c.size() - 1) - at(i);
+    least = std::min(least, std::atan2(length(cross(p, q)), dot(p, q)));
+  }
+  return least * 180 / 3.14159265358979323846;
+}
+
+/// Edges as long as the height of the element allows at the wanted angle.
+void openAngles(const Mesh& mesh, FaceTrouble& trouble) {
+  for (const Element& element : mesh.elements) {
+    const auto c = element.vertices();
+    const double angle = leastAngle(mesh, c);
+    if (angle >= kLeastAngle) continue;
+    trouble.poorness += std::log(kLeastAngle / std::max(angle, 1e-6));
+    for (std::size_t i = 0; i < c.size(); ++i)
+      addEdge(trouble.places, mesh.vertices[c[i].value].position,
+              mesh.vertices[c[(i + 1) % c.size()].value].position,
+              std::max(angle / kWantedAngle, 0.1));
+  }
+}
+
+void addElements(const Mesh& mesh, double share, std::vector<SizeSource>& places) {
+  for (const Element& element : mesh.elements) {
+    const auto c = element.vertices();
+    for (std::size_t i = 0; i < c.size(); ++i)
+      addEdge(places, mesh.vertices[c[i].value].position,
+              mesh.vertices[c[(i + 1) % c.size()].value].position, share);
+  }
+}
+
+}  // namespace
+
+BoundaryPicture::BoundaryPicture(const FaceSurface& surface, const FrontInput& boundary)
+    : isPlane_(surface.isPlane()), axes_(boundary.loops[0][0].point) {
+  if (isPlane_) return;
+  double du = 0, dv = 0;
+  std::size_t count = 0;
+  for (const auto& loop : boundary.loops)
+    for (const BoundaryCorner& corner : loop) {
+      const auto frame = surface.inParameters().frameAt(corner.point.u, corner.point.v);
+      du += length(frame.du);
+      dv += length(frame.dv);
+      ++count;
+    }
+  u_ = du / static_cast<double>(count);
+  v_ = (surface.inParameters().isFlipped() ? -1 : 1) * dv / static_cast<double>(count);
+}
+
+Point2 BoundaryPicture::operator()(const SurfacePoint& point) const {
+  return isPlane_ ? axes_(point) : Point2{u_ * point.u, v_ * point.v};
+}
+
+FaceTrouble troubleOfFailure(const FaceSurface& surface, const FaceBoundary& boundary,
+                             const std::vector<MeshingResult>& results) {
+  FaceTrouble trouble;
+  trouble.poorness = 1e300;
+  const MeshBoundary kept = boundaryOf(boundary.input);
+  for (const MeshingResult& result : results) {
+    addStuck(result, trouble.places);
+    addFaults(result, kept, trouble.places);
+  }
+  addCrossings(surface, boundary, trouble.places);
+  return trouble;
+}
+
+FaceTrouble troubleOfMesh(const Mesh& mesh, const FaceBoundary& boundary, bool isPlane,
+                          double area) {
+  FaceTrouble trouble;
+  openAngles(mesh, trouble);
+  if (!(area > 0)) return trouble;
+  const double error = std::abs(areaOfElements(mesh) / area - 1);
+  if (!(error > kMostAreaError)) return trouble;
+  trouble.poorness += error / kMostAreaError - 1;
+  // What a chord cuts off goes with the third power of its length, their number with the first.
+  const double share = std::clamp(std::sqrt(kWantedAreaError / error), 0.3, 0.8);
+  addBoundary(boundary.input, share, trouble.places);
+  if (!isPlane) addElements(mesh, share, trouble.places);
+  return trouble;
+}
+
+double areaOfElements(const Mesh& mesh) {
+  double area = 0;
+  for (const Element& element : mesh.elements) {
+    const auto c = element.vertices();
+    const auto at = [&](std::size_t i) -> const Point3& {
+      return mesh.vertices[c[i].value].position;
+    };
+    Point3 sum;
+    for (std::size_t i = 1; i + 1 < c.size(); ++i)
+      sum = sum + cross(at(i) - at(0), at(i + 1) - at(0));
+    area += length(sum) / 2;
+  }
+  return area;
+}
+
+}  // namespace af2::geometry

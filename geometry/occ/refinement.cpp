@@ -1,0 +1,52 @@
+#include "geometry/occ/refinement.h"
+
+#include <algorithm>
+
+namespace af2::geometry {
+
+namespace {
+
+/// A hole of a thousandth of the wanted size can be divided by this; more would help nobody.
+constexpr double kLeastSize = 1e-4;
+
+double largestAsked(const ModelSizes& sizes) {
+  double largest = sizes.size;
+  for (const auto& [face, size] : sizes.faceSizes) largest = std::max(largest, size);
+  for (const auto& [edge, size] : sizes.edgeSizes) largest = std::max(largest, size);
+  return largest;
+}
+
+}  // namespace
+
+void Refinement::add(const std::vector<SizeSource>& places) {
+  const double largest = largestAsked(asked_.sizes);
+  for (const SizeSource& place : places)
+    sources_.push_back({place.position, std::max(place.size, kLeastSize * largest)});
+  const PositionSize near = sizeFrom({sources_, {}, {}}, asked_.sizes.growth);
+  const PositionSize asked = asked_.sizes.function;
+  options_.sizes.function = [near, asked](std::span<const Point3> at, std::span<double> sizes) {
+    near.at(at, sizes);
+    if (!asked) return;
+    std::vector<double> limits(at.size());
+    asked.at(at, limits);
+    for (std::size_t i = 0; i < at.size(); ++i) sizes[i] = std::min(sizes[i], limits[i]);
+  };
+}
+
+DivisionChange compare(const DividedEdges& before, const DividedEdges& after) {
+  DivisionChange change;
+  change.newIndex.assign(before.points.size(), 0);
+  // Model vertices, and the ends that edges without vertices got, come first and do not depend on
+  // sizes.
+  for (std::uint32_t i = 0; i < change.newIndex.size(); ++i) change.newIndex[i] = i;
+  for (std::size_t e = 0; e < before.edges.size(); ++e) {
+    const DividedEdge &was = before.edges[e], &is = after.edges[e];
+    change.isChanged.push_back(was.parameters != is.parameters);
+    if (change.isChanged.back()) continue;
+    for (std::size_t k = 0; k < was.points.size(); ++k)
+      change.newIndex[was.points[k]] = is.points[k];
+  }
+  return change;
+}
+
+}  // namespace af2::geometry

@@ -1,0 +1,32 @@
+// Faces that failed or came out poor are tried again with shorter edges.
+// Not installed: includers need OpenCASCADE's headers.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "geometry/occ/edge_division.h"
+#include "geometry/occ/face_mesher.h"
+
+namespace af2::geometry {
+
+/// A division of the edges and the meshes made within it.
+struct FaceMeshes {
+  DividedEdges divided;
+  std::vector<FaceMesh> meshes;  ///< by face that was asked for
+};
+
+struct RetryTask {
+  const ModelShape& model;
+  const ModelMeshingOptions& options;  ///< with sizes that are ready for use
+  const std::vector<int>& faces;       ///< that were asked for
+  /// Meshes the i-th of these within the edges of `into`. Called from several threads at once.
+  std::function<void(std::size_t i, const ModelMeshingOptions& options, FaceMeshes& into)> mesh;
+};
+
+/// Where faces failed or came out poor, tries again with shorter edges around the places at fault,
+/// as long as that brings something and costs no more than some times the mesh itself. Faces beside
+/// edges that are divided anew are meshed anew. Leaves the best of all tries.
+void retryPoorFaces(const RetryTask& task, FaceMeshes& state);
+
+}  // namespace af2::geometry

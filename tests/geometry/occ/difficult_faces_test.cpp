@@ -1,0 +1,165 @@
+// Faces on which the first way fails: what is done then, and that it is told.
+#include <gtest/gtest.h>
+#include <BRepBuilderAPI_MakeEdge.hxx>
+#include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakePolygon.hxx>
+#include <BRepBuilderAPI_MakeWire.hxx>
+#include <BRepPrimAPI_MakePrism.hxx>
+#include <BRep_Builder.hxx>
+#include <BRep_Tool.hxx>
+#include <Geom_Plane.hxx>
+#include <TopExp.hxx>
+#include <TopoDS.hxx>
+#include <gp_Ax2.hxx>
+#include <gp_Circ.hxx>
+#include <gp_Pln.hxx>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "geometry/occ/mesh_model.h"
+#include "tests/geometry/occ/shapes.h"
+#include "tests/support/triangle_rules.h"
+
+namespace af2::geometry {
+namespace {
+
+using std::numbers::pi;
+
+ModelMesh mesh(const TopoDS_Shape& shape, double size) {
+  static const AF2Algorithm algorithm(testing::triangleSet());
+  ModelMeshingOptions options;
+  options.sizes.size = size;
+  options.threads = 1;
+  return meshModel(testing::modelOf(shape), algorithm, options);
+}
+
+double areaOf(const ModelMesh& mesh) {
+  double area = 0;
+  for (const Element& e : mesh.elements) {
+    const auto at = [&](std::size_t i) { return mesh.vertices[e.corners[i].value]; };
+    area += length(cross(at(1) - at(0), at(2) - at(0))) / 2;
+  }
+  return area;
+}
+
+/// Complete, and of about the right area.
+void expectComplete(const ModelMesh& mesh, double area, double tolerance = 0.05) {
+  for (const FaceReport& face : mesh.faces)
+    EXPECT_EQ(face.status, FaceStatus::Complete) << "face " << face.id << ": " << face.reason;
+  EXPECT_TRUE(mesh.findings.empty());
+  EXPECT_NEAR(areaOf(mesh), area, tolerance * area);
+}
+
+TopoDS_Edge circle(double radius) {
+  return BRepBuilderAPI_MakeEdge(gp_Circ(gp_Ax2({0, 0, 0}, {0, 0, 1}), radius));
+}
+
+TopoDS_Wire rectangle(double x1, double y1, double x2, double y2, double z = 0) {
+  BRepBuilderAPI_MakePolygon polygon({x1, y1, z}, {x2, y1, z}, {x2, y2, z}, {x1, y2, z}, true);
+  return polygon.Wire();
+}
+
+TopoDS_Face plane(const std::vector<TopoDS_Wire>& wires) {
+  BRepBuilderAPI_MakeFace maker(gp_Pln(gp_Ax3({0, 0, 0}, {0, 0, 1})), wires[0]);
+  for (std::size_t i = 1; i < wires.size(); ++i) maker.Add(wires[i]);
+  return maker.Face();
+}
+
+/// The wanted size would let the chords of the two circles cross.
+TEST(DifficultFaces, ANarrowRingGetsShorterEdges) {
+  BRepBuilderAPI_MakeWire inner(TopoDS::Edge(circle(1).Reversed()));
+  const TopoDS_Face ring = plane({BRepBuilderAPI_MakeWire(circle(1.005)).Wire(), inner.Wire()});
+  const ModelMesh result = mesh(ring, 0.6);
+  expectComplete(result, pi * (1.005 * 1.005 - 1));
+  EXPECT_FALSE(result.faces[0].attempts.empty());
+}
+
+TEST(DifficultFaces, AThinWireIsMeshedAllTheWayAround) {
+  expectComplete(mesh(BRepPrimAPI_MakeCylinder(0.01, 2).Shape(), 0.5), 2 * pi * 0.01 * 2, 0.1);
+}
+
+TEST(DifficultFaces, AThinHalfTubeIsMeshedAcross) {
+  expectComplete(mesh(BRepPrimAPI_MakeCylinder(0.01, 2, pi).Shape(), 0.5),
+                 (pi + 2) * 0.01 * 2 + pi * 1e-4, 0.1);
+}
+
+TEST(DifficultFaces, AHoleOfAThousandthOfTheSizeStaysAHole) {
+  BRepBuilderAPI_MakeWire hole(TopoDS::Edge(circle(0.0005).Reversed()));
+  const ModelMesh result = mesh(plane({rectangle(-1, -1, 1, 1), hole.Wire()}), 0.5);
+  expectComplete(result, 4);
+  EXPECT_EQ(std::ranges::count(result.segments, 5, &EdgeSegment::edge) >= 6, true);
+}
+
+TEST(DifficultFaces, AHoleThatRunsTheWrongWayIsTurned) {
+  const TopoDS_Face face = plane({rectangle(-1, -1, 1, 1), rectangle(-0.5, -0.5, 0.5, 0.5)});
+  const ModelMesh result = mesh(face, 0.3);
+  expectComplete(result, 3, 1e-9);
+  ASSERT_FALSE(result.faces[0].attempts.empty());
+  EXPECT_NE(result.faces[0].attempts[0].find("wrong way round"), std::string::npos);
+}
+
+TEST(DifficultFaces, AWholeBoundaryThatRunsTheWrongWayIsTurned) {
+  TopoDS_Wire wire = rectangle(0, 0, 2, 1);
+  wire.Reverse();
+  TopoDS_Face face;
+  BRep_Builder builder;
+  builder.MakeFace(face, new Geom_Plane(gp_Pln(gp_Ax3({0, 0, 0}, {0, 0, 1}))), 1e-7);
+  builder.Add(face, wire);
+  expectComplete(mesh(face, 0.3), 2, 1e-9);
+}
+
+/// Each edge has vertices of its own, a little beside those of its neighbours.
+TEST(DifficultFaces, GapsWithinTheToleranceAreClosed) {
+  const std::vector<gp_Pnt> corners{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+  BRep_Builder builder;
+  TopoDS_Wire wire;
+  builder.MakeWire(wire);
+  for (std::size_t i = 0; i < 4; ++i) {
+    const gp_Pnt& a = corners[i];
+    const gp_Pnt& b = corners[(i + 1) % 4];
+    const double gap = 1e-5;
+    const gp_Pnt from(a.X() + gap, a.Y() + gap, 0);
+    const TopoDS_Edge edge = BRepBuilderAPI_MakeEdge(from, b);
+    for (const TopoDS_Vertex& v : {TopExp::FirstVertex(edge), TopExp::LastVertex(edge)})
+      builder.UpdateVertex(v, 2e-5);
+    builder.Add(wire, edge);
+  }
+  TopoDS_Face face;
+  builder.MakeFace(face, new Geom_Plane(gp_Pln(gp_Ax3({0, 0, 0}, {0, 0, 1}))), 1e-7);
+  builder.Add(face, wire);
+  expectComplete(mesh(face, 0.3), 1, 1e-3);
+}
+
+TEST(DifficultFaces, AGapBeyondTheToleranceIsNamed) {
+  BRep_Builder builder;
+  TopoDS_Wire wire;
+  builder.MakeWire(wire);
+  builder.Add(wire, BRepBuilderAPI_MakeEdge(gp_Pnt(0, 0, 0), gp_Pnt(1, 0, 0)).Edge());
+  builder.Add(wire, BRepBuilderAPI_MakeEdge(gp_Pnt(1, 0.1, 0), gp_Pnt(0, 1, 0)).Edge());
+  TopoDS_Face face;
+  builder.MakeFace(face, new Geom_Plane(gp_Pln(gp_Ax3({0, 0, 0}, {0, 0, 1}))), 1e-7);
+  builder.Add(face, wire);
+  const ModelMesh result = mesh(face, 0.3);
+  EXPECT_EQ(result.faces[0].status, FaceStatus::Failed);
+  EXPECT_NE(result.faces[0].reason.find("not closed"), std::string::npos);
+}
+
+TEST(DifficultFaces, TheSameMeshFromAnyNumberOfThreads) {
+  BRepBuilderAPI_MakeWire inner(TopoDS::Edge(circle(1).Reversed()));
+  const TopoDS_Face ring = plane({BRepBuilderAPI_MakeWire(circle(1.005)).Wire(), inner.Wire()});
+  const Model solid = testing::modelOf(BRepPrimAPI_MakePrism(ring, gp_Vec(0, 0, 0.5)).Shape());
+  const AF2Algorithm algorithm(testing::triangleSet());
+  ModelMeshingOptions options;
+  options.sizes.size = 0.6;
+  options.threads = 1;
+  const ModelMesh one = meshModel(solid, algorithm, options);
+  options.threads = 4;
+  const ModelMesh four = meshModel(solid, algorithm, options);
+  EXPECT_EQ(one.vertices, four.vertices);
+  EXPECT_EQ(one.elements, four.elements);
+}
+
+}  // namespace
+}  // namespace af2::geometry
