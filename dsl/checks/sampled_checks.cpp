@@ -63,13 +63,35 @@ class RuleChecks {
       return Answer::Proven;
     for (std::size_t i = 1; i < finds.size(); ++i)
       if (keep(finds[i](sample))) return Answer::Refuted;
+    return keep(laterFinding(finds)) ? Answer::Refuted : Answer::Sampled;
+  }
+
+  /// The finding at the lowest level above the first one that has any.
+  std::optional<SampledFinding> laterFinding(const std::vector<Find>& finds) const {
     for (std::size_t i = 1; i < levels_.size(); ++i) {
-      const RuleSample other =
-          sampleRule(rules_, index_, levels_[i], options_.samples / 4, options_.seed);
-      for (const Find find : finds)
-        if (keep(find(other))) return Answer::Refuted;
+      if (!findingAt(levels_[i], finds)) continue;
+      for (int level = levels_[i - 1] + 1; level <= levels_[i]; ++level)
+        if (auto finding = findingAt(level, finds)) return ofLaterLevel(std::move(*finding));
     }
-    return Answer::Sampled;
+    return std::nullopt;
+  }
+
+  std::optional<SampledFinding> findingAt(int level, const std::vector<Find>& finds) const {
+    const RuleSample sample =
+        sampleRule(rules_, index_, level, options_.samples / 4, options_.seed);
+    for (const Find find : finds)
+      if (auto finding = find(sample)) return finding;
+    return std::nullopt;
+  }
+
+  /// Tolerances widen and zones shrink until hardly any rule is right at every match: what goes
+  /// wrong only then costs refused matches, but is no fault of the geometry that was written.
+  SampledFinding ofLaterLevel(SampledFinding finding) const {
+    finding.severity = Severity::Warning;
+    finding.message += fmt::format("; below level {} none was found", finding.example.level);
+    finding.help += fmt::format(", or end the rule's levels: `quality {}..{}`", levels_.front(),
+                                finding.example.level - 1);
+    return finding;
   }
 
   const RuleSet& rules_;
