@@ -355,6 +355,7 @@ struct Use {
 };
 
 struct Constant {
+  std::string doc;
   Name name;
   Expr value;
 };

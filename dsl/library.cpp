@@ -185,15 +185,33 @@ void Library::registerTemplate(Module& module, const Template& item) {
   module.templates[item.name.text] = {&item, &module, item.name.span};
 }
 
-std::filesystem::path Library::findFile(const Module& from, const std::string& path) const {
+bool Library::isThere(const std::filesystem::path& path) const {
   std::error_code error;
+  return (unsaved_ && unsaved_(path)) || std::filesystem::exists(path, error);
+}
+
+std::optional<std::string> Library::read(const std::filesystem::path& path,
+                                         std::string& fault) const {
+  if (unsaved_)
+    if (auto text = unsaved_(path)) return text;
+  // Pipes and devices may be read from outside, where somebody sees to it that they end.
+  std::error_code error;
+  const bool isSpecial = std::filesystem::exists(path, error) &&
+                         !std::filesystem::is_regular_file(path, error) &&
+                         !std::filesystem::is_directory(path, error);
+  if (!isSpecial) return readFile(path, fault);
+  fault = "it is no ordinary file";
+  return std::nullopt;
+}
+
+std::filesystem::path Library::findFile(const Module& from, const std::string& path) const {
   const std::filesystem::path wanted(path);
   if (wanted.is_absolute()) return wanted;
   const std::filesystem::path beside =
       std::filesystem::path(from.source.name()).parent_path() / wanted;
-  if (std::filesystem::exists(beside, error)) return beside;
+  if (isThere(beside)) return beside;
   for (const auto& folder : searchPaths_)
-    if (std::filesystem::exists(folder / wanted, error)) return folder / wanted;
+    if (isThere(folder / wanted)) return folder / wanted;
   return beside;
 }
 
@@ -217,15 +235,7 @@ const Module* Library::import(Module& into, const Import& item) {
   }
   if (const auto known = byPath_.find(key); known != byPath_.end()) return known->second;
   std::string fault;
-  // Pipes and devices may be read from outside, where somebody sees to it that they end.
-  const bool isSpecial = std::filesystem::exists(path, error) &&
-                         !std::filesystem::is_regular_file(path, error) &&
-                         !std::filesystem::is_directory(path, error);
-  std::optional<std::string> text;
-  if (isSpecial)
-    fault = "it is no ordinary file";
-  else
-    text = readFile(path, fault);
+  std::optional<std::string> text = read(path, fault);
   if (!text) text = standardFile(item.path.text);
   if (!text) {
     std::string chain;

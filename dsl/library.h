@@ -16,8 +16,9 @@ namespace af2::dsl {
 /// Reads a file and everything that it imports, and registers what each defines.
 class Library {
  public:
-  Library(CompileContext& context, std::vector<std::filesystem::path> searchPaths)
-      : context_(context), searchPaths_(std::move(searchPaths)) {}
+  Library(CompileContext& context, std::vector<std::filesystem::path> searchPaths,
+          TextSource unsaved = {})
+      : context_(context), searchPaths_(std::move(searchPaths)), unsaved_(std::move(unsaved)) {}
 
   const Module& load(std::string name, std::string text);
   std::vector<std::unique_ptr<Module>> takeModules() { return std::move(modules_); }
@@ -26,6 +27,8 @@ class Library {
  private:
   const Module* import(Module& into, const Import& item);
   std::filesystem::path findFile(const Module& from, const std::string& path) const;
+  bool isThere(const std::filesystem::path& path) const;
+  std::optional<std::string> read(const std::filesystem::path& path, std::string& fault) const;
   void registerItems(Module& module);
   void registerConstant(Module& module, const Constant& item);
   void registerFunction(Module& module, const Name& name, const std::vector<Name>& parameters,
@@ -38,6 +41,7 @@ class Library {
 
   CompileContext& context_;
   std::vector<std::filesystem::path> searchPaths_;
+  TextSource unsaved_;
   std::vector<std::unique_ptr<Module>> modules_;
   std::map<std::string, Module*> byPath_;
   std::vector<const Module*> loading_;  ///< the chain of imports that led here

@@ -1,6 +1,8 @@
 // One rule file with the names that it defines.
 #pragma once
 
+#include <filesystem>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -15,6 +17,9 @@
 namespace af2::dsl {
 
 struct Module;
+
+/// Where the text of a file is to be had before the disk is asked; nothing: ask the disk.
+using TextSource = std::function<std::optional<std::string>(const std::filesystem::path&)>;
 
 /// A `const`: a value that needs no match.
 struct ConstantName {

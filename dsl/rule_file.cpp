@@ -442,7 +442,7 @@ LoadedRules loadRulesFromText(std::string name, std::string text, const LoadOpti
   static const Registry noRegistry;
   DiagnosticList diagnostics;
   CompileContext context{diagnostics, options.registry ? *options.registry : noRegistry};
-  Library library(context, options.searchPaths);
+  Library library(context, options.searchPaths, options.unsaved);
   library.load(std::move(name), std::move(text));
   auto file = std::make_shared<LoadedFile>();
   LoadedRules result;

@@ -20,6 +20,8 @@ struct LoadOptions {
   std::vector<std::filesystem::path> searchPaths;
   /// Functions, metrics and zone shapes of the caller; null: none.
   const Registry* registry = nullptr;
+  /// Texts that stand for files, asked before the disk is: what an editor has not saved yet.
+  TextSource unsaved;
   /// Codes of warnings that are not told.
   std::vector<std::string> allowed;
   /// Whether the file is to be run, which takes a rule set and rules. Without, a file may be a

@@ -24,6 +24,18 @@ LinePlace SourceText::place(std::uint32_t offset) const {
   return {line, column};
 }
 
+std::uint32_t SourceText::offsetOf(LinePlace place) const {
+  if (place.line < 1) return 0;
+  if (static_cast<std::size_t>(place.line) > lineStarts_.size())
+    return static_cast<std::uint32_t>(text_.size());
+  std::uint32_t at = lineStarts_[static_cast<std::size_t>(place.line - 1)];
+  for (int column = 1; column < place.column && at < text_.size() && text_[at] != '\n'; ++column) {
+    ++at;
+    while (at < text_.size() && (static_cast<unsigned char>(text_[at]) & 0xC0) == 0x80) ++at;
+  }
+  return at;
+}
+
 std::string_view SourceText::line(int number) const {
   if (number < 1 || static_cast<std::size_t>(number) > lineStarts_.size()) return {};
   const std::size_t start = lineStarts_[static_cast<std::size_t>(number - 1)];

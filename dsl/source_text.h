@@ -37,6 +37,9 @@ class SourceText {
   int lineOf(std::uint32_t offset) const;
   /// Offset of the first byte of a line that there is.
   std::uint32_t startOf(int line) const { return lineStarts_[static_cast<std::size_t>(line - 1)]; }
+  /// The other way round: the byte at a place; the end of the line or of the text if it lies
+  /// beyond.
+  std::uint32_t offsetOf(LinePlace place) const;
   /// A line, counted from 1, without its line break. Empty beyond the last one.
   std::string_view line(int number) const;
 

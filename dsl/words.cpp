@@ -100,6 +100,8 @@ std::span<const std::string_view> clauseWords() { return kClauses; }
 std::span<const std::string_view> settingWords() { return kSettings; }
 std::span<const std::string_view> testWords() { return kTests; }
 
+std::span<const std::string_view> reservedWords() { return kReserved; }
+
 bool isReserved(std::string_view word) {
   return std::find(kReserved.begin(), kReserved.end(), word) != kReserved.end();
 }

@@ -18,6 +18,7 @@ std::span<const std::string_view> testWords();
 bool isClauseWord(std::string_view word);
 
 /// Words that cannot be names.
+std::span<const std::string_view> reservedWords();
 bool isReserved(std::string_view word);
 
 /// The word of `known` that is most probably meant by `written`; empty if none is near.
@@ -33,5 +34,6 @@ std::string helpAmong(std::string_view written, const std::vector<std::string>& 
 
 /// "did you mean 'x'?" or nothing.
 std::string didYouMean(std::string_view written, const std::vector<std::string>& known);
+
 
 }  // namespace af2::dsl

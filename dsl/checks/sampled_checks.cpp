@@ -118,7 +118,8 @@ std::string count(const SampledResult& result, Answer RuleAnswers::*question) {
 SampledResult runSampledChecks(const RuleSet& rules, const SamplingOptions& options) {
   SampledResult result;
   SingleStepper stepper(rules);
-  for (std::size_t i = 0; i < rules.rules().size(); ++i)
+  const auto isCancelled = [&] { return options.isCancelled && options.isCancelled(); };
+  for (std::size_t i = 0; i < rules.rules().size() && !isCancelled(); ++i)
     result.answers.push_back(RuleChecks(rules, i, stepper, options, result.findings).run());
   return result;
 }

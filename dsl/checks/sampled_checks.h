@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -14,10 +15,11 @@
 namespace af2::dsl {
 
 struct SamplingOptions {
-  int samples = 2000;                 ///< matches looked at for each rule and level
-  int situations = 1000;              ///< pieces of front in which a rule may be chosen (D3)
-  std::uint64_t seed = 1;             ///< the same seed gives the same findings
-  ProofEffort effort = kUsualEffort;  ///< for each rule, for G2 and for Z1
+  int samples = 2000;                      ///< matches looked at for each rule and level
+  int situations = 1000;                   ///< pieces of front in which a rule may be chosen (D3)
+  std::uint64_t seed = 1;                  ///< the same seed gives the same findings
+  ProofEffort effort = kUsualEffort;       ///< for each rule, for G2 and for Z1
+  std::function<bool()> isCancelled = {};  ///< asked before each rule; then the rest is left out
 };
 
 /// A match that shows what is wrong: for a picture (drawMatch) and for a test.

@@ -1,0 +1,47 @@
+// What is being written at a place of a rule file, told from its words alone, so that half-written
+// clauses and missing braces do no harm.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "dsl/symbols/symbol_index.h"
+#include "dsl/token.h"
+
+namespace af2::dsl {
+
+enum class BlockKind { File, Rule, RuleSet, Test, Property, Mirror, Meta };
+
+/// A name that a block defines above the place.
+struct LocalName {
+  std::string name;
+  SymbolKind kind = SymbolKind::Vertex;
+};
+
+/// A call whose parentheses are open at the place.
+struct OpenCall {
+  std::string qualifier, name;
+  std::size_t argument = 0;  ///< which one is being written, from 0
+};
+
+struct BlockContext {
+  BlockKind block = BlockKind::File;
+  bool isInComment = false;
+  bool isInString = false;
+  Span word;  ///< what has been typed of the word, or of the inside of the string
+  std::vector<Token>
+      statement;      ///< the words of the clause or item before `word`; empty: it begins
+  std::string title;  ///< of the rule, test, ... around the place; of a property: its rule
+  std::vector<LocalName> names;
+  std::vector<OpenCall> calls;  ///< from the outermost to the innermost
+
+  bool isAtBeginning() const { return statement.empty(); }
+  /// Whether the clause begins with this word.
+  bool begins(const char* first) const { return !statement.empty() && statement[0].is(first); }
+  /// Whether the last word before the place is this one.
+  bool follows(const char* last) const { return !statement.empty() && statement.back().is(last); }
+};
+
+BlockContext contextAt(const SourceText& source, std::uint32_t offset);
+
+}  // namespace af2::dsl

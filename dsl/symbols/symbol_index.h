@@ -1,0 +1,105 @@
+// The names of rule files: where each is defined, where it is used, where it can be seen.
+#pragma once
+
+#include <cstddef>
+#include <limits>
+#include <map>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "dsl/module.h"
+
+namespace af2::dsl {
+
+enum class SymbolKind {
+  Vertex,      ///< a matched vertex of a rule
+  NewVertex,   ///< of `new`
+  Let,         ///< of `let`
+  Parameter,   ///< of a def, a metric, a template, a family; the variable of a property
+  TestVertex,  ///< a vertex of a test
+  Constant,
+  Function,  ///< a `def`
+  Metric,
+  Template,
+  Rule,  ///< also: an instance of a template, the mirror image of a rule
+  RuleSet,
+  Test,
+  Property,
+  Import,  ///< the name by which an imported file is known
+};
+
+inline constexpr std::size_t kNoSymbol = std::numeric_limits<std::size_t>::max();
+
+struct Symbol {
+  SymbolKind kind = SymbolKind::Let;
+  std::string name;                ///< titles without quotes, of families with their {k}
+  const Module* home = nullptr;    ///< the file in which it is defined
+  Span definition;                 ///< the name, or the title with its quotes; empty: not written
+  Span whole;                      ///< all of what defines it, as far as one wants to read it
+  Span scope;                      ///< where its name is known
+  std::size_t owner = kNoSymbol;   ///< the rule, test, ... that it belongs to
+  std::string doc;                 ///< its doc comment
+  const Item* item = nullptr;      ///< the item of the file in which it stands
+  const Module* target = nullptr;  ///< of an import: the file; null if it cannot be read
+  bool isMirror = false;           ///< of a rule: asked for by a `mirror` clause
+
+  /// Titles are written in quotes.
+  bool isTitle() const {
+    return kind == SymbolKind::Rule || kind == SymbolKind::RuleSet || kind == SymbolKind::Test ||
+           kind == SymbolKind::Property;
+  }
+  /// Known in the whole file and, but for tests, properties and imports, to those that import it.
+  bool isGlobal() const { return owner == kNoSymbol; }
+};
+
+/// A place where the name of a symbol is written.
+struct Occurrence {
+  Span span;
+  std::size_t symbol = kNoSymbol;
+  bool isDefinition = false;
+};
+
+/// "rule", "let", "new vertex", ...: what people call such a symbol.
+const char* wordFor(SymbolKind kind);
+
+/// Whether `title` is what `pattern` gives for some values of its {parameters}.
+bool isTitleOf(const std::string& pattern, const std::string& title);
+
+/// `title`, made by `pattern`, as `newPattern` would have made it for the same values. Both
+/// patterns must have the same parameters.
+std::string retitled(const std::string& pattern, const std::string& title,
+                     const std::string& newPattern);
+
+/// The names of {parameters} in a title, sorted.
+std::vector<std::string> titleParameters(const std::string& title);
+
+/// All names of a file and of what it imports. Works on whatever could be read: a broken clause is
+/// missing, the others are there.
+class SymbolIndex {
+ public:
+  /// modules[0] is the file itself. They must outlive the index.
+  explicit SymbolIndex(std::span<const std::unique_ptr<Module>> modules);
+
+  const std::vector<Symbol>& symbols() const { return symbols_; }
+  const Symbol& operator[](std::size_t symbol) const { return symbols_[symbol]; }
+
+  /// In the order of the text.
+  std::span<const Occurrence> occurrencesIn(const Module& module) const;
+  /// What is written at `offset`, or ends there.
+  std::optional<Occurrence> at(const Module& module, std::uint32_t offset) const;
+  /// Names that are known at `offset`, those of the innermost block first.
+  std::vector<std::size_t> visibleAt(const Module& module, std::uint32_t offset) const;
+  /// Tests and properties that name the rule.
+  std::vector<std::size_t> testsOf(std::size_t rule) const;
+
+ private:
+  friend class SymbolIndexBuilder;
+  std::vector<Symbol> symbols_;
+  std::map<const Module*, std::vector<Occurrence>> occurrences_;
+  std::map<std::size_t, std::vector<std::size_t>> testsOf_;
+};
+
+}  // namespace af2::dsl

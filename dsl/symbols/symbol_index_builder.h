@@ -1,0 +1,74 @@
+// Walks over the trees of rule files and notes every name.
+#pragma once
+
+#include <map>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "dsl/symbols/symbol_index.h"
+
+namespace af2::dsl {
+
+class SymbolIndexBuilder {
+ public:
+  SymbolIndexBuilder(SymbolIndex& index, std::span<const std::unique_ptr<Module>> modules)
+      : index_(index), modules_(modules) {}
+
+  void build();
+
+ private:
+  using Names = std::map<std::string, std::size_t>;
+
+  // What each file defines, before any use is looked at.
+  void defineItems(const Module& module);
+  void defineRule(const Rule& rule, const std::string& doc, const Item& item, bool isInTemplate);
+  std::size_t define(Symbol symbol);
+  std::size_t defineIn(Names& names, SymbolKind kind, const Name& name, Span whole);
+  Symbol itemSymbol(SymbolKind kind, const Name& name, Span whole, const std::string& doc,
+                    const Item& item) const;
+
+  // The uses.
+  void useItem(const Item& item);
+  void use(const Import& item);
+  void use(const Use& item);
+  void use(const RuleSetBlock& block);
+  void use(const Test& test);
+  void use(const Expectation& expectation, std::size_t test);
+  void use(const Property& property);
+  void useBody(const Name& owner, const std::vector<Name>& parameters, const Expr& body,
+               Span whole);
+  void useRule(const Rule& rule, const Names& parameters);
+  void defineVertices(const Rule& rule, Names& names);
+  void useClause(const Clause& clause);
+  void useMirror(const MirrorClause& mirror);
+  void use(const Tolerance& tolerance);
+  void use(const LevelRange& levels);
+  void use(const Expr& expr);
+  void useCall(const Expr& expr);
+  void useImported(const Expr& expr);
+  void useTitle(const Name& title, std::size_t user);
+  void useParametersIn(const Name& title, const Names& names);
+  void useLocal(const Name& name, const Names& names);
+  void useVertex(const Name& name) { useLocal(name, locals_); }
+  void note(Span span, std::size_t symbol, bool isDefinition = false);
+
+  std::size_t definedAt(const Module* home, Span span) const;
+  std::size_t findRule(const Module& first, const std::string& title) const;
+  std::size_t findRuleSet(const std::string& title) const;
+  Span spanOfName(const Expr& expr) const;
+
+  SymbolIndex& index_;
+  std::span<const std::unique_ptr<Module>> modules_;
+  const Module* module_ = nullptr;  ///< the file being walked over
+  const Item* item_ = nullptr;
+  std::size_t owner_ = kNoSymbol;
+  Span scope_;
+  Names locals_;
+  std::map<std::pair<const Module*, std::uint32_t>, std::size_t> byDefinition_;
+  std::map<const Module*, std::map<std::string, std::size_t>> imports_;
+  std::map<std::size_t, Names> localsOfRule_;  ///< by the symbol of the rule, or of its mirror
+};
+
+}  // namespace af2::dsl
