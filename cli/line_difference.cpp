@@ -22,12 +22,15 @@ struct Line {
   std::string_view text;
 };
 
-std::vector<std::string_view> linesOf(std::string_view text) {
+enum class Breaks { Dropped, Kept };
+
+std::vector<std::string_view> linesOf(std::string_view text, Breaks breaks = Breaks::Dropped) {
   std::vector<std::string_view> lines;
   while (!text.empty()) {
     const std::size_t end = std::min(text.find('\n'), text.size());
-    lines.push_back(text.substr(0, end));
-    text.remove_prefix(std::min(end + 1, text.size()));
+    const std::size_t next = std::min(end + 1, text.size());
+    lines.push_back(text.substr(0, breaks == Breaks::Kept ? next : end));
+    text.remove_prefix(next);
   }
   return lines;
 }
@@ -113,6 +116,29 @@ std::string lineDifference(const std::string& name, const std::string& before,
     if (lines[i].mark != '-') ++newLine;
   }
   return text;
+}
+
+std::vector<LineChange> lineChanges(std::string_view before, std::string_view after) {
+  const auto old = linesOf(before, Breaks::Kept), now = linesOf(after, Breaks::Kept);
+  std::vector<LineChange> changes;
+  std::size_t line = 0;
+  bool isOpen = false;
+  for (const Line& l : align(old, now)) {
+    if (l.mark == ' ') {
+      isOpen = false;
+      ++line;
+      continue;
+    }
+    if (!isOpen) changes.push_back({line, 0, ""});
+    isOpen = true;
+    if (l.mark == '+') {
+      changes.back().text += l.text;
+    } else {
+      ++changes.back().count;
+      ++line;
+    }
+  }
+  return changes;
 }
 
 }  // namespace af2::cli

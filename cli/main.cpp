@@ -17,6 +17,7 @@ int main(int count, char** arguments) {
       {"compile", "show what rules become", declareCompile},
       {"import", "rewrite rule files of Netgen (.rls)", declareImport},
       {"explain-code", "explain the code of a diagnostic", declareExplainCode},
+      {"lsp", "serve editors: the language server", declareLsp},
       {"version", "tell the version", declareVersion},
   };
   return runProgram(kVerbs, count, arguments);

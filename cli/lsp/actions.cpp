@@ -1,0 +1,187 @@
+// Code actions: the way out that a diagnostic names, done at once.
+#include <algorithm>
+#include <array>
+
+#include "cli/lsp/server.h"
+#include "dsl/fixes.h"
+#include "dsl/printer.h"
+
+namespace af2::lsp {
+namespace {
+
+using dsl::Diagnostic;
+
+/// A text in place of a span.
+struct Fix {
+  std::string title;
+  dsl::Span span;
+  std::string text;
+};
+
+/// What a fix may look at.
+struct Fault {
+  const Document& document;
+  const Analysis& analysis;
+  const Diagnostic& diagnostic;
+  dsl::Span span;
+  bool isFromChecks = false;  ///< of the checks over many matches
+
+  std::string_view text() const { return document.text; }
+};
+
+std::uint32_t endOf(const Fault& fault) {
+  return static_cast<std::uint32_t>(fault.document.text.size());
+}
+
+std::optional<Fix> addVersion(const Fault& fault) {
+  if (!fault.diagnostic.help.starts_with("add `af2 1;`")) return std::nullopt;
+  return Fix{"add `af2 1;`", {0, 0}, "af2 1;\n\n"};
+}
+
+std::optional<Fix> compare(const Fault& fault) {
+  if (!fault.diagnostic.message.starts_with("'=' does not compare")) return std::nullopt;
+  return Fix{"change to '=='", fault.span, "=="};
+}
+
+/// A ';', ')' or '}' too many.
+std::optional<Fix> dropStray(const Fault& fault) {
+  const std::string& message = fault.diagnostic.message;
+  const bool isStray = message.starts_with("this '") && (message.ends_with("' ends nothing") ||
+                                                         message.ends_with("' closes nothing"));
+  if (!isStray) return std::nullopt;
+  return Fix{"delete it", fault.span, ""};
+}
+
+/// The rule of the file that a diagnostic names, families and mirror images included.
+const dsl::Rule* ruleOf(const Fault& fault) {
+  for (const dsl::CompiledRule& rule : fault.analysis.loaded.file->rules)
+    if (rule.definition.name == fault.diagnostic.rule && rule.home == &fault.analysis.main())
+      return rule.text;
+  return nullptr;
+}
+
+/// A clause as the last one of a rule.
+std::optional<Fix> addClause(const Fault& fault, std::string title, const std::string& clause) {
+  const dsl::Rule* rule = ruleOf(fault);
+  if (!rule || rule->clauses.empty()) return std::nullopt;
+  const std::uint32_t behind = rule->clauses.back().span.end;
+  return Fix{std::move(title), {behind, behind}, "\n  " + clause};
+}
+
+/// `meta { allow ... }` is for findings that are meant to be so.
+std::optional<Fix> allow(const Fault& fault) {
+  const bool isWarning = fault.isFromChecks && fault.diagnostic.severity == dsl::Severity::Warning;
+  const dsl::Rule* rule = isWarning ? ruleOf(fault) : nullptr;
+  const bool hasMeta = rule && std::ranges::any_of(rule->clauses, [](const dsl::Clause& c) {
+                         return std::holds_alternative<dsl::MetaClause>(c.content);
+                       });
+  if (!rule || hasMeta) return std::nullopt;
+  return addClause(fault, "it is meant to be so: allow " + fault.diagnostic.code,
+                   "meta { allow \"" + fault.diagnostic.code + "\"; }");
+}
+
+/// The counter-example as a test, laid out, at the end of the file.
+std::optional<Fix> addTest(const Fault& fault) {
+  for (const dsl::DiagnosticNote& note : fault.diagnostic.notes) {
+    if (!note.message.starts_with("test \"")) continue;
+    const dsl::Formatted formatted = dsl::format("", "af2 1;\n\n" + note.message);
+    const std::size_t begin = formatted.text.find("test \"");
+    if (begin == std::string::npos) continue;
+    const bool endsLine = fault.text().ends_with('\n');
+    return Fix{"add the counter-example as a test",
+               {endOf(fault), endOf(fault)},
+               (endsLine ? "\n" : "\n\n") + formatted.text.substr(begin)};
+  }
+  return std::nullopt;
+}
+
+constexpr std::array kFixes{addVersion, compare, dropStray, addTest, allow};
+
+class ActionList {
+ public:
+  ActionList(const Session& session, const Document& document, const Analysis& analysis,
+             dsl::Span wanted)
+      : document_(document),
+        analysis_(analysis),
+        map_(session.map(document.text)),
+        wanted_(wanted),
+        edits_(dsl::editsFor(analysis.loaded)) {}
+
+  void add(const Diagnostic& diagnostic, bool isFromChecks) {
+    const dsl::DiagnosticPlace& place = diagnostic.place;
+    const dsl::SourceText& source = analysis_.main().source;
+    if (place.file != source.name()) return;
+    const dsl::Span span{source.offsetOf({place.line, place.column}),
+                         source.offsetOf({place.endLine, place.endColumn})};
+    // Whole lines: the cursor need not stand on the word itself.
+    if (!touches(span, wanted_)) return;
+    for (const dsl::TextEdit& edit : edits_)
+      if (touches(edit.span, span) || (isAboutRule(diagnostic) && isInSameItem(edit.span, span)))
+        offer({edit.what, edit.span, edit.replacement}, true);
+    for (const auto fix : kFixes)
+      if (const auto found = fix({document_, analysis_, diagnostic, span, isFromChecks}))
+        offer(*found, diagnostic.code[0] == 'S');
+  }
+
+  Json take() { return std::move(list_); }
+
+ private:
+  /// Whether two spans share a line.
+  bool touches(dsl::Span a, dsl::Span b) const {
+    return map_.lineOf(a.begin) <= map_.lineOf(b.end) && map_.lineOf(b.begin) <= map_.lineOf(a.end);
+  }
+
+  /// Such faults are told at one place of a rule and mended at another.
+  static bool isAboutRule(const Diagnostic& diagnostic) {
+    return std::string_view("GMT").find(diagnostic.code[0]) != std::string_view::npos;
+  }
+
+  bool isInSameItem(dsl::Span a, dsl::Span b) const {
+    return std::ranges::any_of(analysis_.main().parsed.file.items, [&](const dsl::Item& item) {
+      return item.span.begin <= std::min(a.begin, b.begin) &&
+             std::max(a.end, b.end) <= item.span.end;
+    });
+  }
+
+  void offer(const Fix& fix, bool isPreferred) {
+    const Json edit{{"range", map_.range(fix.span)}, {"newText", fix.text}};
+    Json action{{"title", fix.title},
+                {"kind", "quickfix"},
+                {"isPreferred", isPreferred},
+                {"edit", {{"changes", {{document_.uri, Json::array({edit})}}}}}};
+    if (std::ranges::find(list_, action) == list_.end()) list_.push_back(std::move(action));
+  }
+
+  const Document& document_;
+  const Analysis& analysis_;
+  TextMap map_;
+  dsl::Span wanted_;
+  std::vector<dsl::TextEdit> edits_;  ///< those of `af2 check --fix`
+  Json list_ = Json::array();
+};
+
+bool wantsQuickFixes(const Json& params) {
+  const Json context = params.value("context", Json::object());
+  if (!context.contains("only") || !context["only"].is_array()) return true;
+  return std::ranges::any_of(context["only"],
+                             [](const Json& kind) { return kind == "quickfix" || kind == ""; });
+}
+
+std::optional<Json> codeActions(Session& session, const Json&, const Json& params) {
+  if (!wantsQuickFixes(params)) return Json::array();
+  const auto document = session.documentOf(params);
+  const auto analysis = session.analysis(*document);
+  const dsl::Span wanted = session.map(document->text).span(params.at("range"));
+  ActionList list(session, *document, *analysis, wanted);
+  for (const Diagnostic& d : analysis->loaded.diagnostics) list.add(d, false);
+  for (const Diagnostic& d : document->checked) list.add(d, true);
+  return list.take();
+}
+
+constexpr std::array kMethods{Method{"textDocument/codeAction", codeActions}};
+
+}  // namespace
+
+std::span<const Method> actionMethods() { return kMethods; }
+
+}  // namespace af2::lsp

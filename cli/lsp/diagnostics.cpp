@@ -1,0 +1,201 @@
+// textDocument/publishDiagnostics: what the text tells at once, and what the checks find later.
+#include <algorithm>
+#include <set>
+
+#include "cli/lsp/server.h"
+#include "cli/lsp/uri.h"
+#include "dsl/checks/coverage.h"
+#include "dsl/checks/match_diagnostics.h"
+
+namespace af2::lsp {
+namespace {
+
+using dsl::Diagnostic;
+
+enum SeverityCode { kError = 1, kWarning = 2 };
+
+std::string messageOf(const Diagnostic& d) {
+  std::string text = d.message;
+  if (!d.label.empty()) text += ": " + d.label;
+  for (const dsl::DiagnosticNote& note : d.notes)
+    if (!note.place) text += "\nnote: " + note.message;
+  if (!d.help.empty()) text += "\nhelp: " + d.help;
+  return text;
+}
+
+/// Turns the findings about one document into what the protocol wants.
+class Writer {
+ public:
+  Writer(const Session& session, const Document& document, const Analysis& analysis)
+      : session_(session),
+        document_(document),
+        analysis_(analysis),
+        map_(session.map(document.text)) {}
+
+  void add(const Diagnostic& d) {
+    if (d.place.file != analysis_.main().source.name()) return addImported(d);
+    Json json{{"range", rangeOf(d.place)},
+              {"severity", severityOf(d)},
+              {"code", "AF2-" + d.code},
+              {"source", "af2"},
+              {"message", messageOf(d)}};
+    Json related = Json::array();
+    for (const dsl::DiagnosticNote& note : d.notes)
+      if (note.place) addRelated(related, *note.place, note.message);
+    if (!related.empty()) json["relatedInformation"] = std::move(related);
+    const bool isUnused = d.code == "A2" && d.message.ends_with("is never used");
+    if (isUnused) json["tags"] = {1};  // shown faded
+    json["data"] = {{"help", d.help}};
+    if (!d.rule.empty()) json["data"]["rule"] = d.rule;
+    for (const dsl::DiagnosticNote& note : d.notes)
+      if (note.message.starts_with("test \"")) json["data"]["test"] = note.message;
+    list_.push_back(std::move(json));
+  }
+
+  Json take() {
+    for (Json& json : imported_) list_.push_back(std::move(json));
+    return std::move(list_);
+  }
+
+ private:
+  static int severityOf(const Diagnostic& d) {
+    return d.severity == dsl::Severity::Warning ? kWarning : kError;
+  }
+
+  Json rangeOf(const dsl::DiagnosticPlace& place) const {
+    const dsl::SourceText& source = analysis_.main().source;
+    if (place.line == 0) return map_.range(nameOfRuleSet());
+    dsl::Span span{source.offsetOf({place.line, place.column}),
+                   source.offsetOf({place.endLine, place.endColumn})};
+    if (span.end <= span.begin) span.end = std::min(span.begin + 1, sizeOf(source));
+    return map_.range(span);
+  }
+
+  static std::uint32_t sizeOf(const dsl::SourceText& source) {
+    return static_cast<std::uint32_t>(source.text().size());
+  }
+
+  dsl::Span nameOfRuleSet() const {
+    for (const dsl::Symbol& s : analysis_.symbols.symbols())
+      if (s.kind == dsl::SymbolKind::RuleSet && s.home == &analysis_.main()) return s.definition;
+    return {};
+  }
+
+  void addRelated(Json& list, const dsl::DiagnosticPlace& place, const std::string& message) const {
+    for (const auto& module : analysis_.loaded.file->modules) {
+      if (module->source.name() != place.file) continue;
+      const std::string uri = session_.uriOfModule(document_, analysis_, *module);
+      if (uri.empty() || place.line == 0) return;
+      const dsl::SourceText& source = module->source;
+      const dsl::Span span{source.offsetOf({place.line, place.column}),
+                           source.offsetOf({place.endLine, place.endColumn})};
+      const Json range = session_.map(source.text()).range(span);
+      list.push_back({{"location", {{"uri", uri}, {"range", range}}}, {"message", message}});
+      return;
+    }
+  }
+
+  static bool reaches(const dsl::Module& from, const std::string& file,
+                      std::set<const dsl::Module*>& seen) {
+    if (!seen.insert(&from).second) return false;
+    if (from.source.name() == file) return true;
+    return std::ranges::any_of(from.imports, [&](const auto& import) {
+      return import.second && reaches(*import.second, file, seen);
+    });
+  }
+
+  /// What is wrong with an imported file is told where it is imported, once for each import.
+  void addImported(const Diagnostic& d) {
+    if (d.severity != dsl::Severity::Error) return;
+    for (const dsl::Symbol& s : analysis_.symbols.symbols()) {
+      std::set<const dsl::Module*> seen;
+      const bool isFrom = s.kind == dsl::SymbolKind::Import && s.home == &analysis_.main() &&
+                          s.target && reaches(*s.target, d.place.file, seen);
+      if (!isFrom) continue;
+      const Json range = map_.range(s.whole);
+      if (std::ranges::any_of(imported_, [&](const Json& j) { return j["range"] == range; }))
+        return;
+      Json related = Json::array();
+      addRelated(related, d.place, d.message);
+      imported_.push_back({{"range", range},
+                           {"severity", kError},
+                           {"code", "AF2-" + d.code},
+                           {"source", "af2"},
+                           {"message", "the imported file has errors: " + d.place.file + ":" +
+                                           std::to_string(d.place.line) + ": " + d.message},
+                           {"relatedInformation", std::move(related)}});
+      return;
+    }
+  }
+
+  const Session& session_;
+  const Document& document_;
+  const Analysis& analysis_;
+  TextMap map_;
+  Json list_ = Json::array();
+  std::vector<Json> imported_;
+};
+
+void publish(const Session& session, const Document& document, const Analysis& analysis,
+             const std::vector<Diagnostic>& more) {
+  Writer writer(session, document, analysis);
+  for (const Diagnostic& d : analysis.loaded.diagnostics) writer.add(d);
+  for (const Diagnostic& d : more) writer.add(d);
+  Json list = writer.take();
+  for (const Json& failure : document.testFailures) list.push_back(failure);
+  Json params{{"uri", document.uri}, {"diagnostics", std::move(list)}};
+  if (document.version) params["version"] = *document.version;
+  session.notify("textDocument/publishDiagnostics", std::move(params));
+}
+
+std::vector<Diagnostic> slowChecks(const Analysis& analysis, const std::atomic<bool>& isCancelled) {
+  dsl::SamplingOptions options;
+  options.isCancelled = [&isCancelled] { return isCancelled.load(); };
+  const RuleSet& rules = *analysis.soundRules();
+  auto found = dsl::diagnosticsOf(analysis.loaded, dsl::runSampledChecks(rules, options));
+  if (isCancelled) return found;
+  if (!analysis.loaded.rules) {
+    // Which rule is chosen, and what none takes, shows only where no rule is missing.
+    std::erase_if(found, [](const Diagnostic& d) { return d.code == "D3"; });
+    return found;
+  }
+  for (Diagnostic& d : dsl::diagnosticsOf(analysis.loaded, dsl::measureCoverage(rules)))
+    found.push_back(std::move(d));
+  return found;
+}
+
+/// Starts them anew; whatever was underway for the same document is dropped.
+void startChecks(Session& session, const std::shared_ptr<Document>& document) {
+  const auto analysis = document->analysis;
+  if (!session.client.checks || !analysis->soundRules()) return;
+  session.checks().start(
+      {document->uri, session.client.checkDelay,
+       [&session, document, analysis](const std::atomic<bool>& isCancelled) -> Continuation {
+         auto found = slowChecks(*analysis, isCancelled);
+         return [&session, document, analysis, found = std::move(found)] {
+           const bool isStale =
+               document->analysis != analysis || session.findOpen(document->uri) != document;
+           if (isStale) return;
+           document->checked = found;
+           publish(session, *document, *analysis, found);
+         };
+       }});
+}
+
+}  // namespace
+
+void sendDiagnostics(Session& session) {
+  for (const auto& document : session.openDocuments()) {
+    if (!document->isChanged) continue;
+    document->isChanged = false;
+    const auto analysis = session.analysis(*document);
+    if (document->checking != analysis) {
+      document->checking = analysis;
+      document->checked.clear();
+      startChecks(session, document);
+    }
+    publish(session, *document, *analysis, document->checked);
+  }
+}
+
+}  // namespace af2::lsp

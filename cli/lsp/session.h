@@ -1,0 +1,102 @@
+// One conversation with an editor: its files, what it can do, and how to talk to it.
+#pragma once
+
+#include <chrono>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "cli/lsp/background.h"
+#include "cli/lsp/document.h"
+#include "cli/lsp/json_rpc.h"
+
+namespace af2::lsp {
+
+/// What the editor said of itself, and what its user has set.
+struct Client {
+  Encoding encoding = Encoding::Utf16;
+  bool readsMarkdown = true, showsPictures = true;
+  bool takesSnippets = false, showsFiles = false, takesTitledActions = true;
+  bool nestsSymbols = false, refreshesLenses = false, watchesFiles = false;
+  std::vector<std::filesystem::path> folders;  ///< of the workspace
+
+  bool checks = true;  ///< look at many matches of each rule, in pauses
+  std::chrono::milliseconds checkDelay{400};
+  bool takesPictures = false;  ///< af2.draw returns the picture and opens nothing itself
+};
+
+/// Where files of rules are, and how the program calls itself.
+struct Surroundings {
+  std::string version;
+  std::vector<std::filesystem::path> rules;  ///< where imports are looked for
+  std::filesystem::path drawings;            ///< folder for pictures that an editor is to open
+};
+
+/// A place in a document that a request is about.
+struct Place {
+  std::shared_ptr<const Document> document;
+  std::shared_ptr<const Analysis> analysis;
+  std::uint32_t offset = 0;
+};
+
+class Session {
+ public:
+  using Send = std::function<void(const Json&)>;
+  Session(Surroundings surroundings, Send send, Background& checks, Background& commands);
+
+  Client client;
+  const Surroundings& surroundings() const { return surroundings_; }
+  Background& checks() { return checks_; }
+  Background& commands() { return commands_; }
+
+  // ---- documents ------------------------------------------------------------------------------
+  void open(Document document);
+  void close(const std::string& uri);
+  /// Null if it is not open.
+  std::shared_ptr<Document> findOpen(const std::string& uri) const;
+  std::shared_ptr<Document> findOpenFile(const std::string& path) const;
+  /// An open document, or one read from the disk. Throws RequestError if there is none.
+  std::shared_ptr<Document> document(const std::string& uri) const;
+  std::shared_ptr<Document> documentOf(const Json& params) const;
+  std::vector<std::shared_ptr<Document>> openDocuments() const;
+
+  std::shared_ptr<const Analysis> analysis(Document& document) const;
+  /// All that depends on a file is looked at anew; an empty path stands for every file.
+  void forget(const std::string& canonicalPath);
+
+  Place placeOf(const Json& params) const;
+
+  // ---- places ---------------------------------------------------------------------------------
+  TextMap map(std::string_view text) const { return TextMap(text, client.encoding); }
+  /// The URI of a file that an analysis has read: that of the editor if it has it open. Empty for
+  /// files that are built into AF2.
+  std::string uriOfModule(const Document& document, const Analysis& analysis,
+                          const dsl::Module& module) const;
+
+  // ---- talking --------------------------------------------------------------------------------
+  void notify(const std::string& method, Json params) const;
+  /// A request to the editor, whose answer is not waited for.
+  void ask(const std::string& method, Json params);
+  void respond(const Json& id, Json result) const { send_(makeResult(id, std::move(result))); }
+  void fail(const Json& id, ErrorCode code, const std::string& message) const {
+    send_(makeError(id, code, message));
+  }
+  /// Shows a line to the user: 1 error, 2 warning, 3 information.
+  void show(int type, const std::string& message) const;
+
+ private:
+  std::optional<std::string> unsavedText(const std::filesystem::path& path) const;
+
+  Surroundings surroundings_;
+  Send send_;
+  Background& checks_;
+  Background& commands_;
+  std::map<std::string, std::shared_ptr<Document>> documents_;  ///< by URI
+  std::map<std::string, std::string> uriByPath_;                ///< of open documents
+  int nextRequest_ = 1;
+};
+
+}  // namespace af2::lsp
