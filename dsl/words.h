@@ -35,5 +35,4 @@ std::string helpAmong(std::string_view written, const std::vector<std::string>& 
 /// "did you mean 'x'?" or nothing.
 std::string didYouMean(std::string_view written, const std::vector<std::string>& known);
 
-
 }  // namespace af2::dsl

@@ -14,8 +14,7 @@ constexpr std::array kKeywords{
     WordHelp{"def", "def f(p, q) = mid(p, q);", "A function of one's own."},
     WordHelp{"metric", "metric m(weight, u, v, w) = ...;",
              "A measure of elements: 0 for the ideal one; the corners come last."},
-    WordHelp{"ruleset", "ruleset \"name\" { ... }",
-             "The settings that all rules of a file share."},
+    WordHelp{"ruleset", "ruleset \"name\" { ... }", "The settings that all rules of a file share."},
     WordHelp{"rule", "rule \"title\" quality 1 { ... }",
              "Where the front looks like the pattern and the free zone is empty, put these "
              "elements."},

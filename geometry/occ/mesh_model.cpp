@@ -7,7 +7,6 @@
 #include "engine/error.h"
 #include "engine/stopwatch.h"
 #include "geometry/narrow_places.h"
-#include "geometry/occ/assembly.h"
 #include "geometry/occ/edge_division.h"
 #include "geometry/occ/face_area.h"
 #include "geometry/occ/face_mesher.h"

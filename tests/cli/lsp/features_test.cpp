@@ -162,8 +162,8 @@ TEST(LspReferences, FindDefinitionAndUses) {
   Conversation c;
   const Json all = c.requestAt("textDocument/references", at("c = s"),
                                {{"context", {{"includeDeclaration", true}}}});
-  EXPECT_EQ(all.size(),
-            7U);  // front, at, let, zone twice, tri, mirror, with ... of this rule alone
+  // front, at, new, zone twice, tri, mirror, with: of this rule alone
+  EXPECT_EQ(all.size(), 8U);
   const Json uses = c.requestAt("textDocument/references", at("H);"),
                                 {{"context", {{"includeDeclaration", false}}}});
   EXPECT_EQ(uses.size(), 1U);

@@ -99,7 +99,9 @@ TEST(SymbolIndex, KnowsNamesByTheBlockTheyStandIn) {
 TEST(SymbolIndex, KnowsWhichTestsNameARule) {
   const Indexed text(kText);
   for (std::size_t i = 0; i < text.index().symbols().size(); ++i)
-    if (text.index()[i].name == "sharp") EXPECT_EQ(text.index().testsOf(i).size(), 2U);
+    if (text.index()[i].name == "sharp") {
+      EXPECT_EQ(text.index().testsOf(i).size(), 2U);
+    }
 }
 
 TEST(SymbolIndex, KeepsWhatCouldBeRead) {
