@@ -1,6 +1,7 @@
 #include "engine/edge_collapse.h"
 
 #include <array>
+#include <cstdint>
 #include <vector>
 
 #include "engine/element_shape.h"
@@ -17,12 +18,16 @@ constexpr double kClearGain = 0.8;
 
 class Collapser {
  public:
-  explicit Collapser(MeshTopology& topology) : topology_(topology) {}
+  explicit Collapser(MeshTopology& topology)
+      : topology_(topology), mayBeBad_(topology.mesh().vertices.size(), 0) {
+    for (std::size_t e = 0; e < topology.mesh().elements.size(); ++e) look(e);
+  }
 
   bool tryCollapse(VertexId v) {
+    const bool hasFew = topology_.valence(v) <= kFewTriangles;
+    if (!hasFew && !mayBeBad_[v.value]) return false;
     if (topology_.valence(v) == 0 || !collectStar(v)) return false;
     const double before = worstBefore();
-    const bool hasFew = topology_.valence(v) <= kFewTriangles;
     if (!hasFew && before < kBadDistortion) return false;
 
     Corner best;
@@ -36,10 +41,22 @@ class Collapser {
         bestWorst < kClearGain * before || (hasFew && bestWorst < kFairDistortion);
     if (best.isNone() || !isWorthwhile) return false;
     topology_.collapse(best);
+    for (Corner c : star_)
+      if (!topology_.isDead(c.element())) look(c.element());
     return true;
   }
 
  private:
+  /// Marks the vertices of a bad triangle. Seen from another corner its distortion may differ in
+  /// the last bits.
+  void look(std::size_t e) {
+    constexpr double kRounding = 1e-9;
+    const auto corners = topology_.mesh().elements[e].vertices();
+    if (topology_.isDead(e) || corners.size() != 3) return;
+    if (distortion(corners[0], corners[1], corners[2]) < (1 - kRounding) * kBadDistortion) return;
+    for (VertexId v : corners) mayBeBad_[v.value] = 1;
+  }
+
   const SurfacePoint& at(VertexId v) const { return topology_.mesh().vertices[v.value]; }
   VertexId endOf(Corner side) const { return topology_.vertexAt(topology_.next(side)); }
 
@@ -96,6 +113,7 @@ class Collapser {
 
   MeshTopology& topology_;
   std::vector<Corner> star_;
+  std::vector<std::uint8_t> mayBeBad_;  ///< by vertex: a triangle there is bad or was
 };
 
 }  // namespace

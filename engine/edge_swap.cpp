@@ -20,21 +20,41 @@ double angleAt(const SurfacePoint& corner, const SurfacePoint& ahead, const Surf
 class Swapper {
  public:
   Swapper(MeshTopology& topology, SwapGoal goal, const std::vector<std::uint8_t>& wantedAtFixed)
-      : topology_(topology), goal_(goal), wantedAtFixed_(wantedAtFixed) {}
+      : topology_(topology), goal_(goal), wantedAtFixed_(wantedAtFixed) {
+    const std::size_t elements = goal == SwapGoal::Shape ? topology.mesh().elements.size() : 0;
+    isGood_.resize(elements);
+    for (std::size_t e = 0; e < elements; ++e) look(e);
+  }
 
   bool trySwap(Corner side) {
     const Corner other = topology_.across(side);
-    if (other.isNone() || topology_.sizeOf(side) != 3 || topology_.sizeOf(other) != 3) return false;
+    if (other.isNone()) return false;
+    if (goal_ == SwapGoal::Shape && isGood_[side.element()] && isGood_[other.element()])
+      return false;
+    if (topology_.sizeOf(side) != 3 || topology_.sizeOf(other) != 3) return false;
     const VertexId a = topology_.vertexAt(side), b = topology_.vertexAt(topology_.next(side));
     const VertexId c = topology_.vertexAt(topology_.previous(side));
     const VertexId d = topology_.vertexAt(topology_.previous(other));
     if (topology_.valence(a) <= fewest(a) || topology_.valence(b) <= fewest(b)) return false;
     if (!isWorthwhile(a, b, c, d) || topology_.areJoined(c, d)) return false;
     topology_.swap(side);
+    if (goal_ == SwapGoal::Shape) {
+      look(side.element());
+      look(other.element());
+    }
     return true;
   }
 
  private:
+  /// Notes whether a triangle is too good to be swapped. Seen from another corner its distortion
+  /// may differ in the last bits.
+  void look(std::size_t e) {
+    constexpr double kRounding = 1e-9;
+    const auto corners = topology_.mesh().elements[e].vertices();
+    isGood_[e] = !topology_.isDead(e) && corners.size() == 3 &&
+                 distortion(corners[0], corners[1], corners[2]) < (1 - kRounding) * kBest;
+  }
+
   int fewest(VertexId v) const { return topology_.isFixed(v) ? 1 : 3; }
   int defect(VertexId v, int change) const {
     const int wanted = topology_.isFixed(v) ? wantedAtFixed_[v.value] : kWantedInside;
@@ -69,6 +89,7 @@ class Swapper {
   MeshTopology& topology_;
   SwapGoal goal_;
   const std::vector<std::uint8_t>& wantedAtFixed_;
+  std::vector<std::uint8_t> isGood_;  ///< by element, for the sake of shape alone
 };
 
 }  // namespace

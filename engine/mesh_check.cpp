@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace af2 {
 namespace {
@@ -11,38 +12,43 @@ using Edge = std::pair<VertexId, VertexId>;
 /// The directed edges of a mesh in groups by their first vertex: linear to make, short to search.
 class EdgeTable {
  public:
-  struct Entry {
-    VertexId to;
-    ElementId element;
-  };
-
-  void add(VertexId from, VertexId to, ElementId element) {
-    added_.push_back({{from, to}, element});
-  }
-
-  void sort(std::size_t vertexCount) {
-    first_.assign(vertexCount + 2, 0);
-    for (const auto& [edge, element] : added_) ++first_[edge.first.value + 2];
+  /// bad  elements to leave out, in order
+  void make(const Mesh& mesh, const std::vector<ElementId>& bad) {
+    first_.assign(mesh.vertices.size() + 2, 0);
+    forEachEdge(mesh, bad, [&](VertexId from, VertexId, ElementId) { ++first_[from.value + 2]; });
     for (std::size_t v = 2; v < first_.size(); ++v) first_[v] += first_[v - 1];
-    entries_.resize(added_.size());
-    for (const auto& [edge, element] : added_)
-      entries_[first_[edge.first.value + 1]++] = {edge.second, element};
-    added_ = {};
+    ends_.resize(first_.back());
+    forEachEdge(mesh, bad, [&](VertexId from, VertexId to, ElementId) {
+      ends_[first_[from.value + 1]++] = to;
+    });
   }
 
-  std::span<const Entry> from(VertexId v) const {
-    return {entries_.data() + first_[v.value], first_[v.value + 1] - first_[v.value]};
+  std::span<const VertexId> endsFrom(VertexId v) const {
+    return {ends_.data() + first_[v.value], first_[v.value + 1] - first_[v.value]};
   }
   std::size_t count(VertexId from, VertexId to) const {
     std::size_t n = 0;
-    for (const Entry& e : this->from(from)) n += e.to == to;
+    for (VertexId end : endsFrom(from)) n += end == to;
     return n;
   }
 
+  template <class Visit>
+  static void forEachEdge(const Mesh& mesh, const std::vector<ElementId>& bad, Visit&& visit) {
+    auto nextBad = bad.begin();
+    for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
+      if (nextBad != bad.end() && nextBad->value == e) {
+        ++nextBad;
+        continue;
+      }
+      const auto corners = mesh.elements[e].vertices();
+      for (std::size_t i = 0; i < corners.size(); ++i)
+        visit(corners[i], corners[i + 1 == corners.size() ? 0 : i + 1], ElementId(e));
+    }
+  }
+
  private:
-  std::vector<std::pair<Edge, ElementId>> added_;
   std::vector<std::uint32_t> first_;
-  std::vector<Entry> entries_;
+  std::vector<VertexId> ends_;
 };
 
 class Checker {
@@ -51,11 +57,12 @@ class Checker {
 
   std::vector<MeshFault> check() {
     for (std::size_t i = 0; i < mesh_.elements.size(); ++i) checkElement(ElementId(i));
-    edges_.sort(mesh_.vertices.size());
+    edges_.make(mesh_, bad_);
     for (std::size_t v = 0; v < mesh_.vertices.size(); ++v) checkVertex(VertexId(v));
     for (const Edge& e : boundary_.edges)
       if (edges_.count(e.first, e.second) == 0)
         add(MeshFault::Kind::BoundaryNotKept, {}, e.first, e.second);
+    nameElements();
     return std::move(faults_);
   }
 
@@ -70,10 +77,9 @@ class Checker {
       if (v.value < mesh_.vertices.size() && std::count(corners.begin(), corners.end(), v) == 1)
         continue;
       add(MeshFault::Kind::BadElement, id, v);
+      bad_.push_back(id);
       return;
     }
-    for (std::size_t i = 0; i < corners.size(); ++i)
-      edges_.add(corners[i], corners[i + 1 == corners.size() ? 0 : i + 1], id);
     if (!facesTheNormals(corners)) add(MeshFault::Kind::Inverted, id);
   }
 
@@ -93,24 +99,50 @@ class Checker {
   }
 
   void checkVertex(VertexId v) {
-    const auto outgoing = edges_.from(v);
-    if (outgoing.empty()) add(MeshFault::Kind::UnusedVertex, {}, v);
-    for (std::size_t i = 0; i < outgoing.size(); ++i) {
-      const auto [to, element] = outgoing[i];
-      for (std::size_t j = 0; j < i; ++j)
-        if (outgoing[j].to == to) add(MeshFault::Kind::OverlappingEdge, element, v, to);
+    const auto ends = edges_.endsFrom(v);
+    if (ends.empty()) add(MeshFault::Kind::UnusedVertex, {}, v);
+    for (std::size_t i = 0; i < ends.size(); ++i) {
+      const VertexId to = ends[i];
+      const auto before = static_cast<std::size_t>(
+          std::count(ends.begin(), ends.begin() + static_cast<std::ptrdiff_t>(i), to));
+      for (std::size_t k = 0; k < before; ++k)
+        addAt(MeshFault::Kind::OverlappingEdge, v, to, before);
       const bool hasPartner = edges_.count(to, v) > 0;
       const bool isGiven = boundary_.contains(v, to);
-      if (!hasPartner && !isGiven) add(MeshFault::Kind::OpenEdge, element, v, to);
+      if (!hasPartner && !isGiven) addAt(MeshFault::Kind::OpenEdge, v, to, before);
       if (hasPartner && isGiven && !boundary_.contains(to, v))
-        add(MeshFault::Kind::BoundaryNotKept, element, v, to);
+        addAt(MeshFault::Kind::BoundaryNotKept, v, to, before);
     }
   }
+
+  /// A fault at the element that uses the edge v -> to after `before` others that do.
+  void addAt(MeshFault::Kind kind, VertexId v, VertexId to, std::size_t before) {
+    unnamed_.push_back({faults_.size(), before});
+    add(kind, {}, v, to);
+  }
+
+  /// Faults are rare: what elements they lie at is found in one more walk, not kept for all edges.
+  void nameElements() {
+    if (unnamed_.empty()) return;
+    std::map<Edge, std::vector<ElementId>> users;
+    for (const Unnamed& u : unnamed_) users[{faults_[u.fault].from, faults_[u.fault].to}];
+    EdgeTable::forEachEdge(mesh_, bad_, [&](VertexId from, VertexId to, ElementId id) {
+      if (const auto at = users.find({from, to}); at != users.end()) at->second.push_back(id);
+    });
+    for (const Unnamed& u : unnamed_)
+      faults_[u.fault].element = users[{faults_[u.fault].from, faults_[u.fault].to}][u.before];
+  }
+
+  struct Unnamed {
+    std::size_t fault, before;
+  };
 
   const Mesh& mesh_;
   const MeshBoundary& boundary_;
   EdgeTable edges_;
+  std::vector<ElementId> bad_;  ///< elements that have no edges to speak of
   std::vector<MeshFault> faults_;
+  std::vector<Unnamed> unnamed_;
 };
 
 const char* toString(MeshFault::Kind kind) {

@@ -32,11 +32,12 @@ class MeshTopology {
   const Mesh& mesh() const { return mesh_; }
   VertexId vertexAt(Corner c) const { return mesh_.elements[c.element()].corners[c.index()]; }
   Corner next(Corner c) const {
-    return {c.element(), (c.index() + 1) % static_cast<std::size_t>(sizeOf(c))};
+    const std::size_t i = c.index() + 1;
+    return {c.element(), i == static_cast<std::size_t>(sizeOf(c)) ? 0 : i};
   }
   Corner previous(Corner c) const {
-    const auto n = static_cast<std::size_t>(sizeOf(c));
-    return {c.element(), (c.index() + n - 1) % n};
+    const std::size_t i = c.index();
+    return {c.element(), (i == 0 ? static_cast<std::size_t>(sizeOf(c)) : i) - 1};
   }
   int sizeOf(Corner c) const { return mesh_.elements[c.element()].size(); }
   /// The same side seen from the other element, where it runs the other way; none at the rim.

@@ -53,18 +53,18 @@ double energyAt(std::span<const DistortionTerm> terms, Point2 x) {
   return energy;
 }
 
-Energy derivativesAt(std::span<const DistortionTerm> terms, Point2 x) {
+/// The same with derivatives, at the origin.
+Energy derivativesOf(std::span<const DistortionTerm> terms) {
   Energy e;
   for (const DistortionTerm& t : terms) {
-    const double area = dot(t.a, x) + t.a0;
-    if (!(area > 0)) {
+    if (!(t.a0 > 0)) {
       e.value = INFINITY;
       return e;
     }
-    const double inverse = 1 / area;
-    const double ratio = (t.count * dot(x, x) - 2 * dot(t.sum, x) + t.fixed) * inverse;
-    const double gx = (2 * (t.count * x.x - t.sum.x) - ratio * t.a.x) * inverse;
-    const double gy = (2 * (t.count * x.y - t.sum.y) - ratio * t.a.y) * inverse;
+    const double inverse = 1 / t.a0;
+    const double ratio = t.fixed * inverse;
+    const double gx = (-2 * t.sum.x - ratio * t.a.x) * inverse;
+    const double gy = (-2 * t.sum.y - ratio * t.a.y) * inverse;
     const double hxx = (2 * t.count - 2 * gx * t.a.x) * inverse;
     const double hyy = (2 * t.count - 2 * gy * t.a.y) * inverse;
     const double hxy = -(gx * t.a.y + gy * t.a.x) * inverse;
@@ -82,7 +82,7 @@ Energy derivativesAt(std::span<const DistortionTerm> terms, Point2 x) {
 /// A step of Newton's method from the origin, shortened until it lowers the energy; (0, 0): none.
 Point2 improvedPosition(std::span<const DistortionTerm> terms, double reach) {
   constexpr int kHalvings = 4;
-  const Energy e = derivativesAt(terms, {0, 0});
+  const Energy e = derivativesOf(terms);
   if (!std::isfinite(e.value)) return {};
   const double det = e.xx * e.yy - e.xy * e.xy;
   Point2 step;
@@ -172,13 +172,13 @@ bool VertexSmoother::moveInChart(VertexId v, const StepChart& chart) {
 
 bool VertexSmoother::makeTerms(const StepChart& chart) {
   terms_.clear();
-  reach_ = INFINITY;
+  double shortest = INFINITY;  // squared
   // Going round, what is behind in one element is ahead in the next.
   ChartPoint ahead = chart.project(at(topology_.next(star_.front())));
   for (Corner c : star_) {
     const ChartPoint behind = chart.project(at(topology_.previous(c)));
     if (behind.view == ChartView::Hidden) return false;
-    reach_ = std::min(reach_, length(ahead.position));
+    shortest = std::min(shortest, dot(ahead.position, ahead.position));
     if (topology_.sizeOf(c) == 3) {
       terms_.push_back(triangleTerm(ahead.position, behind.position));
     } else {
@@ -189,6 +189,7 @@ bool VertexSmoother::makeTerms(const StepChart& chart) {
     }
     ahead = behind;
   }
+  reach_ = std::sqrt(shortest);
   return true;
 }
 
