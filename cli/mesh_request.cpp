@@ -21,8 +21,8 @@ void checkReadable(const fs::path& model) {
   const fs::file_status status = fs::status(model, ignored);
   if (!fs::exists(status)) throw InputError(fmt::format("there is no file '{}'", model.string()));
   if (fs::is_directory(status)) {
-    throw InputError(
-        fmt::format("'{}' is a directory; give a STEP, IGES, BREP or .poly file", model.string()));
+    throw InputError(fmt::format(
+        "'{}' is a directory; give a STEP, IGES, BREP, .poly, STL or OBJ file", model.string()));
   }
 }
 
@@ -69,7 +69,9 @@ std::string outputHelp() {
 }  // namespace
 
 void declareMeshOptions(CLI::App& command, MeshOptions& options) {
-  command.add_option("model", options.model, "STEP, IGES or BREP file, or a .poly file (planar)")
+  command
+      .add_option("model", options.model,
+                  "STEP, IGES or BREP file, a .poly file (planar), an STL or OBJ file")
       ->required();
   declareSizeOptions(command, options.sizes);
   command
@@ -81,6 +83,8 @@ void declareMeshOptions(CLI::App& command, MeshOptions& options) {
                      "file (JSON) with the vertices along edges that are divided already");
   command.add_flag("--keep-boundary", options.keepBoundary,
                    "take the segments of a .poly file as they are");
+  command.add_option("--feature-angle", options.featureAngle,
+                     "of an STL or OBJ file: edges that turn by more degrees are kept, default 40");
   command.add_option("-j,--threads", options.threads,
                      "threads to use; the mesh does not depend on it");
   command.add_option("--order", options.order,
@@ -91,6 +95,23 @@ void declareMeshOptions(CLI::App& command, MeshOptions& options) {
 }
 
 bool MeshRequest::isPlanar() const { return model.extension() == ".poly"; }
+
+bool MeshRequest::isFaceted() const {
+  std::string extension = model.extension().string();
+  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return extension == ".stl" || extension == ".obj";
+}
+
+/// What only CAD models have.
+void checkFaceted(const MeshOptions& options, const MeshRequest& request) {
+  const SizeRequest& sizes = request.sizes;
+  if (!(sizes.faceSizes.empty() && sizes.edgeSizes.empty() && sizes.file.parts.empty()))
+    throw UsageError(
+        "the faces of an STL or OBJ file have no sizes of their own; use --sizes with "
+        "points, boxes or fields");
+  if (sizes.elementsAcross > 0 || !options.boundary.empty() || options.order != 1)
+    throw UsageError("an STL or OBJ file takes no --proximity, --boundary or --order 2");
+}
 
 MeshRequest checkedRequest(const MeshOptions& options) {
   MeshRequest request;
@@ -116,6 +137,14 @@ MeshRequest checkedRequest(const MeshOptions& options) {
   }
   if (!request.isPlanar() && options.keepBoundary) {
     throw UsageError("--keep-boundary is for .poly files; a CAD model takes --boundary FILE");
+  }
+  if (request.isFaceted()) checkFaceted(options, request);
+  if (!options.featureAngle.empty()) {
+    if (!request.isFaceted()) throw UsageError("--feature-angle is for STL and OBJ files");
+    request.featureAngle = parseSize("--feature-angle", options.featureAngle);
+    if (request.featureAngle >= 180)
+      throw UsageError(
+          fmt::format("--feature-angle {}: give degrees below 180", options.featureAngle));
   }
   request.keepBoundary = options.keepBoundary;
   checkOutputs(request);

@@ -17,7 +17,7 @@ struct MeshOptions {
   SizeOptions sizes;
   std::vector<std::string> outputs;
   int threads = 0, order = 1;
-  std::string boundary;
+  std::string boundary, featureAngle;
   bool quiet = false, rawFront = false, keepBoundary = false;
 };
 
@@ -33,7 +33,10 @@ struct MeshRequest {
   geometry::EdgePoints edgePoints;  ///< edges that are divided already
   bool quiet = false, optimize = true, keepBoundary = false;
 
-  bool isPlanar() const;  ///< whether the model is a .poly file
+  double featureAngle = 40;  ///< in degrees
+
+  bool isPlanar() const;   ///< whether the model is a .poly file
+  bool isFaceted() const;  ///< whether the model is an .stl or .obj file
 };
 
 /// Throws UsageError for options that make no sense or files that cannot be written, InputError for

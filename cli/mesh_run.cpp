@@ -9,6 +9,7 @@ geometry::ModelMesh runMesh(const MeshRequest& request, std::shared_ptr<const Ru
                             const RunControl& control) {
   const AF2Algorithm algorithm(std::move(rules));
   if (request.isPlanar()) return runPlanar(request, algorithm, control);
+  if (request.isFaceted()) return runFaceted(request, algorithm, control);
 #if AF2_HAVE_OCC
   return runCad(request, algorithm, control);
 #else

@@ -9,6 +9,8 @@ namespace af2::cli {
 
 geometry::ModelMesh runPlanar(const MeshRequest& request, const AF2Algorithm& algorithm,
                               const RunControl& control);
+geometry::ModelMesh runFaceted(const MeshRequest& request, const AF2Algorithm& algorithm,
+                               const RunControl& control);
 geometry::ModelMesh runCad(const MeshRequest& request, const AF2Algorithm& algorithm,
                            const RunControl& control);
 

@@ -25,6 +25,9 @@ usage "$af2" mesh "$cylinder" --size 1 --grading 0; told '--grading'
 unusable "$af2" mesh "$cylinder" --size 1 --sizes nothing.json; told 'nothing.json'
 echo '{"parts": {"nowhere": 1}}' >sizes.json
 unusable "$af2" mesh "$cylinder" --size 1 --sizes sizes.json; told "no face or group has such a name"
+usage "$af2" mesh "$cylinder" --size 1 --feature-angle 20; told 'STL and OBJ'
+echo 'v 0 0 x' >bad.obj
+unusable "$af2" mesh bad.obj --size 1; told "'x' is no number"
 usage "$af2" mesh "$cylinder" --size 1 --order 3; told 'order 1 or 2'
 usage "$af2" mesh "$cylinder" --size 1 --order 2 -o a.stl; told 'cannot hold elements of order 2'
 usage "$af2" mesh "$cylinder" --size 1 --threads -1; told '--threads'

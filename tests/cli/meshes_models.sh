@@ -38,6 +38,10 @@ expect 0 "$af2" mesh "$models/cylinder.step" --size 1 --order 2 -o second.vtu -o
 [ "$(json second.json vertices)" -gt "$(json cylinder.json vertices)" ] || fail "--order did nothing"
 [ "$(json second.json groups 0 kind)" = solid ] || [ "$(json second.json groups 0 kind)" = part ] || fail "no groups"
 
+expect 0 "$af2" mesh "$models/brickhole.step" --size 1 -o brick.stl --quiet
+expect 0 "$af2" mesh brick.stl --size 2 --feature-angle 30 -o again.vtu --report again.json
+[ "$(json again.json status)" = complete ] || fail "an STL file is not meshed"
+
 expect 0 "$af2" mesh "$models/cylinder.step" --size 1 --quiet
 [ ! -s out ] && [ ! -s err ] || fail "--quiet printed something"
 

@@ -1,0 +1,284 @@
+#include "geometry/faceted/patches.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <set>
+
+#include "engine/error.h"
+#include "geometry/box_tree.h"
+
+namespace af2::geometry {
+namespace {
+
+using Edge = std::pair<std::uint32_t, std::uint32_t>;  // the lower vertex first
+using HalfEdge = std::uint32_t;                        // 3 t + i: from corner i of triangle t
+
+constexpr HalfEdge kNone = 0xffffffffu;
+
+HalfEdge nextIn(HalfEdge h) { return h % 3 == 2 ? h - 2 : h + 1; }
+
+double angleBetween(const Point3& p, const Point3& q) {
+  return std::atan2(length(cross(p, q)), dot(p, q));
+}
+
+class PatchFinder {
+ public:
+  PatchFinder(const Facets& facets, double featureAngle, const std::set<Edge>& forced)
+      : facets_(facets), angle_(featureAngle), forced_(forced) {
+    findTwins();
+    findPatchOf();
+  }
+
+  /// Triangles of the first patch that has too little boundary to start from, e.g. none; empty if
+  /// there is no such patch. A flat patch has at least the perimeter of a disc of its area.
+  std::vector<std::uint32_t> bulgingPatch() const {
+    constexpr double kShareOfDisc = 0.5;
+    std::vector<double> perimeter(patchCount_, 0), area(patchCount_, 0);
+    for (HalfEdge h = 0; h < twin_.size(); ++h)
+      if (twin_[h] == kNone) perimeter[patchOf_[h / 3]] += distance(at(startOf(h)), at(endOf(h)));
+    for (std::uint32_t t = 0; t < patchOf_.size(); ++t) {
+      const auto& c = facets_.triangles[t];
+      area[patchOf_[t]] += length(cross(at(c[1]) - at(c[0]), at(c[2]) - at(c[0]))) / 2;
+    }
+    std::size_t patch = 0;
+    const auto isBulging = [&](std::size_t p) {
+      return perimeter[p] < kShareOfDisc * std::sqrt(4 * std::numbers::pi * area[p]);
+    };
+    while (patch < patchCount_ && !isBulging(patch)) ++patch;
+    std::vector<std::uint32_t> triangles;
+    for (std::uint32_t t = 0; t < patchOf_.size(); ++t)
+      if (patchOf_[t] == patch) triangles.push_back(t);
+    return triangles;
+  }
+
+  PatchedFacets find() {
+    findCurves();
+    std::vector<Patch> patches(patchCount_);
+    for (std::uint32_t t = 0; t < patchOf_.size(); ++t) patches[patchOf_[t]].triangles.push_back(t);
+    addLoops(patches);
+    return {facets_, std::move(curves_), std::move(patches)};
+  }
+
+ private:
+  std::uint32_t startOf(HalfEdge h) const { return facets_.triangles[h / 3][h % 3]; }
+  std::uint32_t endOf(HalfEdge h) const { return startOf(nextIn(h)); }
+  Edge edgeOf(HalfEdge h) const { return std::minmax(startOf(h), endOf(h)); }
+  const Point3& at(std::uint32_t v) const { return facets_.vertices[v]; }
+  Point3 normalOf(HalfEdge h) const {
+    const auto& t = facets_.triangles[h / 3];
+    return unit(cross(at(t[1]) - at(t[0]), at(t[2]) - at(t[0])));
+  }
+
+  void findTwins() {
+    twin_.assign(3 * facets_.triangles.size(), kNone);
+    std::vector<std::pair<Edge, HalfEdge>> all;
+    for (HalfEdge h = 0; h < twin_.size(); ++h) all.emplace_back(edgeOf(h), h);
+    std::sort(all.begin(), all.end());
+    for (std::size_t i = 0, next; i < all.size(); i = next) {
+      for (next = i + 1; next < all.size() && all[next].first == all[i].first;) ++next;
+      if (next - i != 2) continue;
+      const HalfEdge g = all[i].second, h = all[i + 1].second;
+      if (startOf(g) == startOf(h)) refuse(g, h);
+      if (isFeature(g, h)) continue;
+      twin_[g] = h;
+      twin_[h] = g;
+    }
+  }
+
+  [[noreturn]] void refuse(HalfEdge g, HalfEdge h) const {
+    const Point3& p = at(startOf(g));
+    throw InputError(facets_.name + ": triangles " + std::to_string(g / 3 + 1) + " and " +
+                     std::to_string(h / 3 + 1) + " near (" + std::to_string(p.x) + ", " +
+                     std::to_string(p.y) + ", " + std::to_string(p.z) +
+                     ") are turned against each other; turn all triangles the same way");
+  }
+
+  /// Beside a triangle without area there is nothing to tell the angle by.
+  bool isFeature(HalfEdge g, HalfEdge h) const {
+    if (forced_.contains(edgeOf(g))) return true;
+    const Point3 m = normalOf(g), n = normalOf(h);
+    return m != Point3{} && n != Point3{} && angleBetween(m, n) > angle_;
+  }
+
+  void findPatchOf() {
+    constexpr std::size_t kUnknown = ~std::size_t{0};
+    patchOf_.assign(facets_.triangles.size(), kUnknown);
+    std::vector<std::uint32_t> open;
+    for (std::uint32_t first = 0; first < patchOf_.size(); ++first) {
+      if (patchOf_[first] != kUnknown) continue;
+      open.push_back(first);
+      patchOf_[first] = patchCount_;
+      while (!open.empty()) {
+        const std::uint32_t t = open.back();
+        open.pop_back();
+        for (HalfEdge h = 3 * t; h < 3 * t + 3; ++h) {
+          if (twin_[h] == kNone || patchOf_[twin_[h] / 3] != kUnknown) continue;
+          patchOf_[twin_[h] / 3] = patchCount_;
+          open.push_back(twin_[h] / 3);
+        }
+      }
+      ++patchCount_;
+    }
+  }
+
+  void findCurves() {
+    std::set<Edge> edges;
+    for (HalfEdge h = 0; h < twin_.size(); ++h)
+      if (twin_[h] == kNone) edges.insert(edgeOf(h));
+    for (const auto& [a, b] : edges) {
+      beside_[a].push_back(b);
+      beside_[b].push_back(a);
+    }
+    for (const auto& [v, others] : beside_)
+      if (isCorner(v))
+        for (const std::uint32_t other : others) follow(v, other);
+    for (const auto& [v, others] : beside_) follow(v, others.front());  // what is closed
+  }
+
+  bool isCorner(std::uint32_t v) const {
+    const std::vector<std::uint32_t>& others = beside_.at(v);
+    return others.size() != 2 ||
+           angleBetween(at(v) - at(others[0]), at(others[1]) - at(v)) > angle_;
+  }
+
+  void follow(std::uint32_t from, std::uint32_t to) {
+    if (places_.contains(std::minmax(from, to))) return;
+    FeatureCurve curve{from};
+    while (true) {
+      places_[std::minmax(from, to)] = {curves_.size(), curve.size() - 1, from};
+      curve.push_back(to);
+      if (to == curve.front() || isCorner(to)) break;
+      const std::vector<std::uint32_t>& others = beside_.at(to);
+      const std::uint32_t next = others[0] == from ? others[1] : others[0];
+      from = to;
+      to = next;
+    }
+    curves_.push_back(std::move(curve));
+  }
+
+  /// The feature edge after `h` around its patch.
+  HalfEdge nextAround(HalfEdge h) const {
+    HalfEdge next = nextIn(h);
+    while (twin_[next] != kNone) next = nextIn(twin_[next]);
+    return next;
+  }
+
+  void addLoops(std::vector<Patch>& patches) const {
+    std::vector<bool> seen(twin_.size(), false);
+    for (HalfEdge first = 0; first < twin_.size(); ++first) {
+      if (twin_[first] != kNone || seen[first]) continue;
+      std::vector<CurveUse> loop;
+      for (HalfEdge h = first; !seen[h]; h = nextAround(h)) {
+        seen[h] = true;
+        const Place& place = places_.at(edgeOf(h));
+        const bool reversed = startOf(h) != place.from;
+        const std::size_t start = reversed ? curves_[place.curve].size() - 2 : 0;
+        if (place.index == start) loop.push_back({place.curve, reversed});
+      }
+      patches[patchOf_[first / 3]].loops.push_back(std::move(loop));
+    }
+  }
+
+  struct Place {
+    std::size_t curve = 0, index = 0;
+    std::uint32_t from = 0;
+  };
+  const Facets& facets_;
+  double angle_;
+  const std::set<Edge>& forced_;
+  std::vector<HalfEdge> twin_;        // kNone at feature edges
+  std::vector<std::size_t> patchOf_;  // by triangle
+  std::size_t patchCount_ = 0;
+  std::map<std::uint32_t, std::vector<std::uint32_t>> beside_;  // by vertex, over feature edges
+  std::map<Edge, Place> places_;                                // of feature edges in curves
+  std::vector<FeatureCurve> curves_;
+};
+
+/// Cuts triangles along a plane across their longest direction that goes through no vertex. The cut
+/// becomes feature edges.
+class PlaneCut {
+ public:
+  PlaneCut(Facets& facets, const std::vector<std::uint32_t>& triangles, std::set<Edge>& forced)
+      : facets_(facets), forced_(forced) {
+    choosePlane(triangles);
+    for (const std::uint32_t t : triangles) cut(t);
+  }
+
+ private:
+  double height(std::uint32_t v) const {
+    const Point3& p = facets_.vertices[v];
+    return (axis_ == 0 ? p.x : axis_ == 1 ? p.y : p.z) - offset_;
+  }
+
+  void choosePlane(const std::vector<std::uint32_t>& triangles) {
+    Box3 box;
+    std::set<std::uint32_t> vertices;
+    for (const std::uint32_t t : triangles)
+      for (const std::uint32_t v : facets_.triangles[t]) {
+        box.add(facets_.vertices[v]);
+        vertices.insert(v);
+      }
+    const Point3 d = box.high - box.low;
+    axis_ = d.x >= d.y && d.x >= d.z ? 0 : d.y >= d.z ? 1 : 2;
+    std::set<double> heights;
+    for (const std::uint32_t v : vertices) heights.insert(height(v));
+    // In the widest gap of the middle third: vertices that nearly lie in the plane make slivers.
+    const double low = *heights.begin(), extent = *heights.rbegin() - low;
+    double widest = -1;
+    for (auto above = std::next(heights.begin()); above != heights.end(); ++above) {
+      const double below = *std::prev(above), middle = (below + *above) / 2;
+      if (*above - below <= widest || std::abs(middle - low - extent / 2) > extent / 6) continue;
+      widest = *above - below;
+      offset_ = middle;
+    }
+    if (widest < 0) offset_ = low + extent / 2;  // no vertex near the middle
+  }
+
+  std::uint32_t crossingOf(std::uint32_t a, std::uint32_t b) {
+    const Edge edge = std::minmax(a, b);
+    const auto [found, isNew] =
+        crossings_.try_emplace(edge, static_cast<std::uint32_t>(facets_.vertices.size()));
+    if (isNew) {
+      const double t = height(edge.first) / (height(edge.first) - height(edge.second));
+      const Point3 p = facets_.vertices[edge.first], q = facets_.vertices[edge.second];
+      facets_.vertices.push_back(p + t * (q - p));
+    }
+    return found->second;
+  }
+
+  void cut(std::uint32_t t) {
+    auto c = facets_.triangles[t];
+    const auto isAbove = [&](std::uint32_t v) { return height(v) > 0; };
+    if (isAbove(c[0]) == isAbove(c[1]) && isAbove(c[1]) == isAbove(c[2])) return;
+    // The corner that is alone on its side comes first.
+    while (isAbove(c[1]) != isAbove(c[2])) std::rotate(c.begin(), c.begin() + 1, c.end());
+    const std::uint32_t p = crossingOf(c[0], c[1]), q = crossingOf(c[0], c[2]);
+    facets_.triangles[t] = {c[0], p, q};
+    facets_.triangles.push_back({p, c[1], c[2]});
+    facets_.triangles.push_back({p, c[2], q});
+    forced_.insert(std::minmax(p, q));
+  }
+
+  Facets& facets_;
+  std::set<Edge>& forced_;
+  std::map<Edge, std::uint32_t> crossings_;
+  int axis_ = 0;
+  double offset_ = 0;
+};
+
+}  // namespace
+
+PatchedFacets findPatches(Facets facets, double featureAngle) {
+  std::set<Edge> forced;
+  constexpr int kMostCuts = 1000;
+  for (int cuts = 0;; ++cuts) {
+    PatchFinder finder(facets, featureAngle, forced);
+    const std::vector<std::uint32_t> bulging = finder.bulgingPatch();
+    if (bulging.empty() || cuts == kMostCuts) return finder.find();
+    PlaneCut(facets, bulging, forced);
+  }
+}
+
+}  // namespace af2::geometry

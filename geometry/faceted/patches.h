@@ -1,0 +1,41 @@
+// Cuts a surface of triangles into smooth patches along its feature edges.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "geometry/faceted/facets.h"
+
+namespace af2::geometry {
+
+/// A chain of feature edges between two corners, or a closed one without any: vertices, the first
+/// one again at the end if closed.
+using FeatureCurve = std::vector<std::uint32_t>;
+
+/// One curve as a patch runs along it, with the patch on the left.
+struct CurveUse {
+  std::size_t curve = 0;
+  bool reversed = false;
+};
+
+/// Triangles that can be reached from each other without crossing a feature edge.
+struct Patch {
+  std::vector<std::uint32_t> triangles;
+  std::vector<std::vector<CurveUse>> loops;
+};
+
+struct PatchedFacets {
+  Facets facets;
+  std::vector<FeatureCurve> curves;
+  std::vector<Patch> patches;  ///< in the order of their first triangles
+};
+
+/// Feature edges are those at which the surface turns by more than `featureAngle` radians, those
+/// with one triangle or with more than two. Where a curve of feature edges turns by more than this,
+/// or several meet, is a corner. A patch without any feature edge, e.g. a sphere, is cut in two
+/// across its longest direction.
+///
+/// Throws InputError if neighbours are turned against each other.
+PatchedFacets findPatches(Facets facets, double featureAngle);
+
+}  // namespace af2::geometry

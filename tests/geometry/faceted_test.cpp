@@ -1,0 +1,183 @@
+// A surface of triangles as geometry.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+#include <fstream>
+#include <numbers>
+#include <set>
+
+#include "engine/error.h"
+#include "geometry/faceted/mesh_faceted.h"
+#include "geometry/faceted/patches.h"
+#include "geometry/model_check.h"
+#include "tests/geometry/planar/poly_text.h"
+#include "tests/support/triangle_rules.h"
+
+namespace af2::geometry {
+namespace {
+
+using std::numbers::pi;
+
+/// An OBJ file of a box, all faces turned outwards.
+const std::string kBox =
+    "v 0 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\nv 0 0 2\nv 2 0 2\nv 2 2 2\nv 0 2 2\n"
+    "f 1 4 3 2\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n";
+
+Facets read(const std::string& name, const std::string& text) {
+  return readFacets(testing::TemporaryFile(name, text).path());
+}
+
+/// A grid of (u, v) in [0, 1)^2 that closes in both directions.
+template <class Position>
+Facets torusLike(std::uint32_t n, std::uint32_t m, Position position) {
+  Facets facets;
+  for (std::uint32_t i = 0; i < n; ++i)
+    for (std::uint32_t j = 0; j < m; ++j)
+      facets.vertices.push_back(position(2 * pi * i / n, 2 * pi * j / m));
+  for (std::uint32_t i = 0; i < n; ++i)
+    for (std::uint32_t j = 0; j < m; ++j) {
+      const std::uint32_t a = i * m + j, b = (i + 1) % n * m + j, c = (i + 1) % n * m + (j + 1) % m,
+                          d = i * m + (j + 1) % m;
+      facets.triangles.push_back({a, b, c});
+      facets.triangles.push_back({a, c, d});
+    }
+  return facets;
+}
+
+Facets torus() {
+  return torusLike(48, 24, [](double u, double v) {
+    const double r = 3 + std::cos(v);
+    return Point3{r * std::cos(u), r * std::sin(u), std::sin(v)};
+  });
+}
+
+ModelMesh mesh(const Facets& facets, double size) {
+  static const AF2Algorithm algorithm(testing::triangleSet());
+  FacetedMeshingOptions options;
+  options.size = size;
+  ModelMesh result = meshFaceted(facets, algorithm, options);
+  for (const FaceReport& face : result.faces)
+    EXPECT_EQ(face.status, FaceStatus::Complete) << face.reason;
+  EXPECT_TRUE(result.findings.empty());
+  EXPECT_TRUE(checkModelMesh(result).empty());
+  EXPECT_EQ(result.wantedSizes.size(), result.vertices.size());
+  return result;
+}
+
+double volumeOf(const ModelMesh& mesh) {
+  double volume = 0;
+  for (const Element& e : mesh.elements) {
+    const auto at = [&](std::size_t i) { return mesh.vertices[e.corners[i].value]; };
+    volume += dot(at(0), cross(at(1), at(2))) / 6;
+  }
+  return volume;
+}
+
+/// V - E + F, if each edge has two triangles; else a number that no surface has.
+int eulerNumber(const ModelMesh& mesh) {
+  std::map<std::pair<VertexId, VertexId>, int> edges;
+  for (const Element& e : mesh.elements)
+    for (std::size_t i = 0; i < 3; ++i) ++edges[std::minmax(e.corners[i], e.corners[(i + 1) % 3])];
+  for (const auto& [edge, uses] : edges)
+    if (uses != 2) return -1000;
+  return static_cast<int>(mesh.vertices.size()) - static_cast<int>(edges.size()) +
+         static_cast<int>(mesh.elements.size());
+}
+
+TEST(Facets, OfAnObjFileShareTheirVertices) {
+  const Facets box = read("box.obj", kBox);
+  EXPECT_EQ(box.vertices.size(), 8u);
+  EXPECT_EQ(box.triangles.size(), 12u);
+}
+
+TEST(Facets, OfTextAndBinaryStlFilesAreTheSame) {
+  const std::string text =
+      "solid x\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\n"
+      "endloop\nendfacet\nfacet normal 0 0 1\nouter loop\nvertex 1 0 0\nvertex 1 1 0\n"
+      "vertex 0 1 0\nendloop\nendfacet\nendsolid x\n";
+  const Facets fromText = read("a.stl", text);
+  std::string binary(80, 's');
+  const auto put = [&](auto value) {
+    binary.append(reinterpret_cast<const char*>(&value), sizeof value);
+  };
+  put(std::uint32_t{2});
+  for (const auto& triangle : fromText.triangles) {
+    for (int i = 0; i < 3; ++i) put(0.0f);
+    for (const std::uint32_t v : triangle) {
+      const Point3& p = fromText.vertices[v];
+      for (const double x : {p.x, p.y, p.z}) put(static_cast<float>(x));
+    }
+    put(std::uint16_t{0});
+  }
+  const Facets fromBinary = read("b.stl", binary);
+  EXPECT_EQ(fromText.vertices.size(), 4u);
+  EXPECT_EQ(fromText.vertices, fromBinary.vertices);
+  EXPECT_EQ(fromText.triangles, fromBinary.triangles);
+}
+
+TEST(Facets, TellWhatIsWrongWithAFile) {
+  const auto faultOf = [](const std::string& name, const std::string& text) -> std::string {
+    try {
+      read(name, text);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "no error";
+  };
+  EXPECT_NE(faultOf("a.obj", "v 0 0 0\nf 1 2 3\n").find("a.obj:2: there is no vertex 2"),
+            std::string::npos);
+  EXPECT_NE(faultOf("a.obj", "v 0 0 x\n").find(":1: 'x' is no number"), std::string::npos);
+  EXPECT_NE(faultOf("a.obj", "v 0 0 0\n").find("holds no triangle"), std::string::npos);
+  EXPECT_NE(faultOf("a.stl", "nothing").find("is no STL file"), std::string::npos);
+  EXPECT_NE(faultOf("a.stl", "facet normal 0 0 1 outer loop\nouter loop\nvortex 0 0 0").find(":3:"),
+            std::string::npos);
+}
+
+TEST(Patches, AreBetweenFeatureEdges) {
+  const PatchedFacets box = findPatches(read("box.obj", kBox), pi / 4);
+  EXPECT_EQ(box.patches.size(), 6u);
+  EXPECT_EQ(box.curves.size(), 12u);
+  for (const Patch& patch : box.patches) {
+    ASSERT_EQ(patch.loops.size(), 1u);
+    EXPECT_EQ(patch.loops[0].size(), 4u);
+  }
+}
+
+TEST(Patches, OfAClosedSmoothSurfaceAreCutUntilTheyHaveBoundaryEnough) {
+  const PatchedFacets tubes = findPatches(torus(), pi / 4);
+  EXPECT_EQ(tubes.patches.size(), 4u);
+  for (const Patch& patch : tubes.patches) EXPECT_EQ(patch.loops.size(), 2u);
+}
+
+TEST(Patches, RefuseTrianglesThatAreTurnedAgainstEachOther) {
+  std::string twisted = kBox;
+  twisted.replace(twisted.find("f 5 6 7 8"), 9, "f 8 7 6 5");
+  EXPECT_THROW(findPatches(read("box.obj", twisted), pi / 4), InputError);
+}
+
+TEST(FacetedMeshing, MeshesABoxExactly) {
+  const ModelMesh result = mesh(read("box.obj", kBox), 0.4);
+  EXPECT_NEAR(volumeOf(result), 8, 1e-12);
+  EXPECT_EQ(eulerNumber(result), 2);
+  EXPECT_EQ(result.faces.size(), 6u);
+}
+
+TEST(FacetedMeshing, MeshesATorusOnItsTriangles) {
+  const ModelMesh result = mesh(torus(), 0.4);
+  EXPECT_EQ(eulerNumber(result), 0);
+  EXPECT_NEAR(volumeOf(result), 2 * pi * pi * 3, 0.06 * 2 * pi * pi * 3);
+  for (const Point3& p : result.vertices) {
+    const double r = std::hypot(std::hypot(p.x, p.y) - 3, p.z);
+    EXPECT_NEAR(r, 1, 0.03) << "so far the triangles lie beside the torus";
+  }
+}
+
+TEST(FacetedMeshing, IsTheSameEachTime) {
+  const ModelMesh one = mesh(torus(), 0.5), two = mesh(torus(), 0.5);
+  EXPECT_EQ(one.vertices, two.vertices);
+  EXPECT_EQ(one.elements, two.elements);
+}
+
+}  // namespace
+}  // namespace af2::geometry
