@@ -132,20 +132,27 @@ def processor() -> str:
     return found.group(1) if found else platform.processor()
 
 
-def version(package: str) -> str:
+def output_of(*command: str) -> str:
     try:
-        done = subprocess.run(["dpkg-query", "-W", "-f", "${Version}", package],
-                              capture_output=True, text=True, check=False)
+        done = subprocess.run(command, capture_output=True, text=True, check=False)
     except OSError:
         return ""
     return done.stdout.strip()
+
+
+def version(package: str) -> str:
+    return output_of("dpkg-query", "-W", "-f", "${Version}", package)
+
+
+def commit() -> str:
+    return output_of("git", "-C", str(REPOSITORY), "rev-parse", "--short", "HEAD") or "unknown"
 
 
 def heading(commands: dict[str, list[str]], chosen: argparse.Namespace) -> list[str]:
     packages = {NETGEN: "netgen", GMSH: "gmsh"}
     peers = [f"{packages[name]} {version(packages[name])}" for name in commands if name in packages]
     shown = shlex.join(["tests/benchmark/whole_mesh_benchmark.py", *sys.argv[1:]])
-    return [f"Measured on {processor()}, one thread, median of {chosen.rounds} rounds"
+    return [f"Measured on {processor()}, commit {commit()}, one thread, median of {chosen.rounds} rounds"
             + (f", against {' and '.join(peers)}" if peers else "") + ":", "",
             "```", shown, "```", ""]
 
