@@ -1,4 +1,5 @@
-// From text to tree. The only file that knows Boost.Spirit is grammar.cpp.
+// From text to tree. Only grammar.cpp and what it is written with (token_parsers.h) know
+// Boost.Spirit.
 #pragma once
 
 #include <vector>
