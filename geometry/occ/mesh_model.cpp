@@ -180,16 +180,8 @@ class ModelMesher {
   std::vector<double> areas_, work_;  // by face that was asked for
 };
 
-}  // namespace
-
-ModelMesh meshModel(const Model& model, const AF2Algorithm& algorithm,
-                    const ModelMeshingOptions& options) {
-  checkSizes(options.sizes, model);
-  if (options.order != 1 && options.order != 2) throw InputError("elements can have order 1 or 2");
-  for (const auto& [edge, points] : options.edgePoints)
-    if (edge < 1 || edge > model.edgeCount())
-      throw InputError("points for edge " + std::to_string(edge) + ": the model has edges 1 to " +
-                       std::to_string(model.edgeCount()));
+ModelMesh meshOnceOrTwice(const Model& model, const AF2Algorithm& algorithm,
+                          const ModelMeshingOptions& options) {
   if (options.sizes.elementsAcross == 0) return ModelMesher(model, algorithm, options).mesh();
   ModelMeshingOptions finer = options;
   finer.sizes.elementsAcross = 0;
@@ -202,6 +194,24 @@ ModelMesh meshModel(const Model& model, const AF2Algorithm& algorithm,
   addSources(narrowPlaces(coarse, options.sizes.elementsAcross),
              leastForLimits(options.sizes.size, options.sizes.minSize), finer.sizes.sources);
   return ModelMesher(model, algorithm, std::move(finer)).mesh();
+}
+
+}  // namespace
+
+ModelMesh meshModel(const Model& model, const AF2Algorithm& algorithm,
+                    const ModelMeshingOptions& options) {
+  checkSizes(options.sizes, model);
+  if (options.order != 1 && options.order != 2) throw InputError("elements can have order 1 or 2");
+  for (const auto& [edge, points] : options.edgePoints)
+    if (edge < 1 || edge > model.edgeCount())
+      throw InputError("points for edge " + std::to_string(edge) + ": the model has edges 1 to " +
+                       std::to_string(model.edgeCount()));
+  // One arena for all stages: a thread that has to change arenas comes late to the next stage.
+  ModelMeshingOptions inArena = options;
+  inArena.threads = 0;
+  ModelMesh mesh;
+  withThreads(options.threads, [&] { mesh = meshOnceOrTwice(model, algorithm, inArena); });
+  return mesh;
 }
 
 }  // namespace af2::geometry

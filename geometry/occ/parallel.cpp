@@ -31,16 +31,16 @@ void runAll(std::size_t count, int workers, const std::function<void(std::size_t
 
 }  // namespace
 
-void forEachInParallel(std::size_t count, int threads,
-                       const std::function<void(std::size_t)>& work) {
-  if (threads <= 0) {
-    runAll(count, tbb::this_task_arena::max_concurrency(), work);
-    return;
-  }
+void withThreads(int threads, const std::function<void()>& work) {
+  if (threads <= 0) return work();
   // More threads than cores bring nothing, and TBB would print a warning. An arena is wanted for a
   // single thread, too: it holds for what the work does in parallel by itself.
-  const int workers = std::min(threads, tbb::info::default_concurrency());
-  tbb::task_arena(workers).execute([&] { runAll(count, workers, work); });
+  tbb::task_arena(std::min(threads, tbb::info::default_concurrency())).execute(work);
+}
+
+void forEachInParallel(std::size_t count, int threads,
+                       const std::function<void(std::size_t)>& work) {
+  withThreads(threads, [&] { runAll(count, tbb::this_task_arena::max_concurrency(), work); });
 }
 
 }  // namespace af2::geometry

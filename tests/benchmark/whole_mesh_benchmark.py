@@ -152,7 +152,8 @@ def heading(commands: dict[str, list[str]], chosen: argparse.Namespace) -> list[
     packages = {NETGEN: "netgen", GMSH: "gmsh"}
     peers = [f"{packages[name]} {version(packages[name])}" for name in commands if name in packages]
     shown = shlex.join(["tests/benchmark/whole_mesh_benchmark.py", *sys.argv[1:]])
-    return [f"Measured on {processor()}, commit {commit()}, one thread, median of {chosen.rounds} rounds"
+    return [f"Measured on {processor()}, commit {commit()}, one thread, "
+            f"median of {chosen.rounds} rounds"
             + (f", against {' and '.join(peers)}" if peers else "") + ":", "",
             "```", shown, "```", ""]
 
