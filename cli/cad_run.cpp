@@ -2,6 +2,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <numeric>
 
 #include "cli/model_runs.h"
 #include "cli/progress_bar.h"
@@ -78,11 +79,43 @@ geometry::ModelMeshingOptions meshingOptions(const MeshRequest& request,
   options.threads = request.threads;
   options.optimize = request.optimize;
   options.stop = control.stop;
-  options.progress = [&bar](const geometry::ModelProgress& progress) {
+  options.observer = [&control](int face) {
+    if (control.log) control.log->begin(face);
+    return nullptr;
+  };
+  options.progress = [&bar, &control, done = 0](const geometry::ModelProgress& progress) mutable {
+    if (control.log) progress.facesDone > done ? control.log->finish() : control.log->beat();
+    done = progress.facesDone;
     const double part = progress.workTotal > 0 ? progress.workDone / progress.workTotal : 0;
     bar.show("meshing", part, fmt::format("{}/{} faces", progress.facesDone, progress.faces));
   };
   return options;
+}
+
+/// All faces that were asked for but those given up; these go into the reports as failed.
+std::vector<int> withoutGivenUp(std::vector<int> faces, const geometry::Model& model,
+                                const GivenUp& givenUp) {
+  if (givenUp.empty()) return faces;
+  if (faces.empty()) {
+    faces.resize(static_cast<std::size_t>(model.faceCount()));
+    std::iota(faces.begin(), faces.end(), 1);
+  }
+  std::erase_if(faces, [&](int face) { return givenUp.contains(face); });
+  return faces;
+}
+
+void reportGivenUp(const geometry::Model& model, const GivenUp& givenUp,
+                   geometry::ModelMesh& mesh) {
+  for (const auto& [id, reason] : givenUp) {
+    geometry::FaceReport report;
+    report.id = id;
+    report.name = model.faceName(id);
+    report.surfaceType = model.surfaceType(id);
+    report.status = geometry::FaceStatus::Failed;
+    report.reason = reason;
+    const auto place = std::ranges::upper_bound(mesh.faces, id, {}, &geometry::FaceReport::id);
+    mesh.faces.insert(place, report);
+  }
 }
 
 }  // namespace
@@ -95,8 +128,13 @@ geometry::ModelMesh runCad(const MeshRequest& request, const AF2Algorithm& algor
   const geometry::Model model = geometry::readModel(request.model);
   const double readSeconds = reading.seconds();
   checkIds(request, model);
-  geometry::ModelMesh mesh =
-      geometry::meshModel(model, algorithm, meshingOptions(request, model, control, bar));
+  geometry::ModelMeshingOptions options = meshingOptions(request, model, control, bar);
+  const GivenUp givenUp = control.givenUp ? *control.givenUp : GivenUp();
+  options.faces = withoutGivenUp(std::move(options.faces), model, givenUp);
+  geometry::ModelMesh mesh;
+  if (!options.faces.empty() || givenUp.empty())
+    mesh = geometry::meshModel(model, algorithm, options);
+  reportGivenUp(model, givenUp, mesh);
   mesh.seconds.read = readSeconds;
   return mesh;
 }

@@ -1,12 +1,15 @@
 // af2 mesh
 #include <fmt/core.h>
 
+#include <filesystem>
+
 #include "cli/exit_code.h"
 #include "cli/interrupt.h"
 #include "cli/mesh_run.h"
 #include "cli/mesh_summary.h"
 #include "cli/model_runs.h"
 #include "cli/rule_loading.h"
+#include "cli/supervisor.h"
 #include "cli/verbs.h"
 #include "engine/error.h"
 #include "geometry/io/mesh_files.h"
@@ -74,10 +77,10 @@ RunReport reportOf(const ModelMesh& mesh) {
   return report;
 }
 
-int meshAndTell(const MeshRequest& request) {
+int meshAndTell(const MeshRequest& request, RunLog* log, const GivenUp& givenUp) {
   const Interrupt interrupt;
-  ModelMesh mesh =
-      runMesh(request, loadRuleSet(request.rules), {!request.quiet, interrupt.token()});
+  ModelMesh mesh = runMesh(request, loadRuleSet(request.rules),
+                           {!request.quiet, interrupt.token(), log, &givenUp});
   RunReport report = reportOf(mesh);
   report.quality = measureQuality(mesh);
   writeOutputs(request, mesh);
@@ -86,10 +89,26 @@ int meshAndTell(const MeshRequest& request) {
   return exitCodeOf(report.status);
 }
 
+/// Large files take long to read, by megabytes.
+double secondsToRead(const std::filesystem::path& model) {
+  constexpr double kLeast = 60, kPerByte = 2e-6;
+  return kLeast + kPerByte * static_cast<double>(std::filesystem::file_size(model));
+}
+
+/// CAD models go through OpenCASCADE, which may crash or hang on them.
+int meshSafely(const MeshRequest& request) {
+  if (request.isPlanar()) return meshAndTell(request, nullptr, {});
+  RunLimits limits;
+  limits.first = secondsToRead(request.model);
+  return supervise(limits, [&](RunLog& log, const GivenUp& givenUp) {
+    return meshAndTell(request, &log, givenUp);
+  });
+}
+
 /// A report is written even if the model is unusable: whoever runs many models reads only that.
 int meshOrReportWhyNot(const MeshRequest& request) {
   try {
-    return meshAndTell(request);
+    return meshSafely(request);
   } catch (const std::runtime_error& error) {
     RunReport report;
     report.reason = error.what();

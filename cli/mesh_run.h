@@ -5,6 +5,7 @@
 #include <stop_token>
 
 #include "cli/mesh_request.h"
+#include "cli/supervisor.h"
 #include "engine/rule_set.h"
 #include "geometry/model_mesh.h"
 
@@ -13,6 +14,8 @@ namespace af2::cli {
 struct RunControl {
   bool showProgress = true;
   std::stop_token stop;
+  RunLog* log = nullptr;             ///< of a supervised run
+  const GivenUp* givenUp = nullptr;  ///< faces not to be tried
 };
 
 /// Throws InputError if the model cannot be used, UsageError if the request names faces or edges

@@ -22,10 +22,9 @@ struct FaceReport {
   FaceStatus status = FaceStatus::Complete;
   std::size_t elements = 0;
   double seconds = 0;
-  double area = 0;     ///< of the CAD face, model units squared
-  std::string reason;  ///< where and why, when it failed
-  std::vector<std::string> attempts =
-      {};  ///< what was tried before, and why it was not good enough
+  double area = 0;                         ///< of the CAD face, model units squared
+  std::string reason;                      ///< where and why, when it failed
+  std::vector<std::string> attempts = {};  ///< what was tried before in vain
 };
 
 enum class GroupKind {

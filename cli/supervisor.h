@@ -1,0 +1,37 @@
+// A run in a process of its own, so that neither a crash nor an endless loop takes the result down.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <string>
+
+namespace af2::cli {
+
+/// What a supervised run tells of itself, from any of its threads.
+class RunLog {
+ public:
+  virtual ~RunLog() = default;
+  virtual void begin(int face) = 0;  ///< this thread now works on a face
+  virtual void finish() = 0;         ///< this thread is done with its face
+  virtual void beat() = 0;           ///< this thread is getting on
+};
+
+/// By face: why it is not tried.
+using GivenUp = std::map<int, std::string>;
+
+/// Processor seconds.
+struct RunLimits {
+  double first = 60;  ///< until the run begins its first face
+  double next = 40;   ///< until it tells of anything again
+};
+
+/// Runs `run` in a child process. If that crashes or hangs while it works on a face, runs it again
+/// without this face. Interrupts and requests to stop are passed on.
+///
+/// Returns what `run` returns; in the child process, too, which goes on from there as if it were
+/// the whole program. Costs one fork, and memory for nothing but what the child changes.
+///
+/// Throws InputError if the child crashes or hangs while it works on no face.
+int supervise(const RunLimits& limits, const std::function<int(RunLog&, const GivenUp&)>& run);
+
+}  // namespace af2::cli
