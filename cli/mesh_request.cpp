@@ -71,7 +71,7 @@ std::string outputHelp() {
 void declareMeshOptions(CLI::App& command, MeshOptions& options) {
   command
       .add_option("model", options.model,
-                  "STEP, IGES or BREP file, a .poly file (planar), an STL or OBJ file")
+                  "STEP, IGES or BREP file, a .poly or .in2d file (planar), an STL or OBJ file")
       ->required();
   declareSizeOptions(command, options.sizes);
   command
@@ -94,7 +94,9 @@ void declareMeshOptions(CLI::App& command, MeshOptions& options) {
   command.add_flag("-q,--quiet", options.quiet, "print nothing unless something is wrong");
 }
 
-bool MeshRequest::isPlanar() const { return model.extension() == ".poly"; }
+bool MeshRequest::isPlanar() const {
+  return model.extension() == ".poly" || model.extension() == ".in2d";
+}
 
 bool MeshRequest::isFaceted() const {
   std::string extension = model.extension().string();

@@ -35,7 +35,7 @@ struct MeshRequest {
 
   double featureAngle = 40;  ///< in degrees
 
-  bool isPlanar() const;   ///< whether the model is a .poly file
+  bool isPlanar() const;   ///< whether the model is a .poly or .in2d file
   bool isFaceted() const;  ///< whether the model is an .stl or .obj file
 };
 

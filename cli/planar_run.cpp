@@ -4,6 +4,7 @@
 #include "cli/model_runs.h"
 #include "cli/progress_bar.h"
 #include "cli/usage_error.h"
+#include "geometry/planar/in2d_file.h"
 #include "geometry/planar/mesh_planar.h"
 
 namespace af2::cli {
@@ -13,7 +14,13 @@ geometry::ModelMesh runPlanar(const MeshRequest& request, const AF2Algorithm& al
   if (!request.faces.empty())
     throw UsageError("a .poly file is meshed as a whole: leave out --faces");
   Stopwatch reading;
-  const geometry::PlanarDomain domain = geometry::readPoly(request.model);
+  const bool hasCurves = request.model.extension() == ".in2d";
+  geometry::PlanarCurves curves;
+  geometry::PlanarDomain domain;
+  if (hasCurves)
+    curves = geometry::readIn2d(request.model);
+  else
+    domain = geometry::readPoly(request.model);
   const double readSeconds = reading.seconds();
 
   ProgressBar bar(control.showProgress);
@@ -22,6 +29,7 @@ geometry::ModelMesh runPlanar(const MeshRequest& request, const AF2Algorithm& al
   options.minSize = request.sizes.smallest;
   options.maxSize = request.sizes.largest;
   options.elementsAcross = request.sizes.elementsAcross;
+  options.elementsPerTurn = request.sizes.elementsPerTurn;
   options.growth = request.sizes.growth;
   options.sources = request.sizes.file.sources;
   options.keepBoundary = request.keepBoundary;
@@ -32,6 +40,10 @@ geometry::ModelMesh runPlanar(const MeshRequest& request, const AF2Algorithm& al
   options.progress = [&](const Progress& progress) {
     bar.show("meshing", 0, fmt::format("{} elements", progress.elements));
   };
+  if (hasCurves) {
+    domain = geometry::divideCurves(curves, options);
+    options.keepBoundary = true;
+  }
   geometry::ModelMesh mesh = geometry::meshPlanar(domain, algorithm, options);
   mesh.seconds.read = readSeconds;
   return mesh;

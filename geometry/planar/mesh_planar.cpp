@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
+#include <map>
 
 #include "engine/error.h"
 #include "engine/mesh_region.h"
@@ -45,11 +47,30 @@ class DomainSize final : public SizeField {
   PositionSize sources_;
 };
 
+/// The size of a domain that has one of its own.
+class RegionSize final : public SizeField {
+ public:
+  RegionSize(const SizeField& size, double largest) : size_(size), largest_(largest) {}
+  double sizeAt(const SurfacePoint& point) const override {
+    return std::min(largest_, size_.sizeAt(point));
+  }
+
+ private:
+  const SizeField& size_;
+  double largest_;
+};
+
 class PlanarMesher {
  public:
   PlanarMesher(const PlanarDomain& domain, const AF2Algorithm& algorithm,
                const PlanarMeshingOptions& options)
-      : algorithm_(algorithm), options_(options), size_(options), regions_(findRegions(domain)) {}
+      : algorithm_(algorithm),
+        options_(options),
+        size_(options),
+        domain_(domain),
+        regions_(findRegions(domain)) {
+    takeDomains();
+  }
 
   ModelMesh mesh() {
     for (const AF2Rule& rule : algorithm_.rules().rules()) mesh_.ruleNames.push_back(rule.name());
@@ -76,6 +97,45 @@ class PlanarMesher {
                         mesh_.vertices[corners[(i + 1) % corners.size()].value]);
     }
     return middles;
+  }
+
+  /// Where the file numbers the domains beside its segments, regions outside are left out, and each
+  /// domain is a group.
+  void takeDomains() {
+    std::vector<PlanarRegion> kept;
+    std::map<int, FaceGroup> groups;
+    for (PlanarRegion& region : regions_.regions) {
+      const int domain = domainOf(region);
+      if (domain == 0) continue;
+      kept.push_back(std::move(region));
+      domains_.push_back(domain);
+      if (domain == PlanarDomain::kAnyDomain) continue;
+      const auto name = domain_.domainNames.find(domain);
+      FaceGroup& group = groups[domain];
+      group.name =
+          name == domain_.domainNames.end() ? "domain " + std::to_string(domain) : name->second;
+      group.faces.push_back(static_cast<int>(kept.size()));
+    }
+    regions_.regions = std::move(kept);
+    if (regions_.regions.empty()) throw InputError(domain_.name + ": all regions lie outside");
+    for (auto& [domain, group] : groups) mesh_.groups.push_back(std::move(group));
+  }
+
+  int domainOf(const PlanarRegion& region) const {
+    int domain = PlanarDomain::kAnyDomain;
+    for (const auto& loop : region.loops) {
+      for (const DirectedPiece d : loop) {
+        const auto& segment = domain_.segments[static_cast<std::size_t>(
+            regions_.pieces[static_cast<std::size_t>(d.piece)].segment)];
+        const int here = d.reversed ? segment.right : segment.left;
+        if (domain == PlanarDomain::kAnyDomain) domain = here;
+        if (here != domain)
+          throw InputError(domain_.name + ":" + std::to_string(segment.line) +
+                           ": beside this segment lies domain " + std::to_string(here) +
+                           ", but other segments of the same region say " + std::to_string(domain));
+      }
+    }
+    return domain;
   }
 
   void findUses(const PlanarRegion& region) {
@@ -175,7 +235,8 @@ class PlanarMesher {
     report.area = region.area;
     std::vector<VertexId> boundary;
     const FrontInput input = boundaryOf(region, boundary);
-    const auto size = std::make_shared<const GradedSize>(size_, input, options_.growth);
+    const RegionSize own(size_, sizeOfDomain(index));
+    const auto size = std::make_shared<const GradedSize>(own, input, options_.growth);
     const PlanePoints plane;
     const RegionTask task{input,
                           [&] {
@@ -197,6 +258,12 @@ class PlanarMesher {
     mesh_.seconds.optimize += optimizing;
     mesh_.seconds.surface += report.seconds - optimizing;
     mesh_.faces.push_back(std::move(report));
+  }
+
+  double sizeOfDomain(std::size_t region) const {
+    const auto own = domain_.domainSizes.find(domains_[region]);
+    return own == domain_.domainSizes.end() ? std::numeric_limits<double>::infinity()
+                                            : std::max(own->second, options_.minSize);
   }
 
   FrontInput boundaryOf(const PlanarRegion& region, std::vector<VertexId>& boundary) {
@@ -275,6 +342,8 @@ class PlanarMesher {
   const AF2Algorithm& algorithm_;
   const PlanarMeshingOptions& options_;
   DomainSize size_;
+  const PlanarDomain& domain_;
+  std::vector<int> domains_;  // by region
   PlanarRegions regions_;
   std::vector<int> uses_;                       // by piece
   std::vector<VertexId> ids_;                   // by point

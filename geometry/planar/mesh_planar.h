@@ -18,6 +18,8 @@ struct PlanarMeshingOptions {
   double minSize = 0, maxSize = std::numeric_limits<double>::infinity();
   SizeSources sources;    ///< points, boxes and background fields
   PositionSize function;  ///< further limit by position
+  /// How many segments go around a full turn of a curved boundary; 0: eight or so.
+  double elementsPerTurn = 0;
   /// How many elements lie across what is narrow; 0: it does not matter (see ModelSizes).
   double elementsAcross = 0;
   /// Most growth of the size per unit of length, away from whatever wants a small one.

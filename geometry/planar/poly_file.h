@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -11,16 +12,21 @@ namespace af2::geometry {
 
 /// A planar domain as a file gives it.
 struct PlanarDomain {
+  static constexpr int kAnyDomain = -1;
   struct Segment {
     int from = 0, to = 0;  ///< indices into points
     int marker = 0;
     int line = 0;  ///< in the file
+    /// Numbers of the domains on its two sides, 0: outside; not given: kAnyDomain.
+    int left = kAnyDomain, right = kAnyDomain;
   };
   std::string name;  ///< the file
   std::vector<Point2> points;
   std::vector<int> pointLines;  ///< by point: its line in the file; may be empty
   std::vector<Segment> segments;
-  std::vector<Point2> holes;  ///< one point in each region to be left out
+  std::map<int, std::string> domainNames;  ///< by number
+  std::map<int, double> domainSizes;       ///< by number: a size of its own
+  std::vector<Point2> holes;               ///< one point in each region to be left out
 };
 
 /// Reads a .poly file; if it holds no vertices, those of the .node file beside it.

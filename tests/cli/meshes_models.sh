@@ -42,6 +42,11 @@ expect 0 "$af2" mesh "$models/brickhole.step" --size 1 -o brick.stl --quiet
 expect 0 "$af2" mesh brick.stl --size 2 --feature-angle 30 -o again.vtu --report again.json
 [ "$(json again.json status)" = complete ] || fail "an STL file is not meshed"
 
+printf 'splinecurves2dv2\n2\npoints\n1 1 0\n2 1 1\n3 0 1\n4 0 0\n' >quarter.in2d
+printf 'segments\n1 0 3 1 2 3\n1 0 2 3 4\n1 0 2 4 1\n' >>quarter.in2d
+expect 0 "$af2" mesh quarter.in2d --size 0.2 --curvature 40 --report quarter.json
+[ "$(json quarter.json groups 0 name)" = 'domain 1' ] || fail "the domain of an .in2d file is no group"
+
 expect 0 "$af2" mesh "$models/cylinder.step" --size 1 --quiet
 [ ! -s out ] && [ ! -s err ] || fail "--quiet printed something"
 

@@ -1,0 +1,78 @@
+#include "geometry/planar/in2d_file.h"
+
+#include "geometry/model_check.h"
+#include "tests/geometry/planar/poly_text.h"
+#include "tests/support/triangle_rules.h"
+
+namespace af2::geometry {
+namespace {
+
+/// A square with a disc of another domain inside, and a square hole in that.
+const std::string kDisc =
+    "splinecurves2dv2\n2\npoints\n1 -2 -2\n2 2 -2\n3 2 2\n4 -2 2\n"
+    "5 1 0\n6 1 1\n7 0 1\n8 -1 1\n9 -1 0\n10 -1 -1\n11 0 -1\n12 1 -1\n"
+    "13 -0.2 -0.2\n14 0.2 -0.2\n15 0.2 0.2\n16 -0.2 0.2\n"
+    "segments\n1 0 2 1 2 -bc=1\n1 0 2 2 3 -bc=1\n1 0 2 3 4 -bc=1\n1 0 2 4 1 -bc=1\n"
+    "2 1 3 5 6 7\n2 1 3 7 8 9\n2 1 3 9 10 11\n2 1 3 11 12 5\n"
+    "0 2 2 13 14\n0 2 2 14 15\n0 2 2 15 16\n0 2 2 16 13\n"
+    "materials\n1 air\n2 iron -maxh=0.15\n";
+
+PlanarCurves read(const std::string& text) {
+  return readIn2d(testing::TemporaryFile("test.in2d", text).path());
+}
+
+ModelMesh mesh(const std::string& text, double size) {
+  const AF2Algorithm algorithm(testing::triangleSet());
+  PlanarMeshingOptions options;
+  options.size = size;
+  const PlanarDomain domain = divideCurves(read(text), options);
+  options.keepBoundary = true;
+  return meshPlanar(domain, algorithm, options);
+}
+
+TEST(In2dFile, HasArcsOfCircles) {
+  const PlanarCurves curves = read(kDisc);
+  ASSERT_EQ(curves.curves.size(), 12u);
+  for (std::size_t c = 4; c < 8; ++c)
+    for (const double t : {0.0, 0.1, 0.5, 0.77, 1.0})
+      EXPECT_NEAR(length(pointOn(curves, curves.curves[c], t)), 1, 1e-12);
+}
+
+TEST(In2dFile, GivesDomainsAsGroupsAndLeavesHolesOut) {
+  const ModelMesh result = mesh(kDisc, 0.5);
+  EXPECT_TRUE(result.findings.empty());
+  EXPECT_TRUE(checkModelMesh(result).empty());
+  ASSERT_EQ(result.faces.size(), 2u);
+  for (const FaceReport& face : result.faces)
+    EXPECT_EQ(face.status, FaceStatus::Complete) << face.reason;
+  ASSERT_EQ(result.groups.size(), 2u);
+  EXPECT_EQ(result.groups[0].name, "air");
+  EXPECT_EQ(result.groups[1].name, "iron");
+  const auto face = [&](std::size_t group) {
+    return result.faces[static_cast<std::size_t>(result.groups[group].faces.at(0)) - 1];
+  };
+  EXPECT_NEAR(face(0).area, 16 - 3.1416, 0.05);
+  EXPECT_NEAR(face(1).area, 3.1416 - 0.16, 0.05);
+  EXPECT_GT(face(1).elements, 200u) << "-maxh of the domain";
+}
+
+TEST(In2dFile, TellsMistakesWithTheirLine) {
+  const auto faultOf = [](const std::string& text) -> std::string {
+    try {
+      mesh(text, 0.5);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "no error";
+  };
+  EXPECT_NE(faultOf("splinecurves\n").find(":1: only files"), std::string::npos);
+  EXPECT_NE(faultOf("splinecurves2dv2\n2\npoints\n1 0 0\nsegments\n1 0 2 1 7\n")
+                .find(":6: there is no point 7"),
+            std::string::npos);
+  std::string wrong = kDisc;
+  wrong.replace(wrong.find("1 0 2 3 4"), 9, "3 0 2 3 4");
+  EXPECT_NE(faultOf(wrong).find("beside this segment lies domain"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace af2::geometry
