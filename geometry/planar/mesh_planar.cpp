@@ -81,6 +81,11 @@ class PlanarMesher {
     addSegments();
     for (const Point3& p : mesh_.vertices)
       mesh_.wantedSizes.push_back(size_.sizeAt(inPlane({p.x, p.y})));
+    for (std::size_t e = 0; e < mesh_.elements.size(); ++e) {
+      const double largest = sizeOfDomain(static_cast<std::size_t>(mesh_.face[e]) - 1);
+      for (const VertexId v : mesh_.elements[e].vertices())
+        mesh_.wantedSizes[v.value] = std::min(mesh_.wantedSizes[v.value], largest);
+    }
     mesh_.findings = keepSoundFaces(mesh_);
     if (options_.order == 2) makeSecondOrder(mesh_, straightMiddles());
     return std::move(mesh_);

@@ -54,6 +54,8 @@ TEST(In2dFile, GivesDomainsAsGroupsAndLeavesHolesOut) {
   EXPECT_NEAR(face(0).area, 16 - 3.1416, 0.05);
   EXPECT_NEAR(face(1).area, 3.1416 - 0.16, 0.05);
   EXPECT_GT(face(1).elements, 200u) << "-maxh of the domain";
+  for (std::size_t v = 0; v < result.vertices.size(); ++v)
+    EXPECT_EQ(result.wantedSizes[v], length(result.vertices[v]) < 1 + 1e-9 ? 0.15 : 0.5);
 }
 
 TEST(In2dFile, TellsMistakesWithTheirLine) {
