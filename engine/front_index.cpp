@@ -20,6 +20,11 @@ std::int64_t wholePart(double x) {
   return truncated - (static_cast<double>(truncated) > x);
 }
 
+void include(Box3& box, const Point3& p) {
+  box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y), std::min(box.low.z, p.z)};
+  box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y), std::max(box.high.z, p.z)};
+}
+
 }  // namespace
 
 FrontIndex::FrontIndex(const Box3& box, double typicalLength)
@@ -72,11 +77,20 @@ FrontIndex::Query FrontIndex::queryOf(const Box3& box) const {
           grown(half.x, center.x),      grown(half.y, center.y),      grown(half.z, center.z)};
 }
 
+/// With graded sizes most bands have their edges elsewhere.
+bool FrontIndex::mayHold(const Band& band, const Box3& box) {
+  const Point3 &low = band.midpoints.low, &high = band.midpoints.high;
+  const double reach = band.reach;
+  return band.edges > 0 && box.low.x <= high.x + reach && box.high.x >= low.x - reach &&
+         box.low.y <= high.y + reach && box.high.y >= low.y - reach &&
+         box.low.z <= high.z + reach && box.high.z >= low.z - reach;
+}
+
 std::size_t FrontIndex::collectNear(const Box3& box, std::vector<PlaceId>& found) const {
   Search search{queryOf(box), found, 0};
   for (std::size_t b = firstBand_; b <= lastBand_; ++b) {
     const Band& band = bands_[b];
-    if (band.edges == 0) continue;
+    if (!mayHold(band, box)) continue;
     const CellRange range = cellsAround(band, box);
     if (range.count() <= band.cells.size()) {
       collectInRange(band, range, search);
@@ -130,6 +144,7 @@ void FrontIndex::insert(const Front& front, PlaceId id) {
   lastBand_ = std::max(lastBand_, bandIndex);
 
   const Point3 middle = 0.5 * (from + to);
+  include(band.midpoints, middle);
   const std::uint32_t cellIndex = findOrAdd(band, keyAt(band, middle));
   Cell& cell = band.cells[cellIndex];
   if (id.value >= entries_.size()) entries_.resize(std::max(front.capacity(), 2 * entries_.size()));
@@ -196,11 +211,17 @@ void FrontIndex::markBlock(Band& band, std::uint64_t key) {
 /// The front moves on and leaves empty cells behind; they would fill the table in time.
 void FrontIndex::dropEmptyCells(Band& band) {
   std::size_t kept = 0;
+  band.midpoints = kNowhere;
   for (const Cell& cell : band.cells) {
     if (cell.first.isNone()) continue;
     for (PlaceId id = cell.first; !id.isNone(); id = entries_[id.value].next) {
       std::uint32_t& own = entries_[id.value].cell;
       own = (own & ~((1u << kBandShift) - 1)) | static_cast<std::uint32_t>(kept);
+      // What an entry has lost to rounding is in its half.
+      const Entry& e = entries_[id.value];
+      const Point3 middle = origin_ + Point3{e.x, e.y, e.z}, half{e.half, e.half, e.half};
+      include(band.midpoints, middle - half);
+      include(band.midpoints, middle + half);
     }
     band.cells[kept++] = cell;
   }

@@ -36,6 +36,8 @@ class FrontIndex {
  private:
   static constexpr std::uint32_t kEmpty = 0xffffffffu;
 
+  static constexpr Box3 kNowhere{{1e300, 1e300, 1e300}, {-1e300, -1e300, -1e300}};
+
   struct Cell {
     std::uint64_t key = 0;
     PlaceId first;
@@ -67,6 +69,7 @@ class FrontIndex {
     double cellSize = 1, inverseCellSize = 1;
     Point3 origin;     ///< half a cell off, so that a front in a plane z = 0 keeps to one layer
     double reach = 0;  ///< largest distance of an edge's points from its midpoint, so far
+    Box3 midpoints = kNowhere;  ///< holds them all
     std::size_t edges = 0;
     std::vector<Cell> cells;           ///< in order of first use
     std::vector<std::uint32_t> slots;  ///< open addressing into cells; a power of two
@@ -102,6 +105,7 @@ class FrontIndex {
   }
 
   std::size_t bandOf(double length) const;
+  static bool mayHold(const Band& band, const Box3& box);
   CellRange cellsAround(const Band& band, const Box3& box) const;
   std::uint64_t keyAt(const Band& band, const Point3& point) const;
 

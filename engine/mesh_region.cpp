@@ -64,6 +64,15 @@ RegionMesh meshPiece(const AF2Algorithm& algorithm, const RegionTask& task, cons
 MeshingResult join(const FrontInput& input, const SplitRegion& split,
                    std::vector<RegionMesh>& pieces) {
   MeshingResult joined;
+  std::size_t vertices = input.vertexCount + split.cutVertices.size(), elements = 0;
+  for (std::size_t p = 0; p < pieces.size(); ++p) {
+    vertices += pieces[p].result.mesh.vertices.size() - split.pieces[p].vertices.size();
+    elements += pieces[p].result.mesh.elements.size();
+  }
+  // Else growing would hold the mesh twice, beside the pieces that are still there.
+  joined.mesh.vertices.reserve(vertices);
+  joined.mesh.elements.reserve(elements);
+  joined.mesh.rule.reserve(elements);
   joined.mesh.vertices.resize(input.vertexCount);
   joined.mesh.vertices.insert(joined.mesh.vertices.end(), split.cutVertices.begin(),
                               split.cutVertices.end());
