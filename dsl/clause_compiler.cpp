@@ -165,6 +165,9 @@ void ClauseCompiler::compileCost(const CostClause& clause) {
   const Value value = expressions_.number(clause.value, "a cost");
   hasErrors_ = hasErrors_ || (value.isAny() && !isGeneric_);
   if (value.isAny()) return;
+  if (builder_.constantValue(value.number) == 0.0)
+    expressions_.warnIdle(clause.value.span, "a cost of 0 changes nothing",
+                          "remove it, or give it a value");
   definition().cost = makeFunction(builder_, value.number);
 }
 
@@ -176,6 +179,9 @@ void ClauseCompiler::compilePriority(const PriorityClause& clause, Span span) {
   if (*value != std::floor(*value) || std::abs(*value) > 1e6)
     return tell("Y3", clause.value.span, "a priority is a whole number",
                 "this is " + shownNumber(*value));
+  if (*value == 0)
+    expressions_.warnIdle(span, "a priority of 0 is what every rule has",
+                          "remove it, or give it another value: the smaller one wins");
   definition().priority = static_cast<int>(*value);
 }
 

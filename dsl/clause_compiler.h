@@ -125,6 +125,7 @@ class ClauseCompiler {
   void compileElements(const ElementClause& clause);
   void addElement(const Name& kind, const std::vector<Name>& corners);
   std::optional<int> elementVertex(const Name& kind, const Name& name);
+  void tellIdleAlternatives();
   void compileZones();
   void compileRequire(const RequireClause& clause);
   void compileCost(const CostClause& clause);

@@ -206,6 +206,11 @@ void ClauseCompiler::compileSlope(const SlopeClause& slope) {
         tell("R2", cover(slope.from.span, slope.to.span), "the slope of this edge is given twice",
              "", "give it once");
       edge.slope = form;
+      const bool isIdle = !form || (form->xx == 0 && form->xy == 0 && form->yy == 0);
+      if (isIdle && (isAny || !hasErrors_))
+        expressions_.warnIdle(cover(slope.from.span, slope.tolerance.span),
+                              "this slope lets every edge through",
+                              "remove it, or give it a weight: a larger one is stricter");
       if (u == 0 && v == 1 && !mirror_)
         warn("D1", cover(slope.from.span, slope.tolerance.span),
              "a slope of the base edge tests its length only: the frame's x axis runs along it",

@@ -83,6 +83,25 @@ ShapeValue ClauseCompiler::unionOf(std::vector<ShapeValue> shapes) {
   return result;
 }
 
+/// Alternatives whose `when` never decides: it is settled by constants, or by an earlier one.
+void ClauseCompiler::tellIdleAlternatives() {
+  std::vector<Node> before;
+  for (const ReadZone& zone : zones_) {
+    const Expr& when = zone.text->when;
+    if (when.isMissing()) continue;
+    const auto constant = builder_.constantValue(zone.when.number);
+    if (constant)
+      expressions_.warnIdle(when.span,
+                            *constant != 0 ? "this condition always holds"
+                                           : "this condition never holds, so the zone is not used",
+                            "it does not depend on the match");
+    else if (std::ranges::find(before, zone.when.number) != before.end())
+      expressions_.warnIdle(when.span, "this zone is never used: an earlier one has its condition",
+                            "remove it, or give it another condition");
+    before.push_back(zone.when.number);
+  }
+}
+
 void ClauseCompiler::compileZones() {
   if (zones_.empty()) return;
   const auto hasWhen = [](const ReadZone& z) { return !z.text->when.isMissing(); };
@@ -94,6 +113,7 @@ void ClauseCompiler::compileZones() {
                         Severity::Warning);
   if (!std::all_of(zones_.begin(), zones_.end(), [](const ReadZone& z) { return z.isRight; }))
     return;
+  tellIdleAlternatives();
   for (const ReadZone& zone : zones_)
     if (isShapeClause(*zone.text) && zone.shape.shape->user) return compileUserZone(zone);
   if (zones_.size() == 1 && !hasConditions && !isShapeClause(*zones_[0].text)) {

@@ -10,6 +10,14 @@
 
 namespace af2::dsl {
 
+void ExpressionCompiler::warnIdle(Span span, std::string message, std::string help) {
+  const auto isParameter = [](const auto& entry) {
+    return entry.second.kind == LocalKind::Parameter;
+  };
+  if (algebra_.frame().mirrored || std::ranges::any_of(locals, isParameter)) return;
+  tell("D1", span, std::move(message), "", std::move(help), Severity::Warning);
+}
+
 void ExpressionCompiler::tell(const char* code, Span span, std::string message, std::string label,
                               std::string help, Severity severity,
                               std::vector<DiagnosticNote> notes) {

@@ -81,6 +81,9 @@ class ExpressionCompiler {
   /// Types only, parameters unknown: for definitions that nobody has called yet.
   Value checkBody(const FunctionName& function);
 
+  /// D1, where it is so for every rule that the text stands for: not what one member of a family
+  /// makes of it, and once for a rule and its mirror.
+  void warnIdle(Span span, std::string message, std::string help);
   void tell(const char* code, Span span, std::string message, std::string label = {},
             std::string help = {}, Severity severity = Severity::Error,
             std::vector<DiagnosticNote> notes = {});
@@ -117,6 +120,7 @@ class ExpressionCompiler {
   Value shapeChain(const Expr& expr);
   Value shapeOf(ShapeKind kind, const Value& first, const Value& second);
   Value fadeShapes(const Expr& expr);
+  void tellNoFade(const Expr& expr);
   Value add(const Expr& expr, const Value& a, const Value& b);
   Value multiply(const Expr& expr, const Value& a, const Value& b);
   Value divide(const Expr& expr, const Value& a, const Value& b);

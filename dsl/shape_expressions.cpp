@@ -60,6 +60,13 @@ ShapeValue blended(const Algebra& algebra, const ShapeValue& preferred, const Sh
   return result;
 }
 
+/// Of trees that are built alike: equal numbers are one step.
+bool isSameShape(const ShapeValue& a, const ShapeValue& b) {
+  const auto isSame = [](const auto& p, const auto& q) { return isSameShape(*p, *q); };
+  return a.points == b.points && a.numbers == b.numbers &&
+         std::ranges::equal(a.parts, b.parts, isSame);
+}
+
 std::string usageOf(const std::string& name) {
   if (name == "disc") return "disc(centre, radius)";
   if (name == "left") return "left(point, direction)";
@@ -79,7 +86,13 @@ ExpressionCompiler::Corner ExpressionCompiler::corner(const Expr& given) {
   Corner result;
   result.preferred = point(expr.parts[0], "a corner");
   result.limiting = point(expr.parts[1], "a corner");
+  if (!result.preferred.isAny() && result.preferred.at == result.limiting->at) tellNoFade(expr);
   return result;
+}
+
+void ExpressionCompiler::tellNoFade(const Expr& expr) {
+  warnIdle(expr.span, "this does not fade: both sides of '=>' are the same",
+           "write one of them, or another limit");
 }
 
 NodePair ExpressionCompiler::fadedPoint(const Expr& expr) {
@@ -97,6 +110,7 @@ Value ExpressionCompiler::fadeShapes(const Expr& expr) {
   }
   const Value preferred = evaluate(expr.parts[0]), limiting = evaluate(expr.parts[1]);
   if (preferred.isAny() || limiting.isAny()) return {};
+  if (preferred.isPoint() && limiting.isPoint() && preferred.at == limiting.at) tellNoFade(expr);
   if (preferred.isPoint() && limiting.isPoint())
     return algebra_.point(algebra_.lerp(limiting.at, preferred.at, fade()));
   if (preferred.type != Type::Shape) return wrongType(expr.parts[0], "a shape", preferred);
@@ -108,6 +122,7 @@ Value ExpressionCompiler::fadeShapes(const Expr& expr) {
          "both sides need the same constructors with the same number of corners");
     return {};
   }
+  if (isSameShape(*preferred.shape, *limiting.shape)) tellNoFade(expr);
   return shapeValue(blended(algebra_, *preferred.shape, *limiting.shape, fade()));
 }
 

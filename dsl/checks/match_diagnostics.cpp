@@ -17,9 +17,21 @@ bool allows(const Rule& rule, const std::string& code) {
   return false;
 }
 
+/// Where the rule's condition of that number is written.
+std::optional<Span> conditionSpan(const Rule& rule, std::size_t number) {
+  for (const Clause& clause : rule.clauses)
+    if (const auto* require = std::get_if<RequireClause>(&clause.content)) {
+      if (number < require->conditions.size()) return require->conditions[number].span;
+      number -= require->conditions.size();
+    }
+  return std::nullopt;
+}
+
 Span spanOf(const CompiledRule& rule, const SampledFinding& finding) {
   const auto element = static_cast<std::size_t>(finding.element);
   if (finding.code == "G2" && element < rule.elementSpans.size()) return rule.elementSpans[element];
+  if (finding.code == "D1" && rule.text)
+    return conditionSpan(*rule.text, element).value_or(rule.title);
   if (finding.code[0] == 'Z' && !rule.zoneSpans.empty()) return rule.zoneSpans.front();
   return rule.title;
 }
@@ -56,6 +68,7 @@ std::vector<Diagnostic> diagnosticsOf(const LoadedRules& loaded, const SampledRe
   for (const SampledFinding& finding : result.findings) {
     const CompiledRule& rule = loaded.file->rules[finding.rule];
     if (rule.text && allows(*rule.text, finding.code)) continue;
+    if (finding.code == "D1" && rule.isMirror) continue;  // the clause is the rule's own
     Diagnostic diagnostic = diagnosticOf(finding);
     diagnostic.place = placeOf(rule.home->source, spanOf(rule, finding));
     diagnostic.rule = rule.definition.name;

@@ -74,6 +74,40 @@ bool isCoveredIn(RuleGraph& graph, const AF2Rule& rule, const GraphZone& zone,
   return true;
 }
 
+/// What shows that a condition holds, or does not, with more to spare than proofs round away;
+/// nothing where no way is known.
+std::optional<Claim> surely(RuleGraph& graph, Node condition, bool truth) {
+  constexpr double kSpare = 1e-6;
+  if (const auto constant = graph.constantValue(condition))
+    return (*constant != 0) == truth ? std::optional(allOf({})) : std::nullopt;
+  const Step step = graph.step(condition);
+  const Node a = step.arguments[0], b = step.arguments[1];
+  const auto above = [&](Node high, Node low) {
+    return notNegative(graph.subtract(graph.subtract(high, low), graph.constant(kSpare)));
+  };
+  switch (step.op) {
+    case Op::Less:
+    case Op::LessEqual:
+      return truth ? above(b, a) : above(a, b);
+    case Op::Equal:
+      return truth ? std::nullopt : std::optional(anyOf({above(a, b), above(b, a)}));
+    case Op::Not:
+      return surely(graph, a, !truth);
+    case Op::And:
+    case Op::Or: {
+      const auto first = surely(graph, a, truth), second = surely(graph, b, truth);
+      if ((step.op == Op::And) != truth) {  // one of both will do
+        if (first && second) return anyOf({*first, *second});
+        return first ? first : second;
+      }
+      if (!first || !second) return std::nullopt;
+      return allOf({*first, *second});
+    }
+    default:
+      return std::nullopt;
+  }
+}
+
 template <class HoldsIn>
 bool holdsInEachZone(const RuleSet& rules, const AF2Rule& rule, int level, const HoldsIn& holds) {
   try {
@@ -99,6 +133,20 @@ bool provesCovered(const RuleSet& rules, const AF2Rule& rule, int level, ProofEf
   return holdsInEachZone(rules, rule, level, [&](RuleGraph& graph, const GraphZone& zone) {
     return isCoveredIn(graph, rule, zone, effort);
   });
+}
+
+bool provesCondition(const RuleSet& rules, const AF2Rule& rule, const AF2BindingFunction& condition,
+                     bool truth, int level, ProofEffort& effort) {
+  constexpr MatchDomain kEverywhere{{1e-3, 1e3}, 1e3};
+  try {
+    RuleGraph graph(rules, rule, level, kEverywhere);
+    const Node node = graph.importTruth(condition);
+    if (node < 0) return false;
+    const auto claim = surely(graph, node, truth);
+    return claim && holdsEverywhere(graph, *claim, {}, effort);
+  } catch (const RuleGraph::Unknown&) {
+    return false;
+  }
 }
 
 }  // namespace af2::dsl

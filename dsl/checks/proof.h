@@ -27,4 +27,10 @@ bool provesPositive(const RuleSet& rules, const AF2Rule& rule, int level, ProofE
 /// Whether every element lies in the zone, at any such match with elements that are positive.
 bool provesCovered(const RuleSet& rules, const AF2Rule& rule, int level, ProofEffort& effort);
 
+/// Whether a condition is surely `truth` at every match that passes the pattern and the `require`
+/// of `rule`: here base edges of any length are meant, and vertices anywhere. Where the condition
+/// has no value nothing is said. Neither it nor the rule's `require` may ask for sizes.
+bool provesCondition(const RuleSet& rules, const AF2Rule& rule, const AF2BindingFunction& condition,
+                     bool truth, int level, ProofEffort& effort);
+
 }  // namespace af2::dsl

@@ -18,8 +18,9 @@ bool isSum(Op op) {
 
 }  // namespace
 
-RuleGraph::RuleGraph(const RuleSet& rules, const AF2Rule& rule, int level)
-    : rules_(rules), rule_(rule.definition()), level_(level) {
+RuleGraph::RuleGraph(const RuleSet& rules, const AF2Rule& rule, int level,
+                     const MatchDomain& domain)
+    : rules_(rules), rule_(rule.definition()), level_(level), domain_(domain) {
   addVertices();
   for (const auto& transform : rule_.newVertices) placed_.push_back(import(*transform));
   for (const auto& requirement : rule_.requirements) {
@@ -228,7 +229,6 @@ NodePair RuleGraph::import(const AF2PointTransform& transform) {
   return at;
 }
 
-/// -1 for functions that the graph cannot hold.
 Node RuleGraph::importTruth(const AF2BindingFunction& function) {
   const auto* expression = dynamic_cast<const ExpressionFunction*>(&function);
   return expression ? import(expression->program()).front() : -1;
@@ -238,12 +238,12 @@ Node RuleGraph::importTruth(const AF2BindingFunction& function) {
 
 Interval RuleGraph::rangeOf(const PatternVertex& vertex, char axis) const {
   const double reference = axis == 'x' ? vertex.reference.x : vertex.reference.y;
-  double reach = kFarthestVertex;
+  double reach = domain_.farthestVertex;
   if (vertex.tolerance) {
     const ToleranceForm& w = *vertex.tolerance;
     const double det = w.xx * w.yy - 0.25 * w.xy * w.xy;
     const double own = axis == 'x' ? w.xx : w.yy, other = axis == 'x' ? w.yy : w.xx;
-    reach = 4 * kFarthestVertex;  // where the form sets no bound
+    reach = 4 * domain_.farthestVertex;  // where the form sets no bound
     if (det > 1e-9 && own > 0)
       reach = std::min(reach, std::sqrt(rules_.matchTolerance(level_) * other / det));
     reach *= 1 + 1e-12;
@@ -268,7 +268,7 @@ void RuleGraph::addVertices() {
   const Node zero = constant(0);
   placed_.push_back({zero, zero});
   placed_.push_back({isScaled ? constant(1) : keep(builder_.coordinate(1, 'x')), zero});
-  if (!isScaled) variables_.push_back({Op::CoordinateX, 1, kBaseLengths});
+  if (!isScaled) variables_.push_back({Op::CoordinateX, 1, domain_.baseLengths});
   for (std::size_t i = 2; i < rule_.vertices.size(); ++i) {
     const PatternVertex& vertex = rule_.vertices[i];
     const int index = static_cast<int>(i);

@@ -39,10 +39,16 @@ struct GraphVariable {
 inline constexpr double kFarthestVertex = 2.5;
 inline constexpr Interval kBaseLengths{0.7, 1.4};  ///< by the wanted length
 
+/// Which matches a graph stands for, where the pattern sets no bound.
+struct MatchDomain {
+  Interval baseLengths = kBaseLengths;
+  double farthestVertex = kFarthestVertex;
+};
+
 class RuleGraph {
  public:
   /// Throws Unknown if the rule places a vertex in a way that the graph cannot hold.
-  RuleGraph(const RuleSet& rules, const AF2Rule& rule, int level);
+  RuleGraph(const RuleSet& rules, const AF2Rule& rule, int level, const MatchDomain& domain = {});
   struct Unknown {};
 
   const std::vector<NodePair>& placed() const { return placed_; }  ///< matched, then new vertices
@@ -67,6 +73,10 @@ class RuleGraph {
   /// Twice the signed area of p, q, r; 0 if two of them are the same.
   Node turn(NodePair p, NodePair q, NodePair r);
 
+  /// The condition's node; -1 for functions that the graph cannot hold.
+  Node importTruth(const AF2BindingFunction& function);
+  /// How a node is made; of a constant: nothing that means anything.
+  const Step& step(Node node) const { return steps_[static_cast<std::size_t>(node)]; }
   std::optional<double> constantValue(Node node) const { return builder_.constantValue(node); }
   LinearPoint linear(NodePair p) const { return {form(p.x), form(p.y)}; }
   /// What follows from a condition that holds, as nodes that are >= 0.
@@ -80,7 +90,6 @@ class RuleGraph {
   Node importStep(const Step& step, const std::vector<Node>& imported);
   std::vector<Node> import(const Program& program);
   NodePair import(const AF2PointTransform& transform);
-  Node importTruth(const AF2BindingFunction& function);
   void addVertices();
   void addTolerance(const ToleranceForm& form, NodePair deviation);
   Interval rangeOf(const PatternVertex& vertex, char axis) const;
@@ -94,6 +103,7 @@ class RuleGraph {
   const RuleSet& rules_;
   const RuleDefinition& rule_;
   int level_;
+  MatchDomain domain_;
   ProgramBuilder builder_;
   std::vector<LinearForm> forms_;  // by node
   std::map<std::vector<std::pair<Node, double>>, Node> sums_;

@@ -73,6 +73,9 @@ double shareOfLost(const RuleSample& sample);
 std::optional<SampledFinding> findLost(const RuleSample& sample);
 /// Z3: the zone does not grow as the level rises.
 std::optional<SampledFinding> findGrowing(const RuleSample& sample);
+/// D1: conditions that every match passes, or none. `element` is the number of the condition.
+std::vector<SampledFinding> findIdleConditions(const RuleSet& rules, std::size_t rule,
+                                               const SamplingOptions& options);
 /// D3: there are situations in which the rule is chosen.
 std::optional<SampledFinding> findNeverChosen(const RuleSample& sample, SingleStepper& stepper,
                                               const SamplingOptions& options);

@@ -36,6 +36,8 @@ class RuleChecks {
     RuleAnswers answers;
     if (levels_.empty()) return answers;
     answers.isTried = true;
+    for (SampledFinding& finding : findIdleConditions(rules_, index_, options_))
+      findings_.push_back(std::move(finding));
     const RuleSample sample =
         sampleRule(rules_, index_, levels_.front(), options_.samples, options_.seed);
     if (sample.matches.empty()) return answers;

@@ -34,7 +34,7 @@ struct SampledFinding {
   std::string code;
   Severity severity = Severity::Warning;
   std::size_t rule = 0;  ///< index in the rule set
-  int element = -1;      ///< of the rule, where the finding is about one
+  int element = -1;      ///< of the rule, where the finding is about one; of D1: the condition
   std::string message;   ///< the fault, one line without a full stop
   std::string help;
   CounterExample example;

@@ -50,7 +50,8 @@ TEST_P(RuleFile, HasJustTheseFindings) {
 
 INSTANTIATE_TEST_SUITE_P(Cases, RuleFile,
                          ::testing::Values("quads.af2", "inverted.af2", "covered.af2",
-                                           "growing.af2", "shadowed.af2", "lost.af2", "later.af2"),
+                                           "growing.af2", "shadowed.af2", "lost.af2", "later.af2",
+                                           "conditions.af2"),
                          [](const auto& one) { return one.param.substr(0, one.param.find('.')); });
 
 TEST(LaterLevels, AreNamedByTheLowestOneWithAFault) {
@@ -87,11 +88,13 @@ void expectTestsThatFail(const LoadedRules& loaded, std::vector<SampledFinding> 
     findings.push_back(*uncovered);
   std::size_t own = loaded.file->tests.size(), added = 0;
   const auto add = [&](const std::string& test) {
-    EXPECT_FALSE(test.empty());
     text += test;
     ++added;
   };
   for (const SampledFinding& finding : findings) {
+    // That a condition always holds no match can show.
+    if (finding.code == "D1" && finding.test.empty()) continue;
+    EXPECT_FALSE(finding.test.empty());
     add(finding.test);
     for (const std::string& test : finding.furtherTests) add(test);
   }
