@@ -24,8 +24,9 @@ const std::array kExplanations{
                     "Way out: remove the value, or rename it."},
     CodeExplanation{
         "D1", "a clause can never act",
-        "A condition that does not depend on the match, an empty range, a zone behind the last\n"
-        "alternative: the clause changes nothing, or the rule never applies.\n\n"
+        "A condition that is proven to hold for every match or for none, an empty range, a zone\n"
+        "behind the last alternative, a cost or priority of 0, a slope that lets everything pass,\n"
+        "`=>` between equal sides: the clause changes nothing, or the rule never applies.\n\n"
         "Way out: remove it, or let it depend on what it was meant to test."},
     CodeExplanation{"D2", "a rule's quality levels are never reached",
                     "A rule is tried from its first level on. Levels end where `classes` ends; an "
