@@ -12,7 +12,7 @@ namespace af2::cli {
 geometry::ModelMesh runPlanar(const MeshRequest& request, const AF2Algorithm& algorithm,
                               const RunControl& control) {
   if (!request.faces.empty())
-    throw UsageError("a .poly file is meshed as a whole: leave out --faces");
+    throw UsageError("a planar domain is meshed as a whole: leave out --faces");
   Stopwatch reading;
   const bool hasCurves = request.model.extension() == ".in2d";
   geometry::PlanarCurves curves;

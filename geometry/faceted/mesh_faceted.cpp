@@ -8,6 +8,7 @@
 #include "engine/error.h"
 #include "engine/mesh_region.h"
 #include "engine/stopwatch.h"
+#include "geometry/append_face.h"
 #include "geometry/curve_division.h"
 #include "geometry/faceted/facet_surface.h"
 #include "geometry/graded_size.h"
@@ -261,28 +262,17 @@ class FacetedMesher {
 
   void add(const MeshingResult& result, const std::vector<VertexId>& boundary,
            const SizeField& wanted, FaceReport& report) {
-    const std::size_t base = mesh_.vertices.size();
-    mesh_.wantedSizes.resize(base, kFar);
+    mesh_.wantedSizes.resize(mesh_.vertices.size(), kFar);
+    appendFace(mesh_, result, boundary, report);
     for (std::size_t i = 0; i < result.mesh.vertices.size(); ++i) {
       const double size = wanted.sizeAt(result.mesh.vertices[i]);
-      if (i < boundary.size()) {
-        double& there = mesh_.wantedSizes[boundary[i].value];
-        there = std::min(there, size);
-      } else {
-        mesh_.vertices.push_back(result.mesh.vertices[i].position);
+      if (i >= boundary.size()) {
         mesh_.wantedSizes.push_back(size);
+        continue;
       }
+      double& there = mesh_.wantedSizes[boundary[i].value];
+      there = std::min(there, size);
     }
-    for (Element element : result.mesh.elements) {
-      for (VertexId& v : element.corners)
-        if (!v.isNone())
-          v = v.value < boundary.size() ? boundary[v.value]
-                                        : VertexId(base + v.value - boundary.size());
-      mesh_.elements.push_back(element);
-      mesh_.face.push_back(report.id);
-    }
-    mesh_.rule.insert(mesh_.rule.end(), result.mesh.rule.begin(), result.mesh.rule.end());
-    report.elements = result.mesh.elements.size();
   }
 
   /// Counts only the patches that were meshed.

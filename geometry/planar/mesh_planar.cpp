@@ -9,6 +9,7 @@
 #include "engine/error.h"
 #include "engine/mesh_region.h"
 #include "engine/plane_chart.h"
+#include "geometry/append_face.h"
 #include "geometry/graded_size.h"
 #include "geometry/narrow_places.h"
 #include "geometry/planar/loops.h"
@@ -254,7 +255,7 @@ class PlanarMesher {
     RegionMesh meshed =
         af2::meshRegion(algorithm_, task, {options_.observer, options_.progress, options_.stop});
     judge(meshed, report);
-    if (report.status == FaceStatus::Complete) add(meshed.result, boundary, report);
+    if (report.status == FaceStatus::Complete) appendFace(mesh_, meshed.result, boundary, report);
 
     const auto end = std::chrono::steady_clock::now();
     report.seconds = std::chrono::duration<double>(end - start).count();
@@ -310,22 +311,6 @@ class PlanarMesher {
     report.reason = "the front got stuck with " + std::to_string(result.stuck.size()) +
                     " edges left, the first at (" + std::to_string(p.x) + ", " +
                     std::to_string(p.y) + ")";
-  }
-
-  void add(const MeshingResult& result, const std::vector<VertexId>& boundary, FaceReport& report) {
-    const std::size_t base = mesh_.vertices.size();
-    for (std::size_t i = boundary.size(); i < result.mesh.vertices.size(); ++i)
-      mesh_.vertices.push_back(result.mesh.vertices[i].position);
-    for (Element element : result.mesh.elements) {
-      for (VertexId& v : element.corners)
-        if (!v.isNone())
-          v = v.value < boundary.size() ? boundary[v.value]
-                                        : VertexId(base + v.value - boundary.size());
-      mesh_.elements.push_back(element);
-      mesh_.face.push_back(report.id);
-    }
-    mesh_.rule.insert(mesh_.rule.end(), result.mesh.rule.begin(), result.mesh.rule.end());
-    report.elements = result.mesh.elements.size();
   }
 
   /// Counts only the faces that were meshed.
