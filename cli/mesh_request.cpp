@@ -21,8 +21,9 @@ void checkReadable(const fs::path& model) {
   const fs::file_status status = fs::status(model, ignored);
   if (!fs::exists(status)) throw InputError(fmt::format("there is no file '{}'", model.string()));
   if (fs::is_directory(status)) {
-    throw InputError(fmt::format(
-        "'{}' is a directory; give a STEP, IGES, BREP, .poly, STL or OBJ file", model.string()));
+    throw InputError(
+        fmt::format("'{}' is a directory; give a STEP, IGES, BREP, .poly, .in2d, STL or OBJ file",
+                    model.string()));
   }
 }
 

@@ -1,0 +1,83 @@
+#include "engine/open_places.h"
+
+#include "engine/predicates.h"
+
+namespace af2 {
+namespace {
+
+/// The free directions at a place: counter-clockwise from the next to the previous vertex of the
+/// front; both ends belong to them.
+struct Sector {
+  Point2 center, next, previous;
+
+  bool contains(Point2 d) const {
+    const bool leftOfNext = orientation(center, next, d) != Turn::Right;
+    const bool rightOfPrevious = orientation(center, previous, d) != Turn::Left;
+    if (leftOfNext && rightOfPrevious) return true;
+    switch (orientation(center, next, previous)) {
+      case Turn::Left:
+        return false;
+      case Turn::Right:
+        return leftOfNext || rightOfPrevious;
+      case Turn::Straight:
+        break;
+    }
+    return leftOfNext || dot(next - center, previous - center) > 0;
+  }
+};
+
+Point2 positionOf(const StepView& view, PlaceId id) {
+  return view.chart.project(view.front[id].point).position;
+}
+
+bool placeIsOpenTo(const StepView& view, PlaceId id, Point2 center, Point2 d1, Point2 d2) {
+  const Place& place = view.front[id];
+  // At an isolated vertex and at the end of an open chain all directions are free.
+  if (place.level <= 0 || !view.front.hasEdge(place.previous)) return true;
+  const Sector sector{center, positionOf(view, place.next), positionOf(view, place.previous)};
+  return sector.contains(d1) && sector.contains(d2);
+}
+
+/// The same for the ends a and b of the base, whose edge is drawn already.
+bool baseIsOpenTo(const StepView& view, const Match& match, Point2 first, Point2 last) {
+  const Point2 a = match.points[0], b = match.points[1];
+  const PlaceId before = view.front.previous(match.places[0]), end = match.places[1];
+  return (!view.front.hasEdge(before) || Sector{a, b, positionOf(view, before)}.contains(first)) &&
+         (!view.front.hasEdge(end) ||
+          Sector{b, positionOf(view, view.front.next(end)), a}.contains(last));
+}
+
+/// A vertex may stand on the front more than once; the place at which the new elements lie is the
+/// one whose free sector they fill. None: they would cover what is meshed already.
+PlaceId openPlace(const StepView& view, PlaceId matched, Point2 center, Point2 d1, Point2 d2) {
+  if (placeIsOpenTo(view, matched, center, d1, d2)) return matched;
+  const VertexId id = view.front[matched].vertex;
+  for (const Neighborhood::Edge& edge : view.near.edges()) {
+    const PlaceId other = edge.place;
+    if (other != matched && view.front[other].vertex == id &&
+        placeIsOpenTo(view, other, center, d1, d2))
+      return other;
+  }
+  return {};
+}
+
+}  // namespace
+
+bool findOpenPlaces(const StepView& view, const CompiledRule& rule, const Match& match,
+                    std::vector<PlaceId>& places) {
+  places.assign(match.places.begin(), match.places.begin() + rule.matchedCount);
+  const auto& walk = rule.rule->replacement();
+  const auto at = [&](int v) { return match.points[static_cast<std::size_t>(v)]; };
+  if (!baseIsOpenTo(view, match, at(walk.front()), at(walk.back()))) return false;
+  for (std::size_t i = 0; i < walk.size(); ++i) {
+    if (walk[i] >= rule.matchedCount) continue;
+    const auto v = static_cast<std::size_t>(walk[i]);
+    const Point2 before = at(i == 0 ? 0 : walk[i - 1]);
+    const Point2 after = at(i + 1 == walk.size() ? 1 : walk[i + 1]);
+    places[v] = openPlace(view, places[v], at(walk[i]), before, after);
+    if (places[v].isNone()) return false;
+  }
+  return true;
+}
+
+}  // namespace af2
