@@ -75,6 +75,7 @@ geometry::ModelMeshingOptions meshingOptions(const MeshRequest& request,
   options.sizes = modelSizes(request.sizes, model);
   options.edgePoints = request.edgePoints;
   options.faces = request.faces;
+  options.chart = request.chart;
   options.order = request.order;
   options.threads = request.threads;
   options.optimize = request.optimize;

@@ -86,6 +86,9 @@ void declareMeshOptions(CLI::App& command, MeshOptions& options) {
                    "take the segments of a .poly file as they are");
   command.add_option("--feature-angle", options.featureAngle,
                      "of an STL or OBJ file: edges that turn by more degrees are kept, default 40");
+  command.add_option("--chart", options.chart,
+                     "how the front sees curved faces of a CAD model: " + geometry::chartNames() +
+                         " (default auto); faces that have no such chart are meshed with auto");
   command.add_option("-j,--threads", options.threads,
                      "threads to use; the mesh does not depend on it");
   command.add_option("--order", options.order,
@@ -114,6 +117,16 @@ void checkFaceted(const MeshOptions& options, const MeshRequest& request) {
         "points, boxes or fields");
   if (sizes.elementsAcross > 0 || !options.boundary.empty() || options.order != 1)
     throw UsageError("an STL or OBJ file takes no --proximity, --boundary or --order 2");
+}
+
+geometry::ChartKind checkedChart(const MeshOptions& options, const MeshRequest& request) {
+  if (request.isPlanar() || request.isFaceted())
+    throw UsageError("--chart is for the faces of CAD models");
+  const auto kind = geometry::chartKindOf(options.chart);
+  if (!kind)
+    throw UsageError(
+        fmt::format("--chart {}: there are {}", options.chart, geometry::chartNames()));
+  return *kind;
 }
 
 MeshRequest checkedRequest(const MeshOptions& options) {
@@ -150,6 +163,7 @@ MeshRequest checkedRequest(const MeshOptions& options) {
           fmt::format("--feature-angle {}: give degrees below 180", options.featureAngle));
   }
   request.keepBoundary = options.keepBoundary;
+  if (!options.chart.empty()) request.chart = checkedChart(options, request);
   checkOutputs(request);
   checkReadable(request.model);
   if (!options.boundary.empty()) request.edgePoints = geometry::readEdgePoints(options.boundary);

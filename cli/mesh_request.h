@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "cli/size_request.h"
+#include "geometry/chart_kind.h"
 #include "geometry/io/boundary_file.h"
 
 namespace af2::cli {
@@ -17,7 +18,7 @@ struct MeshOptions {
   SizeOptions sizes;
   std::vector<std::string> outputs;
   int threads = 0, order = 1;
-  std::string boundary, featureAngle;
+  std::string boundary, featureAngle, chart;
   bool quiet = false, rawFront = false, keepBoundary = false;
 };
 
@@ -31,6 +32,7 @@ struct MeshRequest {
   int order = 1;                    ///< of the elements
   int threads = 0;                  ///< 0: as many as the machine has
   geometry::EdgePoints edgePoints;  ///< edges that are divided already
+  geometry::ChartKind chart = geometry::ChartKind::Auto;
   bool quiet = false, optimize = true, keepBoundary = false;
 
   double featureAngle = 40;  ///< in degrees

@@ -19,6 +19,7 @@ struct FaceReport {
   int id = 0;               ///< 1, 2, ... in the order of the model
   std::string name;         ///< from the file, may be empty
   std::string surfaceType;  ///< "plane", "cylinder", ...
+  std::string chart = {};   ///< with which it was meshed: "plane", "mean-normal", ...
   FaceStatus status = FaceStatus::Complete;
   std::size_t elements = 0;
   double seconds = 0;

@@ -16,6 +16,7 @@ Json toJson(const FaceReport& face) {
   if (!face.name.empty()) json["name"] = face.name;
   json["surface_type"] = face.surfaceType;
   json["status"] = toString(face.status);
+  if (!face.chart.empty()) json["chart"] = face.chart;
   json["elements"] = face.elements;
   json["area"] = face.area;
   json["seconds"] = face.seconds;

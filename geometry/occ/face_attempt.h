@@ -7,16 +7,18 @@
 #include <string>
 
 #include "engine/mesh_region.h"
+#include "geometry/chart_kind.h"
 #include "geometry/occ/face_boundary.h"
 #include "geometry/occ/mesh_model.h"
 
 namespace af2::geometry {
 
-/// A mesh of a face and the charts with which it was made.
+/// A mesh of a face and how it was made.
 struct FaceAttempt {
   MeshingResult result;
-  std::unique_ptr<AF2LocalTransformMaker> charts;
-  std::string fault;  ///< empty: complete and sound, or cancelled
+  ChartKind chart = ChartKind::Auto;               ///< with which it was filled
+  std::unique_ptr<AF2LocalTransformMaker> charts;  ///< with which it may be optimised
+  std::string fault;                               ///< empty: complete and sound, or cancelled
   bool isOptimized = false;
   double optimizeShare = 0;         ///< of the time, if optimised
   std::size_t closingElements = 0;  ///< how many were made without a rule, to close a stuck front
@@ -38,11 +40,11 @@ struct FaceTask {
   bool mayBeFineInside = false;
   const ProgressCallback& progress;
   /// Charts and sizes of the face for one thread more.
-  const std::function<PieceTools()>& makeTools;
+  const std::function<PieceTools(ChartKind)>& makeTools;
 };
 
-/// The published charts first; then, where the loops are closed in the parameters, charts in these,
-/// which cannot fold; last, what is left of a stuck front is closed without rules. A curved strip
+/// With the charts that were asked for, then with those that suit the surface, one kind after the
+/// other; last, what is left of a stuck front is closed without rules. A curved strip
 /// that is narrow against the sag of its segments is better filled without vertices inside.
 FaceAttempt fillFace(const FaceTask& task);
 

@@ -3,11 +3,14 @@
 #include <Standard_Failure.hxx>
 #include <algorithm>
 #include <iterator>
+#include <optional>
 
 #include "engine/error.h"
 #include "engine/optimize.h"
+#include "engine/plane_chart.h"
 #include "engine/stopwatch.h"
 #include "geometry/graded_size.h"
+#include "geometry/laid_out.h"
 #include "geometry/occ/face_attempt.h"
 #include "geometry/occ/face_size.h"
 
@@ -34,6 +37,7 @@ class FaceMesher {
     mesh.optimizeSeconds = attempt.optimizeShare * filling.seconds();
     mesh.report.attempts = boundary.repairs;
     std::ranges::move(attempt.steps, std::back_inserter(mesh.report.attempts));
+    mesh.report.chart = toString(attempt.chart);
     if (!attempt.fault.empty()) {
       mesh.trouble = troubleOfFailure(surface_, boundary, attempt.failures);
       throw GeometryError(attempt.fault);
@@ -56,7 +60,7 @@ class FaceMesher {
  private:
   /// Through the chart of each side, which goes back to the surface from the middle of the side.
   void findMiddles(const Mesh& meshed, FaceMesh& mesh) const {
-    const auto charts = surface_.makeCharts({});
+    const auto charts = surface_.makeCharts(ChartKind::MeanNormal);
     for (const Element& element : meshed.elements) {
       SideMiddles& middles = mesh.middles.emplace_back();
       const auto corners = element.vertices();
@@ -87,7 +91,7 @@ class FaceMesher {
     try {
       return fillFace({face_, surface_, boundary, size, area_, expected_, context_.algorithm,
                        context_.options, context_.mayBeFineInside, context_.progress,
-                       [&] { return makeTools(boundary.input); }});
+                       [&](ChartKind kind) { return makeTools(boundary.input, kind); }});
     } catch (...) {
       mesh.trouble = troubleOfFailure(surface_, boundary, {});
       throw;
@@ -96,28 +100,36 @@ class FaceMesher {
 
   /// A size field with a surface of its own: OpenCASCADE's evaluators are not to be shared.
   struct OwnSize final : SizeField {
-    OwnSize(const FaceMeshingContext& context, int face, const FrontInput& input)
+    OwnSize(const FaceMeshingContext& context, int face, const FrontInput& input, ChartKind kind)
         : surface(context.model.surface(face)),
           wanted(context.options.sizes, face, surface),
-          graded(wanted, input, context.options.sizes.growth) {}
-    double sizeAt(const SurfacePoint& point) const override { return graded.sizeAt(point); }
+          graded(wanted, input, context.options.sizes.growth),
+          map(surface.makePlaneMap(kind)) {
+      if (map) laidOut.emplace(graded, *map);
+    }
+    double sizeAt(const SurfacePoint& point) const override {
+      return laidOut ? laidOut->sizeAt(point) : graded.sizeAt(point);
+    }
 
     FaceSurface surface;
     FaceSize wanted;
     GradedSize graded;
+    std::unique_ptr<PlaneMap> map;  ///< null: charts see the surface itself
+    std::optional<LaidOutSize> laidOut;
   };
 
-  PieceTools makeTools(const FrontInput& input) const {
-    auto size = std::make_shared<const OwnSize>(context_, face_, input);
-    auto charts = size->surface.makeCharts({});
+  PieceTools makeTools(const FrontInput& input, ChartKind kind) const {
+    auto size = std::make_shared<const OwnSize>(context_, face_, input, kind);
+    if (size->map) return {std::make_unique<PlaneChartMaker>(), std::move(size)};
+    auto charts = size->surface.makeCharts(kind);
     return {std::move(charts), std::move(size)};
   }
 
   void optimize(FaceAttempt& attempt, const FrontInput& input, FaceMesh& mesh) const {
     const Stopwatch watch;
     // Charts in parameters know a vertex of a seam on one of its sheets only.
-    const bool inParameters = dynamic_cast<MetricChartMaker*>(attempt.charts.get()) != nullptr;
-    if (inParameters && hasTwoSheets(input)) attempt.charts = surface_.makeCharts({});
+    if (attempt.chart == ChartKind::Parametric && hasTwoSheets(input))
+      attempt.charts = surface_.makeCharts(ChartKind::MeanNormal);
     OptimizeOptions options;
     options.stop = context_.options.stop;
     optimizeMesh(attempt.result.mesh, boundaryOf(input), *attempt.charts, options);

@@ -68,6 +68,25 @@ std::optional<ConeSurface> nappeOf(const gp_Cone& cone, const Bounds& bounds,
                   ConeSurface(apex, axis, tangent, Side::Inner, extent), position, normal);
 }
 
+AxisFrame axisFrame(const gp_Ax3& position, const Point3& origin) {
+  return {origin, toPoint(position.XDirection()), toPoint(position.YDirection()),
+          toPoint(position.Direction())};
+}
+
+/// The nappe of a cone that holds a place.
+std::shared_ptr<const UnrolledSurface> unrolled(const gp_Cone& cone, const ConeSurface& nappe,
+                                                double middle, const Point3& place) {
+  AxisFrame frame = axisFrame(cone.Position(), toPoint(cone.Apex()));
+  const bool isOther = dot(place - frame.origin, frame.axis) < 0;
+  if (isOther) frame.axis = -1 * frame.axis;
+  // The angle of OpenCASCADE's parameters may point to the other side of the axis.
+  if (isOther != (cone.SemiAngle() < 0)) {
+    frame.x = -1 * frame.x;
+    frame.y = -1 * frame.y;
+  }
+  return std::make_shared<UnrolledCone>(frame, std::abs(cone.SemiAngle()), middle, nappe);
+}
+
 bool reachesTip(const gp_Cone& cone, const Bounds& bounds) {
   const double tip = -cone.RefRadius() / std::sin(cone.SemiAngle());
   const double slack = 1e-6 * (bounds.v2 - bounds.v1);
@@ -134,15 +153,18 @@ FaceSurface::FaceSurface(const Handle(Geom_Surface) & surface, const SplineSurfa
     case GeomAbs_Cylinder: {
       const gp_Cylinder c = adaptor.Cylinder();
       const Point3 onAxis = toPoint(c.Location()), axis = toPoint(c.Axis().Direction());
-      surface_ = oriented(CylinderSurface(onAxis, axis, c.Radius(), Side::Outer),
-                          CylinderSurface(onAxis, axis, c.Radius(), Side::Inner), p, n);
+      const CylinderSurface cylinder =
+          oriented(CylinderSurface(onAxis, axis, c.Radius(), Side::Outer),
+                   CylinderSurface(onAxis, axis, c.Radius(), Side::Inner), p, n);
+      surface_ = cylinder;
+      unrolled_ = std::make_shared<UnrolledCylinder>(axisFrame(c.Position(), onAxis), cylinder);
       break;
     }
     case GeomAbs_Cone:
       if (const auto cone = nappeOf(adaptor.Cone(), bounds, p, n, extent_)) {
         surface_ = *cone;
         hasTip_ = reachesTip(adaptor.Cone(), bounds);
-        developed_.emplace(adaptor.Cone(), parametric_, bounds.u(0.5), sample.v);
+        unrolled_ = unrolled(adaptor.Cone(), *cone, bounds.u(0.5), p);
       }
       break;
     case GeomAbs_Sphere: {
@@ -177,13 +199,13 @@ void FaceSurface::measure() {
 }
 
 const ParametricSurface& FaceSurface::inParameters() const {
-  if (developed_) return *developed_;
+  if (unrolled_) return *unrolled_;
   return parametric_;
 }
 
 SurfacePoint FaceSurface::boundaryPoint(const Point3& position, double u, double v) const {
-  if (!developed_) return pointAt(position, u, v);
-  const Point2 flat = developed_->develop(u, v);
+  if (!unrolled_) return pointAt(position, u, v);
+  const Point2 flat = unrolled_->develop(position, u, v);
   return pointAt(position, flat.x, flat.y);
 }
 
@@ -241,6 +263,31 @@ std::unique_ptr<AF2LocalTransformMaker> FaceSurface::makeCharts(const ChartLimit
                                                                                        limits);
                                }},
                     surface_);
+}
+
+bool FaceSurface::has(ChartKind kind) const {
+  switch (kind) {
+    case ChartKind::Auto:
+      return true;
+    case ChartKind::Plane:
+      return isPlane();
+    case ChartKind::MeanNormal:
+    case ChartKind::Parametric:
+      return !isPlane();
+    case ChartKind::Developed:
+      return unrolled_ != nullptr;
+  }
+  return false;
+}
+
+std::unique_ptr<AF2LocalTransformMaker> FaceSurface::makeCharts(ChartKind kind) const {
+  if (kind == ChartKind::Parametric) return std::make_unique<MetricChartMaker>(inParameters());
+  return makeCharts(ChartLimits{});
+}
+
+std::unique_ptr<PlaneMap> FaceSurface::makePlaneMap(ChartKind kind) const {
+  if (kind == ChartKind::Developed && unrolled_) return std::make_unique<UnrolledMap>(*unrolled_);
+  return nullptr;
 }
 
 }  // namespace af2::geometry

@@ -8,10 +8,12 @@
 #include <vector>
 
 #include "engine/local_transform.h"
+#include "geometry/chart_kind.h"
 #include "geometry/mean_normal_chart.h"
-#include "geometry/occ/developed_cone.h"
 #include "geometry/occ/general_surface.h"
+#include "geometry/plane_map.h"
 #include "geometry/quadric_surfaces.h"
+#include "geometry/unrolled_surfaces.h"
 
 namespace af2::geometry {
 
@@ -50,13 +52,18 @@ class FaceSurface {
   /// Makes the published charts; for a plane, the exact one.
   std::unique_ptr<AF2LocalTransformMaker> makeCharts(const ChartLimits& limits) const;
 
-  /// The surface by our parameters (u, v): OpenCASCADE's, but for a cone those of the unrolled
-  /// cone.
+  /// Whether there are charts of a kind for this surface.
+  bool has(ChartKind kind) const;
+  /// Charts of a kind that looks at the surface from each base edge anew. They refer to this
+  /// surface.
+  std::unique_ptr<AF2LocalTransformMaker> makeCharts(ChartKind kind) const;
+  /// The map of a kind that lays out the whole face; null for the others. It refers to this
+  /// surface.
+  std::unique_ptr<PlaneMap> makePlaneMap(ChartKind kind) const;
+
+  /// The surface by our parameters (u, v): OpenCASCADE's, but for a cylinder and a cone those of
+  /// the unrolled surface.
   const ParametricSurface& inParameters() const;
-  /// Whether lengths in our parameters are those on the surface, up to a factor for each of them.
-  bool isDeveloped() const {
-    return developed_ || std::holds_alternative<CylinderSurface>(surface_);
-  }
   const GeneralSurface& inOccParameters() const { return parametric_; }
 
  private:
@@ -71,7 +78,7 @@ class FaceSurface {
   SplineSurface::Box box_;
   GeneralSurface parametric_;
   Surface surface_;
-  std::optional<DevelopedCone> developed_;
+  std::shared_ptr<const UnrolledSurface> unrolled_;  ///< null: there is none
   bool isBentInU_ = false, isBentInV_ = false, hasTip_ = false;
   double extent_ = 0;
 };

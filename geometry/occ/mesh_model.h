@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "engine/algorithm.h"
+#include "geometry/chart_kind.h"
 #include "geometry/edge_points.h"
 #include "geometry/model_check.h"
 #include "geometry/model_mesh.h"
@@ -63,6 +64,9 @@ struct ModelMeshingOptions {
   /// Edges that are divided already, by id: the vertices between their ends, in order along the
   /// edge, one way or the other; none: the edge is a single segment. They are kept as they are.
   EdgePoints edgePoints;
+  /// How surfaces are seen. A face whose surface has no such charts, or on which they fail, is
+  /// meshed as with ChartKind::Auto; its report tells.
+  ChartKind chart = ChartKind::Auto;
   int order = 1;           ///< 2: elements with vertices at the middles of their sides as well
   std::vector<int> faces;  ///< ids of the faces to mesh; empty: all
   int threads = 0;         ///< 0: as many as the machine has. The mesh does not depend on it.

@@ -33,6 +33,11 @@ expect 0 "$af2" mesh "$models/brickhole.step" --size 1 --report plain.json
 expect 0 "$af2" mesh "$models/plate.poly" --size 1 --max-size 0.5 --sizes sizes.json
 expect 0 "$af2" mesh "$models/plate.poly" --size 1 --proximity 3 --keep-boundary
 
+for chart in auto mean-normal parametric developed; do
+  expect 0 "$af2" mesh "$models/cylinder.step" --size 1 --chart $chart --report chart.json
+  [ $chart = auto ] || [ "$(json chart.json faces 0 chart)" = $chart ] || fail "--chart $chart did nothing"
+done
+
 expect 0 "$af2" mesh "$models/cylinder.step" --size 1 --order 2 -o second.vtu -o second.msh --report second.json
 [ "$(json second.json order)" = 2 ] || fail "order of the elements"
 [ "$(json second.json vertices)" -gt "$(json cylinder.json vertices)" ] || fail "--order did nothing"

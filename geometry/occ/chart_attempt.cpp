@@ -1,0 +1,196 @@
+#include "geometry/occ/chart_attempt.h"
+
+#include <algorithm>
+#include <cstdio>
+
+#include "engine/error.h"
+#include "engine/mesh_check.h"
+#include "geometry/laid_out.h"
+
+namespace af2::geometry {
+
+namespace {
+
+std::string toText(const Point3& p) {
+  char text[96];
+  std::snprintf(text, sizeof text, "(%.6g, %.6g, %.6g)", p.x, p.y, p.z);
+  return text;
+}
+
+/// Where and why the front got stuck: its first edge, and what kept the most promising rule away.
+std::string stuckReason(const MeshingResult& result, const AF2Algorithm& algorithm) {
+  std::string text =
+      "the front got stuck with " + std::to_string(result.stuck.size()) + " edges left";
+  if (result.stuck.empty()) return text;
+  const StuckEdge& edge = result.stuck.front();
+  text += ", the first from " + toText(result.mesh.vertices[edge.from.value].position) + " to " +
+          toText(result.mesh.vertices[edge.to.value].position);
+  const RuleRefusal* farthest = nullptr;
+  for (const RuleRefusal& refusal : edge.refusals)
+    if (!farthest || refusal.reason > farthest->reason) farthest = &refusal;
+  if (farthest)
+    text += "; rule '" + algorithm.rules().rules()[farthest->rule].name() +
+            "': " + toString(farthest->reason);
+  return text;
+}
+
+/// Stops a run that no longer fills a region but grows without end, because the boundary does not
+/// enclose one; or that is stuck almost everywhere, though still trying. Goes by what has been
+/// done, never by the clock.
+class RunawayGuard {
+ public:
+  RunawayGuard(std::size_t limit, bool mayStall, const std::stop_token& outer)
+      : limit_(limit), mayStall_(mayStall), forward_(outer, Forward{&source_}) {}
+
+  std::stop_token token() const { return source_.get_token(); }
+  void see(const Progress& progress) {
+    ranAway_ = progress.elements > limit_;
+    stalls_ = progress.elements < elements_ + kLeastGain ? stalls_ + 1 : 0;
+    elements_ = progress.elements;
+    if (ranAway_ || isStalled()) source_.request_stop();
+  }
+  bool ranAway() const { return ranAway_; }
+  /// Thousands of steps brought next to nothing, and there is another way to try.
+  bool isStalled() const { return mayStall_ && stalls_ >= kMostStalls; }
+
+ private:
+  struct Forward {
+    std::stop_source* source;
+    void operator()() const { source->request_stop(); }
+  };
+  static constexpr std::size_t kLeastGain = 64;  // elements from one report to the next
+  static constexpr int kMostStalls = 2;
+
+  std::size_t limit_, elements_ = 0;
+  int stalls_ = 0;
+  bool mayStall_, ranAway_ = false;
+  std::stop_source source_;
+  std::stop_callback<Forward> forward_;
+};
+
+/// Several times what the sizes along the boundary let expect. Only a size function may want much
+/// smaller elements inside.
+std::size_t elementLimit(const FaceTask& task) {
+  constexpr double kUnitTriangle = 0.433;  // area of the one with edges of length 1
+  constexpr double kMargin = 4, kFunctionMargin = 1e5;
+  std::size_t corners = 0;
+  double density = 0;
+  for (const auto& loop : task.boundary.input.loops) {
+    corners += loop.size();
+    for (const BoundaryCorner& corner : loop) {
+      const double size = task.size.sizeAt(corner.point);
+      density += 1 / (size * size);
+    }
+  }
+  const double byBoundary =
+      task.area * density /
+      (kUnitTriangle * static_cast<double>(std::max<std::size_t>(corners, 1)));
+  const double expected = std::max(task.expectedElements, byBoundary);
+  const double margin = task.mayBeFineInside ? kFunctionMargin : kMargin;
+  return static_cast<std::size_t>(std::min(margin * expected, 1e9)) + 12 * corners + 2000;
+}
+
+/// Points of a face for the cuts between its pieces.
+class FacePoints final : public SurfaceEvaluator {
+ public:
+  explicit FacePoints(const FaceSurface& surface) : surface_(surface) {}
+  SurfacePoint at(double u, double v) const override {
+    return surface_.pointAt(surface_.inParameters().pointAt(u, v).position, u, v);
+  }
+
+ private:
+  const FaceSurface& surface_;
+};
+
+void take(RegionMesh& mesh, const FaceTask& task, FaceAttempt& attempt) {
+  attempt.result = std::move(mesh.result);
+  attempt.fault = std::move(mesh.fault);
+  attempt.isOptimized = task.options.optimize;
+  attempt.optimizeShare = mesh.seconds > 0 ? mesh.optimizeSeconds / mesh.seconds : 0;
+}
+
+/// Seen anew from each base edge, in pieces if the face is large.
+FaceAttempt fillInPieces(const FaceTask& task, ChartKind kind, const MeshingOptions& options) {
+  const FacePoints points(task.surface);
+  const bool canCut = task.boundary.closedInParameters;
+  RegionMesh mesh = meshRegion(task.algorithm,
+                               {task.boundary.input,
+                                [&] { return task.makeTools(kind); },
+                                canCut ? &points : nullptr,
+                                {},
+                                task.options.optimize},
+                               options);
+  FaceAttempt attempt;
+  attempt.charts = task.surface.makeCharts(kind);
+  take(mesh, task, attempt);
+  return attempt;
+}
+
+/// As one piece, not optimised: these charts know a vertex of a seam on one of its sheets only.
+FaceAttempt fillInParameters(const FaceTask& task, const MeshingOptions& options) {
+  FaceAttempt attempt;
+  attempt.charts = task.surface.makeCharts(ChartKind::Parametric);
+  attempt.result = task.algorithm.execute(*attempt.charts, task.boundary.input, task.size, options);
+  if (attempt.result.outcome == Outcome::Complete)
+    attempt.fault = faultOf(attempt.result.mesh, boundaryOf(task.boundary.input));
+  return attempt;
+}
+
+/// The whole face laid out in one plane.
+FaceAttempt fillLaidOut(const FaceTask& task, ChartKind kind, const MeshingOptions& options) {
+  const std::unique_ptr<PlaneMap> map = task.surface.makePlaneMap(kind);
+  const LaidOutFront front = layOut(task.boundary.input, *map);
+  const PlanePoints points;
+  FaceAttempt attempt;
+  attempt.charts = task.surface.makeCharts(ChartKind::MeanNormal);
+  try {
+    RegionMesh mesh = meshRegion(
+        task.algorithm,
+        {front.input, [&] { return task.makeTools(kind); }, &points, {}, task.options.optimize},
+        options);
+    take(mesh, task, attempt);
+  } catch (const InputError& error) {
+    attempt.fault = error.what();  // the curves in the parameters are not what they should be
+    return attempt;
+  }
+  lift(attempt.result, front, task.boundary.input, *map);
+  if (attempt.result.outcome == Outcome::Complete && attempt.fault.empty())
+    attempt.fault = faultOfLifted(attempt.result.mesh, front, task.boundary.input);
+  return attempt;
+}
+
+FaceAttempt fill(const FaceTask& task, ChartKind kind, const MeshingOptions& options) {
+  switch (kind) {
+    case ChartKind::Developed:
+      return fillLaidOut(task, kind, options);
+    case ChartKind::Parametric:
+      return fillInParameters(task, options);
+    default:
+      return fillInPieces(task, kind, options);
+  }
+}
+
+}  // namespace
+
+FaceAttempt attemptWith(const FaceTask& task, ChartKind kind, bool mayStall) {
+  RunawayGuard guard(elementLimit(task), mayStall, task.options.stop);
+  MeshingOptions options;
+  options.stop = guard.token();
+  if (task.options.observer) options.observer = task.options.observer(task.face);
+  options.progress = [&](const Progress& progress) {
+    guard.see(progress);
+    if (task.progress) task.progress(progress);
+  };
+  FaceAttempt attempt = fill(task, kind, options);
+  attempt.chart = kind;
+  if (guard.ranAway())
+    attempt.fault =
+        "far more elements than the area has room for: the boundary does not enclose a region";
+  else if (guard.isStalled())
+    attempt.fault = "the front got stuck almost everywhere";
+  else if (attempt.result.outcome == Outcome::Stuck)
+    attempt.fault = stuckReason(attempt.result, task.algorithm);
+  return attempt;
+}
+
+}  // namespace af2::geometry

@@ -1,0 +1,81 @@
+// Whole faces through each kind of chart: complete, on the surface, and told in the report.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "geometry/occ/mesh_model.h"
+#include "tests/geometry/occ/shapes.h"
+#include "tests/support/triangle_rules.h"
+
+namespace af2::geometry {
+namespace {
+
+ModelMesh mesh(const Model& model, double size, ChartKind chart) {
+  static const AF2Algorithm algorithm(testing::triangleSet());
+  ModelMeshingOptions options;
+  options.sizes.size = size;
+  options.threads = 1;
+  options.chart = chart;
+  return meshModel(model, algorithm, options);
+}
+
+/// distance  of a point from the curved face, which is face 1
+template <class Distance>
+void expectOnSurface(const ModelMesh& mesh, double size, Distance&& distance) {
+  for (const FaceReport& face : mesh.faces) EXPECT_EQ(face.status, FaceStatus::Complete);
+  EXPECT_TRUE(mesh.findings.empty());
+  for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
+    if (mesh.face[e] != 1) continue;
+    for (const VertexId v : mesh.elements[e].vertices())
+      EXPECT_LT(std::abs(distance(mesh.vertices[v.value])), 1e-6 * size);
+  }
+}
+
+double fromTube(const Point3& p) { return length(Point2{p.x, p.y}) - 2; }
+/// From the cone of radius 2 at z = 0 with its tip at z = 3.
+double fromCone(const Point3& p) {
+  return (length(Point2{p.x, p.y}) - 2 * (1 - p.z / 3)) * 3 / std::sqrt(13.0);
+}
+
+TEST(Charts, ACylinderIsMeshedThroughEachThatItHas) {
+  for (const ChartKind kind :
+       {ChartKind::MeanNormal, ChartKind::Parametric, ChartKind::Developed}) {
+    const ModelMesh result = mesh(testing::cylinder(2, 3), 0.4, kind);
+    expectOnSurface(result, 0.4, fromTube);
+    EXPECT_EQ(result.faces[0].chart, toString(kind));
+    EXPECT_EQ(result.faces[1].chart, "plane");
+  }
+}
+
+TEST(Charts, AConeIsMeshedToItsTipThroughEachThatItHas) {
+  for (const ChartKind kind :
+       {ChartKind::MeanNormal, ChartKind::Parametric, ChartKind::Developed}) {
+    const ModelMesh result = mesh(testing::cone(2, 0, 3), 0.3, kind);
+    expectOnSurface(result, 0.3, fromCone);
+    EXPECT_EQ(result.faces[0].chart, toString(kind));
+  }
+}
+
+TEST(Charts, AreChosenByTheSurface) {
+  EXPECT_EQ(mesh(testing::cylinder(2, 3), 0.4, ChartKind::Auto).faces[0].chart, "developed");
+  EXPECT_EQ(mesh(testing::cone(2, 1, 3), 0.4, ChartKind::Auto).faces[0].chart, "developed");
+  EXPECT_EQ(mesh(testing::box(1, 1, 1), 0.4, ChartKind::Auto).faces[0].chart, "plane");
+}
+
+TEST(Charts, AFaceThatHasNoSuchChartIsMeshedWithAnother) {
+  const ModelMesh result = mesh(testing::torus(2, 1), 0.4, ChartKind::Developed);
+  EXPECT_EQ(result.faces[0].status, FaceStatus::Complete);
+  EXPECT_NE(result.faces[0].chart, "developed");
+  EXPECT_TRUE(result.faces[0].attempts.empty());  // nothing failed
+}
+
+TEST(Charts, HaveNames) {
+  for (const ChartKind kind :
+       {ChartKind::Auto, ChartKind::MeanNormal, ChartKind::Parametric, ChartKind::Developed})
+    EXPECT_EQ(chartKindOf(toString(kind)), kind);
+  EXPECT_EQ(chartKindOf("plane"), std::nullopt);  // follows from the face, is not asked for
+  EXPECT_EQ(chartKindOf(""), std::nullopt);
+}
+
+}  // namespace
+}  // namespace af2::geometry
