@@ -24,7 +24,7 @@ struct ChartPoint {
   ChartView view = ChartView::Legal;
 };
 
-/// The fast form of going down to the chart: orthogonal projection onto a plane.
+/// The fast form of going down to the chart: orthogonal or central projection onto a plane.
 ///
 /// x = scale * (p - origin).xAxis, y likewise. A point whose normal makes a cosine with `normal` of
 /// less than `minCosine` is an Obstacle, of less than `hiddenCosine` Hidden; so is a point farther
@@ -34,10 +34,15 @@ struct ProjectionFrame {
   double scale = 1;
   double minCosine = -2, hiddenCosine = -2;  ///< -2: normals are not looked at (plane surfaces)
   double maxHeight = 1e300;
+  /// Not 0: a central projection, from the centre that lies 1 / perspective below the plane (above
+  /// it, if negative) at `centreX` of the chart's x axis. All points are legal then, the surface
+  /// bends towards the centre, and away from it rises by no more than `maxHeight` over the plane.
+  double perspective = 0, centreX = 0;
 
   ChartPoint project(const SurfacePoint& point) const {
     const Point3 d = point.position - origin;
     const Point2 position{scale * dot(d, xAxis), scale * dot(d, yAxis)};
+    if (perspective != 0) return {fromCentre(position, d), ChartView::Legal};
     return {position, minCosine <= -2 ? ChartView::Legal : viewOf(point, d)};
   }
   /// Where normals are looked at; d = point.position - origin.
@@ -46,6 +51,12 @@ struct ProjectionFrame {
     const bool isHidden = (cosine < hiddenCosine) | (std::abs(dot(d, normal)) > maxHeight);
     const int view = isHidden ? 2 : cosine < minCosine ? 1 : 0;
     return static_cast<ChartView>(view);
+  }
+
+ private:
+  Point2 fromCentre(Point2 p, const Point3& d) const {
+    const double stretch = 1 / (1 + perspective * dot(d, normal));
+    return {centreX + stretch * (p.x - centreX), stretch * p.y};
   }
 };
 

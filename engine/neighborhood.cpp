@@ -27,8 +27,10 @@ struct Drawn {
   ChartView view;
 };
 
+enum class FrameKind { Plane, Folding, Central };
+
 /// ProjectionFrame::project for many points.
-template <bool kIsPlane>
+template <FrameKind kKind>
 class FrameDrawing {
  public:
   explicit FrameDrawing(const ProjectionFrame& f)
@@ -36,18 +38,22 @@ class FrameDrawing {
         x_{f.xAxis.x, f.yAxis.x},
         y_{f.xAxis.y, f.yAxis.y},
         z_{f.xAxis.z, f.yAxis.z},
-        scale_{f.scale, f.scale} {}
+        scale_{f.scale, f.scale},
+        centre_{f.centreX, 0} {}
 
   Drawn operator()(const SurfacePoint& point) const {
     const Point3 d = point.position - frame_.origin;
     const Pair position =
         scale_ * (Pair{d.x, d.x} * x_ + Pair{d.y, d.y} * y_ + Pair{d.z, d.z} * z_);
-    return {position, kIsPlane ? ChartView::Legal : frame_.viewOf(point, d)};
+    if constexpr (kKind == FrameKind::Plane) return {position, ChartView::Legal};
+    if constexpr (kKind == FrameKind::Folding) return {position, frame_.viewOf(point, d)};
+    const double stretch = 1 / (1 + frame_.perspective * dot(d, frame_.normal));
+    return {centre_ + Pair{stretch, stretch} * (position - centre_), ChartView::Legal};
   }
 
  private:
   const ProjectionFrame frame_;
-  const Pair x_, y_, z_, scale_;
+  const Pair x_, y_, z_, scale_, centre_;
 };
 
 /// A chart of any kind.
@@ -75,15 +81,35 @@ Box3 StepChart::boxOf(const Window& w, const Point3& origin) const {
   }
   const double halfX = 0.5 * (w.highX - w.lowX) * unit_, halfY = 0.5 * (w.highY - w.lowY) * unit_;
   const double midX = 0.5 * (w.highX + w.lowX) * unit_, midY = 0.5 * (w.highY + w.lowY) * unit_;
-  const double height = isPlane() ? 0 : std::min(frame_->maxHeight, 2 * std::max(halfX, halfY));
-  const Point3 center = frame_->origin + midX * frame_->xAxis + midY * frame_->yAxis;
+  const Heights heights = heightsWithin(w);
+  const double halfZ = 0.5 * (heights.above + heights.below);
+  const double midZ = 0.5 * (heights.above - heights.below);
+  const Point3 center =
+      frame_->origin + midX * frame_->xAxis + midY * frame_->yAxis + midZ * frame_->normal;
   const auto extent = [&](double x, double y, double n) {
-    return std::abs(x) * halfX + std::abs(y) * halfY + std::abs(n) * height;
+    return std::abs(x) * halfX + std::abs(y) * halfY + std::abs(n) * halfZ;
   };
   const Point3 r{extent(frame_->xAxis.x, frame_->yAxis.x, frame_->normal.x),
                  extent(frame_->xAxis.y, frame_->yAxis.y, frame_->normal.y),
                  extent(frame_->xAxis.z, frame_->yAxis.z, frame_->normal.z)};
   return {center - r, center + r};
+}
+
+StepChart::Heights StepChart::heightsWithin(const Window& w) const {
+  if (isPlane()) return {0, 0};
+  if (frame_->perspective == 0) {
+    const double reach = std::max(w.highX - w.lowX, w.highY - w.lowY) * unit_;
+    const double height = std::min(frame_->maxHeight, reach);
+    return {height, height};
+  }
+  // A sphere through the centre that touches the plane bends down this far.
+  const double x = std::max(frame_->centreX - w.lowX, w.highX - frame_->centreX);
+  const double y = std::max(-w.lowY, w.highY);
+  const double squaredReach = (x * x + y * y) * unit_ * unit_;
+  const double p = std::abs(frame_->perspective);
+  const double depth = p * squaredReach / (1 + p * p * squaredReach);
+  return frame_->perspective > 0 ? Heights{depth, frame_->maxHeight}
+                                 : Heights{frame_->maxHeight, depth};
 }
 
 void Neighborhood::gather(const Front& front, const FrontIndex& index, const StepChart& chart,
@@ -92,9 +118,11 @@ void Neighborhood::gather(const Front& front, const FrontIndex& index, const Ste
   foundCount_ = index.collectNear(chart.boxOf(window, front[base].point.position), found_);
   if (edges_.size() <= foundCount_) edges_.resize(2 * foundCount_ + 1);
   if (chart.isPlane())
-    draw(front, FrameDrawing<true>(*chart.frame()));
+    draw(front, FrameDrawing<FrameKind::Plane>(*chart.frame()));
+  else if (chart.frame() && chart.frame()->perspective != 0)
+    draw(front, FrameDrawing<FrameKind::Central>(*chart.frame()));
   else if (chart.frame())
-    draw(front, FrameDrawing<false>(*chart.frame()));
+    draw(front, FrameDrawing<FrameKind::Folding>(*chart.frame()));
   else
     draw(front, ChartDrawing(chart));
 }

@@ -25,12 +25,18 @@ class StepChart {
   }
   const ProjectionFrame* frame() const { return frame_; }
   /// Whether nothing but the projection matters: a surface without folds or other sheets.
-  bool isPlane() const { return frame_ && frame_->minCosine <= -2; }
+  bool isPlane() const { return frame_ && frame_->minCosine <= -2 && frame_->perspective == 0; }
   double unit() const { return unit_; }  ///< what is length 1 in the chart, in model units
   /// A box in space that holds what the window shows.
   Box3 boxOf(const Window& window, const Point3& origin) const;
 
  private:
+  /// How far the surface may lie below and above the plane of the frame, within the window.
+  struct Heights {
+    double below, above;
+  };
+  Heights heightsWithin(const Window& window) const;
+
   const AF2LocalTransform& transform_;
   const ProjectionFrame* frame_;
   double unit_;

@@ -14,7 +14,8 @@ struct Named {
 constexpr Named kNamed[] = {{ChartKind::Auto, "auto"},
                             {ChartKind::MeanNormal, "mean-normal"},
                             {ChartKind::Parametric, "parametric"},
-                            {ChartKind::Developed, "developed"}};
+                            {ChartKind::Developed, "developed"},
+                            {ChartKind::Stereographic, "stereographic"}};
 
 }  // namespace
 

@@ -9,11 +9,12 @@ namespace af2::geometry {
 
 /// docs/charts.md tells what they are and compares them.
 enum class ChartKind {
-  Auto,        ///< chosen by surface and sizes
-  Plane,       ///< the plane itself, for plane faces
-  MeanNormal,  ///< the published plane across the mean normal of the base edge
-  Parametric,  ///< the parameters with the metric of the surface
-  Developed,   ///< cylinders and cones unrolled
+  Auto,           ///< chosen by surface and sizes
+  Plane,          ///< the plane itself, for plane faces
+  MeanNormal,     ///< the published plane across the mean normal of the base edge
+  Parametric,     ///< the parameters with the metric of the surface
+  Developed,      ///< cylinders and cones unrolled
+  Stereographic,  ///< spheres from the point opposite the base edge
 };
 
 /// Those that can be asked for, e.g. "auto, mean-normal".

@@ -30,6 +30,8 @@ class SphereSurface {
   SphereSurface(const Point3& centre, double radius, Side side);
   std::optional<SurfacePoint> hit(const SurfaceLine& line) const;
   Point3 normalAt(const Point3& position) const;
+  const Point3& centre() const { return centre_; }
+  Side side() const { return sign_ > 0 ? Side::Outer : Side::Inner; }
   double radius() const { return radius_; }
 
  private:

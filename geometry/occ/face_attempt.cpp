@@ -49,8 +49,9 @@ bool close(const FaceTask& task, FaceAttempt& attempt) {
   MeshingResult closed = attempt.result;
   const auto& vertices = attempt.result.mesh.vertices;
   const auto rule = static_cast<std::uint16_t>(task.algorithm.rules().rules().size());
-  const bool inParameters = attempt.chart != ChartKind::MeanNormal &&
-                            attempt.chart != ChartKind::Plane && !hasTwoSheets(task.boundary.input);
+  const bool inParameters =
+      (attempt.chart == ChartKind::Parametric || attempt.chart == ChartKind::Developed) &&
+      !hasTwoSheets(task.boundary.input);
   bool done = false;
   if (inParameters) {
     const ScaledParameters scale = scaleOf(task.surface.inParameters(), closed);
@@ -83,7 +84,8 @@ std::vector<ChartKind> chartsFor(const FaceTask& task) {
     if (isPossible(kind) && std::ranges::find(kinds, kind) == kinds.end()) kinds.push_back(kind);
   };
   if (task.options.chart != ChartKind::Auto) add(task.options.chart);
-  for (const ChartKind kind : {ChartKind::Plane, ChartKind::Developed, ChartKind::MeanNormal})
+  for (const ChartKind kind :
+       {ChartKind::Plane, ChartKind::Developed, ChartKind::Stereographic, ChartKind::MeanNormal})
     add(kind);
   if (!isPossible(ChartKind::Developed)) add(ChartKind::Parametric);
   return kinds;

@@ -11,6 +11,7 @@
 #include "engine/error.h"
 #include "engine/plane_chart.h"
 #include "geometry/occ/points.h"
+#include "geometry/stereographic_chart.h"
 
 namespace af2::geometry {
 
@@ -276,12 +277,17 @@ bool FaceSurface::has(ChartKind kind) const {
       return !isPlane();
     case ChartKind::Developed:
       return unrolled_ != nullptr;
+    case ChartKind::Stereographic:
+      return std::holds_alternative<SphereSurface>(surface_);
   }
   return false;
 }
 
 std::unique_ptr<AF2LocalTransformMaker> FaceSurface::makeCharts(ChartKind kind) const {
   if (kind == ChartKind::Parametric) return std::make_unique<MetricChartMaker>(inParameters());
+  if (const auto* sphere = std::get_if<SphereSurface>(&surface_);
+      sphere && kind == ChartKind::Stereographic)
+    return std::make_unique<StereographicChartMaker>(*sphere);
   return makeCharts(ChartLimits{});
 }
 

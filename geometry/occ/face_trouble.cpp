@@ -85,10 +85,25 @@ double leastAngle(const Mesh& mesh, std::span<const VertexId> c) {
   return least * 180 / 3.14159265358979323846;
 }
 
+/// Whether some angle is below kLeastAngle, or nearly so: nearly all are not.
+bool hasSharpAngle(const Mesh& mesh, std::span<const VertexId> c) {
+  constexpr double kSquaredTangent = 3.2e-4;  // of a little more than kLeastAngle
+  for (std::size_t i = 0; i < c.size(); ++i) {
+    const Point3& here = mesh.vertices[c[i].value].position;
+    const Point3 p = mesh.vertices[c[i + 1 == c.size() ? 0 : i + 1].value].position - here;
+    const Point3 q = mesh.vertices[c[i == 0 ? c.size() - 1 : i - 1].value].position - here;
+    const double along = dot(p, q);
+    const Point3 turned = cross(p, q);
+    if (along >= 0 && dot(turned, turned) <= kSquaredTangent * along * along) return true;
+  }
+  return false;
+}
+
 /// Edges as long as the height of the element allows at the wanted angle.
 void openAngles(const Mesh& mesh, FaceTrouble& trouble) {
   for (const Element& element : mesh.elements) {
     const auto c = element.vertices();
+    if (!hasSharpAngle(mesh, c)) continue;
     const double angle = leastAngle(mesh, c);
     if (angle >= kLeastAngle) continue;
     trouble.poorness += std::log(kLeastAngle / std::max(angle, 1e-6));

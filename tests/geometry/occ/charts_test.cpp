@@ -56,7 +56,16 @@ TEST(Charts, AConeIsMeshedToItsTipThroughEachThatItHas) {
   }
 }
 
+TEST(Charts, ASphereIsMeshedThroughEachThatItHas) {
+  for (const ChartKind kind : {ChartKind::MeanNormal, ChartKind::Stereographic}) {
+    const ModelMesh result = mesh(testing::sphere(2), 0.4, kind);
+    expectOnSurface(result, 0.4, [](const Point3& p) { return length(p) - 2; });
+    EXPECT_EQ(result.faces[0].chart, toString(kind));
+  }
+}
+
 TEST(Charts, AreChosenByTheSurface) {
+  EXPECT_EQ(mesh(testing::sphere(2), 0.4, ChartKind::Auto).faces[0].chart, "stereographic");
   EXPECT_EQ(mesh(testing::cylinder(2, 3), 0.4, ChartKind::Auto).faces[0].chart, "developed");
   EXPECT_EQ(mesh(testing::cone(2, 1, 3), 0.4, ChartKind::Auto).faces[0].chart, "developed");
   EXPECT_EQ(mesh(testing::box(1, 1, 1), 0.4, ChartKind::Auto).faces[0].chart, "plane");
@@ -70,8 +79,8 @@ TEST(Charts, AFaceThatHasNoSuchChartIsMeshedWithAnother) {
 }
 
 TEST(Charts, HaveNames) {
-  for (const ChartKind kind :
-       {ChartKind::Auto, ChartKind::MeanNormal, ChartKind::Parametric, ChartKind::Developed})
+  for (const ChartKind kind : {ChartKind::Auto, ChartKind::MeanNormal, ChartKind::Parametric,
+                               ChartKind::Developed, ChartKind::Stereographic})
     EXPECT_EQ(chartKindOf(toString(kind)), kind);
   EXPECT_EQ(chartKindOf("plane"), std::nullopt);  // follows from the face, is not asked for
   EXPECT_EQ(chartKindOf(""), std::nullopt);
