@@ -19,7 +19,7 @@ void declareSizeOptions(CLI::App& command, SizeOptions& options) {
   command.add_option("--proximity", options.proximity,
                      "elements across strips of faces, walls and gaps, e.g. 3");
   command.add_option("--grading", options.grading,
-                     "most growth of the size per unit of length, default 0.4");
+                     "most growth of the size per unit of length, default 0.3");
   command.add_option("--sizes", options.file,
                      "file (JSON) with sizes at points, in boxes, in fields, of named parts");
   command

@@ -21,7 +21,7 @@ void declareSizeOptions(CLI::App& command, SizeOptions& options);
 struct SizeRequest {
   double size = 0, smallest = 0;
   double largest;  ///< infinite if not given
-  double elementsPerTurn = 0, elementsAcross = 0, growth = 0.4;
+  double elementsPerTurn = 0, elementsAcross = 0, growth = geometry::kDefaultGrowth;
   std::map<int, double> faceSizes, edgeSizes;
   geometry::SizeFile file;
 };

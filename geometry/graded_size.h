@@ -9,6 +9,10 @@
 
 namespace af2::geometry {
 
+/// Most growth of sizes per unit of length, unless another one is asked for. At 0.4 there are a
+/// tenth fewer elements, but those between small and large ones are visibly worse.
+constexpr double kDefaultGrowth = 0.3;
+
 /// The corners of a boundary at which it is divided more finely than `wanted` asks for.
 std::vector<SizeSource> shortSegments(const FrontInput& boundary, const SizeField& wanted);
 

@@ -22,7 +22,7 @@ struct FacetedMeshingOptions {
   /// no smaller than a third of the size.
   double elementsPerTurn = 0;
   /// Most growth of the size per unit of length, away from whatever wants a small one.
-  double growth = 0.4;
+  double growth = kDefaultGrowth;
   /// Edges at which the surface turns by more than so many degrees are kept.
   double featureAngle = 40;
   bool optimize = true;  ///< swaps and smoothing after the front has closed

@@ -48,8 +48,12 @@ struct ModelSizes {
   /// `bentFaceLeast` is for tubes, which turn by more than about a right angle: elements across the
   /// whole of them would cut off too much.
   double faceTurn = 0.6046, faceLeast = 0.35, bentFaceLeast = 0.1;
+  /// What elements inside curved faces aim at, as a share of the size that is wanted there. With
+  /// `elementsPerTurn` it is 0.95: lengths scatter, and a mesh departs from its surface by their
+  /// square.
+  double curvedShare = 1;
   /// Most growth of the size per unit of length, away from whatever wants a small one.
-  double growth = 0.4;
+  double growth = kDefaultGrowth;
 };
 
 /// How far the meshing of a model has come. Work is counted in expected elements.

@@ -25,7 +25,9 @@ constexpr double kSmall = 0.9;
 
 /// The options for gentle curvature, set so that a turn gets as many elements as asked for.
 void setTurns(ModelSizes& sizes) {
+  constexpr double kCurvedShare = 0.95;
   if (sizes.elementsPerTurn == 0) return;
+  sizes.curvedShare = kCurvedShare;
   sizes.edgeTurn = sizes.faceTurn = 2 * std::numbers::pi / sizes.elementsPerTurn;
   const double least = sizes.minSize > 0 ? 0 : leastForLimits(1, 0);
   sizes.edgeLeast = sizes.faceLeast = sizes.bentFaceLeast = least;

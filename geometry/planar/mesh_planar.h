@@ -23,7 +23,7 @@ struct PlanarMeshingOptions {
   /// How many elements lie across what is narrow; 0: it does not matter (see ModelSizes).
   double elementsAcross = 0;
   /// Most growth of the size per unit of length, away from whatever wants a small one.
-  double growth = 0.4;
+  double growth = kDefaultGrowth;
   /// The segments of the domain are edges of the mesh as they are, however long.
   bool keepBoundary = false;
   int order = 1;         ///< 2: elements with vertices at the middles of their sides as well
