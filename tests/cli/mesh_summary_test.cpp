@@ -18,8 +18,8 @@ TEST(Grouped, PutsSpacesBetweenThousands) {
 
 TEST(FailureText, NamesEachFailedFaceWithItsReason) {
   ModelMesh mesh;
-  mesh.faces = {{1, "", "plane", FaceStatus::Complete, 2, 0, 1, ""},
-                {2, "inlet", "cylinder", FaceStatus::Failed, 0, 0, 1, "stuck at (1, 2, 3)"}};
+  mesh.faces = {{1, "", "plane", "", FaceStatus::Complete, 2, 0, 1, ""},
+                {2, "inlet", "cylinder", "", FaceStatus::Failed, 0, 0, 1, "stuck at (1, 2, 3)"}};
   EXPECT_EQ(failureText(mesh), "af2: face 2 \"inlet\" (cylinder) failed: stuck at (1, 2, 3)\n");
   mesh.faces.pop_back();
   EXPECT_EQ(failureText(mesh), "");
@@ -27,8 +27,8 @@ TEST(FailureText, NamesEachFailedFaceWithItsReason) {
 
 TEST(SummaryText, DoesNotCountSkippedFaces) {
   ModelMesh mesh;
-  mesh.faces = {{1, "", "plane", FaceStatus::Complete, 2, 0, 1, ""},
-                {2, "", "plane", FaceStatus::Skipped, 0, 0, 1, ""}};
+  mesh.faces = {{1, "", "plane", "", FaceStatus::Complete, 2, 0, 1, ""},
+                {2, "", "plane", "", FaceStatus::Skipped, 0, 0, 1, ""}};
   EXPECT_EQ(summaryText(mesh, {}).substr(0, 11), "faces 1/1  ");
 }
 

@@ -15,7 +15,7 @@ void addFace(ModelMesh& mesh, int id, std::array<std::size_t, 4> c) {
   mesh.elements.push_back(element({c[0], c[2], c[3]}));
   for (int i = 0; i < 2; ++i) mesh.face.push_back(id);
   for (const std::uint16_t rule : {0, 1}) mesh.rule.push_back(rule);
-  mesh.faces.push_back({id, "", "plane", FaceStatus::Complete, 2, 0.25, 1, ""});
+  mesh.faces.push_back({id, "", "plane", "plane", FaceStatus::Complete, 2, 0.25, 1, ""});
 }
 
 }  // namespace
