@@ -36,7 +36,7 @@ ModelMesh cubeMesh() {
   mesh.elements.push_back(element({4, 5, 6, 7}));
   mesh.face.push_back(6);
   mesh.rule.push_back(2);
-  mesh.faces.push_back({6, "lid", "plane", FaceStatus::Complete, 1, 0.25, 1, ""});
+  mesh.faces.push_back({6, "lid", "plane", "plane", FaceStatus::Complete, 1, 0.25, 1, ""});
   for (std::size_t i = 0; i < 4; ++i) {
     mesh.segments.push_back(
         {VertexId(4 + i), VertexId(4 + (i + 1) % 4), static_cast<int>(i) + 1, 2});
