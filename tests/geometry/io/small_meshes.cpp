@@ -57,7 +57,7 @@ ModelMesh oneElement(std::vector<Point3> corners) {
   mesh.face = {1};
   mesh.rule = {0};
   mesh.ruleNames = {"only"};
-  mesh.faces = {{1, "", "plane", FaceStatus::Complete, 1, 0, 1, ""}};
+  mesh.faces = {{1, "", "plane", "plane", FaceStatus::Complete, 1, 0, 1, ""}};
   return mesh;
 }
 
