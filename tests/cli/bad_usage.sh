@@ -27,8 +27,8 @@ echo '{"parts": {"nowhere": 1}}' >sizes.json
 unusable "$af2" mesh "$cylinder" --size 1 --sizes sizes.json; told "no face or group has such a name"
 usage "$af2" mesh "$cylinder" --size 1 --feature-angle 20; told 'STL and OBJ'
 usage "$af2" mesh "$cylinder" --size 1 --chart round; told "there are auto, mean-normal"
-usage "$af2" mesh "$plate" --size 1 --chart auto; told "CAD models"
 echo 'v 0 0 x' >bad.obj
+usage "$af2" mesh bad.obj --size 1 --chart auto; told 'CAD models'
 unusable "$af2" mesh bad.obj --size 1; told "'x' is no number"
 usage "$af2" mesh "$cylinder" --size 1 --order 3; told 'order 1 or 2'
 usage "$af2" mesh "$cylinder" --size 1 --order 2 -o a.stl; told 'cannot hold elements of order 2'
