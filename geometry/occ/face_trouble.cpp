@@ -17,7 +17,7 @@ constexpr std::size_t kMostPlaces = 2000;
 /// Angles below this are opened, in degrees, to about the second where that is possible.
 constexpr double kLeastAngle = 1, kWantedAngle = 3;
 /// Curved and round faces may lose this share of their area to straight edges.
-constexpr double kMostAreaError = 0.05, kWantedAreaError = 0.03;
+constexpr double kMostAreaError = 0.05, kWantedAreaError = 0.04;
 
 Point3 middle(const Point3& a, const Point3& b) { return 0.5 * (a + b); }
 
