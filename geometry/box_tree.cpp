@@ -13,16 +13,6 @@ double beyond(double value, double low, double high) {
 
 }  // namespace
 
-void Box3::add(const Point3& p) {
-  low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-  high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
-}
-
-void Box3::add(const Box3& box) {
-  add(box.low);
-  add(box.high);
-}
-
 double Box3::distanceTo(const Point3& p) const {
   return length(
       Point3{beyond(p.x, low.x, high.x), beyond(p.y, low.y, high.y), beyond(p.z, low.z, high.z)});

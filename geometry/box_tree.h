@@ -1,6 +1,7 @@
 // Finds which of many boxes in space meet another one.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -11,8 +12,14 @@ namespace af2::geometry {
 struct Box3 {
   Point3 low{1e300, 1e300, 1e300}, high{-1e300, -1e300, -1e300};
 
-  void add(const Point3& p);
-  void add(const Box3& box);
+  void add(const Point3& p) {
+    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+  }
+  void add(const Box3& box) {
+    add(box.low);
+    add(box.high);
+  }
   bool meets(const Box3& other) const {
     return low.x <= other.high.x && other.low.x <= high.x && low.y <= other.high.y &&
            other.low.y <= high.y && low.z <= other.high.z && other.low.z <= high.z;

@@ -72,21 +72,23 @@ void dropElements(ModelMesh& mesh, const std::vector<int>& faces) {
   dropUnusedVertices(mesh);
 }
 
-std::vector<std::string> keepSoundFaces(ModelMesh& mesh) {
+std::vector<std::string> keepSoundFaces(ModelMesh& mesh, const std::vector<Crossing>& crossings) {
   std::vector<std::string> elsewhere;
   std::vector<int> bad;
-  for (const MeshFinding& finding : checkModelMesh(mesh, kMostFindings)) {
+  const auto giveUp = [&](const MeshFinding& finding) {
     const auto face = std::ranges::find(mesh.faces, finding.face, &FaceReport::id);
     if (face == mesh.faces.end()) {
       elsewhere.push_back(describe(finding));
-      continue;
+      return;
     }
-    if (isOneOf(bad, face->id)) continue;
+    if (isOneOf(bad, face->id)) return;
     bad.insert(std::ranges::upper_bound(bad, face->id), face->id);
     if (face->status == FaceStatus::Complete) face->status = FaceStatus::Failed;
     face->elements = 0;
     face->reason = describe(finding);
-  }
+  };
+  for (const MeshFinding& finding : checkModelMesh(mesh, kMostFindings)) giveUp(finding);
+  for (const MeshFinding& finding : facesThatCross(crossings, std::vector(bad))) giveUp(finding);
   if (!bad.empty()) dropElements(mesh, bad);
   return elsewhere;
 }

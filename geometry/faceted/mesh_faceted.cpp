@@ -78,7 +78,10 @@ class FacetedMesher {
     for (std::size_t i = 0; i < model_.patches.size(); ++i) meshPatch(i);
     addSegments();
     mesh_.wantedSizes.resize(mesh_.vertices.size(), kFar);
-    mesh_.findings = keepSoundFaces(mesh_);
+    const auto oneByOne = [](std::size_t count, const auto& work) {
+      for (std::size_t i = 0; i < count; ++i) work(i);
+    };
+    mesh_.findings = keepSoundFaces(mesh_, elementCrossings(mesh_, oneByOne));
     return std::move(mesh_);
   }
 

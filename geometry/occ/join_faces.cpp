@@ -16,13 +16,13 @@ class Assembly {
   Assembly(const ModelShape& model, const DividedEdges& divided, const ModelMeshingOptions& options)
       : model_(model), divided_(divided), options_(options), sizes_(options.sizes) {}
 
-  ModelMesh join(std::vector<FaceMesh>& faces) {
+  ModelMesh join(const std::vector<FaceMesh>& faces) {
     numberBoundary(faces);
     makeRoom(faces);
     forEachInParallel(faces.size(), options_.threads, [&](std::size_t i) { place(faces[i], i); });
-    for (FaceMesh& face : faces) {
+    for (const FaceMesh& face : faces) {
       takeSizesOfBoundary(face);
-      mesh_.faces.push_back(std::move(face.report));
+      mesh_.faces.push_back(face.report);
     }
     addSegments(faces);
     takeSizesOfEdges();
@@ -155,7 +155,7 @@ class Assembly {
 }  // namespace
 
 ModelMesh joinFaces(const ModelShape& model, const DividedEdges& divided,
-                    const ModelMeshingOptions& options, std::vector<FaceMesh>& faces) {
+                    const ModelMeshingOptions& options, const std::vector<FaceMesh>& faces) {
   return Assembly(model, divided, options).join(faces);
 }
 

@@ -7,8 +7,8 @@
 namespace af2::geometry {
 
 /// Vertices are numbered: those of model vertices, those along edges, those inside faces. Vertices
-/// that no element uses are left out. What is in `faces` is moved from.
+/// that no element uses are left out.
 ModelMesh joinFaces(const ModelShape& model, const DividedEdges& divided,
-                    const ModelMeshingOptions& options, std::vector<FaceMesh>& faces);
+                    const ModelMeshingOptions& options, const std::vector<FaceMesh>& faces);
 
 }  // namespace af2::geometry

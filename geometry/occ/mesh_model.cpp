@@ -60,11 +60,12 @@ class ModelMesher {
     retryPoorFaces({model_.shape(), options_, faces,
                     [&](std::size_t i, const ModelMeshingOptions& options, FaceMeshes& into) {
                       meshOne(faces, i, options, into, {});
-                    }},
+                    },
+                    [&](FaceMeshes& made) { join(made); }},
                    state);
     const double optimizeShare = shareOfOptimizing(state.meshes);
     const std::map<int, std::vector<SideMiddles>> middles = takeMiddles(state.meshes);
-    ModelMesh mesh = joinFaces(model_.shape(), state.divided, options_, state.meshes);
+    ModelMesh mesh = std::move(state.joined);
     for (const AF2Rule& rule : algorithm_.rules().rules()) mesh.ruleNames.push_back(rule.name());
     mesh.ruleNames.push_back("closing");  // what closes a stuck front
     mesh.groups = model_.groups();
@@ -72,12 +73,20 @@ class ModelMesher {
     const double surfaceSeconds = facesWatch.seconds();
     mesh.seconds.optimize = optimizeShare * surfaceSeconds;
     mesh.seconds.surface = surfaceSeconds - mesh.seconds.optimize;
-    mesh.findings = keepSoundFaces(mesh);
+    mesh.findings = keepSoundFaces(mesh, state.crossings);
     if (options_.order == 2) makeSecondOrder(mesh, middlesOf(mesh, middles));
     return mesh;
   }
 
  private:
+  void join(FaceMeshes& state) const {
+    state.joined = joinFaces(model_.shape(), state.divided, options_, state.meshes);
+    if (options_.stop.stop_requested()) return;
+    state.crossings = elementCrossings(state.joined, [&](std::size_t count, const auto& work) {
+      forEachInParallel(count, options_.threads, work);
+    });
+  }
+
   static std::map<int, std::vector<SideMiddles>> takeMiddles(std::vector<FaceMesh>& meshes) {
     std::map<int, std::vector<SideMiddles>> middles;
     for (FaceMesh& mesh : meshes) middles[mesh.report.id] = std::move(mesh.middles);

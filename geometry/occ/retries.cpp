@@ -23,14 +23,16 @@ class Retries {
     std::vector<bool> isHopeless(task_.faces.size(), false);
     std::vector<int> failures(task_.faces.size(), 0);
     double effort = 0;
+    task_.join(state);
     for (int round = 0; round < kMostRounds && !task_.options.stop.stop_requested(); ++round) {
       const std::vector<std::size_t> poor = worthAnotherTry(state, isHopeless);
       if (poor.empty() || effort > mostEffort(state)) break;
-      for (const std::size_t i : poor) refinement.add(state.meshes[i].trouble.places);
+      for (const std::size_t i : poor) refinement.add(placesOf(state, i));
       FaceMeshes next = refined(state, poor, refinement.options(), effort);
       if (task_.options.stop.stop_requested()) break;
+      task_.join(next);
       for (const std::size_t i : poor)
-        if (!isWorthwhile(state.meshes[i], next.meshes[i], failures[i])) isHopeless[i] = true;
+        if (!isWorthwhile(state, next, i, failures[i])) isHopeless[i] = true;
       if (best.meshes.empty() || isBetter(state, best)) best = std::move(state);
       state = std::move(next);
     }
@@ -44,8 +46,8 @@ class Retries {
                                                   const std::vector<bool>& isHopeless) {
     std::vector<std::size_t> poor;
     for (std::size_t i = 0; i < state.meshes.size(); ++i) {
-      const FaceMesh& mesh = state.meshes[i];
-      if (!mesh.trouble.places.empty() && !isHopeless[i]) poor.push_back(i);
+      if (isHopeless[i]) continue;
+      if (!state.meshes[i].trouble.places.empty() || crossingsAt(state, i) > 0) poor.push_back(i);
     }
     return poor;
   }
@@ -58,12 +60,46 @@ class Retries {
     return kShare * elements + kAlways;
   }
 
-  /// Whether a face should be tried once more after `after`.
-  static bool isWorthwhile(const FaceMesh& before, const FaceMesh& after, int& failures) {
+  static std::ptrdiff_t crossingsAt(const FaceMeshes& state, std::size_t i) {
+    const int face = state.meshes[i].report.id;
+    return std::ranges::count_if(state.crossings, [&](const Crossing& crossing) {
+      return std::ranges::count(crossing.faces, face) > 0;
+    });
+  }
+
+  /// Those of the trouble; and where elements cross, half as long as these.
+  static std::vector<SizeSource> placesOf(const FaceMeshes& state, std::size_t i) {
+    constexpr double kFiner = 0.5;
+    constexpr std::size_t kMostCrossed = 1000;
+    const int face = state.meshes[i].report.id;
+    std::vector<SizeSource> places = state.meshes[i].trouble.places;
+    const std::size_t most = places.size() + kMostCrossed;
+    for (const Crossing& crossing : state.crossings)
+      for (std::size_t k = 0; k < 2 && places.size() < most; ++k) {
+        if (crossing.faces[k] != face) continue;
+        const auto corners = state.joined.elements[crossing.elements[k].value].vertices();
+        double longest = 0;
+        for (const VertexId a : corners)
+          for (const VertexId b : corners)
+            longest = std::max(
+                longest, distance(state.joined.vertices[a.value], state.joined.vertices[b.value]));
+        places.push_back({crossing.place, kFiner * longest});
+      }
+    return places;
+  }
+
+  /// Whether a face should be tried once more after `next`.
+  static bool isWorthwhile(const FaceMeshes& state, const FaceMeshes& next, std::size_t i,
+                           int& failures) {
     constexpr double kGain = 0.9;
-    constexpr int kMostFailures = 4;
+    constexpr int kMostFailures = 4, kMostCrossed = 2;
+    const FaceMesh &before = state.meshes[i], &after = next.meshes[i];
     if (failed(after)) return ++failures < kMostFailures;
-    return failed(before) || after.trouble.poorness < kGain * before.trouble.poorness;
+    const auto crossed = static_cast<double>(crossingsAt(state, i));
+    const auto crosses = static_cast<double>(crossingsAt(next, i));
+    if (crosses > 0) return crosses < kGain * crossed || ++failures < kMostCrossed;
+    return failed(before) || crossed > 0 ||
+           after.trouble.poorness < kGain * before.trouble.poorness;
   }
 
   static bool isBetter(const FaceMeshes& one, const FaceMeshes& other) {
@@ -75,6 +111,7 @@ class Retries {
         else
           sum.second += mesh.trouble.poorness;
       }
+      sum.first += facesThatCross(state.crossings, {}).size();
       return sum;
     };
     return rank(one) < rank(other);
@@ -99,7 +136,7 @@ class Retries {
     }
     forEachInParallel(again.size(), options.threads, [&](std::size_t k) {
       task_.mesh(again[k], options, next);
-      tellOfRetry(state.meshes[again[k]], next.meshes[again[k]]);
+      tellOfRetry(state, again[k], next.meshes[again[k]]);
     });
     for (const std::size_t i : again)
       effort += static_cast<double>(
@@ -109,10 +146,13 @@ class Retries {
   }
 
   /// What a face that is meshed again has behind it.
-  static void tellOfRetry(const FaceMesh& before, FaceMesh& after) {
+  static void tellOfRetry(const FaceMeshes& state, std::size_t i, FaceMesh& after) {
+    const FaceMesh& before = state.meshes[i];
     std::vector<std::string> steps = before.report.attempts;
     if (failed(before)) steps.push_back(before.report.reason);
-    const std::size_t places = before.trouble.places.size();
+    if (const auto count = crossingsAt(state, i); count > 0)
+      steps.push_back(std::to_string(count) + " pairs of elements cross here");
+    const std::size_t places = placesOf(state, i).size();
     if (places > 0) steps.push_back("shorter edges at " + std::to_string(places) + " places");
     std::vector<std::string>& own = after.report.attempts;
     own.insert(own.begin(), steps.begin(), steps.end());

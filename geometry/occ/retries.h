@@ -5,6 +5,7 @@
 #include <functional>
 #include <vector>
 
+#include "geometry/element_crossings.h"
 #include "geometry/occ/edge_division.h"
 #include "geometry/occ/face_mesher.h"
 
@@ -13,7 +14,9 @@ namespace af2::geometry {
 /// A division of the edges and the meshes made within it.
 struct FaceMeshes {
   DividedEdges divided;
-  std::vector<FaceMesh> meshes;  ///< by face that was asked for
+  std::vector<FaceMesh> meshes;     ///< by face that was asked for
+  ModelMesh joined;                 ///< of all of them
+  std::vector<Crossing> crossings;  ///< of its elements
 };
 
 struct RetryTask {
@@ -22,11 +25,13 @@ struct RetryTask {
   const std::vector<int>& faces;       ///< that were asked for
   /// Meshes the i-th of these within the edges of `into`. Called from several threads at once.
   std::function<void(std::size_t i, const ModelMeshingOptions& options, FaceMeshes& into)> mesh;
+  std::function<void(FaceMeshes& state)> join;  ///< joins the meshes and finds their crossings
 };
 
-/// Where faces failed or came out poor, tries again with shorter edges around the places at fault,
-/// as long as that brings something and costs no more than some times the mesh itself. Faces beside
-/// edges that are divided anew are meshed anew. Leaves the best of all tries.
+/// Where faces failed, came out poor or cross each other, tries again with shorter edges around the
+/// places at fault, as long as that brings something and costs no more than some times the mesh
+/// itself. Faces beside edges that are divided anew are meshed anew. Leaves the best of all tries,
+/// joined.
 void retryPoorFaces(const RetryTask& task, FaceMeshes& state);
 
 }  // namespace af2::geometry

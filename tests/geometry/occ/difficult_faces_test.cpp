@@ -1,9 +1,11 @@
 // Faces on which the first way fails: what is done then, and that it is told.
 #include <gtest/gtest.h>
+#include <BRepAlgoAPI_Cut.hxx>
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakePolygon.hxx>
 #include <BRepBuilderAPI_MakeWire.hxx>
+#include <BRepBuilderAPI_Sewing.hxx>
 #include <BRepPrimAPI_MakePrism.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
@@ -18,6 +20,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "geometry/element_crossings.h"
 #include "geometry/occ/mesh_model.h"
 #include "tests/geometry/occ/shapes.h"
 #include "tests/support/triangle_rules.h"
@@ -144,6 +147,53 @@ TEST(DifficultFaces, AGapBeyondTheToleranceIsNamed) {
   const ModelMesh result = mesh(face, 0.3);
   EXPECT_EQ(result.faces[0].status, FaceStatus::Failed);
   EXPECT_NE(result.faces[0].reason.find("not closed"), std::string::npos);
+}
+
+std::size_t crossingsOf(const ModelMesh& mesh) {
+  return elementCrossings(mesh,
+                          [](std::size_t count, const auto& work) {
+                            for (std::size_t i = 0; i < count; ++i) work(i);
+                          })
+      .size();
+}
+
+/// Chords of the wanted length of the two circles cross between their ends, and the elements with
+/// them.
+TEST(DifficultFaces, AThinBentWallIsMeshedSoFinelyThatItsSidesDoNotCross) {
+  const TopoDS_Shape outer = BRepPrimAPI_MakeSphere(1.008, 0, pi / 2, pi / 2).Shape();
+  const TopoDS_Shape wall =
+      BRepAlgoAPI_Cut(outer, BRepPrimAPI_MakeSphere(1, 0, pi / 2, pi / 2).Shape()).Shape();
+  const ModelMesh result = mesh(wall, 0.3);
+  expectComplete(result, pi / 2 * (1 + 1.008 * 1.008) + 3 * pi / 4 * (1.008 * 1.008 - 1));
+  EXPECT_EQ(crossingsOf(result), 0u);
+  EXPECT_TRUE(std::ranges::any_of(result.faces, [](const FaceReport& face) {
+    return std::ranges::any_of(face.attempts, [](const std::string& step) {
+      return step.find("elements cross") != std::string::npos;
+    });
+  }));
+}
+
+/// Which no size can mend.
+TEST(DifficultFaces, FacesThatCrossAreNamed) {
+  const auto face = [](std::initializer_list<gp_Pnt> corners) {
+    BRepBuilderAPI_MakePolygon polygon;
+    for (const gp_Pnt& corner : corners) polygon.Add(corner);
+    polygon.Close();
+    return BRepBuilderAPI_MakeFace(polygon.Wire()).Face();
+  };
+  BRepBuilderAPI_Sewing sewing(1e-6);
+  sewing.Add(plane({rectangle(0, 0, 1, 1)}));
+  sewing.Add(face({{0.5, -1, -1}, {0.5, 2, -1}, {0.5, 2, 1}, {0.5, -1, 1}}));
+  // These join the two, so that they are of one piece.
+  sewing.Add(face({{0.5, 2, 1}, {0.5, -1, 1}, {1, 1, 0}}));
+  sewing.Add(face({{1, 1, 0}, {1, 0, 0}, {0.5, -1, 1}}));
+  sewing.Perform();
+  const ModelMesh result = mesh(sewing.SewedShape(), 0.4);
+  const auto failed = std::ranges::find(result.faces, FaceStatus::Failed, &FaceReport::status);
+  ASSERT_NE(failed, result.faces.end());
+  EXPECT_NE(failed->reason.find("elements cross those of face"), std::string::npos);
+  EXPECT_EQ(std::ranges::count(result.faces, FaceStatus::Complete, &FaceReport::status), 3);
+  EXPECT_EQ(crossingsOf(result), 0u);
 }
 
 TEST(DifficultFaces, TheSameMeshFromAnyNumberOfThreads) {

@@ -1,0 +1,81 @@
+// A tree of boxes over a row of elements, made in one pass: for elements that lie near those made
+// just before them. Not installed.
+#pragma once
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "geometry/box_tree.h"
+#include "geometry/model_mesh.h"
+
+namespace af2::geometry {
+
+/// Over the elements from `first` to before `last`.
+class ElementTree {
+ public:
+  ElementTree() = default;
+  ElementTree(const ModelMesh& mesh, std::size_t first, std::size_t last);
+
+  /// Around all of them.
+  const Box3& box() const { return levels_.back()[0]; }
+
+  /// Elements in a row.
+  struct Run {
+    std::size_t first, last;
+    const Box3& box;
+  };
+
+  /// Calls visit(run, otherRun) for each pair of runs of this tree and of the other whose boxes
+  /// come nearer to each other than `gap`. Of a tree with itself each pair comes once.
+  template <class Visit>
+  void forEachNear(const ElementTree& other, double gap, const Visit& visit) const {
+    if (box().meets(grown(other.box(), gap)))
+      walk({levels_.size() - 1, 0}, other, {other.levels_.size() - 1, 0}, gap, visit);
+  }
+
+  static Box3 grown(Box3 box, double gap) {
+    box.low = box.low - Point3{gap, gap, gap};
+    box.high = box.high + Point3{gap, gap, gap};
+    return box;
+  }
+
+ private:
+  static constexpr std::size_t kRun = 8, kBranches = 4;
+  struct Node {
+    std::size_t level, index;
+  };
+
+  template <class Visit>
+  void walk(Node own, const ElementTree& other, Node its, double gap, const Visit& visit) const {
+    if (own.level == 0 && its.level == 0) return visit(run(own.index), other.run(its.index));
+    // The larger one is taken apart; of a tree with itself, both at once.
+    const bool isSelf = this == &other;
+    const bool takeOwn = own.level >= its.level, takeIts = isSelf || !takeOwn;
+    const auto [ownFirst, ownLast] = takeOwn ? children(own) : std::pair(own.index, own.index + 1);
+    const auto [itsFirst, itsLast] =
+        takeIts ? other.children(its) : std::pair(its.index, its.index + 1);
+    const std::size_t ownLevel = own.level - takeOwn, itsLevel = its.level - takeIts;
+    for (std::size_t i = ownFirst; i < ownLast; ++i) {
+      const Box3 box = grown(levels_[ownLevel][i], gap);
+      const bool isSame = isSelf && own.index == its.index;
+      for (std::size_t k = isSame ? i : itsFirst; k < itsLast; ++k)
+        if (box.meets(other.levels_[itsLevel][k]))
+          walk({ownLevel, i}, other, {itsLevel, k}, gap, visit);
+    }
+  }
+
+  Run run(std::size_t index) const {
+    const std::size_t begin = first_ + index * kRun;
+    return {begin, std::min(begin + kRun, last_), levels_[0][index]};
+  }
+  std::pair<std::size_t, std::size_t> children(Node node) const {
+    const std::size_t begin = node.index * kBranches;
+    return {begin, std::min(begin + kBranches, levels_[node.level - 1].size())};
+  }
+
+  std::size_t first_ = 0, last_ = 0;
+  std::vector<std::vector<Box3>> levels_;  ///< [0]: runs of elements; each next: of the one before
+};
+
+}  // namespace af2::geometry

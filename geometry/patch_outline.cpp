@@ -1,0 +1,147 @@
+#include "geometry/patch_outline.h"
+
+#include <algorithm>
+
+#include "geometry/boundary_crossings.h"
+#include "geometry/plane_axes.h"
+
+namespace af2::geometry {
+
+namespace {
+
+/// Cosine of the most that an element may lean against the plane.
+constexpr double kLeastFacing = 0.1;
+
+struct DrawnLoop {
+  std::vector<Point2> points;
+  double area = 0;  ///< positive if it runs counter-clockwise
+  Point2 low, high;
+};
+
+DrawnLoop draw(const std::vector<BoundaryCorner>& loop, const PlaneAxes& axes) {
+  DrawnLoop drawn;
+  for (const BoundaryCorner& corner : loop) drawn.points.push_back(axes(corner.point));
+  drawn.low = drawn.high = drawn.points[0];
+  for (std::size_t i = 0; i < drawn.points.size(); ++i) {
+    const Point2 p = drawn.points[i], q = drawn.points[(i + 1) % drawn.points.size()];
+    drawn.area += cross(p - drawn.points[0], q - drawn.points[0]) / 2;
+    drawn.low = {std::min(drawn.low.x, p.x), std::min(drawn.low.y, p.y)};
+    drawn.high = {std::max(drawn.high.x, p.x), std::max(drawn.high.y, p.y)};
+  }
+  return drawn;
+}
+
+bool contains(const DrawnLoop& loop, Point2 point) {
+  if (point.x < loop.low.x || point.x > loop.high.x || point.y < loop.low.y ||
+      point.y > loop.high.y)
+    return false;
+  bool inside = false;
+  for (std::size_t i = 0; i < loop.points.size(); ++i) {
+    const Point2 p = loop.points[i], q = loop.points[(i + 1) % loop.points.size()];
+    if ((p.y > point.y) == (q.y > point.y)) continue;
+    if (point.x < p.x + (point.y - p.y) / (q.y - p.y) * (q.x - p.x)) inside = !inside;
+  }
+  return inside;
+}
+
+/// Of simple loops that do not cross: whether each has the region on its left, as often as they
+/// lie in each other.
+bool areNestedInTurn(const FrontInput& outline, const PlaneAxes& axes) {
+  std::vector<DrawnLoop> loops;
+  for (const auto& loop : outline.loops) loops.push_back(draw(loop, axes));
+  for (const DrawnLoop& loop : loops) {
+    const auto around = std::ranges::count_if(loops, [&](const DrawnLoop& other) {
+      return &other != &loop && contains(other, loop.points[0]);
+    });
+    if ((around % 2 == 0) != (loop.area > 0)) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+PatchOutlines::PatchOutlines(const ModelMesh& mesh)
+    : mesh_(mesh), isOnSegment_(mesh.vertices.size(), 0) {
+  for (const EdgeSegment& segment : mesh.segments) {
+    isOnSegment_[segment.from.value] = isOnSegment_[segment.to.value] = 1;
+    segments_.push_back(std::minmax(segment.from.value, segment.to.value));
+  }
+  std::sort(segments_.begin(), segments_.end());
+}
+
+bool PatchOutlines::isSegment(std::uint32_t a, std::uint32_t b) const {
+  return std::binary_search(segments_.begin(), segments_.end(), Side(std::minmax(a, b)));
+}
+
+std::optional<Point3> PatchOutlines::commonNormal(std::size_t first, std::size_t last) const {
+  const auto normals = [&](std::size_t i, const auto& visit) {
+    const auto corners = mesh_.elements[i].vertices();
+    const Point3& origin = mesh_.vertices[corners[0].value];
+    for (std::size_t k = 1; k + 1 < corners.size(); ++k)
+      visit(cross(mesh_.vertices[corners[k].value] - origin,
+                  mesh_.vertices[corners[k + 1].value] - origin));
+  };
+  Point3 sum;
+  for (std::size_t i = first; i < last; ++i)
+    normals(i, [&](const Point3& normal) { sum = sum + normal; });
+  const Point3 mean = unit(sum);
+  bool isCommon = true;
+  for (std::size_t i = first; i < last && isCommon; ++i)
+    normals(i, [&](const Point3& normal) {
+      const double facing = dot(normal, mean);
+      isCommon = isCommon && facing > 0 &&
+                 facing * facing > kLeastFacing * kLeastFacing * dot(normal, normal);
+    });
+  return isCommon ? std::optional(mean) : std::nullopt;
+}
+
+std::optional<PatchOutlines::Loops> PatchOutlines::outline(std::size_t first,
+                                                           std::size_t last) const {
+  std::vector<Side> sides;
+  for (std::size_t i = first; i < last; ++i) {
+    const auto corners = mesh_.elements[i].vertices();
+    std::uint32_t from = corners.back().value;
+    for (const VertexId corner : corners) {
+      const std::uint32_t to = corner.value;
+      if (isOnSegment_[from] && isOnSegment_[to] && isSegment(from, to))
+        sides.push_back({from, to});
+      from = to;
+    }
+  }
+  std::sort(sides.begin(), sides.end());
+  std::vector<bool> isUsed(sides.size(), false);
+  Loops loops;
+  for (std::size_t i = 0; i < sides.size(); ++i) {
+    // Where a vertex stands twice, loops touch.
+    if (i > 0 && sides[i].first == sides[i - 1].first) return std::nullopt;
+    if (isUsed[i]) continue;
+    std::vector<std::uint32_t>& loop = loops.emplace_back();
+    for (std::size_t k = i; !isUsed[k];) {
+      isUsed[k] = true;
+      loop.push_back(sides[k].first);
+      const auto next = std::ranges::lower_bound(sides, sides[k].second, {}, &Side::first);
+      if (next == sides.end() || next->first != sides[k].second) return std::nullopt;
+      k = static_cast<std::size_t>(next - sides.begin());
+      if (isUsed[k] && k != i) return std::nullopt;
+    }
+  }
+  return loops;
+}
+
+bool PatchOutlines::canBeDrawn(std::size_t first, std::size_t last) const {
+  const std::optional<Point3> normal = commonNormal(first, last);
+  if (!normal) return false;
+  const std::optional<Loops> loops = outline(first, last);
+  if (!loops || loops->empty()) return false;
+  FrontInput boundary;
+  for (const auto& loop : *loops) {
+    auto& corners = boundary.loops.emplace_back();
+    for (const std::uint32_t v : loop)
+      corners.push_back({VertexId(v), {.position = mesh_.vertices[v], .normal = {}}});
+  }
+  const PlaneAxes axes(mesh_.vertices[loops->front().front()], *normal);
+  const auto inPlane = [&](const SurfacePoint& point) { return axes(point); };
+  return crossingsOf(boundary, inPlane, 1).empty() && areNestedInTurn(boundary, axes);
+}
+
+}  // namespace af2::geometry
