@@ -6,7 +6,6 @@
 #include "engine/open_places.h"
 #include "engine/predicates.h"
 #include "engine/surroundings.h"
-#include "engine/zone_polygon.h"
 
 namespace af2 {
 namespace {
@@ -34,22 +33,25 @@ struct Corners {
   }
 };
 
-/// The badness of an element that turns left everywhere; nothing if it has none.
-std::optional<double> badnessOf(const CompiledRules& rules, const Corners& corners) {
-  if (rules.fastMetric() && corners.count == 3) {
-    const double badness = rules.fastMetric()->triangleBadness(corners.points[0], corners.points[1],
-                                                               corners.points[2]);
-    return std::isfinite(badness) ? std::optional(badness) : std::nullopt;
-  }
-  return rules.set().definition().metric->badness(corners.span());
+/// The badness of an element that turns left everywhere; infinite if it has none.
+double badnessOf(const CompiledRules& rules, const Corners& corners) {
+  if (rules.fastMetric() && corners.count == 3)
+    return rules.fastMetric()->triangleBadness(corners.points[0], corners.points[1],
+                                               corners.points[2]);
+  return rules.set().definition().metric->badness(corners.span()).value_or(INFINITY);
+}
+
+void placeAffinePoints(const CompiledRule& rule, Match& match) {
+  Point2* points = match.points.data() + rule.matchedCount;
+  double x[AffineBatch::kCapacity], y[AffineBatch::kCapacity];
+  rule.newPoints->evaluate(match.points.data(), x, y);
+  for (int k = 0; k < rule.newCount; ++k) points[k] = {x[k], y[k]};
 }
 
 Refusal placeNewPoints(const CompiledRule& rule, const AF2Binding& binding, Match& match) {
   Point2* points = match.points.data() + rule.matchedCount;
   if (rule.newPoints) {
-    double x[AffineBatch::kCapacity], y[AffineBatch::kCapacity];
-    rule.newPoints->evaluate(match.points.data(), x, y);
-    for (int k = 0; k < rule.newCount; ++k) points[k] = {x[k], y[k]};
+    placeAffinePoints(rule, match);
     return Refusal::None;
   }
   for (const auto& transform : rule.rule->definition().newVertices) {
@@ -78,10 +80,10 @@ Refusal scoreElements(const CompiledRules& rules, const CompiledRule& rule, cons
   for (const RuleElement& element : elements) {
     const Corners corners(element, match);
     if (!corners.turnsLeftEverywhere()) return Refusal::Inverted;
-    const auto badness = badnessOf(rules, corners);
-    if (!badness) return Refusal::NoValue;
-    largest = isFirst ? *badness : std::max(largest, *badness);
-    sum += *badness;
+    const double badness = badnessOf(rules, corners);
+    if (!std::isfinite(badness)) return Refusal::NoValue;
+    largest = isFirst ? badness : std::max(largest, badness);
+    sum += badness;
     isFirst = false;
   }
   switch (rules.set().definition().scoreOf) {
@@ -193,39 +195,51 @@ const Application* CandidateChoice::choose(const StepChart& chart, PlaceId base)
   const StepView view = viewOf(chart, base);
   collect(view);
   RuleRefusal culprit;
-  while (candidateCount_ > 0) {
+  while (!untried_.empty()) {
     std::size_t best = 0;
-    for (std::size_t i = 1; i < candidateCount_; ++i)
-      if (isBetter(candidates_[i], candidates_[best])) best = i;
-    if (testZone(view, candidates_[best], culprit) == Refusal::None &&
-        prepare(view, candidates_[best]) == Refusal::None)
+    for (std::size_t i = 1; i < untried_.size(); ++i)
+      if (isBetter(candidates_[untried_[i]], candidates_[untried_[best]])) best = i;
+    const Candidate& candidate = candidates_[untried_[best]];
+    if (testZone(view, candidate, culprit) == Refusal::None &&
+        prepare(view, candidate) == Refusal::None)
       return &application_;
-    if (best != --candidateCount_) candidates_[best] = candidates_[candidateCount_];
+    untried_[best] = untried_.back();
+    untried_.pop_back();
   }
   return nullptr;
 }
 
 void CandidateChoice::collect(const StepView& view) {
-  candidateCount_ = 0;
-  RuleMatcher matcher(view);
+  untried_.clear();
+  matcher_.moveTo(view);
   for (const CompiledRule& rule : rules_.rules()) {
     if (view.level < rule.firstLevel || view.level > rule.lastLevel) continue;
-    matcher.forEachMatch(rule, [&](const Match& match) {
-      if (candidateCount_ == candidates_.size()) candidates_.emplace_back();
-      Candidate& candidate = candidates_[candidateCount_];
+    matcher_.forEachMatch(rule, [&](const Match& match) {
+      const std::size_t next = untried_.size();
+      if (next == candidates_.size()) candidates_.emplace_back();
+      Candidate& candidate = candidates_[next];
       candidate.rule = &rule;
-      candidate.match = match;
-      if (evaluate(view, candidate) == Refusal::None) ++candidateCount_;
+      candidate.match.take(match, rule.matchedCount);
+      if (evaluate(view, candidate) == Refusal::None)
+        untried_.push_back(static_cast<std::uint32_t>(next));
     });
   }
 }
 
 Refusal CandidateChoice::evaluate(const StepView& view, Candidate& candidate) const {
   const CompiledRule& rule = *candidate.rule;
+  if (!rule.isPlain || !rule.newPoints) return evaluateOpenly(view, candidate);
+  placeAffinePoints(rule, candidate.match);
+  const Refusal refusal = scoreElements(rules_, rule, candidate.match, candidate.score);
+  return refusal == Refusal::None ? judge(view, candidate) : refusal;
+}
+
+/// Where a rule asks about its surroundings, or has new vertices of any kind.
+Refusal CandidateChoice::evaluateOpenly(const StepView& view, Candidate& candidate) const {
+  const CompiledRule& rule = *candidate.rule;
   const FrontSurroundings surroundings(view, index_, rule, candidate.match, size_, valence_);
   const AF2Binding binding{matchedPoints(candidate), view.level, &surroundings};
-  if (!rule.isPlain)
-    if (const Refusal r = requirementsHold(rule, binding); r != Refusal::None) return r;
+  if (const Refusal r = requirementsHold(rule, binding); r != Refusal::None) return r;
   if (const Refusal r = placeNewPoints(rule, binding, candidate.match); r != Refusal::None)
     return r;
   if (const Refusal r = scoreElements(rules_, rule, candidate.match, candidate.score);
@@ -236,6 +250,10 @@ Refusal CandidateChoice::evaluate(const StepView& view, Candidate& candidate) co
     if (!cost || !std::isfinite(*cost)) return Refusal::NoValue;
     candidate.score += *cost;
   }
+  return judge(view, candidate);
+}
+
+Refusal CandidateChoice::judge(const StepView& view, const Candidate& candidate) const {
   const auto& acceptance = rules_.set().definition().acceptance;
   return !acceptance || acceptance->accepts(candidate.score, view.level) ? Refusal::None
                                                                          : Refusal::Score;
@@ -273,10 +291,9 @@ template <class Visit>
 Refusal CandidateChoice::visitObstacles(const StepView& view, const Candidate& candidate,
                                         Visit&& visit) {
   if (candidate.rule->zone) {
-    ZonePolygon polygon;
-    if (!polygon.make(*candidate.rule->zone, view.level, candidate.match.points.data()))
+    if (!polygon_.make(*candidate.rule->zone, view.level, candidate.match.points.data()))
       return Refusal::Convexity;
-    searchZone(view, candidate, polygon.boundingBox(), polygon, visit);
+    searchZone(view, candidate, polygon_.boundingBox(), polygon_, visit);
     return Refusal::None;
   }
   const FrontSurroundings surroundings(view, index_, *candidate.rule, candidate.match, size_,
@@ -352,11 +369,11 @@ std::vector<RuleRefusal> CandidateChoice::obstacles(const StepChart& chart, Plac
 }
 
 /// Zone tests may gather anew, so matches are collected before they are tested.
-std::vector<Match> CandidateChoice::matchesOf(const StepView& view,
-                                              const CompiledRule& rule) const {
+std::vector<Match> CandidateChoice::matchesOf(const StepView& view, const CompiledRule& rule) {
   std::vector<Match> matches;
-  if (view.level >= rule.firstLevel && view.level <= rule.lastLevel)
-    RuleMatcher(view).forEachMatch(rule, [&](const Match& match) { matches.push_back(match); });
+  if (view.level < rule.firstLevel || view.level > rule.lastLevel) return matches;
+  matcher_.moveTo(view);
+  matcher_.forEachMatch(rule, [&](const Match& match) { matches.push_back(match); });
   return matches;
 }
 

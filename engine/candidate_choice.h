@@ -9,6 +9,7 @@
 #include "engine/observer.h"
 #include "engine/rule_matcher.h"
 #include "engine/size_field.h"
+#include "engine/zone_polygon.h"
 
 namespace af2 {
 
@@ -49,6 +50,8 @@ class CandidateChoice {
   void gather(const StepChart& chart, PlaceId base);
   void collect(const StepView& view);
   Refusal evaluate(const StepView& view, Candidate& candidate) const;
+  Refusal evaluateOpenly(const StepView& view, Candidate& candidate) const;
+  Refusal judge(const StepView& view, const Candidate& candidate) const;
   bool isBetter(const Candidate& one, const Candidate& other) const;
   Refusal testZone(const StepView& view, const Candidate& candidate, RuleRefusal& culprit);
   template <class Visit>
@@ -56,7 +59,7 @@ class CandidateChoice {
   template <class Zone, class Visit>
   void searchZone(const StepView& view, const Candidate& candidate, Box2 box, const Zone& zone,
                   Visit&& visit);
-  std::vector<Match> matchesOf(const StepView& view, const CompiledRule& rule) const;
+  std::vector<Match> matchesOf(const StepView& view, const CompiledRule& rule);
   Refusal prepare(const StepView& view, const Candidate& candidate);
   RuleRefusal explainRule(const StepView& view, const CompiledRule& rule);
   RuleRefusal explainMatch(const StepView& view, const CompiledRule& rule, const Match& match);
@@ -68,8 +71,10 @@ class CandidateChoice {
   const SizeField& size_;
   const std::vector<std::uint8_t>& valence_;
   Neighborhood near_;
-  std::vector<Candidate> candidates_;  // [0, candidateCount_) are in use
-  std::size_t candidateCount_ = 0;
+  RuleMatcher matcher_;
+  std::vector<Candidate> candidates_;   // as many as there ever were at once
+  std::vector<std::uint32_t> untried_;  // those of this step that have not been tried yet
+  ZonePolygon polygon_;
   Application application_;
   Box3 limits_{{-1e300, -1e300, -1e300}, {1e300, 1e300, 1e300}};
 };

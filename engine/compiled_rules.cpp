@@ -134,6 +134,10 @@ std::optional<FastZone> fastZone(const AF2Rule& rule, int maxLevel) {
 
 // ---- windows -----------------------------------------------------------------------------------
 
+/// Added on all sides of a window: zones that begin at the base, whose place in the chart is
+/// rounded or a little longer than the bucket says, are not to be fetched on their own.
+constexpr double kWindowMargin = 0.05;
+
 /// Half extents of the ellipse form(d) <= tolerance.
 Point2 ellipseExtent(const ToleranceForm& form, double tolerance) {
   const double det = form.xx * form.yy - 0.25 * form.xy * form.xy;
@@ -250,6 +254,10 @@ void Window::include(double x, double y) {
   highY = std::max(highY, y);
 }
 
+Window Window::widened(double margin) const {
+  return {lowX - margin, lowY - margin, highX + margin, highY + margin};
+}
+
 void Window::include(const Window& other) {
   include(other.lowX, other.lowY);
   include(other.highX, other.highY);
@@ -286,7 +294,7 @@ CompiledRules::CompiledRules(const RuleSet& rules, std::optional<int> onlyLevel)
         window.include(matchWindow(rule, tolerance));
         window.include(zoneWindow(rule, level, baseLength, tolerance));
       }
-      windows_[static_cast<std::size_t>(level - 1)].push_back(window);
+      windows_[static_cast<std::size_t>(level - 1)].push_back(window.widened(kWindowMargin));
     }
   }
 }

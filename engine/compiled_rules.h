@@ -67,6 +67,7 @@ struct Window {
   double lowX = 0, lowY = 0, highX = 0, highY = 0;
   void include(double x, double y);
   void include(const Window& other);
+  Window widened(double margin) const;
   bool contains(const Window& w) const {
     return lowX <= w.lowX && lowY <= w.lowY && highX >= w.highX && highY >= w.highY;
   }

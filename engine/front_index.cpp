@@ -150,13 +150,14 @@ void FrontIndex::insert(const Front& front, PlaceId id) {
   if (id.value >= entries_.size()) entries_.resize(std::max(front.capacity(), 2 * entries_.size()));
   const Point3 d = middle - origin_;
   const double farthest = std::max({std::abs(d.x), std::abs(d.y), std::abs(d.z)});
-  entries_[id.value] = {static_cast<float>(d.x),
-                        static_cast<float>(d.y),
-                        static_cast<float>(d.z),
-                        roundedUp(0.5 * length, farthest),
-                        cell.first,
-                        PlaceId(),
-                        static_cast<std::uint32_t>(bandIndex) << kBandShift | cellIndex};
+  Entry& entry = entries_[id.value];
+  entry.x = static_cast<float>(d.x);
+  entry.y = static_cast<float>(d.y);
+  entry.z = static_cast<float>(d.z);
+  entry.half = roundedUp(0.5 * length, farthest);
+  entry.next = cell.first;
+  entry.previous = PlaceId();
+  entry.cell = static_cast<std::uint32_t>(bandIndex) << kBandShift | cellIndex;
   if (!cell.first.isNone()) entries_[cell.first.value].previous = id;
   cell.first = id;
   ++cell.edges;

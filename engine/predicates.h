@@ -37,9 +37,11 @@ inline Turn orientation(Point2 a, Point2 b, Point2 c) {
   if (std::abs(det) > detail::kOrientationErrorBound * size && size > detail::kUnderflowGuard &&
       size < 1e300)
     return det > 0 ? Turn::Left : Turn::Right;
-  // Edges that share a vertex with a zone ask this all the time; exact arithmetic is slow to say
-  // it.
-  if (a == c || b == c || a == b) return Turn::Straight;
+  // Exact arithmetic is slow to say what edges that share a vertex with a zone ask all the time,
+  // and what rows of vertices along an axis ask: both products are nothing, because a difference
+  // is.
+  const bool leftVanishes = a.x == c.x || b.y == c.y, rightVanishes = a.y == c.y || b.x == c.x;
+  if ((leftVanishes && rightVanishes) || a == b) return Turn::Straight;
   return detail::exactOrientation(a, b, c);
 }
 

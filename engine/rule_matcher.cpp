@@ -2,26 +2,31 @@
 
 namespace af2 {
 
-RuleMatcher::RuleMatcher(const StepView& view) : view_(view) {
+void RuleMatcher::moveTo(const StepView& view) {
+  view_ = &view;
   const PlaceId a = view.base, b = view.front.next(a);
   match_.places[0] = a;
   match_.places[1] = b;
-  match_.points[0] = at(a).point.position;
-  match_.points[1] = at(b).point.position;
-  afterBase_ = at(view.front.next(b));
-  beforeBase_ = at(view.front.previous(a));
+  match_.points[0] = view.chart.project(view.front[a].point).position;
+  match_.points[1] = view.chart.project(view.front[b].point).position;
+  lookAt(view.front.next(b), afterBase_);
+  lookAt(view.front.previous(a), beforeBase_);
 }
 
-RuleMatcher::Candidate RuleMatcher::after(PlaceId place) const {
-  return place == match_.places[1] ? afterBase_ : at(view_.front.next(place));
+const RuleMatcher::Candidate& RuleMatcher::after(PlaceId place) {
+  if (place == match_.places[1]) return afterBase_;
+  lookAt(view_->front.next(place), other_);
+  return other_;
 }
 
-RuleMatcher::Candidate RuleMatcher::before(PlaceId place) const {
-  return place == match_.places[0] ? beforeBase_ : at(view_.front.previous(place));
+const RuleMatcher::Candidate& RuleMatcher::before(PlaceId place) {
+  if (place == match_.places[0]) return beforeBase_;
+  lookAt(view_->front.previous(place), other_);
+  return other_;
 }
 
 bool RuleMatcher::isBound(const CompiledRule& rule, std::size_t index, VertexId id) const {
-  const auto vertexAt = [&](std::size_t v) { return view_.front[match_.places[v]].vertex; };
+  const auto vertexAt = [&](std::size_t v) { return view_->front[match_.places[v]].vertex; };
   if (vertexAt(0) == id || vertexAt(1) == id) return true;
   for (std::size_t i = 0; i < index; ++i)
     if (vertexAt(static_cast<std::size_t>(rule.steps[i].vertex)) == id) return true;
@@ -32,7 +37,7 @@ bool RuleMatcher::slopesFit(const CompiledRule& rule) const {
   for (const SlopeTest& test : rule.slopes) {
     const Point2 edge = match_.points[static_cast<std::size_t>(test.to)] -
                         match_.points[static_cast<std::size_t>(test.from)];
-    if (!(test.form(edge - test.reference) <= view_.tolerance)) return false;
+    if (!(test.form(edge - test.reference) <= view_->tolerance)) return false;
   }
   return true;
 }

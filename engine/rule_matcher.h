@@ -24,12 +24,21 @@ struct StepView {
 struct Match {
   std::array<PlaceId, AF2Rule::kMaxVertices> places;
   std::array<Point2, AF2Rule::kMaxVertices + AffineBatch::kCapacity> points;
+
+  /// Takes over the first `count` vertices of another match, and nothing else.
+  void take(const Match& other, int count) {
+    for (std::size_t v = 0; v < static_cast<std::size_t>(count); ++v) {
+      places[v] = other.places[v];
+      points[v] = other.points[v];
+    }
+  }
 };
 
-/// Calls visit(const Match&) for every complete binding of one rule.
+/// Calls visit(const Match&) for every complete binding of one rule. Used again from step to step.
 class RuleMatcher {
  public:
-  explicit RuleMatcher(const StepView& view);
+  /// Goes to the base edge of a step; `view` must be there for as long as matches are asked for.
+  void moveTo(const StepView& view);
 
   template <class Visit>
   void forEachMatch(const CompiledRule& rule, Visit&& visit) {
@@ -53,16 +62,16 @@ class RuleMatcher {
         step.from < 0 ? PlaceId() : match_.places[static_cast<std::size_t>(step.from)];
     switch (step.kind) {
       case BindingStep::Kind::Closes:
-        if (view_.front.hasEdge(from) &&
-            view_.front.next(from) == match_.places[static_cast<std::size_t>(step.vertex)])
+        if (view_->front.hasEdge(from) &&
+            view_->front.next(from) == match_.places[static_cast<std::size_t>(step.vertex)])
           bind(rule, index + 1, visit);
         return;
       case BindingStep::Kind::Next:
       case BindingStep::Kind::Previous: {
-        if (!(step.kind == BindingStep::Kind::Next ? view_.front.hasEdge(from)
-                                                   : view_.front.hasEdgeBefore(from)))
+        if (!(step.kind == BindingStep::Kind::Next ? view_->front.hasEdge(from)
+                                                   : view_->front.hasEdgeBefore(from)))
           return;
-        const Candidate candidate =
+        const Candidate& candidate =
             step.kind == BindingStep::Kind::Next ? after(from) : before(from);
         if (accept(rule, index, candidate.place, candidate.point.position,
                    candidate.point.view == ChartView::Legal))
@@ -70,7 +79,7 @@ class RuleMatcher {
         return;
       }
       case BindingStep::Kind::Any:
-        for (const Neighborhood::Edge& edge : view_.near.edges())
+        for (const Neighborhood::Edge& edge : view_->near.edges())
           if (accept(rule, index, edge.place, edge.from, edge.view == ChartView::Legal))
             bind(rule, index + 1, visit);
         return;
@@ -81,8 +90,8 @@ class RuleMatcher {
   bool accept(const CompiledRule& rule, std::size_t index, PlaceId place, Point2 point,
               bool isLegal) {
     const BindingStep& step = rule.steps[index];
-    if (!step.fits(point, view_.tolerance)) return false;
-    if (!isLegal || isBound(rule, index, view_.front[place].vertex)) return false;
+    if (!step.fits(point, view_->tolerance)) return false;
+    if (!isLegal || isBound(rule, index, view_->front[place].vertex)) return false;
     const auto vertex = static_cast<std::size_t>(step.vertex);
     match_.places[vertex] = place;
     match_.points[vertex] = point;
@@ -92,15 +101,20 @@ class RuleMatcher {
   /// Whether an earlier step has bound this mesh vertex: pattern vertices are all different.
   bool isBound(const CompiledRule& rule, std::size_t index, VertexId id) const;
   bool slopesFit(const CompiledRule& rule) const;
-  Candidate after(PlaceId place) const;
-  Candidate before(PlaceId place) const;
-  Candidate at(PlaceId place) const {
-    return {place, view_.chart.project(view_.front[place].point)};
+  /// Both are valid until the next call.
+  const Candidate& after(PlaceId place);
+  const Candidate& before(PlaceId place);
+  void lookAt(PlaceId place, Candidate& candidate) const {
+    const ChartPoint point = view_->chart.project(view_->front[place].point);
+    candidate.place = place;
+    candidate.point.position = point.position;
+    candidate.point.view = point.view;
   }
 
-  const StepView& view_;
+  const StepView* view_ = nullptr;
   Match match_;
   Candidate afterBase_, beforeBase_;  // what nearly every rule asks for
+  Candidate other_;
 };
 
 }  // namespace af2

@@ -132,6 +132,7 @@ bool meshWhole(const AF2Algorithm& algorithm, const Task& task, const FrontInput
     if (run == 0) bytes = peakBytes() - before;
   }
   tell("raw", result.mesh, best, bytes, input);
+  std::printf("%-9s %zu steps, %zu of them failed\n", "", result.steps, result.failedSteps);
   if (!task.optimize) return result.outcome == Outcome::Complete;
 
   const double start = cpuSeconds();
