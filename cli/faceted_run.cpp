@@ -1,8 +1,5 @@
 // `af2 mesh` for surfaces that are given by triangles.
-#include <fmt/core.h>
-
 #include "cli/model_runs.h"
-#include "cli/progress_bar.h"
 #include "cli/usage_error.h"
 #include "geometry/faceted/mesh_faceted.h"
 
@@ -18,18 +15,8 @@ geometry::ModelMesh runFaceted(const MeshRequest& request, const AF2Algorithm& a
 
   ProgressBar bar(control.showProgress);
   geometry::FacetedMeshingOptions options;
-  options.size = request.sizes.size;
-  options.minSize = request.sizes.smallest;
-  options.maxSize = request.sizes.largest;
-  options.elementsPerTurn = request.sizes.elementsPerTurn;
-  options.growth = request.sizes.growth;
-  options.sources = request.sizes.file.sources;
+  setOptions(request, control, bar, options);
   options.featureAngle = request.featureAngle;
-  options.optimize = request.optimize;
-  options.stop = control.stop;
-  options.progress = [&](const Progress& progress) {
-    bar.show("meshing", 0, fmt::format("{} elements", progress.elements));
-  };
   geometry::ModelMesh mesh = geometry::meshFaceted(facets, algorithm, options);
   mesh.seconds.read = readSeconds;
   return mesh;

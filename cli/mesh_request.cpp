@@ -115,8 +115,7 @@ void checkFaceted(const MeshOptions& options, const MeshRequest& request) {
     throw UsageError(
         "the faces of an STL or OBJ file have no sizes of their own; use --sizes with "
         "points, boxes or fields");
-  if (sizes.elementsAcross > 0 || !options.boundary.empty() || options.order != 1)
-    throw UsageError("an STL or OBJ file takes no --proximity, --boundary or --order 2");
+  if (!options.boundary.empty()) throw UsageError("an STL or OBJ file takes no --boundary");
 }
 
 geometry::ChartKind checkedChart(const MeshOptions& options, const MeshRequest& request) {

@@ -2,10 +2,16 @@
 #pragma once
 
 #include "cli/mesh_run.h"
+#include "cli/progress_bar.h"
 #include "engine/algorithm.h"
 #include "engine/stopwatch.h"
+#include "geometry/domain_options.h"
 
 namespace af2::cli {
+
+/// What all domains take from a request. The progress bar must outlive the options.
+void setOptions(const MeshRequest& request, const RunControl& control, ProgressBar& bar,
+                geometry::DomainMeshingOptions& options);
 
 geometry::ModelMesh runPlanar(const MeshRequest& request, const AF2Algorithm& algorithm,
                               const RunControl& control);

@@ -1,8 +1,5 @@
 // `af2 mesh` for planar domains.
-#include <fmt/core.h>
-
 #include "cli/model_runs.h"
-#include "cli/progress_bar.h"
 #include "cli/usage_error.h"
 #include "geometry/planar/in2d_file.h"
 #include "geometry/planar/mesh_planar.h"
@@ -25,21 +22,8 @@ geometry::ModelMesh runPlanar(const MeshRequest& request, const AF2Algorithm& al
 
   ProgressBar bar(control.showProgress);
   geometry::PlanarMeshingOptions options;
-  options.size = request.sizes.size;
-  options.minSize = request.sizes.smallest;
-  options.maxSize = request.sizes.largest;
-  options.elementsAcross = request.sizes.elementsAcross;
-  options.elementsPerTurn = request.sizes.elementsPerTurn;
-  options.growth = request.sizes.growth;
-  options.sources = request.sizes.file.sources;
+  setOptions(request, control, bar, options);
   options.keepBoundary = request.keepBoundary;
-  options.order = request.order;
-  options.optimize = request.optimize;
-  options.threads = request.threads;
-  options.stop = control.stop;
-  options.progress = [&](const Progress& progress) {
-    bar.show("meshing", 0, fmt::format("{} elements", progress.elements));
-  };
   if (hasCurves) {
     domain = geometry::divideCurves(curves, options);
     options.keepBoundary = true;

@@ -1,10 +1,12 @@
 #include "geometry/close_front.h"
 
 #include <algorithm>
+#include <cstdio>
 #include <optional>
 #include <set>
 
 #include "engine/predicates.h"
+#include "geometry/plane_axes.h"
 
 namespace af2::geometry {
 
@@ -106,6 +108,27 @@ class Closer {
   std::vector<Element> elements_;
 };
 
+/// The plane across the mean normal of the vertices that are left on the front.
+ProjectionFrame planeOfFront(const MeshingResult& result) {
+  Point3 normal;
+  for (const StuckEdge& edge : result.stuck)
+    normal = normal + result.mesh.vertices[edge.from.value].normal;
+  normal = unit(normal);
+  ProjectionFrame frame;
+  frame.origin = result.mesh.vertices[result.stuck.front().from.value].position;
+  const PlaneAxes axes(frame.origin, normal);
+  frame.xAxis = axes.xAxis();
+  frame.yAxis = axes.yAxis();
+  frame.normal = normal;
+  return frame;
+}
+
+std::string toText(const Point3& p) {
+  char text[96];
+  std::snprintf(text, sizeof text, "(%.6g, %.6g, %.6g)", p.x, p.y, p.z);
+  return text;
+}
+
 }  // namespace
 
 bool closeFront(MeshingResult& result, const std::function<Point2(VertexId)>& inPlane,
@@ -118,6 +141,30 @@ bool closeFront(MeshingResult& result, const std::function<Point2(VertexId)>& in
   result.stuck.clear();
   result.outcome = Outcome::Complete;
   return true;
+}
+
+bool closeFront(MeshingResult& result, std::uint16_t rule) {
+  if (result.stuck.empty()) return false;
+  const ProjectionFrame plane = planeOfFront(result);
+  return closeFront(
+      result, [&](VertexId v) { return plane.project(result.mesh.vertices[v.value]).position; },
+      rule);
+}
+
+std::string stuckReason(const MeshingResult& result, const AF2Algorithm& algorithm) {
+  std::string text =
+      "the front got stuck with " + std::to_string(result.stuck.size()) + " edges left";
+  if (result.stuck.empty()) return text;
+  const StuckEdge& edge = result.stuck.front();
+  text += ", the first from " + toText(result.mesh.vertices[edge.from.value].position) + " to " +
+          toText(result.mesh.vertices[edge.to.value].position);
+  const RuleRefusal* farthest = nullptr;
+  for (const RuleRefusal& refusal : edge.refusals)
+    if (!farthest || refusal.reason > farthest->reason) farthest = &refusal;
+  if (farthest)
+    text += "; rule '" + algorithm.rules().rules()[farthest->rule].name() +
+            "': " + toString(farthest->reason);
+  return text;
 }
 
 }  // namespace af2::geometry

@@ -118,7 +118,7 @@ void readStl(const std::string& data, Facets& facets) {
   if (data.size() >= 84) std::memcpy(&count, data.data() + 80, sizeof count);
   if (data.size() >= 84 && data.size() == 84 + 50 * std::size_t{count})
     readBinaryStl(data, count, facets);
-  else if (data.find("facet") != std::string::npos)
+  else if (data.find("facet") != std::string::npos || data.find("endsolid") != std::string::npos)
     readTextStl(data, facets);
   else
     throw InputError(facets.name +

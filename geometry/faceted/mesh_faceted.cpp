@@ -3,60 +3,30 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <stdexcept>
 
 #include "engine/error.h"
-#include "engine/mesh_region.h"
 #include "engine/stopwatch.h"
-#include "geometry/append_face.h"
 #include "geometry/curve_division.h"
+#include "geometry/domain_mesh.h"
+#include "geometry/domain_size.h"
 #include "geometry/faceted/facet_surface.h"
-#include "geometry/graded_size.h"
-#include "geometry/sound_faces.h"
+#include "geometry/faceted/patches.h"
 
 namespace af2::geometry {
 namespace {
 
-/// What the options want by position, and by the curvature of a patch.
-class FacetedSize {
- public:
-  explicit FacetedSize(const FacetedMeshingOptions& options) : options_(options) {
-    if (!options.sources.isEmpty()) sources_ = sizeFrom(options.sources, options.growth);
-  }
-
-  double at(const Point3& position) const {
-    double size = options_.size;
-    if (options_.function) size = std::min(size, options_.function.at(position));
-    if (sources_) size = std::min(size, sources_.at(position));
-    return size;
-  }
-
-  /// `size`, or less where the surface or a curve turns within `radius`.
-  double limited(double size, double radius) const {
-    constexpr double kGentleTurn = std::numbers::pi / 4, kGentleLeast = 0.35;
-    const bool isAsked = options_.elementsPerTurn > 0;
-    const double turn = isAsked ? 2 * std::numbers::pi / options_.elementsPerTurn : kGentleTurn;
-    const double least =
-        isAsked ? leastForLimits(options_.size, options_.minSize) : kGentleLeast * options_.size;
-    return std::clamp(std::min(size, std::max(turn * radius, least)), options_.minSize,
-                      options_.maxSize);
-  }
-
- private:
-  const FacetedMeshingOptions& options_;
-  PositionSize sources_;
-};
+constexpr double kGentleLeast = 0.35;
 
 class PatchSize final : public SizeField {
  public:
-  PatchSize(const FacetedSize& size, const FacetSurface& surface)
-      : size_(size), surface_(surface) {}
+  PatchSize(const DomainSize& size, const FacetSurface& surface) : size_(size), surface_(surface) {}
   double sizeAt(const SurfacePoint& point) const override {
-    return size_.limited(size_.at(point.position), surface_.radiusAt(point.position));
+    return size_.limitedByTurn(size_.sizeAt(point), surface_.radiusAt(point.position),
+                               kGentleLeast);
   }
 
  private:
-  const FacetedSize& size_;
+  const DomainSize& size_;
   const FacetSurface& surface_;
 };
 
@@ -64,30 +34,23 @@ class FacetedMesher {
  public:
   FacetedMesher(const Facets& facets, const AF2Algorithm& algorithm,
                 const FacetedMeshingOptions& options)
-      : algorithm_(algorithm),
-        options_(options),
+      : options_(options),
         size_(options),
-        model_(findPatches(facets, options.featureAngle * std::numbers::pi / 180)) {}
+        model_(findPatches(facets, options.featureAngle * std::numbers::pi / 180)),
+        mesh_(algorithm, options) {}
 
   ModelMesh mesh() {
-    for (const AF2Rule& rule : algorithm_.rules().rules()) mesh_.ruleNames.push_back(rule.name());
     for (const Patch& patch : model_.patches) surfaces_.emplace_back(model_.facets, patch);
-    const Stopwatch edges;
+    const Stopwatch watch;
     divideCurves();
-    mesh_.seconds.edges = edges.seconds();
+    const double edges = watch.seconds();
     for (std::size_t i = 0; i < model_.patches.size(); ++i) meshPatch(i);
-    addSegments();
-    mesh_.wantedSizes.resize(mesh_.vertices.size(), kFar);
-    const auto oneByOne = [](std::size_t count, const auto& work) {
-      for (std::size_t i = 0; i < count; ++i) work(i);
-    };
-    mesh_.findings = keepSoundFaces(mesh_, elementCrossings(mesh_, oneByOne));
-    return std::move(mesh_);
+    ModelMesh mesh = mesh_.finish(false);
+    mesh.seconds.edges = edges;
+    return mesh;
   }
 
  private:
-  static constexpr double kFar = std::numeric_limits<double>::infinity();
-
   const Point3& facetVertex(std::uint32_t v) const { return model_.facets.vertices[v]; }
 
   /// By curve: the patches beside it.
@@ -127,7 +90,7 @@ class FacetedMesher {
       double radius = std::numeric_limits<double>::infinity();
       for (const std::size_t patch : patches)
         radius = std::min(radius, surfaces_[patch].radiusAt(p));
-      samples.curve.sizes.push_back(size_.limited(size_.at(p), radius));
+      samples.curve.sizes.push_back(size_.limitedByTurn(size_.at(p), radius, kGentleLeast));
     }
     limitByTurn(curve, samples);
     return samples;
@@ -143,7 +106,8 @@ class FacetedMesher {
       const double turn = distance(unit(q - p), unit(r - q));
       if (turn == 0) continue;
       const double radius = (distance(p, q) + distance(q, r)) / 2 / turn;
-      samples.curve.sizes[sample] = size_.limited(samples.curve.sizes[sample], radius);
+      double& size = samples.curve.sizes[sample];
+      size = size_.limitedByTurn(size, radius, kGentleLeast);
     }
   }
 
@@ -162,156 +126,66 @@ class FacetedMesher {
     gradeTogether(curves, model_.facets.vertices.size(), options_.growth);
     const std::vector<std::size_t> least = leastSegments(ends);
     corners_.resize(model_.facets.vertices.size());
-    for (std::size_t c = 0; c < curves.size(); ++c) {
-      const std::vector<double> count = segmentsAlong(curves[c].arcLength, curves[c].sizes);
-      std::vector<VertexId> along{cornerAt(model_.curves[c].front())};
-      for (const CurvePlace& place : equalShares(count, wholeSegments(count.back(), least[c])))
-        along.push_back(addVertex(place.between(samples[c].points)));
-      along.push_back(cornerAt(model_.curves[c].back()));
-      divided_.push_back(std::move(along));
-    }
+    for (std::size_t c = 0; c < curves.size(); ++c)
+      divide(c, curves[c], samples[c].points, least[c]);
   }
 
-  VertexId addVertex(const Point3& position) {
-    mesh_.vertices.push_back(position);
-    return VertexId(mesh_.vertices.size() - 1);
+  /// Every other one of twice as many shares ends at the middle of a segment.
+  void divide(std::size_t index, const SampledCurve& curve, const std::vector<Point3>& points,
+              std::size_t least) {
+    const FeatureCurve& vertices = model_.curves[index];
+    const std::vector<double> count = segmentsAlong(curve.arcLength, curve.sizes);
+    DividedCurve divided;
+    divided.edge = static_cast<int>(index) + 1;
+    divided.vertices.push_back(cornerAt(vertices.front()));
+    bool isMiddle = true;
+    for (const CurvePlace& place : equalShares(count, 2 * wholeSegments(count.back(), least))) {
+      const Point3 p = place.between(points);
+      isMiddle ? divided.middles.push_back(p) : divided.vertices.push_back(mesh_.addVertex(p));
+      isMiddle = !isMiddle;
+    }
+    divided.vertices.push_back(cornerAt(vertices.back()));
+    mesh_.addCurve(std::move(divided));
   }
+
   VertexId cornerAt(std::uint32_t v) {
-    if (corners_[v].isNone()) corners_[v] = addVertex(facetVertex(v));
+    if (corners_[v].isNone()) corners_[v] = mesh_.addVertex(facetVertex(v));
     return corners_[v];
   }
 
   void meshPatch(std::size_t index) {
-    const Stopwatch watch;
-    FaceReport report;
-    report.id = static_cast<int>(index) + 1;
-    report.surfaceType = "facets";
-    report.area = surfaces_[index].area();
-    if (options_.stop.stop_requested())
-      report.status = FaceStatus::Cancelled;
-    else
-      fillPatch(index, report);
-    report.seconds = watch.seconds();
-    mesh_.seconds.surface += report.seconds;
-    mesh_.faces.push_back(std::move(report));
-  }
-
-  void fillPatch(std::size_t index, FaceReport& report) {
     const FacetSurface& surface = surfaces_[index];
-    std::vector<VertexId> boundary;
-    const FrontInput input = boundaryOf(index, boundary);
-    const PatchSize wanted(size_, surface);
-    const auto size = std::make_shared<const GradedSize>(wanted, input, options_.growth);
-    const RegionTask task{
-        input,
-        [&] {
-          return PieceTools{std::make_unique<MeanNormalChartMaker<FacetSurface>>(surface), size};
-        },
-        nullptr,
-        {},
-        options_.optimize};
-    try {
-      const RegionMesh meshed =
-          meshRegion(algorithm_, task, {nullptr, options_.progress, options_.stop});
-      judge(meshed, report);
-      if (report.status == FaceStatus::Complete) add(meshed.result, boundary, wanted, report);
-    } catch (const std::runtime_error& error) {  // of the surface or the boundary
-      report.status = FaceStatus::Failed;
-      report.reason = error.what();
-    }
+    DomainFace face;
+    face.surfaceType = "facets";
+    face.chart = "mean-normal";
+    face.area = surface.area();
+    face.loops = model_.patches[index].loops;
+    face.wanted = std::make_shared<const PatchSize>(size_, surface);
+    face.nearest = [&surface](const Point3& p) { return surface.nearest(p); };
+    face.makeCharts = [&surface] {
+      return std::make_unique<MeanNormalChartMaker<FacetSurface>>(surface);
+    };
+    mesh_.addFace(std::move(face));
   }
 
-  FrontInput boundaryOf(std::size_t index, std::vector<VertexId>& boundary) {
-    localIds_.resize(mesh_.vertices.size());
-    FrontInput input;
-    for (const auto& loop : model_.patches[index].loops) {
-      std::vector<BoundaryCorner> corners;
-      for (const CurveUse& use : loop) {
-        std::vector<VertexId> along = divided_[use.curve];
-        if (use.reversed) std::reverse(along.begin(), along.end());
-        along.pop_back();
-        for (const VertexId id : along) corners.push_back(cornerOf(id, surfaces_[index], boundary));
-      }
-      input.loops.push_back(std::move(corners));
-    }
-    for (const VertexId id : boundary) localIds_[id.value] = VertexId();
-    input.vertexCount = boundary.size();
-    return input;
-  }
-
-  BoundaryCorner cornerOf(VertexId id, const FacetSurface& surface,
-                          std::vector<VertexId>& boundary) {
-    VertexId& local = localIds_[id.value];
-    if (local.isNone()) {
-      local = VertexId(boundary.size());
-      boundary.push_back(id);
-    }
-    const Point3& position = mesh_.vertices[id.value];
-    return {local, {position, surface.nearest(position).normal}};
-  }
-
-  static void judge(const RegionMesh& meshed, FaceReport& report) {
-    const MeshingResult& result = meshed.result;
-    if (result.outcome == Outcome::Complete && meshed.fault.empty()) return;
-    report.status =
-        result.outcome == Outcome::Cancelled ? FaceStatus::Cancelled : FaceStatus::Failed;
-    report.reason = meshed.fault;
-    if (result.outcome != Outcome::Stuck || result.stuck.empty()) return;
-    const Point3& p = result.mesh.vertices[result.stuck.front().from.value].position;
-    report.reason = "the front got stuck with " + std::to_string(result.stuck.size()) +
-                    " edges left, the first at (" + std::to_string(p.x) + ", " +
-                    std::to_string(p.y) + ", " + std::to_string(p.z) + ")";
-  }
-
-  void add(const MeshingResult& result, const std::vector<VertexId>& boundary,
-           const SizeField& wanted, FaceReport& report) {
-    mesh_.wantedSizes.resize(mesh_.vertices.size(), kFar);
-    appendFace(mesh_, result, boundary, report);
-    for (std::size_t i = 0; i < result.mesh.vertices.size(); ++i) {
-      const double size = wanted.sizeAt(result.mesh.vertices[i]);
-      if (i >= boundary.size()) {
-        mesh_.wantedSizes.push_back(size);
-        continue;
-      }
-      double& there = mesh_.wantedSizes[boundary[i].value];
-      there = std::min(there, size);
-    }
-  }
-
-  /// Counts only the patches that were meshed.
-  void addSegments() {
-    std::vector<int> uses(model_.curves.size(), 0);
-    for (std::size_t i = 0; i < model_.patches.size(); ++i) {
-      if (mesh_.faces[i].status != FaceStatus::Complete) continue;
-      for (const auto& loop : model_.patches[i].loops)
-        for (const CurveUse& use : loop) ++uses[use.curve];
-    }
-    for (std::size_t c = 0; c < divided_.size(); ++c)
-      for (std::size_t i = 0; uses[c] > 0 && i + 1 < divided_[c].size(); ++i)
-        mesh_.segments.push_back(
-            {divided_[c][i], divided_[c][i + 1], static_cast<int>(c) + 1, uses[c]});
-  }
-
-  const AF2Algorithm& algorithm_;
   const FacetedMeshingOptions& options_;
-  FacetedSize size_;
+  DomainSize size_;
   PatchedFacets model_;
-  std::vector<FacetSurface> surfaces_;          // by patch
-  std::vector<VertexId> corners_;               // by vertex of the facets, if it ends a curve
-  std::vector<std::vector<VertexId>> divided_;  // by curve, ends included
-  std::vector<VertexId> localIds_;              // by vertex of the mesh, while a patch is read
-  ModelMesh mesh_;
+  std::vector<FacetSurface> surfaces_;  // by patch
+  std::vector<VertexId> corners_;       // by vertex of the facets, if it ends a curve
+  DomainMesh mesh_;
 };
 
 }  // namespace
 
 ModelMesh meshFaceted(const Facets& facets, const AF2Algorithm& algorithm,
                       const FacetedMeshingOptions& options) {
-  if (!(options.size > 0) || !std::isfinite(options.size))
-    throw InputError("the size must be a positive number");
+  checkSize(options);
   if (!(options.featureAngle > 0 && options.featureAngle < 180))
     throw InputError("the feature angle must lie between 0 and 180 degrees");
-  return FacetedMesher(facets, algorithm, options).mesh();
+  return meshOnceOrTwice(options, [&](const FacetedMeshingOptions& own) {
+    return FacetedMesher(facets, algorithm, own).mesh();
+  });
 }
 
 }  // namespace af2::geometry

@@ -1,33 +1,15 @@
 // From a surface of triangles to a checked mesh of its smooth patches.
 #pragma once
 
-#include <limits>
-#include <stop_token>
-
-#include "engine/algorithm.h"
+#include "geometry/domain_options.h"
 #include "geometry/faceted/facets.h"
 #include "geometry/model_mesh.h"
-#include "geometry/position_size.h"
-#include "geometry/size_sources.h"
 
 namespace af2::geometry {
 
-struct FacetedMeshingOptions {
-  double size = 0;  ///< wanted edge length, > 0
-  /// Bounds of all wanted sizes, however they come about.
-  double minSize = 0, maxSize = std::numeric_limits<double>::infinity();
-  SizeSources sources;    ///< points, boxes and background fields
-  PositionSize function;  ///< further limit by position
-  /// How many elements go around a full turn, by the normals of the triangles; 0: eight or so, but
-  /// no smaller than a third of the size.
-  double elementsPerTurn = 0;
-  /// Most growth of the size per unit of length, away from whatever wants a small one.
-  double growth = kDefaultGrowth;
+struct FacetedMeshingOptions : DomainMeshingOptions {
   /// Edges at which the surface turns by more than so many degrees are kept.
   double featureAngle = 40;
-  bool optimize = true;  ///< swaps and smoothing after the front has closed
-  ProgressCallback progress;
-  std::stop_token stop;
 };
 
 /// Meshes each patch between feature edges, which are divided once and shared. Patches are faces:

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "geometry/curve_use.h"
 #include "geometry/faceted/facets.h"
 
 namespace af2::geometry {
@@ -12,16 +13,10 @@ namespace af2::geometry {
 /// one again at the end if closed.
 using FeatureCurve = std::vector<std::uint32_t>;
 
-/// One curve as a patch runs along it, with the patch on the left.
-struct CurveUse {
-  std::size_t curve = 0;
-  bool reversed = false;
-};
-
 /// Triangles that can be reached from each other without crossing a feature edge.
 struct Patch {
   std::vector<std::uint32_t> triangles;
-  std::vector<std::vector<CurveUse>> loops;
+  CurveLoops loops;
 };
 
 struct PatchedFacets {

@@ -1,38 +1,15 @@
 #include "geometry/occ/chart_attempt.h"
 
 #include <algorithm>
-#include <cstdio>
 
 #include "engine/error.h"
 #include "engine/mesh_check.h"
+#include "geometry/close_front.h"
 #include "geometry/laid_out.h"
 
 namespace af2::geometry {
 
 namespace {
-
-std::string toText(const Point3& p) {
-  char text[96];
-  std::snprintf(text, sizeof text, "(%.6g, %.6g, %.6g)", p.x, p.y, p.z);
-  return text;
-}
-
-/// Where and why the front got stuck: its first edge, and what kept the most promising rule away.
-std::string stuckReason(const MeshingResult& result, const AF2Algorithm& algorithm) {
-  std::string text =
-      "the front got stuck with " + std::to_string(result.stuck.size()) + " edges left";
-  if (result.stuck.empty()) return text;
-  const StuckEdge& edge = result.stuck.front();
-  text += ", the first from " + toText(result.mesh.vertices[edge.from.value].position) + " to " +
-          toText(result.mesh.vertices[edge.to.value].position);
-  const RuleRefusal* farthest = nullptr;
-  for (const RuleRefusal& refusal : edge.refusals)
-    if (!farthest || refusal.reason > farthest->reason) farthest = &refusal;
-  if (farthest)
-    text += "; rule '" + algorithm.rules().rules()[farthest->rule].name() +
-            "': " + toString(farthest->reason);
-  return text;
-}
 
 /// Stops a run that no longer fills a region but grows without end, because the boundary does not
 /// enclose one; or that is stuck almost everywhere, though still trying. Goes by what has been

@@ -11,21 +11,6 @@ namespace af2::geometry {
 
 namespace {
 
-/// The plane across the mean normal of the vertices that are left on the front.
-ProjectionFrame planeOfFront(const MeshingResult& result) {
-  Point3 normal;
-  for (const StuckEdge& edge : result.stuck)
-    normal = normal + result.mesh.vertices[edge.from.value].normal;
-  normal = unit(normal);
-  ProjectionFrame frame;
-  frame.origin = result.mesh.vertices[result.stuck.front().from.value].position;
-  const PlaneAxes axes(frame.origin, normal);
-  frame.xAxis = axes.xAxis();
-  frame.yAxis = axes.yAxis();
-  frame.normal = normal;
-  return frame;
-}
-
 /// Parameters, scaled so that both have about the same unit of length, and mirrored if need be.
 struct ScaledParameters {
   double u = 1, v = 1;
@@ -62,9 +47,7 @@ bool close(const FaceTask& task, FaceAttempt& attempt) {
         },
         rule);
   } else {
-    const ProjectionFrame plane = planeOfFront(closed);
-    done = closeFront(
-        closed, [&](VertexId v) { return plane.project(vertices[v.value]).position; }, rule);
+    done = closeFront(closed, rule);
   }
   if (!done || !faultOf(closed.mesh, af2::boundaryOf(task.boundary.input)).empty()) return false;
   attempt.closingElements = closed.mesh.elements.size() - attempt.result.mesh.elements.size();

@@ -1,9 +1,9 @@
 #include "geometry/planar/in2d_file.h"
 
 #include <algorithm>
-#include <numbers>
 
 #include "geometry/curve_division.h"
+#include "geometry/domain_size.h"
 #include "geometry/planar/word_file.h"
 
 namespace af2::geometry {
@@ -108,9 +108,7 @@ struct SampledPlanarCurve {
 class Divider {
  public:
   Divider(const PlanarCurves& curves, const PlanarMeshingOptions& options)
-      : curves_(curves), options_(options) {
-    if (!options.sources.isEmpty()) sources_ = sizeFrom(options.sources, options.growth);
-  }
+      : curves_(curves), options_(options), size_(options) {}
 
   PlanarDomain divide() {
     std::vector<std::vector<Point2>> points;
@@ -141,13 +139,11 @@ class Divider {
 
  private:
   double wantedAt(const PlanarCurves::Curve& curve, Point2 p) const {
-    double size = std::min(options_.size, curve.maxSize);
+    double size = curve.maxSize;
     for (const int side : {curve.left, curve.right})
       if (const auto own = curves_.domainSizes.find(side); own != curves_.domainSizes.end())
         size = std::min(size, own->second);
-    if (options_.function) size = std::min(size, options_.function.at({p.x, p.y, 0}));
-    if (sources_) size = std::min(size, sources_.at({p.x, p.y, 0}));
-    return size;
+    return std::min(size, size_.at({p.x, p.y, 0}));
   }
 
   SampledPlanarCurve sample(const PlanarCurves::Curve& curve) const {
@@ -166,11 +162,7 @@ class Divider {
   }
 
   void limitByTurn(SampledPlanarCurve& curve) const {
-    constexpr double kGentleTurn = std::numbers::pi / 4, kGentleLeast = 0.1;
-    const bool isAsked = options_.elementsPerTurn > 0;
-    const double turn = isAsked ? 2 * std::numbers::pi / options_.elementsPerTurn : kGentleTurn;
-    const double least =
-        isAsked ? leastForLimits(options_.size, options_.minSize) : kGentleLeast * options_.size;
+    constexpr double kGentleLeast = 0.1;
     const auto direction = [&](std::size_t i) {
       const Point2 d = curve.points[i + 1] - curve.points[i];
       return (1 / length(d)) * d;
@@ -180,10 +172,8 @@ class Divider {
       const double step = distance(curve.points[i], curve.points[i + 2]) / 2;
       if (!(bend > 0)) continue;
       double& size = curve.samples.sizes[i + 1];
-      size = std::min(size, std::max(turn * step / bend, least));
+      size = size_.limitedByTurn(size, step / bend, kGentleLeast);
     }
-    for (double& size : curve.samples.sizes)
-      size = std::clamp(size, options_.minSize, options_.maxSize);
   }
 
   static void add(const PlanarCurves::Curve& curve, const std::vector<Point2>& points,
@@ -202,7 +192,7 @@ class Divider {
 
   const PlanarCurves& curves_;
   const PlanarMeshingOptions& options_;
-  PositionSize sources_;
+  DomainSize size_;
 };
 
 }  // namespace

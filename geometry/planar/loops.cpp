@@ -1,6 +1,7 @@
 #include "geometry/planar/loops.h"
 
 #include <algorithm>
+#include <map>
 #include <numeric>
 
 #include "engine/error.h"
@@ -207,9 +208,15 @@ PlanarRegions findRegions(const PlanarDomain& domain) {
   const std::vector<std::size_t> faces = plane.faces();
   if (faces.empty())
     throw InputError(domain.name + ": its segments enclose nothing; each outline must be closed");
-  for (const std::size_t face : faces)
-    if (std::find(holes.begin(), holes.end(), face) == holes.end())
-      result.regions.push_back(plane.region(face));
+  std::map<std::size_t, int> domains;  // by face
+  for (const PlanarDomain::RegionPoint& point : domain.regionPoints)
+    domains.try_emplace(plane.faceAround(point.inside), point.domain);
+  for (const std::size_t face : faces) {
+    if (std::find(holes.begin(), holes.end(), face) != holes.end()) continue;
+    result.regions.push_back(plane.region(face));
+    if (const auto found = domains.find(face); found != domains.end())
+      result.regions.back().domain = found->second;
+  }
   if (result.regions.empty())
     throw InputError(domain.name + ": every region that its segments enclose is a hole");
   return result;

@@ -24,6 +24,7 @@ struct DirectedPiece {
 struct PlanarRegion {
   std::vector<std::vector<DirectedPiece>> loops;
   double area = 0;
+  int domain = PlanarDomain::kAnyDomain;  ///< of the first region point inside
 };
 
 struct PlanarRegions {

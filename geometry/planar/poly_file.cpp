@@ -23,6 +23,7 @@ class PolyReader {
       readPoints(file);
     readSegments(file);
     readHoles(file);
+    readRegions(file);
     return std::move(domain_);
   }
 
@@ -79,7 +80,24 @@ class PolyReader {
     }
   }
 
-  /// Regions, which may follow, only carry attributes and area limits.
+  /// Each with an attribute, which names a group, and perhaps the largest area of a triangle.
+  void readRegions(WordFile& file) {
+    if (!file.next()) return;
+    const long count = file.countAt(0, "number of regions");
+    for (long i = 0; i < count; ++i) {
+      file.expectLine("region " + std::to_string(i + 1) + " of " + std::to_string(count));
+      const int domain = static_cast<int>(i) + 1;
+      domain_.regionPoints.push_back({{file.number(1, "x"), file.number(2, "y")}, domain});
+      if (file.count() < 4) continue;
+      file.number(3, "attribute");
+      domain_.domainNames[domain] = "region " + std::string(file.word(3));
+      const double area = file.count() > 4 ? file.number(4, "largest area") : 0;
+      if (area > 0) domain_.domainSizes[domain] = sideOfTriangle(area);
+    }
+  }
+
+  static double sideOfTriangle(double area) { return std::sqrt(4 / std::sqrt(3.0) * area); }
+
   void readHoles(WordFile& file) {
     if (!file.next()) return;  // some programs leave out the line with the number of holes
     const long count = file.countAt(0, "number of holes");

@@ -27,6 +27,12 @@ struct PlanarDomain {
   std::map<int, std::string> domainNames;  ///< by number
   std::map<int, double> domainSizes;       ///< by number: a size of its own
   std::vector<Point2> holes;               ///< one point in each region to be left out
+  /// A point in a region, and the number of the domain that it belongs to.
+  struct RegionPoint {
+    Point2 inside;
+    int domain = 0;
+  };
+  std::vector<RegionPoint> regionPoints;
 };
 
 /// Reads a .poly file; if it holds no vertices, those of the .node file beside it.

@@ -11,6 +11,7 @@
 #include "geometry/faceted/mesh_faceted.h"
 #include "geometry/faceted/patches.h"
 #include "geometry/model_check.h"
+#include "geometry/second_order.h"
 #include "tests/geometry/planar/poly_text.h"
 #include "tests/support/triangle_rules.h"
 
@@ -52,10 +53,8 @@ Facets torus() {
   });
 }
 
-ModelMesh mesh(const Facets& facets, double size) {
+ModelMesh mesh(const Facets& facets, const FacetedMeshingOptions& options) {
   static const AF2Algorithm algorithm(testing::triangleSet());
-  FacetedMeshingOptions options;
-  options.size = size;
   ModelMesh result = meshFaceted(facets, algorithm, options);
   for (const FaceReport& face : result.faces)
     EXPECT_EQ(face.status, FaceStatus::Complete) << face.reason;
@@ -63,6 +62,12 @@ ModelMesh mesh(const Facets& facets, double size) {
   EXPECT_TRUE(checkModelMesh(result).empty());
   EXPECT_EQ(result.wantedSizes.size(), result.vertices.size());
   return result;
+}
+
+ModelMesh mesh(const Facets& facets, double size) {
+  FacetedMeshingOptions options;
+  options.size = size;
+  return mesh(facets, options);
 }
 
 double volumeOf(const ModelMesh& mesh) {
@@ -129,6 +134,8 @@ TEST(Facets, TellWhatIsWrongWithAFile) {
             std::string::npos);
   EXPECT_NE(faultOf("a.obj", "v 0 0 x\n").find(":1: 'x' is no number"), std::string::npos);
   EXPECT_NE(faultOf("a.obj", "v 0 0 0\n").find("holds no triangle"), std::string::npos);
+  EXPECT_NE(faultOf("a.stl", "solid empty\nendsolid empty\n").find("holds no triangle"),
+            std::string::npos);
   EXPECT_NE(faultOf("a.stl", "nothing").find("is no STL file"), std::string::npos);
   EXPECT_NE(faultOf("a.stl", "facet normal 0 0 1 outer loop\nouter loop\nvortex 0 0 0").find(":3:"),
             std::string::npos);
@@ -171,6 +178,30 @@ TEST(FacetedMeshing, MeshesATorusOnItsTriangles) {
     const double r = std::hypot(std::hypot(p.x, p.y) - 3, p.z);
     EXPECT_NEAR(r, 1, 0.03) << "so far the triangles lie beside the torus";
   }
+}
+
+TEST(FacetedMeshing, PutsElementsAcrossWhatIsNarrow) {
+  std::string plate = kBox;
+  for (std::size_t i = plate.find(" 2\nv"); i != std::string::npos; i = plate.find(" 2\nv", i + 1))
+    plate.replace(i, 2, " 0.2");
+  plate.replace(plate.find(" 2\nf"), 2, " 0.2");
+  FacetedMeshingOptions options;
+  options.size = 0.5;
+  const std::size_t before = mesh(read("box.obj", plate), options).elements.size();
+  options.elementsAcross = 2;
+  EXPECT_GT(mesh(read("box.obj", plate), options).elements.size(), 8 * before);
+}
+
+TEST(FacetedMeshing, PutsMiddlesOfSidesOnTheTriangles) {
+  FacetedMeshingOptions options;
+  options.size = 0.5;
+  options.order = 2;
+  const ModelMesh result = mesh(torus(), options);
+  ASSERT_EQ(result.midsides.size(), result.elements.size());
+  EXPECT_TRUE(result.straightened.empty());
+  for (const Point3& p : result.vertices)
+    EXPECT_NEAR(std::hypot(std::hypot(p.x, p.y) - 3, p.z), 1, 0.03);
+  for (std::size_t e = 0; e < result.elements.size(); ++e) EXPECT_GT(scaledJacobian(result, e), 0);
 }
 
 TEST(FacetedMeshing, IsTheSameEachTime) {

@@ -51,6 +51,21 @@ TEST_F(PlanarMeshing, SharesVerticesBetweenRegions) {
   EXPECT_NEAR(areaOf(result), 16, 1e-12);
 }
 
+TEST_F(PlanarMeshing, MakesGroupsOfRegionsWithTheSameAttribute) {
+  options.size = 0.5;
+  const std::string halves =
+      "6 2 0 0\n1 0 0\n2 2 0\n3 4 0\n4 4 2\n5 2 2\n6 0 2\n"
+      "7 0\n1 1 2\n2 2 3\n3 3 4\n4 4 5\n5 5 6\n6 6 1\n7 2 5\n0\n";
+  const ModelMesh apart = mesh(halves + "2\n1 1 1 7.5 0.01\n2 3 1 8\n");
+  ASSERT_EQ(apart.groups.size(), 2u);
+  EXPECT_EQ(apart.groups[0], (FaceGroup{"region 7.5", GroupKind::Part, {1}}));
+  EXPECT_EQ(apart.groups[1], (FaceGroup{"region 8", GroupKind::Part, {2}}));
+  EXPECT_GT(apart.faces[0].elements, 4 / 0.01 * 0.8) << "the largest area that its region allows";
+  EXPECT_LT(apart.faces[1].elements, apart.faces[0].elements / 3);
+  const ModelMesh joined = mesh(halves + "2\n1 1 1 7\n2 3 1 7\n");
+  EXPECT_EQ(joined.groups, (std::vector{FaceGroup{"region 7", GroupKind::Part, {1, 2}}}));
+}
+
 TEST_F(PlanarMeshing, KeepsASegmentThatEndsInside) {
   options.size = 0.5;
   const ModelMesh result = mesh(

@@ -1,0 +1,34 @@
+// What is wanted of the mesh of a planar domain or of a surface of triangles.
+#pragma once
+
+#include <limits>
+#include <stop_token>
+
+#include "engine/algorithm.h"
+#include "geometry/position_size.h"
+#include "geometry/size_sources.h"
+
+namespace af2::geometry {
+
+/// Lengths are in model units.
+struct DomainMeshingOptions {
+  double size = 0;  ///< wanted edge length, > 0
+  /// Bounds of all wanted sizes, however they come about.
+  double minSize = 0, maxSize = std::numeric_limits<double>::infinity();
+  SizeSources sources;    ///< points, boxes and background fields
+  PositionSize function;  ///< further limit by position
+  /// How many elements go around a full turn of what is curved; 0: eight or so.
+  double elementsPerTurn = 0;
+  /// How many elements lie across what is narrow; 0: it does not matter (see ModelSizes).
+  double elementsAcross = 0;
+  /// Most growth of the size per unit of length, away from whatever wants a small one.
+  double growth = kDefaultGrowth;
+  int order = 1;         ///< 2: elements with vertices at the middles of their sides as well
+  bool optimize = true;  ///< swaps and smoothing after the front has closed
+  int threads = 0;       ///< 0: as many as the machine has. The mesh does not depend on it.
+  ProgressCallback progress;
+  std::stop_token stop;
+  AF2MeshingObserver* observer = nullptr;
+};
+
+}  // namespace af2::geometry
