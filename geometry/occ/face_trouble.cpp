@@ -15,7 +15,7 @@ constexpr double kFiner = 0.5;
 constexpr std::size_t kMostPlaces = 2000;
 
 /// Angles below this are opened, in degrees, to about the second where that is possible.
-constexpr double kLeastAngle = 1, kWantedAngle = 3;
+constexpr double kLeastAngle = 5, kWantedAngle = 10;
 /// Curved and round faces may lose this share of their area to straight edges.
 constexpr double kMostAreaError = 0.05, kWantedAreaError = 0.04;
 
@@ -87,7 +87,7 @@ double leastAngle(const Mesh& mesh, std::span<const VertexId> c) {
 
 /// Whether some angle is below kLeastAngle, or nearly so: nearly all are not.
 bool hasSharpAngle(const Mesh& mesh, std::span<const VertexId> c) {
-  constexpr double kSquaredTangent = 3.2e-4;  // of a little more than kLeastAngle
+  constexpr double kSquaredTangent = 8e-3;  // of a little more than kLeastAngle
   for (std::size_t i = 0; i < c.size(); ++i) {
     const Point3& here = mesh.vertices[c[i].value].position;
     const Point3 p = mesh.vertices[c[i + 1 == c.size() ? 0 : i + 1].value].position - here;
