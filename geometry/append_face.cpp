@@ -1,22 +1,38 @@
 #include "geometry/append_face.h"
 
 namespace af2::geometry {
+namespace {
 
-void appendFace(ModelMesh& mesh, const MeshingResult& result, const std::vector<VertexId>& boundary,
-                FaceReport& report) {
-  const std::size_t base = mesh.vertices.size();
-  for (std::size_t i = boundary.size(); i < result.mesh.vertices.size(); ++i)
-    mesh.vertices.push_back(result.mesh.vertices[i].position);
-  for (Element element : result.mesh.elements) {
-    for (VertexId& v : element.corners)
-      if (!v.isNone())
-        v = v.value < boundary.size() ? boundary[v.value]
-                                      : VertexId(base + v.value - boundary.size());
-    mesh.elements.push_back(element);
-    mesh.face.push_back(report.id);
+/// Moves `added` to the end of `all`.
+template <class T>
+void append(std::vector<T>& all, std::vector<T>&& added) {
+  if (all.empty()) {
+    all = std::move(added);
+    return;
   }
-  mesh.rule.insert(mesh.rule.end(), result.mesh.rule.begin(), result.mesh.rule.end());
-  report.elements = result.mesh.elements.size();
+  makeRoom(all, added.size());
+  all.insert(all.end(), added.begin(), added.end());
+  std::vector<T>().swap(added);
+}
+
+}  // namespace
+
+void appendFace(ModelMesh& mesh, Mesh meshed, const std::vector<VertexId>& boundary,
+                FaceReport& report) {
+  const std::size_t base = mesh.vertices.size(), given = boundary.size();
+  makeRoom(mesh.vertices, meshed.vertices.size() - given);
+  for (std::size_t i = given; i < meshed.vertices.size(); ++i)
+    mesh.vertices.push_back(meshed.vertices[i].position);
+  std::vector<SurfacePoint>().swap(meshed.vertices);
+
+  report.elements = meshed.elements.size();
+  for (Element& element : meshed.elements)
+    for (VertexId& v : element.corners)
+      if (!v.isNone()) v = v.value < given ? boundary[v.value] : VertexId(base + v.value - given);
+  append(mesh.elements, std::move(meshed.elements));
+  append(mesh.rule, std::move(meshed.rule));
+  makeRoom(mesh.face, report.elements);
+  mesh.face.insert(mesh.face.end(), report.elements, report.id);
 }
 
 }  // namespace af2::geometry

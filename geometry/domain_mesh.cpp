@@ -75,7 +75,8 @@ void DomainMesh::fill(const DomainFace& face, FaceReport& report) {
       mesh_.seconds.optimize += watch.seconds() * meshed.optimizeSeconds / meshed.seconds;
     close(task, meshed, report);
     judge(meshed, report);
-    if (report.status == FaceStatus::Complete) add(meshed.result, boundary, *face.wanted, report);
+    if (report.status == FaceStatus::Complete)
+      add(std::move(meshed.result.mesh), boundary, *face.wanted, report);
   } catch (const std::runtime_error& error) {  // of the surface or the boundary
     report.status = FaceStatus::Failed;
     report.reason = error.what();
@@ -136,11 +137,11 @@ void DomainMesh::judge(const RegionMesh& meshed, FaceReport& report) const {
   report.reason = result.outcome == Outcome::Stuck ? stuckReason(result, algorithm_) : meshed.fault;
 }
 
-void DomainMesh::add(const MeshingResult& result, const std::vector<VertexId>& boundary,
-                     const SizeField& wanted, FaceReport& report) {
-  appendFace(mesh_, result, boundary, report);
-  for (std::size_t i = 0; i < result.mesh.vertices.size(); ++i) {
-    const double size = wanted.sizeAt(result.mesh.vertices[i]);
+void DomainMesh::add(Mesh meshed, const std::vector<VertexId>& boundary, const SizeField& wanted,
+                     FaceReport& report) {
+  makeRoom(mesh_.wantedSizes, meshed.vertices.size() - boundary.size());
+  for (std::size_t i = 0; i < meshed.vertices.size(); ++i) {
+    const double size = wanted.sizeAt(meshed.vertices[i]);
     if (i >= boundary.size()) {
       mesh_.wantedSizes.push_back(size);
       continue;
@@ -148,6 +149,7 @@ void DomainMesh::add(const MeshingResult& result, const std::vector<VertexId>& b
     double& there = mesh_.wantedSizes[boundary[i].value];
     there = std::min(there, size);
   }
+  appendFace(mesh_, std::move(meshed), boundary, report);
 }
 
 /// Counts only the faces that were meshed.

@@ -60,8 +60,8 @@ class DomainMesh {
   /// Triangulates what is left of a front that got stuck, and tells so.
   void close(const RegionTask& task, RegionMesh& meshed, FaceReport& report) const;
   void judge(const RegionMesh& meshed, FaceReport& report) const;
-  void add(const MeshingResult& result, const std::vector<VertexId>& boundary,
-           const SizeField& wanted, FaceReport& report);
+  void add(Mesh meshed, const std::vector<VertexId>& boundary, const SizeField& wanted,
+           FaceReport& report);
   void addSegments();
   std::vector<SideMiddles> middlesOfSides() const;
 

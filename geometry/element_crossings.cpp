@@ -28,11 +28,12 @@ struct Part {
   Box3 box;
 };
 
-/// The parts of the elements from `first` to before `last` that reach into a box.
-void findParts(const ModelMesh& mesh, std::size_t first, std::size_t last, const Box3& where,
+/// The parts of the elements of a leaf that reach into a box.
+void findParts(const ModelMesh& mesh, const ElementTree::Run& run, const Box3& where,
                std::vector<Part>& parts) {
   parts.clear();
-  for (std::size_t i = first; i < last; ++i) {
+  for (std::size_t place = run.first; place < run.last; ++place) {
+    const std::size_t i = run.element(place);
     const Element& element = mesh.elements[i];
     for (std::size_t k = 1; k + 1 < static_cast<std::size_t>(element.size()); ++k) {
       const std::array ids{element.corners[0].value, element.corners[k].value,
@@ -91,8 +92,10 @@ class Search {
     const PatchOutlines outlines(mesh_);
     repeat_(patches_.size(), [&](std::size_t i) {
       Patch& patch = patches_[i];
-      patch.tree = ElementTree(mesh_, patch.first, patch.last);
       patch.mayCrossItself = !outlines.canBeDrawn(patch.first, patch.last);
+      patch.tree = ElementTree(
+          mesh_, patch.first, patch.last,
+          patch.mayCrossItself ? ElementTree::Order::AlongCurve : ElementTree::Order::AsMade);
     });
   }
 
@@ -135,9 +138,9 @@ class Search {
     std::vector<Part> mine, its;
     const bool isSelf = &one == &other;
     one.tree.forEachNear(other.tree, depth_, [&](const auto& run, const auto& otherRun) {
-      findParts(mesh_, run.first, run.last, ElementTree::grown(otherRun.box, depth_), mine);
+      findParts(mesh_, run, ElementTree::grown(otherRun.box, depth_), mine);
       if (mine.empty()) return;
-      findParts(mesh_, otherRun.first, otherRun.last, ElementTree::grown(run.box, depth_), its);
+      findParts(mesh_, otherRun, ElementTree::grown(run.box, depth_), its);
       const bool isOneRun = isSelf && run.first == otherRun.first;
       for (const Part& part : mine)
         for (const Part& another : its)

@@ -1,8 +1,8 @@
-// A tree of boxes over a row of elements, made in one pass: for elements that lie near those made
-// just before them. Not installed.
+// A tree of boxes over the elements of a face. Not installed.
 #pragma once
 
 #include <algorithm>
+#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -14,16 +14,27 @@ namespace af2::geometry {
 /// Over the elements from `first` to before `last`.
 class ElementTree {
  public:
+  /// In which order elements make up its leaves.
+  enum class Order {
+    AsMade,      ///< costs nothing; most elements lie near those made just before them
+    AlongCurve,  ///< along a curve that fills space: for holding a tree against itself
+  };
+
   ElementTree() = default;
-  ElementTree(const ModelMesh& mesh, std::size_t first, std::size_t last);
+  ElementTree(const ModelMesh& mesh, std::size_t first, std::size_t last, Order order);
 
   /// Around all of them.
   const Box3& box() const { return levels_.back()[0]; }
 
-  /// Elements in a row.
+  /// The elements of a leaf.
   struct Run {
-    std::size_t first, last;
+    const ElementTree& tree;
+    std::size_t first, last;  ///< their places in the order of the tree
     const Box3& box;
+
+    std::size_t element(std::size_t place) const {
+      return tree.first_ + (tree.order_.empty() ? place : tree.order_[place]);
+    }
   };
 
   /// Calls visit(run, otherRun) for each pair of runs of this tree and of the other whose boxes
@@ -66,16 +77,17 @@ class ElementTree {
   }
 
   Run run(std::size_t index) const {
-    const std::size_t begin = first_ + index * kRun;
-    return {begin, std::min(begin + kRun, last_), levels_[0][index]};
+    const std::size_t begin = index * kRun;
+    return {*this, begin, std::min(begin + kRun, count_), levels_[0][index]};
   }
   std::pair<std::size_t, std::size_t> children(Node node) const {
     const std::size_t begin = node.index * kBranches;
     return {begin, std::min(begin + kBranches, levels_[node.level - 1].size())};
   }
 
-  std::size_t first_ = 0, last_ = 0;
-  std::vector<std::vector<Box3>> levels_;  ///< [0]: runs of elements; each next: of the one before
+  std::size_t first_ = 0, count_ = 0;
+  std::vector<std::uint32_t> order_;       ///< elements from first_ on; empty: as they are
+  std::vector<std::vector<Box3>> levels_;  ///< [0]: the leaves; each next: of the one before
 };
 
 }  // namespace af2::geometry

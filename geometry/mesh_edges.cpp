@@ -22,16 +22,10 @@ std::vector<MeshEdge> meshEdges(const ModelMesh& mesh) {
   const MeshSides sides(mesh);
   std::vector<MeshEdge> edges;
   edges.reserve(sides.count() / 2 + mesh.segments.size());
-  for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
-    std::uint32_t last = VertexId::kNone;
-    for (const MeshSide& side : sides.of(v)) {
-      const int face = mesh.face[side.element()];
-      if (side.to != last) edges.push_back({VertexId(v), VertexId(side.to), face, face, 0, 0});
-      last = side.to;
-      edges.back().lastFace = face;
-      ++edges.back().uses;
-    }
-  }
+  sides.forEachEdge([&](VertexId from, std::span<const MeshSide> used) {
+    edges.push_back({from, VertexId(used.front().to), mesh.face[used.front().element()],
+                     mesh.face[used.back().element()], 0, static_cast<int>(used.size())});
+  });
   markModelEdges(mesh, edges);
   return edges;
 }

@@ -46,6 +46,21 @@ class MeshSides {
   }
   std::size_t count() const { return sides_.size(); }
 
+  /// Calls visit(from, sides) for each edge of the mesh, by its lower vertex `from` and then by its
+  /// higher one; `sides` are those of the elements that have it, at least one.
+  template <class Visit>
+  void forEachEdge(const Visit& visit) const {
+    for (std::size_t v = 0; v + 2 < first_.size(); ++v) {
+      std::span<const MeshSide> left = of(v);
+      while (!left.empty()) {
+        std::size_t count = 1;
+        while (count < left.size() && left[count].to == left.front().to) ++count;
+        visit(VertexId(v), left.first(count));
+        left = left.subspan(count);
+      }
+    }
+  }
+
  private:
   template <class Counts, class Visit>
   static void forEachSide(const ModelMesh& mesh, const Counts& counts, const Visit& visit) {

@@ -2,11 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <numeric>
 #include <optional>
 
-#include "geometry/mesh_edges.h"
+#include "geometry/mesh_sides.h"
 
 namespace af2::geometry {
 namespace {
@@ -78,21 +79,23 @@ void measureShapes(const ModelMesh& mesh, MeshQuality& result) {
 LengthRatio measureLengths(const ModelMesh& mesh) {
   LengthRatio result;
   if (mesh.wantedSizes.empty()) return result;
-  std::vector<double> ratios, lengths, wanted;
-  for (const MeshEdge& edge : meshEdges(mesh)) {
-    const auto [from, to] = std::pair(edge.from.value, edge.to.value);
-    lengths.push_back(distance(mesh.vertices[from], mesh.vertices[to]));
-    wanted.push_back((mesh.wantedSizes[from] + mesh.wantedSizes[to]) / 2);
-    ratios.push_back(lengths.back() / wanted.back());
+  constexpr double kFar = std::numeric_limits<double>::infinity();
+  result.leastLength = result.leastWanted = kFar;
+  std::vector<double> ratios;  // nothing else is kept for each edge: there are millions
+  const MeshSides sides(mesh);
+  ratios.reserve(sides.count() / 2 + mesh.segments.size());
+  sides.forEachEdge([&](VertexId from, std::span<const MeshSide> used) {
+    const std::uint32_t to = used.front().to;
+    const double length = distance(mesh.vertices[from.value], mesh.vertices[to]);
+    const double wanted = (mesh.wantedSizes[from.value] + mesh.wantedSizes[to]) / 2;
+    result.leastLength = std::min(result.leastLength, length);
+    result.mostLength = std::max(result.mostLength, length);
+    result.leastWanted = std::min(result.leastWanted, wanted);
+    result.mostWanted = std::max(result.mostWanted, wanted);
+    ratios.push_back(length / wanted);
     const auto bin = std::ranges::upper_bound(LengthRatio::kBounds, ratios.back());
     ++result.histogram[static_cast<std::size_t>(bin - LengthRatio::kBounds.begin())];
-  }
-  const auto [shortest, longest] = std::ranges::minmax(lengths);
-  const auto [least, most] = std::ranges::minmax(wanted);
-  result.leastLength = shortest;
-  result.mostLength = longest;
-  result.leastWanted = least;
-  result.mostWanted = most;
+  });
   result.mean = std::reduce(ratios.begin(), ratios.end()) / static_cast<double>(ratios.size());
   result.p5 = percentile(ratios, 0.05);
   result.p95 = percentile(ratios, 0.95);

@@ -50,6 +50,7 @@ class FaceMesher {
     if (attempt.closingElements > 0)
       mesh.report.reason = std::to_string(attempt.closingElements) +
                            " elements were made without a rule, where the front got stuck";
+    mesh.wantedSizes.reserve(attempt.result.mesh.vertices.size());
     for (const SurfacePoint& vertex : attempt.result.mesh.vertices)
       mesh.wantedSizes.push_back(wanted.sizeAt(vertex));
     if (context_.options.order == 2) findMiddles(attempt.result.mesh, mesh);
@@ -140,6 +141,7 @@ class FaceMesher {
     mesh.boundary = std::move(boundary.points);
     mesh.uses = std::move(boundary.uses);
     const auto& vertices = result.mesh.vertices;
+    mesh.inside.reserve(vertices.size() - boundary.input.vertexCount);
     for (std::size_t i = boundary.input.vertexCount; i < vertices.size(); ++i)
       mesh.inside.push_back(vertices[i].position);
     mesh.elements = std::move(result.mesh.elements);

@@ -65,6 +65,7 @@ class ModelMesher {
                    state);
     const double optimizeShare = shareOfOptimizing(state.meshes);
     const std::map<int, std::vector<SideMiddles>> middles = takeMiddles(state.meshes);
+    std::vector<FaceMesh>().swap(state.meshes);
     ModelMesh mesh = std::move(state.joined);
     for (const AF2Rule& rule : algorithm_.rules().rules()) mesh.ruleNames.push_back(rule.name());
     mesh.ruleNames.push_back("closing");  // what closes a stuck front
