@@ -17,10 +17,35 @@ class In2dReader {
 
   PlanarCurves read() {
     file_.expectLine("'splinecurves2dv2'");
-    if (file_.word(0) != "splinecurves2dv2")
-      file_.fail("only files that begin with 'splinecurves2dv2' can be read");
+    const bool isOld = file_.word(0) == "splinecurves2d";
+    if (!isOld && file_.word(0) != "splinecurves2dv2")
+      file_.fail("only files that begin with 'splinecurves2d' or 'splinecurves2dv2' can be read");
     file_.expectLine("the grading");
     file_.number(0, "the grading");  // of another mesher; --grading is ours
+    isOld ? readCounted() : readSections();
+    if (curves_.curves.empty()) file_.fail("the file holds no segments");
+    return std::move(curves_);
+  }
+
+ private:
+  /// The old kind: a number of points, which are numbered in their order, and one of segments.
+  void readCounted() {
+    file_.expectLine("the number of points");
+    const long points = file_.countAt(0, "number of points");
+    for (long i = 1; i <= points; ++i) {
+      file_.expectLine("point " + std::to_string(i) + " of " + std::to_string(points));
+      index_[i] = static_cast<int>(curves_.points.size());
+      curves_.points.push_back({file_.number(0, "x"), file_.number(1, "y")});
+    }
+    file_.expectLine("the number of segments");
+    const long segments = file_.countAt(0, "number of segments");
+    for (long i = 1; i <= segments; ++i) {
+      file_.expectLine("segment " + std::to_string(i) + " of " + std::to_string(segments));
+      addCurve();
+    }
+  }
+
+  void readSections() {
     enum { kNowhere, kPoints, kSegments, kMaterials } section = kNowhere;
     while (file_.next()) {
       if (file_.word(0) == "points")
@@ -38,11 +63,8 @@ class In2dReader {
       else
         file_.fail("'points', 'segments' or 'materials' should stand here");
     }
-    if (curves_.curves.empty()) file_.fail("the file holds no segments");
-    return std::move(curves_);
   }
 
- private:
   void addPoint() {
     const long id = file_.whole(0, "number of a point");
     if (!index_.try_emplace(id, static_cast<int>(curves_.points.size())).second)
@@ -61,6 +83,10 @@ class In2dReader {
     PlanarCurves::Curve curve;
     curve.left = static_cast<int>(file_.countAt(0, "number of the domain on the left"));
     curve.right = static_cast<int>(file_.countAt(1, "number of the domain on the right"));
+    if (file_.count() > 2 &&
+        (file_.word(2) == "bsplinepoints" || file_.word(2) == "discretepoints"))
+      file_.fail("curves given by '" + std::string(file_.word(2)) +
+                 "' cannot be read; write them as segments of two or three points");
     const long count = file_.whole(2, "number of points");
     if (count != 2 && count != 3) file_.fail("a segment has two or three points");
     curve.from = pointAt(3);

@@ -38,6 +38,22 @@ TEST(In2dFile, HasArcsOfCircles) {
       EXPECT_NEAR(length(pointOn(curves, curves.curves[c], t)), 1, 1e-12);
 }
 
+TEST(In2dFile, OfTheOldKindNumbersPointsInTheirOrder) {
+  const std::string rounded =
+      "splinecurves2d\n1\n\n5\n-1 -1 1\n+1 -1 1\n+1 0 1\n+1 +1 1\n0 +1 1\n\n"
+      "4\n1 0 2 1 2 1\n1 0 2 2 3 1\n1 0 3 3 4 5 1\n1 0 2 5 1 1\n";
+  const PlanarCurves curves = read(rounded);
+  ASSERT_EQ(curves.points.size(), 5u);
+  ASSERT_EQ(curves.curves.size(), 4u);
+  EXPECT_EQ(curves.curves[2].control, 3);
+  EXPECT_NEAR(length(pointOn(curves, curves.curves[2], 0.5)), 1, 1e-12);
+  const ModelMesh result = mesh(rounded, 0.3);
+  EXPECT_TRUE(checkModelMesh(result).empty());
+  // Below the chord from (1, 0) to (0, 1), and the segment of the circle beyond it.
+  EXPECT_NEAR(result.faces.at(0).area, 2.5 + (3.1416 / 4 - 0.5), 0.02);
+  EXPECT_EQ(result.faces.at(0).status, FaceStatus::Complete);
+}
+
 TEST(In2dFile, GivesDomainsAsGroupsAndLeavesHolesOut) {
   const ModelMesh result = mesh(kDisc, 0.5);
   EXPECT_TRUE(result.findings.empty());
