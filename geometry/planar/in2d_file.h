@@ -29,8 +29,8 @@ struct PlanarCurves {
   std::map<int, double> domainSizes;
 };
 
-/// Reads a file of the kind `splinecurves2dv2`, or the older `splinecurves2d`. Of its flags -maxh is
-/// used, of segments and domains. Throws InputError with file and line if it cannot be read.
+/// Reads a file of the kind `splinecurves2dv2`, or the older `splinecurves2d`. Of its flags -maxh
+/// is used, of segments and domains. Throws InputError with file and line if it cannot be read.
 PlanarCurves readIn2d(const std::filesystem::path& path);
 
 /// A point of a curve, t from 0 to 1. The weight of the control point makes an arc of a circle
