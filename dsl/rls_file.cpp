@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
+#include <span>
 #include <string_view>
 
 #include "dsl/rls_tokens.h"
@@ -13,10 +15,12 @@ constexpr std::array<std::string_view, 10> kClauses{
     "quality",  "mappoints", "maplines", "newpoints",    "newlines",
     "freearea", "freearea2", "elements", "orientations", "endrule"};
 
-/// Words of the files for tetrahedra, which look alike.
-constexpr std::array<std::string_view, 10> kSolidClauses{
-    "freeset",  "flags",    "tolfak",   "freezone",  "freezone2",
-    "mapfaces", "newfaces", "mapedges", "elements3", "freezonelimit"};
+/// Words that only rules for tetrahedra have; files of such rules look alike.
+constexpr std::array<std::string_view, 7> kSolidClauses{
+    "freezone", "freezone2", "freezonelimit", "mapfaces", "newfaces", "mapedges", "elements3"};
+
+/// Words of those files that say nothing about what a rule fills.
+constexpr std::array<std::string_view, 3> kSolidSettings{"freeset", "flags", "tolfak"};
 
 /// What AF2 can hold in one rule, and more than any rule needs.
 constexpr std::size_t kMostPoints = 12, kMostElements = 8, kMostParts = 64, kMostRules = 1000;
@@ -52,8 +56,17 @@ std::string_view nearest(std::string_view word) {
   return best;
 }
 
-bool isClause(const Token& token) {
-  return token.kind == Kind::Word && std::ranges::find(kClauses, token.text) != kClauses.end();
+bool isOneOf(const Token& token, std::span<const std::string_view> words) {
+  return token.kind == Kind::Word &&
+         std::ranges::any_of(words, [&](std::string_view word) { return token.is(word); });
+}
+
+bool isClause(const Token& token) { return isOneOf(token, kClauses); }
+
+std::string lowered(std::string_view text) {
+  std::string result(text);
+  for (char& c : result) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return result;
 }
 
 /// Thrown where a part cannot be read; the reader goes on at the next clause.
@@ -62,9 +75,16 @@ struct Unreadable {};
 class Reader {
  public:
   Reader(const SourceText& source, DiagnosticList& diagnostics)
-      : source_(source), diagnostics_(diagnostics), tokens_(rlsTokensOf(source.text())) {}
+      : source_(source),
+        diagnostics_(diagnostics),
+        tokens_(rlsTokensOf(source.text(), &comments_)) {}
 
   std::vector<RlsRule> read() {
+    if (!comments_.empty())
+      tell(
+          Severity::Warning, "I4", comments_.front(),
+          "comments are no part of such files; they are passed over here",
+          comments_.size() > 1 ? "there are " + std::to_string(comments_.size()) + " of them" : "");
     while (now().kind != Kind::End) {
       if (beginsRule()) {
         readRule();
@@ -132,7 +152,7 @@ class Reader {
     for (; ahead(length).kind != Kind::End && !ahead(length).is("endrule"); ++length) {
       const Token& token = ahead(length);
       if (token.is("rule") && ahead(length + 1).kind == Kind::String) break;
-      if (isSolid || std::ranges::find(kSolidClauses, token.text) == kSolidClauses.end()) continue;
+      if (isSolid || !isOneOf(token, kSolidClauses)) continue;
       isSolid = true;
       solid = token;
     }
@@ -172,6 +192,7 @@ class Reader {
     rule_.span = now().span;
     const Span word = now().span;
     if (passOverSolidRule()) return;
+    tellCapitals(now());
     next();
     if (now().kind == Kind::String) {
       rule_.name = std::string(now().text.substr(1, now().text.size() - 2));
@@ -188,6 +209,7 @@ class Reader {
       }
       readClauseOrRecover();
     }
+    tellCapitals(now());
     next();
     checkNumbers();
     if (isSound_) rules_.push_back(std::move(rule_));
@@ -198,13 +220,14 @@ class Reader {
     try {
       readClause();
     } catch (const Unreadable&) {
-      while (now().kind != Kind::End && !isClause(now()) && !now().is("rule")) next();
+      toNextClause();
     }
   }
 
   void readClause() {
     const Token clause = now();
-    if (!isClause(clause)) unknownClause(clause);
+    if (!isClause(clause)) return passOverClause(clause);
+    tellCapitals(clause);
     next();
     if (clause.is("quality")) readQuality(clause);
     if (clause.is("mappoints")) readAll([&] { readMapPoint(); });
@@ -217,14 +240,35 @@ class Reader {
     if (clause.is("orientations")) readAll([&] { readTuple(rule_.orientations, 3, 3); });
   }
 
-  [[noreturn]] void unknownClause(const Token& token) {
-    const std::string_view known = nearest(token.text);
-    tell(Severity::Error, "I1", token.span, shown(token) + " is no clause of a rule",
-         known.empty() ? "clauses are quality, mappoints, maplines, newpoints, newlines, freearea, "
-                         "freearea2, elements, orientations, endrule"
-                       : "did you mean '" + std::string(known) + "'?");
+  void tellCapitals(const Token& keyword) {
+    const std::string usual = lowered(keyword.text);
+    if (keyword.text == usual) return;
+    tell(Severity::Warning, "I5", keyword.span,
+         "Netgen passes over " + shown(keyword) + ": its keywords are in lower case",
+         "it is read as '" + usual + "' here");
+  }
+
+  /// What is no clause says nothing to Netgen's reader either; but it may be a slip.
+  void passOverClause(const Token& token) {
+    const std::string_view meant = nearest(lowered(token.text));
+    if (!meant.empty()) {
+      tell(Severity::Error, "I1", token.span, shown(token) + " is no clause of a rule",
+           "did you mean '" + std::string(meant) + "'?");
+    } else if (isOneOf(token, kSolidSettings)) {
+      tell(Severity::Warning, "I4", token.span,
+           shown(token) + " belongs to rules that fill volumes, and does not count here", "");
+    } else {
+      tell(Severity::Warning, "I4", token.span,
+           shown(token) + " is no clause of a rule: this does not count",
+           "clauses are quality, mappoints, maplines, newpoints, newlines, freearea, "
+           "freearea2, elements, orientations, endrule");
+    }
     next();
-    throw Unreadable{};
+    toNextClause();
+  }
+
+  void toNextClause() {
+    while (now().kind != Kind::End && !isClause(now()) && !now().is("rule")) next();
   }
 
   template <class Read>
@@ -313,10 +357,22 @@ class Reader {
         part.isDeleted = true;
         next();
       } else {
-        unreadable("'{', 'del' or ';'");
+        passOverPart("'{', 'del' or ';'");
       }
     }
     part.span = cover(part.span, now().span);
+    next();
+  }
+
+  /// What stands between a part and its ';' without a meaning.
+  void passOverPart(const std::string& wanted) {
+    if (now().kind != Kind::Word || isClause(now()) || now().is("rule")) unreadable(wanted);
+    tell(Severity::Warning, "I5", now().span, shown(now()) + " does nothing here", "");
+    next();
+  }
+
+  void expectEnd() {
+    while (!now().is(";")) passOverPart("';'");
     next();
   }
 
@@ -346,6 +402,24 @@ class Reader {
     limit(rule_.mapLines, kMostPoints, "maplines");
   }
 
+  /// X2, or X 2.
+  void readCoordinate(RlsTerm& term) {
+    const Token of = now();
+    const bool isApart = of.text.size() == 1 && ahead(1).kind == Kind::Number;
+    const std::string_view number =
+        isApart ? ahead(1).text : of.text.substr(of.text.empty() ? 0 : 1);
+    const bool isCoordinate =
+        of.kind == Kind::Word &&
+        (of.text[0] == 'x' || of.text[0] == 'X' || of.text[0] == 'y' || of.text[0] == 'Y') &&
+        !number.empty() && number.size() <= 4 && std::ranges::all_of(number, isDigit);
+    if (!isCoordinate) unreadable("a coordinate such as X2 or Y3");
+    term.isX = of.text[0] == 'x' || of.text[0] == 'X';
+    term.point = std::stoi(std::string(number));
+    if (isApart) next();
+    term.span = cover(term.span, now().span);
+    next();
+  }
+
   std::vector<RlsTerm> readRow() {
     std::vector<RlsTerm> row;
     expect("{");
@@ -353,16 +427,7 @@ class Reader {
       RlsTerm term;
       term.span = now().span;
       term.coefficient = number();
-      const Token& of = now();
-      const bool isCoordinate =
-          of.kind == Kind::Word && of.text.size() >= 2 && of.text.size() <= 5 &&
-          std::string_view("xXyY").find(of.text[0]) != std::string_view::npos &&
-          std::all_of(of.text.begin() + 1, of.text.end(), isDigit);
-      if (!isCoordinate) unreadable("a coordinate such as X2 or Y3");
-      term.isX = of.text[0] == 'x' || of.text[0] == 'X';
-      term.point = std::stoi(std::string(of.text.substr(1)));
-      term.span = cover(term.span, of.span);
-      next();
+      readCoordinate(term);
       row.push_back(std::move(term));
       if (row.size() > kMostParts) unreadable("'}'");
       if (now().is(",")) next();
@@ -382,7 +447,7 @@ class Reader {
     for (auto& row : point.rows)
       if (now().is("{")) row = readRow();
     point.span = cover(point.span, now().span);
-    expect(";");
+    expectEnd();
     points.push_back(std::move(point));
     limit(points, kMostParts, "points");
   }
@@ -400,7 +465,7 @@ class Reader {
     if (tuple.points.size() < least) unreadable("',' and the number of a further point");
     expect(")");
     tuple.span = cover(tuple.span, now().span);
-    expect(";");
+    expectEnd();
     tuples.push_back(std::move(tuple));
     limit(tuples, kMostParts, "parts");
   }
@@ -447,6 +512,7 @@ class Reader {
 
   const SourceText& source_;
   DiagnosticList& diagnostics_;
+  std::vector<Span> comments_;
   std::vector<Token> tokens_;
   std::size_t at_ = 0;
   std::vector<RlsRule> rules_;

@@ -109,8 +109,9 @@ class Converter {
       const RlsMapPoint& point = mapPoint(v);
       ClassicRule::Vertex vertex{point.x, point.y};
       if (v < 2 && point.form) {
-        warn("I5", point.span, "a tolerance on an end of the base edge never acts",
-             "the base edge is always matched, whatever its length", false);
+        if (point.form->weights != std::array<Exact, 3>{1, 0, 1})
+          warn("I5", point.span, "a tolerance on an end of the base edge never acts",
+               "the base edge is always matched, whatever its length", false);
       } else if (point.form) {
         vertex.form = point.form->weights;
       }

@@ -1,5 +1,6 @@
 #include "dsl/rls_tokens.h"
 
+#include <algorithm>
 #include <cctype>
 #include <cstdint>
 
@@ -9,6 +10,10 @@ namespace {
 bool isSpace(char c) { return std::isspace(static_cast<unsigned char>(c)) != 0; }
 bool isDigit(char c) { return c >= '0' && c <= '9'; }
 bool isLetter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0 || c == '_'; }
+
+bool beginsComment(std::string_view text) {
+  return text.starts_with('#') || text.starts_with('%') || text.starts_with("//");
+}
 
 std::size_t numberLength(std::string_view text) {
   std::size_t i = 0;
@@ -30,10 +35,17 @@ std::size_t numberLength(std::string_view text) {
 
 }  // namespace
 
-std::vector<RlsToken> rlsTokensOf(std::string_view text) {
+bool RlsToken::is(std::string_view other) const {
+  return kind != RlsTokenKind::String &&
+         std::equal(text.begin(), text.end(), other.begin(), other.end(), [](char one, char two) {
+           return std::tolower(static_cast<unsigned char>(one)) == two;
+         });
+}
+
+std::vector<RlsToken> rlsTokensOf(std::string_view text, std::vector<Span>* comments) {
   using Kind = RlsTokenKind;
   std::vector<RlsToken> tokens;
-  std::size_t i = 0;
+  std::size_t i = text.starts_with("\xEF\xBB\xBF") ? 3 : 0;
   const auto add = [&](Kind kind, std::size_t length) {
     tokens.push_back({kind,
                       text.substr(i, length),
@@ -43,6 +55,11 @@ std::vector<RlsToken> rlsTokensOf(std::string_view text) {
   while (i < text.size()) {
     if (isSpace(text[i])) {
       ++i;
+    } else if (beginsComment(text.substr(i))) {
+      const std::size_t end = std::min(text.find_first_of("\r\n", i), text.size());
+      if (comments)
+        comments->push_back({static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(end)});
+      i = end;
     } else if (text[i] == '"') {
       const std::size_t close = text.find_first_of("\"\n", i + 1);
       const bool isClosed = close != std::string_view::npos && text[close] == '"';

@@ -14,11 +14,14 @@ struct RlsToken {
   RlsTokenKind kind = RlsTokenKind::End;
   std::string_view text;
   Span span;
-  bool is(std::string_view other) const { return kind != RlsTokenKind::String && text == other; }
+  /// Keywords may be written in any case; `other` is in lower case.
+  bool is(std::string_view other) const;
 };
 
-/// All of a text, blanks left out; the last token is an End. Never fails: what is nothing else is a
-/// Sign of one character.
-std::vector<RlsToken> rlsTokensOf(std::string_view text);
+/// All of a text; the last token is an End. Blanks and comments, `#`, `//` or `%` up to the end of
+/// the line, are left out. Never fails: what is nothing else is a Sign of one character.
+///
+/// comments  the comments are added to it, unless it is null
+std::vector<RlsToken> rlsTokensOf(std::string_view text, std::vector<Span>* comments = nullptr);
 
 }  // namespace af2::dsl

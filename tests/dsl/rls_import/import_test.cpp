@@ -76,6 +76,60 @@ TEST(ImportRls, LimitsBecomeFades) {
   EXPECT_NE(text.find("c => mid(b, c) + (-0.25, 0)"), std::string::npos) << text;
 }
 
+TEST(ImportRls, ReadsWhatNetgenReadsHoweverItIsLaidOut) {
+  const auto same = [](const std::string& text) {
+    const ImportedRules imported = importRls("x.rls", text);
+    EXPECT_EQ(imported.text, importRls("x.rls", kRule).text) << told(text);
+    return imported.diagnostics.size() == importRls("x.rls", kRule).diagnostics.size();
+  };
+  std::string windows = "\xEF\xBB\xBF";
+  for (char c : kRule) windows += c == '\n' ? std::string("\r\n") : std::string(1, c);
+  EXPECT_TRUE(same(windows));
+  EXPECT_TRUE(same("\n\n\t " + with("rule \"corner\"", "rule\"corner\"") + "\n \n"));
+  EXPECT_TRUE(same(with("{ 1 X3 } { 1 Y3 }", "{1.0e0X3}{ +1 Y 3, }")));
+  EXPECT_TRUE(same(with("(0.5, 0.8);\nmaplines", "( 5e-1 ,\n.8 )\n;maplines")));
+  EXPECT_TRUE(same(with("(1, 0);", "(1,0){1.0, 0, 1.0};"))) << "the usual form on an end";
+  EXPECT_TRUE(same(with("quality 1", "quality\n1;")));
+  EXPECT_TRUE(same(with("(1, 2) del;", "(1,2)del{0,0,0};")));
+}
+
+TEST(ImportRls, PassesOverWhatNetgenPassesOver) {
+  const auto isSame = [](const std::string& text) {
+    return importRls("x.rls", text).text == importRls("x.rls", kRule).text;
+  };
+  for (const auto& [text, warning] : {
+           std::pair{with("quality 1", "quality 1\nflags a b;"),
+                     "line 3: warning I4: 'flags' belongs to rules that fill volumes"},
+           {with("quality 1", "tolfak 0.5\nquality 1"), "line 2: warning I4: 'tolfak' belongs"},
+           {with("quality 1", "quality 1\nremember (1, 2);"),
+            "line 3: warning I4: 'remember' is no clause of a rule: this does not count"},
+           {with("(1, 3);", "(1, 3) del;"), "line 11: warning I5: 'del' does nothing here"},
+           {with("Y3 };", "Y3 } whatever;"), "line 15: warning I5: 'whatever' does nothing here"},
+       }) {
+    EXPECT_TRUE(isSame(text)) << told(text);
+    expectTold(text, warning);
+  }
+}
+
+TEST(ImportRls, IsMoreGenerousThanNetgenWithCapitalsAndComments) {
+  const auto isSame = [](const std::string& text) {
+    return importRls("x.rls", text).text == importRls("x.rls", kRule).text;
+  };
+  std::string capitals = kRule;
+  for (const char* word : {"rule \"", "quality", "mappoints", "maplines", "del", "elements",
+                           "newlines", "freearea", "endrule"}) {
+    const std::size_t at = capitals.find(word);
+    capitals[at] = static_cast<char>(std::toupper(capitals[at]));
+  }
+  EXPECT_TRUE(isSame(capitals)) << told(capitals);
+  expectTold(capitals, "line 2: warning I5: Netgen passes over 'Quality'");
+  const std::string commented = "# corners, elements (1, 2, 3);\n" +
+                                with("(1, 0);", "(1, 0); // the base, \"rule\"") +
+                                "% the end of elements\n";
+  EXPECT_TRUE(isSame(commented)) << told(commented);
+  expectTold(commented, "line 1: warning I4: comments are no part of such files");
+}
+
 TEST(ImportRls, TellsWhatNeverActs) {
   expectTold(with("(1, 0);", "(1, 0) { 0.5, 0, 1 };"), "line 5: warning I5: a tolerance on an end");
   expectTold(with("(0.5, 0.8);", "(0.5, 0.8) del;"), "line 6: warning I5: 'del' on a point");
@@ -146,7 +200,7 @@ TEST(ImportRls, TellsErrorsWithTheirLines) {
   expectTold(with("(1, 2, 3);", "(1, 2);"), "line 17: error I1");
   expectTold(with("endrule", ""), "line 1: error I1: this rule does not end");
   expectTold(with("elements\n(1, 2, 3);\n", ""), "error I2: this rule makes no elements");
-  expectTold(with("quality 1", "tolfak 2"), "line 2: error I3");
+  expectTold(with("quality 1", "mapfaces (1, 2, 3);"), "line 2: error I3");
   expectTold(with("(2, 3) del;", "(2, 3) del;\n(2, 1);"), "error I2: maplines that branch");
   expectTold(with("(1, 0);", "(1e999, 0);"), "line 5: error I2: this number is too long");
   expectTold("", "error I1: there is no rule in this file");
