@@ -245,19 +245,25 @@ AF2_RULE(costClause, CostClause, "cost");
 AF2_RULE(priorityClause, PriorityClause, "priority");
 AF2_RULE(clause, Clause, "a clause", : Recovering<SyntaxUnit::Clause>);
 
-const auto frontClause_def = word("front") >> list(chain, append(&FrontClause::chains), kVertex) >>
+const auto frontClause_def = word("front") >> parts(SyntaxUnit::Clause, ListPart::Walk, chain,
+                                                    append(&FrontClause::chains), kVertex) >>
                              need(";");
-const auto atClause_def = word("at") >> list(place, append(&AtClause::places), kVertex) >>
+const auto atClause_def = word("at") >> parts(SyntaxUnit::Clause, ListPart::Position, place,
+                                              append(&AtClause::places), kVertex) >>
                           need(";");
 const auto slopeClause_def = word("slope") >> need(name, kVertex)[into(&SlopeClause::from)] >>
                              need("->") >> need(name, kVertex)[into(&SlopeClause::to)] >>
                              need(tolerance, "~")[into(&SlopeClause::tolerance)] >> need(";");
-const auto letClause_def = word("let") >> list(definition, append(&LetClause::values), kName) >>
+const auto letClause_def = word("let") >> parts(SyntaxUnit::Clause, ListPart::Assignment,
+                                                definition, append(&LetClause::values), kName) >>
                            need(";");
-const auto newClause_def = word("new") >> list(definition, append(&NewClause::vertices), kVertex) >>
+const auto newClause_def = word("new") >>
+                           parts(SyntaxUnit::Clause, ListPart::Assignment, definition,
+                                 append(&NewClause::vertices), kVertex) >>
                            need(";");
 const auto zoneClause_def = word("zone") >>
-                            list(corner, append(&ZoneClause::corners), "a corner or a shape") >>
+                            parts(SyntaxUnit::Clause, ListPart::Expression, corner,
+                                  append(&ZoneClause::corners), "a corner or a shape") >>
                             -(word("when") >> need(expr, "a condition")[into(&ZoneClause::when)]) >>
                             need(";");
 const auto corners_def = need(name, kVertex)[push] >> need(name, kVertex)[push] >>
@@ -267,7 +273,8 @@ const auto elementClause_def = elementKind[into(&ElementClause::kind)] >>
                                list(corners, append(&ElementClause::elements), kVertex) >>
                                need(";");
 const auto requireClause_def = word("require") >>
-                               list(expr, append(&RequireClause::conditions), "a condition") >>
+                               parts(SyntaxUnit::Clause, ListPart::Expression, expr,
+                                     append(&RequireClause::conditions), "a condition") >>
                                need(";");
 const auto costClause_def = word("cost") >> need(expr, kExpression)[into(&CostClause::value)] >>
                             need(";");
@@ -385,7 +392,9 @@ const auto acceptSetting_def = word("accept") >>
                                need(expr, "a condition")[into(&AcceptSetting::condition)] >>
                                need(";");
 const auto orderSetting_def = word("front") >> word("by") >>
-                              list(expr, append(&OrderSetting::keys), kExpression) >> need(";");
+                              parts(SyntaxUnit::Setting, ListPart::Expression, expr,
+                                    append(&OrderSetting::keys), kExpression) >>
+                              need(";");
 const auto rowsArgument_def = anyName[into(&MetaEntry::key)] >> need(":") >>
                               need(anyName, kName)[into(&MetaEntry::value)];
 const auto rowsSetting_def = word("front") >> need("rows", "'by' or 'rows'") >>
@@ -458,10 +467,13 @@ const auto placedVertex_def = name[into(&TestVertex::name)] >> x3::eps[setPlaced
                               coordinates(&TestVertex::x, &TestVertex::y, "(");
 const auto testChain_def = testVertex[push] >> need("->") >> need(testVertex, kVertex)[push] >>
                            *(word("->") >> need(testVertex, kVertex)[push]);
-const auto testFront_def = word("front") >> list(testChain, append(&TestFront::chains), kVertex) >>
+const auto testFront_def = word("front") >> parts(SyntaxUnit::TestClause, ListPart::Position,
+                                                  testChain, append(&TestFront::chains), kVertex) >>
                            need(";");
 const auto testPoints_def = word("point") >>
-                            list(placedVertex, append(&TestPoints::points), kVertex) >> need(";");
+                            parts(SyntaxUnit::TestClause, ListPart::Position, placedVertex,
+                                  append(&TestPoints::points), kVertex) >>
+                            need(";");
 const auto testBase_def = word("base") >> need(name, kVertex)[into(&TestBase::from)] >>
                           need("->") >> need(name, kVertex)[into(&TestBase::to)] >> need(";");
 const auto testLevel_def = word("class") >> need(expr, "a whole number")[into(&TestLevel::value)] >>

@@ -44,7 +44,10 @@ const Token* skipUnit(SyntaxUnit unit, const Token* first, const Token* from) {
       ++braces;
     } else if (t->is("}")) {
       if (braces == 0) return unit == SyntaxUnit::Item ? t + 1 : t;
-      if (--braces <= 0) return t + 1;
+      const bool isLast = t[1].startsLine || t[1].is("}") || isOneOf(t[1], wordsOf(unit)) ||
+                          unit == SyntaxUnit::Item || unit == SyntaxUnit::RuleHeader;
+      if (--braces <= 0 && isLast) return t + 1;
+      braces = std::max(braces, 0);
     } else if (t->is(";") && braces == 0) {
       // A header that ends in `;` has no body; what was meant as one cannot be told from clauses.
       return t + 1;
@@ -78,9 +81,49 @@ void SyntaxErrors::tell(const char* code, Span span, std::string message, std::s
   diagnostics_.add(std::move(d));
 }
 
+bool SyntaxErrors::mayEndList(SyntaxUnit unit, const Token* token) {
+  for (const char* symbol : {",", ";", ")", "}", "when"})
+    if (token->is(symbol)) return true;
+  return token->kind == TokenKind::End || beginsItem(token) || isOneOf(*token, wordsOf(unit));
+}
+
+namespace {
+
+/// The ',' that parts a list behind `where`, outside of the brackets that the part opens.
+const Token* nextComma(SyntaxUnit unit, const Token* part, const Token* where) {
+  int depth = 0;
+  for (const Token* t = part;; ++t) {
+    const bool isEnd = t->kind == TokenKind::End || t->is(";") || t->is("{") || t->is("}") ||
+                       SyntaxErrors::beginsItem(t) ||
+                       (t > part && t->startsLine && isOneOf(*t, wordsOf(unit)));
+    if (isEnd) return nullptr;
+    depth += t->is("(") - t->is(")");
+    if (depth < 0) return nullptr;
+    if (depth == 0 && t >= where && t->is(",")) return t;
+  }
+}
+
+bool begins(ListPart part, const Token* token) {
+  if (part == ListPart::Expression) return true;
+  if (token->kind != TokenKind::Name) return false;
+  return part == ListPart::Walk || token[1].is(part == ListPart::Position ? "(" : "=");
+}
+
+}  // namespace
+
+const Token* SyntaxErrors::tellPart(SyntaxUnit unit, const Token* head, const Token* part,
+                                    const Token* where, ListPart next, const std::string& wanted) {
+  const Token* comma = nextComma(unit, part, where);
+  if (!comma || !begins(next, comma + 1)) return nullptr;
+  const bool isTold = where->isDoubtful || (where - 1)->isDoubtful;
+  if (!isTold) tellMissing(unit, head, where, wanted);
+  return comma;
+}
+
 const Token* SyntaxErrors::tellAndRecover(SyntaxUnit unit, const Token* first, const Token* where,
                                           const Token* last, const std::string& wanted) {
-  const bool isTold = where->isDoubtful || (where > first && (where - 1)->isDoubtful);
+  const bool isTold =
+      wanted == kTold || where->isDoubtful || (where > first && (where - 1)->isDoubtful);
   const bool isItemPart =
       wanted == kItem || wanted == kClause || wanted == kSetting || wanted == kTestClause;
   // Where reading has just been resumed a fault may be the last one's; a brace that is missing

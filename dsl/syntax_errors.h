@@ -1,6 +1,7 @@
 // Telling what could not be read, once, and finding where reading can go on.
 #pragma once
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,9 @@ namespace af2::dsl {
 /// What was being read when it broke; says where the next one may begin.
 enum class SyntaxUnit { Item, RuleHeader, Clause, Setting, TestClause, MirrorPart };
 
+/// What the parts of a list look like: any expression, p -> q, p (x, y), p = x.
+enum class ListPart { Expression, Walk, Position, Assignment };
+
 /// Parts that the grammar may find missing, beyond plain symbols.
 inline constexpr const char* kNoSecondFade = "no second =>";
 inline constexpr const char* kExpressionWanted = "an expression";
@@ -19,6 +23,8 @@ inline constexpr const char* kItem = "an item";
 inline constexpr const char* kClause = "a clause";
 inline constexpr const char* kSetting = "a setting";
 inline constexpr const char* kTestClause = "a test clause";
+/// The rest of a unit of which a part has been told to be wrong.
+inline constexpr const char* kTold = "told already";
 
 /// A stretch of the file that could not be read, with the names that occur in it: they may have
 /// been meant to be defined there.
@@ -36,6 +42,14 @@ class SyntaxErrors {
   /// to go on, beyond `first`.
   const Token* tellAndRecover(SyntaxUnit unit, const Token* first, const Token* where,
                               const Token* last, const std::string& wanted);
+
+  /// The same in a part of a list that begins at `part`, in a unit whose word is `head`. Returns
+  /// the
+  /// ',' before the next part, or null, without telling, if no other part can be found.
+  const Token* tellPart(SyntaxUnit unit, const Token* head, const Token* part, const Token* where,
+                        ListPart next, const std::string& wanted);
+  /// Whether a list may end here, for all that can be seen.
+  static bool mayEndList(SyntaxUnit unit, const Token* token);
 
   void tell(const char* code, Span span, std::string message, std::string help,
             std::vector<DiagnosticNote> notes = {});
@@ -57,6 +71,7 @@ class SyntaxErrors {
   const SourceText& source_;
   DiagnosticList& diagnostics_;
   std::vector<BrokenStretch> broken_;
+  std::set<std::string> wordsToldAsNames_;
   const Token* resumedAt_ = nullptr;
   const Token* version_ = nullptr;
   int missingBraces_ = 0;  ///< blocks that were taken to end early: their `}` may still come

@@ -142,12 +142,21 @@ std::optional<Fault> missingBetween(SyntaxUnit unit, const Token* first, const T
     return std::nullopt;
   const std::string between =
       " is missing between '" + before->text.substr(0, 40) + "' and " + found(*where);
-  if (first->is("front") && (unit == SyntaxUnit::Clause || unit == SyntaxUnit::TestClause))
+  const bool isBetweenVertices = wanted == "->" || wanted == ";";
+  if (first->is("front") && isBetweenVertices &&
+      (unit == SyntaxUnit::Clause || unit == SyntaxUnit::TestClause))
     return Fault{"S1", where->span, "'->'" + between,
                  "edges are written a -> b; chains are parted by ','"};
   if (wanted == "->") return std::nullopt;
   return Fault{"S1", where->span, "an operator or ','" + between,
                "there is no silent multiplication; arguments are parted by ','"};
+}
+
+/// Whether the names of a unit are defined elsewhere: what is wrong with them is told there.
+bool usesNames(const Token& head) {
+  for (const char* word : {"at", "let", "new", "const", "def", "metric", "template", "import"})
+    if (head.is(word)) return false;
+  return true;
 }
 
 /// The bracket that `where` does not close.
@@ -160,10 +169,12 @@ const Token* openBracket(const Token* first, const Token* where) {
   return nullptr;
 }
 
-std::string formHelp(SyntaxUnit unit, const Token* first, const std::string& wanted) {
+std::string formHelp(SyntaxUnit unit, const Token* first, const Token* where,
+                     const std::string& wanted) {
   if (wanted == "then" || wanted == "else")
     return "a choice is written `if condition then x else y`";
-  const bool isFamily = wanted == "in" || wanted == "values in parentheses";
+  const bool isFamily =
+      wanted == "in" || wanted == "values in parentheses" || (where - 1)->is("for");
   const std::string_view form =
       formOf(unit == SyntaxUnit::RuleHeader && !isFamily ? SyntaxUnit::Item : unit, first->text);
   return form.empty() ? std::string() : "it is written " + std::string(form);
@@ -232,14 +243,16 @@ void SyntaxErrors::tellMissing(SyntaxUnit unit, const Token* first, const Token*
     if (const auto fault = missingEnd(unit, first, where)) return tellFault(*fault);
   if (const auto fault = missingBetween(unit, first, where, wanted)) return tellFault(*fault);
 
-  const std::string help = formHelp(unit, first, wanted);
+  const std::string help = formHelp(unit, first, where, wanted);
   const bool isWord = where->kind == TokenKind::Name && isReserved(where->text);
+  if (isWord && wordsToldAsNames_.contains(where->text) && usesNames(*first)) return;
   if (wanted == kExpressionWanted)
     return tell("S3", here,
                 "an expression is missing between '" + before->text.substr(0, 40) + "' and " +
                     found(*where),
                 isWord ? "'" + where->text + "' is a word of the language and cannot be a name"
                        : "write a number, a point, a name, ...");
+  if (isWord && wanted.find("name") != std::string::npos) wordsToldAsNames_.insert(where->text);
   if (isWord && wanted.find("name") != std::string::npos)
     return tell("S9", here, "'" + where->text + "' is a word of the language and cannot be a name",
                 "choose another name");

@@ -181,6 +181,8 @@ const IntegerWord integer(0), ordinal(1);
 const BlockEnd atBlockEnd;
 const FileEnd atFileEnd;
 
+struct ParsingTag;
+
 // ---- actions ------------------------------------------------------------------------------------
 
 /// Sets a member of the value that the rule makes.
@@ -216,8 +218,6 @@ auto list(Subject const& subject, Action action, const char* wanted) {
 
 // ---- places and errors --------------------------------------------------------------------------
 
-struct ParsingTag;
-
 inline Span spanOf(It first, It end) {
   return end == first ? Span{first->span.begin, first->span.begin}
                       : cover(first->span, (end - 1)->span);
@@ -243,6 +243,50 @@ struct Spanned : x3::unary_parser<Subject, Spanned<Subject>> {
 template <class Subject>
 auto spanned(Subject const& subject) {
   return Spanned<Subject>(subject);
+}
+
+/// subject, subject, ... of a clause. A part that cannot be read is told, and the next one looked
+/// at; the clause is broken all the same.
+template <class Subject>
+struct Parts : x3::parser<Parts<Subject>> {
+  using attribute_type = x3::unused_type;
+  static bool const has_attribute = false;
+  Parts(Subject const& s, SyntaxUnit u, ListPart p) : subject(s), unit(u), part(p) {}
+  Subject subject;
+  SyntaxUnit unit;
+  ListPart part;
+
+  template <class Context, class RContext, class Attribute>
+  bool parse(It& first, It const& last, Context const& context, RContext& rcontext,
+             Attribute& attribute) const {
+    SyntaxErrors& errors = x3::get<ParsingTag>(context).get();
+    const It head = first - (part == ListPart::Expression && (first - 1)->is("by") ? 2 : 1);
+    for (bool isBroken = false;; ++first) {
+      const It begin = first;
+      try {
+        this->subject.parse(first, last, context, rcontext, attribute);
+        if (!SyntaxErrors::mayEndList(unit, first))
+          if (const It comma = errors.tellPart(unit, head, begin, first, part, ";"))
+            first = comma, isBroken = true;
+      } catch (x3::expectation_failure<It> const& x) {
+        const It comma = errors.tellPart(unit, head, begin, x.where(), part, x.which());
+        if (!comma) throw;
+        first = comma, isBroken = true;
+      }
+      if (first != last && first->is(",")) continue;
+      const bool isTold = SyntaxErrors::mayEndList(unit, first);
+      if (isBroken)
+        boost::throw_exception(x3::expectation_failure<It>(first, isTold ? kTold : ";"));
+      return true;
+    }
+  }
+};
+
+template <class Subject, class Action>
+auto parts(SyntaxUnit unit, ListPart part, Subject const& subject, Action action,
+           const char* wanted) {
+  const auto whole = need(subject, wanted)[action];
+  return Parts<std::decay_t<decltype(whole)>>(whole, unit, part);
 }
 
 /// Told once, and passed over up to where the next one can begin.
