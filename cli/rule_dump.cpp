@@ -43,10 +43,18 @@ class RuleText {
     return v < matched_.size() ? matched_[v] : definition_.newVertexNames[v - matched_.size()];
   }
 
-  static std::string tolerance(const std::optional<ToleranceForm>& form) {
+  static std::string formText(const ToleranceForm& form) {
+    return fmt::format("{} dx2 + {} dx dy + {} dy2", numberText(form.xx), numberText(form.xy),
+                       numberText(form.yy));
+  }
+
+  std::string tolerance(const std::optional<ToleranceByLevel>& form) const {
     if (!form) return "any";
-    return fmt::format("{} dx2 + {} dx dy + {} dy2", numberText(form->xx), numberText(form->xy),
-                       numberText(form->yy));
+    const int first = definition_.firstLevel, last = std::max(first, form->levelCount());
+    const std::string text = formText(form->at(first));
+    if (form->levelCount() == 1) return text;
+    return fmt::format("{} at level {}, {} at level {}", text, first, formText(form->at(last)),
+                       last);
   }
 
   std::string vertices() const {

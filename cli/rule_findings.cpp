@@ -78,7 +78,7 @@ void addMatchFindings(const std::string& stem, const dsl::LoadedRules& loaded,
         pictures.add(diagnostic, fmt::format("{} {} {}", stem, diagnostic.code, diagnostic.rule),
                      drawExample(loaded, finding));
       }
-      into.push_back(std::move(diagnostic));
+      dsl::addFinding(into, std::move(diagnostic));
     }
   }
 }

@@ -291,7 +291,7 @@ Value ExpressionCompiler::callUserMetric(const Expr& expr, const AF2ElementMetri
   wrapped->value = [metric = context_.registry.metrics().at(expr.name)](std::span<const double> n) {
     std::array<Point2, 4> points{};
     for (std::size_t i = 0; i < n.size() / 2; ++i) points[i] = {n[2 * i], n[2 * i + 1]};
-    return metric->badness({points.data(), n.size() / 2});
+    return metric->badnessAt({points.data(), n.size() / 2}, static_cast<int>(n.back()));
   };
   std::vector<Node> nodes;
   for (std::size_t i = 0; i < measured.size(); ++i) {
@@ -299,6 +299,8 @@ Value ExpressionCompiler::callUserMetric(const Expr& expr, const AF2ElementMetri
     nodes.push_back(measured[i].at.x);
     nodes.push_back(measured[i].at.y);
   }
+  nodes.push_back(hasLevel() ? builder().make(Op::Level, std::initializer_list<Node>{})
+                             : builder().constant(1));
   const int index = builder().addFunction(std::move(wrapped));
   return algebra_.scalar(Type::Number, builder().make(Op::Call, nodes, index));
 }

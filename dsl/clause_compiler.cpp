@@ -210,6 +210,8 @@ void ClauseCompiler::compileClause(const Clause& clause) {
             tell("R2", clause.span, "the cost is given twice", "", "add the two up in one clause");
           hasCost_ = true;
           compileCost(content);
+        } else if constexpr (std::is_same_v<Content, MetaClause>) {
+          if (!mirror_) expressions_.checkAllowed(content);
         } else if constexpr (std::is_same_v<Content, PriorityClause>) {
           compilePriority(content, clause.span);
         }

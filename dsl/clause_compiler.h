@@ -115,8 +115,10 @@ class ClauseCompiler {
   void readLevels();
   void compileClause(const Clause& clause);
   void compilePlaces(const AtClause& at);
-  std::optional<ToleranceForm> toleranceOf(const Tolerance& tolerance, bool& isAny);
-  std::optional<ToleranceForm> formOf(const Expr& expr);
+  std::optional<ToleranceByLevel> toleranceOf(const Tolerance& tolerance, bool& isAny);
+  std::optional<ToleranceByLevel> formOf(const Expr& expr);
+  std::optional<std::vector<double>> numberByLevel(const Expr& expr, const std::string& what);
+  int lastLevel() const;
   void addChain(const Chain& chain);
   void addEdge(const Name& from, const Name& to);
   std::optional<int> matchedVertex(const Name& name, const char* use);

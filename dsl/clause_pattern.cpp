@@ -2,9 +2,11 @@
 #include "dsl/clause_compiler.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "dsl/builtins.h"
+#include "dsl/compiled_forms.h"
 #include "dsl/words.h"
 
 namespace af2::dsl {
@@ -70,38 +72,84 @@ void ClauseCompiler::readLevels() {
   }
 }
 
-std::optional<ToleranceForm> ClauseCompiler::formOf(const Expr& expr) {
+/// The last level at which the rule is tried.
+int ClauseCompiler::lastLevel() const {
+  const RuleDefinition& rule = result_.definition;
+  return std::max(rule.firstLevel,
+                  std::min(rule.lastLevel.value_or(settings_.maxLevel), settings_.maxLevel));
+}
+
+/// By level from 1 on, or one number for all of them; nothing after telling. Levels below the
+/// rule's first one have the value of that.
+std::optional<std::vector<double>> ClauseCompiler::numberByLevel(const Expr& expr,
+                                                                 const std::string& what) {
+  if (expr.isMissing()) return std::nullopt;
+  const Value value = expressions_.number(expr, what);
+  if (value.isAny()) return std::nullopt;
+  if (const auto constant = builder_.constantValue(value.number)) return std::vector{*constant};
+  if (builder_.dependsOnMatch(value.number)) {
+    tell("Y3", expr.span, what + " cannot depend on the match", "",
+         "use numbers, constants, parameters and q; what a match must fulfil besides is said by "
+         "`require`");
+    return std::nullopt;
+  }
+  const int first = definition().firstLevel;
+  std::vector<double> numbers;
+  const ExpressionFunction function(builder_.program(std::array<Node, 1>{value.number}));
+  for (int level = 1; level <= lastLevel(); ++level) {
+    const auto at = function.evaluate({{}, std::max(level, first), nullptr});
+    if (!at) {
+      tell("Y4", expr.span, what + " has no value at level " + std::to_string(level), "",
+           "a division by zero, a root of a negative number or the like");
+      return std::nullopt;
+    }
+    numbers.push_back(*at);
+  }
+  return numbers;
+}
+
+std::optional<ToleranceByLevel> ClauseCompiler::formOf(const Expr& expr) {
   const bool isForm = expr.kind == ExprKind::Tuple && expr.parts.size() == 3;
   if (expr.kind == ExprKind::Tuple && !isForm) {
-    for (const Expr& part : expr.parts) expressions_.constantNumber(part, "a coefficient");
+    for (const Expr& part : expr.parts) numberByLevel(part, "a coefficient");
     tell("Y6", expr.span, "a form has three coefficients, (xx, xy, yy)",
          std::to_string(expr.parts.size()) + " are given",
          "write `~ w` for the same weight in all directions, or `~ (xx, xy, yy)`");
     return std::nullopt;
   }
-  if (!isForm) {
-    const auto weight = expressions_.constantNumber(expr, "a tolerance");
-    if (!weight) return std::nullopt;
-    if (*weight < 0) {
-      tell("Y3", expr.span, "a tolerance's weight cannot be negative", "",
-           "a larger weight is stricter; 0 or `any` lets all through");
+  std::array<std::vector<double>, 3> weights{{{0}, {0}, {0}}};
+  bool isRight = true;
+  for (std::size_t i = 0; i < (isForm ? 3 : 1); ++i) {
+    auto numbers =
+        isForm ? numberByLevel(expr.parts[i], "a coefficient") : numberByLevel(expr, "a tolerance");
+    isRight = isRight && numbers;
+    if (numbers) weights[i] = std::move(*numbers);
+  }
+  if (!isRight) return std::nullopt;
+  if (!isForm) weights[2] = weights[0];
+  const std::size_t levels = std::max({weights[0].size(), weights[1].size(), weights[2].size()});
+  std::vector<ToleranceForm> forms;
+  for (std::size_t i = 0; i < levels; ++i) {
+    const auto at = [&](const std::vector<double>& w) { return w[std::min(i, w.size() - 1)]; };
+    const ToleranceForm form{at(weights[0]), at(weights[1]), at(weights[2])};
+    if (form.xx < 0 || form.yy < 0 || form.xy * form.xy > 4 * form.xx * form.yy) {
+      const std::string where = levels > 1 ? " at level " + std::to_string(i + 1) : "";
+      if (isForm)
+        tell("Y3", expr.span, "this form is negative for some deviations" + where, "",
+             "a form (xx, xy, yy) needs xx >= 0, yy >= 0 and xy^2 <= 4 xx yy");
+      else
+        tell("Y3", expr.span, "a tolerance's weight cannot be negative",
+             where.empty() ? "" : "it is " + shownNumber(form.xx) + where,
+             "a larger weight is stricter; 0 or `any` lets all through");
       return std::nullopt;
     }
-    return ToleranceForm{*weight, 0, *weight};
+    forms.push_back({form.xx, mirror_ ? 0 - form.xy : form.xy, form.yy});
   }
-  const auto xx = expressions_.constantNumber(expr.parts[0], "a coefficient"),
-             xy = expressions_.constantNumber(expr.parts[1], "a coefficient"),
-             yy = expressions_.constantNumber(expr.parts[2], "a coefficient");
-  if (!xx || !xy || !yy) return std::nullopt;
-  if (*xx < 0 || *yy < 0 || *xy * *xy > 4 * *xx * *yy) {
-    tell("Y3", expr.span, "this form is negative for some deviations", "",
-         "a form (xx, xy, yy) needs xx >= 0, yy >= 0 and xy^2 <= 4 xx yy");
-    return std::nullopt;
-  }
-  return ToleranceForm{*xx, mirror_ ? -*xy : *xy, *yy};
+  return ToleranceByLevel(std::move(forms));
 }
 
-std::optional<ToleranceForm> ClauseCompiler::toleranceOf(const Tolerance& tolerance, bool& isAny) {
+std::optional<ToleranceByLevel> ClauseCompiler::toleranceOf(const Tolerance& tolerance,
+                                                            bool& isAny) {
   isAny = tolerance.any;
   if (tolerance.any) return std::nullopt;
   const auto form = formOf(tolerance.form);
@@ -206,7 +254,7 @@ void ClauseCompiler::compileSlope(const SlopeClause& slope) {
         tell("R2", cover(slope.from.span, slope.to.span), "the slope of this edge is given twice",
              "", "give it once");
       edge.slope = form;
-      const bool isIdle = !form || (form->xx == 0 && form->xy == 0 && form->yy == 0);
+      const bool isIdle = !form || *form == ToleranceByLevel(ToleranceForm{0, 0, 0});
       if (isIdle && (isAny || !hasErrors_))
         expressions_.warnIdle(cover(slope.from.span, slope.tolerance.span),
                               "this slope lets every edge through",

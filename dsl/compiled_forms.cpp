@@ -59,10 +59,11 @@ std::optional<double> ExpressionFunction::evaluate(const AF2Binding& binding) co
   return result[0];
 }
 
-std::optional<double> ExpressionMetric::badness(std::span<const Point2> corners) const {
+std::optional<double> ExpressionMetric::badnessAt(std::span<const Point2> corners,
+                                                  int level) const {
   const auto& program = corners.size() == 3 ? triangle_ : quad_;
   std::array<double, 1> result;
-  if (!program || !program->run({corners, 1, nullptr}, {}, result)) return std::nullopt;
+  if (!program || !program->run({corners, level, nullptr}, {}, result)) return std::nullopt;
   return result[0];
 }
 

@@ -40,7 +40,11 @@ class ExpressionMetric final : public AF2ElementMetric {
  public:
   ExpressionMetric(std::optional<Program> triangle, std::optional<Program> quad)
       : triangle_(std::move(triangle)), quad_(std::move(quad)) {}
-  std::optional<double> badness(std::span<const Point2> corners) const override;
+  /// At level 1.
+  std::optional<double> badness(std::span<const Point2> corners) const override {
+    return badnessAt(corners, 1);
+  }
+  std::optional<double> badnessAt(std::span<const Point2> corners, int level) const override;
 
  private:
   std::optional<Program> triangle_, quad_;

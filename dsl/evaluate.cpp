@@ -46,18 +46,17 @@ std::vector<Point2> matchedPositions(const RuleDefinition& rule, const EvalReque
   return points;
 }
 
-bool isWithin(const std::optional<ToleranceForm>& form, Point2 deviation, double tolerance) {
-  return !form || (*form)(deviation) <= tolerance;
-}
-
-bool matches(const RuleDefinition& rule, const std::vector<Point2>& at, double tolerance) {
+bool matches(const RuleDefinition& rule, const std::vector<Point2>& at, int level,
+             double tolerance) {
+  const auto isWithin = [&](const std::optional<ToleranceByLevel>& form, Point2 deviation) {
+    return !form || form->at(level)(deviation) <= tolerance;
+  };
   for (std::size_t i = 2; i < at.size(); ++i)
-    if (!isWithin(rule.vertices[i].tolerance, at[i] - rule.vertices[i].reference, tolerance))
-      return false;
+    if (!isWithin(rule.vertices[i].tolerance, at[i] - rule.vertices[i].reference)) return false;
   const auto of = [](int v) { return static_cast<std::size_t>(v); };
   return std::all_of(rule.edges.begin(), rule.edges.end(), [&](const PatternEdge& e) {
     const Point2 wanted = rule.vertices[of(e.to)].reference - rule.vertices[of(e.from)].reference;
-    return isWithin(e.slope, (at[of(e.to)] - at[of(e.from)]) - wanted, tolerance);
+    return isWithin(e.slope, (at[of(e.to)] - at[of(e.from)]) - wanted);
   });
 }
 
@@ -126,7 +125,7 @@ Scored scoreOf(const RuleSetDefinition& set, const RuleDefinition& rule,
       if (orientation(corners[c], corners[(c + 1) % n], corners[(c + 2) % n]) != Turn::Left)
         result.refusal = Refusal::Inverted;
     if (result.refusal != Refusal::None) return result;
-    const auto badness = set.metric->badness(corners);
+    const auto badness = set.metric->badnessAt(corners, binding.level);
     if (!badness) {
       result.refusal = Refusal::NoValue;
       return result;
@@ -172,7 +171,8 @@ EvalResult evaluateRule(const RuleSet& rules, const EvalRequest& request) {
     if (result.refused == Refusal::None) result.refused = reason;
   };
   if (!rule.appliesAt(request.level)) refuse(Refusal::Class);
-  result.matches = matches(definition, match.matched(), rules.matchTolerance(request.level));
+  result.matches =
+      matches(definition, match.matched(), request.level, rules.matchTolerance(request.level));
   if (!result.matches) refuse(Refusal::Pattern);
   const Refusal required = requirement(definition, binding);
   result.requireHolds = required == Refusal::None;

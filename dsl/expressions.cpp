@@ -1,4 +1,6 @@
 #include "dsl/expressions.h"
+#include "dsl/allowed_codes.h"
+#include "dsl/code_explanations.h"
 
 #include <algorithm>
 #include <cmath>
@@ -41,14 +43,24 @@ void ExpressionCompiler::tell(const char* code, Span span, std::string message, 
   context_.diagnostics.add(std::move(d));
 }
 
+void ExpressionCompiler::checkAllowed(const MetaClause& meta) {
+  for (const MetaEntry& entry : meta.entries)
+    for (const std::string& code : allowedBy({{entry}})) {
+      if (findCodeExplanation(code)) continue;
+      std::vector<std::string> known;
+      for (const CodeExplanation& e : codeExplanations()) known.push_back(e.code);
+      const std::string guess = didYouMean(code, known);
+      tell("R1", entry.value.span, "there is no code '" + code + "'", "",
+           guess.empty() ? "codes stand in what is told, as in `allow \"Z1, M1\";`" : guess);
+    }
+}
+
 std::vector<std::string> ExpressionCompiler::namesInScope() const {
   std::vector<std::string> names;
   for (const auto& [name, local] : locals)
     if (local.kind != LocalKind::Broken) names.push_back(name);
   for (const auto& [name, constant] : module_->constants) names.push_back(name);
-  if (place_ != ExpressionPlace::Constant && place_ != ExpressionPlace::Metric &&
-      place_ != ExpressionPlace::Test)
-    names.push_back("q");
+  if (hasLevel()) names.push_back("q");
   if (place_ == ExpressionPlace::Acceptance) names.push_back("score");
   return names;
 }
@@ -206,8 +218,7 @@ Value ExpressionCompiler::evaluateName(const Expr& expr) {
     return local->second.value;
   }
   if (expr.name == "q" || expr.name == "class") {
-    if (place_ == ExpressionPlace::Constant || place_ == ExpressionPlace::Metric ||
-        place_ == ExpressionPlace::Test) {
+    if (!hasLevel()) {
       tell("R1", expr.span, "there is no quality level here", "",
            "'" + expr.name + "' means something in rules and rule sets only");
       return {};

@@ -84,6 +84,8 @@ class ExpressionCompiler {
   /// D1, where it is so for every rule that the text stands for: not what one member of a family
   /// makes of it, and once for a rule and its mirror.
   void warnIdle(Span span, std::string message, std::string help);
+  /// R1 for codes that there are not in `allow`.
+  void checkAllowed(const MetaClause& meta);
   void tell(const char* code, Span span, std::string message, std::string label = {},
             std::string help = {}, Severity severity = Severity::Error,
             std::vector<DiagnosticNote> notes = {});
@@ -127,6 +129,10 @@ class ExpressionCompiler {
   Value power(const Expr& expr, const Value& a, const Value& b);
   Value inlined(const Expr& callSite, const FunctionName& function, std::vector<Value> arguments);
   NodePair fadedPoint(const Expr& expr);
+  /// Whether `q` means something here.
+  bool hasLevel() const {
+    return place_ != ExpressionPlace::Constant && place_ != ExpressionPlace::Test;
+  }
   bool isMetricName(const std::string& name) const;
   bool isAllowedHere(const Expr& expr, const Builtin& builtin);
   bool fits(const Value& value, char kind, const Value* firstAlike, const Expr& argument,

@@ -69,11 +69,11 @@ enum class Op : unsigned char {
 using Node = int;
 
 struct Step {
-  static constexpr int kMostArguments = 8;
+  static constexpr int kMostArguments = 9;  ///< four corners and the level, of a registered metric
   Op op = Op::Unknown;
   double constant = 0;  ///< of a Constant
   int index = 0;        ///< of a vertex, an input, a shape, a registered function
-  std::array<Node, kMostArguments> arguments{-1, -1, -1, -1, -1, -1, -1, -1};
+  std::array<Node, kMostArguments> arguments{-1, -1, -1, -1, -1, -1, -1, -1, -1};
   auto key() const { return std::tuple(op, constant, index, arguments); }
 };
 

@@ -21,6 +21,7 @@ bool isName(const std::string& name) {
 }
 
 void checkParameters(const std::string& name, const std::string& parameters) {
+  constexpr int kMostNumbers = 8;
   int numbers = 0;
   for (char c : parameters) {
     if (std::string("napv").find(c) == std::string::npos)
@@ -28,7 +29,7 @@ void checkParameters(const std::string& name, const std::string& parameters) {
                        std::string(1, c) + "'; use n, a, p or v");
     numbers += c == 'p' || c == 'v' ? 2 : 1;
   }
-  if (numbers > Step::kMostArguments)
+  if (numbers > kMostNumbers)
     throw InputError("registered function '" + name + "': more than eight numbers");
 }
 

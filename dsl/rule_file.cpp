@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 
+#include "dsl/allowed_codes.h"
 #include "dsl/checks/checks.h"
 #include "dsl/library.h"
 #include "dsl/rule_compiler.h"
@@ -42,6 +43,7 @@ class FileCompiler {
     context_.diagnostics.add(std::move(d));
   }
 
+  bool isBroken() const;
   void warnOfRulesAlone();
   std::vector<PlacedRuleSet> ruleSets();
   bool addBase(std::vector<PlacedRuleSet>& chain, std::set<const RuleSetBlock*>& seen);
@@ -105,8 +107,19 @@ bool FileCompiler::addBase(std::vector<PlacedRuleSet>& chain, std::set<const Rul
   return true;
 }
 
+/// Whether something of the file could not be read, which may have been the rule set.
+bool FileCompiler::isBroken() const {
+  const auto& items = main_.parsed.file.items;
+  const bool misses = !main_.brokenNames.empty() || items.empty() ||
+                      std::ranges::any_of(items, [](const Item& item) {
+                        return std::holds_alternative<std::monostate>(item.content);
+                      });
+  return misses && context_.diagnostics.hasErrors();
+}
+
 /// Rules without a rule set are for other files to use; or the rule set was forgotten.
 void FileCompiler::warnOfRulesAlone() {
+  if (isBroken()) return;
   for (const Item& item : main_.parsed.file.items) {
     if (!std::holds_alternative<Rule>(item.content)) continue;
     tell(main_, "R5", std::get<Rule>(item.content).title.span,
@@ -133,11 +146,8 @@ std::vector<PlacedRuleSet> FileCompiler::ruleSets() {
     return {};
   }
   if (heads.empty()) {
-    bool isBroken = !main_.brokenNames.empty() || main_.parsed.file.items.empty();
-    for (const Item& item : main_.parsed.file.items)
-      isBroken = isBroken || item.content.index() == 0;
     const bool hasText = !main_.parsed.file.items.empty() || !main_.source.text().empty();
-    if (!isBroken || !context_.diagnostics.hasErrors())
+    if (!isBroken())
       tell(main_, "R5", {0, 0}, "this file has no rule set",
            hasText ? "add `ruleset \"name\" { ... }`" : "the file is empty");
     return {};
@@ -412,6 +422,7 @@ std::shared_ptr<const RuleSet> FileCompiler::compile(LoadedFile& result) {
   std::vector<PlacedRuleSet> sets = ruleSets();
   const bool hasRuleSet = !sets.empty(), needsRules = needsRuleSet_ || hasRuleSet;
   settings_ = std::make_unique<RuleSetCompiler>(context_, main_, std::move(sets));
+  result.allowed = settings_->allowed();
   compileItems(main_);
   checkTitles();
   checkKinds(*settings_);
@@ -450,8 +461,9 @@ LoadedRules loadRulesFromText(std::string name, std::string text, const LoadOpti
   file->modules = library.takeModules();
   result.file = std::move(file);
   result.diagnostics = diagnostics.take();
-  std::erase_if(result.diagnostics,
-                [&](const Diagnostic& d) { return isAllowed(d, options.allowed); });
+  std::erase_if(result.diagnostics, [&](const Diagnostic& d) {
+    return isAllowed(d, options.allowed) || isMeantToBe(*result.file, d);
+  });
   return result;
 }
 

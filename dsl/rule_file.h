@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -38,6 +39,7 @@ struct LoadedFile {
   std::shared_ptr<const RuleSet> soundRules;
   std::vector<CompiledTest> tests;  ///< of the file itself, those without errors
   std::vector<CompiledProperty> properties;
+  std::set<std::string> allowed;  ///< codes that the rule set allows, for all rules
   const Module& main() const { return *modules.front(); }
 };
 

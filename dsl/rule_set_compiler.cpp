@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "dsl/allowed_codes.h"
 #include "dsl/compiled_forms.h"
 
 namespace af2::dsl {
@@ -95,6 +96,8 @@ void RuleSetCompiler::tell(const Module& home, const char* code, Span span, std:
 void RuleSetCompiler::collect(const PlacedRuleSet& placed) {
   std::vector<const Setting*> seen(settings_.size());
   for (const Setting& setting : placed.block->settings) {
+    if (const auto* meta = std::get_if<MetaClause>(&setting.content))
+      readAllowed(*meta, *placed.home);
     const std::size_t slot = slotOf(setting.content);
     if (slot == 0) continue;
     if (seen[slot])
@@ -192,6 +195,13 @@ void RuleSetCompiler::readParity() {
          "write `parity even;` or `parity any;`");
 }
 
+void RuleSetCompiler::readAllowed(const MetaClause& meta, const Module& home) {
+  ProgramBuilder builder;
+  ExpressionCompiler(context_, home, ExpressionPlace::Constant, Algebra(builder, {}))
+      .checkAllowed(meta);
+  allowed_.merge(allowedBy(meta));
+}
+
 std::optional<Program> RuleSetCompiler::metricProgram(const Expr& expr, const Module& home,
                                                       int corners) {
   ProgramBuilder builder;
@@ -224,9 +234,11 @@ std::shared_ptr<const AF2ElementMetric> RuleSetCompiler::metric(const std::set<i
   if (sizes.empty()) metricProgram(expr, *home, 3);
   if (isNameOrCall && expr.name == "shape_size" && expr.parts.size() == 1) {
     ProgramBuilder builder;
-    ExpressionCompiler compiler(context_, *home, ExpressionPlace::Constant, Algebra(builder, {}));
-    if (const auto weight = compiler.constantNumber(expr.parts[0], "the weight"))
-      return std::make_shared<ShapeSizeMetric>(*weight);
+    ExpressionCompiler compiler(context_, *home, ExpressionPlace::Metric, Algebra(builder, {}));
+    const Value weight = compiler.number(expr.parts[0], "the weight");
+    if (weight.isAny()) return std::make_shared<ShapeSizeMetric>(kDefaultWeight);
+    if (const auto constant = builder.constantValue(weight.number))
+      return std::make_shared<ShapeSizeMetric>(*constant);
   }
   return std::make_shared<ExpressionMetric>(std::move(triangle), std::move(quad));
 }

@@ -32,6 +32,9 @@ class RuleSetCompiler {
   /// Kinds of elements that the rules may make; empty: any.
   const std::set<std::string>& kinds() const { return kinds_; }
 
+  /// Codes of findings that the rule set allows.
+  const std::set<std::string>& allowed() const { return allowed_; }
+
   /// The definition without its rules. `sizes`: numbers of corners that the rules make elements of.
   RuleSetDefinition finish(const std::set<int>& sizes);
 
@@ -48,6 +51,7 @@ class RuleSetCompiler {
   void readFade();
   void readKinds();
   void readParity();
+  void readAllowed(const MetaClause& meta, const Module& home);
   std::vector<double> table(const Expr& expr, const Module& home, const char* what, double least);
   std::shared_ptr<const AF2ElementMetric> metric(const std::set<int>& sizes);
   std::optional<Program> metricProgram(const Expr& expr, const Module& home, int corners);
@@ -63,7 +67,7 @@ class RuleSetCompiler {
   std::vector<Found> settings_;  ///< by kind of content, the last one wins
   SharedSettings shared_;
   Parity parity_ = Parity::Any;
-  std::set<std::string> kinds_;
+  std::set<std::string> kinds_, allowed_;
 };
 
 }  // namespace af2::dsl

@@ -209,8 +209,7 @@ class Numbers {
 };
 
 /// A deviation whose form is at most `tolerance`, or nothing if this draw misses.
-std::optional<Point2> deviation(Numbers& numbers, const std::optional<ToleranceForm>& form,
-                                double tolerance) {
+std::optional<Point2> deviation(Numbers& numbers, const ToleranceForm* form, double tolerance) {
   constexpr double kFarthest = 2;  // where the form itself sets no bound
   const auto reach = [&](double weight) {
     return weight > 0 ? std::min(kFarthest, 1.2 * std::sqrt(tolerance / weight)) : kFarthest;
@@ -221,11 +220,12 @@ std::optional<Point2> deviation(Numbers& numbers, const std::optional<ToleranceF
   return d;
 }
 
-std::optional<std::vector<Point2>> draw(Numbers& numbers, const RuleDefinition& rule,
+std::optional<std::vector<Point2>> draw(Numbers& numbers, const RuleDefinition& rule, int level,
                                         double tolerance) {
   std::vector<Point2> points{{0, 0}, {0.7 + 0.6 * numbers.next(), 0}};
   for (std::size_t i = 2; i < rule.vertices.size(); ++i) {
-    const auto d = deviation(numbers, rule.vertices[i].tolerance, tolerance);
+    const auto& wanted = rule.vertices[i].tolerance;
+    const auto d = deviation(numbers, wanted ? &wanted->at(level) : nullptr, tolerance);
     if (!d) return std::nullopt;
     points.push_back(rule.vertices[i].reference + *d);
   }
@@ -275,7 +275,7 @@ TestResult runProperty(const LoadedRules& rules, const CompiledProperty& propert
   std::vector<bool> failed(property.expectations.size());
   for (int level = property.firstLevel; level <= property.lastLevel; ++level) {
     for (int i = 0; i < kDrawsPerLevel; ++i) {
-      const auto points = draw(numbers, rule, rules.rules->matchTolerance(level));
+      const auto points = draw(numbers, rule, level, rules.rules->matchTolerance(level));
       if (!points) continue;
       const GivenMatch match(rule, *points, level);
       const AF2Binding binding = match.binding();

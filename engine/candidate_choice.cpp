@@ -34,11 +34,11 @@ struct Corners {
 };
 
 /// The badness of an element that turns left everywhere; infinite if it has none.
-double badnessOf(const CompiledRules& rules, const Corners& corners) {
+double badnessOf(const CompiledRules& rules, const Corners& corners, int level) {
   if (rules.fastMetric() && corners.count == 3)
     return rules.fastMetric()->triangleBadness(corners.points[0], corners.points[1],
                                                corners.points[2]);
-  return rules.set().definition().metric->badness(corners.span()).value_or(INFINITY);
+  return rules.set().definition().metric->badnessAt(corners.span(), level).value_or(INFINITY);
 }
 
 void placeAffinePoints(const CompiledRule& rule, Match& match) {
@@ -73,14 +73,14 @@ Refusal requirementsHold(const CompiledRule& rule, const AF2Binding& binding) {
 
 /// The badnesses of the new elements as one number.
 Refusal scoreElements(const CompiledRules& rules, const CompiledRule& rule, const Match& match,
-                      double& score) {
+                      int level, double& score) {
   const auto& elements = rule.rule->definition().elements;
   double largest = 0, sum = 0;
   bool isFirst = true;
   for (const RuleElement& element : elements) {
     const Corners corners(element, match);
     if (!corners.turnsLeftEverywhere()) return Refusal::Inverted;
-    const double badness = badnessOf(rules, corners);
+    const double badness = badnessOf(rules, corners, level);
     if (!std::isfinite(badness)) return Refusal::NoValue;
     largest = isFirst ? badness : std::max(largest, badness);
     sum += badness;
@@ -230,7 +230,7 @@ Refusal CandidateChoice::evaluate(const StepView& view, Candidate& candidate) co
   const CompiledRule& rule = *candidate.rule;
   if (!rule.isPlain || !rule.newPoints) return evaluateOpenly(view, candidate);
   placeAffinePoints(rule, candidate.match);
-  const Refusal refusal = scoreElements(rules_, rule, candidate.match, candidate.score);
+  const Refusal refusal = scoreElements(rules_, rule, candidate.match, view.level, candidate.score);
   return refusal == Refusal::None ? judge(view, candidate) : refusal;
 }
 
@@ -242,7 +242,7 @@ Refusal CandidateChoice::evaluateOpenly(const StepView& view, Candidate& candida
   if (const Refusal r = requirementsHold(rule, binding); r != Refusal::None) return r;
   if (const Refusal r = placeNewPoints(rule, binding, candidate.match); r != Refusal::None)
     return r;
-  if (const Refusal r = scoreElements(rules_, rule, candidate.match, candidate.score);
+  if (const Refusal r = scoreElements(rules_, rule, candidate.match, view.level, candidate.score);
       r != Refusal::None)
     return r;
   if (rule.rule->definition().cost) {

@@ -19,6 +19,7 @@ constexpr std::array<double, 8> kBaseLengths{0.5, 0.75, 1, 1.25, 1.5, 2, 3, 4};
 
 struct ChainWalk {
   const RuleDefinition& rule;
+  int level;
   std::vector<BindingStep> steps;
   std::vector<bool> isBound;
 
@@ -35,7 +36,8 @@ struct ChainWalk {
   void bind(BindingStep::Kind kind, int vertex, int from) {
     const PatternVertex& wanted = rule.vertices[static_cast<std::size_t>(vertex)];
     steps.push_back({kind, static_cast<std::int8_t>(vertex), static_cast<std::int8_t>(from),
-                     wanted.reference, wanted.tolerance.value_or(ToleranceForm{0, 0, 0})});
+                     wanted.reference,
+                     wanted.tolerance ? wanted.tolerance->at(level) : ToleranceForm{0, 0, 0}});
     isBound[static_cast<std::size_t>(vertex)] = true;
   }
   bool bound(int v) const { return isBound[static_cast<std::size_t>(v)]; }
@@ -57,9 +59,9 @@ struct ChainWalk {
   }
 };
 
-std::vector<BindingStep> bindingSteps(const RuleDefinition& rule) {
+std::vector<BindingStep> bindingSteps(const RuleDefinition& rule, int level) {
   const std::size_t matched = rule.vertices.size();
-  ChainWalk walk{rule, {}, std::vector<bool>(matched, false)};
+  ChainWalk walk{rule, level, {}, std::vector<bool>(matched, false)};
   walk.isBound[0] = walk.isBound[1] = true;
   walk.follow(1);
   int u = 0;
@@ -77,15 +79,27 @@ std::vector<BindingStep> bindingSteps(const RuleDefinition& rule) {
   return walk.steps;
 }
 
-std::vector<SlopeTest> slopeTests(const RuleDefinition& rule) {
+std::vector<SlopeTest> slopeTests(const RuleDefinition& rule, int level) {
   std::vector<SlopeTest> tests;
   for (const PatternEdge& e : rule.edges) {
     if (!e.slope) continue;
     const auto at = [&](int v) { return rule.vertices[static_cast<std::size_t>(v)].reference; };
     tests.push_back({static_cast<std::int8_t>(e.from), static_cast<std::int8_t>(e.to),
-                     at(e.to) - at(e.from), *e.slope});
+                     at(e.to) - at(e.from), e.slope->at(level)});
   }
   return tests;
+}
+
+std::vector<CompiledPattern> patternsOf(const RuleDefinition& rule) {
+  int levels = 1;
+  for (const PatternVertex& v : rule.vertices)
+    if (v.tolerance) levels = std::max(levels, v.tolerance->levelCount());
+  for (const PatternEdge& e : rule.edges)
+    if (e.slope) levels = std::max(levels, e.slope->levelCount());
+  std::vector<CompiledPattern> patterns;
+  for (int level = 1; level <= levels; ++level)
+    patterns.push_back({bindingSteps(rule, level), slopeTests(rule, level)});
+  return patterns;
 }
 
 // ---- fast forms --------------------------------------------------------------------------------
@@ -146,15 +160,13 @@ Point2 ellipseExtent(const ToleranceForm& form, double tolerance) {
 }
 
 /// Every place that a free vertex of the rule can match, and the end of its chain at its reference.
-Window matchWindow(const CompiledRule& rule, double tolerance) {
+Window matchWindow(const CompiledRule& rule, int level, double tolerance) {
   Window window;
-  for (const BindingStep& step : rule.steps) {
+  for (const BindingStep& step : rule.patternAt(level).steps) {
     if (step.kind != BindingStep::Kind::Any) continue;
-    const PatternVertex& v =
-        rule.rule->definition().vertices[static_cast<std::size_t>(step.vertex)];
-    const Point2 extent = ellipseExtent(*v.tolerance, tolerance);
-    window.include(v.reference.x - extent.x, v.reference.y - extent.y);
-    window.include(v.reference.x + extent.x, v.reference.y + extent.y);
+    const Point2 extent = ellipseExtent(step.form, tolerance);
+    window.include(step.reference.x - extent.x, step.reference.y - extent.y);
+    window.include(step.reference.x + extent.x, step.reference.y + extent.y);
   }
   return window;
 }
@@ -169,7 +181,8 @@ Window zoneWindow(const CompiledRule& rule, int level, double baseLength, double
     matched[1] = {baseLength, 0};
     for (std::size_t i = 2; i < matched.size(); ++i) {
       const PatternVertex& v = definition.vertices[i];
-      const Point2 extent = ellipseExtent(v.tolerance.value_or(ToleranceForm{}), tolerance);
+      const ToleranceForm form = v.tolerance ? v.tolerance->at(level) : ToleranceForm{};
+      const Point2 extent = ellipseExtent(form, tolerance);
       const double dx = std::min(0.5 * extent.x, 1.0), dy = std::min(0.5 * extent.y, 1.0);
       matched[i] = v.reference + Point2{corner & 1 ? dx : -dx, corner & 2 ? dy : -dy};
     }
@@ -276,8 +289,7 @@ CompiledRules::CompiledRules(const RuleSet& rules, std::optional<int> onlyLevel)
     compiled.lastLevel = definition.lastLevel.value_or(std::numeric_limits<int>::max());
     compiled.matchedCount = rule.matchedCount();
     compiled.newCount = rule.newCount();
-    compiled.steps = bindingSteps(definition);
-    compiled.slopes = slopeTests(definition);
+    compiled.patterns = patternsOf(definition);
     compiled.newPoints = fastNewPoints(rule);
     compiled.zone = fastZone(rule, rules.maxLevel());
     compiled.isPlain = definition.requirements.empty() && !definition.cost;
@@ -291,7 +303,7 @@ CompiledRules::CompiledRules(const RuleSet& rules, std::optional<int> onlyLevel)
       Window window;
       for (const CompiledRule& rule : rules_) {
         if (level < rule.firstLevel || level > rule.lastLevel) continue;
-        window.include(matchWindow(rule, tolerance));
+        window.include(matchWindow(rule, level, tolerance));
         window.include(zoneWindow(rule, level, baseLength, tolerance));
       }
       windows_[static_cast<std::size_t>(level - 1)].push_back(window.widened(kWindowMargin));

@@ -73,16 +73,28 @@ struct Window {
   }
 };
 
+/// What a match must fulfil at one level.
+struct CompiledPattern {
+  std::vector<BindingStep> steps;
+  std::vector<SlopeTest> slopes;
+};
+
 struct CompiledRule {
   const AF2Rule* rule = nullptr;
   std::uint16_t index = 0;
   int firstLevel = 1, lastLevel = 1;
   int matchedCount = 2, newCount = 0;
-  std::vector<BindingStep> steps;
-  std::vector<SlopeTest> slopes;
+  /// One for all levels, or [level - 1], the last for all above.
+  std::vector<CompiledPattern> patterns;
   std::optional<AffineBatch> newPoints;  ///< the fast form, if all new points are affine
   std::optional<FastZone> zone;          ///< the fast form, if the zone has it
   bool isPlain = false;  ///< no requirement and no cost: nothing but geometry decides
+
+  const CompiledPattern& patternAt(int level) const {
+    const auto last = patterns.size() - 1;
+    const auto wanted = static_cast<std::size_t>(level - 1);
+    return patterns[wanted < last ? wanted : last];
+  }
 };
 
 class CompiledRules {

@@ -18,6 +18,10 @@ class AF2ElementMetric {
   /// corners  three or four, positively oriented, in chart units
   /// Nothing where the metric has no value; the match is then refused.
   virtual std::optional<double> badness(std::span<const Point2> corners) const = 0;
+  /// The same at a quality level of the base edge, for a measure that changes with it.
+  virtual std::optional<double> badnessAt(std::span<const Point2> corners, int /*level*/) const {
+    return badness(corners);
+  }
 };
 
 /// weight * (sqrt(3)/36 * perimeter^2/area - 1) + sum over the edges (length + 1/length - 2);

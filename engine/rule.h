@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "engine/binding.h"
@@ -22,6 +23,27 @@ struct ToleranceForm {
   bool operator==(const ToleranceForm&) const = default;
 };
 
+/// The form that counts at each quality level, mostly one for all of them.
+class ToleranceByLevel {
+ public:
+  ToleranceByLevel(ToleranceForm everywhere) : forms_{everywhere} {}
+  /// forms  by level; [0] is level 1; the last one holds for higher levels; at least one
+  explicit ToleranceByLevel(std::vector<ToleranceForm> forms) : forms_(std::move(forms)) {
+    while (forms_.size() > 1 && forms_.back() == forms_[forms_.size() - 2]) forms_.pop_back();
+  }
+
+  const ToleranceForm& at(int level) const {
+    const auto index = static_cast<std::size_t>(level - 1);
+    return index < forms_.size() ? forms_[index] : forms_.back();
+  }
+  /// From this level on nothing changes any more.
+  int levelCount() const { return static_cast<int>(forms_.size()); }
+  bool operator==(const ToleranceByLevel&) const = default;
+
+ private:
+  std::vector<ToleranceForm> forms_;
+};
+
 /// A front vertex that the rule wants. Vertices 0 and 1 are the ends a, b of the base edge, bound
 /// without a test; their reference positions are (0, 0) and (1, 0).
 struct PatternVertex {
@@ -29,14 +51,14 @@ struct PatternVertex {
   Point2 reference;
   /// Deviation allowed up to the rule set's match tolerance; nothing: any position will do, allowed
   /// only for vertices of a chain that reaches them from a or b.
-  std::optional<ToleranceForm> tolerance = ToleranceForm{};
+  std::optional<ToleranceByLevel> tolerance = ToleranceForm{};
   bool operator==(const PatternVertex&) const = default;
 };
 
 /// A front edge from -> to that the rule wants; the unmeshed region lies to its left.
 struct PatternEdge {
   int from = 0, to = 0;
-  std::optional<ToleranceForm> slope =
+  std::optional<ToleranceByLevel> slope =
       std::nullopt;  ///< tolerance on the deviation of the edge vector
   bool operator==(const PatternEdge&) const = default;
 };

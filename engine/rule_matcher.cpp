@@ -25,16 +25,16 @@ const RuleMatcher::Candidate& RuleMatcher::before(PlaceId place) {
   return other_;
 }
 
-bool RuleMatcher::isBound(const CompiledRule& rule, std::size_t index, VertexId id) const {
+bool RuleMatcher::isBound(const CompiledPattern& pattern, std::size_t index, VertexId id) const {
   const auto vertexAt = [&](std::size_t v) { return view_->front[match_.places[v]].vertex; };
   if (vertexAt(0) == id || vertexAt(1) == id) return true;
   for (std::size_t i = 0; i < index; ++i)
-    if (vertexAt(static_cast<std::size_t>(rule.steps[i].vertex)) == id) return true;
+    if (vertexAt(static_cast<std::size_t>(pattern.steps[i].vertex)) == id) return true;
   return false;
 }
 
-bool RuleMatcher::slopesFit(const CompiledRule& rule) const {
-  for (const SlopeTest& test : rule.slopes) {
+bool RuleMatcher::slopesFit(const CompiledPattern& pattern) const {
+  for (const SlopeTest& test : pattern.slopes) {
     const Point2 edge = match_.points[static_cast<std::size_t>(test.to)] -
                         match_.points[static_cast<std::size_t>(test.from)];
     if (!(test.form(edge - test.reference) <= view_->tolerance)) return false;

@@ -42,7 +42,7 @@ class RuleMatcher {
 
   template <class Visit>
   void forEachMatch(const CompiledRule& rule, Visit&& visit) {
-    bind(rule, 0, visit);
+    bind(rule.patternAt(view_->level), 0, visit);
   }
 
  private:
@@ -52,19 +52,19 @@ class RuleMatcher {
   };
 
   template <class Visit>
-  void bind(const CompiledRule& rule, std::size_t index, Visit& visit) {
-    if (index == rule.steps.size()) {
-      if (slopesFit(rule)) visit(std::as_const(match_));
+  void bind(const CompiledPattern& pattern, std::size_t index, Visit& visit) {
+    if (index == pattern.steps.size()) {
+      if (slopesFit(pattern)) visit(std::as_const(match_));
       return;
     }
-    const BindingStep& step = rule.steps[index];
+    const BindingStep& step = pattern.steps[index];
     const PlaceId from =
         step.from < 0 ? PlaceId() : match_.places[static_cast<std::size_t>(step.from)];
     switch (step.kind) {
       case BindingStep::Kind::Closes:
         if (view_->front.hasEdge(from) &&
             view_->front.next(from) == match_.places[static_cast<std::size_t>(step.vertex)])
-          bind(rule, index + 1, visit);
+          bind(pattern, index + 1, visit);
         return;
       case BindingStep::Kind::Next:
       case BindingStep::Kind::Previous: {
@@ -73,25 +73,25 @@ class RuleMatcher {
           return;
         const Candidate& candidate =
             step.kind == BindingStep::Kind::Next ? after(from) : before(from);
-        if (accept(rule, index, candidate.place, candidate.point.position,
+        if (accept(pattern, index, candidate.place, candidate.point.position,
                    candidate.point.view == ChartView::Legal))
-          bind(rule, index + 1, visit);
+          bind(pattern, index + 1, visit);
         return;
       }
       case BindingStep::Kind::Any:
         for (const Neighborhood::Edge& edge : view_->near.edges())
-          if (accept(rule, index, edge.place, edge.from, edge.view == ChartView::Legal))
-            bind(rule, index + 1, visit);
+          if (accept(pattern, index, edge.place, edge.from, edge.view == ChartView::Legal))
+            bind(pattern, index + 1, visit);
         return;
     }
   }
 
   /// Binds the vertex of a step if the place fits it.
-  bool accept(const CompiledRule& rule, std::size_t index, PlaceId place, Point2 point,
+  bool accept(const CompiledPattern& pattern, std::size_t index, PlaceId place, Point2 point,
               bool isLegal) {
-    const BindingStep& step = rule.steps[index];
+    const BindingStep& step = pattern.steps[index];
     if (!step.fits(point, view_->tolerance)) return false;
-    if (!isLegal || isBound(rule, index, view_->front[place].vertex)) return false;
+    if (!isLegal || isBound(pattern, index, view_->front[place].vertex)) return false;
     const auto vertex = static_cast<std::size_t>(step.vertex);
     match_.places[vertex] = place;
     match_.points[vertex] = point;
@@ -99,8 +99,8 @@ class RuleMatcher {
   }
 
   /// Whether an earlier step has bound this mesh vertex: pattern vertices are all different.
-  bool isBound(const CompiledRule& rule, std::size_t index, VertexId id) const;
-  bool slopesFit(const CompiledRule& rule) const;
+  bool isBound(const CompiledPattern& pattern, std::size_t index, VertexId id) const;
+  bool slopesFit(const CompiledPattern& pattern) const;
   /// Both are valid until the next call.
   const Candidate& after(PlaceId place);
   const Candidate& before(PlaceId place);

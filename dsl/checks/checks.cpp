@@ -40,6 +40,7 @@ std::span<const Check> checks() { return kChecks; }
 void Findings::add(const CompiledRule& rule, Severity severity, const char* code, Span span,
                    std::string message, std::string label, std::string help,
                    std::vector<DiagnosticNote> notes) {
+  if (severity == Severity::Error) faulty_.insert(rule.definition.name);
   Diagnostic d;
   d.severity = severity;
   d.code = code;
@@ -68,13 +69,13 @@ std::vector<CompiledRule> runChecks(const CheckedRules& given, DiagnosticList& d
     Findings findings(found);
     const std::span<const CompiledRule> shown = check.standsAlone ? given.rules : sound;
     check.run({shown, given.settings, given.main}, findings);
+    faulty.insert(findings.faulty().begin(), findings.faulty().end());
     for (Diagnostic& d : found.take()) {
       // While rules are missing because of errors, whose twins they are cannot be said.
       if (d.code == "M1" && diagnostics.hasErrors()) continue;
       if (d.severity == Severity::Error) {
         if (isTold(d.place)) continue;
         toldPlaces.push_back(d.place);
-        faulty.insert(d.rule);
         if (isNeverTried(given, d.rule)) excuse(d);
       }
       diagnostics.add(std::move(d));

@@ -1,7 +1,9 @@
 // The table of static checks: what is held against every rule set before it runs.
 #pragma once
 
+#include <set>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -25,9 +27,12 @@ class Findings {
   void add(const CompiledRule& rule, Severity severity, const char* code, Span span,
            std::string message, std::string label = {}, std::string help = {},
            std::vector<DiagnosticNote> notes = {});
+  /// Titles of the rules with errors. A mirror image has those of its rule, which are told once.
+  const std::set<std::string>& faulty() const { return faulty_; }
 
  private:
   DiagnosticList& diagnostics_;
+  std::set<std::string> faulty_;
 };
 
 /// One check. Give it a file of its own, a row in checks.cpp and a case in tests/dsl/cases.

@@ -1,21 +1,12 @@
 #include "dsl/checks/match_diagnostics.h"
 
 #include <algorithm>
+#include <utility>
+
+#include "dsl/allowed_codes.h"
 
 namespace af2::dsl {
 namespace {
-
-/// Whether the rule's text says that it knows: the value of `allow` is a list of codes.
-bool allows(const Rule& rule, const std::string& code) {
-  for (const Clause& clause : rule.clauses) {
-    const auto* meta = std::get_if<MetaClause>(&clause.content);
-    if (!meta) continue;
-    for (const MetaEntry& entry : meta->entries)
-      if (entry.key.text == "allow" && entry.value.text.find(code) != std::string::npos)
-        return true;
-  }
-  return false;
-}
 
 /// Where the rule's condition of that number is written.
 std::optional<Span> conditionSpan(const Rule& rule, std::size_t number) {
@@ -61,18 +52,23 @@ Diagnostic diagnosticOf(const SampledFinding& finding) {
   return diagnostic;
 }
 
+bool covers(const DiagnosticPlace& outer, const DiagnosticPlace& inner) {
+  return outer.file == inner.file &&
+         std::pair(outer.line, outer.column) <= std::pair(inner.line, inner.column) &&
+         std::pair(inner.endLine, inner.endColumn) <= std::pair(outer.endLine, outer.endColumn);
+}
+
 }  // namespace
 
 std::vector<Diagnostic> diagnosticsOf(const LoadedRules& loaded, const SampledResult& result) {
   std::vector<Diagnostic> diagnostics;
   for (const SampledFinding& finding : result.findings) {
     const CompiledRule& rule = loaded.file->rules[finding.rule];
-    if (rule.text && allows(*rule.text, finding.code)) continue;
     if (finding.code == "D1" && rule.isMirror) continue;  // the clause is the rule's own
     Diagnostic diagnostic = diagnosticOf(finding);
     diagnostic.place = placeOf(rule.home->source, spanOf(rule, finding));
     diagnostic.rule = rule.definition.name;
-    diagnostics.push_back(std::move(diagnostic));
+    if (!isMeantToBe(*loaded.file, diagnostic)) diagnostics.push_back(std::move(diagnostic));
   }
   return diagnostics;
 }
@@ -82,7 +78,26 @@ std::vector<Diagnostic> diagnosticsOf(const LoadedRules& loaded, const Coverage&
   if (!finding) return {};
   Diagnostic diagnostic = diagnosticOf(*finding);
   diagnostic.place.file = loaded.file->main().source.name();
+  if (isMeantToBe(*loaded.file, diagnostic)) return {};
   return {diagnostic};
+}
+
+void addFinding(std::vector<Diagnostic>& told, Diagnostic finding) {
+  if (finding.code == "D3" && std::ranges::any_of(told, [&](const Diagnostic& d) {
+        return d.code == "M2" && covers(d.place, finding.place);
+      }))
+    return;
+  const auto same = std::ranges::find_if(told, [&](const Diagnostic& d) {
+    return d.code == finding.code && d.place == finding.place && d.severity == finding.severity;
+  });
+  if (same == told.end() || finding.place.line == 0) {
+    told.push_back(std::move(finding));
+    return;
+  }
+  if (same->rule != finding.rule)
+    same->notes.push_back({"the same holds for rule \"" + finding.rule + "\"", std::nullopt});
+  else
+    same->notes.insert(same->notes.end(), finding.notes.begin(), finding.notes.end());
 }
 
 }  // namespace af2::dsl

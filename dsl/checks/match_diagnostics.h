@@ -14,6 +14,11 @@ namespace af2::dsl {
 /// Left out are codes that the rule itself allows: meta { allow "Z1, Z2"; }.
 std::vector<Diagnostic> diagnosticsOf(const LoadedRules& loaded, const SampledResult& result);
 
+/// Adds a finding to what is told already, once for each fault: what is told of the same place for
+/// another member of a family, for a mirror image, or from the text alone, is completed. That a
+/// mirror image is never chosen follows from its being one too many (M2).
+void addFinding(std::vector<Diagnostic>& told, Diagnostic finding);
+
 /// N1, at the head of the file: a warning if there are situations that no rule accepts.
 std::vector<Diagnostic> diagnosticsOf(const LoadedRules& loaded, const Coverage& coverage);
 

@@ -42,7 +42,7 @@ MatchSampler::MatchSampler(const RuleSet& rules, const AF2Rule& rule, int level,
 Point2 MatchSampler::draw(const PatternVertex& vertex) {
   const Point2 p = random_.inDisc();
   if (!vertex.tolerance) return vertex.reference + kFarthest * p;
-  const ToleranceForm& w = *vertex.tolerance;
+  const ToleranceForm& w = vertex.tolerance->at(level_);
   const double smallest = tolerance_ / (16 * kFarthest * kFarthest);
   const double xx = std::max(w.xx, smallest);
   const double yy = std::max(w.yy - 0.25 * w.xy * w.xy / xx, smallest);

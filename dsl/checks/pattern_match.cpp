@@ -3,13 +3,6 @@
 #include <cmath>
 
 namespace af2::dsl {
-namespace {
-
-bool isWithin(const std::optional<ToleranceForm>& form, Point2 deviation, double tolerance) {
-  return !form || (*form)(deviation) <= tolerance;
-}
-
-}  // namespace
 
 PatternMatch::PatternMatch(const AF2Rule& rule, std::vector<Point2> vertices, int level)
     : rule_(&rule), vertices_(std::move(vertices)), level_(level) {}
@@ -46,16 +39,18 @@ std::optional<std::vector<Point2>> PatternMatch::placeAll() const {
 Refusal PatternMatch::refusalOfMatch(const RuleSet& rules) const {
   const RuleDefinition& definition = rule_->definition();
   if (!rule_->appliesAt(level_)) return Refusal::Class;
-  const double tolerance = rules.matchTolerance(level_);
+  const auto isWithin = [&, tolerance = rules.matchTolerance(level_)](
+                            const std::optional<ToleranceByLevel>& form, Point2 deviation) {
+    return !form || form->at(level_)(deviation) <= tolerance;
+  };
   for (std::size_t i = 2; i < vertices_.size(); ++i) {
     const PatternVertex& vertex = definition.vertices[i];
-    if (!isWithin(vertex.tolerance, vertices_[i] - vertex.reference, tolerance))
-      return Refusal::Pattern;
+    if (!isWithin(vertex.tolerance, vertices_[i] - vertex.reference)) return Refusal::Pattern;
   }
   for (const PatternEdge& edge : definition.edges) {
     const Point2 reference =
         definition.vertices[edge.to].reference - definition.vertices[edge.from].reference;
-    if (!isWithin(edge.slope, vertices_[edge.to] - vertices_[edge.from] - reference, tolerance))
+    if (!isWithin(edge.slope, vertices_[edge.to] - vertices_[edge.from] - reference))
       return Refusal::Pattern;
   }
   for (const auto& requirement : definition.requirements) {

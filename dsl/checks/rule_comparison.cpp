@@ -21,10 +21,17 @@ bool isNear(Point2 p, Point2 q) {
   return std::abs(p.x - q.x) <= kSame && std::abs(p.y - q.y) <= kSame;
 }
 
-bool isSameForm(const std::optional<ToleranceForm>& a, const std::optional<ToleranceForm>& b) {
+bool isSameForm(const ToleranceForm& a, const ToleranceForm& b) {
+  return std::abs(a.xx - b.xx) <= kSame && std::abs(a.xy - b.xy) <= kSame &&
+         std::abs(a.yy - b.yy) <= kSame;
+}
+
+bool isSameForm(const std::optional<ToleranceByLevel>& a,
+                const std::optional<ToleranceByLevel>& b) {
   if (!a || !b) return a.has_value() == b.has_value();
-  return std::abs(a->xx - b->xx) <= kSame && std::abs(a->xy - b->xy) <= kSame &&
-         std::abs(a->yy - b->yy) <= kSame;
+  for (int level = std::max(a->levelCount(), b->levelCount()); level > 0; --level)
+    if (!isSameForm(a->at(level), b->at(level))) return false;
+  return true;
 }
 
 std::optional<Renumbering> matchVertices(const RuleDefinition& a, const RuleDefinition& b) {

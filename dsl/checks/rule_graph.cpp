@@ -240,7 +240,7 @@ Interval RuleGraph::rangeOf(const PatternVertex& vertex, char axis) const {
   const double reference = axis == 'x' ? vertex.reference.x : vertex.reference.y;
   double reach = domain_.farthestVertex;
   if (vertex.tolerance) {
-    const ToleranceForm& w = *vertex.tolerance;
+    const ToleranceForm& w = vertex.tolerance->at(level_);
     const double det = w.xx * w.yy - 0.25 * w.xy * w.xy;
     const double own = axis == 'x' ? w.xx : w.yy, other = axis == 'x' ? w.yy : w.xx;
     reach = 4 * domain_.farthestVertex;  // where the form sets no bound
@@ -277,14 +277,15 @@ void RuleGraph::addVertices() {
     variables_.push_back({Op::CoordinateX, index, rangeOf(vertex, 'x')});
     variables_.push_back({Op::CoordinateY, index, rangeOf(vertex, 'y')});
     const NodePair reference{constant(vertex.reference.x), constant(vertex.reference.y)};
-    if (vertex.tolerance) addTolerance(*vertex.tolerance, difference(at, reference));
+    if (vertex.tolerance) addTolerance(vertex.tolerance->at(level_), difference(at, reference));
   }
   for (const PatternEdge& edge : rule_.edges) {
     if (!edge.slope) continue;
     const auto from = static_cast<std::size_t>(edge.from), to = static_cast<std::size_t>(edge.to);
     const Point2 reference = rule_.vertices[to].reference - rule_.vertices[from].reference;
-    addTolerance(*edge.slope, difference(difference(placed_[to], placed_[from]),
-                                         {constant(reference.x), constant(reference.y)}));
+    addTolerance(edge.slope->at(level_),
+                 difference(difference(placed_[to], placed_[from]),
+                            {constant(reference.x), constant(reference.y)}));
   }
 }
 

@@ -108,9 +108,12 @@ double shareOfLost(const RuleSample& sample) {
 std::optional<SampledFinding> findLost(const RuleSample& sample) {
   constexpr double kTolerable = 0.2;
   const double share = shareOfLost(sample);
-  if (share <= kTolerable) return std::nullopt;
+  const SampledMatch reference = examine(PatternMatch::atReference(sample.rule, sample.level));
+  const bool isAccepted = reference.match.refusalOfMatch(sample.rules) == Refusal::None;
+  const bool losesReference = isAccepted && isLost(reference);
+  if (share <= kTolerable && !losesReference) return std::nullopt;
 
-  const SampledMatch* nearest = nullptr;
+  const SampledMatch* nearest = losesReference ? &reference : nullptr;
   for (const SampledMatch& one : sample.matches)
     if (isLost(one) && (!nearest || one.deviation < nearest->deviation)) nearest = &one;
   SampledFinding finding = findingAbout(sample, "Z2", Severity::Warning);

@@ -37,7 +37,7 @@ std::vector<Loop> toleranceLoops(const RuleSet& rules, const AF2Rule& rule, int 
   for (std::size_t i = 2; i < rule.definition().vertices.size(); ++i) {
     const PatternVertex& vertex = rule.definition().vertices[i];
     if (vertex.tolerance)
-      loops.push_back(ellipse(*vertex.tolerance, vertex.reference, tolerance, kLongest));
+      loops.push_back(ellipse(vertex.tolerance->at(level), vertex.reference, tolerance, kLongest));
   }
   return loops;
 }

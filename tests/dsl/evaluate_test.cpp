@@ -67,6 +67,47 @@ rule "ell" quality 1 {
     EXPECT_LT(distance(result.zones[0][i], wanted[i]), 1e-15) << i;
 }
 
+TEST(Evaluate, KnowsTheLevelInScoresMetricsAndTolerances) {
+  const LoadedRules loaded = loadRulesFromText("levels.af2", R"(af2 1;
+metric uneven(weight, u, v, w) = weight * q * (dist(u, v) / dist(v, w) - 1);
+ruleset "by level" {
+  elements tri;
+  match    1;
+  score    max of uneven(2 + q) + 0.5 / q;
+  accept   score < 100;
+}
+rule "free" quality 1 { new c = mid(a, b) + (0, 0.8); zone a, b, c; tri a b c; }
+rule "corner" quality 2 {
+  front a -> b -> c;
+  at    c (0.5, 1) ~ 4 / q;
+  slope b -> c ~ (0, 0, 16 / q^2);
+  zone  a, b, c;
+  tri   a b c;
+  mirror "corner, left" { at c ~ (2, 0.25 * min(q, 8), 2); quality 3; }
+})");
+  ASSERT_TRUE(loaded.rules) << toPretty(loaded.diagnostics);
+  const auto at = [&](const char* rule, int level, std::map<std::string, Point2> match) {
+    EvalRequest request;
+    request.rule = rule;
+    request.level = level;
+    request.match = std::move(match);
+    return evaluateRule(*loaded.rules, request);
+  };
+  // The base of length 1.2 and two sides of length 1: (2 + q) q (1.2 - 1) + 0.5 / q.
+  for (const int level : {1, 2, 5})
+    EXPECT_NEAR(*at("free", level, {{"b", {1.2, 0}}}).score,
+                (2 + level) * level * 0.2 + 0.5 / level, 1e-12);
+  // 4/q of a square of 0.5 (16/q^2 of that in y) is at most 1 from level 2 on, in both directions.
+  EXPECT_FALSE(at("corner", 2, {{"c", {1.25, 1}}}).matches);
+  EXPECT_TRUE(at("corner", 3, {{"c", {1.25, 1}}}).matches);
+  EXPECT_FALSE(at("corner", 2, {{"c", {0.5, 1.6}}}).matches);
+  EXPECT_TRUE(at("corner", 3, {{"c", {0.5, 1.6}}}).matches);
+  // 2 dx2 - 0.25 q dx dy + 2 dy2 in the mirror image, with dx = dy = 0.6 and -dy.
+  EXPECT_FALSE(at("corner, left", 3, {{"c", {1.1, 1.6}}}).matches);
+  EXPECT_TRUE(at("corner, left", 5, {{"c", {1.1, 1.6}}}).matches);
+  EXPECT_FALSE(at("corner, left", 5, {{"c", {1.1, 0.4}}}).matches);
+}
+
 TEST(Evaluate, WritesJson) {
   EvalRequest request;
   request.rule = "free triangle 1";

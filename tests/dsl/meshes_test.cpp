@@ -185,6 +185,33 @@ rule "far" quality 1 {
   EXPECT_GT(mesh(rules, input, 1).mesh.elements.size(), 0u);
 }
 
+TEST(RuleMeshes, TolerancesAndScoresMayGoByLevel) {
+  // One quadrilateral, sheared by 0.5: a tolerance of 8/q admits it from level 4 on, a metric that
+  // starts at 4 from the same one; the vertices are found by a chain, and by looking around.
+  FrontInput input;
+  addLoop(input, {{0, 0}, {1, 0}, {1.5, 1}, {0.5, 1}});
+  const std::string metric =
+      "metric later(u, v, w, x) = max(0, 4 - q) + 0.1 * jacobian_badness(u, v, w, x);\n";
+  const auto rules = [&](const char* set, const char* front, const char* tolerance, int levels) {
+    return rulesFrom(metric + "ruleset \"levels\" { elements quad; match 0.5; score max of " + set +
+                     "; accept score < 1; classes 1.." + std::to_string(levels) +
+                     "; }\nrule \"whole\" quality 1 { front " + front + "; at c (1, 1) ~ " +
+                     tolerance + ", d (0, 1) ~ " + tolerance +
+                     "; zone a, b, c, d; quad a b c d; }");
+  };
+  const char* const loop = "a -> b -> c -> d -> a";
+  const char* const apart = "a -> b, c -> d";
+  for (const auto& [set, front, tolerance] : {std::tuple{"jacobian_badness", loop, "8 / q"},
+                                              {"jacobian_badness", apart, "8 / q"},
+                                              {"later", loop, "any"},
+                                              {"later", apart, "1"}}) {
+    EXPECT_EQ(mesh(rules(set, front, tolerance, 3), input, 1).mesh.elements.size(), 0u)
+        << set << " " << front << " " << tolerance;
+    EXPECT_EQ(mesh(rules(set, front, tolerance, 4), input, 1).mesh.elements.size(), 1u)
+        << set << " " << front << " " << tolerance;
+  }
+}
+
 TEST(RuleMeshes, SizesAreInTheUnitOfTheFrame) {
   // The wanted length is 0.5 at x = 0 and 1 at x = 2; the frame of the base has their mean, 0.75.
   class Growing final : public SizeField {

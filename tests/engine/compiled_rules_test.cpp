@@ -167,7 +167,7 @@ std::vector<Step> stepsOf(const AF2Rule& rule) {
   const RuleSet set = setOf(rule.definition());
   const CompiledRules compiled(set);
   std::vector<Step> steps;
-  for (const BindingStep& s : compiled.rules()[0].steps)
+  for (const BindingStep& s : compiled.rules()[0].patternAt(1).steps)
     steps.push_back({s.kind, s.vertex, s.from});
   return steps;
 }
@@ -210,13 +210,13 @@ TEST(CompiledRules, WindowHoldsEveryPlaceThatAFreeVertexCanMatch) {
       const Window window = compiled.windowAt(level, base);
       for (const CompiledRule& rule : compiled.rules()) {
         if (level < rule.firstLevel) continue;
-        for (const BindingStep& step : rule.steps) {
+        for (const BindingStep& step : rule.patternAt(level).steps) {
           if (step.kind != Kind::Any) continue;
           const PatternVertex& v =
               rule.rule->definition().vertices[static_cast<std::size_t>(step.vertex)];
           for (int n = 0; n < 200; ++n) {
             const Point2 d{reach * number(random), reach * number(random)};
-            if ((*v.tolerance)(d) > tolerance) continue;
+            if (v.tolerance->at(level)(d) > tolerance) continue;
             const Point2 p = v.reference + d;
             EXPECT_TRUE(window.contains({p.x, p.y, p.x, p.y}));
           }

@@ -31,7 +31,7 @@ TEST(MatchSampler, ReachesTheRimOfATiltedTolerance) {
   constexpr int kCount = 2000;
   for (int i = 0; i < kCount; ++i) {
     const Point2 d = sampler.next()->vertices()[2] - rule.definition().vertices[2].reference;
-    const double w = (*rule.definition().vertices[2].tolerance)(d) / rules->matchTolerance(1);
+    const double w = rule.definition().vertices[2].tolerance->at(1)(d) / rules->matchTolerance(1);
     largest = std::max(largest, w);
     mean += w / kCount;
   }
