@@ -60,47 +60,77 @@ RegionMesh meshPiece(const AF2Algorithm& algorithm, const RegionTask& task, cons
   return piece;
 }
 
-/// Meshes of all pieces in the numbering of the whole region.
-MeshingResult join(const FrontInput& input, const SplitRegion& split,
-                   std::vector<RegionMesh>& pieces) {
-  MeshingResult joined;
-  std::size_t vertices = input.vertexCount + split.cutVertices.size(), elements = 0;
-  for (std::size_t p = 0; p < pieces.size(); ++p) {
-    vertices += pieces[p].result.mesh.vertices.size() - split.pieces[p].vertices.size();
-    elements += pieces[p].result.mesh.elements.size();
+/// Puts the meshes of the pieces together, in the numbering of the whole region and in the order of
+/// the pieces. Each is taken over as soon as all before it have been, so that few are there beside
+/// what they become.
+class PieceJoiner {
+ public:
+  PieceJoiner(const FrontInput& input, const SplitRegion& split, std::vector<RegionMesh>& pieces)
+      : split_(split), pieces_(pieces), isDone_(pieces.size(), false) {
+    joined_.mesh.vertices.resize(input.vertexCount);
+    joined_.mesh.vertices.insert(joined_.mesh.vertices.end(), split.cutVertices.begin(),
+                                 split.cutVertices.end());
+    for (const RegionPiece& piece : split.pieces) expected_ += piece.expectedElements;
   }
-  // Else growing would hold the mesh twice, beside the pieces that are still there.
-  joined.mesh.vertices.reserve(vertices);
-  joined.mesh.elements.reserve(elements);
-  joined.mesh.rule.reserve(elements);
-  joined.mesh.vertices.resize(input.vertexCount);
-  joined.mesh.vertices.insert(joined.mesh.vertices.end(), split.cutVertices.begin(),
-                              split.cutVertices.end());
-  for (std::size_t p = 0; p < pieces.size(); ++p) {
-    const RegionPiece& piece = split.pieces[p];
-    const Mesh& mesh = pieces[p].result.mesh;
-    const std::size_t inner = joined.mesh.vertices.size();
-    const std::size_t given = piece.vertices.size();
-    const auto idOf = [&](VertexId v) {
-      return v.value < given ? piece.vertices[v.value] : VertexId(inner + v.value - given);
-    };
+
+  /// Called from several threads, once for each piece that is meshed.
+  void finish(std::size_t piece) {
+    const std::lock_guard lock(mutex_);
+    isDone_[piece] = true;
+    for (; next_ < pieces_.size() && isDone_[next_]; ++next_) take(next_);
+  }
+
+  /// Once all are finished.
+  MeshingResult result() { return std::move(joined_); }
+
+ private:
+  void take(std::size_t p) {
+    const RegionPiece& piece = split_.pieces[p];
+    MeshingResult& result = pieces_[p].result;
+    const Mesh& mesh = result.mesh;
+    Mesh& joined = joined_.mesh;
+    const std::size_t inner = joined.vertices.size(), given = piece.vertices.size();
+    expectedSoFar_ += piece.expectedElements;
+    makeRoom(joined.vertices, mesh.vertices.size() - given);
+    makeRoom(joined.elements, mesh.elements.size());
+    makeRoom(joined.rule, mesh.rule.size());
     for (std::size_t v = 0; v < given; ++v)
-      joined.mesh.vertices[piece.vertices[v].value] = mesh.vertices[v];
-    joined.mesh.vertices.insert(joined.mesh.vertices.end(),
-                                mesh.vertices.begin() + static_cast<std::ptrdiff_t>(given),
-                                mesh.vertices.end());
+      joined.vertices[piece.vertices[v].value] = mesh.vertices[v];
+    joined.vertices.insert(joined.vertices.end(),
+                           mesh.vertices.begin() + static_cast<std::ptrdiff_t>(given),
+                           mesh.vertices.end());
     for (Element element : mesh.elements) {
       for (VertexId& v : element.corners)
-        if (!v.isNone()) v = idOf(v);
-      joined.mesh.elements.push_back(element);
+        if (!v.isNone())
+          v = v.value < given ? piece.vertices[v.value] : VertexId(inner + v.value - given);
+      joined.elements.push_back(element);
     }
-    joined.mesh.rule.insert(joined.mesh.rule.end(), mesh.rule.begin(), mesh.rule.end());
-    joined.steps += pieces[p].result.steps;
-    joined.failedSteps += pieces[p].result.failedSteps;
-    pieces[p].result.mesh = {};
+    joined.rule.insert(joined.rule.end(), mesh.rule.begin(), mesh.rule.end());
+    joined_.steps += result.steps;
+    joined_.failedSteps += result.failedSteps;
+    result.mesh = {};
   }
-  return joined;
-}
+
+  /// Where there is no room for so many more: as much as the pieces to come will take, if they go
+  /// on as those before. To grow step by step would be to hold the mesh twice, again and again.
+  template <class T>
+  void makeRoom(std::vector<T>& all, std::size_t more) const {
+    constexpr double kMargin = 1.1;
+    const std::size_t needed = all.size() + more;
+    if (needed <= all.capacity()) return;
+    const double share = expectedSoFar_ > 0 ? expected_ / expectedSoFar_ : 1;
+    all.reserve(
+        std::max(needed, static_cast<std::size_t>(kMargin * share * static_cast<double>(needed))));
+  }
+
+  const SplitRegion& split_;
+  std::vector<RegionMesh>& pieces_;
+  std::vector<bool> isDone_;
+  std::size_t next_ = 0;  ///< the first piece that has not been taken over
+  double expected_ = 0, expectedSoFar_ = 0;
+  std::mutex mutex_;
+  MeshingResult joined_;
+};
 
 /// The part of a mesh along the cuts, numbered on its own: fixed vertices first.
 struct Strip {
@@ -202,14 +232,17 @@ void optimizeAlongCuts(Mesh& mesh, const RegionTask& task, std::size_t cuts, std
   }
 }
 
-std::vector<RegionMesh> meshPieces(const AF2Algorithm& algorithm, const RegionTask& task,
-                                   const SplitRegion& split, const MeshingOptions& options) {
-  std::vector<RegionMesh> pieces(split.pieces.size());
+/// Calls finish(p) when the p-th piece is meshed.
+template <class Finish>
+void meshPieces(const AF2Algorithm& algorithm, const RegionTask& task, const SplitRegion& split,
+                const MeshingOptions& options, std::vector<RegionMesh>& pieces,
+                const Finish& finish) {
   SharedProgress progress(options.progress, pieces.size());
   const auto mesh = [&](std::size_t p) {
     MeshingOptions own = options;
     own.progress = progress.ofPiece(p);
     pieces[p] = meshPiece(algorithm, task, split.pieces[p].input, own);
+    finish(p);
   };
   if (options.observer) {
     for (std::size_t p = 0; p < pieces.size(); ++p) mesh(p);  // it hears one step after the other
@@ -222,7 +255,6 @@ std::vector<RegionMesh> meshPieces(const AF2Algorithm& algorithm, const RegionTa
     else
       meshAll();
   }
-  return pieces;
 }
 
 }  // namespace
@@ -237,7 +269,9 @@ RegionMesh meshRegion(const AF2Algorithm& algorithm, const RegionTask& task,
 
   RegionMesh whole;
   whole.seconds = watch.seconds();
-  std::vector<RegionMesh> pieces = meshPieces(algorithm, task, split, options);
+  std::vector<RegionMesh> pieces(split.pieces.size());
+  PieceJoiner joiner(task.input, split, pieces);
+  meshPieces(algorithm, task, split, options, pieces, [&](std::size_t p) { joiner.finish(p); });
   bool isSound = true, isCancelled = false;
   for (const RegionMesh& piece : pieces) {
     isSound = isSound && piece.result.outcome == Outcome::Complete && piece.fault.empty();
@@ -246,9 +280,12 @@ RegionMesh meshRegion(const AF2Algorithm& algorithm, const RegionTask& task,
     whole.optimizeSeconds += piece.optimizeSeconds;
   }
   // A cut in an unlucky place must not cost the region.
-  if (!isSound && !isCancelled) return meshPiece(algorithm, task, task.input, options);
+  if (!isSound && !isCancelled) {
+    joiner.result();  // gives its room back
+    return meshPiece(algorithm, task, task.input, options);
+  }
 
-  whole.result = join(task.input, split, pieces);
+  whole.result = joiner.result();
   if (isCancelled) {
     whole.result.outcome = Outcome::Cancelled;
     return whole;

@@ -131,7 +131,8 @@ class Splitter {
  private:
   void recurse(const Loops& loops) {
     const Plane plane = planeFor(loops);
-    if (expectedElements(loops, plane) > options_.pieceElements) {
+    const double expected = expectedElements(loops, plane);
+    if (expected > options_.pieceElements) {
       std::vector<Cut> cuts = tryToCut(loops, plane);
       if (!cuts.empty()) {
         const std::size_t firstId = input_.vertexCount + result_.cutVertices.size();
@@ -147,6 +148,7 @@ class Splitter {
       }
     }
     result_.pieces.push_back(pieceOf(loops));
+    result_.pieces.back().expectedElements = expected;
   }
 
   std::vector<Cut> tryToCut(const Loops& loops, const Plane& plane) const {
@@ -249,7 +251,7 @@ class Splitter {
   }
 
   RegionPiece whole() const {
-    RegionPiece piece{input_, {}};
+    RegionPiece piece{input_, {}, 0};
     for (std::size_t v = 0; v < input_.vertexCount; ++v) piece.vertices.push_back(VertexId(v));
     return piece;
   }

@@ -22,6 +22,7 @@ class SurfaceEvaluator {
 struct RegionPiece {
   FrontInput input;
   std::vector<VertexId> vertices;  ///< by vertex of the piece: its id in the whole region
+  double expectedElements = 0;     ///< by its area and the sizes along its boundary
 };
 
 /// The pieces of a region in a fixed order. Their cut edges are boundary edges of the two pieces
