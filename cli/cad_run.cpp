@@ -8,6 +8,7 @@
 #include "cli/progress_bar.h"
 #include "cli/usage_error.h"
 #include "engine/error.h"
+#include "geometry/occ/heal_model.h"
 #include "geometry/occ/mesh_model.h"
 
 namespace af2::cli {
@@ -126,7 +127,11 @@ geometry::ModelMesh runCad(const MeshRequest& request, const AF2Algorithm& algor
   ProgressBar bar(control.showProgress);
   bar.show("reading", 0, request.model.filename().string());
   Stopwatch reading;
-  const geometry::Model model = geometry::readModel(request.model);
+  geometry::Model model = geometry::readModel(request.model);
+  if (request.heal) {
+    bar.show("healing", 0, request.model.filename().string());
+    model = geometry::healModel(model, {request.healTolerance});
+  }
   const double readSeconds = reading.seconds();
   checkIds(request, model);
   geometry::ModelMeshingOptions options = meshingOptions(request, model, control, bar);

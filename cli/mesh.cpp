@@ -63,7 +63,8 @@ void tell(const MeshRequest& request, const RunReport& report, const ModelMesh& 
     fmt::print(stderr, "af2: {} elements of second order kept straight sides (see --report)\n",
                mesh.straightened.size());
   }
-  if (!request.quiet) fmt::print("{}", summaryText(mesh, report.quality));
+  if (!request.quiet)
+    fmt::print("{}{}", healingText(mesh.healing), summaryText(mesh, report.quality));
 }
 
 /// The status of a run, by its faces and by what the checks of the whole found.

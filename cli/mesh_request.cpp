@@ -93,9 +93,25 @@ void declareMeshOptions(CLI::App& command, MeshOptions& options) {
                      "threads to use; the mesh does not depend on it");
   command.add_option("--order", options.order,
                      "2: elements with vertices at the middles of their sides, on the surface");
+  declareHealing(command, options.heal, options.healTolerance);
   command.add_flag("--no-optimize", options.rawFront, "leave the mesh as the front made it");
   command.add_option("--report", options.report, "file for a report in JSON");
   command.add_flag("-q,--quiet", options.quiet, "print nothing unless something is wrong");
+}
+
+void declareHealing(CLI::App& command, bool& heal, std::string& tolerance) {
+  command.add_flag("--heal", heal,
+                   "repair a CAD model first: wires, small edges and faces, gaps, loose faces, "
+                   "orientation. All changes are told");
+  command.add_option("--heal-tolerance", tolerance,
+                     "with --heal: what is smaller is closed or removed; default: a "
+                     "hundred-thousandth of the diagonal");
+}
+
+double checkedHealTolerance(bool heal, const std::string& tolerance) {
+  if (tolerance.empty()) return 0;
+  if (!heal) throw UsageError("--heal-tolerance needs --heal");
+  return parseSize("--heal-tolerance", tolerance);
 }
 
 bool MeshRequest::isPlanar() const {
@@ -163,6 +179,10 @@ MeshRequest checkedRequest(const MeshOptions& options) {
   }
   request.keepBoundary = options.keepBoundary;
   if (!options.chart.empty()) request.chart = checkedChart(options, request);
+  if (options.heal && (request.isPlanar() || request.isFaceted()))
+    throw UsageError("--heal is for STEP, IGES and BREP files");
+  request.heal = options.heal;
+  request.healTolerance = checkedHealTolerance(options.heal, options.healTolerance);
   checkOutputs(request);
   checkReadable(request.model);
   if (!options.boundary.empty()) request.edgePoints = geometry::readEdgePoints(options.boundary);

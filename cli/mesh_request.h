@@ -18,11 +18,16 @@ struct MeshOptions {
   SizeOptions sizes;
   std::vector<std::string> outputs;
   int threads = 0, order = 1;
-  std::string boundary, featureAngle, chart;
-  bool quiet = false, rawFront = false, keepBoundary = false;
+  std::string boundary, featureAngle, chart, healTolerance;
+  bool quiet = false, rawFront = false, keepBoundary = false, heal = false;
 };
 
 void declareMeshOptions(CLI::App& command, MeshOptions& options);
+
+/// The options of all verbs that can heal a model.
+void declareHealing(CLI::App& command, bool& heal, std::string& tolerance);
+/// 0 if none is given. Throws UsageError for one that is no length, or without `heal`.
+double checkedHealTolerance(bool heal, const std::string& tolerance);
 
 struct MeshRequest {
   std::filesystem::path model, rules, report;  ///< no report if empty
@@ -36,6 +41,9 @@ struct MeshRequest {
   bool quiet = false, optimize = true, keepBoundary = false;
 
   double featureAngle = 40;  ///< in degrees
+
+  bool heal = false;         ///< repair the model first
+  double healTolerance = 0;  ///< in its unit; 0: by its size
 
   bool isPlanar() const;   ///< whether the model is a .poly or .in2d file
   bool isFaceted() const;  ///< whether the model is an .stl or .obj file

@@ -67,6 +67,20 @@ std::string summaryText(const geometry::ModelMesh& mesh, const geometry::MeshQua
       geometry::fingerprint(mesh), lengthsText(quality.edges), secondsText(mesh.seconds));
 }
 
+std::string healingText(const std::optional<geometry::Healing>& healing) {
+  if (!healing) return "";
+  std::string text = fmt::format("healed with tolerance {:.3g}:", healing->tolerance);
+  text += healing->changes.empty() ? " nothing changed\n" : "\n";
+  for (const geometry::HealedChange& change : healing->changes) {
+    text += fmt::format("  {} x {}", change.count, change.what);
+    if (const auto& p = change.place)
+      text += fmt::format(", e.g. at ({:.6g}, {:.6g}, {:.6g})", p->x, p->y, p->z);
+    text += "\n";
+  }
+  for (const std::string& step : healing->undone) text += fmt::format("  {}\n", step);
+  return text;
+}
+
 std::string failureText(const geometry::ModelMesh& mesh) {
   std::string text;
   for (const FaceReport& face : mesh.faces) {

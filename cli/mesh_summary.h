@@ -1,6 +1,7 @@
 // What `af2 mesh` tells at the end.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "geometry/model_mesh.h"
@@ -10,6 +11,9 @@ namespace af2::cli {
 
 /// Three lines: what was made, how good it is, how long it took.
 std::string summaryText(const geometry::ModelMesh& mesh, const geometry::MeshQuality& quality);
+
+/// What healing changed, one line each; empty if nothing was healed.
+std::string healingText(const std::optional<geometry::Healing>& healing);
 
 /// One line for each face that failed, with its reason; empty if none did.
 std::string failureText(const geometry::ModelMesh& mesh);

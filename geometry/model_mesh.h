@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -56,6 +57,21 @@ struct EdgeSegment {
   bool operator==(const EdgeSegment&) const = default;
 };
 
+/// Something in the model that healing changed, as often as it did.
+struct HealedChange {
+  std::string what;
+  std::size_t count = 0;
+  std::optional<Point3> place;  ///< of one of them, if any is known
+  bool operator==(const HealedChange&) const = default;
+};
+
+/// What was asked for of healing, and what came of it.
+struct Healing {
+  double tolerance = 0;  ///< in model units
+  std::vector<HealedChange> changes;
+  std::vector<std::string> undone;  ///< steps that would have made it worse, and why
+};
+
 /// Seconds spent in each stage of a run.
 struct StageSeconds {
   double read = 0, edges = 0, surface = 0, optimize = 0, write = 0;
@@ -78,6 +94,7 @@ struct ModelMesh {
   std::vector<EdgeSegment> segments;
   std::vector<FaceReport> faces;
   std::vector<FaceGroup> groups;
+  std::optional<Healing> healing;  ///< if the model was healed before
   /// What the last checks found that is not on one face; empty: nothing.
   std::vector<std::string> findings;
   StageSeconds seconds;

@@ -25,6 +25,16 @@ Json toJson(const FaceReport& face) {
   return json;
 }
 
+Json toJson(const Healing& healing) {
+  Json changes = Json::array();
+  for (const HealedChange& change : healing.changes) {
+    Json entry{{"what", change.what}, {"count", change.count}};
+    if (const auto& place = change.place) entry["place"] = {place->x, place->y, place->z};
+    changes.push_back(std::move(entry));
+  }
+  return {{"tolerance", healing.tolerance}, {"changes", changes}, {"undone", healing.undone}};
+}
+
 Json toJson(const StageSeconds& seconds) {
   return {{"read", seconds.read},
           {"edges", seconds.edges},
@@ -124,6 +134,7 @@ void writeReport(const RunReport& report, const ModelMesh& mesh, OutputFile& fil
   for (const FaceGroup& group : mesh.groups)
     json["groups"].push_back(
         {{"kind", toString(group.kind)}, {"name", group.name}, {"faces", group.faces}});
+  if (mesh.healing) json["healing"] = toJson(*mesh.healing);
   json["seconds"] = toJson(mesh.seconds);
   json["quality"] = toJson(report.quality);
   json["fingerprint"] = fingerprint(mesh);

@@ -70,6 +70,7 @@ class ModelMesher {
     for (const AF2Rule& rule : algorithm_.rules().rules()) mesh.ruleNames.push_back(rule.name());
     mesh.ruleNames.push_back("closing");  // what closes a stuck front
     mesh.groups = model_.groups();
+    mesh.healing = model_.healing();
     mesh.seconds.edges = edgeSeconds;
     const double surfaceSeconds = facesWatch.seconds();
     mesh.seconds.optimize = optimizeShare * surfaceSeconds;

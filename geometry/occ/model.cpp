@@ -20,5 +20,6 @@ const std::vector<FaceGroup>& Model::groups() const { return shape_->groups; }
 const std::string& Model::unit() const { return shape_->unit; }
 double Model::diagonal() const { return shape_->diagonal; }
 const std::vector<std::string>& Model::notes() const { return shape_->notes; }
+const std::optional<Healing>& Model::healing() const { return shape_->healing; }
 
 }  // namespace af2::geometry

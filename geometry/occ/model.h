@@ -37,6 +37,9 @@ class Model {
   /// What was repaired while reading, and what looks wrong; one sentence each.
   const std::vector<std::string>& notes() const;
 
+  /// What healModel changed, if it made this model.
+  const std::optional<Healing>& healing() const;
+
   const ModelShape& shape() const { return *shape_; }
 
  private:

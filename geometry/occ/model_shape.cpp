@@ -68,18 +68,17 @@ double diagonalOf(const ModelShape& model) {
 
 /// Some files give edges as curves in the parameters of a face only.
 void buildMissingCurves(ModelShape& model) {
-  int built = 0;
   for (int id = 1; id <= model.edges.Extent(); ++id) {
     const TopoDS_Edge edge = model.edge(id);
     double first, last;
     if (BRep_Tool::Degenerated(edge) || !BRep_Tool::Curve(edge, first, last).IsNull()) continue;
     try {
-      if (BRepLib::BuildCurve3d(edge)) ++built;
+      if (BRepLib::BuildCurve3d(edge)) model.edgesWithoutCurve.push_back(id);
     } catch (const Standard_Failure&) {  // reported when the edge is divided
     }
   }
-  if (built > 0)
-    model.notes.push_back(std::to_string(built) +
+  if (!model.edgesWithoutCurve.empty())
+    model.notes.push_back(std::to_string(model.edgesWithoutCurve.size()) +
                           " edges had no curve in space; built from their faces");
 }
 
@@ -187,6 +186,7 @@ std::shared_ptr<const ModelShape> makeModelShape(ReadShape read) {
   model->shape = read.shape;
   model->unit = std::move(read.unit);
   model->notes = std::move(read.notes);
+  model->healing = std::move(read.healing);
   TopExp::MapShapes(model->shape, TopAbs_FACE, model->faces);
   TopExp::MapShapes(model->shape, TopAbs_EDGE, model->edges);
   TopExp::MapShapes(model->shape, TopAbs_VERTEX, model->vertices);

@@ -27,6 +27,8 @@ struct ModelShape {
   std::string unit;
   double diagonal = 0;
   std::vector<std::string> notes;
+  std::optional<Healing> healing;
+  std::vector<int> edgesWithoutCurve;  ///< that got theirs from a face, ascending
 
   TopoDS_Face face(int id) const;
   TopoDS_Edge edge(int id) const;
@@ -51,6 +53,7 @@ struct ReadShape {
   std::vector<std::string> notes;
   std::function<std::string(const TopoDS_Face&)> nameOf;  ///< may be empty
   std::vector<ShapeGroup> groups;
+  std::optional<Healing> healing;
 };
 
 /// Numbers the parts of a shape and completes what threads must find ready: a curve in space for

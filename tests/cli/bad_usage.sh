@@ -30,6 +30,8 @@ usage "$af2" mesh "$cylinder" --size 1 --chart round; told "there are auto, mean
 echo 'v 0 0 x' >bad.obj
 usage "$af2" mesh bad.obj --size 1 --chart auto; told 'CAD models'
 unusable "$af2" mesh bad.obj --size 1; told "'x' is no number"
+usage "$af2" mesh "$cylinder" --size 1 --heal-tolerance 1; told 'needs --heal'
+usage "$af2" mesh "$models/plate.poly" --size 1 --heal; told 'STEP, IGES and BREP'
 usage "$af2" mesh "$cylinder" --size 1 --order 3; told 'order 1 or 2'
 usage "$af2" mesh "$cylinder" --size 1 --order 2 -o a.stl; told 'cannot hold elements of order 2'
 usage "$af2" mesh "$cylinder" --size 1 --threads -1; told '--threads'

@@ -55,6 +55,11 @@ expect 0 "$af2" mesh quarter.in2d --size 0.2 --curvature 40 --report quarter.jso
 expect 0 "$af2" mesh "$models/cylinder.step" --size 1 --quiet
 [ ! -s out ] && [ ! -s err ] || fail "--quiet printed something"
 
+expect 0 "$af2" mesh "$models/cylinder.step" --size 1 --heal --heal-tolerance 1e-4 --report healed.json
+grep -q 'healed with tolerance 0.0001' out || fail "--heal does not tell what it did"
+[ "$(json healed.json healing tolerance)" = 0.0001 ] || fail "the report does not tell of --heal"
+[ "$(json healed.json status)" = complete ] || fail "status after healing"
+
 expect 0 "$af2" inspect "$models/cylinder.step"
 grep -q cylinder out || fail "inspect does not tell of the cylinder"
 

@@ -1,0 +1,134 @@
+// What healing mends, and that it tells of it.
+#include "geometry/occ/heal_model.h"
+
+#include <gtest/gtest.h>
+#include <BRepBuilderAPI_Copy.hxx>
+#include <BRepBuilderAPI_Transform.hxx>
+#include <BRep_Builder.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Compound.hxx>
+#include <gp_Trsf.hxx>
+
+#include <algorithm>
+
+#include "engine/error.h"
+#include "geometry/occ/mesh_model.h"
+#include "tests/geometry/occ/shapes.h"
+#include "tests/support/triangle_rules.h"
+
+namespace af2::geometry {
+namespace {
+
+ModelMesh mesh(const Model& model, double size) {
+  static const AF2Algorithm algorithm(testing::triangleSet());
+  ModelMeshingOptions options;
+  options.sizes.size = size;
+  options.threads = 1;
+  return meshModel(model, algorithm, options);
+}
+
+/// How often healing made a change; words that its kind has.
+std::size_t changesOf(const Model& model, const std::string& words) {
+  std::size_t count = 0;
+  for (const HealedChange& change : model.healing()->changes)
+    if (change.what.find(words) != std::string::npos) count += change.count;
+  return count;
+}
+
+/// Positive if the elements look outwards; only a closed mesh has one that does not depend on where
+/// the origin is.
+double volumeOf(const ModelMesh& mesh, const Point3& origin) {
+  double volume = 0;
+  for (const Element& e : mesh.elements) {
+    const auto at = [&](std::size_t i) { return mesh.vertices[e.corners[i].value] - origin; };
+    volume += dot(at(0), cross(at(1), at(2))) / 6;
+  }
+  return volume;
+}
+
+/// The faces of a box with edges of their own, each moved outwards.
+TopoDS_Compound looseBox(double gap) {
+  const TopoDS_Shape box = BRepPrimAPI_MakeBox(2, 2, 2).Shape();
+  BRep_Builder builder;
+  TopoDS_Compound loose;
+  builder.MakeCompound(loose);
+  const std::vector<gp_Vec> outwards{{-1, 0, 0}, {1, 0, 0},  {0, -1, 0},
+                                     {0, 1, 0},  {0, 0, -1}, {0, 0, 1}};
+  std::size_t i = 0;
+  for (TopExp_Explorer it(box, TopAbs_FACE); it.More(); it.Next(), ++i) {
+    gp_Trsf away;
+    away.SetTranslation(gap * outwards[i]);
+    builder.Add(loose, BRepBuilderAPI_Transform(it.Current(), away, true).Shape());
+  }
+  return loose;
+}
+
+TEST(HealModel, LeavesASoundModelAsItIs) {
+  const Model box = testing::box(1, 2, 3);
+  const Model healed = healModel(box);
+  ASSERT_TRUE(healed.healing());
+  EXPECT_TRUE(healed.healing()->changes.empty());
+  EXPECT_GT(healed.healing()->tolerance, 0);
+  EXPECT_EQ(mesh(box, 0.5).vertices, mesh(healed, 0.5).vertices);
+}
+
+TEST(HealModel, SewsLooseFacesToASolid) {
+  const Model loose = testing::modelOf(looseBox(0));
+  EXPECT_NE(volumeOf(mesh(loose, 1), {}), 0);
+  const Model healed = healModel(loose);
+  EXPECT_EQ(healed.edgeCount(), 12);
+  EXPECT_EQ(changesOf(healed, "free edge sewn"), 24u);
+  EXPECT_EQ(changesOf(healed, "solid made"), 1u);
+  const ModelMesh result = mesh(healed, 1);
+  EXPECT_NEAR(volumeOf(result, {}), 8, 1e-9);
+  EXPECT_NEAR(volumeOf(result, {5, 5, 5}), 8, 1e-9);
+}
+
+TEST(HealModel, ClosesGapsWithinTheTolerance) {
+  const Model apart = testing::modelOf(looseBox(1e-3));
+  EXPECT_EQ(healModel(apart, {1e-5}).edgeCount(), 24);
+  const Model healed = healModel(apart, {5e-3});
+  EXPECT_EQ(healed.edgeCount(), 12);
+  const ModelMesh result = mesh(healed, 1);
+  EXPECT_TRUE(std::ranges::all_of(result.segments,
+                                  [](const EdgeSegment& segment) { return segment.uses == 2; }));
+  EXPECT_NEAR(volumeOf(result, {5, 5, 5}), 8, 0.03);
+}
+
+TEST(HealModel, TurnsFacesThatLookTheWrongWay) {
+  BRep_Builder builder;
+  TopoDS_Compound turned;
+  builder.MakeCompound(turned);
+  int i = 0;
+  for (TopExp_Explorer it(looseBox(0), TopAbs_FACE); it.More(); it.Next(), ++i)
+    builder.Add(turned, i % 2 == 0 ? it.Current().Reversed() : it.Current());
+  const Model healed = healModel(testing::modelOf(turned));
+  EXPECT_NEAR(volumeOf(mesh(healed, 1), {5, 5, 5}), 8, 1e-9);
+}
+
+TEST(HealModel, LeavesPartsThatTouchApart) {
+  BRep_Builder builder;
+  TopoDS_Compound parts;
+  builder.MakeCompound(parts);
+  builder.Add(parts, BRepPrimAPI_MakeBox(1, 1, 1).Shape());
+  builder.Add(parts, BRepPrimAPI_MakeBox(gp_Pnt(1, 0, 0), 1, 1, 1).Shape());
+  const Model healed = healModel(testing::modelOf(parts));
+  EXPECT_EQ(healed.faceCount(), 12);
+  EXPECT_EQ(healed.edgeCount(), 24);
+}
+
+TEST(HealModel, DoesNotTouchTheModelThatItIsGiven) {
+  const Model apart = testing::modelOf(looseBox(1e-3));
+  const ModelMesh before = mesh(apart, 1);
+  healModel(apart, {5e-3});
+  EXPECT_EQ(mesh(apart, 1).vertices, before.vertices);
+  EXPECT_FALSE(apart.healing());
+}
+
+TEST(HealModel, RefusesANegativeTolerance) {
+  EXPECT_THROW(healModel(testing::box(1, 1, 1), {-1}), InputError);
+}
+
+}  // namespace
+}  // namespace af2::geometry
