@@ -90,6 +90,8 @@ class Bisector {
   }
 
   std::optional<Cut> cutBetween(Spot from, Spot to) const {
+    // A line around a tube comes back to the vertex that it left: it goes on to the next one.
+    if (from != to && at(from).vertex == at(to).vertex) to = next(to);
     if (from == to || at(from).vertex == at(to).vertex) return std::nullopt;
     const Point2 p = plane_.at(at(from)), q = plane_.at(at(to));
     if (!leavesInside(from, q) || !leavesInside(to, p) || meetsBoundary(from, to))

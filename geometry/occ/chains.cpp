@@ -70,7 +70,7 @@ class Linker {
 
   void compareParameters(const SurfacePoint& end, const SurfacePoint& start) {
     if (std::abs(end.u - start.u) > uTolerance_ || std::abs(end.v - start.v) > vTolerance_)
-      result_.closedInParameters = false;
+      result_.jumps.push_back({end, start});
   }
 
   /// The chain that leaves the end of chain `i` next to it, clockwise; `first` closes the loop.

@@ -21,9 +21,14 @@ void cancelOppositeChains(std::vector<Chain>& chains);
 /// Chains joined to loops.
 struct LinkedLoops {
   std::vector<std::vector<BoundaryCorner>> loops;
-  /// Whether each chain starts at the parameters (u, v) at which the one before ends, so that the
-  /// loops are closed in the plane of the parameters. They are not at poles.
-  bool closedInParameters = true;
+  /// Where a chain starts at other parameters (u, v) than those at which the one before ends, so
+  /// that the loops are not closed in the plane of the parameters: at poles.
+  struct Jump {
+    SurfacePoint end, start;
+  };
+  std::vector<Jump> jumps;
+
+  bool closedInParameters() const { return jumps.empty(); }
 };
 
 /// Where several chains meet at a vertex, each is followed by the one that bounds the same sector,

@@ -89,11 +89,10 @@ void take(RegionMesh& mesh, const FaceTask& task, FaceAttempt& attempt) {
 /// Seen anew from each base edge, in pieces if the face is large.
 FaceAttempt fillInPieces(const FaceTask& task, ChartKind kind, const MeshingOptions& options) {
   const FacePoints points(task.surface);
-  const bool canCut = task.boundary.closedInParameters;
   RegionMesh mesh = meshRegion(task.algorithm,
                                {task.boundary.input,
                                 [&] { return task.makeTools(kind); },
-                                canCut ? &points : nullptr,
+                                task.boundary.canBeCut ? &points : nullptr,
                                 {},
                                 task.options.optimize},
                                options);

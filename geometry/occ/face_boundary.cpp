@@ -91,13 +91,26 @@ class BoundaryFinder {
     for (const Chain& chain : chains_) addUses(chain);
     LinkedLoops linked = linkChains(std::move(chains_));
     result_.input.loops = std::move(linked.loops);
-    result_.closedInParameters = linked.closedInParameters;
+    result_.closedInParameters = linked.closedInParameters();
+    result_.canBeCut = std::ranges::all_of(
+        linked.jumps, [&](const LinkedLoops::Jump& jump) { return isAtPole(jump); });
     result_.input.vertexCount = result_.points.size();
     addIsolatedVertices();
     return std::move(result_);
   }
 
  private:
+  /// Whether all parameters between the two belong to the same point.
+  bool isAtPole(const LinkedLoops::Jump& jump) const {
+    constexpr double kSamePoint = 1e-6;  // of the extent of the face
+    if (surface_.isPlane()) return false;
+    const Point3 between =
+        surface_.inParameters()
+            .pointAt(0.5 * (jump.end.u + jump.start.u), 0.5 * (jump.end.v + jump.start.v))
+            .position;
+    return distance(between, jump.end.position) <= kSamePoint * surface_.extent();
+  }
+
   void orientWiresOfPlane() {
     const PlaneAxes axes(chains_[0].corners[0].point);
     const int turned = orientWires(chains_, wire_, [&](const SurfacePoint& p) { return axes(p); });

@@ -23,6 +23,7 @@ struct FaceBoundary {
   std::vector<std::uint32_t> points;  ///< by vertex id: index into DividedEdges::points
   std::vector<SegmentUse> uses;
   bool closedInParameters = true;    ///< the loops are closed curves in (u, v), too
+  bool canBeCut = true;              ///< they are, but for poles: lines in (u, v) cut the face
   std::vector<std::string> repairs;  ///< what was not as it should be and was put right
 };
 

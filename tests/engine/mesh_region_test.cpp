@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <cmath>
+#include <numbers>
 
 #include "tests/support/meshing.h"
 
@@ -76,6 +78,55 @@ TEST(RegionSplit, KeepsTheAreaAndSharesCutEdges) {
       EXPECT_TRUE(given.contains(from, to) ||
                   std::binary_search(edges.begin(), edges.end(), std::pair(to, from)));
   }
+}
+
+/// A tube around z of circumference 1; u goes once around.
+class TubePoints final : public SurfaceEvaluator {
+ public:
+  SurfacePoint at(double u, double v) const override {
+    const double angle = 2 * std::numbers::pi * u, r = 0.5 / std::numbers::pi;
+    const Point3 normal{std::cos(angle), std::sin(angle), 0};
+    return {r * normal + Point3{0, 0, v}, normal, u, v};
+  }
+};
+
+/// A tube of height 4: up and down its seam, whose vertices stand at u = 1 and at u = 0.
+FrontInput tube(double size) {
+  const auto around = static_cast<std::size_t>(1 / size), up = static_cast<std::size_t>(4 / size);
+  FrontInput input;
+  auto& loop = input.loops.emplace_back();
+  const auto add = [&](std::size_t vertex, double u, double v) {
+    loop.push_back({VertexId(vertex), TubePoints().at(u, v)});
+    loop.back().point.position = TubePoints().at(u == 1 ? 0 : u, v).position;
+  };
+  const auto top = [&](std::size_t i) { return around + i % around; };
+  const auto seam = [&](std::size_t k) { return 2 * around + k - 1; };
+  for (std::size_t i = 0; i <= around; ++i) add(i % around, static_cast<double>(i) * size, 0);
+  for (std::size_t k = 1; k < up; ++k) add(seam(k), 1, static_cast<double>(k) * size);
+  for (std::size_t i = around + 1; i-- > 0;) add(top(i), static_cast<double>(i) * size, 4);
+  for (std::size_t k = up; --k > 0;) add(seam(k), 0, static_cast<double>(k) * size);
+  input.vertexCount = 2 * around + up - 1;
+  return input;
+}
+
+TEST(RegionSplit, CutsTubesAcross) {
+  const FrontInput input = tube(1. / 32);
+  const SplitRegion split = splitRegion(input, TubePoints(), UniformSize(1. / 32), {2500});
+  ASSERT_GE(split.pieces.size(), 4u);
+  // The first cut, half way up, goes once around: it has about as many edges as the ends.
+  const Point3& first = split.cutVertices.front().position;
+  EXPECT_NEAR(first.z, 2, 2. / 32);
+  EXPECT_GT(distance(split.cutVertices[15].position, first), 0.25);
+  std::vector<std::pair<VertexId, VertexId>> edges;
+  for (const RegionPiece& piece : split.pieces)
+    for (const auto& [from, to] : boundaryOf(piece.input).edges)
+      edges.emplace_back(piece.vertices[from.value], piece.vertices[to.value]);
+  std::sort(edges.begin(), edges.end());
+  EXPECT_EQ(std::adjacent_find(edges.begin(), edges.end()), edges.end());
+  const MeshBoundary given = boundaryOf(input);
+  for (const auto& [from, to] : edges)
+    EXPECT_TRUE(given.contains(from, to) ||
+                std::binary_search(edges.begin(), edges.end(), std::pair(to, from)));
 }
 
 TEST(RegionSplit, DrawsReversedRegionsInTheMirror) {

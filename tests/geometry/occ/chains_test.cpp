@@ -25,7 +25,7 @@ TEST(Chains, AreJoinedToALoopWhateverTheirOrder) {
   const LinkedLoops linked = linkChains({chain(1, {c, a}), chain(2, {b, c}), chain(3, {a, m, b})});
   ASSERT_EQ(linked.loops.size(), 1u);
   EXPECT_EQ(ids(linked.loops[0]), (std::vector<std::size_t>{2, 0, 3, 1}));
-  EXPECT_TRUE(linked.closedInParameters);
+  EXPECT_TRUE(linked.closedInParameters());
 }
 
 TEST(Chains, ThatMeetAtOneVertexBoundTheSameSector) {
@@ -57,7 +57,7 @@ TEST(Chains, TellWhenTheyAreOpenInTheParameters) {
   auto pole = a;
   pole.point.u = 0.5;
   EXPECT_FALSE(
-      linkChains({chain(1, {a, b}), chain(2, {b, c}), chain(3, {c, pole})}).closedInParameters);
+      linkChains({chain(1, {a, b}), chain(2, {b, c}), chain(3, {c, pole})}).closedInParameters());
 }
 
 TEST(Chains, OfOneSegmentCancelTheirOpposites) {

@@ -13,9 +13,11 @@
 #include <algorithm>
 
 #include <numbers>
+#include <ranges>
 #include <set>
 
 #include "engine/error.h"
+#include "geometry/fingerprint.h"
 #include "tests/geometry/occ/shapes.h"
 #include "tests/support/triangle_rules.h"
 
@@ -81,6 +83,26 @@ TEST(ModelMeshing, MeshesASphereOverItsPoles) {
   const ModelMesh result = mesh(testing::sphere(1), 0.2);
   expectSolid(result, 4 * pi / 3, 2, 0.02);
   for (const Point3& p : result.vertices) EXPECT_NEAR(length(p), 1, 1e-12);
+}
+
+TEST(ModelMeshing, MeshesALargeSphereInPieces) {
+  ModelMeshingOptions options;
+  options.sizes.size = 0.018;  // enough elements for a cut
+  options.threads = 1;
+  const Model sphere = testing::sphere(1);
+  const ModelMesh result = meshModel(sphere, algorithm(), options);
+  expectSound(result);
+  EXPECT_EQ(2 * result.vertices.size(),
+            result.elements.size() + 4);  // that of Euler, all triangles
+  // Pieces come one after the other: the first eighth of the elements lies on one side.
+  const std::size_t few = result.elements.size() / 8;
+  const auto [south, north] = std::ranges::minmax(
+      std::views::iota(std::size_t{0}, few) | std::views::transform([&](std::size_t e) {
+        return result.vertices[result.elements[e].corners[0].value].z;
+      }));
+  EXPECT_TRUE(south > -0.5 || north < 0.5) << south << " to " << north;
+  options.threads = 2;
+  EXPECT_EQ(fingerprint(meshModel(sphere, algorithm(), options)), fingerprint(result));
 }
 
 TEST(ModelMeshing, MeshesATorus) {
