@@ -1,7 +1,6 @@
 #include "geometry/close_front.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <optional>
 #include <set>
 
@@ -123,12 +122,6 @@ ProjectionFrame planeOfFront(const MeshingResult& result) {
   return frame;
 }
 
-std::string toText(const Point3& p) {
-  char text[96];
-  std::snprintf(text, sizeof text, "(%.6g, %.6g, %.6g)", p.x, p.y, p.z);
-  return text;
-}
-
 }  // namespace
 
 bool closeFront(MeshingResult& result, const std::function<Point2(VertexId)>& inPlane,
@@ -149,22 +142,6 @@ bool closeFront(MeshingResult& result, std::uint16_t rule) {
   return closeFront(
       result, [&](VertexId v) { return plane.project(result.mesh.vertices[v.value]).position; },
       rule);
-}
-
-std::string stuckReason(const MeshingResult& result, const AF2Algorithm& algorithm) {
-  std::string text =
-      "the front got stuck with " + std::to_string(result.stuck.size()) + " edges left";
-  if (result.stuck.empty()) return text;
-  const StuckEdge& edge = result.stuck.front();
-  text += ", the first from " + toText(result.mesh.vertices[edge.from.value].position) + " to " +
-          toText(result.mesh.vertices[edge.to.value].position);
-  const RuleRefusal* farthest = nullptr;
-  for (const RuleRefusal& refusal : edge.refusals)
-    if (!farthest || refusal.reason > farthest->reason) farthest = &refusal;
-  if (farthest)
-    text += "; rule '" + algorithm.rules().rules()[farthest->rule].name() +
-            "': " + toString(farthest->reason);
-  return text;
 }
 
 }  // namespace af2::geometry

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <functional>
-#include <string>
 #include <vector>
 
 #include "engine/algorithm.h"
@@ -23,8 +22,5 @@ bool closeFront(MeshingResult& result, const std::function<Point2(VertexId)>& in
                 std::uint16_t rule);
 /// The same in the plane across the mean normal of the vertices that are left on the front.
 bool closeFront(MeshingResult& result, std::uint16_t rule);
-
-/// Where and why the front got stuck: its first edge, and what kept the most promising rule away.
-std::string stuckReason(const MeshingResult& result, const AF2Algorithm& algorithm);
 
 }  // namespace af2::geometry

@@ -14,6 +14,7 @@
 #include "geometry/graded_size.h"
 #include "geometry/narrow_places.h"
 #include "geometry/sound_faces.h"
+#include "geometry/stuck_front.h"
 
 namespace af2::geometry {
 
@@ -134,6 +135,7 @@ void DomainMesh::judge(const RegionMesh& meshed, FaceReport& report) const {
   const MeshingResult& result = meshed.result;
   if (result.outcome == Outcome::Complete && meshed.fault.empty()) return;
   report.status = result.outcome == Outcome::Cancelled ? FaceStatus::Cancelled : FaceStatus::Failed;
+  report.stuck = stuckPlaces(result);
   report.reason = result.outcome == Outcome::Stuck ? stuckReason(result, algorithm_) : meshed.fault;
 }
 

@@ -6,6 +6,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "engine/mesh.h"
@@ -14,6 +15,15 @@
 namespace af2::geometry {
 
 enum class FaceStatus { Complete, Failed, Cancelled, Skipped };
+
+/// An edge of a front that got stuck.
+struct StuckPlace {
+  Point3 from, to;
+  double u = 0, v = 0;  ///< of `from` in the parameters of the face's surface, if it has any
+  int level = 1;        ///< the quality level that was reached there
+  /// Why each rule was refused last: index in ModelMesh::ruleNames, and the reason.
+  std::vector<std::pair<std::uint16_t, std::string>> refusals;
+};
 
 /// How the meshing of one face of the model went.
 struct FaceReport {
@@ -27,6 +37,7 @@ struct FaceReport {
   double area = 0;                         ///< of the CAD face, model units squared
   std::string reason;                      ///< where and why, when it failed
   std::vector<std::string> attempts = {};  ///< what was tried before in vain
+  std::vector<StuckPlace> stuck = {};      ///< where its front got stuck, if it failed so
 };
 
 enum class GroupKind {

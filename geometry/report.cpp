@@ -11,7 +11,19 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json toJson(const FaceReport& face) {
+Json toJson(const Point3& p) { return Json::array({p.x, p.y, p.z}); }
+
+Json toJson(const StuckPlace& place, const std::vector<std::string>& ruleNames) {
+  Json json{{"from", toJson(place.from)},
+            {"to", toJson(place.to)},
+            {"uv", {place.u, place.v}},
+            {"level", place.level},
+            {"refused", Json::object()}};
+  for (const auto& [rule, reason] : place.refusals) json["refused"][ruleNames[rule]] = reason;
+  return json;
+}
+
+Json toJson(const FaceReport& face, const std::vector<std::string>& ruleNames) {
   Json json{{"id", face.id}};
   if (!face.name.empty()) json["name"] = face.name;
   json["surface_type"] = face.surfaceType;
@@ -22,6 +34,7 @@ Json toJson(const FaceReport& face) {
   json["seconds"] = face.seconds;
   json["reason"] = face.reason;
   if (!face.attempts.empty()) json["attempts"] = face.attempts;
+  for (const StuckPlace& place : face.stuck) json["stuck"].push_back(toJson(place, ruleNames));
   return json;
 }
 
@@ -130,7 +143,7 @@ void writeReport(const RunReport& report, const ModelMesh& mesh, OutputFile& fil
   json["triangles"] = static_cast<std::ptrdiff_t>(mesh.elements.size()) - quads;
   json["quads"] = quads;
   json["faces"] = Json::array();
-  for (const FaceReport& face : mesh.faces) json["faces"].push_back(toJson(face));
+  for (const FaceReport& face : mesh.faces) json["faces"].push_back(toJson(face, mesh.ruleNames));
   for (const FaceGroup& group : mesh.groups)
     json["groups"].push_back(
         {{"kind", toString(group.kind)}, {"name", group.name}, {"faces", group.faces}});

@@ -4,8 +4,8 @@
 
 #include "engine/error.h"
 #include "engine/mesh_check.h"
-#include "geometry/close_front.h"
 #include "geometry/laid_out.h"
+#include "geometry/stuck_front.h"
 
 namespace af2::geometry {
 

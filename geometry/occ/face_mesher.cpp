@@ -1,6 +1,9 @@
 #include "geometry/occ/face_mesher.h"
 
+#include <BRep_Tool.hxx>
+#include <ShapeAnalysis_Surface.hxx>
 #include <Standard_Failure.hxx>
+#include <TopoDS.hxx>
 #include <algorithm>
 #include <iterator>
 #include <optional>
@@ -13,6 +16,8 @@
 #include "geometry/laid_out.h"
 #include "geometry/occ/face_attempt.h"
 #include "geometry/occ/face_size.h"
+#include "geometry/occ/points.h"
+#include "geometry/stuck_front.h"
 
 namespace af2::geometry {
 
@@ -40,6 +45,7 @@ class FaceMesher {
     mesh.report.chart = toString(attempt.chart);
     if (!attempt.fault.empty()) {
       mesh.trouble = troubleOfFailure(surface_, boundary, attempt.failures);
+      if (!attempt.failures.empty()) mesh.report.stuck = stuckOnFace(attempt.failures.front());
       throw GeometryError(attempt.fault);
     }
     if (attempt.result.outcome == Outcome::Cancelled) {
@@ -59,6 +65,19 @@ class FaceMesher {
   }
 
  private:
+  /// Vertices inside quadrics, and those of faces laid out, do not keep the parameters of the file.
+  std::vector<StuckPlace> stuckOnFace(const MeshingResult& result) const {
+    std::vector<StuckPlace> places = stuckPlaces(result);
+    const TopoDS_Face face = TopoDS::Face(context_.model.face(face_));
+    ShapeAnalysis_Surface surface(BRep_Tool::Surface(face));
+    for (StuckPlace& place : places) {
+      const gp_Pnt2d uv = surface.ValueOfUV(toOcc(place.from), BRep_Tool::Tolerance(face));
+      place.u = uv.X();
+      place.v = uv.Y();
+    }
+    return places;
+  }
+
   /// Through the chart of each side, which goes back to the surface from the middle of the side.
   void findMiddles(const Mesh& meshed, FaceMesh& mesh) const {
     const auto charts = surface_.makeCharts(ChartKind::MeanNormal);

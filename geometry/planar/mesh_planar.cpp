@@ -11,6 +11,7 @@
 #include "geometry/curve_division.h"
 #include "geometry/domain_mesh.h"
 #include "geometry/domain_size.h"
+#include "geometry/laid_out.h"
 #include "geometry/planar/loops.h"
 
 namespace af2::geometry {
@@ -20,12 +21,6 @@ namespace {
 constexpr Point3 kUp{0, 0, 1};
 
 Point3 inSpace(Point2 p) { return {p.x, p.y, 0}; }
-SurfacePoint inPlane(Point2 p) { return {inSpace(p), kUp, p.x, p.y}; }
-
-class PlanePoints final : public SurfaceEvaluator {
- public:
-  SurfacePoint at(double u, double v) const override { return inPlane({u, v}); }
-};
 
 /// The size of a region that may have one of its own.
 class RegionSize final : public SizeField {
@@ -215,7 +210,7 @@ class PlanarMesher {
         uses.push_back({static_cast<std::size_t>(d.piece), d.reversed});
     }
     face.wanted = std::make_shared<const RegionSize>(size_, sizeOfDomain(index));
-    face.nearest = [](const Point3& p) { return inPlane({p.x, p.y}); };
+    face.nearest = [](const Point3& p) { return pointInPlane({p.x, p.y}); };
     face.makeCharts = [] { return std::make_unique<PlaneChartMaker>(kUp); };
     face.cuts = &plane_;
     mesh_.addFace(std::move(face));

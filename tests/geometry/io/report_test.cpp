@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "geometry/io/output_file.h"
+#include "geometry/stuck_front.h"
 #include "small_meshes.h"
 
 namespace af2::geometry {
@@ -51,6 +52,24 @@ TEST(Report, TellsOfEachFace) {
   EXPECT_EQ(json["faces"][1]["status"], "failed");
   EXPECT_EQ(json["faces"][1]["reason"], "stuck");
   EXPECT_EQ(json["faces"][5]["name"], "lid");
+}
+
+TEST(Report, TellsWhereAFrontGotStuckAndWhyEachRuleWasRefused) {
+  ModelMesh mesh = cubeMesh();
+  MeshingResult result;
+  result.outcome = Outcome::Stuck;
+  result.mesh.vertices = {{{0, 0, 0}, {0, 0, 1}, 0.25, 0.5}, {{1, 0, 0}, {0, 0, 1}, 0.75, 0.5}};
+  result.stuck.assign(
+      30, {VertexId(std::size_t{0}), VertexId(std::size_t{1}), 7, {{1, Refusal::Surface, {}, {}}}});
+  mesh.faces[1].stuck = stuckPlaces(result);
+  const nlohmann::json faces = written(complete(), mesh)["faces"];
+  EXPECT_FALSE(faces[0].contains("stuck"));
+  ASSERT_EQ(faces[1]["stuck"].size(), 10u) << "the first ones say enough";
+  const nlohmann::json& edge = faces[1]["stuck"][0];
+  EXPECT_EQ(edge["to"], nlohmann::json({1.0, 0.0, 0.0}));
+  EXPECT_EQ(edge["uv"], nlohmann::json({0.25, 0.5}));
+  EXPECT_EQ(edge["level"], 7);
+  EXPECT_EQ(edge["refused"], nlohmann::json({{mesh.ruleNames[1], "surface"}}));
 }
 
 TEST(Report, HasTheSecondsOfEachStageAndTheQuality) {
