@@ -101,7 +101,7 @@ std::optional<int> ClauseCompiler::elementVertex(const Name& kind, const Name& n
          "make it a vertex with `new " + name.text + " = ...;`");
     return std::nullopt;
   }
-  const std::string help = didYouMean(name.text, known);
+  const Help help = didYouMean(name.text, known);
   if (local != expressions_.locals.end() && local->second.kind == LocalKind::Broken) {
     hasErrors_ = true;  // told where it was first used
     return std::nullopt;

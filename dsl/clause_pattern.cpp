@@ -197,7 +197,7 @@ std::optional<int> ClauseCompiler::matchedVertex(const Name& name, const char* u
         }
   std::vector<std::string> known;
   for (const auto& [text, index] : matched_) known.push_back(text);
-  std::string help = didYouMean(name.text, known);
+  const Help help = didYouMean(name.text, known);
   tell("R1", name.span, "the vertex '" + name.text + "' has no place", "",
        help.empty() ? "say where it is expected: `at " + name.text + " (x, y);`" : help);
   markBroken(name.text);

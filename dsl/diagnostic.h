@@ -29,6 +29,14 @@ struct DiagnosticNote {
   bool operator==(const DiagnosticNote&) const = default;
 };
 
+/// A change of a text that would mend a fault.
+struct SuggestedEdit {
+  DiagnosticPlace place;  ///< what is replaced; empty where something is put in
+  std::string replacement;
+  std::string what;  ///< a phrase: "'HH' becomes 'H'"
+  bool operator==(const SuggestedEdit&) const = default;
+};
+
 /// One finding. Self-contained: it can be shown without the text that it is about.
 struct Diagnostic {
   Severity severity = Severity::Error;
@@ -37,8 +45,9 @@ struct Diagnostic {
   DiagnosticPlace place;
   std::string label;  ///< a few words beside the caret; may be empty
   std::vector<DiagnosticNote> notes;
-  std::string help;  ///< the way out; may be empty
-  std::string rule;  ///< the title of the rule it is about; may be empty
+  std::string help;                  ///< the way out; may be empty
+  std::vector<SuggestedEdit> edits;  ///< ways to take it at once, the likeliest first
+  std::string rule;                  ///< the title of the rule it is about; may be empty
   bool operator==(const Diagnostic&) const = default;
 };
 

@@ -19,7 +19,7 @@ const AF2Rule& findRule(const RuleSet& rules, const std::string& title) {
     if (rule.name() == title) return rule;
     titles.push_back(rule.name());
   }
-  const std::string help = didYouMean(title, titles);
+  const std::string help = didYouMean(title, titles).text();
   throw InputError("there is no rule \"" + title + "\"" + (help.empty() ? "" : "; " + help));
 }
 
@@ -39,7 +39,7 @@ std::vector<Point2> matchedPositions(const RuleDefinition& rule, const EvalReque
   }
   for (const auto& [name, point] : request.match) {
     if (std::find(names.begin(), names.end(), name) != names.end()) continue;
-    const std::string help = didYouMean(name, names);
+    const std::string help = didYouMean(name, names).text();
     throw InputError("rule \"" + rule.name + "\" matches no vertex '" + name + "'" +
                      (help.empty() ? "" : "; " + help));
   }

@@ -21,15 +21,14 @@ void ExpressionCompiler::warnIdle(Span span, std::string message, std::string he
 }
 
 void ExpressionCompiler::tell(const char* code, Span span, std::string message, std::string label,
-                              std::string help, Severity severity,
-                              std::vector<DiagnosticNote> notes) {
+                              Help help, Severity severity, std::vector<DiagnosticNote> notes) {
   if (!context_.diagnostics.takes(severity)) return;
   Diagnostic d;
   d.severity = severity;
   d.code = code;
   d.message = std::move(message);
   d.label = std::move(label);
-  d.help = std::move(help);
+  setHelp(d, module_->source, span, help);
   d.notes = std::move(notes);
   d.rule = ruleTitle;
   if (calls_.empty()) {
@@ -49,7 +48,7 @@ void ExpressionCompiler::checkAllowed(const MetaClause& meta) {
       if (findCodeExplanation(code)) continue;
       std::vector<std::string> known;
       for (const CodeExplanation& e : codeExplanations()) known.push_back(e.code);
-      const std::string guess = didYouMean(code, known);
+      const Help guess = didYouMean(code, known);
       tell("R1", entry.value.span, "there is no code '" + code + "'", "",
            guess.empty() ? "codes stand in what is told, as in `allow \"Z1, M1\";`" : guess);
     }
@@ -186,7 +185,7 @@ Value ExpressionCompiler::unknownName(const Expr& expr, bool isFunction) {
     for (const auto& [name, function] : module_->functions) known.push_back(name);
     for (const auto& [name, f] : context_.registry.functions()) known.push_back(name);
   }
-  std::string help = habitOf(expr.name);
+  Help help = habitOf(expr.name);
   if (help.empty()) help = didYouMean(expr.name, known);
   if (isFunction && help.empty() &&
       (locals.contains(expr.name) || module_->constants.contains(expr.name)))

@@ -11,6 +11,7 @@
 #include "dsl/ast.h"
 #include "dsl/builtins.h"
 #include "dsl/diagnostic.h"
+#include "dsl/help.h"
 #include "dsl/module.h"
 #include "dsl/registry.h"
 #include "dsl/values.h"
@@ -87,7 +88,7 @@ class ExpressionCompiler {
   /// R1 for codes that there are not in `allow`.
   void checkAllowed(const MetaClause& meta);
   void tell(const char* code, Span span, std::string message, std::string label = {},
-            std::string help = {}, Severity severity = Severity::Error,
+            Help help = {}, Severity severity = Severity::Error,
             std::vector<DiagnosticNote> notes = {});
   /// All names that could stand at this place.
   std::vector<std::string> namesInScope() const;

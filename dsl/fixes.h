@@ -15,9 +15,9 @@ struct TextEdit {
   std::string what;  ///< a phrase: "'HH' becomes 'H'"
 };
 
-/// What the findings about a file suggest so clearly that it can be done as it stands: words that
-/// "did you mean" knows better, missing ';' and '}', corners of elements in the wrong order, mirror
-/// clauses that are missing or do nothing. Comments and layout stay.
+/// The edits that the findings about a file bring along: words that "did you mean" knows better,
+/// signs that are missing or too many, corners of elements in the wrong order, mirror clauses that
+/// are missing or do nothing. Comments and layout stay.
 std::vector<TextEdit> editsFor(const LoadedRules& loaded);
 
 struct FixedText {

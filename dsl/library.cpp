@@ -37,13 +37,13 @@ std::string readRuleText(std::istream& in) {
 }
 
 void Library::tell(const Module& module, const char* code, Span span, std::string message,
-                   std::string help, std::vector<DiagnosticNote> notes) {
+                   Help help, std::vector<DiagnosticNote> notes) {
   if (!context_.diagnostics.takes(Severity::Error)) return;
   Diagnostic d;
   d.code = code;
   d.message = std::move(message);
   d.place = placeOf(module.source, span);
-  d.help = std::move(help);
+  setHelp(d, module.source, span, help);
   d.notes = std::move(notes);
   context_.diagnostics.add(std::move(d));
 }

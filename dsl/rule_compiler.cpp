@@ -17,6 +17,12 @@ std::string shownNumber(double value) {
   return std::string(text, end.ptr);
 }
 
+/// As it was written: what the way to radians and back leaves behind is rounded off.
+static double inDegrees(double radians) {
+  constexpr double kDigits = 1e10;
+  return std::round(radians * 180 / std::numbers::pi * kDigits) / kDigits;
+}
+
 std::string filledTitle(ExpressionCompiler& expressions, const Name& title) {
   std::string result;
   for (std::size_t i = 0; i < title.text.size(); ++i) {
@@ -35,13 +41,13 @@ std::string filledTitle(ExpressionCompiler& expressions, const Name& title) {
                             ? std::nullopt
                             : expressions.builder().constantValue(value.number);
     if (number) {
-      result += shownNumber(value.type == Type::Angle ? *number * 180 / std::numbers::pi : *number);
+      result += shownNumber(value.type == Type::Angle ? inDegrees(*number) : *number);
     } else if (!isParameter &&
                !(local != expressions.locals.end() && local->second.kind == LocalKind::Broken)) {
       std::vector<std::string> known;
       for (const auto& [text, l] : expressions.locals)
         if (l.kind == LocalKind::Parameter) known.push_back(text);
-      const std::string help = didYouMean(name, known);
+      const Help help = didYouMean(name, known);
       expressions.tell("R1", title.span,
                        "the title asks for '{" + name + "}', which is no parameter of this rule",
                        "",

@@ -30,15 +30,14 @@ class FileCompiler {
  private:
   using Parameters = std::map<std::string, RuleCompiler::Parameter>;
 
-  void tell(const Module& home, const char* code, Span span, std::string message,
-            std::string help = {}, std::vector<DiagnosticNote> notes = {},
-            Severity severity = Severity::Error) {
+  void tell(const Module& home, const char* code, Span span, std::string message, Help help = {},
+            std::vector<DiagnosticNote> notes = {}, Severity severity = Severity::Error) {
     Diagnostic d;
     d.severity = severity;
     d.code = code;
     d.message = std::move(message);
     d.place = placeOf(home.source, span);
-    d.help = std::move(help);
+    setHelp(d, home.source, span, help);
     d.notes = std::move(notes);
     context_.diagnostics.add(std::move(d));
   }
@@ -92,7 +91,7 @@ bool FileCompiler::addBase(std::vector<PlacedRuleSet>& chain, std::set<const Rul
       for (const Item& item : module->parsed.file.items)
         if (const auto* block = std::get_if<RuleSetBlock>(&item.content))
           if (block != first.block) known.push_back(block->name.text);
-    const std::string help = didYouMean(first.block->base->text, known);
+    const Help help = didYouMean(first.block->base->text, known);
     tell(*first.home, "R1", first.block->base->span,
          "there is no rule set \"" + first.block->base->text + "\"",
          help.empty() ? "import the file in which it stands" : help);
@@ -259,7 +258,7 @@ void FileCompiler::compileUse(const Module& module, const Use& use) {
   if (library == module.imports.end()) {
     std::vector<std::string> known;
     for (const auto& [name, m] : module.imports) known.push_back(name);
-    const std::string help = didYouMean(use.library.text, known);
+    const Help help = didYouMean(use.library.text, known);
     if (!module.brokenNames.contains(use.library.text) && !module.hasBrokenImport)
       tell(module, "R1", use.library.span, "nothing is imported as '" + use.library.text + "'",
            help.empty() ? "import the file first: `import \"" + use.library.text + ".af2\" as " +

@@ -84,12 +84,12 @@ RuleSetCompiler::RuleSetCompiler(CompileContext& context, const Module& main,
 }
 
 void RuleSetCompiler::tell(const Module& home, const char* code, Span span, std::string message,
-                           std::string help) {
+                           Help help) {
   Diagnostic d;
   d.code = code;
   d.message = std::move(message);
   d.place = placeOf(home.source, span);
-  d.help = std::move(help);
+  setHelp(d, home.source, span, help);
   context_.diagnostics.add(std::move(d));
 }
 

@@ -39,6 +39,15 @@ Json locationOf(const DiagnosticPlace& p) {
   return {{"physicalLocation", physical}};
 }
 
+Json fixOf(const SuggestedEdit& edit) {
+  const Json location = locationOf(edit.place)["physicalLocation"];
+  const Json replacement{{"deletedRegion", location["region"]},
+                         {"insertedContent", {{"text", edit.replacement}}}};
+  return {{"description", {{"text", edit.what}}},
+          {"artifactChanges", Json::array({{{"artifactLocation", location["artifactLocation"]},
+                                            {"replacements", Json::array({replacement})}}})}};
+}
+
 Json resultOf(const Diagnostic& d, std::size_t ruleIndex) {
   std::string text = d.message;
   if (!d.label.empty()) text += ": " + d.label;
@@ -59,6 +68,7 @@ Json resultOf(const Diagnostic& d, std::size_t ruleIndex) {
               {"message", {{"text", text}}},
               {"locations", Json::array({locationOf(d.place)})}};
   if (!related.empty()) result["relatedLocations"] = related;
+  for (const SuggestedEdit& edit : d.edits) result["fixes"].push_back(fixOf(edit));
   return result;
 }
 

@@ -69,7 +69,7 @@ bool SyntaxErrors::beginsItem(const Token* token) {
   return next.kind == TokenKind::Name && !next.is("in");
 }
 
-void SyntaxErrors::tell(const char* code, Span span, std::string message, std::string help,
+void SyntaxErrors::tell(const char* code, Span span, std::string message, const Help& help,
                         std::vector<DiagnosticNote> notes) {
   if (!diagnostics_.takes(Severity::Error)) return;
   Diagnostic d;
@@ -77,7 +77,7 @@ void SyntaxErrors::tell(const char* code, Span span, std::string message, std::s
   d.message = std::move(message);
   d.place = placeOf(source_, span);
   d.notes = std::move(notes);
-  d.help = std::move(help);
+  setHelp(d, source_, span, help);
   diagnostics_.add(std::move(d));
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "dsl/diagnostic.h"
+#include "dsl/help.h"
 #include "dsl/token.h"
 
 namespace af2::dsl {
@@ -51,7 +52,7 @@ class SyntaxErrors {
   /// Whether a list may end here, for all that can be seen.
   static bool mayEndList(SyntaxUnit unit, const Token* token);
 
-  void tell(const char* code, Span span, std::string message, std::string help,
+  void tell(const char* code, Span span, std::string message, const Help& help,
             std::vector<DiagnosticNote> notes = {});
   /// Tells that a block's `{` is missing before `clause`; reading goes on as if it stood there.
   void tellMissingBrace(const Token* clause);

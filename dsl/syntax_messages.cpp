@@ -60,7 +60,8 @@ Span placeFor(const Token* where) {
 struct Fault {
   const char* code;
   Span span;
-  std::string message, help;
+  std::string message;
+  Help help;
 };
 
 /// An operator of another language, spelt with two symbols of this one.
@@ -110,15 +111,17 @@ std::optional<Fault> missingEnd(SyntaxUnit unit, const Token* first, const Token
       unit == SyntaxUnit::Item ? SyntaxErrors::beginsItem(where) : isUnitWord(unit, *where);
   if (where->startsLine || beginsNext || where->is("}") || where->kind == TokenKind::End)
     return Fault{"S2", behind(where), "';' is missing after " + ended,
-                 first->is("const") || first->is("def") || unit == SyntaxUnit::Item
-                     ? "end it with ';'"
-                     : "end the clause with ';'"};
+                 Help(first->is("const") || first->is("def") || unit == SyntaxUnit::Item
+                          ? "end it with ';'"
+                          : "end the clause with ';'",
+                      {Remedy::Where::Behind, ";"})};
   if (isComparison(*where))
     return Fault{"S1", where->span, "comparisons do not chain",
                  "write `a < b and b < c`, or `x in low..high`"};
   if (where->is("="))
-    return Fault{"S1", where->span, "'=' does not compare",
-                 "write '==' to ask whether two things are equal"};
+    return Fault{
+        "S1", where->span, "'=' does not compare",
+        Help("write '==' to ask whether two things are equal", {Remedy::Where::Whole, "=="})};
   if (where->is("=>"))
     return first->is("require")
                ? Fault{"S1", where->span, "'=>' does not compare", "at least is written >="}
@@ -127,7 +130,9 @@ std::optional<Fault> missingEnd(SyntaxUnit unit, const Token* first, const Token
   if (where->is("&") || where->is("|"))
     return Fault{"S1", where->span, "unexpected " + found(*where),
                  "conditions are joined by `and`, `or`"};
-  if (where->is(")")) return Fault{"S1", where->span, "this ')' closes nothing", "delete it"};
+  if (where->is(")"))
+    return Fault{"S1", where->span, "this ')' closes nothing",
+                 Help("delete it", {Remedy::Where::Whole, ""})};
   if (where->is(":"))
     return Fault{"S2", where->span, "';' is missing: found ':'", "end the clause with ';'"};
   return std::nullopt;
@@ -209,17 +214,17 @@ void SyntaxErrors::tellUnknownWord(const Token* where, const std::string& wanted
                 "remove the clause");
   if (where->is(";"))
     return tell("S1", where->span, "this ';' ends nothing",
-                "delete it; what ends in a brace takes no ';'");
+                Help("delete it; what ends in a brace takes no ';'", {Remedy::Where::Whole, ""}));
   if (where->is("}") && missingBraces_ > 0) {
     --missingBraces_;  // of a block that was taken to end above
     return;
   }
   if (where->is("}"))
     return tell("S1", where->span, "this '}' closes nothing",
-                "delete it, or look above for a '}' too many");
+                Help("delete it, or look above for a '}' too many", {Remedy::Where::Whole, ""}));
   if (where->kind != TokenKind::Name)
     return tell("S1", where->span, "unexpected " + found(*where) + " " + place, list);
-  std::string help = habitOf(where->text);
+  Help help = habitOf(where->text);
   if (help.empty()) help = didYouMean(where->text, known);
   const bool isElsewhere = isReserved(where->text) || (help.empty() && isClauseWord(where->text));
   tell("S4", where->span,
@@ -264,9 +269,9 @@ void SyntaxErrors::tellMissing(SyntaxUnit unit, const Token* first, const Token*
   if (where->startsLine && isSymbolName(wanted))
     return tell("S1", behind(where),
                 "'" + wanted + "' is missing after '" + before->text.substr(0, 40) + "'", help);
-  std::string guess = where->kind == TokenKind::Name ? didYouMean(where->text, {wanted}) : "";
+  const Help guess = where->kind == TokenKind::Name ? didYouMean(where->text, {wanted}) : Help();
   tell("S1", here, "expected " + quoted(wanted) + ", found " + found(*where),
-       guess.empty() ? help : guess);
+       guess.empty() ? Help(help) : guess);
 }
 
 void SyntaxErrors::tellUnclosed(SyntaxUnit unit, const Token* first, const Token* where) {
@@ -274,7 +279,9 @@ void SyntaxErrors::tellUnclosed(SyntaxUnit unit, const Token* first, const Token
                      : first->is("meta")                                   ? "this meta"
                                                                            : "this block";
   tell("S5", placeFor(where),
-       std::string(what) + " is not closed: '}' is missing before " + found(*where), "add '}'",
+       std::string(what) + " is not closed: '}' is missing before " + found(*where),
+       where->kind == TokenKind::End ? Help("add '}'", {Remedy::Where::Behind, "\n}"})
+                                     : Help("add '}'", {Remedy::Where::Before, "}\n\n"}),
        {{"it begins here", placeOf(source_, first->span)}});
 }
 

@@ -82,7 +82,7 @@ std::optional<std::size_t> TestCompiler::known(const Name& name) {
   if (broken_.contains(name.text)) return std::nullopt;
   std::vector<std::string> names;
   for (const auto& [text, index] : vertices_) names.push_back(text);
-  const std::string help = didYouMean(name.text, names);
+  const Help help = didYouMean(name.text, names);
   tell("R1", name.span, "this test has no vertex '" + name.text + "'", "",
        help.empty() ? "place it: `" + name.text + " (x, y)` in a `front` or `point` clause above"
                     : help);
@@ -215,7 +215,7 @@ const CompiledRule* TestCompiler::findRule(const Name& title) {
       if (!isCompiled) titles.push_back(written->text);
     }
   }
-  const std::string help = helpAmong(title.text, titles, "rules of this file");
+  const Help help = helpAmong(title.text, titles, "rules of this file");
   tell("R1", title.span, "there is no rule \"" + title.text + "\"", "", help);
   return nullptr;
 }

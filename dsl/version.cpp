@@ -70,7 +70,7 @@ const Token* tellMissing(const std::vector<Token>& tokens, SyntaxErrors& errors)
   const bool isItem = SyntaxErrors::beginsItem(first) || isClauseWord(first->text) ||
                       !nearest(first->text, {items.begin(), items.end()}).empty();
   errors.tell("S7", first->span, isItem ? rule : "this is no rule file: one begins with `af2 1;`",
-              "add `af2 1;` as the first line");
+              Help("add `af2 1;` as the first line", {Remedy::Where::Top, "af2 1;\n\n"}));
   return isItem ? first : nullptr;
 }
 

@@ -138,19 +138,21 @@ std::string nearest(std::string_view written, const std::vector<std::string>& kn
   return best;
 }
 
-std::string helpAmong(std::string_view written, const std::vector<std::string>& known,
-                      const std::string& what) {
+Help helpAmong(std::string_view written, const std::vector<std::string>& known,
+               const std::string& what) {
   constexpr std::size_t kLongest = 120;
-  const std::string guess = didYouMean(written, known);
+  Help guess = didYouMean(written, known);
   if (!guess.empty() || known.empty()) return guess;
   std::string list;
   for (const std::string& word : known) list += (list.empty() ? "" : ", ") + word;
-  return list.size() > kLongest ? std::string() : what + ": " + list;
+  return list.size() > kLongest ? Help() : Help(what + ": " + list);
 }
 
-std::string didYouMean(std::string_view written, const std::vector<std::string>& known) {
+Help didYouMean(std::string_view written, const std::vector<std::string>& known) {
   const std::string word = nearest(written, known);
-  return word.empty() ? std::string() : "did you mean '" + word + "'?";
+  if (word.empty()) return {};
+  return Help("did you mean '" + word + "'?",
+              Remedy{Remedy::Where::Word, word, std::string(written)});
 }
 
 }  // namespace af2::dsl

@@ -6,6 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "dsl/help.h"
+
 namespace af2::dsl {
 
 /// Words that begin an item of a file, a clause of a rule, of a rule set, of a test.
@@ -29,10 +31,10 @@ std::string nearest(std::string_view written, const std::vector<std::string>& kn
 std::string habitOf(std::string_view word);
 
 /// "did you mean 'x'?", or else "`what`: x, y, z" where those are few.
-std::string helpAmong(std::string_view written, const std::vector<std::string>& known,
-                      const std::string& what);
+Help helpAmong(std::string_view written, const std::vector<std::string>& known,
+               const std::string& what);
 
-/// "did you mean 'x'?" or nothing.
-std::string didYouMean(std::string_view written, const std::vector<std::string>& known);
+/// "did you mean 'x'?", which puts x in place of what is written, or nothing.
+Help didYouMean(std::string_view written, const std::vector<std::string>& known);
 
 }  // namespace af2::dsl

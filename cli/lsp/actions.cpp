@@ -33,25 +33,6 @@ std::uint32_t endOf(const Fault& fault) {
   return static_cast<std::uint32_t>(fault.document.text.size());
 }
 
-std::optional<Fix> addVersion(const Fault& fault) {
-  if (!fault.diagnostic.help.starts_with("add `af2 1;`")) return std::nullopt;
-  return Fix{"add `af2 1;`", {0, 0}, "af2 1;\n\n"};
-}
-
-std::optional<Fix> compare(const Fault& fault) {
-  if (!fault.diagnostic.message.starts_with("'=' does not compare")) return std::nullopt;
-  return Fix{"change to '=='", fault.span, "=="};
-}
-
-/// A ';', ')' or '}' too many.
-std::optional<Fix> dropStray(const Fault& fault) {
-  const std::string& message = fault.diagnostic.message;
-  const bool isStray = message.starts_with("this '") && (message.ends_with("' ends nothing") ||
-                                                         message.ends_with("' closes nothing"));
-  if (!isStray) return std::nullopt;
-  return Fix{"delete it", fault.span, ""};
-}
-
 /// The rule of the file that a diagnostic names, families and mirror images included.
 const dsl::Rule* ruleOf(const Fault& fault) {
   for (const dsl::CompiledRule& rule : fault.analysis.loaded.file->rules)
@@ -95,7 +76,7 @@ std::optional<Fix> addTest(const Fault& fault) {
   return std::nullopt;
 }
 
-constexpr std::array kFixes{addVersion, compare, dropStray, addTest, allow};
+constexpr std::array kFixes{addTest, allow};
 
 class ActionList {
  public:

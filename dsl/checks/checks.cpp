@@ -39,7 +39,7 @@ std::span<const Check> checks() { return kChecks; }
 
 void Findings::add(const CompiledRule& rule, Severity severity, const char* code, Span span,
                    std::string message, std::string label, std::string help,
-                   std::vector<DiagnosticNote> notes) {
+                   std::vector<DiagnosticNote> notes, std::vector<SuggestedEdit> edits) {
   if (severity == Severity::Error) faulty_.insert(rule.definition.name);
   Diagnostic d;
   d.severity = severity;
@@ -48,6 +48,7 @@ void Findings::add(const CompiledRule& rule, Severity severity, const char* code
   d.label = std::move(label);
   d.help = std::move(help);
   d.notes = std::move(notes);
+  d.edits = std::move(edits);
   d.rule = rule.definition.name;
   d.place = placeOf(rule.home->source, span);
   diagnostics_.add(std::move(d));

@@ -26,7 +26,7 @@ class Findings {
   explicit Findings(DiagnosticList& diagnostics) : diagnostics_(diagnostics) {}
   void add(const CompiledRule& rule, Severity severity, const char* code, Span span,
            std::string message, std::string label = {}, std::string help = {},
-           std::vector<DiagnosticNote> notes = {});
+           std::vector<DiagnosticNote> notes = {}, std::vector<SuggestedEdit> edits = {});
   /// Titles of the rules with errors. A mirror image has those of its rule, which are told once.
   const std::set<std::string>& faulty() const { return faulty_; }
 

@@ -1,4 +1,5 @@
-// D1: is there a match that a condition refuses, and one that it lets through?
+// D1: is there a match that a condition refuses, and one that it lets through? Of a `require`, and
+// of the `when` of a zone.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,6 +8,7 @@
 #include "dsl/checks/rule_sample.h"
 #include "dsl/checks/test_text.h"
 #include "dsl/compiled_forms.h"
+#include "dsl/shape_program.h"
 
 namespace af2::dsl {
 namespace {
@@ -70,14 +72,23 @@ bool hasAlwaysValue(const Program& program) {
   });
 }
 
+bool holds(const Condition& condition, const PatternMatch& match) {
+  const auto value = condition->evaluate(match.binding());
+  return value && *value != 0;
+}
+
 /// How a condition answers for matches that the pattern and the conditions before it let through.
 class ConditionCheck {
  public:
-  ConditionCheck(const RuleSet& rules, std::size_t index, std::size_t number,
-                 const SamplingOptions& options)
+  /// condition  a `require` of the rule, or the `when` of a zone
+  /// before     how many `require` stand before it
+  /// failing    the `when` of the zones before it: none of them holds where it is asked
+  ConditionCheck(const RuleSet& rules, const AF2Rule& rule, Condition condition, std::size_t before,
+                 std::vector<Condition> failing, const SamplingOptions& options)
       : rules_(rules),
-        condition_(rules.rules()[index].definition().requirements[number]),
-        before_(upTo(rules.rules()[index].definition(), number)),
+        condition_(std::move(condition)),
+        failing_(std::move(failing)),
+        before_(upTo(rule.definition(), before)),
         options_(options) {}
 
   bool alwaysHolds() const {
@@ -95,12 +106,15 @@ class ConditionCheck {
 
   /// At every level at which the rule is tried.
   bool isAlways(bool truth) const {
-    if (asksForSizes(condition_) || !seemsAlways(truth)) return false;
+    if (asksForSizes(condition_) || std::ranges::any_of(failing_, asksForSizes) ||
+        !seemsAlways(truth))
+      return false;
     const RuleDefinition& rule = before_.definition();
     const int last = std::min(rule.lastLevel.value_or(rules_.maxLevel()), rules_.maxLevel());
     ProofEffort effort = options_.effort;
     for (int level = rule.firstLevel; level <= last; ++level)
-      if (!provesCondition(rules_, before_, *condition_, truth, level, effort)) return false;
+      if (!provesCondition(rules_, before_, *condition_, truth, level, effort, failing_))
+        return false;
     return true;
   }
 
@@ -108,17 +122,21 @@ class ConditionCheck {
   bool seemsAlways(bool truth) const {
     constexpr int kLooked = 100;
     MatchSampler sampler(rules_, before_, before_.definition().firstLevel, options_.seed);
+    bool isAsked = false;
     for (int i = 0; i < kLooked; ++i) {
       const auto match = sampler.next();
-      if (!match) return i > 0;
-      const auto value = condition_->evaluate(match->binding());
-      if ((value && *value != 0) != truth) return false;
+      if (!match) break;
+      if (std::ranges::any_of(failing_, [&](const Condition& c) { return holds(c, *match); }))
+        continue;
+      isAsked = true;
+      if (holds(condition_, *match) != truth) return false;
     }
-    return true;
+    return isAsked;
   }
 
   const RuleSet& rules_;
   const Condition condition_;
+  const std::vector<Condition> failing_;
   const AF2Rule before_;
   const SamplingOptions& options_;
 };
@@ -152,6 +170,38 @@ SampledFinding idleFinding(const RuleSet& rules, std::size_t index, std::size_t 
   return finding;
 }
 
+SampledFinding idleZoneFinding(const RuleSet& rules, std::size_t index, std::size_t zone,
+                               bool alwaysHolds) {
+  SampledFinding finding = idleFinding(rules, index, 0, true);
+  finding.element = -1;
+  finding.zone = static_cast<int>(zone);
+  finding.message = fmt::format(
+      "{} of rule '{}' {}", alwaysHolds ? "this condition" : "this zone",
+      rules.rules()[index].name(),
+      alwaysHolds ? "always holds where it is asked" : "is never used: its condition never holds");
+  finding.help = alwaysHolds ? "leave out `when`, or compare with what was meant"
+                             : "remove it, or give it another condition";
+  return finding;
+}
+
+void findIdleZones(const RuleSet& rules, std::size_t index, const SamplingOptions& options,
+                   std::vector<SampledFinding>& findings) {
+  const AF2Rule& rule = rules.rules()[index];
+  const auto* zones = dynamic_cast<const ShapeZoneDef*>(rule.definition().zone.get());
+  if (!zones) return;
+  std::vector<Condition> failing;
+  for (std::size_t i = 0; i < zones->alternatives().size(); ++i) {
+    const Condition& when = zones->alternatives()[i].when;
+    if (!when) break;
+    const ConditionCheck check(rules, rule, when, rule.definition().requirements.size(), failing,
+                               options);
+    const bool always = check.alwaysHolds();
+    if (always || check.neverHolds()) findings.push_back(idleZoneFinding(rules, index, i, always));
+    if (always) break;  // those behind it are not asked
+    failing.push_back(when);
+  }
+}
+
 }  // namespace
 
 std::vector<SampledFinding> findIdleConditions(const RuleSet& rules, std::size_t index,
@@ -159,12 +209,15 @@ std::vector<SampledFinding> findIdleConditions(const RuleSet& rules, std::size_t
   std::vector<SampledFinding> findings;
   const std::size_t count = rules.rules()[index].definition().requirements.size();
   for (std::size_t number = 0; number < count; ++number) {
-    const ConditionCheck check(rules, index, number, options);
-    const bool holds = check.alwaysHolds();
-    if (!holds && !check.neverHolds()) continue;
-    findings.push_back(idleFinding(rules, index, number, holds));
-    if (!holds) break;  // behind it everything holds, for nothing is left
+    const AF2Rule& rule = rules.rules()[index];
+    const ConditionCheck check(rules, rule, rule.definition().requirements[number], number, {},
+                               options);
+    const bool always = check.alwaysHolds();
+    if (!always && !check.neverHolds()) continue;
+    findings.push_back(idleFinding(rules, index, number, always));
+    if (!always) return findings;  // behind it everything holds, for nothing is left
   }
+  findIdleZones(rules, index, options, findings);
   return findings;
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "dsl/checks/checks.h"
+#include "dsl/help.h"
 #include "engine/predicates.h"
 
 namespace af2::dsl {
@@ -95,6 +96,19 @@ std::string fittingElement(const CompiledRule& rule, std::size_t index) {
   });
   if (std::ranges::find(fitting, reversed) != fitting.end()) return namesOf(rule, reversed);
   return fitting.size() == 1 ? namesOf(rule, fitting.front()) : std::string();
+}
+
+std::vector<SuggestedEdit> elementEdits(const CompiledRule& rule) {
+  std::vector<SuggestedEdit> edits;
+  if (rule.isMirror) return edits;
+  for (std::size_t i = 0; i < rule.elementSpans.size(); ++i) {
+    const std::string names = fittingElement(rule, i);
+    if (names.empty()) continue;
+    const Remedy remedy{Remedy::Where::Whole, names};
+    if (auto edit = editOf(rule.home->source, rule.elementSpans[i], remedy))
+      edits.push_back(std::move(*edit));
+  }
+  return edits;
 }
 
 }  // namespace af2::dsl

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "dsl/compiled_rule.h"
 
@@ -11,5 +12,9 @@ namespace af2::dsl {
 /// reference match, and fit together and to the pattern: the same corners the other way round, or
 /// the only others that there are. Empty if that is not clear, or nothing is wrong with it.
 std::string fittingElement(const CompiledRule& rule, std::size_t element);
+
+/// The same as edits, one for each element that has such corners; none for a mirror image, whose
+/// elements are those of its rule.
+std::vector<SuggestedEdit> elementEdits(const CompiledRule& rule);
 
 }  // namespace af2::dsl

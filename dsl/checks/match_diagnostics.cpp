@@ -18,9 +18,19 @@ std::optional<Span> conditionSpan(const Rule& rule, std::size_t number) {
   return std::nullopt;
 }
 
+/// Where the condition of the zone clause of that number is written.
+std::optional<Span> whenSpan(const Rule& rule, int number) {
+  for (const Clause& clause : rule.clauses)
+    if (const auto* zone = std::get_if<ZoneClause>(&clause.content))
+      if (number-- == 0) return zone->when.span;
+  return std::nullopt;
+}
+
 Span spanOf(const CompiledRule& rule, const SampledFinding& finding) {
   const auto element = static_cast<std::size_t>(finding.element);
   if (finding.code == "G2" && element < rule.elementSpans.size()) return rule.elementSpans[element];
+  if (finding.code == "D1" && rule.text && finding.zone >= 0)
+    return whenSpan(*rule.text, finding.zone).value_or(rule.title);
   if (finding.code == "D1" && rule.text)
     return conditionSpan(*rule.text, element).value_or(rule.title);
   if (finding.code[0] == 'Z' && !rule.zoneSpans.empty()) return rule.zoneSpans.front();

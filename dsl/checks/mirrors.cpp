@@ -1,11 +1,54 @@
 // M1, M2: every rule has its mirror image, once.
 #include <algorithm>
+#include <cctype>
+#include <string>
+#include <utility>
 
 #include "dsl/checks/checks.h"
 #include "dsl/checks/rule_comparison.h"
 
 namespace af2::dsl {
 namespace {
+
+/// The title of the twin: left for right, or an addition.
+std::string twinTitle(const std::string& title, std::span<const CompiledRule> all) {
+  std::string twin = title;
+  for (const auto& [word, other] : {std::pair<std::string, std::string>{"right", "left"},
+                                    {"Right", "Left"},
+                                    {"left", "right"},
+                                    {"Left", "Right"}}) {
+    const std::size_t at = twin.find(word);
+    if (at == std::string::npos) continue;
+    twin.replace(at, word.size(), other);
+    break;
+  }
+  if (twin == title) twin += ", mirrored";
+  const auto isTaken = [&](const CompiledRule& rule) { return rule.definition.name == twin; };
+  while (std::ranges::any_of(all, isTaken)) twin += ", 2";
+  return twin;
+}
+
+/// A mirror clause as the last one. Of a family or a template one clause would stand for several
+/// rules.
+std::vector<SuggestedEdit> withMirror(const CompiledRule& rule, std::span<const CompiledRule> all) {
+  const bool isOne = !rule.text->family && rule.parameters.empty();
+  if (!isOne || rule.text->clauses.empty()) return {};
+  const std::uint32_t end = rule.text->clauses.back().span.end;
+  const std::string twin = twinTitle(rule.definition.name, all);
+  return {{placeOf(rule.home->source, {end, end}), "\n  mirror \"" + twin + "\";",
+           "the mirror image \"" + twin + "\" added"}};
+}
+
+/// Without its mirror clause, and the blanks before it.
+std::vector<SuggestedEdit> withoutMirror(const CompiledRule& rule) {
+  if (!rule.parameters.empty()) return {};
+  const std::string_view text = rule.home->source.text();
+  Span span = *rule.mirrorSpan;
+  while (span.begin > 0 && std::isspace(static_cast<unsigned char>(text[span.begin - 1])) != 0)
+    --span.begin;
+  return {{placeOf(rule.home->source, span), "",
+           "a mirror clause removed that did the same once more"}};
+}
 
 void checkOne(const CompiledRule& rule, std::span<const CompiledRule> all, Findings& findings) {
   if (rule.isMirror || !rule.image) return;
@@ -14,7 +57,7 @@ void checkOne(const CompiledRule& rule, std::span<const CompiledRule> all, Findi
     if (isItsOwnMirror)
       findings.add(rule, Severity::Warning, "M2", *rule.mirrorSpan,
                    "this rule is its own mirror image", "the mirror does the same once more",
-                   "remove the `mirror` clause");
+                   "remove the `mirror` clause", {}, withoutMirror(rule));
     return;
   }
   if (isItsOwnMirror) return;
@@ -46,7 +89,8 @@ void checkOne(const CompiledRule& rule, std::span<const CompiledRule> all, Findi
     return;
   }
   findings.add(rule, Severity::Warning, "M1", rule.title, "this rule has no mirror image", "",
-               "add `mirror \"...\";` if the other side should work alike");
+               "add `mirror \"...\";` if the other side should work alike", {},
+               withMirror(rule, all));
 }
 
 }  // namespace

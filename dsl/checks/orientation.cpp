@@ -35,7 +35,8 @@ void checkOrientation(const CheckedRules& rules, Findings& findings) {
                                : "",
                    !meant.empty() ? "did you mean `" + meant + "`?"
                    : isClockwise  ? "name its corners counter-clockwise"
-                                  : "move a vertex, or take another set of corners");
+                                  : "move a vertex, or take another set of corners",
+                   {}, elementEdits(rule));
     }
   }
 }

@@ -136,14 +136,22 @@ bool provesCovered(const RuleSet& rules, const AF2Rule& rule, int level, ProofEf
 }
 
 bool provesCondition(const RuleSet& rules, const AF2Rule& rule, const AF2BindingFunction& condition,
-                     bool truth, int level, ProofEffort& effort) {
+                     bool truth, int level, ProofEffort& effort,
+                     std::span<const std::shared_ptr<const AF2BindingFunction>> failing) {
   constexpr MatchDomain kEverywhere{{1e-3, 1e3}, 1e3};
   try {
     RuleGraph graph(rules, rule, level, kEverywhere);
     const Node node = graph.importTruth(condition);
     if (node < 0) return false;
+    Circumstances given;
+    for (const auto& other : failing) {
+      const Node untruth = graph.importTruth(*other);
+      if (untruth < 0) continue;
+      given.untruths.push_back(untruth);
+      graph.addOpposites(untruth, given.facts);
+    }
     const auto claim = surely(graph, node, truth);
-    return claim && holdsEverywhere(graph, *claim, {}, effort);
+    return claim && holdsEverywhere(graph, *claim, given, effort);
   } catch (const RuleGraph::Unknown&) {
     return false;
   }

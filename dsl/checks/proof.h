@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
+#include <span>
 
 #include "engine/rule_set.h"
 
@@ -28,9 +30,11 @@ bool provesPositive(const RuleSet& rules, const AF2Rule& rule, int level, ProofE
 bool provesCovered(const RuleSet& rules, const AF2Rule& rule, int level, ProofEffort& effort);
 
 /// Whether a condition is surely `truth` at every match that passes the pattern and the `require`
-/// of `rule`: here base edges of any length are meant, and vertices anywhere. Where the condition
-/// has no value nothing is said. Neither it nor the rule's `require` may ask for sizes.
+/// of `rule`, and at which none of `failing` holds: here base edges of any length are meant, and
+/// vertices anywhere. Where the condition has no value nothing is said. Neither it nor the rule's
+/// `require` may ask for sizes.
 bool provesCondition(const RuleSet& rules, const AF2Rule& rule, const AF2BindingFunction& condition,
-                     bool truth, int level, ProofEffort& effort);
+                     bool truth, int level, ProofEffort& effort,
+                     std::span<const std::shared_ptr<const AF2BindingFunction>> failing = {});
 
 }  // namespace af2::dsl

@@ -35,6 +35,7 @@ struct SampledFinding {
   Severity severity = Severity::Warning;
   std::size_t rule = 0;  ///< index in the rule set
   int element = -1;      ///< of the rule, where the finding is about one; of D1: the condition
+  int zone = -1;         ///< of D1, where the condition is the `when` of a zone clause
   std::string message;   ///< the fault, one line without a full stop
   std::string help;
   CounterExample example;

@@ -48,7 +48,8 @@ bool collectEdges(const CompiledRule& rule, std::map<Edge, std::size_t>& owner,
           "the new elements do not fit together: " + edgeName(rule, e) +
               (isSame ? " occurs twice in one element" : " occurs in two of them"),
           "", "neighbouring elements use their common edge in opposite directions",
-          {{"the other element", placeOf(rule.home->source, rule.elementSpans[known->second])}});
+          {{"the other element", placeOf(rule.home->source, rule.elementSpans[known->second])}},
+          elementEdits(rule));
     }
   return isRight;
 }
@@ -69,7 +70,8 @@ bool checkPatternEdges(const CompiledRule& rule, const std::map<Edge, std::size_
                    "this element lies on the wrong side of the front edge " + edgeName(rule, e),
                    "it has " + edgeName(rule, back),
                    "corners run counter-clockwise, so that the element has " + edgeName(rule, e),
-                   {{"the front edge", placeOf(rule.home->source, rule.edgeSpans[k])}});
+                   {{"the front edge", placeOf(rule.home->source, rule.edgeSpans[k])}},
+                   elementEdits(rule));
     } else if (!owner.contains(e) && corners.contains(e.first) && corners.contains(e.second)) {
       isRight = false;
       const auto after = std::find_if(owner.begin(), owner.end(),
@@ -80,7 +82,8 @@ bool checkPatternEdges(const CompiledRule& rule, const std::map<Edge, std::size_
                    edgeName(rule, e) + " is left over between their corners",
                    wayOut(rule, "add or mend the element that has " + edgeName(rule, e) +
                                     ", or leave this edge out of the pattern"),
-                   {{"the front edge", placeOf(rule.home->source, rule.edgeSpans[k])}});
+                   {{"the front edge", placeOf(rule.home->source, rule.edgeSpans[k])}},
+                   elementEdits(rule));
     }
   }
   return isRight;
@@ -113,7 +116,7 @@ void checkDisc(const CompiledRule& rule, const std::map<Edge, std::size_t>& owne
   if (groups(rule.definition) > 1) {
     findings.add(rule, Severity::Error, "T1", rule.elementSpans.back(),
                  "the new elements do not hang together", "",
-                 "all elements of a rule share vertices with each other");
+                 "all elements of a rule share vertices with each other", {}, elementEdits(rule));
     return;
   }
   std::set<int> corners;
@@ -127,7 +130,7 @@ void checkDisc(const CompiledRule& rule, const std::map<Edge, std::size_t>& owne
   if (euler != 1)
     findings.add(rule, Severity::Error, "T1", rule.elementSpans.back(),
                  "the new elements leave a hole or overlap", "",
-                 "together they must fill one region without holes");
+                 "together they must fill one region without holes", {}, elementEdits(rule));
 }
 
 }  // namespace

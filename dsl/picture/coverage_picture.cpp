@@ -19,6 +19,8 @@ using picture::Weight;
 constexpr Color kInk = color(0x1f2933), kMuted = color(0x6b7785), kFrame = color(0xdde3ea);
 constexpr Color kNone = color(0xb3261e);
 constexpr double kCell = 17, kLeft = 74, kGap = 58, kTop = 96;
+/// Situations that are not ordinary are drawn small: N1 does not count them.
+constexpr double kSmallInset = 5;
 
 /// From good to late.
 constexpr std::array kRamp{color(0x2f8f46), color(0x86c06c), color(0xd6e08a), color(0xf6d365),
@@ -54,8 +56,9 @@ void drawCells(Canvas& canvas, const CoverageMap& map, int lastLevel, Point2 low
       if (level == CoverageMap::kImpossible) continue;
       const Point2 at =
           low + kCell * Point2{static_cast<double>(x), static_cast<double>(map.ys.size() - 1 - y)};
-      canvas.fillRectangle(at + Point2{0.6, 0.6}, at + Point2{kCell - 0.6, kCell - 0.6}, 2.5,
-                           colorOf(level, lastLevel));
+      const double inset = map.isOrdinary[y * map.xs.size() + x] ? 0.6 : kSmallInset;
+      canvas.fillRectangle(at + Point2{inset, inset}, at + Point2{kCell - inset, kCell - inset},
+                           2.5, colorOf(level, lastLevel));
     }
 }
 
@@ -104,6 +107,8 @@ void drawKey(Canvas& canvas, int lastLevel, Point2 at) {
     last = level;
   }
   entry(kNone, fmt::format("by no rule up to level {}", lastLevel));
+  canvas.fillRectangle(at + Point2{3.5, -6.5}, at + Point2{10.5, 0.5}, 2.5, kMuted);
+  canvas.text("small: no front in good order looks like this", at + Point2{20, 2}, style);
 }
 
 /// The top left of each map: beside one another as far as the widest map reaches, then below.

@@ -102,6 +102,21 @@ TEST(Diagnostics, InSarifHaveAddressesAndRelatedPlaces) {
   EXPECT_EQ(toSarif(missing.diagnostics).find("\"region\""), std::string::npos) << "no place";
 }
 
+TEST(Diagnostics, BringTheirEditsAlong) {
+  const LoadedRules loaded =
+      loadRulesFromText("x.af2", "af2 1;\nruleset \"s\" {}\nconst H = 1;\nconst K = 2 * h + 0;\n");
+  ASSERT_EQ(loaded.diagnostics[0].edits.size(), 1u) << toPretty(loaded.diagnostics);
+  const SuggestedEdit& edit = loaded.diagnostics[0].edits[0];
+  EXPECT_EQ(edit.replacement, "H");
+  EXPECT_EQ(edit.what, "'h' becomes 'H'");
+  EXPECT_EQ(std::pair(edit.place.line, edit.place.column), std::pair(4, 15));
+  EXPECT_EQ(std::pair(edit.place.endLine, edit.place.endColumn), std::pair(4, 16));
+  const std::string sarif = toSarif(loaded.diagnostics);
+  for (const char* part : {"\"fixes\"", "\"artifactChanges\"", "\"deletedRegion\"",
+                           "\"startColumn\": 15", "\"insertedContent\"", "\"text\": \"H\""})
+    EXPECT_NE(sarif.find(part), std::string::npos) << part << sarif;
+}
+
 TEST(Diagnostics, AreColouredOnATerminalAndSayTheSame) {
   const LoadedRules loaded = loadRulesFromText("x.af2", "af2 1;\nconst H = 1;\nconst H = ;\n");
   std::string coloured = toPretty(loaded.diagnostics, Colour::Terminal);

@@ -40,6 +40,22 @@ TEST(Fixes, AddWhatIsMissing) {
   expectSound(text);
 }
 
+TEST(Fixes, MendSignsThatAreTooManyOrWrong) {
+  const std::string right =
+      "rule \"x\" quality 1 {\n  new c = mid(a, b) + (0, H);\n  require c.y == H;\n"
+      "  zone a, b, c;\n  tri a b c;\n}\n";
+  const auto with = [&](const std::string& part, const std::string& other) {
+    std::string text = right;
+    return text.replace(text.find(part), part.size(), other);
+  };
+  EXPECT_EQ(fixed(with("H);", "H);;")), right);
+  EXPECT_EQ(fixed(with("H);", "H));")), right);
+  EXPECT_EQ(fixed(with("==", "=")), right);
+  EXPECT_EQ(fixed(with("tri a b c;\n}", "tri a b c;\n}\n}")).find("}\n}"), std::string::npos);
+  EXPECT_EQ(fixText("r.af2", kHead.substr(7) + right).text, "af2 1;\n\n" + kHead.substr(7) + right);
+  EXPECT_NE(fixed(with("tri a b c;\n}\n", "tri a b c;")).find("tri a b c;\n}"), std::string::npos);
+}
+
 TEST(Fixes, TurnElementsTheRightWayRound) {
   EXPECT_NE(fixed("rule \"x\" quality 1 { new c = mid(a, b) + (0, H); zone a, b, c; tri a c b; }\n")
                 .find("tri a b c;"),

@@ -473,8 +473,8 @@ TEST(LspActions, DoWhatDiagnosticsPropose) {
   EXPECT_EQ(fixed(replaced(kRules, "elements tri", "element tri"), "'element' becomes 'elements'"),
             kRules);
   EXPECT_EQ(fixed(replaced(kRules, "(1.5, H);", "(1.5, H)"), "';' added"), kRules);
-  EXPECT_EQ(fixed(kRules.substr(8), "add `af2 1;`"), kRules);
-  EXPECT_EQ(fixed(replaced(kRules, "elements tri;", "elements tri;;"), "delete it"), kRules);
+  EXPECT_EQ(fixed(kRules.substr(8), "'af2 1;' added"), kRules);
+  EXPECT_EQ(fixed(replaced(kRules, "elements tri;", "elements tri;;"), "';' deleted"), kRules);
   EXPECT_TRUE(says(fixed(replaced(kRules, "  mirror \"left 120\" { at c ~ 2; }\n", ""),
                          "the mirror image \"left 120\" added"),
                    "\n  mirror \"left 120\";\n}"));
