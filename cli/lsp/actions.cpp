@@ -3,7 +3,6 @@
 #include <array>
 
 #include "cli/lsp/server.h"
-#include "dsl/fixes.h"
 #include "dsl/printer.h"
 
 namespace af2::lsp {
@@ -85,20 +84,15 @@ class ActionList {
       : document_(document),
         analysis_(analysis),
         map_(session.map(document.text)),
-        wanted_(wanted),
-        edits_(dsl::editsFor(analysis.loaded)) {}
+        wanted_(wanted) {}
 
   void add(const Diagnostic& diagnostic, bool isFromChecks) {
-    const dsl::DiagnosticPlace& place = diagnostic.place;
-    const dsl::SourceText& source = analysis_.main().source;
-    if (place.file != source.name()) return;
-    const dsl::Span span{source.offsetOf({place.line, place.column}),
-                         source.offsetOf({place.endLine, place.endColumn})};
+    if (!isHere(diagnostic.place)) return;
+    const dsl::Span span = spanOf(diagnostic.place);
     // Whole lines: the cursor need not stand on the word itself.
     if (!touches(span, wanted_)) return;
-    for (const dsl::TextEdit& edit : edits_)
-      if (touches(edit.span, span) || (isAboutRule(diagnostic) && isInSameItem(edit.span, span)))
-        offer({edit.what, edit.span, edit.replacement}, true);
+    for (const dsl::SuggestedEdit& edit : diagnostic.edits)
+      if (isHere(edit.place)) offer({edit.what, spanOf(edit.place), edit.replacement}, true);
     for (const auto fix : kFixes)
       if (const auto found = fix({document_, analysis_, diagnostic, span, isFromChecks}))
         offer(*found, diagnostic.code[0] == 'S');
@@ -107,21 +101,18 @@ class ActionList {
   Json take() { return std::move(list_); }
 
  private:
+  bool isHere(const dsl::DiagnosticPlace& place) const {
+    return place.file == analysis_.main().source.name();
+  }
+  dsl::Span spanOf(const dsl::DiagnosticPlace& place) const {
+    const dsl::SourceText& source = analysis_.main().source;
+    return {source.offsetOf({place.line, place.column}),
+            source.offsetOf({place.endLine, place.endColumn})};
+  }
+
   /// Whether two spans share a line.
   bool touches(dsl::Span a, dsl::Span b) const {
     return map_.lineOf(a.begin) <= map_.lineOf(b.end) && map_.lineOf(b.begin) <= map_.lineOf(a.end);
-  }
-
-  /// Such faults are told at one place of a rule and mended at another.
-  static bool isAboutRule(const Diagnostic& diagnostic) {
-    return std::string_view("GMT").find(diagnostic.code[0]) != std::string_view::npos;
-  }
-
-  bool isInSameItem(dsl::Span a, dsl::Span b) const {
-    return std::ranges::any_of(analysis_.main().parsed.file.items, [&](const dsl::Item& item) {
-      return item.span.begin <= std::min(a.begin, b.begin) &&
-             std::max(a.end, b.end) <= item.span.end;
-    });
   }
 
   void offer(const Fix& fix, bool isPreferred) {
@@ -137,7 +128,6 @@ class ActionList {
   const Analysis& analysis_;
   TextMap map_;
   dsl::Span wanted_;
-  std::vector<dsl::TextEdit> edits_;  ///< those of `af2 check --fix`
   Json list_ = Json::array();
 };
 
