@@ -1,0 +1,93 @@
+// What AF2 uses of oneTBB, done with plain threads. ThreadSanitizer follows those; it does not see
+// how the threads of a library that was built without it wait for each other, and reports races
+// that are none. For the preset `tsan`.
+#pragma once
+
+#include <algorithm>
+#include <atomic>
+#include <exception>
+#include <mutex>
+#include <thread>
+#include <utility>
+#include <vector>
+
+namespace tbb {
+
+namespace info {
+inline int default_concurrency() {
+  constexpr unsigned kFewest = 2;  // or there would be nothing to find
+  return static_cast<int>(std::max(std::thread::hardware_concurrency(), kFewest));
+}
+}  // namespace info
+
+namespace plain {
+inline thread_local int concurrency = 0;  ///< 0: the default
+}
+
+namespace this_task_arena {
+inline int max_concurrency() {
+  return plain::concurrency > 0 ? plain::concurrency : info::default_concurrency();
+}
+}  // namespace this_task_arena
+
+class task_arena {
+ public:
+  explicit task_arena(int threads) : threads_(threads) {}
+  template <class Work>
+  void execute(const Work& work) {
+    const int before = std::exchange(plain::concurrency, threads_);
+    work();
+    plain::concurrency = before;
+  }
+
+ private:
+  int threads_;
+};
+
+class task_group {
+ public:
+  template <class Work>
+  void run(const Work& work) {
+    threads_.emplace_back([this, &work, concurrency = plain::concurrency] {
+      plain::concurrency = concurrency;
+      guarded(work);
+    });
+  }
+  template <class Work>
+  void run_and_wait(const Work& work) {
+    guarded(work);
+    for (std::thread& thread : threads_) thread.join();
+    threads_.clear();
+    if (first_) std::rethrow_exception(first_);
+  }
+
+ private:
+  template <class Work>
+  void guarded(const Work& work) {
+    try {
+      work();
+    } catch (...) {
+      const std::lock_guard lock(mutex_);
+      if (!first_) first_ = std::current_exception();
+    }
+  }
+
+  std::vector<std::thread> threads_;
+  std::mutex mutex_;
+  std::exception_ptr first_;
+};
+
+struct simple_partitioner {};
+
+template <class Index, class Work>
+void parallel_for(Index first, Index last, const Work& work, simple_partitioner) {
+  std::atomic<Index> next = first;
+  const auto takeAll = [&] {
+    for (Index i = next++; i < last; i = next++) work(i);
+  };
+  task_group group;
+  for (int i = 1; i < this_task_arena::max_concurrency(); ++i) group.run(takeAll);
+  group.run_and_wait(takeAll);
+}
+
+}  // namespace tbb
