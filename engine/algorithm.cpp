@@ -1,10 +1,6 @@
 #include "engine/algorithm.h"
 
 #include <algorithm>
-#include <cmath>
-#include <optional>
-#include <string>
-#include <tuple>
 
 #include "engine/candidate_choice.h"
 #include "engine/compiled_rules.h"
@@ -12,144 +8,10 @@
 #include "engine/front.h"
 #include "engine/front_index.h"
 #include "engine/front_queue.h"
+#include "engine/input_check.h"
 
 namespace af2 {
 namespace {
-
-// ---- input -------------------------------------------------------------------------------------
-
-bool isFinite(const Point3& p) {
-  return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
-}
-
-std::string nameOf(VertexId id) { return "vertex " + std::to_string(id.value); }
-
-void checkCorner(const FrontInput& input, const BoundaryCorner& corner, std::vector<Point3>& at,
-                 std::vector<bool>& isKnown) {
-  const std::size_t v = corner.vertex.value;
-  if (v >= input.vertexCount)
-    throw InputError("boundary: " + nameOf(corner.vertex) + " is not below the vertex count " +
-                     std::to_string(input.vertexCount));
-  if (!isFinite(corner.point.position) || !isFinite(corner.point.normal))
-    throw InputError("boundary: " + nameOf(corner.vertex) +
-                     " has a coordinate that is not a finite number");
-  if (isKnown[v] && at[v] != corner.point.position)
-    throw InputError("boundary: " + nameOf(corner.vertex) + " is given with two positions");
-  at[v] = corner.point.position;
-  isKnown[v] = true;
-}
-
-void checkInput(const FrontInput& input) {
-  std::vector<Point3> at(input.vertexCount);
-  std::vector<bool> isKnown(input.vertexCount, false);
-  std::vector<std::pair<VertexId, VertexId>> edges;
-  for (const auto& loop : input.loops) {
-    if (loop.size() < 2) throw InputError("boundary: a loop has fewer than two corners");
-    for (std::size_t i = 0; i < loop.size(); ++i) {
-      const BoundaryCorner& corner = loop[i];
-      const BoundaryCorner& next = loop[(i + 1) % loop.size()];
-      checkCorner(input, corner, at, isKnown);
-      if (corner.vertex == next.vertex || corner.point.position == next.point.position)
-        throw InputError("boundary: the edge from " + nameOf(corner.vertex) + " to " +
-                         nameOf(next.vertex) + " has length zero");
-      edges.emplace_back(corner.vertex, next.vertex);
-    }
-  }
-  for (const BoundaryCorner& corner : input.isolated) {
-    const bool isTaken = corner.vertex.value < isKnown.size() && isKnown[corner.vertex.value];
-    checkCorner(input, corner, at, isKnown);
-    if (isTaken)
-      throw InputError("boundary: " + nameOf(corner.vertex) +
-                       " is given as isolated, but it is on a loop or given before");
-  }
-  std::sort(edges.begin(), edges.end());
-  const auto twice = std::adjacent_find(edges.begin(), edges.end());
-  if (twice != edges.end())
-    throw InputError("boundary: the edge from " + nameOf(twice->first) + " to " +
-                     nameOf(twice->second) + " is given twice in the same direction");
-}
-
-double sizeAt(const SizeField& field, const SurfacePoint& point) {
-  const double size = field.sizeAt(point);
-  if (!(size > 0) || !std::isfinite(size))
-    throw InputError("size field: the wanted length at (" + std::to_string(point.position.x) +
-                     ", " + std::to_string(point.position.y) + ", " +
-                     std::to_string(point.position.z) + ") is " + std::to_string(size) +
-                     "; it must be a positive number");
-  return size;
-}
-
-struct Extent {
-  Box3 box{{1e300, 1e300, 1e300}, {-1e300, -1e300, -1e300}};
-  double lengthSum = 0;
-  std::size_t edges = 0;
-};
-
-Extent extentOf(const FrontInput& input) {
-  Extent extent;
-  const auto include = [&](const Point3& p) {
-    Box3& box = extent.box;
-    box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y), std::min(box.low.z, p.z)};
-    box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y), std::max(box.high.z, p.z)};
-  };
-  for (const auto& loop : input.loops) {
-    for (std::size_t i = 0; i < loop.size(); ++i) {
-      include(loop[i].point.position);
-      extent.lengthSum +=
-          distance(loop[i].point.position, loop[(i + 1) % loop.size()].point.position);
-      ++extent.edges;
-    }
-  }
-  return extent;
-}
-
-/// A region all of whose boundary lies in one plane, with one normal.
-bool isFlat(const FrontInput& input, double diagonal) {
-  constexpr double kRounding = 1e-9;
-  const SurfacePoint& first = input.loops[0][0].point;
-  if (first.normal == Point3{}) return false;
-  for (const auto& loop : input.loops)
-    for (const BoundaryCorner& corner : loop)
-      if (distance(corner.point.normal, first.normal) > kRounding ||
-          std::abs(dot(corner.point.position - first.position, first.normal)) >
-              kRounding * diagonal)
-        return false;
-  return true;
-}
-
-double flatArea(const FrontInput& input) {
-  const SurfacePoint& first = input.loops[0][0].point;
-  double area = 0;
-  for (const auto& loop : input.loops)
-    for (std::size_t i = 0; i < loop.size(); ++i)
-      area += 0.5 *
-              dot(first.normal, cross(loop[i].point.position - first.position,
-                                      loop[(i + 1) % loop.size()].point.position - first.position));
-  return area;
-}
-
-/// Of a flat region it can be told beforehand whether its boundary runs the right way round, and
-/// where no vertex can lie: a front that runs outwards would never end.
-std::optional<Box3> limitsOfFlatRegion(const FrontInput& input) {
-  const Extent extent = extentOf(input);
-  if (extent.edges == 0) return std::nullopt;
-  const double diagonal = distance(extent.box.low, extent.box.high);
-  if (!isFlat(input, diagonal)) return std::nullopt;
-  if (!(flatArea(input) > 1e-15 * diagonal * diagonal))
-    throw InputError(
-        "boundary: its loops bound no area on their left, seen against the normals; turn round the "
-        "loops that run the wrong way");
-  const Point3 margin{diagonal, diagonal, diagonal};
-  return Box3{extent.box.low - margin, extent.box.high + margin};
-}
-
-FrontIndex makeIndex(const FrontInput& input) {
-  const Extent extent = extentOf(input);
-  if (extent.edges == 0) return FrontIndex({}, 1);
-  return FrontIndex(extent.box, extent.lengthSum / static_cast<double>(extent.edges));
-}
-
-// ---- one run -----------------------------------------------------------------------------------
 
 /// How often the progress callback is called, in steps.
 constexpr std::size_t kProgressInterval = 4096;
@@ -192,7 +54,7 @@ class Run {
   void addLoop(const std::vector<BoundaryCorner>& loop) {
     std::vector<double> sizes;
     for (const BoundaryCorner& corner : loop) {
-      sizes.push_back(sizeAt(size_, corner.point));
+      sizes.push_back(checkedSizeAt(size_, corner.point));
       result_.mesh.vertices[corner.vertex.value] = corner.point;
     }
     front_.addLoop(loop, sizes);
@@ -200,7 +62,7 @@ class Run {
 
   void addIsolated(const BoundaryCorner& corner) {
     result_.mesh.vertices[corner.vertex.value] = corner.point;
-    index_.insert(front_, front_.addIsolated(corner, sizeAt(size_, corner.point)));
+    index_.insert(front_, front_.addIsolated(corner, checkedSizeAt(size_, corner.point)));
   }
 
   void enter(PlaceId id) {
@@ -320,7 +182,8 @@ class Run {
       }
       const auto k = static_cast<std::size_t>(v - rule.matchedCount);
       const SurfacePoint& point = application.newPoints[k];
-      walk_.push_back({PlaceId(), VertexId(firstNew + k), point, sizeAt(size_, point), layer});
+      walk_.push_back(
+          {PlaceId(), VertexId(firstNew + k), point, checkedSizeAt(size_, point), layer});
     }
   }
 
