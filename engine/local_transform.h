@@ -38,11 +38,17 @@ struct ProjectionFrame {
   /// it, if negative) at `centreX` of the chart's x axis. All points are legal then, the surface
   /// bends towards the centre, and away from it rises by no more than `maxHeight` over the plane.
   double perspective = 0, centreX = 0;
+  /// Not 0: lengths in the plane vary. As complex numbers, p = (x, y) is drawn at
+  /// p (1 - bend L) / (1 - bend p), where (L, 0) is the end of the base edge; `kept` is 1 - bend L.
+  /// This keeps angles, the base edge, and circles, and varies lengths about the base as `bend`
+  /// says.
+  Point2 bend{0, 0}, kept{1, 0};
 
   ChartPoint project(const SurfacePoint& point) const {
     const Point3 d = point.position - origin;
     const Point2 position{scale * dot(d, xAxis), scale * dot(d, yAxis)};
     if (perspective != 0) return {fromCentre(position, d), ChartView::Legal};
+    if (bend != Point2{0, 0}) return bent(position);
     return {position, minCosine <= -2 ? ChartView::Legal : viewOf(point, d)};
   }
   /// Where normals are looked at; d = point.position - origin.
@@ -51,6 +57,22 @@ struct ProjectionFrame {
     const bool isHidden = (cosine < hiddenCosine) | (std::abs(dot(d, normal)) > maxHeight);
     const int view = isHidden ? 2 : cosine < minCosine ? 1 : 0;
     return static_cast<ChartView>(view);
+  }
+  /// Far off, where the drawing would turn inside out, it stays in the way outside.
+  ChartPoint bent(Point2 p) const {
+    constexpr double kLeast = 0.25;
+    const Point2 divisor{1 - (bend.x * p.x - bend.y * p.y), -(bend.x * p.y + bend.y * p.x)};
+    if (divisor.x < kLeast) return {(1 / kLeast) * p, ChartView::Obstacle};
+    const Point2 q{kept.x * p.x - kept.y * p.y, kept.x * p.y + kept.y * p.x};
+    const double scaled = 1 / dot(divisor, divisor);
+    return {{scaled * dot(q, divisor), scaled * cross(divisor, q)}, ChartView::Legal};
+  }
+  /// The way back.
+  Point2 straightened(Point2 z) const {
+    const Point2 divisor{kept.x + bend.x * z.x - bend.y * z.y,
+                         kept.y + bend.x * z.y + bend.y * z.x};
+    const double scaled = 1 / dot(divisor, divisor);
+    return {scaled * dot(z, divisor), scaled * cross(divisor, z)};
   }
 
  private:

@@ -27,7 +27,7 @@ struct Drawn {
   ChartView view;
 };
 
-enum class FrameKind { Plane, Folding, Central };
+enum class FrameKind { Plane, Bent, Folding, Central };
 
 /// ProjectionFrame::project for many points.
 template <FrameKind kKind>
@@ -46,6 +46,10 @@ class FrameDrawing {
     const Pair position =
         scale_ * (Pair{d.x, d.x} * x_ + Pair{d.y, d.y} * y_ + Pair{d.z, d.z} * z_);
     if constexpr (kKind == FrameKind::Plane) return {position, ChartView::Legal};
+    if constexpr (kKind == FrameKind::Bent) {
+      const ChartPoint p = frame_.bent(pointAt(position));
+      return {Pair{p.position.x, p.position.y}, p.view};
+    }
     if constexpr (kKind == FrameKind::Folding) return {position, frame_.viewOf(point, d)};
     const double stretch = 1 / (1 + frame_.perspective * dot(d, frame_.normal));
     return {centre_ + Pair{stretch, stretch} * (position - centre_), ChartView::Legal};
@@ -71,7 +75,8 @@ class ChartDrawing {
 
 }  // namespace
 
-Box3 StepChart::boxOf(const Window& w, const Point3& origin) const {
+Box3 StepChart::boxOf(const Window& window, const Point3& origin) const {
+  const Window w = frame_ && frame_->bend != Point2{0, 0} ? straightened(window) : window;
   if (!frame_) {
     // A chart of unknown kind: its lengths are about right near the base, so look generously
     // around.
@@ -93,6 +98,15 @@ Box3 StepChart::boxOf(const Window& w, const Point3& origin) const {
                  extent(frame_->xAxis.y, frame_->yAxis.y, frame_->normal.y),
                  extent(frame_->xAxis.z, frame_->yAxis.z, frame_->normal.z)};
   return {center - r, center + r};
+}
+
+Window StepChart::straightened(const Window& w) const {
+  constexpr double kFarthest = 3;
+  const double reach = length(Point2{std::max(-w.lowX, w.highX), std::max(-w.lowY, w.highY)});
+  const double change =
+      length(frame_->bend) * reach + distance(frame_->kept, Point2{1, 0});  // of scale, at most
+  const double margin = reach * std::min(kFarthest, change / std::max(0.25, 1 - change));
+  return {w.lowX - margin, w.lowY - margin, w.highX + margin, w.highY + margin};
 }
 
 StepChart::Heights StepChart::heightsWithin(const Window& w) const {
@@ -117,7 +131,9 @@ void Neighborhood::gather(const Front& front, const FrontIndex& index, const Ste
   window_ = window;
   foundCount_ = index.collectNear(chart.boxOf(window, front[base].point.position), found_);
   if (edges_.size() <= foundCount_) edges_.resize(2 * foundCount_ + 1);
-  if (chart.isPlane())
+  if (chart.isPlane() && chart.frame()->bend != Point2{0, 0})
+    draw(front, FrameDrawing<FrameKind::Bent>(*chart.frame()));
+  else if (chart.isPlane())
     draw(front, FrameDrawing<FrameKind::Plane>(*chart.frame()));
   else if (chart.frame() && chart.frame()->perspective != 0)
     draw(front, FrameDrawing<FrameKind::Central>(*chart.frame()));

@@ -31,6 +31,8 @@ class StepChart {
   Box3 boxOf(const Window& window, const Point3& origin) const;
 
  private:
+  /// What shows in a window, before the frame has bent it, lies in this.
+  Window straightened(const Window& window) const;
   /// How far the surface may lie below and above the plane of the frame, within the window.
   struct Heights {
     double below, above;

@@ -12,9 +12,12 @@ enum class ChartKind {
   Auto,           ///< chosen by surface and sizes
   Plane,          ///< the plane itself, for plane faces
   MeanNormal,     ///< the published plane across the mean normal of the base edge
+  NormalLines,    ///< on the same plane, along the normals of the surface
+  Blended,        ///< a third of the way from MeanNormal to NormalLines
   Parametric,     ///< the parameters with the metric of the surface
-  Developed,      ///< cylinders and cones unrolled
+  Developed,      ///< cylinders, cones and extrusions unrolled
   Stereographic,  ///< spheres from the point opposite the base edge
+  Conformal,      ///< surfaces of revolution laid out with lengths that vary, but no angles
 };
 
 /// Those that can be asked for, e.g. "auto, mean-normal".

@@ -7,13 +7,18 @@ namespace af2::geometry {
 namespace {
 /// The area of du x dv counts as zero below this share of |du| |dv|.
 constexpr double kDegenerate = 1e-9;
+/// The bend of a chart at a place, over the distance of the place.
+constexpr double kMostBend = 0.4;
+/// New vertices lie on the surface wherever these stop.
+constexpr int kInverseSteps = 12;
+constexpr double kPlaceTolerance = 1e-4;  // in the chart
 }  // namespace
 
 MetricChart::MetricChart(const ParametricSurface& surface, const SurfacePoint& from,
                          const SurfacePoint& to, double edgeLength)
     : surface_(surface), u_(from.u), v_(from.v) {
   const double du = to.u - from.u, dv = to.v - from.v;
-  const auto frame = surface.frameAt(from.u + du / 2, from.v + dv / 2);
+  const SurfaceJet frame = surface.jetAt(from.u + du / 2, from.v + dv / 2);
   const double e = dot(frame.du, frame.du), f = dot(frame.du, frame.dv);
   const double g = dot(frame.dv, frame.dv);
   const double det = e * g - f * f;
@@ -39,6 +44,44 @@ MetricChart::MetricChart(const ParametricSurface& surface, const SurfacePoint& f
   xv_ = -inverse * uy_;
   yu_ = -inverse * vx_;
   yv_ = inverse * ux_;
+
+  // How steps of the chart turn within the surface.
+  const auto turnOf = [&](const Point3& second) {
+    const double a = 0.5 * dot(second, frame.du), b = 0.5 * dot(second, frame.dv);
+    const double u = (g * a - f * b) / det, v = (e * b - f * a) / det;
+    return Point2{xu_ * u + xv_ * v, yu_ * u + yv_ * v};
+  };
+  const Point2 uu = turnOf(frame.duu), uv = turnOf(frame.duv), vv = turnOf(frame.dvv);
+  xx_ = (ux_ * ux_) * uu + (2 * ux_ * vx_) * uv + (vx_ * vx_) * vv;
+  xy_ = (ux_ * uy_) * uu + (ux_ * vy_ + uy_ * vx_) * uv + (vx_ * vy_) * vv;
+  yy_ = (uy_ * uy_) * uu + (2 * uy_ * vy_) * uv + (vy_ * vy_) * vv;
+  end_ = length / edgeLength;
+  isAffine_ = xx_ == Point2{} && xy_ == Point2{} && yy_ == Point2{};
+}
+
+Point2 MetricChart::bent(Point2 p) const {
+  // Coordinates about the middle of the base edge are bent, but those of its ends stay.
+  const double x = p.x - end_;
+  const Point2 bend = (p.x * x) * xx_ + (p.y * (p.x + x)) * xy_ + (p.y * p.y) * yy_;
+  // Farther off the second order is no better than the first, and would fold over.
+  const double most = kMostBend * kMostBend * dot(p, p), size = dot(bend, bend);
+  return p + (size > most ? std::sqrt(most / size) : 1) * bend;
+}
+
+ChartPoint MetricChart::transformFromSurface(const SurfacePoint& point) const {
+  const double du = point.u - u_, dv = point.v - v_;
+  const Point2 p{xu_ * du + xv_ * dv, yu_ * du + yv_ * dv};
+  return {isAffine_ ? p : bent(p), ChartView::Legal};
+}
+
+std::optional<SurfacePoint> MetricChart::transformToSurface(Point2 point) const {
+  Point2 p = point;
+  for (int step = 0; !isAffine_ && step < kInverseSteps; ++step) {
+    const Point2 rest = point - bent(p);
+    p = p + rest;
+    if (dot(rest, rest) < kPlaceTolerance * kPlaceTolerance) break;
+  }
+  return surface_.pointAt(u_ + ux_ * p.x + uy_ * p.y, v_ + vx_ * p.x + vy_ * p.y);
 }
 
 }  // namespace af2::geometry

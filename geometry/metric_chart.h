@@ -1,5 +1,5 @@
-// A chart in the parameters of a surface, with the surface's metric at the middle of the base edge.
-// It cannot fold: the second choice where the published chart does.
+// A chart in the parameters of a surface: geodesic coordinates about the middle of the base edge,
+// to second order.
 #pragma once
 
 #include "engine/local_transform.h"
@@ -13,33 +13,41 @@ class ParametricSurface {
   using Frame = SurfaceFrame;
   virtual ~ParametricSurface() = default;
   virtual Frame frameAt(double u, double v) const = 0;
+  /// Second derivatives without what they have along the normal will do; here none, as of
+  /// parameters that are lengths.
+  virtual SurfaceJet jetAt(double u, double v) const {
+    const Frame frame = frameAt(u, v);
+    return {frame.position, frame.du, frame.dv, {}, {}, {}};
+  }
   /// With (u, v), position and normal of the face.
   virtual SurfacePoint pointAt(double u, double v) const = 0;
   /// Whether the normals of the face are opposite to du x dv.
   virtual bool isFlipped() const = 0;
 };
 
-/// Affine in (u, v); takes each corner of the front at its own parameters, so that the two sides of
-/// a seam are apart.
+/// Quadratic in (u, v), so that lines of the chart are geodesics and its lengths those on the
+/// surface to second order; takes each corner of the front at its own parameters, so that the two
+/// sides of a seam are apart.
 class MetricChart final : public AF2LocalTransform {
  public:
   /// Throws GeometryError where the parameters are degenerate.
   MetricChart(const ParametricSurface& surface, const SurfacePoint& from, const SurfacePoint& to,
               double edgeLength);
 
-  ChartPoint transformFromSurface(const SurfacePoint& point) const override {
-    const double du = point.u - u_, dv = point.v - v_;
-    return {{xu_ * du + xv_ * dv, yu_ * du + yv_ * dv}, ChartView::Legal};
-  }
-  std::optional<SurfacePoint> transformToSurface(Point2 point) const override {
-    return surface_.pointAt(u_ + ux_ * point.x + uy_ * point.y, v_ + vx_ * point.x + vy_ * point.y);
-  }
+  ChartPoint transformFromSurface(const SurfacePoint& point) const override;
+  std::optional<SurfacePoint> transformToSurface(Point2 point) const override;
 
  private:
+  /// A place of the affine chart about `from` as it is drawn.
+  Point2 bent(Point2 p) const;
+
   const ParametricSurface& surface_;
   double u_, v_;              // of the start of the base edge
-  double xu_, xv_, yu_, yv_;  // from parameters to the chart
+  double xu_, xv_, yu_, yv_;  // from parameters to the affine chart
   double ux_, uy_, vx_, vy_;  // and back
+  Point2 xx_, xy_, yy_;       // halves of Christoffel's symbols at the middle, in that chart
+  double end_;                // of the base edge, on the x axis
+  bool isAffine_;
 };
 
 class MetricChartMaker final : public AF2LocalTransformMaker {

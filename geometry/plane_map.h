@@ -17,6 +17,8 @@ class PlaneMap {
   virtual SurfacePoint lift(Point2 place) const = 0;
   /// Length in the plane for one on the surface.
   virtual double scaleAt(Point2) const { return 1; }
+  /// How the logarithm of the scale changes along x and y.
+  virtual Point2 scaleGradientAt(Point2) const { return {0, 0}; }
 };
 
 }  // namespace af2::geometry

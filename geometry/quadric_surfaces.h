@@ -68,6 +68,8 @@ class TorusSurface {
   TorusSurface(const Point3& centre, const Point3& axis, double major, double minor, Side side);
   std::optional<SurfacePoint> hit(const SurfaceLine& line) const;
   Point3 normalAt(const Point3& position) const;
+  double major() const { return major_; }
+  double minor() const { return minor_; }
   /// Smaller radius of curvature.
   double curvatureRadiusAt(const Point3& position) const;
   /// That along the circles around the axis.

@@ -138,6 +138,7 @@ FaceAttempt fillLaidOut(const FaceTask& task, ChartKind kind, const MeshingOptio
 FaceAttempt fill(const FaceTask& task, ChartKind kind, const MeshingOptions& options) {
   switch (kind) {
     case ChartKind::Developed:
+    case ChartKind::Conformal:
       return fillLaidOut(task, kind, options);
     case ChartKind::Parametric:
       return fillInParameters(task, options);

@@ -59,16 +59,17 @@ bool close(const FaceTask& task, FaceAttempt& attempt) {
 /// The kinds of charts to try, best first: that asked for, then those that suit the surface.
 std::vector<ChartKind> chartsFor(const FaceTask& task) {
   const auto isPossible = [&](ChartKind kind) {
-    const bool isInParameters = kind == ChartKind::Parametric || kind == ChartKind::Developed;
-    return task.surface.has(kind) && (!isInParameters || task.boundary.closedInParameters);
+    const bool isInParameters = kind == ChartKind::Parametric || kind == ChartKind::Developed ||
+                                kind == ChartKind::Conformal;
+    return (!isInParameters || task.boundary.closedInParameters) && task.surface.has(kind);
   };
   std::vector<ChartKind> kinds;
   const auto add = [&](ChartKind kind) {
     if (isPossible(kind) && std::ranges::find(kinds, kind) == kinds.end()) kinds.push_back(kind);
   };
   if (task.options.chart != ChartKind::Auto) add(task.options.chart);
-  for (const ChartKind kind :
-       {ChartKind::Plane, ChartKind::Developed, ChartKind::Stereographic, ChartKind::MeanNormal})
+  for (const ChartKind kind : {ChartKind::Plane, ChartKind::Developed, ChartKind::Stereographic,
+                               ChartKind::Conformal, ChartKind::MeanNormal})
     add(kind);
   if (!isPossible(ChartKind::Developed)) add(ChartKind::Parametric);
   return kinds;
@@ -93,8 +94,8 @@ FaceAttempt fillWithRules(const FaceTask& task) {
     return std::move(attempt);
   }
   FaceAttempt all;
+  for (const std::string& step : steps) all.fault += (all.fault.empty() ? "" : "; ") + step;
   all.steps = std::move(steps);
-  all.fault = all.steps.back();
   for (FaceAttempt& attempt : failed) all.failures.push_back(std::move(attempt.result));
   return all;
 }

@@ -12,6 +12,7 @@
 #include "engine/optimize.h"
 #include "engine/plane_chart.h"
 #include "engine/stopwatch.h"
+#include "geometry/conformal_chart.h"
 #include "geometry/graded_size.h"
 #include "geometry/laid_out.h"
 #include "geometry/occ/face_attempt.h"
@@ -140,6 +141,8 @@ class FaceMesher {
 
   PieceTools makeTools(const FrontInput& input, ChartKind kind) const {
     auto size = std::make_shared<const OwnSize>(context_, face_, input, kind);
+    if (size->map && kind == ChartKind::Conformal)
+      return {std::make_unique<ConformalChartMaker>(*size->map), std::move(size)};
     if (size->map) return {std::make_unique<PlaneChartMaker>(), std::move(size)};
     auto charts = size->surface.makeCharts(kind);
     return {std::move(charts), std::move(size)};

@@ -10,8 +10,11 @@
 
 #include "engine/error.h"
 #include "engine/plane_chart.h"
+#include "geometry/normal_line_chart.h"
 #include "geometry/occ/points.h"
+#include "geometry/occ/swept_maps.h"
 #include "geometry/stereographic_chart.h"
+#include "geometry/torus_map.h"
 
 namespace af2::geometry {
 
@@ -182,8 +185,19 @@ FaceSurface::FaceSurface(const Handle(Geom_Surface) & surface, const SplineSurfa
       surface_ =
           oriented(TorusSurface(centre, axis, t.MajorRadius(), t.MinorRadius(), Side::Outer),
                    TorusSurface(centre, axis, t.MajorRadius(), t.MinorRadius(), Side::Inner), p, n);
+      sweep_ = Sweep::Torus;
+      sweepAxis_ = axisFrame(t.Position(), centre);
       break;
     }
+    case GeomAbs_SurfaceOfRevolution: {
+      const gp_Ax1 axis = adaptor.AxeOfRevolution();
+      sweep_ = Sweep::Revolution;
+      sweepAxis_ = {toPoint(axis.Location()), {}, {}, toPoint(axis.Direction())};
+      break;
+    }
+    case GeomAbs_SurfaceOfExtrusion:
+      sweep_ = Sweep::Extrusion;
+      break;
     default:
       break;
   }
@@ -273,10 +287,13 @@ bool FaceSurface::has(ChartKind kind) const {
     case ChartKind::Plane:
       return isPlane();
     case ChartKind::MeanNormal:
+    case ChartKind::NormalLines:
+    case ChartKind::Blended:
     case ChartKind::Parametric:
       return !isPlane();
     case ChartKind::Developed:
-      return unrolled_ != nullptr;
+    case ChartKind::Conformal:
+      return makePlaneMap(kind) != nullptr;
     case ChartKind::Stereographic:
       return std::holds_alternative<SphereSurface>(surface_);
   }
@@ -288,11 +305,33 @@ std::unique_ptr<AF2LocalTransformMaker> FaceSurface::makeCharts(ChartKind kind) 
   if (const auto* sphere = std::get_if<SphereSurface>(&surface_);
       sphere && kind == ChartKind::Stereographic)
     return std::make_unique<StereographicChartMaker>(*sphere);
+  if (kind == ChartKind::NormalLines) return normalLineCharts(1);
+  if (kind == ChartKind::Blended) return normalLineCharts(1.0 / 3);
   return makeCharts(ChartLimits{});
 }
 
+std::unique_ptr<AF2LocalTransformMaker> FaceSurface::normalLineCharts(double share) const {
+  using Maker = std::unique_ptr<AF2LocalTransformMaker>;
+  return std::visit(
+      Overloaded{[&](const PlaneSurface&) -> Maker { return makeCharts(ChartLimits{}); },
+                 [&](const auto& curved) -> Maker {
+                   using Curved = std::decay_t<decltype(curved)>;
+                   return std::make_unique<NormalLineChartMaker<Curved>>(curved, share);
+                 }},
+      surface_);
+}
+
 std::unique_ptr<PlaneMap> FaceSurface::makePlaneMap(ChartKind kind) const {
-  if (kind == ChartKind::Developed && unrolled_) return std::make_unique<UnrolledMap>(*unrolled_);
+  if (kind == ChartKind::Developed) {
+    if (unrolled_) return std::make_unique<UnrolledMap>(*unrolled_);
+    if (sweep_ == Sweep::Extrusion) return makeExtrusionMap(parametric_, box_);
+  }
+  if (kind == ChartKind::Conformal) {
+    if (const auto* torus = std::get_if<TorusSurface>(&surface_))
+      return std::make_unique<TorusMap>(sweepAxis_, *torus);
+    if (sweep_ == Sweep::Revolution)
+      return makeRevolutionMap(parametric_, box_, sweepAxis_.origin, sweepAxis_.axis);
+  }
   return nullptr;
 }
 

@@ -70,6 +70,7 @@ class FaceSurface {
   /// flipped  the normals of the face are opposite to du x dv
   FaceSurface(const Handle(Geom_Surface) & surface, const SplineSurface::Box& box, bool flipped);
   void measure();
+  std::unique_ptr<AF2LocalTransformMaker> normalLineCharts(double share) const;
   bool isBent() const { return isBentInU_ || isBentInV_; }
 
   using Surface = std::variant<PlaneSurface, CylinderSurface, ConeSurface, SphereSurface,
@@ -81,6 +82,9 @@ class FaceSurface {
   std::shared_ptr<const UnrolledSurface> unrolled_;  ///< null: there is none
   bool isBentInU_ = false, isBentInV_ = false, hasTip_ = false;
   double extent_ = 0;
+  /// Of a torus, a surface of revolution and an extrusion.
+  enum class Sweep { None, Torus, Revolution, Extrusion } sweep_ = Sweep::None;
+  AxisFrame sweepAxis_;  ///< of a surface of revolution without x and y; of an extrusion none
 };
 
 }  // namespace af2::geometry

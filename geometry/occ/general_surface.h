@@ -35,6 +35,7 @@ class GeneralSurface final : public ParametricSurface {
   std::optional<SurfacePoint> hit(const SurfaceLine& line) const;
 
   Frame frameAt(double u, double v) const override { return values_.frameAt(u, v); }
+  SurfaceJet jetAt(double u, double v) const override { return values_.jetAt(u, v); }
   SurfacePoint pointAt(double u, double v) const override;
   bool isFlipped() const override { return sign_ < 0; }
   /// Where du x dv vanishes (a pole), the mean of the normals around.

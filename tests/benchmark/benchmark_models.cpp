@@ -3,7 +3,6 @@
 //     sphere.step   radius 5
 //     spline.step   one bicubic B-spline face of 20 x 20 spans, about 10 x 10, with waves
 //     parts.step    1,000 faces of about 1 x 1: planes, splines, cylinders, cones, tori, spheres
-#include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_NurbsConvert.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCone.hxx>
@@ -11,42 +10,18 @@
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRepPrimAPI_MakeTorus.hxx>
 #include <BRep_Builder.hxx>
-#include <Geom_BSplineSurface.hxx>
 #include <Message.hxx>
 #include <Message_Messenger.hxx>
 #include <Message_Printer.hxx>
 #include <STEPControl_Writer.hxx>
 #include <Standard_Failure.hxx>
-#include <TColStd_Array1OfInteger.hxx>
-#include <TColStd_Array1OfReal.hxx>
-#include <TColgp_Array2OfPnt.hxx>
 #include <TopoDS_Compound.hxx>
-#include <cmath>
 #include <cstdio>
 #include <filesystem>
 
-namespace {
+#include "spline_face.h"
 
-TopoDS_Shape splineFace() {
-  constexpr int kSpans = 20, kDegree = 3, kPoles = kSpans + kDegree;
-  TColStd_Array1OfReal knots(1, kSpans + 1);
-  TColStd_Array1OfInteger multiplicities(1, kSpans + 1);
-  for (int k = 1; k <= kSpans + 1; ++k) {
-    knots(k) = k - 1;
-    multiplicities(k) = k == 1 || k == kSpans + 1 ? kDegree + 1 : 1;
-  }
-  TColgp_Array2OfPnt poles(1, kPoles, 1, kPoles);
-  constexpr double kStep = 10.0 / (kPoles - 1);
-  for (int i = 1; i <= kPoles; ++i)
-    for (int j = 1; j <= kPoles; ++j) {
-      const double x = kStep * (i - 1), y = kStep * (j - 1);
-      poles(i, j) = gp_Pnt(x, y, 0.5 * std::sin(0.9 * x + 0.2 * y) * std::cos(0.7 * y));
-    }
-  return BRepBuilderAPI_MakeFace(new Geom_BSplineSurface(poles, knots, knots, multiplicities,
-                                                         multiplicities, kDegree, kDegree),
-                                 1e-7)
-      .Face();
-}
+namespace {
 
 /// Shapes in a row, none touching another.
 class Row {
@@ -82,7 +57,7 @@ bool write(const TopoDS_Shape& shape, const std::filesystem::path& path) {
 
 bool writeAll(const std::filesystem::path& directory) {
   return write(BRepPrimAPI_MakeSphere(5).Shape(), directory / "sphere.step") &&
-         write(splineFace(), directory / "spline.step") &&
+         write(af2::benchmark::splineFace(), directory / "spline.step") &&
          write(manyFaces(), directory / "parts.step");
 }
 

@@ -56,5 +56,62 @@ TEST(MetricChart, PutsTheEndOfTheBaseEdgeAtItsChord) {
   EXPECT_LT(testing::gap(chart->transformFromSurface(to).position, {chord / 0.5, 0}), 1e-13);
 }
 
+/// A cone with its tip at the origin, by angle and distance from the tip: not lengths.
+class Cone final : public ParametricSurface {
+ public:
+  Frame frameAt(double u, double v) const override {
+    return {v * ruling(u), (kSine * v) * Point3{-std::sin(u), std::cos(u), 0}, ruling(u)};
+  }
+  SurfaceJet jetAt(double u, double v) const override {
+    const Frame f = frameAt(u, v);
+    return {f.position,
+            f.du,
+            f.dv,
+            (kSine * v) * Point3{-std::cos(u), -std::sin(u), 0},
+            kSine * Point3{-std::sin(u), std::cos(u), 0},
+            {}};
+  }
+  SurfacePoint pointAt(double u, double v) const override {
+    const Frame f = frameAt(u, v);
+    return {f.position, unit(cross(f.du, f.dv)), u, v};
+  }
+  bool isFlipped() const override { return false; }
+  /// Unrolled.
+  static Point2 flat(const SurfacePoint& p) {
+    return {p.v * std::cos(kSine * p.u), p.v * std::sin(kSine * p.u)};
+  }
+
+ private:
+  static constexpr double kSine = 0.6;
+  static Point3 ruling(double u) { return {kSine * std::cos(u), kSine * std::sin(u), 0.8}; }
+};
+
+/// Distances on the cone are those of the unrolled one. Near the base edge the chart keeps them to
+/// second order, which charts that are affine in the parameters do not.
+TEST(MetricChart, KeepsLengthsToSecondOrder) {
+  const Cone cone;
+  for (const double step : {0.2, 0.1, 0.05}) {
+    const SurfacePoint from = cone.pointAt(0, 2), to = cone.pointAt(step / 1.2, 2);
+    const auto chart = MetricChartMaker(cone).makeLocalTransform(from, to, step);
+    for (const Point2 off : {Point2{0.5, 1.5}, Point2{-1, -1}, Point2{2, 0.7}}) {
+      const SurfacePoint there = cone.pointAt(off.x * step / 1.2, 2 + off.y * step);
+      const double drawn = length(chart->transformFromSurface(there).position);
+      const double onCone = distance(Cone::flat(from), Cone::flat(there)) / step;
+      EXPECT_NEAR(drawn, onCone, 2 * step * step);
+    }
+  }
+}
+
+TEST(MetricChart, BringsBackWhatItDraws) {
+  const Cone cone;
+  const auto chart =
+      MetricChartMaker(cone).makeLocalTransform(cone.pointAt(0, 2), cone.pointAt(0.3, 2.1), 0.4);
+  for (const Point2 place : {Point2{0.5, 0.9}, Point2{-1, 0.5}, Point2{1.5, 1.5}}) {
+    const auto point = chart->transformToSurface(place);
+    ASSERT_TRUE(point);
+    EXPECT_LT(testing::gap(chart->transformFromSurface(*point).position, place), 1e-4);
+  }
+}
+
 }  // namespace
 }  // namespace af2::geometry

@@ -1,5 +1,11 @@
 // Whole faces through each kind of chart: complete, on the surface, and told in the report.
 #include <gtest/gtest.h>
+#include <BRepBuilderAPI_MakeEdge.hxx>
+#include <BRepPrimAPI_MakePrism.hxx>
+#include <BRepPrimAPI_MakeRevol.hxx>
+#include <Geom_BezierCurve.hxx>
+#include <TColgp_Array1OfPnt.hxx>
+#include <TopoDS_Edge.hxx>
 
 #include <cmath>
 
@@ -64,7 +70,69 @@ TEST(Charts, ASphereIsMeshedThroughEachThatItHas) {
   }
 }
 
+TEST(Charts, ATorusIsMeshedThroughEachThatItHas) {
+  for (const ChartKind kind : {ChartKind::MeanNormal, ChartKind::NormalLines, ChartKind::Parametric,
+                               ChartKind::Conformal}) {
+    const ModelMesh result = mesh(testing::torus(2, 1), 0.4, kind);
+    expectOnSurface(result, 0.4, [](const Point3& p) {
+      return length(Point2{length(Point2{p.x, p.y}) - 2, p.z}) - 1;
+    });
+    EXPECT_EQ(result.faces[0].chart, toString(kind));
+  }
+}
+
+/// A profile from (1, 0, 0) to (1, 0, 4) that bulges by one.
+TopoDS_Edge profile() {
+  TColgp_Array1OfPnt poles(1, 3);
+  poles(1) = gp_Pnt(1, 0, 0);
+  poles(2) = gp_Pnt(3, 0, 2);
+  poles(3) = gp_Pnt(1, 0, 4);
+  return BRepBuilderAPI_MakeEdge(Handle(Geom_BezierCurve)(new Geom_BezierCurve(poles)));
+}
+
+TEST(Charts, ASurfaceOfRevolutionIsMeshedThroughEachThatItHas) {
+  const auto bulge = BRepPrimAPI_MakeRevol(profile(), gp_Ax1({0, 0, 0}, {0, 0, 1})).Shape();
+  for (const ChartKind kind : {ChartKind::MeanNormal, ChartKind::NormalLines, ChartKind::Parametric,
+                               ChartKind::Conformal}) {
+    const ModelMesh result = mesh(testing::modelOf(bulge), 0.4, kind);
+    expectOnSurface(result, 0.4, [](const Point3& p) {
+      const double t = p.z / 4;
+      return length(Point2{p.x, p.y}) - (1 + 4 * t * (1 - t));
+    });
+    EXPECT_EQ(result.faces[0].chart, toString(kind));
+  }
+}
+
+TEST(Charts, ASurfaceThatTouchesItsAxisHasNoConformalOnes) {
+  TColgp_Array1OfPnt poles(1, 3);
+  poles(1) = gp_Pnt(0, 0, 0);
+  poles(2) = gp_Pnt(3, 0, 0);
+  poles(3) = gp_Pnt(2, 0, 2);
+  const TopoDS_Edge bowl =
+      BRepBuilderAPI_MakeEdge(Handle(Geom_BezierCurve)(new Geom_BezierCurve(poles)));
+  const ModelMesh result =
+      mesh(testing::modelOf(BRepPrimAPI_MakeRevol(bowl, gp_Ax1({0, 0, 0}, {0, 0, 1})).Shape()), 0.4,
+           ChartKind::Conformal);
+  EXPECT_EQ(result.faces[0].status, FaceStatus::Complete);
+  EXPECT_EQ(result.faces[0].chart, "mean-normal");
+}
+
+TEST(Charts, AnExtrusionIsMeshedThroughEachThatItHas) {
+  // Askew, so that lengths along the curve are not those across the direction.
+  const auto sheet = BRepPrimAPI_MakePrism(profile(), gp_Vec(0, 3, 1)).Shape();
+  for (const ChartKind kind : {ChartKind::MeanNormal, ChartKind::NormalLines, ChartKind::Parametric,
+                               ChartKind::Developed}) {
+    const ModelMesh result = mesh(testing::modelOf(sheet), 0.4, kind);
+    expectOnSurface(result, 0.4, [](const Point3& p) {
+      const double t = (p.z - p.y / 3) / 4;
+      return p.x - (1 + 4 * t * (1 - t));
+    });
+    EXPECT_EQ(result.faces[0].chart, toString(kind));
+  }
+}
+
 TEST(Charts, AreChosenByTheSurface) {
+  EXPECT_EQ(mesh(testing::torus(2, 1), 0.4, ChartKind::Auto).faces[0].chart, "conformal");
   EXPECT_EQ(mesh(testing::sphere(2), 0.4, ChartKind::Auto).faces[0].chart, "stereographic");
   EXPECT_EQ(mesh(testing::cylinder(2, 3), 0.4, ChartKind::Auto).faces[0].chart, "developed");
   EXPECT_EQ(mesh(testing::cone(2, 1, 3), 0.4, ChartKind::Auto).faces[0].chart, "developed");
@@ -79,8 +147,9 @@ TEST(Charts, AFaceThatHasNoSuchChartIsMeshedWithAnother) {
 }
 
 TEST(Charts, HaveNames) {
-  for (const ChartKind kind : {ChartKind::Auto, ChartKind::MeanNormal, ChartKind::Parametric,
-                               ChartKind::Developed, ChartKind::Stereographic})
+  for (const ChartKind kind :
+       {ChartKind::Auto, ChartKind::MeanNormal, ChartKind::Parametric, ChartKind::NormalLines,
+        ChartKind::Developed, ChartKind::Stereographic, ChartKind::Conformal})
     EXPECT_EQ(chartKindOf(toString(kind)), kind);
   EXPECT_EQ(chartKindOf("plane"), std::nullopt);  // follows from the face, is not asked for
   EXPECT_EQ(chartKindOf(""), std::nullopt);

@@ -1,0 +1,90 @@
+// Along the normals of the surface down to a plane, and back to where these came from.
+#pragma once
+
+#include "geometry/mean_normal_chart.h"
+
+namespace af2::geometry {
+
+/// On the plane of the published chart, but each point goes down along its own normal, so that a
+/// point of the plane comes from the point of the surface that is nearest to it. On a circle, an
+/// arc a comes out as tan(a), where orthogonal projection makes it sin(a); `share` of the way from
+/// the one to the other, a third takes lengths to fourth order. Source: [VanderZee16], further
+/// work.
+///
+/// Surface  as for MeanNormalChart
+template <class Surface>
+class NormalLineChart final : public AF2LocalTransform {
+ public:
+  NormalLineChart(const Surface& surface, const SurfacePoint& from, const SurfacePoint& to,
+                  double edgeLength, const ChartLimits& limits, double share)
+      : surface_(surface),
+        from_(from),
+        to_(to),
+        frame_(meanNormalFrame(from, to, edgeLength, limits)),
+        edgeLength_(edgeLength),
+        share_(share) {}
+
+  ChartPoint transformFromSurface(const SurfacePoint& point) const override {
+    ChartPoint p = frame_.project(point);
+    if (p.view == ChartView::Legal) p.position = p.position + driftOf(point);
+    return p;
+  }
+
+  std::optional<SurfacePoint> transformToSurface(Point2 point) const override {
+    std::optional<SurfacePoint> hit = hitAt(point);
+    for (int step = 0; hit && step < kSteps; ++step) hit = hitAt(point - driftOf(*hit));
+    if (!hit || frame_.project(*hit).view != ChartView::Legal) return std::nullopt;
+    return hit;
+  }
+
+ private:
+  /// Each takes the error down by the height over the radius of curvature.
+  static constexpr int kSteps = 3;
+
+  /// From where orthogonal projection puts a point to where its normal does.
+  Point2 driftOf(const SurfacePoint& point) const {
+    const double height = dot(point.position - frame_.origin, frame_.normal);
+    const double factor = -share_ * frame_.scale * height / dot(point.normal, frame_.normal);
+    return {factor * dot(point.normal, frame_.xAxis), factor * dot(point.normal, frame_.yAxis)};
+  }
+  std::optional<SurfacePoint> hitAt(Point2 point) const {
+    const Point3 start = frame_.origin + (edgeLength_ * point.x) * frame_.xAxis +
+                         (edgeLength_ * point.y) * frame_.yAxis;
+    const auto hit = surface_.hit(
+        SurfaceLine{start, frame_.normal, frame_.xAxis, frame_.yAxis, from_, to_, edgeLength_});
+    if (!hit || frame_.project(*hit).view != ChartView::Legal) return std::nullopt;
+    return hit;
+  }
+
+  const Surface& surface_;
+  SurfacePoint from_, to_;  // copies: the front may move while the chart is in use
+  ProjectionFrame frame_;
+  double edgeLength_, share_;
+};
+
+template <class Surface>
+class NormalLineChartMaker final : public AF2LocalTransformMaker {
+ public:
+  /// share  of the way from orthogonal projection to that along the normals
+  explicit NormalLineChartMaker(Surface surface, double share, const ChartLimits& limits = {})
+      : surface_(std::move(surface)), limits_(limits), share_(share) {}
+
+  std::unique_ptr<AF2LocalTransform> makeLocalTransform(const SurfacePoint& from,
+                                                        const SurfacePoint& to,
+                                                        double edgeLength) const override {
+    return std::make_unique<NormalLineChart<Surface>>(surface_, from, to, edgeLength, limits_,
+                                                      share_);
+  }
+  const AF2LocalTransform& makeLocalTransformIn(ChartSlot& slot, const SurfacePoint& from,
+                                                const SurfacePoint& to,
+                                                double edgeLength) const override {
+    return slot.emplace<NormalLineChart<Surface>>(surface_, from, to, edgeLength, limits_, share_);
+  }
+
+ private:
+  Surface surface_;
+  ChartLimits limits_;
+  double share_;
+};
+
+}  // namespace af2::geometry
