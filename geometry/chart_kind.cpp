@@ -14,7 +14,6 @@ struct Named {
 constexpr Named kNamed[] = {{ChartKind::Auto, "auto"},
                             {ChartKind::MeanNormal, "mean-normal"},
                             {ChartKind::NormalLines, "normal-lines"},
-                            {ChartKind::Blended, "blended"},
                             {ChartKind::Parametric, "parametric"},
                             {ChartKind::Developed, "developed"},
                             {ChartKind::Stereographic, "stereographic"},

@@ -13,7 +13,6 @@ enum class ChartKind {
   Plane,          ///< the plane itself, for plane faces
   MeanNormal,     ///< the published plane across the mean normal of the base edge
   NormalLines,    ///< on the same plane, along the normals of the surface
-  Blended,        ///< a third of the way from MeanNormal to NormalLines
   Parametric,     ///< the parameters with the metric of the surface
   Developed,      ///< cylinders, cones and extrusions unrolled
   Stereographic,  ///< spheres from the point opposite the base edge

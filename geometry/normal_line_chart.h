@@ -6,23 +6,21 @@
 namespace af2::geometry {
 
 /// On the plane of the published chart, but each point goes down along its own normal, so that a
-/// point of the plane comes from the point of the surface that is nearest to it. On a circle, an
-/// arc a comes out as tan(a), where orthogonal projection makes it sin(a); `share` of the way from
-/// the one to the other, a third takes lengths to fourth order. Source: [VanderZee16], further
-/// work.
+/// point of the plane comes from the point of the surface that is nearest to it. Lengths grow away
+/// from the base edge, where orthogonal projection makes them shrink. Source: [VanderZee16],
+/// further work.
 ///
 /// Surface  as for MeanNormalChart
 template <class Surface>
 class NormalLineChart final : public AF2LocalTransform {
  public:
   NormalLineChart(const Surface& surface, const SurfacePoint& from, const SurfacePoint& to,
-                  double edgeLength, const ChartLimits& limits, double share)
+                  double edgeLength, const ChartLimits& limits)
       : surface_(surface),
         from_(from),
         to_(to),
         frame_(meanNormalFrame(from, to, edgeLength, limits)),
-        edgeLength_(edgeLength),
-        share_(share) {}
+        edgeLength_(edgeLength) {}
 
   ChartPoint transformFromSurface(const SurfacePoint& point) const override {
     ChartPoint p = frame_.project(point);
@@ -44,7 +42,7 @@ class NormalLineChart final : public AF2LocalTransform {
   /// From where orthogonal projection puts a point to where its normal does.
   Point2 driftOf(const SurfacePoint& point) const {
     const double height = dot(point.position - frame_.origin, frame_.normal);
-    const double factor = -share_ * frame_.scale * height / dot(point.normal, frame_.normal);
+    const double factor = -frame_.scale * height / dot(point.normal, frame_.normal);
     return {factor * dot(point.normal, frame_.xAxis), factor * dot(point.normal, frame_.yAxis)};
   }
   std::optional<SurfacePoint> hitAt(Point2 point) const {
@@ -59,32 +57,29 @@ class NormalLineChart final : public AF2LocalTransform {
   const Surface& surface_;
   SurfacePoint from_, to_;  // copies: the front may move while the chart is in use
   ProjectionFrame frame_;
-  double edgeLength_, share_;
+  double edgeLength_;
 };
 
 template <class Surface>
 class NormalLineChartMaker final : public AF2LocalTransformMaker {
  public:
-  /// share  of the way from orthogonal projection to that along the normals
-  explicit NormalLineChartMaker(Surface surface, double share, const ChartLimits& limits = {})
-      : surface_(std::move(surface)), limits_(limits), share_(share) {}
+  explicit NormalLineChartMaker(Surface surface, const ChartLimits& limits = {})
+      : surface_(std::move(surface)), limits_(limits) {}
 
   std::unique_ptr<AF2LocalTransform> makeLocalTransform(const SurfacePoint& from,
                                                         const SurfacePoint& to,
                                                         double edgeLength) const override {
-    return std::make_unique<NormalLineChart<Surface>>(surface_, from, to, edgeLength, limits_,
-                                                      share_);
+    return std::make_unique<NormalLineChart<Surface>>(surface_, from, to, edgeLength, limits_);
   }
   const AF2LocalTransform& makeLocalTransformIn(ChartSlot& slot, const SurfacePoint& from,
                                                 const SurfacePoint& to,
                                                 double edgeLength) const override {
-    return slot.emplace<NormalLineChart<Surface>>(surface_, from, to, edgeLength, limits_, share_);
+    return slot.emplace<NormalLineChart<Surface>>(surface_, from, to, edgeLength, limits_);
   }
 
  private:
   Surface surface_;
   ChartLimits limits_;
-  double share_;
 };
 
 }  // namespace af2::geometry

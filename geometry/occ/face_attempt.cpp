@@ -71,7 +71,8 @@ std::vector<ChartKind> chartsFor(const FaceTask& task) {
   for (const ChartKind kind : {ChartKind::Plane, ChartKind::Developed, ChartKind::Stereographic,
                                ChartKind::Conformal, ChartKind::MeanNormal})
     add(kind);
-  if (!isPossible(ChartKind::Developed)) add(ChartKind::Parametric);
+  if (!isPossible(ChartKind::Developed))
+    add(isPossible(ChartKind::Parametric) ? ChartKind::Parametric : ChartKind::NormalLines);
   return kinds;
 }
 

@@ -288,7 +288,6 @@ bool FaceSurface::has(ChartKind kind) const {
       return isPlane();
     case ChartKind::MeanNormal:
     case ChartKind::NormalLines:
-    case ChartKind::Blended:
     case ChartKind::Parametric:
       return !isPlane();
     case ChartKind::Developed:
@@ -305,18 +304,17 @@ std::unique_ptr<AF2LocalTransformMaker> FaceSurface::makeCharts(ChartKind kind) 
   if (const auto* sphere = std::get_if<SphereSurface>(&surface_);
       sphere && kind == ChartKind::Stereographic)
     return std::make_unique<StereographicChartMaker>(*sphere);
-  if (kind == ChartKind::NormalLines) return normalLineCharts(1);
-  if (kind == ChartKind::Blended) return normalLineCharts(1.0 / 3);
+  if (kind == ChartKind::NormalLines) return normalLineCharts();
   return makeCharts(ChartLimits{});
 }
 
-std::unique_ptr<AF2LocalTransformMaker> FaceSurface::normalLineCharts(double share) const {
+std::unique_ptr<AF2LocalTransformMaker> FaceSurface::normalLineCharts() const {
   using Maker = std::unique_ptr<AF2LocalTransformMaker>;
   return std::visit(
       Overloaded{[&](const PlaneSurface&) -> Maker { return makeCharts(ChartLimits{}); },
                  [&](const auto& curved) -> Maker {
                    using Curved = std::decay_t<decltype(curved)>;
-                   return std::make_unique<NormalLineChartMaker<Curved>>(curved, share);
+                   return std::make_unique<NormalLineChartMaker<Curved>>(curved);
                  }},
       surface_);
 }

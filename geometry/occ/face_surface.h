@@ -70,7 +70,7 @@ class FaceSurface {
   /// flipped  the normals of the face are opposite to du x dv
   FaceSurface(const Handle(Geom_Surface) & surface, const SplineSurface::Box& box, bool flipped);
   void measure();
-  std::unique_ptr<AF2LocalTransformMaker> normalLineCharts(double share) const;
+  std::unique_ptr<AF2LocalTransformMaker> normalLineCharts() const;
   bool isBent() const { return isBentInU_ || isBentInV_; }
 
   using Surface = std::variant<PlaneSurface, CylinderSurface, ConeSurface, SphereSurface,

@@ -87,9 +87,9 @@ class Comparison {
   void compare(const Surface& surface) const {
     const geometry::Model model = af2::testing::modelOf(surface.shape);
     for (const double size : {1.0, 0.7, 0.4, 0.05})
-      for (const ChartKind kind : {ChartKind::MeanNormal, ChartKind::NormalLines,
-                                   ChartKind::Blended, ChartKind::Parametric, ChartKind::Developed,
-                                   ChartKind::Stereographic, ChartKind::Conformal})
+      for (const ChartKind kind :
+           {ChartKind::MeanNormal, ChartKind::NormalLines, ChartKind::Parametric,
+            ChartKind::Developed, ChartKind::Stereographic, ChartKind::Conformal})
         print(surface.name, size, kind, run(model, size, kind));
   }
 
