@@ -42,9 +42,11 @@ StereographicChart::StereographicChart(const SphereSurface& sphere, const Surfac
 std::optional<SurfacePoint> StereographicChart::transformToSurface(Point2 point) const {
   // From the opposite point through that of the plane to the sphere.
   const double x = edgeLength_ * point.x - middle_, y = edgeLength_ * point.y;
-  const double share = 2 * radius_ * height_ / (x * x + y * y + height_ * height_);
-  const Point3 radial =
-      unit(share * (x * frame_.xAxis + y * frame_.yAxis) + (share * height_ - radius_) * up_);
+  const double share = 2 * height_ / (x * x + y * y + height_ * height_);
+  const Point3 rough =
+      (share * x) * frame_.xAxis + (share * y) * frame_.yAxis + (share * height_ - 1) * up_;
+  // Its length is 1 but for rounding; one step of Newton's method for that.
+  const Point3 radial = (1.5 - 0.5 * dot(rough, rough)) * rough;
   return SurfacePoint{sphereCentre_ + radius_ * radial, side_ * radial};
 }
 

@@ -5,12 +5,19 @@
 namespace af2::geometry {
 
 FaceSize::FaceSize(const ModelSizes& sizes, int face, const FaceSurface& surface)
-    : sizes_(sizes), surface_(surface), wanted_(wantedOnFace(sizes, face)) {}
+    : sizes_(sizes),
+      surface_(surface),
+      wanted_(wantedOnFace(sizes, face)),
+      isBentAlike_(surface.isBentAlike()) {
+  if (isBentAlike_ && !surface.isPlane()) wanted_ = limitedAt({});
+}
+
+double FaceSize::limitedAt(const SurfacePoint& point) const {
+  return sizes_.curvedShare * limitByCurvature(sizes_, wanted_, surface_, point);
+}
 
 double FaceSize::sizeAt(const SurfacePoint& point) const {
-  const double size = surface_.isPlane()
-                          ? wanted_
-                          : sizes_.curvedShare * limitByCurvature(sizes_, wanted_, surface_, point);
+  const double size = isBentAlike_ ? wanted_ : limitedAt(point);
   return bounded(sizes_, limitByFunction(sizes_, size, point.position));
 }
 

@@ -15,9 +15,12 @@ class FaceSize final : public SizeField {
   double sizeAt(const SurfacePoint& point) const override;
 
  private:
+  double limitedAt(const SurfacePoint& point) const;
+
   const ModelSizes& sizes_;
   const FaceSurface& surface_;
   double wanted_;
+  bool isBentAlike_;  ///< then `wanted_` is limited by the curvature already
 };
 
 }  // namespace af2::geometry

@@ -44,6 +44,11 @@ class FaceSurface {
   };
   Radii radiiAt(const SurfacePoint& point, double reach = 0) const;
   bool isPlane() const { return std::holds_alternative<PlaneSurface>(surface_); }
+  /// Whether radiiAt is the same everywhere.
+  bool isBentAlike() const {
+    return isPlane() || std::holds_alternative<CylinderSurface>(surface_) ||
+           std::holds_alternative<SphereSurface>(surface_);
+  }
   /// Distance of the parts of the face that are farthest from each other, roughly.
   double extent() const { return extent_; }
   /// The part of OpenCASCADE's parameters that the face takes up; of a plane, any part.

@@ -131,6 +131,44 @@ TEST(Charts, AnExtrusionIsMeshedThroughEachThatItHas) {
   }
 }
 
+/// Sizes near the radius of curvature, with nothing that makes them smaller: charts fold there.
+template <class Normal>
+void expectNoFolds(const Model& model, ChartKind kind, Normal&& normalAt) {
+  static const AF2Algorithm algorithm(testing::triangleSet());
+  for (const double size : {0.9, 0.7, 0.5}) {
+    ModelMeshingOptions options;
+    options.sizes.size = size;
+    options.sizes.faceTurn = options.sizes.edgeTurn = 1e3;
+    options.threads = 1;
+    options.chart = kind;
+    const ModelMesh mesh = meshModel(model, algorithm, options);
+    EXPECT_EQ(mesh.faces[0].status, FaceStatus::Complete) << toString(kind) << " " << size;
+    for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
+      if (mesh.face[e] != 1) continue;
+      const auto at = [&](std::size_t i) {
+        return mesh.vertices[mesh.elements[e].corners[i].value];
+      };
+      const Point3 turned = unit(cross(at(1) - at(0), at(2) - at(0)));
+      for (std::size_t i = 0; i < 3; ++i)
+        EXPECT_GT(dot(turned, normalAt(at(i))), 0) << toString(kind) << " " << size;
+    }
+  }
+}
+
+TEST(Charts, ProduceNoFoldsWhereSizesAreNearTheRadius) {
+  for (const ChartKind kind :
+       {ChartKind::Auto, ChartKind::MeanNormal, ChartKind::NormalLines, ChartKind::Parametric,
+        ChartKind::Developed, ChartKind::Stereographic, ChartKind::Conformal}) {
+    expectNoFolds(testing::cylinder(1, 3), kind, [](const Point3& p) {
+      return Point3{p.x, p.y, 0};
+    });
+    expectNoFolds(testing::sphere(1), kind, [](const Point3& p) { return p; });
+    expectNoFolds(testing::torus(3, 1), kind, [](const Point3& p) {
+      return p - (3 / length(Point2{p.x, p.y})) * Point3{p.x, p.y, 0};
+    });
+  }
+}
+
 TEST(Charts, AreChosenByTheSurface) {
   EXPECT_EQ(mesh(testing::torus(2, 1), 0.4, ChartKind::Auto).faces[0].chart, "conformal");
   EXPECT_EQ(mesh(testing::sphere(2), 0.4, ChartKind::Auto).faces[0].chart, "stereographic");
