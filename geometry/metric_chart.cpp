@@ -1,5 +1,7 @@
 #include "geometry/metric_chart.h"
 
+#include <algorithm>
+
 #include "engine/error.h"
 
 namespace af2::geometry {
@@ -7,6 +9,8 @@ namespace af2::geometry {
 namespace {
 /// The area of du x dv counts as zero below this share of |du| |dv|.
 constexpr double kDegenerate = 1e-9;
+/// Half the turn of an edge, in radians, within the surface against the lines of the parameters.
+constexpr double kMostTurn = 0.3;
 /// The bend of a chart at a place, over the distance of the place.
 constexpr double kMostBend = 0.4;
 /// New vertices lie on the surface wherever these stop.
@@ -55,6 +59,15 @@ MetricChart::MetricChart(const ParametricSurface& surface, const SurfacePoint& f
   xx_ = (ux_ * ux_) * uu + (2 * ux_ * vx_) * uv + (vx_ * vx_) * vv;
   xy_ = (ux_ * uy_) * uu + (ux_ * vy_ + uy_ * vx_) * uv + (vx_ * vy_) * vv;
   yy_ = (uy_ * uy_) * uu + (2 * uy_ * vy_) * uv + (vy_ * vy_) * vv;
+  // Where an edge turns by too much, as beside a pole, the second order does not hold as far as the
+  // next edges: rather none of it.
+  const double turn = std::sqrt(std::max({dot(xx_, xx_), dot(xy_, xy_), dot(yy_, yy_)}));
+  if (turn > kMostTurn) {
+    const double less = (kMostTurn / turn) * (kMostTurn / turn);
+    xx_ = less * xx_;
+    xy_ = less * xy_;
+    yy_ = less * yy_;
+  }
   end_ = length / edgeLength;
   isAffine_ = xx_ == Point2{} && xy_ == Point2{} && yy_ == Point2{};
 }
