@@ -9,10 +9,11 @@ namespace af2::geometry {
 namespace {
 /// The area of du x dv counts as zero below this share of |du| |dv|.
 constexpr double kDegenerate = 1e-9;
-/// Half the turn of an edge, in radians, within the surface against the lines of the parameters.
-constexpr double kMostTurn = 0.3;
+/// Half the turn of an edge, in radians, within the surface against the lines of the parameters:
+/// with more, charts would fold within the reach of the rules, four edges or so.
+constexpr double kMostTurn = 0.12;
 /// The bend of a chart at a place, over the distance of the place.
-constexpr double kMostBend = 0.4;
+constexpr double kMostBend = 0.5;
 /// New vertices lie on the surface wherever these stop.
 constexpr int kInverseSteps = 12;
 constexpr double kPlaceTolerance = 1e-4;  // in the chart
