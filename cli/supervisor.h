@@ -22,7 +22,7 @@ using GivenUp = std::map<int, std::string>;
 /// Processor seconds.
 struct RunLimits {
   double first = 60;  ///< until the run begins its first face
-  double next = 40;   ///< until it tells of anything again
+  double next = 20;   ///< until it tells of anything again, while it works on a face
 };
 
 /// Runs `run` in a child process. If that crashes or hangs while it works on a face, runs it again
@@ -31,7 +31,7 @@ struct RunLimits {
 /// Returns what `run` returns; in the child process, too, which goes on from there as if it were
 /// the whole program. Costs one fork, and memory for nothing but what the child changes.
 ///
-/// Throws InputError if the child crashes or hangs while it works on no face.
+/// Throws InputError if the child crashes while it works on no face, or hangs before the first one.
 int supervise(const RunLimits& limits, const std::function<int(RunLog&, const GivenUp&)>& run);
 
 }  // namespace af2::cli

@@ -5,6 +5,7 @@
 
 #include <atomic>
 #include <csignal>
+#include <ctime>
 #include <filesystem>
 #include <fstream>
 
@@ -63,6 +64,18 @@ TEST(Supervisor, LeavesOutTheFaceThatDoesNotEnd) {
     return givenUp.at(9).find("did not come to an end") != std::string::npos ? 5 : 6;
   });
   EXPECT_EQ(code, 5);
+}
+
+TEST(Supervisor, LetsWhatComesAfterTheFacesTakeItsTime) {
+  const int code = runHere({1, 0.2}, [](RunLog& log, const GivenUp&) {
+    log.begin(9);
+    log.finish();
+    const std::clock_t end = std::clock() + CLOCKS_PER_SEC;
+    while (std::clock() < end) {
+    }
+    return 7;
+  });
+  EXPECT_EQ(code, 7);
 }
 
 TEST(Supervisor, TellsOfACrashOutsideOfFaces) {
