@@ -1,25 +1,51 @@
 // af2 inspect
 #include <fmt/core.h>
 
+#include <filesystem>
 #include <map>
 #include <memory>
 
 #include "cli/exit_code.h"
+#include "cli/mesh_request.h"
+#include "cli/number_lists.h"
+#include "cli/supervisor.h"
+#include "cli/text_files.h"
+#include "cli/usage_error.h"
 #include "cli/verbs.h"
 #include "engine/error.h"
 #if AF2_HAVE_OCC
-#include "geometry/occ/model.h"
+#include "cli/defect_picture.h"
+#include "cli/mesh_summary.h"
+#include "geometry/occ/defects.h"
+#include "geometry/occ/heal_model.h"
 #endif
 
 namespace af2::cli {
+namespace {
+
+struct InspectOptions {
+  std::string model, size, picture, healTolerance;
+  bool brief = false, all = false, heal = false;
+};
+
+}  // namespace
 #if AF2_HAVE_OCC
 namespace {
+
+using geometry::Defect;
+
+/// Of a mesh, if none is given: this part of the diagonal.
+constexpr double kSizesPerDiagonal = 40;
+/// So many defects of a kind are listed; more would bury the others.
+constexpr std::size_t kMostListed = 10;
 
 void printOverview(const geometry::Model& model) {
   const std::string unit = model.unit().empty() ? "" : " " + model.unit();
   fmt::print("{} faces, {} edges, {} vertices; diagonal {:.6g}{}\n", model.faceCount(),
              model.edgeCount(), model.vertexCount(), model.diagonal(), unit);
+  if (!model.fileUnit().empty()) fmt::print("lengths in the file: {}\n", model.fileUnit());
   for (const std::string& note : model.notes()) fmt::print("note: {}\n", note);
+  fmt::print("{}", healingText(model.healing()));
 }
 
 void printSurfaceTypes(const geometry::Model& model) {
@@ -43,21 +69,114 @@ void printGroups(const geometry::Model& model) {
                group.name);
 }
 
+std::string placeText(const Defect& defect) {
+  std::string text;
+  const auto part = [&](const char* kind, int id) {
+    if (id > 0) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", kind, id);
+  };
+  part("face", defect.face);
+  part("edge", defect.edge);
+  part("vertex", defect.vertex);
+  const Point3& p = defect.place;
+  return text + fmt::format(" at ({:.6g}, {:.6g}, {:.6g})", p.x, p.y, p.z);
+}
+
+void printDefect(const Defect& defect, double size) {
+  const std::string extent =
+      defect.extent > 0 ? fmt::format("{:>10.3g}  {:>8.2g}", defect.extent, defect.extent / size)
+                        : fmt::format("{:>10}  {:>8}", "", "");
+  const std::string detail = defect.detail.empty() ? "" : ": " + defect.detail;
+  fmt::print("{:<18}  {}  {}{}\n", geometry::toString(defect.kind), extent, placeText(defect),
+             detail);
+}
+
+void printDefects(const std::vector<Defect>& defects, double size, bool all) {
+  if (defects.empty()) return fmt::print("no defects, against a mesh size of {:.3g}\n", size);
+  fmt::print("{} defects, against a mesh size of {:.3g}\n", defects.size(), size);
+  fmt::print("{:<18}  {:>10}  {:>8}  {}\n", "defect", "extent", "of size", "where");
+  std::map<geometry::DefectKind, std::size_t> listed, left;
+  for (const Defect& defect : defects) {
+    if (all || listed[defect.kind]++ < kMostListed)
+      printDefect(defect, size);
+    else
+      ++left[defect.kind];
+  }
+  for (const auto& [kind, count] : left)
+    fmt::print("and {} more of the kind '{}' (--all lists them)\n", count,
+               geometry::toString(kind));
+}
+
+dsl::PictureFormat pictureFormat(const std::string& file) {
+  const std::string extension = std::filesystem::path(file).extension().string();
+  if (extension == ".svg") return dsl::PictureFormat::Svg;
+  if (extension == ".png") return dsl::PictureFormat::Png;
+  throw UsageError(fmt::format("--picture '{}' ends in neither .svg nor .png", file));
+}
+
+struct InspectRequest {
+  std::filesystem::path model;
+  double size = 0;  ///< 0: by the diagonal
+  bool heal = false;
+  double healTolerance = 0;
+  dsl::PictureFormat format = dsl::PictureFormat::Svg;
+};
+
+InspectRequest checkedRequest(const InspectOptions& options) {
+  InspectRequest request;
+  request.model = options.model;
+  if (!options.size.empty()) request.size = parseSize("--size", options.size);
+  request.heal = options.heal;
+  request.healTolerance = checkedHealTolerance(options.heal, options.healTolerance);
+  if (!options.picture.empty()) request.format = pictureFormat(options.picture);
+  return request;
+}
+
+int inspect(const InspectOptions& options, const InspectRequest& request) {
+  geometry::Model model = geometry::readModel(request.model);
+  if (request.heal) model = geometry::healModel(model, {request.healTolerance});
+  printOverview(model);
+  options.brief ? printSurfaceTypes(model) : printFaces(model);
+  printGroups(model);
+  if (options.brief && options.picture.empty()) return kComplete;
+  const double size = request.size > 0 ? request.size : model.diagonal() / kSizesPerDiagonal;
+  const std::vector<Defect> defects = geometry::findDefects(model, size);
+  if (!options.brief) printDefects(defects, size, options.all);
+  if (!options.picture.empty()) {
+    writeText(options.picture, drawDefects(model, defects, request.format));
+    fmt::print("drew {} defects -> {}\n", defects.size(), options.picture);
+  }
+  return kComplete;
+}
+
+/// Reading and checking go through OpenCASCADE, which may crash or hang.
+int inspectSafely(const InspectOptions& options) {
+  const InspectRequest request = checkedRequest(options);
+  std::error_code missing;
+  const auto bytes = std::filesystem::file_size(request.model, missing);
+  RunLimits limits;
+  limits.first = secondsToRead(missing ? 0 : bytes);
+  return supervise(limits, [&](RunLog&, const GivenUp&) { return inspect(options, request); });
+}
+
 }  // namespace
 #endif
 
 Action declareInspect(CLI::App& command) {
-  const auto path = std::make_shared<std::string>();
-  const auto brief = std::make_shared<bool>(false);
-  command.add_option("model", *path, "STEP, IGES or BREP file")->required();
-  command.add_flag("--brief", *brief, "count the faces of each kind instead of listing them");
-  return [path, brief]() -> int {
+  const auto options = std::make_shared<InspectOptions>();
+  command.add_option("model", options->model, "STEP, IGES or BREP file")->required();
+  command.add_flag("--brief", options->brief,
+                   "count the faces of each kind instead of listing them; no defects");
+  command.add_option(
+      "-s,--size", options->size,
+      "edge length of the mesh that defects are held against; default: a fortieth of "
+      "the diagonal");
+  command.add_flag("--all", options->all, "list all defects, not only the first ten of each kind");
+  command.add_option("--picture", options->picture,
+                     "picture of the model with its defects marked, .svg or .png");
+  declareHealing(command, options->heal, options->healTolerance);
+  return [options]() -> int {
 #if AF2_HAVE_OCC
-    const geometry::Model model = geometry::readModel(*path);
-    printOverview(model);
-    *brief ? printSurfaceTypes(model) : printFaces(model);
-    printGroups(model);
-    return kComplete;
+    return inspectSafely(*options);
 #else
     throw InputError("this af2 was built without OpenCASCADE; build it with -DAF2_BUILD_OCC=ON");
 #endif

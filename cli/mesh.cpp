@@ -90,17 +90,11 @@ int meshAndTell(const MeshRequest& request, RunLog* log, const GivenUp& givenUp)
   return exitCodeOf(report.status);
 }
 
-/// Large files take long to read, by megabytes.
-double secondsToRead(const std::filesystem::path& model) {
-  constexpr double kLeast = 60, kPerByte = 2e-6;
-  return kLeast + kPerByte * static_cast<double>(std::filesystem::file_size(model));
-}
-
 /// CAD models go through OpenCASCADE, which may crash or hang on them.
 int meshSafely(const MeshRequest& request) {
   if (request.isPlanar()) return meshAndTell(request, nullptr, {});
   RunLimits limits;
-  limits.first = secondsToRead(request.model);
+  limits.first = secondsToRead(std::filesystem::file_size(request.model));
   return supervise(limits, [&](RunLog& log, const GivenUp& givenUp) {
     return meshAndTell(request, &log, givenUp);
   });

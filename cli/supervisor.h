@@ -1,6 +1,7 @@
 // A run in a process of its own, so that neither a crash nor an endless loop takes the result down.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <map>
 #include <string>
@@ -24,6 +25,12 @@ struct RunLimits {
   double first = 60;  ///< until the run begins its first face
   double next = 20;   ///< until it tells of anything again, while it works on a face
 };
+
+/// For `RunLimits::first`: large models take long to read.
+inline double secondsToRead(std::uintmax_t bytes) {
+  constexpr double kLeast = 60, kPerByte = 2e-6;
+  return kLeast + kPerByte * static_cast<double>(bytes);
+}
 
 /// Runs `run` in a child process. If that crashes or hangs while it works on a face, runs it again
 /// without this face. Interrupts and requests to stop are passed on.

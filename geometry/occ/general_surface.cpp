@@ -17,16 +17,22 @@ namespace {
 constexpr double kPlaceTolerance = 2e-3;
 constexpr int kMaxSteps = 12;
 
-/// du x dv counts as zero below this sine of the angle between them or ratio of their lengths.
+/// du x dv counts as zero below this sine of the angle between them, or where du or dv is shorter
+/// than this share of its usual length. The two need not be alike: the one may be an angle, the
+/// other a length in any unit.
 constexpr double kDegenerate = 1e-6;
+/// Near poles, where du or dv is shorter than this share, curvature is noise.
+constexpr double kNearPole = 1e-3;
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
-/// Smallest radius of normal curvature. `normal` is du x dv.
-double smallestRadius(const SurfaceJet& s, const Point3& normal) {
+/// Smallest radius of normal curvature. `normal` is du x dv; the lengths are the usual ones of du
+/// and dv.
+double smallestRadius(const SurfaceJet& s, const Point3& normal, double lengthU, double lengthV) {
   const double e = dot(s.du, s.du), f = dot(s.du, s.dv), g = dot(s.dv, s.dv);
   const double det = e * g - f * f;
-  if (!(det > kDegenerate * std::max(e, g) * std::max(e, g))) return kInfinite;
+  const bool isRegular = std::sqrt(e) > kNearPole * lengthU && std::sqrt(g) > kNearPole * lengthV;
+  if (!isRegular || !(det > kNearPole * kNearPole * e * g)) return kInfinite;
   const double size = std::sqrt(det);
   const double l = dot(s.duu, normal) / size, m = dot(s.duv, normal) / size,
                n = dot(s.dvv, normal) / size;
@@ -60,6 +66,13 @@ GeneralSurface::GeneralSurface(const Handle(Geom_Surface) & surface, bool flippe
   surface->Bounds(u1, u2, v1, v2);
   u_ = rangeOf(u1, u2, surface->IsUClosed());
   v_ = rangeOf(v1, v2, surface->IsVClosed());
+  for (const double shareU : {0.1, 0.5, 0.9})
+    for (const double shareV : {0.1, 0.5, 0.9}) {
+      const Frame frame =
+          frameAt(box.u1 + shareU * (box.u2 - box.u1), box.v1 + shareV * (box.v2 - box.v1));
+      lengthU_ = std::max(lengthU_, length(frame.du));
+      lengthV_ = std::max(lengthV_, length(frame.dv));
+    }
 }
 
 SurfacePoint GeneralSurface::pointAt(double u, double v) const {
@@ -70,9 +83,9 @@ SurfacePoint GeneralSurface::pointAt(double u, double v) const {
 
 std::optional<Point3> GeneralSurface::unitNormal(const Frame& frame) const {
   const Point3 normal = cross(frame.du, frame.dv);
-  const double size = length(normal);
-  const double longest = std::max(length(frame.du), length(frame.dv));
-  if (!(size > kDegenerate * longest * longest)) return std::nullopt;
+  const double size = length(normal), u = length(frame.du), v = length(frame.dv);
+  if (!(u > kDegenerate * lengthU_ && v > kDegenerate * lengthV_ && size > kDegenerate * u * v))
+    return std::nullopt;
   return (sign_ / size) * normal;
 }
 
@@ -100,7 +113,8 @@ GeneralSurface::Radii GeneralSurface::radiiAt(double u, double v) const {
     const double bend = std::abs(dot(second, normal));
     return bend > 0 ? dot(first, first) * length(normal) / bend : kInfinite;
   };
-  return {smallestRadius(s, normal), radiusAlong(s.du, s.duu), radiusAlong(s.dv, s.dvv)};
+  return {smallestRadius(s, normal, lengthU_, lengthV_), radiusAlong(s.du, s.duu),
+          radiusAlong(s.dv, s.dvv)};
 }
 
 void GeneralSurface::refine(const Point3& position, double& u, double& v) const {

@@ -58,6 +58,7 @@ class GeneralSurface final : public ParametricSurface {
   SurfaceValues values_;
   ParameterRange u_, v_;
   double sign_;
+  double lengthU_ = 0, lengthV_ = 0;  ///< of du and dv, away from poles
 };
 
 }  // namespace af2::geometry

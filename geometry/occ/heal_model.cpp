@@ -138,6 +138,7 @@ class Healer {
     ReadShape healed;
     healed.shape = shape_;
     healed.unit = model_.unit;
+    healed.fileUnit = model_.fileUnit;
     healed.notes = model_.notes;
     if (const std::size_t count = rebuiltFaces(); count > 0)
       changes_.add("face with other edges, curves or tolerances", std::nullopt, count);

@@ -18,6 +18,7 @@ const std::string& Model::surfaceType(int face) const {
 }
 const std::vector<FaceGroup>& Model::groups() const { return shape_->groups; }
 const std::string& Model::unit() const { return shape_->unit; }
+const std::string& Model::fileUnit() const { return shape_->fileUnit; }
 double Model::diagonal() const { return shape_->diagonal; }
 const std::vector<std::string>& Model::notes() const { return shape_->notes; }
 const std::optional<Healing>& Model::healing() const { return shape_->healing; }

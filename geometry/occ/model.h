@@ -32,6 +32,8 @@ class Model {
   const std::vector<FaceGroup>& groups() const;
   /// The unit of all coordinates: "mm" from STEP and IGES; empty from BREP, which does not say.
   const std::string& unit() const;
+  /// The unit that the file was written in, as it names it; empty if it does not say.
+  const std::string& fileUnit() const;
   /// Diagonal of the box around all vertices and edges.
   double diagonal() const;
   /// What was repaired while reading, and what looks wrong; one sentence each.

@@ -175,7 +175,12 @@ std::vector<FaceGroup> faceGroups(const ModelShape& model, const std::vector<Sha
 
 }  // namespace
 
-TopoDS_Face ModelShape::face(int id) const { return TopoDS::Face(faces(id)); }
+TopoDS_Face ModelShape::face(int id) const {
+  const TopoDS_Face face = TopoDS::Face(faces(id));
+  // A mirrored place turns du x dv of the surface against the image of the normal.
+  const bool isMirrored = face.Location().Transformation().IsNegative();
+  return isMirrored ? TopoDS::Face(face.Reversed()) : face;
+}
 TopoDS_Edge ModelShape::edge(int id) const { return TopoDS::Edge(edges(id)); }
 TopoDS_Vertex ModelShape::vertex(int id) const { return TopoDS::Vertex(vertices(id)); }
 FaceSurface ModelShape::surface(int face) const { return surfaces->of(this->face(face), face); }
@@ -185,6 +190,7 @@ std::shared_ptr<const ModelShape> makeModelShape(ReadShape read) {
   giveBoundaries(read);
   model->shape = read.shape;
   model->unit = std::move(read.unit);
+  model->fileUnit = std::move(read.fileUnit);
   model->notes = std::move(read.notes);
   model->healing = std::move(read.healing);
   TopExp::MapShapes(model->shape, TopAbs_FACE, model->faces);

@@ -24,12 +24,13 @@ struct ModelShape {
   std::vector<std::string> faceNames;                 ///< [0] is face 1
   std::vector<std::string> surfaceTypes;
   std::vector<FaceGroup> groups;
-  std::string unit;
+  std::string unit, fileUnit;
   double diagonal = 0;
   std::vector<std::string> notes;
   std::optional<Healing> healing;
   std::vector<int> edgesWithoutCurve;  ///< that got theirs from a face, ascending
 
+  /// With the orientation that makes the normal of its surface look outwards.
   TopoDS_Face face(int id) const;
   TopoDS_Edge edge(int id) const;
   TopoDS_Vertex vertex(int id) const;
@@ -49,7 +50,7 @@ struct ShapeGroup {
 /// What a reader of one format hands over.
 struct ReadShape {
   TopoDS_Shape shape;
-  std::string unit;
+  std::string unit, fileUnit;
   std::vector<std::string> notes;
   std::function<std::string(const TopoDS_Face&)> nameOf;  ///< may be empty
   std::vector<ShapeGroup> groups;

@@ -1,6 +1,9 @@
 #include <BRepBuilderAPI_Sewing.hxx>
 #include <IGESControl_Reader.hxx>
+#include <IGESData_GlobalSection.hxx>
+#include <IGESData_IGESModel.hxx>
 #include <Interface_Static.hxx>
+#include <TCollection_HAsciiString.hxx>
 #include <TopExp.hxx>
 #include <TopTools_IndexedDataMapOfShapeListOfShape.hxx>
 
@@ -51,6 +54,8 @@ ReadShape readIges(const std::filesystem::path& path) {
 
   ReadShape result;
   result.unit = "mm";
+  const IGESData_GlobalSection& global = reader.IGESModel()->GlobalSection();
+  if (!global.UnitName().IsNull()) result.fileUnit = global.UnitName()->ToCString();
   result.shape = reader.OneShape();
   if (!result.shape.IsNull()) sew(result, 1e-4);
   return result;

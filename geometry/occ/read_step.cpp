@@ -6,6 +6,7 @@
 #include <StepData_StepModel.hxx>
 #include <StepShape_Face.hxx>
 #include <StepShape_HArray1OfFaceBound.hxx>
+#include <TColStd_SequenceOfAsciiString.hxx>
 #include <TCollection_HAsciiString.hxx>
 #include <TDocStd_Document.hxx>
 #include <TopTools_DataMapOfShapeInteger.hxx>
@@ -102,6 +103,13 @@ std::string checkReferences(const Handle(StepData_StepModel) & model) {
          (" to what it does not hold (" + first + ")");
 }
 
+/// Files may mix units; the first one is that of the first context.
+std::string lengthUnitOf(STEPControl_Reader& reader) {
+  TColStd_SequenceOfAsciiString lengths, angles, solidAngles;
+  reader.FileUnits(lengths, angles, solidAngles);
+  return lengths.IsEmpty() ? "" : lengths.First().ToCString();
+}
+
 }  // namespace
 
 ReadShape readStep(const std::filesystem::path& path) {
@@ -126,6 +134,7 @@ ReadShape readStep(const std::filesystem::path& path) {
   }
   withAttributes.Transfer(document);
   result.unit = "mm";
+  result.fileUnit = lengthUnitOf(reader);
   result.shape = reader.OneShape();
   result.groups = groupsOf(document);
   result.nameOf = StepFaceNames(reader.WS()->TransferReader()->TransientProcess());

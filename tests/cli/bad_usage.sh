@@ -48,6 +48,8 @@ unusable "$af2" mesh nothing.step --size 1; told "there is no file 'nothing.step
 unusable "$af2" mesh . --size 1; told 'is a directory'
 unusable "$af2" mesh "$cylinder" --size 1 -r nothing.af2; told "there is no rule file 'nothing.af2'"
 unusable "$af2" mesh "$cylinder" --size 1 -r "$models"; told 'is a directory'
+usage "$af2" inspect "$cylinder" --picture a.jpg; told '.svg nor .png'
+usage "$af2" inspect "$cylinder" --size 0; told 'greater than 0'
 unusable "$af2" inspect nothing.step; told 'nothing.step'
 unusable env AF2_RULES=/nowhere "$af2" mesh "$cylinder" --size 1; told 'AF2_RULES'
 : >empty.step

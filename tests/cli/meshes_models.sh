@@ -62,5 +62,12 @@ grep -q 'healed with tolerance 0.0001' out || fail "--heal does not tell what it
 
 expect 0 "$af2" inspect "$models/cylinder.step"
 grep -q cylinder out || fail "inspect does not tell of the cylinder"
+grep -q 'no defects' out || fail "inspect tells of defects that are none"
+expect 0 "$af2" inspect "$models/cylinder.step" --size 100 --picture defects.svg
+grep -q 'sliver' out || fail "inspect does not tell of faces that are narrow against the mesh"
+[ -s defects.svg ] || fail "there is no picture of the defects"
+expect 0 "$af2" inspect "$models/cylinder.brep" --heal --picture healed.png --brief
+grep -q 'nothing changed' out || fail "inspect --heal does not tell what it did"
+[ -s healed.png ] || fail "there is no picture of the healed model"
 
 finish

@@ -1,0 +1,210 @@
+// Models as they should not be: each ends in a sound mesh, or in a named fault of the faces that
+// are to blame.
+#include <gtest/gtest.h>
+#include <BRepAlgoAPI_Cut.hxx>
+#include <BRepBuilderAPI_Transform.hxx>
+#include <BRepPrimAPI_MakeCylinder.hxx>
+#include <Interface_Static.hxx>
+#include <STEPControl_Controller.hxx>
+#include <STEPControl_Writer.hxx>
+#include <gp_Ax2.hxx>
+#include <gp_Trsf.hxx>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <numbers>
+
+#include "geometry/element_crossings.h"
+#include "geometry/occ/mesh_model.h"
+#include "tests/geometry/occ/dirt.h"
+#include "tests/geometry/occ/shapes.h"
+#include "tests/support/triangle_rules.h"
+
+namespace af2::geometry {
+namespace {
+
+using std::numbers::pi;
+
+ModelMesh mesh(const Model& model, double size) {
+  static const AF2Algorithm algorithm(testing::triangleSet());
+  ModelMeshingOptions options;
+  options.sizes.size = size;
+  options.threads = 1;
+  return meshModel(model, algorithm, options);
+}
+ModelMesh mesh(const TopoDS_Shape& shape, double size) {
+  return mesh(testing::modelOf(shape), size);
+}
+
+double areaOf(const ModelMesh& mesh, int face = 0) {
+  double area = 0;
+  for (std::size_t i = 0; i < mesh.elements.size(); ++i) {
+    if (face > 0 && mesh.face[i] != face) continue;
+    const auto at = [&](std::size_t k) { return mesh.vertices[mesh.elements[i].corners[k].value]; };
+    area += length(cross(at(1) - at(0), at(2) - at(0))) / 2;
+  }
+  return area;
+}
+
+/// Of a closed mesh, whose elements look outwards: its volume, wherever the origin is.
+double volumeOf(const ModelMesh& mesh, const Point3& origin = {}) {
+  double volume = 0;
+  for (const Element& e : mesh.elements) {
+    const auto at = [&](std::size_t i) { return mesh.vertices[e.corners[i].value] - origin; };
+    volume += dot(at(0), cross(at(1), at(2))) / 6;
+  }
+  return volume;
+}
+
+/// Every face complete, all checks passed, nothing crosses.
+void expectSound(const ModelMesh& mesh, double area, double tolerance = 1e-9) {
+  for (const FaceReport& face : mesh.faces)
+    EXPECT_EQ(face.status, FaceStatus::Complete) << "face " << face.id << ": " << face.reason;
+  EXPECT_TRUE(mesh.findings.empty());
+  EXPECT_TRUE(checkModelMesh(mesh).empty());
+  EXPECT_NEAR(areaOf(mesh), area, tolerance * area);
+  EXPECT_TRUE(elementCrossings(mesh, [](std::size_t count, const auto& work) {
+                for (std::size_t i = 0; i < count; ++i) work(i);
+              }).empty());
+}
+
+void expectClosed(const ModelMesh& mesh) {
+  for (const EdgeSegment& segment : mesh.segments) EXPECT_EQ(segment.uses, 2);
+}
+
+/// A block of 3 x 2 x 1 with a hole, `scale` times as large.
+TopoDS_Shape drilledBlock(double scale) {
+  const TopoDS_Shape block = BRepPrimAPI_MakeBox(3, 2, 1).Shape();
+  const TopoDS_Shape drill =
+      BRepPrimAPI_MakeCylinder(gp_Ax2({1.2, 1, -1}, {0, 0, 1}), 0.4, 3).Shape();
+  gp_Trsf larger;
+  larger.SetScale({0, 0, 0}, scale);
+  return BRepBuilderAPI_Transform(BRepAlgoAPI_Cut(block, drill).Shape(), larger, true).Shape();
+}
+constexpr double kBlockVolume = 6 - pi * 0.16, kBlockArea = 22 - 2 * pi * 0.16 + 2 * pi * 0.4;
+
+TEST(Dirt, TheScaleOfAModelDoesNotMatter) {
+  const ModelMesh plain = mesh(drilledBlock(1), 0.3);
+  expectSound(plain, kBlockArea, 0.02);
+  for (const double scale : {1e-6, 1e-3, 25.4, 1e6}) {
+    SCOPED_TRACE(scale);
+    const ModelMesh scaled = mesh(drilledBlock(scale), 0.3 * scale);
+    expectSound(scaled, kBlockArea * scale * scale, 0.02);
+    expectClosed(scaled);
+    EXPECT_NEAR(volumeOf(scaled), kBlockVolume * std::pow(scale, 3), 0.05 * std::pow(scale, 3));
+    EXPECT_NEAR(static_cast<double>(scaled.elements.size()),
+                static_cast<double>(plain.elements.size()),
+                0.1 * static_cast<double>(plain.elements.size()));
+  }
+}
+
+TEST(Dirt, InchesAndMicronsBecomeMillimetres) {
+  for (const auto& [unit, name] : {std::pair("INCH", "inch"), std::pair("UM", "micrometre")}) {
+    SCOPED_TRACE(unit);
+    const auto file =
+        std::filesystem::temp_directory_path() / (std::string("af2_") + unit + ".step");
+    STEPControl_Controller::Init();  // knows the settings
+    Interface_Static::SetCVal("write.step.unit", unit);
+    STEPControl_Writer writer;
+    writer.Transfer(drilledBlock(1), STEPControl_AsIs);
+    ASSERT_EQ(writer.Write(file.c_str()), IFSelect_RetDone);
+    Interface_Static::SetCVal("write.step.unit", "MM");
+    const Model model = readModel(file);
+    std::filesystem::remove(file);
+    EXPECT_EQ(model.unit(), "mm");
+    std::string told = model.fileUnit();
+    std::ranges::transform(told, told.begin(), [](unsigned char c) { return std::tolower(c); });
+    EXPECT_EQ(told, name);
+    const ModelMesh result = mesh(model, 0.3);
+    expectSound(result, kBlockArea, 0.02);
+    EXPECT_NEAR(volumeOf(result), kBlockVolume, 0.05);
+  }
+}
+
+TEST(Dirt, PlacedAndMirroredInstancesLookOutwards) {
+  const TopoDS_Shape block = drilledBlock(1);
+  gp_Trsf placed, mirrored;
+  placed.SetRotation(gp_Ax1({0, 0, 0}, gp_Dir(1, 2, 3)), 1);
+  placed.SetTranslationPart({10, 0, 0});
+  mirrored.SetMirror(gp_Ax2({-2, 0, 0}, {1, 0, 0}));
+  const TopoDS_Shape mirrorImage = BRepBuilderAPI_Transform(block, mirrored, true).Shape();
+  for (const TopoDS_Shape& one : {block.Moved(placed), block.Moved(mirrored, false), mirrorImage})
+    EXPECT_NEAR(volumeOf(mesh(one, 0.4)), kBlockVolume, 0.05);
+  const ModelMesh result = mesh(
+      testing::compoundOf({block, block.Moved(placed), block.Moved(mirrored, false), mirrorImage}),
+      0.4);
+  expectSound(result, 4 * kBlockArea, 0.02);
+  expectClosed(result);
+  EXPECT_NEAR(volumeOf(result), 4 * kBlockVolume, 0.1);
+}
+
+TEST(Dirt, ASheetIsMeshedWithItsBorders) {
+  const TopExp_Explorer first(BRepPrimAPI_MakeBox(1, 1, 1).Shape(), TopAbs_FACE);
+  expectSound(mesh(first.Current(), 0.3), 1);
+}
+
+TEST(Dirt, AFaceBetweenTwoSolidsIsMeshedOnce) {
+  const ModelMesh result = mesh(testing::sharedFace(), 0.3);
+  EXPECT_EQ(result.faces.size(), 11u);
+  expectSound(result, 11);
+  const auto shared = std::ranges::count(result.segments, 3, &EdgeSegment::uses);
+  EXPECT_GE(shared, 4 * 3);
+}
+
+TEST(Dirt, WhateverACompoundHoldsIsMeshed) {
+  TopExp_Explorer shell(BRepPrimAPI_MakeBox(gp_Pnt(5, 0, 0), 1, 1, 1).Shape(), TopAbs_SHELL);
+  const TopoDS_Compound inner =
+      testing::compoundOf({shell.Current(), testing::polygon({{9, 0, 0}, {11, 0, 0}, {9, 1, 0}})});
+  const ModelMesh result = mesh(
+      testing::compoundOf({inner, BRepPrimAPI_MakeBox(1, 1, 1).Shape(), testing::compoundOf({})}),
+      0.4);
+  expectSound(result, 13);
+}
+
+TEST(Dirt, AFaceThatIsTurnedIsMeshedAsItLies) {
+  const ModelMesh result = mesh(testing::turnedFace(), 0.3);
+  expectSound(result, 6);
+  EXPECT_GT(std::abs(volumeOf(result) - volumeOf(result, {5, 5, 5})), 1);  // not that of a solid
+}
+
+TEST(Dirt, TinyStepsAreKept) {
+  for (const double tiny : {1e-2, 1e-4, 1e-6}) {
+    SCOPED_TRACE(tiny);
+    const ModelMesh result = mesh(testing::tinyStep(tiny), 0.3);
+    expectSound(result, 6, 0.02);
+    expectClosed(result);
+    EXPECT_NEAR(volumeOf(result), 1 - tiny / 2, 1e-7);
+  }
+}
+
+TEST(Dirt, AThinPlateKeepsItsSliversOnTheSides) {
+  const ModelMesh result = mesh(BRepPrimAPI_MakeBox(1, 1, 1e-2).Shape(), 0.25);
+  expectSound(result, 2 + 4e-2);
+  EXPECT_NEAR(volumeOf(result), 1e-2, 1e-12);
+}
+
+TEST(Dirt, EdgesGetTheirCurvesFromTheFace) {
+  const Model model = testing::modelOf(testing::withoutCurves());
+  EXPECT_FALSE(model.notes().empty());
+  expectSound(mesh(model, 0.1), pi / 2, 0.01);
+}
+
+TEST(Dirt, ALoopMayTouchItself) { expectSound(mesh(testing::touchingLoop(), 0.3), 2); }
+
+TEST(Dirt, AFaceThatCannotBeMeshedIsNamedAndLeavesTheOthersAlone) {
+  for (const TopoDS_Face& bad : {testing::crossingLoop(), testing::openLoop(), TopoDS_Face()}) {
+    const TopoDS_Shape box = BRepPrimAPI_MakeBox(gp_Pnt(5, 0, 0), 1, 1, 1).Shape();
+    TopoDS_Face face = bad;
+    if (face.IsNull()) BRep_Builder().MakeFace(face);  // without a surface
+    const ModelMesh result = mesh(testing::compoundOf({face, box}), 0.3);
+    ASSERT_EQ(result.faces.size(), 7u);
+    EXPECT_EQ(result.faces[0].status, FaceStatus::Failed);
+    EXPECT_FALSE(result.faces[0].reason.empty());
+    for (std::size_t i = 1; i < 7; ++i) EXPECT_EQ(result.faces[i].status, FaceStatus::Complete);
+    EXPECT_NEAR(areaOf(result), 6, 1e-9);
+  }
+}
+
+}  // namespace
+}  // namespace af2::geometry
