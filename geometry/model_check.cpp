@@ -132,7 +132,8 @@ class Checker {
   }
 
   void checkEdge(const Point3& place, std::span<const MeshSide> sides) {
-    const int face = faceOf(sides.front());
+    // Of faces that are there twice, the later one goes.
+    const int face = faceOf(sides.size() > 2 ? sides.back() : sides.front());
     if (sides.size() != 2) {
       add(face, "an edge has " + std::to_string(sides.size()) + " elements, not 2", place);
       return;

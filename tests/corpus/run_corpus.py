@@ -2,6 +2,11 @@
 """Meshes every CAD model of some folders and writes one table: what came of each.
 
     run_corpus.py --af2 build/cli/af2 FOLDER... [-j 2] [--limit 60] [--output table.md]
+    run_corpus.py --af2 build/cli/af2 FOLDER... --into docs/corpus.md --section NAME
+    run_corpus.py --from table.json --into docs/corpus.md --section NAME
+
+With --into, the table replaces what stands between the comments `begin NAME` and `end NAME` of a
+page; with --from, it is the one that an earlier run left with --json.
 
 Each model runs in a process of its own with a time limit, at a size of a fortieth of its diagonal
 unless the folder has an index.json that gives one ("file", "h"). What AF2 delivers is examined by
@@ -62,8 +67,11 @@ class Row:
 
 def options() -> argparse.Namespace:
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
-    parser.add_argument("folders", nargs="+", type=Path, help="folders or single models")
-    parser.add_argument("--af2", required=True, help="the program")
+    parser.add_argument("folders", nargs="*", type=Path, help="folders or single models")
+    parser.add_argument("--af2", help="the program")
+    parser.add_argument("--from", dest="earlier", type=Path, help="table of an earlier run, in JSON")
+    parser.add_argument("--into", type=Path, help="page in Markdown that gets the table")
+    parser.add_argument("--section", help="which part of that page")
     parser.add_argument("--rules", default="tri/even.af2")
     parser.add_argument("-j", type=int, default=1, help="models at the same time")
     parser.add_argument("--limit", type=float, default=60, help="seconds for each model")
@@ -72,7 +80,12 @@ def options() -> argparse.Namespace:
     parser.add_argument("--json", type=Path, help="file for all that is known, in JSON")
     parser.add_argument("--keep", type=Path, help="folder that keeps the meshes and reports")
     parser.add_argument("--no-oracle", action="store_true", help="believe AF2's own checks")
-    return parser.parse_args()
+    arguments = parser.parse_args()
+    if not arguments.earlier and not (arguments.af2 and arguments.folders):
+        parser.error("give --af2 and folders of models, or --from a table")
+    if bool(arguments.into) != bool(arguments.section):
+        parser.error("--into needs --section, and the other way round")
+    return arguments
 
 
 def models_of(folder: Path) -> list:
@@ -203,7 +216,7 @@ def table(rows: list) -> str:
     lines = ["| " + " | ".join(head) + " |", "|" + "---|" * len(head)]
     for r in rows:
         remark = "; ".join(r.faults) or (r.reason if r.status != "complete" else "")
-        remark = remark.replace("|", "/")
+        remark = re.sub(r"^(af2: )?(error: )?\S*/(?=[^/ ]+: )", "", remark).replace("|", "/")
         lines.append(f"| {r.model} | {r.status} | {r.faces} | {r.failed} | {r.elements} | {r.mean:.3f} | {r.p1:.3f} | "
                      f"{r.min_angle:.1f} | {r.open_edges} | {r.multiple_edges} | {r.intersections + r.folds} | "
                      f"{100 * r.area_error:.1f} % | {r.seconds:.1f} | {remark[:160]} |")
@@ -223,8 +236,17 @@ def summary(rows: list) -> str:
             f"the slowest {max(r.seconds for r in rows):.1f} s.")
 
 
-def main() -> int:
-    arguments = options()
+def replace_section(page: Path, section: str, text: str) -> None:
+    begin, end = f"<!-- begin {section} -->", f"<!-- end {section} -->"
+    whole = page.read_text()
+    if whole.count(begin) != 1 or whole.count(end) != 1:
+        sys.exit(f"{page} lacks the comments '{begin}' and '{end}'")
+    before, rest = whole.split(begin)
+    after = rest.split(end)[1]
+    page.write_text(f"{before}{begin}\n{text}{end}{after}")
+
+
+def run_all(arguments: argparse.Namespace) -> list:
     if arguments.keep:
         arguments.keep.mkdir(parents=True, exist_ok=True)
     models = [m for folder in arguments.folders for m in models_of(folder)
@@ -232,9 +254,20 @@ def main() -> int:
     if not models:
         sys.exit("no models found")
     with ThreadPoolExecutor(arguments.j) as pool:
-        rows = list(pool.map(lambda m: run_one(arguments, *m), models))
+        return list(pool.map(lambda m: run_one(arguments, *m), models))
+
+
+def main() -> int:
+    arguments = options()
+    if arguments.earlier:
+        rows = [Row(**row) for row in json.loads(arguments.earlier.read_text())]
+    else:
+        rows = run_all(arguments)
     text = summary(rows) + "\n\n" + table(rows) + "\n"
-    print(text)
+    if arguments.into:
+        replace_section(arguments.into, arguments.section, text)
+    else:
+        print(text)
     if arguments.output:
         arguments.output.write_text(text)
     if arguments.json:

@@ -78,6 +78,19 @@ TEST(ModelCheck, FindsAnAreaFarFromThatOfTheFace) {
   EXPECT_NE(firstFinding(mesh).find("times the area of the face"), std::string::npos);
 }
 
+TEST(ModelCheck, OfAFaceThatIsThereTwiceTheLaterOneIsAtFault) {
+  ModelMesh mesh;
+  mesh.vertices = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+  mesh.elements = {triangle(0, 1, 2), triangle(0, 2, 3), triangle(0, 1, 2), triangle(0, 2, 3)};
+  mesh.face = {4, 4, 9, 9};
+  mesh.rule = {0, 0, 0, 0};
+  mesh.segments = {{v(0), v(1), 1, 2}, {v(1), v(2), 2, 2}, {v(2), v(3), 3, 2}, {v(3), v(0), 4, 2}};
+  const auto findings = checkModelMesh(mesh);
+  ASSERT_EQ(findings.size(), 1u);
+  EXPECT_EQ(findings[0].what, "an edge has 4 elements, not 2");
+  EXPECT_EQ(findings[0].face, 9);
+}
+
 TEST(ModelCheck, StopsAtTheLimit) {
   ModelMesh mesh = roof();
   mesh.segments.clear();
