@@ -67,6 +67,23 @@ std::string drawExample(const dsl::LoadedRules& loaded, const dsl::SampledFindin
                         dsl::PictureFormat::Svg);
 }
 
+/// What the text alone tells has no counter-example yet.
+void addMirrorExamples(const std::string& stem, const dsl::LoadedRules& loaded,
+                       PictureFolder& pictures, std::vector<Diagnostic>& told) {
+  for (Diagnostic& diagnostic : told) {
+    const auto found = dsl::mirrorExampleOf(loaded, diagnostic);
+    if (!found) continue;
+    diagnostic.notes.push_back(dsl::testNote(found->test));
+    if (!pictures.isWanted()) continue;
+    const dsl::DrawnMatch match{found->example.vertices,
+                                found->example.level,
+                                {},
+                                diagnostic.message + ": what it would do"};
+    pictures.add(diagnostic, fmt::format("{} M1 {}", stem, diagnostic.rule),
+                 dsl::drawMatch(*loaded.rules, *found->image, match, dsl::PictureFormat::Svg));
+  }
+}
+
 void addMatchFindings(const std::string& stem, const dsl::LoadedRules& loaded,
                       const dsl::SampledResult& result, PictureFolder& pictures,
                       std::vector<Diagnostic>& into) {
@@ -138,6 +155,7 @@ RuleFindings findIn(const std::string& name, const FindingOptions& options) {
   dsl::SamplingOptions sampling;
   if (options.samples > 0) sampling.samples = options.samples;
   if (options.prove) sampling.effort = dsl::kGreatEffort;
+  addMirrorExamples(stemOf(name), loaded, pictures, findings.diagnostics);
   const dsl::SampledResult result = dsl::runSampledChecks(*loaded.rules, sampling);
   countAnswers(result, findings);
   addMatchFindings(stemOf(name), loaded, result, pictures, findings.diagnostics);

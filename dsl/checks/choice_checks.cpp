@@ -16,21 +16,6 @@ namespace {
 /// How many levels above its first one a rule is given a chance.
 constexpr int kHighestRise = 6;
 
-FrontPiece pieceOf(const PatternMatch& match, int level) {
-  FrontPiece piece;
-  piece.vertices = match.vertices();
-  piece.base = {0, 1};
-  piece.level = level;
-  std::vector<bool> isInChain(piece.vertices.size());
-  for (const auto& chain : chainsOf(match.rule().definition())) {
-    piece.chains.emplace_back(chain.begin(), chain.end());
-    for (const int vertex : chain) isInChain[vertex] = true;
-  }
-  for (std::size_t i = 0; i < isInChain.size(); ++i)
-    if (!isInChain[i]) piece.isolated.push_back(i);
-  return piece;
-}
-
 /// Vertices around the match that its zone does not see, so that other rules may be blocked.
 void addObstacles(FrontPiece& piece, const AF2FreeZone& zone, RandomNumbers& random) {
   const int count = static_cast<int>(random.between(0, 6));

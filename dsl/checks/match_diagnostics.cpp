@@ -56,9 +56,8 @@ Diagnostic diagnosticOf(const SampledFinding& finding) {
   diagnostic.code = finding.code;
   diagnostic.message = finding.message;
   diagnostic.help = finding.help;
-  if (!finding.test.empty()) diagnostic.notes.push_back({onOneLine(finding.test), std::nullopt});
-  for (const std::string& test : finding.furtherTests)
-    diagnostic.notes.push_back({onOneLine(test), std::nullopt});
+  if (!finding.test.empty()) diagnostic.notes.push_back(testNote(finding.test));
+  for (const std::string& test : finding.furtherTests) diagnostic.notes.push_back(testNote(test));
   return diagnostic;
 }
 
@@ -69,6 +68,8 @@ bool covers(const DiagnosticPlace& outer, const DiagnosticPlace& inner) {
 }
 
 }  // namespace
+
+DiagnosticNote testNote(const std::string& test) { return {onOneLine(test), std::nullopt}; }
 
 std::vector<Diagnostic> diagnosticsOf(const LoadedRules& loaded, const SampledResult& result) {
   std::vector<Diagnostic> diagnostics;

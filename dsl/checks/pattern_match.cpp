@@ -91,4 +91,19 @@ std::vector<std::vector<int>> chainsOf(const RuleDefinition& rule) {
   return chains;
 }
 
+FrontPiece pieceOf(const PatternMatch& match, int level) {
+  FrontPiece piece;
+  piece.vertices = match.vertices();
+  piece.base = {0, 1};
+  piece.level = level;
+  std::vector<bool> isInChain(piece.vertices.size());
+  for (const auto& chain : chainsOf(match.rule().definition())) {
+    piece.chains.emplace_back(chain.begin(), chain.end());
+    for (const int vertex : chain) isInChain[vertex] = true;
+  }
+  for (std::size_t i = 0; i < isInChain.size(); ++i)
+    if (!isInChain[i]) piece.isolated.push_back(i);
+  return piece;
+}
+
 }  // namespace af2::dsl

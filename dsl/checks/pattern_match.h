@@ -7,6 +7,7 @@
 
 #include "engine/binding.h"
 #include "engine/rule_set.h"
+#include "engine/single_step.h"
 
 namespace af2::dsl {
 
@@ -42,5 +43,8 @@ std::vector<Point2> cornersOf(const RuleElement& element, const std::vector<Poin
 /// The pattern's edges as walks over its vertices, the one with the base edge first; a closed walk
 /// ends in the vertex in which it begins.
 std::vector<std::vector<int>> chainsOf(const RuleDefinition& rule);
+
+/// The piece of front that a match stands on, and nothing else.
+FrontPiece pieceOf(const PatternMatch& match, int level);
 
 }  // namespace af2::dsl

@@ -18,6 +18,7 @@
 #include "dsl/checks/match_diagnostics.h"
 #include "dsl/code_explanations.h"
 #include "dsl/rls_import.h"
+#include "dsl/rule_tests.h"
 
 namespace af2::dsl {
 namespace {
@@ -144,6 +145,34 @@ TEST(Codes, OfMatchesComeWithATest) {
         hasTest = hasTest || (d.code == code && note.message.starts_with("test \""));
     EXPECT_TRUE(hasTest) << code;
   }
+}
+
+/// So does a missing mirror image: the test fails, and passes when the rule has its mirror.
+TEST(Codes, OfMissingMirrorImagesHaveAnExample) {
+  const fs::path path = fileOf("found", "M1");
+  const LoadedRules loaded = loadRules(path);
+  ASSERT_TRUE(loaded.rules) << toPretty(loaded.diagnostics);
+  std::string text = contents(path);
+  std::size_t count = 0;
+  for (const Diagnostic& d : loaded.diagnostics) {
+    const auto example = mirrorExampleOf(loaded, d);
+    ASSERT_TRUE(example) << toPretty(d);
+    text += example->test;
+    ++count;
+  }
+  EXPECT_EQ(count, 3u);
+  const auto failures = [](const std::string& file) {
+    const LoadedRules again = loadRulesFromText("with tests.af2", file);
+    EXPECT_TRUE(again.rules) << toPretty(again.diagnostics);
+    std::set<std::string> failed;
+    for (const TestResult& result : runRuleTests(again))
+      if (!result.passed()) failed.insert(result.title.substr(0, result.title.find(':')));
+    return failed;
+  };
+  EXPECT_EQ(failures(text), (Told{"right only", "wide", "wide, by hand"})) << text;
+  const std::string end = "  tri   a b c;\n";
+  text.insert(text.find(end) + end.size(), "  mirror \"left only\";\n");
+  EXPECT_EQ(failures(text), (Told{"wide", "wide, by hand"})) << text;
 }
 
 }  // namespace
