@@ -187,9 +187,10 @@ const std::array kExplanations{
                     "with each other, and\n"
                     "`then` and `else` give the same type."},
     CodeExplanation{"Y3", "a constant of a certain kind is needed",
-                    "Reference positions, tolerances, levels and priorities are known before the "
-                    "front is; levels and\n"
-                    "priorities are whole numbers."},
+                    "Reference positions, levels and priorities are known before the front is; "
+                    "levels and priorities\n"
+                    "are whole numbers. Tolerances may go by the quality level, but know nothing "
+                    "else of the match."},
     CodeExplanation{
         "Y4", "an expression never has a value",
         "It divides by zero, takes a root of a negative number or the like, whatever the match."},

@@ -7,6 +7,7 @@
 #include "dsl/given_match.h"
 #include "dsl/shape_program.h"
 #include "dsl/words.h"
+#include "dsl/zone_corners.h"
 #include "engine/error.h"
 #include "engine/predicates.h"
 
@@ -70,18 +71,6 @@ Refusal requirement(const RuleDefinition& rule, const AF2Binding& binding) {
   return Refusal::None;
 }
 
-std::vector<Point2> cornersOf(const ConvexPolygonZoneDef& zone, const AF2Binding& binding) {
-  std::vector<Point2> corners;
-  const double t = zone.fade(binding.level);
-  for (const auto& corner : zone.corners()) {
-    const auto p = corner.preferred->transformPoint(binding);
-    const auto l = corner.limiting ? corner.limiting->transformPoint(binding) : p;
-    if (!p || !l) return {};
-    corners.push_back(corner.limiting ? t * *p + (1 - t) * *l : *p);
-  }
-  return corners;
-}
-
 Point2 firstPoint(const Shape& shape) {
   return shape.parts().empty() ? shape.points().front() : firstPoint(shape.parts().front());
 }
@@ -97,7 +86,7 @@ std::vector<std::vector<Point2>> outlineAsWritten(const Shape& shape) {
 
 std::vector<std::vector<Point2>> drawn(const AF2FreeZoneDef& zone, const AF2Binding& binding) {
   if (const auto* list = dynamic_cast<const ConvexPolygonZoneDef*>(&zone)) {
-    auto corners = cornersOf(*list, binding);
+    auto corners = cornersAt(*list, binding);
     if (corners.empty()) return {};
     return {std::move(corners)};
   }

@@ -1,7 +1,5 @@
-#include "dsl/grammar.h"
-
+#include "dsl/items.h"
 #include "dsl/token_parsers.h"
-#include "dsl/version.h"
 
 // The grammar runs over words (lexer.h), not over characters: no skipper, small types, and every
 // position is a word. Attributes are put together by semantic actions: `into` sets a member of what
@@ -95,17 +93,12 @@ const auto becomePart = [](Expr& value, ExprKind kind) {
   value.kind = kind;
   value.parts.push_back(std::move(part));
 };
-const auto makeBinary = [](auto& context) {  // the operator was put into `qualifier`
-  Expr& value = x3::_val(context);
-  const std::string symbol = std::move(value.qualifier);
-  value.qualifier.clear();
-  value = binary(symbol, std::move(value), std::move(x3::_attr(context)));
-};
-const auto keepOperator = [](auto& context) {
-  x3::_val(context).qualifier = x3::_attr(context).text;
-};
 const auto addPart = [](auto& context) {
   x3::_val(context).parts.push_back(std::move(x3::_attr(context)));
+};
+const auto beginComparison = [](auto& context) {
+  becomePart(x3::_val(context), ExprKind::Binary);
+  x3::_val(context).name = x3::_attr(context).text;
 };
 const auto beginRange = [](auto& context) { becomePart(x3::_val(context), ExprKind::In); };
 const auto beginFade = [](auto& context) { becomePart(x3::_val(context), ExprKind::Fade); };
@@ -124,7 +117,7 @@ const auto negation_def = spanned(
 const OneOf compareWord{"<", "<=", ">", ">=", "==", "!="};
 const auto comparison_def =
     spanned(shapeSum[assign] >>
-            -((compareWord[keepOperator] >> need(shapeSum, kExpression)[makeBinary]) |
+            -((compareWord[beginComparison] >> need(shapeSum, kExpression)[addPart]) |
               (Word("in") >> x3::eps[beginRange] >> need(shapeSum, kExpression)[addPart] >>
                need("..") >> need(shapeSum, kExpression)[addPart])));
 
@@ -606,81 +599,12 @@ const auto wholeFile_def = *fileItem[append(&File::items)];
 
 BOOST_SPIRIT_DEFINE(importItem, useItem, constant, function, metric, fileItem, wholeFile)
 
-// ---- what is looked at before -------------------------------------------------------------------
-
-constexpr const char* kSplit = "split it, and join the parts with `import` and `use`";
-
-/// Whether brackets and operators stay within what the stack can hold; the grammar and all that
-/// walks over the tree are recursive.
-bool isWithinLimits(const std::vector<Token>& tokens, const ParseLimits& limits,
-                    SyntaxErrors& errors) {
-  int nesting = 0, operators = 0;
-  for (const Token& token : tokens) {
-    if (token.is("(") || token.is("{"))
-      ++nesting;
-    else if (token.is(")") || token.is("}"))
-      nesting = std::max(0, nesting - 1);
-    if (token.is(";") || token.is("{") || token.is("}"))
-      operators = 0;
-    else if (token.kind == TokenKind::Symbol || token.is("and") || token.is("or") ||
-             token.is("not") || token.is("if"))
-      operators += !(token.is("(") || token.is(")") || token.is(","));
-    if (token.is("^") || token.is("if")) operators += 9;  // nested, where sums are only long
-    if (nesting > limits.nesting || operators > limits.operators) {
-      errors.tell("S6", token.span,
-                  nesting > limits.nesting ? "brackets are nested too deep here"
-                                           : "this expression is too long",
-                  "name parts of it with `let`, `const` or `def`");
-      return false;
-    }
-  }
-  return true;
-}
-
-/// `##` documents what follows it.
-void attachDocs(File& file, const std::vector<Token>& tokens) {
-  std::size_t t = 0;
-  for (Item& item : file.items) {
-    while (t < tokens.size() && tokens[t].span.begin < item.span.begin) ++t;
-    if (t == tokens.size() || tokens[t].doc.empty()) continue;
-    std::visit(
-        [&](auto& value) {
-          if constexpr (requires { value.doc; }) value.doc = tokens[t].doc;
-        },
-        item.content);
-  }
-}
-
 }  // namespace
 
-ParsedFile parseFile(const SourceText& source, DiagnosticList& diagnostics,
-                     const ParseLimits& limits) {
-  SyntaxErrors errors(source, diagnostics);
-  ParsedFile result;
-  if (source.text().size() > limits.bytes) {
-    errors.tell("S6", {0, 0},
-                "the file is larger than " + std::to_string(limits.bytes >> 20) + " MiB", kSplit);
-    return result;
-  }
-  DiagnosticList lexical;
-  TokenList words = readTokens(source, lexical, limits.words);
-  result.comments = std::move(words.comments);
-  if (words.isCut) {
-    errors.tell("S6", words.tokens.back().span,
-                "the file has more than " + std::to_string(limits.words) + " words", kSplit);
-    return result;
-  }
-  if (!words.isText) diagnostics.append(std::move(lexical));
-  if (!words.isText || !isWithinLimits(words.tokens, limits, errors)) return result;
-  It first = readVersion(words.tokens, errors);
-  if (!first) return result;  // its words make no sense, so they need not be spelt well
-  diagnostics.append(std::move(lexical));
-  const It last = words.tokens.data() + words.tokens.size();
+const Token* parseItems(const Token* first, const Token* last, SyntaxErrors& errors, File& file) {
   const auto grammar = x3::with<ParsingTag>(std::ref(errors))[wholeFile];
-  x3::parse(first, last, grammar, result.file);
-  attachDocs(result.file, words.tokens);
-  result.broken = errors.takeBroken();
-  return result;
+  x3::parse(first, last, grammar, file);
+  return first;
 }
 
 }  // namespace af2::dsl

@@ -6,7 +6,7 @@
 #include <span>
 #include <string_view>
 
-#include "dsl/rls_tokens.h"
+#include "dsl/rls_reader.h"
 
 namespace af2::dsl {
 namespace {
@@ -69,22 +69,16 @@ std::string lowered(std::string_view text) {
   return result;
 }
 
-/// Thrown where a part cannot be read; the reader goes on at the next clause.
-struct Unreadable {};
-
-class Reader {
+class Reader : RlsReader {
  public:
-  Reader(const SourceText& source, DiagnosticList& diagnostics)
-      : source_(source),
-        diagnostics_(diagnostics),
-        tokens_(rlsTokensOf(source.text(), &comments_)) {}
+  using RlsReader::RlsReader;
 
   std::vector<RlsRule> read() {
-    if (!comments_.empty())
-      tell(
-          Severity::Warning, "I4", comments_.front(),
-          "comments are no part of such files; they are passed over here",
-          comments_.size() > 1 ? "there are " + std::to_string(comments_.size()) + " of them" : "");
+    if (!comments().empty())
+      tell(Severity::Warning, "I4", comments().front(),
+           "comments are no part of such files; they are passed over here",
+           comments().size() > 1 ? "there are " + std::to_string(comments().size()) + " of them"
+                                 : "");
     while (now().kind != Kind::End) {
       if (beginsRule()) {
         readRule();
@@ -99,42 +93,6 @@ class Reader {
   }
 
  private:
-  const Token& now() const { return tokens_[at_]; }
-  const Token& ahead(std::size_t n) const { return tokens_[std::min(at_ + n, tokens_.size() - 1)]; }
-  void next() {
-    if (now().kind != Kind::End) ++at_;
-  }
-
-  void tell(Severity severity, const char* code, Span span, std::string message, std::string help,
-            std::string label = {}) {
-    Diagnostic d;
-    d.severity = severity;
-    d.code = code;
-    d.message = std::move(message);
-    d.place = placeOf(source_, span);
-    d.label = std::move(label);
-    d.help = std::move(help);
-    d.rule = rule_.name;
-    diagnostics_.add(std::move(d));
-    if (severity == Severity::Error) isSound_ = false;
-  }
-
-  std::string shown(const Token& token) const {
-    if (token.kind == Kind::End) return "the end of the file";
-    return "'" + std::string(token.text.substr(0, 40)) + "'";
-  }
-
-  [[noreturn]] void unreadable(const std::string& wanted) {
-    tell(Severity::Error, "I1", now().span, "here should be " + wanted + ", not " + shown(now()),
-         "a clause is a keyword and its parts, each closed by ';'");
-    throw Unreadable{};
-  }
-
-  void expect(std::string_view sign) {
-    if (!now().is(sign)) unreadable("'" + std::string(sign) + "'");
-    next();
-  }
-
   /// The word in the prose between rules begins none: what follows has neither name nor clauses.
   bool beginsRule() const {
     if (!now().is("rule")) return false;
@@ -158,7 +116,7 @@ class Reader {
     }
     if (!isSolid) return false;
     tellSolid(solid);
-    at_ = std::min(at_ + length, tokens_.size() - 1);
+    skip(length);
     if (now().is("endrule")) next();
     return true;
   }
@@ -188,7 +146,7 @@ class Reader {
 
   void readRule() {
     rule_ = {};
-    isSound_ = true;
+    begin();
     rule_.span = now().span;
     const Span word = now().span;
     if (passOverSolidRule()) return;
@@ -196,6 +154,7 @@ class Reader {
     next();
     if (now().kind == Kind::String) {
       rule_.name = std::string(now().text.substr(1, now().text.size() - 2));
+      beAbout(rule_.name);
       rule_.span = now().span;
       next();
     } else {
@@ -212,8 +171,9 @@ class Reader {
     tellCapitals(now());
     next();
     checkNumbers();
-    if (isSound_) rules_.push_back(std::move(rule_));
+    if (isSound()) rules_.push_back(std::move(rule_));
     rule_ = {};
+    begin();
   }
 
   void readClauseOrRecover() {
@@ -278,53 +238,6 @@ class Reader {
       return;  // a clause without parts
     }
     while (now().is("(")) read();
-  }
-
-  Exact number() {
-    if (now().kind != Kind::Number) unreadable("a number");
-    const std::optional<Exact> value = exactValue(now().text);
-    if (!value) {
-      tell(Severity::Error, "I2", now().span, "this number is too long or too large",
-           "numbers have at most 30 digits and exponents from -30 to 30");
-      throw Unreadable{};
-    }
-    next();
-    return *value;
-  }
-
-  static std::optional<Exact> exactValue(std::string_view text) {
-    boost::multiprecision::cpp_int digits = 0, scale = 1;
-    constexpr std::size_t kLongest = 32;
-    constexpr int kLargestExponent = 30;
-    const bool isNegative = text.front() == '-';
-    if (text.front() == '-' || text.front() == '+') text.remove_prefix(1);
-    const std::size_t mantissa = std::min(text.find_first_of("eE"), text.size());
-    if (mantissa > kLongest || text.size() - mantissa > 4) return std::nullopt;
-    bool isFraction = false;
-    for (char c : text.substr(0, mantissa)) {
-      if (c == '.') {
-        isFraction = true;
-        continue;
-      }
-      digits = digits * 10 + (c - '0');
-      if (isFraction) scale *= 10;
-    }
-    int exponent = 0;
-    if (mantissa < text.size()) exponent = std::stoi(std::string(text.substr(mantissa + 1)));
-    if (exponent > kLargestExponent || exponent < -kLargestExponent) return std::nullopt;
-    for (int i = 0; i < exponent; ++i) digits *= 10;
-    for (int i = 0; i > exponent; --i) scale *= 10;
-    return Exact(isNegative ? -digits : digits, scale);
-  }
-
-  int wholeNumber(const std::string& what) {
-    const Token token = now();
-    const Exact value = number();
-    if (denominator(value) != 1 || value < -1000000 || value > 1000000) {
-      tell(Severity::Error, "I2", token.span, what + " is a whole number, not " + shown(token), "");
-      throw Unreadable{};
-    }
-    return numerator(value).convert_to<int>();
   }
 
   void readQuality(const Token& clause) {
@@ -479,7 +392,7 @@ class Reader {
   }
 
   void checkNumbers() {
-    if (!isSound_) return;
+    if (!isSound()) return;
     const auto old = static_cast<int>(rule_.mapPoints.size());
     const int all = old + static_cast<int>(rule_.newPoints.size());
     const auto check = [&](int point, Span span, int most, const char* kind) {
@@ -510,14 +423,8 @@ class Reader {
            "split it");
   }
 
-  const SourceText& source_;
-  DiagnosticList& diagnostics_;
-  std::vector<Span> comments_;
-  std::vector<Token> tokens_;
-  std::size_t at_ = 0;
   std::vector<RlsRule> rules_;
   RlsRule rule_;
-  bool isSound_ = true;
 };
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include "dsl/checks/checks.h"
 #include "dsl/library.h"
 #include "dsl/rule_compiler.h"
+#include "dsl/rule_set_chain.h"
 #include "dsl/rule_set_compiler.h"
 #include "dsl/titles.h"
 #include "dsl/words.h"
@@ -42,12 +43,6 @@ class FileCompiler {
     context_.diagnostics.add(std::move(d));
   }
 
-  bool isBroken() const;
-  void warnOfRulesAlone();
-  std::vector<PlacedRuleSet> ruleSets();
-  bool addBase(std::vector<PlacedRuleSet>& chain, std::set<const RuleSetBlock*>& seen);
-  std::optional<PlacedRuleSet> findRuleSet(const std::string& name,
-                                           const RuleSetBlock* except) const;
   void compileItems(const Module& module);
   void compileInstance(const Module& module, const Instance& instance);
   void checkTemplate(const Module& module, const Template& item);
@@ -70,97 +65,6 @@ class FileCompiler {
   std::vector<CompiledRule> rules_;
   std::set<const Module*> using_, usedWhole_;
 };
-
-std::optional<PlacedRuleSet> FileCompiler::findRuleSet(const std::string& name,
-                                                       const RuleSetBlock* except) const {
-  for (const auto& module : library_.modules())
-    for (const Item& item : module->parsed.file.items)
-      if (const auto* block = std::get_if<RuleSetBlock>(&item.content))
-        if (block->name.text == name && block != except) return PlacedRuleSet{block, module.get()};
-  return std::nullopt;
-}
-
-/// Puts the rule set that the first one extends before it.
-bool FileCompiler::addBase(std::vector<PlacedRuleSet>& chain, std::set<const RuleSetBlock*>& seen) {
-  const PlacedRuleSet first = chain.front();
-  if (!first.block->base) return false;
-  const auto base = findRuleSet(first.block->base->text, first.block);
-  if (!base) {
-    std::vector<std::string> known;
-    for (const auto& module : library_.modules())
-      for (const Item& item : module->parsed.file.items)
-        if (const auto* block = std::get_if<RuleSetBlock>(&item.content))
-          if (block != first.block) known.push_back(block->name.text);
-    const Help help = didYouMean(first.block->base->text, known);
-    tell(*first.home, "R1", first.block->base->span,
-         "there is no rule set \"" + first.block->base->text + "\"",
-         help.empty() ? "import the file in which it stands" : help);
-    return false;
-  }
-  if (!seen.insert(base->block).second) {
-    tell(*first.home, "R4", first.block->base->span,
-         "these rule sets extend each other in a circle");
-    return false;
-  }
-  chain.insert(chain.begin(), *base);
-  return true;
-}
-
-/// Whether something of the file could not be read, which may have been the rule set.
-bool FileCompiler::isBroken() const {
-  const auto& items = main_.parsed.file.items;
-  const bool misses = !main_.brokenNames.empty() || items.empty() ||
-                      std::ranges::any_of(items, [](const Item& item) {
-                        return std::holds_alternative<std::monostate>(item.content);
-                      });
-  return misses && context_.diagnostics.hasErrors();
-}
-
-/// Rules without a rule set are for other files to use; or the rule set was forgotten.
-void FileCompiler::warnOfRulesAlone() {
-  if (isBroken()) return;
-  for (const Item& item : main_.parsed.file.items) {
-    if (!std::holds_alternative<Rule>(item.content)) continue;
-    tell(main_, "R5", std::get<Rule>(item.content).title.span,
-         "this file has rules, but no rule set: only files that `use` them can run",
-         "add `ruleset \"name\" { ... }` if this file is to be run itself", {}, Severity::Warning);
-    return;
-  }
-}
-
-std::vector<PlacedRuleSet> FileCompiler::ruleSets() {
-  std::vector<const RuleSetBlock*> own;
-  std::set<std::string> extended;
-  for (const Item& item : main_.parsed.file.items)
-    if (const auto* block = std::get_if<RuleSetBlock>(&item.content)) {
-      own.push_back(block);
-      if (block->base) extended.insert(block->base->text);
-    }
-  std::vector<const RuleSetBlock*> heads;
-  for (const RuleSetBlock* block : own)
-    if (!extended.contains(block->name.text) || (own.size() == 1)) heads.push_back(block);
-  if (heads.empty() && !own.empty()) heads.push_back(own.back());
-  if (heads.empty() && !needsRuleSet_) {
-    warnOfRulesAlone();
-    return {};
-  }
-  if (heads.empty()) {
-    const bool hasText = !main_.parsed.file.items.empty() || !main_.source.text().empty();
-    if (!isBroken())
-      tell(main_, "R5", {0, 0}, "this file has no rule set",
-           hasText ? "add `ruleset \"name\" { ... }`" : "the file is empty");
-    return {};
-  }
-  for (std::size_t i = 1; i < heads.size(); ++i)
-    tell(main_, "R5", heads[i]->name.span, "this file has a second rule set",
-         "keep one `ruleset` in the file that is run",
-         {{"the first one", placeOf(main_.source, heads[0]->name.span)}});
-  std::vector<PlacedRuleSet> chain{{heads[0], &main_}};
-  std::set<const RuleSetBlock*> seen{heads[0]};
-  while (addBase(chain, seen)) {
-  }
-  return chain;
-}
 
 void FileCompiler::append(std::vector<CompiledRule> compiled) {
   for (CompiledRule& rule : compiled) rules_.push_back(std::move(rule));
@@ -249,7 +153,7 @@ void FileCompiler::checkTemplate(const Module& module, const Template& item) {
 bool FileCompiler::holdsRule(const Module& module, const std::string& title) const {
   return std::ranges::any_of(module.parsed.file.items, [&](const Item& item) {
     return std::ranges::any_of(titlesOf(item),
-                               [&](const Name* name) { return mayBecome(name->text, title); });
+                               [&](const Name* name) { return isTitleOf(name->text, title); });
   });
 }
 
@@ -418,7 +322,7 @@ std::shared_ptr<const RuleSet> FileCompiler::ruleSetOf(std::vector<CompiledRule>
 }
 
 std::shared_ptr<const RuleSet> FileCompiler::compile(LoadedFile& result) {
-  std::vector<PlacedRuleSet> sets = ruleSets();
+  std::vector<PlacedRuleSet> sets = ruleSetChain(context_, library_, needsRuleSet_);
   const bool hasRuleSet = !sets.empty(), needsRules = needsRuleSet_ || hasRuleSet;
   settings_ = std::make_unique<RuleSetCompiler>(context_, main_, std::move(sets));
   result.allowed = settings_->allowed();

@@ -142,6 +142,15 @@ std::optional<Fault> missingEnd(SyntaxUnit unit, const Token* first, const Token
 std::optional<Fault> missingBetween(SyntaxUnit unit, const Token* first, const Token* where,
                                     const std::string& wanted) {
   const Token* before = where - 1;
+  if (unit == SyntaxUnit::TestClause && (before - 1)->is("expect")) {
+    const bool isCount = before->is("elements");
+    if (isCount || before->is("score"))
+      return Fault{
+          "S1", where->span,
+          std::string("expected ") + (isCount ? "a whole number" : "a comparison") + ", found " +
+              found(*where),
+          isCount ? "it is written `expect elements 2;`" : "it is written `expect score < 0.1;`"};
+  }
   const bool isGap = endsOperand(*before) && beginsOperand(*where) && before > first;
   if (!isGap || (wanted != ";" && wanted != ")" && wanted != "->" && wanted != ","))
     return std::nullopt;
@@ -178,6 +187,9 @@ std::string formHelp(SyntaxUnit unit, const Token* first, const Token* where,
                      const std::string& wanted) {
   if (wanted == "then" || wanted == "else")
     return "a choice is written `if condition then x else y`";
+  if (first->is("expect") && first[1].is("new")) return "it is written `expect new 1 at (x, y);`";
+  if (first->is("expect") && first[1].is("front"))
+    return "it is written `expect front only p -> new 1 -> r;`";
   const bool isFamily =
       wanted == "in" || wanted == "values in parentheses" || (where - 1)->is("for");
   const std::string_view form =

@@ -209,9 +209,9 @@ const CompiledRule* TestCompiler::findRule(const Name& title) {
     if (item.content.index() == 0) return nullptr;
     for (const Name* written : titlesOf(item)) {
       const bool isCompiled = std::ranges::any_of(rules_, [&](const CompiledRule& rule) {
-        return mayBecome(written->text, rule.definition.name);
+        return isTitleOf(written->text, rule.definition.name);
       });
-      if (!isCompiled && mayBecome(written->text, title.text)) return nullptr;
+      if (!isCompiled && isTitleOf(written->text, title.text)) return nullptr;
       if (!isCompiled) titles.push_back(written->text);
     }
   }

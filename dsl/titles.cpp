@@ -1,6 +1,49 @@
 #include "dsl/titles.h"
 
+#include <algorithm>
+#include <optional>
+
 namespace af2::dsl {
+namespace {
+
+/// A title as text, {parameter}, text, ..., text: parameters stand at odd places.
+std::vector<std::string> partsOf(const std::string& title) {
+  std::vector<std::string> parts{""};
+  for (std::size_t i = 0; i < title.size(); ++i) {
+    const std::size_t close = title[i] == '{' ? title.find('}', i) : std::string::npos;
+    if (close == std::string::npos) {
+      parts.back() += title[i];
+      continue;
+    }
+    parts.push_back(title.substr(i + 1, close - i - 1));
+    parts.emplace_back();
+    i = close;
+  }
+  return parts;
+}
+
+/// The values of the parameters, each as short as possible; nothing if the title does not fit.
+std::optional<std::vector<std::string>> valuesIn(const std::vector<std::string>& parts,
+                                                 const std::string& title) {
+  if (!title.starts_with(parts.front())) return std::nullopt;
+  std::vector<std::string> values;
+  std::size_t at = parts.front().size();
+  for (std::size_t i = 1; i + 1 < parts.size(); i += 2) {
+    const std::string& behind = parts[i + 1];
+    const bool isLast = i + 2 == parts.size();
+    std::size_t end = std::string::npos;
+    if (!isLast) end = title.find(behind, at + 1);
+    if (isLast && title.size() > at + behind.size() && title.ends_with(behind))
+      end = title.size() - behind.size();
+    if (end == std::string::npos) return std::nullopt;
+    values.push_back(title.substr(at, end - at));
+    at = end + behind.size();
+  }
+  if (at != title.size()) return std::nullopt;
+  return values;
+}
+
+}  // namespace
 
 std::vector<const Name*> titlesOf(const Item& item) {
   if (const auto* instance = std::get_if<Instance>(&item.content)) return {&instance->title};
@@ -13,13 +56,34 @@ std::vector<const Name*> titlesOf(const Item& item) {
   return titles;
 }
 
-bool mayBecome(std::string_view written, std::string_view title) {
-  if (written == title) return true;
-  const std::size_t open = written.find('{'), close = written.rfind('}');
-  if (open == written.npos || close == written.npos || close < open) return false;
-  const std::string_view tail = written.substr(close + 1);
-  return title.size() >= open + tail.size() && title.starts_with(written.substr(0, open)) &&
-         title.ends_with(tail);
+bool isTitleOf(const std::string& pattern, const std::string& title) {
+  return valuesIn(partsOf(pattern), title).has_value();
+}
+
+std::string retitled(const std::string& pattern, const std::string& title,
+                     const std::string& newPattern) {
+  const std::vector<std::string> before = partsOf(pattern);
+  const auto values = valuesIn(before, title);
+  if (!values) return title;
+  std::vector<std::string> after = partsOf(newPattern);
+  for (std::size_t i = 1; i < after.size(); i += 2)
+    for (std::size_t k = 1; k < before.size(); k += 2)
+      if (before[k] == after[i]) {
+        after[i] = (*values)[k / 2];
+        break;
+      }
+  std::string result;
+  for (const std::string& part : after) result += part;
+  return result;
+}
+
+std::vector<std::string> titleParameters(const std::string& title) {
+  const std::vector<std::string> parts = partsOf(title);
+  std::vector<std::string> names;
+  for (std::size_t i = 1; i < parts.size(); i += 2) names.push_back(parts[i]);
+  std::ranges::sort(names);
+  names.erase(std::unique(names.begin(), names.end()), names.end());
+  return names;
 }
 
 }  // namespace af2::dsl

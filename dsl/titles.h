@@ -1,7 +1,7 @@
-// Titles of rules as they stand in the text, whether the rules are sound or not.
+// Titles of rules as they stand in the text, and what becomes of their {parameters}.
 #pragma once
 
-#include <string_view>
+#include <string>
 #include <vector>
 
 #include "dsl/ast.h"
@@ -11,7 +11,15 @@ namespace af2::dsl {
 /// The titles that an item gives to rules: its own and those of its mirror images.
 std::vector<const Name*> titlesOf(const Item& item);
 
-/// Whether `title` may be what `written` becomes when its parameters are filled in.
-bool mayBecome(std::string_view written, std::string_view title);
+/// Whether `title` is what `pattern` gives for some values of its {parameters}.
+bool isTitleOf(const std::string& pattern, const std::string& title);
+
+/// `title`, made by `pattern`, as `newPattern` would have made it for the same values. Both
+/// patterns must have the same parameters.
+std::string retitled(const std::string& pattern, const std::string& title,
+                     const std::string& newPattern);
+
+/// The names of {parameters} in a title, sorted.
+std::vector<std::string> titleParameters(const std::string& title);
 
 }  // namespace af2::dsl

@@ -47,6 +47,7 @@ constexpr Habit kHabits[]{
     {"function", "functions are written `def name(p, q) = ...;`"},
     {"var", "values are written `let m = ...;` in a rule, `const H = ...;` in a file"},
     {"set", "values are written `let m = ...;` in a rule, `const H = ...;` in a file"},
+    {"level", "the quality level is q"},
     {"pi", "angles are written in degrees, as in 60deg"},
     {"PI", "angles are written in degrees, as in 60deg"},
     {"distance", "the distance of two points is dist(p, q)"},

@@ -4,6 +4,7 @@
 
 #include "dsl/checks/checks.h"
 #include "dsl/shape_program.h"
+#include "dsl/zone_corners.h"
 
 namespace af2::dsl {
 namespace {
@@ -13,18 +14,6 @@ double doubleArea(const std::vector<Point2>& corners) {
   for (std::size_t i = 1; i + 1 < corners.size(); ++i)
     sum += cross(corners[i] - corners[0], corners[i + 1] - corners[0]);
   return sum;
-}
-
-std::vector<Point2> cornersAt(const ConvexPolygonZoneDef& zone, const AF2Binding& binding) {
-  std::vector<Point2> corners;
-  const double t = zone.fade(binding.level);
-  for (const auto& corner : zone.corners()) {
-    const auto p = corner.preferred->transformPoint(binding);
-    const auto l = corner.limiting ? corner.limiting->transformPoint(binding) : p;
-    if (!p || !l) return {};
-    corners.push_back(corner.limiting ? t * *p + (1 - t) * *l : *p);
-  }
-  return corners;
 }
 
 void tellClockwise(const CompiledRule& rule, Span zone, Findings& findings) {

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "dsl/module.h"
+#include "dsl/titles.h"
 
 namespace af2::dsl {
 
@@ -64,17 +65,6 @@ struct Occurrence {
 
 /// "rule", "let", "new vertex", ...: what people call such a symbol.
 const char* wordFor(SymbolKind kind);
-
-/// Whether `title` is what `pattern` gives for some values of its {parameters}.
-bool isTitleOf(const std::string& pattern, const std::string& title);
-
-/// `title`, made by `pattern`, as `newPattern` would have made it for the same values. Both
-/// patterns must have the same parameters.
-std::string retitled(const std::string& pattern, const std::string& title,
-                     const std::string& newPattern);
-
-/// The names of {parameters} in a title, sorted.
-std::vector<std::string> titleParameters(const std::string& title);
 
 /// All names of a file and of what it imports. Works on whatever could be read: a broken clause is
 /// missing, the others are there.
