@@ -1,11 +1,16 @@
 #include <BRepBuilderAPI_Sewing.hxx>
+#include <BRep_Builder.hxx>
 #include <IGESControl_Reader.hxx>
 #include <IGESData_GlobalSection.hxx>
 #include <IGESData_IGESModel.hxx>
 #include <Interface_Static.hxx>
 #include <TCollection_HAsciiString.hxx>
 #include <TopExp.hxx>
+#include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedDataMapOfShapeListOfShape.hxx>
+#include <TopoDS_Compound.hxx>
+#include <TopoDS_Iterator.hxx>
+#include <vector>
 
 #include "engine/error.h"
 #include "geometry/occ/readers.h"
@@ -24,19 +29,53 @@ int freeEdges(const TopoDS_Shape& shape) {
   return count;
 }
 
-/// IGES gives each trimmed surface edges of its own; only sewn do neighbours share them.
+/// The shape with neighbours sewn where that leaves fewer free edges.
+TopoDS_Shape sewn(const TopoDS_Shape& shape, double tolerance) {
+  const int before = freeEdges(shape);
+  if (before == 0) return shape;
+  BRepBuilderAPI_Sewing sewing(tolerance);
+  sewing.SetNonManifoldMode(false);
+  sewing.Add(shape);
+  sewing.Perform();
+  const TopoDS_Shape result = sewing.SewedShape();
+  return result.IsNull() || freeEdges(result) >= before ? shape : result;
+}
+
+/// What lies directly in a group of the file, and in each group inside it.
+void collectGroups(const TopoDS_Shape& shape, std::vector<TopoDS_Shape>& groups) {
+  if (shape.ShapeType() != TopAbs_COMPOUND) return groups.push_back(shape);
+  BRep_Builder builder;
+  TopoDS_Compound direct;
+  builder.MakeCompound(direct);
+  for (TopoDS_Iterator it(shape); it.More(); it.Next()) {
+    if (it.Value().ShapeType() == TopAbs_COMPOUND)
+      collectGroups(it.Value(), groups);
+    else
+      builder.Add(direct, it.Value());
+  }
+  if (TopExp_Explorer(direct, TopAbs_FACE).More()) groups.push_back(direct);
+}
+
+/// IGES gives each trimmed surface edges of its own; only sewn do neighbours share them. A group
+/// that closes by itself is a part: sewn along with others, it would grow together with those that
+/// it touches.
 void sew(ReadShape& read, double tolerance) {
   const int before = freeEdges(read.shape);
   if (before == 0) return;
-  BRepBuilderAPI_Sewing sewing(tolerance);
-  sewing.SetNonManifoldMode(false);
-  sewing.Add(read.shape);
-  sewing.Perform();
-  const TopoDS_Shape sewn = sewing.SewedShape();
-  if (sewn.IsNull()) return;
-  const int after = freeEdges(sewn);
+  std::vector<TopoDS_Shape> groups;
+  collectGroups(read.shape, groups);
+  BRep_Builder builder;
+  TopoDS_Compound all, open;
+  builder.MakeCompound(all);
+  builder.MakeCompound(open);
+  for (const TopoDS_Shape& group : groups) {
+    const TopoDS_Shape part = sewn(group, tolerance);
+    freeEdges(part) == 0 ? builder.Add(all, part) : builder.Add(open, group);
+  }
+  if (TopExp_Explorer(open, TopAbs_FACE).More()) builder.Add(all, sewn(open, tolerance));
+  const int after = freeEdges(all);
   if (after >= before) return;
-  read.shape = sewn;
+  read.shape = all;
   read.notes.push_back("sewed neighbouring faces: " + std::to_string(before) +
                        " edges had one face only, now " + std::to_string(after));
 }

@@ -4,6 +4,7 @@
 #include <BRepAlgoAPI_Cut.hxx>
 #include <BRepBuilderAPI_Transform.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
+#include <IGESControl_Writer.hxx>
 #include <Interface_Static.hxx>
 #include <STEPControl_Controller.hxx>
 #include <STEPControl_Writer.hxx>
@@ -120,6 +121,24 @@ TEST(Dirt, InchesAndMicronsBecomeMillimetres) {
     expectSound(result, kBlockArea, 0.02);
     EXPECT_NEAR(volumeOf(result), kBlockVolume, 0.05);
   }
+}
+
+/// In IGES all faces are loose, and those of parts that touch have edges at the same places.
+TEST(Dirt, PartsThatTouchStayApartWhenTheirFacesAreSewn) {
+  const TopoDS_Shape block = BRepPrimAPI_MakeBox(1, 1, 1).Shape();
+  gp_Trsf beside;
+  beside.SetTranslation({1, 0, 0});
+  const auto file = std::filesystem::temp_directory_path() / "af2_parts.iges";
+  IGESControl_Writer writer("MM", 0);
+  writer.AddShape(testing::compoundOf({block, block.Moved(beside)}));
+  ASSERT_TRUE(writer.Write(file.c_str()));
+  const Model model = readModel(file);
+  std::filesystem::remove(file);
+  EXPECT_EQ(model.faceCount(), 12);
+  EXPECT_EQ(model.edgeCount(), 24);
+  const ModelMesh result = mesh(model, 0.3);
+  expectSound(result, 12);
+  expectClosed(result);
 }
 
 TEST(Dirt, PlacedAndMirroredInstancesLookOutwards) {
