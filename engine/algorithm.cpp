@@ -15,6 +15,8 @@ namespace {
 
 /// How often the progress callback is called, in steps.
 constexpr std::size_t kProgressInterval = 4096;
+/// And after how many candidates at the latest.
+constexpr std::size_t kProgressCandidates = 1 << 18;
 /// How many of the edges that are left are explained, when the front is stuck.
 constexpr std::size_t kMostExplained = 100;
 
@@ -46,6 +48,7 @@ class Run {
       // What was stuck may have come free by what happened around it since.
     } while (result_.outcome != Outcome::Cancelled && !front_.isEmpty() &&
              result_.mesh.elements.size() > elementsAtLastRound && revive());
+    result_.candidates = choice_.examined();
     finish();
     return std::move(result_);
   }
@@ -78,9 +81,15 @@ class Run {
       }
       step(base);
       ++result_.steps;
-      if (options_.progress && result_.steps % kProgressInterval == 0)
-        options_.progress({result_.mesh.elements.size(), front_.edgeCount()});
+      if (options_.progress) tellProgress();
     }
+  }
+
+  void tellProgress() {
+    const std::size_t candidates = choice_.examined();
+    if (result_.steps % kProgressInterval != 0 && candidates < nextTold_) return;
+    nextTold_ = candidates + kProgressCandidates;
+    options_.progress({result_.mesh.elements.size(), front_.edgeCount(), candidates});
   }
 
   void step(PlaceId base) {
@@ -236,6 +245,7 @@ class Run {
   FrontQueue queue_;
   std::vector<std::uint8_t> valence_;  // elements at each vertex, up to 255
   CandidateChoice choice_;
+  std::size_t nextTold_ = kProgressCandidates;
   ChartSlot slot_;
   std::vector<WalkVertex> walk_;
   Front::Change change_;

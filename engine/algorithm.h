@@ -38,6 +38,7 @@ struct MeshingResult {
   std::vector<StuckEdge> stuck;  ///< front edges that are left, if stuck
   std::vector<VertexId> unused;  ///< isolated vertices that no element uses
   std::size_t steps = 0, failedSteps = 0;
+  std::size_t candidates = 0;  ///< examined in all steps: with these goes the time
 };
 
 /// The engine. Holds a rule set, compiled; meshes any number of regions with it, from any number of

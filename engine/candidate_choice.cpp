@@ -139,6 +139,9 @@ class MatchedParts {
 /// seen.
 constexpr double kSamePlace = 1e-9;
 
+/// More candidates than these are sorted, not searched.
+constexpr std::size_t kManyCandidates = 64;
+
 bool isAtNewVertex(const Candidate& candidate, Point2 p) {
   const auto first = static_cast<std::size_t>(candidate.rule->matchedCount);
   const auto end = first + static_cast<std::size_t>(candidate.rule->newCount);
@@ -194,11 +197,13 @@ const Application* CandidateChoice::choose(const StepChart& chart, PlaceId base)
   gather(chart, base);
   const StepView view = viewOf(chart, base);
   collect(view);
+  examined_ += untried_.size();
   RuleRefusal culprit;
+  // Where a front is crammed there may be thousands, and few of them fit.
+  const bool isSorted = untried_.size() > kManyCandidates;
+  if (isSorted) sortWorstFirst();
   while (!untried_.empty()) {
-    std::size_t best = 0;
-    for (std::size_t i = 1; i < untried_.size(); ++i)
-      if (isBetter(candidates_[untried_[i]], candidates_[untried_[best]])) best = i;
+    const std::size_t best = isSorted ? untried_.size() - 1 : bestUntried();
     const Candidate& candidate = candidates_[untried_[best]];
     if (testZone(view, candidate, culprit) == Refusal::None &&
         prepare(view, candidate) == Refusal::None)
@@ -207,6 +212,19 @@ const Application* CandidateChoice::choose(const StepChart& chart, PlaceId base)
     untried_.pop_back();
   }
   return nullptr;
+}
+
+std::size_t CandidateChoice::bestUntried() const {
+  std::size_t best = 0;
+  for (std::size_t i = 1; i < untried_.size(); ++i)
+    if (isBetter(candidates_[untried_[i]], candidates_[untried_[best]])) best = i;
+  return best;
+}
+
+void CandidateChoice::sortWorstFirst() {
+  std::ranges::sort(untried_, [&](std::uint32_t one, std::uint32_t other) {
+    return isBetter(candidates_[other], candidates_[one]);
+  });
 }
 
 void CandidateChoice::collect(const StepView& view) {

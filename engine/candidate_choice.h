@@ -40,6 +40,9 @@ class CandidateChoice {
   /// The best applicable rule at the edge that leaves `base`, or null. Valid until the next call.
   const Application* choose(const StepChart& chart, PlaceId base);
 
+  /// How many candidates there were in all steps so far.
+  std::size_t examined() const { return examined_; }
+
   /// For each rule in order why it is not the one to apply; call it before the front changes.
   std::vector<RuleRefusal> explain(const StepChart& chart, PlaceId base);
 
@@ -49,6 +52,8 @@ class CandidateChoice {
  private:
   void gather(const StepChart& chart, PlaceId base);
   void collect(const StepView& view);
+  std::size_t bestUntried() const;
+  void sortWorstFirst();
   Refusal evaluate(const StepView& view, Candidate& candidate) const;
   Refusal evaluateOpenly(const StepView& view, Candidate& candidate) const;
   Refusal judge(const StepView& view, const Candidate& candidate) const;
@@ -75,6 +80,7 @@ class CandidateChoice {
   std::vector<Candidate> candidates_;   // as many as there ever were at once
   std::vector<std::uint32_t> untried_;  // those of this step that have not been tried yet
   ZonePolygon polygon_;
+  std::size_t examined_ = 0;
   Application application_;
   Box3 limits_{{-1e300, -1e300, -1e300}, {1e300, 1e300, 1e300}};
 };

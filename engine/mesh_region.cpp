@@ -29,6 +29,7 @@ class SharedProgress {
       const std::lock_guard lock(mutex_);
       sum_.elements += progress.elements - last_[piece].elements;
       sum_.frontEdges += progress.frontEdges - last_[piece].frontEdges;
+      sum_.candidates += progress.candidates - last_[piece].candidates;
       last_[piece] = progress;
       callback_(sum_);
     };
@@ -108,6 +109,7 @@ class PieceJoiner {
     joined.rule.insert(joined.rule.end(), mesh.rule.begin(), mesh.rule.end());
     joined_.steps += result.steps;
     joined_.failedSteps += result.failedSteps;
+    joined_.candidates += result.candidates;
     result.mesh = {};
   }
 

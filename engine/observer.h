@@ -39,10 +39,11 @@ class AF2MeshingObserver {
   virtual void rulesRefused(const StepReport&, std::span<const RuleRefusal>) {}
 };
 
-/// How far a run has come. Sent every few thousand steps.
+/// How far a run has come. Sent every few thousand steps, or more often where these take long.
 struct Progress {
   std::size_t elements = 0;
   std::size_t frontEdges = 0;
+  std::size_t candidates = 0;  ///< examined so far: with these goes the time
 };
 using ProgressCallback = std::function<void(const Progress&)>;
 

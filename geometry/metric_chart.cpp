@@ -95,7 +95,9 @@ std::optional<SurfacePoint> MetricChart::transformToSurface(Point2 point) const 
     p = p + rest;
     if (dot(rest, rest) < kPlaceTolerance * kPlaceTolerance) break;
   }
-  return surface_.pointAt(u_ + ux_ * p.x + uy_ * p.y, v_ + vx_ * p.x + vy_ * p.y);
+  const double u = u_ + ux_ * p.x + uy_ * p.y, v = v_ + vx_ * p.x + vy_ * p.y;
+  if (!surface_.has(u, v)) return std::nullopt;
+  return surface_.pointAt(u, v);
 }
 
 }  // namespace af2::geometry

@@ -23,6 +23,8 @@ class ParametricSurface {
   virtual SurfacePoint pointAt(double u, double v) const = 0;
   /// Whether the normals of the face are opposite to du x dv.
   virtual bool isFlipped() const = 0;
+  /// Whether there is a surface at (u, v); beyond, formulas may run away.
+  virtual bool has(double, double) const { return true; }
 };
 
 /// Quadratic in (u, v), so that lines of the chart are geodesics and its lengths those on the

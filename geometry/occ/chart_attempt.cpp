@@ -22,13 +22,15 @@ class RunawayGuard {
   std::stop_token token() const { return source_.get_token(); }
   void see(const Progress& progress) {
     ranAway_ = progress.elements > limit_;
+    isCrammed_ = progress.candidates > kCandidatesPerElement * limit_;
     stalls_ = progress.elements < elements_ + kLeastGain ? stalls_ + 1 : 0;
     elements_ = progress.elements;
-    if (ranAway_ || isStalled()) source_.request_stop();
+    if (ranAway_ || isCrammed_ || isStalled()) source_.request_stop();
   }
   bool ranAway() const { return ranAway_; }
-  /// Thousands of steps brought next to nothing, and there is another way to try.
-  bool isStalled() const { return mayStall_ && stalls_ >= kMostStalls; }
+  /// Thousands of steps brought next to nothing, and there is another way to try; or the front is
+  /// so crammed that no end is in sight.
+  bool isStalled() const { return isCrammed_ || (mayStall_ && stalls_ >= kMostStalls); }
 
  private:
   struct Forward {
@@ -37,10 +39,12 @@ class RunawayGuard {
   };
   static constexpr std::size_t kLeastGain = 64;  // elements from one report to the next
   static constexpr int kMostStalls = 2;
+  /// Ten times what the most elements that are allowed would need.
+  static constexpr std::size_t kCandidatesPerElement = 30;
 
   std::size_t limit_, elements_ = 0;
   int stalls_ = 0;
-  bool mayStall_, ranAway_ = false;
+  bool mayStall_, ranAway_ = false, isCrammed_ = false;
   std::stop_source source_;
   std::stop_callback<Forward> forward_;
 };

@@ -211,7 +211,7 @@ class CurvedArea {
 /// files have no curves in the parameters of planes, and to make them takes long.
 class PlaneArea {
  public:
-  explicit PlaneArea(const gp_Pln& plane) : normal_(toPoint(plane.Axis().Direction())) {}
+  explicit PlaneArea(const Point3& normal) : normal_(normal) {}
 
   void add(const TopoDS_Edge& edge) {
     if (BRep_Tool::Degenerated(edge)) return;
@@ -262,7 +262,7 @@ double areaWithin(const TopoDS_Face& face, Area area) {
 
 double areaOf(const TopoDS_Face& face, const FaceSurface& surface) {
   const GeomAdaptor_Surface adaptor(BRep_Tool::Surface(face));
-  if (surface.isPlane()) return areaWithin(face, PlaneArea(adaptor.Plane()));
+  if (surface.isPlane()) return areaWithin(face, PlaneArea(surface.pointAt({}, 0, 0).normal));
   return areaWithin(face, CurvedArea(face, surface, adaptor));
 }
 

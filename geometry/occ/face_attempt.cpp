@@ -80,9 +80,12 @@ FaceAttempt fillWithRules(const FaceTask& task) {
   const std::vector<ChartKind> kinds = chartsFor(task);
   std::vector<FaceAttempt> failed;
   std::vector<std::string> steps;
+  std::size_t effort = 0;
   for (const ChartKind kind : kinds) {
     FaceAttempt attempt = attemptWith(task, kind, kind != kinds.back());
+    effort += attempt.result.candidates;
     if (attempt.fault.empty()) {
+      attempt.effort = effort;
       attempt.steps = std::move(steps);
       return attempt;
     }
@@ -91,11 +94,13 @@ FaceAttempt fillWithRules(const FaceTask& task) {
   }
   for (FaceAttempt& attempt : failed) {
     if (!close(task, attempt)) continue;
+    attempt.effort = effort;
     attempt.steps = std::move(steps);
     return std::move(attempt);
   }
   FaceAttempt all;
   for (const std::string& step : steps) all.fault += (all.fault.empty() ? "" : "; ") + step;
+  all.effort = effort;
   all.steps = std::move(steps);
   for (FaceAttempt& attempt : failed) all.failures.push_back(std::move(attempt.result));
   return all;

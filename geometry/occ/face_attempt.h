@@ -24,6 +24,7 @@ struct FaceAttempt {
   std::size_t closingElements = 0;  ///< how many were made without a rule, to close a stuck front
   std::vector<std::string> steps;   ///< what was tried before in vain, and why it failed
   std::vector<MeshingResult> failures;  ///< what these came to, if all failed
+  std::size_t effort = 0;               ///< candidates of the front in all, those in vain too
 };
 
 /// What is given for a face.

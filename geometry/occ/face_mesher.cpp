@@ -41,6 +41,7 @@ class FaceMesher {
     const Stopwatch filling;
     FaceAttempt attempt = fill(boundary, size, mesh);
     mesh.optimizeSeconds = attempt.optimizeShare * filling.seconds();
+    mesh.effort = attempt.effort;
     mesh.report.attempts = boundary.repairs;
     std::ranges::move(attempt.steps, std::back_inserter(mesh.report.attempts));
     mesh.report.chart = toString(attempt.chart);

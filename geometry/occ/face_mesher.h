@@ -23,6 +23,7 @@ struct FaceMesh {
   std::vector<SegmentUse> uses;
   double optimizeSeconds = 0;  ///< part of report.seconds
   FaceTrouble trouble;
+  std::size_t effort = 0;  ///< candidates of the front, those in vain too
 };
 
 /// What all faces of a run share.

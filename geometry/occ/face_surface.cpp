@@ -2,6 +2,7 @@
 
 #include <BRepTools.hxx>
 #include <BRep_Tool.hxx>
+#include <GeomLib_IsPlanarSurface.hxx>
 #include <TopoDS.hxx>
 #include <algorithm>
 #include <cmath>
@@ -128,6 +129,13 @@ bool isBent(const std::vector<SurfacePoint>& line) {
   return turn > kBent;
 }
 
+/// Splines and swept surfaces often are planes. Parameters may be degenerate or fold on these, and
+/// normals be noise; of a plane nothing of that matters.
+bool isFlat(const Handle(Geom_Surface) & surface, double extent) {
+  constexpr double kFlat = 1e-7;  // of the extent
+  return GeomLib_IsPlanarSurface(surface, kFlat * extent).IsPlanar();
+}
+
 double extentOf(const std::vector<SurfacePoint>& points) {
   double extent = 0;
   for (const SurfacePoint& p : points)
@@ -199,6 +207,7 @@ FaceSurface::FaceSurface(const Handle(Geom_Surface) & surface, const SplineSurfa
       sweep_ = Sweep::Extrusion;
       break;
     default:
+      if (isFlat(surface, extent_)) surface_ = PlaneSurface{n};
       break;
   }
 }
@@ -219,6 +228,10 @@ const ParametricSurface& FaceSurface::inParameters() const {
 }
 
 SurfacePoint FaceSurface::boundaryPoint(const Point3& position, double u, double v) const {
+  if (const auto* general = std::get_if<GeneralSurface>(&surface_)) {
+    general->refine(position, u, v);
+    return {position, general->normalAtBoundary(u, v), u, v};
+  }
   if (!unrolled_) return pointAt(position, u, v);
   const Point2 flat = unrolled_->develop(position, u, v);
   return pointAt(position, flat.x, flat.y);

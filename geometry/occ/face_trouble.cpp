@@ -106,7 +106,8 @@ void openAngles(const Mesh& mesh, FaceTrouble& trouble) {
     if (!hasSharpAngle(mesh, c)) continue;
     const double angle = leastAngle(mesh, c);
     if (angle >= kLeastAngle) continue;
-    trouble.poorness += std::log(kLeastAngle / std::max(angle, 1e-6));
+    // The worst one counts: shorter edges make more of them, though better ones.
+    trouble.poorness = std::max(trouble.poorness, std::log(kLeastAngle / std::max(angle, 1e-6)));
     for (std::size_t i = 0; i < c.size(); ++i)
       addEdge(trouble.places, mesh.vertices[c[i].value].position,
               mesh.vertices[c[(i + 1) % c.size()].value].position,

@@ -61,7 +61,7 @@ double ParameterRange::near(double value, double other) const {
 
 GeneralSurface::GeneralSurface(const Handle(Geom_Surface) & surface, bool flipped,
                                const SplineSurface::Box& box)
-    : values_(surface, box), sign_(flipped ? -1 : 1) {
+    : values_(surface, box), box_(box), sign_(flipped ? -1 : 1) {
   double u1, u2, v1, v2;
   surface->Bounds(u1, u2, v1, v2);
   u_ = rangeOf(u1, u2, surface->IsUClosed());
@@ -104,6 +104,16 @@ Point3 GeneralSurface::normalAt(double u, double v) const {
     if (length(sum) > kDegenerate) return unit(sum);
   }
   return {};
+}
+
+Point3 GeneralSurface::normalAtBoundary(double u, double v) const {
+  constexpr double kStep = 0.01;        // of the way to the middle of the face
+  constexpr double kDegenerated = 0.1;  // share of the area of du x dv
+  const double innerU = u + kStep * ((box_.u1 + box_.u2) / 2 - u);
+  const double innerV = v + kStep * ((box_.v1 + box_.v2) / 2 - v);
+  const auto areaOf = [](const Frame& frame) { return length(cross(frame.du, frame.dv)); };
+  const bool isDegenerate = areaOf(frameAt(u, v)) < kDegenerated * areaOf(frameAt(innerU, innerV));
+  return isDegenerate ? normalAt(innerU, innerV) : normalAt(u, v);
 }
 
 GeneralSurface::Radii GeneralSurface::radiiAt(double u, double v) const {

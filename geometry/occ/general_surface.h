@@ -18,6 +18,10 @@ struct ParameterRange {
   bool closed = false;
 
   double width() const { return high - low; }
+  bool has(double value) const {
+    constexpr double kSlack = 1e-6;  // of the width: boundaries are not exact
+    return closed || (value >= low - kSlack * width() && value <= high + kSlack * width());
+  }
   /// `value` brought into the range: around, if closed, else to the nearer end.
   double bring(double value) const;
   /// The copy of `value` that is nearest to `other`, if closed.
@@ -38,8 +42,12 @@ class GeneralSurface final : public ParametricSurface {
   SurfaceJet jetAt(double u, double v) const override { return values_.jetAt(u, v); }
   SurfacePoint pointAt(double u, double v) const override;
   bool isFlipped() const override { return sign_ < 0; }
+  bool has(double u, double v) const override { return u_.has(u) && v_.has(v); }
   /// Where du x dv vanishes (a pole), the mean of the normals around.
   Point3 normalAt(double u, double v) const;
+  /// Of a point of the boundary. Where the parameters all but degenerate, what the normals do may
+  /// be noise, or a twist too small to be seen: the normal a little way into the face counts.
+  Point3 normalAtBoundary(double u, double v) const;
   /// Radii of normal curvature: the smallest, and those along the two parameter lines; infinite
   /// where there is no curvature.
   struct Radii {
@@ -56,6 +64,7 @@ class GeneralSurface final : public ParametricSurface {
   std::optional<Point3> unitNormal(const Frame& frame) const;
 
   SurfaceValues values_;
+  SplineSurface::Box box_;
   ParameterRange u_, v_;
   double sign_;
   double lengthU_ = 0, lengthV_ = 0;  ///< of du and dv, away from poles

@@ -18,19 +18,35 @@ double largestAsked(const ModelSizes& sizes) {
 
 }  // namespace
 
-void Refinement::add(const std::vector<SizeSource>& places) {
+void Refinement::add(std::size_t face, const std::vector<SizeSource>& places) {
   const double largest = largestAsked(asked_.sizes);
+  std::vector<SizeSource>& added = places_[face].emplace_back();
   for (const SizeSource& place : places)
-    sources_.push_back({place.position, std::max(place.size, kLeastSize * largest)});
-  const PositionSize near = sizeFrom({sources_, {}, {}}, asked_.sizes.growth);
+    added.push_back({place.position, std::max(place.size, kLeastSize * largest)});
+}
+
+void Refinement::dropLast(std::size_t face) {
+  const auto found = places_.find(face);
+  if (found != places_.end() && !found->second.empty()) found->second.pop_back();
+}
+
+ModelMeshingOptions Refinement::options() const {
+  ModelMeshingOptions options = asked_;
+  std::vector<SizeSource> sources;
+  for (const auto& [face, rounds] : places_)
+    for (const std::vector<SizeSource>& places : rounds)
+      sources.insert(sources.end(), places.begin(), places.end());
+  if (sources.empty()) return options;
+  const PositionSize near = sizeFrom({sources, {}, {}}, asked_.sizes.growth);
   const PositionSize asked = asked_.sizes.function;
-  options_.sizes.function = [near, asked](std::span<const Point3> at, std::span<double> sizes) {
+  options.sizes.function = [near, asked](std::span<const Point3> at, std::span<double> sizes) {
     near.at(at, sizes);
     if (!asked) return;
     std::vector<double> limits(at.size());
     asked.at(at, limits);
     for (std::size_t i = 0; i < at.size(); ++i) sizes[i] = std::min(sizes[i], limits[i]);
   };
+  return options;
 }
 
 DivisionChange compare(const DividedEdges& before, const DividedEdges& after) {

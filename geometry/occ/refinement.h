@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <vector>
 
 #include "geometry/graded_size.h"
@@ -14,16 +15,20 @@ namespace af2::geometry {
 /// Sizes that are asked for, limited further around some places.
 class Refinement {
  public:
-  explicit Refinement(const ModelMeshingOptions& asked) : asked_(asked), options_(asked) {}
+  explicit Refinement(const ModelMeshingOptions& asked) : asked_(asked) {}
 
-  /// Sizes below a ten-thousandth of what was asked for are raised to that.
-  void add(const std::vector<SizeSource>& places);
-  const ModelMeshingOptions& options() const { return options_; }
+  /// For the sake of one of the faces. Sizes below a ten-thousandth of what was asked for are
+  /// raised to that.
+  void add(std::size_t face, const std::vector<SizeSource>& places);
+  /// Takes back what was added last for a face.
+  void dropLast(std::size_t face);
+  /// Takes back all that was added for a face.
+  void dropAll(std::size_t face) { places_.erase(face); }
+  ModelMeshingOptions options() const;
 
  private:
   const ModelMeshingOptions& asked_;
-  ModelMeshingOptions options_;
-  std::vector<SizeSource> sources_;
+  std::map<std::size_t, std::vector<std::vector<SizeSource>>> places_;  ///< by face, in rounds
 };
 
 /// What changed from one division of the same edges to the next.

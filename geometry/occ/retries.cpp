@@ -2,7 +2,9 @@
 
 #include <TopExp_Explorer.hxx>
 #include <algorithm>
+#include <iterator>
 #include <string>
+#include <tuple>
 #include <utility>
 
 #include "geometry/occ/parallel.h"
@@ -17,22 +19,32 @@ class Retries {
   explicit Retries(const RetryTask& task) : task_(task) {}
 
   void retry(FaceMeshes& state) {
-    constexpr int kMostRounds = 6;
+    constexpr int kMostRounds = 12;
     Refinement refinement(task_.options);
     FaceMeshes best;
     std::vector<bool> isHopeless(task_.faces.size(), false);
     std::vector<int> failures(task_.faces.size(), 0);
+    std::vector<std::size_t> dropped;  // faces for which shorter edges were of no use
+    const double mostEffort = Retries::mostEffort(state);
     double effort = 0;
     task_.join(state);
     for (int round = 0; round < kMostRounds && !task_.options.stop.stop_requested(); ++round) {
       const std::vector<std::size_t> poor = worthAnotherTry(state, isHopeless);
-      if (poor.empty() || effort > mostEffort(state)) break;
-      for (const std::size_t i : poor) refinement.add(placesOf(state, i));
-      FaceMeshes next = refined(state, poor, refinement.options(), effort);
+      if ((poor.empty() && dropped.empty()) || effort > mostEffort) break;
+      for (const std::size_t i : poor) refinement.add(i, placesOf(state, i));
+      std::vector<std::size_t> again;
+      std::ranges::set_union(poor, dropped, std::back_inserter(again));
+      FaceMeshes next = refined(state, again, refinement.options(), effort);
       if (task_.options.stop.stop_requested()) break;
       task_.join(next);
-      for (const std::size_t i : poor)
-        if (!isWorthwhile(state, next, i, failures[i])) isHopeless[i] = true;
+      dropped.clear();
+      for (const std::size_t i : poor) {
+        if (isWorthwhile(state, next, i, failures[i])) continue;
+        isHopeless[i] = true;
+        dropped.push_back(i);
+        const bool isInVain = failed(next.meshes[i]) || crossingsAt(next, i) > 0;
+        isInVain ? refinement.dropAll(i) : refinement.dropLast(i);
+      }
       if (best.meshes.empty() || isBetter(state, best)) best = std::move(state);
       state = std::move(next);
     }
@@ -52,13 +64,15 @@ class Retries {
     return poor;
   }
 
-  /// Tries may cost some times as much as the mesh, but not more.
+  /// Tries may cost some times as much as the mesh, but not more. Goes by candidates of the front.
   static double mostEffort(const FaceMeshes& state) {
-    constexpr double kShare = 3, kAlways = 200'000;
-    double elements = 0;
-    for (const FaceMesh& mesh : state.meshes) elements += static_cast<double>(mesh.elements.size());
-    return kShare * elements + kAlways;
+    constexpr double kShare = 3, kAlways = 1'000'000;
+    double candidates = 0;
+    for (const FaceMesh& mesh : state.meshes) candidates += static_cast<double>(mesh.effort);
+    return kShare * candidates + kAlways;
   }
+  /// What it costs to mesh a face again besides these.
+  static constexpr double kForEachFace = 1000;
 
   static std::ptrdiff_t crossingsAt(const FaceMeshes& state, std::size_t i) {
     const int face = state.meshes[i].report.id;
@@ -104,14 +118,15 @@ class Retries {
 
   static bool isBetter(const FaceMeshes& one, const FaceMeshes& other) {
     const auto rank = [](const FaceMeshes& state) {
-      std::pair<std::size_t, double> sum{0, 0};
+      std::tuple<std::size_t, double, std::size_t> sum{0, 0, 0};  // the fewest elements, if equal
       for (const FaceMesh& mesh : state.meshes) {
         if (failed(mesh))
-          ++sum.first;
+          ++std::get<0>(sum);
         else
-          sum.second += mesh.trouble.poorness;
+          std::get<1>(sum) += mesh.trouble.poorness;
+        std::get<2>(sum) += mesh.elements.size();
       }
-      sum.first += facesThatCross(state.crossings, {}).size();
+      std::get<0>(sum) += facesThatCross(state.crossings, {}).size();
       return sum;
     };
     return rank(one) < rank(other);
@@ -139,9 +154,7 @@ class Retries {
       tellOfRetry(state, again[k], next.meshes[again[k]]);
     });
     for (const std::size_t i : again)
-      effort += static_cast<double>(
-                    std::max(state.meshes[i].elements.size(), next.meshes[i].elements.size())) +
-                1000;
+      effort += static_cast<double>(next.meshes[i].effort) + kForEachFace;
     return next;
   }
 

@@ -21,6 +21,7 @@ class Cylinder final : public ParametricSurface {
     return {frameAt(u, v).position, (flipped_ ? -1.0 : 1.0) * outer, u, v};
   }
   bool isFlipped() const override { return flipped_; }
+  bool has(double, double v) const override { return v >= 0 && v <= 1; }
 
  private:
   bool flipped_;
@@ -46,6 +47,14 @@ TEST(MetricChart, IsMirroredWhereTheFaceIsSeenFromTheOtherSide) {
                                                                    cylinder.pointAt(0, 1), 1);
   EXPECT_LT(testing::gap(chart->transformFromSurface(cylinder.pointAt(1, 0)).position, {0, 2}),
             1e-14);
+}
+
+TEST(MetricChart, DoesNotReachBeyondTheSurface) {
+  const Cylinder cylinder(false);
+  const auto chart = MetricChartMaker(cylinder).makeLocalTransform(cylinder.pointAt(0, 0),
+                                                                   cylinder.pointAt(0, 1), 1);
+  EXPECT_TRUE(chart->transformToSurface({0.9, 1}));
+  EXPECT_FALSE(chart->transformToSurface({1.1, 1}));
 }
 
 TEST(MetricChart, PutsTheEndOfTheBaseEdgeAtItsChord) {

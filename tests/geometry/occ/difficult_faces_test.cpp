@@ -79,6 +79,25 @@ TEST(DifficultFaces, ANarrowRingGetsShorterEdges) {
   EXPECT_FALSE(result.faces[0].attempts.empty());
 }
 
+double leastAngle(const ModelMesh& mesh) {
+  double least = pi;
+  for (const Element& e : mesh.elements) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto at = [&](std::size_t k) { return mesh.vertices[e.corners[(i + k) % 3].value]; };
+      const Point3 p = at(1) - at(0), q = at(2) - at(0);
+      least = std::min(least, std::atan2(length(cross(p, q)), dot(p, q)));
+    }
+  }
+  return least * 180 / pi;
+}
+
+/// Ten times shorter edges are not enough, though better.
+TEST(DifficultFaces, AStripOfATwoThousandthOfTheSizeIsDividedFinely) {
+  const ModelMesh result = mesh(plane({rectangle(0, 0, 2, 0.0005)}), 1);
+  expectComplete(result, 0.001, 1e-9);
+  EXPECT_GT(leastAngle(result), 0.5);
+}
+
 TEST(DifficultFaces, AThinWireIsMeshedAllTheWayAround) {
   expectComplete(mesh(BRepPrimAPI_MakeCylinder(0.01, 2).Shape(), 0.5), 2 * pi * 0.01 * 2, 0.1);
 }

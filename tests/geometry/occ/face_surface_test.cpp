@@ -1,7 +1,10 @@
 #include "geometry/occ/face_surface.h"
 
 #include <gtest/gtest.h>
+#include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepTools.hxx>
+#include <Geom_BezierSurface.hxx>
+#include <TColgp_Array2OfPnt.hxx>
 
 #include "tests/geometry/occ/shapes.h"
 
@@ -42,6 +45,29 @@ TEST(FaceSurface, AgreesWithOpenCascade) {
 TEST(FaceSurface, FlipsTheNormalsOfReversedFaces) {
   expectClosedFormsAgree(testing::modelOf(BRepPrimAPI_MakeSphere(2).Shape().Reversed()));
   expectClosedFormsAgree(testing::modelOf(BRepPrimAPI_MakeCone(2, 1, 3).Shape().Reversed()));
+}
+
+/// A face over the whole of a Bezier surface with two by two poles.
+TopoDS_Face bilinear(const gp_Pnt& p00, const gp_Pnt& p10, const gp_Pnt& p01, const gp_Pnt& p11) {
+  TColgp_Array2OfPnt poles(1, 2, 1, 2);
+  poles(1, 1) = p00;
+  poles(2, 1) = p10;
+  poles(1, 2) = p01;
+  poles(2, 2) = p11;
+  return BRepBuilderAPI_MakeFace(new Geom_BezierSurface(poles), 1e-7);
+}
+
+TEST(FaceSurface, TakesAFlatSplineForAPlane) {
+  EXPECT_TRUE(FaceSurface(bilinear({0, 0, 1}, {2, 0, 1}, {0, 1, 1}, {1, 1, 1})).isPlane());
+  EXPECT_FALSE(FaceSurface(bilinear({0, 0, 1}, {2, 0, 1}, {0, 1, 1}, {1, 1, 1.01})).isPlane());
+}
+
+/// One side of the surface is a thousandth as long as the others, and across their plane.
+TEST(FaceSurface, SeesNoTwistsThatAreTooSmallToBeSeen) {
+  const FaceSurface surface(bilinear({1, 0, 0}, {1, 0, 0.001}, {0, 0.1, 1}, {0, 0.1, -1}));
+  const Point3 tip = surface.boundaryPoint({1, 0, 0}, 0, 0).normal;
+  const Point3 base = surface.boundaryPoint({0, 0.1, 1}, 0, 1).normal;
+  EXPECT_GT(dot(tip, base), 0.95);
 }
 
 TEST(FaceSurface, TellsTubesFromRoundings) {
