@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <map>
 #include <numeric>
+#include <optional>
 
 #include "engine/error.h"
 #include "geometry/occ/edge_samples.h"
@@ -15,6 +16,7 @@
 #include "geometry/occ/parallel.h"
 #include "geometry/occ/points.h"
 #include "geometry/occ/sizing.h"
+#include "geometry/occ/twin_edges.h"
 
 namespace af2::geometry {
 
@@ -26,6 +28,9 @@ constexpr double kPointLike = 1e-3;
 /// So is one that is shorter than this share of the model, where coordinates blur, or than this
 /// share of the wanted size, whatever the tolerances say.
 constexpr double kBlur = 1e-10, kInvisible = 1e-6;
+
+/// Vertices with tolerances beyond this share of the model are damaged.
+constexpr double kMostTolerance = 0.01;
 
 /// Which points were found to be the same.
 class Merging {
@@ -63,6 +68,7 @@ class Division {
 
   DividedEdges result() {
     const std::vector<std::size_t> least = leastSegments();
+    twins_ = twinsOf(model_, ends_, samples_);
     for (std::size_t i = 0; i < samples_.size(); ++i) divideEdge(i, least[i]);
     return std::move(result_);
   }
@@ -140,7 +146,8 @@ class Division {
     const double blur = std::min(kBlur * model_.diagonal, kPointLike * sizes_.size);
     std::vector<double> tolerance(result_.points.size(), blur);
     for (int id = 1; id <= model_.vertices.Extent(); ++id)
-      tolerance[static_cast<std::size_t>(id) - 1] += BRep_Tool::Tolerance(model_.vertex(id));
+      tolerance[static_cast<std::size_t>(id) - 1] +=
+          std::min(BRep_Tool::Tolerance(model_.vertex(id)), kMostTolerance * model_.diagonal);
     std::vector<bool> isUsed;
     for (const EdgeSamples& samples : samples_) isUsed.push_back(!samples.pieces.empty());
     return gapsInWires(model_, ends_, isUsed, result_.points, tolerance);
@@ -206,12 +213,35 @@ class Division {
     return edge;
   }
 
+  /// The vertices between the ends of an edge that runs along an earlier one are those of that one.
+  bool takeFromTwin(std::size_t i, std::size_t twin) {
+    const DividedEdge& other = result_.edges[twin];
+    std::vector<std::uint32_t> inner(other.points.begin() + 1, other.points.end() - 1);
+    std::vector<Point3> positions;
+    for (const std::uint32_t p : inner) positions.push_back(result_.points[p]);
+    DividedEdge edge;
+    try {
+      GivenPoints placed =
+          placeOnEdge(model_, static_cast<int>(i) + 1, positions, samples_[i].length);
+      if (!(placed.points == positions)) std::ranges::reverse(inner);
+      edge.parameters = std::move(placed.parameters);
+    } catch (const InputError&) {
+      return false;  // they part somewhere
+    }
+    edge.points.push_back(ends_[i].first);
+    edge.points.insert(edge.points.end(), inner.begin(), inner.end());
+    edge.points.push_back(ends_[i].last);
+    result_.edges.push_back(std::move(edge));
+    return true;
+  }
+
   void divideEdge(std::size_t i, std::size_t least) {
     const auto given = given_.find(static_cast<int>(i) + 1);
     if (given != given_.end() && !samples_[i].pieces.empty()) {
       result_.edges.push_back(takeGiven(i, least, given->second));
       return;
     }
+    if (twins_[i] && takeFromTwin(i, *twins_[i])) return;
     DividedEdge edge;
     edge.problem = samples_[i].problem;
     if (!samples_[i].pieces.empty()) {
@@ -230,6 +260,7 @@ class Division {
   const EdgePoints& given_;
   std::vector<EdgeSamples> samples_;
   std::vector<Ends> ends_;
+  std::vector<std::optional<std::size_t>> twins_;
   DividedEdges result_;
 };
 

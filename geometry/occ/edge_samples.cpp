@@ -6,6 +6,7 @@
 #include <Precision.hxx>
 #include <Standard_Failure.hxx>
 #include <TColStd_Array1OfReal.hxx>
+#include <TopExp.hxx>
 #include <TopoDS.hxx>
 #include <algorithm>
 #include <cmath>
@@ -104,12 +105,21 @@ class WantedAlongEdge {
   double largest_;
 };
 
-/// Parameters at which the curve changes its formula.
-std::vector<double> breaksOf(const BRepAdaptor_Curve& curve) {
+/// The part of a curve that makes an edge.
+struct Extent {
+  double first, last;
+};
+
+/// Parameters at which the curve changes its formula, and the ends.
+std::vector<double> breaksOf(const BRepAdaptor_Curve& curve, Extent extent) {
   const int count = curve.NbIntervals(GeomAbs_C1);
   TColStd_Array1OfReal bounds(1, count + 1);
   curve.Intervals(bounds, GeomAbs_C1);
-  return {bounds.begin(), bounds.end()};
+  std::vector<double> breaks{extent.first};
+  for (const double bound : bounds)
+    if (bound > extent.first && bound < extent.last) breaks.push_back(bound);
+  breaks.push_back(extent.last);
+  return breaks;
 }
 
 double roughLength(const BRepAdaptor_Curve& curve) {
@@ -189,8 +199,9 @@ void limitByPosition(EdgePiece& piece, const ModelSizes& sizes) {
 }
 
 std::vector<EdgePiece> sampleInCells(const BRepAdaptor_Curve& curve, const WantedAlongEdge& wanted,
-                                     const ModelSizes& sizes, double length, double total) {
-  const std::vector<double> breaks = breaksOf(curve);
+                                     const ModelSizes& sizes, Extent extent, double length,
+                                     double total) {
+  const std::vector<double> breaks = breaksOf(curve, extent);
   const std::size_t intervals = breaks.size() - 1;
   const int cells = std::max(kMinSamples, static_cast<int>(total / static_cast<double>(intervals)));
   IntervalSampler sampler(curve, wanted, sizes, length);
@@ -231,8 +242,25 @@ double coarseness(const std::vector<EdgePiece>& pieces) {
   return worst / kMostOfSize;
 }
 
+/// Where an edge begins, seen from one of its ends. A curve may end beside its vertex, as far as
+/// the tolerance allows, and pass by the vertex first: what lies nearer to that than its end is
+/// left out.
+double beginOf(const BRepAdaptor_Curve& curve, double end, double otherEnd,
+               const TopoDS_Vertex& vertex, double wanted) {
+  constexpr double kBeside = 0.01;  // share of the wanted size
+  constexpr int kSteps = 64;        // to the middle
+  if (vertex.IsNull()) return end;
+  const gp_Pnt place = BRep_Tool::Pnt(vertex);
+  const double gap = place.Distance(curve.Value(end));
+  if (!(gap > kBeside * wanted)) return end;
+  const auto at = [&](int step) { return end + (otherEnd - end) * step / (2 * kSteps); };
+  for (int step = 1; step <= kSteps; ++step)
+    if (place.Distance(curve.Value(at(step))) > gap) return at(step - 1);
+  return end;
+}
+
 void samplePieces(const BRepAdaptor_Curve& curve, const WantedAlongEdge& wanted,
-                  const ModelSizes& sizes, EdgeSamples& samples) {
+                  const ModelSizes& sizes, Extent extent, EdgeSamples& samples) {
   constexpr int kMostRounds = 4;
   constexpr double kMargin = 1.25, kMostAtOnce = 16;
   const double length = roughLength(curve);
@@ -243,14 +271,14 @@ void samplePieces(const BRepAdaptor_Curve& curve, const WantedAlongEdge& wanted,
                       " segments; ask for a larger size";
     return;
   }
-  samples.pieces = sampleInCells(curve, wanted, sizes, length, total);
+  samples.pieces = sampleInCells(curve, wanted, sizes, extent, length, total);
   if (!sizes.function && sizes.elementsPerTurn == 0) return;
   for (int round = 0; round < kMostRounds; ++round) {
     const double tooCoarse = coarseness(samples.pieces);
     if (tooCoarse <= 1) return;
     total = std::min(kMargin * tooCoarse, kMostAtOnce) * std::max(total, double(kMinSamples));
     if (total > kMaxSamples) return;
-    samples.pieces = sampleInCells(curve, wanted, sizes, length, total);
+    samples.pieces = sampleInCells(curve, wanted, sizes, extent, length, total);
   }
 }
 
@@ -297,7 +325,10 @@ EdgeSamples sampleEdge(const ModelShape& model, int edgeId,
     samples.end = toPoint(curve.Value(last));
     const WantedAlongEdge wanted(model, edgeId, faces, sizes);
     samples.wanted = wanted.largest();
-    samplePieces(curve, wanted, sizes, samples);
+    const TopoDS_Edge forward = TopoDS::Edge(edge.Oriented(TopAbs_FORWARD));
+    const Extent extent{beginOf(curve, first, last, TopExp::FirstVertex(forward), samples.wanted),
+                        beginOf(curve, last, first, TopExp::LastVertex(forward), samples.wanted)};
+    samplePieces(curve, wanted, sizes, extent, samples);
     for (const EdgePiece& piece : samples.pieces) samples.length += piece.arcLength.back();
   } catch (const Standard_Failure& failure) {
     samples.problem = std::string("has no usable curve (") + failure.DynamicType()->Name() + ")";

@@ -8,6 +8,8 @@
 With --into, the table replaces what stands between the comments `begin NAME` and `end NAME` of a
 page; with --from, it is the one that an earlier run left with --json.
 
+The runs with --scale 0.7 and 1.5 and with --curvature 12 stand in for models that are not at hand.
+
 Each model runs in a process of its own with a time limit, at a size of a fortieth of its diagonal
 unless the folder has an index.json that gives one ("file", "h"). What AF2 delivers is examined by
 mesh_oracle.py, which shares no code with it. The exit code is 1 if a run crashed, hung, gave an
@@ -73,6 +75,8 @@ def options() -> argparse.Namespace:
     parser.add_argument("--into", type=Path, help="page in Markdown that gets the table")
     parser.add_argument("--section", help="which part of that page")
     parser.add_argument("--rules", default="tri/even.af2")
+    parser.add_argument("--scale", type=float, default=1, help="multiplies all sizes")
+    parser.add_argument("--curvature", type=float, help="elements around a full turn")
     parser.add_argument("-j", type=int, default=1, help="models at the same time")
     parser.add_argument("--limit", type=float, default=60, help="seconds for each model")
     parser.add_argument("--only", default="", help="regular expression for the names of models")
@@ -109,7 +113,7 @@ def default_size(af2: str, model: Path) -> float:
 
 
 def run_one(arguments: argparse.Namespace, model: Path, size: float) -> Row:
-    row = Row(model.stem, size or default_size(arguments.af2, model) or 1.0)
+    row = Row(model.stem, arguments.scale * (size or default_size(arguments.af2, model) or 1.0))
     with tempfile.TemporaryDirectory() as temporary:
         folder = arguments.keep or Path(temporary)
         mesh, report = folder / (model.stem + ".vtu"), folder / (model.stem + ".json")
@@ -117,6 +121,8 @@ def run_one(arguments: argparse.Namespace, model: Path, size: float) -> Row:
             old.unlink(missing_ok=True)
         command = [arguments.af2, "mesh", str(model), "-q", "-r", arguments.rules, "-s", repr(row.size),
                    "-o", str(mesh), "--report", str(report), "-j", "1"]
+        if arguments.curvature:
+            command += ["--curvature", repr(arguments.curvature)]
         run_limited(row, command, arguments.limit)
         if report.exists():
             read_report(row, json.loads(report.read_text()))

@@ -9,7 +9,10 @@
 #include <BRepPrimAPI_MakePrism.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
+#include <Geom_Circle.hxx>
 #include <Geom_Plane.hxx>
+#include <Geom_SurfaceOfRevolution.hxx>
+#include <Geom_TrimmedCurve.hxx>
 #include <TopExp.hxx>
 #include <TopoDS.hxx>
 #include <gp_Ax2.hxx>
@@ -152,6 +155,69 @@ TEST(DifficultFaces, GapsWithinTheToleranceAreClosed) {
   builder.MakeFace(face, new Geom_Plane(gp_Pln(gp_Ax3({0, 0, 0}, {0, 0, 1}))), 1e-7);
   builder.Add(face, wire);
   expectComplete(mesh(face, 0.3), 1, 1e-3);
+}
+
+/// As damaged files have it: a vertex that claims to be everywhere.
+TEST(DifficultFaces, AToleranceAsLargeAsTheModelClosesNothing) {
+  BRep_Builder builder;
+  TopoDS_Wire wire;
+  builder.MakeWire(wire);
+  const TopoDS_Edge arc = BRepBuilderAPI_MakeEdge(gp_Circ(gp_Ax2({0, 0, 0}, {0, 0, 1}), 1), 0, pi);
+  for (const TopoDS_Vertex& v : {TopExp::FirstVertex(arc), TopExp::LastVertex(arc)})
+    builder.UpdateVertex(v, 1e100);
+  builder.Add(wire, arc);
+  TopoDS_Face face;
+  builder.MakeFace(face, new Geom_Plane(gp_Pln(gp_Ax3({0, 0, 0}, {0, 0, 1}))), 1e-7);
+  builder.Add(face, wire);
+  const ModelMesh result = mesh(face, 0.3);
+  EXPECT_EQ(result.faces[0].status, FaceStatus::Failed);
+  EXPECT_NE(result.faces[0].reason.find("not closed"), std::string::npos);
+}
+
+/// Each of the two arcs passes by its vertex, and would cross the other one before it ends.
+TEST(DifficultFaces, CurvesThatPassByTheirVerticesEndThere) {
+  BRep_Builder builder;
+  TopoDS_Vertex low, high;
+  builder.MakeVertex(low, {0, -0.85, 0}, 0.2);
+  builder.MakeVertex(high, {0, 0.85, 0}, 0.2);
+  const auto arc = [&](double x, double middle) {
+    const Handle(Geom_Circle) circle = new Geom_Circle(gp_Ax2({x, 0, 0}, {0, 0, 1}), 1);
+    TopoDS_Edge edge;
+    builder.MakeEdge(edge, circle, 0.2);
+    const bool isRight = x < 0;
+    builder.Add(edge, (isRight ? low : high).Oriented(TopAbs_FORWARD));
+    builder.Add(edge, (isRight ? high : low).Oriented(TopAbs_REVERSED));
+    builder.Range(edge, middle - 1.2, middle + 1.2);
+    return edge;
+  };
+  TopoDS_Wire wire;
+  builder.MakeWire(wire);
+  builder.Add(wire, arc(-0.5, 0));
+  builder.Add(wire, arc(0.5, pi));
+  TopoDS_Face face;
+  builder.MakeFace(face, new Geom_Plane(gp_Pln(gp_Ax3({0, 0, 0}, {0, 0, 1}))), 1e-7);
+  builder.Add(face, wire);
+  const double lens = 2 * (std::acos(0.5) - 0.5 * std::sqrt(0.75));
+  expectComplete(mesh(face, 0.1), lens);
+}
+
+/// A seam as two edges, each with vertices of its own.
+TEST(DifficultFaces, ASphereWithTwoEdgesAlongItsSeamIsClosed) {
+  const Handle(Geom_Circle) meridian = new Geom_Circle(gp_Ax2({0, 0, 0}, {0, -1, 0}, {1, 0, 0}), 1);
+  const Handle(Geom_Curve) half = new Geom_TrimmedCurve(meridian, -pi / 2, pi / 2);
+  const Handle(Geom_Surface) sphere =
+      new Geom_SurfaceOfRevolution(half, gp_Ax1({0, 0, 0}, {0, 0, 1}));
+  BRep_Builder builder;
+  TopoDS_Wire wire;
+  builder.MakeWire(wire);
+  builder.Add(wire, BRepBuilderAPI_MakeEdge(meridian, -pi / 2, pi / 2).Edge());
+  builder.Add(wire, BRepBuilderAPI_MakeEdge(meridian, -pi / 2, pi / 2).Edge().Reversed());
+  TopoDS_Face face;
+  builder.MakeFace(face, sphere, 1e-7);
+  builder.Add(face, wire);
+  const ModelMesh result = mesh(face, 0.3);
+  expectComplete(result, 4 * pi);
+  for (const EdgeSegment& segment : result.segments) EXPECT_EQ(segment.uses, 1);
 }
 
 TEST(DifficultFaces, AGapBeyondTheToleranceIsNamed) {

@@ -49,11 +49,8 @@ TEST(FaceSurface, FlipsTheNormalsOfReversedFaces) {
 
 /// A face over the whole of a Bezier surface with two by two poles.
 TopoDS_Face bilinear(const gp_Pnt& p00, const gp_Pnt& p10, const gp_Pnt& p01, const gp_Pnt& p11) {
-  TColgp_Array2OfPnt poles(1, 2, 1, 2);
-  poles(1, 1) = p00;
-  poles(2, 1) = p10;
-  poles(1, 2) = p01;
-  poles(2, 2) = p11;
+  const gp_Pnt rows[] = {p00, p01, p10, p11};
+  const TColgp_Array2OfPnt poles(rows[0], 1, 2, 1, 2);
   return BRepBuilderAPI_MakeFace(new Geom_BezierSurface(poles), 1e-7);
 }
 
