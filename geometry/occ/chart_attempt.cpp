@@ -49,6 +49,16 @@ class RunawayGuard {
   std::stop_callback<Forward> forward_;
 };
 
+/// For a face whose area is not known: that of a sphere as large as it.
+double mostArea(const FaceTask& task) {
+  const Point3& origin = task.boundary.input.loops[0][0].point.position;
+  double extent = task.surface.extent();
+  for (const auto& loop : task.boundary.input.loops)
+    for (const BoundaryCorner& corner : loop)
+      extent = std::max(extent, distance(corner.point.position, origin));
+  return 3.15 * extent * extent;
+}
+
 /// Several times what the sizes along the boundary let expect. Only a size function may want much
 /// smaller elements inside.
 std::size_t elementLimit(const FaceTask& task) {
@@ -56,6 +66,7 @@ std::size_t elementLimit(const FaceTask& task) {
   constexpr double kMargin = 4, kFunctionMargin = 1e5;
   std::size_t corners = 0;
   double density = 0;
+  const double area = task.area > 0 ? task.area : mostArea(task);
   for (const auto& loop : task.boundary.input.loops) {
     corners += loop.size();
     for (const BoundaryCorner& corner : loop) {
@@ -64,8 +75,7 @@ std::size_t elementLimit(const FaceTask& task) {
     }
   }
   const double byBoundary =
-      task.area * density /
-      (kUnitTriangle * static_cast<double>(std::max<std::size_t>(corners, 1)));
+      area * density / (kUnitTriangle * static_cast<double>(std::max<std::size_t>(corners, 1)));
   const double expected = std::max(task.expectedElements, byBoundary);
   const double margin = task.mayBeFineInside ? kFunctionMargin : kMargin;
   return static_cast<std::size_t>(std::min(margin * expected, 1e9)) + 12 * corners + 2000;

@@ -7,6 +7,7 @@
 #include <Precision.hxx>
 #include <Standard_Failure.hxx>
 #include <TColStd_Array1OfReal.hxx>
+#include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 #include <algorithm>
@@ -222,17 +223,27 @@ class PlaneArea {
         toPoint(curve.Value((curve.FirstParameter() + curve.LastParameter()) / 2));
     if (!origin_) origin_ = start;
     extent_ = std::max({extent_, distance(middle, *origin_), distance(end, *origin_)});
-    sum_ += signOf(edge) * triangles(curve, start, end);
+    sum_ += signOf(edge) * (triangles(curve, start, end) + gaps(edge, start, end));
   }
 
   void endWire() {}
   double area() const { return std::abs(sum_); }
 
  private:
+  double between(const Point3& p, const Point3& d) const {
+    return dot(cross(p - *origin_, d), normal_) / 2;
+  }
+
+  /// From the first vertex to the curve, and from the curve to the last one: they may lie apart.
+  double gaps(const TopoDS_Edge& edge, const Point3& start, const Point3& end) const {
+    const TopoDS_Edge forward = TopoDS::Edge(edge.Oriented(TopAbs_FORWARD));
+    const TopoDS_Vertex first = TopExp::FirstVertex(forward), last = TopExp::LastVertex(forward);
+    if (first.IsNull() || last.IsNull()) return 0;
+    const Point3 from = toPoint(BRep_Tool::Pnt(first)), to = toPoint(BRep_Tool::Pnt(last));
+    return between(from, start - from) + between(end, to - end);
+  }
+
   double triangles(const BRepAdaptor_Curve& curve, const Point3& start, const Point3& end) const {
-    const auto between = [&](const Point3& p, const Point3& d) {
-      return dot(cross(p - *origin_, d), normal_) / 2;
-    };
     if (curve.GetType() == GeomAbs_Line) return between(start, end - start);
     return integrateAlong(curve, Integral(kShare * extent_ * extent_), [&](double t) {
       gp_Pnt place;

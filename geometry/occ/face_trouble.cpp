@@ -11,11 +11,15 @@ namespace af2::geometry {
 namespace {
 
 constexpr double kFiner = 0.5;
+/// Where segments cross, what is between their curves may be far narrower than they are long.
+constexpr double kMuchFiner = 0.3;
 /// More places than this at once would not make the next try better, only slower.
-constexpr std::size_t kMostPlaces = 2000;
+constexpr std::size_t kMostPlaces = 20'000;
 
 /// Angles below this are opened, in degrees, to about the second where that is possible.
 constexpr double kLeastAngle = 5, kWantedAngle = 10;
+/// Elements with such angles are hardly of use.
+constexpr double kBadAngle = 0.7;
 /// Curved and round faces may lose this share of their area to straight edges.
 constexpr double kMostAreaError = 0.05, kWantedAreaError = 0.04;
 
@@ -61,8 +65,8 @@ void addCrossings(const FaceSurface& surface, const FaceBoundary& boundary,
   constexpr std::size_t kMostCrossings = 200;
   const BoundaryPicture picture(surface, boundary.input);
   for (const auto& [a, b] : crossingsOf(boundary.input, picture, kMostCrossings)) {
-    addSegment(boundary.input, a, kFiner, places);
-    addSegment(boundary.input, b, kFiner, places);
+    addSegment(boundary.input, a, kMuchFiner, places);
+    addSegment(boundary.input, b, kMuchFiner, places);
   }
 }
 
@@ -99,6 +103,18 @@ bool hasSharpAngle(const Mesh& mesh, std::span<const VertexId> c) {
   return false;
 }
 
+/// At the middle of its longest edge an element wants a share of that.
+void openAngle(const Mesh& mesh, std::span<const VertexId> c, double share,
+               std::vector<SizeSource>& places) {
+  std::size_t longest = 0;
+  const auto at = [&](std::size_t i) -> const Point3& {
+    return mesh.vertices[c[i % c.size()].value].position;
+  };
+  for (std::size_t i = 1; i < c.size(); ++i)
+    if (distance(at(i), at(i + 1)) > distance(at(longest), at(longest + 1))) longest = i;
+  addEdge(places, at(longest), at(longest + 1), share);
+}
+
 /// Edges as long as the height of the element allows at the wanted angle.
 void openAngles(const Mesh& mesh, FaceTrouble& trouble) {
   for (const Element& element : mesh.elements) {
@@ -106,21 +122,22 @@ void openAngles(const Mesh& mesh, FaceTrouble& trouble) {
     if (!hasSharpAngle(mesh, c)) continue;
     const double angle = leastAngle(mesh, c);
     if (angle >= kLeastAngle) continue;
+    trouble.isBad = trouble.isBad || angle < kBadAngle;
     // The worst one counts: shorter edges make more of them, though better ones.
     trouble.poorness = std::max(trouble.poorness, std::log(kLeastAngle / std::max(angle, 1e-6)));
-    for (std::size_t i = 0; i < c.size(); ++i)
-      addEdge(trouble.places, mesh.vertices[c[i].value].position,
-              mesh.vertices[c[(i + 1) % c.size()].value].position,
-              std::max(angle / kWantedAngle, 0.1));
+    openAngle(mesh, c, std::max(angle / kWantedAngle, 0.1), trouble.places);
   }
 }
 
 void addElements(const Mesh& mesh, double share, std::vector<SizeSource>& places) {
   for (const Element& element : mesh.elements) {
     const auto c = element.vertices();
-    for (std::size_t i = 0; i < c.size(); ++i)
-      addEdge(places, mesh.vertices[c[i].value].position,
-              mesh.vertices[c[(i + 1) % c.size()].value].position, share);
+    for (std::size_t i = 0; i < c.size(); ++i) {
+      const VertexId from = c[i], to = c[(i + 1) % c.size()];
+      if (from < to)  // else the element on the other side adds it
+        addEdge(places, mesh.vertices[from.value].position, mesh.vertices[to.value].position,
+                share);
+    }
   }
 }
 
@@ -150,6 +167,7 @@ FaceTrouble troubleOfFailure(const FaceSurface& surface, const FaceBoundary& bou
                              const std::vector<MeshingResult>& results) {
   FaceTrouble trouble;
   trouble.poorness = 1e300;
+  trouble.isBad = true;
   const MeshBoundary kept = boundaryOf(boundary.input);
   for (const MeshingResult& result : results) {
     addStuck(result, trouble.places);
@@ -166,6 +184,7 @@ FaceTrouble troubleOfMesh(const Mesh& mesh, const FaceBoundary& boundary, bool i
   if (!(area > 0)) return trouble;
   const double error = std::abs(areaOfElements(mesh) / area - 1);
   if (!(error > kMostAreaError)) return trouble;
+  trouble.isBad = true;
   trouble.poorness += error / kMostAreaError - 1;
   // What a chord cuts off goes with the third power of its length, their number with the first.
   const double share = std::clamp(std::sqrt(kWantedAreaError / error), 0.3, 0.8);

@@ -23,15 +23,19 @@ class Retries {
     Refinement refinement(task_.options);
     FaceMeshes best;
     std::vector<bool> isHopeless(task_.faces.size(), false);
+    std::vector<bool> wasTried(task_.faces.size(), false);
     std::vector<int> failures(task_.faces.size(), 0);
     std::vector<std::size_t> dropped;  // faces for which shorter edges were of no use
     const double mostEffort = Retries::mostEffort(state);
     double effort = 0;
     task_.join(state);
     for (int round = 0; round < kMostRounds && !task_.options.stop.stop_requested(); ++round) {
-      const std::vector<std::size_t> poor = worthAnotherTry(state, isHopeless);
+      const std::vector<std::size_t> poor = worthAnotherTry(state, isHopeless, wasTried);
       if ((poor.empty() && dropped.empty()) || effort > mostEffort) break;
-      for (const std::size_t i : poor) refinement.add(i, placesOf(state, i));
+      for (const std::size_t i : poor) {
+        refinement.add(i, placesOf(state, i));
+        wasTried[i] = true;
+      }
       std::vector<std::size_t> again;
       std::ranges::set_union(poor, dropped, std::back_inserter(again));
       FaceMeshes next = refined(state, again, refinement.options(), effort);
@@ -55,21 +59,25 @@ class Retries {
   static bool failed(const FaceMesh& mesh) { return mesh.report.status == FaceStatus::Failed; }
 
   static std::vector<std::size_t> worthAnotherTry(const FaceMeshes& state,
-                                                  const std::vector<bool>& isHopeless) {
+                                                  const std::vector<bool>& isHopeless,
+                                                  const std::vector<bool>& wasTried) {
     std::vector<std::size_t> poor;
     for (std::size_t i = 0; i < state.meshes.size(); ++i) {
+      const FaceTrouble& trouble = state.meshes[i].trouble;
       if (isHopeless[i]) continue;
-      if (!state.meshes[i].trouble.places.empty() || crossingsAt(state, i) > 0) poor.push_back(i);
+      const bool isWorthIt = !trouble.places.empty() && (trouble.isBad || !wasTried[i]);
+      if (isWorthIt || crossingsAt(state, i) > 0) poor.push_back(i);
     }
     return poor;
   }
 
-  /// Tries may cost some times as much as the mesh, but not more. Goes by candidates of the front.
+  /// Tries may cost some times as much as the mesh, but no more than about ten seconds. Goes by
+  /// candidates of the front.
   static double mostEffort(const FaceMeshes& state) {
-    constexpr double kShare = 3, kAlways = 1'000'000;
+    constexpr double kShare = 3, kMost = 6'000'000, kAlways = 2'000'000;
     double candidates = 0;
     for (const FaceMesh& mesh : state.meshes) candidates += static_cast<double>(mesh.effort);
-    return kShare * candidates + kAlways;
+    return std::min(kShare * candidates, kMost) + kAlways;
   }
   /// What it costs to mesh a face again besides these.
   static constexpr double kForEachFace = 1000;
@@ -106,7 +114,7 @@ class Retries {
   static bool isWorthwhile(const FaceMeshes& state, const FaceMeshes& next, std::size_t i,
                            int& failures) {
     constexpr double kGain = 0.9;
-    constexpr int kMostFailures = 4, kMostCrossed = 2;
+    constexpr int kMostFailures = 6, kMostCrossed = 2;
     const FaceMesh &before = state.meshes[i], &after = next.meshes[i];
     if (failed(after)) return ++failures < kMostFailures;
     const auto crossed = static_cast<double>(crossingsAt(state, i));
