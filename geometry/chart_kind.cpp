@@ -15,6 +15,7 @@ constexpr Named kNamed[] = {{ChartKind::Auto, "auto"},
                             {ChartKind::MeanNormal, "mean-normal"},
                             {ChartKind::NormalLines, "normal-lines"},
                             {ChartKind::Parametric, "parametric"},
+                            {ChartKind::Affine, "affine"},
                             {ChartKind::Developed, "developed"},
                             {ChartKind::Stereographic, "stereographic"},
                             {ChartKind::Conformal, "conformal"}};

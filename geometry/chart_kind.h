@@ -13,7 +13,8 @@ enum class ChartKind {
   Plane,          ///< the plane itself, for plane faces
   MeanNormal,     ///< the published plane across the mean normal of the base edge
   NormalLines,    ///< on the same plane, along the normals of the surface
-  Parametric,     ///< the parameters with the metric of the surface
+  Parametric,     ///< geodesic coordinates in the parameters, to second order
+  Affine,         ///< the parameters with the metric at the base edge: straight lines stay straight
   Developed,      ///< cylinders, cones and extrusions unrolled
   Stereographic,  ///< spheres from the point opposite the base edge
   Conformal,      ///< surfaces of revolution laid out with lengths that vary, but no angles

@@ -20,7 +20,7 @@ constexpr double kPlaceTolerance = 1e-4;  // in the chart
 }  // namespace
 
 MetricChart::MetricChart(const ParametricSurface& surface, const SurfacePoint& from,
-                         const SurfacePoint& to, double edgeLength)
+                         const SurfacePoint& to, double edgeLength, MetricOrder order)
     : surface_(surface), u_(from.u), v_(from.v) {
   const double du = to.u - from.u, dv = to.v - from.v;
   const SurfaceJet frame = surface.jetAt(from.u + du / 2, from.v + dv / 2);
@@ -50,6 +50,10 @@ MetricChart::MetricChart(const ParametricSurface& surface, const SurfacePoint& f
   yu_ = -inverse * vx_;
   yv_ = inverse * ux_;
 
+  end_ = length / edgeLength;
+  isAffine_ = true;
+  if (order == MetricOrder::First) return;
+
   // How steps of the chart turn within the surface.
   const auto turnOf = [&](const Point3& second) {
     const double a = 0.5 * dot(second, frame.du), b = 0.5 * dot(second, frame.dv);
@@ -69,7 +73,6 @@ MetricChart::MetricChart(const ParametricSurface& surface, const SurfacePoint& f
     xy_ = less * xy_;
     yy_ = less * yy_;
   }
-  end_ = length / edgeLength;
   isAffine_ = xx_ == Point2{} && xy_ == Point2{} && yy_ == Point2{};
 }
 

@@ -27,14 +27,19 @@ class ParametricSurface {
   virtual bool has(double, double) const { return true; }
 };
 
-/// Quadratic in (u, v), so that lines of the chart are geodesics and its lengths those on the
-/// surface to second order; takes each corner of the front at its own parameters, so that the two
-/// sides of a seam are apart.
+enum class MetricOrder {
+  First,  ///< affine in (u, v): what is straight in one chart is so in all, so that a front cannot
+          ///< run over itself, whatever the surface
+  Second  ///< quadratic, so that lines of the chart are geodesics and its lengths those on the
+          ///< surface to second order
+};
+
+/// Takes each corner of the front at its own parameters, so that the two sides of a seam are apart.
 class MetricChart final : public AF2LocalTransform {
  public:
   /// Throws GeometryError where the parameters are degenerate.
   MetricChart(const ParametricSurface& surface, const SurfacePoint& from, const SurfacePoint& to,
-              double edgeLength);
+              double edgeLength, MetricOrder order);
 
   ChartPoint transformFromSurface(const SurfacePoint& point) const override;
   std::optional<SurfacePoint> transformToSurface(Point2 point) const override;
@@ -55,21 +60,24 @@ class MetricChart final : public AF2LocalTransform {
 class MetricChartMaker final : public AF2LocalTransformMaker {
  public:
   /// surface  is kept as a reference
-  explicit MetricChartMaker(const ParametricSurface& surface) : surface_(surface) {}
+  explicit MetricChartMaker(const ParametricSurface& surface,
+                            MetricOrder order = MetricOrder::Second)
+      : surface_(surface), order_(order) {}
 
   std::unique_ptr<AF2LocalTransform> makeLocalTransform(const SurfacePoint& from,
                                                         const SurfacePoint& to,
                                                         double edgeLength) const override {
-    return std::make_unique<MetricChart>(surface_, from, to, edgeLength);
+    return std::make_unique<MetricChart>(surface_, from, to, edgeLength, order_);
   }
   const AF2LocalTransform& makeLocalTransformIn(ChartSlot& slot, const SurfacePoint& from,
                                                 const SurfacePoint& to,
                                                 double edgeLength) const override {
-    return slot.emplace<MetricChart>(surface_, from, to, edgeLength);
+    return slot.emplace<MetricChart>(surface_, from, to, edgeLength, order_);
   }
 
  private:
   const ParametricSurface& surface_;
+  MetricOrder order_;
 };
 
 }  // namespace af2::geometry

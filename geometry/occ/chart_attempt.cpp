@@ -117,9 +117,9 @@ FaceAttempt fillInPieces(const FaceTask& task, ChartKind kind, const MeshingOpti
 }
 
 /// As one piece, not optimised: these charts know a vertex of a seam on one of its sheets only.
-FaceAttempt fillInParameters(const FaceTask& task, const MeshingOptions& options) {
+FaceAttempt fillInParameters(const FaceTask& task, ChartKind kind, const MeshingOptions& options) {
   FaceAttempt attempt;
-  attempt.charts = task.surface.makeCharts(ChartKind::Parametric);
+  attempt.charts = task.surface.makeCharts(kind);
   attempt.result = task.algorithm.execute(*attempt.charts, task.boundary.input, task.size, options);
   if (attempt.result.outcome == Outcome::Complete)
     attempt.fault = faultOf(attempt.result.mesh, boundaryOf(task.boundary.input));
@@ -155,7 +155,8 @@ FaceAttempt fill(const FaceTask& task, ChartKind kind, const MeshingOptions& opt
     case ChartKind::Conformal:
       return fillLaidOut(task, kind, options);
     case ChartKind::Parametric:
-      return fillInParameters(task, options);
+    case ChartKind::Affine:
+      return fillInParameters(task, kind, options);
     default:
       return fillInPieces(task, kind, options);
   }

@@ -35,7 +35,8 @@ bool close(const FaceTask& task, FaceAttempt& attempt) {
   const auto& vertices = attempt.result.mesh.vertices;
   const auto rule = static_cast<std::uint16_t>(task.algorithm.rules().rules().size());
   const bool inParameters =
-      (attempt.chart == ChartKind::Parametric || attempt.chart == ChartKind::Developed) &&
+      (attempt.chart == ChartKind::Parametric || attempt.chart == ChartKind::Affine ||
+       attempt.chart == ChartKind::Developed) &&
       !hasTwoSheets(task.boundary.input);
   bool done = false;
   if (inParameters) {
@@ -59,8 +60,8 @@ bool close(const FaceTask& task, FaceAttempt& attempt) {
 /// The kinds of charts to try, best first: that asked for, then those that suit the surface.
 std::vector<ChartKind> chartsFor(const FaceTask& task) {
   const auto isPossible = [&](ChartKind kind) {
-    const bool isInParameters = kind == ChartKind::Parametric || kind == ChartKind::Developed ||
-                                kind == ChartKind::Conformal;
+    const bool isInParameters = kind == ChartKind::Parametric || kind == ChartKind::Affine ||
+                                kind == ChartKind::Developed || kind == ChartKind::Conformal;
     return (!isInParameters || task.boundary.closedInParameters) && task.surface.has(kind);
   };
   std::vector<ChartKind> kinds;
@@ -72,7 +73,7 @@ std::vector<ChartKind> chartsFor(const FaceTask& task) {
                                ChartKind::Conformal, ChartKind::MeanNormal})
     add(kind);
   if (!isPossible(ChartKind::Developed))
-    add(isPossible(ChartKind::Parametric) ? ChartKind::Parametric : ChartKind::NormalLines);
+    add(isPossible(ChartKind::Affine) ? ChartKind::Affine : ChartKind::NormalLines);
   return kinds;
 }
 

@@ -152,7 +152,9 @@ class FaceMesher {
   void optimize(FaceAttempt& attempt, const FrontInput& input, FaceMesh& mesh) const {
     const Stopwatch watch;
     // Charts in parameters know a vertex of a seam on one of its sheets only.
-    if (attempt.chart == ChartKind::Parametric && hasTwoSheets(input))
+    const bool inParameters =
+        attempt.chart == ChartKind::Parametric || attempt.chart == ChartKind::Affine;
+    if (inParameters && hasTwoSheets(input))
       attempt.charts = surface_.makeCharts(ChartKind::MeanNormal);
     OptimizeOptions options;
     options.stop = context_.options.stop;

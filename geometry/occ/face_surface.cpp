@@ -302,6 +302,7 @@ bool FaceSurface::has(ChartKind kind) const {
     case ChartKind::MeanNormal:
     case ChartKind::NormalLines:
     case ChartKind::Parametric:
+    case ChartKind::Affine:
       return !isPlane();
     case ChartKind::Developed:
     case ChartKind::Conformal:
@@ -314,6 +315,8 @@ bool FaceSurface::has(ChartKind kind) const {
 
 std::unique_ptr<AF2LocalTransformMaker> FaceSurface::makeCharts(ChartKind kind) const {
   if (kind == ChartKind::Parametric) return std::make_unique<MetricChartMaker>(inParameters());
+  if (kind == ChartKind::Affine)
+    return std::make_unique<MetricChartMaker>(inParameters(), MetricOrder::First);
   if (const auto* sphere = std::get_if<SphereSurface>(&surface_);
       sphere && kind == ChartKind::Stereographic)
     return std::make_unique<StereographicChartMaker>(*sphere);

@@ -55,15 +55,15 @@ struct Surface {
 
 std::vector<Surface> surfaces() {
   using enum ChartKind;
-  return {{"cylinder", BRepPrimAPI_MakeCylinder(1, 5).Shape(), {Parametric, Developed}},
-          {"cone", BRepPrimAPI_MakeCone(2, 0.5, 4).Shape(), {Parametric, Developed}},
-          {"cone with tip", BRepPrimAPI_MakeCone(2, 0, 4).Shape(), {Parametric, Developed}},
+  return {{"cylinder", BRepPrimAPI_MakeCylinder(1, 5).Shape(), {Parametric, Affine, Developed}},
+          {"cone", BRepPrimAPI_MakeCone(2, 0.5, 4).Shape(), {Parametric, Affine, Developed}},
+          {"cone with tip", BRepPrimAPI_MakeCone(2, 0, 4).Shape(), {Parametric, Affine, Developed}},
           {"sphere", BRepPrimAPI_MakeSphere(1).Shape(), {Stereographic}},
-          {"torus", BRepPrimAPI_MakeTorus(3, 1).Shape(), {Parametric, Conformal}},
-          {"thick torus", BRepPrimAPI_MakeTorus(1.6, 1).Shape(), {Parametric, Conformal}},
-          {"revolution", vase(), {Parametric, Conformal}},
-          {"extrusion", corrugation(), {Parametric, Developed}},
-          {"spline", af2::benchmark::splineFace(), {Parametric}}};
+          {"torus", BRepPrimAPI_MakeTorus(3, 1).Shape(), {Parametric, Affine, Conformal}},
+          {"thick torus", BRepPrimAPI_MakeTorus(1.6, 1).Shape(), {Parametric, Affine, Conformal}},
+          {"revolution", vase(), {Parametric, Affine, Conformal}},
+          {"extrusion", corrugation(), {Parametric, Affine, Developed}},
+          {"spline", af2::benchmark::splineFace(), {Parametric, Affine}}};
 }
 
 struct Sum {

@@ -33,7 +33,7 @@ expect 0 "$af2" mesh "$models/brickhole.step" --size 1 --report plain.json
 expect 0 "$af2" mesh "$models/plate.poly" --size 1 --max-size 0.5 --sizes sizes.json
 expect 0 "$af2" mesh "$models/plate.poly" --size 1 --proximity 3 --keep-boundary
 
-for chart in auto mean-normal normal-lines parametric developed; do
+for chart in auto mean-normal normal-lines parametric affine developed; do
   expect 0 "$af2" mesh "$models/cylinder.step" --size 1 --chart $chart --report chart.json
   [ $chart = auto ] || [ "$(json chart.json faces 0 chart)" = $chart ] || fail "--chart $chart did nothing"
 done

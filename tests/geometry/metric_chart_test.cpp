@@ -111,6 +111,18 @@ TEST(MetricChart, KeepsLengthsToSecondOrder) {
   }
 }
 
+/// So that what does not cross in one chart crosses in none.
+TEST(MetricChart, OfFirstOrderKeepsStraightLinesOfTheParameters) {
+  const Cone cone;
+  const auto chart = MetricChartMaker(cone, MetricOrder::First)
+                         .makeLocalTransform(cone.pointAt(0, 2), cone.pointAt(0.3, 2.1), 0.4);
+  const auto at = [&](double u, double v) {
+    return chart->transformFromSurface(cone.pointAt(u, v)).position;
+  };
+  const Point2 ends = at(-1, 0.5) + at(2, 3.5), middle = at(0.5, 2);
+  EXPECT_LT(testing::gap(0.5 * ends, middle), 1e-13);
+}
+
 TEST(MetricChart, BringsBackWhatItDraws) {
   const Cone cone;
   const auto chart =

@@ -45,7 +45,7 @@ double fromCone(const Point3& p) {
 
 TEST(Charts, ACylinderIsMeshedThroughEachThatItHas) {
   for (const ChartKind kind :
-       {ChartKind::MeanNormal, ChartKind::Parametric, ChartKind::Developed}) {
+       {ChartKind::MeanNormal, ChartKind::Parametric, ChartKind::Affine, ChartKind::Developed}) {
     const ModelMesh result = mesh(testing::cylinder(2, 3), 0.4, kind);
     expectOnSurface(result, 0.4, fromTube);
     EXPECT_EQ(result.faces[0].chart, toString(kind));
@@ -55,7 +55,7 @@ TEST(Charts, ACylinderIsMeshedThroughEachThatItHas) {
 
 TEST(Charts, AConeIsMeshedToItsTipThroughEachThatItHas) {
   for (const ChartKind kind :
-       {ChartKind::MeanNormal, ChartKind::Parametric, ChartKind::Developed}) {
+       {ChartKind::MeanNormal, ChartKind::Parametric, ChartKind::Affine, ChartKind::Developed}) {
     const ModelMesh result = mesh(testing::cone(2, 0, 3), 0.3, kind);
     expectOnSurface(result, 0.3, fromCone);
     EXPECT_EQ(result.faces[0].chart, toString(kind));
@@ -71,8 +71,8 @@ TEST(Charts, ASphereIsMeshedThroughEachThatItHas) {
 }
 
 TEST(Charts, ATorusIsMeshedThroughEachThatItHas) {
-  for (const ChartKind kind : {ChartKind::MeanNormal, ChartKind::NormalLines, ChartKind::Parametric,
-                               ChartKind::Conformal}) {
+  for (const ChartKind kind : {ChartKind::MeanNormal, ChartKind::NormalLines, ChartKind::Affine,
+                               ChartKind::Parametric, ChartKind::Conformal}) {
     const ModelMesh result = mesh(testing::torus(2, 1), 0.4, kind);
     expectOnSurface(result, 0.4, [](const Point3& p) {
       return length(Point2{length(Point2{p.x, p.y}) - 2, p.z}) - 1;
@@ -92,8 +92,8 @@ TopoDS_Edge profile() {
 
 TEST(Charts, ASurfaceOfRevolutionIsMeshedThroughEachThatItHas) {
   const auto bulge = BRepPrimAPI_MakeRevol(profile(), gp_Ax1({0, 0, 0}, {0, 0, 1})).Shape();
-  for (const ChartKind kind : {ChartKind::MeanNormal, ChartKind::NormalLines, ChartKind::Parametric,
-                               ChartKind::Conformal}) {
+  for (const ChartKind kind : {ChartKind::MeanNormal, ChartKind::NormalLines, ChartKind::Affine,
+                               ChartKind::Parametric, ChartKind::Conformal}) {
     const ModelMesh result = mesh(testing::modelOf(bulge), 0.4, kind);
     expectOnSurface(result, 0.4, [](const Point3& p) {
       const double t = p.z / 4;
@@ -120,8 +120,8 @@ TEST(Charts, ASurfaceThatTouchesItsAxisHasNoConformalOnes) {
 TEST(Charts, AnExtrusionIsMeshedThroughEachThatItHas) {
   // Askew, so that lengths along the curve are not those across the direction.
   const auto sheet = BRepPrimAPI_MakePrism(profile(), gp_Vec(0, 3, 1)).Shape();
-  for (const ChartKind kind : {ChartKind::MeanNormal, ChartKind::NormalLines, ChartKind::Parametric,
-                               ChartKind::Developed}) {
+  for (const ChartKind kind : {ChartKind::MeanNormal, ChartKind::NormalLines, ChartKind::Affine,
+                               ChartKind::Parametric, ChartKind::Developed}) {
     const ModelMesh result = mesh(testing::modelOf(sheet), 0.4, kind);
     expectOnSurface(result, 0.4, [](const Point3& p) {
       const double t = (p.z - p.y / 3) / 4;
@@ -156,9 +156,9 @@ void expectNoFolds(const Model& model, ChartKind kind, Normal&& normalAt) {
 }
 
 TEST(Charts, ProduceNoFoldsWhereSizesAreNearTheRadius) {
-  for (const ChartKind kind :
-       {ChartKind::Auto, ChartKind::MeanNormal, ChartKind::NormalLines, ChartKind::Parametric,
-        ChartKind::Developed, ChartKind::Stereographic, ChartKind::Conformal}) {
+  for (const ChartKind kind : {ChartKind::Auto, ChartKind::MeanNormal, ChartKind::NormalLines,
+                               ChartKind::Affine, ChartKind::Parametric, ChartKind::Developed,
+                               ChartKind::Stereographic, ChartKind::Conformal}) {
     expectNoFolds(testing::cylinder(1, 3), kind, [](const Point3& p) {
       return Point3{p.x, p.y, 0};
     });
@@ -187,7 +187,7 @@ TEST(Charts, AFaceThatHasNoSuchChartIsMeshedWithAnother) {
 TEST(Charts, HaveNames) {
   for (const ChartKind kind :
        {ChartKind::Auto, ChartKind::MeanNormal, ChartKind::Parametric, ChartKind::NormalLines,
-        ChartKind::Developed, ChartKind::Stereographic, ChartKind::Conformal})
+        ChartKind::Affine, ChartKind::Developed, ChartKind::Stereographic, ChartKind::Conformal})
     EXPECT_EQ(chartKindOf(toString(kind)), kind);
   EXPECT_EQ(chartKindOf("plane"), std::nullopt);  // follows from the face, is not asked for
   EXPECT_EQ(chartKindOf(""), std::nullopt);
