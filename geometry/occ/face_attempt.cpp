@@ -134,6 +134,7 @@ FaceAttempt fillWithoutVertices(const FaceTask& task) {
     }
   }
   close(task, attempt);
+  attempt.chart = ChartKind::Auto;  // it took none
   return attempt;
 }
 

@@ -16,7 +16,7 @@ namespace af2::geometry {
 /// A mesh of a face and how it was made.
 struct FaceAttempt {
   MeshingResult result;
-  ChartKind chart = ChartKind::Auto;               ///< with which it was filled
+  ChartKind chart = ChartKind::Auto;               ///< with which it was filled; Auto: with none
   std::unique_ptr<AF2LocalTransformMaker> charts;  ///< with which it may be optimised
   std::string fault;                               ///< empty: complete and sound, or cancelled
   bool isOptimized = false;

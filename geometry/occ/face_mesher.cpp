@@ -44,7 +44,7 @@ class FaceMesher {
     mesh.effort = attempt.effort;
     mesh.report.attempts = boundary.repairs;
     std::ranges::move(attempt.steps, std::back_inserter(mesh.report.attempts));
-    mesh.report.chart = toString(attempt.chart);
+    if (attempt.chart != ChartKind::Auto) mesh.report.chart = toString(attempt.chart);
     if (!attempt.fault.empty()) {
       mesh.trouble = troubleOfFailure(surface_, boundary, attempt.failures);
       if (!attempt.failures.empty()) mesh.report.stuck = stuckOnFace(attempt.failures.front());
