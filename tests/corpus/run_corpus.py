@@ -124,7 +124,7 @@ def run_one(arguments: argparse.Namespace, model: Path, size: float) -> Row:
         if arguments.curvature:
             command += ["--curvature", repr(arguments.curvature)]
         run_limited(row, command, arguments.limit)
-        if report.exists():
+        if report.exists() and row.status != "hang":
             read_report(row, json.loads(report.read_text()))
         if row.status != "hang" and mesh.exists() and not arguments.no_oracle:
             hold_against_oracle(row, mesh, json.loads(report.read_text()))
@@ -152,7 +152,8 @@ def run_limited(row: Row, command: list, limit: float) -> None:
         row.seconds = usage.ru_utime + usage.ru_stime
         errors.seek(0)
         row.reason = errors.read().decode(errors="replace").strip().split("\n")[0]
-    if -row.exit_code in (signal.SIGXCPU, signal.SIGKILL):
+    # AF2 meshes in a child process, and tells if that is ended.
+    if -row.exit_code in (signal.SIGXCPU, signal.SIGKILL) or "CPU time limit" in row.reason:
         row.status, row.reason = "hang", f"no end after {limit:g} s"
 
 
