@@ -1,6 +1,7 @@
 #include "geometry/occ/chains.h"
 
 #include <algorithm>
+#include <cstdio>
 #include <map>
 #include <optional>
 
@@ -18,6 +19,12 @@ double pseudoAngle(Point2 d) {
   const double t = d.y / sum;
   if (d.x < 0) return 2 - t;
   return d.y < 0 ? 4 + t : t;
+}
+
+std::string toText(const Point3& p) {
+  char text[96];
+  std::snprintf(text, sizeof text, "(%.6g, %.6g, %.6g)", p.x, p.y, p.z);
+  return text;
 }
 
 /// The direction from one vertex to another in the tangent plane of the first.
@@ -94,7 +101,8 @@ class Linker {
     }
     if (!best)
       throw GeometryError("the boundary is not closed: nothing follows edge " +
-                          std::to_string(chains_[i].edge));
+                          std::to_string(chains_[i].edge) + ", which ends at " +
+                          toText(end.point.position));
     return *best;
   }
 

@@ -83,7 +83,9 @@ class BoundaryFinder {
         addEdge(TopoDS::Edge(it.Current()));
       wire_.resize(chains_.size(), wires_++);
     }
-    if (chains_.empty()) throw GeometryError("the face has no boundary");
+    if (chains_.empty())
+      throw GeometryError(
+          "the face has no boundary, and its surface does not end by itself: its edges are lost");
     if (surface_.isPlane()) orientWiresOfPlane();
     cancelOppositeChains(chains_);
     if (chains_.empty())

@@ -157,6 +157,15 @@ TEST(DifficultFaces, GapsWithinTheToleranceAreClosed) {
   expectComplete(mesh(face, 0.3), 1, 1e-3);
 }
 
+TEST(DifficultFaces, APlaneWithoutEdgesIsNamed) {
+  BRep_Builder builder;
+  TopoDS_Face face;
+  builder.MakeFace(face, new Geom_Plane(gp_Pln(gp_Ax3({0, 0, 0}, {0, 0, 1}))), 1e-7);
+  const ModelMesh result = mesh(face, 0.3);
+  EXPECT_EQ(result.faces[0].status, FaceStatus::Failed);
+  EXPECT_NE(result.faces[0].reason.find("its edges are lost"), std::string::npos);
+}
+
 /// As damaged files have it: a vertex that claims to be everywhere.
 TEST(DifficultFaces, AToleranceAsLargeAsTheModelClosesNothing) {
   BRep_Builder builder;
@@ -232,6 +241,7 @@ TEST(DifficultFaces, AGapBeyondTheToleranceIsNamed) {
   const ModelMesh result = mesh(face, 0.3);
   EXPECT_EQ(result.faces[0].status, FaceStatus::Failed);
   EXPECT_NE(result.faces[0].reason.find("not closed"), std::string::npos);
+  EXPECT_NE(result.faces[0].reason.find("ends at (1, 0, 0)"), std::string::npos);
 }
 
 std::size_t crossingsOf(const ModelMesh& mesh) {
