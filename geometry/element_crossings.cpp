@@ -92,7 +92,8 @@ class Search {
     const PatchOutlines outlines(mesh_);
     repeat_(patches_.size(), [&](std::size_t i) {
       Patch& patch = patches_[i];
-      patch.mayCrossItself = !outlines.canBeDrawn(patch.first, patch.last);
+      patch.mayCrossItself = !outlines.canBeDrawn(patch.first, patch.last) &&
+                             !outlines.isStarShaped(patch.first, patch.last);
       patch.tree = ElementTree(
           mesh_, patch.first, patch.last,
           patch.mayCrossItself ? ElementTree::Order::AlongCurve : ElementTree::Order::AsMade);

@@ -1,6 +1,7 @@
 #include "geometry/patch_outline.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "geometry/boundary_crossings.h"
 #include "geometry/plane_axes.h"
@@ -58,6 +59,44 @@ bool areNestedInTurn(const FrontInput& outline, const PlaneAxes& axes) {
   return true;
 }
 
+/// Triangles of a closed surface as seen from a point inside. If all of them turn the same way,
+/// each direction meets as many of them as any other.
+class StarShape {
+ public:
+  explicit StarShape(const Point3& centre) : centre_(centre) {}
+
+  /// False: the triangle does not look the same way as those before, or too little, or it is not
+  /// certain whether it is met.
+  bool takes(const Point3& a, const Point3& b, const Point3& c) {
+    const Point3 p = a - centre_, q = b - centre_, r = c - centre_;
+    const Point3 normal = cross(b - a, c - a);
+    const double facing = dot(normal, p);
+    if (side_ == 0) side_ = facing > 0 ? 1 : -1;
+    if (!(side_ * facing > 0) ||
+        !(facing * facing > kLeastFacing * kLeastFacing * dot(normal, normal) * dot(p, p)))
+      return false;
+    return meets(p, q, r);
+  }
+  bool goesAroundOnce() const { return count_ == 1; }
+
+ private:
+  static constexpr Point3 kRay{0.5257, 0.6143, 0.5885};  // along nothing that models lie along
+  static constexpr double kCertain = 1e-9;  // of the largest value that the terms can have
+
+  bool meets(const Point3& p, const Point3& q, const Point3& r) {
+    const double reach = kCertain * (dot(p, p) + dot(q, q) + dot(r, r));
+    double least = 1e300;
+    for (const Point3& edge : {cross(p, q), cross(q, r), cross(r, p)})
+      least = std::min(least, side_ * dot(kRay, edge));
+    count_ += least > reach;
+    return std::abs(least) > reach;
+  }
+
+  Point3 centre_;
+  double side_ = 0;
+  int count_ = 0;
+};
+
 }  // namespace
 
 PatchOutlines::PatchOutlines(const ModelMesh& mesh)
@@ -95,8 +134,8 @@ std::optional<Point3> PatchOutlines::commonNormal(std::size_t first, std::size_t
   return isCommon ? std::optional(mean) : std::nullopt;
 }
 
-std::optional<PatchOutlines::Loops> PatchOutlines::outline(std::size_t first,
-                                                           std::size_t last) const {
+std::vector<PatchOutlines::Side> PatchOutlines::sidesOnSegments(std::size_t first,
+                                                                std::size_t last) const {
   std::vector<Side> sides;
   for (std::size_t i = first; i < last; ++i) {
     const auto corners = mesh_.elements[i].vertices();
@@ -109,6 +148,12 @@ std::optional<PatchOutlines::Loops> PatchOutlines::outline(std::size_t first,
     }
   }
   std::sort(sides.begin(), sides.end());
+  return sides;
+}
+
+std::optional<PatchOutlines::Loops> PatchOutlines::outline(std::size_t first,
+                                                           std::size_t last) const {
+  const std::vector<Side> sides = sidesOnSegments(first, last);
   std::vector<bool> isUsed(sides.size(), false);
   Loops loops;
   for (std::size_t i = 0; i < sides.size(); ++i) {
@@ -142,6 +187,25 @@ bool PatchOutlines::canBeDrawn(std::size_t first, std::size_t last) const {
   const PlaneAxes axes(mesh_.vertices[loops->front().front()], *normal);
   const auto inPlane = [&](const SurfacePoint& point) { return axes(point); };
   return crossingsOf(boundary, inPlane, 1).empty() && areNestedInTurn(boundary, axes);
+}
+
+bool PatchOutlines::isStarShaped(std::size_t first, std::size_t last) const {
+  const std::vector<Side> sides = sidesOnSegments(first, last);
+  for (const auto& [from, to] : sides)
+    if (!std::binary_search(sides.begin(), sides.end(), Side(to, from))) return false;
+  Point3 sum;
+  for (std::size_t i = first; i < last; ++i)
+    sum = sum + mesh_.vertices[mesh_.elements[i].corners[0].value];
+  StarShape star((1 / static_cast<double>(last - first)) * sum);
+  for (std::size_t i = first; i < last; ++i) {
+    const auto corners = mesh_.elements[i].vertices();
+    const auto at = [&](std::size_t k) -> const Point3& {
+      return mesh_.vertices[corners[k].value];
+    };
+    for (std::size_t k = 1; k + 1 < corners.size(); ++k)
+      if (!star.takes(at(0), at(k), at(k + 1))) return false;
+  }
+  return star.goesAroundOnce();
 }
 
 }  // namespace af2::geometry

@@ -1,4 +1,5 @@
-// Whether a part of a mesh can be drawn in a plane without overlaps: then it cannot cross itself.
+// Whether a part of a mesh can be drawn in a plane or on a sphere without overlaps: then it cannot
+// cross itself.
 // Not installed.
 #pragma once
 
@@ -21,11 +22,17 @@ class PatchOutlines {
   /// most. False says nothing.
   bool canBeDrawn(std::size_t first, std::size_t last) const;
 
+  /// Whether the same elements are closed and all look away from one point, or all towards it, and
+  /// go around it once: then a ray from there meets one of them. False says nothing.
+  bool isStarShaped(std::size_t first, std::size_t last) const;
+
  private:
   using Side = std::pair<std::uint32_t, std::uint32_t>;
   using Loops = std::vector<std::vector<std::uint32_t>>;  ///< of vertices
 
   std::optional<Point3> commonNormal(std::size_t first, std::size_t last) const;
+  /// The sides along segments, as the elements run along them; sorted.
+  std::vector<Side> sidesOnSegments(std::size_t first, std::size_t last) const;
   std::optional<Loops> outline(std::size_t first, std::size_t last) const;
   bool isSegment(std::uint32_t a, std::uint32_t b) const;
 
