@@ -62,10 +62,11 @@ class Search {
   std::vector<Crossing> find() {
     if (mesh_.elements.empty()) return {};
     split();
+    pieces();
+    findTrees();
     Box3 all;
     for (const Patch& patch : patches_) all.add(patch.tree.box());
     depth_ = kDepth * distance(all.low, all.high);
-    pieces();
     const auto pairs = nearPairs();
     std::vector<std::vector<Crossing>> found(pairs.size());
     repeat_(pairs.size(), [&](std::size_t i) {
@@ -89,20 +90,38 @@ class Search {
         patches_.push_back({i, i, mesh_.face[i], {}, true});
       patches_.back().last = i + 1;
     }
+  }
+
+  void findTrees() {
     const PatchOutlines outlines(mesh_);
+    findStarShapes(outlines);
     repeat_(patches_.size(), [&](std::size_t i) {
       Patch& patch = patches_[i];
-      patch.mayCrossItself = !outlines.canBeDrawn(patch.first, patch.last) &&
-                             !outlines.isStarShaped(patch.first, patch.last);
+      const PatchOutlines::Range range(patch.first, patch.last);
+      patch.mayCrossItself = !isStarShaped_[rootOf(i)] &&
+                             !outlines.canBeDrawn(patch.first, patch.last) &&
+                             !outlines.isStarShaped({&range, 1});
       patch.tree = ElementTree(
           mesh_, patch.first, patch.last,
           patch.mayCrossItself ? ElementTree::Order::AlongCurve : ElementTree::Order::AsMade);
     });
   }
 
-  std::size_t rootOf(std::size_t patch) {
-    while (piece_[patch] != patch) patch = piece_[patch] = piece_[piece_[patch]];
+  std::size_t rootOf(std::size_t patch) const {
+    while (piece_[patch] != patch) patch = piece_[patch];
     return patch;
+  }
+
+  void findStarShapes(const PatchOutlines& outlines) {
+    std::map<std::size_t, std::vector<PatchOutlines::Range>> ranges;  // by piece
+    for (std::size_t i = 0; i < patches_.size(); ++i)
+      ranges[rootOf(i)].emplace_back(patches_[i].first, patches_[i].last);
+    isStarShaped_.resize(patches_.size(), 0);
+    std::vector<std::size_t> roots;
+    for (const auto& [root, all] : ranges) roots.push_back(root);
+    repeat_(roots.size(), [&](std::size_t i) {
+      isStarShaped_[roots[i]] = outlines.isStarShaped(ranges.at(roots[i]));
+    });
   }
 
   /// Patches with a common vertex are of one piece.
@@ -115,9 +134,10 @@ class Search {
       for (std::size_t i = patches_[p].first; i < patches_[p].last; ++i)
         for (const VertexId v : mesh_.elements[i].vertices()) {
           std::uint32_t& other = patchAt[v.value];
-          if (other != kNone && other != p) piece_[rootOf(p)] = rootOf(other);
+          if (other != kNone && other != p) piece_[p] = piece_[rootOf(p)] = rootOf(other);
           other = static_cast<std::uint32_t>(p);
         }
+    for (std::size_t p = 0; p < piece_.size(); ++p) piece_[p] = rootOf(p);
   }
 
   std::vector<std::pair<std::size_t, std::size_t>> nearPairs() {
@@ -129,7 +149,7 @@ class Search {
     for (std::size_t i = 0; i < patches_.size(); ++i) {
       if (patches_[i].mayCrossItself) pairs.emplace_back(i, i);
       tree.forEachIn(boxes[i], [&](std::size_t k) {
-        if (k > i && rootOf(i) == rootOf(k)) pairs.emplace_back(i, k);
+        if (k > i && rootOf(i) == rootOf(k) && !isStarShaped_[rootOf(i)]) pairs.emplace_back(i, k);
       });
     }
     return pairs;
@@ -196,7 +216,8 @@ class Search {
   const ModelMesh& mesh_;
   const Repeat& repeat_;
   std::vector<Patch> patches_;
-  std::vector<std::size_t> piece_;  ///< by patch: another one of the same piece, or itself
+  std::vector<std::size_t> piece_;          ///< by patch: another one of the same piece, or itself
+  std::vector<std::uint8_t> isStarShaped_;  ///< by the patch that stands for a piece
   double depth_ = 0;
 };
 

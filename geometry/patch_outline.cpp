@@ -134,26 +134,28 @@ std::optional<Point3> PatchOutlines::commonNormal(std::size_t first, std::size_t
   return isCommon ? std::optional(mean) : std::nullopt;
 }
 
-std::vector<PatchOutlines::Side> PatchOutlines::sidesOnSegments(std::size_t first,
-                                                                std::size_t last) const {
+std::vector<PatchOutlines::Side> PatchOutlines::sidesOnSegments(
+    std::span<const Range> ranges) const {
   std::vector<Side> sides;
-  for (std::size_t i = first; i < last; ++i) {
-    const auto corners = mesh_.elements[i].vertices();
-    std::uint32_t from = corners.back().value;
-    for (const VertexId corner : corners) {
-      const std::uint32_t to = corner.value;
-      if (isOnSegment_[from] && isOnSegment_[to] && isSegment(from, to))
-        sides.push_back({from, to});
-      from = to;
+  for (const auto& [first, last] : ranges)
+    for (std::size_t i = first; i < last; ++i) {
+      const auto corners = mesh_.elements[i].vertices();
+      std::uint32_t from = corners.back().value;
+      for (const VertexId corner : corners) {
+        const std::uint32_t to = corner.value;
+        if (isOnSegment_[from] && isOnSegment_[to] && isSegment(from, to))
+          sides.push_back({from, to});
+        from = to;
+      }
     }
-  }
   std::sort(sides.begin(), sides.end());
   return sides;
 }
 
 std::optional<PatchOutlines::Loops> PatchOutlines::outline(std::size_t first,
                                                            std::size_t last) const {
-  const std::vector<Side> sides = sidesOnSegments(first, last);
+  const Range all(first, last);
+  const std::vector<Side> sides = sidesOnSegments({&all, 1});
   std::vector<bool> isUsed(sides.size(), false);
   Loops loops;
   for (std::size_t i = 0; i < sides.size(); ++i) {
@@ -189,22 +191,27 @@ bool PatchOutlines::canBeDrawn(std::size_t first, std::size_t last) const {
   return crossingsOf(boundary, inPlane, 1).empty() && areNestedInTurn(boundary, axes);
 }
 
-bool PatchOutlines::isStarShaped(std::size_t first, std::size_t last) const {
-  const std::vector<Side> sides = sidesOnSegments(first, last);
+bool PatchOutlines::isStarShaped(std::span<const Range> ranges) const {
+  const std::vector<Side> sides = sidesOnSegments(ranges);
   for (const auto& [from, to] : sides)
     if (!std::binary_search(sides.begin(), sides.end(), Side(to, from))) return false;
   Point3 sum;
-  for (std::size_t i = first; i < last; ++i)
-    sum = sum + mesh_.vertices[mesh_.elements[i].corners[0].value];
-  StarShape star((1 / static_cast<double>(last - first)) * sum);
-  for (std::size_t i = first; i < last; ++i) {
-    const auto corners = mesh_.elements[i].vertices();
-    const auto at = [&](std::size_t k) -> const Point3& {
-      return mesh_.vertices[corners[k].value];
-    };
-    for (std::size_t k = 1; k + 1 < corners.size(); ++k)
-      if (!star.takes(at(0), at(k), at(k + 1))) return false;
+  std::size_t count = 0;
+  for (const auto& [first, last] : ranges) {
+    count += last - first;
+    for (std::size_t i = first; i < last; ++i)
+      sum = sum + mesh_.vertices[mesh_.elements[i].corners[0].value];
   }
+  StarShape star((1 / static_cast<double>(count)) * sum);
+  for (const auto& [first, last] : ranges)
+    for (std::size_t i = first; i < last; ++i) {
+      const auto corners = mesh_.elements[i].vertices();
+      const Point3& origin = mesh_.vertices[corners[0].value];
+      for (std::size_t k = 1; k + 1 < corners.size(); ++k)
+        if (!star.takes(origin, mesh_.vertices[corners[k].value],
+                        mesh_.vertices[corners[k + 1].value]))
+          return false;
+    }
   return star.goesAroundOnce();
 }
 

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -22,9 +23,12 @@ class PatchOutlines {
   /// most. False says nothing.
   bool canBeDrawn(std::size_t first, std::size_t last) const;
 
-  /// Whether the same elements are closed and all look away from one point, or all towards it, and
-  /// go around it once: then a ray from there meets one of them. False says nothing.
-  bool isStarShaped(std::size_t first, std::size_t last) const;
+  /// Elements in a row: from the first to before the second.
+  using Range = std::pair<std::size_t, std::size_t>;
+
+  /// Whether elements, of any faces, are closed and all look away from one point, or all towards
+  /// it, and go around it once: then each ray from there meets one of them. False says nothing.
+  bool isStarShaped(std::span<const Range> ranges) const;
 
  private:
   using Side = std::pair<std::uint32_t, std::uint32_t>;
@@ -32,7 +36,7 @@ class PatchOutlines {
 
   std::optional<Point3> commonNormal(std::size_t first, std::size_t last) const;
   /// The sides along segments, as the elements run along them; sorted.
-  std::vector<Side> sidesOnSegments(std::size_t first, std::size_t last) const;
+  std::vector<Side> sidesOnSegments(std::span<const Range> ranges) const;
   std::optional<Loops> outline(std::size_t first, std::size_t last) const;
   bool isSegment(std::uint32_t a, std::uint32_t b) const;
 

@@ -42,7 +42,8 @@ ModelMesh closed(int n, const Place& place) {
 }
 
 bool isStarShaped(const ModelMesh& mesh) {
-  return PatchOutlines(mesh).isStarShaped(0, mesh.elements.size());
+  const PatchOutlines::Range all(0, mesh.elements.size());
+  return PatchOutlines(mesh).isStarShaped({&all, 1});
 }
 
 std::size_t crossings(const ModelMesh& mesh) {
