@@ -24,8 +24,9 @@ double truth(bool b) { return b ? 1.0 : 0.0; }
 std::optional<int> quarterTurns(double angle) {
   const double quarters = angle / (kTurn / 4);
   const double whole = std::round(quarters);
-  if (std::abs(quarters - whole) > 1e-14 * std::max(1.0, std::abs(whole)) || std::abs(whole) > 1e6)
-    return std::nullopt;
+  // An angle without a value is near nothing.
+  const bool isNear = std::abs(quarters - whole) <= 1e-14 * std::max(1.0, std::abs(whole));
+  if (!isNear || std::abs(whole) > 1e6) return std::nullopt;
   return ((static_cast<int>(whole) % 4) + 4) % 4;
 }
 
