@@ -116,17 +116,25 @@ void openAngle(const Mesh& mesh, std::span<const VertexId> c, double share,
 }
 
 /// Edges as long as the height of the element allows at the wanted angle.
+///
+/// A few merely poor elements among very many do not count: to mesh the face again would cost more
+/// than it could bring.
 void openAngles(const Mesh& mesh, FaceTrouble& trouble) {
+  constexpr std::size_t kManyForOnePoor = 2000;
+  FaceTrouble found;
+  std::size_t poor = 0;
   for (const Element& element : mesh.elements) {
     const auto c = element.vertices();
     if (!hasSharpAngle(mesh, c)) continue;
     const double angle = leastAngle(mesh, c);
     if (angle >= kLeastAngle) continue;
-    trouble.isBad = trouble.isBad || angle < kBadAngle;
+    ++poor;
+    found.isBad = found.isBad || angle < kBadAngle;
     // The worst one counts: shorter edges make more of them, though better ones.
-    trouble.poorness = std::max(trouble.poorness, std::log(kLeastAngle / std::max(angle, 1e-6)));
-    openAngle(mesh, c, std::max(angle / kWantedAngle, 0.1), trouble.places);
+    found.poorness = std::max(found.poorness, std::log(kLeastAngle / std::max(angle, 1e-6)));
+    openAngle(mesh, c, std::max(angle / kWantedAngle, 0.1), found.places);
   }
+  if (found.isBad || poor * kManyForOnePoor >= mesh.elements.size()) trouble = std::move(found);
 }
 
 void addElements(const Mesh& mesh, double share, std::vector<SizeSource>& places) {
