@@ -10,10 +10,7 @@
 
 #include "dsl/ast.h"
 #include "dsl/builtins.h"
-#include "dsl/diagnostic.h"
-#include "dsl/help.h"
-#include "dsl/module.h"
-#include "dsl/registry.h"
+#include "dsl/compile_context.h"
 #include "dsl/values.h"
 
 namespace af2::dsl {
@@ -29,14 +26,6 @@ struct Local {
   Span span;
   LocalKind kind = LocalKind::Let;
   bool isUsed = false;
-};
-
-/// Shared by all that is compiled in one run.
-struct CompileContext {
-  DiagnosticList& diagnostics;
-  const Registry& registry;
-  std::size_t stepsLeft = 2'000'000;  ///< defs that call each other can grow without bound
-  std::size_t rulesLeft = 5'000;      ///< so can families, and files that use each other
 };
 
 class ExpressionCompiler {

@@ -36,18 +36,6 @@ std::string readRuleText(std::istream& in) {
   return text;
 }
 
-void Library::tell(const Module& module, const char* code, Span span, std::string message,
-                   Help help, std::vector<DiagnosticNote> notes) {
-  if (!context_.diagnostics.takes(Severity::Error)) return;
-  Diagnostic d;
-  d.code = code;
-  d.message = std::move(message);
-  d.place = placeOf(module.source, span);
-  setHelp(d, module.source, span, help);
-  d.notes = std::move(notes);
-  context_.diagnostics.add(std::move(d));
-}
-
 const Module& Library::load(std::string name, std::string text) {
   modules_.push_back(std::make_unique<Module>(SourceText(std::move(name), std::move(text))));
   Module& module = *modules_.back();
@@ -97,25 +85,25 @@ bool Library::isFree(const Module& module, const Name& name, bool isFunction) {
   const Module* home = nullptr;
   if (isFunction) {
     if (isBuiltin(name.text)) {
-      tell(module, "R2", name.span, "'" + name.text + "' is a function of the language",
-           "choose another name");
+      context_.tell(module, "R2", name.span, "'" + name.text + "' is a function of the language",
+                    "choose another name");
       return false;
     }
     if (const auto f = module.functions.find(name.text); f != module.functions.end())
       known = f->second.span, home = f->second.home;
   } else {
     if (name.text == "q" || name.text == "class") {
-      tell(module, "R2", name.span,
-           "'" + name.text + "' is the quality level and cannot be given another meaning",
-           "choose another name");
+      context_.tell(module, "R2", name.span,
+                    "'" + name.text + "' is the quality level and cannot be given another meaning",
+                    "choose another name");
       return false;
     }
     if (const auto c = module.constants.find(name.text); c != module.constants.end())
       known = c->second.span, home = c->second.home;
   }
   if (!home) return true;
-  tell(module, "R2", name.span, "'" + name.text + "' is given twice in this file",
-       "choose another name", {{"first given here", placeOf(home->source, known)}});
+  context_.tell(module, "R2", name.span, "'" + name.text + "' is given twice in this file",
+                "choose another name", {{"first given here", placeOf(home->source, known)}});
   return false;
 }
 
@@ -151,13 +139,13 @@ void Library::registerFunction(Module& module, const Name& name,
   std::vector<std::string> seen;
   for (const Name& p : parameters) {
     if (std::find(seen.begin(), seen.end(), p.text) != seen.end())
-      tell(module, "R2", p.span, "the parameter '" + p.text + "' is given twice",
-           "choose another name");
+      context_.tell(module, "R2", p.span, "the parameter '" + p.text + "' is given twice",
+                    "choose another name");
     seen.push_back(p.text);
   }
   if (isMetric && parameters.size() < 3)
-    tell(module, "Y6", name.span, "a metric needs three or four corners",
-         "its last three or four parameters are the corners");
+    context_.tell(module, "Y6", name.span, "a metric needs three or four corners",
+                  "its last three or four parameters are the corners");
   DiagnosticList found;
   CompileContext quiet{found, context_.registry, context_.stepsLeft};
   ProgramBuilder builder;
@@ -178,10 +166,10 @@ void Library::registerFunction(Module& module, const Name& name,
 void Library::registerTemplate(Module& module, const Template& item) {
   const auto known = module.templates.find(item.name.text);
   if (known != module.templates.end())
-    return tell(module, "R2", item.name.span,
-                "the template '" + item.name.text + "' is given twice in this file",
-                "choose another name",
-                {{"first given here", placeOf(known->second.home->source, known->second.span)}});
+    return context_.tell(
+        module, "R2", item.name.span,
+        "the template '" + item.name.text + "' is given twice in this file", "choose another name",
+        {{"first given here", placeOf(known->second.home->source, known->second.span)}});
   module.templates[item.name.text] = {&item, &module, item.name.span};
 }
 
@@ -228,9 +216,9 @@ const Module* Library::import(Module& into, const Import& item) {
   if (cycle != loading_.end()) {
     std::string chain;
     for (auto m = cycle; m != loading_.end(); ++m) chain += (*m)->source.name() + " -> ";
-    tell(into, "R4", item.path.span, "this import runs in a circle",
-         "move what both files need into a third one",
-         {{"the circle is " + chain + (*cycle)->source.name(), std::nullopt}});
+    context_.tell(into, "R4", item.path.span, "this import runs in a circle",
+                  "move what both files need into a third one",
+                  {{"the circle is " + chain + (*cycle)->source.name(), std::nullopt}});
     return nullptr;
   }
   if (const auto known = byPath_.find(key); known != byPath_.end()) return known->second;
@@ -242,14 +230,15 @@ const Module* Library::import(Module& into, const Import& item) {
     for (const Module* m : loading_) chain += m->source.name() + " -> ";
     std::vector<DiagnosticNote> notes;
     notes.push_back({"imported through " + chain + item.path.text, std::nullopt});
-    tell(into, "R3", item.path.span, "cannot import \"" + item.path.text + "\": " + fault,
-         "paths are taken from the folder of the importing file", std::move(notes));
+    context_.tell(into, "R3", item.path.span, "cannot import \"" + item.path.text + "\": " + fault,
+                  "paths are taken from the folder of the importing file", std::move(notes));
     return nullptr;
   }
   constexpr std::size_t kMostFiles = 200;
   if (modules_.size() >= kMostFiles) {
-    tell(into, "S6", item.path.span,
-         "more than " + std::to_string(kMostFiles) + " files are imported", "join some of them");
+    context_.tell(into, "S6", item.path.span,
+                  "more than " + std::to_string(kMostFiles) + " files are imported",
+                  "join some of them");
     return nullptr;
   }
   const Module& module = load(path.lexically_normal().string(), std::move(*text));
@@ -263,16 +252,18 @@ void Library::registerImport(Module& module, const Import& item) {
       item.alias ? item.alias->text : std::filesystem::path(item.path.text).stem().string();
   const Span span = item.alias ? item.alias->span : item.path.span;
   if (item.alias && module.imports.contains(name))
-    tell(module, "R2", span, "'" + name + "' is given to two imports", "choose another name");
+    context_.tell(module, "R2", span, "'" + name + "' is given to two imports",
+                  "choose another name");
   module.imports[name] = imported;
   module.hasBrokenImport = module.hasBrokenImport || (!imported && !item.alias);
   if (!imported) return;
   if (item.alias) return;
   const auto clash = [&](const std::string& text, const Module* home, Span at) {
-    tell(module, "R2", item.path.span, "this import brings '" + text + "', which is there already",
-         "import it under a name of its own: `import \"" + item.path.text +
-             "\" as lib;`, and write lib." + text,
-         {{"first given here", placeOf(home->source, at)}});
+    context_.tell(module, "R2", item.path.span,
+                  "this import brings '" + text + "', which is there already",
+                  "import it under a name of its own: `import \"" + item.path.text +
+                      "\" as lib;`, and write lib." + text,
+                  {{"first given here", placeOf(home->source, at)}});
   };
   for (const auto& [text, c] : imported->constants) {
     if (c.home != imported) continue;

@@ -36,8 +36,6 @@ class Library {
   void registerTemplate(Module& module, const Template& item);
   void registerImport(Module& module, const Import& item);
   bool isFree(const Module& module, const Name& name, bool isFunction);
-  void tell(const Module& module, const char* code, Span span, std::string message, Help help,
-            std::vector<DiagnosticNote> notes = {});
 
   CompileContext& context_;
   std::vector<std::filesystem::path> searchPaths_;

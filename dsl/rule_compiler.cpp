@@ -106,12 +106,8 @@ void RuleCompiler::compileOne(const Rule& rule, const std::map<std::string, Para
 }
 
 void RuleCompiler::tellTooMany(const InstanceTitle& title) {
-  Diagnostic d;
-  d.code = "S6";
-  d.message = "there are too many rules";
-  d.place = placeOf(title.home->source, title.title.span);
-  d.help = "5000 are the most, members of families and rules of other files among them";
-  context_.diagnostics.add(std::move(d));
+  context_.tell(*title.home, "S6", title.title.span, "there are too many rules",
+                "5000 are the most, members of families and rules of other files among them");
 }
 
 std::vector<CompiledRule> RuleCompiler::compile(const Rule& rule,

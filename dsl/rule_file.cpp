@@ -31,18 +31,6 @@ class FileCompiler {
  private:
   using Parameters = std::map<std::string, RuleCompiler::Parameter>;
 
-  void tell(const Module& home, const char* code, Span span, std::string message, Help help = {},
-            std::vector<DiagnosticNote> notes = {}, Severity severity = Severity::Error) {
-    Diagnostic d;
-    d.severity = severity;
-    d.code = code;
-    d.message = std::move(message);
-    d.place = placeOf(home.source, span);
-    setHelp(d, home.source, span, help);
-    d.notes = std::move(notes);
-    context_.diagnostics.add(std::move(d));
-  }
-
   void compileItems(const Module& module);
   void compileInstance(const Module& module, const Instance& instance);
   void checkTemplate(const Module& module, const Template& item);
@@ -141,8 +129,8 @@ void FileCompiler::checkTemplate(const Module& module, const Template& item) {
   std::set<std::string> seen;
   for (const Name& name : item.parameters) {
     if (!seen.insert(name.text).second)
-      tell(module, "R2", name.span, "the parameter '" + name.text + "' is given twice",
-           "choose another name");
+      context_.tell(module, "R2", name.span, "the parameter '" + name.text + "' is given twice",
+                    "choose another name");
     RuleCompiler::Parameter p;
     p.span = name.span;
     parameters[name.text] = p;
@@ -164,10 +152,11 @@ void FileCompiler::compileUse(const Module& module, const Use& use) {
     for (const auto& [name, m] : module.imports) known.push_back(name);
     const Help help = didYouMean(use.library.text, known);
     if (!module.brokenNames.contains(use.library.text) && !module.hasBrokenImport)
-      tell(module, "R1", use.library.span, "nothing is imported as '" + use.library.text + "'",
-           help.empty() ? "import the file first: `import \"" + use.library.text + ".af2\" as " +
-                              use.library.text + ";`"
-                        : help);
+      context_.tell(module, "R1", use.library.span,
+                    "nothing is imported as '" + use.library.text + "'",
+                    help.empty() ? "import the file first: `import \"" + use.library.text +
+                                       ".af2\" as " + use.library.text + ";`"
+                                 : help);
     return;
   }
   if (!library->second || library->second == &module) return;
@@ -185,8 +174,9 @@ void FileCompiler::compileUse(const Module& module, const Use& use) {
   for (std::size_t i = before; i < rules_.size(); ++i) titles.push_back(rules_[i].definition.name);
   const auto checkTitle = [&](const Name& name) {
     if (wanted(name.text) || holdsRule(*library->second, name.text)) return;
-    tell(module, "R1", name.span, "'" + use.library.text + "' has no rule \"" + name.text + "\"",
-         helpAmong(name.text, titles, "rules of that file"));
+    context_.tell(module, "R1", name.span,
+                  "'" + use.library.text + "' has no rule \"" + name.text + "\"",
+                  helpAmong(name.text, titles, "rules of that file"));
   };
   if (use.rule) checkTitle(*use.rule);
   for (const Name& name : use.except) checkTitle(name);
@@ -241,10 +231,10 @@ void FileCompiler::checkTitles() {
   for (const CompiledRule& rule : rules_) {
     add(rule.definition.name, rule.titlePlace);
     if (rule.text->family && ++members[rule.definition.name] == 2)
-      tell(*rule.home, "R2", rule.title,
-           "several rules of this family have the title \"" + rule.definition.name + "\"",
-           "write a parameter into the title, as in \"" + rule.text->title.text + " {" +
-               rule.text->family->names[0].text + "}\"");
+      context_.tell(*rule.home, "R2", rule.title,
+                    "several rules of this family have the title \"" + rule.definition.name + "\"",
+                    "write a parameter into the title, as in \"" + rule.text->title.text + " {" +
+                        rule.text->family->names[0].text + "}\"");
   }
 }
 
@@ -254,9 +244,9 @@ void FileCompiler::checkKinds(const RuleSetCompiler& settings) {
     for (std::size_t i = 0; i < rule.definition.elements.size(); ++i) {
       const std::string kind = rule.definition.elements[i].size() == 3 ? "tri" : "quad";
       if (!settings.kinds().contains(kind))
-        tell(*rule.home, "T2", rule.elementSpans[i],
-             "this rule makes a " + kind + ", which the rule set does not list",
-             "add '" + kind + "' to the `elements` of the rule set");
+        context_.tell(*rule.home, "T2", rule.elementSpans[i],
+                      "this rule makes a " + kind + ", which the rule set does not list",
+                      "add '" + kind + "' to the `elements` of the rule set");
     }
 }
 
@@ -275,8 +265,9 @@ void FileCompiler::compileProperty(const Property& property, LoadedFile& result)
     if (holdsRule(main_, property.rule.text)) return;  // it has errors of its own
     std::vector<std::string> titles;
     for (const CompiledRule& r : rules_) titles.push_back(r.definition.name);
-    return tell(main_, "R1", property.rule.span, "there is no rule \"" + property.rule.text + "\"",
-                helpAmong(property.rule.text, titles, "rules of this file"));
+    return context_.tell(main_, "R1", property.rule.span,
+                         "there is no rule \"" + property.rule.text + "\"",
+                         helpAmong(property.rule.text, titles, "rules of this file"));
   }
   auto compiled = RuleCompiler(context_, *rule->home, settings_->shared())
                       .compileProperty(property, main_, *rule);
@@ -289,9 +280,10 @@ void FileCompiler::compileTests(LoadedFile& result) {
     if (const auto* test = std::get_if<Test>(&item.content)) {
       const auto [known, isNew] = titles.emplace(test->title.text, test->title.span);
       if (!isNew)
-        tell(main_, "R2", test->title.span, "there are two tests \"" + test->title.text + "\"",
-             "give each test a title of its own",
-             {{"the other one", placeOf(main_.source, known->second)}});
+        context_.tell(main_, "R2", test->title.span,
+                      "there are two tests \"" + test->title.text + "\"",
+                      "give each test a title of its own",
+                      {{"the other one", placeOf(main_.source, known->second)}});
       auto compiled = compileTest(context_, main_, *test, rules_, settings_->shared().maxLevel);
       if (compiled) result.tests.push_back(std::move(*compiled));
     } else if (const auto* property = std::get_if<Property>(&item.content)) {
@@ -309,14 +301,14 @@ std::shared_ptr<const RuleSet> FileCompiler::ruleSetOf(std::vector<CompiledRule>
       return false;
     } catch (const InputError& error) {
       const bool isNeverTried = rule.definition.firstLevel > definition.maxLevel;  // told as that
-      if (!isNeverTried) tell(*rule.home, "T1", rule.title, error.what());
+      if (!isNeverTried) context_.tell(*rule.home, "T1", rule.title, error.what());
       return true;
     }
   });
   try {
     return std::make_shared<const RuleSet>(std::move(definition));
   } catch (const InputError& error) {
-    if (!context_.diagnostics.hasErrors()) tell(main_, "R5", {0, 0}, error.what());
+    if (!context_.diagnostics.hasErrors()) context_.tell(main_, "R5", {0, 0}, error.what());
     return nullptr;
   }
 }
@@ -333,7 +325,8 @@ std::shared_ptr<const RuleSet> FileCompiler::compile(LoadedFile& result) {
   RuleSetDefinition definition = settings_->finish(sizesMade());
   std::vector<CompiledRule> sound = runChecks({rules_, definition, main_}, context_.diagnostics);
   if (rules_.empty() && !context_.diagnostics.hasErrors() && needsRules)
-    tell(main_, "R5", {0, 0}, "this file has no rules", "add `rule \"title\" quality 1 { ... }`");
+    context_.tell(main_, "R5", {0, 0}, "this file has no rules",
+                  "add `rule \"title\" quality 1 { ... }`");
   if (!context_.diagnostics.hasErrors()) sound = rules_;  // those that are never tried as well
   const bool isUsable = hasRuleSet || !context_.diagnostics.hasErrors();
   if (isUsable && !sound.empty()) result.soundRules = ruleSetOf(sound, std::move(definition));

@@ -19,18 +19,6 @@ class ChainFinder {
   std::vector<PlacedRuleSet> find();
 
  private:
-  void tell(const Module& home, const char* code, Span span, std::string message, Help help = {},
-            std::vector<DiagnosticNote> notes = {}, Severity severity = Severity::Error) {
-    Diagnostic d;
-    d.severity = severity;
-    d.code = code;
-    d.message = std::move(message);
-    d.place = placeOf(home.source, span);
-    setHelp(d, home.source, span, help);
-    d.notes = std::move(notes);
-    context_.diagnostics.add(std::move(d));
-  }
-
   bool isBroken() const;
   void warnOfRulesAlone();
   bool addBase(std::vector<PlacedRuleSet>& chain, std::set<const RuleSetBlock*>& seen);
@@ -64,14 +52,14 @@ bool ChainFinder::addBase(std::vector<PlacedRuleSet>& chain, std::set<const Rule
         if (const auto* block = std::get_if<RuleSetBlock>(&item.content))
           if (block != first.block) known.push_back(block->name.text);
     const Help help = didYouMean(first.block->base->text, known);
-    tell(*first.home, "R1", first.block->base->span,
-         "there is no rule set \"" + first.block->base->text + "\"",
-         help.empty() ? "import the file in which it stands" : help);
+    context_.tell(*first.home, "R1", first.block->base->span,
+                  "there is no rule set \"" + first.block->base->text + "\"",
+                  help.empty() ? "import the file in which it stands" : help);
     return false;
   }
   if (!seen.insert(base->block).second) {
-    tell(*first.home, "R4", first.block->base->span,
-         "these rule sets extend each other in a circle");
+    context_.tell(*first.home, "R4", first.block->base->span,
+                  "these rule sets extend each other in a circle");
     return false;
   }
   chain.insert(chain.begin(), *base);
@@ -93,9 +81,10 @@ void ChainFinder::warnOfRulesAlone() {
   if (isBroken()) return;
   for (const Item& item : main_.parsed.file.items) {
     if (!std::holds_alternative<Rule>(item.content)) continue;
-    tell(main_, "R5", std::get<Rule>(item.content).title.span,
-         "this file has rules, but no rule set: only files that `use` them can run",
-         "add `ruleset \"name\" { ... }` if this file is to be run itself", {}, Severity::Warning);
+    context_.tell(main_, "R5", std::get<Rule>(item.content).title.span,
+                  "this file has rules, but no rule set: only files that `use` them can run",
+                  "add `ruleset \"name\" { ... }` if this file is to be run itself", {},
+                  Severity::Warning);
     return;
   }
 }
@@ -119,14 +108,14 @@ std::vector<PlacedRuleSet> ChainFinder::find() {
   if (heads.empty()) {
     const bool hasText = !main_.parsed.file.items.empty() || !main_.source.text().empty();
     if (!isBroken())
-      tell(main_, "R5", {0, 0}, "this file has no rule set",
-           hasText ? "add `ruleset \"name\" { ... }`" : "the file is empty");
+      context_.tell(main_, "R5", {0, 0}, "this file has no rule set",
+                    hasText ? "add `ruleset \"name\" { ... }`" : "the file is empty");
     return {};
   }
   for (std::size_t i = 1; i < heads.size(); ++i)
-    tell(main_, "R5", heads[i]->name.span, "this file has a second rule set",
-         "keep one `ruleset` in the file that is run",
-         {{"the first one", placeOf(main_.source, heads[0]->name.span)}});
+    context_.tell(main_, "R5", heads[i]->name.span, "this file has a second rule set",
+                  "keep one `ruleset` in the file that is run",
+                  {{"the first one", placeOf(main_.source, heads[0]->name.span)}});
   std::vector<PlacedRuleSet> chain{{heads[0], &main_}};
   std::set<const RuleSetBlock*> seen{heads[0]};
   while (addBase(chain, seen)) {

@@ -83,16 +83,6 @@ RuleSetCompiler::RuleSetCompiler(CompileContext& context, const Module& main,
   readParity();
 }
 
-void RuleSetCompiler::tell(const Module& home, const char* code, Span span, std::string message,
-                           Help help) {
-  Diagnostic d;
-  d.code = code;
-  d.message = std::move(message);
-  d.place = placeOf(home.source, span);
-  setHelp(d, home.source, span, help);
-  context_.diagnostics.add(std::move(d));
-}
-
 void RuleSetCompiler::collect(const PlacedRuleSet& placed) {
   std::vector<const Setting*> seen(settings_.size());
   for (const Setting& setting : placed.block->settings) {
@@ -101,9 +91,10 @@ void RuleSetCompiler::collect(const PlacedRuleSet& placed) {
     const std::size_t slot = slotOf(setting.content);
     if (slot == 0) continue;
     if (seen[slot])
-      tell(*placed.home, "R2", setting.span,
-           std::string("'") + settingName(setting.content) + "' is given twice in this rule set",
-           "keep one of them");
+      context_.tell(
+          *placed.home, "R2", setting.span,
+          std::string("'") + settingName(setting.content) + "' is given twice in this rule set",
+          "keep one of them");
     seen[slot] = &setting;
     settings_[slot] = {&setting, placed.home};
   }
@@ -129,12 +120,13 @@ void RuleSetCompiler::readClasses() {
   const auto last = compiler.constantNumber(classes->last, "the last level");
   if (!first || !last) return;
   if (*first != 1)
-    tell(*home, "Y3", classes->first.span, "the first quality level is 1",
-         "write 1.." + shownNumber(*last));
+    context_.tell(*home, "Y3", classes->first.span, "the first quality level is 1",
+                  "write 1.." + shownNumber(*last));
   else if (*last < 1 || *last > kMostLevels || *last != std::floor(*last))
-    tell(*home, "Y3", classes->last.span,
-         "the last quality level must be a whole number from 1 to " + std::to_string(kMostLevels),
-         "an edge that no rule takes at the last level is stuck");
+    context_.tell(
+        *home, "Y3", classes->last.span,
+        "the last quality level must be a whole number from 1 to " + std::to_string(kMostLevels),
+        "an edge that no rule takes at the last level is stuck");
   else
     shared_.maxLevel = static_cast<int>(*last);
 }
@@ -153,11 +145,12 @@ std::vector<double> RuleSetCompiler::table(const Expr& expr, const Module& home,
       result[static_cast<std::size_t>(level - 1)] = *at;
       continue;
     }
-    tell(home, "Y4", expr.span,
-         std::string(what) + (at ? " is " + shownNumber(*at) : std::string(" has no value")) +
-             " at level " + std::to_string(level),
-         "it must lie between " + shownNumber(least) + " and 1e6 at every level from 1 to " +
-             std::to_string(shared_.maxLevel));
+    context_.tell(home, "Y4", expr.span,
+                  std::string(what) +
+                      (at ? " is " + shownNumber(*at) : std::string(" has no value")) +
+                      " at level " + std::to_string(level),
+                  "it must lie between " + shownNumber(least) +
+                      " and 1e6 at every level from 1 to " + std::to_string(shared_.maxLevel));
     break;
   }
   return result;
@@ -180,7 +173,7 @@ void RuleSetCompiler::readKinds() {
   if (!elements) return;
   for (const Name& kind : elements->kinds) {
     if (!kinds_.insert(kind.text).second)
-      tell(*home, "R2", kind.span, "'" + kind.text + "' is given twice", "give it once");
+      context_.tell(*home, "R2", kind.span, "'" + kind.text + "' is given twice", "give it once");
   }
 }
 
@@ -191,8 +184,8 @@ void RuleSetCompiler::readParity() {
   if (parity->parity.text == "even")
     parity_ = Parity::Even;
   else if (parity->parity.text != "any")
-    tell(*home, "Y3", parity->parity.span, "'" + parity->parity.text + "' is no parity",
-         "write `parity even;` or `parity any;`");
+    context_.tell(*home, "Y3", parity->parity.span, "'" + parity->parity.text + "' is no parity",
+                  "write `parity even;` or `parity any;`");
 }
 
 void RuleSetCompiler::readAllowed(const MetaClause& meta, const Module& home) {
@@ -275,11 +268,12 @@ std::shared_ptr<const AF2FrontOrder> RuleSetCompiler::rows(const RowsSetting& se
   for (const MetaEntry& argument : setting.arguments) {
     const std::string& value = argument.value.text;
     if (argument.key.text != "start")
-      tell(home, "R1", argument.key.span, "'rows' has no argument '" + argument.key.text + "'",
-           "write rows(start: smallest_turn)");
+      context_.tell(home, "R1", argument.key.span,
+                    "'rows' has no argument '" + argument.key.text + "'",
+                    "write rows(start: smallest_turn)");
     else if (value != "smallest_turn" && value != "oldest")
-      tell(home, "R1", argument.value.span, "rows cannot start at '" + value + "'",
-           "rows start at smallest_turn or at oldest");
+      context_.tell(home, "R1", argument.value.span, "rows cannot start at '" + value + "'",
+                    "rows start at smallest_turn or at oldest");
     else if (value == "oldest")
       start = RowStart::Oldest;
   }
@@ -340,8 +334,9 @@ RuleSetDefinition RuleSetCompiler::finish(const std::set<int>& sizes) {
     if (scale->unit.text == "base")
       definition.unit = ChartUnit::BaseLength;
     else if (scale->unit.text != "h")
-      tell(*home, "Y3", scale->unit.span, "'" + scale->unit.text + "' is no unit of length",
-           "write `scale h;` or `scale base;`");
+      context_.tell(*home, "Y3", scale->unit.span,
+                    "'" + scale->unit.text + "' is no unit of length",
+                    "write `scale h;` or `scale base;`");
   }
   definition.parity = parity_;
   return definition;

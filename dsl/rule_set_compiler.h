@@ -58,7 +58,6 @@ class RuleSetCompiler {
   std::shared_ptr<const AF2Acceptance> acceptance();
   std::shared_ptr<const AF2FrontOrder> order();
   std::shared_ptr<const AF2FrontOrder> rows(const RowsSetting& setting, const Module& home);
-  void tell(const Module& home, const char* code, Span span, std::string message, Help help = {});
 
   CompileContext& context_;
   const Module& main_;
