@@ -102,14 +102,14 @@ class ChartSlot {
   ChartSlot& operator=(const ChartSlot&) = delete;
   ~ChartSlot() { clear(); }
 
-  /// Makes a chart of type T in this slot, instead of what it held.
-  template <class T, class... Arguments>
-  const T& emplace(Arguments&&... arguments) {
-    static_assert(sizeof(T) <= kSize && alignof(T) <= alignof(std::max_align_t));
+  /// Holds the chart that `make` returns, where it is made: it is not moved.
+  template <class Make>
+  const AF2LocalTransform& fill(const Make& make) {
+    using Chart = decltype(make());
+    static_assert(sizeof(Chart) <= kSize && alignof(Chart) <= alignof(std::max_align_t));
     clear();
-    T* chart = ::new (static_cast<void*>(room_)) T(std::forward<Arguments>(arguments)...);
-    inPlace_ = chart;
-    return *chart;
+    inPlace_ = ::new (static_cast<void*>(room_)) Chart(make());
+    return *inPlace_;
   }
 
   const AF2LocalTransform& hold(std::unique_ptr<AF2LocalTransform> chart) {
@@ -157,6 +157,29 @@ class AF2LocalTransformMaker {
                                                         double edgeLength) const {
     return slot.hold(makeLocalTransform(from, to, edgeLength));
   }
+};
+
+/// A maker that allocates nothing in a step. Derive as `class Maker : public ChartMaker<Maker>`,
+/// with
+///   Chart chart(const SurfacePoint& from, const SurfacePoint& to, double edgeLength) const;
+/// which returns a chart, of the class that it likes, as makeLocalTransform would.
+template <class Derived>
+class ChartMaker : public AF2LocalTransformMaker {
+ public:
+  std::unique_ptr<AF2LocalTransform> makeLocalTransform(const SurfacePoint& from,
+                                                        const SurfacePoint& to,
+                                                        double edgeLength) const final {
+    using Chart = decltype(derived().chart(from, to, edgeLength));
+    return std::unique_ptr<AF2LocalTransform>(new Chart(derived().chart(from, to, edgeLength)));
+  }
+  const AF2LocalTransform& makeLocalTransformIn(ChartSlot& slot, const SurfacePoint& from,
+                                                const SurfacePoint& to,
+                                                double edgeLength) const final {
+    return slot.fill([&] { return derived().chart(from, to, edgeLength); });
+  }
+
+ private:
+  const Derived& derived() const { return static_cast<const Derived&>(*this); }
 };
 
 }  // namespace af2

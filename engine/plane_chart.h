@@ -27,20 +27,13 @@ class PlaneChart final : public AF2LocalTransform {
 };
 
 /// Makes the charts of one plane.
-class PlaneChartMaker final : public AF2LocalTransformMaker {
+class PlaneChartMaker final : public ChartMaker<PlaneChartMaker> {
  public:
   /// normal  of any length but zero, pointing to the side from which the region is seen
   explicit PlaneChartMaker(const Point3& normal = {0, 0, 1}) : normal_(unit(normal)) {}
 
-  std::unique_ptr<AF2LocalTransform> makeLocalTransform(const SurfacePoint& from,
-                                                        const SurfacePoint& to,
-                                                        double edgeLength) const override {
-    return std::make_unique<PlaneChart>(from, to, normal_, edgeLength);
-  }
-  const AF2LocalTransform& makeLocalTransformIn(ChartSlot& slot, const SurfacePoint& from,
-                                                const SurfacePoint& to,
-                                                double edgeLength) const override {
-    return slot.emplace<PlaneChart>(from, to, normal_, edgeLength);
+  PlaneChart chart(const SurfacePoint& from, const SurfacePoint& to, double edgeLength) const {
+    return {from, to, normal_, edgeLength};
   }
 
  private:

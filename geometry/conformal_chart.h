@@ -28,20 +28,13 @@ class ConformalChart final : public AF2LocalTransform {
 };
 
 /// For fronts that are laid out by a map.
-class ConformalChartMaker final : public AF2LocalTransformMaker {
+class ConformalChartMaker final : public ChartMaker<ConformalChartMaker> {
  public:
   /// map  is kept as a reference
   explicit ConformalChartMaker(const PlaneMap& map) : map_(map) {}
 
-  std::unique_ptr<AF2LocalTransform> makeLocalTransform(const SurfacePoint& from,
-                                                        const SurfacePoint& to,
-                                                        double edgeLength) const override {
-    return std::make_unique<ConformalChart>(map_, from, to, edgeLength);
-  }
-  const AF2LocalTransform& makeLocalTransformIn(ChartSlot& slot, const SurfacePoint& from,
-                                                const SurfacePoint& to,
-                                                double edgeLength) const override {
-    return slot.emplace<ConformalChart>(map_, from, to, edgeLength);
+  ConformalChart chart(const SurfacePoint& from, const SurfacePoint& to, double edgeLength) const {
+    return {map_, from, to, edgeLength};
   }
 
  private:

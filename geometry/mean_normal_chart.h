@@ -38,6 +38,14 @@ struct SurfaceLine {
 ProjectionFrame meanNormalFrame(const SurfacePoint& from, const SurfacePoint& to, double edgeLength,
                                 const ChartLimits& limits);
 
+/// The line across such a plane at a point of the chart.
+inline SurfaceLine lineAt(const ProjectionFrame& frame, Point2 point, const SurfacePoint& from,
+                          const SurfacePoint& to, double edgeLength) {
+  const Point3 start =
+      frame.origin + (edgeLength * point.x) * frame.xAxis + (edgeLength * point.y) * frame.yAxis;
+  return {start, frame.normal, frame.xAxis, frame.yAxis, from, to, edgeLength};
+}
+
 /// The published chart on a Surface: any class with
 ///   std::optional<SurfacePoint> hit(const SurfaceLine& line) const;
 /// which gives the point where the line meets the surface near its start, with the face's normal.
@@ -57,11 +65,7 @@ class MeanNormalChart final : public AF2LocalTransform {
   }
 
   std::optional<SurfacePoint> transformToSurface(Point2 point) const override {
-    const Point3 start = frame_.origin + (edgeLength_ * point.x) * frame_.xAxis +
-                         (edgeLength_ * point.y) * frame_.yAxis;
-    const SurfaceLine line{start, frame_.normal, frame_.xAxis, frame_.yAxis,
-                           from_, to_,           edgeLength_};
-    auto hit = surface_.hit(line);
+    auto hit = surface_.hit(lineAt(frame_, point, from_, to_, edgeLength_));
     if (!hit || !isTrusted(*hit)) return std::nullopt;
     return hit;
   }
@@ -83,20 +87,14 @@ class MeanNormalChart final : public AF2LocalTransform {
 
 /// Makes the published chart on a Surface.
 template <class Surface>
-class MeanNormalChartMaker final : public AF2LocalTransformMaker {
+class MeanNormalChartMaker final : public ChartMaker<MeanNormalChartMaker<Surface>> {
  public:
   explicit MeanNormalChartMaker(Surface surface, const ChartLimits& limits = {})
       : surface_(std::move(surface)), limits_(limits) {}
 
-  std::unique_ptr<AF2LocalTransform> makeLocalTransform(const SurfacePoint& from,
-                                                        const SurfacePoint& to,
-                                                        double edgeLength) const override {
-    return std::make_unique<MeanNormalChart<Surface>>(surface_, from, to, edgeLength, limits_);
-  }
-  const AF2LocalTransform& makeLocalTransformIn(ChartSlot& slot, const SurfacePoint& from,
-                                                const SurfacePoint& to,
-                                                double edgeLength) const override {
-    return slot.emplace<MeanNormalChart<Surface>>(surface_, from, to, edgeLength, limits_);
+  MeanNormalChart<Surface> chart(const SurfacePoint& from, const SurfacePoint& to,
+                                 double edgeLength) const {
+    return {surface_, from, to, edgeLength, limits_};
   }
 
  private:

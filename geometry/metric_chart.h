@@ -57,22 +57,15 @@ class MetricChart final : public AF2LocalTransform {
   bool isAffine_;
 };
 
-class MetricChartMaker final : public AF2LocalTransformMaker {
+class MetricChartMaker final : public ChartMaker<MetricChartMaker> {
  public:
   /// surface  is kept as a reference
   explicit MetricChartMaker(const ParametricSurface& surface,
                             MetricOrder order = MetricOrder::Second)
       : surface_(surface), order_(order) {}
 
-  std::unique_ptr<AF2LocalTransform> makeLocalTransform(const SurfacePoint& from,
-                                                        const SurfacePoint& to,
-                                                        double edgeLength) const override {
-    return std::make_unique<MetricChart>(surface_, from, to, edgeLength, order_);
-  }
-  const AF2LocalTransform& makeLocalTransformIn(ChartSlot& slot, const SurfacePoint& from,
-                                                const SurfacePoint& to,
-                                                double edgeLength) const override {
-    return slot.emplace<MetricChart>(surface_, from, to, edgeLength, order_);
+  MetricChart chart(const SurfacePoint& from, const SurfacePoint& to, double edgeLength) const {
+    return {surface_, from, to, edgeLength, order_};
   }
 
  private:

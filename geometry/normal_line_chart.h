@@ -46,10 +46,7 @@ class NormalLineChart final : public AF2LocalTransform {
     return {factor * dot(point.normal, frame_.xAxis), factor * dot(point.normal, frame_.yAxis)};
   }
   std::optional<SurfacePoint> hitAt(Point2 point) const {
-    const Point3 start = frame_.origin + (edgeLength_ * point.x) * frame_.xAxis +
-                         (edgeLength_ * point.y) * frame_.yAxis;
-    const auto hit = surface_.hit(
-        SurfaceLine{start, frame_.normal, frame_.xAxis, frame_.yAxis, from_, to_, edgeLength_});
+    const auto hit = surface_.hit(lineAt(frame_, point, from_, to_, edgeLength_));
     if (!hit || frame_.project(*hit).view != ChartView::Legal) return std::nullopt;
     return hit;
   }
@@ -61,20 +58,14 @@ class NormalLineChart final : public AF2LocalTransform {
 };
 
 template <class Surface>
-class NormalLineChartMaker final : public AF2LocalTransformMaker {
+class NormalLineChartMaker final : public ChartMaker<NormalLineChartMaker<Surface>> {
  public:
   explicit NormalLineChartMaker(Surface surface, const ChartLimits& limits = {})
       : surface_(std::move(surface)), limits_(limits) {}
 
-  std::unique_ptr<AF2LocalTransform> makeLocalTransform(const SurfacePoint& from,
-                                                        const SurfacePoint& to,
-                                                        double edgeLength) const override {
-    return std::make_unique<NormalLineChart<Surface>>(surface_, from, to, edgeLength, limits_);
-  }
-  const AF2LocalTransform& makeLocalTransformIn(ChartSlot& slot, const SurfacePoint& from,
-                                                const SurfacePoint& to,
-                                                double edgeLength) const override {
-    return slot.emplace<NormalLineChart<Surface>>(surface_, from, to, edgeLength, limits_);
+  NormalLineChart<Surface> chart(const SurfacePoint& from, const SurfacePoint& to,
+                                 double edgeLength) const {
+    return {surface_, from, to, edgeLength, limits_};
   }
 
  private:

@@ -28,19 +28,13 @@ class StereographicChart final : public AF2LocalTransform {
   double height_, middle_, edgeLength_;  ///< of the plane over the opposite point; half the chord
 };
 
-class StereographicChartMaker final : public AF2LocalTransformMaker {
+class StereographicChartMaker final : public ChartMaker<StereographicChartMaker> {
  public:
   explicit StereographicChartMaker(const SphereSurface& sphere) : sphere_(sphere) {}
 
-  std::unique_ptr<AF2LocalTransform> makeLocalTransform(const SurfacePoint& from,
-                                                        const SurfacePoint& to,
-                                                        double edgeLength) const override {
-    return std::make_unique<StereographicChart>(sphere_, from, to, edgeLength);
-  }
-  const AF2LocalTransform& makeLocalTransformIn(ChartSlot& slot, const SurfacePoint& from,
-                                                const SurfacePoint& to,
-                                                double edgeLength) const override {
-    return slot.emplace<StereographicChart>(sphere_, from, to, edgeLength);
+  StereographicChart chart(const SurfacePoint& from, const SurfacePoint& to,
+                           double edgeLength) const {
+    return {sphere_, from, to, edgeLength};
   }
 
  private:
