@@ -2,11 +2,12 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <span>
 #include <string_view>
 
 #include "dsl/rls_reader.h"
+#include "dsl/rls_rule_check.h"
+#include "dsl/words.h"
 
 namespace af2::dsl {
 namespace {
@@ -22,30 +23,17 @@ constexpr std::array<std::string_view, 7> kSolidClauses{
 /// Words of those files that say nothing about what a rule fills.
 constexpr std::array<std::string_view, 3> kSolidSettings{"freeset", "flags", "tolfak"};
 
-/// What AF2 can hold in one rule, and more than any rule needs.
-constexpr std::size_t kMostPoints = 12, kMostElements = 8, kMostParts = 64, kMostRules = 1000;
+/// More than any rule or file needs.
+constexpr std::size_t kMostParts = 64, kMostRules = 1000;
 
 using Kind = RlsTokenKind;
 using Token = RlsToken;
 
 bool isDigit(char c) { return c >= '0' && c <= '9'; }
 
-std::size_t editDistance(std::string_view one, std::string_view other) {
-  std::vector<std::size_t> row(other.size() + 1);
-  for (std::size_t j = 0; j <= other.size(); ++j) row[j] = j;
-  for (std::size_t i = 1; i <= one.size(); ++i) {
-    std::size_t diagonal = row[0];
-    row[0] = i;
-    for (std::size_t j = 1; j <= other.size(); ++j) {
-      const std::size_t above = row[j];
-      row[j] = std::min({above + 1, row[j - 1] + 1, diagonal + (one[i - 1] != other[j - 1])});
-      diagonal = above;
-    }
-  }
-  return row[other.size()];
-}
-
-std::string_view nearest(std::string_view word) {
+/// The clause that a word comes within two letters of; empty if there is none. What is farther off
+/// is passed over, as Netgen does.
+std::string_view nearestClause(std::string_view word) {
   std::string_view best;
   std::size_t least = 3;
   for (std::string_view clause : kClauses) {
@@ -62,12 +50,6 @@ bool isOneOf(const Token& token, std::span<const std::string_view> words) {
 }
 
 bool isClause(const Token& token) { return isOneOf(token, kClauses); }
-
-std::string lowered(std::string_view text) {
-  std::string result(text);
-  for (char& c : result) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return result;
-}
 
 class Reader : RlsReader {
  public:
@@ -170,7 +152,7 @@ class Reader : RlsReader {
     }
     tellCapitals(now());
     next();
-    checkNumbers();
+    if (isSound()) checkRlsRule(rule_, *this);
     if (isSound()) rules_.push_back(std::move(rule_));
     rule_ = {};
     begin();
@@ -210,7 +192,7 @@ class Reader : RlsReader {
 
   /// What is no clause says nothing to Netgen's reader either; but it may be a slip.
   void passOverClause(const Token& token) {
-    const std::string_view meant = nearest(lowered(token.text));
+    const std::string_view meant = nearestClause(lowered(token.text));
     if (!meant.empty()) {
       tell(Severity::Error, "I1", token.span, shown(token) + " is no clause of a rule",
            "did you mean '" + std::string(meant) + "'?");
@@ -299,7 +281,7 @@ class Reader : RlsReader {
     expect(")");
     readRest(point);
     rule_.mapPoints.push_back(std::move(point));
-    limit(rule_.mapPoints, kMostPoints, "mappoints");
+    limit(rule_.mapPoints, kMostRlsPoints, "mappoints");
   }
 
   void readMapLine() {
@@ -312,7 +294,7 @@ class Reader : RlsReader {
     expect(")");
     readRest(line);
     rule_.mapLines.push_back(std::move(line));
-    limit(rule_.mapLines, kMostPoints, "maplines");
+    limit(rule_.mapLines, kMostRlsPoints, "maplines");
   }
 
   /// X2, or X 2.
@@ -389,38 +371,6 @@ class Reader : RlsReader {
     tell(Severity::Error, "I2", parts.back().span,
          "more than " + std::to_string(most) + " " + what + " in one rule", "");
     throw Unreadable{};
-  }
-
-  void checkNumbers() {
-    if (!isSound()) return;
-    const auto old = static_cast<int>(rule_.mapPoints.size());
-    const int all = old + static_cast<int>(rule_.newPoints.size());
-    const auto check = [&](int point, Span span, int most, const char* kind) {
-      if (point >= 1 && point <= most) return;
-      tell(Severity::Error, "I2", span, "there is no point " + std::to_string(point),
-           "this rule has " + std::to_string(most) + " " + kind);
-    };
-    if (rule_.mapLines.empty())
-      tell(Severity::Error, "I2", rule_.span, "this rule has no maplines",
-           "the first of them is the base edge: maplines (1, 2) del;");
-    for (const RlsLine& line : rule_.mapLines)
-      for (int point : {line.from, line.to}) check(point, line.span, old, "mappoints");
-    for (const auto* tuples : {&rule_.elements, &rule_.newLines})
-      for (const RlsTuple& tuple : *tuples)
-        for (int point : tuple.points) check(point, tuple.span, all, "points, new ones included");
-    for (const RlsTuple& tuple : rule_.orientations)
-      for (int point : tuple.points) check(point, tuple.span, old, "mappoints");
-    if (rule_.elements.empty())
-      tell(Severity::Error, "I2", rule_.span, "this rule makes no elements", "give it 'elements'");
-    if (rule_.freeArea.size() < 3)
-      tell(Severity::Error, "I2", rule_.span, "a free area has three corners or more",
-           "this one has " + std::to_string(rule_.freeArea.size()));
-    if (rule_.elements.size() > kMostElements)
-      tell(Severity::Error, "I2", rule_.span, "a rule makes at most 8 elements",
-           "this one makes " + std::to_string(rule_.elements.size()));
-    if (static_cast<std::size_t>(all) > kMostPoints)
-      tell(Severity::Error, "I2", rule_.span, "a rule has at most 12 points, new ones included",
-           "split it");
   }
 
   std::vector<RlsRule> rules_;

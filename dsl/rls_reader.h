@@ -22,6 +22,9 @@ class RlsReader {
         source_(source),
         diagnostics_(diagnostics) {}
 
+  void tell(Severity severity, const char* code, Span span, std::string message, std::string help,
+            std::string label = {});
+
  protected:
   const RlsToken& now() const { return tokens_[at_]; }
   const RlsToken& ahead(std::size_t n) const {
@@ -43,8 +46,6 @@ class RlsReader {
   /// Whether no error has been told since the part began.
   bool isSound() const { return isSound_; }
 
-  void tell(Severity severity, const char* code, Span span, std::string message, std::string help,
-            std::string label = {});
   [[noreturn]] void unreadable(const std::string& wanted);
   void expect(std::string_view sign);
   Exact number();

@@ -71,6 +71,8 @@ constexpr Habit kHabits[]{
     {"false", "conditions are comparisons"},
 };
 
+}  // namespace
+
 std::string lowered(std::string_view word) {
   std::string result(word);
   for (char& c : result)
@@ -78,7 +80,6 @@ std::string lowered(std::string_view word) {
   return result;
 }
 
-/// Number of single-letter changes, swaps of neighbours counting as one.
 std::size_t editDistance(std::string_view a, std::string_view b) {
   std::vector<std::vector<std::size_t>> d(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
   for (std::size_t i = 0; i <= a.size(); ++i) d[i][0] = i;
@@ -93,8 +94,6 @@ std::size_t editDistance(std::string_view a, std::string_view b) {
   }
   return d[a.size()][b.size()];
 }
-
-}  // namespace
 
 std::span<const std::string_view> itemWords() { return kItems; }
 std::span<const std::string_view> clauseWords() { return kClauses; }
