@@ -8,6 +8,7 @@
 #include "cli/exit_code.h"
 #include "cli/match_arguments.h"
 #include "cli/number_lists.h"
+#include "cli/picture_format.h"
 #include "cli/rule_files.h"
 #include "cli/text_files.h"
 #include "cli/usage_error.h"
@@ -25,13 +26,6 @@ struct DrawOptions {
   bool coverage = false, noNames = false, noTolerances = false;
   double size = 0;
 };
-
-dsl::PictureFormat formatOf(const std::string& output) {
-  const std::string extension = std::filesystem::path(output).extension().string();
-  if (extension == ".svg" || output == "-") return dsl::PictureFormat::Svg;
-  if (extension == ".png") return dsl::PictureFormat::Png;
-  throw UsageError(fmt::format("--output '{}' ends in neither .svg nor .png", output));
-}
 
 dsl::PictureOptions pictureOptions(const DrawOptions& options, double usual) {
   dsl::PictureOptions picture;
@@ -58,7 +52,8 @@ int draw(DrawOptions options) {
     throw UsageError("--match needs --rule: it places the vertices of one rule");
   }
   if (options.output.empty()) options.output = stemOf(options.file) + ".svg";
-  const dsl::PictureFormat format = formatOf(options.output);
+  const dsl::PictureFormat format =
+      options.output == "-" ? dsl::PictureFormat::Svg : pictureFormatOf(options.output, "--output");
   const dsl::LoadedRules loaded = loadSoundRuleFile(options.file);
   const RuleSet& rules = *loaded.rules;
   std::string drawn = fmt::format("{} rules", rules.rules().size());

@@ -8,6 +8,7 @@
 #include "cli/exit_code.h"
 #include "cli/mesh_request.h"
 #include "cli/number_lists.h"
+#include "cli/picture_format.h"
 #include "cli/supervisor.h"
 #include "cli/text_files.h"
 #include "cli/usage_error.h"
@@ -106,13 +107,6 @@ void printDefects(const std::vector<Defect>& defects, double size, bool all) {
                geometry::toString(kind));
 }
 
-dsl::PictureFormat pictureFormat(const std::string& file) {
-  const std::string extension = std::filesystem::path(file).extension().string();
-  if (extension == ".svg") return dsl::PictureFormat::Svg;
-  if (extension == ".png") return dsl::PictureFormat::Png;
-  throw UsageError(fmt::format("--picture '{}' ends in neither .svg nor .png", file));
-}
-
 struct InspectRequest {
   std::filesystem::path model;
   double size = 0;  ///< 0: by the diagonal
@@ -127,7 +121,7 @@ InspectRequest checkedRequest(const InspectOptions& options) {
   if (!options.size.empty()) request.size = parseSize("--size", options.size);
   request.heal = options.heal;
   request.healTolerance = checkedHealTolerance(options.heal, options.healTolerance);
-  if (!options.picture.empty()) request.format = pictureFormat(options.picture);
+  if (!options.picture.empty()) request.format = pictureFormatOf(options.picture, "--picture");
   return request;
 }
 

@@ -8,6 +8,7 @@
 #include "cli/rules_location.h"
 #include "cli/usage_error.h"
 #include "engine/error.h"
+#include "geometry/file_extension.h"
 #include "geometry/io/mesh_files.h"
 #include "geometry/io/output_file.h"
 
@@ -115,12 +116,12 @@ double checkedHealTolerance(bool heal, const std::string& tolerance) {
 }
 
 bool MeshRequest::isPlanar() const {
-  return model.extension() == ".poly" || model.extension() == ".in2d";
+  const std::string extension = geometry::extensionOf(model);
+  return extension == ".poly" || extension == ".in2d";
 }
 
 bool MeshRequest::isFaceted() const {
-  std::string extension = model.extension().string();
-  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  const std::string extension = geometry::extensionOf(model);
   return extension == ".stl" || extension == ".obj";
 }
 

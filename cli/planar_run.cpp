@@ -1,6 +1,7 @@
 // `af2 mesh` for planar domains.
 #include "cli/model_runs.h"
 #include "cli/usage_error.h"
+#include "geometry/file_extension.h"
 #include "geometry/planar/in2d_file.h"
 #include "geometry/planar/mesh_planar.h"
 
@@ -11,7 +12,7 @@ geometry::ModelMesh runPlanar(const MeshRequest& request, const AF2Algorithm& al
   if (!request.faces.empty())
     throw UsageError("a planar domain is meshed as a whole: leave out --faces");
   Stopwatch reading;
-  const bool hasCurves = request.model.extension() == ".in2d";
+  const bool hasCurves = geometry::extensionOf(request.model) == ".in2d";
   geometry::PlanarCurves curves;
   geometry::PlanarDomain domain;
   if (hasCurves)

@@ -12,6 +12,7 @@
 #include <tuple>
 
 #include "engine/error.h"
+#include "geometry/file_extension.h"
 
 namespace af2::geometry {
 namespace {
@@ -199,10 +200,7 @@ Facets readFacets(const fs::path& path) {
   Facets facets;
   facets.name = path.string();
   const std::string content = contentOf(path);
-  std::string extension = path.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  extension == ".obj" ? readObj(content, facets) : readStl(content, facets);
+  extensionOf(path) == ".obj" ? readObj(content, facets) : readStl(content, facets);
   mergeVertices(facets);
   dropCollapsedTriangles(facets);
   if (facets.triangles.empty()) throw InputError(facets.name + ": holds no triangle");

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <string>
 
 #include "engine/error.h"
+#include "geometry/file_extension.h"
 #include "geometry/io/formats.h"
 #include "geometry/io/output_file.h"
 
@@ -22,11 +22,6 @@ constexpr std::array kFormats{
     MeshFormat{".smesh", "TetGen", &writeSmesh},
 };
 
-std::string lowerCase(std::string text) {
-  std::ranges::transform(text, text.begin(), [](unsigned char c) { return std::tolower(c); });
-  return text;
-}
-
 std::string knownExtensions() {
   std::string list;
   for (const MeshFormat& format : kFormats) list += " " + std::string(format.extension);
@@ -38,7 +33,7 @@ std::string knownExtensions() {
 std::span<const MeshFormat> meshFormats() { return kFormats; }
 
 const MeshFormat& meshFormatOf(const std::filesystem::path& file) {
-  const std::string extension = lowerCase(file.extension().string());
+  const std::string extension = extensionOf(file);
   for (const MeshFormat& format : kFormats) {
     if (format.extension == extension) return format;
   }

@@ -2,12 +2,12 @@
 #include <Message_Messenger.hxx>
 #include <Standard_Failure.hxx>
 #include <algorithm>
-#include <cctype>
 #include <fstream>
 #include <iostream>
 #include <new>
 
 #include "engine/error.h"
+#include "geometry/file_extension.h"
 #include "geometry/occ/model.h"
 #include "geometry/occ/readers.h"
 
@@ -69,9 +69,7 @@ Format formatByContent(const std::string& start) {
 }
 
 Format formatByName(const fs::path& path) {
-  std::string extension = path.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const std::string extension = extensionOf(path);
   if (extension == ".step" || extension == ".stp" || extension == ".p21") return Format::Step;
   if (extension == ".iges" || extension == ".igs") return Format::Iges;
   if (extension == ".brep" || extension == ".brp" || extension == ".rle") return Format::Brep;

@@ -32,6 +32,8 @@ expect 0 "$af2" mesh "$models/brickhole.step" --size 1 --report plain.json
 [ "$(json divided_report.json vertices)" -lt "$(json plain.json vertices)" ] || fail "--boundary did nothing"
 expect 0 "$af2" mesh "$models/plate.poly" --size 1 --max-size 0.5 --sizes sizes.json
 expect 0 "$af2" mesh "$models/plate.poly" --size 1 --proximity 3 --keep-boundary
+cp "$models/plate.poly" PLATE.POLY
+expect 0 "$af2" mesh PLATE.POLY --size 1
 
 for chart in auto mean-normal normal-lines parametric affine developed; do
   expect 0 "$af2" mesh "$models/cylinder.step" --size 1 --chart $chart --report chart.json
