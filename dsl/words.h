@@ -26,8 +26,8 @@ bool isReserved(std::string_view word);
 /// Capital letters of the English alphabet become small ones.
 std::string lowered(std::string_view word);
 
-/// How many letters must be put in, taken out, replaced, or swapped with their neighbour to make one
-/// word of another.
+/// How many letters must be put in, taken out, replaced, or swapped with their neighbour to make
+/// one word of another.
 std::size_t editDistance(std::string_view a, std::string_view b);
 
 /// The word of `known` that is most probably meant by `written`; empty if none is near.

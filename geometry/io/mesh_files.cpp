@@ -1,6 +1,5 @@
 #include "geometry/io/mesh_files.h"
 
-#include <algorithm>
 #include <array>
 #include <string>
 

@@ -1,7 +1,6 @@
 #include <Message.hxx>
 #include <Message_Messenger.hxx>
 #include <Standard_Failure.hxx>
-#include <algorithm>
 #include <fstream>
 #include <iostream>
 #include <new>
