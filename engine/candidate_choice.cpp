@@ -4,101 +4,10 @@
 
 #include "engine/element_shape.h"
 #include "engine/open_places.h"
-#include "engine/predicates.h"
 #include "engine/surroundings.h"
 
 namespace af2 {
 namespace {
-
-std::span<const Point2> matchedPoints(const Candidate& c) {
-  return {c.match.points.data(), static_cast<std::size_t>(c.rule->matchedCount)};
-}
-
-/// Chart positions of an element's corners.
-struct Corners {
-  std::array<Point2, 4> points;
-  int count;
-  Corners(const RuleElement& element, const Match& match) : count(element.size()) {
-    for (int i = 0; i < count; ++i)
-      points[static_cast<std::size_t>(i)] =
-          match.points[static_cast<std::size_t>(element.corners[static_cast<std::size_t>(i)])];
-  }
-  std::span<const Point2> span() const { return {points.data(), static_cast<std::size_t>(count)}; }
-  bool turnsLeftEverywhere() const {
-    if (count == 3) return orientation(points[0], points[1], points[2]) == Turn::Left;
-    for (std::size_t i = 0; i < 4; ++i)
-      if (orientation(points[i], points[(i + 1) % 4], points[(i + 2) % 4]) != Turn::Left)
-        return false;
-    return true;
-  }
-};
-
-/// The badness of an element that turns left everywhere; infinite if it has none.
-double badnessOf(const CompiledRules& rules, const Corners& corners, int level) {
-  if (rules.fastMetric() && corners.count == 3)
-    return rules.fastMetric()->triangleBadness(corners.points[0], corners.points[1],
-                                               corners.points[2]);
-  return rules.set().definition().metric->badnessAt(corners.span(), level).value_or(INFINITY);
-}
-
-void placeAffinePoints(const CompiledRule& rule, Match& match) {
-  Point2* points = match.points.data() + rule.matchedCount;
-  double x[AffineBatch::kCapacity], y[AffineBatch::kCapacity];
-  rule.newPoints->evaluate(match.points.data(), x, y);
-  for (int k = 0; k < rule.newCount; ++k) points[k] = {x[k], y[k]};
-}
-
-Refusal placeNewPoints(const CompiledRule& rule, const AF2Binding& binding, Match& match) {
-  Point2* points = match.points.data() + rule.matchedCount;
-  if (rule.newPoints) {
-    placeAffinePoints(rule, match);
-    return Refusal::None;
-  }
-  for (const auto& transform : rule.rule->definition().newVertices) {
-    const auto point = transform->transformPoint(binding);
-    if (!point || !std::isfinite(point->x) || !std::isfinite(point->y)) return Refusal::NoValue;
-    *points++ = *point;
-  }
-  return Refusal::None;
-}
-
-Refusal requirementsHold(const CompiledRule& rule, const AF2Binding& binding) {
-  for (const auto& requirement : rule.rule->definition().requirements) {
-    const auto value = requirement->evaluate(binding);
-    if (!value) return Refusal::NoValue;
-    if (*value == 0) return Refusal::Require;
-  }
-  return Refusal::None;
-}
-
-/// The badnesses of the new elements as one number.
-Refusal scoreElements(const CompiledRules& rules, const CompiledRule& rule, const Match& match,
-                      int level, double& score) {
-  const auto& elements = rule.rule->definition().elements;
-  double largest = 0, sum = 0;
-  bool isFirst = true;
-  for (const RuleElement& element : elements) {
-    const Corners corners(element, match);
-    if (!corners.turnsLeftEverywhere()) return Refusal::Inverted;
-    const double badness = badnessOf(rules, corners, level);
-    if (!std::isfinite(badness)) return Refusal::NoValue;
-    largest = isFirst ? badness : std::max(largest, badness);
-    sum += badness;
-    isFirst = false;
-  }
-  switch (rules.set().definition().scoreOf) {
-    case ScoreOf::Max:
-      score = largest;
-      break;
-    case ScoreOf::Sum:
-      score = sum;
-      break;
-    case ScoreOf::Mean:
-      score = sum / static_cast<double>(elements.size());
-      break;
-  }
-  return Refusal::None;
-}
 
 bool lies(const Box2& box, Point2 p) {
   return p.x >= box.low.x && p.x <= box.high.x && p.y >= box.low.y && p.y <= box.high.y;
@@ -181,7 +90,12 @@ bool staysUnfolded(const StepView& view, const Application& application) {
 CandidateChoice::CandidateChoice(const CompiledRules& rules, const Front& front,
                                  const FrontIndex& index, const SizeField& size,
                                  const std::vector<std::uint8_t>& valence)
-    : rules_(rules), front_(front), index_(index), size_(size), valence_(valence) {}
+    : rules_(rules),
+      front_(front),
+      index_(index),
+      size_(size),
+      valence_(valence),
+      scorer_(rules, index, size, valence) {}
 
 StepView CandidateChoice::viewOf(const StepChart& chart, PlaceId base) const {
   const int level = front_[base].level;
@@ -238,43 +152,10 @@ void CandidateChoice::collect(const StepView& view) {
       Candidate& candidate = candidates_[next];
       candidate.rule = &rule;
       candidate.match.take(match, rule.matchedCount);
-      if (evaluate(view, candidate) == Refusal::None)
+      if (scorer_.evaluate(view, candidate) == Refusal::None)
         untried_.push_back(static_cast<std::uint32_t>(next));
     });
   }
-}
-
-Refusal CandidateChoice::evaluate(const StepView& view, Candidate& candidate) const {
-  const CompiledRule& rule = *candidate.rule;
-  if (!rule.isPlain || !rule.newPoints) return evaluateOpenly(view, candidate);
-  placeAffinePoints(rule, candidate.match);
-  const Refusal refusal = scoreElements(rules_, rule, candidate.match, view.level, candidate.score);
-  return refusal == Refusal::None ? judge(view, candidate) : refusal;
-}
-
-/// Where a rule asks about its surroundings, or has new vertices of any kind.
-Refusal CandidateChoice::evaluateOpenly(const StepView& view, Candidate& candidate) const {
-  const CompiledRule& rule = *candidate.rule;
-  const FrontSurroundings surroundings(view, index_, rule, candidate.match, size_, valence_);
-  const AF2Binding binding{matchedPoints(candidate), view.level, &surroundings};
-  if (const Refusal r = requirementsHold(rule, binding); r != Refusal::None) return r;
-  if (const Refusal r = placeNewPoints(rule, binding, candidate.match); r != Refusal::None)
-    return r;
-  if (const Refusal r = scoreElements(rules_, rule, candidate.match, view.level, candidate.score);
-      r != Refusal::None)
-    return r;
-  if (rule.rule->definition().cost) {
-    const auto cost = rule.rule->definition().cost->evaluate(binding);
-    if (!cost || !std::isfinite(*cost)) return Refusal::NoValue;
-    candidate.score += *cost;
-  }
-  return judge(view, candidate);
-}
-
-Refusal CandidateChoice::judge(const StepView& view, const Candidate& candidate) const {
-  const auto& acceptance = rules_.set().definition().acceptance;
-  return !acceptance || acceptance->accepts(candidate.score, view.level) ? Refusal::None
-                                                                         : Refusal::Score;
 }
 
 bool CandidateChoice::isBetter(const Candidate& one, const Candidate& other) const {
@@ -317,7 +198,7 @@ Refusal CandidateChoice::visitObstacles(const StepView& view, const Candidate& c
   const FrontSurroundings surroundings(view, index_, *candidate.rule, candidate.match, size_,
                                        valence_);
   const auto made = candidate.rule->rule->definition().zone->makeFreeZone(
-      {matchedPoints(candidate), view.level, &surroundings});
+      {candidate.matchedPoints(), view.level, &surroundings});
   if (!made.zone) return made.refusal;
   searchZone(view, candidate, made.zone->boundingBox(), *made.zone, visit);
   return Refusal::None;
@@ -375,7 +256,7 @@ std::vector<RuleRefusal> CandidateChoice::obstacles(const StepChart& chart, Plac
   for (const CompiledRule& rule : rules_.rules()) {
     for (const Match& match : matchesOf(view, rule)) {
       Candidate candidate{0, &rule, match};
-      const Refusal reason = evaluate(view, candidate);
+      const Refusal reason = scorer_.evaluate(view, candidate);
       if (reason == Refusal::Require || reason == Refusal::NoValue) continue;
       visitObstacles(view, candidate, [&](Refusal hit, VertexId from, VertexId to) {
         found.push_back({rule.index, hit, from, to});
@@ -417,7 +298,7 @@ RuleRefusal CandidateChoice::explainRule(const StepView& view, const CompiledRul
 RuleRefusal CandidateChoice::explainMatch(const StepView& view, const CompiledRule& rule,
                                           const Match& match) {
   Candidate candidate{0, &rule, match};
-  RuleRefusal result{rule.index, evaluate(view, candidate), {}, {}};
+  RuleRefusal result{rule.index, scorer_.evaluate(view, candidate), {}, {}};
   // Inverted elements and scores are checked after the zone, though they are cheaper to find out.
   if (result.reason == Refusal::Require || result.reason == Refusal::NoValue) return result;
   const Refusal zone = testZone(view, candidate, result);

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "engine/candidate_score.h"
 #include "engine/compiled_rules.h"
 #include "engine/neighborhood.h"
 #include "engine/observer.h"
@@ -12,13 +13,6 @@
 #include "engine/zone_polygon.h"
 
 namespace af2 {
-
-/// A match that would be accepted if its free zone is free.
-struct Candidate {
-  double score = 0;
-  const CompiledRule* rule = nullptr;
-  Match match;  ///< with the positions of the new vertices behind those of the matched ones
-};
 
 /// The chosen candidate, with everything that is needed to apply it.
 struct Application {
@@ -54,9 +48,6 @@ class CandidateChoice {
   void collect(const StepView& view);
   std::size_t bestUntried() const;
   void sortWorstFirst();
-  Refusal evaluate(const StepView& view, Candidate& candidate) const;
-  Refusal evaluateOpenly(const StepView& view, Candidate& candidate) const;
-  Refusal judge(const StepView& view, const Candidate& candidate) const;
   bool isBetter(const Candidate& one, const Candidate& other) const;
   Refusal testZone(const StepView& view, const Candidate& candidate, RuleRefusal& culprit);
   template <class Visit>
@@ -77,6 +68,7 @@ class CandidateChoice {
   const std::vector<std::uint8_t>& valence_;
   Neighborhood near_;
   RuleMatcher matcher_;
+  CandidateScorer scorer_;
   std::vector<Candidate> candidates_;   // as many as there ever were at once
   std::vector<std::uint32_t> untried_;  // those of this step that have not been tried yet
   ZonePolygon polygon_;
