@@ -13,6 +13,7 @@
 #include "geometry/model_check.h"
 #include "geometry/second_order.h"
 #include "tests/geometry/planar/poly_text.h"
+#include "tests/support/model_mesh.h"
 #include "tests/support/triangle_rules.h"
 
 namespace af2::geometry {
@@ -56,10 +57,7 @@ Facets torus() {
 ModelMesh mesh(const Facets& facets, const FacetedMeshingOptions& options) {
   static const AF2Algorithm algorithm(testing::triangleSet());
   ModelMesh result = meshFaceted(facets, algorithm, options);
-  for (const FaceReport& face : result.faces)
-    EXPECT_EQ(face.status, FaceStatus::Complete) << face.reason;
-  EXPECT_TRUE(result.findings.empty());
-  EXPECT_TRUE(checkModelMesh(result).empty());
+  testing::expectComplete(result);
   EXPECT_EQ(result.wantedSizes.size(), result.vertices.size());
   return result;
 }
@@ -68,26 +66,6 @@ ModelMesh mesh(const Facets& facets, double size) {
   FacetedMeshingOptions options;
   options.size = size;
   return mesh(facets, options);
-}
-
-double volumeOf(const ModelMesh& mesh) {
-  double volume = 0;
-  for (const Element& e : mesh.elements) {
-    const auto at = [&](std::size_t i) { return mesh.vertices[e.corners[i].value]; };
-    volume += dot(at(0), cross(at(1), at(2))) / 6;
-  }
-  return volume;
-}
-
-/// V - E + F, if each edge has two triangles; else a number that no surface has.
-int eulerNumber(const ModelMesh& mesh) {
-  std::map<std::pair<VertexId, VertexId>, int> edges;
-  for (const Element& e : mesh.elements)
-    for (std::size_t i = 0; i < 3; ++i) ++edges[std::minmax(e.corners[i], e.corners[(i + 1) % 3])];
-  for (const auto& [edge, uses] : edges)
-    if (uses != 2) return -1000;
-  return static_cast<int>(mesh.vertices.size()) - static_cast<int>(edges.size()) +
-         static_cast<int>(mesh.elements.size());
 }
 
 TEST(Facets, OfAnObjFileShareTheirVertices) {
@@ -165,15 +143,15 @@ TEST(Patches, RefuseTrianglesThatAreTurnedAgainstEachOther) {
 
 TEST(FacetedMeshing, MeshesABoxExactly) {
   const ModelMesh result = mesh(read("box.obj", kBox), 0.4);
-  EXPECT_NEAR(volumeOf(result), 8, 1e-12);
-  EXPECT_EQ(eulerNumber(result), 2);
+  EXPECT_NEAR(testing::volumeOf(result), 8, 1e-12);
+  EXPECT_EQ(testing::eulerNumber(result), 2);
   EXPECT_EQ(result.faces.size(), 6u);
 }
 
 TEST(FacetedMeshing, MeshesATorusOnItsTriangles) {
   const ModelMesh result = mesh(torus(), 0.4);
-  EXPECT_EQ(eulerNumber(result), 0);
-  EXPECT_NEAR(volumeOf(result), 2 * pi * pi * 3, 0.06 * 2 * pi * pi * 3);
+  EXPECT_EQ(testing::eulerNumber(result), 0);
+  EXPECT_NEAR(testing::volumeOf(result), 2 * pi * pi * 3, 0.06 * 2 * pi * pi * 3);
   for (const Point3& p : result.vertices) {
     const double r = std::hypot(std::hypot(p.x, p.y) - 3, p.z);
     EXPECT_NEAR(r, 1, 0.03) << "so far the triangles lie beside the torus";

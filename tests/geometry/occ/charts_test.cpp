@@ -10,19 +10,16 @@
 #include <cmath>
 
 #include "geometry/occ/mesh_model.h"
-#include "tests/geometry/occ/shapes.h"
+#include "tests/geometry/occ/meshing.h"
 #include "tests/support/triangle_rules.h"
 
 namespace af2::geometry {
 namespace {
 
 ModelMesh mesh(const Model& model, double size, ChartKind chart) {
-  static const AF2Algorithm algorithm(testing::triangleSet());
-  ModelMeshingOptions options;
-  options.sizes.size = size;
-  options.threads = 1;
+  ModelMeshingOptions options = testing::ofSize(size);
   options.chart = chart;
-  return meshModel(model, algorithm, options);
+  return testing::mesh(model, options);
 }
 
 /// distance  of a point from the curved face, which is face 1

@@ -25,7 +25,8 @@
 
 #include "geometry/element_crossings.h"
 #include "geometry/occ/mesh_model.h"
-#include "tests/geometry/occ/shapes.h"
+#include "tests/geometry/occ/meshing.h"
+#include "tests/support/model_mesh.h"
 #include "tests/support/triangle_rules.h"
 
 namespace af2::geometry {
@@ -33,22 +34,8 @@ namespace {
 
 using std::numbers::pi;
 
-ModelMesh mesh(const TopoDS_Shape& shape, double size) {
-  static const AF2Algorithm algorithm(testing::triangleSet());
-  ModelMeshingOptions options;
-  options.sizes.size = size;
-  options.threads = 1;
-  return meshModel(testing::modelOf(shape), algorithm, options);
-}
-
-double areaOf(const ModelMesh& mesh) {
-  double area = 0;
-  for (const Element& e : mesh.elements) {
-    const auto at = [&](std::size_t i) { return mesh.vertices[e.corners[i].value]; };
-    area += length(cross(at(1) - at(0), at(2) - at(0))) / 2;
-  }
-  return area;
-}
+using testing::areaOf;
+using testing::mesh;
 
 /// Complete, and of about the right area.
 void expectComplete(const ModelMesh& mesh, double area, double tolerance = 0.05) {

@@ -19,51 +19,21 @@
 #include "geometry/element_crossings.h"
 #include "geometry/occ/mesh_model.h"
 #include "tests/geometry/occ/dirt.h"
-#include "tests/geometry/occ/shapes.h"
-#include "tests/support/triangle_rules.h"
+#include "tests/geometry/occ/meshing.h"
+#include "tests/support/model_mesh.h"
 
 namespace af2::geometry {
 namespace {
 
 using std::numbers::pi;
 
-ModelMesh mesh(const Model& model, double size) {
-  static const AF2Algorithm algorithm(testing::triangleSet());
-  ModelMeshingOptions options;
-  options.sizes.size = size;
-  options.threads = 1;
-  return meshModel(model, algorithm, options);
-}
-ModelMesh mesh(const TopoDS_Shape& shape, double size) {
-  return mesh(testing::modelOf(shape), size);
-}
-
-double areaOf(const ModelMesh& mesh, int face = 0) {
-  double area = 0;
-  for (std::size_t i = 0; i < mesh.elements.size(); ++i) {
-    if (face > 0 && mesh.face[i] != face) continue;
-    const auto at = [&](std::size_t k) { return mesh.vertices[mesh.elements[i].corners[k].value]; };
-    area += length(cross(at(1) - at(0), at(2) - at(0))) / 2;
-  }
-  return area;
-}
-
-/// Of a closed mesh, whose elements look outwards: its volume, wherever the origin is.
-double volumeOf(const ModelMesh& mesh, const Point3& origin = {}) {
-  double volume = 0;
-  for (const Element& e : mesh.elements) {
-    const auto at = [&](std::size_t i) { return mesh.vertices[e.corners[i].value] - origin; };
-    volume += dot(at(0), cross(at(1), at(2))) / 6;
-  }
-  return volume;
-}
+using testing::areaOf;
+using testing::mesh;
+using testing::volumeOf;
 
 /// Every face complete, all checks passed, nothing crosses.
 void expectSound(const ModelMesh& mesh, double area, double tolerance = 1e-9) {
-  for (const FaceReport& face : mesh.faces)
-    EXPECT_EQ(face.status, FaceStatus::Complete) << "face " << face.id << ": " << face.reason;
-  EXPECT_TRUE(mesh.findings.empty());
-  EXPECT_TRUE(checkModelMesh(mesh).empty());
+  testing::expectComplete(mesh);
   EXPECT_NEAR(areaOf(mesh), area, tolerance * area);
   EXPECT_TRUE(elementCrossings(mesh, [](std::size_t count, const auto& work) {
                 for (std::size_t i = 0; i < count; ++i) work(i);

@@ -22,22 +22,17 @@
 
 #include "geometry/occ/mesh_model.h"
 #include "geometry/second_order.h"
-#include "tests/geometry/occ/shapes.h"
-#include "tests/support/triangle_rules.h"
+#include "tests/geometry/occ/meshing.h"
+#include "tests/support/model_mesh.h"
 
 namespace af2::geometry {
 namespace {
 
 ModelMesh mesh(const Model& model, double size, int order) {
-  static const AF2Algorithm algorithm(testing::triangleSet());
-  ModelMeshingOptions options;
-  options.sizes.size = size;
+  ModelMeshingOptions options = testing::ofSize(size);
   options.order = order;
-  options.threads = 1;
-  ModelMesh result = meshModel(model, algorithm, options);
-  for (const FaceReport& face : result.faces)
-    EXPECT_EQ(face.status, FaceStatus::Complete) << face.reason;
-  EXPECT_TRUE(result.findings.empty());
+  ModelMesh result = testing::mesh(model, options);
+  testing::expectComplete(result);
   return result;
 }
 

@@ -14,19 +14,14 @@
 
 #include "engine/error.h"
 #include "geometry/occ/mesh_model.h"
-#include "tests/geometry/occ/shapes.h"
-#include "tests/support/triangle_rules.h"
+#include "tests/geometry/occ/meshing.h"
+#include "tests/support/model_mesh.h"
 
 namespace af2::geometry {
 namespace {
 
-ModelMesh mesh(const Model& model, double size) {
-  static const AF2Algorithm algorithm(testing::triangleSet());
-  ModelMeshingOptions options;
-  options.sizes.size = size;
-  options.threads = 1;
-  return meshModel(model, algorithm, options);
-}
+using testing::mesh;
+using testing::volumeOf;
 
 /// How often healing made a change; words that its kind has.
 std::size_t changesOf(const Model& model, const std::string& words) {
@@ -34,17 +29,6 @@ std::size_t changesOf(const Model& model, const std::string& words) {
   for (const HealedChange& change : model.healing()->changes)
     if (change.what.find(words) != std::string::npos) count += change.count;
   return count;
-}
-
-/// Positive if the elements look outwards; only a closed mesh has one that does not depend on where
-/// the origin is.
-double volumeOf(const ModelMesh& mesh, const Point3& origin) {
-  double volume = 0;
-  for (const Element& e : mesh.elements) {
-    const auto at = [&](std::size_t i) { return mesh.vertices[e.corners[i].value] - origin; };
-    volume += dot(at(0), cross(at(1), at(2))) / 6;
-  }
-  return volume;
 }
 
 /// The faces of a box with edges of their own, each moved outwards.

@@ -18,55 +18,28 @@
 
 #include "engine/error.h"
 #include "geometry/fingerprint.h"
-#include "tests/geometry/occ/shapes.h"
-#include "tests/support/triangle_rules.h"
+#include "tests/geometry/occ/meshing.h"
+#include "tests/support/model_mesh.h"
 
 namespace af2::geometry {
 namespace {
 
 using std::numbers::pi;
 
-const AF2Algorithm& algorithm() {
-  static const AF2Algorithm instance(testing::triangleSet());
-  return instance;
-}
+using testing::eulerNumber;
+using testing::expectComplete;
+using testing::mesh;
+using testing::volumeOf;
 
-ModelMesh mesh(const Model& model, double size, const std::vector<int>& faces = {}) {
-  ModelMeshingOptions options;
-  options.sizes.size = size;
+ModelMesh meshOfFaces(const Model& model, double size, const std::vector<int>& faces) {
+  ModelMeshingOptions options = testing::ofSize(size);
   options.faces = faces;
-  options.threads = 1;
-  return meshModel(model, algorithm(), options);
-}
-
-/// Signed volume inside a closed mesh: positive if its elements look outwards.
-double volumeOf(const ModelMesh& mesh) {
-  double volume = 0;
-  for (const Element& e : mesh.elements) {
-    const auto at = [&](std::size_t i) { return mesh.vertices[e.corners[i].value]; };
-    volume += dot(at(0), cross(at(1), at(2))) / 6;
-  }
-  return volume;
-}
-
-int eulerNumber(const ModelMesh& mesh) {
-  std::set<std::pair<VertexId, VertexId>> edges;
-  for (const Element& e : mesh.elements)
-    for (std::size_t i = 0; i < 3; ++i)
-      edges.insert(std::minmax(e.corners[i], e.corners[(i + 1) % 3]));
-  return static_cast<int>(mesh.vertices.size()) - static_cast<int>(edges.size()) +
-         static_cast<int>(mesh.elements.size());
-}
-
-void expectSound(const ModelMesh& mesh) {
-  for (const FaceReport& face : mesh.faces)
-    EXPECT_EQ(face.status, FaceStatus::Complete) << "face " << face.id << ": " << face.reason;
-  for (const MeshFinding& finding : checkModelMesh(mesh)) ADD_FAILURE() << finding.what;
+  return mesh(model, options);
 }
 
 /// Closed, oriented outwards, of the right volume up to what chords cut off.
 void expectSolid(const ModelMesh& mesh, double volume, int euler, double tolerance) {
-  expectSound(mesh);
+  expectComplete(mesh);
   EXPECT_EQ(eulerNumber(mesh), euler);
   EXPECT_NEAR(volumeOf(mesh), volume, tolerance * volume);
 }
@@ -90,8 +63,8 @@ TEST(ModelMeshing, MeshesALargeSphereInPieces) {
   options.sizes.size = 0.018;  // enough elements for a cut
   options.threads = 1;
   const Model sphere = testing::sphere(1);
-  const ModelMesh result = meshModel(sphere, algorithm(), options);
-  expectSound(result);
+  const ModelMesh result = mesh(sphere, options);
+  expectComplete(result);
   EXPECT_EQ(2 * result.vertices.size(),
             result.elements.size() + 4);  // that of Euler, all triangles
   // Pieces come one after the other: the first eighth of the elements lies on one side.
@@ -102,7 +75,7 @@ TEST(ModelMeshing, MeshesALargeSphereInPieces) {
       }));
   EXPECT_TRUE(south > -0.5 || north < 0.5) << south << " to " << north;
   options.threads = 2;
-  EXPECT_EQ(fingerprint(meshModel(sphere, algorithm(), options)), fingerprint(result));
+  EXPECT_EQ(fingerprint(mesh(sphere, options)), fingerprint(result));
 }
 
 TEST(ModelMeshing, MeshesATorus) {
@@ -123,7 +96,7 @@ TEST(ModelMeshing, MeshesFacesWithoutAnyBoundary) {
     BRep_Builder().MakeFace(face, surface, 1e-7);
     const Model model = testing::modelOf(face);
     EXPECT_EQ(model.notes().size(), 1u);
-    expectSound(mesh(model, 0.3));
+    expectComplete(mesh(model, 0.3));
   }
 }
 
@@ -146,34 +119,34 @@ TEST(ModelMeshing, MeshesABoxWithARoundHole) {
 }
 
 TEST(ModelMeshing, StaysSoundAtSizesFarTooLarge) {
-  expectSound(mesh(testing::box(1, 2, 3), 100));
-  expectSound(mesh(testing::cylinder(1, 3), 100));
-  expectSound(mesh(testing::sphere(1), 100));
-  expectSound(mesh(testing::torus(3, 1), 100));
+  expectComplete(mesh(testing::box(1, 2, 3), 100));
+  expectComplete(mesh(testing::cylinder(1, 3), 100));
+  expectComplete(mesh(testing::sphere(1), 100));
+  expectComplete(mesh(testing::torus(3, 1), 100));
 }
 
 TEST(ModelMeshing, TurnsInsideOutWithTheModel) {
   const Model inside = testing::modelOf(BRepPrimAPI_MakeSphere(1).Shape().Reversed());
   const ModelMesh result = mesh(inside, 0.3);
-  expectSound(result);
+  expectComplete(result);
   EXPECT_LT(volumeOf(result), -3);
 }
 
 TEST(ModelMeshing, MeshesOnlyTheFacesAskedFor) {
   const Model model = testing::box(1, 2, 3);
-  const ModelMesh result = mesh(model, 0.3, {5, 2});
-  expectSound(result);
+  const ModelMesh result = meshOfFaces(model, 0.3, {5, 2});
+  expectComplete(result);
   ASSERT_EQ(result.faces.size(), 2u);
   EXPECT_EQ(result.faces[0].id, 2);
   EXPECT_EQ(result.faces[1].id, 5);
-  EXPECT_THROW(mesh(model, 0.3, {7}), InputError);
+  EXPECT_THROW(meshOfFaces(model, 0.3, {7}), InputError);
 }
 
 TEST(ModelMeshing, DividesEdgesAlikeForOneFaceAndForAll) {
   const Model model = testing::cylinder(1, 2);
   std::set<std::tuple<double, double, double>> all;
   for (const Point3& p : mesh(model, 0.3).vertices) all.insert({p.x, p.y, p.z});
-  const ModelMesh one = mesh(model, 0.3, {2});
+  const ModelMesh one = meshOfFaces(model, 0.3, {2});
   for (const EdgeSegment& segment : one.segments) {
     const Point3& p = one.vertices[segment.from.value];
     EXPECT_TRUE(all.contains({p.x, p.y, p.z}));
@@ -185,9 +158,9 @@ TEST(ModelMeshing, DoesNotDependOnTheNumberOfThreads) {
   ModelMeshingOptions options;
   options.sizes.size = 0.2;
   options.threads = 1;
-  const ModelMesh one = meshModel(model, algorithm(), options);
+  const ModelMesh one = mesh(model, options);
   options.threads = 4;
-  const ModelMesh four = meshModel(model, algorithm(), options);
+  const ModelMesh four = mesh(model, options);
   EXPECT_EQ(one.vertices, four.vertices);
   EXPECT_EQ(one.elements, four.elements);
   EXPECT_EQ(one.face, four.face);
@@ -199,24 +172,24 @@ TEST(ModelMeshing, TakesSizesByFace) {
   ModelMeshingOptions options;
   options.sizes.size = 1;
   options.sizes.faceSizes[3] = 0.1;
-  const ModelMesh result = meshModel(testing::box(1, 1, 1), algorithm(), options);
-  expectSound(result);
+  const ModelMesh result = mesh(testing::box(1, 1, 1), options);
+  expectComplete(result);
   EXPECT_GT(result.faces[2].elements, 200u);
   options.sizes.faceSizes[9] = 0.1;
-  EXPECT_THROW(meshModel(testing::box(1, 1, 1), algorithm(), options), InputError);
+  EXPECT_THROW(mesh(testing::box(1, 1, 1), options), InputError);
 }
 
 TEST(ModelMeshing, TakesSizesFromAFunction) {
   ModelMeshingOptions options;
   options.sizes.size = 1;
   options.sizes.function = [](const Point3& p) { return 0.05 + 0.2 * p.z; };
-  const ModelMesh result = meshModel(testing::box(1, 1, 2), algorithm(), options);
-  expectSound(result);
+  const ModelMesh result = mesh(testing::box(1, 1, 2), options);
+  expectComplete(result);
   double low = 0, high = 0;
   for (const Point3& p : result.vertices) (p.z < 1 ? low : high) += 1;
   EXPECT_GT(low, 4 * high);
   options.sizes.function = [](const Point3&) { return 0.0; };
-  EXPECT_THROW(meshModel(testing::box(1, 1, 2), algorithm(), options), InputError);
+  EXPECT_THROW(mesh(testing::box(1, 1, 2), options), InputError);
 }
 
 TEST(ModelMeshing, NumbersVerticesOfTheModelThenOfEdgesThenOfFaces) {
@@ -239,7 +212,7 @@ TEST(ModelMeshing, TellsItsProgress) {
     EXPECT_GE(progress.workDone, last.workDone - 1e-9);
     last = progress;
   };
-  const ModelMesh result = meshModel(testing::box(1, 2, 3), algorithm(), options);
+  const ModelMesh result = mesh(testing::box(1, 2, 3), options);
   EXPECT_NEAR(last.workDone, last.workTotal, 1e-6 * last.workTotal);
   EXPECT_EQ(last.facesDone, 6);
   EXPECT_EQ(last.elements, result.elements.size());
@@ -251,7 +224,7 @@ TEST(ModelMeshing, StopsWhenAskedAndSaysSo) {
   ModelMeshingOptions options;
   options.sizes.size = 0.01;
   options.stop = source.get_token();
-  const ModelMesh result = meshModel(testing::box(1, 2, 3), algorithm(), options);
+  const ModelMesh result = mesh(testing::box(1, 2, 3), options);
   ASSERT_EQ(result.faces.size(), 6u);
   for (const FaceReport& face : result.faces) EXPECT_EQ(face.status, FaceStatus::Cancelled);
 }
@@ -268,7 +241,7 @@ TEST(MeshModel, UsesAVertexInsideAFaceThatTheFileGivesNoParametersFor) {
   builder.MakeVertex(vertex, gp_Pnt(1.7, 2.2, 0), 1e-7);
   builder.Add(face, vertex.Oriented(TopAbs_INTERNAL));
   const ModelMesh result = mesh(testing::modelOf(face), .5);
-  expectSound(result);
+  expectComplete(result);
   const Point3 wanted{1.7, 2.2, 0};
   EXPECT_EQ(std::count(result.vertices.begin(), result.vertices.end(), wanted), 1);
 }

@@ -8,21 +8,17 @@
 #include "engine/error.h"
 #include "geometry/mesh_edges.h"
 #include "geometry/occ/mesh_model.h"
-#include "tests/geometry/occ/shapes.h"
-#include "tests/support/triangle_rules.h"
+#include "tests/geometry/occ/meshing.h"
+#include "tests/support/model_mesh.h"
 
 namespace af2::geometry {
 namespace {
 
 ModelMesh mesh(const Model& model, const ModelSizes& sizes) {
-  static const AF2Algorithm algorithm(testing::triangleSet());
-  ModelMeshingOptions options;
+  ModelMeshingOptions options = testing::ofSize(sizes.size);
   options.sizes = sizes;
-  options.threads = 1;
-  ModelMesh result = meshModel(model, algorithm, options);
-  for (const FaceReport& face : result.faces)
-    EXPECT_EQ(face.status, FaceStatus::Complete) << face.reason;
-  EXPECT_TRUE(result.findings.empty());
+  ModelMesh result = testing::mesh(model, options);
+  testing::expectComplete(result);
   return result;
 }
 
