@@ -5,7 +5,6 @@
 #include <cstring>
 #include <fstream>
 #include <numbers>
-#include <set>
 
 #include "engine/error.h"
 #include "geometry/faceted/mesh_faceted.h"
