@@ -1,8 +1,7 @@
 #include "geometry/boundary_crossings.h"
 
-#include <algorithm>
-
 #include "engine/predicates.h"
+#include "geometry/box_tree.h"
 
 namespace af2::geometry {
 
@@ -12,8 +11,12 @@ struct Segment {
   SegmentPlace place;
   VertexId from, to;
   Point2 p, q;
-  double low() const { return std::min(p.x, q.x); }
-  double high() const { return std::max(p.x, q.x); }
+  Box3 box() const {
+    Box3 box;
+    box.add(Point3{p.x, p.y, 0});
+    box.add(Point3{q.x, q.y, 0});
+    return box;
+  }
 };
 
 std::vector<Segment> segmentsOf(const FrontInput& boundary,
@@ -41,9 +44,7 @@ bool cross(const Segment& a, const Segment& b) {
   if (a.from == b.to) return overlaps(a.p, a.q, b.p);
   if (a.to == b.from) return overlaps(a.q, a.p, b.q);
   if (a.to == b.to) return overlaps(a.q, a.p, b.p);
-  const bool apart = std::max(a.p.y, a.q.y) < std::min(b.p.y, b.q.y) ||
-                     std::max(b.p.y, b.q.y) < std::min(a.p.y, a.q.y);
-  return !apart && segmentsMeet(a.p, a.q, b.p, b.q);
+  return segmentsMeet(a.p, a.q, b.p, b.q);
 }
 
 }  // namespace
@@ -51,19 +52,17 @@ bool cross(const Segment& a, const Segment& b) {
 std::vector<std::pair<SegmentPlace, SegmentPlace>> crossingsOf(
     const FrontInput& boundary, const std::function<Point2(const SurfacePoint&)>& inPlane,
     std::size_t limit) {
-  std::vector<Segment> segments = segmentsOf(boundary, inPlane);
-  std::stable_sort(segments.begin(), segments.end(),
-                   [](const Segment& a, const Segment& b) { return a.low() < b.low(); });
+  const std::vector<Segment> segments = segmentsOf(boundary, inPlane);
+  std::vector<Box3> boxes;
+  boxes.reserve(segments.size());
+  for (const Segment& segment : segments) boxes.push_back(segment.box());
+  const BoxTree tree(boxes);
   std::vector<std::pair<SegmentPlace, SegmentPlace>> found;
-  std::vector<const Segment*> open;  // those that the sweep has not left behind
-  for (const Segment& segment : segments) {
-    std::erase_if(open, [&](const Segment* s) { return s->high() < segment.low(); });
-    for (const Segment* other : open) {
-      if (found.size() >= limit) return found;
-      if (cross(segment, *other)) found.emplace_back(other->place, segment.place);
-    }
-    open.push_back(&segment);
-  }
+  for (std::uint32_t i = 0; i < segments.size() && found.size() < limit; ++i)
+    tree.forEachIn(boxes[i], [&](std::uint32_t k) {
+      if (k < i && found.size() < limit && cross(segments[k], segments[i]))
+        found.emplace_back(segments[k].place, segments[i].place);
+    });
   return found;
 }
 

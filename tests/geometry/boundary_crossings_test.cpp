@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <random>
+
+#include "engine/predicates.h"
+
 namespace af2::geometry {
 namespace {
 
@@ -57,6 +61,20 @@ TEST(BoundaryCrossings, ALineInsideTheRegionIsNone) {
   const BoundaryCorner b{VertexId(5), {{2, 2, 0}, {0, 0, 1}, 2, 2}};
   input.loops.push_back({a, b});
   EXPECT_EQ(crossings(input), 0u);
+}
+
+TEST(BoundaryCrossings, FindsEachPairOnceWhereverTheSegmentsAre) {
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> any(0, 1);
+  std::vector<Point2> points;
+  for (int i = 0; i < 60; ++i) points.push_back({any(random), any(random)});
+  const std::size_t n = points.size();
+  std::size_t meeting = 0;  // of segments without a common vertex; others do not overlap here
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t k = i + 2; k < n - (i == 0 ? 1 : 0); ++k)
+      if (segmentsMeet(points[i], points[(i + 1) % n], points[k], points[(k + 1) % n])) ++meeting;
+  EXPECT_GT(meeting, 100u);
+  EXPECT_EQ(crossings(loopOf(points), 10 * meeting), meeting);
 }
 
 TEST(BoundaryCrossings, StopsAtTheLimit) {
