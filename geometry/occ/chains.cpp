@@ -135,6 +135,21 @@ void cancelOppositeChains(std::vector<Chain>& chains) {
   }
 }
 
+void cancelTouchingWires(std::vector<Chain>& chains, const std::vector<std::size_t>& wire) {
+  const auto isOpposite = [](const Chain& one, const Chain& other) {
+    return std::equal(
+        one.corners.begin(), one.corners.end(), other.corners.rbegin(), other.corners.rend(),
+        [](const BoundaryCorner& a, const BoundaryCorner& b) { return a.vertex == b.vertex; });
+  };
+  std::vector<bool> isCancelled(chains.size(), false);
+  for (std::size_t i = 0; i < chains.size(); ++i)
+    for (std::size_t k = i + 1; k < chains.size() && !isCancelled[i]; ++k)
+      if (wire[i] != wire[k] && !isCancelled[k] && isOpposite(chains[i], chains[k]))
+        isCancelled[i] = isCancelled[k] = true;
+  std::size_t next = 0;
+  std::erase_if(chains, [&](const Chain&) { return isCancelled[next++]; });
+}
+
 LinkedLoops linkChains(std::vector<Chain> chains) { return Linker(std::move(chains)).link(); }
 
 }  // namespace af2::geometry

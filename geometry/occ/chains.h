@@ -18,6 +18,11 @@ struct Chain {
 /// directions: between them there is no room.
 void cancelOppositeChains(std::vector<Chain>& chains);
 
+/// Takes out pairs of edges of two wires of a plane face that have the same vertices in opposite
+/// directions: where wires touch along an edge, there is no room between them.
+/// `wire` tells which wire each chain belongs to.
+void cancelTouchingWires(std::vector<Chain>& chains, const std::vector<std::size_t>& wire);
+
 /// Chains joined to loops.
 struct LinkedLoops {
   std::vector<std::vector<BoundaryCorner>> loops;

@@ -11,6 +11,7 @@
 #include <cmath>
 #include <optional>
 #include <unordered_map>
+#include <utility>
 
 #include "engine/error.h"
 #include "geometry/occ/chains.h"
@@ -86,10 +87,14 @@ class BoundaryFinder {
     if (chains_.empty())
       throw GeometryError(
           "the face has no boundary, and its surface does not end by itself: its edges are lost");
-    if (surface_.isPlane()) orientWiresOfPlane();
+    if (surface_.isPlane()) {
+      orientWiresOfPlane();
+      cancelTouchingWires(chains_, wire_);
+    }
     cancelOppositeChains(chains_);
     if (chains_.empty())
       throw GeometryError("the face has no width: its boundary runs back on itself");
+    numberUsedVertices();
     for (const Chain& chain : chains_) addUses(chain);
     LinkedLoops linked = linkChains(std::move(chains_));
     result_.input.loops = std::move(linked.loops);
@@ -155,6 +160,15 @@ class BoundaryFinder {
     const auto [found, isNew] = vertices_.try_emplace(point, VertexId(result_.points.size()));
     if (isNew) result_.points.push_back(point);
     return found->second;
+  }
+
+  /// Without those at which all chains were cancelled.
+  void numberUsedVertices() {
+    const std::vector<std::uint32_t> all = std::exchange(result_.points, {});
+    vertices_.clear();
+    for (Chain& chain : chains_)
+      for (BoundaryCorner& corner : chain.corners)
+        corner.vertex = vertexOf(all[corner.vertex.value]);
   }
 
   void addUses(const Chain& chain) {

@@ -129,11 +129,12 @@ void openAngles(const Mesh& mesh, FaceTrouble& trouble) {
     const double angle = leastAngle(mesh, c);
     if (angle >= kLeastAngle) continue;
     ++poor;
-    found.isBad = found.isBad || angle < kBadAngle;
+    found.hasBadAngle = found.hasBadAngle || angle < kBadAngle;
     // The worst one counts: shorter edges make more of them, though better ones.
     found.poorness = std::max(found.poorness, std::log(kLeastAngle / std::max(angle, 1e-6)));
     openAngle(mesh, c, std::max(angle / kWantedAngle, 0.1), found.places);
   }
+  found.isBad = found.hasBadAngle;
   if (found.isBad || poor * kManyForOnePoor >= mesh.elements.size()) trouble = std::move(found);
 }
 

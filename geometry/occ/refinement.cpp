@@ -27,7 +27,16 @@ void Refinement::add(std::size_t face, const std::vector<SizeSource>& places) {
 
 void Refinement::dropLast(std::size_t face) {
   const auto found = places_.find(face);
-  if (found != places_.end() && !found->second.empty()) found->second.pop_back();
+  if (found == places_.end()) return;
+  found->second.pop_back();
+  if (found->second.empty()) places_.erase(found);
+}
+
+void Refinement::soften(std::size_t face, double factor) {
+  const auto found = places_.find(face);
+  if (found == places_.end()) return;
+  for (std::vector<SizeSource>& places : found->second)
+    for (SizeSource& place : places) place.size *= factor;
 }
 
 ModelMeshingOptions Refinement::options() const {

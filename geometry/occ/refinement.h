@@ -24,6 +24,10 @@ class Refinement {
   void dropLast(std::size_t face);
   /// Takes back all that was added for a face.
   void dropAll(std::size_t face) { places_.erase(face); }
+  /// Whether anything was added for a face.
+  bool has(std::size_t face) const { return places_.contains(face); }
+  /// Asks for sizes some times as large as were added for a face.
+  void soften(std::size_t face, double factor);
   ModelMeshingOptions options() const;
 
  private:

@@ -1,6 +1,8 @@
 #include "geometry/occ/retries.h"
 
+#include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
 #include <algorithm>
 #include <iterator>
 #include <string>
@@ -14,6 +16,66 @@ namespace af2::geometry {
 
 namespace {
 
+bool failed(const FaceMesh& mesh) { return mesh.report.status == FaceStatus::Failed; }
+
+/// Sees to it that shorter edges for the sake of one face do not spoil those beside it: where
+/// curves touch at an angle of zero, the element there is the worse the shorter it is.
+class Neighbors {
+ public:
+  Neighbors(const RetryTask& task, const std::vector<FaceMesh>& before)
+      : task_(task), softened_(before.size(), 0) {
+    for (const FaceMesh& mesh : before) wasBad_.push_back(failed(mesh) || mesh.trouble.hasBadAngle);
+  }
+
+  /// Takes back what spoiled a face that was good, or softens it if the face that it was meant for
+  /// cannot do without. Adds to `changed` the faces concerned.
+  void spare(const FaceMeshes& next, Refinement& refinement, std::vector<bool>& isHopeless,
+             std::vector<std::size_t>& changed) {
+    for (std::size_t i = 0; i < next.meshes.size(); ++i) {
+      if (wasBad_[i] || !(failed(next.meshes[i]) || next.meshes[i].trouble.hasBadAngle)) continue;
+      for (const std::size_t culprit : beside(i)) {
+        if (!refinement.has(culprit) || !yields(culprit, refinement)) continue;
+        isHopeless[culprit] = true;  // it asks for no more
+        changed.push_back(culprit);
+      }
+    }
+    std::ranges::sort(changed);
+    changed.erase(std::ranges::unique(changed).begin(), changed.end());
+  }
+
+ private:
+  bool yields(std::size_t culprit, Refinement& refinement) {
+    constexpr double kFactor = 2;
+    constexpr int kMostTimes = 5;
+    if (!wasBad_[culprit]) {
+      refinement.dropAll(culprit);
+      return true;
+    }
+    if (softened_[culprit] == kMostTimes) return false;
+    ++softened_[culprit];
+    refinement.soften(culprit, kFactor);
+    return true;
+  }
+
+  /// The face itself and those that share an edge with it.
+  std::vector<std::size_t> beside(std::size_t i) const {
+    TopTools_IndexedMapOfShape edges;
+    TopExp::MapShapes(task_.model.face(task_.faces[i]), TopAbs_EDGE, edges);
+    std::vector<std::size_t> found;
+    for (std::size_t k = 0; k < task_.faces.size(); ++k)
+      for (TopExp_Explorer it(task_.model.face(task_.faces[k]), TopAbs_EDGE); it.More(); it.Next())
+        if (edges.Contains(it.Current())) {
+          found.push_back(k);
+          break;
+        }
+    return found;
+  }
+
+  const RetryTask& task_;
+  std::vector<bool> wasBad_;
+  std::vector<int> softened_;
+};
+
 class Retries {
  public:
   explicit Retries(const RetryTask& task) : task_(task) {}
@@ -26,6 +88,7 @@ class Retries {
     std::vector<bool> wasTried(task_.faces.size(), false);
     std::vector<int> failures(task_.faces.size(), 0);
     std::vector<std::size_t> dropped;  // faces for which shorter edges were of no use
+    Neighbors neighbors(task_, state.meshes);
     const double mostEffort = Retries::mostEffort(state);
     double effort = 0;
     task_.join(state);
@@ -49,6 +112,7 @@ class Retries {
         const bool isInVain = failed(next.meshes[i]) || crossingsAt(next, i) > 0;
         isInVain ? refinement.dropAll(i) : refinement.dropLast(i);
       }
+      neighbors.spare(next, refinement, isHopeless, dropped);
       if (best.meshes.empty() || isBetter(state, best)) best = std::move(state);
       state = std::move(next);
     }
@@ -56,8 +120,6 @@ class Retries {
   }
 
  private:
-  static bool failed(const FaceMesh& mesh) { return mesh.report.status == FaceStatus::Failed; }
-
   static std::vector<std::size_t> worthAnotherTry(const FaceMeshes& state,
                                                   const std::vector<bool>& isHopeless,
                                                   const std::vector<bool>& wasTried) {
@@ -126,13 +188,15 @@ class Retries {
 
   static bool isBetter(const FaceMeshes& one, const FaceMeshes& other) {
     const auto rank = [](const FaceMeshes& state) {
-      std::tuple<std::size_t, double, std::size_t> sum{0, 0, 0};  // the fewest elements, if equal
+      // The fewest elements, if all else is equal.
+      std::tuple<std::size_t, std::size_t, double, std::size_t> sum{0, 0, 0, 0};
       for (const FaceMesh& mesh : state.meshes) {
         if (failed(mesh))
           ++std::get<0>(sum);
         else
-          std::get<1>(sum) += mesh.trouble.poorness;
-        std::get<2>(sum) += mesh.elements.size();
+          std::get<2>(sum) += mesh.trouble.poorness;
+        if (mesh.trouble.hasBadAngle) ++std::get<1>(sum);
+        std::get<3>(sum) += mesh.elements.size();
       }
       std::get<0>(sum) += facesThatCross(state.crossings, {}).size();
       return sum;

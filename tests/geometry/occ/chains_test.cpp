@@ -68,5 +68,17 @@ TEST(Chains, OfOneSegmentCancelTheirOpposites) {
   EXPECT_EQ(chains[0].edge, 3);
 }
 
+TEST(Chains, OfWiresThatTouchCancelEachOther) {
+  const auto a = corner(0, 0, 0), b = corner(1, 1, 0), c = corner(2, 2, 0), d = corner(3, 1, 1);
+  const std::vector<Chain> both{chain(1, {a, b, c}), chain(2, {c, b, a}), chain(3, {c, d, a})};
+  std::vector<Chain> touching = both;
+  cancelTouchingWires(touching, {0, 1, 0});
+  ASSERT_EQ(touching.size(), 1u);
+  EXPECT_EQ(touching[0].edge, 3);
+  std::vector<Chain> seam = both;
+  cancelTouchingWires(seam, {0, 0, 0});
+  EXPECT_EQ(seam.size(), 3u);
+}
+
 }  // namespace
 }  // namespace af2::geometry

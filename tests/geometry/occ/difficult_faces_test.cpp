@@ -4,6 +4,7 @@
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakePolygon.hxx>
+#include <BRepBuilderAPI_MakeVertex.hxx>
 #include <BRepBuilderAPI_MakeWire.hxx>
 #include <BRepBuilderAPI_Sewing.hxx>
 #include <BRepPrimAPI_MakePrism.hxx>
@@ -17,14 +18,17 @@
 #include <TopoDS.hxx>
 #include <gp_Ax2.hxx>
 #include <gp_Circ.hxx>
+#include <gp_Elips.hxx>
 #include <gp_Pln.hxx>
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <numbers>
 
 #include "geometry/element_crossings.h"
 #include "geometry/occ/mesh_model.h"
+#include "tests/geometry/occ/dirt.h"
 #include "tests/geometry/occ/meshing.h"
 #include "tests/support/model_mesh.h"
 #include "tests/support/triangle_rules.h"
@@ -88,6 +92,25 @@ TEST(DifficultFaces, AStripOfATwoThousandthOfTheSizeIsDividedFinely) {
   EXPECT_GT(leastAngle(result), 0.5);
 }
 
+/// The disc wants shorter edges for its area; on the crescent, whose sides touch at the tips, the
+/// element there is the worse the shorter it is. The strip cannot be meshed without shorter edges.
+TEST(DifficultFaces, ShorterEdgesForOneFaceDoNotSpoilItsNeighbor) {
+  const gp_Ax2 axes({0, 0, 0}, {0, 0, 1}, {0, 1, 0});
+  const gp_Pnt left(-1, 0, 0), right(1, 0, 0);
+  const TopoDS_Edge upper = BRepBuilderAPI_MakeEdge(gp_Circ(axes, 1), right, left);
+  const TopoDS_Edge lower = BRepBuilderAPI_MakeEdge(gp_Circ(axes, 1), left, right);
+  const TopoDS_Edge outer = BRepBuilderAPI_MakeEdge(gp_Elips(axes, 1.05, 1), right, left);
+  BRepBuilderAPI_Sewing sewing(1e-7);
+  sewing.Add(plane({BRepBuilderAPI_MakeWire(upper, lower).Wire()}));
+  sewing.Add(plane({BRepBuilderAPI_MakeWire(outer, TopoDS::Edge(upper.Reversed())).Wire()}));
+  sewing.Perform();
+  const TopoDS_Shape both =
+      testing::compoundOf({sewing.SewedShape(), plane({rectangle(4, 0, 6, 0.001)})});
+  const ModelMesh result = mesh(both, 0.8);
+  expectComplete(result, pi * 1.025, 0.1);
+  EXPECT_GT(leastAngle(result), 0.6);
+}
+
 TEST(DifficultFaces, AThinWireIsMeshedAllTheWayAround) {
   expectComplete(mesh(BRepPrimAPI_MakeCylinder(0.01, 2).Shape(), 0.5), 2 * pi * 0.01 * 2, 0.1);
 }
@@ -120,6 +143,31 @@ TEST(DifficultFaces, AWholeBoundaryThatRunsTheWrongWayIsTurned) {
   builder.MakeFace(face, new Geom_Plane(gp_Pln(gp_Ax3({0, 0, 0}, {0, 0, 1}))), 1e-7);
   builder.Add(face, wire);
   expectComplete(mesh(face, 0.3), 2, 1e-9);
+}
+
+/// The hole has edges of its own, as a boolean operation leaves them, but the vertices of the outer
+/// wire where it touches that.
+TEST(DifficultFaces, AHoleMayTouchTheOuterWireAlongAnEdge) {
+  std::vector<TopoDS_Vertex> v;
+  for (const gp_Pnt& p : {gp_Pnt(0, 0, 0), gp_Pnt(1, 0, 0), gp_Pnt(2, 0, 0), gp_Pnt(3, 0, 0),
+                          gp_Pnt(3, 2, 0), gp_Pnt(0, 2, 0), gp_Pnt(2, 1, 0), gp_Pnt(1, 1, 0)})
+    v.push_back(BRepBuilderAPI_MakeVertex(p));
+  const auto wire = [&](std::initializer_list<std::size_t> order) {
+    BRep_Builder builder;
+    TopoDS_Wire made;
+    builder.MakeWire(made);
+    for (auto at = order.begin(); at != order.end(); ++at)
+      builder.Add(made, BRepBuilderAPI_MakeEdge(
+                            v[*at], v[at + 1 == order.end() ? *order.begin() : *(at + 1)])
+                            .Edge());
+    return made;
+  };
+  BRep_Builder builder;
+  TopoDS_Face face;
+  builder.MakeFace(face, new Geom_Plane(gp_Pln(gp_Ax3({0, 0, 0}, {0, 0, 1}))), 1e-7);
+  builder.Add(face, wire({0, 1, 2, 3, 4, 5}));
+  builder.Add(face, wire({2, 1, 7, 6}));
+  expectComplete(mesh(face, 0.3), 5, 1e-9);
 }
 
 /// Each edge has vertices of its own, a little beside those of its neighbours.
