@@ -148,6 +148,8 @@ std::string nameOf(const End& end) {
 /// The exit code of a child that ended by itself or was ended from outside.
 int codeOf(int status) {
   if (WIFEXITED(status)) return WEXITSTATUS(status);
+  // Whoever read the output wants no more of it: `af2 inspect part.step | head`.
+  if (WTERMSIG(status) == SIGPIPE) raise(SIGPIPE);
   throw InputError(fmt::format("the run was ended from outside ({}), perhaps for want of memory",
                                strsignal(WTERMSIG(status))));
 }

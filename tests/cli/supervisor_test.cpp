@@ -91,6 +91,11 @@ TEST(Supervisor, TellsOfAHangOutsideOfFaces) {
   EXPECT_THROW(runHere({0.2, 1}, [](RunLog&, const GivenUp&) -> int { spin(); }), InputError);
 }
 
+TEST(Supervisor, EndsLikeTheRunWhenNobodyReadsItsOutput) {
+  const auto run = [](RunLog&, const GivenUp&) { return std::raise(SIGPIPE); };
+  EXPECT_EXIT(supervise({}, run), ::testing::KilledBySignal(SIGPIPE), "^$");
+}
+
 TEST(Supervisor, PassesOnThatTheRunWasEndedFromOutside) {
   EXPECT_THROW(runHere({},
                        [](RunLog&, const GivenUp&) -> int {
