@@ -13,10 +13,12 @@
 namespace af2 {
 namespace {
 
-/// How often the progress callback is called, in steps.
-constexpr std::size_t kProgressInterval = 4096;
+/// How often a run reports its progress, in steps.
+constexpr std::size_t kReportSteps = 4096;
 /// And after how many candidates at the latest.
-constexpr std::size_t kProgressCandidates = 1 << 18;
+constexpr std::size_t kReportCandidates = 1 << 18;
+/// Fewer elements than these from one report to the next are next to nothing.
+constexpr std::size_t kLeastGain = 64;
 /// How many of the edges that are left are explained, when the front is stuck.
 constexpr std::size_t kMostExplained = 100;
 
@@ -46,7 +48,7 @@ class Run {
       elementsAtLastRound = result_.mesh.elements.size();
       advance();
       // What was stuck may have come free by what happened around it since.
-    } while (result_.outcome != Outcome::Cancelled && !front_.isEmpty() &&
+    } while (result_.outcome == Outcome::Complete && !front_.isEmpty() &&
              result_.mesh.elements.size() > elementsAtLastRound && revive());
     result_.candidates = choice_.examined();
     finish();
@@ -81,15 +83,33 @@ class Run {
       }
       step(base);
       ++result_.steps;
-      if (options_.progress) tellProgress();
+      if (!isReportDue()) continue;
+      if (options_.progress)
+        options_.progress({result_.mesh.elements.size(), front_.edgeCount(), choice_.examined()});
+      if (options_.patience > 0 && isPatienceLost()) {
+        result_.outcome = Outcome::Stuck;
+        return;
+      }
     }
   }
 
-  void tellProgress() {
+  bool isReportDue() {
     const std::size_t candidates = choice_.examined();
-    if (result_.steps % kProgressInterval != 0 && candidates < nextTold_) return;
-    nextTold_ = candidates + kProgressCandidates;
-    options_.progress({result_.mesh.elements.size(), front_.edgeCount(), candidates});
+    if (result_.steps % kReportSteps != 0 && candidates < nextReport_) return false;
+    nextReport_ = candidates + kReportCandidates;
+    return true;
+  }
+
+  bool isPatienceLost() {
+    constexpr int kLeastReports = 2;
+    const std::size_t elements = result_.mesh.elements.size();
+    const bool gains = elements >= elementsReported_ + kLeastGain;
+    idleReports_ = gains ? 0 : idleReports_ + 1;
+    if (gains) stepsAtGain_ = result_.steps;
+    elementsReported_ = elements;
+    return idleReports_ >= kLeastReports &&
+           result_.steps - stepsAtGain_ >=
+               static_cast<std::size_t>(options_.patience) * front_.edgeCount();
   }
 
   void step(PlaceId base) {
@@ -245,7 +265,9 @@ class Run {
   FrontQueue queue_;
   std::vector<std::uint8_t> valence_;  // elements at each vertex, up to 255
   CandidateChoice choice_;
-  std::size_t nextTold_ = kProgressCandidates;
+  std::size_t nextReport_ = kReportCandidates, elementsReported_ = 0;
+  int idleReports_ = 0;          // since elements came in numbers
+  std::size_t stepsAtGain_ = 0;  // when they did
   ChartSlot slot_;
   std::vector<WalkVertex> walk_;
   Front::Change change_;

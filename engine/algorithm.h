@@ -20,6 +20,9 @@ struct MeshingOptions {
   AF2MeshingObserver* observer = nullptr;
   ProgressCallback progress;  ///< called from the thread that runs the engine
   std::stop_token stop;       ///< may be requested from any thread; answered within a few steps
+  /// A run ends as stuck after so many steps in a row for each edge of its front, and much work at
+  /// least, that brought next to nothing. 0: only when no edge is left that could be tried.
+  int patience = 0;
 };
 
 enum class Outcome { Complete, Stuck, Cancelled };

@@ -12,39 +12,32 @@ namespace af2::geometry {
 namespace {
 
 /// Stops a run that no longer fills a region but grows without end, because the boundary does not
-/// enclose one; or that is stuck almost everywhere, though still trying. Goes by what has been
-/// done, never by the clock.
+/// enclose one; or whose front is so crammed that no end is in sight. Goes by what all pieces of a
+/// face have done, never by the clock or by which of them came first.
 class RunawayGuard {
  public:
-  RunawayGuard(std::size_t limit, bool mayStall, const std::stop_token& outer)
-      : limit_(limit), mayStall_(mayStall), forward_(outer, Forward{&source_}) {}
+  RunawayGuard(std::size_t limit, const std::stop_token& outer)
+      : limit_(limit), forward_(outer, Forward{&source_}) {}
 
   std::stop_token token() const { return source_.get_token(); }
   void see(const Progress& progress) {
-    ranAway_ = progress.elements > limit_;
-    isCrammed_ = progress.candidates > kCandidatesPerElement * limit_;
-    stalls_ = progress.elements < elements_ + kLeastGain ? stalls_ + 1 : 0;
-    elements_ = progress.elements;
-    if (ranAway_ || isCrammed_ || isStalled()) source_.request_stop();
+    ranAway_ = ranAway_ || progress.elements > limit_;
+    isCrammed_ = isCrammed_ || progress.candidates > kCandidatesPerElement * limit_;
+    if (ranAway_ || isCrammed_) source_.request_stop();
   }
   bool ranAway() const { return ranAway_; }
-  /// Thousands of steps brought next to nothing, and there is another way to try; or the front is
-  /// so crammed that no end is in sight.
-  bool isStalled() const { return isCrammed_ || (mayStall_ && stalls_ >= kMostStalls); }
+  bool isCrammed() const { return isCrammed_; }
 
  private:
   struct Forward {
     std::stop_source* source;
     void operator()() const { source->request_stop(); }
   };
-  static constexpr std::size_t kLeastGain = 64;  // elements from one report to the next
-  static constexpr int kMostStalls = 2;
   /// Ten times what the most elements that are allowed would need.
   static constexpr std::size_t kCandidatesPerElement = 30;
 
-  std::size_t limit_, elements_ = 0;
-  int stalls_ = 0;
-  bool mayStall_, ranAway_ = false, isCrammed_ = false;
+  std::size_t limit_;
+  bool ranAway_ = false, isCrammed_ = false;
   std::stop_source source_;
   std::stop_callback<Forward> forward_;
 };
@@ -164,9 +157,10 @@ FaceAttempt fill(const FaceTask& task, ChartKind kind, const MeshingOptions& opt
 
 }  // namespace
 
-FaceAttempt attemptWith(const FaceTask& task, ChartKind kind, bool mayStall) {
-  RunawayGuard guard(elementLimit(task), mayStall, task.options.stop);
+FaceAttempt attemptWith(const FaceTask& task, ChartKind kind, int patience) {
+  RunawayGuard guard(elementLimit(task), task.options.stop);
   MeshingOptions options;
+  options.patience = patience;
   options.stop = guard.token();
   if (task.options.observer) options.observer = task.options.observer(task.face);
   options.progress = [&](const Progress& progress) {
@@ -178,8 +172,8 @@ FaceAttempt attemptWith(const FaceTask& task, ChartKind kind, bool mayStall) {
   if (guard.ranAway())
     attempt.fault =
         "far more elements than the area has room for: the boundary does not enclose a region";
-  else if (guard.isStalled())
-    attempt.fault = "the front got stuck almost everywhere";
+  else if (guard.isCrammed())
+    attempt.fault = "the front is so crammed that no end is in sight";
   else if (attempt.result.outcome == Outcome::Stuck)
     attempt.fault = stuckReason(attempt.result, task.algorithm);
   return attempt;

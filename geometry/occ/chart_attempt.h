@@ -8,7 +8,7 @@ namespace af2::geometry {
 
 /// Runs the front, and the optimiser if the charts are good for it, and checks what came of it.
 ///
-/// mayStall  give up early where hardly anything gets on: there is another way to try
-FaceAttempt attemptWith(const FaceTask& task, ChartKind kind, bool mayStall);
+/// patience  of the front, as in MeshingOptions
+FaceAttempt attemptWith(const FaceTask& task, ChartKind kind, int patience);
 
 }  // namespace af2::geometry

@@ -82,8 +82,9 @@ FaceAttempt fillWithRules(const FaceTask& task) {
   std::vector<FaceAttempt> failed;
   std::vector<std::string> steps;
   std::size_t effort = 0;
+  constexpr int kPatience = 4;  // as long as there is another way to try
   for (const ChartKind kind : kinds) {
-    FaceAttempt attempt = attemptWith(task, kind, kind != kinds.back());
+    FaceAttempt attempt = attemptWith(task, kind, kind == kinds.back() ? 0 : kPatience);
     effort += attempt.result.candidates;
     if (attempt.fault.empty()) {
       attempt.effort = effort;

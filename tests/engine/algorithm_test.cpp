@@ -189,6 +189,21 @@ TEST(Stuck, KeepsTheMeshSoFarAndTheFrontThatIsLeft) {
   EXPECT_NEAR(areaOf(result.mesh) + left, 1, 1e-12);
 }
 
+TEST(Stuck, AnImpatientRunEndsEarlyButNoEarlierThanItsFrontIsLong) {
+  FrontInput input;
+  addLoop(input, divided({{0, 0}, {40, 0}, {40, 1}, {0, 1}}, .02));
+  const auto set = setOf({right60()});
+  const MeshingResult patient = run(input, .02, {}, set);
+  MeshingOptions options;
+  options.patience = 3;
+  const MeshingResult impatient = run(input, .02, options, set);
+  EXPECT_EQ(patient.outcome, Outcome::Stuck);
+  EXPECT_EQ(impatient.outcome, Outcome::Stuck);
+  EXPECT_LE(impatient.mesh.elements.size(), patient.mesh.elements.size());
+  EXPECT_LT(impatient.steps, patient.steps);
+  EXPECT_GE(impatient.steps, 3 * impatient.stuck.size());
+}
+
 /// Runs until it ends by itself, but not for ever.
 Outcome outcomeOf(const FrontInput& input, double size) {
   std::stop_source source;
