@@ -42,8 +42,8 @@ std::string drawOne(const DrawOptions& options, const RuleSet& rules, dsl::Pictu
   const dsl::PictureOptions picture = pictureOptions(options, 420);
   if (options.match.empty()) return dsl::drawRule(rules, rule, format, picture);
   dsl::DrawnMatch match;
-  match.vertices = matchedVertices(rule, parseMatch("--match", options.match));
   match.level = picture.levels.empty() ? rule.definition().firstLevel : picture.levels.front();
+  match.vertices = matchedVertices(rule, parseMatch("--match", options.match), match.level);
   return dsl::drawMatch(rules, rule, match, format, picture);
 }
 

@@ -97,13 +97,13 @@ const AF2Rule& findRule(const RuleSet& rules, const std::string& title) {
   throw UsageError(fmt::format("there is no rule \"{}\"; there are: {}", title, titles));
 }
 
-std::vector<Point2> matchedVertices(const AF2Rule& rule,
-                                    const std::map<std::string, Point2>& given) {
+std::vector<Point2> matchedVertices(const AF2Rule& rule, const std::map<std::string, Point2>& given,
+                                    int level) {
   std::vector<Point2> positions;
   std::size_t used = 0;
   for (const PatternVertex& vertex : rule.definition().vertices) {
     const auto found = given.find(vertex.name);
-    positions.push_back(found == given.end() ? vertex.reference : found->second);
+    positions.push_back(found == given.end() ? vertex.reference.at(level) : found->second);
     if (found != given.end()) ++used;
   }
   if (used == given.size()) return positions;

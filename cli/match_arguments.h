@@ -27,8 +27,8 @@ std::map<std::string, double> parseValues(const std::string& option,
 /// The rule with this title.
 const AF2Rule& findRule(const RuleSet& rules, const std::string& title);
 
-/// Positions in pattern order; vertices that are not given stand at their reference.
-std::vector<Point2> matchedVertices(const AF2Rule& rule,
-                                    const std::map<std::string, Point2>& given);
+/// Positions in pattern order; vertices that are not given stand at their reference at this level.
+std::vector<Point2> matchedVertices(const AF2Rule& rule, const std::map<std::string, Point2>& given,
+                                    int level);
 
 }  // namespace af2::cli

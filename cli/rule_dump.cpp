@@ -48,22 +48,29 @@ class RuleText {
                        numberText(form.yy));
   }
 
+  static std::string pointText(const Point2& p) {
+    return fmt::format("({}, {})", numberText(p.x), numberText(p.y));
+  }
+
+  /// Once, or at the first and the last level at which it differs.
+  template <class T, class Text>
+  std::string byLevel(const ByLevel<T>& value, const Text& textOf) const {
+    const int first = definition_.firstLevel, last = std::max(first, value.levelCount());
+    const std::string text = textOf(value.at(first));
+    if (value.levelCount() == 1) return text;
+    return fmt::format("{} at level {}, {} at level {}", text, first, textOf(value.at(last)), last);
+  }
+
   std::string tolerance(const std::optional<ToleranceByLevel>& form) const {
-    if (!form) return "any";
-    const int first = definition_.firstLevel, last = std::max(first, form->levelCount());
-    const std::string text = formText(form->at(first));
-    if (form->levelCount() == 1) return text;
-    return fmt::format("{} at level {}, {} at level {}", text, first, formText(form->at(last)),
-                       last);
+    return form ? byLevel(*form, formText) : "any";
   }
 
   std::string vertices() const {
     std::string out;
     for (std::size_t i = 2; i < definition_.vertices.size(); ++i) {
       const PatternVertex& vertex = definition_.vertices[i];
-      out += fmt::format("  match     {} ({}, {})  tolerance {}\n", vertex.name,
-                         numberText(vertex.reference.x), numberText(vertex.reference.y),
-                         tolerance(vertex.tolerance));
+      out += fmt::format("  match     {} {}  tolerance {}\n", vertex.name,
+                         byLevel(vertex.reference, pointText), tolerance(vertex.tolerance));
     }
     for (const PatternEdge& edge : definition_.edges) {
       out += fmt::format("  edge      {}->{}", name(edge.from), name(edge.to));

@@ -115,6 +115,7 @@ class ClauseCompiler {
   void readLevels();
   void compileClause(const Clause& clause);
   void compilePlaces(const AtClause& at);
+  std::optional<ReferenceByLevel> referenceOf(const Place& place);
   std::optional<ToleranceByLevel> toleranceOf(const Tolerance& tolerance, bool& isAny);
   std::optional<ToleranceByLevel> formOf(const Expr& expr);
   std::optional<std::vector<double>> numberByLevel(const Expr& expr, const std::string& what);

@@ -10,6 +10,14 @@
 #include "dsl/words.h"
 
 namespace af2::dsl {
+namespace {
+
+/// Of numbers by level, the last of which holds for all above.
+double valueAt(const std::vector<double>& byLevel, std::size_t index) {
+  return byLevel[std::min(index, byLevel.size() - 1)];
+}
+
+}  // namespace
 
 void ClauseCompiler::poisonBrokenNames() {
   for (const BrokenStretch& stretch : home_.parsed.broken) {
@@ -130,8 +138,8 @@ std::optional<ToleranceByLevel> ClauseCompiler::formOf(const Expr& expr) {
   const std::size_t levels = std::max({weights[0].size(), weights[1].size(), weights[2].size()});
   std::vector<ToleranceForm> forms;
   for (std::size_t i = 0; i < levels; ++i) {
-    const auto at = [&](const std::vector<double>& w) { return w[std::min(i, w.size() - 1)]; };
-    const ToleranceForm form{at(weights[0]), at(weights[1]), at(weights[2])};
+    const ToleranceForm form{valueAt(weights[0], i), valueAt(weights[1], i),
+                             valueAt(weights[2], i)};
     if (form.xx < 0 || form.yy < 0 || form.xy * form.xy > 4 * form.xx * form.yy) {
       const std::string where = levels > 1 ? " at level " + std::to_string(i + 1) : "";
       if (isForm)
@@ -157,16 +165,27 @@ std::optional<ToleranceByLevel> ClauseCompiler::toleranceOf(const Tolerance& tol
   return form ? form : ToleranceForm{};
 }
 
+std::optional<ReferenceByLevel> ClauseCompiler::referenceOf(const Place& place) {
+  const auto x = numberByLevel(place.x, "a reference coordinate");
+  const auto y = numberByLevel(place.y, "a reference coordinate");
+  if (!x || !y) return std::nullopt;
+  std::vector<Point2> points;
+  for (std::size_t i = 0; i < std::max(x->size(), y->size()); ++i) {
+    const Point2 p{valueAt(*x, i), valueAt(*y, i)};
+    points.push_back({mirror_ ? 1 - p.x : p.x, p.y});
+  }
+  return ReferenceByLevel(std::move(points));
+}
+
 void ClauseCompiler::compilePlaces(const AtClause& at) {
   for (const Place& place : at.places) {
-    const auto x = expressions_.constantNumber(place.x, "a reference coordinate");
-    const auto y = expressions_.constantNumber(place.y, "a reference coordinate");
-    hasErrors_ = hasErrors_ || !x || !y;
+    const auto reference = referenceOf(place);
+    hasErrors_ = hasErrors_ || !reference;
     const auto index = static_cast<int>(definition().vertices.size());
     if (!defineLocal(place.name, algebra().vertex(index), LocalKind::Vertex)) continue;
     PatternVertex vertex;
     vertex.name = place.name.text;
-    if (x && y) vertex.reference = {mirror_ ? 1 - *x : *x, *y};
+    if (reference) vertex.reference = *reference;
     if (place.tolerance) {
       bool isAny = false;
       vertex.tolerance = toleranceOf(*place.tolerance, isAny);

@@ -187,13 +187,13 @@ const std::array kExplanations{
                     "with each other, and\n"
                     "`then` and `else` give the same type."},
     CodeExplanation{"Y3", "a constant of a certain kind is needed",
-                    "Reference positions, levels and priorities are known before the front is; "
-                    "levels and priorities\n"
-                    "are whole numbers. Tolerances may go by the quality level, but know nothing "
-                    "else of the match."},
-    CodeExplanation{
-        "Y4", "an expression never has a value",
-        "It divides by zero, takes a root of a negative number or the like, whatever the match."},
+                    "Levels and priorities are known before the front is, and are whole numbers. "
+                    "Reference positions and\n"
+                    "tolerances may go by the quality level, but know nothing else of the match."},
+    CodeExplanation{"Y4", "an expression never has a value",
+                    "It divides by zero, takes a root of a negative number or the like: whatever "
+                    "the match, or\n"
+                    "whatever happens at the level that is named."},
     CodeExplanation{"Y5", "this cannot be asked here",
                     "turn(v) needs a vertex of a chain, which has neighbours; layer, valence and "
                     "the like need a front,\n"

@@ -34,7 +34,8 @@ std::vector<Point2> matchedPositions(const RuleDefinition& rule, const EvalReque
   std::vector<std::string> names;
   for (const PatternVertex& vertex : rule.vertices) {
     const auto given = request.match.find(vertex.name);
-    points.push_back(given == request.match.end() ? vertex.reference : given->second);
+    points.push_back(given == request.match.end() ? vertex.reference.at(request.level)
+                                                  : given->second);
     names.push_back(vertex.name);
     checkFinite(points.back(), "vertex '" + vertex.name + "'");
   }
@@ -53,10 +54,12 @@ bool matches(const RuleDefinition& rule, const std::vector<Point2>& at, int leve
     return !form || form->at(level)(deviation) <= tolerance;
   };
   for (std::size_t i = 2; i < at.size(); ++i)
-    if (!isWithin(rule.vertices[i].tolerance, at[i] - rule.vertices[i].reference)) return false;
+    if (!isWithin(rule.vertices[i].tolerance, at[i] - rule.vertices[i].reference.at(level)))
+      return false;
   const auto of = [](int v) { return static_cast<std::size_t>(v); };
   return std::all_of(rule.edges.begin(), rule.edges.end(), [&](const PatternEdge& e) {
-    const Point2 wanted = rule.vertices[of(e.to)].reference - rule.vertices[of(e.from)].reference;
+    const Point2 wanted =
+        rule.vertices[of(e.to)].reference.at(level) - rule.vertices[of(e.from)].reference.at(level);
     return isWithin(e.slope, (at[of(e.to)] - at[of(e.from)]) - wanted);
   });
 }

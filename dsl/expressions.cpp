@@ -71,7 +71,7 @@ Value ExpressionCompiler::wrongType(const Expr& expr, const std::string& wanted,
   return {};
 }
 
-Value ExpressionCompiler::needValue(const Expr& expr, Value value) {
+Value ExpressionCompiler::needValue(const Expr& expr, Value value, const char* cause) {
   const auto isNothing = [&](Node node) {
     const auto constant = node >= 0 ? builder().constantValue(node) : std::nullopt;
     return constant && std::isnan(*constant);
@@ -81,8 +81,7 @@ Value ExpressionCompiler::needValue(const Expr& expr, Value value) {
           ? isNothing(value.at.x) || isNothing(value.at.y)
           : !value.isAny() && value.type != Type::Shape && isNothing(value.number);
   if (!isBroken) return value;
-  tell("Y4", expr.span, "this never has a value",
-       "a division by zero, a root of a negative number or the like");
+  tell("Y4", expr.span, "this never has a value", cause);
   return {};
 }
 

@@ -127,7 +127,9 @@ class ExpressionCompiler {
   bool isAllowedHere(const Expr& expr, const Builtin& builtin);
   bool fits(const Value& value, char kind, const Value* firstAlike, const Expr& argument,
             const std::string& usage);
-  Value needValue(const Expr& expr, Value value);
+  Value needValue(
+      const Expr& expr, Value value,
+      const char* cause = "a division by zero, a root of a negative number or the like");
   Value wrongType(const Expr& expr, const std::string& wanted, const Value& found);
   Value wrongOperands(const Expr& expr, const Value& a, const Value& b, std::string help);
   Value unknownName(const Expr& expr, bool isFunction);

@@ -4,6 +4,11 @@
 #include "dsl/expressions.h"
 
 namespace af2::dsl {
+namespace {
+
+constexpr const char* kTooLarge = "this is too large for a number; the largest is near 1e308";
+
+}  // namespace
 
 Value ExpressionCompiler::evaluateUnary(const Expr& expr) {
   if (expr.kind == ExprKind::Not) {
@@ -38,11 +43,16 @@ Value ExpressionCompiler::add(const Expr& expr, const Value& a, const Value& b) 
     return wrongOperands(expr, a, b, help);
   }
   if (a.type == Type::Geometric)
-    return algebra_.geometric(isSum ? algebra_.add(a.at, b.at) : algebra_.subtract(a.at, b.at),
-                              isSum ? a.weight + b.weight : a.weight - b.weight);
+    return needValue(
+        expr,
+        algebra_.geometric(isSum ? algebra_.add(a.at, b.at) : algebra_.subtract(a.at, b.at),
+                           isSum ? a.weight + b.weight : a.weight - b.weight),
+        kTooLarge);
   if (a.type == Type::Number || a.type == Type::Angle)
-    return algebra_.scalar(a.type,
-                           builder().make(isSum ? Op::Add : Op::Subtract, {a.number, b.number}));
+    return needValue(expr,
+                     algebra_.scalar(a.type, builder().make(isSum ? Op::Add : Op::Subtract,
+                                                            {a.number, b.number})),
+                     kTooLarge);
   if (a.type == Type::Shape && !isSum) return shapeOf(ShapeKind::Difference, a, b);
   return wrongOperands(expr, a, b,
                        a.type == Type::Shape ? "shapes are joined by `|`, `&` and `-`"
@@ -58,8 +68,10 @@ Value ExpressionCompiler::multiply(const Expr& expr, const Value& a, const Value
            "use lerp(p, q, t) to move from p to q by a share that varies");
       return {};
     }
-    return algebra_.geometric(algebra_.scale(a.number, b.at),
-                              b.isVector() ? 0 : *constant * b.weight);
+    return needValue(
+        expr,
+        algebra_.geometric(algebra_.scale(a.number, b.at), b.isVector() ? 0 : *constant * b.weight),
+        kTooLarge);
   }
   if (a.type == Type::Geometric && b.type == Type::Number) return multiply(expr, b, a);
   if (a.type == Type::Geometric && b.type == Type::Geometric)
@@ -70,8 +82,10 @@ Value ExpressionCompiler::multiply(const Expr& expr, const Value& a, const Value
   };
   if (!isScalar(a) || !isScalar(b) || (a.type == Type::Angle && b.type == Type::Angle))
     return wrongOperands(expr, a, b, "");
-  return algebra_.scalar(isAngle ? Type::Angle : Type::Number,
-                         builder().multiply(a.number, b.number));
+  return needValue(
+      expr,
+      algebra_.scalar(isAngle ? Type::Angle : Type::Number, builder().multiply(a.number, b.number)),
+      kTooLarge);
 }
 
 Value ExpressionCompiler::divide(const Expr& expr, const Value& a, const Value& b) {

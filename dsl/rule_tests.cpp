@@ -227,7 +227,7 @@ std::optional<std::vector<Point2>> draw(Numbers& numbers, const RuleDefinition& 
     const auto& wanted = rule.vertices[i].tolerance;
     const auto d = deviation(numbers, wanted ? &wanted->at(level) : nullptr, tolerance);
     if (!d) return std::nullopt;
-    points.push_back(rule.vertices[i].reference + *d);
+    points.push_back(rule.vertices[i].reference.at(level) + *d);
   }
   return points;
 }

@@ -36,7 +36,7 @@ struct ChainWalk {
   void bind(BindingStep::Kind kind, int vertex, int from) {
     const PatternVertex& wanted = rule.vertices[static_cast<std::size_t>(vertex)];
     steps.push_back({kind, static_cast<std::int8_t>(vertex), static_cast<std::int8_t>(from),
-                     wanted.reference,
+                     wanted.reference.at(level),
                      wanted.tolerance ? wanted.tolerance->at(level) : ToleranceForm{0, 0, 0}});
     isBound[static_cast<std::size_t>(vertex)] = true;
   }
@@ -83,7 +83,9 @@ std::vector<SlopeTest> slopeTests(const RuleDefinition& rule, int level) {
   std::vector<SlopeTest> tests;
   for (const PatternEdge& e : rule.edges) {
     if (!e.slope) continue;
-    const auto at = [&](int v) { return rule.vertices[static_cast<std::size_t>(v)].reference; };
+    const auto at = [&](int v) {
+      return rule.vertices[static_cast<std::size_t>(v)].reference.at(level);
+    };
     tests.push_back({static_cast<std::int8_t>(e.from), static_cast<std::int8_t>(e.to),
                      at(e.to) - at(e.from), e.slope->at(level)});
   }
@@ -92,8 +94,10 @@ std::vector<SlopeTest> slopeTests(const RuleDefinition& rule, int level) {
 
 std::vector<CompiledPattern> patternsOf(const RuleDefinition& rule) {
   int levels = 1;
-  for (const PatternVertex& v : rule.vertices)
+  for (const PatternVertex& v : rule.vertices) {
+    levels = std::max(levels, v.reference.levelCount());
     if (v.tolerance) levels = std::max(levels, v.tolerance->levelCount());
+  }
   for (const PatternEdge& e : rule.edges)
     if (e.slope) levels = std::max(levels, e.slope->levelCount());
   std::vector<CompiledPattern> patterns;
@@ -184,7 +188,7 @@ Window zoneWindow(const CompiledRule& rule, int level, double baseLength, double
       const ToleranceForm form = v.tolerance ? v.tolerance->at(level) : ToleranceForm{};
       const Point2 extent = ellipseExtent(form, tolerance);
       const double dx = std::min(0.5 * extent.x, 1.0), dy = std::min(0.5 * extent.y, 1.0);
-      matched[i] = v.reference + Point2{corner & 1 ? dx : -dx, corner & 2 ? dy : -dy};
+      matched[i] = v.reference.at(level) + Point2{corner & 1 ? dx : -dx, corner & 2 ? dy : -dy};
     }
     if (rule.zone) {
       double x[AffineBatch::kCapacity], y[AffineBatch::kCapacity];

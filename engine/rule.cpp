@@ -100,7 +100,7 @@ std::set<Edge> boundaryOf(const std::set<Edge>& edges) {
 std::vector<Point2> referencePositions(const RuleDefinition& rule) {
   std::vector<Point2> points{{0, 0}, {1, 0}};
   for (std::size_t i = 2; i < rule.vertices.size(); ++i)
-    points.push_back(rule.vertices[i].reference);
+    points.push_back(rule.vertices[i].reference.at(rule.firstLevel));
   const std::vector<Point2> matched = points;
   const AF2Surroundings nothingAround;
   for (const auto& transform : rule.newVertices)

@@ -23,32 +23,42 @@ struct ToleranceForm {
   bool operator==(const ToleranceForm&) const = default;
 };
 
-/// The form that counts at each quality level, mostly one for all of them.
-class ToleranceByLevel {
+/// What counts at each quality level, mostly the same at all of them.
+template <class T>
+class ByLevel {
  public:
-  ToleranceByLevel(ToleranceForm everywhere) : forms_{everywhere} {}
-  /// forms  by level; [0] is level 1; the last one holds for higher levels; at least one
-  explicit ToleranceByLevel(std::vector<ToleranceForm> forms) : forms_(std::move(forms)) {
-    while (forms_.size() > 1 && forms_.back() == forms_[forms_.size() - 2]) forms_.pop_back();
+  ByLevel(T everywhere) : values_{std::move(everywhere)} {}
+  /// values  by level; [0] is level 1; the last one holds for higher levels; at least one
+  explicit ByLevel(std::vector<T> values) : values_(std::move(values)) {
+    while (values_.size() > 1 && values_.back() == values_[values_.size() - 2]) values_.pop_back();
   }
 
-  const ToleranceForm& at(int level) const {
+  const T& at(int level) const {
     const auto index = static_cast<std::size_t>(level - 1);
-    return index < forms_.size() ? forms_[index] : forms_.back();
+    return index < values_.size() ? values_[index] : values_.back();
   }
   /// From this level on nothing changes any more.
-  int levelCount() const { return static_cast<int>(forms_.size()); }
-  bool operator==(const ToleranceByLevel&) const = default;
+  int levelCount() const { return static_cast<int>(values_.size()); }
+  bool operator==(const ByLevel&) const = default;
 
  private:
-  std::vector<ToleranceForm> forms_;
+  std::vector<T> values_;
+};
+
+using ToleranceByLevel = ByLevel<ToleranceForm>;
+
+/// Where a vertex is expected at each quality level.
+class ReferenceByLevel : public ByLevel<Point2> {
+ public:
+  using ByLevel::ByLevel;
+  ReferenceByLevel(double x = 0, double y = 0) : ByLevel(Point2{x, y}) {}
 };
 
 /// A front vertex that the rule wants. Vertices 0 and 1 are the ends a, b of the base edge, bound
 /// without a test; their reference positions are (0, 0) and (1, 0).
 struct PatternVertex {
   std::string name;
-  Point2 reference;
+  ReferenceByLevel reference;
   /// Deviation allowed up to the rule set's match tolerance; nothing: any position will do, allowed
   /// only for vertices of a chain that reaches them from a or b.
   std::optional<ToleranceByLevel> tolerance = ToleranceForm{};

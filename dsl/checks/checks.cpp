@@ -94,14 +94,33 @@ std::string vertexName(const CompiledRule& rule, int vertex) {
                                    : d.newVertexNames[index - d.vertices.size()];
 }
 
-std::optional<std::vector<Point2>> referencePositions(const CompiledRule& rule) {
+std::vector<int> referenceLevels(const RuleDefinition& rule) {
+  int last = rule.firstLevel;
+  for (const PatternVertex& v : rule.vertices) last = std::max(last, v.reference.levelCount());
+  last = std::min(last, rule.lastLevel.value_or(last));
+  std::vector<int> levels{rule.firstLevel};
+  for (int level = rule.firstLevel + 1; level <= last; ++level)
+    if (std::ranges::any_of(rule.vertices, [&](const PatternVertex& v) {
+          return v.reference.at(level) != v.reference.at(level - 1);
+        }))
+      levels.push_back(level);
+  return levels;
+}
+
+std::string referenceName(const CompiledRule& rule, int level) {
+  return referenceLevels(rule.definition).size() == 1
+             ? "the reference match"
+             : "the reference match of level " + std::to_string(level);
+}
+
+std::optional<std::vector<Point2>> referencePositions(const CompiledRule& rule, int level) {
   const RuleDefinition& d = rule.definition;
   std::vector<Point2> points;
-  for (const PatternVertex& v : d.vertices) points.push_back(v.reference);
+  for (const PatternVertex& v : d.vertices) points.push_back(v.reference.at(level));
   const std::vector<Point2> matched = points;
   const AF2Surroundings uniform;
   for (const auto& transform : d.newVertices) {
-    const auto at = transform->transformPoint({matched, d.firstLevel, &uniform});
+    const auto at = transform->transformPoint({matched, level, &uniform});
     if (!at) return std::nullopt;
     points.push_back(*at);
   }

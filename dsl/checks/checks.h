@@ -63,7 +63,14 @@ void checkZones(const CheckedRules& rules, Findings& findings);
 /// Name of a vertex of a rule.
 std::string vertexName(const CompiledRule& rule, int vertex);
 
+/// The rule's first level, and the later ones at which a vertex is expected somewhere else than at
+/// the level before.
+std::vector<int> referenceLevels(const RuleDefinition& rule);
+
 /// Positions of all vertices at the reference match; nothing if a new vertex has none there.
-std::optional<std::vector<Point2>> referencePositions(const CompiledRule& rule);
+std::optional<std::vector<Point2>> referencePositions(const CompiledRule& rule, int level);
+
+/// "the reference match", with its level where there are several.
+std::string referenceName(const CompiledRule& rule, int level);
 
 }  // namespace af2::dsl

@@ -9,8 +9,9 @@
 namespace af2::dsl {
 
 /// The corners of one element, "a d c", with which all elements of a rule would be positive at its
-/// reference match, and fit together and to the pattern: the same corners the other way round, or
-/// the only others that there are. Empty if that is not clear, or nothing is wrong with it.
+/// reference match of its first level, and fit together and to the pattern: the same corners the
+/// other way round, or the only others that there are. Empty if that is not clear, or nothing is
+/// wrong with it.
 std::string fittingElement(const CompiledRule& rule, std::size_t element);
 
 /// The same as edits, one for each element that has such corners; none for a mirror image, whose

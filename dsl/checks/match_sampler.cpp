@@ -40,15 +40,15 @@ MatchSampler::MatchSampler(const RuleSet& rules, const AF2Rule& rule, int level,
 /// ellipse is the image of a disc; the pattern test that follows cuts off what forms without one
 /// let pass.
 Point2 MatchSampler::draw(const PatternVertex& vertex) {
-  const Point2 p = random_.inDisc();
-  if (!vertex.tolerance) return vertex.reference + kFarthest * p;
+  const Point2 p = random_.inDisc(), reference = vertex.reference.at(level_);
+  if (!vertex.tolerance) return reference + kFarthest * p;
   const ToleranceForm& w = vertex.tolerance->at(level_);
   const double smallest = tolerance_ / (16 * kFarthest * kFarthest);
   const double xx = std::max(w.xx, smallest);
   const double yy = std::max(w.yy - 0.25 * w.xy * w.xy / xx, smallest);
   const double dy = std::sqrt(tolerance_ / yy) * p.y;
   const double dx = std::sqrt(tolerance_ / xx) * p.x - 0.5 * w.xy / xx * dy;
-  return vertex.reference + Point2{dx, dy};
+  return reference + Point2{dx, dy};
 }
 
 std::optional<PatternMatch> MatchSampler::next() {
@@ -68,7 +68,8 @@ std::optional<PatternMatch> MatchSampler::next() {
 double deviationOf(const PatternMatch& match) {
   double sum = 0;
   for (std::size_t i = 0; i < match.vertices().size(); ++i) {
-    const Point2 d = match.vertices()[i] - match.rule().definition().vertices[i].reference;
+    const Point2 d =
+        match.vertices()[i] - match.rule().definition().vertices[i].reference.at(match.level());
     sum += dot(d, d);
   }
   return sum;

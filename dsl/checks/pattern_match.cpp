@@ -10,7 +10,7 @@ PatternMatch::PatternMatch(const AF2Rule& rule, std::vector<Point2> vertices, in
 PatternMatch PatternMatch::atReference(const AF2Rule& rule, int level) {
   std::vector<Point2> vertices;
   for (const PatternVertex& vertex : rule.definition().vertices)
-    vertices.push_back(vertex.reference);
+    vertices.push_back(vertex.reference.at(level));
   return PatternMatch(rule, std::move(vertices), level);
 }
 
@@ -45,11 +45,12 @@ Refusal PatternMatch::refusalOfMatch(const RuleSet& rules) const {
   };
   for (std::size_t i = 2; i < vertices_.size(); ++i) {
     const PatternVertex& vertex = definition.vertices[i];
-    if (!isWithin(vertex.tolerance, vertices_[i] - vertex.reference)) return Refusal::Pattern;
+    if (!isWithin(vertex.tolerance, vertices_[i] - vertex.reference.at(level_)))
+      return Refusal::Pattern;
   }
   for (const PatternEdge& edge : definition.edges) {
-    const Point2 reference =
-        definition.vertices[edge.to].reference - definition.vertices[edge.from].reference;
+    const Point2 reference = definition.vertices[edge.to].reference.at(level_) -
+                             definition.vertices[edge.from].reference.at(level_);
     if (!isWithin(edge.slope, vertices_[edge.to] - vertices_[edge.from] - reference))
       return Refusal::Pattern;
   }

@@ -34,6 +34,12 @@ bool isSameForm(const std::optional<ToleranceByLevel>& a,
   return true;
 }
 
+bool isNear(const ReferenceByLevel& p, const ReferenceByLevel& q) {
+  for (int level = std::max(p.levelCount(), q.levelCount()); level > 0; --level)
+    if (!isNear(p.at(level), q.at(level))) return false;
+  return true;
+}
+
 std::optional<Renumbering> matchVertices(const RuleDefinition& a, const RuleDefinition& b) {
   if (a.vertices.size() != b.vertices.size() || a.newVertices.size() != b.newVertices.size())
     return std::nullopt;
@@ -59,10 +65,10 @@ double deviation(std::size_t sample, std::size_t coordinate) {
   return 0.3 * (x - std::floor(x) - 0.5);
 }
 
-std::vector<Point2> matchOf(const RuleDefinition& rule, std::size_t sample) {
+std::vector<Point2> matchOf(const RuleDefinition& rule, int level, std::size_t sample) {
   std::vector<Point2> points{{0, 0}, {1 + deviation(sample, 0), 0}};
   for (std::size_t i = 2; i < rule.vertices.size(); ++i)
-    points.push_back(rule.vertices[i].reference +
+    points.push_back(rule.vertices[i].reference.at(level) +
                      Point2{deviation(sample, 2 * i), deviation(sample, 2 * i + 1)});
   return points;
 }
@@ -88,7 +94,7 @@ bool isSamePlace(const std::optional<Point2>& p, const std::optional<Point2>& q)
 
 bool matchNewVertices(const RuleDefinition& a, const RuleDefinition& b, Renumbering& to) {
   const std::size_t matched = a.vertices.size();
-  const GivenMatch here(a, matchOf(a, 1), a.firstLevel),
+  const GivenMatch here(a, matchOf(a, a.firstLevel, 1), a.firstLevel),
       there(b, renumbered(here.matched(), to), a.firstLevel);
   const auto placesA = newPlaces(a, here.binding()), placesB = newPlaces(b, there.binding());
   std::set<std::size_t> taken;
@@ -179,7 +185,7 @@ bool agreeAtMatches(const RuleDefinition& a, const RuleDefinition& b, const Renu
   const Renumbering matchedTo(to.begin(), to.begin() + static_cast<std::ptrdiff_t>(matched));
   for (std::size_t sample = 0; sample < 4; ++sample) {
     for (int level : {a.firstLevel, a.firstLevel + 2}) {
-      const GivenMatch here(a, matchOf(a, sample), level),
+      const GivenMatch here(a, matchOf(a, level, sample), level),
           there(b, renumbered(here.matched(), matchedTo), level);
       const auto placesA = newPlaces(a, here.binding()), placesB = newPlaces(b, there.binding());
       for (std::size_t i = 0; i < placesA.size(); ++i)
@@ -232,7 +238,7 @@ std::string differenceOf(const RuleDefinition& a, const RuleDefinition& b) {
   if (!to) return {};
   double vertices = 0, zones = 0;
   for (std::size_t sample = 0; sample < 20; ++sample) {
-    const GivenMatch here(a, matchOf(a, sample), a.firstLevel),
+    const GivenMatch here(a, matchOf(a, a.firstLevel, sample), a.firstLevel),
         there(b, renumbered(here.matched(), *to), a.firstLevel);
     vertices = std::max(vertices, distanceOf(pointsOf(newPlaces(a, here.binding())),
                                              pointsOf(newPlaces(b, there.binding()))));

@@ -237,7 +237,8 @@ Node RuleGraph::importTruth(const AF2BindingFunction& function) {
 // ---- the match ---------------------------------------------------------------------------------
 
 Interval RuleGraph::rangeOf(const PatternVertex& vertex, char axis) const {
-  const double reference = axis == 'x' ? vertex.reference.x : vertex.reference.y;
+  const double reference =
+      axis == 'x' ? vertex.reference.at(level_).x : vertex.reference.at(level_).y;
   double reach = domain_.farthestVertex;
   if (vertex.tolerance) {
     const ToleranceForm& w = vertex.tolerance->at(level_);
@@ -276,13 +277,15 @@ void RuleGraph::addVertices() {
     placed_.push_back(at);
     variables_.push_back({Op::CoordinateX, index, rangeOf(vertex, 'x')});
     variables_.push_back({Op::CoordinateY, index, rangeOf(vertex, 'y')});
-    const NodePair reference{constant(vertex.reference.x), constant(vertex.reference.y)};
+    const Point2 place = vertex.reference.at(level_);
+    const NodePair reference{constant(place.x), constant(place.y)};
     if (vertex.tolerance) addTolerance(vertex.tolerance->at(level_), difference(at, reference));
   }
   for (const PatternEdge& edge : rule_.edges) {
     if (!edge.slope) continue;
     const auto from = static_cast<std::size_t>(edge.from), to = static_cast<std::size_t>(edge.to);
-    const Point2 reference = rule_.vertices[to].reference - rule_.vertices[from].reference;
+    const Point2 reference =
+        rule_.vertices[to].reference.at(level_) - rule_.vertices[from].reference.at(level_);
     addTolerance(edge.slope->at(level_),
                  difference(difference(placed_[to], placed_[from]),
                             {constant(reference.x), constant(reference.y)}));

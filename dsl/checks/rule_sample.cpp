@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
+#include "dsl/checks/checks.h"
 #include "dsl/checks/match_sampler.h"
 
 namespace af2::dsl {
@@ -35,13 +37,15 @@ SampledFinding findingAbout(const RuleSample& sample, const char* code, Severity
 
 std::vector<int> levelsOf(const RuleSet& rules, const AF2Rule& rule) {
   const int first = rule.definition().firstLevel;
-  const int last = std::min({rule.definition().lastLevel.value_or(rules.maxLevel()),
-                             rules.maxLevel(), first + kLevelsLookedAt - 1});
+  const std::vector<int> references = referenceLevels(rule.definition());
+  const int last =
+      std::min({rule.definition().lastLevel.value_or(rules.maxLevel()), rules.maxLevel(),
+                std::max(first + kLevelsLookedAt - 1, references.back())});
   if (first > last) return {};
-  std::vector<int> levels{first};
-  for (const int level : {first + 1, 2 * first + 1, 4 * first + 1, last})
-    if (level > levels.back() && level <= last) levels.push_back(level);
-  return levels;
+  std::set<int> levels(references.begin(), references.end());
+  levels.insert({first + 1, 2 * first + 1, 4 * first + 1, last});
+  levels.erase(levels.upper_bound(last), levels.end());
+  return {levels.begin(), levels.end()};
 }
 
 RuleSample sampleRule(const RuleSet& rules, std::size_t index, int level, int count,

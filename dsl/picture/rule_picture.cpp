@@ -120,6 +120,11 @@ void drawChart(Canvas& canvas, const Scene& scene, bool names) {
     canvas.line(scene.references[i], scene.placed[i], faded(kTolerance, 0.6), 1);
     canvas.dot(scene.references[i], 2.5, kPaper, kTolerance, 1.2);
   }
+  for (const Loop& path : scene.paths)
+    for (std::size_t i = 1; i < path.size(); ++i) {
+      canvas.line(path[i - 1], path[i], faded(kTolerance, 0.6), 1);
+      canvas.dot(path[i], 2.5, kPaper, kTolerance, 1.2);
+    }
   drawVertices(canvas, scene, names);
   for (const Point2 mark : scene.marks) canvas.cross(mark, 6, kNewFront, 2.6);
 }

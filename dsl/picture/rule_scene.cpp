@@ -37,9 +37,23 @@ std::vector<Loop> toleranceLoops(const RuleSet& rules, const AF2Rule& rule, int 
   for (std::size_t i = 2; i < rule.definition().vertices.size(); ++i) {
     const PatternVertex& vertex = rule.definition().vertices[i];
     if (vertex.tolerance)
-      loops.push_back(ellipse(vertex.tolerance->at(level), vertex.reference, tolerance, kLongest));
+      loops.push_back(
+          ellipse(vertex.tolerance->at(level), vertex.reference.at(level), tolerance, kLongest));
   }
   return loops;
+}
+
+std::vector<Loop> pathsOf(const RuleDefinition& rule, const std::vector<int>& levels) {
+  std::vector<Loop> paths;
+  for (std::size_t i = 2; i < rule.vertices.size(); ++i) {
+    Loop path;
+    for (const int level : levels) {
+      const Point2 p = rule.vertices[i].reference.at(level);
+      if (path.empty() || p != path.back()) path.push_back(p);
+    }
+    if (path.size() > 1) paths.push_back(std::move(path));
+  }
+  return paths;
 }
 
 std::vector<int> levelsOf(const RuleSet& rules, const AF2Rule& rule,
@@ -85,10 +99,11 @@ std::string sourceText(const RuleDefinition& rule) {
 
 Scene sceneOf(const RuleSet& rules, const AF2Rule& rule, std::vector<Point2> vertices,
               const std::vector<int>& levels, const PictureOptions& options) {
-  Scene scene{rules, rule, {}, {}, {}, {}, {}, rule.name(), sourceText(rule.definition()), ""};
+  Scene scene{rules, rule, {}, {}, {}, {}, {}, {}, rule.name(), sourceText(rule.definition()), ""};
   const PatternMatch match(rule, std::move(vertices), levels.front());
   scene.placed = match.placeAll().value_or(match.vertices());
   scene.references = PatternMatch::atReference(rule, levels.front()).vertices();
+  scene.paths = pathsOf(rule.definition(), levels);
   scene.zones = zonesOf(rule, match.vertices(), levels, scene.note);
   if (options.tolerances) scene.tolerances = toleranceLoops(rules, rule, levels.front());
   return scene;
@@ -120,6 +135,8 @@ Box2 worldOf(const Scene& scene) {
   constexpr double kClose = 1.25;
   Box2 world{scene.placed[0], scene.placed[0]};
   for (const Point2 p : scene.placed) include(world, p, 0.12);
+  for (const Loop& path : scene.paths)
+    for (const Point2 p : path) include(world, p, 0.05);
   for (const Loop& loop : scene.tolerances) {
     const auto isFar = [&](Point2 p) {
       return std::all_of(scene.references.begin() + 2, scene.references.end(),

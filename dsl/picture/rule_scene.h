@@ -20,6 +20,7 @@ struct Scene {
   const AF2Rule& rule;
   std::vector<Point2> placed;  ///< matched vertices, then new ones as far as they have a value
   std::vector<Point2> references;
+  std::vector<Loop> paths;  ///< of a reference that moves: where it is at each level drawn
   std::vector<Zone> zones;
   std::vector<Loop> tolerances;
   std::vector<Point2> marks;

@@ -67,6 +67,42 @@ rule "ell" quality 1 {
     EXPECT_LT(distance(result.zones[0][i], wanted[i]), 1e-15) << i;
 }
 
+TEST(Evaluate, ExpectsVerticesWhereTheirLevelDoes) {
+  const LoadedRules loaded = loadRulesFromText("places.af2", R"(af2 1;
+def height(level) = if level < 4 then 1 else 0.5;
+ruleset "by level" { elements tri; match 0.01; }
+rule "free" quality 1 { new c = mid(a, b) + (0, 0.8); zone a, b, c; tri a b c; }
+rule "corner" quality 2..9 {
+  front a -> b -> c;
+  at    c (0.5 + 0.1 * q, height(q));
+  slope b -> c ~ 2;
+  zone  a, b, c;
+  tri   a b c;
+  mirror "corner, left" { quality 3..9; }
+})");
+  ASSERT_TRUE(loaded.rules) << toPretty(loaded.diagnostics);
+  const auto at = [&](const char* rule, int level, std::map<std::string, Point2> match) {
+    EvalRequest request;
+    request.rule = rule;
+    request.level = level;
+    request.match = std::move(match);
+    return evaluateRule(*loaded.rules, request);
+  };
+  for (const int level : {2, 3, 4, 9}) {
+    const Point2 c{0.5 + 0.1 * level, level < 4 ? 1 : 0.5};
+    EXPECT_TRUE(at("corner", level, {{"c", c}}).matches) << level;
+    EXPECT_EQ(at("corner", level, {}).zones[0][2], c) << "where nothing else is said";
+    EXPECT_FALSE(at("corner", level, {{"c", {c.x + 0.099, c.y}}}).matches) << "the slope";
+    EXPECT_TRUE(at("corner", level, {{"b", {1.099, 0}}, {"c", {c.x + 0.099, c.y}}}).matches);
+    const bool isLater = at("corner", level + 1, {{"c", {c.x - 0.01, c.y}}}).matches;
+    EXPECT_EQ(isLater, level == 9) << "the last level's place holds above it, " << level;
+  }
+  EXPECT_EQ(at("corner, left", 5, {}).zones[0][2], (Point2{0, 0.5}));
+  EXPECT_TRUE(at("corner, left", 5, {{"c", {0.05, 0.5}}}).matches);
+  EXPECT_FALSE(at("corner, left", 4, {{"c", {0, 0.5}}}).matches);
+  EXPECT_EQ(at("corner, left", 2, {}).refused, Refusal::Class);
+}
+
 TEST(Evaluate, KnowsTheLevelInScoresMetricsAndTolerances) {
   const LoadedRules loaded = loadRulesFromText("levels.af2", R"(af2 1;
 metric uneven(weight, u, v, w) = weight * q * (dist(u, v) / dist(v, w) - 1);

@@ -21,7 +21,7 @@ Points randomMatch(const AF2Rule& rule, std::mt19937& random) {
   std::uniform_real_distribution<double> deviation(-.6, .6), length(.3, 3);
   Points matched{{0, 0}, {length(random), 0}};
   for (std::size_t i = 2; i < rule.definition().vertices.size(); ++i)
-    matched.push_back(rule.definition().vertices[i].reference +
+    matched.push_back(rule.definition().vertices[i].reference.at(1) +
                       Point2{deviation(random), deviation(random)});
   return matched;
 }
@@ -197,6 +197,32 @@ TEST(CompiledRules, RejectAVertexApartFromTheBaseThatMayBeAnywhere) {
   EXPECT_THROW(CompiledRules{set}, InputError);
 }
 
+TEST(CompiledRules, LookForAVertexWhereItsLevelExpectsIt) {
+  RuleDefinition rule = visAVis().definition();
+  rule.vertices[2].reference =
+      ReferenceByLevel(std::vector<Point2>{{.5, .9}, {.5, .9}, {3, .7}, {3, .7}});
+  EXPECT_EQ(rule.vertices[2].reference.levelCount(), 3);
+  const RuleSet set = setOf(rule);
+  const CompiledRules compiled(set);
+  ASSERT_EQ(compiled.rules()[0].patterns.size(), 3u);
+  const auto reference = [&](int level) {
+    return compiled.rules()[0].patternAt(level).steps[0].reference;
+  };
+  EXPECT_EQ(reference(1), (Point2{.5, .9}));
+  EXPECT_EQ(reference(2), (Point2{.5, .9}));
+  EXPECT_EQ(reference(3), (Point2{3, .7}));
+  EXPECT_EQ(reference(9), (Point2{3, .7}));
+  const Window there{3, .7, 3.5, .7};
+  EXPECT_FALSE(compiled.windowAt(2, 1).contains(there));
+  EXPECT_TRUE(compiled.windowAt(3, 1).contains(there));
+}
+
+TEST(CompiledRules, HaveOnePatternWhereNothingGoesByTheLevel) {
+  const auto set = triangleSet();
+  const CompiledRules compiled(*set);
+  for (const CompiledRule& rule : compiled.rules()) EXPECT_EQ(rule.patterns.size(), 1u);
+}
+
 // ---- windows -----------------------------------------------------------------------------------
 
 TEST(CompiledRules, WindowHoldsEveryPlaceThatAFreeVertexCanMatch) {
@@ -217,7 +243,7 @@ TEST(CompiledRules, WindowHoldsEveryPlaceThatAFreeVertexCanMatch) {
           for (int n = 0; n < 200; ++n) {
             const Point2 d{reach * number(random), reach * number(random)};
             if (v.tolerance->at(level)(d) > tolerance) continue;
-            const Point2 p = v.reference + d;
+            const Point2 p = v.reference.at(level) + d;
             EXPECT_TRUE(window.contains({p.x, p.y, p.x, p.y}));
           }
         }

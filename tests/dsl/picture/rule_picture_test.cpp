@@ -58,6 +58,20 @@ TEST(RulePicture, ChangesWithTheLevelsAskedFor) {
             drawRule(rules, rule, PictureFormat::Svg, {.levels = {1, 3}}));
 }
 
+TEST(RulePicture, ShowsWhereAVertexMoves) {
+  RuleDefinition definition = test::sampleRules().rules()[1].definition();
+  const auto drawn = [&](ReferenceByLevel reference) {
+    definition.vertices[2].reference = std::move(reference);
+    const AF2Rule rule(definition);
+    const std::string png = drawRule(test::sampleRules(), rule, PictureFormat::Png);
+    keep("moving.png", png);
+    return png;
+  };
+  const std::string still = drawn({0.5, 0.866});
+  EXPECT_NE(drawn(ReferenceByLevel(std::vector<Point2>{{0.5, 0.866}, {0.6, 0.7}, {0.8, 0.4}})),
+            still);
+}
+
 TEST(RulePicture, ShowsAMatchWithItsFaults) {
   const RuleSet rules = test::sampleRules();
   const DrawnMatch match{{{0, 0}, {1.2, 0}, {0.2, 0.9}}, 1, {{0.4, 1.0}}, "a corner pokes out"};

@@ -39,8 +39,9 @@ std::vector<std::size_t> fileNumbers(const RuleDefinition& rule,
                                      const std::vector<Point2>& references) {
   std::vector<std::size_t> numbers;
   for (const PatternVertex& vertex : rule.vertices) {
+    const Point2 q = vertex.reference.at(rule.firstLevel);
     const auto found = std::ranges::find_if(references, [&](Point2 p) {
-      return std::abs(p.x - vertex.reference.x) + std::abs(p.y - vertex.reference.y) < kTolerance;
+      return std::abs(p.x - q.x) + std::abs(p.y - q.y) < kTolerance;
     });
     EXPECT_NE(found, references.end()) << rule.name << ": " << vertex.name;
     numbers.push_back(static_cast<std::size_t>(found - references.begin()));

@@ -30,7 +30,7 @@ TEST(MatchSampler, ReachesTheRimOfATiltedTolerance) {
   double largest = 0, mean = 0;
   constexpr int kCount = 2000;
   for (int i = 0; i < kCount; ++i) {
-    const Point2 d = sampler.next()->vertices()[2] - rule.definition().vertices[2].reference;
+    const Point2 d = sampler.next()->vertices()[2] - rule.definition().vertices[2].reference.at(1);
     const double w = rule.definition().vertices[2].tolerance->at(1)(d) / rules->matchTolerance(1);
     largest = std::max(largest, w);
     mean += w / kCount;

@@ -59,6 +59,7 @@ TEST(LaterLevels, AreNamedByTheLowestOneWithAFault) {
     const std::string end = d.rule == "turns over later"    ? "; below level 2 none was found"
                             : d.rule == "loosens by itself" ? "; below level 2 none was found"
                             : d.rule == "sticks out later"  ? "; below level 3 none was found"
+                            : d.rule == "moves once"        ? "; below level 30 none was found"
                                                             : "";
     EXPECT_TRUE(d.message.ends_with(end)) << d.message;
     EXPECT_EQ(d.message.find("; below") == std::string::npos, end.empty()) << d.message;
