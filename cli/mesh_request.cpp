@@ -173,7 +173,8 @@ MeshRequest checkedRequest(const MeshOptions& options) {
   if (request.isFaceted()) checkFaceted(options, request);
   if (!options.featureAngle.empty()) {
     if (!request.isFaceted()) throw UsageError("--feature-angle is for STL and OBJ files");
-    request.featureAngle = parseSize("--feature-angle", options.featureAngle);
+    request.featureAngle =
+        parsePositive("--feature-angle", options.featureAngle, "an angle in degrees");
     if (request.featureAngle >= 180)
       throw UsageError(
           fmt::format("--feature-angle {}: give degrees below 180", options.featureAngle));

@@ -57,13 +57,15 @@ std::vector<int> parseIds(const std::string& option, const std::string& text) {
   return {ids.begin(), ids.end()};
 }
 
+double parsePositive(const std::string& option, const std::string& text, const std::string& what) {
+  const auto number = parsed<double>(text);
+  if (!number || !std::isfinite(*number) || *number <= 0)
+    throw UsageError(fmt::format("{} '{}': {} is a number greater than 0", option, text, what));
+  return *number;
+}
+
 double parseSize(const std::string& option, const std::string& text) {
-  const auto size = parsed<double>(text);
-  if (!size || !std::isfinite(*size) || *size <= 0) {
-    throw UsageError(fmt::format(
-        "{} '{}': a size is a number greater than 0, in the model's unit, e.g. 0.5", option, text));
-  }
-  return *size;
+  return parsePositive(option, text, "a size, in the model's unit,");
 }
 
 std::map<int, double> parseSizes(const std::string& option, const std::vector<std::string>& texts) {

@@ -15,7 +15,8 @@ std::vector<int> parseIds(const std::string& option, const std::string& text);
 /// overrules an earlier one. Throws UsageError, which names `option`.
 std::map<int, double> parseSizes(const std::string& option, const std::vector<std::string>& texts);
 
-/// A number > 0. Throws UsageError, which names `option`.
+/// A number > 0. Throws UsageError, which names `option` and says what the number is.
+double parsePositive(const std::string& option, const std::string& text, const std::string& what);
 double parseSize(const std::string& option, const std::string& text);
 
 }  // namespace af2::cli

@@ -6,10 +6,13 @@
 #include <algorithm>
 #include <map>
 #include <new>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "cli/exit_code.h"
 #include "cli/usage_error.h"
+#include "dsl/words.h"
 #include "engine/error.h"
 
 namespace af2::cli {
@@ -54,6 +57,25 @@ std::string knownVerbs(std::span<const Verb> verbs) {
   return list;
 }
 
+/// What is wrong with the words of a command: a mistyped option rather than that the right one is
+/// missing.
+std::string faultOf(const CLI::App& program, const CLI::ParseError& error) {
+  const auto chosen = program.get_subcommands();
+  if (chosen.empty()) return firstLine(error.what());
+  std::vector<std::string> options;
+  for (const CLI::Option* option : chosen.front()->get_options())
+    for (const std::string& name : option->get_lnames()) options.push_back("--" + name);
+  const std::vector<std::string> strangers = chosen.front()->remaining();
+  for (const std::string& word : strangers) {
+    if (!word.starts_with('-')) continue;
+    const std::string name = word.substr(0, word.find('='));
+    const std::string help = dsl::didYouMean(name, options).text();
+    return fmt::format("there is no option '{}'{}{}", name, help.empty() ? "" : "; ", help);
+  }
+  return strangers.empty() ? firstLine(error.what())
+                           : fmt::format("'{}' is one word too many", strangers.front());
+}
+
 }  // namespace
 
 int runProgram(std::span<const Verb> verbs, int count, char** arguments) {
@@ -74,7 +96,7 @@ int runProgram(std::span<const Verb> verbs, int count, char** arguments) {
   } catch (const CLI::Success& help) {
     return program.exit(help);
   } catch (const CLI::ParseError& error) {
-    return explainUsage(program, firstLine(error.what()));
+    return explainUsage(program, faultOf(program, error));
   }
   return runAction(program, actions.at(program.get_subcommands().front()));
 }

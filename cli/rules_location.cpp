@@ -2,7 +2,10 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cstdlib>
+#include <string>
+#include <vector>
 
 #include "engine/error.h"
 
@@ -25,6 +28,18 @@ fs::path programDirectory() {
   std::error_code failed;
   const fs::path program = fs::read_symlink("/proc/self/exe", failed);
   return failed ? fs::path() : program.parent_path();
+}
+
+/// The rule sets below a directory, in their order by name.
+std::string listOf(const fs::path& rules) {
+  std::vector<std::string> names;
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(rules))
+    if (entry.path().extension() == ".af2")
+      names.push_back(entry.path().lexically_relative(rules).string());
+  std::ranges::sort(names);
+  std::string list;
+  for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
+  return list;
 }
 
 }  // namespace
@@ -52,8 +67,8 @@ fs::path findRuleFile(const fs::path& name) {
   for (const fs::path& place : {rules / name, rules / (name.string() + ".af2")}) {
     if (isFile(place)) return place;
   }
-  throw InputError(fmt::format("there is no rule file '{}', neither here nor in '{}'",
-                               name.string(), rules.string()));
+  throw InputError(fmt::format("there is no rule file '{}', neither here nor in '{}'; AF2 has {}",
+                               name.string(), rules.string(), listOf(rules)));
 }
 
 }  // namespace af2::cli

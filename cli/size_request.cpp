@@ -42,14 +42,17 @@ SizeRequest checkedSizes(const SizeOptions& options) {
     throw UsageError(
         fmt::format("--min-size {} is above --max-size {}", options.smallest, options.largest));
   if (!options.curvature.empty()) {
-    request.elementsPerTurn = parseSize("--curvature", options.curvature);
+    request.elementsPerTurn =
+        parsePositive("--curvature", options.curvature, "how many elements go round");
     if (request.elementsPerTurn < 3)
       throw UsageError(
           fmt::format("--curvature {}: a turn needs at least 3 elements", options.curvature));
   }
   if (!options.proximity.empty())
-    request.elementsAcross = parseSize("--proximity", options.proximity);
-  if (!options.grading.empty()) request.growth = parseSize("--grading", options.grading);
+    request.elementsAcross =
+        parsePositive("--proximity", options.proximity, "how many elements go across");
+  if (!options.grading.empty())
+    request.growth = parsePositive("--grading", options.grading, "the growth");
   request.faceSizes = parseSizes("--face-size", options.faceSizes);
   request.edgeSizes = parseSizes("--edge-size", options.edgeSizes);
   if (!options.file.empty()) request.file = geometry::readSizeFile(options.file);

@@ -220,6 +220,7 @@ ModelMesh meshModel(const Model& model, const AF2Algorithm& algorithm,
   // One arena for all stages: a thread that has to change arenas comes late to the next stage.
   ModelMeshingOptions inArena = options;
   inArena.threads = 0;
+  inArena.sizes = withinModel(options.sizes, model);
   ModelMesh mesh;
   withThreads(options.threads, [&] { mesh = meshOnceOrTwice(model, algorithm, inArena); });
   return mesh;

@@ -54,6 +54,15 @@ void checkSizes(const ModelSizes& sizes, const Model& model) {
   checkAll(sizes.edgeSizes, model.edgeCount(), "edge");
 }
 
+ModelSizes withinModel(ModelSizes sizes, const Model& model) {
+  const double most = model.diagonal();
+  if (!(most > 0)) return sizes;
+  sizes.size = std::min(sizes.size, most);
+  sizes.maxSize = std::min(sizes.maxSize, most);
+  sizes.minSize = std::min(sizes.minSize, most);
+  return sizes;
+}
+
 double wantedOnFace(const ModelSizes& sizes, int face) {
   const auto found = sizes.faceSizes.find(face);
   return bounded(sizes, found == sizes.faceSizes.end() ? sizes.size : found->second);

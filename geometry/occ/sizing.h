@@ -13,6 +13,10 @@ namespace af2::geometry {
 /// Throws InputError for a size that is not positive or an id that the model does not have.
 void checkSizes(const ModelSizes& sizes, const Model& model);
 
+/// The same sizes, but none larger than the model, as no element could be: what is small beside a
+/// size is taken for nothing in places.
+ModelSizes withinModel(ModelSizes sizes, const Model& model);
+
 /// The same sizes, but what they want by position, and on the faces by curvature and function, is
 /// one function: it grows from wherever it is small, through space, by no more than sizes.growth.
 ModelSizes spreadSizes(const ModelShape& model, ModelSizes sizes, int threads,

@@ -14,7 +14,10 @@ for size in 0 -1 nan inf 1mm; do
   usage "$af2" mesh "$cylinder" "--size=$size"; told 'greater than 0'
 done
 usage "$af2" mesh "$cylinder" --size=; told '--size'
-usage "$af2" mesh "$cylinder" --size 1 --sise 2; told '--sise'
+usage "$af2" mesh "$cylinder" --size 1 --sise 2; told "there is no option '--sise'; did you mean '--size'?"
+usage "$af2" mesh "$cylinder" --sise=2; told "there is no option '--sise'; did you mean '--size'?"
+usage "$af2" mesh "$cylinder" --size 1 -z; told "there is no option '-z'"
+usage "$af2" mesh "$cylinder" two.step --size 1; told "'two.step' is one word too many"
 usage "$af2" mesh "$cylinder" --size 1 --faces 0; told 'ids begin at 1'
 usage "$af2" mesh "$cylinder" --size 1 --faces 99; told 'there is no face 99'
 usage "$af2" mesh "$cylinder" --size 1 --edge-size 99=0.1; told 'there is no edge 99'
@@ -22,6 +25,7 @@ usage "$af2" mesh "$cylinder" --size 1 --face-size 1; told '3,7-9=0.1'
 usage "$af2" mesh "$cylinder" --size 1 --curvature 2; told 'at least 3'
 usage "$af2" mesh "$cylinder" --size 1 --min-size 2 --max-size 1; told 'above --max-size'
 usage "$af2" mesh "$cylinder" --size 1 --grading 0; told '--grading'
+unusable "$af2" mesh "$cylinder" --size 1 -r quad; told 'AF2 has quad/classic.af2, '
 unusable "$af2" mesh "$cylinder" --size 1 --sizes nothing.json; told 'nothing.json'
 echo '{"parts": {"nowhere": 1}}' >sizes.json
 unusable "$af2" mesh "$cylinder" --size 1 --sizes sizes.json; told "no face or group has such a name"

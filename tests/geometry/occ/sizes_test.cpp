@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "engine/error.h"
+#include "geometry/fingerprint.h"
 #include "geometry/mesh_edges.h"
 #include "geometry/occ/mesh_model.h"
 #include "tests/geometry/occ/meshing.h"
@@ -154,6 +155,15 @@ TEST(Sizes, OfAFunctionReachTheFacesAroundThem) {
   sizes.function = [](const Point3& p) { return distance(p, Point3{2, 2, 4}) < 1 ? 0.05 : 10.0; };
   const ModelMesh result = mesh(testing::box(4, 4, 4), sizes);
   EXPECT_LT(worstStep(result), 4.5);
+}
+
+TEST(Sizes, NoSizeIsLargerThanTheModel) {
+  ModelSizes sizes, asLargeAsTheModel;
+  const Model model = testing::cylinder(1, 2);
+  asLargeAsTheModel.size = asLargeAsTheModel.minSize = model.diagonal();
+  sizes.size = 1e15;
+  sizes.minSize = 1e12;
+  EXPECT_EQ(fingerprint(mesh(model, sizes)), fingerprint(mesh(model, asLargeAsTheModel)));
 }
 
 }  // namespace
