@@ -5,6 +5,7 @@
 #include "engine/error.h"
 #include "engine/mesh_check.h"
 #include "geometry/laid_out.h"
+#include "geometry/occ/sizing.h"
 #include "geometry/stuck_front.h"
 
 namespace af2::geometry {
@@ -52,26 +53,38 @@ double mostArea(const FaceTask& task) {
   return 3.15 * extent * extent;
 }
 
-/// Several times what the sizes along the boundary let expect. Only a size function may want much
-/// smaller elements inside.
-std::size_t elementLimit(const FaceTask& task) {
+/// Elements per area that the sizes along the boundary let expect: the mean over its length, in
+/// which a few tiny segments hardly count.
+double boundaryDensity(const FaceTask& task) {
   constexpr double kUnitTriangle = 0.433;  // area of the one with edges of length 1
-  constexpr double kMargin = 4, kFunctionMargin = 1e5;
-  std::size_t corners = 0;
-  double density = 0;
-  const double area = task.area > 0 ? task.area : mostArea(task);
+  double density = 0, perimeter = 0;
   for (const auto& loop : task.boundary.input.loops) {
-    corners += loop.size();
-    for (const BoundaryCorner& corner : loop) {
-      const double size = task.size.sizeAt(corner.point);
-      density += 1 / (size * size);
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      const double segment =
+          distance(loop[i].point.position, loop[(i + 1) % loop.size()].point.position);
+      const double size = task.size.sizeAt(loop[i].point);
+      density += segment / (size * size);
+      perimeter += segment;
     }
   }
-  const double byBoundary =
-      area * density / (kUnitTriangle * static_cast<double>(std::max<std::size_t>(corners, 1)));
-  const double expected = std::max(task.expectedElements, byBoundary);
+  return perimeter > 0 ? density / (kUnitTriangle * perimeter) : 0;
+}
+
+/// How many elements the sizes let expect. Along the boundary of a face whose area is not known
+/// these tell nothing of its inside: sizes grow from there.
+double expectedElements(const FaceTask& task) {
+  if (task.area > 0) return std::max(task.expectedElements, task.area * boundaryDensity(task));
+  return expectedElements(task.options.sizes, task.face, task.surface, mostArea(task));
+}
+
+/// Several times what is expected. Only a size function may want much smaller elements inside.
+std::size_t elementLimit(const FaceTask& task) {
+  constexpr double kMargin = 4, kFunctionMargin = 1e5;
+  std::size_t corners = 0;
+  for (const auto& loop : task.boundary.input.loops) corners += loop.size();
   const double margin = task.mayBeFineInside ? kFunctionMargin : kMargin;
-  return static_cast<std::size_t>(std::min(margin * expected, 1e9)) + 12 * corners + 2000;
+  const double beside = 12 * static_cast<double>(corners) + 2000;
+  return static_cast<std::size_t>(std::min(margin * expectedElements(task) + beside, 1e9));
 }
 
 /// Points of a face for the cuts between its pieces.
