@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <optional>
-#include <set>
 
 #include "engine/predicates.h"
 #include "geometry/plane_axes.h"
@@ -11,8 +10,8 @@ namespace af2::geometry {
 
 namespace {
 
-/// Beyond this the front is not merely stuck somewhere, and the work grows with the third power.
-constexpr std::size_t kMostEdges = 600;
+/// Beyond this the front is not merely stuck somewhere, and the work grows with the second power.
+constexpr std::size_t kMostEdges = 5000;
 
 struct Edge {
   VertexId from, to;
@@ -57,19 +56,21 @@ class Closer {
       front_.erase(opposite);
   }
 
+  /// Of those that are free, the one with the best shape.
   std::optional<VertexId> bestApex(Edge base) const {
-    std::set<VertexId> tried;
-    std::optional<VertexId> best;
-    double bestShape = -1;
-    for (const Edge& e : front_) {
-      const VertexId apex = e.from;
-      if (apex == base.from || apex == base.to || !tried.insert(apex).second) continue;
-      const double shape = shapeOf(base, apex);
-      if (shape <= bestShape || !isFree(base, apex)) continue;
-      best = apex;
-      bestShape = shape;
-    }
-    return best;
+    struct Apex {
+      double shape;
+      VertexId vertex;
+    };
+    std::vector<Apex> apexes;
+    for (const Edge& e : front_)
+      if (e.from != base.from && e.from != base.to)
+        apexes.push_back({shapeOf(base, e.from), e.from});
+    std::stable_sort(apexes.begin(), apexes.end(),
+                     [](const Apex& a, const Apex& b) { return a.shape > b.shape; });
+    for (const Apex& apex : apexes)
+      if (isFree(base, apex.vertex)) return apex.vertex;
+    return std::nullopt;
   }
 
   /// Area over squared edges.

@@ -119,24 +119,70 @@ bool isNearArea(const FaceTask& task, const FaceAttempt& attempt) {
   return task.surface.isPlane() || !(task.area > 0) || areaError(task, attempt) < kNear;
 }
 
-FaceAttempt fillWithoutVertices(const FaceTask& task) {
-  FaceAttempt attempt;
-  attempt.chart = ChartKind::Parametric;
-  attempt.charts = task.surface.makeCharts(ChartKind::MeanNormal);
-  attempt.fault = "not filled";
-  if (!task.boundary.closedInParameters || hasTwoSheets(task.boundary.input)) return attempt;
-  attempt.result.outcome = Outcome::Stuck;
-  attempt.result.mesh.vertices.resize(task.boundary.input.vertexCount);
-  for (const auto& loop : task.boundary.input.loops) {
+/// The front is all of the boundary, as it is before the first step.
+void beginFront(const FrontInput& boundary, MeshingResult& result) {
+  result.outcome = Outcome::Stuck;
+  result.mesh.vertices.resize(boundary.vertexCount);
+  for (const auto& loop : boundary.loops) {
     for (std::size_t i = 0; i < loop.size(); ++i) {
-      const BoundaryCorner& corner = loop[i];
-      attempt.result.mesh.vertices[corner.vertex.value] = corner.point;
-      attempt.result.stuck.push_back({corner.vertex, loop[(i + 1) % loop.size()].vertex, 1, {}});
+      result.mesh.vertices[loop[i].vertex.value] = loop[i].point;
+      result.stuck.push_back({loop[i].vertex, loop[(i + 1) % loop.size()].vertex, 1, {}});
     }
   }
+}
+
+FaceAttempt fillWithoutVertices(const FaceTask& task) {
+  const bool isPlane = task.surface.isPlane();
+  FaceAttempt attempt;
+  attempt.chart = isPlane ? ChartKind::Plane : ChartKind::Parametric;
+  attempt.charts = task.surface.makeCharts(isPlane ? ChartKind::Plane : ChartKind::MeanNormal);
+  attempt.fault = "not filled";
+  const bool isPossible =
+      isPlane || (task.boundary.closedInParameters && !hasTwoSheets(task.boundary.input));
+  if (!isPossible) return attempt;
+  beginFront(task.boundary.input, attempt.result);
   close(task, attempt);
   attempt.chart = ChartKind::Auto;  // it took none
   return attempt;
+}
+
+/// Whether a plane face is a strip, far narrower than its segments are long: vertices inside would
+/// only make its elements thinner, and a front has no room.
+bool isNarrow(const FaceTask& task) {
+  constexpr double kNarrow = 0.3;  // width over length of a segment
+  if (!task.surface.isPlane() || !(task.area > 0)) return false;
+  double perimeter = 0, segments = 0;
+  for (const auto& loop : task.boundary.input.loops) {
+    for (std::size_t i = 0; i < loop.size(); ++i)
+      perimeter += distance(loop[i].point.position, loop[(i + 1) % loop.size()].point.position);
+    segments += static_cast<double>(loop.size());
+  }
+  const double width = 2 * task.area / perimeter;
+  return width < kNarrow * perimeter / segments;
+}
+
+/// A place in a strip may be wider than the rest: edges across it are longer than those of the
+/// boundary.
+bool hasLongEdges(const FrontInput& boundary, const Mesh& mesh) {
+  constexpr double kLong = 2.2;
+  std::vector<double> longest(mesh.vertices.size(), 0);  // segment at a vertex
+  for (const auto& loop : boundary.loops) {
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      const BoundaryCorner &from = loop[i], &to = loop[(i + 1) % loop.size()];
+      const double segment = distance(from.point.position, to.point.position);
+      for (const VertexId v : {from.vertex, to.vertex})
+        longest[v.value] = std::max(longest[v.value], segment);
+    }
+  }
+  return std::ranges::any_of(mesh.elements, [&](const Element& element) {
+    const auto c = element.vertices();
+    for (std::size_t i = 0; i < c.size(); ++i) {
+      const auto from = c[i].value, to = c[(i + 1) % c.size()].value;
+      const double edge = distance(mesh.vertices[from].position, mesh.vertices[to].position);
+      if (edge > kLong * std::max(longest[from], longest[to])) return true;
+    }
+    return false;
+  });
 }
 
 }  // namespace
@@ -154,6 +200,13 @@ bool hasTwoSheets(const FrontInput& input) {
 }
 
 FaceAttempt fillFace(const FaceTask& task) {
+  if (isNarrow(task)) {
+    FaceAttempt strip = fillWithoutVertices(task);
+    if (strip.fault.empty() && !hasLongEdges(task.boundary.input, strip.result.mesh)) {
+      strip.closingElements = 0;  // nothing got stuck
+      return strip;
+    }
+  }
   FaceAttempt filled = fillWithRules(task);
   if (!filled.fault.empty() || isNearArea(task, filled)) return filled;
   FaceAttempt bare = fillWithoutVertices(task);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "engine/mesh_check.h"
 #include "geometry/boundary_crossings.h"
@@ -16,8 +17,12 @@ constexpr double kMuchFiner = 0.3;
 /// More places than this at once would not make the next try better, only slower.
 constexpr std::size_t kMostPlaces = 20'000;
 
-/// Angles below this are opened, in degrees, to about the second where that is possible.
-constexpr double kLeastAngle = 5, kWantedAngle = 10;
+/// Angles below this are opened, in degrees.
+constexpr double kLeastAngle = 5;
+/// Where that is possible, to so many times what they are, within these bounds: what shorter edges
+/// cost grows as fast.
+constexpr double kOpening = 4, kLowestAim = 1, kHighestAim = 10;
+constexpr double kLeastShare = 0.02;
 /// Elements with such angles are hardly of use.
 constexpr double kBadAngle = 0.7;
 /// Curved and round faces may lose this share of their area to straight edges.
@@ -89,38 +94,110 @@ double leastAngle(const Mesh& mesh, std::span<const VertexId> c) {
   return least * 180 / 3.14159265358979323846;
 }
 
+constexpr double kSharpTangent = 0.09;  // of a little more than kLeastAngle
+
 /// Whether some angle is below kLeastAngle, or nearly so: nearly all are not.
 bool hasSharpAngle(const Mesh& mesh, std::span<const VertexId> c) {
-  constexpr double kSquaredTangent = 8e-3;  // of a little more than kLeastAngle
   for (std::size_t i = 0; i < c.size(); ++i) {
     const Point3& here = mesh.vertices[c[i].value].position;
     const Point3 p = mesh.vertices[c[i + 1 == c.size() ? 0 : i + 1].value].position - here;
     const Point3 q = mesh.vertices[c[i == 0 ? c.size() - 1 : i - 1].value].position - here;
     const double along = dot(p, q);
     const Point3 turned = cross(p, q);
-    if (along >= 0 && dot(turned, turned) <= kSquaredTangent * along * along) return true;
+    if (along >= 0 && dot(turned, turned) <= kSharpTangent * kSharpTangent * along * along)
+      return true;
   }
   return false;
 }
 
-/// At the middle of its longest edge an element wants a share of that.
+/// All along its longest edge an element wants a share of that.
 void openAngle(const Mesh& mesh, std::span<const VertexId> c, double share,
                std::vector<SizeSource>& places) {
+  constexpr double kApart = 2;  // sizes between two sources grow to 1.3 times theirs
   std::size_t longest = 0;
   const auto at = [&](std::size_t i) -> const Point3& {
     return mesh.vertices[c[i % c.size()].value].position;
   };
   for (std::size_t i = 1; i < c.size(); ++i)
     if (distance(at(i), at(i + 1)) > distance(at(longest), at(longest + 1))) longest = i;
-  addEdge(places, at(longest), at(longest + 1), share);
+  const Point3 from = at(longest), along = at(longest + 1) - from;
+  const double size = share * length(along);
+  const double count = std::ceil(1 / (kApart * share));
+  for (double k = 0; k < count && places.size() < kMostPlaces; ++k)
+    places.push_back({from + (k + 0.5) / count * along, size});
 }
+
+/// The corners of a face that are sharper than any element should be. In such a wedge all elements
+/// are thin, however short their edges are.
+class SharpCorners {
+ public:
+  SharpCorners(const Mesh& mesh, const FrontInput& boundary) : mesh_(mesh) {
+    std::vector<int> uses(mesh.vertices.size(), 0);
+    for (const Element& element : mesh.elements)
+      for (const VertexId v : element.vertices()) ++uses[v.value];
+    for (const auto& loop : boundary.loops)
+      for (std::size_t i = 0; i < loop.size(); ++i)
+        if (uses[loop[i].vertex.value] == 1) add(loop, i);
+  }
+
+  /// Whether an element is as thin as a wedge that it lies in.
+  bool hold(std::span<const VertexId> c) const {
+    constexpr double kMost = 1.5, kLeast = 0.3;  // height over width of the wedge
+    return std::ranges::any_of(corners_, [&](const Corner& corner) {
+      double far = 0;
+      for (const VertexId v : c) far = std::max(far, distance(at(v), corner.place));
+      const double width = corner.tangent * far, height = heightOf(c);
+      return height < kMost * width && height > kLeast * width;
+    });
+  }
+
+ private:
+  struct Corner {
+    Point3 place;
+    double tangent;
+  };
+
+  const Point3& at(VertexId v) const { return mesh_.vertices[v.value].position; }
+
+  void add(const std::vector<BoundaryCorner>& loop, std::size_t i) {
+    constexpr double kBlunt = 0.7;
+    const double first = tangentAt(loop, i, 1), second = tangentAt(loop, i, 2);
+    if (!(first > 0) || first >= kSharpTangent) return;
+    // What narrows more slowly than it gets nearer has a blunt end: there shorter edges are better.
+    if (second < kBlunt * first) return;
+    corners_.push_back({loop[i].point.position, first});
+  }
+
+  /// Of the angle that two sides make at a corner, each so many segments long; infinite beyond 90
+  /// degrees.
+  static double tangentAt(const std::vector<BoundaryCorner>& loop, std::size_t i,
+                          std::size_t steps) {
+    const std::size_t n = loop.size();
+    const Point3& place = loop[i].point.position;
+    const Point3 p = loop[(i + steps) % n].point.position - place;
+    const Point3 q = loop[(i + n - steps) % n].point.position - place;
+    const double along = dot(p, q);
+    return along > 0 ? length(cross(p, q)) / along : std::numeric_limits<double>::infinity();
+  }
+
+  double heightOf(std::span<const VertexId> c) const {
+    double longest = 0;
+    for (std::size_t i = 0; i < c.size(); ++i)
+      longest = std::max(longest, distance(at(c[i]), at(c[(i + 1) % c.size()])));
+    return length(cross(at(c[1]) - at(c[0]), at(c[2]) - at(c[0]))) / longest;
+  }
+
+  const Mesh& mesh_;
+  std::vector<Corner> corners_;
+};
 
 /// Edges as long as the height of the element allows at the wanted angle.
 ///
 /// A few merely poor elements among very many do not count: to mesh the face again would cost more
 /// than it could bring.
-void openAngles(const Mesh& mesh, FaceTrouble& trouble) {
+void openAngles(const Mesh& mesh, const FrontInput& boundary, FaceTrouble& trouble) {
   constexpr std::size_t kManyForOnePoor = 2000;
+  const SharpCorners corners(mesh, boundary);
   FaceTrouble found;
   std::size_t poor = 0;
   for (const Element& element : mesh.elements) {
@@ -128,14 +205,18 @@ void openAngles(const Mesh& mesh, FaceTrouble& trouble) {
     if (!hasSharpAngle(mesh, c)) continue;
     const double angle = leastAngle(mesh, c);
     if (angle >= kLeastAngle) continue;
-    ++poor;
     found.hasBadAngle = found.hasBadAngle || angle < kBadAngle;
+    if (corners.hold(c)) continue;
+    ++poor;
+    found.isBad = found.isBad || angle < kBadAngle;
     // The worst one counts: shorter edges make more of them, though better ones.
     found.poorness = std::max(found.poorness, std::log(kLeastAngle / std::max(angle, 1e-6)));
-    openAngle(mesh, c, std::max(angle / kWantedAngle, 0.1), found.places);
+    const double aim = std::clamp(kOpening * angle, kLowestAim, kHighestAim);
+    openAngle(mesh, c, std::max(angle / aim, kLeastShare), found.places);
   }
-  found.isBad = found.hasBadAngle;
-  if (found.isBad || poor * kManyForOnePoor >= mesh.elements.size()) trouble = std::move(found);
+  const bool isWorthIt = found.isBad || poor * kManyForOnePoor >= mesh.elements.size();
+  if (!isWorthIt) found = {{}, 0, false, found.hasBadAngle};
+  trouble = std::move(found);
 }
 
 void addElements(const Mesh& mesh, double share, std::vector<SizeSource>& places) {
@@ -189,7 +270,7 @@ FaceTrouble troubleOfFailure(const FaceSurface& surface, const FaceBoundary& bou
 FaceTrouble troubleOfMesh(const Mesh& mesh, const FaceBoundary& boundary, bool isPlane,
                           double area) {
   FaceTrouble trouble;
-  openAngles(mesh, trouble);
+  openAngles(mesh, boundary.input, trouble);
   if (!(area > 0)) return trouble;
   const double error = std::abs(areaOfElements(mesh) / area - 1);
   if (!(error > kMostAreaError)) return trouble;

@@ -50,6 +50,17 @@ TEST(CloseFront, FillsAPolygonThatIsNotConvex) {
   EXPECT_EQ(result.mesh.rule, (std::vector<std::uint16_t>{99, 99, 99}));
 }
 
+TEST(CloseFront, FillsAStripOfThousandsOfSegments) {
+  constexpr int kSegments = 1500;
+  std::vector<Point2> strip;
+  for (int i = 0; i <= kSegments; ++i) strip.push_back({double(i), 0});
+  for (int i = kSegments; i >= 0; --i) strip.push_back({double(i), 0.01});
+  MeshingResult result = stuckAt({strip});
+  ASSERT_TRUE(close(result));
+  EXPECT_EQ(result.mesh.elements.size(), 2u * kSegments);
+  EXPECT_NEAR(areaOf(result.mesh), 0.01 * kSegments, 1e-9);
+}
+
 TEST(CloseFront, FillsAroundAHole) {
   MeshingResult result =
       stuckAt({{{0, 0}, {4, 0}, {4, 4}, {0, 4}}, {{1, 1}, {1, 3}, {3, 3}, {3, 1}}});

@@ -92,6 +92,26 @@ TEST(DifficultFaces, AStripOfATwoThousandthOfTheSizeIsDividedFinely) {
   EXPECT_GT(leastAngle(result), 0.5);
 }
 
+/// A frame as those of the sockets on a circuit board: a thousandth of its side wide.
+TEST(DifficultFaces, AFrameHasElementsAsWideAsItself) {
+  const TopoDS_Wire hole = TopoDS::Wire(rectangle(0.001, 0.001, 0.999, 0.999).Reversed());
+  const ModelMesh result = mesh(plane({rectangle(0, 0, 1, 1), hole}), 2.5);
+  expectComplete(result, 4 * 0.999 * 0.001, 1e-6);
+  EXPECT_GT(leastAngle(result), 0.5);
+  EXPECT_LT(result.elements.size(), 400u);
+  for (const Point3& p : result.vertices)
+    EXPECT_LT(std::min({p.x, p.y, 1 - p.x, 1 - p.y}), 0.00100001) << "a vertex inside";
+}
+
+/// No division opens the angle of a corner, so none is tried.
+TEST(DifficultFaces, ASharpCornerIsLeftAsItIs) {
+  BRepBuilderAPI_MakePolygon wedge({0, 0, 0}, {10, 0, 0}, {10, 0.2, 0}, true);
+  const ModelMesh result = mesh(plane({wedge.Wire()}), 1);
+  expectComplete(result, 1, 1e-6);
+  EXPECT_TRUE(result.faces[0].attempts.empty());
+  EXPECT_LT(result.elements.size(), 40u);
+}
+
 /// The disc wants shorter edges for its area; on the crescent, whose sides touch at the tips, the
 /// element there is the worse the shorter it is. The strip cannot be meshed without shorter edges.
 TEST(DifficultFaces, ShorterEdgesForOneFaceDoNotSpoilItsNeighbor) {
