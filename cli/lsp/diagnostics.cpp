@@ -136,10 +136,18 @@ class Writer {
   std::vector<Json> imported_;
 };
 
+/// Of one finding the checks may know more than the text told.
+bool isSame(const Diagnostic& p, const Diagnostic& q) {
+  return p.code == q.code && p.place.file == q.place.file && p.place.line == q.place.line &&
+         p.place.column == q.place.column;
+}
+
 void publish(const Session& session, const Document& document, const Analysis& analysis,
              const std::vector<Diagnostic>& more) {
   Writer writer(session, document, analysis);
-  for (const Diagnostic& d : analysis.loaded.diagnostics) writer.add(d);
+  for (const Diagnostic& d : analysis.loaded.diagnostics)
+    if (std::ranges::none_of(more, [&](const Diagnostic& later) { return isSame(d, later); }))
+      writer.add(d);
   for (const Diagnostic& d : more) writer.add(d);
   Json list = writer.take();
   for (const Json& failure : document.testFailures) list.push_back(failure);
@@ -148,11 +156,27 @@ void publish(const Session& session, const Document& document, const Analysis& a
   session.notify("textDocument/publishDiagnostics", std::move(params));
 }
 
+/// What the text tells of mirror images, with a counter-example each.
+std::vector<Diagnostic> mirrorFindings(const Analysis& analysis) {
+  dsl::LoadedRules sound = analysis.loaded;
+  sound.rules = analysis.soundRules();
+  std::vector<Diagnostic> found;
+  for (const Diagnostic& d : analysis.loaded.diagnostics) {
+    const auto example = dsl::mirrorExampleOf(sound, d);
+    if (!example) continue;
+    found.push_back(d);
+    found.back().notes.push_back(dsl::testNote(example->test));
+  }
+  return found;
+}
+
 std::vector<Diagnostic> slowChecks(const Analysis& analysis, const std::atomic<bool>& isCancelled) {
   dsl::SamplingOptions options;
   options.isCancelled = [&isCancelled] { return isCancelled.load(); };
   const RuleSet& rules = *analysis.soundRules();
-  auto found = dsl::diagnosticsOf(analysis.loaded, dsl::runSampledChecks(rules, options));
+  auto found = mirrorFindings(analysis);
+  for (Diagnostic& d : dsl::diagnosticsOf(analysis.loaded, dsl::runSampledChecks(rules, options)))
+    found.push_back(std::move(d));
   if (isCancelled) return found;
   if (!analysis.loaded.rules) {
     // Which rule is chosen, and what none takes, shows only where no rule is missing.

@@ -99,6 +99,19 @@ TEST(LspActions, TurnCounterExamplesIntoTests) {
   for (const Json& d : c.diagnostics()) EXPECT_NE(d["severity"], 1) << d;
 }
 
+TEST(LspActions, TurnMissingMirrorImagesIntoTests) {
+  const std::string text = replaced(kRules, "  mirror \"left 120\" { at c ~ 2; }\n", "");
+  const std::string more = fixed(text, "add the counter-example as a test");
+  EXPECT_TRUE(says(more, "right 120: its mirror image is done alike"));
+  Conversation c;
+  c.open(text);
+  c.diagnostics();
+  c.checks.run();
+  int told = 0;
+  for (const Json& d : c.diagnostics()) told += d["code"] == "AF2-M1";
+  EXPECT_EQ(told, 1) << "by the text and by the checks";
+}
+
 TEST(LspInlayHints, ShowTheNewFront) {
   Conversation c;
   c.open(kRules);
