@@ -59,6 +59,7 @@ void ClauseCompiler::compileNew(const NewClause& clause) {
     const auto index = static_cast<int>(matched_.size() + newPlaces_.size());
     value.vertex = isKnown ? index : -1;
     value.isNewVertex = true;
+    if (isKnown) use(UsedValue::Kind::NewVertex, value, d.value.span);
     const NodePair at = isKnown ? algebra().toBase(value.at) : NodePair{};
     if (!defineLocal(d.name, value, LocalKind::NewVertex)) continue;
     newPlaces_.push_back(at);
@@ -157,6 +158,7 @@ void ClauseCompiler::compileRequire(const RequireClause& clause) {
                         *constant != 0 ? "this condition always holds"
                                        : "this condition never holds, so the rule never applies",
                         "", "it does not depend on the match", Severity::Warning);
+    use(UsedValue::Kind::Requirement, value, expr.span);
     definition().requirements.push_back(makeFunction(builder_, value.number));
   }
 }
@@ -168,6 +170,7 @@ void ClauseCompiler::compileCost(const CostClause& clause) {
   if (builder_.constantValue(value.number) == 0.0)
     expressions_.warnIdle(clause.value.span, "a cost of 0 changes nothing",
                           "remove it, or give it a value");
+  use(UsedValue::Kind::Cost, value, clause.value.span);
   definition().cost = makeFunction(builder_, value.number);
 }
 
@@ -293,6 +296,7 @@ std::optional<CompiledRule> ClauseCompiler::compile(const std::string& title, Sp
   for (const Clause& clause : rule_.clauses) compileClause(clause);
   compileZones();
   if (mirror_) applyOverrides();
+  tellMissingValues();
   warnAboutNames();
   if (definition().zone == nullptr && zones_.empty() && !hasErrors_)
     tell("Z6", titleSpan, "this rule has no zone",

@@ -11,6 +11,7 @@
 
 #include "dsl/compiled_rule.h"
 #include "dsl/expressions.h"
+#include "dsl/known_values.h"
 #include "dsl/rule_compiler.h"
 
 namespace af2::dsl {
@@ -44,6 +45,15 @@ class ClauseCompiler {
     expressions_.locals[name] = std::move(local);
     isGeneric_ = isGeneric_ || parameter.value.type == Type::Any;
   }
+
+  /// Something that is worked out at a match, and so needs a value at every level.
+  struct UsedValue {
+    enum class Kind { Requirement, NewVertex, Cost, When, Zone };  ///< Zone: of the When before it
+    Kind kind;
+    Span span;
+    std::size_t first, last;  ///< of usedNodes_; the last one is not among them
+    bool isTold = false;
+  };
 
   /// Nothing if something was told that leaves no rule.
   std::optional<CompiledRule> compile(const std::string& title, Span titleSpan);
@@ -144,10 +154,13 @@ class ClauseCompiler {
     bool isRight = false;
   };
 
+  void use(UsedValue::Kind kind, const Value& value, Span span);
+  void useZones();
+  void tellMissingValues();
+  void tellMissingAt(int level, KnownResults known);
   void readZone(const ZoneClause& clause, Span span);
   std::shared_ptr<const AF2FreeZoneDef> cornerZone(const ReadZone& zone);
   ShapeValue shapeOf(const ReadZone& zone);
-  void compileUserZone(const ReadZone& zone);
   void listNamesBelow();
   static ShapeValue unionOf(std::vector<ShapeValue> shapes);
   bool isShapeClause(const ZoneClause& clause) { return clause.corners.size() == 1; }
@@ -161,6 +174,8 @@ class ClauseCompiler {
   CompiledRule result_;
   std::map<std::string, int> matched_;
   std::vector<ReadZone> zones_;
+  std::vector<UsedValue> used_;
+  std::vector<Node> usedNodes_;
   std::map<std::string, bool> atDefined_;
   std::vector<NodePair> newPlaces_;
   std::set<std::string> broken_;

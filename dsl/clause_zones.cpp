@@ -62,15 +62,6 @@ ShapeValue ClauseCompiler::shapeOf(const ReadZone& zone) {
   return reflected(algebra(), result);
 }
 
-void ClauseCompiler::compileUserZone(const ReadZone& zone) {
-  const Span span = zone.text->corners[0].span;
-  if (zones_.size() > 1 || !zone.text->when.isMissing())
-    return tell("Y7", span, "a registered shape can only be the whole zone", "",
-                "let the shape itself be the union, or choose in C++ by one more argument");
-  definition().zone = std::make_shared<UserZoneDef>(
-      zone.shape.shape->user, builder_.program(zone.shape.shape->numbers), mirror_ != nullptr);
-}
-
 ShapeValue ClauseCompiler::unionOf(std::vector<ShapeValue> shapes) {
   ShapeValue result = std::move(shapes[0]);
   for (std::size_t i = 1; i < shapes.size(); ++i) {
@@ -114,8 +105,6 @@ void ClauseCompiler::compileZones() {
   if (!std::all_of(zones_.begin(), zones_.end(), [](const ReadZone& z) { return z.isRight; }))
     return;
   tellIdleAlternatives();
-  for (const ReadZone& zone : zones_)
-    if (isShapeClause(*zone.text) && zone.shape.shape->user) return compileUserZone(zone);
   if (zones_.size() == 1 && !hasConditions && !isShapeClause(*zones_[0].text)) {
     definition().zone = cornerZone(zones_[0]);
     return;

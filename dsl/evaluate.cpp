@@ -74,15 +74,19 @@ Refusal requirement(const RuleDefinition& rule, const AF2Binding& binding) {
   return Refusal::None;
 }
 
-Point2 firstPoint(const Shape& shape) {
-  return shape.parts().empty() ? shape.points().front() : firstPoint(shape.parts().front());
+/// Of a registered shape: nothing.
+std::optional<Point2> firstPoint(const Shape& shape) {
+  if (!shape.parts().empty()) return firstPoint(shape.parts().front());
+  return shape.points().empty() ? std::nullopt : std::optional(shape.points().front());
 }
 
 /// A loop begins at the first corner that the shape is written with, if that is on it.
 std::vector<std::vector<Point2>> outlineAsWritten(const Shape& shape) {
   auto loops = outline(shape);
+  const auto wanted = firstPoint(shape);
+  if (!wanted) return loops;
   for (std::vector<Point2>& loop : loops)
-    if (const auto first = std::ranges::find(loop, firstPoint(shape)); first != loop.end())
+    if (const auto first = std::ranges::find(loop, *wanted); first != loop.end())
       std::rotate(loop.begin(), first, loop.end());
   return loops;
 }

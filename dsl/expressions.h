@@ -108,6 +108,7 @@ class ExpressionCompiler {
   Value callShape(const Expr& expr);
   Value callUserShape(const Expr& expr, const std::shared_ptr<const UserShape>& shape);
   Value inside(const Expr& expr);
+  bool isGrownUser(const Expr& expr, const ShapeValue& shape);
   Value polyShape(const Expr& expr);
   Value shapeChain(const Expr& expr);
   Value shapeOf(ShapeKind kind, const Value& first, const Value& second);

@@ -7,6 +7,7 @@
 
 #include "dsl/allowed_codes.h"
 #include "dsl/compiled_forms.h"
+#include "dsl/known_values.h"
 
 namespace af2::dsl {
 namespace {
@@ -209,6 +210,38 @@ std::optional<Program> RuleSetCompiler::metricProgram(const Expr& expr, const Mo
   return builder.program(std::array<Node, 1>{value.number});
 }
 
+/// Whether there may be a value at every level; if not, the lowest one without is told.
+bool RuleSetCompiler::hasValues(const Program& program, const Expr& expr, const Module& home,
+                                const char* what) {
+  if (!asksForLevel(program)) return true;
+  for (int level = 1; level <= shared_.maxLevel; ++level) {
+    if (!KnownResults(program, level)[0].isNone()) continue;
+    context_.tell(home, "Y4", expr.span,
+                  std::string(what) + " has no value at level " + std::to_string(level),
+                  "a division by zero, a root of a negative number or the like");
+    return false;
+  }
+  return true;
+}
+
+/// Besides: the best element there is should have a score.
+void RuleSetCompiler::checkMetric(const Program& program, const Expr& expr, const Module& home,
+                                  int corners) {
+  if (!hasValues(program, expr, home, "the score")) return;
+  const std::vector<Point2> ideal =
+      corners == 3 ? std::vector<Point2>{{0, 0}, {1, 0}, {0.5, std::sqrt(0.75)}}
+                   : std::vector<Point2>{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+  const ExpressionFunction function(program);
+  for (int level = 1; level <= shared_.maxLevel; ++level) {
+    if (function.evaluate({ideal, level, nullptr})) continue;
+    const char* element = corners == 3 ? "the triangle with sides of 1" : "the unit square";
+    return context_.tell(
+        home, "Y4", expr.span,
+        std::string("the score of ") + element + " has no value at level " + std::to_string(level),
+        "a rule is refused where one of its elements has no score", {}, Severity::Warning);
+  }
+}
+
 std::shared_ptr<const AF2ElementMetric> RuleSetCompiler::metric(const std::set<int>& sizes) {
   constexpr double kDefaultWeight = 10;
   const Module* home = nullptr;
@@ -225,6 +258,8 @@ std::shared_ptr<const AF2ElementMetric> RuleSetCompiler::metric(const std::set<i
   if (sizes.contains(3)) triangle = metricProgram(expr, *home, 3);
   if (sizes.contains(4)) quad = metricProgram(expr, *home, 4);
   if (sizes.empty()) metricProgram(expr, *home, 3);
+  if (triangle) checkMetric(*triangle, expr, *home, 3);
+  if (quad) checkMetric(*quad, expr, *home, 4);
   if (isNameOrCall && expr.name == "shape_size" && expr.parts.size() == 1) {
     ProgramBuilder builder;
     ExpressionCompiler compiler(context_, *home, ExpressionPlace::Metric, Algebra(builder, {}));
@@ -247,6 +282,7 @@ std::shared_ptr<const AF2Acceptance> RuleSetCompiler::acceptance() {
   if (const auto constant = builder.constantValue(value.number); constant && *constant != 0)
     return nullptr;
   const Program whole = builder.program(std::array<Node, 1>{value.number});
+  hasValues(whole, accept->condition, *home, "what is accepted");
   const Expr& expr = accept->condition;
   const bool isBound = expr.kind == ExprKind::Binary && expr.name == "<" &&
                        expr.parts[0].kind == ExprKind::Name && expr.parts[0].name == "score";
@@ -305,6 +341,7 @@ std::shared_ptr<const AF2FrontOrder> RuleSetCompiler::order() {
       return usual;
     }
     keys.push_back(builder.program(std::array<Node, 1>{value.number}));
+    hasValues(keys.back(), expr, *home, "this key");
   }
   if (keys.size() == 1)
     if (auto fast = layeredOrder(keys[0])) return fast;

@@ -53,6 +53,8 @@ class RuleSetCompiler {
   void readParity();
   void readAllowed(const MetaClause& meta, const Module& home);
   std::vector<double> table(const Expr& expr, const Module& home, const char* what, double least);
+  bool hasValues(const Program& program, const Expr& expr, const Module& home, const char* what);
+  void checkMetric(const Program& program, const Expr& expr, const Module& home, int corners);
   std::shared_ptr<const AF2ElementMetric> metric(const std::set<int>& sizes);
   std::optional<Program> metricProgram(const Expr& expr, const Module& home, int corners);
   std::shared_ptr<const AF2Acceptance> acceptance();

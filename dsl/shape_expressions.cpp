@@ -67,6 +67,11 @@ bool isSameShape(const ShapeValue& a, const ShapeValue& b) {
          std::ranges::equal(a.parts, b.parts, isSame);
 }
 
+bool hasUserPart(const ShapeValue& shape) {
+  return shape.user ||
+         std::ranges::any_of(shape.parts, [](const auto& part) { return hasUserPart(*part); });
+}
+
 std::string usageOf(const std::string& name) {
   if (name == "disc") return "disc(centre, radius)";
   if (name == "left") return "left(point, direction)";
@@ -110,6 +115,15 @@ Value ExpressionCompiler::fadeShapes(const Expr& expr) {
   }
   const Value preferred = evaluate(expr.parts[0]), limiting = evaluate(expr.parts[1]);
   if (preferred.isAny() || limiting.isAny()) return {};
+  for (int i = 0; i < 2; ++i) {
+    const Value& side = i == 0 ? preferred : limiting;
+    if (side.type != Type::Number && side.type != Type::Angle) continue;
+    tell(
+        "Y1", expr.parts[i].span, "only points and shapes fade", "this is " + describe(side),
+        "fade the whole shape, as in `disc(c, 2) => disc(c, 1)`, or write the number by the level, "
+        "as in `1 + 1/q`");
+    return {};
+  }
   if (preferred.isPoint() && limiting.isPoint() && preferred.at == limiting.at) tellNoFade(expr);
   if (preferred.isPoint() && limiting.isPoint())
     return algebra_.point(algebra_.lerp(limiting.at, preferred.at, fade()));
@@ -189,6 +203,14 @@ Value ExpressionCompiler::polyShape(const Expr& expr) {
   return isRight ? shapeValue(std::move(result)) : Value{};
 }
 
+/// Of a registered shape only answers are known, not where its boundary runs.
+bool ExpressionCompiler::isGrownUser(const Expr& expr, const ShapeValue& shape) {
+  if (!hasUserPart(shape)) return false;
+  tell("Y7", expr.span, "a registered shape cannot be grown", "",
+       "give the shape itself a distance as one more argument");
+  return true;
+}
+
 Value ExpressionCompiler::callShape(const Expr& expr) {
   const std::string usage = usageOf(expr.name);
   if (expr.name == "poly") return polyShape(expr);
@@ -220,7 +242,7 @@ Value ExpressionCompiler::callShape(const Expr& expr) {
   for (std::size_t i = 0; i < kinds.size(); ++i) {
     if (kinds[i] == 's') {
       const Value part = shape(expr.parts[i]);
-      if (part.isAny())
+      if (part.isAny() || isGrownUser(expr.parts[i], *part.shape))
         isRight = false;
       else
         result.parts.push_back(part.shape);
@@ -253,6 +275,7 @@ Value ExpressionCompiler::callShape(const Expr& expr) {
 Value ExpressionCompiler::callUserShape(const Expr& expr,
                                         const std::shared_ptr<const UserShape>& user) {
   ShapeValue result;
+  result.kind = ShapeKind::User;
   result.user = user;
   if (expr.parts.size() != user->parameters.size()) {
     tell("Y6", expr.span,
@@ -281,11 +304,6 @@ Value ExpressionCompiler::inside(const Expr& expr) {
   const Value p = point(expr.parts[0], "the first argument of inside");
   const Value s = shape(expr.parts[1]);
   if (p.isAny() || s.isAny()) return {};
-  if (s.shape->user) {
-    tell("Y7", expr.parts[1].span, "a registered shape can only be a whole zone", "",
-         "register a function of the point that says whether it is inside");
-    return {};
-  }
   const NodePair at = algebra_.toBase(p.at);
   const int index = builder().addShape(
       std::make_shared<const ShapeProgram>(builder(), reflected(algebra_, *s.shape)));
@@ -296,6 +314,7 @@ ShapeValue reflected(const Algebra& algebra, const ShapeValue& shape) {
   if (!algebra.frame().mirrored) return shape;
   ProgramBuilder& b = algebra.builder();
   ShapeValue result = shape;
+  result.isReflected = true;
   for (auto& part : result.parts)
     part = std::make_shared<const ShapeValue>(reflected(algebra, *part));
   for (std::size_t i = 0; i < result.points.size(); ++i)

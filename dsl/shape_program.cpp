@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "dsl/registry.h"
+#include "dsl/shapes/covering_zone.h"
 #include "engine/error.h"
 
 namespace af2::dsl {
@@ -37,9 +38,9 @@ std::vector<PathStep> pathOf(const std::vector<Point2>& points, const std::vecto
 }
 
 /// A zone in the frame reflected through x = ends / 2, whatever it is like.
-class ReflectedZone final : public AF2FreeZone {
+class ReflectedZone final : public CoveringZone {
  public:
-  ReflectedZone(std::unique_ptr<const AF2FreeZone> zone, double ends)
+  ReflectedZone(std::shared_ptr<const AF2FreeZone> zone, double ends)
       : zone_(std::move(zone)), ends_(ends) {}
   Box2 boundingBox() const override {
     const Box2 box = zone_->boundingBox();
@@ -51,28 +52,40 @@ class ReflectedZone final : public AF2FreeZone {
   bool meets(Point2 from, Point2 to, ZoneBoundary boundary) const override {
     return zone_->meets(reflected(from), reflected(to), boundary);
   }
+  bool covers(Point2 from, Point2 to) const override {
+    return dsl::covers(*zone_, reflected(from), reflected(to));
+  }
 
  private:
   Point2 reflected(Point2 p) const { return {ends_ - p.x, p.y}; }
 
-  std::unique_ptr<const AF2FreeZone> zone_;
+  std::shared_ptr<const AF2FreeZone> zone_;
   double ends_;
 };
+
+Shape userShape(const ShapeValue& shape, const AF2Binding& binding,
+                std::span<const double> numbers) {
+  AF2FreeZoneDef::Made made = shape.user->make(numbers);
+  std::shared_ptr<const AF2FreeZone> zone = std::move(made.zone);
+  if (zone && shape.isReflected)
+    zone = std::make_shared<const ReflectedZone>(std::move(zone), binding.vertices[1].x);
+  return Shape::user(std::move(zone), made.refusal);
+}
 
 }  // namespace
 
 ShapeProgram::ShapeProgram(const ProgramBuilder& builder, const ShapeValue& shape)
     : shape_(shape), program_(programOf(builder, shape)) {}
 
-Shape ShapeProgram::build(const ShapeValue& shape, std::span<const double> numbers,
-                          std::size_t& next) const {
+Shape ShapeProgram::build(const ShapeValue& shape, const AF2Binding& binding,
+                          std::span<const double> numbers, std::size_t& next) const {
   std::vector<Point2> points;
   for (std::size_t i = 0; i < shape.points.size(); ++i, next += 2)
     points.push_back({numbers[next], numbers[next + 1]});
   std::vector<double> own;
   for (std::size_t i = 0; i < shape.numbers.size(); ++i) own.push_back(numbers[next++]);
   std::vector<Shape> parts;
-  for (const auto& part : shape.parts) parts.push_back(build(*part, numbers, next));
+  for (const auto& part : shape.parts) parts.push_back(build(*part, binding, numbers, next));
   switch (shape.kind) {
     case ShapeKind::Convex:
       return Shape::convex(std::move(points));
@@ -94,6 +107,8 @@ Shape ShapeProgram::build(const ShapeValue& shape, std::span<const double> numbe
       return std::move(parts[0]) & std::move(parts[1]);
     case ShapeKind::Difference:
       return std::move(parts[0]) - std::move(parts[1]);
+    case ShapeKind::User:
+      return userShape(shape, binding, own);
   }
   throw InternalError("unknown kind of shape");
 }
@@ -102,7 +117,7 @@ std::optional<Shape> ShapeProgram::shapeAt(const AF2Binding& binding) const {
   std::vector<double> numbers(program_.resultCount());
   if (!program_.run(binding, {}, numbers)) return std::nullopt;
   std::size_t next = 0;
-  return build(shape_, numbers, next);
+  return build(shape_, binding, numbers, next);
 }
 
 double ShapeProgram::holds(const AF2Binding& binding, Point2 point) const {
@@ -141,18 +156,6 @@ AF2FreeZoneDef::Made ShapeZoneDef::makeFreeZone(const AF2Binding& binding) const
     return {std::move(made.zone), made.refusal};
   }
   return {nullptr, Refusal::Shape};
-}
-
-UserZoneDef::UserZoneDef(std::shared_ptr<const UserShape> shape, Program arguments, bool isMirrored)
-    : shape_(std::move(shape)), arguments_(std::move(arguments)), isMirrored_(isMirrored) {}
-
-AF2FreeZoneDef::Made UserZoneDef::makeFreeZone(const AF2Binding& binding) const {
-  std::vector<double> numbers(arguments_.resultCount());
-  if (!arguments_.run(binding, {}, numbers)) return {nullptr, Refusal::NoValue};
-  Made made = shape_->make(numbers);
-  if (isMirrored_ && made.zone)
-    made.zone = std::make_unique<ReflectedZone>(std::move(made.zone), binding.vertices[1].x);
-  return made;
 }
 
 }  // namespace af2::dsl

@@ -27,8 +27,8 @@ class ShapeProgram {
   double holds(const AF2Binding& binding, Point2 point) const;
 
  private:
-  friend class UserZoneDef;
-  Shape build(const ShapeValue& shape, std::span<const double> numbers, std::size_t& next) const;
+  Shape build(const ShapeValue& shape, const AF2Binding& binding, std::span<const double> numbers,
+              std::size_t& next) const;
   ShapeValue shape_;
   Program program_;
 };
@@ -51,19 +51,6 @@ class ShapeZoneDef final : public AF2FreeZoneDef {
 
  private:
   std::vector<Alternative> alternatives_;
-};
-
-/// A registered zone shape with its arguments; of a mirrored rule both are in the frame reflected
-/// through the perpendicular bisector of the base.
-class UserZoneDef final : public AF2FreeZoneDef {
- public:
-  UserZoneDef(std::shared_ptr<const UserShape> shape, Program arguments, bool isMirrored);
-  Made makeFreeZone(const AF2Binding& binding) const override;
-
- private:
-  std::shared_ptr<const UserShape> shape_;
-  Program arguments_;
-  bool isMirrored_;
 };
 
 }  // namespace af2::dsl

@@ -35,7 +35,8 @@ struct ShapeValue {
   std::vector<Node> numbers;
   std::vector<bool> arcs;
   std::vector<std::shared_ptr<const ShapeValue>> parts;
-  std::shared_ptr<const UserShape> user;  ///< a registered shape; then only `numbers` counts
+  std::shared_ptr<const UserShape> user;  ///< a registered shape; then only `numbers` counts,
+  bool isReflected = false;  ///< which are those of the frame reflected through the base's bisector
 };
 
 struct Value {

@@ -5,6 +5,9 @@
 #include <set>
 #include <utility>
 
+#include "dsl/compiled_forms.h"
+#include "dsl/known_values.h"
+
 namespace af2::dsl {
 namespace {
 
@@ -94,12 +97,28 @@ std::string vertexName(const CompiledRule& rule, int vertex) {
                                    : d.newVertexNames[index - d.vertices.size()];
 }
 
+namespace {
+
+/// Whether a condition refuses every match at this level.
+bool isRefusedAt(const RuleDefinition& rule, int level) {
+  return std::ranges::any_of(rule.requirements, [&](const auto& requirement) {
+    const auto* function = dynamic_cast<const ExpressionFunction*>(requirement.get());
+    return function && KnownResults(function->program(), level)[0].isFalse();
+  });
+}
+
+}  // namespace
+
 std::vector<int> referenceLevels(const RuleDefinition& rule) {
-  int last = rule.firstLevel;
+  constexpr int kTried = 50;  // levels, for the first one at which conditions let anything through
+  int first = rule.firstLevel;
+  while (first < rule.lastLevel.value_or(rule.firstLevel + kTried) && isRefusedAt(rule, first))
+    ++first;
+  int last = first;
   for (const PatternVertex& v : rule.vertices) last = std::max(last, v.reference.levelCount());
   last = std::min(last, rule.lastLevel.value_or(last));
-  std::vector<int> levels{rule.firstLevel};
-  for (int level = rule.firstLevel + 1; level <= last; ++level)
+  std::vector<int> levels{first};
+  for (int level = first + 1; level <= last; ++level)
     if (std::ranges::any_of(rule.vertices, [&](const PatternVertex& v) {
           return v.reference.at(level) != v.reference.at(level - 1);
         }))

@@ -63,8 +63,8 @@ void checkZones(const CheckedRules& rules, Findings& findings);
 /// Name of a vertex of a rule.
 std::string vertexName(const CompiledRule& rule, int vertex);
 
-/// The rule's first level, and the later ones at which a vertex is expected somewhere else than at
-/// the level before.
+/// The first level at which the rule's conditions let anything through, and the later ones at which
+/// a vertex is expected somewhere else than at the level before.
 std::vector<int> referenceLevels(const RuleDefinition& rule);
 
 /// Positions of all vertices at the reference match; nothing if a new vertex has none there.

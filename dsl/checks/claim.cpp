@@ -53,6 +53,8 @@ class Placement {
         return allKnown({in(shape.parts[0]), in(shape.parts[1])});
       case ShapeKind::Difference:
         return allKnown({in(shape.parts[0]), beside(shape.parts[1])});
+      case ShapeKind::User:
+        return std::nullopt;
     }
     return std::nullopt;
   }

@@ -78,7 +78,7 @@ std::string namesOf(const CompiledRule& rule, const Cycle& corners) {
 }  // namespace
 
 std::string fittingElement(const CompiledRule& rule, std::size_t index) {
-  const auto at = referencePositions(rule, rule.definition.firstLevel);
+  const auto at = referencePositions(rule, referenceLevels(rule.definition).front());
   if (!at) return {};
   std::vector<Cycle> elements;
   for (const RuleElement& element : rule.definition.elements)

@@ -30,7 +30,7 @@ std::optional<Fault> faultOf(const RuleElement& element, const std::vector<Point
 
 /// Elements are written for what the first level shows; at later ones it is the pattern that moved.
 std::string helpFor(const CompiledRule& rule, std::size_t element, const Fault& fault, int level) {
-  const int first = rule.definition.firstLevel;
+  const int first = referenceLevels(rule.definition).front();
   if (level != first)
     return "move a vertex, or end the rule's levels before: `quality " + std::to_string(first) +
            ".." + std::to_string(level - 1) + "`";
@@ -49,7 +49,7 @@ void tell(const CompiledRule& rule, std::size_t element, const Fault& fault, int
   const std::string label = fault.isClockwise || isTriangle
                                 ? ""
                                 : "at the corner '" + vertexName(rule, fault.vertex) + "'";
-  const bool isFirst = level == rule.definition.firstLevel;
+  const bool isFirst = level == referenceLevels(rule.definition).front();
   findings.add(rule, Severity::Error, "G1", rule.elementSpans[element],
                message + " at " + referenceName(rule, level), label,
                helpFor(rule, element, fault, level), {},

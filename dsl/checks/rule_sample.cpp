@@ -36,8 +36,8 @@ SampledFinding findingAbout(const RuleSample& sample, const char* code, Severity
 }
 
 std::vector<int> levelsOf(const RuleSet& rules, const AF2Rule& rule) {
-  const int first = rule.definition().firstLevel;
   const std::vector<int> references = referenceLevels(rule.definition());
+  const int first = references.front();
   const int last =
       std::min({rule.definition().lastLevel.value_or(rules.maxLevel()), rules.maxLevel(),
                 std::max(first + kLevelsLookedAt - 1, references.back())});

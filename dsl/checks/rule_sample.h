@@ -52,8 +52,9 @@ SampledMatch simplified(const SampledMatch& one, const RuleSet& rules, const Sho
 /// A finding about the rule, still without message and example.
 SampledFinding findingAbout(const RuleSample& sample, const char* code, Severity severity);
 
-/// The rule's first level, some later ones with all at which its pattern moves, and the last one at
-/// which it is tried or which is looked at; empty if the rule set never reaches the rule.
+/// The first level that the rule's conditions let through, some later ones with all at which its
+/// pattern moves, and the last one at which it is tried or which is looked at; empty if the rule
+/// set never reaches the rule.
 std::vector<int> levelsOf(const RuleSet& rules, const AF2Rule& rule);
 
 /// Matches of a rule at a level.

@@ -271,6 +271,8 @@ Built build(const Shape& shape) {
       return combine(part(0), Operation::Intersection, part(1));
     case ShapeKind::Difference:
       return combine(part(0), Operation::Difference, part(1));
+    case ShapeKind::User:
+      return refused(Refusal::Shape, "a registered shape is no region");
   }
   return nothing();
 }

@@ -121,6 +121,12 @@ bool Region::meets(const Edge& edge, ZoneBoundary boundary) const {
   return alongEdge(edge, {}, [](const Stretch& s) { return s.state != 0; }) || touches(edge);
 }
 
+bool Region::covers(const Edge& edge) const {
+  if (isEmpty()) return false;
+  if (edge.from == edge.to) return locate(edge.from) != Place::Out;
+  return !alongEdge(edge, {}, [](const Stretch& s) { return s.state == 0; });
+}
+
 Region::Walk Region::follow(const Edge& edge,
                             std::span<const std::optional<std::uint8_t>> overrides) const {
   Walk walk;

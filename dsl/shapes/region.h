@@ -39,6 +39,8 @@ class Region {
   /// An edge that is outside but for a point in which boundaries of several leaves meet, and which
   /// is neither a corner nor an end, counts as meeting the set.
   bool meets(const Edge& edge, ZoneBoundary boundary) const;
+  /// Whether all of the edge lies in the set.
+  bool covers(const Edge& edge) const;
 
   /// Calls `visit(Stretch)` for the stretches between events in order until it returns true;
   /// returns whether it did. overrides  states to take for some leaves instead of following them.

@@ -28,6 +28,8 @@ const char* toString(ShapeKind kind) {
       return "&";
     case ShapeKind::Difference:
       return "-";
+    case ShapeKind::User:
+      return "registered shape";
   }
   return "shape";
 }
@@ -71,6 +73,13 @@ Shape Shape::hull(std::vector<Point2> points) {
 
 Shape Shape::grow(Shape shape, double distance) {
   return Shape(ShapeKind::Grow, {}, {distance}, {std::move(shape)});
+}
+
+Shape Shape::user(std::shared_ptr<const AF2FreeZone> zone, Refusal refusal) {
+  Shape shape(ShapeKind::User, {}, {});
+  shape.zone_ = std::move(zone);
+  shape.refusal_ = refusal;
+  return shape;
 }
 
 Shape operator|(Shape first, Shape second) {

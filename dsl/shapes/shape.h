@@ -26,7 +26,8 @@ enum class ShapeKind {
   Grow,
   Union,
   Intersection,
-  Difference
+  Difference,
+  User  ///< a registered shape
 };
 
 /// The name of a constructor as rule files write it: "disc", "|"; "corner list" for Convex.
@@ -60,6 +61,8 @@ class Shape {
   static Shape hull(std::vector<Point2> points);
   /// All points at a distance of at most `distance` (>= 0) from `shape`.
   static Shape grow(Shape shape, double distance);
+  /// A registered shape; without a zone: refused for this reason.
+  static Shape user(std::shared_ptr<const AF2FreeZone> zone, Refusal refusal);
   friend Shape operator|(Shape first, Shape second);
   friend Shape operator&(Shape first, Shape second);
   friend Shape operator-(Shape first, Shape second);
@@ -72,6 +75,9 @@ class Shape {
   /// Poly: for each step whether it is an arc.
   const std::vector<bool>& arcs() const { return arcs_; }
   const std::vector<Shape>& parts() const { return parts_; }
+  /// Of a registered shape; null: refused.
+  const std::shared_ptr<const AF2FreeZone>& zone() const { return zone_; }
+  Refusal refusal() const { return refusal_; }
   bool operator==(const Shape&) const = default;
 
  private:
@@ -84,6 +90,8 @@ class Shape {
   std::vector<double> numbers_;
   std::vector<bool> arcs_;
   std::vector<Shape> parts_;
+  std::shared_ptr<const AF2FreeZone> zone_;
+  Refusal refusal_ = Refusal::None;
 };
 
 /// `preferred => limiting`: t * preferred + (1 - t) * limiting, number by number; nothing if the
@@ -109,7 +117,8 @@ struct MadeZone {
 ///
 /// Every answer of the zone is exact for the numbers as given: a point or an edge that touches the
 /// boundary is told from one that enters by the last bit. An edge that runs along an inner seam of
-/// a union meets the zone, one that touches it from outside does not. Two derived sets are rounded
+/// a union meets the zone, one that touches it from outside does not. A zone with registered shapes
+/// among its parts is as exact as these are, see shapes/mixed_zone.h. Two derived sets are rounded
 /// before they are used: the flanks of a sector that are not multiples of 90 degrees, and what
 /// `grow` makes of half planes, arcs, `&` and `-`.
 ///

@@ -4,33 +4,12 @@
 
 #include "dsl/shapes/boundary.h"
 #include "dsl/shapes/build.h"
+#include "dsl/shapes/mixed_zone.h"
+#include "dsl/shapes/region_zone.h"
 #include "dsl/shapes/shape.h"
 
 namespace af2::dsl {
 namespace {
-
-class ShapeZone final : public AF2FreeZone {
- public:
-  ShapeZone(shapes::Region region, const Box2& box) : region_(std::move(region)), box_(box) {}
-
-  Box2 boundingBox() const override { return box_; }
-
-  bool contains(Point2 point, ZoneBoundary boundary) const override {
-    const shapes::Place place = region_.locate(point);
-    return place == shapes::Place::In ||
-           (place == shapes::Place::On && boundary == ZoneBoundary::Counts);
-  }
-
-  bool meets(Point2 from, Point2 to, ZoneBoundary boundary) const override {
-    return region_.meets({from, to}, boundary);
-  }
-
-  const shapes::Region& region() const { return region_; }
-
- private:
-  shapes::Region region_;
-  Box2 box_;
-};
 
 /// The sides between sampled cells inside and outside, the inside on their left.
 std::vector<shapes::Piece> tracedBoundary(const AF2FreeZone& zone) {
@@ -63,6 +42,7 @@ bool isFinite(const Box2& box) {
 }  // namespace
 
 bool isBounded(const Shape& shape) {
+  if (shapes::isMixed(shape)) return shapes::isBoundedMixed(shape);
   const shapes::Built built = shapes::build(shape);
   return !built.growsWithoutBounds && shapes::isBounded(built.region);
 }
@@ -70,6 +50,7 @@ bool isBounded(const Shape& shape) {
 MadeZone makeZone(const Shape& shape) {
   if (shape.kind() == ShapeKind::Convex && ConvexPolygonZone::isConvex(shape.points()))
     return {std::make_unique<ConvexPolygonZone>(shape.points())};
+  if (shapes::isMixed(shape)) return shapes::makeMixedZone(shape);
 
   shapes::Built built = shapes::build(shape);
   if (built.refusal != Refusal::None) return {nullptr, built.refusal, built.reason};
@@ -79,16 +60,25 @@ MadeZone makeZone(const Shape& shape) {
       return {nullptr, Refusal::Shape, "the zone has no bounds"};
     built.box = shapes::finiteBox(built.region, built.box);
   }
-  return {std::make_unique<ShapeZone>(std::move(built.region), built.box)};
+  return {std::make_unique<shapes::RegionZone>(std::move(built.region), built.box)};
 }
 
 std::optional<bool> holds(const Shape& shape, Point2 point) {
+  if (shapes::isMixed(shape)) {
+    const MadeZone made = shapes::makeMixedZone(shape);
+    if (!made.zone) return std::nullopt;
+    return made.zone->contains(point, ZoneBoundary::Counts);
+  }
   const shapes::Built built = shapes::build(shape);
   if (built.refusal != Refusal::None) return std::nullopt;
   return built.region.locate(point) != shapes::Place::Out;
 }
 
 std::vector<std::vector<Point2>> outline(const Shape& shape, double sag) {
+  if (shapes::isMixed(shape)) {
+    const MadeZone made = shapes::makeMixedZone(shape);
+    return made.zone ? outline(*made.zone, sag) : std::vector<std::vector<Point2>>();
+  }
   const shapes::Built built = shapes::build(shape);
   if (built.refusal != Refusal::None || !shapes::isBounded(built.region)) return {};
   const Box2 box = shapes::finiteBox(built.region, built.box);
@@ -98,7 +88,7 @@ std::vector<std::vector<Point2>> outline(const Shape& shape, double sag) {
 std::vector<std::vector<Point2>> outline(const AF2FreeZone& zone, double sag) {
   if (const auto* polygon = dynamic_cast<const ConvexPolygonZone*>(&zone))
     return {{polygon->corners().begin(), polygon->corners().end()}};
-  if (const auto* shape = dynamic_cast<const ShapeZone*>(&zone))
+  if (const auto* shape = dynamic_cast<const shapes::RegionZone*>(&zone))
     return shapes::loopsOf(shapes::boundaryOf(shape->region(), shape->boundingBox()), sag);
   return shapes::loopsOf(tracedBoundary(zone), sag);
 }

@@ -111,6 +111,7 @@ class Reference {
       case ShapeKind::Difference:
         return parts_[0].contains(p) && !parts_[1].contains(p);
       case ShapeKind::Convex:
+      case ShapeKind::User:
         break;
     }
     return false;
