@@ -12,11 +12,6 @@ constexpr int kWantedInside = 6;
 /// A swap for the sake of valence may not make a triangle worse than this: smoothing repairs it.
 constexpr double kFairDistortion = 2.5;
 
-double angleAt(const SurfacePoint& corner, const SurfacePoint& ahead, const SurfacePoint& behind) {
-  const Point3 p = ahead.position - corner.position, q = behind.position - corner.position;
-  return std::atan2(length(cross(p, q)), dot(p, q));
-}
-
 class Swapper {
  public:
   Swapper(MeshTopology& topology, SwapGoal goal, const std::vector<std::uint8_t>& wantedAtFixed)
@@ -94,20 +89,7 @@ class Swapper {
 
 }  // namespace
 
-std::vector<std::uint8_t> wantedValences(const MeshTopology& topology) {
-  const Mesh& mesh = topology.mesh();
-  std::vector<double> angles(topology.fixedCount(), 0);
-  for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
-    const auto corners = mesh.elements[e].vertices();
-    const std::size_t n = corners.size();
-    for (std::size_t i = 0; i < n; ++i) {
-      if (!topology.isFixed(corners[i])) continue;
-      const auto at = [&](std::size_t k) -> const SurfacePoint& {
-        return mesh.vertices[corners[k % n].value];
-      };
-      angles[corners[i].value] += angleAt(at(i), at(i + 1), at(i + n - 1));
-    }
-  }
+std::vector<std::uint8_t> wantedValences(const std::vector<double>& angles) {
   std::vector<std::uint8_t> wanted;
   for (double angle : angles)
     wanted.push_back(static_cast<std::uint8_t>(std::max(1.0, std::round(angle / (M_PI / 3)))));

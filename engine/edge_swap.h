@@ -14,8 +14,8 @@ enum class SwapGoal {
   Shape,    ///< the worse of the two triangles
 };
 
-/// Number of triangles that each fixed vertex should have, by the angle between its rim edges.
-std::vector<std::uint8_t> wantedValences(const MeshTopology& topology);
+/// Number of triangles that vertices with such angles should have.
+std::vector<std::uint8_t> wantedValences(const std::vector<double>& angles);
 
 /// One sweep over all sides in order. Returns how many were turned.
 std::size_t swapSides(MeshTopology& topology, SwapGoal goal,

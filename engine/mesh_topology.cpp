@@ -1,6 +1,7 @@
 #include "engine/mesh_topology.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "engine/error.h"
 
@@ -89,6 +90,22 @@ void MeshTopology::findCorners() {
   }
 }
 
+std::vector<double> MeshTopology::anglesAtFixed() const {
+  std::vector<double> angles(fixedCount_, 0);
+  const auto at = [&](Corner c) -> const Point3& {
+    return mesh_.vertices[vertexAt(c).value].position;
+  };
+  for (std::size_t e = 0; e < mesh_.elements.size(); ++e) {
+    for (std::size_t i = 0; i < static_cast<std::size_t>(mesh_.elements[e].size()); ++i) {
+      const Corner c(e, i);
+      if (!isFixed(vertexAt(c))) continue;
+      const Point3 p = at(next(c)) - at(c), q = at(previous(c)) - at(c);
+      angles[vertexAt(c).value] += std::atan2(length(cross(p, q)), dot(p, q));
+    }
+  }
+  return angles;
+}
+
 bool MeshTopology::areJoined(VertexId u, VertexId v) const {
   const Corner first = cornerOf(u);
   for (Corner c = first; !c.isNone();) {
@@ -149,6 +166,47 @@ void MeshTopology::collapse(Corner side) {
   renewCornerOf(leftAtFrom);
   renewCornerOf(next(leftAtFrom));
   renewCornerOf(rightAtFrom);
+}
+
+void MeshTopology::replace(std::vector<std::size_t> places, std::span<const Element> elements) {
+  struct Side {
+    VertexId from, to;
+    Corner beyond;
+  };
+  const auto forEachCorner = [&](std::size_t count, auto&& visit) {
+    for (const std::size_t e : std::span(places).first(count))
+      for (std::size_t i = 0; i < static_cast<std::size_t>(mesh_.elements[e].size()); ++i)
+        visit(Corner(e, i));
+  };
+  std::vector<Side> outline;
+  forEachCorner(places.size(), [&](Corner c) {
+    const Corner beyond = across(c);
+    if (beyond.isNone() || std::ranges::find(places, beyond.element()) == places.end())
+      outline.push_back({vertexAt(c), vertexAt(next(c)), beyond});
+    --valence_[vertexAt(c).value];
+    cornerOf_[vertexAt(c).value] = Corner();
+  });
+  while (places.size() < elements.size()) {
+    places.push_back(mesh_.elements.size());
+    mesh_.elements.emplace_back();
+    mesh_.rule.push_back(mesh_.rule[places[0]]);
+    across_.resize(4 * mesh_.elements.size());
+  }
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    mesh_.elements[places[k]] = k < elements.size() ? elements[k] : Element();
+    for (std::size_t i = 0; i < 4; ++i)
+      across_[static_cast<std::size_t>(Corner(places[k], i).code)] = Corner();
+  }
+  forEachCorner(elements.size(), [&](Corner c) {
+    const VertexId from = vertexAt(c), to = vertexAt(next(c));
+    ++valence_[from.value];
+    for (const Side& side : outline)
+      if (side.from == from && side.to == to) return setAcross(c, side.beyond);
+    forEachCorner(elements.size(), [&](Corner d) {
+      if (vertexAt(d) == to && vertexAt(next(d)) == from) setAcross(c, d);
+    });
+  });
+  forEachCorner(elements.size(), [&](Corner c) { renewCornerOf(c); });
 }
 
 /// Makes a corner, or at the rim the first corner clockwise of it, the corner of its vertex.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -53,6 +54,9 @@ class MeshTopology {
   std::size_t fixedCount() const { return fixedCount_; }
   bool isDead(std::size_t element) const { return mesh_.elements[element].corners[0].isNone(); }
 
+  /// The angle of the mesh at each fixed vertex, in radians.
+  std::vector<double> anglesAtFixed() const;
+
   /// Whether an element side joins the two vertices.
   bool areJoined(VertexId u, VertexId v) const;
 
@@ -61,6 +65,10 @@ class MeshTopology {
   /// Moves the inner vertex at the start of a side into that at its end; the elements on both sides
   /// of it, triangles, vanish.
   void collapse(Corner side);
+  /// Puts elements into the places of others that cover the same part of the surface, and behind
+  /// all others if they are more; places that are left over are dead, as is a vertex that no
+  /// element uses any more.
+  void replace(std::vector<std::size_t> places, std::span<const Element> elements);
   /// Takes out what collapses left dead; the topology is of no use afterwards.
   void compact();
 

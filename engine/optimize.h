@@ -1,4 +1,4 @@
-// After the front has closed: swaps, smoothing and collapse, until the mesh is as good as it gets.
+// After the front has closed: swaps, collapses, other quadrilaterals and smoothing.
 #pragma once
 
 #include <stop_token>
@@ -10,7 +10,7 @@
 namespace af2 {
 
 struct OptimizeOptions {
-  int rounds = 2;           ///< of swapping and smoothing
+  int rounds = 2;           ///< of swapping and smoothing; one more with quadrilaterals
   int smoothingSweeps = 2;  ///< over all vertices, in each round
   bool collapse = true;     ///< whether inner vertices may be taken out
   std::stop_token stop;     ///< what is done so far stays
@@ -19,6 +19,7 @@ struct OptimizeOptions {
 /// What was done.
 struct OptimizeReport {
   std::size_t swaps = 0, moves = 0, collapses = 0;
+  std::size_t replacements = 0;  ///< of groups with quadrilaterals
 };
 
 /// Improves the shape of the elements of a complete mesh, in place.

@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 
 #include "dsl/rule_file.h"
+#include "engine/element_shape.h"
+#include "engine/optimize.h"
 #include "tests/support/meshing.h"
 
 namespace af2::dsl {
@@ -29,6 +31,16 @@ FrontInput rectangle(double width, double height, double size) {
 std::size_t quadCount(const Mesh& mesh) {
   return static_cast<std::size_t>(std::count_if(mesh.elements.begin(), mesh.elements.end(),
                                                 [](const Element& e) { return e.isQuad(); }));
+}
+
+double worstDistortion(const Mesh& mesh) {
+  double worst = 0;
+  for (const Element& element : mesh.elements) {
+    std::vector<const SurfacePoint*> corners;
+    for (const VertexId v : element.vertices()) corners.push_back(&mesh.vertices[v.value]);
+    worst = std::max(worst, elementDistortion(corners));
+  }
+  return worst;
 }
 
 int sharedCorners(const Element& one, const Element& other) {
@@ -108,6 +120,23 @@ TEST(RuleMeshes, QuadsInRowsFillRegionsWithHolesAndCorners) {
     expectGoodMesh(result, input, 0);
     EXPECT_GE(static_cast<double>(quadCount(result.mesh)),
               0.9 * static_cast<double>(result.mesh.elements.size()));
+  }
+}
+
+TEST(RuleMeshes, QuadsAreTidiedWhereFrontsCollide) {
+  const LoadedRules rules = loadRules(AF2_SOURCE_DIR "/rules/quad/classic.af2");
+  ASSERT_TRUE(rules.rules) << toPretty(rules.diagnostics);
+  FrontInput plate = rectangle(10, 6, 0.25);
+  addLoop(plate, circle({3, 3}, 1.5, 38, true));
+  for (const auto& [input, size] : {std::pair{plate, 0.25}, {discWithHole(.03), .03}}) {
+    MeshingResult result = mesh(rules.rules, input, size);
+    const double raw = worstDistortion(result.mesh);
+    const auto triangles = [&] { return result.mesh.elements.size() - quadCount(result.mesh); };
+    const std::size_t rawTriangles = triangles();
+    EXPECT_GT(optimizeMesh(result.mesh, boundaryOf(input), FlatMaker()).replacements, 0u);
+    expectGoodMesh(result, input, 0);
+    EXPECT_LT(worstDistortion(result.mesh), std::min(raw, 2.0));
+    EXPECT_LE(triangles(), rawTriangles);
   }
 }
 

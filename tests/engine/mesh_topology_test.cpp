@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/meshing.h"
+#include "tests/support/quad_grid.h"
 
 namespace af2 {
 namespace {
@@ -109,6 +110,28 @@ TEST(MeshTopology, IsCutAlongLinesInsideTheRegion) {
   const MeshTopology topology(mesh, boundaryOf(input));
   for (std::size_t e = 0; e < 2; ++e)
     for (std::size_t i = 0; i < 3; ++i) EXPECT_TRUE(topology.across({e, i}).isNone());
+}
+
+TEST(MeshTopology, StaysConsistentWhenElementsAreReplaced) {
+  QuadGrid grid(3);
+  const auto [a, b, c, d] = grid.element(1, 1).corners;
+  MeshTopology topology(grid.mesh, boundaryOf(grid.input));
+  topology.replace({4}, std::vector<Element>{{{a, b, c, {}}}, {{a, c, d, {}}}});
+  expectConsistent(topology);
+  EXPECT_EQ(grid.mesh.elements.size(), 10u);
+  EXPECT_EQ(walkLength(topology, a), 5);
+  topology.replace({4, 9}, std::vector<Element>{{{a, b, c, d}}});
+  expectConsistent(topology);
+  EXPECT_TRUE(topology.isDead(9));
+  // Those at the rim, too: a vertex of a side of two elements goes into the other.
+  const VertexId e = grid.id(0, 1);
+  EXPECT_EQ(topology.vertexAt(Corner(0, 3)), e);
+  topology.replace({0, 3}, std::vector<Element>{{{grid.id(0, 0), grid.id(1, 0), grid.id(1, 1), e}},
+                                                {{e, a, grid.id(1, 2), grid.id(0, 2)}}});
+  expectConsistent(topology);
+  EXPECT_EQ(walkLength(topology, e), 2);
+  topology.compact();
+  EXPECT_TRUE(checkMesh(grid.mesh, grid.input).empty());
 }
 
 }  // namespace

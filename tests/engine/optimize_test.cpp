@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/meshing.h"
+#include "tests/support/quad_grid.h"
 
 namespace af2 {
 namespace {
@@ -70,37 +71,20 @@ TEST(Optimize, TakesOutAVertexAmongThreeTriangles) {
 }
 
 TEST(Optimize, SmoothsQuads) {
-  // A 4 x 4 grid of quads with its inner vertices pushed about.
-  Mesh mesh;
-  FrontInput input;
-  const auto id = [](int i, int j) {  // the rim first
-    const std::vector<std::pair<int, int>> rim{{0, 0}, {1, 0}, {2, 0}, {3, 0}, {4, 0}, {4, 1},
-                                               {4, 2}, {4, 3}, {4, 4}, {3, 4}, {2, 4}, {1, 4},
-                                               {0, 4}, {0, 3}, {0, 2}, {0, 1}};
-    const auto at = std::find(rim.begin(), rim.end(), std::pair(i, j));
-    if (at != rim.end()) return VertexId(static_cast<std::size_t>(at - rim.begin()));
-    return VertexId(static_cast<std::size_t>(16 + (i - 1) + 3 * (j - 1)));
-  };
-  addLoop(input, divided({{0, 0}, {4, 0}, {4, 4}, {0, 4}}, 1));
-  for (const BoundaryCorner& c : input.loops[0]) mesh.vertices.push_back(c.point);
+  QuadGrid grid(4);  // with its inner vertices pushed about
+  Mesh& mesh = grid.mesh;
   for (int j = 1; j < 4; ++j)
     for (int i = 1; i < 4; ++i)
-      mesh.vertices.push_back(
-          {{i + .3 * ((i + j) % 2) - .1, j - .3 * (i % 2), 0}, {0, 0, 1}, 0, 0});
-  for (int j = 0; j < 4; ++j) {
-    for (int i = 0; i < 4; ++i) {
-      mesh.elements.push_back({{id(i, j), id(i + 1, j), id(i + 1, j + 1), id(i, j + 1)}});
-      mesh.rule.push_back(0);
-    }
-  }
-  ASSERT_TRUE(checkMesh(mesh, input).empty());
+      mesh.vertices[grid.id(i, j).value].position = {i + .3 * ((i + j) % 2) - .1, j - .3 * (i % 2),
+                                                     0};
+  ASSERT_TRUE(checkMesh(mesh, grid.input).empty());
   OptimizeOptions options;
   options.smoothingSweeps = 30;
-  optimizeMesh(mesh, boundaryOf(input), FlatMaker(), options);
-  EXPECT_TRUE(checkMesh(mesh, input).empty());
+  optimizeMesh(mesh, boundaryOf(grid.input), FlatMaker(), options);
+  EXPECT_TRUE(checkMesh(mesh, grid.input).empty());
   for (int j = 1; j < 4; ++j)
     for (int i = 1; i < 4; ++i)
-      EXPECT_LT(distance(mesh.vertices[id(i, j).value].position,
+      EXPECT_LT(distance(mesh.vertices[grid.id(i, j).value].position,
                          Point3{static_cast<double>(i), static_cast<double>(j), 0}),
                 .02);
 }
