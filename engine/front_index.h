@@ -99,8 +99,10 @@ class FrontIndex {
     constexpr std::uint64_t kLow = 3;
     return key & ~(kLow | kLow << kKeyBits | kLow << 2 * kKeyBits);
   }
+  /// Cells side by side go to different slots, and so do those above each other: z, which begins
+  /// at bit 42, would not get into the low bits by itself.
   static std::size_t hash(std::uint64_t key) {
-    key *= 0x9e3779b97f4a7c15u;
+    key = (key ^ key >> 37) * 0x9e3779b97f4a7c15u;
     return static_cast<std::size_t>(key ^ (key >> 32));
   }
 
