@@ -100,7 +100,7 @@ class Search {
       const PatchOutlines::Range range(patch.first, patch.last);
       patch.mayCrossItself = !isStarShaped_[rootOf(i)] &&
                              !outlines.canBeDrawn(patch.first, patch.last) &&
-                             !outlines.isStarShaped({&range, 1});
+                             (isAlone_[rootOf(i)] || !outlines.isStarShaped({&range, 1}));
       patch.tree = ElementTree(
           mesh_, patch.first, patch.last,
           patch.mayCrossItself ? ElementTree::Order::AlongCurve : ElementTree::Order::AsMade);
@@ -119,8 +119,11 @@ class Search {
     isStarShaped_.resize(patches_.size(), 0);
     std::vector<std::size_t> roots;
     for (const auto& [root, all] : ranges) roots.push_back(root);
+    isAlone_.resize(patches_.size(), 0);
     repeat_(roots.size(), [&](std::size_t i) {
-      isStarShaped_[roots[i]] = outlines.isStarShaped(ranges.at(roots[i]));
+      const auto& all = ranges.at(roots[i]);
+      isStarShaped_[roots[i]] = outlines.isStarShaped(all);
+      isAlone_[roots[i]] = all.size() == 1;
     });
   }
 
@@ -218,6 +221,7 @@ class Search {
   std::vector<Patch> patches_;
   std::vector<std::size_t> piece_;          ///< by patch: another one of the same piece, or itself
   std::vector<std::uint8_t> isStarShaped_;  ///< by the patch that stands for a piece
+  std::vector<std::uint8_t> isAlone_;       ///< the same: whether it is the piece
   double depth_ = 0;
 };
 

@@ -192,9 +192,6 @@ bool PatchOutlines::canBeDrawn(std::size_t first, std::size_t last) const {
 }
 
 bool PatchOutlines::isStarShaped(std::span<const Range> ranges) const {
-  const std::vector<Side> sides = sidesOnSegments(ranges);
-  for (const auto& [from, to] : sides)
-    if (!std::binary_search(sides.begin(), sides.end(), Side(to, from))) return false;
   Point3 sum;
   std::size_t count = 0;
   for (const auto& [first, last] : ranges) {
@@ -202,17 +199,31 @@ bool PatchOutlines::isStarShaped(std::span<const Range> ranges) const {
     for (std::size_t i = first; i < last; ++i)
       sum = sum + mesh_.vertices[mesh_.elements[i].corners[0].value];
   }
-  StarShape star((1 / static_cast<double>(count)) * sum);
+  const Point3 centre = (1 / static_cast<double>(count)) * sum;
+  const auto takes = [&](StarShape& star, std::size_t i) {
+    const auto corners = mesh_.elements[i].vertices();
+    const Point3& origin = mesh_.vertices[corners[0].value];
+    for (std::size_t k = 1; k + 1 < corners.size(); ++k)
+      if (!star.takes(origin, mesh_.vertices[corners[k].value],
+                      mesh_.vertices[corners[k + 1].value]))
+        return false;
+    return true;
+  };
+  // One element of each face tells about most models that are no stars.
+  StarShape sample(centre), star(centre);
   for (const auto& [first, last] : ranges)
-    for (std::size_t i = first; i < last; ++i) {
-      const auto corners = mesh_.elements[i].vertices();
-      const Point3& origin = mesh_.vertices[corners[0].value];
-      for (std::size_t k = 1; k + 1 < corners.size(); ++k)
-        if (!star.takes(origin, mesh_.vertices[corners[k].value],
-                        mesh_.vertices[corners[k + 1].value]))
-          return false;
-    }
-  return star.goesAroundOnce();
+    if (!takes(sample, first)) return false;
+  for (const auto& [first, last] : ranges)
+    for (std::size_t i = first; i < last; ++i)
+      if (!takes(star, i)) return false;
+  return star.goesAroundOnce() && isClosed(ranges);
+}
+
+bool PatchOutlines::isClosed(std::span<const Range> ranges) const {
+  const std::vector<Side> sides = sidesOnSegments(ranges);
+  return std::ranges::all_of(sides, [&](const Side& side) {
+    return std::ranges::binary_search(sides, Side(side.second, side.first));
+  });
 }
 
 }  // namespace af2::geometry

@@ -37,6 +37,8 @@ class PatchOutlines {
   std::optional<Point3> commonNormal(std::size_t first, std::size_t last) const;
   /// The sides along segments, as the elements run along them; sorted.
   std::vector<Side> sidesOnSegments(std::span<const Range> ranges) const;
+  /// Whether each segment that elements use is used by them in both directions.
+  bool isClosed(std::span<const Range> ranges) const;
   std::optional<Loops> outline(std::size_t first, std::size_t last) const;
   bool isSegment(std::uint32_t a, std::uint32_t b) const;
 
