@@ -6,12 +6,14 @@
 //   --rules FILE, --rounds R, --sweeps S   other rules, other effort of the optimiser
 //   --threads T   in pieces and optimised, as the library does it, on T threads
 //   --raw         without the optimiser
+//   --tally       how many steps each rule took, and how many were refused, by level (no times)
 //
 // Times are CPU times of the process per triangle, but for threads also seconds on the clock.
 // Memory is the largest the process ever held, less what it held before, per triangle.
 #include <sys/resource.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
@@ -38,6 +40,7 @@ struct Task {
   OptimizeOptions how;
   int threads = 0;
   bool optimize = true;
+  bool tally = false;
 };
 
 double cpuSeconds() {
@@ -101,6 +104,39 @@ void tell(const char* what, const Mesh& mesh, double seconds, double bytes,
       quality[quality.size() / 100], sum / count, checkMesh(mesh, boundaryOf(input)).size());
 }
 
+/// Counts the steps of a run by rule and by level.
+class Tally final : public AF2MeshingObserver {
+ public:
+  explicit Tally(const RuleSet& rules) : rules_(rules), taken_(rules.rules().size() + 1) {}
+  void stepTaken(const StepReport& report) override {
+    std::array<int, kLevels>& row = taken_[report.applied ? report.rule : taken_.size() - 1];
+    ++row[static_cast<std::size_t>(std::min<int>(report.level, kLevels)) - 1];
+  }
+  void print() const {
+    std::printf("%-20s by level 1, 2, ... %d and above\n", "steps", kLevels);
+    for (std::size_t r = 0; r < taken_.size(); ++r) {
+      const bool isRule = r < rules_.rules().size();
+      std::printf("%-20s", isRule ? rules_.rules()[r].definition().name.c_str() : "refused");
+      for (const int count : taken_[r]) std::printf(" %8d", count);
+      std::printf("\n");
+    }
+  }
+
+ private:
+  static constexpr int kLevels = 8;
+  const RuleSet& rules_;
+  std::vector<std::array<int, kLevels>> taken_;  // by rule; refused ones last
+};
+
+bool tallySteps(const AF2Algorithm& algorithm, const Task& task, const FrontInput& input) {
+  Tally tally(algorithm.rules());
+  MeshingOptions options;
+  options.observer = &tally;
+  const MeshingResult result = algorithm.execute(FlatMaker(), input, *sizeOf(task), options);
+  tally.print();
+  return result.outcome == Outcome::Complete;
+}
+
 bool meshInPieces(const AF2Algorithm& algorithm, const Task& task, const FrontInput& input) {
   struct Plane final : SurfaceEvaluator {
     SurfacePoint at(double u, double v) const override { return {{u, v, 0}, {0, 0, 1}, u, v}; }
@@ -147,8 +183,8 @@ bool read(int count, char** arguments, Task& task) {
   task.size = 1 / std::atof(arguments[2]);
   for (int i = 3; i < count; ++i) {
     const std::string_view option = arguments[i];
-    if (option == "--raw") {
-      task.optimize = false;
+    if (option == "--raw" || option == "--tally") {
+      (option == "--raw" ? task.optimize : task.tally) = option == "--tally";
       continue;
     }
     if (++i == count) return false;
@@ -174,7 +210,7 @@ int main(int count, char** arguments) {
   if (!read(count, arguments, task)) {
     std::fprintf(stderr,
                  "usage: planar_front square|disc|graded N [--rules FILE] [--rounds R] "
-                 "[--sweeps S] [--threads T] [--raw]\n");
+                 "[--sweeps S] [--threads T] [--raw] [--tally]\n");
     return 2;
   }
   const auto loaded = dsl::loadRules(task.rules);
@@ -184,7 +220,8 @@ int main(int count, char** arguments) {
   }
   const AF2Algorithm algorithm(loaded.rules);
   const FrontInput input = regionOf(task);
-  const bool isDone =
-      task.threads > 0 ? meshInPieces(algorithm, task, input) : meshWhole(algorithm, task, input);
+  const bool isDone = task.tally         ? tallySteps(algorithm, task, input)
+                      : task.threads > 0 ? meshInPieces(algorithm, task, input)
+                                         : meshWhole(algorithm, task, input);
   return isDone ? 0 : 3;
 }
