@@ -40,20 +40,33 @@ struct Energy {
   double xx = 0, xy = 0, yy = 0;  // second derivatives
 };
 
-/// Sum of squared distortions: the squares let bad elements weigh more than good ones.
+/// x^n for even n > 0.
+template <int kPower>
+double power(double x) {
+  if constexpr (kPower == 2)
+    return x * x;
+  else if constexpr (kPower % 4 == 0)
+    return power<kPower / 2>(x * x);
+  else
+    return x * x * power<kPower - 2>(x);
+}
+
+/// Sum of a power of the distortions: the higher the power, the more bad elements weigh.
 /// Infinite where an element would have no area.
+template <int kPower>
 double energyAt(std::span<const DistortionTerm> terms, Point2 x) {
   double energy = 0;
   for (const DistortionTerm& t : terms) {
     const double area = dot(t.a, x) + t.a0;
     if (!(area > 0)) return INFINITY;
     const double f = t.scale * (t.count * dot(x, x) - 2 * dot(t.sum, x) + t.fixed) / area;
-    energy += f * f;
+    energy += power<kPower>(f);
   }
   return energy;
 }
 
 /// The same with derivatives, at the origin.
+template <int kPower>
 Energy derivativesOf(std::span<const DistortionTerm> terms) {
   Energy e;
   for (const DistortionTerm& t : terms) {
@@ -68,21 +81,24 @@ Energy derivativesOf(std::span<const DistortionTerm> terms) {
     const double hxx = (2 * t.count - 2 * gx * t.a.x) * inverse;
     const double hyy = (2 * t.count - 2 * gy * t.a.y) * inverse;
     const double hxy = -(gx * t.a.y + gy * t.a.x) * inverse;
-    const double weight = t.scale * t.scale;
+    double weight = t.scale * t.scale;
+    if constexpr (kPower > 2) weight *= power<kPower - 2>(t.scale * ratio);
+    constexpr double kFactor = kPower - 1;
     e.value += weight * ratio * ratio;
-    e.gradient.x += 2 * weight * ratio * gx;
-    e.gradient.y += 2 * weight * ratio * gy;
-    e.xx += 2 * weight * (gx * gx + ratio * hxx);
-    e.xy += 2 * weight * (gx * gy + ratio * hxy);
-    e.yy += 2 * weight * (gy * gy + ratio * hyy);
+    e.gradient.x += kPower * weight * ratio * gx;
+    e.gradient.y += kPower * weight * ratio * gy;
+    e.xx += kPower * weight * (kFactor * gx * gx + ratio * hxx);
+    e.xy += kPower * weight * (kFactor * gx * gy + ratio * hxy);
+    e.yy += kPower * weight * (kFactor * gy * gy + ratio * hyy);
   }
   return e;
 }
 
 /// A step of Newton's method from the origin, shortened until it lowers the energy; (0, 0): none.
+template <int kPower>
 Point2 improvedPosition(std::span<const DistortionTerm> terms, double reach) {
   constexpr int kHalvings = 4;
-  const Energy e = derivativesOf(terms);
+  const Energy e = derivativesOf<kPower>(terms);
   if (!std::isfinite(e.value)) return {};
   const double det = e.xx * e.yy - e.xy * e.xy;
   Point2 step;
@@ -96,7 +112,7 @@ Point2 improvedPosition(std::span<const DistortionTerm> terms, double reach) {
   }
   if (length(step) > 0.5 * reach) step = (0.5 * reach / length(step)) * step;
   for (int i = 0; i < kHalvings; ++i, step = 0.5 * step)
-    if (energyAt(terms, step) < e.value) return step;
+    if (energyAt<kPower>(terms, step) < e.value) return step;
   return {};
 }
 
@@ -122,7 +138,7 @@ std::size_t VertexSmoother::sweep(const std::stop_token& stop) {
     if (v % kLookInterval == 0 && stop.stop_requested()) break;
     if (!isAwake_[v]) continue;
     isAwake_[v] = 0;
-    if (!smooth(VertexId(v))) continue;
+    if (!smooth(VertexId(v), Goal::All)) continue;
     ++moved;
     isAwake_[v] = 1;
     for (Corner c : star_) isAwake_[topology_.vertexAt(topology_.next(c)).value] = 1;
@@ -130,7 +146,13 @@ std::size_t VertexSmoother::sweep(const std::stop_token& stop) {
   return moved;
 }
 
-bool VertexSmoother::smooth(VertexId v) {
+std::size_t VertexSmoother::mend(std::span<const VertexId> vertices) {
+  std::size_t moved = 0;
+  for (const VertexId v : vertices) moved += smooth(v, Goal::Worst);
+  return moved;
+}
+
+bool VertexSmoother::smooth(VertexId v, Goal goal) {
   const Corner first = topology_.cornerOf(v);
   if (first.isNone() || !collectStar(first)) return false;
   const SurfacePoint& here = mesh_.vertices[v.value];
@@ -138,7 +160,7 @@ bool VertexSmoother::smooth(VertexId v) {
   const double unit = distance(here.position, neighbor.position);
   if (!(unit > 0)) return false;
   try {
-    return moveInChart(v, {maker_.makeLocalTransformIn(slot_, here, neighbor, unit), unit});
+    return moveInChart(v, {maker_.makeLocalTransformIn(slot_, here, neighbor, unit), unit}, goal);
   } catch (const GeometryError&) {
     return false;  // no chart at this vertex: it stays where it is
   }
@@ -155,17 +177,20 @@ bool VertexSmoother::collectStar(Corner first) {
   return c == first;
 }
 
-bool VertexSmoother::moveInChart(VertexId v, const StepChart& chart) {
+bool VertexSmoother::moveInChart(VertexId v, const StepChart& chart, Goal goal) {
   if (!makeTerms(chart)) return false;
-  const Point2 target = improvedPosition(terms_, reach_);
+  const bool isForAll = goal == Goal::All;
+  const Point2 target =
+      isForAll ? improvedPosition<2>(terms_, reach_) : improvedPosition<16>(terms_, reach_);
   if (length(target) < kLeastMove * reach_) return false;
   const auto lifted = chart.lift(target);
   if (!lifted) return false;
-  const bool isPlane = chart.isPlane();
+  const bool isSurelyBetter = isForAll && chart.isPlane();
   const SurfacePoint before = mesh_.vertices[v.value];
-  const double worstBefore = isPlane ? 0 : worstDistortion();
+  const double worstBefore = isSurelyBetter ? 0 : worstDistortion();
+  const double allowed = isForAll ? std::max(worstBefore, kGoodDistortion) : worstBefore;
   mesh_.vertices[v.value] = *lifted;
-  if (isPlane || worstDistortion() <= std::max(worstBefore, kGoodDistortion)) return true;
+  if (isSurelyBetter || worstDistortion() <= allowed) return true;
   mesh_.vertices[v.value] = before;
   return false;
 }

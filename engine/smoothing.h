@@ -1,6 +1,7 @@
 // Moves inner vertices to where the elements around them are least distorted.
 #pragma once
 
+#include <span>
 #include <stop_token>
 #include <vector>
 
@@ -29,13 +30,17 @@ class VertexSmoother {
   /// One sweep over all inner vertices in order; ends early if asked to stop. Returns how many were
   /// moved.
   std::size_t sweep(const std::stop_token& stop = {});
+  /// One sweep over some inner vertices, for the sake of the worst element at each.
+  std::size_t mend(std::span<const VertexId> vertices);
   /// After swaps and collapses: every vertex is worth a look again.
   void wakeAll();
 
  private:
-  bool smooth(VertexId v);
+  enum class Goal { All, Worst };
+
+  bool smooth(VertexId v, Goal goal);
   bool collectStar(Corner first);
-  bool moveInChart(VertexId v, const StepChart& chart);
+  bool moveInChart(VertexId v, const StepChart& chart, Goal goal);
   bool makeTerms(const StepChart& chart);
   double worstDistortion() const;
   const SurfacePoint& at(Corner c) const { return mesh_.vertices[topology_.vertexAt(c).value]; }
