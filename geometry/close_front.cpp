@@ -10,9 +10,6 @@ namespace af2::geometry {
 
 namespace {
 
-/// Beyond this the front is not merely stuck somewhere, and the work grows with the second power.
-constexpr std::size_t kMostEdges = 5000;
-
 struct Edge {
   VertexId from, to;
   auto operator<=>(const Edge&) const = default;
@@ -126,8 +123,8 @@ ProjectionFrame planeOfFront(const MeshingResult& result) {
 }  // namespace
 
 bool closeFront(MeshingResult& result, const std::function<Point2(VertexId)>& inPlane,
-                std::uint16_t rule) {
-  if (result.stuck.empty() || result.stuck.size() > kMostEdges) return false;
+                std::uint16_t rule, std::size_t most) {
+  if (result.stuck.empty() || result.stuck.size() > most) return false;
   const auto elements = Closer(result, inPlane).close();
   if (!elements) return false;
   result.mesh.elements.insert(result.mesh.elements.end(), elements->begin(), elements->end());
@@ -137,12 +134,12 @@ bool closeFront(MeshingResult& result, const std::function<Point2(VertexId)>& in
   return true;
 }
 
-bool closeFront(MeshingResult& result, std::uint16_t rule) {
+bool closeFront(MeshingResult& result, std::uint16_t rule, std::size_t most) {
   if (result.stuck.empty()) return false;
   const ProjectionFrame plane = planeOfFront(result);
   return closeFront(
       result, [&](VertexId v) { return plane.project(result.mesh.vertices[v.value]).position; },
-      rule);
+      rule, most);
 }
 
 }  // namespace af2::geometry

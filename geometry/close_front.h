@@ -8,6 +8,12 @@
 
 namespace af2::geometry {
 
+/// A front with more edges left is not merely stuck somewhere: its rules are not equal to the
+/// region, which must be told rather than hidden.
+inline constexpr std::size_t kMostStuckEdges = 600;
+/// The work grows with the second power.
+inline constexpr std::size_t kMostClosingEdges = 5000;
+
 /// Triangulates the region to the left of the front edges that are left in `result`, whatever the
 /// shape of its triangles, and appends them with `rule` as the rule that made them.
 ///
@@ -16,11 +22,12 @@ namespace af2::geometry {
 /// be triangulated from its corners, though.
 ///
 /// inPlane  where a vertex lies in a plane in which the front does not cross itself
+/// most     edges of the front
 ///
 /// Returns whether it succeeded; if not, `result` is unchanged. Decisions are exact in the plane.
 bool closeFront(MeshingResult& result, const std::function<Point2(VertexId)>& inPlane,
-                std::uint16_t rule);
+                std::uint16_t rule, std::size_t most = kMostStuckEdges);
 /// The same in the plane across the mean normal of the vertices that are left on the front.
-bool closeFront(MeshingResult& result, std::uint16_t rule);
+bool closeFront(MeshingResult& result, std::uint16_t rule, std::size_t most = kMostStuckEdges);
 
 }  // namespace af2::geometry

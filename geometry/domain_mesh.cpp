@@ -121,7 +121,7 @@ void DomainMesh::close(const RegionTask& task, RegionMesh& meshed, FaceReport& r
   const MeshBoundary boundary = af2::boundaryOf(task.input);
   if (!closeFront(closed, rule) || !faultOf(closed.mesh, boundary).empty()) return;
   report.reason = std::to_string(closed.mesh.elements.size() - meshed.result.mesh.elements.size()) +
-                  " elements were made without a rule, where the front got stuck";
+                  " elements were made without a rule, where rules had no room";
   meshed.result = std::move(closed);
   meshed.result.outcome = Outcome::Complete;
   meshed.fault.clear();

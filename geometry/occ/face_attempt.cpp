@@ -1,7 +1,9 @@
 #include "geometry/occ/face_attempt.h"
 
 #include <algorithm>
+#include <array>
 
+#include "engine/element_shape.h"
 #include "engine/mesh_check.h"
 #include "geometry/close_front.h"
 #include "geometry/occ/chart_attempt.h"
@@ -29,7 +31,9 @@ ScaledParameters scaleOf(const ParametricSurface& surface, const MeshingResult& 
 }
 
 /// Closes the front of a stuck attempt, if the result is sound.
-bool close(const FaceTask& task, FaceAttempt& attempt) {
+///
+/// most  edges of the front
+bool close(const FaceTask& task, FaceAttempt& attempt, std::size_t most = kMostStuckEdges) {
   if (attempt.result.outcome != Outcome::Stuck || attempt.result.stuck.empty()) return false;
   MeshingResult closed = attempt.result;
   const auto& vertices = attempt.result.mesh.vertices;
@@ -46,9 +50,9 @@ bool close(const FaceTask& task, FaceAttempt& attempt) {
         [&](VertexId v) {
           return Point2{scale.u * vertices[v.value].u, scale.v * vertices[v.value].v};
         },
-        rule);
+        rule, most);
   } else {
-    done = closeFront(closed, rule);
+    done = closeFront(closed, rule, most);
   }
   if (!done || !faultOf(closed.mesh, af2::boundaryOf(task.boundary.input)).empty()) return false;
   attempt.closingElements = closed.mesh.elements.size() - attempt.result.mesh.elements.size();
@@ -114,6 +118,19 @@ double areaError(const FaceTask& task, const FaceAttempt& attempt) {
   return std::max(area / task.area, task.area / area);
 }
 
+double worstDistortion(const FaceAttempt& attempt) {
+  const Mesh& mesh = attempt.result.mesh;
+  double worst = 0;
+  for (const Element& element : mesh.elements) {
+    std::array<const SurfacePoint*, 4> corners{};
+    const auto vertices = element.vertices();
+    for (std::size_t i = 0; i < vertices.size(); ++i)
+      corners[i] = &mesh.vertices[vertices[i].value];
+    worst = std::max(worst, elementDistortion({corners.data(), vertices.size()}));
+  }
+  return worst;
+}
+
 bool isNearArea(const FaceTask& task, const FaceAttempt& attempt) {
   constexpr double kNear = 1.25;
   return task.surface.isPlane() || !(task.area > 0) || areaError(task, attempt) < kNear;
@@ -141,13 +158,13 @@ FaceAttempt fillWithoutVertices(const FaceTask& task) {
       isPlane || (task.boundary.closedInParameters && !hasTwoSheets(task.boundary.input));
   if (!isPossible) return attempt;
   beginFront(task.boundary.input, attempt.result);
-  close(task, attempt);
+  close(task, attempt, kMostClosingEdges);
   attempt.chart = ChartKind::Auto;  // it took none
   return attempt;
 }
 
-/// Whether a plane face is a strip, far narrower than its segments are long: vertices inside would
-/// only make its elements thinner, and a front has no room.
+/// Whether a plane face is a strip, far narrower than its segments are long: vertices inside make
+/// its elements only thinner.
 bool isNarrow(const FaceTask& task) {
   constexpr double kNarrow = 0.3;  // width over length of a segment
   if (!task.surface.isPlane() || !(task.area > 0)) return false;
@@ -200,18 +217,20 @@ bool hasTwoSheets(const FrontInput& input) {
 }
 
 FaceAttempt fillFace(const FaceTask& task) {
-  if (isNarrow(task)) {
-    FaceAttempt strip = fillWithoutVertices(task);
-    if (strip.fault.empty() && !hasLongEdges(task.boundary.input, strip.result.mesh)) {
-      strip.closingElements = 0;  // nothing got stuck
-      return strip;
-    }
-  }
   FaceAttempt filled = fillWithRules(task);
-  if (!filled.fault.empty() || isNearArea(task, filled)) return filled;
+  const bool hasNoRoom = isNarrow(task);
+  const bool mayBeBetter = hasNoRoom || (filled.fault.empty() && !isNearArea(task, filled));
+  if (!mayBeBetter) return filled;
   FaceAttempt bare = fillWithoutVertices(task);
-  return bare.fault.empty() && areaError(task, bare) < areaError(task, filled) ? std::move(bare)
-                                                                               : std::move(filled);
+  if (!bare.fault.empty()) return filled;
+  if (hasNoRoom && hasLongEdges(task.boundary.input, bare.result.mesh)) return filled;
+  const bool isBetter =
+      !filled.fault.empty() || (hasNoRoom ? worstDistortion(bare) < worstDistortion(filled)
+                                          : areaError(task, bare) < areaError(task, filled));
+  if (!isBetter) return filled;
+  bare.steps = std::move(filled.steps);
+  bare.effort += filled.effort;
+  return bare;
 }
 
 }  // namespace af2::geometry

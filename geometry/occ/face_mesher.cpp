@@ -57,7 +57,7 @@ class FaceMesher {
     if (context_.options.optimize && !attempt.isOptimized) optimize(attempt, boundary.input, mesh);
     if (attempt.closingElements > 0)
       mesh.report.reason = std::to_string(attempt.closingElements) +
-                           " elements were made without a rule, where the front got stuck";
+                           " elements were made without a rule, where rules had no room";
     mesh.wantedSizes.reserve(attempt.result.mesh.vertices.size());
     for (const SurfacePoint& vertex : attempt.result.mesh.vertices)
       mesh.wantedSizes.push_back(wanted.sizeAt(vertex));
