@@ -196,8 +196,20 @@ constexpr std::array kBuiltins{
     Builtin{"convex", "ppp*", "convex(p, q, r, ...)", convex},
 };
 
-constexpr std::array<std::string_view, 8> kShapes{"poly",   "hull", "disc", "left",
-                                                  "sector", "grow", "arc",  "inside"};
+struct ShapeFunction {
+  std::string_view name, usage;
+};
+
+constexpr std::array kShapes{
+    ShapeFunction{"poly", "poly(p, q, r, ...)"},
+    ShapeFunction{"hull", "hull(p, q, ...)"},
+    ShapeFunction{"disc", "disc(centre, radius)"},
+    ShapeFunction{"left", "left(point, direction)"},
+    ShapeFunction{"sector", "sector(centre, radius, from, to)"},
+    ShapeFunction{"grow", "grow(shape, distance)"},
+    ShapeFunction{"arc", "arc(via, to)"},
+    ShapeFunction{"inside", "inside(p, shape)"},
+};
 
 }  // namespace
 
@@ -210,7 +222,14 @@ const Builtin* findBuiltin(std::string_view name) {
 }
 
 bool isShapeFunction(std::string_view name) {
-  return std::find(kShapes.begin(), kShapes.end(), name) != kShapes.end();
+  return std::ranges::find(kShapes, name, &ShapeFunction::name) != kShapes.end();
+}
+
+std::string_view usageOf(std::string_view name) {
+  if (const Builtin* builtin = findBuiltin(name)) return builtin->usage;
+  if (const BuiltinMetric* metric = findBuiltinMetric(name)) return metric->usage;
+  const auto shape = std::ranges::find(kShapes, name, &ShapeFunction::name);
+  return shape == kShapes.end() ? name : shape->usage;
 }
 
 bool isBuiltin(std::string_view name) {
@@ -221,7 +240,7 @@ std::vector<std::string> builtinNames() {
   std::vector<std::string> names;
   for (const Builtin& b : kBuiltins) names.emplace_back(b.name);
   for (const BuiltinMetric& m : builtinMetrics()) names.emplace_back(m.name);
-  for (std::string_view s : kShapes) names.emplace_back(s);
+  for (const ShapeFunction& s : kShapes) names.emplace_back(s.name);
   return names;
 }
 

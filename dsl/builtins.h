@@ -43,6 +43,9 @@ const BuiltinMetric* findBuiltinMetric(std::string_view name);
 /// Functions that make shapes: poly, hull, disc, left, sector, grow, and arc inside of poly.
 bool isShapeFunction(std::string_view name);
 
+/// How a name of the language is called: "lerp(from, to, t)"; of one without arguments the name.
+std::string_view usageOf(std::string_view name);
+
 /// Whether a name belongs to any of the above.
 bool isBuiltin(std::string_view name);
 

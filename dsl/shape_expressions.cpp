@@ -72,17 +72,6 @@ bool hasUserPart(const ShapeValue& shape) {
          std::ranges::any_of(shape.parts, [](const auto& part) { return hasUserPart(*part); });
 }
 
-std::string usageOf(const std::string& name) {
-  if (name == "disc") return "disc(centre, radius)";
-  if (name == "left") return "left(point, direction)";
-  if (name == "sector") return "sector(centre, radius, from, to)";
-  if (name == "grow") return "grow(shape, distance)";
-  if (name == "hull") return "hull(p, q, ...)";
-  if (name == "arc") return "arc(via, to)";
-  if (name == "inside") return "inside(p, shape)";
-  return "poly(p, q, r, ...)";
-}
-
 }  // namespace
 
 ExpressionCompiler::Corner ExpressionCompiler::corner(const Expr& given) {
@@ -212,7 +201,7 @@ bool ExpressionCompiler::isGrownUser(const Expr& expr, const ShapeValue& shape) 
 }
 
 Value ExpressionCompiler::callShape(const Expr& expr) {
-  const std::string usage = usageOf(expr.name);
+  const std::string usage(usageOf(expr.name));
   if (expr.name == "poly") return polyShape(expr);
   if (expr.name == "arc") {
     tell("Y7", expr.span, "an arc stands only in the path of a poly", "",

@@ -236,7 +236,7 @@ void addTemplates(ItemList& list) {
 void addMetrics(ItemList& list) {
   FileNames(list, list.place().analysis->main()).addFunctions(true);
   for (const dsl::BuiltinMetric& metric : dsl::builtinMetrics()) {
-    const dsl::WordHelp* help = dsl::helpForBuiltin(metric.name);
+    const auto help = dsl::helpForBuiltin(metric.name);
     list.add(Rank::Language, ItemKind::Function, nameOnly(std::string(metric.usage)),
              std::string(metric.usage), help ? std::string(help->meaning) : "");
   }

@@ -154,7 +154,7 @@ std::string wordText(const Place& place, dsl::Span span) {
   const dsl::BlockContext context = contextAt(place.analysis->main().source, span.begin);
   if (context.isInComment || context.isInString) return {};
   const dsl::WordHelp* keyword = dsl::helpForKeyword(word);
-  const dsl::WordHelp* builtin = dsl::helpForBuiltin(word);
+  const auto builtin = dsl::helpForBuiltin(word);
   const bool isCalled = span.end < text.size() && text[span.end] == '(';
   const bool isKeyword = keyword && (context.isAtBeginning() || !builtin) && !isCalled;
   if (isKeyword) return helpText(*keyword);

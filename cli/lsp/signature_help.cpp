@@ -50,7 +50,7 @@ std::optional<Json> signatureFor(const Analysis& analysis, const dsl::OpenCall& 
   }
   if (const auto t = home->templates.find(call.name); t != home->templates.end())
     return signatureOf(call.name + parametersOf(t->second.text->parameters), t->second.text->doc);
-  const dsl::WordHelp* help = call.qualifier.empty() ? dsl::helpForBuiltin(call.name) : nullptr;
+  const auto help = call.qualifier.empty() ? dsl::helpForBuiltin(call.name) : std::nullopt;
   if (!help) return std::nullopt;
   return signatureOf(std::string(help->usage), std::string(help->meaning));
 }

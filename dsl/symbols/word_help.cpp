@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "dsl/builtins.h"
+
 namespace af2::dsl {
 namespace {
 
@@ -65,74 +67,85 @@ constexpr std::array kKeywords{
     WordHelp{"expect", "expect rule \"title\";", "What should happen."},
 };
 
-constexpr std::array kBuiltins{
-    WordHelp{"sqrt", "sqrt(x)", "The square root."},
-    WordHelp{"sin", "sin(angle)", "The sine; a bare number stands for radians."},
-    WordHelp{"cos", "cos(angle)", "The cosine; a bare number stands for radians."},
-    WordHelp{"tan", "tan(angle)", "The tangent; a bare number stands for radians."},
-    WordHelp{"atan2", "atan2(y, x)", "The angle of the vector (x, y)."},
-    WordHelp{"abs", "abs(x)", "The value without its sign."},
-    WordHelp{"min", "min(x, y, ...)", "The smallest."},
-    WordHelp{"max", "max(x, y, ...)", "The largest."},
-    WordHelp{"clamp", "clamp(x, low, high)", "x, but not below low nor above high."},
-    WordHelp{"mid", "mid(p, q)", "The point halfway."},
-    WordHelp{"lerp", "lerp(from, to, t)", "from at t = 0, to at t = 1; t may lie outside."},
-    WordHelp{"centroid", "centroid(p, q, ...)", "The mean of points."},
-    WordHelp{"perp", "perp(v)", "The vector, turned by 90 degrees counter-clockwise."},
-    WordHelp{"rot", "rot(v, angle)", "The vector, turned counter-clockwise."},
-    WordHelp{"unit", "unit(v)", "The vector at length 1."},
-    WordHelp{"len", "len(v)", "The length of a vector."},
-    WordHelp{"dist", "dist(p, q)", "The distance of two points."},
-    WordHelp{"dot", "dot(u, v)", "The scalar product."},
-    WordHelp{"cross", "cross(u, v)", "The z component of the vector product."},
-    WordHelp{"foot", "foot(p, q, r)", "The foot of p on the line through q and r."},
-    WordHelp{"reflect", "reflect(p, q, r)", "p, reflected in the line through q and r."},
-    WordHelp{"cut", "cut(p, u, q, v)",
-             "Where the line through p along u meets the one through q along v."},
-    WordHelp{"angle", "angle(p, v, q)",
-             "Counter-clockwise from v->q to v->p, above 0 and up to 360deg."},
-    WordHelp{"bisector", "bisector(p, v, q)", "The unit vector that halves angle(p, v, q)."},
-    WordHelp{"ccw", "ccw(p, q, r)", "Whether three points turn left; exact."},
-    WordHelp{"convex", "convex(p, q, r, ...)", "Whether corners form a convex polygon; exact."},
-    WordHelp{"inside", "inside(p, shape)", "Whether the closed shape holds the point."},
-    WordHelp{"poly", "poly(p, q, ...)",
-             "A simple polygon, counter-clockwise; arc(via, to) may be a corner."},
-    WordHelp{"hull", "hull(p, q, ...)", "The convex hull."},
-    WordHelp{"disc", "disc(centre, radius)", "A disc."},
-    WordHelp{"left", "left(p, v)", "The half plane to the left of the line through p along v."},
-    WordHelp{"sector", "sector(centre, radius, from, to)",
-             "Counter-clockwise between two angles from the x axis."},
-    WordHelp{"grow", "grow(shape, distance)", "All within a distance of the shape."},
-    WordHelp{"arc", "arc(via, to)", "In a poly: along a circle through via."},
-    WordHelp{"h", "h(p)", "The wanted edge length at p, in units of that at the base."},
-    WordHelp{"turn", "turn(v)", "The free angle at a vertex of a chain."},
-    WordHelp{"corner", "corner(v)", "1 end, 2 side, 3 corner, 4 reversal, by the free angle."},
-    WordHelp{"layer", "layer(v)", "Layers of elements between v and the boundary."},
-    WordHelp{"on_boundary", "on_boundary(v)", "Whether v lies on the boundary."},
-    WordHelp{"valence", "valence(v)", "The number of elements at v so far."},
-    WordHelp{"loop_size", "loop_size()", "The number of edges of this loop of the front."},
-    WordHelp{"dist_front", "dist_front(p)", "The distance to the nearest front edge."},
-    WordHelp{"curvature", "curvature(p)", "The surface's curvature times the wanted length."},
-    WordHelp{"shape_size", "shape_size(weight)", "Metric: shape and edge lengths of a triangle."},
-    WordHelp{"jacobian_badness", "jacobian_badness", "Metric: 0 for the square."},
-    WordHelp{"size_error", "size_error", "Metric: 0 where all edges have the wanted length."},
-    WordHelp{"aspect_badness", "aspect_badness", "Metric: 0 where all edges are equally long."},
-    WordHelp{"scaled_jacobian", "scaled_jacobian(u, v, w, x)",
-             "Measure: 1 for the ideal element, 0 for a flat one."},
-    WordHelp{"min_angle", "min_angle(u, v, w, x)", "Measure: the smallest corner."},
-    WordHelp{"q", "q", "The quality level of the base edge: 1, and one more after each refusal."},
+struct Meaning {
+  std::string_view word, meaning;
 };
 
-const WordHelp* find(std::span<const WordHelp> table, std::string_view word) {
-  const auto found = std::ranges::find(table, word, &WordHelp::word);
-  return found == table.end() ? nullptr : &*found;
+constexpr std::array kBuiltins{
+    Meaning{"sqrt", "The square root."},
+    Meaning{"sin", "The sine; a bare number stands for radians."},
+    Meaning{"cos", "The cosine; a bare number stands for radians."},
+    Meaning{"tan", "The tangent; a bare number stands for radians."},
+    Meaning{"atan2", "The angle of the vector (x, y)."},
+    Meaning{"abs", "The value without its sign."},
+    Meaning{"min", "The smallest."},
+    Meaning{"max", "The largest."},
+    Meaning{"clamp", "x, but not below low nor above high."},
+    Meaning{"mid", "The point halfway."},
+    Meaning{"lerp", "from at t = 0, to at t = 1; t may lie outside."},
+    Meaning{"centroid", "The mean of points."},
+    Meaning{"perp", "The vector, turned by 90 degrees counter-clockwise."},
+    Meaning{"rot", "The vector, turned counter-clockwise."},
+    Meaning{"unit", "The vector at length 1."},
+    Meaning{"len", "The length of a vector."},
+    Meaning{"dist", "The distance of two points."},
+    Meaning{"dot", "The scalar product."},
+    Meaning{"cross", "The z component of the vector product."},
+    Meaning{"foot", "The foot of p on the line through q and r."},
+    Meaning{"reflect", "p, reflected in the line through q and r."},
+    Meaning{"cut", "Where the line through p along u meets the one through q along v."},
+    Meaning{"angle", "Counter-clockwise from v->q to v->p, above 0 and up to 360deg."},
+    Meaning{"bisector", "The unit vector that halves angle(p, v, q)."},
+    Meaning{"ccw", "Whether three points turn left; exact."},
+    Meaning{"convex", "Whether corners form a convex polygon; exact."},
+    Meaning{"inside", "Whether the closed shape holds the point."},
+    Meaning{"poly", "A simple polygon, counter-clockwise; arc(via, to) may be a corner."},
+    Meaning{"hull", "The convex hull."},
+    Meaning{"disc", "A disc."},
+    Meaning{"left", "The half plane to the left of the line through p along v."},
+    Meaning{"sector", "Counter-clockwise between two angles from the x axis."},
+    Meaning{"grow", "All within a distance of the shape."},
+    Meaning{"arc", "In a poly: along a circle through via."},
+    Meaning{"h", "The wanted edge length at p, in units of that at the base."},
+    Meaning{"turn", "The free angle at a vertex of a chain."},
+    Meaning{"corner", "1 end, 2 side, 3 corner, 4 reversal, by the free angle."},
+    Meaning{"layer", "Layers of elements between v and the boundary."},
+    Meaning{"on_boundary", "Whether v lies on the boundary."},
+    Meaning{"valence", "The number of elements at v so far."},
+    Meaning{"loop_size", "The number of edges of this loop of the front."},
+    Meaning{"dist_front", "The distance to the nearest front edge."},
+    Meaning{"curvature", "The surface's curvature times the wanted length."},
+    Meaning{"shape_size", "Metric: shape and edge lengths of a triangle."},
+    Meaning{"jacobian_badness", "Metric: 0 for the square."},
+    Meaning{"size_error", "Metric: 0 where all edges have the wanted length."},
+    Meaning{"aspect_badness", "Metric: 0 where all edges are equally long."},
+    Meaning{"scaled_jacobian", "Measure: 1 for the ideal element, 0 for a flat one."},
+    Meaning{"min_angle", "Measure: the smallest corner."},
+    Meaning{"q", "The quality level of the base edge: 1, and one more after each refusal."},
+};
+
+WordHelp helpOf(const Meaning& builtin) {
+  return {builtin.word, usageOf(builtin.word), builtin.meaning};
 }
 
 }  // namespace
 
 std::span<const WordHelp> keywordHelp() { return kKeywords; }
-std::span<const WordHelp> builtinHelp() { return kBuiltins; }
-const WordHelp* helpForKeyword(std::string_view word) { return find(kKeywords, word); }
-const WordHelp* helpForBuiltin(std::string_view word) { return find(kBuiltins, word); }
+
+std::vector<WordHelp> builtinHelp() {
+  std::vector<WordHelp> all;
+  for (const Meaning& builtin : kBuiltins) all.push_back(helpOf(builtin));
+  return all;
+}
+
+const WordHelp* helpForKeyword(std::string_view word) {
+  const auto found = std::ranges::find(kKeywords, word, &WordHelp::word);
+  return found == kKeywords.end() ? nullptr : &*found;
+}
+
+std::optional<WordHelp> helpForBuiltin(std::string_view word) {
+  const auto found = std::ranges::find(kBuiltins, word, &Meaning::word);
+  return found == kBuiltins.end() ? std::nullopt : std::optional(helpOf(*found));
+}
 
 }  // namespace af2::dsl

@@ -1,8 +1,10 @@
 // What the words of the language mean, in a line each, for those who write them in an editor.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string_view>
+#include <vector>
 
 namespace af2::dsl {
 
@@ -16,10 +18,10 @@ struct WordHelp {
 /// then the help covers both.
 std::span<const WordHelp> keywordHelp();
 /// Functions, shapes, metrics, and names such as `q`.
-std::span<const WordHelp> builtinHelp();
+std::vector<WordHelp> builtinHelp();
 
-/// Null if there is none.
+/// Null or nothing if there is none.
 const WordHelp* helpForKeyword(std::string_view word);
-const WordHelp* helpForBuiltin(std::string_view word);
+std::optional<WordHelp> helpForBuiltin(std::string_view word);
 
 }  // namespace af2::dsl
