@@ -56,6 +56,26 @@ constexpr std::array kLookAlikes{
     LookAlike{"\uFEFF", " ", "a byte order mark"},
 };
 
+struct Twin {
+  std::string_view written;
+  char meant;
+};
+
+/// Letters that no font tells from those of ASCII: Cyrillic, then Greek ones.
+constexpr std::array kTwins{
+    Twin{"\u0430", 'a'}, Twin{"\u0441", 'c'}, Twin{"\u0435", 'e'}, Twin{"\u043E", 'o'},
+    Twin{"\u0440", 'p'}, Twin{"\u0445", 'x'}, Twin{"\u0443", 'y'}, Twin{"\u0456", 'i'},
+    Twin{"\u0458", 'j'}, Twin{"\u0455", 's'}, Twin{"\u0501", 'd'}, Twin{"\u051B", 'q'},
+    Twin{"\u04BB", 'h'}, Twin{"\u0410", 'A'}, Twin{"\u0412", 'B'}, Twin{"\u0421", 'C'},
+    Twin{"\u0415", 'E'}, Twin{"\u041D", 'H'}, Twin{"\u0406", 'I'}, Twin{"\u0408", 'J'},
+    Twin{"\u041A", 'K'}, Twin{"\u041C", 'M'}, Twin{"\u041E", 'O'}, Twin{"\u0420", 'P'},
+    Twin{"\u0405", 'S'}, Twin{"\u0422", 'T'}, Twin{"\u0425", 'X'}, Twin{"\u0423", 'Y'},
+    Twin{"\u03BF", 'o'}, Twin{"\u03BD", 'v'}, Twin{"\u0391", 'A'}, Twin{"\u0392", 'B'},
+    Twin{"\u0395", 'E'}, Twin{"\u0396", 'Z'}, Twin{"\u0397", 'H'}, Twin{"\u0399", 'I'},
+    Twin{"\u039A", 'K'}, Twin{"\u039C", 'M'}, Twin{"\u039D", 'N'}, Twin{"\u039F", 'O'},
+    Twin{"\u03A1", 'P'}, Twin{"\u03A4", 'T'}, Twin{"\u03A5", 'Y'}, Twin{"\u03A7", 'X'},
+};
+
 bool isTrail(char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; }
 
 /// 0 if the text does not begin with a well-formed character.
@@ -114,6 +134,18 @@ bool beginsWithForeignLetter(std::string_view text) {
   const bool isLow = lead >= 0xC3 && lead <= 0xE1;
   const bool isEastern = lead >= 0xE3 && lead <= 0xED;
   return (isLow || isEastern) && wellFormedSize(text) > 0;
+}
+
+std::optional<std::string> plainSpelling(std::string_view name) {
+  std::string plain;
+  while (!name.empty()) {
+    const std::size_t size = characterSize(name);
+    const auto twin = std::ranges::find(kTwins, name.substr(0, size), &Twin::written);
+    if (size > 1 && twin == kTwins.end()) return std::nullopt;
+    plain += size > 1 ? twin->meant : name[0];
+    name.remove_prefix(size);
+  }
+  return plain;
 }
 
 std::optional<UnreadableText> findUnreadable(std::string_view text) {

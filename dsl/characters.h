@@ -25,6 +25,10 @@ std::size_t characterSize(std::string_view text);
 /// Whether `text` begins with a letter that is not ASCII, as in names of other languages.
 bool beginsWithForeignLetter(std::string_view text);
 
+/// A name in which letters of other alphabets that look like ASCII ones are replaced by these;
+/// nothing if it has others, too.
+std::optional<std::string> plainSpelling(std::string_view name);
+
 /// Why a file cannot be read as text, or not all of it.
 struct UnreadableText {
   std::size_t from = 0, to = 0;

@@ -163,6 +163,7 @@ class ClauseCompiler {
   ShapeValue shapeOf(const ReadZone& zone);
   void listNamesBelow();
   static ShapeValue unionOf(std::vector<ShapeValue> shapes);
+  Value oneShape(const Expr& expr);
   bool isShapeClause(const ZoneClause& clause) { return clause.corners.size() == 1; }
 
   const Module& home_;

@@ -62,8 +62,10 @@ void ClauseCompiler::readLevels() {
     if (!value) return std::nullopt;
     if (*value >= 1 && *value <= 1e6 && *value == std::floor(*value))
       return static_cast<int>(*value);
+    const bool isDifference = expr.kind == ExprKind::Binary && expr.name == "-";
     tell("Y3", expr.span, "a quality level is a whole number from 1",
-         "this is " + shownNumber(*value), "1 is the best");
+         "this is " + shownNumber(*value),
+         isDifference ? "a range of levels is written 1..3" : "1 is the best");
     return std::nullopt;
   };
   result_.levelSpan = levels->first.span;

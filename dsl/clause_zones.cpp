@@ -14,7 +14,7 @@ void ClauseCompiler::readZone(const ZoneClause& clause, Span span) {
   zone.isRight = clause.corners.size() != 2;
   if (!zone.isRight) tell("Y6", span, "a zone needs at least three corners", "2 are given");
   if (isShapeClause(clause)) {
-    zone.shape = expressions_.shape(clause.corners[0]);
+    zone.shape = oneShape(clause.corners[0]);
     zone.isRight = !zone.shape.isAny();
   } else {
     for (const Expr& expr : clause.corners) {
@@ -32,6 +32,17 @@ void ClauseCompiler::readZone(const ZoneClause& clause, Span span) {
   hasErrors_ = hasErrors_ || !zone.isRight;
   zones_.push_back(std::move(zone));
   result_.zoneSpans.push_back(span);
+}
+
+Value ClauseCompiler::oneShape(const Expr& expr) {
+  Value value = expressions_.evaluate(expr);
+  if (value.isPoint()) {
+    tell("Y6", expr.span, "a zone needs at least three corners, or one shape", "1 corner is given",
+         "list corners counter-clockwise, or use poly, hull, disc, left, sector, grow");
+    return {};
+  }
+  if (value.isAny() || value.type == Type::Shape) return value;
+  return expressions_.wrongType(expr, "a shape", value);
 }
 
 /// The list form of a zone, in the engine's fast form.

@@ -27,6 +27,7 @@ struct CompiledRule {
   const Module* home = nullptr;  ///< the file that `text` is from
   Span title;                    ///< of a mirror: the mirror's title
   DiagnosticPlace titlePlace;    ///< of an instance: in the file that asks for it
+  DiagnosticPlace askedAt;       ///< of an instance and its mirror image: the instance's title
   bool isMirror = false;
   std::vector<Span> elementSpans;  ///< one for each element of the definition
   std::vector<Span> vertexSpans;   ///< matched, then new ones: where each is defined

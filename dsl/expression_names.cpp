@@ -162,7 +162,7 @@ Value ExpressionCompiler::evaluateImported(const Expr& expr) {
   std::vector<std::string> known;
   for (const auto& [name, c] : library->second->constants) known.push_back(name);
   tell("R1", expr.span, "'" + expr.qualifier + "' has no constant '" + expr.name + "'", "",
-       didYouMean(expr.name, known));
+       helpAmong(expr.name, known, "constants of that file"));
   return {};
 }
 

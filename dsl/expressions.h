@@ -61,6 +61,9 @@ class ExpressionCompiler {
   /// A number that does not depend on the match or the level.
   std::optional<double> constantNumber(const Expr& expr, const std::string& what);
 
+  /// Tells that a value is of another type than was wanted: "a number"; gives Any.
+  Value wrongType(const Expr& expr, const std::string& wanted, const Value& found);
+
   struct Corner {
     Value preferred;
     std::optional<Value> limiting;
@@ -131,7 +134,6 @@ class ExpressionCompiler {
   Value needValue(
       const Expr& expr, Value value,
       const char* cause = "a division by zero, a root of a negative number or the like");
-  Value wrongType(const Expr& expr, const std::string& wanted, const Value& found);
   Value wrongOperands(const Expr& expr, const Value& a, const Value& b, std::string help);
   Value unknownName(const Expr& expr, bool isFunction);
   bool isBelow(const Expr& expr, const Module* home, Span definition);

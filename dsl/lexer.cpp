@@ -179,10 +179,24 @@ class Lexer {
       at_ += isForeign ? characterSize(rest()) : 1;
     }
     std::string name(text_.substr(from, at_ - from));
-    if (!isPlain && toldNames_.insert(name).second)
+    if (!isPlain) name = toldForeignName(from, std::move(name));
+    add(TokenKind::Name, from, std::move(name));
+  }
+
+  /// Each is told once. What looks like a plain name is read as that one.
+  std::string toldForeignName(std::size_t from, std::string name) {
+    const auto plain = plainSpelling(name);
+    if (!toldNames_.insert(name).second) return plain.value_or(std::move(name));
+    if (!plain) {
       tell("L1", from, at_, "a name may hold only the letters a-z, A-Z, digits and '_'",
            "write the name without accents and special characters");
-    add(TokenKind::Name, from, std::move(name));
+      return name;
+    }
+    tell("L1", from, at_,
+         "this only looks like '" + *plain + "': it has letters of another alphabet",
+         "write '" + *plain + "' in plain letters");
+    isDoubtful_ = false;
+    return *plain;
   }
 
   /// digits, a fraction, an exponent; `1..30` is the number 1 and then `..`.

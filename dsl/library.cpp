@@ -115,6 +115,11 @@ void Library::registerConstant(Module& module, const Constant& item) {
   ConstantName constant;
   constant.home = &module;
   constant.span = item.name.span;
+  if (item.name.text == "a" || item.name.text == "b")
+    context_.tell(
+        module, "A2", item.name.span,
+        "in rules '" + item.name.text + "' is an end of the base edge, never this constant",
+        "choose another name", {}, Severity::Warning);
   const auto known = [&](Node node) {
     return node < 0 ? std::optional<double>(0) : builder.constantValue(node);
   };

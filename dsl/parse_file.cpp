@@ -12,30 +12,59 @@ namespace {
 
 constexpr const char* kSplit = "split it, and join the parts with `import` and `use`";
 
-/// Whether brackets and operators stay within what the stack can hold; the grammar and all that
-/// walks over the tree are recursive.
-bool isWithinLimits(const std::vector<Token>& tokens, const ParseLimits& limits,
-                    SyntaxErrors& errors) {
-  int nesting = 0, operators = 0;
-  for (const Token& token : tokens) {
-    if (token.is("(") || token.is("{"))
-      ++nesting;
-    else if (token.is(")") || token.is("}"))
-      nesting = std::max(0, nesting - 1);
-    if (token.is(";") || token.is("{") || token.is("}"))
-      operators = 0;
-    else if (token.kind == TokenKind::Symbol || token.is("and") || token.is("or") ||
-             token.is("not") || token.is("if"))
-      operators += !(token.is("(") || token.is(")") || token.is(","));
-    if (token.is("^") || token.is("if")) operators += 9;  // nested, where sums are only long
-    if (nesting > limits.nesting || operators > limits.operators) {
-      errors.tell("S6", token.span,
-                  nesting > limits.nesting ? "brackets are nested too deep here"
-                                           : "this expression is too long",
-                  "name parts of it with `let`, `const` or `def`");
+bool endsStatement(const Token& token) {
+  return token.is(";") || token.is("{") || token.is("}") || token.kind == TokenKind::End;
+}
+
+/// What an operator adds to the depth of the tree that it stands in.
+int weightOf(const Token& token) {
+  const bool isNested = token.is("^") || token.is("if");  // where sums are only long
+  const bool isWord = token.is("and") || token.is("or") || token.is("not");
+  const bool isSymbol =
+      token.kind == TokenKind::Symbol && !token.is("(") && !token.is(")") && !token.is(",");
+  return isNested ? 10 : isSymbol || isWord;
+}
+
+/// The first token of a statement at which brackets or operators are more than the stack can hold:
+/// the grammar and all that walks over the tree are recursive. Null if there is none.
+const Token* tooDeepAt(const Token* first, const ParseLimits& limits, const char*& fault) {
+  int brackets = 0, operators = 0;
+  for (const Token* t = first; !endsStatement(*t); ++t) {
+    brackets = std::max(0, brackets + t->is("(") - t->is(")"));
+    operators += weightOf(*t);
+    if (brackets <= limits.nesting && operators <= limits.operators) continue;
+    fault = brackets > limits.nesting ? "brackets are nested too deep here"
+                                      : "this expression is too long";
+    return t;
+  }
+  return nullptr;
+}
+
+/// Leaves out what cannot be read, statement by statement. False if nothing can be read at all.
+bool keepWithinLimits(std::vector<Token>& tokens, const ParseLimits& limits, SyntaxErrors& errors) {
+  constexpr const char* kHelp = "name parts of it with `let`, `const` or `def`";
+  std::vector<Token> kept;
+  int braces = 0;
+  for (const Token* t = tokens.data(); t < tokens.data() + tokens.size(); ++t) {
+    const char* fault = nullptr;
+    const Token* at = tooDeepAt(t, limits, fault);
+    const Token* end = t;
+    while (!endsStatement(*end)) ++end;
+    if (at) {
+      errors.tell("S6", at->span, fault, kHelp);
+      errors.leaveOut(t, end);
+    } else {
+      kept.insert(kept.end(), t, end);
+    }
+    t = end;
+    braces = std::max(0, braces + t->is("{") - t->is("}"));
+    if (braces > limits.nesting) {
+      errors.tell("S6", t->span, "brackets are nested too deep here", kHelp);
       return false;
     }
+    if (!at || !t->is(";")) kept.push_back(*t);
   }
+  tokens = std::move(kept);
   return true;
 }
 
@@ -73,7 +102,7 @@ ParsedFile parseFile(const SourceText& source, DiagnosticList& diagnostics,
     return result;
   }
   if (!words.isText) diagnostics.append(std::move(lexical));
-  if (!words.isText || !isWithinLimits(words.tokens, limits, errors)) return result;
+  if (!words.isText || !keepWithinLimits(words.tokens, limits, errors)) return result;
   const Token* first = readVersion(words.tokens, errors);
   if (!first) return result;  // its words make no sense, so they need not be spelt well
   diagnostics.append(std::move(lexical));

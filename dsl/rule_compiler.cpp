@@ -23,6 +23,10 @@ static double inDegrees(double radians) {
   return std::round(radians * 180 / std::numbers::pi * kDigits) / kDigits;
 }
 
+static std::string counted(std::size_t count, const char* what) {
+  return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
+}
+
 std::string filledTitle(ExpressionCompiler& expressions, const Name& title) {
   std::string result;
   for (std::size_t i = 0; i < title.text.size(); ++i) {
@@ -86,6 +90,10 @@ void RuleCompiler::compileOne(const Rule& rule, const std::map<std::string, Para
     for (const auto& [name, parameter] : parameters) compiler.define(name, parameter);
     const InstanceTitle ownTitle = i == 0 ? title : InstanceTitle{mirrors[i]->title, &home_};
     const std::string filled = filledTitle(compiler.expressions(), ownTitle.title);
+    const bool isWritten = ownTitle.title.span.end > ownTitle.title.span.begin;
+    if (ownTitle.title.text.empty() && isWritten)
+      context_.tell(*ownTitle.home, "S1", ownTitle.title.span, "this title is empty",
+                    "name the situation, as in \"right 60\"");
     const Span titleSpan = ownTitle.home == &home_ ? ownTitle.title.span : rule.title.span;
     auto compiled = compiler.compile(filled, titleSpan);
     if (i > 1)
@@ -94,6 +102,7 @@ void RuleCompiler::compileOne(const Rule& rule, const std::map<std::string, Para
     if (!compiled) continue;
     compiled->doc = rule.doc;
     compiled->titlePlace = placeOf(ownTitle.home->source, ownTitle.title.span);
+    compiled->askedAt = placeOf(title.home->source, title.title.span);
     if (ownTitle.home != &home_)
       compiled->definition.source = {ownTitle.home->source.name(), compiled->titlePlace.line,
                                      false};
@@ -133,8 +142,8 @@ std::vector<CompiledRule> RuleCompiler::compile(const Rule& rule,
         isTuple ? std::span<const Expr>(tuple.parts) : std::span<const Expr>(&tuple, 1);
     if (parts.size() != rule.family->names.size()) {
       values.tell("Y6", tuple.span,
-                  "this gives " + std::to_string(parts.size()) + " values for " +
-                      std::to_string(rule.family->names.size()) + " parameters",
+                  "this gives " + counted(parts.size(), "value") + " for " +
+                      counted(rule.family->names.size(), "parameter"),
                   "", "give one value for each parameter");
       continue;
     }

@@ -9,6 +9,7 @@
 #include "dsl/rule_compiler.h"
 #include "dsl/rule_set_chain.h"
 #include "dsl/rule_set_compiler.h"
+#include "dsl/rule_titles.h"
 #include "dsl/titles.h"
 #include "dsl/words.h"
 #include "engine/error.h"
@@ -36,7 +37,6 @@ class FileCompiler {
   void checkTemplate(const Module& module, const Template& item);
   void compileUse(const Module& module, const Use& use);
   void append(std::vector<CompiledRule> compiled);
-  void checkTitles();
   void checkKinds(const RuleSetCompiler& settings);
   void compileTests(LoadedFile& result);
   void compileProperty(const Property& property, LoadedFile& result);
@@ -82,7 +82,7 @@ void FileCompiler::compileInstance(const Module& module, const Instance& instanc
     std::vector<std::string> known;
     for (const auto& [name, t] : home->templates) known.push_back(name);
     return values.tell("R1", call.span, "there is no template '" + call.name + "'", "",
-                       didYouMean(call.name, known));
+                       helpAmong(call.name, known, "templates"));
   }
   if (home == &module && found->second.span.begin > call.span.begin &&
       found->second.home == &module)
@@ -205,39 +205,6 @@ void FileCompiler::compileItems(const Module& module) {
   }
 }
 
-void FileCompiler::checkTitles() {
-  std::map<std::string, DiagnosticPlace> seen;
-  const auto add = [&](const std::string& title, const DiagnosticPlace& at) {
-    const auto [known, isNew] = seen.emplace(title, at);
-    if (isNew || known->second == at) return;
-    Diagnostic d;
-    d.code = "R2";
-    d.message = "there are two rules \"" + title + "\"";
-    d.place = at;
-    d.help =
-        "give each rule a title of its own; in a family write a parameter into it, as in \"free "
-        "{k}\"";
-    d.notes = {{"the other one", known->second}};
-    context_.diagnostics.add(std::move(d));
-  };
-  // By the text first: rules with errors of their own are not among the compiled ones.
-  const auto addText = [&](const Name& title) {
-    if (title.text.find('{') == std::string::npos)
-      add(title.text, placeOf(main_.source, title.span));
-  };
-  for (const Item& item : main_.parsed.file.items)
-    for (const Name* title : titlesOf(item)) addText(*title);
-  std::map<std::string, int> members;
-  for (const CompiledRule& rule : rules_) {
-    add(rule.definition.name, rule.titlePlace);
-    if (rule.text->family && ++members[rule.definition.name] == 2)
-      context_.tell(*rule.home, "R2", rule.title,
-                    "several rules of this family have the title \"" + rule.definition.name + "\"",
-                    "write a parameter into the title, as in \"" + rule.text->title.text + " {" +
-                        rule.text->family->names[0].text + "}\"");
-  }
-}
-
 void FileCompiler::checkKinds(const RuleSetCompiler& settings) {
   if (settings.kinds().empty() || settings.kinds().contains("poly")) return;
   for (const CompiledRule& rule : rules_)
@@ -319,7 +286,7 @@ std::shared_ptr<const RuleSet> FileCompiler::compile(LoadedFile& result) {
   settings_ = std::make_unique<RuleSetCompiler>(context_, main_, std::move(sets));
   result.allowed = settings_->allowed();
   compileItems(main_);
-  checkTitles();
+  checkTitles(main_, rules_, context_.diagnostics);
   checkKinds(*settings_);
   compileTests(result);
   RuleSetDefinition definition = settings_->finish(sizesMade());

@@ -15,6 +15,13 @@ namespace {
 constexpr int kMostLevels = 1000;
 constexpr int kDefaultLevels = 50;
 
+/// To so many digits: what is left of rounding is not shown.
+double roundedTo(double value, int digits) {
+  if (value == 0) return 0;
+  const double scale = std::pow(10, digits - 1 - std::floor(std::log10(std::abs(value))));
+  return std::isfinite(scale) ? std::round(value * scale) / scale : value;
+}
+
 const char* settingName(const SettingContent& content) {
   constexpr std::array names{"",      "elements", "match",   "fade",  "score",  "accept",
                              "front", "front",    "classes", "scale", "parity", "meta"};
@@ -122,7 +129,7 @@ void RuleSetCompiler::readClasses() {
   if (!first || !last) return;
   if (*first != 1)
     context_.tell(*home, "Y3", classes->first.span, "the first quality level is 1",
-                  "write 1.." + shownNumber(*last));
+                  "write 1.." + shownNumber(std::max(*first, *last)));
   else if (*last < 1 || *last > kMostLevels || *last != std::floor(*last))
     context_.tell(
         *home, "Y3", classes->last.span,
@@ -146,12 +153,13 @@ std::vector<double> RuleSetCompiler::table(const Expr& expr, const Module& home,
       result[static_cast<std::size_t>(level - 1)] = *at;
       continue;
     }
-    context_.tell(home, "Y4", expr.span,
-                  std::string(what) +
-                      (at ? " is " + shownNumber(*at) : std::string(" has no value")) +
-                      " at level " + std::to_string(level),
-                  "it must lie between " + shownNumber(least) +
-                      " and 1e6 at every level from 1 to " + std::to_string(shared_.maxLevel));
+    context_.tell(
+        home, "Y4", expr.span,
+        std::string(what) +
+            (at ? " is " + shownNumber(roundedTo(*at, 6)) : std::string(" has no value")) +
+            " at level " + std::to_string(level),
+        "it must lie between " + std::string(least == 0 ? "0" : "-1e6") +
+            " and 1e6 at every level from 1 to " + std::to_string(shared_.maxLevel));
     break;
   }
   return result;

@@ -159,11 +159,13 @@ class Verdict {
     if (expected.index < step_.newVertices.size())
       return "new " + std::to_string(expected.index + 1) + " at " +
              shown(step_.newVertices[expected.index]);
-    return appliedText() + ", which makes " + std::to_string(step_.newVertices.size()) +
-           " new vertices";
+    const std::size_t made = step_.newVertices.size();
+    return appliedText() + ", which makes " + std::to_string(made) +
+           (made == 1 ? " new vertex" : " new vertices");
   }
 
   std::string describe(const Expected::Front&) const {
+    if (step_.frontAfter.empty()) return "an empty front after " + appliedText();
     std::string text = "front ";
     for (const auto& [from, to] : step_.frontAfter)
       text += (text == "front " ? "" : ", ") + vertexName(from) + " -> " + vertexName(to);
@@ -171,7 +173,8 @@ class Verdict {
   }
 
   std::string describe(const Expected::Elements&) const {
-    return std::to_string(step_.elements.size()) + " elements by " + appliedText();
+    const std::size_t made = step_.elements.size();
+    return std::to_string(made) + (made == 1 ? " element by " : " elements by ") + appliedText();
   }
   std::string describe(const Expected::Stuck&) const { return appliedText(); }
   std::string describe(const Expected::Condition&) const { return "it does not hold"; }

@@ -147,13 +147,17 @@ const Token* SyntaxErrors::tellAndRecover(SyntaxUnit unit, const Token* first, c
   constexpr std::size_t kMostBroken = 1000;  // more tell nothing new, and take up memory
   if (broken_.size() >= kMostBroken) resumed = last - 1;
   resumed = std::min(resumed, last - 1);  // the End token stays
-  BrokenStretch stretch;
-  if (resumed > first) stretch.span = cover(first->span, (resumed - 1)->span);
-  for (const Token* t = first; t < resumed; ++t)
-    if (t->kind == TokenKind::Name && !isReserved(t->text)) stretch.names.push_back(t->text);
-  broken_.push_back(std::move(stretch));
+  leaveOut(first, resumed);
   resumedAt_ = resumed;
   return resumed;
+}
+
+void SyntaxErrors::leaveOut(const Token* first, const Token* last) {
+  BrokenStretch stretch;
+  if (last > first) stretch.span = cover(first->span, (last - 1)->span);
+  for (const Token* t = first; t < last; ++t)
+    if (t->kind == TokenKind::Name && !isReserved(t->text)) stretch.names.push_back(t->text);
+  broken_.push_back(std::move(stretch));
 }
 
 }  // namespace af2::dsl

@@ -58,6 +58,8 @@ class SyntaxErrors {
   void tellMissingBrace(const Token* clause);
   /// `af2 1;` stands where it does not belong; that has been told.
   void expectVersionAt(const Token* token) { version_ = token; }
+  /// What is left out without being read.
+  void leaveOut(const Token* first, const Token* last);
   std::vector<BrokenStretch> takeBroken() { return std::move(broken_); }
 
   /// Whether an item of the file begins here, as `rule "...` and `const H` do.
@@ -75,6 +77,8 @@ class SyntaxErrors {
   std::set<std::string> wordsToldAsNames_;
   const Token* resumedAt_ = nullptr;
   const Token* version_ = nullptr;
+  const Token* toldWord_ = nullptr;      ///< told with something else
+  const Token* shortChainOf_ = nullptr;  ///< the clause of which a chain was too short
   int missingBraces_ = 0;  ///< blocks that were taken to end early: their `}` may still come
 };
 

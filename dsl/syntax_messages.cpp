@@ -103,6 +103,22 @@ bool isUnitWord(SyntaxUnit unit, const Token& token) {
   return token.kind == TokenKind::Name && !formOf(unit, token.text).empty();
 }
 
+/// `1,5` without a blank, at `where` or before it in the same unit.
+std::optional<Fault> decimalComma(const Token* first, const Token* where) {
+  for (const Token* comma = where; comma > first; --comma) {
+    const Token &before = comma[-1], &after = comma[1];
+    const bool isTight =
+        before.span.end == comma->span.begin && comma->span.end == after.span.begin;
+    if (!comma->is(",") || !isTight || before.kind != TokenKind::Number ||
+        after.kind != TokenKind::Number || before.text.find('.') != std::string::npos)
+      continue;
+    const std::string meant = before.text + "." + after.text;
+    return Fault{"S1", cover(before.span, after.span), "decimals stand behind a point, not a comma",
+                 Help("did you mean " + meant + "?", {Remedy::Where::Whole, meant})};
+  }
+  return std::nullopt;
+}
+
 /// The end of a clause was wanted.
 std::optional<Fault> missingEnd(SyntaxUnit unit, const Token* first, const Token* where) {
   const Token* before = where - 1;
@@ -115,6 +131,9 @@ std::optional<Fault> missingEnd(SyntaxUnit unit, const Token* first, const Token
                           ? "end it with ';'"
                           : "end the clause with ';'",
                       {Remedy::Where::Behind, ";"})};
+  if (first->is("zone") && (where->is("=") || where->is("->")))
+    return Fault{"S1", where->span, found(*where) + " does not fade",
+                 Help("did you mean '=>'? `preferred => limit`", {Remedy::Where::Whole, "=>"})};
   if (isComparison(*where))
     return Fault{"S1", where->span, "comparisons do not chain",
                  "write `a < b and b < c`, or `x in low..high`"};
@@ -151,6 +170,8 @@ std::optional<Fault> missingBetween(SyntaxUnit unit, const Token* first, const T
               found(*where),
           isCount ? "it is written `expect elements 2;`" : "it is written `expect score < 0.1;`"};
   }
+  const bool isWord = first->is("scale") || first->is("parity") || first->is("elements");
+  if (unit == SyntaxUnit::Setting && isWord) return std::nullopt;
   const bool isGap = endsOperand(*before) && beginsOperand(*where) && before > first;
   if (!isGap || (wanted != ";" && wanted != ")" && wanted != "->" && wanted != ","))
     return std::nullopt;
@@ -185,6 +206,9 @@ const Token* openBracket(const Token* first, const Token* where) {
 
 std::string formHelp(SyntaxUnit unit, const Token* first, const Token* where,
                      const std::string& wanted) {
+  if (wanted == "'at', 'quality' or 'cost'")
+    return "a mirror image may have other tolerances, levels and costs; all else follows from its "
+           "rule";
   if (wanted == "then" || wanted == "else")
     return "a choice is written `if condition then x else y`";
   if (first->is("expect") && first[1].is("new")) return "it is written `expect new 1 at (x, y);`";
@@ -217,7 +241,7 @@ void SyntaxErrors::tellUnknownWord(const Token* where, const std::string& wanted
   std::string list;
   for (const std::string& word : known) list += (list.empty() ? "" : ", ") + word;
   list = "here stands one of: " + list;
-  if (where == version_) return;
+  if (where == version_ || where == toldWord_) return;
   if (where->is("af2"))
     return tell("S7", where->span, "the version of the language is said once, at the top",
                 "delete it here");
@@ -237,6 +261,8 @@ void SyntaxErrors::tellUnknownWord(const Token* where, const std::string& wanted
   if (where->kind != TokenKind::Name)
     return tell("S1", where->span, "unexpected " + found(*where) + " " + place, list);
   Help help = habitOf(where->text);
+  if (wanted == kClause && where->is("quality"))
+    help = "the levels stand before the '{': `rule \"title\" quality 1 { ... }`";
   if (help.empty()) help = didYouMean(where->text, known);
   const bool isElsewhere = isReserved(where->text) || (help.empty() && isClauseWord(where->text));
   tell("S4", where->span,
@@ -256,12 +282,27 @@ void SyntaxErrors::tellMissing(SyntaxUnit unit, const Token* first, const Token*
                 "write `preferred => limit`; use lerp for what lies between");
   if (wanted == "}") return tellUnclosed(unit, first, where);
   if (const auto fault = foreignOperator(where)) return tellFault(*fault);
+  if (where->is(",") && (wanted == ";" || wanted == ")"))
+    if (const auto fault = decimalComma(first, where)) return tellFault(*fault);
   if (wanted == ";")
     if (const auto fault = missingEnd(unit, first, where)) return tellFault(*fault);
   if (const auto fault = missingBetween(unit, first, where, wanted)) return tellFault(*fault);
 
   const std::string help = formHelp(unit, first, where, wanted);
   const bool isWord = where->kind == TokenKind::Name && isReserved(where->text);
+  if (wanted == "quality" && where->is("{") && where[1].is("quality")) {
+    toldWord_ = where + 1;
+    return tell("S1", where[1].span, "the levels of a rule stand before its '{'",
+                "it is written `rule \"title\" quality 1 { ... }`");
+  }
+  // One vertex makes no chain; what is wrong with the others of the clause is the same.
+  if (wanted == "->" && (where->is(",") || where->is(";")) && unit != SyntaxUnit::Setting) {
+    if (shortChainOf_ == first) return;
+    shortChainOf_ = first;
+  }
+  if (wanted == ")" && where->is("..") && (unit == SyntaxUnit::RuleHeader || first->is("rule")))
+    return tell("S1", where->span, "a family has no ranges",
+                "list its values: `for (k) in (1), (2), (3)`");
   if (isWord && wordsToldAsNames_.contains(where->text) && usesNames(*first)) return;
   if (wanted == kExpressionWanted)
     return tell("S3", here,

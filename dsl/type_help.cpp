@@ -18,6 +18,9 @@ std::string wayToType(std::string_view wanted, const Value& found) {
   const auto wants = [&](std::string_view type) { return wanted.starts_with(type); };
   const bool isScalar = found.type == Type::Number || found.type == Type::Angle;
   if (wants("a point") && found.isVector()) return "add it to a point, as in `a + (0, 1)`";
+  if (wants("a point") && found.type == Type::Shape)
+    return "a zone is a list of corners or one shape; shapes are joined by `|`, as in "
+           "`hull(a, b, c) | disc(c, 1)`";
   if (wants("a vector") && found.isPoint())
     return "a vector is the difference of two points, as in `b - a`";
   if (wants("an angle") && found.type == Type::Number) return "an angle has a unit, as in 60deg";

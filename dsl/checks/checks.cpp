@@ -126,6 +126,17 @@ std::vector<int> referenceLevels(const RuleDefinition& rule) {
   return levels;
 }
 
+std::string belowBase(const CompiledRule& rule, int level) {
+  const auto points = referencePositions(rule, level);
+  for (std::size_t i = 2; points && i < points->size(); ++i)
+    if ((*points)[i].y < 0)
+      return "'" + vertexName(rule, static_cast<int>(i)) +
+             "' lies below the base edge, where everything is meshed; the region still to be "
+             "meshed "
+             "has y > 0";
+  return {};
+}
+
 std::string referenceName(const CompiledRule& rule, int level) {
   return referenceLevels(rule.definition).size() == 1
              ? "the reference match"

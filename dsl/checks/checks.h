@@ -70,6 +70,9 @@ std::vector<int> referenceLevels(const RuleDefinition& rule);
 /// Positions of all vertices at the reference match; nothing if a new vertex has none there.
 std::optional<std::vector<Point2>> referencePositions(const CompiledRule& rule, int level);
 
+/// A vertex that lies below the base edge at the reference match, as words; empty if none does.
+std::string belowBase(const CompiledRule& rule, int level);
+
 /// "the reference match", with its level where there are several.
 std::string referenceName(const CompiledRule& rule, int level);
 

@@ -36,6 +36,8 @@ std::string helpFor(const CompiledRule& rule, std::size_t element, const Fault& 
            ".." + std::to_string(level - 1) + "`";
   const std::string meant = fittingElement(rule, element);
   if (!meant.empty()) return "did you mean `" + meant + "`?";
+  const std::string below = belowBase(rule, level);
+  if (!below.empty()) return below;
   return fault.isClockwise ? "name its corners counter-clockwise"
                            : "move a vertex, or take another set of corners";
 }

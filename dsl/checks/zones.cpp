@@ -1,5 +1,7 @@
 // Z2, Z4, Z5: the zone at the reference match.
 #include <algorithm>
+#include <cmath>
+#include <numeric>
 #include <string>
 
 #include "dsl/checks/checks.h"
@@ -52,22 +54,63 @@ class ZoneCheck {
     findings_.add(rule_, severity, code, zone, message, std::move(label), std::move(help));
   }
 
+  /// The corners of a list as they follow each other around it, if all of them are corners of their
+  /// hull; else nothing.
+  std::string orderedCorners(Span zone) const {
+    const ZoneClause* list = listAt(zone);
+    if (!list || corners_.size() != list->corners.size() || rule_.isMirror) return {};
+    std::vector<std::size_t> order(corners_.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    Point2 middle{};
+    for (const Point2 p : corners_) middle = middle + (1.0 / double(corners_.size())) * p;
+    const auto angle = [&](std::size_t i) {
+      const Point2 d = corners_[i] - middle, from = corners_[0] - middle;
+      const double turn = std::atan2(cross(from, d), dot(from, d));
+      return i == 0 ? 0 : turn > 0 ? turn : turn + 2 * M_PI;
+    };
+    std::ranges::sort(order, {}, angle);
+    std::vector<Point2> sorted;
+    std::string text;
+    for (const std::size_t i : order) {
+      sorted.push_back(corners_[i]);
+      const Span span = list->corners[i].span;
+      text += (text.empty() ? "" : ", ") +
+              std::string(rule_.home->source.text().substr(span.begin, span.end - span.begin));
+    }
+    if (!ConvexPolygonZone::isConvex(sorted)) return {};
+    return "counter-clockwise its corners are `zone " + text + ";`";
+  }
+
+  const ZoneClause* listAt(Span zone) const {
+    for (const Clause& clause : rule_.text->clauses)
+      if (clause.span == zone)
+        if (const auto* list = std::get_if<ZoneClause>(&clause.content)) return list;
+    return nullptr;
+  }
+
   void tellClockwise(Span zone) {
+    const std::string below = belowBase(rule_, level_), order = orderedCorners(zone);
     tell(Severity::Error, "Z5", zone, "the zone runs clockwise at " + referenceName(rule_, level_),
-         "", "name its corners counter-clockwise, beginning with a, b");
+         "",
+         !below.empty()   ? below
+         : !order.empty() ? order
+                          : "name its corners counter-clockwise, beginning with a, b");
   }
 
   void tellNotConvex(Span zone) {
+    const std::string order = orderedCorners(zone);
     tell(Severity::Warning, "Z2", zone, "the zone is not convex at " + referenceName(rule_, level_),
          "the rule is refused there",
-         "a list of corners must be convex; write poly(...) for other shapes");
+         order.empty() ? "a list of corners must be convex; write poly(...) for other shapes"
+                       : order);
   }
 
-  void checkCorners(const std::vector<Point2>& corners) {
-    if (corners.empty()) return;
-    if (doubleArea(corners) < 0)
+  void checkCorners(std::vector<Point2> corners) {
+    corners_ = std::move(corners);
+    if (corners_.empty()) return;
+    if (doubleArea(corners_) < 0)
       tellClockwise(rule_.zoneSpans.front());
-    else if (!ConvexPolygonZone::isConvex(corners))
+    else if (!ConvexPolygonZone::isConvex(corners_))
       tellNotConvex(rule_.zoneSpans.front());
   }
 
@@ -107,6 +150,7 @@ class ZoneCheck {
   const CompiledRule& rule_;
   int level_;
   Findings& findings_;
+  std::vector<Point2> corners_;  // of a list
   bool hasTold_ = false;
 };
 
