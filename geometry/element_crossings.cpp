@@ -6,6 +6,7 @@
 #include <optional>
 #include <set>
 
+#include "geometry/drawn_part.h"
 #include "geometry/element_tree.h"
 #include "geometry/patch_outline.h"
 #include "geometry/triangle_pair.h"
@@ -104,6 +105,10 @@ class Search {
       patch.tree = ElementTree(
           mesh_, patch.first, patch.last,
           patch.mayCrossItself ? ElementTree::Order::AlongCurve : ElementTree::Order::AsMade);
+      if (patch.mayCrossItself)
+        patch.tree.findFree([&](std::size_t first, std::size_t count, const std::uint32_t* places) {
+          return canBeDrawn({mesh_, first, count, places});
+        });
     });
   }
 

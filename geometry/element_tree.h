@@ -45,6 +45,17 @@ class ElementTree {
       walk({levels_.size() - 1, 0}, other, {other.levels_.size() - 1, 0}, gap, visit);
   }
 
+  /// Calls isFree(first, count, places) for large parts of the tree and then, where it said no, for
+  /// smaller ones: elements as those of a MeshPart. Where it says yes, elements are not held
+  /// against each other when the tree is held against itself.
+  template <class IsFree>
+  void findFree(const IsFree& isFree) {
+    isFree_.resize(levels_.size());
+    for (std::size_t level = kLeastFree; level < levels_.size(); ++level)
+      isFree_[level].assign(levels_[level].size(), 0);
+    if (levels_.size() > kLeastFree) findFree({levels_.size() - 1, 0}, isFree);
+  }
+
   static Box3 grown(Box3 box, double gap) {
     box.low = box.low - Point3{gap, gap, gap};
     box.high = box.high + Point3{gap, gap, gap};
@@ -53,15 +64,32 @@ class ElementTree {
 
  private:
   static constexpr std::size_t kRun = 8, kBranches = 4;
+  static constexpr std::size_t kLeastFree = 3;  ///< level of the smallest parts that may be free
   struct Node {
     std::size_t level, index;
   };
+
+  template <class IsFree>
+  void findFree(Node node, const IsFree& isFree) {
+    const std::size_t size = kRun << 2 * node.level, first = node.index * size;
+    if (isFree(first_, std::min(size, count_ - first), order_.data() + first)) {
+      isFree_[node.level][node.index] = 1;
+    } else if (node.level > kLeastFree) {
+      const auto [begin, end] = children(node);
+      for (std::size_t i = begin; i < end; ++i) findFree({node.level - 1, i}, isFree);
+    }
+  }
+  bool isFree(Node node) const {
+    return node.level < isFree_.size() && !isFree_[node.level].empty() &&
+           isFree_[node.level][node.index];
+  }
 
   template <class Visit>
   void walk(Node own, const ElementTree& other, Node its, double gap, const Visit& visit) const {
     if (own.level == 0 && its.level == 0) return visit(run(own.index), other.run(its.index));
     // The larger one is taken apart; of a tree with itself, both at once.
     const bool isSelf = this == &other;
+    if (isSelf && own.index == its.index && isFree(own)) return;
     const bool takeOwn = own.level >= its.level, takeIts = isSelf || !takeOwn;
     const auto [ownFirst, ownLast] = takeOwn ? children(own) : std::pair(own.index, own.index + 1);
     const auto [itsFirst, itsLast] =
@@ -88,6 +116,7 @@ class ElementTree {
   std::size_t first_ = 0, count_ = 0;
   std::vector<std::uint32_t> order_;       ///< elements from first_ on; empty: as they are
   std::vector<std::vector<Box3>> levels_;  ///< [0]: the leaves; each next: of the one before
+  std::vector<std::vector<std::uint8_t>> isFree_;  ///< by level and node; empty: none is
 };
 
 }  // namespace af2::geometry

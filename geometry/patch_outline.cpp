@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "geometry/boundary_crossings.h"
+#include "geometry/drawn_part.h"
 #include "geometry/plane_axes.h"
 
 namespace af2::geometry {
@@ -112,28 +113,6 @@ bool PatchOutlines::isSegment(std::uint32_t a, std::uint32_t b) const {
   return std::binary_search(segments_.begin(), segments_.end(), Side(std::minmax(a, b)));
 }
 
-std::optional<Point3> PatchOutlines::commonNormal(std::size_t first, std::size_t last) const {
-  const auto normals = [&](std::size_t i, const auto& visit) {
-    const auto corners = mesh_.elements[i].vertices();
-    const Point3& origin = mesh_.vertices[corners[0].value];
-    for (std::size_t k = 1; k + 1 < corners.size(); ++k)
-      visit(cross(mesh_.vertices[corners[k].value] - origin,
-                  mesh_.vertices[corners[k + 1].value] - origin));
-  };
-  Point3 sum;
-  for (std::size_t i = first; i < last; ++i)
-    normals(i, [&](const Point3& normal) { sum = sum + normal; });
-  const Point3 mean = unit(sum);
-  bool isCommon = true;
-  for (std::size_t i = first; i < last && isCommon; ++i)
-    normals(i, [&](const Point3& normal) {
-      const double facing = dot(normal, mean);
-      isCommon = isCommon && facing > 0 &&
-                 facing * facing > kLeastFacing * kLeastFacing * dot(normal, normal);
-    });
-  return isCommon ? std::optional(mean) : std::nullopt;
-}
-
 std::vector<PatchOutlines::Side> PatchOutlines::sidesOnSegments(
     std::span<const Range> ranges) const {
   std::vector<Side> sides;
@@ -176,7 +155,7 @@ std::optional<PatchOutlines::Loops> PatchOutlines::outline(std::size_t first,
 }
 
 bool PatchOutlines::canBeDrawn(std::size_t first, std::size_t last) const {
-  const std::optional<Point3> normal = commonNormal(first, last);
+  const std::optional<Point3> normal = commonNormal({mesh_, first, last - first});
   if (!normal) return false;
   const std::optional<Loops> loops = outline(first, last);
   if (!loops || loops->empty()) return false;

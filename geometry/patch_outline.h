@@ -34,7 +34,6 @@ class PatchOutlines {
   using Side = std::pair<std::uint32_t, std::uint32_t>;
   using Loops = std::vector<std::vector<std::uint32_t>>;  ///< of vertices
 
-  std::optional<Point3> commonNormal(std::size_t first, std::size_t last) const;
   /// The sides along segments, as the elements run along them; sorted.
   std::vector<Side> sidesOnSegments(std::span<const Range> ranges) const;
   /// Whether each segment that elements use is used by them in both directions.

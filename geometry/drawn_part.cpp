@@ -1,0 +1,226 @@
+#include "geometry/drawn_part.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <vector>
+
+#include "geometry/boundary_crossings.h"
+#include "geometry/plane_axes.h"
+
+namespace af2::geometry {
+
+namespace {
+
+/// Cosine of the most that an element may lean against the plane.
+constexpr double kLeastFacing = 0.1;
+
+/// A side of an element, along which it runs.
+struct Side {
+  std::uint32_t from, to;
+  auto operator<=>(const Side&) const = default;
+};
+
+/// Sides that have been met in one direction only, by hash.
+class LoneSides {
+ public:
+  explicit LoneSides(std::size_t sides) : slots_(std::bit_ceil(2 * sides), kEmpty) {}
+
+  /// False: it has been met in this direction before.
+  bool meet(Side side) {
+    const auto [low, high] = std::minmax(side.from, side.to);
+    const std::uint64_t key = std::uint64_t{low} << 32 | high;
+    const std::uint64_t direction = side.from == low ? kForward : kBackward;
+    const std::size_t mask = slots_.size() - 1;
+    for (std::size_t i = hash(key) & mask;; i = (i + 1) & mask) {
+      std::uint64_t& slot = slots_[i];
+      if (slot == kEmpty) slot = key;
+      if ((slot & ~(kForward | kBackward)) != key) continue;
+      if (slot & direction) return false;
+      slot |= direction;
+      return true;
+    }
+  }
+
+  /// In order.
+  std::vector<Side> all() const {
+    std::vector<Side> sides;
+    for (const std::uint64_t slot : slots_) {
+      if (slot == kEmpty || ((slot & kForward) && (slot & kBackward))) continue;
+      const auto low = static_cast<std::uint32_t>(slot >> 32 & 0x7fffffffu);
+      const auto high = static_cast<std::uint32_t>(slot & 0x7fffffffu);
+      sides.push_back(slot & kForward ? Side{low, high} : Side{high, low});
+    }
+    std::ranges::sort(sides);
+    return sides;
+  }
+
+ private:
+  // Vertices have numbers below 2^31.
+  static constexpr std::uint64_t kForward = std::uint64_t{1} << 63;
+  static constexpr std::uint64_t kBackward = std::uint64_t{1} << 31;
+  static constexpr std::uint64_t kEmpty = ~std::uint64_t{0};
+
+  static std::size_t hash(std::uint64_t key) {
+    key *= 0x9e3779b97f4a7c15u;
+    return static_cast<std::size_t>(key ^ key >> 32);
+  }
+
+  std::vector<std::uint64_t> slots_;
+};
+
+std::optional<std::vector<Side>> outlineOf(const MeshPart& part) {
+  LoneSides lone(4 * part.count);
+  for (std::size_t i = 0; i < part.count; ++i) {
+    const auto corners = part.corners(i);
+    std::uint32_t from = corners.back().value;
+    for (const VertexId corner : corners) {
+      if (!lone.meet({from, corner.value})) return std::nullopt;
+      from = corner.value;
+    }
+  }
+  return lone.all();
+}
+
+/// An outline in its plane.
+class DrawnOutline {
+ public:
+  DrawnOutline(const MeshPart& part, std::vector<Side> sides, const Point3& normal)
+      : mesh_(part.mesh),
+        sides_(std::move(sides)),
+        axes_(mesh_.vertices[sides_.front().from], normal) {}
+
+  bool isSimple() const {
+    return touchesInTurn() && traceLoops() &&
+           crossingsOf(
+               loops_, [&](const SurfacePoint& p) { return axes_(p); }, 1)
+               .empty() &&
+           std::ranges::all_of(steepest_, [&](const Side& side) { return isEmptyRightOf(side); });
+  }
+
+ private:
+  Point2 at(std::uint32_t vertex) const {
+    return axes_({.position = mesh_.vertices[vertex], .normal = {}});
+  }
+  std::span<const Side> from(std::uint32_t vertex) const {
+    const auto [first, last] = std::ranges::equal_range(sides_, vertex, {}, &Side::from);
+    return {first, last};
+  }
+
+  /// Where the outline comes to a vertex more than once, all ways in and out must alternate around
+  /// it: the parts of the mesh that meet there lie beside each other.
+  bool touchesInTurn() const {
+    std::vector<Side> touching;
+    for (std::size_t i = 0; i < sides_.size(); ++i)
+      if (from(sides_[i].from).size() > 1) touching.push_back(sides_[i]);
+    if (touching.empty()) return true;
+    struct Way {
+      std::uint32_t vertex;
+      double angle;
+      bool isOut;
+    };
+    std::vector<Way> ways;
+    const auto add = [&](std::uint32_t vertex, std::uint32_t other, bool isOut) {
+      const Point2 d = at(other) - at(vertex);
+      ways.push_back({vertex, std::atan2(d.y, d.x), isOut});
+    };
+    for (const Side& side : touching) add(side.from, side.to, true);
+    for (const Side& side : sides_)
+      if (from(side.to).size() > 1) add(side.to, side.from, false);
+    std::ranges::sort(ways, [](const Way& a, const Way& b) {
+      return a.vertex != b.vertex ? a.vertex < b.vertex : a.angle < b.angle;
+    });
+    for (std::size_t i = 0, last = 0; i < ways.size(); i = last) {
+      for (last = i; last < ways.size() && ways[last].vertex == ways[i].vertex;) ++last;
+      for (std::size_t k = i; k < last; ++k)
+        if (ways[k].isOut == ways[k + 1 < last ? k + 1 : i].isOut) return false;
+    }
+    return true;
+  }
+
+  /// Fills loops_ and steepest_; false: the sides make no loops.
+  bool traceLoops() const {
+    std::vector<bool> isUsed(sides_.size(), false);
+    for (std::size_t i = 0; i < sides_.size(); ++i) {
+      if (isUsed[i]) continue;
+      auto& loop = loops_.loops.emplace_back();
+      Side steepest = sides_[i];
+      for (std::size_t k = i;;) {
+        isUsed[k] = true;
+        loop.push_back(
+            {VertexId(sides_[k].from), {.position = mesh_.vertices[sides_[k].from], .normal = {}}});
+        if (rise(sides_[k]) > rise(steepest)) steepest = sides_[k];
+        if (sides_[k].to == sides_[i].from) break;
+        const auto ways = from(sides_[k].to);
+        const auto next = std::ranges::find_if(ways, [&](const Side& side) {
+          return !isUsed[static_cast<std::size_t>(&side - sides_.data())];
+        });
+        if (next == ways.end()) return false;
+        k = static_cast<std::size_t>(&*next - sides_.data());
+      }
+      steepest_.push_back(steepest);
+    }
+    return true;
+  }
+
+  double rise(const Side& side) const { return std::abs(at(side.to).y - at(side.from).y); }
+
+  /// How often the part lies above the plane just right of a side: as often as the outline goes
+  /// around there.
+  bool isEmptyRightOf(const Side& side) const {
+    const Point2 middle = 0.5 * (at(side.from) + at(side.to));
+    int around = 0;
+    for (const auto& loop : loops_.loops) {
+      for (std::size_t i = 0; i < loop.size(); ++i) {
+        const BoundaryCorner &a = loop[i], &b = loop[i + 1 == loop.size() ? 0 : i + 1];
+        if (a.vertex.value == side.from && b.vertex.value == side.to) continue;
+        const Point2 p = axes_(a.point), q = axes_(b.point);
+        if ((p.y > middle.y) == (q.y > middle.y)) continue;
+        if (middle.x < p.x + (middle.y - p.y) / (q.y - p.y) * (q.x - p.x))
+          around += q.y > p.y ? 1 : -1;
+      }
+    }
+    // To the right of a side that runs down, the side itself is still ahead.
+    return around - (at(side.to).y < at(side.from).y) == 0;
+  }
+
+  const ModelMesh& mesh_;
+  std::vector<Side> sides_;
+  PlaneAxes axes_;
+  mutable FrontInput loops_;
+  mutable std::vector<Side> steepest_;  ///< of each loop
+};
+
+}  // namespace
+
+std::optional<Point3> commonNormal(const MeshPart& part) {
+  const auto normals = [&](std::size_t i, const auto& visit) {
+    const auto corners = part.corners(i);
+    const Point3& origin = part.mesh.vertices[corners[0].value];
+    for (std::size_t k = 1; k + 1 < corners.size(); ++k)
+      visit(cross(part.mesh.vertices[corners[k].value] - origin,
+                  part.mesh.vertices[corners[k + 1].value] - origin));
+  };
+  Point3 sum;
+  for (std::size_t i = 0; i < part.count; ++i)
+    normals(i, [&](const Point3& normal) { sum = sum + normal; });
+  const Point3 mean = unit(sum);
+  bool isCommon = true;
+  for (std::size_t i = 0; i < part.count && isCommon; ++i)
+    normals(i, [&](const Point3& normal) {
+      const double facing = dot(normal, mean);
+      isCommon = isCommon && facing > 0 &&
+                 facing * facing > kLeastFacing * kLeastFacing * dot(normal, normal);
+    });
+  return isCommon ? std::optional(mean) : std::nullopt;
+}
+
+bool canBeDrawn(const MeshPart& part) {
+  const std::optional<Point3> normal = commonNormal(part);
+  if (!normal) return false;
+  std::optional<std::vector<Side>> outline = outlineOf(part);
+  return outline && !outline->empty() &&
+         DrawnOutline(part, std::move(*outline), *normal).isSimple();
+}
+
+}  // namespace af2::geometry
