@@ -8,8 +8,8 @@
 #include "dsl/shape_program.h"
 #include "dsl/words.h"
 #include "dsl/zone_corners.h"
+#include "engine/element_shape.h"
 #include "engine/error.h"
-#include "engine/predicates.h"
 
 namespace af2::dsl {
 namespace {
@@ -116,11 +116,10 @@ Scored scoreOf(const RuleSetDefinition& set, const RuleDefinition& rule,
     std::vector<Point2> corners;
     for (int c = 0; c < element.size(); ++c)
       corners.push_back(at[static_cast<std::size_t>(element.corners[static_cast<std::size_t>(c)])]);
-    const std::size_t n = corners.size();
-    for (std::size_t c = 0; c < n; ++c)
-      if (orientation(corners[c], corners[(c + 1) % n], corners[(c + 2) % n]) != Turn::Left)
-        result.refusal = Refusal::Inverted;
-    if (result.refusal != Refusal::None) return result;
+    if (!turnsLeftEverywhere(corners)) {
+      result.refusal = Refusal::Inverted;
+      return result;
+    }
     const auto badness = set.metric->badnessAt(corners, binding.level);
     if (!badness) {
       result.refusal = Refusal::NoValue;

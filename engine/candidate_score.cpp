@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/predicates.h"
+#include "engine/element_shape.h"
 #include "engine/surroundings.h"
 
 namespace af2 {
@@ -19,13 +19,6 @@ struct Corners {
           match.points[static_cast<std::size_t>(element.corners[static_cast<std::size_t>(i)])];
   }
   std::span<const Point2> span() const { return {points.data(), static_cast<std::size_t>(count)}; }
-  bool turnsLeftEverywhere() const {
-    if (count == 3) return orientation(points[0], points[1], points[2]) == Turn::Left;
-    for (std::size_t i = 0; i < 4; ++i)
-      if (orientation(points[i], points[(i + 1) % 4], points[(i + 2) % 4]) != Turn::Left)
-        return false;
-    return true;
-  }
 };
 
 /// The badness of an element that turns left everywhere; infinite if it has none.
@@ -74,7 +67,7 @@ Refusal scoreElements(const CompiledRules& rules, const CompiledRule& rule, cons
   bool isFirst = true;
   for (const RuleElement& element : elements) {
     const Corners corners(element, match);
-    if (!corners.turnsLeftEverywhere()) return Refusal::Inverted;
+    if (!turnsLeftEverywhere(corners.span())) return Refusal::Inverted;
     const double badness = badnessOf(rules, corners, level);
     if (!std::isfinite(badness)) return Refusal::NoValue;
     largest = isFirst ? badness : std::max(largest, badness);

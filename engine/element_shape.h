@@ -1,4 +1,5 @@
-// The distortion of elements that the optimiser lowers: the inverse of the mean ratio.
+// Whether elements are the right way round, and their distortion, which the optimiser lowers: the
+// inverse of the mean ratio.
 #pragma once
 
 #include <algorithm>
@@ -7,6 +8,7 @@
 
 #include "engine/mesh.h"
 #include "engine/point.h"
+#include "engine/predicates.h"
 
 namespace af2 {
 
@@ -22,6 +24,23 @@ inline bool facesNormal(const Point3& corner, const Point3& ahead, const Point3&
   const double cosine = dot(turned, normal);
   if (normal == Point3{}) return true;
   return cosine > 0 && cosine * cosine > kMinNormalCosine * kMinNormalCosine * dot(turned, turned);
+}
+
+/// Whether an element turns left at each corner, in a chart. Exact for a triangle. A quadrilateral
+/// that is straight at a corner but for rounding does not: on the surface it could turn back there.
+inline bool turnsLeftEverywhere(std::span<const Point2> corners) {
+  constexpr double kLeastSine = 1e-9;
+  const std::size_t n = corners.size();
+  if (n == 3) return orientation(corners[0], corners[1], corners[2]) == Turn::Left;
+  for (std::size_t i = 0; i < n; ++i) {
+    const Point2 ahead = corners[(i + 1) % n] - corners[i];
+    const Point2 behind = corners[(i + n - 1) % n] - corners[i];
+    const double turned = cross(ahead, behind);
+    if (!(turned > 0) ||
+        turned * turned <= kLeastSine * kLeastSine * dot(ahead, ahead) * dot(behind, behind))
+      return false;
+  }
+  return true;
 }
 
 /// Squared edges over area, scaled to 1 for the ideal corner. Source: [Knupp01].

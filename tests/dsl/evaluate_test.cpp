@@ -67,6 +67,22 @@ rule "ell" quality 1 {
     EXPECT_LT(distance(result.zones[0][i], wanted[i]), 1e-15) << i;
 }
 
+TEST(Evaluate, RefusesAQuadrilateralThatIsStraightAtACornerButForRounding) {
+  const LoadedRules loaded = loadRulesFromText("quad.af2", R"(af2 1;
+ruleset "s" { elements quad; match 9; }
+rule "quad" quality 1 { front a -> b -> c -> d -> a; at c (1, 1), d (0, 1); zone a, b, c, d; quad a b c d; }
+)");
+  ASSERT_TRUE(loaded.rules) << toPretty(loaded.diagnostics);
+  EvalRequest request;
+  request.rule = "quad";
+  for (const double beside : {0.0, 1e-16, 1e-12, 1e-6}) {
+    request.match = {{"c", {1, 1}}, {"d", {0.5 - beside, 0.5 + beside}}};
+    EXPECT_EQ(evaluateRule(*loaded.rules, request).refused,
+              beside < 1e-9 ? Refusal::Inverted : Refusal::None)
+        << beside;
+  }
+}
+
 TEST(Evaluate, ExpectsVerticesWhereTheirLevelDoes) {
   const LoadedRules loaded = loadRulesFromText("places.af2", R"(af2 1;
 def height(level) = if level < 4 then 1 else 0.5;
