@@ -54,7 +54,13 @@ RegionMesh meshPiece(const AF2Algorithm& algorithm, const RegionTask& task, cons
     const Stopwatch optimizing;
     OptimizeOptions how;
     how.stop = options.stop;
-    optimizeMesh(piece.result.mesh, boundary, *tools.charts, how);
+    how.keepOriginal = false;
+    if (!optimizeMesh(piece.result.mesh, boundary, *tools.charts, how).isSound) {
+      // Nobody is told of the same steps twice.
+      MeshingOptions again;
+      again.stop = options.stop;
+      piece.result = algorithm.execute(*tools.charts, input, *tools.size, again);
+    }
     piece.optimizeSeconds = optimizing.seconds();
   }
   piece.seconds = watch.seconds();

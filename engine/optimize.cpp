@@ -1,6 +1,7 @@
 #include "engine/optimize.h"
 
 #include <algorithm>
+#include <optional>
 #include <vector>
 
 #include "engine/edge_collapse.h"
@@ -86,12 +87,10 @@ std::size_t mendPoorElements(const MeshTopology& topology, VertexSmoother& smoot
   return moves;
 }
 
-}  // namespace
-
-OptimizeReport optimizeMesh(Mesh& mesh, const MeshBoundary& boundary,
-                            const AF2LocalTransformMaker& maker, const OptimizeOptions& options) {
+/// All but the check of what comes out.
+OptimizeReport improve(Mesh& mesh, const MeshBoundary& boundary,
+                       const AF2LocalTransformMaker& maker, const OptimizeOptions& options) {
   OptimizeReport report;
-  Mesh before = mesh;
   MeshTopology topology(mesh, boundary);
   VertexSmoother smoother(topology, mesh, maker);
   const std::vector<double> angles = topology.anglesAtFixed();
@@ -117,8 +116,19 @@ OptimizeReport optimizeMesh(Mesh& mesh, const MeshBoundary& boundary,
   smooth();
   if (!options.stop.stop_requested()) report.moves += mendPoorElements(topology, smoother);
   topology.compact();
-  if (checkMesh(mesh, boundary).empty()) return report;
-  mesh = std::move(before);
+  return report;
+}
+
+}  // namespace
+
+OptimizeReport optimizeMesh(Mesh& mesh, const MeshBoundary& boundary,
+                            const AF2LocalTransformMaker& maker, const OptimizeOptions& options) {
+  std::optional<Mesh> before;
+  if (options.keepOriginal) before = mesh;
+  OptimizeReport report = improve(mesh, boundary, maker, options);
+  report.isSound = checkMesh(mesh, boundary).empty();
+  if (report.isSound || !before) return report;
+  mesh = std::move(*before);
   return {};
 }
 

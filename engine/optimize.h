@@ -13,13 +13,17 @@ struct OptimizeOptions {
   int rounds = 2;           ///< of swapping and smoothing; one more with quadrilaterals
   int smoothingSweeps = 2;  ///< over all vertices, in each round
   bool collapse = true;     ///< whether inner vertices may be taken out
-  std::stop_token stop;     ///< what is done so far stays
+  /// Whether a mesh that comes out unsound is put back as it was. If not, the report tells, and
+  /// half of the memory is saved: for those who can make the mesh anew.
+  bool keepOriginal = true;
+  std::stop_token stop;  ///< what is done so far stays
 };
 
 /// What was done.
 struct OptimizeReport {
   std::size_t swaps = 0, moves = 0, collapses = 0;
   std::size_t replacements = 0;  ///< of groups with quadrilaterals
+  bool isSound = true;           ///< false: the mesh does not pass checkMesh, and was not put back
 };
 
 /// Improves the shape of the elements of a complete mesh, in place.

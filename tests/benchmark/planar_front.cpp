@@ -5,6 +5,7 @@
 //   N      the wanted length is 1/N
 //   --rules FILE, --rounds R, --sweeps S   other rules, other effort of the optimiser
 //   --threads T   in pieces and optimised, as the library does it, on T threads
+//   --whole       with threads: not cut, as a face of a model that cannot be
 //   --raw         without the optimiser
 //   --tally       how many steps each rule took, and how many were refused, by level (no times)
 //
@@ -41,6 +42,7 @@ struct Task {
   int threads = 0;
   bool optimize = true;
   bool tally = false;
+  bool isWhole = false;
 };
 
 double cpuSeconds() {
@@ -142,10 +144,14 @@ bool meshInPieces(const AF2Algorithm& algorithm, const Task& task, const FrontIn
     SurfacePoint at(double u, double v) const override { return {{u, v, 0}, {0, 0, 1}, u, v}; }
   } plane;
   const auto size = sizeOf(task);
-  const RegionTask region{
-      input,         [&] { return PieceTools{std::make_unique<FlatMaker>(), size}; },
-      &plane,        {},
-      task.optimize, task.threads};
+  const RegionTask region{input,
+                          [&] {
+                            return PieceTools{std::make_unique<FlatMaker>(), size};
+                          },
+                          task.isWhole ? nullptr : &plane,
+                          {},
+                          task.optimize,
+                          task.threads};
   const double before = peakBytes(), start = cpuSeconds();
   const Stopwatch watch;
   const RegionMesh mesh = meshRegion(algorithm, region, {});
@@ -183,10 +189,10 @@ bool read(int count, char** arguments, Task& task) {
   task.size = 1 / std::atof(arguments[2]);
   for (int i = 3; i < count; ++i) {
     const std::string_view option = arguments[i];
-    if (option == "--raw" || option == "--tally") {
-      (option == "--raw" ? task.optimize : task.tally) = option == "--tally";
-      continue;
-    }
+    task.tally = task.tally || option == "--tally";
+    task.isWhole = task.isWhole || option == "--whole";
+    task.optimize = task.optimize && option != "--raw";
+    if (option == "--raw" || option == "--tally" || option == "--whole") continue;
     if (++i == count) return false;
     if (option == "--rules")
       task.rules = arguments[i];
@@ -210,7 +216,7 @@ int main(int count, char** arguments) {
   if (!read(count, arguments, task)) {
     std::fprintf(stderr,
                  "usage: planar_front square|disc|graded N [--rules FILE] [--rounds R] "
-                 "[--sweeps S] [--threads T] [--raw] [--tally]\n");
+                 "[--sweeps S] [--threads T] [--whole] [--raw] [--tally]\n");
     return 2;
   }
   const auto loaded = dsl::loadRules(task.rules);

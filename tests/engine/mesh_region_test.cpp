@@ -50,6 +50,53 @@ FrontInput manyHoles() {
   return input;
 }
 
+/// Charts in the plane, of which some lead astray: those from the `first` on that is asked for, to
+/// before the `last`.
+class AstrayMaker final : public AF2LocalTransformMaker {
+ public:
+  AstrayMaker(int first, int last) : first_(first), last_(last) {}
+  std::unique_ptr<AF2LocalTransform> makeLocalTransform(const SurfacePoint& from,
+                                                        const SurfacePoint& to,
+                                                        double unit) const override {
+    const int asked = asked_++;
+    if (asked < first_ || asked >= last_) return FlatMaker().makeLocalTransform(from, to, unit);
+    return std::make_unique<Astray>(from, to, unit);
+  }
+
+ private:
+  /// A plane chart that leads back to a place three units off.
+  struct Astray final : AF2LocalTransform {
+    Astray(const SurfacePoint& from, const SurfacePoint& to, double unit)
+        : chart(from, to, {0, 0, 1}, unit) {}
+    ChartPoint transformFromSurface(const SurfacePoint& p) const override {
+      return chart.transformFromSurface(p);
+    }
+    std::optional<SurfacePoint> transformToSurface(Point2 p) const override {
+      return chart.transformToSurface(p + Point2{3, 0});
+    }
+    const ProjectionFrame* projection() const override { return chart.projection(); }
+    PlaneChart chart;
+  };
+  int first_, last_;
+  mutable int asked_ = 0;
+};
+
+TEST(MeshRegion, MakesTheMeshAnewThatTheOptimiserSpoils) {
+  const FrontInput input = discWithHole(.05);
+  const AF2Algorithm algorithm(triangleSet());
+  const auto size = std::make_shared<UniformSize>(.05);
+  const MeshingResult raw = algorithm.execute(FlatMaker(), input, *size);
+  const auto meshWith = [&](int first, int last) {
+    const auto tools = [&] { return PieceTools{std::make_unique<AstrayMaker>(first, last), size}; };
+    return meshRegion(algorithm, {input, tools}, {}).result;
+  };
+  const int charts = static_cast<int>(raw.steps);  // of the front
+  EXPECT_NE(meshWith(charts, charts).mesh, raw.mesh);
+  const MeshingResult remade = meshWith(charts, charts + 20);
+  EXPECT_EQ(remade.outcome, Outcome::Complete);
+  EXPECT_EQ(remade.mesh, raw.mesh);
+}
+
 TEST(RegionSplit, LeavesSmallRegionsWhole) {
   const FrontInput input = square(.1);
   const SplitRegion split = splitRegion(input, kPlane, UniformSize(.1));
