@@ -240,40 +240,38 @@ AF2_RULE(clause, Clause, "a clause", : Recovering<SyntaxUnit::Clause>);
 
 const auto frontClause_def = word("front") >> parts(SyntaxUnit::Clause, ListPart::Walk, chain,
                                                     append(&FrontClause::chains), kVertex) >>
-                             need(";");
+                             clauseEnd;
 const auto atClause_def = word("at") >> parts(SyntaxUnit::Clause, ListPart::Position, place,
                                               append(&AtClause::places), kVertex) >>
-                          need(";");
+                          clauseEnd;
 const auto slopeClause_def = word("slope") >> need(name, kVertex)[into(&SlopeClause::from)] >>
                              need("->") >> need(name, kVertex)[into(&SlopeClause::to)] >>
-                             need(tolerance, "~")[into(&SlopeClause::tolerance)] >> need(";");
+                             need(tolerance, "~")[into(&SlopeClause::tolerance)] >> clauseEnd;
 const auto letClause_def = word("let") >> parts(SyntaxUnit::Clause, ListPart::Assignment,
                                                 definition, append(&LetClause::values), kName) >>
-                           need(";");
+                           clauseEnd;
 const auto newClause_def = word("new") >>
                            parts(SyntaxUnit::Clause, ListPart::Assignment, definition,
                                  append(&NewClause::vertices), kVertex) >>
-                           need(";");
-const auto zoneClause_def = word("zone") >>
-                            parts(SyntaxUnit::Clause, ListPart::Expression, corner,
-                                  append(&ZoneClause::corners), "a corner or a shape") >>
-                            -(word("when") >> need(expr, "a condition")[into(&ZoneClause::when)]) >>
-                            need(";");
+                           clauseEnd;
+const auto zoneClause_def =
+    word("zone") >> parts(SyntaxUnit::Clause, ListPart::Expression, corner,
+                          append(&ZoneClause::corners), "a corner or a shape") >>
+    -(word("when") >> need(expr, "a condition")[into(&ZoneClause::when)]) >> clauseEnd;
 const auto corners_def = need(name, kVertex)[push] >> need(name, kVertex)[push] >>
                          need(name, kVertex)[push] >> *name[push];
 const OneOf elementKind{"tri", "quad", "poly"};
-const auto elementClause_def = elementKind[into(&ElementClause::kind)] >>
-                               list(corners, append(&ElementClause::elements), kVertex) >>
-                               need(";");
+const auto elementClause_def =
+    elementKind[into(&ElementClause::kind)] >>
+    list(corners, append(&ElementClause::elements), kVertex) >> clauseEnd;
 const auto requireClause_def = word("require") >>
                                parts(SyntaxUnit::Clause, ListPart::Expression, expr,
                                      append(&RequireClause::conditions), "a condition") >>
-                               need(";");
-const auto costClause_def = word("cost") >> need(expr, kExpression)[into(&CostClause::value)] >>
-                            need(";");
-const auto priorityClause_def = word("priority") >>
-                                need(unary, "a whole number")[into(&PriorityClause::value)] >>
-                                need(";");
+                               clauseEnd;
+const auto costClause_def = word("cost") >>
+                            need(expr, kExpression)[into(&CostClause::value)] >> clauseEnd;
+const auto priorityClause_def =
+    word("priority") >> need(unary, "a whole number")[into(&PriorityClause::value)] >> clauseEnd;
 
 BOOST_SPIRIT_DEFINE(frontClause, atClause, slopeClause, letClause, newClause, zoneClause, corners,
                     elementClause, requireClause, costClause, priorityClause)
@@ -290,8 +288,8 @@ const auto beginTolerances = [](auto& context) {
 const auto mirrorVertex_def = name[into(&MirrorOverride::Vertex::name)] >>
                               need(tolerance, "~")[into(&MirrorOverride::Vertex::tolerance)];
 const auto mirrorPart_def = spanned(
-    !word("}") >> ((word("at") >> list(mirrorVertex, beginTolerances, kVertex) >> need(";")) |
-                   (levels[into(&MirrorOverride::levels)] >> need(";")) |
+    !word("}") >> ((word("at") >> list(mirrorVertex, beginTolerances, kVertex) >> mirrorPartEnd) |
+                   (levels[into(&MirrorOverride::levels)] >> mirrorPartEnd) |
                    costClause[into(&MirrorOverride::cost)] |
                    (!atBlockEnd >> need(Nothing(), "'at', 'quality' or 'cost'"))));
 const auto mirrorClause_def =
@@ -344,7 +342,7 @@ const auto rule_def =
     spanned(&Word("rule") >> ruleHeader[setHeader] >> need(OpenBrace(false), "{") >>
             *clause[append(&Rule::clauses)] >> need("}"));
 const auto instance_def = word("rule") >> string[into(&Instance::title)] >> word("=") >>
-                          need(post, "template(values)")[into(&Instance::call)] >> need(";");
+                          need(post, "template(values)")[into(&Instance::call)] >> itemEnd;
 const auto parameters_def = need("(") >> list(name, push, kName) >> need(")");
 const auto templateItem_def = word("template") >> need(name, kName)[into(&Template::name)] >>
                               parameters[into(&Template::parameters)] >>
@@ -368,45 +366,39 @@ AF2_RULE(paritySetting, ParitySetting, "parity");
 AF2_RULE(setting, Setting, "a setting", : Recovering<SyntaxUnit::Setting>);
 AF2_RULE(ruleSet, RuleSetBlock, "a rule set");
 
-const auto elementsSetting_def = word("elements") >>
-                                 list(elementKind, append(&ElementsSetting::kinds),
-                                      "tri, quad or poly") >>
-                                 need(";");
+const auto elementsSetting_def =
+    word("elements") >>
+    list(elementKind, append(&ElementsSetting::kinds), "tri, quad or poly") >> settingEnd;
 const auto matchSetting_def = word("match") >>
-                              need(expr, kExpression)[into(&MatchSetting::value)] >> need(";");
-const auto fadeSetting_def = word("fade") >> need(expr, kExpression)[into(&FadeSetting::value)] >>
-                             need(";");
+                              need(expr, kExpression)[into(&MatchSetting::value)] >> settingEnd;
+const auto fadeSetting_def = word("fade") >>
+                             need(expr, kExpression)[into(&FadeSetting::value)] >> settingEnd;
 const OneOf foldWord{"max", "sum", "mean"};
 const auto scoreSetting_def = word("score") >>
                               need(foldWord, "max, sum or mean")[into(&ScoreSetting::fold)] >>
-                              need("of") >> need(expr, "a metric")[into(&ScoreSetting::metric)] >>
-                              need(";");
-const auto acceptSetting_def = word("accept") >>
-                               need(expr, "a condition")[into(&AcceptSetting::condition)] >>
-                               need(";");
+                              need("of") >>
+                              need(expr, "a metric")[into(&ScoreSetting::metric)] >> settingEnd;
+const auto acceptSetting_def =
+    word("accept") >> need(expr, "a condition")[into(&AcceptSetting::condition)] >> settingEnd;
 const auto orderSetting_def = word("front") >> word("by") >>
                               parts(SyntaxUnit::Setting, ListPart::Expression, expr,
                                     append(&OrderSetting::keys), kExpression) >>
-                              need(";");
+                              settingEnd;
 const auto rowsArgument_def = anyName[into(&MetaEntry::key)] >> need(":") >>
                               need(anyName, kName)[into(&MetaEntry::value)];
 const auto rowsSetting_def = word("front") >> need("rows", "'by' or 'rows'") >>
                              -(word("(") >> list(rowsArgument, append(&RowsSetting::arguments),
                                                  "start: smallest_turn") >>
                                need(")")) >>
-                             need(";");
-const auto classesSetting_def = word("classes") >>
-                                need(sum, "a range such as 1..50")[into(&ClassesSetting::first)] >>
-                                need("..") >>
-                                need(sum, "a whole number")[into(&ClassesSetting::last)] >>
-                                need(";");
-const auto scaleSetting_def = word("scale") >>
-                              need(OneOf{"h", "base"}, "h or base")[into(&ScaleSetting::unit)] >>
-                              need(";");
-const auto paritySetting_def = word("parity") >>
-                               need(OneOf{"even", "any"},
-                                    "even or any")[into(&ParitySetting::parity)] >>
-                               need(";");
+                             settingEnd;
+const auto classesSetting_def =
+    word("classes") >> need(sum, "a range such as 1..50")[into(&ClassesSetting::first)] >>
+    need("..") >> need(sum, "a whole number")[into(&ClassesSetting::last)] >> settingEnd;
+const auto scaleSetting_def =
+    word("scale") >> need(OneOf{"h", "base"}, "h or base")[into(&ScaleSetting::unit)] >> settingEnd;
+const auto paritySetting_def =
+    word("parity") >>
+    need(OneOf{"even", "any"}, "even or any")[into(&ParitySetting::parity)] >> settingEnd;
 const auto setting_def =
     spanned(!word("}") >> !atBlockEnd >>
             (elementsSetting[content] | matchSetting[content] | fadeSetting[content] |
@@ -462,17 +454,17 @@ const auto testChain_def = testVertex[push] >> need("->") >> need(testVertex, kV
                            *(word("->") >> need(testVertex, kVertex)[push]);
 const auto testFront_def = word("front") >> parts(SyntaxUnit::TestClause, ListPart::Position,
                                                   testChain, append(&TestFront::chains), kVertex) >>
-                           need(";");
+                           testClauseEnd;
 const auto testPoints_def = word("point") >>
                             parts(SyntaxUnit::TestClause, ListPart::Position, placedVertex,
                                   append(&TestPoints::points), kVertex) >>
-                            need(";");
+                            testClauseEnd;
 const auto testBase_def = word("base") >> need(name, kVertex)[into(&TestBase::from)] >>
-                          need("->") >> need(name, kVertex)[into(&TestBase::to)] >> need(";");
-const auto testLevel_def = word("class") >> need(expr, "a whole number")[into(&TestLevel::value)] >>
-                           need(";");
-const auto testSize_def = word("size") >> need(expr, kExpression)[into(&TestSize::value)] >>
-                          need(";");
+                          need("->") >> need(name, kVertex)[into(&TestBase::to)] >> testClauseEnd;
+const auto testLevel_def = word("class") >>
+                           need(expr, "a whole number")[into(&TestLevel::value)] >> testClauseEnd;
+const auto testSize_def = word("size") >>
+                          need(expr, kExpression)[into(&TestSize::value)] >> testClauseEnd;
 
 const auto expectedVertex_def =
     (word("new") >>
@@ -535,7 +527,7 @@ const auto expectation_def =
      (Word("stuck") >> &Word(";"))[setStuck] | expectScore[setOutcome] |
      need(expectCondition,
           "rule, new, front, elements, stuck, score or a condition")[setOutcome]) >>
-    need(";");
+    testClauseEnd;
 
 const auto testClause_def =
     spanned(!word("}") >> !atBlockEnd >>
@@ -545,8 +537,8 @@ const auto test_def =
     spanned(word("test") >> need(string, "the test's title in quotes")[into(&Test::title)] >>
             need("{") >> *testClause[append(&Test::clauses)] >> need("}"));
 
-const auto propertyExpectation_def = word("expect") >> need(expr, "a condition")[assign] >>
-                                     need(";");
+const auto propertyExpectation_def = word("expect") >>
+                                     need(expr, "a condition")[assign] >> testClauseEnd;
 const auto property_def = word("property") >>
                           need(string, "the property's title in quotes")[into(&Property::title)] >>
                           need("forall") >> need("match") >> need("of") >>
@@ -574,21 +566,19 @@ AF2_RULE(wholeFile, File, "a file");
 
 const auto importItem_def = word("import") >>
                             need(string, "a path in quotes")[into(&Import::path)] >>
-                            -(word("as") >> need(name, kName)[into(&Import::alias)]) >> need(";");
-const auto useItem_def = word("use") >> need(name, "the name of an import")[into(&Use::library)] >>
-                         need(".") >>
-                         (word("*") |
-                          need(string, "* or a rule's title in quotes")[into(&Use::rule)]) >>
-                         -(word("except") >> list(string, append(&Use::except), kString)) >>
-                         need(";");
+                            -(word("as") >> need(name, kName)[into(&Import::alias)]) >> itemEnd;
+const auto useItem_def =
+    word("use") >> need(name, "the name of an import")[into(&Use::library)] >> need(".") >>
+    (word("*") | need(string, "* or a rule's title in quotes")[into(&Use::rule)]) >>
+    -(word("except") >> list(string, append(&Use::except), kString)) >> itemEnd;
 const auto constant_def = word("const") >> need(name, kName)[into(&Constant::name)] >> need("=") >>
-                          need(expr, kExpression)[into(&Constant::value)] >> need(";");
+                          need(expr, kExpression)[into(&Constant::value)] >> itemEnd;
 const auto function_def = word("def") >> need(name, kName)[into(&Function::name)] >>
                           parameters[into(&Function::parameters)] >> need("=") >>
-                          need(corner, kExpression)[into(&Function::value)] >> need(";");
+                          need(corner, kExpression)[into(&Function::value)] >> itemEnd;
 const auto metric_def = word("metric") >> need(name, kName)[into(&Metric::name)] >>
                         parameters[into(&Metric::parameters)] >> need("=") >>
-                        need(expr, kExpression)[into(&Metric::value)] >> need(";");
+                        need(expr, kExpression)[into(&Metric::value)] >> itemEnd;
 const auto fileItem_def =
     spanned(!atFileEnd >>
             (importItem[content] | useItem[content] | constant[content] | function[content] |

@@ -214,6 +214,9 @@ std::optional<CompiledProperty> RuleCompiler::compileProperty(const Property& pr
     result.expectations.push_back(makeFunction(expressions.builder(), value.number));
     result.expectationSpans.push_back(expr.span);
   }
+  if (property.expectations.empty())
+    context_.tell(written, "S10", property.title.span, "this property expects nothing",
+                  "add `expect dist(a, b) > 0;`", {}, Severity::Warning);
   if (!isRight) return std::nullopt;
   return result;
 }

@@ -242,7 +242,7 @@ void FileCompiler::compileProperty(const Property& property, LoadedFile& result)
 }
 
 void FileCompiler::compileTests(LoadedFile& result) {
-  std::map<std::string, Span> titles;
+  std::map<std::string, Span> titles, properties;
   for (const Item& item : main_.parsed.file.items) {
     if (const auto* test = std::get_if<Test>(&item.content)) {
       const auto [known, isNew] = titles.emplace(test->title.text, test->title.span);
@@ -254,6 +254,12 @@ void FileCompiler::compileTests(LoadedFile& result) {
       auto compiled = compileTest(context_, main_, *test, rules_, settings_->shared().maxLevel);
       if (compiled) result.tests.push_back(std::move(*compiled));
     } else if (const auto* property = std::get_if<Property>(&item.content)) {
+      const auto [known, isNew] = properties.emplace(property->title.text, property->title.span);
+      if (!isNew)
+        context_.tell(main_, "R2", property->title.span,
+                      "there are two properties \"" + property->title.text + "\"",
+                      "give each property a title of its own",
+                      {{"the other one", placeOf(main_.source, known->second)}});
       compileProperty(*property, result);
     }
   }

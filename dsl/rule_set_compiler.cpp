@@ -215,6 +215,10 @@ std::optional<Program> RuleSetCompiler::metricProgram(const Expr& expr, const Mo
   }
   const Value value = compiler.number(expr, "a score");
   if (value.isAny()) return std::nullopt;
+  if (!builder.dependsOnMatch(value.number))
+    context_.tell(home, "D1", expr.span, "every element has the same score",
+                  "let it ask for the corners, as metrics do: shape_size(10), size_error", {},
+                  Severity::Warning);
   return builder.program(std::array<Node, 1>{value.number});
 }
 

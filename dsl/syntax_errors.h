@@ -54,6 +54,9 @@ class SyntaxErrors {
 
   void tell(const char* code, Span span, std::string message, const Help& help,
             std::vector<DiagnosticNote> notes = {});
+  /// Whether a unit of which all but the ';' has been read may end before `where`, because another
+  /// one or the end of its block is there; that the ';' is missing is told.
+  bool tellMissingEnd(SyntaxUnit unit, const Token* where);
   /// Tells that a block's `{` is missing before `clause`; reading goes on as if it stood there.
   void tellMissingBrace(const Token* clause);
   /// `af2 1;` stands where it does not belong; that has been told.

@@ -103,6 +103,19 @@ bool isUnitWord(SyntaxUnit unit, const Token& token) {
   return token.kind == TokenKind::Name && !formOf(unit, token.text).empty();
 }
 
+/// Whether another unit, or the end of the block, is plainly there.
+bool isBehindUnit(SyntaxUnit unit, const Token* where) {
+  const bool beginsNext =
+      SyntaxErrors::beginsItem(where) || (unit != SyntaxUnit::Item && isUnitWord(unit, *where));
+  return beginsNext || where->is("}") || where->kind == TokenKind::End;
+}
+
+Fault noEnd(SyntaxUnit unit, const Token* where) {
+  return {"S2", behind(where), "';' is missing after '" + (where - 1)->text.substr(0, 40) + "'",
+          Help(unit == SyntaxUnit::Item ? "end it with ';'" : "end the clause with ';'",
+               {Remedy::Where::Behind, ";"})};
+}
+
 /// `1,5` without a blank, at `where` or before it in the same unit.
 std::optional<Fault> decimalComma(const Token* first, const Token* where) {
   for (const Token* comma = where; comma > first; --comma) {
@@ -121,16 +134,7 @@ std::optional<Fault> decimalComma(const Token* first, const Token* where) {
 
 /// The end of a clause was wanted.
 std::optional<Fault> missingEnd(SyntaxUnit unit, const Token* first, const Token* where) {
-  const Token* before = where - 1;
-  const std::string ended = "'" + before->text.substr(0, 40) + "'";
-  const bool beginsNext =
-      unit == SyntaxUnit::Item ? SyntaxErrors::beginsItem(where) : isUnitWord(unit, *where);
-  if (where->startsLine || beginsNext || where->is("}") || where->kind == TokenKind::End)
-    return Fault{"S2", behind(where), "';' is missing after " + ended,
-                 Help(first->is("const") || first->is("def") || unit == SyntaxUnit::Item
-                          ? "end it with ';'"
-                          : "end the clause with ';'",
-                      {Remedy::Where::Behind, ";"})};
+  if (where->startsLine || isBehindUnit(unit, where)) return noEnd(unit, where);
   if (first->is("zone") && (where->is("=") || where->is("->")))
     return Fault{"S1", where->span, found(*where) + " does not fade",
                  Help("did you mean '=>'? `preferred => limit`", {Remedy::Where::Whole, "=>"})};
@@ -206,6 +210,8 @@ const Token* openBracket(const Token* first, const Token* where) {
 
 std::string formHelp(SyntaxUnit unit, const Token* first, const Token* where,
                      const std::string& wanted) {
+  if (wanted == ".." && unit != SyntaxUnit::Setting && !first->is("property"))
+    return "a range is written low..high, as in `x in 0.5..2`";
   if (wanted == "'at', 'quality' or 'cost'")
     return "a mirror image may have other tolerances, levels and costs; all else follows from its "
            "rule";
@@ -222,6 +228,13 @@ std::string formHelp(SyntaxUnit unit, const Token* first, const Token* where,
 }
 
 }  // namespace
+
+bool SyntaxErrors::tellMissingEnd(SyntaxUnit unit, const Token* where) {
+  if (!isBehindUnit(unit, where) || where->isDoubtful || (where - 1)->isDoubtful) return false;
+  const Fault fault = noEnd(unit, where);
+  tell(fault.code, fault.span, fault.message, fault.help);
+  return true;
+}
 
 void SyntaxErrors::tellMissingBrace(const Token* clause) {
   tell("S1", behind(clause), "'{' is missing after '" + (clause - 1)->text.substr(0, 40) + "'",
@@ -242,6 +255,8 @@ void SyntaxErrors::tellUnknownWord(const Token* where, const std::string& wanted
   for (const std::string& word : known) list += (list.empty() ? "" : ", ") + word;
   list = "here stands one of: " + list;
   if (where == version_ || where == toldWord_) return;
+  // Clauses of a block that was taken to end above.
+  if (wanted == kItem && missingBraces_ > 0 && isClauseWord(where->text)) return;
   if (where->is("af2"))
     return tell("S7", where->span, "the version of the language is said once, at the top",
                 "delete it here");

@@ -149,6 +149,8 @@ struct Nothing : x3::parser<Nothing> {
   }
 };
 
+struct ParsingTag;
+
 /// The subject, or an expectation failure that says what was wanted.
 template <class Subject>
 struct Need : x3::unary_parser<Subject, Need<Subject>> {
@@ -173,6 +175,30 @@ auto need(Subject const& subject, const char* wanted) {
 inline Need<Word> need(const char* symbol) { return {Word(symbol), symbol}; }
 inline Need<Word> need(const char* symbol, const char* wanted) { return {Word(symbol), wanted}; }
 
+/// The ';' of a unit. Where another unit plainly follows instead, that it is missing is told, and
+/// the unit is whole all the same: what it says counts, and is looked at.
+template <SyntaxUnit unit>
+struct UnitEnd : x3::parser<UnitEnd<unit>> {
+  using attribute_type = x3::unused_type;
+  static bool const has_attribute = false;
+  template <class Context, class RContext, class Attribute>
+  bool parse(It& first, It const& last, Context const& context, RContext&, Attribute&) const {
+    if (first != last && first->is(";")) {
+      ++first;
+      return true;
+    }
+    if (first == last || !x3::get<ParsingTag>(context).get().tellMissingEnd(unit, first))
+      boost::throw_exception(x3::expectation_failure<It>(first, ";"));
+    return true;
+  }
+};
+
+const UnitEnd<SyntaxUnit::Item> itemEnd;
+const UnitEnd<SyntaxUnit::Clause> clauseEnd;
+const UnitEnd<SyntaxUnit::Setting> settingEnd;
+const UnitEnd<SyntaxUnit::TestClause> testClauseEnd;
+const UnitEnd<SyntaxUnit::MirrorPart> mirrorPartEnd;
+
 const auto word = [](const char* text) { return Word(text); };
 const NameWord name(Reserved::Refused), anyName(Reserved::Allowed);
 const StringWord string;
@@ -180,8 +206,6 @@ const NumberWord number;
 const IntegerWord integer(0), ordinal(1);
 const BlockEnd atBlockEnd;
 const FileEnd atFileEnd;
-
-struct ParsingTag;
 
 // ---- actions ------------------------------------------------------------------------------------
 

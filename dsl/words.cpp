@@ -67,6 +67,10 @@ constexpr Habit kHabits[]{
     {"pow", "powers are written x^2"},
     {"atan", "use atan2(y, x), or angle(p, v, q)"},
     {"acos", "use angle(p, v, q), the angle at v"},
+    {"degrees", "an angle is written 60deg; as a number it is angle/1deg"},
+    {"radians", "a bare number stands for radians in sin, cos and tan"},
+    {"vec", "a vector is written (x, y), a new vertex `new c = ...;`"},
+    {"return", "a function is written `def f(p, q) = mid(p, q);`"},
     {"true", "conditions are comparisons; leave out what always holds"},
     {"false", "conditions are comparisons"},
 };
@@ -125,7 +129,7 @@ std::string nearest(std::string_view written, const std::vector<std::string>& kn
   for (const std::string& word : known)
     if (word != written && lowered(word) == lowered(written)) return word;
   std::string best;
-  std::size_t bestDistance = written.size() <= 2 ? 1 : written.size() <= 5 ? 2 : 3;
+  std::size_t bestDistance = written.size() <= 4 ? 1 : written.size() <= 8 ? 2 : 3;
   ++bestDistance;
   for (const std::string& word : known) {
     if (word.size() > kLongest || word == written) continue;
