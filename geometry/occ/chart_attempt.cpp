@@ -17,13 +17,15 @@ namespace {
 /// face have done, never by the clock or by which of them came first.
 class RunawayGuard {
  public:
-  RunawayGuard(std::size_t limit, const std::stop_token& outer)
-      : limit_(limit), forward_(outer, Forward{&source_}) {}
+  RunawayGuard(std::size_t limit, std::size_t mostCandidates, const std::stop_token& outer)
+      : limit_(limit),
+        mostCandidates_(std::min(mostCandidates, kCandidatesPerElement * limit)),
+        forward_(outer, Forward{&source_}) {}
 
   std::stop_token token() const { return source_.get_token(); }
   void see(const Progress& progress) {
     ranAway_ = ranAway_ || progress.elements > limit_;
-    isCrammed_ = isCrammed_ || progress.candidates > kCandidatesPerElement * limit_;
+    isCrammed_ = isCrammed_ || progress.candidates > mostCandidates_;
     if (ranAway_ || isCrammed_) source_.request_stop();
   }
   bool ranAway() const { return ranAway_; }
@@ -37,7 +39,7 @@ class RunawayGuard {
   /// Ten times what the most elements that are allowed would need.
   static constexpr std::size_t kCandidatesPerElement = 30;
 
-  std::size_t limit_;
+  std::size_t limit_, mostCandidates_;
   bool ranAway_ = false, isCrammed_ = false;
   std::stop_source source_;
   std::stop_callback<Forward> forward_;
@@ -171,7 +173,7 @@ FaceAttempt fill(const FaceTask& task, ChartKind kind, const MeshingOptions& opt
 }  // namespace
 
 FaceAttempt attemptWith(const FaceTask& task, ChartKind kind, int patience) {
-  RunawayGuard guard(elementLimit(task), task.options.stop);
+  RunawayGuard guard(elementLimit(task), task.mostCandidates, task.options.stop);
   MeshingOptions options;
   options.patience = patience;
   options.stop = guard.token();

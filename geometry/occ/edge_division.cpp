@@ -25,9 +25,9 @@ namespace {
 /// An edge that is shorter than this share of the wanted size, and than the tolerances of its
 /// vertices, is taken for one point.
 constexpr double kPointLike = 1e-3;
-/// So is one that is shorter than this share of the model, where coordinates blur, or than this
-/// share of the wanted size, whatever the tolerances say.
-constexpr double kBlur = 1e-10, kInvisible = 1e-6;
+/// So is one that is shorter than this share of the model, where coordinates blur, or than nothing
+/// can be seen, whatever the tolerances say.
+constexpr double kBlur = 1e-10;
 
 /// Vertices with tolerances beyond this share of the model are damaged.
 constexpr double kMostTolerance = 0.01;
@@ -35,8 +35,9 @@ constexpr double kMostTolerance = 0.01;
 /// Which points were found to be the same.
 class Merging {
  public:
-  explicit Merging(std::size_t count) : parent_(count) {
+  explicit Merging(const std::vector<Point3>& points) : parent_(points.size()) {
     std::iota(parent_.begin(), parent_.end(), 0u);
+    for (const Point3& point : points) boxes_.push_back({point, point});
   }
   std::uint32_t find(std::uint32_t i) const {
     while (parent_[i] != i) i = parent_[i];
@@ -45,11 +46,28 @@ class Merging {
   void merge(std::uint32_t a, std::uint32_t b) {
     a = find(a);
     b = find(b);
-    parent_[std::max(a, b)] = std::min(a, b);
+    const auto [low, high] = std::minmax(a, b);
+    boxes_[low] = around(boxes_[low], boxes_[high]);
+    parent_[high] = low;
+  }
+  /// How far apart the points are that would be one if these two were.
+  double extent(std::uint32_t a, std::uint32_t b) const {
+    const Box box = around(boxes_[find(a)], boxes_[find(b)]);
+    return distance(box.low, box.high);
   }
 
  private:
+  struct Box {
+    Point3 low, high;
+  };
+  static Box around(const Box& a, const Box& b) {
+    return {
+        {std::min(a.low.x, b.low.x), std::min(a.low.y, b.low.y), std::min(a.low.z, b.low.z)},
+        {std::max(a.high.x, b.high.x), std::max(a.high.y, b.high.y), std::max(a.high.z, b.high.z)}};
+  }
+
   std::vector<std::uint32_t> parent_;
+  std::vector<Box> boxes_;  // by root
 };
 
 class Division {
@@ -114,25 +132,38 @@ class Division {
     return static_cast<std::uint32_t>(result_.points.size() - 1);
   }
 
-  bool isPointLike(std::size_t i) const {
+  /// How long an edge may be to be taken for a point.
+  double pointLength(std::size_t i) const {
     const EdgeSamples& samples = samples_[i];
-    if (samples.pieces.empty()) return samples.problem.empty();
-    if (samples.length <= std::max(kBlur * model_.diagonal, kInvisible * samples.wanted))
-      return true;
+    const double unseen = std::max(kBlur * model_.diagonal, kUnseen * samples.wanted);
     const TopoDS_Edge edge = model_.edge(static_cast<int>(i) + 1);
     const TopoDS_Vertex first = TopExp::FirstVertex(edge), last = TopExp::LastVertex(edge);
-    if (first.IsNull() || last.IsNull()) return false;
+    if (first.IsNull() || last.IsNull()) return unseen;
     const double tolerance = std::max(BRep_Tool::Tolerance(first), BRep_Tool::Tolerance(last));
-    return samples.length <= tolerance && samples.length <= kPointLike * samples.wanted;
+    return std::max(unseen, std::min(tolerance, kPointLike * samples.wanted));
+  }
+
+  /// The shortest first. Many short edges one after the other may make a long one, which is none.
+  void mergeAlongShortEdges(Merging& merging) {
+    std::vector<std::size_t> edges;
+    for (std::size_t i = 0; i < samples_.size(); ++i)
+      if (samples_[i].problem.empty() &&
+          (samples_[i].pieces.empty() || samples_[i].length <= pointLength(i)))
+        edges.push_back(i);
+    std::ranges::stable_sort(edges, {}, [&](std::size_t i) { return samples_[i].length; });
+    for (const std::size_t i : edges) {
+      const Ends ends = ends_[i];
+      const bool isPoint =
+          samples_[i].pieces.empty() || merging.find(ends.first) == merging.find(ends.last);
+      if (!isPoint && merging.extent(ends.first, ends.last) > 2 * pointLength(i)) continue;
+      samples_[i].pieces.clear();
+      merging.merge(ends.first, ends.last);
+    }
   }
 
   void mergePoints() {
-    Merging merging(result_.points.size());
-    for (std::size_t i = 0; i < samples_.size(); ++i) {
-      if (!isPointLike(i)) continue;
-      samples_[i].pieces.clear();
-      merging.merge(ends_[i].first, ends_[i].last);
-    }
+    Merging merging(result_.points);
+    mergeAlongShortEdges(merging);
     apply(merging);
     for (const auto& [end, start] : gaps()) merging.merge(end, start);
     apply(merging);
@@ -231,14 +262,14 @@ class Division {
     edge.points.push_back(ends_[i].first);
     edge.points.insert(edge.points.end(), inner.begin(), inner.end());
     edge.points.push_back(ends_[i].last);
-    result_.edges.push_back(std::move(edge));
+    addEdge(i, std::move(edge));
     return true;
   }
 
   void divideEdge(std::size_t i, std::size_t least) {
     const auto given = given_.find(static_cast<int>(i) + 1);
     if (given != given_.end() && !samples_[i].pieces.empty()) {
-      result_.edges.push_back(takeGiven(i, least, given->second));
+      addEdge(i, takeGiven(i, least, given->second));
       return;
     }
     if (twins_[i] && takeFromTwin(i, *twins_[i])) return;
@@ -252,6 +283,11 @@ class Division {
         edge.points.push_back(addPoint(toPoint(curve.Value(edge.parameters[k]))));
       edge.points.push_back(ends_[i].last);
     }
+    addEdge(i, std::move(edge));
+  }
+
+  void addEdge(std::size_t i, DividedEdge edge) {
+    edge.unseen = kUnseen * samples_[i].wanted;
     result_.edges.push_back(std::move(edge));
   }
 

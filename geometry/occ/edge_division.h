@@ -18,6 +18,7 @@ struct DividedEdge {
   std::vector<double> parameters;
   std::vector<std::uint32_t> points;  ///< by parameter: index into DividedEdges::points
   std::string problem;                ///< why it is unusable; its faces fail
+  double unseen = 0;                  ///< what is narrower than this is not to be seen in the mesh
 };
 
 struct DividedEdges {

@@ -11,6 +11,10 @@
 
 namespace af2::geometry {
 
+/// What is smaller than this share of the wanted size is not to be seen in a mesh; to keep it would
+/// take hundreds of times more elements around it, or leave useless ones.
+constexpr double kUnseen = 5e-5;
+
 /// A smooth piece of an edge, sampled finely against the sizes wanted on it.
 struct EdgePiece {
   std::vector<double> parameters;

@@ -39,6 +39,8 @@ struct FaceTask {
   const ModelMeshingOptions& options;
   /// Whether sizes inside may be much smaller than along the boundary.
   bool mayBeFineInside = false;
+  /// A front that has examined more candidates than these is given up.
+  std::size_t mostCandidates;
   const ProgressCallback& progress;
   /// Charts and sizes of the face for one thread more.
   const std::function<PieceTools(ChartKind)>& makeTools;

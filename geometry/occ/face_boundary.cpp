@@ -36,11 +36,35 @@ class EdgeOnFace {
   gp_Pnt2d at(double parameter, const Point3& position) {
     if (plane_) return inPlane(position);
     if (curve_.IsNull()) return project(position);
+    return onCurve(parameter);
+  }
+
+  /// Whether the curve in the parameters is far from that in space: what is `most` away from where
+  /// it should be lies elsewhere on the face.
+  bool isAstray(const DividedEdge& divided, const std::vector<Point3>& points,
+                const FaceSurface& surface) const {
+    if (plane_ || curve_.IsNull()) return false;
+    constexpr double kMost = 0.5;  // of the longest segment
+    double most = 0, longest = 0;
+    for (std::size_t i = 0; i < divided.points.size(); ++i) {
+      const Point3& position = points[divided.points[i]];
+      const gp_Pnt2d uv = onCurve(divided.parameters[i]);
+      most = std::max(
+          most, distance(surface.inOccParameters().pointAt(uv.X(), uv.Y()).position, position));
+      if (i > 0) longest = std::max(longest, distance(points[divided.points[i - 1]], position));
+    }
+    return most > kMost * longest;
+  }
+
+  bool lacksCurve() const { return !plane_ && curve_.IsNull(); }
+  void dropCurve() { curve_.Nullify(); }
+
+ private:
+  gp_Pnt2d onCurve(double parameter) const {
     const double t = (parameter - first_) / (last_ - first_);
     return curve_->Value(curveFirst_ + t * (curveLast_ - curveFirst_));
   }
 
- private:
   /// Many files have no curves in the parameters of planes, and to make them takes long.
   gp_Pnt2d inPlane(const Point3& position) const {
     double u, v;
@@ -84,6 +108,7 @@ class BoundaryFinder {
         addEdge(TopoDS::Edge(it.Current()));
       wire_.resize(chains_.size(), wires_++);
     }
+    if (chains_.empty() && isPoint_) return {};
     if (chains_.empty())
       throw GeometryError(
           "the face has no boundary, and its surface does not end by itself: its edges are lost");
@@ -92,8 +117,7 @@ class BoundaryFinder {
       cancelTouchingWires(chains_, wire_);
     }
     cancelOppositeChains(chains_);
-    if (chains_.empty())
-      throw GeometryError("the face has no width: its boundary runs back on itself");
+    if (chains_.empty() || hasNoWidth()) return {};
     numberUsedVertices();
     for (const Chain& chain : chains_) addUses(chain);
     LinkedLoops linked = linkChains(std::move(chains_));
@@ -118,6 +142,38 @@ class BoundaryFinder {
     return distance(between, jump.end.position) <= kSamePoint * surface_.extent();
   }
 
+  /// Whether each edge runs back along another one, on the same side of every seam. Without their
+  /// curves in the parameters nobody knows on which side they are.
+  bool hasNoWidth() const {
+    if (lacksCurves_) return false;
+    std::vector<bool> isMatched(chains_.size(), false);
+    for (std::size_t i = 0; i < chains_.size(); ++i) {
+      for (std::size_t k = i + 1; k < chains_.size() && !isMatched[i]; ++k)
+        if (!isMatched[k] && runsBackAlong(chains_[i], chains_[k]))
+          isMatched[i] = isMatched[k] = true;
+      if (!isMatched[i]) return false;
+    }
+    return true;
+  }
+
+  bool runsBackAlong(const Chain& one, const Chain& other) const {
+    const auto& edges = divided_.edges;
+    const double unseen = 2 * std::max(edges[static_cast<std::size_t>(one.edge) - 1].unseen,
+                                       edges[static_cast<std::size_t>(other.edge) - 1].unseen);
+    return std::equal(one.corners.begin(), one.corners.end(), other.corners.rbegin(),
+                      other.corners.rend(), [&](const BoundaryCorner& a, const BoundaryCorner& b) {
+                        return a.vertex == b.vertex && widthBetween(a.point, b.point) <= unseen;
+                      });
+  }
+
+  /// How far it is along the surface from one place to another one of the same point; not nothing
+  /// across a seam.
+  double widthBetween(const SurfacePoint& a, const SurfacePoint& b) const {
+    if (surface_.isPlane()) return 0;
+    const SurfaceFrame frame = surface_.inParameters().frameAt(a.u, a.v);
+    return length(frame.du) * std::abs(a.u - b.u) + length(frame.dv) * std::abs(a.v - b.v);
+  }
+
   void orientWiresOfPlane() {
     const PlaneAxes axes(chains_[0].corners[0].point);
     const int turned = orientWires(chains_, wire_, [&](const SurfacePoint& p) { return axes(p); });
@@ -132,7 +188,10 @@ class BoundaryFinder {
     const DividedEdge& divided = divided_.edges[static_cast<std::size_t>(id) - 1];
     if (!divided.problem.empty())
       throw GeometryError("edge " + std::to_string(id) + " " + divided.problem);
-    if (divided.points.empty()) return;
+    if (divided.points.empty()) {
+      isPoint_ = isPoint_ || !BRep_Tool::Degenerated(edge);
+      return;
+    }
     if (edge.Orientation() == TopAbs_INTERNAL) {
       addChain(id, divided, TopoDS::Edge(edge.Oriented(TopAbs_FORWARD)));
       addChain(id, divided, TopoDS::Edge(edge.Oriented(TopAbs_REVERSED)));
@@ -145,6 +204,12 @@ class BoundaryFinder {
     Chain chain;
     chain.edge = id;
     EdgeOnFace onFace(edge, forward_, plane_);
+    lacksCurves_ = lacksCurves_ || onFace.lacksCurve();
+    if (onFace.isAstray(divided, divided_.points, surface_)) {
+      onFace.dropCurve();
+      result_.repairs.push_back("the curve of edge " + std::to_string(id) +
+                                " in its parameters ran elsewhere; found anew");
+    }
     for (std::size_t i = 0; i < divided.points.size(); ++i) {
       const Point3& position = divided_.points[divided.points[i]];
       const gp_Pnt2d uv = onFace.at(divided.parameters[i], position);
@@ -199,6 +264,8 @@ class BoundaryFinder {
   TopoDS_Face forward_;
   std::optional<gp_Pln> plane_;
   bool reversed_ = false;
+  bool isPoint_ = false;      ///< some edge is too short to be seen
+  bool lacksCurves_ = false;  ///< in the parameters
   std::vector<Chain> chains_;
   std::vector<std::size_t> wire_;  // by chain
   std::size_t wires_ = 0;

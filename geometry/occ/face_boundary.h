@@ -19,7 +19,7 @@ struct SegmentUse {
 };
 
 struct FaceBoundary {
-  FrontInput input;
+  FrontInput input;  ///< without loops: the face has no width, its boundary runs back on itself
   std::vector<std::uint32_t> points;  ///< by vertex id: index into DividedEdges::points
   std::vector<SegmentUse> uses;
   bool closedInParameters = true;    ///< the loops are closed curves in (u, v), too

@@ -35,6 +35,10 @@ class FaceMesher {
 
   void meshInto(FaceMesh& mesh) {
     FaceBoundary boundary = findBoundary(context_.model, face_, context_.divided, surface_);
+    if (boundary.input.loops.empty()) {
+      mesh.report.reason = "has no width, so it has no elements: its boundary runs back on itself";
+      return;
+    }
     if (!boundary.repairs.empty()) mesh.report.area = area_ = 0;  // was found with the old boundary
     const FaceSize wanted(context_.options.sizes, face_, surface_);
     const GradedSize size(wanted, boundary.input, context_.options.sizes.growth);
@@ -112,7 +116,8 @@ class FaceMesher {
   FaceAttempt fill(const FaceBoundary& boundary, const SizeField& size, FaceMesh& mesh) const {
     try {
       return fillFace({face_, surface_, boundary, size, area_, expected_, context_.algorithm,
-                       context_.options, context_.mayBeFineInside, context_.progress,
+                       context_.options, context_.mayBeFineInside, context_.mostCandidates,
+                       context_.progress,
                        [&](ChartKind kind) { return makeTools(boundary.input, kind); }});
     } catch (...) {
       mesh.trouble = troubleOfFailure(surface_, boundary, {});

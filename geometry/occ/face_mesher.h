@@ -2,6 +2,8 @@
 // Not installed: includers need OpenCASCADE's headers.
 #pragma once
 
+#include <limits>
+
 #include "geometry/occ/edge_division.h"
 #include "geometry/occ/face_boundary.h"
 #include "geometry/occ/face_trouble.h"
@@ -35,6 +37,8 @@ struct FaceMeshingContext {
   ProgressCallback progress;
   /// Whether sizes inside a face may be much smaller than along its boundary.
   bool mayBeFineInside = false;
+  /// A front that has examined more candidates than these is given up.
+  std::size_t mostCandidates = std::numeric_limits<std::size_t>::max();
 };
 
 /// Never throws for a fault of the face: that becomes a failed report.

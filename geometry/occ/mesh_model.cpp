@@ -1,6 +1,7 @@
 #include "geometry/occ/mesh_model.h"
 
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <numeric>
 
@@ -57,12 +58,12 @@ class ModelMesher {
 
     const Stopwatch facesWatch;
     meshFaces(faces, state);
-    retryPoorFaces({model_.shape(), options_, faces,
-                    [&](std::size_t i, const ModelMeshingOptions& options, FaceMeshes& into) {
-                      meshOne(faces, i, options, into, {});
-                    },
-                    [&](FaceMeshes& made) { join(made); }},
-                   state);
+    retryPoorFaces(
+        {model_.shape(), options_, faces,
+         [&](std::size_t i, const ModelMeshingOptions& options, std::size_t mostCandidates,
+             FaceMeshes& into) { meshOne(faces, i, options, into, {}, mostCandidates); },
+         [&](FaceMeshes& made) { join(made); }},
+        state);
     const double optimizeShare = shareOfOptimizing(state.meshes);
     const std::map<int, std::vector<SideMiddles>> middles = takeMiddles(state.meshes);
     std::vector<FaceMesh>().swap(state.meshes);
@@ -130,10 +131,12 @@ class ModelMesher {
   }
 
   void meshOne(const std::vector<int>& faces, std::size_t i, const ModelMeshingOptions& options,
-               FaceMeshes& state, ProgressCallback progress) const {
+               FaceMeshes& state, ProgressCallback progress,
+               std::size_t mostCandidates = std::numeric_limits<std::size_t>::max()) const {
     const FaceMeshingContext context{
         model_.shape(), algorithm_,          options,
-        state.divided,  std::move(progress), static_cast<bool>(options_.sizes.function)};
+        state.divided,  std::move(progress), static_cast<bool>(options_.sizes.function),
+        mostCandidates};
     state.meshes[i] = options.stop.stop_requested()
                           ? cancelled(faces[i])
                           : meshFace(context, faces[i], areas_[i], work_[i]);

@@ -5,6 +5,7 @@
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <algorithm>
 #include <iterator>
+#include <limits>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -144,6 +145,13 @@ class Retries {
   /// What it costs to mesh a face again besides these.
   static constexpr double kForEachFace = 1000;
 
+  /// A face that failed may fail again, and shorter edges are dearer.
+  static std::size_t mostCandidates(const FaceMesh& before) {
+    constexpr std::size_t kAlways = 300'000, kTimes = 2;
+    return failed(before) ? kAlways + kTimes * before.effort
+                          : std::numeric_limits<std::size_t>::max();
+  }
+
   static std::ptrdiff_t crossingsAt(const FaceMeshes& state, std::size_t i) {
     const int face = state.meshes[i].report.id;
     return std::ranges::count_if(state.crossings, [&](const Crossing& crossing) {
@@ -222,7 +230,7 @@ class Retries {
       for (std::uint32_t& point : next.meshes[i].boundary) point = change.newIndex[point];
     }
     forEachInParallel(again.size(), options.threads, [&](std::size_t k) {
-      task_.mesh(again[k], options, next);
+      task_.mesh(again[k], options, mostCandidates(state.meshes[again[k]]), next);
       tellOfRetry(state, again[k], next.meshes[again[k]]);
     });
     for (const std::size_t i : again)

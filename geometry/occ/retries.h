@@ -23,8 +23,11 @@ struct RetryTask {
   const ModelShape& model;
   const ModelMeshingOptions& options;  ///< with sizes that are ready for use
   const std::vector<int>& faces;       ///< that were asked for
-  /// Meshes the i-th of these within the edges of `into`. Called from several threads at once.
-  std::function<void(std::size_t i, const ModelMeshingOptions& options, FaceMeshes& into)> mesh;
+  /// Meshes the i-th of these within the edges of `into`; fronts that have examined
+  /// `mostCandidates` are given up. Called from several threads at once.
+  std::function<void(std::size_t i, const ModelMeshingOptions& options, std::size_t mostCandidates,
+                     FaceMeshes& into)>
+      mesh;
   std::function<void(FaceMeshes& state)> join;  ///< joins the meshes and finds their crossings
 };
 

@@ -30,7 +30,7 @@ bool runsAlong(const ModelShape& model, std::size_t one, std::size_t other,
   constexpr double kMost = 1e-3;  // of the wanted size, whatever the tolerances say
   const TopoDS_Edge edge = model.edge(static_cast<int>(one) + 1);
   const TopoDS_Edge earlier = model.edge(static_cast<int>(other) + 1);
-  const double blur = 1e-9 * model.diagonal;
+  const double blur = std::max(1e-9 * model.diagonal, kUnseen * samples.wanted);
   const double tolerance =
       std::min(BRep_Tool::Tolerance(edge) + BRep_Tool::Tolerance(earlier), kMost * samples.wanted) +
       blur;
@@ -61,8 +61,7 @@ std::vector<std::optional<std::size_t>> twinsOf(const ModelShape& model,
       std::ranges::sort(edges);
       for (std::size_t i = 1; i < edges.size(); ++i)
         for (std::size_t k = 0; k < i && !twins[edges[i]]; ++k)
-          if (!twins[edges[k]] && runsAlong(model, edges[i], edges[k], samples[edges[i]]))
-            twins[edges[i]] = edges[k];
+          if (runsAlong(model, edges[i], edges[k], samples[edges[i]])) twins[edges[i]] = edges[k];
     }
   }
   return twins;

@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
+#include <numbers>
 
 #include "geometry/model_check.h"
 #include "geometry/model_mesh.h"
@@ -20,6 +22,19 @@ inline double areaOf(const geometry::ModelMesh& mesh, int face = 0) {
     area += length(cross(at(1) - at(0), at(2) - at(0))) / 2;
   }
   return area;
+}
+
+/// Of all corners of triangles, in degrees.
+inline double leastAngle(const geometry::ModelMesh& mesh) {
+  double least = std::numbers::pi;
+  for (const Element& e : mesh.elements) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto at = [&](std::size_t k) { return mesh.vertices[e.corners[(i + k) % 3].value]; };
+      const Point3 p = at(1) - at(0), q = at(2) - at(0);
+      least = std::min(least, std::atan2(length(cross(p, q)), dot(p, q)));
+    }
+  }
+  return least * 180 / std::numbers::pi;
 }
 
 /// Positive if the elements look outwards. Only a closed mesh has one that does not depend on where

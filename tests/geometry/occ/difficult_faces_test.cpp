@@ -10,11 +10,13 @@
 #include <BRepPrimAPI_MakePrism.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
+#include <Geom2d_Curve.hxx>
 #include <Geom_Circle.hxx>
 #include <Geom_Plane.hxx>
 #include <Geom_SurfaceOfRevolution.hxx>
 #include <Geom_TrimmedCurve.hxx>
 #include <TopExp.hxx>
+#include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 #include <gp_Ax2.hxx>
 #include <gp_Circ.hxx>
@@ -39,6 +41,7 @@ namespace {
 using std::numbers::pi;
 
 using testing::areaOf;
+using testing::leastAngle;
 using testing::mesh;
 
 /// Complete, and of about the right area.
@@ -71,18 +74,6 @@ TEST(DifficultFaces, ANarrowRingGetsShorterEdges) {
   const ModelMesh result = mesh(ring, 0.6);
   expectComplete(result, pi * (1.005 * 1.005 - 1));
   EXPECT_FALSE(result.faces[0].attempts.empty());
-}
-
-double leastAngle(const ModelMesh& mesh) {
-  double least = pi;
-  for (const Element& e : mesh.elements) {
-    for (std::size_t i = 0; i < 3; ++i) {
-      const auto at = [&](std::size_t k) { return mesh.vertices[e.corners[(i + k) % 3].value]; };
-      const Point3 p = at(1) - at(0), q = at(2) - at(0);
-      least = std::min(least, std::atan2(length(cross(p, q)), dot(p, q)));
-    }
-  }
-  return least * 180 / pi;
 }
 
 /// Ten times shorter edges are not enough, though better.
@@ -282,6 +273,25 @@ TEST(DifficultFaces, ASphereWithTwoEdgesAlongItsSeamIsClosed) {
   const ModelMesh result = mesh(face, 0.3);
   expectComplete(result, 4 * pi);
   for (const EdgeSegment& segment : result.segments) EXPECT_EQ(segment.uses, 1);
+}
+
+/// Files with tolerances as large as their faces have such: a quarter of a tube, one of whose edges
+/// lies on the other side in the parameters.
+TEST(DifficultFaces, CurvesInParametersThatRunElsewhereAreFoundAnew) {
+  const Handle(Geom_Circle) bow = new Geom_Circle(gp_Ax2({3, 0, 0}, {0, -1, 0}, {1, 0, 0}), 1);
+  const Handle(Geom_Surface) tube = new Geom_SurfaceOfRevolution(bow, gp_Ax1({0, 0, 0}, {0, 0, 1}));
+  const TopoDS_Face face = BRepBuilderAPI_MakeFace(tube, 0, pi / 2, 0, pi / 2, 1e-7).Face();
+  for (TopExp_Explorer it(face, TopAbs_EDGE); it.More(); it.Next()) {
+    double first, last;
+    const auto edge = TopoDS::Edge(it.Current());
+    const Handle(Geom2d_Curve) curve = BRep_Tool::CurveOnSurface(edge, face, first, last);
+    if (curve->Value(first).Distance(gp_Pnt2d(0, 0)) > 1e-9) continue;
+    curve->Translate(gp_Vec2d(pi, 0));
+    break;
+  }
+  const ModelMesh result = mesh(face, 0.2);
+  expectComplete(result, pi / 2 * (3 * pi / 2 + 1));
+  EXPECT_EQ(result.faces[0].attempts.size(), 1u);
 }
 
 TEST(DifficultFaces, AGapBeyondTheToleranceIsNamed) {

@@ -43,6 +43,15 @@ inline TopoDS_Face polygon(const std::vector<gp_Pnt>& corners) {
   return BRepBuilderAPI_MakeFace(gp_Pln(gp_Ax3({0, 0, 0}, {0, 0, 1})), wire.Wire());
 }
 
+/// A square at z = 0 with a hole between the corners, which run clockwise.
+inline TopoDS_Face plateWithHole(double side, const std::vector<gp_Pnt>& corners) {
+  BRepBuilderAPI_MakePolygon hole;
+  for (const gp_Pnt& corner : corners) hole.Add(corner);
+  hole.Close();
+  const TopoDS_Face plate = polygon({{0, 0, 0}, {side, 0, 0}, {side, side, 0}, {0, side, 0}});
+  return BRepBuilderAPI_MakeFace(plate, hole.Wire());
+}
+
 /// A plane face at z = 0 within edges between the corners, in this order; -1: none to the next.
 inline TopoDS_Face faceWithin(const std::vector<gp_Pnt>& corners, const std::vector<int>& order) {
   BRep_Builder builder;

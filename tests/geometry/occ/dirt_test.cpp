@@ -158,13 +158,34 @@ TEST(Dirt, AFaceThatIsTurnedIsMeshedAsItLies) {
 }
 
 TEST(Dirt, TinyStepsAreKept) {
-  for (const double tiny : {1e-2, 1e-4, 1e-6}) {
+  for (const double tiny : {1e-2, 1e-4}) {
     SCOPED_TRACE(tiny);
     const ModelMesh result = mesh(testing::tinyStep(tiny), 0.3);
     expectSound(result, 6, 0.02);
     expectClosed(result);
     EXPECT_NEAR(volumeOf(result), 1 - tiny / 2, 1e-7);
   }
+}
+
+/// The step has no width, but those above and below it share its edge, so the mesh is closed.
+TEST(Dirt, AStepThatCannotBeSeenIsNone) {
+  const ModelMesh result = mesh(testing::tinyStep(1e-6), 0.3);
+  expectSound(result, 6, 1e-5);
+  EXPECT_EQ(testing::eulerNumber(result), 2);
+  EXPECT_EQ(std::ranges::count(result.faces, 0u, &FaceReport::elements), 1);
+  EXPECT_GT(testing::leastAngle(result), 10);
+}
+
+/// Each of its sides is too short to be seen, but not all of them.
+TEST(Dirt, AHoleOfManyShortSidesStaysAHole) {
+  std::vector<gp_Pnt> corners;
+  for (int i = 0; i < 100; ++i)
+    corners.push_back(
+        {1 + 1e-3 * std::cos(-2 * pi * i / 100), 1 + 1e-3 * std::sin(-2 * pi * i / 100), 0});
+  const ModelMesh result = mesh(testing::plateWithHole(2, corners), 2);
+  testing::expectComplete(result);
+  EXPECT_NEAR(areaOf(result), 4 - pi * 1e-6, 1e-6);
+  EXPECT_LT(areaOf(result), 4 - 2e-6);
 }
 
 TEST(Dirt, AThinPlateKeepsItsSliversOnTheSides) {
