@@ -227,7 +227,7 @@ Strip stripAlongCuts(const Mesh& mesh, const FrontInput& input, std::size_t cuts
 void optimizeAlongCuts(Mesh& mesh, const RegionTask& task, std::size_t cuts, std::stop_token stop) {
   Strip strip = stripAlongCuts(mesh, task.input, cuts);
   OptimizeOptions how;
-  how.collapse = false;  // so that vertices and elements keep their numbers
+  how.renumber = false;
   how.stop = std::move(stop);
   optimizeMesh(strip.mesh, strip.boundary, *task.makeTools().charts, how);
   for (std::size_t v = strip.boundary.fixedCount; v < strip.vertices.size(); ++v)

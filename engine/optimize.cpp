@@ -102,13 +102,13 @@ OptimizeReport improve(Mesh& mesh, const MeshBoundary& boundary,
       if (!options.stop.stop_requested()) report.moves += smoother.sweep(options.stop);
   };
   for (int round = 0; round < rounds && !options.stop.stop_requested(); ++round) {
-    if (hasQuads) {
+    if (hasQuads && options.renumber) {
       smooth();
       report.replacements += tidyQuads(topology, angles);
       smoother.wakeAll();
     }
     report.swaps += swapSides(topology, SwapGoal::Valence, wanted);
-    if (options.collapse) report.collapses += collapseEdges(topology);
+    if (options.renumber) report.collapses += collapseEdges(topology);
     smooth();
     report.swaps += swapSides(topology, SwapGoal::Shape, wanted);
     smoother.wakeAll();

@@ -3,6 +3,7 @@
 
 #include "dsl/rule_file.h"
 #include "engine/element_shape.h"
+#include "engine/mesh_region.h"
 #include "engine/optimize.h"
 #include "tests/support/meshing.h"
 
@@ -137,6 +138,28 @@ TEST(RuleMeshes, QuadsAreTidiedWhereFrontsCollide) {
     expectGoodMesh(result, input, 0);
     EXPECT_LT(worstDistortion(result.mesh), std::min(raw, 2.0));
     EXPECT_LE(triangles(), rawTriangles);
+  }
+}
+
+TEST(RuleMeshes, QuadsFillARegionInPieces) {
+  const LoadedRules rules = loadRules(AF2_SOURCE_DIR "/rules/quad/classic.af2");
+  ASSERT_TRUE(rules.rules) << toPretty(rules.diagnostics);
+  FrontInput plate = rectangle(4, 3, 0.04);
+  for (const Point2 center : {Point2{1, 1}, {2.2, 1.9}, {3.1, 0.8}})
+    addLoop(plate, circle(center, 0.4, 53, true));
+  const FlatPoints plane;
+  const auto tools = [] {
+    return PieceTools{std::make_unique<FlatMaker>(), std::make_shared<UniformSize>(.04)};
+  };
+  std::optional<Mesh> first;
+  for (const int threads : {1, 3}) {
+    const RegionMesh region =
+        meshRegion(AF2Algorithm(rules.rules), {plate, tools, &plane, {500}, true, threads}, {});
+    EXPECT_EQ(region.fault, "");
+    expectGoodMesh(region.result, plate, 0);
+    EXPECT_LT(worstDistortion(region.result.mesh), 3);
+    if (!first) first = region.result.mesh;
+    EXPECT_EQ(region.result.mesh, *first);
   }
 }
 

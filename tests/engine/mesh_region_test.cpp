@@ -14,11 +14,6 @@ namespace {
 
 using namespace af2::testing;
 
-class FlatPoints final : public SurfaceEvaluator {
- public:
-  SurfacePoint at(double u, double v) const override { return {{u, v, 0}, {0, 0, 1}, u, v}; }
-};
-
 const FlatPoints kPlane;
 
 RegionMesh meshIn(const FrontInput& input, double size, double pieceElements, int threads,

@@ -9,6 +9,7 @@
 #include "engine/error.h"
 #include "engine/front_input.h"
 #include "engine/plane_chart.h"
+#include "engine/region_split.h"
 
 namespace af2::testing {
 
@@ -42,6 +43,11 @@ class SlowFlatMaker final : public AF2LocalTransformMaker {
                                                         double unit) const override {
     return std::make_unique<SlowFlatChart>(from, to, unit);
   }
+};
+
+class FlatPoints final : public SurfaceEvaluator {
+ public:
+  SurfacePoint at(double u, double v) const override { return {{u, v, 0}, {0, 0, 1}, u, v}; }
 };
 
 inline BoundaryCorner flatCorner(std::size_t id, Point2 p) {
