@@ -146,7 +146,7 @@ class Checker {
   void checkAreas() {
     for (const FaceReport& face : mesh_.faces) {
       if (face.status != FaceStatus::Complete || !(face.area > 0)) continue;
-      if (face.elements == 0) continue;  // it has no width; a hole would lack segments
+      if (!areas_.contains(face.id)) continue;  // it has no width; a hole would lack segments
       const double ratio = areas_[face.id] / face.area;
       const double most = face.elements < kFewElements ? kMostAreaFactorOfFew : kMostAreaFactor;
       if (ratio >= 1 / most && ratio <= most) continue;
