@@ -49,8 +49,11 @@ class ModelMesher {
     areas_ = areasOf(faces);
     work_ = workOf(faces, areas_);
     const Stopwatch edgesWatch;
-    options_.sizes =
-        spreadSizes(model_.shape(), std::move(options_.sizes), options_.threads, options_.stop);
+    isFineInside_ = isFineInside(options_.sizes);
+    uneven_ = unevenFaces(model_.shape(), options_.sizes, options_.threads, options_.stop);
+    options_.sizes = spreadSizes(model_.shape(), std::move(options_.sizes), uneven_,
+                                 options_.threads, options_.stop);
+    expectMoreOnUneven(faces);
     FaceMeshes state;
     state.divided = divideEdges(model_.shape(), options_.sizes, options_.threads, options_.stop,
                                 options_.edgePoints);
@@ -133,13 +136,17 @@ class ModelMesher {
   void meshOne(const std::vector<int>& faces, std::size_t i, const ModelMeshingOptions& options,
                FaceMeshes& state, ProgressCallback progress,
                std::size_t mostCandidates = std::numeric_limits<std::size_t>::max()) const {
-    const FaceMeshingContext context{
-        model_.shape(), algorithm_,          options,
-        state.divided,  std::move(progress), static_cast<bool>(options_.sizes.function),
-        mostCandidates};
+    const FaceMeshingContext context{model_.shape(), algorithm_,          options,
+                                     state.divided,  std::move(progress), isFineInside_,
+                                     mostCandidates};
     state.meshes[i] = options.stop.stop_requested()
                           ? cancelled(faces[i])
                           : meshFace(context, faces[i], areas_[i], work_[i]);
+  }
+
+  /// Whether sizes inside faces may be much smaller than along their boundaries.
+  static bool isFineInside(const ModelSizes& sizes) {
+    return sizes.function || sizes.elementsPerTurn > 0 || !sizes.sources.isEmpty();
   }
 
   FaceMesh cancelled(int face) const {
@@ -171,6 +178,16 @@ class ModelMesher {
     return work;
   }
 
+  /// Once it is known how sizes spread there.
+  void expectMoreOnUneven(const std::vector<int>& faces) {
+    forEachInParallel(faces.size(), options_.threads, [&](std::size_t i) {
+      if (!(areas_[i] > 0) || !std::ranges::binary_search(uneven_, faces[i])) return;
+      const FaceSurface surface = model_.shape().surface(faces[i]);
+      work_[i] = 1 + expectedElements(options_.sizes, faces[i], surface, areas_[i], true);
+    });
+    refuseTooMany(std::accumulate(work_.begin(), work_.end(), 0.0));
+  }
+
   /// Vertices and elements have 32-bit numbers.
   static void refuseTooMany(double elements) {
     constexpr double kMostElements = 2e9;
@@ -192,6 +209,8 @@ class ModelMesher {
   const AF2Algorithm& algorithm_;
   ModelMeshingOptions options_;
   std::vector<double> areas_, work_;  // by face that was asked for
+  std::vector<int> uneven_;
+  bool isFineInside_ = false;
 };
 
 ModelMesh meshOnceOrTwice(const Model& model, const AF2Algorithm& algorithm,

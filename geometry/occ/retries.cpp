@@ -12,6 +12,7 @@
 
 #include "geometry/occ/parallel.h"
 #include "geometry/occ/refinement.h"
+#include "geometry/occ/sizing.h"
 
 namespace af2::geometry {
 
@@ -97,7 +98,10 @@ class Retries {
       const std::vector<std::size_t> poor = worthAnotherTry(state, isHopeless, wasTried);
       if ((poor.empty() && dropped.empty()) || effort > mostEffort) break;
       for (const std::size_t i : poor) {
-        refinement.add(i, placesOf(state, i));
+        std::vector<SizeSource> places = placesOf(state, i);
+        if (failed(state.meshes[i]) && !wasTried[i])
+          std::ranges::move(sizesInside(i), std::back_inserter(places));
+        refinement.add(i, places);
         wasTried[i] = true;
       }
       std::vector<std::size_t> again;
@@ -150,6 +154,12 @@ class Retries {
     constexpr std::size_t kAlways = 300'000, kTimes = 2;
     return failed(before) ? kAlways + kTimes * before.effort
                           : std::numeric_limits<std::size_t>::max();
+  }
+
+  /// A front may be stuck because sizes by curvature change faster than it can follow.
+  std::vector<SizeSource> sizesInside(std::size_t i) const {
+    if (task_.options.sizes.elementsPerTurn > 0) return {};  // they are spread already
+    return geometry::sizesInside(task_.model, task_.faces[i], task_.options.sizes);
   }
 
   static std::ptrdiff_t crossingsAt(const FaceMeshes& state, std::size_t i) {

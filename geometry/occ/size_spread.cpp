@@ -6,10 +6,13 @@
 #include <TopoDS.hxx>
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <numbers>
+#include <numeric>
 #include <optional>
 
 #include "engine/error.h"
+#include "geometry/occ/face_size.h"
 #include "geometry/occ/parallel.h"
 #include "geometry/occ/points.h"
 #include "geometry/occ/sizing.h"
@@ -43,7 +46,7 @@ class FaceSampler {
         surface_(model.surface(face)) {}
 
   std::vector<SizeSource> sources() {
-    if (!sizes_.function && (sizes_.elementsPerTurn == 0 || surface_.isPlane())) return {};
+    if (!sizes_.function && surface_.isPlane()) return {};
     trimming_.emplace(face_, Precision::PConfusion());
     std::vector<Cell> cells = firstCells();
     for (std::size_t samples = 0; !cells.empty() && samples < kMostSamples;) {
@@ -53,6 +56,7 @@ class FaceSampler {
       addSources();
       cells = partsOfUneven(cells);
     }
+    if (!cells.empty() && !isAsked()) return {};  // rougher than shorter edges could make good
     return std::move(sources_);
   }
 
@@ -60,6 +64,9 @@ class FaceSampler {
   struct Cell {
     double u, v, du, dv;  // its middle, and half its width
   };
+  /// Whether sizes inside faces were asked for.
+  bool isAsked() const { return sizes_.function || sizes_.elementsPerTurn > 0; }
+
   static constexpr int kPointsPerCell = 5;
   static constexpr std::size_t kMostSamples = 20000;
 
@@ -141,6 +148,7 @@ class FaceSampler {
   /// Quarters of the cells in which sizes change faster than they may, until these are small
   /// against the sizes.
   std::vector<Cell> partsOfUneven(const std::vector<Cell>& cells) const {
+    const double smallest = isAsked() ? 1 : 2;  // cell, in sizes
     std::vector<Cell> parts;
     for (std::size_t i = 0; i < cells.size(); ++i) {
       const std::size_t first = i * kPointsPerCell;
@@ -150,7 +158,7 @@ class FaceSampler {
       const double across =
           std::max(distance(points_[first + 1].position, points_[first + 4].position),
                    distance(points_[first + 2].position, points_[first + 3].position));
-      if (*most - *least <= sizes_.growth * across || across < *least) continue;
+      if (*most - *least <= sizes_.growth * across || across < smallest * *least) continue;
       const Cell& c = cells[i];
       for (const int s : {-1, 1})
         for (const int t : {-1, 1})
@@ -169,34 +177,125 @@ class FaceSampler {
   std::vector<SizeSource> sources_;
 };
 
-std::vector<SizeSource> sampleFaces(const ModelShape& model, const ModelSizes& sizes, int threads,
-                                    const std::stop_token& stop) {
-  std::vector<std::vector<SizeSource>> byFace(static_cast<std::size_t>(model.faces.Extent()));
-  forEachInParallel(byFace.size(), threads, [&](std::size_t i) {
-    if (stop.stop_requested()) return;
-    try {
-      byFace[i] = FaceSampler(model, static_cast<int>(i) + 1, sizes).sources();
-    } catch (const GeometryError&) {  // reported when the face is meshed
-    } catch (const Standard_Failure&) {
+/// Compares sizes on a face one element apart.
+class UnevennessProbe {
+ public:
+  UnevennessProbe(const FaceSurface& surface, const ModelSizes& sizes, int face)
+      : surface_(surface), size_(sizes, face, surface) {}
+
+  bool isUneven() {
+    if (surface_.isBentAlike()) return false;
+    takeSamples();
+    constexpr double kMany = 300;  // small faces follow their edges
+    if (!(elements_ > kMany)) return false;
+    for (const Sample& sample : samples_) {
+      compare(sample.size, sample.u + sample.size / length(sample.frame.du), sample.v);
+      compare(sample.size, sample.u, sample.v + sample.size / length(sample.frame.dv));
     }
+    constexpr double kMostUneven = 0.05;
+    return uneven_ > kMostUneven * compared_;
+  }
+
+ private:
+  struct Sample {
+    double u, v, size;
+    SurfaceFrame frame;
+  };
+
+  void takeSamples() {
+    constexpr int kSamples = 5;              // along each parameter
+    constexpr double kUnitTriangle = 0.433;  // area of the one with edges of length 1
+    const SplineSurface::Box& box = surface_.box();
+    const double cell = (box.u2 - box.u1) * (box.v2 - box.v1) / (kSamples * kSamples);
+    for (int i = 0; i < kSamples; ++i)
+      for (int k = 0; k < kSamples; ++k) {
+        const double u = box.u1 + (i + 0.5) / kSamples * (box.u2 - box.u1);
+        const double v = box.v1 + (k + 0.5) / kSamples * (box.v2 - box.v1);
+        const SurfaceFrame frame = surface_.inOccParameters().frameAt(u, v);
+        const double size = sizeAt(u, v);
+        samples_.push_back({u, v, size, frame});
+        elements_ += cell * length(cross(frame.du, frame.dv)) / (kUnitTriangle * size * size);
+      }
+  }
+
+  double sizeAt(double u, double v) const {
+    return size_.sizeAt({surface_.inOccParameters().frameAt(u, v).position, {}, u, v});
+  }
+
+  void compare(double size, double u, double v) {
+    constexpr double kSteep = 0.6;
+    const SplineSurface::Box& box = surface_.box();
+    if (!(u < box.u2 && v < box.v2)) return;
+    const double next = sizeAt(u, v);
+    ++compared_;
+    if (next < kSteep * size || size < kSteep * next) ++uneven_;
+  }
+
+  const FaceSurface& surface_;
+  FaceSize size_;
+  std::vector<Sample> samples_;
+  double elements_ = 0;
+  int compared_ = 0, uneven_ = 0;
+};
+
+std::vector<SizeSource> sampleFaces(const ModelShape& model, const std::vector<int>& faces,
+                                    const ModelSizes& sizes, int threads,
+                                    const std::stop_token& stop) {
+  std::vector<std::vector<SizeSource>> byFace(faces.size());
+  forEachInParallel(byFace.size(), threads, [&](std::size_t i) {
+    if (!stop.stop_requested()) byFace[i] = sizesInside(model, faces[i], sizes);
   });
   std::vector<SizeSource> all;
   for (const auto& sources : byFace) all.insert(all.end(), sources.begin(), sources.end());
   return all;
 }
 
+/// Whether sizes inside all faces are to be known outside them.
+bool spreadsAll(const ModelSizes& sizes) { return sizes.function || sizes.elementsPerTurn > 0; }
+
+std::vector<int> allFaces(const ModelShape& model) {
+  std::vector<int> faces(static_cast<std::size_t>(model.faces.Extent()));
+  std::iota(faces.begin(), faces.end(), 1);
+  return faces;
+}
+
 }  // namespace
 
-ModelSizes spreadSizes(const ModelShape& model, ModelSizes sizes, int threads,
-                       const std::stop_token& stop) {
+std::vector<SizeSource> sizesInside(const ModelShape& model, int face, const ModelSizes& sizes) {
+  try {
+    return FaceSampler(model, face, sizes).sources();
+  } catch (const GeometryError&) {  // reported when the face is meshed
+  } catch (const Standard_Failure&) {
+  }
+  return {};
+}
+
+std::vector<int> unevenFaces(const ModelShape& model, const ModelSizes& sizes, int threads,
+                             const std::stop_token& stop) {
+  if (spreadsAll(sizes)) return {};
+  std::vector<int> faces = allFaces(model);
+  std::vector<std::uint8_t> isUneven(faces.size(), 0);
+  forEachInParallel(faces.size(), threads, [&](std::size_t i) {
+    if (stop.stop_requested()) return;
+    try {
+      isUneven[i] = UnevennessProbe(model.surface(faces[i]), sizes, faces[i]).isUneven();
+    } catch (const GeometryError&) {  // reported when the face is meshed
+    } catch (const Standard_Failure&) {
+    }
+  });
+  std::erase_if(faces, [&](int face) { return !isUneven[static_cast<std::size_t>(face) - 1]; });
+  return faces;
+}
+
+ModelSizes spreadSizes(const ModelShape& model, ModelSizes sizes, const std::vector<int>& uneven,
+                       int threads, const std::stop_token& stop) {
   setTurns(sizes);
   SizeSources sources = std::move(sizes.sources);
   sizes.sources = {};
   for (SizeSource& point : sources.points) point.size = bounded(sizes, point.size);
-  if (sizes.function || sizes.elementsPerTurn > 0) {
-    const std::vector<SizeSource> sampled = sampleFaces(model, sizes, threads, stop);
-    sources.points.insert(sources.points.end(), sampled.begin(), sampled.end());
-  }
+  const std::vector<SizeSource> sampled =
+      sampleFaces(model, spreadsAll(sizes) ? allFaces(model) : uneven, sizes, threads, stop);
+  sources.points.insert(sources.points.end(), sampled.begin(), sampled.end());
   if (sources.isEmpty()) return sizes;
   const PositionSize spread = sizeFrom(std::move(sources), sizes.growth);
   if (!sizes.function) {

@@ -85,23 +85,24 @@ double limitByCurvature(const ModelSizes& sizes, double size, const FaceSurface&
   return std::min(gentle, std::max(sizes.faceTurn * radii.bent, least));
 }
 
-double expectedElements(const ModelSizes& sizes, int face, const FaceSurface& surface,
-                        double area) {
+double expectedElements(const ModelSizes& sizes, int face, const FaceSurface& surface, double area,
+                        bool byPosition) {
   constexpr double kUnitTriangle = 0.4330127018922193;  // area of the one with edges of length 1
   const double wanted = wantedOnFace(sizes, face);
   const auto density = [&](double size) { return 1 / (kUnitTriangle * size * size); };
   if (surface.isPlane()) return area * density(wanted);
-  constexpr int kCells = 4;  // along each parameter
+  const int samples = byPosition ? 32 : 4;  // along each parameter
   const SplineSurface::Box& box = surface.box();
   double sum = 0, weights = 0;
-  for (int i = 0; i < kCells; ++i) {
-    for (int j = 0; j < kCells; ++j) {
-      const double u = box.u1 + (i + 0.5) / kCells * (box.u2 - box.u1);
-      const double v = box.v1 + (j + 0.5) / kCells * (box.v2 - box.v1);
+  for (int i = 0; i < samples; ++i) {
+    for (int j = 0; j < samples; ++j) {
+      const double u = box.u1 + (i + 0.5) / samples * (box.u2 - box.u1);
+      const double v = box.v1 + (j + 0.5) / samples * (box.v2 - box.v1);
       const SurfaceFrame frame = surface.inOccParameters().frameAt(u, v);
       const double weight = length(cross(frame.du, frame.dv));
       weights += weight;
-      sum += weight * density(limitByCurvature(sizes, wanted, surface, {frame.position, {}, u, v}));
+      const double size = limitByCurvature(sizes, wanted, surface, {frame.position, {}, u, v});
+      sum += weight * density(byPosition ? limitByFunction(sizes, size, frame.position) : size);
     }
   }
   return weights > 0 ? area * sum / weights : area * density(wanted);

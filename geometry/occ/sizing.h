@@ -19,8 +19,19 @@ ModelSizes withinModel(ModelSizes sizes, const Model& model);
 
 /// The same sizes, but what they want by position, and on the faces by curvature and function, is
 /// one function: it grows from wherever it is small, through space, by no more than sizes.growth.
-ModelSizes spreadSizes(const ModelShape& model, ModelSizes sizes, int threads,
-                       const std::stop_token& stop);
+///
+/// uneven  faces on which what curvature wants is spread in any case
+ModelSizes spreadSizes(const ModelShape& model, ModelSizes sizes, const std::vector<int>& uneven,
+                       int threads, const std::stop_token& stop);
+
+/// The large faces on which sizes by curvature change by much from one element to the next, so that
+/// a front could not follow them, in order. None if all faces are spread anyway.
+std::vector<int> unevenFaces(const ModelShape& model, const ModelSizes& sizes, int threads,
+                             const std::stop_token& stop);
+
+/// What curvature and function want inside a face where they want less than its size. Nothing if
+/// the face cannot be sampled.
+std::vector<SizeSource> sizesInside(const ModelShape& model, int face, const ModelSizes& sizes);
 
 /// `size`, brought between the bounds of all sizes.
 double bounded(const ModelSizes& sizes, double size);
@@ -37,6 +48,9 @@ double limitByCurvature(const ModelSizes& sizes, double size, const FaceSurface&
 
 /// About how many triangles a face will have: its area over theirs, at the sizes that the options
 /// and curvature ask for.
-double expectedElements(const ModelSizes& sizes, int face, const FaceSurface& surface, double area);
+///
+/// byPosition  also what is wanted by position; this takes many more samples
+double expectedElements(const ModelSizes& sizes, int face, const FaceSurface& surface, double area,
+                        bool byPosition = false);
 
 }  // namespace af2::geometry

@@ -7,14 +7,20 @@
 #include <BRepBuilderAPI_MakeVertex.hxx>
 #include <BRepBuilderAPI_MakeWire.hxx>
 #include <BRepBuilderAPI_Sewing.hxx>
+#include <BRepGProp.hxx>
 #include <BRepPrimAPI_MakePrism.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
+#include <GProp_GProps.hxx>
 #include <Geom2d_Curve.hxx>
+#include <Geom_BSplineSurface.hxx>
 #include <Geom_Circle.hxx>
 #include <Geom_Plane.hxx>
 #include <Geom_SurfaceOfRevolution.hxx>
 #include <Geom_TrimmedCurve.hxx>
+#include <TColStd_Array1OfInteger.hxx>
+#include <TColStd_Array1OfReal.hxx>
+#include <TColgp_Array2OfPnt.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
@@ -30,6 +36,7 @@
 
 #include "geometry/element_crossings.h"
 #include "geometry/occ/mesh_model.h"
+#include "geometry/occ/sizing.h"
 #include "tests/geometry/occ/dirt.h"
 #include "tests/geometry/occ/meshing.h"
 #include "tests/support/model_mesh.h"
@@ -120,6 +127,39 @@ TEST(DifficultFaces, ShorterEdgesForOneFaceDoNotSpoilItsNeighbor) {
   const ModelMesh result = mesh(both, 0.8);
   expectComplete(result, pi * 1.025, 0.1);
   EXPECT_GT(leastAngle(result), 0.6);
+}
+
+/// A square of side 10 with ridges that are far sharper than the wanted size.
+TopoDS_Face roughGround() {
+  constexpr int kPoles = 21;
+  TColgp_Array2OfPnt poles(1, kPoles, 1, kPoles);
+  for (int i = 1; i <= kPoles; ++i)
+    for (int k = 1; k <= kPoles; ++k)
+      poles(i, k) =
+          gp_Pnt(0.5 * (i - 1), 0.5 * (k - 1), i % 11 == 5 || (k % 13 == 6 && i > 10) ? 0.8 : 0);
+  TColStd_Array1OfReal knots(1, kPoles - 2);
+  TColStd_Array1OfInteger multiplicities(1, kPoles - 2);
+  for (int i = 1; i <= kPoles - 2; ++i) {
+    knots(i) = i;
+    multiplicities(i) = i == 1 || i == kPoles - 2 ? 4 : 1;
+  }
+  const Handle(Geom_Surface) ground =
+      new Geom_BSplineSurface(poles, knots, knots, multiplicities, multiplicities, 3, 3);
+  return BRepBuilderAPI_MakeFace(ground, 1e-6);
+}
+
+TEST(DifficultFaces, AFrontFollowsSizesThatChangeFasterThanItsElements) {
+  const TopoDS_Face ground = roughGround();
+  ModelSizes sizes;
+  sizes.size = 1;
+  EXPECT_EQ(unevenFaces(testing::modelOf(ground).shape(), sizes, 1, {}), std::vector<int>{1});
+  EXPECT_TRUE(unevenFaces(testing::modelOf(plane({rectangle(0, 0, 20, 20)})).shape(), sizes, 1, {})
+                  .empty());
+  GProp_GProps properties;
+  BRepGProp::SurfaceProperties(ground, properties);
+  const ModelMesh result = mesh(ground, sizes.size);
+  expectComplete(result, properties.Mass());
+  EXPECT_GT(leastAngle(result), 15);
 }
 
 TEST(DifficultFaces, AThinWireIsMeshedAllTheWayAround) {
