@@ -33,6 +33,7 @@ constexpr std::array kForms{
     Form{Clause, "zone", "`zone a, b, c => mid(a, b) when q > 3;`"},
     Form{Clause, "tri", "`tri a b c, c b d;`"},
     Form{Clause, "quad", "`quad a b c d;`"},
+    Form{Clause, "poly", "`poly a b c d;`"},
     Form{Clause, "require", "`require turn(b) < 120deg, dist(b, c) in 0.5..2;`"},
     Form{Clause, "cost", "`cost 0.1 * q;`"},
     Form{Clause, "priority", "`priority 2;`"},

@@ -236,7 +236,10 @@ const Module* Library::import(Module& into, const Import& item) {
     std::vector<DiagnosticNote> notes;
     notes.push_back({"imported through " + chain + item.path.text, std::nullopt});
     context_.tell(into, "R3", item.path.span, "cannot import \"" + item.path.text + "\": " + fault,
-                  "paths are taken from the folder of the importing file", std::move(notes));
+                  item.path.text.find('\\') != std::string::npos
+                      ? "folders are parted by '/'"
+                      : "paths are taken from the folder of the importing file",
+                  std::move(notes));
     return nullptr;
   }
   constexpr std::size_t kMostFiles = 200;

@@ -150,6 +150,9 @@ std::optional<Fault> missingEnd(SyntaxUnit unit, const Token* first, const Token
                ? Fault{"S1", where->span, "'=>' does not compare", "at least is written >="}
                : Fault{"S1", where->span, "'=>' belongs to the corners and shapes of a zone",
                        "only a zone fades from a preferred to a limiting form"};
+  if (where->is(",") && (first->is("const") || first->is("def") || first->is("metric")))
+    return Fault{"S1", where->span, "a `" + first->text + "` defines one name",
+                 "end it with ';', and write another `" + first->text + "` for the next one"};
   if (where->is("&") || where->is("|"))
     return Fault{"S1", where->span, "unexpected " + found(*where),
                  "conditions are joined by `and`, `or`"};
@@ -303,6 +306,10 @@ void SyntaxErrors::tellMissing(SyntaxUnit unit, const Token* first, const Token*
     if (const auto fault = missingEnd(unit, first, where)) return tellFault(*fault);
   if (const auto fault = missingBetween(unit, first, where, wanted)) return tellFault(*fault);
 
+  const bool isElement = first->is("tri") || first->is("quad") || first->is("poly");
+  if (where->is(",") && isElement && unit == SyntaxUnit::Clause)
+    return tell("S1", here, "the corners of an element are parted by blanks",
+                "it is written " + std::string(formOf(unit, first->text)));
   const std::string help = formHelp(unit, first, where, wanted);
   const bool isWord = where->kind == TokenKind::Name && isReserved(where->text);
   if (wanted == "quality" && where->is("{") && where[1].is("quality")) {
