@@ -15,6 +15,8 @@ namespace {
 /// curved boundary: on a face of a few elements, quite another one.
 constexpr double kMostAreaFactor = 1.4, kMostAreaFactorOfFew = 5;
 constexpr std::size_t kFewElements = 60;
+/// A face without width has no elements, and no more than this share of the area of the mesh.
+constexpr double kMostWithoutWidth = 1e-4;
 
 /// How often a piece of a model edge is to be used. Several may have the same ends.
 struct WantedUses {
@@ -144,9 +146,11 @@ class Checker {
   }
 
   void checkAreas() {
+    double whole = 0;
+    for (const auto& [id, area] : areas_) whole += area;
     for (const FaceReport& face : mesh_.faces) {
       if (face.status != FaceStatus::Complete || !(face.area > 0)) continue;
-      if (!areas_.contains(face.id)) continue;  // it has no width; a hole would lack segments
+      if (!areas_.contains(face.id) && face.area < kMostWithoutWidth * whole) continue;
       const double ratio = areas_[face.id] / face.area;
       const double most = face.elements < kFewElements ? kMostAreaFactorOfFew : kMostAreaFactor;
       if (ratio >= 1 / most && ratio <= most) continue;

@@ -78,6 +78,16 @@ TEST(ModelCheck, FindsAnAreaFarFromThatOfTheFace) {
   EXPECT_NE(firstFinding(mesh).find("times the area of the face"), std::string::npos);
 }
 
+TEST(ModelCheck, AFaceMayHaveNoElementsOnlyIfItHasNoWidth) {
+  ModelMesh mesh = roof();
+  mesh.faces.push_back(mesh.faces[0]);
+  mesh.faces.back().id = 77;
+  for (const double area : {1e-9, 0.1}) {
+    mesh.faces.back().area = area;
+    EXPECT_EQ(checkModelMesh(mesh).empty(), area < 1e-3) << area;
+  }
+}
+
 TEST(ModelCheck, OfAFaceThatIsThereTwiceTheLaterOneIsAtFault) {
   ModelMesh mesh;
   mesh.vertices = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
