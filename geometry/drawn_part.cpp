@@ -24,7 +24,8 @@ struct Side {
 /// Sides that have been met in one direction only, by hash.
 class LoneSides {
  public:
-  explicit LoneSides(std::size_t sides) : slots_(std::bit_ceil(2 * sides), kEmpty) {}
+  /// sides  of all elements: as most are met twice, the slots are half empty
+  explicit LoneSides(std::size_t sides) : slots_(std::bit_ceil(sides + 1), kEmpty) {}
 
   /// False: it has been met in this direction before.
   bool meet(Side side) {
@@ -70,7 +71,9 @@ class LoneSides {
 };
 
 std::optional<std::vector<Side>> outlineOf(const MeshPart& part) {
-  LoneSides lone(4 * part.count);
+  std::size_t sides = 0;
+  for (std::size_t i = 0; i < part.count; ++i) sides += part.corners(i).size();
+  LoneSides lone(sides);
   for (std::size_t i = 0; i < part.count; ++i) {
     const auto corners = part.corners(i);
     std::uint32_t from = corners.back().value;
