@@ -8,6 +8,9 @@
 With --into, the table replaces what stands between the comments `begin NAME` and `end NAME` of a
 page; with --from, it is the one that an earlier run left with --json.
 
+Of a folder with thousands of models, --sample 150 takes those whose names come first when ordered
+by a checksum: the same ones everywhere. Another word for --draw gives another sample.
+
 The runs with --scale 0.7 and 1.5 and with --curvature 12 stand in for models that are not at hand.
 
 Each model runs in a process of its own with a time limit, at a size of a fortieth of its diagonal
@@ -19,6 +22,7 @@ Needs NumPy (Debian: python3-numpy).
 """
 
 import argparse
+import hashlib
 import json
 import os
 import re
@@ -80,6 +84,8 @@ def options() -> argparse.Namespace:
     parser.add_argument("-j", type=int, default=1, help="models at the same time")
     parser.add_argument("--limit", type=float, default=60, help="seconds for each model")
     parser.add_argument("--only", default="", help="regular expression for the names of models")
+    parser.add_argument("--sample", type=int, default=0, help="so many models only, drawn by their names")
+    parser.add_argument("--draw", default="1", help="a word that the sample depends on")
     parser.add_argument("--output", type=Path, help="file for the table in Markdown")
     parser.add_argument("--json", type=Path, help="file for all that is known, in JSON")
     parser.add_argument("--keep", type=Path, help="folder that keeps the meshes and reports")
@@ -100,6 +106,15 @@ def models_of(folder: Path) -> list:
     if index.exists():
         return [(folder / entry["file"], entry.get("h") or 0.0) for entry in json.loads(index.read_text())]
     return [(path, 0.0) for path in sorted(folder.rglob("*")) if path.suffix.lower() in SUFFIXES]
+
+
+def sample_of(models: list, count: int, draw: str) -> list:
+    """Depends on the names of the models alone, not on their order or on what else there is."""
+    def rank(model) -> str:
+        return hashlib.sha256(f"{draw}/{model[0].name}".encode()).hexdigest()
+
+    drawn = sorted(models, key=rank)[:count]
+    return [model for model in models if model in drawn]
 
 
 def default_size(af2: str, model: Path) -> float:
@@ -260,6 +275,8 @@ def run_all(arguments: argparse.Namespace) -> list:
               if re.search(arguments.only, m[0].stem)]
     if not models:
         sys.exit("no models found")
+    if arguments.sample:
+        models = sample_of(models, arguments.sample, arguments.draw)
     with ThreadPoolExecutor(arguments.j) as pool:
         return list(pool.map(lambda m: run_one(arguments, *m), models))
 
