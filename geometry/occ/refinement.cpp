@@ -1,6 +1,10 @@
 #include "geometry/occ/refinement.h"
 
 #include <algorithm>
+#include <memory>
+#include <span>
+
+#include "geometry/growing_size.h"
 
 namespace af2::geometry {
 
@@ -14,6 +18,30 @@ double largestAsked(const ModelSizes& sizes) {
   for (const auto& [face, size] : sizes.faceSizes) largest = std::max(largest, size);
   for (const auto& [edge, size] : sizes.edgeSizes) largest = std::max(largest, size);
   return largest;
+}
+
+/// Those that want clearly less than the others do around them; the smallest first.
+std::vector<SizeSource> thinned(std::vector<SizeSource> sources, double growth, double largest) {
+  constexpr double kClearly = 1.1;
+  constexpr std::size_t kMostInList = 256;  // not yet in the tree
+  std::ranges::stable_sort(sources, {}, &SizeSource::size);
+  std::vector<SizeSource> kept;
+  GrowingSize tree({}, growth, largest);
+  std::size_t inTree = 0;
+  for (const SizeSource& source : sources) {
+    const auto covers = [&](const SizeSource& other) {
+      return other.size + growth * distance(other.position, source.position) <=
+             kClearly * source.size;
+    };
+    if (tree.at(source.position) <= kClearly * source.size) continue;
+    if (std::any_of(kept.begin() + static_cast<std::ptrdiff_t>(inTree), kept.end(), covers))
+      continue;
+    kept.push_back(source);
+    if (kept.size() - inTree < kMostInList) continue;
+    tree = GrowingSize(kept, growth, largest);
+    inTree = kept.size();
+  }
+  return kept;
 }
 
 }  // namespace
@@ -46,10 +74,12 @@ ModelMeshingOptions Refinement::options() const {
     for (const std::vector<SizeSource>& places : rounds)
       sources.insert(sources.end(), places.begin(), places.end());
   if (sources.empty()) return options;
-  const PositionSize near = sizeFrom({sources, {}, {}}, asked_.sizes.growth);
+  const double growth = asked_.sizes.growth, largest = largestAsked(asked_.sizes);
+  const auto near = std::make_shared<const GrowingSize>(
+      thinned(std::move(sources), growth, largest), growth, largest);
   const PositionSize asked = asked_.sizes.function;
   options.sizes.function = [near, asked](std::span<const Point3> at, std::span<double> sizes) {
-    near.at(at, sizes);
+    for (std::size_t i = 0; i < at.size(); ++i) sizes[i] = near->at(at[i]);
     if (!asked) return;
     std::vector<double> limits(at.size());
     asked.at(at, limits);
