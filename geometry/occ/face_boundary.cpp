@@ -142,6 +142,23 @@ class BoundaryFinder {
     return distance(between, jump.end.position) <= kSamePoint * surface_.extent();
   }
 
+  /// The two sides of a seam are one turn apart. If they are more, the area within them in the
+  /// parameters is counted more than once.
+  void checkSeam(int edge, const gp_Pnt2d& start) {
+    constexpr double kMost = 1.5;  // turns
+    const auto [other, isFirst] = starts_.try_emplace(edge, start);
+    if (isFirst) return;
+    const GeomAdaptor_Surface adaptor(BRep_Tool::Surface(forward_));
+    const gp_Pnt2d& first = other->second;
+    const bool isFarInU =
+        adaptor.IsUPeriodic() && std::abs(first.X() - start.X()) > kMost * adaptor.UPeriod();
+    const bool isFarInV =
+        adaptor.IsVPeriodic() && std::abs(first.Y() - start.Y()) > kMost * adaptor.VPeriod();
+    if (isFarInU || isFarInV)
+      result_.repairs.push_back("the sides of edge " + std::to_string(edge) +
+                                ", a seam, were several turns apart in the parameters");
+  }
+
   /// Whether each edge runs back along another one, on the same side of every seam. Without their
   /// curves in the parameters nobody knows on which side they are.
   bool hasNoWidth() const {
@@ -213,6 +230,7 @@ class BoundaryFinder {
     for (std::size_t i = 0; i < divided.points.size(); ++i) {
       const Point3& position = divided_.points[divided.points[i]];
       const gp_Pnt2d uv = onFace.at(divided.parameters[i], position);
+      if (i == 0) checkSeam(id, uv);
       chain.corners.push_back(
           {vertexOf(divided.points[i]), surface_.boundaryPoint(position, uv.X(), uv.Y())});
     }
@@ -267,7 +285,8 @@ class BoundaryFinder {
   bool isPoint_ = false;      ///< some edge is too short to be seen
   bool lacksCurves_ = false;  ///< in the parameters
   std::vector<Chain> chains_;
-  std::vector<std::size_t> wire_;  // by chain
+  std::unordered_map<int, gp_Pnt2d> starts_;  // by edge: where it begins; looked up only
+  std::vector<std::size_t> wire_;             // by chain
   std::size_t wires_ = 0;
   std::unordered_map<std::uint32_t, VertexId> vertices_;  // looked up only, never walked through
   FaceBoundary result_;

@@ -15,9 +15,11 @@
 #include "geometry/conformal_chart.h"
 #include "geometry/graded_size.h"
 #include "geometry/laid_out.h"
+#include "geometry/occ/edge_samples.h"
 #include "geometry/occ/face_attempt.h"
 #include "geometry/occ/face_size.h"
 #include "geometry/occ/points.h"
+#include "geometry/occ/sizing.h"
 #include "geometry/stuck_front.h"
 
 namespace af2::geometry {
@@ -66,7 +68,8 @@ class FaceMesher {
     for (const SurfacePoint& vertex : attempt.result.mesh.vertices)
       mesh.wantedSizes.push_back(wanted.sizeAt(vertex));
     if (context_.options.order == 2) findMiddles(attempt.result.mesh, mesh);
-    mesh.trouble = troubleOfMesh(attempt.result.mesh, boundary, surface_.isPlane(), area_);
+    mesh.trouble = troubleOfMesh(attempt.result.mesh, boundary, surface_.isPlane(), area_,
+                                 kUnseen * wantedOnFace(context_.options.sizes, face_));
     take(attempt.result, boundary, mesh);
   }
 

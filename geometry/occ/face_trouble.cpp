@@ -127,6 +127,17 @@ void openAngle(const Mesh& mesh, std::span<const VertexId> c, double share,
     places.push_back({from + (k + 0.5) / count * along, size});
 }
 
+/// Above the longest edge of an element.
+double heightOf(const Mesh& mesh, std::span<const VertexId> c) {
+  const auto at = [&](std::size_t i) -> const Point3& {
+    return mesh.vertices[c[i % c.size()].value].position;
+  };
+  double longest = 0;
+  for (std::size_t i = 0; i < c.size(); ++i)
+    longest = std::max(longest, distance(at(i), at(i + 1)));
+  return length(cross(at(1) - at(0), at(2) - at(0))) / longest;
+}
+
 /// The corners of a face that are sharper than any element should be. In such a wedge all elements
 /// are thin, however short their edges are.
 class SharpCorners {
@@ -146,7 +157,7 @@ class SharpCorners {
     return std::ranges::any_of(corners_, [&](const Corner& corner) {
       double far = 0;
       for (const VertexId v : c) far = std::max(far, distance(at(v), corner.place));
-      const double width = corner.tangent * far, height = heightOf(c);
+      const double width = corner.tangent * far, height = heightOf(mesh_, c);
       return height < kMost * width && height > kLeast * width;
     });
   }
@@ -180,13 +191,6 @@ class SharpCorners {
     return along > 0 ? length(cross(p, q)) / along : std::numeric_limits<double>::infinity();
   }
 
-  double heightOf(std::span<const VertexId> c) const {
-    double longest = 0;
-    for (std::size_t i = 0; i < c.size(); ++i)
-      longest = std::max(longest, distance(at(c[i]), at(c[(i + 1) % c.size()])));
-    return length(cross(at(c[1]) - at(c[0]), at(c[2]) - at(c[0]))) / longest;
-  }
-
   const Mesh& mesh_;
   std::vector<Corner> corners_;
 };
@@ -195,7 +199,9 @@ class SharpCorners {
 ///
 /// A few merely poor elements among very many do not count: to mesh the face again would cost more
 /// than it could bring.
-void openAngles(const Mesh& mesh, const FrontInput& boundary, FaceTrouble& trouble) {
+///
+/// unseen  heights below this would take far too many elements
+void openAngles(const Mesh& mesh, const FrontInput& boundary, double unseen, FaceTrouble& trouble) {
   constexpr std::size_t kManyForOnePoor = 2000;
   const SharpCorners corners(mesh, boundary);
   FaceTrouble found;
@@ -206,7 +212,7 @@ void openAngles(const Mesh& mesh, const FrontInput& boundary, FaceTrouble& troub
     const double angle = leastAngle(mesh, c);
     if (angle >= kLeastAngle) continue;
     found.hasBadAngle = found.hasBadAngle || angle < kBadAngle;
-    if (corners.hold(c)) continue;
+    if (corners.hold(c) || heightOf(mesh, c) < unseen) continue;
     ++poor;
     found.isBad = found.isBad || angle < kBadAngle;
     // The worst one counts: shorter edges make more of them, though better ones.
@@ -267,10 +273,10 @@ FaceTrouble troubleOfFailure(const FaceSurface& surface, const FaceBoundary& bou
   return trouble;
 }
 
-FaceTrouble troubleOfMesh(const Mesh& mesh, const FaceBoundary& boundary, bool isPlane,
-                          double area) {
+FaceTrouble troubleOfMesh(const Mesh& mesh, const FaceBoundary& boundary, bool isPlane, double area,
+                          double unseen) {
   FaceTrouble trouble;
-  openAngles(mesh, boundary.input, trouble);
+  openAngles(mesh, boundary.input, unseen, trouble);
   if (!(area > 0)) return trouble;
   const double error = std::abs(areaOfElements(mesh) / area - 1);
   if (!(error > kMostAreaError)) return trouble;

@@ -27,9 +27,10 @@ FaceTrouble troubleOfFailure(const FaceSurface& surface, const FaceBoundary& bou
 /// Elements with tiny angles that shorter edges could open, and faces that straight edges cut too
 /// much off from.
 ///
-/// area  of the face; 0: unknown
-FaceTrouble troubleOfMesh(const Mesh& mesh, const FaceBoundary& boundary, bool isPlane,
-                          double area);
+/// area    of the face; 0: unknown
+/// unseen  what is narrower than this is not to be seen in the mesh
+FaceTrouble troubleOfMesh(const Mesh& mesh, const FaceBoundary& boundary, bool isPlane, double area,
+                          double unseen);
 
 /// The area of the elements of a mesh.
 double areaOfElements(const Mesh& mesh);

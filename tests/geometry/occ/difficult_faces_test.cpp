@@ -33,6 +33,7 @@
 #include <cmath>
 #include <initializer_list>
 #include <numbers>
+#include <utility>
 
 #include "geometry/element_crossings.h"
 #include "geometry/occ/mesh_model.h"
@@ -99,6 +100,42 @@ TEST(DifficultFaces, AFrameHasElementsAsWideAsItself) {
   EXPECT_LT(result.elements.size(), 400u);
   for (const Point3& p : result.vertices)
     EXPECT_LT(std::min({p.x, p.y, 1 - p.x, 1 - p.y}), 0.00100001) << "a vertex inside";
+}
+
+/// To open the angles there would take a million elements.
+TEST(DifficultFaces, ASlitThatCannotBeSeenIsNotDividedFinely) {
+  BRepBuilderAPI_MakePolygon ring;
+  for (const auto& [x, y] : {std::pair{0.0, 0.0},
+                             {5.0, 0.0},
+                             {5.0, 1.0},
+                             {4.0, 1.0},
+                             {4.0, 1e-6},
+                             {1.0, 1e-6},
+                             {1.0, 1.0},
+                             {0.0, 1.0}})
+    ring.Add({x, y, 0});
+  ring.Close();
+  const ModelMesh result = mesh(plane({ring.Wire()}), 0.5);
+  expectComplete(result, 2 + 3e-6, 1e-6);
+  EXPECT_LT(result.elements.size(), 100u);
+}
+
+/// A full turn, the sides of whose seam the file puts two turns apart.
+TEST(DifficultFaces, TheAreaWithinAWrongSeamDoesNotCount) {
+  const Handle(Geom_Circle) bow = new Geom_Circle(gp_Ax2({3, 0, 0}, {0, -1, 0}, {1, 0, 0}), 1);
+  const Handle(Geom_Surface) tube = new Geom_SurfaceOfRevolution(bow, gp_Ax1({0, 0, 0}, {0, 0, 1}));
+  const TopoDS_Face face = BRepBuilderAPI_MakeFace(tube, 0, 2 * pi, 0, pi / 2, 1e-7).Face();
+  for (TopExp_Explorer it(face, TopAbs_EDGE); it.More(); it.Next()) {
+    double first, last;
+    const auto edge = TopoDS::Edge(it.Current());
+    const Handle(Geom2d_Curve) curve = BRep_Tool::CurveOnSurface(edge, face, first, last);
+    if (!BRep_Tool::IsClosed(edge, face) || curve->Value(first).X() > 1) continue;
+    curve->Translate(gp_Vec2d(-2 * pi, 0));
+    break;
+  }
+  const ModelMesh result = mesh(face, 0.2);
+  expectComplete(result, 2 * pi * (3 * pi / 2 + 1));
+  EXPECT_EQ(result.faces[0].area, 0);
 }
 
 /// No division opens the angle of a corner, so none is tried.
