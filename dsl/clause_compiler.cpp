@@ -194,6 +194,8 @@ void ClauseCompiler::compileClause(const Clause& clause) {
         using Content = std::decay_t<decltype(content)>;
         if constexpr (std::is_same_v<Content, AtClause>) {
           compilePlaces(content);
+        } else if constexpr (std::is_same_v<Content, SlopeClause>) {
+          compileSlope(content);
         } else if constexpr (std::is_same_v<Content, LetClause>) {
           for (const Definition& d : content.values) {
             Value value = expressions_.evaluate(d.value);
@@ -291,8 +293,6 @@ std::optional<CompiledRule> ClauseCompiler::compile(const std::string& title, Sp
   for (const Clause& clause : rule_.clauses)
     if (const auto* front = std::get_if<FrontClause>(&clause.content))
       for (const Chain& chain : front->chains) addChain(chain);
-  for (const Clause& clause : rule_.clauses)
-    if (const auto* slope = std::get_if<SlopeClause>(&clause.content)) compileSlope(*slope);
   for (const Clause& clause : rule_.clauses) compileClause(clause);
   compileZones();
   if (mirror_) applyOverrides();

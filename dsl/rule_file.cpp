@@ -140,7 +140,7 @@ void FileCompiler::checkTemplate(const Module& module, const Template& item) {
 
 bool FileCompiler::holdsRule(const Module& module, const std::string& title) const {
   return std::ranges::any_of(module.parsed.file.items, [&](const Item& item) {
-    return std::ranges::any_of(titlesOf(item),
+    return std::ranges::any_of(titlesMadeBy(item, module),
                                [&](const Name* name) { return isTitleOf(name->text, title); });
   });
 }

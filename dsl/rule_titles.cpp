@@ -45,6 +45,23 @@ void tellSameTitle(const CompiledRule& known, const CompiledRule& rule,
 
 }  // namespace
 
+std::vector<const Name*> titlesMadeBy(const Item& item, const Module& module) {
+  std::vector<const Name*> titles = titlesOf(item);
+  const auto* instance = std::get_if<Instance>(&item.content);
+  if (!instance) return titles;
+  const Module* home = &module;
+  if (const auto& qualifier = instance->call.qualifier; !qualifier.empty()) {
+    const auto library = module.imports.find(qualifier);
+    home = library == module.imports.end() ? nullptr : library->second;
+  }
+  if (!home) return titles;
+  const auto found = home->templates.find(instance->call.name);
+  if (found == home->templates.end()) return titles;
+  const auto written = titlesOf(found->second.text->rule);
+  titles.insert(titles.end(), written.begin() + 1, written.end());
+  return titles;
+}
+
 void checkTitles(const Module& main, std::span<const CompiledRule> rules,
                  DiagnosticList& diagnostics) {
   std::map<std::string, DiagnosticPlace> seen;

@@ -1,13 +1,18 @@
-// R2: every rule has a title of its own.
+// Which titles a file gives to rules; and that every rule has one of its own (R2).
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include "dsl/compiled_rule.h"
 #include "dsl/diagnostic.h"
 #include "dsl/module.h"
 
 namespace af2::dsl {
+
+/// The titles that an item of a file gives to rules: those of `titlesOf`, and of an instance the
+/// ones that its template gives to mirror images.
+std::vector<const Name*> titlesMadeBy(const Item& item, const Module& module);
 
 /// Rules of one title, by the text of the file and by what families, templates and other files make
 /// of it.

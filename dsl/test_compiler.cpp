@@ -7,6 +7,7 @@
 #include <set>
 
 #include "dsl/rule_compiler.h"
+#include "dsl/rule_titles.h"
 #include "dsl/titles.h"
 #include "dsl/words.h"
 
@@ -207,7 +208,7 @@ const CompiledRule* TestCompiler::findRule(const Name& title) {
   // A rule with errors is not among the compiled ones; it has been told about.
   for (const Item& item : module_.parsed.file.items) {
     if (item.content.index() == 0) return nullptr;
-    for (const Name* written : titlesOf(item)) {
+    for (const Name* written : titlesMadeBy(item, module_)) {
       const bool isCompiled = std::ranges::any_of(rules_, [&](const CompiledRule& rule) {
         return isTitleOf(written->text, rule.definition.name);
       });

@@ -48,9 +48,12 @@ std::optional<std::vector<std::string>> valuesIn(const std::vector<std::string>&
 std::vector<const Name*> titlesOf(const Item& item) {
   if (const auto* instance = std::get_if<Instance>(&item.content)) return {&instance->title};
   const auto* rule = std::get_if<Rule>(&item.content);
-  if (!rule) return {};
-  std::vector<const Name*> titles{&rule->title};
-  for (const Clause& clause : rule->clauses)
+  return rule ? titlesOf(*rule) : std::vector<const Name*>();
+}
+
+std::vector<const Name*> titlesOf(const Rule& rule) {
+  std::vector<const Name*> titles{&rule.title};
+  for (const Clause& clause : rule.clauses)
     if (const auto* mirror = std::get_if<MirrorClause>(&clause.content))
       titles.push_back(&mirror->title);
   return titles;

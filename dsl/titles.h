@@ -10,6 +10,8 @@ namespace af2::dsl {
 
 /// The titles that an item gives to rules: its own and those of its mirror images.
 std::vector<const Name*> titlesOf(const Item& item);
+/// The titles of a rule and of its mirror images.
+std::vector<const Name*> titlesOf(const Rule& rule);
 
 /// Whether `title` is what `pattern` gives for some values of its {parameters}.
 bool isTitleOf(const std::string& pattern, const std::string& title);
