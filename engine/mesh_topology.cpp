@@ -168,7 +168,8 @@ void MeshTopology::collapse(Corner side) {
   renewCornerOf(rightAtFrom);
 }
 
-void MeshTopology::replace(std::vector<std::size_t> places, std::span<const Element> elements) {
+std::vector<std::size_t> MeshTopology::replace(std::vector<std::size_t> places,
+                                               std::span<const Element> elements) {
   struct Side {
     VertexId from, to;
     Corner beyond;
@@ -207,6 +208,8 @@ void MeshTopology::replace(std::vector<std::size_t> places, std::span<const Elem
     });
   });
   forEachCorner(elements.size(), [&](Corner c) { renewCornerOf(c); });
+  places.resize(elements.size());
+  return places;
 }
 
 /// Makes a corner, or at the rim the first corner clockwise of it, the corner of its vertex.

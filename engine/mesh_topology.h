@@ -67,8 +67,9 @@ class MeshTopology {
   void collapse(Corner side);
   /// Puts elements into the places of others that cover the same part of the surface, and behind
   /// all others if they are more; places that are left over are dead, as is a vertex that no
-  /// element uses any more.
-  void replace(std::vector<std::size_t> places, std::span<const Element> elements);
+  /// element uses any more. Returns where the elements are.
+  std::vector<std::size_t> replace(std::vector<std::size_t> places,
+                                   std::span<const Element> elements);
   /// Takes out what collapses left dead; the topology is of no use afterwards.
   void compact();
 

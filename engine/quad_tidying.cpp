@@ -39,8 +39,10 @@ class Tidier {
     sum_.assign(wanted_.size(), 0);
     changed_.assign(wanted_.size(), 0);
     lookedAt_.assign(mesh().elements.size(), 0);
-    for (std::size_t e = 0; e < mesh().elements.size(); ++e)
-      if (!topology_.isDead(e)) add(mesh().elements[e], 1);
+    for (std::size_t e = 0; e < mesh().elements.size(); ++e) {
+      distortion_.push_back(topology_.isDead(e) ? 0 : distortion(elementAt(e)));
+      if (!topology_.isDead(e)) add(elementAt(e), 1);
+    }
     findIslands();
   }
 
@@ -92,7 +94,7 @@ class Tidier {
     if (!elementAt(e).isQuad()) return true;
     for (const VertexId v : elementAt(e).vertices())
       if (sum_[v.value] != wanted_[v.value]) return true;
-    return distortion(elementAt(e)) > kGoodDistortion;
+    return distortion_[e] > kGoodDistortion;
   }
 
   /// Whether something was replaced at its vertices since it was looked at last.
@@ -105,27 +107,31 @@ class Tidier {
     lookedAt_[e] = ++clock_;
     best_ = {};
     gain_ = 1e-6;
-    const auto n = static_cast<std::size_t>(elementAt(e).size());
-    for (std::size_t i = 0; i < n; ++i) {
-      const Corner c(e, i);
-      if (!topology_.across(c).isNone()) offerResplits(c);
-      if (n == 4 && isInner(c)) offerDiagonalCollapse(c);
-      for (std::size_t k = 0; n == 4 && k < i; ++k) offerTwoForThree(Corner(e, k), c);
-    }
-    if (distortion(elementAt(e)) > kBadDistortion)
-      for (std::size_t i = 0; i < n; ++i) {
-        const Corner c(e, i);
-        if (n == 4 && i < 2) offerSplit(c);
-        if (isInner(c)) offerMerge(topology_.vertexAt(c), endOf(c));
-        if (isInner(topology_.next(c))) offerMerge(endOf(c), topology_.vertexAt(c));
-      }
+    offerAround(e);
     if (best_.places.empty()) return false;
     for (const std::size_t place : best_.places) add(elementAt(place), -1);
     for (const Element& element : best_.elements) add(element, 1);
-    topology_.replace(best_.places, best_.elements);
+    const std::vector<std::size_t> places = topology_.replace(best_.places, best_.elements);
     isOpen_.resize(mesh().elements.size(), 1);
     lookedAt_.resize(mesh().elements.size(), 0);
+    distortion_.resize(mesh().elements.size());
+    for (const std::size_t place : places) distortion_[place] = distortion(elementAt(place));
     return true;
+  }
+
+  void offerAround(std::size_t e) {
+    const auto n = static_cast<std::size_t>(elementAt(e).size());
+    const bool isBad = distortion_[e] > kBadDistortion;
+    for (std::size_t i = 0; i < n; ++i) {
+      const Corner c(e, i);
+      const VertexId from = topology_.vertexAt(c), to = endOf(c);
+      if (!topology_.across(c).isNone()) offerResplits(c);
+      if (n == 4 && isInner(c)) offerDiagonalCollapse(c);
+      for (std::size_t k = 0; n == 4 && k < i; ++k) offerTwoForThree(Corner(e, k), c);
+      if (n == 4 && i < 2 && isBad) offerSplit(c);
+      if (isBad && !topology_.isFixed(from)) offerMerge(from, to);
+      if (isBad && !topology_.isFixed(to)) offerMerge(to, from);
+    }
   }
 
   bool isInner(Corner c) const { return !topology_.isFixed(topology_.vertexAt(c)); }
@@ -242,11 +248,12 @@ class Tidier {
     return elementDistortion({corners.data(), vertices.size()});
   }
 
-  double costOf(const Element& element, double distortion) const {
+  static double costOfShape(double distortion) {
     constexpr double kWorst = 20;
     const double excess = std::min(distortion, kWorst) - 1;
-    return kDistortionCost * excess * excess + (element.isQuad() ? 0 : kTriangleCost);
+    return kDistortionCost * excess * excess;
   }
+  static double costOfKind(const Element& element) { return element.isQuad() ? 0 : kTriangleCost; }
 
   /// Squared units of angle that a vertex has too many or too few; none if no element is left.
   double costOf(VertexId v, int sum) const {
@@ -255,26 +262,28 @@ class Tidier {
   }
 
   void offer(Change change) {
-    double before = 0, after = 0, worstBefore = 0, worstAfter = 0;
+    double before = 0, after = 0, worst = kFairDistortion;
     angles_.clear();
     for (const std::size_t place : change.places) {
       const Element& element = elementAt(place);
       if (!isOpen_[place]) return;
-      const double here = distortion(element);
-      worstBefore = std::max(worstBefore, here);
-      before += costOf(element, here);
+      worst = std::max(worst, distortion_[place]);
+      before += costOfKind(element) + costOfShape(distortion_[place]);
       for (const VertexId v : element.vertices()) angleAt(v) -= idealAngle(element);
     }
     for (const Element& element : change.elements) {
-      const double here = distortion(element);
-      worstAfter = std::max(worstAfter, here);
-      after += costOf(element, here);
+      after += costOfKind(element);
       for (const VertexId v : element.vertices()) angleAt(v) += idealAngle(element);
     }
-    if (worstAfter > std::max(kFairDistortion, worstBefore) || !std::isfinite(worstAfter)) return;
     for (const auto& [v, more] : angles_) {
       before += costOf(v, sum_[v.value]);
       after += costOf(v, sum_[v.value] + more);
+    }
+    if (before - after <= gain_) return;  // whatever the shapes, which take longer to find out
+    for (const Element& element : change.elements) {
+      const double here = distortion(element);
+      if (here > worst || !std::isfinite(here)) return;
+      after += costOfShape(here);
     }
     if (before - after <= gain_) return;
     gain_ = before - after;
@@ -291,6 +300,7 @@ class Tidier {
   MeshTopology& topology_;
   std::vector<int> wanted_, sum_;     ///< by vertex: the angle there, and the ideal ones in all
   std::vector<std::uint8_t> isOpen_;  ///< by element: whether it may be replaced
+  std::vector<double> distortion_;    ///< by element
   std::uint32_t clock_ = 0;           ///< counts looks
   std::vector<std::uint32_t> changed_, lookedAt_;  ///< by vertex, by element
   Change best_;
