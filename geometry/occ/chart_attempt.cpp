@@ -5,6 +5,7 @@
 #include "engine/error.h"
 #include "engine/mesh_check.h"
 #include "geometry/laid_out.h"
+#include "geometry/occ/leaning_attempt.h"
 #include "geometry/occ/sizing.h"
 #include "geometry/stuck_front.h"
 
@@ -172,7 +173,11 @@ FaceAttempt fill(const FaceTask& task, ChartKind kind, const MeshingOptions& opt
 
 }  // namespace
 
-FaceAttempt attemptWith(const FaceTask& task, ChartKind kind, int patience) {
+namespace {
+
+/// Runs one way to fill a face as long as that gets on.
+template <class Fill>
+FaceAttempt guarded(const FaceTask& task, int patience, Fill&& fill) {
   RunawayGuard guard(elementLimit(task), task.mostCandidates, task.options.stop);
   MeshingOptions options;
   options.patience = patience;
@@ -182,8 +187,7 @@ FaceAttempt attemptWith(const FaceTask& task, ChartKind kind, int patience) {
     guard.see(progress);
     if (task.progress) task.progress(progress);
   };
-  FaceAttempt attempt = fill(task, kind, options);
-  attempt.chart = kind;
+  FaceAttempt attempt = fill(options);
   if (guard.ranAway())
     attempt.fault =
         "far more elements than the area has room for: the boundary does not enclose a region";
@@ -191,6 +195,32 @@ FaceAttempt attemptWith(const FaceTask& task, ChartKind kind, int patience) {
     attempt.fault = "the front is so crammed that no end is in sight";
   else if (attempt.result.outcome == Outcome::Stuck)
     attempt.fault = stuckReason(attempt.result, task.algorithm);
+  return attempt;
+}
+
+}  // namespace
+
+FaceAttempt attemptWith(const FaceTask& task, ChartKind kind, int patience) {
+  FaceAttempt attempt = guarded(
+      task, patience, [&](const MeshingOptions& options) { return fill(task, kind, options); });
+  attempt.chart = kind;
+  return attempt;
+}
+
+FaceAttempt attemptLeaning(const FaceTask& task) {
+  const WithoutNormals surface(task.surface.inParameters());
+  const MetricChartMaker charts(surface, MetricOrder::First);
+  const FrontInput input = withoutNormals(task.boundary.input);
+  FaceAttempt attempt =
+      guarded(task, MeshingOptions{}.patience, [&](const MeshingOptions& options) {
+        FaceAttempt filled;
+        filled.result = task.algorithm.execute(charts, input, task.size, options);
+        if (filled.result.outcome == Outcome::Complete)
+          filled.fault = faultOf(filled.result.mesh, boundaryOf(input));
+        return filled;
+      });
+  attempt.chart = ChartKind::Affine;
+  attempt.isOptimized = true;  // the optimiser knows folds by the normals
   return attempt;
 }
 

@@ -8,6 +8,7 @@
 #include "geometry/close_front.h"
 #include "geometry/occ/chart_attempt.h"
 #include "geometry/occ/face_trouble.h"
+#include "geometry/occ/leaning_attempt.h"
 
 namespace af2::geometry {
 
@@ -81,6 +82,24 @@ std::vector<ChartKind> chartsFor(const FaceTask& task) {
   return kinds;
 }
 
+/// Elements lean against the surface as far as they like, as long as nothing folds in the
+/// parameters.
+FaceAttempt fillLeaning(const FaceTask& task) {
+  FaceAttempt attempt;
+  attempt.fault = "not filled";
+  if (task.surface.isPlane() || !task.boundary.closedInParameters ||
+      hasTwoSheets(task.boundary.input))
+    return attempt;
+  attempt = attemptLeaning(task);
+  attempt.effort = attempt.result.candidates;
+  if (!attempt.fault.empty() && !close(task, attempt)) return attempt;
+  const ParametricSurface& surface = task.surface.inParameters();
+  if (!isFlatInParameters(attempt.result.mesh, surface.isFlipped()))
+    attempt.fault = "elements fold in the parameters";
+  restoreNormals(surface, task.boundary.input, attempt.result.mesh);
+  return attempt;
+}
+
 FaceAttempt fillWithRules(const FaceTask& task) {
   const std::vector<ChartKind> kinds = chartsFor(task);
   std::vector<FaceAttempt> failed;
@@ -103,6 +122,15 @@ FaceAttempt fillWithRules(const FaceTask& task) {
     attempt.effort = effort;
     attempt.steps = std::move(steps);
     return std::move(attempt);
+  }
+  if (task.mayLean) {
+    FaceAttempt leaning = fillLeaning(task);
+    effort += leaning.effort;
+    if (leaning.fault.empty()) {
+      leaning.effort = effort;
+      leaning.steps = std::move(steps);
+      return leaning;
+    }
   }
   FaceAttempt all;
   for (const std::string& step : steps) all.fault += (all.fault.empty() ? "" : "; ") + step;

@@ -41,6 +41,8 @@ struct FaceTask {
   bool mayBeFineInside = false;
   /// A front that has examined more candidates than these is given up.
   std::size_t mostCandidates;
+  /// Whether elements may lean against the surface as they like, if all else fails.
+  bool mayLean;
   const ProgressCallback& progress;
   /// Charts and sizes of the face for one thread more.
   const std::function<PieceTools(ChartKind)>& makeTools;

@@ -120,7 +120,7 @@ class FaceMesher {
     try {
       return fillFace({face_, surface_, boundary, size, area_, expected_, context_.algorithm,
                        context_.options, context_.mayBeFineInside, context_.mostCandidates,
-                       context_.progress,
+                       context_.mayLean, context_.progress,
                        [&](ChartKind kind) { return makeTools(boundary.input, kind); }});
     } catch (...) {
       mesh.trouble = troubleOfFailure(surface_, boundary, {});

@@ -39,6 +39,8 @@ struct FaceMeshingContext {
   bool mayBeFineInside = false;
   /// A front that has examined more candidates than these is given up.
   std::size_t mostCandidates = std::numeric_limits<std::size_t>::max();
+  /// Whether elements may lean against the surface as they like, if all else fails.
+  bool mayLean = false;
 };
 
 /// Never throws for a fault of the face: that becomes a failed report.

@@ -65,6 +65,9 @@ class ModelMesher {
         {model_.shape(), options_, faces,
          [&](std::size_t i, const ModelMeshingOptions& options, std::size_t mostCandidates,
              FaceMeshes& into) { meshOne(faces, i, options, into, {}, mostCandidates); },
+         [&](std::size_t i, FaceMeshes& into) {
+           meshOne(faces, i, options_, into, {}, std::numeric_limits<std::size_t>::max(), true);
+         },
          [&](FaceMeshes& made) { join(made); }},
         state);
     const double optimizeShare = shareOfOptimizing(state.meshes);
@@ -135,10 +138,11 @@ class ModelMesher {
 
   void meshOne(const std::vector<int>& faces, std::size_t i, const ModelMeshingOptions& options,
                FaceMeshes& state, ProgressCallback progress,
-               std::size_t mostCandidates = std::numeric_limits<std::size_t>::max()) const {
-    const FaceMeshingContext context{model_.shape(), algorithm_,          options,
-                                     state.divided,  std::move(progress), isFineInside_,
-                                     mostCandidates};
+               std::size_t mostCandidates = std::numeric_limits<std::size_t>::max(),
+               bool mayLean = false) const {
+    const FaceMeshingContext context{
+        model_.shape(),      algorithm_,    options,        state.divided,
+        std::move(progress), isFineInside_, mostCandidates, mayLean};
     state.meshes[i] = options.stop.stop_requested()
                           ? cancelled(faces[i])
                           : meshFace(context, faces[i], areas_[i], work_[i]);

@@ -122,9 +122,35 @@ class Retries {
       state = std::move(next);
     }
     if (!best.meshes.empty() && !isBetter(state, best)) state = std::move(best);
+    lean(state);
   }
 
  private:
+  /// The last way for faces that failed; without those that then cross others.
+  void lean(FaceMeshes& state) const {
+    std::vector<std::pair<std::size_t, FaceMesh>> before;
+    for (std::size_t i = 0; i < state.meshes.size() && !task_.options.stop.stop_requested(); ++i) {
+      if (!failed(state.meshes[i])) continue;
+      FaceMesh was = std::move(state.meshes[i]);
+      task_.meshLeaning(i, state);
+      if (failed(state.meshes[i]))
+        state.meshes[i] = std::move(was);
+      else
+        before.emplace_back(i, std::move(was));
+    }
+    if (before.empty()) return;
+    task_.join(state);
+    for (auto& [i, was] : before) {
+      if (crossingsAt(state, i) > 0) {
+        state.meshes[i] = std::move(was);
+      } else {
+        std::vector<std::string>& steps = state.meshes[i].report.attempts;
+        steps.push_back("elements that lean against the surface");
+      }
+    }
+    task_.join(state);
+  }
+
   static std::vector<std::size_t> worthAnotherTry(const FaceMeshes& state,
                                                   const std::vector<bool>& isHopeless,
                                                   const std::vector<bool>& wasTried) {

@@ -14,6 +14,7 @@
 #include <GProp_GProps.hxx>
 #include <Geom2d_Curve.hxx>
 #include <Geom_BSplineSurface.hxx>
+#include <Geom_BezierSurface.hxx>
 #include <Geom_Circle.hxx>
 #include <Geom_Plane.hxx>
 #include <Geom_SurfaceOfRevolution.hxx>
@@ -197,6 +198,24 @@ TEST(DifficultFaces, AFrontFollowsSizesThatChangeFasterThanItsElements) {
   const ModelMesh result = mesh(ground, sizes.size);
   expectComplete(result, properties.Mass());
   EXPECT_GT(leastAngle(result), 15);
+}
+
+/// One corner of the surface turns over by a little, so that the normals along an edge look back.
+TEST(DifficultFaces, ACornerThatTurnsOverIsMeshedWithElementsThatLean) {
+  TColgp_Array2OfPnt poles(1, 5, 1, 5);
+  for (int i = poles.LowerRow(); i <= poles.UpperRow(); ++i)
+    for (int k = poles.LowerCol(); k <= poles.UpperCol(); ++k)
+      poles.SetValue(i, k,
+                     i == poles.UpperRow() ? gp_Pnt(4 - 0.05 * (k - 1), -0.03 * (k - 1), 1.6)
+                                           : gp_Pnt(i - 1, 0.4 * (k - 1), 0.1 * i * i));
+  const Handle(Geom_Surface) surface = new Geom_BezierSurface(poles);
+  const TopoDS_Face face = BRepBuilderAPI_MakeFace(surface, 1e-6);
+  GProp_GProps properties;
+  BRepGProp::SurfaceProperties(face, properties);
+  const ModelMesh result = mesh(face, 1);
+  expectComplete(result, properties.Mass());
+  ASSERT_FALSE(result.faces[0].attempts.empty());
+  EXPECT_EQ(result.faces[0].attempts.back(), "elements that lean against the surface");
 }
 
 TEST(DifficultFaces, AThinWireIsMeshedAllTheWayAround) {
