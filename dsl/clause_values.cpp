@@ -82,9 +82,11 @@ void ClauseCompiler::tellMissingAt(int level, KnownResults known) {
     for (std::size_t i = used.first; i < used.last; ++i) {
       if (!known[i].isNone()) continue;
       if (!used.isTold)
-        tell("Y4", used.span,
-             nameOf(used.kind) + std::string(" has no value at level ") + std::to_string(level), "",
-             "a division by zero, a root of a negative number or the like");
+        expressions_.tell(
+            "Y4", used.span,
+            nameOf(used.kind) + std::string(" has no value at level ") + std::to_string(level),
+            "the rule is refused there",
+            "a division by zero, a root of a negative number or the like", Severity::Warning);
       used.isTold = true;
       known.forget(i);
     }
