@@ -143,12 +143,16 @@ class Division {
     return std::max(unseen, std::min(tolerance, kPointLike * samples.wanted));
   }
 
+  /// What is given from outside is taken as it is.
+  bool mayBePoint(std::size_t i) const {
+    return samples_[i].length <= pointLength(i) && !given_.contains(static_cast<int>(i) + 1);
+  }
+
   /// The shortest first. Many short edges one after the other may make a long one, which is none.
   void mergeAlongShortEdges(Merging& merging) {
     std::vector<std::size_t> edges;
     for (std::size_t i = 0; i < samples_.size(); ++i)
-      if (samples_[i].problem.empty() &&
-          (samples_[i].pieces.empty() || samples_[i].length <= pointLength(i)))
+      if (samples_[i].problem.empty() && (samples_[i].pieces.empty() || mayBePoint(i)))
         edges.push_back(i);
     std::ranges::stable_sort(edges, {}, [&](std::size_t i) { return samples_[i].length; });
     for (const std::size_t i : edges) {

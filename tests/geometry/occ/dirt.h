@@ -10,9 +10,11 @@
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakePrism.hxx>
 #include <BRep_Builder.hxx>
+#include <BRep_Tool.hxx>
 #include <Geom2d_Line.hxx>
 #include <Geom_CylindricalSurface.hxx>
 #include <Geom_Plane.hxx>
+#include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopTools_ListOfShape.hxx>
 #include <TopoDS.hxx>
@@ -23,7 +25,12 @@
 #include <gp_Pln.hxx>
 
 #include <initializer_list>
+#include <utility>
 #include <vector>
+
+#include "geometry/occ/model.h"
+#include "geometry/occ/model_shape.h"
+#include "geometry/occ/points.h"
 
 namespace af2::testing {
 
@@ -41,6 +48,12 @@ inline TopoDS_Face polygon(const std::vector<gp_Pnt>& corners) {
   for (const gp_Pnt& corner : corners) wire.Add(corner);
   wire.Close();
   return BRepBuilderAPI_MakeFace(gp_Pln(gp_Ax3({0, 0, 0}, {0, 0, 1})), wire.Wire());
+}
+
+inline std::pair<Point3, Point3> endsOf(const geometry::Model& model, int edge) {
+  const TopoDS_Edge shape = model.shape().edge(edge);
+  return {geometry::toPoint(BRep_Tool::Pnt(TopExp::FirstVertex(shape))),
+          geometry::toPoint(BRep_Tool::Pnt(TopExp::LastVertex(shape)))};
 }
 
 /// A square at z = 0 with a hole between the corners, which run clockwise.

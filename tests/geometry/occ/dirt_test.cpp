@@ -176,6 +176,19 @@ TEST(Dirt, AStepThatCannotBeSeenIsNone) {
   EXPECT_GT(testing::leastAngle(result), 10);
 }
 
+TEST(Dirt, ShortEdgesThatAreGivenAreKept) {
+  const Model model = testing::modelOf(testing::tinyStep(1e-6));
+  ModelMeshingOptions options = testing::ofSize(0.3);
+  for (int edge = 1; edge <= model.edgeCount(); ++edge) {
+    const auto [from, to] = testing::endsOf(model, edge);
+    if (distance(from, to) < 1e-5) options.edgePoints[edge] = {};
+  }
+  ASSERT_EQ(options.edgePoints.size(), 2u);
+  const ModelMesh result = mesh(model, options);
+  for (const auto& [edge, points] : options.edgePoints)
+    EXPECT_EQ(std::ranges::count(result.segments, edge, &EdgeSegment::edge), 1);
+}
+
 /// Each of its sides is too short to be seen, but not all of them.
 TEST(Dirt, AHoleOfManyShortSidesStaysAHole) {
   std::vector<gp_Pnt> corners;
