@@ -108,7 +108,7 @@ class BoundaryFinder {
         addEdge(TopoDS::Edge(it.Current()));
       wire_.resize(chains_.size(), wires_++);
     }
-    if (chains_.empty() && isPoint_) return {};
+    if (chains_.empty() && !result_.pointEdges.empty()) return std::move(result_);
     if (chains_.empty())
       throw GeometryError(
           "the face has no boundary, and its surface does not end by itself: its edges are lost");
@@ -117,7 +117,7 @@ class BoundaryFinder {
       cancelTouchingWires(chains_, wire_);
     }
     cancelOppositeChains(chains_);
-    if (chains_.empty() || hasNoWidth()) return {};
+    if (chains_.empty() || hasNoWidth()) return std::move(result_);
     numberUsedVertices();
     for (const Chain& chain : chains_) addUses(chain);
     LinkedLoops linked = linkChains(std::move(chains_));
@@ -206,7 +206,7 @@ class BoundaryFinder {
     if (!divided.problem.empty())
       throw GeometryError("edge " + std::to_string(id) + " " + divided.problem);
     if (divided.points.empty()) {
-      isPoint_ = isPoint_ || !BRep_Tool::Degenerated(edge);
+      if (!BRep_Tool::Degenerated(edge)) result_.pointEdges.push_back(id);
       return;
     }
     if (edge.Orientation() == TopAbs_INTERNAL) {
@@ -282,7 +282,6 @@ class BoundaryFinder {
   TopoDS_Face forward_;
   std::optional<gp_Pln> plane_;
   bool reversed_ = false;
-  bool isPoint_ = false;      ///< some edge is too short to be seen
   bool lacksCurves_ = false;  ///< in the parameters
   std::vector<Chain> chains_;
   std::unordered_map<int, gp_Pnt2d> starts_;  // by edge: where it begins; looked up only

@@ -25,6 +25,7 @@ struct FaceBoundary {
   bool closedInParameters = true;    ///< the loops are closed curves in (u, v), too
   bool canBeCut = true;              ///< they are, but for poles: lines in (u, v) cut the face
   std::vector<std::string> repairs;  ///< what was not as it should be and was put right
+  std::vector<int> pointEdges;       ///< too short to be seen: taken for points
 };
 
 /// Throws GeometryError, saying which edge is at fault, if the face has no closed boundary.

@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <iterator>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "engine/error.h"
 #include "engine/optimize.h"
@@ -26,6 +28,16 @@ namespace af2::geometry {
 
 namespace {
 
+std::string toldOfPoints(const std::vector<int>& edges) {
+  constexpr std::size_t kMostNamed = 5;
+  std::string ids;
+  for (std::size_t i = 0; i < std::min(edges.size(), kMostNamed); ++i)
+    ids += (i > 0 ? ", " : "") + std::to_string(edges[i]);
+  if (edges.size() > kMostNamed)
+    ids += " and " + std::to_string(edges.size() - kMostNamed) + " more";
+  return "too short to be seen in the mesh, so taken for points: edges " + ids;
+}
+
 class FaceMesher {
  public:
   FaceMesher(const FaceMeshingContext& context, int face, double area, double expectedElements)
@@ -37,6 +49,9 @@ class FaceMesher {
 
   void meshInto(FaceMesh& mesh) {
     FaceBoundary boundary = findBoundary(context_.model, face_, context_.divided, surface_);
+    mesh.report.attempts = boundary.repairs;
+    if (!boundary.pointEdges.empty())
+      mesh.report.attempts.push_back(toldOfPoints(boundary.pointEdges));
     if (boundary.input.loops.empty()) {
       mesh.report.reason = "has no width, so it has no elements: its boundary runs back on itself";
       return;
@@ -48,7 +63,6 @@ class FaceMesher {
     FaceAttempt attempt = fill(boundary, size, mesh);
     mesh.optimizeSeconds = attempt.optimizeShare * filling.seconds();
     mesh.effort = attempt.effort;
-    mesh.report.attempts = boundary.repairs;
     std::ranges::move(attempt.steps, std::back_inserter(mesh.report.attempts));
     if (attempt.chart != ChartKind::Auto) mesh.report.chart = toString(attempt.chart);
     if (!attempt.fault.empty()) {

@@ -68,4 +68,10 @@ inline void expectComplete(const geometry::ModelMesh& mesh) {
   for (const auto& finding : checkModelMesh(mesh)) ADD_FAILURE() << finding.what;
 }
 
+/// The same, and of about the right area.
+inline void expectComplete(const geometry::ModelMesh& mesh, double area, double tolerance = 0.05) {
+  expectComplete(mesh);
+  EXPECT_NEAR(areaOf(mesh), area, tolerance * area);
+}
+
 }  // namespace af2::testing

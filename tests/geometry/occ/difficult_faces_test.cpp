@@ -4,37 +4,25 @@
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakePolygon.hxx>
-#include <BRepBuilderAPI_MakeVertex.hxx>
 #include <BRepBuilderAPI_MakeWire.hxx>
 #include <BRepBuilderAPI_Sewing.hxx>
 #include <BRepGProp.hxx>
 #include <BRepPrimAPI_MakePrism.hxx>
-#include <BRep_Builder.hxx>
-#include <BRep_Tool.hxx>
 #include <GProp_GProps.hxx>
-#include <Geom2d_Curve.hxx>
 #include <Geom_BSplineSurface.hxx>
 #include <Geom_BezierSurface.hxx>
-#include <Geom_Circle.hxx>
-#include <Geom_Plane.hxx>
-#include <Geom_SurfaceOfRevolution.hxx>
-#include <Geom_TrimmedCurve.hxx>
 #include <TColStd_Array1OfInteger.hxx>
 #include <TColStd_Array1OfReal.hxx>
 #include <TColgp_Array2OfPnt.hxx>
-#include <TopExp.hxx>
-#include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 #include <gp_Ax2.hxx>
 #include <gp_Circ.hxx>
 #include <gp_Elips.hxx>
-#include <gp_Pln.hxx>
 
 #include <algorithm>
-#include <cmath>
 #include <initializer_list>
 #include <numbers>
-#include <utility>
+#include <vector>
 
 #include "geometry/element_crossings.h"
 #include "geometry/occ/mesh_model.h"
@@ -49,32 +37,12 @@ namespace {
 
 using std::numbers::pi;
 
-using testing::areaOf;
+using testing::circle;
+using testing::expectComplete;
 using testing::leastAngle;
 using testing::mesh;
-
-/// Complete, and of about the right area.
-void expectComplete(const ModelMesh& mesh, double area, double tolerance = 0.05) {
-  for (const FaceReport& face : mesh.faces)
-    EXPECT_EQ(face.status, FaceStatus::Complete) << "face " << face.id << ": " << face.reason;
-  EXPECT_TRUE(mesh.findings.empty());
-  EXPECT_NEAR(areaOf(mesh), area, tolerance * area);
-}
-
-TopoDS_Edge circle(double radius) {
-  return BRepBuilderAPI_MakeEdge(gp_Circ(gp_Ax2({0, 0, 0}, {0, 0, 1}), radius));
-}
-
-TopoDS_Wire rectangle(double x1, double y1, double x2, double y2, double z = 0) {
-  BRepBuilderAPI_MakePolygon polygon({x1, y1, z}, {x2, y1, z}, {x2, y2, z}, {x1, y2, z}, true);
-  return polygon.Wire();
-}
-
-TopoDS_Face plane(const std::vector<TopoDS_Wire>& wires) {
-  BRepBuilderAPI_MakeFace maker(gp_Pln(gp_Ax3({0, 0, 0}, {0, 0, 1})), wires[0]);
-  for (std::size_t i = 1; i < wires.size(); ++i) maker.Add(wires[i]);
-  return maker.Face();
-}
+using testing::plane;
+using testing::rectangle;
 
 /// The wanted size would let the chords of the two circles cross.
 TEST(DifficultFaces, ANarrowRingGetsShorterEdges) {
@@ -101,42 +69,6 @@ TEST(DifficultFaces, AFrameHasElementsAsWideAsItself) {
   EXPECT_LT(result.elements.size(), 400u);
   for (const Point3& p : result.vertices)
     EXPECT_LT(std::min({p.x, p.y, 1 - p.x, 1 - p.y}), 0.00100001) << "a vertex inside";
-}
-
-/// To open the angles there would take a million elements.
-TEST(DifficultFaces, ASlitThatCannotBeSeenIsNotDividedFinely) {
-  BRepBuilderAPI_MakePolygon ring;
-  for (const auto& [x, y] : {std::pair{0.0, 0.0},
-                             {5.0, 0.0},
-                             {5.0, 1.0},
-                             {4.0, 1.0},
-                             {4.0, 1e-6},
-                             {1.0, 1e-6},
-                             {1.0, 1.0},
-                             {0.0, 1.0}})
-    ring.Add({x, y, 0});
-  ring.Close();
-  const ModelMesh result = mesh(plane({ring.Wire()}), 0.5);
-  expectComplete(result, 2 + 3e-6, 1e-6);
-  EXPECT_LT(result.elements.size(), 100u);
-}
-
-/// A full turn, the sides of whose seam the file puts two turns apart.
-TEST(DifficultFaces, TheAreaWithinAWrongSeamDoesNotCount) {
-  const Handle(Geom_Circle) bow = new Geom_Circle(gp_Ax2({3, 0, 0}, {0, -1, 0}, {1, 0, 0}), 1);
-  const Handle(Geom_Surface) tube = new Geom_SurfaceOfRevolution(bow, gp_Ax1({0, 0, 0}, {0, 0, 1}));
-  const TopoDS_Face face = BRepBuilderAPI_MakeFace(tube, 0, 2 * pi, 0, pi / 2, 1e-7).Face();
-  for (TopExp_Explorer it(face, TopAbs_EDGE); it.More(); it.Next()) {
-    double first, last;
-    const auto edge = TopoDS::Edge(it.Current());
-    const Handle(Geom2d_Curve) curve = BRep_Tool::CurveOnSurface(edge, face, first, last);
-    if (!BRep_Tool::IsClosed(edge, face) || curve->Value(first).X() > 1) continue;
-    curve->Translate(gp_Vec2d(-2 * pi, 0));
-    break;
-  }
-  const ModelMesh result = mesh(face, 0.2);
-  expectComplete(result, 2 * pi * (3 * pi / 2 + 1));
-  EXPECT_EQ(result.faces[0].area, 0);
 }
 
 /// No division opens the angle of a corner, so none is tried.
@@ -232,177 +164,6 @@ TEST(DifficultFaces, AHoleOfAThousandthOfTheSizeStaysAHole) {
   const ModelMesh result = mesh(plane({rectangle(-1, -1, 1, 1), hole.Wire()}), 0.5);
   expectComplete(result, 4);
   EXPECT_EQ(std::ranges::count(result.segments, 5, &EdgeSegment::edge) >= 6, true);
-}
-
-TEST(DifficultFaces, AHoleThatRunsTheWrongWayIsTurned) {
-  const TopoDS_Face face = plane({rectangle(-1, -1, 1, 1), rectangle(-0.5, -0.5, 0.5, 0.5)});
-  const ModelMesh result = mesh(face, 0.3);
-  expectComplete(result, 3, 1e-9);
-  ASSERT_FALSE(result.faces[0].attempts.empty());
-  EXPECT_NE(result.faces[0].attempts[0].find("wrong way round"), std::string::npos);
-}
-
-TEST(DifficultFaces, AWholeBoundaryThatRunsTheWrongWayIsTurned) {
-  TopoDS_Wire wire = rectangle(0, 0, 2, 1);
-  wire.Reverse();
-  TopoDS_Face face;
-  BRep_Builder builder;
-  builder.MakeFace(face, new Geom_Plane(gp_Pln(gp_Ax3({0, 0, 0}, {0, 0, 1}))), 1e-7);
-  builder.Add(face, wire);
-  expectComplete(mesh(face, 0.3), 2, 1e-9);
-}
-
-/// The hole has edges of its own, as a boolean operation leaves them, but the vertices of the outer
-/// wire where it touches that.
-TEST(DifficultFaces, AHoleMayTouchTheOuterWireAlongAnEdge) {
-  std::vector<TopoDS_Vertex> v;
-  for (const gp_Pnt& p : {gp_Pnt(0, 0, 0), gp_Pnt(1, 0, 0), gp_Pnt(2, 0, 0), gp_Pnt(3, 0, 0),
-                          gp_Pnt(3, 2, 0), gp_Pnt(0, 2, 0), gp_Pnt(2, 1, 0), gp_Pnt(1, 1, 0)})
-    v.push_back(BRepBuilderAPI_MakeVertex(p));
-  const auto wire = [&](std::initializer_list<std::size_t> order) {
-    BRep_Builder builder;
-    TopoDS_Wire made;
-    builder.MakeWire(made);
-    for (auto at = order.begin(); at != order.end(); ++at)
-      builder.Add(made, BRepBuilderAPI_MakeEdge(
-                            v[*at], v[at + 1 == order.end() ? *order.begin() : *(at + 1)])
-                            .Edge());
-    return made;
-  };
-  BRep_Builder builder;
-  TopoDS_Face face;
-  builder.MakeFace(face, new Geom_Plane(gp_Pln(gp_Ax3({0, 0, 0}, {0, 0, 1}))), 1e-7);
-  builder.Add(face, wire({0, 1, 2, 3, 4, 5}));
-  builder.Add(face, wire({2, 1, 7, 6}));
-  expectComplete(mesh(face, 0.3), 5, 1e-9);
-}
-
-/// Each edge has vertices of its own, a little beside those of its neighbours.
-TEST(DifficultFaces, GapsWithinTheToleranceAreClosed) {
-  const std::vector<gp_Pnt> corners{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
-  BRep_Builder builder;
-  TopoDS_Wire wire;
-  builder.MakeWire(wire);
-  for (std::size_t i = 0; i < 4; ++i) {
-    const gp_Pnt& a = corners[i];
-    const gp_Pnt& b = corners[(i + 1) % 4];
-    const double gap = 1e-5;
-    const gp_Pnt from(a.X() + gap, a.Y() + gap, 0);
-    const TopoDS_Edge edge = BRepBuilderAPI_MakeEdge(from, b);
-    for (const TopoDS_Vertex& v : {TopExp::FirstVertex(edge), TopExp::LastVertex(edge)})
-      builder.UpdateVertex(v, 2e-5);
-    builder.Add(wire, edge);
-  }
-  TopoDS_Face face;
-  builder.MakeFace(face, new Geom_Plane(gp_Pln(gp_Ax3({0, 0, 0}, {0, 0, 1}))), 1e-7);
-  builder.Add(face, wire);
-  expectComplete(mesh(face, 0.3), 1, 1e-3);
-}
-
-TEST(DifficultFaces, APlaneWithoutEdgesIsNamed) {
-  BRep_Builder builder;
-  TopoDS_Face face;
-  builder.MakeFace(face, new Geom_Plane(gp_Pln(gp_Ax3({0, 0, 0}, {0, 0, 1}))), 1e-7);
-  const ModelMesh result = mesh(face, 0.3);
-  EXPECT_EQ(result.faces[0].status, FaceStatus::Failed);
-  EXPECT_NE(result.faces[0].reason.find("its edges are lost"), std::string::npos);
-}
-
-/// As damaged files have it: a vertex that claims to be everywhere.
-TEST(DifficultFaces, AToleranceAsLargeAsTheModelClosesNothing) {
-  BRep_Builder builder;
-  TopoDS_Wire wire;
-  builder.MakeWire(wire);
-  const TopoDS_Edge arc = BRepBuilderAPI_MakeEdge(gp_Circ(gp_Ax2({0, 0, 0}, {0, 0, 1}), 1), 0, pi);
-  for (const TopoDS_Vertex& v : {TopExp::FirstVertex(arc), TopExp::LastVertex(arc)})
-    builder.UpdateVertex(v, 1e100);
-  builder.Add(wire, arc);
-  TopoDS_Face face;
-  builder.MakeFace(face, new Geom_Plane(gp_Pln(gp_Ax3({0, 0, 0}, {0, 0, 1}))), 1e-7);
-  builder.Add(face, wire);
-  const ModelMesh result = mesh(face, 0.3);
-  EXPECT_EQ(result.faces[0].status, FaceStatus::Failed);
-  EXPECT_NE(result.faces[0].reason.find("not closed"), std::string::npos);
-}
-
-/// Each of the two arcs passes by its vertex, and would cross the other one before it ends.
-TEST(DifficultFaces, CurvesThatPassByTheirVerticesEndThere) {
-  BRep_Builder builder;
-  TopoDS_Vertex low, high;
-  builder.MakeVertex(low, {0, -0.85, 0}, 0.2);
-  builder.MakeVertex(high, {0, 0.85, 0}, 0.2);
-  const auto arc = [&](double x, double middle) {
-    const Handle(Geom_Circle) circle = new Geom_Circle(gp_Ax2({x, 0, 0}, {0, 0, 1}), 1);
-    TopoDS_Edge edge;
-    builder.MakeEdge(edge, circle, 0.2);
-    const bool isRight = x < 0;
-    builder.Add(edge, (isRight ? low : high).Oriented(TopAbs_FORWARD));
-    builder.Add(edge, (isRight ? high : low).Oriented(TopAbs_REVERSED));
-    builder.Range(edge, middle - 1.2, middle + 1.2);
-    return edge;
-  };
-  TopoDS_Wire wire;
-  builder.MakeWire(wire);
-  builder.Add(wire, arc(-0.5, 0));
-  builder.Add(wire, arc(0.5, pi));
-  TopoDS_Face face;
-  builder.MakeFace(face, new Geom_Plane(gp_Pln(gp_Ax3({0, 0, 0}, {0, 0, 1}))), 1e-7);
-  builder.Add(face, wire);
-  const double lens = 2 * (std::acos(0.5) - 0.5 * std::sqrt(0.75));
-  expectComplete(mesh(face, 0.1), lens);
-}
-
-/// A seam as two edges, each with vertices of its own.
-TEST(DifficultFaces, ASphereWithTwoEdgesAlongItsSeamIsClosed) {
-  const Handle(Geom_Circle) meridian = new Geom_Circle(gp_Ax2({0, 0, 0}, {0, -1, 0}, {1, 0, 0}), 1);
-  const Handle(Geom_Curve) half = new Geom_TrimmedCurve(meridian, -pi / 2, pi / 2);
-  const Handle(Geom_Surface) sphere =
-      new Geom_SurfaceOfRevolution(half, gp_Ax1({0, 0, 0}, {0, 0, 1}));
-  BRep_Builder builder;
-  TopoDS_Wire wire;
-  builder.MakeWire(wire);
-  builder.Add(wire, BRepBuilderAPI_MakeEdge(meridian, -pi / 2, pi / 2).Edge());
-  builder.Add(wire, BRepBuilderAPI_MakeEdge(meridian, -pi / 2, pi / 2).Edge().Reversed());
-  TopoDS_Face face;
-  builder.MakeFace(face, sphere, 1e-7);
-  builder.Add(face, wire);
-  const ModelMesh result = mesh(face, 0.3);
-  expectComplete(result, 4 * pi);
-  for (const EdgeSegment& segment : result.segments) EXPECT_EQ(segment.uses, 1);
-}
-
-/// Files with tolerances as large as their faces have such: a quarter of a tube, one of whose edges
-/// lies on the other side in the parameters.
-TEST(DifficultFaces, CurvesInParametersThatRunElsewhereAreFoundAnew) {
-  const Handle(Geom_Circle) bow = new Geom_Circle(gp_Ax2({3, 0, 0}, {0, -1, 0}, {1, 0, 0}), 1);
-  const Handle(Geom_Surface) tube = new Geom_SurfaceOfRevolution(bow, gp_Ax1({0, 0, 0}, {0, 0, 1}));
-  const TopoDS_Face face = BRepBuilderAPI_MakeFace(tube, 0, pi / 2, 0, pi / 2, 1e-7).Face();
-  for (TopExp_Explorer it(face, TopAbs_EDGE); it.More(); it.Next()) {
-    double first, last;
-    const auto edge = TopoDS::Edge(it.Current());
-    const Handle(Geom2d_Curve) curve = BRep_Tool::CurveOnSurface(edge, face, first, last);
-    if (curve->Value(first).Distance(gp_Pnt2d(0, 0)) > 1e-9) continue;
-    curve->Translate(gp_Vec2d(pi, 0));
-    break;
-  }
-  const ModelMesh result = mesh(face, 0.2);
-  expectComplete(result, pi / 2 * (3 * pi / 2 + 1));
-  EXPECT_EQ(result.faces[0].attempts.size(), 1u);
-}
-
-TEST(DifficultFaces, AGapBeyondTheToleranceIsNamed) {
-  BRep_Builder builder;
-  TopoDS_Wire wire;
-  builder.MakeWire(wire);
-  builder.Add(wire, BRepBuilderAPI_MakeEdge(gp_Pnt(0, 0, 0), gp_Pnt(1, 0, 0)).Edge());
-  builder.Add(wire, BRepBuilderAPI_MakeEdge(gp_Pnt(1, 0.1, 0), gp_Pnt(0, 1, 0)).Edge());
-  TopoDS_Face face;
-  builder.MakeFace(face, new Geom_Plane(gp_Pln(gp_Ax3({0, 0, 0}, {0, 0, 1}))), 1e-7);
-  builder.Add(face, wire);
-  const ModelMesh result = mesh(face, 0.3);
-  EXPECT_EQ(result.faces[0].status, FaceStatus::Failed);
-  EXPECT_NE(result.faces[0].reason.find("not closed"), std::string::npos);
-  EXPECT_NE(result.faces[0].reason.find("ends at (1, 0, 0)"), std::string::npos);
 }
 
 std::size_t crossingsOf(const ModelMesh& mesh) {

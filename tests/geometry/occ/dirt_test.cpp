@@ -173,6 +173,10 @@ TEST(Dirt, AStepThatCannotBeSeenIsNone) {
   expectSound(result, 6, 1e-5);
   EXPECT_EQ(testing::eulerNumber(result), 2);
   EXPECT_EQ(std::ranges::count(result.faces, 0u, &FaceReport::elements), 1);
+  const auto isTold = [](const FaceReport& face) {
+    return !face.attempts.empty() && face.attempts[0].find("taken for points") != std::string::npos;
+  };
+  EXPECT_GE(std::ranges::count_if(result.faces, isTold), 3);  // the step, and those at its ends
   EXPECT_GT(testing::leastAngle(result), 10);
 }
 

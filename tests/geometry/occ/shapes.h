@@ -1,11 +1,22 @@
 // Models made in memory.
 #pragma once
 
+#include <BRepBuilderAPI_MakeEdge.hxx>
+#include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakePolygon.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCone.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRepPrimAPI_MakeTorus.hxx>
+#include <TopoDS_Edge.hxx>
+#include <TopoDS_Face.hxx>
+#include <TopoDS_Wire.hxx>
+#include <gp_Ax3.hxx>
+#include <gp_Circ.hxx>
+#include <gp_Pln.hxx>
+
+#include <vector>
 
 #include "geometry/occ/model.h"
 #include "geometry/occ/model_shape.h"
@@ -32,6 +43,21 @@ inline geometry::Model sphere(double radius) {
 }
 inline geometry::Model torus(double major, double minor) {
   return modelOf(BRepPrimAPI_MakeTorus(major, minor).Shape());
+}
+
+inline TopoDS_Edge circle(double radius) {
+  return BRepBuilderAPI_MakeEdge(gp_Circ(gp_Ax2({0, 0, 0}, {0, 0, 1}), radius));
+}
+
+inline TopoDS_Wire rectangle(double x1, double y1, double x2, double y2, double z = 0) {
+  BRepBuilderAPI_MakePolygon polygon({x1, y1, z}, {x2, y1, z}, {x2, y2, z}, {x1, y2, z}, true);
+  return polygon.Wire();
+}
+
+inline TopoDS_Face plane(const std::vector<TopoDS_Wire>& wires) {
+  BRepBuilderAPI_MakeFace maker(gp_Pln(gp_Ax3({0, 0, 0}, {0, 0, 1})), wires[0]);
+  for (std::size_t i = 1; i < wires.size(); ++i) maker.Add(wires[i]);
+  return maker.Face();
 }
 
 }  // namespace af2::testing
