@@ -171,10 +171,6 @@ FaceAttempt fill(const FaceTask& task, ChartKind kind, const MeshingOptions& opt
   }
 }
 
-}  // namespace
-
-namespace {
-
 /// Runs one way to fill a face as long as that gets on.
 template <class Fill>
 FaceAttempt guarded(const FaceTask& task, int patience, Fill&& fill) {

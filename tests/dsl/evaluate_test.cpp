@@ -16,6 +16,15 @@ std::shared_ptr<const RuleSet> classic() {
   return loaded.rules;
 }
 
+EvalResult evaluated(const RuleSet& rules, const char* rule, int level,
+                     std::map<std::string, Point2> match) {
+  EvalRequest request;
+  request.rule = rule;
+  request.level = level;
+  request.match = std::move(match);
+  return evaluateRule(rules, request);
+}
+
 TEST(Evaluate, SaysWhatARuleWouldDo) {
   EvalRequest request;
   request.rule = "right 120";
@@ -98,11 +107,7 @@ rule "corner" quality 2..9 {
 })");
   ASSERT_TRUE(loaded.rules) << toPretty(loaded.diagnostics);
   const auto at = [&](const char* rule, int level, std::map<std::string, Point2> match) {
-    EvalRequest request;
-    request.rule = rule;
-    request.level = level;
-    request.match = std::move(match);
-    return evaluateRule(*loaded.rules, request);
+    return evaluated(*loaded.rules, rule, level, std::move(match));
   };
   for (const int level : {2, 3, 4, 9}) {
     const Point2 c{0.5 + 0.1 * level, level < 4 ? 1 : 0.5};
@@ -139,11 +144,7 @@ rule "corner" quality 2 {
 })");
   ASSERT_TRUE(loaded.rules) << toPretty(loaded.diagnostics);
   const auto at = [&](const char* rule, int level, std::map<std::string, Point2> match) {
-    EvalRequest request;
-    request.rule = rule;
-    request.level = level;
-    request.match = std::move(match);
-    return evaluateRule(*loaded.rules, request);
+    return evaluated(*loaded.rules, rule, level, std::move(match));
   };
   // The base of length 1.2 and two sides of length 1: (2 + q) q (1.2 - 1) + 0.5 / q.
   for (const int level : {1, 2, 5})

@@ -38,6 +38,15 @@ using testing::mesh;
 using testing::plane;
 using testing::rectangle;
 
+/// Of the plane z = 0, with wires that need be no good boundary.
+TopoDS_Face faceWithin(std::initializer_list<TopoDS_Wire> wires) {
+  BRep_Builder builder;
+  TopoDS_Face face;
+  builder.MakeFace(face, new Geom_Plane(gp_Pln(gp_Ax3({0, 0, 0}, {0, 0, 1}))), 1e-7);
+  for (const TopoDS_Wire& wire : wires) builder.Add(face, wire);
+  return face;
+}
+
 /// To open the angles there would take a million elements.
 TEST(FaceBoundaries, ASlitThatCannotBeSeenIsNotDividedFinely) {
   BRepBuilderAPI_MakePolygon ring;
@@ -85,10 +94,7 @@ TEST(FaceBoundaries, AHoleThatRunsTheWrongWayIsTurned) {
 TEST(FaceBoundaries, AWholeBoundaryThatRunsTheWrongWayIsTurned) {
   TopoDS_Wire wire = rectangle(0, 0, 2, 1);
   wire.Reverse();
-  TopoDS_Face face;
-  BRep_Builder builder;
-  builder.MakeFace(face, new Geom_Plane(gp_Pln(gp_Ax3({0, 0, 0}, {0, 0, 1}))), 1e-7);
-  builder.Add(face, wire);
+  const TopoDS_Face face = faceWithin({wire});
   expectComplete(mesh(face, 0.3), 2, 1e-9);
 }
 
@@ -109,11 +115,7 @@ TEST(FaceBoundaries, AHoleMayTouchTheOuterWireAlongAnEdge) {
                             .Edge());
     return made;
   };
-  BRep_Builder builder;
-  TopoDS_Face face;
-  builder.MakeFace(face, new Geom_Plane(gp_Pln(gp_Ax3({0, 0, 0}, {0, 0, 1}))), 1e-7);
-  builder.Add(face, wire({0, 1, 2, 3, 4, 5}));
-  builder.Add(face, wire({2, 1, 7, 6}));
+  const TopoDS_Face face = faceWithin({wire({0, 1, 2, 3, 4, 5}), wire({2, 1, 7, 6})});
   expectComplete(mesh(face, 0.3), 5, 1e-9);
 }
 
@@ -133,16 +135,12 @@ TEST(FaceBoundaries, GapsWithinTheToleranceAreClosed) {
       builder.UpdateVertex(v, 2e-5);
     builder.Add(wire, edge);
   }
-  TopoDS_Face face;
-  builder.MakeFace(face, new Geom_Plane(gp_Pln(gp_Ax3({0, 0, 0}, {0, 0, 1}))), 1e-7);
-  builder.Add(face, wire);
+  const TopoDS_Face face = faceWithin({wire});
   expectComplete(mesh(face, 0.3), 1, 1e-3);
 }
 
 TEST(FaceBoundaries, APlaneWithoutEdgesIsNamed) {
-  BRep_Builder builder;
-  TopoDS_Face face;
-  builder.MakeFace(face, new Geom_Plane(gp_Pln(gp_Ax3({0, 0, 0}, {0, 0, 1}))), 1e-7);
+  const TopoDS_Face face = faceWithin({});
   const ModelMesh result = mesh(face, 0.3);
   EXPECT_EQ(result.faces[0].status, FaceStatus::Failed);
   EXPECT_NE(result.faces[0].reason.find("its edges are lost"), std::string::npos);
@@ -157,10 +155,7 @@ TEST(FaceBoundaries, AToleranceAsLargeAsTheModelClosesNothing) {
   for (const TopoDS_Vertex& v : {TopExp::FirstVertex(arc), TopExp::LastVertex(arc)})
     builder.UpdateVertex(v, 1e100);
   builder.Add(wire, arc);
-  TopoDS_Face face;
-  builder.MakeFace(face, new Geom_Plane(gp_Pln(gp_Ax3({0, 0, 0}, {0, 0, 1}))), 1e-7);
-  builder.Add(face, wire);
-  const ModelMesh result = mesh(face, 0.3);
+  const ModelMesh result = mesh(faceWithin({wire}), 0.3);
   EXPECT_EQ(result.faces[0].status, FaceStatus::Failed);
   EXPECT_NE(result.faces[0].reason.find("not closed"), std::string::npos);
 }
@@ -185,9 +180,7 @@ TEST(FaceBoundaries, CurvesThatPassByTheirVerticesEndThere) {
   builder.MakeWire(wire);
   builder.Add(wire, arc(-0.5, 0));
   builder.Add(wire, arc(0.5, pi));
-  TopoDS_Face face;
-  builder.MakeFace(face, new Geom_Plane(gp_Pln(gp_Ax3({0, 0, 0}, {0, 0, 1}))), 1e-7);
-  builder.Add(face, wire);
+  const TopoDS_Face face = faceWithin({wire});
   const double lens = 2 * (std::acos(0.5) - 0.5 * std::sqrt(0.75));
   expectComplete(mesh(face, 0.1), lens);
 }
@@ -236,10 +229,7 @@ TEST(FaceBoundaries, AGapBeyondTheToleranceIsNamed) {
   builder.MakeWire(wire);
   builder.Add(wire, BRepBuilderAPI_MakeEdge(gp_Pnt(0, 0, 0), gp_Pnt(1, 0, 0)).Edge());
   builder.Add(wire, BRepBuilderAPI_MakeEdge(gp_Pnt(1, 0.1, 0), gp_Pnt(0, 1, 0)).Edge());
-  TopoDS_Face face;
-  builder.MakeFace(face, new Geom_Plane(gp_Pln(gp_Ax3({0, 0, 0}, {0, 0, 1}))), 1e-7);
-  builder.Add(face, wire);
-  const ModelMesh result = mesh(face, 0.3);
+  const ModelMesh result = mesh(faceWithin({wire}), 0.3);
   EXPECT_EQ(result.faces[0].status, FaceStatus::Failed);
   EXPECT_NE(result.faces[0].reason.find("not closed"), std::string::npos);
   EXPECT_NE(result.faces[0].reason.find("ends at (1, 0, 0)"), std::string::npos);
