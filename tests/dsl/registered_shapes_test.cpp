@@ -15,9 +15,10 @@ namespace {
 using enum ZoneBoundary;
 
 /// Answers as an exact zone does, and shows nothing else of it.
-class Opaque : public AF2FreeZone {
+template <class Base>
+class OpaqueAs : public Base {
  public:
-  explicit Opaque(std::unique_ptr<const AF2FreeZone> zone) : zone_(std::move(zone)) {}
+  explicit OpaqueAs(std::unique_ptr<const AF2FreeZone> zone) : zone_(std::move(zone)) {}
   Box2 boundingBox() const override { return zone_->boundingBox(); }
   bool contains(Point2 p, ZoneBoundary boundary) const override {
     return zone_->contains(p, boundary);
@@ -26,24 +27,16 @@ class Opaque : public AF2FreeZone {
     return zone_->meets(p, q, boundary);
   }
 
- private:
+ protected:
   std::unique_ptr<const AF2FreeZone> zone_;
 };
 
-class OpaqueCovering final : public CoveringZone {
- public:
-  explicit OpaqueCovering(std::unique_ptr<const AF2FreeZone> zone) : zone_(std::move(zone)) {}
-  Box2 boundingBox() const override { return zone_->boundingBox(); }
-  bool contains(Point2 p, ZoneBoundary boundary) const override {
-    return zone_->contains(p, boundary);
-  }
-  bool meets(Point2 p, Point2 q, ZoneBoundary boundary) const override {
-    return zone_->meets(p, q, boundary);
-  }
-  bool covers(Point2 p, Point2 q) const override { return dsl::covers(*zone_, p, q); }
+using Opaque = OpaqueAs<AF2FreeZone>;
 
- private:
-  std::unique_ptr<const AF2FreeZone> zone_;
+class OpaqueCovering final : public OpaqueAs<CoveringZone> {
+ public:
+  using OpaqueAs::OpaqueAs;
+  bool covers(Point2 p, Point2 q) const override { return dsl::covers(*zone_, p, q); }
 };
 
 template <class Zone>
