@@ -95,7 +95,9 @@ OptimizeReport improve(Mesh& mesh, const MeshBoundary& boundary,
   VertexSmoother smoother(topology, mesh, maker);
   const std::vector<double> angles = topology.anglesAtFixed();
   const std::vector<std::uint8_t> wanted = wantedValences(angles);
-  const bool hasQuads = std::ranges::any_of(mesh.elements, &Element::isQuad);
+  const bool hasQuads = std::ranges::any_of(mesh.elements, &Element::isQuad) ||
+                        (options.closingRule &&
+                         std::ranges::find(mesh.rule, *options.closingRule) != mesh.rule.end());
   const int rounds = options.rounds + (hasQuads ? 1 : 0);
   const auto smooth = [&] {
     for (int sweep = 0; sweep < options.smoothingSweeps; ++sweep)
@@ -104,7 +106,7 @@ OptimizeReport improve(Mesh& mesh, const MeshBoundary& boundary,
   for (int round = 0; round < rounds && !options.stop.stop_requested(); ++round) {
     if (hasQuads && options.renumber) {
       smooth();
-      report.replacements += tidyQuads(topology, angles);
+      report.replacements += tidyQuads(topology, angles, options.closingRule);
       smoother.wakeAll();
     }
     report.swaps += swapSides(topology, SwapGoal::Valence, wanted);

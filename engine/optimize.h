@@ -1,6 +1,8 @@
 // After the front has closed: swaps, collapses, other quadrilaterals and smoothing.
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <stop_token>
 
 #include "engine/front_input.h"
@@ -16,6 +18,9 @@ struct OptimizeOptions {
   /// Whether a mesh that comes out unsound is put back as it was. If not, the report tells, and
   /// half of the memory is saved: for those who can make the mesh anew.
   bool keepOriginal = true;
+  /// Triangles that this rule made may become quadrilaterals wherever they are: it stands for what
+  /// closes a front of quadrilaterals that got stuck. None: only small groups of triangles may.
+  std::optional<std::uint16_t> closingRule;
   std::stop_token stop;  ///< what is done so far stays
 };
 

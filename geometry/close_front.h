@@ -1,6 +1,7 @@
 // Closes what is left of a front that got stuck, without new vertices.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <vector>
 
@@ -13,6 +14,11 @@ namespace af2::geometry {
 inline constexpr std::size_t kMostStuckEdges = 600;
 /// The work grows with the second power.
 inline constexpr std::size_t kMostClosingEdges = 5000;
+
+/// What stands in the place of the rule's number where an element was made without rules.
+inline std::uint16_t closingRule(const RuleSet& rules) {
+  return static_cast<std::uint16_t>(rules.rules().size());
+}
 
 /// Triangulates the region to the left of the front edges that are left in `result`, whatever the
 /// shape of its triangles, and appends them with `rule` as the rule that made them.

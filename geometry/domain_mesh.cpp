@@ -117,7 +117,7 @@ BoundaryCorner DomainMesh::cornerOf(VertexId id, const DomainFace& face,
 void DomainMesh::close(const RegionTask& task, RegionMesh& meshed, FaceReport& report) const {
   if (meshed.result.outcome != Outcome::Stuck) return;
   MeshingResult closed = meshed.result;
-  const auto rule = static_cast<std::uint16_t>(algorithm_.rules().rules().size());
+  const std::uint16_t rule = closingRule(algorithm_.rules());
   const MeshBoundary boundary = af2::boundaryOf(task.input);
   if (!closeFront(closed, rule) || !faultOf(closed.mesh, boundary).empty()) return;
   report.reason = std::to_string(closed.mesh.elements.size() - meshed.result.mesh.elements.size()) +
@@ -127,6 +127,7 @@ void DomainMesh::close(const RegionTask& task, RegionMesh& meshed, FaceReport& r
   meshed.fault.clear();
   if (!task.optimize) return;
   OptimizeOptions options;
+  if (algorithm_.rules().makesQuads()) options.closingRule = rule;
   options.stop = options_.stop;
   optimizeMesh(meshed.result.mesh, boundary, *task.makeTools().charts, options);
 }

@@ -38,7 +38,7 @@ bool close(const FaceTask& task, FaceAttempt& attempt, std::size_t most = kMostS
   if (attempt.result.outcome != Outcome::Stuck || attempt.result.stuck.empty()) return false;
   MeshingResult closed = attempt.result;
   const auto& vertices = attempt.result.mesh.vertices;
-  const auto rule = static_cast<std::uint16_t>(task.algorithm.rules().rules().size());
+  const std::uint16_t rule = closingRule(task.algorithm.rules());
   const bool inParameters =
       (attempt.chart == ChartKind::Parametric || attempt.chart == ChartKind::Affine ||
        attempt.chart == ChartKind::Developed) &&

@@ -14,6 +14,7 @@
 #include "engine/optimize.h"
 #include "engine/plane_chart.h"
 #include "engine/stopwatch.h"
+#include "geometry/close_front.h"
 #include "geometry/conformal_chart.h"
 #include "geometry/graded_size.h"
 #include "geometry/laid_out.h"
@@ -179,6 +180,8 @@ class FaceMesher {
     if (inParameters && hasTwoSheets(input))
       attempt.charts = surface_.makeCharts(ChartKind::MeanNormal);
     OptimizeOptions options;
+    const RuleSet& rules = context_.algorithm.rules();
+    if (rules.makesQuads()) options.closingRule = closingRule(rules);
     options.stop = context_.options.stop;
     optimizeMesh(attempt.result.mesh, boundaryOf(input), *attempt.charts, options);
     mesh.optimizeSeconds += watch.seconds();

@@ -13,10 +13,10 @@ namespace {
 
 using namespace af2::testing;
 
-std::size_t tidied(QuadGrid& grid) {
+std::size_t tidied(QuadGrid& grid, std::optional<std::uint16_t> closingRule = {}) {
   EXPECT_TRUE(checkMesh(grid.mesh, grid.input).empty());
   MeshTopology topology(grid.mesh, boundaryOf(grid.input));
-  const std::size_t changes = tidyQuads(topology, topology.anglesAtFixed());
+  const std::size_t changes = tidyQuads(topology, topology.anglesAtFixed(), closingRule);
   topology.compact();
   EXPECT_TRUE(checkMesh(grid.mesh, grid.input).empty());
   EXPECT_NEAR(areaOf(grid.mesh), grid.n * grid.n, 1e-12);
@@ -54,6 +54,40 @@ TEST(QuadTidying, TakesTwoTrianglesAndWhatIsBetweenThem) {
   expectQuadsOnly(grid.mesh, 16, 25);
 }
 
+/// A row whose elements lean from a triangle at its left end to one at its right.
+QuadGrid gridWithLeaningRow(int n, int row, int from, int to) {
+  QuadGrid grid(n);
+  const auto low = [&](int i) { return grid.id(i, row); };
+  const auto high = [&](int i) { return grid.id(i, row + 1); };
+  grid.element(from, row) = {{low(from), low(from + 1), high(from), {}}};
+  for (int i = from + 1; i < to; ++i)
+    grid.element(i, row) = {{low(i), low(i + 1), high(i), high(i - 1)}};
+  grid.addElement({{low(to), high(to), high(to - 1), {}}});
+  return grid;
+}
+
+TEST(QuadTidying, PairsTrianglesThatAreFarApart) {
+  QuadGrid grid = gridWithLeaningRow(12, 5, 2, 9);
+  EXPECT_GE(tidied(grid), 1u);
+  expectQuadsOnly(grid.mesh, 144, 169);
+}
+
+TEST(QuadTidying, MakesQuadrilateralsOfTrianglesThatClosedAFront) {
+  constexpr std::uint16_t kClosing = 7;
+  QuadGrid grid(8);
+  for (int i = 0; i < 8; ++i) {
+    const auto [a, b, c, d] = grid.element(i, 3).corners;
+    grid.element(i, 3) = {{a, b, c, {}}};
+    grid.addElement({{a, c, d, {}}});
+  }
+  for (std::size_t e = 0; e < grid.mesh.elements.size(); ++e)
+    if (!grid.mesh.elements[e].isQuad()) grid.mesh.rule[e] = kClosing;
+  QuadGrid meant = grid;
+  EXPECT_EQ(tidied(meant), 0u);
+  EXPECT_EQ(tidied(grid, kClosing), 8u);
+  expectQuadsOnly(grid.mesh, 64, 81);
+}
+
 TEST(QuadTidying, TakesOutAFlatQuadrilateral) {
   QuadGrid grid(4);
   const VertexId above = grid.addVertex({2, 2.2});
@@ -74,7 +108,7 @@ TEST(QuadTidying, SplitsAQuadrilateralWithAStraightCornerAtTheRim) {
   mesh.elements = {{{VertexId(0), VertexId(1), VertexId(2), VertexId(3)}}};
   mesh.rule = {0};
   MeshTopology topology(mesh, boundaryOf(input));
-  EXPECT_EQ(tidyQuads(topology, topology.anglesAtFixed()), 1u);
+  EXPECT_EQ(tidyQuads(topology, topology.anglesAtFixed(), {}), 1u);
   topology.compact();
   EXPECT_EQ(mesh.elements.size(), 2u);
   EXPECT_TRUE(checkMesh(mesh, input).empty());
