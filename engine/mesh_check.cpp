@@ -9,31 +9,34 @@ namespace {
 
 using Edge = std::pair<VertexId, VertexId>;
 
-/// The directed edges of a mesh in groups by their first vertex: linear to make, short to search.
-class EdgeTable {
+/// The corners of all elements in groups by their vertex: linear to make, short to search. The
+/// edges that leave a vertex and those that arrive there lie side by side.
+class CornerTable {
  public:
+  struct Corner {
+    VertexId previous, next;  ///< in the element
+  };
+
   /// bad  elements to leave out, in order
   void make(const Mesh& mesh, const std::vector<ElementId>& bad) {
     first_.assign(mesh.vertices.size() + 2, 0);
-    forEachEdge(mesh, bad, [&](VertexId from, VertexId, ElementId) { ++first_[from.value + 2]; });
+    forEachCorner(mesh, bad, [&](VertexId v, Corner, ElementId) { ++first_[v.value + 2]; });
     for (std::size_t v = 2; v < first_.size(); ++v) first_[v] += first_[v - 1];
-    ends_.resize(first_.back());
-    forEachEdge(mesh, bad, [&](VertexId from, VertexId to, ElementId) {
-      ends_[first_[from.value + 1]++] = to;
+    corners_.resize(first_.back());
+    forEachCorner(mesh, bad, [&](VertexId v, Corner corner, ElementId) {
+      corners_[first_[v.value + 1]++] = corner;
     });
   }
 
-  std::span<const VertexId> endsFrom(VertexId v) const {
-    return {ends_.data() + first_[v.value], first_[v.value + 1] - first_[v.value]};
+  std::span<const Corner> at(VertexId v) const {
+    return {corners_.data() + first_[v.value], first_[v.value + 1] - first_[v.value]};
   }
-  std::size_t count(VertexId from, VertexId to) const {
-    std::size_t n = 0;
-    for (VertexId end : endsFrom(from)) n += end == to;
-    return n;
+  bool hasEdge(VertexId from, VertexId to) const {
+    return std::ranges::any_of(at(from), [&](const Corner& corner) { return corner.next == to; });
   }
 
   template <class Visit>
-  static void forEachEdge(const Mesh& mesh, const std::vector<ElementId>& bad, Visit&& visit) {
+  static void forEachCorner(const Mesh& mesh, const std::vector<ElementId>& bad, Visit&& visit) {
     auto nextBad = bad.begin();
     for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
       if (nextBad != bad.end() && nextBad->value == e) {
@@ -41,14 +44,16 @@ class EdgeTable {
         continue;
       }
       const auto corners = mesh.elements[e].vertices();
-      for (std::size_t i = 0; i < corners.size(); ++i)
-        visit(corners[i], corners[i + 1 == corners.size() ? 0 : i + 1], ElementId(e));
+      const std::size_t n = corners.size();
+      for (std::size_t i = 0; i < n; ++i)
+        visit(corners[i], Corner{corners[i == 0 ? n - 1 : i - 1], corners[i + 1 == n ? 0 : i + 1]},
+              ElementId(e));
     }
   }
 
  private:
   std::vector<std::uint32_t> first_;
-  std::vector<VertexId> ends_;
+  std::vector<Corner> corners_;
 };
 
 class Checker {
@@ -57,10 +62,10 @@ class Checker {
 
   std::vector<MeshFault> check() {
     for (std::size_t i = 0; i < mesh_.elements.size(); ++i) checkElement(ElementId(i));
-    edges_.make(mesh_, bad_);
+    corners_.make(mesh_, bad_);
     for (std::size_t v = 0; v < mesh_.vertices.size(); ++v) checkVertex(VertexId(v));
     for (const Edge& e : boundary_.edges)
-      if (edges_.count(e.first, e.second) == 0)
+      if (!corners_.hasEdge(e.first, e.second))
         add(MeshFault::Kind::BoundaryNotKept, {}, e.first, e.second);
     nameElements();
     return std::move(faults_);
@@ -73,9 +78,11 @@ class Checker {
 
   void checkElement(ElementId id) {
     const auto corners = mesh_.elements[id.value].vertices();
-    for (VertexId v : corners) {
-      if (v.value < mesh_.vertices.size() && std::count(corners.begin(), corners.end(), v) == 1)
-        continue;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      const VertexId v = corners[i];
+      bool isRepeated = false;
+      for (std::size_t k = 0; k < corners.size(); ++k) isRepeated |= (k != i) & (corners[k] == v);
+      if (v.value < mesh_.vertices.size() && !isRepeated) continue;
       add(MeshFault::Kind::BadElement, id, v);
       bad_.push_back(id);
       return;
@@ -98,16 +105,37 @@ class Checker {
     return true;
   }
 
+  /// Whether every edge that leaves a vertex leaves it once, and arrives there, too: so it is at
+  /// nearly all vertices inside. False also of very many corners.
+  static bool areAllAround(std::span<const CornerTable::Corner> corners) {
+    constexpr std::size_t kMost = 32;
+    const std::size_t n = corners.size();
+    if (n == 0 || n > kMost) return false;
+    std::uint64_t matched = 0;  // corners whose edge arrives from where another one's goes
+    for (const auto& leaving : corners) {
+      std::uint64_t arriving = 0;
+      for (std::size_t k = 0; k < n; ++k)
+        arriving |= std::uint64_t{corners[k].previous == leaving.next} << k;
+      if (arriving == 0 || (arriving & matched) != 0) return false;
+      matched |= arriving;
+    }
+    return true;  // n sets of corners, none empty, none with a common corner: one corner in each
+  }
+
   void checkVertex(VertexId v) {
-    const auto ends = edges_.endsFrom(v);
-    if (ends.empty()) add(MeshFault::Kind::UnusedVertex, {}, v);
-    for (std::size_t i = 0; i < ends.size(); ++i) {
-      const VertexId to = ends[i];
-      const auto before = static_cast<std::size_t>(
-          std::count(ends.begin(), ends.begin() + static_cast<std::ptrdiff_t>(i), to));
+    const auto corners = corners_.at(v);
+    if (v.value >= boundary_.fixedCount && areAllAround(corners)) return;
+    if (corners.empty()) add(MeshFault::Kind::UnusedVertex, {}, v);
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      const VertexId to = corners[i].next;
+      std::size_t before = 0;
+      bool hasPartner = false;
+      for (std::size_t k = 0; k < corners.size(); ++k) {
+        before += (k < i) & (corners[k].next == to);
+        hasPartner |= corners[k].previous == to;
+      }
       for (std::size_t k = 0; k < before; ++k)
         addAt(MeshFault::Kind::OverlappingEdge, v, to, before);
-      const bool hasPartner = edges_.count(to, v) > 0;
       const bool isGiven = boundary_.contains(v, to);
       if (!hasPartner && !isGiven) addAt(MeshFault::Kind::OpenEdge, v, to, before);
       if (hasPartner && isGiven && !boundary_.contains(to, v))
@@ -126,9 +154,11 @@ class Checker {
     if (unnamed_.empty()) return;
     std::map<Edge, std::vector<ElementId>> users;
     for (const Unnamed& u : unnamed_) users[{faults_[u.fault].from, faults_[u.fault].to}];
-    EdgeTable::forEachEdge(mesh_, bad_, [&](VertexId from, VertexId to, ElementId id) {
-      if (const auto at = users.find({from, to}); at != users.end()) at->second.push_back(id);
-    });
+    CornerTable::forEachCorner(
+        mesh_, bad_, [&](VertexId v, CornerTable::Corner corner, ElementId id) {
+          if (const auto at = users.find({v, corner.next}); at != users.end())
+            at->second.push_back(id);
+        });
     for (const Unnamed& u : unnamed_)
       faults_[u.fault].element = users[{faults_[u.fault].from, faults_[u.fault].to}][u.before];
   }
@@ -139,7 +169,7 @@ class Checker {
 
   const Mesh& mesh_;
   const MeshBoundary& boundary_;
-  EdgeTable edges_;
+  CornerTable corners_;
   std::vector<ElementId> bad_;  ///< elements that have no edges to speak of
   std::vector<MeshFault> faults_;
   std::vector<Unnamed> unnamed_;

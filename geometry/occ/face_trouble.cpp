@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "engine/mesh_check.h"
 #include "geometry/boundary_crossings.h"
@@ -96,16 +97,30 @@ double leastAngle(const Mesh& mesh, std::span<const VertexId> c) {
 
 constexpr double kSharpTangent = 0.09;  // of a little more than kLeastAngle
 
-/// Whether some angle is below kLeastAngle, or nearly so: nearly all are not.
+/// Whether the angle between two edges is below kLeastAngle, or nearly so.
+///
+/// turned  the square of their cross product
+bool isSharp(double along, double turned) {
+  return along >= 0 && turned <= kSharpTangent * kSharpTangent * along * along;
+}
+
+/// Whether some angle is: nearly all are not.
 bool hasSharpAngle(const Mesh& mesh, std::span<const VertexId> c) {
+  const auto at = [&](std::size_t i) -> const Point3& {
+    return mesh.vertices[c[i].value].position;
+  };
+  if (c.size() == 3) {
+    const Point3 p = at(1) - at(0), q = at(2) - at(1), r = at(0) - at(2);
+    const Point3 normal = cross(p, q);
+    const double turned = dot(normal, normal);
+    return isSharp(-dot(p, q), turned) || isSharp(-dot(q, r), turned) ||
+           isSharp(-dot(r, p), turned);
+  }
   for (std::size_t i = 0; i < c.size(); ++i) {
-    const Point3& here = mesh.vertices[c[i].value].position;
-    const Point3 p = mesh.vertices[c[i + 1 == c.size() ? 0 : i + 1].value].position - here;
-    const Point3 q = mesh.vertices[c[i == 0 ? c.size() - 1 : i - 1].value].position - here;
-    const double along = dot(p, q);
-    const Point3 turned = cross(p, q);
-    if (along >= 0 && dot(turned, turned) <= kSharpTangent * kSharpTangent * along * along)
-      return true;
+    const Point3 p = at(i + 1 == c.size() ? 0 : i + 1) - at(i);
+    const Point3 q = at(i == 0 ? c.size() - 1 : i - 1) - at(i);
+    const Point3 normal = cross(p, q);
+    if (isSharp(dot(p, q), dot(normal, normal))) return true;
   }
   return false;
 }
@@ -203,7 +218,7 @@ class SharpCorners {
 /// unseen  heights below this would take far too many elements
 void openAngles(const Mesh& mesh, const FrontInput& boundary, double unseen, FaceTrouble& trouble) {
   constexpr std::size_t kManyForOnePoor = 2000;
-  const SharpCorners corners(mesh, boundary);
+  std::optional<SharpCorners> corners;  // seldom asked for
   FaceTrouble found;
   std::size_t poor = 0;
   for (const Element& element : mesh.elements) {
@@ -212,7 +227,8 @@ void openAngles(const Mesh& mesh, const FrontInput& boundary, double unseen, Fac
     const double angle = leastAngle(mesh, c);
     if (angle >= kLeastAngle) continue;
     found.hasBadAngle = found.hasBadAngle || angle < kBadAngle;
-    if (corners.hold(c) || heightOf(mesh, c) < unseen) continue;
+    if (!corners) corners.emplace(mesh, boundary);
+    if (corners->hold(c) || heightOf(mesh, c) < unseen) continue;
     ++poor;
     found.isBad = found.isBad || angle < kBadAngle;
     // The worst one counts: shorter edges make more of them, though better ones.
