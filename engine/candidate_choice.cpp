@@ -48,6 +48,20 @@ class MatchedParts {
 /// seen.
 constexpr double kSamePlace = 1e-9;
 
+/// Whether an edge from a corner of a convex zone runs into the zone, by a margin far beyond what
+/// rounding can do: then the exact test would find it.
+bool plainlyRunsInto(const AffineBatch& zone, int corner, const Point2* matched, Point2 from,
+                     Point2 to) {
+  constexpr double kMargin = 1e-4;
+  const int last = zone.count - 1;
+  const Point2 before = zone.point(corner == 0 ? last : corner - 1, matched) - from;
+  const Point2 after = zone.point(corner == last ? 0 : corner + 1, matched) - from;
+  const Point2 edge = to - from;
+  const double least = kMargin * (std::abs(edge.x) + std::abs(edge.y));
+  return (cross(after, edge) > least) & (cross(edge, before) > least) &
+         (cross(after, before) > kMargin);
+}
+
 /// More candidates than these are sorted, not searched.
 constexpr std::size_t kManyCandidates = 64;
 
@@ -111,7 +125,6 @@ const Application* CandidateChoice::choose(const StepChart& chart, PlaceId base)
   gather(chart, base);
   const StepView view = viewOf(chart, base);
   collect(view);
-  examined_ += untried_.size();
   RuleRefusal culprit;
   // Where a front is crammed there may be thousands, and few of them fit.
   const bool isSorted = untried_.size() > kManyCandidates;
@@ -147,6 +160,8 @@ void CandidateChoice::collect(const StepView& view) {
   for (const CompiledRule& rule : rules_.rules()) {
     if (view.level < rule.firstLevel || view.level > rule.lastLevel) continue;
     matcher_.forEachMatch(rule, [&](const Match& match) {
+      ++examined_;
+      if (isInTheWay(view, rule, match)) return;
       const std::size_t next = untried_.size();
       if (next == candidates_.size()) candidates_.emplace_back();
       Candidate& candidate = candidates_[next];
@@ -154,8 +169,24 @@ void CandidateChoice::collect(const StepView& view) {
       candidate.match.take(match, rule.matchedCount);
       if (scorer_.evaluate(view, candidate) == Refusal::None)
         untried_.push_back(static_cast<std::uint32_t>(next));
+      else
+        --examined_;
     });
   }
+}
+
+/// Whether an edge of the front next to the base is plainly in the zone of a match. In most steps
+/// one is in the zones of the best matches: these need neither a score nor a zone.
+bool CandidateChoice::isInTheWay(const StepView& view, const CompiledRule& rule,
+                                 const Match& match) const {
+  if (!rule.zone) return false;
+  const AffineBatch& zone = rule.zone->at(view.level);
+  const Point2 *points = match.points.data(), *before = matcher_.beforeBase(),
+               *after = matcher_.afterBase();
+  return (before && rule.zone->cornerAtA >= 0 &&
+          plainlyRunsInto(zone, rule.zone->cornerAtA, points, points[0], *before)) ||
+         (after && rule.zone->cornerAtB >= 0 &&
+          plainlyRunsInto(zone, rule.zone->cornerAtB, points, points[1], *after));
 }
 
 bool CandidateChoice::isBetter(const Candidate& one, const Candidate& other) const {

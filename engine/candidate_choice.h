@@ -46,6 +46,7 @@ class CandidateChoice {
  private:
   void gather(const StepChart& chart, PlaceId base);
   void collect(const StepView& view);
+  bool isInTheWay(const StepView& view, const CompiledRule& rule, const Match& match) const;
   std::size_t bestUntried() const;
   void sortWorstFirst();
   bool isBetter(const Candidate& one, const Candidate& other) const;

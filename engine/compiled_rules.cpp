@@ -130,6 +130,25 @@ bool fadesAtAll(const ConvexPolygonZoneDef& def) {
                      [](const auto& corner) { return corner.limiting != nullptr; });
 }
 
+/// The corner of a zone that is a (0) or b (1) at all levels, or -1.
+int cornerAtEnd(const FastZone& zone, int end) {
+  const auto isThere = [&](const AffineBatch& batch, std::size_t k) {
+    bool isSo = batch.constantX[k] == 0 && batch.constantY[k] == 0;
+    for (std::size_t r = 0; r < batch.rows.size(); ++r) {
+      const AffineBatch::Row& row = batch.rows[r];
+      const double own = end == 1 && r == 0 ? 1 : 0;
+      isSo = isSo && row.xx[k] == own && row.yy[k] == own && row.xy[k] == 0 && row.yx[k] == 0;
+    }
+    return isSo;
+  };
+  for (int k = 0; k < zone.byLevel[0].count; ++k)
+    if (std::ranges::all_of(zone.byLevel, [&](const AffineBatch& batch) {
+          return isThere(batch, static_cast<std::size_t>(k));
+        }))
+      return k;
+  return -1;
+}
+
 std::optional<FastZone> fastZone(const AF2Rule& rule, int maxLevel) {
   const auto* def = dynamic_cast<const ConvexPolygonZoneDef*>(rule.definition().zone.get());
   if (!def || def->corners().size() > AffineBatch::kCapacity) return std::nullopt;
@@ -147,6 +166,11 @@ std::optional<FastZone> fastZone(const AF2Rule& rule, int maxLevel) {
     }
     zone.byLevel.push_back(std::move(batch));
   }
+  const auto& edges = rule.definition().edges;
+  if (std::ranges::none_of(edges, [](const PatternEdge& e) { return e.to == 0; }))
+    zone.cornerAtA = cornerAtEnd(zone, 0);
+  if (std::ranges::none_of(edges, [](const PatternEdge& e) { return e.from == 1; }))
+    zone.cornerAtB = cornerAtEnd(zone, 1);
   return zone;
 }
 

@@ -27,11 +27,25 @@ struct AffineBatch {
   void add(const AffinePointTransform& transform, int matchedCount);
   /// Slots from `count` on hold nothing of use.
   void evaluate(const Point2* matched, double* x, double* y) const;
+  /// One of the points.
+  Point2 point(int slot, const Point2* matched) const {
+    const auto k = static_cast<std::size_t>(slot);
+    Point2 sum{constantX[k], constantY[k]};
+    for (const Row& row : rows) {
+      const Point2 p = *++matched;
+      sum.x += row.xx[k] * p.x + row.xy[k] * p.y;
+      sum.y += row.yx[k] * p.x + row.yy[k] * p.y;
+    }
+    return sum;
+  }
 };
 
 /// The free zone of a rule in its fast form: a convex polygon with affine corners.
 struct FastZone {
   std::vector<AffineBatch> byLevel;  ///< one for all levels, or [level - 1], the last for all above
+  /// The corners that are a and b at all levels, where the front goes on with an edge that the rule
+  /// does not match; -1 otherwise.
+  int cornerAtA = -1, cornerAtB = -1;
   const AffineBatch& at(int level) const {
     const auto last = byLevel.size() - 1;
     const auto index = static_cast<std::size_t>(level - 1);

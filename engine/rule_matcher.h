@@ -40,6 +40,15 @@ class RuleMatcher {
   /// Goes to the base edge of a step; `view` must be there for as long as matches are asked for.
   void moveTo(const StepView& view);
 
+  /// The far end of the edge of the front that arrives at the base, or of the one that leaves it;
+  /// null if there is none, or if it is out of sight.
+  const Point2* beforeBase() const {
+    return view_->front.hasEdge(beforeBase_.place) ? seen(beforeBase_) : nullptr;
+  }
+  const Point2* afterBase() const {
+    return view_->front.hasEdge(match_.places[1]) ? seen(afterBase_) : nullptr;
+  }
+
   template <class Visit>
   void forEachMatch(const CompiledRule& rule, Visit&& visit) {
     bind(rule.patternAt(view_->level), 0, visit);
@@ -50,6 +59,10 @@ class RuleMatcher {
     PlaceId place;
     ChartPoint point;
   };
+
+  static const Point2* seen(const Candidate& candidate) {
+    return candidate.point.view == ChartView::Hidden ? nullptr : &candidate.point.position;
+  }
 
   template <class Visit>
   void bind(const CompiledPattern& pattern, std::size_t index, Visit& visit) {

@@ -4,8 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <limits>
+#include <random>
 
 #include "engine/single_step.h"
 #include "tests/support/triangle_rules.h"
@@ -236,6 +238,33 @@ TEST(Choice, ScoreOfSeveralElementsIsTheirMaximumSumOrMean) {
   EXPECT_GT(scores[1], scores[0]);
   EXPECT_DOUBLE_EQ(scores[2], scores[1] / 2);
   EXPECT_GE(scores[0], scores[2]);
+}
+
+// What is plainly in the way is seen before zones are made; explanations always make them.
+TEST(Choice, TakesWhatTheExactTestsFindFree) {
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> angle(0.2, 3.1), length(0.2, 3), small(-1e-3, 1e-3);
+  const double sideOfZone = std::atan2(0.7, -0.5);
+  const auto end = [&](bool isNearSide) {
+    const double turn = isNearSide ? sideOfZone + small(random) : angle(random), l = length(random);
+    return Point2{l * std::cos(turn), l * std::sin(turn)};
+  };
+  int taken = 0, refused = 0;
+  for (const AF2Rule& rule : {freeTriangle(), right60(), right120(), visAVis()}) {
+    RuleSetDefinition definition = triangleSetDefinition();
+    definition.rules = {rule};
+    const RuleSet set(definition);
+    SingleStepper stepper(set);
+    for (int i = 0; i < 2000; ++i) {
+      const Point2 before = end(i % 3 == 0), after = end(i % 5 == 0);
+      const SingleStep step = stepper.take(
+          {{before, {0, 0}, {1, 0}, {1 - after.x, after.y}}, {{0, 1, 2, 3}}, {}, {1, 2}});
+      ++(step.rule ? taken : refused);
+      ASSERT_TRUE(step.rule || step.refusals[0].reason != Refusal::Beaten) << i;
+    }
+  }
+  EXPECT_GT(taken, 500);
+  EXPECT_GT(refused, 500);
 }
 
 }  // namespace
