@@ -1,6 +1,7 @@
 #include "geometry/occ/chains.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <map>
 #include <optional>
@@ -115,6 +116,32 @@ class Linker {
   std::map<VertexId, std::vector<std::size_t>> starting_;
 };
 
+/// Whether the region lies on both sides of two chains that run back along each other: inside what
+/// the others bound. If these are not closed where they are drawn, nobody knows, and there is none.
+bool isSlit(const std::vector<Chain>& chains, std::size_t one, std::size_t other,
+            const std::function<Point2(const SurfacePoint&)>& inPlane) {
+  constexpr double kGap = 1e-3;  // of the length of what is drawn
+  const auto& corners = chains[one].corners;
+  const Point2 p = inPlane(corners[0].point), q = inPlane(corners[1].point);
+  const Point2 place = 0.5 * (p + q);
+  bool isInside = false;
+  Point2 sum{0, 0};
+  double drawn = 0;
+  for (std::size_t i = 0; i < chains.size(); ++i) {
+    if (i == one || i == other) continue;
+    for (std::size_t k = 0; k + 1 < chains[i].corners.size(); ++k) {
+      const Point2 from = inPlane(chains[i].corners[k].point);
+      const Point2 to = inPlane(chains[i].corners[k + 1].point);
+      sum = sum + (to - from);
+      drawn += distance(from, to);
+      if ((from.y > place.y) == (to.y > place.y)) continue;
+      const double x = from.x + (place.y - from.y) / (to.y - from.y) * (to.x - from.x);
+      if (place.x < x) isInside = !isInside;
+    }
+  }
+  return isInside && std::abs(sum.x) + std::abs(sum.y) < kGap * drawn;
+}
+
 }  // namespace
 
 void cancelOppositeChains(std::vector<Chain>& chains) {
@@ -135,19 +162,29 @@ void cancelOppositeChains(std::vector<Chain>& chains) {
   }
 }
 
-void cancelTouchingWires(std::vector<Chain>& chains, const std::vector<std::size_t>& wire) {
-  const auto isOpposite = [](const Chain& one, const Chain& other) {
-    return std::equal(
-        one.corners.begin(), one.corners.end(), other.corners.rbegin(), other.corners.rend(),
-        [](const BoundaryCorner& a, const BoundaryCorner& b) { return a.vertex == b.vertex; });
-  };
+bool areOpposite(const Chain& one, const Chain& other) {
+  return std::equal(
+      one.corners.begin(), one.corners.end(), other.corners.rbegin(), other.corners.rend(),
+      [](const BoundaryCorner& a, const BoundaryCorner& b) { return a.vertex == b.vertex; });
+}
+
+std::vector<std::pair<int, int>> cancelTouching(
+    std::vector<Chain>& chains, const std::vector<std::size_t>& wire,
+    const std::function<bool(const Chain&, const Chain&)>& runBack,
+    const std::function<Point2(const SurfacePoint&)>& inPlane) {
+  std::vector<std::pair<int, int>> edges;
   std::vector<bool> isCancelled(chains.size(), false);
   for (std::size_t i = 0; i < chains.size(); ++i)
-    for (std::size_t k = i + 1; k < chains.size() && !isCancelled[i]; ++k)
-      if (wire[i] != wire[k] && !isCancelled[k] && isOpposite(chains[i], chains[k]))
-        isCancelled[i] = isCancelled[k] = true;
+    for (std::size_t k = i + 1; k < chains.size() && !isCancelled[i]; ++k) {
+      if (isCancelled[k] || chains[i].edge == chains[k].edge || !runBack(chains[i], chains[k]))
+        continue;
+      if (wire[i] == wire[k] && isSlit(chains, i, k, inPlane)) continue;
+      isCancelled[i] = isCancelled[k] = true;
+      edges.emplace_back(chains[i].edge, chains[k].edge);
+    }
   std::size_t next = 0;
   std::erase_if(chains, [&](const Chain&) { return isCancelled[next++]; });
+  return edges;
 }
 
 LinkedLoops linkChains(std::vector<Chain> chains) { return Linker(std::move(chains)).link(); }

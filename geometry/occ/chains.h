@@ -1,16 +1,20 @@
 // From directed chains of vertices, one for each edge, to closed loops.
 #pragma once
 
+#include <cstdint>
+#include <functional>
+#include <utility>
 #include <vector>
 
 #include "engine/front_input.h"
 
 namespace af2::geometry {
 
-/// An edge as a face runs along it: at least two corners, the region on the left.
+/// An edge, or a part of it, as a face runs along it: at least two corners, the region on the left.
 struct Chain {
   int edge = 0;
-  bool reversed = false;  ///< against the direction of the edge
+  bool reversed = false;           ///< against the direction of the edge
+  std::uint32_t firstSegment = 0;  ///< of the edge
   std::vector<BoundaryCorner> corners;
 };
 
@@ -18,10 +22,21 @@ struct Chain {
 /// directions: between them there is no room.
 void cancelOppositeChains(std::vector<Chain>& chains);
 
-/// Takes out pairs of edges of two wires of a plane face that have the same vertices in opposite
-/// directions: where wires touch along an edge, there is no room between them.
-/// `wire` tells which wire each chain belongs to.
-void cancelTouchingWires(std::vector<Chain>& chains, const std::vector<std::size_t>& wire);
+/// Takes out pairs of chains of different edges for which `runBack` holds, as they have the same
+/// vertices in opposite directions: where they touch, there is no room between them. Chains of the
+/// same wire with the region on both sides are a slit, which stays.
+///
+/// wire     to which each chain belongs
+/// inPlane  where the boundary is drawn
+///
+/// Returns the edges of the pairs.
+std::vector<std::pair<int, int>> cancelTouching(
+    std::vector<Chain>& chains, const std::vector<std::size_t>& wire,
+    const std::function<bool(const Chain&, const Chain&)>& runBack,
+    const std::function<Point2(const SurfacePoint&)>& inPlane);
+
+/// Whether two chains have the same vertices in opposite directions.
+bool areOpposite(const Chain& one, const Chain& other);
 
 /// Chains joined to loops.
 struct LinkedLoops {

@@ -6,16 +6,17 @@
 #include <TopoDS.hxx>
 #include <algorithm>
 #include <map>
-#include <numeric>
 #include <optional>
 
 #include "engine/error.h"
 #include "geometry/occ/edge_samples.h"
 #include "geometry/occ/given_points.h"
+#include "geometry/occ/merged_points.h"
 #include "geometry/occ/open_ends.h"
 #include "geometry/occ/parallel.h"
 #include "geometry/occ/points.h"
 #include "geometry/occ/sizing.h"
+#include "geometry/occ/touching_edges.h"
 #include "geometry/occ/twin_edges.h"
 
 namespace af2::geometry {
@@ -32,44 +33,6 @@ constexpr double kBlur = 1e-10;
 /// Vertices with tolerances beyond this share of the model are damaged.
 constexpr double kMostTolerance = 0.01;
 
-/// Which points were found to be the same.
-class Merging {
- public:
-  explicit Merging(const std::vector<Point3>& points) : parent_(points.size()) {
-    std::iota(parent_.begin(), parent_.end(), 0u);
-    for (const Point3& point : points) boxes_.push_back({point, point});
-  }
-  std::uint32_t find(std::uint32_t i) const {
-    while (parent_[i] != i) i = parent_[i];
-    return i;
-  }
-  void merge(std::uint32_t a, std::uint32_t b) {
-    a = find(a);
-    b = find(b);
-    const auto [low, high] = std::minmax(a, b);
-    boxes_[low] = around(boxes_[low], boxes_[high]);
-    parent_[high] = low;
-  }
-  /// How far apart the points are that would be one if these two were.
-  double extent(std::uint32_t a, std::uint32_t b) const {
-    const Box box = around(boxes_[find(a)], boxes_[find(b)]);
-    return distance(box.low, box.high);
-  }
-
- private:
-  struct Box {
-    Point3 low, high;
-  };
-  static Box around(const Box& a, const Box& b) {
-    return {
-        {std::min(a.low.x, b.low.x), std::min(a.low.y, b.low.y), std::min(a.low.z, b.low.z)},
-        {std::max(a.high.x, b.high.x), std::max(a.high.y, b.high.y), std::max(a.high.z, b.high.z)}};
-  }
-
-  std::vector<std::uint32_t> parent_;
-  std::vector<Box> boxes_;  // by root
-};
-
 class Division {
  public:
   Division(const ModelShape& model, const ModelSizes& sizes, int threads, std::stop_token stop,
@@ -81,13 +44,15 @@ class Division {
     sampleAll(threads, stop);
     findEnds();
     mergePoints();
+    makeParts();
     gradeAll();
   }
 
   DividedEdges result() {
+    twins_ = twinsOf(model_, parts_);
     const std::vector<std::size_t> least = leastSegments();
-    twins_ = twinsOf(model_, ends_, samples_);
-    for (std::size_t i = 0; i < samples_.size(); ++i) divideEdge(i, least[i]);
+    for (std::size_t i = 0; i < parts_.size(); ++i) dividePart(i, least[i]);
+    joinParts();
     return std::move(result_);
   }
 
@@ -149,7 +114,7 @@ class Division {
   }
 
   /// The shortest first. Many short edges one after the other may make a long one, which is none.
-  void mergeAlongShortEdges(Merging& merging) {
+  void mergeAlongShortEdges(MergedPoints& merging) {
     std::vector<std::size_t> edges;
     for (std::size_t i = 0; i < samples_.size(); ++i)
       if (samples_[i].problem.empty() && (samples_[i].pieces.empty() || mayBePoint(i)))
@@ -166,14 +131,14 @@ class Division {
   }
 
   void mergePoints() {
-    Merging merging(result_.points);
+    MergedPoints merging(result_.points);
     mergeAlongShortEdges(merging);
     apply(merging);
     for (const auto& [end, start] : gaps()) merging.merge(end, start);
     apply(merging);
   }
 
-  void apply(const Merging& merging) {
+  void apply(const MergedPoints& merging) {
     for (Ends& ends : ends_) ends = {merging.find(ends.first), merging.find(ends.last)};
   }
 
@@ -188,18 +153,44 @@ class Division {
     return gapsInWires(model_, ends_, isUsed, result_.points, tolerance);
   }
 
+  /// What is given from outside is not divided any further.
+  void makeParts() {
+    std::vector<bool> mayBeSplit;
+    for (std::size_t i = 0; i < samples_.size(); ++i) mayBeSplit.push_back(!givenFor(i));
+    const auto stops = stopsOf(model_, ends_, samples_, result_.points, mayBeSplit);
+    for (std::size_t i = 0; i < samples_.size(); ++i)
+      if (!samples_[i].pieces.empty()) addParts(i, stops[i]);
+  }
+
+  void addParts(std::size_t edge, const std::vector<Stop>& stops) {
+    std::vector<double> parameters;
+    for (const Stop& stop : stops) parameters.push_back(stop.parameter);
+    std::vector<EdgeSamples> samples = split(samples_[edge], parameters);
+    for (std::size_t k = 0; k < samples.size(); ++k) {
+      EdgePart part{edge, std::move(samples[k]), ends_[edge], k == 0, k == stops.size()};
+      if (!part.isFirst) part.ends.first = stops[k - 1].point;
+      if (!part.isLast) part.ends.last = stops[k].point;
+      parts_.push_back(std::move(part));
+    }
+  }
+
+  const std::vector<Point3>* givenFor(std::size_t edge) const {
+    const auto found = given_.find(static_cast<int>(edge) + 1);
+    return found == given_.end() ? nullptr : &found->second;
+  }
+
   /// Sizes at shared ends agree, and grow from there no faster than wanted.
   void gradeAll() {
     constexpr int kRounds = 3;  // a short edge passes a small size on to the edges beyond it
     std::vector<double> atPoint(result_.points.size(), 1e300);
     for (const auto& [edge, points] : given_) limitBesideGiven(edge, points, atPoint);
     for (int round = 0; round < kRounds; ++round) {
-      for (std::size_t i = 0; i < samples_.size(); ++i) {
-        if (samples_[i].pieces.empty() || given_.contains(static_cast<int>(i) + 1)) continue;
-        double &first = atPoint[ends_[i].first], &last = atPoint[ends_[i].last];
-        gradeSizes(samples_[i], first, last, sizes_.growth);
-        first = std::min(first, samples_[i].pieces.front().sizes.front());
-        last = std::min(last, samples_[i].pieces.back().sizes.back());
+      for (EdgePart& part : parts_) {
+        if (givenFor(part.edge)) continue;
+        double &first = atPoint[part.ends.first], &last = atPoint[part.ends.last];
+        gradeSizes(part.samples, first, last, sizes_.growth);
+        first = std::min(first, part.samples.pieces.front().sizes.front());
+        last = std::min(last, part.samples.pieces.back().sizes.back());
       }
     }
   }
@@ -217,82 +208,102 @@ class Division {
     }
   }
 
+  /// No two parts share a segment, unless they run along each other.
   std::vector<std::size_t> leastSegments() const {
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::size_t> sameEnds;
-    const auto key = [&](std::size_t i) { return std::minmax(ends_[i].first, ends_[i].last); };
-    for (std::size_t i = 0; i < samples_.size(); ++i)
-      if (!samples_[i].pieces.empty()) ++sameEnds[key(i)];
+    const auto key = [](const EdgePart& part) {
+      return std::minmax(part.ends.first, part.ends.last);
+    };
+    for (const EdgePart& part : parts_) ++sameEnds[key(part)];
     std::vector<std::size_t> least;
-    for (std::size_t i = 0; i < samples_.size(); ++i) {
-      if (ends_[i].first == ends_[i].last)
+    for (const EdgePart& part : parts_) {
+      if (part.ends.first == part.ends.last)
         least.push_back(3);
       else
-        least.push_back(sameEnds[key(i)] > 1 ? 2 : 1);
+        least.push_back(sameEnds[key(part)] > 1 ? 2 : 1);
     }
     return least;
   }
 
+  /// Points along a part, ends included.
+  struct DividedPart {
+    std::vector<double> parameters;
+    std::vector<std::uint32_t> points;
+  };
+
+  DividedPart between(const Ends& ends, std::vector<double> parameters,
+                      const std::vector<std::uint32_t>& inner) const {
+    DividedPart part{std::move(parameters), {ends.first}};
+    part.points.insert(part.points.end(), inner.begin(), inner.end());
+    part.points.push_back(ends.last);
+    return part;
+  }
+
   /// Takes the points that are given for an edge, in its own direction.
-  DividedEdge takeGiven(std::size_t i, std::size_t least, const std::vector<Point3>& points) {
-    const int id = static_cast<int>(i) + 1;
-    GivenPoints given = placeOnEdge(model_, id, points, samples_[i].length);
+  DividedPart takeGiven(const EdgePart& part, std::size_t least,
+                        const std::vector<Point3>& points) {
+    const int id = static_cast<int>(part.edge) + 1;
+    const BRepAdaptor_Curve curve(model_.edge(id));
+    GivenPoints given = placeOnEdge(
+        model_, id, points, {curve.FirstParameter(), curve.LastParameter(), part.samples.length});
     if (given.points.size() + 1 < least)
       throw InputError("the points given for edge " + std::to_string(id) + " make " +
                        std::to_string(given.points.size() + 1) + " segments; it needs at least " +
                        std::to_string(least) + ", or it would share a segment");
-    DividedEdge edge;
-    edge.parameters = std::move(given.parameters);
-    edge.points.push_back(ends_[i].first);
-    for (const Point3& point : given.points) edge.points.push_back(addPoint(point));
-    edge.points.push_back(ends_[i].last);
-    return edge;
+    std::vector<std::uint32_t> inner;
+    for (const Point3& point : given.points) inner.push_back(addPoint(point));
+    return between(part.ends, std::move(given.parameters), inner);
   }
 
-  /// The vertices between the ends of an edge that runs along an earlier one are those of that one.
-  bool takeFromTwin(std::size_t i, std::size_t twin) {
-    const DividedEdge& other = result_.edges[twin];
-    std::vector<std::uint32_t> inner(other.points.begin() + 1, other.points.end() - 1);
+  /// The vertices between the ends of a part that runs along an earlier one are those of that one.
+  std::optional<DividedPart> takeFromTwin(const EdgePart& part, const DividedPart& twin) const {
+    std::vector<std::uint32_t> inner(twin.points.begin() + 1, twin.points.end() - 1);
     std::vector<Point3> positions;
     for (const std::uint32_t p : inner) positions.push_back(result_.points[p]);
-    DividedEdge edge;
     try {
       GivenPoints placed =
-          placeOnEdge(model_, static_cast<int>(i) + 1, positions, samples_[i].length);
+          placeOnEdge(model_, static_cast<int>(part.edge) + 1, positions, part.range());
       if (!(placed.points == positions)) std::ranges::reverse(inner);
-      edge.parameters = std::move(placed.parameters);
+      return between(part.ends, std::move(placed.parameters), inner);
     } catch (const InputError&) {
-      return false;  // they part somewhere
+      return std::nullopt;  // they part somewhere
     }
-    edge.points.push_back(ends_[i].first);
-    edge.points.insert(edge.points.end(), inner.begin(), inner.end());
-    edge.points.push_back(ends_[i].last);
-    addEdge(i, std::move(edge));
-    return true;
   }
 
-  void divideEdge(std::size_t i, std::size_t least) {
-    const auto given = given_.find(static_cast<int>(i) + 1);
-    if (given != given_.end() && !samples_[i].pieces.empty()) {
-      addEdge(i, takeGiven(i, least, given->second));
-      return;
-    }
-    if (twins_[i] && takeFromTwin(i, *twins_[i])) return;
-    DividedEdge edge;
-    edge.problem = samples_[i].problem;
-    if (!samples_[i].pieces.empty()) {
-      edge.parameters = divide(samples_[i], least);
-      const BRepAdaptor_Curve curve(model_.edge(static_cast<int>(i) + 1));
-      edge.points.push_back(ends_[i].first);
-      for (std::size_t k = 1; k + 1 < edge.parameters.size(); ++k)
-        edge.points.push_back(addPoint(toPoint(curve.Value(edge.parameters[k]))));
-      edge.points.push_back(ends_[i].last);
-    }
-    addEdge(i, std::move(edge));
+  DividedPart divideAnew(const EdgePart& part, std::size_t least) {
+    std::vector<double> parameters = divide(part.samples, least);
+    const BRepAdaptor_Curve curve(model_.edge(static_cast<int>(part.edge) + 1));
+    std::vector<std::uint32_t> inner;
+    for (std::size_t k = 1; k + 1 < parameters.size(); ++k)
+      inner.push_back(addPoint(toPoint(curve.Value(parameters[k]))));
+    return between(part.ends, std::move(parameters), inner);
   }
 
-  void addEdge(std::size_t i, DividedEdge edge) {
-    edge.unseen = kUnseen * samples_[i].wanted;
-    result_.edges.push_back(std::move(edge));
+  void dividePart(std::size_t i, std::size_t least) {
+    const EdgePart& part = parts_[i];
+    std::optional<DividedPart> divided;
+    if (const auto* points = givenFor(part.edge))
+      divided = takeGiven(part, least, *points);
+    else if (twins_[i])
+      divided = takeFromTwin(part, dividedParts_[*twins_[i]]);
+    dividedParts_.push_back(divided ? std::move(*divided) : divideAnew(part, least));
+  }
+
+  void joinParts() {
+    for (const EdgeSamples& samples : samples_) {
+      DividedEdge& edge = result_.edges.emplace_back();
+      edge.problem = samples.problem;
+      edge.wanted = samples.wanted;
+    }
+    for (std::size_t i = 0; i < parts_.size(); ++i) {
+      DividedEdge& edge = result_.edges[parts_[i].edge];
+      const DividedPart& part = dividedParts_[i];
+      const std::ptrdiff_t skipped = parts_[i].isFirst ? 0 : 1;
+      if (skipped > 0) edge.stops.push_back(edge.points.size() - 1);
+      edge.parameters.insert(edge.parameters.end(), part.parameters.begin() + skipped,
+                             part.parameters.end());
+      edge.points.insert(edge.points.end(), part.points.begin() + skipped, part.points.end());
+    }
   }
 
   const ModelShape& model_;
@@ -300,7 +311,9 @@ class Division {
   const EdgePoints& given_;
   std::vector<EdgeSamples> samples_;
   std::vector<Ends> ends_;
-  std::vector<std::optional<std::size_t>> twins_;
+  std::vector<EdgePart> parts_;  // in the order of their edges
+  std::vector<DividedPart> dividedParts_;
+  std::vector<std::optional<std::size_t>> twins_;  // by part
   DividedEdges result_;
 };
 

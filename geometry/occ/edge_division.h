@@ -17,8 +17,10 @@ struct DividedEdge {
   /// unusable.
   std::vector<double> parameters;
   std::vector<std::uint32_t> points;  ///< by parameter: index into DividedEdges::points
-  std::string problem;                ///< why it is unusable; its faces fail
-  double unseen = 0;                  ///< what is narrower than this is not to be seen in the mesh
+  /// Indices of those, between the ends, at which another edge ends on this one.
+  std::vector<std::size_t> stops;
+  std::string problem;  ///< why it is unusable; its faces fail
+  double wanted = 0;    ///< the size asked for, before all limits
 };
 
 struct DividedEdges {

@@ -1,5 +1,6 @@
 #include "geometry/occ/face_boundary.h"
 
+#include <BRepAdaptor_Curve.hxx>
 #include <BRep_Tool.hxx>
 #include <ElSLib.hxx>
 #include <Geom2d_Curve.hxx>
@@ -112,12 +113,11 @@ class BoundaryFinder {
     if (chains_.empty())
       throw GeometryError(
           "the face has no boundary, and its surface does not end by itself: its edges are lost");
-    if (surface_.isPlane()) {
-      orientWiresOfPlane();
-      cancelTouchingWires(chains_, wire_);
-    }
+    if (surface_.isPlane()) orientWiresOfPlane();
+    if (hasNoWidth()) return std::move(result_);
+    cancelWhereTheyTouch();
     cancelOppositeChains(chains_);
-    if (chains_.empty() || hasNoWidth()) return std::move(result_);
+    if (chains_.empty()) return std::move(result_);
     numberUsedVertices();
     for (const Chain& chain : chains_) addUses(chain);
     LinkedLoops linked = linkChains(std::move(chains_));
@@ -174,13 +174,42 @@ class BoundaryFinder {
   }
 
   bool runsBackAlong(const Chain& one, const Chain& other) const {
-    const auto& edges = divided_.edges;
-    const double unseen = 2 * std::max(edges[static_cast<std::size_t>(one.edge) - 1].unseen,
-                                       edges[static_cast<std::size_t>(other.edge) - 1].unseen);
+    const double most =
+        kMostApart * std::max(dividedEdge(one.edge).wanted, dividedEdge(other.edge).wanted);
     return std::equal(one.corners.begin(), one.corners.end(), other.corners.rbegin(),
                       other.corners.rend(), [&](const BoundaryCorner& a, const BoundaryCorner& b) {
-                        return a.vertex == b.vertex && widthBetween(a.point, b.point) <= unseen;
+                        return a.vertex == b.vertex && widthBetween(a.point, b.point) <= most;
                       });
+  }
+
+  const DividedEdge& dividedEdge(int id) const {
+    return divided_.edges[static_cast<std::size_t>(id) - 1];
+  }
+
+  void cancelWhereTheyTouch() {
+    if (lacksCurves_ && !surface_.isPlane()) return;
+    const auto runBack = [&](const Chain& a, const Chain& b) { return runsBackAlong(a, b); };
+    std::optional<PlaneAxes> axes;
+    if (surface_.isPlane()) axes.emplace(chains_[0].corners[0].point);
+    const auto inPlane = [&](const SurfacePoint& p) {
+      return axes ? (*axes)(p) : Point2{p.u, p.v};
+    };
+    for (const auto& [one, other] : cancelTouching(chains_, wire_, runBack, inPlane))
+      result_.touching.push_back({one, other, gapBetween(one, other)});
+  }
+
+  /// Where two edges have the same vertices.
+  double gapBetween(int one, int other) const {
+    const BRepAdaptor_Curve first(model_.edge(one)), second(model_.edge(other));
+    const DividedEdge &a = dividedEdge(one), &b = dividedEdge(other);
+    double gap = 0;
+    for (std::size_t i = 0; i < a.points.size(); ++i) {
+      const auto found = std::ranges::find(b.points, a.points[i]);
+      if (found == b.points.end()) continue;
+      const auto k = static_cast<std::size_t>(found - b.points.begin());
+      gap = std::max(gap, first.Value(a.parameters[i]).Distance(second.Value(b.parameters[k])));
+    }
+    return gap;
   }
 
   /// How far it is along the surface from one place to another one of the same point; not nothing
@@ -202,7 +231,7 @@ class BoundaryFinder {
   void addEdge(const TopoDS_Edge& edge) {
     if (edge.Orientation() == TopAbs_EXTERNAL) return;
     const int id = model_.edges.FindIndex(edge);
-    const DividedEdge& divided = divided_.edges[static_cast<std::size_t>(id) - 1];
+    const DividedEdge& divided = dividedEdge(id);
     if (!divided.problem.empty())
       throw GeometryError("edge " + std::to_string(id) + " " + divided.problem);
     if (divided.points.empty()) {
@@ -227,14 +256,23 @@ class BoundaryFinder {
       result_.repairs.push_back("the curve of edge " + std::to_string(id) +
                                 " in its parameters ran elsewhere; found anew");
     }
-    for (std::size_t i = 0; i < divided.points.size(); ++i) {
+    chain.reversed = (edge.Orientation() == TopAbs_REVERSED) != reversed_;
+    auto stop = divided.stops.begin();
+    for (std::uint32_t i = 0; i < divided.points.size(); ++i) {
       const Point3& position = divided_.points[divided.points[i]];
       const gp_Pnt2d uv = onFace.at(divided.parameters[i], position);
       if (i == 0) checkSeam(id, uv);
       chain.corners.push_back(
           {vertexOf(divided.points[i]), surface_.boundaryPoint(position, uv.X(), uv.Y())});
+      if (stop == divided.stops.end() || *stop != i) continue;
+      ++stop;
+      Chain rest{chain.edge, chain.reversed, i, {chain.corners.back()}};
+      addDirected(std::exchange(chain, std::move(rest)));
     }
-    chain.reversed = (edge.Orientation() == TopAbs_REVERSED) != reversed_;
+    addDirected(std::move(chain));
+  }
+
+  void addDirected(Chain chain) {
     if (chain.reversed) std::reverse(chain.corners.begin(), chain.corners.end());
     chains_.push_back(std::move(chain));
   }
@@ -256,7 +294,7 @@ class BoundaryFinder {
 
   void addUses(const Chain& chain) {
     for (std::uint32_t i = 0; i + 1 < chain.corners.size(); ++i)
-      result_.uses.push_back({chain.edge, i});
+      result_.uses.push_back({chain.edge, chain.firstSegment + i});
   }
 
   /// Vertices inside the face that stand on no edge of it.
@@ -275,6 +313,10 @@ class BoundaryFinder {
       result_.input.vertexCount = result_.points.size();
     }
   }
+
+  /// Of the wanted size: sides of a seam are farther apart in the parameters, edges that were made
+  /// one are not.
+  static constexpr double kMostApart = 2e-3;
 
   const ModelShape& model_;
   const DividedEdges& divided_;

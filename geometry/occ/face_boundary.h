@@ -26,6 +26,12 @@ struct FaceBoundary {
   bool canBeCut = true;              ///< they are, but for poles: lines in (u, v) cut the face
   std::vector<std::string> repairs;  ///< what was not as it should be and was put right
   std::vector<int> pointEdges;       ///< too short to be seen: taken for points
+  /// Edges that lie on each other along a part of their length or all of it, with no room between.
+  struct TouchingEdges {
+    int one = 0, other = 0;
+    double gap = 0;  ///< how far they are apart
+  };
+  std::vector<TouchingEdges> touching;
 };
 
 /// Throws GeometryError, saying which edge is at fault, if the face has no closed boundary.

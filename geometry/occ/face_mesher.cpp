@@ -5,6 +5,7 @@
 #include <Standard_Failure.hxx>
 #include <TopoDS.hxx>
 #include <algorithm>
+#include <cstdio>
 #include <iterator>
 #include <optional>
 #include <string>
@@ -39,6 +40,13 @@ std::string toldOfPoints(const std::vector<int>& edges) {
   return "too short to be seen in the mesh, so taken for points: edges " + ids;
 }
 
+std::string toldOfTouching(const FaceBoundary::TouchingEdges& edges) {
+  char gap[32];
+  std::snprintf(gap, sizeof gap, "%.2g", edges.gap);
+  return "edges " + std::to_string(edges.one) + " and " + std::to_string(edges.other) +
+         " lie on each other, but for " + gap + ": where they do, the face has no width";
+}
+
 class FaceMesher {
  public:
   FaceMesher(const FaceMeshingContext& context, int face, double area, double expectedElements)
@@ -53,6 +61,8 @@ class FaceMesher {
     mesh.report.attempts = boundary.repairs;
     if (!boundary.pointEdges.empty())
       mesh.report.attempts.push_back(toldOfPoints(boundary.pointEdges));
+    for (const FaceBoundary::TouchingEdges& edges : boundary.touching)
+      mesh.report.attempts.push_back(toldOfTouching(edges));
     if (boundary.input.loops.empty()) {
       mesh.report.reason = "has no width, so it has no elements: its boundary runs back on itself";
       return;

@@ -24,9 +24,9 @@ struct Foot {
 };
 
 /// The nearest point of a curve.
-Foot footOf(const Point3& point, const BRepAdaptor_Curve& curve) {
+Foot footOf(const Point3& point, const BRepAdaptor_Curve& curve, const EdgeRange& range) {
   Foot best;
-  const Extrema_ExtPC extrema(toOcc(point), curve);
+  const Extrema_ExtPC extrema(toOcc(point), curve, range.first, range.last);
   if (!extrema.IsDone()) return best;
   for (int i = 1; i <= extrema.NbExt(); ++i) {
     const double away = std::sqrt(extrema.SquareDistance(i));
@@ -44,16 +44,15 @@ Foot footOf(const Point3& point, const BRepAdaptor_Curve& curve) {
 }  // namespace
 
 GivenPoints placeOnEdge(const ModelShape& model, int edgeId, std::vector<Point3> points,
-                        double length) {
+                        const EdgeRange& range) {
   constexpr double kShareOfSegment = 0.01;
   const TopoDS_Edge edge = model.edge(edgeId);
   const BRepAdaptor_Curve curve(edge);
-  const double first = curve.FirstParameter(), last = curve.LastParameter();
-  const double segment = length / static_cast<double>(points.size() + 1);
+  const double segment = range.length / static_cast<double>(points.size() + 1);
   const double tolerance = std::max(BRep_Tool::Tolerance(edge), kShareOfSegment * segment);
   GivenPoints given;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const Foot foot = footOf(points[i], curve);
+    const Foot foot = footOf(points[i], curve, range);
     if (!(foot.distance <= tolerance))
       refuse(edgeId, i, points[i],
              foot.distance < 1e300
@@ -65,8 +64,8 @@ GivenPoints placeOnEdge(const ModelShape& model, int edgeId, std::vector<Point3>
     std::reverse(points.begin(), points.end());
     std::reverse(given.parameters.begin(), given.parameters.end());
   }
-  given.parameters.insert(given.parameters.begin(), first);
-  given.parameters.push_back(last);
+  given.parameters.insert(given.parameters.begin(), range.first);
+  given.parameters.push_back(range.last);
   for (std::size_t i = 0; i + 1 < given.parameters.size(); ++i)
     if (!(given.parameters[i] < given.parameters[i + 1]))
       refuse(edgeId, std::min(i, points.size() - 1), points[std::min(i, points.size() - 1)],

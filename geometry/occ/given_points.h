@@ -14,11 +14,17 @@ struct GivenPoints {
   std::vector<double> parameters;  ///< of the points, and of the ends of the edge around them
 };
 
-/// Finds where the points between the ends of an edge lie on its curve.
+/// A part of an edge, or all of it.
+struct EdgeRange {
+  double first = 0, last = 0;  ///< parameters
+  double length = 0;
+};
+
+/// Finds where the points between the ends of an edge, or of a part of it, lie on its curve.
 ///
 /// Throws InputError unless they lie on it, in order and apart: within the tolerance of the edge or
 /// a hundredth of the segments beside them.
 GivenPoints placeOnEdge(const ModelShape& model, int edge, std::vector<Point3> points,
-                        double length);
+                        const EdgeRange& range);
 
 }  // namespace af2::geometry

@@ -284,6 +284,9 @@ class Retries {
     const std::size_t places = placesOf(state, i).size();
     if (places > 0) steps.push_back("shorter edges at " + std::to_string(places) + " places");
     std::vector<std::string>& own = after.report.attempts;
+    std::erase_if(own, [&](const std::string& step) {  // what is so of the face at each try
+      return std::ranges::find(before.report.attempts, step) != before.report.attempts.end();
+    });
     own.insert(own.begin(), steps.begin(), steps.end());
   }
 

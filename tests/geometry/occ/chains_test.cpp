@@ -11,7 +11,7 @@ BoundaryCorner corner(std::size_t id, double x, double y) {
   return {VertexId(id), {{x, y, 0}, {0, 0, 1}, x, y}};
 }
 Chain chain(int edge, std::vector<BoundaryCorner> corners) {
-  return {edge, false, std::move(corners)};
+  return {edge, false, 0, std::move(corners)};
 }
 
 std::vector<std::size_t> ids(const std::vector<BoundaryCorner>& loop) {
@@ -68,16 +68,24 @@ TEST(Chains, OfOneSegmentCancelTheirOpposites) {
   EXPECT_EQ(chains[0].edge, 3);
 }
 
-TEST(Chains, OfWiresThatTouchCancelEachOther) {
-  const auto a = corner(0, 0, 0), b = corner(1, 1, 0), c = corner(2, 2, 0), d = corner(3, 1, 1);
-  const std::vector<Chain> both{chain(1, {a, b, c}), chain(2, {c, b, a}), chain(3, {c, d, a})};
-  std::vector<Chain> touching = both;
-  cancelTouchingWires(touching, {0, 1, 0});
-  ASSERT_EQ(touching.size(), 1u);
-  EXPECT_EQ(touching[0].edge, 3);
-  std::vector<Chain> seam = both;
-  cancelTouchingWires(seam, {0, 0, 0});
-  EXPECT_EQ(seam.size(), 3u);
+std::size_t leftOf(std::vector<Chain> chains, const std::vector<std::size_t>& wire) {
+  cancelTouching(chains, wire, areOpposite, [](const SurfacePoint& p) { return Point2{p.u, p.v}; });
+  return chains.size();
+}
+
+/// A square with a slit from its left side to its middle, or with a needle out of that side.
+TEST(Chains, ThatTouchCancelEachOtherUnlessTheyAreASlit) {
+  const auto a = corner(0, 0, 0), b = corner(1, 4, 0), c = corner(2, 4, 4), d = corner(3, 0, 4);
+  const auto foot = corner(4, 0, 2), in = corner(5, 2, 2), out = corner(6, -2, 2);
+  const auto square = [&](const BoundaryCorner& tip, int back) {
+    return std::vector<Chain>{chain(1, {a, b}),    chain(2, {b, c}),      chain(3, {c, d}),
+                              chain(4, {d, foot}), chain(5, {foot, tip}), chain(back, {tip, foot}),
+                              chain(7, {foot, a})};
+  };
+  EXPECT_EQ(leftOf(square(in, 6), {0, 0, 0, 0, 0, 0, 0}), 7u);
+  EXPECT_EQ(leftOf(square(out, 6), {0, 0, 0, 0, 0, 0, 0}), 5u);
+  EXPECT_EQ(leftOf(square(in, 6), {0, 0, 0, 0, 0, 1, 0}), 5u) << "of two wires";
+  EXPECT_EQ(leftOf(square(out, 5), {0, 0, 0, 0, 0, 0, 0}), 7u) << "the same edge";
 }
 
 }  // namespace

@@ -1,0 +1,220 @@
+#include "geometry/occ/touching_edges.h"
+
+#include <BRepAdaptor_Curve.hxx>
+#include <BRep_Tool.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <set>
+
+#include "geometry/box_tree.h"
+#include "geometry/occ/points.h"
+
+namespace af2::geometry {
+
+namespace {
+
+/// Of the wanted size. Tolerances count up to that, and sharp wedges are closed up to that.
+constexpr double kMost = 1e-3;
+
+/// What lies on an edge is so many times as far from its ends as it may be beside it.
+constexpr double kFromEnds = 10;
+
+/// Samples of curves lie on them; chords between them leave them by no more than this share of
+/// their length.
+constexpr double kSag = 0.25;
+
+/// The nearest place of an edge.
+struct Foot {
+  double parameter = 0, distance = 1e300;
+};
+
+/// Finds the nearest place of an edge, first among the chords of its samples.
+class EdgeLine {
+ public:
+  EdgeLine(const ModelShape& model, std::size_t edge, const EdgeSamples& samples)
+      : curve_(model.edge(static_cast<int>(edge) + 1)), samples_(samples) {}
+
+  /// kept only if it is within reach.
+  std::optional<Foot> footOf(const Point3& place, double reach) const {
+    std::optional<Foot> best;
+    for (const EdgePiece& piece : samples_.pieces)
+      for (std::size_t i = 1; i < piece.positions.size(); ++i) {
+        const Point3 &from = piece.positions[i - 1], along = piece.positions[i] - from;
+        const double square = dot(along, along);
+        const double t = square > 0 ? std::clamp(dot(place - from, along) / square, 0.0, 1.0) : 0;
+        const double chord = std::sqrt(square);
+        if (distance(place, from + t * along) > reach + kSag * chord) continue;
+        const Foot foot = refined(place, piece.parameters[i - 1], piece.parameters[i], t);
+        if (foot.distance <= reach && (!best || foot.distance < best->distance)) best = foot;
+      }
+    return best;
+  }
+
+ private:
+  Foot refined(const Point3& place, double low, double high, double t) const {
+    constexpr int kSteps = 6;
+    double parameter = low + t * (high - low);
+    for (int step = 0; step < kSteps; ++step) {
+      gp_Pnt at;
+      gp_Vec tangent;
+      curve_.D1(parameter, at, tangent);
+      const Point3 d = toPoint(tangent);
+      if (!(dot(d, d) > 0)) break;
+      parameter = std::clamp(parameter + dot(place - toPoint(at), d) / dot(d, d), low, high);
+    }
+    return {parameter, distance(place, toPoint(curve_.Value(parameter)))};
+  }
+
+  BRepAdaptor_Curve curve_;
+  const EdgeSamples& samples_;
+};
+
+class StopFinder {
+ public:
+  StopFinder(const ModelShape& model, const std::vector<Ends>& ends,
+             const std::vector<EdgeSamples>& samples, const std::vector<Point3>& points,
+             const std::vector<bool>& mayBeSplit)
+      : model_(model),
+        ends_(ends),
+        samples_(samples),
+        points_(points),
+        mayBeSplit_(mayBeSplit),
+        stops_(samples.size()) {}
+
+  std::vector<std::vector<Stop>> find() {
+    for (int id = 1; id <= model_.faces.Extent(); ++id) lookAt(id);
+    for (std::size_t edge = 0; edge < stops_.size(); ++edge) putInOrder(edge);
+    return std::move(stops_);
+  }
+
+ private:
+  /// An edge of the face, from one of its ends on.
+  struct Beginning {
+    std::size_t edge;
+    std::uint32_t otherEnd;
+  };
+
+  void lookAt(int face) {
+    std::vector<std::size_t> edges;
+    for (TopExp_Explorer it(model_.face(face), TopAbs_EDGE); it.More(); it.Next()) {
+      const auto edge = static_cast<std::size_t>(model_.edges.FindIndex(it.Current())) - 1;
+      if (!samples_[edge].pieces.empty()) edges.push_back(edge);
+    }
+    std::ranges::sort(edges);
+    edges.erase(std::ranges::unique(edges).begin(), edges.end());
+    std::set<std::uint32_t> vertices;
+    beginnings_.clear();
+    std::vector<Box3> boxes;
+    for (const std::size_t edge : edges) {
+      const auto [first, last] = ends_[edge];
+      vertices.insert({first, last});
+      beginnings_[first].push_back({edge, last});
+      beginnings_[last].push_back({edge, first});
+      boxes.push_back(boxOf(samples_[edge]));
+    }
+    const BoxTree tree(boxes);
+    for (const std::uint32_t vertex : vertices) {
+      Box3 here;
+      here.add(points_[vertex]);
+      tree.forEachIn(here, [&](std::uint32_t k) { tryStop(edges[k], vertex); });
+    }
+  }
+
+  static Box3 boxOf(const EdgeSamples& samples) {
+    Box3 box;
+    double longest = 0;
+    for (const EdgePiece& piece : samples.pieces)
+      for (std::size_t i = 0; i < piece.positions.size(); ++i) {
+        box.add(piece.positions[i]);
+        if (i > 0)
+          longest = std::max(longest, distance(piece.positions[i - 1], piece.positions[i]));
+      }
+    const double margin = kSag * longest + 2 * kMost * samples.wanted;
+    const Point3 around{margin, margin, margin};
+    return {box.low - around, box.high + around};
+  }
+
+  void tryStop(std::size_t edge, std::uint32_t vertex) {
+    if (!mayBeSplit_[edge] || vertex == ends_[edge].first || vertex == ends_[edge].last) return;
+    std::vector<Stop>& stops = stops_[edge];
+    if (std::ranges::count(stops, vertex, &Stop::point) > 0) return;
+    const double wanted = samples_[edge].wanted;
+    const double reach =
+        reachOfEdge(model_, static_cast<int>(edge) + 1, toleranceOf(vertex), wanted);
+    const EdgeLine line(model_, edge, samples_[edge]);
+    const Point3& place = points_[vertex];
+    const std::optional<Foot> foot = line.footOf(place, std::max(reach, kMost * wanted));
+    if (!foot) return;
+    const double fromEnds = std::min(distance(place, points_[ends_[edge].first]),
+                                     distance(place, points_[ends_[edge].last]));
+    if (foot->distance <= reach ? fromEnds > kFromEnds * reach : isWedge(line, edge, vertex, reach))
+      stops.push_back({foot->parameter, vertex});
+  }
+
+  double toleranceOf(std::uint32_t vertex) const {
+    const auto count = static_cast<std::uint32_t>(model_.vertices.Extent());
+    return vertex < count ? BRep_Tool::Tolerance(model_.vertex(static_cast<int>(vertex) + 1)) : 0;
+  }
+
+  /// Whether another edge of the face comes to the vertex from an end of this one, near to it all
+  /// the way.
+  bool isWedge(const EdgeLine& line, std::size_t edge, std::uint32_t vertex, double reach) const {
+    const double wanted = samples_[edge].wanted;
+    return std::ranges::any_of(beginnings_.at(vertex), [&](const Beginning& other) {
+      const bool isFromEnd =
+          other.otherEnd == ends_[edge].first || other.otherEnd == ends_[edge].last;
+      if (other.edge == edge || !isFromEnd) return false;
+      const Point3& tip = points_[other.otherEnd];
+      return std::ranges::all_of(samples_[other.edge].pieces, [&](const EdgePiece& piece) {
+        return std::ranges::all_of(piece.positions, [&](const Point3& place) {
+          const double most = reachInWedge(reach, wanted, distance(tip, place));
+          return line.footOf(place, most).has_value();
+        });
+      });
+    });
+  }
+
+  void putInOrder(std::size_t edge) {
+    std::vector<Stop>& stops = stops_[edge];
+    std::ranges::sort(stops, {}, &Stop::parameter);
+    const double apart =
+        kFromEnds * reachOfEdge(model_, static_cast<int>(edge) + 1, 0, samples_[edge].wanted);
+    const auto isNear = [&](const Stop& a, const Stop& b) {
+      return distance(points_[a.point], points_[b.point]) <= apart;
+    };
+    stops.erase(std::unique(stops.begin(), stops.end(), isNear), stops.end());
+  }
+
+  const ModelShape& model_;
+  const std::vector<Ends>& ends_;
+  const std::vector<EdgeSamples>& samples_;
+  const std::vector<Point3>& points_;
+  const std::vector<bool>& mayBeSplit_;
+  std::map<std::uint32_t, std::vector<Beginning>> beginnings_;  // by point, of one face
+  std::vector<std::vector<Stop>> stops_;
+};
+
+}  // namespace
+
+double reachOfEdge(const ModelShape& model, int edge, double tolerance, double wanted) {
+  constexpr double kBlur = 1e-9;  // of the model
+  return std::min(BRep_Tool::Tolerance(model.edge(edge)) + tolerance, kMost * wanted) +
+         std::max(kBlur * model.diagonal, kUnseen * wanted);
+}
+
+double reachInWedge(double reach, double wanted, double fromVertex) {
+  constexpr double kSharp = 0.0087;  // tangent of half a degree
+  return std::max(reach, std::min(kMost * wanted, kSharp * fromVertex));
+}
+
+std::vector<std::vector<Stop>> stopsOf(const ModelShape& model, const std::vector<Ends>& ends,
+                                       const std::vector<EdgeSamples>& samples,
+                                       const std::vector<Point3>& points,
+                                       const std::vector<bool>& mayBeSplit) {
+  return StopFinder(model, ends, samples, points, mayBeSplit).find();
+}
+
+}  // namespace af2::geometry
