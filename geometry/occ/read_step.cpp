@@ -5,6 +5,7 @@
 #include <STEPControl_Reader.hxx>
 #include <StepData_StepModel.hxx>
 #include <StepShape_Face.hxx>
+#include <StepShape_FaceSurface.hxx>
 #include <StepShape_HArray1OfFaceBound.hxx>
 #include <TColStd_SequenceOfAsciiString.hxx>
 #include <TCollection_HAsciiString.hxx>
@@ -20,39 +21,52 @@
 #include "geometry/occ/readers.h"
 #include "geometry/occ/step_groups.h"
 #include "geometry/occ/trial.h"
+#include "geometry/occ/turned_faces.h"
 
 namespace af2::geometry {
 
 namespace {
 
-/// Names of the faces as the file gives them, found by the shape that each became.
-class StepFaceNames {
+/// The faces as the file gives them, found by the shape that each became.
+class StepFaces {
  public:
-  explicit StepFaceNames(const Handle(Transfer_TransientProcess) & process) {
+  explicit StepFaces(const Handle(Transfer_TransientProcess) & process) {
     for (int i = 1; i <= process->NbMapped(); ++i) {
-      const auto face = Handle(StepShape_Face)::DownCast(process->Mapped(i));
-      if (face.IsNull() || face->Name().IsNull()) continue;
+      const auto face = Handle(StepShape_FaceSurface)::DownCast(process->Mapped(i));
+      if (face.IsNull()) continue;
       const TopoDS_Shape shape = TransferBRep::ShapeResult(process, face);
-      const std::string name = face->Name()->ToCString();
-      if (shape.IsNull() || !isName(name)) continue;
-      index_.Bind(shape.Located(TopLoc_Location()), static_cast<int>(names_.size()));
-      names_.push_back(name);
+      if (shape.IsNull()) continue;
+      index_.Bind(shape.Located(TopLoc_Location()), static_cast<int>(faces_.size()));
+      faces_.push_back(face);
     }
   }
 
-  std::string operator()(const TopoDS_Face& face) const {
-    const int* index = index_.Seek(face.Located(TopLoc_Location()));
-    return index ? names_[static_cast<std::size_t>(*index)] : std::string();
+  std::string nameOf(const TopoDS_Face& face) const {
+    const Handle(StepShape_FaceSurface) found = find(face);
+    if (found.IsNull() || found->Name().IsNull()) return "";
+    const std::string name = found->Name()->ToCString();
+    return isName(name) ? name : "";
+  }
+
+  /// Whether the face looks to the side of its surface that the file says.
+  bool isAsInFile(const TopoDS_Face& face) const {
+    const Handle(StepShape_FaceSurface) found = find(face);
+    return found.IsNull() || found->SameSense() == (face.Orientation() == TopAbs_FORWARD);
   }
 
  private:
+  Handle(StepShape_FaceSurface) find(const TopoDS_Face& face) const {
+    const int* index = index_.Seek(face.Located(TopLoc_Location()));
+    return index ? faces_[static_cast<std::size_t>(*index)] : Handle(StepShape_FaceSurface)();
+  }
+
   /// Some systems write a placeholder or the number of the entity.
   static bool isName(const std::string& name) {
     return !name.empty() && name != "NONE" && name[0] != '#';
   }
 
   TopTools_DataMapOfShapeInteger index_;
-  std::vector<std::string> names_;
+  std::vector<Handle(StepShape_FaceSurface)> faces_;
 };
 
 /// Damage to what only concerns the picture of the model is harmless.
@@ -137,7 +151,9 @@ ReadShape readStep(const std::filesystem::path& path) {
   result.fileUnit = lengthUnitOf(reader);
   result.shape = reader.OneShape();
   result.groups = groupsOf(document);
-  result.nameOf = StepFaceNames(reader.WS()->TransferReader()->TransientProcess());
+  const StepFaces faces(reader.WS()->TransferReader()->TransientProcess());
+  result.nameOf = [faces](const TopoDS_Face& face) { return faces.nameOf(face); };
+  turnBackFaces(result, [&](const TopoDS_Face& face) { return faces.isAsInFile(face); });
   return result;
 }
 
