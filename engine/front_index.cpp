@@ -72,9 +72,13 @@ float FrontIndex::roundedUp(double half, double farthest) const {
 
 FrontIndex::Query FrontIndex::queryOf(const Box3& box) const {
   const Point3 center = 0.5 * (box.low + box.high) - origin_, half = 0.5 * (box.high - box.low);
+  const auto single = [](double c) { return static_cast<float>(c); };
   const auto grown = [&](double h, double c) { return roundedUp(h, std::abs(c)); };
-  return {static_cast<float>(center.x), static_cast<float>(center.y), static_cast<float>(center.z),
-          grown(half.x, center.x),      grown(half.y, center.y),      grown(half.z, center.z)};
+  Query query;
+  query.center = Four{single(center.x), single(center.y), single(center.z), 0};
+  query.half =
+      Four{grown(half.x, center.x), grown(half.y, center.y), grown(half.z, center.z), INFINITY};
+  return query;
 }
 
 /// With graded sizes most bands have their edges elsewhere.
@@ -151,10 +155,8 @@ void FrontIndex::insert(const Front& front, PlaceId id) {
   const Point3 d = middle - origin_;
   const double farthest = std::max({std::abs(d.x), std::abs(d.y), std::abs(d.z)});
   Entry& entry = entries_[id.value];
-  entry.x = static_cast<float>(d.x);
-  entry.y = static_cast<float>(d.y);
-  entry.z = static_cast<float>(d.z);
-  entry.half = roundedUp(0.5 * length, farthest);
+  entry.edge = Four{static_cast<float>(d.x), static_cast<float>(d.y), static_cast<float>(d.z),
+                    roundedUp(0.5 * length, farthest)};
   entry.next = cell.first;
   entry.previous = PlaceId();
   entry.cell = static_cast<std::uint32_t>(bandIndex) << kBandShift | cellIndex;
@@ -219,8 +221,9 @@ void FrontIndex::dropEmptyCells(Band& band) {
       std::uint32_t& own = entries_[id.value].cell;
       own = (own & ~((1u << kBandShift) - 1)) | static_cast<std::uint32_t>(kept);
       // What an entry has lost to rounding is in its half.
-      const Entry& e = entries_[id.value];
-      const Point3 middle = origin_ + Point3{e.x, e.y, e.z}, half{e.half, e.half, e.half};
+      const Four edge = entries_[id.value].edge;
+      const Point3 middle = origin_ + Point3{edge[0], edge[1], edge[2]};
+      const Point3 half{edge[3], edge[3], edge[3]};
       include(band.midpoints, middle - half);
       include(band.midpoints, middle + half);
     }

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <vector>
@@ -43,21 +45,25 @@ class FrontIndex {
     PlaceId first;
     std::uint32_t edges = 0;
   };
+  /// Four numbers in one register.
+  using Four = float __attribute__((vector_size(16)));
   /// Of one place: about where its edge is, and its neighbours in the list of its cell. All that a
   /// search looks at lies in one line of the cache.
   struct alignas(32) Entry {
-    float x = 0, y = 0, z = 0;  ///< of the midpoint, from the origin of the index
-    float half = 0;             ///< no point of the edge is farther than this along an axis
+    /// Its midpoint x, y, z, from the origin of the index; no point of the edge is farther from it
+    /// along an axis than the last number says.
+    Four edge{};
     PlaceId next, previous;
     std::uint32_t cell = kEmpty;
   };
   /// A box as entries see it, a little larger.
   struct Query {
-    float x, y, z;
-    float halfX, halfY, halfZ;
+    Four center, half;  ///< along x, y, z; the fourth half is infinite
     bool mayMeet(const Entry& e) const {
-      return (std::abs(e.x - x) <= halfX + e.half) & (std::abs(e.y - y) <= halfY + e.half) &
-             (std::abs(e.z - z) <= halfZ + e.half);
+      const Four away = e.edge - center, reach = half + e.edge[3];
+      const auto isNear = (away <= reach) & (-away <= reach);
+      const auto pairs = std::bit_cast<std::array<std::int64_t, 2>>(isNear);
+      return (pairs[0] & pairs[1]) == -1;
     }
   };
   struct Search {
