@@ -1,6 +1,5 @@
 #include "engine/edge_collapse.h"
 
-#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -107,8 +106,7 @@ class Collapser {
   }
 
   double distortion(VertexId a, VertexId b, VertexId c) const {
-    const std::array<const SurfacePoint*, 3> corners{&at(a), &at(b), &at(c)};
-    return elementDistortion(corners);
+    return triangleDistortion(at(a), at(b), at(c));
   }
 
   MeshTopology& topology_;

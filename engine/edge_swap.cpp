@@ -1,6 +1,5 @@
 #include "engine/edge_swap.h"
 
-#include <array>
 #include <cmath>
 
 #include "engine/element_shape.h"
@@ -73,9 +72,7 @@ class Swapper {
   }
   double distortion(VertexId a, VertexId b, VertexId c) const {
     const auto& vertices = topology_.mesh().vertices;
-    const std::array<const SurfacePoint*, 3> corners{&vertices[a.value], &vertices[b.value],
-                                                     &vertices[c.value]};
-    return elementDistortion(corners);
+    return triangleDistortion(vertices[a.value], vertices[b.value], vertices[c.value]);
   }
 
   /// Two triangles better than this cannot both be better the other way round.

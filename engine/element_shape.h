@@ -16,14 +16,18 @@ namespace af2 {
 /// beyond that it is a fold of the mesh, not an approximation of the surface.
 inline constexpr double kMinNormalCosine = 0.2;
 
-/// Whether the corner between two edges of an element faces the way the surface does there.
-/// A zero normal, at a pole without one, faces every way.
+/// Whether a corner that turns about `turned`, the cross product of its edges, faces the way the
+/// surface does there. A zero normal, at a pole without one, faces every way.
+inline bool facesNormal(const Point3& turned, const Point3& normal) {
+  const double cosine = dot(turned, normal);
+  return (cosine > 0 &&
+          cosine * cosine > kMinNormalCosine * kMinNormalCosine * dot(turned, turned)) ||
+         normal == Point3{};
+}
+/// The same for the corner between two edges of an element.
 inline bool facesNormal(const Point3& corner, const Point3& ahead, const Point3& behind,
                         const Point3& normal) {
-  const Point3 turned = cross(ahead - corner, behind - corner);
-  const double cosine = dot(turned, normal);
-  if (normal == Point3{}) return true;
-  return cosine > 0 && cosine * cosine > kMinNormalCosine * kMinNormalCosine * dot(turned, turned);
+  return facesNormal(cross(ahead - corner, behind - corner), normal);
 }
 
 /// Whether an element turns left at each corner, in a chart. Exact for a triangle. A quadrilateral
@@ -56,17 +60,27 @@ inline double cornerDistortion(const Point3& corner, const Point3& ahead, const 
   return (squares + dot(r, r)) / (kTwoRootThree * twiceArea);
 }
 
-/// Distortion of a triangle, or of the worst corner of a quadrilateral: 1 for the ideal element,
-/// growing without bound, infinite for one that folds against the surface.
+/// Distortion of a triangle: 1 for the equilateral one, growing without bound, infinite for one
+/// that folds against the surface.
+inline double triangleDistortion(const SurfacePoint& a, const SurfacePoint& b,
+                                 const SurfacePoint& c) {
+  const Point3 turned = cross(b.position - a.position, c.position - a.position);
+  for (const SurfacePoint* corner : {&a, &b, &c})
+    if (!facesNormal(turned, corner->normal)) return INFINITY;
+  return cornerDistortion(a.position, b.position, c.position, true);
+}
+
+/// The same, or that of the worst corner of a quadrilateral.
 inline double elementDistortion(std::span<const SurfacePoint* const> corners) {
   const std::size_t n = corners.size();
+  if (n == 3) return triangleDistortion(*corners[0], *corners[1], *corners[2]);
   double worst = 0;
   for (std::size_t i = 0; i < n; ++i) {
     const Point3& corner = corners[i]->position;
     const Point3& ahead = corners[i + 1 == n ? 0 : i + 1]->position;
     const Point3& behind = corners[i == 0 ? n - 1 : i - 1]->position;
     if (!facesNormal(corner, ahead, behind, corners[i]->normal)) return INFINITY;
-    if (n == 4 || i == 0) worst = std::max(worst, cornerDistortion(corner, ahead, behind, n == 3));
+    worst = std::max(worst, cornerDistortion(corner, ahead, behind, false));
   }
   return worst;
 }

@@ -185,14 +185,16 @@ bool VertexSmoother::moveInChart(VertexId v, const StepChart& chart, Goal goal) 
   if (length(target) < kLeastMove * reach_) return false;
   const auto lifted = chart.lift(target);
   if (!lifted) return false;
-  const bool isSurelyBetter = isForAll && chart.isPlane();
-  const SurfacePoint before = mesh_.vertices[v.value];
-  const double worstBefore = isSurelyBetter ? 0 : worstDistortion();
-  const double allowed = isForAll ? std::max(worstBefore, kGoodDistortion) : worstBefore;
-  mesh_.vertices[v.value] = *lifted;
-  if (isSurelyBetter || worstDistortion() <= allowed) return true;
-  mesh_.vertices[v.value] = before;
-  return false;
+  SurfacePoint& here = mesh_.vertices[v.value];
+  const SurfacePoint before = here;
+  here = *lifted;
+  if (isForAll && chart.isPlane()) return true;  // surely better
+  const double worst = worstDistortion();
+  if (isForAll && worst <= kGoodDistortion) return true;
+  here = before;
+  if (worst > worstDistortion()) return false;
+  here = *lifted;
+  return true;
 }
 
 bool VertexSmoother::makeTerms(const StepChart& chart) {
@@ -221,10 +223,15 @@ bool VertexSmoother::makeTerms(const StepChart& chart) {
 double VertexSmoother::worstDistortion() const {
   double worst = 0;
   for (Corner c : star_) {
-    std::array<const SurfacePoint*, 4> corners{};
-    const auto n = static_cast<std::size_t>(topology_.sizeOf(c));
-    for (std::size_t i = 0; i < n; ++i) corners[i] = &at(Corner(c.element(), i));
-    worst = std::max(worst, elementDistortion({corners.data(), n}));
+    const Element& element = mesh_.elements[c.element()];
+    const auto corner = [&](std::size_t i) -> const SurfacePoint& {
+      return mesh_.vertices[element.corners[i].value];
+    };
+    const double distortion =
+        element.isQuad()
+            ? elementDistortion(std::array{&corner(0), &corner(1), &corner(2), &corner(3)})
+            : triangleDistortion(corner(0), corner(1), corner(2));
+    worst = std::max(worst, distortion);
   }
   return worst;
 }
