@@ -96,7 +96,10 @@ class WantedAlongEdge {
   double onFace(const Neighbor& face, const Point3& position, double parameter) const {
     if (!face.surface || face.curve.IsNull()) return face.wanted;
     const gp_Pnt2d uv = face.curve->Value(parameter);
-    return limitByCurvature(sizes_, face.wanted, *face.surface, {position, {}, uv.X(), uv.Y()});
+    // A full turn keeps its number of elements.
+    return std::min(
+        sizes_.curvedShare * face.wanted,
+        limitByCurvature(sizes_, face.wanted, *face.surface, {position, {}, uv.X(), uv.Y()}));
   }
 
   const ModelSizes& sizes_;
