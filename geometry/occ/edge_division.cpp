@@ -12,6 +12,7 @@
 #include "geometry/occ/edge_samples.h"
 #include "geometry/occ/given_points.h"
 #include "geometry/occ/merged_points.h"
+#include "geometry/occ/narrow_strips.h"
 #include "geometry/occ/open_ends.h"
 #include "geometry/occ/parallel.h"
 #include "geometry/occ/points.h"
@@ -44,6 +45,7 @@ class Division {
     sampleAll(threads, stop);
     findEnds();
     mergePoints();
+    limitInStrips(model_, sizes_, ends_, threads, samples_);
     makeParts();
     gradeAll();
   }

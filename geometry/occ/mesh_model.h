@@ -48,9 +48,9 @@ struct ModelSizes {
   /// `bentFaceLeast` is for tubes, which turn by more than about a right angle: elements across the
   /// whole of them would cut off too much.
   double faceTurn = 0.6046, faceLeast = 0.35, bentFaceLeast = 0.1;
-  /// What elements on curved faces and their edges aim at, as a share of the size that is wanted there. With
-  /// `elementsPerTurn` it is 0.95: lengths scatter, and a mesh departs from its surface by their
-  /// square.
+  /// What elements on curved faces and their edges aim at, as a share of the size that is wanted
+  /// there. With `elementsPerTurn` it is 0.95: lengths scatter, and a mesh departs from its surface
+  /// by their square.
   double curvedShare = 1;
   /// Most growth of the size per unit of length, away from whatever wants a small one.
   double growth = kDefaultGrowth;

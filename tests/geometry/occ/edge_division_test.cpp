@@ -94,7 +94,7 @@ TEST(EdgeDivision, TakesSizesByEdgeAndByTheFinerOfItsFaces) {
 TEST(EdgeDivision, FollowsASizeFunctionAlongTheEdge) {
   ModelSizes sizes = uniform(1);
   sizes.function = [](const Point3& p) { return 0.1 + 0.1 * p.z; };
-  const DividedEdges divided = divide(testing::box(0.1, 0.1, 10), sizes);
+  const DividedEdges divided = divide(testing::box(2, 2, 10), sizes);
   for (const DividedEdge& edge : divided.edges) {
     if (edge.points.size() < 4) continue;
     for (std::size_t i = 0; i + 1 < edge.points.size(); ++i) {

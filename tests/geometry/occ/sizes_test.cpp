@@ -74,6 +74,19 @@ TEST(Sizes, GiveATurnTheElementsThatAreAskedFor) {
   }
 }
 
+TEST(Sizes, LeaveRoomForScatterOnCurvedFacesAndTheirEdges) {
+  ModelSizes sizes = sizesOf(1);
+  const auto longest = [&] {
+    int most = 0;
+    for (const auto& [edge, count] : segmentsByEdge(mesh(testing::cylinder(10, 20), sizes)))
+      most = std::max(most, count);
+    return most;
+  };
+  EXPECT_EQ(longest(), 63);
+  sizes.elementsPerTurn = 12;
+  EXPECT_EQ(longest(), 66);  // 63 / 0.95
+}
+
 TEST(Sizes, StopAtTheSmallestAndTheLargest) {
   ModelSizes sizes = sizesOf(5);
   sizes.elementsPerTurn = 100;
