@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "engine/error.h"
+#include "geometry/box_tree.h"
 #include "geometry/occ/edge_samples.h"
 #include "geometry/occ/given_points.h"
 #include "geometry/occ/merged_points.h"
@@ -37,10 +38,11 @@ constexpr double kMostTolerance = 0.01;
 class Division {
  public:
   Division(const ModelShape& model, const ModelSizes& sizes, int threads, std::stop_token stop,
-           const EdgePoints& given)
+           const EdgePoints& given, const EdgesAsPoints& asPoints)
       : model_(model),
         sizes_(sizes),
         given_(given),
+        asPoints_(asPoints),
         samples_(static_cast<std::size_t>(model.edges.Extent())) {
     sampleAll(threads, stop);
     findEnds();
@@ -110,9 +112,17 @@ class Division {
     return std::max(unseen, std::min(tolerance, kPointLike * samples.wanted));
   }
 
+  bool isAskedToBePoint(std::size_t i) const { return asPoints_.contains(static_cast<int>(i) + 1); }
+
   /// What is given from outside is taken as it is.
   bool mayBePoint(std::size_t i) const {
-    return samples_[i].length <= pointLength(i) && !given_.contains(static_cast<int>(i) + 1);
+    return !givenFor(i) && (isAskedToBePoint(i) || samples_[i].length <= pointLength(i));
+  }
+
+  /// How far apart points may be that become one because this edge is none.
+  double mostExtent(std::size_t i) const {
+    const auto found = asPoints_.find(static_cast<int>(i) + 1);
+    return found != asPoints_.end() ? found->second : 2 * pointLength(i);
   }
 
   /// The shortest first. Many short edges one after the other may make a long one, which is none.
@@ -122,14 +132,24 @@ class Division {
       if (samples_[i].problem.empty() && (samples_[i].pieces.empty() || mayBePoint(i)))
         edges.push_back(i);
     std::ranges::stable_sort(edges, {}, [&](std::size_t i) { return samples_[i].length; });
+    std::vector<std::pair<std::size_t, double>> asked;
     for (const std::size_t i : edges) {
       const Ends ends = ends_[i];
       const bool isPoint =
           samples_[i].pieces.empty() || merging.find(ends.first) == merging.find(ends.last);
-      if (!isPoint && merging.extent(ends.first, ends.last) > 2 * pointLength(i)) continue;
+      if (!isPoint && merging.extent(ends.first, ends.last) > mostExtent(i)) continue;
+      if (isAskedToBePoint(i)) asked.emplace_back(i, extentOf(samples_[i]));
       samples_[i].pieces.clear();
       merging.merge(ends.first, ends.last);
     }
+    for (const auto& [i, extent] : asked) blind_[merging.find(ends_[i].first)] += extent;
+  }
+
+  static double extentOf(const EdgeSamples& samples) {
+    Box3 box;
+    for (const EdgePiece& piece : samples.pieces)
+      for (const Point3& position : piece.positions) box.add(position);
+    return samples.pieces.empty() ? 0 : distance(box.low, box.high);
   }
 
   void mergePoints() {
@@ -275,10 +295,26 @@ class Division {
   DividedPart divideAnew(const EdgePart& part, std::size_t least) {
     std::vector<double> parameters = divide(part.samples, least);
     const BRepAdaptor_Curve curve(model_.edge(static_cast<int>(part.edge) + 1));
+    leaveOutBesidePoints(part.ends, least, curve, parameters);
     std::vector<std::uint32_t> inner;
     for (std::size_t k = 1; k + 1 < parameters.size(); ++k)
       inner.push_back(addPoint(toPoint(curve.Value(parameters[k]))));
     return between(part.ends, std::move(parameters), inner);
+  }
+
+  /// Beside what was taken for a point although it can be seen, segments are longer than that is
+  /// large: a shorter one would look into it.
+  void leaveOutBesidePoints(const Ends& ends, std::size_t least, const BRepAdaptor_Curve& curve,
+                            std::vector<double>& parameters) const {
+    constexpr double kTimes = 2;
+    for (const std::uint32_t end : {ends.first, ends.last}) {
+      const auto found = blind_.find(end);
+      if (found == blind_.end()) continue;
+      const Point3& place = result_.points[end];
+      for (std::size_t k = parameters.size() - 2; k > 0 && parameters.size() > least + 1; --k)
+        if (distance(toPoint(curve.Value(parameters[k])), place) < kTimes * found->second)
+          parameters.erase(parameters.begin() + static_cast<std::ptrdiff_t>(k));
+    }
   }
 
   void dividePart(std::size_t i, std::size_t least) {
@@ -292,10 +328,11 @@ class Division {
   }
 
   void joinParts() {
-    for (const EdgeSamples& samples : samples_) {
+    for (std::size_t i = 0; i < samples_.size(); ++i) {
       DividedEdge& edge = result_.edges.emplace_back();
-      edge.problem = samples.problem;
-      edge.wanted = samples.wanted;
+      edge.problem = samples_[i].problem;
+      edge.wanted = samples_[i].wanted;
+      if (samples_[i].pieces.empty() && isAskedToBePoint(i)) edge.point = ends_[i].first;
     }
     for (std::size_t i = 0; i < parts_.size(); ++i) {
       DividedEdge& edge = result_.edges[parts_[i].edge];
@@ -311,11 +348,13 @@ class Division {
   const ModelShape& model_;
   const ModelSizes& sizes_;
   const EdgePoints& given_;
+  const EdgesAsPoints& asPoints_;
   std::vector<EdgeSamples> samples_;
   std::vector<Ends> ends_;
   std::vector<EdgePart> parts_;  // in the order of their edges
   std::vector<DividedPart> dividedParts_;
   std::vector<std::optional<std::size_t>> twins_;  // by part
+  std::map<std::uint32_t, double> blind_;  // how large the edges are that a point stands for
   DividedEdges result_;
 };
 
@@ -329,8 +368,9 @@ std::size_t DividedEdges::segmentCount() const {
 }
 
 DividedEdges divideEdges(const ModelShape& model, const ModelSizes& sizes, int threads,
-                         std::stop_token stop, const EdgePoints& given) {
-  return Division(model, sizes, threads, std::move(stop), given).result();
+                         std::stop_token stop, const EdgePoints& given,
+                         const EdgesAsPoints& asPoints) {
+  return Division(model, sizes, threads, std::move(stop), given, asPoints).result();
 }
 
 }  // namespace af2::geometry

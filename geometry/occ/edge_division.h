@@ -3,6 +3,8 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
+#include <optional>
 #include <stop_token>
 #include <string>
 #include <vector>
@@ -21,7 +23,11 @@ struct DividedEdge {
   std::vector<std::size_t> stops;
   std::string problem;  ///< why it is unusable; its faces fail
   double wanted = 0;    ///< the size asked for, before all limits
+  std::optional<std::uint32_t> point;  ///< that the edge was taken for because that was asked for
 };
+
+/// Edges that are to be taken for points, by id: how far apart the vertices may be that become one.
+using EdgesAsPoints = std::map<int, double>;
 
 struct DividedEdges {
   std::vector<Point3> points;      ///< model vertices first, then along the edges
@@ -38,6 +44,7 @@ struct DividedEdges {
 ///
 /// Throws InputError if the points given for an edge do not lie on it, in order and apart.
 DividedEdges divideEdges(const ModelShape& model, const ModelSizes& sizes, int threads,
-                         std::stop_token stop, const EdgePoints& given = {});
+                         std::stop_token stop, const EdgePoints& given = {},
+                         const EdgesAsPoints& asPoints = {});
 
 }  // namespace af2::geometry

@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
+#include <optional>
 
 #include "engine/element_shape.h"
 #include "engine/mesh_check.h"
+#include "geometry/boundary_crossings.h"
 #include "geometry/close_front.h"
 #include "geometry/occ/chart_attempt.h"
 #include "geometry/occ/face_trouble.h"
@@ -123,15 +126,6 @@ FaceAttempt fillWithRules(const FaceTask& task) {
     attempt.steps = std::move(steps);
     return std::move(attempt);
   }
-  if (task.mayLean) {
-    FaceAttempt leaning = fillLeaning(task);
-    effort += leaning.effort;
-    if (leaning.fault.empty()) {
-      leaning.effort = effort;
-      leaning.steps = std::move(steps);
-      return leaning;
-    }
-  }
   FaceAttempt all;
   for (const std::string& step : steps) all.fault += (all.fault.empty() ? "" : "; ") + step;
   all.effort = effort;
@@ -230,6 +224,18 @@ bool hasLongEdges(const FrontInput& boundary, const Mesh& mesh) {
   });
 }
 
+/// Chords of a narrow plane face may cross between their ends. No front could fill what they bound,
+/// and to find that out takes long: so on a face that has failed before it is looked for first.
+std::optional<FaceAttempt> refuseCrossed(const FaceTask& task) {
+  const bool hasFailed = task.mostCandidates < std::numeric_limits<std::size_t>::max();
+  if (!hasFailed || !task.surface.isPlane()) return std::nullopt;
+  const BoundaryPicture picture(task.surface, task.boundary.input);
+  if (crossingsOf(task.boundary.input, picture, 1).empty()) return std::nullopt;
+  FaceAttempt attempt;
+  attempt.fault = "segments of the boundary cross";
+  return attempt;
+}
+
 }  // namespace
 
 bool hasTwoSheets(const FrontInput& input) {
@@ -245,6 +251,8 @@ bool hasTwoSheets(const FrontInput& input) {
 }
 
 FaceAttempt fillFace(const FaceTask& task) {
+  if (task.mayLean) return fillLeaning(task);
+  if (std::optional<FaceAttempt> refused = refuseCrossed(task)) return *std::move(refused);
   FaceAttempt filled = fillWithRules(task);
   const bool hasNoRoom = isNarrow(task);
   const bool mayBeBetter = hasNoRoom || (filled.fault.empty() && !isNearArea(task, filled));

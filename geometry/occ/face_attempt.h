@@ -41,7 +41,7 @@ struct FaceTask {
   bool mayBeFineInside = false;
   /// A front that has examined more candidates than these is given up.
   std::size_t mostCandidates;
-  /// Whether elements may lean against the surface as they like, if all else fails.
+  /// Whether elements may lean against the surface as they like: all else has failed.
   bool mayLean;
   const ProgressCallback& progress;
   /// Charts and sizes of the face for one thread more.

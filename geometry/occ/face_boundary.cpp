@@ -10,6 +10,7 @@
 #include <TopoDS.hxx>
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <optional>
 #include <unordered_map>
 #include <utility>
@@ -116,6 +117,7 @@ class BoundaryFinder {
     if (surface_.isPlane()) orientWiresOfPlane();
     if (hasNoWidth()) return std::move(result_);
     cancelWhereTheyTouch();
+    takeNormalsBesidePoints();
     cancelOppositeChains(chains_);
     if (chains_.empty()) return std::move(result_);
     numberUsedVertices();
@@ -275,6 +277,34 @@ class BoundaryFinder {
   void addDirected(Chain chain) {
     if (chain.reversed) std::reverse(chain.corners.begin(), chain.corners.end());
     chains_.push_back(std::move(chain));
+  }
+
+  /// The surface may turn over at an edge that was taken for a point although it can be seen: what
+  /// counts there is how it lies a segment away.
+  void takeNormalsBesidePoints() {
+    std::map<VertexId, Point3> sums;
+    for (const int id : result_.pointEdges) {
+      const auto& point = divided_.edges[static_cast<std::size_t>(id) - 1].point;
+      if (point && vertices_.contains(*point)) sums[vertices_.at(*point)] = {};
+    }
+    if (sums.empty()) return;
+    const auto add = [&](const BoundaryCorner& corner, const BoundaryCorner& beside) {
+      const auto found = sums.find(corner.vertex);
+      if (found != sums.end()) found->second = found->second + beside.point.normal;
+    };
+    const auto turn = [&](BoundaryCorner& corner) {
+      const auto found = sums.find(corner.vertex);
+      if (found != sums.end() && length(found->second) > 0)
+        corner.point.normal = unit(found->second);
+    };
+    for (const Chain& chain : chains_) {
+      add(chain.corners.front(), chain.corners[1]);
+      add(chain.corners.back(), chain.corners[chain.corners.size() - 2]);
+    }
+    for (Chain& chain : chains_) {
+      turn(chain.corners.front());
+      turn(chain.corners.back());
+    }
   }
 
   VertexId vertexOf(std::uint32_t point) {

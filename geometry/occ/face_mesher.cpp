@@ -30,14 +30,16 @@ namespace af2::geometry {
 
 namespace {
 
-std::string toldOfPoints(const std::vector<int>& edges) {
+/// Nothing if there are none.
+void tellOfPoints(const char* why, const std::vector<int>& edges, std::vector<std::string>& told) {
   constexpr std::size_t kMostNamed = 5;
+  if (edges.empty()) return;
   std::string ids;
   for (std::size_t i = 0; i < std::min(edges.size(), kMostNamed); ++i)
     ids += (i > 0 ? ", " : "") + std::to_string(edges[i]);
   if (edges.size() > kMostNamed)
     ids += " and " + std::to_string(edges.size() - kMostNamed) + " more";
-  return "too short to be seen in the mesh, so taken for points: edges " + ids;
+  told.push_back(std::string(why) + ": edges " + ids);
 }
 
 std::string toldOfTouching(const FaceBoundary::TouchingEdges& edges) {
@@ -59,8 +61,7 @@ class FaceMesher {
   void meshInto(FaceMesh& mesh) {
     FaceBoundary boundary = findBoundary(context_.model, face_, context_.divided, surface_);
     mesh.report.attempts = boundary.repairs;
-    if (!boundary.pointEdges.empty())
-      mesh.report.attempts.push_back(toldOfPoints(boundary.pointEdges));
+    tellOfPoints(boundary.pointEdges, mesh.report.attempts);
     for (const FaceBoundary::TouchingEdges& edges : boundary.touching)
       mesh.report.attempts.push_back(toldOfTouching(edges));
     if (boundary.input.loops.empty()) {
@@ -99,6 +100,16 @@ class FaceMesher {
   }
 
  private:
+  void tellOfPoints(std::vector<int> edges, std::vector<std::string>& told) const {
+    const auto asked = std::ranges::stable_partition(edges, [&](int edge) {
+      return !context_.divided.edges[static_cast<std::size_t>(edge) - 1].point;
+    });
+    geometry::tellOfPoints("too short to be seen in the mesh, so taken for points",
+                           {edges.begin(), asked.begin()}, told);
+    geometry::tellOfPoints("short, and taken for points because a face there failed with them",
+                           {asked.begin(), edges.end()}, told);
+  }
+
   /// Vertices inside quadrics, and those of faces laid out, do not keep the parameters of the file.
   std::vector<StuckPlace> stuckOnFace(const MeshingResult& result) const {
     std::vector<StuckPlace> places = stuckPlaces(result);

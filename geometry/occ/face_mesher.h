@@ -39,7 +39,7 @@ struct FaceMeshingContext {
   bool mayBeFineInside = false;
   /// A front that has examined more candidates than these is given up.
   std::size_t mostCandidates = std::numeric_limits<std::size_t>::max();
-  /// Whether elements may lean against the surface as they like, if all else fails.
+  /// Whether elements may lean against the surface as they like: all else has failed.
   bool mayLean = false;
 };
 

@@ -68,7 +68,7 @@ void addSegment(const FrontInput& input, SegmentPlace place, double share,
 void addCrossings(const FaceSurface& surface, const FaceBoundary& boundary,
                   std::vector<SizeSource>& places) {
   if (!surface.isPlane() && !boundary.closedInParameters) return;
-  constexpr std::size_t kMostCrossings = 200;
+  constexpr std::size_t kMostCrossings = 2000;
   const BoundaryPicture picture(surface, boundary.input);
   for (const auto& [a, b] : crossingsOf(boundary.input, picture, kMostCrossings)) {
     addSegment(boundary.input, a, kMuchFiner, places);

@@ -47,7 +47,7 @@ std::vector<SizeSource> thinned(std::vector<SizeSource> sources, double growth, 
 }  // namespace
 
 void Refinement::add(std::size_t face, const std::vector<SizeSource>& places) {
-  const double largest = largestAsked(asked_.sizes);
+  const double largest = largestAsked(asked_->sizes);
   std::vector<SizeSource>& added = places_[face].emplace_back();
   for (const SizeSource& place : places)
     added.push_back({place.position, std::max(place.size, kLeastSize * largest)});
@@ -60,6 +60,17 @@ void Refinement::dropLast(std::size_t face) {
   if (found->second.empty()) places_.erase(found);
 }
 
+bool Refinement::dropAll(std::size_t face) {
+  const std::size_t dropped = places_.erase(face) + asPoints_.erase(face);
+  return dropped > 0;
+}
+
+EdgesAsPoints Refinement::edgesAsPoints() const {
+  EdgesAsPoints all;
+  for (const auto& [face, edges] : asPoints_) all.insert(edges.begin(), edges.end());
+  return all;
+}
+
 void Refinement::soften(std::size_t face, double factor) {
   const auto found = places_.find(face);
   if (found == places_.end()) return;
@@ -68,16 +79,16 @@ void Refinement::soften(std::size_t face, double factor) {
 }
 
 ModelMeshingOptions Refinement::options() const {
-  ModelMeshingOptions options = asked_;
+  ModelMeshingOptions options = *asked_;
   std::vector<SizeSource> sources;
   for (const auto& [face, rounds] : places_)
     for (const std::vector<SizeSource>& places : rounds)
       sources.insert(sources.end(), places.begin(), places.end());
   if (sources.empty()) return options;
-  const double growth = asked_.sizes.growth, largest = largestAsked(asked_.sizes);
+  const double growth = asked_->sizes.growth, largest = largestAsked(asked_->sizes);
   const auto near = std::make_shared<const GrowingSize>(
       thinned(std::move(sources), growth, largest), growth, largest);
-  const PositionSize asked = asked_.sizes.function;
+  const PositionSize asked = asked_->sizes.function;
   options.sizes.function = [near, asked](std::span<const Point3> at, std::span<double> sizes) {
     for (std::size_t i = 0; i < at.size(); ++i) sizes[i] = near->at(at[i]);
     if (!asked) return;
@@ -96,7 +107,12 @@ DivisionChange compare(const DividedEdges& before, const DividedEdges& after) {
   for (std::uint32_t i = 0; i < change.newIndex.size(); ++i) change.newIndex[i] = i;
   for (std::size_t e = 0; e < before.edges.size(); ++e) {
     const DividedEdge &was = before.edges[e], &is = after.edges[e];
-    change.isChanged.push_back(was.parameters != is.parameters);
+    const auto sameEnds = [&] {
+      return was.points.empty() ||
+             (was.points.front() == is.points.front() && was.points.back() == is.points.back());
+    };
+    change.isChanged.push_back(was.parameters != is.parameters || was.point != is.point ||
+                               !sameEnds());
     if (change.isChanged.back()) continue;
     for (std::size_t k = 0; k < was.points.size(); ++k)
       change.newIndex[was.points[k]] = is.points[k];

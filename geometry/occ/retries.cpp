@@ -12,6 +12,7 @@
 
 #include "geometry/occ/parallel.h"
 #include "geometry/occ/refinement.h"
+#include "geometry/occ/short_edges.h"
 #include "geometry/occ/sizing.h"
 
 namespace af2::geometry {
@@ -30,14 +31,14 @@ class Neighbors {
   }
 
   /// Takes back what spoiled a face that was good, or softens it if the face that it was meant for
-  /// cannot do without. Adds to `changed` the faces concerned.
-  void spare(const FaceMeshes& next, Refinement& refinement, std::vector<bool>& isHopeless,
-             std::vector<std::size_t>& changed) {
+  /// cannot do without. Adds to `changed` the faces concerned; those that asked are given up.
+  void spare(const FaceMeshes& next, Refinement& refinement, std::vector<std::size_t>& changed,
+             const std::function<void(std::size_t)>& giveUp) {
     for (std::size_t i = 0; i < next.meshes.size(); ++i) {
       if (wasBad_[i] || !(failed(next.meshes[i]) || next.meshes[i].trouble.hasBadAngle)) continue;
       for (const std::size_t culprit : beside(i)) {
         if (!refinement.has(culprit) || !yields(culprit, refinement)) continue;
-        isHopeless[culprit] = true;  // it asks for no more
+        giveUp(culprit);  // it asks for no more
         changed.push_back(culprit);
       }
     }
@@ -80,52 +81,120 @@ class Neighbors {
 
 class Retries {
  public:
-  explicit Retries(const RetryTask& task) : task_(task) {}
+  explicit Retries(const RetryTask& task) : task_(task), tries_(task.faces.size()) {}
 
   void retry(FaceMeshes& state) {
     constexpr int kMostRounds = 12;
     Refinement refinement(task_.options);
+    Refinement ofState = refinement, ofBest = refinement;  // with which these were made
     FaceMeshes best;
-    std::vector<bool> isHopeless(task_.faces.size(), false);
-    std::vector<bool> wasTried(task_.faces.size(), false);
-    std::vector<int> failures(task_.faces.size(), 0);
-    std::vector<std::size_t> dropped;  // faces for which shorter edges were of no use
+    std::vector<std::size_t> dropped;  // faces for which nothing was of use
     Neighbors neighbors(task_, state.meshes);
+    findShortEdges(state);
     const double mostEffort = Retries::mostEffort(state);
     double effort = 0;
     task_.join(state);
     for (int round = 0; round < kMostRounds && !task_.options.stop.stop_requested(); ++round) {
-      const std::vector<std::size_t> poor = worthAnotherTry(state, isHopeless, wasTried);
-      if ((poor.empty() && dropped.empty()) || effort > mostEffort) break;
-      for (const std::size_t i : poor) {
-        std::vector<SizeSource> places = placesOf(state, i);
-        if (failed(state.meshes[i]) && !wasTried[i])
-          std::ranges::move(sizesInside(i), std::back_inserter(places));
-        refinement.add(i, places);
-        wasTried[i] = true;
-      }
+      hasEffortLeft_ = effort <= mostEffort;
+      const std::vector<std::size_t> poor = worthAnotherTry(state);
+      if (poor.empty() && (dropped.empty() || !hasEffortLeft_)) break;
+      for (const std::size_t i : poor) askForMore(state, i, refinement);
       std::vector<std::size_t> again;
       std::ranges::set_union(poor, dropped, std::back_inserter(again));
-      FaceMeshes next = refined(state, again, refinement.options(), effort);
+      const Refinement ofNext = refinement;
+      FaceMeshes next = refined(state, again, ofNext, effort);
       if (task_.options.stop.stop_requested()) break;
       task_.join(next);
       dropped.clear();
       for (const std::size_t i : poor) {
-        if (isWorthwhile(state, next, i, failures[i])) continue;
-        isHopeless[i] = true;
+        if (isWorthwhile(state, next, i)) continue;
+        tries_[i].isHopeless = true;
         dropped.push_back(i);
-        const bool isInVain = failed(next.meshes[i]) || crossingsAt(next, i) > 0;
-        isInVain ? refinement.dropAll(i) : refinement.dropLast(i);
+        takeBack(state, next, i, refinement);
       }
-      neighbors.spare(next, refinement, isHopeless, dropped);
-      if (best.meshes.empty() || isBetter(state, best)) best = std::move(state);
+      neighbors.spare(next, refinement, dropped,
+                      [&](std::size_t i) { tries_[i].isHopeless = true; });
+      if (best.meshes.empty() || isBetter(state, best)) {
+        best = std::move(state);
+        ofBest = ofState;
+      }
       state = std::move(next);
+      ofState = ofNext;
     }
-    if (!best.meshes.empty() && !isBetter(state, best)) state = std::move(best);
+    if (!best.meshes.empty() && !isBetter(state, best)) {
+      state = std::move(best);
+      ofState = ofBest;
+    }
+    takeBackFailed(state, ofState);
     lean(state);
   }
 
  private:
+  /// What was tried on a face, and what may be tried yet.
+  struct Tries {
+    bool wasTried = false, isHopeless = false;
+    int failures = 0;
+    std::vector<EdgesAsPoints> shortEdges;  ///< to be given up, one after the other, the last first
+  };
+
+  void findShortEdges(const FaceMeshes& state) {
+    for (std::size_t i = 0; i < state.meshes.size(); ++i) {
+      if (!failed(state.meshes[i])) continue;
+      const int id = task_.faces[i];
+      tries_[i].shortEdges =
+          shortEdgesNear(task_.model, id, state.divided, state.meshes[i].trouble.places,
+                         wantedOnFace(task_.options.sizes, id));
+      std::ranges::reverse(tries_[i].shortEdges);
+    }
+  }
+
+  /// Shorter edges where a face is at fault. If these are of no use to one that failed, it does
+  /// without the short edges of the model there.
+  void askForMore(const FaceMeshes& state, std::size_t i, Refinement& refinement) {
+    Tries& tries = tries_[i];
+    const bool isFailed = failed(state.meshes[i]);
+    if (isFailed && mayDropShortEdges(tries)) {
+      refinement.dropAll(i);
+      refinement.takeForPoints(i, tries.shortEdges.back());
+      tries.shortEdges.pop_back();
+      return;
+    }
+    std::vector<SizeSource> places = placesOf(state, i);
+    if (isFailed && !tries.wasTried) std::ranges::move(sizesInside(i), std::back_inserter(places));
+    refinement.add(i, places);
+    tries.wasTried = true;
+  }
+
+  /// Only where shorter edges did not help. To mesh a face with fewer edges costs little.
+  bool mayDropShortEdges(const Tries& tries) const {
+    constexpr int kFailures = 2;
+    return !tries.shortEdges.empty() && (tries.failures >= kFailures || !hasEffortLeft_);
+  }
+
+  /// What was of no use to a face.
+  static void takeBack(const FaceMeshes& state, const FaceMeshes& next, std::size_t i,
+                       Refinement& refinement) {
+    if (failed(state.meshes[i]))
+      refinement.dropAll(i);
+    else if (failed(next.meshes[i]) || crossingsAt(next, i) > 0)
+      refinement.dropPlaces(i);
+    else
+      refinement.dropLast(i);
+  }
+
+  /// So that the last way begins as if nothing had been tried.
+  void takeBackFailed(FaceMeshes& state, Refinement refinement) const {
+    std::vector<std::size_t> faces;
+    for (std::size_t i = 0; i < state.meshes.size(); ++i)
+      if (failed(state.meshes[i]) && refinement.dropAll(i)) faces.push_back(i);
+    if (faces.empty() || task_.options.stop.stop_requested()) return;
+    double effort = 0;
+    FaceMeshes next = refined(state, faces, refinement, effort);
+    if (task_.options.stop.stop_requested()) return;
+    task_.join(next);
+    if (isBetter(next, state)) state = std::move(next);
+  }
+
   /// The last way for faces that failed; without those that then cross others.
   void lean(FaceMeshes& state) const {
     std::vector<std::pair<std::size_t, FaceMesh>> before;
@@ -133,7 +202,7 @@ class Retries {
       if (!failed(state.meshes[i])) continue;
       FaceMesh was = std::move(state.meshes[i]);
       task_.meshLeaning(i, state);
-      if (failed(state.meshes[i]))
+      if (failed(state.meshes[i]) || state.meshes[i].elements.empty())
         state.meshes[i] = std::move(was);
       else
         before.emplace_back(i, std::move(was));
@@ -144,21 +213,22 @@ class Retries {
       if (crossingsAt(state, i) > 0) {
         state.meshes[i] = std::move(was);
       } else {
-        std::vector<std::string>& steps = state.meshes[i].report.attempts;
+        std::vector<std::string>& steps = was.report.attempts;
+        steps.push_back(was.report.reason);
         steps.push_back("elements that lean against the surface");
+        state.meshes[i].report.attempts = std::move(steps);
       }
     }
     task_.join(state);
   }
 
-  static std::vector<std::size_t> worthAnotherTry(const FaceMeshes& state,
-                                                  const std::vector<bool>& isHopeless,
-                                                  const std::vector<bool>& wasTried) {
+  std::vector<std::size_t> worthAnotherTry(const FaceMeshes& state) const {
     std::vector<std::size_t> poor;
     for (std::size_t i = 0; i < state.meshes.size(); ++i) {
       const FaceTrouble& trouble = state.meshes[i].trouble;
-      if (isHopeless[i]) continue;
-      const bool isWorthIt = !trouble.places.empty() && (trouble.isBad || !wasTried[i]);
+      if (tries_[i].isHopeless) continue;
+      if (!hasEffortLeft_ && !(failed(state.meshes[i]) && mayDropShortEdges(tries_[i]))) continue;
+      const bool isWorthIt = !trouble.places.empty() && (trouble.isBad || !tries_[i].wasTried);
       if (isWorthIt || crossingsAt(state, i) > 0) poor.push_back(i);
     }
     return poor;
@@ -177,7 +247,7 @@ class Retries {
 
   /// A face that failed may fail again, and shorter edges are dearer.
   static std::size_t mostCandidates(const FaceMesh& before) {
-    constexpr std::size_t kAlways = 300'000, kTimes = 2;
+    constexpr std::size_t kAlways = 100'000, kTimes = 2;
     return failed(before) ? kAlways + kTimes * before.effort
                           : std::numeric_limits<std::size_t>::max();
   }
@@ -217,12 +287,15 @@ class Retries {
   }
 
   /// Whether a face should be tried once more after `next`.
-  static bool isWorthwhile(const FaceMeshes& state, const FaceMeshes& next, std::size_t i,
-                           int& failures) {
+  bool isWorthwhile(const FaceMeshes& state, const FaceMeshes& next, std::size_t i) {
     constexpr double kGain = 0.9;
-    constexpr int kMostFailures = 6, kMostCrossed = 2;
+    constexpr int kMostCrossed = 2;
     const FaceMesh &before = state.meshes[i], &after = next.meshes[i];
-    if (failed(after)) return ++failures < kMostFailures;
+    int& failures = tries_[i].failures;
+    if (failed(after)) {
+      if (after.effort > 0) ++failures;  // else no front was tried, and the next try is as cheap
+      return failures < kMostFailures || !tries_[i].shortEdges.empty();
+    }
     const auto crossed = static_cast<double>(crossingsAt(state, i));
     const auto crosses = static_cast<double>(crossingsAt(next, i));
     if (crosses > 0) return crosses < kGain * crossed || ++failures < kMostCrossed;
@@ -250,10 +323,11 @@ class Retries {
 
   /// The edges divided anew, the faces meshed anew that are at fault or lie at edges that changed.
   FaceMeshes refined(const FaceMeshes& state, const std::vector<std::size_t>& poor,
-                     const ModelMeshingOptions& options, double& effort) const {
+                     const Refinement& refinement, double& effort) const {
+    const ModelMeshingOptions options = refinement.options();
     FaceMeshes next;
-    next.divided =
-        divideEdges(task_.model, options.sizes, options.threads, options.stop, options.edgePoints);
+    next.divided = divideEdges(task_.model, options.sizes, options.threads, options.stop,
+                               options.edgePoints, refinement.edgesAsPoints());
     const DivisionChange change = compare(state.divided, next.divided);
     next.meshes.resize(task_.faces.size());
     std::vector<std::size_t> again;
@@ -266,12 +340,23 @@ class Retries {
       for (std::uint32_t& point : next.meshes[i].boundary) point = change.newIndex[point];
     }
     forEachInParallel(again.size(), options.threads, [&](std::size_t k) {
-      task_.mesh(again[k], options, mostCandidates(state.meshes[again[k]]), next);
-      tellOfRetry(state, again[k], next.meshes[again[k]]);
+      const FaceMesh& before = state.meshes[again[k]];
+      FaceMesh& after = next.meshes[again[k]];
+      task_.mesh(again[k], options, mostCandidates(before), next);
+      if (failed(before)) refuseNothing(before, after);
+      tellOfRetry(state, again[k], after);
     });
     for (const std::size_t i : again)
       effort += static_cast<double>(next.meshes[i].effort) + kForEachFace;
     return next;
+  }
+
+  /// A face that failed and is nothing without its short edges has failed still.
+  static void refuseNothing(const FaceMesh& failure, FaceMesh& mesh) {
+    if (failed(mesh) || !mesh.elements.empty()) return;
+    mesh.report.status = FaceStatus::Failed;
+    mesh.report.reason = failure.report.reason;
+    mesh.trouble = failure.trouble;
   }
 
   /// What a face that is meshed again has behind it.
@@ -298,7 +383,12 @@ class Retries {
     return false;
   }
 
+  /// So often shorter edges are tried on a face that fails.
+  static constexpr int kMostFailures = 3;
+
   const RetryTask& task_;
+  std::vector<Tries> tries_;  // by face
+  bool hasEffortLeft_ = true;
 };
 
 }  // namespace

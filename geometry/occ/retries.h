@@ -28,7 +28,7 @@ struct RetryTask {
   std::function<void(std::size_t i, const ModelMeshingOptions& options, std::size_t mostCandidates,
                      FaceMeshes& into)>
       mesh;
-  /// Meshes the i-th of these, if need be with elements that lean against the surface.
+  /// Meshes the i-th of these with elements that lean against the surface.
   std::function<void(std::size_t i, FaceMeshes& into)> meshLeaning;
   std::function<void(FaceMeshes& state)> join;  ///< joins the meshes and finds their crossings
 };

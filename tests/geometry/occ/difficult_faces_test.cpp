@@ -53,6 +53,32 @@ TEST(DifficultFaces, ANarrowRingGetsShorterEdges) {
   EXPECT_FALSE(result.faces[0].attempts.empty());
 }
 
+TEST(DifficultFaces, AnArcOfAThousandthOfTheSizeIsDividedUntilItsChordsDoNotCross) {
+  const auto arc = [](double radius) {
+    return BRepBuilderAPI_MakeEdge(gp_Circ(gp_Ax2({0, 0, 0}, {0, 0, 1}), radius), 0, pi).Edge();
+  };
+  const auto side = [](double from, double to) {
+    return BRepBuilderAPI_MakeEdge(gp_Pnt(from, 0, 0), gp_Pnt(to, 0, 0)).Edge();
+  };
+  BRepBuilderAPI_MakeWire wire(arc(1.0002), side(-1.0002, -1), arc(1), side(1, 1.0002));
+  const ModelMesh result = mesh(plane({wire.Wire()}), 0.2);
+  expectComplete(result, pi / 2 * (1.0002 * 1.0002 - 1), 0.01);
+  EXPECT_GT(leastAngle(result), 0.5);
+}
+
+/// No front can fill what crossing edges bound, however short they are.
+TEST(DifficultFaces, ALoopThatCrossesItselfIsTriedOnce) {
+  ModelMeshingOptions options = testing::ofSize(0.3);
+  int fronts = 0;
+  options.observer = [&](int) {
+    ++fronts;
+    return nullptr;
+  };
+  const ModelMesh result = mesh(testing::modelOf(testing::crossingLoop()), options);
+  EXPECT_EQ(result.faces[0].status, FaceStatus::Failed);
+  EXPECT_EQ(fronts, 1);
+}
+
 /// Ten times shorter edges are not enough, though better.
 TEST(DifficultFaces, AStripOfATwoThousandthOfTheSizeIsDividedFinely) {
   const ModelMesh result = mesh(plane({rectangle(0, 0, 2, 0.0005)}), 1);
@@ -138,7 +164,7 @@ TEST(DifficultFaces, ACornerThatTurnsOverIsMeshedWithElementsThatLean) {
   for (int i = poles.LowerRow(); i <= poles.UpperRow(); ++i)
     for (int k = poles.LowerCol(); k <= poles.UpperCol(); ++k)
       poles.SetValue(i, k,
-                     i == poles.UpperRow() ? gp_Pnt(4 - 0.05 * (k - 1), -0.03 * (k - 1), 1.6)
+                     i == poles.UpperRow() ? gp_Pnt(4 - 0.1 * (k - 1), -0.06 * (k - 1), 1.6)
                                            : gp_Pnt(i - 1, 0.4 * (k - 1), 0.1 * i * i));
   const Handle(Geom_Surface) surface = new Geom_BezierSurface(poles);
   const TopoDS_Face face = BRepBuilderAPI_MakeFace(surface, 1e-6);
