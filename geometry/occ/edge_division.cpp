@@ -338,6 +338,7 @@ class Division {
       DividedEdge& edge = result_.edges[parts_[i].edge];
       const DividedPart& part = dividedParts_[i];
       const std::ptrdiff_t skipped = parts_[i].isFirst ? 0 : 1;
+      if (twins_[i]) edge.twin = static_cast<int>(parts_[*twins_[i]].edge) + 1;
       if (skipped > 0) edge.stops.push_back(edge.points.size() - 1);
       edge.parameters.insert(edge.parameters.end(), part.parameters.begin() + skipped,
                              part.parameters.end());

@@ -21,8 +21,9 @@ struct DividedEdge {
   std::vector<std::uint32_t> points;  ///< by parameter: index into DividedEdges::points
   /// Indices of those, between the ends, at which another edge ends on this one.
   std::vector<std::size_t> stops;
-  std::string problem;  ///< why it is unusable; its faces fail
-  double wanted = 0;    ///< the size asked for, before all limits
+  std::string problem;                 ///< why it is unusable; its faces fail
+  double wanted = 0;                   ///< the size asked for, before all limits
+  int twin = 0;                        ///< the edge that it has its vertices from; 0: none
   std::optional<std::uint32_t> point;  ///< that the edge was taken for because that was asked for
 };
 

@@ -114,6 +114,7 @@ class BoundaryFinder {
     if (chains_.empty())
       throw GeometryError(
           "the face has no boundary, and its surface does not end by itself: its edges are lost");
+    tellOfTwins();
     if (surface_.isPlane()) orientWiresOfPlane();
     if (hasNoWidth()) return std::move(result_);
     cancelWhereTheyTouch();
@@ -277,6 +278,16 @@ class BoundaryFinder {
   void addDirected(Chain chain) {
     if (chain.reversed) std::reverse(chain.corners.begin(), chain.corners.end());
     chains_.push_back(std::move(chain));
+  }
+
+  /// Those on other faces.
+  void tellOfTwins() {
+    for (const Chain& chain : chains_) {
+      const int twin = divided_.edges[static_cast<std::size_t>(chain.edge) - 1].twin;
+      if (twin == 0 || std::ranges::find(chains_, twin, &Chain::edge) != chains_.end()) continue;
+      result_.notes.push_back("edge " + std::to_string(chain.edge) + " runs along edge " +
+                              std::to_string(twin) + " and has its vertices");
+    }
   }
 
   /// The surface may turn over at an edge that was taken for a point although it can be seen: what

@@ -25,6 +25,7 @@ struct FaceBoundary {
   bool closedInParameters = true;    ///< the loops are closed curves in (u, v), too
   bool canBeCut = true;              ///< they are, but for poles: lines in (u, v) cut the face
   std::vector<std::string> repairs;  ///< what was not as it should be and was put right
+  std::vector<std::string> notes;    ///< what else is worth telling
   std::vector<int> pointEdges;       ///< taken for points
   /// Edges that lie on each other along a part of their length or all of it, with no room between.
   struct TouchingEdges {

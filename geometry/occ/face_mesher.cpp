@@ -61,6 +61,7 @@ class FaceMesher {
   void meshInto(FaceMesh& mesh) {
     FaceBoundary boundary = findBoundary(context_.model, face_, context_.divided, surface_);
     mesh.report.attempts = boundary.repairs;
+    std::ranges::copy(boundary.notes, std::back_inserter(mesh.report.attempts));
     tellOfPoints(boundary.pointEdges, mesh.report.attempts);
     for (const FaceBoundary::TouchingEdges& edges : boundary.touching)
       mesh.report.attempts.push_back(toldOfTouching(edges));

@@ -139,11 +139,11 @@ class Retries {
 
   void findShortEdges(const FaceMeshes& state) {
     for (std::size_t i = 0; i < state.meshes.size(); ++i) {
-      if (!failed(state.meshes[i])) continue;
+      const FaceTrouble& trouble = state.meshes[i].trouble;
+      if (!failed(state.meshes[i]) || !trouble.isBad) continue;  // without a boundary all is lost
       const int id = task_.faces[i];
-      tries_[i].shortEdges =
-          shortEdgesNear(task_.model, id, state.divided, state.meshes[i].trouble.places,
-                         wantedOnFace(task_.options.sizes, id));
+      tries_[i].shortEdges = shortEdgesNear(task_.model, id, state.divided, trouble.places,
+                                            wantedOnFace(task_.options.sizes, id));
       std::ranges::reverse(tries_[i].shortEdges);
     }
   }
@@ -153,7 +153,7 @@ class Retries {
   void askForMore(const FaceMeshes& state, std::size_t i, Refinement& refinement) {
     Tries& tries = tries_[i];
     const bool isFailed = failed(state.meshes[i]);
-    if (isFailed && mayDropShortEdges(tries)) {
+    if (mayDropShortEdges(state, i)) {
       refinement.dropAll(i);
       refinement.takeForPoints(i, tries.shortEdges.back());
       tries.shortEdges.pop_back();
@@ -165,10 +165,14 @@ class Retries {
     tries.wasTried = true;
   }
 
-  /// Only where shorter edges did not help. To mesh a face with fewer edges costs little.
-  bool mayDropShortEdges(const Tries& tries) const {
+  /// Only where shorter edges did not help, or nobody knows where they should be. To mesh a face
+  /// with fewer edges costs little.
+  bool mayDropShortEdges(const FaceMeshes& state, std::size_t i) const {
     constexpr int kFailures = 2;
-    return !tries.shortEdges.empty() && (tries.failures >= kFailures || !hasEffortLeft_);
+    const Tries& tries = tries_[i];
+    return failed(state.meshes[i]) && !tries.shortEdges.empty() &&
+           (tries.failures >= kFailures || !hasEffortLeft_ ||
+            state.meshes[i].trouble.places.empty());
   }
 
   /// What was of no use to a face.
@@ -227,8 +231,10 @@ class Retries {
     for (std::size_t i = 0; i < state.meshes.size(); ++i) {
       const FaceTrouble& trouble = state.meshes[i].trouble;
       if (tries_[i].isHopeless) continue;
-      if (!hasEffortLeft_ && !(failed(state.meshes[i]) && mayDropShortEdges(tries_[i]))) continue;
-      const bool isWorthIt = !trouble.places.empty() && (trouble.isBad || !tries_[i].wasTried);
+      const bool mayDropEdges = mayDropShortEdges(state, i);
+      if (!hasEffortLeft_ && !mayDropEdges) continue;
+      const bool isWorthIt =
+          mayDropEdges || (!trouble.places.empty() && (trouble.isBad || !tries_[i].wasTried));
       if (isWorthIt || crossingsAt(state, i) > 0) poor.push_back(i);
     }
     return poor;

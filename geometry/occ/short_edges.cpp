@@ -26,8 +26,9 @@ std::map<int, double> edgesNear(const ModelShape& model, int face, const Divided
     const DividedEdge& edge = divided.edges[static_cast<std::size_t>(id) - 1];
     if (edge.points.empty()) continue;
     const Point3& end = divided.points[edge.points.front()];
-    const bool isNear = std::ranges::any_of(
-        places, [&](const SizeSource& place) { return distance(place.position, end) <= reach; });
+    const bool isNear = places.empty() || std::ranges::any_of(places, [&](const SizeSource& place) {
+                          return distance(place.position, end) <= reach;
+                        });
     if (isNear) found[id] = extentOf(edge, divided.points);
   }
   return found;
