@@ -214,6 +214,7 @@ FaceSurface::FaceSurface(const Handle(Geom_Surface) & surface, const SplineSurfa
 
 void FaceSurface::measure() {
   const Bounds bounds{box_};
+  tips_ = SharpTips(parametric_, box_);
   for (const double share : {0.02, 0.5, 0.98}) {
     const auto u = alongU(bounds, parametric_, share), v = alongV(bounds, parametric_, share);
     isBentInU_ = isBentInU_ || geometry::isBent(u);
@@ -230,7 +231,8 @@ const ParametricSurface& FaceSurface::inParameters() const {
 SurfacePoint FaceSurface::boundaryPoint(const Point3& position, double u, double v) const {
   if (const auto* general = std::get_if<GeneralSurface>(&surface_)) {
     general->refine(position, u, v);
-    return {position, general->normalAtBoundary(u, v), u, v};
+    const auto atTip = tips_.normalAt(position);
+    return {position, atTip ? *atTip : general->normalAtBoundary(u, v), u, v};
   }
   if (!unrolled_) return pointAt(position, u, v);
   const Point2 flat = unrolled_->develop(position, u, v);
@@ -274,8 +276,10 @@ FaceSurface::Radii FaceSurface::radiiAt(const SurfacePoint& point, double reach)
                  },
                  [&](const GeneralSurface& general) {
                    const auto radii = general.radiiAt(point.u, point.v);
-                   return Radii{radii.smallest, std::min(isBentInU_ ? radii.u : kInfinite,
-                                                         isBentInV_ ? radii.v : kInfinite)};
+                   const double easing = tips_.easing(point.position, reach);
+                   return Radii{easing * radii.smallest,
+                                easing * std::min(isBentInU_ ? radii.u : kInfinite,
+                                                  isBentInV_ ? radii.v : kInfinite)};
                  }},
       surface_);
 }

@@ -11,6 +11,7 @@
 #include "geometry/chart_kind.h"
 #include "geometry/mean_normal_chart.h"
 #include "geometry/occ/general_surface.h"
+#include "geometry/occ/sharp_tips.h"
 #include "geometry/plane_map.h"
 #include "geometry/quadric_surfaces.h"
 #include "geometry/unrolled_surfaces.h"
@@ -35,8 +36,8 @@ class FaceSurface {
   SurfacePoint pointAt(const Point3& position, double u, double v) const;
   /// How the surface bends at a point.
   struct Radii {
-    /// Smaller radius of curvature. Near the tip of a cone, that at a distance of `reach` from it:
-    /// smaller elements would see the same sharp tip.
+    /// Smaller radius of curvature. Near a sharp tip, as of a cone, that at a distance of `reach`
+    /// from it: smaller elements would see the same sharp tip.
     double smallest;
     /// Smaller radius of curvature along those parameter lines on which the face turns by more than
     /// about a right angle: a tube, but not the rounding of an edge. Infinite if there are none.
@@ -86,6 +87,7 @@ class FaceSurface {
   Surface surface_;
   std::shared_ptr<const UnrolledSurface> unrolled_;  ///< null: there is none
   bool isBentInU_ = false, isBentInV_ = false, hasTip_ = false;
+  SharpTips tips_;  ///< of a GeneralSurface
   double extent_ = 0;
   /// Of a torus, a surface of revolution and an extrusion.
   enum class Sweep { None, Torus, Revolution, Extrusion } sweep_ = Sweep::None;

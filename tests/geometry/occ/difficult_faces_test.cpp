@@ -10,9 +10,12 @@
 #include <BRepPrimAPI_MakePrism.hxx>
 #include <GProp_GProps.hxx>
 #include <Geom_BSplineSurface.hxx>
+#include <Geom_BezierCurve.hxx>
 #include <Geom_BezierSurface.hxx>
+#include <Geom_SurfaceOfRevolution.hxx>
 #include <TColStd_Array1OfInteger.hxx>
 #include <TColStd_Array1OfReal.hxx>
+#include <TColgp_Array1OfPnt.hxx>
 #include <TColgp_Array2OfPnt.hxx>
 #include <TopoDS.hxx>
 #include <gp_Ax2.hxx>
@@ -174,6 +177,23 @@ TEST(DifficultFaces, ACornerThatTurnsOverIsMeshedWithElementsThatLean) {
   expectComplete(result, properties.Mass());
   ASSERT_FALSE(result.faces[0].attempts.empty());
   EXPECT_EQ(result.faces[0].attempts.back(), "elements that lean against the surface");
+}
+
+/// Most of a turn of a trumpet: its narrow end is one point, a corner of the face, from which the
+/// surface looks up to opposite sides.
+TEST(DifficultFaces, ASharpTipAtACornerIsMeshed) {
+  TColgp_Array1OfPnt poles(1, 3);
+  poles.SetValue(1, {0, 0, 0});
+  poles.SetValue(2, {0.5, 0, -0.5});
+  poles.SetValue(3, {1.5, 0, 0});
+  const Handle(Geom_Surface) surface =
+      new Geom_SurfaceOfRevolution(new Geom_BezierCurve(poles), gp::OZ());
+  const TopoDS_Face face = BRepBuilderAPI_MakeFace(surface, 0, 5.5, 0, 1, 1e-7);
+  for (const double size : {0.3, 0.17, 0.1}) {
+    const ModelMesh result = mesh(face, size);
+    expectComplete(result);
+    EXPECT_GT(leastAngle(result), 10) << size;
+  }
 }
 
 TEST(DifficultFaces, AThinWireIsMeshedAllTheWayAround) {

@@ -4,6 +4,9 @@
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepTools.hxx>
 #include <Geom_BezierSurface.hxx>
+#include <Geom_Circle.hxx>
+#include <Geom_Line.hxx>
+#include <Geom_SurfaceOfRevolution.hxx>
 #include <TColgp_Array2OfPnt.hxx>
 
 #include "tests/geometry/occ/shapes.h"
@@ -82,6 +85,31 @@ TEST(FaceSurface, TellsTubesFromRoundings) {
   EXPECT_DOUBLE_EQ(bentRadius(BRepPrimAPI_MakeTorus(3, 1).Shape()), 1);
   // A quarter of the tube, all the way round: only the large circles count.
   EXPECT_GT(bentRadius(BRepPrimAPI_MakeTorus(3, 1, 0, 1.5).Shape()), 3);
+}
+
+/// What a line or an arc in the plane y = 0 sweeps as it turns about the z axis.
+FaceSurface revolved(const Handle(Geom_Curve) & line, double length, double turn) {
+  const Handle(Geom_Surface) surface = new Geom_SurfaceOfRevolution(line, gp::OZ());
+  return FaceSurface(BRepBuilderAPI_MakeFace(surface, 0, turn, 0, length, 1e-7));
+}
+
+TEST(FaceSurface, EndsInASharpTipWhereItIsRevolvedFromTheAxis) {
+  const FaceSurface surface = revolved(new Geom_Line({0, 0, 0}, {1, 0, 1}), 2, 5.5);
+  const GeneralSurface& parameters = surface.inOccParameters();
+  const SurfacePoint near = parameters.pointAt(1, 0.01), away = parameters.pointAt(1, 0.2);
+  EXPECT_NEAR(surface.radiiAt(near, 0.2).smallest, surface.radiiAt(away, 0.2).smallest, 1e-9);
+  EXPECT_NEAR(surface.radiiAt(near).smallest, 0.01, 1e-9);
+  // Seen from its normal, all of the surface around the tip faces the same way.
+  const Point3 atTip = surface.boundaryPoint({0, 0, 0}, 0, 0).normal;
+  for (const double u : {0.0, 1.0, 2.75, 4.0, 5.5})
+    EXPECT_GT(dot(atTip, parameters.normalAt(u, 0.1)), 0.4) << u;
+}
+
+TEST(FaceSurface, EndsInNoSharpTipAtThePoleOfADome) {
+  const gp_Ax2 frame({0, 0, 0}, {0, -1, 0}, {0, 0, 1});
+  const FaceSurface surface = revolved(new Geom_Circle(frame, 0.1), 1.5, 5.5);
+  const SurfacePoint near = surface.inOccParameters().pointAt(1, 0.01);
+  EXPECT_NEAR(surface.radiiAt(near, 0.2).smallest, 0.1, 1e-9);
 }
 
 TEST(DevelopedCone, IsIsometric) {

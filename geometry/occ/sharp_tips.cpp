@@ -1,0 +1,90 @@
+#include "geometry/occ/sharp_tips.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+namespace af2::geometry {
+
+namespace {
+
+constexpr double kNear = 0.0025;  // share of the way from a side to the other
+
+/// Points along one side of the parameters, or along a line a share of the way from it to the
+/// other side.
+std::vector<SurfacePoint> alongSide(const GeneralSurface& surface, const SplineSurface::Box& box,
+                                    int side, double share) {
+  constexpr int kSteps = 8;
+  std::vector<SurfacePoint> points;
+  const double inward = side % 2 == 0 ? share : 1 - share;
+  for (int i = 0; i <= kSteps; ++i) {
+    const double along = static_cast<double>(i) / kSteps;
+    const auto [x, y] = side < 2 ? std::array{along, inward} : std::array{inward, along};
+    points.push_back(
+        surface.pointAt(box.u1 + x * (box.u2 - box.u1), box.v1 + y * (box.v2 - box.v1)));
+  }
+  return points;
+}
+
+double extentOf(const std::vector<SurfacePoint>& points) {
+  double extent = 0;
+  for (const SurfacePoint& point : points)
+    extent = std::max(extent, distance(point.position, points.front().position));
+  return extent;
+}
+
+double spreadOfNormals(const std::vector<SurfacePoint>& points) {
+  double spread = 0;
+  for (const SurfacePoint& p : points)
+    for (const SurfacePoint& q : points) spread = std::max(spread, distance(p.normal, q.normal));
+  return spread;
+}
+
+/// The ends of a line once around are the same place, and count half.
+Point3 meanNormal(const std::vector<SurfacePoint>& points) {
+  Point3 sum = -0.5 * (points.front().normal + points.back().normal);
+  for (const SurfacePoint& point : points) sum = sum + point.normal;
+  constexpr double kNone = 1e-3;
+  return length(sum) > kNone ? unit(sum) : Point3{};
+}
+
+/// At the pole of a dome normals come together, and the spread is in proportion to the distance.
+bool isSharp(const GeneralSurface& surface, const SplineSurface::Box& box, int side) {
+  constexpr double kFar = 4 * kNear;
+  constexpr double kSharp = 0.35;  // 20 degrees
+  constexpr double kLasting = 0.7;
+  const double near = spreadOfNormals(alongSide(surface, box, side, kNear));
+  const double far = spreadOfNormals(alongSide(surface, box, side, kFar));
+  return near > kSharp && near > kLasting * far;
+}
+
+}  // namespace
+
+SharpTips::SharpTips(const GeneralSurface& surface, const SplineSurface::Box& box) {
+  constexpr double kPoint = 1e-6;  // of the extent in the middle
+  for (int side = 0; side < 4; ++side) {
+    const auto points = alongSide(surface, box, side, 0);
+    const double slack = kPoint * extentOf(alongSide(surface, box, side, 0.5));
+    if (extentOf(points) < slack && isSharp(surface, box, side))
+      tips_.push_back(
+          {points.front().position, meanNormal(alongSide(surface, box, side, kNear)), slack});
+  }
+}
+
+double SharpTips::easing(const Point3& position, double reach) const {
+  double easing = 1;
+  for (const Tip& tip : tips_) {
+    const double away = distance(position, tip.position);
+    if (away < reach)
+      easing = away > 0 ? std::max(easing, reach / away) : std::numeric_limits<double>::infinity();
+  }
+  return easing;
+}
+
+std::optional<Point3> SharpTips::normalAt(const Point3& position) const {
+  for (const Tip& tip : tips_)
+    if (distance(position, tip.position) < tip.slack && length(tip.normal) > 0) return tip.normal;
+  return std::nullopt;
+}
+
+}  // namespace af2::geometry
