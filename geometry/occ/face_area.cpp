@@ -153,6 +153,20 @@ double integrateAlong(const Curve& curve, const Integral& integral, const Rate& 
 
 double signOf(const TopoDS_Edge& edge) { return edge.Orientation() == TopAbs_REVERSED ? -1 : 1; }
 
+/// Along some chords, so a little too short.
+double roughLength(const TopoDS_Edge& edge) {
+  double first, last;
+  if (BRep_Tool::Degenerated(edge) || BRep_Tool::Curve(edge, first, last).IsNull()) return 0;
+  constexpr int kChords = 4;
+  const BRepAdaptor_Curve curve(edge);
+  double length = 0;
+  for (int i = 0; i < kChords; ++i) {
+    const auto at = [&](int k) { return curve.Value(first + (last - first) * k / kChords); };
+    length += at(i).Distance(at(i + 1));
+  }
+  return length;
+}
+
 /// By Green's theorem the area is the integral of the strips up to the boundary over dv, once
 /// around the face.
 class CurvedArea {
@@ -177,6 +191,7 @@ class CurvedArea {
     if (curve.IsNull()) throw Standard_Failure("an edge has no curve in the parameters");
     const Geom2dAdaptor_Curve adaptor(curve, first, last);
     const gp_Pnt2d start = adaptor.Value(first), end = adaptor.Value(last);
+    doubt_ += BRep_Tool::Tolerance(edge) * roughLength(edge);
     gapU_ += signOf(edge) * (end.X() - start.X());
     gapV_ += signOf(edge) * (end.Y() - start.Y());
     sum_ += signOf(edge) * integrateAlong(adaptor, integral_, [&](double t) {
@@ -196,15 +211,16 @@ class CurvedArea {
     gapU_ = gapV_ = 0;
   }
 
-  /// 0 if some wire is not closed in the parameters.
-  double area() const { return isClosed_ ? std::abs(sum_) : 0; }
+  /// 0 if some wire is not closed in the parameters, or if the curves there may lie beside the
+  /// edges by more than the face is wide.
+  double area() const { return isClosed_ && std::abs(sum_) > doubt_ ? std::abs(sum_) : 0; }
 
  private:
   const TopoDS_Face& face_;
   SplineSurface::Box box_;
   StripArea strip_;
   Integral integral_{0};
-  double sum_ = 0, gapU_ = 0, gapV_ = 0;
+  double sum_ = 0, gapU_ = 0, gapV_ = 0, doubt_ = 0;
   bool isClosed_ = true;
 };
 

@@ -6,7 +6,12 @@
 #include <BRepBuilderAPI_NurbsConvert.hxx>
 #include <BRepGProp.hxx>
 #include <BRepPrimAPI_MakeRevol.hxx>
+#include <BRep_Builder.hxx>
 #include <GProp_GProps.hxx>
+#include <Geom_CylindricalSurface.hxx>
+#include <Precision.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
 #include <gp_Pln.hxx>
 
 #include <cmath>
@@ -72,6 +77,20 @@ TEST(FaceArea, OfSurfacesWithoutClosedFormIsThatOfOpenCascade) {
           .Shape();
   expectAreasOfOpenCascade(
       BRepPrimAPI_MakeRevol(square, gp_Ax1(gp_Pnt(0, 0, 0), gp_Dir(0.3, 0, 1)), 2.0).Shape());
+}
+
+/// The face of a cylinder from angle 0 to `turn`, whose edges are said to be exact to a tolerance.
+TopoDS_Face strip(double turn, double tolerance) {
+  const TopoDS_Face face = BRepBuilderAPI_MakeFace(new Geom_CylindricalSurface(gp_Ax3(), 1), 0,
+                                                   turn, 0, 1, Precision::Confusion());
+  for (TopExp_Explorer edges(face, TopAbs_EDGE); edges.More(); edges.Next())
+    BRep_Builder().UpdateEdge(TopoDS::Edge(edges.Current()), tolerance);
+  return face;
+}
+
+TEST(FaceArea, CannotBeToldWhereFacesAreNarrowerThanTheirEdgesAreExact) {
+  EXPECT_NEAR(sumOfAreas(testing::modelOf(strip(1e-3, 1e-5))), 1e-3, 1e-9);
+  EXPECT_EQ(sumOfAreas(testing::modelOf(strip(1e-3, 1e-3))), 0);
 }
 
 TEST(FaceArea, DoesNotDependOnTheOrientation) {
