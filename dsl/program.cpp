@@ -84,61 +84,98 @@ double either(double a, double b) {
   return std::isnan(a) || std::isnan(b) ? kNoValue : 0;
 }
 
+double chosen(double condition, double a, double b) {
+  return std::isnan(condition) ? kNoValue : condition != 0 ? a : b;
+}
+
 /// One step of a run: the arguments are values of earlier steps.
 class Runner {
  public:
-  Runner(const AF2Binding& binding, std::span<const double> inputs, std::span<const double> values)
+  Runner(const AF2Binding& binding, std::span<const double> inputs, const double* values)
       : binding_(binding), inputs_(inputs), values_(values) {}
 
-  double arithmetic(const Step& s) const {
-    const double a = at(s, 0), b = at(s, 1);
+  /// Of a step that needs nothing but values, or nothing but the match. One switch over all that
+  /// rules ask most often: choosing among operations is what a step costs.
+  double operator()(const Step& s) const {
+    const auto at = [&](std::size_t i) { return values_[s.arguments[i]]; };
     switch (s.op) {
+      case Op::Constant:
+        return s.constant;
+      case Op::CoordinateX:
+        return vertex(s.index).x;
+      case Op::CoordinateY:
+        return vertex(s.index).y;
+      case Op::Level:
+        return binding_.level;
+      case Op::Input:
+        return inputs_[static_cast<std::size_t>(s.index)];
       case Op::Add:
-        return finite(a + b);
+        return finite(at(0) + at(1));
       case Op::Subtract:
-        return finite(a - b);
+        return finite(at(0) - at(1));
       case Op::Multiply:
-        return finite(a * b);
+        return finite(at(0) * at(1));
       case Op::Divide:
-        return b == 0 ? kNoValue : finite(a / b);
+        return at(1) == 0 ? kNoValue : finite(at(0) / at(1));
       case Op::Negate:
-        return -a;
+        return -at(0);
       case Op::Power:
-        return power(a, b);
+        return power(at(0), at(1));
       case Op::SquareRoot:
-        return a < 0 ? kNoValue : std::sqrt(a);
+        return at(0) < 0 ? kNoValue : std::sqrt(at(0));
       case Op::Sine:
-        return sine(a);
+        return sine(at(0));
       case Op::Cosine:
-        return cosine(a);
+        return cosine(at(0));
       case Op::Tangent:
-        return cosine(a) == 0 ? kNoValue : finite(sine(a) / cosine(a));
+        return cosine(at(0)) == 0 ? kNoValue : finite(sine(at(0)) / cosine(at(0)));
       case Op::Atan2:
-        return a == 0 && b == 0 ? kNoValue : std::atan2(a, b);
+        return at(0) == 0 && at(1) == 0 ? kNoValue : std::atan2(at(0), at(1));
       case Op::Absolute:
-        return std::abs(a);
+        return std::abs(at(0));
       case Op::Minimum:
-        return std::isnan(a) || std::isnan(b) ? kNoValue : std::min(a, b);
+        return isUnknown(at(0), at(1)) ? kNoValue : std::min(at(0), at(1));
       case Op::Maximum:
-        return std::isnan(a) || std::isnan(b) ? kNoValue : std::max(a, b);
+        return isUnknown(at(0), at(1)) ? kNoValue : std::max(at(0), at(1));
       case Op::Floor:
-        return std::floor(a);
+        return std::floor(at(0));
       case Op::Sweep:
-        return sweep({a, b}, {at(s, 2), at(s, 3)});
+        return sweep({at(0), at(1)}, {at(2), at(3)});
       case Op::BisectX:
-        return bisect({a, b}, {at(s, 2), at(s, 3)}).x;
+        return bisect({at(0), at(1)}, {at(2), at(3)}).x;
       case Op::BisectY:
-        return bisect({a, b}, {at(s, 2), at(s, 3)}).y;
+        return bisect({at(0), at(1)}, {at(2), at(3)}).y;
+      case Op::Less:
+        return isUnknown(at(0), at(1)) ? kNoValue : truth(at(0) < at(1));
+      case Op::LessEqual:
+        return isUnknown(at(0), at(1)) ? kNoValue : truth(at(0) <= at(1));
+      case Op::Equal:
+        return isUnknown(at(0), at(1)) ? kNoValue : truth(at(0) == at(1));
+      case Op::And:
+        return both(at(0), at(1));
+      case Op::Or:
+        return either(at(0), at(1));
+      case Op::Not:
+        return std::isnan(at(0)) ? kNoValue : truth(at(0) == 0);
+      case Op::Select:
+        return chosen(at(0), at(1), at(2));
+      case Op::LeftTurn:
+      case Op::NotRightTurn:
+        return turns(s);
       default:
-        return logic(s, a, b);
+        return surroundings(s);
     }
   }
+
+ private:
+  static bool isUnknown(double a, double b) { return std::isnan(a) || std::isnan(b); }
 
   double surroundings(const Step& s) const {
     static const AF2Surroundings nothing;
     const AF2Surroundings& around = binding_.surroundings ? *binding_.surroundings : nothing;
-    const Point2 p = s.arguments[0] < 0 ? Point2{} : Point2{at(s, 0), at(s, 1)};
-    if (std::isnan(p.x) || std::isnan(p.y)) return kNoValue;
+    const Point2 p =
+        s.arguments[0] < 0 ? Point2{} : Point2{values_[s.arguments[0]], values_[s.arguments[1]]};
+    if (isUnknown(p.x, p.y)) return kNoValue;
     switch (s.op) {
       case Op::Layer:
         return around.layer(s.index);
@@ -157,12 +194,16 @@ class Runner {
       case Op::CurvatureAt:
         return finite(around.curvature(p));
       default:
-        return kNoValue;
+        throw InternalError("a rule with errors was run");
     }
   }
 
-  double at(const Step& s, std::size_t i) const {
-    return s.arguments[i] < 0 ? 0 : values_[static_cast<std::size_t>(s.arguments[i])];
+  double turns(const Step& s) const {
+    std::array<double, 6> c;
+    for (std::size_t i = 0; i < c.size(); ++i) c[i] = values_[s.arguments[i]];
+    if (std::ranges::any_of(c, [](double x) { return std::isnan(x); })) return kNoValue;
+    const Turn turn = orientation({c[0], c[1]}, {c[2], c[3]}, {c[4], c[5]});
+    return truth(s.op == Op::LeftTurn ? turn == Turn::Left : turn != Turn::Right);
   }
 
   Point2 vertex(int i) const {
@@ -171,56 +212,15 @@ class Runner {
     return binding_.vertices[static_cast<std::size_t>(i)];
   }
 
-  double input(int i) const { return inputs_[static_cast<std::size_t>(i)]; }
-  int level() const { return binding_.level; }
-
- private:
-  double logic(const Step& s, double a, double b) const {
-    switch (s.op) {
-      case Op::And:
-        return both(a, b);
-      case Op::Or:
-        return either(a, b);
-      case Op::Select:
-        return std::isnan(a) ? kNoValue : a != 0 ? b : at(s, 2);
-      case Op::Not:
-        return std::isnan(a) ? kNoValue : truth(a == 0);
-      case Op::LeftTurn:
-      case Op::NotRightTurn:
-        return turns(s);
-      default:
-        break;
-    }
-    if (std::isnan(a) || std::isnan(b)) return kNoValue;
-    switch (s.op) {
-      case Op::Less:
-        return truth(a < b);
-      case Op::LessEqual:
-        return truth(a <= b);
-      case Op::Equal:
-        return truth(a == b);
-      default:
-        return kNoValue;
-    }
-  }
-
-  double turns(const Step& s) const {
-    for (std::size_t i = 0; i < 6; ++i)
-      if (std::isnan(at(s, i))) return kNoValue;
-    const Turn turn = orientation({at(s, 0), at(s, 1)}, {at(s, 2), at(s, 3)}, {at(s, 4), at(s, 5)});
-    return truth(s.op == Op::LeftTurn ? turn == Turn::Left : turn != Turn::Right);
-  }
-
   const AF2Binding& binding_;
-  std::span<const double> inputs_, values_;
+  std::span<const double> inputs_;
+  const double* values_;
 };
-
-bool isSurroundings(Op op) { return (op >= Op::Layer && op <= Op::CurvatureAt); }
 
 }  // namespace
 
 double evaluateStep(const Step& step, std::span<const double> values) {
-  return Runner({}, {}, values).arithmetic(step);
+  return Runner({}, {}, values.data())(step);
 }
 
 int argumentCount(Op op) {
@@ -277,32 +277,16 @@ bool Program::run(const AF2Binding& binding, std::span<const double> inputs,
     large.resize(steps_.size());
     values = large.data();
   }
-  const Runner runner(binding, inputs, {values, steps_.size()});
-  for (std::size_t i = 0; i < steps_.size(); ++i) {
-    const Step& s = steps_[i];
-    if (isArithmetic(s.op))
-      values[i] = runner.arithmetic(s);
-    else if (isSurroundings(s.op))
-      values[i] = runner.surroundings(s);
-    else if (s.op == Op::Constant)
-      values[i] = s.constant;
-    else if (s.op == Op::CoordinateX)
-      values[i] = runner.vertex(s.index).x;
-    else if (s.op == Op::CoordinateY)
-      values[i] = runner.vertex(s.index).y;
-    else if (s.op == Op::Level)
-      values[i] = runner.level();
-    else if (s.op == Op::Input)
-      values[i] = runner.input(s.index);
-    else if (s.op == Op::Inside)
-      values[i] = shapes_[static_cast<std::size_t>(s.index)]->holds(
-          binding, {runner.at(s, 0), runner.at(s, 1)});
-    else if (s.op == Op::Call)
-      values[i] =
-          finite(call(*functions_[static_cast<std::size_t>(s.index)], s.arguments, {values, i}));
-    else
-      throw InternalError("a rule with errors was run");
-  }
+  const Runner runner(binding, inputs, values);
+  const auto holdsOrCalls = [&](const Step& s) {
+    const auto index = static_cast<std::size_t>(s.index);
+    if (s.op == Op::Inside)
+      return shapes_[index]->holds(binding, {values[s.arguments[0]], values[s.arguments[1]]});
+    return finite(call(*functions_[index], s.arguments, {values, steps_.size()}));
+  };
+  double* value = values;
+  static_assert(Op::Inside > Op::NotRightTurn && Op::Call > Op::Inside);  // the last two
+  for (const Step& s : steps_) *value++ = s.op >= Op::Inside ? holdsOrCalls(s) : runner(s);
   bool hasValues = true;
   for (std::size_t i = 0; i < results_.size(); ++i) {
     results[i] = values[results_[i]];
