@@ -167,7 +167,7 @@ TEST(DifficultFaces, ACornerThatTurnsOverIsMeshedWithElementsThatLean) {
   for (int i = poles.LowerRow(); i <= poles.UpperRow(); ++i)
     for (int k = poles.LowerCol(); k <= poles.UpperCol(); ++k)
       poles.SetValue(i, k,
-                     i == poles.UpperRow() ? gp_Pnt(4 - 0.1 * (k - 1), -0.06 * (k - 1), 1.6)
+                     i == poles.UpperRow() ? gp_Pnt(4 - 0.1 * (k - 1), -0.15 * (k - 1), 1.6)
                                            : gp_Pnt(i - 1, 0.4 * (k - 1), 0.1 * i * i));
   const Handle(Geom_Surface) surface = new Geom_BezierSurface(poles);
   const TopoDS_Face face = BRepBuilderAPI_MakeFace(surface, 1e-6);
