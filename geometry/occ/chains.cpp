@@ -168,11 +168,11 @@ bool areOpposite(const Chain& one, const Chain& other) {
       [](const BoundaryCorner& a, const BoundaryCorner& b) { return a.vertex == b.vertex; });
 }
 
-std::vector<std::pair<int, int>> cancelTouching(
+std::vector<std::pair<Chain, Chain>> cancelTouching(
     std::vector<Chain>& chains, const std::vector<std::size_t>& wire,
     const std::function<bool(const Chain&, const Chain&)>& runBack,
     const std::function<Point2(const SurfacePoint&)>& inPlane) {
-  std::vector<std::pair<int, int>> edges;
+  std::vector<std::pair<Chain, Chain>> pairs;
   std::vector<bool> isCancelled(chains.size(), false);
   for (std::size_t i = 0; i < chains.size(); ++i)
     for (std::size_t k = i + 1; k < chains.size() && !isCancelled[i]; ++k) {
@@ -180,11 +180,11 @@ std::vector<std::pair<int, int>> cancelTouching(
         continue;
       if (wire[i] == wire[k] && isSlit(chains, i, k, inPlane)) continue;
       isCancelled[i] = isCancelled[k] = true;
-      edges.emplace_back(chains[i].edge, chains[k].edge);
+      pairs.emplace_back(chains[i], chains[k]);
     }
   std::size_t next = 0;
   std::erase_if(chains, [&](const Chain&) { return isCancelled[next++]; });
-  return edges;
+  return pairs;
 }
 
 LinkedLoops linkChains(std::vector<Chain> chains) { return Linker(std::move(chains)).link(); }

@@ -29,8 +29,8 @@ void cancelOppositeChains(std::vector<Chain>& chains);
 /// wire     to which each chain belongs
 /// inPlane  where the boundary is drawn
 ///
-/// Returns the edges of the pairs.
-std::vector<std::pair<int, int>> cancelTouching(
+/// Returns the pairs.
+std::vector<std::pair<Chain, Chain>> cancelTouching(
     std::vector<Chain>& chains, const std::vector<std::size_t>& wire,
     const std::function<bool(const Chain&, const Chain&)>& runBack,
     const std::function<Point2(const SurfacePoint&)>& inPlane);

@@ -266,8 +266,9 @@ class Division {
                         const std::vector<Point3>& points) {
     const int id = static_cast<int>(part.edge) + 1;
     const BRepAdaptor_Curve curve(model_.edge(id));
-    GivenPoints given = placeOnEdge(
-        model_, id, points, {curve.FirstParameter(), curve.LastParameter(), part.samples.length});
+    GivenPoints given =
+        placeOnEdge(model_, id, points,
+                    {curve.FirstParameter(), curve.LastParameter(), part.samples.length, 0});
     if (given.points.size() + 1 < least)
       throw InputError("the points given for edge " + std::to_string(id) + " make " +
                        std::to_string(given.points.size() + 1) + " segments; it needs at least " +
@@ -282,9 +283,10 @@ class Division {
     std::vector<std::uint32_t> inner(twin.points.begin() + 1, twin.points.end() - 1);
     std::vector<Point3> positions;
     for (const std::uint32_t p : inner) positions.push_back(result_.points[p]);
+    EdgeRange range = part.range();
+    range.tolerance = kMostBetweenTouching * part.samples.wanted;
     try {
-      GivenPoints placed =
-          placeOnEdge(model_, static_cast<int>(part.edge) + 1, positions, part.range());
+      GivenPoints placed = placeOnEdge(model_, static_cast<int>(part.edge) + 1, positions, range);
       if (!(placed.points == positions)) std::ranges::reverse(inner);
       return between(part.ends, std::move(placed.parameters), inner);
     } catch (const InputError&) {

@@ -308,33 +308,6 @@ void place(const EdgePiece& piece, const std::vector<double>& count, std::size_t
   parameters.push_back(piece.parameters.back());
 }
 
-/// A piece up to a parameter; the piece itself becomes the rest.
-EdgePiece cutOff(EdgePiece& piece, double parameter) {
-  const auto at = std::ranges::lower_bound(piece.parameters, parameter);
-  const std::size_t k = static_cast<std::size_t>(at - piece.parameters.begin());
-  const double t =
-      (parameter - piece.parameters[k - 1]) / (piece.parameters[k] - piece.parameters[k - 1]);
-  const double s = piece.arcLength[k - 1] + t * (piece.arcLength[k] - piece.arcLength[k - 1]);
-  const double size = piece.sizes[k - 1] + t * (piece.sizes[k] - piece.sizes[k - 1]);
-  const Point3 position =
-      piece.positions[k - 1] + t * (piece.positions[k] - piece.positions[k - 1]);
-  const bool isSample = *at == parameter;
-  EdgePiece before;
-  const auto move = [&](auto& from, auto& to, const auto& between) {
-    const auto end = from.begin() + static_cast<std::ptrdiff_t>(k);
-    to.assign(from.begin(), end);
-    to.push_back(between);
-    from.erase(from.begin(), end);
-    if (!isSample) from.insert(from.begin(), between);
-  };
-  move(piece.parameters, before.parameters, parameter);
-  move(piece.arcLength, before.arcLength, s);
-  move(piece.positions, before.positions, position);
-  move(piece.sizes, before.sizes, size);
-  for (double& length : piece.arcLength) length -= s;
-  return before;
-}
-
 }  // namespace
 
 EdgeSamples sampleEdge(const ModelShape& model, int edgeId,
@@ -368,28 +341,6 @@ EdgeSamples sampleEdge(const ModelShape& model, int edgeId,
     samples.pieces.clear();
   }
   return samples;
-}
-
-std::vector<EdgeSamples> split(const EdgeSamples& samples, const std::vector<double>& parameters) {
-  std::vector<EdgeSamples> parts(1, samples);
-  for (const double parameter : parameters) {
-    EdgeSamples rest = parts.back(), &before = parts.back();
-    before.pieces.clear();
-    while (rest.pieces.size() > 1 && rest.pieces.front().parameters.back() <= parameter) {
-      before.pieces.push_back(std::move(rest.pieces.front()));
-      rest.pieces.erase(rest.pieces.begin());
-    }
-    if (rest.pieces.front().parameters.front() < parameter)
-      before.pieces.push_back(cutOff(rest.pieces.front(), parameter));
-    parts.push_back(std::move(rest));
-  }
-  for (EdgeSamples& part : parts) {
-    part.length = 0;
-    for (const EdgePiece& piece : part.pieces) part.length += piece.arcLength.back();
-    part.start = part.pieces.front().positions.front();
-    part.end = part.pieces.back().positions.back();
-  }
-  return parts;
 }
 
 void gradeSizes(EdgeSamples& samples, double first, double last, double growth) {

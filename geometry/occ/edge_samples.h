@@ -37,9 +37,6 @@ EdgeSamples sampleEdge(const ModelShape& model, int edge,
                        const TopTools_IndexedDataMapOfShapeListOfShape& faces,
                        const ModelSizes& sizes);
 
-/// The samples of the parts between these parameters, which lie in order between the ends.
-std::vector<EdgeSamples> split(const EdgeSamples& samples, const std::vector<double>& parameters);
-
 /// Lets sizes grow along the edge by no more than `growth` per unit of length, from `first` and
 /// `last` at its ends.
 void gradeSizes(EdgeSamples& samples, double first, double last, double growth);

@@ -18,6 +18,7 @@
 #include "engine/error.h"
 #include "geometry/occ/chains.h"
 #include "geometry/occ/points.h"
+#include "geometry/occ/touching_edges.h"
 #include "geometry/occ/wire_orientation.h"
 #include "geometry/plane_axes.h"
 
@@ -198,21 +199,27 @@ class BoundaryFinder {
       return axes ? (*axes)(p) : Point2{p.u, p.v};
     };
     for (const auto& [one, other] : cancelTouching(chains_, wire_, runBack, inPlane))
-      result_.touching.push_back({one, other, gapBetween(one, other)});
+      addTouching(one, other);
   }
 
-  /// Where two edges have the same vertices.
-  double gapBetween(int one, int other) const {
-    const BRepAdaptor_Curve first(model_.edge(one)), second(model_.edge(other));
-    const DividedEdge &a = dividedEdge(one), &b = dividedEdge(other);
-    double gap = 0;
-    for (std::size_t i = 0; i < a.points.size(); ++i) {
-      const auto found = std::ranges::find(b.points, a.points[i]);
-      if (found == b.points.end()) continue;
-      const auto k = static_cast<std::size_t>(found - b.points.begin());
-      gap = std::max(gap, first.Value(a.parameters[i]).Distance(second.Value(b.parameters[k])));
+  void addTouching(const Chain& one, const Chain& other) {
+    FaceBoundary::TouchingEdges edges{one.edge, other.edge, 0, 0};
+    const BRepAdaptor_Curve first(model_.edge(one.edge)), second(model_.edge(other.edge));
+    const auto count = static_cast<std::uint32_t>(one.corners.size());
+    for (std::uint32_t i = 0; i < count; ++i) {
+      const gp_Pnt p = first.Value(parameterOf(one, i));
+      edges.gap = std::max(edges.gap, p.Distance(second.Value(parameterOf(other, count - 1 - i))));
+      if (i > 0)
+        edges.length += distance(one.corners[i - 1].point.position, one.corners[i].point.position);
     }
-    return gap;
+    result_.touching.push_back(edges);
+  }
+
+  /// Of a corner of a chain, along its edge.
+  double parameterOf(const Chain& chain, std::uint32_t corner) const {
+    const auto last = static_cast<std::uint32_t>(chain.corners.size()) - 1;
+    return dividedEdge(chain.edge)
+        .parameters[chain.firstSegment + (chain.reversed ? last - corner : corner)];
   }
 
   /// How far it is along the surface from one place to another one of the same point; not nothing
@@ -357,7 +364,7 @@ class BoundaryFinder {
 
   /// Of the wanted size: sides of a seam are farther apart in the parameters, edges that were made
   /// one are not.
-  static constexpr double kMostApart = 2e-3;
+  static constexpr double kMostApart = 2 * kMostBetweenTouching;
 
   const ModelShape& model_;
   const DividedEdges& divided_;

@@ -30,7 +30,8 @@ struct FaceBoundary {
   /// Edges that lie on each other along a part of their length or all of it, with no room between.
   struct TouchingEdges {
     int one = 0, other = 0;
-    double gap = 0;  ///< how far they are apart
+    double gap = 0;     ///< how far they are apart
+    double length = 0;  ///< of the part
   };
   std::vector<TouchingEdges> touching;
 };

@@ -63,13 +63,18 @@ class FaceMesher {
     mesh.report.attempts = boundary.repairs;
     std::ranges::copy(boundary.notes, std::back_inserter(mesh.report.attempts));
     tellOfPoints(boundary.pointEdges, mesh.report.attempts);
-    for (const FaceBoundary::TouchingEdges& edges : boundary.touching)
+    double closed = 0;  // area between edges that are one
+    for (const FaceBoundary::TouchingEdges& edges : boundary.touching) {
       mesh.report.attempts.push_back(toldOfTouching(edges));
+      closed += edges.gap * edges.length;
+    }
     if (boundary.input.loops.empty()) {
       mesh.report.reason = "has no width, so it has no elements: its boundary runs back on itself";
       return;
     }
-    if (!boundary.repairs.empty()) mesh.report.area = area_ = 0;  // was found with the old boundary
+    constexpr double kMostClosed = 0.05;  // of the area
+    if (!boundary.repairs.empty() || closed > kMostClosed * area_)
+      mesh.report.area = area_ = 0;  // was found with the old boundary
     const FaceSize wanted(context_.options.sizes, face_, surface_);
     const GradedSize size(wanted, boundary.input, context_.options.sizes.growth);
     const Stopwatch filling;

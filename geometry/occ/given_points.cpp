@@ -49,7 +49,8 @@ GivenPoints placeOnEdge(const ModelShape& model, int edgeId, std::vector<Point3>
   const TopoDS_Edge edge = model.edge(edgeId);
   const BRepAdaptor_Curve curve(edge);
   const double segment = range.length / static_cast<double>(points.size() + 1);
-  const double tolerance = std::max(BRep_Tool::Tolerance(edge), kShareOfSegment * segment);
+  const double tolerance =
+      std::max({BRep_Tool::Tolerance(edge), kShareOfSegment * segment, range.tolerance});
   GivenPoints given;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Foot foot = footOf(points[i], curve, range);

@@ -18,12 +18,13 @@ struct GivenPoints {
 struct EdgeRange {
   double first = 0, last = 0;  ///< parameters
   double length = 0;
+  double tolerance = 0;  ///< how far from it points may lie, whatever else is said
 };
 
 /// Finds where the points between the ends of an edge, or of a part of it, lie on its curve.
 ///
-/// Throws InputError unless they lie on it, in order and apart: within the tolerance of the edge or
-/// a hundredth of the segments beside them.
+/// Throws InputError unless they lie on it, in order and apart: within the tolerance of the edge, a
+/// hundredth of the segments beside them, or the tolerance of the range.
 GivenPoints placeOnEdge(const ModelShape& model, int edge, std::vector<Point3> points,
                         const EdgeRange& range);
 

@@ -8,6 +8,7 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <utility>
 
 #include "geometry/box_tree.h"
 #include "geometry/occ/points.h"
@@ -16,7 +17,7 @@ namespace af2::geometry {
 
 namespace {
 
-/// Of the wanted size. Tolerances count up to that, and sharp wedges are closed up to that.
+/// Of the wanted size: tolerances count up to that.
 constexpr double kMost = 1e-3;
 
 /// What lies on an edge is so many times as far from its ends as it may be beside it.
@@ -28,7 +29,8 @@ constexpr double kSag = 0.25;
 
 /// The nearest place of an edge.
 struct Foot {
-  double parameter = 0, distance = 1e300;
+  double parameter = 0, distance = 0;
+  Point3 position;
 };
 
 /// Finds the nearest place of an edge, first among the chords of its samples.
@@ -65,7 +67,8 @@ class EdgeLine {
       if (!(dot(d, d) > 0)) break;
       parameter = std::clamp(parameter + dot(place - toPoint(at), d) / dot(d, d), low, high);
     }
-    return {parameter, distance(place, toPoint(curve_.Value(parameter)))};
+    const Point3 position = toPoint(curve_.Value(parameter));
+    return {parameter, distance(place, position), position};
   }
 
   BRepAdaptor_Curve curve_;
@@ -132,7 +135,7 @@ class StopFinder {
         if (i > 0)
           longest = std::max(longest, distance(piece.positions[i - 1], piece.positions[i]));
       }
-    const double margin = kSag * longest + 2 * kMost * samples.wanted;
+    const double margin = kSag * longest + kMostBetweenTouching * samples.wanted;
     const Point3 around{margin, margin, margin};
     return {box.low - around, box.high + around};
   }
@@ -146,12 +149,21 @@ class StopFinder {
         reachOfEdge(model_, static_cast<int>(edge) + 1, toleranceOf(vertex), wanted);
     const EdgeLine line(model_, edge, samples_[edge]);
     const Point3& place = points_[vertex];
-    const std::optional<Foot> foot = line.footOf(place, std::max(reach, kMost * wanted));
+    const std::optional<Foot> foot =
+        line.footOf(place, std::max(reach, kMostBetweenTouching * wanted));
     if (!foot) return;
-    const double fromEnds = std::min(distance(place, points_[ends_[edge].first]),
-                                     distance(place, points_[ends_[edge].last]));
-    if (foot->distance <= reach ? fromEnds > kFromEnds * reach : isWedge(line, edge, vertex, reach))
+    const double fromEnds = std::min(distance(foot->position, points_[ends_[edge].first]),
+                                     distance(foot->position, points_[ends_[edge].last]));
+    const bool isOnEdge = foot->distance <= reach
+                              ? fromEnds > kFromEnds * reach
+                              : fromEnds > foot->distance && isWedge(line, edge, vertex, reach);
+    if (isOnEdge && isBetweenEnds(samples_[edge], foot->parameter))
       stops.push_back({foot->parameter, vertex});
+  }
+
+  static bool isBetweenEnds(const EdgeSamples& samples, double parameter) {
+    return parameter > samples.pieces.front().parameters.front() &&
+           parameter < samples.pieces.back().parameters.back();
   }
 
   double toleranceOf(std::uint32_t vertex) const {
@@ -177,13 +189,16 @@ class StopFinder {
     });
   }
 
+  /// Of several stops at nearly the same place of the edge the first one stays.
   void putInOrder(std::size_t edge) {
     std::vector<Stop>& stops = stops_[edge];
-    std::ranges::sort(stops, {}, &Stop::parameter);
-    const double apart =
-        kFromEnds * reachOfEdge(model_, static_cast<int>(edge) + 1, 0, samples_[edge].wanted);
+    if (stops.size() < 2) return;
+    std::ranges::sort(stops, {}, [](const Stop& s) { return std::pair(s.parameter, s.point); });
+    const int id = static_cast<int>(edge) + 1;
+    const double apart = kFromEnds * reachOfEdge(model_, id, 0, samples_[edge].wanted);
+    const BRepAdaptor_Curve curve(model_.edge(id));
     const auto isNear = [&](const Stop& a, const Stop& b) {
-      return distance(points_[a.point], points_[b.point]) <= apart;
+      return curve.Value(a.parameter).Distance(curve.Value(b.parameter)) <= apart;
     };
     stops.erase(std::unique(stops.begin(), stops.end(), isNear), stops.end());
   }
@@ -207,7 +222,7 @@ double reachOfEdge(const ModelShape& model, int edge, double tolerance, double w
 
 double reachInWedge(double reach, double wanted, double fromVertex) {
   constexpr double kSharp = 0.0087;  // tangent of half a degree
-  return std::max(reach, std::min(kMost * wanted, kSharp * fromVertex));
+  return std::max(reach, std::min(kMostBetweenTouching * wanted, kSharp * fromVertex));
 }
 
 std::vector<std::vector<Stop>> stopsOf(const ModelShape& model, const std::vector<Ends>& ends,

@@ -10,6 +10,10 @@
 
 namespace af2::geometry {
 
+/// Edges that touch are never farther apart than this share of the wanted size: the tolerances of
+/// damaged models say otherwise, and sharp wedges are closed up to here.
+constexpr double kMostBetweenTouching = 2e-3;
+
 /// Where an edge passes a point that another edge ends at.
 struct Stop {
   double parameter = 0;

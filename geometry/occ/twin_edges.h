@@ -6,25 +6,10 @@
 #include <optional>
 #include <vector>
 
-#include "geometry/occ/edge_samples.h"
-#include "geometry/occ/given_points.h"
-#include "geometry/occ/open_ends.h"
+#include "geometry/occ/edge_parts.h"
+#include "geometry/occ/model_shape.h"
 
 namespace af2::geometry {
-
-/// Of an edge between two of the points that it passes, or all of it.
-struct EdgePart {
-  std::size_t edge = 0;  ///< [0] is edge 1
-  EdgeSamples samples;
-  Ends ends;
-  /// Whether it begins and ends where the edge does, not where that only passes another one's end.
-  bool isFirst = true, isLast = true;
-
-  EdgeRange range() const {
-    return {samples.pieces.front().parameters.front(), samples.pieces.back().parameters.back(),
-            samples.length};
-  }
-};
 
 /// For each part an earlier one between the same points that it runs along: some face has both, and
 /// they are as near as their tolerances say; or each bounds one face only, from one side and the

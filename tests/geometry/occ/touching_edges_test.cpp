@@ -2,6 +2,7 @@
 #include "geometry/occ/touching_edges.h"
 
 #include <gtest/gtest.h>
+#include <gp_Circ.hxx>
 
 #include <map>
 
@@ -79,6 +80,17 @@ Model needle(double width) {
   return sheets.model();
 }
 
+/// Nothing is left of it but a corner at its wide end.
+TEST(TouchingEdges, AFaceThatIsANeedleIsLeftOut) {
+  Sheets sheets({{0, 0, 0}, {0.8, 0, 0}, {0.8006, 0.0006, 0}, {0.8, -1, 0}, {0, -1, 0}, {0, 1, 0}});
+  sheets.add({0, 1, 2});
+  sheets.add({4, 3, 1, 0});
+  sheets.add({0, 2, 5});
+  const ModelMesh result = mesh(sheets.model(), 0.5);
+  expectComplete(result, 1.2, 1e-3);
+  EXPECT_GT(leastAngle(result), 10);
+}
+
 /// No division of the edges opens an angle of a thousandth of a degree.
 TEST(TouchingEdges, ANeedleThatCannotBeSeenIsClosed) {
   const ModelMesh result = mesh(needle(1e-4), 1.3);
@@ -96,6 +108,24 @@ TEST(TouchingEdges, ANeedleThatCanBeSeenStays) {
   expectComplete(result, 28, 1e-4);
   EXPECT_TRUE(result.faces[0].attempts.empty());
   EXPECT_LT(leastAngle(result), 0.6);
+}
+
+/// Two half circles, one a little beside the other, with lines between their ends that run on as
+/// the circles do: at its tips the outer circle leaves such a line at an angle of zero.
+TEST(TouchingEdges, ATipAtWhichALineTouchesAnArcIsClosedUpToWhereItOpens) {
+  constexpr double kBeside = 0.02, kRadius = 1.25;
+  const gp_Pnt a(0, kRadius, 0), b(0, -kRadius, 0);
+  const gp_Pnt c(-kBeside, kRadius, 0), d(-kBeside, -kRadius, 0);
+  const auto arc = [](const gp_Pnt& centre, const gp_Pnt& from, const gp_Pnt& to) {
+    return BRepBuilderAPI_MakeEdge(gp_Circ(gp_Ax2(centre, {0, 0, 1}), kRadius), from, to).Edge();
+  };
+  BRepBuilderAPI_MakeWire wire(BRepBuilderAPI_MakeEdge(a, c), arc({-kBeside, 0, 0}, c, d),
+                               BRepBuilderAPI_MakeEdge(d, b));
+  wire.Add(TopoDS::Edge(arc({0, 0, 0}, a, b).Reversed()));
+  const ModelMesh result = mesh(testing::plane({wire.Wire()}), 2.4);
+  expectComplete(result, 2 * kRadius * kBeside, 0.05);
+  EXPECT_GT(leastAngle(result), 0.6);
+  EXPECT_FALSE(result.faces[0].attempts.empty());
 }
 
 /// The sides of a frame, 0.2 wide, with a narrow place between them that is no part of any edge.
