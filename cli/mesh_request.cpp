@@ -101,9 +101,10 @@ void declareMeshOptions(CLI::App& command, MeshOptions& options) {
 }
 
 void declareHealing(CLI::App& command, bool& heal, std::string& tolerance) {
-  command.add_flag("--heal", heal,
-                   "repair a CAD model first: wires, small edges and faces, gaps, loose faces, "
-                   "orientation. All changes are told");
+  command.add_flag(
+      "--heal", heal,
+      "repair a CAD model first: open loops, wires, small edges and faces, gaps, loose faces, "
+      "orientation. All changes are told");
   command.add_option("--heal-tolerance", tolerance,
                      "with --heal: what is smaller is closed or removed; default: a "
                      "hundred-thousandth of the diagonal");

@@ -103,7 +103,7 @@ class Linker {
     if (!best)
       throw GeometryError("the boundary is not closed: nothing follows edge " +
                           std::to_string(chains_[i].edge) + ", which ends at " +
-                          toText(end.point.position));
+                          toText(end.point.position) + "; healing closes loops that lack an edge");
     return *best;
   }
 

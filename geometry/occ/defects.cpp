@@ -14,6 +14,7 @@
 #include <TopoDS.hxx>
 #include <TopoDS_Wire.hxx>
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <set>
 
@@ -102,7 +103,7 @@ class Finder {
  private:
   /// Large gaps are worse, small edges and slivers are.
   static double severity(const Defect& defect) {
-    if (defect.kind == DefectKind::Gap) return defect.extent;
+    if (defect.kind == DefectKind::Gap || defect.kind == DefectKind::OpenLoop) return defect.extent;
     if (defect.kind == DefectKind::TinyEdge || defect.kind == DefectKind::Sliver)
       return -defect.extent;
     return 0;
@@ -180,12 +181,38 @@ class Finder {
     const double area = areaOf(shape_, id);
     if (area > 0 && around > 0 && 2 * area / around < kTiny * size_)
       add({DefectKind::Sliver, id, 0, 0, 2 * area / around, place, ""});
+    std::vector<int> open;  // vertices
     for (TopExp_Explorer it(face, TopAbs_WIRE); it.More(); it.Next())
-      lookAtLoop(id, TopoDS::Wire(it.Current()), face);
+      lookAtLoop(id, TopoDS::Wire(it.Current()), face, open);
+    for (const int vertex : open) addOpenLoop(id, vertex, open);
+  }
+
+  /// Above that, the model is damaged, and no gap is closed.
+  double toleranceOf(int vertex) const {
+    constexpr double kMost = 0.01;  // of the diagonal
+    return std::min(BRep_Tool::Tolerance(shape_.vertex(vertex)), kMost * shape_.diagonal);
+  }
+
+  /// With the nearest of the places at which other loops of the face, or the same one, are open.
+  void addOpenLoop(int face, int vertex, const std::vector<int>& open) {
+    const gp_Pnt place = BRep_Tool::Pnt(shape_.vertex(vertex));
+    Defect defect{DefectKind::OpenLoop, face, 0, vertex, 0, toPoint(place), ""};
+    double least = std::numeric_limits<double>::infinity();
+    for (const int other : open) {
+      const double gap = place.Distance(BRep_Tool::Pnt(shape_.vertex(other)));
+      if (other == vertex || !(gap < least)) continue;
+      const double tolerance =
+          BRep_Tool::Tolerance(shape_.vertex(vertex)) + BRep_Tool::Tolerance(shape_.vertex(other));
+      least = defect.extent = gap;
+      defect.detail = "the nearest other open end is at vertex " + std::to_string(other) +
+                      (gap <= tolerance ? ", within the tolerance" : "");
+    }
+    add(std::move(defect));
   }
 
   /// Each vertex of a loop ends one edge and begins the next.
-  void lookAtLoop(int face, const TopoDS_Wire& wire, const TopoDS_Face& surface) {
+  void lookAtLoop(int face, const TopoDS_Wire& wire, const TopoDS_Face& surface,
+                  std::vector<int>& open) {
     std::map<int, int> ends;  // by vertex
     bool hasSeam = false;
     for (TopExp_Explorer it(wire, TopAbs_EDGE); it.More(); it.Next()) {
@@ -199,7 +226,7 @@ class Finder {
       if (vertex == 0 || count == 2) continue;
       const Point3 place = toPoint(BRep_Tool::Pnt(shape_.vertex(vertex)));
       if (count % 2 == 1)
-        add({DefectKind::OpenLoop, face, 0, vertex, 0, place, ""});
+        open.push_back(vertex);
       else if (!hasSeam)
         add({DefectKind::TouchingLoop, face, 0, vertex, 0, place,
              "comes here " + std::to_string(count / 2) + " times"});

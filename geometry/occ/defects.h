@@ -28,14 +28,16 @@ const char* toString(DefectKind kind);
 struct Defect {
   DefectKind kind = DefectKind::Invalid;
   int face = 0, edge = 0, vertex = 0;  ///< where; 0: none
-  /// Length of an edge, width of a sliver or a gap, in the unit of the model; 0: has no size.
+  /// Length of an edge, width of a sliver or a gap, how far it is from where a loop ends to where
+  /// it may go on; in the unit of the model. 0: has no size.
   double extent = 0;
   Point3 place;
   std::string detail;  ///< may be empty
 };
 
-/// All defects of a model, by kind; tiny edges, slivers and gaps from the most to the least severe,
-/// others in the order of the model. Gaps below a ten-thousandth of the mesh size do not count.
+/// All defects of a model, by kind; tiny edges, slivers, gaps and open loops from the most to the
+/// least severe, others in the order of the model. Gaps below a ten-thousandth of the mesh size do
+/// not count.
 ///
 /// size  edge length of a mesh, > 0
 std::vector<Defect> findDefects(const Model& model, double size);

@@ -1,10 +1,12 @@
 #include "geometry/occ/heal_model.h"
 
+#include <BRepAdaptor_Curve.hxx>
 #include <BRepBuilderAPI_Copy.hxx>
 #include <BRepBuilderAPI_Sewing.hxx>
 #include <BRepCheck_Analyzer.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
+#include <GCPnts_AbscissaPoint.hxx>
 #include <Message_Msg.hxx>
 #include <Precision.hxx>
 #include <ShapeBuild_ReShape.hxx>
@@ -24,11 +26,13 @@
 #include <TopoDS.hxx>
 #include <algorithm>
 #include <cctype>
+#include <cstdio>
 #include <functional>
 #include <map>
 #include <tuple>
 
 #include "engine/error.h"
+#include "geometry/occ/missing_edges.h"
 #include "geometry/occ/model_shape.h"
 #include "geometry/occ/points.h"
 
@@ -130,6 +134,7 @@ class Healer {
 
   ReadShape heal() {
     ShapeExtend::Init();  // loads the words of the tools
+    attempt("closing of loops", [&] { closeLoops(); });
     attempt("repair of wires and faces", [&] { fixShapes(); });
     attempt("removal of small edges", [&] { fixWireframe(); });
     attempt("removal of small faces", [&] { fixSmallFaces(); });
@@ -213,6 +218,28 @@ class Healer {
   }
   void replaceFaces(const Handle(ShapeBuild_ReShape) & context) {
     replaceFaces([&](const TopoDS_Shape& face) { return context->Apply(face); });
+  }
+
+  void closeLoops() {
+    Handle(ShapeBuild_ReShape) context = new ShapeBuild_ReShape;
+    const std::vector<ClosedFace> closed = closeOpenLoops(shape_, tolerance_);
+    for (const ClosedFace& face : closed) {
+      context->Replace(face.before, face.after);
+      for (const auto& [edge, isNew] : face.added) changes_.add(toldOf(edge, isNew), placeOf(edge));
+    }
+    if (closed.empty()) return;
+    shape_ = context->Apply(shape_);
+    replaceFaces(context);
+  }
+
+  static std::string toldOf(const TopoDS_Edge& edge, bool isNew) {
+    char length[32];
+    std::snprintf(length, sizeof length, "%.4g",
+                  GCPnts_AbscissaPoint::Length(BRepAdaptor_Curve(edge)));
+    return std::string("open loop closed with ") +
+           (isNew ? "a new edge that is straight in its parameters, "
+                  : "an edge of another face, ") +
+           length + " long";
   }
 
   void fixShapes() {

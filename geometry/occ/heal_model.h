@@ -12,6 +12,7 @@ struct HealingOptions {
 };
 
 /// The same model with
+///   * loops that lack an edge closed: with that of a face beside, or with a straight new one;
 ///   * the edges of its wires in order, connected, and without gaps; missing curves, seams and
 ///     degenerated edges added; wires that run the wrong way round turned;
 ///   * edges and faces smaller than the tolerance taken out;

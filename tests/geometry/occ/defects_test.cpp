@@ -67,7 +67,11 @@ TEST(FindDefects, LoopsThatTouchOrAreOpen) {
   const auto touching = ofKind(defectsOf(testing::touchingLoop()), DefectKind::TouchingLoop);
   ASSERT_EQ(touching.size(), 1u);
   EXPECT_EQ(touching[0].place, (Point3{1, 1, 0}));
-  EXPECT_EQ(ofKind(defectsOf(testing::openLoop()), DefectKind::OpenLoop).size(), 2u);
+  const auto open = ofKind(defectsOf(testing::openLoop()), DefectKind::OpenLoop);
+  ASSERT_EQ(open.size(), 2u);
+  EXPECT_NEAR(open[0].extent, 1, 1e-9);
+  EXPECT_EQ(open[0].detail,
+            "the nearest other open end is at vertex " + std::to_string(open[1].vertex));
 }
 
 TEST(FindDefects, LoopsThatCross) {

@@ -5,15 +5,19 @@
 #include <BRepBuilderAPI_Copy.hxx>
 #include <BRepBuilderAPI_Transform.hxx>
 #include <BRep_Builder.hxx>
+#include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Compound.hxx>
+#include <TopoDS_Wire.hxx>
 #include <gp_Trsf.hxx>
 
 #include <algorithm>
 
 #include "engine/error.h"
 #include "geometry/occ/mesh_model.h"
+#include "tests/geometry/occ/dirt.h"
 #include "tests/geometry/occ/meshing.h"
 #include "tests/support/model_mesh.h"
 
@@ -108,6 +112,59 @@ TEST(HealModel, DoesNotTouchTheModelThatItIsGiven) {
   healModel(apart, {5e-3});
   EXPECT_EQ(mesh(apart, 1).vertices, before.vertices);
   EXPECT_FALSE(apart.healing());
+}
+
+TEST(HealModel, ClosesALoopWithAStraightEdge) {
+  const Model healed = healModel(testing::modelOf(testing::openLoop()));
+  EXPECT_EQ(changesOf(healed, "open loop closed with a new edge"), 1u);
+  EXPECT_EQ(changesOf(healed, "straight in its parameters, 1 long"), 1u);
+  testing::expectComplete(mesh(healed, 0.3), 1, 1e-9);
+}
+
+/// A box without one of its edges, in one of the two faces beside it or in both.
+Model boxWithoutEdge(int faces) {
+  const TopoDS_Shape box = BRepPrimAPI_MakeBox(1, 1, 1).Shape();
+  TopTools_IndexedMapOfShape edges;
+  TopExp::MapShapes(box, TopAbs_EDGE, edges);
+  BRep_Builder builder;
+  TopoDS_Compound all;
+  builder.MakeCompound(all);
+  for (TopExp_Explorer it(box, TopAbs_FACE); it.More(); it.Next()) {
+    TopoDS_Shape face = it.Current().EmptyCopied();
+    TopoDS_Wire wire;
+    builder.MakeWire(wire);
+    bool lacksEdge = false;
+    for (TopExp_Explorer edge(it.Current().Oriented(TopAbs_FORWARD), TopAbs_EDGE); edge.More();
+         edge.Next()) {
+      if (!edge.Current().IsSame(edges(1)) || faces == 0)
+        builder.Add(wire, edge.Current());
+      else
+        lacksEdge = true;
+    }
+    if (lacksEdge) --faces;
+    face.Orientation(TopAbs_FORWARD);
+    builder.Add(face, wire);
+    builder.Add(all, face.Oriented(it.Current().Orientation()));
+  }
+  return testing::modelOf(all);
+}
+
+TEST(HealModel, FacesThatLackTheSameEdgeShareANewOne) {
+  for (const int faces : {1, 2}) {
+    const Model healed = healModel(boxWithoutEdge(faces));
+    EXPECT_EQ(changesOf(healed, "closed with a new edge"), faces == 2 ? 1u : 0u);
+    EXPECT_EQ(changesOf(healed, "closed with an edge of another face"), 1u);
+    const ModelMesh result = mesh(healed, 0.4);
+    testing::expectComplete(result, 6, 1e-9);
+    EXPECT_EQ(testing::eulerNumber(result), 2);
+    EXPECT_NEAR(volumeOf(result), 1, 1e-9);
+  }
+}
+
+TEST(HealModel, LeavesALoopOfOneStraightEdgeOpen) {
+  const Model healed =
+      healModel(testing::modelOf(testing::faceWithin({{0, 0, 0}, {1, 0, 0}}, {0, 1})));
+  EXPECT_EQ(changesOf(healed, "open loop closed"), 0u);
 }
 
 TEST(HealModel, RefusesANegativeTolerance) {
