@@ -29,8 +29,9 @@ namespace {
 /// Where the points of an edge lie in the parameters of a face.
 class EdgeOnFace {
  public:
-  EdgeOnFace(const TopoDS_Edge& edge, const TopoDS_Face& face, const std::optional<gp_Pln>& plane)
-      : face_(face), plane_(plane) {
+  EdgeOnFace(const TopoDS_Edge& edge, const TopoDS_Face& face, const std::optional<gp_Pln>& plane,
+             const SplineSurface::Box& box)
+      : face_(face), plane_(plane), box_(box) {
     if (plane_) return;
     BRep_Tool::Range(edge, first_, last_);
     curve_ = BRep_Tool::CurveOnSurface(edge, face, curveFirst_, curveLast_);
@@ -81,11 +82,23 @@ class EdgeOnFace {
     previous_ = hasPrevious_ ? analysis_->NextValueOfUV(previous_, toOcc(position), 1e-7)
                              : analysis_->ValueOfUV(toOcc(position), 1e-7);
     hasPrevious_ = true;
-    return previous_;
+    return withinBox(previous_);
+  }
+
+  /// On a surface that closes, the same place in the turn in which the face lies.
+  gp_Pnt2d withinBox(gp_Pnt2d uv) const {
+    const Handle(Geom_Surface) surface = BRep_Tool::Surface(face_);
+    const auto shift = [](double value, double low, double high, double period) {
+      return value - std::round((value - (low + high) / 2) / period) * period;
+    };
+    if (surface->IsUPeriodic()) uv.SetX(shift(uv.X(), box_.u1, box_.u2, surface->UPeriod()));
+    if (surface->IsVPeriodic()) uv.SetY(shift(uv.Y(), box_.v1, box_.v2, surface->VPeriod()));
+    return uv;
   }
 
   const TopoDS_Face& face_;
   const std::optional<gp_Pln>& plane_;
+  SplineSurface::Box box_;
   Handle(Geom2d_Curve) curve_;
   Handle(ShapeAnalysis_Surface) analysis_;
   gp_Pnt2d previous_;
@@ -96,8 +109,10 @@ class EdgeOnFace {
 class BoundaryFinder {
  public:
   BoundaryFinder(const ModelShape& model, int faceId, const DividedEdges& divided,
-                 const FaceSurface& surface)
+                 const FaceSurface& surface, const std::vector<FaceOnFace>& onFaces)
       : model_(model), divided_(divided), surface_(surface) {
+    for (const FaceOnFace& lying : onFaces)
+      if (lying.under == faceId && !lying.isDouble()) lying_.push_back(lying);
     const TopoDS_Face face = model.face(faceId);
     reversed_ = face.Orientation() == TopAbs_REVERSED;
     forward_ = TopoDS::Face(face.Oriented(TopAbs_FORWARD));
@@ -111,12 +126,13 @@ class BoundaryFinder {
         addEdge(TopoDS::Edge(it.Current()));
       wire_.resize(chains_.size(), wires_++);
     }
+    for (const FaceOnFace& lying : lying_) leaveOut(lying);
     if (chains_.empty() && !result_.pointEdges.empty()) return std::move(result_);
     if (chains_.empty())
       throw GeometryError(
           "the face has no boundary, and its surface does not end by itself: its edges are lost");
     tellOfTwins();
-    if (surface_.isPlane()) orientWiresOfPlane();
+    if (surface_.isPlane() && lying_.empty()) orientWiresOfPlane();
     if (hasNoWidth()) return std::move(result_);
     cancelWhereTheyTouch();
     takeNormalsBesidePoints();
@@ -241,6 +257,7 @@ class BoundaryFinder {
   void addEdge(const TopoDS_Edge& edge) {
     if (edge.Orientation() == TopAbs_EXTERNAL) return;
     const int id = model_.edges.FindIndex(edge);
+    if (isFold(id)) return;
     const DividedEdge& divided = dividedEdge(id);
     if (!divided.problem.empty())
       throw GeometryError("edge " + std::to_string(id) + " " + divided.problem);
@@ -256,10 +273,27 @@ class BoundaryFinder {
     }
   }
 
+  bool isFold(int edge) const {
+    return std::ranges::any_of(
+        lying_, [&](const FaceOnFace& lying) { return std::ranges::count(lying.folds, edge) > 0; });
+  }
+
+  /// Where another face lies on this one, turned back, neither has elements: the boundary of that
+  /// one, as it runs, closes what is left of that of this one.
+  void leaveOut(const FaceOnFace& lying) {
+    for (TopExp_Explorer it(model_.face(lying.face), TopAbs_EDGE); it.More(); it.Next()) {
+      const bool isReversed = (it.Current().Orientation() == TopAbs_REVERSED) != reversed_;
+      addEdge(TopoDS::Edge(it.Current().Oriented(isReversed ? TopAbs_REVERSED : TopAbs_FORWARD)));
+    }
+    wire_.resize(chains_.size(), wires_++);
+    result_.notes.push_back("face " + std::to_string(lying.face) +
+                            " lies on it, turned back: there it has no elements");
+  }
+
   void addChain(int id, const DividedEdge& divided, const TopoDS_Edge& edge) {
     Chain chain;
     chain.edge = id;
-    EdgeOnFace onFace(edge, forward_, plane_);
+    EdgeOnFace onFace(edge, forward_, plane_, surface_.box());
     lacksCurves_ = lacksCurves_ || onFace.lacksCurve();
     if (onFace.isAstray(divided, divided_.points, surface_)) {
       onFace.dropCurve();
@@ -369,6 +403,7 @@ class BoundaryFinder {
   const ModelShape& model_;
   const DividedEdges& divided_;
   const FaceSurface& surface_;
+  std::vector<FaceOnFace> lying_;  // on this face
   TopoDS_Face forward_;
   std::optional<gp_Pln> plane_;
   bool reversed_ = false;
@@ -384,8 +419,8 @@ class BoundaryFinder {
 }  // namespace
 
 FaceBoundary findBoundary(const ModelShape& model, int face, const DividedEdges& divided,
-                          const FaceSurface& surface) {
-  return BoundaryFinder(model, face, divided, surface).find();
+                          const FaceSurface& surface, const std::vector<FaceOnFace>& onFaces) {
+  return BoundaryFinder(model, face, divided, surface, onFaces).find();
 }
 
 }  // namespace af2::geometry

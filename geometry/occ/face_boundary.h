@@ -9,6 +9,7 @@
 #include "engine/front_input.h"
 #include "geometry/occ/edge_division.h"
 #include "geometry/occ/face_surface.h"
+#include "geometry/occ/faces_on_faces.h"
 
 namespace af2::geometry {
 
@@ -36,8 +37,10 @@ struct FaceBoundary {
   std::vector<TouchingEdges> touching;
 };
 
+/// onFaces  what lies on this face, turned back, is left out of it
+///
 /// Throws GeometryError, saying which edge is at fault, if the face has no closed boundary.
 FaceBoundary findBoundary(const ModelShape& model, int face, const DividedEdges& divided,
-                          const FaceSurface& surface);
+                          const FaceSurface& surface, const std::vector<FaceOnFace>& onFaces = {});
 
 }  // namespace af2::geometry

@@ -49,6 +49,12 @@ std::string toldOfTouching(const FaceBoundary::TouchingEdges& edges) {
          " lie on each other, but for " + gap + ": where they do, the face has no width";
 }
 
+std::string toldOfLying(const FaceOnFace& lying) {
+  const std::string under = "face " + std::to_string(lying.under);
+  return lying.isDouble() ? "is " + under + " once more, so it has no elements"
+                          : "lies on " + under + ", turned back, so it has no elements";
+}
+
 class FaceMesher {
  public:
   FaceMesher(const FaceMeshingContext& context, int face, double area, double expectedElements)
@@ -59,7 +65,13 @@ class FaceMesher {
         surface_(context.model.surface(face)) {}
 
   void meshInto(FaceMesh& mesh) {
-    FaceBoundary boundary = findBoundary(context_.model, face_, context_.divided, surface_);
+    const auto lying = std::ranges::find(context_.onFaces, face_, &FaceOnFace::face);
+    if (lying != context_.onFaces.end()) {
+      mesh.report.reason = toldOfLying(*lying);
+      return;
+    }
+    FaceBoundary boundary =
+        findBoundary(context_.model, face_, context_.divided, surface_, context_.onFaces);
     mesh.report.attempts = boundary.repairs;
     std::ranges::copy(boundary.notes, std::back_inserter(mesh.report.attempts));
     tellOfPoints(boundary.pointEdges, mesh.report.attempts);

@@ -34,6 +34,7 @@ struct FaceMeshingContext {
   const AF2Algorithm& algorithm;
   const ModelMeshingOptions& options;
   const DividedEdges& divided;
+  const std::vector<FaceOnFace>& onFaces;
   ProgressCallback progress;
   /// Whether sizes inside a face may be much smaller than along its boundary.
   bool mayBeFineInside = false;

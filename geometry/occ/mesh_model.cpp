@@ -12,6 +12,7 @@
 #include "geometry/occ/face_area.h"
 #include "geometry/occ/face_mesher.h"
 #include "geometry/occ/face_surface.h"
+#include "geometry/occ/faces_on_faces.h"
 #include "geometry/occ/join_faces.h"
 #include "geometry/occ/parallel.h"
 #include "geometry/occ/progress_sum.h"
@@ -46,7 +47,9 @@ class ModelMesher {
 
   ModelMesh mesh() {
     const std::vector<int> faces = facesAskedFor(model_, options_);
+    onFaces_ = onFacesAmong(faces);
     areas_ = areasOf(faces);
+    leaveOutAreas(faces);
     work_ = workOf(faces, areas_);
     const Stopwatch edgesWatch;
     isFineInside_ = isFineInside(options_.sizes);
@@ -140,9 +143,9 @@ class ModelMesher {
                FaceMeshes& state, ProgressCallback progress,
                std::size_t mostCandidates = std::numeric_limits<std::size_t>::max(),
                bool mayLean = false) const {
-    const FaceMeshingContext context{
-        model_.shape(),      algorithm_,    options,        state.divided,
-        std::move(progress), isFineInside_, mostCandidates, mayLean};
+    const FaceMeshingContext context{model_.shape(), algorithm_,     options,
+                                     state.divided,  onFaces_,       std::move(progress),
+                                     isFineInside_,  mostCandidates, mayLean};
     state.meshes[i] = options.stop.stop_requested()
                           ? cancelled(faces[i])
                           : meshFace(context, faces[i], areas_[i], work_[i]);
@@ -151,6 +154,28 @@ class ModelMesher {
   /// Whether sizes inside faces may be much smaller than along their boundaries.
   static bool isFineInside(const ModelSizes& sizes) {
     return sizes.function || sizes.elementsPerTurn > 0 || !sizes.sources.isEmpty();
+  }
+
+  /// Faces that lie on another one which is to be meshed, too, or is to be meshed alone.
+  std::vector<FaceOnFace> onFacesAmong(const std::vector<int>& faces) const {
+    std::vector<FaceOnFace> found = facesOnFaces(model_.shape(), options_.threads);
+    std::erase_if(found, [&](const FaceOnFace& lying) {
+      return !std::ranges::binary_search(faces, lying.under);
+    });
+    return found;
+  }
+
+  void leaveOutAreas(const std::vector<int>& faces) {
+    const auto areaAt = [&](int face) -> double* {
+      const auto found = std::ranges::lower_bound(faces, face);
+      if (found == faces.end() || *found != face) return nullptr;
+      return &areas_[static_cast<std::size_t>(found - faces.begin())];
+    };
+    for (const FaceOnFace& lying : onFaces_) {
+      double* area = areaAt(lying.under);
+      if (area && !lying.isDouble()) *area -= areaOf(model_.shape(), lying.face);
+      if (double* own = areaAt(lying.face)) *own = 0;
+    }
   }
 
   FaceMesh cancelled(int face) const {
@@ -214,6 +239,7 @@ class ModelMesher {
   ModelMeshingOptions options_;
   std::vector<double> areas_, work_;  // by face that was asked for
   std::vector<int> uneven_;
+  std::vector<FaceOnFace> onFaces_;
   bool isFineInside_ = false;
 };
 
