@@ -6,51 +6,19 @@
 
 #include "cli/model_runs.h"
 #include "cli/progress_bar.h"
-#include "cli/usage_error.h"
 #include "engine/error.h"
 #include "geometry/occ/heal_model.h"
 #include "geometry/occ/mesh_model.h"
+#include "geometry/part_sizes.h"
 
 namespace af2::cli {
 namespace {
 
-void checkId(const std::string& option, const char* kind, int id, int count) {
-  if (id <= count) return;
-  throw UsageError(fmt::format("{}: there is no {} {}; the model has {} 1 to {} (see af2 inspect)",
-                               option, kind, id, kind, count));
-}
-
-void checkIds(const MeshRequest& request, const geometry::Model& model) {
-  for (const int face : request.faces) checkId("--faces", "face", face, model.faceCount());
-  for (const auto& [face, size] : request.sizes.faceSizes) {
-    checkId("--face-size", "face", face, model.faceCount());
-  }
-  for (const auto& [edge, size] : request.sizes.edgeSizes) {
-    checkId("--edge-size", "edge", edge, model.edgeCount());
-  }
-}
-
 /// Sizes by name become sizes by face; those on the command line count more.
 std::map<int, double> sizesOfFaces(const SizeRequest& request, const geometry::Model& model) {
-  std::map<int, double> sizes;
-  for (const auto& [pattern, size] : request.file.parts) {
-    bool fits = false;
-    for (const geometry::FaceGroup& group : model.groups()) {
-      if (!geometry::fitsPattern(group.name, pattern)) continue;
-      for (const int face : group.faces) sizes[face] = size;
-      fits = true;
-    }
-    for (int face = 1; face <= model.faceCount(); ++face) {
-      if (!geometry::fitsPattern(model.faceName(face), pattern)) continue;
-      sizes[face] = size;
-      fits = true;
-    }
-    if (!fits)
-      throw InputError(
-          fmt::format("the sizes are for parts named '{}', but no face or group has such a name "
-                      "(see af2 inspect)",
-                      pattern));
-  }
+  std::vector<std::string> names;
+  for (int face = 1; face <= model.faceCount(); ++face) names.push_back(model.faceName(face));
+  std::map<int, double> sizes = geometry::sizesByName(request.file.parts, names, model.groups());
   for (const auto& [face, size] : request.faceSizes) sizes[face] = size;
   return sizes;
 }
@@ -133,7 +101,7 @@ geometry::ModelMesh runCad(const MeshRequest& request, const AF2Algorithm& algor
     model = geometry::healModel(model, {request.healTolerance});
   }
   const double readSeconds = reading.seconds();
-  checkIds(request, model);
+  checkIds(request, model.faceCount(), model.edgeCount());
   geometry::ModelMeshingOptions options = meshingOptions(request, model, control, bar);
   const GivenUp givenUp = control.givenUp ? *control.givenUp : GivenUp();
   options.faces = withoutGivenUp(std::move(options.faces), model, givenUp);

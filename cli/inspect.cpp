@@ -6,6 +6,8 @@
 #include <memory>
 
 #include "cli/exit_code.h"
+#include "cli/inspect_domain.h"
+#include "cli/inspect_tables.h"
 #include "cli/mesh_request.h"
 #include "cli/number_lists.h"
 #include "cli/picture_format.h"
@@ -29,23 +31,25 @@ struct InspectOptions {
   bool brief = false, all = false, heal = false;
 };
 
+int inspectOther(const InspectOptions& options) {
+  if (!options.picture.empty()) throw UsageError("--picture is for CAD models");
+  if (options.heal) throw UsageError("--heal is for STEP, IGES and BREP files");
+  return inspectDomain({options.model, options.size.empty() ? 0 : parseSize("--size", options.size),
+                        options.brief, options.all});
+}
+
 }  // namespace
 #if AF2_HAVE_OCC
 namespace {
 
 using geometry::Defect;
 
-/// Of a mesh, if none is given: this part of the diagonal.
-constexpr double kSizesPerDiagonal = 40;
-/// So many defects of a kind are listed; more would bury the others.
-constexpr std::size_t kMostListed = 10;
-
 void printOverview(const geometry::Model& model) {
   const std::string unit = model.unit().empty() ? "" : " " + model.unit();
   fmt::print("{} faces, {} edges, {} vertices; diagonal {:.6g}{}\n", model.faceCount(),
              model.edgeCount(), model.vertexCount(), model.diagonal(), unit);
   if (!model.fileUnit().empty()) fmt::print("lengths in the file: {}\n", model.fileUnit());
-  for (const std::string& note : model.notes()) fmt::print("note: {}\n", note);
+  fmt::print("{}", notesText(model.notes()));
   fmt::print("{}", healingText(model.healing()));
 }
 
@@ -60,51 +64,6 @@ void printFaces(const geometry::Model& model) {
   for (int face = 1; face <= model.faceCount(); ++face) {
     fmt::print("{:>8}  {:<12}  {}\n", face, model.surfaceType(face), model.faceName(face));
   }
-}
-
-void printGroups(const geometry::Model& model) {
-  if (model.groups().empty()) return;
-  fmt::print("{:>8}  {:<12}  {}\n", "faces", "group", "name");
-  for (const geometry::FaceGroup& group : model.groups())
-    fmt::print("{:>8}  {:<12}  {}\n", group.faces.size(), geometry::toString(group.kind),
-               group.name);
-}
-
-std::string placeText(const Defect& defect) {
-  std::string text;
-  const auto part = [&](const char* kind, int id) {
-    if (id > 0) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", kind, id);
-  };
-  part("face", defect.face);
-  part("edge", defect.edge);
-  part("vertex", defect.vertex);
-  const Point3& p = defect.place;
-  return text + fmt::format(" at ({:.6g}, {:.6g}, {:.6g})", p.x, p.y, p.z);
-}
-
-void printDefect(const Defect& defect, double size) {
-  const std::string extent =
-      defect.extent > 0 ? fmt::format("{:>10.3g}  {:>8.2g}", defect.extent, defect.extent / size)
-                        : fmt::format("{:>10}  {:>8}", "", "");
-  const std::string detail = defect.detail.empty() ? "" : ": " + defect.detail;
-  fmt::print("{:<18}  {}  {}{}\n", geometry::toString(defect.kind), extent, placeText(defect),
-             detail);
-}
-
-void printDefects(const std::vector<Defect>& defects, double size, bool all) {
-  if (defects.empty()) return fmt::print("no defects, against a mesh size of {:.3g}\n", size);
-  fmt::print("{} defects, against a mesh size of {:.3g}\n", defects.size(), size);
-  fmt::print("{:<18}  {:>10}  {:>8}  {}\n", "defect", "extent", "of size", "where");
-  std::map<geometry::DefectKind, std::size_t> listed, left;
-  for (const Defect& defect : defects) {
-    if (all || listed[defect.kind]++ < kMostListed)
-      printDefect(defect, size);
-    else
-      ++left[defect.kind];
-  }
-  for (const auto& [kind, count] : left)
-    fmt::print("and {} more of the kind '{}' (--all lists them)\n", count,
-               geometry::toString(kind));
 }
 
 struct InspectRequest {
@@ -130,7 +89,7 @@ int inspect(const InspectOptions& options, const InspectRequest& request) {
   if (request.heal) model = geometry::healModel(model, {request.healTolerance});
   printOverview(model);
   options.brief ? printSurfaceTypes(model) : printFaces(model);
-  printGroups(model);
+  printGroups(model.groups());
   if (options.brief && options.picture.empty()) return kComplete;
   const double size = request.size > 0 ? request.size : model.diagonal() / kSizesPerDiagonal;
   const std::vector<Defect> defects = geometry::findDefects(model, size);
@@ -157,7 +116,8 @@ int inspectSafely(const InspectOptions& options) {
 
 Action declareInspect(CLI::App& command) {
   const auto options = std::make_shared<InspectOptions>();
-  command.add_option("model", options->model, "STEP, IGES or BREP file")->required();
+  command.add_option("model", options->model, "STEP, IGES, BREP, STL, OBJ, .poly or .in2d file")
+      ->required();
   command.add_flag("--brief", options->brief,
                    "count the faces of each kind instead of listing them; no defects");
   command.add_option(
@@ -169,6 +129,7 @@ Action declareInspect(CLI::App& command) {
                      "picture of the model with its defects marked, .svg or .png");
   declareHealing(command, options->heal, options->healTolerance);
   return [options]() -> int {
+    if (isDomain(options->model)) return inspectOther(*options);
 #if AF2_HAVE_OCC
     return inspectSafely(*options);
 #else

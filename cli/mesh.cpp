@@ -64,7 +64,8 @@ void tell(const MeshRequest& request, const RunReport& report, const ModelMesh& 
                mesh.straightened.size());
   }
   if (!request.quiet)
-    fmt::print("{}{}", healingText(mesh.healing), summaryText(mesh, report.quality));
+    fmt::print("{}{}{}", notesText(mesh.notes), healingText(mesh.healing),
+               summaryText(mesh, report.quality));
 }
 
 /// The status of a run, by its faces and by what the checks of the whole found.

@@ -126,19 +126,9 @@ bool MeshRequest::isFaceted() const {
   return extension == ".stl" || extension == ".obj";
 }
 
-/// What only CAD models have.
-void checkFaceted(const MeshOptions& options, const MeshRequest& request) {
-  const SizeRequest& sizes = request.sizes;
-  if (!(sizes.faceSizes.empty() && sizes.edgeSizes.empty() && sizes.file.parts.empty()))
-    throw UsageError(
-        "the faces of an STL or OBJ file have no sizes of their own; use --sizes with "
-        "points, boxes or fields");
-  if (!options.boundary.empty()) throw UsageError("an STL or OBJ file takes no --boundary");
-}
-
 geometry::ChartKind checkedChart(const MeshOptions& options, const MeshRequest& request) {
-  if (request.isPlanar() || request.isFaceted())
-    throw UsageError("--chart is for the faces of CAD models");
+  if (request.isPlanar())
+    throw UsageError("--chart is for curved faces; a planar domain is its own chart");
   const auto kind = geometry::chartKindOf(options.chart);
   if (!kind)
     throw UsageError(
@@ -162,16 +152,9 @@ MeshRequest checkedRequest(const MeshOptions& options) {
   request.optimize = !options.rawFront;
   request.report = options.report;
   request.outputs.assign(options.outputs.begin(), options.outputs.end());
-  if (request.isPlanar() && !(request.sizes.faceSizes.empty() && request.sizes.edgeSizes.empty())) {
-    throw UsageError("a .poly file has no --face-size and no --edge-size; use --size or --sizes");
-  }
-  if (request.isPlanar() && !options.boundary.empty()) {
-    throw UsageError("a .poly file brings its own boundary; use --keep-boundary");
-  }
   if (!request.isPlanar() && options.keepBoundary) {
-    throw UsageError("--keep-boundary is for .poly files; a CAD model takes --boundary FILE");
+    throw UsageError("--keep-boundary is for .poly and .in2d files; others take --boundary FILE");
   }
-  if (request.isFaceted()) checkFaceted(options, request);
   if (!options.featureAngle.empty()) {
     if (!request.isFaceted()) throw UsageError("--feature-angle is for STL and OBJ files");
     request.featureAngle =

@@ -2,10 +2,37 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+
 #include "cli/model_runs.h"
+#include "cli/usage_error.h"
 #include "engine/error.h"
 
 namespace af2::cli {
+
+namespace {
+
+void checkId(const std::string& option, const char* kind, int id, int count) {
+  if (id <= count) return;
+  throw UsageError(fmt::format("{}: there is no {} {}; the model has {} 1 to {} (see af2 inspect)",
+                               option, kind, id, kind, count));
+}
+
+}  // namespace
+
+void checkIds(const MeshRequest& request, int faces, int edges) {
+  for (const int face : request.faces) checkId("--faces", "face", face, faces);
+  for (const auto& [face, size] : request.sizes.faceSizes)
+    checkId("--face-size", "face", face, faces);
+  for (const auto& [edge, size] : request.sizes.edgeSizes)
+    checkId("--edge-size", "edge", edge, edges);
+}
+
+void checkIds(const MeshRequest& request, const geometry::DomainModel& model) {
+  int edges = 0;
+  for (const geometry::DomainCurve& curve : model.curves) edges = std::max(edges, curve.id);
+  checkIds(request, static_cast<int>(model.faces.size()), edges);
+}
 
 void setOptions(const MeshRequest& request, const RunControl& control, ProgressBar& bar,
                 geometry::DomainMeshingOptions& options) {
@@ -16,6 +43,12 @@ void setOptions(const MeshRequest& request, const RunControl& control, ProgressB
   options.elementsAcross = request.sizes.elementsAcross;
   options.growth = request.sizes.growth;
   options.sources = request.sizes.file.sources;
+  options.partSizes = request.sizes.file.parts;
+  options.faceSizes = request.sizes.faceSizes;
+  options.edgeSizes = request.sizes.edgeSizes;
+  options.edgePoints = request.edgePoints;
+  options.faces = request.faces;
+  options.chart = request.chart;
   options.order = request.order;
   options.optimize = request.optimize;
   options.threads = request.threads;

@@ -81,6 +81,12 @@ std::string healingText(const std::optional<geometry::Healing>& healing) {
   return text;
 }
 
+std::string notesText(const std::vector<std::string>& notes) {
+  std::string text;
+  for (const std::string& note : notes) text += fmt::format("note: {}\n", note);
+  return text;
+}
+
 std::string failureText(const geometry::ModelMesh& mesh) {
   std::string text;
   for (const FaceReport& face : mesh.faces) {

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "geometry/model_mesh.h"
 #include "geometry/quality.h"
@@ -14,6 +15,9 @@ std::string summaryText(const geometry::ModelMesh& mesh, const geometry::MeshQua
 
 /// What healing changed, one line each; empty if nothing was healed.
 std::string healingText(const std::optional<geometry::Healing>& healing);
+
+/// What was put right while reading, one line each; empty if nothing was.
+std::string notesText(const std::vector<std::string>& notes);
 
 /// One line for each face that failed, with its reason; empty if none did.
 std::string failureText(const geometry::ModelMesh& mesh);

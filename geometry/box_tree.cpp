@@ -1,6 +1,7 @@
 #include "geometry/box_tree.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <tuple>
 
@@ -16,6 +17,26 @@ double beyond(double value, double low, double high) {
 double Box3::distanceTo(const Point3& p) const {
   return length(
       Point3{beyond(p.x, low.x, high.x), beyond(p.y, low.y, high.y), beyond(p.z, low.z, high.z)});
+}
+
+Segment3::Segment3(const Point3& from, const Point3& to)
+    : middle_(0.5 * (from + to)),
+      half_(0.5 * (to - from)),
+      reach_{std::abs(half_.x), std::abs(half_.y), std::abs(half_.z)} {}
+
+/// They are apart if a direction parts them: across the sides of the box, or across the segment and
+/// a side.
+bool Segment3::meets(const Box3& box) const {
+  constexpr double kSlack = 1 + 1e-12;
+  const Point3 h = (0.5 * kSlack) * (box.high - box.low), d = middle_ - 0.5 * (box.low + box.high);
+  const auto apart = [](double between, double reach) {
+    return std::abs(between) > kSlack * reach + 1e-300;
+  };
+  if (apart(d.x, h.x + reach_.x) || apart(d.y, h.y + reach_.y) || apart(d.z, h.z + reach_.z))
+    return false;
+  return !(apart(half_.y * d.z - half_.z * d.y, h.y * reach_.z + h.z * reach_.y) ||
+           apart(half_.z * d.x - half_.x * d.z, h.x * reach_.z + h.z * reach_.x) ||
+           apart(half_.x * d.y - half_.y * d.x, h.x * reach_.y + h.y * reach_.x));
 }
 
 BoxTree::BoxTree(const std::vector<Box3>& boxes) : order_(boxes.size()) {

@@ -28,6 +28,18 @@ struct Box3 {
   double distanceTo(const Point3& p) const;
 };
 
+/// A straight piece of a line, to be held against boxes.
+class Segment3 {
+ public:
+  Segment3(const Point3& from, const Point3& to);
+  /// Whether it meets a box, or passes by so near that rounding may tell so.
+  bool meets(const Box3& box) const;
+
+ private:
+  Point3 middle_, half_;  ///< it runs from middle - half to middle + half
+  Point3 reach_;          ///< half the sides of the box around it
+};
+
 /// A tree over boxes; immutable, so that threads may share it.
 class BoxTree {
  public:
@@ -35,8 +47,10 @@ class BoxTree {
 
   /// Calls visit(index) for each box that meets `where`, in an order that depends on the boxes
   /// alone.
-  template <class Visit>
-  void forEachIn(const Box3& where, Visit&& visit) const {
+  ///
+  /// Where  Box3 or Segment3
+  template <class Where = Box3, class Visit>
+  void forEachIn(const Where& where, Visit&& visit) const {
     if (!nodes_.empty()) walk(0, 0, order_.size(), where, visit);
   }
 
@@ -62,13 +76,13 @@ class BoxTree {
     return first + (last - first) / 2;
   }
 
-  template <class Visit>
-  void walk(std::size_t node, std::size_t first, std::size_t last, const Box3& where,
+  template <class Where, class Visit>
+  void walk(std::size_t node, std::size_t first, std::size_t last, const Where& where,
             Visit& visit) const {
-    if (!nodes_[node].meets(where)) return;
+    if (!where.meets(nodes_[node])) return;
     if (last - first <= kLeaf) {
       for (std::size_t i = first; i < last; ++i)
-        if (leaves_[i].meets(where)) visit(order_[i]);
+        if (where.meets(leaves_[i])) visit(order_[i]);
       return;
     }
     const std::size_t half = middle(first, last);

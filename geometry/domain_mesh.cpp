@@ -1,212 +1,384 @@
-#include "geometry/domain_mesh.h"
-
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
+#include <mutex>
+#include <numeric>
 
 #include "engine/error.h"
-#include "engine/mesh_check.h"
-#include "engine/optimize.h"
 #include "engine/stopwatch.h"
-#include "geometry/append_face.h"
-#include "geometry/close_front.h"
-#include "geometry/element_crossings.h"
-#include "geometry/graded_size.h"
+#include "geometry/domain_division.h"
+#include "geometry/domain_model.h"
+#include "geometry/face_filling.h"
+#include "geometry/join_faces.h"
 #include "geometry/narrow_places.h"
+#include "geometry/parallel.h"
+#include "geometry/part_sizes.h"
+#include "geometry/retries.h"
 #include "geometry/sound_faces.h"
-#include "geometry/stuck_front.h"
 
 namespace af2::geometry {
 
 namespace {
 
-constexpr double kFar = std::numeric_limits<double>::infinity();
+/// What is narrower than this share of the wanted size is not to be seen in the mesh.
+constexpr double kUnseen = 5e-5;
+constexpr double kUnitTriangle = 0.4330127018922193;  // area of the one with edges of length 1
 
-}  // namespace
-
-DomainMesh::DomainMesh(const AF2Algorithm& algorithm, const DomainMeshingOptions& options)
-    : algorithm_(algorithm), options_(options) {
-  for (const AF2Rule& rule : algorithm.rules().rules()) mesh_.ruleNames.push_back(rule.name());
-  mesh_.ruleNames.push_back("closing");  // what closes a stuck front
-}
-
-VertexId DomainMesh::addVertex(const Point3& position) {
-  mesh_.vertices.push_back(position);
-  mesh_.wantedSizes.push_back(kFar);
-  return VertexId(mesh_.vertices.size() - 1);
-}
-
-void DomainMesh::addCurve(DividedCurve curve) { curves_.push_back(std::move(curve)); }
-
-void DomainMesh::addFace(DomainFace face) {
-  const Stopwatch watch;
-  FaceReport report;
-  report.id = static_cast<int>(faces_.size()) + 1;
-  report.surfaceType = face.surfaceType;
-  report.chart = face.chart;
-  report.area = face.area;
-  const double optimizing = mesh_.seconds.optimize;
-  if (options_.stop.stop_requested())
-    report.status = FaceStatus::Cancelled;
-  else
-    fill(face, report);
-  report.seconds = watch.seconds();
-  mesh_.seconds.surface += report.seconds - (mesh_.seconds.optimize - optimizing);
-  mesh_.faces.push_back(std::move(report));
-  faces_.push_back(std::move(face));
-}
-
-void DomainMesh::fill(const DomainFace& face, FaceReport& report) {
-  const Stopwatch watch;
-  std::vector<VertexId> boundary;
-  const FrontInput input = boundaryOf(face, boundary);
-  const auto size = std::make_shared<const GradedSize>(*face.wanted, input, options_.growth);
-  const RegionTask task{input,
-                        [&] {
-                          return PieceTools{face.makeCharts(), size};
-                        },
-                        face.cuts,
-                        {},
-                        options_.optimize,
-                        options_.threads};
-  try {
-    RegionMesh meshed =
-        meshRegion(algorithm_, task, {options_.observer, options_.progress, options_.stop});
-    if (meshed.seconds > 0)
-      mesh_.seconds.optimize += watch.seconds() * meshed.optimizeSeconds / meshed.seconds;
-    close(task, meshed, report);
-    judge(meshed, report);
-    if (report.status == FaceStatus::Complete)
-      add(std::move(meshed.result.mesh), boundary, *face.wanted, report);
-  } catch (const std::runtime_error& error) {  // of the surface or the boundary
-    report.status = FaceStatus::Failed;
-    report.reason = error.what();
+/// The size on a face: what is wanted on it, but no more than curvature and position allow.
+class FaceWanted final : public SizeField {
+ public:
+  FaceWanted(const DomainSize& byPosition, double size, const CurvatureLimit* limit)
+      : byPosition_(byPosition), size_(size), limit_(limit) {}
+  double sizeAt(const SurfacePoint& point) const override {
+    const double size = limit_ ? std::min(size_, limit_->sizeAt(point)) : size_;
+    return byPosition_.at(point.position, size);
   }
-}
 
-FrontInput DomainMesh::boundaryOf(const DomainFace& face, std::vector<VertexId>& boundary) {
-  localIds_.resize(mesh_.vertices.size());
-  FrontInput input;
-  for (const auto& loop : face.loops) {
-    std::vector<BoundaryCorner> corners;
-    for (const CurveUse& use : loop) {
-      std::vector<VertexId> along = curves_[use.curve].vertices;
-      if (use.reversed) std::reverse(along.begin(), along.end());
-      along.pop_back();
-      for (const VertexId id : along) corners.push_back(cornerOf(id, face, boundary));
+ private:
+  const DomainSize& byPosition_;
+  double size_;
+  const CurvatureLimit* limit_;
+};
+
+/// Elements of all faces together, told one call at a time.
+class ElementCount {
+ public:
+  ElementCount(const ProgressCallback& tell, std::size_t faces) : tell_(tell), byFace_(faces, 0) {}
+
+  ProgressCallback of(std::size_t face) {
+    return [this, face](const Progress& progress) {
+      if (!tell_) return;
+      const std::lock_guard lock(mutex_);
+      sum_.elements += progress.elements - byFace_[face];
+      byFace_[face] = progress.elements;
+      tell_(sum_);
+    };
+  }
+
+ private:
+  const ProgressCallback& tell_;
+  std::vector<std::size_t> byFace_;
+  Progress sum_;
+  std::mutex mutex_;
+};
+
+/// The directed loops around a face.
+class BoundaryMaker {
+ public:
+  BoundaryMaker(const DomainFace& face, const DomainModel& model, const DividedEdges& divided)
+      : face_(face), model_(model), divided_(divided) {}
+
+  FaceBoundary make() {
+    collectPoints();
+    for (const auto& loop : face_.loops) {
+      std::vector<BoundaryCorner>& corners = boundary_.input.loops.emplace_back();
+      for (const CurveUse& use : loop) addUse(use, corners);
     }
-    input.loops.push_back(std::move(corners));
+    for (const std::size_t corner : face_.isolated)
+      boundary_.input.isolated.push_back(cornerAt(static_cast<std::uint32_t>(corner)));
+    boundary_.input.vertexCount = boundary_.points.size();
+    boundary_.closedInParameters = face_.surface->inParameters() != nullptr;
+    boundary_.canBeCut = face_.canBeCut;
+    boundary_.repairs = face_.notes;
+    return std::move(boundary_);
   }
-  for (const VertexId id : boundary) localIds_[id.value] = VertexId();
-  input.vertexCount = boundary.size();
-  return input;
-}
 
-BoundaryCorner DomainMesh::cornerOf(VertexId id, const DomainFace& face,
-                                    std::vector<VertexId>& boundary) {
-  VertexId& local = localIds_[id.value];
-  if (local.isNone()) {
-    local = VertexId(boundary.size());
-    boundary.push_back(id);
+ private:
+  void collectPoints() {
+    std::vector<std::uint32_t>& points = boundary_.points;
+    for (const auto& loop : face_.loops)
+      for (const CurveUse& use : loop) {
+        const DividedEdge& edge = divided_.edges[use.curve];
+        points.insert(points.end(), edge.points.begin(), edge.points.end());
+      }
+    for (const std::size_t corner : face_.isolated)
+      points.push_back(static_cast<std::uint32_t>(corner));
+    std::ranges::sort(points);
+    points.erase(std::ranges::unique(points).begin(), points.end());
   }
-  SurfacePoint point = face.nearest(mesh_.vertices[id.value]);
-  point.position = mesh_.vertices[id.value];
-  return {local, point};
-}
 
-void DomainMesh::close(const RegionTask& task, RegionMesh& meshed, FaceReport& report) const {
-  if (meshed.result.outcome != Outcome::Stuck) return;
-  MeshingResult closed = meshed.result;
-  const std::uint16_t rule = closingRule(algorithm_.rules());
-  const MeshBoundary boundary = af2::boundaryOf(task.input);
-  if (!closeFront(closed, rule) || !faultOf(closed.mesh, boundary).empty()) return;
-  report.reason = std::to_string(closed.mesh.elements.size() - meshed.result.mesh.elements.size()) +
-                  " elements were made without a rule, where rules had no room";
-  meshed.result = std::move(closed);
-  meshed.result.outcome = Outcome::Complete;
-  meshed.fault.clear();
-  if (!task.optimize) return;
-  OptimizeOptions options;
-  if (algorithm_.rules().makesQuads()) options.closingRule = rule;
-  options.stop = options_.stop;
-  optimizeMesh(meshed.result.mesh, boundary, *task.makeTools().charts, options);
-}
-
-void DomainMesh::judge(const RegionMesh& meshed, FaceReport& report) const {
-  const MeshingResult& result = meshed.result;
-  if (result.outcome == Outcome::Complete && meshed.fault.empty()) return;
-  report.status = result.outcome == Outcome::Cancelled ? FaceStatus::Cancelled : FaceStatus::Failed;
-  report.stuck = stuckPlaces(result);
-  report.reason = result.outcome == Outcome::Stuck ? stuckReason(result, algorithm_) : meshed.fault;
-}
-
-void DomainMesh::add(Mesh meshed, const std::vector<VertexId>& boundary, const SizeField& wanted,
-                     FaceReport& report) {
-  makeRoom(mesh_.wantedSizes, meshed.vertices.size() - boundary.size());
-  for (std::size_t i = 0; i < meshed.vertices.size(); ++i) {
-    const double size = wanted.sizeAt(meshed.vertices[i]);
-    if (i >= boundary.size()) {
-      mesh_.wantedSizes.push_back(size);
-      continue;
-    }
-    double& there = mesh_.wantedSizes[boundary[i].value];
-    there = std::min(there, size);
-  }
-  appendFace(mesh_, std::move(meshed), boundary, report);
-}
-
-/// Counts only the faces that were meshed.
-void DomainMesh::addSegments() {
-  std::vector<int> uses(curves_.size(), 0);
-  for (std::size_t i = 0; i < faces_.size(); ++i) {
-    if (mesh_.faces[i].status != FaceStatus::Complete) continue;
-    for (const auto& loop : faces_[i].loops)
-      for (const CurveUse& use : loop) ++uses[use.curve];
-  }
-  for (std::size_t c = 0; c < curves_.size(); ++c) {
-    const DividedCurve& curve = curves_[c];
-    for (std::size_t i = 0; uses[c] > 0 && i + 1 < curve.vertices.size(); ++i)
-      mesh_.segments.push_back(
-          {curve.vertices[i], curve.vertices[i + 1], curve.edge, uses[c], curve.middles[i]});
-  }
-}
-
-std::vector<SideMiddles> DomainMesh::middlesOfSides() const {
-  std::vector<SideMiddles> middles;
-  for (std::size_t e = 0; e < mesh_.elements.size(); ++e) {
-    const auto corners = mesh_.elements[e].vertices();
-    const DomainFace& face = faces_[static_cast<std::size_t>(mesh_.face[e]) - 1];
-    SideMiddles& own = middles.emplace_back();
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-      // The same way round for the elements on both sides.
-      const auto [first, last] = std::minmax(corners[i], corners[(i + 1) % corners.size()]);
-      own[i] =
-          face.nearest(0.5 * (mesh_.vertices[first.value] + mesh_.vertices[last.value])).position;
+  void addUse(const CurveUse& use, std::vector<BoundaryCorner>& corners) {
+    const std::vector<std::uint32_t>& points = divided_.edges[use.curve].points;
+    const auto segments = static_cast<std::uint32_t>(points.size() - 1);
+    for (std::uint32_t i = 0; i < segments; ++i) {
+      const std::uint32_t segment = use.reversed ? segments - 1 - i : i;
+      corners.push_back(cornerAt(points[use.reversed ? segment + 1 : segment]));
+      boundary_.uses.push_back({static_cast<int>(use.curve) + 1, segment});
     }
   }
-  return middles;
-}
 
-ModelMesh DomainMesh::finish(bool isFlat) {
-  addSegments();
-  const auto oneByOne = [](std::size_t count, const auto& work) {
-    for (std::size_t i = 0; i < count; ++i) work(i);
+  BoundaryCorner cornerAt(std::uint32_t point) const {
+    const auto local = std::ranges::lower_bound(boundary_.points, point);
+    const Point3& position = divided_.points[point];
+    SurfacePoint onSurface = face_.nearest(position);
+    onSurface.position = position;
+    return {VertexId(static_cast<std::size_t>(local - boundary_.points.begin())), onSurface};
+  }
+
+  const DomainFace& face_;
+  const DomainModel& model_;
+  const DividedEdges& divided_;
+  FaceBoundary boundary_;
+};
+
+class DomainMesher final : public RetriedModel {
+ public:
+  DomainMesher(const DomainModel& model, const AF2Algorithm& algorithm,
+               const DomainMeshingOptions& options)
+      : model_(model),
+        algorithm_(algorithm),
+        options_(options),
+        sizes_{DomainSize(options), {}, options.edgeSizes, {}} {
+    for (const DomainCurve& curve : model.curves) idOfCurve_.push_back(curve.id);
+    findSizes();
+    findFaces();
+  }
+
+  ModelMesh mesh() {
+    const Stopwatch edgesWatch;
+    FaceMeshes state;
+    state.divided = divide(options_.function, {});
+    const double edgeSeconds = edgesWatch.seconds();
+    const Stopwatch facesWatch;
+    meshFaces(state);
+    retryPoorFaces(*this,
+                   {options_.function, largestAsked(), options_.growth, threads(), options_.stop},
+                   state);
+    const double share = shareOfOptimizing(state.meshes), seconds = facesWatch.seconds();
+    ModelMesh mesh = finished(state);
+    mesh.seconds.edges = edgeSeconds;
+    mesh.seconds.optimize = share * seconds;
+    mesh.seconds.surface = seconds - mesh.seconds.optimize;
+    return mesh;
+  }
+
+  const std::vector<std::vector<int>>& edgesOfFaces() const override { return edgesOfFaces_; }
+
+  DividedEdges divide(const PositionSize& sizes, const EdgesAsPoints&) const override {
+    DomainSizes own = sizes_;
+    own.byPosition = sizes_.byPosition.withFunction(sizes);
+    return divideCurves(model_, own, options_.growth, options_.edgePoints);
+  }
+
+  void mesh(std::size_t i, const PositionSize& sizes, const TryLimits& limits,
+            FaceMeshes& into) const override {
+    into.meshes[i] = meshed(i, sizes, limits, into.divided, {});
+  }
+
+  void join(FaceMeshes& state) const override {
+    JoinOptions join;
+    join.threads = options_.threads;
+    for (std::size_t c = 0; c < model_.curves.size(); ++c)
+      if (const auto own = options_.edgeSizes.find(idOfCurve_[c]); own != options_.edgeSizes.end())
+        join.edgeSizes[static_cast<int>(c) + 1] = sizes_.byPosition.bounded(own->second);
+    if (options_.order == 2)
+      join.pointOnEdge = [&](int edge, double parameter) {
+        return model_.curves[static_cast<std::size_t>(edge) - 1].pointAt(parameter);
+      };
+    state.joined = joinFaces(state.divided, state.meshes, join);
+    if (model_.isExact || options_.stop.stop_requested()) return;
+    state.crossings = elementCrossings(state.joined, [&](std::size_t count, const auto& work) {
+      forEachInParallel(count, options_.threads, work);
+    });
+  }
+
+  /// What cannot be seen is no edge from the beginning.
+  std::vector<EdgesAsPoints> shortEdges(std::size_t, const DividedEdges&,
+                                        const std::vector<SizeSource>&) const override {
+    return {};
+  }
+
+  /// They are spread over the surface already.
+  std::vector<SizeSource> sizesInside(std::size_t) const override { return {}; }
+
+ private:
+  const DomainFace& faceAt(std::size_t i) const {
+    return model_.faces[static_cast<std::size_t>(faces_[i]) - 1];
+  }
+
+  void findSizes() {
+    std::vector<std::string> names;
+    for (const DomainFace& face : model_.faces) names.push_back(face.name);
+    std::map<int, double> own = sizesByName(options_.partSizes, names, model_.groups);
+    for (const auto& [face, size] : options_.faceSizes) own[face] = size;
+    for (std::size_t f = 0; f < model_.faces.size(); ++f) {
+      const auto given = own.find(static_cast<int>(f) + 1);
+      const double size = given == own.end() ? options_.size : given->second;
+      sizes_.onFace.push_back(std::min(size, model_.faces[f].largest));
+    }
+    sizes_.limits.resize(model_.faces.size());
+    if (model_.limitsOfFaces) sizes_.limits = model_.limitsOfFaces(sizes_.byPosition);
+  }
+
+  void findFaces() {
+    faces_ = options_.faces;
+    if (faces_.empty()) {
+      faces_.resize(model_.faces.size());
+      std::iota(faces_.begin(), faces_.end(), 1);
+    }
+    std::ranges::sort(faces_);
+    faces_.erase(std::ranges::unique(faces_).begin(), faces_.end());
+    for (const int face : faces_) {
+      std::vector<int>& edges = edgesOfFaces_.emplace_back();
+      for (const auto& loop : model_.faces[static_cast<std::size_t>(face) - 1].loops)
+        for (const CurveUse& use : loop) edges.push_back(static_cast<int>(use.curve) + 1);
+      std::ranges::sort(edges);
+      edges.erase(std::ranges::unique(edges).begin(), edges.end());
+    }
+  }
+
+  double largestAsked() const {
+    double largest = options_.size;
+    for (const double size : sizes_.onFace) largest = std::max(largest, size);
+    for (const auto& [edge, size] : sizes_.onEdge) largest = std::max(largest, size);
+    return largest;
+  }
+
+  void meshFaces(FaceMeshes& state) const {
+    state.meshes.resize(faces_.size());
+    ElementCount count(options_.progress, faces_.size());
+    forEachInParallel(faces_.size(), threads(), [&](std::size_t i) {
+      state.meshes[i] = meshed(i, options_.function, {std::numeric_limits<std::size_t>::max()},
+                               state.divided, count.of(i));
+    });
+  }
+
+  int threads() const { return options_.observer ? 1 : options_.threads; }
+
+  FaceMesh meshed(std::size_t i, const PositionSize& sizes, const TryLimits& limits,
+                  const DividedEdges& divided, const ProgressCallback& progress) const {
+    const Stopwatch watch;
+    const DomainFace& face = faceAt(i);
+    FaceMesh mesh;
+    mesh.report.id = faces_[i];
+    mesh.report.name = face.name;
+    mesh.report.surfaceType = face.surfaceType;
+    mesh.report.area = face.area;
+    if (options_.stop.stop_requested()) {
+      mesh.report.status = FaceStatus::Cancelled;
+      return mesh;
+    }
+    try {
+      fill(i, sizes, limits, divided, progress, mesh);
+    } catch (const std::runtime_error& error) {  // of the surface or the boundary
+      failFor(error.what(), mesh);
+    }
+    mesh.report.seconds = watch.seconds();
+    return mesh;
+  }
+
+  void fill(std::size_t i, const PositionSize& sizes, const TryLimits& limits,
+            const DividedEdges& divided, const ProgressCallback& progress, FaceMesh& mesh) const {
+    const DomainFace& face = faceAt(i);
+    const auto index = static_cast<std::size_t>(faces_[i]) - 1;
+    FaceBoundary boundary = BoundaryMaker(face, model_, divided).make();
+    mesh.report.attempts = boundary.repairs;
+    const DomainSize byPosition = sizes_.byPosition.withFunction(sizes);
+    const CurvatureLimit* limit = sizes_.limits[index].get();
+    const double size = sizes_.onFace[index];
+    const FaceWanted wanted(byPosition, size, limit);
+    const GradedSize graded(wanted, boundary.input, options_.growth);
+    const FillOptions options{options_.chart, options_.optimize, options_.stop, options_.observer};
+    const std::function<PieceTools(ChartKind)> tools = [&](ChartKind kind) {
+      // Nothing here is changed by use, so that all threads may share it.
+      return PieceTools{face.surface->makeCharts(kind),
+                        std::shared_ptr<const SizeField>(std::shared_ptr<void>(), &graded)};
+    };
+    const double expected =
+        limit ? limit->expectedElements(size) : face.area / (kUnitTriangle * size * size);
+    const bool mayBeFine = byPosition.isVaried() || options_.elementsPerTurn > 0;
+    const auto withoutParameters = [](std::vector<StuckPlace>& places) {
+      for (StuckPlace& place : places) place.u = place.v = 0;
+    };
+    fillInto({{*face.surface, boundary, graded, face.area, expected, algorithm_, options, mayBeFine,
+               limits.mostCandidates, limits.mayLean, progress, tools},
+              wanted,
+              kUnseen * size,
+              options_.order == 2,
+              face.surface->isPlane() ? std::function<void(std::vector<StuckPlace>&)>()
+                                      : withoutParameters},
+             boundary, mesh);
+  }
+
+  ModelMesh finished(FaceMeshes& state) const {
+    const MiddlesByFace middles = takeMiddles(state.meshes);
+    ModelMesh mesh = std::move(state.joined);
+    for (EdgeSegment& segment : mesh.segments)
+      segment.edge = idOfCurve_[static_cast<std::size_t>(segment.edge) - 1];
+    for (const AF2Rule& rule : algorithm_.rules().rules()) mesh.ruleNames.push_back(rule.name());
+    mesh.ruleNames.push_back("closing");  // what closes a stuck front
+    mesh.groups = model_.groups;
+    mesh.notes = model_.notes;
+    mesh.findings = keepSoundFaces(mesh, state.crossings);
+    if (options_.order == 2) makeSecondOrder(mesh, middlesOf(mesh, middles));
+    return mesh;
+  }
+
+  const DomainModel& model_;
+  const AF2Algorithm& algorithm_;
+  const DomainMeshingOptions& options_;
+  DomainSizes sizes_;
+  std::vector<int> faces_;                      // that were asked for
+  std::vector<std::vector<int>> edgesOfFaces_;  // by face that was asked for; [0] is curve 1
+  std::vector<int> idOfCurve_;
+};
+
+void checkIds(const DomainModel& model, const DomainMeshingOptions& options) {
+  const auto check = [&](const char* kind, int id, int count) {
+    if (id < 1 || id > count)
+      throw InputError(std::string(kind) + " " + std::to_string(id) + ": the model has " + kind +
+                       "s 1 to " + std::to_string(count));
   };
-  mesh_.findings =
-      keepSoundFaces(mesh_, isFlat ? std::vector<Crossing>() : elementCrossings(mesh_, oneByOne));
-  if (options_.order == 2) makeSecondOrder(mesh_, middlesOfSides());
-  return std::move(mesh_);
+  const int faces = static_cast<int>(model.faces.size());
+  int edges = 0;
+  for (const DomainCurve& curve : model.curves) edges = std::max(edges, curve.id);
+  for (const int face : options.faces) check("face", face, faces);
+  for (const auto& [face, size] : options.faceSizes) check("face", face, faces);
+  for (const auto& [edge, size] : options.edgeSizes) check("edge", edge, edges);
+  for (const auto& [edge, points] : options.edgePoints) {
+    check("edge", edge, edges);
+    if (std::ranges::count(model.curves, edge, &DomainCurve::id) != 1)
+      throw InputError("points are given for edge " + std::to_string(edge) +
+                       ", which bounds nothing or is split where others meet it; divide it there "
+                       "in the file");
+  }
 }
 
-void checkSize(const DomainMeshingOptions& options) {
-  if (!(options.size > 0) || !std::isfinite(options.size))
-    throw InputError("the size must be a positive number");
+void checkOptions(const DomainMeshingOptions& options) {
+  const auto check = [](double size) {
+    if (!(size > 0) || !std::isfinite(size)) throw InputError("the size must be a positive number");
+  };
+  check(options.size);
+  for (const auto& [face, size] : options.faceSizes) check(size);
+  for (const auto& [edge, size] : options.edgeSizes) check(size);
   if (options.order != 1 && options.order != 2) throw InputError("elements can have order 1 or 2");
 }
 
-void addNarrowPlaces(const ModelMesh& coarse, double elementsAcross, DomainMeshingOptions& finer) {
-  addSources(narrowPlaces(coarse, elementsAcross), leastForLimits(finer.size, finer.minSize),
-             finer.sources);
+}  // namespace
+
+ModelMesh meshDomain(const DomainModel& model, const AF2Algorithm& algorithm,
+                     const DomainMeshingOptions& options) {
+  checkOptions(options);
+  checkIds(model, options);
+  ModelMesh mesh;
+  withThreads(options.threads, [&] {
+    DomainMeshingOptions own = options;
+    own.threads = 0;                                // as many as the arena has
+    own.size = std::min(own.size, model.diagonal);  // no element could be larger
+    if (own.elementsAcross > 0) {
+      // A first mesh shows what is narrow.
+      own.elementsAcross = 0;
+      DomainMeshingOptions first = own;
+      first.faces.clear();
+      first.optimize = false;
+      first.order = 1;
+      first.progress = {};
+      first.observer = nullptr;
+      addSources(narrowPlaces(DomainMesher(model, algorithm, first).mesh(), options.elementsAcross),
+                 leastForLimits(options.size, options.minSize), own.sources);
+    }
+    mesh = DomainMesher(model, algorithm, own).mesh();
+  });
+  return mesh;
 }
 
 }  // namespace af2::geometry

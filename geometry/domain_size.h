@@ -1,29 +1,35 @@
 // The sizes that the options of a domain want, by position and where something turns.
 #pragma once
 
-#include "engine/size_field.h"
+#include <memory>
+
 #include "geometry/domain_options.h"
 
 namespace af2::geometry {
 
-class DomainSize final : public SizeField {
+/// Immutable; copies share what is large.
+class DomainSize {
  public:
   /// options  are kept as a reference
   explicit DomainSize(const DomainMeshingOptions& options);
 
-  double sizeAt(const SurfacePoint& point) const override { return at(point.position); }
-  double at(const Point3& position) const;
-  /// Whether sizes differ from place to place.
-  bool isVaried() const { return options_.function || sources_; }
-  /// `size`, or less where a surface or a curve turns within `radius`. Unless turns were asked for,
-  /// this goes down to `gentleLeast` times the wanted size.
-  double limitedByTurn(double size, double radius, double gentleLeast) const;
+  /// The same, but with another function of the position.
+  DomainSize withFunction(PositionSize function) const;
 
- private:
+  /// What is wanted at a position where `size` is wanted unless something there wants less.
+  double at(const Point3& position, double size) const;
+  /// Whether sizes differ from place to place.
+  bool isVaried() const { return function_ || sources_; }
+  /// The largest edges where a surface or a curve turns within `radius`. Unless turns were asked
+  /// for, this goes down to `gentleLeast` times the wanted size.
+  double turnLimit(double radius, double gentleLeast) const;
+  /// `size`, brought between the bounds of all sizes.
   double bounded(double size) const;
 
-  const DomainMeshingOptions& options_;
-  PositionSize sources_;
+ private:
+  const DomainMeshingOptions* options_;
+  PositionSize function_;
+  std::shared_ptr<const PositionSize> sources_;  ///< null: there are none
 };
 
 }  // namespace af2::geometry

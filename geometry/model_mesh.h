@@ -105,6 +105,7 @@ struct ModelMesh {
   std::vector<EdgeSegment> segments;
   std::vector<FaceReport> faces;
   std::vector<FaceGroup> groups;
+  std::vector<std::string> notes;  ///< what of the file was put right while reading
   std::optional<Healing> healing;  ///< if the model was healed before
   /// What the last checks found that is not on one face; empty: nothing.
   std::vector<std::string> findings;

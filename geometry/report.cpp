@@ -147,6 +147,7 @@ void writeReport(const RunReport& report, const ModelMesh& mesh, OutputFile& fil
   for (const FaceGroup& group : mesh.groups)
     json["groups"].push_back(
         {{"kind", toString(group.kind)}, {"name", group.name}, {"faces", group.faces}});
+  if (!mesh.notes.empty()) json["notes"] = mesh.notes;
   if (mesh.healing) json["healing"] = toJson(*mesh.healing);
   json["seconds"] = toJson(mesh.seconds);
   json["quality"] = toJson(report.quality);

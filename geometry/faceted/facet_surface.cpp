@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "geometry/plane_axes.h"
+
 namespace af2::geometry {
 namespace {
 
@@ -39,10 +41,10 @@ struct FacetSurface::Data {
   Data(const Facets& facets, const Patch& patch) : tree(takeTriangles(facets, patch)) {
     findNormals();
     findCurvatures();
+    findNeighbors();
   }
 
   std::vector<Box3> takeTriangles(const Facets& facets, const Patch& patch) {
-    std::vector<std::uint32_t> used;
     for (const std::uint32_t t : patch.triangles)
       used.insert(used.end(), facets.triangles[t].begin(), facets.triangles[t].end());
     std::sort(used.begin(), used.end());
@@ -66,30 +68,71 @@ struct FacetSurface::Data {
     return 0.5 * cross(vertices[t[1]] - vertices[t[0]], vertices[t[2]] - vertices[t[0]]);
   }
 
+  /// Weighted by the angles of the triangles, but thin ones count less: the direction of a sliver
+  /// is what is left of rounding and noise.
   void findNormals() {
+    constexpr double kThin = 0.1;  // height over longest edge
     normals.resize(vertices.size());
     for (const Corners& t : triangles) {
-      const Point3 normal = unit(areaVector(t));
+      const Point3 area = areaVector(t), normal = unit(area);
+      double longest = 0;
+      for (std::size_t i = 0; i < 3; ++i)
+        longest = std::max(longest, distance(vertices[t[i]], vertices[t[(i + 1) % 3]]));
+      const double slenderness = longest > 0 ? 2 * length(area) / (longest * longest) : 0;
+      const double trust = slenderness / (slenderness + kThin);
       for (std::size_t i = 0; i < 3; ++i) {
         const Point3 p = vertices[t[(i + 1) % 3]] - vertices[t[i]];
         const Point3 q = vertices[t[(i + 2) % 3]] - vertices[t[i]];
         const double angle = std::atan2(length(cross(p, q)), dot(p, q));
-        normals[t[i]] = normals[t[i]] + angle * normal;
+        normals[t[i]] = normals[t[i]] + (trust * angle) * normal;
       }
     }
     for (Point3& normal : normals) normal = unit(normal);
   }
 
+  /// How the normal changes along the surface, as a matrix: its mean over the triangles around a
+  /// vertex, by their areas, in which noise cancels out. What counts is its largest stretch.
   void findCurvatures() {
-    curvatures.assign(vertices.size(), 0);
+    using Matrix = std::array<Point3, 3>;  // rows
+    std::vector<Matrix> sums(vertices.size());
+    std::vector<double> areas(vertices.size(), 0);
     for (const Corners& t : triangles) {
-      for (std::size_t i = 0; i < 3; ++i) {
-        const std::uint32_t a = t[i], b = t[(i + 1) % 3];
-        const double turn = distance(normals[a], normals[b]) / distance(vertices[a], vertices[b]);
-        curvatures[a] = std::max(curvatures[a], turn);
-        curvatures[b] = std::max(curvatures[b], turn);
+      const Point3 u = vertices[t[1]] - vertices[t[0]], v = vertices[t[2]] - vertices[t[0]];
+      const Point3 n = cross(u, v);
+      const double square = dot(n, n);
+      if (!(square > 0)) continue;
+      // Vectors in the triangle with which those along its sides make 1 and 0.
+      const Point3 alongU = (1 / square) * cross(v, n), alongV = (1 / square) * cross(n, u);
+      const Point3 du = normals[t[1]] - normals[t[0]], dv = normals[t[2]] - normals[t[0]];
+      const double area = std::sqrt(square) / 2;
+      const Matrix change{du.x * alongU + dv.x * alongV, du.y * alongU + dv.y * alongV,
+                          du.z * alongU + dv.z * alongV};
+      for (const std::uint32_t c : t) {
+        for (std::size_t row = 0; row < 3; ++row) sums[c][row] = sums[c][row] + area * change[row];
+        areas[c] += area;
       }
     }
+    for (std::size_t v = 0; v < vertices.size(); ++v)
+      curvatures.push_back(areas[v] > 0 ? stretchOf(sums[v]) / areas[v] : 0);
+  }
+
+  /// The largest stretch of a matrix, by applying it and its transpose some times.
+  static double stretchOf(const std::array<Point3, 3>& rows) {
+    constexpr int kTimes = 12;
+    double largest = 0;
+    for (const Point3& start : rows) largest = std::max(largest, dot(start, start));
+    if (!(largest > 0)) return 0;
+    Point3 x = rows[0] + rows[1] + rows[2];
+    for (const Point3& row : rows)
+      if (dot(row, row) == largest) x = row;  // the last of equals; never across the direction
+    double stretch = 0;
+    for (int i = 0; i < kTimes; ++i) {
+      x = unit(x);
+      const Point3 y{dot(rows[0], x), dot(rows[1], x), dot(rows[2], x)};
+      stretch = length(y);
+      x = y.x * rows[0] + y.y * rows[1] + y.z * rows[2];
+    }
+    return stretch;
   }
 
   SurfacePoint pointIn(std::uint32_t triangle, const Barycentric& w) const {
@@ -97,7 +140,79 @@ struct FacetSurface::Data {
     SurfacePoint point;
     point.position = w.a * vertices[a] + w.b * vertices[b] + w.c * vertices[c];
     point.normal = unit(w.a * normals[a] + w.b * normals[b] + w.c * normals[c]);
+    point.u = triangle;  // whoever looks for a point near this one begins there
     return point;
+  }
+
+  void findNeighbors() {
+    std::vector<std::array<std::uint32_t, 3>> sides;  // lower vertex, higher vertex, 3 t + side
+    for (std::uint32_t h = 0; h < 3 * triangles.size(); ++h) {
+      const auto [low, high] = std::minmax(triangles[h / 3][h % 3], triangles[h / 3][(h + 1) % 3]);
+      sides.push_back({low, high, h});
+    }
+    std::sort(sides.begin(), sides.end());
+    neighbors.assign(3 * triangles.size(), BoxTree::kNone);
+    for (std::size_t i = 1; i < sides.size(); ++i) {
+      if (sides[i][0] != sides[i - 1][0] || sides[i][1] != sides[i - 1][1]) continue;
+      neighbors[sides[i][2]] = sides[i - 1][2] / 3;
+      neighbors[sides[i - 1][2]] = sides[i][2] / 3;
+    }
+  }
+
+  /// How a walk over the triangles to a line came out.
+  struct Walk {
+    enum Outcome { Found, AtBorder, AtFold } outcome = AtFold;
+    std::uint32_t triangle = 0;
+    Barycentric where;
+  };
+
+  /// From the base edge over sides of triangles towards the line, as long as these face the chart:
+  /// so that what is found is on the same sheet of the surface.
+  Walk walk(const SurfaceLine& line, const SurfacePoint& from) const {
+    constexpr int kMostSteps = 2000;
+    Walk walk;
+    if (!(from.u >= 0 && from.u < static_cast<double>(triangles.size()))) return walk;
+    auto t = static_cast<std::uint32_t>(from.u);
+    std::uint32_t before = BoxTree::kNone;
+    for (int step = 0; step < kMostSteps; ++step) {
+      const std::array<double, 3> beside = sidesOf(line, t);
+      const double area = beside[0] + beside[1] + beside[2];
+      const double rim = -1e-9 * area;
+      if (area > 0 && beside[0] >= rim && beside[1] >= rim && beside[2] >= rim)
+        return {Walk::Found, t, {beside[1] / area, beside[2] / area, beside[0] / area}};
+      std::uint32_t next = BoxTree::kNone;
+      double farthest = 0;
+      bool isAtBorder = false;
+      for (std::uint32_t side = 0; side < 3; ++side) {
+        if (!(beside[side] < farthest)) continue;
+        const std::uint32_t other = neighbors[3 * t + side];
+        if (other == BoxTree::kNone) isAtBorder = true;
+        if (other == BoxTree::kNone || other == before || !faces(line, other)) continue;
+        farthest = beside[side];
+        next = other;
+      }
+      if (next == BoxTree::kNone) {
+        walk.outcome = isAtBorder ? Walk::AtBorder : Walk::AtFold;
+        return walk;
+      }
+      before = t;
+      t = next;
+    }
+    return walk;
+  }
+
+  /// Twice the areas, seen along the line, of the triangles that its foot makes with the sides:
+  /// negative where it is beyond the side.
+  std::array<double, 3> sidesOf(const SurfaceLine& line, std::uint32_t t) const {
+    std::array<Point2, 3> p;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Point3 d = vertices[triangles[t][i]] - line.start;
+      p[i] = {dot(d, line.xAxis), dot(d, line.yAxis)};
+    }
+    return {cross(p[0], p[1]), cross(p[1], p[2]), cross(p[2], p[0])};
+  }
+  bool faces(const SurfaceLine& line, std::uint32_t t) const {
+    return dot(areaVector(triangles[t]), line.direction) > 0;
   }
 
   Barycentric nearestTo(const Point3& p, std::uint32_t triangle) const {
@@ -107,14 +222,18 @@ struct FacetSurface::Data {
 
   std::uint32_t nearestTriangle(const Point3& p) const {
     return tree.nearest(p, std::numeric_limits<double>::infinity(), [&](std::uint32_t t) {
-      return distance(p, pointIn(t, nearestTo(p, t)).position);
+      const Barycentric w = nearestTo(p, t);
+      const auto& [a, b, c] = triangles[t];
+      return distance(p, w.a * vertices[a] + w.b * vertices[b] + w.c * vertices[c]);
     });
   }
 
+  std::vector<std::uint32_t> used;  // by vertex: that of the facets
   std::vector<Point3> vertices, normals;
   std::vector<double> curvatures;
   std::vector<Corners> triangles;
-  BoxTree tree;  // last: it is made while the triangles are taken
+  std::vector<std::uint32_t> neighbors;  // 3 t + i: across the side that begins at corner i
+  BoxTree tree;                          // last: it is made while the triangles are taken
 };
 
 FacetSurface::FacetSurface(const Facets& facets, const Patch& patch)
@@ -122,11 +241,16 @@ FacetSurface::FacetSurface(const Facets& facets, const Patch& patch)
 
 std::optional<SurfacePoint> FacetSurface::hit(const SurfaceLine& line) const {
   constexpr double kReach = 2.5, kNear = 0.5;  // in wanted edge lengths
-  constexpr double kRim = 1e-9;                // so that no line slips between two triangles
-  const double reach = kReach * line.edgeLength;
-  Box3 way;
-  way.add(line.start + reach * line.direction);
-  way.add(line.start - reach * line.direction);
+  bool isAtBorder = false;
+  constexpr double kRim = 1e-9;  // so that no line slips between two triangles
+  for (const SurfacePoint* from : {&line.from, &line.to}) {
+    const Data::Walk walk = data_->walk(line, *from);
+    if (walk.outcome == Data::Walk::Found) return data_->pointIn(walk.triangle, walk.where);
+    isAtBorder = isAtBorder || walk.outcome == Data::Walk::AtBorder;
+  }
+  // Across a hole the surface may go on; beyond a fold, what is far is another sheet.
+  const double reach = (isAtBorder ? kReach : kNear) * line.edgeLength;
+  const Segment3 way(line.start - reach * line.direction, line.start + reach * line.direction);
   double best = reach;
   std::optional<SurfacePoint> hit;
   data_->tree.forEachIn(way, [&](std::uint32_t t) {
@@ -155,13 +279,32 @@ SurfacePoint FacetSurface::nearest(const Point3& position) const {
   return data_->pointIn(triangle, data_->nearestTo(position, triangle));
 }
 
-double FacetSurface::radiusAt(const Point3& position) const {
+double FacetSurface::interpolated(const std::vector<double>& values, const Point3& position) const {
   const std::uint32_t triangle = data_->nearestTriangle(position);
   const Barycentric w = data_->nearestTo(position, triangle);
   const auto& [a, b, c] = data_->triangles[triangle];
-  const double turn =
-      w.a * data_->curvatures[a] + w.b * data_->curvatures[b] + w.c * data_->curvatures[c];
-  return turn > 0 ? 1 / turn : std::numeric_limits<double>::infinity();
+  const auto at = [&](std::uint32_t v) { return values[data_->used[v]]; };
+  return w.a * at(a) + w.b * at(b) + w.c * at(c);
+}
+
+const std::vector<std::uint32_t>& FacetSurface::usedVertices() const { return data_->used; }
+const std::vector<double>& FacetSurface::curvatures() const { return data_->curvatures; }
+
+std::optional<FlatSurface> FacetSurface::plane() const {
+  constexpr double kFlat = 1e-7;  // of its extent
+  Point3 sum;
+  Box3 box;
+  for (const Corners& t : data_->triangles) sum = sum + data_->areaVector(t);
+  for (const Point3& v : data_->vertices) box.add(v);
+  const double extent = distance(box.low, box.high);
+  const Point3 normal = unit(sum), origin = data_->vertices.front();
+  if (normal == Point3{}) return std::nullopt;
+  for (const Point3& v : data_->vertices)
+    if (!(std::abs(dot(v - origin, normal)) <= kFlat * extent)) return std::nullopt;
+  for (const Corners& t : data_->triangles)
+    if (dot(data_->areaVector(t), normal) < 0) return std::nullopt;  // it folds back
+  const PlaneAxes axes(origin, normal);
+  return FlatSurface(origin, axes.xAxis(), axes.yAxis());
 }
 
 double FacetSurface::area() const {

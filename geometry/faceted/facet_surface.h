@@ -3,31 +3,47 @@
 
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "geometry/box_tree.h"
 #include "geometry/faceted/patches.h"
+#include "geometry/flat_surface.h"
 #include "geometry/mean_normal_chart.h"
 
 namespace af2::geometry {
 
 /// Positions lie on the triangles. Normals are smooth: at each vertex the mean over the triangles
 /// of the patch around it, weighted by their angles there, and linear in between. Immutable; copies
-/// share the same data.
+/// share the same data. The parameter u of a point is the number of its triangle in the patch.
 class FacetSurface {
  public:
   FacetSurface(const Facets& facets, const Patch& patch);
 
-  /// Where a line meets the patch nearest to its start; if it misses, e.g. beside a boundary of
-  /// chords, the nearest point of the patch, if that is near.
+  /// Where a line meets the patch, on the sheet of its base edge if that goes so far; else nearest
+  /// to its start. If it misses, e.g. beside a boundary of chords, the nearest point of the patch,
+  /// if that is near.
   std::optional<SurfacePoint> hit(const SurfaceLine& line) const;
   /// The nearest point of the patch.
   SurfacePoint nearest(const Point3& position) const;
-  /// How fast the normals turn at the nearest point, as a radius; infinite where they do not.
-  double radiusAt(const Point3& position) const;
+  /// Something that is known at the vertices, at the nearest point of the patch: linear in between.
+  ///
+  /// values  by vertex of the facets
+  double interpolated(const std::vector<double>& values, const Point3& position) const;
   double area() const;
+  /// Calls visit(v, curvature) for each vertex of the facets that the patch uses: how fast its
+  /// normals turn there per unit of length, as a mean over the triangles around.
+  template <class Visit>
+  void forEachCurvature(const Visit& visit) const {
+    for (std::size_t i = 0; i < usedVertices().size(); ++i)
+      visit(usedVertices()[i], curvatures()[i]);
+  }
+  /// The plane in which all of it lies, if there is one.
+  std::optional<FlatSurface> plane() const;
 
  private:
   struct Data;
+  const std::vector<std::uint32_t>& usedVertices() const;
+  const std::vector<double>& curvatures() const;
   std::shared_ptr<const Data> data_;
 };
 

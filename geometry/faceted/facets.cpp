@@ -12,6 +12,7 @@
 #include <tuple>
 
 #include "engine/error.h"
+#include "geometry/faceted/repair_facets.h"
 #include "geometry/file_extension.h"
 
 namespace af2::geometry {
@@ -79,10 +80,47 @@ void addTriangle(Facets& facets, const Point3& a, const Point3& b, const Point3&
   facets.triangles.push_back({first, first + 1, first + 2});
 }
 
+/// The parts of a file; triangles that are added belong to the one that was begun last.
+class Parts {
+ public:
+  explicit Parts(Facets& facets) : facets_(facets) {}
+
+  void begin(std::string_view name) {
+    while (!name.empty() && isBlank(name.front())) name.remove_prefix(1);
+    while (!name.empty() && isBlank(name.back())) name.remove_suffix(1);
+    close();
+    const auto found = std::ranges::find(facets_.groupNames, name);
+    current_ = static_cast<std::uint32_t>(found - facets_.groupNames.begin());
+    if (found == facets_.groupNames.end()) facets_.groupNames.emplace_back(name);
+  }
+  /// Gives all triangles so far their part.
+  void close() {
+    if (facets_.groupNames.empty()) {
+      begin_ = facets_.triangles.size();
+      return;
+    }
+    if (begin_ > 0 && facets_.group.empty()) {
+      facets_.groupNames.emplace_back();  // those before the first part
+      facets_.group.resize(begin_, static_cast<std::uint32_t>(facets_.groupNames.size() - 1));
+    }
+    facets_.group.resize(facets_.triangles.size(), current_);
+  }
+
+ private:
+  static bool isBlank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
+
+  Facets& facets_;
+  std::uint32_t current_ = 0;
+  std::size_t begin_ = 0;  ///< triangles before the first part
+};
+
 void readTextStl(const std::string& text, Facets& facets) {
   Words words(facets.name, text);
+  Parts parts(facets);
   for (std::string_view word = words.next(); !word.empty(); word = words.next()) {
-    if (word == "solid" || word == "endsolid") {
+    if (word == "solid") {
+      parts.begin(words.restOfLine());
+    } else if (word == "endsolid") {
       words.skipLine();
     } else if (word == "outer") {
       words.next();  // loop
@@ -98,6 +136,7 @@ void readTextStl(const std::string& text, Facets& facets) {
       words.fail("'" + std::string(word) + "' is not known in an STL file");
     }
   }
+  parts.close();
 }
 
 void readBinaryStl(const std::string& data, std::uint32_t count, Facets& facets) {
@@ -143,7 +182,12 @@ std::uint32_t cornerFrom(std::string_view word, const Facets& facets, const Word
 
 void readObj(const std::string& text, Facets& facets) {
   Words words(facets.name, text);
+  Parts parts(facets);
   for (std::string_view word = words.next(); !word.empty(); word = words.next()) {
+    if (word == "g" || word == "o") {
+      parts.begin(words.restOfLine());
+      continue;
+    }
     if (word == "v") {
       facets.vertices.push_back(words.point());
     } else if (word == "f") {
@@ -158,6 +202,7 @@ void readObj(const std::string& text, Facets& facets) {
     }
     words.skipLine();
   }
+  parts.close();
 }
 
 /// One vertex for each position, in the order in which they come first.
@@ -189,9 +234,15 @@ void mergeVertices(Facets& facets) {
 
 /// Triangles that join three vertices in a row stay: without them the surface would have a slit.
 void dropCollapsedTriangles(Facets& facets) {
-  std::erase_if(facets.triangles, [](const std::array<std::uint32_t, 3>& t) {
-    return t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
-  });
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < facets.triangles.size(); ++i) {
+    const std::array<std::uint32_t, 3> t = facets.triangles[i];
+    if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) continue;
+    if (!facets.group.empty()) facets.group[kept] = facets.group[i];
+    facets.triangles[kept++] = t;
+  }
+  facets.triangles.resize(kept);
+  if (!facets.group.empty()) facets.group.resize(kept);
 }
 
 }  // namespace
@@ -204,6 +255,7 @@ Facets readFacets(const fs::path& path) {
   mergeVertices(facets);
   dropCollapsedTriangles(facets);
   if (facets.triangles.empty()) throw InputError(facets.name + ": holds no triangle");
+  repairFacets(facets);
   return facets;
 }
 

@@ -16,11 +16,16 @@ struct Facets {
   std::string name;  ///< the file
   std::vector<Point3> vertices;
   std::vector<std::array<std::uint32_t, 3>> triangles;
+  /// By triangle: the part that the file puts it in; empty: it names none.
+  std::vector<std::uint32_t> group;
+  std::vector<std::string> groupNames;  ///< by part; may be empty
+  std::vector<std::string> notes;       ///< what was not as it should be and was put right
 };
 
 /// Reads an STL file, text or binary, or an OBJ file; which of them, its extension says. Vertices
 /// at the same position are one, triangles that name one of them twice are left out, polygons of an
-/// OBJ file are cut into triangles.
+/// OBJ file are cut into triangles. The solids of a text STL file, and the groups and objects of an
+/// OBJ file, are parts. Small faults are put right (repairFacets), and told.
 ///
 /// Throws InputError, with file and place, if it cannot be read or holds no triangle.
 Facets readFacets(const std::filesystem::path& path);

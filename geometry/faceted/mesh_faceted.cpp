@@ -3,189 +3,242 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <queue>
 
 #include "engine/error.h"
-#include "engine/stopwatch.h"
-#include "geometry/curve_division.h"
-#include "geometry/domain_mesh.h"
-#include "geometry/domain_size.h"
+#include "geometry/domain_model.h"
 #include "geometry/faceted/facet_surface.h"
 #include "geometry/faceted/patches.h"
+#include "geometry/normal_line_chart.h"
+#include "geometry/parallel.h"
 
 namespace af2::geometry {
 namespace {
 
 constexpr double kGentleLeast = 0.35;
 
-class PatchSize final : public SizeField {
+/// The charts of a curved patch.
+class PatchCharts final : public ChartedSurface {
  public:
-  PatchSize(const DomainSize& size, const FacetSurface& surface) : size_(size), surface_(surface) {}
-  double sizeAt(const SurfacePoint& point) const override {
-    return size_.limitedByTurn(size_.sizeAt(point), surface_.radiusAt(point.position),
-                               kGentleLeast);
+  explicit PatchCharts(FacetSurface surface) : surface_(std::move(surface)) {}
+
+  bool isPlane() const override { return false; }
+  bool has(ChartKind kind) const override {
+    return kind == ChartKind::Auto || kind == ChartKind::MeanNormal ||
+           kind == ChartKind::NormalLines;
+  }
+  std::unique_ptr<AF2LocalTransformMaker> makeCharts(ChartKind kind) const override {
+    if (kind == ChartKind::NormalLines)
+      return std::make_unique<NormalLineChartMaker<FacetSurface>>(surface_);
+    return std::make_unique<MeanNormalChartMaker<FacetSurface>>(surface_);
+  }
+  SurfacePoint at(double, double) const override {
+    throw GeometryError("triangles have no parameters");
   }
 
  private:
-  const DomainSize& size_;
-  const FacetSurface& surface_;
+  FacetSurface surface_;
 };
 
-class FacetedMesher {
- public:
-  FacetedMesher(const Facets& facets, const AF2Algorithm& algorithm,
-                const FacetedMeshingOptions& options)
-      : options_(options),
-        size_(options),
-        model_(findPatches(facets, options.featureAngle * std::numbers::pi / 180)),
-        mesh_(algorithm, options) {}
+/// What curvature allows at the vertices of the facets, growing from each along the edges of the
+/// facets no faster than sizes may.
+std::vector<double> limitsAtVertices(const Facets& facets,
+                                     const std::vector<FacetSurface>& surfaces,
+                                     const DomainSize& size, double growth) {
+  std::vector<double> limits(facets.vertices.size(), std::numeric_limits<double>::infinity());
+  for (const FacetSurface& surface : surfaces)
+    surface.forEachCurvature([&](std::uint32_t v, double curvature) {
+      const double radius = curvature > 0 ? 1 / curvature : 1e300;
+      limits[v] = std::min(limits[v], size.turnLimit(radius, kGentleLeast));
+    });
+  std::vector<std::vector<std::uint32_t>> beside(facets.vertices.size());
+  for (const auto& t : facets.triangles)
+    for (std::size_t i = 0; i < 3; ++i) {
+      beside[t[i]].push_back(t[(i + 1) % 3]);
+      beside[t[(i + 1) % 3]].push_back(t[i]);
+    }
+  using Entry = std::pair<double, std::uint32_t>;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
+  for (std::uint32_t v = 0; v < limits.size(); ++v) open.push({limits[v], v});
+  while (!open.empty()) {
+    const auto [limit, v] = open.top();
+    open.pop();
+    if (limit > limits[v]) continue;
+    for (const std::uint32_t w : beside[v]) {
+      const double grown = limit + growth * distance(facets.vertices[v], facets.vertices[w]);
+      if (!(grown < limits[w])) continue;
+      limits[w] = grown;
+      open.push({grown, w});
+    }
+  }
+  return limits;
+}
 
-  ModelMesh mesh() {
-    for (const Patch& patch : model_.patches) surfaces_.emplace_back(model_.facets, patch);
-    const Stopwatch watch;
-    divideCurves();
-    const double edges = watch.seconds();
-    for (std::size_t i = 0; i < model_.patches.size(); ++i) meshPatch(i);
-    ModelMesh mesh = mesh_.finish(false);
-    mesh.seconds.edges = edges;
-    return mesh;
+class PatchLimit final : public CurvatureLimit {
+ public:
+  PatchLimit(const Facets& facets, const Patch& patch, FacetSurface surface,
+             std::shared_ptr<const std::vector<double>> limits)
+      : facets_(facets), patch_(patch), surface_(std::move(surface)), limits_(std::move(limits)) {}
+
+  double sizeAt(const SurfacePoint& point) const override {
+    return surface_.interpolated(*limits_, point.position);
+  }
+
+  double expectedElements(double size) const override {
+    constexpr double kUnitTriangle = 0.4330127018922193;  // area of the one with edges of length 1
+    double sum = 0;
+    for (const std::uint32_t triangle : patch_.triangles) {
+      const auto& t = facets_.triangles[triangle];
+      const auto at = [&](std::size_t i) { return facets_.vertices[t[i]]; };
+      double here = 0;
+      for (const std::uint32_t v : t) here += std::min(size, (*limits_)[v]) / 3;
+      sum += length(cross(at(1) - at(0), at(2) - at(0))) / 2 / (kUnitTriangle * here * here);
+    }
+    return sum;
   }
 
  private:
-  const Point3& facetVertex(std::uint32_t v) const { return model_.facets.vertices[v]; }
+  const Facets& facets_;
+  const Patch& patch_;
+  FacetSurface surface_;
+  std::shared_ptr<const std::vector<double>> limits_;  // by vertex of the facets
+};
 
-  /// By curve: the patches beside it.
-  std::vector<std::vector<std::size_t>> patchesBeside() const {
-    std::vector<std::vector<std::size_t>> beside(model_.curves.size());
-    for (std::size_t p = 0; p < model_.patches.size(); ++p)
-      for (const auto& loop : model_.patches[p].loops)
-        for (const CurveUse& use : loop) beside[use.curve].push_back(p);
-    return beside;
+class ModelMaker {
+ public:
+  ModelMaker(std::shared_ptr<const PatchedFacets> patched, int threads)
+      : shared_(std::move(patched)),
+        patched_(*shared_),
+        facets_(patched_.facets),
+        surfaces_(patched_.patches.size()) {
+    forEachInParallel(surfaces_.size(), threads,
+                      [&](std::size_t i) { surfaces_[i].emplace(facets_, patched_.patches[i]); });
   }
 
-  /// Samples at the vertices of the curve, and between them where these are far apart.
-  struct Samples {
-    std::vector<Point3> points;
-    SampledCurve curve;
-  };
+  DomainModel make(double growth) {
+    model_.name = facets_.name;
+    model_.leastAtTurns = kGentleLeast;
+    Box3 box;
+    for (const Point3& p : facets_.vertices) box.add(p);
+    model_.diagonal = distance(box.low, box.high);
+    corner_.assign(facets_.vertices.size(), kNone);
+    for (const FeatureCurve& curve : patched_.curves) addCurve(curve);
+    for (std::size_t i = 0; i < surfaces_.size(); ++i) addFace(i);
+    addLimits(growth);
+    addGroups();
+    model_.notes = facets_.notes;
+    return std::move(model_);
+  }
 
-  Samples sample(const FeatureCurve& curve, const std::vector<std::size_t>& patches) const {
-    constexpr double kSamplesPerSize = 8, kMost = 1e6;
-    Samples samples;
-    samples.points.push_back(facetVertex(curve.front()));
-    for (std::size_t i = 1; i < curve.size(); ++i) {
-      const Point3 &from = facetVertex(curve[i - 1]), &to = facetVertex(curve[i]);
-      const double size = std::min(size_.at(from), size_.at(to));
-      const double cells = std::max(1.0, std::ceil(kSamplesPerSize * distance(from, to) / size));
-      if (cells > kMost)
-        throw InputError(model_.facets.name +
-                         ": a feature edge would need more than 100 thousand segments; ask for a "
-                         "larger size");
-      for (double k = 1; k <= cells; ++k)
-        samples.points.push_back(k == cells ? to : from + (k / cells) * (to - from));
+ private:
+  static constexpr std::size_t kNone = ~std::size_t{0};
+
+  std::size_t cornerAt(std::uint32_t v) {
+    if (corner_[v] == kNone) {
+      corner_[v] = model_.corners.size();
+      model_.corners.push_back(facets_.vertices[v]);
     }
-    std::vector<double>& s = samples.curve.arcLength;
-    for (const Point3& p : samples.points) {
-      const Point3& before = samples.points[s.empty() ? 0 : s.size() - 1];
-      s.push_back(s.empty() ? 0 : s.back() + distance(before, p));
-      double radius = std::numeric_limits<double>::infinity();
-      for (const std::size_t patch : patches)
-        radius = std::min(radius, surfaces_[patch].radiusAt(p));
-      samples.curve.sizes.push_back(size_.limitedByTurn(size_.at(p), radius, kGentleLeast));
+    return corner_[v];
+  }
+
+  void addCurve(const FeatureCurve& vertices) {
+    DomainCurve curve;
+    curve.id = static_cast<int>(model_.curves.size()) + 1;
+    curve.first = cornerAt(vertices.front());
+    curve.last = cornerAt(vertices.back());
+    auto points = std::make_shared<std::vector<Point3>>();
+    for (const std::uint32_t v : vertices) {
+      const Point3& p = facets_.vertices[v];
+      const double step = points->empty() ? 0 : distance(points->back(), p);
+      if (!points->empty() && step == 0) continue;
+      curve.knots.push_back(points->empty() ? 0 : curve.knots.back() + step);
+      points->push_back(p);
     }
-    limitByTurn(curve, samples);
-    return samples;
-  }
-
-  /// Where the curve turns from one piece to the next.
-  void limitByTurn(const FeatureCurve& curve, Samples& samples) const {
-    std::size_t sample = 0;
-    for (std::size_t i = 1; i + 1 < curve.size(); ++i) {
-      const Point3 &p = facetVertex(curve[i - 1]), &q = facetVertex(curve[i]),
-                   &r = facetVertex(curve[i + 1]);
-      while (samples.points[sample] != q) ++sample;
-      const double turn = distance(unit(q - p), unit(r - q));
-      if (turn == 0) continue;
-      const double radius = (distance(p, q) + distance(q, r)) / 2 / turn;
-      double& size = samples.curve.sizes[sample];
-      size = size_.limitedByTurn(size, radius, kGentleLeast);
-    }
-  }
-
-  void divideCurves() {
-    const auto beside = patchesBeside();
-    std::vector<Samples> samples;
-    std::vector<SampledCurve> curves;
-    std::vector<CurveEnds> ends;
-    for (std::size_t c = 0; c < model_.curves.size(); ++c) {
-      const FeatureCurve& curve = model_.curves[c];
-      samples.push_back(sample(curve, beside[c]));
-      ends.push_back({curve.front(), curve.back()});
-      samples.back().curve.ends = ends.back();
-      curves.push_back(std::move(samples.back().curve));
-    }
-    gradeTogether(curves, model_.facets.vertices.size(), options_.growth);
-    const std::vector<std::size_t> least = leastSegments(ends);
-    corners_.resize(model_.facets.vertices.size());
-    for (std::size_t c = 0; c < curves.size(); ++c)
-      divide(c, curves[c], samples[c].points, least[c]);
-  }
-
-  /// Every other one of twice as many shares ends at the middle of a segment.
-  void divide(std::size_t index, const SampledCurve& curve, const std::vector<Point3>& points,
-              std::size_t least) {
-    const FeatureCurve& vertices = model_.curves[index];
-    const std::vector<double> count = segmentsAlong(curve.arcLength, curve.sizes);
-    DividedCurve divided;
-    divided.edge = static_cast<int>(index) + 1;
-    divided.vertices.push_back(cornerAt(vertices.front()));
-    bool isMiddle = true;
-    for (const CurvePlace& place : equalShares(count, 2 * wholeSegments(count.back(), least))) {
-      const Point3 p = place.between(points);
-      isMiddle ? divided.middles.push_back(p) : divided.vertices.push_back(mesh_.addVertex(p));
-      isMiddle = !isMiddle;
-    }
-    divided.vertices.push_back(cornerAt(vertices.back()));
-    mesh_.addCurve(std::move(divided));
-  }
-
-  VertexId cornerAt(std::uint32_t v) {
-    if (corners_[v].isNone()) corners_[v] = mesh_.addVertex(facetVertex(v));
-    return corners_[v];
-  }
-
-  void meshPatch(std::size_t index) {
-    const FacetSurface& surface = surfaces_[index];
-    DomainFace face;
-    face.surfaceType = "facets";
-    face.chart = "mean-normal";
-    face.area = surface.area();
-    face.loops = model_.patches[index].loops;
-    face.wanted = std::make_shared<const PatchSize>(size_, surface);
-    face.nearest = [&surface](const Point3& p) { return surface.nearest(p); };
-    face.makeCharts = [&surface] {
-      return std::make_unique<MeanNormalChartMaker<FacetSurface>>(surface);
+    curve.pointAt = [knots = curve.knots, points](double s) {
+      const auto above = std::upper_bound(knots.begin() + 1, knots.end() - 1, s);
+      const auto i = static_cast<std::size_t>(above - knots.begin());
+      const double within = (s - knots[i - 1]) / (knots[i] - knots[i - 1]);
+      const Point3 &from = (*points)[i - 1], &to = (*points)[i];
+      return within >= 1 ? to : from + within * (to - from);
     };
-    mesh_.addFace(std::move(face));
+    model_.curves.push_back(std::move(curve));
   }
 
-  const FacetedMeshingOptions& options_;
-  DomainSize size_;
-  PatchedFacets model_;
-  std::vector<FacetSurface> surfaces_;  // by patch
-  std::vector<VertexId> corners_;       // by vertex of the facets, if it ends a curve
-  DomainMesh mesh_;
+  void addFace(std::size_t index) {
+    const FacetSurface& surface = *surfaces_[index];
+    DomainFace face;
+    face.area = surface.area();
+    face.loops = patched_.patches[index].loops;
+    if (const auto plane = surface.plane()) {
+      face.surfaceType = "plane";
+      const auto flat = std::make_shared<const FlatSurface>(*plane);
+      face.surface = flat;
+      face.nearest = [flat](const Point3& p) { return flat->pointAt(p); };
+      face.canBeCut = true;
+    } else {
+      face.surfaceType = "facets";
+      face.surface = std::make_shared<const PatchCharts>(surface);
+      face.nearest = [surface](const Point3& p) { return surface.nearest(p); };
+    }
+    model_.faces.push_back(std::move(face));
+  }
+
+  void addLimits(double growth) {
+    std::vector<FacetSurface> surfaces;
+    std::vector<bool> isPlane;
+    for (std::size_t i = 0; i < surfaces_.size(); ++i) {
+      surfaces.push_back(*surfaces_[i]);
+      isPlane.push_back(model_.faces[i].surface->isPlane());
+    }
+    model_.limitsOfFaces = [shared = shared_, surfaces, isPlane, growth](const DomainSize& size) {
+      const PatchedFacets& patched = *shared;
+      const auto limits = std::make_shared<const std::vector<double>>(
+          limitsAtVertices(patched.facets, surfaces, size, growth));
+      std::vector<std::shared_ptr<const CurvatureLimit>> byFace;
+      for (std::size_t i = 0; i < surfaces.size(); ++i)
+        byFace.push_back(isPlane[i] ? nullptr
+                                    : std::make_shared<const PatchLimit>(
+                                          patched.facets, patched.patches[i], surfaces[i], limits));
+      return byFace;
+    };
+  }
+
+  /// A patch is of the part that its first triangle is of.
+  void addGroups() {
+    if (facets_.group.empty()) return;
+    for (const std::string& name : facets_.groupNames)
+      model_.groups.push_back({name, GroupKind::Part, {}});
+    for (std::size_t i = 0; i < patched_.patches.size(); ++i)
+      model_.groups[facets_.group[patched_.patches[i].triangles.front()]].faces.push_back(
+          static_cast<int>(i) + 1);
+    std::erase_if(model_.groups,
+                  [](const FaceGroup& group) { return group.name.empty() || group.faces.empty(); });
+  }
+
+  std::shared_ptr<const PatchedFacets> shared_;
+  const PatchedFacets& patched_;
+  const Facets& facets_;
+  std::vector<std::optional<FacetSurface>> surfaces_;  // by patch
+  std::vector<std::size_t> corner_;                    // by vertex of the facets
+  DomainModel model_;
 };
 
 }  // namespace
 
-ModelMesh meshFaceted(const Facets& facets, const AF2Algorithm& algorithm,
-                      const FacetedMeshingOptions& options) {
-  checkSize(options);
+DomainModel facetedModel(const Facets& facets, const FacetedMeshingOptions& options) {
+  // What is a twentieth of an edge cannot be seen; a crease that ends nowhere needs more than that.
+  constexpr double kSpeck = 0.05, kLooseEnd = 0.5;
   if (!(options.featureAngle > 0 && options.featureAngle < 180))
     throw InputError("the feature angle must lie between 0 and 180 degrees");
-  return meshOnceOrTwice(options, [&](const FacetedMeshingOptions& own) {
-    return FacetedMesher(facets, algorithm, own).mesh();
-  });
+  auto patched = std::make_shared<const PatchedFacets>(
+      findPatches(facets, {options.featureAngle * std::numbers::pi / 180, kLooseEnd * options.size,
+                           kSpeck * options.size}));
+  return ModelMaker(std::move(patched), options.threads).make(options.growth);
+}
+
+ModelMesh meshFaceted(const Facets& facets, const AF2Algorithm& algorithm,
+                      const FacetedMeshingOptions& options) {
+  return meshDomain(facetedModel(facets, options), algorithm, options);
 }
 
 }  // namespace af2::geometry

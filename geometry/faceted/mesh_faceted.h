@@ -1,7 +1,7 @@
 // From a surface of triangles to a checked mesh of its smooth patches.
 #pragma once
 
-#include "geometry/domain_options.h"
+#include "geometry/domain_model.h"
 #include "geometry/faceted/facets.h"
 #include "geometry/model_mesh.h"
 
@@ -11,6 +11,9 @@ struct FacetedMeshingOptions : DomainMeshingOptions {
   /// Edges at which the surface turns by more than so many degrees are kept.
   double featureAngle = 40;
 };
+
+/// The patches between feature edges, as faces between curves.
+DomainModel facetedModel(const Facets& facets, const FacetedMeshingOptions& options);
 
 /// Meshes each patch between feature edges, which are divided once and shared. Patches are faces:
 /// 1, 2, ... in the order of their first triangles. New vertices lie on the triangles.

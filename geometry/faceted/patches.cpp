@@ -25,15 +25,17 @@ double angleBetween(const Point3& p, const Point3& q) {
 
 class PatchFinder {
  public:
-  PatchFinder(const Facets& facets, double featureAngle, const std::set<Edge>& forced)
-      : facets_(facets), angle_(featureAngle), forced_(forced) {
+  PatchFinder(const Facets& facets, const FeatureLimits& limits, const std::set<Edge>& forced)
+      : facets_(facets), limits_(limits), angle_(limits.angle), forced_(forced) {
     findTwins();
+    dropLooseEnds();
     findPatchOf();
+    if (dropSpecks()) findPatchOf();
   }
 
-  /// Triangles of the first patch that has too little boundary to start from, e.g. none; empty if
-  /// there is no such patch. A flat patch has at least the perimeter of a disc of its area.
-  std::vector<std::uint32_t> bulgingPatch() const {
+  /// Triangles of each patch that has too little boundary to start from, e.g. none. A flat patch
+  /// has at least the perimeter of a disc of its area.
+  std::vector<std::vector<std::uint32_t>> bulgingPatches() const {
     constexpr double kShareOfDisc = 0.5;
     std::vector<double> perimeter(patchCount_, 0), area(patchCount_, 0);
     for (HalfEdge h = 0; h < twin_.size(); ++h)
@@ -42,14 +44,13 @@ class PatchFinder {
       const auto& c = facets_.triangles[t];
       area[patchOf_[t]] += length(cross(at(c[1]) - at(c[0]), at(c[2]) - at(c[0]))) / 2;
     }
-    std::size_t patch = 0;
     const auto isBulging = [&](std::size_t p) {
       return perimeter[p] < kShareOfDisc * std::sqrt(4 * std::numbers::pi * area[p]);
     };
-    while (patch < patchCount_ && !isBulging(patch)) ++patch;
-    std::vector<std::uint32_t> triangles;
+    std::vector<std::vector<std::uint32_t>> triangles(patchCount_);
     for (std::uint32_t t = 0; t < patchOf_.size(); ++t)
-      if (patchOf_[t] == patch) triangles.push_back(t);
+      if (isBulging(patchOf_[t])) triangles[patchOf_[t]].push_back(t);
+    std::erase_if(triangles, [](const auto& patch) { return patch.empty(); });
     return triangles;
   }
 
@@ -66,14 +67,10 @@ class PatchFinder {
   std::uint32_t endOf(HalfEdge h) const { return startOf(nextIn(h)); }
   Edge edgeOf(HalfEdge h) const { return std::minmax(startOf(h), endOf(h)); }
   const Point3& at(std::uint32_t v) const { return facets_.vertices[v]; }
-  Point3 normalOf(HalfEdge h) const {
-    const auto& t = facets_.triangles[h / 3];
-    return unit(cross(at(t[1]) - at(t[0]), at(t[2]) - at(t[0])));
-  }
-
   void findTwins() {
     twin_.assign(3 * facets_.triangles.size(), kNone);
     std::vector<std::pair<Edge, HalfEdge>> all;
+    all.reserve(twin_.size());
     for (HalfEdge h = 0; h < twin_.size(); ++h) all.emplace_back(edgeOf(h), h);
     std::sort(all.begin(), all.end());
     for (std::size_t i = 0, next; i < all.size(); i = next) {
@@ -81,10 +78,44 @@ class PatchFinder {
       if (next - i != 2) continue;
       const HalfEdge g = all[i].second, h = all[i + 1].second;
       if (startOf(g) == startOf(h)) refuse(g, h);
-      if (isFeature(g, h)) continue;
       twin_[g] = h;
       twin_[h] = g;
     }
+    partner_ = twin_;
+    findNormals();
+    std::vector<bool> isFeatureEdge(twin_.size(), false);
+    for (HalfEdge h = 0; h < twin_.size(); ++h)
+      isFeatureEdge[h] = twin_[h] != kNone && isFeature(h, twin_[h]);
+    for (HalfEdge h = 0; h < twin_.size(); ++h)
+      if (isFeatureEdge[h]) twin_[h] = kNone;
+  }
+
+  /// A triangle with a corner close to the opposite side looks to where rounding and noise let it;
+  /// the one across that side knows better.
+  void findNormals() {
+    for (const auto& t : facets_.triangles)
+      normals_.push_back(unit(cross(at(t[1]) - at(t[0]), at(t[2]) - at(t[0]))));
+    const std::vector<Point3> own = normals_;
+    for (std::uint32_t t = 0; t < normals_.size(); ++t) {
+      const HalfEdge base = baseOfCap(t);
+      if (base == kNone || twin_[base] == kNone) continue;
+      const std::uint32_t other = twin_[base] / 3;
+      if (baseOfCap(other) == kNone) normals_[t] = own[other];
+    }
+  }
+
+  /// The longest side of a triangle whose third corner is close to it; else none.
+  HalfEdge baseOfCap(std::uint32_t t) const {
+    constexpr double kFlat = 0.01, kFromEnds = 0.05;  // in lengths of the side
+    HalfEdge base = 3 * t;
+    for (HalfEdge h = 3 * t; h < 3 * t + 3; ++h)
+      if (distance(at(startOf(h)), at(endOf(h))) > distance(at(startOf(base)), at(endOf(base))))
+        base = h;
+    const Point3 from = at(startOf(base)), along = at(endOf(base)) - from;
+    const Point3 apex = at(endOf(nextIn(base))) - from;
+    const double square = dot(along, along), within = dot(apex, along) / square;
+    const bool isFlat = length(cross(along, apex)) < kFlat * square;
+    return isFlat && within > kFromEnds && within < 1 - kFromEnds ? base : kNone;
   }
 
   [[noreturn]] void refuse(HalfEdge g, HalfEdge h) const {
@@ -92,17 +123,79 @@ class PatchFinder {
     throw InputError(facets_.name + ": triangles " + std::to_string(g / 3 + 1) + " and " +
                      std::to_string(h / 3 + 1) + " near (" + std::to_string(p.x) + ", " +
                      std::to_string(p.y) + ", " + std::to_string(p.z) +
-                     ") are turned against each other; turn all triangles the same way");
+                     ") are turned against each other, and cannot be turned so that all fit: the "
+                     "surface has only one side");
   }
 
   /// Beside a triangle without area there is nothing to tell the angle by.
   bool isFeature(HalfEdge g, HalfEdge h) const {
     if (forced_.contains(edgeOf(g))) return true;
-    const Point3 m = normalOf(g), n = normalOf(h);
+    if (!facets_.group.empty() && facets_.group[g / 3] != facets_.group[h / 3]) return true;
+    const Point3 &m = normals_[g / 3], &n = normals_[h / 3];
     return m != Point3{} && n != Point3{} && angleBetween(m, n) > angle_;
   }
 
+  /// The feature edges at each vertex, by one of their half-edges.
+  std::map<std::uint32_t, std::vector<HalfEdge>> featuresAtVertices() const {
+    std::map<std::uint32_t, std::vector<HalfEdge>> at;
+    for (HalfEdge h = 0; h < twin_.size(); ++h) {
+      if (twin_[h] != kNone || (partner_[h] != kNone && partner_[h] < h)) continue;
+      at[startOf(h)].push_back(h);
+      at[endOf(h)].push_back(h);
+    }
+    return at;
+  }
+
+  void smooth(HalfEdge h) {
+    twin_[h] = partner_[h];
+    twin_[partner_[h]] = h;
+  }
+
+  bool isForced(HalfEdge h) const { return partner_[h] == kNone || forced_.contains(edgeOf(h)); }
+
+  /// Short chains of feature edges that end amid a smooth surface are noise.
+  void dropLooseEnds() {
+    auto features = featuresAtVertices();
+    for (auto& [end, atEnd] : features) {
+      if (atEnd.size() != 1) continue;
+      std::vector<HalfEdge> chain;
+      double length = 0;
+      std::uint32_t v = end;
+      for (HalfEdge h = atEnd.front(); !isForced(h);) {
+        chain.push_back(h);
+        length += distance(at(startOf(h)), at(endOf(h)));
+        v = startOf(h) == v ? endOf(h) : startOf(h);
+        const std::vector<HalfEdge>& next = features.at(v);
+        if (next.size() != 2 || length >= limits_.looseEnd) break;
+        h = next[0] == h ? next[1] : next[0];
+      }
+      const bool isWhole = !chain.empty() && features.at(v).size() != 2;
+      if (!isWhole || length >= limits_.looseEnd) continue;
+      for (const HalfEdge h : chain) {
+        smooth(h);
+        for (const std::uint32_t w : {startOf(h), endOf(h)}) std::erase(features.at(w), h);
+      }
+    }
+  }
+
+  /// Patches that are far too small to be seen in the mesh become part of those around them.
+  bool dropSpecks() {
+    std::vector<Box3> boxes(patchCount_);
+    for (std::uint32_t t = 0; t < patchOf_.size(); ++t)
+      for (const std::uint32_t v : facets_.triangles[t]) boxes[patchOf_[t]].add(at(v));
+    bool isAny = false;
+    for (HalfEdge h = 0; h < twin_.size(); ++h) {
+      const Box3& box = boxes[patchOf_[h / 3]];
+      if (twin_[h] != kNone || isForced(h) || distance(box.low, box.high) >= limits_.speck)
+        continue;
+      smooth(h);
+      isAny = true;
+    }
+    return isAny;
+  }
+
   void findPatchOf() {
+    patchCount_ = 0;
     constexpr std::size_t kUnknown = ~std::size_t{0};
     patchOf_.assign(facets_.triangles.size(), kUnknown);
     std::vector<std::uint32_t> open;
@@ -186,9 +279,12 @@ class PatchFinder {
     std::uint32_t from = 0;
   };
   const Facets& facets_;
+  const FeatureLimits& limits_;
   double angle_;
   const std::set<Edge>& forced_;
-  std::vector<HalfEdge> twin_;        // kNone at feature edges
+  std::vector<HalfEdge> partner_;     // kNone at edges that have not two triangles
+  std::vector<HalfEdge> twin_;        // the same, but kNone at feature edges
+  std::vector<Point3> normals_;       // by triangle
   std::vector<std::size_t> patchOf_;  // by triangle
   std::size_t patchCount_ = 0;
   std::map<std::uint32_t, std::vector<std::uint32_t>> beside_;  // by vertex, over feature edges
@@ -258,6 +354,7 @@ class PlaneCut {
     facets_.triangles[t] = {c[0], p, q};
     facets_.triangles.push_back({p, c[1], c[2]});
     facets_.triangles.push_back({p, c[2], q});
+    if (!facets_.group.empty()) facets_.group.insert(facets_.group.end(), 2, facets_.group[t]);
     forced_.insert(std::minmax(p, q));
   }
 
@@ -270,14 +367,14 @@ class PlaneCut {
 
 }  // namespace
 
-PatchedFacets findPatches(Facets facets, double featureAngle) {
+PatchedFacets findPatches(Facets facets, const FeatureLimits& limits) {
   std::set<Edge> forced;
-  constexpr int kMostCuts = 1000;
+  constexpr int kMostRounds = 30;
   for (int cuts = 0;; ++cuts) {
-    PatchFinder finder(facets, featureAngle, forced);
-    const std::vector<std::uint32_t> bulging = finder.bulgingPatch();
-    if (bulging.empty() || cuts == kMostCuts) return finder.find();
-    PlaneCut(facets, bulging, forced);
+    PatchFinder finder(facets, limits, forced);
+    const auto bulging = finder.bulgingPatches();
+    if (bulging.empty() || cuts == kMostRounds) return finder.find();
+    for (const std::vector<std::uint32_t>& patch : bulging) PlaneCut(facets, patch, forced);
   }
 }
 

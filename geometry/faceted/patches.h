@@ -25,12 +25,19 @@ struct PatchedFacets {
   std::vector<Patch> patches;  ///< in the order of their first triangles
 };
 
-/// Feature edges are those at which the surface turns by more than `featureAngle` radians, those
-/// with one triangle or with more than two. Where a curve of feature edges turns by more than this,
-/// or several meet, is a corner. A patch without any feature edge, e.g. a sphere, is cut in two
-/// across its longest direction.
+/// What feature edges are.
+struct FeatureLimits {
+  double angle = 0;     ///< in radians: where the surface turns by more
+  double looseEnd = 0;  ///< a chain that ends amid a smooth surface is longer than this
+  double speck = 0;     ///< patches smaller than this are part of those around them
+};
+
+/// Feature edges are those at which the surface turns by more than the angle, those between parts
+/// of the file, those with one triangle or with more than two. Where a curve of feature edges turns
+/// by more than this, or several meet, is a corner. A patch with hardly any boundary for its area,
+/// e.g. a sphere, is cut in two across its longest direction.
 ///
 /// Throws InputError if neighbours are turned against each other.
-PatchedFacets findPatches(Facets facets, double featureAngle);
+PatchedFacets findPatches(Facets facets, const FeatureLimits& limits);
 
 }  // namespace af2::geometry

@@ -1,7 +1,5 @@
 #include "geometry/io/size_file.h"
 
-#include <fnmatch.h>
-
 #include "geometry/io/json_file.h"
 
 namespace af2::geometry {
@@ -64,10 +62,6 @@ SizeFile readSizeFile(const std::filesystem::path& path) {
     for (const auto& [name, size] : json.at("parts").members())
       file.parts.emplace_back(name, size.size());
   return file;
-}
-
-bool fitsPattern(const std::string& name, const std::string& pattern) {
-  return fnmatch(pattern.c_str(), name.c_str(), 0) == 0;
 }
 
 }  // namespace af2::geometry

@@ -21,7 +21,4 @@ struct SizeFile {
 /// understand.
 SizeFile readSizeFile(const std::filesystem::path& path);
 
-/// Whether `name` fits a pattern with `*` and `?`.
-bool fitsPattern(const std::string& name, const std::string& pattern);
-
 }  // namespace af2::geometry

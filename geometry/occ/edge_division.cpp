@@ -15,11 +15,11 @@
 #include "geometry/occ/merged_points.h"
 #include "geometry/occ/narrow_strips.h"
 #include "geometry/occ/open_ends.h"
-#include "geometry/occ/parallel.h"
 #include "geometry/occ/points.h"
 #include "geometry/occ/sizing.h"
 #include "geometry/occ/touching_edges.h"
 #include "geometry/occ/twin_edges.h"
+#include "geometry/parallel.h"
 
 namespace af2::geometry {
 
@@ -362,13 +362,6 @@ class Division {
 };
 
 }  // namespace
-
-std::size_t DividedEdges::segmentCount() const {
-  std::size_t count = 0;
-  for (const DividedEdge& edge : edges)
-    if (!edge.points.empty()) count += edge.points.size() - 1;
-  return count;
-}
 
 DividedEdges divideEdges(const ModelShape& model, const ModelSizes& sizes, int threads,
                          std::stop_token stop, const EdgePoints& given,

@@ -156,7 +156,7 @@ class BoundaryFinder {
     constexpr double kSamePoint = 1e-6;  // of the extent of the face
     if (surface_.isPlane()) return false;
     const Point3 between =
-        surface_.inParameters()
+        (*surface_.inParameters())
             .pointAt(0.5 * (jump.end.u + jump.start.u), 0.5 * (jump.end.v + jump.start.v))
             .position;
     return distance(between, jump.end.position) <= kSamePoint * surface_.extent();
@@ -242,7 +242,7 @@ class BoundaryFinder {
   /// across a seam.
   double widthBetween(const SurfacePoint& a, const SurfacePoint& b) const {
     if (surface_.isPlane()) return 0;
-    const SurfaceFrame frame = surface_.inParameters().frameAt(a.u, a.v);
+    const SurfaceFrame frame = surface_.inParameters()->frameAt(a.u, a.v);
     return length(frame.du) * std::abs(a.u - b.u) + length(frame.dv) * std::abs(a.v - b.v);
   }
 

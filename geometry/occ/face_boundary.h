@@ -2,40 +2,12 @@
 // Not installed: includers need OpenCASCADE's headers.
 #pragma once
 
-#include <cstdint>
-#include <string>
-#include <vector>
-
-#include "engine/front_input.h"
+#include "geometry/face_boundary.h"
 #include "geometry/occ/edge_division.h"
 #include "geometry/occ/face_surface.h"
 #include "geometry/occ/faces_on_faces.h"
 
 namespace af2::geometry {
-
-/// One segment of an edge as a face runs along it.
-struct SegmentUse {
-  int edge = 0;
-  std::uint32_t segment = 0;
-};
-
-struct FaceBoundary {
-  FrontInput input;  ///< without loops: the face has no width, its boundary runs back on itself
-  std::vector<std::uint32_t> points;  ///< by vertex id: index into DividedEdges::points
-  std::vector<SegmentUse> uses;
-  bool closedInParameters = true;    ///< the loops are closed curves in (u, v), too
-  bool canBeCut = true;              ///< they are, but for poles: lines in (u, v) cut the face
-  std::vector<std::string> repairs;  ///< what was not as it should be and was put right
-  std::vector<std::string> notes;    ///< what else is worth telling
-  std::vector<int> pointEdges;       ///< taken for points
-  /// Edges that lie on each other along a part of their length or all of it, with no room between.
-  struct TouchingEdges {
-    int one = 0, other = 0;
-    double gap = 0;     ///< how far they are apart
-    double length = 0;  ///< of the part
-  };
-  std::vector<TouchingEdges> touching;
-};
 
 /// onFaces  what lies on this face, turned back, is left out of it
 ///

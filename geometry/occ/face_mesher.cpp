@@ -7,24 +7,22 @@
 #include <algorithm>
 #include <cstdio>
 #include <iterator>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "engine/error.h"
-#include "engine/optimize.h"
 #include "engine/plane_chart.h"
 #include "engine/stopwatch.h"
-#include "geometry/close_front.h"
 #include "geometry/conformal_chart.h"
+#include "geometry/face_filling.h"
 #include "geometry/graded_size.h"
 #include "geometry/laid_out.h"
 #include "geometry/occ/edge_samples.h"
-#include "geometry/occ/face_attempt.h"
 #include "geometry/occ/face_size.h"
 #include "geometry/occ/points.h"
 #include "geometry/occ/sizing.h"
-#include "geometry/stuck_front.h"
 
 namespace af2::geometry {
 
@@ -89,32 +87,29 @@ class FaceMesher {
       mesh.report.area = area_ = 0;  // was found with the old boundary
     const FaceSize wanted(context_.options.sizes, face_, surface_);
     const GradedSize size(wanted, boundary.input, context_.options.sizes.growth);
-    const Stopwatch filling;
-    FaceAttempt attempt = fill(boundary, size, mesh);
-    mesh.optimizeSeconds = attempt.optimizeShare * filling.seconds();
-    mesh.effort = attempt.effort;
-    std::ranges::move(attempt.steps, std::back_inserter(mesh.report.attempts));
-    if (attempt.chart != ChartKind::Auto) mesh.report.chart = toString(attempt.chart);
-    if (!attempt.fault.empty()) {
-      mesh.trouble = troubleOfFailure(surface_, boundary, attempt.failures);
-      if (!attempt.failures.empty()) mesh.report.stuck = stuckOnFace(attempt.failures.front());
-      throw GeometryError(attempt.fault);
-    }
-    if (attempt.result.outcome == Outcome::Cancelled) {
-      mesh.report.status = FaceStatus::Cancelled;
-      return;
-    }
-    if (context_.options.optimize && !attempt.isOptimized) optimize(attempt, boundary.input, mesh);
-    if (attempt.closingElements > 0)
-      mesh.report.reason = std::to_string(attempt.closingElements) +
-                           " elements were made without a rule, where rules had no room";
-    mesh.wantedSizes.reserve(attempt.result.mesh.vertices.size());
-    for (const SurfacePoint& vertex : attempt.result.mesh.vertices)
-      mesh.wantedSizes.push_back(wanted.sizeAt(vertex));
-    if (context_.options.order == 2) findMiddles(attempt.result.mesh, mesh);
-    mesh.trouble = troubleOfMesh(attempt.result.mesh, boundary, surface_.isPlane(), area_,
-                                 kUnseen * wantedOnFace(context_.options.sizes, face_));
-    take(attempt.result, boundary, mesh);
+    const ProgressCallback& progress = context_.progress;
+    const FillOptions options{
+        context_.options.chart, context_.options.optimize, context_.options.stop,
+        context_.options.observer ? context_.options.observer(face_) : nullptr};
+    const std::function<PieceTools(ChartKind)> tools = [&](ChartKind kind) {
+      return makeTools(boundary.input, kind);
+    };
+    const FaceTask task{surface_,
+                        boundary,
+                        size,
+                        area_,
+                        area_ > 0 ? expected_ : mostElements(boundary.input),
+                        context_.algorithm,
+                        options,
+                        context_.mayBeFineInside,
+                        context_.mostCandidates,
+                        context_.mayLean,
+                        progress,
+                        tools};
+    FaceFilling filling{task, wanted, kUnseen * wantedOnFace(context_.options.sizes, face_),
+                        context_.options.order == 2};
+    filling.findParameters = [&](std::vector<StuckPlace>& places) { findParameters(places); };
+    fillInto(filling, boundary, mesh);
   }
 
  private:
@@ -129,8 +124,7 @@ class FaceMesher {
   }
 
   /// Vertices inside quadrics, and those of faces laid out, do not keep the parameters of the file.
-  std::vector<StuckPlace> stuckOnFace(const MeshingResult& result) const {
-    std::vector<StuckPlace> places = stuckPlaces(result);
+  void findParameters(std::vector<StuckPlace>& places) const {
     const TopoDS_Face face = TopoDS::Face(context_.model.face(face_));
     ShapeAnalysis_Surface surface(BRep_Tool::Surface(face));
     for (StuckPlace& place : places) {
@@ -138,48 +132,17 @@ class FaceMesher {
       place.u = uv.X();
       place.v = uv.Y();
     }
-    return places;
   }
 
-  /// Through the chart of each side, which goes back to the surface from the middle of the side.
-  void findMiddles(const Mesh& meshed, FaceMesh& mesh) const {
-    const auto charts = surface_.makeCharts(ChartKind::MeanNormal);
-    for (const Element& element : meshed.elements) {
-      SideMiddles& middles = mesh.middles.emplace_back();
-      const auto corners = element.vertices();
-      for (std::size_t i = 0; i < corners.size(); ++i) {
-        // The same way round for the elements on both sides.
-        const auto [first, last] = std::minmax(corners[i], corners[(i + 1) % corners.size()]);
-        middles[i] = middleOf(meshed.vertices[first.value], meshed.vertices[last.value], *charts);
-      }
-    }
-  }
-
-  /// Where the surface cannot be reached: of the straight side.
-  static Point3 middleOf(const SurfacePoint& from, const SurfacePoint& to,
-                         const AF2LocalTransformMaker& charts) {
-    const Point3 straight = 0.5 * (from.position + to.position);
-    const double side = distance(from.position, to.position);
-    try {
-      ChartSlot slot;
-      const auto middle =
-          charts.makeLocalTransformIn(slot, from, to, side).transformToSurface({0.5, 0});
-      if (middle && distance(middle->position, straight) < side / 2) return middle->position;
-    } catch (const GeometryError&) {
-    }
-    return straight;
-  }
-
-  FaceAttempt fill(const FaceBoundary& boundary, const SizeField& size, FaceMesh& mesh) const {
-    try {
-      return fillFace({face_, surface_, boundary, size, area_, expected_, context_.algorithm,
-                       context_.options, context_.mayBeFineInside, context_.mostCandidates,
-                       context_.mayLean, context_.progress,
-                       [&](ChartKind kind) { return makeTools(boundary.input, kind); }});
-    } catch (...) {
-      mesh.trouble = troubleOfFailure(surface_, boundary, {});
-      throw;
-    }
+  /// For a face whose area is not known: as many as on a sphere that is as large as it.
+  double mostElements(const FrontInput& input) const {
+    const Point3& origin = input.loops[0][0].point.position;
+    double extent = surface_.extent();
+    for (const auto& loop : input.loops)
+      for (const BoundaryCorner& corner : loop)
+        extent = std::max(extent, distance(corner.point.position, origin));
+    return geometry::expectedElements(context_.options.sizes, face_, surface_,
+                                      std::numbers::pi * extent * extent);
   }
 
   /// A size field with a surface of its own: OpenCASCADE's evaluators are not to be shared.
@@ -211,43 +174,11 @@ class FaceMesher {
     return {std::move(charts), std::move(size)};
   }
 
-  void optimize(FaceAttempt& attempt, const FrontInput& input, FaceMesh& mesh) const {
-    const Stopwatch watch;
-    // Charts in parameters know a vertex of a seam on one of its sheets only.
-    const bool inParameters =
-        attempt.chart == ChartKind::Parametric || attempt.chart == ChartKind::Affine;
-    if (inParameters && hasTwoSheets(input))
-      attempt.charts = surface_.makeCharts(ChartKind::MeanNormal);
-    OptimizeOptions options;
-    const RuleSet& rules = context_.algorithm.rules();
-    if (rules.makesQuads()) options.closingRule = closingRule(rules);
-    options.stop = context_.options.stop;
-    optimizeMesh(attempt.result.mesh, boundaryOf(input), *attempt.charts, options);
-    mesh.optimizeSeconds += watch.seconds();
-  }
-
-  static void take(MeshingResult& result, FaceBoundary& boundary, FaceMesh& mesh) {
-    mesh.boundary = std::move(boundary.points);
-    mesh.uses = std::move(boundary.uses);
-    const auto& vertices = result.mesh.vertices;
-    mesh.inside.reserve(vertices.size() - boundary.input.vertexCount);
-    for (std::size_t i = boundary.input.vertexCount; i < vertices.size(); ++i)
-      mesh.inside.push_back(vertices[i].position);
-    mesh.elements = std::move(result.mesh.elements);
-    mesh.rule = std::move(result.mesh.rule);
-    mesh.report.elements = mesh.elements.size();
-  }
-
   const FaceMeshingContext& context_;
   int face_;
   double area_, expected_;
   FaceSurface surface_;
 };
-
-void fail(FaceMesh& mesh, const std::string& reason) {
-  mesh.report.status = FaceStatus::Failed;
-  mesh.report.reason = reason;
-}
 
 }  // namespace
 
@@ -263,9 +194,9 @@ FaceMesh meshFace(const FaceMeshingContext& context, int face, double area,
   try {
     FaceMesher(context, face, area, expectedElements).meshInto(mesh);
   } catch (const Standard_Failure& failure) {
-    fail(mesh, std::string("OpenCASCADE: ") + failure.DynamicType()->Name());
+    failFor(std::string("OpenCASCADE: ") + failure.DynamicType()->Name(), mesh);
   } catch (const std::exception& failure) {
-    fail(mesh, failure.what());
+    failFor(failure.what(), mesh);
   }
   mesh.report.seconds = watch.seconds();
   return mesh;

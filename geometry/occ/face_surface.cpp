@@ -223,9 +223,13 @@ void FaceSurface::measure() {
   }
 }
 
-const ParametricSurface& FaceSurface::inParameters() const {
-  if (unrolled_) return *unrolled_;
-  return parametric_;
+const ParametricSurface* FaceSurface::inParameters() const {
+  if (unrolled_) return unrolled_.get();
+  return &parametric_;
+}
+
+SurfacePoint FaceSurface::at(double u, double v) const {
+  return pointAt(inParameters()->pointAt(u, v).position, u, v);
 }
 
 SurfacePoint FaceSurface::boundaryPoint(const Point3& position, double u, double v) const {
@@ -318,9 +322,9 @@ bool FaceSurface::has(ChartKind kind) const {
 }
 
 std::unique_ptr<AF2LocalTransformMaker> FaceSurface::makeCharts(ChartKind kind) const {
-  if (kind == ChartKind::Parametric) return std::make_unique<MetricChartMaker>(inParameters());
+  if (kind == ChartKind::Parametric) return std::make_unique<MetricChartMaker>(*inParameters());
   if (kind == ChartKind::Affine)
-    return std::make_unique<MetricChartMaker>(inParameters(), MetricOrder::First);
+    return std::make_unique<MetricChartMaker>(*inParameters(), MetricOrder::First);
   if (const auto* sphere = std::get_if<SphereSurface>(&surface_);
       sphere && kind == ChartKind::Stereographic)
     return std::make_unique<StereographicChartMaker>(*sphere);

@@ -9,6 +9,7 @@
 
 #include "engine/local_transform.h"
 #include "geometry/chart_kind.h"
+#include "geometry/charted_surface.h"
 #include "geometry/mean_normal_chart.h"
 #include "geometry/occ/general_surface.h"
 #include "geometry/occ/sharp_tips.h"
@@ -24,7 +25,7 @@ struct PlaneSurface {
 
 /// Knows normals, curvature and charts of a face. Not to be shared between threads, but each may
 /// have a copy.
-class FaceSurface {
+class FaceSurface final : public ChartedSurface {
  public:
   /// Throws GeometryError if the face has no surface.
   explicit FaceSurface(const TopoDS_Face& face);
@@ -44,7 +45,7 @@ class FaceSurface {
     double bent;
   };
   Radii radiiAt(const SurfacePoint& point, double reach = 0) const;
-  bool isPlane() const { return std::holds_alternative<PlaneSurface>(surface_); }
+  bool isPlane() const override { return std::holds_alternative<PlaneSurface>(surface_); }
   /// Whether radiiAt is the same everywhere.
   bool isBentAlike() const {
     return isPlane() || std::holds_alternative<CylinderSurface>(surface_) ||
@@ -58,18 +59,13 @@ class FaceSurface {
   /// Makes the published charts; for a plane, the exact one.
   std::unique_ptr<AF2LocalTransformMaker> makeCharts(const ChartLimits& limits) const;
 
-  /// Whether there are charts of a kind for this surface.
-  bool has(ChartKind kind) const;
-  /// Charts of a kind that looks at the surface from each base edge anew. They refer to this
-  /// surface.
-  std::unique_ptr<AF2LocalTransformMaker> makeCharts(ChartKind kind) const;
-  /// The map of a kind that lays out the whole face; null for the others. It refers to this
-  /// surface.
-  std::unique_ptr<PlaneMap> makePlaneMap(ChartKind kind) const;
-
+  bool has(ChartKind kind) const override;
+  std::unique_ptr<AF2LocalTransformMaker> makeCharts(ChartKind kind) const override;
+  std::unique_ptr<PlaneMap> makePlaneMap(ChartKind kind) const override;
   /// The surface by our parameters (u, v): OpenCASCADE's, but for a cylinder and a cone those of
-  /// the unrolled surface.
-  const ParametricSurface& inParameters() const;
+  /// the unrolled surface. There always are some.
+  const ParametricSurface* inParameters() const override;
+  SurfacePoint at(double u, double v) const override;
   const GeneralSurface& inOccParameters() const { return parametric_; }
 
  private:

@@ -17,8 +17,8 @@
 #include <set>
 #include <utility>
 
-#include "geometry/occ/parallel.h"
 #include "geometry/occ/points.h"
+#include "geometry/parallel.h"
 
 namespace af2::geometry {
 

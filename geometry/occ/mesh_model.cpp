@@ -1,5 +1,7 @@
 #include "geometry/occ/mesh_model.h"
 
+#include <BRepAdaptor_Curve.hxx>
+#include <TopExp_Explorer.hxx>
 #include <algorithm>
 #include <limits>
 #include <map>
@@ -7,17 +9,19 @@
 
 #include "engine/error.h"
 #include "engine/stopwatch.h"
+#include "geometry/join_faces.h"
 #include "geometry/narrow_places.h"
 #include "geometry/occ/edge_division.h"
 #include "geometry/occ/face_area.h"
 #include "geometry/occ/face_mesher.h"
 #include "geometry/occ/face_surface.h"
 #include "geometry/occ/faces_on_faces.h"
-#include "geometry/occ/join_faces.h"
-#include "geometry/occ/parallel.h"
+#include "geometry/occ/points.h"
 #include "geometry/occ/progress_sum.h"
-#include "geometry/occ/retries.h"
+#include "geometry/occ/short_edges.h"
 #include "geometry/occ/sizing.h"
+#include "geometry/parallel.h"
+#include "geometry/retries.h"
 #include "geometry/second_order.h"
 #include "geometry/sound_faces.h"
 
@@ -40,13 +44,15 @@ std::vector<int> facesAskedFor(const Model& model, const ModelMeshingOptions& op
   return faces;
 }
 
-class ModelMesher {
+class ModelMesher final : public RetriedModel {
  public:
   ModelMesher(const Model& model, const AF2Algorithm& algorithm, ModelMeshingOptions options)
       : model_(model), algorithm_(algorithm), options_(std::move(options)) {}
 
   ModelMesh mesh() {
-    const std::vector<int> faces = facesAskedFor(model_, options_);
+    faces_ = facesAskedFor(model_, options_);
+    findEdgesOfFaces();
+    const std::vector<int>& faces = faces_;
     onFaces_ = onFacesAmong(faces);
     areas_ = areasOf(faces);
     leaveOutAreas(faces);
@@ -58,23 +64,17 @@ class ModelMesher {
                                  options_.threads, options_.stop);
     expectMoreOnUneven(faces);
     FaceMeshes state;
-    state.divided = divideEdges(model_.shape(), options_.sizes, options_.threads, options_.stop,
-                                options_.edgePoints);
+    state.divided = divide(options_.sizes.function, {});
     const double edgeSeconds = edgesWatch.seconds();
 
     const Stopwatch facesWatch;
-    meshFaces(faces, state);
-    retryPoorFaces(
-        {model_.shape(), options_, faces,
-         [&](std::size_t i, const ModelMeshingOptions& options, std::size_t mostCandidates,
-             FaceMeshes& into) { meshOne(faces, i, options, into, {}, mostCandidates); },
-         [&](std::size_t i, FaceMeshes& into) {
-           meshOne(faces, i, options_, into, {}, std::numeric_limits<std::size_t>::max(), true);
-         },
-         [&](FaceMeshes& made) { join(made); }},
-        state);
+    meshFaces(state);
+    retryPoorFaces(*this,
+                   {options_.sizes.function, largestAsked(options_.sizes), options_.sizes.growth,
+                    options_.threads, options_.stop},
+                   state);
     const double optimizeShare = shareOfOptimizing(state.meshes);
-    const std::map<int, std::vector<SideMiddles>> middles = takeMiddles(state.meshes);
+    const MiddlesByFace middles = takeMiddles(state.meshes);
     std::vector<FaceMesh>().swap(state.meshes);
     ModelMesh mesh = std::move(state.joined);
     for (const AF2Rule& rule : algorithm_.rules().rules()) mesh.ruleNames.push_back(rule.name());
@@ -91,64 +91,90 @@ class ModelMesher {
   }
 
  private:
-  void join(FaceMeshes& state) const {
-    state.joined = joinFaces(model_.shape(), state.divided, options_, state.meshes);
+  const std::vector<std::vector<int>>& edgesOfFaces() const override { return edgesOfFaces_; }
+
+  void findEdgesOfFaces() {
+    const ModelShape& shape = model_.shape();
+    for (const int face : faces_) {
+      std::vector<int>& edges = edgesOfFaces_.emplace_back();
+      for (TopExp_Explorer it(shape.face(face), TopAbs_EDGE); it.More(); it.Next())
+        edges.push_back(shape.edges.FindIndex(it.Current()));
+      std::ranges::sort(edges);
+      edges.erase(std::ranges::unique(edges).begin(), edges.end());
+    }
+  }
+
+  ModelMeshingOptions withSizes(const PositionSize& sizes) const {
+    ModelMeshingOptions options = options_;
+    options.sizes.function = sizes;
+    return options;
+  }
+
+  DividedEdges divide(const PositionSize& sizes, const EdgesAsPoints& asPoints) const override {
+    return divideEdges(model_.shape(), withSizes(sizes).sizes, options_.threads, options_.stop,
+                       options_.edgePoints, asPoints);
+  }
+
+  std::vector<EdgesAsPoints> shortEdges(std::size_t i, const DividedEdges& divided,
+                                        const std::vector<SizeSource>& places) const override {
+    return shortEdgesNear(model_.shape(), faces_[i], divided, places,
+                          wantedOnFace(options_.sizes, faces_[i]));
+  }
+
+  void mesh(std::size_t i, const PositionSize& sizes, const TryLimits& limits,
+            FaceMeshes& into) const override {
+    meshOne(i, withSizes(sizes), into, {}, limits);
+  }
+
+  std::vector<SizeSource> sizesInside(std::size_t i) const override {
+    if (options_.sizes.elementsPerTurn > 0) return {};  // they are spread already
+    return geometry::sizesInside(model_.shape(), faces_[i], options_.sizes);
+  }
+
+  static double largestAsked(const ModelSizes& sizes) {
+    double largest = sizes.size;
+    for (const auto& [face, size] : sizes.faceSizes) largest = std::max(largest, size);
+    for (const auto& [edge, size] : sizes.edgeSizes) largest = std::max(largest, size);
+    return largest;
+  }
+
+  void join(FaceMeshes& state) const override {
+    JoinOptions join;
+    join.threads = options_.threads;
+    for (const auto& [edge, size] : options_.sizes.edgeSizes)
+      join.edgeSizes[edge] = bounded(options_.sizes, size);
+    if (options_.order == 2)
+      join.pointOnEdge = [&](int edge, double parameter) {
+        return toPoint(BRepAdaptor_Curve(model_.shape().edge(edge)).Value(parameter));
+      };
+    state.joined = joinFaces(state.divided, state.meshes, join);
     if (options_.stop.stop_requested()) return;
     state.crossings = elementCrossings(state.joined, [&](std::size_t count, const auto& work) {
       forEachInParallel(count, options_.threads, work);
     });
   }
 
-  static std::map<int, std::vector<SideMiddles>> takeMiddles(std::vector<FaceMesh>& meshes) {
-    std::map<int, std::vector<SideMiddles>> middles;
-    for (FaceMesh& mesh : meshes) middles[mesh.report.id] = std::move(mesh.middles);
-    return middles;
-  }
-
-  /// Of the faces that are still there, whose elements lie one face after the other.
-  static std::vector<SideMiddles> middlesOf(const ModelMesh& mesh,
-                                            const std::map<int, std::vector<SideMiddles>>& byFace) {
-    std::vector<SideMiddles> middles;
-    for (std::size_t first = 0; first < mesh.face.size();) {
-      const std::vector<SideMiddles>& own = byFace.at(mesh.face[first]);
-      middles.insert(middles.end(), own.begin(), own.end());
-      first += own.size();
-    }
-    return middles;
-  }
-
-  /// Faces are meshed and optimised one beside the other; the time is shared out by what each took.
-  static double shareOfOptimizing(const std::vector<FaceMesh>& meshes) {
-    double all = 0, optimizing = 0;
-    for (const FaceMesh& mesh : meshes) {
-      all += mesh.report.seconds;
-      optimizing += mesh.optimizeSeconds;
-    }
-    return all > 0 ? optimizing / all : 0;
-  }
-
-  void meshFaces(const std::vector<int>& faces, FaceMeshes& state) {
+  void meshFaces(FaceMeshes& state) {
     ProgressSum progress(options_, work_);
-    state.meshes.resize(faces.size());
+    state.meshes.resize(faces_.size());
     const std::vector<std::size_t> order = largestFirst(work_);
-    forEachInParallel(faces.size(), options_.threads, [&](std::size_t k) {
+    forEachInParallel(faces_.size(), options_.threads, [&](std::size_t k) {
       const std::size_t i = order[k];
-      meshOne(faces, i, options_, state,
-              [&](const Progress& p) { progress.advance(i, p.elements); });
+      meshOne(i, options_, state, [&](const Progress& p) { progress.advance(i, p.elements); },
+              {std::numeric_limits<std::size_t>::max()});
       progress.finish(i, state.meshes[i].elements.size());
     });
   }
 
-  void meshOne(const std::vector<int>& faces, std::size_t i, const ModelMeshingOptions& options,
-               FaceMeshes& state, ProgressCallback progress,
-               std::size_t mostCandidates = std::numeric_limits<std::size_t>::max(),
-               bool mayLean = false) const {
-    const FaceMeshingContext context{model_.shape(), algorithm_,     options,
-                                     state.divided,  onFaces_,       std::move(progress),
-                                     isFineInside_,  mostCandidates, mayLean};
+  void meshOne(std::size_t i, const ModelMeshingOptions& options, FaceMeshes& state,
+               ProgressCallback progress, const TryLimits& limits) const {
+    const FaceMeshingContext context{
+        model_.shape(), algorithm_,          options,       state.divided,
+        onFaces_,       std::move(progress), isFineInside_, limits.mostCandidates,
+        limits.mayLean};
     state.meshes[i] = options.stop.stop_requested()
-                          ? cancelled(faces[i])
-                          : meshFace(context, faces[i], areas_[i], work_[i]);
+                          ? cancelled(faces_[i])
+                          : meshFace(context, faces_[i], areas_[i], work_[i]);
   }
 
   /// Whether sizes inside faces may be much smaller than along their boundaries.
@@ -237,7 +263,9 @@ class ModelMesher {
   const Model& model_;
   const AF2Algorithm& algorithm_;
   ModelMeshingOptions options_;
-  std::vector<double> areas_, work_;  // by face that was asked for
+  std::vector<int> faces_;                      // that were asked for
+  std::vector<std::vector<int>> edgesOfFaces_;  // by face that was asked for
+  std::vector<double> areas_, work_;            // by face that was asked for
   std::vector<int> uneven_;
   std::vector<FaceOnFace> onFaces_;
   bool isFineInside_ = false;

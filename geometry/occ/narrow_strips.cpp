@@ -11,8 +11,8 @@
 
 #include "geometry/box_tree.h"
 #include "geometry/occ/face_surface.h"
-#include "geometry/occ/parallel.h"
 #include "geometry/occ/sizing.h"
+#include "geometry/parallel.h"
 
 namespace af2::geometry {
 

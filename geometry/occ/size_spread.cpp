@@ -13,9 +13,9 @@
 
 #include "engine/error.h"
 #include "geometry/occ/face_size.h"
-#include "geometry/occ/parallel.h"
 #include "geometry/occ/points.h"
 #include "geometry/occ/sizing.h"
+#include "geometry/parallel.h"
 
 namespace af2::geometry {
 namespace {

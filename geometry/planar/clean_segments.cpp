@@ -1,6 +1,7 @@
 #include "geometry/planar/clean_segments.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <numeric>
 
@@ -13,21 +14,29 @@ namespace {
 
 bool before(Point2 p, Point2 q) { return p.x < q.x || (p.x == q.x && p.y < q.y); }
 
-/// Whether `p`, which is neither end, lies on the segment rs.
-bool liesOn(Point2 p, Point2 r, Point2 s) {
+/// Whether `p`, which is neither end, lies on the segment rs, exactly.
+bool liesExactlyOn(Point2 p, Point2 r, Point2 s) {
   if (orientation(r, s, p) != Turn::Straight) return false;
   const auto [low, high] = before(r, s) ? std::pair(r, s) : std::pair(s, r);
   return before(low, p) && before(p, high);
 }
 
+/// Whether `p` lies beside the segment rs by no more than `blur`, and not beyond its ends.
+bool liesNear(Point2 p, Point2 r, Point2 s, double blur) {
+  const Point2 d = s - r;
+  const double along = dot(p - r, d), whole = dot(d, d);
+  return along > 0 && along < whole && std::abs(cross(d, p - r)) <= blur * std::sqrt(whole);
+}
+
 class Cleaner {
  public:
-  explicit Cleaner(const PlanarDomain& domain) : domain_(domain) {}
+  Cleaner(const PlanarDomain& domain, double blur) : domain_(domain), blur_(blur) {}
 
   PlanarRegions clean() {
     mergePoints();
     takeSegments();
     findMeetings();
+    if (domain_.keepsPoints) findLoosePoints();
     split();
     return std::move(result_);
   }
@@ -39,18 +48,31 @@ class Cleaner {
     const auto at = [&](int i) { return domain_.points[static_cast<std::size_t>(i)]; };
     std::stable_sort(order.begin(), order.end(),
                      [&](int a, int b) { return before(at(a), at(b)); });
-    std::vector<int> first(order.size());  // by point: the first in the file at the same position
-    for (std::size_t i = 0; i < order.size(); ++i) {
-      const auto point = static_cast<std::size_t>(order[i]);
-      const bool same = i > 0 && at(order[i - 1]) == at(order[i]);
-      first[point] = same ? first[static_cast<std::size_t>(order[i - 1])] : order[i];
+    std::vector<std::size_t> place(order.size());  // by point: where it stands in the order
+    for (std::size_t i = 0; i < order.size(); ++i) place[static_cast<std::size_t>(order[i])] = i;
+    std::vector<int> first(order.size(), kNone);  // by point: the first in the file that it is
+    for (std::size_t i = 0; i < first.size(); ++i) {
+      if (first[i] != kNone) continue;
+      const Point2 p = domain_.points[i];
+      const auto take = [&](int other) {
+        const Point2 q = at(other);
+        if (q != p && !(distance(q, p) <= blur_)) return;
+        if (first[static_cast<std::size_t>(other)] == kNone)
+          first[static_cast<std::size_t>(other)] = static_cast<int>(i);
+      };
+      for (std::size_t k = place[i]; k < order.size() && at(order[k]).x <= p.x + blur_; ++k)
+        take(order[k]);
+      for (std::size_t k = place[i]; k-- > 0 && at(order[k]).x >= p.x - blur_;) take(order[k]);
     }
     for (std::size_t i = 0; i < first.size(); ++i) {
       if (first[i] == static_cast<int>(i)) {
         index_.push_back(static_cast<int>(result_.points.size()));
         result_.points.push_back(domain_.points[i]);
+        result_.isBlurred.push_back(false);
       } else {
         index_.push_back(index_[static_cast<std::size_t>(first[i])]);
+        if (domain_.points[i] != result_.points[static_cast<std::size_t>(index_.back())])
+          result_.isBlurred[static_cast<std::size_t>(index_.back())] = true;
       }
     }
   }
@@ -82,20 +104,32 @@ class Cleaner {
     std::stable_sort(order.begin(), order.end(),
                      [&](std::size_t a, std::size_t b) { return low(a) < low(b); });
     for (std::size_t i = 0; i < order.size(); ++i)
-      for (std::size_t k = i + 1; k < order.size() && low(order[k]) <= high(order[i]); ++k)
+      for (std::size_t k = i + 1; k < order.size() && low(order[k]) <= high(order[i]) + blur_; ++k)
         meet(order[i], order[k]);
   }
 
   void meet(std::size_t i, std::size_t k) {
     const PlanarPiece &s = segments_[i], &t = segments_[k];
     const Point2 a = point(s.from), b = point(s.to), c = point(t.from), d = point(t.to);
-    if (std::max(a.y, b.y) < std::min(c.y, d.y) || std::max(c.y, d.y) < std::min(a.y, b.y)) return;
+    if (std::max(a.y, b.y) + blur_ < std::min(c.y, d.y) ||
+        std::max(c.y, d.y) + blur_ < std::min(a.y, b.y))
+      return;
     bool touching = s.from == t.from || s.from == t.to || s.to == t.from || s.to == t.to;
-    for (const int v : {t.from, t.to})
-      if (liesOn(point(v), a, b)) splits_[i].push_back(v), touching = true;
-    for (const int v : {s.from, s.to})
-      if (liesOn(point(v), c, d)) splits_[k].push_back(v), touching = true;
+    for (const int v : {t.from, t.to}) touching = splitAt(v, i) || touching;
+    for (const int v : {s.from, s.to}) touching = splitAt(v, k) || touching;
     if (!touching && segmentsMeet(a, b, c, d)) refuseCrossing(s, t);
+  }
+
+  /// Whether a point lies on a segment, which then is split there.
+  bool splitAt(int v, std::size_t i) {
+    const PlanarPiece& s = segments_[i];
+    if (v == s.from || v == s.to) return false;
+    const Point2 p = point(v), a = point(s.from), b = point(s.to);
+    const bool isExact = liesExactlyOn(p, a, b);
+    if (!isExact && !(blur_ > 0 && liesNear(p, a, b, blur_))) return false;
+    splits_[i].push_back(v);
+    if (!isExact) result_.isBlurred[static_cast<std::size_t>(v)] = true;
+    return true;
   }
 
   [[noreturn]] void refuseCrossing(const PlanarPiece& s, const PlanarPiece& t) const {
@@ -107,14 +141,36 @@ class Cleaner {
                      "; put a vertex where they cross and split both there");
   }
 
+  /// Whether p comes before q along a segment. Points beside it, as only blur allows, cannot be
+  /// told apart exactly.
+  bool isBetween(int p, int q, const PlanarPiece& segment) const {
+    const Point2 from = point(segment.from), to = point(segment.to);
+    if (blur_ > 0) {
+      const double s = dot(point(p) - from, to - from), t = dot(point(q) - from, to - from);
+      return s < t || (s == t && p < q);
+    }
+    return before(from, to) ? before(point(p), point(q)) : before(point(q), point(p));
+  }
+
+  /// Points that no segment uses may lie on one, too.
+  void findLoosePoints() {
+    std::vector<bool> isUsed(result_.points.size(), false);
+    for (const PlanarPiece& s : segments_)
+      for (const int v : {s.from, s.to}) isUsed[static_cast<std::size_t>(v)] = true;
+    for (std::size_t v = 0; v < isUsed.size(); ++v) {
+      if (isUsed[v]) continue;
+      for (std::size_t i = 0; i < segments_.size(); ++i) {
+        const double x = result_.points[v].x;
+        if (low(i) - blur_ <= x && x <= high(i) + blur_) splitAt(static_cast<int>(v), i);
+      }
+    }
+  }
+
   void split() {
     std::map<std::pair<int, int>, int> seen;  // pieces of segments that lie on each other
     for (std::size_t i = 0; i < segments_.size(); ++i) {
-      const bool forward = before(point(segments_[i].from), point(segments_[i].to));
       std::vector<int>& at = splits_[i];
-      std::sort(at.begin(), at.end(), [&](int p, int q) {
-        return forward ? before(point(p), point(q)) : before(point(q), point(p));
-      });
+      std::sort(at.begin(), at.end(), [&](int p, int q) { return isBetween(p, q, segments_[i]); });
       at.erase(std::unique(at.begin(), at.end()), at.end());
       at.push_back(segments_[i].to);
       int from = segments_[i].from;
@@ -126,7 +182,10 @@ class Cleaner {
     }
   }
 
+  static constexpr int kNone = -1;
+
   const PlanarDomain& domain_;
+  double blur_;
   std::vector<int> index_;  // by point of the domain: its index in the result
   std::vector<PlanarPiece> segments_;
   std::vector<std::vector<int>> splits_;  // by segment: points inside it
@@ -135,6 +194,8 @@ class Cleaner {
 
 }  // namespace
 
-PlanarRegions cleanSegments(const PlanarDomain& domain) { return Cleaner(domain).clean(); }
+PlanarRegions cleanSegments(const PlanarDomain& domain, double blur) {
+  return Cleaner(domain, blur).clean();
+}
 
 }  // namespace af2::geometry

@@ -5,7 +5,8 @@
 
 namespace af2::geometry {
 
-/// Fills points and pieces, not the regions. Throws InputError if segments cross.
-PlanarRegions cleanSegments(const PlanarDomain& domain);
+/// Fills points, pieces and what is said of points, not the regions. What is nearer than `blur` is
+/// the same. Throws InputError if segments cross.
+PlanarRegions cleanSegments(const PlanarDomain& domain, double blur);
 
 }  // namespace af2::geometry

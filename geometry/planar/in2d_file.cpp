@@ -1,9 +1,8 @@
 #include "geometry/planar/in2d_file.h"
 
 #include <algorithm>
+#include <memory>
 
-#include "geometry/curve_division.h"
-#include "geometry/domain_size.h"
 #include "geometry/planar/word_file.h"
 
 namespace af2::geometry {
@@ -83,18 +82,51 @@ class In2dReader {
     PlanarCurves::Curve curve;
     curve.left = static_cast<int>(file_.countAt(0, "number of the domain on the left"));
     curve.right = static_cast<int>(file_.countAt(1, "number of the domain on the right"));
+    curve.line = file_.line();
     if (file_.count() > 2 &&
-        (file_.word(2) == "bsplinepoints" || file_.word(2) == "discretepoints"))
-      file_.fail("curves given by '" + std::string(file_.word(2)) +
-                 "' cannot be read; write them as segments of two or three points");
+        (file_.word(2) == "bsplinepoints" || file_.word(2) == "discretepoints")) {
+      addPoles(std::move(curve), file_.word(2) == "bsplinepoints");
+      return;
+    }
     const long count = file_.whole(2, "number of points");
     if (count != 2 && count != 3) file_.fail("a segment has two or three points");
     curve.from = pointAt(3);
     curve.to = pointAt(static_cast<std::size_t>(2 + count));
     if (count == 3) curve.control = pointAt(4);
     curve.maxSize = maxSizeFrom(static_cast<std::size_t>(3 + count)).value_or(curve.maxSize);
-    curve.line = file_.line();
     curves_.curves.push_back(curve);
+  }
+
+  /// Coordinates instead of numbers of points, on one line or on several.
+  void addPoles(PlanarCurves::Curve curve, bool isBSpline) {
+    const long count = file_.countAt(3, "number of points");
+    std::size_t word = 4;
+    curve.order = 2;  // straight from point to point
+    if (isBSpline) {
+      curve.order = static_cast<int>(file_.countAt(word++, "order of the B-spline"));
+      if (curve.order < 2 || curve.order > kHighestOrder)
+        file_.fail("a B-spline has order 2 to " + std::to_string(kHighestOrder));
+    }
+    if (count < curve.order)
+      file_.fail("a curve of order " + std::to_string(curve.order) +
+                 " has at least as many points");
+    const auto next = [&](const char* what) {
+      while (word >= file_.count()) {
+        file_.expectLine("a point of the curve");
+        word = 0;
+      }
+      return file_.number(word++, what);
+    };
+    for (long i = 0; i < count; ++i) {
+      const double x = next("x"), y = next("y");
+      curve.poles.push_back({x, y});
+    }
+    curve.from = static_cast<int>(curves_.points.size());
+    curve.to = curve.from + 1;
+    curves_.points.push_back(curve.poles.front());
+    curves_.points.push_back(curve.poles.back());
+    curve.maxSize = maxSizeFrom(word).value_or(curve.maxSize);
+    curves_.curves.push_back(std::move(curve));
   }
 
   void addMaterial() {
@@ -120,106 +152,48 @@ class In2dReader {
     return std::nullopt;
   }
 
+  static constexpr int kHighestOrder = 20;
+
   WordFile file_;
   PlanarCurves curves_;
   std::map<long, int> index_;
 };
 
-/// A curve at equal steps of its parameter, with the sizes wanted there.
-struct SampledPlanarCurve {
-  std::vector<Point2> points;
-  SampledCurve samples;
-};
-
-class Divider {
- public:
-  Divider(const PlanarCurves& curves, const PlanarMeshingOptions& options)
-      : curves_(curves), options_(options), size_(options) {}
-
-  PlanarDomain divide() {
-    std::vector<std::vector<Point2>> points;
-    std::vector<SampledCurve> samples;
-    std::vector<CurveEnds> ends;
-    for (const PlanarCurves::Curve& curve : curves_.curves) {
-      SampledPlanarCurve sampled = sample(curve);
-      points.push_back(std::move(sampled.points));
-      ends.push_back({static_cast<std::size_t>(curve.from), static_cast<std::size_t>(curve.to)});
-      samples.push_back(std::move(sampled.samples));
-      samples.back().ends = ends.back();
+/// A point of a B-spline whose knots are equally far apart, but for those at its ends, where it
+/// goes through its first and last pole: by repeated interpolation between poles.
+Point2 pointOnBSpline(const std::vector<Point2>& poles, int order, double t) {
+  const auto degree = static_cast<std::size_t>(order) - 1;
+  const std::size_t spans = poles.size() - degree;
+  const double x = t * static_cast<double>(spans);
+  const std::size_t span = std::min(static_cast<std::size_t>(x), spans - 1);
+  const auto knot = [&](std::size_t i) {  // 0 for the first degree + 1, then 1, 2, ...
+    return static_cast<double>(i <= degree ? 0 : std::min(i - degree, spans));
+  };
+  std::vector<Point2> near(poles.begin() + static_cast<std::ptrdiff_t>(span),
+                           poles.begin() + static_cast<std::ptrdiff_t>(span + degree + 1));
+  for (std::size_t round = 1; round <= degree; ++round)
+    for (std::size_t i = degree; i >= round; --i) {
+      const double low = knot(span + i), high = knot(span + i + degree + 1 - round);
+      const double share = (x - low) / (high - low);
+      near[i] = (1 - share) * near[i - 1] + share * near[i];
     }
-    gradeTogether(samples, curves_.points.size(), options_.growth);
-    const std::vector<std::size_t> least = leastSegments(ends);
-    PlanarDomain domain;
-    domain.name = curves_.name;
-    domain.points = curves_.points;
-    domain.domainNames = curves_.domainNames;
-    domain.domainSizes = curves_.domainSizes;
-    for (std::size_t c = 0; c < samples.size(); ++c) {
-      const std::vector<double> count = segmentsAlong(samples[c].arcLength, samples[c].sizes);
-      const std::size_t segments =
-          options_.keepBoundary ? 1 : wholeSegments(count.back(), least[c]);
-      add(curves_.curves[c], points[c], equalShares(count, segments), domain);
-    }
-    return domain;
-  }
+  return near[degree];
+}
 
- private:
-  double wantedAt(const PlanarCurves::Curve& curve, Point2 p) const {
-    double size = curve.maxSize;
-    for (const int side : {curve.left, curve.right})
-      if (const auto own = curves_.domainSizes.find(side); own != curves_.domainSizes.end())
-        size = std::min(size, own->second);
-    return std::min(size, size_.at({p.x, p.y, 0}));
-  }
-
-  SampledPlanarCurve sample(const PlanarCurves::Curve& curve) const {
-    constexpr std::size_t kSamples = 1000;
-    SampledPlanarCurve result;
-    for (std::size_t i = 0; i <= kSamples; ++i) {
-      const Point2 p =
-          pointOn(curves_, curve, static_cast<double>(i) / static_cast<double>(kSamples));
-      std::vector<double>& s = result.samples.arcLength;
-      s.push_back(i == 0 ? 0 : s.back() + distance(result.points.back(), p));
-      result.points.push_back(p);
-      result.samples.sizes.push_back(wantedAt(curve, p));
-    }
-    limitByTurn(result);
-    return result;
-  }
-
-  void limitByTurn(SampledPlanarCurve& curve) const {
-    constexpr double kGentleLeast = 0.1;
-    const auto direction = [&](std::size_t i) {
-      const Point2 d = curve.points[i + 1] - curve.points[i];
-      return (1 / length(d)) * d;
-    };
-    for (std::size_t i = 0; i + 2 < curve.points.size(); ++i) {
-      const double bend = distance(direction(i), direction(i + 1));
-      const double step = distance(curve.points[i], curve.points[i + 2]) / 2;
-      if (!(bend > 0)) continue;
-      double& size = curve.samples.sizes[i + 1];
-      size = size_.limitedByTurn(size, step / bend, kGentleLeast);
-    }
-  }
-
-  static void add(const PlanarCurves::Curve& curve, const std::vector<Point2>& points,
-                  const std::vector<CurvePlace>& places, PlanarDomain& domain) {
-    int from = curve.from;
-    const auto join = [&](int to) {
-      domain.segments.push_back({from, to, 0, curve.line, curve.left, curve.right});
-      from = to;
-    };
-    for (const CurvePlace& place : places) {
-      domain.points.push_back(place.between(points));
-      join(static_cast<int>(domain.points.size()) - 1);
-    }
-    join(curve.to);
-  }
-
-  const PlanarCurves& curves_;
-  const PlanarMeshingOptions& options_;
-  DomainSize size_;
-};
+/// The parameters between which a curve is all but straight.
+std::vector<double> stepsOf(const PlanarCurves::Curve& curve) {
+  constexpr std::size_t kSteps = 64, kStepsInSpan = 16;
+  std::size_t steps = 1;
+  if (curve.control) steps = kSteps;
+  if (curve.order == 2) steps = curve.poles.size() - 1;
+  if (curve.order > 2)
+    steps = std::max(
+        kSteps, kStepsInSpan * (curve.poles.size() + 1 - static_cast<std::size_t>(curve.order)));
+  std::vector<double> parameters;
+  for (std::size_t i = 0; i <= steps; ++i)
+    parameters.push_back(static_cast<double>(i) / static_cast<double>(steps));
+  return parameters;
+}
 
 }  // namespace
 
@@ -230,6 +204,7 @@ Point2 pointOn(const PlanarCurves& curves, const PlanarCurves::Curve& curve, dou
   const Point2 a = at(curve.from), c = at(curve.to);
   if (t == 0) return a;
   if (t == 1) return c;
+  if (curve.order > 0) return pointOnBSpline(curve.poles, curve.order, t);
   if (!curve.control) return a + t * (c - a);
   const Point2 b = at(*curve.control);
   const double legs = (dot(b - a, b - a) + dot(c - b, c - b)) / 2;
@@ -238,8 +213,41 @@ Point2 pointOn(const PlanarCurves& curves, const PlanarCurves::Curve& curve, dou
   return (1 / (wa + wb + wc)) * (wa * a + wb * b + wc * c);
 }
 
-PlanarDomain divideCurves(const PlanarCurves& curves, const PlanarMeshingOptions& options) {
-  return Divider(curves, options).divide();
+PlanarDomain domainOf(const PlanarCurves& curves) {
+  PlanarDomain domain;
+  domain.name = curves.name;
+  domain.points = curves.points;
+  domain.keepsPoints = false;  // some are control points
+  domain.domainNames = curves.domainNames;
+  domain.domainSizes = curves.domainSizes;
+  const auto shared = std::make_shared<const PlanarCurves>(curves);
+  for (std::size_t c = 0; c < curves.curves.size(); ++c) {
+    const PlanarCurves::Curve& curve = curves.curves[c];
+    PlanarDomain::Segment segment;
+    segment.line = curve.line;
+    segment.edge = static_cast<int>(c) + 1;
+    segment.left = curve.left;
+    segment.right = curve.right;
+    segment.maxSize = curve.maxSize;
+    const std::vector<double> steps = stepsOf(curve);
+    if (steps.size() > 2)
+      domain.curves[segment.edge] = [shared, c](double t) {
+        return pointOn(*shared, shared->curves[c], t);
+      };
+    segment.to = curve.from;
+    for (std::size_t i = 1; i < steps.size(); ++i) {
+      segment.from = segment.to;
+      segment.fromParameter = steps[i - 1];
+      segment.toParameter = steps[i];
+      segment.to = curve.to;
+      if (i + 1 < steps.size()) {
+        segment.to = static_cast<int>(domain.points.size());
+        domain.points.push_back(pointOn(curves, curve, steps[i]));
+      }
+      domain.segments.push_back(segment);
+    }
+  }
+  return domain;
 }
 
 }  // namespace af2::geometry

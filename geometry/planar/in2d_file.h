@@ -13,12 +13,16 @@
 
 namespace af2::geometry {
 
-/// Lines and rational quadratic curves, with the domains on both sides.
+/// Lines, rational quadratic curves and B-splines, with the domains on both sides.
 struct PlanarCurves {
   struct Curve {
     int from = 0, to = 0;        ///< indices into points
     std::optional<int> control;  ///< a curve towards this point; none: a line
-    int left = 0, right = 0;     ///< domains; 0: outside
+    /// Of a B-spline with equal knots that goes through its first and last pole; order 2: straight
+    /// from pole to pole; order 0: it is none.
+    std::vector<Point2> poles;
+    int order = 0;
+    int left = 0, right = 0;  ///< domains; 0: outside
     double maxSize = std::numeric_limits<double>::infinity();
     int line = 0;  ///< in the file
   };
@@ -37,8 +41,7 @@ PlanarCurves readIn2d(const std::filesystem::path& path);
 /// wherever the control point is equally far from both ends.
 Point2 pointOn(const PlanarCurves& curves, const PlanarCurves::Curve& curve, double t);
 
-/// Divides each curve once by the sizes wanted along it: those of `options`, of the curve and of
-/// the domains beside it. To be meshed with keepBoundary.
-PlanarDomain divideCurves(const PlanarCurves& curves, const PlanarMeshingOptions& options);
+/// The domains between the curves, each of which is an edge: 1, 2, ... in the order of the file.
+PlanarDomain domainOf(const PlanarCurves& curves);
 
 }  // namespace af2::geometry

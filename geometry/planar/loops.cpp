@@ -45,6 +45,14 @@ class Subdivision {
   std::size_t faceAround(Point2 p) const { return smallestAround(p, kNoComponent); }
   static constexpr std::size_t kNoFace = ~std::size_t{0};
 
+  /// Points that no segment uses.
+  std::vector<int> isolatedPoints() const {
+    std::vector<int> points;
+    for (std::size_t i = 0; i < leaving_.size(); ++i)
+      if (leaving_[i].empty()) points.push_back(static_cast<int>(i));
+    return points;
+  }
+
   PlanarRegion region(std::size_t face) const {
     PlanarRegion region;
     addLoop(cycles_[face], region);
@@ -200,8 +208,8 @@ class Subdivision {
 
 }  // namespace
 
-PlanarRegions findRegions(const PlanarDomain& domain) {
-  PlanarRegions result = cleanSegments(domain);
+PlanarRegions findRegions(const PlanarDomain& domain, double blur) {
+  PlanarRegions result = cleanSegments(domain, blur);
   const Subdivision plane(result);
   std::vector<std::size_t> holes;
   for (const Point2 hole : domain.holes) holes.push_back(plane.faceAround(hole));
@@ -211,9 +219,14 @@ PlanarRegions findRegions(const PlanarDomain& domain) {
   std::map<std::size_t, int> domains;  // by face
   for (const PlanarDomain::RegionPoint& point : domain.regionPoints)
     domains.try_emplace(plane.faceAround(point.inside), point.domain);
+  std::map<std::size_t, std::vector<int>> isolated;  // by face
+  for (const int point : domain.keepsPoints ? plane.isolatedPoints() : std::vector<int>())
+    isolated[plane.faceAround(result.points[static_cast<std::size_t>(point)])].push_back(point);
   for (const std::size_t face : faces) {
     if (std::find(holes.begin(), holes.end(), face) != holes.end()) continue;
     result.regions.push_back(plane.region(face));
+    if (const auto found = isolated.find(face); found != isolated.end())
+      result.regions.back().isolated = found->second;
     if (const auto found = domains.find(face); found != domains.end())
       result.regions.back().domain = found->second;
   }

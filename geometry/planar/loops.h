@@ -23,12 +23,14 @@ struct DirectedPiece {
 /// around segments that end inside.
 struct PlanarRegion {
   std::vector<std::vector<DirectedPiece>> loops;
+  std::vector<int> isolated;  ///< points inside that no segment uses
   double area = 0;
   int domain = PlanarDomain::kAnyDomain;  ///< of the first region point inside
 };
 
 struct PlanarRegions {
-  std::vector<Point2> points;       ///< each position once
+  std::vector<Point2> points;   ///< each position once
+  std::vector<bool> isBlurred;  ///< by point: others or segments lay beside it, too near to matter
   std::vector<PlanarPiece> pieces;  ///< that meet at their ends only
   std::vector<PlanarRegion> regions;
 
@@ -44,6 +46,8 @@ struct PlanarRegions {
 ///
 /// Points with the same position are taken as one, equal segments likewise; a segment on which a
 /// point lies is split there. Throws InputError if segments cross, or if nothing is enclosed.
-PlanarRegions findRegions(const PlanarDomain& domain);
+///
+/// blur  points nearer to each other, or to a segment, count as the same, or as on it
+PlanarRegions findRegions(const PlanarDomain& domain, double blur = 0);
 
 }  // namespace af2::geometry

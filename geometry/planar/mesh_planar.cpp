@@ -1,63 +1,48 @@
 #include "geometry/planar/mesh_planar.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <limits>
 #include <map>
 
 #include "engine/error.h"
-#include "engine/plane_chart.h"
-#include "engine/stopwatch.h"
-#include "geometry/curve_division.h"
-#include "geometry/domain_mesh.h"
-#include "geometry/domain_size.h"
-#include "geometry/laid_out.h"
+#include "geometry/domain_model.h"
+#include "geometry/flat_surface.h"
 #include "geometry/planar/loops.h"
 
 namespace af2::geometry {
 
 namespace {
 
-constexpr Point3 kUp{0, 0, 1};
-
 Point3 inSpace(Point2 p) { return {p.x, p.y, 0}; }
 
-/// The size of a region that may have one of its own.
-class RegionSize final : public SizeField {
- public:
-  RegionSize(const SizeField& size, double largest) : size_(size), largest_(largest) {}
-  double sizeAt(const SurfacePoint& point) const override {
-    return std::min(largest_, size_.sizeAt(point));
-  }
+std::string textOf(Point2 p) {
+  const auto number = [](double x) {
+    char text[32];
+    return std::string(text, std::to_chars(text, text + sizeof text, x).ptr);
+  };
+  return "(" + number(p.x) + ", " + number(p.y) + ")";
+}
 
- private:
-  const SizeField& size_;
-  double largest_;
-};
-
-class PlanarMesher {
+/// What lies between the pieces of a domain becomes faces between curves.
+class ModelMaker {
  public:
-  PlanarMesher(const PlanarDomain& domain, const AF2Algorithm& algorithm,
-               const PlanarMeshingOptions& options)
-      : options_(options),
-        size_(options),
-        domain_(domain),
-        regions_(findRegions(domain)),
-        mesh_(algorithm, options) {
+  ModelMaker(const PlanarDomain& domain, const PlanarMeshingOptions& options, double blur)
+      : domain_(domain), options_(options), regions_(findRegions(domain, blur)) {
     takeDomains();
   }
 
-  ModelMesh mesh() {
-    const Stopwatch watch;
-    for (std::size_t i = 0; i < regions_.regions.size(); ++i) findUses(i);
+  DomainModel make() {
+    model_.name = domain_.name;
+    model_.isFlat = true;
+    model_.isExact = domain_.curves.empty();
+    measure();
+    findUses();
     numberPoints();
-    for (std::size_t i = 0; i < regions_.pieces.size(); ++i)
-      mesh_.addCurve(uses_[i].count > 0 ? divided(i) : DividedCurve());
-    const double edges = watch.seconds();
-    for (std::size_t i = 0; i < regions_.regions.size(); ++i) meshRegion(i);
-    ModelMesh mesh = mesh_.finish(true);
-    mesh.seconds.edges = edges;
-    return mesh;
+    makeCurves();
+    for (std::size_t i = 0; i < regions_.regions.size(); ++i) addFace(i);
+    return std::move(model_);
   }
 
  private:
@@ -80,7 +65,7 @@ class PlanarMesher {
   }
 
   void addGroups(const std::map<int, std::vector<int>>& facesByDomain) {
-    std::vector<FaceGroup> groups;
+    std::vector<FaceGroup>& groups = model_.groups;
     for (const auto& [domain, faces] : facesByDomain) {
       const auto found = domain_.domainNames.find(domain);
       const std::string name =
@@ -92,18 +77,22 @@ class PlanarMesher {
               .faces;
       all.insert(all.end(), faces.begin(), faces.end());
     }
-    for (FaceGroup& group : groups) {
-      std::ranges::sort(group.faces);
-      mesh_.addGroup(std::move(group));
-    }
+    for (FaceGroup& group : groups) std::ranges::sort(group.faces);
   }
+
+  const PlanarPiece& pieceAt(int piece) const {
+    return regions_.pieces[static_cast<std::size_t>(piece)];
+  }
+  const PlanarDomain::Segment& segmentOf(const PlanarPiece& piece) const {
+    return domain_.segments[static_cast<std::size_t>(piece.segment)];
+  }
+  Point2 point(int i) const { return regions_.points[static_cast<std::size_t>(i)]; }
 
   int domainOf(const PlanarRegion& region) const {
     int domain = region.domain;
     for (const auto& loop : region.loops) {
       for (const DirectedPiece d : loop) {
-        const auto& segment = domain_.segments[static_cast<std::size_t>(
-            regions_.pieces[static_cast<std::size_t>(d.piece)].segment)];
+        const PlanarDomain::Segment& segment = segmentOf(pieceAt(d.piece));
         const int here = d.reversed ? segment.right : segment.left;
         if (here == PlanarDomain::kAnyDomain) continue;
         if (domain == PlanarDomain::kAnyDomain) domain = here;
@@ -116,104 +105,138 @@ class PlanarMesher {
     return domain;
   }
 
-  void findUses(std::size_t region) {
-    uses_.resize(regions_.pieces.size(), {0, std::numeric_limits<double>::infinity()});
-    for (const auto& loop : regions_.regions[region].loops)
-      for (const DirectedPiece d : loop) {
-        PieceUse& use = uses_[static_cast<std::size_t>(d.piece)];
-        ++use.count;
-        use.largest = std::min(use.largest, sizeOfDomain(region));
-      }
+  void measure() {
+    Point2 low = regions_.points[0], high = low;
+    for (const Point2 p : regions_.points) {
+      low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+      high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+    }
+    model_.diagonal = distance(low, high);
   }
 
-  /// Points that no region uses are left out.
+  /// What no region uses is left out.
+  void findUses() {
+    isUsed_.assign(regions_.pieces.size(), false);
+    for (const PlanarRegion& region : regions_.regions)
+      for (const auto& loop : region.loops)
+        for (const DirectedPiece d : loop) isUsed_[static_cast<std::size_t>(d.piece)] = true;
+  }
+
   void numberPoints() {
-    ids_.resize(regions_.points.size());
+    corner_.assign(regions_.points.size(), kNone);
+    degree_.assign(regions_.points.size(), 0);
     for (std::size_t i = 0; i < regions_.pieces.size(); ++i)
-      if (uses_[i].count > 0)
+      if (isUsed_[i])
         for (const int end : {regions_.pieces[i].from, regions_.pieces[i].to})
-          ids_[static_cast<std::size_t>(end)] = VertexId(std::size_t{0});
-    for (std::size_t i = 0; i < ids_.size(); ++i)
-      if (!ids_[i].isNone()) ids_[i] = mesh_.addVertex(inSpace(regions_.points[i]));
-  }
-
-  /// Equal shares of the wanted sizes along the piece, at least one segment.
-  DividedCurve divided(std::size_t index) {
-    const PlanarPiece& piece = regions_.pieces[index];
-    const Point2 from = regions_.points[static_cast<std::size_t>(piece.from)];
-    const Point2 to = regions_.points[static_cast<std::size_t>(piece.to)];
-    std::vector<double> ends{0};
-    if (!options_.keepBoundary) addShares(from, to, uses_[index].largest, ends);
-    ends.push_back(1);
-    DividedCurve curve;
-    curve.edge = piece.segment + 1;
-    curve.vertices.push_back(ids_[static_cast<std::size_t>(piece.from)]);
-    const auto at = [&](double t) { return inSpace(from + t * (to - from)); };
-    for (std::size_t i = 1; i < ends.size(); ++i) {
-      curve.middles.push_back(at((ends[i - 1] + ends[i]) / 2));
-      if (i + 1 < ends.size()) curve.vertices.push_back(mesh_.addVertex(at(ends[i])));
+          ++degree_[static_cast<std::size_t>(end)];
+    std::vector<bool> isInside(regions_.points.size(), false);
+    for (std::size_t i = 0; i < regions_.pieces.size(); ++i)
+      if (i > 0 && continues(i)) isInside[static_cast<std::size_t>(regions_.pieces[i].from)] = true;
+    std::vector<bool> isCorner(regions_.points.size(), false);
+    for (std::size_t i = 0; i < isCorner.size(); ++i) isCorner[i] = degree_[i] > 0 && !isInside[i];
+    for (const PlanarRegion& region : regions_.regions)
+      for (const int p : region.isolated) isCorner[static_cast<std::size_t>(p)] = true;
+    for (std::size_t i = 0; i < isCorner.size(); ++i) {
+      if (!isCorner[i]) continue;
+      corner_[i] = model_.corners.size();
+      model_.corners.push_back(inSpace(regions_.points[i]));
     }
-    curve.vertices.push_back(ids_[static_cast<std::size_t>(piece.to)]);
-    return curve;
   }
 
-  /// Sizes at the ends of `cells` equal cells, none above `largest`.
-  SampledCurve sampled(Point2 from, Point2 to, double largest, std::size_t cells) const {
-    const double length = distance(from, to);
-    SampledCurve curve;
-    for (std::size_t i = 0; i <= cells; ++i) {
-      const double t = static_cast<double>(i) / static_cast<double>(cells);
-      curve.arcLength.push_back(t * length);
-      curve.sizes.push_back(std::min(largest, size_.at(inSpace(from + t * (to - from)))));
+  /// Whether a piece goes on along the curved edge of the piece before, and nothing else meets
+  /// them.
+  bool continues(std::size_t i) const {
+    const PlanarPiece &before = regions_.pieces[i - 1], &piece = regions_.pieces[i];
+    const int edge = segmentOf(piece).edge;
+    return isUsed_[i - 1] && isUsed_[i] && before.to == piece.from &&
+           degree_[static_cast<std::size_t>(piece.from)] == 2 && edge == segmentOf(before).edge &&
+           domain_.curves.contains(edge);
+  }
+
+  void makeCurves() {
+    curveOf_.assign(regions_.pieces.size(), kNone);
+    for (std::size_t i = 0; i < regions_.pieces.size(); ++i) {
+      if (!isUsed_[i]) continue;
+      const PlanarPiece& piece = regions_.pieces[i];
+      if (i > 0 && continues(i)) {
+        model_.curves.back().knots.push_back(parameterAt(piece, piece.to));
+        pieces_.back().last = i;
+      } else {
+        addCurve(piece);
+        pieces_.push_back({i, i});
+      }
+      model_.curves.back().last = corner_[static_cast<std::size_t>(piece.to)];
+      curveOf_[i] = model_.curves.size() - 1;
     }
-    return curve;
   }
 
-  /// Whether no cell is long against the size at its end.
-  static bool isFine(const SampledCurve& curve) {
-    constexpr double kMostOfSize = 0.25;
-    for (std::size_t i = 1; i < curve.sizes.size(); ++i)
-      if (curve.arcLength[i] - curve.arcLength[i - 1] > kMostOfSize * curve.sizes[i]) return false;
-    return true;
-  }
-
-  void addShares(Point2 from, Point2 to, double largest, std::vector<double>& ends) const {
-    constexpr double kMostCells = 1e7, kSamplesPerSegment = 10, kDenser = 8;
-    constexpr int kMostRounds = 4;
-    const double samplesPerSize = size_.isVaried() ? kSamplesPerSegment : 1;
-    double cells =
-        std::ceil(samplesPerSize * distance(from, to) / std::min(largest, options_.size)) + 1;
-    if (!(cells < kMostCells))
-      throw InputError(
-          "a segment of the domain would need more than 10 million pieces; ask for a "
-          "larger size");
-    SampledCurve curve = sampled(from, to, largest, static_cast<std::size_t>(cells));
-    for (int round = 0; size_.isVaried() && !isFine(curve) && round < kMostRounds; ++round) {
-      cells *= kDenser;
-      if (cells > kMostCells) break;
-      curve = sampled(from, to, largest, static_cast<std::size_t>(cells));
+  void addCurve(const PlanarPiece& piece) {
+    const PlanarDomain::Segment& segment = segmentOf(piece);
+    DomainCurve curve;
+    curve.id = segment.edge;
+    curve.first = corner_[static_cast<std::size_t>(piece.from)];
+    curve.isKept = options_.keepBoundary;
+    curve.largest = std::max(segment.maxSize, options_.minSize);
+    if (const auto bent = domain_.curves.find(segment.edge); bent != domain_.curves.end()) {
+      curve.knots = {parameterAt(piece, piece.from), parameterAt(piece, piece.to)};
+      curve.pointAt = [at = bent->second](double t) { return inSpace(at(t)); };
+    } else {
+      curve.knots = {0, 1};
+      curve.pointAt = [from = point(piece.from), along = point(piece.to) - point(piece.from)](
+                          double t) { return inSpace(from + t * along); };
     }
-    const std::vector<double> count = segmentsAlong(curve.arcLength, curve.sizes);
-    for (const CurvePlace& place : equalShares(count, wholeSegments(count.back(), 1)))
-      ends.push_back((static_cast<double>(place.cell) + place.within) /
-                     static_cast<double>(count.size() - 1));
+    model_.curves.push_back(std::move(curve));
   }
 
-  void meshRegion(std::size_t index) {
+  /// Of the end of a piece on its curved edge.
+  double parameterAt(const PlanarPiece& piece, int end) const {
+    const PlanarDomain::Segment& segment = segmentOf(piece);
+    const Point2 from = domain_.points[static_cast<std::size_t>(segment.from)];
+    const Point2 along = domain_.points[static_cast<std::size_t>(segment.to)] - from;
+    const double within = std::clamp(dot(point(end) - from, along) / dot(along, along), 0.0, 1.0);
+    return segment.fromParameter + within * (segment.toParameter - segment.fromParameter);
+  }
+
+  void addFace(std::size_t index) {
     const PlanarRegion& region = regions_.regions[index];
     DomainFace face;
-    face.surfaceType = face.chart = "plane";
+    face.surfaceType = "plane";
     face.area = region.area;
-    for (const auto& loop : region.loops) {
-      std::vector<CurveUse>& uses = face.loops.emplace_back();
-      for (const DirectedPiece d : loop)
-        uses.push_back({static_cast<std::size_t>(d.piece), d.reversed});
+    for (const auto& loop : region.loops) addLoop(loop, face);
+    for (const int p : region.isolated)
+      face.isolated.push_back(corner_[static_cast<std::size_t>(p)]);
+    face.largest = sizeOfDomain(index);
+    face.surface = plane_;
+    face.nearest = [plane = plane_](const Point3& p) { return plane->pointAt(p); };
+    face.canBeCut = true;
+    tellOfBlur(region, face);
+    model_.faces.push_back(std::move(face));
+  }
+
+  /// Each curve once, at the piece with which the loop comes to it.
+  void addLoop(const std::vector<DirectedPiece>& loop, DomainFace& face) const {
+    std::vector<CurveUse>& uses = face.loops.emplace_back();
+    for (const DirectedPiece d : loop) {
+      const auto piece = static_cast<std::size_t>(d.piece);
+      const std::size_t curve = curveOf_[piece];
+      if (piece == (d.reversed ? pieces_[curve].last : pieces_[curve].first))
+        uses.push_back({curve, d.reversed});
     }
-    face.wanted = std::make_shared<const RegionSize>(size_, sizeOfDomain(index));
-    face.nearest = [](const Point3& p) { return pointInPlane({p.x, p.y}); };
-    face.makeCharts = [] { return std::make_unique<PlaneChartMaker>(kUp); };
-    face.cuts = &plane_;
-    mesh_.addFace(std::move(face));
+  }
+
+  void tellOfBlur(const PlanarRegion& region, DomainFace& face) const {
+    std::vector<int> blurred;
+    for (const auto& loop : region.loops)
+      for (const DirectedPiece d : loop)
+        if (const int p = regions_.start(d); regions_.isBlurred[static_cast<std::size_t>(p)])
+          blurred.push_back(p);
+    if (blurred.empty()) return;
+    std::ranges::sort(blurred);
+    blurred.erase(std::ranges::unique(blurred).begin(), blurred.end());
+    face.notes.push_back(
+        "points or segments too near to others to be seen in the mesh were taken "
+        "as one with these at " +
+        std::to_string(blurred.size()) + " places, the first at " + textOf(point(blurred.front())));
   }
 
   double sizeOfDomain(std::size_t region) const {
@@ -222,30 +245,60 @@ class PlanarMesher {
                                             : std::max(own->second, options_.minSize);
   }
 
-  const PlanarMeshingOptions& options_;
-  DomainSize size_;
+  static constexpr std::size_t kNone = ~std::size_t{0};
+
+  /// The pieces of a curve lie one after the other.
+  struct PieceRange {
+    std::size_t first, last;
+  };
+
   const PlanarDomain& domain_;
+  const PlanarMeshingOptions& options_;
   std::vector<int> domains_;  // by region
   PlanarRegions regions_;
-  /// How often regions run along a piece, and the largest size that these allow.
-  struct PieceUse {
-    int count = 0;
-    double largest = 0;
-  };
-  std::vector<PieceUse> uses_;  // by piece
-  std::vector<VertexId> ids_;   // by point
-  PlanePoints plane_;
-  DomainMesh mesh_;
+  DomainModel model_;
+  std::vector<bool> isUsed_;          // by piece
+  std::vector<int> degree_;           // by point: pieces that end there
+  std::vector<std::size_t> corner_;   // by point
+  std::vector<std::size_t> curveOf_;  // by piece
+  std::vector<PieceRange> pieces_;    // by curve
+  std::shared_ptr<const FlatSurface> plane_ =
+      std::make_shared<const FlatSurface>(Point3{}, Point3{1, 0, 0}, Point3{0, 1, 0});
 };
+
+/// What is too small to be seen in the mesh: a share of the smallest size that is wanted at a point
+/// of the domain. Nothing, if its segments are to be edges of the mesh.
+double blurOf(const PlanarDomain& domain, const PlanarMeshingOptions& options) {
+  constexpr double kUnseen = 5e-5;
+  if (options.keepBoundary || domain.points.empty()) return 0;
+  Point2 low = domain.points[0], high = low;
+  for (const Point2 p : domain.points) {
+    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+  }
+  double size = std::min(options.size, distance(low, high));
+  const auto take = [&](double other) { size = std::min(size, other); };
+  for (const auto& [face, own] : options.faceSizes) take(own);
+  for (const auto& [edge, own] : options.edgeSizes) take(own);
+  for (const auto& [part, own] : options.partSizes) take(own);
+  for (const auto& [number, own] : domain.domainSizes) take(own);
+  for (const PlanarDomain::Segment& segment : domain.segments) take(segment.maxSize);
+  const DomainSize byPosition(options);
+  for (const Point2 p : domain.points) take(byPosition.at(inSpace(p), size));
+  return kUnseen * size;
+}
 
 }  // namespace
 
+DomainModel planarModel(const PlanarDomain& domain, const PlanarMeshingOptions& options) {
+  if (!(options.size > 0) || !std::isfinite(options.size))
+    throw InputError("the size must be a positive number");
+  return ModelMaker(domain, options, blurOf(domain, options)).make();
+}
+
 ModelMesh meshPlanar(const PlanarDomain& domain, const AF2Algorithm& algorithm,
                      const PlanarMeshingOptions& options) {
-  checkSize(options);
-  return meshOnceOrTwice(options, [&](const PlanarMeshingOptions& own) {
-    return PlanarMesher(domain, algorithm, own).mesh();
-  });
+  return meshDomain(planarModel(domain, options), algorithm, options);
 }
 
 }  // namespace af2::geometry

@@ -1,7 +1,7 @@
 // From a planar domain to a checked mesh, without a CAD kernel.
 #pragma once
 
-#include "geometry/domain_options.h"
+#include "geometry/domain_model.h"
 #include "geometry/model_mesh.h"
 #include "geometry/planar/poly_file.h"
 
@@ -11,6 +11,9 @@ struct PlanarMeshingOptions : DomainMeshingOptions {
   /// The segments of the domain are edges of the mesh as they are, however long.
   bool keepBoundary = false;
 };
+
+/// The regions that the segments bound, as faces between curves.
+DomainModel planarModel(const PlanarDomain& domain, const PlanarMeshingOptions& options);
 
 /// Meshes the regions that the segments bound: the outside and the regions of hole points are left
 /// out. Each connected region is a face: 1, 2, ... in the order of its lowest, then leftmost

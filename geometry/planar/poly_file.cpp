@@ -76,6 +76,7 @@ class PolyReader {
       if (hasMarkers && file.count() > 3)
         segment.marker = static_cast<int>(file.whole(3, "boundary marker"));
       segment.line = file.line();
+      segment.edge = static_cast<int>(i) + 1;
       domain_.segments.push_back(segment);
     }
   }

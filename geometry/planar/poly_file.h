@@ -2,6 +2,8 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
+#include <limits>
 #include <map>
 #include <string>
 #include <vector>
@@ -17,13 +19,21 @@ struct PlanarDomain {
     int from = 0, to = 0;  ///< indices into points
     int marker = 0;
     int line = 0;  ///< in the file
+    int edge = 0;  ///< of which it is part: 1, 2, ...
     /// Numbers of the domains on its two sides, 0: outside; not given: kAnyDomain.
     int left = kAnyDomain, right = kAnyDomain;
+    /// Of its ends along the edge, if that is curved.
+    double fromParameter = 0, toParameter = 1;
+    double maxSize = std::numeric_limits<double>::infinity();
   };
+  /// A curved edge: its points by parameter. Its segments follow each other.
+  using Curve = std::function<Point2(double)>;
   std::string name;  ///< the file
   std::vector<Point2> points;
+  bool keepsPoints = true;      ///< those that no segment uses are vertices of the mesh, too
   std::vector<int> pointLines;  ///< by point: its line in the file; may be empty
   std::vector<Segment> segments;
+  std::map<int, Curve> curves;             ///< by edge; the others are straight
   std::map<int, std::string> domainNames;  ///< by number
   std::map<int, double> domainSizes;       ///< by number: a size of its own
   std::vector<Point2> holes;               ///< one point in each region to be left out

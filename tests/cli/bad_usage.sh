@@ -32,7 +32,10 @@ unusable "$af2" mesh "$cylinder" --size 1 --sizes sizes.json; told "no face or g
 usage "$af2" mesh "$cylinder" --size 1 --feature-angle 20; told 'STL and OBJ'
 usage "$af2" mesh "$cylinder" --size 1 --chart round; told "there are auto, mean-normal"
 echo 'v 0 0 x' >bad.obj
-usage "$af2" mesh bad.obj --size 1 --chart auto; told 'CAD models'
+usage "$af2" mesh "$models/plate.poly" --size 1 --chart auto; told 'curved faces'
+usage "$af2" mesh "$models/plate.poly" --size 1 --faces 99; told 'there is no face 99'
+usage "$af2" mesh "$models/plate.poly" --size 1 --edge-size 99=1; told 'there is no edge 99'
+usage "$af2" inspect "$models/plate.poly" --heal; told 'STEP, IGES and BREP'
 unusable "$af2" mesh bad.obj --size 1; told "'x' is no number"
 usage "$af2" mesh "$cylinder" --size 1 --heal-tolerance 1; told 'needs --heal'
 usage "$af2" mesh "$models/plate.poly" --size 1 --heal; told 'STEP, IGES and BREP'

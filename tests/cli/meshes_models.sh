@@ -32,6 +32,9 @@ expect 0 "$af2" mesh "$models/brickhole.step" --size 1 --report plain.json
 [ "$(json divided_report.json vertices)" -lt "$(json plain.json vertices)" ] || fail "--boundary did nothing"
 expect 0 "$af2" mesh "$models/plate.poly" --size 1 --max-size 0.5 --sizes sizes.json
 expect 0 "$af2" mesh "$models/plate.poly" --size 1 --proximity 3 --keep-boundary
+expect 0 "$af2" inspect "$models/plate.poly" --size 0.5
+grep -q plane out || fail "inspect does not list the faces of a planar domain"
+expect 0 "$af2" mesh "$models/plate.poly" --size 1 --edge-size 1=0.1 --face-size 1=0.5
 cp "$models/plate.poly" PLATE.POLY
 expect 0 "$af2" mesh PLATE.POLY --size 1
 
@@ -48,6 +51,13 @@ expect 0 "$af2" mesh "$models/cylinder.step" --size 1 --order 2 -o second.vtu -o
 expect 0 "$af2" mesh "$models/brickhole.step" --size 1 -o brick.stl --quiet
 expect 0 "$af2" mesh brick.stl --size 2 --feature-angle 30 -o again.vtu --report again.json
 [ "$(json again.json status)" = complete ] || fail "an STL file is not meshed"
+expect 0 "$af2" inspect brick.stl --size 2
+grep -q 'no defects' out || fail "inspect tells of defects of an STL file that are none"
+echo '{"edges": {"1": []}}' >single.json
+expect 0 "$af2" mesh brick.stl --size 2 --feature-angle 30 --boundary single.json --face-size 2=0.5 --chart normal-lines --report finer.json
+[ "$(json finer.json triangles)" -gt "$(json again.json triangles)" ] || fail "--face-size did nothing on an STL file"
+expect 0 "$af2" mesh brick.stl --size 2 --faces 1-2 --edge-size 1=0.5 --report some.json
+[ "$(json some.json faces 1 id)" = 2 ] || fail "--faces did nothing on an STL file"
 
 printf 'splinecurves2dv2\n2\npoints\n1 1 0\n2 1 1\n3 0 1\n4 0 0\n' >quarter.in2d
 printf 'segments\n1 0 3 1 2 3\n1 0 2 3 4\n1 0 2 4 1\n' >>quarter.in2d

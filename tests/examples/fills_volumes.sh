@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# fills_volumes.sh AF2 SOURCE: TetGen and Netgen take the meshes of the examples and fill them with
-# tetrahedra, and leave the triangles as they are. Exit code 77: neither is installed.
+# fills_volumes.sh AF2 SOURCE: TetGen and Netgen take the meshes of the examples, also of models that
+# are given as triangles, and fill them with tetrahedra, and leave the triangles as they are. Exit
+# code 77: neither is installed.
 set -euo pipefail
 af2=$1 source=$2
 examples=$source/examples/volume models=$source/examples/models
@@ -11,9 +12,9 @@ fail() { echo "FAILED: $*"; exit 1; }
 
 fill_with_tetgen() {
   local model=$1 size=$2 volume=$3
-  "$examples/fill_with_tetgen.sh" "$af2" "$models/$model.step" "$size" "$folder/$model" >"$folder/log" ||
+  "$examples/fill_with_tetgen.sh" "$af2" "$model" "$size" "$folder/filled" >"$folder/log" ||
     { cat "$folder/log"; fail "TetGen on $model"; }
-  /usr/bin/python3 - "$folder/$model" "$volume" <<'PYTHON' || fail "tetrahedra of $model"
+  /usr/bin/python3 - "$folder/filled" "$volume" <<'PYTHON' || fail "tetrahedra of $model"
 import sys
 
 name, wanted = sys.argv[1], float(sys.argv[2])
@@ -38,16 +39,22 @@ for row in lines[1:1 + vertices]:
 PYTHON
 }
 
+"$af2" mesh "$models/cylinder.step" --size 1 -o "$folder/cylinder.stl" --quiet
+"$af2" mesh "$models/brickhole.step" --size 1 -o "$folder/brickhole.obj" --quiet
 if command -v tetgen >/dev/null; then
-  fill_with_tetgen brickhole 2 840
-  fill_with_tetgen cylinder 2 785.4
+  fill_with_tetgen "$models/brickhole.step" 2 840
+  fill_with_tetgen "$models/cylinder.step" 2 785.4
+  fill_with_tetgen "$folder/cylinder.stl" 2 785.4
+  fill_with_tetgen "$folder/brickhole.obj" 2 840
   done_any=yes
 fi
 if /usr/bin/python3 -c 'import netgen.meshing, meshio' 2>/dev/null; then
-  "$af2" mesh "$models/brickhole.step" --size 2 -o "$folder/brick.vtu" --quiet
-  /usr/bin/python3 "$examples/fill_with_netgen.py" "$folder/brick.vtu" "$folder/filled.vtu" >"$folder/log" ||
-    { cat "$folder/log"; fail "Netgen on brickhole"; }
-  grep -q 'volume 840' "$folder/log" || fail "Netgen filled something else: $(tail -1 "$folder/log")"
+  for model in "$models/brickhole.step" "$folder/brickhole.obj"; do
+    "$af2" mesh "$model" --size 2 -o "$folder/brick.vtu" --quiet
+    /usr/bin/python3 "$examples/fill_with_netgen.py" "$folder/brick.vtu" "$folder/filled.vtu" >"$folder/log" ||
+      { cat "$folder/log"; fail "Netgen on $model"; }
+    grep -q 'volume 840' "$folder/log" || fail "Netgen filled something else: $(tail -1 "$folder/log")"
+  done
   done_any=yes
 fi
 [ -n "$done_any" ] || { echo "neither tetgen nor python3-netgen is installed"; exit 77; }

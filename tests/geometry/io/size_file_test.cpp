@@ -1,5 +1,7 @@
 #include "geometry/io/size_file.h"
 
+#include "geometry/part_sizes.h"
+
 #include <gtest/gtest.h>
 
 #include <fstream>

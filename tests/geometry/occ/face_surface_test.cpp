@@ -115,7 +115,7 @@ TEST(FaceSurface, EndsInNoSharpTipAtThePoleOfADome) {
 TEST(DevelopedCone, IsIsometric) {
   for (const Model& model : {testing::cone(1, 0, 2), testing::cone(1, 2, 2)}) {
     const FaceSurface surface(model.shape().face(1));
-    const ParametricSurface& flat = surface.inParameters();
+    const ParametricSurface& flat = *surface.inParameters();
     for (const double s : {-2.0, 0.1, 1.9}) {
       for (const double t : {0.3, 0.8}) {
         const SurfacePoint raw = surface.inOccParameters().pointAt(3 + s, t);

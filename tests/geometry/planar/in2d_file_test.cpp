@@ -25,9 +25,7 @@ ModelMesh mesh(const std::string& text, double size) {
   const AF2Algorithm algorithm(testing::triangleSet());
   PlanarMeshingOptions options;
   options.size = size;
-  const PlanarDomain domain = divideCurves(read(text), options);
-  options.keepBoundary = true;
-  return meshPlanar(domain, algorithm, options);
+  return meshPlanar(domainOf(read(text)), algorithm, options);
 }
 
 TEST(In2dFile, HasArcsOfCircles) {
@@ -74,6 +72,39 @@ TEST(In2dFile, GivesDomainsAsGroupsAndLeavesHolesOut) {
     EXPECT_EQ(result.wantedSizes[v], length(result.vertices[v]) < 1 + 1e-9 ? 0.15 : 0.5);
 }
 
+TEST(In2dFile, HasBSplinesWithEqualKnots) {
+  // Of order 3 with three poles it is a parabola; of order 2, straight from pole to pole.
+  const PlanarCurves curves = read(
+      "splinecurves2dv2\n2\npoints\n1 0 0\n2 4 0\nsegments\n"
+      "1 0 2 1 2\n1 0 bsplinepoints 3 3 4 0 2 4\n 0 0 -bc=2\n");
+  ASSERT_EQ(curves.curves.size(), 2u);
+  const auto at = [&](double t) { return pointOn(curves, curves.curves[1], t); };
+  EXPECT_EQ(at(0), (Point2{4, 0}));
+  EXPECT_EQ(at(1), (Point2{0, 0}));
+  EXPECT_NEAR(distance(at(0.5), {2, 2}), 0, 1e-14);
+  EXPECT_NEAR(distance(at(0.25), {3, 1.5}), 0, 1e-14);
+  const PlanarCurves longer = read(
+      "splinecurves2dv2\n2\npoints\n1 0 0\n2 4 0\nsegments\n"
+      "1 0 2 1 2\n1 0 bsplinepoints 5 4 4 0 4 2 2 4 0 2 0 0\n");
+  // Knots 0 0 0 0 1 2 2 2 2: halfway the blend of the middle poles is 1/4, 1/2, 1/4.
+  EXPECT_NEAR(distance(pointOn(longer, longer.curves[1], 0.5), {2, 3}), 0, 1e-14);
+}
+
+TEST(In2dFile, MeshesBSplinesAndPolylines) {
+  const ModelMesh parabola = mesh(
+      "splinecurves2dv2\n2\npoints\n1 0 0\n2 4 0\nsegments\n"
+      "1 0 2 1 2\n1 0 bsplinepoints 3 3 4 0 2 4 0 0\n",
+      0.2);
+  EXPECT_EQ(parabola.faces.at(0).status, FaceStatus::Complete) << parabola.faces[0].reason;
+  EXPECT_NEAR(parabola.faces[0].area, 16.0 / 3, 0.01);
+  const ModelMesh polyline = mesh(
+      "splinecurves2dv2\n2\npoints\n1 0 0\n2 4 0\nsegments\n"
+      "1 0 2 1 2\n1 0 discretepoints 4\n4 0\n4 1\n0 1\n0 0\n",
+      0.2);
+  EXPECT_EQ(polyline.faces.at(0).status, FaceStatus::Complete) << polyline.faces[0].reason;
+  EXPECT_NEAR(polyline.faces[0].area, 4, 1e-9);
+}
+
 TEST(In2dFile, TellsMistakesWithTheirLine) {
   const auto faultOf = [](const std::string& text) -> std::string {
     try {
@@ -86,6 +117,12 @@ TEST(In2dFile, TellsMistakesWithTheirLine) {
   EXPECT_NE(faultOf("splinecurves\n").find(":1: only files"), std::string::npos);
   EXPECT_NE(faultOf("splinecurves2dv2\n2\npoints\n1 0 0\nsegments\n1 0 2 1 7\n")
                 .find(":6: there is no point 7"),
+            std::string::npos);
+  EXPECT_NE(faultOf("splinecurves2dv2\n2\nsegments\n1 0 bsplinepoints 2 3 0 0 1 1\n")
+                .find(":4: a curve of order 3 has at least as many points"),
+            std::string::npos);
+  EXPECT_NE(faultOf("splinecurves2dv2\n2\nsegments\n1 0 bsplinepoints 3 3 0 0 1 x 2 2\n")
+                .find(":4: 'x' is no number"),
             std::string::npos);
   std::string wrong = kDisc;
   wrong.replace(wrong.find("1 0 2 3 4"), 9, "3 0 2 3 4");

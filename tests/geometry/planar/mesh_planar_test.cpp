@@ -2,6 +2,7 @@
 
 #include "geometry/model_check.h"
 #include "tests/geometry/planar/poly_text.h"
+#include "tests/support/model_mesh.h"
 #include "tests/support/triangle_rules.h"
 
 namespace af2::geometry {
@@ -128,6 +129,62 @@ TEST_F(PlanarMeshing, RefusesASizeThatIsNotPositive) {
   options.size = 1;
   options.function = [](const Point3&) { return -1.0; };
   EXPECT_THROW(mesh(kSquareWithHole), InputError);
+}
+
+TEST_F(PlanarMeshing, HasTheVerticesThatNoSegmentUses) {
+  options.size = 0.5;
+  // In the square, in its hole, outside, and on a segment.
+  const std::string loose = "12" +
+                            kSquareWithHole.substr(1, kSquareWithHole.find("8 0\n1 1 2") - 1) +
+                            "9 0.31 2.17\n10 2 2\n11 9 9\n12 1.05 0\n" +
+                            kSquareWithHole.substr(kSquareWithHole.find("8 0\n1 1 2"));
+  const ModelMesh result = mesh(loose);
+  testing::expectComplete(result);
+  EXPECT_NEAR(areaOf(result), 12, 1e-12);
+  const auto has = [&](const Point3& p) { return std::ranges::count(result.vertices, p) == 1; };
+  EXPECT_TRUE(has({0.31, 2.17, 0}));
+  EXPECT_TRUE(has({1.05, 0, 0}));
+  EXPECT_FALSE(has({2, 2, 0}));
+  EXPECT_FALSE(has({9, 9, 0}));
+}
+
+TEST_F(PlanarMeshing, TakesWhatCannotBeSeenForOne) {
+  options.size = 0.5;
+  // A segment of 1e-30, and a corner of the hole that all but lies on the outer square.
+  const std::string text =
+      "8 2 0 0\n1 0 0\n2 4 0\n3 4 4\n4 1e-30 4\n5 0 4\n6 1 1\n7 2 1e-9\n8 3 1\n"
+      "8 0\n1 1 2\n2 2 3\n3 3 4\n4 4 5\n5 5 1\n6 6 7\n7 7 8\n8 8 6\n1\n1 2 0.6\n";
+  const ModelMesh result = mesh(text);
+  testing::expectComplete(result);
+  ASSERT_EQ(result.faces.size(), 1u);
+  EXPECT_NEAR(areaOf(result), 15, 1e-6);
+  ASSERT_FALSE(result.faces[0].attempts.empty());
+  EXPECT_NE(result.faces[0].attempts[0].find("at 2 places"), std::string::npos)
+      << result.faces[0].attempts[0];
+}
+
+TEST_F(PlanarMeshing, DividesASegmentAsAsked) {
+  options.size = 1;
+  options.edgeSizes[2] = 0.1;
+  options.edgePoints[4] = {{0, 3, 0}, {0, 0.5, 0}};
+  const ModelMesh result = mesh(kSquareWithHole);
+  testing::expectComplete(result);
+  EXPECT_EQ(std::ranges::count(result.segments, 2, &EdgeSegment::edge), 40);
+  EXPECT_EQ(std::ranges::count(result.segments, 4, &EdgeSegment::edge), 3);
+  EXPECT_EQ(std::ranges::count(result.vertices, Point3{0, 0.5, 0}), 1);
+  options.edgePoints[4] = {{0.1, 3, 0}};
+  EXPECT_THROW(mesh(kSquareWithHole), InputError);
+}
+
+TEST_F(PlanarMeshing, OpensThinAnglesByShorterEdges) {
+  // A hole so near to the border that edges of the wanted length leave no angle beside it.
+  options.size = 1;
+  const ModelMesh result = mesh(
+      "8 2 0 0\n1 0 0\n2 8 0\n3 8 8\n4 0 8\n5 3 0.01\n6 5 0.01\n7 5 3\n8 3 3\n"
+      "8 0\n1 1 2\n2 2 3\n3 3 4\n4 4 1\n5 5 6\n6 6 7\n7 7 8\n8 8 5\n1\n1 4 2\n");
+  testing::expectComplete(result);
+  EXPECT_GT(testing::leastAngle(result), 1.5) << "and 0.6 at the first try";
+  EXPECT_FALSE(result.faces[0].attempts.empty()) << "each step is named";
 }
 
 TEST_F(PlanarMeshing, StopsWhenAsked) {

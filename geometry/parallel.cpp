@@ -1,4 +1,4 @@
-#include "geometry/occ/parallel.h"
+#include "geometry/parallel.h"
 
 #include <tbb/info.h>
 #include <tbb/task_arena.h>

@@ -1,9 +1,9 @@
 // The last way to fill a face: one that is rougher than its elements are large.
-// Not installed: includers need OpenCASCADE's headers.
+// Not installed.
 #pragma once
 
+#include "geometry/face_attempt.h"
 #include "geometry/metric_chart.h"
-#include "geometry/occ/face_attempt.h"
 
 namespace af2::geometry {
 

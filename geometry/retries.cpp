@@ -1,8 +1,5 @@
-#include "geometry/occ/retries.h"
+#include "geometry/retries.h"
 
-#include <TopExp.hxx>
-#include <TopExp_Explorer.hxx>
-#include <TopTools_IndexedMapOfShape.hxx>
 #include <algorithm>
 #include <iterator>
 #include <limits>
@@ -10,10 +7,8 @@
 #include <tuple>
 #include <utility>
 
-#include "geometry/occ/parallel.h"
-#include "geometry/occ/refinement.h"
-#include "geometry/occ/short_edges.h"
-#include "geometry/occ/sizing.h"
+#include "geometry/parallel.h"
+#include "geometry/refinement.h"
 
 namespace af2::geometry {
 
@@ -25,8 +20,8 @@ bool failed(const FaceMesh& mesh) { return mesh.report.status == FaceStatus::Fai
 /// curves touch at an angle of zero, the element there is the worse the shorter it is.
 class Neighbors {
  public:
-  Neighbors(const RetryTask& task, const std::vector<FaceMesh>& before)
-      : task_(task), softened_(before.size(), 0) {
+  Neighbors(const RetriedModel& model, const std::vector<FaceMesh>& before)
+      : model_(model), softened_(before.size(), 0) {
     for (const FaceMesh& mesh : before) wasBad_.push_back(failed(mesh) || mesh.trouble.hasBadAngle);
   }
 
@@ -62,39 +57,37 @@ class Neighbors {
 
   /// The face itself and those that share an edge with it.
   std::vector<std::size_t> beside(std::size_t i) const {
-    TopTools_IndexedMapOfShape edges;
-    TopExp::MapShapes(task_.model.face(task_.faces[i]), TopAbs_EDGE, edges);
+    const std::vector<std::vector<int>>& edges = model_.edgesOfFaces();
     std::vector<std::size_t> found;
-    for (std::size_t k = 0; k < task_.faces.size(); ++k)
-      for (TopExp_Explorer it(task_.model.face(task_.faces[k]), TopAbs_EDGE); it.More(); it.Next())
-        if (edges.Contains(it.Current())) {
-          found.push_back(k);
-          break;
-        }
+    for (std::size_t k = 0; k < edges.size(); ++k)
+      if (std::ranges::any_of(edges[k],
+                              [&](int e) { return std::ranges::binary_search(edges[i], e); }))
+        found.push_back(k);
     return found;
   }
 
-  const RetryTask& task_;
+  const RetriedModel& model_;
   std::vector<bool> wasBad_;
   std::vector<int> softened_;
 };
 
 class Retries {
  public:
-  explicit Retries(const RetryTask& task) : task_(task), tries_(task.faces.size()) {}
+  Retries(const RetriedModel& model, const RetryOptions& options)
+      : model_(model), options_(options), tries_(model.edgesOfFaces().size()) {}
 
   void retry(FaceMeshes& state) {
     constexpr int kMostRounds = 12;
-    Refinement refinement(task_.options);
+    Refinement refinement(options_.sizes, options_.growth, options_.largest);
     Refinement ofState = refinement, ofBest = refinement;  // with which these were made
     FaceMeshes best;
     std::vector<std::size_t> dropped;  // faces for which nothing was of use
-    Neighbors neighbors(task_, state.meshes);
+    Neighbors neighbors(model_, state.meshes);
     findShortEdges(state);
     const double mostEffort = Retries::mostEffort(state);
     double effort = 0;
-    task_.join(state);
-    for (int round = 0; round < kMostRounds && !task_.options.stop.stop_requested(); ++round) {
+    model_.join(state);
+    for (int round = 0; round < kMostRounds && !options_.stop.stop_requested(); ++round) {
       hasEffortLeft_ = effort <= mostEffort;
       const std::vector<std::size_t> poor = worthAnotherTry(state);
       if (poor.empty() && (dropped.empty() || !hasEffortLeft_)) break;
@@ -103,8 +96,8 @@ class Retries {
       std::ranges::set_union(poor, dropped, std::back_inserter(again));
       const Refinement ofNext = refinement;
       FaceMeshes next = refined(state, again, ofNext, effort);
-      if (task_.options.stop.stop_requested()) break;
-      task_.join(next);
+      if (options_.stop.stop_requested()) break;
+      model_.join(next);
       dropped.clear();
       for (const std::size_t i : poor) {
         if (isWorthwhile(state, next, i)) continue;
@@ -141,9 +134,7 @@ class Retries {
     for (std::size_t i = 0; i < state.meshes.size(); ++i) {
       const FaceTrouble& trouble = state.meshes[i].trouble;
       if (!failed(state.meshes[i]) || !trouble.isBad) continue;  // without a boundary all is lost
-      const int id = task_.faces[i];
-      tries_[i].shortEdges = shortEdgesNear(task_.model, id, state.divided, trouble.places,
-                                            wantedOnFace(task_.options.sizes, id));
+      tries_[i].shortEdges = model_.shortEdges(i, state.divided, trouble.places);
       std::ranges::reverse(tries_[i].shortEdges);
     }
   }
@@ -160,7 +151,8 @@ class Retries {
       return;
     }
     std::vector<SizeSource> places = placesOf(state, i);
-    if (isFailed && !tries.wasTried) std::ranges::move(sizesInside(i), std::back_inserter(places));
+    if (isFailed && !tries.wasTried)
+      std::ranges::move(model_.sizesInside(i), std::back_inserter(places));
     refinement.add(i, places);
     tries.wasTried = true;
   }
@@ -191,28 +183,28 @@ class Retries {
     std::vector<std::size_t> faces;
     for (std::size_t i = 0; i < state.meshes.size(); ++i)
       if (failed(state.meshes[i]) && refinement.dropAll(i)) faces.push_back(i);
-    if (faces.empty() || task_.options.stop.stop_requested()) return;
+    if (faces.empty() || options_.stop.stop_requested()) return;
     double effort = 0;
     FaceMeshes next = refined(state, faces, refinement, effort);
-    if (task_.options.stop.stop_requested()) return;
-    task_.join(next);
+    if (options_.stop.stop_requested()) return;
+    model_.join(next);
     if (isBetter(next, state)) state = std::move(next);
   }
 
   /// The last way for faces that failed; without those that then cross others.
   void lean(FaceMeshes& state) const {
     std::vector<std::pair<std::size_t, FaceMesh>> before;
-    for (std::size_t i = 0; i < state.meshes.size() && !task_.options.stop.stop_requested(); ++i) {
+    for (std::size_t i = 0; i < state.meshes.size() && !options_.stop.stop_requested(); ++i) {
       if (!failed(state.meshes[i])) continue;
       FaceMesh was = std::move(state.meshes[i]);
-      task_.meshLeaning(i, state);
+      model_.mesh(i, options_.sizes, {std::numeric_limits<std::size_t>::max(), true}, state);
       if (failed(state.meshes[i]) || state.meshes[i].elements.empty())
         state.meshes[i] = std::move(was);
       else
         before.emplace_back(i, std::move(was));
     }
     if (before.empty()) return;
-    task_.join(state);
+    model_.join(state);
     for (auto& [i, was] : before) {
       if (crossingsAt(state, i) > 0) {
         state.meshes[i] = std::move(was);
@@ -223,7 +215,7 @@ class Retries {
         state.meshes[i].report.attempts = std::move(steps);
       }
     }
-    task_.join(state);
+    model_.join(state);
   }
 
   std::vector<std::size_t> worthAnotherTry(const FaceMeshes& state) const {
@@ -256,12 +248,6 @@ class Retries {
     constexpr std::size_t kAlways = 100'000, kTimes = 2;
     return failed(before) ? kAlways + kTimes * before.effort
                           : std::numeric_limits<std::size_t>::max();
-  }
-
-  /// A front may be stuck because sizes by curvature change faster than it can follow.
-  std::vector<SizeSource> sizesInside(std::size_t i) const {
-    if (task_.options.sizes.elementsPerTurn > 0) return {};  // they are spread already
-    return geometry::sizesInside(task_.model, task_.faces[i], task_.options.sizes);
   }
 
   static std::ptrdiff_t crossingsAt(const FaceMeshes& state, std::size_t i) {
@@ -330,25 +316,24 @@ class Retries {
   /// The edges divided anew, the faces meshed anew that are at fault or lie at edges that changed.
   FaceMeshes refined(const FaceMeshes& state, const std::vector<std::size_t>& poor,
                      const Refinement& refinement, double& effort) const {
-    const ModelMeshingOptions options = refinement.options();
+    const PositionSize sizes = refinement.sizes();
     FaceMeshes next;
-    next.divided = divideEdges(task_.model, options.sizes, options.threads, options.stop,
-                               options.edgePoints, refinement.edgesAsPoints());
+    next.divided = model_.divide(sizes, refinement.edgesAsPoints());
     const DivisionChange change = compare(state.divided, next.divided);
-    next.meshes.resize(task_.faces.size());
+    next.meshes.resize(state.meshes.size());
     std::vector<std::size_t> again;
-    for (std::size_t i = 0; i < task_.faces.size(); ++i) {
-      if (std::ranges::binary_search(poor, i) || touches(task_.faces[i], change)) {
+    for (std::size_t i = 0; i < state.meshes.size(); ++i) {
+      if (std::ranges::binary_search(poor, i) || touches(i, change)) {
         again.push_back(i);
         continue;
       }
       next.meshes[i] = state.meshes[i];
       for (std::uint32_t& point : next.meshes[i].boundary) point = change.newIndex[point];
     }
-    forEachInParallel(again.size(), options.threads, [&](std::size_t k) {
+    forEachInParallel(again.size(), options_.threads, [&](std::size_t k) {
       const FaceMesh& before = state.meshes[again[k]];
       FaceMesh& after = next.meshes[again[k]];
-      task_.mesh(again[k], options, mostCandidates(before), next);
+      model_.mesh(again[k], sizes, {mostCandidates(before)}, next);
       if (failed(before)) refuseNothing(before, after);
       tellOfRetry(state, again[k], after);
     });
@@ -381,24 +366,25 @@ class Retries {
     own.insert(own.begin(), steps.begin(), steps.end());
   }
 
-  bool touches(int face, const DivisionChange& change) const {
-    for (TopExp_Explorer it(task_.model.face(face), TopAbs_EDGE); it.More(); it.Next()) {
-      const int edge = task_.model.edges.FindIndex(it.Current());
-      if (change.isChanged[static_cast<std::size_t>(edge) - 1]) return true;
-    }
-    return false;
+  bool touches(std::size_t i, const DivisionChange& change) const {
+    return std::ranges::any_of(model_.edgesOfFaces()[i], [&](int edge) {
+      return change.isChanged[static_cast<std::size_t>(edge) - 1];
+    });
   }
 
   /// So often shorter edges are tried on a face that fails.
   static constexpr int kMostFailures = 3;
 
-  const RetryTask& task_;
+  const RetriedModel& model_;
+  const RetryOptions& options_;
   std::vector<Tries> tries_;  // by face
   bool hasEffortLeft_ = true;
 };
 
 }  // namespace
 
-void retryPoorFaces(const RetryTask& task, FaceMeshes& state) { Retries(task).retry(state); }
+void retryPoorFaces(const RetriedModel& model, const RetryOptions& options, FaceMeshes& state) {
+  Retries(model, options).retry(state);
+}
 
 }  // namespace af2::geometry

@@ -1,15 +1,16 @@
 // One way after the other to fill a face, until one gives a sound mesh.
-// Not installed: includers need OpenCASCADE's headers.
+// Not installed.
 #pragma once
 
 #include <functional>
 #include <memory>
+#include <stop_token>
 #include <string>
 
 #include "engine/mesh_region.h"
 #include "geometry/chart_kind.h"
-#include "geometry/occ/face_boundary.h"
-#include "geometry/occ/mesh_model.h"
+#include "geometry/charted_surface.h"
+#include "geometry/face_boundary.h"
 
 namespace af2::geometry {
 
@@ -27,16 +28,24 @@ struct FaceAttempt {
   std::size_t effort = 0;               ///< candidates of the front in all, those in vain too
 };
 
+/// What is wanted of the mesh of a face.
+struct FillOptions {
+  ChartKind chart = ChartKind::Auto;
+  bool optimize = true;
+  std::stop_token stop = {};
+  AF2MeshingObserver* observer = nullptr;
+};
+
 /// What is given for a face.
 struct FaceTask {
-  int face = 0;
-  const FaceSurface& surface;
+  const ChartedSurface& surface;
   const FaceBoundary& boundary;
   const SizeField& size;
   double area = 0;  ///< of the face; 0: unknown
+  /// That the sizes inside let expect, in the face or, if its area is not known, at most.
   double expectedElements = 1;
   const AF2Algorithm& algorithm;
-  const ModelMeshingOptions& options;
+  const FillOptions& options;
   /// Whether sizes inside may be much smaller than along the boundary.
   bool mayBeFineInside = false;
   /// A front that has examined more candidates than these is given up.

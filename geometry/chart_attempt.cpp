@@ -1,12 +1,11 @@
-#include "geometry/occ/chart_attempt.h"
+#include "geometry/chart_attempt.h"
 
 #include <algorithm>
 
 #include "engine/error.h"
 #include "engine/mesh_check.h"
 #include "geometry/laid_out.h"
-#include "geometry/occ/leaning_attempt.h"
-#include "geometry/occ/sizing.h"
+#include "geometry/leaning_attempt.h"
 #include "geometry/stuck_front.h"
 
 namespace af2::geometry {
@@ -46,16 +45,6 @@ class RunawayGuard {
   std::stop_callback<Forward> forward_;
 };
 
-/// For a face whose area is not known: that of a sphere as large as it.
-double mostArea(const FaceTask& task) {
-  const Point3& origin = task.boundary.input.loops[0][0].point.position;
-  double extent = task.surface.extent();
-  for (const auto& loop : task.boundary.input.loops)
-    for (const BoundaryCorner& corner : loop)
-      extent = std::max(extent, distance(corner.point.position, origin));
-  return 3.15 * extent * extent;
-}
-
 /// Elements per area that the sizes along the boundary let expect: the mean over its length, in
 /// which a few tiny segments hardly count.
 double boundaryDensity(const FaceTask& task) {
@@ -76,8 +65,8 @@ double boundaryDensity(const FaceTask& task) {
 /// How many elements the sizes let expect. Along the boundary of a face whose area is not known
 /// these tell nothing of its inside: sizes grow from there.
 double expectedElements(const FaceTask& task) {
-  if (task.area > 0) return std::max(task.expectedElements, task.area * boundaryDensity(task));
-  return expectedElements(task.options.sizes, task.face, task.surface, mostArea(task));
+  if (!(task.area > 0)) return task.expectedElements;
+  return std::max(task.expectedElements, task.area * boundaryDensity(task));
 }
 
 /// Several times what is expected. Only a size function may want much smaller elements inside.
@@ -90,18 +79,6 @@ std::size_t elementLimit(const FaceTask& task) {
   return static_cast<std::size_t>(std::min(margin * expectedElements(task) + beside, 1e9));
 }
 
-/// Points of a face for the cuts between its pieces.
-class FacePoints final : public SurfaceEvaluator {
- public:
-  explicit FacePoints(const FaceSurface& surface) : surface_(surface) {}
-  SurfacePoint at(double u, double v) const override {
-    return surface_.pointAt(surface_.inParameters().pointAt(u, v).position, u, v);
-  }
-
- private:
-  const FaceSurface& surface_;
-};
-
 void take(RegionMesh& mesh, const FaceTask& task, FaceAttempt& attempt) {
   attempt.result = std::move(mesh.result);
   attempt.fault = std::move(mesh.fault);
@@ -111,11 +88,10 @@ void take(RegionMesh& mesh, const FaceTask& task, FaceAttempt& attempt) {
 
 /// Seen anew from each base edge, in pieces if the face is large.
 FaceAttempt fillInPieces(const FaceTask& task, ChartKind kind, const MeshingOptions& options) {
-  const FacePoints points(task.surface);
   RegionMesh mesh = meshRegion(task.algorithm,
                                {task.boundary.input,
                                 [&] { return task.makeTools(kind); },
-                                task.boundary.canBeCut ? &points : nullptr,
+                                task.boundary.canBeCut ? &task.surface : nullptr,
                                 {},
                                 task.options.optimize},
                                options);
@@ -178,7 +154,7 @@ FaceAttempt guarded(const FaceTask& task, int patience, Fill&& fill) {
   MeshingOptions options;
   options.patience = patience;
   options.stop = guard.token();
-  if (task.options.observer) options.observer = task.options.observer(task.face);
+  options.observer = task.options.observer;
   options.progress = [&](const Progress& progress) {
     guard.see(progress);
     if (task.progress) task.progress(progress);
@@ -204,7 +180,7 @@ FaceAttempt attemptWith(const FaceTask& task, ChartKind kind, int patience) {
 }
 
 FaceAttempt attemptLeaning(const FaceTask& task) {
-  const WithoutNormals surface(task.surface.inParameters());
+  const WithoutNormals surface(*task.surface.inParameters());
   const MetricChartMaker charts(surface, MetricOrder::First);
   const FrontInput input = withoutNormals(task.boundary.input);
   FaceAttempt attempt =

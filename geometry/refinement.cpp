@@ -1,4 +1,4 @@
-#include "geometry/occ/refinement.h"
+#include "geometry/refinement.h"
 
 #include <algorithm>
 #include <memory>
@@ -12,13 +12,6 @@ namespace {
 
 /// A hole of a thousandth of the wanted size can be divided by this; more would help nobody.
 constexpr double kLeastSize = 1e-4;
-
-double largestAsked(const ModelSizes& sizes) {
-  double largest = sizes.size;
-  for (const auto& [face, size] : sizes.faceSizes) largest = std::max(largest, size);
-  for (const auto& [edge, size] : sizes.edgeSizes) largest = std::max(largest, size);
-  return largest;
-}
 
 /// Those that want clearly less than the others do around them; the smallest first.
 std::vector<SizeSource> thinned(std::vector<SizeSource> sources, double growth, double largest) {
@@ -47,10 +40,9 @@ std::vector<SizeSource> thinned(std::vector<SizeSource> sources, double growth, 
 }  // namespace
 
 void Refinement::add(std::size_t face, const std::vector<SizeSource>& places) {
-  const double largest = largestAsked(asked_->sizes);
   std::vector<SizeSource>& added = places_[face].emplace_back();
   for (const SizeSource& place : places)
-    added.push_back({place.position, std::max(place.size, kLeastSize * largest)});
+    added.push_back({place.position, std::max(place.size, kLeastSize * largest_)});
 }
 
 void Refinement::dropLast(std::size_t face) {
@@ -78,46 +70,21 @@ void Refinement::soften(std::size_t face, double factor) {
     for (SizeSource& place : places) place.size *= factor;
 }
 
-ModelMeshingOptions Refinement::options() const {
-  ModelMeshingOptions options = *asked_;
+PositionSize Refinement::sizes() const {
   std::vector<SizeSource> sources;
   for (const auto& [face, rounds] : places_)
     for (const std::vector<SizeSource>& places : rounds)
       sources.insert(sources.end(), places.begin(), places.end());
-  if (sources.empty()) return options;
-  const double growth = asked_->sizes.growth, largest = largestAsked(asked_->sizes);
+  if (sources.empty()) return asked_;
   const auto near = std::make_shared<const GrowingSize>(
-      thinned(std::move(sources), growth, largest), growth, largest);
-  const PositionSize asked = asked_->sizes.function;
-  options.sizes.function = [near, asked](std::span<const Point3> at, std::span<double> sizes) {
+      thinned(std::move(sources), growth_, largest_), growth_, largest_);
+  return [near, asked = asked_](std::span<const Point3> at, std::span<double> sizes) {
     for (std::size_t i = 0; i < at.size(); ++i) sizes[i] = near->at(at[i]);
     if (!asked) return;
     std::vector<double> limits(at.size());
     asked.at(at, limits);
     for (std::size_t i = 0; i < at.size(); ++i) sizes[i] = std::min(sizes[i], limits[i]);
   };
-  return options;
-}
-
-DivisionChange compare(const DividedEdges& before, const DividedEdges& after) {
-  DivisionChange change;
-  change.newIndex.assign(before.points.size(), 0);
-  // Model vertices, and the ends that edges without vertices got, come first and do not depend on
-  // sizes.
-  for (std::uint32_t i = 0; i < change.newIndex.size(); ++i) change.newIndex[i] = i;
-  for (std::size_t e = 0; e < before.edges.size(); ++e) {
-    const DividedEdge &was = before.edges[e], &is = after.edges[e];
-    const auto sameEnds = [&] {
-      return was.points.empty() ||
-             (was.points.front() == is.points.front() && was.points.back() == is.points.back());
-    };
-    change.isChanged.push_back(was.parameters != is.parameters || was.point != is.point ||
-                               !sameEnds());
-    if (change.isChanged.back()) continue;
-    for (std::size_t k = 0; k < was.points.size(); ++k)
-      change.newIndex[was.points[k]] = is.points[k];
-  }
-  return change;
 }
 
 }  // namespace af2::geometry

@@ -1,20 +1,17 @@
-#include "geometry/occ/join_faces.h"
+#include "geometry/join_faces.h"
 
-#include <BRepAdaptor_Curve.hxx>
 #include <algorithm>
 #include <limits>
 
-#include "geometry/occ/parallel.h"
-#include "geometry/occ/points.h"
-#include "geometry/occ/sizing.h"
+#include "geometry/parallel.h"
 
 namespace af2::geometry {
 namespace {
 
 class Assembly {
  public:
-  Assembly(const ModelShape& model, const DividedEdges& divided, const ModelMeshingOptions& options)
-      : model_(model), divided_(divided), options_(options), sizes_(options.sizes) {}
+  Assembly(const DividedEdges& divided, const JoinOptions& options)
+      : divided_(divided), options_(options) {}
 
   ModelMesh join(const std::vector<FaceMesh>& faces) {
     numberBoundary(faces);
@@ -124,29 +121,24 @@ class Assembly {
                         static_cast<int>(edge) + 1,
                         uses,
                         {}};
-    if (options_.order == 2) {
-      const double middle = (divided.parameters[i] + divided.parameters[i + 1]) / 2;
-      const BRepAdaptor_Curve curve(model_.edge(segment.edge));
-      segment.middle = toPoint(curve.Value(middle));
-    }
+    if (options_.pointOnEdge)
+      segment.middle = options_.pointOnEdge(
+          segment.edge, (divided.parameters[i] + divided.parameters[i + 1]) / 2);
     mesh_.segments.push_back(segment);
   }
 
   /// Along an edge with a size of its own those of its faces do not count.
   void takeSizesOfEdges() {
-    if (sizes_.edgeSizes.empty()) return;
+    if (options_.edgeSizes.empty()) return;
     for (const EdgeSegment& segment : mesh_.segments) {
-      const auto own = sizes_.edgeSizes.find(segment.edge);
-      if (own == sizes_.edgeSizes.end()) continue;
-      for (const VertexId v : {segment.from, segment.to})
-        mesh_.wantedSizes[v.value] = bounded(sizes_, own->second);
+      const auto own = options_.edgeSizes.find(segment.edge);
+      if (own == options_.edgeSizes.end()) continue;
+      for (const VertexId v : {segment.from, segment.to}) mesh_.wantedSizes[v.value] = own->second;
     }
   }
 
-  const ModelShape& model_;
   const DividedEdges& divided_;
-  const ModelMeshingOptions& options_;
-  const ModelSizes& sizes_;
+  const JoinOptions& options_;
   std::vector<std::uint32_t> ids_;  ///< by point of the divided edges
   std::vector<Start> starts_;       ///< by face
   ModelMesh mesh_;
@@ -154,9 +146,9 @@ class Assembly {
 
 }  // namespace
 
-ModelMesh joinFaces(const ModelShape& model, const DividedEdges& divided,
-                    const ModelMeshingOptions& options, const std::vector<FaceMesh>& faces) {
-  return Assembly(model, divided, options).join(faces);
+ModelMesh joinFaces(const DividedEdges& divided, const std::vector<FaceMesh>& faces,
+                    const JoinOptions& options) {
+  return Assembly(divided, options).join(faces);
 }
 
 }  // namespace af2::geometry

@@ -1,8 +1,8 @@
 // One way to fill a face: with charts of one kind.
-// Not installed: includers need OpenCASCADE's headers.
+// Not installed.
 #pragma once
 
-#include "geometry/occ/face_attempt.h"
+#include "geometry/face_attempt.h"
 
 namespace af2::geometry {
 

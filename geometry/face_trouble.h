@@ -1,12 +1,14 @@
 // Where the mesh of a face is missing or poor, and how short edges should be there.
-// Not installed: includers need OpenCASCADE's headers.
+// Not installed.
 #pragma once
 
 #include <string>
 #include <vector>
 
+#include "engine/algorithm.h"
+#include "geometry/charted_surface.h"
+#include "geometry/face_boundary.h"
 #include "geometry/graded_size.h"
-#include "geometry/occ/face_boundary.h"
 #include "geometry/plane_axes.h"
 
 namespace af2::geometry {
@@ -21,7 +23,7 @@ struct FaceTrouble {
 
 /// Where a front got stuck, where a mesh has faults, and where the segments of the boundary cross.
 /// May be nowhere.
-FaceTrouble troubleOfFailure(const FaceSurface& surface, const FaceBoundary& boundary,
+FaceTrouble troubleOfFailure(const ChartedSurface& surface, const FaceBoundary& boundary,
                              const std::vector<MeshingResult>& results);
 
 /// Elements with tiny angles that shorter edges could open, and faces that straight edges cut too
@@ -40,7 +42,7 @@ double areaOfElements(const Mesh& mesh);
 /// the region on their left.
 class BoundaryPicture {
  public:
-  BoundaryPicture(const FaceSurface& surface, const FrontInput& boundary);
+  BoundaryPicture(const ChartedSurface& surface, const FrontInput& boundary);
   Point2 operator()(const SurfacePoint& point) const;
 
  private:

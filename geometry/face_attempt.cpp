@@ -1,4 +1,4 @@
-#include "geometry/occ/face_attempt.h"
+#include "geometry/face_attempt.h"
 
 #include <algorithm>
 #include <array>
@@ -8,10 +8,10 @@
 #include "engine/element_shape.h"
 #include "engine/mesh_check.h"
 #include "geometry/boundary_crossings.h"
+#include "geometry/chart_attempt.h"
 #include "geometry/close_front.h"
-#include "geometry/occ/chart_attempt.h"
-#include "geometry/occ/face_trouble.h"
-#include "geometry/occ/leaning_attempt.h"
+#include "geometry/face_trouble.h"
+#include "geometry/leaning_attempt.h"
 
 namespace af2::geometry {
 
@@ -48,7 +48,7 @@ bool close(const FaceTask& task, FaceAttempt& attempt, std::size_t most = kMostS
       !hasTwoSheets(task.boundary.input);
   bool done = false;
   if (inParameters) {
-    const ScaledParameters scale = scaleOf(task.surface.inParameters(), closed);
+    const ScaledParameters scale = scaleOf(*task.surface.inParameters(), closed);
     done = closeFront(
         closed,
         [&](VertexId v) {
@@ -70,7 +70,8 @@ std::vector<ChartKind> chartsFor(const FaceTask& task) {
   const auto isPossible = [&](ChartKind kind) {
     const bool isInParameters = kind == ChartKind::Parametric || kind == ChartKind::Affine ||
                                 kind == ChartKind::Developed || kind == ChartKind::Conformal;
-    return (!isInParameters || task.boundary.closedInParameters) && task.surface.has(kind);
+    const bool hasParameters = task.surface.inParameters() && task.boundary.closedInParameters;
+    return (!isInParameters || hasParameters) && task.surface.has(kind);
   };
   std::vector<ChartKind> kinds;
   const auto add = [&](ChartKind kind) {
@@ -85,18 +86,22 @@ std::vector<ChartKind> chartsFor(const FaceTask& task) {
   return kinds;
 }
 
+/// Whether the boundary can be drawn in the parameters.
+bool hasOneSheet(const FaceTask& task) {
+  return task.surface.inParameters() && task.boundary.closedInParameters &&
+         !hasTwoSheets(task.boundary.input);
+}
+
 /// Elements lean against the surface as far as they like, as long as nothing folds in the
 /// parameters.
 FaceAttempt fillLeaning(const FaceTask& task) {
   FaceAttempt attempt;
   attempt.fault = "not filled";
-  if (task.surface.isPlane() || !task.boundary.closedInParameters ||
-      hasTwoSheets(task.boundary.input))
-    return attempt;
+  if (task.surface.isPlane() || !hasOneSheet(task)) return attempt;
   attempt = attemptLeaning(task);
   attempt.effort = attempt.result.candidates;
   if (!attempt.fault.empty() && !close(task, attempt)) return attempt;
-  const ParametricSurface& surface = task.surface.inParameters();
+  const ParametricSurface& surface = *task.surface.inParameters();
   if (!isFlatInParameters(attempt.result.mesh, surface.isFlipped()))
     attempt.fault = "elements fold in the parameters";
   restoreNormals(surface, task.boundary.input, attempt.result.mesh);
@@ -176,9 +181,8 @@ FaceAttempt fillWithoutVertices(const FaceTask& task) {
   attempt.chart = isPlane ? ChartKind::Plane : ChartKind::Parametric;
   attempt.charts = task.surface.makeCharts(isPlane ? ChartKind::Plane : ChartKind::MeanNormal);
   attempt.fault = "not filled";
-  const bool isPossible =
-      isPlane || (task.boundary.closedInParameters && !hasTwoSheets(task.boundary.input));
-  if (!isPossible) return attempt;
+  const bool isPossible = isPlane || hasOneSheet(task);
+  if (!isPossible || !task.boundary.input.isolated.empty()) return attempt;
   beginFront(task.boundary.input, attempt.result);
   close(task, attempt, kMostClosingEdges);
   attempt.chart = ChartKind::Auto;  // it took none

@@ -1,21 +1,23 @@
 // Where a mesh turned out to need shorter edges than the sizes asked for, and a new try with them.
-// Not installed: includers need OpenCASCADE's headers.
+// Not installed.
 #pragma once
 
-#include <cstdint>
 #include <map>
+#include <utility>
 #include <vector>
 
+#include "geometry/divided_edges.h"
 #include "geometry/graded_size.h"
-#include "geometry/occ/edge_division.h"
-#include "geometry/occ/mesh_model.h"
+#include "geometry/position_size.h"
 
 namespace af2::geometry {
 
-/// Sizes that are asked for, limited further around some places; or edges left out.
+/// Sizes by position that are asked for, limited further around some places; or edges left out.
 class Refinement {
  public:
-  explicit Refinement(const ModelMeshingOptions& asked) : asked_(&asked) {}
+  /// largest  that is asked for anywhere
+  Refinement(PositionSize asked, double growth, double largest)
+      : asked_(std::move(asked)), growth_(growth), largest_(largest) {}
 
   /// For the sake of one of the faces. Sizes below a ten-thousandth of what was asked for are
   /// raised to that.
@@ -33,22 +35,14 @@ class Refinement {
   /// Takes edges for points for the sake of a face.
   void takeForPoints(std::size_t face, const EdgesAsPoints& edges) { asPoints_[face] = edges; }
 
-  ModelMeshingOptions options() const;
+  PositionSize sizes() const;
   EdgesAsPoints edgesAsPoints() const;
 
  private:
-  const ModelMeshingOptions* asked_;
+  PositionSize asked_;
+  double growth_, largest_;
   std::map<std::size_t, std::vector<std::vector<SizeSource>>> places_;  ///< by face, in rounds
   std::map<std::size_t, EdgesAsPoints> asPoints_;                       ///< by face
 };
-
-/// What changed from one division of the same edges to the next.
-struct DivisionChange {
-  std::vector<bool> isChanged;  ///< by edge; [0] is edge 1
-  std::vector<std::uint32_t>
-      newIndex;  ///< by point of the old division; only for edges that stayed
-};
-
-DivisionChange compare(const DividedEdges& before, const DividedEdges& after);
 
 }  // namespace af2::geometry

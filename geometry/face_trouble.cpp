@@ -1,4 +1,4 @@
-#include "geometry/occ/face_trouble.h"
+#include "geometry/face_trouble.h"
 
 #include <algorithm>
 #include <cmath>
@@ -65,9 +65,9 @@ void addSegment(const FrontInput& input, SegmentPlace place, double share,
           loop[(place.corner + 1) % loop.size()].point.position, share);
 }
 
-void addCrossings(const FaceSurface& surface, const FaceBoundary& boundary,
+void addCrossings(const ChartedSurface& surface, const FaceBoundary& boundary,
                   std::vector<SizeSource>& places) {
-  if (!surface.isPlane() && !boundary.closedInParameters) return;
+  if (!surface.isPlane() && !(boundary.closedInParameters && surface.inParameters())) return;
   constexpr std::size_t kMostCrossings = 2000;
   const BoundaryPicture picture(surface, boundary.input);
   for (const auto& [a, b] : crossingsOf(boundary.input, picture, kMostCrossings)) {
@@ -255,27 +255,27 @@ void addElements(const Mesh& mesh, double share, std::vector<SizeSource>& places
 
 }  // namespace
 
-BoundaryPicture::BoundaryPicture(const FaceSurface& surface, const FrontInput& boundary)
+BoundaryPicture::BoundaryPicture(const ChartedSurface& surface, const FrontInput& boundary)
     : isPlane_(surface.isPlane()), axes_(boundary.loops[0][0].point) {
   if (isPlane_) return;
   double du = 0, dv = 0;
   std::size_t count = 0;
   for (const auto& loop : boundary.loops)
     for (const BoundaryCorner& corner : loop) {
-      const auto frame = surface.inParameters().frameAt(corner.point.u, corner.point.v);
+      const auto frame = surface.inParameters()->frameAt(corner.point.u, corner.point.v);
       du += length(frame.du);
       dv += length(frame.dv);
       ++count;
     }
   u_ = du / static_cast<double>(count);
-  v_ = (surface.inParameters().isFlipped() ? -1 : 1) * dv / static_cast<double>(count);
+  v_ = (surface.inParameters()->isFlipped() ? -1 : 1) * dv / static_cast<double>(count);
 }
 
 Point2 BoundaryPicture::operator()(const SurfacePoint& point) const {
   return isPlane_ ? axes_(point) : Point2{u_ * point.u, v_ * point.v};
 }
 
-FaceTrouble troubleOfFailure(const FaceSurface& surface, const FaceBoundary& boundary,
+FaceTrouble troubleOfFailure(const ChartedSurface& surface, const FaceBoundary& boundary,
                              const std::vector<MeshingResult>& results) {
   FaceTrouble trouble;
   trouble.poorness = 1e300;

@@ -1,4 +1,4 @@
-#include "geometry/occ/leaning_attempt.h"
+#include "geometry/leaning_attempt.h"
 
 #include <algorithm>
 

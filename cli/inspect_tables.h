@@ -1,0 +1,19 @@
+// The tables that `af2 inspect` prints for models of all kinds.
+#pragma once
+
+#include <vector>
+
+#include "geometry/defect.h"
+#include "geometry/model_mesh.h"
+
+namespace af2::cli {
+
+/// Of a mesh, if no size is given: this part of the diagonal.
+inline constexpr double kSizesPerDiagonal = 40;
+
+void printGroups(const std::vector<geometry::FaceGroup>& groups);
+
+/// all  also those beyond the first ten of each kind
+void printDefects(const std::vector<geometry::Defect>& defects, double size, bool all);
+
+}  // namespace af2::cli

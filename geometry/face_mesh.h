@@ -1,0 +1,40 @@
+// The mesh of one face of a model, before it is joined with the others.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <vector>
+
+#include "geometry/face_boundary.h"
+#include "geometry/face_trouble.h"
+#include "geometry/model_mesh.h"
+#include "geometry/second_order.h"
+
+namespace af2::geometry {
+
+/// Corners of elements are numbered: first the vertices of the boundary, then those inside.
+struct FaceMesh {
+  FaceReport report;
+  std::vector<std::uint32_t> boundary;  ///< indices into DividedEdges::points
+  std::vector<Point3> inside;
+  std::vector<double> wantedSizes;  ///< by vertex
+  std::vector<Element> elements;
+  std::vector<std::uint16_t> rule;
+  std::vector<SideMiddles> middles;  ///< by element; only for elements of second order
+  std::vector<SegmentUse> uses;
+  double optimizeSeconds = 0;  ///< part of report.seconds
+  FaceTrouble trouble;
+  std::size_t effort = 0;  ///< candidates of the front, those in vain too
+};
+
+/// By id of the face, where the middles of the sides of its elements lie.
+using MiddlesByFace = std::map<int, std::vector<SideMiddles>>;
+MiddlesByFace takeMiddles(std::vector<FaceMesh>& meshes);
+/// Of the elements that are still there after the checks, in their order.
+std::vector<SideMiddles> middlesOf(const ModelMesh& mesh, const MiddlesByFace& byFace);
+
+/// The part of the time that optimising took, where faces are meshed one beside the other.
+double shareOfOptimizing(const std::vector<FaceMesh>& meshes);
+
+}  // namespace af2::geometry

@@ -1,0 +1,315 @@
+#include "geometry/faceted/repair_facets.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <map>
+#include <numeric>
+#include <optional>
+
+#include "geometry/box_tree.h"
+
+namespace af2::geometry {
+namespace {
+
+using Triangle = std::array<std::uint32_t, 3>;
+using Edge = std::pair<std::uint32_t, std::uint32_t>;  // the lower vertex first
+using HalfEdge = std::uint32_t;                        // 3 t + i: from corner i of triangle t
+
+/// Edges that lie nearer than this share of the diagonal are one.
+constexpr double kSame = 1e-5;
+
+HalfEdge nextIn(HalfEdge h) { return h % 3 == 2 ? h - 2 : h + 1; }
+
+class Repair {
+ public:
+  explicit Repair(Facets& facets) : facets_(facets) {
+    Box3 box;
+    for (const Point3& p : facets.vertices) box.add(p);
+    tolerance_ = kSame * distance(box.low, box.high);
+  }
+
+  void repair() {
+    dropTwins();
+    joinVertices();
+    splitAtVertices();
+    turn();
+  }
+
+ private:
+  std::uint32_t startOf(HalfEdge h) const { return facets_.triangles[h / 3][h % 3]; }
+  std::uint32_t endOf(HalfEdge h) const { return startOf(nextIn(h)); }
+  Edge edgeOf(HalfEdge h) const { return std::minmax(startOf(h), endOf(h)); }
+  const Point3& at(std::uint32_t v) const { return facets_.vertices[v]; }
+
+  void tell(std::size_t count, const char* what, const Point3& place) {
+    if (count == 0) return;
+    char text[200];
+    std::snprintf(text, sizeof text, "%zu %s, the first near (%.6g, %.6g, %.6g)", count, what,
+                  place.x, place.y, place.z);
+    facets_.notes.emplace_back(text);
+  }
+
+  void erase(const std::vector<bool>& isDropped) {
+    std::size_t kept = 0;
+    for (std::size_t t = 0; t < facets_.triangles.size(); ++t) {
+      if (isDropped[t]) continue;
+      facets_.triangles[kept] = facets_.triangles[t];
+      if (!facets_.group.empty()) facets_.group[kept] = facets_.group[t];
+      ++kept;
+    }
+    facets_.triangles.resize(kept);
+    if (!facets_.group.empty()) facets_.group.resize(kept);
+  }
+
+  void dropTwins() {
+    std::vector<std::pair<Triangle, std::uint32_t>> sorted;
+    for (std::uint32_t t = 0; t < facets_.triangles.size(); ++t) {
+      Triangle corners = facets_.triangles[t];
+      std::ranges::sort(corners);
+      sorted.emplace_back(corners, t);
+    }
+    std::ranges::sort(sorted);
+    std::vector<bool> isTwin(sorted.size(), false);
+    std::size_t count = 0;
+    Point3 place;
+    for (std::size_t i = 1; i < sorted.size(); ++i) {
+      if (sorted[i].first != sorted[i - 1].first) continue;
+      isTwin[sorted[i].second] = true;
+      if (count++ == 0) place = at(sorted[i].first[0]);
+    }
+    if (count > 0) erase(isTwin);
+    tell(count, "triangles lay on others with the same corners and were left out", place);
+  }
+
+  /// All half-edges by their edges.
+  std::vector<std::pair<Edge, HalfEdge>> sortedEdges() const {
+    std::vector<std::pair<Edge, HalfEdge>> all;
+    all.reserve(3 * facets_.triangles.size());
+    for (HalfEdge h = 0; h < 3 * facets_.triangles.size(); ++h) all.emplace_back(edgeOf(h), h);
+    std::ranges::sort(all);
+    return all;
+  }
+
+  /// Edges with one triangle.
+  std::vector<HalfEdge> openEdges() const {
+    const auto all = sortedEdges();
+    std::vector<HalfEdge> open;
+    for (std::size_t i = 0, next; i < all.size(); i = next) {
+      for (next = i + 1; next < all.size() && all[next].first == all[i].first;) ++next;
+      if (next - i == 1) open.push_back(all[i].second);
+    }
+    return open;
+  }
+
+  std::vector<std::uint32_t> verticesOf(const std::vector<HalfEdge>& open) const {
+    std::vector<std::uint32_t> vertices;
+    for (const HalfEdge h : open) vertices.insert(vertices.end(), {startOf(h), endOf(h)});
+    std::ranges::sort(vertices);
+    vertices.erase(std::ranges::unique(vertices).begin(), vertices.end());
+    return vertices;
+  }
+
+  BoxTree treeOf(const std::vector<std::uint32_t>& vertices) const {
+    std::vector<Box3> boxes;
+    for (const std::uint32_t v : vertices) boxes.emplace_back().add(at(v));
+    return BoxTree(boxes);
+  }
+
+  static Box3 around(const Point3& p, double reach) {
+    const Point3 r{reach, reach, reach};
+    return {p - r, p + r};
+  }
+
+  /// Vertices of open edges become one with an earlier one that is near.
+  void joinVertices() {
+    const std::vector<HalfEdge> open = openEdges();
+    const std::vector<std::uint32_t> vertices = verticesOf(open);
+    const BoxTree tree = treeOf(vertices);
+    std::vector<std::uint32_t> same(facets_.vertices.size());
+    std::iota(same.begin(), same.end(), 0u);
+    std::size_t count = 0;
+    Point3 place;
+    const double reach = reachOf(open);
+    for (const std::uint32_t v : vertices) {
+      if (same[v] != v) continue;
+      tree.forEachIn(around(at(v), reach), [&](std::uint32_t i) {
+        const std::uint32_t w = vertices[i];
+        if (w <= v || same[w] != w || distance(at(v), at(w)) > reach) return;
+        same[w] = v;
+        if (count++ == 0) place = at(v);
+      });
+    }
+    if (count == 0) return;
+    std::vector<bool> isGone(facets_.triangles.size(), false);
+    for (std::size_t t = 0; t < isGone.size(); ++t) {
+      Triangle& c = facets_.triangles[t];
+      for (std::uint32_t& v : c) v = same[v];
+      isGone[t] = c[0] == c[1] || c[1] == c[2] || c[2] == c[0];
+    }
+    erase(isGone);
+    tell(count, "vertices beside gaps were joined with others that are near", place);
+  }
+
+  /// Not so far that short edges would vanish.
+  double reachOf(const std::vector<HalfEdge>& open) const {
+    constexpr double kOfShortest = 0.2;
+    double shortest = tolerance_ / kOfShortest;
+    for (const HalfEdge h : open) {
+      const double length = distance(at(startOf(h)), at(endOf(h)));
+      if (length > tolerance_) shortest = std::min(shortest, length);
+    }
+    return kOfShortest * shortest;
+  }
+
+  /// Where several open edges run along one, its triangle is split at their vertices.
+  void splitAtVertices() {
+    constexpr int kMostRounds = 3;  // one for each side of a triangle
+    std::size_t count = 0;
+    std::optional<Point3> place;
+    for (int round = 0; round < kMostRounds; ++round) {
+      const std::vector<HalfEdge> open = openEdges();
+      const std::vector<std::uint32_t> vertices = verticesOf(open);
+      const BoxTree tree = treeOf(vertices);
+      std::map<std::uint32_t, std::vector<HalfEdge>> leaving;  // by vertex: open edges at it
+      for (const HalfEdge h : open)
+        for (const std::uint32_t v : {startOf(h), endOf(h)}) leaving[v].push_back(h);
+      std::vector<bool> isSplit(facets_.triangles.size(), false);
+      std::size_t split = 0;
+      for (const HalfEdge h : open) {
+        if (isSplit[h / 3]) continue;
+        const std::vector<std::uint32_t> inner = verticesAlong(h, vertices, tree);
+        if (inner.empty() || !isChain(h, inner, leaving)) continue;
+        isSplit[h / 3] = true;
+        if (!place) place = at(inner.front());
+        splitTriangle(h, inner);
+        ++split;
+      }
+      count += split;
+      if (split == 0) break;
+    }
+    if (place)
+      tell(count, "triangles were split where vertices of others lay on their edges", *place);
+  }
+
+  std::vector<std::uint32_t> verticesAlong(HalfEdge h, const std::vector<std::uint32_t>& vertices,
+                                           const BoxTree& tree) const {
+    const Point3 from = at(startOf(h)), along = at(endOf(h)) - from;
+    const double square = dot(along, along);
+    std::vector<std::pair<double, std::uint32_t>> found;
+    Box3 box = around(from, tolerance_);
+    box.add(around(at(endOf(h)), tolerance_));
+    tree.forEachIn(box, [&](std::uint32_t i) {
+      const std::uint32_t v = vertices[i];
+      if (v == startOf(h) || v == endOf(h)) return;
+      const double within = dot(at(v) - from, along) / square;
+      if (!(within > 0 && within < 1)) return;
+      if (distance(at(v), from + within * along) <= tolerance_) found.emplace_back(within, v);
+    });
+    std::ranges::sort(found);
+    std::vector<std::uint32_t> inner;
+    for (const auto& [within, v] : found) inner.push_back(v);
+    return inner;
+  }
+
+  /// Whether open edges lead from the start of an edge over these vertices to its end.
+  bool isChain(HalfEdge h, const std::vector<std::uint32_t>& inner,
+               const std::map<std::uint32_t, std::vector<HalfEdge>>& leaving) const {
+    std::uint32_t from = startOf(h);
+    const auto isOpen = [&](std::uint32_t a, std::uint32_t b) {
+      return std::ranges::any_of(leaving.at(a),
+                                 [&](HalfEdge g) { return edgeOf(g) == Edge(std::minmax(a, b)); });
+    };
+    for (const std::uint32_t v : inner) {
+      if (!isOpen(from, v)) return false;
+      from = v;
+    }
+    return isOpen(from, endOf(h));
+  }
+
+  void splitTriangle(HalfEdge h, const std::vector<std::uint32_t>& inner) {
+    const std::uint32_t t = h / 3, last = endOf(h), apex = startOf(nextIn(nextIn(h)));
+    std::uint32_t from = startOf(h);
+    facets_.triangles[t] = {from, inner[0], apex};
+    for (std::size_t i = 0; i < inner.size(); ++i) {
+      facets_.triangles.push_back({inner[i], i + 1 < inner.size() ? inner[i + 1] : last, apex});
+      if (!facets_.group.empty()) facets_.group.push_back(facets_.group[t]);
+    }
+  }
+
+  /// Across edges with two triangles; of each connected part the smaller area is turned. A part
+  /// that has no two sides stays as it is.
+  void turn() {
+    std::vector<HalfEdge> twin(3 * facets_.triangles.size(), kNone);
+    const auto all = sortedEdges();
+    bool isTurned = false;
+    for (std::size_t i = 0, next; i < all.size(); i = next) {
+      for (next = i + 1; next < all.size() && all[next].first == all[i].first;) ++next;
+      if (next - i != 2) continue;
+      const HalfEdge g = all[i].second, h = all[i + 1].second;
+      twin[g] = h;
+      twin[h] = g;
+      isTurned = isTurned || startOf(g) == startOf(h);
+    }
+    if (!isTurned) return;
+    std::vector<int> side(facets_.triangles.size(), 0);
+    std::size_t count = 0;
+    Point3 place;
+    for (std::uint32_t first = 0; first < side.size(); ++first) {
+      if (side[first] != 0) continue;
+      const std::vector<std::uint32_t> part = partFrom(first, twin, side);
+      if (!hasTwoSides(part, twin, side)) continue;
+      const int lesser = lesserSide(part, side);
+      for (const std::uint32_t t : part) {
+        if (side[t] != lesser) continue;
+        std::swap(facets_.triangles[t][1], facets_.triangles[t][2]);
+        if (count++ == 0) place = at(facets_.triangles[t][0]);
+      }
+    }
+    tell(count, "triangles were turned to the side of those around them", place);
+  }
+
+  std::vector<std::uint32_t> partFrom(std::uint32_t first, const std::vector<HalfEdge>& twin,
+                                      std::vector<int>& side) const {
+    std::vector<std::uint32_t> part{first};
+    side[first] = 1;
+    for (std::size_t i = 0; i < part.size(); ++i)
+      for (HalfEdge h = 3 * part[i]; h < 3 * part[i] + 3; ++h) {
+        if (twin[h] == kNone || side[twin[h] / 3] != 0) continue;
+        side[twin[h] / 3] = startOf(h) == startOf(twin[h]) ? -side[part[i]] : side[part[i]];
+        part.push_back(twin[h] / 3);
+      }
+    return part;
+  }
+
+  bool hasTwoSides(const std::vector<std::uint32_t>& part, const std::vector<HalfEdge>& twin,
+                   const std::vector<int>& side) const {
+    return std::ranges::all_of(part, [&](std::uint32_t t) {
+      for (HalfEdge h = 3 * t; h < 3 * t + 3; ++h) {
+        if (twin[h] == kNone) continue;
+        const bool isAgainst = startOf(h) == startOf(twin[h]);
+        if ((side[t] == side[twin[h] / 3]) == isAgainst) return false;
+      }
+      return true;
+    });
+  }
+
+  int lesserSide(const std::vector<std::uint32_t>& part, const std::vector<int>& side) const {
+    double balance = 0;
+    for (const std::uint32_t t : part) {
+      const Triangle& c = facets_.triangles[t];
+      balance += side[t] * length(cross(at(c[1]) - at(c[0]), at(c[2]) - at(c[0])));
+    }
+    return balance >= 0 ? -1 : 1;
+  }
+
+  static constexpr HalfEdge kNone = 0xffffffffu;
+
+  Facets& facets_;
+  double tolerance_;
+};
+
+}  // namespace
+
+void repairFacets(Facets& facets) { Repair(facets).repair(); }
+
+}  // namespace af2::geometry
