@@ -211,8 +211,8 @@ class Run {
       }
       const auto k = static_cast<std::size_t>(v - rule.matchedCount);
       const SurfacePoint& point = application.newPoints[k];
-      walk_.push_back(
-          {PlaceId(), VertexId(firstNew + k), point, checkedSizeAt(size_, point), layer});
+      const double size = checkedSizeAt(size_, point);
+      walk_.push_back({PlaceId(), VertexId(firstNew + k), point, size, layer});
     }
   }
 

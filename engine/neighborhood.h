@@ -20,6 +20,11 @@ class StepChart {
   ChartPoint project(const SurfacePoint& point) const {
     return frame_ ? frame_->project(point) : transform_.transformFromSurface(point);
   }
+  /// Returned in registers: to put it together in memory and then to copy it makes the processor
+  /// wait.
+  [[gnu::noinline]] Point2 positionOf(const SurfacePoint& point) const {
+    return project(point).position;
+  }
   std::optional<SurfacePoint> lift(Point2 point) const {
     return transform_.transformToSurface(point);
   }

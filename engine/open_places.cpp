@@ -27,7 +27,7 @@ struct Sector {
 };
 
 Point2 positionOf(const StepView& view, PlaceId id) {
-  return view.chart.project(view.front[id].point).position;
+  return view.chart.positionOf(view.front[id].point);
 }
 
 bool placeIsOpenTo(const StepView& view, PlaceId id, Point2 center, Point2 d1, Point2 d2) {
