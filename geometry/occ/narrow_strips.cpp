@@ -21,7 +21,7 @@ namespace {
 /// Segments along a strip are at most so many times longer than it is wide.
 constexpr double kMostOfWidth = 1.5;
 /// What would take segments shorter than this share of the size stays as it is.
-constexpr double kLeastShare = 0.1;
+constexpr double kLeastShare = 0.15;
 
 /// One of a few samples of an edge for each of its segments.
 struct Knot {
