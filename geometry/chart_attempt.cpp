@@ -72,7 +72,7 @@ double expectedElements(const FaceTask& task) {
 /// Several times what is expected. Only a size function may want much smaller elements inside.
 std::size_t elementLimit(const FaceTask& task) {
   constexpr double kMargin = 4, kFunctionMargin = 1e5;
-  std::size_t corners = 0;
+  std::size_t corners = task.boundary.input.isolated.size();
   for (const auto& loop : task.boundary.input.loops) corners += loop.size();
   const double margin = task.mayBeFineInside ? kFunctionMargin : kMargin;
   const double beside = 12 * static_cast<double>(corners) + 2000;

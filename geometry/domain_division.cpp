@@ -61,7 +61,8 @@ class Division {
     wanted = std::min(wanted, model_.curves[c].largest);
     for (const std::size_t f : faces_[c])
       if (sizes_.limits[f]) wanted = std::min(wanted, sizes_.limits[f]->sizeAt({p, {}, 0, 0}));
-    return sizes_.byPosition.at(p, wanted);
+    wanted = sizes_.byPosition.at(p, wanted);
+    return sizes_.nearLoosePoints ? std::min(wanted, sizes_.nearLoosePoints->at(p)) : wanted;
   }
 
   double onFacesBeside(std::size_t c) const {
@@ -80,7 +81,7 @@ class Division {
   Samples sample(std::size_t c) const {
     constexpr double kDenser = 8;
     constexpr int kMostRounds = 4;
-    const bool isVaried = sizes_.byPosition.isVaried() || !model_.isFlat;
+    const bool isVaried = sizes_.byPosition.isVaried() || sizes_.nearLoosePoints || !model_.isFlat;
     double perSize = isVaried ? kDenser : 1;
     Samples samples = sampled(c, perSize);
     for (int round = 0; isVaried && !isFine(samples.curve) && round < kMostRounds; ++round) {

@@ -9,6 +9,7 @@
 
 #include "geometry/divided_edges.h"
 #include "geometry/domain_model.h"
+#include "geometry/growing_size.h"
 
 namespace af2::geometry {
 
@@ -17,6 +18,7 @@ struct DomainSizes {
   DomainSize byPosition;
   std::vector<double> onFace;    ///< by face
   std::map<int, double> onEdge;  ///< by id of an edge, instead of those of its faces
+  std::shared_ptr<const GrowingSize> nearLoosePoints;         ///< null: there are none
   std::vector<std::shared_ptr<const CurvatureLimit>> limits;  ///< by face; null: it is plane
 };
 

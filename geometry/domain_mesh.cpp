@@ -9,6 +9,7 @@
 #include "geometry/domain_model.h"
 #include "geometry/face_filling.h"
 #include "geometry/join_faces.h"
+#include "geometry/loose_points.h"
 #include "geometry/narrow_places.h"
 #include "geometry/parallel.h"
 #include "geometry/part_sizes.h"
@@ -37,6 +38,22 @@ class FaceWanted final : public SizeField {
   const DomainSize& byPosition_;
   double size_;
   const CurvatureLimit* limit_;
+};
+
+/// Sizes that grow away from points which are to be vertices.
+class NearLoosePoints final : public SizeField {
+ public:
+  /// near  null: there are none
+  NearLoosePoints(const SizeField& wanted, const GrowingSize* near)
+      : wanted_(wanted), near_(near) {}
+  double sizeAt(const SurfacePoint& point) const override {
+    const double size = wanted_.sizeAt(point);
+    return near_ ? std::min(size, near_->at(point.position)) : size;
+  }
+
+ private:
+  const SizeField& wanted_;
+  const GrowingSize* near_;
 };
 
 /// Elements of all faces together, told one call at a time.
@@ -127,9 +144,10 @@ class DomainMesher final : public RetriedModel {
       : model_(model),
         algorithm_(algorithm),
         options_(options),
-        sizes_{DomainSize(options), {}, options.edgeSizes, {}} {
+        sizes_{DomainSize(options), {}, options.edgeSizes, nullptr, {}} {
     for (const DomainCurve& curve : model.curves) idOfCurve_.push_back(curve.id);
     findSizes();
+    findRoom();
     findFaces();
   }
 
@@ -209,6 +227,30 @@ class DomainMesher final : public RetriedModel {
     if (model_.limitsOfFaces) sizes_.limits = model_.limitsOfFaces(sizes_.byPosition);
   }
 
+  /// Between points that are to be vertices, and between these and the curves around them.
+  void findRoom() {
+    std::vector<SizeSource> sources;
+    for (std::size_t f = 0; f < model_.faces.size(); ++f) {
+      const DomainFace& face = model_.faces[f];
+      if (face.isolated.empty()) continue;
+      std::vector<Point3> points;
+      for (const std::size_t corner : face.isolated) points.push_back(model_.corners[corner]);
+      std::vector<std::pair<Point3, Point3>> chords;
+      for (const auto& loop : face.loops)
+        for (const CurveUse& use : loop) addChords(model_.curves[use.curve], chords);
+      for (const SizeSource& source : roomAround(points, chords))
+        if (source.size < sizes_.onFace[f]) sources.push_back(source);
+    }
+    if (sources.empty()) return;
+    sizes_.nearLoosePoints = std::make_shared<const GrowingSize>(
+        std::move(sources), options_.growth, DomainCurve::kNoLimit);
+  }
+
+  static void addChords(const DomainCurve& curve, std::vector<std::pair<Point3, Point3>>& chords) {
+    for (std::size_t k = 1; k < curve.knots.size(); ++k)
+      chords.emplace_back(curve.pointAt(curve.knots[k - 1]), curve.pointAt(curve.knots[k]));
+  }
+
   void findFaces() {
     faces_ = options_.faces;
     if (faces_.empty()) {
@@ -276,7 +318,8 @@ class DomainMesher final : public RetriedModel {
     const CurvatureLimit* limit = sizes_.limits[index].get();
     const double size = sizes_.onFace[index];
     const FaceWanted wanted(byPosition, size, limit);
-    const GradedSize graded(wanted, boundary.input, options_.growth);
+    const NearLoosePoints near(wanted, sizes_.nearLoosePoints.get());
+    const GradedSize graded(near, boundary.input, options_.growth);
     const FillOptions options{options_.chart, options_.optimize, options_.stop, options_.observer};
     const std::function<PieceTools(ChartKind)> tools = [&](ChartKind kind) {
       // Nothing here is changed by use, so that all threads may share it.
@@ -285,7 +328,8 @@ class DomainMesher final : public RetriedModel {
     };
     const double expected =
         limit ? limit->expectedElements(size) : face.area / (kUnitTriangle * size * size);
-    const bool mayBeFine = byPosition.isVaried() || options_.elementsPerTurn > 0;
+    const bool mayBeFine =
+        byPosition.isVaried() || options_.elementsPerTurn > 0 || sizes_.nearLoosePoints != nullptr;
     const auto withoutParameters = [](std::vector<StuckPlace>& places) {
       for (StuckPlace& place : places) place.u = place.v = 0;
     };

@@ -148,6 +148,19 @@ TEST_F(PlanarMeshing, HasTheVerticesThatNoSegmentUses) {
   EXPECT_FALSE(has({9, 9, 0}));
 }
 
+TEST_F(PlanarMeshing, MakesRoomForVerticesThatAreClose) {
+  options.size = 1;
+  std::string text = "68 2 0 0\n1 0 0\n2 1 0\n3 1 1\n4 0 1\n";
+  for (int i = 0; i < 64; ++i)  // about an eighth apart, where one element would do
+    text += std::to_string(i + 5) + " " + std::to_string(0.06 + 0.12 * (i % 8) + 0.003 * (i / 8)) +
+            " " + std::to_string(0.06 + 0.12 * (i / 8)) + "\n";
+  const ModelMesh result = mesh(text + "4 0\n1 1 2\n2 2 3\n3 3 4\n4 4 1\n0\n");
+  testing::expectComplete(result);
+  EXPECT_NEAR(areaOf(result), 1, 1e-12);
+  EXPECT_GE(result.vertices.size(), 68u);
+  EXPECT_GT(testing::leastAngle(result), 15);
+}
+
 TEST_F(PlanarMeshing, TakesWhatCannotBeSeenForOne) {
   options.size = 0.5;
   // A segment of 1e-30, and a corner of the hole that all but lies on the outer square.
