@@ -154,7 +154,7 @@ FaceAttempt guarded(const FaceTask& task, int patience, Fill&& fill) {
   MeshingOptions options;
   options.patience = patience;
   options.stop = guard.token();
-  options.observer = task.options.observer;
+  if (task.options.observer) options.observer = task.options.observer();
   options.progress = [&](const Progress& progress) {
     guard.see(progress);
     if (task.progress) task.progress(progress);

@@ -320,7 +320,8 @@ class DomainMesher final : public RetriedModel {
     const FaceWanted wanted(byPosition, size, limit);
     const NearLoosePoints near(wanted, sizes_.nearLoosePoints.get());
     const GradedSize graded(near, boundary.input, options_.growth);
-    const FillOptions options{options_.chart, options_.optimize, options_.stop, options_.observer};
+    const FillOptions options{options_.chart, options_.optimize, options_.stop,
+                              [&] { return options_.observer; }};
     const std::function<PieceTools(ChartKind)> tools = [&](ChartKind kind) {
       // Nothing here is changed by use, so that all threads may share it.
       return PieceTools{face.surface->makeCharts(kind),

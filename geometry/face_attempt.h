@@ -33,7 +33,7 @@ struct FillOptions {
   ChartKind chart = ChartKind::Auto;
   bool optimize = true;
   std::stop_token stop = {};
-  AF2MeshingObserver* observer = nullptr;
+  std::function<AF2MeshingObserver*()> observer;  ///< of each front
 };
 
 /// What is given for a face.

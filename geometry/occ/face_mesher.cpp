@@ -88,9 +88,10 @@ class FaceMesher {
     const FaceSize wanted(context_.options.sizes, face_, surface_);
     const GradedSize size(wanted, boundary.input, context_.options.sizes.growth);
     const ProgressCallback& progress = context_.progress;
-    const FillOptions options{
-        context_.options.chart, context_.options.optimize, context_.options.stop,
-        context_.options.observer ? context_.options.observer(face_) : nullptr};
+    FillOptions options{
+        context_.options.chart, context_.options.optimize, context_.options.stop, {}};
+    if (context_.options.observer)
+      options.observer = [&] { return context_.options.observer(face_); };
     const std::function<PieceTools(ChartKind)> tools = [&](ChartKind kind) {
       return makeTools(boundary.input, kind);
     };
