@@ -9,6 +9,7 @@
 #include <GCPnts_AbscissaPoint.hxx>
 #include <Message_Msg.hxx>
 #include <Precision.hxx>
+#include <ShapeAnalysis_ShapeTolerance.hxx>
 #include <ShapeBuild_ReShape.hxx>
 #include <ShapeExtend.hxx>
 #include <ShapeExtend_DataMapOfShapeListOfMsg.hxx>
@@ -41,6 +42,9 @@ namespace af2::geometry {
 namespace {
 
 constexpr double kDiagonalShare = 1e-5;
+
+/// Repairs may raise tolerances to so many times the one they are given. Some bridge any gap so.
+constexpr double kMostTolerance = 10;
 
 /// A place on a shape: of its first vertex.
 std::optional<Point3> placeOf(const TopoDS_Shape& shape) {
@@ -193,16 +197,21 @@ class Healer {
     const TopoDS_Shape shape = shape_;
     const std::vector<TopoDS_Shape> faces = faces_;
     const ChangeList changes = changes_;
+    const double mostBefore = mostTolerance();
     try {
       step();
       const bool isEmpty = shape_.IsNull() || !TopExp_Explorer(shape_, TopAbs_FACE).More();
       const std::size_t invalid = isEmpty ? 0 : invalidFaces(shape_);
-      if (!isEmpty && invalid <= invalid_) {
+      const bool isLoose = mostTolerance() > std::max(mostBefore, kMostTolerance * tolerance_);
+      if (!isEmpty && !isLoose && invalid <= invalid_) {
         invalid_ = invalid;
         return;
       }
       undone_.push_back(std::string("the ") + name + " would have " +
-                        (isEmpty ? "left nothing" : "made faces invalid") + ", so it was not done");
+                        (isEmpty   ? "left nothing"
+                         : isLoose ? "closed gaps by tolerances as large as they are"
+                                   : "made faces invalid") +
+                        ", so it was not done");
     } catch (const Standard_Failure& failure) {
       undone_.push_back(std::string("the ") + name + " failed (" + failure.DynamicType()->Name() +
                         ")");
@@ -211,6 +220,8 @@ class Healer {
     faces_ = faces;
     changes_ = changes;
   }
+
+  double mostTolerance() const { return ShapeAnalysis_ShapeTolerance().Tolerance(shape_, 1); }
 
   void replaceFaces(const std::function<TopoDS_Shape(const TopoDS_Shape&)>& successor) {
     for (TopoDS_Shape& face : faces_)

@@ -3,14 +3,18 @@
 
 #include <gtest/gtest.h>
 #include <BRepBuilderAPI_Copy.hxx>
+#include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_Transform.hxx>
 #include <BRep_Builder.hxx>
+#include <BRep_Tool.hxx>
+#include <Geom_ToroidalSurface.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Compound.hxx>
 #include <TopoDS_Wire.hxx>
+#include <gp_Circ.hxx>
 #include <gp_Trsf.hxx>
 
 #include <algorithm>
@@ -165,6 +169,25 @@ TEST(HealModel, LeavesALoopOfOneStraightEdgeOpen) {
   const Model healed =
       healModel(testing::modelOf(testing::faceWithin({{0, 0, 0}, {1, 0, 0}}, {0, 1})));
   EXPECT_EQ(changesOf(healed, "open loop closed"), 0u);
+}
+
+/// An arc in space that is all that is left of a face: repairs would close it by a tolerance as
+/// large as itself.
+TEST(HealModel, DoesNotCloseGapsByLargeTolerances) {
+  const TopoDS_Edge arc = BRepBuilderAPI_MakeEdge(
+      gp_Circ(gp_Ax2({2, 0, 0}, {0, 1, 0}, {0, 0, 1}), 1), 0, 1.5707963267948966);
+  BRep_Builder builder;
+  TopoDS_Face face;
+  TopoDS_Wire wire;
+  builder.MakeFace(face, new Geom_ToroidalSurface(gp_Ax3({0, 0, 0}, {0, 0, 1}), 2, 1), 1e-7);
+  builder.MakeWire(wire);
+  builder.Add(wire, arc);
+  builder.Add(face, wire);
+  const Model healed = healModel(testing::modelOf(face));
+  for (int i = 1; i <= healed.vertexCount(); ++i)
+    EXPECT_LT(BRep_Tool::Tolerance(healed.shape().vertex(i)), 1e-3);
+  for (const FaceReport& report : mesh(healed, 0.3).faces)
+    EXPECT_EQ(report.status, FaceStatus::Failed);
 }
 
 TEST(HealModel, RefusesANegativeTolerance) {
