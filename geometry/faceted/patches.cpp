@@ -28,8 +28,9 @@ class PatchFinder {
   PatchFinder(const Facets& facets, const FeatureLimits& limits, const std::set<Edge>& forced)
       : facets_(facets), limits_(limits), angle_(limits.angle), forced_(forced) {
     findTwins();
-    dropLooseEnds();
     findPatchOf();
+    while (dropShortCreases()) {
+    }
     if (dropSpecks()) findPatchOf();
   }
 
@@ -135,17 +136,6 @@ class PatchFinder {
     return m != Point3{} && n != Point3{} && angleBetween(m, n) > angle_;
   }
 
-  /// The feature edges at each vertex, by one of their half-edges.
-  std::map<std::uint32_t, std::vector<HalfEdge>> featuresAtVertices() const {
-    std::map<std::uint32_t, std::vector<HalfEdge>> at;
-    for (HalfEdge h = 0; h < twin_.size(); ++h) {
-      if (twin_[h] != kNone || (partner_[h] != kNone && partner_[h] < h)) continue;
-      at[startOf(h)].push_back(h);
-      at[endOf(h)].push_back(h);
-    }
-    return at;
-  }
-
   void smooth(HalfEdge h) {
     twin_[h] = partner_[h];
     twin_[partner_[h]] = h;
@@ -153,29 +143,32 @@ class PatchFinder {
 
   bool isForced(HalfEdge h) const { return partner_[h] == kNone || forced_.contains(edgeOf(h)); }
 
-  /// Short chains of feature edges that end amid a smooth surface are noise.
-  void dropLooseEnds() {
-    auto features = featuresAtVertices();
-    for (auto& [end, atEnd] : features) {
-      if (atEnd.size() != 1) continue;
-      std::vector<HalfEdge> chain;
+  /// Short curves with the same patch on both sides are noise, too: on a rough surface they may
+  /// hang together.
+  bool dropShortCreases() {
+    std::map<Edge, HalfEdge> features;
+    for (HalfEdge h = 0; h < twin_.size(); ++h)
+      if (twin_[h] == kNone) features[edgeOf(h)] = h;
+    findCurves();
+    bool isAny = false;
+    for (const FeatureCurve& curve : curves_) {
+      std::vector<HalfEdge> along;
       double length = 0;
-      std::uint32_t v = end;
-      for (HalfEdge h = atEnd.front(); !isForced(h);) {
-        chain.push_back(h);
-        length += distance(at(startOf(h)), at(endOf(h)));
-        v = startOf(h) == v ? endOf(h) : startOf(h);
-        const std::vector<HalfEdge>& next = features.at(v);
-        if (next.size() != 2 || length >= limits_.looseEnd) break;
-        h = next[0] == h ? next[1] : next[0];
+      for (std::size_t i = 1; i < curve.size(); ++i) {
+        along.push_back(features.at(std::minmax(curve[i - 1], curve[i])));
+        length += distance(at(curve[i - 1]), at(curve[i]));
       }
-      const bool isWhole = !chain.empty() && features.at(v).size() != 2;
-      if (!isWhole || length >= limits_.looseEnd) continue;
-      for (const HalfEdge h : chain) {
-        smooth(h);
-        for (const std::uint32_t w : {startOf(h), endOf(h)}) std::erase(features.at(w), h);
-      }
+      const bool isCrease = std::ranges::all_of(along, [&](HalfEdge h) {
+        return !isForced(h) && patchOf_[h / 3] == patchOf_[partner_[h] / 3];
+      });
+      if (!isCrease || length >= limits_.looseEnd) continue;
+      std::ranges::for_each(along, [&](HalfEdge h) { smooth(h); });
+      isAny = true;
     }
+    beside_.clear();
+    places_.clear();
+    curves_.clear();
+    return isAny;
   }
 
   /// Patches that are far too small to be seen in the mesh become part of those around them.

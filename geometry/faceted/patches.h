@@ -28,7 +28,7 @@ struct PatchedFacets {
 /// What feature edges are.
 struct FeatureLimits {
   double angle = 0;     ///< in radians: where the surface turns by more
-  double looseEnd = 0;  ///< a chain that ends amid a smooth surface is longer than this
+  double looseEnd = 0;  ///< a curve with the same patch on both sides is longer than this
   double speck = 0;     ///< patches smaller than this are part of those around them
 };
 
