@@ -71,6 +71,7 @@ class WantedAlongEdge {
 
  private:
   struct Neighbor {
+    int id;
     double wanted;
     std::optional<FaceSurface> surface;
     Handle(Geom2d_Curve) curve;
@@ -78,7 +79,7 @@ class WantedAlongEdge {
 
   void addFace(const ModelShape& model, const TopoDS_Edge& edge, const TopoDS_Face& face) {
     const int id = model.faces.FindIndex(face);
-    Neighbor neighbor{wantedOnFace(sizes_, id), std::nullopt, {}};
+    Neighbor neighbor{id, wantedOnFace(sizes_, id), std::nullopt, {}};
     largest_ = faces_.empty() ? neighbor.wanted : std::min(largest_, neighbor.wanted);
     try {
       const FaceSurface surface = model.surface(id);
@@ -97,9 +98,9 @@ class WantedAlongEdge {
     if (!face.surface || face.curve.IsNull()) return face.wanted;
     const gp_Pnt2d uv = face.curve->Value(parameter);
     // A full turn keeps its number of elements.
-    return std::min(
-        sizes_.curvedShare * face.wanted,
-        limitByCurvature(sizes_, face.wanted, *face.surface, {position, {}, uv.X(), uv.Y()}));
+    return std::min(sizes_.curvedShare * face.wanted,
+                    limitByCurvature(sizes_, face.id, face.wanted, *face.surface,
+                                     {position, {}, uv.X(), uv.Y()}));
   }
 
   const ModelSizes& sizes_;

@@ -7,13 +7,14 @@ namespace af2::geometry {
 FaceSize::FaceSize(const ModelSizes& sizes, int face, const FaceSurface& surface)
     : sizes_(sizes),
       surface_(surface),
+      face_(face),
       wanted_(wantedOnFace(sizes, face)),
       isBentAlike_(surface.isBentAlike()) {
   if (isBentAlike_ && !surface.isPlane()) wanted_ = limitedAt({});
 }
 
 double FaceSize::limitedAt(const SurfacePoint& point) const {
-  return sizes_.curvedShare * limitByCurvature(sizes_, wanted_, surface_, point);
+  return sizes_.curvedShare * limitByCurvature(sizes_, face_, wanted_, surface_, point);
 }
 
 double FaceSize::sizeAt(const SurfacePoint& point) const {

@@ -19,6 +19,7 @@ class FaceSize final : public SizeField {
 
   const ModelSizes& sizes_;
   const FaceSurface& surface_;
+  int face_;
   double wanted_;
   bool isBentAlike_;  ///< then `wanted_` is limited by the curvature already
 };

@@ -4,6 +4,7 @@
 #include <functional>
 #include <limits>
 #include <map>
+#include <set>
 #include <stop_token>
 #include <vector>
 
@@ -48,6 +49,9 @@ struct ModelSizes {
   /// `bentFaceLeast` is for tubes, which turn by more than about a right angle: elements across the
   /// whole of them would cut off too much.
   double faceTurn = 0.6046, faceLeast = 0.35, bentFaceLeast = 0.1;
+  /// Faces that are rough rather than bent: there `bentFaceLeast` does not count. Those on which
+  /// sizes by curvature change faster than they could be sampled are added.
+  std::set<int> roughFaces;
   /// What elements on curved faces and their edges aim at, as a share of the size that is wanted
   /// there. With `elementsPerTurn` it is 0.95: lengths scatter, and a mesh departs from its surface
   /// by their square.

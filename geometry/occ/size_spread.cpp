@@ -10,6 +10,7 @@
 #include <numbers>
 #include <numeric>
 #include <optional>
+#include <set>
 
 #include "engine/error.h"
 #include "geometry/occ/face_size.h"
@@ -40,7 +41,8 @@ void setTurns(ModelSizes& sizes) {
 class FaceSampler {
  public:
   FaceSampler(const ModelShape& model, int face, const ModelSizes& sizes)
-      : face_(TopoDS::Face(model.face(face).Oriented(TopAbs_FORWARD))),
+      : id_(face),
+        face_(TopoDS::Face(model.face(face).Oriented(TopAbs_FORWARD))),
         sizes_(sizes),
         wanted_(wantedOnFace(sizes, face)),
         surface_(model.surface(face)) {}
@@ -56,9 +58,13 @@ class FaceSampler {
       addSources();
       cells = partsOfUneven(cells);
     }
-    if (!cells.empty() && !isAsked()) return {};  // rougher than shorter edges could make good
+    isTooRough_ = !cells.empty() && !isAsked();
+    if (isTooRough_) return {};  // than shorter edges could make good
     return std::move(sources_);
   }
+
+  /// Whether sizes changed faster than could be sampled.
+  bool isTooRough() const { return isTooRough_; }
 
  private:
   struct Cell {
@@ -131,7 +137,7 @@ class FaceSampler {
     }
     for (std::size_t i = 0; i < points_.size(); ++i) {
       double size = std::min(wanted_, limits_[i]);
-      if (!surface_.isPlane()) size = limitByCurvature(sizes_, size, surface_, points_[i]);
+      if (!surface_.isPlane()) size = limitByCurvature(sizes_, id_, size, surface_, points_[i]);
       limits_[i] = bounded(sizes_, size);
     }
   }
@@ -167,6 +173,7 @@ class FaceSampler {
     return parts;
   }
 
+  int id_;
   TopoDS_Face face_;
   const ModelSizes& sizes_;
   double wanted_;
@@ -175,6 +182,7 @@ class FaceSampler {
   std::vector<SurfacePoint> points_;
   std::vector<double> limits_;  // by point
   std::vector<SizeSource> sources_;
+  bool isTooRough_ = false;
 };
 
 /// Compares sizes on a face one element apart.
@@ -250,6 +258,26 @@ std::vector<SizeSource> sampleFaces(const ModelShape& model, const std::vector<i
   return all;
 }
 
+/// Those on which sizes change so fast that they cannot be sampled.
+std::set<int> roughFacesOf(const ModelShape& model, const std::vector<int>& faces,
+                           const ModelSizes& sizes, int threads, const std::stop_token& stop) {
+  std::vector<std::uint8_t> isRough(faces.size(), 0);
+  forEachInParallel(faces.size(), threads, [&](std::size_t i) {
+    if (stop.stop_requested()) return;
+    try {
+      FaceSampler sampler(model, faces[i], sizes);
+      sampler.sources();
+      isRough[i] = sampler.isTooRough();
+    } catch (const GeometryError&) {  // reported when the face is meshed
+    } catch (const Standard_Failure&) {
+    }
+  });
+  std::set<int> rough;
+  for (std::size_t i = 0; i < faces.size(); ++i)
+    if (isRough[i]) rough.insert(faces[i]);
+  return rough;
+}
+
 /// Whether sizes inside all faces are to be known outside them.
 bool spreadsAll(const ModelSizes& sizes) { return sizes.function || sizes.elementsPerTurn > 0; }
 
@@ -290,6 +318,7 @@ std::vector<int> unevenFaces(const ModelShape& model, const ModelSizes& sizes, i
 ModelSizes spreadSizes(const ModelShape& model, ModelSizes sizes, const std::vector<int>& uneven,
                        int threads, const std::stop_token& stop) {
   setTurns(sizes);
+  sizes.roughFaces.merge(roughFacesOf(model, uneven, sizes, threads, stop));
   SizeSources sources = std::move(sizes.sources);
   sizes.sources = {};
   for (SizeSource& point : sources.points) point.size = bounded(sizes, point.size);

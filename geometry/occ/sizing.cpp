@@ -76,11 +76,12 @@ double limitByFunction(const ModelSizes& sizes, double size, const Point3& posit
   return sizes.function ? std::min(size, sizes.function.at(position)) : size;
 }
 
-double limitByCurvature(const ModelSizes& sizes, double size, const FaceSurface& surface,
+double limitByCurvature(const ModelSizes& sizes, int face, double size, const FaceSurface& surface,
                         const SurfacePoint& point) {
   const FaceSurface::Radii radii = surface.radiiAt(point, size);
   const double gentle =
       std::min(size, std::max(sizes.faceTurn * radii.smallest, sizes.faceLeast * size));
+  if (sizes.roughFaces.contains(face)) return gentle;
   const double least = leastOnTube(sizes, size, surface, radii.bent);
   return std::min(gentle, std::max(sizes.faceTurn * radii.bent, least));
 }
@@ -101,7 +102,8 @@ double expectedElements(const ModelSizes& sizes, int face, const FaceSurface& su
       const SurfaceFrame frame = surface.inOccParameters().frameAt(u, v);
       const double weight = length(cross(frame.du, frame.dv));
       weights += weight;
-      const double size = limitByCurvature(sizes, wanted, surface, {frame.position, {}, u, v});
+      const double size =
+          limitByCurvature(sizes, face, wanted, surface, {frame.position, {}, u, v});
       sum += weight * density(byPosition ? limitByFunction(sizes, size, frame.position) : size);
     }
   }

@@ -43,7 +43,7 @@ double wantedOnFace(const ModelSizes& sizes, int face);
 double limitByFunction(const ModelSizes& sizes, double size, const Point3& position);
 
 /// `size`, or less where an edge of an element would turn by more than sizes.faceTurn.
-double limitByCurvature(const ModelSizes& sizes, double size, const FaceSurface& surface,
+double limitByCurvature(const ModelSizes& sizes, int face, double size, const FaceSurface& surface,
                         const SurfacePoint& point);
 
 /// About how many triangles a face will have: its area over theirs, at the sizes that the options
