@@ -193,10 +193,8 @@ class DomainMesher final : public RetriedModel {
         return model_.curves[static_cast<std::size_t>(edge) - 1].pointAt(parameter);
       };
     state.joined = joinFaces(state.divided, state.meshes, join);
-    if (model_.isExact || options_.stop.stop_requested()) return;
-    state.crossings = elementCrossings(state.joined, [&](std::size_t count, const auto& work) {
-      forEachInParallel(count, options_.threads, work);
-    });
+    const bool mayCross = !model_.isExact && !options_.stop.stop_requested();
+    state.faults = faultsOf(state.joined, mayCross, options_.threads);
   }
 
   /// What cannot be seen is no edge from the beginning.
@@ -353,7 +351,7 @@ class DomainMesher final : public RetriedModel {
     mesh.ruleNames.push_back("closing");  // what closes a stuck front
     mesh.groups = model_.groups;
     mesh.notes = model_.notes;
-    mesh.findings = keepSoundFaces(mesh, state.crossings);
+    mesh.findings = keepSoundFaces(mesh, state.faults);
     if (options_.order == 2) makeSecondOrder(mesh, middlesOf(mesh, middles));
     return mesh;
   }

@@ -252,7 +252,7 @@ class Retries {
 
   static std::ptrdiff_t crossingsAt(const FaceMeshes& state, std::size_t i) {
     const int face = state.meshes[i].report.id;
-    return std::ranges::count_if(state.crossings, [&](const Crossing& crossing) {
+    return std::ranges::count_if(state.faults.crossings, [&](const Crossing& crossing) {
       return std::ranges::count(crossing.faces, face) > 0;
     });
   }
@@ -264,7 +264,7 @@ class Retries {
     const int face = state.meshes[i].report.id;
     std::vector<SizeSource> places = state.meshes[i].trouble.places;
     const std::size_t most = places.size() + kMostCrossed;
-    for (const Crossing& crossing : state.crossings)
+    for (const Crossing& crossing : state.faults.crossings)
       for (std::size_t k = 0; k < 2 && places.size() < most; ++k) {
         if (crossing.faces[k] != face) continue;
         const auto corners = state.joined.elements[crossing.elements[k].value].vertices();
@@ -307,7 +307,7 @@ class Retries {
         if (mesh.trouble.hasBadAngle) ++std::get<1>(sum);
         std::get<3>(sum) += mesh.elements.size();
       }
-      std::get<0>(sum) += facesThatCross(state.crossings, {}).size();
+      std::get<0>(sum) += facesThatCross(state.faults.crossings, {}).size();
       return sum;
     };
     return rank(one) < rank(other);

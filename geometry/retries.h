@@ -7,18 +7,18 @@
 #include <vector>
 
 #include "geometry/divided_edges.h"
-#include "geometry/element_crossings.h"
 #include "geometry/face_mesh.h"
 #include "geometry/position_size.h"
+#include "geometry/sound_faces.h"
 
 namespace af2::geometry {
 
 /// A division of the edges and the meshes made within it.
 struct FaceMeshes {
   DividedEdges divided;
-  std::vector<FaceMesh> meshes;     ///< by face that was asked for
-  ModelMesh joined;                 ///< of all of them
-  std::vector<Crossing> crossings;  ///< of its elements
+  std::vector<FaceMesh> meshes;  ///< by face that was asked for
+  ModelMesh joined;              ///< of all of them
+  MeshFaults faults;             ///< of what was joined
 };
 
 /// What one more try at a face may do.
@@ -44,7 +44,7 @@ class RetriedModel {
   /// Meshes a face within the edges of `into`. Called from several threads at once.
   virtual void mesh(std::size_t i, const PositionSize& sizes, const TryLimits& limits,
                     FaceMeshes& into) const = 0;
-  /// Joins the meshes and finds their crossings.
+  /// Joins the meshes and finds their faults.
   virtual void join(FaceMeshes& state) const = 0;
   /// What is wanted inside a face where that is less than its size, if that may be too uneven for a
   /// front.

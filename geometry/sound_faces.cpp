@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <charconv>
 
-#include "geometry/model_check.h"
+#include "geometry/parallel.h"
 
 namespace af2::geometry {
 namespace {
@@ -72,7 +72,20 @@ void dropElements(ModelMesh& mesh, const std::vector<int>& faces) {
   dropUnusedVertices(mesh);
 }
 
-std::vector<std::string> keepSoundFaces(ModelMesh& mesh, const std::vector<Crossing>& crossings) {
+MeshFaults faultsOf(const ModelMesh& mesh, bool mayCross, int threads) {
+  MeshFaults faults;
+  forEachInParallel(2, threads, [&](std::size_t k) {
+    if (k == 1)
+      faults.findings = checkModelMesh(mesh, kMostFindings);
+    else if (mayCross)
+      faults.crossings = elementCrossings(mesh, [&](std::size_t count, const auto& work) {
+        forEachInParallel(count, threads, work);
+      });
+  });
+  return faults;
+}
+
+std::vector<std::string> keepSoundFaces(ModelMesh& mesh, const MeshFaults& faults) {
   std::vector<std::string> elsewhere;
   std::vector<int> bad;
   const auto giveUp = [&](const MeshFinding& finding) {
@@ -87,8 +100,9 @@ std::vector<std::string> keepSoundFaces(ModelMesh& mesh, const std::vector<Cross
     face->elements = 0;
     face->reason = describe(finding);
   };
-  for (const MeshFinding& finding : checkModelMesh(mesh, kMostFindings)) giveUp(finding);
-  for (const MeshFinding& finding : facesThatCross(crossings, std::vector(bad))) giveUp(finding);
+  for (const MeshFinding& finding : faults.findings) giveUp(finding);
+  for (const MeshFinding& finding : facesThatCross(faults.crossings, std::vector(bad)))
+    giveUp(finding);
   if (!bad.empty()) dropElements(mesh, bad);
   return elsewhere;
 }

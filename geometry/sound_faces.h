@@ -5,16 +5,24 @@
 #include <vector>
 
 #include "geometry/element_crossings.h"
+#include "geometry/model_check.h"
 #include "geometry/model_mesh.h"
 
 namespace af2::geometry {
 
-/// Checks `mesh`. Each face with a finding becomes Failed, with the finding as its reason, and its
-/// elements and the vertices that only they use are taken out; so do as many faces as it takes to
-/// leave none of the `crossings` (elementCrossings). Returns in words what else was found, of the
-/// mesh as a whole.
-std::vector<std::string> keepSoundFaces(ModelMesh& mesh,
-                                        const std::vector<Crossing>& crossings = {});
+/// What the checks of a mesh have found.
+struct MeshFaults {
+  std::vector<MeshFinding> findings;  ///< of checkModelMesh
+  std::vector<Crossing> crossings;    ///< elementCrossings
+};
+
+/// Both checks, one beside the other. Without `mayCross` no crossings are looked for.
+MeshFaults faultsOf(const ModelMesh& mesh, bool mayCross, int threads);
+
+/// Each face with a finding becomes Failed, with the finding as its reason, and its elements and
+/// the vertices that only they use are taken out; so do as many faces as it takes to leave no
+/// crossings. Returns in words what else was found, of the mesh as a whole.
+std::vector<std::string> keepSoundFaces(ModelMesh& mesh, const MeshFaults& faults);
 
 /// Takes out the elements of `faces` (ids in ascending order) and the vertices that no element uses
 /// then. What stays keeps its order.

@@ -85,7 +85,7 @@ class ModelMesher final : public RetriedModel {
     const double surfaceSeconds = facesWatch.seconds();
     mesh.seconds.optimize = optimizeShare * surfaceSeconds;
     mesh.seconds.surface = surfaceSeconds - mesh.seconds.optimize;
-    mesh.findings = keepSoundFaces(mesh, state.crossings);
+    mesh.findings = keepSoundFaces(mesh, state.faults);
     if (options_.order == 2) makeSecondOrder(mesh, middlesOf(mesh, middles));
     return mesh;
   }
@@ -148,10 +148,7 @@ class ModelMesher final : public RetriedModel {
         return toPoint(BRepAdaptor_Curve(model_.shape().edge(edge)).Value(parameter));
       };
     state.joined = joinFaces(state.divided, state.meshes, join);
-    if (options_.stop.stop_requested()) return;
-    state.crossings = elementCrossings(state.joined, [&](std::size_t count, const auto& work) {
-      forEachInParallel(count, options_.threads, work);
-    });
+    state.faults = faultsOf(state.joined, !options_.stop.stop_requested(), options_.threads);
   }
 
   void meshFaces(FaceMeshes& state) {

@@ -22,7 +22,7 @@ ModelMesh closedCube() {
 
 TEST(KeepSoundFaces, LeavesASoundMeshAlone) {
   ModelMesh mesh = closedCube();
-  EXPECT_TRUE(keepSoundFaces(mesh).empty());
+  EXPECT_TRUE(keepSoundFaces(mesh, faultsOf(mesh, false, 1)).empty());
   EXPECT_EQ(mesh.elements, closedCube().elements);
   EXPECT_EQ(mesh.vertices, closedCube().vertices);
 }
@@ -30,7 +30,7 @@ TEST(KeepSoundFaces, LeavesASoundMeshAlone) {
 TEST(KeepSoundFaces, TakesOutAFaceThatDoesNotPassAndSaysWhy) {
   ModelMesh mesh = closedCube();
   std::swap(mesh.elements[0].corners[0], mesh.elements[0].corners[1]);  // face 1, turned over
-  EXPECT_TRUE(keepSoundFaces(mesh).empty());
+  EXPECT_TRUE(keepSoundFaces(mesh, faultsOf(mesh, false, 1)).empty());
   EXPECT_EQ(mesh.faces[0].status, FaceStatus::Failed);
   EXPECT_NE(mesh.faces[0].reason.find("does not pass its checks"), std::string::npos);
   EXPECT_EQ(mesh.elements.size(), 9u);
@@ -42,7 +42,7 @@ TEST(KeepSoundFaces, TakesOutAFaceThatDoesNotPassAndSaysWhy) {
 TEST(KeepSoundFaces, TellsOfABoundaryThatTheMeshLacks) {
   ModelMesh mesh = closedCube();
   mesh.segments.push_back({VertexId(0), VertexId(6), 4, 1});
-  EXPECT_EQ(keepSoundFaces(mesh).size(), 1u);
+  EXPECT_EQ(keepSoundFaces(mesh, faultsOf(mesh, false, 1)).size(), 1u);
 }
 
 TEST(DropElements, RemovesVerticesAndSegmentsThatNothingUsesAnyMore) {
