@@ -58,13 +58,17 @@ class FaceSampler {
       addSources();
       cells = partsOfUneven(cells);
     }
-    isTooRough_ = !cells.empty() && !isAsked();
-    if (isTooRough_) return {};  // than shorter edges could make good
+    roughShare_ = shareOf(cells);
+    if (!cells.empty() && !isAsked()) return {};  // rougher than shorter edges could make good
     return std::move(sources_);
   }
 
-  /// Whether sizes changed faster than could be sampled.
-  bool isTooRough() const { return isTooRough_; }
+  /// Whether sizes changed faster than could be sampled, and not at some spot alone, such as a
+  /// corner where the surface turns over.
+  bool isTooRough() const {
+    constexpr double kSpot = 0.003;  // of the parameters
+    return roughShare_ > kSpot && !isAsked();
+  }
 
  private:
   struct Cell {
@@ -106,6 +110,14 @@ class FaceSampler {
       for (int j = 0; j < n; ++j)
         cells.push_back({u1 + (2 * i + 1) * du, v1 + (2 * j + 1) * dv, du, dv});
     return cells;
+  }
+
+  /// How much of the parameters the cells take up.
+  double shareOf(const std::vector<Cell>& cells) const {
+    double u1, u2, v1, v2, sum = 0;
+    BRepTools::UVBounds(face_, u1, u2, v1, v2);
+    for (const Cell& cell : cells) sum += 4 * cell.du * cell.dv;
+    return cells.empty() ? 0 : sum / ((u2 - u1) * (v2 - v1));
   }
 
   int cellsFor(double length) const {
@@ -182,7 +194,7 @@ class FaceSampler {
   std::vector<SurfacePoint> points_;
   std::vector<double> limits_;  // by point
   std::vector<SizeSource> sources_;
-  bool isTooRough_ = false;
+  double roughShare_ = 0;
 };
 
 /// Compares sizes on a face one element apart.
