@@ -56,6 +56,17 @@ void dropUnusedVertices(ModelMesh& mesh) {
   }
 }
 
+/// A face without width needs no elements beside others that have some. Where none has, the size is
+/// far too large, or the model is nothing.
+void failFacesWithoutElements(ModelMesh& mesh) {
+  for (FaceReport& face : mesh.faces) {
+    if (face.status != FaceStatus::Complete) continue;
+    face.status = FaceStatus::Failed;
+    face.reason += (face.reason.empty() ? "" : "; ");
+    face.reason += "nothing of the model is to be seen at this size; ask for a smaller one";
+  }
+}
+
 }  // namespace
 
 void dropElements(ModelMesh& mesh, const std::vector<int>& faces) {
@@ -104,6 +115,7 @@ std::vector<std::string> keepSoundFaces(ModelMesh& mesh, const MeshFaults& fault
   for (const MeshFinding& finding : facesThatCross(faults.crossings, std::vector(bad)))
     giveUp(finding);
   if (!bad.empty()) dropElements(mesh, bad);
+  if (mesh.elements.empty()) failFacesWithoutElements(mesh);
   return elsewhere;
 }
 

@@ -21,7 +21,8 @@ MeshFaults faultsOf(const ModelMesh& mesh, bool mayCross, int threads);
 
 /// Each face with a finding becomes Failed, with the finding as its reason, and its elements and
 /// the vertices that only they use are taken out; so do as many faces as it takes to leave no
-/// crossings. Returns in words what else was found, of the mesh as a whole.
+/// crossings. If no elements are left, all faces are Failed. Returns in words what else was found,
+/// of the mesh as a whole.
 std::vector<std::string> keepSoundFaces(ModelMesh& mesh, const MeshFaults& faults);
 
 /// Takes out the elements of `faces` (ids in ascending order) and the vertices that no element uses

@@ -45,6 +45,16 @@ TEST(KeepSoundFaces, TellsOfABoundaryThatTheMeshLacks) {
   EXPECT_EQ(keepSoundFaces(mesh, faultsOf(mesh, false, 1)).size(), 1u);
 }
 
+TEST(KeepSoundFaces, FailsAllFacesIfThereAreNoElements) {
+  ModelMesh mesh = closedCube();
+  dropElements(mesh, {1, 2, 3, 4, 5, 6});
+  keepSoundFaces(mesh, {});
+  for (const FaceReport& face : mesh.faces) {
+    EXPECT_EQ(face.status, FaceStatus::Failed);
+    EXPECT_NE(face.reason.find("smaller"), std::string::npos);
+  }
+}
+
 TEST(DropElements, RemovesVerticesAndSegmentsThatNothingUsesAnyMore) {
   ModelMesh mesh = closedCube();
   dropElements(mesh, {2, 3, 4, 5, 6});
