@@ -27,15 +27,21 @@ class MeshSides {
  public:
   explicit MeshSides(const ModelMesh& mesh) : MeshSides(mesh, [](std::size_t) { return true; }) {}
 
-  /// counts  whether the sides of element i count; only their corners have to be vertices
+  /// counts      whether the sides of element i count; only their corners have to be vertices
+  /// begin, end  only sides whose lower vertex is among these are there
   template <class Counts>
-  MeshSides(const ModelMesh& mesh, const Counts& counts) : first_(mesh.vertices.size() + 2, 0) {
-    forEachSide(mesh, counts, [&](std::uint32_t from, const MeshSide&) { ++first_[from + 2]; });
+  MeshSides(const ModelMesh& mesh, const Counts& counts, std::size_t begin = 0,
+            std::size_t end = SIZE_MAX)
+      : first_(mesh.vertices.size() + 2, 0) {
+    const auto isThere = [&](std::uint32_t from) { return from >= begin && from < end; };
+    forEachSide(mesh, counts, [&](std::uint32_t from, const MeshSide&) {
+      if (isThere(from)) ++first_[from + 2];
+    });
     for (std::size_t v = 2; v < first_.size(); ++v) first_[v] += first_[v - 1];
     sides_.resize(first_.back());
     // first_[v + 1] is where the next side of v goes; when all are placed, that is its end.
     forEachSide(mesh, counts, [&](std::uint32_t from, const MeshSide& side) {
-      sides_[first_[from + 1]++] = side;
+      if (isThere(from)) sides_[first_[from + 1]++] = side;
     });
     for (std::size_t v = 0; v + 2 < first_.size(); ++v) sort(first_[v], first_[v + 1]);
   }

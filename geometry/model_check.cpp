@@ -90,26 +90,37 @@ class Checker {
     return length(sum) / 2;
   }
 
+  /// Sides take more memory than the mesh: those of a large one are looked at in parts.
   void checkEdges() {
-    const MeshSides sides(mesh_,
-                          [&](std::size_t i) { return !std::ranges::binary_search(unsound_, i); });
+    constexpr std::size_t kMostVertices = 500'000;
     const std::vector<WantedUses> wanted = wantedUses(mesh_);
-    auto segment = wanted.begin();  // both are in order
-    for (std::size_t v = 0; v < mesh_.vertices.size(); ++v) {
+    Wanted segment = wanted.begin();  // both are in order
+    for (std::size_t v = 0; v < mesh_.vertices.size(); v += kMostVertices)
+      segment = checkEdgesFrom(v, std::min(v + kMostVertices, mesh_.vertices.size()), segment,
+                               wanted.end());
+    for (; segment != wanted.end(); ++segment) addMissing(*segment);
+  }
+
+  using Wanted = std::vector<WantedUses>::const_iterator;
+  /// Those whose lower vertex is one of these. Returns the first segment that comes later.
+  Wanted checkEdgesFrom(std::size_t begin, std::size_t end, Wanted segment, Wanted last) {
+    const auto isSound = [&](std::size_t i) { return !std::ranges::binary_search(unsound_, i); };
+    const MeshSides sides(mesh_, isSound, begin, end);
+    for (std::size_t v = begin; v < end; ++v) {
       std::span<const MeshSide> left = sides.of(v);
       while (!left.empty()) {
         const std::pair key(VertexId(v), VertexId(left.front().to));
         std::size_t count = 1;
         while (count < left.size() && left[count].to == left.front().to) ++count;
-        for (; segment != wanted.end() && segment->key() < key; ++segment) addMissing(*segment);
-        if (segment != wanted.end() && segment->key() == key)
+        for (; segment != last && segment->key() < key; ++segment) addMissing(*segment);
+        if (segment != last && segment->key() == key)
           checkSegment(*segment++, left.first(count));
         else
           checkEdge(position(key.first), left.first(count));
         left = left.subspan(count);
       }
     }
-    for (; segment != wanted.end(); ++segment) addMissing(*segment);
+    return segment;
   }
 
   void addMissing(const WantedUses& segment) {
