@@ -167,7 +167,7 @@ class Division {
     if (const auto* points = givenFor(c)) {
       const PlacedPoints placed = placeOnCurve(curve, *points, least);
       for (std::size_t i = 0; i < placed.points.size(); ++i)
-        add(placed.parameters[i], placed.points[i], edge);
+        add(placed.parameters[i + 1], placed.points[i], edge);
     } else {
       for (std::size_t i = 1; i < least; ++i) {
         const double t = curve.knots.front() + static_cast<double>(i) / static_cast<double>(least) *

@@ -5,6 +5,7 @@
 
 #include "engine/error.h"
 #include "engine/stopwatch.h"
+#include "geometry/domain_boundary.h"
 #include "geometry/domain_division.h"
 #include "geometry/domain_model.h"
 #include "geometry/face_filling.h"
@@ -76,65 +77,6 @@ class ElementCount {
   std::vector<std::size_t> byFace_;
   Progress sum_;
   std::mutex mutex_;
-};
-
-/// The directed loops around a face.
-class BoundaryMaker {
- public:
-  BoundaryMaker(const DomainFace& face, const DomainModel& model, const DividedEdges& divided)
-      : face_(face), model_(model), divided_(divided) {}
-
-  FaceBoundary make() {
-    collectPoints();
-    for (const auto& loop : face_.loops) {
-      std::vector<BoundaryCorner>& corners = boundary_.input.loops.emplace_back();
-      for (const CurveUse& use : loop) addUse(use, corners);
-    }
-    for (const std::size_t corner : face_.isolated)
-      boundary_.input.isolated.push_back(cornerAt(static_cast<std::uint32_t>(corner)));
-    boundary_.input.vertexCount = boundary_.points.size();
-    boundary_.closedInParameters = face_.surface->inParameters() != nullptr;
-    boundary_.canBeCut = face_.canBeCut;
-    boundary_.repairs = face_.notes;
-    return std::move(boundary_);
-  }
-
- private:
-  void collectPoints() {
-    std::vector<std::uint32_t>& points = boundary_.points;
-    for (const auto& loop : face_.loops)
-      for (const CurveUse& use : loop) {
-        const DividedEdge& edge = divided_.edges[use.curve];
-        points.insert(points.end(), edge.points.begin(), edge.points.end());
-      }
-    for (const std::size_t corner : face_.isolated)
-      points.push_back(static_cast<std::uint32_t>(corner));
-    std::ranges::sort(points);
-    points.erase(std::ranges::unique(points).begin(), points.end());
-  }
-
-  void addUse(const CurveUse& use, std::vector<BoundaryCorner>& corners) {
-    const std::vector<std::uint32_t>& points = divided_.edges[use.curve].points;
-    const auto segments = static_cast<std::uint32_t>(points.size() - 1);
-    for (std::uint32_t i = 0; i < segments; ++i) {
-      const std::uint32_t segment = use.reversed ? segments - 1 - i : i;
-      corners.push_back(cornerAt(points[use.reversed ? segment + 1 : segment]));
-      boundary_.uses.push_back({static_cast<int>(use.curve) + 1, segment});
-    }
-  }
-
-  BoundaryCorner cornerAt(std::uint32_t point) const {
-    const auto local = std::ranges::lower_bound(boundary_.points, point);
-    const Point3& position = divided_.points[point];
-    SurfacePoint onSurface = face_.nearest(position);
-    onSurface.position = position;
-    return {VertexId(static_cast<std::size_t>(local - boundary_.points.begin())), onSurface};
-  }
-
-  const DomainFace& face_;
-  const DomainModel& model_;
-  const DividedEdges& divided_;
-  FaceBoundary boundary_;
 };
 
 class DomainMesher final : public RetriedModel {
@@ -310,7 +252,7 @@ class DomainMesher final : public RetriedModel {
             const DividedEdges& divided, const ProgressCallback& progress, FaceMesh& mesh) const {
     const DomainFace& face = faceAt(i);
     const auto index = static_cast<std::size_t>(faces_[i]) - 1;
-    FaceBoundary boundary = BoundaryMaker(face, model_, divided).make();
+    FaceBoundary boundary = boundaryOf(face, divided);
     mesh.report.attempts = boundary.repairs;
     const DomainSize byPosition = sizes_.byPosition.withFunction(sizes);
     const CurvatureLimit* limit = sizes_.limits[index].get();

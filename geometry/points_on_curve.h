@@ -5,19 +5,16 @@
 #include <vector>
 
 #include "geometry/domain_model.h"
+#include "geometry/placed_points.h"
 
 namespace af2::geometry {
-
-struct PlacedPoints {
-  std::vector<Point3> points;      ///< as they were given, in the direction of the curve
-  std::vector<double> parameters;  ///< of the points
-};
 
 /// Finds where the points between the ends of a curve lie on it.
 ///
 /// least  segments that the curve needs
 ///
-/// Throws InputError unless they lie on it, in order and apart, to a hundredth of a segment.
-PlacedPoints placeOnCurve(const DomainCurve& curve, std::vector<Point3> points, std::size_t least);
+/// Throws InputError unless they do, in order and apart, to a hundredth of a segment.
+PlacedPoints placeOnCurve(const DomainCurve& curve, const std::vector<Point3>& points,
+                          std::size_t least);
 
 }  // namespace af2::geometry

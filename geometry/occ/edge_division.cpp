@@ -266,13 +266,10 @@ class Division {
                         const std::vector<Point3>& points) {
     const int id = static_cast<int>(part.edge) + 1;
     const BRepAdaptor_Curve curve(model_.edge(id));
-    GivenPoints given =
+    requireSegments(id, points.size(), least);
+    PlacedPoints given =
         placeOnEdge(model_, id, points,
                     {curve.FirstParameter(), curve.LastParameter(), part.samples.length, 0});
-    if (given.points.size() + 1 < least)
-      throw InputError("the points given for edge " + std::to_string(id) + " make " +
-                       std::to_string(given.points.size() + 1) + " segments; it needs at least " +
-                       std::to_string(least) + ", or it would share a segment");
     std::vector<std::uint32_t> inner;
     for (const Point3& point : given.points) inner.push_back(addPoint(point));
     return between(part.ends, std::move(given.parameters), inner);
@@ -286,7 +283,7 @@ class Division {
     EdgeRange range = part.range();
     range.tolerance = kMostBetweenTouching * part.samples.wanted;
     try {
-      GivenPoints placed = placeOnEdge(model_, static_cast<int>(part.edge) + 1, positions, range);
+      PlacedPoints placed = placeOnEdge(model_, static_cast<int>(part.edge) + 1, positions, range);
       if (!(placed.points == positions)) std::ranges::reverse(inner);
       return between(part.ends, std::move(placed.parameters), inner);
     } catch (const InputError&) {

@@ -1,18 +1,13 @@
-// Points from outside that divide an edge.
+// Points from outside that divide an edge of a CAD model.
 // Not installed: includers need OpenCASCADE's headers.
 #pragma once
 
 #include <vector>
 
-#include "engine/point.h"
 #include "geometry/occ/model_shape.h"
+#include "geometry/placed_points.h"
 
 namespace af2::geometry {
-
-struct GivenPoints {
-  std::vector<Point3> points;      ///< as they were given, in the direction of the edge
-  std::vector<double> parameters;  ///< of the points, and of the ends of the edge around them
-};
 
 /// A part of an edge, or all of it.
 struct EdgeRange {
@@ -25,7 +20,7 @@ struct EdgeRange {
 ///
 /// Throws InputError unless they lie on it, in order and apart: within the tolerance of the edge, a
 /// hundredth of the segments beside them, or the tolerance of the range.
-GivenPoints placeOnEdge(const ModelShape& model, int edge, std::vector<Point3> points,
-                        const EdgeRange& range);
+PlacedPoints placeOnEdge(const ModelShape& model, int edge, const std::vector<Point3>& points,
+                         const EdgeRange& range);
 
 }  // namespace af2::geometry

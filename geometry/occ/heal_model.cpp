@@ -7,12 +7,10 @@
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <GCPnts_AbscissaPoint.hxx>
-#include <Message_Msg.hxx>
 #include <Precision.hxx>
 #include <ShapeAnalysis_ShapeTolerance.hxx>
 #include <ShapeBuild_ReShape.hxx>
 #include <ShapeExtend.hxx>
-#include <ShapeExtend_DataMapOfShapeListOfMsg.hxx>
 #include <ShapeExtend_MsgRegistrator.hxx>
 #include <ShapeFix_FixSmallFace.hxx>
 #include <ShapeFix_Shape.hxx>
@@ -20,19 +18,16 @@
 #include <ShapeFix_Solid.hxx>
 #include <ShapeFix_Wireframe.hxx>
 #include <Standard_Failure.hxx>
-#include <TCollection_AsciiString.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedDataMapOfShapeListOfShape.hxx>
 #include <TopoDS.hxx>
 #include <algorithm>
-#include <cctype>
 #include <cstdio>
 #include <functional>
-#include <map>
-#include <tuple>
 
 #include "engine/error.h"
+#include "geometry/occ/change_list.h"
 #include "geometry/occ/missing_edges.h"
 #include "geometry/occ/model_shape.h"
 #include "geometry/occ/points.h"
@@ -45,62 +40,6 @@ constexpr double kDiagonalShare = 1e-5;
 
 /// Repairs may raise tolerances to so many times the one they are given. Some bridge any gap so.
 constexpr double kMostTolerance = 10;
-
-/// A place on a shape: of its first vertex.
-std::optional<Point3> placeOf(const TopoDS_Shape& shape) {
-  const TopExp_Explorer vertex(shape, TopAbs_VERTEX);
-  if (!vertex.More()) return std::nullopt;
-  return toPoint(BRep_Tool::Pnt(TopoDS::Vertex(vertex.Current())));
-}
-
-bool isBefore(const std::optional<Point3>& a, const std::optional<Point3>& b) {
-  if (!a || !b) return a.has_value();
-  return std::tuple(a->x, a->y, a->z) < std::tuple(b->x, b->y, b->z);
-}
-
-/// Counts what was changed, by what it was.
-class ChangeList {
- public:
-  void add(const std::string& what, const std::optional<Point3>& place, std::size_t count = 1) {
-    const auto [entry, isNew] = changes_.try_emplace(what, HealedChange{what, 0, place});
-    // Those who report come in no particular order.
-    if (!isNew && isBefore(place, entry->second.place)) entry->second.place = place;
-    entry->second.count += count;
-  }
-
-  /// What a tool of OpenCASCADE tells. Single findings are told along with their sum.
-  void add(const Handle(ShapeExtend_MsgRegistrator) & told) {
-    for (ShapeExtend_DataMapOfShapeListOfMsg::Iterator it(told->MapShape()); it.More(); it.Next())
-      for (const Message_Msg& message : it.Value())
-        if (const std::string what = wordsOf(message); isChange(what)) add(what, placeOf(it.Key()));
-  }
-
-  std::vector<HealedChange> take() const {
-    std::vector<HealedChange> all;
-    for (const auto& [what, change] : changes_) all.push_back(change);
-    return all;
-  }
-
- private:
-  static std::string wordsOf(const Message_Msg& message) {
-    std::string words = TCollection_AsciiString(message.Original()).ToCString();
-    for (auto at = words.find(" %"); at != std::string::npos; at = words.find(" %"))
-      words.erase(at, 3);
-    while (!words.empty() && std::isspace(static_cast<unsigned char>(words.back())))
-      words.pop_back();
-    if (!words.empty())
-      words[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(words[0])));
-    return words;
-  }
-  /// Some messages only tell what could not be done.
-  static bool isChange(const std::string& words) {
-    return !words.empty() && words.find("annot") == std::string::npos &&
-           words.find("not corrected") == std::string::npos &&
-           words.find("mpossible") == std::string::npos;
-  }
-
-  std::map<std::string, HealedChange> changes_;
-};
 
 /// Edges that one face has, and that face once: where it is open.
 std::vector<TopoDS_Shape> freeEdges(const TopoDS_Shape& shape) {
