@@ -34,7 +34,7 @@ class CandidateChoice {
   /// The best applicable rule at the edge that leaves `base`, or null. Valid until the next call.
   const Application* choose(const StepChart& chart, PlaceId base);
 
-  /// How many candidates there were in all steps so far.
+  /// How many candidates there were in all steps so far; edges count as some where they are many.
   std::size_t examined() const { return examined_; }
 
   /// For each rule in order why it is not the one to apply; call it before the front changes.

@@ -63,6 +63,8 @@ class Neighborhood {
 
   std::span<const Edge> edges() const { return {edges_.data(), count_}; }
   const Window& window() const { return window_; }
+  /// How many edges were looked at for that.
+  std::size_t lookedAt() const { return foundCount_; }
 
  private:
   template <class Drawing>

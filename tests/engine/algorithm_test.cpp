@@ -92,6 +92,22 @@ TEST(Progress, IsToldWhileALargeMeshIsMade) {
   EXPECT_LE(heard.back().elements, result.mesh.elements.size());
 }
 
+/// A run is given up by what it has examined: where very many edges are near, to look at them is
+/// most of the work. This rule alone has one match a step.
+TEST(Progress, CountsEdgesAsCandidatesWhereAFrontIsCrammed) {
+  RuleSetDefinition set = triangleSetDefinition();
+  set.rules = {freeTriangle()};
+  const AF2Algorithm algorithm(std::make_shared<RuleSet>(set));
+  const auto candidatesPerStep = [&](double side) {
+    const FrontInput input = square(side);
+    const MeshingResult result =
+        algorithm.execute(FlatMaker(), input, UniformSize(1), MeshingOptions{});
+    return static_cast<double>(result.candidates) / static_cast<double>(result.steps);
+  };
+  EXPECT_LE(candidatesPerStep(0.1), 1);
+  EXPECT_GT(candidatesPerStep(0.0025), 10);
+}
+
 // ---- cancelling --------------------------------------------------------------------------------
 
 TEST(Cancelling, BeforeTheRunGivesNoElements) {
