@@ -160,7 +160,7 @@ FaceSurface::FaceSurface(const Handle(Geom_Surface) & surface, const SplineSurfa
   if (adaptor.GetType() != GeomAbs_Plane) measure();
   switch (adaptor.GetType()) {
     case GeomAbs_Plane:
-      surface_ = PlaneSurface{n};
+      surface_ = PlaneSurface{p, n};
       break;
     case GeomAbs_Cylinder: {
       const gp_Cylinder c = adaptor.Cylinder();
@@ -207,7 +207,7 @@ FaceSurface::FaceSurface(const Handle(Geom_Surface) & surface, const SplineSurfa
       sweep_ = Sweep::Extrusion;
       break;
     default:
-      if (isFlat(surface, extent_)) surface_ = PlaneSurface{n};
+      if (isFlat(surface, extent_)) surface_ = PlaneSurface{p, n};
       break;
   }
 }
@@ -238,6 +238,8 @@ SurfacePoint FaceSurface::boundaryPoint(const Point3& position, double u, double
     const auto atTip = tips_.normalAt(position);
     return {position, atTip ? *atTip : general->normalAtBoundary(u, v), u, v};
   }
+  if (const auto* plane = std::get_if<PlaneSurface>(&surface_))
+    return pointAt(plane->drawnOnto(position), u, v);
   if (!unrolled_) return pointAt(position, u, v);
   const Point2 flat = unrolled_->develop(position, u, v);
   return pointAt(position, flat.x, flat.y);

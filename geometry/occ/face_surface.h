@@ -3,6 +3,7 @@
 #pragma once
 
 #include <TopoDS_Face.hxx>
+#include <cmath>
 #include <memory>
 #include <variant>
 #include <vector>
@@ -20,7 +21,15 @@
 namespace af2::geometry {
 
 struct PlaneSurface {
-  Point3 normal;
+  Point3 origin, normal;
+
+  /// A point that a careless file has put beside the plane goes down to it: a front in the plane
+  /// does not look above it. What is near enough stays as it is.
+  Point3 drawnOnto(const Point3& p) const {
+    constexpr double kNear = 1e-4;  // of the distance from the origin, a point of the face
+    const double height = dot(p - origin, normal);
+    return std::abs(height) <= kNear * distance(p, origin) ? p : p - height * normal;
+  }
 };
 
 /// Knows normals, curvature and charts of a face. Not to be shared between threads, but each may

@@ -62,6 +62,13 @@ TEST(FaceSurface, TakesAFlatSplineForAPlane) {
   EXPECT_FALSE(FaceSurface(bilinear({0, 0, 1}, {2, 0, 1}, {0, 1, 1}, {1, 1, 1.01})).isPlane());
 }
 
+/// A front in the plane does not look above it.
+TEST(FaceSurface, DrawsCornersFarBesideAPlaneOntoIt) {
+  const FaceSurface plane(bilinear({0, 0, 1}, {2, 0, 1}, {0, 1, 1}, {2, 1, 1}));
+  EXPECT_NEAR(plane.boundaryPoint({2, 1, 1.5}, 1, 1).position.z, 1, 1e-12);
+  EXPECT_EQ(plane.boundaryPoint({2, 1, 1.0001}, 1, 1).position.z, 1.0001);
+}
+
 /// One side of the surface is a thousandth as long as the others, and across their plane.
 TEST(FaceSurface, SeesNoTwistsThatAreTooSmallToBeSeen) {
   const FaceSurface surface(bilinear({1, 0, 0}, {1, 0, 0.001}, {0, 0.1, 1}, {0, 0.1, -1}));
