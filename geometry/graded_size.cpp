@@ -22,12 +22,40 @@ constexpr double kShrinking = 1;
 /// A source may be left out if the others around it want no more than this times its size there.
 constexpr double kThinning = 1.3;
 
-double largestWanted(const FrontInput& boundary, const SizeField& wanted) {
+/// The wanted size at each corner, loop by loop: to ask a curved surface is dear.
+using AtCorners = std::vector<std::vector<double>>;
+
+AtCorners wantedAtCorners(const FrontInput& boundary, const SizeField& wanted) {
+  AtCorners sizes;
+  for (const auto& loop : boundary.loops) {
+    std::vector<double>& ofLoop = sizes.emplace_back();
+    for (const BoundaryCorner& corner : loop) ofLoop.push_back(wanted.sizeAt(corner.point));
+  }
+  return sizes;
+}
+
+double largestOf(const AtCorners& sizes) {
   double largest = 0;
-  for (const auto& loop : boundary.loops)
-    for (const BoundaryCorner& corner : loop)
-      largest = std::max(largest, wanted.sizeAt(corner.point));
+  for (const auto& loop : sizes)
+    for (const double size : loop) largest = std::max(largest, size);
   return largest;
+}
+
+/// The corners at which the boundary is divided more finely than is wanted.
+std::vector<SizeSource> shortSegments(const FrontInput& boundary, const AtCorners& wanted) {
+  std::vector<SizeSource> sources;
+  for (std::size_t l = 0; l < boundary.loops.size(); ++l) {
+    const auto& loop = boundary.loops[l];
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      const Point3& here = loop[i].point.position;
+      const Point3& before = loop[(i + loop.size() - 1) % loop.size()].point.position;
+      const Point3& after = loop[(i + 1) % loop.size()].point.position;
+      // The geometric mean: beside a much longer neighbour, a tiny segment counts for less.
+      const double spacing = std::sqrt(distance(before, here) * distance(here, after));
+      if (spacing > 0 && spacing < kShort * wanted[l][i]) sources.push_back({here, spacing});
+    }
+  }
+  return sources;
 }
 
 /// Keeps every second source or so of an evenly divided edge: the smallest first, in order.
@@ -48,14 +76,16 @@ std::vector<SizeSource> thinned(std::vector<SizeSource> sources, double growth) 
 }
 
 /// Sources with negative sizes, so that the smallest of them is the longest segment.
-std::vector<SizeSource> longSegments(const FrontInput& boundary, const SizeField& wanted) {
+std::vector<SizeSource> longSegments(const FrontInput& boundary, const AtCorners& wanted) {
   std::vector<SizeSource> sources;
-  for (const auto& loop : boundary.loops) {
+  for (std::size_t l = 0; l < boundary.loops.size(); ++l) {
+    const auto& loop = boundary.loops[l];
     for (std::size_t i = 0; i < loop.size(); ++i) {
-      const SurfacePoint &from = loop[i].point, &to = loop[(i + 1) % loop.size()].point;
-      const double segment = distance(from.position, to.position);
-      if (segment < kLong * std::max(wanted.sizeAt(from), wanted.sizeAt(to))) continue;
-      sources.push_back({0.5 * (from.position + to.position), -segment});
+      const std::size_t next = (i + 1) % loop.size();
+      const Point3 &from = loop[i].point.position, &to = loop[next].point.position;
+      const double segment = distance(from, to);
+      if (segment < kLong * std::max(wanted[l][i], wanted[l][next])) continue;
+      sources.push_back({0.5 * (from + to), -segment});
     }
   }
   return sources;
@@ -63,33 +93,22 @@ std::vector<SizeSource> longSegments(const FrontInput& boundary, const SizeField
 
 }  // namespace
 
-std::vector<SizeSource> shortSegments(const FrontInput& boundary, const SizeField& wanted) {
-  std::vector<SizeSource> sources;
-  for (const auto& loop : boundary.loops) {
-    for (std::size_t i = 0; i < loop.size(); ++i) {
-      const SurfacePoint& here = loop[i].point;
-      const Point3& before = loop[(i + loop.size() - 1) % loop.size()].point.position;
-      const Point3& after = loop[(i + 1) % loop.size()].point.position;
-      // The geometric mean: beside a much longer neighbour, a tiny segment counts for less.
-      const double spacing =
-          std::sqrt(distance(before, here.position) * distance(here.position, after));
-      if (spacing > 0 && spacing < kShort * wanted.sizeAt(here))
-        sources.push_back({here.position, spacing});
-    }
-  }
-  return sources;
+GradedSize::GradedSize(const SizeField& wanted, const FrontInput& boundary, double growth)
+    : wanted_(wanted) {
+  const AtCorners sizes = wantedAtCorners(boundary, wanted);
+  slopes_ = std::make_shared<const Slopes>(
+      Slopes{{thinned(shortSegments(boundary, sizes), growth), growth, largestOf(sizes)},
+             {longSegments(boundary, sizes), kShrinking, 0}});
 }
 
-GradedSize::GradedSize(const SizeField& wanted, const FrontInput& boundary, double growth)
-    : wanted_(wanted),
-      growing_(thinned(shortSegments(boundary, wanted), growth), growth,
-               largestWanted(boundary, wanted)),
-      shrinking_(longSegments(boundary, wanted), kShrinking, 0) {}
+GradedSize::GradedSize(const SizeField& wanted, const GradedSize& other)
+    : wanted_(wanted), slopes_(other.slopes_) {}
 
 double GradedSize::sizeAt(const SurfacePoint& point) const {
+  const auto& [growing, shrinking] = *slopes_;
   double size = wanted_.sizeAt(point);
-  if (!shrinking_.isEmpty()) size = std::max(size, -shrinking_.at(point.position));
-  if (!growing_.isEmpty()) size = std::min(size, growing_.at(point.position));
+  if (!shrinking.isEmpty()) size = std::max(size, -shrinking.at(point.position));
+  if (!growing.isEmpty()) size = std::min(size, growing.at(point.position));
   return size;
 }
 

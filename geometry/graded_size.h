@@ -1,7 +1,7 @@
 // Wanted sizes that grow gently away from the short segments of a boundary.
 #pragma once
 
-#include <vector>
+#include <memory>
 
 #include "engine/front_input.h"
 #include "engine/size_field.h"
@@ -13,21 +13,24 @@ namespace af2::geometry {
 /// tenth fewer elements, but those between small and large ones are visibly worse.
 constexpr double kDefaultGrowth = 0.3;
 
-/// The corners of a boundary at which it is divided more finely than `wanted` asks for.
-std::vector<SizeSource> shortSegments(const FrontInput& boundary, const SizeField& wanted);
-
 /// `wanted`, but near short segments of the boundary no more than what grows from them, and near
 /// segments that are far too long no less than what shrinks away from these: the front has to come
 /// from their length down to the wanted one in steps.
 class GradedSize final : public SizeField {
  public:
   GradedSize(const SizeField& wanted, const FrontInput& boundary, double growth);
+  /// For another thread, whose field `wanted` gives the same sizes as that of `other`.
+  GradedSize(const SizeField& wanted, const GradedSize& other);
   double sizeAt(const SurfacePoint& point) const override;
 
  private:
+  struct Slopes {
+    GrowingSize growing;
+    GrowingSize shrinking;  ///< of sizes with the other sign
+  };
+
   const SizeField& wanted_;
-  GrowingSize growing_;
-  GrowingSize shrinking_;  ///< of sizes with the other sign
+  std::shared_ptr<const Slopes> slopes_;
 };
 
 }  // namespace af2::geometry

@@ -93,7 +93,7 @@ class FaceMesher {
     if (context_.options.observer)
       options.observer = [&] { return context_.options.observer(face_); };
     const std::function<PieceTools(ChartKind)> tools = [&](ChartKind kind) {
-      return makeTools(boundary.input, kind);
+      return makeTools(size, kind);
     };
     const FaceTask task{surface_,
                         boundary,
@@ -148,10 +148,10 @@ class FaceMesher {
 
   /// A size field with a surface of its own: OpenCASCADE's evaluators are not to be shared.
   struct OwnSize final : SizeField {
-    OwnSize(const FaceMeshingContext& context, int face, const FrontInput& input, ChartKind kind)
+    OwnSize(const FaceMeshingContext& context, int face, const GradedSize& size, ChartKind kind)
         : surface(context.model.surface(face)),
           wanted(context.options.sizes, face, surface),
-          graded(wanted, input, context.options.sizes.growth),
+          graded(wanted, size),
           map(surface.makePlaneMap(kind)) {
       if (map) laidOut.emplace(graded, *map);
     }
@@ -166,8 +166,8 @@ class FaceMesher {
     std::optional<LaidOutSize> laidOut;
   };
 
-  PieceTools makeTools(const FrontInput& input, ChartKind kind) const {
-    auto size = std::make_shared<const OwnSize>(context_, face_, input, kind);
+  PieceTools makeTools(const GradedSize& graded, ChartKind kind) const {
+    auto size = std::make_shared<const OwnSize>(context_, face_, graded, kind);
     if (size->map && kind == ChartKind::Conformal)
       return {std::make_unique<ConformalChartMaker>(*size->map), std::move(size)};
     if (size->map) return {std::make_unique<PlaneChartMaker>(), std::move(size)};

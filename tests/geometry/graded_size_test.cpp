@@ -68,6 +68,19 @@ TEST(GradedSize, ComesDownFromLongSegmentsInSteps) {
   EXPECT_EQ(size.sizeAt({{4, -20, 0}, {}}), 1);
 }
 
+TEST(GradedSize, IsTheSameOverAnotherFieldWithTheSameSizes) {
+  FrontInput strip;
+  strip.vertexCount = 4;
+  strip.loops.emplace_back();
+  for (const auto& [x, y] : {std::pair{0.0, 0.0}, {8.0, 0.0}, {8.0, 0.1}, {0.0, 0.1}})
+    strip.loops[0].push_back({VertexId(strip.loops[0].size()), {{x, y, 0}, {0, 0, 1}}});
+  const SizeFunction wanted([](const Point3& p) { return 1 + p.x; });
+  const SizeFunction alike([](const Point3& p) { return 1 + p.x; });
+  const GradedSize size(wanted, strip, 0.5), other(alike, size);
+  for (double x = 0; x <= 8; x += 0.25)
+    EXPECT_EQ(other.sizeAt({{x, 0.05, 0}, {}}), size.sizeAt({{x, 0.05, 0}, {}}));
+}
+
 TEST(GradedSize, LeavesAnEvenBoundaryAlone) {
   FrontInput square;
   square.vertexCount = 4;
