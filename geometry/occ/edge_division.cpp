@@ -37,14 +37,11 @@ constexpr double kMostTolerance = 0.01;
 
 class Division {
  public:
-  Division(const ModelShape& model, const ModelSizes& sizes, int threads, std::stop_token stop,
+  Division(const ModelShape& model, const std::vector<EdgeSamples>& sampled,
+           const ModelSizes& sizes, int threads, const std::stop_token& stop,
            const EdgePoints& given, const EdgesAsPoints& asPoints)
-      : model_(model),
-        sizes_(sizes),
-        given_(given),
-        asPoints_(asPoints),
-        samples_(static_cast<std::size_t>(model.edges.Extent())) {
-    sampleAll(threads, stop);
+      : model_(model), sizes_(sizes), given_(given), asPoints_(asPoints), samples_(sampled.size()) {
+    limitAll(sampled, threads, stop);
     findEnds();
     mergePoints();
     limitInStrips(model_, sizes_, ends_, threads, samples_);
@@ -61,12 +58,10 @@ class Division {
   }
 
  private:
-  void sampleAll(int threads, const std::stop_token& stop) {
-    TopTools_IndexedDataMapOfShapeListOfShape faces;
-    TopExp::MapShapesAndUniqueAncestors(model_.shape, TopAbs_EDGE, TopAbs_FACE, faces);
+  void limitAll(const std::vector<EdgeSamples>& sampled, int threads, const std::stop_token& stop) {
     forEachInParallel(samples_.size(), threads, [&](std::size_t i) {
       if (!stop.stop_requested())
-        samples_[i] = sampleEdge(model_, static_cast<int>(i) + 1, faces, sizes_);
+        samples_[i] = limitedByPosition(model_, static_cast<int>(i) + 1, sizes_, sampled[i]);
     });
   }
 
@@ -360,10 +355,19 @@ class Division {
 
 }  // namespace
 
-DividedEdges divideEdges(const ModelShape& model, const ModelSizes& sizes, int threads,
-                         std::stop_token stop, const EdgePoints& given,
-                         const EdgesAsPoints& asPoints) {
-  return Division(model, sizes, threads, std::move(stop), given, asPoints).result();
+std::vector<EdgeSamples> sampleEdges(const ModelShape& model, const ModelSizes& sizes, int threads,
+                                     const std::stop_token& stop) {
+  std::vector<EdgeSamples> sampled(static_cast<std::size_t>(model.edges.Extent()));
+  forEachInParallel(sampled.size(), threads, [&](std::size_t i) {
+    if (!stop.stop_requested()) sampled[i] = sampleEdge(model, static_cast<int>(i) + 1, sizes);
+  });
+  return sampled;
+}
+
+DividedEdges divideEdges(const ModelShape& model, const std::vector<EdgeSamples>& sampled,
+                         const ModelSizes& sizes, int threads, const std::stop_token& stop,
+                         const EdgePoints& given, const EdgesAsPoints& asPoints) {
+  return Division(model, sampled, sizes, threads, stop, given, asPoints).result();
 }
 
 }  // namespace af2::geometry

@@ -3,12 +3,19 @@
 #pragma once
 
 #include <stop_token>
+#include <vector>
 
 #include "geometry/divided_edges.h"
+#include "geometry/occ/edge_samples.h"
 #include "geometry/occ/mesh_model.h"
 #include "geometry/occ/model_shape.h"
 
 namespace af2::geometry {
+
+/// All edges as sampleEdge has them: made once, for all divisions of a model by sizes that differ
+/// in their function only.
+std::vector<EdgeSamples> sampleEdges(const ModelShape& model, const ModelSizes& sizes, int threads,
+                                     const std::stop_token& stop);
 
 /// Divides all edges, whichever faces are asked for, so that these mesh alike alone or together.
 ///
@@ -17,8 +24,8 @@ namespace af2::geometry {
 /// three segments, edges with the same two ends at least two: no two edges share a segment.
 ///
 /// Throws InputError if the points given for an edge do not lie on it, in order and apart.
-DividedEdges divideEdges(const ModelShape& model, const ModelSizes& sizes, int threads,
-                         std::stop_token stop, const EdgePoints& given = {},
-                         const EdgesAsPoints& asPoints = {});
+DividedEdges divideEdges(const ModelShape& model, const std::vector<EdgeSamples>& sampled,
+                         const ModelSizes& sizes, int threads, const std::stop_token& stop,
+                         const EdgePoints& given = {}, const EdgesAsPoints& asPoints = {});
 
 }  // namespace af2::geometry

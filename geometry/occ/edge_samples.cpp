@@ -2,7 +2,6 @@
 
 #include <BRepAdaptor_Curve.hxx>
 #include <BRep_Tool.hxx>
-#include <Geom2d_Curve.hxx>
 #include <Precision.hxx>
 #include <Standard_Failure.hxx>
 #include <TColStd_Array1OfReal.hxx>
@@ -10,12 +9,10 @@
 #include <TopoDS.hxx>
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
-#include "engine/error.h"
-#include "geometry/occ/face_surface.h"
 #include "geometry/occ/points.h"
 #include "geometry/occ/sizing.h"
+#include "geometry/occ/wanted_along_edge.h"
 
 namespace af2::geometry {
 
@@ -43,71 +40,6 @@ CurvePoint pointAt(const BRepAdaptor_Curve& curve, double parameter) {
   curve.D1(parameter, position, tangent);
   return {toPoint(position), toPoint(tangent)};
 }
-
-/// The size that the faces beside an edge want along it.
-class WantedAlongEdge {
- public:
-  WantedAlongEdge(const ModelShape& model, int edgeId,
-                  const TopTools_IndexedDataMapOfShapeListOfShape& faces, const ModelSizes& sizes)
-      : sizes_(sizes) {
-    const TopoDS_Edge edge = model.edge(edgeId);
-    const auto given = sizes.edgeSizes.find(edgeId);
-    if (given != sizes.edgeSizes.end()) given_ = given->second;
-    largest_ = bounded(sizes, given_.value_or(sizes.size));
-    if (!faces.Contains(edge) || given_) return;
-    for (const TopoDS_Shape& face : faces.FindFromKey(edge))
-      addFace(model, edge, TopoDS::Face(face));
-  }
-
-  /// An upper bound.
-  double largest() const { return largest_; }
-
-  /// Before the limits by position, which are asked for along a whole piece.
-  double at(const Point3& position, double parameter) const {
-    double size = largest_;
-    for (const Neighbor& face : faces_) size = std::min(size, onFace(face, position, parameter));
-    return size;
-  }
-
- private:
-  struct Neighbor {
-    int id;
-    double wanted;
-    std::optional<FaceSurface> surface;
-    Handle(Geom2d_Curve) curve;
-  };
-
-  void addFace(const ModelShape& model, const TopoDS_Edge& edge, const TopoDS_Face& face) {
-    const int id = model.faces.FindIndex(face);
-    Neighbor neighbor{id, wantedOnFace(sizes_, id), std::nullopt, {}};
-    largest_ = faces_.empty() ? neighbor.wanted : std::min(largest_, neighbor.wanted);
-    try {
-      const FaceSurface surface = model.surface(id);
-      double first, last;
-      if (!surface.isPlane()) {
-        neighbor.curve = BRep_Tool::CurveOnSurface(edge, face, first, last);
-        neighbor.surface = surface;
-      }
-    } catch (const std::exception&) {  // reported when the face is meshed
-    } catch (const Standard_Failure&) {
-    }
-    faces_.push_back(std::move(neighbor));
-  }
-
-  double onFace(const Neighbor& face, const Point3& position, double parameter) const {
-    if (!face.surface || face.curve.IsNull()) return face.wanted;
-    const gp_Pnt2d uv = face.curve->Value(parameter);
-    // A full turn keeps its number of elements.
-    return std::min(sizes_.curvedShare * face.wanted,
-                    limitByCurvature(sizes_, face.id, face.wanted, *face.surface,
-                                     {position, {}, uv.X(), uv.Y()}));
-  }
-
-  const ModelSizes& sizes_;
-  std::optional<double> given_;
-  std::vector<Neighbor> faces_;
-  double largest_;
-};
 
 /// The part of a curve that makes an edge.
 struct Extent {
@@ -222,7 +154,6 @@ std::vector<EdgePiece> sampleInCells(const BRepAdaptor_Curve& curve, const Wante
     sampler.append(pieces.back(), breaks[i], breaks[i + 1], cells, atStart, atEnd);
     previousEnd = atEnd;
   }
-  for (EdgePiece& piece : pieces) limitByPosition(piece, sizes);
   return pieces;
 }
 
@@ -263,27 +194,93 @@ double beginOf(const BRepAdaptor_Curve& curve, double end, double otherEnd,
   return end;
 }
 
-void samplePieces(const BRepAdaptor_Curve& curve, const WantedAlongEdge& wanted,
-                  const ModelSizes& sizes, Extent extent, EdgeSamples& samples) {
-  constexpr int kMostRounds = 4;
-  constexpr double kMargin = 1.25, kMostAtOnce = 16;
-  const double length = roughLength(curve);
-  double total = kSamplesPerSegment * length / wanted.largest();
-  if (total > kMaxSamples) {
+/// The part of a curve that lies between the vertices of its edge.
+Extent extentOf(const BRepAdaptor_Curve& curve, const TopoDS_Edge& edge, double wanted) {
+  const TopoDS_Edge forward = TopoDS::Edge(edge.Oriented(TopAbs_FORWARD));
+  const double first = curve.FirstParameter(), last = curve.LastParameter();
+  return {beginOf(curve, first, last, TopExp::FirstVertex(forward), wanted),
+          beginOf(curve, last, first, TopExp::LastVertex(forward), wanted)};
+}
+
+/// One edge of a model, to be sampled as finely as it takes.
+class EdgeSampler {
+ public:
+  EdgeSampler(const BRepAdaptor_Curve& curve, const ModelShape& model, int edge,
+              const ModelSizes& sizes)
+      : sizes_(sizes),
+        curve_(curve),
+        wanted_(model, edge, sizes),
+        extent_(extentOf(curve, model.edge(edge), wanted())),
+        length_(roughLength(curve)) {}
+
+  double wanted() const { return wanted_.largest(); }
+  /// How many samples the wanted size alone takes.
+  double fewest() const { return kSamplesPerSegment * length_ / wanted(); }
+
+  std::vector<EdgePiece> pieces(double total) const {
+    return sampleInCells(curve_, wanted_, sizes_, extent_, length_, total);
+  }
+
+ private:
+  const ModelSizes& sizes_;
+  const BRepAdaptor_Curve& curve_;
+  WantedAlongEdge wanted_;
+  Extent extent_;
+  double length_;
+};
+
+void samplePlain(const ModelShape& model, int edge, const ModelSizes& sizes, EdgeSamples& samples) {
+  const BRepAdaptor_Curve curve(model.edge(edge));
+  const double first = curve.FirstParameter(), last = curve.LastParameter();
+  if (Precision::IsInfinite(first) || Precision::IsInfinite(last)) {
+    samples.problem = "is infinite";
+    return;
+  }
+  if (!(last > first)) return;
+  samples.start = toPoint(curve.Value(first));
+  samples.end = toPoint(curve.Value(last));
+  const EdgeSampler sampler(curve, model, edge, sizes);
+  samples.wanted = sampler.wanted();
+  const double total = sampler.fewest();
+  if (total > kMaxSamples)
     samples.problem = "needs more than " +
                       std::to_string(static_cast<long>(total / kSamplesPerSegment)) +
                       " segments; ask for a larger size";
-    return;
-  }
-  samples.pieces = sampleInCells(curve, wanted, sizes, extent, length, total);
-  if (!sizes.function && sizes.elementsPerTurn == 0) return;
-  for (int round = 0; round < kMostRounds; ++round) {
-    const double tooCoarse = coarseness(samples.pieces);
-    if (tooCoarse <= 1) return;
+  else
+    samples.pieces = sampler.pieces(total);
+}
+
+/// Samples more densely until the cells are short against the sizes that are wanted by position.
+void resample(const ModelShape& model, int edge, const ModelSizes& sizes, EdgeSamples& samples) {
+  constexpr int kMostRounds = 4;
+  constexpr double kMargin = 1.25, kMostAtOnce = 16;
+  double tooCoarse = coarseness(samples.pieces);
+  if (tooCoarse <= 1) return;
+  const BRepAdaptor_Curve curve(model.edge(edge));
+  const EdgeSampler sampler(curve, model, edge, sizes);
+  double total = sampler.fewest();
+  for (int round = 0; round < kMostRounds && tooCoarse > 1; ++round) {
     total = std::min(kMargin * tooCoarse, kMostAtOnce) * std::max(total, double(kMinSamples));
     if (total > kMaxSamples) return;
-    samples.pieces = sampleInCells(curve, wanted, sizes, extent, length, total);
+    samples.pieces = sampler.pieces(total);
+    for (EdgePiece& piece : samples.pieces) limitByPosition(piece, sizes);
+    tooCoarse = coarseness(samples.pieces);
   }
+}
+
+/// Does something with the curve of an edge that may turn out to be unusable.
+template <class Use>
+void tryCurve(EdgeSamples& samples, Use&& use) {
+  try {
+    use();
+  } catch (const Standard_Failure& failure) {
+    samples.problem = std::string("has no usable curve (") + failure.DynamicType()->Name() + ")";
+  }
+  samples.length = 0;
+  for (const EdgePiece& piece : samples.pieces) samples.length += piece.arcLength.back();
+  if (samples.problem.empty() && !std::isfinite(samples.length))
+    samples.problem = "has a curve with values that are not numbers";
+  if (!samples.problem.empty()) samples.pieces.clear();
 }
 
 void gradePiece(EdgePiece& piece, double growth) {
@@ -311,36 +308,18 @@ void place(const EdgePiece& piece, const std::vector<double>& count, std::size_t
 
 }  // namespace
 
-EdgeSamples sampleEdge(const ModelShape& model, int edgeId,
-                       const TopTools_IndexedDataMapOfShapeListOfShape& faces,
-                       const ModelSizes& sizes) {
+EdgeSamples sampleEdge(const ModelShape& model, int edge, const ModelSizes& sizes) {
   EdgeSamples samples;
-  const TopoDS_Edge edge = model.edge(edgeId);
-  if (BRep_Tool::Degenerated(edge)) return samples;
-  try {
-    const BRepAdaptor_Curve curve(edge);
-    const double first = curve.FirstParameter(), last = curve.LastParameter();
-    if (Precision::IsInfinite(first) || Precision::IsInfinite(last)) {
-      samples.problem = "is infinite";
-      return samples;
-    }
-    if (!(last > first)) return samples;
-    samples.start = toPoint(curve.Value(first));
-    samples.end = toPoint(curve.Value(last));
-    const WantedAlongEdge wanted(model, edgeId, faces, sizes);
-    samples.wanted = wanted.largest();
-    const TopoDS_Edge forward = TopoDS::Edge(edge.Oriented(TopAbs_FORWARD));
-    const Extent extent{beginOf(curve, first, last, TopExp::FirstVertex(forward), samples.wanted),
-                        beginOf(curve, last, first, TopExp::LastVertex(forward), samples.wanted)};
-    samplePieces(curve, wanted, sizes, extent, samples);
-    for (const EdgePiece& piece : samples.pieces) samples.length += piece.arcLength.back();
-  } catch (const Standard_Failure& failure) {
-    samples.problem = std::string("has no usable curve (") + failure.DynamicType()->Name() + ")";
-  }
-  if (!samples.problem.empty() || !std::isfinite(samples.length)) {
-    if (samples.problem.empty()) samples.problem = "has a curve with values that are not numbers";
-    samples.pieces.clear();
-  }
+  if (BRep_Tool::Degenerated(model.edge(edge))) return samples;
+  tryCurve(samples, [&] { samplePlain(model, edge, sizes, samples); });
+  return samples;
+}
+
+EdgeSamples limitedByPosition(const ModelShape& model, int edge, const ModelSizes& sizes,
+                              EdgeSamples samples) {
+  for (EdgePiece& piece : samples.pieces) limitByPosition(piece, sizes);
+  if (sizes.function || sizes.elementsPerTurn > 0)
+    tryCurve(samples, [&] { resample(model, edge, sizes, samples); });
   return samples;
 }
 

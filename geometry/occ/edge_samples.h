@@ -2,7 +2,6 @@
 // Not installed: includers need OpenCASCADE's headers.
 #pragma once
 
-#include <TopTools_IndexedDataMapOfShapeListOfShape.hxx>
 #include <string>
 #include <vector>
 
@@ -32,10 +31,13 @@ struct EdgeSamples {
   std::string problem;  ///< why it is unusable
 };
 
-/// faces  of each edge of the model
-EdgeSamples sampleEdge(const ModelShape& model, int edge,
-                       const TopTools_IndexedDataMapOfShapeListOfShape& faces,
-                       const ModelSizes& sizes);
+/// By what the faces beside the edge want, without limits by position.
+EdgeSamples sampleEdge(const ModelShape& model, int edge, const ModelSizes& sizes);
+
+/// What sampleEdge gave, with the limits by position; sampled more densely where these ask for
+/// small sizes. `sizes` may have another function than then, nothing else.
+EdgeSamples limitedByPosition(const ModelShape& model, int edge, const ModelSizes& sizes,
+                              EdgeSamples samples);
 
 /// Lets sizes grow along the edge by no more than `growth` per unit of length, from `first` and
 /// `last` at its ends.

@@ -1,7 +1,6 @@
 #include "geometry/occ/mesh_model.h"
 
 #include <BRepAdaptor_Curve.hxx>
-#include <TopExp_Explorer.hxx>
 #include <algorithm>
 #include <limits>
 #include <map>
@@ -63,6 +62,7 @@ class ModelMesher final : public RetriedModel {
     options_.sizes = spreadSizes(model_.shape(), std::move(options_.sizes), uneven_,
                                  options_.threads, options_.stop);
     expectMoreOnUneven(faces);
+    sampled_ = sampleEdges(model_.shape(), options_.sizes, options_.threads, options_.stop);
     FaceMeshes state;
     state.divided = divide(options_.sizes.function, {});
     const double edgeSeconds = edgesWatch.seconds();
@@ -97,8 +97,8 @@ class ModelMesher final : public RetriedModel {
     const ModelShape& shape = model_.shape();
     for (const int face : faces_) {
       std::vector<int>& edges = edgesOfFaces_.emplace_back();
-      for (TopExp_Explorer it(shape.face(face), TopAbs_EDGE); it.More(); it.Next())
-        edges.push_back(shape.edges.FindIndex(it.Current()));
+      for (const EdgeUse& use : shape.edgesOfFaces[static_cast<std::size_t>(face) - 1])
+        edges.push_back(use.id);
       std::ranges::sort(edges);
       edges.erase(std::ranges::unique(edges).begin(), edges.end());
     }
@@ -111,8 +111,8 @@ class ModelMesher final : public RetriedModel {
   }
 
   DividedEdges divide(const PositionSize& sizes, const EdgesAsPoints& asPoints) const override {
-    return divideEdges(model_.shape(), withSizes(sizes).sizes, options_.threads, options_.stop,
-                       options_.edgePoints, asPoints);
+    return divideEdges(model_.shape(), sampled_, withSizes(sizes).sizes, options_.threads,
+                       options_.stop, options_.edgePoints, asPoints);
   }
 
   std::vector<EdgesAsPoints> shortEdges(std::size_t i, const DividedEdges& divided,
@@ -263,6 +263,7 @@ class ModelMesher final : public RetriedModel {
   std::vector<int> faces_;                      // that were asked for
   std::vector<std::vector<int>> edgesOfFaces_;  // by face that was asked for
   std::vector<double> areas_, work_;            // by face that was asked for
+  std::vector<EdgeSamples> sampled_;            // by edge
   std::vector<int> uneven_;
   std::vector<FaceOnFace> onFaces_;
   bool isFineInside_ = false;

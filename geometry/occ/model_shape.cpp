@@ -51,6 +51,19 @@ std::string surfaceTypeOf(const TopoDS_Face& face) {
   }
 }
 
+void findUses(ModelShape& model) {
+  model.facesOfEdges.resize(static_cast<std::size_t>(model.edges.Extent()));
+  for (int id = 1; id <= model.faces.Extent(); ++id) {
+    std::vector<EdgeUse>& uses = model.edgesOfFaces.emplace_back();
+    for (TopExp_Explorer it(model.faces(id).Oriented(TopAbs_FORWARD), TopAbs_EDGE); it.More();
+         it.Next()) {
+      uses.push_back({model.edges.FindIndex(it.Current()), TopoDS::Edge(it.Current())});
+      std::vector<int>& faces = model.facesOfEdges[static_cast<std::size_t>(uses.back().id) - 1];
+      if (faces.empty() || faces.back() != id) faces.push_back(id);
+    }
+  }
+}
+
 /// Diagonal of a box around all vertices and edges; faces would cost a search for their extremes.
 double diagonalOf(const ModelShape& model) {
   Bnd_Box box;
@@ -196,6 +209,7 @@ std::shared_ptr<const ModelShape> makeModelShape(ReadShape read) {
   TopExp::MapShapes(model->shape, TopAbs_FACE, model->faces);
   TopExp::MapShapes(model->shape, TopAbs_EDGE, model->edges);
   TopExp::MapShapes(model->shape, TopAbs_VERTEX, model->vertices);
+  findUses(*model);
   for (int id = 1; id <= model->faces.Extent(); ++id) {
     model->faceNames.push_back(read.nameOf ? read.nameOf(model->face(id)) : "");
     model->surfaceTypes.push_back(surfaceTypeOf(model->face(id)));

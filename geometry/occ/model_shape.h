@@ -17,10 +17,18 @@ namespace af2::geometry {
 class FaceSurface;
 class FaceSurfaces;
 
+/// An edge as a face runs along it.
+struct EdgeUse {
+  int id = 0;
+  TopoDS_Edge edge;  ///< oriented as in the face taken forward
+};
+
 /// A shape with its parts numbered. Does not change once made, so threads may share it.
 struct ModelShape {
   TopoDS_Shape shape;
   TopTools_IndexedMapOfShape faces, edges, vertices;  ///< numbered from 1
+  std::vector<std::vector<EdgeUse>> edgesOfFaces;     ///< [0] of face 1, in the order of its wires
+  std::vector<std::vector<int>> facesOfEdges;         ///< [0] of edge 1, each face once
   std::vector<std::string> faceNames;                 ///< [0] is face 1
   std::vector<std::string> surfaceTypes;
   std::vector<FaceGroup> groups;

@@ -3,7 +3,6 @@
 #include <BRep_Tool.hxx>
 #include <Geom2d_Curve.hxx>
 #include <Standard_Failure.hxx>
-#include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 #include <algorithm>
 #include <cmath>
@@ -102,10 +101,9 @@ class FaceStrips {
         forward_(TopoDS::Face(model.face(face).Oriented(TopAbs_FORWARD))),
         ends_(ends),
         edges_(edges) {
-    for (TopExp_Explorer it(forward_, TopAbs_EDGE); it.More(); it.Next()) {
-      const TopoDS_Edge edge = TopoDS::Edge(it.Current());
-      const auto index = static_cast<std::uint32_t>(model.edges.FindIndex(edge) - 1);
-      if (!edges_[index].knots.empty()) uses_.push_back({index, edge});
+    for (const EdgeUse& use : model.edgesOfFaces[static_cast<std::size_t>(face) - 1]) {
+      const auto index = static_cast<std::uint32_t>(use.id - 1);
+      if (!edges_[index].knots.empty()) uses_.push_back({index, use.edge});
     }
   }
 

@@ -1,6 +1,5 @@
 #include "geometry/occ/short_edges.h"
 
-#include <TopExp_Explorer.hxx>
 #include <algorithm>
 #include <map>
 
@@ -21,8 +20,7 @@ double extentOf(const DividedEdge& edge, const std::vector<Point3>& points) {
 std::map<int, double> edgesNear(const ModelShape& model, int face, const DividedEdges& divided,
                                 const std::vector<SizeSource>& places, double reach) {
   std::map<int, double> found;
-  for (TopExp_Explorer it(model.face(face), TopAbs_EDGE); it.More(); it.Next()) {
-    const int id = model.edges.FindIndex(it.Current());
+  for (const auto& [id, use] : model.edgesOfFaces[static_cast<std::size_t>(face) - 1]) {
     const DividedEdge& edge = divided.edges[static_cast<std::size_t>(id) - 1];
     if (edge.points.empty()) continue;
     const Point3& end = divided.points[edge.points.front()];

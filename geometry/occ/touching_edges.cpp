@@ -2,8 +2,6 @@
 
 #include <BRepAdaptor_Curve.hxx>
 #include <BRep_Tool.hxx>
-#include <TopExp_Explorer.hxx>
-#include <TopoDS.hxx>
 #include <algorithm>
 #include <map>
 #include <optional>
@@ -102,8 +100,8 @@ class StopFinder {
 
   void lookAt(int face) {
     std::vector<std::size_t> edges;
-    for (TopExp_Explorer it(model_.face(face), TopAbs_EDGE); it.More(); it.Next()) {
-      const auto edge = static_cast<std::size_t>(model_.edges.FindIndex(it.Current())) - 1;
+    for (const EdgeUse& use : model_.edgesOfFaces[static_cast<std::size_t>(face) - 1]) {
+      const auto edge = static_cast<std::size_t>(use.id) - 1;
       if (!samples_[edge].pieces.empty()) edges.push_back(edge);
     }
     std::ranges::sort(edges);

@@ -3,8 +3,6 @@
 #include <BRepAdaptor_Curve.hxx>
 #include <BRep_Tool.hxx>
 #include <Extrema_ExtPC.hxx>
-#include <TopExp_Explorer.hxx>
-#include <TopoDS.hxx>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -82,10 +80,12 @@ class TwinFinder {
 
   void findOnFace(int face) {
     PartsBetween between;
-    for (TopExp_Explorer it(model_.face(face), TopAbs_EDGE); it.More(); it.Next()) {
-      const auto edge = static_cast<std::size_t>(model_.edges.FindIndex(it.Current())) - 1;
+    const bool isTurned = model_.face(face).Orientation() == TopAbs_REVERSED;
+    for (const EdgeUse& use : model_.edgesOfFaces[static_cast<std::size_t>(face) - 1]) {
+      const auto edge = static_cast<std::size_t>(use.id) - 1;
+      const TopAbs_Orientation way = use.edge.Orientation();
       ++uses_[edge];
-      isReversed_[edge] = it.Current().Orientation() == TopAbs_REVERSED;
+      isReversed_[edge] = way == (isTurned ? TopAbs_FORWARD : TopAbs_REVERSED);
       for (const std::size_t part : ofEdge_[edge]) {
         std::vector<std::size_t>& others = at(between, part);
         if (std::ranges::find(others, part) == others.end()) others.push_back(part);

@@ -10,7 +10,7 @@ namespace af2::geometry {
 namespace {
 
 DividedEdges divide(const Model& model, const ModelSizes& sizes) {
-  return divideEdges(model.shape(), sizes, 1, {});
+  return divideEdges(model.shape(), sampleEdges(model.shape(), sizes, 1, {}), sizes, 1, {});
 }
 
 ModelSizes uniform(double size) {

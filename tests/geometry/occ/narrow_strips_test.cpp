@@ -19,7 +19,8 @@ namespace {
 /// Lengths of the segments whose middles lie within a box.
 std::vector<double> lengthsIn(const Model& model, const ModelSizes& sizes, Point3 low,
                               Point3 high) {
-  const DividedEdges divided = divideEdges(model.shape(), sizes, 1, {});
+  const DividedEdges divided =
+      divideEdges(model.shape(), sampleEdges(model.shape(), sizes, 1, {}), sizes, 1, {});
   std::vector<double> lengths;
   for (const DividedEdge& edge : divided.edges)
     for (std::size_t i = 1; i < edge.points.size(); ++i) {

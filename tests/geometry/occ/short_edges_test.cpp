@@ -68,7 +68,8 @@ TEST(ShortEdges, AreKeptWhereNothingFails) {
 DividedEdges divided(const Model& model, double size, const EdgesAsPoints& asPoints) {
   ModelSizes sizes;
   sizes.size = size;
-  return divideEdges(model.shape(), sizes, 1, {}, {}, asPoints);
+  return divideEdges(model.shape(), sampleEdges(model.shape(), sizes, 1, {}), sizes, 1, {}, {},
+                     asPoints);
 }
 
 TEST(ShortEdges, OneThatIsAPointLeavesOneVertexToTheEdgesBeside) {

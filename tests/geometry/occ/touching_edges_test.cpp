@@ -154,7 +154,8 @@ TEST(TouchingEdges, AreDividedWhereOthersEnd) {
   ModelSizes sizes;
   sizes.size = 1.3;
   const Model model = needle(1e-4);
-  const DividedEdges divided = divideEdges(model.shape(), sizes, 1, {});
+  const DividedEdges divided =
+      divideEdges(model.shape(), sampleEdges(model.shape(), sizes, 1, {}), sizes, 1, {});
   const DividedEdge& whole = divided.edges[0];
   const DividedEdge& part = divided.edges[4];
   ASSERT_EQ(whole.stops.size(), 1u);

@@ -1,0 +1,55 @@
+#include "geometry/occ/wanted_along_edge.h"
+
+#include <BRep_Tool.hxx>
+#include <Standard_Failure.hxx>
+#include <TopoDS.hxx>
+#include <algorithm>
+
+#include "geometry/occ/sizing.h"
+
+namespace af2::geometry {
+
+WantedAlongEdge::WantedAlongEdge(const ModelShape& model, int edge, const ModelSizes& sizes)
+    : sizes_(sizes) {
+  const auto given = sizes.edgeSizes.find(edge);
+  const bool isGiven = given != sizes.edgeSizes.end();
+  largest_ = bounded(sizes, isGiven ? given->second : sizes.size);
+  if (isGiven) return;
+  for (const int face : model.facesOfEdges[static_cast<std::size_t>(edge) - 1])
+    addFace(model, edge, face);
+}
+
+double WantedAlongEdge::at(const Point3& position, double parameter) const {
+  double size = largest_;
+  for (const Neighbor& face : faces_) size = std::min(size, onFace(face, position, parameter));
+  return size;
+}
+
+void WantedAlongEdge::addFace(const ModelShape& model, int edge, int face) {
+  Neighbor neighbor{face, wantedOnFace(sizes_, face), std::nullopt, {}};
+  largest_ = faces_.empty() ? neighbor.wanted : std::min(largest_, neighbor.wanted);
+  try {
+    const FaceSurface surface = model.surface(face);
+    double first, last;
+    if (!surface.isPlane()) {
+      neighbor.curve =
+          BRep_Tool::CurveOnSurface(model.edge(edge), TopoDS::Face(model.faces(face)), first, last);
+      neighbor.surface = surface;
+    }
+  } catch (const std::exception&) {  // reported when the face is meshed
+  } catch (const Standard_Failure&) {
+  }
+  faces_.push_back(std::move(neighbor));
+}
+
+double WantedAlongEdge::onFace(const Neighbor& face, const Point3& position,
+                               double parameter) const {
+  if (!face.surface || face.curve.IsNull()) return face.wanted;
+  const gp_Pnt2d uv = face.curve->Value(parameter);
+  // A full turn keeps its number of elements.
+  return std::min(sizes_.curvedShare * face.wanted,
+                  limitByCurvature(sizes_, face.id, face.wanted, *face.surface,
+                                   {position, {}, uv.X(), uv.Y()}));
+}
+
+}  // namespace af2::geometry
