@@ -1,3 +1,4 @@
+#include <BRep_Builder.hxx>
 #include <Interface_Check.hxx>
 #include <Interface_ReportEntity.hxx>
 #include <Interface_Static.hxx>
@@ -9,15 +10,21 @@
 #include <StepShape_HArray1OfFaceBound.hxx>
 #include <TColStd_SequenceOfAsciiString.hxx>
 #include <TCollection_HAsciiString.hxx>
+#include <TDF_LabelSequence.hxx>
 #include <TDocStd_Document.hxx>
 #include <TopTools_DataMapOfShapeInteger.hxx>
+#include <TopoDS_Compound.hxx>
 #include <TransferBRep.hxx>
 #include <Transfer_TransientProcess.hxx>
+#include <XCAFDoc_DocumentTool.hxx>
+#include <XCAFDoc_ShapeTool.hxx>
 #include <XSControl_TransferReader.hxx>
 #include <XSControl_WorkSession.hxx>
+#include <algorithm>
 #include <cstring>
 
 #include "engine/error.h"
+#include "geometry/occ/external_parts.h"
 #include "geometry/occ/readers.h"
 #include "geometry/occ/step_groups.h"
 #include "geometry/occ/trial.h"
@@ -30,7 +37,7 @@ namespace {
 /// The faces as the file gives them, found by the shape that each became.
 class StepFaces {
  public:
-  explicit StepFaces(const Handle(Transfer_TransientProcess) & process) {
+  void add(const Handle(Transfer_TransientProcess) & process) {
     for (int i = 1; i <= process->NbMapped(); ++i) {
       const auto face = Handle(StepShape_FaceSurface)::DownCast(process->Mapped(i));
       if (face.IsNull()) continue;
@@ -124,6 +131,33 @@ std::string lengthUnitOf(STEPControl_Reader& reader) {
   return lengths.IsEmpty() ? "" : lengths.First().ToCString();
 }
 
+std::string listed(const std::vector<std::string>& names) {
+  constexpr std::size_t kMostNamed = 10;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(names.size(), kMostNamed); ++i)
+    text += (i > 0 ? ", '" : "'") + names[i] + "'";
+  if (names.size() > kMostNamed)
+    text += " and " + std::to_string(names.size() - kMostNamed) + " more";
+  return text;
+}
+
+/// All parts in their places, also those from other files, which only the document has.
+TopoDS_Shape joinedParts(const Handle(TDocStd_Document) & document, const ExternalParts& parts,
+                         const std::filesystem::path& path, std::vector<std::string>& notes) {
+  if (!parts.missing.empty())
+    throw InputError(path.string() + ": parts of this assembly lie in other files, of which " +
+                     listed(parts.missing) +
+                     " cannot be read; put these beside it, or export the assembly to one file");
+  notes.push_back("parts of the assembly were read from " + listed(parts.read));
+  TDF_LabelSequence tops;
+  XCAFDoc_DocumentTool::ShapeTool(document->Main())->GetFreeShapes(tops);
+  TopoDS_Compound all;
+  const BRep_Builder builder;
+  builder.MakeCompound(all);
+  for (const TDF_Label& top : tops) builder.Add(all, XCAFDoc_ShapeTool::GetShape(top));
+  return all;
+}
+
 }  // namespace
 
 ReadShape readStep(const std::filesystem::path& path) {
@@ -135,7 +169,8 @@ ReadShape readStep(const std::filesystem::path& path) {
   Handle(TDocStd_Document) document = new TDocStd_Document("XmlXCAF");
   STEPControl_Reader& reader = withAttributes.ChangeReader();
   Interface_Static::SetCVal("xstep.cascade.unit", "MM");
-  if (withAttributes.ReadFile(path.c_str()) != IFSelect_RetDone)
+  // Files that it refers to are found only beside a file with its whole path.
+  if (withAttributes.ReadFile(std::filesystem::absolute(path).c_str()) != IFSelect_RetDone)
     throw InputError(path.string() +
                      ": this STEP file is damaged or cut off; export the model again");
   ReadShape result;
@@ -149,9 +184,15 @@ ReadShape readStep(const std::filesystem::path& path) {
   withAttributes.Transfer(document);
   result.unit = "mm";
   result.fileUnit = lengthUnitOf(reader);
-  result.shape = reader.OneShape();
+  const ExternalParts others = externalPartsOf(withAttributes);
+  const bool isInOneFile = others.read.empty() && others.missing.empty();
+  result.shape =
+      isInOneFile ? reader.OneShape() : joinedParts(document, others, path, result.notes);
   result.groups = groupsOf(document);
-  const StepFaces faces(reader.WS()->TransferReader()->TransientProcess());
+  StepFaces faces;
+  faces.add(reader.WS()->TransferReader()->TransientProcess());
+  for (const auto& session : others.sessions)
+    faces.add(session->TransferReader()->TransientProcess());
   result.nameOf = [faces](const TopoDS_Face& face) { return faces.nameOf(face); };
   turnBackFaces(result, [&](const TopoDS_Face& face) { return faces.isAsInFile(face); });
   return result;
