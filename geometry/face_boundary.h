@@ -17,7 +17,8 @@ struct SegmentUse {
 
 struct FaceBoundary {
   FrontInput input;  ///< without loops: the face has no width, its boundary runs back on itself
-  std::vector<std::uint32_t> points;  ///< by vertex id: index into DividedEdges::points
+  /// By vertex id: index into DividedEdges::points. Vertices beyond are those of the rims of fans.
+  std::vector<std::uint32_t> points;
   std::vector<SegmentUse> uses;
   bool closedInParameters = true;    ///< the loops are closed curves in (u, v), too
   bool canBeCut = true;              ///< they are, but for poles: lines in (u, v) cut the face
@@ -31,6 +32,13 @@ struct FaceBoundary {
     double length = 0;  ///< of the part
   };
   std::vector<TouchingEdges> touching;
+  /// Ready-made triangles around a sharp tip of the surface, which the loops leave out.
+  struct Fan {
+    std::uint32_t tip = 0;      ///< index into DividedEdges::points
+    SurfacePoint place;         ///< of the tip
+    std::vector<VertexId> rim;  ///< of the loop that leaves the fan out, as it runs
+  };
+  std::vector<Fan> fans;
 };
 
 }  // namespace af2::geometry

@@ -8,6 +8,7 @@
 #include "engine/optimize.h"
 #include "engine/stopwatch.h"
 #include "geometry/close_front.h"
+#include "geometry/fans.h"
 #include "geometry/stuck_front.h"
 
 namespace af2::geometry {
@@ -64,8 +65,8 @@ void take(MeshingResult& result, FaceBoundary& boundary, FaceMesh& mesh) {
   mesh.boundary = std::move(boundary.points);
   mesh.uses = std::move(boundary.uses);
   const auto& vertices = result.mesh.vertices;
-  mesh.inside.reserve(vertices.size() - boundary.input.vertexCount);
-  for (std::size_t i = boundary.input.vertexCount; i < vertices.size(); ++i)
+  mesh.inside.reserve(vertices.size() - mesh.boundary.size());
+  for (std::size_t i = mesh.boundary.size(); i < vertices.size(); ++i)
     mesh.inside.push_back(vertices[i].position);
   mesh.elements = std::move(result.mesh.elements);
   mesh.rule = std::move(result.mesh.rule);
@@ -107,12 +108,13 @@ void fillInto(const FaceFilling& filling, FaceBoundary& boundary, FaceMesh& mesh
   if (attempt.closingElements > 0)
     mesh.report.reason = std::to_string(attempt.closingElements) +
                          " elements were made without a rule, where rules had no room";
+  mesh.trouble = troubleOfMesh(attempt.result.mesh, boundary, task.surface.isPlane(), task.area,
+                               filling.unseen);
+  addFans(boundary, closingRule(task.algorithm.rules()), attempt.result.mesh);
   mesh.wantedSizes.reserve(attempt.result.mesh.vertices.size());
   for (const SurfacePoint& vertex : attempt.result.mesh.vertices)
     mesh.wantedSizes.push_back(filling.wanted.sizeAt(vertex));
   if (filling.findMiddles) findMiddles(task.surface, attempt.result.mesh, mesh);
-  mesh.trouble = troubleOfMesh(attempt.result.mesh, boundary, task.surface.isPlane(), task.area,
-                               filling.unseen);
   take(attempt.result, boundary, mesh);
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <numbers>
 
 namespace af2::geometry {
 
@@ -75,6 +76,10 @@ Point3 ConeSurface::normalAt(const Point3& position) const {
 
 double ConeSurface::curvatureRadiusAt(const Point3& position) const {
   return length(across(position - apex_, axis_)) * std::sqrt(1 + tangent_ * tangent_);
+}
+
+double ConeSurface::angleAroundApex() const {
+  return 2 * std::numbers::pi * tangent_ / std::sqrt(1 + tangent_ * tangent_);
 }
 
 std::optional<SurfacePoint> ConeSurface::hit(const SurfaceLine& line) const {

@@ -54,6 +54,9 @@ class ConeSurface {
   double curvatureRadiusAt(const Point3& position) const;
   /// The same, at a distance from the apex along the surface.
   double curvatureRadiusAtDistance(double distance) const { return distance * tangent_; }
+  const Point3& apex() const { return apex_; }
+  /// Of the unrolled nappe.
+  double angleAroundApex() const;
 
  private:
   Point3 apex_, axis_;

@@ -17,6 +17,7 @@
 #include "geometry/occ/open_ends.h"
 #include "geometry/occ/points.h"
 #include "geometry/occ/sizing.h"
+#include "geometry/occ/tip_fans.h"
 #include "geometry/occ/touching_edges.h"
 #include "geometry/occ/twin_edges.h"
 #include "geometry/parallel.h"
@@ -44,6 +45,7 @@ class Division {
     limitAll(sampled, threads, stop);
     findEnds();
     mergePoints();
+    findTips();
     limitInStrips(model_, sizes_, ends_, threads, samples_);
     makeParts();
     gradeAll();
@@ -153,6 +155,12 @@ class Division {
     apply(merging);
     for (const auto& [end, start] : gaps()) merging.merge(end, start);
     apply(merging);
+  }
+
+  void findTips() {
+    std::vector<bool> isGiven;
+    for (std::size_t i = 0; i < samples_.size(); ++i) isGiven.push_back(givenFor(i) != nullptr);
+    tips_ = segmentsAtTips(model_, ends_, samples_, isGiven);
   }
 
   void apply(const MergedPoints& merging) {
@@ -287,13 +295,31 @@ class Division {
   }
 
   DividedPart divideAnew(const EdgePart& part, std::size_t least) {
-    std::vector<double> parameters = divide(part.samples, least);
+    std::vector<double> parameters = divideFromTips(part, least);
     const BRepAdaptor_Curve curve(model_.edge(static_cast<int>(part.edge) + 1));
     leaveOutBesidePoints(part.ends, least, curve, parameters);
     std::vector<std::uint32_t> inner;
     for (std::size_t k = 1; k + 1 < parameters.size(); ++k)
       inner.push_back(addPoint(toPoint(curve.Value(parameters[k]))));
     return between(part.ends, std::move(parameters), inner);
+  }
+
+  /// A segment at a sharp tip is as long as the fan around that; the rest has the wanted sizes.
+  std::vector<double> divideFromTips(const EdgePart& part, std::size_t least) const {
+    const auto first = tips_.find(part.ends.first), last = tips_.find(part.ends.last);
+    const auto none = tips_.end();
+    std::vector<double> ends;
+    if (first != none) ends.push_back(parameterAt(part.samples, first->second));
+    if (last != none) ends.push_back(parameterAt(part.samples, part.samples.length - last->second));
+    if (ends.empty()) return divide(part.samples, least);
+    const std::vector<EdgeSamples> parts = split(part.samples, ends);
+    const std::size_t used = ends.size();
+    std::vector<double> parameters =
+        divide(parts[first != none ? 1 : 0], least > used ? least - used : 1);
+    const EdgePiece &front = part.samples.pieces.front(), &back = part.samples.pieces.back();
+    if (first != none) parameters.insert(parameters.begin(), front.parameters.front());
+    if (last != none) parameters.push_back(back.parameters.back());
+    return parameters;
   }
 
   /// Beside what was taken for a point although it can be seen, segments are longer than that is
@@ -349,6 +375,7 @@ class Division {
   std::vector<EdgePart> parts_;  // in the order of their edges
   std::vector<DividedPart> dividedParts_;
   std::vector<std::optional<std::size_t>> twins_;  // by part
+  std::map<std::uint32_t, double> tips_;           // by point: how long segments are at a sharp tip
   std::map<std::uint32_t, double> blind_;  // how large the edges are that a point stands for
   DividedEdges result_;
 };

@@ -35,6 +35,18 @@ EdgePiece cutOff(EdgePiece& piece, double parameter) {
 
 }  // namespace
 
+double parameterAt(const EdgeSamples& samples, double length) {
+  auto piece = samples.pieces.begin();
+  for (; piece + 1 != samples.pieces.end() && piece->arcLength.back() < length; ++piece)
+    length -= piece->arcLength.back();
+  const std::vector<double>& along = piece->arcLength;
+  const auto last = along.size() - 1;
+  const auto found = std::lower_bound(along.begin() + 1, along.end() - 1, length);
+  const auto k = std::min(static_cast<std::size_t>(found - along.begin()), last);
+  const double t = (length - along[k - 1]) / (along[k] - along[k - 1]);
+  return piece->parameters[k - 1] + t * (piece->parameters[k] - piece->parameters[k - 1]);
+}
+
 std::vector<EdgeSamples> split(const EdgeSamples& samples, const std::vector<double>& parameters) {
   std::vector<EdgeSamples> parts(1, samples);
   for (const double parameter : parameters) {

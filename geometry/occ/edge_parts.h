@@ -27,4 +27,7 @@ struct EdgePart {
 /// The samples of the parts between these parameters, which lie in order between the ends.
 std::vector<EdgeSamples> split(const EdgeSamples& samples, const std::vector<double>& parameters);
 
+/// The parameter at a length from the start, which lies between the ends.
+double parameterAt(const EdgeSamples& samples, double length);
+
 }  // namespace af2::geometry

@@ -17,12 +17,14 @@
 #include "engine/stopwatch.h"
 #include "geometry/conformal_chart.h"
 #include "geometry/face_filling.h"
+#include "geometry/fans.h"
 #include "geometry/graded_size.h"
 #include "geometry/laid_out.h"
 #include "geometry/occ/edge_samples.h"
 #include "geometry/occ/face_size.h"
 #include "geometry/occ/points.h"
 #include "geometry/occ/sizing.h"
+#include "geometry/occ/tip_fans.h"
 
 namespace af2::geometry {
 
@@ -70,6 +72,7 @@ class FaceMesher {
     }
     FaceBoundary boundary =
         findBoundary(context_.model, face_, context_.divided, surface_, context_.onFaces);
+    leaveOutFans(surface_, boundary);
     mesh.report.attempts = boundary.repairs;
     std::ranges::copy(boundary.notes, std::back_inserter(mesh.report.attempts));
     tellOfPoints(boundary.pointEdges, mesh.report.attempts);
@@ -85,6 +88,7 @@ class FaceMesher {
     constexpr double kMostClosed = 0.05;  // of the area
     if (!boundary.repairs.empty() || closed > kMostClosed * area_)
       mesh.report.area = area_ = 0;  // was found with the old boundary
+    const double toFill = area_ > 0 ? area_ - areaOfFans(boundary) : 0;
     const FaceSize wanted(context_.options.sizes, face_, surface_);
     const GradedSize size(wanted, boundary.input, context_.options.sizes.growth);
     const ProgressCallback& progress = context_.progress;
@@ -98,7 +102,7 @@ class FaceMesher {
     const FaceTask task{surface_,
                         boundary,
                         size,
-                        area_,
+                        toFill,
                         area_ > 0 ? expected_ : mostElements(boundary.input),
                         context_.algorithm,
                         options,

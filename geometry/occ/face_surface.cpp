@@ -281,6 +281,8 @@ FaceSurface::Radii FaceSurface::radiiAt(const SurfacePoint& point, double reach)
                    return Radii{radius, bent};
                  },
                  [&](const GeneralSurface& general) {
+                   if (const auto radius = tips_.radiusAtTip(point.position, reach))
+                     return Radii{*radius, *radius};
                    const auto radii = general.radiiAt(point.u, point.v);
                    const double easing = tips_.easing(point.position, reach);
                    return Radii{easing * radii.smallest,
@@ -288,6 +290,31 @@ FaceSurface::Radii FaceSurface::radiiAt(const SurfacePoint& point, double reach)
                                                   isBentInV_ ? radii.v : kInfinite)};
                  }},
       surface_);
+}
+
+std::vector<SharpTip> FaceSurface::sharpTips() const {
+  const auto* cone = std::get_if<ConeSurface>(&surface_);
+  if (!cone)
+    return std::holds_alternative<GeneralSurface>(surface_) ? tips_.all() : std::vector<SharpTip>{};
+  if (!hasTip_) return {};
+  constexpr double kSlack = 1e-6;  // of the extent
+  return {{cone->apex(), kSlack * extent_, cone->angleAroundApex()}};
+}
+
+SurfacePoint FaceSurface::aroundTip(const SurfacePoint& from, const SurfacePoint& to,
+                                    double share) const {
+  const auto between = [&](double a, double b) { return a + share * (b - a); };
+  if (!std::holds_alternative<ConeSurface>(surface_))
+    return at(between(from.u, to.u), between(from.v, to.v));
+  const Point2 p{from.u, from.v}, q{to.u, to.v};  // unrolled, around the tip
+  const Point2 place = between(length(p), length(q)) * directionAt(between(angleOf(p), angleOf(q)));
+  return at(place.x, place.y);
+}
+
+double FaceSurface::angleAroundTip(const SurfacePoint& from, const SurfacePoint& to,
+                                   const Point3& tip) const {
+  if (!std::holds_alternative<ConeSurface>(surface_)) return tips_.angleBetween(from, to, tip);
+  return std::abs(angleOf({from.u, from.v}) - angleOf({to.u, to.v}));
 }
 
 std::unique_ptr<AF2LocalTransformMaker> FaceSurface::makeCharts(const ChartLimits& limits) const {

@@ -55,6 +55,11 @@ class FaceSurface final : public ChartedSurface {
   };
   Radii radiiAt(const SurfacePoint& point, double reach = 0) const;
   bool isPlane() const override { return std::holds_alternative<PlaneSurface>(surface_); }
+  std::vector<SharpTip> sharpTips() const;
+  /// A place on the way around a sharp tip between two places near it: `share` of the angle.
+  SurfacePoint aroundTip(const SurfacePoint& from, const SurfacePoint& to, double share) const;
+  /// The angle along the surface between two places near the sharp tip at `tip`.
+  double angleAroundTip(const SurfacePoint& from, const SurfacePoint& to, const Point3& tip) const;
   /// Whether radiiAt is the same everywhere.
   bool isBentAlike() const {
     return isPlane() || std::holds_alternative<CylinderSurface>(surface_) ||

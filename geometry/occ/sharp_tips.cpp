@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
+#include <cmath>
+#include <numbers>
 
 namespace af2::geometry {
 
@@ -48,6 +49,23 @@ Point3 meanNormal(const std::vector<SurfacePoint>& points) {
   return length(sum) > kNone ? unit(sum) : Point3{};
 }
 
+/// How far around the tip at one side of the parameters the surface goes, and how far its normals
+/// turn on the way.
+struct Around {
+  double angle = 0, turn = 0;
+};
+Around aroundTip(const GeneralSurface& surface, const SplineSurface::Box& box, int side) {
+  const auto points = alongSide(surface, box, side, kNear);
+  const Point3 tip = alongSide(surface, box, side, 0).front().position;
+  Around around;
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    around.angle += 2 * distance(points[i].position, points[i - 1].position) /
+                    (distance(points[i].position, tip) + distance(points[i - 1].position, tip));
+    around.turn += distance(points[i].normal, points[i - 1].normal);
+  }
+  return around;
+}
+
 /// At the pole of a dome normals come together, and the spread is in proportion to the distance.
 bool isSharp(const GeneralSurface& surface, const SplineSurface::Box& box, int side) {
   constexpr double kFar = 4 * kNear;
@@ -65,26 +83,50 @@ SharpTips::SharpTips(const GeneralSurface& surface, const SplineSurface::Box& bo
   for (int side = 0; side < 4; ++side) {
     const auto points = alongSide(surface, box, side, 0);
     const double slack = kPoint * extentOf(alongSide(surface, box, side, 0.5));
-    if (extentOf(points) < slack && isSharp(surface, box, side))
-      tips_.push_back(
-          {points.front().position, meanNormal(alongSide(surface, box, side, kNear)), slack});
+    if (extentOf(points) >= slack || !isSharp(surface, box, side)) continue;
+    const auto [angle, turn] = aroundTip(surface, box, side);
+    const double halfAngle = std::atan2(angle, turn);  // of the cone that is as sharp
+    const bool isAlongU = side < 2;
+    const double length = isAlongU ? box.u2 - box.u1 : box.v2 - box.v1;
+    tips_.push_back({{points.front().position, slack, 2 * std::numbers::pi * std::sin(halfAngle)},
+                     meanNormal(alongSide(surface, box, side, kNear)),
+                     isAlongU,
+                     angle / length});
   }
+}
+
+const SharpTips::Tip* SharpTips::tipAt(const Point3& position, double times) const {
+  const auto found = std::ranges::find_if(
+      tips_, [&](const Tip& tip) { return distance(position, tip.position) < times * tip.slack; });
+  return found == tips_.end() ? nullptr : &*found;
 }
 
 double SharpTips::easing(const Point3& position, double reach) const {
   double easing = 1;
   for (const Tip& tip : tips_) {
     const double away = distance(position, tip.position);
-    if (away < reach)
-      easing = away > 0 ? std::max(easing, reach / away) : std::numeric_limits<double>::infinity();
+    if (away < reach) easing = std::max(easing, reach / std::max(away, tip.slack));
   }
   return easing;
 }
 
+std::optional<double> SharpTips::radiusAtTip(const Point3& position, double reach) const {
+  constexpr double kBlurred = 1000;  // nearer, second derivatives are not to be trusted
+  const Tip* tip = tipAt(position, kBlurred);
+  if (!tip) return std::nullopt;
+  const double sine = tip->angle / (2 * std::numbers::pi);  // of the angle from the axis
+  return reach * sine / std::sqrt(1 - sine * sine);
+}
+
 std::optional<Point3> SharpTips::normalAt(const Point3& position) const {
-  for (const Tip& tip : tips_)
-    if (distance(position, tip.position) < tip.slack && length(tip.normal) > 0) return tip.normal;
-  return std::nullopt;
+  const Tip* tip = tipAt(position);
+  return tip && length(tip->normal) > 0 ? std::optional(tip->normal) : std::nullopt;
+}
+
+double SharpTips::angleBetween(const SurfacePoint& from, const SurfacePoint& to,
+                               const Point3& position) const {
+  const Tip* tip = tipAt(position);
+  return tip ? tip->perLength * std::abs(tip->isAlongU ? from.u - to.u : from.v - to.v) : 0;
 }
 
 }  // namespace af2::geometry

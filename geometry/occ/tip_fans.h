@@ -1,0 +1,30 @@
+// Triangles around sharp tips of surfaces, made before the front: all around the tip of a needle
+// there is less room than a front needs for one element.
+// Not installed: includers need OpenCASCADE's headers.
+#pragma once
+
+#include <map>
+#include <vector>
+
+#include "geometry/face_boundary.h"
+#include "geometry/occ/edge_samples.h"
+#include "geometry/occ/face_surface.h"
+#include "geometry/occ/model_shape.h"
+#include "geometry/occ/open_ends.h"
+
+namespace af2::geometry {
+
+/// By index of a point around which faces come to a sharp tip: how long the segments of all edges
+/// are there, so that four elements around it have rims as long as the size that is wanted.
+///
+/// ends, samples  by edge; [0] is edge 1
+/// isGiven        by edge: its points are given; beside it there is nothing to choose
+std::map<std::uint32_t, double> segmentsAtTips(const ModelShape& model,
+                                               const std::vector<Ends>& ends,
+                                               const std::vector<EdgeSamples>& samples,
+                                               const std::vector<bool>& isGiven);
+
+/// Leaves fans around the tips out of the loops, where the segments on both sides are as long.
+void leaveOutFans(const FaceSurface& surface, FaceBoundary& boundary);
+
+}  // namespace af2::geometry
