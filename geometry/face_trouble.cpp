@@ -7,6 +7,7 @@
 
 #include "engine/mesh_check.h"
 #include "geometry/boundary_crossings.h"
+#include "geometry/model_check.h"
 
 namespace af2::geometry {
 
@@ -294,9 +295,10 @@ FaceTrouble troubleOfMesh(const Mesh& mesh, const FaceBoundary& boundary, bool i
   FaceTrouble trouble;
   openAngles(mesh, boundary.input, unseen, trouble);
   if (!(area > 0)) return trouble;
-  const double error = std::abs(areaOfElements(mesh) / area - 1);
+  const double ratio = areaOfElements(mesh) / area, error = std::abs(ratio - 1);
   if (!(error > kMostAreaError)) return trouble;
   trouble.isBad = true;
+  trouble.hasWrongArea = isWrongArea(ratio, mesh.elements.size());
   trouble.poorness += error / kMostAreaError - 1;
   // What a chord cuts off goes with the third power of its length, their number with the first.
   const double share = std::clamp(std::sqrt(kWantedAreaError / error), 0.3, 0.8);

@@ -17,8 +17,9 @@ namespace af2::geometry {
 struct FaceTrouble {
   std::vector<SizeSource> places;
   double poorness = 0;
-  bool isBad = false;        ///< not fit for use; else it could be nicer, but not at any price
-  bool hasBadAngle = false;  ///< one that makes an element hardly of use
+  bool isBad = false;         ///< not fit for use; else it could be nicer, but not at any price
+  bool hasBadAngle = false;   ///< one that makes an element hardly of use
+  bool hasWrongArea = false;  ///< no check would let the mesh pass
 };
 
 /// Where a front got stuck, where a mesh has faults, and where the segments of the boundary cross.

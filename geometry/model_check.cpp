@@ -11,10 +11,6 @@ namespace af2::geometry {
 
 namespace {
 
-/// A mesh of straight elements has another area than a curved face, or than a plane face with a
-/// curved boundary: on a face of a few elements, quite another one.
-constexpr double kMostAreaFactor = 1.4, kMostAreaFactorOfFew = 5;
-constexpr std::size_t kFewElements = 60;
 /// A face without width has no elements, and no more than this share of the area of the mesh.
 constexpr double kMostWithoutWidth = 1e-4;
 
@@ -163,8 +159,7 @@ class Checker {
       if (face.status != FaceStatus::Complete || !(face.area > 0)) continue;
       if (!areas_.contains(face.id) && face.area < kMostWithoutWidth * whole) continue;
       const double ratio = areas_[face.id] / face.area;
-      const double most = face.elements < kFewElements ? kMostAreaFactorOfFew : kMostAreaFactor;
-      if (ratio >= 1 / most && ratio <= most) continue;
+      if (!isWrongArea(ratio, face.elements)) continue;
       add(face.id, "the elements have " + std::to_string(ratio) + " times the area of the face",
           {});
     }
@@ -179,6 +174,13 @@ class Checker {
 };
 
 }  // namespace
+
+bool isWrongArea(double ratio, std::size_t elements) {
+  constexpr std::size_t kFew = 60;
+  constexpr double kMostFactor = 1.4, kMostFactorOfFew = 5;
+  const double most = elements < kFew ? kMostFactorOfFew : kMostFactor;
+  return ratio < 1 / most || ratio > most;
+}
 
 std::vector<MeshFinding> checkModelMesh(const ModelMesh& mesh, std::size_t limit) {
   return Checker(mesh, limit).check();

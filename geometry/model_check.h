@@ -16,6 +16,11 @@ struct MeshFinding {
   bool operator==(const MeshFinding&) const = default;
 };
 
+/// Whether the area of the elements of a face can't be that of the CAD face, of which it is
+/// `ratio`. Straight elements have another area than a curved face, or than a plane face with a
+/// curved boundary: a few of them, quite another one.
+bool isWrongArea(double ratio, std::size_t elements);
+
 /// Checks a mesh:
 ///   * every corner is a vertex of the mesh, no element repeats a corner or has no area;
 ///   * every piece of a model edge is used as often as its faces run along it;

@@ -14,7 +14,10 @@ namespace af2::geometry {
 
 namespace {
 
-bool failed(const FaceMesh& mesh) { return mesh.report.status == FaceStatus::Failed; }
+/// Or will, when the mesh is checked.
+bool failed(const FaceMesh& mesh) {
+  return mesh.report.status == FaceStatus::Failed || mesh.trouble.hasWrongArea;
+}
 
 /// Sees to it that shorter edges for the sake of one face do not spoil those beside it: where
 /// curves touch at an angle of zero, the element there is the worse the shorter it is.
@@ -354,7 +357,10 @@ class Retries {
   static void tellOfRetry(const FaceMeshes& state, std::size_t i, FaceMesh& after) {
     const FaceMesh& before = state.meshes[i];
     std::vector<std::string> steps = before.report.attempts;
-    if (failed(before)) steps.push_back(before.report.reason);
+    if (before.trouble.hasWrongArea)
+      steps.push_back("the elements have another area than the face");
+    else if (failed(before))
+      steps.push_back(before.report.reason);
     if (const auto count = crossingsAt(state, i); count > 0)
       steps.push_back(std::to_string(count) + " pairs of elements cross here");
     const std::size_t places = placesOf(state, i).size();
