@@ -17,7 +17,8 @@ enum class SwapGoal {
 /// Number of triangles that vertices with such angles should have.
 std::vector<std::uint8_t> wantedValences(const std::vector<double>& angles);
 
-/// One sweep over all sides in order. Returns how many were turned.
+/// Sweeps over all sides in order; for the sake of valence twice, the swaps that help most first.
+/// Returns how many were turned.
 std::size_t swapSides(MeshTopology& topology, SwapGoal goal,
                       const std::vector<std::uint8_t>& wantedAtFixed);
 

@@ -87,6 +87,71 @@ TEST(Optimize, MendsAPoorTriangleAtTheCostOfBetterOnes) {
   EXPECT_TRUE(checkMesh(mesh, input).empty());
 }
 
+/// Rows of triangles from below and from above that have met: each vertex of the middle row has
+/// four triangles, those of the rows beside it seven.
+Case metInTheMiddle(std::size_t columns) {
+  Case c;
+  std::vector<Point2> low, a, middle, b, high;
+  for (std::size_t i = 0; i <= columns; ++i) {
+    const auto x = static_cast<double>(i);
+    a.push_back({x, .9});
+    b.push_back({x, 1.8});
+    if (i == columns) break;
+    low.push_back({x + .5, 0});
+    middle.push_back({x + .5, 1.35});
+    high.push_back({x + .5, 2.7});
+  }
+  std::vector<Point2> rim = low;
+  rim.insert(rim.end(), {a.back(), b.back()});
+  rim.insert(rim.end(), high.rbegin(), high.rend());
+  rim.insert(rim.end(), {b.front(), a.front()});
+  addLoop(c.input, rim);
+  std::vector<Point2> points = rim;
+  for (const auto& row :
+       {std::vector(a.begin() + 1, a.end() - 1), middle, std::vector(b.begin() + 1, b.end() - 1)})
+    points.insert(points.end(), row.begin(), row.end());
+  Mesh& mesh = c.result.mesh;
+  for (const Point2 p : points) mesh.vertices.push_back(flatCorner(0, p).point);
+  const auto add = [&](Point2 p, Point2 q, Point2 r) {
+    const auto id = [&](Point2 x) {
+      return VertexId(static_cast<std::size_t>(std::ranges::find(points, x) - points.begin()));
+    };
+    mesh.elements.push_back({{id(p), id(q), id(r), VertexId()}});
+    mesh.rule.push_back(0);
+  };
+  for (std::size_t i = 0; i < columns; ++i) {
+    add(low[i], a[i + 1], a[i]);
+    add(a[i], a[i + 1], middle[i]);
+    add(a[i + 1], b[i + 1], middle[i]);
+    add(b[i + 1], b[i], middle[i]);
+    add(b[i], a[i], middle[i]);
+    add(b[i], b[i + 1], high[i]);
+    if (i + 1 == columns) break;
+    add(low[i], low[i + 1], a[i + 1]);
+    add(high[i + 1], high[i], b[i + 1]);
+  }
+  return c;
+}
+
+TEST(Optimize, MakesRowsThatHaveMetOneRegularMesh) {
+  constexpr std::size_t kColumns = 30;
+  Case c = metInTheMiddle(kColumns);
+  Mesh& mesh = c.result.mesh;
+  ASSERT_TRUE(checkMesh(mesh, c.input).empty());
+  optimizeMesh(mesh, boundaryOf(c.input), FlatMaker());
+  EXPECT_TRUE(checkMesh(mesh, c.input).empty());
+  std::vector<int> triangles(mesh.vertices.size(), 0);
+  for (const Element& e : mesh.elements)
+    for (const VertexId v : e.vertices()) ++triangles[v.value];
+  constexpr double kFromTheSides = 3;
+  for (std::size_t v = c.input.vertexCount; v < mesh.vertices.size(); ++v) {
+    const Point3 p = mesh.vertices[v].position;
+    if (p.x < kFromTheSides || p.x > kColumns - kFromTheSides) continue;
+    EXPECT_EQ(triangles[v], 6) << p.x << " " << p.y;
+  }
+  EXPECT_GT(meanQuality(mesh), .95);
+}
+
 TEST(Optimize, SmoothsQuads) {
   QuadGrid grid(4);  // with its inner vertices pushed about
   Mesh& mesh = grid.mesh;
