@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <map>
+
 #include "tests/support/meshing.h"
 #include "tests/support/quad_grid.h"
 
@@ -89,67 +92,90 @@ TEST(Optimize, MendsAPoorTriangleAtTheCostOfBetterOnes) {
 
 /// Rows of triangles from below and from above that have met: each vertex of the middle row has
 /// four triangles, those of the rows beside it seven.
-Case metInTheMiddle(std::size_t columns) {
-  Case c;
-  std::vector<Point2> low, a, middle, b, high;
-  for (std::size_t i = 0; i <= columns; ++i) {
-    const auto x = static_cast<double>(i);
-    a.push_back({x, .9});
-    b.push_back({x, 1.8});
-    if (i == columns) break;
-    low.push_back({x + .5, 0});
-    middle.push_back({x + .5, 1.35});
-    high.push_back({x + .5, 2.7});
+class RowsThatHaveMet {
+ public:
+  explicit RowsThatHaveMet(std::size_t columns) : columns_(columns) {
+    std::vector<Place> rim, inner;
+    for (std::size_t i = 0; i < sizeOf(0); ++i) rim.push_back({0, i});
+    for (std::size_t row = 1; row < kTop; ++row) rim.push_back({row, sizeOf(row) - 1});
+    for (std::size_t i = sizeOf(kTop); i-- > 0;) rim.push_back({kTop, i});
+    for (std::size_t row = kTop; --row > 0;) rim.push_back({row, 0});
+    for (std::size_t row = 1; row < kTop; ++row)
+      for (std::size_t i = 1; i + 1 < sizeOf(row); ++i) inner.push_back({row, i});
+    std::vector<Point2> polygon;
+    for (const Place& place : rim) polygon.push_back(add(place));
+    for (const Place& place : inner) add(place);
+    addLoop(input, polygon);
+    for (const std::size_t row : {0, 1, 5, 4}) addRow(row);
+    for (std::size_t i = 0; i <= columns; ++i) addMiddle(i);
+    mesh.rule.assign(mesh.elements.size(), 0);
   }
-  std::vector<Point2> rim = low;
-  rim.insert(rim.end(), {a.back(), b.back()});
-  rim.insert(rim.end(), high.rbegin(), high.rend());
-  rim.insert(rim.end(), {b.front(), a.front()});
-  addLoop(c.input, rim);
-  std::vector<Point2> points = rim;
-  for (const auto& row :
-       {std::vector(a.begin() + 1, a.end() - 1), middle, std::vector(b.begin() + 1, b.end() - 1)})
-    points.insert(points.end(), row.begin(), row.end());
-  Mesh& mesh = c.result.mesh;
-  for (const Point2 p : points) mesh.vertices.push_back(flatCorner(0, p).point);
-  const auto add = [&](Point2 p, Point2 q, Point2 r) {
-    const auto id = [&](Point2 x) {
-      return VertexId(static_cast<std::size_t>(std::ranges::find(points, x) - points.begin()));
-    };
-    mesh.elements.push_back({{id(p), id(q), id(r), VertexId()}});
-    mesh.rule.push_back(0);
-  };
-  for (std::size_t i = 0; i < columns; ++i) {
-    add(low[i], a[i + 1], a[i]);
-    add(a[i], a[i + 1], middle[i]);
-    add(a[i + 1], b[i + 1], middle[i]);
-    add(b[i + 1], b[i], middle[i]);
-    add(b[i], a[i], middle[i]);
-    add(b[i], b[i + 1], high[i]);
-    if (i + 1 == columns) break;
-    add(low[i], low[i + 1], a[i + 1]);
-    add(high[i + 1], high[i], b[i + 1]);
+
+  Mesh mesh;
+  FrontInput input;
+
+ private:
+  using Place = std::pair<std::size_t, std::size_t>;  // row, column
+  static constexpr std::array kHeights{0., .9, 1.8, 2.25, 2.7, 3.6, 4.5};
+  static constexpr std::size_t kTop = 6, kMiddle = 3;
+
+  static bool isStaggered(std::size_t row) { return row % 2 == 0; }
+  std::size_t sizeOf(std::size_t row) const { return columns_ + (isStaggered(row) ? 0 : 1); }
+
+  Point2 add(const Place& place) {
+    const Point2 p{static_cast<double>(place.second) + (isStaggered(place.first) ? .5 : 0),
+                   kHeights[place.first]};
+    ids_[place] = VertexId(mesh.vertices.size());
+    mesh.vertices.push_back(flatCorner(0, p).point);
+    return p;
   }
-  return c;
-}
+  void addTriangle(Place a, Place b, Place c) {
+    if (ids_.contains(a) && ids_.contains(b) && ids_.contains(c))
+      mesh.elements.push_back({{ids_[a], ids_[b], ids_[c], VertexId()}});
+  }
+  /// The strip above a row.
+  void addRow(std::size_t row) {
+    const std::size_t above = row + 1;
+    for (std::size_t i = 0; i <= columns_; ++i) {
+      if (isStaggered(row)) {
+        addTriangle({row, i}, {above, i + 1}, {above, i});
+        addTriangle({row, i}, {row, i + 1}, {above, i + 1});
+      } else {
+        addTriangle({row, i}, {row, i + 1}, {above, i});
+        addTriangle({row, i + 1}, {above, i + 1}, {above, i});
+      }
+    }
+  }
+  /// Those around a vertex of the middle row.
+  void addMiddle(std::size_t i) {
+    constexpr std::size_t kLow = kMiddle - 1, kHigh = kMiddle + 1;
+    const std::size_t left = i - 1;  // none at the side
+    addTriangle({kLow, left}, {kLow, i}, {kMiddle, i});
+    addTriangle({kLow, i}, {kHigh, i}, {kMiddle, i});
+    addTriangle({kHigh, i}, {kHigh, left}, {kMiddle, i});
+    addTriangle({kHigh, left}, {kLow, left}, {kMiddle, i});
+  }
+
+  std::size_t columns_;
+  std::map<Place, VertexId> ids_;
+};
 
 TEST(Optimize, MakesRowsThatHaveMetOneRegularMesh) {
   constexpr std::size_t kColumns = 30;
-  Case c = metInTheMiddle(kColumns);
-  Mesh& mesh = c.result.mesh;
-  ASSERT_TRUE(checkMesh(mesh, c.input).empty());
-  optimizeMesh(mesh, boundaryOf(c.input), FlatMaker());
-  EXPECT_TRUE(checkMesh(mesh, c.input).empty());
-  std::vector<int> triangles(mesh.vertices.size(), 0);
-  for (const Element& e : mesh.elements)
+  RowsThatHaveMet rows(kColumns);
+  ASSERT_TRUE(checkMesh(rows.mesh, rows.input).empty());
+  optimizeMesh(rows.mesh, boundaryOf(rows.input), FlatMaker());
+  EXPECT_TRUE(checkMesh(rows.mesh, rows.input).empty());
+  std::vector<int> triangles(rows.mesh.vertices.size(), 0);
+  for (const Element& e : rows.mesh.elements)
     for (const VertexId v : e.vertices()) ++triangles[v.value];
-  constexpr double kFromTheSides = 3;
-  for (std::size_t v = c.input.vertexCount; v < mesh.vertices.size(); ++v) {
-    const Point3 p = mesh.vertices[v].position;
+  for (std::size_t v = rows.input.vertexCount; v < rows.mesh.vertices.size(); ++v) {
+    constexpr double kFromTheSides = 3;
+    const Point3 p = rows.mesh.vertices[v].position;
     if (p.x < kFromTheSides || p.x > kColumns - kFromTheSides) continue;
     EXPECT_EQ(triangles[v], 6) << p.x << " " << p.y;
   }
-  EXPECT_GT(meanQuality(mesh), .95);
+  EXPECT_GT(meanQuality(rows.mesh), .97);
 }
 
 TEST(Optimize, SmoothsQuads) {
