@@ -311,11 +311,11 @@ class Division {
     std::vector<double> ends;
     if (first != none) ends.push_back(parameterAt(part.samples, first->second));
     if (last != none) ends.push_back(parameterAt(part.samples, part.samples.length - last->second));
-    if (ends.empty()) return divide(part.samples, least);
+    if (ends.empty()) return divide(part.samples, least, sizes_);
     const std::vector<EdgeSamples> parts = split(part.samples, ends);
     const std::size_t used = ends.size();
     std::vector<double> parameters =
-        divide(parts[first != none ? 1 : 0], least > used ? least - used : 1);
+        divide(parts[first != none ? 1 : 0], least > used ? least - used : 1, sizes_);
     const EdgePiece &front = part.samples.pieces.front(), &back = part.samples.pieces.back();
     if (first != none) parameters.insert(parameters.begin(), front.parameters.front());
     if (last != none) parameters.push_back(back.parameters.back());

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/curve_division.h"
 #include "geometry/occ/points.h"
 #include "geometry/occ/sizing.h"
 #include "geometry/occ/wanted_along_edge.h"
@@ -157,15 +158,6 @@ std::vector<EdgePiece> sampleInCells(const BRepAdaptor_Curve& curve, const Wante
   return pieces;
 }
 
-/// Number of segments up to each sample, if segments had exactly the wanted sizes.
-std::vector<double> countAlong(const EdgePiece& piece) {
-  std::vector<double> count(piece.sizes.size(), 0);
-  for (std::size_t i = 1; i < count.size(); ++i)
-    count[i] = count[i - 1] + 2 * (piece.arcLength[i] - piece.arcLength[i - 1]) /
-                                  (piece.sizes[i - 1] + piece.sizes[i]);
-  return count;
-}
-
 /// How many times too long the cells are. Sizes that were asked for may be far below the largest,
 /// and small in a few places only: samples are to be dense there as well.
 double coarseness(const std::vector<EdgePiece>& pieces) {
@@ -283,26 +275,37 @@ void tryCurve(EdgeSamples& samples, Use&& use) {
   if (!samples.problem.empty()) samples.pieces.clear();
 }
 
-void gradePiece(EdgePiece& piece, double growth) {
-  const std::vector<double>& s = piece.arcLength;
-  std::vector<double>& h = piece.sizes;
-  for (std::size_t i = 1; i < h.size(); ++i)
-    h[i] = std::min(h[i], h[i - 1] + growth * (s[i] - s[i - 1]));
-  for (std::size_t i = h.size() - 1; i-- > 0;)
-    h[i] = std::min(h[i], h[i + 1] + growth * (s[i + 1] - s[i]));
+/// By how much the tangent turns along a piece.
+double turnOf(const EdgePiece& piece) {
+  double turn = 0;
+  Point3 before = unit(piece.positions[1] - piece.positions[0]);
+  for (std::size_t i = 2; i < piece.positions.size(); ++i) {
+    const Point3 here = unit(piece.positions[i] - piece.positions[i - 1]);
+    turn += distance(before, here);
+    before = here;
+  }
+  const auto cells = static_cast<double>(piece.positions.size() - 1);
+  return cells > 1 ? turn * cells / (cells - 1) : 0;  // each chord turns half as much at its ends
+}
+
+/// How many segments a piece gets that is `count` wanted sizes long: the nearest whole number.
+/// Where turns are to have their elements, no segment that turns is longer than wanted.
+std::size_t segmentsOf(const EdgePiece& piece, double count, const ModelSizes& sizes) {
+  constexpr double kStraight = 0.25;  // of the turn that a segment may have
+  constexpr double kRounding = 0.01;
+  const std::size_t nearest = wholeSegments(count, 1);
+  if (sizes.elementsPerTurn == 0) return nearest;
+  const double byTurn = turnOf(piece) / sizes.edgeTurn;
+  if (byTurn < kStraight * static_cast<double>(nearest)) return nearest;
+  const double enough = std::max(sizes.curvedShare * count, std::min(byTurn, count));
+  return std::max(nearest, static_cast<std::size_t>(std::ceil(enough - kRounding)));
 }
 
 /// Appends the ends of `segments` equal shares of the count, without the start of the piece.
 void place(const EdgePiece& piece, const std::vector<double>& count, std::size_t segments,
            std::vector<double>& parameters) {
-  std::size_t cell = 1;
-  for (std::size_t k = 1; k < segments; ++k) {
-    const double target = count.back() * static_cast<double>(k) / static_cast<double>(segments);
-    while (cell + 1 < count.size() && count[cell] < target) ++cell;
-    const double t = (target - count[cell - 1]) / (count[cell] - count[cell - 1]);
-    parameters.push_back(piece.parameters[cell - 1] +
-                         t * (piece.parameters[cell] - piece.parameters[cell - 1]));
-  }
+  for (const CurvePlace& at : equalShares(count, segments))
+    parameters.push_back(at.between(piece.parameters));
   parameters.push_back(piece.parameters.back());
 }
 
@@ -332,23 +335,23 @@ void gradeSizes(EdgeSamples& samples, double first, double last, double growth) 
   for (std::size_t i = 0; i < samples.pieces.size(); ++i) {
     std::vector<double>& sizes = samples.pieces[i].sizes;
     if (i > 0) sizes.front() = std::min(sizes.front(), samples.pieces[i - 1].sizes.back());
-    gradePiece(samples.pieces[i], growth);
+    gradeAlong(samples.pieces[i].arcLength, sizes, growth);
   }
   for (std::size_t i = samples.pieces.size() - 1; i-- > 0;) {
     std::vector<double>& sizes = samples.pieces[i].sizes;
     sizes.back() = std::min(sizes.back(), samples.pieces[i + 1].sizes.front());
-    gradePiece(samples.pieces[i], growth);
+    gradeAlong(samples.pieces[i].arcLength, sizes, growth);
   }
 }
 
-std::vector<double> divide(const EdgeSamples& samples, std::size_t leastSegments) {
+std::vector<double> divide(const EdgeSamples& samples, std::size_t leastSegments,
+                           const ModelSizes& sizes) {
   std::vector<std::vector<double>> counts;
   std::vector<std::size_t> segments;
   std::size_t total = 0;
   for (const EdgePiece& piece : samples.pieces) {
-    counts.push_back(countAlong(piece));
-    segments.push_back(
-        static_cast<std::size_t>(std::max(1.0, std::floor(counts.back().back() + 0.5))));
+    counts.push_back(segmentsAlong(piece.arcLength, piece.sizes));
+    segments.push_back(segmentsOf(piece, counts.back().back(), sizes));
     total += segments.back();
   }
   for (; total < leastSegments; ++total) {

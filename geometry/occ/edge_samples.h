@@ -43,7 +43,9 @@ EdgeSamples limitedByPosition(const ModelShape& model, int edge, const ModelSize
 /// `last` at its ends.
 void gradeSizes(EdgeSamples& samples, double first, double last, double growth);
 
-/// Parameters that divide the edge into pieces of the wanted sizes, ends included.
-std::vector<double> divide(const EdgeSamples& samples, std::size_t leastSegments);
+/// Parameters that divide the edge into pieces of the wanted sizes, ends included. The number of
+/// them is the nearest; with sizes.elementsPerTurn, no piece that turns is longer than wanted.
+std::vector<double> divide(const EdgeSamples& samples, std::size_t leastSegments,
+                           const ModelSizes& sizes);
 
 }  // namespace af2::geometry

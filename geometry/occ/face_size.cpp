@@ -14,7 +14,8 @@ FaceSize::FaceSize(const ModelSizes& sizes, int face, const FaceSurface& surface
 }
 
 double FaceSize::limitedAt(const SurfacePoint& point) const {
-  return sizes_.curvedShare * limitByCurvature(sizes_, face_, wanted_, surface_, point);
+  const CurvedSize curved = curvedSizeAt(sizes_, face_, wanted_, surface_, point);
+  return curved.share * curved.limit;
 }
 
 double FaceSize::sizeAt(const SurfacePoint& point) const {

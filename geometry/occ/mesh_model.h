@@ -53,8 +53,8 @@ struct ModelSizes {
   /// sizes by curvature change faster than they could be sampled are added.
   std::set<int> roughFaces;
   /// What elements on curved faces and their edges aim at, as a share of the size that is wanted
-  /// there. With `elementsPerTurn` it is 0.95: lengths scatter, and a mesh departs from its surface
-  /// by their square.
+  /// there. With `elementsPerTurn` it is 0.9: lengths scatter by a tenth, and hardly an edge is to
+  /// be longer than wanted.
   double curvedShare = 1;
   /// Most growth of the size per unit of length, away from whatever wants a small one.
   double growth = kDefaultGrowth;

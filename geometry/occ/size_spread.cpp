@@ -29,7 +29,7 @@ constexpr double kSmall = 0.9;
 
 /// The options for gentle curvature, set so that a turn gets as many elements as asked for.
 void setTurns(ModelSizes& sizes) {
-  constexpr double kCurvedShare = 0.95;
+  constexpr double kCurvedShare = 0.9;
   if (sizes.elementsPerTurn == 0) return;
   sizes.curvedShare = kCurvedShare;
   sizes.edgeTurn = sizes.faceTurn = 2 * std::numbers::pi / sizes.elementsPerTurn;

@@ -76,14 +76,22 @@ double limitByFunction(const ModelSizes& sizes, double size, const Point3& posit
   return sizes.function ? std::min(size, sizes.function.at(position)) : size;
 }
 
-double limitByCurvature(const ModelSizes& sizes, int face, double size, const FaceSurface& surface,
+CurvedSize curvedSizeAt(const ModelSizes& sizes, int face, double size, const FaceSurface& surface,
                         const SurfacePoint& point) {
+  constexpr double kVisible = 0.05;  // turn of an edge, in those that it may have
   const FaceSurface::Radii radii = surface.radiiAt(point, size);
+  const double bend = std::min(1.0, size / (kVisible * sizes.faceTurn * radii.smallest));
+  const double share = 1 - (1 - sizes.curvedShare) * bend;
   const double gentle =
       std::min(size, std::max(sizes.faceTurn * radii.smallest, sizes.faceLeast * size));
-  if (sizes.roughFaces.contains(face)) return gentle;
+  if (sizes.roughFaces.contains(face)) return {gentle, share};
   const double least = leastOnTube(sizes, size, surface, radii.bent);
-  return std::min(gentle, std::max(sizes.faceTurn * radii.bent, least));
+  return {std::min(gentle, std::max(sizes.faceTurn * radii.bent, least)), share};
+}
+
+double limitByCurvature(const ModelSizes& sizes, int face, double size, const FaceSurface& surface,
+                        const SurfacePoint& point) {
+  return curvedSizeAt(sizes, face, size, surface, point).limit;
 }
 
 double expectedElements(const ModelSizes& sizes, int face, const FaceSurface& surface, double area,

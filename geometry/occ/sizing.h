@@ -42,7 +42,16 @@ double wantedOnFace(const ModelSizes& sizes, int face);
 /// The function's limit at a position, if there is a function.
 double limitByFunction(const ModelSizes& sizes, double size, const Point3& position);
 
-/// `size`, or less where an edge of an element would turn by more than sizes.faceTurn.
+/// What curvature does to a size on a face.
+struct CurvedSize {
+  double limit;  ///< the size, or less where an edge of an element would turn by more than faceTurn
+  double share;  ///< of it that elements aim at: 1 where the face is as good as flat, elsewhere
+                 ///< sizes.curvedShare
+};
+CurvedSize curvedSizeAt(const ModelSizes& sizes, int face, double size, const FaceSurface& surface,
+                        const SurfacePoint& point);
+
+/// The limit alone.
 double limitByCurvature(const ModelSizes& sizes, int face, double size, const FaceSurface& surface,
                         const SurfacePoint& point);
 

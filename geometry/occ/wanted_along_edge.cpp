@@ -46,10 +46,10 @@ double WantedAlongEdge::onFace(const Neighbor& face, const Point3& position,
                                double parameter) const {
   if (!face.surface || face.curve.IsNull()) return face.wanted;
   const gp_Pnt2d uv = face.curve->Value(parameter);
+  const CurvedSize curved =
+      curvedSizeAt(sizes_, face.id, face.wanted, *face.surface, {position, {}, uv.X(), uv.Y()});
   // A full turn keeps its number of elements.
-  return std::min(sizes_.curvedShare * face.wanted,
-                  limitByCurvature(sizes_, face.id, face.wanted, *face.surface,
-                                   {position, {}, uv.X(), uv.Y()}));
+  return std::min(curved.share * face.wanted, curved.limit);
 }
 
 }  // namespace af2::geometry

@@ -1,9 +1,14 @@
 #include "geometry/occ/edge_division.h"
 
 #include <gtest/gtest.h>
+#include <BRepAdaptor_Curve.hxx>
+#include <BRepPrimAPI_MakeCylinder.hxx>
+#include <TopoDS.hxx>
 
+#include <numbers>
 #include <set>
 
+#include "geometry/occ/sizing.h"
 #include "tests/geometry/occ/shapes.h"
 
 namespace af2::geometry {
@@ -62,6 +67,37 @@ TEST(EdgeDivision, KeepsRoundHolesRoundHoweverLargeTheSize) {
     EXPECT_GE(edge.points.size(), 7u);
     EXPECT_LE(edge.points.size(), 16u);
   }
+}
+
+/// How many segments each arc of a sector of a cylinder has.
+std::set<std::size_t> segmentsOfArcs(double radius, double degrees, double size, double perTurn) {
+  ModelSizes sizes = uniform(size);
+  sizes.elementsPerTurn = perTurn;
+  const Model model = testing::modelOf(
+      BRepPrimAPI_MakeCylinder(radius, 1, degrees / 180 * std::numbers::pi).Shape());
+  const DividedEdges divided = divide(model, spreadSizes(model.shape(), sizes, {}, 1, {}));
+  std::set<std::size_t> segments;
+  for (int id = 1; id <= model.edgeCount(); ++id)
+    if (BRepAdaptor_Curve(TopoDS::Edge(model.shape().edge(id))).GetType() == GeomAbs_Circle)
+      segments.insert(divided.edges[static_cast<std::size_t>(id) - 1].points.size() - 1);
+  return segments;
+}
+
+TEST(EdgeDivision, TurnsByNoMoreThanWasAskedForInOneSegment) {
+  for (const double degrees : {20.0, 31.0, 40.0, 70.0, 90.0, 100.0, 130.0, 180.0, 290.0})
+    for (const double perTurn : {8.0, 12.0, 25.0})
+      EXPECT_EQ(segmentsOfArcs(1, degrees, 5, perTurn),
+                std::set{static_cast<std::size_t>(std::ceil(degrees * perTurn / 360 - 1e-9))})
+          << degrees << " " << perTurn;
+}
+
+TEST(EdgeDivision, MakesNoSegmentThatTurnsLongerThanWantedIfTurnsHaveTheirElements) {
+  const double degrees = 20, length = degrees / 180 * std::numbers::pi;
+  EXPECT_EQ(segmentsOfArcs(1, degrees, length / 1.3, 12), std::set<std::size_t>{2});
+  EXPECT_EQ(segmentsOfArcs(1, degrees, length / 2.2, 12), std::set<std::size_t>{3});
+  EXPECT_EQ(segmentsOfArcs(1, degrees, length / 1.3, 0), std::set<std::size_t>{1});
+  // All but straight: the nearest number.
+  EXPECT_EQ(segmentsOfArcs(1, 2, length / 10 / 1.3, 12), std::set<std::size_t>{1});
 }
 
 TEST(EdgeDivision, GivesPolesNoSegments) {

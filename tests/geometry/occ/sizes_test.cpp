@@ -1,5 +1,6 @@
 // Sizes that are asked for, on CAD models.
 #include <gtest/gtest.h>
+#include <gp_Cylinder.hxx>
 
 #include <cmath>
 #include <map>
@@ -84,7 +85,16 @@ TEST(Sizes, LeaveRoomForScatterOnCurvedFacesAndTheirEdges) {
   };
   EXPECT_EQ(longest(), 63);
   sizes.elementsPerTurn = 12;
-  EXPECT_EQ(longest(), 66);  // 63 / 0.95
+  EXPECT_EQ(longest(), 70);  // 63 / 0.9
+}
+
+TEST(Sizes, LeaveNoneOnFacesThatAreAsGoodAsFlat) {
+  ModelSizes sizes = sizesOf(1);
+  sizes.elementsPerTurn = 12;
+  const TopoDS_Face face =
+      BRepBuilderAPI_MakeFace(gp_Cylinder(gp_Ax3(), 1e4), 0, 1e-3, 0, 10).Face();
+  for (const auto& [edge, count] : segmentsByEdge(mesh(testing::modelOf(face), sizes)))
+    EXPECT_EQ(count, 10);
 }
 
 TEST(Sizes, StopAtTheSmallestAndTheLargest) {
