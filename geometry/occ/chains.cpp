@@ -8,6 +8,7 @@
 
 #include "engine/error.h"
 #include "geometry/plane_axes.h"
+#include "geometry/sharp_seams.h"
 
 namespace af2::geometry {
 
@@ -91,8 +92,12 @@ class Linker {
     double bestTurn = 0;
     const auto found = starting_.find(end.vertex);
     if (found != starting_.end()) {
+      const bool mayBeSharp = std::ranges::all_of(found->second, [&](std::size_t candidate) {
+        return isOver(candidate, first, used) || isSharpBetween(end, candidate);
+      });
       for (const std::size_t candidate : found->second) {
-        if (used[candidate] && candidate != first) continue;
+        if (isOver(candidate, first, used)) continue;
+        if (!mayBeSharp && isSharpBetween(end, candidate)) continue;
         const double turn =
             clockwise(back, angleTowards(plane, chains_[candidate].corners[1].point));
         if (best && turn >= bestTurn) continue;
@@ -105,6 +110,15 @@ class Linker {
                           std::to_string(chains_[i].edge) + ", which ends at " +
                           toText(end.point.position) + "; healing closes loops that lack an edge");
     return *best;
+  }
+
+  static bool isOver(std::size_t chain, std::size_t first, const std::vector<bool>& used) {
+    return used[chain] && chain != first;
+  }
+
+  /// Whether a chain starts on another side of a sharp seam, where the tangent plane is another.
+  bool isSharpBetween(const BoundaryCorner& end, std::size_t chain) const {
+    return differSharply(end.point.normal, chains_[chain].corners.front().point.normal);
   }
 
   /// Share of the range of a parameter.

@@ -20,6 +20,7 @@
 #include "geometry/occ/touching_edges.h"
 #include "geometry/occ/wire_orientation.h"
 #include "geometry/plane_axes.h"
+#include "geometry/sharp_seams.h"
 
 namespace af2::geometry {
 
@@ -65,6 +66,7 @@ class BoundaryFinder {
     result_.canBeCut = std::ranges::all_of(
         linked.jumps, [&](const LinkedLoops::Jump& jump) { return isAtPole(jump); });
     result_.input.vertexCount = result_.points.size();
+    partSharpSeams(result_.input, result_.points);
     addIsolatedVertices();
     return std::move(result_);
   }

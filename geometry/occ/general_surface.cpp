@@ -1,5 +1,6 @@
 #include "geometry/occ/general_surface.h"
 
+#include <Geom_BSplineSurface.hxx>
 #include <Precision.hxx>
 #include <algorithm>
 #include <array>
@@ -46,6 +47,37 @@ ParameterRange rangeOf(double low, double high, bool closed) {
   return {low, high, closed && !Precision::IsInfinite(low) && !Precision::IsInfinite(high)};
 }
 
+/// Whether the surface turns by much where a parameter comes back to where it started, as at the
+/// trailing edge of a wing.
+template <class At>
+bool isSharpAtEnds(const ParameterRange& range, double from, double to, const At& normalAt) {
+  constexpr double kSharp = 0.85;   // cosine
+  constexpr double kBeside = 1e-6;  // of the width
+  for (const double share : {0.02, 0.26, 0.5, 0.74, 0.98}) {
+    const double at = from + share * (to - from), beside = kBeside * range.width();
+    const Point3 first = normalAt(range.low + beside, at), last = normalAt(range.high - beside, at);
+    if (dot(first, last) < kSharp * length(first) * length(last)) return true;
+  }
+  return false;
+}
+
+/// A face that ends at the ends of a range does not go on beyond them.
+bool endsWithin(const ParameterRange& range, double from, double to) {
+  constexpr double kSlack = 1e-6;
+  return from >= range.low - kSlack * range.width() && to <= range.high + kSlack * range.width();
+}
+
+/// Periodic splines come back to the other side beyond their ends.
+Handle(Geom_Surface) withoutPeriods(const Handle(Geom_Surface) & surface, bool inU, bool inV) {
+  const auto spline = Handle(Geom_BSplineSurface)::DownCast(surface);
+  if (spline.IsNull() || !((inU && spline->IsUPeriodic()) || (inV && spline->IsVPeriodic())))
+    return surface;
+  Handle(Geom_BSplineSurface) copy = Handle(Geom_BSplineSurface)::DownCast(spline->Copy());
+  if (inU && copy->IsUPeriodic()) copy->SetUNotPeriodic();
+  if (inV && copy->IsVPeriodic()) copy->SetVNotPeriodic();
+  return Handle(Geom_Surface)(copy);
+}
+
 }  // namespace
 
 double ParameterRange::bring(double value) const {
@@ -66,6 +98,7 @@ GeneralSurface::GeneralSurface(const Handle(Geom_Surface) & surface, bool flippe
   surface->Bounds(u1, u2, v1, v2);
   u_ = rangeOf(u1, u2, surface->IsUClosed());
   v_ = rangeOf(v1, v2, surface->IsVClosed());
+  openSharpEnds(surface);
   for (const double shareU : {0.1, 0.5, 0.9})
     for (const double shareV : {0.1, 0.5, 0.9}) {
       const Frame frame =
@@ -73,6 +106,23 @@ GeneralSurface::GeneralSurface(const Handle(Geom_Surface) & surface, bool flippe
       lengthU_ = std::max(lengthU_, length(frame.du));
       lengthV_ = std::max(lengthV_, length(frame.dv));
     }
+}
+
+void GeneralSurface::openSharpEnds(const Handle(Geom_Surface) & surface) {
+  const auto normalAt = [&](double u, double v) {
+    const Frame frame = values_.frameAt(u, v);
+    return cross(frame.du, frame.dv);
+  };
+  const bool inU =
+      u_.closed && endsWithin(u_, box_.u1, box_.u2) &&
+      isSharpAtEnds(u_, box_.v1, box_.v2, [&](double u, double v) { return normalAt(u, v); });
+  const bool inV =
+      v_.closed && endsWithin(v_, box_.v1, box_.v2) &&
+      isSharpAtEnds(v_, box_.u1, box_.u2, [&](double v, double u) { return normalAt(u, v); });
+  if (!inU && !inV) return;
+  values_ = SurfaceValues(withoutPeriods(surface, inU, inV), box_);
+  u_.closed = u_.closed && !inU;
+  v_.closed = v_.closed && !inV;
 }
 
 SurfacePoint GeneralSurface::pointAt(double u, double v) const {

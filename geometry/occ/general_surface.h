@@ -62,6 +62,8 @@ class GeneralSurface final : public ParametricSurface {
 
  private:
   std::optional<Point3> unitNormal(const Frame& frame) const;
+  /// Where the surface comes back to itself at an angle, it ends.
+  void openSharpEnds(const Handle(Geom_Surface) & surface);
 
   SurfaceValues values_;
   SplineSurface::Box box_;

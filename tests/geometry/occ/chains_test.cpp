@@ -47,6 +47,29 @@ TEST(Chains, ThatMeetAtOneVertexFromOutsideBoundLoopsOfTheirOwn) {
   EXPECT_EQ(linked.loops.size(), 2u);
 }
 
+/// As at the end of a wing whose trailing edge is its seam: both sides of the rim and of the seam
+/// meet there, and the tangent plane of the one side tells nothing of the other.
+TEST(Chains, GoOnOnTheirOwnSideOfASharpSeam) {
+  const Point3 upper{0, 0, 1}, lower = unit({0.9, 0, -1});
+  const auto at = [](std::size_t id, const Point3& p, const Point3& normal, double u, double v) {
+    return BoundaryCorner{VertexId(id), {p, normal, u, v}};
+  };
+  for (const double askew : {-0.4, 0.4}) {
+    const Point3 end{0, 0, 0}, onSeam{0, 2, 0};
+    const auto endUp = at(0, end, upper, 0, 0), endDown = at(0, end, lower, 4, 0);
+    const auto seamUp = at(1, onSeam, upper, 0, 2), seamDown = at(1, onSeam, lower, 4, 2);
+    const auto rimUp = at(2, {-1, askew, 0}, upper, 1, 0);
+    const auto rimDown = at(3, {-1, 0, -0.9}, lower, 3, 0);
+    const auto farUp = at(4, {-1, 2 + askew, 0}, upper, 1, 2);
+    const auto farDown = at(5, {-1, 2, -0.9}, lower, 3, 2);
+    const LinkedLoops linked =
+        linkChains({chain(1, {endUp, rimUp, rimDown, endDown}), chain(2, {endDown, seamDown}),
+                    chain(3, {seamDown, farDown, farUp, seamUp}), chain(2, {seamUp, endUp})});
+    EXPECT_EQ(linked.loops.size(), 1u);
+    EXPECT_TRUE(linked.closedInParameters());
+  }
+}
+
 TEST(Chains, AreRefusedIfTheyDoNotClose) {
   const auto a = corner(0, 0, 0), b = corner(1, 1, 0), c = corner(2, 0, 1);
   EXPECT_THROW(linkChains({chain(1, {a, b}), chain(2, {b, c})}), GeometryError);
