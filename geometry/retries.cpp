@@ -146,18 +146,23 @@ class Retries {
   /// without the short edges of the model there.
   void askForMore(const FaceMeshes& state, std::size_t i, Refinement& refinement) {
     Tries& tries = tries_[i];
-    const bool isFailed = failed(state.meshes[i]);
     if (mayDropShortEdges(state, i)) {
       refinement.dropAll(i);
       refinement.takeForPoints(i, tries.shortEdges.back());
       tries.shortEdges.pop_back();
       return;
     }
-    std::vector<SizeSource> places = placesOf(state, i);
-    if (isFailed && !tries.wasTried)
-      std::ranges::move(model_.sizesInside(i), std::back_inserter(places));
-    refinement.add(i, places);
+    refinement.add(i, wantedPlaces(state, i));
     tries.wasTried = true;
+  }
+
+  /// Where a face asks for shorter edges. One that failed may be bent more than its size can
+  /// follow, wherever the front got stuck, or nowhere.
+  std::vector<SizeSource> wantedPlaces(const FaceMeshes& state, std::size_t i) const {
+    std::vector<SizeSource> places = placesOf(state, i);
+    if (failed(state.meshes[i]) && !tries_[i].wasTried)
+      std::ranges::move(model_.sizesInside(i), std::back_inserter(places));
+    return places;
   }
 
   /// Only where shorter edges did not help, or nobody knows where they should be. To mesh a face
@@ -228,9 +233,10 @@ class Retries {
       if (tries_[i].isHopeless) continue;
       const bool mayDropEdges = mayDropShortEdges(state, i);
       if (!hasEffortLeft_ && !mayDropEdges) continue;
-      const bool isWorthIt =
-          mayDropEdges || (!trouble.places.empty() && (trouble.isBad || !tries_[i].wasTried));
-      if (isWorthIt || crossingsAt(state, i) > 0) poor.push_back(i);
+      const bool mayTry =
+          mayDropEdges || crossingsAt(state, i) > 0 ||
+          ((trouble.isBad || !tries_[i].wasTried) && !wantedPlaces(state, i).empty());
+      if (mayTry) poor.push_back(i);
     }
     return poor;
   }

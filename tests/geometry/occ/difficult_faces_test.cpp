@@ -69,6 +69,16 @@ TEST(DifficultFaces, AnArcOfAThousandthOfTheSizeIsDividedUntilItsChordsDoNotCros
   EXPECT_GT(leastAngle(result), 0.5);
 }
 
+/// A tube so oblique that its section is flat, with a radius of a sixth of the size at its ends:
+/// the first tries fail without a place that is at fault.
+TEST(DifficultFaces, AnObliqueTubeGetsTheSizesThatItsCurvatureWants) {
+  const TopoDS_Shape tube =
+      BRepPrimAPI_MakePrism(circle(1.537), gp_Vec(1.7555, 0, 0.21863)).Shape();
+  const ModelMesh result = mesh(tube, 0.143);
+  expectComplete(result, 11.163);
+  EXPECT_FALSE(result.faces[0].attempts.empty());
+}
+
 /// No front can fill what crossing edges bound, however short they are.
 TEST(DifficultFaces, ALoopThatCrossesItselfIsTriedOnce) {
   ModelMeshingOptions options = testing::ofSize(0.3);
