@@ -1,5 +1,9 @@
+#include <BRepBndLib.hxx>
 #include <BRepBuilderAPI_Sewing.hxx>
+#include <BRepGProp.hxx>
 #include <BRep_Builder.hxx>
+#include <Bnd_Box.hxx>
+#include <GProp_GProps.hxx>
 #include <IGESControl_Reader.hxx>
 #include <IGESData_GlobalSection.hxx>
 #include <IGESData_IGESModel.hxx>
@@ -8,8 +12,11 @@
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedDataMapOfShapeListOfShape.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS_Compound.hxx>
 #include <TopoDS_Iterator.hxx>
+#include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "engine/error.h"
@@ -29,16 +36,48 @@ int freeEdges(const TopoDS_Shape& shape) {
   return count;
 }
 
-/// The shape with neighbours sewn where that leaves fewer free edges.
-TopoDS_Shape sewn(const TopoDS_Shape& shape, double tolerance) {
-  const int before = freeEdges(shape);
-  if (before == 0) return shape;
+int countFaces(const TopoDS_Shape& shape) {
+  TopTools_IndexedMapOfShape faces;
+  TopExp::MapShapes(shape, TopAbs_FACE, faces);
+  return faces.Extent();
+}
+
+TopoDS_Shape sewnAt(const TopoDS_Shape& shape, double tolerance) {
   BRepBuilderAPI_Sewing sewing(tolerance);
   sewing.SetNonManifoldMode(false);
   sewing.Add(shape);
   sewing.Perform();
-  const TopoDS_Shape result = sewing.SewedShape();
-  return result.IsNull() || freeEdges(result) >= before ? shape : result;
+  return sewing.SewedShape();
+}
+
+/// Two sheets that were sewn to one another all round, because the gap is as wide as what lies
+/// between them, enclose nothing.
+bool isThickerThan(double gap, const TopoDS_Shape& shape) {
+  GProp_GProps volume, area;
+  BRepGProp::VolumeProperties(shape, volume);
+  BRepGProp::SurfaceProperties(shape, area);
+  return std::abs(volume.Mass()) > 2 * gap * area.Mass();
+}
+
+/// The shape with neighbours sewn where that leaves fewer free edges. Nobody knows how exact the
+/// file is: wider gaps are closed, too, if all edges find a neighbour then.
+TopoDS_Shape sewn(const TopoDS_Shape& shape, double diagonal) {
+  const int before = freeEdges(shape);
+  if (before == 0) return shape;
+  constexpr double kGap = 1e-4;  // mm
+  const double gap = std::clamp(kGap, 1e-6 * diagonal, 1e-4 * diagonal);
+  const TopoDS_Shape narrowly = sewnAt(shape, gap);
+  const int left = narrowly.IsNull() ? before : freeEdges(narrowly);
+  if (left == 0) return narrowly;
+  for (const double wider : {1e-5, 1e-4, 1e-3}) {
+    if (wider * diagonal <= gap) continue;
+    const TopoDS_Shape closed = sewnAt(shape, wider * diagonal);
+    const bool isClosed = !closed.IsNull() && freeEdges(closed) == 0;
+    if (isClosed && countFaces(closed) == countFaces(shape) &&
+        isThickerThan(wider * diagonal, closed))
+      return closed;
+  }
+  return left < before ? narrowly : shape;
 }
 
 /// What lies directly in a group of the file, and in each group inside it.
@@ -59,9 +98,12 @@ void collectGroups(const TopoDS_Shape& shape, std::vector<TopoDS_Shape>& groups)
 /// IGES gives each trimmed surface edges of its own; only sewn do neighbours share them. A group
 /// that closes by itself is a part: sewn along with others, it would grow together with those that
 /// it touches.
-void sew(ReadShape& read, double tolerance) {
+void sew(ReadShape& read) {
   const int before = freeEdges(read.shape);
   if (before == 0) return;
+  Bnd_Box box;
+  BRepBndLib::Add(read.shape, box);
+  const double diagonal = std::sqrt(box.SquareExtent());
   std::vector<TopoDS_Shape> groups;
   collectGroups(read.shape, groups);
   BRep_Builder builder;
@@ -69,10 +111,10 @@ void sew(ReadShape& read, double tolerance) {
   builder.MakeCompound(all);
   builder.MakeCompound(open);
   for (const TopoDS_Shape& group : groups) {
-    const TopoDS_Shape part = sewn(group, tolerance);
+    const TopoDS_Shape part = sewn(group, diagonal);
     freeEdges(part) == 0 ? builder.Add(all, part) : builder.Add(open, group);
   }
-  if (TopExp_Explorer(open, TopAbs_FACE).More()) builder.Add(all, sewn(open, tolerance));
+  if (TopExp_Explorer(open, TopAbs_FACE).More()) builder.Add(all, sewn(open, diagonal));
   const int after = freeEdges(all);
   if (after >= before) return;
   read.shape = all;
@@ -96,7 +138,7 @@ ReadShape readIges(const std::filesystem::path& path) {
   const IGESData_GlobalSection& global = reader.IGESModel()->GlobalSection();
   if (!global.UnitName().IsNull()) result.fileUnit = global.UnitName()->ToCString();
   result.shape = reader.OneShape();
-  if (!result.shape.IsNull()) sew(result, 1e-4);
+  if (!result.shape.IsNull()) sew(result);
   return result;
 }
 

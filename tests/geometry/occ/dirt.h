@@ -34,7 +34,7 @@
 
 namespace af2::testing {
 
-inline TopoDS_Compound compoundOf(std::initializer_list<TopoDS_Shape> shapes) {
+inline TopoDS_Compound compoundOf(const std::vector<TopoDS_Shape>& shapes) {
   BRep_Builder builder;
   TopoDS_Compound all;
   builder.MakeCompound(all);
