@@ -25,7 +25,6 @@ constexpr double kFoldAngle = 0.005;
 struct Part {
   std::size_t element;
   std::array<std::uint32_t, 3> vertices;
-  Corners corners;
   Box3 box;
 };
 
@@ -41,9 +40,7 @@ void findParts(const ModelMesh& mesh, const ElementTree::Run& run, const Box3& w
                            element.corners[k + 1].value};
       Box3 box;
       for (const std::uint32_t v : ids) box.add(mesh.vertices[v]);
-      if (!box.meets(where)) continue;
-      parts.push_back(
-          {i, ids, {mesh.vertices[ids[0]], mesh.vertices[ids[1]], mesh.vertices[ids[2]]}, box});
+      if (box.meets(where)) parts.push_back({i, ids, box});
     }
   }
 }
@@ -164,12 +161,20 @@ class Search {
   }
 
   void searchPair(const Patch& one, const Patch& other, std::vector<Crossing>& found) const {
+    constexpr std::size_t kNone = ~std::size_t{0};
     std::vector<Part> mine, its;
+    std::size_t lastRun = kNone;  // the runs of the other tree near one of this come in a row
     const bool isSelf = &one == &other;
     one.tree.forEachNear(other.tree, depth_, [&](const auto& run, const auto& otherRun) {
-      findParts(mesh_, run, ElementTree::grown(otherRun.box, depth_), mine);
-      if (mine.empty()) return;
-      findParts(mesh_, otherRun, ElementTree::grown(run.box, depth_), its);
+      if (run.first != lastRun) findParts(mesh_, run, run.box, mine);
+      lastRun = run.first;
+      const Box3 where = ElementTree::grown(otherRun.box, depth_);
+      Box3 near;  // around what reaches there
+      for (const Part& part : mine)
+        if (part.box.meets(where)) near.add(part.box);
+      near = ElementTree::grown(near, depth_);
+      if (!near.meets(otherRun.box)) return;
+      findParts(mesh_, otherRun, near, its);
       const bool isOneRun = isSelf && run.first == otherRun.first;
       for (const Part& part : mine)
         for (const Part& another : its)
@@ -197,6 +202,11 @@ class Search {
             middle(a.low.z, a.high.z, b.low.z, b.high.z)};
   }
 
+  Corners cornersOf(const Part& part) const {
+    const auto& [a, b, c] = part.vertices;
+    return {mesh_.vertices[a], mesh_.vertices[b], mesh_.vertices[c]};
+  }
+
   /// Whether they lie on each other at a common edge (true), cross (false), or neither.
   std::optional<bool> meeting(const Part& part, const Part& other) const {
     std::array<bool, 3> isCommon{}, isCommonInOther{};
@@ -208,16 +218,17 @@ class Search {
           ++common;
         }
     if (common == 3) return true;
+    const Corners corners = cornersOf(part), itsCorners = cornersOf(other);
     if (common == 2) {
       const auto lone = [](const std::array<bool, 3>& flags) {
         return static_cast<std::size_t>(std::ranges::find(flags, false) - flags.begin());
       };
       const std::size_t a = lone(isCommon), b = lone(isCommonInOther);
-      const bool isFolded = areFolded(part.corners[(a + 1) % 3], part.corners[(a + 2) % 3],
-                                      part.corners[a], other.corners[b], kFoldAngle);
+      const bool isFolded = areFolded(corners[(a + 1) % 3], corners[(a + 2) % 3], corners[a],
+                                      itsCorners[b], kFoldAngle);
       return isFolded ? std::optional(true) : std::nullopt;
     }
-    const bool crosses = reachIntoEachOther(part.corners, other.corners, depth_);
+    const bool crosses = reachIntoEachOther(corners, itsCorners, depth_);
     return crosses ? std::optional(false) : std::nullopt;
   }
 
