@@ -167,13 +167,19 @@ class FaceStrips {
     const Knot& knot = edges_[edge].knots[k];
     if (line.box.distanceTo(knot.position) > most) return std::nullopt;
     std::optional<Side> nearest;
+    const double perLongest = 1 / line.longest;
     std::uint32_t step = 1;
     for (std::uint32_t i = 1; i < line.knots.size(); i += step) {
       const Point3 &from = line.knots[i - 1].position, &to = line.knots[i].position;
-      const double tooFar = distance(from, knot.position) - line.longest - most;
-      step = 1 + static_cast<std::uint32_t>(
-                     std::clamp(tooFar / line.longest, 0.0, double(line.knots.size())));
-      if (tooFar > 0 || line.knots[i - 1].piece != line.knots[i].piece) continue;
+      const double reach = line.longest + most;
+      const double squared = dot(knot.position - from, knot.position - from);
+      step = 1;
+      if (squared > reach * reach) {  // on to what may be near enough
+        const double segments = perLongest * (std::sqrt(squared) - reach);
+        step += static_cast<std::uint32_t>(std::min(segments, double(line.knots.size())));
+        continue;
+      }
+      if (line.knots[i - 1].piece != line.knots[i].piece) continue;
       if (edge == other && isBeside(k, i)) continue;
       const std::optional<Side> side = acrossTo(from, to, knot, line.blur, most);
       if (!side) continue;
