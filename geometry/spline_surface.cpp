@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <type_traits>
 
 namespace af2::geometry {
 
@@ -45,14 +46,33 @@ std::vector<double> bezierMatrix(const SplineBasis& basis, std::size_t knot) {
   return matrix;
 }
 
+/// Calls use(c), c being a constant: `count`, if that is small, else 0. What is done a known number
+/// of times is done several times as fast.
+template <class Use>
+auto withConstant(std::size_t count, Use&& use) {
+  switch (count) {
+    case 2:
+      return use(std::integral_constant<std::size_t, 2>());
+    case 3:
+      return use(std::integral_constant<std::size_t, 3>());
+    case 4:
+      return use(std::integral_constant<std::size_t, 4>());
+    default:
+      return use(std::integral_constant<std::size_t, 0>());
+  }
+}
+
 /// Bernstein's polynomials at a place, and their derivatives up to Order.
-template <int Order>
+///
+/// Count  how many there are; 0: as many as the degree says
+template <int Order, std::size_t Count>
 struct Bernstein {
-  std::array<std::array<double, kMost>, Order + 1> by;
+  using Values = std::array<double, Count == 0 ? kMost : Count>;
+  std::array<Values, Order + 1> by;
 
   Bernstein(int degree, double t, double perUnit) {
-    const auto p = static_cast<std::size_t>(degree);
-    std::array<double, kMost>& b = by[0];
+    const std::size_t p = Count == 0 ? static_cast<std::size_t>(degree) : Count - 1;
+    Values& b = by[0];
     const double s = 1 - t;
     b[0] = 1;
     for (std::size_t n = 1; n <= p; ++n) {
@@ -72,8 +92,8 @@ struct Bernstein {
   /// The derivative of order K from the polynomials of degree `degree`, which is K less.
   template <int K>
   void differences(std::size_t degree, double factor) {
-    const std::array<double, kMost>& b = by[0];
-    std::array<double, kMost>& d = by[K];
+    const Values& b = by[0];
+    Values& d = by[K];
     const auto at = [&](std::size_t i, std::size_t back) {
       return i >= back && i - back <= degree ? b[i - back] : 0.0;
     };
@@ -197,10 +217,19 @@ void SplineSurface::fillPatch(const SplineDefinition& definition, std::size_t iu
 
 /// x, y, z and weight, which a processor handles two or four at a time.
 struct Four {
-  std::array<double, 4> of{};
+  using Pair = double __attribute__((vector_size(16)));
+  Pair xy{}, zw{};
 
-  void add(double factor, const double* numbers) {
-    for (std::size_t k = 0; k < 4; ++k) of[k] += factor * numbers[k];
+  void add(double factor, const Four& numbers) {
+    const Pair factors{factor, factor};
+    xy += factors * numbers.xy;
+    zw += factors * numbers.zw;
+  }
+  static Four at(const double* numbers) {
+    Four four;
+    four.xy = Pair{numbers[0], numbers[1]};
+    four.zw = Pair{numbers[2], numbers[3]};
+    return four;
   }
 };
 
@@ -211,18 +240,29 @@ struct SplineSurface::Sums {
   Point3 origin;
 
   Point3 point(std::size_t a, std::size_t b) const {
-    return {by[a][b].of[0], by[a][b].of[1], by[a][b].of[2]};
+    return {by[a][b].xy[0], by[a][b].xy[1], by[a][b].zw[0]};
   }
-  double weight(std::size_t a, std::size_t b) const { return by[a][b].of[3]; }
+  double weight(std::size_t a, std::size_t b) const { return by[a][b].zw[1]; }
 };
 
 template <int Order>
 SplineSurface::Sums<Order> SplineSurface::sumsAt(const Spans::Place& u,
                                                  const Spans::Place& v) const {
-  const Bernstein<Order> bu(u_.degree(), u.local, u.perUnit);
-  const Bernstein<Order> bv(v_.degree(), v.local, v.perUnit);
   const auto nu = static_cast<std::size_t>(u_.degree()) + 1;
   const auto nv = static_cast<std::size_t>(v_.degree()) + 1;
+  return withConstant(nu, [&](auto inU) {
+    return withConstant(nv, [&](auto inV) { return sumsOf<Order, inU, inV>(u, v); });
+  });
+}
+
+/// CountU, CountV  how many coefficients there are by u and v; 0: as many as the degrees say
+template <int Order, std::size_t CountU, std::size_t CountV>
+SplineSurface::Sums<Order> SplineSurface::sumsOf(const Spans::Place& u,
+                                                 const Spans::Place& v) const {
+  const Bernstein<Order, CountU> bu(u_.degree(), u.local, u.perUnit);
+  const Bernstein<Order, CountV> bv(v_.degree(), v.local, v.perUnit);
+  const std::size_t nu = CountU == 0 ? static_cast<std::size_t>(u_.degree()) + 1 : CountU;
+  const std::size_t nv = CountV == 0 ? static_cast<std::size_t>(v_.degree()) + 1 : CountV;
   const double* coefficient = patch(u.span, v.span);
   Sums<Order> sums;
   sums.origin = {coefficient[0], coefficient[1], coefficient[2]};
@@ -230,10 +270,11 @@ SplineSurface::Sums<Order> SplineSurface::sumsAt(const Spans::Place& u,
     std::array<Four, Order + 1> row;
     for (std::size_t j = 0; j < nv; ++j) {
       coefficient += 4;
-      for (std::size_t b = 0; b <= Order; ++b) row[b].add(bv.by[b][j], coefficient);
+      const Four pole = Four::at(coefficient);
+      for (std::size_t b = 0; b <= Order; ++b) row[b].add(bv.by[b][j], pole);
     }
     for (std::size_t a = 0; a <= Order; ++a)
-      for (std::size_t b = 0; a + b <= Order; ++b) sums.by[a][b].add(bu.by[a][i], row[b].of.data());
+      for (std::size_t b = 0; a + b <= Order; ++b) sums.by[a][b].add(bu.by[a][i], row[b]);
   }
   return sums;
 }

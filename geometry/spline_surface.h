@@ -90,6 +90,8 @@ class SplineSurface {
   struct Sums;
   template <int Order>
   Sums<Order> sumsAt(const Spans::Place& u, const Spans::Place& v) const;
+  template <int Order, std::size_t CountU, std::size_t CountV>
+  Sums<Order> sumsOf(const Spans::Place& u, const Spans::Place& v) const;
 
   Spans u_, v_;
   bool isRational_;
