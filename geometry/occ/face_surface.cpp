@@ -129,6 +129,9 @@ bool isBent(const std::vector<SurfacePoint>& line) {
   return turn > kBent;
 }
 
+/// Whether the surface is not flat or round by its name.
+bool mayBeFlat(GeomAbs_SurfaceType type) { return type >= GeomAbs_BezierSurface; }
+
 /// Splines and swept surfaces often are planes. Parameters may be degenerate or fold on these, and
 /// normals be noise; of a plane nothing of that matters.
 bool isFlat(const Handle(Geom_Surface) & surface, double extent) {
@@ -158,6 +161,10 @@ FaceSurface::FaceSurface(const Handle(Geom_Surface) & surface, const SplineSurfa
   const Point3 &p = sample.position, &n = sample.normal;
   if (!(length(n) > 0)) return;
   if (adaptor.GetType() != GeomAbs_Plane) measure();
+  if (mayBeFlat(adaptor.GetType()) && isFlat(surface, extent_)) {
+    surface_ = PlaneSurface{p, n};
+    return;
+  }
   switch (adaptor.GetType()) {
     case GeomAbs_Plane:
       surface_ = PlaneSurface{p, n};
@@ -207,7 +214,6 @@ FaceSurface::FaceSurface(const Handle(Geom_Surface) & surface, const SplineSurfa
       sweep_ = Sweep::Extrusion;
       break;
     default:
-      if (isFlat(surface, extent_)) surface_ = PlaneSurface{p, n};
       break;
   }
 }

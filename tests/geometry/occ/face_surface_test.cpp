@@ -6,10 +6,14 @@
 #include <Geom_BezierSurface.hxx>
 #include <Geom_Circle.hxx>
 #include <Geom_Line.hxx>
+#include <Geom_SurfaceOfLinearExtrusion.hxx>
 #include <Geom_SurfaceOfRevolution.hxx>
 #include <TColgp_Array2OfPnt.hxx>
+#include <gp.hxx>
+#include <numbers>
 
-#include "tests/geometry/occ/shapes.h"
+#include "tests/geometry/occ/meshing.h"
+#include "tests/support/model_mesh.h"
 
 namespace af2::geometry {
 namespace {
@@ -55,6 +59,26 @@ TopoDS_Face bilinear(const gp_Pnt& p00, const gp_Pnt& p10, const gp_Pnt& p01, co
   const gp_Pnt rows[] = {p00, p01, p10, p11};
   const TColgp_Array2OfPnt poles(rows[0], 1, 2, 1, 2);
   return BRepBuilderAPI_MakeFace(new Geom_BezierSurface(poles), 1e-7);
+}
+
+TEST(FaceSurface, TakesWhatIsSweptWithinAPlaneForOne) {
+  const Handle(Geom_Line) line = new Geom_Line(gp_Pnt(0, 0, 1), gp_Dir(1, 0, 0));
+  const Handle(Geom_Surface) extruded = new Geom_SurfaceOfLinearExtrusion(line, gp_Dir(1, 2, 0));
+  const Handle(Geom_Surface) disc = new Geom_SurfaceOfRevolution(line, gp::OZ());
+  const Handle(Geom_Surface) tube =
+      new Geom_SurfaceOfLinearExtrusion(new Geom_Circle(gp::XOY(), 1), gp_Dir(0, 0, 1));
+  for (const auto& surface : {extruded, disc})
+    EXPECT_TRUE(FaceSurface(BRepBuilderAPI_MakeFace(surface, 0, 2, 0, 2, 1e-7).Face()).isPlane());
+  EXPECT_FALSE(FaceSurface(BRepBuilderAPI_MakeFace(tube, 0, 2, 0, 2, 1e-7).Face()).isPlane());
+}
+
+TEST(FaceSurface, OfADiscThatWasRevolvedIsMeshedAsAPlaneWithAllItsArea) {
+  const Handle(Geom_Surface) disc =
+      new Geom_SurfaceOfRevolution(new Geom_Line(gp::Origin(), gp::DX()), gp::OZ());
+  const double turn = 2 * std::numbers::pi;
+  testing::expectComplete(
+      testing::mesh(BRepBuilderAPI_MakeFace(disc, 0, turn, 0, 1, 1e-7).Face(), 0.1), turn / 2,
+      0.01);
 }
 
 TEST(FaceSurface, TakesAFlatSplineForAPlane) {
