@@ -67,6 +67,13 @@ TEST(MeshFiles, StlSplitsAQuadAlongItsShorterDiagonal) {
   EXPECT_EQ(corner[6], 1);
 }
 
+TEST(MeshFiles, StlIsRefusedWhereSinglePrecisionWouldLoseTriangles) {
+  const double far = 1e6, small = 1e-3;
+  const auto at = [&](double x, double y) { return Point3{far + x, y, 0}; };
+  EXPECT_THROW(written(oneElement({at(0, 0), at(small, 0), at(0, small)}), ".stl"), InputError);
+  EXPECT_NO_THROW(written(oneElement({at(0, 0), at(1, 0), at(0, 1)}), ".stl"));
+}
+
 TEST(MeshFiles, ObjIsReadable) {
   EXPECT_EQ(written(oneElement({{0, 0, 0.1}, {1, 0, 0}, {0, 1e-300, 0}}), ".obj"),
             "# surface mesh by AF2\nv 0 0 0.1\nv 1 0 0\nv 0 1e-300 0\ng face_1\nf 1 2 3\n");
