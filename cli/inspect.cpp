@@ -44,12 +44,19 @@ namespace {
 
 using geometry::Defect;
 
+std::string lostText(const std::vector<std::string>& faces) {
+  if (faces.empty()) return "";
+  std::string names;
+  for (const std::string& face : faces) names += (names.empty() ? "" : ", ") + face;
+  return fmt::format("{} faces of the file could not be read: {}\n", faces.size(), names);
+}
+
 void printOverview(const geometry::Model& model) {
   const std::string unit = model.unit().empty() ? "" : " " + model.unit();
   fmt::print("{} faces, {} edges, {} vertices; diagonal {:.6g}{}\n", model.faceCount(),
              model.edgeCount(), model.vertexCount(), model.diagonal(), unit);
   if (!model.fileUnit().empty()) fmt::print("lengths in the file: {}\n", model.fileUnit());
-  fmt::print("{}", notesText(model.notes()));
+  fmt::print("{}{}", lostText(model.lostFaces()), notesText(model.notes()));
   fmt::print("{}", healingText(model.healing()));
 }
 

@@ -64,14 +64,15 @@ void tell(const MeshRequest& request, const RunReport& report, const ModelMesh& 
                mesh.straightened.size());
   }
   if (!request.quiet)
-    fmt::print("{}{}{}", notesText(mesh.notes), healingText(mesh.healing),
+    fmt::print("{}{}{}{}", unitText(mesh), notesText(mesh.notes), healingText(mesh.healing),
                summaryText(mesh, report.quality));
 }
 
 /// The status of a run, by its faces and by what the checks of the whole found.
 RunReport reportOf(const ModelMesh& mesh) {
   RunReport report;
-  for (const std::string& finding : mesh.findings) report.reason = finding;
+  for (const std::string& finding : mesh.findings)
+    report.reason += (report.reason.empty() ? "" : "; ") + finding;
   report.status = statusOf(mesh);
   if (!report.reason.empty() && report.status == RunStatus::Complete) {
     report.status = RunStatus::Partial;
@@ -105,7 +106,7 @@ int meshSafely(const MeshRequest& request) {
 int meshOrReportWhyNot(const MeshRequest& request) {
   try {
     return meshSafely(request);
-  } catch (const std::runtime_error& error) {
+  } catch (const std::exception& error) {
     RunReport report;
     report.reason = error.what();
     writeReportIfAsked(request, report, {});

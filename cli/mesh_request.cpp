@@ -26,6 +26,10 @@ void checkReadable(const fs::path& model) {
         fmt::format("'{}' is a directory; give a STEP, IGES, BREP, .poly, .in2d, STL or OBJ file",
                     model.string()));
   }
+  if (!fs::is_regular_file(status))
+    throw InputError(fmt::format(
+        "'{}' is no ordinary file, and a model is read more than once; write it to a file first",
+        model.string()));
 }
 
 /// Outputs are part of the command line: what is wrong with them is wrong usage.
@@ -41,7 +45,9 @@ void asUsage(Check check) {
 void checkOutputs(const MeshRequest& request) {
   std::set<fs::path> seen;
   const auto checkOne = [&](const fs::path& file) {
-    if (!seen.insert(fs::weakly_canonical(fs::absolute(file))).second) {
+    std::error_code odd;  // is told when it comes to writing
+    const fs::path place = fs::weakly_canonical(fs::absolute(file), odd);
+    if (!odd && !seen.insert(place).second) {
       throw UsageError(fmt::format("'{}' is to be written twice", file.string()));
     }
     std::error_code ignored;

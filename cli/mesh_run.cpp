@@ -14,7 +14,7 @@ namespace {
 
 void checkId(const std::string& option, const char* kind, int id, int count) {
   if (id <= count) return;
-  throw UsageError(fmt::format("{}: there is no {} {}; the model has {} 1 to {} (see af2 inspect)",
+  throw UsageError(fmt::format("{}: there is no {} {}; the model has {}s 1 to {} (see af2 inspect)",
                                option, kind, id, kind, count));
 }
 

@@ -3,6 +3,8 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
+#include <cctype>
 #include <numeric>
 
 #include "geometry/fingerprint.h"
@@ -79,6 +81,15 @@ std::string healingText(const std::optional<geometry::Healing>& healing) {
   }
   for (const std::string& step : healing->undone) text += fmt::format("  {}\n", step);
   return text;
+}
+
+std::string unitText(const geometry::ModelMesh& mesh) {
+  constexpr std::array kMillimetre{"mm", "millimetre", "millimeter"};
+  std::string unit = mesh.fileUnit;
+  std::ranges::transform(unit, unit.begin(), [](unsigned char c) { return std::tolower(c); });
+  if (mesh.unit.empty() || unit.empty() || std::ranges::count(kMillimetre, unit) > 0) return "";
+  return fmt::format("note: the file has lengths in {}; sizes and coordinates are in {} here\n",
+                     mesh.fileUnit, mesh.unit);
 }
 
 std::string notesText(const std::vector<std::string>& notes) {

@@ -16,6 +16,9 @@ std::string summaryText(const geometry::ModelMesh& mesh, const geometry::MeshQua
 /// What healing changed, one line each; empty if nothing was healed.
 std::string healingText(const std::optional<geometry::Healing>& healing);
 
+/// That lengths are not in the unit of the file; empty if they are, or nobody knows.
+std::string unitText(const geometry::ModelMesh& mesh);
+
 /// What was put right while reading, one line each; empty if nothing was.
 std::string notesText(const std::vector<std::string>& notes);
 

@@ -43,6 +43,8 @@ int runAction(const CLI::App& program, const Action& action) {
     complain(fmt::format("this is a defect of AF2, please report it: {}", error.what()));
   } catch (const std::bad_alloc&) {
     complain("not enough memory; try a larger --size");
+  } catch (const std::exception& error) {  // of the file system, for one
+    complain(error.what());
   }
   return kUnusable;
 }

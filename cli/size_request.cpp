@@ -10,7 +10,11 @@
 namespace af2::cli {
 
 void declareSizeOptions(CLI::App& command, SizeOptions& options) {
-  command.add_option("-s,--size", options.size, "wanted edge length, in the model's unit")
+  command
+      .add_option("-s,--size", options.size,
+                  "wanted edge length: in millimetres for STEP and IGES files, whatever these use, "
+                  "else in the "
+                  "unit of the file")
       ->required();
   command.add_option("--min-size", options.smallest, "no wanted size is smaller than this");
   command.add_option("--max-size", options.largest, "no wanted size is larger than this");

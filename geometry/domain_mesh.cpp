@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <mutex>
+#include <new>
 #include <numeric>
 
 #include "engine/error.h"
@@ -9,6 +10,7 @@
 #include "geometry/domain_division.h"
 #include "geometry/domain_model.h"
 #include "geometry/face_filling.h"
+#include "geometry/inside_out.h"
 #include "geometry/join_faces.h"
 #include "geometry/loose_points.h"
 #include "geometry/narrow_places.h"
@@ -16,6 +18,7 @@
 #include "geometry/part_sizes.h"
 #include "geometry/retries.h"
 #include "geometry/sound_faces.h"
+#include "geometry/too_many.h"
 
 namespace af2::geometry {
 
@@ -91,6 +94,7 @@ class DomainMesher final : public RetriedModel {
     findSizes();
     findRoom();
     findFaces();
+    refuseTooMany();
   }
 
   ModelMesh mesh() {
@@ -208,6 +212,22 @@ class DomainMesher final : public RetriedModel {
     }
   }
 
+  /// How many elements a face takes if nothing but its size and its curvature counts.
+  double expectedOn(int face, double size) const {
+    const auto index = static_cast<std::size_t>(face) - 1;
+    if (const CurvatureLimit* limit = sizes_.limits[index].get())
+      return limit->expectedElements(size);
+    return model_.faces[index].area / (kUnitTriangle * size * size);
+  }
+
+  void refuseTooMany() const {
+    double elements = 0;
+    for (const int face : faces_)
+      elements += expectedOn(
+          face, sizes_.byPosition.bounded(sizes_.onFace[static_cast<std::size_t>(face) - 1]));
+    geometry::refuseTooMany(elements);
+  }
+
   double largestAsked() const {
     double largest = options_.size;
     for (const double size : sizes_.onFace) largest = std::max(largest, size);
@@ -243,6 +263,8 @@ class DomainMesher final : public RetriedModel {
       fill(i, sizes, limits, divided, progress, mesh);
     } catch (const std::runtime_error& error) {  // of the surface or the boundary
       failFor(error.what(), mesh);
+    } catch (const std::bad_alloc&) {
+      failFor("there is not enough memory; ask for a larger size", mesh);
     }
     mesh.report.seconds = watch.seconds();
     return mesh;
@@ -267,8 +289,7 @@ class DomainMesher final : public RetriedModel {
       return PieceTools{face.surface->makeCharts(kind),
                         std::shared_ptr<const SizeField>(std::shared_ptr<void>(), &graded)};
     };
-    const double expected =
-        limit ? limit->expectedElements(size) : face.area / (kUnitTriangle * size * size);
+    const double expected = expectedOn(faces_[i], size);
     const bool mayBeFine =
         byPosition.isVaried() || options_.elementsPerTurn > 0 || sizes_.nearLoosePoints != nullptr;
     const auto withoutParameters = [](std::vector<StuckPlace>& places) {
@@ -294,6 +315,7 @@ class DomainMesher final : public RetriedModel {
     mesh.groups = model_.groups;
     mesh.notes = model_.notes;
     mesh.findings = keepSoundFaces(mesh, state.faults);
+    if (isInsideOut(mesh)) mesh.notes.emplace_back(kInsideOut);
     if (options_.order == 2) makeSecondOrder(mesh, middlesOf(mesh, middles));
     return mesh;
   }

@@ -105,9 +105,12 @@ struct ModelMesh {
   std::vector<EdgeSegment> segments;
   std::vector<FaceReport> faces;
   std::vector<FaceGroup> groups;
+  std::string unit;                ///< of all lengths, "mm"; empty if the file does not say
+  std::string fileUnit;            ///< in which the file has them, as it names it; may be empty
   std::vector<std::string> notes;  ///< what of the file was put right while reading
   std::optional<Healing> healing;  ///< if the model was healed before
-  /// What the last checks found that is not on one face; empty: nothing.
+  /// What the last checks found that is not on one face, and which faces of the file are lost;
+  /// empty: nothing.
   std::vector<std::string> findings;
   StageSeconds seconds;
 };

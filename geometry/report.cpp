@@ -139,6 +139,8 @@ void writeReport(const RunReport& report, const ModelMesh& mesh, OutputFile& fil
                                     {"face", mesh.face[element.value]},
                                     {"place", {p.x, p.y, p.z}}});
   }
+  if (!mesh.unit.empty()) json["unit"] = mesh.unit;
+  if (!mesh.fileUnit.empty()) json["file_unit"] = mesh.fileUnit;
   json["vertices"] = mesh.vertices.size();
   json["triangles"] = static_cast<std::ptrdiff_t>(mesh.elements.size()) - quads;
   json["quads"] = quads;

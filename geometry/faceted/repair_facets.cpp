@@ -33,6 +33,7 @@ class Repair {
     joinVertices();
     splitAtVertices();
     turn();
+    tellOfHoles();
   }
 
  private:
@@ -99,6 +100,14 @@ class Repair {
       if (next - i == 1) open.push_back(all[i].second);
     }
     return open;
+  }
+
+  /// They are no fault of a sheet, but of what is meant to be a solid.
+  void tellOfHoles() {
+    const std::vector<HalfEdge> open = openEdges();
+    if (open.empty()) return;
+    tell(open.size(), "edges of triangles have no other triangle: the surface is open there",
+         at(startOf(open.front())));
   }
 
   std::vector<std::uint32_t> verticesOf(const std::vector<HalfEdge>& open) const {

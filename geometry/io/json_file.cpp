@@ -3,13 +3,15 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <system_error>
 
 #include "engine/error.h"
 
 namespace af2::geometry {
 
 JsonValue JsonValue::readFile(const std::filesystem::path& path) {
-  if (std::filesystem::is_directory(path))
+  std::error_code ignored;
+  if (std::filesystem::is_directory(path, ignored))
     throw InputError(path.string() + ": is a folder, not a file");
   std::ifstream stream(path);
   if (!stream) throw InputError(path.string() + ": cannot be opened; check that it exists");
@@ -17,7 +19,7 @@ JsonValue JsonValue::readFile(const std::filesystem::path& path) {
     auto file = std::make_shared<const Json>(Json::parse(stream));
     const Json* root = file.get();
     return {std::move(file), root, path.string() + ": "};
-  } catch (const nlohmann::json::parse_error& error) {
+  } catch (const nlohmann::json::exception& error) {
     const std::string text = error.what();  // "[json.exception...] parse error at line 2, ..."
     throw InputError(path.string() + ": is no JSON: " + text.substr(text.find(']') + 2));
   }

@@ -49,8 +49,9 @@ fs::path resolved(const fs::path& target) {
 
 void refuseOddTargets(const fs::path& target) {
   if (target.empty() || !target.has_filename()) refuse(target, "a file name is missing");
-  std::error_code ignored;
-  const fs::file_status status = fs::status(target, ignored);
+  std::error_code odd;
+  const fs::file_status status = fs::status(target, odd);
+  if (odd == std::errc::too_many_symbolic_link_levels) refuse(target, "it is a link to itself");
   if (fs::is_directory(status)) refuse(target, "it is a directory; give a file name");
   if (fs::exists(status) && !fs::is_regular_file(status)) refuse(target, "it is not a plain file");
 }
@@ -73,6 +74,11 @@ OutputFile::OutputFile(const fs::path& target) : target_(resolved(target)) {
   refuseOddTargets(target_);
   temporary_ = target_;
   temporary_ += "." + std::to_string(::getpid()) + ".tmp";
+  // A file gets its name when it is complete; that would be a bad time to find out.
+  std::error_code odd;
+  const fs::file_status status = fs::status(temporary_, odd);
+  if (!fs::status_known(status) && odd == std::errc::filename_too_long)
+    refuse(target_, "its name is too long");
   descriptor_ = openNameless(directoryOf(target_));
   named_ = descriptor_ < 0;
   if (named_) descriptor_ = openNamed(temporary_);

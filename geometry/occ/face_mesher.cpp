@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <iterator>
+#include <new>
 #include <numbers>
 #include <optional>
 #include <string>
@@ -200,6 +201,8 @@ FaceMesh meshFace(const FaceMeshingContext& context, int face, double area,
     FaceMesher(context, face, area, expectedElements).meshInto(mesh);
   } catch (const Standard_Failure& failure) {
     failFor(std::string("OpenCASCADE: ") + failure.DynamicType()->Name(), mesh);
+  } catch (const std::bad_alloc&) {
+    failFor("there is not enough memory; ask for a larger size", mesh);
   } catch (const std::exception& failure) {
     failFor(failure.what(), mesh);
   }

@@ -88,6 +88,7 @@ class Healer {
     healed.unit = model_.unit;
     healed.fileUnit = model_.fileUnit;
     healed.notes = model_.notes;
+    healed.lostFaces = model_.lostFaces;
     if (const std::size_t count = rebuiltFaces(); count > 0)
       changes_.add("face with other edges, curves or tolerances", std::nullopt, count);
     healed.healing = Healing{tolerance_, changes_.take(), undone_};

@@ -8,6 +8,7 @@
 
 #include "engine/error.h"
 #include "engine/stopwatch.h"
+#include "geometry/inside_out.h"
 #include "geometry/join_faces.h"
 #include "geometry/narrow_places.h"
 #include "geometry/occ/edge_division.h"
@@ -23,6 +24,7 @@
 #include "geometry/retries.h"
 #include "geometry/second_order.h"
 #include "geometry/sound_faces.h"
+#include "geometry/too_many.h"
 
 namespace af2::geometry {
 
@@ -41,6 +43,18 @@ std::vector<int> facesAskedFor(const Model& model, const ModelMeshingOptions& op
       throw InputError("face " + std::to_string(face) + ": the model has faces 1 to " +
                        std::to_string(model.faceCount()));
   return faces;
+}
+
+std::string toldOfLost(const std::vector<std::string>& faces) {
+  constexpr std::size_t kMostNamed = 10;
+  std::string text = faces.size() == 1 ? "a face" : std::to_string(faces.size()) + " faces";
+  text += " of the file could not be read, so the mesh lacks " +
+          std::string(faces.size() == 1 ? "it: " : "them: ");
+  for (std::size_t i = 0; i < std::min(faces.size(), kMostNamed); ++i)
+    text += (i > 0 ? ", " : "") + faces[i];
+  if (faces.size() > kMostNamed)
+    text += " and " + std::to_string(faces.size() - kMostNamed) + " more";
+  return text + "; export the model again";
 }
 
 class ModelMesher final : public RetriedModel {
@@ -62,6 +76,7 @@ class ModelMesher final : public RetriedModel {
     options_.sizes = spreadSizes(model_.shape(), std::move(options_.sizes), uneven_,
                                  options_.threads, options_.stop);
     expectMoreOnUneven(faces);
+    refuseTooManyByPosition(faces);
     sampled_ = sampleEdges(model_.shape(), options_.sizes, options_.threads, options_.stop);
     FaceMeshes state;
     state.divided = divide(options_.sizes.function, {});
@@ -80,12 +95,19 @@ class ModelMesher final : public RetriedModel {
     for (const AF2Rule& rule : algorithm_.rules().rules()) mesh.ruleNames.push_back(rule.name());
     mesh.ruleNames.push_back("closing");  // what closes a stuck front
     mesh.groups = model_.groups();
+    mesh.unit = model_.unit();
+    mesh.fileUnit = model_.fileUnit();
+    mesh.notes = model_.notes();
     mesh.healing = model_.healing();
     mesh.seconds.edges = edgeSeconds;
     const double surfaceSeconds = facesWatch.seconds();
     mesh.seconds.optimize = optimizeShare * surfaceSeconds;
     mesh.seconds.surface = surfaceSeconds - mesh.seconds.optimize;
     mesh.findings = keepSoundFaces(mesh, state.faults);
+    if (faces_.size() == static_cast<std::size_t>(model_.faceCount()) &&
+        !model_.lostFaces().empty())
+      mesh.findings.push_back(toldOfLost(model_.lostFaces()));
+    if (isInsideOut(mesh)) mesh.notes.emplace_back(kInsideOut);
     if (options_.order == 2) makeSecondOrder(mesh, middlesOf(mesh, middles));
     return mesh;
   }
@@ -235,18 +257,26 @@ class ModelMesher final : public RetriedModel {
     forEachInParallel(faces.size(), options_.threads, [&](std::size_t i) {
       if (!(areas_[i] > 0) || !std::ranges::binary_search(uneven_, faces[i])) return;
       const FaceSurface surface = model_.shape().surface(faces[i]);
-      work_[i] = 1 + expectedElements(options_.sizes, faces[i], surface, areas_[i], true);
+      work_[i] =
+          1 + expectedElements(options_.sizes, faces[i], surface, areas_[i], kSamplesWhereUneven);
     });
     refuseTooMany(std::accumulate(work_.begin(), work_.end(), 0.0));
   }
 
-  /// Vertices and elements have 32-bit numbers.
-  static void refuseTooMany(double elements) {
-    constexpr double kMostElements = 2e9;
-    if (elements > kMostElements)
-      throw InputError("the size asks for about " +
-                       std::to_string(static_cast<long long>(elements / 1e9)) +
-                       " thousand million elements; ask for a larger size");
+  /// Points, boxes, functions and turns may want small sizes anywhere.
+  void refuseTooManyByPosition(const std::vector<int>& faces) const {
+    constexpr int kSamples = 8;
+    if (!isFineInside_) return;
+    std::vector<double> elements(faces.size(), 0);
+    forEachInParallel(faces.size(), options_.threads, [&](std::size_t i) {
+      if (!(areas_[i] > 0) || options_.stop.stop_requested()) return;
+      try {
+        const FaceSurface surface = model_.shape().surface(faces[i]);
+        elements[i] = expectedElements(options_.sizes, faces[i], surface, areas_[i], kSamples);
+      } catch (const GeometryError&) {  // reported when the face is meshed
+      }
+    });
+    refuseTooMany(std::accumulate(elements.begin(), elements.end(), 0.0));
   }
 
   static std::vector<std::size_t> largestFirst(const std::vector<double>& work) {
@@ -256,6 +286,8 @@ class ModelMesher final : public RetriedModel {
                      [&](std::size_t a, std::size_t b) { return work[a] > work[b]; });
     return order;
   }
+
+  static constexpr int kSamplesWhereUneven = 32;
 
   const Model& model_;
   const AF2Algorithm& algorithm_;

@@ -21,6 +21,7 @@ const std::string& Model::unit() const { return shape_->unit; }
 const std::string& Model::fileUnit() const { return shape_->fileUnit; }
 double Model::diagonal() const { return shape_->diagonal; }
 const std::vector<std::string>& Model::notes() const { return shape_->notes; }
+const std::vector<std::string>& Model::lostFaces() const { return shape_->lostFaces; }
 const std::optional<Healing>& Model::healing() const { return shape_->healing; }
 
 }  // namespace af2::geometry

@@ -39,6 +39,10 @@ class Model {
   /// What was repaired while reading, and what looks wrong; one sentence each.
   const std::vector<std::string>& notes() const;
 
+  /// Faces of the file that could not be read, so that the model lacks them, as the file numbers
+  /// them: "#17 'inlet'" from STEP, "D17" from IGES.
+  const std::vector<std::string>& lostFaces() const;
+
   /// What healModel changed, if it made this model.
   const std::optional<Healing>& healing() const;
 

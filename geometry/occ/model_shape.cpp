@@ -205,6 +205,7 @@ std::shared_ptr<const ModelShape> makeModelShape(ReadShape read) {
   model->unit = std::move(read.unit);
   model->fileUnit = std::move(read.fileUnit);
   model->notes = std::move(read.notes);
+  model->lostFaces = std::move(read.lostFaces);
   model->healing = std::move(read.healing);
   TopExp::MapShapes(model->shape, TopAbs_FACE, model->faces);
   TopExp::MapShapes(model->shape, TopAbs_EDGE, model->edges);

@@ -35,6 +35,7 @@ struct ModelShape {
   std::string unit, fileUnit;
   double diagonal = 0;
   std::vector<std::string> notes;
+  std::vector<std::string> lostFaces;
   std::optional<Healing> healing;
   std::vector<int> edgesWithoutCurve;  ///< that got theirs from a face, ascending
 
@@ -60,6 +61,7 @@ struct ReadShape {
   TopoDS_Shape shape;
   std::string unit, fileUnit;
   std::vector<std::string> notes;
+  std::vector<std::string> lostFaces;                     ///< of the file, that no shape came of
   std::function<std::string(const TopoDS_Face&)> nameOf;  ///< may be empty
   std::vector<ShapeGroup> groups;
   std::optional<Healing> healing;

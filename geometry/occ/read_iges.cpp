@@ -20,6 +20,7 @@
 #include <vector>
 
 #include "engine/error.h"
+#include "geometry/occ/lost_faces.h"
 #include "geometry/occ/readers.h"
 
 namespace af2::geometry {
@@ -42,12 +43,37 @@ int countFaces(const TopoDS_Shape& shape) {
   return faces.Extent();
 }
 
+/// Whether a face is no wider than the tolerance.
+bool isNothing(const TopoDS_Shape& face, double tolerance) {
+  if (!TopExp_Explorer(face, TopAbs_EDGE).More()) return false;  // its boundary is lost
+  GProp_GProps area, boundary;
+  BRepGProp::SurfaceProperties(face, area);
+  BRepGProp::LinearProperties(face, boundary);
+  return std::abs(area.Mass()) <= tolerance * boundary.Mass();
+}
+
+/// With the faces that sewing dropped because it could make nothing of their boundary. Those
+/// without width may go.
+TopoDS_Shape withDropped(const BRepBuilderAPI_Sewing& sewing, double tolerance) {
+  BRep_Builder builder;
+  TopoDS_Compound all;
+  builder.MakeCompound(all);
+  builder.Add(all, sewing.SewedShape());
+  bool hasDropped = false;
+  for (int i = 1; i <= sewing.NbDeletedFaces(); ++i) {
+    if (isNothing(sewing.DeletedFace(i), tolerance)) continue;
+    builder.Add(all, sewing.DeletedFace(i));
+    hasDropped = true;
+  }
+  return hasDropped ? TopoDS_Shape(all) : sewing.SewedShape();
+}
+
 TopoDS_Shape sewnAt(const TopoDS_Shape& shape, double tolerance) {
   BRepBuilderAPI_Sewing sewing(tolerance);
   sewing.SetNonManifoldMode(false);
   sewing.Add(shape);
   sewing.Perform();
-  return sewing.SewedShape();
+  return sewing.SewedShape().IsNull() ? TopoDS_Shape() : withDropped(sewing, tolerance);
 }
 
 /// Two sheets that were sewn to one another all round, because the gap is as wide as what lies

@@ -158,6 +158,10 @@ Model readModel(const fs::path& path) {
     throw InputError(path.string() + ": the shape in it is damaged (" +
                      failure.DynamicType()->Name() + "); repair or export the model again");
   }
+  if (shape->faces.IsEmpty() && !shape->lostFaces.empty())
+    throw InputError(path.string() + ": none of its " + std::to_string(shape->lostFaces.size()) +
+                     " faces can be read, the first is " + shape->lostFaces.front() +
+                     "; export the model again");
   if (shape->faces.IsEmpty())
     throw InputError(path.string() + ": holds no face, only " +
                      std::to_string(shape->edges.Extent()) + " edges and " +

@@ -22,9 +22,11 @@
 #include <XSControl_WorkSession.hxx>
 #include <algorithm>
 #include <cstring>
+#include <iterator>
 
 #include "engine/error.h"
 #include "geometry/occ/external_parts.h"
+#include "geometry/occ/lost_faces.h"
 #include "geometry/occ/readers.h"
 #include "geometry/occ/step_groups.h"
 #include "geometry/occ/trial.h"
@@ -124,11 +126,16 @@ std::string checkReferences(const Handle(StepData_StepModel) & model) {
          (" to what it does not hold (" + first + ")");
 }
 
-/// Files may mix units; the first one is that of the first context.
-std::string lengthUnitOf(STEPControl_Reader& reader) {
+/// Files may mix units: all that there are.
+std::string lengthUnitsOf(STEPControl_Reader& reader) {
   TColStd_SequenceOfAsciiString lengths, angles, solidAngles;
   reader.FileUnits(lengths, angles, solidAngles);
-  return lengths.IsEmpty() ? "" : lengths.First().ToCString();
+  std::vector<std::string> units;
+  for (const TCollection_AsciiString& length : lengths)
+    if (!std::ranges::count(units, length.ToCString())) units.emplace_back(length.ToCString());
+  std::string text;
+  for (const std::string& unit : units) text += (text.empty() ? "" : ", ") + unit;
+  return text;
 }
 
 std::string listed(const std::vector<std::string>& names) {
@@ -183,16 +190,19 @@ ReadShape readStep(const std::filesystem::path& path) {
   }
   withAttributes.Transfer(document);
   result.unit = "mm";
-  result.fileUnit = lengthUnitOf(reader);
+  result.fileUnit = lengthUnitsOf(reader);
   const ExternalParts others = externalPartsOf(withAttributes);
   const bool isInOneFile = others.read.empty() && others.missing.empty();
   result.shape =
       isInOneFile ? reader.OneShape() : joinedParts(document, others, path, result.notes);
   result.groups = groupsOf(document);
   StepFaces faces;
-  faces.add(reader.WS()->TransferReader()->TransientProcess());
-  for (const auto& session : others.sessions)
+  const auto take = [&](const Handle(XSControl_WorkSession) & session) {
     faces.add(session->TransferReader()->TransientProcess());
+    std::ranges::move(lostStepFaces(session), std::back_inserter(result.lostFaces));
+  };
+  take(reader.WS());
+  for (const auto& session : others.sessions) take(session);
   result.nameOf = [faces](const TopoDS_Face& face) { return faces.nameOf(face); };
   turnBackFaces(result, [&](const TopoDS_Face& face) { return faces.isAsInFile(face); });
   return result;

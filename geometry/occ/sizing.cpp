@@ -95,12 +95,14 @@ double limitByCurvature(const ModelSizes& sizes, int face, double size, const Fa
 }
 
 double expectedElements(const ModelSizes& sizes, int face, const FaceSurface& surface, double area,
-                        bool byPosition) {
+                        int samples) {
   constexpr double kUnitTriangle = 0.4330127018922193;  // area of the one with edges of length 1
   const double wanted = wantedOnFace(sizes, face);
   const auto density = [&](double size) { return 1 / (kUnitTriangle * size * size); };
-  if (surface.isPlane()) return area * density(wanted);
-  const int samples = byPosition ? 32 : 4;  // along each parameter
+  constexpr int kFewSamples = 4;
+  const bool byPosition = samples > 0;
+  if (surface.isPlane() && !byPosition) return area * density(wanted);
+  if (!byPosition) samples = kFewSamples;
   const SplineSurface::Box& box = surface.box();
   double sum = 0, weights = 0;
   for (int i = 0; i < samples; ++i) {
@@ -110,9 +112,12 @@ double expectedElements(const ModelSizes& sizes, int face, const FaceSurface& su
       const SurfaceFrame frame = surface.inOccParameters().frameAt(u, v);
       const double weight = length(cross(frame.du, frame.dv));
       weights += weight;
-      const double size =
-          limitByCurvature(sizes, face, wanted, surface, {frame.position, {}, u, v});
-      sum += weight * density(byPosition ? limitByFunction(sizes, size, frame.position) : size);
+      const double size = surface.isPlane() ? wanted
+                                            : limitByCurvature(sizes, face, wanted, surface,
+                                                               {frame.position, {}, u, v});
+      sum +=
+          weight *
+          density(byPosition ? bounded(sizes, limitByFunction(sizes, size, frame.position)) : size);
     }
   }
   return weights > 0 ? area * sum / weights : area * density(wanted);

@@ -58,8 +58,9 @@ double limitByCurvature(const ModelSizes& sizes, int face, double size, const Fa
 /// About how many triangles a face will have: its area over theirs, at the sizes that the options
 /// and curvature ask for.
 ///
-/// byPosition  also what is wanted by position; this takes many more samples
+/// samples  if given, what is wanted by position counts, too, at so many places along each
+/// parameter
 double expectedElements(const ModelSizes& sizes, int face, const FaceSurface& surface, double area,
-                        bool byPosition = false);
+                        int samples = 0);
 
 }  // namespace af2::geometry

@@ -1,6 +1,7 @@
 #include "geometry/planar/loops.h"
 
 #include <algorithm>
+#include <cstdio>
 #include <map>
 #include <numeric>
 
@@ -206,19 +207,54 @@ class Subdivision {
   std::vector<Cycle> cycles_;
 };
 
+std::string textOf(const char* kind, std::size_t index, Point2 place) {
+  char text[100];
+  std::snprintf(text, sizeof text, "%s point %zu at (%.6g, %.6g)", kind, index + 1, place.x,
+                place.y);
+  return text;
+}
+
+std::vector<std::size_t> facesOfHoles(const PlanarDomain& domain, const Subdivision& plane,
+                                      std::vector<std::string>& notes) {
+  std::vector<std::size_t> faces;
+  for (std::size_t i = 0; i < domain.holes.size(); ++i) {
+    faces.push_back(plane.faceAround(domain.holes[i]));
+    if (faces.back() == Subdivision::kNoFace)
+      notes.push_back(textOf("hole", i, domain.holes[i]) +
+                      " lies outside of all outlines and has no effect");
+  }
+  return faces;
+}
+
+/// By face: the first that a point gives it.
+std::map<std::size_t, int> domainsOfFaces(const PlanarDomain& domain, const Subdivision& plane,
+                                          const std::vector<std::size_t>& holes,
+                                          std::vector<std::string>& notes) {
+  std::map<std::size_t, int> domains;
+  for (std::size_t i = 0; i < domain.regionPoints.size(); ++i) {
+    const PlanarDomain::RegionPoint& point = domain.regionPoints[i];
+    const std::size_t face = plane.faceAround(point.inside);
+    if (face == Subdivision::kNoFace || std::ranges::count(holes, face) > 0) {
+      notes.push_back(textOf("region", i, point.inside) + " lies in no region and has no effect");
+      continue;
+    }
+    if (domains.try_emplace(face, point.domain).first->second != point.domain)
+      notes.push_back(textOf("region", i, point.inside) +
+                      " lies in the same region as an earlier one, which counts");
+  }
+  return domains;
+}
+
 }  // namespace
 
 PlanarRegions findRegions(const PlanarDomain& domain, double blur) {
   PlanarRegions result = cleanSegments(domain, blur);
   const Subdivision plane(result);
-  std::vector<std::size_t> holes;
-  for (const Point2 hole : domain.holes) holes.push_back(plane.faceAround(hole));
   const std::vector<std::size_t> faces = plane.faces();
   if (faces.empty())
     throw InputError(domain.name + ": its segments enclose nothing; each outline must be closed");
-  std::map<std::size_t, int> domains;  // by face
-  for (const PlanarDomain::RegionPoint& point : domain.regionPoints)
-    domains.try_emplace(plane.faceAround(point.inside), point.domain);
+  const std::vector<std::size_t> holes = facesOfHoles(domain, plane, result.notes);
+  const std::map<std::size_t, int> domains = domainsOfFaces(domain, plane, holes, result.notes);
   std::map<std::size_t, std::vector<int>> isolated;  // by face
   for (const int point : domain.keepsPoints ? plane.isolatedPoints() : std::vector<int>())
     isolated[plane.faceAround(result.points[static_cast<std::size_t>(point)])].push_back(point);

@@ -1,6 +1,7 @@
 // From segments in the plane to the regions that they bound.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "geometry/planar/poly_file.h"
@@ -33,6 +34,7 @@ struct PlanarRegions {
   std::vector<bool> isBlurred;  ///< by point: others or segments lay beside it, too near to matter
   std::vector<PlanarPiece> pieces;  ///< that meet at their ends only
   std::vector<PlanarRegion> regions;
+  std::vector<std::string> notes;  ///< on points of holes and regions that have no effect
 
   int start(DirectedPiece d) const {
     const PlanarPiece& p = pieces[static_cast<std::size_t>(d.piece)];

@@ -37,6 +37,7 @@ class ModelMaker {
     model_.name = domain_.name;
     model_.isFlat = true;
     model_.isExact = domain_.curves.empty();
+    model_.notes = regions_.notes;
     measure();
     findUses();
     numberPoints();

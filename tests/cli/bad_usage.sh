@@ -19,7 +19,7 @@ usage "$af2" mesh "$cylinder" --sise=2; told "there is no option '--sise'; did y
 usage "$af2" mesh "$cylinder" --size 1 -z; told "there is no option '-z'"
 usage "$af2" mesh "$cylinder" two.step --size 1; told "'two.step' is one word too many"
 usage "$af2" mesh "$cylinder" --size 1 --faces 0; told 'ids begin at 1'
-usage "$af2" mesh "$cylinder" --size 1 --faces 99; told 'there is no face 99'
+usage "$af2" mesh "$cylinder" --size 1 --faces 99; told 'there is no face 99; the model has faces 1 to 3'
 usage "$af2" mesh "$cylinder" --size 1 --edge-size 99=0.1; told 'there is no edge 99'
 usage "$af2" mesh "$cylinder" --size 1 --face-size 1; told '3,7-9=0.1'
 usage "$af2" mesh "$cylinder" --size 1 --curvature 2; told 'at least 3'
@@ -50,6 +50,18 @@ usage "$af2" mesh "$cylinder" --size 1 -o a.vtu -o ./a.vtu; told 'twice'
 mkdir folder.vtu
 usage "$af2" mesh "$cylinder" --size 1 -o folder.vtu; told 'it is a directory'
 usage "$af2" mesh "$cylinder" --size 1 --report nowhere/r.json; told 'mkdir -p'
+long=$(printf 'a%.0s' {1..300})
+usage "$af2" mesh "$cylinder" --size 1 -o $long.vtu; told 'its name is too long'
+usage "$af2" mesh "$cylinder" --size 1 -o ${long:0:250}.vtu; told 'its name is too long'
+unusable "$af2" mesh $long --size 1; told 'there is no file'
+unusable "$af2" mesh "$cylinder" --size 1 --sizes $long; told 'cannot be opened'
+unusable "$af2" inspect $long; told "$long"
+ln -s turn.vtu turn.vtu
+usage "$af2" mesh "$cylinder" --size 1 -o turn.vtu; told 'link to itself'
+rm turn.vtu
+unusable "$af2" mesh /dev/null --size 1; told 'no ordinary file'
+echo '{"points": [{"at": [1e999, 0, 0], "size": 1}]}' >sizes.json
+unusable "$af2" mesh "$cylinder" --size 1 --sizes sizes.json; told 'sizes.json'
 
 unusable "$af2" mesh nothing.step --size 1; told "there is no file 'nothing.step'"
 unusable "$af2" mesh . --size 1; told 'is a directory'
@@ -64,6 +76,11 @@ unusable "$af2" mesh empty.step --size 1 --report empty.json; told 'empty.step'
 [ "$(json empty.json status)" = failed ] || fail "no report of an empty file"
 head -c 3000 "$cylinder" >cut.step
 unusable "$af2" mesh cut.step --size 1; told 'cut.step'
+sed 's/CYLINDRICAL_SURFACE/SPIRAL_SURFACE/' "$cylinder" >lost.step
+expect 3 "$af2" mesh lost.step --size 1 --report lost.json; told 'could not be read'
+[ "$(json lost.json status)" = partial ] || fail "a face is lost, and the status is complete"
+expect 0 "$af2" inspect lost.step
+grep -q 'could not be read' out || fail "inspect does not tell of a lost face"
 head -c 5000 /dev/urandom >noise.brep
 unusable "$af2" mesh noise.brep --size 1; told 'noise.brep'
 echo 'no mesh at all' >text.igs

@@ -32,5 +32,19 @@ TEST(SummaryText, DoesNotCountSkippedFaces) {
   EXPECT_EQ(summaryText(mesh, {}).substr(0, 11), "faces 1/1  ");
 }
 
+TEST(UnitText, TellsOfFilesThatAreNotInMillimetres) {
+  ModelMesh mesh;
+  EXPECT_EQ(unitText(mesh), "");
+  mesh.unit = "mm";
+  EXPECT_EQ(unitText(mesh), "");
+  for (const char* unit : {"millimetre", "MM", "MILLIMETRE"}) {
+    mesh.fileUnit = unit;
+    EXPECT_EQ(unitText(mesh), "") << unit;
+  }
+  mesh.fileUnit = "INCH";
+  EXPECT_EQ(unitText(mesh),
+            "note: the file has lengths in INCH; sizes and coordinates are in mm here\n");
+}
+
 }  // namespace
 }  // namespace af2::cli

@@ -98,7 +98,10 @@ TEST(FacetFaults, LikeASurfaceWithOneSideAreRefused) {
 TEST(FacetFaults, LikeHolesAreTold) {
   std::string open = kBoxFaces;
   open.erase(open.find("f 5 6 7 8\n"), 10);
-  const std::vector<Defect> defects = findDefects(modelOf(read(kBoxVertices + open), 0.5), 0.5);
+  const Facets facets = read(kBoxVertices + open);
+  ASSERT_EQ(facets.notes.size(), 1u);
+  EXPECT_EQ(facets.notes[0].find("4 edges of triangles have no other triangle"), 0u);
+  const std::vector<Defect> defects = findDefects(modelOf(facets, 0.5), 0.5);
   ASSERT_EQ(defects.size(), 4u);
   for (const Defect& defect : defects) {
     EXPECT_EQ(defect.kind, DefectKind::FreeEdge);
@@ -106,6 +109,18 @@ TEST(FacetFaults, LikeHolesAreTold) {
   }
   const std::vector<Defect> tiny = findDefects(modelOf(read(kBoxVertices + kBoxFaces), 50), 50);
   EXPECT_EQ(std::ranges::count(tiny, DefectKind::TinyEdge, &Defect::kind), 12);
+}
+
+TEST(FacetFaults, LikeASurfaceThatLooksInwardsAreTold) {
+  FacetedMeshingOptions options;
+  options.size = 0.5;
+  EXPECT_TRUE(mesh(read(kBoxVertices + kBoxFaces), options).notes.empty());
+  Facets facets = read(kBoxVertices + kBoxFaces);
+  for (auto& triangle : facets.triangles) std::swap(triangle[1], triangle[2]);
+  const ModelMesh inwards = mesh(facets, options);
+  EXPECT_LT(testing::volumeOf(inwards), 0);
+  ASSERT_EQ(inwards.notes.size(), 1u);
+  EXPECT_NE(inwards.notes[0].find("looks inwards"), std::string::npos);
 }
 
 TEST(FacetFaults, LikeAWallThatTwoBoxesHaveTwiceMakeOneFace) {

@@ -41,6 +41,15 @@ TEST(Report, CountsVerticesTrianglesAndQuads) {
   EXPECT_FALSE(json.contains("reason"));
 }
 
+TEST(Report, TellsTheUnitOfLengthsAndThatOfTheFile) {
+  ModelMesh mesh = cubeMesh();
+  EXPECT_FALSE(written(complete(), mesh).contains("unit"));
+  mesh.unit = "mm";
+  mesh.fileUnit = "INCH";
+  EXPECT_EQ(written(complete(), mesh)["unit"], "mm");
+  EXPECT_EQ(written(complete(), mesh)["file_unit"], "INCH");
+}
+
 TEST(Report, TellsOfEachFace) {
   ModelMesh mesh = cubeMesh();
   mesh.faces[1].status = FaceStatus::Failed;

@@ -16,10 +16,14 @@
 namespace af2::geometry {
 namespace {
 
-ModelMesh mesh(const Model& model, const ModelSizes& sizes) {
+ModelMeshingOptions optionsOf(const ModelSizes& sizes) {
   ModelMeshingOptions options = testing::ofSize(sizes.size);
   options.sizes = sizes;
-  ModelMesh result = testing::mesh(model, options);
+  return options;
+}
+
+ModelMesh mesh(const Model& model, const ModelSizes& sizes) {
+  ModelMesh result = testing::mesh(model, optionsOf(sizes));
   testing::expectComplete(result);
   return result;
 }
@@ -187,6 +191,20 @@ TEST(Sizes, NoSizeIsLargerThanTheModel) {
   sizes.size = 1e15;
   sizes.minSize = 1e12;
   EXPECT_EQ(fingerprint(mesh(model, sizes)), fingerprint(mesh(model, asLargeAsTheModel)));
+}
+
+TEST(Sizes, ThatAskForTooManyElementsAreRefused) {
+  const Model model = testing::box(10, 10, 10);
+  ModelSizes boxed = sizesOf(1);
+  boxed.sources.boxes.push_back({{0, 0, 0}, {10, 10, 5}, 1e-6});
+  EXPECT_THROW(testing::mesh(model, optionsOf(boxed)), InputError);
+  boxed.minSize = 0.5;
+  EXPECT_NO_THROW(testing::mesh(model, optionsOf(boxed)));
+
+  ModelSizes turned = sizesOf(1);
+  turned.elementsPerTurn = 1e7;
+  turned.minSize = 1e-6;
+  EXPECT_THROW(testing::mesh(testing::cylinder(3, 9), optionsOf(turned)), InputError);
 }
 
 }  // namespace

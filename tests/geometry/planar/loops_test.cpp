@@ -41,6 +41,18 @@ TEST(Regions, AreMeshedOnBothSidesOfAnOutlineWithoutHolePoint) {
   EXPECT_EQ(areas(outlines({square(0, 0, 4), square(1, 1, 2)})), (std::vector<double>{12, 4}));
 }
 
+TEST(Regions, TellOfPointsThatHaveNoEffect) {
+  PlanarDomain domain = outlines({square(0, 0, 4), square(1, 1, 2)}, {{2, 2}, {9, 9}});
+  domain.regionPoints = {{{0.5, 0.5}, 7}, {{3.5, 3.5}, 7}, {{0.5, 3.5}, 8}, {{2, 2}, 9}};
+  const PlanarRegions found = findRegions(domain);
+  ASSERT_EQ(found.regions.size(), 1u);
+  EXPECT_EQ(found.regions[0].domain, 7);
+  ASSERT_EQ(found.notes.size(), 3u);
+  EXPECT_EQ(found.notes[0].find("hole point 2 at (9, 9) lies outside"), 0u) << found.notes[0];
+  EXPECT_EQ(found.notes[1].find("region point 3 at (0.5, 3.5) lies in the same"), 0u);
+  EXPECT_EQ(found.notes[2].find("region point 4 at (2, 2) lies in no region"), 0u);
+}
+
 TEST(Regions, MayHaveIslandsInTheirHoles) {
   EXPECT_EQ(areas(outlines({square(0, 0, 6), square(1, 1, 4), square(2, 2, 2)}, {{1.5, 1.5}})),
             (std::vector<double>{20, 4}));

@@ -1,5 +1,6 @@
 #include "geometry/planar/mesh_planar.h"
 
+#include "engine/error.h"
 #include "geometry/model_check.h"
 #include "tests/geometry/planar/poly_text.h"
 #include "tests/support/model_mesh.h"
@@ -41,6 +42,11 @@ TEST_F(PlanarMeshing, FillsASquareAroundItsHole) {
   EXPECT_EQ(result.faces[0].status, FaceStatus::Complete);
   EXPECT_EQ(result.faces[0].area, 12);
   EXPECT_EQ(result.segments.size(), 48u);
+}
+
+TEST_F(PlanarMeshing, RefusesSizesThatAskForTooManyElements) {
+  options.size = 1e-5;
+  EXPECT_THROW(mesh(kSquareWithHole), InputError);
 }
 
 TEST_F(PlanarMeshing, SharesVerticesBetweenRegions) {

@@ -1,0 +1,109 @@
+#include "geometry/occ/lost_faces.h"
+
+#include <IGESGeom_BoundedSurface.hxx>
+#include <IGESGeom_TrimmedSurface.hxx>
+#include <IGESSolid_Face.hxx>
+#include <Interface_EntityIterator.hxx>
+#include <Interface_Graph.hxx>
+#include <StepData_StepModel.hxx>
+#include <StepShape_ConnectedFaceSet.hxx>
+#include <StepShape_Face.hxx>
+#include <StepShape_HArray1OfFace.hxx>
+#include <StepShape_OrientedFace.hxx>
+#include <TCollection_HAsciiString.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TransferBRep.hxx>
+#include <Transfer_Binder.hxx>
+#include <Transfer_TransientProcess.hxx>
+#include <XSControl_TransferReader.hxx>
+#include <set>
+
+namespace af2::geometry {
+
+namespace {
+
+bool isThere(const Handle(Transfer_TransientProcess) & process,
+             const Handle(Standard_Transient) & face) {
+  const TopoDS_Shape shape = TransferBRep::ShapeResult(process, face);
+  return !shape.IsNull() && TopExp_Explorer(shape, TopAbs_FACE).More();
+}
+
+class LostFaces {
+ public:
+  explicit LostFaces(const Handle(XSControl_WorkSession) & session)
+      : session_(session),
+        model_(Handle(StepData_StepModel)::DownCast(session->Model())),
+        process_(session->TransferReader()->TransientProcess()) {}
+
+  std::vector<std::string> find() {
+    for (int i = 1; i <= model_->NbEntities(); ++i) {
+      const auto shell = Handle(StepShape_ConnectedFaceSet)::DownCast(model_->Value(i));
+      if (!shell.IsNull() && wasTried(shell)) lookAt(shell);
+    }
+    return std::move(lost_);
+  }
+
+ private:
+  /// Shells may be in a file without belonging to its shape.
+  bool wasTried(const Handle(Standard_Transient) & shell) const {
+    if (!process_->Find(shell).IsNull()) return true;
+    Interface_EntityIterator users = session_->Graph().Sharings(shell);
+    for (users.Start(); users.More(); users.Next())
+      if (!process_->Find(users.Value()).IsNull()) return true;
+    return false;
+  }
+
+  void lookAt(const Handle(StepShape_ConnectedFaceSet) & shell) {
+    if (shell->CfsFaces().IsNull()) return;
+    for (int k = 1; k <= shell->NbCfsFaces(); ++k) {
+      Handle(StepShape_Face) face = shell->CfsFacesValue(k);
+      const auto oriented = Handle(StepShape_OrientedFace)::DownCast(face);
+      if (!oriented.IsNull()) face = oriented->FaceElement();
+      if (face.IsNull())
+        lost_.push_back("one that " + labelOf(shell) + " refers to in vain");
+      else if (!isThere(process_, face) && told_.insert(face.get()).second)
+        lost_.push_back(labelOf(face) + nameOf(face));
+    }
+  }
+
+  std::string labelOf(const Handle(Standard_Transient) & entity) const {
+    return "#" + std::to_string(model_->IdentLabel(entity));
+  }
+
+  static std::string nameOf(const Handle(StepShape_Face) & face) {
+    if (face->Name().IsNull() || face->Name()->IsEmpty()) return "";
+    return std::string(" '") + face->Name()->ToCString() + "'";
+  }
+
+  Handle(XSControl_WorkSession) session_;
+  Handle(StepData_StepModel) model_;
+  Handle(Transfer_TransientProcess) process_;
+  std::set<const Standard_Transient*> told_;  // only asked whether it holds one
+  std::vector<std::string> lost_;
+};
+
+bool isIgesFace(const Handle(Standard_Transient) & entity) {
+  return entity->IsKind(STANDARD_TYPE(IGESGeom_TrimmedSurface)) ||
+         entity->IsKind(STANDARD_TYPE(IGESGeom_BoundedSurface)) ||
+         entity->IsKind(STANDARD_TYPE(IGESSolid_Face));
+}
+
+}  // namespace
+
+std::vector<std::string> lostIgesFaces(const Handle(XSControl_WorkSession) & session) {
+  const Handle(Interface_InterfaceModel) model = session->Model();
+  const Handle(Transfer_TransientProcess) process = session->TransferReader()->TransientProcess();
+  std::vector<std::string> lost;
+  for (int i = 1; i <= model->NbEntities(); ++i) {
+    const Handle(Standard_Transient) entity = model->Value(i);
+    if (!isIgesFace(entity)) continue;
+    if (!isThere(process, entity)) lost.push_back(model->StringLabel(entity)->ToCString());
+  }
+  return lost;
+}
+
+std::vector<std::string> lostStepFaces(const Handle(XSControl_WorkSession) & session) {
+  return LostFaces(session).find();
+}
+
+}  // namespace af2::geometry

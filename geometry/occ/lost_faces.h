@@ -1,0 +1,18 @@
+// Faces of a file that did not come through its reader.
+// Not installed: includers need OpenCASCADE's headers.
+#pragma once
+
+#include <XSControl_WorkSession.hxx>
+#include <string>
+#include <vector>
+
+namespace af2::geometry {
+
+/// The faces of shells that a STEP reader was to transfer and has no shape for, by the number of
+/// their entity, with their name: "#17 'inlet'". To be asked after the transfer.
+std::vector<std::string> lostStepFaces(const Handle(XSControl_WorkSession) & session);
+
+/// The same of an IGES reader: faces and trimmed surfaces, by their line in the directory: "D17".
+std::vector<std::string> lostIgesFaces(const Handle(XSControl_WorkSession) & session);
+
+}  // namespace af2::geometry

@@ -1,0 +1,93 @@
+// Faces of a file that no reader can make anything of.
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <BRepPrimAPI_MakeBox.hxx>
+#include <IGESControl_Writer.hxx>
+#include <Message.hxx>
+#include <Message_Messenger.hxx>
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "geometry/occ/heal_model.h"
+#include "geometry/occ/mesh_model.h"
+#include "geometry/report.h"
+#include "tests/geometry/occ/meshing.h"
+#include "tests/geometry/planar/poly_text.h"
+
+namespace af2::geometry {
+namespace {
+
+std::string textOf(const std::filesystem::path& path) {
+  std::ifstream stream(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+void replace(std::string& text, const std::string& what, const std::string& by) {
+  const std::size_t place = text.find(what);
+  ASSERT_NE(place, std::string::npos) << what;
+  text.replace(place, what.size(), by);
+}
+
+Model read(const std::string& name, const std::string& text) {
+  return readModel(testing::TemporaryFile(name, text).path());
+}
+
+/// The cylinder of the examples, the surface of which is of a kind that does not exist.
+Model withoutMantle() {
+  std::string text = textOf(AF2_EXAMPLE_MODELS "/cylinder.step");
+  replace(text, "CYLINDRICAL_SURFACE(", "SPIRAL_SURFACE(");
+  return read("lost.step", text);
+}
+
+TEST(LostFaces, OfAStepFileAreNamed) {
+  const Model model = withoutMantle();
+  EXPECT_EQ(model.faceCount(), 2);
+  ASSERT_EQ(model.lostFaces().size(), 1u);
+  EXPECT_EQ(model.lostFaces()[0][0], '#');
+  EXPECT_TRUE(readModel(AF2_EXAMPLE_MODELS "/cylinder.step").lostFaces().empty());
+}
+
+TEST(LostFaces, AreNoCompleteMesh) {
+  const ModelMesh mesh = testing::mesh(withoutMantle(), 0.5);
+  ASSERT_EQ(mesh.findings.size(), 1u);
+  EXPECT_NE(mesh.findings[0].find("could not be read"), std::string::npos) << mesh.findings[0];
+}
+
+TEST(LostFaces, DoNotMatterToThoseWhoAskForOthers) {
+  ModelMeshingOptions options = testing::ofSize(0.5);
+  options.faces = {1};
+  EXPECT_TRUE(testing::mesh(withoutMantle(), options).findings.empty());
+}
+
+TEST(LostFaces, AreLostAfterHealing) {
+  EXPECT_EQ(healModel(withoutMantle(), {}).lostFaces().size(), 1u);
+}
+
+/// Plain faces that share no edges, as IGES has them.
+std::string boxInIges() {
+  Message::DefaultMessenger()->ChangePrinters().Clear();
+  IGESControl_Writer writer("MM", 0);
+  writer.AddShape(BRepPrimAPI_MakeBox(10, 20, 30).Shape());
+  writer.ComputeModel();
+  const testing::TemporaryFile file("box.igs", "");
+  writer.Write(file.path().c_str());
+  return textOf(file.path());
+}
+
+TEST(LostFaces, OfAnIgesFileDoNotVanishWhenTheOthersAreSewn) {
+  std::string text = boxInIges();
+  EXPECT_EQ(read("box.igs", text).faceCount(), 6);
+  EXPECT_TRUE(read("box.igs", text).lostFaces().empty());
+  // A side of one face ends in the wrong place, so that its loop cannot close.
+  replace(text, "110,10.,0.,30.,10.,20.,30.;", "110,10.,0.,30.,10.,20.,99.;");
+  const Model model = read("box.igs", text);
+  EXPECT_EQ(static_cast<std::size_t>(model.faceCount()) + model.lostFaces().size(), 6u);
+  const ModelMesh mesh = testing::mesh(model, 5);
+  EXPECT_TRUE(statusOf(mesh) != RunStatus::Complete || !mesh.findings.empty());
+}
+
+}  // namespace
+}  // namespace af2::geometry
