@@ -2,6 +2,7 @@
 
 #include <pthread.h>
 
+#include <chrono>
 #include <csignal>
 #include <cstdlib>
 
@@ -36,13 +37,20 @@ Interrupt::~Interrupt() {
 }
 
 void Interrupt::waitForSignals() {
+  using Clock = std::chrono::steady_clock;
+  constexpr std::chrono::milliseconds kSame(500);
   const sigset_t signals = handledSignals();
+  Clock::time_point first;
   while (true) {
     int signal = 0;
     sigwait(&signals, &signal);
     if (over_) return;
-    if (stop_.stop_requested()) std::_Exit(kCancelled);
-    stop_.request_stop();
+    if (!stop_.stop_requested()) {
+      first = Clock::now();
+      stop_.request_stop();
+    } else if (Clock::now() - first > kSame) {
+      std::_Exit(kCancelled);
+    }
   }
 }
 

@@ -7,8 +7,10 @@
 
 namespace af2::cli {
 
-/// While it lives, the first SIGINT or SIGTERM requests a stop; the second one ends the program at
-/// once. Make it before other threads start: they inherit that these signals are not theirs.
+/// While it lives, the first SIGINT or SIGTERM requests a stop; a later one ends the program at
+/// once. Whoever signals a whole group of processes, as `timeout` and batch systems do, sends some
+/// of them more than one; so those within half a second count as one. Make it before other threads
+/// start: they inherit that these signals are not theirs.
 class Interrupt {
  public:
   Interrupt();

@@ -25,6 +25,16 @@ TEST(Interrupt, TurnsASignalIntoARequestToStop) {
   }
 }
 
+TEST(Interrupt, TakesSignalsThatComeTogetherForOne) {
+  const Interrupt interrupt;
+  for (int i = 0; i < 3; ++i) {
+    ::kill(::getpid(), SIGTERM);
+    EXPECT_TRUE(becomesTrue(interrupt.token()));
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  }
+  EXPECT_TRUE(interrupt.requested()) << "and the program still runs";
+}
+
 TEST(Interrupt, EndsQuietlyIfNothingHappens) {
   const Interrupt interrupt;
   EXPECT_FALSE(interrupt.requested());
