@@ -12,6 +12,7 @@
 #include <tuple>
 
 #include "engine/error.h"
+#include "geometry/faceted/polygon_triangles.h"
 #include "geometry/faceted/repair_facets.h"
 #include "geometry/file_extension.h"
 
@@ -55,10 +56,15 @@ class Words {
   void skipLine() {
     while (at_ < text_.size() && text_[at_] != '\n') ++at_;
   }
-  /// The rest of the line.
+  /// The rest of the line, and of those that it goes on in after a backslash.
   std::string_view restOfLine() {
     const std::size_t first = at_;
     skipLine();
+    while (at_ < text_.size() && endsInBackslash(text_.substr(first, at_ - first))) {
+      ++line_;
+      ++at_;
+      skipLine();
+    }
     return text_.substr(first, at_ - first);
   }
   [[noreturn]] void fail(const std::string& fault) const {
@@ -67,6 +73,10 @@ class Words {
 
  private:
   static bool isBlank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; }
+  static bool endsInBackslash(std::string_view line) {
+    if (line.ends_with('\r')) line.remove_suffix(1);
+    return line.ends_with('\\');
+  }
 
   std::string name_;
   std::string_view text_;
@@ -191,13 +201,15 @@ void readObj(const std::string& text, Facets& facets) {
     if (word == "v") {
       facets.vertices.push_back(words.point());
     } else if (word == "f") {
-      std::istringstream line{std::string(words.restOfLine())};
+      std::string rest(words.restOfLine());
+      std::ranges::replace(rest, '\\', ' ');
+      std::istringstream line(rest);
       std::vector<std::uint32_t> corners;
       for (std::string corner; line >> corner;)
         corners.push_back(cornerFrom(corner, facets, words));
       if (corners.size() < 3) words.fail("a face has at least three vertices");
-      for (std::size_t i = 1; i + 1 < corners.size(); ++i)
-        facets.triangles.push_back({corners[0], corners[i], corners[i + 1]});
+      for (const auto& triangle : trianglesOfPolygon(facets.vertices, corners))
+        facets.triangles.push_back(triangle);
       continue;
     }
     words.skipLine();

@@ -67,10 +67,35 @@ ModelMesh mesh(const Facets& facets, double size) {
   return mesh(facets, options);
 }
 
+TEST(Faceted, RefusesSizesThatAskForTooManyElements) {
+  FacetedMeshingOptions options;
+  options.size = 1e-5;
+  const AF2Algorithm algorithm(testing::triangleSet());
+  EXPECT_THROW(meshFaceted(read("box.obj", kBox), algorithm, options), InputError);
+}
+
 TEST(Facets, OfAnObjFileShareTheirVertices) {
   const Facets box = read("box.obj", kBox);
   EXPECT_EQ(box.vertices.size(), 8u);
   EXPECT_EQ(box.triangles.size(), 12u);
+}
+
+TEST(Facets, OfAnObjFileMayBeConcavePolygonsOverSeveralLines) {
+  const std::string ell = "v 0 0 1\nv 2 0 1\nv 2 1 1\nv 1 1 1\nv 1 2 1\nv 0 2 1\n";
+  for (const char* face : {"f 1 2 3 4 5 6\n", "f 3 4 5 6 1 2\n", "f 6 1 2 \\\n3 4 5\n",
+                           "f 2 1 6 5 4 3\n", "f 5 6 1 2 3\\\r\n 4\r\n"}) {
+    const Facets facets = read("ell.obj", ell + face);
+    ASSERT_EQ(facets.triangles.size(), 4u) << face;
+    const bool isTurned = std::string(face) == "f 2 1 6 5 4 3\n";
+    double area = 0;
+    for (const auto& t : facets.triangles) {
+      const Point3& a = facets.vertices[t[0]];
+      const double z = cross(facets.vertices[t[1]] - a, facets.vertices[t[2]] - a).z / 2;
+      EXPECT_GT(isTurned ? -z : z, 0) << face;
+      area += std::abs(z);
+    }
+    EXPECT_DOUBLE_EQ(area, 3) << face;
+  }
 }
 
 TEST(Facets, OfTextAndBinaryStlFilesAreTheSame) {
