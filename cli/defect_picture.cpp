@@ -20,9 +20,10 @@ constexpr Color kInk = color(0x24292f), kLines = color(0x8c959f), kPaper = color
 
 Color colorOf(DefectKind kind) {
   // Distinct also for those who do not tell red from green.
-  constexpr std::array<unsigned, 11> kColors{0xd55e00, 0xcc79a7, 0x9a0000, 0x7a3db8,
-                                             0x0072b2, 0x56b4e9, 0x009e73, 0xe69f00,
-                                             0x8a6d00, 0x555555, 0xf02020};
+  constexpr std::array kColors{0xd55e00u, 0xcc79a7u, 0x9a0000u, 0x7a3db8u, 0x0072b2u,
+                               0x56b4e9u, 0x009e73u, 0xe69f00u, 0x1f3fbfu, 0x4b6b1fu,
+                               0x8a6d00u, 0x555555u, 0xf02020u};
+  static_assert(kColors.size() == static_cast<std::size_t>(DefectKind::Invalid) + 1);
   return color(kColors.at(static_cast<std::size_t>(kind)));
 }
 

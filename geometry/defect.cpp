@@ -20,6 +20,10 @@ const char* toString(DefectKind kind) {
       return "non-manifold edge";
     case DefectKind::TurnedFaces:
       return "turned faces";
+    case DefectKind::EdgeOnEdge:
+      return "edge on edge";
+    case DefectKind::FaceOnFace:
+      return "face on face";
     case DefectKind::NoCurve:
       return "edge without curve";
     case DefectKind::NoSurface:

@@ -16,6 +16,8 @@ enum class DefectKind {
   FreeEdge,         ///< has one face only
   NonManifoldEdge,  ///< has more than two
   TurnedFaces,      ///< two faces at an edge look to different sides
+  EdgeOnEdge,       ///< edges that a mesh of this size takes for one
+  FaceOnFace,       ///< a face that is there twice, or lies on another one
   NoCurve,          ///< an edge without a curve in space
   NoSurface,        ///< a face without a surface, or without any edge
   Invalid,          ///< something else that OpenCASCADE's checks find

@@ -14,12 +14,14 @@
 #include <TopoDS.hxx>
 #include <TopoDS_Wire.hxx>
 #include <algorithm>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <set>
 
 #include "geometry/occ/face_area.h"
 #include "geometry/occ/model_shape.h"
+#include "geometry/occ/overlaps.h"
 #include "geometry/occ/points.h"
 
 namespace af2::geometry {
@@ -92,6 +94,8 @@ class Finder {
       tryFor(face, 0, [&] { lookAtFace(face); });
     }
     lookAtUses();
+    tryFor(0, 0,
+           [&] { std::ranges::copy(findOverlaps(model_, size_), std::back_inserter(defects_)); });
     tryFor(0, 0, [&] { checkValidity(); });
     std::ranges::stable_sort(defects_, [](const Defect& a, const Defect& b) {
       if (a.kind != b.kind) return a.kind < b.kind;

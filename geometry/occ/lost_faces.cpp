@@ -60,7 +60,7 @@ class LostFaces {
       const auto oriented = Handle(StepShape_OrientedFace)::DownCast(face);
       if (!oriented.IsNull()) face = oriented->FaceElement();
       if (face.IsNull())
-        lost_.push_back("one that " + labelOf(shell) + " refers to in vain");
+        lost_.push_back("number " + std::to_string(k) + " of " + labelOf(shell));
       else if (!isThere(process_, face) && told_.insert(face.get()).second)
         lost_.push_back(labelOf(face) + nameOf(face));
     }

@@ -9,7 +9,8 @@
 namespace af2::geometry {
 
 /// The faces of shells that a STEP reader was to transfer and has no shape for, by the number of
-/// their entity, with their name: "#17 'inlet'". To be asked after the transfer.
+/// their entity, with their name: "#17 'inlet'"; or as "number 3 of #12" if the file lacks that. To
+/// be asked after the transfer.
 std::vector<std::string> lostStepFaces(const Handle(XSControl_WorkSession) & session);
 
 /// The same of an IGES reader: faces and trimmed surfaces, by their line in the directory: "D17".

@@ -121,15 +121,22 @@ void collectGroups(const TopoDS_Shape& shape, std::vector<TopoDS_Shape>& groups)
   if (TopExp_Explorer(direct, TopAbs_FACE).More()) groups.push_back(direct);
 }
 
+/// Of the box around all edges: a face that has lost its own has no end. Without a box, that of a
+/// model as large as a millimetre.
+double diagonalOf(const TopoDS_Shape& shape) {
+  Bnd_Box box;
+  for (TopExp_Explorer it(shape, TopAbs_EDGE); it.More(); it.Next())
+    BRepBndLib::Add(it.Current(), box);
+  return box.IsVoid() || box.IsOpen() ? 1 : std::sqrt(box.SquareExtent());
+}
+
 /// IGES gives each trimmed surface edges of its own; only sewn do neighbours share them. A group
 /// that closes by itself is a part: sewn along with others, it would grow together with those that
 /// it touches.
 void sew(ReadShape& read) {
   const int before = freeEdges(read.shape);
   if (before == 0) return;
-  Bnd_Box box;
-  BRepBndLib::Add(read.shape, box);
-  const double diagonal = std::sqrt(box.SquareExtent());
+  const double diagonal = diagonalOf(read.shape);
   std::vector<TopoDS_Shape> groups;
   collectGroups(read.shape, groups);
   BRep_Builder builder;

@@ -13,6 +13,7 @@
 
 #include <algorithm>
 
+#include "geometry/occ/defects.h"
 #include "tests/geometry/occ/dirt.h"
 #include "tests/geometry/occ/meshing.h"
 #include "tests/support/model_mesh.h"
@@ -59,6 +60,14 @@ TEST(FacesOnFaces, AFlapThatIsFoldedBackHasNoElementsNorWhatItLiesOn) {
   EXPECT_EQ(result.faces[1].elements, 0u);
   EXPECT_NE(result.faces[1].reason.find("lies on face 1, turned back"), std::string::npos);
   EXPECT_NE(result.faces[0].attempts[0].find("face 2 lies on it"), std::string::npos);
+}
+
+TEST(FacesOnFaces, AreDefects) {
+  const std::vector<Defect> defects = findDefects(testing::modelOf(foldedFlap()), 0.25);
+  const auto found = std::ranges::find(defects, DefectKind::FaceOnFace, &Defect::kind);
+  ASSERT_NE(found, defects.end());
+  EXPECT_EQ(found->face, 2);
+  EXPECT_EQ(found->detail, "lies on face 1, turned back");
 }
 
 /// Alone, it can be meshed as it is.

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <map>
 
+#include "geometry/occ/defects.h"
 #include "tests/geometry/occ/dirt.h"
 #include "tests/geometry/occ/meshing.h"
 #include "tests/support/model_mesh.h"
@@ -58,6 +59,19 @@ TEST(TwinEdges, OfFacesThatWereNotSewnAreOne) {
   testing::expectComplete(result, 2);
   EXPECT_EQ(openEdges(result), 6 * 4);
   EXPECT_TRUE(tellsOfTwin(result));
+}
+
+TEST(TwinEdges, AreDefectsThatDependOnTheMeshSize) {
+  const Squares squares;
+  const Model model = testing::modelOf(testing::compoundOf({squares.left(), squares.right(1e-4)}));
+  const std::vector<Defect> seen = findDefects(model, 0.25), apart = findDefects(model, 0.005);
+  const auto found = std::ranges::find(seen, DefectKind::EdgeOnEdge, &Defect::kind);
+  ASSERT_NE(found, seen.end());
+  EXPECT_EQ(std::ranges::count(seen, DefectKind::EdgeOnEdge, &Defect::kind), 1);
+  EXPECT_NEAR(found->place.x, 1, 1e-3);
+  EXPECT_NEAR(found->extent, 1, 1e-6);
+  EXPECT_EQ(found->detail.find("on edge "), 0u);
+  EXPECT_EQ(std::ranges::count(apart, DefectKind::EdgeOnEdge, &Defect::kind), 0);
 }
 
 TEST(TwinEdges, ThatCanBeToldApartInTheMeshStayTwo) {
