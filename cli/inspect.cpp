@@ -20,6 +20,7 @@
 #include "cli/defect_picture.h"
 #include "cli/mesh_summary.h"
 #include "geometry/occ/defects.h"
+#include "geometry/occ/edge_list.h"
 #include "geometry/occ/heal_model.h"
 #endif
 
@@ -28,14 +29,14 @@ namespace {
 
 struct InspectOptions {
   std::string model, size, picture, healTolerance;
-  bool brief = false, all = false, heal = false;
+  bool brief = false, all = false, edges = false, heal = false;
 };
 
 int inspectOther(const InspectOptions& options) {
   if (!options.picture.empty()) throw UsageError("--picture is for CAD models");
   if (options.heal) throw UsageError("--heal is for STEP, IGES and BREP files");
   return inspectDomain({options.model, options.size.empty() ? 0 : parseSize("--size", options.size),
-                        options.brief, options.all});
+                        options.brief, options.all, options.edges});
 }
 
 }  // namespace
@@ -96,6 +97,7 @@ int inspect(const InspectOptions& options, const InspectRequest& request) {
   if (request.heal) model = geometry::healModel(model, {request.healTolerance});
   printOverview(model);
   options.brief ? printSurfaceTypes(model) : printFaces(model);
+  if (options.edges) printEdges(geometry::edgesOf(model));
   printGroups(model.groups());
   if (options.brief && options.picture.empty()) return kComplete;
   const double size = request.size > 0 ? request.size : model.diagonal() / kSizesPerDiagonal;
@@ -127,6 +129,9 @@ Action declareInspect(CLI::App& command) {
       ->required();
   command.add_flag("--brief", options->brief,
                    "count the faces of each kind instead of listing them; no defects");
+  command.add_flag("--edges", options->edges,
+                   "list the edges, too, with their lengths, ends and faces: for --edge-size and "
+                   "--boundary of af2 mesh");
   command.add_option(
       "-s,--size", options->size,
       "edge length of the mesh that defects are held against; default: a fortieth of "

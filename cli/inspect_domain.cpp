@@ -73,6 +73,34 @@ void printFaces(const DomainModel& model) {
   }
 }
 
+double lengthOf(const geometry::DomainCurve& curve) {
+  double length = 0;
+  for (std::size_t k = 1; k < curve.knots.size(); ++k)
+    length += distance(curve.pointAt(curve.knots[k - 1]), curve.pointAt(curve.knots[k]));
+  return length;
+}
+
+/// Where others split an edge of the file, its parts have its number.
+std::vector<geometry::EdgeEntry> edgesOf(const DomainModel& model) {
+  std::vector<geometry::EdgeEntry> edges;
+  for (const geometry::DomainCurve& curve : model.curves)
+    edges.push_back({curve.id,
+                     curve.knots.size() == 2 ? "line" : "curve",
+                     lengthOf(curve),
+                     model.corners[curve.first],
+                     model.corners[curve.last],
+                     {}});
+  for (std::size_t f = 0; f < model.faces.size(); ++f)
+    for (const auto& loop : model.faces[f].loops)
+      for (const geometry::CurveUse& use : loop) {
+        std::vector<int>& faces = edges[use.curve].faces;
+        const int id = static_cast<int>(f) + 1;
+        if (faces.empty() || faces.back() != id) faces.push_back(id);
+      }
+  std::ranges::stable_sort(edges, {}, &geometry::EdgeEntry::id);
+  return edges;
+}
+
 void printSurfaceTypes(const DomainModel& model) {
   std::map<std::string, int> counts;
   for (const DomainFace& face : model.faces) ++counts[face.surfaceType];
@@ -95,6 +123,7 @@ int inspectDomain(const DomainInspection& request) {
              model.curves.size(), model.corners.size(), model.diagonal);
   fmt::print("{}", notesText(model.notes));
   request.brief ? printSurfaceTypes(model) : printFaces(model);
+  if (request.edges) printEdges(edgesOf(model));
   printGroups(model.groups);
   if (request.brief) return kComplete;
   const double size = request.size > 0 ? request.size : model.diagonal / kSizesPerDiagonal;

@@ -8,7 +8,7 @@ namespace af2::cli {
 struct DomainInspection {
   std::filesystem::path model;
   double size = 0;  ///< 0: by the diagonal
-  bool brief = false, all = false;
+  bool brief = false, all = false, edges = false;
 };
 
 /// Whether a file is a planar domain or a surface of triangles, as its name says.

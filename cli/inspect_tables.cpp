@@ -13,6 +13,10 @@ using geometry::Defect;
 /// So many defects of a kind are listed; more would bury the others.
 constexpr std::size_t kMostListed = 10;
 
+std::string textOf(const Point3& p) {
+  return fmt::format("({:.6g}, {:.6g}, {:.6g})", p.x, p.y, p.z);
+}
+
 std::string placeText(const Defect& defect) {
   std::string text;
   const auto part = [&](const char* kind, int id) {
@@ -21,8 +25,7 @@ std::string placeText(const Defect& defect) {
   part("face", defect.face);
   part("edge", defect.edge);
   part("vertex", defect.vertex);
-  const Point3& p = defect.place;
-  return text + fmt::format(" at ({:.6g}, {:.6g}, {:.6g})", p.x, p.y, p.z);
+  return text + " at " + textOf(defect.place);
 }
 
 void printDefect(const Defect& defect, double size) {
@@ -42,6 +45,16 @@ void printGroups(const std::vector<geometry::FaceGroup>& groups) {
   for (const geometry::FaceGroup& group : groups)
     fmt::print("{:>8}  {:<12}  {}\n", group.faces.size(), geometry::toString(group.kind),
                group.name);
+}
+
+void printEdges(const std::vector<geometry::EdgeEntry>& edges) {
+  fmt::print("{:>8}  {:<10}  {:>12}  {:<14}  {}\n", "edge", "curve", "length", "faces", "from, to");
+  for (const geometry::EdgeEntry& edge : edges) {
+    std::string faces;
+    for (const int face : edge.faces) faces += fmt::format("{}{}", faces.empty() ? "" : ", ", face);
+    fmt::print("{:>8}  {:<10}  {:>12.6g}  {:<14}  {}, {}\n", edge.id, edge.curve, edge.length,
+               faces, textOf(edge.from), textOf(edge.to));
+  }
 }
 
 void printDefects(const std::vector<Defect>& defects, double size, bool all) {

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "geometry/defect.h"
+#include "geometry/edge_entry.h"
 #include "geometry/model_mesh.h"
 
 namespace af2::cli {
@@ -12,6 +13,9 @@ namespace af2::cli {
 inline constexpr double kSizesPerDiagonal = 40;
 
 void printGroups(const std::vector<geometry::FaceGroup>& groups);
+
+/// Which id belongs to which edge.
+void printEdges(const std::vector<geometry::EdgeEntry>& edges);
 
 /// all  also those beyond the first ten of each kind
 void printDefects(const std::vector<geometry::Defect>& defects, double size, bool all);

@@ -6,7 +6,7 @@ int main(int count, char** arguments) {
   using namespace af2::cli;
   static constexpr Verb kVerbs[] = {
       {"mesh", "mesh the faces of a model", declareMesh},
-      {"inspect", "list the faces and edges of a model", declareInspect},
+      {"inspect", "list faces, edges, groups and defects of a model", declareInspect},
       {"check", "find mistakes in rule files", declareCheck},
       {"test", "run the tests of rule files", declareTest},
       {"fmt", "lay out rule files", declareFmt},

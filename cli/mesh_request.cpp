@@ -90,11 +90,11 @@ void declareMeshOptions(CLI::App& command, MeshOptions& options) {
   command.add_option("--boundary", options.boundary,
                      "file (JSON) with the vertices along edges that are divided already");
   command.add_flag("--keep-boundary", options.keepBoundary,
-                   "take the segments of a .poly file as they are");
+                   "take the segments of a .poly or .in2d file as they are");
   command.add_option("--feature-angle", options.featureAngle,
                      "of an STL or OBJ file: edges that turn by more degrees are kept, default 40");
   command.add_option("--chart", options.chart,
-                     "how the front sees curved faces of a CAD model: " + geometry::chartNames() +
+                     "how the front sees curved faces: " + geometry::chartNames() +
                          " (default auto); faces that have no such chart are meshed with auto");
   command.add_option("-j,--threads", options.threads,
                      "threads to use; the mesh does not depend on it");

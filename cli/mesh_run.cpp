@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <string_view>
 
 #include "cli/model_runs.h"
 #include "cli/usage_error.h"
@@ -14,8 +15,10 @@ namespace {
 
 void checkId(const std::string& option, const char* kind, int id, int count) {
   if (id <= count) return;
-  throw UsageError(fmt::format("{}: there is no {} {}; the model has {}s 1 to {} (see af2 inspect)",
-                               option, kind, id, kind, count));
+  const char* hint = std::string_view(kind) == "edge" ? " --edges" : "";
+  throw UsageError(
+      fmt::format("{}: there is no {} {}; the model has {}s 1 to {} (see af2 inspect{})", option,
+                  kind, id, kind, count, hint));
 }
 
 }  // namespace

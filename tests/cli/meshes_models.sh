@@ -75,6 +75,11 @@ grep -q 'healed with tolerance 0.0001' out || fail "--heal does not tell what it
 expect 0 "$af2" inspect "$models/cylinder.step"
 grep -q cylinder out || fail "inspect does not tell of the cylinder"
 grep -q 'no defects' out || fail "inspect tells of defects that are none"
+expect 0 "$af2" inspect "$models/cylinder.step" --edges
+[ "$(grep -c circle out)" -eq 2 ] || fail "inspect --edges does not list the two circles"
+grep -Eq 'line .* 1  +\(' out || fail "inspect --edges does not list the seam of face 1"
+expect 0 "$af2" inspect "$models/plate.poly" --edges
+[ "$(grep -c ' line ' out)" -gt 4 ] || fail "inspect --edges does not list the segments of a planar domain"
 expect 0 "$af2" inspect "$models/cylinder.step" --size 100 --picture defects.svg
 grep -q 'sliver' out || fail "inspect does not tell of faces that are narrow against the mesh"
 [ -s defects.svg ] || fail "there is no picture of the defects"
