@@ -2,6 +2,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
+#include <string>
 
 #include "dsl/rule_file.h"
 #include "engine/algorithm.h"
@@ -26,6 +27,7 @@ int main(int count, char** arguments) {
 
     // A face that cannot be meshed, or fails the checks, does not spoil the others; it is told.
     bool isWhole = mesh.findings.empty();
+    for (const std::string& lack : mesh.findings) std::fprintf(stderr, "%s\n", lack.c_str());
     for (const af2::geometry::FaceReport& face : mesh.faces) {
       if (face.status == af2::geometry::FaceStatus::Complete) continue;
       std::fprintf(stderr, "face %d: %s\n", face.id, face.reason.c_str());

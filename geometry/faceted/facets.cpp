@@ -162,6 +162,14 @@ void readBinaryStl(const std::string& data, std::uint32_t count, Facets& facets)
   }
 }
 
+/// Some programs write more after the triangles.
+void readBinaryStlAndMore(const std::string& data, std::uint32_t count, Facets& facets) {
+  readBinaryStl(data, count, facets);
+  facets.notes.push_back(std::to_string(data.size() - 84 - 50 * std::size_t{count}) +
+                         " bytes after the last of " + std::to_string(count) +
+                         " triangles were passed over");
+}
+
 /// The size tells: text files may begin with anything, and binary ones with "solid".
 void readStl(const std::string& data, Facets& facets) {
   std::uint32_t count = 0;
@@ -170,6 +178,8 @@ void readStl(const std::string& data, Facets& facets) {
     readBinaryStl(data, count, facets);
   else if (data.find("facet") != std::string::npos || data.find("endsolid") != std::string::npos)
     readTextStl(data, facets);
+  else if (count > 0 && data.size() > 84 + 50 * std::size_t{count})
+    readBinaryStlAndMore(data, count, facets);
   else
     throw InputError(facets.name +
                      ": is no STL file, or is cut off: " + std::to_string(data.size()) + " bytes");

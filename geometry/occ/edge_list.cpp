@@ -4,6 +4,7 @@
 #include <BRep_Tool.hxx>
 #include <GCPnts_AbscissaPoint.hxx>
 #include <Standard_Failure.hxx>
+#include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 #include <set>
@@ -45,7 +46,8 @@ bool measure(const TopoDS_Edge& edge, EdgeEntry& entry) {
     entry.curve = kindOf(curve.GetType());
     entry.length = GCPnts_AbscissaPoint::Length(curve);
     entry.from = toPoint(curve.Value(curve.FirstParameter()));
-    entry.to = toPoint(curve.Value(curve.LastParameter()));
+    const bool isClosed = TopExp::FirstVertex(edge).IsSame(TopExp::LastVertex(edge));
+    entry.to = isClosed ? entry.from : toPoint(curve.Value(curve.LastParameter()));
   } catch (const Standard_Failure&) {  // `defects` tell of it
     return false;
   }

@@ -89,6 +89,10 @@ class Healer {
     healed.fileUnit = model_.fileUnit;
     healed.notes = model_.notes;
     healed.lostFaces = model_.lostFaces;
+    // What has no edges counts as a spot, and is removed; but it may be anything.
+    for (std::size_t i = 0; i < faces_.size(); ++i)
+      if (faces_[i].IsNull() && before_[i].edges == 0)
+        healed.lostFaces.push_back("face " + std::to_string(i + 1) + ", which had no boundary");
     if (const std::size_t count = rebuiltFaces(); count > 0)
       changes_.add("face with other edges, curves or tolerances", std::nullopt, count);
     healed.healing = Healing{tolerance_, changes_.take(), undone_};

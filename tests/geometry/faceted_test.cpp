@@ -121,6 +121,10 @@ TEST(Facets, OfTextAndBinaryStlFilesAreTheSame) {
   EXPECT_EQ(fromText.vertices.size(), 4u);
   EXPECT_EQ(fromText.vertices, fromBinary.vertices);
   EXPECT_EQ(fromText.triangles, fromBinary.triangles);
+  const Facets andMore = read("c.stl", binary + "more");
+  EXPECT_EQ(fromText.triangles, andMore.triangles);
+  EXPECT_EQ(andMore.notes.front().find("4 bytes after the last of 2 triangles"), 0u);
+  EXPECT_THROW(read("d.stl", binary.substr(0, binary.size() - 1)), InputError);
 }
 
 TEST(Facets, TellWhatIsWrongWithAFile) {

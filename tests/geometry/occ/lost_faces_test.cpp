@@ -87,6 +87,9 @@ TEST(LostFaces, OfAnIgesFileDoNotVanishWhenTheOthersAreSewn) {
   EXPECT_EQ(static_cast<std::size_t>(model.faceCount()) + model.lostFaces().size(), 6u);
   const ModelMesh mesh = testing::mesh(model, 5);
   EXPECT_TRUE(statusOf(mesh) != RunStatus::Complete || !mesh.findings.empty());
+  // Nor when healing takes it for a spot.
+  const Model healed = healModel(model, {});
+  EXPECT_EQ(static_cast<std::size_t>(healed.faceCount()) + healed.lostFaces().size(), 6u);
 }
 
 }  // namespace
