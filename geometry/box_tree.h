@@ -21,8 +21,9 @@ struct Box3 {
     add(box.high);
   }
   bool meets(const Box3& other) const {
-    return low.x <= other.high.x && other.low.x <= high.x && low.y <= other.high.y &&
-           other.low.y <= high.y && low.z <= other.high.z && other.low.z <= high.z;
+    // Without branches: which of these fails is not to be guessed.
+    return (low.x <= other.high.x) & (other.low.x <= high.x) & (low.y <= other.high.y) &
+           (other.low.y <= high.y) & (low.z <= other.high.z) & (other.low.z <= high.z);
   }
   /// Zero inside.
   double distanceTo(const Point3& p) const;
