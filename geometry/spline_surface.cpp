@@ -119,6 +119,7 @@ SplineSurface::Spans::Spans(const SplineBasis& basis, double from, double to)
   for (std::size_t i = 0; i < knots_.size(); ++i)
     perUnit_.push_back(1 / (breaks_[i + 1] - breaks_[i]));
   last_ = knots_.size() - 1;
+  spansPerUnit_ = static_cast<double>(knots_.size()) / (breaks_.back() - breaks_.front());
   if (period_ > 0) return;
   const auto spanOf = [&](double parameter) {
     const auto end = breaks_.end() - 1;
@@ -137,14 +138,25 @@ double SplineSurface::Spans::brought(double parameter) const {
   return parameter - std::floor((parameter - breaks_.front()) / period_) * period_;
 }
 
-std::optional<SplineSurface::Spans::Place> SplineSurface::Spans::find(double parameter) const {
-  const double x = brought(parameter);
-  // Half the spans at a time; most surfaces have a few only.
+/// Beyond the ends the first and the last one.
+std::size_t SplineSurface::Spans::spanAt(double x) const {
   std::size_t low = 0, high = knots_.size();
+  // Mostly spans are alike.
+  const double guess =
+      std::min(spansPerUnit_ * (x - breaks_.front()), static_cast<double>(high - 1));
+  const std::size_t likely = guess > 0 ? static_cast<std::size_t>(guess) : 0;
+  const bool isBelow = likely + 1 < high && !(x < breaks_[likely + 1]);
+  if (!isBelow && (likely == 0 || !(x < breaks_[likely]))) return likely;
   while (high - low > 1) {
     const std::size_t middle = (low + high) / 2;
     (x < breaks_[middle] ? high : low) = middle;
   }
+  return low;
+}
+
+std::optional<SplineSurface::Spans::Place> SplineSurface::Spans::find(double parameter) const {
+  const double x = brought(parameter);
+  const std::size_t low = spanAt(x);
   if (low < first_ || low > last_) return std::nullopt;
   return Place{low - first_, (x - breaks_[low]) * perUnit_[low], perUnit_[low]};
 }

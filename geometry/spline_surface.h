@@ -69,12 +69,14 @@ class SplineSurface {
 
    private:
     double brought(double parameter) const;
+    std::size_t spanAt(double x) const;
 
     int degree_;
     double period_;
     std::vector<double> breaks_;      ///< one more than spans
     std::vector<double> perUnit_;     ///< by span
     std::vector<std::size_t> knots_;  ///< by span
+    double spansPerUnit_ = 0;         ///< if they were alike
     std::size_t first_ = 0, last_ = 0;
   };
 
