@@ -60,6 +60,19 @@ inline double cornerDistortion(const Point3& corner, const Point3& ahead, const 
   return (squares + dot(r, r)) / (kTwoRootThree * twiceArea);
 }
 
+/// Whether the distortion of a triangle is below a limit, by a margin far beyond what rounding can
+/// do: costs neither a root nor a division. False: not certain.
+inline bool isPlainlyBelow(double limit, const SurfacePoint& a, const SurfacePoint& b,
+                           const SurfacePoint& c) {
+  constexpr double kCertain = 1 - 1e-9, kTwelve = 12;  // (2 sqrt(3))^2
+  const Point3 p = b.position - a.position, q = c.position - a.position;
+  const Point3 r = c.position - b.position, turned = cross(p, q);
+  for (const SurfacePoint* corner : {&a, &b, &c})
+    if (!facesNormal(turned, corner->normal)) return false;
+  const double squares = dot(p, p) + dot(q, q) + dot(r, r);
+  return squares * squares < kCertain * limit * limit * kTwelve * dot(turned, turned);
+}
+
 /// Distortion of a triangle: 1 for the equilateral one, growing without bound, infinite for one
 /// that folds against the surface.
 inline double triangleDistortion(const SurfacePoint& a, const SurfacePoint& b,

@@ -1,5 +1,6 @@
 #include "engine/smoothing.h"
 
+#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -189,6 +190,7 @@ bool VertexSmoother::moveInChart(VertexId v, const StepChart& chart, Goal goal) 
   const SurfacePoint before = here;
   here = *lifted;
   if (isForAll && chart.isPlane()) return true;  // surely better
+  if (isForAll && areAllPlainlyGood()) return true;
   const double worst = worstDistortion();
   if (isForAll && worst <= kGoodDistortion) return true;
   here = before;
@@ -218,6 +220,16 @@ bool VertexSmoother::makeTerms(const StepChart& chart) {
   }
   reach_ = std::sqrt(shortest);
   return true;
+}
+
+bool VertexSmoother::areAllPlainlyGood() const {
+  return std::ranges::all_of(star_, [&](Corner c) {
+    const Element& element = mesh_.elements[c.element()];
+    const auto corner = [&](std::size_t i) -> const SurfacePoint& {
+      return mesh_.vertices[element.corners[i].value];
+    };
+    return !element.isQuad() && isPlainlyBelow(kGoodDistortion, corner(0), corner(1), corner(2));
+  });
 }
 
 double VertexSmoother::worstDistortion() const {

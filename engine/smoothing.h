@@ -42,6 +42,7 @@ class VertexSmoother {
   bool collectStar(Corner first);
   bool moveInChart(VertexId v, const StepChart& chart, Goal goal);
   bool makeTerms(const StepChart& chart);
+  bool areAllPlainlyGood() const;
   double worstDistortion() const;
   const SurfacePoint& at(Corner c) const { return mesh_.vertices[topology_.vertexAt(c).value]; }
 
