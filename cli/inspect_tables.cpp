@@ -14,7 +14,7 @@ using geometry::Defect;
 constexpr std::size_t kMostListed = 10;
 
 std::string textOf(const Point3& p) {
-  return fmt::format("({:.6g}, {:.6g}, {:.6g})", p.x, p.y, p.z);
+  return fmt::format("({:.9g}, {:.9g}, {:.9g})", p.x, p.y, p.z);
 }
 
 std::string placeText(const Defect& defect) {

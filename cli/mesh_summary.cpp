@@ -76,7 +76,7 @@ std::string healingText(const std::optional<geometry::Healing>& healing) {
   for (const geometry::HealedChange& change : healing->changes) {
     text += fmt::format("  {} x {}", change.count, change.what);
     if (const auto& p = change.place)
-      text += fmt::format(", e.g. at ({:.6g}, {:.6g}, {:.6g})", p->x, p->y, p->z);
+      text += fmt::format(", e.g. at ({:.9g}, {:.9g}, {:.9g})", p->x, p->y, p->z);
     text += "\n";
   }
   for (const std::string& step : healing->undone) text += fmt::format("  {}\n", step);

@@ -1,13 +1,43 @@
 #include "geometry/part_sizes.h"
 
-#include <fnmatch.h>
+#include <string_view>
 
 #include "engine/error.h"
 
 namespace af2::geometry {
 
+namespace {
+
+/// Of the character that begins here, in UTF-8.
+std::size_t bytesOf(std::string_view text, std::size_t at) {
+  std::size_t end = at + 1;
+  while (end < text.size() && (static_cast<unsigned char>(text[end]) & 0xc0) == 0x80) ++end;
+  return end - at;
+}
+
+}  // namespace
+
 bool fitsPattern(const std::string& name, const std::string& pattern) {
-  return fnmatch(pattern.c_str(), name.c_str(), 0) == 0;
+  constexpr std::size_t kNone = std::string::npos;
+  std::size_t n = 0, p = 0, star = kNone, afterStar = 0;  // the last `*`, and what it takes up to
+  while (n < name.size()) {
+    if (p < pattern.size() && pattern[p] == '*') {
+      star = p++;
+      afterStar = n;
+    } else if (p < pattern.size() && pattern[p] == '?') {
+      n += bytesOf(name, n);
+      ++p;
+    } else if (p < pattern.size() && pattern[p] == name[n]) {
+      ++n;
+      ++p;
+    } else if (star != kNone) {
+      n = ++afterStar;
+      p = star + 1;
+    } else {
+      return false;
+    }
+  }
+  return pattern.find_first_not_of('*', p) == kNone;
 }
 
 std::map<int, double> sizesByName(std::span<const std::pair<std::string, double>> parts,

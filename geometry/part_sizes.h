@@ -21,7 +21,8 @@ std::map<int, double> sizesByName(std::span<const std::pair<std::string, double>
                                   std::span<const std::string> names,
                                   std::span<const FaceGroup> groups);
 
-/// Whether a name is what a pattern says, in which `*` is any text and `?` any character.
+/// Whether a name is what a pattern says, in which `*` is any text and `?` any character of
+/// UTF-8. All else stands for itself, brackets and backslashes too.
 bool fitsPattern(const std::string& name, const std::string& pattern);
 
 }  // namespace af2::geometry

@@ -45,7 +45,7 @@ class Repair {
   void tell(std::size_t count, const char* what, const Point3& place) {
     if (count == 0) return;
     char text[200];
-    std::snprintf(text, sizeof text, "%zu %s, the first near (%.6g, %.6g, %.6g)", count, what,
+    std::snprintf(text, sizeof text, "%zu %s, the first near (%.9g, %.9g, %.9g)", count, what,
                   place.x, place.y, place.z);
     facets_.notes.emplace_back(text);
   }

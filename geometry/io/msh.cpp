@@ -59,7 +59,12 @@ std::int32_t highestFace(const ModelMesh& mesh) {
 std::string uniqueName(std::string name, const std::string& what, std::set<std::string>& taken) {
   std::ranges::replace_if(
       name, [](unsigned char c) { return c < ' ' || c == '"'; }, '_');
-  name.resize(std::min<std::size_t>(name.size(), 100));  // the format allows 127
+  constexpr std::size_t kLongest = 100;  // the format allows 127, with what follows
+  if (name.size() > kLongest) {
+    std::size_t end = kLongest;
+    while (end > 0 && (static_cast<unsigned char>(name[end]) & 0xc0) == 0x80) --end;
+    name.resize(end);  // between characters of UTF-8
+  }
   const std::string plain = name;
   for (int count = 1; !taken.insert(name).second; ++count)
     name = plain + " (" + what + (count > 1 ? " " + std::to_string(count) : "") + ")";

@@ -209,7 +209,7 @@ class Subdivision {
 
 std::string textOf(const char* kind, std::size_t index, Point2 place) {
   char text[100];
-  std::snprintf(text, sizeof text, "%s point %zu at (%.6g, %.6g)", kind, index + 1, place.x,
+  std::snprintf(text, sizeof text, "%s point %zu at (%.12g, %.12g)", kind, index + 1, place.x,
                 place.y);
   return text;
 }

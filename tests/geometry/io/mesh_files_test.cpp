@@ -74,6 +74,15 @@ TEST(MeshFiles, StlIsRefusedWhereSinglePrecisionWouldLoseTriangles) {
   EXPECT_NO_THROW(written(oneElement({at(0, 0), at(1, 0), at(0, 1)}), ".stl"));
 }
 
+TEST(MeshFiles, MshCutsLongNamesBetweenCharacters) {
+  ModelMesh mesh = cubeMesh();
+  mesh.faces[0].name = std::string(99, 'a') + "\u00e4" + "b";
+  mesh.faces[1].name = std::string(100, 'a') + "b";
+  const std::string text = written(mesh, ".msh");
+  EXPECT_NE(text.find("\"" + std::string(99, 'a') + "\""), std::string::npos);
+  EXPECT_NE(text.find("\"" + std::string(100, 'a') + "\""), std::string::npos);
+}
+
 TEST(MeshFiles, ObjIsReadable) {
   EXPECT_EQ(written(oneElement({{0, 0, 0.1}, {1, 0, 0}, {0, 1e-300, 0}}), ".obj"),
             "# surface mesh by AF2\nv 0 0 0.1\nv 1 0 0\nv 0 1e-300 0\ng face_1\nf 1 2 3\n");

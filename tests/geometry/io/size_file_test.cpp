@@ -68,6 +68,14 @@ TEST(SizeFile, NamesMayHavePatterns) {
   EXPECT_TRUE(fitsPattern("bolt 12", "bolt*"));
   EXPECT_TRUE(fitsPattern("bolt 1", "bolt ?"));
   EXPECT_FALSE(fitsPattern("bolt 12", "bolt"));
+  EXPECT_TRUE(fitsPattern("", "*"));
+  EXPECT_TRUE(fitsPattern("ab12ab34", "*ab*4**"));
+  EXPECT_FALSE(fitsPattern("ab12ab34", "*ab*5"));
+  EXPECT_FALSE(fitsPattern("a", "a?"));
+  EXPECT_TRUE(fitsPattern("T\u00e4l", "T?l"));
+  for (const char* name : {"bolt [M3]", "C:\\parts\\a", "*", "?"})
+    EXPECT_TRUE(fitsPattern(name, name));
+  EXPECT_FALSE(fitsPattern("bolt M", "bolt [M3]"));
 }
 
 }  // namespace
