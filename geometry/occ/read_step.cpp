@@ -31,6 +31,7 @@
 #include "geometry/occ/step_groups.h"
 #include "geometry/occ/trial.h"
 #include "geometry/occ/turned_faces.h"
+#include "geometry/utf8.h"
 
 namespace af2::geometry {
 
@@ -176,11 +177,15 @@ ReadShape readStep(const std::filesystem::path& path) {
   Handle(TDocStd_Document) document = new TDocStd_Document("XmlXCAF");
   STEPControl_Reader& reader = withAttributes.ChangeReader();
   Interface_Static::SetCVal("xstep.cascade.unit", "MM");
+  const bool isUtf8 = isUtf8File(path);
+  Interface_Static::SetCVal("read.step.codepage", isUtf8 ? "UTF8" : "CP1252");
   // Files that it refers to are found only beside a file with its whole path.
   if (withAttributes.ReadFile(std::filesystem::absolute(path).c_str()) != IFSelect_RetDone)
     throw InputError(path.string() +
                      ": this STEP file is damaged or cut off; export the model again");
   ReadShape result;
+  if (!isUtf8)
+    result.notes.push_back("the names in the file are not in UTF-8; read as in Windows-1252");
   const std::string damage = checkReferences(reader.StepModel());
   if (!damage.empty()) {
     constexpr std::chrono::seconds kLimit(120);

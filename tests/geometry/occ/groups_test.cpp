@@ -19,10 +19,13 @@
 #include <XCAFDoc_ShapeTool.hxx>
 #include <cmath>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 
 #include "geometry/occ/mesh_model.h"
 #include "geometry/second_order.h"
 #include "tests/geometry/occ/meshing.h"
+#include "tests/geometry/planar/poly_text.h"
 #include "tests/support/model_mesh.h"
 
 namespace af2::geometry {
@@ -96,6 +99,22 @@ TEST(Groups, AreTheNamesLayersColorsAndSolidsOfAStepFile) {
   EXPECT_EQ(facesIn(model, GroupKind::Color, "#0000ff"), 6u);
   for (const char* solid : {"1", "2", "3"}) EXPECT_GT(facesIn(model, GroupKind::Solid, solid), 0u);
   EXPECT_EQ(mesh(model, 0.5, 1).groups, model.groups());
+}
+
+/// The standard has escapes for what is not ASCII, but many programs write names as they have them.
+TEST(Groups, HaveNamesInUtf8OrElseInWindows1252) {
+  std::ifstream stream(AF2_EXAMPLE_MODELS "/cylinder.step");
+  const std::string text{std::istreambuf_iterator<char>(stream), {}};
+  const std::size_t face = text.find("ADVANCED_FACE('") + 15;
+  for (const auto& [name, isNoted] :
+       {std::pair("T\\X2\\00E4\\X0\\l", false), {"T\xc3\xa4l", false}, {"T\xe4l", true}}) {
+    const testing::TemporaryFile file("named.step", std::string(text).insert(face, name));
+    const Model model = readModel(file.path());
+    std::vector<std::string> names;
+    for (int id = 1; id <= model.faceCount(); ++id) names.push_back(model.faceName(id));
+    EXPECT_EQ(std::count(names.begin(), names.end(), "T\xc3\xa4l"), 1) << name;
+    EXPECT_EQ(model.notes().size(), isNoted ? 1u : 0u) << name;
+  }
 }
 
 double areaOfSecondOrder(const ModelMesh& mesh) {
