@@ -1,6 +1,7 @@
 // af2 mesh
 #include <fmt/core.h>
 
+#include <cstdio>
 #include <filesystem>
 
 #include "cli/exit_code.h"
@@ -53,16 +54,15 @@ ExitCode exitCodeOf(RunStatus status) {
 }
 
 void tell(const MeshRequest& request, const RunReport& report, const ModelMesh& mesh) {
-  fmt::print(stderr, "{}", failureText(mesh));
-  if (!report.reason.empty()) fmt::print(stderr, "af2: {}\n", report.reason);
-  if (report.status == RunStatus::Cancelled) fmt::print(stderr, "af2: stopped before the end\n");
-  if (mesh.elements.empty() && !request.outputs.empty()) {
-    fmt::print(stderr, "af2: there is no mesh, so no file was written\n");
-  }
-  if (!mesh.straightened.empty()) {
-    fmt::print(stderr, "af2: {} elements of second order kept straight sides (see --report)\n",
-               mesh.straightened.size());
-  }
+  std::string text = failureText(mesh);
+  if (!report.reason.empty()) text += fmt::format("af2: {}\n", report.reason);
+  if (report.status == RunStatus::Cancelled) text += "af2: stopped before the end\n";
+  if (mesh.elements.empty() && !request.outputs.empty())
+    text += "af2: there is no mesh, so no file was written\n";
+  if (!mesh.straightened.empty())
+    text += fmt::format("af2: {} elements of second order kept straight sides (see --report)\n",
+                        mesh.straightened.size());
+  std::fputs(text.c_str(), stderr);  // does not throw if nobody listens
   if (!request.quiet)
     fmt::print("{}{}{}{}", unitText(mesh), notesText(mesh.notes), healingText(mesh.healing),
                summaryText(mesh, report.quality));

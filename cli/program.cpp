@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cstdio>
 #include <map>
 #include <new>
 #include <string>
@@ -18,7 +19,10 @@
 namespace af2::cli {
 namespace {
 
-void complain(const std::string& message) { fmt::print(stderr, "af2: error: {}\n", message); }
+/// Not with fmt::print, which throws if nobody listens (`2>&-`).
+void tell(const std::string& line) { std::fputs((line + "\n").c_str(), stderr); }
+
+void complain(const std::string& message) { tell("af2: error: " + message); }
 
 std::string firstLine(const std::string& text) { return text.substr(0, text.find('\n')); }
 
@@ -26,7 +30,7 @@ int explainUsage(const CLI::App& program, const std::string& message) {
   const auto chosen = program.get_subcommands();
   const std::string verb = chosen.empty() ? "" : chosen.front()->get_name() + " ";
   complain(message);
-  fmt::print(stderr, "try: af2 {}--help\n", verb);
+  tell("try: af2 " + verb + "--help");
   return kUsage;
 }
 

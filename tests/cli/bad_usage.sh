@@ -77,6 +77,10 @@ unusable "$af2" mesh empty.step --size 1 --report empty.json; told 'empty.step'
 head -c 3000 "$cylinder" >cut.step
 unusable "$af2" mesh cut.step --size 1; told 'cut.step'
 sed 's/CYLINDRICAL_SURFACE/SPIRAL_SURFACE/' "$cylinder" >lost.step
+for stream in 1 2; do  # nobody listens
+  expect 1 bash -c "exec $stream>&-; exec \"\$@\"" - "$af2" mesh nothing.step --size 1
+  expect 3 bash -c "exec $stream>&-; exec \"\$@\"" - "$af2" mesh lost.step --size 1
+done
 expect 3 "$af2" mesh lost.step --size 1 --report lost.json; told 'could not be read'
 [ "$(json lost.json status)" = partial ] || fail "a face is lost, and the status is complete"
 expect 0 "$af2" inspect lost.step
