@@ -8,12 +8,13 @@
 
 #include "engine/error.h"
 #include "geometry/box_tree.h"
+#include "geometry/faceted/plane_cut.h"
 
 namespace af2::geometry {
 namespace {
 
-using Edge = std::pair<std::uint32_t, std::uint32_t>;  // the lower vertex first
-using HalfEdge = std::uint32_t;                        // 3 t + i: from corner i of triangle t
+using Edge = FacetEdge;
+using HalfEdge = std::uint32_t;  // 3 t + i: from corner i of triangle t
 
 constexpr HalfEdge kNone = 0xffffffffu;
 
@@ -32,21 +33,17 @@ class PatchFinder {
     while (dropShortCreases()) {
     }
     if (dropSpecks()) findPatchOf();
+    if (dropSlivers()) findPatchOf();
   }
 
   /// Triangles of each patch that has too little boundary to start from, e.g. none. A flat patch
   /// has at least the perimeter of a disc of its area.
   std::vector<std::vector<std::uint32_t>> bulgingPatches() const {
     constexpr double kShareOfDisc = 0.5;
-    std::vector<double> perimeter(patchCount_, 0), area(patchCount_, 0);
-    for (HalfEdge h = 0; h < twin_.size(); ++h)
-      if (twin_[h] == kNone) perimeter[patchOf_[h / 3]] += distance(at(startOf(h)), at(endOf(h)));
-    for (std::uint32_t t = 0; t < patchOf_.size(); ++t) {
-      const auto& c = facets_.triangles[t];
-      area[patchOf_[t]] += length(cross(at(c[1]) - at(c[0]), at(c[2]) - at(c[0]))) / 2;
-    }
+    const std::vector<Extent> extents = extentsOfPatches();
     const auto isBulging = [&](std::size_t p) {
-      return perimeter[p] < kShareOfDisc * std::sqrt(4 * std::numbers::pi * area[p]);
+      return extents[p].perimeter <
+             kShareOfDisc * std::sqrt(4 * std::numbers::pi * extents[p].area);
     };
     std::vector<std::vector<std::uint32_t>> triangles(patchCount_);
     for (std::uint32_t t = 0; t < patchOf_.size(); ++t)
@@ -64,10 +61,25 @@ class PatchFinder {
   }
 
  private:
+  struct Extent {
+    double perimeter = 0, area = 0;
+  };
+  std::vector<Extent> extentsOfPatches() const {
+    std::vector<Extent> extents(patchCount_);
+    for (HalfEdge h = 0; h < twin_.size(); ++h)
+      if (twin_[h] == kNone) extents[patchOf_[h / 3]].perimeter += lengthOf(h);
+    for (std::uint32_t t = 0; t < patchOf_.size(); ++t) {
+      const auto& c = facets_.triangles[t];
+      extents[patchOf_[t]].area += length(cross(at(c[1]) - at(c[0]), at(c[2]) - at(c[0]))) / 2;
+    }
+    return extents;
+  }
+
   std::uint32_t startOf(HalfEdge h) const { return facets_.triangles[h / 3][h % 3]; }
   std::uint32_t endOf(HalfEdge h) const { return startOf(nextIn(h)); }
   Edge edgeOf(HalfEdge h) const { return std::minmax(startOf(h), endOf(h)); }
   const Point3& at(std::uint32_t v) const { return facets_.vertices[v]; }
+  double lengthOf(HalfEdge h) const { return distance(at(startOf(h)), at(endOf(h))); }
   void findTwins() {
     twin_.assign(3 * facets_.triangles.size(), kNone);
     std::vector<std::pair<Edge, HalfEdge>> all;
@@ -187,6 +199,31 @@ class PatchFinder {
     return isAny;
   }
 
+  /// Patches without width, as rounding leaves them along edges, become part of the one beside them
+  /// with which they have most of their boundary in common.
+  bool dropSlivers() {
+    constexpr double kWidth = 0.02;  // of a speck
+    const std::vector<Extent> extents = extentsOfPatches();
+    std::vector<std::map<std::size_t, double>> shared(patchCount_);  // only of slivers
+    for (HalfEdge h = 0; h < twin_.size(); ++h) {
+      const auto& [perimeter, area] = extents[patchOf_[h / 3]];
+      const bool isSliver = 2 * area < kWidth * limits_.speck * perimeter;
+      if (twin_[h] == kNone && isSliver && !isForced(h))
+        shared[patchOf_[h / 3]][patchOf_[partner_[h] / 3]] += lengthOf(h);
+    }
+    bool isAny = false;
+    for (HalfEdge h = 0; h < twin_.size(); ++h) {
+      const auto& beside = shared[patchOf_[h / 3]];
+      if (twin_[h] != kNone || beside.empty() || isForced(h)) continue;
+      const auto most =
+          std::ranges::max_element(beside, {}, [](const auto& b) { return b.second; });
+      if (patchOf_[partner_[h] / 3] != most->first) continue;
+      smooth(h);
+      isAny = true;
+    }
+    return isAny;
+  }
+
   void findPatchOf() {
     patchCount_ = 0;
     constexpr std::size_t kUnknown = ~std::size_t{0};
@@ -285,79 +322,6 @@ class PatchFinder {
   std::vector<FeatureCurve> curves_;
 };
 
-/// Cuts triangles along a plane across their longest direction that goes through no vertex. The cut
-/// becomes feature edges.
-class PlaneCut {
- public:
-  PlaneCut(Facets& facets, const std::vector<std::uint32_t>& triangles, std::set<Edge>& forced)
-      : facets_(facets), forced_(forced) {
-    choosePlane(triangles);
-    for (const std::uint32_t t : triangles) cut(t);
-  }
-
- private:
-  double height(std::uint32_t v) const {
-    const Point3& p = facets_.vertices[v];
-    return (axis_ == 0 ? p.x : axis_ == 1 ? p.y : p.z) - offset_;
-  }
-
-  void choosePlane(const std::vector<std::uint32_t>& triangles) {
-    Box3 box;
-    std::set<std::uint32_t> vertices;
-    for (const std::uint32_t t : triangles)
-      for (const std::uint32_t v : facets_.triangles[t]) {
-        box.add(facets_.vertices[v]);
-        vertices.insert(v);
-      }
-    const Point3 d = box.high - box.low;
-    axis_ = d.x >= d.y && d.x >= d.z ? 0 : d.y >= d.z ? 1 : 2;
-    std::set<double> heights;
-    for (const std::uint32_t v : vertices) heights.insert(height(v));
-    // In the widest gap of the middle third: vertices that nearly lie in the plane make slivers.
-    const double low = *heights.begin(), extent = *heights.rbegin() - low;
-    double widest = -1;
-    for (auto above = std::next(heights.begin()); above != heights.end(); ++above) {
-      const double below = *std::prev(above), middle = (below + *above) / 2;
-      if (*above - below <= widest || std::abs(middle - low - extent / 2) > extent / 6) continue;
-      widest = *above - below;
-      offset_ = middle;
-    }
-    if (widest < 0) offset_ = low + extent / 2;  // no vertex near the middle
-  }
-
-  std::uint32_t crossingOf(std::uint32_t a, std::uint32_t b) {
-    const Edge edge = std::minmax(a, b);
-    const auto [found, isNew] =
-        crossings_.try_emplace(edge, static_cast<std::uint32_t>(facets_.vertices.size()));
-    if (isNew) {
-      const double t = height(edge.first) / (height(edge.first) - height(edge.second));
-      const Point3 p = facets_.vertices[edge.first], q = facets_.vertices[edge.second];
-      facets_.vertices.push_back(p + t * (q - p));
-    }
-    return found->second;
-  }
-
-  void cut(std::uint32_t t) {
-    auto c = facets_.triangles[t];
-    const auto isAbove = [&](std::uint32_t v) { return height(v) > 0; };
-    if (isAbove(c[0]) == isAbove(c[1]) && isAbove(c[1]) == isAbove(c[2])) return;
-    // The corner that is alone on its side comes first.
-    while (isAbove(c[1]) != isAbove(c[2])) std::rotate(c.begin(), c.begin() + 1, c.end());
-    const std::uint32_t p = crossingOf(c[0], c[1]), q = crossingOf(c[0], c[2]);
-    facets_.triangles[t] = {c[0], p, q};
-    facets_.triangles.push_back({p, c[1], c[2]});
-    facets_.triangles.push_back({p, c[2], q});
-    if (!facets_.group.empty()) facets_.group.insert(facets_.group.end(), 2, facets_.group[t]);
-    forced_.insert(std::minmax(p, q));
-  }
-
-  Facets& facets_;
-  std::set<Edge>& forced_;
-  std::map<Edge, std::uint32_t> crossings_;
-  int axis_ = 0;
-  double offset_ = 0;
-};
-
 }  // namespace
 
 PatchedFacets findPatches(Facets facets, const FeatureLimits& limits) {
@@ -367,7 +331,7 @@ PatchedFacets findPatches(Facets facets, const FeatureLimits& limits) {
     PatchFinder finder(facets, limits, forced);
     const auto bulging = finder.bulgingPatches();
     if (bulging.empty() || cuts == kMostRounds) return finder.find();
-    for (const std::vector<std::uint32_t>& patch : bulging) PlaneCut(facets, patch, forced);
+    for (const std::vector<std::uint32_t>& patch : bulging) cutAcross(facets, patch, forced);
   }
 }
 

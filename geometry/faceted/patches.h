@@ -29,7 +29,9 @@ struct PatchedFacets {
 struct FeatureLimits {
   double angle = 0;     ///< in radians: where the surface turns by more
   double looseEnd = 0;  ///< a curve with the same patch on both sides is longer than this
-  double speck = 0;     ///< patches smaller than this are part of those around them
+  /// Patches smaller than this are part of those around them; so are those that are narrower than a
+  /// fiftieth of it.
+  double speck = 0;
 };
 
 /// Feature edges are those at which the surface turns by more than the angle, those between parts

@@ -157,6 +157,20 @@ TEST(Patches, AreBetweenFeatureEdges) {
   }
 }
 
+/// Rounding leaves triangles along an edge that look nowhere, such as two beside the upper front
+/// edge of the box.
+TEST(Patches, WithoutWidthArePartOfThoseBesideThem) {
+  const std::string sliver =
+      "v 0 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\nv 0 0 2\nv 2 0 2\nv 2 2 2\nv 0 2 2\n"
+      "v 0.5 -0.00001 1.99999\nv 1.5 -0.00001 1.99999\n"
+      "f 1 4 3 2\nf 5 6 7 8\nf 1 2 6 10 9 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n"
+      "f 6 5 9\nf 6 9 10\n";
+  const Facets facets = read("sliver.obj", sliver);
+  EXPECT_EQ(findPatches(facets, {40 * pi / 180, 0.1, 0}).patches.size(), 7u);
+  EXPECT_EQ(findPatches(facets, {40 * pi / 180, 0.1, 0.02}).patches.size(), 6u);
+  EXPECT_NEAR(testing::areaOf(mesh(facets, 0.4)), 24, 1e-4);
+}
+
 TEST(Patches, OfAClosedSmoothSurfaceAreCutUntilTheyHaveBoundaryEnough) {
   const PatchedFacets tubes = findPatches(torus(), {pi / 4});
   EXPECT_EQ(tubes.patches.size(), 4u);

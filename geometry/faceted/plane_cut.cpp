@@ -1,0 +1,93 @@
+#include "geometry/faceted/plane_cut.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <map>
+
+#include "geometry/box_tree.h"
+
+namespace af2::geometry {
+
+namespace {
+
+class PlaneCut {
+ public:
+  PlaneCut(Facets& facets, const std::vector<std::uint32_t>& triangles, std::set<FacetEdge>& cuts)
+      : facets_(facets), cuts_(cuts) {
+    choosePlane(triangles);
+    for (const std::uint32_t t : triangles) cut(t);
+  }
+
+ private:
+  double height(std::uint32_t v) const {
+    const Point3& p = facets_.vertices[v];
+    return (axis_ == 0 ? p.x : axis_ == 1 ? p.y : p.z) - offset_;
+  }
+
+  void choosePlane(const std::vector<std::uint32_t>& triangles) {
+    Box3 box;
+    std::set<std::uint32_t> vertices;
+    for (const std::uint32_t t : triangles)
+      for (const std::uint32_t v : facets_.triangles[t]) {
+        box.add(facets_.vertices[v]);
+        vertices.insert(v);
+      }
+    const Point3 d = box.high - box.low;
+    axis_ = d.x >= d.y && d.x >= d.z ? 0 : d.y >= d.z ? 1 : 2;
+    std::set<double> heights;
+    for (const std::uint32_t v : vertices) heights.insert(height(v));
+    // In the widest gap of the middle third: vertices that nearly lie in the plane make slivers.
+    const double low = *heights.begin(), extent = *heights.rbegin() - low;
+    double widest = -1;
+    for (auto above = std::next(heights.begin()); above != heights.end(); ++above) {
+      const double below = *std::prev(above), middle = (below + *above) / 2;
+      if (*above - below <= widest || std::abs(middle - low - extent / 2) > extent / 6) continue;
+      widest = *above - below;
+      offset_ = middle;
+    }
+    if (widest < 0) offset_ = low + extent / 2;  // no vertex near the middle
+  }
+
+  std::uint32_t crossingOf(std::uint32_t a, std::uint32_t b) {
+    const FacetEdge edge = std::minmax(a, b);
+    const auto [found, isNew] =
+        crossings_.try_emplace(edge, static_cast<std::uint32_t>(facets_.vertices.size()));
+    if (isNew) {
+      const double t = height(edge.first) / (height(edge.first) - height(edge.second));
+      const Point3 p = facets_.vertices[edge.first], q = facets_.vertices[edge.second];
+      facets_.vertices.push_back(p + t * (q - p));
+    }
+    return found->second;
+  }
+
+  void cut(std::uint32_t t) {
+    auto c = facets_.triangles[t];
+    const auto isAbove = [&](std::uint32_t v) { return height(v) > 0; };
+    if (isAbove(c[0]) == isAbove(c[1]) && isAbove(c[1]) == isAbove(c[2])) return;
+    // The corner that is alone on its side comes first.
+    while (isAbove(c[1]) != isAbove(c[2])) std::rotate(c.begin(), c.begin() + 1, c.end());
+    const std::uint32_t p = crossingOf(c[0], c[1]), q = crossingOf(c[0], c[2]);
+    facets_.triangles[t] = {c[0], p, q};
+    facets_.triangles.push_back({p, c[1], c[2]});
+    facets_.triangles.push_back({p, c[2], q});
+    if (!facets_.group.empty()) facets_.group.insert(facets_.group.end(), 2, facets_.group[t]);
+    cuts_.insert(std::minmax(p, q));
+  }
+
+  Facets& facets_;
+  std::set<FacetEdge>& cuts_;
+  std::map<FacetEdge, std::uint32_t> crossings_;
+  int axis_ = 0;
+  double offset_ = 0;
+};
+
+}  // namespace
+
+void cutAcross(Facets& facets, const std::vector<std::uint32_t>& triangles,
+               std::set<FacetEdge>& cuts) {
+  PlaneCut(facets, triangles, cuts);
+}
+
+}  // namespace af2::geometry
