@@ -1,8 +1,10 @@
 #include "geometry/occ/lost_faces.h"
 
+#include <IGESData_IGESEntity.hxx>
 #include <IGESGeom_BoundedSurface.hxx>
 #include <IGESGeom_TrimmedSurface.hxx>
 #include <IGESSolid_Face.hxx>
+#include <IGESToBRep.hxx>
 #include <Interface_EntityIterator.hxx>
 #include <Interface_Graph.hxx>
 #include <StepData_StepModel.hxx>
@@ -88,6 +90,13 @@ bool isIgesFace(const Handle(Standard_Transient) & entity) {
          entity->IsKind(STANDARD_TYPE(IGESSolid_Face));
 }
 
+/// A surface without a boundary of its own that nothing else uses is a face, too.
+bool isLooseSurface(const Handle(Standard_Transient) & entity, const Interface_Graph& graph) {
+  const auto iges = Handle(IGESData_IGESEntity)::DownCast(entity);
+  return !iges.IsNull() && IGESToBRep::IsTopoSurface(iges) && iges->SubordinateStatus() == 0 &&
+         graph.Sharings(entity).NbEntities() == 0;
+}
+
 }  // namespace
 
 std::vector<std::string> lostIgesFaces(const Handle(XSControl_WorkSession) & session) {
@@ -96,7 +105,7 @@ std::vector<std::string> lostIgesFaces(const Handle(XSControl_WorkSession) & ses
   std::vector<std::string> lost;
   for (int i = 1; i <= model->NbEntities(); ++i) {
     const Handle(Standard_Transient) entity = model->Value(i);
-    if (!isIgesFace(entity)) continue;
+    if (!isIgesFace(entity) && !isLooseSurface(entity, session->Graph())) continue;
     if (!isThere(process, entity)) lost.push_back(model->StringLabel(entity)->ToCString());
   }
   return lost;

@@ -13,7 +13,8 @@ namespace af2::geometry {
 /// be asked after the transfer.
 std::vector<std::string> lostStepFaces(const Handle(XSControl_WorkSession) & session);
 
-/// The same of an IGES reader: faces and trimmed surfaces, by their line in the directory: "D17".
+/// The same of an IGES reader: faces and surfaces that are faces, by their line in the directory:
+/// "D17".
 std::vector<std::string> lostIgesFaces(const Handle(XSControl_WorkSession) & session);
 
 }  // namespace af2::geometry

@@ -171,6 +171,7 @@ ReadShape readIges(const std::filesystem::path& path) {
   const IGESData_GlobalSection& global = reader.IGESModel()->GlobalSection();
   if (!global.UnitName().IsNull()) result.fileUnit = global.UnitName()->ToCString();
   result.shape = reader.OneShape();
+  result.lostFaces = lostIgesFaces(reader.WS());
   if (!result.shape.IsNull()) sew(result);
   return result;
 }

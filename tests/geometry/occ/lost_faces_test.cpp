@@ -77,6 +77,15 @@ std::string boxInIges() {
   return textOf(file.path());
 }
 
+TEST(LostFaces, OfAnIgesFileAreNamed) {
+  std::string text = boxInIges();
+  replace(text, "144,5,1,0,", "144,7,1,0,");  // its surface is a curve
+  const Model model = read("box.igs", text);
+  EXPECT_EQ(model.faceCount(), 5);
+  EXPECT_EQ(model.lostFaces(), std::vector<std::string>{"D3"});
+  EXPECT_FALSE(testing::mesh(model, 5).findings.empty());
+}
+
 TEST(LostFaces, OfAnIgesFileDoNotVanishWhenTheOthersAreSewn) {
   std::string text = boxInIges();
   EXPECT_EQ(read("box.igs", text).faceCount(), 6);
