@@ -23,4 +23,7 @@ inline bool differSharply(const Point3& one, const Point3& other) {
 /// points  by vertex: which point it is; gets those of the new vertices
 void partSharpSeams(FrontInput& input, std::vector<std::uint32_t>& points);
 
+/// Gives each side of every seam vertices of its own: each place in the parameters.
+void partSeams(FrontInput& input, std::vector<std::uint32_t>& points);
+
 }  // namespace af2::geometry

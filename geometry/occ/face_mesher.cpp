@@ -26,6 +26,7 @@
 #include "geometry/occ/points.h"
 #include "geometry/occ/sizing.h"
 #include "geometry/occ/tip_fans.h"
+#include "geometry/sharp_seams.h"
 
 namespace af2::geometry {
 
@@ -86,6 +87,7 @@ class FaceMesher {
       mesh.report.reason = "has no width, so it has no elements: its boundary runs back on itself";
       return;
     }
+    if (context_.mayLean) partSeams(boundary.input, boundary.points);
     constexpr double kMostClosed = 0.05;  // of the area
     if (!boundary.repairs.empty() || closed > kMostClosed * area_)
       mesh.report.area = area_ = 0;  // was found with the old boundary

@@ -10,10 +10,13 @@
 #include <BRepPrimAPI_MakeRevol.hxx>
 #include <GProp_GProps.hxx>
 #include <GeomConvert.hxx>
+#include <Geom_BSplineCurve.hxx>
 #include <Geom_BSplineSurface.hxx>
 #include <Geom_BezierCurve.hxx>
 #include <Geom_RectangularTrimmedSurface.hxx>
 #include <Geom_SurfaceOfLinearExtrusion.hxx>
+#include <TColStd_Array1OfInteger.hxx>
+#include <TColStd_Array1OfReal.hxx>
 #include <TColgp_Array1OfPnt.hxx>
 
 #include <cmath>
@@ -98,6 +101,37 @@ TEST(SharpSeams, OfPeriodicSplinesAreFilled) {
   spline->SetUPeriodic();
   const TopoDS_Face face = BRepBuilderAPI_MakeFace(spline, 1e-7).Face();
   expectComplete(mesh(face, 0.1), areaOf(face), 0.01);
+}
+
+TEST(Seams, GetAVertexForEachPlaceInTheParameters) {
+  FrontInput input;
+  input.loops = {{corner(0, {0, 0, 1}), corner(1, {0, 0, 1}), corner(0, {0, 0, 1})}};
+  input.loops[0][2].point.u = 1;
+  input.vertexCount = 2;
+  std::vector<std::uint32_t> points{7, 8};
+  partSeams(input, points);
+  EXPECT_EQ(points, (std::vector<std::uint32_t>{7, 8, 7}));
+  EXPECT_EQ(input.loops[0][2].vertex, VertexId(2));
+}
+
+/// A spline with a sharp corner in it: elements across that lean against the surface.
+TEST(Seams, AreNoObstacleToElementsThatLean) {
+  TColgp_Array1OfPnt poles(1, 3);
+  TColStd_Array1OfReal knots(1, 3);
+  TColStd_Array1OfInteger uses(1, 3);
+  for (int i = 1; i <= 3; ++i) {
+    poles(i) = {i == 2 ? 0.6 : 2, 0, 0.6 * i};
+    knots(i) = i;
+    uses(i) = i == 2 ? 1 : 2;
+  }
+  const Handle(Geom_Curve) zigzag = new Geom_BSplineCurve(poles, knots, uses, 1);
+  const TopoDS_Shape turned =
+      BRepPrimAPI_MakeRevol(BRepBuilderAPI_MakeEdge(zigzag).Edge(), gp_Ax1({0, 0, 0}, {0, 0, 1}))
+          .Shape();
+  const ModelMesh result = mesh(turned, 0.4);
+  expectComplete(result, areaOf(turned));
+  ASSERT_FALSE(result.faces[0].attempts.empty());
+  EXPECT_EQ(result.faces[0].attempts.back(), "elements that lean against the surface");
 }
 
 }  // namespace
