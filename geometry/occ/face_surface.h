@@ -4,6 +4,7 @@
 
 #include <TopoDS_Face.hxx>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <variant>
 #include <vector>
@@ -67,6 +68,12 @@ class FaceSurface final : public ChartedSurface {
   }
   /// Distance of the parts of the face that are farthest from each other, roughly.
   double extent() const { return extent_; }
+  /// Of the shortest parameter line on which the face turns by more than about a right angle;
+  /// infinite if there is none.
+  double breadth() const { return breadth_; }
+  /// The least radius at which the face turns all along a crease across such lines. Infinite if
+  /// there are none.
+  double creaseRadius() const { return creaseRadius_; }
   /// The part of OpenCASCADE's parameters that the face takes up; of a plane, any part.
   const SplineSurface::Box& box() const { return box_; }
 
@@ -99,6 +106,8 @@ class FaceSurface final : public ChartedSurface {
   bool isBentInU_ = false, isBentInV_ = false, hasTip_ = false;
   SharpTips tips_;  ///< of a GeneralSurface
   double extent_ = 0;
+  double breadth_ = std::numeric_limits<double>::infinity();
+  double creaseRadius_ = std::numeric_limits<double>::infinity();
   /// Of a torus, a surface of revolution and an extrusion.
   enum class Sweep { None, Torus, Revolution, Extrusion } sweep_ = Sweep::None;
   AxisFrame sweepAxis_;  ///< of a surface of revolution without x and y; of an extrusion none

@@ -5,6 +5,7 @@
 #include <BRepTools.hxx>
 #include <Geom_BezierSurface.hxx>
 #include <Geom_Circle.hxx>
+#include <Geom_Ellipse.hxx>
 #include <Geom_Line.hxx>
 #include <Geom_SurfaceOfLinearExtrusion.hxx>
 #include <Geom_SurfaceOfRevolution.hxx>
@@ -13,6 +14,7 @@
 #include <numbers>
 
 #include "tests/geometry/occ/meshing.h"
+#include "tests/geometry/occ/shapes.h"
 #include "tests/support/model_mesh.h"
 
 namespace af2::geometry {
@@ -38,6 +40,29 @@ void expectClosedFormsAgree(const Model& model) {
       }
     }
   }
+}
+
+TopoDS_Face extrudedEllipse(double a, double b) {
+  const Handle(Geom_Surface) surface =
+      new Geom_SurfaceOfLinearExtrusion(new Geom_Ellipse(gp_Ax2(), a, b), gp_Dir(0, 0, 1));
+  return BRepBuilderAPI_MakeFace(surface, 0.0, 2 * std::numbers::pi, 0.0, 3.0, 1e-7).Face();
+}
+
+TEST(FaceSurface, KnowsTheRadiusOfACrease) {
+  const FaceSurface flattened(extrudedEllipse(2, 0.1));
+  EXPECT_NEAR(flattened.creaseRadius(), 0.1 * 0.1 / 2, 0.002);
+  EXPECT_NEAR(flattened.breadth(), 8, 0.3);
+}
+
+/// There the surface turns at one place, or all around.
+TEST(FaceSurface, TakesNeitherTipsNorTubesForCreases) {
+  const FaceSurface tube(extrudedEllipse(1, 1));
+  EXPECT_NEAR(tube.creaseRadius(), 1, 0.1);
+  const Handle(Geom_Curve) throughAxis = new Geom_Line(gp_Pnt(1, 0, 0), gp_Dir(-1, 0, 1));
+  const Handle(Geom_Surface) twoCones =
+      new Geom_SurfaceOfRevolution(throughAxis, gp_Ax1({0, 0, 0}, {0, 0, 1}));
+  const FaceSurface tip(BRepBuilderAPI_MakeFace(twoCones, 0.0, 1.5, 0.0, 2.8, 1e-7).Face());
+  EXPECT_GT(tip.creaseRadius(), 0.02);
 }
 
 TEST(FaceSurface, AgreesWithOpenCascade) {

@@ -17,7 +17,7 @@
 namespace af2::geometry {
 namespace {
 
-constexpr double kSize = 5;
+constexpr double kSize = 1.5;
 
 /// A square of side 25 with poles 0.25 apart, a tenth of which are lifted.
 Model noisyGround(double height) {
