@@ -13,6 +13,7 @@
 #include "engine/plane_chart.h"
 #include "geometry/normal_line_chart.h"
 #include "geometry/occ/points.h"
+#include "geometry/occ/surface_bend.h"
 #include "geometry/occ/swept_maps.h"
 #include "geometry/stereographic_chart.h"
 #include "geometry/torus_map.h"
@@ -104,88 +105,14 @@ SurfacePoint samplePoint(const Bounds& bounds, const GeneralSurface& surface) {
   return {surface.frameAt(u, v).position, surface.normalAt(u, v), u, v};
 }
 
-/// Points along a parameter line across the face.
-std::vector<SurfacePoint> alongU(const Bounds& bounds, const GeneralSurface& surface, double v) {
-  constexpr int kSteps = 8;
-  std::vector<SurfacePoint> points;
-  for (int i = 0; i <= kSteps; ++i)
-    points.push_back(surface.pointAt(bounds.u(static_cast<double>(i) / kSteps), bounds.v(v)));
-  return points;
-}
-std::vector<SurfacePoint> alongV(const Bounds& bounds, const GeneralSurface& surface, double u) {
-  constexpr int kSteps = 8;
-  std::vector<SurfacePoint> points;
-  for (int i = 0; i <= kSteps; ++i)
-    points.push_back(surface.pointAt(bounds.u(u), bounds.v(static_cast<double>(i) / kSteps)));
-  return points;
-}
-
-/// Whether the normals turn by more than about 100 degrees along a line.
-bool isBent(const std::vector<SurfacePoint>& line) {
-  constexpr double kBent = 1.7;
-  double turn = 0;
-  for (std::size_t i = 1; i < line.size(); ++i)
-    turn += distance(line[i - 1].normal, line[i].normal);
-  return turn > kBent;
-}
-
 /// Whether the surface is not flat or round by its name.
 bool mayBeFlat(GeomAbs_SurfaceType type) { return type >= GeomAbs_BezierSurface; }
-
-double lengthOf(const std::vector<SurfacePoint>& line) {
-  double sum = 0;
-  for (std::size_t i = 1; i < line.size(); ++i)
-    sum += distance(line[i - 1].position, line[i].position);
-  return sum;
-}
-
-struct SharpestTurn {
-  double radius;
-  Point3 place;
-};
-
-/// Where the normals turn most between two points of a line.
-SharpestTurn sharpestTurnOn(const std::vector<SurfacePoint>& line, const GeneralSurface& surface) {
-  constexpr int kHalvings = 16;
-  constexpr double kTurn = 0.5;  // with less between two points, the radius is known
-  const auto turn = [](const SurfacePoint& a, const SurfacePoint& b) {
-    return distance(a.normal, b.normal);
-  };
-  SurfacePoint from = line[0], to = line[1];
-  for (std::size_t i = 2; i < line.size(); ++i)
-    if (turn(line[i - 1], line[i]) > turn(from, to)) from = line[i - 1], to = line[i];
-  for (int i = 0; i < kHalvings && turn(from, to) > kTurn; ++i) {
-    const SurfacePoint middle = surface.pointAt((from.u + to.u) / 2, (from.v + to.v) / 2);
-    (turn(from, middle) > turn(middle, to) ? to : from) = middle;
-  }
-  return {distance(from.position, to.position) / turn(from, to), from.position};
-}
-
-/// The least radius of a crease that runs across lines side by side; at a tip they all turn in the
-/// same place.
-double creaseRadius(const std::vector<SharpestTurn>& turns, double extent) {
-  constexpr double kApart = 0.05;  // of the extent
-  double least = std::numeric_limits<double>::infinity();
-  for (const SharpestTurn& a : turns)
-    for (const SharpestTurn& b : turns)
-      if (distance(a.place, b.place) > kApart * extent)
-        least = std::min(least, std::max(a.radius, b.radius));
-  return least;
-}
 
 /// Splines and swept surfaces often are planes. Parameters may be degenerate or fold on these, and
 /// normals be noise; of a plane nothing of that matters.
 bool isFlat(const Handle(Geom_Surface) & surface, double extent) {
   constexpr double kFlat = 1e-7;  // of the extent
   return GeomLib_IsPlanarSurface(surface, kFlat * extent).IsPlanar();
-}
-
-double extentOf(const std::vector<SurfacePoint>& points) {
-  double extent = 0;
-  for (const SurfacePoint& p : points)
-    for (const SurfacePoint& q : points)
-      extent = std::max(extent, distance(p.position, q.position));
-  return extent;
 }
 
 }  // namespace
@@ -260,23 +187,13 @@ FaceSurface::FaceSurface(const Handle(Geom_Surface) & surface, const SplineSurfa
 }
 
 void FaceSurface::measure() {
-  const Bounds bounds{box_};
   tips_ = SharpTips(parametric_, box_);
-  std::vector<SharpestTurn> turnsInU, turnsInV;
-  const auto look = [&](const std::vector<SurfacePoint>& line, std::vector<SharpestTurn>& turns) {
-    extent_ = std::max(extent_, extentOf(line));
-    if (!geometry::isBent(line)) return;
-    breadth_ = std::min(breadth_, lengthOf(line));
-    turns.push_back(sharpestTurnOn(line, parametric_));
-  };
-  for (const double share : {0.02, 0.5, 0.98}) {
-    look(alongU(bounds, parametric_, share), turnsInU);
-    look(alongV(bounds, parametric_, share), turnsInV);
-  }
-  isBentInU_ = !turnsInU.empty();
-  isBentInV_ = !turnsInV.empty();
-  creaseRadius_ = std::min(geometry::creaseRadius(turnsInU, extent_),
-                           geometry::creaseRadius(turnsInV, extent_));
+  const SurfaceBend bend = bendOf(parametric_, box_);
+  isBentInU_ = bend.inU;
+  isBentInV_ = bend.inV;
+  extent_ = bend.extent;
+  breadth_ = bend.breadth;
+  creaseRadius_ = bend.creaseRadius;
 }
 
 const ParametricSurface* FaceSurface::inParameters() const {
