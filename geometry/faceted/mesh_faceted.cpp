@@ -15,7 +15,9 @@
 namespace af2::geometry {
 namespace {
 
-constexpr double kGentleLeast = 0.35;
+/// Of the wanted size: less than where a CAD model has edges along its roundings, which bring
+/// vertices there.
+constexpr double kGentleLeast = 0.2;
 
 /// The charts of a curved patch.
 class PatchCharts final : public ChartedSurface {
