@@ -156,8 +156,7 @@ class Retries {
     tries.wasTried = true;
   }
 
-  /// Where a face asks for shorter edges. One that failed may be bent more than its size can
-  /// follow, wherever the front got stuck, or nowhere.
+  /// A face that failed may be bent more than its size can follow, wherever that was, or nowhere.
   std::vector<SizeSource> wantedPlaces(const FaceMeshes& state, std::size_t i) const {
     std::vector<SizeSource> places = placesOf(state, i);
     if (failed(state.meshes[i]) && !tries_[i].wasTried)
@@ -231,12 +230,11 @@ class Retries {
     for (std::size_t i = 0; i < state.meshes.size(); ++i) {
       const FaceTrouble& trouble = state.meshes[i].trouble;
       if (tries_[i].isHopeless) continue;
-      const bool mayDropEdges = mayDropShortEdges(state, i);
-      if (!hasEffortLeft_ && !mayDropEdges) continue;
-      const bool mayTry =
-          mayDropEdges || crossingsAt(state, i) > 0 ||
-          ((trouble.isBad || !tries_[i].wasTried) && !wantedPlaces(state, i).empty());
-      if (mayTry) poor.push_back(i);
+      const bool mayAsk = trouble.isBad || !tries_[i].wasTried;
+      if (mayDropShortEdges(state, i) ||
+          (hasEffortLeft_ &&
+           (crossingsAt(state, i) > 0 || (mayAsk && !wantedPlaces(state, i).empty()))))
+        poor.push_back(i);
     }
     return poor;
   }
