@@ -41,7 +41,7 @@ double leastOnTube(const ModelSizes& sizes, double size, const FaceSurface& surf
 /// Whether a face turns in a crease that is far narrower than itself, so that it is no tube. No
 /// price would be too high to follow that, and elements that turn by a right angle follow nothing.
 bool isCreased(const ModelSizes& sizes, double size, const FaceSurface& surface) {
-  constexpr double kShareOfSize = 0.04, kShareOfBreadth = 1.0 / 12;
+  constexpr double kShareOfSize = 0.025, kShareOfBreadth = 1.0 / 12;
   return sizes.faceTurn * surface.creaseRadius() <
          std::min(kShareOfSize * size, kShareOfBreadth * surface.breadth());
 }
