@@ -28,6 +28,11 @@ struct FaceMesh {
   std::size_t effort = 0;  ///< candidates of the front, those in vain too
 };
 
+/// Whether a face has no mesh, or one that will not pass the checks.
+inline bool failed(const FaceMesh& mesh) {
+  return mesh.report.status == FaceStatus::Failed || mesh.trouble.hasWrongArea;
+}
+
 /// By id of the face, where the middles of the sides of its elements lie.
 using MiddlesByFace = std::map<int, std::vector<SideMiddles>>;
 MiddlesByFace takeMiddles(std::vector<FaceMesh>& meshes);

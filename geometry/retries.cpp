@@ -9,70 +9,11 @@
 
 #include "geometry/parallel.h"
 #include "geometry/refinement.h"
+#include "geometry/spared_neighbors.h"
 
 namespace af2::geometry {
 
 namespace {
-
-/// Or will, when the mesh is checked.
-bool failed(const FaceMesh& mesh) {
-  return mesh.report.status == FaceStatus::Failed || mesh.trouble.hasWrongArea;
-}
-
-/// Sees to it that shorter edges for the sake of one face do not spoil those beside it: where
-/// curves touch at an angle of zero, the element there is the worse the shorter it is.
-class Neighbors {
- public:
-  Neighbors(const RetriedModel& model, const std::vector<FaceMesh>& before)
-      : model_(model), softened_(before.size(), 0) {
-    for (const FaceMesh& mesh : before) wasBad_.push_back(failed(mesh) || mesh.trouble.hasBadAngle);
-  }
-
-  /// Takes back what spoiled a face that was good, or softens it if the face that it was meant for
-  /// cannot do without. Adds to `changed` the faces concerned; those that asked are given up.
-  void spare(const FaceMeshes& next, Refinement& refinement, std::vector<std::size_t>& changed,
-             const std::function<void(std::size_t)>& giveUp) {
-    for (std::size_t i = 0; i < next.meshes.size(); ++i) {
-      if (wasBad_[i] || !(failed(next.meshes[i]) || next.meshes[i].trouble.hasBadAngle)) continue;
-      for (const std::size_t culprit : beside(i)) {
-        if (!refinement.has(culprit) || !yields(culprit, refinement)) continue;
-        giveUp(culprit);  // it asks for no more
-        changed.push_back(culprit);
-      }
-    }
-    std::ranges::sort(changed);
-    changed.erase(std::ranges::unique(changed).begin(), changed.end());
-  }
-
- private:
-  bool yields(std::size_t culprit, Refinement& refinement) {
-    constexpr double kFactor = 2;
-    constexpr int kMostTimes = 5;
-    if (!wasBad_[culprit]) {
-      refinement.dropAll(culprit);
-      return true;
-    }
-    if (softened_[culprit] == kMostTimes) return false;
-    ++softened_[culprit];
-    refinement.soften(culprit, kFactor);
-    return true;
-  }
-
-  /// The face itself and those that share an edge with it.
-  std::vector<std::size_t> beside(std::size_t i) const {
-    const std::vector<std::vector<int>>& edges = model_.edgesOfFaces();
-    std::vector<std::size_t> found;
-    for (std::size_t k = 0; k < edges.size(); ++k)
-      if (std::ranges::any_of(edges[k],
-                              [&](int e) { return std::ranges::binary_search(edges[i], e); }))
-        found.push_back(k);
-    return found;
-  }
-
-  const RetriedModel& model_;
-  std::vector<bool> wasBad_;
-  std::vector<int> softened_;
-};
 
 class Retries {
  public:
@@ -85,7 +26,7 @@ class Retries {
     Refinement ofState = refinement, ofBest = refinement;  // with which these were made
     FaceMeshes best;
     std::vector<std::size_t> dropped;  // faces for which nothing was of use
-    Neighbors neighbors(model_, state.meshes);
+    SparedNeighbors neighbors(model_.edgesOfFaces(), state.meshes);
     findShortEdges(state);
     const double mostEffort = Retries::mostEffort(state);
     double effort = 0;
@@ -108,7 +49,7 @@ class Retries {
         dropped.push_back(i);
         takeBack(state, next, i, refinement);
       }
-      neighbors.spare(next, refinement, dropped,
+      neighbors.spare(next.meshes, refinement, dropped,
                       [&](std::size_t i) { tries_[i].isHopeless = true; });
       if (best.meshes.empty() || isBetter(state, best)) {
         best = std::move(state);
