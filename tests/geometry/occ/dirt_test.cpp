@@ -16,6 +16,7 @@
 #include <cmath>
 #include <filesystem>
 #include <numbers>
+#include <string>
 
 #include "geometry/element_crossings.h"
 #include "geometry/occ/mesh_model.h"
@@ -96,7 +97,9 @@ TEST(Dirt, InchesAndMicronsBecomeMillimetres) {
 
 /// In IGES all faces are loose.
 Model throughIges(const TopoDS_Shape& shape) {
-  const auto file = std::filesystem::temp_directory_path() / "af2_dirt_test.iges";
+  // Tests run at the same time, each in a process of its own.
+  const std::string test = ::testing::UnitTest::GetInstance()->current_test_info()->name();
+  const auto file = std::filesystem::temp_directory_path() / ("af2_" + test + ".iges");
   IGESControl_Writer writer("MM", 0);
   writer.AddShape(shape);
   EXPECT_TRUE(writer.Write(file.c_str()));
