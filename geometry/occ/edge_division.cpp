@@ -295,31 +295,13 @@ class Division {
   }
 
   DividedPart divideAnew(const EdgePart& part, std::size_t least) {
-    std::vector<double> parameters = divideFromTips(part, least);
+    std::vector<double> parameters = divideFromTips(part, tips_, least, sizes_);
     const BRepAdaptor_Curve curve(model_.edge(static_cast<int>(part.edge) + 1));
     leaveOutBesidePoints(part.ends, least, curve, parameters);
     std::vector<std::uint32_t> inner;
     for (std::size_t k = 1; k + 1 < parameters.size(); ++k)
       inner.push_back(addPoint(toPoint(curve.Value(parameters[k]))));
     return between(part.ends, std::move(parameters), inner);
-  }
-
-  /// A segment at a sharp tip is as long as the fan around that; the rest has the wanted sizes.
-  std::vector<double> divideFromTips(const EdgePart& part, std::size_t least) const {
-    const auto first = tips_.find(part.ends.first), last = tips_.find(part.ends.last);
-    const auto none = tips_.end();
-    std::vector<double> ends;
-    if (first != none) ends.push_back(parameterAt(part.samples, first->second));
-    if (last != none) ends.push_back(parameterAt(part.samples, part.samples.length - last->second));
-    if (ends.empty()) return divide(part.samples, least, sizes_);
-    const std::vector<EdgeSamples> parts = split(part.samples, ends);
-    const std::size_t used = ends.size();
-    std::vector<double> parameters =
-        divide(parts[first != none ? 1 : 0], least > used ? least - used : 1, sizes_);
-    const EdgePiece &front = part.samples.pieces.front(), &back = part.samples.pieces.back();
-    if (first != none) parameters.insert(parameters.begin(), front.parameters.front());
-    if (last != none) parameters.push_back(back.parameters.back());
-    return parameters;
   }
 
   /// Beside what was taken for a point although it can be seen, segments are longer than that is

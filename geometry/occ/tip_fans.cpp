@@ -179,6 +179,27 @@ std::map<std::uint32_t, double> segmentsAtTips(const ModelShape& model,
   return segments;
 }
 
+std::vector<double> divideFromTips(const EdgePart& part,
+                                   const std::map<std::uint32_t, double>& tips, std::size_t least,
+                                   const ModelSizes& sizes) {
+  constexpr double kMost = 0.4;  // of the part
+  const EdgeSamples& all = part.samples;
+  const auto tipAt = [&](std::uint32_t end) {
+    const auto tip = tips.find(end);
+    return tip != tips.end() && tip->second <= kMost * all.length ? tip : tips.end();
+  };
+  const auto none = tips.end(), first = tipAt(part.ends.first), last = tipAt(part.ends.last);
+  std::vector<double> ends;
+  if (first != none) ends.push_back(parameterAt(all, first->second));
+  if (last != none) ends.push_back(parameterAt(all, all.length - last->second));
+  if (ends.empty()) return divide(all, least, sizes);
+  const std::size_t rest = least > ends.size() ? least - ends.size() : 1;
+  std::vector<double> parameters = divide(split(all, ends)[first != none ? 1 : 0], rest, sizes);
+  if (first != none) parameters.insert(parameters.begin(), all.pieces.front().parameters.front());
+  if (last != none) parameters.push_back(all.pieces.back().parameters.back());
+  return parameters;
+}
+
 void leaveOutFans(const FaceSurface& surface, FaceBoundary& boundary) {
   FanCutter(surface, boundary).cut();
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "geometry/face_boundary.h"
+#include "geometry/occ/edge_parts.h"
 #include "geometry/occ/edge_samples.h"
 #include "geometry/occ/face_surface.h"
 #include "geometry/occ/model_shape.h"
@@ -23,6 +24,15 @@ std::map<std::uint32_t, double> segmentsAtTips(const ModelShape& model,
                                                const std::vector<Ends>& ends,
                                                const std::vector<EdgeSamples>& samples,
                                                const std::vector<bool>& isGiven);
+
+/// Parameters that divide a part of an edge, ends included: a segment at a sharp tip is as long as
+/// the fan around that, the rest has the wanted sizes. A part that another edge's end has cut too
+/// short for the segment is divided as any other.
+///
+/// tips  as segmentsAtTips gave them
+std::vector<double> divideFromTips(const EdgePart& part,
+                                   const std::map<std::uint32_t, double>& tips, std::size_t least,
+                                   const ModelSizes& sizes);
 
 /// Leaves fans around the tips out of the loops, where the segments on both sides are as long.
 void leaveOutFans(const FaceSurface& surface, FaceBoundary& boundary);

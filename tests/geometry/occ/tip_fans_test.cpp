@@ -99,6 +99,28 @@ TEST(TipFans, StandOnSplinesAndSurfacesOfRevolution) {
     EXPECT_EQ(tipOf(spindle, {0, 0, side * radius * std::sin(half)}).triangles, 4);
 }
 
+/// Where another edge's end stops it, a part may be shorter than the segment at the tip.
+TEST(TipFans, LeavePartsThatAreTooShortForThem) {
+  EdgePart part;
+  part.ends = {3, 4};
+  EdgePiece piece;
+  for (int i = 0; i <= 10; ++i) {
+    piece.parameters.push_back(i * 0.1);
+    piece.arcLength.push_back(i * 0.1);
+    piece.positions.push_back({i * 0.1, 0, 0});
+    piece.sizes.push_back(0.25);
+  }
+  part.samples.pieces.push_back(piece);
+  part.samples.length = 1;
+  ModelSizes sizes;
+  sizes.size = 0.25;
+  EXPECT_EQ(divideFromTips(part, {{3, 2.0}}, 1, sizes).size(), 5u);
+  const std::vector<double> whole = divideFromTips(part, {{3, 0.375}}, 1, sizes);
+  EXPECT_NEAR(whole[1], 0.375, 1e-12);
+  EXPECT_EQ(whole.back(), 1);
+  EXPECT_NEAR(divideFromTips(part, {{4, 0.375}}, 1, sizes).end()[-2], 0.625, 1e-12);
+}
+
 TEST(TipFans, KeepSegmentsThatAreGiven) {
   const Model model = testing::cone(1, 0, kHeight);
   ModelMeshingOptions options = testing::ofSize(0.5);
