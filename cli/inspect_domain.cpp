@@ -125,6 +125,7 @@ int inspectDomain(const DomainInspection& request) {
   request.brief ? printSurfaceTypes(model) : printFaces(model);
   if (request.edges) printEdges(edgesOf(model));
   printGroups(model.groups);
+  printBoundaries(model.boundaries);
   if (request.brief) return kComplete;
   const double size = request.size > 0 ? request.size : model.diagonal / kSizesPerDiagonal;
   printDefects(geometry::findDefects(model, size), size, request.all);

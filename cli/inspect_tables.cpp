@@ -47,6 +47,13 @@ void printGroups(const std::vector<geometry::FaceGroup>& groups) {
                group.name);
 }
 
+void printBoundaries(const std::vector<geometry::EdgeGroup>& boundaries) {
+  if (boundaries.empty()) return;
+  fmt::print("{:>8}  {:<12}  {}\n", "edges", "boundary", "name");
+  for (const geometry::EdgeGroup& boundary : boundaries)
+    fmt::print("{:>8}  {:<12}  {}\n", boundary.edges.size(), boundary.number, boundary.name);
+}
+
 void printEdges(const std::vector<geometry::EdgeEntry>& edges) {
   fmt::print("{:>8}  {:<10}  {:>12}  {:<14}  {}\n", "edge", "curve", "length", "faces", "from, to");
   for (const geometry::EdgeEntry& edge : edges) {

@@ -14,6 +14,9 @@ inline constexpr double kSizesPerDiagonal = 40;
 
 void printGroups(const std::vector<geometry::FaceGroup>& groups);
 
+/// Which edges are in which boundary.
+void printBoundaries(const std::vector<geometry::EdgeGroup>& boundaries);
+
 /// Which id belongs to which edge.
 void printEdges(const std::vector<geometry::EdgeEntry>& edges);
 

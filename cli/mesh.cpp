@@ -28,7 +28,7 @@ using geometry::RunStatus;
 void writeOutputs(const MeshRequest& request, ModelMesh& mesh) {
   if (mesh.elements.empty()) return;  // an empty file would look like a result
   const Stopwatch writing;
-  for (const auto& output : request.outputs) geometry::writeMesh(mesh, output);
+  for (const auto& output : request.outputs) geometry::writeMesh(mesh, output, request.lines);
   mesh.seconds.write = writing.seconds();
 }
 

@@ -61,6 +61,11 @@ void checkOutputs(const MeshRequest& request) {
     if (request.order == 2 && !geometry::meshFormatOf(output).holdsSecondOrder)
       throw UsageError(
           fmt::format("'{}' cannot hold elements of order 2; use .vtu or .msh", output.string()));
+    if (request.lines == geometry::LinesAlong::AllEdges &&
+        !geometry::meshFormatOf(output).holdsLines)
+      throw UsageError(
+          fmt::format("'{}' cannot hold line elements, as --edges asks for; use .vtu, .vtk or .msh",
+                      output.string()));
     checkOne(output);
   }
   if (!request.report.empty()) checkOne(request.report);
@@ -89,6 +94,8 @@ void declareMeshOptions(CLI::App& command, MeshOptions& options) {
   command.add_option("--faces", options.faces, "mesh only these faces, e.g. 3,7-9");
   command.add_option("--boundary", options.boundary,
                      "file (JSON) with the vertices along edges that are divided already");
+  command.add_flag("--edges", options.edges,
+                   "line elements along all edges of the model, too, in .vtu, .vtk and .msh files");
   command.add_flag("--keep-boundary", options.keepBoundary,
                    "take the segments of a .poly or .in2d file as they are");
   command.add_option("--feature-angle", options.featureAngle,
@@ -170,6 +177,7 @@ MeshRequest checkedRequest(const MeshOptions& options) {
           fmt::format("--feature-angle {}: give degrees below 180", options.featureAngle));
   }
   request.keepBoundary = options.keepBoundary;
+  if (options.edges) request.lines = geometry::LinesAlong::AllEdges;
   if (!options.chart.empty()) request.chart = checkedChart(options, request);
   if (options.heal && (request.isPlanar() || request.isFaceted()))
     throw UsageError("--heal is for STEP, IGES and BREP files");

@@ -9,6 +9,7 @@
 #include "cli/size_request.h"
 #include "geometry/chart_kind.h"
 #include "geometry/io/boundary_file.h"
+#include "geometry/io/line_elements.h"
 
 namespace af2::cli {
 
@@ -19,7 +20,7 @@ struct MeshOptions {
   std::vector<std::string> outputs;
   int threads = 0, order = 1;
   std::string boundary, featureAngle, chart, healTolerance;
-  bool quiet = false, rawFront = false, keepBoundary = false, heal = false;
+  bool quiet = false, rawFront = false, keepBoundary = false, heal = false, edges = false;
 };
 
 void declareMeshOptions(CLI::App& command, MeshOptions& options);
@@ -39,6 +40,7 @@ struct MeshRequest {
   geometry::EdgePoints edgePoints;  ///< edges that are divided already
   geometry::ChartKind chart = geometry::ChartKind::Auto;
   bool quiet = false, optimize = true, keepBoundary = false;
+  geometry::LinesAlong lines = geometry::LinesAlong::Boundaries;
 
   double featureAngle = 40;  ///< in degrees
 

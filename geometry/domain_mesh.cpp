@@ -313,6 +313,7 @@ class DomainMesher final : public RetriedModel {
     for (const AF2Rule& rule : algorithm_.rules().rules()) mesh.ruleNames.push_back(rule.name());
     mesh.ruleNames.push_back("closing");  // what closes a stuck front
     mesh.groups = model_.groups;
+    mesh.boundaries = model_.boundaries;
     mesh.notes = model_.notes;
     mesh.findings = keepSoundFaces(mesh, state.faults);
     if (isInsideOut(mesh)) mesh.notes.emplace_back(kInsideOut);

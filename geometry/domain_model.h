@@ -58,7 +58,8 @@ struct DomainModel {
   std::vector<DomainCurve> curves;
   std::vector<DomainFace> faces;  ///< their ids are 1, 2, ...
   std::vector<FaceGroup> groups;
-  std::vector<std::string> notes;  ///< what was put right while reading
+  std::vector<EdgeGroup> boundaries;  ///< by their numbers, ascending
+  std::vector<std::string> notes;     ///< what was put right while reading
   /// How much of the wanted size is left along curves that turn sharply (DomainSize::turnLimit).
   double leastAtTurns = 0.1;
   /// By face, what curvature allows; empty: all faces are plane. To be used by several threads at

@@ -58,6 +58,18 @@ struct FaceGroup {
   bool operator==(const FaceGroup&) const = default;
 };
 
+/// Edges of the model that the file marks as one boundary, for conditions that hold there. An edge
+/// is in one boundary at most.
+struct EdgeGroup {
+  int number = 0;          ///< as the file has it, not 0
+  std::string name;        ///< may be empty
+  std::vector<int> edges;  ///< ids, ascending
+  bool operator==(const EdgeGroup&) const = default;
+};
+
+/// Its name, or its number if it has none.
+std::string shownName(const EdgeGroup& boundary);
+
 /// A piece of a divided model edge. `uses` is how often the faces that were asked for run along it:
 /// 2 inside a closed shell and along a seam, 1 at its border.
 struct EdgeSegment {
@@ -105,10 +117,11 @@ struct ModelMesh {
   std::vector<EdgeSegment> segments;
   std::vector<FaceReport> faces;
   std::vector<FaceGroup> groups;
-  std::string unit;                ///< of all lengths, "mm"; empty if the file does not say
-  std::string fileUnit;            ///< in which the file has them, as it names it; may be empty
-  std::vector<std::string> notes;  ///< what of the file was put right while reading
-  std::optional<Healing> healing;  ///< if the model was healed before
+  std::vector<EdgeGroup> boundaries;  ///< by their numbers, ascending
+  std::string unit;                   ///< of all lengths, "mm"; empty if the file does not say
+  std::string fileUnit;               ///< in which the file has them, as it names it; may be empty
+  std::vector<std::string> notes;     ///< what of the file was put right while reading
+  std::optional<Healing> healing;     ///< if the model was healed before
   /// What the last checks found that is not on one face, and which faces of the file are lost;
   /// empty: nothing.
   std::vector<std::string> findings;

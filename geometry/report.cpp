@@ -105,6 +105,10 @@ const char* toString(GroupKind kind) {
   return "part";
 }
 
+std::string shownName(const EdgeGroup& boundary) {
+  return boundary.name.empty() ? std::to_string(boundary.number) : boundary.name;
+}
+
 const char* toString(FaceStatus status) {
   switch (status) {
     case FaceStatus::Complete:
@@ -149,6 +153,11 @@ void writeReport(const RunReport& report, const ModelMesh& mesh, OutputFile& fil
   for (const FaceGroup& group : mesh.groups)
     json["groups"].push_back(
         {{"kind", toString(group.kind)}, {"name", group.name}, {"faces", group.faces}});
+  for (const EdgeGroup& boundary : mesh.boundaries)
+    json["groups"].push_back({{"kind", "boundary"},
+                              {"name", shownName(boundary)},
+                              {"number", boundary.number},
+                              {"edges", boundary.edges}});
   if (!mesh.notes.empty()) json["notes"] = mesh.notes;
   if (mesh.healing) json["healing"] = toJson(*mesh.healing);
   json["seconds"] = toJson(mesh.seconds);

@@ -1,24 +1,31 @@
 // The writers behind mesh_files.h, one file each.
 #pragma once
 
+#include <span>
+
+#include "geometry/io/line_elements.h"
 #include "geometry/io/output_file.h"
 #include "geometry/model_mesh.h"
 
 namespace af2::geometry {
 
-/// VTK XML, base64: elements with their face, rule and quality.
-void writeVtu(const ModelMesh& mesh, OutputFile& file);
-/// Legacy VTK, binary: elements with their face, rule and quality.
-void writeVtk(const ModelMesh& mesh, OutputFile& file);
-/// Gmsh 4.1, binary: each model face is an entity and a physical group.
-void writeMsh(const ModelMesh& mesh, OutputFile& file);
+/// Left out by formats that have none.
+using Lines = std::span<const LineElement>;
+
+/// VTK XML, base64: elements with their face, rule and quality, lines with edge and boundary.
+void writeVtu(const ModelMesh& mesh, Lines lines, OutputFile& file);
+/// Legacy VTK, binary: the same.
+void writeVtk(const ModelMesh& mesh, Lines lines, OutputFile& file);
+/// Gmsh 4.1, binary: each model face and each edge with lines is an entity and a
+/// physical group, or in that of its boundary.
+void writeMsh(const ModelMesh& mesh, Lines lines, OutputFile& file);
 /// STL, binary; quadrilaterals are split.
-void writeStl(const ModelMesh& mesh, OutputFile& file);
+void writeStl(const ModelMesh& mesh, Lines lines, OutputFile& file);
 /// TetGen's .smesh, text; quadrilaterals are split, each model face is a boundary marker.
-void writeSmesh(const ModelMesh& mesh, OutputFile& file);
+void writeSmesh(const ModelMesh& mesh, Lines lines, OutputFile& file);
 /// Wavefront OBJ, text: each model face is a group.
-void writeObj(const ModelMesh& mesh, OutputFile& file);
+void writeObj(const ModelMesh& mesh, Lines lines, OutputFile& file);
 /// PLY, binary.
-void writePly(const ModelMesh& mesh, OutputFile& file);
+void writePly(const ModelMesh& mesh, Lines lines, OutputFile& file);
 
 }  // namespace af2::geometry

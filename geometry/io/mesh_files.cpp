@@ -12,9 +12,9 @@ namespace af2::geometry {
 namespace {
 
 constexpr std::array kFormats{
-    MeshFormat{".vtu", "VTK XML unstructured grid", &writeVtu, true},
-    MeshFormat{".vtk", "legacy VTK", &writeVtk},
-    MeshFormat{".msh", "Gmsh 4.1", &writeMsh, true},
+    MeshFormat{".vtu", "VTK XML unstructured grid", &writeVtu, true, true},
+    MeshFormat{".vtk", "legacy VTK", &writeVtk, false, true},
+    MeshFormat{".msh", "Gmsh 4.1", &writeMsh, true, true},
     MeshFormat{".stl", "STL", &writeStl},
     MeshFormat{".obj", "Wavefront OBJ", &writeObj},
     MeshFormat{".ply", "PLY", &writePly},
@@ -40,10 +40,11 @@ const MeshFormat& meshFormatOf(const std::filesystem::path& file) {
                    knownExtensions());
 }
 
-void writeMesh(const ModelMesh& mesh, const std::filesystem::path& file) {
+void writeMesh(const ModelMesh& mesh, const std::filesystem::path& file, LinesAlong along) {
   const MeshFormat& format = meshFormatOf(file);
   OutputFile output(file);
-  format.write(mesh, output);
+  format.write(mesh, format.holdsLines ? lineElements(mesh, along) : std::vector<LineElement>(),
+               output);
   output.commit();
 }
 

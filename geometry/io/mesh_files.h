@@ -5,6 +5,7 @@
 #include <span>
 #include <string_view>
 
+#include "geometry/io/line_elements.h"
 #include "geometry/model_mesh.h"
 
 namespace af2::geometry {
@@ -14,8 +15,9 @@ class OutputFile;
 struct MeshFormat {
   std::string_view extension;  ///< with the dot, lower case
   std::string_view name;
-  void (*write)(const ModelMesh&, OutputFile&);
+  void (*write)(const ModelMesh&, std::span<const LineElement>, OutputFile&);
   bool holdsSecondOrder = false;  ///< if not, the middles of sides are left out
+  bool holdsLines = false;        ///< line elements; if not, they are left out
 };
 
 /// In the order in which help texts name them.
@@ -27,6 +29,7 @@ const MeshFormat& meshFormatOf(const std::filesystem::path& file);
 
 /// Writes `mesh` to `file`, whole or not at all. Throws InputError as meshFormatOf and OutputFile
 /// do.
-void writeMesh(const ModelMesh& mesh, const std::filesystem::path& file);
+void writeMesh(const ModelMesh& mesh, const std::filesystem::path& file,
+               LinesAlong along = LinesAlong::Boundaries);
 
 }  // namespace af2::geometry

@@ -1,17 +1,21 @@
 // Gmsh's format, version 4.1, binary. Each model face is a surface entity and, under its name, a
 // physical group of the same number, so that boundary conditions can be given by face; and it
-// belongs to the physical groups of the parts, solids, layers and colours of the model.
+// belongs to the physical groups of the parts, solids, layers and colours of the model. Each edge
+// with line elements is a curve entity, in the physical group of its boundary or in one of its own.
 #include <algorithm>
 #include <map>
 #include <set>
 #include <string>
+#include <tuple>
 
 #include "geometry/io/formats.h"
+#include "geometry/io/msh_groups.h"
 
 namespace af2::geometry {
 namespace {
 
-constexpr std::int32_t kSurface = 2, kNoParameters = 0;
+constexpr std::int32_t kCurve = PhysicalGroup::kCurve, kSurface = PhysicalGroup::kSurface;
+constexpr std::int32_t kNoParameters = 0;
 
 /// Gmsh's number for a kind of element.
 std::int32_t typeOf(const ModelMesh& mesh, bool isQuad) {
@@ -20,12 +24,24 @@ std::int32_t typeOf(const ModelMesh& mesh, bool isQuad) {
   return isQuad ? kQuad2 : kTriangle2;
 }
 
+std::int32_t typeOfLine(const ModelMesh& mesh) {
+  constexpr std::int32_t kLine = 1, kLine2 = 8;
+  return mesh.midsides.empty() ? kLine : kLine2;
+}
+
 /// Corners, then middles of sides.
 std::vector<VertexId> verticesOf(const ModelMesh& mesh, std::size_t element) {
   const auto corners = mesh.elements[element].vertices();
   std::vector<VertexId> vertices(corners.begin(), corners.end());
   for (std::size_t i = 0; !mesh.midsides.empty() && i < corners.size(); ++i)
     vertices.push_back(mesh.midsides[element][i]);
+  return vertices;
+}
+
+/// Ends, then the middle.
+std::vector<VertexId> verticesOf(const LineElement& line) {
+  std::vector<VertexId> vertices{line.from, line.to};
+  if (!line.middle.isNone()) vertices.push_back(line.middle);
   return vertices;
 }
 
@@ -38,82 +54,53 @@ struct Box {
   }
 };
 
-/// The mesh of one model face.
+/// The mesh of one model edge or face.
 struct Entity {
-  std::int32_t face = 0;
-  std::vector<std::int32_t> groups;  ///< physical groups: its own first
+  std::int32_t dimension = kSurface;
+  std::int32_t id = 0;               ///< of the edge or face
+  std::vector<std::int32_t> groups;  ///< physical groups: of a face, its own first
   Box box;
   std::vector<std::uint32_t> vertices;  ///< those that no earlier entity has
-  std::vector<std::uint32_t> triangles, quads;
+  std::vector<std::uint32_t> lines, triangles, quads;
 };
 
-std::int32_t highestFace(const ModelMesh& mesh) {
-  std::int32_t highest = 0;
-  for (const FaceReport& face : mesh.faces) highest = std::max(highest, face.id);
-  for (const FaceGroup& group : mesh.groups)
-    for (const int face : group.faces) highest = std::max(highest, face);
-  return highest;
-}
+/// Takes what entities consist of; each vertex belongs to the first that comes to it.
+class EntityMaker {
+ public:
+  explicit EntityMaker(const ModelMesh& mesh) : mesh_(mesh), placed_(mesh.vertices.size(), false) {}
 
-/// Names of groups must differ and fit between quotation marks.
-std::string uniqueName(std::string name, const std::string& what, std::set<std::string>& taken) {
-  std::ranges::replace_if(
-      name, [](unsigned char c) { return c < ' ' || c == '"'; }, '_');
-  constexpr std::size_t kLongest = 100;  // the format allows 127, with what follows
-  if (name.size() > kLongest) {
-    std::size_t end = kLongest;
-    while (end > 0 && (static_cast<unsigned char>(name[end]) & 0xc0) == 0x80) --end;
-    name.resize(end);  // between characters of UTF-8
-  }
-  const std::string plain = name;
-  for (int count = 1; !taken.insert(name).second; ++count)
-    name = plain + " (" + what + (count > 1 ? " " + std::to_string(count) : "") + ")";
-  return name;
-}
-
-/// Physical groups by their number: one for each face, with its id; then those of the model.
-std::map<std::int32_t, std::string> groupNames(const ModelMesh& mesh) {
-  std::map<std::int32_t, std::string> names;
-  std::set<std::string> taken;
-  for (const FaceReport& face : mesh.faces)
-    names[face.id] = uniqueName(face.name.empty() ? "face " + std::to_string(face.id) : face.name,
-                                "face " + std::to_string(face.id), taken);
-  const std::int32_t firstGroup = highestFace(mesh) + 1;
-  for (std::size_t i = 0; i < mesh.groups.size(); ++i) {
-    const FaceGroup& group = mesh.groups[i];
-    const std::int32_t id = firstGroup + static_cast<std::int32_t>(i);
-    const bool isNamed = group.kind == GroupKind::Part || group.kind == GroupKind::Layer;
-    names[id] = uniqueName(isNamed ? group.name : toString(group.kind) + (" " + group.name),
-                           toString(group.kind), taken);
-  }
-  return names;
-}
-
-std::vector<std::int32_t> groupsOf(const ModelMesh& mesh, std::int32_t face) {
-  std::vector<std::int32_t> groups{face};
-  const std::int32_t firstGroup = highestFace(mesh) + 1;
-  for (std::size_t i = 0; i < mesh.groups.size(); ++i)
-    if (std::ranges::binary_search(mesh.groups[i].faces, face))
-      groups.push_back(firstGroup + static_cast<std::int32_t>(i));
-  return groups;
-}
-
-std::vector<Entity> entitiesOf(const ModelMesh& mesh) {
-  std::map<std::int32_t, Entity> byFace;
-  std::vector<bool> placed(mesh.vertices.size(), false);
-  for (std::uint32_t i = 0; i < mesh.elements.size(); ++i) {
-    Entity& entity = byFace[mesh.face[i]];
-    (mesh.elements[i].isQuad() ? entity.quads : entity.triangles).push_back(i);
-    for (const VertexId vertex : verticesOf(mesh, i)) {
-      entity.box.add(mesh.vertices[vertex.value]);
-      if (!placed[vertex.value]) entity.vertices.push_back(vertex.value);
-      placed[vertex.value] = true;
+  void take(const std::vector<VertexId>& vertices, Entity& entity) {
+    for (const VertexId vertex : vertices) {
+      entity.box.add(mesh_.vertices[vertex.value]);
+      if (!placed_[vertex.value]) entity.vertices.push_back(vertex.value);
+      placed_[vertex.value] = true;
     }
   }
+
+ private:
+  const ModelMesh& mesh_;
+  std::vector<bool> placed_;
+};
+
+/// Curves, then surfaces.
+std::vector<Entity> entitiesOf(const ModelMesh& mesh, Lines lines, const MshGroups& groups) {
+  std::map<std::pair<std::int32_t, std::int32_t>, Entity> byDimensionAndId;
+  EntityMaker maker(mesh);
+  for (std::uint32_t i = 0; i < lines.size(); ++i) {
+    Entity& entity = byDimensionAndId[{kCurve, lines[i].edge}];
+    entity.lines.push_back(i);
+    entity.groups = {groups.of(lines[i])};
+    maker.take(verticesOf(lines[i]), entity);
+  }
+  for (std::uint32_t i = 0; i < mesh.elements.size(); ++i) {
+    Entity& entity = byDimensionAndId[{kSurface, mesh.face[i]}];
+    (mesh.elements[i].isQuad() ? entity.quads : entity.triangles).push_back(i);
+    maker.take(verticesOf(mesh, i), entity);
+  }
   std::vector<Entity> entities;
-  for (auto& [face, entity] : byFace) {
-    entity.face = face;
-    entity.groups = groupsOf(mesh, face);
+  for (auto& [key, entity] : byDimensionAndId) {
+    std::tie(entity.dimension, entity.id) = key;
+    if (entity.dimension == kSurface) entity.groups = groups.ofFace(entity.id);
     std::ranges::sort(entity.vertices);
     entities.push_back(std::move(entity));
   }
@@ -135,37 +122,42 @@ void putHead(OutputFile& file, std::uint64_t blocks, std::uint64_t count,
 }
 
 /// Only of groups that some element belongs to.
-void writePhysicalNames(const ModelMesh& mesh, const std::vector<Entity>& entities,
+void writePhysicalNames(const std::vector<Entity>& entities, const MshGroups& groups,
                         OutputFile& file) {
-  const std::map<std::int32_t, std::string> names = groupNames(mesh);
-  std::set<std::int32_t> used;
-  for (const Entity& entity : entities) used.insert(entity.groups.begin(), entity.groups.end());
+  const std::map<PhysicalGroup, std::string>& names = groups.names();
+  std::set<PhysicalGroup> used;
+  for (const Entity& entity : entities)
+    for (const std::int32_t group : entity.groups) used.insert({entity.dimension, group});
   file.text("$PhysicalNames\n");
   file.number(used.size());
-  for (const std::int32_t group : used) {
+  for (const PhysicalGroup& group : used) {
     const auto name = names.find(group);
-    file.text("\n2 ");
-    file.number(group);
+    file.text("\n");
+    file.number(group.dimension);
+    file.text(" ");
+    file.number(group.number);
     file.text(" \"");
-    file.text(name == names.end() ? "face " + std::to_string(group) : name->second);
+    file.text(name == names.end() ? "face " + std::to_string(group.number) : name->second);
     file.text("\"");
   }
   file.text("\n$EndPhysicalNames\n");
 }
 
 void writeEntities(const std::vector<Entity>& entities, OutputFile& file) {
+  const auto curves =
+      static_cast<std::uint64_t>(std::ranges::count(entities, kCurve, &Entity::dimension));
   file.text("$Entities\n");
   for (const std::uint64_t count :
-       {std::size_t{0}, std::size_t{0}, entities.size(), std::size_t{0}}) {
+       {std::uint64_t{0}, curves, entities.size() - curves, std::uint64_t{0}}) {
     file.binary(count);
   }
   for (const Entity& entity : entities) {
-    file.binary(entity.face);
+    file.binary(entity.id);
     putPoint(file, entity.box.low);
     putPoint(file, entity.box.high);
     file.binary(std::uint64_t{entity.groups.size()});
     for (const std::int32_t group : entity.groups) file.binary(group);
-    file.binary(std::uint64_t{0});  // bounding curves
+    file.binary(std::uint64_t{0});  // what bounds it
   }
   file.text("\n$EndEntities\n");
 }
@@ -180,7 +172,8 @@ void writeNodes(const ModelMesh& mesh, const std::vector<Entity>& entities, Outp
   putHead(file, blocks, count, mesh.vertices.size());
   for (const Entity& entity : entities) {
     if (entity.vertices.empty()) continue;
-    for (const std::int32_t number : {kSurface, entity.face, kNoParameters}) file.binary(number);
+    for (const std::int32_t number : {entity.dimension, entity.id, kNoParameters})
+      file.binary(number);
     file.binary(std::uint64_t{entity.vertices.size()});
     for (const std::uint32_t vertex : entity.vertices) file.binary(std::uint64_t{vertex} + 1);
     for (const std::uint32_t vertex : entity.vertices) putPoint(file, mesh.vertices[vertex]);
@@ -188,42 +181,51 @@ void writeNodes(const ModelMesh& mesh, const std::vector<Entity>& entities, Outp
   file.text("\n$EndNodes\n");
 }
 
-void writeBlock(const ModelMesh& mesh, std::int32_t face, std::int32_t type,
-                const std::vector<std::uint32_t>& elements, OutputFile& file) {
+/// Elements of one kind; verticesOf(i) are those of number i among `elements`, which has the tag
+/// first + i.
+template <class VerticesOf>
+void writeBlock(const Entity& entity, std::int32_t type, const std::vector<std::uint32_t>& elements,
+                std::uint64_t first, VerticesOf verticesOf, OutputFile& file) {
   if (elements.empty()) return;
-  for (const std::int32_t number : {kSurface, face, type}) file.binary(number);
+  for (const std::int32_t number : {entity.dimension, entity.id, type}) file.binary(number);
   file.binary(std::uint64_t{elements.size()});
   for (const std::uint32_t element : elements) {
-    file.binary(std::uint64_t{element} + 1);
-    for (const VertexId vertex : verticesOf(mesh, element)) {
-      file.binary(std::uint64_t{vertex.value} + 1);
-    }
+    file.binary(first + element);
+    for (const VertexId vertex : verticesOf(element)) file.binary(std::uint64_t{vertex.value} + 1);
   }
 }
 
-void writeElements(const ModelMesh& mesh, const std::vector<Entity>& entities, OutputFile& file) {
+/// Lines have the numbers after those of the elements of the surface.
+void writeElements(const ModelMesh& mesh, const std::vector<Entity>& entities, Lines lines,
+                   OutputFile& file) {
   std::uint64_t blocks = 0;
-  for (const Entity& entity : entities) blocks += !entity.triangles.empty() + !entity.quads.empty();
+  for (const Entity& entity : entities)
+    blocks += !entity.lines.empty() + !entity.triangles.empty() + !entity.quads.empty();
+  const std::uint64_t count = mesh.elements.size() + lines.size();
   file.text("$Elements\n");
-  putHead(file, blocks, mesh.elements.size(), mesh.elements.size());
+  putHead(file, blocks, count, count);
+  const auto ofElement = [&](std::uint32_t element) { return verticesOf(mesh, element); };
+  const auto ofLine = [&](std::uint32_t line) { return verticesOf(lines[line]); };
   for (const Entity& entity : entities) {
-    writeBlock(mesh, entity.face, typeOf(mesh, false), entity.triangles, file);
-    writeBlock(mesh, entity.face, typeOf(mesh, true), entity.quads, file);
+    writeBlock(entity, typeOfLine(mesh), entity.lines, mesh.elements.size() + 1, ofLine, file);
+    writeBlock(entity, typeOf(mesh, false), entity.triangles, 1, ofElement, file);
+    writeBlock(entity, typeOf(mesh, true), entity.quads, 1, ofElement, file);
   }
   file.text("\n$EndElements\n");
 }
 
 }  // namespace
 
-void writeMsh(const ModelMesh& mesh, OutputFile& file) {
-  const std::vector<Entity> entities = entitiesOf(mesh);
+void writeMsh(const ModelMesh& mesh, Lines lines, OutputFile& file) {
+  const MshGroups groups(mesh, lines);
+  const std::vector<Entity> entities = entitiesOf(mesh, lines, groups);
   file.text("$MeshFormat\n4.1 1 8\n");
   file.binary(std::int32_t{1});  // tells readers the order of bytes
   file.text("\n$EndMeshFormat\n");
-  writePhysicalNames(mesh, entities, file);
+  writePhysicalNames(entities, groups, file);
   writeEntities(entities, file);
   writeNodes(mesh, entities, file);
-  writeElements(mesh, entities, file);
+  writeElements(mesh, entities, lines, file);
 }
 
 }  // namespace af2::geometry

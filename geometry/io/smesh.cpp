@@ -17,7 +17,7 @@ void putRow(OutputFile& file, std::size_t first, std::initializer_list<std::size
 
 }  // namespace
 
-void writeSmesh(const ModelMesh& mesh, OutputFile& file) {
+void writeSmesh(const ModelMesh& mesh, Lines, OutputFile& file) {
   putRow(file, cornerVertices(mesh).size(), {3, 0, 0});
   for (std::size_t v = 0; v < cornerVertices(mesh).size(); ++v) {
     file.number(v + 1);

@@ -2,12 +2,13 @@
 #include <string>
 
 #include "geometry/io/formats.h"
+#include "geometry/io/vtk_cells.h"
 #include "geometry/quality.h"
 
 namespace af2::geometry {
 namespace {
 
-constexpr std::int32_t kVtkTriangle = 5, kVtkQuad = 9;
+constexpr std::int32_t kVtkLine = 3, kVtkTriangle = 5, kVtkQuad = 9;
 
 void sectionHead(OutputFile& file, std::string_view name, std::size_t count,
                  std::string_view rest) {
@@ -17,37 +18,58 @@ void sectionHead(OutputFile& file, std::string_view name, std::size_t count,
   file.text(rest);
 }
 
-void writeCells(const ModelMesh& mesh, OutputFile& file) {
-  std::size_t numbers = 0;
+void writeCells(const ModelMesh& mesh, Lines lines, OutputFile& file) {
+  const std::size_t cells = mesh.elements.size() + lines.size();
+  std::size_t numbers = 3 * lines.size();
   for (const Element& element : mesh.elements) numbers += 1 + element.vertices().size();
-  sectionHead(file, "CELLS", mesh.elements.size(), " " + std::to_string(numbers) + "\n");
+  sectionHead(file, "CELLS", cells, " " + std::to_string(numbers) + "\n");
   for (const Element& element : mesh.elements) {
     file.bigEndian(std::int32_t{element.size()});
     for (const VertexId vertex : element.vertices()) file.bigEndian(vertex.value);
   }
-  sectionHead(file, "\nCELL_TYPES", mesh.elements.size(), "\n");
+  for (const LineElement& line : lines) {
+    file.bigEndian(std::int32_t{2});
+    for (const VertexId vertex : {line.from, line.to}) file.bigEndian(vertex.value);
+  }
+  sectionHead(file, "\nCELL_TYPES", cells, "\n");
   for (const Element& element : mesh.elements) {
     file.bigEndian(element.isQuad() ? kVtkQuad : kVtkTriangle);
   }
+  for (std::size_t i = 0; i < lines.size(); ++i) file.bigEndian(kVtkLine);
 }
 
-void writeCellData(const ModelMesh& mesh, OutputFile& file) {
-  const std::size_t count = mesh.elements.size();
-  sectionHead(file, "\nCELL_DATA", count, "\nFIELD FieldData 3\n");
+void writeCellData(const ModelMesh& mesh, Lines lines, OutputFile& file) {
+  const std::size_t count = mesh.elements.size() + lines.size();
+  sectionHead(file, "\nCELL_DATA", count,
+              lines.empty() ? "\nFIELD FieldData 3\n" : "\nFIELD FieldData 5\n");
+  const auto repeat = [&](std::size_t times, auto value) {
+    for (std::size_t i = 0; i < times; ++i) file.bigEndian(value);
+  };
   sectionHead(file, "face 1", count, " int\n");
   for (const std::int32_t face : mesh.face) file.bigEndian(face);
+  repeat(lines.size(), kFaceOfLine);
   sectionHead(file, "\nrule 1", count, " int\n");
   for (const std::uint16_t rule : mesh.rule) file.bigEndian(std::int32_t{rule});
+  repeat(lines.size(), kRuleOfLine);
   sectionHead(file, "\nquality 1", count, " double\n");
   for (const Element& element : mesh.elements) {
     file.bigEndian(shapeQuality(mesh.vertices, element));
   }
+  repeat(lines.size(), kQualityOfLine);
+  file.text("\n");
+  if (lines.empty()) return;
+  sectionHead(file, "edge 1", count, " int\n");
+  repeat(mesh.elements.size(), kOnNoEdge);
+  for (const LineElement& line : lines) file.bigEndian(std::int32_t{line.edge});
+  sectionHead(file, "\nboundary 1", count, " int\n");
+  repeat(mesh.elements.size(), kOnNoEdge);
+  for (const LineElement& line : lines) file.bigEndian(std::int32_t{line.boundary});
   file.text("\n");
 }
 
 }  // namespace
 
-void writeVtk(const ModelMesh& mesh, OutputFile& file) {
+void writeVtk(const ModelMesh& mesh, Lines lines, OutputFile& file) {
   file.text("# vtk DataFile Version 3.0\nsurface mesh by AF2\nBINARY\nDATASET UNSTRUCTURED_GRID\n");
   sectionHead(file, "POINTS", cornerVertices(mesh).size(), " double\n");
   for (const Point3& p : cornerVertices(mesh)) {
@@ -56,8 +78,8 @@ void writeVtk(const ModelMesh& mesh, OutputFile& file) {
     file.bigEndian(p.z);
   }
   file.text("\n");
-  writeCells(mesh, file);
-  writeCellData(mesh, file);
+  writeCells(mesh, lines, file);
+  writeCellData(mesh, lines, file);
 }
 
 }  // namespace af2::geometry

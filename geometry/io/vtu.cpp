@@ -6,12 +6,14 @@
 #include <string>
 
 #include "geometry/io/formats.h"
+#include "geometry/io/vtk_cells.h"
 #include "geometry/quality.h"
 
 namespace af2::geometry {
 namespace {
 
-constexpr std::uint8_t kVtkTriangle = 5, kVtkQuad = 9, kVtkTriangle2 = 22, kVtkQuad2 = 23;
+constexpr std::uint8_t kVtkLine = 3, kVtkTriangle = 5, kVtkQuad = 9;
+constexpr std::uint8_t kVtkLine2 = 21, kVtkTriangle2 = 22, kVtkQuad2 = 23;
 
 /// Encodes a stream of values to base64, three bytes at a time.
 class Base64Stream {
@@ -112,13 +114,16 @@ void writeField(const std::string& name, const std::vector<int>& values, OutputF
 }
 
 /// Readers of VTU do not agree on arrays of text. So each rule becomes a number named after it:
-/// a field "rule: NAME" that holds the id; and each group a field that holds the ids of its faces.
+/// a field "rule: NAME" that holds the id; and each group a field that holds the ids of its faces,
+/// or of its edges.
 void writeNames(const ModelMesh& mesh, OutputFile& file) {
   file.text("<FieldData>\n");
   for (std::size_t rule = 0; rule < mesh.ruleNames.size(); ++rule)
     writeField("rule: " + mesh.ruleNames[rule], {static_cast<int>(rule)}, file);
   for (const FaceGroup& group : mesh.groups)
     writeField(std::string(toString(group.kind)) + ": " + group.name, group.faces, file);
+  for (const EdgeGroup& boundary : mesh.boundaries)
+    writeField("boundary: " + shownName(boundary), boundary.edges, file);
   file.text("</FieldData>\n");
 }
 
@@ -135,32 +140,39 @@ void writePoints(const ModelMesh& mesh, OutputFile& file) {
   file.text("</Points>\n");
 }
 
-void writeCells(const ModelMesh& mesh, OutputFile& file) {
-  std::uint64_t corners = 0;
+void writeCells(const ModelMesh& mesh, Lines lines, OutputFile& file) {
+  const std::size_t cells = mesh.elements.size() + lines.size();
   const bool isSecondOrder = !mesh.midsides.empty();
-  const int perCorner = isSecondOrder ? 2 : 1;
+  const int perCorner = isSecondOrder ? 2 : 1, perLine = isSecondOrder ? 3 : 2;
+  std::uint64_t vertices = static_cast<std::uint64_t>(perLine) * lines.size();
   for (const Element& element : mesh.elements)
-    corners += static_cast<std::uint64_t>(perCorner * element.size());
+    vertices += static_cast<std::uint64_t>(perCorner * element.size());
   file.text("<Cells>\n");
-  dataArray(file, {"Int32", "connectivity"}, corners * 4, [&](Base64Stream& out) {
+  dataArray(file, {"Int32", "connectivity"}, vertices * 4, [&](Base64Stream& out) {
     for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
-      const auto vertices = mesh.elements[e].vertices();
-      for (const VertexId vertex : vertices) out.put(vertex.value);
-      for (std::size_t i = 0; isSecondOrder && i < vertices.size(); ++i)
+      const auto corners = mesh.elements[e].vertices();
+      for (const VertexId vertex : corners) out.put(vertex.value);
+      for (std::size_t i = 0; isSecondOrder && i < corners.size(); ++i)
         out.put(mesh.midsides[e][i].value);
     }
+    for (const LineElement& line : lines) {
+      for (const VertexId end : {line.from, line.to}) out.put(end.value);
+      if (isSecondOrder) out.put(line.middle.value);
+    }
   });
-  dataArray(file, {"Int64", "offsets"}, mesh.elements.size() * 8, [&](Base64Stream& out) {
+  dataArray(file, {"Int64", "offsets"}, cells * 8, [&](Base64Stream& out) {
     std::int64_t end = 0;
     for (const Element& element : mesh.elements) out.put(end += perCorner * element.size());
+    for (std::size_t i = 0; i < lines.size(); ++i) out.put(end += perLine);
   });
-  dataArray(file, {"UInt8", "types"}, mesh.elements.size(), [&](Base64Stream& out) {
+  dataArray(file, {"UInt8", "types"}, cells, [&](Base64Stream& out) {
     for (const Element& element : mesh.elements) {
       if (isSecondOrder)
         out.put(element.isQuad() ? kVtkQuad2 : kVtkTriangle2);
       else
         out.put(element.isQuad() ? kVtkQuad : kVtkTriangle);
     }
+    for (std::size_t i = 0; i < lines.size(); ++i) out.put(isSecondOrder ? kVtkLine2 : kVtkLine);
   });
   file.text("</Cells>\n");
 }
@@ -186,53 +198,73 @@ std::map<std::int32_t, int> firstGroups(const ModelMesh& mesh, GroupKind kind) {
   return first;
 }
 
+/// One array with a value for each cell: those of elements by their index, then those of lines.
+template <class OfElement, class OfLine>
+void cellArray(OutputFile& file, const ArrayHead& head, const ModelMesh& mesh, Lines lines,
+               OfElement ofElement, OfLine ofLine) {
+  const std::size_t bytes = sizeof(ofElement(std::size_t{}));
+  dataArray(file, head, (mesh.elements.size() + lines.size()) * bytes, [&](Base64Stream& out) {
+    for (std::size_t e = 0; e < mesh.elements.size(); ++e) out.put(ofElement(e));
+    for (const LineElement& line : lines) out.put(ofLine(line));
+  });
+}
+
 /// For looking at: the solid of each element, and its colour. A face between two solids is shown
 /// with the first one; the fields have it in both.
-void writeGroupsOfCells(const ModelMesh& mesh, OutputFile& file) {
+void writeGroupsOfCells(const ModelMesh& mesh, Lines lines, OutputFile& file) {
   const auto groupAt = [&](const std::map<std::int32_t, int>& first, std::size_t element) {
     const auto found = first.find(mesh.face[element]);
     return found == first.end() ? 0 : found->second;
   };
   const std::map<std::int32_t, int> solids = firstGroups(mesh, GroupKind::Solid);
   if (!solids.empty())
-    dataArray(file, {"Int32", "solid"}, mesh.elements.size() * 4, [&](Base64Stream& out) {
-      for (std::size_t e = 0; e < mesh.elements.size(); ++e)
-        out.put(std::int32_t{groupAt(solids, e)});
-    });
+    cellArray(
+        file, {"Int32", "solid"}, mesh, lines,
+        [&](std::size_t e) { return std::int32_t{groupAt(solids, e)}; },
+        [](const LineElement&) { return std::int32_t{0}; });
   const std::map<std::int32_t, int> colors = firstGroups(mesh, GroupKind::Color);
   if (colors.empty()) return;
-  std::vector<std::array<std::uint8_t, 3>> values{{128, 128, 128}};  // of faces without
+  using Rgb = std::array<std::uint8_t, 3>;
+  std::vector<Rgb> values{{128, 128, 128}};  // of what has none
   for (const FaceGroup& group : mesh.groups) {
     if (group.kind != GroupKind::Color) continue;
     const unsigned long rgb = std::strtoul(group.name.c_str() + 1, nullptr, 16);
     values.push_back({static_cast<std::uint8_t>(rgb >> 16), static_cast<std::uint8_t>(rgb >> 8),
                       static_cast<std::uint8_t>(rgb)});
   }
-  dataArray(file, {"UInt8", "color", 3}, mesh.elements.size() * 3, [&](Base64Stream& out) {
-    for (std::size_t e = 0; e < mesh.elements.size(); ++e)
-      for (const std::uint8_t part : values[static_cast<std::size_t>(groupAt(colors, e))])
-        out.put(part);
-  });
+  cellArray(
+      file, {"UInt8", "color", 3}, mesh, lines,
+      [&](std::size_t e) { return values[static_cast<std::size_t>(groupAt(colors, e))]; },
+      [&](const LineElement&) { return values.front(); });
 }
 
-void writeCellData(const ModelMesh& mesh, OutputFile& file) {
+void writeCellData(const ModelMesh& mesh, Lines lines, OutputFile& file) {
   file.text("<CellData Scalars=\"face\">\n");
-  dataArray(file, {"Int32", "face"}, mesh.elements.size() * 4, [&](Base64Stream& out) {
-    for (const std::int32_t face : mesh.face) out.put(face);
-  });
-  dataArray(file, {"Int32", "rule"}, mesh.elements.size() * 4, [&](Base64Stream& out) {
-    for (const std::uint16_t rule : mesh.rule) out.put(std::int32_t{rule});
-  });
-  dataArray(file, {"Float64", "quality"}, mesh.elements.size() * 8, [&](Base64Stream& out) {
-    for (const Element& element : mesh.elements) out.put(shapeQuality(mesh.vertices, element));
-  });
-  writeGroupsOfCells(mesh, file);
+  cellArray(
+      file, {"Int32", "face"}, mesh, lines, [&](std::size_t e) { return mesh.face[e]; },
+      [](const LineElement&) { return kFaceOfLine; });
+  cellArray(
+      file, {"Int32", "rule"}, mesh, lines,
+      [&](std::size_t e) { return std::int32_t{mesh.rule[e]}; },
+      [](const LineElement&) { return kRuleOfLine; });
+  cellArray(
+      file, {"Float64", "quality"}, mesh, lines,
+      [&](std::size_t e) { return shapeQuality(mesh.vertices, mesh.elements[e]); },
+      [](const LineElement&) { return kQualityOfLine; });
+  if (!lines.empty()) {
+    const auto ofNone = [](std::size_t) { return kOnNoEdge; };
+    cellArray(file, {"Int32", "edge"}, mesh, lines, ofNone,
+              [](const LineElement& line) { return std::int32_t{line.edge}; });
+    cellArray(file, {"Int32", "boundary"}, mesh, lines, ofNone,
+              [](const LineElement& line) { return std::int32_t{line.boundary}; });
+  }
+  writeGroupsOfCells(mesh, lines, file);
   file.text("</CellData>\n");
 }
 
 }  // namespace
 
-void writeVtu(const ModelMesh& mesh, OutputFile& file) {
+void writeVtu(const ModelMesh& mesh, Lines lines, OutputFile& file) {
   file.text(
       "<?xml version=\"1.0\"?>\n"
       "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" "
@@ -241,12 +273,12 @@ void writeVtu(const ModelMesh& mesh, OutputFile& file) {
   file.text("<Piece NumberOfPoints=\"");
   file.number(mesh.vertices.size());
   file.text("\" NumberOfCells=\"");
-  file.number(mesh.elements.size());
+  file.number(mesh.elements.size() + lines.size());
   file.text("\">\n");
   writePoints(mesh, file);
-  writeCells(mesh, file);
+  writeCells(mesh, lines, file);
   writePointData(mesh, file);
-  writeCellData(mesh, file);
+  writeCellData(mesh, lines, file);
   file.text("</Piece>\n</UnstructuredGrid>\n</VTKFile>\n");
 }
 

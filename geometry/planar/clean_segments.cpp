@@ -77,14 +77,38 @@ class Cleaner {
     }
   }
 
+  using PieceOfPoints = std::map<std::pair<int, int>, std::size_t>;
+
+  /// Of pieces between the same points the first counts that is marked as part of a boundary, or
+  /// else the first. Knows by `seen` which there are in `pieces`.
+  void addOnce(PlanarPiece piece, std::vector<PlanarPiece>& pieces, PieceOfPoints& seen) {
+    const auto [known, isNew] = seen.emplace(std::minmax(piece.from, piece.to), pieces.size());
+    if (isNew) {
+      pieces.push_back(piece);
+      return;
+    }
+    PlanarPiece& first = pieces[known->second];
+    const PlanarDomain::Segment &old = segmentOf(first), &other = segmentOf(piece);
+    if (other.marker == 0 || other.marker == old.marker) return;
+    if (old.marker == 0)
+      first = piece;
+    else
+      result_.notes.push_back("line " + std::to_string(other.line) +
+                              ": this segment lies on that of line " + std::to_string(old.line) +
+                              ", whose boundary marker counts");
+  }
+
+  const PlanarDomain::Segment& segmentOf(const PlanarPiece& piece) const {
+    return domain_.segments[static_cast<std::size_t>(piece.segment)];
+  }
+
   /// Each pair of points once, none that is one point twice.
   void takeSegments() {
-    std::map<std::pair<int, int>, int> seen;
+    PieceOfPoints seen;
     for (std::size_t i = 0; i < domain_.segments.size(); ++i) {
       const int from = index_[static_cast<std::size_t>(domain_.segments[i].from)];
       const int to = index_[static_cast<std::size_t>(domain_.segments[i].to)];
-      if (from == to || !seen.emplace(std::minmax(from, to), 0).second) continue;
-      segments_.push_back({from, to, static_cast<int>(i)});
+      if (from != to) addOnce({from, to, static_cast<int>(i)}, segments_, seen);
     }
     splits_.resize(segments_.size());
   }
@@ -133,8 +157,7 @@ class Cleaner {
   }
 
   [[noreturn]] void refuseCrossing(const PlanarPiece& s, const PlanarPiece& t) const {
-    const int first = domain_.segments[static_cast<std::size_t>(s.segment)].line;
-    const int second = domain_.segments[static_cast<std::size_t>(t.segment)].line;
+    const int first = segmentOf(s).line, second = segmentOf(t).line;
     throw InputError(domain_.name + ":" + std::to_string(std::max(first, second)) +
                      ": this segment crosses the one in line " +
                      std::to_string(std::min(first, second)) +
@@ -167,7 +190,7 @@ class Cleaner {
   }
 
   void split() {
-    std::map<std::pair<int, int>, int> seen;  // pieces of segments that lie on each other
+    PieceOfPoints seen;
     for (std::size_t i = 0; i < segments_.size(); ++i) {
       std::vector<int>& at = splits_[i];
       std::sort(at.begin(), at.end(), [&](int p, int q) { return isBetween(p, q, segments_[i]); });
@@ -175,8 +198,7 @@ class Cleaner {
       at.push_back(segments_[i].to);
       int from = segments_[i].from;
       for (const int to : at) {
-        if (seen.emplace(std::minmax(from, to), 0).second)
-          result_.pieces.push_back({from, to, segments_[i].segment});
+        addOnce({from, to, segments_[i].segment}, result_.pieces, seen);
         from = to;
       }
     }

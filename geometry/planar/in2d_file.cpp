@@ -1,6 +1,7 @@
 #include "geometry/planar/in2d_file.h"
 
 #include <algorithm>
+#include <cctype>
 #include <memory>
 
 #include "geometry/planar/word_file.h"
@@ -23,6 +24,7 @@ class In2dReader {
     file_.number(0, "the grading");  // of another mesher; --grading is ours
     isOld ? readCounted() : readSections();
     if (curves_.curves.empty()) file_.fail("the file holds no segments");
+    numberNamedBoundaries();
     return std::move(curves_);
   }
 
@@ -55,6 +57,8 @@ class In2dReader {
         section = kMaterials;
       else if (section == kPoints)
         addPoint();
+      else if (section == kSegments && isFlag(file_.word(0)) && !curves_.curves.empty())
+        takeFlags(0);  // of a curve that takes several lines
       else if (section == kSegments)
         addCurve();
       else if (section == kMaterials)
@@ -93,8 +97,51 @@ class In2dReader {
     curve.from = pointAt(3);
     curve.to = pointAt(static_cast<std::size_t>(2 + count));
     if (count == 3) curve.control = pointAt(4);
-    curve.maxSize = maxSizeFrom(static_cast<std::size_t>(3 + count)).value_or(curve.maxSize);
-    curves_.curves.push_back(curve);
+    addWithFlags(std::move(curve), static_cast<std::size_t>(3 + count));
+  }
+
+  /// first  the first word that may be a flag
+  void addWithFlags(PlanarCurves::Curve curve, std::size_t first) {
+    curves_.curves.push_back(std::move(curve));
+    takeFlags(first);
+  }
+
+  /// Of the last curve.
+  void takeFlags(std::size_t first) {
+    PlanarCurves::Curve& curve = curves_.curves.back();
+    curve.maxSize = maxSizeFrom(first).value_or(curve.maxSize);
+    const std::string_view number = flag(first, "-bc=");
+    std::string_view name = flag(first, "-bcname=");
+    if (const auto value = numberIn<int>(number))
+      curve.boundary = *value;
+    else if (name.empty())
+      name = number;  // some write the name there
+    if (!name.empty()) nameBoundary(std::string(name), curve.boundary);
+  }
+
+  /// Of the last curve.
+  void nameBoundary(const std::string& name, int number) {
+    if (number == 0) {
+      named_.emplace_back(curves_.curves.size() - 1, name);
+      return;
+    }
+    const auto [known, isNew] = curves_.boundaryNames.try_emplace(number, name);
+    if (!isNew && known->second != name)
+      file_.fail("boundary " + std::to_string(number) + " has the name '" + known->second +
+                 "' already; give this segment another number");
+  }
+
+  void numberNamedBoundaries() {
+    int highest = 0;
+    for (const PlanarCurves::Curve& curve : curves_.curves)
+      highest = std::max(highest, curve.boundary);
+    std::map<std::string, int> numbers;
+    for (const auto& [number, name] : curves_.boundaryNames) numbers.try_emplace(name, number);
+    for (const auto& [curve, name] : named_) {
+      const auto [known, isNew] = numbers.try_emplace(name, highest + 1);
+      if (isNew) curves_.boundaryNames[++highest] = name;
+      curves_.curves[curve].boundary = known->second;
+    }
   }
 
   /// Coordinates instead of numbers of points, on one line or on several.
@@ -125,8 +172,7 @@ class In2dReader {
     curve.to = curve.from + 1;
     curves_.points.push_back(curve.poles.front());
     curves_.points.push_back(curve.poles.back());
-    curve.maxSize = maxSizeFrom(word).value_or(curve.maxSize);
-    curves_.curves.push_back(std::move(curve));
+    addWithFlags(std::move(curve), word);
   }
 
   void addMaterial() {
@@ -136,20 +182,32 @@ class In2dReader {
     if (const auto size = maxSizeFrom(2)) curves_.domainSizes[domain] = *size;
   }
 
-  /// Of the flags from a word on: -maxh=SIZE.
+  static bool isFlag(std::string_view word) {
+    return word.size() > 1 && word[0] == '-' && std::isalpha(static_cast<unsigned char>(word[1]));
+  }
+
+  /// What follows `name` where that begins one of the words from `first` on; else empty.
+  std::string_view flag(std::size_t first, std::string_view name) const {
+    for (std::size_t i = first; i < file_.count(); ++i)
+      if (const std::string_view word = file_.word(i); word.starts_with(name))
+        return word.substr(name.size());
+    return {};
+  }
+
+  template <class Number>
+  static std::optional<Number> numberIn(std::string_view word) {
+    Number value{};
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+    if (error != std::errc() || end != word.data() + word.size()) return std::nullopt;
+    return value;
+  }
+
   std::optional<double> maxSizeFrom(std::size_t first) const {
-    constexpr std::string_view kFlag = "-maxh=";
-    for (std::size_t i = first; i < file_.count(); ++i) {
-      std::string_view word = file_.word(i);
-      if (!word.starts_with(kFlag)) continue;
-      word.remove_prefix(kFlag.size());
-      double size = 0;
-      const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), size);
-      if (error != std::errc() || end != word.data() + word.size() || !(size > 0))
-        file_.fail("'" + std::string(word) + "' is no size");
-      return size;
-    }
-    return std::nullopt;
+    const std::string_view word = flag(first, "-maxh=");
+    if (word.empty()) return std::nullopt;
+    const auto size = numberIn<double>(word);
+    if (!size || !(*size > 0)) file_.fail("'" + std::string(word) + "' is no size");
+    return size;
   }
 
   static constexpr int kHighestOrder = 20;
@@ -157,6 +215,7 @@ class In2dReader {
   WordFile file_;
   PlanarCurves curves_;
   std::map<long, int> index_;
+  std::vector<std::pair<std::size_t, std::string>> named_;  // boundaries without a number, by curve
 };
 
 /// A point of a B-spline whose knots are equally far apart, but for those at its ends, where it
@@ -220,6 +279,7 @@ PlanarDomain domainOf(const PlanarCurves& curves) {
   domain.keepsPoints = false;  // some are control points
   domain.domainNames = curves.domainNames;
   domain.domainSizes = curves.domainSizes;
+  domain.markerNames = curves.boundaryNames;
   const auto shared = std::make_shared<const PlanarCurves>(curves);
   for (std::size_t c = 0; c < curves.curves.size(); ++c) {
     const PlanarCurves::Curve& curve = curves.curves[c];
@@ -229,6 +289,7 @@ PlanarDomain domainOf(const PlanarCurves& curves) {
     segment.left = curve.left;
     segment.right = curve.right;
     segment.maxSize = curve.maxSize;
+    segment.marker = curve.boundary;
     const std::vector<double> steps = stepsOf(curve);
     if (steps.size() > 2)
       domain.curves[segment.edge] = [shared, c](double t) {

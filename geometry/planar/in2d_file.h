@@ -24,17 +24,20 @@ struct PlanarCurves {
     int order = 0;
     int left = 0, right = 0;  ///< domains; 0: outside
     double maxSize = std::numeric_limits<double>::infinity();
-    int line = 0;  ///< in the file
+    int boundary = 0;  ///< its number; 0: in none
+    int line = 0;      ///< in the file
   };
   std::string name;  ///< the file
   std::vector<Point2> points;
   std::vector<Curve> curves;
   std::map<int, std::string> domainNames;
   std::map<int, double> domainSizes;
+  std::map<int, std::string> boundaryNames;
 };
 
 /// Reads a file of the kind `splinecurves2dv2`, or the older `splinecurves2d`. Of its flags -maxh
-/// is used, of segments and domains. Throws InputError with file and line if it cannot be read.
+/// is used, of segments and domains, and -bc and -bcname of segments; a boundary with a name alone
+/// gets a number beyond all others. Throws InputError with file and line if it cannot be read.
 PlanarCurves readIn2d(const std::filesystem::path& path);
 
 /// A point of a curve, t from 0 to 1. The weight of the control point makes an arc of a circle

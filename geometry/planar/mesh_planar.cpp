@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <set>
 
 #include "engine/error.h"
 #include "geometry/domain_model.h"
@@ -43,6 +44,7 @@ class ModelMaker {
     numberPoints();
     makeCurves();
     for (std::size_t i = 0; i < regions_.regions.size(); ++i) addFace(i);
+    addBoundaries();
     return std::move(model_);
   }
 
@@ -79,6 +81,20 @@ class ModelMaker {
       all.insert(all.end(), faces.begin(), faces.end());
     }
     for (FaceGroup& group : groups) std::ranges::sort(group.faces);
+  }
+
+  /// Of the edges that are there.
+  void addBoundaries() {
+    std::map<int, std::set<int>> edges;  // by marker
+    for (std::size_t i = 0; i < regions_.pieces.size(); ++i)
+      if (const auto& segment = segmentOf(regions_.pieces[i]); isUsed_[i] && segment.marker != 0)
+        edges[segment.marker].insert(segment.edge);
+    for (const auto& [marker, ids] : edges) {
+      const auto name = domain_.markerNames.find(marker);
+      model_.boundaries.push_back({marker,
+                                   name == domain_.markerNames.end() ? "" : name->second,
+                                   {ids.begin(), ids.end()}});
+    }
   }
 
   const PlanarPiece& pieceAt(int piece) const {

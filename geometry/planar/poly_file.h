@@ -17,9 +17,9 @@ struct PlanarDomain {
   static constexpr int kAnyDomain = -1;
   struct Segment {
     int from = 0, to = 0;  ///< indices into points
-    int marker = 0;
-    int line = 0;  ///< in the file
-    int edge = 0;  ///< of which it is part: 1, 2, ...
+    int marker = 0;        ///< of the boundary that it belongs to; 0: none
+    int line = 0;          ///< in the file
+    int edge = 0;          ///< of which it is part: 1, 2, ...
     /// Numbers of the domains on its two sides, 0: outside; not given: kAnyDomain.
     int left = kAnyDomain, right = kAnyDomain;
     /// Of its ends along the edge, if that is curved.
@@ -36,6 +36,7 @@ struct PlanarDomain {
   std::map<int, Curve> curves;             ///< by edge; the others are straight
   std::map<int, std::string> domainNames;  ///< by number
   std::map<int, double> domainSizes;       ///< by number: a size of its own
+  std::map<int, std::string> markerNames;  ///< by marker, if the file gives it a name
   std::vector<Point2> holes;               ///< one point in each region to be left out
   /// A point in a region, and the number of the domain that it belongs to.
   struct RegionPoint {

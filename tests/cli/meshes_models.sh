@@ -64,6 +64,19 @@ printf 'segments\n1 0 3 1 2 3\n1 0 2 3 4\n1 0 2 4 1\n' >>quarter.in2d
 expect 0 "$af2" mesh quarter.in2d --size 0.2 --curvature 40 --report quarter.json
 [ "$(json quarter.json groups 0 name)" = 'domain 1' ] || fail "the domain of an .in2d file is no group"
 
+printf '4 2 0 0\n1 0 0\n2 1 0\n3 1 1\n4 0 1\n4 1\n1 1 2 3\n2 2 3 3\n3 3 4 0\n4 4 1 0\n0\n' >marked.poly
+expect 0 "$af2" mesh marked.poly --size 0.5 -o marked.msh --report marked.json
+[ "$(json marked.json groups 0 edges)" = '[1, 2]' ] || fail "the report does not tell of the boundary"
+grep -aq '^1 3 "boundary 3"$' marked.msh || fail "the boundary of a .poly file is no physical group"
+expect 0 "$af2" inspect marked.poly
+grep -Eq '^ +2  3 +$' out || fail "inspect does not list the boundary"
+expect 0 "$af2" mesh marked.poly --size 0.5 --edges -o marked.msh
+grep -aq '^1 6 "edge 3"$' marked.msh || fail "--edges did nothing for a .poly file"
+expect 0 "$af2" mesh "$models/cylinder.step" --size 1 --edges -o edges.msh -o edges.vtu
+grep -aq '^1 2 "edge 2"$' edges.msh || fail "--edges did nothing for a STEP file"
+expect 2 "$af2" mesh "$models/cylinder.step" --size 1 --edges -o edges.stl
+told 'cannot hold line elements'
+
 expect 0 "$af2" mesh "$models/cylinder.step" --size 1 --quiet
 [ ! -s out ] && [ ! -s err ] || fail "--quiet printed something"
 

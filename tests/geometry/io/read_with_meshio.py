@@ -8,8 +8,8 @@ directory = sys.argv[1]
 FACES = [1, 1, 2, 2, 3, 3, 4, 4, 5, 5]
 
 
-def read(extension):
-    return meshio.read(f"{directory}/cube{extension}")
+def read(extension, name="cube"):
+    return meshio.read(f"{directory}/{name}{extension}")
 
 
 def surface_area(mesh):
@@ -63,3 +63,38 @@ for extension in [".vtu", ".msh"]:
         corners = mesh.points[cells[:, :size]]
         middles = (corners + np.roll(corners, -1, axis=1)) / 2
         assert np.abs(mesh.points[cells[:, size:]] - middles).max() < 1e-15, extension
+
+# Lines along edges: those of boundaries, or of all edges.
+TOP = [[4, 5], [5, 6], [6, 7], [7, 4]]
+for extension in [".vtu", ".vtk"]:
+    marked = read(extension, "marked")
+    assert marked.cells_dict["line"].tolist() == TOP[:3], extension
+    assert marked.cell_data_dict["edge"]["line"].tolist() == [1, 2, 3], extension
+    assert marked.cell_data_dict["boundary"]["line"].tolist() == [5, -2, 5], extension
+    assert marked.cell_data_dict["boundary"]["quad"].tolist() == [0], extension
+    assert marked.cell_data_dict["face"]["triangle"].tolist() == FACES, extension
+    assert marked.cell_data_dict["face"]["line"].tolist() == [0, 0, 0], extension
+    assert np.isnan(marked.cell_data_dict["quality"]["line"]).all(), extension
+    lines = read(extension, "lines")
+    assert lines.cells_dict["line"].tolist() == TOP, extension
+    assert lines.cell_data_dict["boundary"]["line"].tolist() == [5, -2, 5, 0], extension
+fields = read(".vtu", "marked").field_data
+assert fields["boundary: 5"].tolist() == [1, 3] and fields["boundary: inlet"].tolist() == [2]
+
+marked, lines = read(".msh", "marked"), read(".msh", "lines")
+PLACES = read(".vtu").points[TOP]  # points of an .msh file stand in another order
+assert (marked.points[marked.cells_dict["line"]] == PLACES[:3]).all()
+assert marked.cell_data_dict["gmsh:geometrical"]["line"].tolist() == [1, 2, 3]
+assert marked.cell_data_dict["gmsh:physical"]["line"].tolist() == [5, 6, 5]
+assert marked.field_data["boundary 5"].tolist() == [5, 1] and marked.field_data["inlet"].tolist() == [6, 1]
+assert "edge 4" not in marked.field_data
+assert lines.cell_data_dict["gmsh:physical"]["line"].tolist() == [5, 6, 5, 6 + 4]
+assert lines.field_data["edge 4"].tolist() == [10, 1]
+assert marked.cell_data_dict["gmsh:physical"]["triangle"].tolist() == FACES
+
+for extension in [".vtu", ".msh"]:
+    mesh = read(extension, "lines2")
+    corners = mesh.cells_dict["line3"]
+    assert (mesh.points[corners[:, :2]] == PLACES).all(), extension
+    middles = mesh.points[corners[:, :2]].mean(axis=1)
+    assert np.abs(mesh.points[corners[:, 2]] - middles).max() < 1e-15, extension

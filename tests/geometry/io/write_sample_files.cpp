@@ -11,7 +11,6 @@ namespace {
 /// With straight sides.
 af2::geometry::ModelMesh cubeOfSecondOrder() {
   af2::geometry::ModelMesh mesh = af2::geometry::cubeMesh();
-  mesh.segments.clear();
   std::vector<af2::geometry::SideMiddles> middles;
   for (const af2::Element& element : mesh.elements) {
     const auto corners = element.vertices();
@@ -20,7 +19,15 @@ af2::geometry::ModelMesh cubeOfSecondOrder() {
       own[i] = 0.5 * (mesh.vertices[corners[i].value] +
                       mesh.vertices[corners[(i + 1) % corners.size()].value]);
   }
+  for (af2::geometry::EdgeSegment& segment : mesh.segments)
+    segment.middle = 0.5 * (mesh.vertices[segment.from.value] + mesh.vertices[segment.to.value]);
   makeSecondOrder(mesh, middles);
+  return mesh;
+}
+
+/// Edges 1 and 3 are boundary 5, edge 2 has a name and a number that files cannot have.
+af2::geometry::ModelMesh withBoundaries(af2::geometry::ModelMesh mesh) {
+  mesh.boundaries = {{-2, "inlet", {2}}, {5, "", {1, 3}}};
   return mesh;
 }
 
@@ -29,10 +36,13 @@ af2::geometry::ModelMesh cubeOfSecondOrder() {
 int main(int, char** arguments) {
   const std::filesystem::path directory = arguments[1];
   for (const af2::geometry::MeshFormat& format : af2::geometry::meshFormats()) {
-    af2::geometry::writeMesh(af2::geometry::cubeMesh(),
-                             directory / ("cube" + std::string(format.extension)));
-    if (format.holdsSecondOrder)
-      af2::geometry::writeMesh(cubeOfSecondOrder(),
-                               directory / ("cube2" + std::string(format.extension)));
+    const std::string extension(format.extension);
+    using namespace af2::geometry;
+    writeMesh(cubeMesh(), directory / ("cube" + extension));
+    writeMesh(withBoundaries(cubeMesh()), directory / ("marked" + extension));
+    writeMesh(withBoundaries(cubeMesh()), directory / ("lines" + extension), LinesAlong::AllEdges);
+    if (!format.holdsSecondOrder) continue;
+    writeMesh(cubeOfSecondOrder(), directory / ("cube2" + extension));
+    writeMesh(cubeOfSecondOrder(), directory / ("lines2" + extension), LinesAlong::AllEdges);
   }
 }

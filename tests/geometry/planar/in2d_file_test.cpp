@@ -72,6 +72,18 @@ TEST(In2dFile, GivesDomainsAsGroupsAndLeavesHolesOut) {
     EXPECT_EQ(result.wantedSizes[v], length(result.vertices[v]) < 1 + 1e-9 ? 0.15 : 0.5);
 }
 
+TEST(In2dFile, GivesBoundariesByNumberAndByName) {
+  const std::string square = "splinecurves2dv2\n2\npoints\n1 0 0\n2 1 0\n3 1 1\n4 0 1\nsegments\n";
+  const ModelMesh result =
+      mesh(square +
+               "1 0 2 1 2 -bc=4\n1 0 2 2 3 -bcname=inlet\n1 0 discretepoints 3 1 1 0.5 1 0 1\n"
+               " -bc=2 -bcname=wall\n1 0 2 4 1 -bc=wall\n",
+           0.2);
+  const std::vector<EdgeGroup> expected{{2, "wall", {3, 4}}, {4, "", {1}}, {5, "inlet", {2}}};
+  EXPECT_EQ(result.boundaries, expected);
+  EXPECT_THROW(read(square + "1 0 2 1 2 -bc=4 -bcname=a\n1 0 2 2 3 -bc=4 -bcname=b\n"), InputError);
+}
+
 TEST(In2dFile, HasBSplinesWithEqualKnots) {
   // Of order 3 with three poles it is a parabola; of order 2, straight from pole to pole.
   const PlanarCurves curves = read(

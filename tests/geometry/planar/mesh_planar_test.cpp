@@ -49,6 +49,31 @@ TEST_F(PlanarMeshing, RefusesSizesThatAskForTooManyElements) {
   EXPECT_THROW(mesh(kSquareWithHole), InputError);
 }
 
+TEST_F(PlanarMeshing, KnowsWhichSegmentsAreMarkedAsBoundaries) {
+  options.size = 0.5;
+  // The hole is unmarked, the last segment lies on half of the one marked 7.
+  const ModelMesh result = mesh(
+      "9 2 0 0\n1 0 0\n2 4 0\n3 4 4\n4 0 4\n5 1 1\n6 3 1\n7 3 3\n8 1 3\n9 2 0\n"
+      "9 1\n1 1 2 7\n2 2 3 -3\n3 3 4 7\n4 4 1 0\n5 5 6 0\n6 6 7 0\n7 7 8 0\n8 8 5 0\n"
+      "9 1 9 4\n1\n1 2 2\n");
+  EXPECT_TRUE(checkModelMesh(result).empty());
+  const std::vector<EdgeGroup> expected{{-3, "", {2}}, {7, "", {1, 3}}};
+  EXPECT_EQ(result.boundaries, expected);
+  ASSERT_EQ(result.notes.size(), 1u);
+  EXPECT_NE(result.notes[0].find("line 20: this segment lies on that of line 12"),
+            std::string::npos)
+      << result.notes[0];
+}
+
+TEST_F(PlanarMeshing, TakesTheMarkerOfWhicheverOfTwoEqualSegmentsHasOne) {
+  options.size = 1;
+  const ModelMesh result =
+      mesh("3 2 0 0\n1 0 0\n2 4 0\n3 0 4\n4 1\n1 1 2 0\n2 2 3 0\n3 3 1 0\n4 2 1 9\n0\n");
+  EXPECT_TRUE(checkModelMesh(result).empty());
+  EXPECT_EQ(result.boundaries, (std::vector<EdgeGroup>{{9, "", {4}}}));
+  EXPECT_TRUE(result.notes.empty());
+}
+
 TEST_F(PlanarMeshing, SharesVerticesBetweenRegions) {
   options.size = 0.5;
   const std::string withoutHole = kSquareWithHole.substr(0, kSquareWithHole.size() - 8) + "0\n";

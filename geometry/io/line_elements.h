@@ -1,0 +1,26 @@
+// Line elements along the edges of a model, for conditions that hold at boundaries.
+#pragma once
+
+#include <vector>
+
+#include "geometry/model_mesh.h"
+
+namespace af2::geometry {
+
+/// Which edges of the model get line elements in files that can hold them.
+enum class LinesAlong {
+  Boundaries,  ///< those that the file of the model marks
+  AllEdges,
+};
+
+struct LineElement {
+  VertexId from, to;
+  VertexId middle;   ///< of second order; else none
+  int edge = 0;      ///< id of the model edge
+  int boundary = 0;  ///< its number; 0: the edge is in none
+};
+
+/// In the order of the edges and along them. Each is a side of some element of the mesh.
+std::vector<LineElement> lineElements(const ModelMesh& mesh, LinesAlong along);
+
+}  // namespace af2::geometry
