@@ -20,6 +20,7 @@
 #include <vector>
 
 #include "engine/error.h"
+#include "geometry/occ/closed_runs.h"
 #include "geometry/occ/lost_faces.h"
 #include "geometry/occ/readers.h"
 
@@ -68,8 +69,12 @@ TopoDS_Shape withDropped(const BRepBuilderAPI_Sewing& sewing, double tolerance) 
   return hasDropped ? TopoDS_Shape(all) : sewing.SewedShape();
 }
 
-TopoDS_Shape sewnAt(const TopoDS_Shape& shape, double tolerance) {
-  BRepBuilderAPI_Sewing sewing(tolerance);
+/// Edges may be cut where another one ends beside them.
+enum class Edges { Whole, Cut };
+
+TopoDS_Shape sewnAt(const TopoDS_Shape& shape, double tolerance, Edges edges) {
+  const bool all = true;
+  BRepBuilderAPI_Sewing sewing(tolerance, all, all, edges == Edges::Cut);
   sewing.SetNonManifoldMode(false);
   sewing.Add(shape);
   sewing.Perform();
@@ -92,12 +97,14 @@ TopoDS_Shape sewn(const TopoDS_Shape& shape, double diagonal) {
   if (before == 0) return shape;
   constexpr double kGap = 1e-4;  // mm
   const double gap = std::clamp(kGap, 1e-6 * diagonal, 1e-4 * diagonal);
-  const TopoDS_Shape narrowly = sewnAt(shape, gap);
+  const TopoDS_Shape whole = sewnAt(shape, gap, Edges::Whole);
+  if (!whole.IsNull() && freeEdges(whole) == 0) return whole;
+  const TopoDS_Shape narrowly = sewnAt(shape, gap, Edges::Cut);
   const int left = narrowly.IsNull() ? before : freeEdges(narrowly);
   if (left == 0) return narrowly;
   for (const double wider : {1e-5, 1e-4, 1e-3}) {
     if (wider * diagonal <= gap) continue;
-    const TopoDS_Shape closed = sewnAt(shape, wider * diagonal);
+    const TopoDS_Shape closed = sewnAt(shape, wider * diagonal, Edges::Cut);
     const bool isClosed = !closed.IsNull() && freeEdges(closed) == 0;
     if (isClosed && countFaces(closed) == countFaces(shape) &&
         isThickerThan(wider * diagonal, closed))
@@ -130,9 +137,9 @@ double diagonalOf(const TopoDS_Shape& shape) {
   return box.IsVoid() || box.IsOpen() ? 1 : std::sqrt(box.SquareExtent());
 }
 
-/// IGES gives each trimmed surface edges of its own; only sewn do neighbours share them. A group
-/// that closes by itself is a part: sewn along with others, it would grow together with those that
-/// it touches.
+/// IGES gives each trimmed surface edges of its own; only sewn do neighbours share them. A group,
+/// or a run of faces in one, that closes by itself is a part: sewn along with others, it would grow
+/// together with those that it touches.
 void sew(ReadShape& read) {
   const int before = freeEdges(read.shape);
   if (before == 0) return;
@@ -143,10 +150,12 @@ void sew(ReadShape& read) {
   TopoDS_Compound all, open;
   builder.MakeCompound(all);
   builder.MakeCompound(open);
-  for (const TopoDS_Shape& group : groups) {
-    const TopoDS_Shape part = sewn(group, diagonal);
-    freeEdges(part) == 0 ? builder.Add(all, part) : builder.Add(open, group);
-  }
+  constexpr double kSameEdge = 1e-5;  // of the diagonal
+  for (const TopoDS_Shape& group : groups)
+    for (const TopoDS_Shape& run : closedRuns(group, kSameEdge * diagonal)) {
+      const TopoDS_Shape part = sewn(run, diagonal);
+      freeEdges(part) == 0 ? builder.Add(all, part) : builder.Add(open, run);
+    }
   if (TopExp_Explorer(open, TopAbs_FACE).More()) builder.Add(all, sewn(open, diagonal));
   const int after = freeEdges(all);
   if (after >= before) return;

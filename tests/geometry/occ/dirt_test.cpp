@@ -2,6 +2,7 @@
 // are to blame.
 #include <gtest/gtest.h>
 #include <BRepAlgoAPI_Cut.hxx>
+#include <BRepAlgoAPI_Fuse.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_Transform.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
@@ -31,6 +32,7 @@ using std::numbers::pi;
 
 using testing::areaOf;
 using testing::mesh;
+using testing::modelOf;
 using testing::volumeOf;
 
 /// Every face complete, all checks passed, nothing crosses.
@@ -112,6 +114,28 @@ TopoDS_Shape movedUp(const TopoDS_Shape& shape, double height) {
   gp_Trsf up;
   up.SetTranslation({0, 0, height});
   return shape.Moved(up);
+}
+
+/// A bolt fills a hole: faces of both lie on each other, and four meet at the rims of the hole.
+TEST(Dirt, LooseFacesOfPartsThatTouchAreSewnPartByPart) {
+  const gp_Ax2 axis({2, 2, 0}, {0, 0, 1});
+  const TopoDS_Shape plate = BRepAlgoAPI_Cut(BRepPrimAPI_MakeBox(4, 4, 1).Shape(),
+                                             BRepPrimAPI_MakeCylinder(axis, 1, 1).Shape())
+                                 .Shape();
+  const TopoDS_Shape bolt =
+      BRepAlgoAPI_Fuse(BRepPrimAPI_MakeCylinder(axis, 1, 1).Shape(),
+                       BRepPrimAPI_MakeBox(gp_Pnt(0.5, 0.5, 1), 3, 3, 1).Shape())
+          .Shape();
+  std::vector<TopoDS_Shape> faces;
+  for (const TopoDS_Shape& part : {plate, bolt})
+    for (TopExp_Explorer it(part, TopAbs_FACE); it.More(); it.Next()) faces.push_back(it.Current());
+  const Model model = throughIges(testing::compoundOf(faces));
+  EXPECT_EQ(model.edgeCount(), modelOf(plate).edgeCount() + modelOf(bolt).edgeCount());
+  const ModelMesh result = mesh(model, 0.4);
+  const double ofPlate = 2 * (16 - pi) + 16 + 2 * pi, ofBolt = 2 * 9 + 12 + 2 * pi;
+  expectSound(result, ofPlate + ofBolt, 0.02);
+  expectClosed(result);
+  EXPECT_EQ(testing::eulerNumber(result), 0 + 2) << "a ring and a bolt";
 }
 
 /// How exact a file is, it may not say: a gap of a thousandth of the model is none if nothing else
