@@ -93,7 +93,11 @@ void append(std::vector<Diagnostic>& all, std::vector<Diagnostic> more) {
 int check(CheckOptions options) {
   options.files = expandRuleFiles(options.files);
   for (std::string& code : options.findings.allowed) {
-    if (const auto* known = dsl::findCodeExplanation(code)) code = known->code;
+    const auto* known = dsl::findCodeExplanation(code);
+    if (!known)
+      throw UsageError(
+          fmt::format("--allow '{}': there is no such code; `af2 explain-code` lists all", code));
+    code = known->code;
   }
   if (options.fix || options.diff) fixFiles(options);
   const Stopwatch watch;

@@ -20,6 +20,9 @@ namespace fs = std::filesystem;
 void checkReadable(const fs::path& model) {
   std::error_code ignored;
   const fs::file_status status = fs::status(model, ignored);
+  if (model == "-")
+    throw InputError(
+        "a model is read more than once, so not from standard input; write it to a file first");
   if (!fs::exists(status)) throw InputError(fmt::format("there is no file '{}'", model.string()));
   if (fs::is_directory(status)) {
     throw InputError(

@@ -122,6 +122,8 @@ void replaceAll(std::string& text, std::string_view word, std::string_view by) {
 
 /// A title as it stands between quotes in a rule file.
 std::string quoted(const std::string& title) {
+  if (title.find_first_not_of(' ') == std::string::npos)
+    throw UsageError("the title is empty; say in a few words what the rules are for");
   std::string text;
   for (const char c : title) {
     if (static_cast<unsigned char>(c) < 0x20) throw UsageError("a title must be plain text");

@@ -60,7 +60,8 @@ std::vector<int> parseIds(const std::string& option, const std::string& text) {
 double parsePositive(const std::string& option, const std::string& text, const std::string& what) {
   const auto number = parsed<double>(text);
   if (!number || !std::isfinite(*number) || *number <= 0)
-    throw UsageError(fmt::format("{} '{}': {} is a number greater than 0", option, text, what));
+    throw UsageError(fmt::format("{} '{}': {} is a number greater than 0{}", option, text, what,
+                                 text.find(',') == std::string::npos ? "" : ", written like 1.5"));
   return *number;
 }
 

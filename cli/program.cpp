@@ -4,16 +4,17 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
 #include <map>
 #include <new>
 #include <string>
 #include <string_view>
-#include <vector>
 
+#include "cli/command_faults.h"
 #include "cli/exit_code.h"
 #include "cli/usage_error.h"
-#include "dsl/words.h"
 #include "engine/error.h"
 
 namespace af2::cli {
@@ -24,14 +25,22 @@ void tell(const std::string& line) { std::fputs((line + "\n").c_str(), stderr); 
 
 void complain(const std::string& message) { tell("af2: error: " + message); }
 
-std::string firstLine(const std::string& text) { return text.substr(0, text.find('\n')); }
-
 int explainUsage(const CLI::App& program, const std::string& message) {
   const auto chosen = program.get_subcommands();
   const std::string verb = chosen.empty() ? "" : chosen.front()->get_name() + " ";
   complain(message);
   tell("try: af2 " + verb + "--help");
   return kUsage;
+}
+
+/// Of threads that cannot be started, of text that cannot be printed, of the file system.
+std::string faultOf(const std::exception& error) {
+  const std::string told = error.what();
+  if (told.starts_with("cannot write to file:"))
+    return "cannot write all of the output" + told.substr(told.find(':'));
+  if (told.starts_with("pthread_create"))
+    return told + "; give the program more memory, or fewer threads (--threads)";
+  return told;
 }
 
 int runAction(const CLI::App& program, const Action& action) {
@@ -47,8 +56,8 @@ int runAction(const CLI::App& program, const Action& action) {
     complain(fmt::format("this is a defect of AF2, please report it: {}", error.what()));
   } catch (const std::bad_alloc&) {
     complain("not enough memory; try a larger --size");
-  } catch (const std::exception& error) {  // of the file system, for one
-    complain(error.what());
+  } catch (const std::exception& error) {
+    complain(faultOf(error));
   }
   return kUnusable;
 }
@@ -63,23 +72,12 @@ std::string knownVerbs(std::span<const Verb> verbs) {
   return list;
 }
 
-/// What is wrong with the words of a command: a mistyped option rather than that the right one is
-/// missing.
-std::string faultOf(const CLI::App& program, const CLI::ParseError& error) {
-  const auto chosen = program.get_subcommands();
-  if (chosen.empty()) return firstLine(error.what());
-  std::vector<std::string> options;
-  for (const CLI::Option* option : chosen.front()->get_options())
-    for (const std::string& name : option->get_lnames()) options.push_back("--" + name);
-  const std::vector<std::string> strangers = chosen.front()->remaining();
-  for (const std::string& word : strangers) {
-    if (!word.starts_with('-')) continue;
-    const std::string name = word.substr(0, word.find('='));
-    const std::string help = dsl::didYouMean(name, options).text();
-    return fmt::format("there is no option '{}'{}{}", name, help.empty() ? "" : "; ", help);
-  }
-  return strangers.empty() ? firstLine(error.what())
-                           : fmt::format("'{}' is one word too many", strangers.front());
+/// What stands in the way of writing to standard output, if anything does. That nobody listens is
+/// no fault.
+std::string faultOfOutput() {
+  errno = 0;
+  if (std::fflush(stdout) == 0 || errno == EBADF || errno == EPIPE) return {};
+  return std::strerror(errno);
 }
 
 }  // namespace
@@ -104,7 +102,11 @@ int runProgram(std::span<const Verb> verbs, int count, char** arguments) {
   } catch (const CLI::ParseError& error) {
     return explainUsage(program, faultOf(program, error));
   }
-  return runAction(program, actions.at(program.get_subcommands().front()));
+  const int code = runAction(program, actions.at(program.get_subcommands().front()));
+  const std::string fault = code == kComplete ? faultOfOutput() : "";
+  if (fault.empty()) return code;
+  complain("cannot write all of the output: " + fault);
+  return kUnusable;
 }
 
 }  // namespace af2::cli

@@ -48,6 +48,24 @@ std::vector<Point2> matchedPositions(const RuleDefinition& rule, const EvalReque
   return points;
 }
 
+/// Names that GivenMatch does not ask for.
+void checkEnvironment(const RuleDefinition& rule, const EvalRequest& request) {
+  std::vector<std::string> names{"h", "loop_size", "dist_front", "curvature"};
+  for (const char* ofVertex : {"layer", "turn", "valence", "on_boundary"}) {
+    names.emplace_back(ofVertex);
+    for (const PatternVertex& vertex : rule.vertices)
+      names.push_back(std::string(ofVertex) + "(" + vertex.name + ")");
+  }
+  for (const auto& [name, value] : request.environment) {
+    if (std::ranges::find(names, name) != names.end()) continue;
+    const std::string help = didYouMean(name, names).text();
+    throw InputError("the environment has no '" + name + "'; " +
+                     (help.empty() ? "there are h, loop_size, dist_front, curvature, and of a "
+                                     "vertex c layer(c), turn(c), valence(c), on_boundary(c)"
+                                   : help));
+  }
+}
+
 bool matches(const RuleDefinition& rule, const std::vector<Point2>& at, int level,
              double tolerance) {
   const auto isWithin = [&](const std::optional<ToleranceByLevel>& form, Point2 deviation) {
@@ -157,6 +175,7 @@ EvalResult evaluateRule(const RuleSet& rules, const EvalRequest& request) {
   for (Point2 p : request.points) checkFinite(p, "a point");
   for (const auto& [p, q] : request.segments)
     checkFinite(p, "a segment"), checkFinite(q, "a segment");
+  checkEnvironment(definition, request);
 
   const GivenMatch match(definition, matchedPositions(definition, request), request.level,
                          request.environment);

@@ -106,6 +106,8 @@ Format formatOf(const fs::path& path) {
     throw InputError(path.string() + ": does not start like " +
                      (byName == Format::Iges ? "an " : "a ") + nameOf(byName) +
                      " file; it is damaged or something else, export the model again");
+  if (start.starts_with("\x1f\x8b") || start.starts_with("PK\x03\x04"))
+    throw InputError(path.string() + ": is compressed; unpack it first");
   throw InputError(path.string() +
                    ": is no STEP, IGES or BREP file; export the model as one of these");
 }

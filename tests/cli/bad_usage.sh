@@ -14,6 +14,11 @@ for size in 0 -1 nan inf 1mm; do
   usage "$af2" mesh "$cylinder" "--size=$size"; told 'greater than 0'
 done
 usage "$af2" mesh "$cylinder" --size=; told '--size'
+usage "$af2" mesh "$cylinder" --size=1,5; told 'written like 1.5'
+usage "$af2" mesh "$cylinder" --size; told '--size: its value is missing'
+usage "$af2" mesh "$cylinder" --size 1 --size 2; told '--size stands there 2 times'
+usage "$af2" mesh --size 1 -- -- a; told "'a' is one word too many"
+expect 1 "$af2" mesh --size 1 -- -x.step; told "there is no file '-x.step'"
 usage "$af2" mesh "$cylinder" --size 1 --sise 2; told "there is no option '--sise'; did you mean '--size'?"
 usage "$af2" mesh "$cylinder" --sise=2; told "there is no option '--sise'; did you mean '--size'?"
 usage "$af2" mesh "$cylinder" --size 1 -z; told "there is no option '-z'"
@@ -42,7 +47,8 @@ usage "$af2" mesh "$models/plate.poly" --size 1 --heal; told 'STEP, IGES and BRE
 usage "$af2" mesh "$cylinder" --size 1 --order 3; told 'order 1 or 2'
 usage "$af2" mesh "$cylinder" --size 1 --order 2 -o a.stl; told 'cannot hold elements of order 2'
 usage "$af2" mesh "$cylinder" --size 1 --threads -1; told '--threads'
-usage "$af2" mesh "$cylinder" --size 1 --threads two; told '--threads'
+usage "$af2" mesh "$cylinder" --size 1 --threads two; told "--threads 'two': give a whole number"
+unusable "$af2" mesh "$cylinder" --size 1e-300; told 'ask for more than'
 usage "$af2" mesh "$cylinder" --size 1 -o mesh.xyz; told '.vtu'
 usage "$af2" mesh "$cylinder" --size 1 -o mesh; told '.vtu'
 usage "$af2" mesh "$cylinder" --size 1 -o nowhere/a.vtu; told "mkdir -p"
@@ -65,6 +71,9 @@ unusable "$af2" mesh "$cylinder" --size 1 --sizes sizes.json; told 'sizes.json'
 
 unusable "$af2" mesh nothing.step --size 1; told "there is no file 'nothing.step'"
 unusable "$af2" mesh . --size 1; told 'is a directory'
+unusable "$af2" mesh - --size 1; told 'standard input'
+gzip -c "$cylinder" >packed.step.gz
+unusable "$af2" mesh packed.step.gz --size 1; told 'unpack it first'
 unusable "$af2" mesh "$cylinder" --size 1 -r nothing.af2; told "there is no rule file 'nothing.af2'"
 unusable "$af2" mesh "$cylinder" --size 1 -r "$models"; told 'is a directory'
 usage "$af2" inspect "$cylinder" --picture a.jpg; told '.svg nor .png'
@@ -74,6 +83,10 @@ unusable env AF2_RULES=/nowhere "$af2" mesh "$cylinder" --size 1; told 'AF2_RULE
 : >empty.step
 unusable "$af2" mesh empty.step --size 1 --report empty.json; told 'empty.step'
 [ "$(json empty.json status)" = failed ] || fail "no report of an empty file"
+if [ -w /dev/full ]; then
+  expect 1 bash -c '"$@" >/dev/full' - "$af2" inspect "$cylinder"; told 'cannot write all of the output'
+  expect 1 bash -c '"$@" >/dev/full' - "$af2" fmt "$2/rules/tri/classic.af2"; told 'cannot write all of the output'
+fi
 head -c 3000 "$cylinder" >cut.step
 unusable "$af2" mesh cut.step --size 1; told 'cut.step'
 sed 's/CYLINDRICAL_SURFACE/SPIRAL_SURFACE/' "$cylinder" >lost.step

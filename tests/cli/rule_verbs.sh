@@ -160,4 +160,15 @@ expect 2 "$af2" explain-code Q7; told 'Q7'
 rm -f out err
 left=$(find . -name '*.tmp')
 [ -z "$left" ] || fail "left behind: $left"
+# slips on the command line
+expect 2 "$af2" check; told 'files is required: rule files, folders of them, or - for stdin'
+expect 2 "$af2" check good.af2 --format xml; told "--format 'xml': there are pretty, json, sarif, gcc"
+expect 2 "$af2" check good.af2 --samples 0; told 'give a whole number from 1 to'
+expect 2 "$af2" check good.af2 --allow Q9; told "--allow 'Q9': there is no such code"
+expect 2 "$af2" eval good.af2 --rule right --level 1e9; told "--level '1e9': give a whole number"
+expect 2 "$af2" eval good.af2 --rule right --env turm=3; told "the environment has no 'turm'; did you mean 'turn'?"
+expect 0 "$af2" eval good.af2 --rule right --env 'turn(c)=120' --env h=2
+expect 2 "$af2" new rule ' '; told 'the title is empty'
+expect 2 "$af2" new rules x; told "what 'rules': there are ruleset, rule"
+
 finish
