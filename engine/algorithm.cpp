@@ -174,8 +174,8 @@ class Run {
   }
 
   void addVertices(const Application& application) {
-    for (const SurfacePoint& point : application.newPoints) {
-      result_.mesh.vertices.push_back(point);
+    for (const LiftedPoint& lifted : application.newPoints) {
+      result_.mesh.vertices.push_back(*lifted.point);
       valence_.push_back(0);
     }
   }
@@ -210,7 +210,7 @@ class Run {
         continue;
       }
       const auto k = static_cast<std::size_t>(v - rule.matchedCount);
-      const SurfacePoint& point = application.newPoints[k];
+      const SurfacePoint& point = *application.newPoints[k].point;
       const double size = checkedSizeAt(size_, point);
       walk_.push_back({PlaceId(), VertexId(firstNew + k), point, size, layer});
     }

@@ -85,7 +85,7 @@ bool staysUnfolded(const StepView& view, const Application& application) {
   const auto pointOf = [&](std::int8_t v) -> const SurfacePoint& {
     return v < rule.matchedCount
                ? view.front[application.places[static_cast<std::size_t>(v)]].point
-               : application.newPoints[static_cast<std::size_t>(v - rule.matchedCount)];
+               : *application.newPoints[static_cast<std::size_t>(v - rule.matchedCount)].point;
   };
   for (const RuleElement& element : rule.rule->definition().elements) {
     const auto n = static_cast<std::size_t>(element.size());
@@ -113,11 +113,12 @@ CandidateChoice::CandidateChoice(const CompiledRules& rules, const Front& front,
 
 StepView CandidateChoice::viewOf(const StepChart& chart, PlaceId base) const {
   const int level = front_[base].level;
-  return {front_, near_, chart, base, level, rules_.set().matchTolerance(level)};
+  return {front_, near_, chart, drawn_, base, level, rules_.set().matchTolerance(level)};
 }
 
 void CandidateChoice::gather(const StepChart& chart, PlaceId base) {
-  const double baseLength = chart.project(front_[front_.next(base)].point).position.x;
+  drawn_.draw(front_, chart, base);
+  const double baseLength = drawn_.b.point.position.x;
   near_.gather(front_, index_, chart, base, rules_.windowAt(front_[base].level, baseLength));
 }
 
@@ -160,11 +161,11 @@ void CandidateChoice::sortWorstFirst() {
 void CandidateChoice::collect(const StepView& view) {
   untried_.clear();
   matcher_.moveTo(view);
-  for (const CompiledRule& rule : rules_.rules()) {
-    if (view.level < rule.firstLevel || view.level > rule.lastLevel) continue;
-    matcher_.forEachMatch(rule, [&](const Match& match) {
+  for (const RuleAtLevel& at : rules_.rulesAt(view.level)) {
+    const CompiledRule& rule = *at.rule;
+    matcher_.forEachMatch(*at.pattern, [&](const Match& match) {
       ++examined_;
-      if (isInTheWay(view, rule, match)) return;
+      if (isInTheWay(at, match)) return;
       const std::size_t next = untried_.size();
       if (next == candidates_.size()) candidates_.emplace_back();
       Candidate& candidate = candidates_[next];
@@ -180,16 +181,15 @@ void CandidateChoice::collect(const StepView& view) {
 
 /// Whether an edge of the front next to the base is plainly in the zone of a match. In most steps
 /// one is in the zones of the best matches: these need neither a score nor a zone.
-bool CandidateChoice::isInTheWay(const StepView& view, const CompiledRule& rule,
-                                 const Match& match) const {
-  if (!rule.zone) return false;
-  const AffineBatch& zone = rule.zone->at(view.level);
+bool CandidateChoice::isInTheWay(const RuleAtLevel& at, const Match& match) const {
+  if (!at.zone) return false;
+  const FastZone& zone = *at.rule->zone;
   const Point2 *points = match.points.data(), *before = matcher_.beforeBase(),
                *after = matcher_.afterBase();
-  return (before && rule.zone->cornerAtA >= 0 &&
-          plainlyRunsInto(zone, rule.zone->cornerAtA, points, points[0], *before)) ||
-         (after && rule.zone->cornerAtB >= 0 &&
-          plainlyRunsInto(zone, rule.zone->cornerAtB, points, points[1], *after));
+  return (before && zone.cornerAtA >= 0 &&
+          plainlyRunsInto(*at.zone, zone.cornerAtA, points, points[0], *before)) ||
+         (after && zone.cornerAtB >= 0 &&
+          plainlyRunsInto(*at.zone, zone.cornerAtB, points, points[1], *after));
 }
 
 bool CandidateChoice::isBetter(const Candidate& one, const Candidate& other) const {
@@ -253,17 +253,16 @@ void CandidateChoice::searchZone(const StepView& view, const Candidate& candidat
                    {box.high.x + kSamePlace, box.high.y + kSamePlace}};
   for (const Neighborhood::Edge& edge : near_.edges()) {
     if (!lies(reach, edge.from)) continue;
-    const VertexId vertex = front_[edge.place].vertex;
-    if (matched.holdVertex(vertex)) continue;
+    if (matched.holdVertex(edge.vertex)) continue;
     if (!zone.contains(edge.from, ZoneBoundary::Counts) && !isAtNewVertex(candidate, edge.from))
       continue;
-    if (!visit(Refusal::ZoneHitByVertex, vertex, VertexId())) return;
+    if (!visit(Refusal::ZoneHitByVertex, edge.vertex, VertexId())) return;
   }
   for (const Neighborhood::Edge& edge : near_.edges()) {
-    if (!mayMeet(box, edge.from, edge.to) || matched.holdEdge(edge.place)) continue;
-    const Place& place = front_[edge.place];
-    if (place.level <= 0 || !zone.meets(edge.from, edge.to, ZoneBoundary::Ignored)) continue;
-    if (!visit(Refusal::ZoneHitByEdge, place.vertex, front_[place.next].vertex)) return;
+    if (!edge.isEdge || !mayMeet(box, edge.from, edge.to) || matched.holdEdge(edge.place)) continue;
+    if (!zone.meets(edge.from, edge.to, ZoneBoundary::Ignored)) continue;
+    const VertexId end = front_[front_.next(edge.place)].vertex;
+    if (!visit(Refusal::ZoneHitByEdge, edge.vertex, end)) return;
   }
 }
 
@@ -274,10 +273,10 @@ Refusal CandidateChoice::prepare(const StepView& view, const Candidate& candidat
     return Refusal::Inverted;
   application_.newPoints.clear();
   for (int k = 0; k < candidate.rule->newCount; ++k) {
-    const auto point = view.chart.lift(
-        candidate.match.points[static_cast<std::size_t>(candidate.rule->matchedCount + k)]);
-    if (!point || !holds(limits_, point->position)) return Refusal::Surface;
-    application_.newPoints.push_back(*point);
+    const auto v = static_cast<std::size_t>(candidate.rule->matchedCount + k);
+    application_.newPoints.emplace_back(view.chart, candidate.match.points[v]);
+    const auto& lifted = application_.newPoints.back().point;
+    if (!lifted || !holds(limits_, lifted->position)) return Refusal::Surface;
   }
   return view.chart.isPlane() || staysUnfolded(view, application_) ? Refusal::None
                                                                    : Refusal::Surface;
@@ -287,8 +286,9 @@ std::vector<RuleRefusal> CandidateChoice::obstacles(const StepChart& chart, Plac
   gather(chart, base);
   const StepView view = viewOf(chart, base);
   std::vector<RuleRefusal> found;
-  for (const CompiledRule& rule : rules_.rules()) {
-    for (const Match& match : matchesOf(view, rule)) {
+  for (const RuleAtLevel& at : rules_.rulesAt(view.level)) {
+    const CompiledRule& rule = *at.rule;
+    for (const Match& match : matchesOf(view, at)) {
       Candidate candidate{0, &rule, match};
       const Refusal reason = scorer_.evaluate(view, candidate);
       if (reason == Refusal::Require || reason == Refusal::NoValue) continue;
@@ -302,11 +302,10 @@ std::vector<RuleRefusal> CandidateChoice::obstacles(const StepChart& chart, Plac
 }
 
 /// Zone tests may gather anew, so matches are collected before they are tested.
-std::vector<Match> CandidateChoice::matchesOf(const StepView& view, const CompiledRule& rule) {
+std::vector<Match> CandidateChoice::matchesOf(const StepView& view, const RuleAtLevel& at) {
   std::vector<Match> matches;
-  if (view.level < rule.firstLevel || view.level > rule.lastLevel) return matches;
   matcher_.moveTo(view);
-  matcher_.forEachMatch(rule, [&](const Match& match) { matches.push_back(match); });
+  matcher_.forEachMatch(*at.pattern, [&](const Match& match) { matches.push_back(match); });
   return matches;
 }
 
@@ -314,16 +313,17 @@ std::vector<RuleRefusal> CandidateChoice::explain(const StepChart& chart, PlaceI
   gather(chart, base);
   const StepView view = viewOf(chart, base);
   std::vector<RuleRefusal> refusals;
-  for (const CompiledRule& rule : rules_.rules()) refusals.push_back(explainRule(view, rule));
+  for (const CompiledRule& rule : rules_.rules())
+    refusals.push_back({rule.index, Refusal::Class, {}, {}});
+  for (const RuleAtLevel& at : rules_.rulesAt(view.level))
+    refusals[at.rule->index] = explainRule(view, at);
   return refusals;
 }
 
-RuleRefusal CandidateChoice::explainRule(const StepView& view, const CompiledRule& rule) {
-  RuleRefusal result{rule.index, Refusal::Class, {}, {}};
-  if (view.level < rule.firstLevel || view.level > rule.lastLevel) return result;
-  result.reason = Refusal::Pattern;
-  for (const Match& match : matchesOf(view, rule)) {
-    const RuleRefusal refusal = explainMatch(view, rule, match);
+RuleRefusal CandidateChoice::explainRule(const StepView& view, const RuleAtLevel& at) {
+  RuleRefusal result{at.rule->index, Refusal::Pattern, {}, {}};
+  for (const Match& match : matchesOf(view, at)) {
+    const RuleRefusal refusal = explainMatch(view, *at.rule, match);
     if (refusal.reason > result.reason) result = refusal;
   }
   return result;

@@ -2,6 +2,7 @@
 // order of score and takes the first that is free.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "engine/candidate_score.h"
@@ -14,12 +15,19 @@
 
 namespace af2 {
 
+/// A new vertex on the surface, or nothing. The chart writes it where it stays: what has just been
+/// put together in pieces is slow to copy.
+struct LiftedPoint {
+  std::optional<SurfacePoint> point;
+  LiftedPoint(const StepChart& chart, Point2 inChart) : point(chart.lift(inChart)) {}
+};
+
 /// The chosen candidate, with everything that is needed to apply it.
 struct Application {
   const CompiledRule* rule = nullptr;
   double score = 0;
-  std::vector<PlaceId> places;          ///< by matched vertex
-  std::vector<SurfacePoint> newPoints;  ///< by new vertex, on the surface
+  std::vector<PlaceId> places;         ///< by matched vertex
+  std::vector<LiftedPoint> newPoints;  ///< by new vertex; none is missing
 };
 
 /// Reused from step to step; after the first steps nothing is allocated.
@@ -46,7 +54,7 @@ class CandidateChoice {
  private:
   void gather(const StepChart& chart, PlaceId base);
   void collect(const StepView& view);
-  bool isInTheWay(const StepView& view, const CompiledRule& rule, const Match& match) const;
+  bool isInTheWay(const RuleAtLevel& at, const Match& match) const;
   std::size_t bestUntried() const;
   void sortWorstFirst();
   bool isBetter(const Candidate& one, const Candidate& other) const;
@@ -56,9 +64,9 @@ class CandidateChoice {
   template <class Zone, class Visit>
   void searchZone(const StepView& view, const Candidate& candidate, Box2 box, const Zone& zone,
                   Visit&& visit);
-  std::vector<Match> matchesOf(const StepView& view, const CompiledRule& rule);
+  std::vector<Match> matchesOf(const StepView& view, const RuleAtLevel& at);
   Refusal prepare(const StepView& view, const Candidate& candidate);
-  RuleRefusal explainRule(const StepView& view, const CompiledRule& rule);
+  RuleRefusal explainRule(const StepView& view, const RuleAtLevel& at);
   RuleRefusal explainMatch(const StepView& view, const CompiledRule& rule, const Match& match);
   StepView viewOf(const StepChart& chart, PlaceId base) const;
 
@@ -67,6 +75,7 @@ class CandidateChoice {
   const FrontIndex& index_;
   const SizeField& size_;
   const std::vector<std::uint8_t>& valence_;
+  DrawnBase drawn_;
   Neighborhood near_;
   RuleMatcher matcher_;
   CandidateScorer scorer_;

@@ -307,40 +307,53 @@ void Window::include(const Window& other) {
 CompiledRules::CompiledRules(const RuleSet& rules, std::optional<int> onlyLevel)
     : set_(rules),
       fastMetric_(dynamic_cast<const ShapeSizeMetric*>(rules.definition().metric.get())) {
-  for (std::size_t i = 0; i < rules.rules().size(); ++i) {
-    const AF2Rule& rule = rules.rules()[i];
-    const RuleDefinition& definition = rule.definition();
-    CompiledRule compiled;
-    compiled.rule = &rule;
-    compiled.index = static_cast<std::uint16_t>(i);
-    compiled.firstLevel = definition.firstLevel;
-    compiled.lastLevel = definition.lastLevel.value_or(std::numeric_limits<int>::max());
-    compiled.matchedCount = rule.matchedCount();
-    compiled.newCount = rule.newCount();
-    compiled.patterns = patternsOf(definition);
-    compiled.newPoints = fastNewPoints(rule);
-    compiled.zone = fastZone(rule, rules.maxLevel());
-    compiled.isPlain = definition.requirements.empty() && !definition.cost;
-    rules_.push_back(std::move(compiled));
-  }
-
+  rules_.reserve(rules.rules().size());
+  for (const AF2Rule& rule : rules.rules()) addRule(rule);
+  byLevel_.resize(static_cast<std::size_t>(rules.maxLevel()));
   windows_.resize(static_cast<std::size_t>(rules.maxLevel()));
   for (int level = onlyLevel.value_or(1); level <= onlyLevel.value_or(rules.maxLevel()); ++level) {
-    const double tolerance = rules.matchTolerance(level);
-    for (double baseLength : kBaseLengths) {
-      Window window;
-      for (const CompiledRule& rule : rules_) {
-        if (level < rule.firstLevel || level > rule.lastLevel) continue;
-        window.include(matchWindow(rule, level, tolerance));
-        window.include(zoneWindow(rule, level, baseLength, tolerance));
-      }
-      windows_[static_cast<std::size_t>(level - 1)].push_back(window.widened(kWindowMargin));
+    collectRules(level);
+    makeWindows(level);
+  }
+}
+
+void CompiledRules::addRule(const AF2Rule& rule) {
+  const RuleDefinition& definition = rule.definition();
+  CompiledRule compiled;
+  compiled.rule = &rule;
+  compiled.index = static_cast<std::uint16_t>(rules_.size());
+  compiled.firstLevel = definition.firstLevel;
+  compiled.lastLevel = definition.lastLevel.value_or(std::numeric_limits<int>::max());
+  compiled.matchedCount = rule.matchedCount();
+  compiled.newCount = rule.newCount();
+  compiled.patterns = patternsOf(definition);
+  compiled.newPoints = fastNewPoints(rule);
+  compiled.zone = fastZone(rule, set_.maxLevel());
+  compiled.isPlain = definition.requirements.empty() && !definition.cost;
+  rules_.push_back(std::move(compiled));
+}
+
+void CompiledRules::collectRules(int level) {
+  for (const CompiledRule& rule : rules_)
+    if (level >= rule.firstLevel && level <= rule.lastLevel)
+      byLevel_[indexOf(level)].push_back(
+          {&rule, &rule.patternAt(level), rule.zone ? &rule.zone->at(level) : nullptr});
+}
+
+void CompiledRules::makeWindows(int level) {
+  const double tolerance = set_.matchTolerance(level);
+  for (double baseLength : kBaseLengths) {
+    Window window;
+    for (const RuleAtLevel& at : rulesAt(level)) {
+      window.include(matchWindow(*at.rule, level, tolerance));
+      window.include(zoneWindow(*at.rule, level, baseLength, tolerance));
     }
+    windows_[indexOf(level)].push_back(window.widened(kWindowMargin));
   }
 }
 
 Window CompiledRules::windowAt(int level, double baseLength) const {
-  const auto& row = windows_[static_cast<std::size_t>(std::clamp(level, 1, set_.maxLevel()) - 1)];
+  const auto& row = windows_[indexOf(level)];
   const auto bucket = std::lower_bound(kBaseLengths.begin(), kBaseLengths.end(), baseLength);
   if (bucket != kBaseLengths.end())
     return row[static_cast<std::size_t>(bucket - kBaseLengths.begin())];

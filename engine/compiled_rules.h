@@ -1,6 +1,7 @@
 // Rules made ready for the loop: binding steps, coefficient tables by level, search windows.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -111,24 +112,43 @@ struct CompiledRule {
   }
 };
 
+/// A rule at one level, with what it asks for there.
+struct RuleAtLevel {
+  const CompiledRule* rule = nullptr;
+  const CompiledPattern* pattern = nullptr;
+  const AffineBatch* zone = nullptr;  ///< of the fast form, if it has that
+};
+
 class CompiledRules {
  public:
   /// onlyLevel  for steps at one level alone: no windows are made for the others
   explicit CompiledRules(const RuleSet& rules, std::optional<int> onlyLevel = std::nullopt);
+  CompiledRules(const CompiledRules&) = delete;
+  CompiledRules& operator=(const CompiledRules&) = delete;
 
   const RuleSet& set() const { return set_; }
   /// The fast form of the rule set's metric, if it has it, else null.
   const ShapeSizeMetric* fastMetric() const { return fastMetric_; }
   const std::vector<CompiledRule>& rules() const { return rules_; }
+  /// Those that are used at a level, in order.
+  const std::vector<RuleAtLevel>& rulesAt(int level) const { return byLevel_[indexOf(level)]; }
   /// What a step at this level looks at first. It holds every place that a rule can match, and the
   /// free zones of typical matches; a zone that sticks out is fetched on its own.
   Window windowAt(int level, double baseLength) const;
 
  private:
+  std::size_t indexOf(int level) const {
+    return static_cast<std::size_t>(std::clamp(level, 1, set_.maxLevel()) - 1);
+  }
+  void addRule(const AF2Rule& rule);
+  void makeWindows(int level);
+  void collectRules(int level);
+
   const RuleSet& set_;
   const ShapeSizeMetric* fastMetric_;
   std::vector<CompiledRule> rules_;
-  std::vector<std::vector<Window>> windows_;  // [level - 1][base length bucket]
+  std::vector<std::vector<RuleAtLevel>> byLevel_;  // [level - 1]
+  std::vector<std::vector<Window>> windows_;       // [level - 1][base length bucket]
 };
 
 }  // namespace af2

@@ -28,7 +28,7 @@ void include(Box3& box, const Point3& p) {
 }  // namespace
 
 FrontIndex::FrontIndex(const Box3& box, double typicalLength)
-    : typicalLength_(typicalLength), origin_(box.low), bands_(kBands) {
+    : perSquaredLength_(4 / (typicalLength * typicalLength)), origin_(box.low), bands_(kBands) {
   for (int i = 0; i < kBands; ++i) {
     Band& band = bands_[static_cast<std::size_t>(i)];
     const double longest = typicalLength * std::ldexp(2.0, 2 * (i - kMiddleBand));
@@ -39,12 +39,12 @@ FrontIndex::FrontIndex(const Box3& box, double typicalLength)
   }
 }
 
-std::size_t FrontIndex::bandOf(double length) const {
+std::size_t FrontIndex::bandOf(double squaredLength) const {
   // Band i holds lengths in typical * [1/2, 2) * 4^(i - middle).
-  const double ratio = 2 * length / typicalLength_;
-  if ((ratio >= 1 && ratio < 4) || length == 0) return kMiddleBand;
-  const int exponent = std::ilogb(ratio);
-  const int band = kMiddleBand + (exponent >= 0 ? exponent / 2 : -((1 - exponent) / 2));
+  const double ratio = perSquaredLength_ * squaredLength;
+  if ((ratio >= 1 && ratio < 16) || squaredLength == 0) return kMiddleBand;
+  const int exponent = std::clamp(std::ilogb(ratio), -4 * kBands, 4 * kBands);
+  const int band = kMiddleBand + (exponent >= 0 ? exponent / 4 : -((3 - exponent) / 4));
   return static_cast<std::size_t>(std::clamp(band, 0, kBands - 1));
 }
 
@@ -108,11 +108,13 @@ std::size_t FrontIndex::collectNear(const Box3& box, std::vector<PlaceId>& found
 void FrontIndex::collectInRange(const Band& band, const CellRange& range, Search& search) const {
   const std::size_t mask = band.slots.size() - 1;
   constexpr std::int64_t kBlock = 4;
+  constexpr std::uint64_t kFew = 8;
+  const bool areMany = range.count() > kFew;
   for (std::int64_t z = range.low[2]; z <= range.high[2]; ++z) {
     for (std::int64_t y = range.low[1]; y <= range.high[1]; ++y) {
       for (std::int64_t x = range.low[0]; x <= range.high[0]; ++x) {
         const std::uint64_t key = keyOf(x, y, z);
-        if (!band.isBlockUsed[hash(blockOf(key)) & mask]) {
+        if (areMany && !band.isBlockUsed[hash(blockOf(key)) & mask]) {
           x |= kBlock - 1;  // on to the next block
           continue;
         }
@@ -140,10 +142,11 @@ void FrontIndex::collectInCell(const Cell& cell, Search& search) const {
 void FrontIndex::insert(const Front& front, PlaceId id) {
   const Point3& from = front[id].point.position;
   const Point3& to = front.hasEdge(id) ? front[front.next(id)].point.position : from;
-  const double length = distance(from, to);
-  const std::size_t bandIndex = bandOf(length);
+  const Point3 along = to - from;
+  const std::size_t bandIndex = bandOf(dot(along, along));
+  const double reach = 0.5 * std::max({std::abs(along.x), std::abs(along.y), std::abs(along.z)});
   Band& band = bands_[bandIndex];
-  band.reach = std::max(band.reach, 0.5 * length);
+  band.reach = std::max(band.reach, reach);
   firstBand_ = std::min(firstBand_, bandIndex);
   lastBand_ = std::max(lastBand_, bandIndex);
 
@@ -156,7 +159,7 @@ void FrontIndex::insert(const Front& front, PlaceId id) {
   const double farthest = std::max({std::abs(d.x), std::abs(d.y), std::abs(d.z)});
   Entry& entry = entries_[id.value];
   entry.edge = Four{static_cast<float>(d.x), static_cast<float>(d.y), static_cast<float>(d.z),
-                    roundedUp(0.5 * length, farthest)};
+                    roundedUp(reach, farthest)};
   entry.next = cell.first;
   entry.previous = PlaceId();
   entry.cell = static_cast<std::uint32_t>(bandIndex) << kBandShift | cellIndex;

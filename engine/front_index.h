@@ -47,6 +47,7 @@ class FrontIndex {
   };
   /// Four numbers in one register.
   using Four = float __attribute__((vector_size(16)));
+  using FourBits = std::int32_t __attribute__((vector_size(16)));
   /// Of one place: about where its edge is, and its neighbours in the list of its cell. All that a
   /// search looks at lies in one line of the cache.
   struct alignas(32) Entry {
@@ -61,7 +62,10 @@ class FrontIndex {
     Four center, half;  ///< along x, y, z; the fourth half is infinite
     bool mayMeet(const Entry& e) const {
       const Four away = e.edge - center, reach = half + e.edge[3];
-      const auto isNear = (away <= reach) & (-away <= reach);
+      constexpr std::int32_t kNoSign = 0x7fffffff;
+      const auto isNear =
+          std::bit_cast<Four>(std::bit_cast<FourBits>(away) &
+                              FourBits{kNoSign, kNoSign, kNoSign, kNoSign}) <= reach;
       const auto pairs = std::bit_cast<std::array<std::int64_t, 2>>(isNear);
       return (pairs[0] & pairs[1]) == -1;
     }
@@ -73,8 +77,9 @@ class FrontIndex {
   };
   struct Band {
     double cellSize = 1, inverseCellSize = 1;
-    Point3 origin;     ///< half a cell off, so that a front in a plane z = 0 keeps to one layer
-    double reach = 0;  ///< largest distance of an edge's points from its midpoint, so far
+    Point3 origin;  ///< half a cell off, so that a front in a plane z = 0 keeps to one layer
+    double reach =
+        0;  ///< largest distance of an edge's points from its midpoint along an axis, so far
     Box3 midpoints = kNowhere;  ///< holds them all
     std::size_t edges = 0;
     std::vector<Cell> cells;           ///< in order of first use
@@ -112,7 +117,7 @@ class FrontIndex {
     return static_cast<std::size_t>(key ^ (key >> 32));
   }
 
-  std::size_t bandOf(double length) const;
+  std::size_t bandOf(double squaredLength) const;
   static bool mayHold(const Band& band, const Box3& box);
   CellRange cellsAround(const Band& band, const Box3& box) const;
   std::uint64_t keyAt(const Band& band, const Point3& point) const;
@@ -138,7 +143,7 @@ class FrontIndex {
   static constexpr int kBands = 32;
   static constexpr std::uint32_t kBandShift = 27;  // an entry's cell: band in the high bits
 
-  double typicalLength_;
+  double perSquaredLength_;  // times the square of a length: its place among the bands
   Point3 origin_;
   std::vector<Band> bands_;
   std::size_t firstBand_ = kBands, lastBand_ = 0;  // of those that hold or have held an edge

@@ -35,6 +35,7 @@ class FrameDrawing {
  public:
   explicit FrameDrawing(const ProjectionFrame& f)
       : frame_(f),
+        origin_(f.origin),
         x_{f.xAxis.x, f.yAxis.x},
         y_{f.xAxis.y, f.yAxis.y},
         z_{f.xAxis.z, f.yAxis.z},
@@ -42,7 +43,7 @@ class FrameDrawing {
         centre_{f.centreX, 0} {}
 
   Drawn operator()(const SurfacePoint& point) const {
-    const Point3 d = point.position - frame_.origin;
+    const Point3 d = point.position - origin_;
     const Pair position =
         scale_ * (Pair{d.x, d.x} * x_ + Pair{d.y, d.y} * y_ + Pair{d.z, d.z} * z_);
     if constexpr (kKind == FrameKind::Plane) return {position, ChartView::Legal};
@@ -56,7 +57,8 @@ class FrameDrawing {
   }
 
  private:
-  const ProjectionFrame frame_;
+  const ProjectionFrame& frame_;
+  const Point3 origin_;
   const Pair x_, y_, z_, scale_, centre_;
 };
 
@@ -73,7 +75,33 @@ class ChartDrawing {
   const StepChart& chart_;
 };
 
+/// Hands the fastest drawing of a chart to `use`.
+template <class Use>
+void withDrawing(const StepChart& chart, const Use& use) {
+  if (!chart.frame()) return use(ChartDrawing(chart));
+  const ProjectionFrame& frame = *chart.frame();
+  if (chart.isPlane() && frame.bend != Point2{0, 0})
+    return use(FrameDrawing<FrameKind::Bent>(frame));
+  if (chart.isPlane()) return use(FrameDrawing<FrameKind::Plane>(frame));
+  if (frame.perspective != 0) return use(FrameDrawing<FrameKind::Central>(frame));
+  use(FrameDrawing<FrameKind::Folding>(frame));
+}
+
 }  // namespace
+
+void DrawnBase::draw(const Front& front, const StepChart& chart, PlaceId base) {
+  a.place = base;
+  b.place = front.next(base);
+  before.place = front.previous(base);
+  after.place = front.next(b.place);
+  withDrawing(chart, [&](const auto& drawing) {
+    for (Corner* corner : {&before, &a, &b, &after}) {
+      const Drawn drawn = drawing(front[corner->place].point);
+      corner->point.position = pointAt(drawn.position);
+      corner->point.view = drawn.view;
+    }
+  });
+}
 
 Box3 StepChart::boxOf(const Window& window, const Point3& origin) const {
   const Window w = frame_ && frame_->bend != Point2{0, 0} ? straightened(window) : window;
@@ -131,16 +159,7 @@ void Neighborhood::gather(const Front& front, const FrontIndex& index, const Ste
   window_ = window;
   foundCount_ = index.collectNear(chart.boxOf(window, front[base].point.position), found_);
   if (edges_.size() <= foundCount_) edges_.resize(2 * foundCount_ + 1);
-  if (chart.isPlane() && chart.frame()->bend != Point2{0, 0})
-    draw(front, FrameDrawing<FrameKind::Bent>(*chart.frame()));
-  else if (chart.isPlane())
-    draw(front, FrameDrawing<FrameKind::Plane>(*chart.frame()));
-  else if (chart.frame() && chart.frame()->perspective != 0)
-    draw(front, FrameDrawing<FrameKind::Central>(*chart.frame()));
-  else if (chart.frame())
-    draw(front, FrameDrawing<FrameKind::Folding>(*chart.frame()));
-  else
-    draw(front, ChartDrawing(chart));
+  withDrawing(chart, [&](const auto& drawing) { draw(front, drawing); });
 }
 
 /// Two short loops, and storing every edge before knowing whether it stays, keep the processor
@@ -156,7 +175,9 @@ void Neighborhood::draw(const Front& front, const Drawing& drawing) {
     edge->from = pointAt(from.position);
     edge->to = pointAt(to.position);
     edge->place = id;
+    edge->vertex = place.vertex;
     edge->view = from.view;
+    edge->isEdge = place.level > 0;
     const auto isInside =
         (larger(from.position, to.position) >= low) & (smaller(from.position, to.position) <= high);
     const bool isHidden = (from.view == ChartView::Hidden) & (to.view == ChartView::Hidden);

@@ -49,13 +49,26 @@ class StepChart {
   double unit_;
 };
 
+/// The base edge a -> b of a step and the corners of the front before and after it, in the chart.
+struct DrawnBase {
+  struct Corner {
+    PlaceId place;
+    ChartPoint point;
+  };
+  Corner before, a, b, after;
+
+  void draw(const Front& front, const StepChart& chart, PlaceId base);
+};
+
 /// Every edge of the front that may meet a window. The start points of the edges are the vertices.
 class Neighborhood {
  public:
   struct Edge {
     Point2 from, to;
     PlaceId place;
-    ChartView view;  ///< of the start point
+    VertexId vertex;  ///< the start point
+    ChartView view;   ///< of it
+    bool isEdge;      ///< false: nothing but the vertex
   };
 
   void gather(const Front& front, const FrontIndex& index, const StepChart& chart, PlaceId base,

@@ -11,6 +11,7 @@ struct Sector {
   Point2 center, next, previous;
 
   bool contains(Point2 d) const {
+    if (d == next || d == previous) return true;
     const bool leftOfNext = orientation(center, next, d) != Turn::Right;
     const bool rightOfPrevious = orientation(center, previous, d) != Turn::Left;
     if (leftOfNext && rightOfPrevious) return true;
@@ -41,10 +42,11 @@ bool placeIsOpenTo(const StepView& view, PlaceId id, Point2 center, Point2 d1, P
 /// The same for the ends a and b of the base, whose edge is drawn already.
 bool baseIsOpenTo(const StepView& view, const Match& match, Point2 first, Point2 last) {
   const Point2 a = match.points[0], b = match.points[1];
-  const PlaceId before = view.front.previous(match.places[0]), end = match.places[1];
-  return (!view.front.hasEdge(before) || Sector{a, b, positionOf(view, before)}.contains(first)) &&
-         (!view.front.hasEdge(end) ||
-          Sector{b, positionOf(view, view.front.next(end)), a}.contains(last));
+  const DrawnBase::Corner &before = view.drawn.before, &after = view.drawn.after;
+  return (!view.front.hasEdge(before.place) ||
+          Sector{a, b, before.point.position}.contains(first)) &&
+         (!view.front.hasEdge(match.places[1]) ||
+          Sector{b, after.point.position, a}.contains(last));
 }
 
 /// A vertex may stand on the front more than once; the place at which the new elements lie is the

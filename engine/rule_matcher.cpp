@@ -4,25 +4,37 @@ namespace af2 {
 
 void RuleMatcher::moveTo(const StepView& view) {
   view_ = &view;
-  const PlaceId a = view.base, b = view.front.next(a);
-  match_.places[0] = a;
-  match_.places[1] = b;
-  match_.points[0] = view.chart.project(view.front[a].point).position;
-  match_.points[1] = view.chart.project(view.front[b].point).position;
-  lookAt(view.front.next(b), afterBase_);
-  lookAt(view.front.previous(a), beforeBase_);
+  const DrawnBase& base = view.drawn;
+  match_.places[0] = base.a.place;
+  match_.places[1] = base.b.place;
+  match_.points[0] = base.a.point.position;
+  match_.points[1] = base.b.point.position;
+  look(base.before, view.front.hasEdge(base.before.place), before_);
+  look(base.after, view.front.hasEdge(base.b.place), after_);
 }
 
-const RuleMatcher::Candidate& RuleMatcher::after(PlaceId place) {
-  if (place == match_.places[1]) return afterBase_;
-  lookAt(view_->front.next(place), other_);
-  return other_;
+void RuleMatcher::look(const DrawnBase::Corner& corner, bool hasEdge, Beside& beside) const {
+  const auto vertexAt = [&](PlaceId id) { return view_->front[id].vertex; };
+  const VertexId vertex = vertexAt(corner.place);
+  beside.corner.place = corner.place;
+  beside.corner.point.position = corner.point.position;
+  beside.corner.point.view = corner.point.view;
+  beside.hasEdge = hasEdge;
+  beside.isOpen = hasEdge && corner.point.view == ChartView::Legal &&
+                  vertex != vertexAt(match_.places[0]) && vertex != vertexAt(match_.places[1]);
 }
 
-const RuleMatcher::Candidate& RuleMatcher::before(PlaceId place) {
-  if (place == match_.places[0]) return beforeBase_;
-  lookAt(view_->front.previous(place), other_);
-  return other_;
+const DrawnBase::Corner* RuleMatcher::neighbor(const BindingStep& step) {
+  const PlaceId from = placeOf(step.from);
+  const bool isAhead = step.kind == BindingStep::Kind::Next;
+  if (!(isAhead ? view_->front.hasEdge(from) : view_->front.hasEdgeBefore(from))) return nullptr;
+  const DrawnBase& base = view_->drawn;
+  if (from == (isAhead ? base.b : base.a).place) return isAhead ? &base.after : &base.before;
+  other_.place = isAhead ? view_->front.next(from) : view_->front.previous(from);
+  const ChartPoint point = view_->chart.project(view_->front[other_.place].point);
+  other_.point.position = point.position;
+  other_.point.view = point.view;
+  return &other_;
 }
 
 bool RuleMatcher::isBound(const CompiledPattern& pattern, std::size_t index, VertexId id) const {

@@ -83,8 +83,8 @@ void describe(SingleStep& step, const Scene& scene, const FrontPiece& piece,
   step.rule = rule.index;
   step.score = application.score;
   for (PlaceId id : application.places) step.matched.push_back(scene.front[id].vertex.value);
-  for (const SurfacePoint& p : application.newPoints)
-    step.newVertices.push_back({p.position.x, p.position.y});
+  for (const LiftedPoint& lifted : application.newPoints)
+    step.newVertices.push_back({lifted.point->position.x, lifted.point->position.y});
   for (const RuleElement& wanted : rule.rule->definition().elements) {
     std::vector<std::size_t> element;
     for (std::size_t i = 0; i < static_cast<std::size_t>(wanted.size()); ++i) {
