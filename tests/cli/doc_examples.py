@@ -3,7 +3,11 @@
 A block fenced as ```af2 is a rule file, or items of one, or a meta clause; what is missing is added.
 "```af2 finds A1" must have the finding A1, and "```af2 NAME.af2" is added to a file that grows through
 its page and is checked after each addition. Tests in the blocks must pass. Lines that begin with "$ af2"
-in ```console blocks are run, in one folder for each page; "# exit code 3" at the end says what is expected."""
+in ```console blocks are run, in one folder for each page; "# exit code 3" at the end says what is expected.
+The lines that follow must be among what the command prints, in their order, each as a part of one; "..."
+stands for anything, and so does every time in seconds.
+
+The page on the program names every option that --help does."""
 
 import json
 import os
@@ -57,17 +61,30 @@ def check(place, name, folder, code):
         failures.append(f"{place}:\n" + tested.stdout + tested.stderr)
 
 
+def lacks(printed, shown):
+    """The first line that is shown but was not printed."""
+    left = iter(printed.splitlines())
+    for line in shown:
+        if line.strip() in ("", "..."):
+            continue
+        form = re.escape(line.strip()).replace(r"\ ", " ").replace(r"\.\.\.", ".*")
+        form = re.sub(r"\d+(\\\.\d+)? s\b", "[0-9.]+ s", form)
+        if not any(re.search(form, other) for other in left):
+            return line
+    return None
+
+
 def commands(place, text, folder):
-    for line in text.splitlines():
-        if not line.startswith("$ af2 "):
+    for command, *shown in (part.splitlines() for part in re.split(r"^\$ (?=af2 )", text, flags=re.M)[1:]):
+        if not has_cad() and (".step" in command or ".brep" in command):
             continue
-        command = line[2:].replace("af2", f"'{PROGRAM}'", 1)
-        if not has_cad() and (".step" in line or ".brep" in line):
-            continue
-        wanted = int(line.partition("# exit code ")[2] or 0)
-        done = subprocess.run(command, shell=True, capture_output=True, text=True, cwd=folder, timeout=600)
+        wanted = int(command.partition("# exit code ")[2] or 0)
+        done = subprocess.run(command.replace("af2", f"'{PROGRAM}'", 1), shell=True, capture_output=True, text=True,
+                              cwd=folder, timeout=600)
         if done.returncode != wanted:
-            failures.append(f"{place}: exit code {done.returncode}: {line}\n{done.stdout}{done.stderr}")
+            failures.append(f"{place}: exit code {done.returncode}: {command}\n{done.stdout}{done.stderr}")
+        elif missing := lacks(done.stderr + done.stdout, shown):
+            failures.append(f"{place}: {command}\nprints no '{missing}', but\n{done.stderr}{done.stdout}")
 
 
 def examine(page):
@@ -95,6 +112,19 @@ def examine(page):
     return count
 
 
+def options_without_words():
+    """Those that `af2 VERB --help` lists, by their first long name, and the page on the program does not."""
+    page = (SOURCE / "docs" / "command-line.md").read_text(encoding="utf-8")
+    verbs = re.findall(r"^  (\S+) ", run("--help").stdout.partition("Subcommands:")[2], re.M)
+    for verb in verbs:
+        for option in re.findall(r"^  (?:-\w,)?(--[a-z-]+)", run(verb, "--help").stdout, re.M):
+            if option != "--help" and not re.search(re.escape(option) + r"\b", page):
+                failures.append(f"docs/command-line.md: af2 {verb} has an option {option}")
+    return len(verbs)
+
+
+if options_without_words() < 10:
+    failures.append("af2 --help lists no verbs")
 pages = [SOURCE / "README.md", *sorted((SOURCE / "docs").glob("*.md"))]
 total = sum(examine(page) for page in pages)
 print("\n".join(failures) if failures else f"all {total} examples are sound")

@@ -1,0 +1,46 @@
+"""Compiles the C++ of the documentation: doc_code.py COMPILER SOURCE.
+
+Each block fenced as ```cpp is the body of a function, in which `options` are those of a CAD model. Blocks that derive
+from a class of AF2 would need more; there are none."""
+
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+
+COMPILER, SOURCE = sys.argv[1], pathlib.Path(sys.argv[2])
+FENCE = re.compile(r"^```cpp\n(.*?)^```$", re.M | re.S)
+BEFORE = """
+#include <cmath>
+#include <memory>
+#include <optional>
+#include <span>
+
+#include "dsl/registry.h"
+#include "dsl/rule_file.h"
+#include "engine/algorithm.h"
+#include "engine/element_metric.h"
+#include "geometry/io/mesh_files.h"
+#include "geometry/occ/mesh_model.h"
+
+struct MyMetric final : af2::AF2ElementMetric {
+  std::optional<double> badness(std::span<const af2::Point2>) const override { return 0; }
+};
+"""
+
+code, count = BEFORE, 0
+for page in [SOURCE / "README.md", *sorted((SOURCE / "docs").glob("*.md"))]:
+    text = page.read_text(encoding="utf-8")
+    for block in FENCE.finditer(text):
+        count += 1
+        line = text.count("\n", 0, block.start()) + 2
+        code += f"void block{count}() {{\n[[maybe_unused]] af2::geometry::ModelMeshingOptions options;\n{{\n"
+        code += f'#line {line} "{page.relative_to(SOURCE)}"\n{block.group(1)}}}\n}}\n'
+
+with tempfile.TemporaryDirectory() as folder:
+    source = pathlib.Path(folder) / "blocks.cpp"
+    source.write_text(code, encoding="utf-8")
+    compiled = subprocess.run([COMPILER, "-std=c++20", "-fsyntax-only", f"-I{SOURCE}", source])
+print(f"{count} blocks of C++ compile" if compiled.returncode == 0 else "the C++ of the documentation does not compile")
+sys.exit(1 if compiled.returncode != 0 or count < 3 else 0)
