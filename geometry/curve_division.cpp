@@ -32,8 +32,25 @@ std::vector<CurvePlace> equalShares(std::span<const double> count, std::size_t s
   return places;
 }
 
-std::size_t wholeSegments(double count, std::size_t least) {
-  return std::max(least, static_cast<std::size_t>(std::max(1.0, std::floor(count + 0.5))));
+double turnAlong(std::span<const Point3> points) {
+  double turn = 0;
+  Point3 before = unit(points[1] - points[0]);
+  for (std::size_t i = 2; i < points.size(); ++i) {
+    const Point3 here = unit(points[i] - points[i - 1]);
+    turn += distance(before, here);
+    before = here;
+  }
+  const auto cells = static_cast<double>(points.size() - 1);
+  return cells > 1 ? turn * cells / (cells - 1) : 0;  // each chord turns half as much at its ends
+}
+
+std::size_t wholeSegments(double count, double byTurn, double share) {
+  constexpr double kStraight = 0.25;  // of the turn that a segment may have
+  constexpr double kRounding = 0.01;
+  const auto nearest = static_cast<std::size_t>(std::max(1.0, std::floor(count + 0.5)));
+  if (byTurn < kStraight * static_cast<double>(nearest)) return nearest;
+  const double enough = std::max(share * count, std::min(byTurn, count));
+  return std::max(nearest, static_cast<std::size_t>(std::ceil(enough - kRounding)));
 }
 
 void gradeTogether(std::vector<SampledCurve>& curves, std::size_t points, double growth) {

@@ -5,6 +5,8 @@
 #include <span>
 #include <vector>
 
+#include "engine/point.h"
+
 namespace af2::geometry {
 
 /// Lets sizes grow along a curve by no more than `growth` per unit of length.
@@ -29,8 +31,16 @@ struct CurvePlace {
 /// Where `segments` equal shares of the count end, but for the last.
 std::vector<CurvePlace> equalShares(std::span<const double> count, std::size_t segments);
 
-/// The whole number of segments that comes nearest to the count, at least `least`.
-std::size_t wholeSegments(double count, std::size_t least);
+/// By how much, in radians, the tangent turns along a curve, of which these are points.
+double turnAlong(std::span<const Point3> points);
+
+/// How many segments a curve gets that is `count` wanted sizes long: the nearest whole number, at
+/// least one. Where it turns and turns are to have their elements, so many that no segment is
+/// longer than wanted.
+///
+/// byTurn  as many as its turn asks for alone; 0 if turns are not to have their elements
+/// share   of the wanted sizes that those counted in `count` have where the curve turns
+std::size_t wholeSegments(double count, double byTurn, double share = 1);
 
 /// The ends of a curve among numbered points.
 struct CurveEnds {

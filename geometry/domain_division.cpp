@@ -149,12 +149,23 @@ class Division {
         std::min(size, sizes_.byPosition.turnLimit(radius, model_.leastAtTurns)));
   }
 
+  /// 0 if turns are not to have their elements.
+  double segmentsByTurn(std::size_t c) const {
+    const double mostTurn = sizes_.byPosition.turnOfSegment();
+    if (mostTurn == 0) return 0;
+    std::vector<Point3> points;
+    for (const double knot : model_.curves[c].knots)
+      points.push_back(model_.curves[c].pointAt(knot));
+    return turnAlong(points) / mostTurn;
+  }
+
   DividedEdge divided(std::size_t c, const SampledCurve& sizes,
                       const std::vector<double>& parameters, std::size_t least) {
     const DomainCurve& curve = model_.curves[c];
     const std::vector<double> count = segmentsAlong(sizes.arcLength, sizes.sizes);
     DividedEdge edge = begun(c);
-    for (const CurvePlace& place : equalShares(count, wholeSegments(count.back(), least))) {
+    const std::size_t segments = std::max(least, wholeSegments(count.back(), segmentsByTurn(c)));
+    for (const CurvePlace& place : equalShares(count, segments)) {
       const double t = place.between(parameters);
       add(t, curve.pointAt(t), edge);
     }

@@ -26,10 +26,14 @@ double DomainSize::at(const Point3& position, double size) const {
 double DomainSize::turnLimit(double radius, double gentleLeast) const {
   constexpr double kGentleTurn = std::numbers::pi / 4;
   const bool isAsked = options_->elementsPerTurn > 0;
-  const double turn = isAsked ? 2 * std::numbers::pi / options_->elementsPerTurn : kGentleTurn;
+  const double turn = isAsked ? turnOfSegment() : kGentleTurn;
   const double least =
       isAsked ? leastForLimits(options_->size, options_->minSize) : gentleLeast * options_->size;
   return std::max(turn * radius, least);
+}
+
+double DomainSize::turnOfSegment() const {
+  return options_->elementsPerTurn > 0 ? 2 * std::numbers::pi / options_->elementsPerTurn : 0;
 }
 
 double DomainSize::bounded(double size) const {

@@ -23,6 +23,8 @@ class DomainSize {
   /// The largest edges where a surface or a curve turns within `radius`. Unless turns were asked
   /// for, this goes down to `gentleLeast` times the wanted size.
   double turnLimit(double radius, double gentleLeast) const;
+  /// By how much a segment may turn, in radians, if turns were asked for; else 0.
+  double turnOfSegment() const;
   /// `size`, brought between the bounds of all sizes.
   double bounded(double size) const;
 

@@ -275,30 +275,10 @@ void tryCurve(EdgeSamples& samples, Use&& use) {
   if (!samples.problem.empty()) samples.pieces.clear();
 }
 
-/// By how much the tangent turns along a piece.
-double turnOf(const EdgePiece& piece) {
-  double turn = 0;
-  Point3 before = unit(piece.positions[1] - piece.positions[0]);
-  for (std::size_t i = 2; i < piece.positions.size(); ++i) {
-    const Point3 here = unit(piece.positions[i] - piece.positions[i - 1]);
-    turn += distance(before, here);
-    before = here;
-  }
-  const auto cells = static_cast<double>(piece.positions.size() - 1);
-  return cells > 1 ? turn * cells / (cells - 1) : 0;  // each chord turns half as much at its ends
-}
-
-/// How many segments a piece gets that is `count` wanted sizes long: the nearest whole number.
-/// Where turns are to have their elements, no segment that turns is longer than wanted.
 std::size_t segmentsOf(const EdgePiece& piece, double count, const ModelSizes& sizes) {
-  constexpr double kStraight = 0.25;  // of the turn that a segment may have
-  constexpr double kRounding = 0.01;
-  const std::size_t nearest = wholeSegments(count, 1);
-  if (sizes.elementsPerTurn == 0) return nearest;
-  const double byTurn = turnOf(piece) / sizes.edgeTurn;
-  if (byTurn < kStraight * static_cast<double>(nearest)) return nearest;
-  const double enough = std::max(sizes.curvedShare * count, std::min(byTurn, count));
-  return std::max(nearest, static_cast<std::size_t>(std::ceil(enough - kRounding)));
+  const bool isAsked = sizes.elementsPerTurn > 0;
+  return wholeSegments(count, isAsked ? turnAlong(piece.positions) / sizes.edgeTurn : 0,
+                       sizes.curvedShare);
 }
 
 /// Appends the ends of `segments` equal shares of the count, without the start of the piece.

@@ -1,5 +1,8 @@
 #include "geometry/planar/in2d_file.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "geometry/model_check.h"
 #include "tests/geometry/planar/poly_text.h"
 #include "tests/support/triangle_rules.h"
@@ -70,6 +73,21 @@ TEST(In2dFile, GivesDomainsAsGroupsAndLeavesHolesOut) {
   EXPECT_GT(face(1).elements, 200u) << "-maxh of the domain";
   for (std::size_t v = 0; v < result.vertices.size(); ++v)
     EXPECT_EQ(result.wantedSizes[v], length(result.vertices[v]) < 1 + 1e-9 ? 0.15 : 0.5);
+}
+
+TEST(In2dFile, HasNoSegmentThatTurnsByMoreThanWasAskedFor) {
+  const std::string quarter =
+      "splinecurves2dv2\n2\npoints\n1 1 0\n2 1 1\n3 0 1\n4 0 0\n"
+      "segments\n1 0 3 1 2 3\n1 0 2 3 4\n1 0 2 4 1\n";
+  const AF2Algorithm algorithm(testing::triangleSet());
+  for (const double perTurn : {12.0, 13.0, 15.0, 17.0}) {
+    PlanarMeshingOptions options;
+    options.size = 5;
+    options.elementsPerTurn = perTurn;
+    const ModelMesh result = meshPlanar(domainOf(read(quarter)), algorithm, options);
+    const auto segments = std::ranges::count(result.segments, 1, &EdgeSegment::edge);
+    EXPECT_EQ(segments, static_cast<long>(std::ceil(perTurn / 4))) << perTurn;
+  }
 }
 
 TEST(In2dFile, GivesBoundariesByNumberAndByName) {
