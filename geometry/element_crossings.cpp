@@ -49,8 +49,9 @@ void findParts(const ModelMesh& mesh, const ElementTree::Run& run, const Box3& w
 struct Patch {
   std::size_t first, last;
   int face;
-  ElementTree tree;
+  Box3 box;
   bool mayCrossItself = true;
+  ElementTree tree;  ///< of a patch that is held against one
 };
 
 class Search {
@@ -61,11 +62,12 @@ class Search {
     if (mesh_.elements.empty()) return {};
     split();
     pieces();
-    findTrees();
+    findShapes();
     Box3 all;
-    for (const Patch& patch : patches_) all.add(patch.tree.box());
+    for (const Patch& patch : patches_) all.add(patch.box);
     depth_ = kDepth * distance(all.low, all.high);
     const auto pairs = nearPairs();
+    growTrees(pairs);
     std::vector<std::vector<Crossing>> found(pairs.size());
     repeat_(pairs.size(), [&](std::size_t i) {
       searchPair(patches_[pairs[i].first], patches_[pairs[i].second], found[i]);
@@ -85,23 +87,33 @@ class Search {
   void split() {
     for (std::size_t i = 0; i < mesh_.elements.size(); ++i) {
       if (i == 0 || mesh_.face[i] != mesh_.face[i - 1])
-        patches_.push_back({i, i, mesh_.face[i], {}, true});
+        patches_.push_back({i, i, mesh_.face[i], {}, true, {}});
       patches_.back().last = i + 1;
     }
   }
 
-  void findTrees() {
+  void findShapes() {
     const PatchOutlines outlines(mesh_);
     findStarShapes(outlines);
     repeat_(patches_.size(), [&](std::size_t i) {
       Patch& patch = patches_[i];
+      for (std::size_t k = patch.first; k < patch.last; ++k)
+        for (const VertexId v : mesh_.elements[k].vertices())
+          patch.box.add(mesh_.vertices[v.value]);
       const PatchOutlines::Range range(patch.first, patch.last);
       patch.mayCrossItself = !isStarShaped_[rootOf(i)] &&
                              !outlines.canBeDrawn(patch.first, patch.last) &&
                              (isAlone_[rootOf(i)] || !outlines.isStarShaped({&range, 1}));
-      patch.tree = ElementTree(
-          mesh_, patch.first, patch.last,
-          patch.mayCrossItself ? ElementTree::Order::AlongCurve : ElementTree::Order::AsMade);
+    });
+  }
+
+  void growTrees(const std::vector<std::pair<std::size_t, std::size_t>>& pairs) {
+    std::vector<std::uint8_t> isNeeded(patches_.size(), 0);
+    for (const auto& [one, other] : pairs) isNeeded[one] = isNeeded[other] = 1;
+    repeat_(patches_.size(), [&](std::size_t i) {
+      if (!isNeeded[i]) return;
+      Patch& patch = patches_[i];
+      patch.tree = ElementTree(mesh_, patch.first, patch.last);
       if (patch.mayCrossItself)
         patch.tree.findFree([&](std::size_t first, std::size_t count, const std::uint32_t* places) {
           return canBeDrawn({mesh_, first, count, places});
@@ -147,8 +159,7 @@ class Search {
 
   std::vector<std::pair<std::size_t, std::size_t>> nearPairs() {
     std::vector<Box3> boxes;
-    for (const Patch& patch : patches_)
-      boxes.push_back(ElementTree::grown(patch.tree.box(), depth_));
+    for (const Patch& patch : patches_) boxes.push_back(ElementTree::grown(patch.box, depth_));
     const BoxTree tree(boxes);
     std::vector<std::pair<std::size_t, std::size_t>> pairs;
     for (std::size_t i = 0; i < patches_.size(); ++i) {

@@ -50,12 +50,12 @@ std::vector<std::uint32_t> alongCurve(std::size_t count, const Point& point) {
 
 }  // namespace
 
-ElementTree::ElementTree(const ModelMesh& mesh, std::size_t first, std::size_t last, Order order)
-    : first_(first), count_(last - first) {
-  if (order == Order::AlongCurve)
-    order_ = alongCurve(count_, [&](std::size_t i) -> const Point3& {
-      return mesh.vertices[mesh.elements[first + i].corners[0].value];
-    });
+ElementTree::ElementTree(const ModelMesh& mesh, std::size_t first, std::size_t last)
+    : first_(first),
+      count_(last - first),
+      order_(alongCurve(count_, [&](std::size_t i) -> const Point3& {
+        return mesh.vertices[mesh.elements[first + i].corners[0].value];
+      })) {
   levels_.emplace_back((count_ + kRun - 1) / kRun);
   for (std::size_t index = 0; index < levels_[0].size(); ++index) {
     const Run leaf = run(index);

@@ -11,20 +11,13 @@
 
 namespace af2::geometry {
 
-/// Over the elements from `first` to before `last`.
+/// Over the elements from `first` to before `last`, at least one. Leaves hold elements that follow
+/// each other on a curve that fills space: those made one after the other may lie far apart, as on
+/// both sides of a strip, and then boxes that are not along the axes all meet.
 class ElementTree {
  public:
-  /// In which order elements make up its leaves.
-  enum class Order {
-    AsMade,      ///< costs nothing; most elements lie near those made just before them
-    AlongCurve,  ///< along a curve that fills space: for holding a tree against itself
-  };
-
   ElementTree() = default;
-  ElementTree(const ModelMesh& mesh, std::size_t first, std::size_t last, Order order);
-
-  /// Around all of them.
-  const Box3& box() const { return levels_.back()[0]; }
+  ElementTree(const ModelMesh& mesh, std::size_t first, std::size_t last);
 
   /// The elements of a leaf.
   struct Run {
@@ -32,17 +25,14 @@ class ElementTree {
     std::size_t first, last;  ///< their places in the order of the tree
     const Box3& box;
 
-    std::size_t element(std::size_t place) const {
-      return tree.first_ + (tree.order_.empty() ? place : tree.order_[place]);
-    }
+    std::size_t element(std::size_t place) const { return tree.first_ + tree.order_[place]; }
   };
 
   /// Calls visit(run, otherRun) for each pair of runs of this tree and of the other whose boxes
   /// come nearer to each other than `gap`. Of a tree with itself each pair comes once.
   template <class Visit>
   void forEachNear(const ElementTree& other, double gap, const Visit& visit) const {
-    if (box().meets(grown(other.box(), gap)))
-      walk({levels_.size() - 1, 0}, other, {other.levels_.size() - 1, 0}, gap, visit);
+    walk({levels_.size() - 1, 0}, other, {other.levels_.size() - 1, 0}, gap, visit);
   }
 
   /// Calls isFree(first, count, places) for large parts of the tree and then, where it said no, for
@@ -114,7 +104,7 @@ class ElementTree {
   }
 
   std::size_t first_ = 0, count_ = 0;
-  std::vector<std::uint32_t> order_;       ///< elements from first_ on; empty: as they are
+  std::vector<std::uint32_t> order_;       ///< elements, counted from first_
   std::vector<std::vector<Box3>> levels_;  ///< [0]: the leaves; each next: of the one before
   std::vector<std::vector<std::uint8_t>> isFree_;  ///< by level and node; empty: none is
 };

@@ -6,6 +6,7 @@
 #include <map>
 #include <random>
 
+#include "geometry/element_tree.h"
 #include "geometry/triangle_pair.h"
 
 namespace af2::geometry {
@@ -127,6 +128,29 @@ TEST(ElementCrossings, OfOnePlaceOfATubeAreFoundAmongMany) {
   const auto expected = bruteForce(mesh, 2e-9);
   EXPECT_GT(expected.size(), 10u);
   EXPECT_EQ(found, expected);
+}
+
+/// Long strips close to each other, askew in space, whose elements come in turn from both ends.
+TEST(ElementTree, BringsFewPairsOfStripsTogether) {
+  ModelMesh mesh;
+  constexpr std::size_t kSquares = 1000;
+  for (const double away : {0.0, 1.0}) {
+    const std::size_t first = mesh.vertices.size();
+    for (std::size_t i = 0; i <= kSquares; ++i)
+      for (const double y : {0.0, 1.0})
+        mesh.vertices.push_back(static_cast<double>(i) * unit({1, 1, 1}) + y * unit({1, -1, 0}) +
+                                away * unit({1, 1, -2}));
+    for (std::size_t n = 0; n < kSquares; ++n) {
+      const std::size_t i = first + 2 * (n % 2 == 0 ? n / 2 : kSquares - 1 - n / 2);
+      mesh.elements.push_back({{v(i), v(i + 2), v(i + 3), VertexId()}});
+      mesh.elements.push_back({{v(i), v(i + 3), v(i + 1), VertexId()}});
+    }
+  }
+  const ElementTree one(mesh, 0, 2 * kSquares), other(mesh, 2 * kSquares, 4 * kSquares);
+  std::size_t pairs = 0;
+  one.forEachNear(other, 0, [&](const auto&, const auto&) { ++pairs; });
+  EXPECT_GT(pairs, 0u);
+  EXPECT_LT(pairs, kSquares);  // of 62,500
 }
 
 TEST(ElementCrossings, DoNotDependOnTheOrderOfWork) {
