@@ -30,6 +30,18 @@ inline bool facesNormal(const Point3& corner, const Point3& ahead, const Point3&
   return facesNormal(cross(ahead - corner, behind - corner), normal);
 }
 
+/// Whether some corner of an element does not face the way the surface does there.
+inline bool leans(const Mesh& mesh, const Element& element) {
+  const auto c = element.vertices();
+  for (std::size_t i = 0; i < c.size(); ++i) {
+    const SurfacePoint& corner = mesh.vertices[c[i].value];
+    const Point3& ahead = mesh.vertices[c[(i + 1) % c.size()].value].position;
+    const Point3& behind = mesh.vertices[c[(i + c.size() - 1) % c.size()].value].position;
+    if (!facesNormal(corner.position, ahead, behind, corner.normal)) return true;
+  }
+  return false;
+}
+
 /// Whether an element turns left at each corner, in a chart. Exact for a triangle. A quadrilateral
 /// that is straight at a corner but for rounding does not: on the surface it could turn back there.
 inline bool turnsLeftEverywhere(std::span<const Point2> corners) {

@@ -112,7 +112,10 @@ FaceAttempt fillInParameters(const FaceTask& task, ChartKind kind, const Meshing
 }
 
 /// The whole face laid out in one plane.
-FaceAttempt fillLaidOut(const FaceTask& task, ChartKind kind, const MeshingOptions& options) {
+///
+/// mayLean  elements may lean against the surface as far as they like
+FaceAttempt fillLaidOut(const FaceTask& task, ChartKind kind, const MeshingOptions& options,
+                        bool mayLean = false) {
   const std::unique_ptr<PlaneMap> map = task.surface.makePlaneMap(kind);
   const LaidOutFront front = layOut(task.boundary.input, *map);
   const PlanePoints points;
@@ -130,7 +133,7 @@ FaceAttempt fillLaidOut(const FaceTask& task, ChartKind kind, const MeshingOptio
   }
   lift(attempt.result, front, task.boundary.input, *map);
   if (attempt.result.outcome == Outcome::Complete && attempt.fault.empty())
-    attempt.fault = faultOfLifted(attempt.result.mesh, front, task.boundary.input);
+    attempt.fault = faultOfLifted(attempt.result.mesh, front, task.boundary.input, mayLean);
   return attempt;
 }
 
@@ -180,17 +183,25 @@ FaceAttempt attemptWith(const FaceTask& task, ChartKind kind, int patience) {
 }
 
 FaceAttempt attemptLeaning(const FaceTask& task) {
+  const int patience = MeshingOptions{}.patience;
+  for (const ChartKind kind : {ChartKind::Developed, ChartKind::Conformal}) {
+    if (!task.surface.has(kind)) continue;
+    FaceAttempt attempt = guarded(task, patience, [&](const MeshingOptions& options) {
+      return fillLaidOut(task, kind, options, true);
+    });
+    attempt.chart = kind;
+    return attempt;
+  }
   const WithoutNormals surface(*task.surface.inParameters());
   const MetricChartMaker charts(surface, MetricOrder::First);
   const FrontInput input = withoutNormals(task.boundary.input);
-  FaceAttempt attempt =
-      guarded(task, MeshingOptions{}.patience, [&](const MeshingOptions& options) {
-        FaceAttempt filled;
-        filled.result = task.algorithm.execute(charts, input, task.size, options);
-        if (filled.result.outcome == Outcome::Complete)
-          filled.fault = faultOf(filled.result.mesh, boundaryOf(input));
-        return filled;
-      });
+  FaceAttempt attempt = guarded(task, patience, [&](const MeshingOptions& options) {
+    FaceAttempt filled;
+    filled.result = task.algorithm.execute(charts, input, task.size, options);
+    if (filled.result.outcome == Outcome::Complete)
+      filled.fault = faultOf(filled.result.mesh, boundaryOf(input));
+    return filled;
+  });
   attempt.chart = ChartKind::Affine;
   attempt.isOptimized = true;  // the optimiser knows folds by the normals
   return attempt;

@@ -11,9 +11,9 @@ namespace af2::geometry {
 /// patience  of the front, as in MeshingOptions
 FaceAttempt attemptWith(const FaceTask& task, ChartKind kind, int patience);
 
-/// The last way, for a curved face with loops that are closed in the parameters: with affine
-/// charts, but elements may lean against the surface as far as they like. The vertices of the mesh
-/// have no normals.
+/// The last way, for a curved face with loops that are closed in the parameters: laid out in a
+/// plane or with affine charts, but elements may lean against the surface as far as they like. The
+/// vertices of the mesh may have no normals.
 FaceAttempt attemptLeaning(const FaceTask& task);
 
 }  // namespace af2::geometry

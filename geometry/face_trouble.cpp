@@ -5,6 +5,7 @@
 #include <limits>
 #include <optional>
 
+#include "engine/element_shape.h"
 #include "engine/mesh_check.h"
 #include "geometry/boundary_crossings.h"
 #include "geometry/model_check.h"
@@ -48,11 +49,16 @@ void addFaults(const MeshingResult& result, const MeshBoundary& boundary,
   const auto at = [&](VertexId v) -> const Point3& {
     return result.mesh.vertices[v.value].position;
   };
+  const auto addElement = [&](const Element& element) {
+    const auto c = element.vertices();
+    for (std::size_t i = 0; i < c.size(); ++i)
+      addEdge(places, at(c[i]), at(c[(i + 1) % c.size()]), kFiner);
+  };
+  for (const Element& element : result.mesh.elements)
+    if (leans(result.mesh, element)) addElement(element);
   for (const MeshFault& fault : checkMesh(result.mesh, boundary)) {
     if (!fault.element.isNone()) {
-      const auto c = result.mesh.elements[fault.element.value].vertices();
-      for (std::size_t i = 0; i < c.size(); ++i)
-        addEdge(places, at(c[i]), at(c[(i + 1) % c.size()]), kFiner);
+      addElement(result.mesh.elements[fault.element.value]);
     } else if (!fault.from.isNone() && !fault.to.isNone()) {
       addEdge(places, at(fault.from), at(fault.to), kFiner);
     }

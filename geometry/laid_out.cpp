@@ -60,16 +60,7 @@ class LayingOut {
 };
 
 bool hasFold(const Mesh& mesh) {
-  for (const Element& element : mesh.elements) {
-    const auto c = element.vertices();
-    for (std::size_t i = 0; i < c.size(); ++i) {
-      const SurfacePoint& corner = mesh.vertices[c[i].value];
-      const Point3& ahead = mesh.vertices[c[(i + 1) % c.size()].value].position;
-      const Point3& behind = mesh.vertices[c[(i + c.size() - 1) % c.size()].value].position;
-      if (!facesNormal(corner.position, ahead, behind, corner.normal)) return true;
-    }
-  }
-  return false;
+  return std::ranges::any_of(mesh.elements, [&](const Element& e) { return leans(mesh, e); });
 }
 
 }  // namespace
@@ -108,11 +99,12 @@ void lift(MeshingResult& result, const LaidOutFront& front, const FrontInput& or
   for (VertexId& v : result.unused) v = idOf(v);
 }
 
-std::string faultOfLifted(const Mesh& mesh, const LaidOutFront& front, const FrontInput& original) {
+std::string faultOfLifted(const Mesh& mesh, const LaidOutFront& front, const FrontInput& original,
+                          bool mayLean) {
   // Where the two sides of a seam come together, edges may meet that were apart.
   if (front.hasTwins)
     if (std::string fault = faultOf(mesh, boundaryOf(original)); !fault.empty()) return fault;
-  return hasFold(mesh) ? "an element leans too far against the surface" : "";
+  return !mayLean && hasFold(mesh) ? "an element leans too far against the surface" : "";
 }
 
 }  // namespace af2::geometry

@@ -179,10 +179,10 @@ FaceSurface::FaceSurface(const Handle(Geom_Surface) & surface, const SplineSurfa
       break;
     }
     case GeomAbs_SurfaceOfExtrusion:
-      sweep_ = Sweep::Extrusion;
+      extrusion_ = Extrusion{toPoint(adaptor.Direction())};
       break;
     default:
-      break;
+      if (const auto spline = splineDefinitionOf(adaptor, box)) extrusion_ = extrusionOf(*spline);
   }
 }
 
@@ -348,7 +348,7 @@ std::unique_ptr<AF2LocalTransformMaker> FaceSurface::normalLineCharts() const {
 std::unique_ptr<PlaneMap> FaceSurface::makePlaneMap(ChartKind kind) const {
   if (kind == ChartKind::Developed) {
     if (unrolled_) return std::make_unique<UnrolledMap>(*unrolled_);
-    if (sweep_ == Sweep::Extrusion) return makeExtrusionMap(parametric_, box_);
+    if (extrusion_) return makeExtrusionMap(parametric_, box_, *extrusion_);
   }
   if (kind == ChartKind::Conformal) {
     if (const auto* torus = std::get_if<TorusSurface>(&surface_))

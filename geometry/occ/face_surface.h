@@ -17,6 +17,7 @@
 #include "geometry/occ/sharp_tips.h"
 #include "geometry/plane_map.h"
 #include "geometry/quadric_surfaces.h"
+#include "geometry/spline_extrusion.h"
 #include "geometry/unrolled_surfaces.h"
 
 namespace af2::geometry {
@@ -108,9 +109,9 @@ class FaceSurface final : public ChartedSurface {
   double extent_ = 0;
   double breadth_ = std::numeric_limits<double>::infinity();
   double creaseRadius_ = std::numeric_limits<double>::infinity();
-  /// Of a torus, a surface of revolution and an extrusion.
-  enum class Sweep { None, Torus, Revolution, Extrusion } sweep_ = Sweep::None;
-  AxisFrame sweepAxis_;  ///< of a surface of revolution without x and y; of an extrusion none
+  enum class Sweep { None, Torus, Revolution } sweep_ = Sweep::None;
+  AxisFrame sweepAxis_;                 ///< of a surface of revolution without x and y
+  std::optional<Extrusion> extrusion_;  ///< also of splines that are one
 };
 
 }  // namespace af2::geometry

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 namespace af2::geometry {
 
@@ -11,28 +12,38 @@ double senseOf(const GeneralSurface& surface) { return surface.isFlipped() ? -1 
 
 class ExtrusionMap final : public PlaneMap {
  public:
-  ExtrusionMap(const GeneralSurface& surface, const Point3& direction, double v,
-               LengthTable lengths)
+  /// lengths  of the curve across the direction
+  /// heights  along the direction
+  ExtrusionMap(const GeneralSurface& surface, const Extrusion& extrusion, double start,
+               LengthTable lengths, LengthTable heights)
       : surface_(surface),
-        direction_(direction),
-        v_(v),
-        sense_(senseOf(surface)),
-        lengths_(std::move(lengths)) {}
+        extrusion_(extrusion),
+        start_(start),
+        sense_(extrusion.isAlongU ? -senseOf(surface) : senseOf(surface)),
+        lengths_(std::move(lengths)),
+        heights_(std::move(heights)) {}
 
   Point2 flatten(const SurfacePoint& point) const override {
-    return {sense_ * lengths_.lengthAt(point.u), dot(point.position, direction_)};
+    return {sense_ * lengths_.lengthAt(extrusion_.isAlongU ? point.v : point.u),
+            dot(point.position, extrusion_.direction)};
   }
   SurfacePoint lift(Point2 place) const override {
-    const double u = lengths_.parameterAt(sense_ * place.x);
-    const double start = dot(surface_.frameAt(u, v_).position, direction_);
-    return surface_.pointAt(u, v_ + place.y - start);
+    const double across = lengths_.parameterAt(sense_ * place.x);
+    const auto [u, v] = at(across, start_);
+    const double low = dot(surface_.frameAt(u, v).position, extrusion_.direction);
+    const auto [liftedU, liftedV] = at(across, heights_.parameterAt(place.y - low));
+    return surface_.pointAt(liftedU, liftedV);
   }
 
  private:
+  std::pair<double, double> at(double across, double along) const {
+    return extrusion_.isAlongU ? std::pair{along, across} : std::pair{across, along};
+  }
+
   const GeneralSurface& surface_;
-  Point3 direction_;
-  double v_, sense_;
-  LengthTable lengths_;
+  Extrusion extrusion_;
+  double start_, sense_;
+  LengthTable lengths_, heights_;
 };
 
 class RevolutionMap final : public PlaneMap {
@@ -87,14 +98,26 @@ class RevolutionMap final : public PlaneMap {
 }  // namespace
 
 std::unique_ptr<PlaneMap> makeExtrusionMap(const GeneralSurface& surface,
-                                           const SplineSurface::Box& box) {
-  const Point3 direction = unit(surface.frameAt(box.u1, box.v1).dv);
-  auto lengths = LengthTable::make(box.u1, box.u2, [&](double u) {
-    const Point3 du = surface.frameAt(u, box.v1).du;
-    return length(du - dot(du, direction) * direction);
+                                           const SplineSurface::Box& box,
+                                           const Extrusion& extrusion) {
+  const bool alongU = extrusion.isAlongU;
+  const auto frameAt = [&](double across, double along) {
+    return alongU ? surface.frameAt(along, across) : surface.frameAt(across, along);
+  };
+  const auto [start, end] = alongU ? std::pair{box.u1, box.u2} : std::pair{box.v1, box.v2};
+  const auto [from, to] = alongU ? std::pair{box.v1, box.v2} : std::pair{box.u1, box.u2};
+  auto lengths = LengthTable::make(from, to, [&](double across) {
+    const SurfaceFrame frame = frameAt(across, start);
+    const Point3& d = alongU ? frame.dv : frame.du;
+    return length(d - dot(d, extrusion.direction) * extrusion.direction);
   });
-  if (!lengths) return nullptr;
-  return std::make_unique<ExtrusionMap>(surface, direction, box.v1, std::move(*lengths));
+  auto heights = LengthTable::make(start, end, [&](double along) {
+    const SurfaceFrame frame = frameAt(from, along);
+    return dot(alongU ? frame.du : frame.dv, extrusion.direction);
+  });
+  if (!lengths || !heights) return nullptr;
+  return std::make_unique<ExtrusionMap>(surface, extrusion, start, std::move(*lengths),
+                                        std::move(*heights));
 }
 
 std::unique_ptr<PlaneMap> makeRevolutionMap(const GeneralSurface& surface,

@@ -7,6 +7,7 @@
 #include "geometry/length_table.h"
 #include "geometry/occ/general_surface.h"
 #include "geometry/plane_map.h"
+#include "geometry/spline_extrusion.h"
 #include "geometry/unrolled_surfaces.h"
 
 namespace af2::geometry {
@@ -16,7 +17,8 @@ namespace af2::geometry {
 ///
 /// box  the part of the parameters that is laid out
 std::unique_ptr<PlaneMap> makeExtrusionMap(const GeneralSurface& surface,
-                                           const SplineSurface::Box& box);
+                                           const SplineSurface::Box& box,
+                                           const Extrusion& extrusion);
 
 /// Conformal: x goes with the angle around the axis, y with the integral of the length along the
 /// meridian over the distance from the axis. Null if the surface comes near the axis. The map keeps

@@ -92,6 +92,7 @@ TEST_F(LaidOut, FoldsAreSeen) {
                    Element{{VertexId(0), VertexId(2), VertexId(3), VertexId()}}};
   mesh.rule = {0, 0};
   EXPECT_NE(faultOfLifted(mesh, front, input), "");
+  EXPECT_EQ(faultOfLifted(mesh, front, input, true), "");
 }
 
 TEST_F(LaidOut, SizesAreThoseOfTheSurface) {

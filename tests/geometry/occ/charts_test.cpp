@@ -1,11 +1,18 @@
 // Whole faces through each kind of chart: complete, on the surface, and told in the report.
 #include <gtest/gtest.h>
 #include <BRepBuilderAPI_MakeEdge.hxx>
+#include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepPrimAPI_MakePrism.hxx>
 #include <BRepPrimAPI_MakeRevol.hxx>
+#include <BRep_Tool.hxx>
+#include <GeomConvert.hxx>
+#include <Geom_BSplineSurface.hxx>
 #include <Geom_BezierCurve.hxx>
+#include <Geom_RectangularTrimmedSurface.hxx>
 #include <TColgp_Array1OfPnt.hxx>
+#include <TopoDS.hxx>
 #include <TopoDS_Edge.hxx>
+#include <TopoDS_Face.hxx>
 
 #include <cmath>
 
@@ -125,6 +132,25 @@ TEST(Charts, AnExtrusionIsMeshedThroughEachThatItHas) {
       return p.x - (1 + 4 * t * (1 - t));
     });
     EXPECT_EQ(result.faces[0].chart, toString(kind));
+  }
+}
+
+/// From exchange and translation files they come as splines, with either parameter along.
+TEST(Charts, AnExtrusionIsDevelopedWhateverItIsStoredAs) {
+  const auto sheet = TopoDS::Face(BRepPrimAPI_MakePrism(profile(), gp_Vec(0, 3, 1)).Shape());
+  const Handle(Geom_BSplineSurface) spline =
+      GeomConvert::SurfaceToBSplineSurface(new Geom_RectangularTrimmedSurface(
+          BRep_Tool::Surface(sheet), 0.0, 1.0, 0.0, std::sqrt(10.0)));
+  spline->IncreaseDegree(3, 2);
+  for (const bool isExchanged : {false, true}) {
+    if (isExchanged) spline->ExchangeUV();
+    const ModelMesh result =
+        mesh(testing::modelOf(BRepBuilderAPI_MakeFace(spline, 1e-7).Shape()), 0.4, ChartKind::Auto);
+    expectOnSurface(result, 0.4, [](const Point3& p) {
+      const double t = (p.z - p.y / 3) / 4;
+      return p.x - (1 + 4 * t * (1 - t));
+    });
+    EXPECT_EQ(result.faces[0].chart, "developed");
   }
 }
 
