@@ -271,14 +271,21 @@ class Reader : RlsReader {
     next();
   }
 
-  void readMapPoint() {
-    RlsMapPoint point;
+  /// (X, Y)
+  template <class Point>
+  Point pointHere() {
+    Point point;
     point.span = now().span;
     expect("(");
     point.x = number();
     expect(",");
     point.y = number();
     expect(")");
+    return point;
+  }
+
+  void readMapPoint() {
+    auto point = pointHere<RlsMapPoint>();
     readRest(point);
     rule_.mapPoints.push_back(std::move(point));
     limit(rule_.mapPoints, kMostRlsPoints, "mappoints");
@@ -332,13 +339,7 @@ class Reader : RlsReader {
   }
 
   void readPoint(std::vector<RlsPoint>& points) {
-    RlsPoint point;
-    point.span = now().span;
-    expect("(");
-    point.x = number();
-    expect(",");
-    point.y = number();
-    expect(")");
+    auto point = pointHere<RlsPoint>();
     for (auto& row : point.rows)
       if (now().is("{")) row = readRow();
     point.span = cover(point.span, now().span);

@@ -85,15 +85,15 @@ class MeanNormalChart final : public AF2LocalTransform {
   double edgeLength_;
 };
 
-/// Makes the published chart on a Surface.
-template <class Surface>
-class MeanNormalChartMaker final : public ChartMaker<MeanNormalChartMaker<Surface>> {
+/// Makes charts of a kind on a Surface: Chart<Surface>, from the ends of the base edge, the length
+/// of the unit and limits.
+template <template <class> class Chart, class Surface>
+class LimitedChartMaker final : public ChartMaker<LimitedChartMaker<Chart, Surface>> {
  public:
-  explicit MeanNormalChartMaker(Surface surface, const ChartLimits& limits = {})
+  explicit LimitedChartMaker(Surface surface, const ChartLimits& limits = {})
       : surface_(std::move(surface)), limits_(limits) {}
 
-  MeanNormalChart<Surface> chart(const SurfacePoint& from, const SurfacePoint& to,
-                                 double edgeLength) const {
+  Chart<Surface> chart(const SurfacePoint& from, const SurfacePoint& to, double edgeLength) const {
     return {surface_, from, to, edgeLength, limits_};
   }
 
@@ -101,5 +101,9 @@ class MeanNormalChartMaker final : public ChartMaker<MeanNormalChartMaker<Surfac
   Surface surface_;
   ChartLimits limits_;
 };
+
+/// Makes the published chart.
+template <class Surface>
+using MeanNormalChartMaker = LimitedChartMaker<MeanNormalChart, Surface>;
 
 }  // namespace af2::geometry

@@ -58,19 +58,6 @@ class NormalLineChart final : public AF2LocalTransform {
 };
 
 template <class Surface>
-class NormalLineChartMaker final : public ChartMaker<NormalLineChartMaker<Surface>> {
- public:
-  explicit NormalLineChartMaker(Surface surface, const ChartLimits& limits = {})
-      : surface_(std::move(surface)), limits_(limits) {}
-
-  NormalLineChart<Surface> chart(const SurfacePoint& from, const SurfacePoint& to,
-                                 double edgeLength) const {
-    return {surface_, from, to, edgeLength, limits_};
-  }
-
- private:
-  Surface surface_;
-  ChartLimits limits_;
-};
+using NormalLineChartMaker = LimitedChartMaker<NormalLineChart, Surface>;
 
 }  // namespace af2::geometry

@@ -92,6 +92,20 @@ TEST(MeshRegion, MakesTheMeshAnewThatTheOptimiserSpoils) {
   EXPECT_EQ(remade.mesh, raw.mesh);
 }
 
+/// Each edge of the pieces is there once, and either given or there in the other direction, too.
+void expectFitTogether(const SplitRegion& split, const FrontInput& input) {
+  std::vector<std::pair<VertexId, VertexId>> edges;
+  for (const RegionPiece& piece : split.pieces)
+    for (const auto& [from, to] : boundaryOf(piece.input).edges)
+      edges.emplace_back(piece.vertices[from.value], piece.vertices[to.value]);
+  std::sort(edges.begin(), edges.end());
+  EXPECT_EQ(std::adjacent_find(edges.begin(), edges.end()), edges.end());
+  const MeshBoundary given = boundaryOf(input);
+  for (const auto& [from, to] : edges)
+    EXPECT_TRUE(given.contains(from, to) ||
+                std::binary_search(edges.begin(), edges.end(), std::pair(to, from)));
+}
+
 TEST(RegionSplit, LeavesSmallRegionsWhole) {
   const FrontInput input = square(.1);
   const SplitRegion split = splitRegion(input, kPlane, UniformSize(.1));
@@ -106,19 +120,9 @@ TEST(RegionSplit, KeepsTheAreaAndSharesCutEdges) {
         splitRegion(input, kPlane, UniformSize(.02), {areaOf(input) / (.433 * 4e-4) / 7});
     ASSERT_GT(split.pieces.size(), 2u);
     double area = 0;
-    std::vector<std::pair<VertexId, VertexId>> edges;
-    for (const RegionPiece& piece : split.pieces) {
-      area += areaOf(piece.input);
-      for (const auto& [from, to] : boundaryOf(piece.input).edges)
-        edges.emplace_back(piece.vertices[from.value], piece.vertices[to.value]);
-    }
+    for (const RegionPiece& piece : split.pieces) area += areaOf(piece.input);
     EXPECT_NEAR(area, areaOf(input), 1e-9);
-    std::sort(edges.begin(), edges.end());
-    EXPECT_EQ(std::adjacent_find(edges.begin(), edges.end()), edges.end());
-    const MeshBoundary given = boundaryOf(input);
-    for (const auto& [from, to] : edges)
-      EXPECT_TRUE(given.contains(from, to) ||
-                  std::binary_search(edges.begin(), edges.end(), std::pair(to, from)));
+    expectFitTogether(split, input);
   }
 }
 
@@ -159,16 +163,7 @@ TEST(RegionSplit, CutsTubesAcross) {
   const Point3& first = split.cutVertices.front().position;
   EXPECT_NEAR(first.z, 2, 2. / 32);
   EXPECT_GT(distance(split.cutVertices[15].position, first), 0.25);
-  std::vector<std::pair<VertexId, VertexId>> edges;
-  for (const RegionPiece& piece : split.pieces)
-    for (const auto& [from, to] : boundaryOf(piece.input).edges)
-      edges.emplace_back(piece.vertices[from.value], piece.vertices[to.value]);
-  std::sort(edges.begin(), edges.end());
-  EXPECT_EQ(std::adjacent_find(edges.begin(), edges.end()), edges.end());
-  const MeshBoundary given = boundaryOf(input);
-  for (const auto& [from, to] : edges)
-    EXPECT_TRUE(given.contains(from, to) ||
-                std::binary_search(edges.begin(), edges.end(), std::pair(to, from)));
+  expectFitTogether(split, input);
 }
 
 TEST(RegionSplit, DrawsReversedRegionsInTheMirror) {

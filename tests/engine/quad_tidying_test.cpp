@@ -38,9 +38,7 @@ TEST(QuadTidying, LeavesARegularGridAsItIs) {
 
 TEST(QuadTidying, PutsTwoTrianglesTogether) {
   QuadGrid grid(3);
-  const auto [a, b, c, d] = grid.element(1, 1).corners;
-  grid.element(1, 1) = {{a, b, c, {}}};
-  grid.addElement({{a, c, d, {}}});
+  grid.split(1, 1);
   EXPECT_EQ(tidied(grid), 1u);
   expectQuadsOnly(grid.mesh, 9, 16);
 }
@@ -76,9 +74,7 @@ TEST(QuadTidying, MakesQuadrilateralsOfTrianglesThatClosedAFront) {
   constexpr std::uint16_t kClosing = 7;
   QuadGrid grid(8);
   for (int i = 0; i < 8; ++i) {
-    const auto [a, b, c, d] = grid.element(i, 3).corners;
-    grid.element(i, 3) = {{a, b, c, {}}};
-    grid.addElement({{a, c, d, {}}});
+    grid.split(i, 3);
   }
   for (std::size_t e = 0; e < grid.mesh.elements.size(); ++e)
     if (!grid.mesh.elements[e].isQuad()) grid.mesh.rule[e] = kClosing;
@@ -118,18 +114,14 @@ TEST(QuadTidying, LeavesManyTrianglesSideBySide) {
   QuadGrid grid(4);
   for (int j = 0; j < 4; ++j)
     for (int i = 2; i < 4; ++i) {
-      const auto [a, b, c, d] = grid.element(i, j).corners;
-      grid.element(i, j) = {{a, b, c, {}}};
-      grid.addElement({{a, c, d, {}}});
+      grid.split(i, j);
     }
   EXPECT_EQ(tidied(grid), 0u);
 }
 
 TEST(QuadTidying, IsPartOfOptimising) {
   QuadGrid grid(3);
-  const auto [a, b, c, d] = grid.element(1, 1).corners;
-  grid.element(1, 1) = {{a, b, c, {}}};
-  grid.addElement({{a, c, d, {}}});
+  grid.split(1, 1);
   EXPECT_EQ(optimizeMesh(grid.mesh, boundaryOf(grid.input), FlatMaker()).replacements, 1u);
   expectQuadsOnly(grid.mesh, 9, 16);
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "engine/local_transform.h"
+#include "geometry/unrolled_surfaces.h"
 
 namespace af2::testing {
 
@@ -11,6 +12,10 @@ struct BaseEdge {
   BaseEdge(const Point3& origin, const Point3& along, const Point3& normal)
       : from{origin, normal}, to{origin + along, normal} {}
 };
+
+/// Two axis frames off the origin, one of them left-handed.
+inline const geometry::AxisFrame kFrame{{1, 2, 3}, {0, 1, 0}, {0, 0, 1}, {1, 0, 0}};
+inline const geometry::AxisFrame kLeftHanded{{1, 2, 3}, {0, 0, 1}, {0, 1, 0}, {1, 0, 0}};
 
 /// Sum of the distances of the coordinates.
 inline double gap(const Point3& p, const Point3& q) {

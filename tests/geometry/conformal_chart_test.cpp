@@ -12,8 +12,8 @@
 namespace af2::geometry {
 namespace {
 
-const AxisFrame kFrame{{1, 2, 3}, {0, 1, 0}, {0, 0, 1}, {1, 0, 0}};
-const AxisFrame kLeftHanded{{1, 2, 3}, {0, 0, 1}, {0, 1, 0}, {1, 0, 0}};
+using testing::kFrame;
+using testing::kLeftHanded;
 
 TorusSurface torusOf(const AxisFrame& frame, Side side) {
   return {frame.origin, frame.axis, 3, 1, side};

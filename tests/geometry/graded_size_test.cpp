@@ -4,6 +4,8 @@
 
 #include <random>
 
+#include "tests/support/flat_surface.h"
+
 namespace af2::geometry {
 namespace {
 
@@ -39,29 +41,27 @@ TEST(GrowingSize, FindsTheSmallestAmongManyBalls) {
   }
 }
 
+FrontInput polygon(const std::vector<Point2>& corners) {
+  FrontInput input;
+  testing::addLoop(input, corners);
+  return input;
+}
+
+FrontInput rectangle(double width, double height) {
+  return polygon({{0, 0}, {width, 0}, {width, height}, {0, height}});
+}
+
 TEST(GradedSize, IsAsWantedFarFromShortSegments) {
-  FrontInput square;
-  square.vertexCount = 5;
-  const auto corner = [](std::size_t id, double x, double y) {
-    return BoundaryCorner{VertexId(id), {{x, y, 0}, {0, 0, 1}}};
-  };
-  square.loops = {{corner(0, 0, 0), corner(1, 0.01, 0), corner(2, 0.02, 0), corner(3, 10, 0),
-                   corner(4, 10, 10)}};
   const UniformSize wanted(10);
-  const GradedSize size(wanted, square, 1);
+  const GradedSize size(wanted, polygon({{0, 0}, {0.01, 0}, {0.02, 0}, {10, 0}, {10, 10}}), 1);
   EXPECT_NEAR(size.sizeAt({{0.01, 0, 0}, {}}), 0.01, 1e-12);
   EXPECT_NEAR(size.sizeAt({{0.01, 0.4, 0}, {}}), 0.41, 1e-12);
   EXPECT_EQ(size.sizeAt({{10, 10, 0}, {}}), 10);
 }
 
 TEST(GradedSize, ComesDownFromLongSegmentsInSteps) {
-  FrontInput square;
-  square.vertexCount = 4;
-  square.loops.emplace_back();
-  for (const auto& [x, y] : {std::pair{0.0, 0.0}, {8.0, 0.0}, {8.0, 8.0}, {0.0, 8.0}})
-    square.loops[0].push_back({VertexId(square.loops[0].size()), {{x, y, 0}, {0, 0, 1}}});
   const UniformSize wanted(1);
-  const GradedSize size(wanted, square, 0.5);
+  const GradedSize size(wanted, rectangle(8, 8), 0.5);
   EXPECT_EQ(size.sizeAt({{4, 0, 0}, {}}), 8);
   EXPECT_EQ(size.sizeAt({{4, 4, 0}, {}}), 4);
   EXPECT_EQ(size.sizeAt({{4, -6, 0}, {}}), 2);
@@ -69,27 +69,16 @@ TEST(GradedSize, ComesDownFromLongSegmentsInSteps) {
 }
 
 TEST(GradedSize, IsTheSameOverAnotherFieldWithTheSameSizes) {
-  FrontInput strip;
-  strip.vertexCount = 4;
-  strip.loops.emplace_back();
-  for (const auto& [x, y] : {std::pair{0.0, 0.0}, {8.0, 0.0}, {8.0, 0.1}, {0.0, 0.1}})
-    strip.loops[0].push_back({VertexId(strip.loops[0].size()), {{x, y, 0}, {0, 0, 1}}});
   const SizeFunction wanted([](const Point3& p) { return 1 + p.x; });
   const SizeFunction alike([](const Point3& p) { return 1 + p.x; });
-  const GradedSize size(wanted, strip, 0.5), other(alike, size);
+  const GradedSize size(wanted, rectangle(8, 0.1), 0.5), other(alike, size);
   for (double x = 0; x <= 8; x += 0.25)
     EXPECT_EQ(other.sizeAt({{x, 0.05, 0}, {}}), size.sizeAt({{x, 0.05, 0}, {}}));
 }
 
 TEST(GradedSize, LeavesAnEvenBoundaryAlone) {
-  FrontInput square;
-  square.vertexCount = 4;
-  for (const auto& [x, y] : {std::pair{0.0, 0.0}, {0.8, 0.0}, {0.8, 0.8}, {0.0, 0.8}}) {
-    if (square.loops.empty()) square.loops.emplace_back();
-    square.loops[0].push_back({VertexId(square.loops[0].size()), {{x, y, 0}, {0, 0, 1}}});
-  }
   const UniformSize wanted(1);
-  EXPECT_EQ(GradedSize(wanted, square, 0.5).sizeAt({{0, 0, 0}, {}}), 1);
+  EXPECT_EQ(GradedSize(wanted, rectangle(0.8, 0.8), 0.5).sizeAt({{0, 0, 0}, {}}), 1);
 }
 
 }  // namespace

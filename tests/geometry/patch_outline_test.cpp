@@ -6,7 +6,7 @@
 #include <map>
 #include <tuple>
 
-#include "geometry/element_crossings.h"
+#include "tests/support/model_mesh.h"
 
 namespace af2::geometry {
 namespace {
@@ -46,14 +46,6 @@ bool isStarShaped(const ModelMesh& mesh) {
   return PatchOutlines(mesh).isStarShaped({&all, 1});
 }
 
-std::size_t crossings(const ModelMesh& mesh) {
-  return elementCrossings(mesh,
-                          [](std::size_t count, const auto& work) {
-                            for (std::size_t i = 0; i < count; ++i) work(i);
-                          })
-      .size();
-}
-
 TEST(PatchOutlines, KnowABallByAPointInside) {
   EXPECT_TRUE(isStarShaped(closed(8, [](const Point3& p) { return unit(p); })));
   EXPECT_TRUE(isStarShaped(closed(3, [](const Point3& p) { return 5.0 * p; })));
@@ -69,7 +61,7 @@ TEST(PatchOutlines, SayNothingOfABallThatIsPushedThroughItself) {
     return on.z > 0.8 ? Point3{on.x, on.y, on.z - 2.5} : on;
   });
   EXPECT_FALSE(isStarShaped(mesh));
-  EXPECT_GT(crossings(mesh), 0u);
+  EXPECT_GT(testing::crossingsOf(mesh), 0u);
 }
 
 TEST(PatchOutlines, SayNothingOfASurfaceThatIsOpenOrSeenFromNoPoint) {
@@ -85,7 +77,7 @@ TEST(PatchOutlines, SayNothingOfASurfaceThatIsOpenOrSeenFromNoPoint) {
     return Point3{2 * on.x, on.y / 4, on.z / 4 + 2 * on.x * on.x};
   });
   EXPECT_FALSE(isStarShaped(bent));
-  EXPECT_EQ(crossings(bent), 0u);
+  EXPECT_EQ(testing::crossingsOf(bent), 0u);
 }
 
 }  // namespace

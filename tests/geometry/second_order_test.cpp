@@ -4,15 +4,12 @@
 
 #include <set>
 
+#include "tests/support/element.h"
+
 namespace af2::geometry {
 namespace {
 
-Element element(std::initializer_list<std::size_t> corners) {
-  Element result;
-  std::size_t i = 0;
-  for (const std::size_t corner : corners) result.corners[i++] = VertexId(corner);
-  return result;
-}
+using testing::elementOf;
 
 std::vector<SideMiddles> straightMiddles(const ModelMesh& mesh) {
   std::vector<SideMiddles> middles(mesh.elements.size());
@@ -29,7 +26,7 @@ std::vector<SideMiddles> straightMiddles(const ModelMesh& mesh) {
 ModelMesh strip() {
   ModelMesh mesh;
   mesh.vertices = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {2, 0, 0}, {2, 1, 0}};
-  mesh.elements = {element({0, 1, 2}), element({0, 2, 3}), element({1, 4, 5, 2})};
+  mesh.elements = {elementOf({0, 1, 2}), elementOf({0, 2, 3}), elementOf({1, 4, 5, 2})};
   mesh.face = {1, 1, 1};
   return mesh;
 }

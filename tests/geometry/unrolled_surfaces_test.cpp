@@ -9,8 +9,8 @@
 namespace af2::geometry {
 namespace {
 
-const AxisFrame kFrame{{1, 2, 3}, {0, 1, 0}, {0, 0, 1}, {1, 0, 0}};
-const AxisFrame kLeftHanded{{1, 2, 3}, {0, 0, 1}, {0, 1, 0}, {1, 0, 0}};
+using testing::kFrame;
+using testing::kLeftHanded;
 
 /// Lengths and angles are kept, positions come back, and seen from the side to which its normals
 /// point the face lies in the plane as it is.

@@ -8,6 +8,7 @@
 #include <map>
 #include <numbers>
 
+#include "geometry/element_crossings.h"
 #include "geometry/model_check.h"
 #include "geometry/model_mesh.h"
 
@@ -57,6 +58,14 @@ inline int eulerNumber(const geometry::ModelMesh& mesh) {
     if (uses != 2) return -1000;
   return static_cast<int>(mesh.vertices.size()) - static_cast<int>(edges.size()) +
          static_cast<int>(mesh.elements.size());
+}
+
+/// How many places there are at which elements cross or fold.
+inline std::size_t crossingsOf(const geometry::ModelMesh& mesh) {
+  const auto oneByOne = [](std::size_t count, const auto& work) {
+    for (std::size_t i = 0; i < count; ++i) work(i);
+  };
+  return elementCrossings(mesh, oneByOne).size();
 }
 
 /// Every face complete, all checks passed.

@@ -30,6 +30,13 @@ struct QuadGrid {
     mesh.rule.push_back(0);
   }
 
+  /// Makes two triangles of an element.
+  void split(int i, int j) {
+    const auto [a, b, c, d] = element(i, j).corners;
+    element(i, j) = {{a, b, c, {}}};
+    addElement({{a, c, d, {}}});
+  }
+
   VertexId id(int i, int j) const {
     const int place = j == 0   ? i
                       : i == n ? n + j

@@ -1,18 +1,15 @@
 #include "small_meshes.h"
 
+#include "tests/support/element.h"
+
 namespace af2::geometry {
 namespace {
 
-Element element(std::initializer_list<std::size_t> corners) {
-  Element result;
-  std::size_t i = 0;
-  for (const std::size_t corner : corners) result.corners[i++] = VertexId(corner);
-  return result;
-}
+using testing::elementOf;
 
 void addFace(ModelMesh& mesh, int id, std::array<std::size_t, 4> c) {
-  mesh.elements.push_back(element({c[0], c[1], c[2]}));
-  mesh.elements.push_back(element({c[0], c[2], c[3]}));
+  mesh.elements.push_back(elementOf({c[0], c[1], c[2]}));
+  mesh.elements.push_back(elementOf({c[0], c[2], c[3]}));
   for (int i = 0; i < 2; ++i) mesh.face.push_back(id);
   for (const std::uint16_t rule : {0, 1}) mesh.rule.push_back(rule);
   mesh.faces.push_back({id, "", "plane", "plane", FaceStatus::Complete, 2, 0.25, 1, ""});
@@ -33,7 +30,7 @@ ModelMesh cubeMesh() {
   addFace(mesh, 3, {1, 2, 6, 5});
   addFace(mesh, 4, {2, 3, 7, 6});
   addFace(mesh, 5, {3, 0, 4, 7});
-  mesh.elements.push_back(element({4, 5, 6, 7}));
+  mesh.elements.push_back(elementOf({4, 5, 6, 7}));
   mesh.face.push_back(6);
   mesh.rule.push_back(2);
   mesh.faces.push_back({6, "lid", "plane", "plane", FaceStatus::Complete, 1, 0.25, 1, ""});

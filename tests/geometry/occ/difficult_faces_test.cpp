@@ -27,7 +27,6 @@
 #include <numbers>
 #include <vector>
 
-#include "geometry/element_crossings.h"
 #include "geometry/occ/mesh_model.h"
 #include "geometry/occ/sizing.h"
 #include "tests/geometry/occ/dirt.h"
@@ -41,6 +40,7 @@ namespace {
 using std::numbers::pi;
 
 using testing::circle;
+using testing::crossingsOf;
 using testing::expectComplete;
 using testing::leastAngle;
 using testing::mesh;
@@ -220,14 +220,6 @@ TEST(DifficultFaces, AHoleOfAThousandthOfTheSizeStaysAHole) {
   const ModelMesh result = mesh(plane({rectangle(-1, -1, 1, 1), hole.Wire()}), 0.5);
   expectComplete(result, 4);
   EXPECT_EQ(std::ranges::count(result.segments, 5, &EdgeSegment::edge) >= 6, true);
-}
-
-std::size_t crossingsOf(const ModelMesh& mesh) {
-  return elementCrossings(mesh,
-                          [](std::size_t count, const auto& work) {
-                            for (std::size_t i = 0; i < count; ++i) work(i);
-                          })
-      .size();
 }
 
 /// Chords of the wanted length of the two circles cross between their ends, and the elements with

@@ -19,7 +19,6 @@
 #include <numbers>
 #include <string>
 
-#include "geometry/element_crossings.h"
 #include "geometry/occ/mesh_model.h"
 #include "tests/geometry/occ/dirt.h"
 #include "tests/geometry/occ/meshing.h"
@@ -39,9 +38,7 @@ using testing::volumeOf;
 void expectSound(const ModelMesh& mesh, double area, double tolerance = 1e-9) {
   testing::expectComplete(mesh);
   EXPECT_NEAR(areaOf(mesh), area, tolerance * area);
-  EXPECT_TRUE(elementCrossings(mesh, [](std::size_t count, const auto& work) {
-                for (std::size_t i = 0; i < count; ++i) work(i);
-              }).empty());
+  EXPECT_EQ(testing::crossingsOf(mesh), 0u);
 }
 
 void expectClosed(const ModelMesh& mesh) {

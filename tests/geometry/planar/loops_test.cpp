@@ -77,11 +77,17 @@ TEST(Regions, MayShareASegment) {
   EXPECT_EQ(regions.points.size(), 6u);
 }
 
-TEST(Regions, KeepSegmentsThatEndInside) {
-  PlanarDomain domain = outlines({square(0, 0, 4)});
+/// A square, and a segment by itself between points 4 and 5, at (2, 2) and (2, 3).
+PlanarDomain squareAndSegment(double size) {
+  PlanarDomain domain = outlines({square(0, 0, size)});
   domain.points.push_back({2, 2});
   domain.points.push_back({2, 3});
-  domain.segments.push_back({4, 5, 0, 5});  // free
+  domain.segments.push_back({4, 5, 0, 5});
+  return domain;
+}
+
+TEST(Regions, KeepSegmentsThatEndInside) {
+  PlanarDomain domain = squareAndSegment(4);
   domain.segments.push_back({0, 4, 0, 6});  // joins it to a corner
   const PlanarRegions regions = findRegions(domain);
   ASSERT_EQ(regions.regions.size(), 1u);
@@ -91,21 +97,13 @@ TEST(Regions, KeepSegmentsThatEndInside) {
 }
 
 TEST(Regions, KeepSegmentsThatLieFreeInside) {
-  PlanarDomain domain = outlines({square(0, 0, 4)});
-  domain.points.push_back({2, 2});
-  domain.points.push_back({2, 3});
-  domain.segments.push_back({4, 5, 0, 5});
-  const PlanarRegions regions = findRegions(domain);
+  const PlanarRegions regions = findRegions(squareAndSegment(4));
   ASSERT_EQ(regions.regions[0].loops.size(), 2u);
   EXPECT_EQ(regions.regions[0].loops[1].size(), 2u);
 }
 
 TEST(Regions, IgnoreSegmentsOutside) {
-  PlanarDomain domain = outlines({square(0, 0, 1)});
-  domain.points.push_back({2, 2});
-  domain.points.push_back({2, 3});
-  domain.segments.push_back({4, 5, 0, 5});
-  EXPECT_EQ(areas(domain), (std::vector<double>{1}));
+  EXPECT_EQ(areas(squareAndSegment(1)), (std::vector<double>{1}));
 }
 
 TEST(Regions, RefuseCrossingSegmentsWithTheirLines) {
