@@ -10,6 +10,7 @@
 
 #include "engine/error.h"
 #include "geometry/box_tree.h"
+#include "geometry/occ/crease_reach.h"
 #include "geometry/occ/edge_samples.h"
 #include "geometry/occ/given_points.h"
 #include "geometry/occ/merged_points.h"
@@ -155,6 +156,9 @@ class Division {
     apply(merging);
     for (const auto& [end, start] : gaps()) merging.merge(end, start);
     apply(merging);
+    creases_ = CreaseReach(model_, [&](std::uint32_t point) { return merging.find(point); });
+    for (const auto& [point, reach] : creases_.byPoint())
+      blind_[point] = std::max(blind_[point], reach / kTimesBlind);
   }
 
   void findTips() {
@@ -195,6 +199,7 @@ class Division {
       EdgePart part{edge, std::move(samples[k]), ends_[edge], k == 0, k == stops.size()};
       if (!part.isFirst) part.ends.first = stops[k - 1].point;
       if (!part.isLast) part.ends.last = stops[k].point;
+      if (!givenFor(edge)) creases_.leaveOut(part);
       parts_.push_back(std::move(part));
     }
   }
@@ -308,13 +313,12 @@ class Division {
   /// large: a shorter one would look into it.
   void leaveOutBesidePoints(const Ends& ends, std::size_t least, const BRepAdaptor_Curve& curve,
                             std::vector<double>& parameters) const {
-    constexpr double kTimes = 2;
     for (const std::uint32_t end : {ends.first, ends.last}) {
       const auto found = blind_.find(end);
       if (found == blind_.end()) continue;
       const Point3& place = result_.points[end];
       for (std::size_t k = parameters.size() - 2; k > 0 && parameters.size() > least + 1; --k)
-        if (distance(toPoint(curve.Value(parameters[k])), place) < kTimes * found->second)
+        if (distance(toPoint(curve.Value(parameters[k])), place) < kTimesBlind * found->second)
           parameters.erase(parameters.begin() + static_cast<std::ptrdiff_t>(k));
     }
   }
@@ -358,6 +362,9 @@ class Division {
   std::vector<DividedPart> dividedParts_;
   std::vector<std::optional<std::size_t>> twins_;  // by part
   std::map<std::uint32_t, double> tips_;           // by point: how long segments are at a sharp tip
+  CreaseReach creases_;                            // by point
+  /// How far from a point there are no vertices, as a multiple of how large it is.
+  static constexpr double kTimesBlind = 2;
   std::map<std::uint32_t, double> blind_;  // how large the edges are that a point stands for
   DividedEdges result_;
 };

@@ -14,6 +14,7 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <optional>
 
 #include "engine/error.h"
@@ -172,8 +173,8 @@ double roughLength(const TopoDS_Edge& edge) {
 class CurvedArea {
  public:
   CurvedArea(const TopoDS_Face& face, const FaceSurface& surface,
-             const GeomAdaptor_Surface& adaptor)
-      : face_(face), box_(surface.box()) {
+             const GeomAdaptor_Surface& adaptor, const Stretch& u, const Stretch& v)
+      : face_(face), box_(surface.box()), u_(u), v_(v) {
     const SplineSurface::Box& box = box_;
     const SurfaceFrame middle =
         surface.inOccParameters().frameAt((box.u1 + box.u2) / 2, (box.v1 + box.v2) / 2);
@@ -198,7 +199,8 @@ class CurvedArea {
               gp_Pnt2d place;
               gp_Vec2d tangent;
               adaptor.D1(t, place, tangent);
-              return tangent.Y() == 0 ? 0 : strip_(place.X(), place.Y()) * tangent.Y();
+              if (tangent.Y() == 0 || !v_.has(place.Y())) return 0.0;
+              return strip_(std::clamp(place.X(), u_.low, u_.high), place.Y()) * tangent.Y();
             });
   }
 
@@ -218,6 +220,7 @@ class CurvedArea {
  private:
   const TopoDS_Face& face_;
   SplineSurface::Box box_;
+  Stretch u_, v_;  ///< outside nothing counts
   StripArea strip_;
   Integral integral_{0};
   double sum_ = 0, gapU_ = 0, gapV_ = 0, doubt_ = 0;
@@ -287,18 +290,25 @@ double areaWithin(const TopoDS_Face& face, Area area) {
   return area.area();
 }
 
-double areaOf(const TopoDS_Face& face, const FaceSurface& surface) {
+double areaOf(const TopoDS_Face& face, const FaceSurface& surface, const Stretch& u,
+              const Stretch& v) {
   const GeomAdaptor_Surface adaptor(BRep_Tool::Surface(face));
   if (surface.isPlane()) return areaWithin(face, PlaneArea(surface.pointAt({}, 0, 0).normal));
-  return areaWithin(face, CurvedArea(face, surface, adaptor));
+  return areaWithin(face, CurvedArea(face, surface, adaptor, u, v));
 }
 
 }  // namespace
 
 double areaOf(const ModelShape& model, int face) {
+  constexpr double kFar = std::numeric_limits<double>::infinity();
+  const Stretch all{-kFar, kFar, -kFar, kFar};
+  return areaOf(model, face, all, all);
+}
+
+double areaOf(const ModelShape& model, int face, const Stretch& u, const Stretch& v) {
   try {
     const TopoDS_Face forward = TopoDS::Face(model.face(face).Oriented(TopAbs_FORWARD));
-    const double area = areaOf(forward, model.surface(face));
+    const double area = areaOf(forward, model.surface(face), u, v);
     return area < Precision::Infinite() ? area : 0;  // no boundary, or not a number
   } catch (const GeometryError&) {                   // no surface
     return 0;

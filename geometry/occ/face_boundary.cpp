@@ -29,8 +29,14 @@ namespace {
 class BoundaryFinder {
  public:
   BoundaryFinder(const ModelShape& model, int faceId, const DividedEdges& divided,
-                 const FaceSurface& surface, const std::vector<FaceOnFace>& onFaces)
-      : model_(model), divided_(divided), surface_(surface) {
+                 const FaceSurface& surface, const std::vector<FaceOnFace>& onFaces,
+                 const FaceCell* cell = nullptr)
+      : model_(model),
+        divided_(divided),
+        surface_(surface),
+        face_(faceId),
+        cell_(cell),
+        box_(cell ? model.surface(faceId).box() : surface.box()) {
     for (const FaceOnFace& lying : onFaces)
       if (lying.under == faceId && !lying.isDouble()) lying_.push_back(lying);
     const TopoDS_Face face = model.face(faceId);
@@ -47,6 +53,8 @@ class BoundaryFinder {
       wire_.resize(chains_.size(), wires_++);
     }
     for (const FaceOnFace& lying : lying_) leaveOut(lying);
+    if (cell_) addCreases();
+    if (cell_ && chains_.empty()) return std::move(result_);
     if (chains_.empty() && !result_.pointEdges.empty()) return std::move(result_);
     if (chains_.empty())
       throw GeometryError(
@@ -211,10 +219,39 @@ class BoundaryFinder {
                             " lies on it, turned back: there it has no elements");
   }
 
+  /// The creases around the cell, each with the region on its left.
+  void addCreases() {
+    const auto found = model_.creaseEdges.find(face_);
+    if (found == model_.creaseEdges.end()) return;
+    for (const CreaseEdge& crease : found->second) {
+      const std::size_t own = crease.isAtU ? cell_->u : cell_->v;
+      if (own != crease.crease && own != crease.crease + 1) continue;
+      // A line of constant u has smaller u on its left, one of constant v greater v.
+      const bool isForward = (own == crease.crease) == crease.isAtU;
+      const TopoDS_Shape edge =
+          model_.edge(crease.id).Oriented(isForward ? TopAbs_FORWARD : TopAbs_REVERSED);
+      addEdge(TopoDS::Edge(edge));
+    }
+    wire_.resize(chains_.size(), wires_++);
+  }
+
+  bool isCrease(int edge) const { return edge > model_.edgesOfFile; }
+
+  /// Whether the part of a face beside a chain is in the cell.
+  bool isInCell(const Chain& chain, const std::vector<gp_Pnt2d>& places) const {
+    if (!cell_) return true;
+    const gp_Pnt2d& p = places[(places.size() - 1) / 2];
+    const gp_Pnt2d& q = places[places.size() / 2];
+    // A crease lies between two cells, which has been looked at.
+    const double slack = isCrease(chain.edge) ? kOnCrease : 0;
+    return isIn(*cell_, model_.cells.at(face_), (p.X() + q.X()) / 2, (p.Y() + q.Y()) / 2, slack);
+  }
+
   void addChain(int id, const DividedEdge& divided, const TopoDS_Edge& edge) {
     Chain chain;
     chain.edge = id;
-    EdgeOnFace onFace(edge, forward_, plane_, surface_.box());
+    std::vector<gp_Pnt2d> places;  // of the corners
+    EdgeOnFace onFace(edge, forward_, plane_, box_);
     lacksCurves_ = lacksCurves_ || onFace.lacksCurve();
     if (onFace.isAstray(divided, divided_.points, surface_)) {
       onFace.dropCurve();
@@ -227,17 +264,19 @@ class BoundaryFinder {
       const Point3& position = divided_.points[divided.points[i]];
       const gp_Pnt2d uv = onFace.at(divided.parameters[i], position);
       if (i == 0) checkSeam(id, uv);
+      places.push_back(uv);
       chain.corners.push_back(
           {vertexOf(divided.points[i]), surface_.boundaryPoint(position, uv.X(), uv.Y())});
       if (stop == divided.stops.end() || *stop != i) continue;
       ++stop;
       Chain rest{chain.edge, chain.reversed, i, {chain.corners.back()}};
-      addDirected(std::exchange(chain, std::move(rest)));
+      addDirected(std::exchange(chain, std::move(rest)), std::exchange(places, {uv}));
     }
-    addDirected(std::move(chain));
+    addDirected(std::move(chain), places);
   }
 
-  void addDirected(Chain chain) {
+  void addDirected(Chain chain, const std::vector<gp_Pnt2d>& places) {
+    if (!isInCell(chain, places)) return;
     if (chain.reversed) std::reverse(chain.corners.begin(), chain.corners.end());
     chains_.push_back(std::move(chain));
   }
@@ -311,6 +350,7 @@ class BoundaryFinder {
       // The file may not say where on the surface such a vertex lies; it is rare, so look.
       const gp_Pnt2d uv =
           ShapeAnalysis_Surface(BRep_Tool::Surface(forward_)).ValueOfUV(toOcc(position), 1e-7);
+      if (cell_ && !isInCell({}, {uv})) continue;
       const VertexId id = vertexOf(point);
       result_.input.isolated.push_back({id, surface_.boundaryPoint(position, uv.X(), uv.Y())});
       result_.input.vertexCount = result_.points.size();
@@ -320,10 +360,14 @@ class BoundaryFinder {
   /// Of the wanted size: sides of a seam are farther apart in the parameters, edges that were made
   /// one are not.
   static constexpr double kMostApart = 2 * kMostBetweenTouching;
+  static constexpr double kOnCrease = 1e-6;  // of the parameters of the face
 
   const ModelShape& model_;
   const DividedEdges& divided_;
   const FaceSurface& surface_;
+  int face_;
+  const FaceCell* cell_;           ///< null: all of the face
+  SplineSurface::Box box_;         ///< that all of the face takes up
   std::vector<FaceOnFace> lying_;  // on this face
   TopoDS_Face forward_;
   std::optional<gp_Pln> plane_;
@@ -342,6 +386,11 @@ class BoundaryFinder {
 FaceBoundary findBoundary(const ModelShape& model, int face, const DividedEdges& divided,
                           const FaceSurface& surface, const std::vector<FaceOnFace>& onFaces) {
   return BoundaryFinder(model, face, divided, surface, onFaces).find();
+}
+
+FaceBoundary findBoundary(const ModelShape& model, int face, const FaceCell& cell,
+                          const DividedEdges& divided, const FaceSurface& surface) {
+  return BoundaryFinder(model, face, divided, surface, {}, &cell).find();
 }
 
 }  // namespace af2::geometry

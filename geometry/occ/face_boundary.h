@@ -15,4 +15,10 @@ namespace af2::geometry {
 FaceBoundary findBoundary(const ModelShape& model, int face, const DividedEdges& divided,
                           const FaceSurface& surface, const std::vector<FaceOnFace>& onFaces = {});
 
+/// Of one cell of a face with creases. Without loops if the face has no part there.
+///
+/// surface  that of the cell
+FaceBoundary findBoundary(const ModelShape& model, int face, const FaceCell& cell,
+                          const DividedEdges& divided, const FaceSurface& surface);
+
 }  // namespace af2::geometry

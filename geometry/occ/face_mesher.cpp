@@ -18,10 +18,12 @@
 #include "engine/stopwatch.h"
 #include "geometry/conformal_chart.h"
 #include "geometry/face_filling.h"
+#include "geometry/face_parts.h"
 #include "geometry/fans.h"
 #include "geometry/graded_size.h"
 #include "geometry/laid_out.h"
 #include "geometry/occ/edge_samples.h"
+#include "geometry/occ/face_area.h"
 #include "geometry/occ/face_size.h"
 #include "geometry/occ/points.h"
 #include "geometry/occ/sizing.h"
@@ -57,6 +59,21 @@ std::string toldOfLying(const FaceOnFace& lying) {
                           : "lies on " + under + ", turned back, so it has no elements";
 }
 
+std::string toldOfCells(const FaceCells& cells) {
+  std::string text = "turns sharply inside, so there are vertices along";
+  const auto add = [&](const std::vector<Stretch>& stretches, const char* name) {
+    for (std::size_t k = 1; k < stretches.size(); ++k) {
+      char value[48];
+      std::snprintf(value, sizeof value, " %s = %.6g,", name, stretches[k].low);
+      text += value;
+    }
+  };
+  add(cells.u, "u");
+  add(cells.v, "v");
+  text.pop_back();
+  return text;
+}
+
 class FaceMesher {
  public:
   FaceMesher(const FaceMeshingContext& context, int face, double area, double expectedElements)
@@ -64,7 +81,18 @@ class FaceMesher {
         face_(face),
         area_(area),
         expected_(expectedElements),
-        surface_(context.model.surface(face)) {}
+        surface_(context.model.surface(face)),
+        original_(surface_) {}
+
+  /// Of one cell of a face with creases.
+  FaceMesher(const FaceMeshingContext& context, int face, double area, FaceSurface surface)
+      : context_(context),
+        face_(face),
+        area_(area),
+        expected_(area > 0 ? geometry::expectedElements(context.options.sizes, face, surface, area)
+                           : 1),
+        surface_(std::move(surface)),
+        original_(surface_) {}
 
   void meshInto(FaceMesh& mesh) {
     const auto lying = std::ranges::find(context_.onFaces, face_, &FaceOnFace::face);
@@ -72,8 +100,67 @@ class FaceMesher {
       mesh.report.reason = toldOfLying(*lying);
       return;
     }
-    FaceBoundary boundary =
-        findBoundary(context_.model, face_, context_.divided, surface_, context_.onFaces);
+    if (meshInCells(mesh)) return;
+    fill(findBoundary(context_.model, face_, context_.divided, surface_, context_.onFaces), mesh);
+  }
+
+ private:
+  /// Cell by cell, if the face has creases that are edges all through it.
+  bool meshInCells(FaceMesh& mesh) const {
+    const auto found = context_.model.cells.find(face_);
+    if (found == context_.model.cells.end() || found->second.isOne()) return false;
+    const auto isUnder = [&](const FaceOnFace& lying) { return lying.under == face_; };
+    if (std::ranges::any_of(context_.onFaces, isUnder)) return false;
+    std::vector<FaceMesh> parts;
+    try {
+      parts = meshCells(found->second);
+    } catch (const GeometryError&) {  // no closed loops around some cell
+      return false;
+    }
+    if (parts.size() < 2) return false;
+    for (FaceMesh& part : parts) part.report.area = 0;  // of the face it is known
+    joinParts(std::move(parts), mesh);
+    mesh.report.attempts.insert(mesh.report.attempts.begin(), toldOfCells(found->second));
+    return true;
+  }
+
+  struct Cell {
+    FaceCell id;
+    FaceSurface surface;
+    FaceBoundary boundary;
+  };
+
+  std::vector<FaceMesh> meshCells(const FaceCells& cells) const {
+    std::vector<Cell> filled;
+    for (FaceCell id; id.u < cells.u.size(); ++id.u)
+      for (id.v = 0; id.v < cells.v.size(); ++id.v) {
+        FaceSurface surface =
+            FaceSurface::ofCell(context_.model.face(face_), cells.u[id.u], cells.v[id.v]);
+        FaceBoundary boundary = findBoundary(context_.model, face_, id, context_.divided, surface);
+        if (!boundary.input.loops.empty())
+          filled.push_back({id, std::move(surface), std::move(boundary)});
+      }
+    std::vector<FaceMesh> parts;
+    for (Cell& cell : filled) {
+      const double area =
+          area_ > 0 ? areaOf(context_.model, face_, cells.u[cell.id.u], cells.v[cell.id.v]) : 0;
+      FaceMesher(
+          context_, face_, area,
+          FaceSurface::ofCell(context_.model.face(face_), cells.u[cell.id.u], cells.v[cell.id.v]))
+          .fillOrFail(std::move(cell.boundary), parts.emplace_back());
+    }
+    return parts;
+  }
+
+  void fillOrFail(FaceBoundary boundary, FaceMesh& mesh) {
+    try {
+      fill(std::move(boundary), mesh);
+    } catch (const GeometryError& failure) {
+      failFor(failure.what(), mesh);
+    }
+  }
+
+  void fill(FaceBoundary boundary, FaceMesh& mesh) {
     leaveOutFans(surface_, boundary);
     mesh.report.attempts = boundary.repairs;
     std::ranges::copy(boundary.notes, std::back_inserter(mesh.report.attempts));
@@ -120,7 +207,6 @@ class FaceMesher {
     fillInto(filling, boundary, mesh);
   }
 
- private:
   void tellOfPoints(std::vector<int> edges, std::vector<std::string>& told) const {
     const auto asked = std::ranges::stable_partition(edges, [&](int edge) {
       return !context_.divided.edges[static_cast<std::size_t>(edge) - 1].point;
@@ -155,8 +241,9 @@ class FaceMesher {
 
   /// A size field with a surface of its own: OpenCASCADE's evaluators are not to be shared.
   struct OwnSize final : SizeField {
-    OwnSize(const FaceMeshingContext& context, int face, const GradedSize& size, ChartKind kind)
-        : surface(context.model.surface(face)),
+    OwnSize(const FaceMeshingContext& context, int face, const FaceSurface& original,
+            const GradedSize& size, ChartKind kind)
+        : surface(original),
           wanted(context.options.sizes, face, surface),
           graded(wanted, size),
           map(surface.makePlaneMap(kind)) {
@@ -174,7 +261,7 @@ class FaceMesher {
   };
 
   PieceTools makeTools(const GradedSize& graded, ChartKind kind) const {
-    auto size = std::make_shared<const OwnSize>(context_, face_, graded, kind);
+    auto size = std::make_shared<const OwnSize>(context_, face_, original_, graded, kind);
     if (size->map && kind == ChartKind::Conformal)
       return {std::make_unique<ConformalChartMaker>(*size->map), std::move(size)};
     if (size->map) return {std::make_unique<PlaneChartMaker>(), std::move(size)};
@@ -186,6 +273,7 @@ class FaceMesher {
   int face_;
   double area_, expected_;
   FaceSurface surface_;
+  const FaceSurface original_;  ///< only to be copied, by any thread
 };
 
 }  // namespace

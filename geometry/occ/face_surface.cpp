@@ -120,9 +120,24 @@ bool isFlat(const Handle(Geom_Surface) & surface, double extent) {
 FaceSurface::FaceSurface(const TopoDS_Face& face)
     : FaceSurface(surfaceOf(face), boxOf(face), face.Orientation() == TopAbs_REVERSED) {}
 
+FaceSurface::FaceSurface(const TopoDS_Face& face, FaceCells cells)
+    : FaceSurface(surfaceOf(face), boxOf(face), face.Orientation() == TopAbs_REVERSED,
+                  std::move(cells)) {}
+
+FaceSurface FaceSurface::ofCell(const TopoDS_Face& face, const Stretch& u, const Stretch& v) {
+  FaceSurface cell(surfaceOf(face), {u.low, u.high, v.low, v.high},
+                   face.Orientation() == TopAbs_REVERSED, {{u}, {v}});
+  cell.parametric_.endAtBox();
+  if (auto* general = std::get_if<GeneralSurface>(&cell.surface_)) general->endAtBox();
+  return cell;
+}
+
 FaceSurface::FaceSurface(const Handle(Geom_Surface) & surface, const SplineSurface::Box& box,
-                         bool flipped)
-    : box_(box), parametric_(surface, flipped, box), surface_(parametric_) {
+                         bool flipped, FaceCells cells)
+    : box_(box),
+      cells_(std::move(cells)),
+      parametric_(surface, flipped, box),
+      surface_(parametric_) {
   const GeomAdaptor_Surface adaptor(surface);
   const Bounds bounds{box};
   const SurfacePoint sample = samplePoint(bounds, parametric_);
@@ -188,12 +203,20 @@ FaceSurface::FaceSurface(const Handle(Geom_Surface) & surface, const SplineSurfa
 
 void FaceSurface::measure() {
   tips_ = SharpTips(parametric_, box_);
-  const SurfaceBend bend = bendOf(parametric_, box_);
+  const SurfaceBend bend = cells_.count() == 0 ? bendOf(parametric_, box_) : bendBetweenCreases();
   isBentInU_ = bend.inU;
   isBentInV_ = bend.inV;
   extent_ = bend.extent;
   breadth_ = bend.breadth;
   creaseRadius_ = bend.creaseRadius;
+}
+
+SurfaceBend FaceSurface::bendBetweenCreases() const {
+  SurfaceBend bend;
+  for (const Stretch& u : cells_.u)
+    for (const Stretch& v : cells_.v)
+      bend.add(bendOf(parametric_, {u.calmLow, u.calmHigh, v.calmLow, v.calmHigh}));
+  return bend;
 }
 
 const ParametricSurface* FaceSurface::inParameters() const {
@@ -209,7 +232,10 @@ SurfacePoint FaceSurface::boundaryPoint(const Point3& position, double u, double
   if (const auto* general = std::get_if<GeneralSurface>(&surface_)) {
     general->refine(position, u, v);
     const auto atTip = tips_.normalAt(position);
-    return {position, atTip ? *atTip : general->normalAtBoundary(u, v), u, v};
+    const auto normal = [&] {
+      return general->normalAtBoundary(calm(cells_.u, u), calm(cells_.v, v));
+    };
+    return {position, atTip ? *atTip : normal(), u, v};
   }
   if (const auto* plane = std::get_if<PlaneSurface>(&surface_))
     return pointAt(plane->drawnOnto(position), u, v);
@@ -236,32 +262,32 @@ FaceSurface::Radii FaceSurface::radiiAt(const SurfacePoint& point, double reach)
   constexpr double kInfinite = std::numeric_limits<double>::infinity();
   const auto alike = [&](double radius) { return Radii{radius, isBent() ? radius : kInfinite}; };
   return std::visit(
-      Overloaded{[&](const PlaneSurface&) {
-                   return Radii{kInfinite, kInfinite};
-                 },
-                 [&](const CylinderSurface& cylinder) { return alike(cylinder.radius()); },
-                 [&](const SphereSurface& sphere) { return alike(sphere.radius()); },
-                 [&](const ConeSurface& cone) {
-                   const double here = cone.curvatureRadiusAt(point.position);
-                   return alike(hasTip_ ? std::max(here, cone.curvatureRadiusAtDistance(reach))
-                                        : here);
-                 },
-                 [&](const TorusSurface& torus) {
-                   const double radius = torus.curvatureRadiusAt(point.position);
-                   const double bent = isBentInV_   ? radius
-                                       : isBentInU_ ? torus.radiusAroundAxisAt(point.position)
-                                                    : kInfinite;
-                   return Radii{radius, bent};
-                 },
-                 [&](const GeneralSurface& general) {
-                   if (const auto radius = tips_.radiusAtTip(point.position, reach))
-                     return Radii{*radius, *radius};
-                   const auto radii = general.radiiAt(point.u, point.v);
-                   const double easing = tips_.easing(point.position, reach);
-                   return Radii{easing * radii.smallest,
-                                easing * std::min(isBentInU_ ? radii.u : kInfinite,
-                                                  isBentInV_ ? radii.v : kInfinite)};
-                 }},
+      Overloaded{
+          [&](const PlaneSurface&) {
+            return Radii{kInfinite, kInfinite};
+          },
+          [&](const CylinderSurface& cylinder) { return alike(cylinder.radius()); },
+          [&](const SphereSurface& sphere) { return alike(sphere.radius()); },
+          [&](const ConeSurface& cone) {
+            const double here = cone.curvatureRadiusAt(point.position);
+            return alike(hasTip_ ? std::max(here, cone.curvatureRadiusAtDistance(reach)) : here);
+          },
+          [&](const TorusSurface& torus) {
+            const double radius = torus.curvatureRadiusAt(point.position);
+            const double bent = isBentInV_   ? radius
+                                : isBentInU_ ? torus.radiusAroundAxisAt(point.position)
+                                             : kInfinite;
+            return Radii{radius, bent};
+          },
+          [&](const GeneralSurface& general) {
+            if (const auto radius = tips_.radiusAtTip(point.position, reach))
+              return Radii{*radius, *radius};
+            const auto radii = general.radiiAt(calm(cells_.u, point.u), calm(cells_.v, point.v));
+            const double easing = tips_.easing(point.position, reach);
+            return Radii{easing * radii.smallest,
+                         easing * std::min(isBentInU_ ? radii.u : kInfinite,
+                                           isBentInV_ ? radii.v : kInfinite)};
+          }},
       surface_);
 }
 

@@ -13,8 +13,10 @@
 #include "geometry/chart_kind.h"
 #include "geometry/charted_surface.h"
 #include "geometry/mean_normal_chart.h"
+#include "geometry/occ/creases.h"
 #include "geometry/occ/general_surface.h"
 #include "geometry/occ/sharp_tips.h"
+#include "geometry/occ/surface_bend.h"
 #include "geometry/plane_map.h"
 #include "geometry/quadric_surfaces.h"
 #include "geometry/spline_extrusion.h"
@@ -40,6 +42,10 @@ class FaceSurface final : public ChartedSurface {
  public:
   /// Throws GeometryError if the face has no surface.
   explicit FaceSurface(const TopoDS_Face& face);
+  /// Of a face with creases: normals at the boundary and radii are those beside them.
+  FaceSurface(const TopoDS_Face& face, FaceCells cells);
+  /// One of the cells of such a face, which ends at its creases.
+  static FaceSurface ofCell(const TopoDS_Face& face, const Stretch& u, const Stretch& v);
 
   /// A point of the boundary from its place in OpenCASCADE's parameters. The position is given: it
   /// may lie beside the surface by as much as the tolerances of the model allow.
@@ -57,6 +63,8 @@ class FaceSurface final : public ChartedSurface {
   };
   Radii radiiAt(const SurfacePoint& point, double reach = 0) const;
   bool isPlane() const override { return std::holds_alternative<PlaneSurface>(surface_); }
+  /// Whether there is no closed form: its parameters are all that is known.
+  bool isGeneral() const { return std::holds_alternative<GeneralSurface>(surface_); }
   std::vector<SharpTip> sharpTips() const;
   /// A place on the way around a sharp tip between two places near it: `share` of the angle.
   SurfacePoint aroundTip(const SurfacePoint& from, const SurfacePoint& to, double share) const;
@@ -92,8 +100,10 @@ class FaceSurface final : public ChartedSurface {
 
  private:
   /// flipped  the normals of the face are opposite to du x dv
-  FaceSurface(const Handle(Geom_Surface) & surface, const SplineSurface::Box& box, bool flipped);
+  FaceSurface(const Handle(Geom_Surface) & surface, const SplineSurface::Box& box, bool flipped,
+              FaceCells cells = {});
   void measure();
+  SurfaceBend bendBetweenCreases() const;
   std::unique_ptr<AF2LocalTransformMaker> normalLineCharts() const;
   bool isBent() const { return isBentInU_ || isBentInV_; }
 
@@ -101,6 +111,7 @@ class FaceSurface final : public ChartedSurface {
                                TorusSurface, GeneralSurface>;
 
   SplineSurface::Box box_;
+  FaceCells cells_;  ///< none: no creases
   GeneralSurface parametric_;
   Surface surface_;
   std::shared_ptr<const UnrolledSurface> unrolled_;  ///< null: there is none

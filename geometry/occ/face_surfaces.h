@@ -2,9 +2,11 @@
 // Not installed: includers need OpenCASCADE's headers.
 #pragma once
 
+#include <map>
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <utility>
 
 #include "geometry/occ/face_surface.h"
 
@@ -16,12 +18,21 @@ class FaceSurfaces {
  public:
   explicit FaceSurfaces(int faces)
       : slots_(std::make_unique<Slot[]>(static_cast<std::size_t>(faces))) {}
+  /// The same surfaces, but for those of faces that have creases.
+  FaceSurfaces(std::shared_ptr<const FaceSurfaces> others, int faces,
+               std::map<int, FaceCells> cells)
+      : others_(std::move(others)),
+        slots_(std::make_unique<Slot[]>(static_cast<std::size_t>(faces))),
+        cells_(std::move(cells)) {}
 
   /// A copy of the surface of a face, whose number is `id`; made when it is first asked for. Throws
   /// GeometryError if the face has none.
   FaceSurface of(const TopoDS_Face& face, int id) const {
+    const auto cells = cells_.find(id);
+    if (others_ && cells == cells_.end()) return others_->of(face, id);
     Slot& slot = slots_[static_cast<std::size_t>(id) - 1];
-    std::call_once(slot.once, [&] { slot.surface.emplace(face); });
+    std::call_once(slot.once,
+                   [&] { slot.surface.emplace(face, others_ ? cells->second : FaceCells{}); });
     return *slot.surface;
   }
 
@@ -30,7 +41,9 @@ class FaceSurfaces {
     std::once_flag once;
     std::optional<FaceSurface> surface;
   };
+  std::shared_ptr<const FaceSurfaces> others_;  ///< null: these are all
   std::unique_ptr<Slot[]> slots_;
+  std::map<int, FaceCells> cells_;
 };
 
 }  // namespace af2::geometry

@@ -125,6 +125,11 @@ void GeneralSurface::openSharpEnds(const Handle(Geom_Surface) & surface) {
   v_.closed = v_.closed && !inV;
 }
 
+void GeneralSurface::endAtBox() {
+  u_ = {box_.u1, box_.u2, false};
+  v_ = {box_.v1, box_.v2, false};
+}
+
 SurfacePoint GeneralSurface::pointAt(double u, double v) const {
   const Frame frame = frameAt(u, v);
   const auto normal = unitNormal(frame);

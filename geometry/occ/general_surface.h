@@ -57,6 +57,9 @@ class GeneralSurface final : public ParametricSurface {
   /// Moves (u, v) to the foot of the perpendicular from `position`, if it is near.
   void refine(const Point3& position, double& u, double& v) const;
 
+  /// The surface ends at the ends of the box, also where it would go on or come back to itself.
+  void endAtBox();
+
   const ParameterRange& uRange() const { return u_; }
   const ParameterRange& vRange() const { return v_; }
 

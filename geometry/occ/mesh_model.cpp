@@ -11,6 +11,7 @@
 #include "geometry/inside_out.h"
 #include "geometry/join_faces.h"
 #include "geometry/narrow_places.h"
+#include "geometry/occ/creased_shape.h"
 #include "geometry/occ/edge_division.h"
 #include "geometry/occ/face_area.h"
 #include "geometry/occ/face_mesher.h"
@@ -64,6 +65,8 @@ class ModelMesher final : public RetriedModel {
 
   ModelMesh mesh() {
     faces_ = facesAskedFor(model_, options_);
+    shape_ =
+        withCreases(model_.sharedShape(), faces_, options_.sizes, options_.threads, options_.stop);
     findEdgesOfFaces();
     const std::vector<int>& faces = faces_;
     onFaces_ = onFacesAmong(faces);
@@ -72,12 +75,12 @@ class ModelMesher final : public RetriedModel {
     work_ = workOf(faces, areas_);
     const Stopwatch edgesWatch;
     isFineInside_ = isFineInside(options_.sizes);
-    uneven_ = unevenFaces(model_.shape(), options_.sizes, options_.threads, options_.stop);
-    options_.sizes = spreadSizes(model_.shape(), std::move(options_.sizes), uneven_,
-                                 options_.threads, options_.stop);
+    uneven_ = unevenFaces(*shape_, options_.sizes, options_.threads, options_.stop);
+    options_.sizes =
+        spreadSizes(*shape_, std::move(options_.sizes), uneven_, options_.threads, options_.stop);
     expectMoreOnUneven(faces);
     refuseTooManyByPosition(faces);
-    sampled_ = sampleEdges(model_.shape(), options_.sizes, options_.threads, options_.stop);
+    sampled_ = sampleEdges(*shape_, options_.sizes, options_.threads, options_.stop);
     FaceMeshes state;
     state.divided = divide(options_.sizes.function, {});
     const double edgeSeconds = edgesWatch.seconds();
@@ -116,7 +119,7 @@ class ModelMesher final : public RetriedModel {
   const std::vector<std::vector<int>>& edgesOfFaces() const override { return edgesOfFaces_; }
 
   void findEdgesOfFaces() {
-    const ModelShape& shape = model_.shape();
+    const ModelShape& shape = *shape_;
     for (const int face : faces_) {
       std::vector<int>& edges = edgesOfFaces_.emplace_back();
       for (const EdgeUse& use : shape.edgesOfFaces[static_cast<std::size_t>(face) - 1])
@@ -133,13 +136,13 @@ class ModelMesher final : public RetriedModel {
   }
 
   DividedEdges divide(const PositionSize& sizes, const EdgesAsPoints& asPoints) const override {
-    return divideEdges(model_.shape(), sampled_, withSizes(sizes).sizes, options_.threads,
-                       options_.stop, options_.edgePoints, asPoints);
+    return divideEdges(*shape_, sampled_, withSizes(sizes).sizes, options_.threads, options_.stop,
+                       options_.edgePoints, asPoints);
   }
 
   std::vector<EdgesAsPoints> shortEdges(std::size_t i, const DividedEdges& divided,
                                         const std::vector<SizeSource>& places) const override {
-    return shortEdgesNear(model_.shape(), faces_[i], divided, places,
+    return shortEdgesNear(*shape_, faces_[i], divided, places,
                           wantedOnFace(options_.sizes, faces_[i]));
   }
 
@@ -150,7 +153,7 @@ class ModelMesher final : public RetriedModel {
 
   std::vector<SizeSource> sizesInside(std::size_t i) const override {
     if (options_.sizes.elementsPerTurn > 0) return {};  // they are spread already
-    return geometry::sizesInside(model_.shape(), faces_[i], options_.sizes);
+    return geometry::sizesInside(*shape_, faces_[i], options_.sizes);
   }
 
   static double largestAsked(const ModelSizes& sizes) {
@@ -167,7 +170,7 @@ class ModelMesher final : public RetriedModel {
       join.edgeSizes[edge] = bounded(options_.sizes, size);
     if (options_.order == 2)
       join.pointOnEdge = [&](int edge, double parameter) {
-        return toPoint(BRepAdaptor_Curve(model_.shape().edge(edge)).Value(parameter));
+        return toPoint(BRepAdaptor_Curve(shape_->edge(edge)).Value(parameter));
       };
     state.joined = joinFaces(state.divided, state.meshes, join);
     state.faults = faultsOf(state.joined, !options_.stop.stop_requested(), options_.threads);
@@ -188,8 +191,8 @@ class ModelMesher final : public RetriedModel {
   void meshOne(std::size_t i, const ModelMeshingOptions& options, FaceMeshes& state,
                ProgressCallback progress, const TryLimits& limits) const {
     const FaceMeshingContext context{
-        model_.shape(), algorithm_,          options,       state.divided,
-        onFaces_,       std::move(progress), isFineInside_, limits.mostCandidates,
+        *shape_,       algorithm_,          options,       state.divided,
+        onFaces_,      std::move(progress), isFineInside_, limits.mostCandidates,
         limits.mayLean};
     state.meshes[i] = options.stop.stop_requested()
                           ? cancelled(faces_[i])
@@ -203,7 +206,7 @@ class ModelMesher final : public RetriedModel {
 
   /// Faces that lie on another one which is to be meshed, too, or is to be meshed alone.
   std::vector<FaceOnFace> onFacesAmong(const std::vector<int>& faces) const {
-    std::vector<FaceOnFace> found = facesOnFaces(model_.shape(), options_.threads);
+    std::vector<FaceOnFace> found = facesOnFaces(*shape_, options_.threads);
     std::erase_if(found, [&](const FaceOnFace& lying) {
       return !std::ranges::binary_search(faces, lying.under);
     });
@@ -218,7 +221,7 @@ class ModelMesher final : public RetriedModel {
     };
     for (const FaceOnFace& lying : onFaces_) {
       double* area = areaAt(lying.under);
-      if (area && !lying.isDouble()) *area -= areaOf(model_.shape(), lying.face);
+      if (area && !lying.isDouble()) *area -= areaOf(*shape_, lying.face);
       if (double* own = areaAt(lying.face)) *own = 0;
     }
   }
@@ -235,7 +238,7 @@ class ModelMesher final : public RetriedModel {
   std::vector<double> areasOf(const std::vector<int>& faces) const {
     std::vector<double> areas(faces.size(), 0);
     forEachInParallel(faces.size(), options_.threads, [&](std::size_t i) {
-      if (!options_.stop.stop_requested()) areas[i] = areaOf(model_.shape(), faces[i]);
+      if (!options_.stop.stop_requested()) areas[i] = areaOf(*shape_, faces[i]);
     });
     return areas;
   }
@@ -245,8 +248,7 @@ class ModelMesher final : public RetriedModel {
     std::vector<double> work(faces.size(), 1);
     forEachInParallel(faces.size(), options_.threads, [&](std::size_t i) {
       if (!(areas[i] > 0) || options_.stop.stop_requested()) return;
-      work[i] +=
-          expectedElements(options_.sizes, faces[i], model_.shape().surface(faces[i]), areas[i]);
+      work[i] += expectedElements(options_.sizes, faces[i], shape_->surface(faces[i]), areas[i]);
     });
     refuseTooMany(std::accumulate(work.begin(), work.end(), 0.0));
     return work;
@@ -256,7 +258,7 @@ class ModelMesher final : public RetriedModel {
   void expectMoreOnUneven(const std::vector<int>& faces) {
     forEachInParallel(faces.size(), options_.threads, [&](std::size_t i) {
       if (!(areas_[i] > 0) || !std::ranges::binary_search(uneven_, faces[i])) return;
-      const FaceSurface surface = model_.shape().surface(faces[i]);
+      const FaceSurface surface = shape_->surface(faces[i]);
       work_[i] =
           1 + expectedElements(options_.sizes, faces[i], surface, areas_[i], kSamplesWhereUneven);
     });
@@ -271,7 +273,7 @@ class ModelMesher final : public RetriedModel {
     forEachInParallel(faces.size(), options_.threads, [&](std::size_t i) {
       if (!(areas_[i] > 0) || options_.stop.stop_requested()) return;
       try {
-        const FaceSurface surface = model_.shape().surface(faces[i]);
+        const FaceSurface surface = shape_->surface(faces[i]);
         elements[i] = expectedElements(options_.sizes, faces[i], surface, areas_[i], kSamples);
       } catch (const GeometryError&) {  // reported when the face is meshed
       }
@@ -290,6 +292,7 @@ class ModelMesher final : public RetriedModel {
   static constexpr int kSamplesWhereUneven = 32;
 
   const Model& model_;
+  std::shared_ptr<const ModelShape> shape_;  // with edges along its creases
   const AF2Algorithm& algorithm_;
   ModelMeshingOptions options_;
   std::vector<int> faces_;                      // that were asked for

@@ -47,6 +47,7 @@ class Model {
   const std::optional<Healing>& healing() const;
 
   const ModelShape& shape() const { return *shape_; }
+  std::shared_ptr<const ModelShape> sharedShape() const { return shape_; }
 
  private:
   std::shared_ptr<const ModelShape> shape_;

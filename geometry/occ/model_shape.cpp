@@ -210,6 +210,7 @@ std::shared_ptr<const ModelShape> makeModelShape(ReadShape read) {
   TopExp::MapShapes(model->shape, TopAbs_FACE, model->faces);
   TopExp::MapShapes(model->shape, TopAbs_EDGE, model->edges);
   TopExp::MapShapes(model->shape, TopAbs_VERTEX, model->vertices);
+  model->edgesOfFile = model->edges.Extent();
   findUses(*model);
   for (int id = 1; id <= model->faces.Extent(); ++id) {
     model->faceNames.push_back(read.nameOf ? read.nameOf(model->face(id)) : "");

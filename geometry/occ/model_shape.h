@@ -7,11 +7,14 @@
 #include <TopoDS_Shape.hxx>
 #include <TopoDS_Vertex.hxx>
 #include <functional>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "geometry/model_mesh.h"
+#include "geometry/occ/creases.h"
+
 namespace af2::geometry {
 
 class FaceSurface;
@@ -21,6 +24,13 @@ class FaceSurfaces;
 struct EdgeUse {
   int id = 0;
   TopoDS_Edge edge;  ///< oriented as in the face taken forward
+};
+
+/// A line along a crease inside a face. It is an edge with an id after those of the model.
+struct CreaseEdge {
+  int id = 0;
+  bool isAtU = true;       ///< along a line of constant u; else v
+  std::size_t crease = 0;  ///< [k] is between the stretches k and k + 1 of this parameter
 };
 
 /// A shape with its parts numbered. Does not change once made, so threads may share it.
@@ -37,11 +47,17 @@ struct ModelShape {
   std::vector<std::string> notes;
   std::vector<std::string> lostFaces;
   std::optional<Healing> healing;
-  std::vector<int> edgesWithoutCurve;  ///< that got theirs from a face, ascending
+  int edgesOfFile = 0;             ///< ids beyond are of edges along creases
+  std::map<int, FaceCells> cells;  ///< of the faces that have creases
+  /// By vertex at the end of a crease: how far from there edges across it turn with it.
+  std::map<int, double> creaseReach;
+  std::map<int, std::vector<CreaseEdge>> creaseEdges;  ///< by face
+  std::vector<int> edgesWithoutCurve;                  ///< that got theirs from a face, ascending
 
   /// With the orientation that makes the normal of its surface look outwards.
   TopoDS_Face face(int id) const;
   TopoDS_Edge edge(int id) const;
+
   TopoDS_Vertex vertex(int id) const;
   /// The surface of a face, for the calling thread alone. Throws GeometryError if it has none.
   FaceSurface surface(int face) const;

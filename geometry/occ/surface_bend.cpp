@@ -88,6 +88,14 @@ double extentOf(const std::vector<SurfacePoint>& points) {
 
 }  // namespace
 
+void SurfaceBend::add(const SurfaceBend& part) {
+  inU = inU || part.inU;
+  inV = inV || part.inV;
+  extent = std::max(extent, part.extent);
+  breadth = std::min(breadth, part.breadth);
+  creaseRadius = std::min(creaseRadius, part.creaseRadius);
+}
+
 SurfaceBend bendOf(const GeneralSurface& surface, const SplineSurface::Box& box) {
   SurfaceBend bend;
   std::vector<SharpestTurn> turnsInU, turnsInV;

@@ -16,6 +16,9 @@ struct SurfaceBend {
   double breadth = std::numeric_limits<double>::infinity();
   /// The least radius of a crease across such lines; infinite if there are none.
   double creaseRadius = std::numeric_limits<double>::infinity();
+
+  /// Takes in that of another part of the face.
+  void add(const SurfaceBend& part);
 };
 
 /// box  the part of the parameters that the face takes up

@@ -156,7 +156,15 @@ class StopFinder {
                               ? fromEnds > kFromEnds * reach
                               : fromEnds > foot->distance && isWedge(line, edge, vertex, reach);
     if (isOnEdge && isBetweenEnds(samples_[edge], foot->parameter))
-      stops.push_back({foot->parameter, vertex});
+      stops.push_back({atKink(samples_[edge], *foot, std::max(reach, foot->distance)), vertex});
+  }
+
+  /// A stop at a kink of the edge is right there: there is a vertex anyway.
+  static double atKink(const EdgeSamples& samples, const Foot& foot, double reach) {
+    for (std::size_t i = 0; i + 1 < samples.pieces.size(); ++i)
+      if (distance(samples.pieces[i].positions.back(), foot.position) <= reach)
+        return samples.pieces[i].parameters.back();
+    return foot.parameter;
   }
 
   static bool isBetweenEnds(const EdgeSamples& samples, double parameter) {

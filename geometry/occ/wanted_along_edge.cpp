@@ -31,7 +31,8 @@ void WantedAlongEdge::addFace(const ModelShape& model, int edge, int face) {
   try {
     const FaceSurface surface = model.surface(face);
     double first, last;
-    if (!surface.isPlane()) {
+    // Along a crease, what the face turns across it is left out.
+    if (!surface.isPlane() && edge <= model.edgesOfFile) {
       neighbor.curve =
           BRep_Tool::CurveOnSurface(model.edge(edge), TopoDS::Face(model.faces(face)), first, last);
       neighbor.surface = surface;

@@ -23,4 +23,7 @@ std::vector<Family> sweptFamilies();
 /// Free surfaces, sheets, what shares faces, odd units and places.
 std::vector<Family> surfaceFamilies();
 
+/// Faces that turn sharply inside, along lines that are no edges.
+std::vector<Family> creasedFamilies();
+
 }  // namespace af2::made

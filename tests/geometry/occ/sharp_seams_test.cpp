@@ -21,6 +21,8 @@
 
 #include <cmath>
 
+#include "geometry/occ/edge_division.h"
+#include "geometry/occ/face_mesher.h"
 #include "tests/geometry/occ/meshing.h"
 #include "tests/support/model_mesh.h"
 
@@ -114,7 +116,8 @@ TEST(Seams, GetAVertexForEachPlaceInTheParameters) {
   EXPECT_EQ(input.loops[0][2].vertex, VertexId(2));
 }
 
-/// A spline with a sharp corner in it: elements across that lean against the surface.
+/// A spline with a sharp corner in it that is not taken for an edge: elements across that lean
+/// against the surface.
 TEST(Seams, AreNoObstacleToElementsThatLean) {
   TColgp_Array1OfPnt poles(1, 3);
   TColStd_Array1OfReal knots(1, 3);
@@ -128,10 +131,17 @@ TEST(Seams, AreNoObstacleToElementsThatLean) {
   const TopoDS_Shape turned =
       BRepPrimAPI_MakeRevol(BRepBuilderAPI_MakeEdge(zigzag).Edge(), gp_Ax1({0, 0, 0}, {0, 0, 1}))
           .Shape();
-  const ModelMesh result = mesh(turned, 0.4);
-  expectComplete(result, areaOf(turned));
-  ASSERT_FALSE(result.faces[0].attempts.empty());
-  EXPECT_EQ(result.faces[0].attempts.back(), "elements that lean against the surface");
+  const Model model = testing::modelOf(turned);
+  const ModelMeshingOptions options = testing::ofSize(0.4);
+  const AF2Algorithm algorithm(testing::triangleSet());
+  const auto sampled = sampleEdges(model.shape(), options.sizes, 1, {});
+  const DividedEdges divided = divideEdges(model.shape(), sampled, options.sizes, 1, {}, {}, {});
+  const std::size_t any = std::numeric_limits<std::size_t>::max();
+  for (const bool mayLean : {false, true}) {
+    const FaceMesh face = meshFace(
+        {model.shape(), algorithm, options, divided, {}, {}, false, any, mayLean}, 1, 0, 500);
+    EXPECT_EQ(face.report.status, mayLean ? FaceStatus::Complete : FaceStatus::Failed);
+  }
 }
 
 }  // namespace

@@ -1,0 +1,56 @@
+// Lines of constant u or v at which a face turns sharply inside: edges in all but name.
+// Not installed: includers need OpenCASCADE's headers.
+#pragma once
+
+#include <Geom_Surface.hxx>
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+#include "geometry/occ/general_surface.h"
+
+namespace af2::geometry {
+
+/// A range of a parameter without creases inside. Between an end of it and its calm part the
+/// surface turns in less than an element can follow: there normals and radii are those of the calm
+/// part.
+struct Stretch {
+  double low = 0, high = 0;
+  double calmLow = 0, calmHigh = 0;
+
+  double calm(double parameter) const { return std::clamp(parameter, calmLow, calmHigh); }
+  bool has(double parameter) const { return parameter >= low && parameter <= high; }
+};
+
+/// The part of the parameters that a face takes up, cut along its creases. [k] ends where [k + 1]
+/// begins.
+struct FaceCells {
+  std::vector<Stretch> u, v;
+
+  bool isOne() const { return u.size() <= 1 && v.size() <= 1; }
+  std::size_t count() const { return u.size() * v.size(); }
+};
+
+/// One of the cells into which its creases cut a face: [u] and [v] of its stretches.
+struct FaceCell {
+  std::size_t u = 0, v = 0;
+};
+
+/// Whether a place is in a cell, or beside it by no more than some share of the parameters.
+bool isIn(const FaceCell& cell, const FaceCells& cells, double u, double v, double share = 0);
+
+/// The parameter, taken out of the creases.
+double calm(const std::vector<Stretch>& stretches, double parameter);
+
+/// Finds creases all along a face: where the normal turns by more than some 30 degrees at once, as
+/// a spline does at a knot of full multiplicity, and by more than a radian within a few hundredths
+/// of the wanted size.
+///
+/// box   the part of the parameters that the face takes up
+/// size  of elements; not positive: only what turns at once counts
+///
+/// Nothing in both directions if there are none.
+FaceCells cellsOf(const GeneralSurface& surface, const Handle(Geom_Surface) & definition,
+                  const SplineSurface::Box& box, double size);
+
+}  // namespace af2::geometry
