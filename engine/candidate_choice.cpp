@@ -4,19 +4,29 @@
 
 #include "engine/element_shape.h"
 #include "engine/open_places.h"
+#include "engine/pair.h"
 #include "engine/surroundings.h"
 
 namespace af2 {
 namespace {
 
-bool lies(const Box2& box, Point2 p) {
-  return p.x >= box.low.x && p.x <= box.high.x && p.y >= box.low.y && p.y <= box.high.y;
-}
+/// A box around a zone.
+class ZoneBox {
+ public:
+  explicit ZoneBox(const Box2& box, double margin = 0)
+      : low_(pairAt(box.low) - Pair{margin, margin}),
+        high_(pairAt(box.high) + Pair{margin, margin}) {}
+  bool holds(Point2 point) const { return isWithin(pairAt(point), pairAt(point)); }
+  bool mayMeet(Point2 from, Point2 to) const {
+    return isWithin(smaller(pairAt(from), pairAt(to)), larger(pairAt(from), pairAt(to)));
+  }
 
-bool mayMeet(const Box2& box, Point2 p, Point2 q) {
-  return (std::max(p.x, q.x) >= box.low.x) & (std::min(p.x, q.x) <= box.high.x) &
-         (std::max(p.y, q.y) >= box.low.y) & (std::min(p.y, q.y) <= box.high.y);
-}
+ private:
+  bool isWithin(Pair least, Pair greatest) const {
+    return bothHold((greatest >= low_) & (least <= high_)) != 0;
+  }
+  Pair low_, high_;
+};
 
 /// What a zone need not be free of: the vertices and edges that the rule has matched.
 class MatchedParts {
@@ -249,17 +259,16 @@ void CandidateChoice::searchZone(const StepView& view, const Candidate& candidat
     near_.gather(front_, index_, view.chart, view.base, larger);
   }
   const MatchedParts matched(front_, candidate);
-  const Box2 reach{{box.low.x - kSamePlace, box.low.y - kSamePlace},
-                   {box.high.x + kSamePlace, box.high.y + kSamePlace}};
+  const ZoneBox reach(box, kSamePlace), room(box);
   for (const Neighborhood::Edge& edge : near_.edges()) {
-    if (!lies(reach, edge.from)) continue;
+    if (!reach.holds(edge.from)) continue;
     if (matched.holdVertex(edge.vertex)) continue;
     if (!zone.contains(edge.from, ZoneBoundary::Counts) && !isAtNewVertex(candidate, edge.from))
       continue;
     if (!visit(Refusal::ZoneHitByVertex, edge.vertex, VertexId())) return;
   }
   for (const Neighborhood::Edge& edge : near_.edges()) {
-    if (!edge.isEdge || !mayMeet(box, edge.from, edge.to) || matched.holdEdge(edge.place)) continue;
+    if (!edge.isEdge || !room.mayMeet(edge.from, edge.to) || matched.holdEdge(edge.place)) continue;
     if (!zone.meets(edge.from, edge.to, ZoneBoundary::Ignored)) continue;
     const VertexId end = front_[front_.next(edge.place)].vertex;
     if (!visit(Refusal::ZoneHitByEdge, edge.vertex, end)) return;

@@ -118,7 +118,8 @@ void FrontIndex::collectInRange(const Band& band, const CellRange& range, Search
           x |= kBlock - 1;  // on to the next block
           continue;
         }
-        if (const Cell* cell = find(band, key)) collectInCell(*cell, search);
+        const std::uint32_t cell = band.slots[slotOf(band, key)].cell;
+        if (cell != kEmpty) collectInCell(band.cells[cell], search);
       }
     }
   }
@@ -188,25 +189,22 @@ void FrontIndex::erase(PlaceId id) {
 std::uint32_t FrontIndex::findOrAdd(Band& band, std::uint64_t key) {
   if (2 * (band.cells.size() + 1) > band.slots.size())
     rehash(band, std::max<std::size_t>(64, 2 * band.slots.size()));
-  const std::size_t mask = band.slots.size() - 1;
-  std::size_t i = hash(key) & mask;
-  for (; band.slots[i] != kEmpty; i = (i + 1) & mask)
-    if (band.cells[band.slots[i]].key == key) return band.slots[i];
-  band.slots[i] = static_cast<std::uint32_t>(band.cells.size());
+  Slot& slot = band.slots[slotOf(band, key)];
+  if (slot.cell != kEmpty) return slot.cell;
   AF2_CHECK(band.cells.size() < (1u << kBandShift), "fewer than 2^27 cells are in use");
+  slot = {key, static_cast<std::uint32_t>(band.cells.size())};
   band.cells.push_back({key, PlaceId(), 0});
   markBlock(band, key);
-  return band.slots[i];
+  return slot.cell;
 }
 
 void FrontIndex::rehash(Band& band, std::size_t slots) {
-  band.slots.assign(slots, kEmpty);
+  band.slots.assign(slots, Slot{});
   band.isBlockUsed.assign(slots, 0);
   for (std::size_t c = 0; c < band.cells.size(); ++c) {
-    std::size_t i = hash(band.cells[c].key) & (slots - 1);
-    while (band.slots[i] != kEmpty) i = (i + 1) & (slots - 1);
-    band.slots[i] = static_cast<std::uint32_t>(c);
-    markBlock(band, band.cells[c].key);
+    const std::uint64_t key = band.cells[c].key;
+    band.slots[slotOf(band, key)] = {key, static_cast<std::uint32_t>(c)};
+    markBlock(band, key);
   }
 }
 

@@ -45,6 +45,10 @@ class FrontIndex {
     PlaceId first;
     std::uint32_t edges = 0;
   };
+  struct Slot {
+    std::uint64_t key = 0;
+    std::uint32_t cell = kEmpty;
+  };
   /// Four numbers in one register.
   using Four = float __attribute__((vector_size(16)));
   using FourBits = std::int32_t __attribute__((vector_size(16)));
@@ -82,8 +86,8 @@ class FrontIndex {
         0;  ///< largest distance of an edge's points from its midpoint along an axis, so far
     Box3 midpoints = kNowhere;  ///< holds them all
     std::size_t edges = 0;
-    std::vector<Cell> cells;           ///< in order of first use
-    std::vector<std::uint32_t> slots;  ///< open addressing into cells; a power of two
+    std::vector<Cell> cells;  ///< in order of first use
+    std::vector<Slot> slots;  ///< open addressing into cells; a power of two
     /// Whether there may be a cell in a block of 4 x 4 x 4, by hash; as many as slots.
     std::vector<std::uint8_t> isBlockUsed;
   };
@@ -122,13 +126,12 @@ class FrontIndex {
   CellRange cellsAround(const Band& band, const Box3& box) const;
   std::uint64_t keyAt(const Band& band, const Point3& point) const;
 
-  const Cell* find(const Band& band, std::uint64_t key) const {
+  /// Where a key is, or the empty slot where it would be.
+  static std::size_t slotOf(const Band& band, std::uint64_t key) {
     const std::size_t mask = band.slots.size() - 1;
-    for (std::size_t i = hash(key) & mask;; i = (i + 1) & mask) {
-      const std::uint32_t slot = band.slots[i];
-      if (slot == kEmpty) return nullptr;
-      if (band.cells[slot].key == key) return &band.cells[slot];
-    }
+    std::size_t i = hash(key) & mask;
+    while (band.slots[i].cell != kEmpty && band.slots[i].key != key) i = (i + 1) & mask;
+    return i;
   }
   std::uint32_t findOrAdd(Band& band, std::uint64_t key);
   static void rehash(Band& band, std::size_t slots);

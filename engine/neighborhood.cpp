@@ -1,26 +1,11 @@
 #include "engine/neighborhood.h"
 
 #include <algorithm>
-#include <bit>
+
+#include "engine/pair.h"
 
 namespace af2 {
 namespace {
-
-/// Two coordinates in one register. Each is worked out as on its own, so that every processor has
-/// the same results.
-using Pair = double __attribute__((vector_size(16)));
-
-Pair smaller(Pair p, Pair q) { return q < p ? q : p; }
-Pair larger(Pair p, Pair q) { return p < q ? q : p; }
-/// 1 if a comparison holds for both coordinates, else 0.
-std::ptrdiff_t bothHold(decltype(Pair{} < Pair{}) comparison) {
-  return -(comparison[0] & comparison[1]);
-}
-
-Point2 pointAt(Pair position) {
-  static_assert(sizeof(Point2) == sizeof(Pair));
-  return std::bit_cast<Point2>(position);
-}
 
 struct Drawn {
   Pair position;

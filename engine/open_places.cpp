@@ -28,6 +28,8 @@ struct Sector {
 };
 
 Point2 positionOf(const StepView& view, PlaceId id) {
+  for (const DrawnBase::Corner* corner : {&view.drawn.a, &view.drawn.b})
+    if (corner->place == id) return corner->point.position;
   return view.chart.positionOf(view.front[id].point);
 }
 
