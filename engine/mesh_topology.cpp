@@ -140,6 +140,8 @@ void MeshTopology::swap(Corner side) {
   renewCornerOf({s, 1});
   renewCornerOf({s, 2});
   renewCornerOf({t, 1});
+  noteChange(s);
+  noteChange(t);
 }
 
 void MeshTopology::collapse(Corner side) {
@@ -153,7 +155,10 @@ void MeshTopology::collapse(Corner side) {
 
   std::vector<Corner> star;
   for (Corner c = aroundVertex(side); c != side; c = aroundVertex(c)) star.push_back(c);
-  for (Corner c : star) mesh_.elements[c.element()].corners[c.index()] = to;
+  for (Corner c : star) {
+    mesh_.elements[c.element()].corners[c.index()] = to;
+    noteChange(c.element());
+  }
   --valence_[vertexAt(previous(side)).value];
   --valence_[vertexAt(previous(other)).value];
   valence_[to.value] = static_cast<std::uint8_t>(valence_[to.value] + valence_[from.value] - 4);
@@ -187,6 +192,7 @@ std::vector<std::size_t> MeshTopology::replace(std::vector<std::size_t> places,
     --valence_[vertexAt(c).value];
     cornerOf_[vertexAt(c).value] = Corner();
   });
+  for (const std::size_t e : places) noteChange(e);
   while (places.size() < elements.size()) {
     places.push_back(mesh_.elements.size());
     mesh_.elements.emplace_back();
@@ -208,6 +214,7 @@ std::vector<std::size_t> MeshTopology::replace(std::vector<std::size_t> places,
     });
   });
   forEachCorner(elements.size(), [&](Corner c) { renewCornerOf(c); });
+  for (const std::size_t e : std::span(places).first(elements.size())) noteChange(e);
   places.resize(elements.size());
   return places;
 }

@@ -70,6 +70,9 @@ class MeshTopology {
   /// element uses any more. Returns where the elements are.
   std::vector<std::size_t> replace(std::vector<std::size_t> places,
                                    std::span<const Element> elements);
+  /// The vertices of all elements that were changed since this was last asked, in no order and
+  /// perhaps several times.
+  std::vector<VertexId> takeChanged() { return std::exchange(changed_, {}); }
   /// Takes out what collapses left dead; the topology is of no use afterwards.
   void compact();
 
@@ -78,12 +81,17 @@ class MeshTopology {
   void cutAt(const MeshBoundary& boundary);
   void findCorners();
   void renewCornerOf(Corner c);
+  void noteChange(std::size_t element) {
+    const auto vertices = mesh_.elements[element].vertices();
+    changed_.insert(changed_.end(), vertices.begin(), vertices.end());
+  }
 
   Mesh& mesh_;
   std::size_t fixedCount_;
   std::vector<Corner> across_;
   std::vector<Corner> cornerOf_;
   std::vector<std::uint8_t> valence_;
+  std::vector<VertexId> changed_;
 };
 
 }  // namespace af2

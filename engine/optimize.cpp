@@ -99,21 +99,23 @@ OptimizeReport improve(Mesh& mesh, const MeshBoundary& boundary,
                         (options.closingRule &&
                          std::ranges::find(mesh.rule, *options.closingRule) != mesh.rule.end());
   const int rounds = options.rounds + (hasQuads ? 1 : 0);
+  // Rounds with quadrilaterals smooth twice, and nothing sleeps early in them.
+  const bool hasOneLess = hasQuads && options.smoothingSweeps > 1;
+  const int sweeps = options.smoothingSweeps - (hasOneLess ? 1 : 0);
   const auto smooth = [&] {
-    for (int sweep = 0; sweep < options.smoothingSweeps; ++sweep)
+    smoother.wake(topology.takeChanged());
+    for (int sweep = 0; sweep < sweeps; ++sweep)
       if (!options.stop.stop_requested()) report.moves += smoother.sweep(options.stop);
   };
   for (int round = 0; round < rounds && !options.stop.stop_requested(); ++round) {
     if (hasQuads && options.renumber) {
       smooth();
       report.replacements += tidyQuads(topology, angles, options.closingRule);
-      smoother.wakeAll();
     }
     report.swaps += swapSides(topology, SwapGoal::Valence, wanted);
     if (options.renumber) report.collapses += collapseEdges(topology);
     smooth();
     report.swaps += swapSides(topology, SwapGoal::Shape, wanted);
-    smoother.wakeAll();
   }
   smooth();
   if (!options.stop.stop_requested()) report.moves += mendPoorElements(topology, smoother);

@@ -13,7 +13,7 @@ namespace af2 {
 
 struct OptimizeOptions {
   int rounds = 2;           ///< of swapping and smoothing; one more with quadrilaterals
-  int smoothingSweeps = 2;  ///< over all vertices, in each round
+  int smoothingSweeps = 3;  ///< at most, in each round; one less with quadrilaterals
   bool renumber = true;     ///< whether vertices and elements may be taken out and put in
   /// Whether a mesh that comes out unsound is put back as it was. If not, the report tells, and
   /// half of the memory is saved: for those who can make the mesh anew.

@@ -121,16 +121,21 @@ Point2 improvedPosition(std::span<const DistortionTerm> terms, double reach) {
 constexpr double kGoodDistortion = 1.2;
 /// Moves of less than this part of an edge are not worth a query of the surface.
 constexpr double kLeastMove = 1e-3;
+/// Triangles need not follow moves of less than this: a vertex sleeps after it, and its neighbours
+/// sleep on. Quadrilaterals creep towards their shape in many small moves.
+constexpr double kWakingMove = 0.01;
 
 }  // namespace
 
 VertexSmoother::VertexSmoother(MeshTopology& topology, Mesh& mesh,
                                const AF2LocalTransformMaker& maker)
     : topology_(topology), mesh_(mesh), maker_(maker) {
-  wakeAll();
+  isAwake_.assign(mesh.vertices.size(), 1);
 }
 
-void VertexSmoother::wakeAll() { isAwake_.assign(mesh_.vertices.size(), 1); }
+void VertexSmoother::wake(std::span<const VertexId> vertices) {
+  for (const VertexId v : vertices) isAwake_[v.value] = 1;
+}
 
 std::size_t VertexSmoother::sweep(const std::stop_token& stop) {
   constexpr std::size_t kLookInterval = 1024;
@@ -139,31 +144,34 @@ std::size_t VertexSmoother::sweep(const std::stop_token& stop) {
     if (v % kLookInterval == 0 && stop.stop_requested()) break;
     if (!isAwake_[v]) continue;
     isAwake_[v] = 0;
-    if (!smooth(VertexId(v), Goal::All)) continue;
-    ++moved;
-    isAwake_[v] = 1;
-    for (Corner c : star_) isAwake_[topology_.vertexAt(topology_.next(c)).value] = 1;
+    const double move = smooth(VertexId(v), Goal::All);
+    moved += move > 0;
+    if (!(move > 0)) continue;
+    for (Corner c : star_) {
+      const Element& element = mesh_.elements[c.element()];
+      if (move >= kWakingMove || element.isQuad()) wake(element.vertices());
+    }
   }
   return moved;
 }
 
 std::size_t VertexSmoother::mend(std::span<const VertexId> vertices) {
   std::size_t moved = 0;
-  for (const VertexId v : vertices) moved += smooth(v, Goal::Worst);
+  for (const VertexId v : vertices) moved += smooth(v, Goal::Worst) > 0;
   return moved;
 }
 
-bool VertexSmoother::smooth(VertexId v, Goal goal) {
+double VertexSmoother::smooth(VertexId v, Goal goal) {
   const Corner first = topology_.cornerOf(v);
-  if (first.isNone() || !collectStar(first)) return false;
+  if (first.isNone() || !collectStar(first)) return 0;
   const SurfacePoint& here = mesh_.vertices[v.value];
   const SurfacePoint& neighbor = at(topology_.next(first));
   const double unit = distance(here.position, neighbor.position);
-  if (!(unit > 0)) return false;
+  if (!(unit > 0)) return 0;
   try {
     return moveInChart(v, {maker_.makeLocalTransformIn(slot_, here, neighbor, unit), unit}, goal);
   } catch (const GeometryError&) {
-    return false;  // no chart at this vertex: it stays where it is
+    return 0;  // no chart at this vertex: it stays where it is
   }
 }
 
@@ -178,25 +186,26 @@ bool VertexSmoother::collectStar(Corner first) {
   return c == first;
 }
 
-bool VertexSmoother::moveInChart(VertexId v, const StepChart& chart, Goal goal) {
-  if (!makeTerms(chart)) return false;
+double VertexSmoother::moveInChart(VertexId v, const StepChart& chart, Goal goal) {
+  if (!makeTerms(chart)) return 0;
   const bool isForAll = goal == Goal::All;
   const Point2 target =
       isForAll ? improvedPosition<2>(terms_, reach_) : improvedPosition<16>(terms_, reach_);
-  if (length(target) < kLeastMove * reach_) return false;
+  const double move = length(target) / reach_;
+  if (!(move >= kLeastMove)) return 0;
   const auto lifted = chart.lift(target);
-  if (!lifted) return false;
+  if (!lifted) return 0;
   SurfacePoint& here = mesh_.vertices[v.value];
   const SurfacePoint before = here;
   here = *lifted;
-  if (isForAll && chart.isPlane()) return true;  // surely better
-  if (isForAll && areAllPlainlyGood()) return true;
+  if (isForAll && chart.isPlane()) return move;  // surely better
+  if (isForAll && areAllPlainlyGood()) return move;
   const double worst = worstDistortion();
-  if (isForAll && worst <= kGoodDistortion) return true;
+  if (isForAll && worst <= kGoodDistortion) return move;
   here = before;
-  if (worst > worstDistortion()) return false;
+  if (worst > worstDistortion()) return 0;
   here = *lifted;
-  return true;
+  return move;
 }
 
 bool VertexSmoother::makeTerms(const StepChart& chart) {

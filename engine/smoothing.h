@@ -21,8 +21,8 @@ struct DistortionTerm {
   double a0;
 };
 
-/// Smooths a mesh sweep by sweep. A vertex whose surroundings have not changed since it last found
-/// nothing to gain is passed over.
+/// Smooths a mesh sweep by sweep. A vertex is passed over if its surroundings have hardly changed
+/// since it last found next to nothing to gain.
 class VertexSmoother {
  public:
   VertexSmoother(MeshTopology& topology, Mesh& mesh, const AF2LocalTransformMaker& maker);
@@ -32,15 +32,16 @@ class VertexSmoother {
   std::size_t sweep(const std::stop_token& stop = {});
   /// One sweep over some inner vertices, for the sake of the worst element at each.
   std::size_t mend(std::span<const VertexId> vertices);
-  /// After swaps and collapses: every vertex is worth a look again.
-  void wakeAll();
+  /// After swaps and collapses: these are worth a look again.
+  void wake(std::span<const VertexId> vertices);
 
  private:
   enum class Goal { All, Worst };
 
-  bool smooth(VertexId v, Goal goal);
+  /// How far the vertex was moved, as a part of the shortest edge there; 0: not at all.
+  double smooth(VertexId v, Goal goal);
   bool collectStar(Corner first);
-  bool moveInChart(VertexId v, const StepChart& chart, Goal goal);
+  double moveInChart(VertexId v, const StepChart& chart, Goal goal);
   bool makeTerms(const StepChart& chart);
   bool areAllPlainlyGood() const;
   double worstDistortion() const;

@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <set>
+
 #include "tests/support/meshing.h"
 #include "tests/support/quad_grid.h"
 
@@ -94,6 +97,59 @@ TEST(MeshTopology, CollapsesAnInnerVertex) {
   EXPECT_EQ(hexagon.mesh.elements.size(), 4u);
   EXPECT_EQ(hexagon.mesh.vertices.size(), 6u);
   EXPECT_TRUE(checkMesh(hexagon.mesh, hexagon.input).empty());
+}
+
+/// By vertex the corners of all its elements, from the vertex on.
+std::vector<std::set<std::vector<std::uint32_t>>> starsOf(const Mesh& mesh) {
+  std::vector<std::set<std::vector<std::uint32_t>>> stars(mesh.vertices.size());
+  for (const Element& element : mesh.elements) {
+    if (element.corners[0].isNone()) continue;
+    const auto n = static_cast<std::size_t>(element.size());
+    for (std::size_t i = 0; i < n; ++i) {
+      std::vector<std::uint32_t> corners;
+      for (std::size_t k = 0; k < n; ++k) corners.push_back(element.corners[(i + k) % n].value);
+      stars[corners[0]].insert(corners);
+    }
+  }
+  return stars;
+}
+
+/// That every vertex that has other elements now is told, once.
+template <class Work>
+void expectToldOfChanges(MeshTopology& topology, const Work& work) {
+  const auto before = starsOf(topology.mesh());
+  work();
+  const auto after = starsOf(topology.mesh());
+  const std::vector<VertexId> told = topology.takeChanged();
+  for (std::size_t v = 0; v < before.size(); ++v) {
+    if (before[v] == after[v] || after[v].empty()) continue;
+    EXPECT_TRUE(std::ranges::find(told, VertexId(v)) != told.end()) << "vertex " << v;
+  }
+  EXPECT_FALSE(told.empty());
+  EXPECT_TRUE(topology.takeChanged().empty());
+}
+
+TEST(MeshTopology, TellsWhichVerticesHaveOtherElements) {
+  {
+    Hexagon hexagon;
+    MeshTopology topology(hexagon.mesh, boundaryOf(hexagon.input));
+    EXPECT_TRUE(topology.takeChanged().empty());
+    expectToldOfChanges(topology, [&] { topology.swap({0, 0}); });
+  }
+  {
+    Hexagon hexagon;
+    MeshTopology topology(hexagon.mesh, boundaryOf(hexagon.input));
+    expectToldOfChanges(topology, [&] { topology.collapse({0, 0}); });
+  }
+  QuadGrid grid(3);
+  const auto [a, b, c, d] = grid.element(1, 1).corners;
+  MeshTopology topology(grid.mesh, boundaryOf(grid.input));
+  expectToldOfChanges(topology, [&] {
+    topology.replace({4}, std::vector<Element>{{{a, b, c, {}}}, {{a, c, d, {}}}});
+  });
+  expectToldOfChanges(topology, [&] {
+    topology.replace({4, 9}, std::vector<Element>{{{a, b, c, d}}});
+  });
 }
 
 TEST(MeshTopology, IsCutAlongLinesInsideTheRegion) {

@@ -1,0 +1,75 @@
+// That vertices which sleep would not have moved.
+#include "engine/smoothing.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "tests/support/meshing.h"
+
+namespace af2 {
+namespace {
+
+using namespace af2::testing;
+
+struct Case {
+  FrontInput input;
+  Mesh mesh;
+  FlatMaker maker;
+
+  Case() : input(discWithHole(.1)) {
+    mesh = AF2Algorithm(triangleSet()).execute(maker, input, UniformSize(.1)).mesh;
+  }
+};
+
+/// Until nothing moves, whoever looks.
+void bringToRest(MeshTopology& topology, Case& c) {
+  constexpr int kMost = 2000;
+  for (int i = 0; i < kMost; ++i)
+    if (VertexSmoother(topology, c.mesh, c.maker).sweep() == 0) return;
+  FAIL() << "still moving";
+}
+
+Corner someInnerSide(const MeshTopology& topology) {
+  const std::size_t last = topology.mesh().vertices.size() - 1;
+  return topology.cornerOf(VertexId(last / 2 + topology.fixedCount() / 2));
+}
+
+/// Neighbours need not follow moves of a hundredth of an edge.
+constexpr double kAsNear = 0.02 * .1;
+
+TEST(Smoothing, AfterASwapWhoeverIsNotToldNeedNotLook) {
+  Case c;
+  MeshTopology topology(c.mesh, boundaryOf(c.input));
+  bringToRest(topology, c);
+  VertexSmoother asleep(topology, c.mesh, c.maker);
+  EXPECT_EQ(asleep.sweep(), 0u);
+  topology.swap(someInnerSide(topology));
+  const std::vector<SurfacePoint> before = c.mesh.vertices;
+
+  asleep.wake(topology.takeChanged());
+  EXPECT_GT(asleep.sweep(), 0u);
+  const std::vector<SurfacePoint> woken = c.mesh.vertices;
+  double farthest = 0;
+  for (std::size_t v = 0; v < woken.size(); ++v)
+    farthest = std::max(farthest, distance(before[v].position, woken[v].position));
+  EXPECT_GT(farthest, 2 * kAsNear);
+
+  c.mesh.vertices = before;
+  VertexSmoother(topology, c.mesh, c.maker).sweep();
+  for (std::size_t v = 0; v < woken.size(); ++v)
+    EXPECT_LT(distance(c.mesh.vertices[v].position, woken[v].position), kAsNear);
+}
+
+TEST(Smoothing, NobodyLooksWhereNothingWasToldOf) {
+  Case c;
+  MeshTopology topology(c.mesh, boundaryOf(c.input));
+  bringToRest(topology, c);
+  VertexSmoother asleep(topology, c.mesh, c.maker);
+  asleep.sweep();
+  topology.swap(someInnerSide(topology));
+  EXPECT_EQ(asleep.sweep(), 0u);
+}
+
+}  // namespace
+}  // namespace af2
