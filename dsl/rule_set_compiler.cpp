@@ -7,6 +7,7 @@
 
 #include "dsl/allowed_codes.h"
 #include "dsl/compiled_forms.h"
+#include "dsl/ideal_score.h"
 #include "dsl/known_values.h"
 
 namespace af2::dsl {
@@ -236,22 +237,14 @@ bool RuleSetCompiler::hasValues(const Program& program, const Expr& expr, const 
   return true;
 }
 
-/// Besides: the best element there is should have a score.
 void RuleSetCompiler::checkMetric(const Program& program, const Expr& expr, const Module& home,
                                   int corners) {
   if (!hasValues(program, expr, home, "the score")) return;
-  const std::vector<Point2> ideal =
-      corners == 3 ? std::vector<Point2>{{0, 0}, {1, 0}, {0.5, std::sqrt(0.75)}}
-                   : std::vector<Point2>{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
   const ExpressionFunction function(program);
-  for (int level = 1; level <= shared_.maxLevel; ++level) {
-    if (function.evaluate({ideal, level, nullptr})) continue;
-    const char* element = corners == 3 ? "the triangle with sides of 1" : "the unit square";
-    return context_.tell(
-        home, "Y4", expr.span,
-        std::string("the score of ") + element + " has no value at level " + std::to_string(level),
-        "a rule is refused where one of its elements has no score", {}, Severity::Warning);
-  }
+  checkIdealScore(context_, expr, home, corners, shared_.maxLevel,
+                  [&](const std::vector<Point2>& ideal, int level) {
+                    return function.evaluate({ideal, level, nullptr});
+                  });
 }
 
 std::shared_ptr<const AF2ElementMetric> RuleSetCompiler::metric(const std::set<int>& sizes) {
@@ -264,8 +257,14 @@ std::shared_ptr<const AF2ElementMetric> RuleSetCompiler::metric(const std::set<i
       (expr.kind == ExprKind::Name || expr.kind == ExprKind::Call) && expr.qualifier.empty();
   if (isNameOrCall && expr.parts.empty())
     if (const auto found = context_.registry.metrics().find(expr.name);
-        found != context_.registry.metrics().end())
+        found != context_.registry.metrics().end()) {
+      for (const int corners : sizes)
+        checkIdealScore(context_, expr, *home, corners, shared_.maxLevel,
+                        [&](const std::vector<Point2>& ideal, int level) {
+                          return found->second->badnessAt(ideal, level);
+                        });
       return found->second;
+    }
   std::optional<Program> triangle, quad;
   if (sizes.contains(3)) triangle = metricProgram(expr, *home, 3);
   if (sizes.contains(4)) quad = metricProgram(expr, *home, 4);

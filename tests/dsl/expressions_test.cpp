@@ -125,6 +125,43 @@ TEST(Expressions, CallWhatIsRegistered) {
                InputError);
 }
 
+/// Has no value for quadrilaterals, nor for triangles at some levels.
+class LateMetric final : public AF2ElementMetric {
+ public:
+  std::optional<double> badness(std::span<const Point2>) const override { return 0; }
+  std::optional<double> badnessAt(std::span<const Point2> corners, int level) const override {
+    if (corners.size() == 4 || level == 7) return std::nullopt;
+    return 1;
+  }
+};
+
+TEST(Expressions, TellLevelsAtWhichARegisteredMetricHasNoValue) {
+  Registry registry;
+  registry.addMetric("late", std::make_shared<LateMetric>());
+  registry.addMetric("mine", std::make_shared<ShapeSizeMetric>(10));
+  LoadOptions options;
+  options.registry = &registry;
+  const auto toldOf = [&](const std::string& score, const std::string& element) {
+    const LoadedRules loaded = loadRulesFromText(
+        "test.af2",
+        "af2 1;\nruleset \"s\" { elements tri, quad; score " + score + "; }\n" +
+            "rule \"r\" quality 1 { at c (1, 1), d (0, 1); zone a, b, c, d; " + element + "; }",
+        options);
+    EXPECT_TRUE(loaded.rules) << toPretty(loaded.diagnostics);
+    std::string told;
+    for (const Diagnostic& d : loaded.diagnostics)
+      if (d.code == "Y4") told += d.message + ";";
+    return told;
+  };
+  for (const std::string score : {"max of late", "max of late + 1"}) {
+    EXPECT_EQ(toldOf(score, "tri a b c, a c d"),
+              "the score of the triangle with sides of 1 has no value at level 7;");
+    EXPECT_EQ(toldOf(score, "quad a b c d"),
+              "the score of the unit square has no value at level 1;");
+  }
+  EXPECT_EQ(toldOf("max of mine", "tri a b c, a c d"), "");
+}
+
 TEST(Expressions, MakeZonesOfRegisteredShapes) {
   Registry registry;
   registry.addShape(
