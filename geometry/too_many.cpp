@@ -1,5 +1,7 @@
 #include "geometry/too_many.h"
 
+#include <limits>
+#include <sstream>
 #include <string>
 
 #include "engine/error.h"
@@ -14,6 +16,17 @@ void refuseTooMany(double elements) {
                                 : std::string("more than a thousand million");
   throw InputError("the sizes ask for " + count +
                    " thousand million elements; ask for larger ones");
+}
+
+void refuseBlurred(double farthest, double size) {
+  constexpr double kSharp = 1e-3;  // of the size
+  const double step = farthest * std::numeric_limits<double>::epsilon();
+  if (step <= kSharp * size) return;
+  std::ostringstream text;
+  text << "coordinates of " << farthest << " are exact to " << step
+       << " only, too little for elements of size " << size
+       << "; move the model to the origin, or ask for larger ones";
+  throw InputError(text.str());
 }
 
 }  // namespace af2::geometry

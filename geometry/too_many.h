@@ -1,4 +1,4 @@
-// Sizes that ask for more elements than there can be.
+// Sizes that ask for more elements than there can be, or for smaller ones than can be placed.
 #pragma once
 
 namespace af2::geometry {
@@ -8,5 +8,8 @@ namespace af2::geometry {
 ///
 /// elements  about how many there would be
 void refuseTooMany(double elements);
+
+/// Throws InputError if coordinates as large as these blur elements of the size.
+void refuseBlurred(double farthest, double size);
 
 }  // namespace af2::geometry

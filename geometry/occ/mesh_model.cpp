@@ -1,7 +1,9 @@
 #include "geometry/occ/mesh_model.h"
 
 #include <BRepAdaptor_Curve.hxx>
+#include <BRep_Tool.hxx>
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <map>
 #include <numeric>
@@ -66,6 +68,7 @@ class ModelMesher final : public RetriedModel {
 
   ModelMesh mesh() {
     faces_ = facesAskedFor(model_, options_);
+    refuseBlurred(farthestVertex(), options_.sizes.size);
     shape_ =
         withCreases(model_.sharedShape(), faces_, options_.sizes, options_.threads, options_.stop);
     findEdgesOfFaces();
@@ -118,6 +121,17 @@ class ModelMesher final : public RetriedModel {
 
  private:
   const std::vector<std::vector<int>>& edgesOfFaces() const override { return edgesOfFaces_; }
+
+  /// The largest coordinate of a vertex.
+  double farthestVertex() const {
+    const ModelShape& shape = model_.shape();
+    double farthest = 0;
+    for (int id = 1; id <= shape.vertices.Extent(); ++id) {
+      const Point3 p = toPoint(BRep_Tool::Pnt(shape.vertex(id)));
+      farthest = std::max({farthest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+    }
+    return farthest;
+  }
 
   void findEdgesOfFaces() {
     const ModelShape& shape = *shape_;

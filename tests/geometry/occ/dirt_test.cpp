@@ -5,6 +5,7 @@
 #include <BRepAlgoAPI_Fuse.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_Transform.hxx>
+#include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <IGESControl_Writer.hxx>
 #include <Interface_Static.hxx>
@@ -19,6 +20,7 @@
 #include <numbers>
 #include <string>
 
+#include "engine/error.h"
 #include "geometry/occ/mesh_model.h"
 #include "tests/geometry/occ/dirt.h"
 #include "tests/geometry/occ/meshing.h"
@@ -68,6 +70,21 @@ TEST(Dirt, TheScaleOfAModelDoesNotMatter) {
     EXPECT_NEAR(static_cast<double>(scaled.elements.size()),
                 static_cast<double>(plain.elements.size()),
                 0.1 * static_cast<double>(plain.elements.size()));
+  }
+}
+
+TEST(Dirt, AModelTooFarFromTheOriginForItsSizeIsRefused) {
+  gp_Trsf away;
+  away.SetTranslation({1e12, 0, 0});
+  const TopoDS_Shape box = BRepPrimAPI_MakeBox(1, 1, 1).Shape().Moved(away);
+  expectSound(mesh(box, 0.5), 6);
+  try {
+    mesh(box, 0.1);
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_STREQ(error.what(),
+                 "coordinates of 1e+12 are exact to 0.000222045 only, too little for elements of "
+                 "size 0.1; move the model to the origin, or ask for larger ones");
   }
 }
 
