@@ -18,10 +18,11 @@ void refuseTooMany(double elements) {
                    " thousand million elements; ask for larger ones");
 }
 
-void refuseBlurred(double farthest, double size) {
+void refuseBlurred(double farthest, double extent, double size) {
   constexpr double kSharp = 1e-3;  // of the size
+  constexpr double kNear = 1e-9;   // of the extent: else the model is where it should be
   const double step = farthest * std::numeric_limits<double>::epsilon();
-  if (step <= kSharp * size) return;
+  if (step <= kSharp * size || step <= kNear * extent) return;
   std::ostringstream text;
   text << "coordinates of " << farthest << " are exact to " << step
        << " only, too little for elements of size " << size

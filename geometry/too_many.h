@@ -9,7 +9,8 @@ namespace af2::geometry {
 /// elements  about how many there would be
 void refuseTooMany(double elements);
 
-/// Throws InputError if coordinates as large as these blur elements of the size.
-void refuseBlurred(double farthest, double size);
+/// Throws InputError if coordinates as large as these, of a model of that extent, blur elements of
+/// the size.
+void refuseBlurred(double farthest, double extent, double size);
 
 }  // namespace af2::geometry

@@ -68,7 +68,7 @@ class ModelMesher final : public RetriedModel {
 
   ModelMesh mesh() {
     faces_ = facesAskedFor(model_, options_);
-    refuseBlurred(farthestVertex(), options_.sizes.size);
+    refuseBlurred(farthestVertex(), model_.shape().diagonal, options_.sizes.size);
     shape_ =
         withCreases(model_.sharedShape(), faces_, options_.sizes, options_.threads, options_.stop);
     findEdgesOfFaces();
