@@ -1,6 +1,7 @@
 // A file from its text to its tree: limits, words, version, items, documentation.
 #include <algorithm>
 
+#include "dsl/early_braces.h"
 #include "dsl/grammar.h"
 #include "dsl/items.h"
 #include "dsl/lexer.h"
@@ -106,6 +107,9 @@ ParsedFile parseFile(const SourceText& source, DiagnosticList& diagnostics,
   const Token* first = readVersion(words.tokens, errors);
   if (!first) return result;  // its words make no sense, so they need not be spelt well
   diagnostics.append(std::move(lexical));
+  const auto begin = static_cast<std::size_t>(first - words.tokens.data());
+  leaveOutEarlyBraces(words.tokens, errors);  // none stands before `begin`
+  first = words.tokens.data() + begin;
   parseItems(first, words.tokens.data() + words.tokens.size(), errors, result.file);
   attachDocs(result.file, words.tokens);
   result.broken = errors.takeBroken();

@@ -52,6 +52,7 @@ TEST(Fixes, MendSignsThatAreTooManyOrWrong) {
   EXPECT_EQ(fixed(with("H);", "H));")), right);
   EXPECT_EQ(fixed(with("==", "=")), right);
   EXPECT_EQ(fixed(with("tri a b c;\n}", "tri a b c;\n}\n}")).find("}\n}"), std::string::npos);
+  EXPECT_EQ(fixed(with("b, c;\n  tri", "b, c;}\n  tri")), right);
   EXPECT_EQ(fixText("r.af2", kHead.substr(7) + right).text, "af2 1;\n\n" + kHead.substr(7) + right);
   EXPECT_NE(fixed(with("tri a b c;\n}\n", "tri a b c;")).find("tri a b c;\n}"), std::string::npos);
 }
