@@ -33,6 +33,7 @@ class Run {
         index_(makeIndex(input)),
         queue_(*rules.set().definition().order),
         choice_(rules, front_, index_, size, valence_) {
+    makeRoom(input.vertexCount);
     result_.mesh.vertices.resize(input.vertexCount);
     valence_.resize(input.vertexCount, 0);
     if (const auto limits = limitsOfFlatRegion(input)) choice_.keepWithin(*limits);
@@ -56,6 +57,17 @@ class Run {
   }
 
  private:
+  void makeRoom(std::size_t givenVertices) {
+    constexpr double kMargin = 1.1, kMost = 1 << 20;  // beyond that an estimate is not trusted
+    if (!(options_.expectedElements > 0)) return;
+    const auto elements =
+        static_cast<std::size_t>(std::min(kMargin * options_.expectedElements, kMost));
+    result_.mesh.elements.reserve(elements);
+    result_.mesh.rule.reserve(elements);
+    result_.mesh.vertices.reserve(givenVertices + elements / 2);
+    valence_.reserve(givenVertices + elements / 2);
+  }
+
   void addLoop(const std::vector<BoundaryCorner>& loop) {
     std::vector<double> sizes;
     for (const BoundaryCorner& corner : loop) {

@@ -23,6 +23,7 @@ struct MeshingOptions {
   /// A run ends as stuck after so many steps in a row for each edge of its front, and much work at
   /// least, that brought next to nothing. 0: only when no edge is left that could be tried.
   int patience = 0;
+  double expectedElements = 0;  ///< room is made for about so many, so that it need not grow
 };
 
 enum class Outcome { Complete, Stuck, Cancelled };

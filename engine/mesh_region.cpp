@@ -59,6 +59,7 @@ RegionMesh meshPiece(const AF2Algorithm& algorithm, const RegionTask& task, cons
       // Nobody is told of the same steps twice.
       MeshingOptions again;
       again.stop = options.stop;
+      again.expectedElements = options.expectedElements;
       piece.result = algorithm.execute(*tools.charts, input, *tools.size, again);
     }
     piece.optimizeSeconds = optimizing.seconds();
@@ -249,6 +250,7 @@ void meshPieces(const AF2Algorithm& algorithm, const RegionTask& task, const Spl
   const auto mesh = [&](std::size_t p) {
     MeshingOptions own = options;
     own.progress = progress.ofPiece(p);
+    own.expectedElements = split.pieces[p].expectedElements;
     pieces[p] = meshPiece(algorithm, task, split.pieces[p].input, own);
     finish(p);
   };
@@ -273,7 +275,11 @@ RegionMesh meshRegion(const AF2Algorithm& algorithm, const RegionTask& task,
   SplitRegion split;
   if (task.surface)
     split = splitRegion(task.input, *task.surface, *task.makeTools().size, task.split);
-  if (split.pieces.size() <= 1) return meshPiece(algorithm, task, task.input, options);
+  if (split.pieces.size() <= 1) {
+    MeshingOptions own = options;
+    if (!split.pieces.empty()) own.expectedElements = split.pieces[0].expectedElements;
+    return meshPiece(algorithm, task, task.input, own);
+  }
 
   RegionMesh whole;
   whole.seconds = watch.seconds();

@@ -124,7 +124,8 @@ class Splitter {
     isReversed_ = area < 0;
     // Where isolated vertices go would need a rule of its own; they are rare.
     if (input_.isolated.empty()) recurse(input_.loops);
-    if (result_.pieces.size() <= 1) result_.pieces = {whole()};
+    if (result_.pieces.size() <= 1)
+      result_.pieces = {whole(result_.pieces.empty() ? 0 : result_.pieces[0].expectedElements)};
     return std::move(result_);
   }
 
@@ -250,8 +251,8 @@ class Splitter {
     return VertexId(static_cast<std::size_t>(at - piece.vertices.begin()));
   }
 
-  RegionPiece whole() const {
-    RegionPiece piece{input_, {}, 0};
+  RegionPiece whole(double expectedElements) const {
+    RegionPiece piece{input_, {}, expectedElements};
     for (std::size_t v = 0; v < input_.vertexCount; ++v) piece.vertices.push_back(VertexId(v));
     return piece;
   }
