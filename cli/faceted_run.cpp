@@ -12,10 +12,10 @@ geometry::ModelMesh runFaceted(const MeshRequest& request, const AF2Algorithm& a
   geometry::FacetedMeshingOptions options;
   setOptions(request, control, bar, options);
   options.featureAngle = request.featureAngle;
-  const geometry::DomainModel model = geometry::facetedModel(facets, options);
   const double readSeconds = reading.seconds();
-  checkIds(request, model);
-  geometry::ModelMesh mesh = geometry::meshDomain(model, algorithm, options);
+  geometry::ModelMesh mesh =
+      geometry::meshFaceted(facets, algorithm, options,
+                            [&](const geometry::DomainModel& model) { checkIds(request, model); });
   mesh.seconds.read = readSeconds;
   return mesh;
 }

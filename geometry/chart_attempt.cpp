@@ -17,9 +17,11 @@ namespace {
 /// face have done, never by the clock or by which of them came first.
 class RunawayGuard {
  public:
-  RunawayGuard(std::size_t limit, std::size_t mostCandidates, const std::stop_token& outer)
+  /// margin  how many times more elements than are expected the limit allows
+  RunawayGuard(std::size_t limit, double margin, std::size_t mostCandidates,
+               const std::stop_token& outer)
       : limit_(limit),
-        mostCandidates_(std::min(mostCandidates, kCandidatesPerElement * limit)),
+        mostCandidates_(std::min(mostCandidates, candidatesFor(limit, margin))),
         forward_(outer, Forward{&source_}) {}
 
   std::stop_token token() const { return source_.get_token(); }
@@ -36,8 +38,11 @@ class RunawayGuard {
     std::stop_source* source;
     void operator()() const { source->request_stop(); }
   };
-  /// Ten times what the most elements that are allowed would need.
-  static constexpr std::size_t kCandidatesPerElement = 30;
+  /// Some times what the most elements that are allowed would need, about three each.
+  static std::size_t candidatesFor(std::size_t limit, double margin) {
+    constexpr double kCandidatesPerElement = 7.5;
+    return static_cast<std::size_t>(margin * kCandidatesPerElement * static_cast<double>(limit));
+  }
 
   std::size_t limit_, mostCandidates_;
   bool ranAway_ = false, isCrammed_ = false;
@@ -71,10 +76,10 @@ double expectedElements(const FaceTask& task) {
 
 /// Several times what is expected. Only a size function may want much smaller elements inside.
 std::size_t elementLimit(const FaceTask& task) {
-  constexpr double kMargin = 4, kFunctionMargin = 1e5;
+  constexpr double kFunctionMargin = 1e5;
   std::size_t corners = task.boundary.input.isolated.size();
   for (const auto& loop : task.boundary.input.loops) corners += loop.size();
-  const double margin = task.mayBeFineInside ? kFunctionMargin : kMargin;
+  const double margin = task.mayBeFineInside ? kFunctionMargin : task.margin;
   const double beside = 12 * static_cast<double>(corners) + 2000;
   return static_cast<std::size_t>(std::min(margin * expectedElements(task) + beside, 1e9));
 }
@@ -153,7 +158,7 @@ FaceAttempt fill(const FaceTask& task, ChartKind kind, const MeshingOptions& opt
 /// Runs one way to fill a face as long as that gets on.
 template <class Fill>
 FaceAttempt guarded(const FaceTask& task, int patience, Fill&& fill) {
-  RunawayGuard guard(elementLimit(task), task.mostCandidates, task.options.stop);
+  RunawayGuard guard(elementLimit(task), task.margin, task.mostCandidates, task.options.stop);
   MeshingOptions options;
   options.patience = patience;
   options.stop = guard.token();

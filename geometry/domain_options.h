@@ -3,6 +3,7 @@
 
 #include <limits>
 #include <map>
+#include <optional>
 #include <stop_token>
 #include <string>
 #include <vector>
@@ -40,7 +41,10 @@ struct DomainMeshingOptions {
   ChartKind chart = ChartKind::Auto;  ///< how curved faces are seen (see ModelMeshingOptions)
   int order = 1;         ///< 2: elements with vertices at the middles of their sides as well
   bool optimize = true;  ///< swaps and smoothing after the front has closed
-  int threads = 0;       ///< 0: as many as the machine has. The mesh does not depend on it.
+  /// In how many rounds faces that failed or came out poor are tried again; empty: as many as for
+  /// CAD models.
+  std::optional<int> mostRetries;
+  int threads = 0;  ///< 0: as many as the machine has. The mesh does not depend on it.
   ProgressCallback progress;
   std::stop_token stop;
   AF2MeshingObserver* observer = nullptr;  ///< with one, faces are meshed one after the other

@@ -21,7 +21,6 @@ class Retries {
       : model_(model), options_(options), tries_(model.edgesOfFaces().size()) {}
 
   void retry(FaceMeshes& state) {
-    constexpr int kMostRounds = 12;
     Refinement refinement(options_.sizes, options_.growth, options_.largest);
     Refinement ofState = refinement, ofBest = refinement;  // with which these were made
     FaceMeshes best;
@@ -31,7 +30,7 @@ class Retries {
     const double mostEffort = Retries::mostEffort(state);
     double effort = 0;
     model_.join(state);
-    for (int round = 0; round < kMostRounds && !options_.stop.stop_requested(); ++round) {
+    for (int round = 0; round < options_.mostRounds && !options_.stop.stop_requested(); ++round) {
       hasEffortLeft_ = effort <= mostEffort;
       const std::vector<std::size_t> poor = worthAnotherTry(state);
       if (poor.empty() && (dropped.empty() || !hasEffortLeft_)) break;

@@ -57,6 +57,7 @@ struct RetryOptions {
   double growth = kDefaultGrowth;
   int threads = 0;
   std::stop_token stop;
+  int mostRounds = 12;
 };
 
 /// Where faces failed, came out poor or cross each other, tries again with shorter edges around the

@@ -38,8 +38,11 @@ Barycentric nearestIn(const Point3& p, const Point3& a, const Point3& b, const P
 }  // namespace
 
 struct FacetSurface::Data {
-  Data(const Facets& facets, const Patch& patch) : tree(takeTriangles(facets, patch)) {
-    findNormals();
+  Data(const PatchedFacets& patched, const Patch& patch)
+      : tree(takeTriangles(patched.facets, patch)) {
+    std::vector<Point3> normalsOfTriangles;
+    for (const std::uint32_t t : patch.triangles) normalsOfTriangles.push_back(patched.normals[t]);
+    findNormals(normalsOfTriangles);
     findCurvatures();
     findNeighbors();
   }
@@ -70,11 +73,12 @@ struct FacetSurface::Data {
 
   /// Weighted by the angles of the triangles, but thin ones count less: the direction of a sliver
   /// is what is left of rounding and noise.
-  void findNormals() {
+  void findNormals(const std::vector<Point3>& ofTriangles) {
     constexpr double kThin = 0.1;  // height over longest edge
     normals.resize(vertices.size());
-    for (const Corners& t : triangles) {
-      const Point3 area = areaVector(t), normal = unit(area);
+    for (std::size_t k = 0; k < triangles.size(); ++k) {
+      const Corners& t = triangles[k];
+      const Point3 area = areaVector(t);
       double longest = 0;
       for (std::size_t i = 0; i < 3; ++i)
         longest = std::max(longest, distance(vertices[t[i]], vertices[t[(i + 1) % 3]]));
@@ -84,7 +88,7 @@ struct FacetSurface::Data {
         const Point3 p = vertices[t[(i + 1) % 3]] - vertices[t[i]];
         const Point3 q = vertices[t[(i + 2) % 3]] - vertices[t[i]];
         const double angle = std::atan2(length(cross(p, q)), dot(p, q));
-        normals[t[i]] = normals[t[i]] + (trust * angle) * normal;
+        normals[t[i]] = normals[t[i]] + (trust * angle) * ofTriangles[k];
       }
     }
     for (Point3& normal : normals) normal = unit(normal);
@@ -236,8 +240,8 @@ struct FacetSurface::Data {
   BoxTree tree;                          // last: it is made while the triangles are taken
 };
 
-FacetSurface::FacetSurface(const Facets& facets, const Patch& patch)
-    : data_(std::make_shared<const Data>(facets, patch)) {}
+FacetSurface::FacetSurface(const PatchedFacets& patched, const Patch& patch)
+    : data_(std::make_shared<const Data>(patched, patch)) {}
 
 std::optional<SurfacePoint> FacetSurface::hit(const SurfaceLine& line) const {
   constexpr double kReach = 2.5, kNear = 0.5;  // in wanted edge lengths
@@ -291,7 +295,8 @@ const std::vector<std::uint32_t>& FacetSurface::usedVertices() const { return da
 const std::vector<double>& FacetSurface::curvatures() const { return data_->curvatures; }
 
 std::optional<FlatSurface> FacetSurface::plane() const {
-  constexpr double kFlat = 1e-7;  // of its extent
+  constexpr double kFlat = 1e-7;    // of its extent
+  constexpr double kFolded = 0.01;  // of its area: programs leave slivers that lie on others
   Point3 sum;
   Box3 box;
   for (const Corners& t : data_->triangles) sum = sum + data_->areaVector(t);
@@ -301,10 +306,15 @@ std::optional<FlatSurface> FacetSurface::plane() const {
   if (normal == Point3{}) return std::nullopt;
   for (const Point3& v : data_->vertices)
     if (!(std::abs(dot(v - origin, normal)) <= kFlat * extent)) return std::nullopt;
-  for (const Corners& t : data_->triangles)
-    if (dot(data_->areaVector(t), normal) < 0) return std::nullopt;  // it folds back
+  if (length(sum) < (1 - 2 * kFolded) * area()) return std::nullopt;
   const PlaneAxes axes(origin, normal);
   return FlatSurface(origin, axes.xAxis(), axes.yAxis());
+}
+
+double FacetSurface::projectedArea() const {
+  Point3 sum;
+  for (const Corners& t : data_->triangles) sum = sum + data_->areaVector(t);
+  return length(sum);
 }
 
 double FacetSurface::area() const {

@@ -13,11 +13,12 @@
 namespace af2::geometry {
 
 /// Positions lie on the triangles. Normals are smooth: at each vertex the mean over the triangles
-/// of the patch around it, weighted by their angles there, and linear in between. Immutable; copies
-/// share the same data. The parameter u of a point is the number of its triangle in the patch.
+/// of the patch around it, weighted by their angles there, and linear in between; in small
+/// roundings they are those of the surface beside. Immutable; copies share the same data. The
+/// parameter u of a point is the number of its triangle in the patch.
 class FacetSurface {
  public:
-  FacetSurface(const Facets& facets, const Patch& patch);
+  FacetSurface(const PatchedFacets& patched, const Patch& patch);
 
   /// Where a line meets the patch, on the sheet of its base edge if that goes so far; else nearest
   /// to its start. If it misses, e.g. beside a boundary of chords, the nearest point of the patch,
@@ -30,6 +31,8 @@ class FacetSurface {
   /// values  by vertex of the facets
   double interpolated(const std::vector<double>& values, const Point3& position) const;
   double area() const;
+  /// As seen from the side to which most of it looks, what folds back deducted.
+  double projectedArea() const;
   /// Calls visit(v, curvature) for each vertex of the facets that the patch uses: how fast its
   /// normals turn there per unit of length, as a mean over the triangles around.
   template <class Visit>

@@ -5,11 +5,14 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "engine/point.h"
 
 namespace af2::geometry {
+
+using FacetEdge = std::pair<std::uint32_t, std::uint32_t>;  ///< the lower vertex first
 
 /// Triangles between shared vertices; counter-clockwise seen from outside.
 struct Facets {

@@ -7,10 +7,12 @@
 
 #include "engine/error.h"
 #include "geometry/domain_model.h"
+#include "geometry/faceted/cones.h"
 #include "geometry/faceted/facet_surface.h"
 #include "geometry/faceted/patches.h"
 #include "geometry/normal_line_chart.h"
 #include "geometry/parallel.h"
+#include "geometry/quality.h"
 
 namespace af2::geometry {
 namespace {
@@ -18,6 +20,8 @@ namespace {
 /// Of the wanted size: less than where a CAD model has edges along its roundings, which bring
 /// vertices there.
 constexpr double kGentleLeast = 0.2;
+constexpr int kBriefly = 1;  // rounds of retries, as long as patches may be cut instead
+constexpr double kDegree = std::numbers::pi / 180;
 
 /// The charts of a curved patch.
 class PatchCharts final : public ChartedSurface {
@@ -106,6 +110,12 @@ class PatchLimit final : public CurvatureLimit {
   std::shared_ptr<const std::vector<double>> limits_;  // by vertex of the facets
 };
 
+double diagonalOf(const Facets& facets) {
+  Box3 box;
+  for (const Point3& p : facets.vertices) box.add(p);
+  return distance(box.low, box.high);
+}
+
 class ModelMaker {
  public:
   ModelMaker(std::shared_ptr<const PatchedFacets> patched, int threads)
@@ -114,15 +124,13 @@ class ModelMaker {
         facets_(patched_.facets),
         surfaces_(patched_.patches.size()) {
     forEachInParallel(surfaces_.size(), threads,
-                      [&](std::size_t i) { surfaces_[i].emplace(facets_, patched_.patches[i]); });
+                      [&](std::size_t i) { surfaces_[i].emplace(patched_, patched_.patches[i]); });
   }
 
   DomainModel make(double growth) {
     model_.name = facets_.name;
     model_.leastAtTurns = kGentleLeast;
-    Box3 box;
-    for (const Point3& p : facets_.vertices) box.add(p);
-    model_.diagonal = distance(box.low, box.high);
+    model_.diagonal = diagonalOf(facets_);
     corner_.assign(facets_.vertices.size(), kNone);
     for (const FeatureCurve& curve : patched_.curves) addCurve(curve);
     for (std::size_t i = 0; i < surfaces_.size(); ++i) addFace(i);
@@ -173,6 +181,7 @@ class ModelMaker {
     face.loops = patched_.patches[index].loops;
     if (const auto plane = surface.plane()) {
       face.surfaceType = "plane";
+      face.area = surface.projectedArea();
       const auto flat = std::make_shared<const FlatSurface>(*plane);
       face.surface = flat;
       face.nearest = [flat](const Point3& p) { return flat->pointAt(p); };
@@ -225,22 +234,88 @@ class ModelMaker {
   DomainModel model_;
 };
 
+/// What is a twentieth of an edge cannot be seen; a crease that ends nowhere needs more than that.
+/// Roundings that are large for the model are none to leave out, however large the elements.
+FeatureLimits limitsFor(const Facets& facets, const FacetedMeshingOptions& options) {
+  constexpr double kSpeck = 0.05, kLooseEnd = 0.5, kOfModel = 0.125;
+  if (!(options.featureAngle > 0 && options.featureAngle < 180))
+    throw InputError("the feature angle must lie between 0 and 180 degrees");
+  const double most = std::min(options.size, kOfModel * diagonalOf(facets));
+  return {options.featureAngle * kDegree, kLooseEnd * options.size, kSpeck * options.size,
+          [size = DomainSize(options), most](const Point3& p) { return size.at(p, most); }};
+}
+
+DomainModel modelOf(PatchedFacets patched, const FacetedMeshingOptions& options) {
+  return ModelMaker(std::make_shared<const PatchedFacets>(std::move(patched)), options.threads)
+      .make(options.growth);
+}
+
+double failedArea(const ModelMesh& mesh) {
+  double area = 0;
+  for (const FaceReport& face : mesh.faces)
+    if (face.status == FaceStatus::Failed) area += face.area;
+  return area;
+}
+
+bool namesFacesOrEdges(const FacetedMeshingOptions& options) {
+  return !options.faces.empty() || !options.faceSizes.empty() || !options.edgeSizes.empty() ||
+         !options.edgePoints.empty();
+}
+
+/// Borders between pieces of the curved patches that failed.
+std::set<FacetEdge> cutsThroughFailed(const PatchedFacets& patched, const ModelMesh& mesh,
+                                      double angle, double size) {
+  std::set<FacetEdge> cuts;
+  for (const FaceReport& face : mesh.faces)
+    if (face.status == FaceStatus::Failed && face.surfaceType != "plane")
+      cuts.merge(coneBorders(patched, patched.patches[static_cast<std::size_t>(face.id) - 1], angle,
+                             size));
+  return cuts;
+}
+
+/// Whether more than the brief tries are due: faces without angles below get but one.
+bool isPoor(const ModelMesh& mesh) {
+  constexpr double kLeastAngle = 0.7;  // degrees
+  return failedArea(mesh) > 0 || measureQuality(mesh).minAngle < kLeastAngle;
+}
+
+void tellOfCuts(std::size_t count, ModelMesh& mesh) {
+  mesh.notes.push_back("patches that could not be meshed whole were cut; that makes " +
+                       std::to_string(count) + " more");
+}
+
 }  // namespace
 
 DomainModel facetedModel(const Facets& facets, const FacetedMeshingOptions& options) {
-  // What is a twentieth of an edge cannot be seen; a crease that ends nowhere needs more than that.
-  constexpr double kSpeck = 0.05, kLooseEnd = 0.5;
-  if (!(options.featureAngle > 0 && options.featureAngle < 180))
-    throw InputError("the feature angle must lie between 0 and 180 degrees");
-  auto patched = std::make_shared<const PatchedFacets>(
-      findPatches(facets, {options.featureAngle * std::numbers::pi / 180, kLooseEnd * options.size,
-                           kSpeck * options.size}));
-  return ModelMaker(std::move(patched), options.threads).make(options.growth);
+  return modelOf(findPatches(facets, limitsFor(facets, options)), options);
 }
 
 ModelMesh meshFaceted(const Facets& facets, const AF2Algorithm& algorithm,
-                      const FacetedMeshingOptions& options) {
-  return meshDomain(facetedModel(facets, options), algorithm, options);
+                      const FacetedMeshingOptions& options,
+                      const std::function<void(const DomainModel&)>& check) {
+  const FeatureLimits limits = limitsFor(facets, options);
+  PatchedFacets patched = findPatches(facets, limits);
+  const DomainModel whole = modelOf(patched, options);
+  if (check) check(whole);
+  if (namesFacesOrEdges(options)) return meshDomain(whole, algorithm, options);
+  FacetedMeshingOptions brief = options;
+  brief.mostRetries = std::min(kBriefly, options.mostRetries.value_or(kBriefly));
+  ModelMesh mesh = meshDomain(whole, algorithm, brief);
+  std::size_t cutPieces = 0;
+  for (const double angle : {45 * kDegree, 25 * kDegree}) {
+    if (options.stop.stop_requested()) break;
+    PatchedFacets next =
+        cutPatches(patched, cutsThroughFailed(patched, mesh, angle, options.size), limits);
+    if (next.patches.size() == patched.patches.size()) continue;
+    ModelMesh meshOfNext = meshDomain(modelOf(next, options), algorithm, brief);
+    if (!(failedArea(meshOfNext) < failedArea(mesh))) break;
+    cutPieces += next.patches.size() - patched.patches.size();
+    patched = std::move(next);
+    mesh = std::move(meshOfNext);
+  }
+  if (isPoor(mesh)) mesh = meshDomain(modelOf(patched, options), algorithm, options);
+  if (cutPieces > 0) tellOfCuts(cutPieces, mesh);
+  return mesh;
 }
 
 }  // namespace af2::geometry

@@ -8,21 +8,15 @@
 
 #include "engine/error.h"
 #include "geometry/box_tree.h"
+#include "geometry/faceted/blends.h"
 #include "geometry/faceted/plane_cut.h"
 
 namespace af2::geometry {
 namespace {
 
 using Edge = FacetEdge;
-using HalfEdge = std::uint32_t;  // 3 t + i: from corner i of triangle t
 
-constexpr HalfEdge kNone = 0xffffffffu;
-
-HalfEdge nextIn(HalfEdge h) { return h % 3 == 2 ? h - 2 : h + 1; }
-
-double angleBetween(const Point3& p, const Point3& q) {
-  return std::atan2(length(cross(p, q)), dot(p, q));
-}
+constexpr HalfEdge kNone = kNoHalfEdge;
 
 class PatchFinder {
  public:
@@ -57,7 +51,7 @@ class PatchFinder {
     std::vector<Patch> patches(patchCount_);
     for (std::uint32_t t = 0; t < patchOf_.size(); ++t) patches[patchOf_[t]].triangles.push_back(t);
     addLoops(patches);
-    return {facets_, std::move(curves_), std::move(patches)};
+    return {facets_, std::move(normals_), std::move(curves_), std::move(patches), forced_};
   }
 
  private:
@@ -67,7 +61,7 @@ class PatchFinder {
   std::vector<Extent> extentsOfPatches() const {
     std::vector<Extent> extents(patchCount_);
     for (HalfEdge h = 0; h < twin_.size(); ++h)
-      if (twin_[h] == kNone) extents[patchOf_[h / 3]].perimeter += lengthOf(h);
+      if (twin_[h] == kNone) extents[patchOf_[h / 3]].perimeter += lengthOf(facets_, h);
     for (std::uint32_t t = 0; t < patchOf_.size(); ++t) {
       const auto& c = facets_.triangles[t];
       extents[patchOf_[t]].area += length(cross(at(c[1]) - at(c[0]), at(c[2]) - at(c[0]))) / 2;
@@ -79,7 +73,6 @@ class PatchFinder {
   std::uint32_t endOf(HalfEdge h) const { return startOf(nextIn(h)); }
   Edge edgeOf(HalfEdge h) const { return std::minmax(startOf(h), endOf(h)); }
   const Point3& at(std::uint32_t v) const { return facets_.vertices[v]; }
-  double lengthOf(HalfEdge h) const { return distance(at(startOf(h)), at(endOf(h))); }
   void findTwins() {
     twin_.assign(3 * facets_.triangles.size(), kNone);
     std::vector<std::pair<Edge, HalfEdge>> all;
@@ -101,6 +94,12 @@ class PatchFinder {
       isFeatureEdge[h] = twin_[h] != kNone && isFeature(h, twin_[h]);
     for (HalfEdge h = 0; h < twin_.size(); ++h)
       if (isFeatureEdge[h]) twin_[h] = kNone;
+    SharpBlends sharp =
+        sharpenBlends(facets_, twin_, std::move(normals_), {angle_, limits_.sizeAt});
+    normals_ = std::move(sharp.normals);
+    isCrease_ = std::move(sharp.isCrease);
+    for (HalfEdge h = 0; h < twin_.size(); ++h)
+      if (isCrease_[h]) twin_[h] = kNone;
   }
 
   /// A triangle with a corner close to the opposite side looks to where rounding and noise let it;
@@ -200,21 +199,24 @@ class PatchFinder {
   }
 
   /// Patches without width, as rounding leaves them along edges, become part of the one beside them
-  /// with which they have most of their boundary in common.
+  /// with which they have most of their boundary in common. Edges in roundings are not worth a
+  /// patch that is narrow against the elements.
   bool dropSlivers() {
-    constexpr double kWidth = 0.02;  // of a speck
+    constexpr double kWidth = 0.02, kBesideCrease = 2;  // of a speck
     const std::vector<Extent> extents = extentsOfPatches();
-    std::vector<std::map<std::size_t, double>> shared(patchCount_);  // only of slivers
-    for (HalfEdge h = 0; h < twin_.size(); ++h) {
+    const auto isOfSliver = [&](HalfEdge h) {
+      if (twin_[h] != kNone || isForced(h)) return false;
       const auto& [perimeter, area] = extents[patchOf_[h / 3]];
-      const bool isSliver = 2 * area < kWidth * limits_.speck * perimeter;
-      if (twin_[h] == kNone && isSliver && !isForced(h))
-        shared[patchOf_[h / 3]][patchOf_[partner_[h] / 3]] += lengthOf(h);
-    }
+      const double width = limits_.speck * (isCrease_[h] ? kBesideCrease : kWidth);
+      return 2 * area < width * perimeter;
+    };
+    std::vector<std::map<std::size_t, double>> shared(patchCount_);  // only of slivers
+    for (HalfEdge h = 0; h < twin_.size(); ++h)
+      if (isOfSliver(h)) shared[patchOf_[h / 3]][patchOf_[partner_[h] / 3]] += lengthOf(facets_, h);
     bool isAny = false;
     for (HalfEdge h = 0; h < twin_.size(); ++h) {
       const auto& beside = shared[patchOf_[h / 3]];
-      if (twin_[h] != kNone || beside.empty() || isForced(h)) continue;
+      if (!isOfSliver(h)) continue;
       const auto most =
           std::ranges::max_element(beside, {}, [](const auto& b) { return b.second; });
       if (patchOf_[partner_[h] / 3] != most->first) continue;
@@ -315,6 +317,7 @@ class PatchFinder {
   std::vector<HalfEdge> partner_;     // kNone at edges that have not two triangles
   std::vector<HalfEdge> twin_;        // the same, but kNone at feature edges
   std::vector<Point3> normals_;       // by triangle
+  std::vector<bool> isCrease_;        // amid a rounding
   std::vector<std::size_t> patchOf_;  // by triangle
   std::size_t patchCount_ = 0;
   std::map<std::uint32_t, std::vector<std::uint32_t>> beside_;  // by vertex, over feature edges
@@ -322,17 +325,27 @@ class PatchFinder {
   std::vector<FeatureCurve> curves_;
 };
 
+PatchedFacets patchesBetween(Facets facets, const FeatureLimits& limits, std::set<Edge> cuts) {
+  constexpr int kMostRounds = 30;
+  for (int round = 0;; ++round) {
+    PatchFinder finder(facets, limits, cuts);
+    const auto bulging = finder.bulgingPatches();
+    if (bulging.empty() || round == kMostRounds) return finder.find();
+    for (const std::vector<std::uint32_t>& patch : bulging) cutAcross(facets, patch, cuts);
+  }
+}
+
 }  // namespace
 
 PatchedFacets findPatches(Facets facets, const FeatureLimits& limits) {
-  std::set<Edge> forced;
-  constexpr int kMostRounds = 30;
-  for (int cuts = 0;; ++cuts) {
-    PatchFinder finder(facets, limits, forced);
-    const auto bulging = finder.bulgingPatches();
-    if (bulging.empty() || cuts == kMostRounds) return finder.find();
-    for (const std::vector<std::uint32_t>& patch : bulging) cutAcross(facets, patch, forced);
-  }
+  return patchesBetween(std::move(facets), limits, {});
+}
+
+PatchedFacets cutPatches(const PatchedFacets& patched, const std::set<FacetEdge>& cuts,
+                         const FeatureLimits& limits) {
+  std::set<FacetEdge> all = patched.cuts;
+  all.insert(cuts.begin(), cuts.end());
+  return patchesBetween(patched.facets, limits, std::move(all));
 }
 
 }  // namespace af2::geometry

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
+#include <set>
 #include <vector>
 
 #include "geometry/curve_use.h"
@@ -21,8 +23,10 @@ struct Patch {
 
 struct PatchedFacets {
   Facets facets;
+  std::vector<Point3> normals;  ///< by triangle, as smooth normals are to follow (SharpBlends)
   std::vector<FeatureCurve> curves;
   std::vector<Patch> patches;  ///< in the order of their first triangles
+  std::set<FacetEdge> cuts;    ///< edges between patches that no feature has made
 };
 
 /// What feature edges are.
@@ -32,14 +36,22 @@ struct FeatureLimits {
   /// Patches smaller than this are part of those around them; so are those that are narrower than a
   /// fiftieth of it.
   double speck = 0;
+  /// Wanted size of elements by position: roundings far smaller than that are taken for edges;
+  /// none: they are not.
+  std::function<double(const Point3&)> sizeAt = {};
 };
 
 /// Feature edges are those at which the surface turns by more than the angle, those between parts
-/// of the file, those with one triangle or with more than two. Where a curve of feature edges turns
-/// by more than this, or several meet, is a corner. A patch with hardly any boundary for its area,
-/// e.g. a sphere, is cut in two across its longest direction.
+/// of the file, those with one triangle or with more than two, and those amid small roundings.
+/// Where a curve of feature edges turns by more than this, or several meet, is a corner. A patch
+/// with hardly any boundary for its area, e.g. a sphere, is cut in two across its longest
+/// direction.
 ///
 /// Throws InputError if neighbours are turned against each other.
 PatchedFacets findPatches(Facets facets, const FeatureLimits& limits);
+
+/// The same with more edges between patches.
+PatchedFacets cutPatches(const PatchedFacets& patched, const std::set<FacetEdge>& cuts,
+                         const FeatureLimits& limits);
 
 }  // namespace af2::geometry

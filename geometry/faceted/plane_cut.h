@@ -11,8 +11,6 @@
 
 namespace af2::geometry {
 
-using FacetEdge = std::pair<std::uint32_t, std::uint32_t>;  // the lower vertex first
-
 /// Cuts triangles along a plane across their longest direction that goes through no vertex.
 ///
 /// cuts  gets the edges along the plane

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "geometry/box_tree.h"
+#include "geometry/faceted/touching_parts.h"
 
 namespace af2::geometry {
 namespace {
@@ -29,7 +30,11 @@ class Repair {
   }
 
   void repair() {
-    dropTwins();
+    dropTwins(Twins::SameSide);
+    partTouching(facets_);
+    dropTwins(Twins::BothSides);
+    if (twins_ > 0)
+      tell(twins_, "triangles lay on others with the same corners and were left out", *twinPlace_);
     joinVertices();
     splitAtVertices();
     turn();
@@ -62,24 +67,27 @@ class Repair {
     if (!facets_.group.empty()) facets_.group.resize(kept);
   }
 
-  void dropTwins() {
+  enum class Twins { SameSide, BothSides };
+
+  void dropTwins(Twins which) {
     std::vector<std::pair<Triangle, std::uint32_t>> sorted;
     for (std::uint32_t t = 0; t < facets_.triangles.size(); ++t) {
       Triangle corners = facets_.triangles[t];
-      std::ranges::sort(corners);
+      if (which == Twins::BothSides)
+        std::ranges::sort(corners);
+      else
+        std::ranges::rotate(corners, std::ranges::min_element(corners));
       sorted.emplace_back(corners, t);
     }
     std::ranges::sort(sorted);
     std::vector<bool> isTwin(sorted.size(), false);
-    std::size_t count = 0;
-    Point3 place;
     for (std::size_t i = 1; i < sorted.size(); ++i) {
       if (sorted[i].first != sorted[i - 1].first) continue;
       isTwin[sorted[i].second] = true;
-      if (count++ == 0) place = at(sorted[i].first[0]);
+      ++twins_;
+      if (!twinPlace_) twinPlace_ = at(sorted[i].first[0]);
     }
-    if (count > 0) erase(isTwin);
-    tell(count, "triangles lay on others with the same corners and were left out", place);
+    erase(isTwin);
   }
 
   /// All half-edges by their edges.
@@ -315,6 +323,8 @@ class Repair {
 
   Facets& facets_;
   double tolerance_;
+  std::size_t twins_ = 0;
+  std::optional<Point3> twinPlace_;
 };
 
 }  // namespace

@@ -2,7 +2,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <numbers>
+#include <sstream>
 
 #include "engine/error.h"
 #include "geometry/domain_defects.h"
@@ -131,6 +133,57 @@ TEST(FacetFaults, LikeAWallThatTwoBoxesHaveTwiceMakeOneFace) {
   options.size = 0.5;
   const ModelMesh result = mesh(facets, options);
   EXPECT_EQ(result.faces.size(), 11u);
+}
+
+/// A box by two corners, as lines of an OBJ file; `before` vertices came before.
+std::string boxAt(const Point3& low, const Point3& high, int before) {
+  std::ostringstream text;
+  for (const double z : {low.z, high.z})
+    for (const auto& [x, y] : {std::pair(low.x, low.y), std::pair(high.x, low.y),
+                               std::pair(high.x, high.y), std::pair(low.x, high.y)})
+      text << "v " << x << ' ' << y << ' ' << z << '\n';
+  for (const auto& face : {std::array{1, 4, 3, 2},
+                           {5, 6, 7, 8},
+                           {1, 2, 6, 5},
+                           {2, 3, 7, 6},
+                           {3, 4, 8, 7},
+                           {4, 1, 5, 8}}) {
+    text << 'f';
+    for (const int v : face) text << ' ' << v + before;
+    text << '\n';
+  }
+  return text.str();
+}
+
+/// Volume and number of pieces must be those of two boxes that are apart.
+void expectTwoBoxes(const std::string& other, double volume) {
+  const Facets facets = read(boxAt({0, 0, 0}, {2, 2, 2}, 0) + other);
+  ASSERT_EQ(facets.notes.size(), 1u);
+  EXPECT_NE(facets.notes[0].find("2 parts that touch"), std::string::npos) << facets.notes[0];
+  FacetedMeshingOptions options;
+  options.size = 0.5;
+  const ModelMesh result = mesh(facets, options);
+  EXPECT_EQ(result.faces.size(), 12u);
+  EXPECT_NEAR(testing::volumeOf(result), volume, 1e-9);
+  EXPECT_EQ(testing::eulerNumber(result), 4) << "two closed surfaces";
+}
+
+TEST(FacetParts, ThatTouchAtAnEdgeAreTakenApart) {
+  expectTwoBoxes(boxAt({2, 2, 0}, {4, 4, 2}, 8), 16);
+}
+
+TEST(FacetParts, ThatTouchAtAVertexAreTakenApart) {
+  expectTwoBoxes(boxAt({2, 2, 2}, {4, 4, 4}, 8), 16);
+}
+
+TEST(FacetParts, WithPartOfAWallInCommonAreTakenApart) {
+  expectTwoBoxes(boxAt({2, 0, 0}, {3, 2, 1}, 8), 10);
+}
+
+TEST(FacetParts, ThatAreOpenStayWithWhatTheyTouch) {
+  // A sheet that goes on from the edge of a box.
+  const Facets facets = read(kBoxVertices + "v 4 0 0\nv 4 2 0\n" + kBoxFaces + "f 2 3 10 9\n");
+  EXPECT_EQ(facets.vertices.size(), 10u);
 }
 
 TEST(FacetParts, AreGroupsWithSizesOfTheirOwn) {

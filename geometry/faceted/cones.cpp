@@ -1,0 +1,192 @@
+#include "geometry/faceted/cones.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+
+#include "geometry/faceted/flats.h"
+
+namespace af2::geometry {
+namespace {
+
+class ConeCut {
+ public:
+  ConeCut(const PatchedFacets& patched, const Patch& patch, double angle, double size)
+      : whole_(patched), patch_(patch), angle_(angle), size_(size) {
+    take();
+    findTwins();
+    flats_ = findFlats(facets_, twins_, normals_);
+  }
+
+  std::set<FacetEdge> borders() {
+    grow();
+    straighten();
+    while (dropNarrow()) {
+    }
+    straighten();
+    std::set<FacetEdge> edges;
+    for (HalfEdge h = 0; h < twins_.size(); ++h)
+      if (isBorder(h)) edges.insert(edgeOf(h));
+    return edges;
+  }
+
+ private:
+  FacetEdge edgeOf(HalfEdge h) const {
+    const auto& c = facets_.triangles[h / 3];
+    return std::minmax(c[h % 3], c[nextIn(h) % 3]);
+  }
+  bool isBorder(HalfEdge h) const {
+    return twins_[h] != kNoHalfEdge && piece_[h / 3] != piece_[twins_[h] / 3];
+  }
+
+  void take() {
+    facets_.vertices = whole_.facets.vertices;
+    for (const std::uint32_t t : patch_.triangles) {
+      facets_.triangles.push_back(whole_.facets.triangles[t]);
+      normals_.push_back(whole_.normals[t]);
+    }
+  }
+
+  void findTwins() {
+    std::set<FacetEdge> kept;
+    for (const auto& loop : patch_.loops)
+      for (const CurveUse& use : loop) {
+        const FeatureCurve& curve = whole_.curves[use.curve];
+        for (std::size_t i = 1; i < curve.size(); ++i)
+          kept.insert(std::minmax(curve[i - 1], curve[i]));
+      }
+    std::map<FacetEdge, HalfEdge> first;
+    twins_.assign(3 * facets_.triangles.size(), kNoHalfEdge);
+    for (HalfEdge h = 0; h < twins_.size(); ++h) {
+      if (kept.contains(edgeOf(h))) continue;
+      const auto [found, isNew] = first.try_emplace(edgeOf(h), h);
+      if (isNew) continue;
+      twins_[h] = found->second;
+      twins_[found->second] = h;
+    }
+  }
+
+  /// From the largest flat that is left, in the order of the angle to it.
+  void grow() {
+    const double kCone = std::cos(angle_);
+    std::vector<std::uint32_t> order(flats_.flats.size());
+    std::iota(order.begin(), order.end(), 0u);
+    std::ranges::stable_sort(order, std::ranges::greater(),
+                             [&](std::uint32_t f) { return flats_.flats[f].area; });
+    std::vector<std::uint32_t> first(order.size(), kNoHalfEdge);
+    for (std::uint32_t t = 0; t < flats_.of.size(); ++t)
+      first[flats_.of[t]] = std::min(first[flats_.of[t]], t);
+    piece_.assign(flats_.of.size(), kNoHalfEdge);
+    for (const std::uint32_t flat : order) {
+      if (piece_[first[flat]] != kNoHalfEdge) continue;
+      axes_.push_back(flats_.flats[flat].normal);
+      growPiece(first[flat], kCone);
+    }
+  }
+
+  void growPiece(std::uint32_t start, double cone) {
+    const auto piece = static_cast<std::uint32_t>(axes_.size() - 1);
+    std::vector<std::uint32_t> open{start};
+    piece_[start] = piece;
+    while (!open.empty()) {
+      const std::uint32_t t = open.back();
+      open.pop_back();
+      for (HalfEdge h = 3 * t; h < 3 * t + 3; ++h) {
+        if (twins_[h] == kNoHalfEdge) continue;
+        const std::uint32_t other = twins_[h] / 3;
+        if (piece_[other] != kNoHalfEdge || !(along(other, piece) > cone)) continue;
+        piece_[other] = piece;
+        open.push_back(other);
+      }
+    }
+  }
+  /// Of flats, so that noise within them does not count.
+  double along(std::uint32_t t, std::uint32_t piece) const {
+    return dot(flats_.flats[flats_.of[t]].normal, axes_[piece]);
+  }
+
+  /// Borders that run to and fro between the triangles become shorter.
+  void straighten() {
+    constexpr int kMostRounds = 20;
+    bool isAny = true;
+    for (int round = 0; isAny && round < kMostRounds; ++round) {
+      isAny = false;
+      for (std::uint32_t t = 0; t < piece_.size(); ++t) isAny = shorten(t) || isAny;
+    }
+  }
+
+  bool shorten(std::uint32_t t) {
+    constexpr double kClearly = 0.999;
+    const double kWidest = std::cos(4 * angle_ / 3);
+    const std::uint32_t before = piece_[t];
+    std::uint32_t best = before;
+    double least = kClearly * bordersAround(t);
+    for (HalfEdge h = 3 * t; h < 3 * t + 3; ++h) {
+      if (!isBorder(h) || !(along(t, piece_[twins_[h] / 3]) > kWidest)) continue;
+      piece_[t] = piece_[twins_[h] / 3];
+      const double length = bordersAround(t);
+      if (length < least) best = piece_[t];
+      least = std::min(least, length);
+      piece_[t] = before;
+    }
+    piece_[t] = best;
+    return best != before;
+  }
+  double bordersAround(std::uint32_t t) const {
+    double sum = 0;
+    for (HalfEdge h = 3 * t; h < 3 * t + 3; ++h)
+      if (isBorder(h)) sum += lengthOf(facets_, h);
+    return sum;
+  }
+
+  /// Narrow pieces become part of those with which they share most of their borders.
+  bool dropNarrow() {
+    constexpr double kWidth = 0.4;  // in wanted sizes
+    const std::vector<Flat> extents = extentsOfPieces();
+    std::map<std::uint32_t, std::map<std::uint32_t, double>> shared;  // only of narrow ones
+    for (HalfEdge h = 0; h < twins_.size(); ++h)
+      if (isBorder(h) && extents[piece_[h / 3]].width() < kWidth * size_)
+        shared[piece_[h / 3]][piece_[twins_[h] / 3]] += lengthOf(facets_, h);
+    std::vector<std::uint32_t> became(axes_.size());
+    std::iota(became.begin(), became.end(), 0u);
+    std::set<std::uint32_t> seen;  // what grows, or is gone, waits for the next round
+    for (const auto& [piece, beside] : shared) {
+      const auto most =
+          std::ranges::max_element(beside, {}, [](const auto& b) { return b.second; });
+      if (seen.contains(piece) || seen.contains(most->first)) continue;
+      became[piece] = most->first;
+      seen.insert({piece, most->first});
+    }
+    for (std::uint32_t& piece : piece_) piece = became[piece];
+    return !seen.empty();
+  }
+
+  std::vector<Flat> extentsOfPieces() const {
+    std::vector<Flat> extents(axes_.size());
+    for (std::uint32_t t = 0; t < piece_.size(); ++t) extents[piece_[t]].area += areaOf(facets_, t);
+    for (HalfEdge h = 0; h < twins_.size(); ++h)
+      if (twins_[h] == kNoHalfEdge || isBorder(h))
+        extents[piece_[h / 3]].perimeter += lengthOf(facets_, h);
+    return extents;
+  }
+
+  const PatchedFacets& whole_;
+  const Patch& patch_;
+  double angle_, size_;
+  Facets facets_;  // of the patch
+  std::vector<Point3> normals_;
+  std::vector<HalfEdge> twins_;
+  Flats flats_;
+  std::vector<std::uint32_t> piece_;  // by triangle
+  std::vector<Point3> axes_;          // by piece
+};
+
+}  // namespace
+
+std::set<FacetEdge> coneBorders(const PatchedFacets& patched, const Patch& patch, double angle,
+                                double size) {
+  return ConeCut(patched, patch, angle, size).borders();
+}
+
+}  // namespace af2::geometry

@@ -1,0 +1,99 @@
+#include "geometry/faceted/flats.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <numeric>
+
+namespace af2::geometry {
+namespace {
+
+class Growth {
+ public:
+  Growth(const std::vector<HalfEdge>& twins, const std::vector<Point3>& normals)
+      : twins_(twins), normals_(normals), of_(normals.size(), kNoHalfEdge) {}
+
+  std::vector<std::uint32_t> grow(const std::vector<double>& areas) {
+    std::vector<std::uint32_t> order(areas.size());
+    std::iota(order.begin(), order.end(), 0u);
+    std::ranges::stable_sort(order, std::ranges::greater(), [&](auto t) { return areas[t]; });
+    for (const std::uint32_t first : order)
+      if (of_[first] == kNoHalfEdge) growFrom(first);
+    return std::move(of_);
+  }
+
+ private:
+  void growFrom(std::uint32_t first) {
+    std::vector<std::uint32_t> open{first};
+    of_[first] = count_;
+    while (!open.empty()) {
+      const std::uint32_t t = open.back();
+      open.pop_back();
+      for (HalfEdge h = 3 * t; h < 3 * t + 3; ++h) {
+        if (twins_[h] == kNoHalfEdge) continue;
+        const std::uint32_t other = twins_[h] / 3;
+        if (of_[other] != kNoHalfEdge || !isAlike(other, first)) continue;
+        of_[other] = count_;
+        open.push_back(other);
+      }
+    }
+    ++count_;
+  }
+  bool isAlike(std::uint32_t t, std::uint32_t first) const {
+    static const double kAlike = std::cos(3 * std::numbers::pi / 180);
+    return normals_[t] == Point3{} || dot(normals_[t], normals_[first]) > kAlike;
+  }
+
+  const std::vector<HalfEdge>& twins_;
+  const std::vector<Point3>& normals_;
+  std::vector<std::uint32_t> of_;
+  std::uint32_t count_ = 0;
+};
+
+}  // namespace
+
+double angleBetween(const Point3& p, const Point3& q) {
+  return std::atan2(length(cross(p, q)), dot(p, q));
+}
+
+double lengthOf(const Facets& facets, HalfEdge h) {
+  const auto& c = facets.triangles[h / 3];
+  return distance(facets.vertices[c[h % 3]], facets.vertices[c[nextIn(h) % 3]]);
+}
+
+double areaOf(const Facets& facets, std::uint32_t triangle) {
+  const auto& c = facets.triangles[triangle];
+  const Point3& origin = facets.vertices[c[0]];
+  return length(cross(facets.vertices[c[1]] - origin, facets.vertices[c[2]] - origin)) / 2;
+}
+
+Point3 middleOf(const Facets& facets, std::uint32_t triangle) {
+  const auto& c = facets.triangles[triangle];
+  return (1.0 / 3) * (facets.vertices[c[0]] + facets.vertices[c[1]] + facets.vertices[c[2]]);
+}
+
+Flats findFlats(const Facets& facets, const std::vector<HalfEdge>& twins,
+                const std::vector<Point3>& normals) {
+  std::vector<double> areas;
+  for (std::uint32_t t = 0; t < normals.size(); ++t) areas.push_back(areaOf(facets, t));
+  Flats result;
+  result.of = Growth(twins, normals).grow(areas);
+  for (std::uint32_t t = 0; t < areas.size(); ++t) {
+    if (result.of[t] >= result.flats.size()) result.flats.resize(result.of[t] + 1);
+    Flat& flat = result.flats[result.of[t]];
+    flat.area += areas[t];
+    flat.normal = flat.normal + areas[t] * normals[t];
+    flat.middle = flat.middle + areas[t] * middleOf(facets, t);
+  }
+  for (Flat& flat : result.flats) {
+    flat.normal = unit(flat.normal);
+    if (flat.area > 0) flat.middle = (1 / flat.area) * flat.middle;
+  }
+  for (HalfEdge h = 0; h < twins.size(); ++h)
+    if (twins[h] == kNoHalfEdge || result.of[twins[h] / 3] != result.of[h / 3])
+      result.flats[result.of[h / 3]].perimeter += lengthOf(facets, h);
+  return result;
+}
+
+}  // namespace af2::geometry

@@ -1,0 +1,144 @@
+// Surfaces of triangles whose roundings are far smaller than the elements.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "geometry/faceted/cones.h"
+#include "geometry/faceted/mesh_faceted.h"
+#include "geometry/faceted/patches.h"
+#include "tests/support/model_mesh.h"
+#include "tests/support/triangle_rules.h"
+
+namespace af2::geometry {
+namespace {
+
+using std::numbers::pi;
+
+/// A grid of points; its triangles look towards du x dv.
+template <class Position>
+Facets grid(std::uint32_t n, std::uint32_t m, Position position) {
+  Facets facets;
+  for (std::uint32_t i = 0; i <= n; ++i)
+    for (std::uint32_t j = 0; j <= m; ++j) facets.vertices.push_back(position(i, j));
+  for (std::uint32_t i = 0; i < n; ++i)
+    for (std::uint32_t j = 0; j < m; ++j) {
+      const std::uint32_t a = i * (m + 1) + j, b = a + m + 1;
+      facets.triangles.push_back({a, b, b + 1});
+      facets.triangles.push_back({a, b + 1, a + 1});
+    }
+  return facets;
+}
+
+/// A sheet 10 wide that turns down by a right angle around a cylinder; a row of points for every 15
+/// degrees.
+Facets bentSheet(double radius) {
+  return grid(8, 4, [=](std::uint32_t i, std::uint32_t j) {
+    const double y = 2.5 * j;
+    if (i == 0) return Point3{-10, y, radius};
+    if (i == 8) return Point3{radius, y, -10};
+    const double angle = (i - 1) * pi / 12;
+    return Point3{radius * std::sin(angle), y, radius * std::cos(angle)};
+  });
+}
+
+FeatureLimits limitsFor(double size) {
+  return {40 * pi / 180, 0.5 * size, 0.05 * size, [=](const Point3&) { return size; }};
+}
+
+ModelMesh mesh(const Facets& facets, double size) {
+  static const AF2Algorithm algorithm(testing::triangleSet());
+  FacetedMeshingOptions options;
+  options.size = size;
+  ModelMesh result = meshFaceted(facets, algorithm, options);
+  testing::expectComplete(result);
+  return result;
+}
+
+TEST(Blends, FarSmallerThanElementsBecomeEdges) {
+  const PatchedFacets patched = findPatches(bentSheet(0.1), limitsFor(1));
+  EXPECT_EQ(patched.patches.size(), 2u);
+  for (const Patch& patch : patched.patches) {
+    const Point3 normal = patched.normals[patch.triangles.front()];
+    for (const std::uint32_t t : patch.triangles)
+      EXPECT_GT(dot(patched.normals[t], normal), 1 - 1e-9) << "as beside the rounding";
+  }
+}
+
+TEST(Blends, ThatElementsCanShowAreSmooth) {
+  EXPECT_EQ(findPatches(bentSheet(1), limitsFor(1)).patches.size(), 1u);
+}
+
+TEST(Blends, AreNoEdgesWhereTheSurfaceTurnsLittle) {
+  Facets sheet = bentSheet(0.1);
+  for (std::uint32_t j = 0; j <= 4; ++j) {
+    // The second half of the rounding goes on straight, so that it turns by 30 degrees.
+    const Point3 from = sheet.vertices[3 * 5 + j];
+    for (std::uint32_t i = 4; i <= 8; ++i)
+      sheet.vertices[i * 5 + j] = from + (i - 3.0) * Point3{std::cos(pi / 6), 0, -std::sin(pi / 6)};
+  }
+  EXPECT_EQ(findPatches(sheet, limitsFor(1)).patches.size(), 1u);
+}
+
+TEST(Blends, RunStraightThroughIrregularTriangles) {
+  // The diagonals of the rounding run to and fro.
+  Facets sheet = bentSheet(0.1);
+  for (std::size_t t = 0; t + 1 < sheet.triangles.size(); t += 4) {
+    const auto [a, b, c] = sheet.triangles[t];
+    const std::uint32_t d = sheet.triangles[t + 1][2];
+    sheet.triangles[t] = {a, b, d};
+    sheet.triangles[t + 1] = {b, c, d};
+  }
+  const PatchedFacets patched = findPatches(sheet, limitsFor(1));
+  ASSERT_EQ(patched.patches.size(), 2u);
+  double crease = 0;
+  for (const FeatureCurve& curve : patched.curves) {
+    const Point3 &p = patched.facets.vertices[curve.front()],
+                 &q = patched.facets.vertices[curve.back()];
+    if (std::abs(p.x) > 1 || std::abs(q.x) > 1 || std::abs(p.z) > 1 || std::abs(q.z) > 1) continue;
+    for (std::size_t i = 1; i < curve.size(); ++i)
+      crease += distance(patched.facets.vertices[curve[i - 1]], patched.facets.vertices[curve[i]]);
+  }
+  EXPECT_NEAR(crease, 10, 1e-9);
+}
+
+TEST(Blends, LetTheMeshKeepBothSides) {
+  const ModelMesh result = mesh(bentSheet(0.1), 1);
+  EXPECT_EQ(result.faces.size(), 2u);
+  EXPECT_GT(testing::leastAngle(result), 20);
+}
+
+TEST(Cones, CutASphereIntoPiecesThatHardlyTurn) {
+  const Facets cap = grid(12, 48, [](std::uint32_t i, std::uint32_t j) {
+    const double polar = 0.15 + 2.4 * i / 12, around = 1.9 * pi * j / 48;
+    return Point3{3 * std::sin(polar) * std::cos(around), 3 * std::sin(polar) * std::sin(around),
+                  3 * std::cos(polar)};
+  });
+  const PatchedFacets whole = findPatches(cap, limitsFor(0.5));
+  ASSERT_EQ(whole.patches.size(), 1u);
+  const PatchedFacets cut =
+      cutPatches(whole, coneBorders(whole, whole.patches[0], pi / 4, 0.5), limitsFor(0.5));
+  ASSERT_GT(cut.patches.size(), 4u);
+  EXPECT_LT(cut.patches.size(), 25u);
+  for (const Patch& patch : cut.patches) {
+    Point3 sum;
+    for (const std::uint32_t t : patch.triangles) sum = sum + cut.normals[t];
+    for (const std::uint32_t t : patch.triangles)
+      EXPECT_GT(dot(cut.normals[t], unit(sum)), std::cos(80 * pi / 180));
+  }
+}
+
+TEST(FacetSurface, IsAPlaneEvenIfASliverLiesOnOthers) {
+  Facets square = grid(4, 4, [](std::uint32_t i, std::uint32_t j) {
+    return Point3{1.0 * i, 1.0 * j, 0};
+  });
+  // A vertex inside goes beyond the opposite side of one of its triangles.
+  square.vertices[2 * 5 + 2] = {3.0001, 2.5, 0};
+  const ModelMesh result = mesh(square, 0.5);
+  EXPECT_EQ(result.faces.size(), 1u);
+  EXPECT_EQ(result.faces[0].surfaceType, "plane");
+  EXPECT_NEAR(testing::areaOf(result), 16, 1e-9);
+}
+
+}  // namespace
+}  // namespace af2::geometry
