@@ -1,6 +1,7 @@
 #include "engine/candidate_choice.h"
 
 #include <algorithm>
+#include <array>
 
 #include "engine/element_shape.h"
 #include "engine/open_places.h"
@@ -53,9 +54,10 @@ class MatchedParts {
   std::size_t vertexCount_, edgeCount_ = 0;
 };
 
-/// In the unit of the chart. Zones are tested exactly, and often a new vertex is a corner of its
-/// zone: where rows meet, rounding must not decide whether the vertex that is there already is
-/// seen.
+/// In the unit of the chart, as a rule the wanted length there. Zones are tested exactly, and often
+/// a new vertex is a corner of its zone: where rows meet, rounding must not decide whether the
+/// vertex that is there already is seen. Coordinates of a model a million lengths across are
+/// rounded by 1e-10 lengths, and no front has edges that are as short as this.
 constexpr double kSamePlace = 1e-9;
 
 /// Whether an edge from a corner of a convex zone runs into the zone, by a margin far beyond what
@@ -99,11 +101,14 @@ bool staysUnfolded(const StepView& view, const Application& application) {
   };
   for (const RuleElement& element : rule.rule->definition().elements) {
     const auto n = static_cast<std::size_t>(element.size());
+    std::array<const SurfacePoint*, 4> corners;
+    for (std::size_t i = 0; i < n; ++i) corners[i] = &pointOf(element.corners[i]);
+    const SurfacePoint* behind = corners[n - 1];
     for (std::size_t i = 0; i < n; ++i) {
-      const SurfacePoint& corner = pointOf(element.corners[i]);
-      if (!facesNormal(corner.position, pointOf(element.corners[(i + 1) % n]).position,
-                       pointOf(element.corners[(i + n - 1) % n]).position, corner.normal))
+      const SurfacePoint *corner = corners[i], *ahead = corners[i + 1 == n ? 0 : i + 1];
+      if (!facesNormal(corner->position, ahead->position, behind->position, corner->normal))
         return false;
+      behind = corner;
     }
   }
   return true;
