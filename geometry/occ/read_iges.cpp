@@ -2,6 +2,7 @@
 #include <BRepBuilderAPI_Sewing.hxx>
 #include <BRepGProp.hxx>
 #include <BRep_Builder.hxx>
+#include <BRep_Tool.hxx>
 #include <Bnd_Box.hxx>
 #include <GProp_GProps.hxx>
 #include <IGESControl_Reader.hxx>
@@ -13,6 +14,7 @@
 #include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedDataMapOfShapeListOfShape.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
+#include <TopoDS.hxx>
 #include <TopoDS_Compound.hxx>
 #include <TopoDS_Iterator.hxx>
 #include <algorithm>
@@ -28,13 +30,13 @@ namespace af2::geometry {
 
 namespace {
 
-/// Edges that only one face has. Seams count as shared.
+/// Edges that only one face has. Seams count as shared, and poles are none.
 int freeEdges(const TopoDS_Shape& shape) {
   TopTools_IndexedDataMapOfShapeListOfShape faces;
   TopExp::MapShapesAndAncestors(shape, TopAbs_EDGE, TopAbs_FACE, faces);
   int count = 0;
   for (int i = 1; i <= faces.Extent(); ++i)
-    if (faces(i).Extent() == 1) ++count;
+    if (faces(i).Extent() == 1 && !BRep_Tool::Degenerated(TopoDS::Edge(faces.FindKey(i)))) ++count;
   return count;
 }
 

@@ -7,6 +7,7 @@
 
 #include "engine/error.h"
 #include "geometry/file_extension.h"
+#include "geometry/occ/crossed_faces.h"
 #include "geometry/occ/model.h"
 #include "geometry/occ/readers.h"
 
@@ -155,6 +156,7 @@ Model readModel(const fs::path& path) {
   std::shared_ptr<const ModelShape> shape;
   try {
     const Silence silence;
+    turnBackCrossedFaces(read);
     shape = makeModelShape(std::move(read));
   } catch (const Standard_Failure& failure) {
     throw InputError(path.string() + ": the shape in it is damaged (" +

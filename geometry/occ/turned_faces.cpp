@@ -11,10 +11,8 @@
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Iterator.hxx>
-#include <TopoDS_Shell.hxx>
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -110,13 +108,6 @@ void addSide(const Side& side, const Lune& lune, double period, const TopoDS_Fac
   builder.Add(wire, edge.Oriented(turned));
 }
 
-/// What is to be put in place of faces of a shell.
-struct Rests {
-  std::map<int, TopoDS_Face> faces;  ///< by index
-  bool areOthersAsInFile = true;
-};
-
-/// A shell that looks to the side that the file says.
 TopoDS_Shape withFaces(const TopoDS_Shell& shell, const Rests& rests) {
   BRep_Builder builder;
   TopoDS_Shell made;
@@ -127,7 +118,7 @@ TopoDS_Shape withFaces(const TopoDS_Shell& shell, const Rests& rests) {
     builder.Add(made, found == rests.faces.end() ? it.Value() : found->second);
   }
   made.Closed(shell.Closed());
-  return made.Oriented(rests.areOthersAsInFile ? TopAbs_FORWARD : TopAbs_REVERSED);
+  return made.Oriented(rests.isShellForward ? TopAbs_FORWARD : TopAbs_REVERSED);
 }
 
 /// Of faces that most of the shell disagrees with, however the shell as a whole looks.
@@ -141,8 +132,8 @@ Rests restsIn(const TopoDS_Shell& shell,
     (isAsInFile(faces.back()) ? as : turned).push_back(static_cast<int>(faces.size()) - 1);
   }
   Rests rests;
-  rests.areOthersAsInFile = as.size() > turned.size();
-  const std::vector<int>& odd = rests.areOthersAsInFile ? turned : as;
+  rests.isShellForward = as.size() > turned.size();
+  const std::vector<int>& odd = rests.isShellForward ? turned : as;
   if (odd.empty() || faces.size() < (kMany + 1) * odd.size()) return rests;
   for (const int index : odd)
     if (const TopoDS_Face rest = restOf(faces[static_cast<std::size_t>(index)]); !rest.IsNull())
@@ -174,20 +165,13 @@ TopoDS_Face restOf(const TopoDS_Face& given) {
   return TopoDS::Face(rest.Oriented(TopAbs::Reverse(given.Orientation())));
 }
 
-void turnBackFaces(ReadShape& read, const std::function<bool(const TopoDS_Face&)>& isAsInFile) {
+int replaceByRests(ReadShape& read, const std::vector<TopoDS_Shell>& shells,
+                   const std::function<Rests(const TopoDS_Shell&)>& choose) {
   BRepTools_ReShape replacing;
   std::vector<std::pair<TopoDS_Face, TopoDS_Face>> was;  // by the new face: that of the reader
-  TopTools_IndexedMapOfShape solids;
-  TopExp::MapShapes(read.shape, TopAbs_SOLID, solids);
-  for (int i = 1; i <= solids.Extent(); ++i) {
-    const TopoDS_Shape solid = solids(i).Located(TopLoc_Location()).Oriented(TopAbs_FORWARD);
-    TopExp_Explorer shells(solid, TopAbs_SHELL);
-    if (!shells.More()) continue;
-    const TopoDS_Shell shell = TopoDS::Shell(shells.Current());
-    shells.Next();
-    // Of several shells, nobody tells here which looks inwards.
-    if (shells.More() || replacing.IsRecorded(shell)) continue;
-    const Rests rests = restsIn(shell, isAsInFile);
+  for (const TopoDS_Shell& shell : shells) {
+    if (replacing.IsRecorded(shell)) continue;
+    const Rests rests = choose(shell);
     if (rests.faces.empty()) continue;
     int index = 0;
     for (TopoDS_Iterator it(shell.Oriented(TopAbs_FORWARD)); it.More(); it.Next(), ++index) {
@@ -198,7 +182,7 @@ void turnBackFaces(ReadShape& read, const std::function<bool(const TopoDS_Face&)
     }
     replacing.Replace(shell, withFaces(shell, rests));
   }
-  if (was.empty()) return;
+  if (was.empty()) return 0;
   read.shape = replacing.Apply(read.shape);
   for (ShapeGroup& group : read.groups)
     for (TopoDS_Shape& shape : group.shapes) shape = replacing.Apply(shape);
@@ -208,7 +192,25 @@ void turnBackFaces(ReadShape& read, const std::function<bool(const TopoDS_Face&)
           std::ranges::find_if(was, [&](const auto& pair) { return pair.first.IsPartner(face); });
       return nameOf(found == was.end() ? face : found->second);
     };
-  read.notes.push_back(std::to_string(was.size()) +
+  return static_cast<int>(was.size());
+}
+
+void turnBackFaces(ReadShape& read, const std::function<bool(const TopoDS_Face&)>& isAsInFile) {
+  std::vector<TopoDS_Shell> shells;
+  TopTools_IndexedMapOfShape solids;
+  TopExp::MapShapes(read.shape, TopAbs_SOLID, solids);
+  for (int i = 1; i <= solids.Extent(); ++i) {
+    const TopoDS_Shape solid = solids(i).Located(TopLoc_Location()).Oriented(TopAbs_FORWARD);
+    TopExp_Explorer it(solid, TopAbs_SHELL);
+    if (!it.More()) continue;
+    const TopoDS_Shell shell = TopoDS::Shell(it.Current());
+    it.Next();
+    if (!it.More()) shells.push_back(shell);  // of several, nobody tells here which looks inwards
+  }
+  const int count = replaceByRests(
+      read, shells, [&](const TopoDS_Shell& shell) { return restsIn(shell, isAsInFile); });
+  if (count == 0) return;
+  read.notes.push_back(std::to_string(count) +
                        " faces between two poles were read as the rest of their surface, turned "
                        "against what the file says; put right");
 }

@@ -3,7 +3,10 @@
 #pragma once
 
 #include <TopoDS_Face.hxx>
+#include <TopoDS_Shell.hxx>
 #include <functional>
+#include <map>
+#include <vector>
 
 #include "geometry/occ/model_shape.h"
 
@@ -13,6 +16,17 @@ namespace af2::geometry {
 /// face with the same edges, on the other side of them, that looks to the other side, too. Null if
 /// the boundary does not run once from pole to pole and back.
 TopoDS_Face restOf(const TopoDS_Face& face);
+
+/// What is to be put in place of faces of a shell.
+struct Rests {
+  std::map<int, TopoDS_Face> faces;  ///< by index in the shell
+  bool isShellForward = true;        ///< how the shell with them is oriented
+};
+
+/// Puts the rests that `choose` finds in the place of faces of the shells, also in groups and for
+/// names. Returns how many.
+int replaceByRests(ReadShape& read, const std::vector<TopoDS_Shell>& shells,
+                   const std::function<Rests(const TopoDS_Shell&)>& choose);
 
 /// A reader that finds the edges of a face on the seam of its surface may take them for those on
 /// the other side of it. It then sees the loop run the wrong way round, turns it, and so has the
