@@ -152,6 +152,20 @@ TEST(Dirt, LooseFacesOfPartsThatTouchAreSewnPartByPart) {
   EXPECT_EQ(testing::eulerNumber(result), 0 + 2) << "a ring and a bolt";
 }
 
+/// Two halves of a ball, base to base: four faces meet at the rim, and poles are no open edges.
+TEST(Dirt, LooseFacesOfPartsWithPolesAreSewnPartByPart) {
+  std::vector<TopoDS_Shape> faces;
+  for (const double up : {1.0, -1.0}) {
+    const TopoDS_Shape half =
+        BRepPrimAPI_MakeSphere(gp_Ax2({0, 0, 0}, {0, 0, up}), 1, 0, pi / 2).Shape();
+    for (TopExp_Explorer it(half, TopAbs_FACE); it.More(); it.Next()) faces.push_back(it.Current());
+  }
+  const ModelMesh result = mesh(throughIges(testing::compoundOf(faces)), 0.2);
+  expectSound(result, 2 * 3 * pi, 0.03);
+  expectClosed(result);
+  EXPECT_EQ(testing::eulerNumber(result), 4) << "two pieces";
+}
+
 /// How exact a file is, it may not say: a gap of a thousandth of the model is none if nothing else
 /// is left open.
 TEST(Dirt, LooseFacesAreSewnAcrossWiderGapsIfThatClosesTheModel) {
