@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cstdlib>
 #include <memory>
 
 #include "geometry/planar/word_file.h"
@@ -112,11 +113,18 @@ class In2dReader {
     curve.maxSize = maxSizeFrom(first).value_or(curve.maxSize);
     const std::string_view number = flag(first, "-bc=");
     std::string_view name = flag(first, "-bcname=");
-    if (const auto value = numberIn<int>(number))
-      curve.boundary = *value;
+    if (const auto value = numberIn<long>(number))
+      curve.boundary = checkedNumber(*value);
     else if (name.empty())
       name = number;  // some write the name there
     if (!name.empty()) nameBoundary(std::string(name), curve.boundary);
+  }
+
+  int checkedNumber(long boundary) const {
+    if (std::abs(boundary) > kMostItems)
+      file_.fail("boundary " + std::to_string(boundary) + ": numbers go up to " +
+                 std::to_string(kMostItems));
+    return static_cast<int>(boundary);
   }
 
   /// Of the last curve.

@@ -99,6 +99,7 @@ TEST(In2dFile, GivesBoundariesByNumberAndByName) {
            0.2);
   const std::vector<EdgeGroup> expected{{2, "wall", {3, 4}}, {4, "", {1}}, {5, "inlet", {2}}};
   EXPECT_EQ(result.boundaries, expected);
+  EXPECT_THROW(read(square + "1 0 2 1 2 -bc=2147483647\n"), InputError);
   EXPECT_THROW(read(square + "1 0 2 1 2 -bc=4 -bcname=a\n1 0 2 2 3 -bc=4 -bcname=b\n"), InputError);
 }
 
