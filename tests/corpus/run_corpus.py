@@ -11,6 +11,9 @@ page; with --from, it is the one that an earlier run left with --json.
 Of a folder with thousands of models, --sample 150 takes those whose names come first when ordered
 by a checksum: the same ones everywhere. Another word for --draw gives another sample.
 
+With --stl build/tests/corpus/write_stl each model is written as STL first, and the triangles are
+meshed. What cannot be written counts as refused.
+
 The runs with --scale 0.7 and 1.5 and with --curvature 12 stand in for models that are not at hand.
 
 Each model runs in a process of its own with a time limit, at a size of a fortieth of its diagonal
@@ -86,6 +89,7 @@ def options() -> argparse.Namespace:
     parser.add_argument("--only", default="", help="regular expression for the names of models")
     parser.add_argument("--sample", type=int, default=0, help="so many models only, drawn by their names")
     parser.add_argument("--draw", default="1", help="a word that the sample depends on")
+    parser.add_argument("--stl", type=Path, help="program that writes a model as STL, which is meshed then")
     parser.add_argument("--output", type=Path, help="file for the table in Markdown")
     parser.add_argument("--json", type=Path, help="file for all that is known, in JSON")
     parser.add_argument("--keep", type=Path, help="folder that keeps the meshes and reports")
@@ -134,7 +138,13 @@ def run_one(arguments: argparse.Namespace, model: Path, size: float) -> Row:
         mesh, report = folder / (model.stem + ".vtu"), folder / (model.stem + ".json")
         for old in (mesh, report):
             old.unlink(missing_ok=True)
-        command = [arguments.af2, "mesh", str(model), "-q", "-r", arguments.rules, "-s", repr(row.size),
+        source = model
+        if arguments.stl:
+            source = Path(temporary) / (model.stem + ".stl")
+            if not write_triangles(arguments, model, source):
+                row.status, row.exit_code, row.reason = "refused", 1, "not written as STL"
+                return row
+        command = [arguments.af2, "mesh", str(source), "-q", "-r", arguments.rules, "-s", repr(row.size),
                    "-o", str(mesh), "--report", str(report), "-j", "1"]
         if arguments.curvature:
             command += ["--curvature", repr(arguments.curvature)]
@@ -145,6 +155,15 @@ def run_one(arguments: argparse.Namespace, model: Path, size: float) -> Row:
             hold_against_oracle(row, mesh, json.loads(report.read_text()))
     judge(row)
     return row
+
+
+def write_triangles(arguments: argparse.Namespace, model: Path, target: Path) -> bool:
+    try:
+        subprocess.run([arguments.stl, model, target], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
+                       timeout=arguments.limit)
+    except subprocess.TimeoutExpired:
+        return False
+    return target.exists()
 
 
 def run_limited(row: Row, command: list, limit: float) -> None:
