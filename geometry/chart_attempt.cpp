@@ -1,6 +1,7 @@
 #include "geometry/chart_attempt.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "engine/error.h"
 #include "engine/mesh_check.h"
@@ -67,6 +68,9 @@ double boundaryDensity(const FaceTask& task) {
   return perimeter > 0 ? density / (kUnitTriangle * perimeter) : 0;
 }
 
+/// How many times more elements than expected mean that a front folds over.
+double marginOf(const FaceTask& task) { return task.knowsSizes ? 2 : 4; }
+
 /// How many elements the sizes let expect. Along the boundary of a face whose area is not known
 /// these tell nothing of its inside: sizes grow from there.
 double expectedElements(const FaceTask& task) {
@@ -74,14 +78,28 @@ double expectedElements(const FaceTask& task) {
   return std::max(task.expectedElements, task.area * boundaryDensity(task));
 }
 
+/// Room beside the segments, in which elements grow from the length of these.
+double elementsBeside(const FrontInput& input) {
+  constexpr double kBeside = 12;
+  double longest = 0, sum = 0;
+  std::vector<double> lengths;
+  for (const auto& loop : input.loops)
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      lengths.push_back(
+          distance(loop[i].point.position, loop[(i + 1) % loop.size()].point.position));
+      longest = std::max(longest, lengths.back());
+    }
+  for (const double length : lengths) sum += length > 0 ? 1 + std::log(longest / length) : 1;
+  return kBeside * (sum + static_cast<double>(input.isolated.size()));
+}
+
 /// Several times what is expected. Only a size function may want much smaller elements inside.
 std::size_t elementLimit(const FaceTask& task) {
-  constexpr double kFunctionMargin = 1e5;
-  std::size_t corners = task.boundary.input.isolated.size();
-  for (const auto& loop : task.boundary.input.loops) corners += loop.size();
-  const double margin = task.mayBeFineInside ? kFunctionMargin : task.margin;
-  const double beside = 12 * static_cast<double>(corners) + 2000;
-  return static_cast<std::size_t>(std::min(margin * expectedElements(task) + beside, 1e9));
+  constexpr double kFunctionMargin = 1e5, kAlways = 2000;
+  const double expected = task.knowsSizes ? task.expectedElements : expectedElements(task);
+  const double margin = task.mayBeFineInside ? kFunctionMargin : marginOf(task);
+  const double beside = elementsBeside(task.boundary.input) + kAlways;
+  return static_cast<std::size_t>(std::min(margin * expected + beside, 1e9));
 }
 
 void take(RegionMesh& mesh, const FaceTask& task, FaceAttempt& attempt) {
@@ -158,7 +176,7 @@ FaceAttempt fill(const FaceTask& task, ChartKind kind, const MeshingOptions& opt
 /// Runs one way to fill a face as long as that gets on.
 template <class Fill>
 FaceAttempt guarded(const FaceTask& task, int patience, Fill&& fill) {
-  RunawayGuard guard(elementLimit(task), task.margin, task.mostCandidates, task.options.stop);
+  RunawayGuard guard(elementLimit(task), marginOf(task), task.mostCandidates, task.options.stop);
   MeshingOptions options;
   options.patience = patience;
   options.stop = guard.token();

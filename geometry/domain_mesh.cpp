@@ -27,9 +27,6 @@ namespace {
 
 /// What is narrower than this share of the wanted size is not to be seen in the mesh.
 constexpr double kUnseen = 5e-5;
-/// How many times more elements than expected mean that a front folds over: sizes by curvature are
-/// known all over a patch of triangles.
-constexpr double kCertain = 2, kUncertain = 4;
 constexpr double kUnitTriangle = 0.4330127018922193;  // area of the one with edges of length 1
 
 /// The size on a face: what is wanted on it, but no more than curvature and position allow.
@@ -110,6 +107,7 @@ class DomainMesher final : public RetriedModel {
     meshFaces(state);
     RetryOptions retries{options_.function, largestAsked(), options_.growth, threads(),
                          options_.stop};
+    retries.share = model_.retryShare;
     if (options_.mostRetries) retries.mostRounds = *options_.mostRetries;
     retryPoorFaces(*this, retries, state);
     const double share = shareOfOptimizing(state.meshes), seconds = facesWatch.seconds();
@@ -296,20 +294,20 @@ class DomainMesher final : public RetriedModel {
                         std::shared_ptr<const SizeField>(std::shared_ptr<void>(), &graded)};
     };
     const double expected = expectedOn(faces_[i], size);
-    const bool mayBeFine =
-        byPosition.isVaried() || options_.elementsPerTurn > 0 || sizes_.nearLoosePoints != nullptr;
+    const bool isRetried = &sizes != &options_.function;
+    const bool mayBeFine = sizes_.byPosition.isVaried() || options_.elementsPerTurn > 0 ||
+                           sizes_.nearLoosePoints != nullptr;
     const auto withoutParameters = [](std::vector<StuckPlace>& places) {
       for (StuckPlace& place : places) place.u = place.v = 0;
     };
-    fillInto(
-        {{*face.surface, boundary, graded, face.area, expected, algorithm_, options, mayBeFine,
-          limits.mostCandidates, limits.mayLean, progress, tools, limit ? kCertain : kUncertain},
-         wanted,
-         kUnseen * size,
-         options_.order == 2,
-         face.surface->isPlane() ? std::function<void(std::vector<StuckPlace>&)>()
-                                 : withoutParameters},
-        boundary, mesh);
+    fillInto({{*face.surface, boundary, graded, face.area, expected, algorithm_, options, mayBeFine,
+               limits.mostCandidates, limits.mayLean, progress, tools, limit && !isRetried},
+              wanted,
+              kUnseen * size,
+              options_.order == 2,
+              face.surface->isPlane() ? std::function<void(std::vector<StuckPlace>&)>()
+                                      : withoutParameters},
+             boundary, mesh);
   }
 
   ModelMesh finished(FaceMeshes& state) const {

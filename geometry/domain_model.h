@@ -62,6 +62,8 @@ struct DomainModel {
   std::vector<std::string> notes;     ///< what was put right while reading
   /// How much of the wanted size is left along curves that turn sharply (DomainSize::turnLimit).
   double leastAtTurns = 0.1;
+  /// Of the candidates that retries of CAD faces may take, as charts differ in what they cost.
+  double retryShare = 1;
   /// By face, what curvature allows; empty: all faces are plane. To be used by several threads at
   /// once.
   std::function<std::vector<std::shared_ptr<const CurvatureLimit>>(const DomainSize&)>

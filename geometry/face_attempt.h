@@ -55,9 +55,9 @@ struct FaceTask {
   const ProgressCallback& progress;
   /// Charts and sizes of the face for one thread more.
   const std::function<PieceTools(ChartKind)>& makeTools;
-  /// A front that has made so many times more elements than are expected is given up: it folds
-  /// over.
-  double margin = 4;
+  /// Whether the expected elements are those of all sizes inside: a front that makes twice as many
+  /// folds over.
+  bool knowsSizes = false;
 };
 
 /// With the charts that were asked for, then with those that suit the surface, one kind after the

@@ -27,11 +27,11 @@ class Retries {
     std::vector<std::size_t> dropped;  // faces for which nothing was of use
     SparedNeighbors neighbors(model_.edgesOfFaces(), state.meshes);
     findShortEdges(state);
-    const double mostEffort = Retries::mostEffort(state);
+    const double most = mostEffort(state);
     double effort = 0;
     model_.join(state);
     for (int round = 0; round < options_.mostRounds && !options_.stop.stop_requested(); ++round) {
-      hasEffortLeft_ = effort <= mostEffort;
+      hasEffortLeft_ = effort <= most;
       const std::vector<std::size_t> poor = worthAnotherTry(state);
       if (poor.empty() && (dropped.empty() || !hasEffortLeft_)) break;
       for (const std::size_t i : poor) askForMore(state, i, refinement);
@@ -181,11 +181,11 @@ class Retries {
 
   /// Tries may cost some times as much as the mesh, but no more than about ten seconds. Goes by
   /// candidates of the front.
-  static double mostEffort(const FaceMeshes& state) {
+  double mostEffort(const FaceMeshes& state) {
     constexpr double kShare = 3, kMost = 6'000'000, kAlways = 2'000'000;
     double candidates = 0;
     for (const FaceMesh& mesh : state.meshes) candidates += static_cast<double>(mesh.effort);
-    return std::min(kShare * candidates, kMost) + kAlways;
+    return options_.share * (std::min(kShare * candidates, kMost) + kAlways);
   }
   /// What it costs to mesh a face again besides these.
   static constexpr double kForEachFace = 1000;

@@ -58,6 +58,7 @@ struct RetryOptions {
   int threads = 0;
   std::stop_token stop;
   int mostRounds = 12;
+  double share = 1;  ///< of the candidates that may be taken
 };
 
 /// Where faces failed, came out poor or cross each other, tries again with shorter edges around the

@@ -20,7 +20,8 @@ namespace {
 /// Of the wanted size: less than where a CAD model has edges along its roundings, which bring
 /// vertices there.
 constexpr double kGentleLeast = 0.2;
-constexpr int kBriefly = 1;  // rounds of retries, as long as patches may be cut instead
+constexpr double kRetryShare = 0.25;  // charts look through triangles
+constexpr int kBriefly = 1;           // rounds of retries, as long as patches may be cut instead
 constexpr double kDegree = std::numbers::pi / 180;
 
 /// The charts of a curved patch.
@@ -130,6 +131,7 @@ class ModelMaker {
   DomainModel make(double growth) {
     model_.name = facets_.name;
     model_.leastAtTurns = kGentleLeast;
+    model_.retryShare = kRetryShare;
     model_.diagonal = diagonalOf(facets_);
     corner_.assign(facets_.vertices.size(), kNone);
     for (const FeatureCurve& curve : patched_.curves) addCurve(curve);

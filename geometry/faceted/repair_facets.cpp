@@ -31,13 +31,13 @@ class Repair {
 
   void repair() {
     dropTwins(Twins::SameSide);
+    joinVertices();
+    splitAtVertices();
+    turn();
     partTouching(facets_);
     dropTwins(Twins::BothSides);
     if (twins_ > 0)
       tell(twins_, "triangles lay on others with the same corners and were left out", *twinPlace_);
-    joinVertices();
-    splitAtVertices();
-    turn();
     tellOfHoles();
   }
 
