@@ -23,6 +23,7 @@ class Sharpening {
 
   SharpBlends sharpen() {
     findBlends();
+    takeNarrowRest();
     spread();
     straighten();
     SharpBlends result{std::vector<bool>(twins_.size(), false), normals_};
@@ -42,8 +43,7 @@ class Sharpening {
     return flats_.flats[flats_.of[to]].width() / sizeIn(to);
   }
 
-  /// By the angle to what is beside a flat, for its width. What is left between blends, and is no
-  /// wider than these are long, is of them.
+  /// By the angle to what is beside a flat, for its width.
   void findBlends() {
     constexpr double kRadius = 0.25;        // in wanted sizes
     const double kLeastTurn = 4 * kDegree;  // less is noise
@@ -56,6 +56,39 @@ class Sharpening {
       if (own == other || turn < kLeastTurn) continue;
       isFlatBlend_[own] = turn * kRadius * limits_.sizeAt(flat.middle) > flat.width();
     }
+  }
+
+  /// What is left between blends, and is hardly wider than they are, is no surface that they join.
+  void takeNarrowRest() {
+    constexpr double kWidth = 0.15;  // in wanted sizes
+    std::vector<bool> seen(flats_.of.size(), false);
+    for (std::uint32_t first = 0; first < seen.size(); ++first) {
+      if (seen[first] || isBlend(first)) continue;
+      const std::vector<std::uint32_t> rest = restAround(first, seen);
+      double area = 0, perimeter = 0;
+      bool isBesideBlend = false;
+      for (const std::uint32_t t : rest) {
+        area += areaOf(facets_, t);
+        for (HalfEdge h = 3 * t; h < 3 * t + 3; ++h) {
+          const bool isInside = twins_[h] != kNoHalfEdge && !isBlend(twins_[h] / 3);
+          if (!isInside) perimeter += lengthOf(facets_, h);
+          isBesideBlend = isBesideBlend || (twins_[h] != kNoHalfEdge && !isInside);
+        }
+      }
+      if (!isBesideBlend || 2 * area >= kWidth * sizeIn(first) * perimeter) continue;
+      for (const std::uint32_t t : rest) isFlatBlend_[flats_.of[t]] = true;
+    }
+  }
+  std::vector<std::uint32_t> restAround(std::uint32_t first, std::vector<bool>& seen) const {
+    std::vector<std::uint32_t> rest{first};
+    seen[first] = true;
+    for (std::size_t i = 0; i < rest.size(); ++i)
+      for (HalfEdge h = 3 * rest[i]; h < 3 * rest[i] + 3; ++h) {
+        if (twins_[h] == kNoHalfEdge || seen[twins_[h] / 3] || isBlend(twins_[h] / 3)) continue;
+        seen[twins_[h] / 3] = true;
+        rest.push_back(twins_[h] / 3);
+      }
+    return rest;
   }
 
   /// Gives each triangle of a blend the flat from which it is reached with the least turning.

@@ -102,6 +102,21 @@ TEST(Blends, RunStraightThroughIrregularTriangles) {
   EXPECT_NEAR(crease, 10, 1e-9);
 }
 
+TEST(Blends, ThatAreAllOfASurfaceStayAsTheyAre) {
+  // A thin half pipe with a wider strip along it, which is no surface that the rest leads to.
+  const Facets pipe = grid(9, 4, [](std::uint32_t i, std::uint32_t j) {
+    const double angle = i < 5 ? i * pi / 10 : (i + 1) * pi / 10;
+    return Point3{-0.1 * std::cos(angle), 2.5 * j, 0.1 * std::sin(angle)};
+  });
+  const PatchedFacets patched = findPatches(pipe, limitsFor(1));
+  for (std::size_t t = 0; t < pipe.triangles.size(); ++t) {
+    const auto& [a, b, c] = pipe.triangles[t];
+    const Point3& origin = pipe.vertices[a];
+    const Point3 normal = unit(cross(pipe.vertices[b] - origin, pipe.vertices[c] - origin));
+    EXPECT_GT(dot(patched.normals[t], normal), 1 - 1e-9);
+  }
+}
+
 TEST(Blends, LetTheMeshKeepBothSides) {
   const ModelMesh result = mesh(bentSheet(0.1), 1);
   EXPECT_EQ(result.faces.size(), 2u);
