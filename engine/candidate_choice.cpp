@@ -140,7 +140,7 @@ void CandidateChoice::gather(const StepChart& chart, PlaceId base) {
 const Application* CandidateChoice::choose(const StepChart& chart, PlaceId base) {
   gather(chart, base);
   // Where a front is crammed, to look at all that is near takes as long as many candidates do.
-  constexpr std::size_t kOrdinary = 256, kLikeACandidate = 8;
+  constexpr std::size_t kOrdinary = 256, kLikeACandidate = 32;
   if (near_.lookedAt() > kOrdinary) examined_ += (near_.lookedAt() - kOrdinary) / kLikeACandidate;
   const StepView view = viewOf(chart, base);
   collect(view);

@@ -90,8 +90,8 @@ bool FrontIndex::mayHold(const Band& band, const Box3& box) {
          box.low.z <= high.z + reach && box.high.z >= low.z - reach;
 }
 
-std::size_t FrontIndex::collectNear(const Box3& box, std::vector<PlaceId>& found) const {
-  Search search{queryOf(box), found, 0};
+FrontIndex::Collected FrontIndex::collectNear(const Box3& box, std::vector<PlaceId>& found) const {
+  Search search{queryOf(box), found, {0, 0}};
   for (std::size_t b = firstBand_; b <= lastBand_; ++b) {
     const Band& band = bands_[b];
     if (!mayHold(band, box)) continue;
@@ -102,7 +102,7 @@ std::size_t FrontIndex::collectNear(const Box3& box, std::vector<PlaceId>& found
       for (const Cell& cell : band.cells) collectInCell(cell, search);
     }
   }
-  return search.count;
+  return search.collected;
 }
 
 void FrontIndex::collectInRange(const Band& band, const CellRange& range, Search& search) const {
@@ -127,17 +127,18 @@ void FrontIndex::collectInRange(const Band& band, const CellRange& range, Search
 
 /// Stores every edge before knowing whether it stays: that is not to be guessed.
 void FrontIndex::collectInCell(const Cell& cell, Search& search) const {
-  if (search.found.size() < search.count + cell.edges)
-    search.found.resize(2 * (search.count + cell.edges));
+  std::size_t& count = search.collected.count;
+  search.collected.lookedAt += cell.edges;
+  if (search.found.size() < count + cell.edges) search.found.resize(2 * (count + cell.edges));
   const Query query = search.query;
-  PlaceId* found = search.found.data() + search.count;
+  PlaceId* found = search.found.data() + count;
   for (PlaceId id = cell.first; !id.isNone();) {
     const Entry& entry = entries_[id.value];
     *found = id;
     found += query.mayMeet(entry);
     id = entry.next;
   }
-  search.count = static_cast<std::size_t>(found - search.found.data());
+  count = static_cast<std::size_t>(found - search.found.data());
 }
 
 void FrontIndex::insert(const Front& front, PlaceId id) {

@@ -31,9 +31,13 @@ class FrontIndex {
   /// Does nothing if the edge is not in the index.
   void erase(PlaceId id);
 
-  /// Puts every edge that may meet the box into `found`, each once, and returns how many: the order
-  /// depends on nothing but the history of inserts and erases. `found` grows and never shrinks.
-  std::size_t collectNear(const Box3& box, std::vector<PlaceId>& found) const;
+  struct Collected {
+    std::size_t count;     ///< edges that may meet the box
+    std::size_t lookedAt;  ///< edges of the cells around it: with these goes the time
+  };
+  /// Puts every edge that may meet the box into `found`, each once: the order depends on nothing
+  /// but the history of inserts and erases. `found` grows and never shrinks.
+  Collected collectNear(const Box3& box, std::vector<PlaceId>& found) const;
 
  private:
   static constexpr std::uint32_t kEmpty = 0xffffffffu;
@@ -77,7 +81,7 @@ class FrontIndex {
   struct Search {
     Query query;
     std::vector<PlaceId>& found;
-    std::size_t count;
+    Collected collected;
   };
   struct Band {
     double cellSize = 1, inverseCellSize = 1;

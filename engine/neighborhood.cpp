@@ -142,8 +142,8 @@ StepChart::Heights StepChart::heightsWithin(const Window& w) const {
 void Neighborhood::gather(const Front& front, const FrontIndex& index, const StepChart& chart,
                           PlaceId base, const Window& window) {
   window_ = window;
-  foundCount_ = index.collectNear(chart.boxOf(window, front[base].point.position), found_);
-  if (edges_.size() <= foundCount_) edges_.resize(2 * foundCount_ + 1);
+  collected_ = index.collectNear(chart.boxOf(window, front[base].point.position), found_);
+  if (edges_.size() <= collected_.count) edges_.resize(2 * collected_.count + 1);
   withDrawing(chart, [&](const auto& drawing) { draw(front, drawing); });
 }
 
@@ -153,7 +153,7 @@ template <class Drawing>
 void Neighborhood::draw(const Front& front, const Drawing& drawing) {
   const Pair low{window_.lowX, window_.lowY}, high{window_.highX, window_.highY};
   Edge* edge = edges_.data();
-  for (const PlaceId id : std::span(found_.data(), foundCount_)) {
+  for (const PlaceId id : std::span(found_.data(), collected_.count)) {
     const Place& place = front[id];
     const Place& end = front[place.level < 0 ? id : place.next];
     const Drawn from = drawing(place.point), to = drawing(end.point);

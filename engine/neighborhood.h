@@ -77,15 +77,15 @@ class Neighborhood {
   std::span<const Edge> edges() const { return {edges_.data(), count_}; }
   const Window& window() const { return window_; }
   /// How many edges were looked at for that.
-  std::size_t lookedAt() const { return foundCount_; }
+  std::size_t lookedAt() const { return collected_.lookedAt; }
 
  private:
   template <class Drawing>
   void draw(const Front& front, const Drawing& drawing);
 
   Window window_;
-  std::vector<PlaceId> found_;  // [0, foundCount_) are in use
-  std::size_t foundCount_ = 0;
+  std::vector<PlaceId> found_;  // as many as were collected are in use
+  FrontIndex::Collected collected_{0, 0};
   std::vector<Edge> edges_;  // [0, count_) are in use
   std::size_t count_ = 0;
 };

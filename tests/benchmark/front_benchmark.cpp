@@ -49,7 +49,7 @@ void indexSearch(::benchmark::State& state) {
   for (auto _ : state) {
     const Point3 at = square.front[PlaceId(i)].point.position;
     const Point3 reach{3 * size, 3 * size, 3 * size};
-    found += square.index.collectNear({at - reach, at + reach}, room);
+    found += square.index.collectNear({at - reach, at + reach}, room).count;
     i = (i + 997) % count;
   }
   state.counters["edges"] =

@@ -31,7 +31,7 @@ bool boxesMeet(const Point3& p, const Point3& q, const Box3& box) {
 
 std::vector<PlaceId> edgesNear(const FrontIndex& index, const Box3& box) {
   std::vector<PlaceId> found;
-  found.resize(index.collectNear(box, found));
+  found.resize(index.collectNear(box, found).count);
   return found;
 }
 
