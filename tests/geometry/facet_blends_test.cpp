@@ -105,8 +105,8 @@ TEST(Blends, RunStraightThroughIrregularTriangles) {
 TEST(Blends, ThatAreAllOfASurfaceStayAsTheyAre) {
   // A thin half pipe with a wider strip along it, which is no surface that the rest leads to.
   const Facets pipe = grid(9, 4, [](std::uint32_t i, std::uint32_t j) {
-    const double angle = i < 5 ? i * pi / 10 : (i + 1) * pi / 10;
-    return Point3{-0.1 * std::cos(angle), 2.5 * j, 0.1 * std::sin(angle)};
+    const double angle = (i < 5 ? 18.0 * i : 112 + 18.0 * (i - 5.0)) * pi / 180;
+    return Point3{-0.2 * std::cos(angle), 2.5 * j, 0.2 * std::sin(angle)};
   });
   const PatchedFacets patched = findPatches(pipe, limitsFor(1));
   for (std::size_t t = 0; t < pipe.triangles.size(); ++t) {
