@@ -60,7 +60,7 @@ class Sharpening {
 
   /// What is left between blends, and is hardly wider than they are, is no surface that they join.
   void takeNarrowRest() {
-    constexpr double kWidth = 0.15;  // in wanted sizes
+    constexpr double kWidth = 0.08;  // in wanted sizes
     std::vector<bool> seen(flats_.of.size(), false);
     for (std::uint32_t first = 0; first < seen.size(); ++first) {
       if (seen[first] || isBlend(first)) continue;
