@@ -16,7 +16,7 @@ constexpr double kKink = 0.55;
 /// Chord between unit normals: a turn that no element lies across well.
 constexpr double kTight = 1.0;
 /// Of the wanted size: within this length a tight turn is a crease.
-constexpr double kWithin = 0.04;
+constexpr double kWithin = 0.06;
 /// Creases nearer to each other than this share of the wanted size are one.
 constexpr double kApart = 0.15;
 /// Of the range of a parameter, beside a kink.
@@ -42,15 +42,17 @@ class CreaseFinder {
   }
 
   std::vector<Stretch> stretches() const {
-    std::vector<Crease> creases = kinks();
-    double calmLow = low_, calmHigh = high_;
-    if (size_ > 0) {
-      const std::vector<std::vector<Crease>> byLine = tightTurnsByLine(creases);
-      const std::vector<Crease> tight = tightTurns(byLine);
-      creases.insert(creases.end(), tight.begin(), tight.end());
-      calmLow = calmFrom(low_, 1, byLine);
-      calmHigh = calmFrom(high_, -1, byLine);
-    }
+    const std::vector<Crease> atKinks = kinks();
+    if (!(size_ > 0)) return cutAt(atKinks, low_, high_);
+    const std::vector<std::vector<Crease>> byLine = tightTurnsByLine(atKinks);
+    std::vector<Crease> all = tightTurns(byLine);
+    all.insert(all.end(), atKinks.begin(), atKinks.end());
+    std::vector<Stretch> cut = cutAt(all, calmFrom(low_, 1, byLine), calmFrom(high_, -1, byLine));
+    return areCalm(cut) ? cut : cutAt(atKinks, low_, high_);
+  }
+
+ private:
+  std::vector<Stretch> cutAt(std::vector<Crease> creases, double calmLow, double calmHigh) const {
     std::ranges::sort(creases, {}, &Crease::at);
     if (!mergeNear(creases)) creases.clear();
     while (!creases.empty() && isNear(low_, creases.front().at)) {
@@ -65,7 +67,16 @@ class CreaseFinder {
     return between(creases, calmLow, calmHigh);
   }
 
- private:
+  /// Whether turns take up little of the face; else to leave them out would leave out its shape.
+  bool areCalm(const std::vector<Stretch>& stretches) const {
+    constexpr double kCalm = 0.75;  // of the length
+    const ParameterLine& line = lines_[lines_.size() / 2];
+    return std::ranges::all_of(stretches, [&](const Stretch& stretch) {
+      return line.lengthBetween(stretch.calmLow, stretch.calmHigh) >=
+             kCalm * line.lengthBetween(stretch.low, stretch.high);
+    });
+  }
+
   double beside() const { return kBeside * (high_ - low_); }
 
   std::vector<Stretch> between(const std::vector<Crease>& creases, double calmLow,
@@ -224,29 +235,32 @@ class CreaseFinder {
 
   /// With the places beside it where the surface no longer turns.
   void addCalm(const ParameterLine& line, Crease crease, std::vector<Crease>& found) const {
-    crease.before = calmBeside(line, crease.before, -1);
-    crease.after = calmBeside(line, crease.after, 1);
+    const auto before = calmBeside(line, crease.before, -1);
+    const auto after = calmBeside(line, crease.after, 1);
+    if (!before || !after) return;
+    crease.before = *before;
+    crease.after = *after;
     found.push_back(crease);
   }
 
   /// On from a place in a crease to where the surface no longer turns as tightly, or as far as a
   /// crease may reach.
-  double calmBeside(const ParameterLine& line, double parameter, int direction) const {
+  std::optional<double> calmBeside(const ParameterLine& line, double parameter,
+                                   int direction) const {
     constexpr int kSteps = 20;
     constexpr double kCalm = 0.04;  // turn in a step
     const double step = 0.25 * kWithin * size_;
     ParameterLine::Place here = line.at(parameter);
     for (int i = 0; i < kSteps; ++i) {
       const double speed = line.speedAt(here.parameter);
-      if (!(speed > 0)) return here.parameter;
+      if (!(speed > 0)) return std::nullopt;
       const double next = here.parameter + direction * step / speed;
       if (!(next > low_ && next < high_)) return direction > 0 ? high_ : low_;
       const ParameterLine::Place there = line.at(next);
-      const bool isCalm = turnBetween(here, there) < kCalm;
+      if (turnBetween(here, there) < kCalm) return next;
       here = there;
-      if (isCalm) break;
     }
-    return here.parameter;
+    return std::nullopt;
   }
 
   /// Where the face ends in the middle of a tight turn, the end of that; else `end`.
@@ -259,7 +273,8 @@ class CreaseFinder {
       ++count;
       farthest = direction > 0 ? std::max(farthest, *calm) : std::min(farthest, *calm);
     }
-    return count + 1 < lines_.size() || isShort(end) ? end : farthest;
+    constexpr std::size_t kLeast = 2;  // elsewhere the turn may be beyond the end
+    return count < kLeast || isShort(end) ? end : farthest;
   }
 
   /// Whether a line across is shorter than some elements, as near a pole.
@@ -274,11 +289,11 @@ class CreaseFinder {
   std::optional<double> calmOnLine(const ParameterLine& line, double end, int direction,
                                    const std::vector<Crease>& turns) const {
     for (const Crease& turn : turns) {
-      if (direction > 0 && !(turn.before > low_)) return turn.after;
-      if (direction < 0 && !(turn.after < high_)) return turn.before;
+      if (direction > 0 && isNear(low_, turn.at)) return turn.after;
+      if (direction < 0 && isNear(turn.at, high_)) return turn.before;
     }
     // The rest of a turn, however little, may be beside it.
-    constexpr double kStillTurns = 0.15;
+    constexpr double kStillTurns = 0.25;
     const double start = end + direction * beside();
     const double speed = line.speedAt(start);
     if (!(speed > 0)) return std::nullopt;

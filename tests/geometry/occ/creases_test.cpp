@@ -172,6 +172,30 @@ TEST(Creases, WhereTheRadiusIsFarBelowTheSizeAreEdges) {
   EXPECT_GE(segmentsAlongCreases(result, model), 3u * 7u);
 }
 
+/// Extruded between the middles of two roundings, so that the face ends in both.
+TEST(Creases, WhereAFaceEndsInATurnCountForNothing) {
+  constexpr double kRadius = 0.002;
+  const auto arc = [](double x, double from, double to) {
+    const auto at = [&](double angle) {
+      return gp_Pnt(x + kRadius * std::cos(angle), kRadius * std::sin(angle), 0);
+    };
+    return GC_MakeArcOfCircle(at(from), at((from + to) / 2), at(to)).Value();
+  };
+  constexpr double kQuarter = 1.5707963267948966;
+  GeomConvert_CompCurveToBSplineCurve joined(Convert_QuasiAngular);
+  joined.Add(arc(0, -2 * kQuarter, -kQuarter), kRadius / 100, true);
+  joined.Add(GC_MakeSegment(gp_Pnt(0, -kRadius, 0), gp_Pnt(1, -kRadius, 0)).Value(), kRadius / 100,
+             true);
+  joined.Add(arc(1, -kQuarter, 0), kRadius / 100, true);
+  const TopoDS_Shape shape =
+      BRepPrimAPI_MakePrism(BRepBuilderAPI_MakeEdge(joined.BSplineCurve()).Edge(), gp_Vec(0, 0, 2))
+          .Shape();
+  const ModelMesh result = mesh(shape, 0.2);
+  expectComplete(result, areaOf(shape), 0.01);
+  EXPECT_GT(leastAngle(result), 25);
+  EXPECT_LT(result.elements.size(), 200u);
+}
+
 TEST(Creases, AreNoneWhereElementsFollowTheTurn) {
   for (const TopoDS_Shape& shape :
        {roundedPrism(0.2),
