@@ -173,7 +173,7 @@ TEST(Creases, WhereTheRadiusIsFarBelowTheSizeAreEdges) {
 }
 
 /// Extruded between the middles of two roundings, so that the face ends in both.
-TEST(Creases, WhereAFaceEndsInATurnCountForNothing) {
+TopoDS_Shape betweenRoundings(double width) {
   constexpr double kRadius = 0.002;
   const auto arc = [](double x, double from, double to) {
     const auto at = [&](double angle) {
@@ -184,16 +184,30 @@ TEST(Creases, WhereAFaceEndsInATurnCountForNothing) {
   constexpr double kQuarter = 1.5707963267948966;
   GeomConvert_CompCurveToBSplineCurve joined(Convert_QuasiAngular);
   joined.Add(arc(0, -2 * kQuarter, -kQuarter), kRadius / 100, true);
-  joined.Add(GC_MakeSegment(gp_Pnt(0, -kRadius, 0), gp_Pnt(1, -kRadius, 0)).Value(), kRadius / 100,
-             true);
-  joined.Add(arc(1, -kQuarter, 0), kRadius / 100, true);
-  const TopoDS_Shape shape =
-      BRepPrimAPI_MakePrism(BRepBuilderAPI_MakeEdge(joined.BSplineCurve()).Edge(), gp_Vec(0, 0, 2))
-          .Shape();
+  joined.Add(GC_MakeSegment(gp_Pnt(0, -kRadius, 0), gp_Pnt(width, -kRadius, 0)).Value(),
+             kRadius / 100, true);
+  joined.Add(arc(width, -kQuarter, 0), kRadius / 100, true);
+  return BRepPrimAPI_MakePrism(BRepBuilderAPI_MakeEdge(joined.BSplineCurve()).Edge(),
+                               gp_Vec(0, 0, 2))
+      .Shape();
+}
+
+TEST(Creases, WhereAFaceEndsInATurnCountForNothing) {
+  const TopoDS_Shape shape = betweenRoundings(1);
   const ModelMesh result = mesh(shape, 0.2);
   expectComplete(result, areaOf(shape), 0.01);
   EXPECT_GT(leastAngle(result), 25);
   EXPECT_LT(result.elements.size(), 200u);
+}
+
+/// There is nothing but the turns to the shape of such a strip.
+TEST(Creases, OfStripsWithRoundedBordersAreTheirShape) {
+  const auto isCalmInside = [](double width) {
+    const Model model = modelOf(betweenRoundings(width));
+    return withCreases(model.sharedShape(), {1}, ofSize(0.2).sizes, 1, {})->cells.contains(1);
+  };
+  EXPECT_TRUE(isCalmInside(1));
+  EXPECT_FALSE(isCalmInside(0.01));
 }
 
 TEST(Creases, AreNoneWhereElementsFollowTheTurn) {
