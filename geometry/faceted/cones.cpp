@@ -87,19 +87,12 @@ class ConeCut {
 
   void growPiece(std::uint32_t start, double cone) {
     const auto piece = static_cast<std::uint32_t>(axes_.size() - 1);
-    std::vector<std::uint32_t> open{start};
     piece_[start] = piece;
-    while (!open.empty()) {
-      const std::uint32_t t = open.back();
-      open.pop_back();
-      for (HalfEdge h = 3 * t; h < 3 * t + 3; ++h) {
-        if (twins_[h] == kNoHalfEdge) continue;
-        const std::uint32_t other = twins_[h] / 3;
-        if (piece_[other] != kNoHalfEdge || !(along(other, piece) > cone)) continue;
-        piece_[other] = piece;
-        open.push_back(other);
-      }
-    }
+    flood(twins_, start, [&](std::uint32_t other) {
+      if (piece_[other] != kNoHalfEdge || !(along(other, piece) > cone)) return false;
+      piece_[other] = piece;
+      return true;
+    });
   }
   /// Of flats, so that noise within them does not count.
   double along(std::uint32_t t, std::uint32_t piece) const {

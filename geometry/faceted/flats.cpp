@@ -25,19 +25,12 @@ class Growth {
 
  private:
   void growFrom(std::uint32_t first) {
-    std::vector<std::uint32_t> open{first};
     of_[first] = count_;
-    while (!open.empty()) {
-      const std::uint32_t t = open.back();
-      open.pop_back();
-      for (HalfEdge h = 3 * t; h < 3 * t + 3; ++h) {
-        if (twins_[h] == kNoHalfEdge) continue;
-        const std::uint32_t other = twins_[h] / 3;
-        if (of_[other] != kNoHalfEdge || !isAlike(other, first)) continue;
-        of_[other] = count_;
-        open.push_back(other);
-      }
-    }
+    flood(twins_, first, [&](std::uint32_t other) {
+      if (of_[other] != kNoHalfEdge || !isAlike(other, first)) return false;
+      of_[other] = count_;
+      return true;
+    });
     ++count_;
   }
   bool isAlike(std::uint32_t t, std::uint32_t first) const {

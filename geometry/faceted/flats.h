@@ -19,6 +19,19 @@ double lengthOf(const Facets& facets, HalfEdge h);
 double areaOf(const Facets& facets, std::uint32_t triangle);
 Point3 middleOf(const Facets& facets, std::uint32_t triangle);
 
+/// Goes from a triangle to those across its edges, and from each to which `claim` says yes on to
+/// the next ones. `claim` must say yes once at most for each triangle.
+template <class Claim>
+void flood(const std::vector<HalfEdge>& twins, std::uint32_t start, const Claim& claim) {
+  std::vector<std::uint32_t> open{start};
+  while (!open.empty()) {
+    const std::uint32_t t = open.back();
+    open.pop_back();
+    for (HalfEdge h = 3 * t; h < 3 * t + 3; ++h)
+      if (twins[h] != kNoHalfEdge && claim(twins[h] / 3)) open.push_back(twins[h] / 3);
+  }
+}
+
 /// Triangles that hang together, with about the same normal.
 struct Flat {
   Point3 normal, middle;

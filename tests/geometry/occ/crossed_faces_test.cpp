@@ -1,7 +1,6 @@
 #include "geometry/occ/crossed_faces.h"
 
 #include <gtest/gtest.h>
-#include <BRepAdaptor_Surface.hxx>
 #include <BRepAlgoAPI_Cut.hxx>
 #include <BRepAlgoAPI_Fuse.hxx>
 #include <BRepTools_ReShape.hxx>
@@ -17,13 +16,7 @@ namespace af2::geometry {
 namespace {
 
 using std::numbers::pi;
-
-TopoDS_Face sphereOf(const TopoDS_Shape& shape) {
-  for (TopExp_Explorer it(shape, TopAbs_FACE); it.More(); it.Next())
-    if (BRepAdaptor_Surface(TopoDS::Face(it.Current())).GetType() == GeomAbs_Sphere)
-      return TopoDS::Face(it.Current());
-  return {};
-}
+using testing::sphereOf;
 
 TopoDS_Shape block(const gp_Pnt& low, const gp_Pnt& high) {
   return BRepPrimAPI_MakeBox(low, high).Shape();

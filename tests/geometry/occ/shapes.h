@@ -1,6 +1,7 @@
 // Models made in memory.
 #pragma once
 
+#include <BRepAdaptor_Surface.hxx>
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakePolygon.hxx>
@@ -9,6 +10,8 @@
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRepPrimAPI_MakeTorus.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Wire.hxx>
@@ -22,6 +25,14 @@
 #include "geometry/occ/model_shape.h"
 
 namespace af2::testing {
+
+/// The first face of a shape that lies on a sphere; null if there is none.
+inline TopoDS_Face sphereOf(const TopoDS_Shape& shape) {
+  for (TopExp_Explorer it(shape, TopAbs_FACE); it.More(); it.Next())
+    if (BRepAdaptor_Surface(TopoDS::Face(it.Current())).GetType() == GeomAbs_Sphere)
+      return TopoDS::Face(it.Current());
+  return {};
+}
 
 inline geometry::Model modelOf(const TopoDS_Shape& shape) {
   geometry::ReadShape read;

@@ -1,7 +1,6 @@
 #include "geometry/occ/turned_faces.h"
 
 #include <gtest/gtest.h>
-#include <BRepAdaptor_Surface.hxx>
 #include <BRepTools_ReShape.hxx>
 
 #include <algorithm>
@@ -16,13 +15,7 @@ namespace af2::geometry {
 namespace {
 
 using std::numbers::pi;
-
-TopoDS_Face sphereOf(const TopoDS_Shape& shape) {
-  for (TopExp_Explorer it(shape, TopAbs_FACE); it.More(); it.Next())
-    if (BRepAdaptor_Surface(TopoDS::Face(it.Current())).GetType() == GeomAbs_Sphere)
-      return TopoDS::Face(it.Current());
-  return {};
-}
+using testing::sphereOf;
 
 /// A part of a ball between two half discs.
 TopoDS_Shape wedgeOfBall(double angle) {
