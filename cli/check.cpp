@@ -120,10 +120,12 @@ int check(CheckOptions options) {
 
 Action declareCheck(CLI::App& command) {
   const auto options = std::make_shared<CheckOptions>();
-  command.add_option("files", options->files, "rule files, folders of them, or - for stdin")
+  command.add_option("FILES", options->files, "rule files, folders of them, or - for stdin")
+      ->type_name("")
       ->required();
   command.add_option("--format", options->format, "pretty, json, sarif or gcc")
-      ->check(CLI::IsMember({"pretty", "json", "sarif", "gcc"}));
+      ->type_name("FORMAT")
+      ->check(CLI::IsMember({"pretty", "json", "sarif", "gcc"}).description(""));
   command.add_flag("--strict", options->strict, "warnings are findings, too: exit code 1");
   command.add_flag("--quick", options->findings.quick,
                    "only what the text tells; no proofs, no samples of matches");
@@ -133,12 +135,16 @@ Action declareCheck(CLI::App& command) {
                    "first mend what has one obvious remedy; shows what it changes in the files");
   command.add_flag("--diff", options->diff, "show what --fix would change, and leave the files");
   command.add_option("--samples", options->findings.samples, "matches tried for each rule")
-      ->check(CLI::Range(1, 10'000'000));
+      ->type_name("N")
+      ->check(CLI::Range(1, 10'000'000).description(""));
   command.add_option("--allow", options->findings.allowed, "codes that are not told")
+      ->type_name("CODES")
       ->delimiter(',')
       ->allow_extra_args(false);
-  command.add_option("--pictures", options->findings.pictures,
-                     "a folder for pictures of what was found");
+  command
+      .add_option("--pictures", options->findings.pictures,
+                  "a folder for pictures of what was found")
+      ->type_name("DIR");
   command.add_flag("-q,--quiet", options->quiet, "findings only");
   return [options] { return check(*options); };
 }

@@ -47,9 +47,10 @@ int compile(const CompileOptions& options) {
 
 Action declareCompile(CLI::App& command) {
   const auto options = std::make_shared<CompileOptions>();
-  command.add_option("file", options->file, "rule file, or - for stdin")->required();
+  command.add_option("FILE", options->file, "rule file, or - for stdin")->type_name("")->required();
   command.add_flag("--dump", options->dump, "print the compiled rules");
-  command.add_option("--rule", options->rule, "with --dump: only the rule with this title");
+  command.add_option("--rule", options->rule, "with --dump: only the rule with this title")
+      ->type_name("TITLE");
   return [options] { return compile(*options); };
 }
 

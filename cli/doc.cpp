@@ -43,8 +43,9 @@ int document(const std::string& file, const std::string& output) {
 Action declareDoc(CLI::App& command) {
   const auto file = std::make_shared<std::string>();
   const auto output = std::make_shared<std::string>();
-  command.add_option("file", *file, "rule file, or - for stdin")->required();
-  command.add_option("-o,--output", *output, "a folder; default: the name of the file with -doc");
+  command.add_option("FILE", *file, "rule file, or - for stdin")->type_name("")->required();
+  command.add_option("-o,--output", *output, "a folder; default: the name of the file with -doc")
+      ->type_name("DIR");
   return [file, output] { return document(*file, *output); };
 }
 

@@ -76,17 +76,23 @@ int draw(DrawOptions options) {
 
 Action declareDraw(CLI::App& command) {
   const auto options = std::make_shared<DrawOptions>();
-  command.add_option("file", options->file, "rule file, or - for stdin")->required();
-  command.add_option("--rule", options->rule, "only the rule with this title");
-  command.add_option("-o,--output", options->output,
-                     "picture, .svg or .png; default: the name of the file, .svg; - is stdout");
-  command.add_option("--levels,--level,--class", options->levels,
-                     "quality levels whose zones are shown, such as 1,5,20");
+  command.add_option("FILE", options->file, "rule file, or - for stdin")->type_name("")->required();
+  command.add_option("--rule", options->rule, "only the rule with this title")->type_name("TITLE");
+  command
+      .add_option("-o,--output", options->output,
+                  "picture, .svg or .png; default: the name of the file, .svg; - is stdout")
+      ->type_name("FILE");
+  command
+      .add_option("--levels,--level,--class", options->levels,
+                  "quality levels whose zones are shown, such as 1,5,20")
+      ->type_name("LEVELS");
   command
       .add_option("--match", options->match, "with --rule: where a vertex is, such as c=0.6,0.9")
+      ->type_name("VERTEX=X,Y")
       ->allow_extra_args(false);
   command.add_option("--size", options->size, "width and height of one rule in pixels")
-      ->check(CLI::Range(50.0, 4000.0));
+      ->type_name("N")
+      ->check(CLI::Range(50.0, 4000.0).description(""));
   command.add_flag("--no-names", options->noNames, "leave out the names of vertices");
   command.add_flag("--no-tolerances", options->noTolerances, "leave out the tolerance ellipses");
   command.add_flag("--coverage", options->coverage,

@@ -50,21 +50,24 @@ int evaluate(const EvalOptions& options) {
 
 Action declareEval(CLI::App& command) {
   const auto options = std::make_shared<EvalOptions>();
-  command.add_option("file", options->file, "rule file, or - for stdin")->required();
-  command.add_option("--rule", options->rule, "title of the rule")->required();
-  command.add_option("--level,--class", options->level, "quality level, default 1");
-  const auto repeated = [&](const char* name, std::vector<std::string>& values, const char* help) {
-    command.add_option(name, values, help)->allow_extra_args(false);
+  command.add_option("FILE", options->file, "rule file, or - for stdin")->type_name("")->required();
+  command.add_option("--rule", options->rule, "title of the rule")->type_name("TITLE")->required();
+  command.add_option("--level,--class", options->level, "quality level, default 1")->type_name("N");
+  const auto repeated = [&](const char* name, std::vector<std::string>& values, const char* form,
+                            const char* help) {
+    command.add_option(name, values, help)->type_name(form)->allow_extra_args(false);
   };
-  repeated("--match", options->match,
+  repeated("--match", options->match, "VERTEX=X,Y",
            "where a vertex is, such as c=1.5,0.9; others stand at their reference. "
            "The frame: a at (0, 0), b on the x axis, unit the wanted edge length");
-  repeated("--point", options->points, "x,y: is it in the free zone?");
-  repeated("--segment", options->segments, "x,y,x,y: does it meet the inside of the free zone?");
-  repeated("--env", options->environment,
+  repeated("--point", options->points, "X,Y", "a point: is it in the free zone?");
+  repeated("--segment", options->segments, "X,Y,X,Y",
+           "an edge: does it meet the inside of the free zone?");
+  repeated("--env", options->environment, "NAME=NUMBER",
            "what surrounds the match: h=0.8, loop_size=7, turn(c)=120 (degrees), layer(c)=2, ...");
   command.add_option("--format", options->format, "pretty or json")
-      ->check(CLI::IsMember({"pretty", "json"}));
+      ->type_name("FORMAT")
+      ->check(CLI::IsMember({"pretty", "json"}).description(""));
   return [options] { return evaluate(*options); };
 }
 

@@ -32,7 +32,8 @@ void explain(const std::string& name) {
 
 Action declareExplainCode(CLI::App& command) {
   const auto name = std::make_shared<std::string>();
-  command.add_option("code", *name, "such as A1 or AF2-A1; without one all codes are listed");
+  command.add_option("CODE", *name, "such as A1 or AF2-A1; without one all codes are listed")
+      ->type_name("");
   return [name] {
     name->empty() ? listCodes() : explain(*name);
     return kComplete;

@@ -53,7 +53,8 @@ int format(const FmtOptions& options) {
 
 Action declareFmt(CLI::App& command) {
   const auto options = std::make_shared<FmtOptions>();
-  command.add_option("files", options->files, "rule files, folders of them, or - for stdin")
+  command.add_option("FILES", options->files, "rule files, folders of them, or - for stdin")
+      ->type_name("")
       ->required();
   auto* write = command.add_flag("-w,--write", options->write, "change the files themselves");
   command

@@ -36,12 +36,15 @@ int importRules(const ImportOptions& options) {
 
 Action declareImport(CLI::App& command) {
   const auto options = std::make_shared<ImportOptions>();
-  command.add_option("file", options->input, "rule file of Netgen (.rls), or - for stdin")
+  command.add_option("FILE", options->input, "rule file of Netgen (.rls), or - for stdin")
+      ->type_name("")
       ->required();
   command.add_option("-o,--output", options->output, "the .af2 file to write; - is stdout")
+      ->type_name("FILE")
       ->capture_default_str();
   command.add_option("--format", options->format, "of what is noticed: pretty or json")
-      ->check(CLI::IsMember({"pretty", "json"}))
+      ->type_name("FORMAT")
+      ->check(CLI::IsMember({"pretty", "json"}).description(""))
       ->capture_default_str();
   command.add_flag("-q,--quiet", options->quiet, "tell errors only");
   return [options] { return importRules(*options); };

@@ -125,20 +125,24 @@ int inspectSafely(const InspectOptions& options) {
 
 Action declareInspect(CLI::App& command) {
   const auto options = std::make_shared<InspectOptions>();
-  command.add_option("model", options->model, "STEP, IGES, BREP, STL, OBJ, .poly or .in2d file")
+  command.add_option("MODEL", options->model, "STEP, IGES, BREP, STL, OBJ, .poly or .in2d file")
+      ->type_name("")
       ->required();
   command.add_flag("--brief", options->brief,
                    "count the faces of each kind instead of listing them; no defects");
   command.add_flag("--edges", options->edges,
                    "list the edges, too, with their lengths, ends and faces: for --edge-size and "
                    "--boundary of af2 mesh");
-  command.add_option(
-      "-s,--size", options->size,
-      "edge length of the mesh that defects are held against; default: a fortieth of "
-      "the diagonal");
+  command
+      .add_option("-s,--size", options->size,
+                  "edge length of the mesh that defects are held against; default: a fortieth of "
+                  "the diagonal")
+      ->type_name("SIZE");
   command.add_flag("--all", options->all, "list all defects, not only the first ten of each kind");
-  command.add_option("--picture", options->picture,
-                     "picture of the model with its defects marked, .svg or .png");
+  command
+      .add_option("--picture", options->picture,
+                  "picture of the model with its defects marked, .svg or .png")
+      ->type_name("FILE");
   declareHealing(command, options->heal, options->healTolerance);
   return [options]() -> int {
     if (isDomain(options->model)) return inspectOther(*options);

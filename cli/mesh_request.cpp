@@ -86,33 +86,48 @@ std::string outputHelp() {
 
 void declareMeshOptions(CLI::App& command, MeshOptions& options) {
   command
-      .add_option("model", options.model,
+      .add_option("MODEL", options.model,
                   "STEP, IGES or BREP file, a .poly or .in2d file (planar), an STL or OBJ file")
+      ->type_name("")
       ->required();
   declareSizeOptions(command, options.sizes);
   command
       .add_option("-r,--rules", options.rules, "rule file; a path, or a name in the rules of AF2")
+      ->type_name("FILE")
       ->capture_default_str();
-  command.add_option("-o,--output", options.outputs, outputHelp())->take_all()->expected(1);
-  command.add_option("--faces", options.faces, "mesh only these faces, e.g. 3,7-9");
-  command.add_option("--boundary", options.boundary,
-                     "file (JSON) with the vertices along edges that are divided already");
+  command.add_option("-o,--output", options.outputs, outputHelp())
+      ->type_name("FILE")
+      ->take_all()
+      ->expected(1);
+  command.add_option("--faces", options.faces, "mesh only these faces, e.g. 3,7-9")
+      ->type_name("FACES");
+  command
+      .add_option("--boundary", options.boundary,
+                  "file (JSON) with the vertices along edges that are divided already")
+      ->type_name("FILE");
   command.add_flag("--edges", options.edges,
                    "line elements along all edges of the model, too, in .vtu, .vtk and .msh files");
   command.add_flag("--keep-boundary", options.keepBoundary,
                    "take the segments of a .poly or .in2d file as they are");
-  command.add_option("--feature-angle", options.featureAngle,
-                     "of an STL or OBJ file: edges that turn by more degrees are kept, default 40");
-  command.add_option("--chart", options.chart,
-                     "how the front sees curved faces: " + geometry::chartNames() +
-                         " (default auto); faces that have no such chart are meshed with auto");
-  command.add_option("-j,--threads", options.threads,
-                     "threads to use; the mesh does not depend on it");
-  command.add_option("--order", options.order,
-                     "2: elements with vertices at the middles of their sides, on the surface");
+  command
+      .add_option("--feature-angle", options.featureAngle,
+                  "of an STL or OBJ file: edges that turn by more degrees are kept, default 40")
+      ->type_name("DEGREES");
+  command
+      .add_option("--chart", options.chart,
+                  "how the front sees curved faces: " + geometry::chartNames() +
+                      " (default auto); faces that have no such chart are meshed with auto")
+      ->type_name("KIND");
+  command
+      .add_option("-j,--threads", options.threads, "threads to use; the mesh does not depend on it")
+      ->type_name("N");
+  command
+      .add_option("--order", options.order,
+                  "2: elements with vertices at the middles of their sides, on the surface")
+      ->type_name("N");
   declareHealing(command, options.heal, options.healTolerance);
   command.add_flag("--no-optimize", options.rawFront, "leave the mesh as the front made it");
-  command.add_option("--report", options.report, "file for a report in JSON");
+  command.add_option("--report", options.report, "file for a report in JSON")->type_name("FILE");
   command.add_flag("-q,--quiet", options.quiet, "print nothing unless something is wrong");
 }
 
@@ -121,9 +136,11 @@ void declareHealing(CLI::App& command, bool& heal, std::string& tolerance) {
       "--heal", heal,
       "repair a CAD model first: open loops, wires, small edges and faces, gaps, loose faces, "
       "orientation. All changes are told");
-  command.add_option("--heal-tolerance", tolerance,
-                     "with --heal: what is smaller is closed or removed; default: a "
-                     "hundred-thousandth of the diagonal");
+  command
+      .add_option("--heal-tolerance", tolerance,
+                  "with --heal: what is smaller is closed or removed; default: a "
+                  "hundred-thousandth of the diagonal")
+      ->type_name("SIZE");
 }
 
 double checkedHealTolerance(bool heal, const std::string& tolerance) {

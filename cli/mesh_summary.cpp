@@ -60,6 +60,8 @@ std::string grouped(std::size_t number) {
 }
 
 std::string summaryText(const geometry::ModelMesh& mesh, const geometry::MeshQuality& quality) {
+  if (mesh.elements.empty())
+    return fmt::format("{}\n{}\n", countText(mesh), secondsText(mesh.seconds));
   return fmt::format(
       "{}\n"
       "quality min {:.3f}  mean {:.3f}  angles {:.1f}-{:.1f} deg  fingerprint {}\n"

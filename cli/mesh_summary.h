@@ -10,7 +10,7 @@
 
 namespace af2::cli {
 
-/// Three lines: what was made, how good it is, how long it took.
+/// What was made, how good it is (unless there is no mesh), how long it took.
 std::string summaryText(const geometry::ModelMesh& mesh, const geometry::MeshQuality& quality);
 
 /// What healing changed, one line each; empty if nothing was healed.

@@ -151,6 +151,10 @@ void newRule(const NewOptions& options) {
   std::string text(kRule);
   replaceAll(text, "TITLE", quoted(options.name));
   if (options.into.empty()) return writeText("-", std::string_view(text).substr(1));
+  std::error_code ignored;
+  if (!std::filesystem::exists(options.into, ignored))  // perhaps one of AF2's own rules
+    throw UsageError(
+        fmt::format("there is no file '{}'; `af2 new ruleset` begins one", options.into));
   const RuleText before = readRuleText(options.into);
   writeText(before.name, before.text + text);
   fmt::print("added rule \"{}\" and two tests to {}\n", options.name, before.name);
@@ -160,13 +164,17 @@ void newRule(const NewOptions& options) {
 
 Action declareNew(CLI::App& command) {
   const auto options = std::make_shared<NewOptions>();
-  command.add_option("what", options->what, "ruleset or rule")
+  command.add_option("WHAT", options->what, "ruleset or rule")
+      ->type_name("")
       ->required()
-      ->check(CLI::IsMember({"ruleset", "rule"}));
-  command.add_option("name", options->name, "of a rule set: its file; of a rule: its title")
+      ->check(CLI::IsMember({"ruleset", "rule"}).description(""));
+  command.add_option("NAME", options->name, "of a rule set: its file; of a rule: its title")
+      ->type_name("")
       ->required();
-  command.add_option("--title", options->title, "of a rule set; default: the name of the file");
-  command.add_option("--into", options->into, "the file that a rule is added to; default: stdout");
+  command.add_option("--title", options->title, "of a rule set; default: the name of the file")
+      ->type_name("TEXT");
+  command.add_option("--into", options->into, "the file that a rule is added to; default: stdout")
+      ->type_name("FILE");
   command.add_flag("--force", options->force, "write over a file that exists");
   return [options]() -> int {
     const bool isRule = options->what == "rule";

@@ -62,6 +62,13 @@ int runAction(const CLI::App& program, const Action& action) {
   return kUnusable;
 }
 
+/// Such as `--faces "$list"` makes where a script has no list; it would count as not given.
+void refuseEmptyValues(const CLI::App& command) {
+  for (const CLI::Option* option : command.get_options())
+    if (std::ranges::count(option->results(), "") > 0)
+      throw UsageError(option->get_name() + ": its value is empty");
+}
+
 bool isVerb(std::span<const Verb> verbs, std::string_view word) {
   return std::ranges::any_of(verbs, [&](const Verb& verb) { return word == verb.name; });
 }
@@ -84,23 +91,30 @@ std::string faultOfOutput() {
 
 int runProgram(std::span<const Verb> verbs, int count, char** arguments) {
   CLI::App program{"Surface meshing by an advancing front that rules drive.", "af2"};
+  program.get_formatter()->label("SUBCOMMAND", "VERB");
   program.require_subcommand(1);
+  program.set_version_flag("--version", std::string("af2 ") + AF2_VERSION, "Tell the version");
   std::map<const CLI::App*, Action> actions;
   for (const Verb& verb : verbs) {
     CLI::App* command = program.add_subcommand(verb.name, verb.summary);
+    command->group("Verbs");
     actions[command] = verb.declare(*command);
   }
 
-  if (count > 1 && arguments[1][0] != '-' && !isVerb(verbs, arguments[1])) {
+  if (count < 2) return explainUsage(program, "a verb is missing; there are: " + knownVerbs(verbs));
+  if (arguments[1][0] != '-' && !isVerb(verbs, arguments[1])) {
     return explainUsage(program, fmt::format("'{}' is no verb of af2; there are: {}", arguments[1],
                                              knownVerbs(verbs)));
   }
   try {
     program.parse(count, arguments);
+    refuseEmptyValues(*program.get_subcommands().front());
   } catch (const CLI::Success& help) {
     return program.exit(help);
   } catch (const CLI::ParseError& error) {
     return explainUsage(program, faultOf(program, error));
+  } catch (const UsageError& error) {
+    return explainUsage(program, error.what());
   }
   const int code = runAction(program, actions.at(program.get_subcommands().front()));
   const std::string fault = code == kComplete ? faultOfOutput() : "";

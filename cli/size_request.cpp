@@ -15,23 +15,36 @@ void declareSizeOptions(CLI::App& command, SizeOptions& options) {
                   "wanted edge length: in millimetres for STEP and IGES files, whatever these use, "
                   "else in the "
                   "unit of the file")
+      ->type_name("SIZE")
       ->required();
-  command.add_option("--min-size", options.smallest, "no wanted size is smaller than this");
-  command.add_option("--max-size", options.largest, "no wanted size is larger than this");
-  command.add_option("--curvature", options.curvature,
-                     "elements around a full turn of a curved face or edge, e.g. 20");
-  command.add_option("--proximity", options.proximity,
-                     "elements across strips of faces, walls and gaps, e.g. 3");
-  command.add_option("--grading", options.grading,
-                     "most growth of the size per unit of length, default 0.3");
-  command.add_option("--sizes", options.file,
-                     "file (JSON) with sizes at points, in boxes, in fields, of named parts");
+  command.add_option("--min-size", options.smallest, "no wanted size is smaller than this")
+      ->type_name("SIZE");
+  command.add_option("--max-size", options.largest, "no wanted size is larger than this")
+      ->type_name("SIZE");
+  command
+      .add_option("--curvature", options.curvature,
+                  "elements around a full turn of a curved face or edge, e.g. 20")
+      ->type_name("N");
+  command
+      .add_option("--proximity", options.proximity,
+                  "elements across strips of faces, walls and gaps, e.g. 3")
+      ->type_name("N");
+  command
+      .add_option("--grading", options.grading,
+                  "most growth of the size per unit of length, default 0.3")
+      ->type_name("GROWTH");
+  command
+      .add_option("--sizes", options.file,
+                  "file (JSON) with sizes at points, in boxes, in fields, of named parts")
+      ->type_name("FILE");
   command
       .add_option("--face-size", options.faceSizes, "another size for some faces, e.g. 3,7-9=0.1")
+      ->type_name("FACES=SIZE")
       ->take_all()
       ->expected(1);
   command
       .add_option("--edge-size", options.edgeSizes, "another size along some edges, e.g. 5=0.05")
+      ->type_name("EDGES=SIZE")
       ->take_all()
       ->expected(1);
 }

@@ -120,11 +120,14 @@ int test(const TestOptions& options) {
 
 Action declareTest(CLI::App& command) {
   const auto options = std::make_shared<TestOptions>();
-  command.add_option("files", options->files, "rule files, folders of them, or - for stdin")
+  command.add_option("FILES", options->files, "rule files, folders of them, or - for stdin")
+      ->type_name("")
       ->required();
-  command.add_option("-k,--filter", options->filter, "only tests whose title holds this text");
+  command.add_option("-k,--filter", options->filter, "only tests whose title holds this text")
+      ->type_name("TEXT");
   command.add_option("--format", options->format, "pretty or json")
-      ->check(CLI::IsMember({"pretty", "json"}));
+      ->type_name("FORMAT")
+      ->check(CLI::IsMember({"pretty", "json"}).description(""));
   command.add_flag("--coverage", options->coverage,
                    "which clauses of the rules the tests exercise");
   command.add_flag("--bench", options->bench, "time one step on the front of each test");

@@ -6,9 +6,9 @@ cylinder=$models/cylinder.step
 usage() { expect 2 "$@"; says_one_line; }
 unusable() { expect 1 "$@"; says_one_line; }
 
-usage "$af2"
+usage "$af2"; told 'a verb is missing; there are: mesh,'
 usage "$af2" mash "$cylinder"; told "'mash' is no verb of af2"
-usage "$af2" mesh; told 'model is required'
+usage "$af2" mesh; told 'MODEL is required'
 usage "$af2" mesh "$cylinder"; told '--size is required'
 for size in 0 -1 nan inf 1mm; do
   usage "$af2" mesh "$cylinder" "--size=$size"; told 'greater than 0'
@@ -16,6 +16,8 @@ done
 usage "$af2" mesh "$cylinder" --size=; told '--size'
 usage "$af2" mesh "$cylinder" --size=1,5; told 'written like 1.5'
 usage "$af2" mesh "$cylinder" --size; told '--size: its value is missing'
+usage "$af2" mesh "$cylinder" --size 1 --faces ''; told '--faces: its value is empty'
+usage "$af2" mesh "$cylinder" --size 1 --chart=; told '--chart'
 usage "$af2" mesh "$cylinder" --size 1 --size 2; told '--size stands there 2 times'
 usage "$af2" mesh --size 1 -- -- a; told "'a' is one word too many"
 expect 1 "$af2" mesh --size 1 -- -x.step; told "there is no file '-x.step'"
@@ -112,6 +114,7 @@ fi
 
 expect 0 "$af2" --help
 expect 0 "$af2" mesh --help
+expect 0 "$af2" --version
 expect 0 "$af2" version
 expect 0 "$af2" version --json
 python3 -m json.tool <out >/dev/null || fail 'version --json is no JSON'

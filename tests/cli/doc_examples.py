@@ -113,13 +113,19 @@ def examine(page):
 
 
 def options_without_words():
-    """Those that `af2 VERB --help` lists, by their first long name, and the page on the program does not."""
+    """Those that `af2 VERB --help` lists, by their first long name, and the page on the program does not, or whose
+    value has another name there. That of an option without a word for its value is the name of a type."""
     page = (SOURCE / "docs" / "command-line.md").read_text(encoding="utf-8")
-    verbs = re.findall(r"^  (\S+) ", run("--help").stdout.partition("Subcommands:")[2], re.M)
+    verbs = re.findall(r"^  (\S+) ", run("--help").stdout.partition("Verbs:")[2], re.M)
     for verb in verbs:
-        for option in re.findall(r"^  (?:-\w,)?(--[a-z-]+)", run(verb, "--help").stdout, re.M):
+        for option, value in re.findall(r"^  (?:-\w,)?(--[a-z-]+)\S*(?: ([A-Z]\S*))?", run(verb, "--help").stdout, re.M):
             if option != "--help" and not re.search(re.escape(option) + r"\b", page):
                 failures.append(f"docs/command-line.md: af2 {verb} has an option {option}")
+            if re.match("TEXT|INT|UINT|FLOAT|BOOLEAN", value) and option not in ("--filter", "--title"):
+                failures.append(f"af2 {verb} --help: the value of {option} is a {value}")
+            told = re.search(rf"`(?:-\w, )?{option} ([A-Z][A-Z=]*)`", page.partition(f"`af2 {verb} ")[2])
+            if told and told[1] != value.partition("=tri")[0]:
+                failures.append(f"docs/command-line.md: {option} {told[1]} is {value} in af2 {verb} --help")
     return len(verbs)
 
 

@@ -32,6 +32,10 @@ TEST(SummaryText, DoesNotCountSkippedFaces) {
   EXPECT_EQ(summaryText(mesh, {}).substr(0, 11), "faces 1/1  ");
 }
 
+TEST(SummaryText, TellsNoQualityOfAMeshWithoutElements) {
+  EXPECT_EQ(summaryText({}, {}).find("quality"), std::string::npos);
+}
+
 TEST(UnitText, TellsOfFilesThatAreNotInMillimetres) {
   ModelMesh mesh;
   EXPECT_EQ(unitText(mesh), "");

@@ -150,6 +150,9 @@ expect 0 "$af2" new rule 'corner' --into mine.af2
 expect 0 "$af2" check --quick --strict mine.af2
 expect 0 "$af2" test mine.af2
 expect 0 "$af2" fmt --check mine.af2
+for file in none.af2 tri/classic -; do
+  expect 2 "$af2" new rule 'corner' --into $file; told "there is no file '$file'"
+done
 expect 0 "$af2" new rule 'on stdout'; says 'rule "on stdout"'
 
 # explain-code
@@ -161,7 +164,7 @@ rm -f out err
 left=$(find . -name '*.tmp')
 [ -z "$left" ] || fail "left behind: $left"
 # slips on the command line
-expect 2 "$af2" check; told 'files is required: rule files, folders of them, or - for stdin'
+expect 2 "$af2" check; told 'FILES is required: rule files, folders of them, or - for stdin'
 expect 2 "$af2" check good.af2 --format xml; told "--format 'xml': there are pretty, json, sarif, gcc"
 expect 2 "$af2" check good.af2 --samples 0; told 'give a whole number from 1 to'
 expect 2 "$af2" check good.af2 --allow Q9; told "--allow 'Q9': there is no such code"
@@ -169,6 +172,6 @@ expect 2 "$af2" eval good.af2 --rule right --level 1e9; told "--level '1e9': giv
 expect 2 "$af2" eval good.af2 --rule right --env turm=3; told "the environment has no 'turm'; did you mean 'turn'?"
 expect 0 "$af2" eval good.af2 --rule right --env 'turn(c)=120' --env h=2
 expect 2 "$af2" new rule ' '; told 'the title is empty'
-expect 2 "$af2" new rules x; told "what 'rules': there are ruleset, rule"
+expect 2 "$af2" new rules x; told "WHAT 'rules': there are ruleset, rule"
 
 finish
