@@ -15,6 +15,7 @@
 #include "engine/error.h"
 #include "geometry/io/mesh_files.h"
 #include "geometry/io/output_file.h"
+#include "geometry/parallel.h"
 #include "geometry/quality.h"
 #include "geometry/report.h"
 
@@ -85,8 +86,13 @@ int meshAndTell(const MeshRequest& request, RunLog* log, const GivenUp& givenUp)
   ModelMesh mesh = runMesh(request, loadRuleSet(request.rules),
                            {!request.quiet, interrupt.token(), log, &givenUp});
   RunReport report = reportOf(mesh);
-  report.quality = measureQuality(mesh);
-  writeOutputs(request, mesh);
+  // Files do not wait for the figures about the mesh.
+  geometry::forEachInParallel(2, request.threads, [&](std::size_t task) {
+    if (task == 0)
+      writeOutputs(request, mesh);
+    else
+      report.quality = measureQuality(mesh, 0);
+  });
   writeReportIfAsked(request, report, mesh);
   tell(request, report, mesh);
   return exitCodeOf(report.status);

@@ -7,15 +7,13 @@
 #include <algorithm>
 #include <mutex>
 
+#include "engine/cut_strips.h"
 #include "engine/mesh_check.h"
 #include "engine/optimize.h"
 #include "engine/stopwatch.h"
 
 namespace af2 {
 namespace {
-
-/// How many rings of elements along a cut are optimised once the pieces are joined.
-constexpr int kRingsAlongCuts = 4;
 
 /// Adds up what the pieces report; forwards it one call at a time.
 class SharedProgress {
@@ -73,9 +71,13 @@ RegionMesh meshPiece(const AF2Algorithm& algorithm, const RegionTask& task, cons
 /// what they become.
 class PieceJoiner {
  public:
-  PieceJoiner(const FrontInput& input, const SplitRegion& split, std::vector<RegionMesh>& pieces)
-      : split_(split), pieces_(pieces), isDone_(pieces.size(), false) {
-    joined_.mesh.vertices.resize(input.vertexCount);
+  PieceJoiner(const RegionTask& task, const SplitRegion& split, std::vector<RegionMesh>& pieces)
+      : task_(task),
+        split_(split),
+        pieces_(pieces),
+        along_(pieces.size()),
+        isDone_(pieces.size(), false) {
+    joined_.mesh.vertices.resize(task.input.vertexCount);
     joined_.mesh.vertices.insert(joined_.mesh.vertices.end(), split.cutVertices.begin(),
                                  split.cutVertices.end());
     for (const RegionPiece& piece : split.pieces) expected_ += piece.expectedElements;
@@ -83,6 +85,9 @@ class PieceJoiner {
 
   /// Called from several threads, once for each piece that is meshed.
   void finish(std::size_t piece) {
+    if (task_.optimize)
+      along_[piece] = elementsAlongCuts(pieces_[piece].result.mesh, split_.pieces[piece],
+                                        task_.input.vertexCount);
     const std::lock_guard lock(mutex_);
     isDone_[piece] = true;
     for (; next_ < pieces_.size() && isDone_[next_]; ++next_) take(next_);
@@ -90,6 +95,7 @@ class PieceJoiner {
 
   /// Once all are finished.
   MeshingResult result() { return std::move(joined_); }
+  const AlongCuts& alongCuts() const { return alongCuts_; }
 
  private:
   void take(std::size_t p) {
@@ -98,6 +104,7 @@ class PieceJoiner {
     const Mesh& mesh = result.mesh;
     Mesh& joined = joined_.mesh;
     const std::size_t inner = joined.vertices.size(), given = piece.vertices.size();
+    const std::size_t firstElement = joined.elements.size();
     expectedSoFar_ += piece.expectedElements;
     makeRoom(joined.vertices, mesh.vertices.size() - given);
     makeRoom(joined.elements, mesh.elements.size());
@@ -114,6 +121,8 @@ class PieceJoiner {
       joined.elements.push_back(element);
     }
     joined.rule.insert(joined.rule.end(), mesh.rule.begin(), mesh.rule.end());
+    for (const std::uint32_t e : along_[p]) alongCuts_.elements.push_back(firstElement + e);
+    alongCuts_.start.push_back(alongCuts_.elements.size());
     joined_.steps += result.steps;
     joined_.failedSteps += result.failedSteps;
     joined_.candidates += result.candidates;
@@ -132,113 +141,28 @@ class PieceJoiner {
         std::max(needed, static_cast<std::size_t>(kMargin * share * static_cast<double>(needed))));
   }
 
+  const RegionTask& task_;
   const SplitRegion& split_;
   std::vector<RegionMesh>& pieces_;
+  std::vector<std::vector<std::uint32_t>> along_;  ///< by piece: its elements along cuts
   std::vector<bool> isDone_;
   std::size_t next_ = 0;  ///< the first piece that has not been taken over
   double expected_ = 0, expectedSoFar_ = 0;
   std::mutex mutex_;
   MeshingResult joined_;
+  AlongCuts alongCuts_{{}, {0}};
 };
 
-/// The part of a mesh along the cuts, numbered on its own: fixed vertices first.
-struct Strip {
-  Mesh mesh;
-  MeshBoundary boundary;
-  std::vector<std::size_t> elements;  ///< of the whole mesh, by element of the strip
-  std::vector<VertexId> vertices;     ///< likewise
-};
-
-std::vector<std::uint8_t> ringsFromCuts(const Mesh& mesh, std::size_t firstCut, std::size_t cuts) {
-  constexpr std::uint8_t kFar = 255;
-  std::vector<std::uint8_t> ring(mesh.vertices.size(), kFar);
-  std::fill_n(ring.begin() + static_cast<std::ptrdiff_t>(firstCut), cuts, std::uint8_t{0});
-  for (std::uint8_t r = 0; r < kRingsAlongCuts; ++r) {
-    for (const Element& element : mesh.elements) {
-      const auto corners = element.vertices();
-      if (std::none_of(corners.begin(), corners.end(),
-                       [&](VertexId v) { return ring[v.value] == r; }))
-        continue;
-      for (VertexId v : corners)
-        if (ring[v.value] == kFar) ring[v.value] = static_cast<std::uint8_t>(r + 1);
-    }
-  }
-  return ring;
-}
-
-/// The boundary edges of the region that run along the strip, and the edges at which it ends.
-std::vector<std::pair<VertexId, VertexId>> rimOf(const Strip& strip, const FrontInput& input,
-                                                 const std::vector<VertexId>& local,
-                                                 const std::vector<bool>& isUsed) {
-  using Edge = std::pair<VertexId, VertexId>;
-  std::vector<Edge> edges, rim;
-  for (const Element& element : strip.mesh.elements) {
-    const auto corners = element.vertices();
-    for (std::size_t i = 0; i < corners.size(); ++i)
-      edges.emplace_back(corners[i], corners[(i + 1) % corners.size()]);
-  }
-  std::sort(edges.begin(), edges.end());
-  for (const Edge& e : edges)
-    if (!std::binary_search(edges.begin(), edges.end(), Edge{e.second, e.first})) rim.push_back(e);
-  for (const Edge& e : boundaryOf(input).edges) {
-    if (!isUsed[e.first.value] || !isUsed[e.second.value]) continue;
-    const Edge edge{local[e.first.value], local[e.second.value]};
-    if (std::binary_search(edges.begin(), edges.end(), edge)) rim.push_back(edge);
-  }
-  std::sort(rim.begin(), rim.end());
-  rim.erase(std::unique(rim.begin(), rim.end()), rim.end());
-  return rim;
-}
-
-Strip stripAlongCuts(const Mesh& mesh, const FrontInput& input, std::size_t cuts) {
-  const std::vector<std::uint8_t> ring = ringsFromCuts(mesh, input.vertexCount, cuts);
-  const auto isFree = [&](std::size_t v) {
-    return v >= input.vertexCount && ring[v] < kRingsAlongCuts;
+/// In the arena of the task.
+void forEachInArena(const RegionTask& task, std::size_t count,
+                    const std::function<void(std::size_t)>& work) {
+  const auto all = [&] {
+    tbb::parallel_for(std::size_t{0}, count, work, tbb::simple_partitioner());
   };
-  Strip strip;
-  std::vector<VertexId> local(mesh.vertices.size());
-  std::vector<bool> isUsed(mesh.vertices.size(), false);
-  for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
-    const auto corners = mesh.elements[e].vertices();
-    if (std::none_of(corners.begin(), corners.end(), [&](VertexId v) { return isFree(v.value); }))
-      continue;
-    strip.elements.push_back(e);
-    for (VertexId v : corners) isUsed[v.value] = true;
-  }
-  for (const bool free : {false, true}) {
-    for (std::size_t v = 0; v < isUsed.size(); ++v) {
-      if (!isUsed[v] || isFree(v) != free) continue;
-      local[v] = VertexId(strip.vertices.size());
-      strip.vertices.push_back(VertexId(v));
-      strip.mesh.vertices.push_back(mesh.vertices[v]);
-    }
-    if (!free) strip.boundary.fixedCount = strip.vertices.size();
-  }
-  for (std::size_t e : strip.elements) {
-    Element element = mesh.elements[e];
-    for (VertexId& v : element.corners)
-      if (!v.isNone()) v = local[v.value];
-    strip.mesh.elements.push_back(element);
-    strip.mesh.rule.push_back(mesh.rule[e]);
-  }
-  strip.boundary.edges = rimOf(strip, input, local, isUsed);
-  return strip;
-}
-
-void optimizeAlongCuts(Mesh& mesh, const RegionTask& task, std::size_t cuts, std::stop_token stop) {
-  Strip strip = stripAlongCuts(mesh, task.input, cuts);
-  OptimizeOptions how;
-  how.renumber = false;
-  how.stop = std::move(stop);
-  optimizeMesh(strip.mesh, strip.boundary, *task.makeTools().charts, how);
-  for (std::size_t v = strip.boundary.fixedCount; v < strip.vertices.size(); ++v)
-    mesh.vertices[strip.vertices[v].value] = strip.mesh.vertices[v];
-  for (std::size_t e = 0; e < strip.elements.size(); ++e) {
-    Element element = strip.mesh.elements[e];
-    for (VertexId& v : element.corners)
-      if (!v.isNone()) v = strip.vertices[v.value];
-    mesh.elements[strip.elements[e]] = element;
-  }
+  if (task.threads > 0)
+    tbb::task_arena(task.threads).execute(all);
+  else
+    all();
 }
 
 /// Calls finish(p) when the p-th piece is meshed.
@@ -254,17 +178,10 @@ void meshPieces(const AF2Algorithm& algorithm, const RegionTask& task, const Spl
     pieces[p] = meshPiece(algorithm, task, split.pieces[p].input, own);
     finish(p);
   };
-  if (options.observer) {
+  if (options.observer)
     for (std::size_t p = 0; p < pieces.size(); ++p) mesh(p);  // it hears one step after the other
-  } else {
-    const auto meshAll = [&] {
-      tbb::parallel_for(std::size_t{0}, pieces.size(), mesh, tbb::simple_partitioner());
-    };
-    if (task.threads > 0)
-      tbb::task_arena(task.threads).execute(meshAll);
-    else
-      meshAll();
-  }
+  else
+    forEachInArena(task, pieces.size(), mesh);
 }
 
 }  // namespace
@@ -284,7 +201,7 @@ RegionMesh meshRegion(const AF2Algorithm& algorithm, const RegionTask& task,
   RegionMesh whole;
   whole.seconds = watch.seconds();
   std::vector<RegionMesh> pieces(split.pieces.size());
-  PieceJoiner joiner(task.input, split, pieces);
+  PieceJoiner joiner(task, split, pieces);
   meshPieces(algorithm, task, split, options, pieces, [&](std::size_t p) { joiner.finish(p); });
   bool isSound = true, isCancelled = false;
   for (const RegionMesh& piece : pieces) {
@@ -306,7 +223,11 @@ RegionMesh meshRegion(const AF2Algorithm& algorithm, const RegionTask& task,
   }
   const Stopwatch optimizing;
   if (task.optimize)
-    optimizeAlongCuts(whole.result.mesh, task, split.cutVertices.size(), options.stop);
+    optimizeAlongCuts(
+        whole.result.mesh, task.input, split, joiner.alongCuts(),
+        {[&] { return task.makeTools().charts; },
+         [&](std::size_t count, const auto& work) { forEachInArena(task, count, work); },
+         options.stop});
   whole.optimizeSeconds += optimizing.seconds();
   whole.seconds += optimizing.seconds();
   return whole;

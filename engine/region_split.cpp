@@ -123,14 +123,14 @@ class Splitter {
     for (const Loop& loop : input_.loops) area += signedArea(loop, Plane{});
     isReversed_ = area < 0;
     // Where isolated vertices go would need a rule of its own; they are rare.
-    if (input_.isolated.empty()) recurse(input_.loops);
+    if (input_.isolated.empty()) recurse(input_.loops, 0);
     if (result_.pieces.size() <= 1)
       result_.pieces = {whole(result_.pieces.empty() ? 0 : result_.pieces[0].expectedElements)};
     return std::move(result_);
   }
 
  private:
-  void recurse(const Loops& loops) {
+  void recurse(const Loops& loops, int depth) {
     const Plane plane = planeFor(loops);
     const double expected = expectedElements(loops, plane);
     if (expected > options_.pieceElements) {
@@ -140,16 +140,26 @@ class Splitter {
         const std::vector<Loops> parts =
             regionsOf(relink(loops, cuts, firstId), plane, isReversed_);
         if (parts.size() > 1) {
-          for (const Cut& cut : cuts)
-            result_.cutVertices.insert(result_.cutVertices.end(), cut.inner.begin(),
-                                       cut.inner.end());
-          for (const Loops& part : parts) recurse(part);
+          divide(cuts, parts, depth);
           return;
         }
       }
     }
     result_.pieces.push_back(pieceOf(loops));
     result_.pieces.back().expectedElements = expected;
+  }
+
+  void divide(const std::vector<Cut>& cuts, const std::vector<Loops>& parts, int depth) {
+    const std::size_t index = result_.cuts.size();
+    RegionCut made{depth, {result_.cutVertices.size()}, {}, {result_.pieces.size()}};
+    for (const Cut& cut : cuts)
+      result_.cutVertices.insert(result_.cutVertices.end(), cut.inner.begin(), cut.inner.end());
+    made.own.end = result_.cutVertices.size();
+    result_.cuts.push_back(made);
+    for (const Loops& part : parts) recurse(part, depth + 1);
+    made.within = {made.own.begin, result_.cutVertices.size()};
+    made.pieces.end = result_.pieces.size();
+    result_.cuts[index] = made;
   }
 
   std::vector<Cut> tryToCut(const Loops& loops, const Plane& plane) const {

@@ -25,11 +25,24 @@ struct RegionPiece {
   double expectedElements = 0;     ///< by its area and the sizes along its boundary
 };
 
+struct IndexRange {
+  std::size_t begin = 0, end = 0;
+};
+
+/// One cut through the region or a part of it.
+struct RegionCut {
+  int depth = 0;      ///< how many cuts were made before in what it divides
+  IndexRange own;     ///< of `cutVertices`: along it
+  IndexRange within;  ///< likewise: along it, and along the cuts of what it divides
+  IndexRange pieces;  ///< what becomes of what it divides
+};
+
 /// The pieces of a region in a fixed order. Their cut edges are boundary edges of the two pieces
 /// that they lie between, in opposite directions.
 struct SplitRegion {
   std::vector<SurfacePoint> cutVertices;  ///< their ids follow those of the region's boundary
   std::vector<RegionPiece> pieces;        ///< one, the region itself, if it was not worth a cut
+  std::vector<RegionCut> cuts;            ///< each before those of what it divides
 };
 
 struct SplitOptions {

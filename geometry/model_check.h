@@ -27,7 +27,9 @@ bool isWrongArea(double ratio, std::size_t elements);
 ///   * every other edge is used by two elements of the same face, in opposite directions;
 ///   * the area of each complete face is near that of the CAD face.
 /// Findings come in the order of the elements and segments; at most `limit` of them, so that a mesh
-/// that is wrong everywhere does not fill the memory.
-std::vector<MeshFinding> checkModelMesh(const ModelMesh& mesh, std::size_t limit = 100);
+/// that is wrong everywhere does not fill the memory. Large meshes are checked on up to `threads`
+/// threads (0: as many as the caller's TBB arena has).
+std::vector<MeshFinding> checkModelMesh(const ModelMesh& mesh, std::size_t limit = 100,
+                                        int threads = 1);
 
 }  // namespace af2::geometry

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "geometry/mesh_sides.h"
+#include "geometry/parallel.h"
 
 namespace af2::geometry {
 namespace {
@@ -110,12 +111,14 @@ double shapeQuality(const std::vector<Point3>& vertices, const Element& element)
   return quadQuality({corner(0), corner(1), corner(2), corner(3)});
 }
 
-MeshQuality measureQuality(const ModelMesh& mesh) {
+MeshQuality measureQuality(const ModelMesh& mesh, int threads) {
   MeshQuality result;
   if (mesh.elements.empty()) return result;
-  measureShapes(mesh, result);
-  measureAngles(mesh, result);
-  result.edges = measureLengths(mesh);
+  forEachInParallel(3, threads, [&](std::size_t part) {
+    if (part == 0) result.edges = measureLengths(mesh);
+    if (part == 1) measureShapes(mesh, result);
+    if (part == 2) measureAngles(mesh, result);
+  });
   return result;
 }
 

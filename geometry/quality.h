@@ -35,8 +35,9 @@ struct MeshQuality {
 };
 
 /// An edge is held against the mean of the sizes that were wanted at its ends; its lengths are all
-/// zero if the mesh does not know these.
-MeshQuality measureQuality(const ModelMesh& mesh);
+/// zero if the mesh does not know these. Uses up to `threads` threads (0: as many as the caller's
+/// TBB arena has).
+MeshQuality measureQuality(const ModelMesh& mesh, int threads = 1);
 
 /// The value below which the fraction `part` (0 to 1) of `values` lies, between neighbours by
 /// linear interpolation; 0 if there are none. Reorders `values`.

@@ -87,7 +87,7 @@ MeshFaults faultsOf(const ModelMesh& mesh, bool mayCross, int threads) {
   MeshFaults faults;
   forEachInParallel(2, threads, [&](std::size_t k) {
     if (k == 1)
-      faults.findings = checkModelMesh(mesh, kMostFindings);
+      faults.findings = checkModelMesh(mesh, kMostFindings, threads);
     else if (mayCross)
       faults.crossings = elementCrossings(mesh, [&](std::size_t count, const auto& work) {
         forEachInParallel(count, threads, work);

@@ -126,6 +126,29 @@ TEST(RegionSplit, KeepsTheAreaAndSharesCutEdges) {
   }
 }
 
+TEST(RegionSplit, TellsWhatEachCutDivides) {
+  const FrontInput input = manyHoles();
+  const SplitRegion split = splitRegion(input, kPlane, UniformSize(.1), {600});
+  ASSERT_GT(split.cuts.size(), 3u);
+  EXPECT_EQ(split.cuts[0].depth, 0);
+  EXPECT_EQ(split.cuts[0].within.end, split.cutVertices.size());
+  EXPECT_EQ(split.cuts[0].pieces.end, split.pieces.size());
+  std::size_t vertices = 0;
+  for (const RegionCut& cut : split.cuts) {
+    vertices += cut.own.end - cut.own.begin;
+    // Its vertices are corners of what it divides, and of nothing else.
+    for (std::size_t p = 0; p < split.pieces.size(); ++p) {
+      const bool isDivided = p >= cut.pieces.begin && p < cut.pieces.end;
+      for (const VertexId v : split.pieces[p].vertices) {
+        const std::size_t id = v.value - input.vertexCount;  // of the boundary: a large one
+        EXPECT_FALSE(id >= cut.own.begin && id < cut.own.end && !isDivided);
+        EXPECT_FALSE(id >= cut.within.begin && id < cut.within.end && !isDivided);
+      }
+    }
+  }
+  EXPECT_EQ(vertices, split.cutVertices.size());
+}
+
 /// A tube around z of circumference 1; u goes once around.
 class TubePoints final : public SurfaceEvaluator {
  public:
@@ -198,6 +221,28 @@ TEST(MeshRegion, FillsPiecesAsSoundlyAsTheWhole) {
     EXPECT_EQ(mesh.fault, "");
     expectGoodMesh(mesh.result, input, .3);
   }
+}
+
+TEST(MeshRegion, HidesItsCuts) {
+  const FrontInput input = square(.01);
+  const double pieceElements = areaOf(input) / (.433 * 1e-4) / 7;
+  const SplitRegion split = splitRegion(input, kPlane, UniformSize(.01), {pieceElements});
+  const Mesh mesh = meshIn(input, .01, pieceElements, 2).result.mesh;
+  double all = 0, atCuts = 0;
+  int count = 0;
+  for (const Element& element : mesh.elements) {
+    const double quality = triangleQuality(mesh, element);
+    all += quality;
+    if (std::ranges::none_of(element.vertices(), [&](VertexId v) {
+          return v.value >= input.vertexCount &&
+                 v.value < input.vertexCount + split.cutVertices.size();
+        }))
+      continue;
+    atCuts += quality;
+    ++count;
+  }
+  EXPECT_GT(count, 1000);
+  EXPECT_GT(atCuts / count, all / static_cast<double>(mesh.elements.size()) - .005);
 }
 
 TEST(MeshRegion, TellsItsProgressAndStopsWhenAsked) {
