@@ -5,6 +5,8 @@
 #include <map>
 #include <string>
 
+#include "engine/place_text.h"
+
 namespace af2::cli {
 namespace {
 
@@ -12,10 +14,6 @@ using geometry::Defect;
 
 /// So many defects of a kind are listed; more would bury the others.
 constexpr std::size_t kMostListed = 10;
-
-std::string textOf(const Point3& p) {
-  return fmt::format("({:.9g}, {:.9g}, {:.9g})", p.x, p.y, p.z);
-}
 
 std::string placeText(const Defect& defect) {
   std::string text;

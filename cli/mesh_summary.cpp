@@ -7,6 +7,7 @@
 #include <cctype>
 #include <numeric>
 
+#include "engine/place_text.h"
 #include "geometry/fingerprint.h"
 
 namespace af2::cli {
@@ -77,8 +78,7 @@ std::string healingText(const std::optional<geometry::Healing>& healing) {
   text += healing->changes.empty() ? " nothing changed\n" : "\n";
   for (const geometry::HealedChange& change : healing->changes) {
     text += fmt::format("  {} x {}", change.count, change.what);
-    if (const auto& p = change.place)
-      text += fmt::format(", e.g. at ({:.9g}, {:.9g}, {:.9g})", p->x, p->y, p->z);
+    if (change.place) text += ", e.g. at " + textOf(*change.place);
     text += "\n";
   }
   for (const std::string& step : healing->undone) text += fmt::format("  {}\n", step);

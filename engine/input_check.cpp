@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/error.h"
+#include "engine/place_text.h"
 
 namespace af2 {
 namespace {
@@ -67,10 +68,8 @@ void checkInput(const FrontInput& input) {
 double checkedSizeAt(const SizeField& field, const SurfacePoint& point) {
   const double size = field.sizeAt(point);
   if (!(size > 0) || !std::isfinite(size))
-    throw InputError("size field: the wanted length at (" + std::to_string(point.position.x) +
-                     ", " + std::to_string(point.position.y) + ", " +
-                     std::to_string(point.position.z) + ") is " + std::to_string(size) +
-                     "; it must be a positive number");
+    throw InputError("size field: the wanted length at " + textOf(point.position) + " is " +
+                     textOf(size) + "; it must be a positive number");
   return size;
 }
 

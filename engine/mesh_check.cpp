@@ -4,6 +4,8 @@
 #include <cmath>
 #include <map>
 
+#include "engine/place_text.h"
+
 namespace af2 {
 namespace {
 
@@ -204,11 +206,8 @@ std::string describe(const MeshFault& fault, const Mesh& mesh) {
                          : !fault.element.isNone() && fault.element.value < mesh.elements.size()
                              ? mesh.elements[fault.element.value].corners[0]
                              : VertexId();
-  if (where.value < mesh.vertices.size()) {
-    const Point3& p = mesh.vertices[where.value].position;
-    text += ", at (" + std::to_string(p.x) + ", " + std::to_string(p.y) + ", " +
-            std::to_string(p.z) + ")";
-  }
+  if (where.value < mesh.vertices.size())
+    text += ", at " + textOf(mesh.vertices[where.value].position);
   return text;
 }
 

@@ -8,6 +8,7 @@
 #include "engine/stopwatch.h"
 #include "geometry/common_triangles.h"
 #include "geometry/domain_boundary.h"
+#include "geometry/domain_check.h"
 #include "geometry/domain_division.h"
 #include "geometry/domain_model.h"
 #include "geometry/face_filling.h"
@@ -335,43 +336,11 @@ class DomainMesher final : public RetriedModel {
   std::vector<int> idOfCurve_;
 };
 
-void checkIds(const DomainModel& model, const DomainMeshingOptions& options) {
-  const auto check = [&](const char* kind, int id, int count) {
-    if (id < 1 || id > count)
-      throw InputError(std::string(kind) + " " + std::to_string(id) + ": the model has " + kind +
-                       "s 1 to " + std::to_string(count));
-  };
-  const int faces = static_cast<int>(model.faces.size());
-  int edges = 0;
-  for (const DomainCurve& curve : model.curves) edges = std::max(edges, curve.id);
-  for (const int face : options.faces) check("face", face, faces);
-  for (const auto& [face, size] : options.faceSizes) check("face", face, faces);
-  for (const auto& [edge, size] : options.edgeSizes) check("edge", edge, edges);
-  for (const auto& [edge, points] : options.edgePoints) {
-    check("edge", edge, edges);
-    if (std::ranges::count(model.curves, edge, &DomainCurve::id) != 1)
-      throw InputError("points are given for edge " + std::to_string(edge) +
-                       ", which bounds nothing or is split where others meet it; divide it there "
-                       "in the file");
-  }
-}
-
-void checkOptions(const DomainMeshingOptions& options) {
-  const auto check = [](double size) {
-    if (!(size > 0) || !std::isfinite(size)) throw InputError("the size must be a positive number");
-  };
-  check(options.size);
-  for (const auto& [face, size] : options.faceSizes) check(size);
-  for (const auto& [edge, size] : options.edgeSizes) check(size);
-  if (options.order != 1 && options.order != 2) throw InputError("elements can have order 1 or 2");
-}
-
 }  // namespace
 
 ModelMesh meshDomain(const DomainModel& model, const AF2Algorithm& algorithm,
                      const DomainMeshingOptions& options) {
-  checkOptions(options);
-  checkIds(model, options);
+  checkDomain(model, options);
   ModelMesh mesh;
   withThreads(options.threads, [&] {
     DomainMeshingOptions own = options;

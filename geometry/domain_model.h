@@ -74,7 +74,8 @@ struct DomainModel {
 /// meshed as it should be is tried again as those of CAD models are (retries.h); one that fails is
 /// reported and does not spoil the others.
 ///
-/// Throws InputError for options that make no sense.
+/// Throws InputError for options that make no sense, and for a model with parts that are not there,
+/// or with a face without a boundary.
 ModelMesh meshDomain(const DomainModel& model, const AF2Algorithm& algorithm,
                      const DomainMeshingOptions& options);
 

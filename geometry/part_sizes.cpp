@@ -1,5 +1,6 @@
 #include "geometry/part_sizes.h"
 
+#include <cmath>
 #include <string_view>
 
 #include "engine/error.h"
@@ -45,6 +46,8 @@ std::map<int, double> sizesByName(std::span<const std::pair<std::string, double>
                                   std::span<const FaceGroup> groups) {
   std::map<int, double> sizes;
   for (const auto& [pattern, size] : parts) {
+    if (!(size > 0) || !std::isfinite(size))
+      throw InputError("the size for parts named '" + pattern + "' must be a positive number");
     bool fits = false;
     for (const FaceGroup& group : groups) {
       if (!fitsPattern(group.name, pattern)) continue;

@@ -16,7 +16,7 @@ namespace af2::geometry {
 ///
 /// names  of the faces 1, 2, ...; may be empty
 ///
-/// Throws InputError if a part fits no name.
+/// Throws InputError if a part fits no name, or its size is not positive.
 std::map<int, double> sizesByName(std::span<const std::pair<std::string, double>> parts,
                                   std::span<const std::string> names,
                                   std::span<const FaceGroup> groups);

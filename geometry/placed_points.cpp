@@ -2,19 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <string>
 
 #include "engine/error.h"
+#include "engine/place_text.h"
 
 namespace af2::geometry {
 namespace {
 
 [[noreturn]] void refuse(int edge, std::size_t index, const Point3& p, const std::string& fault) {
-  char place[96];
-  std::snprintf(place, sizeof place, "(%.9g, %.9g, %.9g)", p.x, p.y, p.z);
   throw InputError("point " + std::to_string(index + 1) + " given for edge " +
-                   std::to_string(edge) + ", " + place + ": " + fault);
+                   std::to_string(edge) + ", " + textOf(p) + ": " + fault);
 }
 
 }  // namespace
@@ -32,7 +30,7 @@ PlacedPoints placePoints(int edge, std::vector<Point3> points, const PlacedRange
     if (!(foot.distance <= range.tolerance))
       refuse(edge, i, points[i],
              std::isfinite(foot.distance)
-                 ? "it lies " + std::to_string(foot.distance) + " beside the edge"
+                 ? "it lies " + textOf(foot.distance) + " beside the edge"
                  : "it lies beside the ends of the edge; give the points between them");
     placed.parameters.push_back(foot.parameter);
   }

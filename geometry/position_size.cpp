@@ -1,8 +1,7 @@
 #include "geometry/position_size.h"
 
-#include <string>
-
 #include "engine/error.h"
+#include "engine/place_text.h"
 
 namespace af2::geometry {
 
@@ -10,9 +9,8 @@ void PositionSize::at(std::span<const Point3> at, std::span<double> sizes) const
   sizes_(at, sizes);
   for (std::size_t i = 0; i < at.size(); ++i) {
     if (sizes[i] > 0) continue;
-    throw InputError("the size function gives " + std::to_string(sizes[i]) + " at (" +
-                     std::to_string(at[i].x) + ", " + std::to_string(at[i].y) + ", " +
-                     std::to_string(at[i].z) + "); it must be positive");
+    throw InputError("the size function gives " + textOf(sizes[i]) + " at " + textOf(at[i]) +
+                     "; it must be positive");
   }
 }
 

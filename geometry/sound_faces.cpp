@@ -1,8 +1,8 @@
 #include "geometry/sound_faces.h"
 
 #include <algorithm>
-#include <charconv>
 
+#include "engine/place_text.h"
 #include "geometry/parallel.h"
 
 namespace af2::geometry {
@@ -11,16 +11,11 @@ namespace {
 /// Enough to find every bad face of a model, and no more than fits into the memory.
 constexpr std::size_t kMostFindings = 1'000'000;
 
-std::string shortest(double number) {
-  char text[32];
-  return {text, std::to_chars(text, text + sizeof text, number).ptr};
-}
-
 std::string describe(const MeshFinding& finding) {
   std::string text = "the mesh does not pass its checks: " + finding.what;
   const Point3& p = finding.place;
   if (p == Point3{}) return text;  // it is about the whole face
-  return text + ", near (" + shortest(p.x) + ", " + shortest(p.y) + ", " + shortest(p.z) + ")";
+  return text + ", near " + textOf(p);
 }
 
 bool isOneOf(const std::vector<int>& sorted, int id) {

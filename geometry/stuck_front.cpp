@@ -1,7 +1,8 @@
 #include "geometry/stuck_front.h"
 
 #include <algorithm>
-#include <cstdio>
+
+#include "engine/place_text.h"
 
 namespace af2::geometry {
 
@@ -10,12 +11,6 @@ namespace {
 /// More would not tell more, only make the report long.
 constexpr std::size_t kMostPlaces = 10;
 
-std::string toText(const Point3& p) {
-  char text[96];
-  std::snprintf(text, sizeof text, "(%.6g, %.6g, %.6g)", p.x, p.y, p.z);
-  return text;
-}
-
 }  // namespace
 
 std::string stuckReason(const MeshingResult& result, const AF2Algorithm& algorithm) {
@@ -23,8 +18,8 @@ std::string stuckReason(const MeshingResult& result, const AF2Algorithm& algorit
       "the front got stuck with " + std::to_string(result.stuck.size()) + " edges left";
   if (result.stuck.empty()) return text;
   const StuckEdge& edge = result.stuck.front();
-  text += ", the first from " + toText(result.mesh.vertices[edge.from.value].position) + " to " +
-          toText(result.mesh.vertices[edge.to.value].position);
+  text += ", the first from " + textOf(result.mesh.vertices[edge.from.value].position) + " to " +
+          textOf(result.mesh.vertices[edge.to.value].position);
   const RuleRefusal* farthest = nullptr;
   for (const RuleRefusal& refusal : edge.refusals)
     if (!farthest || refusal.reason > farthest->reason) farthest = &refusal;

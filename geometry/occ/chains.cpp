@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <map>
 #include <optional>
 
 #include "engine/error.h"
+#include "engine/place_text.h"
 #include "geometry/plane_axes.h"
 #include "geometry/sharp_seams.h"
 
@@ -21,12 +21,6 @@ double pseudoAngle(Point2 d) {
   const double t = d.y / sum;
   if (d.x < 0) return 2 - t;
   return d.y < 0 ? 4 + t : t;
-}
-
-std::string toText(const Point3& p) {
-  char text[96];
-  std::snprintf(text, sizeof text, "(%.6g, %.6g, %.6g)", p.x, p.y, p.z);
-  return text;
 }
 
 /// The direction from one vertex to another in the tangent plane of the first.
@@ -108,7 +102,7 @@ class Linker {
     if (!best)
       throw GeometryError("the boundary is not closed: nothing follows edge " +
                           std::to_string(chains_[i].edge) + ", which ends at " +
-                          toText(end.point.position) + "; healing closes loops that lack an edge");
+                          textOf(end.point.position) + "; healing closes loops that lack an edge");
     return *best;
   }
 

@@ -4,12 +4,11 @@
 #include <cmath>
 
 #include "engine/error.h"
+#include "geometry/domain_check.h"
 
 namespace af2::geometry {
 
 namespace {
-
-constexpr double kFewestPerTurn = 3;
 
 bool isSize(double size) { return std::isfinite(size) && size > 0; }
 
@@ -49,15 +48,8 @@ bool isCreased(const ModelSizes& sizes, double size, const FaceSurface& surface)
 }  // namespace
 
 void checkSizes(const ModelSizes& sizes, const Model& model) {
-  if (!isSize(sizes.size)) throw InputError("the size must be a positive number");
-  if (!(sizes.minSize >= 0) || !(sizes.maxSize >= sizes.minSize) || !(sizes.maxSize > 0))
-    throw InputError("the smallest size must not be negative, nor above the largest");
-  if (sizes.elementsPerTurn != 0 && !(sizes.elementsPerTurn >= kFewestPerTurn))
-    throw InputError("a turn needs at least 3 elements");
-  if (!(sizes.elementsAcross >= 0) || !std::isfinite(sizes.elementsAcross))
-    throw InputError("the number of elements across narrow places must not be negative");
-  if (!(sizes.growth > 0) || !std::isfinite(sizes.growth))
-    throw InputError("the growth of sizes must be a positive number");
+  checkWanted({sizes.size, sizes.minSize, sizes.maxSize, sizes.elementsPerTurn,
+               sizes.elementsAcross, sizes.growth});
   checkAll(sizes.faceSizes, model.faceCount(), "face");
   checkAll(sizes.edgeSizes, model.edgeCount(), "edge");
 }

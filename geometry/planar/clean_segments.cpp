@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 #include <numeric>
+#include <utility>
 
 #include "engine/error.h"
 #include "engine/predicates.h"
@@ -33,6 +34,7 @@ class Cleaner {
   Cleaner(const PlanarDomain& domain, double blur) : domain_(domain), blur_(blur) {}
 
   PlanarRegions clean() {
+    checkDomain();
     mergePoints();
     takeSegments();
     findMeetings();
@@ -42,6 +44,25 @@ class Cleaner {
   }
 
  private:
+  /// Readers of files have told of this with the line; a program may give anything.
+  void checkDomain() const {
+    const auto isFinite = [](Point2 p) { return std::isfinite(p.x) && std::isfinite(p.y); };
+    const auto require = [&](bool isSo, std::size_t index, const char* fault) {
+      if (!isSo) throw InputError(domain_.name + ": " + fault + std::to_string(index + 1));
+    };
+    for (std::size_t i = 0; i < domain_.points.size(); ++i)
+      require(isFinite(domain_.points[i]), i, "a coordinate is no finite number: that of point ");
+    for (std::size_t i = 0; i < domain_.segments.size(); ++i)
+      for (const int end : {domain_.segments[i].from, domain_.segments[i].to})
+        require(end >= 0 && std::cmp_less(end, domain_.points.size()), i,
+                "there is no such point: at an end of segment ");
+    for (std::size_t i = 0; i < domain_.holes.size(); ++i)
+      require(isFinite(domain_.holes[i]), i, "a coordinate is no finite number: that of hole ");
+    for (std::size_t i = 0; i < domain_.regionPoints.size(); ++i)
+      require(isFinite(domain_.regionPoints[i].inside), i,
+              "a coordinate is no finite number: that of region ");
+  }
+
   void mergePoints() {
     std::vector<int> order(domain_.points.size());
     std::iota(order.begin(), order.end(), 0);

@@ -275,6 +275,7 @@ Point2 pointOn(const PlanarCurves& curves, const PlanarCurves::Curve& curve, dou
   if (!curve.control) return a + t * (c - a);
   const Point2 b = at(*curve.control);
   const double legs = (dot(b - a, b - a) + dot(c - b, c - b)) / 2;
+  if (!(legs > 0)) return a;
   const double weight = std::sqrt(dot(c - a, c - a) / legs);
   const double wa = (1 - t) * (1 - t), wb = weight * t * (1 - t), wc = t * t;
   return (1 / (wa + wb + wc)) * (wa * a + wb * b + wc * c);

@@ -1,11 +1,12 @@
 #include "geometry/planar/loops.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <map>
 #include <numeric>
 
 #include "engine/error.h"
+#include "engine/free_zone.h"
+#include "engine/place_text.h"
 #include "engine/predicates.h"
 #include "geometry/planar/clean_segments.h"
 
@@ -71,6 +72,7 @@ class Subdivision {
     bool isOutside = false;        ///< goes around its component from outside
     std::size_t around = kNoFace;  ///< if outside: the face in which the component lies
     double area = 0;
+    Box2 box;
   };
 
   int startOf(HalfEdge h) const { return result_.start(directed(h)); }
@@ -120,6 +122,7 @@ class Subdivision {
         h = next(h);
       } while (h != first);
       cycle.area = areaOf(cycle);
+      cycle.box = boxOf(cycle);
       cycles_.push_back(std::move(cycle));
     }
   }
@@ -130,6 +133,16 @@ class Subdivision {
     for (const HalfEdge h : cycle.edges)
       sum += cross(point(startOf(h)) - origin, point(endOf(h)) - origin);
     return sum / 2;
+  }
+
+  Box2 boxOf(const Cycle& cycle) const {
+    Box2 box{point(startOf(cycle.edges.front())), point(startOf(cycle.edges.front()))};
+    for (const HalfEdge h : cycle.edges) {
+      const Point2 p = point(startOf(h));
+      box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y)};
+      box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y)};
+    }
+    return box;
   }
 
   Point2 leftmost(const Cycle& cycle) const {
@@ -144,22 +157,22 @@ class Subdivision {
   void findOuterCycles() {
     std::vector<int> component(result_.points.size());
     std::iota(component.begin(), component.end(), 0);
+    const auto above = [&](int i) -> int& { return component[static_cast<std::size_t>(i)]; };
     const auto root = [&](int i) {
-      while (component[static_cast<std::size_t>(i)] != i)
-        i = component[static_cast<std::size_t>(i)];
+      for (; above(i) != i; i = above(i)) above(i) = above(above(i));  // shortens the way
       return i;
     };
     for (const PlanarPiece& piece : result_.pieces) {
       const int a = root(piece.from), b = root(piece.to);
       // The root is the leftmost point.
       if (before(point(a), point(b)))
-        component[static_cast<std::size_t>(b)] = a;
+        above(b) = a;
       else
-        component[static_cast<std::size_t>(a)] = b;
+        above(a) = b;
     }
     for (Cycle& cycle : cycles_) cycle.component = root(startOf(cycle.edges.front()));
     for (std::size_t v = 0; v < leaving_.size(); ++v) {
-      if (leaving_[v].empty() || root(static_cast<int>(v)) != static_cast<int>(v)) continue;
+      if (leaving_[v].empty() || component[v] != static_cast<int>(v)) continue;
       cycles_[cycleOf_[static_cast<std::size_t>(leaving_[v].back())]].isOutside = true;
     }
   }
@@ -183,6 +196,8 @@ class Subdivision {
 
   /// Counts the edges that a ray to the right crosses. Exact.
   bool contains(const Cycle& cycle, Point2 p) const {
+    const Box2& box = cycle.box;
+    if (p.x < box.low.x || p.x > box.high.x || p.y < box.low.y || p.y > box.high.y) return false;
     bool inside = false;
     for (const HalfEdge h : cycle.edges) {
       const Point2 a = point(startOf(h)), b = point(endOf(h));
@@ -207,11 +222,8 @@ class Subdivision {
   std::vector<Cycle> cycles_;
 };
 
-std::string textOf(const char* kind, std::size_t index, Point2 place) {
-  char text[100];
-  std::snprintf(text, sizeof text, "%s point %zu at (%.12g, %.12g)", kind, index + 1, place.x,
-                place.y);
-  return text;
+std::string nameOf(const char* kind, std::size_t index, Point2 place) {
+  return std::string(kind) + " point " + std::to_string(index + 1) + " at " + textOf(place);
 }
 
 std::vector<std::size_t> facesOfHoles(const PlanarDomain& domain, const Subdivision& plane,
@@ -220,7 +232,7 @@ std::vector<std::size_t> facesOfHoles(const PlanarDomain& domain, const Subdivis
   for (std::size_t i = 0; i < domain.holes.size(); ++i) {
     faces.push_back(plane.faceAround(domain.holes[i]));
     if (faces.back() == Subdivision::kNoFace)
-      notes.push_back(textOf("hole", i, domain.holes[i]) +
+      notes.push_back(nameOf("hole", i, domain.holes[i]) +
                       " lies outside of all outlines and has no effect");
   }
   return faces;
@@ -235,11 +247,11 @@ std::map<std::size_t, int> domainsOfFaces(const PlanarDomain& domain, const Subd
     const PlanarDomain::RegionPoint& point = domain.regionPoints[i];
     const std::size_t face = plane.faceAround(point.inside);
     if (face == Subdivision::kNoFace || std::ranges::count(holes, face) > 0) {
-      notes.push_back(textOf("region", i, point.inside) + " lies in no region and has no effect");
+      notes.push_back(nameOf("region", i, point.inside) + " lies in no region and has no effect");
       continue;
     }
     if (domains.try_emplace(face, point.domain).first->second != point.domain)
-      notes.push_back(textOf("region", i, point.inside) +
+      notes.push_back(nameOf("region", i, point.inside) +
                       " lies in the same region as an earlier one, which counts");
   }
   return domains;

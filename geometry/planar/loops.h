@@ -47,7 +47,8 @@ struct PlanarRegions {
 /// exact.
 ///
 /// Points with the same position are taken as one, equal segments likewise; a segment on which a
-/// point lies is split there. Throws InputError if segments cross, or if nothing is enclosed.
+/// point lies is split there. Throws InputError if segments cross, if nothing is enclosed, or if a
+/// coordinate is no finite number or a segment names no point.
 ///
 /// blur  points nearer to each other, or to a segment, count as the same, or as on it
 PlanarRegions findRegions(const PlanarDomain& domain, double blur = 0);

@@ -1,13 +1,14 @@
 #include "geometry/planar/mesh_planar.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <map>
 #include <set>
 
 #include "engine/error.h"
+#include "engine/place_text.h"
+#include "geometry/domain_check.h"
 #include "geometry/domain_model.h"
 #include "geometry/flat_surface.h"
 #include "geometry/planar/loops.h"
@@ -17,14 +18,6 @@ namespace af2::geometry {
 namespace {
 
 Point3 inSpace(Point2 p) { return {p.x, p.y, 0}; }
-
-std::string textOf(Point2 p) {
-  const auto number = [](double x) {
-    char text[32];
-    return std::string(text, std::to_chars(text, text + sizeof text, x).ptr);
-  };
-  return "(" + number(p.x) + ", " + number(p.y) + ")";
-}
 
 /// What lies between the pieces of a domain becomes faces between curves.
 class ModelMaker {
@@ -308,8 +301,7 @@ double blurOf(const PlanarDomain& domain, const PlanarMeshingOptions& options) {
 }  // namespace
 
 DomainModel planarModel(const PlanarDomain& domain, const PlanarMeshingOptions& options) {
-  if (!(options.size > 0) || !std::isfinite(options.size))
-    throw InputError("the size must be a positive number");
+  checkWanted(options);
   return ModelMaker(domain, options, blurOf(domain, options)).make();
 }
 

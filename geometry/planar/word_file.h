@@ -53,7 +53,7 @@ class WordFile {
   long whole(std::size_t i, const std::string& what) const {
     const double value = number(i, what);
     if (value != std::floor(value) || std::abs(value) > static_cast<double>(kMostItems))
-      fail(std::to_string(value) + " is no " + what);
+      fail("'" + std::string(at(i, what)) + "' is no " + what);
     return static_cast<long>(value);
   }
   long countAt(std::size_t i, const std::string& what) const {

@@ -142,8 +142,7 @@ TEST(MeshCheck, DescribesAFaultWithItsPlace) {
   const auto faults = checkMesh(s.mesh, s.input);
   ASSERT_FALSE(faults.empty());
   EXPECT_EQ(describe(faults[0], s.mesh),
-            "an element is turned against the surface, element 0, at (0.000000, 0.000000, "
-            "0.000000)");
+            "an element is turned against the surface, element 0, at (0, 0, 0)");
 }
 
 }  // namespace

@@ -102,6 +102,22 @@ TEST(Regions, KeepSegmentsThatLieFreeInside) {
   EXPECT_EQ(regions.regions[0].loops[1].size(), 2u);
 }
 
+/// A test of time would be one of the machine: this many points take minutes if each looks at all
+/// the others.
+TEST(Regions, OfVeryLongOutlinesAndManyHolesAreFoundSoon) {
+  constexpr int kPoints = 200'000, kHoles = 60;  // holes along each side
+  std::vector<Point2> round;
+  for (int i = 0; i < kPoints; ++i) {
+    const double angle = 2 * M_PI * i / kPoints;
+    round.push_back({100 * std::cos(angle), 100 * std::sin(angle)});
+  }
+  std::vector<std::vector<Point2>> all{round};
+  for (int i = 0; i < kHoles; ++i)
+    for (int k = 0; k < kHoles; ++k) all.push_back(square(i - 30, k - 30, 0.5));
+  const PlanarRegions regions = findRegions(outlines(all));
+  EXPECT_EQ(regions.regions.size(), 1u + kHoles * kHoles);
+}
+
 TEST(Regions, IgnoreSegmentsOutside) {
   EXPECT_EQ(areas(squareAndSegment(1)), (std::vector<double>{1}));
 }

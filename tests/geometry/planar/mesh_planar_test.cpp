@@ -1,6 +1,7 @@
 #include "geometry/planar/mesh_planar.h"
 
 #include "engine/error.h"
+#include "geometry/domain_model.h"
 #include "geometry/model_check.h"
 #include "tests/geometry/planar/poly_text.h"
 #include "tests/support/model_mesh.h"
@@ -47,6 +48,57 @@ TEST_F(PlanarMeshing, FillsASquareAroundItsHole) {
 TEST_F(PlanarMeshing, RefusesSizesThatAskForTooManyElements) {
   options.size = 1e-5;
   EXPECT_THROW(mesh(kSquareWithHole), InputError);
+}
+
+TEST_F(PlanarMeshing, RefusesOptionsThatMakeNoSense) {
+  const auto isRefused = [&](auto&& change) {
+    options = {};
+    options.size = 0.5;
+    change(options);
+    EXPECT_THROW(mesh(kSquareWithHole), InputError);
+  };
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  isRefused([](auto& o) { o.minSize = 0.5, o.maxSize = 0.1; });
+  isRefused([&](auto& o) { o.minSize = none; });
+  isRefused([](auto& o) { o.growth = -1; });
+  isRefused([&](auto& o) { o.growth = none; });
+  isRefused([](auto& o) { o.elementsPerTurn = 1; });
+  isRefused([&](auto& o) { o.elementsAcross = none; });
+  isRefused([&](auto& o) { o.partSizes = {{"*", none}}; });
+}
+
+TEST_F(PlanarMeshing, RefusesDomainsOfAProgramThatNameWhatIsNotThere) {
+  options.size = 0.5;
+  const auto isRefused = [&](auto&& change) {
+    PlanarDomain domain = testing::polyOf(kSquareWithHole);
+    change(domain);
+    EXPECT_THROW(meshPlanar(domain, algorithm, options), InputError);
+  };
+  isRefused([](PlanarDomain& d) { d.points[2].x = std::numeric_limits<double>::infinity(); });
+  isRefused([](PlanarDomain& d) { d.segments[2].to = 99; });
+  isRefused([](PlanarDomain& d) { d.segments[2].from = -1; });
+  isRefused([](PlanarDomain& d) { d.holes[0].y = std::numeric_limits<double>::quiet_NaN(); });
+}
+
+TEST_F(PlanarMeshing, RefusesModelsWithPartsThatAreNotThere) {
+  options.size = 0.5;
+  const auto faultOf = [&](auto&& change) {
+    DomainModel model = planarModel(testing::polyOf(kSquareWithHole), options);
+    change(model);
+    return testing::messageOf([&] { meshDomain(model, algorithm, options); });
+  };
+  EXPECT_EQ(faultOf([](DomainModel& m) { m.faces[0].surface = nullptr; }),
+            "face 1 of the model has no surface");
+  EXPECT_EQ(faultOf([](DomainModel& m) { m.faces[0].loops[1][0].curve = 99; }),
+            "face 1 of the model is bounded by a curve that is not there");
+  EXPECT_EQ(faultOf([](DomainModel& m) { m.faces[0].loops.clear(); }),
+            "face 1 of the model has no boundary; cut a closed surface along curves");
+  EXPECT_EQ(faultOf([](DomainModel& m) { m.curves[2].last = 99; }),
+            "curve 3 of the model ends at no corner of it");
+  EXPECT_EQ(faultOf([](DomainModel& m) {
+              m.curves[2].knots = {1, 0};
+            }),
+            "curve 3 of the model needs knots at its ends, in ascending order");
 }
 
 TEST_F(PlanarMeshing, KnowsWhichSegmentsAreMarkedAsBoundaries) {
