@@ -11,6 +11,7 @@
 #include <numeric>
 #include <optional>
 #include <set>
+#include <utility>
 
 #include "engine/error.h"
 #include "geometry/occ/face_size.h"
@@ -26,6 +27,12 @@ constexpr int kFewestCells = 4, kMostCells = 48;
 
 /// What wants nearly the size of its face need not be spread.
 constexpr double kSmall = 0.9;
+
+/// Away from what faces want inside, sizes grow by this share of what they may. In the open, where
+/// elements follow nothing but their sizes, their shapes are the better the more gently these grow.
+constexpr double kShareOfGrowth = 2.0 / 3;
+
+double growthInside(const ModelSizes& sizes) { return kShareOfGrowth * sizes.growth; }
 
 /// The options for gentle curvature, set so that a turn gets as many elements as asked for.
 void setTurns(ModelSizes& sizes) {
@@ -176,7 +183,7 @@ class FaceSampler {
       const double across =
           std::max(distance(points_[first + 1].position, points_[first + 4].position),
                    distance(points_[first + 2].position, points_[first + 3].position));
-      if (*most - *least <= sizes_.growth * across || across < smallest * *least) continue;
+      if (*most - *least <= growthInside(sizes_) * across || across < smallest * *least) continue;
       const Cell& c = cells[i];
       for (const int s : {-1, 1})
         for (const int t : {-1, 1})
@@ -293,6 +300,21 @@ std::set<int> roughFacesOf(const ModelShape& model, const std::vector<int>& face
 /// Whether sizes inside all faces are to be known outside them.
 bool spreadsAll(const ModelSizes& sizes) { return sizes.function || sizes.elementsPerTurn > 0; }
 
+/// By position, beside all other limits.
+void limitBySources(SizeSources sources, double growth, ModelSizes& sizes) {
+  if (sources.isEmpty()) return;
+  const PositionSize grown = sizeFrom(std::move(sources), growth);
+  if (!sizes.function) {
+    sizes.function = grown;
+    return;
+  }
+  sizes.function = [grown, own = sizes.function](std::span<const Point3> at,
+                                                 std::span<double> result) {
+    own.at(at, result);
+    for (std::size_t i = 0; i < at.size(); ++i) result[i] = std::min(result[i], grown.at(at[i]));
+  };
+}
+
 std::vector<int> allFaces(const ModelShape& model) {
   std::vector<int> faces(static_cast<std::size_t>(model.faces.Extent()));
   std::iota(faces.begin(), faces.end(), 1);
@@ -331,23 +353,12 @@ ModelSizes spreadSizes(const ModelShape& model, ModelSizes sizes, const std::vec
                        int threads, const std::stop_token& stop) {
   setTurns(sizes);
   sizes.roughFaces.merge(roughFacesOf(model, uneven, sizes, threads, stop));
-  SizeSources sources = std::move(sizes.sources);
-  sizes.sources = {};
-  for (SizeSource& point : sources.points) point.size = bounded(sizes, point.size);
-  const std::vector<SizeSource> sampled =
+  SizeSources asked = std::exchange(sizes.sources, {}), inside;
+  for (SizeSource& point : asked.points) point.size = bounded(sizes, point.size);
+  inside.points =
       sampleFaces(model, spreadsAll(sizes) ? allFaces(model) : uneven, sizes, threads, stop);
-  sources.points.insert(sources.points.end(), sampled.begin(), sampled.end());
-  if (sources.isEmpty()) return sizes;
-  const PositionSize spread = sizeFrom(std::move(sources), sizes.growth);
-  if (!sizes.function) {
-    sizes.function = spread;
-    return sizes;
-  }
-  sizes.function = [spread, own = sizes.function](std::span<const Point3> at,
-                                                  std::span<double> result) {
-    own.at(at, result);
-    for (std::size_t i = 0; i < at.size(); ++i) result[i] = std::min(result[i], spread.at(at[i]));
-  };
+  limitBySources(std::move(asked), sizes.growth, sizes);
+  limitBySources(std::move(inside), growthInside(sizes), sizes);
   return sizes;
 }
 

@@ -1,5 +1,8 @@
 // Sizes that are asked for, on CAD models.
 #include <gtest/gtest.h>
+#include <BRepAlgoAPI_Cut.hxx>
+#include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakeCylinder.hxx>
 #include <gp_Cylinder.hxx>
 
 #include <cmath>
@@ -129,6 +132,38 @@ TEST(Sizes, AtAPointSpreadEvenlyThroughSpace) {
   }
   EXPECT_LT(nearest, 0.1);
   EXPECT_GT(farthest, 0.8);
+}
+
+/// The mean length of edges between these distances from the z axis.
+double meanLengthAround(const ModelMesh& mesh, double from, double to) {
+  double sum = 0;
+  int count = 0;
+  for (const MeshEdge& edge : meshEdges(mesh)) {
+    const Point3 &p = mesh.vertices[edge.from.value], &q = mesh.vertices[edge.to.value];
+    const double radius = std::hypot((p.x + q.x) / 2, (p.y + q.y) / 2);
+    if (radius < from || radius > to) continue;
+    sum += distance(p, q);
+    ++count;
+  }
+  return sum / count;
+}
+
+TEST(Sizes, GrowAwayFromACurvedFaceMoreGentlyThanTheyMay) {
+  const gp_Ax2 below(gp_Pnt(0, 0, -1), gp_Dir(0, 0, 1));
+  const Model plate =
+      testing::modelOf(BRepAlgoAPI_Cut(BRepPrimAPI_MakeBox(gp_Pnt(-8, -8, 0), 16, 16, 1).Shape(),
+                                       BRepPrimAPI_MakeCylinder(below, 0.4, 3).Shape())
+                           .Shape());
+  ModelSizes sizes = sizesOf(2);
+  sizes.elementsPerTurn = 12;
+  const double atHole = 2 * std::numbers::pi * 0.4 / 12;
+  for (const double growth : {0.3, 0.45}) {
+    sizes.growth = growth;
+    const double mean = meanLengthAround(mesh(plate, sizes), 3, 4);
+    const double most = growth * (3.5 - 0.4);
+    EXPECT_GT(mean, atHole + 0.6 * most);
+    EXPECT_LT(mean, atHole + 1.2 * most);  // edges are longer than the size where it falls
+  }
 }
 
 TEST(Sizes, InABoxAreKeptOnEdgesAndFaces) {
