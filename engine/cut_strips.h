@@ -30,7 +30,7 @@ struct AlongCuts {
 /// What the strips are optimised with.
 struct StripTools {
   /// Must be callable from several threads at once.
-  std::function<std::unique_ptr<AF2LocalTransformMaker>()> makeCharts;
+  std::function<std::shared_ptr<const AF2LocalTransformMaker>()> makeCharts;
   /// Calls what it is given for 0 to count - 1, in any order, and returns once all is done.
   std::function<void(std::size_t count, const std::function<void(std::size_t)>&)> forEach;
   std::stop_token stop;

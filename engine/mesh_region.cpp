@@ -165,6 +165,18 @@ void forEachInArena(const RegionTask& task, std::size_t count,
     all();
 }
 
+StripTools stripToolsOf(const RegionTask& task, const MeshingOptions& options) {
+  // Charts may refer to what else was made with them.
+  const auto makeCharts = [&task] {
+    const auto tools = std::make_shared<const PieceTools>(task.makeTools());
+    return std::shared_ptr<const AF2LocalTransformMaker>(tools, tools->charts.get());
+  };
+  const auto forEach = [&task](std::size_t count, const auto& work) {
+    forEachInArena(task, count, work);
+  };
+  return {makeCharts, forEach, options.stop};
+}
+
 /// Calls finish(p) when the p-th piece is meshed.
 template <class Finish>
 void meshPieces(const AF2Algorithm& algorithm, const RegionTask& task, const SplitRegion& split,
@@ -223,11 +235,8 @@ RegionMesh meshRegion(const AF2Algorithm& algorithm, const RegionTask& task,
   }
   const Stopwatch optimizing;
   if (task.optimize)
-    optimizeAlongCuts(
-        whole.result.mesh, task.input, split, joiner.alongCuts(),
-        {[&] { return task.makeTools().charts; },
-         [&](std::size_t count, const auto& work) { forEachInArena(task, count, work); },
-         options.stop});
+    optimizeAlongCuts(whole.result.mesh, task.input, split, joiner.alongCuts(),
+                      stripToolsOf(task, options));
   whole.optimizeSeconds += optimizing.seconds();
   whole.seconds += optimizing.seconds();
   return whole;

@@ -9,7 +9,8 @@
 
 namespace af2 {
 
-/// What one piece needs for itself: neither is shared between threads.
+/// What one piece needs for itself: neither is shared between threads. Each may refer to the other;
+/// they go together.
 struct PieceTools {
   std::unique_ptr<AF2LocalTransformMaker> charts;
   std::shared_ptr<const SizeField> size;

@@ -245,6 +245,30 @@ TEST(MeshRegion, HidesItsCuts) {
   EXPECT_GT(atCuts / count, all / static_cast<double>(mesh.elements.size()) - .005);
 }
 
+TEST(MeshRegion, KeepsTheSizesAsLongAsTheCharts) {
+  class Maker final : public AF2LocalTransformMaker {
+   public:
+    explicit Maker(std::weak_ptr<const SizeField> size) : size_(std::move(size)) {}
+    std::unique_ptr<AF2LocalTransform> makeLocalTransform(const SurfacePoint& from,
+                                                          const SurfacePoint& to,
+                                                          double unit) const override {
+      EXPECT_FALSE(size_.expired());
+      return FlatMaker().makeLocalTransform(from, to, unit);
+    }
+
+   private:
+    std::weak_ptr<const SizeField> size_;
+  };
+  const auto tools = [] {
+    const auto size = std::make_shared<UniformSize>(.05);
+    return PieceTools{std::make_unique<Maker>(size), size};
+  };
+  const FrontInput input = square(.05);
+  const RegionMesh mesh =
+      meshRegion(AF2Algorithm(triangleSet()), {input, tools, &kPlane, {300}, true, 2}, {});
+  EXPECT_EQ(mesh.result.outcome, Outcome::Complete);
+}
+
 TEST(MeshRegion, TellsItsProgressAndStopsWhenAsked) {
   const FrontInput input = square(.01);
   std::stop_source source;
