@@ -10,6 +10,7 @@
 
 #include "engine/error.h"
 #include "geometry/box_tree.h"
+#include "geometry/occ/corner_edges.h"
 #include "geometry/occ/crease_reach.h"
 #include "geometry/occ/edge_samples.h"
 #include "geometry/occ/given_points.h"
@@ -48,6 +49,7 @@ class Division {
     mergePoints();
     findTips();
     limitInStrips(model_, sizes_, ends_, threads, samples_);
+    limitAtShortEdges(model_, sizes_, ends_, samples_);
     makeParts();
     gradeAll();
   }

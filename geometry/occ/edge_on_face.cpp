@@ -70,4 +70,17 @@ gp_Pnt2d EdgeOnFace::withinBox(gp_Pnt2d uv) const {
   return uv;
 }
 
+Point3 normalOnEdge(const FaceSurface& surface, const TopoDS_Face& face, const TopoDS_Edge& edge,
+                    double parameter) {
+  gp_Pnt2d uv;
+  if (!surface.isPlane()) {
+    double first, last;
+    const Handle(Geom2d_Curve) curve = BRep_Tool::CurveOnSurface(edge, face, first, last);
+    if (curve.IsNull()) return {};
+    uv = curve->Value(parameter);
+  }
+  const SurfaceFrame frame = surface.inOccParameters().frameAt(uv.X(), uv.Y());
+  return cross(frame.du, frame.dv);
+}
+
 }  // namespace af2::geometry

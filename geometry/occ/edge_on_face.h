@@ -50,4 +50,9 @@ class EdgeOnFace {
   double first_ = 0, last_ = 1, curveFirst_ = 0, curveLast_ = 1;
 };
 
+/// Of the surface at a place of an edge, du x dv, whichever way the face looks; of any length, and
+/// 0 where it is not known.
+Point3 normalOnEdge(const FaceSurface& surface, const TopoDS_Face& face, const TopoDS_Edge& edge,
+                    double parameter);
+
 }  // namespace af2::geometry

@@ -1,7 +1,6 @@
 #include "geometry/occ/narrow_strips.h"
 
 #include <BRep_Tool.hxx>
-#include <Geom2d_Curve.hxx>
 #include <Standard_Failure.hxx>
 #include <TopoDS.hxx>
 #include <algorithm>
@@ -9,6 +8,7 @@
 #include <optional>
 
 #include "geometry/box_tree.h"
+#include "geometry/occ/edge_on_face.h"
 #include "geometry/occ/face_surface.h"
 #include "geometry/occ/sizing.h"
 #include "geometry/parallel.h"
@@ -228,23 +228,10 @@ class FaceStrips {
   /// Whether a direction leads from an edge into the face.
   bool isInside(const Use& use, const Knot& knot, const Point3& direction) {
     if (BRep_Tool::IsClosed(use.oriented, forward_)) return true;
-    const double side = dot(cross(normalAt(use, knot), knot.tangent), direction);
-    return use.oriented.Orientation() == TopAbs_REVERSED ? side < 0 : side > 0;
-  }
-
-  /// Of the surface, du x dv, whichever way the face looks; of any length.
-  Point3 normalAt(const Use& use, const Knot& knot) {
     if (!surface_) surface_.emplace(model_.surface(face_));
-    gp_Pnt2d uv;
-    if (!surface_->isPlane()) {
-      double first, last;
-      const Handle(Geom2d_Curve) curve =
-          BRep_Tool::CurveOnSurface(use.oriented, forward_, first, last);
-      if (curve.IsNull()) return {};
-      uv = curve->Value(knot.parameter);
-    }
-    const SurfaceFrame frame = surface_->inOccParameters().frameAt(uv.X(), uv.Y());
-    return cross(frame.du, frame.dv);
+    const Point3 normal = normalOnEdge(*surface_, forward_, use.oriented, knot.parameter);
+    const double side = dot(cross(normal, knot.tangent), direction);
+    return use.oriented.Orientation() == TopAbs_REVERSED ? side < 0 : side > 0;
   }
 
   const ModelShape& model_;
