@@ -98,9 +98,10 @@ int meshAndTell(const MeshRequest& request, RunLog* log, const GivenUp& givenUp)
   return exitCodeOf(report.status);
 }
 
-/// CAD models go through OpenCASCADE, which may crash or hang on them.
+/// CAD models go through OpenCASCADE, which may crash or hang on them; what else there is takes as
+/// long as it takes.
 int meshSafely(const MeshRequest& request) {
-  if (request.isPlanar()) return meshAndTell(request, nullptr, {});
+  if (request.isPlanar() || request.isFaceted()) return meshAndTell(request, nullptr, {});
   RunLimits limits;
   limits.first = secondsToRead(std::filesystem::file_size(request.model));
   return supervise(limits, [&](RunLog& log, const GivenUp& givenUp) {

@@ -154,8 +154,11 @@ class DomainMesher final : public RetriedModel {
     return {};
   }
 
-  /// They are spread over the surface already.
-  std::vector<SizeSource> sizesInside(std::size_t) const override { return {}; }
+  /// Others are spread over the surface already.
+  std::vector<SizeSource> sizesInside(std::size_t i) const override {
+    const CurvatureLimit* limit = sizes_.limits[static_cast<std::size_t>(faces_[i]) - 1].get();
+    return limit ? limit->sizesToFollow() : std::vector<SizeSource>();
+  }
 
  private:
   const DomainFace& faceAt(std::size_t i) const {

@@ -12,6 +12,7 @@
 #include "geometry/curve_use.h"
 #include "geometry/domain_options.h"
 #include "geometry/domain_size.h"
+#include "geometry/growing_size.h"
 #include "geometry/model_mesh.h"
 
 namespace af2::geometry {
@@ -46,6 +47,8 @@ class CurvatureLimit : public SizeField {
  public:
   /// How many elements there will be about, if `size` is wanted everywhere.
   virtual double expectedElements(double size) const = 0;
+  /// Places that want smaller ones, for elements to follow the face at all.
+  virtual std::vector<SizeSource> sizesToFollow() const { return {}; }
 };
 
 struct DomainModel {

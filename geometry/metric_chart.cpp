@@ -39,6 +39,7 @@ MetricChart::MetricChart(const ParametricSurface& surface, const SurfacePoint& f
 
   // The chord is a little shorter than the metric says; x is stretched so that `to` lies at it.
   const double length = distance(from.position, to.position);
+  if (!(length > 0)) throw GeometryError("an edge has no length here");
   const double perLengthX = along / length * edgeLength, perLengthY = edgeLength;
   ux_ = perLengthX * alongU;
   vx_ = perLengthX * alongV;

@@ -4,16 +4,15 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/error.h"
+#include "geometry/faceted/facet_layout.h"
+#include "geometry/faceted/flattening.h"
 #include "geometry/plane_axes.h"
 
 namespace af2::geometry {
 namespace {
 
 using Corners = std::array<std::uint32_t, 3>;
-
-struct Barycentric {
-  double a = 1, b = 0, c = 0;
-};
 
 /// The point of a triangle that is nearest to p: by the region of the plane in which p lies.
 Barycentric nearestIn(const Point3& p, const Point3& a, const Point3& b, const Point3& c) {
@@ -38,13 +37,16 @@ Barycentric nearestIn(const Point3& p, const Point3& a, const Point3& b, const P
 }  // namespace
 
 struct FacetSurface::Data {
-  Data(const PatchedFacets& patched, const Patch& patch)
+  Data(const PatchedFacets& patched, const Patch& patch, Drawing drawing)
       : tree(takeTriangles(patched.facets, patch)) {
     std::vector<Point3> normalsOfTriangles;
     for (const std::uint32_t t : patch.triangles) normalsOfTriangles.push_back(patched.normals[t]);
     findNormals(normalsOfTriangles);
     findCurvatures();
     findNeighbors();
+    if (drawing == Drawing::None) return;
+    if (auto places = flatten(vertices, triangles))
+      layout.emplace(*std::move(places), vertices, triangles);
   }
 
   std::vector<Box3> takeTriangles(const Facets& facets, const Patch& patch) {
@@ -144,8 +146,19 @@ struct FacetSurface::Data {
     SurfacePoint point;
     point.position = w.a * vertices[a] + w.b * vertices[b] + w.c * vertices[c];
     point.normal = unit(w.a * normals[a] + w.b * normals[b] + w.c * normals[c]);
-    point.u = triangle;  // whoever looks for a point near this one begins there
+    if (layout) {
+      const Point2 place = layout->placeIn(triangle, w);
+      point.u = place.x;
+      point.v = place.y;
+    } else {
+      point.u = triangle;  // whoever looks for a point near this one begins there
+    }
     return point;
+  }
+  std::uint32_t triangleOf(const SurfacePoint& point) const {
+    if (layout) return layout->at({point.u, point.v}).triangle;
+    const bool isKnown = point.u >= 0 && point.u < static_cast<double>(triangles.size());
+    return isKnown ? static_cast<std::uint32_t>(point.u) : BoxTree::kNone;
   }
 
   void findNeighbors() {
@@ -175,8 +188,8 @@ struct FacetSurface::Data {
   Walk walk(const SurfaceLine& line, const SurfacePoint& from) const {
     constexpr int kMostSteps = 2000;
     Walk walk;
-    if (!(from.u >= 0 && from.u < static_cast<double>(triangles.size()))) return walk;
-    auto t = static_cast<std::uint32_t>(from.u);
+    std::uint32_t t = triangleOf(from);
+    if (t == BoxTree::kNone) return walk;
     std::uint32_t before = BoxTree::kNone;
     for (int step = 0; step < kMostSteps; ++step) {
       const std::array<double, 3> beside = sidesOf(line, t);
@@ -237,11 +250,34 @@ struct FacetSurface::Data {
   std::vector<double> curvatures;
   std::vector<Corners> triangles;
   std::vector<std::uint32_t> neighbors;  // 3 t + i: across the side that begins at corner i
-  BoxTree tree;                          // last: it is made while the triangles are taken
+  std::optional<FacetLayout> layout;
+  BoxTree tree;  // last: it is made while the triangles are taken
 };
 
-FacetSurface::FacetSurface(const PatchedFacets& patched, const Patch& patch)
-    : data_(std::make_shared<const Data>(patched, patch)) {}
+FacetSurface::FacetSurface(const PatchedFacets& patched, const Patch& patch, Drawing drawing)
+    : data_(std::make_shared<const Data>(patched, patch, drawing)) {}
+
+bool FacetSurface::isDrawn() const { return data_->layout.has_value(); }
+
+SurfacePoint FacetSurface::pointAt(double u, double v) const {
+  const FacetLayout::Found found = data_->layout->at({u, v});
+  SurfacePoint point = data_->pointIn(found.triangle, found.where);
+  point.u = u;  // beyond the boundary, too, so that no two places become one
+  point.v = v;
+  return point;
+}
+
+SurfaceFrame FacetSurface::frameAt(double u, double v) const {
+  const FacetLayout::Found found = data_->layout->at({u, v});
+  const SurfacePoint point = data_->pointIn(found.triangle, found.where);
+  const Metric metric = data_->layout->metricAt(found);
+  const PlaneAxes axes(point.position, point.normal);
+  if (!(metric.uu > 0) || !std::isfinite(metric.vv))
+    throw GeometryError("the picture of the patch in a plane is degenerate here");
+  const double du = std::sqrt(metric.uu), along = metric.uv / du;
+  const double across = std::sqrt(std::max(metric.vv - along * along, 0.0));
+  return {point.position, du * axes.xAxis(), along * axes.xAxis() + across * axes.yAxis()};
+}
 
 std::optional<SurfacePoint> FacetSurface::hit(const SurfaceLine& line) const {
   constexpr double kReach = 2.5, kNear = 0.5;  // in wanted edge lengths
@@ -293,6 +329,17 @@ double FacetSurface::interpolated(const std::vector<double>& values, const Point
 
 const std::vector<std::uint32_t>& FacetSurface::usedVertices() const { return data_->used; }
 const std::vector<double>& FacetSurface::curvatures() const { return data_->curvatures; }
+std::size_t FacetSurface::triangleCount() const { return data_->triangles.size(); }
+
+std::array<std::uint32_t, 3> FacetSurface::verticesOf(std::size_t triangle) const {
+  const auto& [a, b, c] = data_->triangles[triangle];
+  return {data_->used[a], data_->used[b], data_->used[c]};
+}
+
+std::array<Point3, 3> FacetSurface::positionsOf(std::size_t triangle) const {
+  const auto& [a, b, c] = data_->triangles[triangle];
+  return {data_->vertices[a], data_->vertices[b], data_->vertices[c]};
+}
 
 std::optional<FlatSurface> FacetSurface::plane() const {
   constexpr double kFlat = 1e-7;    // of its extent

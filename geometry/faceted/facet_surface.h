@@ -1,6 +1,7 @@
 // One smooth patch of triangles as a surface: normals, curvature, and the way back from a chart.
 #pragma once
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -9,16 +10,26 @@
 #include "geometry/faceted/patches.h"
 #include "geometry/flat_surface.h"
 #include "geometry/mean_normal_chart.h"
+#include "geometry/surface_frame.h"
 
 namespace af2::geometry {
 
 /// Positions lie on the triangles. Normals are smooth: at each vertex the mean over the triangles
 /// of the patch around it, weighted by their angles there, and linear in between; in small
-/// roundings they are those of the surface beside. Immutable; copies share the same data. The
-/// parameter u of a point is the number of its triangle in the patch.
+/// roundings they are those of the surface beside. Immutable; copies share the same data.
+///
+/// The parameters of a point are its place in a plane in which the patch is drawn one-to-one; if it
+/// is not drawn, u is the number of its triangle in the patch.
 class FacetSurface {
  public:
-  FacetSurface(const PatchedFacets& patched, const Patch& patch);
+  enum class Drawing { None, IfPossible };
+  FacetSurface(const PatchedFacets& patched, const Patch& patch, Drawing drawing);
+
+  bool isDrawn() const;
+  /// By parameters, if it is drawn: beyond the boundary the nearest place.
+  SurfacePoint pointAt(double u, double v) const;
+  /// With smooth lengths, across the normal.
+  SurfaceFrame frameAt(double u, double v) const;
 
   /// Where a line meets the patch, on the sheet of its base edge if that goes so far; else nearest
   /// to its start. If it misses, e.g. beside a boundary of chords, the nearest point of the patch,
@@ -40,6 +51,11 @@ class FacetSurface {
     for (std::size_t i = 0; i < usedVertices().size(); ++i)
       visit(usedVertices()[i], curvatures()[i]);
   }
+  /// Calls visit(vertices of the facets, positions) for each triangle.
+  template <class Visit>
+  void forEachTriangle(const Visit& visit) const {
+    for (std::size_t t = 0; t < triangleCount(); ++t) visit(verticesOf(t), positionsOf(t));
+  }
   /// The plane in which all of it lies, if there is one.
   std::optional<FlatSurface> plane() const;
 
@@ -47,6 +63,9 @@ class FacetSurface {
   struct Data;
   const std::vector<std::uint32_t>& usedVertices() const;
   const std::vector<double>& curvatures() const;
+  std::size_t triangleCount() const;
+  std::array<std::uint32_t, 3> verticesOf(std::size_t triangle) const;
+  std::array<Point3, 3> positionsOf(std::size_t triangle) const;
   std::shared_ptr<const Data> data_;
 };
 

@@ -3,113 +3,24 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <queue>
 
 #include "engine/error.h"
 #include "geometry/domain_model.h"
 #include "geometry/faceted/cones.h"
 #include "geometry/faceted/facet_surface.h"
+#include "geometry/faceted/flats.h"
+#include "geometry/faceted/patch_charts.h"
+#include "geometry/faceted/patch_limit.h"
 #include "geometry/faceted/patches.h"
-#include "geometry/normal_line_chart.h"
 #include "geometry/parallel.h"
 #include "geometry/quality.h"
 
 namespace af2::geometry {
 namespace {
 
-/// Of the wanted size: less than where a CAD model has edges along its roundings, which bring
-/// vertices there.
-constexpr double kGentleLeast = 0.2;
 constexpr double kRetryShare = 0.25;  // charts look through triangles
 constexpr int kBriefly = 1;           // rounds of retries, as long as patches may be cut instead
 constexpr double kDegree = std::numbers::pi / 180;
-
-/// The charts of a curved patch.
-class PatchCharts final : public ChartedSurface {
- public:
-  explicit PatchCharts(FacetSurface surface) : surface_(std::move(surface)) {}
-
-  bool isPlane() const override { return false; }
-  bool has(ChartKind kind) const override {
-    return kind == ChartKind::Auto || kind == ChartKind::MeanNormal ||
-           kind == ChartKind::NormalLines;
-  }
-  std::unique_ptr<AF2LocalTransformMaker> makeCharts(ChartKind kind) const override {
-    if (kind == ChartKind::NormalLines)
-      return std::make_unique<NormalLineChartMaker<FacetSurface>>(surface_);
-    return std::make_unique<MeanNormalChartMaker<FacetSurface>>(surface_);
-  }
-  SurfacePoint at(double, double) const override {
-    throw GeometryError("triangles have no parameters");
-  }
-
- private:
-  FacetSurface surface_;
-};
-
-/// What curvature allows at the vertices of the facets, growing from each along the edges of the
-/// facets no faster than sizes may.
-std::vector<double> limitsAtVertices(const Facets& facets,
-                                     const std::vector<FacetSurface>& surfaces,
-                                     const DomainSize& size, double growth) {
-  std::vector<double> limits(facets.vertices.size(), std::numeric_limits<double>::infinity());
-  for (const FacetSurface& surface : surfaces)
-    surface.forEachCurvature([&](std::uint32_t v, double curvature) {
-      const double radius = curvature > 0 ? 1 / curvature : 1e300;
-      limits[v] = std::min(limits[v], size.turnLimit(radius, kGentleLeast));
-    });
-  std::vector<std::vector<std::uint32_t>> beside(facets.vertices.size());
-  for (const auto& t : facets.triangles)
-    for (std::size_t i = 0; i < 3; ++i) {
-      beside[t[i]].push_back(t[(i + 1) % 3]);
-      beside[t[(i + 1) % 3]].push_back(t[i]);
-    }
-  using Entry = std::pair<double, std::uint32_t>;
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
-  for (std::uint32_t v = 0; v < limits.size(); ++v) open.push({limits[v], v});
-  while (!open.empty()) {
-    const auto [limit, v] = open.top();
-    open.pop();
-    if (limit > limits[v]) continue;
-    for (const std::uint32_t w : beside[v]) {
-      const double grown = limit + growth * distance(facets.vertices[v], facets.vertices[w]);
-      if (!(grown < limits[w])) continue;
-      limits[w] = grown;
-      open.push({grown, w});
-    }
-  }
-  return limits;
-}
-
-class PatchLimit final : public CurvatureLimit {
- public:
-  PatchLimit(const Facets& facets, const Patch& patch, FacetSurface surface,
-             std::shared_ptr<const std::vector<double>> limits)
-      : facets_(facets), patch_(patch), surface_(std::move(surface)), limits_(std::move(limits)) {}
-
-  double sizeAt(const SurfacePoint& point) const override {
-    return surface_.interpolated(*limits_, point.position);
-  }
-
-  double expectedElements(double size) const override {
-    constexpr double kUnitTriangle = 0.4330127018922193;  // area of the one with edges of length 1
-    double sum = 0;
-    for (const std::uint32_t triangle : patch_.triangles) {
-      const auto& t = facets_.triangles[triangle];
-      const auto at = [&](std::size_t i) { return facets_.vertices[t[i]]; };
-      double here = 0;
-      for (const std::uint32_t v : t) here += std::min(size, (*limits_)[v]) / 3;
-      sum += length(cross(at(1) - at(0), at(2) - at(0))) / 2 / (kUnitTriangle * here * here);
-    }
-    return sum;
-  }
-
- private:
-  const Facets& facets_;
-  const Patch& patch_;
-  FacetSurface surface_;
-  std::shared_ptr<const std::vector<double>> limits_;  // by vertex of the facets
-};
 
 double diagonalOf(const Facets& facets) {
   Box3 box;
@@ -124,13 +35,14 @@ class ModelMaker {
         patched_(*shared_),
         facets_(patched_.facets),
         surfaces_(patched_.patches.size()) {
-    forEachInParallel(surfaces_.size(), threads,
-                      [&](std::size_t i) { surfaces_[i].emplace(patched_, patched_.patches[i]); });
+    forEachInParallel(surfaces_.size(), threads, [&](std::size_t i) {
+      surfaces_[i].emplace(patched_, patched_.patches[i], drawingOf(patched_.patches[i]));
+    });
   }
 
   DomainModel make(double growth) {
     model_.name = facets_.name;
-    model_.leastAtTurns = kGentleLeast;
+    model_.leastAtTurns = kLeastAtPatchTurns;
     model_.retryShare = kRetryShare;
     model_.diagonal = diagonalOf(facets_);
     corner_.assign(facets_.vertices.size(), kNone);
@@ -144,6 +56,13 @@ class ModelMaker {
 
  private:
   static constexpr std::size_t kNone = ~std::size_t{0};
+
+  /// It costs little for small patches; and large ones hardly need it.
+  static FacetSurface::Drawing drawingOf(const Patch& patch) {
+    constexpr std::size_t kMostTriangles = 10000;
+    return patch.triangles.size() <= kMostTriangles ? FacetSurface::Drawing::IfPossible
+                                                    : FacetSurface::Drawing::None;
+  }
 
   std::size_t cornerAt(std::uint32_t v) {
     if (corner_[v] == kNone) {
@@ -173,7 +92,27 @@ class ModelMaker {
       const Point3 &from = (*points)[i - 1], &to = (*points)[i];
       return within >= 1 ? to : from + within * (to - from);
     };
+    curve.largest = largestOn(curve);
     model_.curves.push_back(std::move(curve));
+  }
+
+  /// Whatever the size, so that an arc does not become a single chord, along which elements would
+  /// have to stand on edge. By quarters of the curve, in which noise does not count.
+  static double largestOn(const DomainCurve& curve) {
+    constexpr int kParts = 4;
+    constexpr double kMostTurn = 75 * kDegree;
+    const double whole = curve.knots.back();
+    double turn = 0;
+    Point3 before;
+    for (int i = 1; i <= kParts; ++i) {
+      const Point3 chord =
+          curve.pointAt(whole * i / kParts) - curve.pointAt(whole * (i - 1) / kParts);
+      if (i > 1) turn += angleBetween(before, chord);
+      before = chord;
+    }
+    turn *= kParts / (kParts - 1.0);
+    const double parts = std::min(std::ceil(turn / kMostTurn), kParts + 0.0);
+    return parts > 1 ? whole / parts : DomainCurve::kNoLimit;
   }
 
   void addFace(std::size_t index) {
@@ -204,15 +143,7 @@ class ModelMaker {
       isPlane.push_back(model_.faces[i].surface->isPlane());
     }
     model_.limitsOfFaces = [shared = shared_, surfaces, isPlane, growth](const DomainSize& size) {
-      const PatchedFacets& patched = *shared;
-      const auto limits = std::make_shared<const std::vector<double>>(
-          limitsAtVertices(patched.facets, surfaces, size, growth));
-      std::vector<std::shared_ptr<const CurvatureLimit>> byFace;
-      for (std::size_t i = 0; i < surfaces.size(); ++i)
-        byFace.push_back(isPlane[i] ? nullptr
-                                    : std::make_shared<const PatchLimit>(
-                                          patched.facets, patched.patches[i], surfaces[i], limits));
-      return byFace;
+      return limitsOfPatches(shared->facets, surfaces, isPlane, size, growth);
     };
   }
 

@@ -4,9 +4,10 @@
 #include <array>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <map>
 
-#include "geometry/box_tree.h"
+#include "geometry/faceted/main_directions.h"
 
 namespace af2::geometry {
 
@@ -21,21 +22,13 @@ class PlaneCut {
   }
 
  private:
-  double height(std::uint32_t v) const {
-    const Point3& p = facets_.vertices[v];
-    return (axis_ == 0 ? p.x : axis_ == 1 ? p.y : p.z) - offset_;
-  }
+  double height(std::uint32_t v) const { return dot(facets_.vertices[v], axis_) - offset_; }
 
   void choosePlane(const std::vector<std::uint32_t>& triangles) {
-    Box3 box;
+    chooseAxis(triangles);
     std::set<std::uint32_t> vertices;
     for (const std::uint32_t t : triangles)
-      for (const std::uint32_t v : facets_.triangles[t]) {
-        box.add(facets_.vertices[v]);
-        vertices.insert(v);
-      }
-    const Point3 d = box.high - box.low;
-    axis_ = d.x >= d.y && d.x >= d.z ? 0 : d.y >= d.z ? 1 : 2;
+      vertices.insert(facets_.triangles[t].begin(), facets_.triangles[t].end());
     std::set<double> heights;
     for (const std::uint32_t v : vertices) heights.insert(height(v));
     // In the widest gap of the middle third: vertices that nearly lie in the plane make slivers.
@@ -48,6 +41,27 @@ class PlaneCut {
       offset_ = middle;
     }
     if (widest < 0) offset_ = low + extent / 2;  // no vertex near the middle
+  }
+
+  /// A long tube that were cut across would come to as many pieces as it is longer than wide.
+  void chooseAxis(const std::vector<std::uint32_t>& triangles) {
+    constexpr double kAlike = 3;  // the longest extent over the shortest
+    const std::array<Point3, 3> axes = mainDirections(facets_, triangles);
+    std::array<double, 3> extents{};
+    for (std::size_t i = 0; i < 3; ++i) extents[i] = extentAlong(axes[i], triangles);
+    const auto [least, most] = std::ranges::minmax_element(extents);
+    const auto chosen = *most > kAlike * *least ? least : most;
+    axis_ = axes[static_cast<std::size_t>(chosen - extents.begin())];
+  }
+  double extentAlong(const Point3& axis, const std::vector<std::uint32_t>& triangles) const {
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    for (const std::uint32_t t : triangles)
+      for (const std::uint32_t v : facets_.triangles[t]) {
+        const double along = dot(facets_.vertices[v], axis);
+        low = std::min(low, along);
+        high = std::max(high, along);
+      }
+    return high - low;
   }
 
   std::uint32_t crossingOf(std::uint32_t a, std::uint32_t b) {
@@ -79,7 +93,7 @@ class PlaneCut {
   Facets& facets_;
   std::set<FacetEdge>& cuts_;
   std::map<FacetEdge, std::uint32_t> crossings_;
-  int axis_ = 0;
+  Point3 axis_;
   double offset_ = 0;
 };
 

@@ -11,7 +11,9 @@
 
 namespace af2::geometry {
 
-/// Cuts triangles along a plane across their longest direction that goes through no vertex.
+/// Cuts triangles along a plane that goes through no vertex: across the direction in which they
+/// extend least, so that each half is seen from one side; those that extend about as far in all
+/// directions, across the one in which they extend most.
 ///
 /// cuts  gets the edges along the plane
 void cutAcross(Facets& facets, const std::vector<std::uint32_t>& triangles,

@@ -1,0 +1,195 @@
+#include "geometry/faceted/flattening.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "engine/predicates.h"
+#include "geometry/faceted/sparse_system.h"
+
+namespace af2::geometry {
+namespace {
+
+using Corners = std::array<std::uint32_t, 3>;
+using Loop = std::vector<std::uint32_t>;
+constexpr std::uint32_t kNone = 0xffffffffu;
+
+class Flattening {
+ public:
+  Flattening(const std::vector<Point3>& vertices, const std::vector<Corners>& triangles)
+      : vertices_(vertices), triangles_(triangles), given_(triangles.size()) {}
+
+  std::optional<std::vector<Point2>> flatten() {
+    if (!findLoops()) return std::nullopt;
+    fillHoles();
+    if (!isDisc()) return std::nullopt;
+    drawCircle();
+    drawInside();
+    const auto isNumber = [](Point2 p) { return std::isfinite(p.x) && std::isfinite(p.y); };
+    if (!std::ranges::all_of(places_, isNumber)) return std::nullopt;
+    for (std::size_t t = 0; t < given_; ++t) {
+      const auto& [a, b, c] = triangles_[t];
+      if (orientation(places_[a], places_[b], places_[c]) != Turn::Left) return std::nullopt;
+    }
+    places_.resize(vertices_.size() - holes_);
+    return std::move(places_);
+  }
+
+ private:
+  /// Whether each edge has two triangles, one on each side, or lies on a boundary that does not
+  /// touch itself.
+  bool findLoops() {
+    std::vector<std::array<std::uint32_t, 3>> sides;  // lower vertex, higher one, start
+    for (const Corners& t : triangles_)
+      for (std::size_t i = 0; i < 3; ++i) {
+        const auto [low, high] = std::minmax(t[i], t[(i + 1) % 3]);
+        sides.push_back({low, high, t[i]});
+      }
+    std::ranges::sort(sides);
+    std::vector<std::uint32_t> after(vertices_.size(), kNone);
+    edges_ = 0;
+    for (std::size_t i = 0, next; i < sides.size(); i = next, ++edges_) {
+      const auto& [low, high, start] = sides[i];
+      for (next = i + 1; next < sides.size() && sides[next][0] == low && sides[next][1] == high;)
+        ++next;
+      if (next - i == 2 && sides[i + 1][2] != start) continue;
+      if (next - i != 1 || after[start] != kNone) return false;
+      after[start] = start == low ? high : low;
+    }
+    for (std::uint32_t first = 0; first < after.size(); ++first) {
+      if (after[first] == kNone) continue;
+      Loop& loop = loops_.emplace_back();
+      for (std::uint32_t v = first; after[v] != kNone;) {
+        loop.push_back(v);
+        v = std::exchange(after[v], kNone);
+      }
+    }
+    if (loops_.empty()) return false;
+    std::ranges::iter_swap(loops_.begin(), std::ranges::max_element(loops_, {}, [&](const Loop& l) {
+                             return lengthOf(l);
+                           }));
+    return true;
+  }
+  double lengthOf(const Loop& loop) const {
+    double sum = 0;
+    for (std::size_t i = 0; i < loop.size(); ++i)
+      sum += distance(vertices_[loop[i]], vertices_[loop[(i + 1) % loop.size()]]);
+    return sum;
+  }
+
+  /// All boundaries but the longest, by triangles around a vertex in their middle.
+  void fillHoles() {
+    for (std::size_t k = 1; k < loops_.size(); ++k) {
+      const auto middle = static_cast<std::uint32_t>(vertices_.size());
+      const Loop& loop = loops_[k];
+      Point3 sum;
+      for (const std::uint32_t v : loop) sum = sum + vertices_[v];
+      vertices_.push_back((1.0 / static_cast<double>(loop.size())) * sum);
+      for (std::size_t i = 0; i < loop.size(); ++i)
+        triangles_.push_back({loop[(i + 1) % loop.size()], loop[i], middle});
+      edges_ += loop.size();
+      ++holes_;
+    }
+  }
+  /// By Euler's number; that the triangles hang together is known.
+  bool isDisc() const { return vertices_.size() + triangles_.size() == edges_ + 1; }
+
+  void drawCircle() {
+    double area = 0;
+    for (const auto& [a, b, c] : triangles_)
+      area += length(cross(vertices_[b] - vertices_[a], vertices_[c] - vertices_[a])) / 2;
+    const double radius = std::sqrt(area / std::numbers::pi);
+    const Loop& rim = loops_.front();
+    const double whole = lengthOf(rim);
+    isOnRim_.assign(vertices_.size(), false);
+    places_.resize(vertices_.size());
+    double way = 0;
+    for (std::size_t i = 0; i < rim.size(); ++i) {
+      const double angle = 2 * std::numbers::pi * way / whole;
+      places_[rim[i]] = {radius * std::cos(angle), radius * std::sin(angle)};
+      isOnRim_[rim[i]] = true;
+      way += distance(vertices_[rim[i]], vertices_[rim[(i + 1) % rim.size()]]);
+    }
+  }
+
+  void drawInside() {
+    std::vector<std::uint32_t> unknown(vertices_.size(), kNone), inside;
+    for (std::uint32_t v = 0; v < vertices_.size(); ++v)
+      if (!isOnRim_[v]) {
+        unknown[v] = static_cast<std::uint32_t>(inside.size());
+        inside.push_back(v);
+      }
+    if (inside.empty()) return;
+    const auto weights = weightsOf(unknown, inside.size());
+    std::vector<std::vector<SparseEntry>> rows(inside.size());
+    std::vector<double> x(inside.size(), 0), y(inside.size(), 0);
+    for (std::uint32_t i = 0; i < inside.size(); ++i) {
+      rows[i].push_back({i, 1});
+      for (const auto& [v, weight] : weights[i]) {
+        if (unknown[v] != kNone) {
+          rows[i].push_back({unknown[v], -weight});
+          continue;
+        }
+        x[i] += weight * places_[v].x;
+        y[i] += weight * places_[v].y;
+      }
+      std::ranges::sort(rows[i], {}, &SparseEntry::column);
+    }
+    const SparseSystem system(std::move(rows));
+    x = system.solve(x);
+    y = system.solve(y);
+    for (std::size_t i = 0; i < inside.size(); ++i) places_[inside[i]] = {x[i], y[i]};
+  }
+
+  /// By vertex inside: the mean values of those around it, which add up to 1.
+  std::vector<std::vector<SparseEntry>> weightsOf(const std::vector<std::uint32_t>& unknown,
+                                                  std::size_t count) const {
+    const double least = 1e-12 * lengthOf(loops_.front());  // vertices may coincide
+    std::vector<std::vector<SparseEntry>> weights(count);
+    for (const Corners& t : triangles_)
+      for (std::size_t i = 0; i < 3; ++i) {
+        const std::uint32_t row = unknown[t[i]], b = t[(i + 1) % 3], c = t[(i + 2) % 3];
+        if (row == kNone) continue;
+        const Point3 p = vertices_[b] - vertices_[t[i]], q = vertices_[c] - vertices_[t[i]];
+        const double tangent = tangentOfHalf(p, q);
+        addTo(weights[row], b, tangent / std::max(length(p), least));
+        addTo(weights[row], c, tangent / std::max(length(q), least));
+      }
+    for (auto& row : weights) {
+      double sum = 0;
+      for (const SparseEntry& entry : row) sum += entry.value;
+      for (SparseEntry& entry : row) entry.value /= sum;
+    }
+    return weights;
+  }
+  /// Kept away from the ends, where triangles have no area.
+  static double tangentOfHalf(const Point3& p, const Point3& q) {
+    constexpr double kLeast = 1e-3, kMost = 1e3;
+    return std::clamp(std::tan(std::atan2(length(cross(p, q)), dot(p, q)) / 2), kLeast, kMost);
+  }
+  static void addTo(std::vector<SparseEntry>& row, std::uint32_t column, double value) {
+    const auto found = std::ranges::find(row, column, &SparseEntry::column);
+    if (found == row.end())
+      row.push_back({column, value});
+    else
+      found->value += value;
+  }
+
+  std::vector<Point3> vertices_;
+  std::vector<Corners> triangles_;
+  std::size_t given_, edges_ = 0;
+  std::uint32_t holes_ = 0;
+  std::vector<Loop> loops_;  // the longest first
+  std::vector<bool> isOnRim_;
+  std::vector<Point2> places_;
+};
+
+}  // namespace
+
+std::optional<std::vector<Point2>> flatten(const std::vector<Point3>& vertices,
+                                           const std::vector<Corners>& triangles) {
+  return Flattening(vertices, triangles).flatten();
+}
+
+}  // namespace af2::geometry

@@ -1,0 +1,112 @@
+#include "geometry/faceted/patch_limit.h"
+
+#include <algorithm>
+#include <limits>
+#include <queue>
+
+namespace af2::geometry {
+namespace {
+
+std::vector<double> limitsAtVertices(const Facets& facets,
+                                     const std::vector<FacetSurface>& surfaces,
+                                     const DomainSize& size, double growth) {
+  std::vector<double> limits(facets.vertices.size(), std::numeric_limits<double>::infinity());
+  for (const FacetSurface& surface : surfaces)
+    surface.forEachCurvature([&](std::uint32_t v, double curvature) {
+      const double radius = curvature > 0 ? 1 / curvature : 1e300;
+      limits[v] = std::min(limits[v], size.turnLimit(radius, kLeastAtPatchTurns));
+    });
+  std::vector<std::vector<std::uint32_t>> beside(facets.vertices.size());
+  for (const auto& t : facets.triangles)
+    for (std::size_t i = 0; i < 3; ++i) {
+      beside[t[i]].push_back(t[(i + 1) % 3]);
+      beside[t[(i + 1) % 3]].push_back(t[i]);
+    }
+  using Entry = std::pair<double, std::uint32_t>;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
+  for (std::uint32_t v = 0; v < limits.size(); ++v) open.push({limits[v], v});
+  while (!open.empty()) {
+    const auto [limit, v] = open.top();
+    open.pop();
+    if (limit > limits[v]) continue;
+    for (const std::uint32_t w : beside[v]) {
+      const double grown = limit + growth * distance(facets.vertices[v], facets.vertices[w]);
+      if (!(grown < limits[w])) continue;
+      limits[w] = grown;
+      open.push({grown, w});
+    }
+  }
+  return limits;
+}
+
+class PatchLimit final : public CurvatureLimit {
+ public:
+  PatchLimit(FacetSurface surface, std::shared_ptr<const std::vector<double>> limits, double growth)
+      : surface_(std::move(surface)), limits_(std::move(limits)), growth_(growth) {}
+
+  double sizeAt(const SurfacePoint& point) const override {
+    return surface_.interpolated(*limits_, point.position);
+  }
+
+  double expectedElements(double size) const override {
+    constexpr double kUnitTriangle = 0.4330127018922193;  // area of the one with edges of length 1
+    double sum = 0;
+    surface_.forEachTriangle([&](const auto& corners, const auto& positions) {
+      double here = 0;
+      for (const std::uint32_t v : corners) here += std::min(size, (*limits_)[v]) / 3;
+      const Point3 p = positions[1] - positions[0], q = positions[2] - positions[0];
+      sum += length(cross(p, q)) / 2 / (kUnitTriangle * here * here);
+    });
+    return sum;
+  }
+
+  /// Along the edges of the triangles, where the limit is too coarse for the curvature.
+  std::vector<SizeSource> sizesToFollow() const override {
+    constexpr double kTurn = 1.2;         // radians along an element
+    constexpr double kCoarse = 1.5;       // times as large as that
+    constexpr std::size_t kMost = 20000;  // places
+    std::vector<double> wanted(limits_->size(), std::numeric_limits<double>::infinity());
+    surface_.forEachCurvature([&](std::uint32_t v, double curvature) {
+      if (curvature > 0 && kCoarse * kTurn < curvature * (*limits_)[v])
+        wanted[v] = kTurn / curvature;
+    });
+    std::vector<SizeSource> places;
+    surface_.forEachTriangle([&](const auto& corners, const auto& positions) {
+      for (std::size_t i = 0; i < 3 && places.size() < kMost; ++i) {
+        const double size = std::max(wanted[corners[i]], wanted[corners[(i + 1) % 3]]);
+        if (!(size < std::numeric_limits<double>::infinity())) continue;
+        addAlong(positions[i], positions[(i + 1) % 3], size, places);
+      }
+    });
+    return places.size() < kMost ? places : std::vector<SizeSource>();
+  }
+
+ private:
+  /// So that sizes grow by half in between.
+  void addAlong(const Point3& from, const Point3& to, double size,
+                std::vector<SizeSource>& places) const {
+    const double step = size / growth_;
+    const auto steps = std::min(std::ceil(distance(from, to) / step), 1e6);
+    for (double i = 0; i < steps; ++i) places.push_back({from + (i / steps) * (to - from), size});
+  }
+
+  FacetSurface surface_;
+  std::shared_ptr<const std::vector<double>> limits_;  // by vertex of the facets
+  double growth_;
+};
+
+}  // namespace
+
+std::vector<std::shared_ptr<const CurvatureLimit>> limitsOfPatches(
+    const Facets& facets, const std::vector<FacetSurface>& surfaces,
+    const std::vector<bool>& isPlane, const DomainSize& size, double growth) {
+  const auto limits =
+      std::make_shared<const std::vector<double>>(limitsAtVertices(facets, surfaces, size, growth));
+  std::vector<std::shared_ptr<const CurvatureLimit>> byFace;
+  for (std::size_t i = 0; i < surfaces.size(); ++i)
+    byFace.push_back(isPlane[i] ? nullptr
+                                : std::make_shared<const PatchLimit>(surfaces[i], limits, growth));
+  return byFace;
+}
+
+}  // namespace af2::geometry

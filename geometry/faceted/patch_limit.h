@@ -1,0 +1,23 @@
+// The largest edges that the curvature of patches of triangles allows.
+// Not installed.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "geometry/domain_model.h"
+#include "geometry/faceted/facet_surface.h"
+
+namespace af2::geometry {
+
+/// Of the wanted size: less than where a CAD model has edges along its roundings, which bring
+/// vertices there.
+constexpr double kLeastAtPatchTurns = 0.2;
+
+/// By patch: what curvature allows at the vertices of the facets, growing from each along their
+/// edges no faster than sizes may. Null for planes.
+std::vector<std::shared_ptr<const CurvatureLimit>> limitsOfPatches(
+    const Facets& facets, const std::vector<FacetSurface>& surfaces,
+    const std::vector<bool>& isPlane, const DomainSize& size, double growth);
+
+}  // namespace af2::geometry
