@@ -39,9 +39,10 @@ double leastOnTube(const ModelSizes& sizes, double size, const FaceSurface& surf
 
 /// Whether a face turns in a crease that is far narrower than itself, so that it is no tube. No
 /// price would be too high to follow that, and elements that turn by a right angle follow nothing.
-bool isCreased(const ModelSizes& sizes, double size, const FaceSurface& surface) {
-  constexpr double kShareOfSize = 0.025, kShareOfBreadth = 1.0 / 12;
-  return sizes.faceTurn * surface.creaseRadius() <
+/// However many elements a turn is to have, a whole turn is 6.3 radii broad: no crease.
+bool isCreased(double size, const FaceSurface& surface) {
+  constexpr double kShareOfSize = 0.0413, kShareOfBreadth = 1.0 / 7.26;
+  return surface.creaseRadius() <
          std::min(kShareOfSize * size, kShareOfBreadth * surface.breadth());
 }
 
@@ -84,7 +85,7 @@ CurvedSize curvedSizeAt(const ModelSizes& sizes, int face, double size, const Fa
   const double share = 1 - (1 - sizes.curvedShare) * bend;
   const double gentle =
       std::min(size, std::max(sizes.faceTurn * radii.smallest, sizes.faceLeast * size));
-  if (sizes.roughFaces.contains(face) || isCreased(sizes, size, surface)) return {gentle, share};
+  if (sizes.roughFaces.contains(face) || isCreased(size, surface)) return {gentle, share};
   const double least = leastOnTube(sizes, size, surface, radii.bent);
   return {std::min(gentle, std::max(sizes.faceTurn * radii.bent, least)), share};
 }

@@ -95,6 +95,17 @@ TEST(Sizes, LeaveRoomForScatterOnCurvedFacesAndTheirEdges) {
   EXPECT_EQ(longest(), 70);  // 63 / 0.9
 }
 
+TEST(Sizes, FollowAThinTubeHoweverManyElementsATurnIsToHave) {
+  ModelSizes sizes = sizesOf(100);
+  std::size_t before = 0;
+  for (const double turn : {10.0, 14.0, 20.0}) {
+    sizes.elementsPerTurn = turn;
+    const std::size_t elements = mesh(testing::cylinder(1, 30), sizes).elements.size();
+    EXPECT_GT(elements, before) << turn;
+    before = elements;
+  }
+}
+
 TEST(Sizes, LeaveNoneOnFacesThatAreAsGoodAsFlat) {
   ModelSizes sizes = sizesOf(1);
   sizes.elementsPerTurn = 12;
