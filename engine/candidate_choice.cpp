@@ -139,9 +139,7 @@ void CandidateChoice::gather(const StepChart& chart, PlaceId base) {
 
 const Application* CandidateChoice::choose(const StepChart& chart, PlaceId base) {
   gather(chart, base);
-  // Where a front is crammed, to look at all that is near takes as long as many candidates do.
-  constexpr std::size_t kOrdinary = 256, kLikeACandidate = 32;
-  if (near_.lookedAt() > kOrdinary) examined_ += (near_.lookedAt() - kOrdinary) / kLikeACandidate;
+  countCrowd(near_.lookedAt());
   const StepView view = viewOf(chart, base);
   collect(view);
   RuleRefusal culprit;
@@ -151,6 +149,7 @@ const Application* CandidateChoice::choose(const StepChart& chart, PlaceId base)
   while (!untried_.empty()) {
     const std::size_t best = isSorted ? untried_.size() - 1 : bestUntried();
     const Candidate& candidate = candidates_[untried_[best]];
+    countCrowd(near_.edges().size());
     if (testZone(view, candidate, culprit) == Refusal::None &&
         prepare(view, candidate) == Refusal::None)
       return &application_;
@@ -158,6 +157,12 @@ const Application* CandidateChoice::choose(const StepChart& chart, PlaceId base)
     untried_.pop_back();
   }
   return nullptr;
+}
+
+/// Where a front is crammed, to look at all that is near takes as long as many candidates do.
+void CandidateChoice::countCrowd(std::size_t lookedAt) {
+  constexpr std::size_t kOrdinary = 256, kLikeACandidate = 32;
+  if (lookedAt > kOrdinary) examined_ += (lookedAt - kOrdinary) / kLikeACandidate;
 }
 
 std::size_t CandidateChoice::bestUntried() const {

@@ -55,6 +55,7 @@ class CandidateChoice {
   void gather(const StepChart& chart, PlaceId base);
   void collect(const StepView& view);
   bool isInTheWay(const RuleAtLevel& at, const Match& match) const;
+  void countCrowd(std::size_t lookedAt);
   std::size_t bestUntried() const;
   void sortWorstFirst();
   bool isBetter(const Candidate& one, const Candidate& other) const;

@@ -108,6 +108,23 @@ TEST(Progress, CountsEdgesAsCandidatesWhereAFrontIsCrammed) {
   EXPECT_GT(candidatesPerStep(0.0025), 10);
 }
 
+/// Each zone is held against all that is near: with many matches that is the square of the crowd.
+TEST(Progress, CountsWhatZonesAreHeldAgainstWhereAFrontIsCrammed) {
+  FrontInput input = square(1);
+  for (const Point2 place : circle({.5, .5}, .1, 5000))
+    input.isolated.push_back(flatCorner(input.vertexCount++, place));
+  const auto candidatesPerStep = [&](const std::vector<AF2Rule>& rules) {
+    RuleSetDefinition set = triangleSetDefinition();
+    set.rules = rules;
+    const MeshingResult result = AF2Algorithm(std::make_shared<RuleSet>(set))
+                                     .execute(FlatMaker(), input, UniformSize(1), MeshingOptions{});
+    return static_cast<double>(result.candidates) / static_cast<double>(result.steps);
+  };
+  const double one = candidatesPerStep({freeTriangle()});
+  const double two = candidatesPerStep({freeTriangle(), freeTriangle()});
+  EXPECT_GT(two - one, 100);
+}
+
 // ---- cancelling --------------------------------------------------------------------------------
 
 TEST(Cancelling, BeforeTheRunGivesNoElements) {
