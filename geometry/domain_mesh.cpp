@@ -6,7 +6,6 @@
 
 #include "engine/error.h"
 #include "engine/stopwatch.h"
-#include "geometry/common_triangles.h"
 #include "geometry/domain_boundary.h"
 #include "geometry/domain_check.h"
 #include "geometry/domain_division.h"
@@ -142,7 +141,6 @@ class DomainMesher final : public RetriedModel {
       join.pointOnEdge = [&](int edge, double parameter) {
         return model_.curves[static_cast<std::size_t>(edge) - 1].pointAt(parameter);
       };
-    partCommonTriangles(state.divided, state.meshes);
     state.joined = joinFaces(state.divided, state.meshes, join);
     const bool mayCross = !model_.isExact && !options_.stop.stop_requested();
     state.faults = faultsOf(state.joined, mayCross, options_.threads);

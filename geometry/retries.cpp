@@ -7,6 +7,7 @@
 #include <tuple>
 #include <utility>
 
+#include "geometry/common_sides.h"
 #include "geometry/parallel.h"
 #include "geometry/refinement.h"
 #include "geometry/spared_neighbors.h"
@@ -29,7 +30,7 @@ class Retries {
     findShortEdges(state);
     const double most = mostEffort(state);
     double effort = 0;
-    model_.join(state);
+    join(state);
     for (int round = 0; round < options_.mostRounds && !options_.stop.stop_requested(); ++round) {
       hasEffortLeft_ = effort <= most;
       const std::vector<std::size_t> poor = worthAnotherTry(state);
@@ -40,7 +41,7 @@ class Retries {
       const Refinement ofNext = refinement;
       FaceMeshes next = refined(state, again, ofNext, effort);
       if (options_.stop.stop_requested()) break;
-      model_.join(next);
+      join(next);
       dropped.clear();
       for (const std::size_t i : poor) {
         if (isWorthwhile(state, next, i)) continue;
@@ -72,6 +73,19 @@ class Retries {
     int failures = 0;
     std::vector<EdgesAsPoints> shortEdges;  ///< to be given up, one after the other, the last first
   };
+
+  /// Edges inside several faces that have the same ends are swapped, if the mesh is better so.
+  void join(FaceMeshes& state) const {
+    model_.join(state);
+    if (state.faults.findings.empty()) return;
+    FaceMeshes parted{state.divided, state.meshes, {}, {}};
+    if (partCommonSides(parted.divided, parted.meshes) == 0) return;
+    model_.join(parted);
+    const MeshFaults &before = state.faults, &after = parted.faults;
+    if (after.findings.size() < before.findings.size() &&
+        after.crossings.size() <= before.crossings.size())
+      state = std::move(parted);
+  }
 
   void findShortEdges(const FaceMeshes& state) {
     for (std::size_t i = 0; i < state.meshes.size(); ++i) {
@@ -134,7 +148,7 @@ class Retries {
     double effort = 0;
     FaceMeshes next = refined(state, faces, refinement, effort);
     if (options_.stop.stop_requested()) return;
-    model_.join(next);
+    join(next);
     if (isBetter(next, state)) state = std::move(next);
   }
 
@@ -151,7 +165,7 @@ class Retries {
         before.emplace_back(i, std::move(was));
     }
     if (before.empty()) return;
-    model_.join(state);
+    join(state);
     for (auto& [i, was] : before) {
       if (crossingsAt(state, i) > 0) {
         state.meshes[i] = std::move(was);
@@ -162,7 +176,7 @@ class Retries {
         state.meshes[i].report.attempts = std::move(steps);
       }
     }
-    model_.join(state);
+    join(state);
   }
 
   std::vector<std::size_t> worthAnotherTry(const FaceMeshes& state) const {
@@ -228,7 +242,7 @@ class Retries {
   /// Whether a face should be tried once more after `next`.
   bool isWorthwhile(const FaceMeshes& state, const FaceMeshes& next, std::size_t i) {
     constexpr double kGain = 0.9;
-    constexpr int kMostCrossed = 2;
+    constexpr int kMostCrossed = 6;
     const FaceMesh &before = state.meshes[i], &after = next.meshes[i];
     int& failures = tries_[i].failures;
     if (failed(after)) {

@@ -10,7 +10,6 @@
 
 #include "engine/error.h"
 #include "engine/stopwatch.h"
-#include "geometry/common_triangles.h"
 #include "geometry/inside_out.h"
 #include "geometry/join_faces.h"
 #include "geometry/narrow_places.h"
@@ -187,7 +186,6 @@ class ModelMesher final : public RetriedModel {
       join.pointOnEdge = [&](int edge, double parameter) {
         return toPoint(BRepAdaptor_Curve(shape_->edge(edge)).Value(parameter));
       };
-    partCommonTriangles(state.divided, state.meshes);
     state.joined = joinFaces(state.divided, state.meshes, join);
     state.faults = faultsOf(state.joined, !options_.stop.stop_requested(), options_.threads);
   }

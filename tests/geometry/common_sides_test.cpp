@@ -1,5 +1,5 @@
-// Two faces that close the same corner with the same triangle.
-#include "geometry/common_triangles.h"
+// Two faces that have an edge inside in common.
+#include "geometry/common_sides.h"
 
 #include <gtest/gtest.h>
 
@@ -40,27 +40,58 @@ DividedEdges corner() {
   return divided;
 }
 
-TEST(CommonTriangles, AreSwappedInOneOfTheFaces) {
+TEST(CommonSides, AreSwappedInOneOfTheFaces) {
   std::vector<FaceMesh> meshes{cornerFace({1.8, 0, 0.1}, false), cornerFace({1.6, 0, -0.3}, true)};
   ASSERT_EQ(elementsAt(meshes, 1, 2), 4u);
-  partCommonTriangles(corner(), meshes);
+  partCommonSides(corner(), meshes);
   EXPECT_EQ(elementsAt(meshes, 1, 2), 2u);
   EXPECT_EQ(elementsAt(meshes, 0, 1), 2u);  // segments of the boundary stay
   EXPECT_EQ(elementsAt(meshes, 0, 2), 2u);
   for (const FaceMesh& mesh : meshes) EXPECT_EQ(mesh.elements.size(), 2u);
 }
 
-TEST(CommonTriangles, StayWhereTheOtherDiagonalWouldFold) {
+TEST(CommonSides, StayWhereTheOtherDiagonalWouldFold) {
   // Seen from the corner, the vertex beyond lies outside both sides.
   std::vector<FaceMesh> meshes{cornerFace({1.1, 3, 0.1}, false), cornerFace({1.1, 3, -0.1}, true)};
-  partCommonTriangles(corner(), meshes);
+  partCommonSides(corner(), meshes);
   EXPECT_EQ(elementsAt(meshes, 1, 2), 4u);
 }
 
-TEST(CommonTriangles, OfASingleFaceAreNoFault) {
+/// Beside a narrow place between points 1 and 2 lie vertices inside, on both sides.
+FaceMesh bridgeFace(double height) {
+  FaceMesh mesh;
+  mesh.boundary = {1, 2};
+  mesh.inside = {{0.1, 0, height}, {1.9, 0, height}};
+  const VertexId low(0), high(1), left(2), right(3);
+  mesh.elements = {Element{{low, high, left, VertexId()}}, Element{{high, low, right, VertexId()}}};
+  return mesh;
+}
+
+TEST(CommonSides, OfDifferentTrianglesAreSwappedInOneOfTheFaces) {
+  std::vector<FaceMesh> meshes{bridgeFace(0.2), bridgeFace(-0.1)};
+  ASSERT_EQ(elementsAt(meshes, 1, 2), 4u);
+  partCommonSides(corner(), meshes);
+  EXPECT_EQ(elementsAt(meshes, 1, 2), 2u);
+}
+
+TEST(CommonSides, ThatAreSegmentsOfOtherFacesAreSwapped) {
+  DividedEdges divided = corner();
+  divided.edges.resize(1);
+  divided.edges[0].points = {1, 2};
+  FaceMesh beside = cornerFace({0.5, 0, 1}, false);
+  beside.elements = {Element{{VertexId(0), VertexId(1), VertexId(2), VertexId()}}};
+  beside.uses = {{1, 0}};
+  std::vector<FaceMesh> meshes{bridgeFace(0.2), beside};
+  ASSERT_EQ(elementsAt(meshes, 1, 2), 3u);
+  partCommonSides(divided, meshes);
+  EXPECT_EQ(elementsAt(meshes, 1, 2), 1u);
+  EXPECT_EQ(elementsAt({meshes[1]}, 1, 2), 1u);
+}
+
+TEST(CommonSides, OfASingleFaceAreNoFault) {
   std::vector<FaceMesh> meshes{cornerFace({1.8, 0, 0.1}, false)};
   const auto before = meshes[0].elements[0].corners;
-  partCommonTriangles(corner(), meshes);
+  partCommonSides(corner(), meshes);
   EXPECT_EQ(meshes[0].elements[0].corners, before);
 }
 
