@@ -238,6 +238,15 @@ TEST(DifficultFaces, AThinBentWallIsMeshedSoFinelyThatItsSidesDoNotCross) {
   }));
 }
 
+/// Where it takes more than a round or two until fewer elements cross.
+TEST(DifficultFaces, AWallOfLessThanAThousandthOfItsRadiusIsMeshed) {
+  const TopoDS_Shape inner = BRepPrimAPI_MakeCylinder(0.9994, 1).Shape();
+  const ModelMesh result =
+      mesh(BRepAlgoAPI_Cut(BRepPrimAPI_MakeCylinder(1, 1).Shape(), inner).Shape(), 0.1);
+  expectComplete(result, 2 * pi * 1.9994 + 2 * pi * (1 - 0.9994 * 0.9994));
+  EXPECT_EQ(crossingsOf(result), 0u);
+}
+
 /// Which no size can mend.
 TEST(DifficultFaces, FacesThatCrossAreNamed) {
   const auto face = [](std::initializer_list<gp_Pnt> corners) {
