@@ -356,7 +356,8 @@ ModelMesh meshDomain(const DomainModel& model, const AF2Algorithm& algorithm,
       first.order = 1;
       first.progress = {};
       first.observer = nullptr;
-      addSources(narrowPlaces(DomainMesher(model, algorithm, first).mesh(), options.elementsAcross),
+      addSources(narrowPlaces(DomainMesher(model, algorithm, first).mesh(), options.elementsAcross,
+                              own.threads),
                  leastForLimits(options.size, options.minSize), own.sources);
     }
     mesh = DomainMesher(model, algorithm, own).mesh();

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "geometry/box_tree.h"
+#include "geometry/parallel.h"
 
 namespace af2::geometry {
 namespace {
@@ -49,7 +50,8 @@ std::optional<double> hitOf(const Point3& start, const Point3& direction, const 
 
 class Finder {
  public:
-  Finder(const ModelMesh& mesh, double elementsAcross) : mesh_(mesh), across_(elementsAcross) {}
+  Finder(const ModelMesh& mesh, double elementsAcross, int threads)
+      : mesh_(mesh), across_(elementsAcross), threads_(threads) {}
 
   std::vector<SizeSource> find() {
     findRims();
@@ -76,11 +78,26 @@ class Finder {
     }
   }
 
+  using Sources = std::vector<SizeSource>;
+
+  /// Adds what find(i, sources) adds for each of `count`, in their order.
+  template <class Find>
+  void findAll(std::size_t count, const Find& find) {
+    constexpr std::size_t kAtOnce = 4096;
+    std::vector<Sources> parts((count + kAtOnce - 1) / kAtOnce);
+    forEachInParallel(parts.size(), threads_, [&](std::size_t part) {
+      const std::size_t end = std::min(count, (part + 1) * kAtOnce);
+      for (std::size_t i = part * kAtOnce; i < end; ++i) find(i, parts[part]);
+    });
+    for (const Sources& part : parts) sources_.insert(sources_.end(), part.begin(), part.end());
+  }
+
   /// `width` is how far it is to the other side of a narrow place; `corner` is on the rim of what
   /// was measured.
-  void add(const Point3& place, const Point3& corner, double width, double wantedThere) {
+  void add(const Point3& place, const Point3& corner, double width, double wantedThere,
+           Sources& sources) const {
     if (width > 0 && width < across_ * wantedThere)
-      sources_.push_back({place, width / across_, distance(place, corner)});
+      sources.push_back({place, width / across_, distance(place, corner)});
   }
 
   void findStrips() {
@@ -91,18 +108,20 @@ class Finder {
       boxes.back().add(at(rim.to));
     }
     const BoxTree tree(boxes);
-    for (const Rim& rim : rims_) {
-      const Point3 middle = 0.5 * (at(rim.from) + at(rim.to));
-      const double size = std::min(wanted(rim.from), wanted(rim.to));
-      const double reach = across_ * size;
-      Box3 near;
-      near.add(middle + Point3{reach, reach, reach});
-      near.add(middle - Point3{reach, reach, reach});
-      double width = reach;
-      tree.forEachIn(
-          near, [&](std::uint32_t i) { width = std::min(width, widthTo(rim, middle, rims_[i])); });
-      add(middle, at(rim.from), width, size);
-    }
+    findAll(rims_.size(), [&](std::size_t i, Sources& found) { findStrip(rims_[i], tree, found); });
+  }
+
+  void findStrip(const Rim& rim, const BoxTree& tree, Sources& found) const {
+    const Point3 middle = 0.5 * (at(rim.from) + at(rim.to));
+    const double size = std::min(wanted(rim.from), wanted(rim.to));
+    const double reach = across_ * size;
+    Box3 near;
+    near.add(middle + Point3{reach, reach, reach});
+    near.add(middle - Point3{reach, reach, reach});
+    double width = reach;
+    tree.forEachIn(
+        near, [&](std::uint32_t i) { width = std::min(width, widthTo(rim, middle, rims_[i])); });
+    add(middle, at(rim.from), width, size, found);
   }
 
   double widthTo(const Rim& rim, const Point3& middle, const Rim& other) const {
@@ -122,10 +141,11 @@ class Finder {
       for (const VertexId v : element.vertices()) boxes.back().add(at(v));
     }
     const BoxTree tree(boxes);
-    for (const Element& element : mesh_.elements) findGap(element, tree);
+    findAll(mesh_.elements.size(),
+            [&](std::size_t i, Sources& found) { findGap(mesh_.elements[i], tree, found); });
   }
 
-  void findGap(const Element& element, const BoxTree& tree) {
+  void findGap(const Element& element, const BoxTree& tree, Sources& found) const {
     const auto corners = element.vertices();
     Point3 middle;
     double size = std::numeric_limits<double>::infinity();
@@ -146,7 +166,7 @@ class Finder {
         width = std::min(width, distanceAlong(middle, direction, other).value_or(width));
       });
     }
-    add(middle, at(corners[0]), width, size);
+    add(middle, at(corners[0]), width, size, found);
   }
 
   static bool meet(std::span<const VertexId> a, std::span<const VertexId> b) {
@@ -164,13 +184,14 @@ class Finder {
   const ModelMesh& mesh_;
   double across_;
   std::vector<Rim> rims_;
-  std::vector<SizeSource> sources_;
+  Sources sources_;
+  int threads_;
 };
 
 }  // namespace
 
-std::vector<SizeSource> narrowPlaces(const ModelMesh& mesh, double elementsAcross) {
-  return Finder(mesh, elementsAcross).find();
+std::vector<SizeSource> narrowPlaces(const ModelMesh& mesh, double elementsAcross, int threads) {
+  return Finder(mesh, elementsAcross, threads).find();
 }
 
 }  // namespace af2::geometry

@@ -14,7 +14,8 @@ namespace af2::geometry {
 /// and from the middle of each element along its normal, both ways; things that meet in a vertex
 /// are not opposite to each other. Only as exact as the elements are small.
 ///
-/// mesh  must know its wanted sizes
-std::vector<SizeSource> narrowPlaces(const ModelMesh& mesh, double elementsAcross);
+/// mesh     must know its wanted sizes
+/// threads  at most so many; 0: as many as the caller's TBB arena has
+std::vector<SizeSource> narrowPlaces(const ModelMesh& mesh, double elementsAcross, int threads = 1);
 
 }  // namespace af2::geometry

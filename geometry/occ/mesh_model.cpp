@@ -329,7 +329,7 @@ ModelMesh meshOnceOrTwice(const Model& model, const AF2Algorithm& algorithm,
   first.progress = {};
   first.observer = {};
   const ModelMesh coarse = ModelMesher(model, algorithm, std::move(first)).mesh();
-  addSources(narrowPlaces(coarse, options.sizes.elementsAcross),
+  addSources(narrowPlaces(coarse, options.sizes.elementsAcross, options.threads),
              leastForLimits(options.sizes.size, options.sizes.minSize), finer.sizes.sources);
   return ModelMesher(model, algorithm, std::move(finer)).mesh();
 }

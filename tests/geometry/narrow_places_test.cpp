@@ -49,6 +49,18 @@ TEST(NarrowPlaces, AreGapsAndWalls) {
   for (const SizeSource& place : places) EXPECT_NEAR(place.size, 0.125, 1e-12);
 }
 
+TEST(NarrowPlaces, ComeInTheSameOrderOnAnyNumberOfThreads) {
+  ModelMesh mesh;
+  addStrip(mesh, 5000, 0.5, 0, 1);
+  addStrip(mesh, 5000, 0.5, 0.25, 2);
+  const std::vector<SizeSource> one = narrowPlaces(mesh, 3), two = narrowPlaces(mesh, 3, 2);
+  ASSERT_EQ(one.size(), two.size());
+  for (std::size_t i = 0; i < one.size(); ++i) {
+    EXPECT_EQ(one[i].position, two[i].position);
+    EXPECT_EQ(one[i].size, two[i].size);
+  }
+}
+
 TEST(NarrowPlaces, AreNotWhereNeighboursMeet) {
   ModelMesh mesh;
   mesh.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 1, 0.1}};
