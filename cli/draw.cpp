@@ -24,14 +24,17 @@ struct DrawOptions {
   std::string file, rule, output, levels;
   std::vector<std::string> match;
   bool coverage = false, noNames = false, noTolerances = false;
-  double size = 0;
+  int size = 0;
 };
 
-dsl::PictureOptions pictureOptions(const DrawOptions& options, double usual) {
+dsl::PictureOptions pictureOptions(const DrawOptions& options, const RuleSet& rules, int usual) {
   dsl::PictureOptions picture;
-  const double size = options.size > 0 ? options.size : usual;
-  picture.width = picture.height = size;
+  picture.width = picture.height = options.size > 0 ? options.size : usual;
   if (!options.levels.empty()) picture.levels = parseIds("--levels", options.levels);
+  for (const int level : picture.levels)
+    if (level > rules.maxLevel())
+      throw UsageError(
+          fmt::format("--levels {}: there are levels 1 to {}", level, rules.maxLevel()));
   picture.names = !options.noNames;
   picture.tolerances = !options.noTolerances;
   return picture;
@@ -39,7 +42,7 @@ dsl::PictureOptions pictureOptions(const DrawOptions& options, double usual) {
 
 std::string drawOne(const DrawOptions& options, const RuleSet& rules, dsl::PictureFormat format) {
   const AF2Rule& rule = findRule(rules, options.rule);
-  const dsl::PictureOptions picture = pictureOptions(options, 420);
+  const dsl::PictureOptions picture = pictureOptions(options, rules, 420);
   if (options.match.empty()) return dsl::drawRule(rules, rule, format, picture);
   dsl::DrawnMatch match;
   match.level = picture.levels.empty() ? rule.definition().firstLevel : picture.levels.front();
@@ -65,7 +68,7 @@ int draw(DrawOptions options) {
     drawn = fmt::format("rule \"{}\"", options.rule);
     picture = drawOne(options, rules, format);
   } else {
-    picture = dsl::drawRuleSet(rules, format, pictureOptions(options, 300));
+    picture = dsl::drawRuleSet(rules, format, pictureOptions(options, rules, 300));
   }
   writeText(options.output, picture);
   if (options.output != "-") fmt::print("drew {} -> {}\n", drawn, options.output);
@@ -92,7 +95,7 @@ Action declareDraw(CLI::App& command) {
       ->allow_extra_args(false);
   command.add_option("--size", options->size, "width and height of one rule in pixels")
       ->type_name("N")
-      ->check(CLI::Range(50.0, 4000.0).description(""));
+      ->check(CLI::Range(50, 4000).description(""));
   command.add_flag("--no-names", options->noNames, "leave out the names of vertices");
   command.add_flag("--no-tolerances", options->noTolerances, "leave out the tolerance ellipses");
   command.add_flag("--coverage", options->coverage,

@@ -14,7 +14,7 @@
 namespace af2::cli {
 namespace {
 
-/// More ids than this in one range are a slip of the finger.
+/// More numbers than these in one range are a slip of the finger.
 constexpr int kLongestRange = 10'000'000;
 
 template <class Number>
@@ -48,8 +48,8 @@ std::vector<int> parseIds(const std::string& option, const std::string& text) {
     const auto range = parseRange(part);
     if (!range) {
       throw UsageError(fmt::format(
-          "{} '{}': '{}' is no id and no range of ids; write e.g. 3,7-9 (ids begin at 1)", option,
-          text, part));
+          "{} '{}': '{}' is no number and no range of numbers; write e.g. 3,7-9 (counted from 1)",
+          option, text, part));
     }
     for (int id = range->first; id <= range->last; ++id) ids.insert(id);
     begin = end + 1;

@@ -11,6 +11,7 @@
 #include "cli/exit_code.h"
 #include "cli/rule_files.h"
 #include "cli/test_coverage.h"
+#include "cli/usage_error.h"
 #include "cli/verbs.h"
 #include "dsl/rule_tests.h"
 
@@ -85,6 +86,9 @@ class TestRun {
     if (options_.bench && isPretty()) printTimes(loaded);
   }
 
+  /// No test was run, and none was kept from it by an error.
+  bool isEmpty() const { return totals_.passed + totals_.failed + totals_.broken == 0; }
+
   int finish() const {
     if (isPretty()) {
       fmt::print("{} passed, {} failed", totals_.passed, totals_.failed);
@@ -113,6 +117,8 @@ class TestRun {
 int test(const TestOptions& options) {
   TestRun run(options);
   for (const std::string& file : expandRuleFiles(options.files)) run.file(file);
+  if (!options.filter.empty() && run.isEmpty())
+    throw UsageError(fmt::format("--filter '{}': no test has that in its title", options.filter));
   return run.finish();
 }
 

@@ -165,14 +165,18 @@ bool ExpressionCompiler::fits(const Value& value, char kind, const Value* firstA
   return false;
 }
 
+void ExpressionCompiler::tellOfCount(const Expr& expr, const std::string& usage) {
+  tell("Y6", expr.span,
+       "'" + expr.name + "' is called with " + std::to_string(expr.parts.size()) +
+           (expr.parts.size() == 1 ? " argument" : " arguments"),
+       "", "the call is " + usage);
+}
+
 Value ExpressionCompiler::callBuiltin(const Expr& expr, const Builtin& builtin) {
   const std::string usage(builtin.usage);
   if (!isAllowedHere(expr, builtin)) return {};
   if (!isCountRight(builtin.parameters, expr.parts.size())) {
-    tell("Y6", expr.span,
-         "'" + expr.name + "' is called with " + std::to_string(expr.parts.size()) +
-             (expr.parts.size() == 1 ? " argument" : " arguments"),
-         "", "the call is " + usage);
+    tellOfCount(expr, usage);
     return {};
   }
   std::vector<Value> arguments;
@@ -239,10 +243,7 @@ Value ExpressionCompiler::callFunction(const Expr& expr, const FunctionName& fun
                std::to_string(corners.size()) + " corners",
            "", "it is defined as " + usage + "; its last three or four parameters are the corners");
     else
-      tell("Y6", expr.span,
-           "'" + expr.name + "' is called with " + std::to_string(expr.parts.size()) +
-               (expr.parts.size() == 1 ? " argument" : " arguments"),
-           "", "the call is " + usage);
+      tellOfCount(expr, usage);
     return {};
   }
   Value result = inlined(expr, function, std::move(arguments));

@@ -131,6 +131,7 @@ class ExpressionCompiler {
   bool isAllowedHere(const Expr& expr, const Builtin& builtin);
   bool fits(const Value& value, char kind, const Value* firstAlike, const Expr& argument,
             const std::string& usage);
+  void tellOfCount(const Expr& expr, const std::string& usage);
   Value needValue(
       const Expr& expr, Value value,
       const char* cause = "a division by zero, a root of a negative number or the like");

@@ -215,10 +215,7 @@ Value ExpressionCompiler::callShape(const Expr& expr) {
                                 ? "sn"
                                 : std::string(std::max<std::size_t>(1, expr.parts.size()), 'p');
   if (expr.parts.size() != kinds.size()) {
-    tell("Y6", expr.span,
-         "'" + expr.name + "' is called with " + std::to_string(expr.parts.size()) +
-             (expr.parts.size() == 1 ? " argument" : " arguments"),
-         "", "the call is " + usage);
+    tellOfCount(expr, usage);
     return {};
   }
   ShapeValue result;

@@ -187,7 +187,7 @@ Point2 ellipseExtent(const ToleranceForm& form, double tolerance) {
   return {std::sqrt(tolerance * form.yy / det), std::sqrt(tolerance * form.xx / det)};
 }
 
-/// Every place that a free vertex of the rule can match, and the end of its chain at its reference.
+/// Every place that a free vertex of the rule can match. Others are found along the front.
 Window matchWindow(const CompiledRule& rule, int level, double tolerance) {
   Window window;
   for (const BindingStep& step : rule.patternAt(level).steps) {

@@ -137,7 +137,7 @@ class Bisector {
     };
     const double roughly =
         distance(from.position, to.position) / std::min(size_.sizeAt(from), size_.sizeAt(to));
-    const int samples = std::clamp(static_cast<int>(2 * roughly), 32, 20000);
+    const int samples = static_cast<int>(std::clamp(2 * roughly, 32.0, 20000.0));
     std::vector<double> sum{0};
     SurfacePoint last = from;
     for (int i = 1; i <= samples; ++i) {

@@ -2,19 +2,14 @@
 
 #include <algorithm>
 
+#include "geometry/points_on_curve.h"
+
 namespace af2::geometry {
 
 namespace {
 
 /// Below this share of the mesh size.
 constexpr double kTiny = 0.1;
-
-double lengthOf(const DomainCurve& curve) {
-  double length = 0;
-  for (std::size_t k = 1; k < curve.knots.size(); ++k)
-    length += distance(curve.pointAt(curve.knots[k - 1]), curve.pointAt(curve.knots[k]));
-  return length;
-}
 
 Point3 middleOf(const DomainCurve& curve) {
   return curve.pointAt((curve.knots.front() + curve.knots.back()) / 2);

@@ -31,14 +31,14 @@ CurveFoot footOn(const DomainCurve& curve, const Point3& point) {
   return best;
 }
 
+}  // namespace
+
 double lengthOf(const DomainCurve& curve) {
   double length = 0;
   for (std::size_t k = 1; k < curve.knots.size(); ++k)
     length += distance(curve.pointAt(curve.knots[k - 1]), curve.pointAt(curve.knots[k]));
   return length;
 }
-
-}  // namespace
 
 PlacedPoints placeOnCurve(const DomainCurve& curve, const std::vector<Point3>& points,
                           std::size_t least) {

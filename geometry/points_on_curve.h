@@ -9,6 +9,9 @@
 
 namespace af2::geometry {
 
+/// From knot to knot.
+double lengthOf(const DomainCurve& curve);
+
 /// Finds where the points between the ends of a curve lie on it.
 ///
 /// least  segments that the curve needs

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "engine/error.h"
+#include "geometry/box_tree.h"
 
 namespace af2::geometry {
 namespace {
@@ -46,15 +47,6 @@ void check(const SizeSources& sources) {
     if (!std::all_of(grid.sizes.begin(), grid.sizes.end(), isSize))
       throw InputError(numbered("field", i) + "all sizes must be positive");
   }
-}
-
-double beyond(double value, double low, double high) {
-  return value < low ? low - value : std::max(0.0, value - high);
-}
-
-double distanceTo(const SizeBox& box, const Point3& p) {
-  return length(Point3{beyond(p.x, box.low.x, box.high.x), beyond(p.y, box.low.y, box.high.y),
-                       beyond(p.z, box.low.z, box.high.z)});
 }
 
 /// Lowers sizes until none is larger than that of a neighbour allows.
@@ -106,6 +98,11 @@ class GridSize {
   explicit GridSize(const SizeGrid& grid) : grid_(grid) {}
 
   double at(const Point3& p, double growth) const {
+    const Point3 &low = grid_.origin, &spacing = grid_.spacing;
+    const auto last = [&](std::size_t i) { return static_cast<double>(grid_.counts[i] - 1); };
+    const Box3 box{
+        low,
+        {low.x + last(0) * spacing.x, low.y + last(1) * spacing.y, low.z + last(2) * spacing.z}};
     const Place x = placeOf(p.x, grid_.origin.x, grid_.spacing.x, grid_.counts[0]);
     const Place y = placeOf(p.y, grid_.origin.y, grid_.spacing.y, grid_.counts[1]);
     const Place z = placeOf(p.z, grid_.origin.z, grid_.spacing.z, grid_.counts[2]);
@@ -118,13 +115,13 @@ class GridSize {
           weight *
           grid_.sizes[((z.cell + k) * grid_.counts[1] + y.cell + j) * grid_.counts[0] + x.cell + i];
     }
-    return size + growth * length(Point3{x.outside, y.outside, z.outside});
+    return size + growth * box.distanceTo(p);
   }
 
  private:
   struct Place {
     std::size_t cell = 0;
-    double within = 0, outside = 0;
+    double within = 0;
     double weight(bool upper) const { return upper ? within : 1 - within; }
   };
   static Place placeOf(double value, double origin, double spacing, std::size_t count) {
@@ -133,7 +130,6 @@ class GridSize {
     Place place;
     place.cell = static_cast<std::size_t>(along);
     place.within = along - static_cast<double>(place.cell);
-    place.outside = beyond(value, origin, origin + last * spacing);
     return place;
   }
 
@@ -152,7 +148,8 @@ struct PreparedSources {
 
   double at(const Point3& p) const {
     double size = points.at(p);
-    for (const SizeBox& box : boxes) size = std::min(size, box.size + growth * distanceTo(box, p));
+    for (const SizeBox& box : boxes)
+      size = std::min(size, box.size + growth * Box3{box.low, box.high}.distanceTo(p));
     for (const SizeGrid& grid : grids) size = std::min(size, GridSize(grid).at(p, growth));
     return size;
   }

@@ -84,7 +84,8 @@ Json draw(Session& session, const Json& argument) {
   }
   if (path.empty()) return result;
   try {
-    cli::writeText(path, result["svg"].get<std::string>());
+    // Absolute, so that no name means standard output: the conversation goes there.
+    cli::writeText(std::filesystem::absolute(path).string(), result["svg"].get<std::string>());
   } catch (const cli::UsageError& error) {
     refuse(error.what());
   }

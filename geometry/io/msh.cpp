@@ -8,6 +8,7 @@
 #include <string>
 #include <tuple>
 
+#include "geometry/box_tree.h"
 #include "geometry/io/formats.h"
 #include "geometry/io/msh_groups.h"
 
@@ -45,21 +46,12 @@ std::vector<VertexId> verticesOf(const LineElement& line) {
   return vertices;
 }
 
-struct Box {
-  Point3 low{1e300, 1e300, 1e300}, high{-1e300, -1e300, -1e300};
-
-  void add(const Point3& p) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
-  }
-};
-
 /// The mesh of one model edge or face.
 struct Entity {
   std::int32_t dimension = kSurface;
   std::int32_t id = 0;               ///< of the edge or face
   std::vector<std::int32_t> groups;  ///< physical groups: of a face, its own first
-  Box box;
+  Box3 box;
   std::vector<std::uint32_t> vertices;  ///< those that no earlier entity has
   std::vector<std::uint32_t> lines, triangles, quads;
 };

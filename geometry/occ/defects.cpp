@@ -149,8 +149,8 @@ class Finder {
     length = GCPnts_AbscissaPoint::Length(curve);
     const Point3 middle = toPoint(curve.Value((first + last) / 2));
     if (length < kTiny * size_) add({DefectKind::TinyEdge, 0, id, 0, length, middle, ""});
-    lookForGap(id, edge, TopExp::FirstVertex(edge), toPoint(curve.Value(first)));
-    lookForGap(id, edge, TopExp::LastVertex(edge), toPoint(curve.Value(last)));
+    lookForGap(id, TopExp::FirstVertex(edge), toPoint(curve.Value(first)));
+    lookForGap(id, TopExp::LastVertex(edge), toPoint(curve.Value(last)));
   }
 
   static Point3 startOf(const TopoDS_Edge& edge) {
@@ -158,7 +158,7 @@ class Finder {
     return vertex.IsNull() ? Point3{} : toPoint(BRep_Tool::Pnt(vertex));
   }
 
-  void lookForGap(int id, const TopoDS_Edge&, const TopoDS_Vertex& vertex, const Point3& end) {
+  void lookForGap(int id, const TopoDS_Vertex& vertex, const Point3& end) {
     if (vertex.IsNull()) return;
     const double gap = distance(end, toPoint(BRep_Tool::Pnt(vertex)));
     if (gap <= kGap * size_) return;

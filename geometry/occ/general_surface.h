@@ -60,9 +60,6 @@ class GeneralSurface final : public ParametricSurface {
   /// The surface ends at the ends of the box, also where it would go on or come back to itself.
   void endAtBox();
 
-  const ParameterRange& uRange() const { return u_; }
-  const ParameterRange& vRange() const { return v_; }
-
  private:
   std::optional<Point3> unitNormal(const Frame& frame) const;
   /// Where the surface comes back to itself at an angle, it ends.

@@ -2,6 +2,7 @@
 
 #include <BRepAdaptor_Curve.hxx>
 #include <BRep_Tool.hxx>
+#include <Standard_Failure.hxx>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -71,18 +72,17 @@ class ModelMesher final : public RetriedModel {
     shape_ =
         withCreases(model_.sharedShape(), faces_, options_.sizes, options_.threads, options_.stop);
     findEdgesOfFaces();
-    const std::vector<int>& faces = faces_;
-    onFaces_ = onFacesAmong(faces);
-    areas_ = areasOf(faces);
-    leaveOutAreas(faces);
-    work_ = workOf(faces, areas_);
+    onFaces_ = onFacesAmong(faces_);
+    areas_ = areasOf(faces_);
+    leaveOutAreas(faces_);
+    work_ = expectedWork();
     const Stopwatch edgesWatch;
     isFineInside_ = isFineInside(options_.sizes);
     uneven_ = unevenFaces(*shape_, options_.sizes, options_.threads, options_.stop);
     options_.sizes =
         spreadSizes(*shape_, std::move(options_.sizes), uneven_, options_.threads, options_.stop);
-    expectMoreOnUneven(faces);
-    refuseTooManyByPosition(faces);
+    expectMoreOnUneven();
+    refuseTooManyByPosition();
     sampled_ = sampleEdges(*shape_, options_.sizes, options_.threads, options_.stop);
     FaceMeshes state;
     state.divided = divide(options_.sizes.function, {});
@@ -257,41 +257,44 @@ class ModelMesher final : public RetriedModel {
     return areas;
   }
 
-  std::vector<double> workOf(const std::vector<int>& faces,
-                             const std::vector<double>& areas) const {
-    std::vector<double> work(faces.size(), 1);
-    forEachInParallel(faces.size(), options_.threads, [&](std::size_t i) {
-      if (!(areas[i] > 0) || options_.stop.stop_requested()) return;
-      work[i] += expectedElements(options_.sizes, faces[i], shape_->surface(faces[i]), areas[i]);
-    });
+  /// How many elements a face takes; 0 if nobody knows.
+  ///
+  /// samples  along each parameter, where sizes differ from place to place; 0: as few as will do
+  double expectedOn(std::size_t i, int samples) const {
+    if (!(areas_[i] > 0) || options_.stop.stop_requested()) return 0;
+    try {
+      return expectedElements(options_.sizes, faces_[i], shape_->surface(faces_[i]), areas_[i],
+                              samples);
+    } catch (const GeometryError&) {  // reported when the face is meshed
+    } catch (const Standard_Failure&) {
+    }
+    return 0;
+  }
+
+  std::vector<double> expectedWork() const {
+    std::vector<double> work(faces_.size());
+    forEachInParallel(work.size(), options_.threads,
+                      [&](std::size_t i) { work[i] = 1 + expectedOn(i, 0); });
     refuseTooMany(std::accumulate(work.begin(), work.end(), 0.0));
     return work;
   }
 
   /// Once it is known how sizes spread there.
-  void expectMoreOnUneven(const std::vector<int>& faces) {
-    forEachInParallel(faces.size(), options_.threads, [&](std::size_t i) {
-      if (!(areas_[i] > 0) || !std::ranges::binary_search(uneven_, faces[i])) return;
-      const FaceSurface surface = shape_->surface(faces[i]);
-      work_[i] =
-          1 + expectedElements(options_.sizes, faces[i], surface, areas_[i], kSamplesWhereUneven);
+  void expectMoreOnUneven() {
+    forEachInParallel(faces_.size(), options_.threads, [&](std::size_t i) {
+      if (std::ranges::binary_search(uneven_, faces_[i]))
+        work_[i] = 1 + expectedOn(i, kSamplesWhereUneven);
     });
     refuseTooMany(std::accumulate(work_.begin(), work_.end(), 0.0));
   }
 
   /// Points, boxes, functions and turns may want small sizes anywhere.
-  void refuseTooManyByPosition(const std::vector<int>& faces) const {
+  void refuseTooManyByPosition() const {
     constexpr int kSamples = 8;
     if (!isFineInside_) return;
-    std::vector<double> elements(faces.size(), 0);
-    forEachInParallel(faces.size(), options_.threads, [&](std::size_t i) {
-      if (!(areas_[i] > 0) || options_.stop.stop_requested()) return;
-      try {
-        const FaceSurface surface = shape_->surface(faces[i]);
-        elements[i] = expectedElements(options_.sizes, faces[i], surface, areas_[i], kSamples);
-      } catch (const GeometryError&) {  // reported when the face is meshed
-      }
-    });
+    std::vector<double> elements(faces_.size());
+    forEachInParallel(elements.size(), options_.threads,
+                      [&](std::size_t i) { elements[i] = expectedOn(i, kSamples); });
     refuseTooMany(std::accumulate(elements.begin(), elements.end(), 0.0));
   }
 

@@ -25,7 +25,7 @@ usage "$af2" mesh "$cylinder" --size 1 --sise 2; told "there is no option '--sis
 usage "$af2" mesh "$cylinder" --sise=2; told "there is no option '--sise'; did you mean '--size'?"
 usage "$af2" mesh "$cylinder" --size 1 -z; told "there is no option '-z'"
 usage "$af2" mesh "$cylinder" two.step --size 1; told "'two.step' is one word too many"
-usage "$af2" mesh "$cylinder" --size 1 --faces 0; told 'ids begin at 1'
+usage "$af2" mesh "$cylinder" --size 1 --faces 0; told 'counted from 1'
 usage "$af2" mesh "$cylinder" --size 1 --faces 99; told 'there is no face 99; the model has faces 1 to 3'
 usage "$af2" mesh "$cylinder" --size 1 --edge-size 99=0.1; told 'there is no edge 99'
 usage "$af2" mesh "$cylinder" --size 1 --face-size 1; told '3,7-9=0.1'

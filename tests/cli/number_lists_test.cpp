@@ -26,8 +26,9 @@ TEST(ParseIds, RefusesWhatIsNoId) {
   for (const char* text : {"", "0", "-1", "a", "1,,2", "3-", "9-7", "1.5", "1 ", "99999999999"}) {
     EXPECT_THROW(parseIds("--faces", text), UsageError) << text;
   }
-  EXPECT_EQ(refusal([] { parseIds("--faces", "1,x"); }),
-            "--faces '1,x': 'x' is no id and no range of ids; write e.g. 3,7-9 (ids begin at 1)");
+  EXPECT_EQ(
+      refusal([] { parseIds("--faces", "1,x"); }),
+      "--faces '1,x': 'x' is no number and no range of numbers; write e.g. 3,7-9 (counted from 1)");
 }
 
 TEST(ParseSize, TakesPositiveNumbers) {

@@ -101,7 +101,7 @@ expect 1 "$af2" test failing.af2; says 'FAIL'; says 'got:'
 expect 1 "$af2" test good.af2 failing.af2 --format json
 [ "$(json out 1 passed)" = False ] || fail 'the second test does not fail'
 expect 1 "$af2" test bad.af2; told 'bad.af2:9'
-expect 0 "$af2" test failing.af2 -k 'no such title'; says '0 passed'
+expect 2 "$af2" test failing.af2 -k 'no such title'; told 'no test has that in its title'
 
 # fmt
 expect 0 "$af2" fmt good.af2
@@ -150,6 +150,9 @@ expect 0 "$af2" new rule 'corner' --into mine.af2
 expect 0 "$af2" check --quick --strict mine.af2
 expect 0 "$af2" test mine.af2
 expect 0 "$af2" fmt --check mine.af2
+expect 2 "$af2" draw mine.af2 --size 10; told 'a whole number from 50 to 4000'
+expect 2 "$af2" draw mine.af2 --levels 1,99; told 'there are levels 1 to 50'
+expect 2 "$af2" test mine.af2 -k 'no such test'; told 'no test has that in its title'
 for file in none.af2 tri/classic -; do
   expect 2 "$af2" new rule 'corner' --into $file; told "there is no file '$file'"
 done

@@ -38,6 +38,9 @@ TEST(LspCommands, DrawReturnsAPicture) {
   const std::string path = (folder.path / "picture.svg").string();
   execute(c, "af2.draw", {{"rule", "right 120"}, {"path", path}});
   EXPECT_GT(std::filesystem::file_size(path), 1000U);
+  // No name means standard output, to which the answers go.
+  EXPECT_EQ(execute(c, "af2.draw", {{"rule", "right 120"}, {"path", "-"}})["path"], "-");
+  EXPECT_TRUE(std::filesystem::remove("-"));
   Json params{{"command", "af2.draw"},
               {"arguments", {{{"uri", Conversation::kUri}, {"rule", "none"}}}}};
   EXPECT_TRUE(says(c.fault("workspace/executeCommand", params), "\"none\" cannot be drawn"));

@@ -11,9 +11,9 @@
 
 #include "engine/error.h"
 #include "geometry/fingerprint.h"
-#include "geometry/mesh_edges.h"
 #include "geometry/occ/mesh_model.h"
 #include "tests/geometry/occ/meshing.h"
+#include "tests/support/mesh_edges.h"
 #include "tests/support/model_mesh.h"
 
 namespace af2::geometry {
@@ -45,8 +45,8 @@ std::map<int, int> segmentsByEdge(const ModelMesh& mesh) {
 
 double meanLength(const ModelMesh& mesh) {
   double sum = 0;
-  const std::vector<MeshEdge> edges = meshEdges(mesh);
-  for (const MeshEdge& edge : edges)
+  const std::vector<testing::MeshEdge> edges = testing::meshEdges(mesh);
+  for (const testing::MeshEdge& edge : edges)
     sum += distance(mesh.vertices[edge.from.value], mesh.vertices[edge.to.value]);
   return sum / static_cast<double>(edges.size());
 }
@@ -54,7 +54,7 @@ double meanLength(const ModelMesh& mesh) {
 /// The longest edge at each vertex over the shortest one, at its worst.
 double worstStep(const ModelMesh& mesh) {
   std::vector<double> shortest(mesh.vertices.size(), 1e300), longest(mesh.vertices.size(), 0);
-  for (const MeshEdge& edge : meshEdges(mesh)) {
+  for (const testing::MeshEdge& edge : testing::meshEdges(mesh)) {
     const double length = distance(mesh.vertices[edge.from.value], mesh.vertices[edge.to.value]);
     for (const VertexId v : {edge.from, edge.to}) {
       shortest[v.value] = std::min(shortest[v.value], length);
@@ -135,7 +135,7 @@ TEST(Sizes, AtAPointSpreadEvenlyThroughSpace) {
   const ModelMesh result = mesh(testing::box(10, 10, 2), sizes);
   EXPECT_LT(worstStep(result), 3);
   double nearest = 1e300, farthest = 0;
-  for (const MeshEdge& edge : meshEdges(result)) {
+  for (const testing::MeshEdge& edge : testing::meshEdges(result)) {
     const Point3 &p = result.vertices[edge.from.value], &q = result.vertices[edge.to.value];
     const double reach = distance(0.5 * (p + q), Point3{5, 5, 2});
     if (reach < 0.1) nearest = std::min(nearest, distance(p, q));
@@ -182,7 +182,7 @@ TEST(Sizes, InABoxAreKeptOnEdgesAndFaces) {
   sizes.sources.boxes = {{{0, 0, 0}, {1, 1, 4}, 0.1}};
   const ModelMesh result = mesh(testing::box(4, 4, 4), sizes);
   std::size_t inside = 0;
-  for (const MeshEdge& edge : meshEdges(result)) {
+  for (const testing::MeshEdge& edge : testing::meshEdges(result)) {
     const Point3 &p = result.vertices[edge.from.value], &q = result.vertices[edge.to.value];
     if (std::max({p.x, p.y, q.x, q.y}) > 0.9) continue;
     ++inside;
