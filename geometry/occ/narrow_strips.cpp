@@ -19,8 +19,9 @@ namespace {
 
 /// Segments along a strip are at most so many times longer than it is wide.
 constexpr double kMostOfWidth = 1.5;
-/// What would take segments shorter than this share of the size stays as it is.
-constexpr double kLeastShare = 0.15;
+/// What would take segments shorter than this share of the size stays as it is: less where turns
+/// are to have their elements, so that the mesh is fine in places anyway.
+constexpr double kLeastShare = 0.15, kLeastShareWithTurns = 0.1;
 
 /// One of a few samples of an edge for each of its segments.
 struct Knot {
@@ -95,12 +96,13 @@ struct Limit {
 class FaceStrips {
  public:
   FaceStrips(const ModelShape& model, int face, const std::vector<Ends>& ends,
-             const std::vector<KnottedEdge>& edges)
+             const std::vector<KnottedEdge>& edges, double leastShare)
       : model_(model),
         face_(face),
         forward_(TopoDS::Face(model.face(face).Oriented(TopAbs_FORWARD))),
         ends_(ends),
-        edges_(edges) {
+        edges_(edges),
+        leastShare_(leastShare) {
     for (const EdgeUse& use : model.edgesOfFaces[static_cast<std::size_t>(face) - 1]) {
       const auto index = static_cast<std::uint32_t>(use.id - 1);
       if (!edges_[index].knots.empty()) uses_.push_back({index, use.edge});
@@ -155,7 +157,7 @@ class FaceStrips {
         const std::optional<Side> side = across(use.edge, k, other, width);
         if (side && isInside(use, knot, side->direction)) width = side->width;
       }
-      if (width < most && kMostOfWidth * width > kLeastShare * knot.size)
+      if (width < most && kMostOfWidth * width > leastShare_ * knot.size)
         limits_.push_back({use.edge, k, kMostOfWidth * width});
     }
   }
@@ -239,6 +241,7 @@ class FaceStrips {
   TopoDS_Face forward_;
   const std::vector<Ends>& ends_;
   const std::vector<KnottedEdge>& edges_;
+  double leastShare_;  ///< of the size, that segments may have
   std::vector<Use> uses_;
   std::optional<FaceSurface> surface_;
   std::vector<Limit> limits_;
@@ -251,10 +254,11 @@ void limitInStrips(const ModelShape& model, const ModelSizes& sizes, const std::
   std::vector<KnottedEdge> edges(samples.size());
   for (std::size_t i = 0; i < samples.size(); ++i)
     if (!sizes.edgeSizes.contains(static_cast<int>(i) + 1)) edges[i] = knotted(samples[i]);
+  const double leastShare = sizes.elementsPerTurn > 0 ? kLeastShareWithTurns : kLeastShare;
   std::vector<std::vector<Limit>> byFace(static_cast<std::size_t>(model.faces.Extent()));
   forEachInParallel(byFace.size(), threads, [&](std::size_t i) {
     try {
-      byFace[i] = FaceStrips(model, static_cast<int>(i) + 1, ends, edges).limits();
+      byFace[i] = FaceStrips(model, static_cast<int>(i) + 1, ends, edges, leastShare).limits();
     } catch (const std::exception&) {  // reported when the face is meshed
     } catch (const Standard_Failure&) {
     }

@@ -93,6 +93,16 @@ TEST(NarrowStrips, StayAsTheyAreWhereSegmentsWouldBeFarTooShort) {
     EXPECT_NEAR(length, 1, 0.1);
 }
 
+TEST(NarrowStrips, MayHaveShorterSegmentsWhereTurnsAreToHaveTheirElements) {
+  const Model strip = polygon({{0, 0, 0}, {10, 0, 0}, {10, 0.08, 0}, {0, 0.08, 0}});
+  ModelSizes sizes = uniform(1);
+  for (const double length : lengthsIn(strip, sizes, {1, -1}, {9, 1})) EXPECT_GT(length, 0.9);
+  sizes.elementsPerTurn = 12;
+  sizes.edgeTurn = 0.5;
+  for (const double length : lengthsIn(strip, sizes, {1, -1}, {9, 1}))
+    EXPECT_NEAR(length, 0.12, 0.01);
+}
+
 TEST(NarrowStrips, LeaveToAnEdgeTheSizeThatItIsGiven) {
   ModelSizes sizes = uniform(1);
   for (int edge = 1; edge <= 12; ++edge) sizes.edgeSizes[edge] = 1;
