@@ -12,6 +12,7 @@
 #include "geometry/box_tree.h"
 #include "geometry/occ/corner_edges.h"
 #include "geometry/occ/crease_reach.h"
+#include "geometry/occ/cusps.h"
 #include "geometry/occ/edge_samples.h"
 #include "geometry/occ/given_points.h"
 #include "geometry/occ/merged_points.h"
@@ -167,6 +168,7 @@ class Division {
     std::vector<bool> isGiven;
     for (std::size_t i = 0; i < samples_.size(); ++i) isGiven.push_back(givenFor(i) != nullptr);
     tips_ = segmentsAtTips(model_, ends_, samples_, isGiven);
+    cusps_ = cuspsOf(model_, ends_, samples_);
   }
 
   void apply(const MergedPoints& merging) {
@@ -302,7 +304,7 @@ class Division {
   }
 
   DividedPart divideAnew(const EdgePart& part, std::size_t least) {
-    std::vector<double> parameters = divideFromTips(part, tips_, least, sizes_);
+    std::vector<double> parameters = divideFromCusps(model_, part, cusps_, tips_, least, sizes_);
     const BRepAdaptor_Curve curve(model_.edge(static_cast<int>(part.edge) + 1));
     leaveOutBesidePoints(part.ends, least, curve, parameters);
     std::vector<std::uint32_t> inner;
@@ -364,7 +366,8 @@ class Division {
   std::vector<DividedPart> dividedParts_;
   std::vector<std::optional<std::size_t>> twins_;  // by part
   std::map<std::uint32_t, double> tips_;           // by point: how long segments are at a sharp tip
-  CreaseReach creases_;                            // by point
+  CuspLengths cusps_;
+  CreaseReach creases_;  // by point
   /// How far from a point there are no vertices, as a multiple of how large it is.
   static constexpr double kTimesBlind = 2;
   std::map<std::uint32_t, double> blind_;  // how large the edges are that a point stands for
