@@ -8,6 +8,7 @@
 
 #include "engine/error.h"
 #include "engine/predicates.h"
+#include "geometry/box_tree.h"
 
 namespace af2::geometry {
 
@@ -27,6 +28,11 @@ bool liesNear(Point2 p, Point2 r, Point2 s, double blur) {
   const Point2 d = s - r;
   const double along = dot(p - r, d), whole = dot(d, d);
   return along > 0 && along < whole && std::abs(cross(d, p - r)) <= blur * std::sqrt(whole);
+}
+
+Box3 boxAround(Point2 p, Point2 q, double margin) {
+  return {{std::min(p.x, q.x) - margin, std::min(p.y, q.y) - margin, 0},
+          {std::max(p.x, q.x) + margin, std::max(p.y, q.y) + margin, 0}};
 }
 
 class Cleaner {
@@ -64,26 +70,18 @@ class Cleaner {
   }
 
   void mergePoints() {
-    std::vector<int> order(domain_.points.size());
-    std::iota(order.begin(), order.end(), 0);
-    const auto at = [&](int i) { return domain_.points[static_cast<std::size_t>(i)]; };
-    std::stable_sort(order.begin(), order.end(),
-                     [&](int a, int b) { return before(at(a), at(b)); });
-    std::vector<std::size_t> place(order.size());  // by point: where it stands in the order
-    for (std::size_t i = 0; i < order.size(); ++i) place[static_cast<std::size_t>(order[i])] = i;
-    std::vector<int> first(order.size(), kNone);  // by point: the first in the file that it is
+    std::vector<Box3> boxes;
+    for (const Point2 p : domain_.points) boxes.push_back(boxAround(p, p, 0));
+    const BoxTree tree(boxes);
+    std::vector<int> first(domain_.points.size(), kNone);  // by point: the first that it is
     for (std::size_t i = 0; i < first.size(); ++i) {
       if (first[i] != kNone) continue;
       const Point2 p = domain_.points[i];
-      const auto take = [&](int other) {
-        const Point2 q = at(other);
-        if (q != p && !(distance(q, p) <= blur_)) return;
-        if (first[static_cast<std::size_t>(other)] == kNone)
-          first[static_cast<std::size_t>(other)] = static_cast<int>(i);
-      };
-      for (std::size_t k = place[i]; k < order.size() && at(order[k]).x <= p.x + blur_; ++k)
-        take(order[k]);
-      for (std::size_t k = place[i]; k-- > 0 && at(order[k]).x >= p.x - blur_;) take(order[k]);
+      tree.forEachIn(boxAround(p, p, blur_), [&](std::uint32_t other) {
+        const Point2 q = domain_.points[other];
+        if ((q == p || distance(q, p) <= blur_) && first[other] == kNone)
+          first[other] = static_cast<int>(i);
+      });
     }
     for (std::size_t i = 0; i < first.size(); ++i) {
       if (first[i] == static_cast<int>(i)) {
@@ -135,30 +133,36 @@ class Cleaner {
   }
 
   Point2 point(int i) const { return result_.points[static_cast<std::size_t>(i)]; }
-  double low(std::size_t i) const {
-    return std::min(point(segments_[i].from).x, point(segments_[i].to).x);
-  }
-  double high(std::size_t i) const {
-    return std::max(point(segments_[i].from).x, point(segments_[i].to).x);
+  Box3 boxOf(const PlanarPiece& piece, double margin) const {
+    return boxAround(point(piece.from), point(piece.to), margin);
   }
 
-  /// Sweeps over x; segments whose ranges of x do not overlap are not compared.
+  /// From left to right.
   void findMeetings() {
+    const auto low = [&](std::size_t i) {
+      return std::min(point(segments_[i].from).x, point(segments_[i].to).x);
+    };
     std::vector<std::size_t> order(segments_.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::stable_sort(order.begin(), order.end(),
                      [&](std::size_t a, std::size_t b) { return low(a) < low(b); });
-    for (std::size_t i = 0; i < order.size(); ++i)
-      for (std::size_t k = i + 1; k < order.size() && low(order[k]) <= high(order[i]) + blur_; ++k)
-        meet(order[i], order[k]);
+    std::vector<Box3> boxes;
+    for (const std::size_t i : order) boxes.push_back(boxOf(segments_[i], 0));
+    const BoxTree tree(boxes);
+    std::vector<std::uint32_t> later;
+    for (std::size_t i = 0; i < order.size(); ++i) {
+      later.clear();
+      tree.forEachIn(boxOf(segments_[order[i]], blur_), [&](std::uint32_t k) {
+        if (k > i) later.push_back(k);
+      });
+      std::ranges::sort(later);
+      for (const std::uint32_t k : later) meet(order[i], order[k]);
+    }
   }
 
   void meet(std::size_t i, std::size_t k) {
     const PlanarPiece &s = segments_[i], &t = segments_[k];
     const Point2 a = point(s.from), b = point(s.to), c = point(t.from), d = point(t.to);
-    if (std::max(a.y, b.y) + blur_ < std::min(c.y, d.y) ||
-        std::max(c.y, d.y) + blur_ < std::min(a.y, b.y))
-      return;
     bool touching = s.from == t.from || s.from == t.to || s.to == t.from || s.to == t.to;
     for (const int v : {t.from, t.to}) touching = splitAt(v, i) || touching;
     for (const int v : {s.from, s.to}) touching = splitAt(v, k) || touching;
@@ -201,12 +205,14 @@ class Cleaner {
     std::vector<bool> isUsed(result_.points.size(), false);
     for (const PlanarPiece& s : segments_)
       for (const int v : {s.from, s.to}) isUsed[static_cast<std::size_t>(v)] = true;
+    std::vector<Box3> boxes;
+    for (const PlanarPiece& s : segments_) boxes.push_back(boxOf(s, 0));
+    const BoxTree tree(boxes);
     for (std::size_t v = 0; v < isUsed.size(); ++v) {
-      if (isUsed[v]) continue;
-      for (std::size_t i = 0; i < segments_.size(); ++i) {
-        const double x = result_.points[v].x;
-        if (low(i) - blur_ <= x && x <= high(i) + blur_) splitAt(static_cast<int>(v), i);
-      }
+      const Point2 p = result_.points[v];
+      if (!isUsed[v])
+        tree.forEachIn(boxAround(p, p, blur_),
+                       [&](std::uint32_t i) { splitAt(static_cast<int>(v), i); });
     }
   }
 
