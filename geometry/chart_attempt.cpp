@@ -51,21 +51,22 @@ class RunawayGuard {
   std::stop_callback<Forward> forward_;
 };
 
-/// Elements per area that the sizes along the boundary let expect: the mean over its length, in
-/// which a few tiny segments hardly count.
+/// Elements per area that the sizes along the boundary let expect: by the mean of their inverses
+/// over its length, so that a few tiny segments hardly count.
 double boundaryDensity(const FaceTask& task) {
   constexpr double kUnitTriangle = 0.433;  // area of the one with edges of length 1
-  double density = 0, perimeter = 0;
+  double segments = 0, perimeter = 0;
   for (const auto& loop : task.boundary.input.loops) {
     for (std::size_t i = 0; i < loop.size(); ++i) {
       const double segment =
           distance(loop[i].point.position, loop[(i + 1) % loop.size()].point.position);
       const double size = task.size.sizeAt(loop[i].point);
-      density += segment / (size * size);
+      segments += segment / size;
       perimeter += segment;
     }
   }
-  return perimeter > 0 ? density / (kUnitTriangle * perimeter) : 0;
+  const double perSize = perimeter > 0 ? segments / perimeter : 0;
+  return perSize * perSize / kUnitTriangle;
 }
 
 /// How many times more elements than expected mean that a front folds over.

@@ -28,11 +28,11 @@ class Retries {
     std::vector<std::size_t> dropped;  // faces for which nothing was of use
     SparedNeighbors neighbors(model_.edgesOfFaces(), state.meshes);
     findShortEdges(state);
-    const double most = mostEffort(state);
+    most_ = mostEffort(state);
     double effort = 0;
     join(state);
     for (int round = 0; round < options_.mostRounds && !options_.stop.stop_requested(); ++round) {
-      hasEffortLeft_ = effort <= most;
+      hasEffortLeft_ = effort <= most_;
       const std::vector<std::size_t> poor = worthAnotherTry(state);
       if (poor.empty() && (dropped.empty() || !hasEffortLeft_)) break;
       for (const std::size_t i : poor) askForMore(state, i, refinement);
@@ -204,11 +204,12 @@ class Retries {
   /// What it costs to mesh a face again besides these.
   static constexpr double kForEachFace = 1000;
 
-  /// A face that failed may fail again, and shorter edges are dearer.
-  static std::size_t mostCandidates(const FaceMesh& before) {
+  /// A face that failed may fail again, and shorter edges are dearer; but no more than is left.
+  std::size_t mostCandidates(const FaceMesh& before, double effort) const {
     constexpr std::size_t kAlways = 100'000, kTimes = 2;
-    return failed(before) ? kAlways + kTimes * before.effort
-                          : std::numeric_limits<std::size_t>::max();
+    if (!failed(before)) return std::numeric_limits<std::size_t>::max();
+    const auto left = static_cast<std::size_t>(std::max(most_ - effort, 0.0));
+    return kAlways + std::min(kTimes * before.effort, left);
   }
 
   static std::ptrdiff_t crossingsAt(const FaceMeshes& state, std::size_t i) {
@@ -291,10 +292,11 @@ class Retries {
       next.meshes[i] = state.meshes[i];
       for (std::uint32_t& point : next.meshes[i].boundary) point = change.newIndex[point];
     }
+    const double spent = effort;
     forEachInParallel(again.size(), options_.threads, [&](std::size_t k) {
       const FaceMesh& before = state.meshes[again[k]];
       FaceMesh& after = next.meshes[again[k]];
-      model_.mesh(again[k], sizes, {mostCandidates(before)}, next);
+      model_.mesh(again[k], sizes, {mostCandidates(before, spent)}, next);
       if (failed(before)) refuseNothing(before, after);
       tellOfRetry(state, again[k], after);
     });
@@ -342,6 +344,7 @@ class Retries {
   const RetriedModel& model_;
   const RetryOptions& options_;
   std::vector<Tries> tries_;  // by face
+  double most_ = 0;           // candidates that tries may cost
   bool hasEffortLeft_ = true;
 };
 

@@ -82,7 +82,7 @@ class ModelMesher final : public RetriedModel {
     options_.sizes =
         spreadSizes(*shape_, std::move(options_.sizes), uneven_, options_.threads, options_.stop);
     expectMoreOnUneven();
-    refuseTooManyByPosition();
+    expectByPosition();
     sampled_ = sampleEdges(*shape_, options_.sizes, options_.threads, options_.stop);
     FaceMeshes state;
     state.divided = divide(options_.sizes.function, {});
@@ -215,7 +215,7 @@ class ModelMesher final : public RetriedModel {
 
   /// Whether sizes inside faces may be much smaller than along their boundaries.
   static bool isFineInside(const ModelSizes& sizes) {
-    return sizes.function || sizes.elementsPerTurn > 0 || !sizes.sources.isEmpty();
+    return sizes.function || !sizes.sources.isEmpty();
   }
 
   /// Faces that lie on another one which is to be meshed, too, or is to be meshed alone.
@@ -288,13 +288,16 @@ class ModelMesher final : public RetriedModel {
     refuseTooMany(std::accumulate(work_.begin(), work_.end(), 0.0));
   }
 
-  /// Points, boxes, functions and turns may want small sizes anywhere.
-  void refuseTooManyByPosition() const {
+  /// Points, boxes, functions and turns may want small sizes anywhere. What turns want is found by
+  /// a few samples as well as what faces want without them; points, boxes and functions may hide.
+  void expectByPosition() {
     constexpr int kSamples = 8;
-    if (!isFineInside_) return;
+    if (!isFineInside_ && options_.sizes.elementsPerTurn == 0) return;
     std::vector<double> elements(faces_.size());
-    forEachInParallel(elements.size(), options_.threads,
-                      [&](std::size_t i) { elements[i] = expectedOn(i, kSamples); });
+    forEachInParallel(elements.size(), options_.threads, [&](std::size_t i) {
+      elements[i] = expectedOn(i, kSamples);
+      if (!isFineInside_) work_[i] = std::max(work_[i], 1 + elements[i]);
+    });
     refuseTooMany(std::accumulate(elements.begin(), elements.end(), 0.0));
   }
 

@@ -4,14 +4,18 @@
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakePolygon.hxx>
+#include <BRepBuilderAPI_MakeVertex.hxx>
 #include <BRepBuilderAPI_MakeWire.hxx>
 #include <BRepBuilderAPI_Sewing.hxx>
 #include <BRepGProp.hxx>
+#include <BRepLib.hxx>
 #include <BRepPrimAPI_MakePrism.hxx>
+#include <GCE2d_MakeSegment.hxx>
 #include <GProp_GProps.hxx>
 #include <Geom_BSplineSurface.hxx>
 #include <Geom_BezierCurve.hxx>
 #include <Geom_BezierSurface.hxx>
+#include <Geom_CylindricalSurface.hxx>
 #include <Geom_SurfaceOfRevolution.hxx>
 #include <TColStd_Array1OfInteger.hxx>
 #include <TColStd_Array1OfReal.hxx>
@@ -90,6 +94,38 @@ TEST(DifficultFaces, ALoopThatCrossesItselfIsTriedOnce) {
   const ModelMesh result = mesh(testing::modelOf(testing::crossingLoop()), options);
   EXPECT_EQ(result.faces[0].status, FaceStatus::Failed);
   EXPECT_EQ(fronts, 1);
+}
+
+/// Its sides cross on a cylinder, so that a front leaves what they bound.
+TopoDS_Face eightOnCylinder() {
+  const Handle(Geom_Surface) surface = new Geom_CylindricalSurface(gp_Ax3(), 1);
+  const std::vector<gp_Pnt2d> corners{{0, 0}, {2, 2}, {2, 0}, {0, 2.1}};
+  std::vector<TopoDS_Vertex> vertices;
+  for (const gp_Pnt2d& p : corners)
+    vertices.push_back(BRepBuilderAPI_MakeVertex(surface->Value(p.X(), p.Y())));
+  BRepBuilderAPI_MakeWire wire;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const std::size_t k = (i + 1) % corners.size();
+    wire.Add(BRepBuilderAPI_MakeEdge(GCE2d_MakeSegment(corners[i], corners[k]).Value(), surface,
+                                     vertices[i], vertices[k], 0, corners[i].Distance(corners[k])));
+  }
+  const TopoDS_Face face = BRepBuilderAPI_MakeFace(surface, wire.Wire());
+  BRepLib::BuildCurves3d(face);
+  return face;
+}
+
+TEST(DifficultFaces, AFrontThatRunsAwayIsStoppedEarlyWhereTurnsAreAskedFor) {
+  struct Counter final : AF2MeshingObserver {
+    void stepTaken(const StepReport& step) override { most = std::max(most, step.elements); }
+    std::size_t most = 0;
+  } counter;
+  ModelMeshingOptions options = testing::ofSize(0.3);
+  options.sizes.elementsPerTurn = 12;
+  options.threads = 1;
+  options.observer = [&](int) { return &counter; };
+  const ModelMesh result = mesh(testing::modelOf(eightOnCylinder()), options);
+  EXPECT_EQ(result.faces[0].status, FaceStatus::Failed);
+  EXPECT_LT(counter.most, 10'000u);
 }
 
 /// Ten times shorter edges are not enough, though better.
