@@ -1,6 +1,7 @@
 #include "geometry/occ/general_surface.h"
 
 #include <Geom_BSplineSurface.hxx>
+#include <Geom_SweptSurface.hxx>
 #include <Precision.hxx>
 #include <algorithm>
 #include <array>
@@ -67,6 +68,15 @@ bool endsWithin(const ParameterRange& range, double from, double to) {
   return from >= range.low - kSlack * range.width() && to <= range.high + kSlack * range.width();
 }
 
+/// A curve that is swept may have been trimmed to another part of it than the face takes up: it
+/// goes on beyond its ends.
+ParameterRange reaching(const ParameterRange& range, const Handle(Geom_Surface) & surface,
+                        double from, double to) {
+  const bool isSwept = surface->IsKind(STANDARD_TYPE(Geom_SweptSurface));
+  return isSwept && !range.closed && !endsWithin(range, from, to) ? ParameterRange{from, to, false}
+                                                                  : range;
+}
+
 /// Periodic splines come back to the other side beyond their ends.
 Handle(Geom_Surface) withoutPeriods(const Handle(Geom_Surface) & surface, bool inU, bool inV) {
   const auto spline = Handle(Geom_BSplineSurface)::DownCast(surface);
@@ -96,8 +106,8 @@ GeneralSurface::GeneralSurface(const Handle(Geom_Surface) & surface, bool flippe
     : values_(surface, box), box_(box), sign_(flipped ? -1 : 1) {
   double u1, u2, v1, v2;
   surface->Bounds(u1, u2, v1, v2);
-  u_ = rangeOf(u1, u2, surface->IsUClosed());
-  v_ = rangeOf(v1, v2, surface->IsVClosed());
+  u_ = reaching(rangeOf(u1, u2, surface->IsUClosed()), surface, box.u1, box.u2);
+  v_ = reaching(rangeOf(v1, v2, surface->IsVClosed()), surface, box.v1, box.v2);
   openSharpEnds(surface);
   for (const double shareU : {0.1, 0.5, 0.9})
     for (const double shareV : {0.1, 0.5, 0.9}) {

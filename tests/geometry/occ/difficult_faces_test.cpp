@@ -10,17 +10,22 @@
 #include <BRepGProp.hxx>
 #include <BRepLib.hxx>
 #include <BRepPrimAPI_MakePrism.hxx>
+#include <BRep_Builder.hxx>
+#include <BRep_Tool.hxx>
 #include <GCE2d_MakeSegment.hxx>
 #include <GProp_GProps.hxx>
 #include <Geom_BSplineSurface.hxx>
 #include <Geom_BezierCurve.hxx>
 #include <Geom_BezierSurface.hxx>
+#include <Geom_Circle.hxx>
 #include <Geom_CylindricalSurface.hxx>
 #include <Geom_SurfaceOfRevolution.hxx>
+#include <Geom_TrimmedCurve.hxx>
 #include <TColStd_Array1OfInteger.hxx>
 #include <TColStd_Array1OfReal.hxx>
 #include <TColgp_Array1OfPnt.hxx>
 #include <TColgp_Array2OfPnt.hxx>
+#include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 #include <gp_Ax2.hxx>
 #include <gp_Circ.hxx>
@@ -284,6 +289,26 @@ TEST(DifficultFaces, AWallOfLessThanAThousandthOfItsRadiusIsMeshed) {
 }
 
 /// Which no size can mend.
+/// Files may trim the curve that is swept to another part of it than the face takes up.
+TEST(DifficultFaces, AFaceBeyondTheEndsOfTheCurveThatIsSweptIsMeshed) {
+  const Handle(Geom_Circle) circle = new Geom_Circle(gp_Ax2({}, gp::DZ(), gp_Dir(0, -1, 0)), 1);
+  const auto swept = [&](double from, double to) {
+    return Handle(Geom_Surface)(
+        new Geom_SurfaceOfRevolution(new Geom_TrimmedCurve(circle, from, to), gp::OY()));
+  };
+  TopoDS_Face face = BRepBuilderAPI_MakeFace(swept(pi, 2 * pi), 0, pi / 2, pi, 2 * pi, 1e-7);
+  const Handle(Geom_Surface) other = swept(0, pi);
+  BRep_Builder builder;
+  for (TopExp_Explorer it(face, TopAbs_EDGE); it.More(); it.Next()) {
+    const TopoDS_Edge edge = TopoDS::Edge(it.Current());
+    double first, last;
+    const Handle(Geom2d_Curve) curve = BRep_Tool::CurveOnSurface(edge, face, first, last);
+    builder.UpdateEdge(edge, curve, other, TopLoc_Location(), 1e-7);
+  }
+  builder.UpdateFace(face, other, TopLoc_Location(), 1e-7);
+  expectComplete(mesh(face, 0.1), pi, 0.01);  // a quarter of a sphere
+}
+
 TEST(DifficultFaces, FacesThatCrossAreNamed) {
   const auto face = [](std::initializer_list<gp_Pnt> corners) {
     BRepBuilderAPI_MakePolygon polygon;
