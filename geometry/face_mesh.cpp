@@ -1,6 +1,46 @@
 #include "geometry/face_mesh.h"
 
+#include <algorithm>
+
 namespace af2::geometry {
+
+namespace {
+
+/// By vertex of a face: the longer of what is wanted there and the segments that end there.
+std::vector<double> usualLengths(const FaceMesh& mesh, const DividedEdges& divided) {
+  std::vector<double> lengths = mesh.wantedSizes;
+  std::map<std::uint32_t, double> longest;  // by point
+  for (const SegmentUse& use : mesh.uses) {
+    const std::vector<std::uint32_t>& points =
+        divided.edges[static_cast<std::size_t>(use.edge) - 1].points;
+    const std::uint32_t from = points[use.segment], to = points[use.segment + 1];
+    const double length = distance(divided.points[from], divided.points[to]);
+    for (const std::uint32_t point : {from, to}) longest[point] = std::max(longest[point], length);
+  }
+  for (std::size_t v = 0; v < mesh.boundary.size(); ++v)
+    lengths[v] = std::max(lengths[v], longest[mesh.boundary[v]]);
+  return lengths;
+}
+
+}  // namespace
+
+bool reachesTooFar(const FaceMesh& mesh, const DividedEdges& divided) {
+  constexpr double kMost = 5;
+  const std::vector<double> usual = usualLengths(mesh, divided);
+  const auto at = [&](VertexId v) -> const Point3& {
+    const std::size_t given = mesh.boundary.size();
+    return v.value < given ? divided.points[mesh.boundary[v.value]] : mesh.inside[v.value - given];
+  };
+  for (const Element& element : mesh.elements) {
+    VertexId last = element.vertices().back();
+    for (const VertexId v : element.vertices()) {
+      if (distance(at(last), at(v)) > kMost * std::max(usual[last.value], usual[v.value]))
+        return true;
+      last = v;
+    }
+  }
+  return false;
+}
 
 MiddlesByFace takeMiddles(std::vector<FaceMesh>& meshes) {
   MiddlesByFace middles;

@@ -6,6 +6,7 @@
 #include <map>
 #include <vector>
 
+#include "geometry/divided_edges.h"
 #include "geometry/face_boundary.h"
 #include "geometry/face_trouble.h"
 #include "geometry/model_mesh.h"
@@ -32,6 +33,10 @@ struct FaceMesh {
 inline bool failed(const FaceMesh& mesh) {
   return mesh.report.status == FaceStatus::Failed || mesh.trouble.hasWrongArea;
 }
+
+/// Whether an element has a side several times as long as what is wanted at its ends, and as the
+/// segments of the boundary there: it spans what it should have followed.
+bool reachesTooFar(const FaceMesh& mesh, const DividedEdges& divided);
 
 /// By id of the face, where the middles of the sides of its elements lie.
 using MiddlesByFace = std::map<int, std::vector<SideMiddles>>;

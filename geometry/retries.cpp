@@ -159,7 +159,8 @@ class Retries {
       if (!failed(state.meshes[i])) continue;
       FaceMesh was = std::move(state.meshes[i]);
       model_.mesh(i, options_.sizes, {std::numeric_limits<std::size_t>::max(), true}, state);
-      if (failed(state.meshes[i]) || state.meshes[i].elements.empty())
+      const FaceMesh& leaning = state.meshes[i];
+      if (failed(leaning) || leaning.elements.empty() || reachesTooFar(leaning, state.divided))
         state.meshes[i] = std::move(was);
       else
         before.emplace_back(i, std::move(was));

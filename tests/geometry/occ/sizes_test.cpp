@@ -149,7 +149,7 @@ TEST(Sizes, AtAPointSpreadEvenlyThroughSpace) {
 double meanLengthAround(const ModelMesh& mesh, double from, double to) {
   double sum = 0;
   int count = 0;
-  for (const MeshEdge& edge : meshEdges(mesh)) {
+  for (const testing::MeshEdge& edge : testing::meshEdges(mesh)) {
     const Point3 &p = mesh.vertices[edge.from.value], &q = mesh.vertices[edge.to.value];
     const double radius = std::hypot((p.x + q.x) / 2, (p.y + q.y) / 2);
     if (radius < from || radius > to) continue;
