@@ -296,14 +296,15 @@ class DomainMesher final : public RetriedModel {
                         std::shared_ptr<const SizeField>(std::shared_ptr<void>(), &graded)};
     };
     const double expected = expectedOn(faces_[i], size);
-    const bool isRetried = &sizes != &options_.function;
+    // The last way is tried with the sizes of the beginning.
+    const bool hasOwnSizes = &sizes == &options_.function || limits.mayLean;
     const bool mayBeFine = sizes_.byPosition.isVaried() || options_.elementsPerTurn > 0 ||
                            sizes_.nearLoosePoints != nullptr;
     const auto withoutParameters = [](std::vector<StuckPlace>& places) {
       for (StuckPlace& place : places) place.u = place.v = 0;
     };
     fillInto({{*face.surface, boundary, graded, face.area, expected, algorithm_, options, mayBeFine,
-               limits.mostCandidates, limits.mayLean, progress, tools, limit && !isRetried},
+               limits.mostCandidates, limits.mayLean, progress, tools, limit && hasOwnSizes},
               wanted,
               kUnseen * size,
               options_.order == 2,

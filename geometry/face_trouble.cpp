@@ -74,6 +74,7 @@ void addSegment(const FrontInput& input, SegmentPlace place, double share,
 
 void addCrossings(const ChartedSurface& surface, const FaceBoundary& boundary,
                   std::vector<SizeSource>& places) {
+  if (boundary.input.loops.empty()) return;
   if (!surface.isPlane() && !(boundary.closedInParameters && surface.inParameters())) return;
   constexpr std::size_t kMostCrossings = 2000;
   const BoundaryPicture picture(surface, boundary.input);

@@ -262,10 +262,26 @@ class PatchFinder {
     for (const auto& [v, others] : beside_) follow(v, others.front());  // what is closed
   }
 
+  /// Curves that run to and fro within less than a speck do not turn.
   bool isCorner(std::uint32_t v) const {
     const std::vector<std::uint32_t>& others = beside_.at(v);
-    return others.size() != 2 ||
-           angleBetween(at(v) - at(others[0]), at(others[1]) - at(v)) > angle_;
+    if (others.size() != 2) return true;
+    if (!(angleBetween(at(v) - at(others[0]), at(others[1]) - at(v)) > angle_)) return false;
+    const Point3 before = at(v) - at(beyondSpeck(v, others[0]));
+    return angleBetween(before, at(beyondSpeck(v, others[1])) - at(v)) > angle_;
+  }
+  /// The first vertex from `next` on that is farther from `from` than a speck.
+  std::uint32_t beyondSpeck(std::uint32_t from, std::uint32_t next) const {
+    std::uint32_t before = from;
+    while (distance(at(from), at(next)) < limits_.speck) {
+      const std::vector<std::uint32_t>& others = beside_.at(next);
+      if (others.size() != 2) break;
+      const std::uint32_t after = others[0] == before ? others[1] : others[0];
+      if (after == from) break;
+      before = next;
+      next = after;
+    }
+    return next;
   }
 
   void follow(std::uint32_t from, std::uint32_t to) {

@@ -34,7 +34,7 @@ struct FeatureLimits {
   double angle = 0;     ///< in radians: where the surface turns by more
   double looseEnd = 0;  ///< a curve with the same patch on both sides is longer than this
   /// Patches smaller than this are part of those around them; so are those that are narrower than a
-  /// fiftieth of it.
+  /// fiftieth of it. What a curve turns within it and back is no corner.
   double speck = 0;
   /// Wanted size of elements by position: roundings far smaller than that are taken for edges;
   /// none: they are not.

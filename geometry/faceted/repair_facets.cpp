@@ -2,11 +2,14 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <functional>
 #include <map>
 #include <numeric>
 #include <optional>
+#include <set>
 
 #include "geometry/box_tree.h"
+#include "geometry/faceted/disjoint_sets.h"
 #include "geometry/faceted/touching_parts.h"
 
 namespace af2::geometry {
@@ -81,13 +84,44 @@ class Repair {
     }
     std::ranges::sort(sorted);
     std::vector<bool> isTwin(sorted.size(), false);
-    for (std::size_t i = 1; i < sorted.size(); ++i) {
-      if (sorted[i].first != sorted[i - 1].first) continue;
-      isTwin[sorted[i].second] = true;
+    for (std::size_t i = 1; i < sorted.size(); ++i)
+      isTwin[sorted[i].second] = sorted[i].first == sorted[i - 1].first;
+    if (which == Twins::SameSide) keepThoseOfParts(isTwin);
+    for (std::uint32_t t = 0; t < isTwin.size(); ++t) {
+      if (!isTwin[t]) continue;
       ++twins_;
-      if (!twinPlace_) twinPlace_ = at(sorted[i].first[0]);
+      if (!twinPlace_) twinPlace_ = at(facets_.triangles[t][0]);
     }
     erase(isTwin);
+  }
+
+  /// Where as many triangles run along each edge as against it, closed parts lie on each other, and
+  /// would have holes without their triangles. Twins that are too many hang together with edges
+  /// where that is not so.
+  void keepThoseOfParts(std::vector<bool>& isTwin) const {
+    if (std::ranges::none_of(isTwin, std::identity())) return;
+    const auto all = sortedEdges();
+    std::vector<HalfEdge> open;
+    std::vector<std::vector<HalfEdge>> around;
+    for (std::size_t i = 0, next; i < all.size(); i = next) {
+      std::ptrdiff_t balance = 0;
+      std::vector<HalfEdge> twins;
+      for (next = i; next < all.size() && all[next].first == all[i].first; ++next) {
+        const HalfEdge h = all[next].second;
+        balance += startOf(h) == all[i].first.first ? 1 : -1;
+        if (isTwin[h / 3]) twins.push_back(h);
+      }
+      if (twins.empty()) continue;
+      if (balance != 0) open.insert(open.end(), twins.begin(), twins.end());
+      around.push_back(std::move(twins));
+    }
+    DisjointSets sets(facets_.triangles.size());
+    for (const auto& twins : around)
+      for (const HalfEdge h : twins) sets.join(h / 3, twins.front() / 3);
+    std::set<std::uint32_t> redundant;
+    for (const HalfEdge h : open) redundant.insert(sets.of(h / 3));
+    for (std::uint32_t t = 0; t < isTwin.size(); ++t)
+      isTwin[t] = isTwin[t] && redundant.contains(sets.of(t));
   }
 
   /// All half-edges by their edges.

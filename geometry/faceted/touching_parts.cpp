@@ -3,35 +3,19 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <deque>
 #include <map>
 #include <numbers>
-#include <numeric>
 #include <optional>
 #include <set>
 #include <span>
 
+#include "geometry/faceted/disjoint_sets.h"
 #include "geometry/faceted/flats.h"
 #include "geometry/plane_axes.h"
 
 namespace af2::geometry {
 namespace {
-
-class Groups {
- public:
-  explicit Groups(std::size_t count) : up_(count) { std::iota(up_.begin(), up_.end(), 0u); }
-  std::uint32_t of(std::uint32_t i) {
-    while (up_[i] != i) i = up_[i] = up_[up_[i]];
-    return i;
-  }
-  /// The lower one of two stands for both.
-  void join(std::uint32_t i, std::uint32_t j) {
-    const std::uint32_t first = of(i), second = of(j);
-    up_[std::max(first, second)] = std::min(first, second);
-  }
-
- private:
-  std::vector<std::uint32_t> up_;
-};
 
 /// A triangle beside an edge with more than two.
 struct Wing {
@@ -81,8 +65,15 @@ class Parting {
       }
       return;
     }
-    // Material begins at what runs against the edge, and ends at what runs along it.
-    std::vector<std::uint32_t> begun;
+    joinMaterial(wings);
+    crowded_.push_back(wings);
+  }
+
+  /// Material begins at what runs against the edge, and ends at what runs along it. Where parts
+  /// reach into each other a little, as a pin in a hole with other triangles, what began first ends
+  /// first: neither is inside the other.
+  void joinMaterial(const std::vector<Wing>& wings) {
+    std::deque<std::uint32_t> begun;
     const std::size_t first = beginning(wings);
     for (std::size_t i = 0; i < wings.size(); ++i) {
       const Wing& wing = wings[(first + i) % wings.size()];
@@ -90,10 +81,9 @@ class Parting {
         begun.push_back(wing.half / 3);
         continue;
       }
-      parts_.join(begun.back(), wing.half / 3);
-      begun.pop_back();
+      parts_.join(begun.front(), wing.half / 3);
+      begun.pop_front();
     }
-    crowded_.push_back(wings);
   }
 
   /// By angle; of those at the same one, where parts touch, what ends material comes first.
@@ -112,8 +102,14 @@ class Parting {
     std::ranges::rotate(wings, wings.begin() + afterWidestGap(wings));
     for (std::size_t i = 1; i < wings.size(); ++i)
       for (std::size_t k = i; k > 0 && areTogether(wings[k - 1], wings[k]); --k)
-        if (wings[k].isAlong && !wings[k - 1].isAlong) std::swap(wings[k], wings[k - 1]);
+        if (comesBefore(wings[k], wings[k - 1])) std::swap(wings[k], wings[k - 1]);
     return wings;
+  }
+  /// Of two at the same angle. Of several solids in the same place, which follow each other in the
+  /// file, each keeps to itself.
+  static bool comesBefore(const Wing& p, const Wing& q) {
+    if (p.isAlong != q.isAlong) return p.isAlong;
+    return p.half < q.half;
   }
   static std::ptrdiff_t afterWidestGap(const std::vector<Wing>& wings) {
     std::size_t widest = 0;
@@ -125,9 +121,10 @@ class Parting {
       if (gapBefore(i) > gapBefore(widest)) widest = i;
     return static_cast<std::ptrdiff_t>(widest);
   }
-  static bool areTogether(const Wing& p, const Wing& q) {
-    constexpr double kSame = 1e-3;  // radians
-    return std::abs(std::remainder(p.angle - q.angle, 2 * std::numbers::pi)) < kSame;
+  /// Radians: what is on each other, and what would be if curved walls had the same triangles.
+  static constexpr double kSame = 1e-3, kNear = 0.35;
+  static bool areTogether(const Wing& p, const Wing& q, double most = kSame) {
+    return std::abs(std::remainder(p.angle - q.angle, 2 * std::numbers::pi)) < most;
   }
 
   /// From where on no material ends that has not begun.
@@ -163,15 +160,16 @@ class Parting {
   }
 
   /// Two parts stay together if triangles of both lie on each other, but none of which only a part
-  /// does.
+  /// does, or that go on beside each other, as those of a pin in its hole.
   void keepCommonWalls() {
     std::set<FacetEdge> common, overlapping;  // pairs of parts
     for (const auto& wings : crowded_)
       for (const Wing& p : wings)
         for (const Wing& q : wings) {
           const FacetEdge pair = std::minmax(parts_.of(p.half / 3), parts_.of(q.half / 3));
-          if (pair.first == pair.second || !areTogether(p, q)) continue;
-          (areTwins(p.half / 3, q.half / 3) ? common : overlapping).insert(pair);
+          if (pair.first == pair.second || !areTogether(p, q, kNear)) continue;
+          const bool isWall = p.isAlong != q.isAlong && areTwins(p.half / 3, q.half / 3);
+          (isWall ? common : overlapping).insert(pair);
         }
     for (const FacetEdge& pair : common)
       if (!overlapping.contains(pair)) parts_.join(pair.first, pair.second);
@@ -211,7 +209,7 @@ class Parting {
   }
 
   Facets& facets_;
-  Groups parts_;                            // by triangle
+  DisjointSets parts_;                      // by triangle
   std::vector<bool> isOpen_;                // by triangle: at an edge that no other one pairs with
   std::vector<std::vector<Wing>> crowded_;  // edges with more than two triangles
 };

@@ -180,6 +180,19 @@ TEST(FacetParts, WithPartOfAWallInCommonAreTakenApart) {
   expectTwoBoxes(boxAt({2, 0, 0}, {3, 2, 1}, 8), 10);
 }
 
+/// As CAD systems write a part that an assembly holds several times in the same place.
+TEST(FacetParts, InTheSamePlaceAreTakenApart) {
+  std::string text = kBoxVertices;
+  for (int copy = 0; copy < 3; ++copy) text += kBoxFaces;
+  const Facets facets = read(text);
+  EXPECT_EQ(facets.triangles.size(), 36u);
+  FacetedMeshingOptions options;
+  options.size = 0.5;
+  const ModelMesh result = mesh(facets, options);
+  EXPECT_EQ(result.faces.size(), 18u);
+  EXPECT_EQ(testing::eulerNumber(result), 6) << "three closed surfaces";
+}
+
 TEST(FacetParts, ThatAreOpenStayWithWhatTheyTouch) {
   // A sheet that goes on from the edge of a box.
   const Facets facets = read(kBoxVertices + "v 4 0 0\nv 4 2 0\n" + kBoxFaces + "f 2 3 10 9\n");

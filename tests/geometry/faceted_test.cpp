@@ -177,6 +177,25 @@ TEST(Patches, OfAClosedSmoothSurfaceAreCutUntilTheyHaveBoundaryEnough) {
   for (const Patch& patch : tubes.patches) EXPECT_EQ(patch.loops.size(), 2u);
 }
 
+/// An edge that runs to and fro by far less than the elements are long has no corners in between.
+TEST(Patches, HaveNoCornersWhereTheirEdgesAreJagged) {
+  // A strip whose upper border has teeth of 0.01 amid the middle third.
+  std::string text;
+  constexpr int kPoints = 90;
+  for (int i = 0; i <= kPoints; ++i) {
+    const bool isTooth = i > kPoints / 3 && i < 2 * kPoints / 3 && i % 2 == 1;
+    text += "v " + std::to_string(i * 0.01) + " 0 0\nv " + std::to_string(i * 0.01) + " " +
+            (isTooth ? "0.51" : "0.5") + " 0\n";
+  }
+  for (int i = 0; i < kPoints; ++i) {
+    const auto number = [&](int k) { return " " + std::to_string(2 * i + k); };
+    text += "f" + number(1) + number(3) + number(4) + number(2) + "\n";
+  }
+  const Facets facets = read("jagged.obj", text);
+  EXPECT_GT(findPatches(facets, {40 * pi / 180, 0.5, 0}).curves.size(), 25u);
+  EXPECT_LT(findPatches(facets, {40 * pi / 180, 0.5, 0.05}).curves.size(), 8u);
+}
+
 TEST(FacetedMeshing, MeshesABoxExactly) {
   const ModelMesh result = mesh(read("box.obj", kBox), 0.4);
   EXPECT_NEAR(testing::volumeOf(result), 8, 1e-12);
