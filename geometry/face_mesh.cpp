@@ -25,21 +25,23 @@ std::vector<double> usualLengths(const FaceMesh& mesh, const DividedEdges& divid
 }  // namespace
 
 bool reachesTooFar(const FaceMesh& mesh, const DividedEdges& divided) {
-  constexpr double kMost = 5;
+  constexpr double kMost = 5, kShare = 0.05;
   const std::vector<double> usual = usualLengths(mesh, divided);
   const auto at = [&](VertexId v) -> const Point3& {
     const std::size_t given = mesh.boundary.size();
     return v.value < given ? divided.points[mesh.boundary[v.value]] : mesh.inside[v.value - given];
   };
-  for (const Element& element : mesh.elements) {
+  const auto isFar = [&](const Element& element) {
     VertexId last = element.vertices().back();
     for (const VertexId v : element.vertices()) {
       if (distance(at(last), at(v)) > kMost * std::max(usual[last.value], usual[v.value]))
         return true;
       last = v;
     }
-  }
-  return false;
+    return false;
+  };
+  const auto count = std::ranges::count_if(mesh.elements, isFar);
+  return static_cast<double>(count) > kShare * static_cast<double>(mesh.elements.size());
 }
 
 MiddlesByFace takeMiddles(std::vector<FaceMesh>& meshes) {

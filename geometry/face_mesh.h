@@ -34,8 +34,8 @@ inline bool failed(const FaceMesh& mesh) {
   return mesh.report.status == FaceStatus::Failed || mesh.trouble.hasWrongArea;
 }
 
-/// Whether an element has a side several times as long as what is wanted at its ends, and as the
-/// segments of the boundary there: it spans what it should have followed.
+/// Whether more than a few elements have sides several times as long as what is wanted at their
+/// ends, and as the segments of the boundary there: they span what they should have followed.
 bool reachesTooFar(const FaceMesh& mesh, const DividedEdges& divided);
 
 /// By id of the face, where the middles of the sides of its elements lie.

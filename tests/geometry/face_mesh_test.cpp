@@ -26,6 +26,9 @@ TEST(FaceMesh, TellsWhetherElementsReachMuchFartherThanTheirSegments) {
   const Ribbon near(4), far(20);
   EXPECT_FALSE(reachesTooFar(near.mesh, near.divided));
   EXPECT_TRUE(reachesTooFar(far.mesh, far.divided));
+  Ribbon few(20);  // two of a hundred
+  few.mesh.elements.resize(100, {{VertexId(0), VertexId(1), VertexId(1), {}}});
+  EXPECT_FALSE(reachesTooFar(few.mesh, few.divided));
 }
 
 }  // namespace
