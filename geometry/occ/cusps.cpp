@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/occ/foot_on_curve.h"
 #include "geometry/occ/points.h"
 #include "geometry/occ/tip_fans.h"
 
@@ -27,18 +28,10 @@ class Way {
   /// From a place to that of the way which is about as far from the end.
   double distanceTo(const Point3& place, double length) const {
     constexpr int kSteps = 4;
-    double parameter = this->parameter(length);
-    for (int step = 0; step < kSteps; ++step) {
-      gp_Pnt at;
-      gp_Vec tangent;
-      curve_.D1(parameter, at, tangent);
-      const Point3 d = toPoint(tangent);
-      if (!(dot(d, d) > 0)) break;
-      parameter = std::clamp(parameter + dot(place - toPoint(at), d) / dot(d, d),
-                             samples_.pieces.front().parameters.front(),
-                             samples_.pieces.back().parameters.back());
-    }
-    return distance(place, toPoint(curve_.Value(parameter)));
+    const double foot =
+        footOnCurve(curve_, place, parameter(length), samples_.pieces.front().parameters.front(),
+                    samples_.pieces.back().parameters.back(), kSteps);
+    return distance(place, toPoint(curve_.Value(foot)));
   }
 
  private:

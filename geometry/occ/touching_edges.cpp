@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "geometry/box_tree.h"
+#include "geometry/occ/foot_on_curve.h"
 #include "geometry/occ/points.h"
 
 namespace af2::geometry {
@@ -56,15 +57,7 @@ class EdgeLine {
  private:
   Foot refined(const Point3& place, double low, double high, double t) const {
     constexpr int kSteps = 6;
-    double parameter = low + t * (high - low);
-    for (int step = 0; step < kSteps; ++step) {
-      gp_Pnt at;
-      gp_Vec tangent;
-      curve_.D1(parameter, at, tangent);
-      const Point3 d = toPoint(tangent);
-      if (!(dot(d, d) > 0)) break;
-      parameter = std::clamp(parameter + dot(place - toPoint(at), d) / dot(d, d), low, high);
-    }
+    const double parameter = footOnCurve(curve_, place, low + t * (high - low), low, high, kSteps);
     const Point3 position = toPoint(curve_.Value(parameter));
     return {parameter, distance(place, position), position};
   }
