@@ -7,6 +7,7 @@
 #include "geometry/faceted/cones.h"
 #include "geometry/faceted/mesh_faceted.h"
 #include "geometry/faceted/patches.h"
+#include "tests/geometry/faceted_mesh.h"
 #include "tests/support/model_mesh.h"
 #include "tests/support/triangle_rules.h"
 
@@ -44,15 +45,6 @@ Facets bentSheet(double radius) {
 
 FeatureLimits limitsFor(double size) {
   return {40 * pi / 180, 0.5 * size, 0.05 * size, [=](const Point3&) { return size; }};
-}
-
-ModelMesh mesh(const Facets& facets, double size) {
-  static const AF2Algorithm algorithm(testing::triangleSet());
-  FacetedMeshingOptions options;
-  options.size = size;
-  ModelMesh result = meshFaceted(facets, algorithm, options);
-  testing::expectComplete(result);
-  return result;
 }
 
 TEST(Blends, FarSmallerThanElementsBecomeEdges) {
@@ -118,7 +110,7 @@ TEST(Blends, ThatAreAllOfASurfaceStayAsTheyAre) {
 }
 
 TEST(Blends, LetTheMeshKeepBothSides) {
-  const ModelMesh result = mesh(bentSheet(0.1), 1);
+  const ModelMesh result = testing::completeMesh(bentSheet(0.1), 1);
   EXPECT_EQ(result.faces.size(), 2u);
   EXPECT_GT(testing::leastAngle(result), 20);
 }
@@ -149,7 +141,7 @@ TEST(FacetSurface, IsAPlaneEvenIfASliverLiesOnOthers) {
   });
   // A vertex inside goes beyond the opposite side of one of its triangles.
   square.vertices[2 * 5 + 2] = {3.0001, 2.5, 0};
-  const ModelMesh result = mesh(square, 0.5);
+  const ModelMesh result = testing::completeMesh(square, 0.5);
   EXPECT_EQ(result.faces.size(), 1u);
   EXPECT_EQ(result.faces[0].surfaceType, "plane");
   EXPECT_NEAR(testing::areaOf(result), 16, 1e-9);

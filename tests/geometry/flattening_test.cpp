@@ -10,6 +10,7 @@
 #include "geometry/faceted/facet_surface.h"
 #include "geometry/faceted/mesh_faceted.h"
 #include "geometry/faceted/sparse_system.h"
+#include "tests/geometry/faceted_mesh.h"
 #include "tests/support/model_mesh.h"
 #include "tests/support/triangle_rules.h"
 
@@ -124,21 +125,13 @@ TEST(FacetSurface, HasItsPointsWhereTheyAreDrawn) {
   }
 }
 
-ModelMesh mesh(const Facets& facets, double size) {
-  static const AF2Algorithm algorithm(testing::triangleSet());
-  FacetedMeshingOptions options;
-  options.size = size;
-  ModelMesh result = meshFaceted(facets, algorithm, options);
-  testing::expectComplete(result);
-  return result;
-}
-
 /// Far narrower than the size, and turning by most of a circle across their width.
 TEST(FacetedMeshing, FillsLongStripsThatCurlUp) {
   for (const double degrees : {200.0, 300.0})
     for (const double size : {20.0, 30.0}) {
       const double area = degrees * pi / 180 * 400;
-      EXPECT_NEAR(testing::areaOf(mesh(openTube(degrees, 400, 1), size)), area, 0.2 * area);
+      EXPECT_NEAR(testing::areaOf(testing::completeMesh(openTube(degrees, 400, 1), size)), area,
+                  0.2 * area);
     }
 }
 

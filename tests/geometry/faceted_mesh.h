@@ -1,0 +1,20 @@
+// A mesh of triangles as geometry, for tests.
+#pragma once
+
+#include "geometry/faceted/mesh_faceted.h"
+#include "tests/support/model_mesh.h"
+#include "tests/support/triangle_rules.h"
+
+namespace af2::testing {
+
+/// Held against what must be so of a complete mesh.
+inline geometry::ModelMesh completeMesh(const geometry::Facets& facets, double size) {
+  static const AF2Algorithm algorithm(triangleSet());
+  geometry::FacetedMeshingOptions options;
+  options.size = size;
+  geometry::ModelMesh result = geometry::meshFaceted(facets, algorithm, options);
+  expectComplete(result);
+  return result;
+}
+
+}  // namespace af2::testing
