@@ -25,7 +25,7 @@ class Flattening {
     fillHoles();
     if (!isDisc()) return std::nullopt;
     drawCircle();
-    drawInside();
+    if (!drawInside()) return std::nullopt;
     const auto isNumber = [](Point2 p) { return std::isfinite(p.x) && std::isfinite(p.y); };
     if (!std::ranges::all_of(places_, isNumber)) return std::nullopt;
     for (std::size_t t = 0; t < given_; ++t) {
@@ -113,67 +113,43 @@ class Flattening {
     }
   }
 
-  void drawInside() {
+  /// Each vertex is a mean of those around it, by mean value weights. Whether there is a solution.
+  bool drawInside() {
     std::vector<std::uint32_t> unknown(vertices_.size(), kNone), inside;
     for (std::uint32_t v = 0; v < vertices_.size(); ++v)
       if (!isOnRim_[v]) {
         unknown[v] = static_cast<std::uint32_t>(inside.size());
         inside.push_back(v);
       }
-    if (inside.empty()) return;
-    const auto weights = weightsOf(unknown, inside.size());
-    std::vector<std::vector<SparseEntry>> rows(inside.size());
-    std::vector<double> x(inside.size(), 0), y(inside.size(), 0);
-    for (std::uint32_t i = 0; i < inside.size(); ++i) {
-      rows[i].push_back({i, 1});
-      for (const auto& [v, weight] : weights[i]) {
-        if (unknown[v] != kNone) {
-          rows[i].push_back({unknown[v], -weight});
-          continue;
-        }
-        x[i] += weight * places_[v].x;
-        y[i] += weight * places_[v].y;
-      }
-      std::ranges::sort(rows[i], {}, &SparseEntry::column);
-    }
-    const SparseSystem system(std::move(rows));
-    x = system.solve(x);
-    y = system.solve(y);
-    for (std::size_t i = 0; i < inside.size(); ++i) places_[inside[i]] = {x[i], y[i]};
-  }
-
-  /// By vertex inside: the mean values of those around it, which add up to 1.
-  std::vector<std::vector<SparseEntry>> weightsOf(const std::vector<std::uint32_t>& unknown,
-                                                  std::size_t count) const {
     const double least = 1e-12 * lengthOf(loops_.front());  // vertices may coincide
-    std::vector<std::vector<SparseEntry>> weights(count);
+    std::vector<SparseEntry> matrix;
+    std::vector<Point2> right(inside.size());
     for (const Corners& t : triangles_)
       for (std::size_t i = 0; i < 3; ++i) {
-        const std::uint32_t row = unknown[t[i]], b = t[(i + 1) % 3], c = t[(i + 2) % 3];
+        const std::uint32_t row = unknown[t[i]];
         if (row == kNone) continue;
-        const Point3 p = vertices_[b] - vertices_[t[i]], q = vertices_[c] - vertices_[t[i]];
-        const double tangent = tangentOfHalf(p, q);
-        addTo(weights[row], b, tangent / std::max(length(p), least));
-        addTo(weights[row], c, tangent / std::max(length(q), least));
+        const std::array<std::uint32_t, 2> others{t[(i + 1) % 3], t[(i + 2) % 3]};
+        const Point3 p = vertices_[others[0]] - vertices_[t[i]];
+        const Point3 q = vertices_[others[1]] - vertices_[t[i]];
+        for (const std::uint32_t v : others) {
+          const double away = distance(vertices_[v], vertices_[t[i]]);
+          const double weight = tangentOfHalf(p, q) / std::max(away, least);
+          matrix.push_back({row, row, weight});
+          if (unknown[v] != kNone)
+            matrix.push_back({row, unknown[v], -weight});
+          else
+            right[row] = right[row] + weight * places_[v];
+        }
       }
-    for (auto& row : weights) {
-      double sum = 0;
-      for (const SparseEntry& entry : row) sum += entry.value;
-      for (SparseEntry& entry : row) entry.value /= sum;
-    }
-    return weights;
+    const auto solution = solveSparse(matrix, right);
+    if (!solution) return false;
+    for (std::size_t i = 0; i < inside.size(); ++i) places_[inside[i]] = (*solution)[i];
+    return true;
   }
   /// Kept away from the ends, where triangles have no area.
   static double tangentOfHalf(const Point3& p, const Point3& q) {
     constexpr double kLeast = 1e-3, kMost = 1e3;
     return std::clamp(std::tan(std::atan2(length(cross(p, q)), dot(p, q)) / 2), kLeast, kMost);
-  }
-  static void addTo(std::vector<SparseEntry>& row, std::uint32_t column, double value) {
-    const auto found = std::ranges::find(row, column, &SparseEntry::column);
-    if (found == row.end())
-      row.push_back({column, value});
-    else
-      found->value += value;
   }
 
   std::vector<Point3> vertices_;

@@ -68,18 +68,27 @@ double areaOfPicture(const Facets& facets) {
 TEST(SparseSystem, SolvesWhatIsNotSymmetric) {
   // Each unknown is a mean of its neighbours that leans to the right; the ends are 0 and 1.
   constexpr std::uint32_t kCount = 200;
-  std::vector<std::vector<SparseEntry>> rows(kCount);
-  std::vector<double> right(kCount, 0);
+  std::vector<SparseEntry> matrix;
+  std::vector<Point2> right(kCount);
   for (std::uint32_t i = 0; i < kCount; ++i) {
-    if (i > 0) rows[i].push_back({i - 1, -0.4});
-    rows[i].push_back({i, 1});
-    if (i + 1 < kCount) rows[i].push_back({i + 1, -0.6});
+    if (i > 0) matrix.push_back({i, i - 1, -0.4});
+    matrix.push_back({i, i, 1});
+    if (i + 1 < kCount) matrix.push_back({i, i + 1, -0.6});
   }
-  right[kCount - 1] = 0.6;
-  const std::vector<double> x = SparseSystem(std::move(rows)).solve(right);
+  right[kCount - 1] = {0.6, 1.2};
+  const auto x = solveSparse(matrix, right);
+  ASSERT_TRUE(x);
   const double ratio = 0.4 / 0.6, whole = 1 - std::pow(ratio, kCount + 1);
-  for (std::uint32_t i = 0; i < kCount; ++i)
-    EXPECT_NEAR(x[i], (1 - std::pow(ratio, i + 1)) / whole, 1e-12);
+  for (std::uint32_t i = 0; i < kCount; ++i) {
+    EXPECT_NEAR((*x)[i].x, (1 - std::pow(ratio, i + 1)) / whole, 1e-12);
+    EXPECT_NEAR((*x)[i].y, 2 * (*x)[i].x, 1e-12);
+  }
+}
+
+TEST(SparseSystem, MayHaveNoUnknowns) { EXPECT_TRUE(solveSparse({}, {})); }
+
+TEST(SparseSystem, HasNoSolutionIfItIsSingular) {
+  EXPECT_FALSE(solveSparse({{0, 0, 1}, {0, 1, -1}, {1, 0, -1}, {1, 1, 1}}, {{1, 0}, {2, 0}}));
 }
 
 TEST(Flattening, DrawsWhatCurlsUpWithoutFolds) {

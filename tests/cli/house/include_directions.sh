@@ -30,6 +30,7 @@ mapfile -t not_grammar < <(printf '%s\n' "${all[@]}" | except 'dsl/(grammar\.cpp
 mapfile -t not_occ < <(printf '%s\n' "${all[@]}" | except 'geometry/occ/.*')
 mapfile -t not_exact < <(printf '%s\n' "${all[@]}" |
   except 'engine/predicates\.cpp|dsl/shapes/exact\.(h|cpp)')
+mapfile -t not_sparse < <(printf '%s\n' "${all[@]}" | except 'geometry/faceted/sparse_system\.cpp')
 mapfile -t public < <(in_room '.*\.h$')
 
 forbid '"(dsl|geometry|cli)/' 'the engine knows neither rules as text nor geometry' "${engine[@]}"
@@ -39,6 +40,7 @@ forbid '"geometry/occ/' 'only geometry/occ and cli know OpenCASCADE models' \
   $(printf '%s\n' "${geometry[@]}" | except 'geometry/occ/.*')
 forbid '<boost/spirit' 'Boost.Spirit belongs into dsl/grammar.cpp and dsl/token_parsers.h' "${not_grammar[@]}"
 forbid '<CGAL/' 'CGAL belongs into engine/predicates.cpp and dsl/shapes/exact.h' "${not_exact[@]}"
+forbid '<Eigen/' 'Eigen belongs into geometry/faceted/sparse_system.cpp' "${not_sparse[@]}"
 forbid "$cad_header" 'OpenCASCADE belongs into geometry/occ' "${not_occ[@]}"
 forbid '<(tbb|oneapi)/' 'no TBB type in a header' "${public[@]}"
 # read_model.cpp keeps OpenCASCADE from talking, and must name the streams for that.
