@@ -18,6 +18,7 @@
 #include "engine/error.h"
 #include "geometry/occ/face_surface.h"
 #include "geometry/occ/face_surfaces.h"
+#include "geometry/occ/pinches.h"
 #include "geometry/occ/points.h"
 #include "geometry/occ/sizing.h"
 #include "geometry/parallel.h"
@@ -239,6 +240,15 @@ class Creasing {
     return known.back();
   }
 
+  bool isPinch(const Handle(Geom_Curve) & line, double from, double to) const {
+    constexpr int kSamples = 16;
+    const gp_Pnt start = line->Value(from);
+    for (int i = 1; i <= kSamples; ++i)
+      if (line->Value(from + (to - from) * i / kSamples).Distance(start) > kPinched * size_)
+        return false;
+    return true;
+  }
+
   int makeEdge(bool isAtU, double at, const Crossing& from, const Crossing& to) {
     const BRep_Builder builder;
     const Handle(Geom_Curve) curve = isAtU ? definition_->UIso(at) : definition_->VIso(at);
@@ -250,6 +260,7 @@ class Creasing {
     builder.Add(edge, from.vertex.Oriented(TopAbs_FORWARD));
     builder.Add(edge, to.vertex.Oriented(TopAbs_REVERSED));
     builder.Range(edge, from.along, to.along);
+    builder.Degenerated(edge, isPinch(curve, from.along, to.along));
     const int id = shape_->edges.Add(edge);
     auto& uses = shape_->edgesOfFaces[static_cast<std::size_t>(face_) - 1];
     uses.push_back({id, edge});

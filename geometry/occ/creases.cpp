@@ -1,11 +1,11 @@
 #include "geometry/occ/creases.h"
 
-#include <GeomAdaptor_Surface.hxx>
-#include <TColStd_Array1OfReal.hxx>
 #include <cmath>
 #include <optional>
 
 #include "geometry/occ/parameter_line.h"
+#include "geometry/occ/pinches.h"
+#include "geometry/occ/surface_breaks.h"
 
 namespace af2::geometry {
 
@@ -37,11 +37,22 @@ class CreaseFinder {
     for (const double b : breaks)
       if (b > low_ + 10 * beside() && b < high_ - 10 * beside()) breaks_.push_back(b);
     const double from = isInU ? box.v1 : box.u1, to = isInU ? box.v2 : box.u2;
-    for (const double share : {0.06, 0.28, 0.5, 0.72, 0.94})
-      lines_.emplace_back(surface, isInU, from + share * (to - from));
+    const auto add = [&](double share, std::vector<ParameterLine>& lines) {
+      lines.emplace_back(surface, isInU, from + share * (to - from));
+    };
+    for (const double share : {0.06, 0.28, 0.5, 0.72, 0.94}) add(share, lines_);
+    for (const double share : {0.01, 0.99}) add(share, atSides_);
   }
 
   std::vector<Stretch> stretches() const {
+    std::vector<Stretch> cut = cutAtCreases();
+    if (size_ > 0)
+      cutAtPinches(lines_, samples(), kPinched * size_, {low_, high_, low_, high_}, cut);
+    return cut;
+  }
+
+ private:
+  std::vector<Stretch> cutAtCreases() const {
     const std::vector<Crease> atKinks = kinks();
     if (!(size_ > 0)) return cutAt(atKinks, low_, high_);
     const std::vector<std::vector<Crease>> byLine = tightTurnsByLine(atKinks);
@@ -51,7 +62,6 @@ class CreaseFinder {
     return areCalm(cut) ? cut : cutAt(atKinks, low_, high_);
   }
 
- private:
   std::vector<Stretch> cutAt(std::vector<Crease> creases, double calmLow, double calmHigh) const {
     std::ranges::sort(creases, {}, &Crease::at);
     if (!mergeNear(creases)) creases.clear();
@@ -81,12 +91,11 @@ class CreaseFinder {
 
   std::vector<Stretch> between(const std::vector<Crease>& creases, double calmLow,
                                double calmHigh) const {
-    constexpr double kInside = 1e-9;  // of the range: a spline at a knot is what comes after it
     std::vector<Stretch> stretches{{low_, high_, calmLow, calmHigh}};
     for (const Crease& crease : creases) {
       Stretch& before = stretches.back();
       Stretch after = before;
-      before.high = crease.at - kInside * (high_ - low_);
+      before.high = justBefore(crease.at, high_ - low_);
       before.calmHigh = std::max(crease.before, before.calmLow);
       after.low = crease.at;
       after.calmLow = std::min(crease.after, after.calmHigh);
@@ -102,10 +111,12 @@ class CreaseFinder {
     for (const double b : breaks_) {
       int count = 0;
       double largest = 0;
-      for (const ParameterLine& line : lines_) {
-        const double turn = turnBetween(line.at(b - beside()), line.at(b + beside()));
-        largest = std::max(largest, turn);
-        if (turn > kKink) ++count;
+      for (const auto* lines : {&lines_, &atSides_}) {
+        for (const ParameterLine& line : *lines) {
+          const double turn = turnBetween(line.at(b - beside()), line.at(b + beside()));
+          largest = std::max(largest, turn);
+          if (turn > kKink) ++count;
+        }
       }
       if (count >= kLeast) found.push_back({b - beside(), b, b + beside(), largest});
     }
@@ -330,33 +341,8 @@ class CreaseFinder {
 
   double low_, high_, size_;
   std::vector<double> breaks_;
-  std::vector<ParameterLine> lines_;
+  std::vector<ParameterLine> lines_, atSides_;
 };
-
-/// Parameters at which derivatives may jump. Those of a periodic surface are wanted wherever its
-/// face lies.
-std::vector<double> breaksOf(const GeomAdaptor_Surface& surface, bool isInU, double low,
-                             double high) {
-  const int count = isInU ? surface.NbUIntervals(GeomAbs_C1) : surface.NbVIntervals(GeomAbs_C1);
-  if (count < 1) return {};
-  TColStd_Array1OfReal bounds(1, count + 1);
-  isInU ? surface.UIntervals(bounds, GeomAbs_C1) : surface.VIntervals(bounds, GeomAbs_C1);
-  const bool isPeriodic = isInU ? surface.IsUPeriodic() : surface.IsVPeriodic();
-  std::vector<double> breaks;
-  for (const double bound : bounds) {
-    if (!isPeriodic) {
-      breaks.push_back(bound);
-      continue;
-    }
-    const double period = isInU ? surface.UPeriod() : surface.VPeriod();
-    for (double b = bound - std::ceil((bound - low) / period) * period; b <= high; b += period)
-      breaks.push_back(b);
-  }
-  std::ranges::sort(breaks);
-  const auto isSame = [&](double a, double b) { return b - a < kBeside * (high - low); };
-  breaks.erase(std::unique(breaks.begin(), breaks.end(), isSame), breaks.end());
-  return breaks;
-}
 
 }  // namespace
 

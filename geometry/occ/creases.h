@@ -22,6 +22,13 @@ struct Stretch {
   bool has(double parameter) const { return parameter >= low && parameter <= high; }
 };
 
+/// Where a stretch ends if the next one begins at `parameter`: a spline at a knot is what comes
+/// after it.
+inline double justBefore(double parameter, double range) {
+  constexpr double kInside = 1e-9;  // of the range
+  return parameter - kInside * range;
+}
+
 /// The part of the parameters that a face takes up, cut along its creases. [k] ends where [k + 1]
 /// begins.
 struct FaceCells {
@@ -44,7 +51,7 @@ double calm(const std::vector<Stretch>& stretches, double parameter);
 
 /// Finds creases all along a face: where the normal turns by more than some 30 degrees at once, as
 /// a spline does at a knot of full multiplicity, and by more than a radian within a few hundredths
-/// of the wanted size.
+/// of the wanted size. And pinches, where it goes on from tip to tip.
 ///
 /// box   the part of the parameters that the face takes up
 /// size  of elements; not positive: only what turns at once counts

@@ -93,13 +93,16 @@ class StopFinder {
 
   void lookAt(int face) {
     std::vector<std::size_t> edges;
+    std::set<std::uint32_t> vertices;
     for (const EdgeUse& use : model_.edgesOfFaces[static_cast<std::size_t>(face) - 1]) {
       const auto edge = static_cast<std::size_t>(use.id) - 1;
-      if (!samples_[edge].pieces.empty()) edges.push_back(edge);
+      if (!samples_[edge].pieces.empty())
+        edges.push_back(edge);
+      else if (use.id > model_.edgesOfFile)
+        vertices.insert(ends_[edge].first);  // of a crease that is a point
     }
     std::ranges::sort(edges);
     edges.erase(std::ranges::unique(edges).begin(), edges.end());
-    std::set<std::uint32_t> vertices;
     beginnings_.clear();
     std::vector<Box3> boxes;
     for (const std::size_t edge : edges) {

@@ -15,9 +15,12 @@
 #include <GC_MakeArcOfCircle.hxx>
 #include <GC_MakeSegment.hxx>
 #include <GProp_GProps.hxx>
+#include <GeomConvert.hxx>
 #include <GeomConvert_CompCurveToBSplineCurve.hxx>
+#include <GeomFill.hxx>
 #include <Geom_BSplineCurve.hxx>
 #include <Geom_BSplineSurface.hxx>
+#include <Geom_Circle.hxx>
 #include <Geom_TrimmedCurve.hxx>
 #include <TColStd_Array1OfInteger.hxx>
 #include <TColStd_Array1OfReal.hxx>
@@ -25,6 +28,7 @@
 #include <TColgp_Array2OfPnt.hxx>
 
 #include <cmath>
+#include <numbers>
 #include <set>
 
 #include "geometry/occ/creased_shape.h"
@@ -99,6 +103,48 @@ TEST(Creases, InBothDirectionsCross) {
       new Geom_BSplineSurface(poles, knots, knots, uses, uses, 1, 1);
   const TopoDS_Face face = BRepBuilderAPI_MakeFace(surface, 1e-7).Face();
   expectComplete(mesh(face, 0.3), areaOf(face), 1e-9);
+}
+
+/// Two planks that meet all but flat at one end of their joint, and at an edge at the other one.
+TopoDS_Face fadingRidge(double turn) {
+  TColgp_Array2OfPnt poles(1, 3, 1, 4);
+  for (int i = -1; i <= 1; ++i)
+    for (int j = 0; j < 4; ++j)
+      poles.SetValue(i + 2, j + 1, gp_Pnt(j, i, j < 2 ? 0 : turn * (j - 1) * std::abs(i)));
+  TColStd_Array1OfReal across(1, 3), along(1, 2);
+  TColStd_Array1OfInteger atAcross(1, 3), atAlong(1, 2);
+  for (int i = 1; i <= 3; ++i) across(i) = i, atAcross(i) = i == 2 ? 1 : 2;
+  for (int i = 1; i <= 2; ++i) along(i) = i, atAlong(i) = 4;
+  return BRepBuilderAPI_MakeFace(
+             new Geom_BSplineSurface(poles, across, along, atAcross, atAlong, 1, 3), 1e-7)
+      .Face();
+}
+
+TEST(Creases, ThatFadeOutAreKept) {
+  // 50 degrees at one end; less than 30 in most of the face.
+  const TopoDS_Face face = fadingRidge(0.23);
+  const Model model = modelOf(face);
+  const ModelMesh result = mesh(model, 0.2);
+  expectComplete(result, areaOf(face), 0.01);
+  EXPECT_GE(segmentsAlongCreases(result, model), 12u);
+}
+
+/// From a circle to the same one half a turn on: two cones, tip to tip, in one face.
+TopoDS_Face hourglass(double radius) {
+  const auto circle = [&](double height, double towards) {
+    return GeomConvert::CurveToBSplineCurve(
+        new Geom_Circle(gp_Ax2({0, 0, height}, {0, 0, 1}, {towards, 0, 0}), radius));
+  };
+  return BRepBuilderAPI_MakeFace(GeomFill::Surface(circle(-1, 1), circle(1, -1)), 1e-7).Face();
+}
+
+TEST(Creases, AreWhereAFacePinchesToAPoint) {
+  for (const double size : {0.15, 0.4}) {
+    const ModelMesh result = mesh(hourglass(1.2), size);
+    expectComplete(result, 2 * std::numbers::pi * 1.2 * std::hypot(1, 1.2), 0.05);
+    const auto atTip = [](const Point3& p) { return length(p) < 1e-9; };
+    EXPECT_EQ(std::ranges::count_if(result.vertices, atTip), 1);
+  }
 }
 
 TEST(Creases, GoOnBeyondHoles) {
