@@ -8,7 +8,6 @@
 #include <cstdio>
 #include <iterator>
 #include <new>
-#include <numbers>
 #include <optional>
 #include <string>
 #include <vector>
@@ -25,6 +24,7 @@
 #include "geometry/occ/edge_samples.h"
 #include "geometry/occ/face_area.h"
 #include "geometry/occ/face_size.h"
+#include "geometry/occ/most_area.h"
 #include "geometry/occ/points.h"
 #include "geometry/occ/sizing.h"
 #include "geometry/occ/tip_fans.h"
@@ -228,15 +228,10 @@ class FaceMesher {
     }
   }
 
-  /// For a face whose area is not known: as many as on a sphere that is as large as it.
+  /// For a face whose area is not known.
   double mostElements(const FrontInput& input) const {
-    const Point3& origin = input.loops[0][0].point.position;
-    double extent = surface_.extent();
-    for (const auto& loop : input.loops)
-      for (const BoundaryCorner& corner : loop)
-        extent = std::max(extent, distance(corner.point.position, origin));
     return geometry::expectedElements(context_.options.sizes, face_, surface_,
-                                      std::numbers::pi * extent * extent);
+                                      mostArea(context_.model.face(face_), surface_, input));
   }
 
   /// A size field with a surface of its own: OpenCASCADE's evaluators are not to be shared.
