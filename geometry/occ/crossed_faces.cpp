@@ -11,7 +11,10 @@
 #include <BRep_Tool.hxx>
 #include <Bnd_Box.hxx>
 #include <GProp_GProps.hxx>
-#include <IntCurvesFace_Intersector.hxx>
+#include <GeomAdaptor_Curve.hxx>
+#include <Geom_Line.hxx>
+#include <IntCurveSurface_HInter.hxx>
+#include <Standard_Failure.hxx>
 #include <TopExp.hxx>
 #include <TopTools_IndexedDataMapOfShapeListOfShape.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
@@ -20,7 +23,6 @@
 #include <TopoDS_Wire.hxx>
 #include <array>
 #include <cmath>
-#include <gp_Lin.hxx>
 #include <optional>
 
 #include "geometry/occ/turned_faces.h"
@@ -71,19 +73,26 @@ std::vector<Chord> chordsOf(const TopoDS_Face& face) {
 }
 
 /// Counts what passes through a face, but for what may only touch it at its boundary.
+///
+/// Not by IntCurvesFace_Intersector: that fails beside edges without a curve, as poles are.
 class Crossed {
  public:
   explicit Crossed(const TopoDS_Face& face)
-      : face_(face), meets_(face, kTolerance), margin_(kMargin * std::sqrt(areaOf(face))) {}
+      : face_(face),
+        surface_(new BRepAdaptor_Surface(face)),
+        within_(face, kTolerance),
+        margin_(kMargin * std::sqrt(areaOf(face))) {}
 
   int by(const std::vector<Chord>& chords) {
     int count = 0;
     for (const auto& [from, to] : chords) {
       const double length = from.Distance(to);
       if (length < kTolerance) continue;
-      meets_.Perform(gp_Lin(from, gp_Vec(from, to)), 0, length);
-      for (int i = 1; meets_.IsDone() && i <= meets_.NbPnt(); ++i)
-        count += isInside(meets_.Pnt(i)) ? 1 : 0;
+      const Handle(Geom_Line) line = new Geom_Line(from, gp_Vec(from, to));
+      IntCurveSurface_HInter meets;
+      meets.Perform(new GeomAdaptor_Curve(line, 0, length), surface_);
+      for (int i = 1; meets.IsDone() && i <= meets.NbPoints(); ++i)
+        count += isInside(meets.Point(i)) ? 1 : 0;
     }
     return count;
   }
@@ -91,14 +100,16 @@ class Crossed {
  private:
   static constexpr double kMargin = 0.02;  // of the extent of the face
 
-  bool isInside(const gp_Pnt& point) const {
-    const TopoDS_Shape vertex = BRepBuilderAPI_MakeVertex(point).Shape();
+  bool isInside(const IntCurveSurface_IntersectionPoint& point) const {
+    if (within_.Perform({point.U(), point.V()}) != TopAbs_IN) return false;
+    const TopoDS_Shape vertex = BRepBuilderAPI_MakeVertex(point.Pnt()).Shape();
     const BRepExtrema_DistShapeShape distance(vertex, BRepTools::OuterWire(face_));
     return distance.IsDone() && distance.Value() > margin_;
   }
 
   TopoDS_Face face_;
-  IntCurvesFace_Intersector meets_;
+  Handle(BRepAdaptor_Surface) surface_;
+  BRepTopAdaptor_FClass2d within_;
   double margin_;
 };
 
@@ -139,7 +150,7 @@ bool looksOutwards(const std::vector<TopoDS_Face>& faces) {
   return properties.Mass() > 0;
 }
 
-Rests restsIn(const TopoDS_Shell& shell) {
+Rests crossedIn(const TopoDS_Shell& shell) {
   std::vector<TopoDS_Face> faces;
   for (TopoDS_Iterator it(shell.Oriented(TopAbs_FORWARD)); it.More(); it.Next())
     faces.push_back(TopoDS::Face(it.Value()));
@@ -155,6 +166,15 @@ Rests restsIn(const TopoDS_Shell& shell) {
   }
   if (!rests.faces.empty()) rests.isShellForward = looksOutwards(meant);
   return rests;
+}
+
+/// None if OpenCASCADE cannot tell: the faces stay as they were read.
+Rests restsIn(const TopoDS_Shell& shell) {
+  try {
+    return crossedIn(shell);
+  } catch (const Standard_Failure&) {
+    return {};
+  }
 }
 
 }  // namespace
