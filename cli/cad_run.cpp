@@ -10,6 +10,7 @@
 #include "geometry/occ/heal_model.h"
 #include "geometry/occ/mesh_model.h"
 #include "geometry/part_sizes.h"
+#include "geometry/sounder_mesh.h"
 
 namespace af2::cli {
 namespace {
@@ -37,9 +38,11 @@ geometry::ModelSizes modelSizes(const SizeRequest& request, const geometry::Mode
   return sizes;
 }
 
+/// firstFace  added to the numbers of faces in the log
 geometry::ModelMeshingOptions meshingOptions(const MeshRequest& request,
                                              const geometry::Model& model,
-                                             const RunControl& control, ProgressBar& bar) {
+                                             const RunControl& control, ProgressBar& bar,
+                                             int firstFace) {
   geometry::ModelMeshingOptions options;
   options.sizes = modelSizes(request.sizes, model);
   options.edgePoints = request.edgePoints;
@@ -49,8 +52,8 @@ geometry::ModelMeshingOptions meshingOptions(const MeshRequest& request,
   options.threads = request.threads;
   options.optimize = request.optimize;
   options.stop = control.stop;
-  options.observer = [&control](int face) {
-    if (control.log) control.log->begin(face);
+  options.observer = [&control, firstFace](int face) {
+    if (control.log) control.log->begin(firstFace + face);
     return nullptr;
   };
   options.progress = [&bar, &control, done = 0](const geometry::ModelProgress& progress) mutable {
@@ -77,6 +80,7 @@ std::vector<int> withoutGivenUp(std::vector<int> faces, const geometry::Model& m
 void reportGivenUp(const geometry::Model& model, const GivenUp& givenUp,
                    geometry::ModelMesh& mesh) {
   for (const auto& [id, reason] : givenUp) {
+    if (id > model.faceCount()) continue;  // of the model before it was healed
     geometry::FaceReport report;
     report.id = id;
     report.name = model.faceName(id);
@@ -88,6 +92,22 @@ void reportGivenUp(const geometry::Model& model, const GivenUp& givenUp,
   }
 }
 
+geometry::ModelMesh meshAll(const geometry::Model& model, geometry::ModelMeshingOptions options,
+                            const AF2Algorithm& algorithm, const GivenUp& givenUp) {
+  options.faces = withoutGivenUp(std::move(options.faces), model, givenUp);
+  geometry::ModelMesh mesh;
+  if (!options.faces.empty() || givenUp.empty())
+    mesh = geometry::meshModel(model, algorithm, options);
+  reportGivenUp(model, givenUp, mesh);
+  return mesh;
+}
+
+/// Whether the numbers of faces and edges mean something: they are not the same after healing.
+bool asksByNumber(const MeshRequest& request) {
+  return !request.faces.empty() || !request.sizes.faceSizes.empty() ||
+         !request.sizes.edgeSizes.empty() || !request.edgePoints.empty();
+}
+
 }  // namespace
 
 geometry::ModelMesh runCad(const MeshRequest& request, const AF2Algorithm& algorithm,
@@ -95,20 +115,25 @@ geometry::ModelMesh runCad(const MeshRequest& request, const AF2Algorithm& algor
   ProgressBar bar(control.showProgress);
   bar.show("reading", 0, request.model.filename().string());
   Stopwatch reading;
-  geometry::Model model = geometry::readModel(request.model);
+  const geometry::Model asRead = geometry::readModel(request.model);
+  geometry::Model model = asRead;
   if (request.heal) {
     bar.show("healing", 0, request.model.filename().string());
-    model = geometry::healModel(model, {request.healTolerance});
+    model = geometry::healModel(asRead, {request.healTolerance});
   }
   const double readSeconds = reading.seconds();
   checkIds(request, model.faceCount(), model.edgeCount());
-  geometry::ModelMeshingOptions options = meshingOptions(request, model, control, bar);
   const GivenUp givenUp = control.givenUp ? *control.givenUp : GivenUp();
-  options.faces = withoutGivenUp(std::move(options.faces), model, givenUp);
-  geometry::ModelMesh mesh;
-  if (!options.faces.empty() || givenUp.empty())
-    mesh = geometry::meshModel(model, algorithm, options);
-  reportGivenUp(model, givenUp, mesh);
+  const auto meshed = [&](const geometry::Model& some, int firstFace) {
+    return meshAll(some, meshingOptions(request, some, control, bar, firstFace), algorithm,
+                   firstFace == 0 ? givenUp : GivenUp());
+  };
+  geometry::ModelMesh mesh = meshed(model, 0);
+  // Those of the model as it was count on from the others: one given up means the whole model.
+  const int last = model.faceCount();
+  if (request.heal && geometry::hasFaults(mesh) && !asksByNumber(request) &&
+      !control.stop.stop_requested() && givenUp.upper_bound(last) == givenUp.end())
+    mesh = geometry::sounderMesh(std::move(mesh), meshed(asRead, last));
   mesh.seconds.read = readSeconds;
   return mesh;
 }
