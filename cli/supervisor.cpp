@@ -14,6 +14,7 @@
 #include <sys/prctl.h>
 #endif
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <cstdio>
@@ -204,7 +205,8 @@ std::optional<End> forkAndWatch(SharedLog& log, const RunLimits& limits) {
 
 }  // namespace
 
-int supervise(const RunLimits& limits, const std::function<int(RunLog&, const GivenUp&)>& run) {
+int supervise(RunLimits limits, const std::function<int(RunLog&, const GivenUp&)>& run) {
+  constexpr double kLeast = 2;
   GivenUp givenUp;
   while (true) {
     SharedMemory shared;
@@ -220,6 +222,7 @@ int supervise(const RunLimits& limits, const std::function<int(RunLog&, const Gi
     if (faces.empty())
       throw InputError("the model cannot be used: " + nameOf(*end) +
                        " before any face was begun; export the model again");
+    if (end->hung) limits.next = std::max(limits.next / 2, kLeast);
     for (const int face : faces) givenUp[face] = "when it was tried, " + nameOf(*end);
   }
 }
@@ -237,7 +240,7 @@ struct NoLog final : RunLog {
 };
 }  // namespace
 
-int supervise(const RunLimits&, const std::function<int(RunLog&, const GivenUp&)>& run) {
+int supervise(RunLimits, const std::function<int(RunLog&, const GivenUp&)>& run) {
   NoLog log;
   return run(log, {});
 }

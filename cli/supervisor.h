@@ -22,13 +22,14 @@ using GivenUp = std::map<int, std::string>;
 
 /// Processor seconds.
 struct RunLimits {
-  double first = 60;  ///< until the run begins its first face
-  double next = 20;   ///< until it tells of anything again, while it works on a face
+  double first = 30;  ///< until the run begins its first face
+  double next = 20;   ///< until it tells of anything again, while it works on a face; half of it
+                      ///< after each hang, so that a model with many such faces ends, too
 };
 
 /// For `RunLimits::first`: large models take long to read.
 inline double secondsToRead(std::uintmax_t bytes) {
-  constexpr double kLeast = 60, kPerByte = 2e-6;
+  constexpr double kLeast = 30, kPerByte = 2e-6;
   return kLeast + kPerByte * static_cast<double>(bytes);
 }
 
@@ -39,6 +40,6 @@ inline double secondsToRead(std::uintmax_t bytes) {
 /// the whole program. Costs one fork, and memory for nothing but what the child changes.
 ///
 /// Throws InputError if the child crashes while it works on no face, or hangs before the first one.
-int supervise(const RunLimits& limits, const std::function<int(RunLog&, const GivenUp&)>& run);
+int supervise(RunLimits limits, const std::function<int(RunLog&, const GivenUp&)>& run);
 
 }  // namespace af2::cli

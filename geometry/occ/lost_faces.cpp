@@ -30,6 +30,11 @@ bool isThere(const Handle(Transfer_TransientProcess) & process,
   return !shape.IsNull() && TopExp_Explorer(shape, TopAbs_FACE).More();
 }
 
+std::string labelOf(const Handle(StepData_StepModel) & model,
+                    const Handle(Standard_Transient) & entity) {
+  return "#" + std::to_string(model->IdentLabel(entity));
+}
+
 class LostFaces {
  public:
   explicit LostFaces(const Handle(XSControl_WorkSession) & session)
@@ -62,19 +67,10 @@ class LostFaces {
       const auto oriented = Handle(StepShape_OrientedFace)::DownCast(face);
       if (!oriented.IsNull()) face = oriented->FaceElement();
       if (face.IsNull())
-        lost_.push_back("number " + std::to_string(k) + " of " + labelOf(shell));
+        lost_.push_back("number " + std::to_string(k) + " of " + labelOf(model_, shell));
       else if (!isThere(process_, face) && told_.insert(face.get()).second)
-        lost_.push_back(labelOf(face) + nameOf(face));
+        lost_.push_back(stepFaceName(model_, face));
     }
-  }
-
-  std::string labelOf(const Handle(Standard_Transient) & entity) const {
-    return "#" + std::to_string(model_->IdentLabel(entity));
-  }
-
-  static std::string nameOf(const Handle(StepShape_Face) & face) {
-    if (face->Name().IsNull() || face->Name()->IsEmpty()) return "";
-    return std::string(" '") + face->Name()->ToCString() + "'";
   }
 
   Handle(XSControl_WorkSession) session_;
@@ -98,6 +94,13 @@ bool isLooseSurface(const Handle(Standard_Transient) & entity, const Interface_G
 }
 
 }  // namespace
+
+std::string stepFaceName(const Handle(StepData_StepModel) & model,
+                         const Handle(StepShape_Face) & face) {
+  const std::string label = labelOf(model, face);
+  if (face->Name().IsNull() || face->Name()->IsEmpty()) return label;
+  return label + " '" + face->Name()->ToCString() + "'";
+}
 
 std::vector<std::string> lostIgesFaces(const Handle(XSControl_WorkSession) & session) {
   const Handle(Interface_InterfaceModel) model = session->Model();

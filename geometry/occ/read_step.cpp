@@ -1,13 +1,9 @@
 #include <BRep_Builder.hxx>
-#include <Interface_Check.hxx>
-#include <Interface_ReportEntity.hxx>
 #include <Interface_Static.hxx>
 #include <STEPCAFControl_Reader.hxx>
 #include <STEPControl_Reader.hxx>
 #include <StepData_StepModel.hxx>
-#include <StepShape_Face.hxx>
 #include <StepShape_FaceSurface.hxx>
-#include <StepShape_HArray1OfFaceBound.hxx>
 #include <TColStd_SequenceOfAsciiString.hxx>
 #include <TCollection_HAsciiString.hxx>
 #include <TDF_LabelSequence.hxx>
@@ -21,10 +17,10 @@
 #include <XSControl_TransferReader.hxx>
 #include <XSControl_WorkSession.hxx>
 #include <algorithm>
-#include <cstring>
 #include <iterator>
 
 #include "engine/error.h"
+#include "geometry/occ/damaged_entities.h"
 #include "geometry/occ/external_parts.h"
 #include "geometry/occ/lost_faces.h"
 #include "geometry/occ/readers.h"
@@ -78,54 +74,6 @@ class StepFaces {
   TopTools_DataMapOfShapeInteger index_;
   std::vector<Handle(StepShape_FaceSurface)> faces_;
 };
-
-/// Damage to what only concerns the picture of the model is harmless.
-bool isDrawn(const Handle(Standard_Transient) & entity) {
-  return std::strncmp(entity->DynamicType()->Name(), "StepVisual_", 11) == 0;
-}
-
-/// The fault of a report on an entity, if it is a reference to what is not there. Others, e.g. a
-/// name without quotes, are common and harmless.
-const char* brokenReference(const Handle(Interface_Check) & check) {
-  for (int i = 1; i <= check->NbFails(); ++i)
-    if (std::strstr(check->CFail(i), "illegal type") || std::strstr(check->CFail(i), "nresolved"))
-      return check->CFail(i);
-  return nullptr;
-}
-
-/// Takes out the boundaries of a face that refer to nothing. The face then fails by itself, instead
-/// of the whole file.
-void dropMissingBounds(const Handle(StepShape_Face) & face) {
-  const auto bounds = face->Bounds();
-  if (bounds.IsNull()) return;
-  int present = 0;
-  for (int i = 1; i <= bounds->Length(); ++i)
-    if (!bounds->Value(i).IsNull()) ++present;
-  auto kept = present > 0 ? new StepShape_HArray1OfFaceBound(1, present)
-                          : new StepShape_HArray1OfFaceBound();
-  for (int i = 1, next = 1; i <= bounds->Length(); ++i)
-    if (!bounds->Value(i).IsNull()) kept->SetValue(next++, bounds->Value(i));
-  face->SetBounds(kept);
-}
-
-/// Repairs faces that refer to missing bounds. Says which entities are damaged, empty if none.
-std::string checkReferences(const Handle(StepData_StepModel) & model) {
-  int count = 0;
-  std::string first;
-  for (int i = 1; i <= model->NbEntities(); ++i) {
-    const Handle(Standard_Transient) entity = model->Value(i);
-    if (!model->IsReportEntity(i) || isDrawn(entity)) continue;
-    const char* fault = brokenReference(model->ReportEntity(i)->Check());
-    if (!fault) continue;
-    if (count++ == 0) first = "#" + std::to_string(model->IdentLabel(entity)) + ": " + fault;
-    const auto face = Handle(StepShape_Face)::DownCast(entity);
-    if (!face.IsNull()) dropMissingBounds(face);
-  }
-  if (count == 0) return "";
-  return (count == 1 ? "an entity of this STEP file refers"
-                     : std::to_string(count) + " entities of this STEP file refer") +
-         (" to what it does not hold (" + first + ")");
-}
 
 /// Files may mix units: all that there are.
 std::string lengthUnitsOf(STEPControl_Reader& reader) {
@@ -186,13 +134,14 @@ ReadShape readStep(const std::filesystem::path& path) {
   ReadShape result;
   if (!isUtf8)
     result.notes.push_back("the names in the file are not in UTF-8; read as in Windows-1252");
-  const std::string damage = checkReferences(reader.StepModel());
-  if (!damage.empty()) {
-    constexpr std::chrono::seconds kLimit(120);
+  const StepDamage damage = takeOutDamage(reader.WS(), path);
+  if (!damage.text.empty()) {
+    constexpr std::chrono::seconds kLimit(30);
     if (!survives([&] { withAttributes.Transfer(document); }, kLimit))
-      throw InputError(path.string() + ": " + damage + "; export the model again");
-    result.notes.push_back(damage + "; what uses them may be missing");
+      throw InputError(path.string() + ": " + damage.text + "; export the model again");
+    result.notes.push_back(damage.text + "; what uses them may be missing");
   }
+  result.lostFaces = damage.faces;
   withAttributes.Transfer(document);
   result.unit = "mm";
   result.fileUnit = lengthUnitsOf(reader);

@@ -66,6 +66,34 @@ TEST(LostFaces, AreLostAfterHealing) {
   EXPECT_EQ(healModel(withoutMantle(), {}).lostFaces().size(), 1u);
 }
 
+/// The brick with a hole, with another number in the place of one coordinate of a corner of it.
+std::string brickWith(const std::string& number) {
+  std::string text = textOf(AF2_EXAMPLE_MODELS "/brickhole.step");
+  replace(text, "#25 = CARTESIAN_POINT('',(0.,0.,10.))",
+          "#25 = CARTESIAN_POINT('#25=1.E+999',(0.,0.," + number + ")) /* #26=1.E+999 */");
+  return text;
+}
+
+TEST(LostFaces, OfAStepFileAreThoseThatDependOnWhatIsNoNumber) {
+  EXPECT_TRUE(read("sound.step", brickWith("10")).lostFaces().empty());
+  for (const std::string number :
+       {"nan", "NAN", "inf", "$", "*", "'10.'", "", "(10.)", "-1.#IND", "1.E400", "-1.E+300"}) {
+    const Model model = read("number.step", brickWith(number));
+    EXPECT_EQ(model.faceCount(), 7) << number;
+    EXPECT_EQ(model.lostFaces().size(), 3u) << number;
+    ASSERT_FALSE(model.notes().empty()) << number;
+    EXPECT_NE(model.notes()[0].find("#25: "), std::string::npos) << model.notes()[0];
+  }
+}
+
+TEST(LostFaces, OfAStepFileAreThoseWhoseBoundaryIsLost) {
+  std::string text = textOf(AF2_EXAMPLE_MODELS "/brickhole.step");
+  replace(text, "FACE_BOUND('',", "FACE_BOUNT('',");
+  const Model model = read("bound.step", text);
+  EXPECT_EQ(model.faceCount(), 9);
+  EXPECT_EQ(model.lostFaces().size(), 1u);
+}
+
 /// Plain faces that share no edges, as IGES has them.
 std::string boxInIges() {
   Message::DefaultMessenger()->ChangePrinters().Clear();
