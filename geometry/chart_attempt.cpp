@@ -96,11 +96,12 @@ double elementsBeside(const FrontInput& input) {
 
 /// Several times what is expected. Only a size function may want much smaller elements inside.
 std::size_t elementLimit(const FaceTask& task) {
-  constexpr double kFunctionMargin = 1e5, kAlways = 2000;
+  constexpr double kFunctionMargin = 1e5, kAlways = 2000, kMost = 1e9;
   const double expected = task.knowsSizes ? task.expectedElements : expectedElements(task);
   const double margin = task.mayBeFineInside ? kFunctionMargin : marginOf(task);
   const double beside = elementsBeside(task.boundary.input) + kAlways;
-  return static_cast<std::size_t>(std::min(margin * expected + beside, 1e9));
+  const double limit = margin * expected + beside;
+  return static_cast<std::size_t>(limit < kMost ? limit : kMost);
 }
 
 void take(RegionMesh& mesh, const FaceTask& task, FaceAttempt& attempt) {
