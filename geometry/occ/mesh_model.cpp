@@ -20,6 +20,7 @@
 #include "geometry/occ/face_mesher.h"
 #include "geometry/occ/face_surface.h"
 #include "geometry/occ/faces_on_faces.h"
+#include "geometry/occ/meeting_faces.h"
 #include "geometry/occ/points.h"
 #include "geometry/occ/progress_sum.h"
 #include "geometry/occ/short_edges.h"
@@ -110,6 +111,7 @@ class ModelMesher final : public RetriedModel {
     mesh.seconds.optimize = optimizeShare * surfaceSeconds;
     mesh.seconds.surface = surfaceSeconds - mesh.seconds.optimize;
     mesh.findings = keepSoundFaces(mesh, state.faults);
+    tellOfMeetingFaces(*shape_, state.faults.crossings, options_.sizes.size, mesh.faces);
     if (faces_.size() == static_cast<std::size_t>(model_.faceCount()) &&
         !model_.lostFaces().empty())
       mesh.findings.push_back(toldOfLost(model_.lostFaces()));
