@@ -18,7 +18,6 @@
 #include <map>
 #include <set>
 
-#include "geometry/occ/lost_faces.h"
 #include "geometry/occ/step_numbers.h"
 
 namespace af2::geometry {
@@ -79,7 +78,9 @@ class Damage {
       if (const char* told = damageIn(model_->ReportEntity(number)->Check(), isShape(entity)))
         fault = told;
     if (fault.empty()) return;
-    if (count_++ == 0) first_ = "#" + std::to_string(label) + ": " + fault;
+    const bool isWorse = isShape(entity) && !isShapeHit_;  // damage elsewhere rarely matters
+    if (count_++ == 0 || isWorse) first_ = "#" + std::to_string(label) + ": " + fault;
+    isShapeHit_ |= isWorse;
     reached_.insert(number);
   }
 
@@ -105,42 +106,45 @@ class Damage {
     }
   }
 
-  bool isReached(const Handle(StepShape_Face) & face) const {
-    if (face.IsNull()) return false;
+  /// What is not there is not to be transferred, either.
+  bool isUsable(const Handle(StepShape_Face) & face) const {
+    if (face.IsNull() || reached_.contains(model_->Number(face))) return false;
     const auto oriented = Handle(StepShape_OrientedFace)::DownCast(face);
-    return reached_.contains(model_->Number(face)) ||
-           (!oriented.IsNull() && isReached(oriented->FaceElement()));
+    return oriented.IsNull() || isUsable(oriented->FaceElement());
   }
 
   void takeOutFaces() {
-    std::set<std::string> told;
     for (int i = 1; i <= model_->NbEntities(); ++i) {
       const auto shell = Handle(StepShape_ConnectedFaceSet)::DownCast(model_->Value(i));
       if (shell.IsNull() || shell->CfsFaces().IsNull()) continue;
       std::vector<Handle(StepShape_Face)> kept;
       for (int k = 1; k <= shell->NbCfsFaces(); ++k) {
-        const Handle(StepShape_Face) face = shell->CfsFacesValue(k);
-        if (!isReached(face))
-          kept.push_back(face);
-        else if (const std::string name = stepFaceName(model_, face); told.insert(name).second)
-          faces_.push_back(name);
+        if (isUsable(shell->CfsFacesValue(k)))
+          kept.push_back(shell->CfsFacesValue(k));
+        else
+          faces_.push_back({shell, stepFaceName(model_, shell, k)});
       }
-      if (std::ssize(kept) == shell->NbCfsFaces()) continue;
-      const int count = static_cast<int>(kept.size());
-      const auto array =
-          count > 0 ? new StepShape_HArray1OfFace(1, count) : new StepShape_HArray1OfFace();
-      for (int k = 0; k < count; ++k) array->SetValue(k + 1, kept[static_cast<std::size_t>(k)]);
-      shell->SetCfsFaces(array);
+      if (std::ssize(kept) < shell->NbCfsFaces()) shell->SetCfsFaces(arrayOf(kept));
     }
+  }
+
+  static Handle(StepShape_HArray1OfFace) arrayOf(const std::vector<Handle(StepShape_Face)>& faces) {
+    if (faces.empty()) return new StepShape_HArray1OfFace();
+    const Handle(StepShape_HArray1OfFace) array =
+        new StepShape_HArray1OfFace(1, static_cast<int>(faces.size()));
+    int next = 0;
+    for (const Handle(StepShape_Face) & face : faces) array->SetValue(++next, face);
+    return array;
   }
 
   Handle(XSControl_WorkSession) session_;
   Handle(StepData_StepModel) model_;
   std::map<int, std::string> unusable_;  ///< by label
   int count_ = 0;
+  bool isShapeHit_ = false;
   std::string first_;
   std::set<int> reached_;  ///< numbers of entities that are damaged or depend on such
-  std::vector<std::string> faces_;
+  std::vector<TakenFace> faces_;
 };
 
 }  // namespace

@@ -7,11 +7,13 @@
 #include <string>
 #include <vector>
 
+#include "geometry/occ/lost_faces.h"
+
 namespace af2::geometry {
 
 struct StepDamage {
-  std::string text;                ///< which entities are damaged and how; empty if none
-  std::vector<std::string> faces;  ///< taken out of their shells, as `lostStepFaces` names them
+  std::string text;              ///< which entities are damaged and how; empty if none
+  std::vector<TakenFace> faces;  ///< taken out of their shells
 };
 
 /// Entities that refer to what the file does not hold, or have values that are no numbers or larger

@@ -35,6 +35,11 @@ std::string labelOf(const Handle(StepData_StepModel) & model,
   return "#" + std::to_string(model->IdentLabel(entity));
 }
 
+Handle(StepShape_Face) withoutSense(const Handle(StepShape_Face) & face) {
+  const auto oriented = Handle(StepShape_OrientedFace)::DownCast(face);
+  return oriented.IsNull() ? face : oriented->FaceElement();
+}
+
 class LostFaces {
  public:
   explicit LostFaces(const Handle(XSControl_WorkSession) & session)
@@ -42,7 +47,9 @@ class LostFaces {
         model_(Handle(StepData_StepModel)::DownCast(session->Model())),
         process_(session->TransferReader()->TransientProcess()) {}
 
-  std::vector<std::string> find() {
+  std::vector<std::string> find(const std::vector<TakenFace>& taken) {
+    for (const TakenFace& face : taken)
+      if (wasTried(face.shell)) tell(face.name);
     for (int i = 1; i <= model_->NbEntities(); ++i) {
       const auto shell = Handle(StepShape_ConnectedFaceSet)::DownCast(model_->Value(i));
       if (!shell.IsNull() && wasTried(shell)) lookAt(shell);
@@ -63,20 +70,19 @@ class LostFaces {
   void lookAt(const Handle(StepShape_ConnectedFaceSet) & shell) {
     if (shell->CfsFaces().IsNull()) return;
     for (int k = 1; k <= shell->NbCfsFaces(); ++k) {
-      Handle(StepShape_Face) face = shell->CfsFacesValue(k);
-      const auto oriented = Handle(StepShape_OrientedFace)::DownCast(face);
-      if (!oriented.IsNull()) face = oriented->FaceElement();
-      if (face.IsNull())
-        lost_.push_back("number " + std::to_string(k) + " of " + labelOf(model_, shell));
-      else if (!isThere(process_, face) && told_.insert(face.get()).second)
-        lost_.push_back(stepFaceName(model_, face));
+      const Handle(StepShape_Face) face = withoutSense(shell->CfsFacesValue(k));
+      if (face.IsNull() || !isThere(process_, face)) tell(stepFaceName(model_, shell, k));
     }
+  }
+
+  void tell(const std::string& name) {
+    if (told_.insert(name).second) lost_.push_back(name);
   }
 
   Handle(XSControl_WorkSession) session_;
   Handle(StepData_StepModel) model_;
   Handle(Transfer_TransientProcess) process_;
-  std::set<const Standard_Transient*> told_;  // only asked whether it holds one
+  std::set<std::string> told_;
   std::vector<std::string> lost_;
 };
 
@@ -96,7 +102,9 @@ bool isLooseSurface(const Handle(Standard_Transient) & entity, const Interface_G
 }  // namespace
 
 std::string stepFaceName(const Handle(StepData_StepModel) & model,
-                         const Handle(StepShape_Face) & face) {
+                         const Handle(StepShape_ConnectedFaceSet) & shell, int number) {
+  const Handle(StepShape_Face) face = withoutSense(shell->CfsFacesValue(number));
+  if (face.IsNull()) return "number " + std::to_string(number) + " of " + labelOf(model, shell);
   const std::string label = labelOf(model, face);
   if (face->Name().IsNull() || face->Name()->IsEmpty()) return label;
   return label + " '" + face->Name()->ToCString() + "'";
@@ -114,8 +122,9 @@ std::vector<std::string> lostIgesFaces(const Handle(XSControl_WorkSession) & ses
   return lost;
 }
 
-std::vector<std::string> lostStepFaces(const Handle(XSControl_WorkSession) & session) {
-  return LostFaces(session).find();
+std::vector<std::string> lostStepFaces(const Handle(XSControl_WorkSession) & session,
+                                       const std::vector<TakenFace>& taken) {
+  return LostFaces(session).find(taken);
 }
 
 }  // namespace af2::geometry

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <StepData_StepModel.hxx>
+#include <StepShape_ConnectedFaceSet.hxx>
 #include <StepShape_Face.hxx>
 #include <XSControl_WorkSession.hxx>
 #include <string>
@@ -10,13 +11,24 @@
 
 namespace af2::geometry {
 
-/// The number of its entity and its name: "#17 'inlet'".
-std::string stepFaceName(const Handle(StepData_StepModel) & model,
-                         const Handle(StepShape_Face) & face);
+/// A face that a shell of a STEP file had before the transfer.
+struct TakenFace {
+  Handle(StepShape_ConnectedFaceSet) shell;
+  std::string name;  ///< as `stepFaceName`
+};
 
-/// The faces of shells that a STEP reader was to transfer and has no shape for, by `stepFaceName`,
-/// or as "number 3 of #12" if the file lacks that. To be asked after the transfer.
-std::vector<std::string> lostStepFaces(const Handle(XSControl_WorkSession) & session);
+/// The number of its entity and its name, "#17 'inlet'"; or "number 3 of #12" if the file lacks it.
+///
+/// number  of the face in the shell, from 1
+std::string stepFaceName(const Handle(StepData_StepModel) & model,
+                         const Handle(StepShape_ConnectedFaceSet) & shell, int number);
+
+/// The faces of shells that a STEP reader was to transfer and has no shape for, by their names. To
+/// be asked after the transfer.
+///
+/// taken  faces that were taken out of shells before it
+std::vector<std::string> lostStepFaces(const Handle(XSControl_WorkSession) & session,
+                                       const std::vector<TakenFace>& taken);
 
 /// The same of an IGES reader: faces and surfaces that are faces, by their line in the directory:
 /// "D17".

@@ -141,7 +141,6 @@ ReadShape readStep(const std::filesystem::path& path) {
       throw InputError(path.string() + ": " + damage.text + "; export the model again");
     result.notes.push_back(damage.text + "; what uses them may be missing");
   }
-  result.lostFaces = damage.faces;
   withAttributes.Transfer(document);
   result.unit = "mm";
   result.fileUnit = lengthUnitsOf(reader);
@@ -151,12 +150,13 @@ ReadShape readStep(const std::filesystem::path& path) {
       isInOneFile ? reader.OneShape() : joinedParts(document, others, path, result.notes);
   result.groups = groupsOf(document);
   StepFaces faces;
-  const auto take = [&](const Handle(XSControl_WorkSession) & session) {
+  const auto take = [&](const Handle(XSControl_WorkSession) & session,
+                        const std::vector<TakenFace>& taken) {
     faces.add(session->TransferReader()->TransientProcess());
-    std::ranges::move(lostStepFaces(session), std::back_inserter(result.lostFaces));
+    std::ranges::move(lostStepFaces(session, taken), std::back_inserter(result.lostFaces));
   };
-  take(reader.WS());
-  for (const auto& session : others.sessions) take(session);
+  take(reader.WS(), damage.faces);
+  for (const auto& session : others.sessions) take(session, {});
   result.nameOf = [faces](const TopoDS_Face& face) { return faces.nameOf(face); };
   turnBackFaces(result, [&](const TopoDS_Face& face) { return faces.isAsInFile(face); });
   return result;
