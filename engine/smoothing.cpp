@@ -35,6 +35,9 @@ DistortionTerm previousCornerTerm(Point2 p, Point2 o) {
   return {kQuadScale, 1, p, dot(p, p) + dot(u, u), {u.y, -u.x}, -cross(p, u)};
 }
 
+/// No vertex moves by more than this part of its shortest edge at once.
+constexpr double kMostOfReach = 0.5;
+
 struct Energy {
   double value = 0;
   Point2 gradient;
@@ -95,6 +98,24 @@ Energy derivativesOf(std::span<const DistortionTerm> terms) {
   return e;
 }
 
+/// That of an element with an angle of some three degrees.
+constexpr double kThinDistortion = 12;
+
+/// Beside an element without area, the energy falls so steeply that a step of Newton's method is
+/// but a small part of the way to where that element is fair.
+///
+/// energy  after `step`
+template <int kPower>
+Point2 lengthened(std::span<const DistortionTerm> terms, Point2 step, double energy, double reach) {
+  while (2 * length(step) <= kMostOfReach * reach) {
+    const double next = energyAt<kPower>(terms, 2 * step);
+    if (!(next < energy)) break;
+    step = 2 * step;
+    energy = next;
+  }
+  return step;
+}
+
 /// A step of Newton's method from the origin, shortened until it lowers the energy; (0, 0): none.
 template <int kPower>
 Point2 improvedPosition(std::span<const DistortionTerm> terms, double reach) {
@@ -111,9 +132,13 @@ Point2 improvedPosition(std::span<const DistortionTerm> terms, double reach) {
     if (!(slope > 0)) return {};
     step = (-0.25 * reach / slope) * e.gradient;
   }
-  if (length(step) > 0.5 * reach) step = (0.5 * reach / length(step)) * step;
-  for (int i = 0; i < kHalvings; ++i, step = 0.5 * step)
-    if (energyAt<kPower>(terms, step) < e.value) return step;
+  if (length(step) > kMostOfReach * reach) step = (kMostOfReach * reach / length(step)) * step;
+  for (int i = 0; i < kHalvings; ++i, step = 0.5 * step) {
+    const double energy = energyAt<kPower>(terms, step);
+    if (!(energy < e.value)) continue;
+    const bool isThin = kPower > 2 && energy > power<kPower>(kThinDistortion);
+    return isThin ? lengthened<kPower>(terms, step, energy, reach) : step;
+  }
   return {};
 }
 

@@ -105,6 +105,30 @@ class Closer {
   std::vector<Element> elements_;
 };
 
+/// Those edges of a front that make a loop with the first one; nothing if they are ambiguous.
+std::vector<StuckEdge> takeLoop(std::vector<StuckEdge>& front) {
+  std::vector<StuckEdge> loop{front.front()};
+  front.erase(front.begin());
+  while (loop.back().to != loop.front().from) {
+    const auto starts = [&](const StuckEdge& e) { return e.from == loop.back().to; };
+    const auto next = std::ranges::find_if(front, starts);
+    if (next == front.end() || std::ranges::count_if(front, starts) > 1) return {};
+    loop.push_back(*next);
+    front.erase(next);
+  }
+  return loop;
+}
+
+/// Twice the area of a loop, across it.
+Point3 areaVector(const Mesh& mesh, const std::vector<StuckEdge>& loop) {
+  const Point3& origin = mesh.vertices[loop.front().from.value].position;
+  Point3 sum;
+  for (const StuckEdge& edge : loop)
+    sum = sum + cross(mesh.vertices[edge.from.value].position - origin,
+                      mesh.vertices[edge.to.value].position - origin);
+  return sum;
+}
+
 /// The plane across the mean normal of the vertices that are left on the front.
 ProjectionFrame planeOfFront(const MeshingResult& result) {
   Point3 normal;
@@ -140,6 +164,24 @@ bool closeFront(MeshingResult& result, std::uint16_t rule, std::size_t most) {
   return closeFront(
       result, [&](VertexId v) { return plane.project(result.mesh.vertices[v.value]).position; },
       rule, most);
+}
+
+bool closeLoops(MeshingResult& result, std::uint16_t rule) {
+  constexpr std::size_t kMostOfLoop = 24;
+  MeshingResult closed = result;
+  std::vector<StuckEdge> front = result.stuck;
+  while (!front.empty()) {
+    closed.stuck = takeLoop(front);
+    if (closed.stuck.size() < 3) return false;
+    const Point3 across = areaVector(closed.mesh, closed.stuck);
+    if (!(length(across) > 0)) return false;
+    const PlaneAxes axes(closed.mesh.vertices[closed.stuck.front().from.value].position,
+                         unit(across));
+    const auto inPlane = [&](VertexId v) { return axes(closed.mesh.vertices[v.value]); };
+    if (!closeFront(closed, inPlane, rule, kMostOfLoop)) return false;
+  }
+  result = std::move(closed);
+  return true;
 }
 
 }  // namespace af2::geometry

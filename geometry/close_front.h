@@ -36,4 +36,9 @@ bool closeFront(MeshingResult& result, const std::function<Point2(VertexId)>& in
 /// The same in the plane across the mean normal of the vertices that are left on the front.
 bool closeFront(MeshingResult& result, std::uint16_t rule, std::size_t most = kMostStuckEdges);
 
+/// The same for small loops, each in the plane that its area vector is across, whichever way that
+/// leans. Nothing tells whether loops enclose each other, or whether what is closed lies on the
+/// rest of the mesh.
+bool closeLoops(MeshingResult& result, std::uint16_t rule);
+
 }  // namespace af2::geometry

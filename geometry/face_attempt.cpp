@@ -92,22 +92,6 @@ bool hasOneSheet(const FaceTask& task) {
          !hasTwoSheets(task.boundary.input);
 }
 
-/// Elements lean against the surface as far as they like, as long as nothing folds in the
-/// parameters.
-FaceAttempt fillLeaning(const FaceTask& task) {
-  FaceAttempt attempt;
-  attempt.fault = "not filled";
-  if (task.surface.isPlane() || !hasOneSheet(task)) return attempt;
-  attempt = attemptLeaning(task);
-  attempt.effort = attempt.result.candidates;
-  if (!attempt.fault.empty() && !close(task, attempt)) return attempt;
-  const ParametricSurface& surface = *task.surface.inParameters();
-  if (!isFlatInParameters(attempt.result.mesh, surface.isFlipped()))
-    attempt.fault = "elements fold in the parameters";
-  restoreNormals(surface, task.boundary.input, attempt.result.mesh);
-  return attempt;
-}
-
 FaceAttempt fillWithRules(const FaceTask& task) {
   const std::vector<ChartKind> kinds = chartsFor(task);
   std::vector<FaceAttempt> failed;
@@ -187,6 +171,66 @@ FaceAttempt fillWithoutVertices(const FaceTask& task) {
   close(task, attempt, kMostClosingEdges);
   attempt.chart = ChartKind::Auto;  // it took none
   return attempt;
+}
+
+/// Elements lean against the surface as far as they like, as long as nothing folds in the
+/// parameters.
+FaceAttempt fillLeaningInParameters(const FaceTask& task) {
+  FaceAttempt attempt;
+  attempt.fault = "not filled";
+  if (task.surface.isPlane() || !hasOneSheet(task)) return attempt;
+  attempt = attemptLeaning(task);
+  attempt.effort = attempt.result.candidates;
+  if (!attempt.fault.empty() && !close(task, attempt)) return attempt;
+  const ParametricSurface& surface = *task.surface.inParameters();
+  if (!isFlatInParameters(attempt.result.mesh, surface.isFlipped()))
+    attempt.fault = "elements fold in the parameters";
+  restoreNormals(surface, task.boundary.input, attempt.result.mesh);
+  return attempt;
+}
+
+/// Whether a mesh fills what the boundary encloses, however its elements lean.
+bool isFilled(const FaceTask& task, Mesh mesh) {
+  for (SurfacePoint& vertex : mesh.vertices) vertex.normal = {};
+  return faultOf(mesh, af2::boundaryOf(task.boundary.input)).empty();
+}
+
+/// Closes what is left of a front across its small loops, each in a plane of its own.
+bool closeLeaning(const FaceTask& task, FaceAttempt& attempt) {
+  if (attempt.result.outcome != Outcome::Stuck) return false;
+  MeshingResult closed = attempt.result;
+  if (!closeLoops(closed, closingRule(task.algorithm.rules()))) return false;
+  if (!isFilled(task, closed.mesh)) return false;
+  attempt.closingElements = closed.mesh.elements.size() - attempt.result.mesh.elements.size();
+  attempt.result = std::move(closed);
+  attempt.fault.clear();
+  attempt.isOptimized = true;  // the optimiser knows folds by the normals
+  return isNearArea(task, attempt);
+}
+
+/// A patch where fillets meet may be bent more than its few elements can follow: there the front
+/// leaves little, across which only its edges tell how elements should lie; or nothing fits at all.
+FaceAttempt fillAcross(const FaceTask& task) {
+  constexpr std::size_t kMostCandidates = 300'000;  // a crammed front would leave much
+  FaceTask limited = task;
+  limited.mostCandidates = std::min(task.mostCandidates, kMostCandidates);
+  for (const ChartKind kind : chartsFor(task)) {
+    FaceAttempt attempt = attemptWith(limited, kind, 0);
+    attempt.effort = attempt.result.candidates;
+    if (closeLeaning(task, attempt)) return attempt;
+  }
+  FaceAttempt bare;
+  beginFront(task.boundary.input, bare.result);
+  if (!closeLeaning(task, bare)) bare.fault = "not filled";
+  return bare;
+}
+
+FaceAttempt fillLeaning(const FaceTask& task) {
+  FaceAttempt attempt = fillLeaningInParameters(task);
+  if (attempt.fault.empty() || task.surface.isPlane() || !task.boundary.input.isolated.empty())
+    return attempt;
+  FaceAttempt across = fillAcross(task);
+  return across.fault.empty() ? std::move(across) : std::move(attempt);
 }
 
 /// Whether a plane face is a strip, far narrower than its segments are long: vertices inside make

@@ -71,5 +71,35 @@ TEST(Smoothing, NobodyLooksWhereNothingWasToldOf) {
   EXPECT_EQ(asleep.sweep(), 0u);
 }
 
+/// A square, and a vertex inside at some height above its lower side.
+struct Square {
+  FrontInput input;
+  Mesh mesh;
+  FlatMaker maker;
+
+  explicit Square(double height) {
+    const auto at = [](double x, double y) { return SurfacePoint{{x, y, 0}, {0, 0, 1}, x, y}; };
+    mesh.vertices = {at(0, 0), at(1, 0), at(1, 1), at(0, 1), at(0.5, height)};
+    input.vertexCount = 4;
+    input.loops.emplace_back();
+    for (std::uint32_t i = 0; i < 4; ++i) {
+      input.loops[0].push_back({VertexId(i), mesh.vertices[i]});
+      mesh.elements.push_back({{VertexId(i), VertexId((i + 1) % 4), VertexId(4), VertexId()}});
+    }
+    mesh.rule.assign(4, 0);
+  }
+};
+
+/// One that is all but flat takes more than small steps.
+TEST(Smoothing, AThinElementIsMendedAtOnce) {
+  constexpr double kFlat = 1e-4;
+  Square square(kFlat);
+  MeshTopology topology(square.mesh, boundaryOf(square.input));
+  VertexSmoother smoother(topology, square.mesh, square.maker);
+  const std::vector<VertexId> inside{VertexId(4)};
+  EXPECT_EQ(smoother.mend(inside), 1u);
+  EXPECT_GT(square.mesh.vertices[4].position.y, 0.1);
+}
+
 }  // namespace
 }  // namespace af2

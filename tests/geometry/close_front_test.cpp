@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace af2::geometry {
 namespace {
 
@@ -81,6 +83,27 @@ TEST(CloseFront, LeavesAFrontThatRunsTheWrongWayRoundAlone) {
   EXPECT_FALSE(close(result));
   EXPECT_EQ(result.outcome, Outcome::Stuck);
   EXPECT_TRUE(result.mesh.elements.empty());
+}
+
+TEST(CloseFront, ClosesEachSmallLoopInItsOwnPlane) {
+  MeshingResult result = stuckAt({{{0, 0}, {4, 0}, {4, 4}, {0, 4}}, {{6, 0}, {8, 0}, {7, 2}}});
+  for (std::size_t v = 0; v < 4; ++v) {  // upright, and not as the normals say
+    Point3& p = result.mesh.vertices[v].position;
+    p = {p.x, 0, p.y};
+  }
+  ASSERT_TRUE(closeLoops(result, 99));
+  EXPECT_EQ(result.outcome, Outcome::Complete);
+  EXPECT_EQ(result.mesh.elements.size(), 3u);
+  EXPECT_DOUBLE_EQ(areaOf(result.mesh), 2);  // of the loop that lies flat
+}
+
+TEST(CloseFront, LeavesLargeLoopsAsTheyAre) {
+  std::vector<Point2> circle;
+  for (int i = 0; i < 30; ++i) circle.push_back({std::cos(0.2 * i), std::sin(0.2 * i)});
+  MeshingResult result = stuckAt({{{6, 0}, {8, 0}, {7, 2}}, circle});
+  EXPECT_FALSE(closeLoops(result, 99));
+  EXPECT_TRUE(result.mesh.elements.empty());
+  EXPECT_EQ(result.stuck.size(), 33u);
 }
 
 }  // namespace

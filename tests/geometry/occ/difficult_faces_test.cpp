@@ -32,6 +32,7 @@
 #include <gp_Elips.hxx>
 
 #include <algorithm>
+#include <array>
 #include <initializer_list>
 #include <numbers>
 #include <vector>
@@ -344,6 +345,33 @@ TEST(DifficultFaces, TheSameMeshFromAnyNumberOfThreads) {
   const ModelMesh four = meshModel(solid, algorithm, options);
   EXPECT_EQ(one.vertices, four.vertices);
   EXPECT_EQ(one.elements, four.elements);
+}
+
+/// A patch with three corners, one of them a pole, as between fillets; `inside` are the poles of
+/// the surface between that and the rim.
+TopoDS_Face patchFromPole(const std::array<gp_Pnt, 3>& inside, const gp_Pnt& rim) {
+  const std::array<gp_Pnt, 3> last{gp_Pnt(1, 0, 0), rim, gp_Pnt(0, 1, 0)};
+  TColgp_Array2OfPnt poles(1, 3, 1, 3);
+  poles.Init(gp_Pnt(0, 0, 0));
+  for (int i = 1; i <= 3; ++i) {
+    poles.SetValue(i, 2, inside[static_cast<std::size_t>(i) - 1]);
+    poles.SetValue(i, 3, last[static_cast<std::size_t>(i) - 1]);
+  }
+  return BRepBuilderAPI_MakeFace(new Geom_BezierSurface(poles), 1e-7);
+}
+
+TEST(DifficultFaces, PatchesBentMoreThanAFewElementsCanFollowAreClosedLeaning) {
+  const std::array patches{
+      patchFromPole({{{-0.3, 0.4, 0.2}, {0.3, 0.5, -0.3}, {0, 0.3, 0.4}}}, {0.5, 0.3, -0.3}),
+      patchFromPole({{{-0.1, 0.2, 0.1}, {0.6, 0.4, 0.4}, {-0.1, 0.3, 0.3}}}, {0.4, 0.6, 0.2})};
+  for (const TopoDS_Face& patch : patches) {
+    const ModelMesh result = mesh(patch, 0.4);
+    expectComplete(result);
+    EXPECT_GT(leastAngle(result), 2);
+    EXPECT_EQ(crossingsOf(result), 0u);
+    ASSERT_FALSE(result.faces[0].attempts.empty());
+    EXPECT_EQ(result.faces[0].attempts.back(), "elements that lean against the surface");
+  }
 }
 
 }  // namespace
