@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <tuple>
 
 namespace af2::geometry {
@@ -12,30 +13,26 @@ constexpr std::size_t kLeaf = 4;
 
 std::size_t middle(std::size_t first, std::size_t last) { return first + (last - first) / 2; }
 
-/// How many boxes a tree over `count` sources has room for.
+/// How many nodes a tree over `count` sources has room for.
 std::size_t treeSize(std::size_t count) {
   std::size_t size = 1;
-  while (count > kLeaf) {
+  while (count > 2 * kLeaf) {
     count -= count / 2;
     size = 2 * size + 1;
   }
   return size;
 }
 
-double beyond(double value, double low, double high) {
-  return value < low ? low - value : std::max(0.0, value - high);
-}
-
 }  // namespace
 
 GrowingSize::GrowingSize(std::vector<SizeSource> sources, double growth, double largest)
     : sources_(std::move(sources)), growth_(growth), largest_(largest) {
-  if (sources_.empty()) return;
-  boxes_.resize(treeSize(sources_.size()));
+  if (sources_.size() <= kLeaf) return;
+  halves_.resize(treeSize(sources_.size()));
   build(0, 0, sources_.size());
 }
 
-void GrowingSize::build(std::size_t node, std::size_t first, std::size_t last) {
+GrowingSize::Box GrowingSize::boxOf(std::size_t first, std::size_t last) const {
   Box box{sources_[first].position, sources_[first].position, sources_[first].size, largest_};
   for (std::size_t i = first; i < last; ++i) {
     const SizeSource& s = sources_[i];
@@ -45,8 +42,24 @@ void GrowingSize::build(std::size_t node, std::size_t first, std::size_t last) {
     box.size = std::min(box.size, s.size);
     box.atCentres = std::min(box.atCentres, s.size - growth_ * s.radius);
   }
-  boxes_[node] = box;
-  if (last - first <= kLeaf) return;
+  return box;
+}
+
+GrowingSize::Box GrowingSize::build(std::size_t node, std::size_t first, std::size_t last) {
+  const Box box = boxOf(first, last);
+  if (last - first <= kLeaf) return box;
+  const std::size_t half = middle(first, last);
+  divide(box, first, half, last);
+  const Box a = build(2 * node + 1, first, half), b = build(2 * node + 2, half, last);
+  halves_[node] =
+      Halves{Pair{a.low.x, b.low.x},   Pair{a.low.y, b.low.y},        Pair{a.low.z, b.low.z},
+             Pair{a.high.x, b.high.x}, Pair{a.high.y, b.high.y},      Pair{a.high.z, b.high.z},
+             Pair{a.size, b.size},     Pair{a.atCentres, b.atCentres}};
+  return box;
+}
+
+/// In two halves across the longest side of their box.
+void GrowingSize::divide(const Box& box, std::size_t first, std::size_t half, std::size_t last) {
   const Point3 extent = box.high - box.low;
   const auto along = [&](const Point3& p) {
     if (extent.x >= extent.y && extent.x >= extent.z) return std::tuple(p.x, p.y, p.z);
@@ -54,18 +67,21 @@ void GrowingSize::build(std::size_t node, std::size_t first, std::size_t last) {
     return std::tuple(p.z, p.x, p.y);
   };
   const auto at = [&](std::size_t i) { return sources_.begin() + static_cast<std::ptrdiff_t>(i); };
-  const std::size_t half = middle(first, last);
   std::nth_element(at(first), at(half), at(last), [&](const SizeSource& a, const SizeSource& b) {
     return along(a.position) < along(b.position);
   });
-  build(2 * node + 1, first, half);
-  build(2 * node + 2, half, last);
 }
 
-double GrowingSize::leastIn(const Box& box, const Point3& p) const {
-  const Point3 outside{beyond(p.x, box.low.x, box.high.x), beyond(p.y, box.low.y, box.high.y),
-                       beyond(p.z, box.low.z, box.high.z)};
-  return std::max(box.size, box.atCentres + growth_ * length(outside));
+Pair GrowingSize::leastIn(const Halves& h, const Point3& p) const {
+  const Pair x{p.x, p.x}, y{p.y, p.y}, z{p.z, p.z}, growth{growth_, growth_};
+  const auto beyond = [](Pair value, Pair low, Pair high) {
+    return larger(Pair{0, 0}, larger(low - value, value - high));
+  };
+  const Pair outX = beyond(x, h.lowX, h.highX), outY = beyond(y, h.lowY, h.highY),
+             outZ = beyond(z, h.lowZ, h.highZ);
+  const Pair squared = outX * outX + outY * outY + outZ * outZ;
+  const Pair outside{std::sqrt(squared[0]), std::sqrt(squared[1])};
+  return larger(h.size, h.atCentres + growth * outside);
 }
 
 void GrowingSize::look(std::size_t node, std::size_t first, std::size_t last,
@@ -79,18 +95,27 @@ void GrowingSize::look(std::size_t node, std::size_t first, std::size_t last,
     return;
   }
   const std::size_t half = middle(first, last), left = 2 * node + 1, right = left + 1;
-  const double inLeft = leastIn(boxes_[left], position), inRight = leastIn(boxes_[right], position);
-  const bool leftFirst = inLeft <= inRight;
-  if (leftFirst && inLeft < least) look(left, first, half, position, least);
-  if (inRight < least) look(right, half, last, position, least);
-  if (!leftFirst && inLeft < least) look(left, first, half, position, least);
+  const Pair within = leastIn(halves_[node], position);
+  const bool leftFirst = within[0] <= within[1];
+  if (leftFirst && within[0] < least) look(left, first, half, position, least);
+  if (within[1] < least) look(right, half, last, position, least);
+  if (!leftFirst && within[0] < least) look(left, first, half, position, least);
 }
 
 double GrowingSize::at(const Point3& position) const {
   double least = largest_;
-  if (!sources_.empty() && leastIn(boxes_[0], position) < least)
-    look(0, 0, sources_.size(), position, least);
+  look(0, 0, sources_.size(), position, least);
   return least;
+}
+
+/// What others want everywhere in the ball of a source they want wherever it reaches.
+std::vector<SizeSource> uncovered(std::vector<SizeSource> sources, double growth) {
+  constexpr double kClearly = 1 - 1e-9;  // more than rounding, and nothing is covered by itself
+  const GrowingSize all(sources, growth, std::numeric_limits<double>::infinity());
+  std::erase_if(sources, [&](const SizeSource& s) {
+    return all.at(s.position) + growth * s.radius < kClearly * s.size;
+  });
+  return sources;
 }
 
 }  // namespace af2::geometry

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "engine/pair.h"
 #include "engine/point.h"
 
 namespace af2::geometry {
@@ -30,14 +31,23 @@ class GrowingSize {
     double size = 0;       ///< the smallest size in it
     double atCentres = 0;  ///< the smallest of size - growth * radius
   };
-  void build(std::size_t node, std::size_t first, std::size_t last);
+  /// The boxes of both halves of some sources, side by side.
+  struct Halves {
+    Pair lowX, lowY, lowZ, highX, highY, highZ, size, atCentres;
+  };
+  Box build(std::size_t node, std::size_t first, std::size_t last);
+  Box boxOf(std::size_t first, std::size_t last) const;
+  void divide(const Box& box, std::size_t first, std::size_t half, std::size_t last);
   void look(std::size_t node, std::size_t first, std::size_t last, const Point3& position,
             double& least) const;
-  double leastIn(const Box& box, const Point3& position) const;
+  Pair leastIn(const Halves& halves, const Point3& position) const;
 
   std::vector<SizeSource> sources_;
-  std::vector<Box> boxes_;  ///< a heap: the halves of box i are 2 i + 1 and 2 i + 2
+  std::vector<Halves> halves_;  ///< a heap: the halves of those at i are at 2 i + 1 and 2 i + 2
   double growth_, largest_;
 };
+
+/// Without the sources, all of sizes > 0, that want nowhere less than the others do.
+std::vector<SizeSource> uncovered(std::vector<SizeSource> sources, double growth);
 
 }  // namespace af2::geometry

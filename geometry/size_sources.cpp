@@ -140,7 +140,8 @@ class GridSize {
 struct PreparedSources {
   PreparedSources(SizeSources sources, double growthPerLength)
       : growth(growthPerLength),
-        points(std::move(sources.points), growthPerLength, std::numeric_limits<double>::infinity()),
+        points(uncovered(std::move(sources.points), growthPerLength), growthPerLength,
+               std::numeric_limits<double>::infinity()),
         boxes(std::move(sources.boxes)),
         grids(std::move(sources.grids)) {
     for (SizeGrid& grid : grids) GridGrading(grid, growth).run();

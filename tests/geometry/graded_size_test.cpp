@@ -41,6 +41,22 @@ TEST(GrowingSize, FindsTheSmallestAmongManyBalls) {
   }
 }
 
+TEST(GrowingSize, NeedsOnlyTheUncoveredSources) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> any(0, 10), some(0.01, 1), radius(0, 0.2);
+  std::vector<SizeSource> sources;
+  for (int i = 0; i < 1000; ++i)
+    sources.push_back({{any(random), any(random), 0}, some(random), radius(random)});
+  const std::vector<SizeSource> few = uncovered(sources, 0.3);
+  EXPECT_GT(few.size(), 10u);
+  EXPECT_LT(few.size(), 500u);
+  const GrowingSize all(sources, 0.3, 5), same(few, 0.3, 5);
+  for (int i = 0; i < 1000; ++i) {
+    const Point3 p{2 * any(random) - 5, any(random), any(random) - 5};
+    EXPECT_EQ(same.at(p), all.at(p));
+  }
+}
+
 FrontInput polygon(const std::vector<Point2>& corners) {
   FrontInput input;
   testing::addLoop(input, corners);
