@@ -68,8 +68,6 @@ const char* wordFor(Op op) {
       return "min";
     case Op::Maximum:
       return "max";
-    case Op::Floor:
-      return "floor";
     case Op::Sweep:
       return "sweep";
     case Op::BisectX:

@@ -53,7 +53,7 @@ bool ClauseCompiler::defineLocal(const Name& name, Value value, LocalKind kind) 
 
 void ClauseCompiler::compileNew(const NewClause& clause) {
   for (const Definition& d : clause.vertices) {
-    Value value = expressions_.point(d.value, "a new vertex");
+    Value value = expressions_.point(d.value);
     const bool isKnown = !value.isAny();
     if (!isKnown && !isGeneric_) hasErrors_ = true;
     const auto index = static_cast<int>(matched_.size() + newPlaces_.size());
@@ -270,9 +270,26 @@ void ClauseCompiler::warnAboutNames() {
       warn("A2", local.span, "the value '" + name + "' is never used", "remove it");
 }
 
+/// The engine takes so many only; and everything here may look at all of them for each.
+bool ClauseCompiler::tellTooManyVertices() {
+  std::vector<const Name*> names;
+  for (const Clause& clause : rule_.clauses) {
+    if (const auto* at = std::get_if<AtClause>(&clause.content))
+      for (const Place& place : at->places) names.push_back(&place.name);
+    if (const auto* made = std::get_if<NewClause>(&clause.content))
+      for (const Definition& d : made->vertices) names.push_back(&d.name);
+  }
+  const std::size_t count = names.size() + 2, most = AF2Rule::kMaxVertices;
+  if (count <= most) return false;
+  tell("T2", names.back()->span, "this rule has " + std::to_string(count) + " vertices", "",
+       "at most " + std::to_string(most) + " are possible, a and b among them");
+  return true;
+}
+
 std::optional<CompiledRule> ClauseCompiler::compile(const std::string& title, Span titleSpan) {
   result_.title = titleSpan;
   expressions_.ruleTitle = title;
+  if (tellTooManyVertices()) return std::nullopt;
   definition().name = title;
   definition().source = {home_.source.name(), home_.source.lineOf(titleSpan.begin),
                          mirror_ != nullptr};

@@ -22,6 +22,7 @@ class ClauseCompiler {
   ClauseCompiler(CompileContext& context, const Module& home, const SharedSettings& settings,
                  const Rule& rule, const MirrorClause* mirror)
       : home_(home),
+        registry_(context.registry),
         settings_(settings),
         rule_(rule),
         mirror_(mirror),
@@ -92,8 +93,7 @@ class ClauseCompiler {
     fade_ = builder_.divide(builder_.constant(1), q);
     if (settings_.fadeExpression) {
       DiagnosticList silent;  // told once, with the rule set
-      Registry none;
-      CompileContext quiet{silent, none};
+      CompileContext quiet{silent, registry_};
       ExpressionCompiler compiler(quiet, *settings_.fadeHome, ExpressionPlace::Level,
                                   Algebra(builder_, {}));
       const Value value = compiler.evaluate(*settings_.fadeExpression);
@@ -121,6 +121,7 @@ class ClauseCompiler {
   }
   bool defineLocal(const Name& name, Value value, LocalKind kind);
   void poisonBrokenNames();
+  bool tellTooManyVertices();
   void collectPattern();
   void readLevels();
   void compileClause(const Clause& clause);
@@ -167,6 +168,7 @@ class ClauseCompiler {
   bool isShapeClause(const ZoneClause& clause) { return clause.corners.size() == 1; }
 
   const Module& home_;
+  const Registry& registry_;
   const SharedSettings& settings_;
   const Rule& rule_;
   const MirrorClause* mirror_;

@@ -26,23 +26,24 @@ bool isClosedAgain(const Token* from) {
   return false;
 }
 
-/// The clause with which a block goes on behind a '}'; null if it does not.
+/// The clause that stands behind a '}'; null if none does.
 const Token* clauseBehind(const Token* brace) {
   const Token* next = brace + 1;
   while (next->is("}")) ++next;
-  return beginsClause(*next) && isClosedAgain(next) ? next : nullptr;
+  return beginsClause(*next) ? next : nullptr;
 }
 
 }  // namespace
 
 void leaveOutEarlyBraces(std::vector<Token>& tokens, SyntaxErrors& errors) {
-  constexpr int kMost = 20;  // each costs a look at what follows; more tell nothing new
+  constexpr int kMost = 20;  // each costs a look at all that follows; more tell nothing new
   std::vector<Token> kept;
-  int depth = 0, told = 0;
+  int depth = 0, looked = 0;
   for (const Token& token : tokens) {
-    const bool mayBeEarly = token.is("}") && depth == 1 && told < kMost;
-    if (const Token* clause = mayBeEarly ? clauseBehind(&token) : nullptr) {
-      ++told;
+    const bool mayBeEarly = token.is("}") && depth == 1 && looked < kMost;
+    const Token* clause = mayBeEarly ? clauseBehind(&token) : nullptr;
+    looked += clause != nullptr;
+    if (clause && isClosedAgain(clause)) {
       errors.tell("S1", token.span,
                   "this '}' comes too early: '" + clause->text + "' goes on with the block",
                   Help("delete it", {Remedy::Where::Whole, ""}));
@@ -52,7 +53,7 @@ void leaveOutEarlyBraces(std::vector<Token>& tokens, SyntaxErrors& errors) {
     if (depth < 0) depth = 0;
     kept.push_back(token);
   }
-  if (told > 0) tokens = std::move(kept);
+  if (looked > 0) tokens = std::move(kept);
 }
 
 }  // namespace af2::dsl

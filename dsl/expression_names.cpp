@@ -57,7 +57,7 @@ Value ExpressionCompiler::usedTooEarly(const Expr& expr, Span definition) {
 
 Value ExpressionCompiler::unknownName(const Expr& expr, bool isFunction) {
   if (module_->brokenNames.contains(expr.name) || module_->hasBrokenImport) return {};
-  if (context_.diagnostics.isFull()) {  // guessing what was meant would take its time for each
+  if (!context_.mayGuess()) {
     tell("R1", expr.span, "there is no '" + expr.name + "' here");
     return {};
   }

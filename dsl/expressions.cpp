@@ -98,10 +98,9 @@ Value ExpressionCompiler::truth(const Expr& expr, const std::string& what) {
   return {};
 }
 
-Value ExpressionCompiler::point(const Expr& expr, const std::string& what) {
+Value ExpressionCompiler::point(const Expr& expr) {
   const Value value = evaluate(expr);
   if (value.isAny() || value.isPoint()) return value;
-  (void)what;
   return wrongType(expr, "a point", value);
 }
 

@@ -56,7 +56,7 @@ class ExpressionCompiler {
   /// A value of one kind, or Any after telling. `what` names the use: "a coordinate".
   Value number(const Expr& expr, const std::string& what);
   Value truth(const Expr& expr, const std::string& what);
-  Value point(const Expr& expr, const std::string& what);
+  Value point(const Expr& expr);
   Value shape(const Expr& expr);
   /// A number that does not depend on the match or the level.
   std::optional<double> constantNumber(const Expr& expr, const std::string& what);

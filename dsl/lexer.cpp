@@ -121,7 +121,8 @@ class Lexer {
     tell("L1", at_, at_ + 2, "'" + std::string(text_.substr(at_, 2)) + "' begins no comment",
          "a comment begins with '#' and runs to the end of its line");
     isDoubtful_ = false;  // nothing is missing
-    const std::size_t close = isBlock ? text_.find("*/", at_ + 2) : text_.npos;
+    const std::size_t close = isBlock && !isLastBlock_ ? text_.find("*/", at_ + 2) : text_.npos;
+    isLastBlock_ = isLastBlock_ || (isBlock && close == text_.npos);
     skipTo(close != text_.npos ? close + 2 : text_.find('\n', at_));
     return true;
   }
@@ -360,12 +361,8 @@ class Lexer {
 
   static std::string shown(std::string_view written) {
     std::string result = "'";
-    for (char c : written.substr(0, 24)) {
-      if (static_cast<unsigned char>(c) >= 0x20 && c != 0x7f)
-        result += c;
-      else
-        result += '?';
-    }
+    for (char c : written.substr(0, 24))
+      result += static_cast<unsigned char>(c) >= 0x20 && c != 0x7f ? c : '?';
     return result + "'";
   }
 
@@ -386,6 +383,7 @@ class Lexer {
   std::set<std::string> toldNames_, toldOnLine_;
   int openBrackets_ = 0;  ///< square ones
   bool isInConflict_ = false;
+  bool isLastBlock_ = false;  ///< no comment of another language is closed any more
   bool lineIsEmpty_ = true;
   bool isDoubtful_ = false;
 };

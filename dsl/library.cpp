@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <set>
 
 #include "dsl/builtins.h"
 #include "dsl/standard_library.h"
@@ -141,18 +142,17 @@ void Library::registerFunction(Module& module, const Name& name,
                                const std::vector<Name>& parameters, const Expr& body,
                                bool isMetric) {
   FunctionName function{&parameters, &body, isMetric, false, &module, name.span};
-  std::vector<std::string> seen;
-  for (const Name& p : parameters) {
-    if (std::find(seen.begin(), seen.end(), p.text) != seen.end())
+  std::set<std::string_view> seen;
+  for (const Name& p : parameters)
+    if (!seen.insert(p.text).second)
       context_.tell(module, "R2", p.span, "the parameter '" + p.text + "' is given twice",
                     "choose another name");
-    seen.push_back(p.text);
-  }
   if (isMetric && parameters.size() < 3)
     context_.tell(module, "Y6", name.span, "a metric needs three or four corners",
                   "its last three or four parameters are the corners");
   DiagnosticList found;
   CompileContext quiet{found, context_.registry, context_.stepsLeft};
+  quiet.guesses = context_.mayGuess();
   ProgramBuilder builder;
   // Not knowing where it will be called, everything may be asked in a def.
   ExpressionCompiler compiler(quiet, module,

@@ -137,8 +137,6 @@ class Runner {
         return isUnknown(at(0), at(1)) ? kNoValue : std::min(at(0), at(1));
       case Op::Maximum:
         return isUnknown(at(0), at(1)) ? kNoValue : std::max(at(0), at(1));
-      case Op::Floor:
-        return std::floor(at(0));
       case Op::Sweep:
         return sweep({at(0), at(1)}, {at(2), at(3)});
       case Op::BisectX:
@@ -250,7 +248,6 @@ int argumentCount(Op op) {
     case Op::Cosine:
     case Op::Tangent:
     case Op::Absolute:
-    case Op::Floor:
     case Op::Not:
       return 1;
     case Op::Select:

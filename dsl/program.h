@@ -48,7 +48,6 @@ enum class Op : unsigned char {
   Absolute,
   Minimum,
   Maximum,
-  Floor,
   Sweep,  ///< angle counter-clockwise from one vector to another, in (0, 2 pi]
   BisectX,
   BisectY,  ///< unit vector that halves that angle

@@ -1,12 +1,16 @@
 #include "dsl/rule_compiler.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <set>
+#include <utility>
 
 #include "dsl/clause_compiler.h"
 #include "dsl/compiled_forms.h"
+#include "dsl/titles.h"
 #include "dsl/words.h"
 
 namespace af2::dsl {
@@ -27,38 +31,34 @@ static std::string counted(std::size_t count, const char* what) {
   return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
 }
 
+static void tellUnknownParameter(ExpressionCompiler& expressions, const Name& title,
+                                 const std::string& name) {
+  std::vector<std::string> known;
+  for (const auto& [text, local] : expressions.locals)
+    if (local.kind == LocalKind::Parameter) known.push_back(text);
+  const Help help = didYouMean(name, known);
+  expressions.tell("R1", title.span,
+                   "the title asks for '{" + name + "}', which is no parameter of this rule", "",
+                   help.empty() ? "parameters come from `for (...)` or from a template" : help);
+}
+
 std::string filledTitle(ExpressionCompiler& expressions, const Name& title) {
-  std::string result;
-  for (std::size_t i = 0; i < title.text.size(); ++i) {
-    const std::size_t close = title.text[i] == '{' ? title.text.find('}', i) : std::string::npos;
-    if (close == std::string::npos) {
-      result += title.text[i];
-      continue;
-    }
-    const std::string name = title.text.substr(i + 1, close - i - 1);
-    i = close;
+  std::vector<std::string> parts = titleParts(title.text);
+  for (std::size_t i = 1; i < parts.size(); i += 2) {
+    const std::string name = std::exchange(parts[i], {});
     const auto local = expressions.locals.find(name);
-    const bool isParameter =
-        local != expressions.locals.end() && local->second.kind == LocalKind::Parameter;
+    const bool isKnown = local != expressions.locals.end();
+    const bool isParameter = isKnown && local->second.kind == LocalKind::Parameter;
     const Value value = isParameter ? local->second.value : Value{};
     const auto number = value.isAny() || value.type == Type::Geometric || value.type == Type::Shape
                             ? std::nullopt
                             : expressions.builder().constantValue(value.number);
-    if (number) {
-      result += shownNumber(value.type == Type::Angle ? inDegrees(*number) : *number);
-    } else if (!isParameter &&
-               !(local != expressions.locals.end() && local->second.kind == LocalKind::Broken)) {
-      std::vector<std::string> known;
-      for (const auto& [text, l] : expressions.locals)
-        if (l.kind == LocalKind::Parameter) known.push_back(text);
-      const Help help = didYouMean(name, known);
-      expressions.tell("R1", title.span,
-                       "the title asks for '{" + name + "}', which is no parameter of this rule",
-                       "",
-                       help.empty() ? "parameters come from `for (...)` or from a template" : help);
-    }
+    if (number) parts[i] = shownNumber(value.type == Type::Angle ? inDegrees(*number) : *number);
+    if (isParameter || (isKnown && local->second.kind == LocalKind::Broken)) continue;
+    tellUnknownParameter(expressions, title, name);
+    break;  // one place, so more would not be told
   }
-  return result;
+  return std::accumulate(parts.begin(), parts.end(), std::string());
 }
 
 /// The exact mirror image of a sound rule, whether it asks for one or not.
@@ -66,6 +66,7 @@ std::shared_ptr<const RuleDefinition> RuleCompiler::imageOf(
     const Rule& rule, const std::map<std::string, Parameter>& parameters) {
   DiagnosticList silent;
   CompileContext quiet{silent, context_.registry};
+  quiet.guesses = false;
   const MirrorClause plain;
   ClauseCompiler compiler(quiet, home_, settings_, rule, &plain);
   for (const auto& [name, parameter] : parameters) compiler.define(name, parameter);
@@ -74,21 +75,32 @@ std::shared_ptr<const RuleDefinition> RuleCompiler::imageOf(
   return std::make_shared<const RuleDefinition>(std::move(compiled->definition));
 }
 
+/// The clause that asks for the mirror image; null if there is none.
+static const Clause* mirrorOf(const Rule& rule) {
+  const auto found = std::ranges::find_if(rule.clauses, [](const Clause& clause) {
+    return std::holds_alternative<MirrorClause>(clause.content);
+  });
+  return found == rule.clauses.end() ? nullptr : &*found;
+}
+
+void RuleCompiler::tellFurtherMirrors(const Rule& rule) {
+  const Clause* first = mirrorOf(rule);
+  for (const Clause& clause : rule.clauses)
+    if (std::holds_alternative<MirrorClause>(clause.content) && &clause != first)
+      context_.tell(home_, "R2", clause.span, "a rule has one mirror image", "remove this clause");
+}
+
 void RuleCompiler::compileOne(const Rule& rule, const std::map<std::string, Parameter>& parameters,
                               const InstanceTitle& title, std::vector<CompiledRule>& result) {
   if (context_.rulesLeft == 0) return;
   if (--context_.rulesLeft == 0) return tellTooMany(title);
-  std::vector<const MirrorClause*> mirrors{nullptr};
-  std::vector<Span> mirrorSpans{{}};
-  for (const Clause& clause : rule.clauses)
-    if (const auto* mirror = std::get_if<MirrorClause>(&clause.content)) {
-      mirrors.push_back(mirror);
-      mirrorSpans.push_back(clause.span);
-    }
-  for (std::size_t i = 0; i < mirrors.size(); ++i) {
-    ClauseCompiler compiler(context_, home_, settings_, rule, mirrors[i]);
+  const Clause* mirrorClause = mirrorOf(rule);
+  std::vector<const MirrorClause*> forms{nullptr};
+  if (mirrorClause) forms.push_back(&std::get<MirrorClause>(mirrorClause->content));
+  for (const MirrorClause* mirror : forms) {
+    ClauseCompiler compiler(context_, home_, settings_, rule, mirror);
     for (const auto& [name, parameter] : parameters) compiler.define(name, parameter);
-    const InstanceTitle ownTitle = i == 0 ? title : InstanceTitle{mirrors[i]->title, &home_};
+    const InstanceTitle ownTitle = mirror ? InstanceTitle{mirror->title, &home_} : title;
     const std::string filled = filledTitle(compiler.expressions(), ownTitle.title);
     const bool isWritten = ownTitle.title.span.end > ownTitle.title.span.begin;
     if (ownTitle.title.text.empty() && isWritten)
@@ -96,9 +108,6 @@ void RuleCompiler::compileOne(const Rule& rule, const std::map<std::string, Para
                     "name the situation, as in \"right 60\"");
     const Span titleSpan = ownTitle.home == &home_ ? ownTitle.title.span : rule.title.span;
     auto compiled = compiler.compile(filled, titleSpan);
-    if (i > 1)
-      compiler.expressions().tell("R2", mirrorSpans[i], "a rule has one mirror image", "",
-                                  "remove this clause");
     if (!compiled) continue;
     compiled->doc = rule.doc;
     compiled->titlePlace = placeOf(ownTitle.home->source, ownTitle.title.span);
@@ -107,9 +116,9 @@ void RuleCompiler::compileOne(const Rule& rule, const std::map<std::string, Para
       compiled->definition.source = {ownTitle.home->source.name(), compiled->titlePlace.line,
                                      false};
     compiled->parameters = parameters;
-    compiled->mirror = mirrors[i];
-    if (!mirrors[i]) compiled->image = imageOf(rule, parameters);
-    if (mirrors.size() > 1) compiled->mirrorSpan = mirrorSpans[std::max<std::size_t>(1, i)];
+    compiled->mirror = mirror;
+    if (!mirror) compiled->image = imageOf(rule, parameters);
+    if (mirrorClause) compiled->mirrorSpan = mirrorClause->span;
     result.push_back(std::move(*compiled));
   }
 }
@@ -124,6 +133,7 @@ std::vector<CompiledRule> RuleCompiler::compile(const Rule& rule,
                                                 const InstanceTitle* instance) {
   std::vector<CompiledRule> result;
   const InstanceTitle ownTitle = instance ? *instance : InstanceTitle{rule.title, &home_};
+  tellFurtherMirrors(rule);
   if (!rule.family) {
     compileOne(rule, parameters, ownTitle, result);
     return result;

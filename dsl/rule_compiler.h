@@ -55,6 +55,7 @@ class RuleCompiler {
   std::shared_ptr<const RuleDefinition> imageOf(const Rule& rule,
                                                 const std::map<std::string, Parameter>& parameters);
   void tellTooMany(const InstanceTitle& title);
+  void tellFurtherMirrors(const Rule& rule);
   void compileOne(const Rule& rule, const std::map<std::string, Parameter>& parameters,
                   const InstanceTitle& title, std::vector<CompiledRule>& result);
 

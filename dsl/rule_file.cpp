@@ -1,7 +1,9 @@
 #include "dsl/rule_file.h"
 
 #include <algorithm>
+#include <map>
 #include <set>
+#include <utility>
 
 #include "dsl/allowed_codes.h"
 #include "dsl/checks/checks.h"
@@ -36,6 +38,12 @@ class FileCompiler {
   void compileInstance(const Module& module, const Instance& instance);
   void checkTemplate(const Module& module, const Template& item);
   void compileUse(const Module& module, const Use& use);
+  void checkTitle(const Module& module, const Use& use, const Name& name);
+  Help guessAmong(const std::string& written, const std::vector<std::string>& known,
+                  const std::string& what) const {
+    return context_.mayGuess() ? helpAmong(written, known, what) : Help();
+  }
+  const std::vector<CompiledRule>& rulesOf(const Module& library);
   void append(std::vector<CompiledRule> compiled);
   void checkKinds(const RuleSetCompiler& settings);
   void compileTests(LoadedFile& result);
@@ -51,7 +59,7 @@ class FileCompiler {
   bool needsRuleSet_;
   std::unique_ptr<RuleSetCompiler> settings_;
   std::vector<CompiledRule> rules_;
-  std::set<const Module*> using_, usedWhole_;
+  std::map<const Module*, std::vector<CompiledRule>> libraryRules_;
 };
 
 void FileCompiler::append(std::vector<CompiledRule> compiled) {
@@ -80,9 +88,10 @@ void FileCompiler::compileInstance(const Module& module, const Instance& instanc
   if (found == home->templates.end()) {
     if (home->brokenNames.contains(call.name) || home->hasBrokenImport) return;
     std::vector<std::string> known;
-    for (const auto& [name, t] : home->templates) known.push_back(name);
+    if (context_.mayGuess())
+      for (const auto& [name, t] : home->templates) known.push_back(name);
     return values.tell("R1", call.span, "there is no template '" + call.name + "'", "",
-                       helpAmong(call.name, known, "templates"));
+                       guessAmong(call.name, known, "templates"));
   }
   if (home == &module && found->second.span.begin > call.span.begin &&
       found->second.home == &module)
@@ -160,35 +169,49 @@ void FileCompiler::compileUse(const Module& module, const Use& use) {
     return;
   }
   if (!library->second || library->second == &module) return;
-  const bool isWhole = !use.rule && use.except.empty();
-  if (isWhole && !usedWhole_.insert(library->second).second) return;  // its rules are there
-  if (!using_.insert(library->second).second) return;  // circles are told where they are imported
-  const std::size_t before = rules_.size();
-  compileItems(*library->second);
-  using_.erase(library->second);
-  const auto wanted = [&](const std::string& title) {
-    return std::any_of(rules_.begin() + static_cast<std::ptrdiff_t>(before), rules_.end(),
-                       [&](const CompiledRule& r) { return r.definition.name == title; });
+  const std::vector<CompiledRule>& made = rulesOf(*library->second);
+  if (use.rule) checkTitle(module, use, *use.rule);
+  std::set<std::string_view> except;
+  for (const Name& name : use.except) {
+    checkTitle(module, use, name);
+    except.insert(name.text);
+  }
+  const auto isThere = [&](const CompiledRule& rule) {
+    return std::ranges::any_of(rules_, [&](const CompiledRule& other) {
+      return other.definition.name == rule.definition.name && other.titlePlace == rule.titlePlace &&
+             other.askedAt == rule.askedAt;
+    });
   };
-  std::vector<std::string> titles;
-  for (std::size_t i = before; i < rules_.size(); ++i) titles.push_back(rules_[i].definition.name);
-  const auto checkTitle = [&](const Name& name) {
-    if (wanted(name.text) || holdsRule(*library->second, name.text)) return;
-    context_.tell(module, "R1", name.span,
-                  "'" + use.library.text + "' has no rule \"" + name.text + "\"",
-                  helpAmong(name.text, titles, "rules of that file"));
-  };
-  if (use.rule) checkTitle(*use.rule);
-  for (const Name& name : use.except) checkTitle(name);
-  const auto isLeftOut = [&](const CompiledRule& rule) {
+  for (const CompiledRule& rule : made) {
     const std::string& title = rule.definition.name;
-    if (use.rule && use.rule->text != title) return true;
-    return std::any_of(use.except.begin(), use.except.end(),
-                       [&](const Name& n) { return n.text == title; });
-  };
-  rules_.erase(
-      std::remove_if(rules_.begin() + static_cast<std::ptrdiff_t>(before), rules_.end(), isLeftOut),
-      rules_.end());
+    const bool isWanted = use.rule ? use.rule->text == title : !except.contains(title);
+    if (isWanted && !isThere(rule)) rules_.push_back(rule);
+  }
+}
+
+/// Tells if the library that is used makes no rule of this title.
+void FileCompiler::checkTitle(const Module& module, const Use& use, const Name& name) {
+  const Module& library = *module.imports.at(use.library.text);
+  std::vector<std::string> titles;
+  for (const CompiledRule& rule : rulesOf(library)) {
+    if (rule.definition.name == name.text) return;
+    titles.push_back(rule.definition.name);
+  }
+  if (holdsRule(library, name.text)) return;  // it has errors of its own
+  context_.tell(module, "R1", name.span,
+                "'" + use.library.text + "' has no rule \"" + name.text + "\"",
+                guessAmong(name.text, titles, "rules of that file"));
+}
+
+/// What a file makes and uses, worked out once however often it is used; of a circle, which is told
+/// where it is imported, nothing.
+const std::vector<CompiledRule>& FileCompiler::rulesOf(const Module& library) {
+  const auto [known, isNew] = libraryRules_.try_emplace(&library);
+  if (!isNew) return known->second;
+  std::vector<CompiledRule> outer = std::exchange(rules_, {});
+  compileItems(library);
+  known->second = std::exchange(rules_, std::move(outer));
+  return known->second;
 }
 
 void FileCompiler::compileItems(const Module& module) {
@@ -234,7 +257,7 @@ void FileCompiler::compileProperty(const Property& property, LoadedFile& result)
     for (const CompiledRule& r : rules_) titles.push_back(r.definition.name);
     return context_.tell(main_, "R1", property.rule.span,
                          "there is no rule \"" + property.rule.text + "\"",
-                         helpAmong(property.rule.text, titles, "rules of this file"));
+                         guessAmong(property.rule.text, titles, "rules of this file"));
   }
   auto compiled = RuleCompiler(context_, *rule->home, settings_->shared())
                       .compileProperty(property, main_, *rule);

@@ -76,10 +76,10 @@ bool hasUserPart(const ShapeValue& shape) {
 
 ExpressionCompiler::Corner ExpressionCompiler::corner(const Expr& given) {
   const Expr& expr = withoutParens(given);
-  if (expr.kind != ExprKind::Fade) return {point(given, "a corner"), std::nullopt};
+  if (expr.kind != ExprKind::Fade) return {point(given), std::nullopt};
   Corner result;
-  result.preferred = point(expr.parts[0], "a corner");
-  result.limiting = point(expr.parts[1], "a corner");
+  result.preferred = point(expr.parts[0]);
+  result.limiting = point(expr.parts[1]);
   if (!result.preferred.isAny() && result.preferred.at == result.limiting->at) tellNoFade(expr);
   return result;
 }
@@ -287,7 +287,7 @@ Value ExpressionCompiler::inside(const Expr& expr) {
          "the call is inside(p, shape)");
     return {};
   }
-  const Value p = point(expr.parts[0], "the first argument of inside");
+  const Value p = point(expr.parts[0]);
   const Value s = shape(expr.parts[1]);
   if (p.isAny() || s.isAny()) return {};
   const NodePair at = algebra_.toBase(p.at);

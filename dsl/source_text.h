@@ -44,8 +44,11 @@ class SourceText {
   std::string_view line(int number) const;
 
  private:
+  std::uint32_t charactersBefore(std::size_t offset) const;
+
   std::string name_, text_;
   std::vector<std::uint32_t> lineStarts_;
+  std::vector<std::uint32_t> characters_;  ///< that begin before each block of the text
 };
 
 }  // namespace af2::dsl

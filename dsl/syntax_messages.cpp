@@ -116,9 +116,10 @@ Fault noEnd(SyntaxUnit unit, const Token* where) {
                {Remedy::Where::Behind, ";"})};
 }
 
-/// `1,5` without a blank, at `where` or before it in the same unit.
+/// `1,5` without a blank, at `where` or a little before it in the same unit.
 std::optional<Fault> decimalComma(const Token* first, const Token* where) {
-  for (const Token* comma = where; comma > first; --comma) {
+  constexpr std::ptrdiff_t kFarthest = 50;  // words
+  for (const Token* comma = where; comma > first && where - comma < kFarthest; --comma) {
     const Token &before = comma[-1], &after = comma[1];
     const bool isTight =
         before.span.end == comma->span.begin && comma->span.end == after.span.begin;

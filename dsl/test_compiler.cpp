@@ -18,7 +18,8 @@ class TestCompiler {
  public:
   TestCompiler(CompileContext& context, const Module& module, const Test& test,
                std::span<const CompiledRule> rules, int maxLevel)
-      : module_(module),
+      : context_(context),
+        module_(module),
         test_(test),
         rules_(rules),
         maxLevel_(maxLevel),
@@ -61,6 +62,7 @@ class TestCompiler {
     if (outcome) result_.expectations.push_back({negated, std::move(*outcome), span});
   }
 
+  CompileContext& context_;
   const Module& module_;
   const Test& test_;
   std::span<const CompiledRule> rules_;
@@ -205,6 +207,11 @@ const CompiledRule* TestCompiler::findRule(const Name& title) {
   if (module_.hasBrokenImport) return nullptr;
   for (const auto& [name, imported] : module_.imports)
     if (!imported) return nullptr;
+  const auto tellMissing = [&](const Help& help) -> const CompiledRule* {
+    tell("R1", title.span, "there is no rule \"" + title.text + "\"", "", help);
+    return nullptr;
+  };
+  if (!context_.mayGuess()) return tellMissing({});
   // A rule with errors is not among the compiled ones; it has been told about.
   for (const Item& item : module_.parsed.file.items) {
     if (item.content.index() == 0) return nullptr;
@@ -216,9 +223,7 @@ const CompiledRule* TestCompiler::findRule(const Name& title) {
       if (!isCompiled) titles.push_back(written->text);
     }
   }
-  const Help help = helpAmong(title.text, titles, "rules of this file");
-  tell("R1", title.span, "there is no rule \"" + title.text + "\"", "", help);
-  return nullptr;
+  return tellMissing(helpAmong(title.text, titles, "rules of this file"));
 }
 
 std::optional<CompiledExpectation::IsRule> TestCompiler::compileOutcome(const ExpectRule& expected,

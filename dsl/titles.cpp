@@ -6,22 +6,6 @@
 namespace af2::dsl {
 namespace {
 
-/// A title as text, {parameter}, text, ..., text: parameters stand at odd places.
-std::vector<std::string> partsOf(const std::string& title) {
-  std::vector<std::string> parts{""};
-  for (std::size_t i = 0; i < title.size(); ++i) {
-    const std::size_t close = title[i] == '{' ? title.find('}', i) : std::string::npos;
-    if (close == std::string::npos) {
-      parts.back() += title[i];
-      continue;
-    }
-    parts.push_back(title.substr(i + 1, close - i - 1));
-    parts.emplace_back();
-    i = close;
-  }
-  return parts;
-}
-
 /// The values of the parameters, each as short as possible; nothing if the title does not fit.
 std::optional<std::vector<std::string>> valuesIn(const std::vector<std::string>& parts,
                                                  const std::string& title) {
@@ -45,6 +29,19 @@ std::optional<std::vector<std::string>> valuesIn(const std::vector<std::string>&
 
 }  // namespace
 
+std::vector<std::string> titleParts(const std::string& title) {
+  std::vector<std::string> parts{""};
+  for (std::size_t at = 0;;) {
+    const std::size_t open = title.find('{', at);
+    const std::size_t close = open == title.npos ? open : title.find('}', open);
+    parts.back() = title.substr(at, close == title.npos ? close : open - at);
+    if (close == title.npos) return parts;
+    parts.push_back(title.substr(open + 1, close - open - 1));
+    parts.emplace_back();
+    at = close + 1;
+  }
+}
+
 std::vector<const Name*> titlesOf(const Item& item) {
   if (const auto* instance = std::get_if<Instance>(&item.content)) return {&instance->title};
   const auto* rule = std::get_if<Rule>(&item.content);
@@ -60,15 +57,15 @@ std::vector<const Name*> titlesOf(const Rule& rule) {
 }
 
 bool isTitleOf(const std::string& pattern, const std::string& title) {
-  return valuesIn(partsOf(pattern), title).has_value();
+  return valuesIn(titleParts(pattern), title).has_value();
 }
 
 std::string retitled(const std::string& pattern, const std::string& title,
                      const std::string& newPattern) {
-  const std::vector<std::string> before = partsOf(pattern);
+  const std::vector<std::string> before = titleParts(pattern);
   const auto values = valuesIn(before, title);
   if (!values) return title;
-  std::vector<std::string> after = partsOf(newPattern);
+  std::vector<std::string> after = titleParts(newPattern);
   for (std::size_t i = 1; i < after.size(); i += 2)
     for (std::size_t k = 1; k < before.size(); k += 2)
       if (before[k] == after[i]) {
@@ -81,7 +78,7 @@ std::string retitled(const std::string& pattern, const std::string& title,
 }
 
 std::vector<std::string> titleParameters(const std::string& title) {
-  const std::vector<std::string> parts = partsOf(title);
+  const std::vector<std::string> parts = titleParts(title);
   std::vector<std::string> names;
   for (std::size_t i = 1; i < parts.size(); i += 2) names.push_back(parts[i]);
   std::ranges::sort(names);

@@ -8,6 +8,9 @@
 
 namespace af2::dsl {
 
+/// A title as text, {parameter}, text, ..., text: parameters stand at odd places.
+std::vector<std::string> titleParts(const std::string& title);
+
 /// The titles that an item gives to rules: its own and those of its mirror images.
 std::vector<const Name*> titlesOf(const Item& item);
 /// The titles of a rule and of its mirror images.

@@ -183,8 +183,6 @@ Local localOf(const Step& step, const std::array<Interval, 4>& a) {
     case Op::Minimum:
     case Op::Maximum:
       return extremeOf(a[0], a[1], step.op == Op::Minimum);
-    case Op::Floor:
-      return jump({std::floor(a[0].low), std::floor(a[0].high)});
     case Op::Sweep:
       return sweep(a);
     case Op::BisectX:

@@ -29,7 +29,9 @@ MaybeClaim anyKnown(std::vector<MaybeClaim> parts) {
 /// One way for a convex element to lie in shapes, or beside them.
 class Placement {
  public:
-  Placement(RuleGraph& graph, const Corners& element) : graph_(graph), element_(element) {}
+  /// cuts  how often the element may still be cut into parts, each of which lies somewhere else
+  Placement(RuleGraph& graph, const Corners& element, int cuts)
+      : graph_(graph), element_(element), cuts_(cuts) {}
 
   MaybeClaim in(const GraphShape& shape) {
     switch (shape.kind) {
@@ -48,7 +50,7 @@ class Placement {
       case ShapeKind::Grow:
         return anyKnown({in(shape.parts[0]), inGrown(shape)});
       case ShapeKind::Union:
-        return anyKnown({in(shape.parts[0]), in(shape.parts[1]), inUnionByParts(shape)});
+        return inUnion(shape);
       case ShapeKind::Intersection:
         return allKnown({in(shape.parts[0]), in(shape.parts[1])});
       case ShapeKind::Difference:
@@ -158,13 +160,28 @@ class Placement {
     });
   }
 
-  /// The element cut into four, each of them in one of the two.
+  /// In one of the shapes that are united; or cut into four, each of them somewhere in the union.
+  MaybeClaim inUnion(const GraphShape& shape) {
+    std::vector<MaybeClaim> ways;
+    addMembers(shape, ways);
+    if (cuts_ > 0) ways.push_back(inUnionByParts(shape));
+    return anyKnown(std::move(ways));
+  }
+
+  /// Unions within a union are one: each of its shapes is looked at once, whatever the grouping.
+  void addMembers(const GraphShape& shape, std::vector<MaybeClaim>& ways) {
+    for (const GraphShape& part : shape.parts) {
+      if (part.kind == ShapeKind::Union)
+        addMembers(part, ways);
+      else
+        ways.push_back(in(part));
+    }
+  }
+
   MaybeClaim inUnionByParts(const GraphShape& shape) {
     std::vector<MaybeClaim> claims;
-    for (const Corners& part : quarters()) {
-      Placement placement(graph_, part);
-      claims.push_back(anyKnown({placement.in(shape.parts[0]), placement.in(shape.parts[1])}));
-    }
+    for (const Corners& part : quarters())
+      claims.push_back(Placement(graph_, part, cuts_ - 1).in(shape));
     return allKnown(std::move(claims));
   }
 
@@ -305,6 +322,7 @@ class Placement {
 
   RuleGraph& graph_;
   const Corners& element_;
+  int cuts_;
 };
 
 }  // namespace
@@ -324,7 +342,8 @@ Claim anyOf(std::vector<Claim> parts) {
 }
 
 std::optional<Claim> liesIn(RuleGraph& graph, const GraphShape& shape, const Corners& element) {
-  return Placement(graph, element).in(shape);
+  constexpr int kMostCuts = 2;  // each multiplies the claims by four for every level of unions
+  return Placement(graph, element, kMostCuts).in(shape);
 }
 
 void addShapeFacts(RuleGraph& graph, const GraphShape& shape, std::vector<Node>& facts) {

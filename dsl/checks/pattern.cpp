@@ -51,12 +51,6 @@ void checkNewVertices(const CompiledRule& rule, Findings& findings) {
 }
 
 void checkCount(const CompiledRule& rule, Findings& findings) {
-  const std::size_t count = rule.definition.vertices.size() + rule.definition.newVertices.size();
-  if (count > static_cast<std::size_t>(AF2Rule::kMaxVertices))
-    findings.add(
-        rule, Severity::Error, "T2", rule.vertexSpans.back(),
-        "this rule has " + std::to_string(count) + " vertices", "",
-        "at most " + std::to_string(AF2Rule::kMaxVertices) + " are possible, a and b among them");
   if (rule.definition.elements.size() > static_cast<std::size_t>(AF2Rule::kMaxElements))
     findings.add(rule, Severity::Error, "T2", rule.elementSpans.back(),
                  "this rule makes " + std::to_string(rule.definition.elements.size()) + " elements",

@@ -61,6 +61,16 @@ TEST(Limits, AnErrorPushesOutAWarning) {
   EXPECT_TRUE(hasErrors(loaded.diagnostics));
 }
 
+TEST(Limits, ARuleHasAsManyVerticesAsTheEngineTakes) {
+  std::string text = kHead + "rule \"r\" quality 1 {\n  new n0 = mid(a, b) + (0, 0.8)";
+  for (int i = 1; i < 300; ++i) text += ", n" + std::to_string(i) + " = n0";
+  text += ";\n  zone a, b, n0;\n  tri a b n150, a n150 n150, b n299 n150;\n}\n";
+  const auto found = loadRulesFromText("x.af2", text).diagnostics;
+  ASSERT_EQ(found.size(), 1u) << toPretty(found);
+  EXPECT_EQ(found[0].message, "this rule has 302 vertices");
+  EXPECT_EQ(found[0].help, "at most 12 are possible, a and b among them");
+}
+
 class ImportLimits : public testing::Test {
  protected:
   void SetUp() override {
@@ -91,6 +101,35 @@ TEST_F(ImportLimits, DiamondsUseEachFileOnce) {
   EXPECT_EQ(loaded.rules->rules().size(), static_cast<std::size_t>(kDepth));
 }
 
+TEST_F(ImportLimits, RulesThatOneFileLeavesOutAreThereForAnother) {
+  write("common.af2", "af2 1;\n" + ruleOf(1) + ruleOf(2));
+  const std::string own = "af2 1;\nimport \"common.af2\" as c;\nuse c.*;\n";
+  write("first.af2", own + ruleOf(3));
+  write("second.af2", own + ruleOf(4));
+  write("main.af2", kHead +
+                        "import \"first.af2\" as f;\nimport \"second.af2\" as s;\n"
+                        "use f.\"r3\";\nuse s.*;\nuse s.\"r1\";\n");
+  const LoadedRules loaded = load("main.af2");
+  ASSERT_TRUE(loaded.rules) << toPretty(loaded.diagnostics);
+  std::vector<std::string> titles;
+  for (const AF2Rule& rule : loaded.rules->rules()) titles.push_back(rule.name());
+  EXPECT_EQ(titles, (std::vector<std::string>{"r3", "r1", "r2", "r4"}));
+}
+
+TEST_F(ImportLimits, RulesOfALargeLibraryAreUsedOneByOne) {
+  constexpr int kRules = 90;  // 90 * 90 are more than may be made
+  std::string library = "af2 1;\n", uses = kHead + "import \"library.af2\" as l;\n";
+  for (int i = 0; i < kRules; ++i) {
+    library += ruleOf(i);
+    uses += "use l.\"r" + std::to_string(i) + "\";\n";
+  }
+  write("library.af2", library);
+  write("main.af2", uses);
+  const LoadedRules loaded = load("main.af2");
+  ASSERT_TRUE(loaded.rules) << toPretty(loaded.diagnostics);
+  EXPECT_EQ(loaded.rules->rules().size(), static_cast<std::size_t>(kRules));
+}
+
 TEST_F(ImportLimits, DevicesAreNotImported) {
   write("x.af2",
         "af2 1;\nimport \"/dev/zero\" as z;\nruleset \"s\" { elements tri; }\n" + ruleOf(0));
@@ -100,6 +139,39 @@ TEST_F(ImportLimits, DevicesAreNotImported) {
 }
 
 #if !defined(__SANITIZE_ADDRESS__)
+std::string numbered(const std::string& before, const std::string& behind, int count) {
+  std::string result;
+  for (int i = 0; i < count; ++i) result += before + std::to_string(i) + behind;
+  return result;
+}
+
+/// What is at fault in such a text is found soon, however much of it there is.
+void expectSoon(const char* what, const std::string& text) {
+  const std::clock_t begin = std::clock();
+  const LoadedRules loaded = loadRulesFromText("x.af2", text);
+  const double seconds = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
+  EXPECT_TRUE(hasErrors(loaded.diagnostics)) << what;
+  EXPECT_LT(seconds, 3) << what;
+}
+
+TEST(Limits, ManyFaultsTakeLittleTime) {
+  expectSoon("comments of another language", kHead + repeated("/*\n", 1'000'000));
+  expectSoon("clauses behind blocks", kHead + repeated("{ } front ", 130'000));
+  expectSoon("points of three numbers",
+             kHead + "rule \"r\" quality 1 { at " + repeated("c (1, 2, 3), ", 38'000) + "c; }");
+  expectSoon("functions that there are not",
+             kHead + numbered("def f(p) = g", "(p);\n", 30'000) + ruleOf(0));
+  expectSoon("parameters", kHead + "def f(" + numbered("p", ", ", 190'000) + "p0) = 1;\n");
+  expectSoon("templates that there are not", kHead +
+                                                 numbered("template t", "(k) " + ruleOf(0), 3000) +
+                                                 numbered("rule \"x\" = u", "(1);\n", 30'000));
+  expectSoon("mirror images",
+             kHead + "rule \"r\" quality 1 {" + repeated(" mirror \"m\";", 100'000) + " }");
+  const std::string rest = "\" quality 1 { zone a, b, (0.5, 1); tri a b c; }";
+  expectSoon("parameters of a title", kHead + "rule \"" + repeated("{k}", 1'000'000) + rest);
+  expectSoon("braces of a title", kHead + "rule \"" + repeated("{", 2'000'000) + rest);
+}
+
 /// The classical rules, each many times under new titles.
 TEST(Limits, TwoHundredRulesAreReadAndCheckedInAFifthOfASecond) {
   std::ifstream file(AF2_SOURCE_DIR "/rules/tri/classic.af2");

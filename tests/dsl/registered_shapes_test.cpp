@@ -202,6 +202,25 @@ TEST(RegisteredShape, CannotBeGrown) {
   EXPECT_EQ(rules.diagnostics[0].code, "Y7");
 }
 
+TEST(RegisteredFunction, SaysHowShapesFadeAsItDoesForLists) {
+  Registry functions;
+  functions.addFunction({"half", "n", 'n', [](std::span<const double> n) {
+                           return std::optional<double>(0.5 / n[0]);
+                         }});
+  LoadOptions options;
+  options.registry = &functions;
+  const LoadedRules loaded =
+      loadRulesFromText("test.af2",
+                        "af2 1;\nruleset \"s\" { elements tri; fade half(q); }\nrule \"r\" quality "
+                        "1 { new c = mid(a, "
+                        "b) + (0, 0.8); zone disc(c, 5) => disc(c, 3); tri a b c; }",
+                        options);
+  const auto made = zoneOf(loaded, 0, 1, {{0, 0}, {1, 0}});
+  ASSERT_TRUE(made.zone);
+  const Box2 box = made.zone->boundingBox();
+  EXPECT_NEAR(box.high.x - box.low.x, 2 * (0.5 * 5 + 0.5 * 3), 1e-9);
+}
+
 /// The engine sees no difference between a shape of the language and the same one registered.
 TEST(RegisteredShape, GivesTheSameMesh) {
   const std::string text = R"(

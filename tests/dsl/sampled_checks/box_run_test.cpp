@@ -39,11 +39,11 @@ class RandomProgram {
 
   Node step() {
     constexpr std::array kOps{
-        Op::Add,      Op::Subtract,   Op::Multiply,  Op::Multiply, Op::Divide,  Op::Negate,
-        Op::Power,    Op::SquareRoot, Op::Sine,      Op::Cosine,   Op::Tangent, Op::Atan2,
-        Op::Absolute, Op::Minimum,    Op::Maximum,   Op::Floor,    Op::Sweep,   Op::BisectX,
-        Op::BisectY,  Op::Less,       Op::LessEqual, Op::Equal,    Op::And,     Op::Or,
-        Op::Not,      Op::Select};
+        Op::Add,     Op::Subtract, Op::Multiply,   Op::Multiply, Op::Divide,
+        Op::Negate,  Op::Power,    Op::SquareRoot, Op::Sine,     Op::Cosine,
+        Op::Tangent, Op::Atan2,    Op::Absolute,   Op::Minimum,  Op::Maximum,
+        Op::Sweep,   Op::BisectX,  Op::BisectY,    Op::Less,     Op::LessEqual,
+        Op::Equal,   Op::And,      Op::Or,         Op::Not,      Op::Select};
     const Op op = kOps[random_() % kOps.size()];
     std::array<Node, 4> arguments{any(), any(), any(), any()};
     const auto count = static_cast<std::size_t>(argumentCount(op));

@@ -138,6 +138,13 @@ TEST(Proof, FollowsZonesOfManyShapes) {
     EXPECT_FALSE(isProven(free + zone, provesCovered)) << zone;
 }
 
+TEST(Proof, IsDoneSoonForUnionsOfManyShapes) {
+  std::string zone = "hull(a, b, c)";
+  for (int i = 0; i < 12; ++i) zone += " | disc(b + (" + std::to_string(0.1 * i) + ", 0), 0.1)";
+  EXPECT_TRUE(
+      isProven("new c = mid(a, b) + (0, 0.8); tri a b c; zone " + zone + ";", provesCovered));
+}
+
 TEST(Proof, DoesNotTakeAFlatElementForAPositiveOne) {
   const std::string sinking =
       "new c = mid(a, b) + (0, max(0, 0.9 - 0.1*q));"
