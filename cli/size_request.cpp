@@ -6,6 +6,7 @@
 
 #include "cli/number_lists.h"
 #include "cli/usage_error.h"
+#include "geometry/domain_check.h"
 
 namespace af2::cli {
 
@@ -68,8 +69,12 @@ SizeRequest checkedSizes(const SizeOptions& options) {
   if (!options.proximity.empty())
     request.elementsAcross =
         parsePositive("--proximity", options.proximity, "how many elements go across");
-  if (!options.grading.empty())
+  if (!options.grading.empty()) {
     request.growth = parsePositive("--grading", options.grading, "the growth");
+    if (request.growth > geometry::kMostGrowth)
+      throw UsageError(fmt::format("--grading {}: the growth must be at most {} per unit of length",
+                                   options.grading, geometry::kMostGrowth));
+  }
   request.faceSizes = parseSizes("--face-size", options.faceSizes);
   request.edgeSizes = parseSizes("--edge-size", options.edgeSizes);
   if (!options.file.empty()) request.file = geometry::readSizeFile(options.file);

@@ -84,6 +84,9 @@ void checkWanted(const WantedSizes& wanted) {
   if (!(wanted.elementsAcross >= 0) || !std::isfinite(wanted.elementsAcross))
     throw InputError("the number of elements across narrow places must not be negative");
   if (!isSize(wanted.growth)) throw InputError("the growth of sizes must be a positive number");
+  if (wanted.growth > kMostGrowth)
+    throw InputError("the growth of sizes must be at most " +
+                     std::to_string(static_cast<int>(kMostGrowth)) + " per unit of length");
 }
 
 void checkWanted(const DomainMeshingOptions& o) {

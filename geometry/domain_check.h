@@ -5,6 +5,10 @@
 
 namespace af2::geometry {
 
+/// The largest growth of sizes per unit of length. Elements at a short segment are up to so many
+/// times longer than it: the front has to look at as many segments around each of them.
+constexpr double kMostGrowth = 10;
+
 /// What is wanted of sizes, of a domain as of a CAD model.
 struct WantedSizes {
   double size, minSize, maxSize, elementsPerTurn, elementsAcross, growth;

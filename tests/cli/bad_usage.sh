@@ -32,6 +32,7 @@ usage "$af2" mesh "$cylinder" --size 1 --face-size 1; told '3,7-9=0.1'
 usage "$af2" mesh "$cylinder" --size 1 --curvature 2; told 'at least 3'
 usage "$af2" mesh "$cylinder" --size 1 --min-size 2 --max-size 1; told 'above --max-size'
 usage "$af2" mesh "$cylinder" --size 1 --grading 0; told '--grading'
+usage "$af2" mesh "$cylinder" --size 1 --grading 1000; told 'at most 10 per unit of length'
 unusable "$af2" mesh "$cylinder" --size 1 -r quad; told 'AF2 has quad/classic.af2, '
 unusable "$af2" mesh "$cylinder" --size 1 --sizes nothing.json; told 'nothing.json'
 echo '{"parts": {"nowhere": 1}}' >sizes.json

@@ -8,13 +8,19 @@
 namespace af2::testing {
 
 /// Held against what must be so of a complete mesh.
-inline geometry::ModelMesh completeMesh(const geometry::Facets& facets, double size) {
+inline geometry::ModelMesh completeMesh(const geometry::Facets& facets,
+                                        const geometry::FacetedMeshingOptions& options) {
   static const AF2Algorithm algorithm(triangleSet());
-  geometry::FacetedMeshingOptions options;
-  options.size = size;
   geometry::ModelMesh result = geometry::meshFaceted(facets, algorithm, options);
   expectComplete(result);
+  EXPECT_EQ(result.wantedSizes.size(), result.vertices.size());
   return result;
+}
+
+inline geometry::ModelMesh completeMesh(const geometry::Facets& facets, double size) {
+  geometry::FacetedMeshingOptions options;
+  options.size = size;
+  return completeMesh(facets, options);
 }
 
 }  // namespace af2::testing

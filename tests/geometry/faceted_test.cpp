@@ -11,9 +11,8 @@
 #include "geometry/faceted/patches.h"
 #include "geometry/model_check.h"
 #include "geometry/second_order.h"
+#include "tests/geometry/faceted_mesh.h"
 #include "tests/geometry/planar/poly_text.h"
-#include "tests/support/model_mesh.h"
-#include "tests/support/triangle_rules.h"
 
 namespace af2::geometry {
 namespace {
@@ -53,25 +52,21 @@ Facets torus() {
   });
 }
 
-ModelMesh mesh(const Facets& facets, const FacetedMeshingOptions& options) {
-  static const AF2Algorithm algorithm(testing::triangleSet());
-  ModelMesh result = meshFaceted(facets, algorithm, options);
-  testing::expectComplete(result);
-  EXPECT_EQ(result.wantedSizes.size(), result.vertices.size());
-  return result;
-}
-
-ModelMesh mesh(const Facets& facets, double size) {
-  FacetedMeshingOptions options;
-  options.size = size;
-  return mesh(facets, options);
-}
-
 TEST(Faceted, RefusesSizesThatAskForTooManyElements) {
   FacetedMeshingOptions options;
   options.size = 1e-5;
   const AF2Algorithm algorithm(testing::triangleSet());
   EXPECT_THROW(meshFaceted(read("box.obj", kBox), algorithm, options), InputError);
+}
+
+TEST(Faceted, RefusesGrowthThatAFrontCannotFollow) {
+  FacetedMeshingOptions options;
+  options.size = 1;
+  options.growth = 1000;
+  const AF2Algorithm algorithm(testing::triangleSet());
+  EXPECT_THROW(meshFaceted(read("box.obj", kBox), algorithm, options), InputError);
+  options.growth = 10;
+  testing::completeMesh(read("box.obj", kBox), options);
 }
 
 TEST(Facets, OfAnObjFileShareTheirVertices) {
@@ -168,7 +163,7 @@ TEST(Patches, WithoutWidthArePartOfThoseBesideThem) {
   const Facets facets = read("sliver.obj", sliver);
   EXPECT_EQ(findPatches(facets, {40 * pi / 180, 0.1, 0}).patches.size(), 7u);
   EXPECT_EQ(findPatches(facets, {40 * pi / 180, 0.1, 0.02}).patches.size(), 6u);
-  EXPECT_NEAR(testing::areaOf(mesh(facets, 0.4)), 24, 1e-4);
+  EXPECT_NEAR(testing::areaOf(testing::completeMesh(facets, 0.4)), 24, 1e-4);
 }
 
 TEST(Patches, OfAClosedSmoothSurfaceAreCutUntilTheyHaveBoundaryEnough) {
@@ -197,14 +192,14 @@ TEST(Patches, HaveNoCornersWhereTheirEdgesAreJagged) {
 }
 
 TEST(FacetedMeshing, MeshesABoxExactly) {
-  const ModelMesh result = mesh(read("box.obj", kBox), 0.4);
+  const ModelMesh result = testing::completeMesh(read("box.obj", kBox), 0.4);
   EXPECT_NEAR(testing::volumeOf(result), 8, 1e-12);
   EXPECT_EQ(testing::eulerNumber(result), 2);
   EXPECT_EQ(result.faces.size(), 6u);
 }
 
 TEST(FacetedMeshing, MeshesATorusOnItsTriangles) {
-  const ModelMesh result = mesh(torus(), 0.4);
+  const ModelMesh result = testing::completeMesh(torus(), 0.4);
   EXPECT_EQ(testing::eulerNumber(result), 0);
   EXPECT_NEAR(testing::volumeOf(result), 2 * pi * pi * 3, 0.06 * 2 * pi * pi * 3);
   for (const Point3& p : result.vertices) {
@@ -220,16 +215,16 @@ TEST(FacetedMeshing, PutsElementsAcrossWhatIsNarrow) {
   plate.replace(plate.find(" 2\nf"), 2, " 0.2");
   FacetedMeshingOptions options;
   options.size = 0.5;
-  const std::size_t before = mesh(read("box.obj", plate), options).elements.size();
+  const std::size_t before = testing::completeMesh(read("box.obj", plate), options).elements.size();
   options.elementsAcross = 2;
-  EXPECT_GT(mesh(read("box.obj", plate), options).elements.size(), 8 * before);
+  EXPECT_GT(testing::completeMesh(read("box.obj", plate), options).elements.size(), 8 * before);
 }
 
 TEST(FacetedMeshing, PutsMiddlesOfSidesOnTheTriangles) {
   FacetedMeshingOptions options;
   options.size = 0.5;
   options.order = 2;
-  const ModelMesh result = mesh(torus(), options);
+  const ModelMesh result = testing::completeMesh(torus(), options);
   ASSERT_EQ(result.midsides.size(), result.elements.size());
   EXPECT_TRUE(result.straightened.empty());
   for (const Point3& p : result.vertices)
@@ -238,7 +233,8 @@ TEST(FacetedMeshing, PutsMiddlesOfSidesOnTheTriangles) {
 }
 
 TEST(FacetedMeshing, IsTheSameEachTime) {
-  const ModelMesh one = mesh(torus(), 0.5), two = mesh(torus(), 0.5);
+  const ModelMesh one = testing::completeMesh(torus(), 0.5),
+                  two = testing::completeMesh(torus(), 0.5);
   EXPECT_EQ(one.vertices, two.vertices);
   EXPECT_EQ(one.elements, two.elements);
 }
