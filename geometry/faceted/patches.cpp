@@ -2,13 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <numbers>
 #include <set>
 
-#include "engine/error.h"
 #include "geometry/box_tree.h"
 #include "geometry/faceted/blends.h"
+#include "geometry/faceted/directions.h"
 #include "geometry/faceted/plane_cut.h"
 
 namespace af2::geometry {
@@ -20,8 +21,14 @@ constexpr HalfEdge kNone = kNoHalfEdge;
 
 class PatchFinder {
  public:
-  PatchFinder(const Facets& facets, const FeatureLimits& limits, const std::set<Edge>& forced)
-      : facets_(facets), limits_(limits), angle_(limits.angle), forced_(forced) {
+  PatchFinder(const Facets& facets, const FacetDirections& directions, const FeatureLimits& limits,
+              const std::set<Edge>& forced)
+      : facets_(facets),
+        isRough_(directions.isRough),
+        limits_(limits),
+        angle_(limits.angle),
+        forced_(forced),
+        normals_(directions.normals) {
     findTwins();
     findPatchOf();
     while (dropShortCreases()) {
@@ -51,7 +58,7 @@ class PatchFinder {
     std::vector<Patch> patches(patchCount_);
     for (std::uint32_t t = 0; t < patchOf_.size(); ++t) patches[patchOf_[t]].triangles.push_back(t);
     addLoops(patches);
-    return {facets_, std::move(normals_), std::move(curves_), std::move(patches), forced_};
+    return {facets_, {}, std::move(normals_), std::move(curves_), std::move(patches), forced_};
   }
 
  private:
@@ -74,21 +81,8 @@ class PatchFinder {
   Edge edgeOf(HalfEdge h) const { return std::minmax(startOf(h), endOf(h)); }
   const Point3& at(std::uint32_t v) const { return facets_.vertices[v]; }
   void findTwins() {
-    twin_.assign(3 * facets_.triangles.size(), kNone);
-    std::vector<std::pair<Edge, HalfEdge>> all;
-    all.reserve(twin_.size());
-    for (HalfEdge h = 0; h < twin_.size(); ++h) all.emplace_back(edgeOf(h), h);
-    std::sort(all.begin(), all.end());
-    for (std::size_t i = 0, next; i < all.size(); i = next) {
-      for (next = i + 1; next < all.size() && all[next].first == all[i].first;) ++next;
-      if (next - i != 2) continue;
-      const HalfEdge g = all[i].second, h = all[i + 1].second;
-      if (startOf(g) == startOf(h)) refuse(g, h);
-      twin_[g] = h;
-      twin_[h] = g;
-    }
-    partner_ = twin_;
-    findNormals();
+    twin_ = partner_ = twinsOf(facets_);
+    findSpecks();
     std::vector<bool> isFeatureEdge(twin_.size(), false);
     for (HalfEdge h = 0; h < twin_.size(); ++h)
       isFeatureEdge[h] = twin_[h] != kNone && isFeature(h, twin_[h]);
@@ -102,41 +96,14 @@ class PatchFinder {
       if (isCrease_[h]) twin_[h] = kNone;
   }
 
-  /// A triangle with a corner close to the opposite side looks to where rounding and noise let it;
-  /// the one across that side knows better.
-  void findNormals() {
-    for (const auto& t : facets_.triangles)
-      normals_.push_back(unit(cross(at(t[1]) - at(t[0]), at(t[2]) - at(t[0]))));
-    const std::vector<Point3> own = normals_;
-    for (std::uint32_t t = 0; t < normals_.size(); ++t) {
-      const HalfEdge base = baseOfCap(t);
-      if (base == kNone || twin_[base] == kNone) continue;
-      const std::uint32_t other = twin_[base] / 3;
-      if (baseOfCap(other) == kNone) normals_[t] = own[other];
-    }
-  }
-
-  /// The longest side of a triangle whose third corner is close to it; else none.
-  HalfEdge baseOfCap(std::uint32_t t) const {
-    constexpr double kFlat = 0.01, kFromEnds = 0.05;  // in lengths of the side
-    HalfEdge base = 3 * t;
-    for (HalfEdge h = 3 * t; h < 3 * t + 3; ++h)
-      if (distance(at(startOf(h)), at(endOf(h))) > distance(at(startOf(base)), at(endOf(base))))
-        base = h;
-    const Point3 from = at(startOf(base)), along = at(endOf(base)) - from;
-    const Point3 apex = at(endOf(nextIn(base))) - from;
-    const double square = dot(along, along), within = dot(apex, along) / square;
-    const bool isFlat = length(cross(along, apex)) < kFlat * square;
-    return isFlat && within > kFromEnds && within < 1 - kFromEnds ? base : kNone;
-  }
-
-  [[noreturn]] void refuse(HalfEdge g, HalfEdge h) const {
-    const Point3& p = at(startOf(g));
-    throw InputError(facets_.name + ": triangles " + std::to_string(g / 3 + 1) + " and " +
-                     std::to_string(h / 3 + 1) + " near (" + std::to_string(p.x) + ", " +
-                     std::to_string(p.y) + ", " + std::to_string(p.z) +
-                     ") are turned against each other, and cannot be turned so that all fit: the "
-                     "surface has only one side");
+  /// What is hardly longer than an element is noise where a surface is rough.
+  void findSpecks() {
+    constexpr double kRough = 0.7;  // in wanted sizes
+    speckAt_.assign(facets_.vertices.size(), limits_.speck);
+    for (std::uint32_t t = 0; t < isRough_.size(); ++t)
+      if (isRough_[t])
+        for (const std::uint32_t v : facets_.triangles[t])
+          speckAt_[v] = kRough * limits_.sizeAt(at(v));
   }
 
   /// Beside a triangle without area there is nothing to tell the angle by.
@@ -185,12 +152,17 @@ class PatchFinder {
   /// Patches that are far too small to be seen in the mesh become part of those around them.
   bool dropSpecks() {
     std::vector<Box3> boxes(patchCount_);
+    std::vector<double> limits(patchCount_, std::numeric_limits<double>::infinity());
     for (std::uint32_t t = 0; t < patchOf_.size(); ++t)
-      for (const std::uint32_t v : facets_.triangles[t]) boxes[patchOf_[t]].add(at(v));
+      for (const std::uint32_t v : facets_.triangles[t]) {
+        boxes[patchOf_[t]].add(at(v));
+        limits[patchOf_[t]] = std::min(limits[patchOf_[t]], speckAt_[v]);
+      }
     bool isAny = false;
     for (HalfEdge h = 0; h < twin_.size(); ++h) {
       const Box3& box = boxes[patchOf_[h / 3]];
-      if (twin_[h] != kNone || isForced(h) || distance(box.low, box.high) >= limits_.speck)
+      if (twin_[h] != kNone || isForced(h) ||
+          distance(box.low, box.high) >= limits[patchOf_[h / 3]])
         continue;
       smooth(h);
       isAny = true;
@@ -273,7 +245,7 @@ class PatchFinder {
   /// The first vertex from `next` on that is farther from `from` than a speck.
   std::uint32_t beyondSpeck(std::uint32_t from, std::uint32_t next) const {
     std::uint32_t before = from;
-    while (distance(at(from), at(next)) < limits_.speck) {
+    while (distance(at(from), at(next)) < speckAt_[from]) {
       const std::vector<std::uint32_t>& others = beside_.at(next);
       if (others.size() != 2) break;
       const std::uint32_t after = others[0] == before ? others[1] : others[0];
@@ -327,12 +299,14 @@ class PatchFinder {
     std::uint32_t from = 0;
   };
   const Facets& facets_;
+  const std::vector<bool>& isRough_;  // by triangle
   const FeatureLimits& limits_;
   double angle_;
   const std::set<Edge>& forced_;
   std::vector<HalfEdge> partner_;     // kNone at edges that have not two triangles
   std::vector<HalfEdge> twin_;        // the same, but kNone at feature edges
   std::vector<Point3> normals_;       // by triangle
+  std::vector<double> speckAt_;       // by vertex: what is smaller cannot be seen
   std::vector<bool> isCrease_;        // amid a rounding
   std::vector<std::size_t> patchOf_;  // by triangle
   std::size_t patchCount_ = 0;
@@ -341,27 +315,34 @@ class PatchFinder {
   std::vector<FeatureCurve> curves_;
 };
 
-PatchedFacets patchesBetween(Facets facets, const FeatureLimits& limits, std::set<Edge> cuts) {
+PatchedFacets patchesBetween(Facets facets, FacetDirections directions, const FeatureLimits& limits,
+                             std::set<Edge> cuts) {
   constexpr int kMostRounds = 30;
   for (int round = 0;; ++round) {
-    PatchFinder finder(facets, limits, cuts);
+    PatchFinder finder(facets, directions, limits, cuts);
     const auto bulging = finder.bulgingPatches();
-    if (bulging.empty() || round == kMostRounds) return finder.find();
-    for (const std::vector<std::uint32_t>& patch : bulging) cutAcross(facets, patch, cuts);
+    if (bulging.empty() || round == kMostRounds) {
+      PatchedFacets patched = finder.find();
+      patched.directions = std::move(directions);
+      return patched;
+    }
+    for (const std::vector<std::uint32_t>& patch : bulging)
+      cutAcross(facets, directions, patch, cuts);
   }
 }
 
 }  // namespace
 
 PatchedFacets findPatches(Facets facets, const FeatureLimits& limits) {
-  return patchesBetween(std::move(facets), limits, {});
+  FacetDirections directions = directionsOf(facets, limits.sizeAt);
+  return patchesBetween(std::move(facets), std::move(directions), limits, {});
 }
 
 PatchedFacets cutPatches(const PatchedFacets& patched, const std::set<FacetEdge>& cuts,
                          const FeatureLimits& limits) {
   std::set<FacetEdge> all = patched.cuts;
   all.insert(cuts.begin(), cuts.end());
-  return patchesBetween(patched.facets, limits, std::move(all));
+  return patchesBetween(patched.facets, patched.directions, limits, std::move(all));
 }
 
 }  // namespace af2::geometry

@@ -21,8 +21,15 @@ struct Patch {
   CurveLoops loops;
 };
 
+/// Where triangles look to, without noise.
+struct FacetDirections {
+  std::vector<Point3> normals;  ///< by triangle; 0: there is nothing to tell it by
+  std::vector<bool> isRough;    ///< by triangle: its normal is a mean of those around
+};
+
 struct PatchedFacets {
   Facets facets;
+  FacetDirections directions;
   std::vector<Point3> normals;  ///< by triangle, as smooth normals are to follow (SharpBlends)
   std::vector<FeatureCurve> curves;
   std::vector<Patch> patches;  ///< in the order of their first triangles
@@ -34,10 +41,11 @@ struct FeatureLimits {
   double angle = 0;     ///< in radians: where the surface turns by more
   double looseEnd = 0;  ///< a curve with the same patch on both sides is longer than this
   /// Patches smaller than this are part of those around them; so are those that are narrower than a
-  /// fiftieth of it. What a curve turns within it and back is no corner.
+  /// fiftieth of it. What a curve turns within it and back is no corner. Where the surface is rough
+  /// it is most of an element.
   double speck = 0;
   /// Wanted size of elements by position: roundings far smaller than that are taken for edges;
-  /// none: they are not.
+  /// none: they are not. What is rough on a smaller scale is taken for noise.
   std::function<double(const Point3&)> sizeAt = {};
 };
 

@@ -15,8 +15,9 @@ namespace {
 
 class PlaneCut {
  public:
-  PlaneCut(Facets& facets, const std::vector<std::uint32_t>& triangles, std::set<FacetEdge>& cuts)
-      : facets_(facets), cuts_(cuts) {
+  PlaneCut(Facets& facets, FacetDirections& directions, const std::vector<std::uint32_t>& triangles,
+           std::set<FacetEdge>& cuts)
+      : facets_(facets), directions_(directions), cuts_(cuts) {
     choosePlane(triangles);
     for (const std::uint32_t t : triangles) cut(t);
   }
@@ -87,10 +88,14 @@ class PlaneCut {
     facets_.triangles.push_back({p, c[1], c[2]});
     facets_.triangles.push_back({p, c[2], q});
     if (!facets_.group.empty()) facets_.group.insert(facets_.group.end(), 2, facets_.group[t]);
+    auto& [normals, isRough] = directions_;
+    normals.insert(normals.end(), 2, normals[t]);
+    isRough.insert(isRough.end(), 2, isRough[t]);
     cuts_.insert(std::minmax(p, q));
   }
 
   Facets& facets_;
+  FacetDirections& directions_;
   std::set<FacetEdge>& cuts_;
   std::map<FacetEdge, std::uint32_t> crossings_;
   Point3 axis_;
@@ -99,9 +104,9 @@ class PlaneCut {
 
 }  // namespace
 
-void cutAcross(Facets& facets, const std::vector<std::uint32_t>& triangles,
-               std::set<FacetEdge>& cuts) {
-  PlaneCut(facets, triangles, cuts);
+void cutAcross(Facets& facets, FacetDirections& directions,
+               const std::vector<std::uint32_t>& triangles, std::set<FacetEdge>& cuts) {
+  PlaneCut(facets, directions, triangles, cuts);
 }
 
 }  // namespace af2::geometry

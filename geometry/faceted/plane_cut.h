@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "geometry/faceted/facets.h"
+#include "geometry/faceted/patches.h"
 
 namespace af2::geometry {
 
@@ -15,8 +15,9 @@ namespace af2::geometry {
 /// extend least, so that each half is seen from one side; those that extend about as far in all
 /// directions, across the one in which they extend most.
 ///
-/// cuts  gets the edges along the plane
-void cutAcross(Facets& facets, const std::vector<std::uint32_t>& triangles,
-               std::set<FacetEdge>& cuts);
+/// directions  of the triangles; those of what a triangle is cut into are its own
+/// cuts        gets the edges along the plane
+void cutAcross(Facets& facets, FacetDirections& directions,
+               const std::vector<std::uint32_t>& triangles, std::set<FacetEdge>& cuts);
 
 }  // namespace af2::geometry

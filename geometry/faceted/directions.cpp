@@ -1,0 +1,82 @@
+#include "geometry/faceted/directions.h"
+
+#include <algorithm>
+
+#include "engine/error.h"
+#include "geometry/faceted/noise.h"
+
+namespace af2::geometry {
+namespace {
+
+constexpr HalfEdge kNone = kNoHalfEdge;
+
+std::uint32_t startOf(const Facets& facets, HalfEdge h) { return facets.triangles[h / 3][h % 3]; }
+
+[[noreturn]] void refuse(const Facets& facets, HalfEdge g, HalfEdge h) {
+  const Point3& p = facets.vertices[startOf(facets, g)];
+  throw InputError(facets.name + ": triangles " + std::to_string(g / 3 + 1) + " and " +
+                   std::to_string(h / 3 + 1) + " near (" + std::to_string(p.x) + ", " +
+                   std::to_string(p.y) + ", " + std::to_string(p.z) +
+                   ") are turned against each other, and cannot be turned so that all fit: the "
+                   "surface has only one side");
+}
+
+/// The longest side of a triangle whose third corner is close to it; else none.
+HalfEdge baseOfCap(const Facets& facets, std::uint32_t t) {
+  constexpr double kFlat = 0.01, kFromEnds = 0.05;  // in lengths of the side
+  const HalfEdge base = std::max({3 * t, 3 * t + 1, 3 * t + 2}, [&](HalfEdge g, HalfEdge h) {
+    return lengthOf(facets, g) < lengthOf(facets, h);
+  });
+  const Point3 from = facets.vertices[startOf(facets, base)];
+  const Point3 along = facets.vertices[startOf(facets, nextIn(base))] - from;
+  const Point3 apex = facets.vertices[startOf(facets, nextIn(nextIn(base)))] - from;
+  const double square = dot(along, along), within = dot(apex, along) / square;
+  const bool isFlat = length(cross(along, apex)) < kFlat * square;
+  return isFlat && within > kFromEnds && within < 1 - kFromEnds ? base : kNone;
+}
+
+/// A triangle with a corner close to the opposite side looks to where rounding and noise let it;
+/// the one across that side knows better.
+std::vector<Point3> normalsOf(const Facets& facets, const std::vector<HalfEdge>& twins) {
+  std::vector<Point3> own;
+  for (const auto& t : facets.triangles) {
+    const Point3& origin = facets.vertices[t[0]];
+    own.push_back(unit(cross(facets.vertices[t[1]] - origin, facets.vertices[t[2]] - origin)));
+  }
+  std::vector<Point3> normals = own;
+  for (std::uint32_t t = 0; t < normals.size(); ++t) {
+    const HalfEdge base = baseOfCap(facets, t);
+    if (base == kNone || twins[base] == kNone) continue;
+    const std::uint32_t other = twins[base] / 3;
+    if (baseOfCap(facets, other) == kNone) normals[t] = own[other];
+  }
+  return normals;
+}
+
+}  // namespace
+
+std::vector<HalfEdge> twinsOf(const Facets& facets) {
+  std::vector<std::pair<FacetEdge, HalfEdge>> all;
+  all.reserve(3 * facets.triangles.size());
+  for (HalfEdge h = 0; h < 3 * facets.triangles.size(); ++h)
+    all.emplace_back(std::minmax(startOf(facets, h), startOf(facets, nextIn(h))), h);
+  std::ranges::sort(all);
+  std::vector<HalfEdge> twins(all.size(), kNone);
+  for (std::size_t i = 0, next; i < all.size(); i = next) {
+    for (next = i + 1; next < all.size() && all[next].first == all[i].first;) ++next;
+    if (next - i != 2) continue;
+    const HalfEdge g = all[i].second, h = all[i + 1].second;
+    if (startOf(facets, g) == startOf(facets, h)) refuse(facets, g, h);
+    twins[g] = h;
+    twins[h] = g;
+  }
+  return twins;
+}
+
+FacetDirections directionsOf(const Facets& facets,
+                             const std::function<double(const Point3&)>& sizeAt) {
+  const std::vector<HalfEdge> twins = twinsOf(facets);
+  return withoutNoise(facets, twins, normalsOf(facets, twins), sizeAt);
+}
+
+}  // namespace af2::geometry
