@@ -29,10 +29,12 @@ class Repair {
   explicit Repair(Facets& facets) : facets_(facets) {
     Box3 box;
     for (const Point3& p : facets.vertices) box.add(p);
-    tolerance_ = kSame * distance(box.low, box.high);
+    diagonal_ = distance(box.low, box.high);
+    tolerance_ = kSame * diagonal_;
   }
 
   void repair() {
+    collapseTinyEdges();
     dropTwins(Twins::SameSide);
     joinVertices();
     splitAtVertices();
@@ -68,6 +70,34 @@ class Repair {
     }
     facets_.triangles.resize(kept);
     if (!facets_.group.empty()) facets_.group.resize(kept);
+  }
+
+  template <class NameOf>
+  void rename(const NameOf& nameOf) {
+    std::vector<bool> isGone(facets_.triangles.size(), false);
+    for (std::size_t t = 0; t < isGone.size(); ++t) {
+      Triangle& c = facets_.triangles[t];
+      for (std::uint32_t& v : c) v = nameOf(v);
+      isGone[t] = c[0] == c[1] || c[1] == c[2] || c[2] == c[0];
+    }
+    erase(isGone);
+  }
+
+  /// The coordinates of binary STL files are no more exact than that.
+  void collapseTinyEdges() {
+    constexpr double kTiny = 1e-7;  // of the diagonal
+    DisjointSets sets(facets_.vertices.size());
+    std::size_t count = 0;
+    Point3 place;
+    for (HalfEdge h = 0; h < 3 * facets_.triangles.size(); ++h) {
+      const std::uint32_t from = startOf(h), to = endOf(h);
+      if (distance(at(from), at(to)) > kTiny * diagonal_ || sets.of(from) == sets.of(to)) continue;
+      sets.join(from, to);
+      if (count++ == 0) place = at(from);
+    }
+    if (count == 0) return;
+    rename([&](std::uint32_t v) { return sets.of(v); });
+    tell(count, "edges without length were collapsed", place);
   }
 
   enum class Twins { SameSide, BothSides };
@@ -191,13 +221,7 @@ class Repair {
       });
     }
     if (count == 0) return;
-    std::vector<bool> isGone(facets_.triangles.size(), false);
-    for (std::size_t t = 0; t < isGone.size(); ++t) {
-      Triangle& c = facets_.triangles[t];
-      for (std::uint32_t& v : c) v = same[v];
-      isGone[t] = c[0] == c[1] || c[1] == c[2] || c[2] == c[0];
-    }
-    erase(isGone);
+    rename([&](std::uint32_t v) { return same[v]; });
     tell(count, "vertices beside gaps were joined with others that are near", place);
   }
 
@@ -356,7 +380,7 @@ class Repair {
   static constexpr HalfEdge kNone = 0xffffffffu;
 
   Facets& facets_;
-  double tolerance_;
+  double diagonal_, tolerance_;
   std::size_t twins_ = 0;
   std::optional<Point3> twinPlace_;
 };

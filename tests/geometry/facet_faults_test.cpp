@@ -61,6 +61,18 @@ TEST(FacetFaults, LikeTrianglesThatAreThereTwiceAreLeftOut) {
   expectABox(facets);
 }
 
+TEST(FacetFaults, LikeEdgesWithoutLengthAreCollapsed) {
+  // The middle of the lid is two vertices, with two needles between them.
+  const Facets facets = read(kBoxVertices +
+                             "v 1 1 2\nv 1 1.0000001 2\n"
+                             "f 1 4 3 2\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n"
+                             "f 5 6 9\nf 6 10 9\nf 6 7 10\nf 7 8 10\nf 8 9 10\nf 8 5 9\n");
+  ASSERT_EQ(facets.notes.size(), 1u);
+  EXPECT_NE(facets.notes[0].find("1 edges without length"), std::string::npos);
+  EXPECT_EQ(facets.triangles.size(), 14u);
+  expectABox(facets);
+}
+
 TEST(FacetFaults, LikeTurnedTrianglesAreTurnedBack) {
   std::string faces = kBoxFaces;
   faces.replace(faces.find("f 5 6 7 8"), 9, "f 8 7 6 5");
