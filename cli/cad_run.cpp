@@ -102,12 +102,6 @@ geometry::ModelMesh meshAll(const geometry::Model& model, geometry::ModelMeshing
   return mesh;
 }
 
-/// Whether the numbers of faces and edges mean something: they are not the same after healing.
-bool asksByNumber(const MeshRequest& request) {
-  return !request.faces.empty() || !request.sizes.faceSizes.empty() ||
-         !request.sizes.edgeSizes.empty() || !request.edgePoints.empty();
-}
-
 }  // namespace
 
 geometry::ModelMesh runCad(const MeshRequest& request, const AF2Algorithm& algorithm,
@@ -131,9 +125,14 @@ geometry::ModelMesh runCad(const MeshRequest& request, const AF2Algorithm& algor
   geometry::ModelMesh mesh = meshed(model, 0);
   // Those of the model as it was count on from the others: one given up means the whole model.
   const int last = model.faceCount();
-  if (request.heal && geometry::hasFaults(mesh) && !asksByNumber(request) &&
+  if (request.heal && geometry::hasFaults(mesh) && !request.asksByNumber() &&
       !control.stop.stop_requested() && givenUp.upper_bound(last) == givenUp.end())
     mesh = geometry::sounderMesh(std::move(mesh), meshed(asRead, last));
+  if (!request.healingEnd.empty())
+    mesh.healing =
+        geometry::Healing{request.healTolerance,
+                          {},
+                          {"the repairs were left out: when tried, " + request.healingEnd}};
   mesh.seconds.read = readSeconds;
   return mesh;
 }

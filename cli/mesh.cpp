@@ -98,15 +98,26 @@ int meshAndTell(const MeshRequest& request, RunLog* log, const GivenUp& givenUp)
   return exitCodeOf(report.status);
 }
 
-/// CAD models go through OpenCASCADE, which may crash or hang on them; what else there is takes as
-/// long as it takes.
+/// CAD models go through OpenCASCADE, which may crash or hang on them, or on repairing them; what
+/// else there is takes as long as it takes.
 int meshSafely(const MeshRequest& request) {
   if (request.isPlanar() || request.isFaceted()) return meshAndTell(request, nullptr, {});
   RunLimits limits;
   limits.first = secondsToRead(std::filesystem::file_size(request.model));
-  return supervise(limits, [&](RunLog& log, const GivenUp& givenUp) {
-    return meshAndTell(request, &log, givenUp);
-  });
+  const auto run = [&](const MeshRequest& asked) {
+    return supervise(limits, [&](RunLog& log, const GivenUp& givenUp) {
+      return meshAndTell(asked, &log, givenUp);
+    });
+  };
+  try {
+    return run(request);
+  } catch (const RunEnded& end) {
+    if (!request.heal || request.asksByNumber()) throw;
+    MeshRequest unhealed = request;
+    unhealed.heal = false;
+    unhealed.healingEnd = end.cause;
+    return run(unhealed);
+  }
 }
 
 /// A report is written even if the model is unusable: whoever runs many models reads only that.

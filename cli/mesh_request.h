@@ -46,6 +46,14 @@ struct MeshRequest {
 
   bool heal = false;         ///< repair the model first
   double healTolerance = 0;  ///< in its unit; 0: by its size
+  /// How the repairs took the program down, so that they are left out now; empty: they did not.
+  std::string healingEnd;
+
+  /// Whether the numbers of faces and edges mean something: they are not the same after healing.
+  bool asksByNumber() const {
+    return !faces.empty() || !sizes.faceSizes.empty() || !sizes.edgeSizes.empty() ||
+           !edgePoints.empty();
+  }
 
   bool isPlanar() const;   ///< whether the model is a .poly or .in2d file
   bool isFaceted() const;  ///< whether the model is an .stl or .obj file

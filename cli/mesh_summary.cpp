@@ -74,7 +74,9 @@ std::string summaryText(const geometry::ModelMesh& mesh, const geometry::MeshQua
 
 std::string healingText(const std::optional<geometry::Healing>& healing) {
   if (!healing) return "";
-  std::string text = fmt::format("healed with tolerance {:.3g}:", healing->tolerance);
+  std::string text = healing->tolerance > 0
+                         ? fmt::format("healed with tolerance {:.3g}:", healing->tolerance)
+                         : "healed:";
   text += healing->changes.empty() ? " nothing changed\n" : "\n";
   for (const geometry::HealedChange& change : healing->changes) {
     text += fmt::format("  {} x {}", change.count, change.what);

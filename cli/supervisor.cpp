@@ -219,9 +219,7 @@ int supervise(RunLimits limits, const std::function<int(RunLog&, const GivenUp&)
     }
     if (!end->hung && !isCrash(end->status)) return codeOf(end->status);
     const std::set<int> faces = facesAtFault(log);
-    if (faces.empty())
-      throw InputError("the model cannot be used: " + nameOf(*end) +
-                       " before any face was begun; export the model again");
+    if (faces.empty()) throw RunEnded(nameOf(*end));
     if (end->hung) limits.next = std::max(limits.next / 2, kLeast);
     for (const int face : faces) givenUp[face] = "when it was tried, " + nameOf(*end);
   }

@@ -6,6 +6,8 @@
 #include <map>
 #include <string>
 
+#include "engine/error.h"
+
 namespace af2::cli {
 
 /// What a supervised run tells of itself, from any of its threads.
@@ -33,13 +35,23 @@ inline double secondsToRead(std::uintmax_t bytes) {
   return kLeast + kPerByte * static_cast<double>(bytes);
 }
 
+/// A run that cannot be repeated without what took it down.
+struct RunEnded : InputError {
+  /// cause  such as "it ended in a crash (Segmentation fault)"
+  explicit RunEnded(const std::string& how)
+      : InputError("the model cannot be used: " + how +
+                   " before any face was begun; export the model again"),
+        cause(how) {}
+  std::string cause;
+};
+
 /// Runs `run` in a child process. If that crashes or hangs while it works on a face, runs it again
 /// without this face. Interrupts and requests to stop are passed on.
 ///
 /// Returns what `run` returns; in the child process, too, which goes on from there as if it were
 /// the whole program. Costs one fork, and memory for nothing but what the child changes.
 ///
-/// Throws InputError if the child crashes while it works on no face, or hangs before the first one.
+/// Throws RunEnded if the child crashes while it works on no face, or hangs before the first one.
 int supervise(RunLimits limits, const std::function<int(RunLog&, const GivenUp&)>& run);
 
 }  // namespace af2::cli
