@@ -109,6 +109,7 @@ cp out formatted.af2
 expect 0 "$af2" fmt --check formatted.af2
 tr -s ' ' <good.af2 >loose.af2
 expect 1 "$af2" fmt --check loose.af2; says '@@'
+expect 0 "$af2" fmt --check "$2/rules"  # what AF2 brings
 expect 0 "$af2" fmt -w loose.af2
 same loose.af2 formatted.af2
 expect 1 "$af2" fmt -w bad.af2
