@@ -29,9 +29,20 @@ struct Overloaded : Cases... {
 template <class... Cases>
 Overloaded(Cases...) -> Overloaded<Cases...>;
 
+/// OpenCASCADE's projections on a surface of which this is false may not come to an end.
+bool hasNumbers(const Geom_Surface& surface) {
+  double u1, u2, v1, v2;
+  surface.Bounds(u1, u2, v1, v2);
+  const auto middle = [](double a, double b) { return b - a < 1e50 ? (a + b) / 2 : 0; };
+  const Point3 p = toPoint(surface.Value(middle(u1, u2), middle(v1, v2)));
+  return std::isfinite(dot(p, p));
+}
+
 Handle(Geom_Surface) surfaceOf(const TopoDS_Face& face) {
   const Handle(Geom_Surface) surface = BRep_Tool::Surface(face);
   if (surface.IsNull()) throw GeometryError("the face has no surface");
+  if (!hasNumbers(*surface))
+    throw GeometryError("the face has a surface with values that are not numbers");
   return surface;
 }
 

@@ -3,16 +3,20 @@
 #include <gtest/gtest.h>
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepTools.hxx>
+#include <BRep_Builder.hxx>
 #include <Geom_BezierSurface.hxx>
 #include <Geom_Circle.hxx>
+#include <Geom_CylindricalSurface.hxx>
 #include <Geom_Ellipse.hxx>
 #include <Geom_Line.hxx>
 #include <Geom_SurfaceOfLinearExtrusion.hxx>
 #include <Geom_SurfaceOfRevolution.hxx>
 #include <TColgp_Array2OfPnt.hxx>
 #include <gp.hxx>
+#include <limits>
 #include <numbers>
 
+#include "engine/error.h"
 #include "tests/geometry/occ/meshing.h"
 #include "tests/geometry/occ/shapes.h"
 #include "tests/support/model_mesh.h"
@@ -72,6 +76,13 @@ TEST(FaceSurface, AgreesWithOpenCascade) {
   expectClosedFormsAgree(testing::cone(1, 2, 3));
   expectClosedFormsAgree(testing::sphere(2));
   expectClosedFormsAgree(testing::torus(3, 1));
+}
+
+TEST(FaceSurface, RefusesValuesThatAreNotNumbers) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  TopoDS_Face face;
+  BRep_Builder().MakeFace(face, new Geom_CylindricalSurface(gp_Ax3(), nan), 1e-7);
+  EXPECT_THROW(FaceSurface{face}, GeometryError);
 }
 
 TEST(FaceSurface, FlipsTheNormalsOfReversedFaces) {
