@@ -206,7 +206,7 @@ std::optional<End> forkAndWatch(SharedLog& log, const RunLimits& limits) {
 }  // namespace
 
 int supervise(RunLimits limits, const std::function<int(RunLog&, const GivenUp&)>& run) {
-  constexpr double kLeast = 2;
+  const double least = limits.next / 8;  // a sound face may take a second, too
   GivenUp givenUp;
   while (true) {
     SharedMemory shared;
@@ -220,7 +220,7 @@ int supervise(RunLimits limits, const std::function<int(RunLog&, const GivenUp&)
     if (!end->hung && !isCrash(end->status)) return codeOf(end->status);
     const std::set<int> faces = facesAtFault(log);
     if (faces.empty()) throw RunEnded(nameOf(*end));
-    if (end->hung) limits.next = std::max(limits.next / 2, kLeast);
+    if (end->hung) limits.next = std::max(limits.next / 2, least);
     for (const int face : faces) givenUp[face] = "when it was tried, " + nameOf(*end);
   }
 }

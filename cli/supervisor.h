@@ -26,7 +26,7 @@ using GivenUp = std::map<int, std::string>;
 struct RunLimits {
   double first = 30;  ///< until the run begins its first face
   double next = 20;   ///< until it tells of anything again, while it works on a face; half of it
-                      ///< after each hang, so that a model with many such faces ends, too
+                      ///< after each hang, down to an eighth: many such faces end, too
 };
 
 /// For `RunLimits::first`: large models take long to read.

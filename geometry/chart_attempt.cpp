@@ -101,7 +101,7 @@ std::size_t elementLimit(const FaceTask& task) {
   const double margin = task.mayBeFineInside ? kFunctionMargin : marginOf(task);
   const double beside = elementsBeside(task.boundary.input) + kAlways;
   const double limit = margin * expected + beside;
-  return static_cast<std::size_t>(limit < kMost ? limit : kMost);
+  return static_cast<std::size_t>(limit < kMost ? limit : kMost);  // also if it is no number
 }
 
 void take(RegionMesh& mesh, const FaceTask& task, FaceAttempt& attempt) {

@@ -1,6 +1,7 @@
 #include "cli/supervisor.h"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
 #include <atomic>
@@ -64,6 +65,29 @@ TEST(Supervisor, LeavesOutTheFaceThatDoesNotEnd) {
     return givenUp.at(9).find("did not come to an end") != std::string::npos ? 5 : 6;
   });
   EXPECT_EQ(code, 5);
+}
+
+double secondsOfChildren() {
+  rusage usage{};
+  getrusage(RUSAGE_CHILDREN, &usage);
+  return static_cast<double>(usage.ru_utime.tv_sec) +
+         1e-6 * static_cast<double>(usage.ru_utime.tv_usec);
+}
+
+TEST(Supervisor, WaitsHalfAsLongAfterEachHang) {
+  constexpr double kLimit = 1.6;
+  const double before = secondsOfChildren();
+  const int code = runHere({1, kLimit}, [](RunLog& log, const GivenUp& givenUp) {
+    for (const int face : {1, 2, 3}) {
+      log.begin(face);
+      if (!givenUp.contains(face)) spin();
+      log.finish();
+    }
+    return static_cast<int>(givenUp.size());
+  });
+  EXPECT_EQ(code, 3);
+  // 1.6, .8 and .4 of them, each up to .2 more: it looks five times a second.
+  EXPECT_LT(secondsOfChildren() - before, 2.5 * kLimit);
 }
 
 TEST(Supervisor, LetsWhatComesAfterTheFacesTakeItsTime) {
