@@ -78,6 +78,23 @@ constexpr std::array kTwins{
 
 bool isTrail(char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; }
 
+/// Whether this trailing byte may follow that first one of three or four: no character is written
+/// longer than need be, is half of a pair of UTF-16, or lies beyond U+10FFFF.
+bool isAllowedSecond(unsigned char lead, unsigned char second) {
+  switch (lead) {
+    case 0xE0:
+      return second >= 0xA0;
+    case 0xED:
+      return second <= 0x9F;
+    case 0xF0:
+      return second >= 0x90;
+    case 0xF4:
+      return second <= 0x8F;
+    default:
+      return true;
+  }
+}
+
 /// 0 if the text does not begin with a well-formed character.
 std::size_t wellFormedSize(std::string_view text) {
   const auto lead = static_cast<unsigned char>(text[0]);
@@ -89,7 +106,7 @@ std::size_t wellFormedSize(std::string_view text) {
   if (size == 0 || size > text.size()) return 0;
   for (std::size_t i = 1; i < size; ++i)
     if (!isTrail(text[i])) return 0;
-  return size;
+  return size < 3 || isAllowedSecond(lead, static_cast<unsigned char>(text[1])) ? size : 0;
 }
 
 bool isControl(char c) {

@@ -52,6 +52,15 @@ TEST(Lexer, ReadsOnInAFileOfAnotherEncoding) {
   EXPECT_EQ(words.words.tokens.size(), 6u);
 }
 
+TEST(Lexer, TakesNoCharacterThatUnicodeForbids) {
+  const std::string tooLong3 = "\xE0\x80\xAF", tooLong4 = "\xF0\x8F\xBF\xBF";
+  const std::string halfPair = "\xED\xA0\x80", beyond = "\xF4\x90\x80\x80";
+  for (const std::string& bytes : {tooLong3, tooLong4, halfPair, beyond})
+    EXPECT_EQ(onlyMessage("# a" + bytes + "\nconst h = 1;"), "this file is not UTF-8");
+  for (const std::string bytes : {"\u0800", "\uD7FF", "\uE000", "\U00010000", "\U0010FFFF"})
+    EXPECT_TRUE(read("# a" + bytes + "\nconst h = 1;").diagnostics.empty());
+}
+
 TEST(Lexer, TakesLookAlikesForWhatTheyMean) {
   EXPECT_EQ(spelt("a\u2212b \u2265 60\u00B0 \u2192 c\u00A0;"), "a - b >= 60 deg -> c ;  ");
   EXPECT_EQ(spelt("\u201Ca title\u201D {"), "\"a title\" {  ");
