@@ -12,6 +12,8 @@
 #include "cli/text_files.h"
 #include "cli/usage_error.h"
 #include "cli/verbs.h"
+#include "dsl/grammar.h"
+#include "engine/error.h"
 
 namespace af2::cli {
 namespace {
@@ -156,6 +158,8 @@ void newRule(const NewOptions& options) {
     throw UsageError(
         fmt::format("there is no file '{}'; `af2 new ruleset` begins one", options.into));
   const RuleText before = readRuleText(options.into);
+  if (before.text.size() > dsl::ParseLimits{}.bytes)  // the rest was not even read
+    throw InputError(fmt::format("'{}' is larger than a rule file may be; split it", before.name));
   writeText(before.name, before.text + text);
   fmt::print("added rule \"{}\" and two tests to {}\n", options.name, before.name);
 }
