@@ -1,5 +1,6 @@
 // The editor tells what happens to its files.
 #include <array>
+#include <optional>
 
 #include "cli/lsp/server.h"
 #include "cli/lsp/uri.h"
@@ -7,12 +8,18 @@
 namespace af2::lsp {
 namespace {
 
+std::optional<int> versionIn(const Json& item) {
+  const auto version = item.find("version");
+  if (version == item.end() || !version->is_number_integer()) return std::nullopt;
+  return version->get<int>();
+}
+
 void didOpen(Session& session, const Json& params) {
   const Json& item = params.at("textDocument");
   Document document;
   document.uri = item.at("uri").get<std::string>();
   document.text = item.at("text").get<std::string>();
-  document.version = item.value("version", 0);
+  document.version = versionIn(item).value_or(0);
   session.open(std::move(document));
 }
 
@@ -24,8 +31,7 @@ void didChange(Session& session, const Json& params) {
                        "'" + item.at("uri").get<std::string>() + "' is not open");
   for (const Json& change : params.at("contentChanges"))
     document->apply(change, session.client.encoding);
-  if (item.contains("version") && item["version"].is_number_integer())
-    document->version = item["version"].get<int>();
+  if (const auto version = versionIn(item)) document->version = version;
   session.checks().cancel(document->uri);
   session.forget(canonical(document->path));
 }

@@ -13,6 +13,15 @@ std::size_t lengthOf(char c) {
   return byte < 0xF0 ? 3 : 4;
 }
 
+/// Throws RequestError unless it is a whole number, 0 or more.
+std::size_t countIn(const Json& number) {
+  const bool isCount = number.is_number_unsigned() ||
+                       (number.is_number_integer() && number.get<std::int64_t>() >= 0);
+  if (!isCount)
+    throw RequestError(ErrorCode::InvalidParams, "a position is whole numbers and counts from 0");
+  return number.get<std::size_t>();
+}
+
 /// Units that a character of so many bytes takes.
 std::size_t unitsOf(std::size_t bytes, Encoding encoding) {
   switch (encoding) {
@@ -69,18 +78,15 @@ Json TextMap::range(dsl::Span span) const {
 }
 
 std::uint32_t TextMap::offset(const Json& position) const {
-  const auto line = position.at("line").get<std::int64_t>();
-  const auto wanted = position.at("character").get<std::int64_t>();
-  if (line < 0 || wanted < 0)
-    throw RequestError(ErrorCode::InvalidParams, "a position counts from 0");
-  const auto number = static_cast<std::size_t>(line);
+  const std::size_t number = countIn(position.at("line"));
+  const std::size_t wanted = countIn(position.at("character"));
   if (number >= starts_.size()) return static_cast<std::uint32_t>(text_.size());
   const std::string_view text = this->line(number);
   std::size_t at = 0, column = 0;
   while (at < text.size()) {
     const std::size_t bytes = std::min(lengthOf(text[at]), text.size() - at);
     column += unitsOf(bytes, encoding_);
-    if (column > static_cast<std::size_t>(wanted)) break;
+    if (column > wanted) break;
     at += bytes;
   }
   return starts_[number] + static_cast<std::uint32_t>(at);

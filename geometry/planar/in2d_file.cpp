@@ -121,7 +121,7 @@ class In2dReader {
   }
 
   int checkedNumber(long boundary) const {
-    if (std::abs(boundary) > kMostItems)
+    if (boundary < -kMostItems || boundary > kMostItems)
       file_.fail("boundary " + std::to_string(boundary) + ": numbers go up to " +
                  std::to_string(kMostItems));
     return static_cast<int>(boundary);

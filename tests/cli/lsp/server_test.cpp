@@ -133,6 +133,20 @@ TEST(LspText, CountsInTheUnitsOfTheEncoding) {
   EXPECT_EQ(map.offset({{"line", 99}, {"character", 0}}), text.size());
 }
 
+TEST(LspText, PositionsThatAreNoWholeNumbersAreRefused) {
+  const std::string text = "one\ntwo";
+  const TextMap map(text, Encoding::Utf16);
+  const auto offset = [&](const char* line, const char* character) {
+    return map.offset({{"line", Json::parse(line)}, {"character", Json::parse(character)}});
+  };
+  EXPECT_EQ(offset("18446744073709551615", "18446744073709551615"), text.size());
+  EXPECT_EQ(offset("0", "18446744073709551615"), 3u);
+  for (const char* odd : {"-1", "1e300", "0.5", "null", "\"1\""}) {
+    EXPECT_THROW(offset(odd, "0"), RequestError) << odd;
+    EXPECT_THROW(offset("0", odd), RequestError) << odd;
+  }
+}
+
 TEST(LspText, UriAndPathAreInverse) {
   for (const char* path : {"/tmp/a b/\xC3\xA4%.af2", "/x.af2"})
     EXPECT_EQ(pathOf(uriOf(path)), path);
@@ -152,6 +166,15 @@ TEST(LspSynchronization, AppliesChangesOneAfterTheOther) {
   EXPECT_EQ(c.text(), "# \xC3\xA4\xF0\x9F\x98\x80y\nsecond\n");
   c.change({{{"text", "all\n"}}}, 3);
   EXPECT_EQ(c.text(), "all\n");
+}
+
+TEST(LspSynchronization, AVersionThatIsNoWholeNumberIsPassedOver) {
+  Conversation c;
+  c.notify(
+      "textDocument/didOpen",
+      {{"textDocument", {{"uri", Conversation::kUri}, {"version", 1e300}, {"text", "af2 1;"}}}});
+  EXPECT_EQ(c.text(), "af2 1;");
+  EXPECT_EQ(c.session.findOpen(Conversation::kUri)->version, 0);
 }
 
 TEST(LspDiagnostics, FollowTheText) {

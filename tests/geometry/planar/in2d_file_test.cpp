@@ -99,7 +99,8 @@ TEST(In2dFile, GivesBoundariesByNumberAndByName) {
            0.2);
   const std::vector<EdgeGroup> expected{{2, "wall", {3, 4}}, {4, "", {1}}, {5, "inlet", {2}}};
   EXPECT_EQ(result.boundaries, expected);
-  EXPECT_THROW(read(square + "1 0 2 1 2 -bc=2147483647\n"), InputError);
+  for (const std::string number : {"2147483647", "-9223372036854775808"})
+    EXPECT_THROW(read(square + "1 0 2 1 2 -bc=" + number + "\n"), InputError);
   EXPECT_THROW(read(square + "1 0 2 1 2 -bc=4 -bcname=a\n1 0 2 2 3 -bc=4 -bcname=b\n"), InputError);
 }
 
