@@ -23,7 +23,7 @@ std::string contents(const fs::path& path) {
 void tryAll(const std::string& ending, void (*reader)(const std::string&)) {
   int count = 0;
   for (const auto& entry : fs::directory_iterator(AF2_INPUTS_DIR)) {
-    if (entry.path().extension() != ending) continue;
+    if (!entry.path().string().ends_with(ending)) continue;
     ++count;
     EXPECT_NO_THROW(reader(contents(entry.path()))) << entry.path();
   }
@@ -32,7 +32,18 @@ void tryAll(const std::string& ending, void (*reader)(const std::string&)) {
 
 TEST(KnownInputs, BreakNoReaderOfRuleFiles) { tryAll(".af2", tryRuleFile); }
 TEST(KnownInputs, BreakNoReaderOfNetgenRules) { tryAll(".rls", tryRlsFile); }
-TEST(KnownInputs, BreakNoReaderOfDomains) { tryAll(".poly", tryPolyFile); }
+TEST(KnownInputs, BreakNoReaderOfDomains) {
+  tryAll(".poly", tryPolyFile);
+  tryAll(".in2d", tryIn2dFile);
+}
+TEST(KnownInputs, BreakNoReaderOfTriangles) {
+  tryAll(".stl", tryStlFile);
+  tryAll(".obj", tryObjFile);
+}
+TEST(KnownInputs, BreakNoReaderOfSizes) {
+  tryAll(".size.json", trySizeFile);
+  tryAll(".edge_point.json", tryEdgePointFile);
+}
 
 }  // namespace
 }  // namespace af2::fuzz

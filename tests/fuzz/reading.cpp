@@ -6,7 +6,9 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <stdexcept>
+#include <string_view>
 
 #include "dsl/evaluate.h"
 #include "dsl/printer.h"
@@ -14,10 +16,16 @@
 #include "dsl/rule_file.h"
 #include "dsl/rule_tests.h"
 #include "engine/error.h"
-#include "geometry/planar/poly_file.h"
+#include "geometry/faceted/mesh_faceted.h"
+#include "geometry/io/boundary_file.h"
+#include "geometry/io/size_file.h"
+#include "geometry/planar/in2d_file.h"
+#include "geometry/planar/mesh_planar.h"
 
 namespace af2::fuzz {
 namespace {
+
+namespace fs = std::filesystem;
 
 using dsl::Diagnostic;
 
@@ -65,6 +73,42 @@ void evaluateSome(const RuleSet& rules) {
   }
 }
 
+/// A file with this text; that it cannot be used may be told, by InputError.
+void readAs(const char* extension, const std::string& text,
+            const std::function<void(const fs::path&)>& reader) {
+  const fs::path path = fs::temp_directory_path() / ("af2-" + std::to_string(getpid()) + extension);
+  std::ofstream(path, std::ios::binary) << text;
+  try {
+    reader(path);
+  } catch (const InputError& told) {
+    promise(std::string_view(told.what()).size() > 0, "what is wrong is told");
+  }
+  fs::remove(path);
+}
+
+void findRegions(const geometry::PlanarDomain& domain) {
+  const auto count = static_cast<int>(domain.points.size());
+  for (const auto& segment : domain.segments)
+    promise(segment.from >= 0 && segment.from < count && segment.to >= 0 && segment.to < count,
+            "segments join points");
+  geometry::PlanarMeshingOptions options;
+  options.size = 1;
+  const geometry::DomainModel model = geometry::planarModel(domain, options);
+  promise(!model.faces.empty(), "there are regions, or errors");
+}
+
+void findFaces(const fs::path& file) {
+  const geometry::Facets facets = geometry::readFacets(file);
+  promise(facets.group.empty() || facets.group.size() == facets.triangles.size(),
+          "each triangle has its part");
+  for (const auto& triangle : facets.triangles)
+    for (const std::uint32_t corner : triangle)
+      promise(corner < facets.vertices.size(), "triangles have corners");
+  geometry::FacetedMeshingOptions options;
+  options.size = 1;
+  promise(!geometry::facetedModel(facets, options).faces.empty(), "there are faces, or errors");
+}
+
 }  // namespace
 
 void tryRuleFile(const std::string& text) {
@@ -87,16 +131,31 @@ void tryRlsFile(const std::string& text) {
 }
 
 void tryPolyFile(const std::string& text) {
-  static const std::string path =
-      (std::filesystem::temp_directory_path() / ("af2-" + std::to_string(getpid()) + ".poly"))
-          .string();
-  std::ofstream(path, std::ios::binary) << text;
-  try {
-    geometry::readPoly(path);
-  } catch (const InputError&) {
-    // told
-  }
-  std::filesystem::remove(path);
+  readAs(".poly", text, [](const fs::path& file) { findRegions(geometry::readPoly(file)); });
+}
+
+void tryIn2dFile(const std::string& text) {
+  readAs(".in2d", text,
+         [](const fs::path& file) { findRegions(geometry::domainOf(geometry::readIn2d(file))); });
+}
+
+void tryStlFile(const std::string& text) { readAs(".stl", text, findFaces); }
+
+void tryObjFile(const std::string& text) { readAs(".obj", text, findFaces); }
+
+void trySizeFile(const std::string& text) {
+  readAs(".json", text, [](const fs::path& file) {
+    const geometry::PositionSize size = sizeFrom(geometry::readSizeFile(file).sources, 0.3);
+    for (const double x : {-1e300, -3.0, 0.0, 0.7, 1e9})
+      promise(size.at(Point3{x, 1, -x}) > 0, "sizes are positive");
+  });
+}
+
+void tryEdgePointFile(const std::string& text) {
+  readAs(".json", text, [](const fs::path& file) {
+    for (const auto& [edge, points] : geometry::readEdgePoints(file))
+      promise(edge > 0, "edges count from 1");
+  });
 }
 
 }  // namespace af2::fuzz

@@ -12,7 +12,17 @@ void tryRuleFile(const std::string& text);
 /// Imports a rule file of Netgen (.rls); what comes out must be a sound rule file.
 void tryRlsFile(const std::string& text);
 
-/// Reads a planar domain (.poly).
+/// Reads a planar domain (.poly, .in2d) and finds its regions.
 void tryPolyFile(const std::string& text);
+void tryIn2dFile(const std::string& text);
+
+/// Reads triangles (.stl, .obj), repairs them and finds their faces.
+void tryStlFile(const std::string& text);
+void tryObjFile(const std::string& text);
+
+/// Reads a file of sizes, and asks for sizes here and there; or of the vertices along edges
+/// (.json).
+void trySizeFile(const std::string& text);
+void tryEdgePointFile(const std::string& text);
 
 }  // namespace af2::fuzz
