@@ -2,12 +2,9 @@
 
 #include <BRepAdaptor_Surface.hxx>
 #include <BRepBndLib.hxx>
-#include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepLib.hxx>
-#include <BRepTools_ReShape.hxx>
 #include <BRep_Tool.hxx>
 #include <Bnd_Box.hxx>
-#include <Precision.hxx>
 #include <Standard_Failure.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
@@ -17,6 +14,7 @@
 
 #include "geometry/occ/face_surfaces.h"
 #include "geometry/occ/model.h"
+#include "geometry/occ/whole_surfaces.h"
 
 namespace af2::geometry {
 
@@ -95,38 +93,6 @@ void buildMissingCurves(ModelShape& model) {
                           " edges had no curve in space; built from their faces");
 }
 
-bool hasEdges(const TopoDS_Shape& face) { return TopExp_Explorer(face, TopAbs_EDGE).More(); }
-
-/// The same face with a seam and poles as its boundary; null if its surface is not closed.
-TopoDS_Shape withSeams(const TopoDS_Face& face) {
-  const Handle(Geom_Surface) surface = BRep_Tool::Surface(face);
-  if (surface.IsNull()) return {};
-  double u1, u2, v1, v2;
-  surface->Bounds(u1, u2, v1, v2);
-  for (const double bound : {u1, u2, v1, v2})
-    if (Precision::IsInfinite(bound)) return {};
-  BRepBuilderAPI_MakeFace maker(surface, u1, u2, v1, v2, Precision::Confusion());
-  return maker.IsDone() ? maker.Face().Oriented(face.Orientation()) : TopoDS_Shape();
-}
-
-/// A whole sphere or torus may come without any edge. A front has to start somewhere.
-void giveBoundaries(ReadShape& read) {
-  TopTools_IndexedMapOfShape faces;
-  TopExp::MapShapes(read.shape, TopAbs_FACE, faces);
-  BRepTools_ReShape replacing;
-  int count = 0;
-  for (int i = 1; i <= faces.Extent(); ++i) {
-    if (hasEdges(faces(i))) continue;
-    const TopoDS_Shape closed = withSeams(TopoDS::Face(faces(i)));
-    if (closed.IsNull()) continue;
-    replacing.Replace(faces(i), closed);
-    ++count;
-  }
-  if (count == 0) return;
-  read.shape = replacing.Apply(read.shape);
-  read.notes.push_back(std::to_string(count) + " faces had no boundary; given their seams");
-}
-
 /// Finds faces of the model by the shapes of groups, which may have been placed anew: the same
 /// geometry at the same place is the same face.
 class FaceFinder {
@@ -200,7 +166,7 @@ FaceSurface ModelShape::surface(int face) const { return surfaces->of(this->face
 
 std::shared_ptr<const ModelShape> makeModelShape(ReadShape read) {
   auto model = std::make_shared<ModelShape>();
-  giveBoundaries(read);
+  giveWholeBoundaries(read);
   model->shape = read.shape;
   model->unit = std::move(read.unit);
   model->fileUnit = std::move(read.fileUnit);

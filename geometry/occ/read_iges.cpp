@@ -25,6 +25,7 @@
 #include "geometry/occ/closed_runs.h"
 #include "geometry/occ/lost_faces.h"
 #include "geometry/occ/readers.h"
+#include "geometry/occ/whole_surfaces.h"
 
 namespace af2::geometry {
 
@@ -183,7 +184,9 @@ ReadShape readIges(const std::filesystem::path& path) {
   if (!global.UnitName().IsNull()) result.fileUnit = global.UnitName()->ToCString();
   result.shape = reader.OneShape();
   result.lostFaces = lostIgesFaces(reader.WS());
-  if (!result.shape.IsNull()) sew(result);
+  if (result.shape.IsNull()) return result;
+  giveWholeBoundaries(result);  // sewing drops what encloses nothing
+  sew(result);
   return result;
 }
 

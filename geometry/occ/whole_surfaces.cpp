@@ -1,0 +1,108 @@
+#include "geometry/occ/whole_surfaces.h"
+
+#include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepGProp.hxx>
+#include <BRepTools_ReShape.hxx>
+#include <BRep_Tool.hxx>
+#include <GProp_GProps.hxx>
+#include <Geom2d_Curve.hxx>
+#include <Geom_Surface.hxx>
+#include <Precision.hxx>
+#include <TopExp.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <TopoDS.hxx>
+#include <algorithm>
+#include <cmath>
+
+namespace af2::geometry {
+
+namespace {
+
+struct Bounds {
+  double u1, u2, v1, v2;
+};
+
+Bounds boundsOf(const Handle(Geom_Surface) & surface) {
+  Bounds bounds{};
+  surface->Bounds(bounds.u1, bounds.u2, bounds.v1, bounds.v2);
+  return bounds;
+}
+
+/// The same face with a seam and poles as its boundary; null if its surface is not closed.
+TopoDS_Shape withSeams(const TopoDS_Face& face) {
+  const Handle(Geom_Surface) surface = BRep_Tool::Surface(face);
+  if (surface.IsNull()) return {};
+  const Bounds bounds = boundsOf(surface);
+  for (const double bound : {bounds.u1, bounds.u2, bounds.v1, bounds.v2})
+    if (Precision::IsInfinite(bound)) return {};
+  BRepBuilderAPI_MakeFace maker(surface, bounds.u1, bounds.u2, bounds.v1, bounds.v2,
+                                Precision::Confusion());
+  return maker.IsDone() ? maker.Face().Oriented(face.Orientation()) : TopoDS_Shape();
+}
+
+bool hasEdges(const TopoDS_Shape& face) { return TopExp_Explorer(face, TopAbs_EDGE).More(); }
+
+/// Of the range of a parameter. Files give numbers with ten digits.
+constexpr double kOnSeam = 1e-6;
+
+/// Whether a parameter is one of the seam, whatever period it is told in.
+bool isAtSeam(double parameter, double first, double last) {
+  const double turns = (parameter - first) / (last - first);
+  return std::abs(turns - std::round(turns)) <= kOnSeam;
+}
+
+bool liesOnSeams(const TopoDS_Edge& edge, const TopoDS_Face& face, const Bounds& bounds) {
+  double first = 0, last = 0;
+  const Handle(Geom2d_Curve) curve = BRep_Tool::CurveOnSurface(edge, face, first, last);
+  if (curve.IsNull()) return false;
+  bool onU = true, onV = true;
+  for (const double part : {0.0, 0.3, 0.7, 1.0}) {
+    const gp_Pnt2d at = curve->Value(first + part * (last - first));
+    onU = onU && isAtSeam(at.X(), bounds.u1, bounds.u2);
+    onV = onV && isAtSeam(at.Y(), bounds.v1, bounds.v2);
+  }
+  return onU || onV;
+}
+
+/// Whether the boundary of a face on a surface closed both ways runs to and fro along the seams.
+bool hasLostItsSeams(const TopoDS_Face& face) {
+  const Handle(Geom_Surface) surface = BRep_Tool::Surface(face);
+  if (surface.IsNull() || !surface->IsUClosed() || !surface->IsVClosed()) return false;
+  const Bounds bounds = boundsOf(surface);
+  for (TopExp_Explorer it(face, TopAbs_EDGE); it.More(); it.Next())
+    if (!liesOnSeams(TopoDS::Edge(it.Current()), face, bounds)) return false;
+  GProp_GProps area, boundary;
+  BRepGProp::SurfaceProperties(face, area);
+  BRepGProp::LinearProperties(face, boundary);
+  return std::abs(area.Mass()) <= kOnSeam * boundary.Mass() * boundary.Mass();
+}
+
+void note(ReadShape& read, int count, const char* what) {
+  if (count > 0) read.notes.push_back(std::to_string(count) + what);
+}
+
+}  // namespace
+
+void giveWholeBoundaries(ReadShape& read) {
+  TopTools_IndexedMapOfShape faces;
+  TopExp::MapShapes(read.shape, TopAbs_FACE, faces);
+  BRepTools_ReShape replacing;
+  int bare = 0, lost = 0;
+  for (int i = 1; i <= faces.Extent(); ++i) {
+    const TopoDS_Face face = TopoDS::Face(faces(i));
+    const bool isBare = !hasEdges(face);
+    if (!isBare && !hasLostItsSeams(face)) continue;
+    const TopoDS_Shape closed = withSeams(face);
+    if (closed.IsNull()) continue;
+    replacing.Replace(face, closed);
+    ++(isBare ? bare : lost);
+  }
+  if (bare + lost == 0) return;
+  read.shape = replacing.Apply(read.shape);
+  note(read, bare, " faces had no boundary; given their seams");
+  note(read, lost,
+       " faces had a boundary along their seams that encloses nothing; given all of it");
+}
+
+}  // namespace af2::geometry
