@@ -134,7 +134,8 @@ StepView CandidateChoice::viewOf(const StepChart& chart, PlaceId base) const {
 void CandidateChoice::gather(const StepChart& chart, PlaceId base) {
   drawn_.draw(front_, chart, base);
   const double baseLength = drawn_.b.point.position.x;
-  near_.gather(front_, index_, chart, base, rules_.windowAt(front_[base].level, baseLength));
+  near_.gather(front_, index_, chart, base,
+               rules_.windowAt(front_[base].level, baseLength, wasWide_));
 }
 
 const Application* CandidateChoice::choose(const StepChart& chart, PlaceId base) {
@@ -151,11 +152,14 @@ const Application* CandidateChoice::choose(const StepChart& chart, PlaceId base)
     const Candidate& candidate = candidates_[untried_[best]];
     countCrowd(near_.edges().size());
     if (testZone(view, candidate, culprit) == Refusal::None &&
-        prepare(view, candidate) == Refusal::None)
+        prepare(view, candidate) == Refusal::None) {
+      wasWide_ = candidate.rule->isWide;
       return &application_;
+    }
     untried_[best] = untried_.back();
     untried_.pop_back();
   }
+  wasWide_ = false;
   return nullptr;
 }
 

@@ -83,6 +83,7 @@ class CandidateChoice {
   std::vector<Candidate> candidates_;   // as many as there ever were at once
   std::vector<std::uint32_t> untried_;  // those of this step that have not been tried yet
   ZonePolygon polygon_;
+  bool wasWide_ = false;  // the last step's rule: the next one is likely to be like it
   std::size_t examined_ = 0;
   Application application_;
   Box3 limits_{{-1e300, -1e300, -1e300}, {1e300, 1e300, 1e300}};

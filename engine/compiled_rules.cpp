@@ -180,6 +180,9 @@ std::optional<FastZone> fastZone(const AF2Rule& rule, int maxLevel) {
 /// rounded or a little longer than the bucket says, are not to be fetched on their own.
 constexpr double kWindowMargin = 0.05;
 
+/// Rules that make more are wide.
+constexpr std::size_t kOrdinaryElements = 4;
+
 /// Half extents of the ellipse form(d) <= tolerance.
 Point2 ellipseExtent(const ToleranceForm& form, double tolerance) {
   const double det = form.xx * form.yy - 0.25 * form.xy * form.xy;
@@ -310,7 +313,7 @@ CompiledRules::CompiledRules(const RuleSet& rules, std::optional<int> onlyLevel)
   rules_.reserve(rules.rules().size());
   for (const AF2Rule& rule : rules.rules()) addRule(rule);
   byLevel_.resize(static_cast<std::size_t>(rules.maxLevel()));
-  windows_.resize(static_cast<std::size_t>(rules.maxLevel()));
+  for (auto& windows : windows_) windows.resize(static_cast<std::size_t>(rules.maxLevel()));
   for (int level = onlyLevel.value_or(1); level <= onlyLevel.value_or(rules.maxLevel()); ++level) {
     collectRules(level);
     makeWindows(level);
@@ -329,6 +332,7 @@ void CompiledRules::addRule(const AF2Rule& rule) {
   compiled.patterns = patternsOf(definition);
   compiled.newPoints = fastNewPoints(rule);
   compiled.zone = fastZone(rule, set_.maxLevel());
+  compiled.isWide = definition.elements.size() > kOrdinaryElements;
   compiled.isPlain = definition.requirements.empty() && !definition.cost;
   rules_.push_back(std::move(compiled));
 }
@@ -343,17 +347,20 @@ void CompiledRules::collectRules(int level) {
 void CompiledRules::makeWindows(int level) {
   const double tolerance = set_.matchTolerance(level);
   for (double baseLength : kBaseLengths) {
-    Window window;
+    Window usual, wide;
     for (const RuleAtLevel& at : rulesAt(level)) {
-      window.include(matchWindow(*at.rule, level, tolerance));
-      window.include(zoneWindow(*at.rule, level, baseLength, tolerance));
+      const Window zone = zoneWindow(*at.rule, level, baseLength, tolerance);
+      usual.include(matchWindow(*at.rule, level, tolerance));
+      (at.rule->isWide ? wide : usual).include(zone);
     }
-    windows_[indexOf(level)].push_back(window.widened(kWindowMargin));
+    wide.include(usual);
+    windows_[false][indexOf(level)].push_back(usual.widened(kWindowMargin));
+    windows_[true][indexOf(level)].push_back(wide.widened(kWindowMargin));
   }
 }
 
-Window CompiledRules::windowAt(int level, double baseLength) const {
-  const auto& row = windows_[indexOf(level)];
+Window CompiledRules::windowAt(int level, double baseLength, bool withWide) const {
+  const auto& row = windows_[withWide][indexOf(level)];
   const auto bucket = std::lower_bound(kBaseLengths.begin(), kBaseLengths.end(), baseLength);
   if (bucket != kBaseLengths.end())
     return row[static_cast<std::size_t>(bucket - kBaseLengths.begin())];

@@ -104,6 +104,9 @@ struct CompiledRule {
   std::optional<AffineBatch> newPoints;  ///< the fast form, if all new points are affine
   std::optional<FastZone> zone;          ///< the fast form, if the zone has it
   bool isPlain = false;  ///< no requirement and no cost: nothing but geometry decides
+  /// Makes so many elements at once that its free zone may be searched for on its own: steps that
+  /// it has nothing to do with look at a smaller window.
+  bool isWide = false;
 
   const CompiledPattern& patternAt(int level) const {
     const auto last = patterns.size() - 1;
@@ -134,7 +137,8 @@ class CompiledRules {
   const std::vector<RuleAtLevel>& rulesAt(int level) const { return byLevel_[indexOf(level)]; }
   /// What a step at this level looks at first. It holds every place that a rule can match, and the
   /// free zones of typical matches; a zone that sticks out is fetched on its own.
-  Window windowAt(int level, double baseLength) const;
+  /// withWide  also the zones of wide rules
+  Window windowAt(int level, double baseLength, bool withWide) const;
 
  private:
   std::size_t indexOf(int level) const {
@@ -148,7 +152,7 @@ class CompiledRules {
   const ShapeSizeMetric* fastMetric_;
   std::vector<CompiledRule> rules_;
   std::vector<std::vector<RuleAtLevel>> byLevel_;  // [level - 1]
-  std::vector<std::vector<Window>> windows_;       // [level - 1][base length bucket]
+  std::vector<std::vector<Window>> windows_[2];  // [with wide ones][level - 1][base length bucket]
 };
 
 }  // namespace af2

@@ -213,8 +213,8 @@ TEST(CompiledRules, LookForAVertexWhereItsLevelExpectsIt) {
   EXPECT_EQ(reference(3), (Point2{3, .7}));
   EXPECT_EQ(reference(9), (Point2{3, .7}));
   const Window there{3, .7, 3.5, .7};
-  EXPECT_FALSE(compiled.windowAt(2, 1).contains(there));
-  EXPECT_TRUE(compiled.windowAt(3, 1).contains(there));
+  EXPECT_FALSE(compiled.windowAt(2, 1, true).contains(there));
+  EXPECT_TRUE(compiled.windowAt(3, 1, true).contains(there));
 }
 
 TEST(CompiledRules, HaveOnePatternWhereNothingGoesByTheLevel) {
@@ -233,7 +233,7 @@ TEST(CompiledRules, WindowHoldsEveryPlaceThatAFreeVertexCanMatch) {
   for (int level : {1, 2, 5, 10, 50}) {
     const double tolerance = set->matchTolerance(level), reach = std::sqrt(tolerance);
     for (double base : {.2, 1.0, 3.9, 7.0}) {
-      const Window window = compiled.windowAt(level, base);
+      const Window window = compiled.windowAt(level, base, false);
       for (const CompiledRule& rule : compiled.rules()) {
         if (level < rule.firstLevel) continue;
         for (const BindingStep& step : rule.patternAt(level).steps) {
@@ -256,12 +256,28 @@ TEST(CompiledRules, WindowGrowsWithTheLevelAndTheBase) {
   const auto set = triangleSet();
   const CompiledRules compiled(*set);
   for (int level = 1; level < 50; ++level)
-    EXPECT_TRUE(compiled.windowAt(level + 1, 1).contains(compiled.windowAt(level, 1)) || level < 5)
+    EXPECT_TRUE(compiled.windowAt(level + 1, 1, true).contains(compiled.windowAt(level, 1, true)) ||
+                level < 5)
         << level;
   for (double base : {.1, 1.0, 5.0, 100.0}) {
-    const Window window = compiled.windowAt(1, base);
+    const Window window = compiled.windowAt(1, base, true);
     EXPECT_TRUE(window.contains({0, 0, base, 0})) << base;
   }
+}
+
+TEST(CompiledRules, ZonesOfRulesThatMakeManyElementsAreLeftToThem) {
+  RuleDefinition rule = freeTriangle().definition();
+  for (std::int8_t v = 3; v < 7; ++v) {  // a fan around b
+    rule.newVertices.push_back(rule.newVertices[0]);
+    rule.newVertexNames.push_back(std::string(1, static_cast<char>('a' + v)));
+    rule.elements.push_back({{static_cast<std::int8_t>(v - 1), 1, v, -1}});
+  }
+  const RuleSet wide = setOf(rule), usual = setOf(freeTriangle().definition());
+  const CompiledRules compiled(wide), ordinary(usual);
+  EXPECT_TRUE(compiled.rules()[0].isWide);
+  EXPECT_FALSE(ordinary.rules()[0].isWide);
+  EXPECT_FALSE(compiled.windowAt(1, 1, false).contains(ordinary.windowAt(1, 1, false)));
+  EXPECT_TRUE(compiled.windowAt(1, 1, true).contains(ordinary.windowAt(1, 1, true)));
 }
 
 }  // namespace
