@@ -25,6 +25,7 @@
 #include "geometry/occ/closed_runs.h"
 #include "geometry/occ/lost_faces.h"
 #include "geometry/occ/readers.h"
+#include "geometry/occ/shifted_curves.h"
 #include "geometry/occ/whole_surfaces.h"
 
 namespace af2::geometry {
@@ -167,24 +168,45 @@ void sew(ReadShape& read) {
                        " edges had one face only, now " + std::to_string(after));
 }
 
-}  // namespace
+/// Which curve of an edge the reader builds on: that in space, or that in the parameters.
+enum class Curves { AsFileSays = 0, InParameters = -2 };
 
-ReadShape readIges(const std::filesystem::path& path) {
-  IGESControl_Reader reader;
+TopoDS_Shape transferred(IGESControl_Reader& reader, const std::filesystem::path& path,
+                         Curves curves) {
   Interface_Static::SetCVal("xstep.cascade.unit", "MM");
   if (reader.ReadFile(path.c_str()) != IFSelect_RetDone)
     throw InputError(path.string() +
                      ": this IGES file is damaged or cut off; export the model again");
   reader.SetReadVisible(false);
+  Interface_Static::SetIVal("read.surfacecurve.mode", static_cast<int>(curves));
   reader.TransferRoots();
+  Interface_Static::SetIVal("read.surfacecurve.mode", static_cast<int>(Curves::AsFileSays));
+  return reader.OneShape();
+}
 
+void replaceShiftedFaces(ReadShape& read, const std::filesystem::path& path) {
+  const int count = replaceShifted(read.shape, [&] {
+    IGESControl_Reader reader;
+    return transferred(reader, path, Curves::InParameters);
+  });
+  if (count > 0)
+    read.notes.push_back(std::to_string(count) +
+                         " faces had curves a period beside their place; read again by those in "
+                         "their parameters");
+}
+
+}  // namespace
+
+ReadShape readIges(const std::filesystem::path& path) {
+  IGESControl_Reader reader;
   ReadShape result;
+  result.shape = transferred(reader, path, Curves::AsFileSays);
   result.unit = "mm";
   const IGESData_GlobalSection& global = reader.IGESModel()->GlobalSection();
   if (!global.UnitName().IsNull()) result.fileUnit = global.UnitName()->ToCString();
-  result.shape = reader.OneShape();
   result.lostFaces = lostIgesFaces(reader.WS());
   if (result.shape.IsNull()) return result;
+  replaceShiftedFaces(result, path);
   giveWholeBoundaries(result);  // sewing drops what encloses nothing
   sew(result);
   return result;

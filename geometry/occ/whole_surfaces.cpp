@@ -14,6 +14,8 @@
 #include <TopoDS.hxx>
 #include <algorithm>
 #include <cmath>
+#include <gp_XY.hxx>
+#include <optional>
 
 namespace af2::geometry {
 
@@ -52,17 +54,26 @@ bool isAtSeam(double parameter, double first, double last) {
   return std::abs(turns - std::round(turns)) <= kOnSeam;
 }
 
-bool liesOnSeams(const TopoDS_Edge& edge, const TopoDS_Face& face, const Bounds& bounds) {
-  double first = 0, last = 0;
-  const Handle(Geom2d_Curve) curve = BRep_Tool::CurveOnSurface(edge, face, first, last);
-  if (curve.IsNull()) return false;
-  bool onU = true, onV = true;
-  for (const double part : {0.0, 0.3, 0.7, 1.0}) {
-    const gp_Pnt2d at = curve->Value(first + part * (last - first));
-    onU = onU && isAtSeam(at.X(), bounds.u1, bounds.u2);
-    onV = onV && isAtSeam(at.Y(), bounds.v1, bounds.v2);
+/// From where a boundary begins to where it ends, if all of it lies on seams: nothing for one that
+/// runs to and fro, a period for a circle, whatever it bounds together with what is lost.
+std::optional<gp_XY> advanceOnSeams(const TopoDS_Face& face, const Bounds& bounds) {
+  gp_XY advance(0, 0);
+  for (TopExp_Explorer it(face.Oriented(TopAbs_FORWARD), TopAbs_EDGE); it.More(); it.Next()) {
+    double first = 0, last = 0;
+    const TopoDS_Edge edge = TopoDS::Edge(it.Current());
+    const Handle(Geom2d_Curve) curve = BRep_Tool::CurveOnSurface(edge, face, first, last);
+    if (curve.IsNull()) return {};
+    bool onU = true, onV = true;
+    for (const double part : {0.0, 0.3, 0.7, 1.0}) {
+      const gp_Pnt2d at = curve->Value(first + part * (last - first));
+      onU = onU && isAtSeam(at.X(), bounds.u1, bounds.u2);
+      onV = onV && isAtSeam(at.Y(), bounds.v1, bounds.v2);
+    }
+    if (!onU && !onV) return {};
+    const gp_XY along = curve->Value(last).XY() - curve->Value(first).XY();
+    advance += edge.Orientation() == TopAbs_REVERSED ? -along : along;
   }
-  return onU || onV;
+  return advance;
 }
 
 /// Whether the boundary of a face on a surface closed both ways runs to and fro along the seams.
@@ -70,8 +81,10 @@ bool hasLostItsSeams(const TopoDS_Face& face) {
   const Handle(Geom_Surface) surface = BRep_Tool::Surface(face);
   if (surface.IsNull() || !surface->IsUClosed() || !surface->IsVClosed()) return false;
   const Bounds bounds = boundsOf(surface);
-  for (TopExp_Explorer it(face, TopAbs_EDGE); it.More(); it.Next())
-    if (!liesOnSeams(TopoDS::Edge(it.Current()), face, bounds)) return false;
+  const std::optional<gp_XY> advance = advanceOnSeams(face, bounds);
+  if (!advance || std::abs(advance->X()) > kOnSeam * (bounds.u2 - bounds.u1) ||
+      std::abs(advance->Y()) > kOnSeam * (bounds.v2 - bounds.v1))
+    return false;
   GProp_GProps area, boundary;
   BRepGProp::SurfaceProperties(face, area);
   BRepGProp::LinearProperties(face, boundary);

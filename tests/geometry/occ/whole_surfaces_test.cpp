@@ -1,6 +1,7 @@
 #include "geometry/occ/whole_surfaces.h"
 
 #include <gtest/gtest.h>
+#include <BRepBuilderAPI_MakeWire.hxx>
 #include <BRepPrimAPI_MakeRevol.hxx>
 #include <BRep_Builder.hxx>
 #include <IGESControl_Writer.hxx>
@@ -61,6 +62,17 @@ TEST(WholeSurfaces, AreNotMadeOfFacesThatEncloseSomething) {
     giveWholeBoundaries(read);
     EXPECT_TRUE(read.notes.empty()) << part;
   }
+}
+
+/// The rim of a cap, whose pole and seam are lost.
+TEST(WholeSurfaces, AreNotMadeOfFacesThatHaveOneCircleOnly) {
+  const gp_Torus torus(gp_Ax3(), 2, 0.5);
+  const gp_Circ rim(gp_Ax2(gp_Pnt(), gp::DZ()), 2.5);
+  ReadShape read;
+  read.shape =
+      BRepBuilderAPI_MakeFace(torus, BRepBuilderAPI_MakeWire(BRepBuilderAPI_MakeEdge(rim))).Shape();
+  giveWholeBoundaries(read);
+  EXPECT_TRUE(read.notes.empty());
 }
 
 }  // namespace
