@@ -98,7 +98,8 @@ class Run {
       if (!isReportDue()) continue;
       if (options_.progress)
         options_.progress({result_.mesh.elements.size(), front_.edgeCount(), choice_.examined()});
-      if (options_.patience > 0 && isPatienceLost()) {
+      const bool isPatienceLost = losesPatience(), isInVain = worksInVain();
+      if (isPatienceLost || isInVain) {
         result_.outcome = Outcome::Stuck;
         return;
       }
@@ -112,7 +113,8 @@ class Run {
     return true;
   }
 
-  bool isPatienceLost() {
+  bool losesPatience() {
+    if (options_.patience <= 0) return false;
     constexpr int kLeastReports = 2;
     const std::size_t elements = result_.mesh.elements.size();
     const bool gains = elements >= elementsReported_ + kLeastGain;
@@ -122,6 +124,19 @@ class Run {
     return idleReports_ >= kLeastReports &&
            result_.steps - stepsAtGain_ >=
                static_cast<std::size_t>(options_.patience) * front_.edgeCount();
+  }
+
+  /// The longer a front is, the longer its edges may take to find out at which level they match:
+  /// where all edges of a long strip have to, these examine some 10 to 90 candidates each.
+  bool worksInVain() {
+    constexpr std::size_t kForEachEdge = 60;
+    const std::size_t elements = result_.mesh.elements.size(), candidates = choice_.examined();
+    if (elements >= elementsAtGain_ + kLeastGain) {
+      elementsAtGain_ = elements;
+      candidatesAtGain_ = candidates;
+    }
+    return options_.mostInVain > 0 &&
+           candidates - candidatesAtGain_ > options_.mostInVain + kForEachEdge * front_.edgeCount();
   }
 
   void step(PlaceId base) {
@@ -280,6 +295,7 @@ class Run {
   std::size_t nextReport_ = kReportCandidates, elementsReported_ = 0;
   int idleReports_ = 0;          // since elements came in numbers
   std::size_t stepsAtGain_ = 0;  // when they did
+  std::size_t elementsAtGain_ = 0, candidatesAtGain_ = 0;
   ChartSlot slot_;
   std::vector<WalkVertex> walk_;
   Front::Change change_;

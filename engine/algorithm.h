@@ -23,6 +23,9 @@ struct MeshingOptions {
   /// A run ends as stuck after so many steps in a row for each edge of its front, and much work at
   /// least, that brought next to nothing. 0: only when no edge is left that could be tried.
   int patience = 0;
+  /// Nor does a run go on that has examined so many candidates, and 60 more for each edge of its
+  /// front, since it brought something. 0: it does.
+  std::size_t mostInVain = 0;
   double expectedElements = 0;  ///< room is made for about so many, so that it need not grow
 };
 

@@ -183,8 +183,10 @@ void CandidateChoice::sortWorstFirst() {
 }
 
 void CandidateChoice::collect(const StepView& view) {
+  constexpr std::size_t kLikeEdges = 4;  // to score a match takes as long as to look at so many
   untried_.clear();
   matcher_.moveTo(view);
+  std::size_t refused = 0;
   for (const RuleAtLevel& at : rules_.rulesAt(view.level)) {
     const CompiledRule& rule = *at.rule;
     matcher_.forEachMatch(*at.pattern, [&](const Match& match) {
@@ -198,9 +200,11 @@ void CandidateChoice::collect(const StepView& view) {
       if (scorer_.evaluate(view, candidate) == Refusal::None)
         untried_.push_back(static_cast<std::uint32_t>(next));
       else
-        --examined_;
+        ++refused;
     });
   }
+  examined_ -= refused;
+  countCrowd(matcher_.lookedAt() + kLikeEdges * refused);
 }
 
 /// Whether an edge of the front next to the base is plainly in the zone of a match. In most steps
@@ -271,6 +275,7 @@ void CandidateChoice::searchZone(const StepView& view, const Candidate& candidat
     Window larger = near_.window();
     larger.include(wanted);
     near_.gather(front_, index_, view.chart, view.base, larger);
+    countCrowd(near_.lookedAt());
   }
   const MatchedParts matched(front_, candidate);
   const ZoneBox reach(box, kSamePlace), room(box);

@@ -4,6 +4,7 @@ namespace af2 {
 
 void RuleMatcher::moveTo(const StepView& view) {
   view_ = &view;
+  lookedAt_ = 0;
   const DrawnBase& base = view.drawn;
   match_.places[0] = base.a.place;
   match_.places[1] = base.b.place;

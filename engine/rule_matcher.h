@@ -58,6 +58,9 @@ class RuleMatcher {
     bind(pattern, 1, visit);
   }
 
+  /// How many edges nearby were looked at since the last move.
+  std::size_t lookedAt() const { return lookedAt_; }
+
  private:
   /// The corner before or after the base.
   struct Beside {
@@ -97,6 +100,7 @@ class RuleMatcher {
         return;
       }
       case BindingStep::Kind::Any:
+        lookedAt_ += view_->near.edges().size();
         for (const Neighborhood::Edge& edge : view_->near.edges())
           if (accept(pattern, index, edge.place, edge.vertex, edge.from, edge.view))
             bind(pattern, index + 1, visit);
@@ -135,6 +139,7 @@ class RuleMatcher {
   const DrawnBase::Corner* neighbor(const BindingStep& step);
 
   const StepView* view_ = nullptr;
+  std::size_t lookedAt_ = 0;
   Match match_;
   Beside before_, after_;  // what nearly every rule asks for
   DrawnBase::Corner other_;

@@ -179,8 +179,10 @@ FaceAttempt fill(const FaceTask& task, ChartKind kind, const MeshingOptions& opt
 template <class Fill>
 FaceAttempt guarded(const FaceTask& task, int patience, Fill&& fill) {
   RunawayGuard guard(elementLimit(task), marginOf(task), task.mostCandidates, task.options.stop);
+  constexpr std::size_t kMostInVain = 4'000'000;
   MeshingOptions options;
   options.patience = patience;
+  options.mostInVain = kMostInVain;
   options.stop = guard.token();
   if (task.options.observer) options.observer = task.options.observer();
   options.progress = [&](const Progress& progress) {

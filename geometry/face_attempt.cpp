@@ -214,12 +214,15 @@ FaceAttempt fillAcross(const FaceTask& task) {
   constexpr std::size_t kMostCandidates = 300'000;  // a crammed front would leave much
   FaceTask limited = task;
   limited.mostCandidates = std::min(task.mostCandidates, kMostCandidates);
+  std::size_t effort = 0;
   for (const ChartKind kind : chartsFor(task)) {
     FaceAttempt attempt = attemptWith(limited, kind, 0);
-    attempt.effort = attempt.result.candidates;
+    effort += attempt.result.candidates;
+    attempt.effort = effort;
     if (closeLeaning(task, attempt)) return attempt;
   }
   FaceAttempt bare;
+  bare.effort = effort;
   beginFront(task.boundary.input, bare.result);
   if (!closeLeaning(task, bare)) bare.fault = "not filled";
   return bare;
@@ -230,6 +233,8 @@ FaceAttempt fillLeaning(const FaceTask& task) {
   if (attempt.fault.empty() || task.surface.isPlane() || !task.boundary.input.isolated.empty())
     return attempt;
   FaceAttempt across = fillAcross(task);
+  const std::size_t effort = attempt.effort + across.effort;
+  across.effort = attempt.effort = effort;
   return across.fault.empty() ? std::move(across) : std::move(attempt);
 }
 

@@ -64,6 +64,7 @@ class Retries {
     }
     takeBackFailed(state, ofState);
     lean(state);
+    if (!hasEffortLeft_) tellOfGivenUp(state);
   }
 
  private:
@@ -152,14 +153,24 @@ class Retries {
     if (isBetter(next, state)) state = std::move(next);
   }
 
-  /// The last way for faces that failed; without those that then cross others.
-  void lean(FaceMeshes& state) const {
+  /// The last way for faces that failed; without those that then cross others. One after the other,
+  /// so that each knows what those before it have left.
+  void lean(FaceMeshes& state) {
+    constexpr double kAlways = 300'000;
     std::vector<std::pair<std::size_t, FaceMesh>> before;
+    auto faces = static_cast<double>(std::ranges::count_if(state.meshes, failed));
+    double left = most_;
     for (std::size_t i = 0; i < state.meshes.size() && !options_.stop.stop_requested(); ++i) {
       if (!failed(state.meshes[i])) continue;
+      if (left <= 0) {
+        hasEffortLeft_ = false;
+        break;
+      }
+      const double most = std::min(left, std::max(kAlways, left / faces--));
       FaceMesh was = std::move(state.meshes[i]);
-      model_.mesh(i, options_.sizes, {std::numeric_limits<std::size_t>::max(), true}, state);
+      model_.mesh(i, options_.sizes, {static_cast<std::size_t>(most), true}, state);
       const FaceMesh& leaning = state.meshes[i];
+      left -= static_cast<double>(leaning.effort) + kForEachFace;
       if (failed(leaning) || leaning.elements.empty() || reachesTooFar(leaning, state.divided))
         state.meshes[i] = std::move(was);
       else
@@ -178,6 +189,13 @@ class Retries {
       }
     }
     join(state);
+  }
+
+  static void tellOfGivenUp(FaceMeshes& state) {
+    for (FaceMesh& mesh : state.meshes)
+      if (failed(mesh))
+        mesh.report.attempts.emplace_back(
+            "not everything was tried: faces that fail have taken too long already");
   }
 
   std::vector<std::size_t> worthAnotherTry(const FaceMeshes& state) const {
@@ -205,12 +223,33 @@ class Retries {
   /// What it costs to mesh a face again besides these.
   static constexpr double kForEachFace = 1000;
 
-  /// A face that failed may fail again, and shorter edges are dearer; but no more than is left.
-  std::size_t mostCandidates(const FaceMesh& before, double effort) const {
-    constexpr std::size_t kAlways = 100'000, kTimes = 2;
+  /// What faces that failed may take when they are meshed once more, all at the same time.
+  struct Allowance {
+    double left;        ///< for all of them
+    double faces = 0;   ///< so many there are
+    double effort = 0;  ///< that they took before
+  };
+
+  Allowance allowanceOf(const FaceMeshes& state, const std::vector<std::size_t>& again,
+                        double spent) const {
+    Allowance all{std::max(most_ - spent, 0.0)};
+    for (const std::size_t i : again) {
+      if (!failed(state.meshes[i])) continue;
+      all.faces += 1;
+      all.effort += static_cast<double>(state.meshes[i].effort);
+    }
+    return all;
+  }
+
+  /// A face that failed may fail again, and shorter edges are dearer; but no more than its share of
+  /// what is left, be it by number or by what it took before.
+  static std::size_t mostCandidates(const FaceMesh& before, const Allowance& all) {
+    constexpr double kAlways = 100'000, kAlwaysOfAll = 2'000'000, kTimes = 2;
     if (!failed(before)) return std::numeric_limits<std::size_t>::max();
-    const auto left = static_cast<std::size_t>(std::max(most_ - effort, 0.0));
-    return kAlways + std::min(kTimes * before.effort, left);
+    const auto effort = static_cast<double>(before.effort);
+    const double share = std::max(1 / all.faces, all.effort > 0 ? effort / all.effort : 0);
+    return static_cast<std::size_t>(std::min(kAlways, kAlwaysOfAll / all.faces) +
+                                    std::min(kTimes * effort, share * all.left));
   }
 
   static std::ptrdiff_t crossingsAt(const FaceMeshes& state, std::size_t i) {
@@ -293,11 +332,11 @@ class Retries {
       next.meshes[i] = state.meshes[i];
       for (std::uint32_t& point : next.meshes[i].boundary) point = change.newIndex[point];
     }
-    const double spent = effort;
+    const Allowance allowance = allowanceOf(state, again, effort);
     forEachInParallel(again.size(), options_.threads, [&](std::size_t k) {
       const FaceMesh& before = state.meshes[again[k]];
       FaceMesh& after = next.meshes[again[k]];
-      model_.mesh(again[k], sizes, {mostCandidates(before, spent)}, next);
+      model_.mesh(again[k], sizes, {mostCandidates(before, allowance)}, next);
       if (failed(before)) refuseNothing(before, after);
       tellOfRetry(state, again[k], after);
     });

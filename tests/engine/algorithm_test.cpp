@@ -237,6 +237,21 @@ TEST(Stuck, AnImpatientRunEndsEarlyButNoEarlierThanItsFrontIsLong) {
   EXPECT_GE(impatient.steps, 3 * impatient.stuck.size());
 }
 
+TEST(Stuck, ARunInVainEndsOnceItHasTakenWhatItMay) {
+  FrontInput input;  // a square with a spike that is far longer than elements, and far narrower
+  addLoop(input, divided({{0, 0}, {2, 0}, {2, 1}, {40, 1.001}, {2, 1.002}, {2, 2}, {0, 2}}, .2));
+  const MeshingResult whole = run(input, .2, {}, triangleSet());
+  MeshingOptions options;
+  options.mostInVain = 1000;
+  const MeshingResult ended = run(input, .2, options, triangleSet());
+  EXPECT_EQ(whole.outcome, Outcome::Stuck);
+  EXPECT_EQ(ended.outcome, Outcome::Stuck);
+  EXPECT_GT(ended.mesh.elements.size(), 200u) << "the square is filled";
+  EXPECT_LT(2 * ended.candidates, whole.candidates);
+  options.mostInVain = whole.candidates;
+  EXPECT_EQ(run(input, .2, options, triangleSet()).mesh, whole.mesh);
+}
+
 /// Runs until it ends by itself, but not for ever.
 Outcome outcomeOf(const FrontInput& input, double size) {
   std::stop_source source;
