@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/place_text.h"
 #include "geometry/curve_division.h"
 #include "geometry/occ/points.h"
 #include "geometry/occ/sizing.h"
@@ -23,6 +24,7 @@ namespace {
 constexpr double kSamplesPerSegment = 10;
 constexpr int kMinSamples = 16;
 constexpr double kMaxSamples = 2e6;
+constexpr const char* kNoNumbers = "has a curve with values that are not numbers";
 
 /// Chord between unit tangents beyond which a curve has a kink, i.e. an angle of about 20 degrees.
 constexpr double kKink = 0.35;
@@ -234,9 +236,10 @@ void samplePlain(const ModelShape& model, int edge, const ModelSizes& sizes, Edg
   const EdgeSampler sampler(curve, model, edge, sizes);
   samples.wanted = sampler.wanted();
   const double total = sampler.fewest();
-  if (total > kMaxSamples)
-    samples.problem = "needs more than " +
-                      std::to_string(static_cast<long>(total / kSamplesPerSegment)) +
+  if (std::isnan(total))
+    samples.problem = kNoNumbers;
+  else if (total > kMaxSamples)
+    samples.problem = "needs more than " + textOf(total / kSamplesPerSegment, 3) +
                       " segments; ask for a larger size";
   else
     samples.pieces = sampler.pieces(total);
@@ -270,8 +273,7 @@ void tryCurve(EdgeSamples& samples, Use&& use) {
   }
   samples.length = 0;
   for (const EdgePiece& piece : samples.pieces) samples.length += piece.arcLength.back();
-  if (samples.problem.empty() && !std::isfinite(samples.length))
-    samples.problem = "has a curve with values that are not numbers";
+  if (samples.problem.empty() && !std::isfinite(samples.length)) samples.problem = kNoNumbers;
   if (!samples.problem.empty()) samples.pieces.clear();
 }
 

@@ -42,6 +42,17 @@ TEST(EdgeDivision, MakesEqualSegmentsOfAboutTheWantedLength) {
   }
 }
 
+TEST(EdgeDivision, TellsAboutHowManySegmentsAreTooMany) {
+  const Model box = testing::box(1, 1, 1);
+  for (const auto& [size, told] : {std::pair(1e-12, "needs more than 1e+12 segments"),
+                                   std::pair(1e-300, "needs more than 1e+300 segments")}) {
+    ModelSizes sizes = uniform(0.5);
+    sizes.edgeSizes[1] = size;
+    const std::string problem = sampleEdges(box.shape(), sizes, 1, {})[0].problem;
+    EXPECT_NE(problem.find(told), std::string::npos) << problem;
+  }
+}
+
 TEST(EdgeDivision, SharesTheVerticesOfTheModel) {
   const DividedEdges divided = divide(testing::box(1, 2, 3), uniform(100));
   std::set<std::uint32_t> used;
