@@ -278,6 +278,9 @@ Facets readFacets(const fs::path& path) {
   dropCollapsedTriangles(facets);
   if (facets.triangles.empty()) throw InputError(facets.name + ": holds no triangle");
   repairFacets(facets);
+  if (facets.triangles.empty())
+    throw InputError(facets.name + ": no triangle is left when what is no surface is repaired" +
+                     (facets.notes.empty() ? "" : ": " + facets.notes.back()));
   return facets;
 }
 

@@ -30,7 +30,8 @@ struct Facets {
 /// OBJ file are cut into triangles. The solids of a text STL file, and the groups and objects of an
 /// OBJ file, are parts. Small faults are put right (repairFacets), and told.
 ///
-/// Throws InputError, with file and place, if it cannot be read or holds no triangle.
+/// Throws InputError, with file and place, if it cannot be read or holds no triangle, or none that
+/// is left after that.
 Facets readFacets(const std::filesystem::path& path);
 
 }  // namespace af2::geometry

@@ -53,6 +53,17 @@ TEST(FacetFaults, OfASoundFileAreNone) {
   EXPECT_TRUE(read(kBoxVertices + kBoxFaces).notes.empty());
 }
 
+TEST(FacetFaults, WhereTheyLeaveNoTriangleAreRefused) {
+  try {
+    read("v 0 0 0\nv 1 0 0\nv 1 1e-9 0\nf 1 2 3\n");
+    FAIL() << "a file without a surface was read";
+  } catch (const InputError& error) {
+    const std::string told = error.what();
+    EXPECT_NE(told.find("no triangle is left"), std::string::npos) << told;
+    EXPECT_NE(told.find("edges without length"), std::string::npos) << told;
+  }
+}
+
 TEST(FacetFaults, LikeTrianglesThatAreThereTwiceAreLeftOut) {
   const Facets facets = read(kBoxVertices + kBoxFaces + "f 5 6 7\nf 3 4 1\n");
   EXPECT_EQ(facets.triangles.size(), 12u);
