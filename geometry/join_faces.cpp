@@ -41,6 +41,12 @@ class Assembly {
     for (std::size_t i = 0; i < faces.size(); ++i)
       for (std::size_t v = 0; v < isUsed[i].size(); ++v)
         if (isUsed[i][v]) ids_[faces[i].boundary[v]] = 0;
+    // Also where no element has kept a segment: the checks find that, and need its ends.
+    for (const FaceMesh& face : faces)
+      for (const SegmentUse& use : face.uses) {
+        const auto& points = divided_.edges[static_cast<std::size_t>(use.edge) - 1].points;
+        ids_[points[use.segment]] = ids_[points[use.segment + 1]] = 0;
+      }
     for (std::size_t i = 0; i < ids_.size(); ++i)
       if (ids_[i] != kUnused) ids_[i] = addVertex(divided_.points[i]);
   }

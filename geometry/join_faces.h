@@ -19,7 +19,7 @@ struct JoinOptions {
 };
 
 /// Vertices are numbered: those of model vertices, those along edges, those inside faces. Vertices
-/// that no element uses are left out.
+/// that neither an element nor a segment of the boundary uses are left out.
 ModelMesh joinFaces(const DividedEdges& divided, const std::vector<FaceMesh>& faces,
                     const JoinOptions& options);
 

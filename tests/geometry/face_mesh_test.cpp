@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "geometry/join_faces.h"
+
 namespace af2::geometry {
 namespace {
 
@@ -29,6 +31,16 @@ TEST(FaceMesh, TellsWhetherElementsReachMuchFartherThanTheirSegments) {
   Ribbon few(20);  // two of a hundred
   few.mesh.elements.resize(100, {{VertexId(0), VertexId(1), VertexId(1), {}}});
   EXPECT_FALSE(reachesTooFar(few.mesh, few.divided));
+}
+
+TEST(JoinFaces, GivesSegmentsThatNoElementKeptTheirVertices) {
+  Ribbon lost(1);
+  lost.mesh.elements.resize(1);  // without the vertex 2
+  lost.mesh.rule = {0};
+  const ModelMesh joined = joinFaces(lost.divided, {lost.mesh}, {});
+  ASSERT_EQ(joined.segments.size(), 2u);
+  for (const EdgeSegment& segment : joined.segments)
+    for (const VertexId v : {segment.from, segment.to}) EXPECT_LT(v.value, joined.vertices.size());
 }
 
 }  // namespace
