@@ -46,14 +46,19 @@ Built combine(Built first, Operation operation, Built second) {
   return {Region(std::move(first.region), operation, std::move(second.region)), box};
 }
 
-bool isFinite(Point2 p) { return std::isfinite(p.x) && std::isfinite(p.y); }
-
-bool isFinite(const Shape& shape) {
-  return std::all_of(shape.points().begin(), shape.points().end(),
-                     [](Point2 p) { return isFinite(p); }) &&
-         std::all_of(shape.numbers().begin(), shape.numbers().end(),
-                     [](double x) { return std::isfinite(x); });
+/// Whether products of four such numbers are finite; shapes are told apart by these.
+bool isUsable(double x) {
+  constexpr double kLargest = 1e75;
+  return std::abs(x) <= kLargest;
 }
+bool isUsable(Point2 p) { return isUsable(p.x) && isUsable(p.y); }
+
+bool isUsable(const Shape& shape) {
+  return std::ranges::all_of(shape.points(), [](Point2 p) { return isUsable(p); }) &&
+         std::ranges::all_of(shape.numbers(), [](double x) { return isUsable(x); });
+}
+
+Built refusedNumber() { return refused(Refusal::NoValue, "a number is not finite or too large"); }
 
 // --- discs and half planes
 
@@ -63,6 +68,7 @@ Built buildDisc(Point2 centre, double radius) {
 }
 
 Built halfPlane(Point2 point, Point2 direction) {
+  if (!isUsable(point)) return refusedNumber();
   return only(makeLeaf(HalfPlane{point, {0, 0}, direction}));
 }
 
@@ -223,7 +229,7 @@ Built buildGrown(const Shape& shape, double distance) {
     return combine(buildGrown(shape.parts()[0], distance), Operation::Union,
                    buildGrown(shape.parts()[1], distance));
   if (shape.kind() == ShapeKind::Grow) {
-    if (!isFinite(shape) || numbers[0] < 0) return build(shape);
+    if (!isUsable(shape) || numbers[0] < 0) return build(shape);
     return buildGrown(shape.parts()[0], numbers[0] + distance);
   }
 
@@ -245,7 +251,7 @@ Built buildGrown(const Shape& shape, double distance) {
 }  // namespace
 
 Built build(const Shape& shape) {
-  if (!isFinite(shape)) return refused(Refusal::NoValue, "a number is not finite");
+  if (!isUsable(shape)) return refusedNumber();
   const auto& points = shape.points();
   const auto& numbers = shape.numbers();
   const auto part = [&shape](int i) { return build(shape.parts()[i]); };

@@ -122,9 +122,9 @@ struct MadeZone {
 /// before they are used: the flanks of a sector that are not multiples of 90 degrees, and what
 /// `grow` makes of half planes, arcs, `&` and `-`.
 ///
-/// Refused: numbers that are not finite, a `left` without direction (NoValue); corners that are not
-/// convex (Convexity); a negative radius or distance, a path that crosses or touches itself, runs
-/// clockwise or has no area, an unbounded zone (Shape).
+/// Refused: numbers that are not finite or beyond 1e75, a `left` without direction (NoValue);
+/// corners that are not convex (Convexity); a negative radius or distance, a path that crosses or
+/// touches itself, runs clockwise or has no area, an unbounded zone (Shape).
 MadeZone makeZone(const Shape& shape);
 
 /// Whether a point lies in the closed shape, which may be unbounded or empty; nothing if makeZone
