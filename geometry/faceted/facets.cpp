@@ -267,6 +267,23 @@ void dropCollapsedTriangles(Facets& facets) {
   if (!facets.group.empty()) facets.group.resize(kept);
 }
 
+/// However far away they lie, they are none of the surface.
+void dropUnusedVertices(Facets& facets) {
+  std::vector<bool> isUsed(facets.vertices.size(), false);
+  for (const auto& triangle : facets.triangles)
+    for (const std::uint32_t corner : triangle) isUsed[corner] = true;
+  std::vector<std::uint32_t> renumbered(facets.vertices.size());
+  std::uint32_t kept = 0;
+  for (std::size_t i = 0; i < isUsed.size(); ++i) {
+    if (!isUsed[i]) continue;
+    renumbered[i] = kept;
+    facets.vertices[kept++] = facets.vertices[i];
+  }
+  facets.vertices.resize(kept);
+  for (auto& triangle : facets.triangles)
+    for (std::uint32_t& corner : triangle) corner = renumbered[corner];
+}
+
 }  // namespace
 
 Facets readFacets(const fs::path& path) {
@@ -276,6 +293,7 @@ Facets readFacets(const fs::path& path) {
   extensionOf(path) == ".obj" ? readObj(content, facets) : readStl(content, facets);
   mergeVertices(facets);
   dropCollapsedTriangles(facets);
+  dropUnusedVertices(facets);
   if (facets.triangles.empty()) throw InputError(facets.name + ": holds no triangle");
   repairFacets(facets);
   if (facets.triangles.empty())

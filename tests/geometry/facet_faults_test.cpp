@@ -53,6 +53,14 @@ TEST(FacetFaults, OfASoundFileAreNone) {
   EXPECT_TRUE(read(kBoxVertices + kBoxFaces).notes.empty());
 }
 
+TEST(FacetFaults, VerticesThatNoTriangleUsesDoNotCountHoweverFarAway) {
+  const Facets facets = read("v 1e9 0 0\n" + kBoxVertices + "f 2 5 4 3\nf 6 7 8 9\nf 2 3 7 6\n" +
+                             "f 3 4 8 7\nf 4 5 9 8\nf 5 2 6 9\n");
+  EXPECT_EQ(facets.vertices.size(), 8u);
+  EXPECT_TRUE(facets.notes.empty());
+  expectABox(facets);
+}
+
 TEST(FacetFaults, WhereTheyLeaveNoTriangleAreRefused) {
   try {
     read("v 0 0 0\nv 1 0 0\nv 1 1e-9 0\nf 1 2 3\n");
