@@ -108,17 +108,36 @@ class Search {
   }
 
   void growTrees(const std::vector<std::pair<std::size_t, std::size_t>>& pairs) {
-    std::vector<std::uint8_t> isNeeded(patches_.size(), 0);
-    for (const auto& [one, other] : pairs) isNeeded[one] = isNeeded[other] = 1;
+    std::vector<std::vector<Box3>> others(patches_.size());  // around what each is held against
+    for (const auto& [one, other] : pairs) {
+      others[one].push_back(ElementTree::grown(patches_[other].box, depth_));
+      others[other].push_back(ElementTree::grown(patches_[one].box, depth_));
+    }
     repeat_(patches_.size(), [&](std::size_t i) {
-      if (!isNeeded[i]) return;
       Patch& patch = patches_[i];
-      patch.tree = ElementTree(mesh_, patch.first, patch.last);
+      patch.tree = ElementTree(mesh_, patch.first, elementsNear(patch, others[i]));
       if (patch.mayCrossItself)
         patch.tree.findFree([&](std::size_t first, std::size_t count, const std::uint32_t* places) {
           return canBeDrawn({mesh_, first, count, places});
         });
     });
+  }
+
+  /// Those that reach into one of some boxes, counted from the patch's first: of two faces at an
+  /// edge of a model seldom more than a strip.
+  std::vector<std::uint32_t> elementsNear(const Patch& patch,
+                                          const std::vector<Box3>& boxes) const {
+    // To ask each element about many boxes costs more than to have it in a tree.
+    constexpr std::size_t kManyBoxes = 16;
+    std::vector<std::uint32_t> found;
+    for (std::size_t i = patch.first; !boxes.empty() && i < patch.last; ++i) {
+      Box3 own;
+      for (const VertexId v : mesh_.elements[i].vertices()) own.add(mesh_.vertices[v.value]);
+      const auto meets = [&](const Box3& box) { return own.meets(box); };
+      if (patch.mayCrossItself || boxes.size() > kManyBoxes || std::ranges::any_of(boxes, meets))
+        found.push_back(static_cast<std::uint32_t>(i - patch.first));
+    }
+    return found;
   }
 
   std::size_t rootOf(std::size_t patch) const {

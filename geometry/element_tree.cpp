@@ -50,12 +50,14 @@ std::vector<std::uint32_t> alongCurve(std::size_t count, const Point& point) {
 
 }  // namespace
 
-ElementTree::ElementTree(const ModelMesh& mesh, std::size_t first, std::size_t last)
+ElementTree::ElementTree(const ModelMesh& mesh, std::size_t first,
+                         const std::vector<std::uint32_t>& elements)
     : first_(first),
-      count_(last - first),
+      count_(elements.size()),
       order_(alongCurve(count_, [&](std::size_t i) -> const Point3& {
-        return mesh.vertices[mesh.elements[first + i].corners[0].value];
+        return mesh.vertices[mesh.elements[first + elements[i]].corners[0].value];
       })) {
+  for (std::uint32_t& place : order_) place = elements[place];
   levels_.emplace_back((count_ + kRun - 1) / kRun);
   for (std::size_t index = 0; index < levels_[0].size(); ++index) {
     const Run leaf = run(index);

@@ -11,13 +11,14 @@
 
 namespace af2::geometry {
 
-/// Over the elements from `first` to before `last`, at least one. Leaves hold elements that follow
+/// Over some elements, or none. Leaves hold elements that follow
 /// each other on a curve that fills space: those made one after the other may lie far apart, as on
 /// both sides of a strip, and then boxes that are not along the axes all meet.
 class ElementTree {
  public:
   ElementTree() = default;
-  ElementTree(const ModelMesh& mesh, std::size_t first, std::size_t last);
+  /// elements  of the mesh, counted from `first`
+  ElementTree(const ModelMesh& mesh, std::size_t first, const std::vector<std::uint32_t>& elements);
 
   /// The elements of a leaf.
   struct Run {
@@ -32,6 +33,7 @@ class ElementTree {
   /// come nearer to each other than `gap`. Of a tree with itself each pair comes once.
   template <class Visit>
   void forEachNear(const ElementTree& other, double gap, const Visit& visit) const {
+    if (count_ == 0 || other.count_ == 0) return;
     walk({levels_.size() - 1, 0}, other, {other.levels_.size() - 1, 0}, gap, visit);
   }
 

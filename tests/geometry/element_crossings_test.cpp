@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <random>
 
 #include "geometry/element_tree.h"
@@ -130,6 +131,16 @@ TEST(ElementCrossings, OfOnePlaceOfATubeAreFoundAmongMany) {
   expectAllAndMany(mesh, 2e-9);
 }
 
+/// A flat face, and one that comes back down through it and covers a part of its box only.
+TEST(ElementCrossings, OfTwoFacesLieWhereTheirBoxesMeet) {
+  const ModelMesh mesh = sheet(24, [](double x, double y) {
+    if (x <= 0.5) return Point3{x, y, 0};
+    const double turn = 9 * (x - 0.5);
+    return Point3{0.5 - 0.16 * (1 - std::cos(turn)), y, 0.3 * std::sin(turn) + 0.01 * (y - 0.4)};
+  });
+  expectAllAndMany(mesh, 2e-9);
+}
+
 /// Long strips close to each other, askew in space, whose elements come in turn from both ends.
 TEST(ElementTree, BringsFewPairsOfStripsTogether) {
   ModelMesh mesh;
@@ -146,7 +157,9 @@ TEST(ElementTree, BringsFewPairsOfStripsTogether) {
       mesh.elements.push_back({{v(i), v(i + 3), v(i + 1), VertexId()}});
     }
   }
-  const ElementTree one(mesh, 0, 2 * kSquares), other(mesh, 2 * kSquares, 4 * kSquares);
+  std::vector<std::uint32_t> all(2 * kSquares);
+  std::iota(all.begin(), all.end(), 0u);
+  const ElementTree one(mesh, 0, all), other(mesh, 2 * kSquares, all);
   std::size_t pairs = 0;
   one.forEachNear(other, 0, [&](const auto&, const auto&) { ++pairs; });
   EXPECT_GT(pairs, 0u);
