@@ -19,8 +19,8 @@ struct HealingOptions {
 ///   * faces that do not share edges sewn, those of each solid, and all that belong to no solid;
 ///   * the faces of each shell turned to the same side, those of solids outwards.
 /// Model::healing() tells all of it. Faces and edges are numbered anew; names and groups stay with
-/// their faces. Repairs that are sound can still leave a face that cannot be meshed: mesh both models
-/// and let sounderMesh choose.
+/// their faces. Repairs that are sound can still leave a face that cannot be meshed: mesh both
+/// models and let sounderMesh choose.
 ///
 /// Runs OpenCASCADE's repairs, which can crash or hang on damaged models. Throws InputError if the
 /// tolerance is negative or nothing is left of the model.

@@ -149,7 +149,7 @@ def commit() -> str:
 
 
 def heading(commands: dict[str, list[str]], chosen: argparse.Namespace) -> list[str]:
-    packages = {NETGEN: "netgen", GMSH: "gmsh"}
+    packages = {NETGEN: "libnglib-dev", GMSH: "gmsh"}
     peers = [f"{packages[name]} {version(packages[name])}" for name in commands if name in packages]
     shown = shlex.join(["tests/benchmark/whole_mesh_benchmark.py", *sys.argv[1:]])
     return [f"Measured on {processor()}, commit {commit()}, one thread, "
