@@ -179,6 +179,8 @@ FaceAttempt fill(const FaceTask& task, ChartKind kind, const MeshingOptions& opt
 template <class Fill>
 FaceAttempt guarded(const FaceTask& task, int patience, Fill&& fill) {
   RunawayGuard guard(elementLimit(task), marginOf(task), task.mostCandidates, task.options.stop);
+  // Nearly twice what any front of the public models took on its way to a whole face (counted
+  // once).
   constexpr std::size_t kMostInVain = 4'000'000;
   MeshingOptions options;
   options.patience = patience;

@@ -114,6 +114,7 @@ class Search {
       others[other].push_back(ElementTree::grown(patches_[one].box, depth_));
     }
     repeat_(patches_.size(), [&](std::size_t i) {
+      if (others[i].empty()) return;
       Patch& patch = patches_[i];
       patch.tree = ElementTree(mesh_, patch.first, elementsNear(patch, others[i]));
       if (patch.mayCrossItself)
@@ -129,14 +130,16 @@ class Search {
                                           const std::vector<Box3>& boxes) const {
     // To ask each element about many boxes costs more than to have it in a tree.
     constexpr std::size_t kManyBoxes = 16;
-    std::vector<std::uint32_t> found;
-    for (std::size_t i = patch.first; !boxes.empty() && i < patch.last; ++i) {
+    const bool takesAll = patch.mayCrossItself || boxes.size() > kManyBoxes;
+    const auto reachesThere = [&](const Element& element) {
       Box3 own;
-      for (const VertexId v : mesh_.elements[i].vertices()) own.add(mesh_.vertices[v.value]);
-      const auto meets = [&](const Box3& box) { return own.meets(box); };
-      if (patch.mayCrossItself || boxes.size() > kManyBoxes || std::ranges::any_of(boxes, meets))
+      for (const VertexId v : element.vertices()) own.add(mesh_.vertices[v.value]);
+      return std::ranges::any_of(boxes, [&](const Box3& box) { return own.meets(box); });
+    };
+    std::vector<std::uint32_t> found;
+    for (std::size_t i = patch.first; i < patch.last; ++i)
+      if (takesAll || reachesThere(mesh_.elements[i]))
         found.push_back(static_cast<std::uint32_t>(i - patch.first));
-    }
     return found;
   }
 

@@ -11,9 +11,9 @@
 
 namespace af2::geometry {
 
-/// Over some elements, or none. Leaves hold elements that follow
-/// each other on a curve that fills space: those made one after the other may lie far apart, as on
-/// both sides of a strip, and then boxes that are not along the axes all meet.
+/// Over some elements, or none. Leaves hold elements that follow each other on a curve that fills
+/// space: those made one after the other may lie far apart, as on both sides of a strip, and then
+/// boxes that are not along the axes all meet.
 class ElementTree {
  public:
   ElementTree() = default;
