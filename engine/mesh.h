@@ -23,6 +23,14 @@ struct Element {
   bool operator==(const Element&) const = default;
 };
 
+/// Whether all corners are different ones of so many vertices.
+inline bool hasProperCorners(const Element& element, std::size_t vertices) {
+  const auto& [a, b, c, d] = element.corners;
+  return a.value < vertices && b.value < vertices && c.value < vertices &&
+         (d.value < vertices || d.isNone()) && a != b && b != c && c != a && a != d && b != d &&
+         c != d;
+}
+
 struct Mesh {
   std::vector<SurfacePoint> vertices;
   std::vector<Element> elements;

@@ -5,70 +5,24 @@
 #include <map>
 
 #include "engine/place_text.h"
+#include "engine/vertex_stars.h"
 
 namespace af2 {
 namespace {
 
 using Edge = std::pair<VertexId, VertexId>;
 
-/// The corners of all elements in groups by their vertex: linear to make, short to search. The
-/// edges that leave a vertex and those that arrive there lie side by side.
-class CornerTable {
- public:
-  struct Corner {
-    VertexId previous, next;  ///< in the element
-  };
-
-  /// bad  elements to leave out, in order
-  void make(const Mesh& mesh, const std::vector<ElementId>& bad) {
-    first_.assign(mesh.vertices.size() + 2, 0);
-    forEachCorner(mesh, bad, [&](VertexId v, Corner, ElementId) { ++first_[v.value + 2]; });
-    for (std::size_t v = 2; v < first_.size(); ++v) first_[v] += first_[v - 1];
-    corners_.resize(first_.back());
-    forEachCorner(mesh, bad, [&](VertexId v, Corner corner, ElementId) {
-      corners_[first_[v.value + 1]++] = corner;
-    });
-  }
-
-  std::span<const Corner> at(VertexId v) const {
-    return {corners_.data() + first_[v.value], first_[v.value + 1] - first_[v.value]};
-  }
-  bool hasEdge(VertexId from, VertexId to) const {
-    return std::ranges::any_of(at(from), [&](const Corner& corner) { return corner.next == to; });
-  }
-
-  template <class Visit>
-  static void forEachCorner(const Mesh& mesh, const std::vector<ElementId>& bad, Visit&& visit) {
-    auto nextBad = bad.begin();
-    for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
-      if (nextBad != bad.end() && nextBad->value == e) {
-        ++nextBad;
-        continue;
-      }
-      const auto corners = mesh.elements[e].vertices();
-      const std::size_t n = corners.size();
-      for (std::size_t i = 0; i < n; ++i)
-        visit(corners[i], Corner{corners[i == 0 ? n - 1 : i - 1], corners[i + 1 == n ? 0 : i + 1]},
-              ElementId(e));
-    }
-  }
-
- private:
-  std::vector<std::uint32_t> first_;
-  std::vector<Corner> corners_;
-};
-
 class Checker {
  public:
-  Checker(const Mesh& mesh, const MeshBoundary& boundary) : mesh_(mesh), boundary_(boundary) {}
+  Checker(const Mesh& mesh, const MeshBoundary& boundary)
+      : mesh_(mesh), boundary_(boundary), stars_(0, mesh.vertices.size()) {}
 
   std::vector<MeshFault> check() {
     for (std::size_t i = 0; i < mesh_.elements.size(); ++i) checkElement(ElementId(i));
-    corners_.make(mesh_, bad_);
+    stars_.finish();
     for (std::size_t v = 0; v < mesh_.vertices.size(); ++v) checkVertex(VertexId(v));
     for (const Edge& e : boundary_.edges)
-      if (!corners_.hasEdge(e.first, e.second))
-        add(MeshFault::Kind::BoundaryNotKept, {}, e.first, e.second);
+      if (!hasEdge(e.first, e.second)) add(MeshFault::Kind::BoundaryNotKept, {}, e.first, e.second);
     nameElements();
     return std::move(faults_);
   }
@@ -79,21 +33,31 @@ class Checker {
   }
 
   void checkElement(ElementId id) {
-    const auto corners = mesh_.elements[id.value].vertices();
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-      const VertexId v = corners[i];
-      bool isRepeated = false;
-      for (std::size_t k = 0; k < corners.size(); ++k) isRepeated |= (k != i) & (corners[k] == v);
-      if (v.value < mesh_.vertices.size() && !isRepeated) continue;
-      add(MeshFault::Kind::BadElement, id, v);
+    const Element& element = mesh_.elements[id.value];
+    if (!hasProperCorners(element, mesh_.vertices.size())) {
+      add(MeshFault::Kind::BadElement, id, improperCorner(element));
       bad_.push_back(id);
       return;
     }
-    if (!facesTheNormals(corners)) add(MeshFault::Kind::Inverted, id);
+    if (!facesTheNormals(element.vertices())) add(MeshFault::Kind::Inverted, id);
+    stars_.add(element);
+  }
+
+  VertexId improperCorner(const Element& element) const {
+    const auto corners = element.vertices();
+    return *std::ranges::find_if(corners, [&](VertexId v) {
+      return v.value >= mesh_.vertices.size() || std::ranges::count(corners, v) > 1;
+    });
+  }
+
+  bool hasEdge(VertexId from, VertexId to) {
+    stars_.corners(from.value, corners_);
+    return std::ranges::find(corners_, to.value, &VertexStars::Corner::next) != corners_.end();
   }
 
   bool facesTheNormals(std::span<const VertexId> corners) const {
     const std::size_t n = corners.size();
+    if (n == 3 && facesAllNormals(corners)) return true;
     for (std::size_t i = 0; i < n; ++i) {
       const auto at = [&](std::size_t k) -> const SurfacePoint& {
         return mesh_.vertices[corners[k].value];
@@ -107,34 +71,18 @@ class Checker {
     return true;
   }
 
-  /// Whether every edge that leaves a vertex leaves it once, and arrives there, too: so it is at
-  /// nearly all vertices inside. False also of very many corners.
-  static bool areAllAround(std::span<const CornerTable::Corner> corners) {
-    constexpr std::size_t kMost = 32;
-    const std::size_t n = corners.size();
-    if (n == 0 || n > kMost) return false;
-    std::uint64_t matched = 0;  // corners whose edge arrives from where another one's goes
-    for (const auto& leaving : corners) {
-      std::uint64_t arriving = 0;
-      for (std::size_t k = 0; k < n; ++k)
-        arriving |= std::uint64_t{corners[k].previous == leaving.next} << k;
-      if (arriving == 0 || (arriving & matched) != 0) return false;
-      matched |= arriving;
-    }
-    return true;  // n sets of corners, none empty, none with a common corner: one corner in each
-  }
-
   void checkVertex(VertexId v) {
-    const auto corners = corners_.at(v);
-    if (v.value >= boundary_.fixedCount && areAllAround(corners)) return;
+    if (v.value >= boundary_.fixedCount && stars_.areAround(v.value)) return;
+    stars_.corners(v.value, corners_);
+    const std::span<const VertexStars::Corner> corners = corners_;
     if (corners.empty()) add(MeshFault::Kind::UnusedVertex, {}, v);
     for (std::size_t i = 0; i < corners.size(); ++i) {
-      const VertexId to = corners[i].next;
+      const VertexId to(corners[i].next);
       std::size_t before = 0;
       bool hasPartner = false;
       for (std::size_t k = 0; k < corners.size(); ++k) {
-        before += (k < i) & (corners[k].next == to);
-        hasPartner |= corners[k].previous == to;
+        before += (k < i) & (corners[k].next == to.value);
+        hasPartner |= corners[k].previous == to.value;
       }
       for (std::size_t k = 0; k < before; ++k)
         addAt(MeshFault::Kind::OverlappingEdge, v, to, before);
@@ -143,6 +91,15 @@ class Checker {
       if (hasPartner && isGiven && !boundary_.contains(to, v))
         addAt(MeshFault::Kind::BoundaryNotKept, v, to, before);
     }
+  }
+
+  /// Of a triangle, whose corners all turn as its area does; false also where a normal is unknown.
+  bool facesAllNormals(std::span<const VertexId> triangle) const {
+    const SurfacePoint &a = mesh_.vertices[triangle[0].value],
+                       &b = mesh_.vertices[triangle[1].value],
+                       &c = mesh_.vertices[triangle[2].value];
+    const Point3 area = cross(b.position - a.position, c.position - a.position);
+    return (dot(area, a.normal) > 0) & (dot(area, b.normal) > 0) & (dot(area, c.normal) > 0);
   }
 
   /// A fault at the element that uses the edge v -> to after `before` others that do.
@@ -156,11 +113,14 @@ class Checker {
     if (unnamed_.empty()) return;
     std::map<Edge, std::vector<ElementId>> users;
     for (const Unnamed& u : unnamed_) users[{faults_[u.fault].from, faults_[u.fault].to}];
-    CornerTable::forEachCorner(
-        mesh_, bad_, [&](VertexId v, CornerTable::Corner corner, ElementId id) {
-          if (const auto at = users.find({v, corner.next}); at != users.end())
-            at->second.push_back(id);
-        });
+    for (std::size_t e = 0; e < mesh_.elements.size(); ++e) {
+      if (std::ranges::binary_search(bad_, ElementId(e))) continue;
+      const auto corners = mesh_.elements[e].vertices();
+      for (std::size_t i = 0; i < corners.size(); ++i)
+        if (const auto at = users.find({corners[i], corners[(i + 1) % corners.size()]});
+            at != users.end())
+          at->second.push_back(ElementId(e));
+    }
     for (const Unnamed& u : unnamed_)
       faults_[u.fault].element = users[{faults_[u.fault].from, faults_[u.fault].to}][u.before];
   }
@@ -171,8 +131,9 @@ class Checker {
 
   const Mesh& mesh_;
   const MeshBoundary& boundary_;
-  CornerTable corners_;
-  std::vector<ElementId> bad_;  ///< elements that have no edges to speak of
+  VertexStars stars_;
+  std::vector<VertexStars::Corner> corners_;  ///< of one vertex
+  std::vector<ElementId> bad_;                ///< elements that have no edges to speak of
   std::vector<MeshFault> faults_;
   std::vector<Unnamed> unnamed_;
 };

@@ -196,34 +196,25 @@ class DrawnOutline {
 
 }  // namespace
 
-std::optional<Point3> commonNormal(const MeshPart& part) {
-  const auto normals = [&](std::size_t i, const auto& visit) {
-    const auto corners = part.corners(i);
-    const Point3& origin = part.mesh.vertices[corners[0].value];
-    for (std::size_t k = 1; k + 1 < corners.size(); ++k)
-      visit(cross(part.mesh.vertices[corners[k].value] - origin,
-                  part.mesh.vertices[corners[k + 1].value] - origin));
-  };
-  Point3 sum;
-  for (std::size_t i = 0; i < part.count; ++i)
-    normals(i, [&](const Point3& normal) { sum = sum + normal; });
-  const Point3 mean = unit(sum);
+bool allFace(const MeshPart& part, const Point3& plane) {
   bool isCommon = true;
   for (std::size_t i = 0; i < part.count && isCommon; ++i)
-    normals(i, [&](const Point3& normal) {
-      const double facing = dot(normal, mean);
+    part.forEachNormal(i, [&](const Point3& normal) {
+      const double facing = dot(normal, plane);
       isCommon = isCommon && facing > 0 &&
                  facing * facing > kLeastFacing * kLeastFacing * dot(normal, normal);
     });
-  return isCommon ? std::optional(mean) : std::nullopt;
+  return isCommon;
 }
 
 bool canBeDrawn(const MeshPart& part) {
-  const std::optional<Point3> normal = commonNormal(part);
-  if (!normal) return false;
+  Point3 sum;
+  for (std::size_t i = 0; i < part.count; ++i)
+    part.forEachNormal(i, [&](const Point3& normal) { sum = sum + normal; });
+  const Point3 normal = unit(sum);
+  if (!allFace(part, normal)) return false;
   std::optional<std::vector<Side>> outline = outlineOf(part);
-  return outline && !outline->empty() &&
-         DrawnOutline(part, std::move(*outline), *normal).isSimple();
+  return outline && !outline->empty() && DrawnOutline(part, std::move(*outline), normal).isSimple();
 }
 
 }  // namespace af2::geometry

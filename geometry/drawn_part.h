@@ -17,14 +17,23 @@ struct MeshPart {
   std::size_t first = 0, count = 0;
   const std::uint32_t* places = nullptr;  ///< `count` of them, or null
 
+  /// Calls visit with the normal of each half of a quadrilateral and of each triangle; its length
+  /// is twice the area.
+  template <class Visit>
+  void forEachNormal(std::size_t i, const Visit& visit) const {
+    const auto all = corners(i);
+    const Point3& origin = mesh.vertices[all[0].value];
+    for (std::size_t k = 1; k + 1 < all.size(); ++k)
+      visit(cross(mesh.vertices[all[k].value] - origin, mesh.vertices[all[k + 1].value] - origin));
+  }
   std::span<const VertexId> corners(std::size_t i) const {
     return mesh.elements[first + (places ? places[i] : i)].vertices();
   }
 };
 
-/// The normal of a plane to one side of which all elements of the part look, and not too flatly;
-/// nothing if the mean of their normals is none.
-std::optional<Point3> commonNormal(const MeshPart& part);
+/// Whether all elements of the part look to the side of a plane to which its unit normal points,
+/// and not too flatly.
+bool allFace(const MeshPart& part, const Point3& normal);
 
 /// Whether the part can be seen to lie over itself nowhere: all of its elements look to one side of
 /// a plane, and its outline, drawn in the plane, crosses itself nowhere and has the part on its

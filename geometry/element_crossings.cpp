@@ -45,13 +45,11 @@ void findParts(const ModelMesh& mesh, const ElementTree::Run& run, const Box3& w
   }
 }
 
-/// Elements of one face.
-struct Patch {
-  std::size_t first, last;
-  int face;
-  Box3 box;
+/// The elements of one face.
+struct FacePatch {
+  Patch patch;
   bool mayCrossItself = true;
-  ElementTree tree;  ///< of a patch that is held against one
+  ElementTree tree = {};  ///< if it is held against one
 };
 
 class Search {
@@ -60,17 +58,18 @@ class Search {
 
   std::vector<Crossing> find() {
     if (mesh_.elements.empty()) return {};
-    split();
-    pieces();
-    findShapes();
+    const PatchOutlines outlines(mesh_);
+    findPatches(outlines);
+    findShells();
+    findShapes(outlines);
     Box3 all;
-    for (const Patch& patch : patches_) all.add(patch.box);
+    for (const FacePatch& face : faces_) all.add(face.patch.box);
     depth_ = kDepth * distance(all.low, all.high);
     const auto pairs = nearPairs();
     growTrees(pairs);
     std::vector<std::vector<Crossing>> found(pairs.size());
     repeat_(pairs.size(), [&](std::size_t i) {
-      searchPair(patches_[pairs[i].first], patches_[pairs[i].second], found[i]);
+      searchPair(faces_[pairs[i].first], faces_[pairs[i].second], found[i]);
     });
     std::vector<Crossing> crossings;
     for (const auto& some : found) crossings.insert(crossings.end(), some.begin(), some.end());
@@ -84,116 +83,116 @@ class Search {
   }
 
  private:
-  void split() {
-    for (std::size_t i = 0; i < mesh_.elements.size(); ++i) {
-      if (i == 0 || mesh_.face[i] != mesh_.face[i - 1])
-        patches_.push_back({i, i, mesh_.face[i], {}, true, {}});
-      patches_.back().last = i + 1;
-    }
+  void findPatches(const PatchOutlines& outlines) {
+    std::vector<std::size_t> starts;
+    for (std::size_t i = 0; i < mesh_.elements.size(); ++i)
+      if (i == 0 || mesh_.face[i] != mesh_.face[i - 1]) starts.push_back(i);
+    starts.push_back(mesh_.elements.size());
+    faces_.resize(starts.size() - 1);
+    repeat_(faces_.size(),
+            [&](std::size_t i) { faces_[i].patch = outlines.patch(starts[i], starts[i + 1]); });
   }
 
-  void findShapes() {
-    const PatchOutlines outlines(mesh_);
-    findStarShapes(outlines);
-    repeat_(patches_.size(), [&](std::size_t i) {
-      Patch& patch = patches_[i];
-      for (std::size_t k = patch.first; k < patch.last; ++k)
-        for (const VertexId v : mesh_.elements[k].vertices())
-          patch.box.add(mesh_.vertices[v.value]);
-      const PatchOutlines::Range range(patch.first, patch.last);
-      patch.mayCrossItself = !isStarShaped_[rootOf(i)] &&
-                             !outlines.canBeDrawn(patch.first, patch.last) &&
-                             (isAlone_[rootOf(i)] || !outlines.isStarShaped({&range, 1}));
+  /// Faces with a common vertex are of one shell.
+  void findShells() {
+    constexpr std::size_t kNone = ~std::size_t{0};
+    shell_.resize(faces_.size());
+    std::iota(shell_.begin(), shell_.end(), std::size_t{0});
+    std::vector<std::size_t> faceAt(mesh_.vertices.size(), kNone);
+    for (std::size_t i = 0; i < faces_.size(); ++i)
+      for (const std::uint32_t v : faces_[i].patch.onSegments) {
+        std::size_t& other = faceAt[v];
+        if (other != kNone && other != i) shell_[i] = shell_[shellOf(i)] = shellOf(other);
+        other = i;
+      }
+    for (std::size_t i = 0; i < shell_.size(); ++i) shell_[i] = shellOf(i);
+  }
+
+  std::size_t shellOf(std::size_t face) const {
+    while (shell_[face] != face) face = shell_[face];
+    return face;
+  }
+
+  void findShapes(const PatchOutlines& outlines) {
+    std::map<std::size_t, std::vector<const Patch*>> patches;  // by shell
+    for (std::size_t i = 0; i < faces_.size(); ++i) patches[shell_[i]].push_back(&faces_[i].patch);
+    std::vector<std::size_t> shells;
+    for (const auto& [shell, all] : patches) shells.push_back(shell);
+    isStarShaped_.resize(faces_.size(), 0);
+    repeat_(shells.size(), [&](std::size_t i) {
+      isStarShaped_[shells[i]] = outlines.isStarShaped(patches.at(shells[i]));
+    });
+    repeat_(faces_.size(), [&](std::size_t i) {
+      const Patch* patch = &faces_[i].patch;
+      const bool isAlone = patches.at(shell_[i]).size() == 1;
+      faces_[i].mayCrossItself = !isStarShaped_[shell_[i]] && !outlines.canBeDrawn(*patch) &&
+                                 (isAlone || !outlines.isStarShaped({&patch, 1}));
     });
   }
 
   void growTrees(const std::vector<std::pair<std::size_t, std::size_t>>& pairs) {
-    std::vector<std::vector<Box3>> others(patches_.size());  // around what each is held against
+    std::vector<std::vector<Box3>> others(faces_.size());  // around what each is held against
     for (const auto& [one, other] : pairs) {
-      others[one].push_back(ElementTree::grown(patches_[other].box, depth_));
-      others[other].push_back(ElementTree::grown(patches_[one].box, depth_));
+      others[one].push_back(ElementTree::grown(faces_[other].patch.box, depth_));
+      others[other].push_back(ElementTree::grown(faces_[one].patch.box, depth_));
     }
-    repeat_(patches_.size(), [&](std::size_t i) {
+    repeat_(faces_.size(), [&](std::size_t i) {
       if (others[i].empty()) return;
-      Patch& patch = patches_[i];
-      patch.tree = ElementTree(mesh_, patch.first, elementsNear(patch, others[i]));
-      if (patch.mayCrossItself)
-        patch.tree.findFree([&](std::size_t first, std::size_t count, const std::uint32_t* places) {
+      FacePatch& face = faces_[i];
+      face.tree = ElementTree(mesh_, face.patch.first, elementsNear(face, others[i]));
+      if (face.mayCrossItself)
+        face.tree.findFree([&](std::size_t first, std::size_t count, const std::uint32_t* places) {
           return canBeDrawn({mesh_, first, count, places});
         });
     });
   }
 
-  /// Those that reach into one of some boxes, counted from the patch's first: of two faces at an
-  /// edge of a model seldom more than a strip.
-  std::vector<std::uint32_t> elementsNear(const Patch& patch,
+  /// Those that reach into one of some boxes, counted from the first of the face: of two faces at
+  /// an edge of a model seldom more than a strip.
+  std::vector<std::uint32_t> elementsNear(const FacePatch& face,
                                           const std::vector<Box3>& boxes) const {
+    const Patch& patch = face.patch;
     // To ask each element about many boxes costs more than to have it in a tree.
     constexpr std::size_t kManyBoxes = 16;
-    const bool takesAll = patch.mayCrossItself || boxes.size() > kManyBoxes;
-    const auto reachesThere = [&](const Element& element) {
-      Box3 own;
-      for (const VertexId v : element.vertices()) own.add(mesh_.vertices[v.value]);
-      return std::ranges::any_of(boxes, [&](const Box3& box) { return own.meets(box); });
-    };
+    const bool takesAll = face.mayCrossItself || boxes.size() > kManyBoxes;
     std::vector<std::uint32_t> found;
-    for (std::size_t i = patch.first; i < patch.last; ++i)
-      if (takesAll || reachesThere(mesh_.elements[i]))
-        found.push_back(static_cast<std::uint32_t>(i - patch.first));
+    for (std::size_t run = 0; run < patch.boxes.size(); ++run) {
+      std::vector<Box3> near;
+      for (const Box3& box : boxes)
+        if (box.meets(patch.boxes[run])) near.push_back(box);
+      if (near.empty() && !takesAll) continue;
+      const std::size_t begin = run * Patch::kRun,
+                        end = std::min(begin + Patch::kRun, patch.last - patch.first);
+      for (std::size_t i = begin; i < end; ++i)
+        if (takesAll || reaches(mesh_.elements[patch.first + i], near))
+          found.push_back(static_cast<std::uint32_t>(i));
+    }
     return found;
   }
 
-  std::size_t rootOf(std::size_t patch) const {
-    while (piece_[patch] != patch) patch = piece_[patch];
-    return patch;
-  }
-
-  void findStarShapes(const PatchOutlines& outlines) {
-    std::map<std::size_t, std::vector<PatchOutlines::Range>> ranges;  // by piece
-    for (std::size_t i = 0; i < patches_.size(); ++i)
-      ranges[rootOf(i)].emplace_back(patches_[i].first, patches_[i].last);
-    isStarShaped_.resize(patches_.size(), 0);
-    std::vector<std::size_t> roots;
-    for (const auto& [root, all] : ranges) roots.push_back(root);
-    isAlone_.resize(patches_.size(), 0);
-    repeat_(roots.size(), [&](std::size_t i) {
-      const auto& all = ranges.at(roots[i]);
-      isStarShaped_[roots[i]] = outlines.isStarShaped(all);
-      isAlone_[roots[i]] = all.size() == 1;
-    });
-  }
-
-  /// Patches with a common vertex are of one piece.
-  void pieces() {
-    constexpr std::uint32_t kNone = 0xffffffffu;
-    piece_.resize(patches_.size());
-    std::iota(piece_.begin(), piece_.end(), std::size_t{0});
-    std::vector<std::uint32_t> patchAt(mesh_.vertices.size(), kNone);
-    for (std::size_t p = 0; p < patches_.size(); ++p)
-      for (std::size_t i = patches_[p].first; i < patches_[p].last; ++i)
-        for (const VertexId v : mesh_.elements[i].vertices()) {
-          std::uint32_t& other = patchAt[v.value];
-          if (other != kNone && other != p) piece_[p] = piece_[rootOf(p)] = rootOf(other);
-          other = static_cast<std::uint32_t>(p);
-        }
-    for (std::size_t p = 0; p < piece_.size(); ++p) piece_[p] = rootOf(p);
+  bool reaches(const Element& element, const std::vector<Box3>& boxes) const {
+    Box3 own;
+    for (const VertexId v : element.vertices()) own.add(mesh_.vertices[v.value]);
+    return std::ranges::any_of(boxes, [&](const Box3& box) { return own.meets(box); });
   }
 
   std::vector<std::pair<std::size_t, std::size_t>> nearPairs() {
     std::vector<Box3> boxes;
-    for (const Patch& patch : patches_) boxes.push_back(ElementTree::grown(patch.box, depth_));
+    for (const FacePatch& face : faces_)
+      boxes.push_back(ElementTree::grown(face.patch.box, depth_));
     const BoxTree tree(boxes);
     std::vector<std::pair<std::size_t, std::size_t>> pairs;
-    for (std::size_t i = 0; i < patches_.size(); ++i) {
-      if (patches_[i].mayCrossItself) pairs.emplace_back(i, i);
+    for (std::size_t i = 0; i < faces_.size(); ++i) {
+      if (faces_[i].mayCrossItself) pairs.emplace_back(i, i);
       tree.forEachIn(boxes[i], [&](std::size_t k) {
-        if (k > i && rootOf(i) == rootOf(k) && !isStarShaped_[rootOf(i)]) pairs.emplace_back(i, k);
+        if (k > i && shell_[i] == shell_[k] && !isStarShaped_[shell_[i]]) pairs.emplace_back(i, k);
       });
     }
     return pairs;
   }
 
-  void searchPair(const Patch& one, const Patch& other, std::vector<Crossing>& found) const {
+  void searchPair(const FacePatch& one, const FacePatch& other,
+                  std::vector<Crossing>& found) const {
     constexpr std::size_t kNone = ~std::size_t{0};
     std::vector<Part> mine, its;
     std::size_t lastRun = kNone;  // the runs of the other tree near one of this come in a row
@@ -267,10 +266,9 @@ class Search {
 
   const ModelMesh& mesh_;
   const Repeat& repeat_;
-  std::vector<Patch> patches_;
-  std::vector<std::size_t> piece_;          ///< by patch: another one of the same piece, or itself
-  std::vector<std::uint8_t> isStarShaped_;  ///< by the patch that stands for a piece
-  std::vector<std::uint8_t> isAlone_;       ///< the same: whether it is the piece
+  std::vector<FacePatch> faces_;
+  std::vector<std::size_t> shell_;          ///< by face: the one that stands for its shell
+  std::vector<std::uint8_t> isStarShaped_;  ///< by the face that stands for a shell
   double depth_ = 0;
 };
 

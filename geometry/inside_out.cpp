@@ -1,6 +1,7 @@
 #include "geometry/inside_out.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -20,18 +21,21 @@ bool isWhole(const ModelMesh& mesh) {
 
 /// Whether each side between faces is there in both directions. Inside faces that is so anyway.
 bool isTurnedAlike(const ModelMesh& mesh) {
-  std::vector<bool> isOnEdge(mesh.vertices.size(), false);
+  std::vector<std::uint8_t> isOnEdge(mesh.vertices.size(), 0);
   for (const EdgeSegment& segment : mesh.segments)
-    isOnEdge[segment.from.value] = isOnEdge[segment.to.value] = true;
+    isOnEdge[segment.from.value] = isOnEdge[segment.to.value] = 1;
   std::vector<std::pair<VertexId, VertexId>> sides, reversed;
+  const auto add = [&](VertexId from, VertexId to) {
+    if (!isOnEdge[from.value] || !isOnEdge[to.value]) return;
+    sides.emplace_back(from, to);
+    reversed.emplace_back(to, from);
+  };
   for (const Element& element : mesh.elements) {
-    const auto c = element.vertices();
-    for (std::size_t i = 0; i < c.size(); ++i) {
-      const VertexId from = c[i], to = c[(i + 1) % c.size()];
-      if (!isOnEdge[from.value] || !isOnEdge[to.value]) continue;
-      sides.emplace_back(from, to);
-      reversed.emplace_back(to, from);
-    }
+    const auto& [a, b, c, d] = element.corners;
+    add(a, b);
+    add(b, c);
+    add(c, d.isNone() ? a : d);
+    if (!d.isNone()) add(d, a);
   }
   std::ranges::sort(sides);
   std::ranges::sort(reversed);
@@ -41,13 +45,13 @@ bool isTurnedAlike(const ModelMesh& mesh) {
 /// Six times the volume.
 double volumeOf(const ModelMesh& mesh) {
   const Point3 origin = mesh.vertices[mesh.elements.front().corners[0].value];
+  const auto at = [&](VertexId v) { return mesh.vertices[v.value] - origin; };
   double sum = 0;
   for (const Element& element : mesh.elements) {
-    const auto c = element.vertices();
-    const Point3 first = mesh.vertices[c[0].value] - origin;
-    for (std::size_t i = 2; i < c.size(); ++i)
-      sum += dot(first,
-                 cross(mesh.vertices[c[i - 1].value] - origin, mesh.vertices[c[i].value] - origin));
+    const auto& [a, b, c, d] = element.corners;
+    const Point3 first = at(a), third = at(c);
+    sum += dot(first, cross(at(b), third));
+    if (!d.isNone()) sum += dot(first, cross(third, at(d)));
   }
   return sum;
 }

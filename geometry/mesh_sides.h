@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <ranges>
 #include <span>
 #include <vector>
 
@@ -25,23 +26,23 @@ struct MeshSide {
 
 class MeshSides {
  public:
-  explicit MeshSides(const ModelMesh& mesh) : MeshSides(mesh, [](std::size_t) { return true; }) {}
+  explicit MeshSides(const ModelMesh& mesh)
+      : MeshSides(mesh, std::views::iota(std::size_t{0}, mesh.elements.size()),
+                  [](std::uint32_t, std::uint32_t) { return true; }) {}
 
-  /// counts      whether the sides of element i count; only their corners have to be vertices
-  /// begin, end  only sides whose lower vertex is among these are there
-  template <class Counts>
-  MeshSides(const ModelMesh& mesh, const Counts& counts, std::size_t begin = 0,
-            std::size_t end = SIZE_MAX)
+  /// elements  those whose sides count, ascending; only their corners have to be vertices
+  /// isThere   whether to have the sides from a vertex to a higher one
+  template <class Elements, class IsThere>
+  MeshSides(const ModelMesh& mesh, const Elements& elements, const IsThere& isThere)
       : first_(mesh.vertices.size() + 2, 0) {
-    const auto isThere = [&](std::uint32_t from) { return from >= begin && from < end; };
-    forEachSide(mesh, counts, [&](std::uint32_t from, const MeshSide&) {
-      if (isThere(from)) ++first_[from + 2];
+    forEachSide(mesh, elements, [&](std::uint32_t from, const MeshSide& side) {
+      if (isThere(from, side.to)) ++first_[from + 2];
     });
     for (std::size_t v = 2; v < first_.size(); ++v) first_[v] += first_[v - 1];
     sides_.resize(first_.back());
     // first_[v + 1] is where the next side of v goes; when all are placed, that is its end.
-    forEachSide(mesh, counts, [&](std::uint32_t from, const MeshSide& side) {
-      if (isThere(from)) sides_[first_[from + 1]++] = side;
+    forEachSide(mesh, elements, [&](std::uint32_t from, const MeshSide& side) {
+      if (isThere(from, side.to)) sides_[first_[from + 1]++] = side;
     });
     for (std::size_t v = 0; v + 2 < first_.size(); ++v) sort(first_[v], first_[v + 1]);
   }
@@ -68,10 +69,9 @@ class MeshSides {
   }
 
  private:
-  template <class Counts, class Visit>
-  static void forEachSide(const ModelMesh& mesh, const Counts& counts, const Visit& visit) {
-    for (std::size_t i = 0; i < mesh.elements.size(); ++i) {
-      if (!counts(i)) continue;
+  template <class Elements, class Visit>
+  static void forEachSide(const ModelMesh& mesh, const Elements& elements, const Visit& visit) {
+    for (const std::size_t i : elements) {
       const auto corners = mesh.elements[i].vertices();
       std::uint32_t last = corners.back().value;
       for (const VertexId corner : corners) {

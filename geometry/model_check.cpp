@@ -1,10 +1,16 @@
 #include "geometry/model_check.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
+#include <functional>
+#include <limits>
 #include <map>
+#include <optional>
 #include <utility>
 
+#include "engine/vertex_stars.h"
 #include "geometry/mesh_sides.h"
 #include "geometry/parallel.h"
 
@@ -49,6 +55,8 @@ class Findings {
   void add(MeshFinding finding) {
     if (all_.size() < limit_) all_.push_back(std::move(finding));
   }
+  /// None yet, and no more than so many.
+  Findings none() const { return Findings(limit_); }
   void take(Findings other) {
     for (MeshFinding& finding : other.all_) add(std::move(finding));
   }
@@ -62,10 +70,25 @@ class Findings {
 /// Looks at corners and areas.
 class ElementChecker {
  public:
-  ElementChecker(const ModelMesh& mesh, Findings& findings) : mesh_(mesh), findings_(findings) {}
+  ElementChecker(const ModelMesh& mesh, Findings& findings) : mesh_(mesh), findings_(findings) {
+    for (const EdgeSegment& segment : mesh.segments)
+      firstInside_ = std::max({firstInside_, segment.from.value + 1, segment.to.value + 1});
+  }
 
   void checkElements() {
-    for (std::size_t i = 0; i < mesh_.elements.size(); ++i) checkElement(i);
+    double* area = nullptr;  // of the face
+    for (std::size_t i = 0; i < mesh_.elements.size(); ++i) {
+      if (i == 0 || mesh_.face[i] != mesh_.face[i - 1]) {
+        area = &areas_[mesh_.face[i]];
+        insides_.emplace_back();
+      }
+      if (!hasProperCorners(mesh_.elements[i], mesh_.vertices.size())) {
+        addUnsound(i);
+        continue;
+      }
+      *area += checkedArea(i);
+      noteInside(i);
+    }
   }
 
   void checkAreas() {
@@ -82,47 +105,95 @@ class ElementChecker {
     }
   }
 
-  /// Elements with wrong corners, in order.
-  const std::vector<std::size_t>& unsound() const { return unsound_; }
+  /// A vertex from which on none is on a segment or at elements of two faces; nothing where their
+  /// numbers tell of none, or corners are wrong.
+  std::optional<std::uint32_t> firstInside() const {
+    if (!unsound_.empty()) return std::nullopt;
+    std::vector<Range> insides = insides_;
+    std::erase_if(insides, [](const Range& inside) { return inside.low > inside.high; });
+    std::ranges::sort(insides, {}, &Range::low);
+    const auto meet = [](const Range& a, const Range& b) { return a.high >= b.low; };
+    if (std::ranges::adjacent_find(insides, meet) != insides.end()) return std::nullopt;
+    return firstInside_;
+  }
+  /// Elements with right corners, ascending; of these all that have a side before firstInside().
+  std::vector<std::size_t> sound() const {
+    std::vector<std::size_t> all;
+    for (std::size_t i = 0; i < mesh_.elements.size(); ++i)
+      if (!std::ranges::binary_search(unsound_, i)) all.push_back(i);
+    return all;
+  }
+  const std::vector<std::size_t>& atSegments() const { return atSegments_; }
 
  private:
+  /// The lowest and the highest of some vertices.
+  struct Range {
+    std::uint32_t low = 0xffffffffu, high = 0;
+  };
+
   const Point3& position(VertexId v) const { return mesh_.vertices[v.value]; }
 
-  void checkElement(std::size_t i) {
-    const auto corners = mesh_.elements[i].vertices();
-    for (const VertexId v : corners) {
-      if (v.value < mesh_.vertices.size()) continue;
-      findings_.add({mesh_.face[i], "an element has a corner that is no vertex", {}});
-      unsound_.push_back(i);
-      return;
-    }
-    for (std::size_t a = 0; a < corners.size(); ++a)
-      for (std::size_t b = a + 1; b < corners.size(); ++b)
-        if (corners[a] == corners[b]) {
-          findings_.add({mesh_.face[i], "an element has a corner twice", position(corners[a])});
-          unsound_.push_back(i);
-          return;
-        }
-    const double area = areaOf(i);
-    if (!(area > 0)) findings_.add({mesh_.face[i], "an element has no area", position(corners[0])});
-    if (i == 0 || mesh_.face[i] != mesh_.face[i - 1]) areaOfFace_ = &areas_[mesh_.face[i]];
-    *areaOfFace_ += area;
+  void addUnsound(std::size_t i) {
+    unsound_.push_back(i);
+    for (const VertexId v : mesh_.elements[i].vertices())
+      if (v.value >= mesh_.vertices.size())
+        return findings_.add({mesh_.face[i], "an element has a corner that is no vertex", {}});
+    std::array<VertexId, 4> corners = mesh_.elements[i].corners;
+    std::ranges::sort(corners);
+    const VertexId twice = *std::ranges::adjacent_find(corners);
+    findings_.add({mesh_.face[i], "an element has a corner twice", position(twice)});
   }
 
-  double areaOf(std::size_t i) const {
-    const auto c = mesh_.elements[i].vertices();
-    Point3 sum;
-    for (std::size_t k = 1; k + 1 < c.size(); ++k)
-      sum = sum + cross(position(c[k]) - position(c[0]), position(c[k + 1]) - position(c[0]));
-    return length(sum) / 2;
+  double checkedArea(std::size_t i) {
+    const auto& [a, b, c, d] = mesh_.elements[i].corners;
+    const Point3& origin = position(a);
+    const Point3 diagonal = position(c) - origin;
+    Point3 sum = cross(position(b) - origin, diagonal);
+    if (!d.isNone()) sum = sum + cross(diagonal, position(d) - origin);
+    const double area = length(sum) / 2;
+    if (!(area > 0)) findings_.add({mesh_.face[i], "an element has no area", origin});
+    return area;
+  }
+
+  void noteInside(std::size_t i) {
+    int others = 0;
+    for (const VertexId v : mesh_.elements[i].vertices()) {
+      if (v.value < firstInside_) {
+        ++others;
+        continue;
+      }
+      Range& inside = insides_.back();
+      inside.low = std::min(inside.low, v.value);
+      inside.high = std::max(inside.high, v.value);
+    }
+    if (others > 1) atSegments_.push_back(i);
   }
 
   const ModelMesh& mesh_;
   Findings& findings_;
-  std::vector<std::size_t> unsound_;
-  std::map<int, double> areas_;   ///< by face
-  double* areaOfFace_ = nullptr;  ///< in areas_, of the element before
+  std::uint32_t firstInside_ = 0;        ///< from here on none is on a segment
+  std::vector<std::size_t> unsound_;     ///< with wrong corners
+  std::vector<std::size_t> atSegments_;  ///< with two corners before firstInside_
+  std::vector<Range> insides_;           ///< of each run of elements of one face
+  std::map<int, double> areas_;          ///< by face
 };
+
+/// Some vertices of a mesh, in a row.
+struct VertexRange {
+  std::size_t begin, end;
+  bool contains(std::size_t v) const { return v >= begin && v < end; }
+};
+
+/// Whether the elements at each of some vertices lie around it: then nothing is wrong with the
+/// sides that end there, if they are of one face.
+bool areSurrounded(const ModelMesh& mesh, VertexRange vertices) {
+  VertexStars stars(vertices.begin, vertices.end);
+  for (const Element& element : mesh.elements) stars.add(element);
+  stars.finish();
+  for (std::size_t v = vertices.begin; v < vertices.end; ++v)
+    if (!stars.isEmpty(v) && !stars.areAround(v)) return false;
+  return true;
+}
 
 /// Looks at the edges whose lower vertex is one of some.
 class EdgeChecker {
@@ -130,17 +201,19 @@ class EdgeChecker {
   /// What goes into all parts.
   struct Task {
     const ModelMesh& mesh;
-    const std::vector<std::size_t>& unsound;  ///< elements that do not count, in order
     const std::vector<WantedUses>& wanted;
+    std::vector<std::size_t> elements;  ///< whose edges are to be looked at
+    std::uint32_t last;                 ///< edges that end at a vertex from here on are not
   };
 
-  EdgeChecker(const Task& task, std::size_t limit)
-      : mesh_(task.mesh), task_(task), findings_(limit) {}
+  EdgeChecker(const Task& task, Findings findings)
+      : mesh_(task.mesh), task_(task), findings_(std::move(findings)) {}
 
-  Findings check(std::size_t begin, std::size_t end) {
-    const MeshSides sides(
-        mesh_, [&](std::size_t i) { return !std::ranges::binary_search(task_.unsound, i); }, begin,
-        end);
+  Findings check(VertexRange range) {
+    const auto [begin, end] = range;
+    const MeshSides sides(mesh_, task_.elements, [&](std::uint32_t low, std::uint32_t high) {
+      return range.contains(low) && high < task_.last;
+    });
     auto segment = firstFrom(begin);  // both are in order
     const auto last = firstFrom(end);
     for (std::size_t v = begin; v < end; ++v) {
@@ -207,16 +280,37 @@ class EdgeChecker {
   Findings findings_;
 };
 
-/// Sides take more memory than the mesh: those of a large one are looked at in parts.
-void checkEdges(const EdgeChecker::Task& task, std::size_t limit, int threads, Findings& findings) {
-  constexpr std::size_t kMostVertices = 500'000;
-  const std::size_t vertices = task.mesh.vertices.size();
-  std::vector<Findings> parts((vertices + kMostVertices - 1) / kMostVertices, Findings(limit));
-  forEachInParallel(parts.size(), threads, [&](std::size_t i) {
-    const std::size_t begin = i * kMostVertices;
-    parts[i] = EdgeChecker(task, limit).check(begin, std::min(begin + kMostVertices, vertices));
-  });
-  for (Findings& part : parts) findings.take(std::move(part));
+/// Sides and stars take more memory than the mesh: those of a large one are looked at in parts.
+std::vector<VertexRange> partsOf(VertexRange vertices) {
+  constexpr std::size_t kMost = 500'000;
+  std::vector<VertexRange> parts;
+  for (std::size_t v = vertices.begin; v < vertices.end; v += kMost)
+    parts.push_back({v, std::min(v + kMost, vertices.end)});
+  return parts;
+}
+
+/// Where all vertices inside faces are surrounded, only edges between others may be wrong.
+void checkEdges(const ModelMesh& mesh, const ElementChecker& elements, int threads,
+                Findings& findings) {
+  const std::size_t count = mesh.vertices.size();
+  const std::vector<WantedUses> wanted = wantedUses(mesh);
+  const std::optional<std::uint32_t> firstInside = elements.firstInside();
+  bool isSoundInside = firstInside.has_value();
+  if (firstInside) {
+    const std::vector<VertexRange> parts = partsOf({*firstInside, count});
+    std::vector<std::uint8_t> isSound(parts.size());
+    forEachInParallel(parts.size(), threads,
+                      [&](std::size_t i) { isSound[i] = areSurrounded(mesh, parts[i]); });
+    isSoundInside = std::ranges::all_of(isSound, std::identity());
+  }
+  const std::uint32_t last = isSoundInside ? *firstInside : 0xffffffffu;
+  const EdgeChecker::Task task{mesh, wanted,
+                               isSoundInside ? elements.atSegments() : elements.sound(), last};
+  const std::vector<VertexRange> parts = partsOf({0, std::min<std::size_t>(count, last)});
+  std::vector<Findings> found(parts.size(), findings.none());
+  forEachInParallel(parts.size(), threads,
+                    [&](std::size_t i) { found[i] = EdgeChecker(task, found[i]).check(parts[i]); });
+  for (Findings& some : found) findings.take(std::move(some));
 }
 
 }  // namespace
@@ -232,7 +326,7 @@ std::vector<MeshFinding> checkModelMesh(const ModelMesh& mesh, std::size_t limit
   Findings findings(limit);
   ElementChecker elements(mesh, findings);
   elements.checkElements();
-  checkEdges({mesh, elements.unsound(), wantedUses(mesh)}, limit, threads, findings);
+  checkEdges(mesh, elements, threads, findings);
   elements.checkAreas();
   return findings.result();
 }

@@ -98,6 +98,17 @@ class StarShape {
   int count_ = 0;
 };
 
+/// Whether each segment that elements use is used by them in both directions.
+bool areClosed(std::span<const Patch* const> patches) {
+  std::vector<Patch::Side> sides;
+  for (const Patch* patch : patches)
+    sides.insert(sides.end(), patch->sides.begin(), patch->sides.end());
+  std::sort(sides.begin(), sides.end());
+  return std::ranges::all_of(sides, [&](const Patch::Side& side) {
+    return std::ranges::binary_search(sides, Patch::Side(side.second, side.first));
+  });
+}
+
 }  // namespace
 
 PatchOutlines::PatchOutlines(const ModelMesh& mesh)
@@ -113,28 +124,52 @@ bool PatchOutlines::isSegment(std::uint32_t a, std::uint32_t b) const {
   return std::binary_search(segments_.begin(), segments_.end(), Side(std::minmax(a, b)));
 }
 
-std::vector<PatchOutlines::Side> PatchOutlines::sidesOnSegments(
-    std::span<const Range> ranges) const {
-  std::vector<Side> sides;
-  for (const auto& [first, last] : ranges)
-    for (std::size_t i = first; i < last; ++i) {
-      const auto corners = mesh_.elements[i].vertices();
-      std::uint32_t from = corners.back().value;
-      for (const VertexId corner : corners) {
-        const std::uint32_t to = corner.value;
-        if (isOnSegment_[from] && isOnSegment_[to] && isSegment(from, to))
-          sides.push_back({from, to});
-        from = to;
-      }
-    }
-  std::sort(sides.begin(), sides.end());
-  return sides;
+Patch PatchOutlines::patch(std::size_t first, std::size_t last) const {
+  Patch patch{first, last, {}, {}, {}, {}, {}, {}};
+  for (std::size_t begin = first; begin < last; begin += Patch::kRun)
+    addRun(begin, std::min(begin + Patch::kRun, last), patch);
+  std::sort(patch.sides.begin(), patch.sides.end());
+  return patch;
 }
 
-std::optional<PatchOutlines::Loops> PatchOutlines::outline(std::size_t first,
-                                                           std::size_t last) const {
-  const Range all(first, last);
-  const std::vector<Side> sides = sidesOnSegments({&all, 1});
+void PatchOutlines::addRun(std::size_t begin, std::size_t end, Patch& patch) const {
+  Box3 box;
+  Point3 normals, firsts;
+  for (std::size_t i = begin; i < end; ++i) {
+    const auto& [a, b, c, d] = mesh_.elements[i].corners;
+    const Point3 &p = mesh_.vertices[a.value], &q = mesh_.vertices[b.value],
+                 &r = mesh_.vertices[c.value];
+    for (const Point3* corner : {&p, &q, &r}) box.add(*corner);
+    normals = normals + cross(q - p, r - p);
+    firsts = firsts + p;
+    int ends = isOnSegment_[a.value] + isOnSegment_[b.value] + isOnSegment_[c.value];
+    if (!d.isNone()) {
+      const Point3& s = mesh_.vertices[d.value];
+      box.add(s);
+      normals = normals + cross(r - p, s - p);
+      ends += isOnSegment_[d.value];
+    }
+    if (ends > 0) addAtSegments(mesh_.elements[i].vertices(), patch);
+  }
+  patch.boxes.push_back(box);
+  patch.box.add(box);
+  patch.normal = patch.normal + normals;
+  patch.corners = patch.corners + firsts;
+}
+
+/// Of an element with corners on segments.
+void PatchOutlines::addAtSegments(std::span<const VertexId> corners, Patch& patch) const {
+  std::uint32_t from = corners.back().value;
+  for (const VertexId corner : corners) {
+    const std::uint32_t to = corner.value;
+    if (isOnSegment_[to]) patch.onSegments.push_back(to);
+    if (isOnSegment_[to] && isOnSegment_[from] && isSegment(from, to))
+      patch.sides.push_back({from, to});
+    from = to;
+  }
+}
+
+std::optional<PatchOutlines::Loops> PatchOutlines::outline(const std::vector<Side>& sides) const {
   std::vector<bool> isUsed(sides.size(), false);
   Loops loops;
   for (std::size_t i = 0; i < sides.size(); ++i) {
@@ -154,10 +189,10 @@ std::optional<PatchOutlines::Loops> PatchOutlines::outline(std::size_t first,
   return loops;
 }
 
-bool PatchOutlines::canBeDrawn(std::size_t first, std::size_t last) const {
-  const std::optional<Point3> normal = commonNormal({mesh_, first, last - first});
-  if (!normal) return false;
-  const std::optional<Loops> loops = outline(first, last);
+bool PatchOutlines::canBeDrawn(const Patch& patch) const {
+  const Point3 normal = unit(patch.normal);
+  if (!allFace({mesh_, patch.first, patch.last - patch.first}, normal)) return false;
+  const std::optional<Loops> loops = outline(patch.sides);
   if (!loops || loops->empty()) return false;
   FrontInput boundary;
   for (const auto& loop : *loops) {
@@ -165,18 +200,17 @@ bool PatchOutlines::canBeDrawn(std::size_t first, std::size_t last) const {
     for (const std::uint32_t v : loop)
       corners.push_back({VertexId(v), {.position = mesh_.vertices[v], .normal = {}}});
   }
-  const PlaneAxes axes(mesh_.vertices[loops->front().front()], *normal);
+  const PlaneAxes axes(mesh_.vertices[loops->front().front()], normal);
   const auto inPlane = [&](const SurfacePoint& point) { return axes(point); };
   return crossingsOf(boundary, inPlane, 1).empty() && areNestedInTurn(boundary, axes);
 }
 
-bool PatchOutlines::isStarShaped(std::span<const Range> ranges) const {
+bool PatchOutlines::isStarShaped(std::span<const Patch* const> patches) const {
   Point3 sum;
   std::size_t count = 0;
-  for (const auto& [first, last] : ranges) {
-    count += last - first;
-    for (std::size_t i = first; i < last; ++i)
-      sum = sum + mesh_.vertices[mesh_.elements[i].corners[0].value];
+  for (const Patch* patch : patches) {
+    count += patch->last - patch->first;
+    sum = sum + patch->corners;
   }
   const Point3 centre = (1 / static_cast<double>(count)) * sum;
   const auto takes = [&](StarShape& star, std::size_t i) {
@@ -190,19 +224,12 @@ bool PatchOutlines::isStarShaped(std::span<const Range> ranges) const {
   };
   // One element of each face tells about most models that are no stars.
   StarShape sample(centre), star(centre);
-  for (const auto& [first, last] : ranges)
-    if (!takes(sample, first)) return false;
-  for (const auto& [first, last] : ranges)
-    for (std::size_t i = first; i < last; ++i)
+  for (const Patch* patch : patches)
+    if (!takes(sample, patch->first)) return false;
+  for (const Patch* patch : patches)
+    for (std::size_t i = patch->first; i < patch->last; ++i)
       if (!takes(star, i)) return false;
-  return star.goesAroundOnce() && isClosed(ranges);
-}
-
-bool PatchOutlines::isClosed(std::span<const Range> ranges) const {
-  const std::vector<Side> sides = sidesOnSegments(ranges);
-  return std::ranges::all_of(sides, [&](const Side& side) {
-    return std::ranges::binary_search(sides, Side(side.second, side.first));
-  });
+  return star.goesAroundOnce() && areClosed(patches);
 }
 
 }  // namespace af2::geometry

@@ -101,6 +101,45 @@ TEST(ModelCheck, OfAFaceThatIsThereTwiceTheLaterOneIsAtFault) {
   EXPECT_EQ(findings[0].face, 9);
 }
 
+/// A hexagon of triangles around a vertex inside, which is the first or the last one.
+ModelMesh wheel(bool isInsideFirst) {
+  ModelMesh mesh;
+  mesh.vertices = {{1, 0, 0}, {.5, .8, 0}, {-.5, .8, 0}, {-1, 0, 0}, {-.5, -.8, 0}, {.5, -.8, 0}};
+  mesh.vertices.insert(isInsideFirst ? mesh.vertices.begin() : mesh.vertices.end(), Point3{});
+  const std::size_t first = isInsideFirst ? 1 : 0, inside = isInsideFirst ? 0 : 6;
+  for (std::size_t i = 0; i < 6; ++i) {
+    const std::size_t a = first + i, b = first + (i + 1) % 6;
+    mesh.elements.push_back(triangle(inside, a, b));
+    mesh.segments.push_back({v(a), v(b), 1, 1});
+  }
+  mesh.face.assign(6, 1);
+  mesh.rule.assign(6, 0);
+  mesh.faces.resize(1);
+  mesh.faces[0].id = 1;
+  return mesh;
+}
+
+TEST(ModelCheck, LooksAtWhatLiesAroundVerticesInsideFaces) {
+  for (const bool isInsideFirst : {false, true}) {
+    EXPECT_EQ(firstFinding(wheel(isInsideFirst)), "");
+    ModelMesh mesh = wheel(isInsideFirst);
+    mesh.elements.pop_back();
+    mesh.face.pop_back();
+    mesh.segments.pop_back();
+    EXPECT_EQ(firstFinding(mesh), "an edge has 1 elements, not 2");
+    mesh = wheel(isInsideFirst);
+    std::swap(mesh.elements[2].corners[0], mesh.elements[2].corners[1]);
+    EXPECT_EQ(firstFinding(mesh), "two elements use an edge in the same direction");
+    mesh = wheel(isInsideFirst);
+    mesh.face[4] = mesh.face[5] = 2;
+    EXPECT_EQ(firstFinding(mesh), "an edge that is no model edge has two faces");
+    mesh = wheel(isInsideFirst);
+    mesh.elements.push_back(mesh.elements[3]);
+    mesh.face.push_back(1);
+    EXPECT_NE(firstFinding(mesh), "");
+  }
+}
+
 TEST(ModelCheck, StopsAtTheLimit) {
   ModelMesh mesh = roof();
   mesh.segments.clear();

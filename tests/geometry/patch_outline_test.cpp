@@ -42,8 +42,10 @@ ModelMesh closed(int n, const Place& place) {
 }
 
 bool isStarShaped(const ModelMesh& mesh) {
-  const PatchOutlines::Range all(0, mesh.elements.size());
-  return PatchOutlines(mesh).isStarShaped({&all, 1});
+  const PatchOutlines outlines(mesh);
+  const Patch all = outlines.patch(0, mesh.elements.size());
+  const Patch* const patch = &all;
+  return outlines.isStarShaped({&patch, 1});
 }
 
 TEST(PatchOutlines, KnowABallByAPointInside) {
