@@ -259,10 +259,14 @@ class Retries {
     });
   }
 
-  /// Those of the trouble; and where elements cross, half as long as these.
-  static std::vector<SizeSource> placesOf(const FaceMeshes& state, std::size_t i) {
-    constexpr double kFiner = 0.5;
+  /// Those of the trouble; and where elements cross, half as long as these. Where two faces all but
+  /// touch along a curve, new crossings arise beside those that went: once that did not help some
+  /// times, a quarter, so that what is finer reaches farther.
+  std::vector<SizeSource> placesOf(const FaceMeshes& state, std::size_t i) const {
+    constexpr double kFiner = 0.5, kMuchFiner = 0.25;
+    constexpr int kPatience = 3;
     constexpr std::size_t kMostCrossed = 1000;
+    const double share = tries_[i].failures < kPatience ? kFiner : kMuchFiner;
     const int face = state.meshes[i].report.id;
     std::vector<SizeSource> places = state.meshes[i].trouble.places;
     const std::size_t most = places.size() + kMostCrossed;
@@ -275,7 +279,7 @@ class Retries {
           for (const VertexId b : corners)
             longest = std::max(
                 longest, distance(state.joined.vertices[a.value], state.joined.vertices[b.value]));
-        places.push_back({crossing.place, kFiner * longest});
+        places.push_back({crossing.place, share * longest});
       }
     return places;
   }
@@ -283,7 +287,7 @@ class Retries {
   /// Whether a face should be tried once more after `next`.
   bool isWorthwhile(const FaceMeshes& state, const FaceMeshes& next, std::size_t i) {
     constexpr double kGain = 0.9;
-    constexpr int kMostCrossed = 6;
+    constexpr int kMostCrossed = 10;
     const FaceMesh &before = state.meshes[i], &after = next.meshes[i];
     int& failures = tries_[i].failures;
     if (failed(after)) {
@@ -354,7 +358,7 @@ class Retries {
   }
 
   /// What a face that is meshed again has behind it.
-  static void tellOfRetry(const FaceMeshes& state, std::size_t i, FaceMesh& after) {
+  void tellOfRetry(const FaceMeshes& state, std::size_t i, FaceMesh& after) const {
     const FaceMesh& before = state.meshes[i];
     std::vector<std::string> steps = before.report.attempts;
     if (before.trouble.hasWrongArea)

@@ -57,7 +57,7 @@ struct RetryOptions {
   double growth = kDefaultGrowth;
   int threads = 0;
   std::stop_token stop;
-  int mostRounds = 12;
+  int mostRounds = 20;
   double share = 1;  ///< of the candidates that may be taken
 };
 

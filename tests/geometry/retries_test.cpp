@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
 
 namespace af2::geometry {
@@ -83,6 +84,61 @@ TEST(Retries, LeaveSomethingForTheLastWayOfEachOfAFewFaces) {
   const HopelessModel model(5);
   retried(model, 1);
   EXPECT_EQ(model.leant, 5u);
+}
+
+/// Two faces all but touch along a line: they cross at the first place of it where elements are too
+/// large, and when these are smaller, at the next one.
+class TouchingModel final : public RetriedModel {
+ public:
+  static constexpr int kPlaces = 7;
+  static constexpr double kLargest = 1, kWanted = 0.3;
+
+  const std::vector<std::vector<int>>& edgesOfFaces() const override { return edges_; }
+  DividedEdges divide(const PositionSize& sizes, const EdgesAsPoints&) const override {
+    sizes_ = sizes;
+    return {};
+  }
+  std::vector<EdgesAsPoints> shortEdges(std::size_t, const DividedEdges&,
+                                        const std::vector<SizeSource>&) const override {
+    return {};
+  }
+  void mesh(std::size_t i, const PositionSize&, const TryLimits&, FaceMeshes& into) const override {
+    into.meshes[i] = face(i);
+  }
+  void join(FaceMeshes& state) const override {
+    state.joined = {};
+    state.faults = {};
+    for (int k = 0; k < kPlaces && state.faults.crossings.empty(); ++k) {
+      const Point3 place{static_cast<double>(k), 0, 0};
+      const double size = sizes_ ? std::min(kLargest, sizes_.at(place)) : kLargest;
+      if (size <= kWanted) continue;
+      state.joined.vertices = {place, {k + size, 0, 0}, {k + size / 2, size / 2, 0}};
+      state.joined.elements.push_back({{VertexId(0), VertexId(1), VertexId(2)}});
+      state.faults.crossings.push_back({{ElementId(0), ElementId(0)}, {1, 2}, false, place});
+    }
+  }
+  std::vector<SizeSource> sizesInside(std::size_t) const override { return {}; }
+
+  static FaceMesh face(std::size_t i) {
+    FaceMesh mesh;
+    mesh.report.id = static_cast<int>(i) + 1;
+    mesh.effort = 1000;
+    return mesh;
+  }
+
+ private:
+  mutable PositionSize sizes_;
+  std::vector<std::vector<int>> edges_{{}, {}};
+};
+
+TEST(Retries, GoOnAlongALineWhereFacesAllButTouch) {
+  const TouchingModel model;
+  FaceMeshes state;
+  for (std::size_t i = 0; i < 2; ++i) state.meshes.push_back(TouchingModel::face(i));
+  RetryOptions options;
+  options.largest = TouchingModel::kLargest;
+  retryPoorFaces(model, options, state);
+  EXPECT_TRUE(state.faults.crossings.empty());
 }
 
 }  // namespace
