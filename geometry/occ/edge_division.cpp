@@ -10,6 +10,7 @@
 
 #include "engine/error.h"
 #include "geometry/box_tree.h"
+#include "geometry/occ/beside_tips.h"
 #include "geometry/occ/corner_edges.h"
 #include "geometry/occ/crease_reach.h"
 #include "geometry/occ/cusps.h"
@@ -168,6 +169,8 @@ class Division {
     std::vector<bool> isGiven;
     for (std::size_t i = 0; i < samples_.size(); ++i) isGiven.push_back(givenFor(i) != nullptr);
     tips_ = segmentsAtTips(model_, ends_, samples_, isGiven);
+    if (limitBesideTips(model_, sizes_, ends_, tips_, isGiven, samples_))
+      tips_ = segmentsAtTips(model_, ends_, samples_, isGiven);
     cusps_ = cuspsOf(model_, ends_, samples_);
   }
 

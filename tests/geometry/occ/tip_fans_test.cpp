@@ -1,8 +1,10 @@
 #include "geometry/occ/tip_fans.h"
 
 #include <gtest/gtest.h>
+#include <BRepAlgoAPI_Cut.hxx>
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_NurbsConvert.hxx>
+#include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeRevol.hxx>
 #include <gp.hxx>
 #include <gp_Circ.hxx>
@@ -97,6 +99,23 @@ TEST(TipFans, StandOnSplinesAndSurfacesOfRevolution) {
   EXPECT_EQ(testing::eulerNumber(spindle), 2);
   for (const double side : {-1.0, 1.0})
     EXPECT_EQ(tipOf(spindle, {0, 0, side * radius * std::sin(half)}).triangles, 4);
+}
+
+/// The edge of the cut turns sharply within less than the fan that the size asks for.
+TEST(TipFans, AreAsSmallAsACutBesideThemWants) {
+  const double radius = 3;
+  for (const double away : {0.004, 0.02, 0.3})
+    for (const double size : {0.2, 0.5}) {
+      SCOPED_TRACE("cut at " + std::to_string(away) + " size " + std::to_string(size));
+      const TopoDS_Shape cone = BRepPrimAPI_MakeCone(radius, 0, kHeight).Shape();
+      const TopoDS_Shape block = BRepPrimAPI_MakeBox(gp_Pnt(-9, -9, -9), gp_Pnt(-away, 9, 19));
+      const ModelMesh result =
+          testing::mesh(testing::modelOf(BRepAlgoAPI_Cut(cone, block).Shape()), size);
+      testing::expectComplete(result);
+      EXPECT_EQ(testing::eulerNumber(result), 2);
+      EXPECT_GT(testing::leastAngle(result), 20);
+      EXPECT_LT(tipOf(result, {0, 0, kHeight}).longest, away * kHeight / radius);
+    }
 }
 
 /// Where another edge's end stops it, a part may be shorter than the segment at the tip.
