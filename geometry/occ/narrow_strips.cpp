@@ -5,6 +5,7 @@
 #include <TopoDS.hxx>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include "geometry/box_tree.h"
@@ -38,6 +39,7 @@ struct KnottedEdge {
   double longest = 0;   ///< way from one knot to the next
   bool isBent = false;  ///< it may be both sides of a strip
   bool isStraight = true;
+  std::optional<BoxTree> segments;  ///< [i] from knot i to the next; only of very many
 };
 
 std::size_t knotsAlong(const EdgePiece& piece) {
@@ -68,8 +70,18 @@ void addPiece(const EdgePiece& piece, std::size_t index, KnottedEdge& edge) {
   }
 }
 
+std::vector<Box3> boxesBetween(const std::vector<Knot>& knots) {
+  std::vector<Box3> boxes(knots.empty() ? 0 : knots.size() - 1);
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    boxes[i].add(knots[i].position);
+    boxes[i].add(knots[i + 1].position);
+  }
+  return boxes;
+}
+
 KnottedEdge knotted(const EdgeSamples& samples) {
   constexpr double kHalfTurn = 3, kNoTurn = 0.1;
+  constexpr std::size_t kMany = 200;  // to build a tree of fewer takes longer than to walk along
   KnottedEdge edge;
   for (std::size_t i = 0; i < samples.pieces.size(); ++i) addPiece(samples.pieces[i], i, edge);
   double turn = 0;
@@ -81,6 +93,7 @@ KnottedEdge knotted(const EdgeSamples& samples) {
     turn += distance(knot.tangent, edge.knots[i - 1].tangent);
     edge.longest = std::max(edge.longest, distance(knot.position, edge.knots[i - 1].position));
   }
+  if (edge.knots.size() > kMany) edge.segments.emplace(boxesBetween(edge.knots));
   edge.blur = kUnseen * samples.wanted;
   edge.isBent = turn > kHalfTurn;
   edge.isStraight = turn < kNoTurn;
@@ -168,11 +181,28 @@ class FaceStrips {
     const KnottedEdge& line = edges_[other];
     const Knot& knot = edges_[edge].knots[k];
     if (line.box.distanceTo(knot.position) > most) return std::nullopt;
+    const auto sideAt = [&](std::uint32_t i, double nearer) -> std::optional<Side> {
+      if (line.knots[i].piece != line.knots[i + 1].piece) return std::nullopt;
+      if (edge == other && isBeside(k, i + 1)) return std::nullopt;
+      return acrossTo(line.knots[i].position, line.knots[i + 1].position, knot, line.blur, nearer);
+    };
+    if (!line.segments) return nearestAlong(line, knot, most, sideAt);
+    const std::uint32_t nearest = line.segments->nearest(knot.position, most, [&](std::uint32_t i) {
+      const std::optional<Side> side = sideAt(i, most);
+      return side ? side->width : std::numeric_limits<double>::infinity();
+    });
+    return nearest == BoxTree::kNone ? std::nullopt : sideAt(nearest, most);
+  }
+
+  /// The same, from one segment to the next.
+  template <class SideAt>
+  static std::optional<Side> nearestAlong(const KnottedEdge& line, const Knot& knot, double most,
+                                          SideAt&& sideAt) {
     std::optional<Side> nearest;
     const double perLongest = 1 / line.longest;
     std::uint32_t step = 1;
-    for (std::uint32_t i = 1; i < line.knots.size(); i += step) {
-      const Point3 &from = line.knots[i - 1].position, &to = line.knots[i].position;
+    for (std::uint32_t i = 0; i + 1 < line.knots.size(); i += step) {
+      const Point3& from = line.knots[i].position;
       const double reach = line.longest + most;
       const double squared = dot(knot.position - from, knot.position - from);
       step = 1;
@@ -181,9 +211,7 @@ class FaceStrips {
         step += static_cast<std::uint32_t>(std::min(segments, double(line.knots.size())));
         continue;
       }
-      if (line.knots[i - 1].piece != line.knots[i].piece) continue;
-      if (edge == other && isBeside(k, i)) continue;
-      const std::optional<Side> side = acrossTo(from, to, knot, line.blur, most);
+      const std::optional<Side> side = sideAt(i, most);
       if (!side) continue;
       most = side->width;
       nearest = side;

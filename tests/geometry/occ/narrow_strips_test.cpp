@@ -66,6 +66,13 @@ TEST(NarrowStrips, MayBeBetweenTheCirclesOfARing) {
     EXPECT_NEAR(length, 1, 0.1);
 }
 
+TEST(NarrowStrips, MayBeBesideEdgesOfVeryManySegments) {
+  for (const double length : lengthsIn(ring(5, 4.97), uniform(0.1), {-6, -6}, {6, 6}))
+    EXPECT_NEAR(length, 0.045, 0.005);
+  for (const double length : lengthsIn(ring(5, 4), uniform(0.1), {-6, -6}, {6, 6}))
+    EXPECT_NEAR(length, 0.1, 0.01);
+}
+
 TEST(NarrowStrips, MayBeInAPartOfAFaceOnly) {
   const std::vector<gp_Pnt> bottle{{0, 0, 0},    {10, 0, 0}, {10, 10, 0}, {5.2, 10, 0},
                                    {5.2, 15, 0}, {5, 15, 0}, {5, 10, 0},  {0, 10, 0}};
