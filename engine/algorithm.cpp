@@ -215,7 +215,7 @@ class Run {
         const int v = wanted.corners[i];
         element.corners[i] =
             v < rule.matchedCount
-                ? front_[application.places[static_cast<std::size_t>(v)]].vertex
+                ? front_[application.open.places[static_cast<std::size_t>(v)]].vertex
                 : VertexId(firstNew + static_cast<std::size_t>(v - rule.matchedCount));
         std::uint8_t& valence = valence_[element.corners[i].value];
         if (valence < 255) ++valence;
@@ -229,11 +229,13 @@ class Run {
     const CompiledRule& rule = *application.rule;
     const std::int32_t layer = 1 + std::min(front_[base].layer, front_[front_.next(base)].layer);
     walk_.clear();
-    for (std::int8_t v : rule.rule->replacement()) {
+    const auto& vertices = rule.rule->replacement();
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
+      const int v = vertices[i];
       if (v < rule.matchedCount) {
-        const PlaceId id = application.places[static_cast<std::size_t>(v)];
-        const Place& place = front_[id];
-        walk_.push_back({id, place.vertex, place.point, place.size, place.layer});
+        const Place& place = front_[application.open.places[static_cast<std::size_t>(v)]];
+        walk_.push_back(
+            {application.open.joined[i], place.vertex, place.point, place.size, place.layer});
         continue;
       }
       const auto k = static_cast<std::size_t>(v - rule.matchedCount);

@@ -4,7 +4,6 @@
 #include <array>
 
 #include "engine/element_shape.h"
-#include "engine/open_places.h"
 #include "engine/pair.h"
 #include "engine/surroundings.h"
 
@@ -96,7 +95,7 @@ bool staysUnfolded(const StepView& view, const Application& application) {
   const CompiledRule& rule = *application.rule;
   const auto pointOf = [&](std::int8_t v) -> const SurfacePoint& {
     return v < rule.matchedCount
-               ? view.front[application.places[static_cast<std::size_t>(v)]].point
+               ? view.front[application.open.places[static_cast<std::size_t>(v)]].point
                : *application.newPoints[static_cast<std::size_t>(v - rule.matchedCount)].point;
   };
   for (const RuleElement& element : rule.rule->definition().elements) {
@@ -297,7 +296,7 @@ void CandidateChoice::searchZone(const StepView& view, const Candidate& candidat
 Refusal CandidateChoice::prepare(const StepView& view, const Candidate& candidate) {
   application_.rule = candidate.rule;
   application_.score = candidate.score;
-  if (!findOpenPlaces(view, *candidate.rule, candidate.match, application_.places))
+  if (!findOpenPlaces(view, *candidate.rule, candidate.match, application_.open))
     return Refusal::Inverted;
   application_.newPoints.clear();
   for (int k = 0; k < candidate.rule->newCount; ++k) {

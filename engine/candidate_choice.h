@@ -9,6 +9,7 @@
 #include "engine/compiled_rules.h"
 #include "engine/neighborhood.h"
 #include "engine/observer.h"
+#include "engine/open_places.h"
 #include "engine/rule_matcher.h"
 #include "engine/size_field.h"
 #include "engine/zone_polygon.h"
@@ -26,7 +27,7 @@ struct LiftedPoint {
 struct Application {
   const CompiledRule* rule = nullptr;
   double score = 0;
-  std::vector<PlaceId> places;         ///< by matched vertex
+  OpenPlaces open;
   std::vector<LiftedPoint> newPoints;  ///< by new vertex; none is missing
 };
 

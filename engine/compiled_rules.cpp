@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <set>
 
 #include "engine/error.h"
 
@@ -180,6 +181,12 @@ std::optional<FastZone> fastZone(const AF2Rule& rule, int maxLevel) {
 /// rounded or a little longer than the bucket says, are not to be fetched on their own.
 constexpr double kWindowMargin = 0.05;
 
+/// Whether a walk from a to b comes by a vertex that it has come by before.
+bool passesTwice(const std::vector<std::int8_t>& walk) {
+  std::set<int> seen{0, 1};
+  return !std::ranges::all_of(walk, [&](int v) { return seen.insert(v).second; });
+}
+
 /// Rules that make more are wide.
 constexpr std::size_t kOrdinaryElements = 4;
 
@@ -333,6 +340,7 @@ void CompiledRules::addRule(const AF2Rule& rule) {
   compiled.newPoints = fastNewPoints(rule);
   compiled.zone = fastZone(rule, set_.maxLevel());
   compiled.isWide = definition.elements.size() > kOrdinaryElements;
+  compiled.touchesItself = passesTwice(rule.replacement());
   compiled.isPlain = definition.requirements.empty() && !definition.cost;
   rules_.push_back(std::move(compiled));
 }

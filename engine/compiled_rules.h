@@ -107,6 +107,8 @@ struct CompiledRule {
   /// Makes so many elements at once that its free zone may be searched for on its own: steps that
   /// it has nothing to do with look at a smaller window.
   bool isWide = false;
+  /// Some new elements have nothing in common but a vertex.
+  bool touchesItself = false;
 
   const CompiledPattern& patternAt(int level) const {
     const auto last = patterns.size() - 1;

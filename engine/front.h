@@ -24,7 +24,9 @@ struct alignas(64) Place {
 
 /// A vertex on the walk that takes the place of a base edge.
 struct WalkVertex {
-  PlaceId existing;  ///< the place of a vertex of the front, or none: a new vertex
+  /// The place of a vertex of the front that becomes two, or none: a new vertex, or one where the
+  /// walk has elements on both sides.
+  PlaceId existing;
   VertexId vertex;
   SurfacePoint point;
   double size = 0;

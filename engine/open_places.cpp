@@ -1,5 +1,8 @@
 #include "engine/open_places.h"
 
+#include <algorithm>
+#include <utility>
+
 #include "engine/predicates.h"
 
 namespace af2 {
@@ -65,23 +68,63 @@ PlaceId openPlace(const StepView& view, PlaceId matched, Point2 center, Point2 d
   return {};
 }
 
+/// Whether the free directions to the left of the way before -> center -> after hold all that is
+/// not free at a place.
+bool goesAround(const StepView& view, PlaceId id, Point2 center, Point2 before, Point2 after) {
+  const Sector left{center, after, before};
+  const Place& place = view.front[id];
+  return left.contains(positionOf(view, place.next)) &&
+         left.contains(positionOf(view, place.previous));
+}
+
+/// Where new elements touch in nothing but a vertex, the walk comes by there more than once.
+/// Between elements it passes what was free at the place and is cut off from the rest; only once
+/// does it pass the rest. False if it cannot be told where.
+bool joinOnce(const StepView& view, const CompiledRule& rule, const Match& match,
+              std::vector<PlaceId>& joined) {
+  const auto& walk = rule.rule->replacement();
+  const auto at = [&](int v) { return match.points[static_cast<std::size_t>(v)]; };
+  for (int v = 0; v < rule.matchedCount; ++v) {
+    const bool isEnd = v < 2;  // a and b: where the walk begins and ends
+    const auto passes = std::ranges::count(walk, v);
+    if (passes + isEnd < 2) continue;
+    PlaceId last;  // at which the vertex is joined
+    for (std::size_t i = 0; i < walk.size(); ++i) {
+      if (walk[i] != v) continue;
+      const PlaceId place = std::exchange(joined[i], PlaceId());
+      const bool isLoose = view.front[place].level <= 0;
+      const Point2 before = at(i == 0 ? 0 : walk[i - 1]);
+      const Point2 after = at(i + 1 == walk.size() ? 1 : walk[i + 1]);
+      if (isLoose ? !last.isNone() : !goesAround(view, place, at(v), before, after)) continue;
+      if (!last.isNone()) return false;
+      joined[i] = last = place;
+    }
+    if (last.isNone() && !isEnd) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 bool findOpenPlaces(const StepView& view, const CompiledRule& rule, const Match& match,
-                    std::vector<PlaceId>& places) {
-  places.assign(match.places.begin(), match.places.begin() + rule.matchedCount);
+                    OpenPlaces& open) {
+  open.places.assign(match.places.begin(), match.places.begin() + rule.matchedCount);
+  open.joined.clear();
   const auto& walk = rule.rule->replacement();
   const auto at = [&](int v) { return match.points[static_cast<std::size_t>(v)]; };
   if (!baseIsOpenTo(view, match, at(walk.front()), at(walk.back()))) return false;
   for (std::size_t i = 0; i < walk.size(); ++i) {
-    if (walk[i] >= rule.matchedCount) continue;
-    const auto v = static_cast<std::size_t>(walk[i]);
-    const Point2 before = at(i == 0 ? 0 : walk[i - 1]);
-    const Point2 after = at(i + 1 == walk.size() ? 1 : walk[i + 1]);
-    places[v] = openPlace(view, places[v], at(walk[i]), before, after);
-    if (places[v].isNone()) return false;
+    PlaceId place;
+    if (walk[i] < rule.matchedCount) {
+      const auto v = static_cast<std::size_t>(walk[i]);
+      const Point2 before = at(i == 0 ? 0 : walk[i - 1]);
+      const Point2 after = at(i + 1 == walk.size() ? 1 : walk[i + 1]);
+      place = open.places[v] = openPlace(view, open.places[v], at(walk[i]), before, after);
+      if (place.isNone()) return false;
+    }
+    open.joined.push_back(place);
   }
-  return true;
+  return !rule.touchesItself || joinOnce(view, rule, match, open.joined);
 }
 
 }  // namespace af2

@@ -7,9 +7,17 @@
 
 namespace af2 {
 
-/// Puts the places of all matched vertices into `places`: where a vertex stands on the front more
-/// than once, the one whose free directions hold the new elements. False if a vertex has none.
+/// Where new elements go.
+struct OpenPlaces {
+  /// By matched vertex: where a vertex stands on the front more than once, the place whose free
+  /// directions hold the new elements.
+  std::vector<PlaceId> places;
+  /// By vertex of the rule's replacement: WalkVertex::existing.
+  std::vector<PlaceId> joined;
+};
+
+/// False if a vertex has no such place.
 bool findOpenPlaces(const StepView& view, const CompiledRule& rule, const Match& match,
-                    std::vector<PlaceId>& places);
+                    OpenPlaces& open);
 
 }  // namespace af2

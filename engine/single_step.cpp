@@ -82,7 +82,7 @@ void describe(SingleStep& step, const Scene& scene, const FrontPiece& piece,
   const CompiledRule& rule = *application.rule;
   step.rule = rule.index;
   step.score = application.score;
-  for (PlaceId id : application.places) step.matched.push_back(scene.front[id].vertex.value);
+  for (PlaceId id : application.open.places) step.matched.push_back(scene.front[id].vertex.value);
   for (const LiftedPoint& lifted : application.newPoints)
     step.newVertices.push_back({lifted.point->position.x, lifted.point->position.y});
   for (const RuleElement& wanted : rule.rule->definition().elements) {

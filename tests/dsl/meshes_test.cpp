@@ -285,5 +285,76 @@ rule "whole" quality 1 {
   EXPECT_EQ(result.outcome, Outcome::Complete);
 }
 
+/// The classical rules and one more, which comes first wherever it fits.
+std::shared_ptr<const RuleSet> classicWith(const std::string& rule) {
+  LoadOptions options;
+  options.searchPaths = {AF2_SOURCE_DIR "/rules"};
+  const LoadedRules loaded = loadRulesFromText(
+      "test.af2",
+      "af2 1;\nimport \"tri/classic.af2\" as classic;\nuse classic.*;\n"
+      "ruleset \"test\" { elements tri; match 0.5 + 0.3*q; score max of shape_size(10);"
+      " accept score < 2 + 0.5*q^2; front by q + layer(a) + layer(b); }\n" +
+          rule,
+      options);
+  EXPECT_TRUE(loaded.rules) << toPretty(loaded.diagnostics);
+  return loaded.rules;
+}
+
+std::size_t elementsOf(const std::string& rule, const MeshingResult& result, const RuleSet& rules) {
+  return static_cast<std::size_t>(std::ranges::count_if(
+      result.mesh.rule, [&](std::size_t i) { return rules.rules()[i].name() == rule; }));
+}
+
+// Where new elements touched in a matched vertex, the front was linked wrongly there, crossed its
+// boundary and grew without end.
+TEST(RuleMeshes, HoldElementsOfOneStepThatTouchInAVertexOfTheFront) {
+  const std::string teeth = R"(
+rule "touching" quality 1 {
+  front a -> b -> c;
+  at    c (2, 0);
+  new   p = mid(a, b) + (0, 0.866), r = mid(b, c) + (0, 0.866);
+  zone  a, a + (0.2, -0.6), c + (-0.2, -0.6), c, 2*r - b, 2*p - b;
+  tri   a b p, b c r;
+  cost  -1;
+}
+)",
+                    notches = R"(
+rule "touching" quality 1 {
+  front a -> b -> c -> d -> e;
+  at    c (1.5, 0.866), d (2.5, 0.866), e (3, 1.732);
+  new   p = a + (c - b), r = c + (e - d);
+  zone  a, b + (0.2, -0.5), d + (0.2, -0.5), e, 2*r - c, 2*r - d, 2*p - b, 2*p - c;
+  tri   a b p, b c p, c d r, d e r;
+  cost  -1;
+}
+)";
+  for (const std::string& rule : {teeth, notches}) {
+    const auto rules = classicWith(rule);
+    for (const double size : {0.05, 0.02}) {
+      const FrontInput input = discWithHole(size);
+      const MeshingResult result = mesh(rules, input, size);
+      expectGoodMesh(result, input, 0);
+      EXPECT_GT(elementsOf("touching", result, *rules), 10u) << rule;
+    }
+  }
+}
+
+TEST(RuleMeshes, HoldElementsOfOneStepThatTouchInAVertexInside) {
+  const auto rules = classicWith(R"(
+rule "hourglass" quality 1 {
+  at   c (0.5, 0.866);
+  new  p = 2*c - b, s = 2*c - a;
+  zone a, b, s + (0.2, 0), s + (0, 0.2), p + (0, 0.2), p - (0.2, 0);
+  tri  a b c, c s p;
+  cost -1;
+}
+)");
+  FrontInput input = square(0.1);
+  input.isolated.push_back(flatCorner(input.vertexCount++, {0.45, 0.0866}));
+  const MeshingResult result = mesh(rules, input, 0.1);
+  expectGoodMesh(result, input, 0);
+  EXPECT_EQ(elementsOf("hourglass", result, *rules), 2u);
+}
+
 }  // namespace
 }  // namespace af2::dsl
