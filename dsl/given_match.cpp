@@ -4,6 +4,8 @@
 #include <limits>
 #include <numbers>
 
+#include "engine/turn.h"
+
 namespace af2::dsl {
 
 GivenMatch::GivenMatch(const RuleDefinition& rule, std::vector<Point2> matched, int level,
@@ -34,8 +36,7 @@ std::optional<double> GivenMatch::turn(int vertex) const {
   }
   if (!next || !previous) return std::nullopt;
   const Point2 from = *next - at(vertex), to = *previous - at(vertex);
-  const double angle = std::atan2(cross(from, to), dot(from, to));
-  return angle > 0 ? angle : angle + 2 * std::numbers::pi;
+  return turnBetween(from, to);
 }
 
 }  // namespace af2::dsl

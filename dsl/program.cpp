@@ -3,26 +3,25 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "dsl/registry.h"
 #include "dsl/shape_program.h"
 #include "dsl/steps.h"
 #include "engine/error.h"
 #include "engine/predicates.h"
+#include "engine/turn.h"
 
 namespace af2::dsl {
 namespace {
 
 constexpr double kNoValue = std::numeric_limits<double>::quiet_NaN();
-constexpr double kTurn = 2 * std::numbers::pi;
 
 double finite(double x) { return std::isfinite(x) ? x : kNoValue; }
 double truth(bool b) { return b ? 1.0 : 0.0; }
 
 /// Quarter turns come out exactly, so that rot(v, 90deg) keeps coordinates to the last bit.
 std::optional<int> quarterTurns(double angle) {
-  const double quarters = angle / (kTurn / 4);
+  const double quarters = angle / (kFullTurn / 4);
   const double whole = std::round(quarters);
   // An angle without a value is near nothing.
   const bool isNear = std::abs(quarters - whole) <= 1e-14 * std::max(1.0, std::abs(whole));
@@ -52,8 +51,7 @@ double power(double base, double exponent) {
 
 double sweep(Point2 from, Point2 to) {
   if (from == Point2{} || to == Point2{}) return kNoValue;
-  const double angle = std::atan2(cross(from, to), dot(from, to));
-  return angle > 0 ? angle : angle + kTurn;
+  return turnBetween(from, to);
 }
 
 /// The sum of unit vectors is small near half a turn, their difference near a full one; each is

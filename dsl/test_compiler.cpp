@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numbers>
 #include <set>
 
 #include "dsl/rule_compiler.h"
 #include "dsl/rule_titles.h"
 #include "dsl/titles.h"
 #include "dsl/words.h"
+#include "engine/turn.h"
 
 namespace af2::dsl {
 namespace {
@@ -190,8 +190,7 @@ std::optional<double> TestCompiler::turnAt(std::size_t vertex) const {
       const auto& at = result_.piece.vertices;
       const Point2 here = at[vertex], from = at[chain[(i + 1) % n]] - here,
                    to = at[chain[(i + n - 1) % n]] - here;
-      const double angle = std::atan2(cross(from, to), dot(from, to));
-      return angle > 0 ? angle : angle + 2 * std::numbers::pi;
+      return turnBetween(from, to);
     }
   }
   return std::nullopt;

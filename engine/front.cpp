@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "engine/error.h"
+#include "engine/turn.h"
 
 namespace af2 {
 
@@ -127,8 +128,7 @@ double Front::turn(PlaceId id) const {
   const Place& place = (*this)[id];
   const Point3 out = (*this)[place.next].point.position - place.point.position;
   const Point3 back = (*this)[place.previous].point.position - place.point.position;
-  const double angle = std::atan2(dot(place.point.normal, cross(out, back)), dot(out, back));
-  return angle > 0 ? angle : angle + 8 * std::atan(1.0);
+  return turnOf(dot(place.point.normal, cross(out, back)), dot(out, back));
 }
 
 int Front::loopSize(PlaceId id) const {

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "engine/predicates.h"
+#include "engine/turn.h"
 
 namespace af2::region {
 namespace {
@@ -110,11 +111,7 @@ class Bisector {
     const Point2 out = plane_.at(at(next(spot))) - center;
     const Point2 back = plane_.at(loop[(spot.corner + loop.size() - 1) % loop.size()]) - center;
     const Point2 d = target - center;
-    const auto angleFrom = [](Point2 a, Point2 b) {
-      const double angle = std::atan2(cross(a, b), dot(a, b));
-      return angle > 0 ? angle : angle + 2 * M_PI;
-    };
-    const double free = angleFrom(out, back), own = angleFrom(out, d);
+    const double free = turnBetween(out, back), own = turnBetween(out, d);
     return own > kLeastAngle && own < free - kLeastAngle;
   }
 

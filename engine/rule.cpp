@@ -5,6 +5,7 @@
 #include <set>
 
 #include "engine/error.h"
+#include "engine/turn.h"
 
 namespace af2 {
 namespace {
@@ -109,12 +110,6 @@ std::vector<Point2> referencePositions(const RuleDefinition& rule) {
   return points;
 }
 
-/// Angle from direction `from` counter-clockwise to `to`, in (0, 2 pi].
-double sweep(Point2 from, Point2 to) {
-  const double angle = std::atan2(cross(from, to), dot(from, to));
-  return angle > 0 ? angle : angle + 8 * std::atan(1.0);
-}
-
 /// Where elements touch in a single vertex, several boundary edges leave it. The unmeshed region to
 /// the right of the walk then turns, counter-clockwise from where the walk came, into the first.
 int nextOnWalk(const std::set<Edge>& unused, const std::vector<Point2>& points, Edge last) {
@@ -123,7 +118,8 @@ int nextOnWalk(const std::set<Edge>& unused, const std::vector<Point2>& points, 
   for (const Edge& e : unused) {
     if (e.first != last.second) continue;
     const auto at = [&](int v) { return points[static_cast<std::size_t>(v)]; };
-    const double angle = sweep(at(last.first) - at(last.second), at(e.second) - at(last.second));
+    const double angle =
+        turnBetween(at(last.first) - at(last.second), at(e.second) - at(last.second));
     if (best < 0 || angle < bestSweep) best = e.second, bestSweep = angle;
   }
   return best;

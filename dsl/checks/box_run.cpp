@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
+
+#include "engine/turn.h"
 
 namespace af2::dsl {
 namespace {
 
-constexpr double kTurn = 2 * std::numbers::pi;
 constexpr Interval kOne{1, 1}, kTruth{0, 1}, kUnit{-1, 1};
 
 /// A value with its derivatives by the arguments of the step.
@@ -57,11 +57,11 @@ Local sweep(const std::array<Interval, 4>& a) {
   if (spread.cross.low > 0)
     local.value = angleOf(spread.cross, spread.dot);
   else if (spread.cross.high < 0)
-    local.value = turned(angleOf(spread.cross, spread.dot), kTurn);
+    local.value = turned(angleOf(spread.cross, spread.dot), kFullTurn);
   else if (spread.dot.high < 0)
-    local.value = turned(angleOf(-spread.cross, -spread.dot), kTurn / 2);
+    local.value = turned(angleOf(-spread.cross, -spread.dot), kFullTurn / 2);
   else
-    return jump({0, kTurn + 1e-14});
+    return jump({0, kFullTurn + 1e-14});
   // The angle of one vector grows with the angle of `to`, and shrinks with that of `from`.
   const Interval from = wholePower(a[0], 2) + wholePower(a[1], 2);
   const Interval to = wholePower(a[2], 2) + wholePower(a[3], 2);

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "engine/turn.h"
+
 namespace af2::dsl {
 
 PatternMatch::PatternMatch(const AF2Rule& rule, std::vector<Point2> vertices, int level)
@@ -22,8 +24,7 @@ std::optional<double> PatternMatch::turn(int vertex) const {
   }
   if (!previous || !next) return std::nullopt;
   const Point2 from = *next - vertices_[vertex], to = *previous - vertices_[vertex];
-  const double angle = std::atan2(cross(from, to), dot(from, to));
-  return angle > 0 ? angle : angle + 2 * M_PI;
+  return turnBetween(from, to);
 }
 
 std::optional<std::vector<Point2>> PatternMatch::placeAll() const {

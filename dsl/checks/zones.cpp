@@ -7,6 +7,7 @@
 #include "dsl/checks/checks.h"
 #include "dsl/shape_program.h"
 #include "dsl/zone_corners.h"
+#include "engine/turn.h"
 
 namespace af2::dsl {
 namespace {
@@ -65,8 +66,7 @@ class ZoneCheck {
     for (const Point2 p : corners_) middle = middle + (1.0 / double(corners_.size())) * p;
     const auto angle = [&](std::size_t i) {
       const Point2 d = corners_[i] - middle, from = corners_[0] - middle;
-      const double turn = std::atan2(cross(from, d), dot(from, d));
-      return i == 0 ? 0 : turn > 0 ? turn : turn + 2 * M_PI;
+      return i == 0 ? 0 : turnBetween(from, d);
     };
     std::ranges::sort(order, {}, angle);
     std::vector<Point2> sorted;

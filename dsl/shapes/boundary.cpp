@@ -4,11 +4,10 @@
 #include <cmath>
 
 #include "dsl/shapes/arc.h"
+#include "engine/turn.h"
 
 namespace af2::dsl::shapes {
 namespace {
-
-constexpr double kTurn = 2 * M_PI;
 
 using States = std::vector<std::optional<std::uint8_t>>;
 
@@ -83,7 +82,7 @@ bool areSame(const Disc& p, const Disc& q) {
 
 double angleOf(Point2 direction) {
   const double angle = std::atan2(direction.y, direction.x);
-  return angle < 0 ? angle + kTurn : angle;
+  return angle < 0 ? angle + kFullTurn : angle;
 }
 
 /// Adds the angles at which a line crosses the circle.
@@ -142,7 +141,7 @@ void addArc(const Region& region, const Disc& circle, double start, double end,
   const bool inner = region.locate(onCircle(circle, middle, 1 - kAside)) != Place::Out;
   const bool outer = region.locate(onCircle(circle, middle, 1 + kAside)) != Place::Out;
   if (inner == outer) return;
-  const bool isWhole = end - start >= kTurn;
+  const bool isWhole = end - start >= kFullTurn;
   const double tolerance = 1e-12 * (circle.radius + length(circle.centre));
   const Point2 from = snapped(region, onCircle(circle, start), tolerance);
   const Point2 to = isWhole ? from : snapped(region, onCircle(circle, end), tolerance);
@@ -165,10 +164,10 @@ void addCircle(const Region& region, const Disc& circle, std::size_t own,
   constexpr double kSameAngle = 1e-11;
   const auto areClose = [](double a, double b) { return b - a < kSameAngle; };
   cuts.erase(std::unique(cuts.begin(), cuts.end(), areClose), cuts.end());
-  if (cuts.empty()) return addArc(region, circle, 0, kTurn, pieces);
+  if (cuts.empty()) return addArc(region, circle, 0, kFullTurn, pieces);
   for (std::size_t i = 0; i + 1 < cuts.size(); ++i)
     addArc(region, circle, cuts[i], cuts[i + 1], pieces);
-  addArc(region, circle, cuts.back(), cuts.front() + kTurn, pieces);
+  addArc(region, circle, cuts.back(), cuts.front() + kFullTurn, pieces);
 }
 
 // --- loops
