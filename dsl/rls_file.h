@@ -68,6 +68,18 @@ struct RlsRule {
   std::vector<RlsTuple> elements, orientations;
 };
 
+/// What is told about such a file.
+inline Diagnostic rlsFinding(Severity severity, const char* code, DiagnosticPlace place,
+                             std::string message, std::string help) {
+  Diagnostic d;
+  d.severity = severity;
+  d.code = code;
+  d.message = std::move(message);
+  d.place = std::move(place);
+  d.help = std::move(help);
+  return d;
+}
+
 /// Reads a whole file. What is wrong is told, all of it (I1, I2, I3); what the readers of such
 /// files pass over in silence is told as a warning (I4). Rules with errors are left out.
 std::vector<RlsRule> readRls(const SourceText& source, DiagnosticList& diagnostics);

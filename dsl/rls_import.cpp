@@ -38,13 +38,8 @@ class Importer {
 
  private:
   void tell(Severity severity, const char* code, Span span, std::string message, std::string help) {
-    Diagnostic d;
-    d.severity = severity;
-    d.code = code;
-    d.message = std::move(message);
-    d.place = placeOf(source_, span);
-    d.help = std::move(help);
-    diagnostics_.add(std::move(d));
+    diagnostics_.add(
+        rlsFinding(severity, code, placeOf(source_, span), std::move(message), std::move(help)));
   }
 
   void tellWhatCannotBeUsed(const std::string& text) {

@@ -37,13 +37,9 @@ std::optional<Exact> exactValue(std::string_view text) {
 
 void RlsReader::tell(Severity severity, const char* code, Span span, std::string message,
                      std::string help, std::string label) {
-  Diagnostic d;
-  d.severity = severity;
-  d.code = code;
-  d.message = std::move(message);
-  d.place = placeOf(source_, span);
+  Diagnostic d =
+      rlsFinding(severity, code, placeOf(source_, span), std::move(message), std::move(help));
   d.label = std::move(label);
-  d.help = std::move(help);
   d.rule = about_;
   diagnostics_.add(std::move(d));
   if (severity == Severity::Error) isSound_ = false;

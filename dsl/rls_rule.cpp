@@ -49,12 +49,8 @@ class Converter {
   void warn(const char* code, Span span, std::string message, std::string help,
             bool isRemark = true) {
     if (isRemark) rule_.remarks.push_back(message);
-    Diagnostic d;
-    d.severity = Severity::Warning;
-    d.code = code;
-    d.message = std::move(message);
-    d.place = placeOf(source_, span);
-    d.help = std::move(help);
+    Diagnostic d = rlsFinding(Severity::Warning, code, placeOf(source_, span), std::move(message),
+                              std::move(help));
     d.rule = text_.name;
     diagnostics_.add(std::move(d));
   }
