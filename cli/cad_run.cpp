@@ -24,34 +24,15 @@ std::map<int, double> sizesOfFaces(const SizeRequest& request, const geometry::M
   return sizes;
 }
 
-geometry::ModelSizes modelSizes(const SizeRequest& request, const geometry::Model& model) {
-  geometry::ModelSizes sizes;
-  sizes.size = request.size;
-  sizes.minSize = request.smallest;
-  sizes.maxSize = request.largest;
-  sizes.elementsPerTurn = request.elementsPerTurn;
-  sizes.elementsAcross = request.elementsAcross;
-  sizes.growth = request.growth;
-  sizes.faceSizes = sizesOfFaces(request, model);
-  sizes.edgeSizes = request.edgeSizes;
-  sizes.sources = request.file.sources;
-  return sizes;
-}
-
 /// firstFace  added to the numbers of faces in the log
 geometry::ModelMeshingOptions meshingOptions(const MeshRequest& request,
                                              const geometry::Model& model,
                                              const RunControl& control, ProgressBar& bar,
                                              int firstFace) {
   geometry::ModelMeshingOptions options;
-  options.sizes = modelSizes(request.sizes, model);
-  options.edgePoints = request.edgePoints;
-  options.faces = request.faces;
-  options.chart = request.chart;
-  options.order = request.order;
-  options.threads = request.threads;
-  options.optimize = request.optimize;
-  options.stop = control.stop;
+  setSizes(request.sizes, options.sizes);
+  options.sizes.faceSizes = sizesOfFaces(request.sizes, model);
+  setRun(request, control, options);
   options.observer = [&control, firstFace](int face) {
     if (control.log) control.log->begin(firstFace + face);
     return nullptr;

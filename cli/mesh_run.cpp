@@ -39,23 +39,9 @@ void checkIds(const MeshRequest& request, const geometry::DomainModel& model) {
 
 void setOptions(const MeshRequest& request, const RunControl& control, ProgressBar& bar,
                 geometry::DomainMeshingOptions& options) {
-  options.size = request.sizes.size;
-  options.minSize = request.sizes.smallest;
-  options.maxSize = request.sizes.largest;
-  options.elementsPerTurn = request.sizes.elementsPerTurn;
-  options.elementsAcross = request.sizes.elementsAcross;
-  options.growth = request.sizes.growth;
-  options.sources = request.sizes.file.sources;
+  setSizes(request.sizes, options);
   options.partSizes = request.sizes.file.parts;
-  options.faceSizes = request.sizes.faceSizes;
-  options.edgeSizes = request.sizes.edgeSizes;
-  options.edgePoints = request.edgePoints;
-  options.faces = request.faces;
-  options.chart = request.chart;
-  options.order = request.order;
-  options.optimize = request.optimize;
-  options.threads = request.threads;
-  options.stop = control.stop;
+  setRun(request, control, options);
   options.progress = [&bar](const Progress& progress) {
     bar.show("meshing", 0, fmt::format("{} elements", progress.elements));
   };
