@@ -7,12 +7,13 @@
 #include <string>
 #include <string_view>
 
+#include "cli/colour.h"
 #include "cli/exit_code.h"
 #include "cli/rule_files.h"
 #include "cli/text_files.h"
 #include "cli/usage_error.h"
 #include "cli/verbs.h"
-#include "dsl/grammar.h"
+#include "dsl/printer.h"
 #include "engine/error.h"
 
 namespace af2::cli {
@@ -158,8 +159,12 @@ void newRule(const NewOptions& options) {
     throw UsageError(
         fmt::format("there is no file '{}'; `af2 new ruleset` begins one", options.into));
   const RuleText before = readRuleText(options.into);
-  if (before.text.size() > dsl::ParseLimits{}.bytes)  // the rest was not even read
-    throw InputError(fmt::format("'{}' is larger than a rule file may be; split it", before.name));
+  const dsl::Formatted read = dsl::format(before.name, before.text);
+  if (dsl::hasErrors(read.diagnostics)) {
+    fmt::print(stderr, "{}", dsl::toPretty(read.diagnostics.front(), colourOf(stderr)));
+    throw InputError(
+        fmt::format("'{}' cannot be read as a rule file; it is left as it was", before.name));
+  }
   writeText(before.name, before.text + text);
   fmt::print("added rule \"{}\" and two tests to {}\n", options.name, before.name);
 }

@@ -24,7 +24,7 @@ fi
 
 # Of a file that is too large only a part is read; it is never written back.
 { echo 'af2 1;'; head -c 9000000 /dev/zero | tr '\0' '#'; echo; echo '# the end'; } >large.af2
-expect 1 "$af2" new rule 'corner' --into large.af2; told 'larger than a rule file may be'
+expect 1 "$af2" new rule 'corner' --into large.af2; told 'the file is larger than 8 MiB'
 [ "$(tail -n 1 large.af2)" = '# the end' ] || fail "a large file was cut off"
 [ -z "$(find . -name '*.tmp')" ] || fail "a temporary file is left"
 finish

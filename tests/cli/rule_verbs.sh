@@ -157,6 +157,10 @@ expect 2 "$af2" test mine.af2 -k 'no such test'; told 'no test has that in its t
 for file in none.af2 tri/classic -; do
   expect 2 "$af2" new rule 'corner' --into $file; told "there is no file '$file'"
 done
+printf 'notes on rules\n' >notes.txt
+cp notes.txt notes_before.txt
+expect 1 "$af2" new rule 'corner' --into notes.txt; told 'notes.txt:1:1'; told 'left as it was'
+same notes.txt notes_before.txt
 expect 0 "$af2" new rule 'on stdout'; says 'rule "on stdout"'
 
 # explain-code
