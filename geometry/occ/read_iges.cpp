@@ -8,7 +8,6 @@
 #include <IGESControl_Reader.hxx>
 #include <IGESData_GlobalSection.hxx>
 #include <IGESData_IGESModel.hxx>
-#include <Interface_Static.hxx>
 #include <TCollection_HAsciiString.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
@@ -24,6 +23,7 @@
 #include "engine/error.h"
 #include "geometry/occ/closed_runs.h"
 #include "geometry/occ/lost_faces.h"
+#include "geometry/occ/reader_setting.h"
 #include "geometry/occ/readers.h"
 #include "geometry/occ/shifted_curves.h"
 #include "geometry/occ/whole_surfaces.h"
@@ -169,25 +169,24 @@ void sew(ReadShape& read) {
 }
 
 /// Which curve of an edge the reader builds on: that in space, or that in the parameters.
-enum class Curves { AsFileSays = 0, InParameters = -2 };
+constexpr const char *kAsFileSays = "Default", *kInParameters = "2DUse_Forced";
 
 TopoDS_Shape transferred(IGESControl_Reader& reader, const std::filesystem::path& path,
-                         Curves curves) {
-  Interface_Static::SetCVal("xstep.cascade.unit", "MM");
+                         const char* curves) {
+  const ReaderSetting unit("xstep.cascade.unit", "MM");
+  const ReaderSetting mode("read.surfacecurve.mode", curves);
   if (reader.ReadFile(path.c_str()) != IFSelect_RetDone)
     throw InputError(path.string() +
                      ": this IGES file is damaged or cut off; export the model again");
   reader.SetReadVisible(false);
-  Interface_Static::SetIVal("read.surfacecurve.mode", static_cast<int>(curves));
   reader.TransferRoots();
-  Interface_Static::SetIVal("read.surfacecurve.mode", static_cast<int>(Curves::AsFileSays));
   return reader.OneShape();
 }
 
 void replaceShiftedFaces(ReadShape& read, const std::filesystem::path& path) {
   const int count = replaceShifted(read.shape, [&] {
     IGESControl_Reader reader;
-    return transferred(reader, path, Curves::InParameters);
+    return transferred(reader, path, kInParameters);
   });
   if (count > 0)
     read.notes.push_back(std::to_string(count) +
@@ -200,7 +199,7 @@ void replaceShiftedFaces(ReadShape& read, const std::filesystem::path& path) {
 ReadShape readIges(const std::filesystem::path& path) {
   IGESControl_Reader reader;
   ReadShape result;
-  result.shape = transferred(reader, path, Curves::AsFileSays);
+  result.shape = transferred(reader, path, kAsFileSays);
   result.unit = "mm";
   const IGESData_GlobalSection& global = reader.IGESModel()->GlobalSection();
   if (!global.UnitName().IsNull()) result.fileUnit = global.UnitName()->ToCString();

@@ -1,5 +1,4 @@
 #include <BRep_Builder.hxx>
-#include <Interface_Static.hxx>
 #include <STEPCAFControl_Reader.hxx>
 #include <STEPControl_Reader.hxx>
 #include <StepData_StepModel.hxx>
@@ -23,6 +22,7 @@
 #include "geometry/occ/damaged_entities.h"
 #include "geometry/occ/external_parts.h"
 #include "geometry/occ/lost_faces.h"
+#include "geometry/occ/reader_setting.h"
 #include "geometry/occ/readers.h"
 #include "geometry/occ/step_groups.h"
 #include "geometry/occ/trial.h"
@@ -124,9 +124,9 @@ ReadShape readStep(const std::filesystem::path& path) {
   withAttributes.SetPropsMode(false);
   Handle(TDocStd_Document) document = new TDocStd_Document("XmlXCAF");
   STEPControl_Reader& reader = withAttributes.ChangeReader();
-  Interface_Static::SetCVal("xstep.cascade.unit", "MM");
+  const ReaderSetting unit("xstep.cascade.unit", "MM");
   const bool isUtf8 = isUtf8File(path);
-  Interface_Static::SetCVal("read.step.codepage", isUtf8 ? "UTF8" : "CP1252");
+  const ReaderSetting codepage("read.step.codepage", isUtf8 ? "UTF8" : "CP1252");
   // Files that it refers to are found only beside a file with its whole path.
   if (withAttributes.ReadFile(std::filesystem::absolute(path).c_str()) != IFSelect_RetDone)
     throw InputError(path.string() +

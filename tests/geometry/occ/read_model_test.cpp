@@ -1,7 +1,10 @@
 #include <gtest/gtest.h>
-
+#include <BRepPrimAPI_MakeBox.hxx>
+#include <IGESControl_Writer.hxx>
+#include <Interface_Static.hxx>
 #include <filesystem>
 #include <fstream>
+#include <map>
 
 #include "engine/error.h"
 #include "geometry/occ/model.h"
@@ -57,6 +60,30 @@ TEST_F(ReadModel, ReadsStepAndBrepAlike) {
     EXPECT_EQ(step.unit(), "mm");
     EXPECT_EQ(brep.unit(), "");
   }
+}
+
+TEST_F(ReadModel, LeavesTheSettingsOfOtherReadersAlone) {
+  const fs::path iges = folder_ / "box.igs";
+  IGESControl_Writer writer("MM", 0);
+  writer.AddShape(BRepPrimAPI_MakeBox(1, 2, 3).Shape());
+  writer.ComputeModel();
+  writer.Write(iges.c_str());
+  readModel(kModels / "die.step");  // the settings are there from now on
+  const std::map<std::string, std::string> own{{"xstep.cascade.unit", "INCH"},
+                                               {"read.step.codepage", "GB"},
+                                               {"read.surfacecurve.mode", "3DUse_Preferred"}};
+  std::map<std::string, std::string> before, after;
+  for (const auto& [name, value] : own) {
+    before[name] = Interface_Static::CVal(name.c_str());
+    Interface_Static::SetCVal(name.c_str(), value.c_str());
+  }
+  readModel(kModels / "die.step");
+  readModel(iges);
+  for (const auto& [name, value] : before) {
+    after[name] = Interface_Static::CVal(name.c_str());
+    Interface_Static::SetCVal(name.c_str(), value.c_str());
+  }
+  EXPECT_EQ(after, own);
 }
 
 TEST_F(ReadModel, GoesByTheContentNotTheName) {
