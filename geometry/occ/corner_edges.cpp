@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "geometry/occ/edge_on_face.h"
+#include "geometry/occ/edge_parts.h"
 #include "geometry/occ/face_surface.h"
 #include "geometry/occ/sizing.h"
 
@@ -20,12 +21,6 @@ namespace {
 constexpr double kMostOfLength = 2;
 /// But no shorter than this share of the size: around a tiny edge that would take too many.
 constexpr double kLeastShare = 0.02;
-
-/// One end of an edge.
-struct EdgeEnd {
-  std::size_t edge;
-  bool isFirst;
-};
 
 /// From an end of an edge to a place on it as far away as that.
 Point3 awayFrom(const EdgeSamples& samples, bool first, double reach) {
@@ -54,14 +49,8 @@ class FaceCorners {
       : model_(model),
         face_(face),
         forward_(TopoDS::Face(model.face(face).Oriented(TopAbs_FORWARD))),
-        samples_(samples) {
-    for (const EdgeUse& use : uses()) {
-      const std::size_t edge = indexOf(use);
-      if (samples[edge].pieces.empty()) continue;
-      atPoint_[ends[edge].first].push_back({edge, true});
-      atPoint_[ends[edge].last].push_back({edge, false});
-    }
-  }
+        samples_(samples),
+        atPoint_(endsByPoint(uses(), ends, samples)) {}
 
   /// Whether the face gets wider from an edge on.
   bool opensFrom(const EdgeUse& use, const Ends& ends) {
@@ -93,7 +82,7 @@ class FaceCorners {
     if (there.size() != 2) return std::nullopt;
     const EdgeEnd& other = there[there[0].edge == edge ? 1 : 0];
     const Point3 way =
-        awayFrom(samples_[other.edge], other.isFirst, kMostOfLength * samples_[edge].length);
+        awayFrom(samples_[other.edge], other.isStart, kMostOfLength * samples_[edge].length);
     return length(way) > 0 ? std::optional(way) : std::nullopt;
   }
 

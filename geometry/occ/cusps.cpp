@@ -57,14 +57,8 @@ class CuspFinder {
 
  private:
   void lookAt(int face) {
-    std::map<std::uint32_t, std::vector<EdgeEnd>> byPoint;
-    for (const EdgeUse& use : model_.edgesOfFaces[static_cast<std::size_t>(face) - 1]) {
-      const auto edge = static_cast<std::size_t>(use.id) - 1;
-      if (samples_[edge].pieces.empty()) continue;
-      byPoint[ends_[edge].first].push_back({edge, true});
-      byPoint[ends_[edge].last].push_back({edge, false});
-    }
-    for (const auto& [point, found] : byPoint)
+    const auto& edges = model_.edgesOfFaces[static_cast<std::size_t>(face) - 1];
+    for (const auto& [point, found] : endsByPoint(edges, ends_, samples_))
       for (std::size_t i = 0; i < found.size(); ++i)
         for (std::size_t k = i + 1; k < found.size(); ++k)
           if (found[i] != found[k] && areAlike(found[i], found[k])) compare(found[i], found[k]);

@@ -13,12 +13,6 @@
 
 namespace af2::geometry {
 
-struct EdgeEnd {
-  std::size_t edge = 0;  ///< [0] is edge 1
-  bool isStart = true;
-  auto operator<=>(const EdgeEnd&) const = default;
-};
-
 /// How far from its end an edge is to have no vertex: nearer to it, the edge that parts from it
 /// there is so near that an element between them would have less than one degree.
 using CuspLengths = std::map<EdgeEnd, double>;

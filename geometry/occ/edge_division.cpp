@@ -10,6 +10,7 @@
 
 #include "engine/error.h"
 #include "geometry/box_tree.h"
+#include "geometry/curve_division.h"
 #include "geometry/occ/beside_tips.h"
 #include "geometry/occ/corner_edges.h"
 #include "geometry/occ/crease_reach.h"
@@ -58,7 +59,9 @@ class Division {
 
   DividedEdges result() {
     twins_ = twinsOf(model_, parts_);
-    const std::vector<std::size_t> least = leastSegments();
+    std::vector<CurveEnds> ends;
+    for (const EdgePart& part : parts_) ends.push_back({part.ends.first, part.ends.last});
+    const std::vector<std::size_t> least = leastSegments(ends);
     for (std::size_t i = 0; i < parts_.size(); ++i) dividePart(i, least[i]);
     joinParts();
     return std::move(result_);
@@ -243,23 +246,6 @@ class Division {
           std::min(distance(place, points.front()), distance(place, points.back()));
       atPoint[end] = std::min(atPoint[end], bounded(sizes_, segment));
     }
-  }
-
-  /// No two parts share a segment, unless they run along each other.
-  std::vector<std::size_t> leastSegments() const {
-    std::map<std::pair<std::uint32_t, std::uint32_t>, std::size_t> sameEnds;
-    const auto key = [](const EdgePart& part) {
-      return std::minmax(part.ends.first, part.ends.last);
-    };
-    for (const EdgePart& part : parts_) ++sameEnds[key(part)];
-    std::vector<std::size_t> least;
-    for (const EdgePart& part : parts_) {
-      if (part.ends.first == part.ends.last)
-        least.push_back(3);
-      else
-        least.push_back(sameEnds[key(part)] > 1 ? 2 : 1);
-    }
-    return least;
   }
 
   /// Points along a part, ends included.

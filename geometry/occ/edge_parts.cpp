@@ -35,6 +35,19 @@ EdgePiece cutOff(EdgePiece& piece, double parameter) {
 
 }  // namespace
 
+std::map<std::uint32_t, std::vector<EdgeEnd>> endsByPoint(const std::vector<EdgeUse>& edgesOfFace,
+                                                          const std::vector<Ends>& ends,
+                                                          const std::vector<EdgeSamples>& samples) {
+  std::map<std::uint32_t, std::vector<EdgeEnd>> byPoint;
+  for (const EdgeUse& use : edgesOfFace) {
+    const auto edge = static_cast<std::size_t>(use.id) - 1;
+    if (samples[edge].pieces.empty()) continue;
+    byPoint[ends[edge].first].push_back({edge, true});
+    byPoint[ends[edge].last].push_back({edge, false});
+  }
+  return byPoint;
+}
+
 double parameterAt(const EdgeSamples& samples, double length) {
   auto piece = samples.pieces.begin();
   for (; piece + 1 != samples.pieces.end() && piece->arcLength.back() < length; ++piece)

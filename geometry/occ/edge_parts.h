@@ -2,13 +2,29 @@
 // Not installed: includers need OpenCASCADE's headers.
 #pragma once
 
+#include <cstdint>
+#include <map>
 #include <vector>
 
 #include "geometry/occ/edge_samples.h"
 #include "geometry/occ/given_points.h"
+#include "geometry/occ/model_shape.h"
 #include "geometry/occ/open_ends.h"
 
 namespace af2::geometry {
+
+struct EdgeEnd {
+  std::size_t edge = 0;  ///< [0] is edge 1
+  bool isStart = true;
+  auto operator<=>(const EdgeEnd&) const = default;
+};
+
+/// The ends of the edges of a face by the points at which they are, without edges that are points.
+///
+/// ends, samples  by edge; [0] is edge 1
+std::map<std::uint32_t, std::vector<EdgeEnd>> endsByPoint(const std::vector<EdgeUse>& edgesOfFace,
+                                                          const std::vector<Ends>& ends,
+                                                          const std::vector<EdgeSamples>& samples);
 
 /// Of an edge between two of the points that it passes, or all of it.
 struct EdgePart {

@@ -7,6 +7,7 @@
 #include <mutex>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "geometry/occ/face_surface.h"
 
@@ -27,16 +28,23 @@ class FaceSurfaces {
 
   /// A copy of the surface of a face, whose number is `id`; made when it is first asked for. Throws
   /// GeometryError if the face has none.
-  FaceSurface of(const TopoDS_Face& face, int id) const {
+  FaceSurface of(const TopoDS_Face& face, int id) const { return original(face, id); }
+  /// To copy a surface is dear, and these need no copy.
+  std::vector<SharpTip> sharpTipsOf(const TopoDS_Face& face, int id) const {
+    return original(face, id).sharpTips();
+  }
+
+ private:
+  /// Not to be evaluated.
+  const FaceSurface& original(const TopoDS_Face& face, int id) const {
     const auto cells = cells_.find(id);
-    if (others_ && cells == cells_.end()) return others_->of(face, id);
+    if (others_ && cells == cells_.end()) return others_->original(face, id);
     Slot& slot = slots_[static_cast<std::size_t>(id) - 1];
     std::call_once(slot.once,
                    [&] { slot.surface.emplace(face, others_ ? cells->second : FaceCells{}); });
     return *slot.surface;
   }
 
- private:
   struct Slot {
     std::once_flag once;
     std::optional<FaceSurface> surface;

@@ -10,6 +10,7 @@
 #include <numbers>
 #include <optional>
 
+#include "geometry/occ/face_surfaces.h"
 #include "geometry/occ/points.h"
 
 namespace af2::geometry {
@@ -31,7 +32,7 @@ struct TipOfModel {
 
 /// The vertices of a face that are sharp tips of its surface.
 void findTips(const ModelShape& model, int face, std::map<std::uint32_t, TipOfModel>& found) {
-  const std::vector<SharpTip> tips = model.surface(face).sharpTips();
+  const std::vector<SharpTip> tips = model.surfaces->sharpTipsOf(model.face(face), face);
   if (tips.empty()) return;
   for (TopExp_Explorer it(model.face(face), TopAbs_VERTEX); it.More(); it.Next()) {
     const TopoDS_Vertex vertex = TopoDS::Vertex(it.Current());
