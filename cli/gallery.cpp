@@ -19,8 +19,12 @@ using dsl::CompiledRule;
 constexpr int kLevels[] = {1, 2, 3, 5, 10, 20};
 
 constexpr const char* kStyle = R"(
-:root { --ink: #1f2937; --soft: #6b7280; --line: #d8dde4; --page: #f6f7f9; --card: #fff;
+:root { color-scheme: light dark; --ink: #1f2937; --soft: #6b7280; --line: #d8dde4; --page: #f6f7f9; --card: #fff;
         --key: #7c3aed; --text: #047857; --number: #b45309; --good: #15803d; --bad: #b91c1c; }
+@media (prefers-color-scheme: dark) {
+  :root { --ink: #e5e7eb; --soft: #9ca3af; --line: #374151; --page: #111827; --card: #1f2937;
+          --key: #c4b5fd; --text: #6ee7b7; --number: #fcd34d; --good: #4ade80; --bad: #f87171; }
+}
 * { box-sizing: border-box; }
 body { margin: 0; font: 16px/1.5 system-ui, sans-serif; color: var(--ink); background: var(--page); }
 main { max-width: 72rem; margin: 0 auto; padding: 2rem 1.5rem 6rem; }
