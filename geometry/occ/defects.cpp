@@ -309,7 +309,7 @@ std::vector<Point3> pointsAlong(const Model& model, int edge) {
   if (Precision::IsInfinite(first) || Precision::IsInfinite(last)) return points;
   try {
     const BRepAdaptor_Curve curve(shape);
-    const GCPnts_QuasiUniformDeflection sampled(curve, 1e-3 * model.diagonal());
+    const GCPnts_QuasiUniformDeflection sampled(curve, 2e-4 * model.diagonal());
     if (!sampled.IsDone()) return points;
     for (int i = 1; i <= sampled.NbPoints(); ++i) points.push_back(toPoint(sampled.Value(i)));
   } catch (const Standard_Failure&) {

@@ -108,7 +108,7 @@ TEST(PointsAlong, FollowTheCurveOfAnEdge) {
     for (std::size_t i = 1; i < points.size(); ++i) length += distance(points[i - 1], points[i]);
     longest = std::max(longest, length);
   }
-  EXPECT_NEAR(longest, 6.2832, 0.1);
+  EXPECT_NEAR(longest, 6.2832, 0.02);
   EXPECT_EQ(edgesAround(model, 1).size(), 3u);
 }
 
