@@ -14,15 +14,12 @@ using Edge = std::pair<VertexId, VertexId>;
 
 class Checker {
  public:
-  Checker(const Mesh& mesh, const MeshBoundary& boundary)
-      : mesh_(mesh), boundary_(boundary), stars_(0, mesh.vertices.size()) {}
+  Checker(const Mesh& mesh, const MeshBoundary& boundary) : mesh_(mesh), boundary_(boundary) {}
 
   std::vector<MeshFault> check() {
     for (std::size_t i = 0; i < mesh_.elements.size(); ++i) checkElement(ElementId(i));
-    stars_.finish();
-    for (std::size_t v = 0; v < mesh_.vertices.size(); ++v) checkVertex(VertexId(v));
-    for (const Edge& e : boundary_.edges)
-      if (!hasEdge(e.first, e.second)) add(MeshFault::Kind::BoundaryNotKept, {}, e.first, e.second);
+    for (std::size_t v = 0; v < mesh_.vertices.size(); v += VertexStars::kMostAtOnce)
+      checkVertices(v, std::min(v + VertexStars::kMostAtOnce, mesh_.vertices.size()));
     nameElements();
     return std::move(faults_);
   }
@@ -40,7 +37,6 @@ class Checker {
       return;
     }
     if (!facesTheNormals(element.vertices())) add(MeshFault::Kind::Inverted, id);
-    stars_.add(element);
   }
 
   VertexId improperCorner(const Element& element) const {
@@ -50,8 +46,24 @@ class Checker {
     });
   }
 
-  bool hasEdge(VertexId from, VertexId to) {
-    stars_.corners(from.value, corners_);
+  void checkVertices(std::size_t begin, std::size_t end) {
+    VertexStars stars(begin, end);
+    for (std::size_t e = 0; e < mesh_.elements.size(); ++e)
+      if (!isBad(e)) stars.add(mesh_.elements[e]);
+    stars.finish();
+    for (std::size_t v = begin; v < end; ++v) checkVertex(VertexId(v), stars);
+    auto edge = std::ranges::lower_bound(boundary_.edges, VertexId(begin), {}, &Edge::first);
+    for (; edge != boundary_.edges.end() && edge->first.value < end; ++edge)
+      if (!hasEdge(edge->first, edge->second, stars))
+        add(MeshFault::Kind::BoundaryNotKept, {}, edge->first, edge->second);
+  }
+
+  bool isBad(std::size_t element) const {
+    return !bad_.empty() && std::ranges::binary_search(bad_, ElementId(element));
+  }
+
+  bool hasEdge(VertexId from, VertexId to, const VertexStars& stars) {
+    stars.corners(from.value, corners_);
     return std::ranges::find(corners_, to.value, &VertexStars::Corner::next) != corners_.end();
   }
 
@@ -71,9 +83,9 @@ class Checker {
     return true;
   }
 
-  void checkVertex(VertexId v) {
-    if (v.value >= boundary_.fixedCount && stars_.areAround(v.value)) return;
-    stars_.corners(v.value, corners_);
+  void checkVertex(VertexId v, const VertexStars& stars) {
+    if (v.value >= boundary_.fixedCount && stars.areAround(v.value)) return;
+    stars.corners(v.value, corners_);
     const std::span<const VertexStars::Corner> corners = corners_;
     if (corners.empty()) add(MeshFault::Kind::UnusedVertex, {}, v);
     for (std::size_t i = 0; i < corners.size(); ++i) {
@@ -114,7 +126,7 @@ class Checker {
     std::map<Edge, std::vector<ElementId>> users;
     for (const Unnamed& u : unnamed_) users[{faults_[u.fault].from, faults_[u.fault].to}];
     for (std::size_t e = 0; e < mesh_.elements.size(); ++e) {
-      if (std::ranges::binary_search(bad_, ElementId(e))) continue;
+      if (isBad(e)) continue;
       const auto corners = mesh_.elements[e].vertices();
       for (std::size_t i = 0; i < corners.size(); ++i)
         if (const auto at = users.find({corners[i], corners[(i + 1) % corners.size()]});
@@ -131,7 +143,6 @@ class Checker {
 
   const Mesh& mesh_;
   const MeshBoundary& boundary_;
-  VertexStars stars_;
   std::vector<VertexStars::Corner> corners_;  ///< of one vertex
   std::vector<ElementId> bad_;                ///< elements that have no edges to speak of
   std::vector<MeshFault> faults_;

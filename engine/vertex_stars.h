@@ -18,6 +18,10 @@ namespace af2 {
 
 class VertexStars {
  public:
+  /// Those of all vertices of a large mesh take more memory than the mesh: of so many at once they
+  /// do not.
+  static constexpr std::size_t kMostAtOnce = 250'000;
+
   /// The vertices before and after one in an element. The edges of the element at the vertex lead
   /// to `next` and come from `previous`.
   struct Corner {

@@ -95,15 +95,15 @@ class Search {
 
   /// Faces with a common vertex are of one shell.
   void findShells() {
-    constexpr std::size_t kNone = ~std::size_t{0};
+    constexpr std::uint32_t kNone = 0xffffffffu;
     shell_.resize(faces_.size());
     std::iota(shell_.begin(), shell_.end(), std::size_t{0});
-    std::vector<std::size_t> faceAt(mesh_.vertices.size(), kNone);
+    std::vector<std::uint32_t> faceAt(mesh_.vertices.size(), kNone);
     for (std::size_t i = 0; i < faces_.size(); ++i)
       for (const std::uint32_t v : faces_[i].patch.onSegments) {
-        std::size_t& other = faceAt[v];
+        std::uint32_t& other = faceAt[v];
         if (other != kNone && other != i) shell_[i] = shell_[shellOf(i)] = shellOf(other);
-        other = i;
+        other = static_cast<std::uint32_t>(i);
       }
     for (std::size_t i = 0; i < shell_.size(); ++i) shell_[i] = shellOf(i);
   }

@@ -282,10 +282,9 @@ class EdgeChecker {
 
 /// Sides and stars take more memory than the mesh: those of a large one are looked at in parts.
 std::vector<VertexRange> partsOf(VertexRange vertices) {
-  constexpr std::size_t kMost = 500'000;
   std::vector<VertexRange> parts;
-  for (std::size_t v = vertices.begin; v < vertices.end; v += kMost)
-    parts.push_back({v, std::min(v + kMost, vertices.end)});
+  for (std::size_t v = vertices.begin; v < vertices.end; v += VertexStars::kMostAtOnce)
+    parts.push_back({v, std::min(v + VertexStars::kMostAtOnce, vertices.end)});
   return parts;
 }
 

@@ -145,5 +145,57 @@ TEST(MeshCheck, DescribesAFaultWithItsPlace) {
             "an element is turned against the surface, element 0, at (0, 0, 0)");
 }
 
+/// n x n squares.
+struct Grid {
+  FrontInput input;
+  Mesh mesh;
+
+  explicit Grid(std::size_t n) {
+    const auto at = [&](std::size_t x, std::size_t y) { return y * (n + 1) + x; };
+    for (std::size_t y = 0; y <= n; ++y)
+      for (std::size_t x = 0; x <= n; ++x)
+        mesh.vertices.push_back(
+            flatCorner(at(x, y), {static_cast<double>(x), static_cast<double>(y)}).point);
+    for (std::size_t y = 0; y < n; ++y)
+      for (std::size_t x = 0; x < n; ++x)
+        mesh.elements.push_back(quad(at(x, y), at(x + 1, y), at(x + 1, y + 1), at(x, y + 1)));
+    mesh.rule.assign(mesh.elements.size(), 0);
+    input.vertexCount = mesh.vertices.size();
+    std::vector<std::size_t> around;
+    for (std::size_t i = 0; i < n; ++i) around.push_back(at(i, 0));
+    for (std::size_t i = 0; i < n; ++i) around.push_back(at(n, i));
+    for (std::size_t i = n; i > 0; --i) around.push_back(at(i, n));
+    for (std::size_t i = n; i > 0; --i) around.push_back(at(0, i));
+    auto& loop = input.loops.emplace_back();
+    for (const std::size_t v : around) loop.push_back({VertexId(v), mesh.vertices[v]});
+  }
+};
+
+// A large mesh is looked at in parts.
+TEST(MeshCheck, FindsTheSameInEachPartOfALargeMesh) {
+  constexpr std::size_t kSide = 600, kInside = kSide / 2;
+  Grid grid(kSide);
+  EXPECT_TRUE(checkMesh(grid.mesh, grid.input).empty());
+  for (const std::size_t row : {std::size_t{3}, kSide - 3}) {
+    Grid broken = grid;
+    broken.mesh.elements.erase(broken.mesh.elements.begin() +
+                               static_cast<std::ptrdiff_t>(row * kSide + kInside));
+    const auto faults = checkMesh(broken.mesh, broken.input);
+    ASSERT_EQ(faults.size(), 4u);
+    for (const MeshFault& fault : faults) {
+      EXPECT_EQ(fault.kind, Kind::OpenEdge);
+      const auto corners = broken.mesh.elements[fault.element.value].vertices();
+      EXPECT_NE(std::ranges::find(corners, fault.from), corners.end());
+      EXPECT_NE(std::ranges::find(corners, fault.to), corners.end());
+    }
+  }
+  grid.mesh.elements.pop_back();  // in the corner
+  std::vector<Kind> kinds;
+  for (const MeshFault& fault : checkMesh(grid.mesh, grid.input)) kinds.push_back(fault.kind);
+  std::ranges::sort(kinds);
+  EXPECT_EQ(kinds, (std::vector<Kind>{Kind::OpenEdge, Kind::OpenEdge, Kind::BoundaryNotKept,
+                                      Kind::BoundaryNotKept, Kind::UnusedVertex}));
+}
+
 }  // namespace
 }  // namespace af2
