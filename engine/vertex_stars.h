@@ -51,6 +51,7 @@ class VertexStars {
   /// where the elements at a vertex inside a mesh lie around it.
   bool areAround(std::size_t vertex) const {
     const std::uint32_t count = counts_[vertex - begin_];
+    if (count == 0) return false;
     if (count > kSlots) return areAllAround(vertex);
     const Fan& fan = fans_[vertex - begin_];
     const auto previous = fours(fan.previous), next = fours(fan.next);
@@ -68,7 +69,7 @@ class VertexStars {
       const Four isUsed = Four(Four{0, 1, 2, 3} + 4 * half < all(count));
       wrong |= ((arriving[half] ^ 1) | (leaving[half] ^ 1)) & isUsed;
     }
-    return count > 0 && (wrong[0] | wrong[1] | wrong[2] | wrong[3]) == 0;
+    return (wrong[0] | wrong[1] | wrong[2] | wrong[3]) == 0;
   }
 
   /// To be called when all are added.

@@ -116,13 +116,14 @@ class ElementChecker {
     if (std::ranges::adjacent_find(insides, meet) != insides.end()) return std::nullopt;
     return firstInside_;
   }
-  /// Elements with right corners, ascending; of these all that have a side before firstInside().
+  /// Elements with right corners, ascending.
   std::vector<std::size_t> sound() const {
     std::vector<std::size_t> all;
     for (std::size_t i = 0; i < mesh_.elements.size(); ++i)
       if (!std::ranges::binary_search(unsound_, i)) all.push_back(i);
     return all;
   }
+  /// Of these all that have a side between vertices before firstInside().
   const std::vector<std::size_t>& atSegments() const { return atSegments_; }
 
  private:
