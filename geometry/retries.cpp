@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <iterator>
-#include <limits>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -10,6 +9,7 @@
 #include "geometry/common_sides.h"
 #include "geometry/parallel.h"
 #include "geometry/refinement.h"
+#include "geometry/retry_allowance.h"
 #include "geometry/spared_neighbors.h"
 
 namespace af2::geometry {
@@ -28,7 +28,7 @@ class Retries {
     std::vector<std::size_t> dropped;  // faces for which nothing was of use
     SparedNeighbors neighbors(model_.edgesOfFaces(), state.meshes);
     findShortEdges(state);
-    most_ = mostEffort(state);
+    most_ = mostEffort(state.meshes, options_.share);
     double effort = 0;
     join(state);
     for (int round = 0; round < options_.mostRounds && !options_.stop.stop_requested(); ++round) {
@@ -212,46 +212,6 @@ class Retries {
     return poor;
   }
 
-  /// Tries may cost some times as much as the mesh, but no more than about ten seconds. Goes by
-  /// candidates of the front.
-  double mostEffort(const FaceMeshes& state) {
-    constexpr double kShare = 3, kMost = 6'000'000, kAlways = 2'000'000;
-    double candidates = 0;
-    for (const FaceMesh& mesh : state.meshes) candidates += static_cast<double>(mesh.effort);
-    return options_.share * (std::min(kShare * candidates, kMost) + kAlways);
-  }
-  /// What it costs to mesh a face again besides these.
-  static constexpr double kForEachFace = 1000;
-
-  /// What faces that failed may take when they are meshed once more, all at the same time.
-  struct Allowance {
-    double left;        ///< for all of them
-    double faces = 0;   ///< so many there are
-    double effort = 0;  ///< that they took before
-  };
-
-  Allowance allowanceOf(const FaceMeshes& state, const std::vector<std::size_t>& again,
-                        double spent) const {
-    Allowance all{std::max(most_ - spent, 0.0)};
-    for (const std::size_t i : again) {
-      if (!failed(state.meshes[i])) continue;
-      all.faces += 1;
-      all.effort += static_cast<double>(state.meshes[i].effort);
-    }
-    return all;
-  }
-
-  /// A face that failed may fail again, and shorter edges are dearer; but no more than its share of
-  /// what is left, be it by number or by what it took before.
-  static std::size_t mostCandidates(const FaceMesh& before, const Allowance& all) {
-    constexpr double kAlways = 100'000, kAlwaysOfAll = 2'000'000, kTimes = 2;
-    if (!failed(before)) return std::numeric_limits<std::size_t>::max();
-    const auto effort = static_cast<double>(before.effort);
-    const double share = std::max(1 / all.faces, all.effort > 0 ? effort / all.effort : 0);
-    return static_cast<std::size_t>(std::min(kAlways, kAlwaysOfAll / all.faces) +
-                                    std::min(kTimes * effort, share * all.left));
-  }
-
   static std::ptrdiff_t crossingsAt(const FaceMeshes& state, std::size_t i) {
     const int face = state.meshes[i].report.id;
     return std::ranges::count_if(state.faults.crossings, [&](const Crossing& crossing) {
@@ -336,11 +296,11 @@ class Retries {
       next.meshes[i] = state.meshes[i];
       for (std::uint32_t& point : next.meshes[i].boundary) point = change.newIndex[point];
     }
-    const Allowance allowance = allowanceOf(state, again, effort);
+    const RetryAllowance allowance(state.meshes, again, most_ - effort);
     forEachInParallel(again.size(), options_.threads, [&](std::size_t k) {
       const FaceMesh& before = state.meshes[again[k]];
       FaceMesh& after = next.meshes[again[k]];
-      model_.mesh(again[k], sizes, {mostCandidates(before, allowance)}, next);
+      model_.mesh(again[k], sizes, {allowance.mostCandidates(before)}, next);
       if (failed(before)) refuseNothing(before, after);
       tellOfRetry(state, again[k], after);
     });
