@@ -140,6 +140,51 @@ TEST(ModelCheck, LooksAtWhatLiesAroundVerticesInsideFaces) {
   }
 }
 
+/// n x n squares of one face, the vertices on its boundary first.
+ModelMesh plate(std::size_t n) {
+  ModelMesh mesh;
+  std::vector<std::size_t> ids((n + 1) * (n + 1));
+  const auto place = [&](std::size_t x, std::size_t y) { return y * (n + 1) + x; };
+  for (const bool isInside : {false, true})
+    for (std::size_t y = 0; y <= n; ++y)
+      for (std::size_t x = 0; x <= n; ++x) {
+        if ((x > 0 && x < n && y > 0 && y < n) != isInside) continue;
+        ids[place(x, y)] = mesh.vertices.size();
+        mesh.vertices.push_back({static_cast<double>(x), static_cast<double>(y), 0});
+      }
+  const auto at = [&](std::size_t x, std::size_t y) { return v(ids[place(x, y)]); };
+  for (std::size_t y = 0; y < n; ++y)
+    for (std::size_t x = 0; x < n; ++x)
+      mesh.elements.push_back({{at(x, y), at(x + 1, y), at(x + 1, y + 1), at(x, y + 1)}});
+  mesh.face.assign(mesh.elements.size(), 1);
+  mesh.rule.assign(mesh.elements.size(), 0);
+  for (std::size_t i = 0; i < n; ++i) {
+    mesh.segments.push_back({at(i, 0), at(i + 1, 0), 1, 1});
+    mesh.segments.push_back({at(i, n), at(i + 1, n), 2, 1});
+    mesh.segments.push_back({at(0, i), at(0, i + 1), 3, 1});
+    mesh.segments.push_back({at(n, i), at(n, i + 1), 4, 1});
+  }
+  mesh.faces.resize(1);
+  mesh.faces[0].id = 1;
+  return mesh;
+}
+
+// A large mesh is looked at in parts.
+TEST(ModelCheck, FindsTheSameInEachPartOfALargeMesh) {
+  constexpr std::size_t kSide = 600, kMiddle = kSide / 2;
+  const ModelMesh mesh = plate(kSide);
+  EXPECT_EQ(firstFinding(mesh), "");
+  for (const std::size_t row : {std::size_t{3}, kMiddle, kSide - 3}) {
+    ModelMesh broken = mesh;
+    auto& corners = broken.elements[row * kSide + kMiddle].corners;
+    std::swap(corners[1], corners[3]);
+    const auto findings = checkModelMesh(broken);
+    ASSERT_EQ(findings.size(), 4u) << row;
+    for (const MeshFinding& finding : findings)
+      EXPECT_EQ(finding.what, "two elements use an edge in the same direction");
+  }
+}
+
 TEST(ModelCheck, StopsAtTheLimit) {
   ModelMesh mesh = roof();
   mesh.segments.clear();
