@@ -3,7 +3,7 @@
 #include <array>
 
 #include "cli/lsp/server.h"
-#include "dsl/printer.h"
+#include "dsl/format/printer.h"
 
 namespace af2::lsp {
 namespace {

@@ -5,10 +5,10 @@
 #include "cli/lsp/pictures.h"
 #include "cli/lsp/server.h"
 #include "cli/lsp/uri.h"
-#include "cli/text_files.h"
-#include "cli/usage_error.h"
-#include "dsl/rule_tests.h"
-#include "engine/error.h"
+#include "cli/program/text_files.h"
+#include "cli/program/usage_error.h"
+#include "dsl/run/rule_tests.h"
+#include "engine/base/error.h"
 
 namespace af2::lsp {
 namespace {
@@ -199,10 +199,10 @@ std::optional<Json> execute(Session& session, const Json& id, const Json& params
                      "there is no command '" + command + "'; there are af2.draw and af2.test");
 }
 
-constexpr std::array kMethods{Method{"workspace/executeCommand", execute}};
+constexpr std::array kCommandMethods{Method{"workspace/executeCommand", execute}};
 
 }  // namespace
 
-std::span<const Method> commandMethods() { return kMethods; }
+std::span<const Method> commandMethods() { return kCommandMethods; }
 
 }  // namespace af2::lsp

@@ -4,7 +4,7 @@
 
 #include "cli/lsp/completion_items.h"
 #include "cli/lsp/server.h"
-#include "dsl/words.h"
+#include "dsl/text/words.h"
 
 namespace af2::lsp {
 namespace {
@@ -191,10 +191,10 @@ std::optional<Json> completion(Session& session, const Json&, const Json& params
   return list.take();
 }
 
-constexpr std::array kMethods{Method{"textDocument/completion", completion}};
+constexpr std::array kCompletionMethods{Method{"textDocument/completion", completion}};
 
 }  // namespace
 
-std::span<const Method> completionMethods() { return kMethods; }
+std::span<const Method> completionMethods() { return kCompletionMethods; }
 
 }  // namespace af2::lsp

@@ -4,7 +4,7 @@
 #include <array>
 #include <filesystem>
 
-#include "dsl/builtins.h"
+#include "dsl/program/builtins.h"
 #include "dsl/symbols/word_help.h"
 
 namespace af2::lsp {

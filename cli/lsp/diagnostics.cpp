@@ -4,8 +4,8 @@
 
 #include "cli/lsp/server.h"
 #include "cli/lsp/uri.h"
-#include "dsl/checks/coverage.h"
-#include "dsl/checks/match_diagnostics.h"
+#include "dsl/proof/coverage.h"
+#include "dsl/proof/match_diagnostics.h"
 
 namespace af2::lsp {
 namespace {

@@ -1,9 +1,9 @@
 // Formatting: the layout of `af2 fmt`, as the edits that lead to it.
 #include <array>
 
-#include "cli/line_difference.h"
 #include "cli/lsp/server.h"
-#include "dsl/printer.h"
+#include "cli/program/line_difference.h"
+#include "dsl/format/printer.h"
 
 namespace af2::lsp {
 namespace {
@@ -61,13 +61,13 @@ std::optional<Json> rangeFormatting(Session& session, const Json&, const Json& p
   return edits;
 }
 
-constexpr std::array kMethods{
+constexpr std::array kFormattingMethods{
     Method{"textDocument/formatting", formatting},
     Method{"textDocument/rangeFormatting", rangeFormatting},
 };
 
 }  // namespace
 
-std::span<const Method> formattingMethods() { return kMethods; }
+std::span<const Method> formattingMethods() { return kFormattingMethods; }
 
 }  // namespace af2::lsp

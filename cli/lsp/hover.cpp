@@ -187,12 +187,12 @@ std::optional<Json> hover(Session& session, const Json&, const Json& params) {
               {"range", session.map(place.document->text).range(span)}};
 }
 
-constexpr std::array kMethods{
+constexpr std::array kHoverMethods{
     Method{"textDocument/hover", hover},
 };
 
 }  // namespace
 
-std::span<const Method> hoverMethods() { return kMethods; }
+std::span<const Method> hoverMethods() { return kHoverMethods; }
 
 }  // namespace af2::lsp

@@ -109,13 +109,13 @@ std::optional<Json> inlayHints(Session& session, const Json&, const Json& params
   return list;
 }
 
-constexpr std::array kMethods{
+constexpr std::array kLensMethods{
     Method{"textDocument/codeLens", codeLens},
     Method{"textDocument/inlayHint", inlayHints},
 };
 
 }  // namespace
 
-std::span<const Method> lensMethods() { return kMethods; }
+std::span<const Method> lensMethods() { return kLensMethods; }
 
 }  // namespace af2::lsp

@@ -89,7 +89,7 @@ std::optional<Json> links(Session& session, const Json&, const Json& params) {
   return list;
 }
 
-constexpr std::array kMethods{
+constexpr std::array kNavigationMethods{
     Method{"textDocument/definition", definition},
     Method{"textDocument/references", references},
     Method{"textDocument/documentHighlight", highlights},
@@ -98,6 +98,6 @@ constexpr std::array kMethods{
 
 }  // namespace
 
-std::span<const Method> navigationMethods() { return kMethods; }
+std::span<const Method> navigationMethods() { return kNavigationMethods; }
 
 }  // namespace af2::lsp

@@ -175,7 +175,7 @@ std::optional<Json> folding(Session& session, const Json&, const Json& params) {
   return list;
 }
 
-constexpr std::array kMethods{
+constexpr std::array kOutlineMethods{
     Method{"textDocument/documentSymbol", documentSymbols},
     Method{"workspace/symbol", workspaceSymbols},
     Method{"textDocument/foldingRange", folding},
@@ -183,6 +183,6 @@ constexpr std::array kMethods{
 
 }  // namespace
 
-std::span<const Method> outlineMethods() { return kMethods; }
+std::span<const Method> outlineMethods() { return kOutlineMethods; }
 
 }  // namespace af2::lsp

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "engine/rule_set.h"
+#include "engine/rule/rule_set.h"
 
 namespace af2::lsp {
 

@@ -5,8 +5,8 @@
 
 #include "cli/lsp/server.h"
 #include "cli/lsp/workspace.h"
-#include "dsl/builtins.h"
-#include "dsl/words.h"
+#include "dsl/program/builtins.h"
+#include "dsl/text/words.h"
 
 namespace af2::lsp {
 namespace {
@@ -182,13 +182,13 @@ std::optional<Json> rename(Session& session, const Json&, const Json& params) {
   return Json{{"changes", std::move(changes)}};
 }
 
-constexpr std::array kMethods{
+constexpr std::array kRenameMethods{
     Method{"textDocument/prepareRename", prepare},
     Method{"textDocument/rename", rename},
 };
 
 }  // namespace
 
-std::span<const Method> renameMethods() { return kMethods; }
+std::span<const Method> renameMethods() { return kRenameMethods; }
 
 }  // namespace af2::lsp

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "cli/lsp/uri.h"
-#include "dsl/library.h"
+#include "dsl/compile/library.h"
 
 namespace af2::lsp {
 

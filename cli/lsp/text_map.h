@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "cli/lsp/json_rpc.h"
-#include "dsl/source_text.h"
+#include "dsl/text/source_text.h"
 
 namespace af2::lsp {
 

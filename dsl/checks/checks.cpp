@@ -5,8 +5,8 @@
 #include <set>
 #include <utility>
 
-#include "dsl/compiled_forms.h"
-#include "dsl/known_values.h"
+#include "dsl/program/compiled_forms.h"
+#include "dsl/program/known_values.h"
 
 namespace af2::dsl {
 namespace {

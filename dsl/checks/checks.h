@@ -7,9 +7,9 @@
 #include <string_view>
 #include <vector>
 
-#include "dsl/compiled_rule.h"
-#include "dsl/diagnostic.h"
-#include "engine/rule_set.h"
+#include "dsl/compile/compiled_rule.h"
+#include "dsl/text/diagnostic.h"
+#include "engine/rule/rule_set.h"
 
 namespace af2::dsl {
 

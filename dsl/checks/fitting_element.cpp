@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "dsl/checks/checks.h"
-#include "dsl/help.h"
-#include "engine/predicates.h"
+#include "dsl/text/help.h"
+#include "engine/base/predicates.h"
 
 namespace af2::dsl {
 namespace {

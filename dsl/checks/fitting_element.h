@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "dsl/compiled_rule.h"
+#include "dsl/compile/compiled_rule.h"
 
 namespace af2::dsl {
 

@@ -3,7 +3,7 @@
 
 #include "dsl/checks/checks.h"
 #include "dsl/checks/fitting_element.h"
-#include "engine/predicates.h"
+#include "engine/base/predicates.h"
 
 namespace af2::dsl {
 namespace {

@@ -7,7 +7,7 @@
 #include <set>
 #include <span>
 
-#include "dsl/given_match.h"
+#include "dsl/match/given_match.h"
 
 namespace af2::dsl {
 namespace {

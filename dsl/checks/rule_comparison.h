@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "engine/rule.h"
+#include "engine/rule/rule.h"
 
 namespace af2::dsl {
 

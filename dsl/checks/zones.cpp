@@ -5,9 +5,9 @@
 #include <string>
 
 #include "dsl/checks/checks.h"
-#include "dsl/shape_program.h"
-#include "dsl/zone_corners.h"
-#include "engine/turn.h"
+#include "dsl/program/shape_program.h"
+#include "dsl/program/zone_corners.h"
+#include "engine/base/turn.h"
 
 namespace af2::dsl {
 namespace {

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "engine/free_zone.h"
-#include "engine/point.h"
+#include "engine/base/point.h"
+#include "engine/rule/free_zone.h"
 
 namespace af2::dsl {
 
@@ -24,6 +24,9 @@ struct Color {
 constexpr Color color(unsigned rgb, double alpha = 1) {
   return {((rgb >> 16) & 255) / 255.0, ((rgb >> 8) & 255) / 255.0, (rgb & 255) / 255.0, alpha};
 }
+
+/// Text and outlines, what accompanies them, and the lines around pictures.
+inline constexpr Color kInk = color(0x1f2933), kMuted = color(0x6b7785), kFrame = color(0xdde3ea);
 
 constexpr Color faded(Color color, double alpha) {
   color.alpha = alpha;

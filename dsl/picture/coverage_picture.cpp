@@ -13,10 +13,12 @@ using picture::Anchor;
 using picture::Canvas;
 using picture::Color;
 using picture::color;
+using picture::kFrame;
+using picture::kInk;
+using picture::kMuted;
 using picture::TextStyle;
 using picture::Weight;
 
-constexpr Color kInk = color(0x1f2933), kMuted = color(0x6b7785), kFrame = color(0xdde3ea);
 constexpr Color kNone = color(0xb3261e);
 constexpr double kCell = 17, kLeft = 74, kGap = 58, kTop = 96;
 /// Situations that are not ordinary are drawn small: N1 does not count them.

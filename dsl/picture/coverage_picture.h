@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "dsl/checks/coverage.h"
 #include "dsl/picture/canvas.h"
+#include "dsl/proof/coverage.h"
 
 namespace af2::dsl {
 

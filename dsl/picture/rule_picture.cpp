@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "dsl/checks/pattern_match.h"
+#include "dsl/match/pattern_match.h"
 #include "dsl/picture/rule_scene.h"
 
 namespace af2::dsl {
@@ -16,12 +16,14 @@ using picture::Canvas;
 using picture::Color;
 using picture::color;
 using picture::faded;
+using picture::kFrame;
+using picture::kInk;
+using picture::kMuted;
 using picture::Loop;
 using picture::Scene;
 using picture::TextStyle;
 using picture::Weight;
 
-constexpr Color kInk = color(0x1f2933), kMuted = color(0x6b7785), kFrame = color(0xdde3ea);
 constexpr Color kPaper = color(0xffffff), kZone = color(0x3b82d6), kElement = color(0x9fd8a4);
 constexpr Color kElementEdge = color(0x2f8f46), kNewFront = color(0xd6382e);
 constexpr Color kTolerance = color(0xb97a10), kKept = color(0x8c97a5), kMeshed = color(0x9aa5b1);

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "dsl/picture/canvas.h"
-#include "engine/rule_set.h"
+#include "engine/rule/rule_set.h"
 
 namespace af2::dsl {
 

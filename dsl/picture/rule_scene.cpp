@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "dsl/checks/pattern_match.h"
+#include "dsl/match/pattern_match.h"
 #include "dsl/shapes/shape.h"
 
 namespace af2::dsl::picture {

@@ -2,14 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
-#include "engine/predicates.h"
+#include "engine/base/predicates.h"
 
 namespace af2::dsl::shapes {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// The same arc, counter-clockwise.
 struct LeftArc {

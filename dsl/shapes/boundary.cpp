@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "dsl/shapes/arc.h"
-#include "engine/turn.h"
+#include "engine/base/turn.h"
 
 namespace af2::dsl::shapes {
 namespace {

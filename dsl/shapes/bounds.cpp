@@ -1,15 +1,12 @@
 // Whether and where a region ends.
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "dsl/shapes/boundary.h"
 #include "dsl/shapes/build.h"
 
 namespace af2::dsl::shapes {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// A half plane of a region: at infinity all other leaves are left behind.
 struct Unbounded {

@@ -2,18 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "dsl/shapes/arc.h"
 #include "dsl/shapes/boundary.h"
 #include "dsl/shapes/path.h"
-#include "engine/predicates.h"
+#include "engine/base/predicates.h"
 
 namespace af2::dsl::shapes {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr Box2 kNowhere{{kInfinity, kInfinity}, {-kInfinity, -kInfinity}};
 constexpr Box2 kEverywhere{{-kInfinity, -kInfinity}, {kInfinity, kInfinity}};
 

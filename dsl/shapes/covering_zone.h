@@ -1,7 +1,7 @@
 // Zones that can say of an edge whether they hold all of it.
 #pragma once
 
-#include "engine/free_zone.h"
+#include "engine/rule/free_zone.h"
 
 namespace af2::dsl {
 

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "dsl/shapes/curve.h"
-#include "engine/point.h"
+#include "engine/base/point.h"
 
 namespace af2::dsl::shapes {
 

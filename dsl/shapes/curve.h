@@ -2,12 +2,21 @@
 // that bound them.
 #pragma once
 
+#include <algorithm>
+#include <limits>
 #include <variant>
 
 #include "dsl/shapes/exact.h"
-#include "engine/point.h"
+#include "engine/base/point.h"
 
 namespace af2::dsl::shapes {
+
+inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+inline bool liesBetween(Point2 p, Point2 a, Point2 b) {
+  return std::min(a.x, b.x) <= p.x && p.x <= std::max(a.x, b.x) && std::min(a.y, b.y) <= p.y &&
+         p.y <= std::max(a.y, b.y);
+}
 
 /// The half plane left of the line through `point` along tip - tail.
 struct HalfPlane {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "engine/point.h"
+#include "engine/base/point.h"
 
 namespace af2::dsl::shapes {
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "engine/predicates.h"
+#include "engine/base/predicates.h"
 
 namespace af2::dsl::shapes {
 namespace {

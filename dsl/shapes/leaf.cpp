@@ -2,14 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
-#include "engine/predicates.h"
+#include "engine/base/predicates.h"
 
 namespace af2::dsl::shapes {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr Box2 kEverywhere{{-kInfinity, -kInfinity}, {kInfinity, kInfinity}};
 
 Box2 boxOf(const Polygon& polygon) {
@@ -37,11 +35,6 @@ bool isOutside(const Box2& box, Point2 p) {
 bool isOutside(const Box2& box, const Edge& e) {
   return std::max(e.from.x, e.to.x) < box.low.x || std::min(e.from.x, e.to.x) > box.high.x ||
          std::max(e.from.y, e.to.y) < box.low.y || std::min(e.from.y, e.to.y) > box.high.y;
-}
-
-bool liesBetween(Point2 p, Point2 a, Point2 b) {
-  return std::min(a.x, b.x) <= p.x && p.x <= std::max(a.x, b.x) && std::min(a.y, b.y) <= p.y &&
-         p.y <= std::max(a.y, b.y);
 }
 
 /// Even-odd rule: counts the sides that the ray from `point` to the right crosses.

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "dsl/shapes/crossing.h"
-#include "engine/free_zone.h"
-#include "engine/point.h"
+#include "engine/base/point.h"
+#include "engine/rule/free_zone.h"
 
 namespace af2::dsl::shapes {
 

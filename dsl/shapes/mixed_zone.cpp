@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "dsl/shapes/build.h"
@@ -11,8 +10,6 @@
 
 namespace af2::dsl::shapes {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 bool isOutside(const Box2& box, Point2 p, Point2 q) {
   return std::max(p.x, q.x) < box.low.x || std::min(p.x, q.x) > box.high.x ||

@@ -4,15 +4,10 @@
 #include <cmath>
 
 #include "dsl/shapes/arc.h"
-#include "engine/predicates.h"
+#include "engine/base/predicates.h"
 
 namespace af2::dsl::shapes {
 namespace {
-
-bool liesBetween(Point2 p, Point2 a, Point2 b) {
-  return std::min(a.x, b.x) <= p.x && p.x <= std::max(a.x, b.x) && std::min(a.y, b.y) <= p.y &&
-         p.y <= std::max(a.y, b.y);
-}
 
 /// What two steps of a closed path may have in common.
 struct Neighbors {

@@ -11,8 +11,8 @@
 #include <string>
 #include <vector>
 
-#include "engine/free_zone.h"
-#include "engine/point.h"
+#include "engine/base/point.h"
+#include "engine/rule/free_zone.h"
 
 namespace af2::dsl {
 

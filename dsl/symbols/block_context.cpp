@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "dsl/lexer.h"
-#include "dsl/syntax_errors.h"
-#include "dsl/words.h"
+#include "dsl/syntax/lexer.h"
+#include "dsl/syntax/syntax_errors.h"
+#include "dsl/text/words.h"
 
 namespace af2::dsl {
 namespace {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "dsl/symbols/symbol_index.h"
-#include "dsl/token.h"
+#include "dsl/syntax/token.h"
 
 namespace af2::dsl {
 

@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "dsl/module.h"
-#include "dsl/titles.h"
+#include "dsl/compile/module.h"
+#include "dsl/syntax/titles.h"
 
 namespace af2::dsl {
 

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <set>
 
-#include "dsl/builtins.h"
+#include "dsl/program/builtins.h"
 #include "dsl/symbols/symbol_index_builder.h"
 
 namespace af2::dsl {

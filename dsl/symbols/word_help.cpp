@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "dsl/builtins.h"
+#include "dsl/program/builtins.h"
 
 namespace af2::dsl {
 namespace {

@@ -4,11 +4,11 @@
 #include <exception>
 #include <string>
 
-#include "dsl/rule_file.h"
-#include "engine/algorithm.h"
-#include "engine/error.h"
-#include "geometry/io/mesh_files.h"
-#include "geometry/occ/mesh_model.h"
+#include <af2/dsl/rule_file.h>
+#include <af2/engine/algorithm.h>
+#include <af2/engine/error.h>
+#include <af2/geometry/mesh_files.h>
+#include <af2/geometry/mesh_model.h>
 
 int main(int count, char** arguments) {
   if (count != 4) {

@@ -6,7 +6,7 @@
 #include <memory>
 #include <span>
 
-#include "dsl/shapes/covering_zone.h"
+#include <af2/dsl/covering_zone.h>
 
 /// All points whose distances from two foci add up to at most `reach`.
 ///

@@ -4,12 +4,12 @@
 #include <cstdlib>
 #include <exception>
 
-#include "dsl/rule_file.h"
+#include <af2/dsl/rule_file.h>
+#include <af2/engine/algorithm.h>
+#include <af2/engine/error.h>
+#include <af2/geometry/mesh_files.h>
+#include <af2/geometry/mesh_planar.h>
 #include "egg.h"
-#include "engine/algorithm.h"
-#include "engine/error.h"
-#include "geometry/io/mesh_files.h"
-#include "geometry/planar/mesh_planar.h"
 
 namespace {
 

@@ -3,11 +3,11 @@
 #include <cstdlib>
 #include <exception>
 
-#include "dsl/rule_file.h"
-#include "engine/algorithm.h"
-#include "engine/error.h"
-#include "engine/mesh_check.h"
-#include "geometry/io/mesh_files.h"
+#include <af2/dsl/rule_file.h>
+#include <af2/engine/algorithm.h>
+#include <af2/engine/error.h>
+#include <af2/engine/mesh_check.h>
+#include <af2/geometry/mesh_files.h>
 #include "torus.h"
 
 namespace {

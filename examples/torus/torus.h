@@ -1,8 +1,8 @@
 // A geometry engine of one's own: a torus given by formulas, and its charts. No CAD kernel.
 #pragma once
 
-#include "engine/front_input.h"
-#include "engine/local_transform.h"
+#include <af2/engine/front_input.h>
+#include <af2/engine/local_transform.h>
 
 /// The torus around the z axis.
 struct Torus {

@@ -2,13 +2,11 @@
 
 #include <algorithm>
 
-#include "engine/error.h"
+#include "engine/base/error.h"
 #include "geometry/faceted/noise.h"
 
 namespace af2::geometry {
 namespace {
-
-constexpr HalfEdge kNone = kNoHalfEdge;
 
 std::uint32_t startOf(const Facets& facets, HalfEdge h) { return facets.triangles[h / 3][h % 3]; }
 
@@ -32,7 +30,7 @@ HalfEdge baseOfCap(const Facets& facets, std::uint32_t t) {
   const Point3 apex = facets.vertices[startOf(facets, nextIn(nextIn(base)))] - from;
   const double square = dot(along, along), within = dot(apex, along) / square;
   const bool isFlat = length(cross(along, apex)) < kFlat * square;
-  return isFlat && within > kFromEnds && within < 1 - kFromEnds ? base : kNone;
+  return isFlat && within > kFromEnds && within < 1 - kFromEnds ? base : kNoHalfEdge;
 }
 
 /// A triangle with a corner close to the opposite side looks to where rounding and noise let it;
@@ -46,9 +44,9 @@ std::vector<Point3> normalsOf(const Facets& facets, const std::vector<HalfEdge>&
   std::vector<Point3> normals = own;
   for (std::uint32_t t = 0; t < normals.size(); ++t) {
     const HalfEdge base = baseOfCap(facets, t);
-    if (base == kNone || twins[base] == kNone) continue;
+    if (base == kNoHalfEdge || twins[base] == kNoHalfEdge) continue;
     const std::uint32_t other = twins[base] / 3;
-    if (baseOfCap(facets, other) == kNone) normals[t] = own[other];
+    if (baseOfCap(facets, other) == kNoHalfEdge) normals[t] = own[other];
   }
   return normals;
 }
@@ -61,7 +59,7 @@ std::vector<HalfEdge> twinsOf(const Facets& facets) {
   for (HalfEdge h = 0; h < 3 * facets.triangles.size(); ++h)
     all.emplace_back(std::minmax(startOf(facets, h), startOf(facets, nextIn(h))), h);
   std::ranges::sort(all);
-  std::vector<HalfEdge> twins(all.size(), kNone);
+  std::vector<HalfEdge> twins(all.size(), kNoHalfEdge);
   for (std::size_t i = 0, next; i < all.size(); i = next) {
     for (next = i + 1; next < all.size() && all[next].first == all[i].first;) ++next;
     if (next - i != 2) continue;

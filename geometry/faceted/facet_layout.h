@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "engine/point.h"
-#include "geometry/box_tree.h"
+#include "engine/base/point.h"
+#include "geometry/base/box_tree.h"
 
 namespace af2::geometry {
 

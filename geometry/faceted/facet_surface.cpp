@@ -4,10 +4,10 @@
 #include <cmath>
 #include <limits>
 
-#include "engine/error.h"
+#include "engine/base/error.h"
+#include "geometry/base/plane_axes.h"
 #include "geometry/faceted/facet_layout.h"
 #include "geometry/faceted/flattening.h"
-#include "geometry/plane_axes.h"
 
 namespace af2::geometry {
 namespace {

@@ -6,11 +6,11 @@
 #include <optional>
 #include <vector>
 
-#include "geometry/box_tree.h"
+#include "geometry/base/box_tree.h"
+#include "geometry/charts/flat_surface.h"
+#include "geometry/charts/mean_normal_chart.h"
+#include "geometry/charts/surface_frame.h"
 #include "geometry/faceted/patches.h"
-#include "geometry/flat_surface.h"
-#include "geometry/mean_normal_chart.h"
-#include "geometry/surface_frame.h"
 
 namespace af2::geometry {
 

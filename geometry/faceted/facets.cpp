@@ -11,10 +11,10 @@
 #include <string_view>
 #include <tuple>
 
-#include "engine/error.h"
+#include "engine/base/error.h"
+#include "geometry/base/file_extension.h"
 #include "geometry/faceted/polygon_triangles.h"
 #include "geometry/faceted/repair_facets.h"
-#include "geometry/file_extension.h"
 
 namespace af2::geometry {
 namespace {

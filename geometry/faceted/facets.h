@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "engine/point.h"
+#include "engine/base/point.h"
 
 namespace af2::geometry {
 

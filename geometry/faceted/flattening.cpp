@@ -5,7 +5,7 @@
 #include <numbers>
 #include <utility>
 
-#include "engine/predicates.h"
+#include "engine/base/predicates.h"
 #include "geometry/faceted/sparse_system.h"
 
 namespace af2::geometry {
@@ -13,7 +13,7 @@ namespace {
 
 using Corners = std::array<std::uint32_t, 3>;
 using Loop = std::vector<std::uint32_t>;
-constexpr std::uint32_t kNone = 0xffffffffu;
+constexpr std::uint32_t kNoCorner = 0xffffffffu;
 
 class Flattening {
  public:
@@ -47,22 +47,22 @@ class Flattening {
         sides.push_back({low, high, t[i]});
       }
     std::ranges::sort(sides);
-    std::vector<std::uint32_t> after(vertices_.size(), kNone);
+    std::vector<std::uint32_t> after(vertices_.size(), kNoCorner);
     edges_ = 0;
     for (std::size_t i = 0, next; i < sides.size(); i = next, ++edges_) {
       const auto& [low, high, start] = sides[i];
       for (next = i + 1; next < sides.size() && sides[next][0] == low && sides[next][1] == high;)
         ++next;
       if (next - i == 2 && sides[i + 1][2] != start) continue;
-      if (next - i != 1 || after[start] != kNone) return false;
+      if (next - i != 1 || after[start] != kNoCorner) return false;
       after[start] = start == low ? high : low;
     }
     for (std::uint32_t first = 0; first < after.size(); ++first) {
-      if (after[first] == kNone) continue;
+      if (after[first] == kNoCorner) continue;
       Loop& loop = loops_.emplace_back();
-      for (std::uint32_t v = first; after[v] != kNone;) {
+      for (std::uint32_t v = first; after[v] != kNoCorner;) {
         loop.push_back(v);
-        v = std::exchange(after[v], kNone);
+        v = std::exchange(after[v], kNoCorner);
       }
     }
     if (loops_.empty()) return false;
@@ -115,7 +115,7 @@ class Flattening {
 
   /// Each vertex is a mean of those around it, by mean value weights. Whether there is a solution.
   bool drawInside() {
-    std::vector<std::uint32_t> unknown(vertices_.size(), kNone), inside;
+    std::vector<std::uint32_t> unknown(vertices_.size(), kNoCorner), inside;
     for (std::uint32_t v = 0; v < vertices_.size(); ++v)
       if (!isOnRim_[v]) {
         unknown[v] = static_cast<std::uint32_t>(inside.size());
@@ -127,7 +127,7 @@ class Flattening {
     for (const Corners& t : triangles_)
       for (std::size_t i = 0; i < 3; ++i) {
         const std::uint32_t row = unknown[t[i]];
-        if (row == kNone) continue;
+        if (row == kNoCorner) continue;
         const std::array<std::uint32_t, 2> others{t[(i + 1) % 3], t[(i + 2) % 3]};
         const Point3 p = vertices_[others[0]] - vertices_[t[i]];
         const Point3 q = vertices_[others[1]] - vertices_[t[i]];
@@ -135,7 +135,7 @@ class Flattening {
           const double away = distance(vertices_[v], vertices_[t[i]]);
           const double weight = tangentOfHalf(p, q) / std::max(away, least);
           matrix.push_back({row, row, weight});
-          if (unknown[v] != kNone)
+          if (unknown[v] != kNoCorner)
             matrix.push_back({row, unknown[v], -weight});
           else
             right[row] = right[row] + weight * places_[v];

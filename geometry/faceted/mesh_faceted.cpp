@@ -4,16 +4,16 @@
 #include <cmath>
 #include <numbers>
 
-#include "engine/error.h"
-#include "geometry/domain_model.h"
+#include "engine/base/error.h"
+#include "geometry/base/parallel.h"
+#include "geometry/domain/domain_model.h"
 #include "geometry/faceted/cones.h"
 #include "geometry/faceted/facet_surface.h"
 #include "geometry/faceted/flats.h"
 #include "geometry/faceted/patch_charts.h"
 #include "geometry/faceted/patch_limit.h"
 #include "geometry/faceted/patches.h"
-#include "geometry/parallel.h"
-#include "geometry/quality.h"
+#include "geometry/mesh/quality.h"
 
 namespace af2::geometry {
 namespace {

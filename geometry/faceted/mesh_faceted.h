@@ -3,9 +3,9 @@
 
 #include <functional>
 
-#include "geometry/domain_model.h"
+#include "geometry/domain/domain_model.h"
 #include "geometry/faceted/facets.h"
-#include "geometry/model_mesh.h"
+#include "geometry/mesh/model_mesh.h"
 
 namespace af2::geometry {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "geometry/faceted/disjoint_sets.h"
+#include "geometry/base/disjoint_sets.h"
 
 namespace af2::geometry {
 namespace {

@@ -1,7 +1,7 @@
 #include "geometry/faceted/patch_charts.h"
 
-#include "engine/error.h"
-#include "geometry/normal_line_chart.h"
+#include "engine/base/error.h"
+#include "geometry/charts/normal_line_chart.h"
 
 namespace af2::geometry {
 

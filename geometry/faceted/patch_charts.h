@@ -2,7 +2,7 @@
 // Not installed.
 #pragma once
 
-#include "geometry/charted_surface.h"
+#include "geometry/charts/charted_surface.h"
 #include "geometry/faceted/facet_surface.h"
 
 namespace af2::geometry {

@@ -5,7 +5,7 @@
 #include <memory>
 #include <vector>
 
-#include "geometry/domain_model.h"
+#include "geometry/domain/domain_model.h"
 #include "geometry/faceted/facet_surface.h"
 
 namespace af2::geometry {

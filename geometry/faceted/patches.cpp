@@ -7,7 +7,7 @@
 #include <numbers>
 #include <set>
 
-#include "geometry/box_tree.h"
+#include "geometry/base/box_tree.h"
 #include "geometry/faceted/blends.h"
 #include "geometry/faceted/directions.h"
 #include "geometry/faceted/plane_cut.h"
@@ -16,8 +16,6 @@ namespace af2::geometry {
 namespace {
 
 using Edge = FacetEdge;
-
-constexpr HalfEdge kNone = kNoHalfEdge;
 
 class PatchFinder {
  public:
@@ -68,7 +66,7 @@ class PatchFinder {
   std::vector<Extent> extentsOfPatches() const {
     std::vector<Extent> extents(patchCount_);
     for (HalfEdge h = 0; h < twin_.size(); ++h)
-      if (twin_[h] == kNone) extents[patchOf_[h / 3]].perimeter += lengthOf(facets_, h);
+      if (twin_[h] == kNoHalfEdge) extents[patchOf_[h / 3]].perimeter += lengthOf(facets_, h);
     for (std::uint32_t t = 0; t < patchOf_.size(); ++t) {
       const auto& c = facets_.triangles[t];
       extents[patchOf_[t]].area += length(cross(at(c[1]) - at(c[0]), at(c[2]) - at(c[0]))) / 2;
@@ -85,15 +83,15 @@ class PatchFinder {
     findSpecks();
     std::vector<bool> isFeatureEdge(twin_.size(), false);
     for (HalfEdge h = 0; h < twin_.size(); ++h)
-      isFeatureEdge[h] = twin_[h] != kNone && isFeature(h, twin_[h]);
+      isFeatureEdge[h] = twin_[h] != kNoHalfEdge && isFeature(h, twin_[h]);
     for (HalfEdge h = 0; h < twin_.size(); ++h)
-      if (isFeatureEdge[h]) twin_[h] = kNone;
+      if (isFeatureEdge[h]) twin_[h] = kNoHalfEdge;
     SharpBlends sharp =
         sharpenBlends(facets_, twin_, std::move(normals_), {angle_, limits_.sizeAt});
     normals_ = std::move(sharp.normals);
     isCrease_ = std::move(sharp.isCrease);
     for (HalfEdge h = 0; h < twin_.size(); ++h)
-      if (isCrease_[h]) twin_[h] = kNone;
+      if (isCrease_[h]) twin_[h] = kNoHalfEdge;
   }
 
   /// What is hardly longer than an element is noise where a surface is rough.
@@ -119,14 +117,16 @@ class PatchFinder {
     twin_[partner_[h]] = h;
   }
 
-  bool isForced(HalfEdge h) const { return partner_[h] == kNone || forced_.contains(edgeOf(h)); }
+  bool isForced(HalfEdge h) const {
+    return partner_[h] == kNoHalfEdge || forced_.contains(edgeOf(h));
+  }
 
   /// Short curves with the same patch on both sides are noise, too: on a rough surface they may
   /// hang together.
   bool dropShortCreases() {
     std::map<Edge, HalfEdge> features;
     for (HalfEdge h = 0; h < twin_.size(); ++h)
-      if (twin_[h] == kNone) features[edgeOf(h)] = h;
+      if (twin_[h] == kNoHalfEdge) features[edgeOf(h)] = h;
     findCurves();
     bool isAny = false;
     for (const FeatureCurve& curve : curves_) {
@@ -161,7 +161,7 @@ class PatchFinder {
     bool isAny = false;
     for (HalfEdge h = 0; h < twin_.size(); ++h) {
       const Box3& box = boxes[patchOf_[h / 3]];
-      if (twin_[h] != kNone || isForced(h) ||
+      if (twin_[h] != kNoHalfEdge || isForced(h) ||
           distance(box.low, box.high) >= limits[patchOf_[h / 3]])
         continue;
       smooth(h);
@@ -177,7 +177,7 @@ class PatchFinder {
     constexpr double kWidth = 0.02, kBesideCrease = 2;  // of a speck
     const std::vector<Extent> extents = extentsOfPatches();
     const auto isOfSliver = [&](HalfEdge h) {
-      if (twin_[h] != kNone || isForced(h)) return false;
+      if (twin_[h] != kNoHalfEdge || isForced(h)) return false;
       const auto& [perimeter, area] = extents[patchOf_[h / 3]];
       const double width = limits_.speck * (isCrease_[h] ? kBesideCrease : kWidth);
       return 2 * area < width * perimeter;
@@ -211,7 +211,7 @@ class PatchFinder {
         const std::uint32_t t = open.back();
         open.pop_back();
         for (HalfEdge h = 3 * t; h < 3 * t + 3; ++h) {
-          if (twin_[h] == kNone || patchOf_[twin_[h] / 3] != kUnknown) continue;
+          if (twin_[h] == kNoHalfEdge || patchOf_[twin_[h] / 3] != kUnknown) continue;
           patchOf_[twin_[h] / 3] = patchCount_;
           open.push_back(twin_[h] / 3);
         }
@@ -223,7 +223,7 @@ class PatchFinder {
   void findCurves() {
     std::set<Edge> edges;
     for (HalfEdge h = 0; h < twin_.size(); ++h)
-      if (twin_[h] == kNone) edges.insert(edgeOf(h));
+      if (twin_[h] == kNoHalfEdge) edges.insert(edgeOf(h));
     for (const auto& [a, b] : edges) {
       beside_[a].push_back(b);
       beside_[b].push_back(a);
@@ -274,14 +274,14 @@ class PatchFinder {
   /// The feature edge after `h` around its patch.
   HalfEdge nextAround(HalfEdge h) const {
     HalfEdge next = nextIn(h);
-    while (twin_[next] != kNone) next = nextIn(twin_[next]);
+    while (twin_[next] != kNoHalfEdge) next = nextIn(twin_[next]);
     return next;
   }
 
   void addLoops(std::vector<Patch>& patches) const {
     std::vector<bool> seen(twin_.size(), false);
     for (HalfEdge first = 0; first < twin_.size(); ++first) {
-      if (twin_[first] != kNone || seen[first]) continue;
+      if (twin_[first] != kNoHalfEdge || seen[first]) continue;
       std::vector<CurveUse> loop;
       for (HalfEdge h = first; !seen[h]; h = nextAround(h)) {
         seen[h] = true;
@@ -303,8 +303,8 @@ class PatchFinder {
   const FeatureLimits& limits_;
   double angle_;
   const std::set<Edge>& forced_;
-  std::vector<HalfEdge> partner_;     // kNone at edges that have not two triangles
-  std::vector<HalfEdge> twin_;        // the same, but kNone at feature edges
+  std::vector<HalfEdge> partner_;     // kNoHalfEdge at edges that have not two triangles
+  std::vector<HalfEdge> twin_;        // the same, but kNoHalfEdge at feature edges
   std::vector<Point3> normals_;       // by triangle
   std::vector<double> speckAt_;       // by vertex: what is smaller cannot be seen
   std::vector<bool> isCrease_;        // amid a rounding

@@ -6,7 +6,7 @@
 #include <set>
 #include <vector>
 
-#include "geometry/curve_use.h"
+#include "geometry/domain/curve_use.h"
 #include "geometry/faceted/facets.h"
 
 namespace af2::geometry {

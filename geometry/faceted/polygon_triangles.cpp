@@ -4,8 +4,8 @@
 #include <numeric>
 #include <optional>
 
-#include "engine/predicates.h"
-#include "geometry/plane_axes.h"
+#include "engine/base/predicates.h"
+#include "geometry/base/plane_axes.h"
 
 namespace af2::geometry {
 namespace {

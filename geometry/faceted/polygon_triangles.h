@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "engine/point.h"
+#include "engine/base/point.h"
 
 namespace af2::geometry {
 

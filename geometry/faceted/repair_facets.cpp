@@ -8,8 +8,8 @@
 #include <optional>
 #include <set>
 
-#include "geometry/box_tree.h"
-#include "geometry/faceted/disjoint_sets.h"
+#include "geometry/base/box_tree.h"
+#include "geometry/base/disjoint_sets.h"
 #include "geometry/faceted/touching_parts.h"
 
 namespace af2::geometry {

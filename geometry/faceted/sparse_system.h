@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "engine/point.h"
+#include "engine/base/point.h"
 
 namespace af2::geometry {
 

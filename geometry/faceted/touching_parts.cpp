@@ -10,9 +10,9 @@
 #include <set>
 #include <span>
 
-#include "geometry/faceted/disjoint_sets.h"
+#include "geometry/base/disjoint_sets.h"
+#include "geometry/base/plane_axes.h"
 #include "geometry/faceted/flats.h"
-#include "geometry/plane_axes.h"
 
 namespace af2::geometry {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "geometry/edge_points.h"
+#include "geometry/edges/edge_points.h"
 
 namespace af2::geometry {
 

@@ -5,7 +5,7 @@
 
 #include "geometry/io/line_elements.h"
 #include "geometry/io/output_file.h"
-#include "geometry/model_mesh.h"
+#include "geometry/mesh/model_mesh.h"
 
 namespace af2::geometry {
 

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "geometry/model_mesh.h"
+#include "geometry/mesh/model_mesh.h"
 
 namespace af2::geometry {
 

@@ -3,8 +3,8 @@
 #include <array>
 #include <string>
 
-#include "engine/error.h"
-#include "geometry/file_extension.h"
+#include "engine/base/error.h"
+#include "geometry/base/file_extension.h"
 #include "geometry/io/formats.h"
 #include "geometry/io/output_file.h"
 

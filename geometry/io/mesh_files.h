@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "geometry/io/line_elements.h"
-#include "geometry/model_mesh.h"
+#include "geometry/mesh/model_mesh.h"
 
 namespace af2::geometry {
 

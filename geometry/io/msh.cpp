@@ -8,7 +8,7 @@
 #include <string>
 #include <tuple>
 
-#include "geometry/box_tree.h"
+#include "geometry/base/box_tree.h"
 #include "geometry/io/formats.h"
 #include "geometry/io/msh_groups.h"
 

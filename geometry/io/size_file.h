@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "geometry/size_sources.h"
+#include "geometry/sizes/size_sources.h"
 
 namespace af2::geometry {
 

@@ -2,7 +2,7 @@
 #include <array>
 #include <string>
 
-#include "engine/error.h"
+#include "engine/base/error.h"
 #include "geometry/io/formats.h"
 #include "geometry/io/triangles_of.h"
 

@@ -4,7 +4,7 @@
 #include <array>
 #include <vector>
 
-#include "geometry/model_mesh.h"
+#include "geometry/mesh/model_mesh.h"
 
 namespace af2::geometry {
 

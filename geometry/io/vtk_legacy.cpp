@@ -3,12 +3,10 @@
 
 #include "geometry/io/formats.h"
 #include "geometry/io/vtk_cells.h"
-#include "geometry/quality.h"
+#include "geometry/mesh/quality.h"
 
 namespace af2::geometry {
 namespace {
-
-constexpr std::int32_t kVtkLine = 3, kVtkTriangle = 5, kVtkQuad = 9;
 
 void sectionHead(OutputFile& file, std::string_view name, std::size_t count,
                  std::string_view rest) {
@@ -33,9 +31,9 @@ void writeCells(const ModelMesh& mesh, Lines lines, OutputFile& file) {
   }
   sectionHead(file, "\nCELL_TYPES", cells, "\n");
   for (const Element& element : mesh.elements) {
-    file.bigEndian(element.isQuad() ? kVtkQuad : kVtkTriangle);
+    file.bigEndian(std::int32_t{element.isQuad() ? kVtkQuad : kVtkTriangle});
   }
-  for (std::size_t i = 0; i < lines.size(); ++i) file.bigEndian(kVtkLine);
+  for (std::size_t i = 0; i < lines.size(); ++i) file.bigEndian(std::int32_t{kVtkLine});
 }
 
 void writeCellData(const ModelMesh& mesh, Lines lines, OutputFile& file) {

@@ -7,13 +7,10 @@
 
 #include "geometry/io/formats.h"
 #include "geometry/io/vtk_cells.h"
-#include "geometry/quality.h"
+#include "geometry/mesh/quality.h"
 
 namespace af2::geometry {
 namespace {
-
-constexpr std::uint8_t kVtkLine = 3, kVtkTriangle = 5, kVtkQuad = 9;
-constexpr std::uint8_t kVtkLine2 = 21, kVtkTriangle2 = 22, kVtkQuad2 = 23;
 
 /// Encodes a stream of values to base64, three bytes at a time.
 class Base64Stream {
@@ -140,7 +137,7 @@ void writePoints(const ModelMesh& mesh, OutputFile& file) {
   file.text("</Points>\n");
 }
 
-void writeCells(const ModelMesh& mesh, Lines lines, OutputFile& file) {
+void writeXmlCells(const ModelMesh& mesh, Lines lines, OutputFile& file) {
   const std::size_t cells = mesh.elements.size() + lines.size();
   const bool isSecondOrder = !mesh.midsides.empty();
   const int perCorner = isSecondOrder ? 2 : 1, perLine = isSecondOrder ? 3 : 2;
@@ -238,7 +235,7 @@ void writeGroupsOfCells(const ModelMesh& mesh, Lines lines, OutputFile& file) {
       [&](const LineElement&) { return values.front(); });
 }
 
-void writeCellData(const ModelMesh& mesh, Lines lines, OutputFile& file) {
+void writeXmlCellData(const ModelMesh& mesh, Lines lines, OutputFile& file) {
   file.text("<CellData Scalars=\"face\">\n");
   cellArray(
       file, {"Int32", "face"}, mesh, lines, [&](std::size_t e) { return mesh.face[e]; },
@@ -276,9 +273,9 @@ void writeVtu(const ModelMesh& mesh, Lines lines, OutputFile& file) {
   file.number(mesh.elements.size() + lines.size());
   file.text("\">\n");
   writePoints(mesh, file);
-  writeCells(mesh, lines, file);
+  writeXmlCells(mesh, lines, file);
   writePointData(mesh, file);
-  writeCellData(mesh, lines, file);
+  writeXmlCellData(mesh, lines, file);
   file.text("</Piece>\n</UnstructuredGrid>\n</VTKFile>\n");
 }
 

@@ -6,15 +6,13 @@
 #include <numeric>
 #include <utility>
 
-#include "engine/error.h"
-#include "engine/predicates.h"
-#include "geometry/box_tree.h"
+#include "engine/base/error.h"
+#include "engine/base/predicates.h"
+#include "geometry/base/box_tree.h"
 
 namespace af2::geometry {
 
 namespace {
-
-bool before(Point2 p, Point2 q) { return p.x < q.x || (p.x == q.x && p.y < q.y); }
 
 /// Whether `p`, which is neither end, lies on the segment rs, exactly.
 bool liesExactlyOn(Point2 p, Point2 r, Point2 s) {

@@ -4,17 +4,15 @@
 #include <map>
 #include <numeric>
 
-#include "engine/error.h"
-#include "engine/free_zone.h"
-#include "engine/place_text.h"
-#include "engine/predicates.h"
+#include "engine/base/error.h"
+#include "engine/base/place_text.h"
+#include "engine/base/predicates.h"
+#include "engine/rule/free_zone.h"
 #include "geometry/planar/clean_segments.h"
 
 namespace af2::geometry {
 
 namespace {
-
-bool before(Point2 p, Point2 q) { return p.x < q.x || (p.x == q.x && p.y < q.y); }
 
 /// Half-edge 2 p runs along piece p, 2 p + 1 against it.
 using HalfEdge = int;

@@ -53,4 +53,7 @@ struct PlanarRegions {
 /// blur  points nearer to each other, or to a segment, count as the same, or as on it
 PlanarRegions findRegions(const PlanarDomain& domain, double blur = 0);
 
+/// The order of points from left to right, and from below to above where they stand on each other.
+inline bool before(Point2 p, Point2 q) { return p.x < q.x || (p.x == q.x && p.y < q.y); }
+
 }  // namespace af2::geometry

@@ -6,11 +6,11 @@
 #include <map>
 #include <set>
 
-#include "engine/error.h"
-#include "engine/place_text.h"
-#include "geometry/domain_check.h"
-#include "geometry/domain_model.h"
-#include "geometry/flat_surface.h"
+#include "engine/base/error.h"
+#include "engine/base/place_text.h"
+#include "geometry/charts/flat_surface.h"
+#include "geometry/domain/domain_check.h"
+#include "geometry/domain/domain_model.h"
 #include "geometry/planar/loops.h"
 
 namespace af2::geometry {

@@ -1,8 +1,8 @@
 // From a planar domain to a checked mesh, without a CAD kernel.
 #pragma once
 
-#include "geometry/domain_model.h"
-#include "geometry/model_mesh.h"
+#include "geometry/domain/domain_model.h"
+#include "geometry/mesh/model_mesh.h"
 #include "geometry/planar/poly_file.h"
 
 namespace af2::geometry {

@@ -3,9 +3,9 @@
 
 #include <cmath>
 
-#include "engine/plane_chart.h"
-#include "geometry/mean_normal_chart.h"
-#include "geometry/quadric_surfaces.h"
+#include "engine/surface/plane_chart.h"
+#include "geometry/charts/mean_normal_chart.h"
+#include "geometry/charts/quadric_surfaces.h"
 
 namespace af2::benchmark {
 namespace {

@@ -14,8 +14,8 @@
 #include <string>
 #include <vector>
 
-#include "dsl/rule_file.h"
-#include "geometry/occ/mesh_model.h"
+#include "dsl/load/rule_file.h"
+#include "geometry/occ/run/mesh_model.h"
 #include "result_line.h"
 #include "spline_face.h"
 #include "tests/geometry/occ/shapes.h"

@@ -1,6 +1,6 @@
 // The free zone of the first triangle rule: made from a match, then asked about points and edges,
 // in the open form that a user's own class has and in the fast form that the engine prefers.
-#include "engine/free_zone.h"
+#include "engine/rule/free_zone.h"
 
 #include <benchmark/benchmark.h>
 
@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "engine/compiled_rules.h"
+#include "engine/step/compiled_rules.h"
 #include "random_points.h"
 #include "tests/support/triangle_rules.h"
 

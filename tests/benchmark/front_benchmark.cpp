@@ -5,10 +5,10 @@
 #include <cstdint>
 #include <vector>
 
-#include "engine/algorithm.h"
-#include "engine/candidate_choice.h"
-#include "engine/front.h"
-#include "engine/front_index.h"
+#include "engine/front/front.h"
+#include "engine/front/front_index.h"
+#include "engine/run/algorithm.h"
+#include "engine/step/candidate_choice.h"
 #include "tests/support/flat_surface.h"
 #include "tests/support/triangle_rules.h"
 

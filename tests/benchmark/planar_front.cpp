@@ -20,12 +20,12 @@
 #include <ctime>
 #include <string_view>
 
-#include "dsl/diagnostic.h"
-#include "dsl/rule_file.h"
-#include "engine/mesh_check.h"
-#include "engine/mesh_region.h"
-#include "engine/optimize.h"
-#include "engine/stopwatch.h"
+#include "dsl/load/rule_file.h"
+#include "dsl/text/diagnostic.h"
+#include "engine/base/stopwatch.h"
+#include "engine/mesh/mesh_check.h"
+#include "engine/optimize/optimize.h"
+#include "engine/run/mesh_region.h"
 #include "tests/support/flat_surface.h"
 #include "tests/support/meshing.h"
 

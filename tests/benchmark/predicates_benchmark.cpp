@@ -5,7 +5,7 @@
 #include <array>
 #include <cstddef>
 
-#include "engine/predicates.h"
+#include "engine/base/predicates.h"
 #include "random_points.h"
 
 namespace af2::benchmark {

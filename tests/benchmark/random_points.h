@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <random>
 
-#include "engine/point.h"
+#include "engine/base/point.h"
 
 namespace af2::benchmark {
 

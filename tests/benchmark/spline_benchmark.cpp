@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "geometry/spline_surface.h"
+#include "geometry/charts/spline_surface.h"
 
 namespace af2::benchmark {
 namespace {

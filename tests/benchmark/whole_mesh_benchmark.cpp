@@ -11,9 +11,9 @@
 #include <optional>
 #include <vector>
 
-#include "dsl/rule_file.h"
-#include "engine/stopwatch.h"
-#include "geometry/occ/mesh_model.h"
+#include "dsl/load/rule_file.h"
+#include "engine/base/stopwatch.h"
+#include "geometry/occ/run/mesh_model.h"
 #include "result_line.h"
 
 namespace {

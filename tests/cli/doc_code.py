@@ -1,4 +1,4 @@
-"""Compiles the C++ of the documentation: doc_code.py COMPILER SOURCE.
+"""Compiles the C++ of the documentation: doc_code.py COMPILER SOURCE BUILD.
 
 Each block fenced as ```cpp is the body of a function, in which `options` are those of a CAD model. Blocks that derive
 from a class of AF2 would need more; there are none."""
@@ -9,7 +9,7 @@ import subprocess
 import sys
 import tempfile
 
-COMPILER, SOURCE = sys.argv[1], pathlib.Path(sys.argv[2])
+COMPILER, SOURCE, BUILD = sys.argv[1], pathlib.Path(sys.argv[2]), pathlib.Path(sys.argv[3])
 FENCE = re.compile(r"^```cpp\n(.*?)^```$", re.M | re.S)
 BEFORE = """
 #include <cmath>
@@ -17,12 +17,12 @@ BEFORE = """
 #include <optional>
 #include <span>
 
-#include "dsl/registry.h"
-#include "dsl/rule_file.h"
-#include "engine/algorithm.h"
-#include "engine/element_metric.h"
-#include "geometry/io/mesh_files.h"
-#include "geometry/occ/mesh_model.h"
+#include <af2/dsl/registry.h>
+#include <af2/dsl/rule_file.h>
+#include <af2/engine/algorithm.h>
+#include <af2/engine/element_metric.h>
+#include <af2/geometry/mesh_files.h>
+#include <af2/geometry/mesh_model.h>
 
 struct MyMetric final : af2::AF2ElementMetric {
   std::optional<double> badness(std::span<const af2::Point2>) const override { return 0; }
@@ -41,6 +41,6 @@ for page in [SOURCE / "README.md", *sorted((SOURCE / "docs").glob("*.md"))]:
 with tempfile.TemporaryDirectory() as folder:
     source = pathlib.Path(folder) / "blocks.cpp"
     source.write_text(code, encoding="utf-8")
-    compiled = subprocess.run([COMPILER, "-std=c++20", "-fsyntax-only", f"-I{SOURCE}", source])
+    compiled = subprocess.run([COMPILER, "-std=c++20", "-fsyntax-only", f"-I{BUILD}/include", f"-I{SOURCE}", source])
 print(f"{count} blocks of C++ compile" if compiled.returncode == 0 else "the C++ of the documentation does not compile")
 sys.exit(1 if compiled.returncode != 0 or count < 3 else 0)

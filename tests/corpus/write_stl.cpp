@@ -6,8 +6,8 @@
 #include <cstdio>
 #include <exception>
 
-#include "geometry/occ/model.h"
-#include "geometry/occ/model_shape.h"
+#include "geometry/occ/model/model.h"
+#include "geometry/occ/model/model_shape.h"
 
 namespace {
 

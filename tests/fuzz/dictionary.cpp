@@ -3,8 +3,8 @@
 #include <set>
 #include <string>
 
-#include "dsl/builtins.h"
-#include "dsl/words.h"
+#include "dsl/program/builtins.h"
+#include "dsl/text/words.h"
 
 int main() {
   std::set<std::string> words{"af2 1;", "->", "=>", "..", "deg", "any",  "by",   "rows",   "of",

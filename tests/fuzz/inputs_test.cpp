@@ -22,7 +22,7 @@ std::string contents(const fs::path& path) {
 
 void tryAll(const std::string& ending, void (*reader)(const std::string&)) {
   int count = 0;
-  for (const auto& entry : fs::directory_iterator(AF2_INPUTS_DIR)) {
+  for (const auto& entry : fs::directory_iterator(AF2_SOURCE_DIR "/tests/fuzz/inputs")) {
     if (!entry.path().string().ends_with(ending)) continue;
     ++count;
     EXPECT_NO_THROW(reader(contents(entry.path()))) << entry.path();

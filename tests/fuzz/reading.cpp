@@ -10,12 +10,12 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "dsl/evaluate.h"
-#include "dsl/printer.h"
-#include "dsl/rls_import.h"
-#include "dsl/rule_file.h"
-#include "dsl/rule_tests.h"
-#include "engine/error.h"
+#include "dsl/format/printer.h"
+#include "dsl/load/rule_file.h"
+#include "dsl/netgen/rls_import.h"
+#include "dsl/run/evaluate.h"
+#include "dsl/run/rule_tests.h"
+#include "engine/base/error.h"
 #include "geometry/faceted/mesh_faceted.h"
 #include "geometry/io/boundary_file.h"
 #include "geometry/io/size_file.h"

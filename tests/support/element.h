@@ -3,9 +3,11 @@
 
 #include <initializer_list>
 
-#include "engine/mesh.h"
+#include "engine/mesh/mesh.h"
 
 namespace af2::testing {
+
+inline VertexId v(std::size_t i) { return VertexId(i); }
 
 /// One with these corners, three or four.
 inline Element elementOf(std::initializer_list<std::size_t> corners) {

@@ -6,10 +6,10 @@
 #include <memory>
 #include <vector>
 
-#include "engine/error.h"
-#include "engine/front_input.h"
-#include "engine/plane_chart.h"
-#include "engine/region_split.h"
+#include "engine/base/error.h"
+#include "engine/mesh/front_input.h"
+#include "engine/run/region_split.h"
+#include "engine/surface/plane_chart.h"
 
 namespace af2::testing {
 

@@ -4,7 +4,8 @@
 #include <algorithm>
 #include <vector>
 
-#include "engine/front.h"
+#include "engine/front/front.h"
+#include "engine/front/front_queue.h"
 #include "tests/support/flat_surface.h"
 
 namespace af2::testing {
@@ -55,6 +56,11 @@ inline PlaceId placeOf(const Front& front, std::size_t vertex) {
   for (std::size_t i = 0; i < front.capacity(); ++i)
     if (front.isUsed(PlaceId(i)) && front[PlaceId(i)].vertex == VertexId(vertex)) return PlaceId(i);
   return {};
+}
+
+inline void pushAll(FrontQueue& queue, const Front& front) {
+  for (std::size_t i = 0; i < front.capacity(); ++i)
+    if (front.hasEdge(PlaceId(i))) queue.push(front, PlaceId(i));
 }
 
 }  // namespace af2::testing

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <vector>
 
-#include "geometry/mesh_sides.h"
-#include "geometry/model_mesh.h"
+#include "geometry/mesh/mesh_sides.h"
+#include "geometry/mesh/model_mesh.h"
 
 namespace af2::testing {
 

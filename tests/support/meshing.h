@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/algorithm.h"
-#include "engine/mesh_check.h"
+#include "engine/mesh/mesh_check.h"
+#include "engine/run/algorithm.h"
 #include "tests/support/flat_surface.h"
 #include "tests/support/triangle_rules.h"
 

@@ -8,9 +8,9 @@
 #include <map>
 #include <numbers>
 
-#include "geometry/element_crossings.h"
-#include "geometry/model_check.h"
-#include "geometry/model_mesh.h"
+#include "geometry/check/element_crossings.h"
+#include "geometry/check/model_check.h"
+#include "geometry/mesh/model_mesh.h"
 
 namespace af2::testing {
 

@@ -5,7 +5,8 @@
 #include <cmath>
 #include <memory>
 
-#include "engine/rule_set.h"
+#include "engine/rule/rule_set.h"
+#include "engine/step/single_step.h"
 
 namespace af2::testing {
 
@@ -197,5 +198,8 @@ inline RuleSetDefinition triangleSetDefinition() {
 inline std::shared_ptr<const RuleSet> triangleSet() {
   return std::make_shared<RuleSet>(triangleSetDefinition());
 }
+
+/// Two edges, from (0, 0) to (1, 0) and on to `c`.
+inline FrontPiece corner(Point2 c) { return {{{0, 0}, {1, 0}, c}, {{0, 1, 2}}, {}, {0, 1}}; }
 
 }  // namespace af2::testing

@@ -7,9 +7,9 @@
 #include <set>
 #include <string>
 
-#include "dsl/builtins.h"
+#include "dsl/program/builtins.h"
 #include "dsl/symbols/word_help.h"
-#include "dsl/words.h"
+#include "dsl/text/words.h"
 
 namespace af2 {
 namespace {

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "dsl/shapes/shape.h"
-#include "engine/element_metric.h"
-#include "engine/front_order.h"
-#include "engine/rule_set.h"
+#include "engine/rule/element_metric.h"
+#include "engine/rule/front_order.h"
+#include "engine/rule/rule_set.h"
 
 namespace af2::dsl::test {
 

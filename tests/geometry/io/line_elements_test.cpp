@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "small_meshes.h"
+#include "tests/support/small_meshes.h"
 
 namespace af2::geometry {
 namespace {

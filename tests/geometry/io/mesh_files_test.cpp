@@ -7,8 +7,8 @@
 #include <fstream>
 #include <sstream>
 
-#include "engine/error.h"
-#include "small_meshes.h"
+#include "engine/base/error.h"
+#include "tests/support/small_meshes.h"
 
 namespace af2::geometry {
 namespace {

@@ -1,4 +1,4 @@
-#include "geometry/report.h"
+#include "geometry/io/report.h"
 
 #include <gtest/gtest.h>
 
@@ -6,9 +6,9 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "geometry/fill/stuck_front.h"
 #include "geometry/io/output_file.h"
-#include "geometry/stuck_front.h"
-#include "small_meshes.h"
+#include "tests/support/small_meshes.h"
 
 namespace af2::geometry {
 namespace {

@@ -1,12 +1,12 @@
 #include "geometry/io/size_file.h"
 
-#include "geometry/part_sizes.h"
+#include "geometry/domain/part_sizes.h"
 
 #include <gtest/gtest.h>
 
 #include <fstream>
 
-#include "engine/error.h"
+#include "engine/base/error.h"
 
 namespace af2::geometry {
 namespace {

@@ -3,8 +3,8 @@
 #include <string>
 
 #include "geometry/io/mesh_files.h"
-#include "geometry/second_order.h"
-#include "small_meshes.h"
+#include "geometry/mesh/second_order.h"
+#include "tests/support/small_meshes.h"
 
 namespace {
 

@@ -1,15 +1,21 @@
 // Meshing as most tests of models do it: with the classical triangle rules, on one thread.
 #pragma once
 
-#include "geometry/occ/mesh_model.h"
+#include "geometry/occ/run/mesh_model.h"
 #include "tests/geometry/occ/shapes.h"
 #include "tests/support/triangle_rules.h"
 
 namespace af2::testing {
 
+inline geometry::ModelSizes uniform(double size) {
+  geometry::ModelSizes sizes;
+  sizes.size = size;
+  return sizes;
+}
+
 inline geometry::ModelMeshingOptions ofSize(double size) {
   geometry::ModelMeshingOptions options;
-  options.sizes.size = size;
+  options.sizes = uniform(size);
   options.threads = 1;
   return options;
 }

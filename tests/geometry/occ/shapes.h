@@ -21,8 +21,8 @@
 
 #include <vector>
 
-#include "geometry/occ/model.h"
-#include "geometry/occ/model_shape.h"
+#include "geometry/occ/model/model.h"
+#include "geometry/occ/model/model_shape.h"
 
 namespace af2::testing {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "geometry/model_check.h"
+#include "geometry/check/model_check.h"
 #include "tests/geometry/planar/poly_text.h"
 #include "tests/support/triangle_rules.h"
 

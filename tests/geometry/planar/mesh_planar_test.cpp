@@ -1,8 +1,8 @@
 #include "geometry/planar/mesh_planar.h"
 
-#include "engine/error.h"
-#include "geometry/domain_model.h"
-#include "geometry/model_check.h"
+#include "engine/base/error.h"
+#include "geometry/check/model_check.h"
+#include "geometry/domain/domain_model.h"
 #include "tests/geometry/planar/poly_text.h"
 #include "tests/support/model_mesh.h"
 #include "tests/support/triangle_rules.h"

@@ -7,7 +7,7 @@
 #include <fstream>
 #include <string>
 
-#include "engine/error.h"
+#include "engine/base/error.h"
 #include "geometry/planar/poly_file.h"
 
 namespace af2::testing {

@@ -1,0 +1,135 @@
+#include "cli/meshing/inspect_domain.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <map>
+#include <string>
+
+#include "cli/meshing/inspect_tables.h"
+#include "cli/meshing/mesh_request.h"
+#include "cli/meshing/mesh_summary.h"
+#include "cli/program/exit_code.h"
+#include "geometry/base/box_tree.h"
+#include "geometry/base/file_extension.h"
+#include "geometry/domain/domain_defects.h"
+#include "geometry/faceted/mesh_faceted.h"
+#include "geometry/planar/in2d_file.h"
+#include "geometry/planar/mesh_planar.h"
+
+namespace af2::cli {
+namespace {
+
+using geometry::DomainFace;
+using geometry::DomainModel;
+
+/// What was asked for, or a part of the diagonal.
+double sizeFor(double asked, const geometry::Box3& box) {
+  return asked > 0 ? asked : distance(box.low, box.high) / kSizesPerDiagonal;
+}
+
+DomainModel facetedModel(const DomainInspection& request) {
+  const geometry::Facets facets = geometry::readFacets(request.model);
+  geometry::Box3 box;
+  for (const Point3& p : facets.vertices) box.add(p);
+  geometry::FacetedMeshingOptions options;
+  options.size = sizeFor(request.size, box);
+  return geometry::facetedModel(facets, options);
+}
+
+DomainModel planarModel(const DomainInspection& request) {
+  const bool hasCurves = geometry::extensionOf(request.model) == ".in2d";
+  const geometry::PlanarDomain domain = hasCurves
+                                            ? geometry::domainOf(geometry::readIn2d(request.model))
+                                            : geometry::readPoly(request.model);
+  geometry::Box3 box;
+  for (const Point2 p : domain.points) box.add(Point3{p.x, p.y, 0});
+  geometry::PlanarMeshingOptions options;
+  options.size = sizeFor(request.size, box);
+  return geometry::planarModel(domain, options);
+}
+
+std::string edgesText(const DomainFace& face, const DomainModel& model) {
+  constexpr std::size_t kMostNamed = 8;
+  std::vector<int> ids;
+  for (const auto& loop : face.loops)
+    for (const geometry::CurveUse& use : loop) ids.push_back(model.curves[use.curve].id);
+  std::ranges::sort(ids);
+  ids.erase(std::ranges::unique(ids).begin(), ids.end());
+  std::string text;
+  for (std::size_t i = 0; i < std::min(kMostNamed, ids.size()); ++i)
+    text += fmt::format("{}{}", i > 0 ? ", " : "", ids[i]);
+  if (ids.size() > kMostNamed) text += fmt::format(" and {} more", ids.size() - kMostNamed);
+  return text;
+}
+
+void printFaces(const DomainModel& model) {
+  fmt::print("{:>8}  {:<12}  {:>12}  {}\n", "face", "surface", "area", "edges");
+  for (std::size_t i = 0; i < model.faces.size(); ++i) {
+    const DomainFace& face = model.faces[i];
+    fmt::print("{:>8}  {:<12}  {:>12.6g}  {}\n", i + 1, face.surfaceType, face.area,
+               edgesText(face, model));
+    for (const std::string& note : face.notes) fmt::print("{:>8}  note: {}\n", "", note);
+  }
+}
+
+double lengthOf(const geometry::DomainCurve& curve) {
+  double length = 0;
+  for (std::size_t k = 1; k < curve.knots.size(); ++k)
+    length += distance(curve.pointAt(curve.knots[k - 1]), curve.pointAt(curve.knots[k]));
+  return length;
+}
+
+/// Where others split an edge of the file, its parts have its number.
+std::vector<geometry::EdgeEntry> edgesOf(const DomainModel& model) {
+  std::vector<geometry::EdgeEntry> edges;
+  for (const geometry::DomainCurve& curve : model.curves)
+    edges.push_back({curve.id,
+                     curve.knots.size() == 2 ? "line" : "curve",
+                     lengthOf(curve),
+                     model.corners[curve.first],
+                     model.corners[curve.last],
+                     {}});
+  for (std::size_t f = 0; f < model.faces.size(); ++f)
+    for (const auto& loop : model.faces[f].loops)
+      for (const geometry::CurveUse& use : loop) {
+        std::vector<int>& faces = edges[use.curve].faces;
+        const int id = static_cast<int>(f) + 1;
+        if (faces.empty() || faces.back() != id) faces.push_back(id);
+      }
+  std::ranges::stable_sort(edges, {}, &geometry::EdgeEntry::id);
+  return edges;
+}
+
+void printSurfaceTypes(const DomainModel& model) {
+  std::map<std::string, int> counts;
+  for (const DomainFace& face : model.faces) ++counts[face.surfaceType];
+  for (const auto& [type, count] : counts) fmt::print("{:>8}  {}\n", count, type);
+}
+
+}  // namespace
+
+bool isDomain(const std::filesystem::path& model) {
+  MeshRequest request;
+  request.model = model;
+  return request.isPlanar() || request.isFaceted();
+}
+
+int inspectDomain(const DomainInspection& request) {
+  MeshRequest kind;
+  kind.model = request.model;
+  const DomainModel model = kind.isPlanar() ? planarModel(request) : facetedModel(request);
+  fmt::print("{} faces, {} edges, {} vertices; diagonal {:.6g}\n", model.faces.size(),
+             model.curves.size(), model.corners.size(), model.diagonal);
+  fmt::print("{}", notesText(model.notes));
+  request.brief ? printSurfaceTypes(model) : printFaces(model);
+  if (request.edges) printEdges(edgesOf(model));
+  printGroups(model.groups);
+  printBoundaries(model.boundaries);
+  if (request.brief) return kComplete;
+  const double size = request.size > 0 ? request.size : model.diagonal / kSizesPerDiagonal;
+  printDefects(geometry::findDefects(model, size), size, request.all);
+  return kComplete;
+}
+
+}  // namespace af2::cli

@@ -1,0 +1,81 @@
+#include "cli/meshing/inspect_tables.h"
+
+#include <fmt/core.h>
+
+#include <map>
+#include <string>
+
+#include "engine/base/place_text.h"
+
+namespace af2::cli {
+namespace {
+
+using geometry::Defect;
+
+/// So many defects of a kind are listed; more would bury the others.
+constexpr std::size_t kMostListed = 10;
+
+std::string placeText(const Defect& defect) {
+  std::string text;
+  const auto part = [&](const char* kind, int id) {
+    if (id > 0) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", kind, id);
+  };
+  part("face", defect.face);
+  part("edge", defect.edge);
+  part("vertex", defect.vertex);
+  return text + " at " + textOf(defect.place);
+}
+
+void printDefect(const Defect& defect, double size) {
+  const std::string extent =
+      defect.extent > 0 ? fmt::format("{:>10.3g}  {:>8.2g}", defect.extent, defect.extent / size)
+                        : fmt::format("{:>10}  {:>8}", "", "");
+  const std::string detail = defect.detail.empty() ? "" : ": " + defect.detail;
+  fmt::print("{:<18}  {}  {}{}\n", geometry::toString(defect.kind), extent, placeText(defect),
+             detail);
+}
+
+}  // namespace
+
+void printGroups(const std::vector<geometry::FaceGroup>& groups) {
+  if (groups.empty()) return;
+  fmt::print("{:>8}  {:<12}  {}\n", "faces", "group", "name");
+  for (const geometry::FaceGroup& group : groups)
+    fmt::print("{:>8}  {:<12}  {}\n", group.faces.size(), geometry::toString(group.kind),
+               group.name);
+}
+
+void printBoundaries(const std::vector<geometry::EdgeGroup>& boundaries) {
+  if (boundaries.empty()) return;
+  fmt::print("{:>8}  {:<12}  {}\n", "edges", "boundary", "name");
+  for (const geometry::EdgeGroup& boundary : boundaries)
+    fmt::print("{:>8}  {:<12}  {}\n", boundary.edges.size(), boundary.number, boundary.name);
+}
+
+void printEdges(const std::vector<geometry::EdgeEntry>& edges) {
+  fmt::print("{:>8}  {:<10}  {:>12}  {:<14}  {}\n", "edge", "curve", "length", "faces", "from, to");
+  for (const geometry::EdgeEntry& edge : edges) {
+    std::string faces;
+    for (const int face : edge.faces) faces += fmt::format("{}{}", faces.empty() ? "" : ", ", face);
+    fmt::print("{:>8}  {:<10}  {:>12.6g}  {:<14}  {}, {}\n", edge.id, edge.curve, edge.length,
+               faces, textOf(edge.from), textOf(edge.to));
+  }
+}
+
+void printDefects(const std::vector<Defect>& defects, double size, bool all) {
+  if (defects.empty()) return fmt::print("no defects, against a mesh size of {:.3g}\n", size);
+  fmt::print("{} defects, against a mesh size of {:.3g}\n", defects.size(), size);
+  fmt::print("{:<18}  {:>10}  {:>8}  {}\n", "defect", "extent", "of size", "where");
+  std::map<geometry::DefectKind, std::size_t> listed, left;
+  for (const Defect& defect : defects) {
+    if (all || listed[defect.kind]++ < kMostListed)
+      printDefect(defect, size);
+    else
+      ++left[defect.kind];
+  }
+  for (const auto& [kind, count] : left)
+    fmt::print("and {} more of the kind '{}' (--all lists them)\n", count,
+               geometry::toString(kind));
+}
+
+}  // namespace af2::cli

@@ -1,0 +1,213 @@
+#include "cli/meshing/mesh_request.h"
+
+#include <fmt/core.h>
+
+#include <set>
+
+#include "cli/program/number_lists.h"
+#include "cli/program/usage_error.h"
+#include "cli/rules/rules_location.h"
+#include "engine/base/error.h"
+#include "geometry/base/file_extension.h"
+#include "geometry/io/mesh_files.h"
+#include "geometry/io/output_file.h"
+
+namespace af2::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+void checkReadable(const fs::path& model) {
+  std::error_code ignored;
+  const fs::file_status status = fs::status(model, ignored);
+  if (model == "-")
+    throw InputError(
+        "a model is read more than once, so not from standard input; write it to a file first");
+  if (!fs::exists(status)) throw InputError(fmt::format("there is no file '{}'", model.string()));
+  if (fs::is_directory(status)) {
+    throw InputError(
+        fmt::format("'{}' is a directory; give a STEP, IGES, BREP, .poly, .in2d, STL or OBJ file",
+                    model.string()));
+  }
+  if (!fs::is_regular_file(status))
+    throw InputError(fmt::format(
+        "'{}' is no ordinary file, and a model is read more than once; write it to a file first",
+        model.string()));
+}
+
+/// Outputs are part of the command line: what is wrong with them is wrong usage.
+template <class Check>
+void asUsage(Check check) {
+  try {
+    check();
+  } catch (const InputError& error) {
+    throw UsageError(error.what());
+  }
+}
+
+void checkOutputs(const MeshRequest& request) {
+  std::set<fs::path> seen;
+  const auto checkOne = [&](const fs::path& file) {
+    std::error_code odd;  // is told when it comes to writing
+    const fs::path place = fs::weakly_canonical(fs::absolute(file), odd);
+    if (!odd && !seen.insert(place).second) {
+      throw UsageError(fmt::format("'{}' is to be written twice", file.string()));
+    }
+    std::error_code ignored;
+    if (fs::equivalent(file, request.model, ignored)) {
+      throw UsageError(fmt::format("'{}' would overwrite the model", file.string()));
+    }
+    asUsage([&] { geometry::checkWritable(file); });
+  };
+  for (const fs::path& output : request.outputs) {
+    asUsage([&] { geometry::meshFormatOf(output); });
+    if (request.order == 2 && !geometry::meshFormatOf(output).holdsSecondOrder)
+      throw UsageError(
+          fmt::format("'{}' cannot hold elements of order 2; use .vtu or .msh", output.string()));
+    if (request.lines == geometry::LinesAlong::AllEdges &&
+        !geometry::meshFormatOf(output).holdsLines)
+      throw UsageError(
+          fmt::format("'{}' cannot hold line elements, as --edges asks for; use .vtu, .vtk or .msh",
+                      output.string()));
+    checkOne(output);
+  }
+  if (!request.report.empty()) checkOne(request.report);
+}
+
+std::string outputHelp() {
+  std::string help = "file for the mesh; its extension names the format:";
+  for (const geometry::MeshFormat& format : geometry::meshFormats()) {
+    help += fmt::format(" {}", format.extension);
+  }
+  return help + ". May be given several times";
+}
+
+}  // namespace
+
+void declareMeshOptions(CLI::App& command, MeshOptions& options) {
+  command
+      .add_option("MODEL", options.model,
+                  "STEP, IGES or BREP file, a .poly or .in2d file (planar), an STL or OBJ file")
+      ->type_name("")
+      ->required();
+  declareSizeOptions(command, options.sizes);
+  command
+      .add_option("-r,--rules", options.rules, "rule file; a path, or a name in the rules of AF2")
+      ->type_name("FILE")
+      ->capture_default_str();
+  command.add_option("-o,--output", options.outputs, outputHelp())
+      ->type_name("FILE")
+      ->take_all()
+      ->expected(1);
+  command.add_option("--faces", options.faces, "mesh only these faces, e.g. 3,7-9")
+      ->type_name("FACES");
+  command
+      .add_option("--boundary", options.boundary,
+                  "file (JSON) with the vertices along edges that are divided already")
+      ->type_name("FILE");
+  command.add_flag("--edges", options.edges,
+                   "line elements along all edges of the model, too, in .vtu, .vtk and .msh files");
+  command.add_flag("--keep-boundary", options.keepBoundary,
+                   "take the segments of a .poly or .in2d file as they are");
+  command
+      .add_option("--feature-angle", options.featureAngle,
+                  "of an STL or OBJ file: edges that turn by more degrees are kept, default 40")
+      ->type_name("DEGREES");
+  command
+      .add_option("--chart", options.chart,
+                  "how the front sees curved faces: " + geometry::chartNames() +
+                      " (default auto); faces that have no such chart are meshed with auto")
+      ->type_name("KIND");
+  command
+      .add_option("-j,--threads", options.threads, "threads to use; the mesh does not depend on it")
+      ->type_name("N");
+  command
+      .add_option("--order", options.order,
+                  "2: elements with vertices at the middles of their sides, on the surface")
+      ->type_name("N");
+  declareHealing(command, options.heal, options.healTolerance);
+  command.add_flag("--no-optimize", options.rawFront, "leave the mesh as the front made it");
+  command.add_option("--report", options.report, "file for a report in JSON")->type_name("FILE");
+  command.add_flag("-q,--quiet", options.quiet, "print nothing unless something is wrong");
+}
+
+void declareHealing(CLI::App& command, bool& heal, std::string& tolerance) {
+  command.add_flag(
+      "--heal", heal,
+      "repair a CAD model first: open loops, wires, small edges and faces, gaps, loose faces, "
+      "orientation. All changes are told");
+  command
+      .add_option("--heal-tolerance", tolerance,
+                  "with --heal: what is smaller is closed or removed; default: a "
+                  "hundred-thousandth of the diagonal")
+      ->type_name("SIZE");
+}
+
+double checkedHealTolerance(bool heal, const std::string& tolerance) {
+  if (tolerance.empty()) return 0;
+  if (!heal) throw UsageError("--heal-tolerance needs --heal");
+  return parseSize("--heal-tolerance", tolerance);
+}
+
+bool MeshRequest::isPlanar() const {
+  const std::string extension = geometry::extensionOf(model);
+  return extension == ".poly" || extension == ".in2d";
+}
+
+bool MeshRequest::isFaceted() const {
+  const std::string extension = geometry::extensionOf(model);
+  return extension == ".stl" || extension == ".obj";
+}
+
+geometry::ChartKind checkedChart(const MeshOptions& options, const MeshRequest& request) {
+  if (request.isPlanar())
+    throw UsageError("--chart is for curved faces; a planar domain is its own chart");
+  const auto kind = geometry::chartKindOf(options.chart);
+  if (!kind)
+    throw UsageError(
+        fmt::format("--chart {}: there are {}", options.chart, geometry::chartNames()));
+  return *kind;
+}
+
+MeshRequest checkedRequest(const MeshOptions& options) {
+  MeshRequest request;
+  request.model = options.model;
+  request.sizes = checkedSizes(options.sizes);
+  if (!options.faces.empty()) request.faces = parseIds("--faces", options.faces);
+  if (options.threads < 0 || options.threads > 4096) {
+    throw UsageError(fmt::format("--threads {}: give 1 to 4096", options.threads));
+  }
+  request.threads = options.threads;
+  if (options.order != 1 && options.order != 2)
+    throw UsageError(fmt::format("--order {}: elements can have order 1 or 2", options.order));
+  request.order = options.order;
+  request.quiet = options.quiet;
+  request.optimize = !options.rawFront;
+  request.report = options.report;
+  request.outputs.assign(options.outputs.begin(), options.outputs.end());
+  if (!request.isPlanar() && options.keepBoundary) {
+    throw UsageError("--keep-boundary is for .poly and .in2d files; others take --boundary FILE");
+  }
+  if (!options.featureAngle.empty()) {
+    if (!request.isFaceted()) throw UsageError("--feature-angle is for STL and OBJ files");
+    request.featureAngle =
+        parsePositive("--feature-angle", options.featureAngle, "an angle in degrees");
+    if (request.featureAngle >= 180)
+      throw UsageError(
+          fmt::format("--feature-angle {}: give degrees below 180", options.featureAngle));
+  }
+  request.keepBoundary = options.keepBoundary;
+  if (options.edges) request.lines = geometry::LinesAlong::AllEdges;
+  if (!options.chart.empty()) request.chart = checkedChart(options, request);
+  if (options.heal && (request.isPlanar() || request.isFaceted()))
+    throw UsageError("--heal is for STEP, IGES and BREP files");
+  request.heal = options.heal;
+  request.healTolerance = checkedHealTolerance(options.heal, options.healTolerance);
+  checkOutputs(request);
+  checkReadable(request.model);
+  if (!options.boundary.empty()) request.edgePoints = geometry::readEdgePoints(options.boundary);
+  request.rules = findRuleFile(options.rules);
+  return request;
+}
+
+}  // namespace af2::cli

@@ -1,0 +1,26 @@
+// Reads the model of a request and meshes it: joins the rules, the readers and the meshers.
+#pragma once
+
+#include <memory>
+#include <stop_token>
+
+#include "cli/meshing/mesh_request.h"
+#include "cli/program/supervisor.h"
+#include "engine/rule/rule_set.h"
+#include "geometry/mesh/model_mesh.h"
+
+namespace af2::cli {
+
+struct RunControl {
+  bool showProgress = true;
+  std::stop_token stop;
+  RunLog* log = nullptr;             ///< of a supervised run
+  const GivenUp* givenUp = nullptr;  ///< faces not to be tried
+};
+
+/// Throws InputError if the model cannot be used, UsageError if the request names faces or edges
+/// that the model does not have.
+geometry::ModelMesh runMesh(const MeshRequest& request, std::shared_ptr<const RuleSet> rules,
+                            const RunControl& control);
+
+}  // namespace af2::cli

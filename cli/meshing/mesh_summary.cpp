@@ -1,0 +1,116 @@
+#include "cli/meshing/mesh_summary.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <numeric>
+
+#include "engine/base/place_text.h"
+#include "geometry/mesh/fingerprint.h"
+
+namespace af2::cli {
+namespace {
+
+using geometry::FaceReport;
+using geometry::FaceStatus;
+
+std::string countText(const geometry::ModelMesh& mesh) {
+  const auto quads =
+      static_cast<std::size_t>(std::ranges::count_if(mesh.elements, &Element::isQuad));
+  const auto asked = mesh.faces.size() - static_cast<std::size_t>(std::ranges::count(
+                                             mesh.faces, FaceStatus::Skipped, &FaceReport::status));
+  const auto done = std::ranges::count(mesh.faces, FaceStatus::Complete, &FaceReport::status);
+  std::string text =
+      fmt::format("faces {}/{}  {} vertices  {} triangles", done, asked,
+                  grouped(mesh.vertices.size()), grouped(mesh.elements.size() - quads));
+  if (quads > 0) text += fmt::format("  {} quads", grouped(quads));
+  return text;
+}
+
+/// Shares of the edges by their length over the wanted one; the ends of the histogram in one.
+std::string lengthsText(const geometry::LengthRatio& edges) {
+  constexpr auto& kBounds = geometry::LengthRatio::kBounds;
+  constexpr std::size_t kFirst = 2, kLast = 6;  // 0.5 and 2
+  const auto total = std::accumulate(edges.histogram.begin(), edges.histogram.end(), 0.0);
+  const auto share = [&](std::size_t first, std::size_t last) {
+    double sum = 0;
+    for (std::size_t i = first; i < last; ++i) sum += static_cast<double>(edges.histogram[i]);
+    return total > 0 ? 100 * sum / total : 0;
+  };
+  std::string text = fmt::format("edge/size  <{} {:.1f} %", kBounds[kFirst], share(0, kFirst + 1));
+  for (std::size_t i = kFirst; i < kLast; ++i)
+    text += fmt::format("  {}-{} {:.1f} %", kBounds[i], kBounds[i + 1], share(i + 1, i + 2));
+  return text +
+         fmt::format("  >{} {:.1f} %", kBounds[kLast], share(kLast + 1, edges.histogram.size()));
+}
+
+std::string secondsText(const geometry::StageSeconds& seconds) {
+  return fmt::format(
+      "seconds: read {:.2f}  edges {:.2f}  surface {:.2f}  optimize {:.2f}  write {:.2f}",
+      seconds.read, seconds.edges, seconds.surface, seconds.optimize, seconds.write);
+}
+
+}  // namespace
+
+std::string grouped(std::size_t number) {
+  std::string text = std::to_string(number);
+  for (std::size_t place = text.size(); place > 3; place -= 3) text.insert(place - 3, " ");
+  return text;
+}
+
+std::string summaryText(const geometry::ModelMesh& mesh, const geometry::MeshQuality& quality) {
+  if (mesh.elements.empty())
+    return fmt::format("{}\n{}\n", countText(mesh), secondsText(mesh.seconds));
+  return fmt::format(
+      "{}\n"
+      "quality min {:.3f}  mean {:.3f}  angles {:.1f}-{:.1f} deg  fingerprint {}\n"
+      "{}\n"
+      "{}\n",
+      countText(mesh), quality.min, quality.mean, quality.minAngle, quality.maxAngle,
+      geometry::fingerprint(mesh), lengthsText(quality.edges), secondsText(mesh.seconds));
+}
+
+std::string healingText(const std::optional<geometry::Healing>& healing) {
+  if (!healing) return "";
+  std::string text = healing->tolerance > 0
+                         ? fmt::format("healed with tolerance {:.3g}:", healing->tolerance)
+                         : "healed:";
+  text += healing->changes.empty() ? " nothing changed\n" : "\n";
+  for (const geometry::HealedChange& change : healing->changes) {
+    text += fmt::format("  {} x {}", change.count, change.what);
+    if (change.place) text += ", e.g. at " + textOf(*change.place);
+    text += "\n";
+  }
+  for (const std::string& step : healing->undone) text += fmt::format("  {}\n", step);
+  return text;
+}
+
+std::string unitText(const geometry::ModelMesh& mesh) {
+  constexpr std::array kMillimetre{"mm", "millimetre", "millimeter"};
+  std::string unit = mesh.fileUnit;
+  std::ranges::transform(unit, unit.begin(), [](unsigned char c) { return std::tolower(c); });
+  if (mesh.unit.empty() || unit.empty() || std::ranges::count(kMillimetre, unit) > 0) return "";
+  return fmt::format("note: the file has lengths in {}; sizes and coordinates are in {} here\n",
+                     mesh.fileUnit, mesh.unit);
+}
+
+std::string notesText(const std::vector<std::string>& notes) {
+  std::string text;
+  for (const std::string& note : notes) text += fmt::format("note: {}\n", note);
+  return text;
+}
+
+std::string failureText(const geometry::ModelMesh& mesh) {
+  std::string text;
+  for (const FaceReport& face : mesh.faces) {
+    if (face.status != FaceStatus::Failed) continue;
+    const std::string name = face.name.empty() ? "" : fmt::format(" \"{}\"", face.name);
+    text += fmt::format("af2: face {}{} ({}) failed: {}\n", face.id, name, face.surfaceType,
+                        face.reason);
+  }
+  return text;
+}
+
+}  // namespace af2::cli

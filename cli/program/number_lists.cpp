@@ -1,0 +1,86 @@
+#include "cli/program/number_lists.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <optional>
+#include <set>
+#include <string_view>
+
+#include "cli/program/usage_error.h"
+
+namespace af2::cli {
+namespace {
+
+/// More numbers than these in one range are a slip of the finger.
+constexpr int kLongestRange = 10'000'000;
+
+template <class Number>
+std::optional<Number> parsed(std::string_view text) {
+  Number value{};
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
+  return value;
+}
+
+struct Range {
+  int first, last;
+};
+
+std::optional<Range> parseRange(std::string_view text) {
+  const std::size_t dash = text.find('-');
+  const auto first = parsed<int>(text.substr(0, dash));
+  const auto last = dash == std::string_view::npos ? first : parsed<int>(text.substr(dash + 1));
+  if (!first || !last || *first < 1 || *last < *first) return std::nullopt;
+  if (*last - *first >= kLongestRange) return std::nullopt;
+  return Range{*first, *last};
+}
+
+}  // namespace
+
+std::vector<int> parseIds(const std::string& option, const std::string& text) {
+  std::set<int> ids;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find(',', begin), text.size());
+    const std::string part = text.substr(begin, end - begin);
+    const auto range = parseRange(part);
+    if (!range) {
+      throw UsageError(fmt::format(
+          "{} '{}': '{}' is no number and no range of numbers; write e.g. 3,7-9 (counted from 1)",
+          option, text, part));
+    }
+    for (int id = range->first; id <= range->last; ++id) ids.insert(id);
+    begin = end + 1;
+  }
+  return {ids.begin(), ids.end()};
+}
+
+double parsePositive(const std::string& option, const std::string& text, const std::string& what) {
+  const auto number = parsed<double>(text);
+  if (!number || !std::isfinite(*number) || *number <= 0)
+    throw UsageError(fmt::format("{} '{}': {} is a number greater than 0{}", option, text, what,
+                                 text.find(',') == std::string::npos ? "" : ", written like 1.5"));
+  return *number;
+}
+
+double parseSize(const std::string& option, const std::string& text) {
+  return parsePositive(option, text, "a size, in the model's unit,");
+}
+
+std::map<int, double> parseSizes(const std::string& option, const std::vector<std::string>& texts) {
+  std::map<int, double> sizes;
+  for (const std::string& text : texts) {
+    const std::size_t equals = text.find('=');
+    if (equals == std::string::npos) {
+      throw UsageError(
+          fmt::format("{} '{}': write ids, '=' and a size, e.g. 3,7-9=0.1", option, text));
+    }
+    const double size = parseSize(option, text.substr(equals + 1));
+    for (const int id : parseIds(option, text.substr(0, equals))) sizes[id] = size;
+  }
+  return sizes;
+}
+
+}  // namespace af2::cli

@@ -1,0 +1,16 @@
+// A rule set as a page to look at, without a network.
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "dsl/load/rule_file.h"
+
+namespace af2::cli {
+
+/// Contents by path within the folder: index.html and its pictures.
+using Site = std::map<std::string, std::string>;
+
+Site makeGallery(const dsl::LoadedRules& loaded);
+
+}  // namespace af2::cli

@@ -1,0 +1,14 @@
+// A compiled rule set in words.
+#pragma once
+
+#include <string>
+
+#include "engine/rule/rule_set.h"
+
+namespace af2::cli {
+
+/// The settings, then every rule: what it matches, what follows from its elements, and its points
+/// as the engine works them out. `rule`: only the rule with this title; empty: all.
+std::string dumpText(const RuleSet& rules, const std::string& rule);
+
+}  // namespace af2::cli

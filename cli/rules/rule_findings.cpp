@@ -1,0 +1,172 @@
+#include "cli/rules/rule_findings.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <set>
+#include <tuple>
+
+#include "cli/program/text_files.h"
+#include "cli/program/usage_error.h"
+#include "cli/rules/rule_files.h"
+#include "dsl/picture/coverage_picture.h"
+#include "dsl/picture/rule_picture.h"
+#include "dsl/proof/coverage.h"
+#include "dsl/proof/match_diagnostics.h"
+
+namespace af2::cli {
+namespace {
+
+using dsl::Diagnostic;
+
+/// A name for a file made of what people put into titles.
+std::string fileNameOf(const std::string& text) {
+  std::string name;
+  for (const char c : text) {
+    const bool isPlain = std::isalnum(static_cast<unsigned char>(c)) != 0;
+    if (isPlain) name += c;
+    if (!isPlain && !name.empty() && name.back() != '-') name += '-';
+  }
+  while (!name.empty() && name.back() == '-') name.pop_back();
+  return name;
+}
+
+/// Writes the pictures that findings speak of.
+class PictureFolder {
+ public:
+  explicit PictureFolder(std::string folder) : folder_(std::move(folder)) {
+    std::error_code error;
+    if (isWanted()) std::filesystem::create_directories(folder_, error);
+    if (error) throw UsageError(fmt::format("cannot make the folder '{}'", folder_));
+  }
+
+  bool isWanted() const { return !folder_.empty(); }
+
+  void add(Diagnostic& diagnostic, const std::string& stem, const std::string& svg) {
+    std::string name = fileNameOf(stem);
+    for (int n = 2; !used_.insert(name).second; ++n)
+      name = fmt::format("{}-{}", fileNameOf(stem), n);
+    const std::string path = (std::filesystem::path(folder_) / (name + ".svg")).string();
+    writeText(path, svg);
+    diagnostic.notes.push_back({"picture: " + path, std::nullopt});
+  }
+
+ private:
+  std::string folder_;
+  std::set<std::string> used_;
+};
+
+std::string drawExample(const dsl::LoadedRules& loaded, const dsl::SampledFinding& finding) {
+  dsl::DrawnMatch match{finding.example.vertices, finding.example.level, finding.example.marks,
+                        finding.message};
+  match.marks.insert(match.marks.end(), finding.example.obstacles.begin(),
+                     finding.example.obstacles.end());
+  return dsl::drawMatch(*loaded.rules, loaded.rules->rules()[finding.rule], match,
+                        dsl::PictureFormat::Svg);
+}
+
+/// What the text alone tells has no counter-example yet.
+void addMirrorExamples(const std::string& stem, const dsl::LoadedRules& loaded,
+                       PictureFolder& pictures, std::vector<Diagnostic>& told) {
+  for (Diagnostic& diagnostic : told) {
+    const auto found = dsl::mirrorExampleOf(loaded, diagnostic);
+    if (!found) continue;
+    diagnostic.notes.push_back(dsl::testNote(found->test));
+    if (!pictures.isWanted()) continue;
+    const dsl::DrawnMatch match{found->example.vertices,
+                                found->example.level,
+                                {},
+                                diagnostic.message + ": what it would do"};
+    pictures.add(diagnostic, fmt::format("{} M1 {}", stem, diagnostic.rule),
+                 dsl::drawMatch(*loaded.rules, *found->image, match, dsl::PictureFormat::Svg));
+  }
+}
+
+void addMatchFindings(const std::string& stem, const dsl::LoadedRules& loaded,
+                      const dsl::SampledResult& result, PictureFolder& pictures,
+                      std::vector<Diagnostic>& into) {
+  for (const dsl::SampledFinding& finding : result.findings) {
+    dsl::SampledResult one;
+    one.findings = {finding};
+    for (Diagnostic& diagnostic : dsl::diagnosticsOf(loaded, one)) {
+      if (pictures.isWanted()) {
+        pictures.add(diagnostic, fmt::format("{} {} {}", stem, diagnostic.code, diagnostic.rule),
+                     drawExample(loaded, finding));
+      }
+      dsl::addFinding(into, std::move(diagnostic));
+    }
+  }
+}
+
+void addCoverageFindings(const std::string& stem, const dsl::LoadedRules& loaded,
+                         PictureFolder& pictures, std::vector<Diagnostic>& into) {
+  const dsl::Coverage coverage = dsl::measureCoverage(*loaded.rules);
+  for (Diagnostic& diagnostic : dsl::diagnosticsOf(loaded, coverage)) {
+    if (pictures.isWanted()) {
+      pictures.add(diagnostic, stem + " N1",
+                   dsl::drawCoverage(coverage, loaded.rules->name(), dsl::PictureFormat::Svg));
+    }
+    into.push_back(std::move(diagnostic));
+  }
+}
+
+void countAnswers(const dsl::SampledResult& result, RuleFindings& findings) {
+  for (const dsl::RuleAnswers& answer : result.answers) {
+    const auto is = [&](dsl::Answer what) {
+      return (answer.positive == what ? 1 : 0) + (answer.covered == what ? 1 : 0);
+    };
+    if (!answer.isTried) continue;
+    if (is(dsl::Answer::Refuted) > 0)
+      ++findings.refuted;
+    else if (is(dsl::Answer::Proven) == 2)
+      ++findings.proven;
+    else
+      ++findings.sampled;
+  }
+}
+
+void drop(std::vector<Diagnostic>& diagnostics, const std::vector<std::string>& allowed) {
+  std::erase_if(diagnostics, [&](const Diagnostic& d) {
+    return std::ranges::find(allowed, d.code) != allowed.end();
+  });
+}
+
+/// Findings of one file stay together; those of its imports follow.
+void sortByPlace(std::vector<Diagnostic>& diagnostics, const std::string& mainFile) {
+  std::ranges::stable_sort(diagnostics, {}, [&](const Diagnostic& d) {
+    return std::tuple(d.place.file != mainFile, d.place.file, d.place.line, d.place.column);
+  });
+}
+
+}  // namespace
+
+RuleFindings findIn(const std::string& name, const FindingOptions& options) {
+  RuleFindings findings;
+  dsl::LoadedRules loaded = loadRuleFile(name, options.allowed);
+  findings.diagnostics = loaded.diagnostics;
+  findings.ruleCount = loaded.file->rules.size();
+  const bool isWhole = loaded.rules != nullptr;
+  loaded.rules = loaded.file->soundRules;
+  if (!loaded.rules || options.quick) return findings;
+
+  PictureFolder pictures(options.pictures);
+  dsl::SamplingOptions sampling;
+  if (options.samples > 0) sampling.samples = options.samples;
+  if (options.prove) sampling.effort = dsl::kGreatEffort;
+  addMirrorExamples(stemOf(name), loaded, pictures, findings.diagnostics);
+  const dsl::SampledResult result = dsl::runSampledChecks(*loaded.rules, sampling);
+  countAnswers(result, findings);
+  addMatchFindings(stemOf(name), loaded, result, pictures, findings.diagnostics);
+  // Which rule is chosen, and what none takes, shows only where no rule is missing.
+  if (isWhole)
+    addCoverageFindings(stemOf(name), loaded, pictures, findings.diagnostics);
+  else
+    drop(findings.diagnostics, {"D3"});
+  drop(findings.diagnostics, options.allowed);
+  sortByPlace(findings.diagnostics, std::string(loaded.file->main().source.name()));
+  return findings;
+}
+
+}  // namespace af2::cli

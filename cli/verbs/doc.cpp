@@ -1,0 +1,52 @@
+// af2 doc
+#include <fmt/core.h>
+
+#include <filesystem>
+#include <memory>
+
+#include "cli/program/exit_code.h"
+#include "cli/program/text_files.h"
+#include "cli/program/usage_error.h"
+#include "cli/program/verbs.h"
+#include "cli/rules/gallery.h"
+#include "cli/rules/rule_files.h"
+#include "engine/base/error.h"
+
+namespace af2::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+int document(const std::string& file, const std::string& output) {
+  const dsl::LoadedRules loaded = loadRuleFile(file);
+  if (dsl::hasErrors(loaded.diagnostics)) {
+    fmt::print(stderr, "{}", dsl::toPretty(loaded.diagnostics));
+    throw InputError(fmt::format("the rule file '{}' has errors, see above", file));
+  }
+  const fs::path folder = output.empty() ? stemOf(file) + "-doc" : output;
+  for (const auto& [path, content] : makeGallery(loaded)) {
+    const fs::path target = folder / path;
+    std::error_code error;
+    fs::create_directories(target.parent_path(), error);
+    if (error) {
+      throw UsageError(fmt::format("cannot make the folder '{}': {}", target.parent_path().string(),
+                                   error.message()));
+    }
+    writeText(target.string(), content);
+  }
+  fmt::print("wrote {}\n", (folder / "index.html").string());
+  return kComplete;
+}
+
+}  // namespace
+
+Action declareDoc(CLI::App& command) {
+  const auto file = std::make_shared<std::string>();
+  const auto output = std::make_shared<std::string>();
+  command.add_option("FILE", *file, "rule file, or - for stdin")->type_name("")->required();
+  command.add_option("-o,--output", *output, "a folder; default: the name of the file with -doc")
+      ->type_name("DIR");
+  return [file, output] { return document(*file, *output); };
+}
+
+}  // namespace af2::cli

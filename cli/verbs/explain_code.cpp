@@ -1,0 +1,43 @@
+// af2 explain-code
+#include <fmt/core.h>
+
+#include <memory>
+#include <string>
+
+#include "cli/program/exit_code.h"
+#include "cli/program/usage_error.h"
+#include "cli/program/verbs.h"
+#include "dsl/text/code_explanations.h"
+
+namespace af2::cli {
+namespace {
+
+void listCodes() {
+  for (const dsl::CodeExplanation& code : dsl::codeExplanations()) {
+    fmt::print("{:<4} {}\n", code.code, code.title);
+  }
+}
+
+void explain(const std::string& name) {
+  const dsl::CodeExplanation* code = dsl::findCodeExplanation(name);
+  if (!code) {
+    throw UsageError(
+        fmt::format("there is no code '{}'; `af2 explain-code` without a code lists all", name));
+  }
+  fmt::print("AF2-{}: {}\n\n{}{}", code->code, code->title, code->text,
+             code->text.ends_with('\n') ? "" : "\n");
+}
+
+}  // namespace
+
+Action declareExplainCode(CLI::App& command) {
+  const auto name = std::make_shared<std::string>();
+  command.add_option("CODE", *name, "such as A1 or AF2-A1; without one all codes are listed")
+      ->type_name("");
+  return [name] {
+    name->empty() ? listCodes() : explain(*name);
+    return kComplete;
+  };
+}
+
+}  // namespace af2::cli

@@ -1,0 +1,157 @@
+// af2 inspect
+#include <fmt/core.h>
+
+#include <filesystem>
+#include <map>
+#include <memory>
+
+#include "cli/meshing/inspect_domain.h"
+#include "cli/meshing/inspect_tables.h"
+#include "cli/meshing/mesh_request.h"
+#include "cli/program/exit_code.h"
+#include "cli/program/number_lists.h"
+#include "cli/program/supervisor.h"
+#include "cli/program/text_files.h"
+#include "cli/program/usage_error.h"
+#include "cli/program/verbs.h"
+#include "cli/rules/picture_format.h"
+#include "engine/base/error.h"
+#if AF2_HAVE_OCC
+#include "cli/meshing/defect_picture.h"
+#include "cli/meshing/mesh_summary.h"
+#include "geometry/occ/heal/heal_model.h"
+#include "geometry/occ/inspect/defects.h"
+#include "geometry/occ/inspect/edge_list.h"
+#endif
+
+namespace af2::cli {
+namespace {
+
+struct InspectOptions {
+  std::string model, size, picture, healTolerance;
+  bool brief = false, all = false, edges = false, heal = false;
+};
+
+int inspectOther(const InspectOptions& options) {
+  if (!options.picture.empty()) throw UsageError("--picture is for CAD models");
+  if (options.heal) throw UsageError("--heal is for STEP, IGES and BREP files");
+  return inspectDomain({options.model, options.size.empty() ? 0 : parseSize("--size", options.size),
+                        options.brief, options.all, options.edges});
+}
+
+}  // namespace
+#if AF2_HAVE_OCC
+namespace {
+
+using geometry::Defect;
+
+std::string lostText(const std::vector<std::string>& faces) {
+  if (faces.empty()) return "";
+  std::string names;
+  for (const std::string& face : faces) names += (names.empty() ? "" : ", ") + face;
+  return fmt::format("{} faces of the file could not be read: {}\n", faces.size(), names);
+}
+
+void printOverview(const geometry::Model& model) {
+  const std::string unit = model.unit().empty() ? "" : " " + model.unit();
+  fmt::print("{} faces, {} edges, {} vertices; diagonal {:.6g}{}\n", model.faceCount(),
+             model.edgeCount(), model.vertexCount(), model.diagonal(), unit);
+  if (!model.fileUnit().empty()) fmt::print("lengths in the file: {}\n", model.fileUnit());
+  fmt::print("{}{}", lostText(model.lostFaces()), notesText(model.notes()));
+  fmt::print("{}", healingText(model.healing()));
+}
+
+void printSurfaceTypes(const geometry::Model& model) {
+  std::map<std::string, int> counts;
+  for (int face = 1; face <= model.faceCount(); ++face) ++counts[model.surfaceType(face)];
+  for (const auto& [type, count] : counts) fmt::print("{:>8}  {}\n", count, type);
+}
+
+void printFaces(const geometry::Model& model) {
+  fmt::print("{:>8}  {:<12}  {}\n", "face", "surface", "name");
+  for (int face = 1; face <= model.faceCount(); ++face) {
+    fmt::print("{:>8}  {:<12}  {}\n", face, model.surfaceType(face), model.faceName(face));
+  }
+}
+
+struct InspectRequest {
+  std::filesystem::path model;
+  double size = 0;  ///< 0: by the diagonal
+  bool heal = false;
+  double healTolerance = 0;
+  dsl::PictureFormat format = dsl::PictureFormat::Svg;
+};
+
+InspectRequest checkedRequest(const InspectOptions& options) {
+  InspectRequest request;
+  request.model = options.model;
+  if (!options.size.empty()) request.size = parseSize("--size", options.size);
+  request.heal = options.heal;
+  request.healTolerance = checkedHealTolerance(options.heal, options.healTolerance);
+  if (!options.picture.empty()) request.format = pictureFormatOf(options.picture, "--picture");
+  return request;
+}
+
+int inspect(const InspectOptions& options, const InspectRequest& request) {
+  geometry::Model model = geometry::readModel(request.model);
+  if (request.heal) model = geometry::healModel(model, {request.healTolerance});
+  printOverview(model);
+  options.brief ? printSurfaceTypes(model) : printFaces(model);
+  if (options.edges) printEdges(geometry::edgesOf(model));
+  printGroups(model.groups());
+  if (options.brief && options.picture.empty()) return kComplete;
+  const double size = request.size > 0 ? request.size : model.diagonal() / kSizesPerDiagonal;
+  const std::vector<Defect> defects = geometry::findDefects(model, size);
+  if (!options.brief) printDefects(defects, size, options.all);
+  if (!options.picture.empty()) {
+    writeText(options.picture, drawDefects(model, defects, request.format));
+    fmt::print("drew {} defects -> {}\n", defects.size(), options.picture);
+  }
+  return kComplete;
+}
+
+/// Reading and checking go through OpenCASCADE, which may crash or hang.
+int inspectSafely(const InspectOptions& options) {
+  const InspectRequest request = checkedRequest(options);
+  std::error_code missing;
+  const auto bytes = std::filesystem::file_size(request.model, missing);
+  RunLimits limits;
+  limits.first = secondsToRead(missing ? 0 : bytes);
+  return supervise(limits, [&](RunLog&, const GivenUp&) { return inspect(options, request); });
+}
+
+}  // namespace
+#endif
+
+Action declareInspect(CLI::App& command) {
+  const auto options = std::make_shared<InspectOptions>();
+  command.add_option("MODEL", options->model, "STEP, IGES, BREP, STL, OBJ, .poly or .in2d file")
+      ->type_name("")
+      ->required();
+  command.add_flag("--brief", options->brief,
+                   "count the faces of each kind instead of listing them; no defects");
+  command.add_flag("--edges", options->edges,
+                   "list the edges, too, with their lengths, ends and faces: for --edge-size and "
+                   "--boundary of af2 mesh");
+  command
+      .add_option("-s,--size", options->size,
+                  "edge length of the mesh that defects are held against; default: a fortieth of "
+                  "the diagonal")
+      ->type_name("SIZE");
+  command.add_flag("--all", options->all, "list all defects, not only the first ten of each kind");
+  command
+      .add_option("--picture", options->picture,
+                  "picture of the model with its defects marked, .svg or .png")
+      ->type_name("FILE");
+  declareHealing(command, options->heal, options->healTolerance);
+  return [options]() -> int {
+    if (isDomain(options->model)) return inspectOther(*options);
+#if AF2_HAVE_OCC
+    return inspectSafely(*options);
+#else
+    throw InputError("this af2 was built without OpenCASCADE; build it with -DAF2_BUILD_OCC=ON");
+#endif
+  };
+}
+
+}  // namespace af2::cli

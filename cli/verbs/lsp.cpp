@@ -1,0 +1,46 @@
+// af2 lsp
+#include <unistd.h>
+
+#include <filesystem>
+#include <iostream>
+#include <memory>
+
+#include "cli/lsp/serve.h"
+#include "cli/program/verbs.h"
+#include "cli/rules/rules_location.h"
+#include "engine/base/error.h"
+
+namespace af2::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+lsp::Surroundings surroundings() {
+  lsp::Surroundings result;
+  result.version = AF2_VERSION;
+  try {
+    result.rules = {rulesDirectory()};
+  } catch (const InputError&) {
+    // Files without imports need no rules of AF2; the others are told what is missing.
+  }
+  std::error_code ignored;
+  result.drawings = fs::temp_directory_path(ignored) / ("af2-pictures-" + std::to_string(getuid()));
+  return result;
+}
+
+}  // namespace
+
+Action declareLsp(CLI::App& command) {
+  command.footer(
+      "Editors start this program and talk to it over standard input and output; it is of no use "
+      "in a terminal.\nHow to set up VS Code, Neovim and others is told in docs/editors.md.");
+  const auto useStdio = std::make_shared<bool>(true);
+  command.add_flag("--stdio", *useStdio, "talk over standard input and output; always so");
+  return [] {
+    std::ios::sync_with_stdio(false);
+    std::cin.tie(nullptr);
+    return lsp::serve(std::cin, std::cout, surroundings());
+  };
+}
+
+}  // namespace af2::cli

@@ -1,0 +1,41 @@
+#include "dsl/compile/allowed_codes.h"
+
+#include <algorithm>
+#include <cctype>
+
+namespace af2::dsl {
+namespace {
+
+bool isPart(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '-'; }
+
+std::set<std::string> codesIn(const std::string& list) {
+  std::set<std::string> codes;
+  for (auto at = list.begin(); at != list.end();) {
+    at = std::find_if(at, list.end(), isPart);
+    const auto end = std::find_if_not(at, list.end(), isPart);
+    std::string code(at, end);
+    for (char& c : code) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+    if (code.starts_with("AF2-")) code = code.substr(4);
+    if (!code.empty()) codes.insert(std::move(code));
+    at = end;
+  }
+  return codes;
+}
+
+}  // namespace
+
+std::set<std::string> allowedBy(const MetaClause& meta) {
+  std::set<std::string> codes;
+  for (const MetaEntry& entry : meta.entries)
+    if (entry.key.text == "allow") codes.merge(codesIn(entry.value.text));
+  return codes;
+}
+
+bool allows(const Rule& rule, const std::string& code) {
+  return std::ranges::any_of(rule.clauses, [&](const Clause& clause) {
+    const auto* meta = std::get_if<MetaClause>(&clause.content);
+    return meta && allowedBy(*meta).contains(code);
+  });
+}
+
+}  // namespace af2::dsl

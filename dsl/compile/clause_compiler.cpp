@@ -1,0 +1,329 @@
+// What a rule makes and asks: vertices, elements, conditions, cost; and all of it together.
+#include "dsl/compile/clause_compiler.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "dsl/program/compiled_forms.h"
+#include "dsl/text/words.h"
+
+namespace af2::dsl {
+
+/// A constant of the same name cannot be reached in the rule.
+void ClauseCompiler::warnIfHiding(const Name& name) {
+  const auto constant = home_.constants.find(name.text);
+  if (mirror_ || constant == home_.constants.end()) return;
+  expressions_.tell(
+      "A2", name.span, "'" + name.text + "' hides the constant of that name", "",
+      "choose another name", Severity::Warning,
+      {{"the constant", placeOf(constant->second.home->source, constant->second.span)}});
+}
+
+bool ClauseCompiler::defineLocal(const Name& name, Value value, LocalKind kind) {
+  auto& locals = expressions_.locals;
+  const auto known = locals.find(name.text);
+  const bool isReplacing = known != locals.end() && known->second.kind == LocalKind::Broken;
+  if (name.text == "q" || name.text == "class") {
+    tell("R2", name.span,
+         "'" + name.text + "' is the quality level and cannot be given another meaning", "",
+         "choose another name");
+    return false;
+  }
+  if (known != locals.end() && !isReplacing) {
+    std::vector<DiagnosticNote> notes;
+    const bool isEnd = name.text == "a" || name.text == "b";
+    if (!isEnd) notes.push_back({"first given here", placeOf(home_.source, known->second.span)});
+    tell("R2", name.span,
+         isEnd ? "'" + name.text + "' is an end of the base edge; it is always there"
+               : "'" + name.text + "' is given twice in this rule",
+         "",
+         isEnd ? "choose another name; the base edge a -> b needs no place and no tolerance"
+               : "choose another name",
+         Severity::Error, std::move(notes));
+    return false;
+  }
+  warnIfHiding(name);
+  Local local;
+  local.value = std::move(value);
+  local.span = name.span;
+  local.kind = kind;
+  locals[name.text] = std::move(local);
+  return true;
+}
+
+void ClauseCompiler::compileNew(const NewClause& clause) {
+  for (const Definition& d : clause.vertices) {
+    Value value = expressions_.point(d.value);
+    const bool isKnown = !value.isAny();
+    if (!isKnown && !isGeneric_) hasErrors_ = true;
+    const auto index = static_cast<int>(matched_.size() + newPlaces_.size());
+    value.vertex = isKnown ? index : -1;
+    value.isNewVertex = true;
+    if (isKnown) use(UsedValue::Kind::NewVertex, value, d.value.span);
+    const NodePair at = isKnown ? algebra().toBase(value.at) : NodePair{};
+    if (!defineLocal(d.name, value, LocalKind::NewVertex)) continue;
+    newPlaces_.push_back(at);
+    definition().newVertexNames.push_back(d.name.text);
+    definition().newVertices.push_back(isKnown ? makeTransform(builder_, at) : nullptr);
+    result_.vertexSpans.push_back(d.name.span);
+  }
+}
+
+std::optional<int> ClauseCompiler::elementVertex(const Name& kind, const Name& name) {
+  const auto found = matched_.find(name.text);
+  if (found != matched_.end()) return stored(found->second);
+  const auto& names = definition().newVertexNames;
+  const auto made = std::find(names.begin(), names.end(), name.text);
+  if (made != names.end())
+    return static_cast<int>(matched_.size() + static_cast<std::size_t>(made - names.begin()));
+  if (broken_.contains(name.text)) {
+    hasErrors_ = true;
+    return std::nullopt;
+  }
+  std::vector<std::string> known = names;
+  std::string list = "a, b";
+  for (const auto& [text, index] : matched_) {
+    known.push_back(text);
+    if (index >= 2) list += ", " + text;
+  }
+  for (const std::string& text : names) list += ", " + text;
+  for (const Clause& clause : rule_.clauses)
+    if (const auto* later = std::get_if<NewClause>(&clause.content))
+      for (const Definition& d : later->vertices)
+        if (d.name.text == name.text) {
+          tell("R1", name.span, "'" + name.text + "' is used before it is defined", "",
+               "move its `new` clause up");
+          return std::nullopt;
+        }
+  const auto local = expressions_.locals.find(name.text);
+  if (local != expressions_.locals.end() && local->second.kind == LocalKind::Let) {
+    local->second.isUsed = true;
+    tell("R1", name.span, "'" + name.text + "' is a `let`, no vertex", "",
+         "make it a vertex with `new " + name.text + " = ...;`");
+    return std::nullopt;
+  }
+  const Help help = didYouMean(name.text, known);
+  if (local != expressions_.locals.end() && local->second.kind == LocalKind::Broken) {
+    hasErrors_ = true;  // told where it was first used
+    return std::nullopt;
+  }
+  markBroken(name.text);
+  tell("R1", name.span,
+       "'" + kind.text + "' uses the vertex '" + name.text + "', which this rule does not have", "",
+       "vertices of this rule: " + list + (help.empty() ? "" : "; " + help));
+  return std::nullopt;
+}
+
+void ClauseCompiler::addElement(const Name& kind, const std::vector<Name>& corners) {
+  const Span span = cover(corners.front().span, corners.back().span);
+  const std::size_t wanted = kind.text == "tri" ? 3 : kind.text == "quad" ? 4 : corners.size();
+  std::vector<int> vertices;
+  for (const Name& name : corners) {
+    const auto vertex = elementVertex(kind, name);
+    if (vertex) vertices.push_back(*vertex);
+  }
+  if (corners.size() != wanted)
+    return tell("T2", span, "'" + kind.text + "' takes " + std::to_string(wanted) + " vertices",
+                std::to_string(corners.size()) + " are given",
+                corners.size() == 4   ? "write quad"
+                : corners.size() == 3 ? "write tri"
+                                      : "");
+  if (corners.size() > 4)
+    return tell("T2", span, "elements with more than four corners cannot be made", "",
+                "split it into tri and quad elements");
+  if (vertices.size() != corners.size()) return;
+  if (mirror_) std::reverse(vertices.begin(), vertices.end());
+  std::rotate(vertices.begin(), std::min_element(vertices.begin(), vertices.end()), vertices.end());
+  RuleElement element;
+  for (std::size_t i = 0; i < vertices.size(); ++i)
+    element.corners[i] = static_cast<std::int8_t>(vertices[i]);
+  definition().elements.push_back(element);
+  result_.elementSpans.push_back(span);
+}
+
+void ClauseCompiler::compileElements(const ElementClause& clause) {
+  for (const auto& corners : clause.elements) addElement(clause.kind, corners);
+}
+
+void ClauseCompiler::compileRequire(const RequireClause& clause) {
+  for (const Expr& expr : clause.conditions) {
+    const Value value = expressions_.truth(expr, "what is required");
+    if (value.isAny()) {
+      hasErrors_ = hasErrors_ || !isGeneric_;
+      continue;
+    }
+    const auto constant = builder_.constantValue(value.number);
+    if (constant && !mirror_ && !isGeneric_)
+      expressions_.tell("D1", expr.span,
+                        *constant != 0 ? "this condition always holds"
+                                       : "this condition never holds, so the rule never applies",
+                        "", "it does not depend on the match", Severity::Warning);
+    use(UsedValue::Kind::Requirement, value, expr.span);
+    definition().requirements.push_back(makeFunction(builder_, value.number));
+  }
+}
+
+void ClauseCompiler::compileCost(const CostClause& clause) {
+  const Value value = expressions_.number(clause.value, "a cost");
+  hasErrors_ = hasErrors_ || (value.isAny() && !isGeneric_);
+  if (value.isAny()) return;
+  if (builder_.constantValue(value.number) == 0.0)
+    expressions_.warnIdle(clause.value.span, "a cost of 0 changes nothing",
+                          "remove it, or give it a value");
+  use(UsedValue::Kind::Cost, value, clause.value.span);
+  definition().cost = makeFunction(builder_, value.number);
+}
+
+void ClauseCompiler::compilePriority(const PriorityClause& clause, Span span) {
+  if (hasPriority_) tell("R2", span, "the priority is given twice", "", "give it once");
+  hasPriority_ = true;
+  const auto value = expressions_.constantNumber(clause.value, "a priority");
+  if (!value) return;
+  if (*value != std::floor(*value) || std::abs(*value) > 1e6)
+    return tell("Y3", clause.value.span, "a priority is a whole number",
+                "this is " + shownNumber(*value));
+  if (*value == 0)
+    expressions_.warnIdle(span, "a priority of 0 is what every rule has",
+                          "remove it, or give it another value: the smaller one wins");
+  definition().priority = static_cast<int>(*value);
+}
+
+void ClauseCompiler::compileClause(const Clause& clause) {
+  std::visit(
+      [&](const auto& content) {
+        using Content = std::decay_t<decltype(content)>;
+        if constexpr (std::is_same_v<Content, AtClause>) {
+          compilePlaces(content);
+        } else if constexpr (std::is_same_v<Content, SlopeClause>) {
+          compileSlope(content);
+        } else if constexpr (std::is_same_v<Content, LetClause>) {
+          for (const Definition& d : content.values) {
+            Value value = expressions_.evaluate(d.value);
+            if (value.isAny() && !isGeneric_) hasErrors_ = true;
+            defineLocal(d.name, std::move(value), LocalKind::Let);
+          }
+        } else if constexpr (std::is_same_v<Content, NewClause>) {
+          compileNew(content);
+        } else if constexpr (std::is_same_v<Content, ZoneClause>) {
+          readZone(content, clause.span);
+        } else if constexpr (std::is_same_v<Content, ElementClause>) {
+          compileElements(content);
+        } else if constexpr (std::is_same_v<Content, RequireClause>) {
+          compileRequire(content);
+        } else if constexpr (std::is_same_v<Content, CostClause>) {
+          if (hasCost_)
+            tell("R2", clause.span, "the cost is given twice", "", "add the two up in one clause");
+          hasCost_ = true;
+          compileCost(content);
+        } else if constexpr (std::is_same_v<Content, MetaClause>) {
+          if (!mirror_) expressions_.checkAllowed(content);
+        } else if constexpr (std::is_same_v<Content, PriorityClause>) {
+          compilePriority(content, clause.span);
+        }
+      },
+      clause.content);
+}
+
+void ClauseCompiler::applyOverrides() {
+  for (const MirrorOverride& part : mirror_->overrides) {
+    for (const auto& [name, tolerance] : part.tolerances) {
+      const auto found = matched_.find(name.text);
+      if (found == matched_.end() || found->second < 2) {
+        std::vector<std::string> known;
+        for (const PatternVertex& v : definition().vertices) known.push_back(v.name);
+        tell("R1", name.span,
+             found == matched_.end()
+                 ? "the rule has no vertex '" + name.text + "' with a tolerance"
+                 : "'" + name.text + "' is an end of the base edge and carries no tolerance",
+             "", helpAmong(name.text, known, "vertices of this rule"));
+        continue;
+      }
+      bool isAny = false;
+      const auto form = toleranceOf(tolerance, isAny);
+      if (isAny && !expressions_.inChain[static_cast<std::size_t>(found->second)])
+        tell("T2", tolerance.span, "'any' needs a chain", "'" + name.text + "' stands in no chain");
+      for (PatternVertex& v : definition().vertices)
+        if (v.name == name.text) v.tolerance = form;
+    }
+    if (part.cost) compileCost(*part.cost);
+  }
+}
+
+/// So that a name used too early is told apart from one that there is not.
+void ClauseCompiler::listNamesBelow() {
+  for (const Clause& clause : rule_.clauses) {
+    if (const auto* at = std::get_if<AtClause>(&clause.content))
+      for (const Place& p : at->places) expressions_.definedBelow.emplace(p.name.text, p.name.span);
+    if (const auto* let = std::get_if<LetClause>(&clause.content))
+      for (const Definition& d : let->values)
+        expressions_.definedBelow.emplace(d.name.text, d.name.span);
+    if (const auto* made = std::get_if<NewClause>(&clause.content))
+      for (const Definition& d : made->vertices)
+        expressions_.definedBelow.emplace(d.name.text, d.name.span);
+  }
+}
+
+void ClauseCompiler::warnAboutNames() {
+  if (mirror_ || hasErrors_) return;
+  for (const auto& [name, local] : expressions_.locals)
+    if (local.kind == LocalKind::Let && !local.isUsed)
+      warn("A2", local.span, "the value '" + name + "' is never used", "remove it");
+}
+
+/// The engine takes so many only; and everything here may look at all of them for each.
+bool ClauseCompiler::tellTooManyVertices() {
+  std::vector<const Name*> names;
+  for (const Clause& clause : rule_.clauses) {
+    if (const auto* at = std::get_if<AtClause>(&clause.content))
+      for (const Place& place : at->places) names.push_back(&place.name);
+    if (const auto* made = std::get_if<NewClause>(&clause.content))
+      for (const Definition& d : made->vertices) names.push_back(&d.name);
+  }
+  const std::size_t count = names.size() + 2, most = AF2Rule::kMaxVertices;
+  if (count <= most) return false;
+  tell("T2", names.back()->span, "this rule has " + std::to_string(count) + " vertices", "",
+       "at most " + std::to_string(most) + " are possible, a and b among them");
+  return true;
+}
+
+std::optional<CompiledRule> ClauseCompiler::compile(const std::string& title, Span titleSpan) {
+  result_.title = titleSpan;
+  expressions_.ruleTitle = title;
+  if (tellTooManyVertices()) return std::nullopt;
+  definition().name = title;
+  definition().source = {home_.source.name(), home_.source.lineOf(titleSpan.begin),
+                         mirror_ != nullptr};
+  for (int i = 0; i < 2; ++i) {
+    Local end;
+    end.value = algebra().vertex(i);
+    end.kind = LocalKind::Vertex;
+    expressions_.locals[i == 0 ? "a" : "b"] = std::move(end);
+    result_.vertexSpans.push_back(titleSpan);
+  }
+  definition().vertices = {PatternVertex{"a", {0, 0}, std::nullopt},
+                           PatternVertex{"b", {1, 0}, std::nullopt}};
+  listNamesBelow();
+  collectPattern();
+  readLevels();
+  definition().edges.push_back({0, 1, std::nullopt});
+  result_.edgeSpans.push_back(titleSpan);
+  for (const Clause& clause : rule_.clauses)
+    if (const auto* front = std::get_if<FrontClause>(&clause.content))
+      for (const Chain& chain : front->chains) addChain(chain);
+  for (const Clause& clause : rule_.clauses) compileClause(clause);
+  compileZones();
+  if (mirror_) applyOverrides();
+  tellMissingValues();
+  warnAboutNames();
+  if (definition().zone == nullptr && zones_.empty() && !hasErrors_)
+    tell("Z6", titleSpan, "this rule has no zone",
+         "nothing would keep its elements from lying over others",
+         "say which region must be empty: `zone a, b, ...;`");
+  const bool isWhole = definition().zone && !hasErrors_ && !isGeneric_ &&
+                       std::all_of(definition().newVertices.begin(), definition().newVertices.end(),
+                                   [](const auto& t) { return t != nullptr; });
+  if (!isWhole) return std::nullopt;
+  return std::move(result_);
+}
+
+}  // namespace af2::dsl

@@ -1,0 +1,294 @@
+// What a rule looks for: levels, places, tolerances, chains.
+#include "dsl/compile/clause_compiler.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "dsl/program/builtins.h"
+#include "dsl/program/compiled_forms.h"
+#include "dsl/text/words.h"
+
+namespace af2::dsl {
+namespace {
+
+/// Of numbers by level, the last of which holds for all above.
+double valueAt(const std::vector<double>& byLevel, std::size_t index) {
+  return byLevel[std::min(index, byLevel.size() - 1)];
+}
+
+}  // namespace
+
+void ClauseCompiler::poisonBrokenNames() {
+  for (const BrokenStretch& stretch : home_.parsed.broken) {
+    if (stretch.span.begin < rule_.span.begin || stretch.span.end > rule_.span.end) continue;
+    hasErrors_ = true;
+    for (const std::string& name : stretch.names) {
+      if (name == "a" || name == "b") continue;
+      broken_.insert(name);
+      Local local;
+      local.kind = LocalKind::Broken;
+      expressions_.locals.emplace(name, std::move(local));
+    }
+  }
+}
+
+/// First the vertices of all `at` clauses and the chains, so that every expression knows which
+/// vertices have a place on the front.
+void ClauseCompiler::collectPattern() {
+  matched_ = {{"a", 0}, {"b", 1}};
+  int next = 2;
+  for (const Clause& clause : rule_.clauses)
+    if (const auto* at = std::get_if<AtClause>(&clause.content))
+      for (const Place& place : at->places)
+        if (matched_.emplace(place.name.text, next).second) ++next;
+  expressions_.inChain.assign(static_cast<std::size_t>(next), false);
+  expressions_.inChain[0] = expressions_.inChain[1] = true;
+  for (const Clause& clause : rule_.clauses)
+    if (const auto* front = std::get_if<FrontClause>(&clause.content))
+      for (const Chain& chain : front->chains)
+        for (const Name& name : chain)
+          if (const auto found = matched_.find(name.text); found != matched_.end())
+            expressions_.inChain[static_cast<std::size_t>(found->second)] = true;
+}
+
+void ClauseCompiler::readLevels() {
+  const LevelRange* levels = &rule_.levels;
+  if (mirror_)
+    for (const MirrorOverride& part : mirror_->overrides)
+      if (part.levels) levels = &*part.levels;
+  const auto whole = [&](const Expr& expr) -> std::optional<int> {
+    const auto value = expressions_.constantNumber(expr, "a quality level");
+    if (!value) return std::nullopt;
+    if (*value >= 1 && *value <= 1e6 && *value == std::floor(*value))
+      return static_cast<int>(*value);
+    const bool isDifference = expr.kind == ExprKind::Binary && expr.name == "-";
+    tell("Y3", expr.span, "a quality level is a whole number from 1",
+         "this is " + shownNumber(*value),
+         isDifference ? "a range of levels is written 1..3" : "1 is the best");
+    return std::nullopt;
+  };
+  result_.levelSpan = levels->first.span;
+  const auto first = whole(levels->first);
+  if (first) definition().firstLevel = *first;
+  if (levels->last.isMissing()) return;
+  result_.levelSpan = cover(levels->first.span, levels->last.span);
+  const auto last = whole(levels->last);
+  definition().lastLevel = last;
+  if (first && last && *last < *first) {
+    tell("D2", result_.levelSpan, "no quality level lies in this range",
+         "its end lies below its beginning", "write the smaller level first");
+    definition().lastLevel = std::nullopt;
+  }
+}
+
+/// The last level at which the rule is tried.
+int ClauseCompiler::lastLevel() const {
+  const RuleDefinition& rule = result_.definition;
+  return std::max(rule.firstLevel,
+                  std::min(rule.lastLevel.value_or(settings_.maxLevel), settings_.maxLevel));
+}
+
+/// By level from 1 on, or one number for all of them; nothing after telling. Levels below the
+/// rule's first one have the value of that.
+std::optional<std::vector<double>> ClauseCompiler::numberByLevel(const Expr& expr,
+                                                                 const std::string& what) {
+  if (expr.isMissing()) return std::nullopt;
+  const Value value = expressions_.number(expr, what);
+  if (value.isAny()) return std::nullopt;
+  if (const auto constant = builder_.constantValue(value.number)) return std::vector{*constant};
+  if (builder_.dependsOnMatch(value.number)) {
+    tell("Y3", expr.span, what + " cannot depend on the match", "",
+         "use numbers, constants, parameters and q; what a match must fulfil besides is said by "
+         "`require`");
+    return std::nullopt;
+  }
+  const int first = definition().firstLevel;
+  std::vector<double> numbers;
+  const ExpressionFunction function(builder_.program(std::array<Node, 1>{value.number}));
+  for (int level = 1; level <= lastLevel(); ++level) {
+    const auto at = function.evaluate({{}, std::max(level, first), nullptr});
+    if (!at) {
+      tell("Y4", expr.span, what + " has no value at level " + std::to_string(level), "",
+           "a division by zero, a root of a negative number or the like");
+      return std::nullopt;
+    }
+    numbers.push_back(*at);
+  }
+  return numbers;
+}
+
+std::optional<ToleranceByLevel> ClauseCompiler::formOf(const Expr& expr) {
+  const bool isForm = expr.kind == ExprKind::Tuple && expr.parts.size() == 3;
+  if (expr.kind == ExprKind::Tuple && !isForm) {
+    for (const Expr& part : expr.parts) numberByLevel(part, "a coefficient");
+    tell("Y6", expr.span, "a form has three coefficients, (xx, xy, yy)",
+         std::to_string(expr.parts.size()) + " are given",
+         "write `~ w` for the same weight in all directions, or `~ (xx, xy, yy)`");
+    return std::nullopt;
+  }
+  std::array<std::vector<double>, 3> weights{{{0}, {0}, {0}}};
+  bool isRight = true;
+  for (std::size_t i = 0; i < (isForm ? 3 : 1); ++i) {
+    auto numbers =
+        isForm ? numberByLevel(expr.parts[i], "a coefficient") : numberByLevel(expr, "a tolerance");
+    isRight = isRight && numbers;
+    if (numbers) weights[i] = std::move(*numbers);
+  }
+  if (!isRight) return std::nullopt;
+  if (!isForm) weights[2] = weights[0];
+  const std::size_t levels = std::max({weights[0].size(), weights[1].size(), weights[2].size()});
+  std::vector<ToleranceForm> forms;
+  for (std::size_t i = 0; i < levels; ++i) {
+    const ToleranceForm form{valueAt(weights[0], i), valueAt(weights[1], i),
+                             valueAt(weights[2], i)};
+    if (form.xx < 0 || form.yy < 0 || form.xy * form.xy > 4 * form.xx * form.yy) {
+      const std::string where = levels > 1 ? " at level " + std::to_string(i + 1) : "";
+      if (isForm)
+        tell("Y3", expr.span, "this form is negative for some deviations" + where, "",
+             "a form (xx, xy, yy) needs xx >= 0, yy >= 0 and xy^2 <= 4 xx yy");
+      else
+        tell("Y3", expr.span, "a tolerance's weight cannot be negative",
+             where.empty() ? "" : "it is " + shownNumber(form.xx) + where,
+             "a larger weight is stricter; 0 or `any` lets all through");
+      return std::nullopt;
+    }
+    forms.push_back({form.xx, mirror_ ? 0 - form.xy : form.xy, form.yy});
+  }
+  return ToleranceByLevel(std::move(forms));
+}
+
+std::optional<ToleranceByLevel> ClauseCompiler::toleranceOf(const Tolerance& tolerance,
+                                                            bool& isAny) {
+  isAny = tolerance.any;
+  if (tolerance.any) return std::nullopt;
+  const auto form = formOf(tolerance.form);
+  hasErrors_ = hasErrors_ || !form;
+  return form ? form : ToleranceForm{};
+}
+
+std::optional<ReferenceByLevel> ClauseCompiler::referenceOf(const Place& place) {
+  const auto x = numberByLevel(place.x, "a reference coordinate");
+  const auto y = numberByLevel(place.y, "a reference coordinate");
+  if (!x || !y) return std::nullopt;
+  std::vector<Point2> points;
+  for (std::size_t i = 0; i < std::max(x->size(), y->size()); ++i) {
+    const Point2 p{valueAt(*x, i), valueAt(*y, i)};
+    points.push_back({mirror_ ? 1 - p.x : p.x, p.y});
+  }
+  return ReferenceByLevel(std::move(points));
+}
+
+void ClauseCompiler::compilePlaces(const AtClause& at) {
+  for (const Place& place : at.places) {
+    const auto reference = referenceOf(place);
+    hasErrors_ = hasErrors_ || !reference;
+    const auto index = static_cast<int>(definition().vertices.size());
+    if (!defineLocal(place.name, algebra().vertex(index), LocalKind::Vertex)) continue;
+    PatternVertex vertex;
+    vertex.name = place.name.text;
+    if (reference) vertex.reference = *reference;
+    if (place.tolerance) {
+      bool isAny = false;
+      vertex.tolerance = toleranceOf(*place.tolerance, isAny);
+      const bool isInChain =
+          expressions_.inChain[static_cast<std::size_t>(matched_.at(place.name.text))];
+      if (isAny && !isInChain)
+        tell("T2", place.tolerance->span, "'any' needs a chain",
+             "'" + place.name.text + "' stands in no chain",
+             "name the vertex in a `front` chain that leads to it, or give a tolerance");
+    }
+    definition().vertices.push_back(std::move(vertex));
+    result_.vertexSpans.push_back(place.name.span);
+  }
+}
+
+std::optional<int> ClauseCompiler::matchedVertex(const Name& name, const char* use) {
+  const auto found = matched_.find(name.text);
+  if (found != matched_.end()) return found->second;
+  if (broken_.contains(name.text)) return std::nullopt;
+  for (const Clause& clause : rule_.clauses)
+    if (const auto* made = std::get_if<NewClause>(&clause.content))
+      for (const Definition& d : made->vertices)
+        if (d.name.text == name.text) {
+          tell("T2", name.span,
+               "'" + name.text + "' is a new vertex; the front does not have it yet", "",
+               std::string(use) + " names matched vertices only");
+          return std::nullopt;
+        }
+  std::vector<std::string> known;
+  for (const auto& [text, index] : matched_) known.push_back(text);
+  const Help help = didYouMean(name.text, known);
+  tell("R1", name.span, "the vertex '" + name.text + "' has no place", "",
+       help.empty() ? "say where it is expected: `at " + name.text + " (x, y);`" : help);
+  markBroken(name.text);
+  return std::nullopt;
+}
+
+void ClauseCompiler::addEdge(const Name& fromName, const Name& toName) {
+  const auto from = matchedVertex(fromName, "a chain"), to = matchedVertex(toName, "a chain");
+  if (!from || !to) return;
+  const Span span = cover(fromName.span, toName.span);
+  if (*from == *to) return tell("T2", span, "an edge from a vertex to itself");
+  int u = stored(*from), v = stored(*to);
+  if (mirror_) std::swap(u, v);
+  for (std::size_t i = 0; i < definition().edges.size(); ++i) {
+    const PatternEdge& known = definition().edges[i];
+    const std::string text = fromName.text + " -> " + toName.text;
+    const bool isBase = i == 0;
+    if (known.from == u && known.to == v) {
+      if (isBase && result_.edgeSpans[0] == result_.title) {
+        result_.edgeSpans[0] = span;
+        return;
+      }
+      return tell("T2", span, "the edge " + text + " is named twice", "",
+                  "name each front edge once");
+    }
+    if (known.from == v && known.to == u)
+      return tell("T2", span, "the edge " + text + " runs against another one of the pattern", "",
+                  "front edges have the unmeshed region on their left");
+    if (known.from == u || known.to == v) {
+      const Name& at = (known.from == u) != (mirror_ != nullptr) ? fromName : toName;
+      return tell("T2", span, "the chains branch at '" + at.text + "'",
+                  isBase ? "the base edge a -> b is always part of the pattern" : "",
+                  "each vertex has one front edge that comes and one that goes");
+    }
+  }
+  definition().edges.push_back({u, v, std::nullopt});
+  result_.edgeSpans.push_back(span);
+}
+
+void ClauseCompiler::addChain(const Chain& chain) {
+  for (std::size_t i = 0; i + 1 < chain.size(); ++i) addEdge(chain[i], chain[i + 1]);
+}
+
+void ClauseCompiler::compileSlope(const SlopeClause& slope) {
+  const auto from = matchedVertex(slope.from, "slope"), to = matchedVertex(slope.to, "slope");
+  bool isAny = false;
+  const auto form = toleranceOf(slope.tolerance, isAny);
+  if (!from || !to) return;
+  int u = stored(*from), v = stored(*to);
+  if (mirror_) std::swap(u, v);
+  for (PatternEdge& edge : definition().edges)
+    if (edge.from == u && edge.to == v) {
+      if (edge.slope && !isAny)
+        tell("R2", cover(slope.from.span, slope.to.span), "the slope of this edge is given twice",
+             "", "give it once");
+      edge.slope = form;
+      const bool isIdle = !form || *form == ToleranceByLevel(ToleranceForm{0, 0, 0});
+      if (isIdle && (isAny || !hasErrors_))
+        expressions_.warnIdle(cover(slope.from.span, slope.tolerance.span),
+                              "this slope lets every edge through",
+                              "remove it, or give it a weight: a larger one is stricter");
+      if (u == 0 && v == 1 && !mirror_)
+        warn("D1", cover(slope.from.span, slope.tolerance.span),
+             "a slope of the base edge tests its length only: the frame's x axis runs along it",
+             "remove the clause if that is not meant");
+      return;
+    }
+  tell("T2", cover(slope.from.span, slope.to.span),
+       slope.from.text + " -> " + slope.to.text + " is no edge of the pattern", "",
+       "name it in a `front` chain; a slope is a tolerance on a front edge");
+}
+
+}  // namespace af2::dsl

@@ -1,0 +1,67 @@
+// From a rule's text to its definition.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "dsl/compile/compiled_rule.h"
+#include "dsl/compile/expressions.h"
+#include "dsl/compile/test_compiler.h"
+
+namespace af2::dsl {
+
+/// What the rules of a file share, as far as their compilation asks for it.
+struct SharedSettings {
+  int maxLevel = 50;
+  std::vector<double> fade;              ///< weight of the preferred corner by level
+  const Expr* fadeExpression = nullptr;  ///< null: 1/q
+  const Module* fadeHome = nullptr;
+};
+
+/// `{k}` filled in. Tells what it does not know.
+std::string filledTitle(ExpressionCompiler& expressions, const Name& title);
+
+/// A number as titles show it.
+std::string shownNumber(double value);
+
+/// Compiles one rule, once as written and once for each mirror. What is wrong is told; a rule with
+/// errors is left out.
+class RuleCompiler {
+ public:
+  RuleCompiler(CompileContext& context, const Module& home, const SharedSettings& settings)
+      : context_(context), home_(home), settings_(settings) {}
+
+  using Parameter = RuleParameter;
+
+  /// The title of an instance, and the file in which it stands.
+  struct InstanceTitle {
+    Name title;
+    const Module* home = nullptr;
+  };
+
+  /// `instance`: its title instead of the rule's own. With unknown parameters (type
+  /// Any) only types are checked, and nothing is returned.
+  std::vector<CompiledRule> compile(const Rule& rule,
+                                    const std::map<std::string, Parameter>& parameters,
+                                    const InstanceTitle* instance = nullptr);
+
+  /// A property of a compiled rule; `home` of the property may be another file than the rule's.
+  std::optional<CompiledProperty> compileProperty(const Property& property, const Module& written,
+                                                  const CompiledRule& rule);
+
+ private:
+  std::shared_ptr<const RuleDefinition> imageOf(const Rule& rule,
+                                                const std::map<std::string, Parameter>& parameters);
+  void tellTooMany(const InstanceTitle& title);
+  void tellFurtherMirrors(const Rule& rule);
+  void compileOne(const Rule& rule, const std::map<std::string, Parameter>& parameters,
+                  const InstanceTitle& title, std::vector<CompiledRule>& result);
+
+  CompileContext& context_;
+  const Module& home_;
+  const SharedSettings& settings_;
+};
+
+}  // namespace af2::dsl

@@ -1,0 +1,73 @@
+// From a `ruleset` block to what all rules share.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "dsl/compile/compiled_rule.h"
+#include "dsl/compile/expressions.h"
+#include "dsl/compile/rule_compiler.h"
+#include "engine/rule/rule_set.h"
+
+namespace af2::dsl {
+
+/// A `ruleset` block and the file it stands in.
+struct PlacedRuleSet {
+  const RuleSetBlock* block = nullptr;
+  const Module* home = nullptr;
+};
+
+/// Compiles the settings: first those that rules depend on, and when the rules are known the rest.
+class RuleSetCompiler {
+ public:
+  /// `blocks`: the rule set after those that it extends, the farthest first. May be empty, then all
+  /// settings have their defaults.
+  RuleSetCompiler(CompileContext& context, const Module& main, std::vector<PlacedRuleSet> blocks);
+
+  const SharedSettings& shared() const { return shared_; }
+  Parity parity() const { return parity_; }
+  /// Kinds of elements that the rules may make; empty: any.
+  const std::set<std::string>& kinds() const { return kinds_; }
+
+  /// Codes of findings that the rule set allows.
+  const std::set<std::string>& allowed() const { return allowed_; }
+
+  /// The definition without its rules. `sizes`: numbers of corners that the rules make elements of.
+  RuleSetDefinition finish(const std::set<int>& sizes);
+
+ private:
+  struct Found {
+    const Setting* setting = nullptr;
+    const Module* home = nullptr;
+  };
+
+  template <class Content>
+  const Content* find(const Module** home = nullptr) const;
+  void collect(const PlacedRuleSet& placed);
+  void readClasses();
+  void readFade();
+  void readKinds();
+  void readParity();
+  void readAllowed(const MetaClause& meta, const Module& home);
+  std::vector<double> table(const Expr& expr, const Module& home, const char* what, double least);
+  bool hasValues(const Program& program, const Expr& expr, const Module& home, const char* what);
+  void checkMetric(const Program& program, const Expr& expr, const Module& home, int corners);
+  std::shared_ptr<const AF2ElementMetric> metric(const std::set<int>& sizes);
+  std::optional<Program> metricProgram(const Expr& expr, const Module& home, int corners);
+  std::shared_ptr<const AF2Acceptance> acceptance();
+  std::shared_ptr<const AF2FrontOrder> order();
+  std::shared_ptr<const AF2FrontOrder> rows(const RowsSetting& setting, const Module& home);
+
+  CompileContext& context_;
+  const Module& main_;
+  std::vector<PlacedRuleSet> blocks_;
+  std::vector<Found> settings_;  ///< by kind of content, the last one wins
+  SharedSettings shared_;
+  Parity parity_ = Parity::Any;
+  std::set<std::string> kinds_, allowed_;
+};
+
+}  // namespace af2::dsl

@@ -1,0 +1,369 @@
+#include "dsl/compile/test_compiler.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "dsl/compile/rule_compiler.h"
+#include "dsl/compile/rule_titles.h"
+#include "dsl/syntax/titles.h"
+#include "dsl/text/words.h"
+#include "engine/base/turn.h"
+
+namespace af2::dsl {
+namespace {
+
+class TestCompiler {
+ public:
+  TestCompiler(CompileContext& context, const Module& module, const Test& test,
+               std::span<const CompiledRule> rules, int maxLevel)
+      : context_(context),
+        module_(module),
+        test_(test),
+        rules_(rules),
+        maxLevel_(maxLevel),
+        expressions_(context, module, ExpressionPlace::Test, Algebra(builder_, {})) {
+    expressions_.turnInTest = [this](int vertex) {
+      return turnAt(static_cast<std::size_t>(vertex));
+    };
+  }
+
+  std::optional<CompiledTest> compile();
+
+ private:
+  template <class... Arguments>
+  void tell(const char* code, Span span, std::string message, Arguments&&... arguments) {
+    expressions_.tell(code, span, std::move(message), std::forward<Arguments>(arguments)...);
+    hasErrors_ = true;
+  }
+
+  std::optional<double> number(const Expr& expr, const char* what) {
+    const auto value = expressions_.constantNumber(expr, what);
+    hasErrors_ = hasErrors_ || !value;
+    return value;
+  }
+
+  std::optional<std::size_t> place(const TestVertex& vertex);
+  std::optional<std::size_t> known(const Name& name);
+  void addChains(const TestFront& front);
+  void addPoints(const TestPoints& points);
+  void joinChains();
+  void setBase(const TestBase* base);
+  void checkEdges();
+  std::optional<double> turnAt(std::size_t vertex) const;
+  const CompiledRule* findRule(const Name& title);
+  void addExpectation(const Expectation& expectation, Span span);
+  std::optional<CompiledExpectation::IsRule> compileOutcome(const ExpectRule& expected,
+                                                            bool negated);
+  std::optional<CompiledExpectation::Front> compileOutcome(const ExpectFront& expected);
+  template <class Outcome>
+  void add(std::optional<Outcome> outcome, bool negated, Span span) {
+    if (outcome) result_.expectations.push_back({negated, std::move(*outcome), span});
+  }
+
+  CompileContext& context_;
+  const Module& module_;
+  const Test& test_;
+  std::span<const CompiledRule> rules_;
+  int maxLevel_;
+  ProgramBuilder builder_;
+  ExpressionCompiler expressions_;
+  CompiledTest result_;
+  std::map<std::string, std::size_t> vertices_;
+  std::map<std::string, Span> places_;
+  std::set<std::string> broken_;
+  std::set<std::size_t> isolated_;
+  Span chainSpan_;
+  bool hasErrors_ = false;
+};
+
+std::optional<std::size_t> TestCompiler::known(const Name& name) {
+  const auto found = vertices_.find(name.text);
+  if (found != vertices_.end()) return found->second;
+  hasErrors_ = true;
+  if (broken_.contains(name.text)) return std::nullopt;
+  std::vector<std::string> names;
+  for (const auto& [text, index] : vertices_) names.push_back(text);
+  const Help help = didYouMean(name.text, names);
+  tell("R1", name.span, "this test has no vertex '" + name.text + "'", "",
+       help.empty() ? "place it: `" + name.text + " (x, y)` in a `front` or `point` clause above"
+                    : help);
+  return std::nullopt;
+}
+
+std::optional<std::size_t> TestCompiler::place(const TestVertex& vertex) {
+  if (!vertex.isPlaced) return known(vertex.name);
+  const auto x = number(vertex.x, "a coordinate"), y = number(vertex.y, "a coordinate");
+  if (vertices_.contains(vertex.name.text)) {
+    tell("R2", vertex.name.span, "the vertex '" + vertex.name.text + "' is placed twice", "",
+         "name it without coordinates the second time", Severity::Error,
+         std::vector<DiagnosticNote>{
+             {"placed here", placeOf(module_.source, places_[vertex.name.text])}});
+    return vertices_[vertex.name.text];
+  }
+  const std::size_t index = result_.piece.vertices.size();
+  result_.piece.vertices.push_back({x.value_or(0), y.value_or(0)});
+  result_.vertexNames.push_back(vertex.name.text);
+  vertices_[vertex.name.text] = index;
+  places_[vertex.name.text] = vertex.name.span;
+  Local local;
+  local.value = expressions_.algebra().point(
+      {builder_.constant(x.value_or(0)), builder_.constant(y.value_or(0))});
+  local.value.vertex = static_cast<int>(index);
+  local.kind = LocalKind::Vertex;
+  expressions_.locals[vertex.name.text] = std::move(local);
+  return index;
+}
+
+void TestCompiler::addChains(const TestFront& front) {
+  for (const TestChain& chain : front.chains) {
+    std::vector<std::size_t> indices;
+    for (const TestVertex& vertex : chain)
+      if (const auto index = place(vertex)) indices.push_back(*index);
+    if (indices.size() == chain.size()) result_.piece.chains.push_back(std::move(indices));
+    if (chainSpan_.end == 0) chainSpan_ = chain.front().name.span;
+  }
+}
+
+void TestCompiler::addPoints(const TestPoints& points) {
+  for (const TestVertex& vertex : points.points)
+    if (const auto index = place(vertex)) isolated_.insert(*index);
+}
+
+/// A chain that begins where another one ends goes on with it.
+void TestCompiler::joinChains() {
+  auto& chains = result_.piece.chains;
+  for (std::size_t i = 0; i < chains.size(); ++i) {
+    for (std::size_t k = 0; k < chains.size(); ++k) {
+      const bool isClosed =
+          chains[i].front() == chains[i].back() || chains[k].front() == chains[k].back();
+      if (i == k || isClosed || chains[i].back() != chains[k].front()) continue;
+      // The first edge of the first chain stays the base.
+      chains[i].insert(chains[i].end(), chains[k].begin() + 1, chains[k].end());
+      chains.erase(chains.begin() + static_cast<std::ptrdiff_t>(k));
+      if (k < i) --i;
+      k = static_cast<std::size_t>(-1);
+    }
+  }
+  for (const auto& chain : chains)
+    for (std::size_t v : chain) isolated_.erase(v);
+  result_.piece.isolated.assign(isolated_.begin(), isolated_.end());
+}
+
+void TestCompiler::checkEdges() {
+  std::set<std::pair<std::size_t, std::size_t>> edges;
+  for (const auto& chain : result_.piece.chains)
+    for (std::size_t i = 0; i + 1 < chain.size(); ++i) {
+      const std::string text =
+          result_.vertexNames[chain[i]] + " -> " + result_.vertexNames[chain[i + 1]];
+      if (result_.piece.vertices[chain[i]] == result_.piece.vertices[chain[i + 1]])
+        tell("Y3", chainSpan_, "the front edge " + text + " has no length", "",
+             "place its ends apart");
+      else if (!edges.insert({chain[i], chain[i + 1]}).second)
+        tell("R2", chainSpan_, "the front edge " + text + " is given twice", "",
+             "name each edge once");
+    }
+}
+
+void TestCompiler::setBase(const TestBase* base) {
+  if (!base) return;
+  const auto from = known(base->from), to = known(base->to);
+  if (!from || !to) return;
+  for (const auto& chain : result_.piece.chains)
+    for (std::size_t i = 0; i + 1 < chain.size(); ++i)
+      if (chain[i] == *from && chain[i + 1] == *to) {
+        result_.piece.base = {*from, *to};
+        return;
+      }
+  tell("R1", cover(base->from.span, base->to.span),
+       base->from.text + " -> " + base->to.text + " is no edge of this test's front", "",
+       "name an edge of a `front` clause");
+}
+
+std::optional<double> TestCompiler::turnAt(std::size_t vertex) const {
+  for (const auto& chain : result_.piece.chains) {
+    const bool isClosed = chain.size() > 2 && chain.front() == chain.back();
+    const std::size_t n = isClosed ? chain.size() - 1 : chain.size();
+    for (std::size_t i = 0; i < n; ++i) {
+      if (chain[i] != vertex || (!isClosed && (i == 0 || i + 1 == n))) continue;
+      const auto& at = result_.piece.vertices;
+      const Point2 here = at[vertex], from = at[chain[(i + 1) % n]] - here,
+                   to = at[chain[(i + n - 1) % n]] - here;
+      return turnBetween(from, to);
+    }
+  }
+  return std::nullopt;
+}
+
+const CompiledRule* TestCompiler::findRule(const Name& title) {
+  std::vector<std::string> titles;
+  for (const CompiledRule& rule : rules_) {
+    if (rule.definition.name == title.text) return &rule;
+    titles.push_back(rule.definition.name);
+  }
+  hasErrors_ = true;
+  if (module_.hasBrokenImport) return nullptr;
+  for (const auto& [name, imported] : module_.imports)
+    if (!imported) return nullptr;
+  const auto tellMissing = [&](const Help& help) -> const CompiledRule* {
+    tell("R1", title.span, "there is no rule \"" + title.text + "\"", "", help);
+    return nullptr;
+  };
+  if (!context_.mayGuess()) return tellMissing({});
+  // A rule with errors is not among the compiled ones; it has been told about.
+  for (const Item& item : module_.parsed.file.items) {
+    if (item.content.index() == 0) return nullptr;
+    for (const Name* written : titlesMadeBy(item, module_)) {
+      const bool isCompiled = std::ranges::any_of(rules_, [&](const CompiledRule& rule) {
+        return isTitleOf(written->text, rule.definition.name);
+      });
+      if (!isCompiled && isTitleOf(written->text, title.text)) return nullptr;
+      if (!isCompiled) titles.push_back(written->text);
+    }
+  }
+  return tellMissing(helpAmong(title.text, titles, "rules of this file"));
+}
+
+std::optional<CompiledExpectation::IsRule> TestCompiler::compileOutcome(const ExpectRule& expected,
+                                                                        bool negated) {
+  CompiledExpectation::IsRule result;
+  result.title = expected.title.text;
+  result.reason = expected.reason;
+  const CompiledRule* rule = findRule(expected.title);
+  for (const auto& [vertex, value] : expected.bindings) {
+    const auto bound = known(value);
+    if (!rule) continue;
+    const auto& vertices = rule->definition.vertices;
+    const auto found = std::find_if(vertices.begin(), vertices.end(),
+                                    [&](const PatternVertex& v) { return v.name == vertex.text; });
+    if (found == vertices.end()) {
+      std::vector<std::string> names;
+      for (const PatternVertex& v : vertices) names.push_back(v.name);
+      tell("R1", vertex.span,
+           "the rule \"" + result.title + "\" matches no vertex '" + vertex.text + "'", "",
+           helpAmong(vertex.text, names, "vertices that it matches"));
+    } else if (bound) {
+      result.bindings.emplace_back(vertex.text, *bound);
+    }
+  }
+  for (const Name& name : expected.reasonVertices)
+    if (const auto index = known(name)) result.reasonVertices.push_back(*index);
+  if (!expected.reason.empty() && !negated)
+    tell("S1", expected.title.span, "`because` says why a rule is not applied", "",
+         "write `expect not rule ... because ...`");
+  if (!rule) return std::nullopt;
+  return result;
+}
+
+std::optional<CompiledExpectation::Front> TestCompiler::compileOutcome(
+    const ExpectFront& expected) {
+  CompiledExpectation::Front result{expected.only, {}};
+  for (const auto& chain : expected.chains) {
+    std::vector<std::size_t> indices;
+    for (const ExpectedVertex& vertex : chain) {
+      if (vertex.newIndex > 0)
+        indices.push_back(result_.piece.vertices.size() +
+                          static_cast<std::size_t>(vertex.newIndex) - 1);
+      else if (const auto index = known(vertex.name))
+        indices.push_back(*index);
+    }
+    result.chains.push_back(std::move(indices));
+  }
+  return result;
+}
+
+void TestCompiler::addExpectation(const Expectation& e, Span span) {
+  using C = CompiledExpectation;
+  std::visit(
+      [&](const auto& outcome) {
+        using Outcome = std::decay_t<decltype(outcome)>;
+        if constexpr (std::is_same_v<Outcome, ExpectRule>) {
+          add(compileOutcome(outcome, e.negated), e.negated, span);
+        } else if constexpr (std::is_same_v<Outcome, ExpectFront>) {
+          add(compileOutcome(outcome), e.negated, span);
+        } else if constexpr (std::is_same_v<Outcome, ExpectNew>) {
+          const auto x = number(outcome.x, "a coordinate"), y = number(outcome.y, "a coordinate");
+          if (outcome.index < 1)
+            tell("Y3", span, "new vertices are numbered from 1");
+          else if (x && y)
+            add(std::optional(C::NewAt{static_cast<std::size_t>(outcome.index) - 1, {*x, *y}}),
+                e.negated, span);
+        } else if constexpr (std::is_same_v<Outcome, ExpectElements>) {
+          add(std::optional(C::Elements{static_cast<std::size_t>(outcome.count)}), e.negated, span);
+        } else if constexpr (std::is_same_v<Outcome, ExpectStuck>) {
+          add(std::optional(C::Stuck{}), e.negated, span);
+        } else if constexpr (std::is_same_v<Outcome, ExpectScore>) {
+          if (const auto value = number(outcome.value, "a score"))
+            add(std::optional(C::Score{outcome.comparison, *value}), e.negated, span);
+        } else if constexpr (std::is_same_v<Outcome, ExpectCondition>) {
+          const Value value = expressions_.truth(outcome.condition, "what is expected");
+          const auto holds = value.isAny() ? std::nullopt : builder_.constantValue(value.number);
+          hasErrors_ = hasErrors_ || !holds;
+          if (holds)
+            add(std::optional(C::Condition{*holds != 0 && !std::isnan(*holds)}), e.negated, span);
+        }
+      },
+      e.outcome);
+}
+
+std::optional<CompiledTest> TestCompiler::compile() {
+  result_.title = test_.title.text;
+  result_.span = test_.title.span;
+  expressions_.ruleTitle.clear();
+  for (const BrokenStretch& stretch : module_.parsed.broken)
+    if (stretch.span.begin >= test_.span.begin && stretch.span.end <= test_.span.end) {
+      hasErrors_ = true;
+      broken_.insert(stretch.names.begin(), stretch.names.end());
+    }
+  const TestBase* base = nullptr;
+  for (const TestClause& clause : test_.clauses) {
+    if (const auto* front = std::get_if<TestFront>(&clause.content)) addChains(*front);
+    if (const auto* points = std::get_if<TestPoints>(&clause.content)) addPoints(*points);
+    if (const auto* given = std::get_if<TestBase>(&clause.content)) base = given;
+    if (const auto* level = std::get_if<TestLevel>(&clause.content)) {
+      const auto value = number(level->value, "a quality level");
+      if (value && (*value < 1 || *value > maxLevel_ || *value != std::floor(*value)))
+        tell("Y3", level->value.span,
+             "a quality level is a whole number from 1 to " + std::to_string(maxLevel_),
+             "this is " + shownNumber(*value));
+      else if (value)
+        result_.piece.level = static_cast<int>(*value);
+    }
+    if (const auto* size = std::get_if<TestSize>(&clause.content)) {
+      const auto value = number(size->value, "a size");
+      if (value && !(*value > 0))
+        tell("Y3", size->value.span, "a size is a positive number");
+      else if (value)
+        result_.piece.size = *value;
+    }
+  }
+  const bool hasFront = !result_.piece.chains.empty();
+  if (!hasFront && !hasErrors_)
+    tell("S10", test_.title.span, "this test has no front", "",
+         "add `front p (0, 0) -> r (1, 0);`");
+  if (hasFront) {
+    if (!hasErrors_) checkEdges();
+    result_.piece.base = {result_.piece.chains[0][0], result_.piece.chains[0][1]};
+    joinChains();
+  }
+  setBase(base);
+  for (const TestClause& clause : test_.clauses)
+    if (const auto* expectation = std::get_if<Expectation>(&clause.content))
+      addExpectation(*expectation, clause.span);
+  if (result_.expectations.empty() && !hasErrors_)
+    expressions_.tell("S10", test_.title.span, "this test expects nothing", "",
+                      "add `expect rule \"...\";`", Severity::Warning);
+  if (hasErrors_) return std::nullopt;
+  return std::move(result_);
+}
+
+}  // namespace
+
+std::optional<CompiledTest> compileTest(CompileContext& context, const Module& module,
+                                        const Test& test, std::span<const CompiledRule> rules,
+                                        int maxLevel) {
+  return TestCompiler(context, module, test, rules, maxLevel).compile();
+}
+
+}  // namespace af2::dsl

@@ -1,0 +1,69 @@
+#include "dsl/load/fixes.h"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+namespace af2::dsl {
+namespace {
+
+/// Errors in the signs, in names and types, in what the rules say; then warnings. Earlier faults
+/// hide later ones, so that fewer of the first kind are better whatever comes to light.
+std::array<std::size_t, 4> faultsOf(const LoadedRules& loaded) {
+  std::array<std::size_t, 4> counts{};
+  for (const Diagnostic& d : loaded.diagnostics) {
+    const std::string_view early = "LS", middle = "RYA";
+    const bool isError = d.severity == Severity::Error;
+    const std::size_t stage = early.find(d.code[0]) != early.npos     ? 0
+                              : middle.find(d.code[0]) != middle.npos ? 1
+                                                                      : 2;
+    ++counts[isError ? stage : 3];
+  }
+  return counts;
+}
+
+std::string edited(const std::string& text, const TextEdit& edit) {
+  std::string result = text;
+  return result.replace(edit.span.begin, edit.span.end - edit.span.begin, edit.replacement);
+}
+
+}  // namespace
+
+std::vector<TextEdit> editsFor(const LoadedRules& loaded) {
+  const SourceText& source = loaded.file->main().source;
+  std::vector<TextEdit> edits;
+  for (const Diagnostic& diagnostic : loaded.diagnostics)
+    for (const SuggestedEdit& edit : diagnostic.edits) {
+      const DiagnosticPlace& at = edit.place;
+      if (at.file != source.name() || at.line == 0) continue;
+      edits.push_back(
+          {{source.offsetOf({at.line, at.column}), source.offsetOf({at.endLine, at.endColumn})},
+           edit.replacement,
+           edit.what});
+    }
+  return edits;
+}
+
+FixedText fixText(const std::string& name, std::string text, const LoadOptions& options) {
+  constexpr int kMostTries = 500;
+  FixedText fixed{std::move(text), {}};
+  LoadedRules loaded = loadRulesFromText(name, fixed.text, options);
+  int tries = 0;
+  for (bool isBetter = true; isBetter;) {
+    isBetter = false;
+    for (const TextEdit& edit : editsFor(loaded)) {
+      if (++tries > kMostTries) return fixed;
+      std::string candidate = edited(fixed.text, edit);
+      LoadedRules then = loadRulesFromText(name, candidate, options);
+      if (faultsOf(then) >= faultsOf(loaded)) continue;
+      fixed.text = std::move(candidate);
+      fixed.done.push_back(edit.what);
+      loaded = std::move(then);
+      isBetter = true;
+      break;
+    }
+  }
+  return fixed;
+}
+
+}  // namespace af2::dsl

@@ -1,0 +1,379 @@
+#include "dsl/load/rule_file.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <utility>
+
+#include "dsl/checks/checks.h"
+#include "dsl/compile/library.h"
+#include "dsl/compile/rule_compiler.h"
+#include "dsl/compile/rule_set_chain.h"
+#include "dsl/compile/rule_set_compiler.h"
+#include "dsl/compile/rule_titles.h"
+#include "dsl/load/intended_findings.h"
+#include "dsl/syntax/titles.h"
+#include "dsl/text/words.h"
+#include "engine/base/error.h"
+
+namespace af2::dsl {
+namespace {
+
+/// Compiles one main file: its rule set, and its rules with those that it uses from elsewhere.
+class FileCompiler {
+ public:
+  FileCompiler(CompileContext& context, const Library& library, bool needsRuleSet)
+      : context_(context),
+        library_(library),
+        main_(*library.modules().front()),
+        needsRuleSet_(needsRuleSet) {}
+
+  /// Null if there are errors or no rules. Compiled rules and tests are left in `result`.
+  std::shared_ptr<const RuleSet> compile(LoadedFile& result);
+
+ private:
+  using Parameters = std::map<std::string, RuleCompiler::Parameter>;
+
+  void compileItems(const Module& module);
+  void compileInstance(const Module& module, const Instance& instance);
+  void checkTemplate(const Module& module, const Template& item);
+  void compileUse(const Module& module, const Use& use);
+  void checkTitle(const Module& module, const Use& use, const Name& name);
+  Help guessAmong(const std::string& written, const std::vector<std::string>& known,
+                  const std::string& what) const {
+    return context_.mayGuess() ? helpAmong(written, known, what) : Help();
+  }
+  const std::vector<CompiledRule>& rulesOf(const Module& library);
+  void append(std::vector<CompiledRule> compiled);
+  void checkKinds(const RuleSetCompiler& settings);
+  void compileTests(LoadedFile& result);
+  void compileProperty(const Property& property, LoadedFile& result);
+  std::set<int> sizesMade() const;
+  std::shared_ptr<const RuleSet> ruleSetOf(std::vector<CompiledRule>& rules,
+                                           RuleSetDefinition definition);
+  bool holdsRule(const Module& module, const std::string& title) const;
+
+  CompileContext& context_;
+  const Library& library_;
+  const Module& main_;
+  bool needsRuleSet_;
+  std::unique_ptr<RuleSetCompiler> settings_;
+  std::vector<CompiledRule> rules_;
+  std::map<const Module*, std::vector<CompiledRule>> libraryRules_;
+};
+
+void FileCompiler::append(std::vector<CompiledRule> compiled) {
+  for (CompiledRule& rule : compiled) rules_.push_back(std::move(rule));
+}
+
+void FileCompiler::compileInstance(const Module& module, const Instance& instance) {
+  ProgramBuilder builder;
+  ExpressionCompiler values(context_, module, ExpressionPlace::Constant, Algebra(builder, {}));
+  const Expr& call = instance.call;
+  if (call.kind != ExprKind::Call) {
+    if (!call.isMissing())
+      values.tell("S1", call.span, "an instance is written `template(values)`", "",
+                  "rule \"title\" = name(1, 2);");
+    return;
+  }
+  const Module* home = &module;
+  if (!call.qualifier.empty()) {
+    const auto library = module.imports.find(call.qualifier);
+    if (library == module.imports.end())
+      return values.tell("R1", call.span, "nothing is imported as '" + call.qualifier + "'");
+    if (!library->second) return;
+    home = library->second;
+  }
+  const auto found = home->templates.find(call.name);
+  if (found == home->templates.end()) {
+    if (home->brokenNames.contains(call.name) || home->hasBrokenImport) return;
+    std::vector<std::string> known;
+    if (context_.mayGuess())
+      for (const auto& [name, t] : home->templates) known.push_back(name);
+    return values.tell("R1", call.span, "there is no template '" + call.name + "'", "",
+                       guessAmong(call.name, known, "templates"));
+  }
+  if (home == &module && found->second.span.begin > call.span.begin &&
+      found->second.home == &module)
+    return values.tell("R1", call.span,
+                       "the template '" + call.name + "' is used before it is defined", "",
+                       "move the template up");
+  const Template& text = *found->second.text;
+  if (call.parts.size() != text.parameters.size()) {
+    std::string usage = text.name.text + "(";
+    for (const Name& p : text.parameters) usage += (usage.back() == '(' ? "" : ", ") + p.text;
+    return values.tell("Y6", call.span,
+                       "'" + call.name + "' is instantiated with " +
+                           std::to_string(call.parts.size()) +
+                           (call.parts.size() == 1 ? " value" : " values"),
+                       "", "the template is " + usage + ")");
+  }
+  Parameters parameters;
+  for (std::size_t i = 0; i < call.parts.size(); ++i) {
+    const Value value = values.evaluate(call.parts[i]);
+    RuleCompiler::Parameter p;
+    p.span = text.parameters[i].span;
+    p.value.type = value.type;
+    const auto known = [&](Node node) {
+      return node < 0 ? 0.0 : builder.constantValue(node).value_or(0);
+    };
+    p.value.number = known(value.number);
+    p.value.x = known(value.at.x);
+    p.value.y = known(value.at.y);
+    if (value.type == Type::Shape) {
+      values.tell("Y1", call.parts[i].span, "a template's value cannot be a shape", "",
+                  "give numbers, angles or vectors");
+      p.value.type = Type::Any;
+    }
+    parameters[text.parameters[i].text] = p;
+  }
+  const RuleCompiler::InstanceTitle title{instance.title, &module};
+  append(RuleCompiler(context_, *found->second.home, settings_->shared())
+             .compile(text.rule, parameters, &title));
+}
+
+/// A template is checked by its text alone as well, so that faults show before it is used.
+void FileCompiler::checkTemplate(const Module& module, const Template& item) {
+  Parameters parameters;
+  std::set<std::string> seen;
+  for (const Name& name : item.parameters) {
+    if (!seen.insert(name.text).second)
+      context_.tell(module, "R2", name.span, "the parameter '" + name.text + "' is given twice",
+                    "choose another name");
+    RuleCompiler::Parameter p;
+    p.span = name.span;
+    parameters[name.text] = p;
+  }
+  RuleCompiler(context_, module, settings_->shared()).compile(item.rule, parameters);
+}
+
+bool FileCompiler::holdsRule(const Module& module, const std::string& title) const {
+  return std::ranges::any_of(module.parsed.file.items, [&](const Item& item) {
+    return std::ranges::any_of(titlesMadeBy(item, module),
+                               [&](const Name* name) { return isTitleOf(name->text, title); });
+  });
+}
+
+void FileCompiler::compileUse(const Module& module, const Use& use) {
+  const auto library = module.imports.find(use.library.text);
+  if (library == module.imports.end()) {
+    std::vector<std::string> known;
+    for (const auto& [name, m] : module.imports) known.push_back(name);
+    const Help help = didYouMean(use.library.text, known);
+    if (!module.brokenNames.contains(use.library.text) && !module.hasBrokenImport)
+      context_.tell(module, "R1", use.library.span,
+                    "nothing is imported as '" + use.library.text + "'",
+                    help.empty() ? "import the file first: `import \"" + use.library.text +
+                                       ".af2\" as " + use.library.text + ";`"
+                                 : help);
+    return;
+  }
+  if (!library->second || library->second == &module) return;
+  const std::vector<CompiledRule>& made = rulesOf(*library->second);
+  if (use.rule) checkTitle(module, use, *use.rule);
+  std::set<std::string_view> except;
+  for (const Name& name : use.except) {
+    checkTitle(module, use, name);
+    except.insert(name.text);
+  }
+  const auto isThere = [&](const CompiledRule& rule) {
+    return std::ranges::any_of(rules_, [&](const CompiledRule& other) {
+      return other.definition.name == rule.definition.name && other.titlePlace == rule.titlePlace &&
+             other.askedAt == rule.askedAt;
+    });
+  };
+  for (const CompiledRule& rule : made) {
+    const std::string& title = rule.definition.name;
+    const bool isWanted = use.rule ? use.rule->text == title : !except.contains(title);
+    if (isWanted && !isThere(rule)) rules_.push_back(rule);
+  }
+}
+
+/// Tells if the library that is used makes no rule of this title.
+void FileCompiler::checkTitle(const Module& module, const Use& use, const Name& name) {
+  const Module& library = *module.imports.at(use.library.text);
+  std::vector<std::string> titles;
+  for (const CompiledRule& rule : rulesOf(library)) {
+    if (rule.definition.name == name.text) return;
+    titles.push_back(rule.definition.name);
+  }
+  if (holdsRule(library, name.text)) return;  // it has errors of its own
+  context_.tell(module, "R1", name.span,
+                "'" + use.library.text + "' has no rule \"" + name.text + "\"",
+                guessAmong(name.text, titles, "rules of that file"));
+}
+
+/// What a file makes and uses, worked out once however often it is used; of a circle, which is told
+/// where it is imported, nothing.
+const std::vector<CompiledRule>& FileCompiler::rulesOf(const Module& library) {
+  const auto [known, isNew] = libraryRules_.try_emplace(&library);
+  if (!isNew) return known->second;
+  std::vector<CompiledRule> outer = std::exchange(rules_, {});
+  compileItems(library);
+  known->second = std::exchange(rules_, std::move(outer));
+  return known->second;
+}
+
+void FileCompiler::compileItems(const Module& module) {
+  for (const Item& item : module.parsed.file.items) {
+    if (context_.rulesLeft == 0) return;
+    if (const auto* rule = std::get_if<Rule>(&item.content))
+      append(RuleCompiler(context_, module, settings_->shared()).compile(*rule, {}));
+    else if (const auto* instance = std::get_if<Instance>(&item.content))
+      compileInstance(module, *instance);
+    else if (const auto* text = std::get_if<Template>(&item.content))
+      checkTemplate(module, *text);
+    else if (const auto* use = std::get_if<Use>(&item.content))
+      compileUse(module, *use);
+  }
+}
+
+void FileCompiler::checkKinds(const RuleSetCompiler& settings) {
+  if (settings.kinds().empty() || settings.kinds().contains("poly")) return;
+  for (const CompiledRule& rule : rules_)
+    for (std::size_t i = 0; i < rule.definition.elements.size(); ++i) {
+      const std::string kind = rule.definition.elements[i].size() == 3 ? "tri" : "quad";
+      if (!settings.kinds().contains(kind))
+        context_.tell(*rule.home, "T2", rule.elementSpans[i],
+                      "this rule makes a " + kind + ", which the rule set does not list",
+                      "add '" + kind + "' to the `elements` of the rule set");
+    }
+}
+
+std::set<int> FileCompiler::sizesMade() const {
+  std::set<int> sizes;
+  for (const CompiledRule& rule : rules_)
+    for (const RuleElement& element : rule.definition.elements) sizes.insert(element.size());
+  return sizes;
+}
+
+void FileCompiler::compileProperty(const Property& property, LoadedFile& result) {
+  const auto rule = std::find_if(rules_.begin(), rules_.end(), [&](const CompiledRule& r) {
+    return r.definition.name == property.rule.text;
+  });
+  if (rule == rules_.end()) {
+    if (holdsRule(main_, property.rule.text)) return;  // it has errors of its own
+    std::vector<std::string> titles;
+    for (const CompiledRule& r : rules_) titles.push_back(r.definition.name);
+    return context_.tell(main_, "R1", property.rule.span,
+                         "there is no rule \"" + property.rule.text + "\"",
+                         guessAmong(property.rule.text, titles, "rules of this file"));
+  }
+  auto compiled = RuleCompiler(context_, *rule->home, settings_->shared())
+                      .compileProperty(property, main_, *rule);
+  if (compiled) result.properties.push_back(std::move(*compiled));
+}
+
+void FileCompiler::compileTests(LoadedFile& result) {
+  std::map<std::string, Span> titles, properties;
+  for (const Item& item : main_.parsed.file.items) {
+    if (const auto* test = std::get_if<Test>(&item.content)) {
+      const auto [known, isNew] = titles.emplace(test->title.text, test->title.span);
+      if (!isNew)
+        context_.tell(main_, "R2", test->title.span,
+                      "there are two tests \"" + test->title.text + "\"",
+                      "give each test a title of its own",
+                      {{"the other one", placeOf(main_.source, known->second)}});
+      auto compiled = compileTest(context_, main_, *test, rules_, settings_->shared().maxLevel);
+      if (compiled) result.tests.push_back(std::move(*compiled));
+    } else if (const auto* property = std::get_if<Property>(&item.content)) {
+      const auto [known, isNew] = properties.emplace(property->title.text, property->title.span);
+      if (!isNew)
+        context_.tell(main_, "R2", property->title.span,
+                      "there are two properties \"" + property->title.text + "\"",
+                      "give each property a title of its own",
+                      {{"the other one", placeOf(main_.source, known->second)}});
+      compileProperty(*property, result);
+    }
+  }
+}
+
+/// Makes the engine's rules, and leaves out of `rules` those that it would not take.
+std::shared_ptr<const RuleSet> FileCompiler::ruleSetOf(std::vector<CompiledRule>& rules,
+                                                       RuleSetDefinition definition) {
+  std::erase_if(rules, [&](const CompiledRule& rule) {
+    try {
+      definition.rules.emplace_back(rule.definition);
+      return false;
+    } catch (const InputError& error) {
+      const bool isNeverTried = rule.definition.firstLevel > definition.maxLevel;  // told as that
+      if (!isNeverTried) context_.tell(*rule.home, "T1", rule.title, error.what());
+      return true;
+    }
+  });
+  try {
+    return std::make_shared<const RuleSet>(std::move(definition));
+  } catch (const InputError& error) {
+    if (!context_.diagnostics.hasErrors()) context_.tell(main_, "R5", {0, 0}, error.what());
+    return nullptr;
+  }
+}
+
+std::shared_ptr<const RuleSet> FileCompiler::compile(LoadedFile& result) {
+  std::vector<PlacedRuleSet> sets = ruleSetChain(context_, library_, needsRuleSet_);
+  const bool hasRuleSet = !sets.empty(), needsRules = needsRuleSet_ || hasRuleSet;
+  settings_ = std::make_unique<RuleSetCompiler>(context_, main_, std::move(sets));
+  result.allowed = settings_->allowed();
+  compileItems(main_);
+  checkTitles(main_, rules_, context_.diagnostics);
+  checkKinds(*settings_);
+  compileTests(result);
+  RuleSetDefinition definition = settings_->finish(sizesMade());
+  std::vector<CompiledRule> sound = runChecks({rules_, definition, main_}, context_.diagnostics);
+  if (rules_.empty() && !context_.diagnostics.hasErrors() && needsRules)
+    context_.tell(main_, "R5", {0, 0}, "this file has no rules",
+                  "add `rule \"title\" quality 1 { ... }`");
+  if (!context_.diagnostics.hasErrors()) sound = rules_;  // those that are never tried as well
+  const bool isUsable = hasRuleSet || !context_.diagnostics.hasErrors();
+  if (isUsable && !sound.empty()) result.soundRules = ruleSetOf(sound, std::move(definition));
+  std::set<std::string> titles;
+  for (const CompiledRule& rule : sound) titles.insert(rule.definition.name);
+  result.rules = std::move(sound);
+  for (CompiledRule& rule : rules_)
+    if (!titles.contains(rule.definition.name)) result.rules.push_back(std::move(rule));
+  return context_.diagnostics.hasErrors() ? nullptr : result.soundRules;
+}
+
+bool isAllowed(const Diagnostic& d, const std::vector<std::string>& allowed) {
+  return d.severity == Severity::Warning &&
+         std::find(allowed.begin(), allowed.end(), d.code) != allowed.end();
+}
+
+}  // namespace
+
+LoadedRules loadRulesFromText(std::string name, std::string text, const LoadOptions& options) {
+  static const Registry noRegistry;
+  DiagnosticList diagnostics;
+  CompileContext context{diagnostics, options.registry ? *options.registry : noRegistry};
+  Library library(context, options.searchPaths, options.unsaved);
+  library.load(std::move(name), std::move(text));
+  auto file = std::make_shared<LoadedFile>();
+  LoadedRules result;
+  result.rules = FileCompiler(context, library, options.needsRuleSet).compile(*file);
+  file->modules = library.takeModules();
+  result.file = std::move(file);
+  result.diagnostics = diagnostics.take();
+  std::erase_if(result.diagnostics, [&](const Diagnostic& d) {
+    return isAllowed(d, options.allowed) || isMeantToBe(*result.file, d);
+  });
+  return result;
+}
+
+LoadedRules loadRules(const std::filesystem::path& path, const LoadOptions& options) {
+  std::string fault;
+  std::optional<std::string> text = readFile(path, fault);
+  if (text) return loadRulesFromText(path.string(), std::move(*text), options);
+  LoadedRules result;
+  Diagnostic d;
+  d.code = "R3";
+  d.message = "cannot read the rule file: " + fault;
+  d.place.file = path.string();
+  d.help = "check the path";
+  result.diagnostics.push_back(std::move(d));
+  auto file = std::make_shared<LoadedFile>();
+  file->modules.push_back(std::make_unique<Module>(SourceText(path.string(), "")));
+  result.file = std::move(file);
+  return result;
+}
+
+}  // namespace af2::dsl

@@ -1,0 +1,87 @@
+// Netgen's rule files (.rls) as they are written: numbers exact, every part with its place.
+#pragma once
+
+#include <array>
+#include <boost/multiprecision/cpp_int.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "dsl/text/diagnostic.h"
+#include "dsl/text/source_text.h"
+
+namespace af2::dsl {
+
+/// The decimal numbers of a file, taken exactly.
+using Exact = boost::multiprecision::cpp_rational;
+
+/// One `0.5 X2`: a share of a matched point's deviation from its reference.
+struct RlsTerm {
+  Exact coefficient;
+  bool isX = true;
+  int point = 0;  ///< from 1
+  Span span;
+};
+
+/// (x, y) { terms of x } { terms of y }
+struct RlsPoint {
+  Exact x, y;
+  std::array<std::vector<RlsTerm>, 2> rows;
+  Span span;
+};
+
+struct RlsForm {
+  std::array<Exact, 3> weights;
+  Span span;
+};
+
+struct RlsMapPoint {
+  Exact x, y;
+  std::optional<RlsForm> form;
+  bool isDeleted = false;
+  Span span;
+};
+
+struct RlsLine {
+  int from = 0, to = 0;  ///< numbers of points, from 1
+  std::optional<RlsForm> form;
+  bool isDeleted = false;
+  Span span;
+};
+
+/// Numbers of points in parentheses: an element, an orientation, a new line.
+struct RlsTuple {
+  std::vector<int> points;
+  Span span;
+};
+
+struct RlsRule {
+  std::string name;
+  Span span;  ///< of the name
+  int quality = 1;
+  Span qualitySpan;
+  std::vector<RlsMapPoint> mapPoints;
+  std::vector<RlsLine> mapLines;
+  std::vector<RlsPoint> newPoints;
+  std::vector<RlsTuple> newLines;
+  std::vector<RlsPoint> freeArea, freeArea2;
+  std::vector<RlsTuple> elements, orientations;
+};
+
+/// What is told about such a file.
+inline Diagnostic rlsFinding(Severity severity, const char* code, DiagnosticPlace place,
+                             std::string message, std::string help) {
+  Diagnostic d;
+  d.severity = severity;
+  d.code = code;
+  d.message = std::move(message);
+  d.place = std::move(place);
+  d.help = std::move(help);
+  return d;
+}
+
+/// Reads a whole file. What is wrong is told, all of it (I1, I2, I3); what the readers of such
+/// files pass over in silence is told as a warning (I4). Rules with errors are left out.
+std::vector<RlsRule> readRls(const SourceText& source, DiagnosticList& diagnostics);
+
+}  // namespace af2::dsl

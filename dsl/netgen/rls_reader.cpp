@@ -1,0 +1,84 @@
+#include "dsl/netgen/rls_reader.h"
+
+#include <optional>
+
+namespace af2::dsl {
+namespace {
+
+/// A decimal number, taken exactly; nothing if it is too long or too large.
+std::optional<Exact> exactValue(std::string_view text) {
+  boost::multiprecision::cpp_int digits = 0, scale = 1;
+  constexpr std::size_t kLongest = 32;
+  constexpr int kLargestExponent = 30;
+  const bool isNegative = text.front() == '-';
+  if (text.front() == '-' || text.front() == '+') text.remove_prefix(1);
+  const std::size_t mantissa = std::min(text.find_first_of("eE"), text.size());
+  if (mantissa > kLongest || text.size() - mantissa > 4) return std::nullopt;
+  bool isFraction = false;
+  for (char c : text.substr(0, mantissa)) {
+    if (c == '.') {
+      isFraction = true;
+      continue;
+    }
+    digits = digits * 10 + (c - '0');
+    if (isFraction) scale *= 10;
+  }
+  int exponent = 0;
+  if (mantissa < text.size()) exponent = std::stoi(std::string(text.substr(mantissa + 1)));
+  if (exponent > kLargestExponent || exponent < -kLargestExponent) return std::nullopt;
+  for (int i = 0; i < exponent; ++i) digits *= 10;
+  for (int i = 0; i > exponent; --i) scale *= 10;
+  return Exact(isNegative ? -digits : digits, scale);
+}
+
+}  // namespace
+
+void RlsReader::tell(Severity severity, const char* code, Span span, std::string message,
+                     std::string help, std::string label) {
+  Diagnostic d =
+      rlsFinding(severity, code, placeOf(source_, span), std::move(message), std::move(help));
+  d.label = std::move(label);
+  d.rule = about_;
+  diagnostics_.add(std::move(d));
+  if (severity == Severity::Error) isSound_ = false;
+}
+
+std::string RlsReader::shown(const RlsToken& token) {
+  if (token.kind == RlsTokenKind::End) return "the end of the file";
+  return "'" + std::string(token.text.substr(0, 40)) + "'";
+}
+
+void RlsReader::unreadable(const std::string& wanted) {
+  tell(Severity::Error, "I1", now().span, "here should be " + wanted + ", not " + shown(now()),
+       "a clause is a keyword and its parts, each closed by ';'");
+  throw Unreadable{};
+}
+
+void RlsReader::expect(std::string_view sign) {
+  if (!now().is(sign)) unreadable("'" + std::string(sign) + "'");
+  next();
+}
+
+Exact RlsReader::number() {
+  if (now().kind != RlsTokenKind::Number) unreadable("a number");
+  const std::optional<Exact> value = exactValue(now().text);
+  if (!value) {
+    tell(Severity::Error, "I2", now().span, "this number is too long or too large",
+         "numbers have at most 30 digits and exponents from -30 to 30");
+    throw Unreadable{};
+  }
+  next();
+  return *value;
+}
+
+int RlsReader::wholeNumber(const std::string& what) {
+  const RlsToken token = now();
+  const Exact value = number();
+  if (denominator(value) != 1 || value < -1000000 || value > 1000000) {
+    tell(Severity::Error, "I2", token.span, what + " is a whole number, not " + shown(token), "");
+    throw Unreadable{};
+  }
+  return numerator(value).convert_to<int>();
+}
+
+}  // namespace af2::dsl

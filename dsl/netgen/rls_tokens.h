@@ -1,0 +1,29 @@
+// The words, numbers and signs of Netgen's rule files.
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "dsl/text/source_text.h"
+
+namespace af2::dsl {
+
+enum class RlsTokenKind { Word, Number, String, Sign, End };
+
+struct RlsToken {
+  RlsTokenKind kind = RlsTokenKind::End;
+  std::string_view text;
+  Span span;
+  /// Keywords may be written in any case; `other` is in lower case.
+  bool is(std::string_view other) const;
+};
+
+/// All of a text; the last token is an End. Blanks and comments, `#`, `//` or `%` up to the end of
+/// the line, are left out. Never fails: what is nothing else is a Sign of one character.
+///
+/// comments  the comments are added to it, unless it is null
+inline bool isDigit(char c) { return c >= '0' && c <= '9'; }
+
+std::vector<RlsToken> rlsTokensOf(std::string_view text, std::vector<Span>* comments = nullptr);
+
+}  // namespace af2::dsl

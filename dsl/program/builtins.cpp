@@ -1,0 +1,247 @@
+#include "dsl/program/builtins.h"
+
+#include <algorithm>
+#include <array>
+#include <numbers>
+
+namespace af2::dsl {
+namespace {
+
+using Arguments = std::span<const Value>;
+
+Value keepType(const Algebra& a, const Value& like, Node node) { return a.scalar(like.type, node); }
+
+template <Op op>
+Value numberFunction(const Algebra& a, Arguments v) {
+  return a.scalar(Type::Number, a.builder().make(op, {v[0].number}));
+}
+
+Value squareRoot(const Algebra& a, Arguments v) { return numberFunction<Op::SquareRoot>(a, v); }
+Value sine(const Algebra& a, Arguments v) { return numberFunction<Op::Sine>(a, v); }
+Value cosine(const Algebra& a, Arguments v) { return numberFunction<Op::Cosine>(a, v); }
+Value tangent(const Algebra& a, Arguments v) { return numberFunction<Op::Tangent>(a, v); }
+Value atan2(const Algebra& a, Arguments v) {
+  return a.scalar(Type::Angle, a.builder().make(Op::Atan2, {v[0].number, v[1].number}));
+}
+Value absolute(const Algebra& a, Arguments v) {
+  return keepType(a, v[0], a.builder().make(Op::Absolute, {v[0].number}));
+}
+
+template <Op op>
+Value extreme(const Algebra& a, Arguments v) {
+  Node result = v[0].number;
+  for (const Value& other : v.subspan(1)) result = a.builder().make(op, {result, other.number});
+  return keepType(a, v[0], result);
+}
+
+Value clamp(const Algebra& a, Arguments v) {
+  const Node low = a.builder().make(Op::Maximum, {v[0].number, v[1].number});
+  return keepType(a, v[0], a.builder().make(Op::Minimum, {low, v[2].number}));
+}
+
+Value mid(const Algebra& a, Arguments v) {
+  return a.geometric(a.lerp(v[0].at, v[1].at, a.builder().constant(0.5)), v[0].weight);
+}
+
+Value lerp(const Algebra& a, Arguments v) {
+  if (v[0].type != Type::Geometric)
+    return keepType(a, v[0], a.lerp(v[0].number, v[1].number, v[2].number));
+  return a.geometric(a.lerp(v[0].at, v[1].at, v[2].number), v[0].weight);
+}
+
+Value centroid(const Algebra& a, Arguments v) {
+  NodePair sum = v[0].at;
+  for (const Value& p : v.subspan(1)) sum = a.add(sum, p.at);
+  const Node count = a.builder().constant(static_cast<double>(v.size()));
+  return a.point({a.builder().divide(sum.x, count), a.builder().divide(sum.y, count)});
+}
+
+Value perp(const Algebra& a, Arguments v) { return a.vector(a.perpendicular(v[0].at)); }
+
+Value rot(const Algebra& a, Arguments v) {
+  const Node c = a.builder().make(Op::Cosine, {v[1].number});
+  const Node s = a.builder().make(Op::Sine, {v[1].number});
+  const NodePair along = a.scale(c, v[0].at), across = a.scale(s, a.perpendicular(v[0].at));
+  return a.vector(a.add(along, across));
+}
+
+Value unit(const Algebra& a, Arguments v) { return a.vector(a.unit(v[0].at)); }
+Value len(const Algebra& a, Arguments v) { return a.scalar(Type::Number, a.length(v[0].at)); }
+Value dot(const Algebra& a, Arguments v) { return a.scalar(Type::Number, a.dot(v[0].at, v[1].at)); }
+Value cross(const Algebra& a, Arguments v) {
+  return a.scalar(Type::Number, a.cross(v[0].at, v[1].at));
+}
+Value dist(const Algebra& a, Arguments v) {
+  return a.scalar(Type::Number, a.length(a.subtract(v[1].at, v[0].at)));
+}
+
+NodePair footOf(const Algebra& a, NodePair p, NodePair q, NodePair r) {
+  const NodePair along = a.subtract(r, q);
+  const Node t = a.builder().divide(a.dot(a.subtract(p, q), along), a.dot(along, along));
+  return a.add(q, a.scale(t, along));
+}
+
+Value foot(const Algebra& a, Arguments v) { return a.point(footOf(a, v[0].at, v[1].at, v[2].at)); }
+
+Value reflect(const Algebra& a, Arguments v) {
+  const NodePair base = footOf(a, v[0].at, v[1].at, v[2].at);
+  return a.point(a.subtract(a.scale(a.builder().constant(2), base), v[0].at));
+}
+
+Value cut(const Algebra& a, Arguments v) {
+  const Node t =
+      a.builder().divide(a.cross(a.subtract(v[2].at, v[0].at), v[3].at), a.cross(v[1].at, v[3].at));
+  return a.point(a.add(v[0].at, a.scale(t, v[1].at)));
+}
+
+/// The angle at v runs counter-clockwise from v->q to v->p.
+template <Op op>
+Node atCorner(const Algebra& a, Arguments v) {
+  const NodePair from = a.subtract(v[2].at, v[1].at), to = a.subtract(v[0].at, v[1].at);
+  return a.builder().make(op, {from.x, from.y, to.x, to.y});
+}
+
+Value bisector(const Algebra& a, Arguments v) {
+  return a.vector({atCorner<Op::BisectX>(a, v), atCorner<Op::BisectY>(a, v)});
+}
+Value angle(const Algebra& a, Arguments v) {
+  return a.scalar(Type::Angle, atCorner<Op::Sweep>(a, v));
+}
+
+template <Op op, Type type>
+Value ofVertex(const Algebra& a, Arguments v) {
+  return a.scalar(
+      type, a.builder().make(op, std::initializer_list<Node>{}, a.frame().stored(v[0].vertex)));
+}
+
+template <Op op>
+Value ofPlace(const Algebra& a, Arguments v) {
+  const NodePair p = a.toBase(v[0].at);
+  return a.scalar(Type::Number, a.builder().make(op, {p.x, p.y}));
+}
+
+Value loopSize(const Algebra& a, Arguments) {
+  return a.scalar(Type::Number, a.builder().make(Op::LoopSize, std::initializer_list<Node>{}));
+}
+
+/// 1 end, 2 side, 3 corner, 4 reversal: how many elements a vertex of the front wants.
+Value corner(const Algebra& a, Arguments v) {
+  ProgramBuilder& b = a.builder();
+  const Node turn = ofVertex<Op::Turn, Type::Angle>(a, v).number;
+  Node result = b.constant(1);
+  for (double degrees : {130.0, 235.0, 315.0}) {
+    const Node bound = b.constant(degrees * std::numbers::pi / 180);
+    result = b.add(result, b.make(Op::LessEqual, {bound, turn}));
+  }
+  return a.scalar(Type::Number, result);
+}
+
+Node turns(const Algebra& a, Op op, const Value& p, const Value& q, const Value& r) {
+  return a.builder().make(op, {p.at.x, p.at.y, q.at.x, q.at.y, r.at.x, r.at.y});
+}
+
+Value ccw(const Algebra& a, Arguments v) {
+  return a.scalar(Type::Truth, turns(a, Op::LeftTurn, v[0], v[1], v[2]));
+}
+
+/// No corner turns right, and no corner is seen clockwise from the first edge, so that the corners
+/// run around once.
+Value convex(const Algebra& a, Arguments v) {
+  ProgramBuilder& b = a.builder();
+  const std::size_t n = v.size();
+  Node result = turns(a, Op::NotRightTurn, v[0], v[1], v[2 % n]);
+  for (std::size_t i = 1; i < n; ++i)
+    result =
+        b.make(Op::And, {result, turns(a, Op::NotRightTurn, v[i], v[(i + 1) % n], v[(i + 2) % n])});
+  for (std::size_t i = 2; i + 1 < n; ++i)
+    result = b.make(Op::And, {result, turns(a, Op::NotRightTurn, v[0], v[i], v[i + 1])});
+  return a.scalar(Type::Truth, result);
+}
+
+constexpr std::array kBuiltins{
+    Builtin{"sqrt", "n", "sqrt(x)", squareRoot},
+    Builtin{"sin", "r", "sin(angle)", sine},
+    Builtin{"cos", "r", "cos(angle)", cosine},
+    Builtin{"tan", "r", "tan(angle)", tangent},
+    Builtin{"atan2", "nn", "atan2(y, x)", atan2},
+    Builtin{"abs", "x", "abs(x)", absolute},
+    Builtin{"min", "xx*", "min(x, y, ...)", extreme<Op::Minimum>},
+    Builtin{"max", "xx*", "max(x, y, ...)", extreme<Op::Maximum>},
+    Builtin{"clamp", "xxx", "clamp(x, low, high)", clamp},
+    Builtin{"mid", "gg", "mid(p, q)", mid},
+    Builtin{"lerp", "lln", "lerp(from, to, t)", lerp},
+    Builtin{"centroid", "p*", "centroid(p, q, ...)", centroid},
+    Builtin{"perp", "v", "perp(v)", perp},
+    Builtin{"rot", "va", "rot(v, angle)", rot},
+    Builtin{"unit", "v", "unit(v)", unit},
+    Builtin{"len", "v", "len(v)", len},
+    Builtin{"dot", "vv", "dot(u, v)", dot},
+    Builtin{"cross", "vv", "cross(u, v)", cross},
+    Builtin{"dist", "pp", "dist(p, q)", dist},
+    Builtin{"foot", "ppp", "foot(p, q, r)", foot},
+    Builtin{"cut", "pvpv", "cut(p, u, q, v)", cut},
+    Builtin{"bisector", "ppp", "bisector(p, v, q)", bisector},
+    Builtin{"reflect", "ppp", "reflect(p, q, r)", reflect},
+    Builtin{"angle", "ppp", "angle(p, v, q)", angle},
+    Builtin{"turn", "c", "turn(v)", ofVertex<Op::Turn, Type::Angle>},
+    Builtin{"corner", "c", "corner(v)", corner},
+    Builtin{"h", "p", "h(p)", ofPlace<Op::SizeAt>},
+    Builtin{"layer", "w", "layer(v)", ofVertex<Op::Layer, Type::Number>},
+    Builtin{"on_boundary", "w", "on_boundary(v)", ofVertex<Op::OnBoundary, Type::Truth>},
+    Builtin{"valence", "w", "valence(v)", ofVertex<Op::Valence, Type::Number>},
+    Builtin{"loop_size", "", "loop_size()", loopSize},
+    Builtin{"dist_front", "p", "dist_front(p)", ofPlace<Op::FrontDistance>},
+    Builtin{"curvature", "p", "curvature(p)", ofPlace<Op::CurvatureAt>},
+    Builtin{"ccw", "ppp", "ccw(p, q, r)", ccw},
+    Builtin{"convex", "ppp*", "convex(p, q, r, ...)", convex},
+};
+
+struct ShapeFunction {
+  std::string_view name, usage;
+};
+
+constexpr std::array kShapes{
+    ShapeFunction{"poly", "poly(p, q, r, ...)"},
+    ShapeFunction{"hull", "hull(p, q, ...)"},
+    ShapeFunction{"disc", "disc(centre, radius)"},
+    ShapeFunction{"left", "left(point, direction)"},
+    ShapeFunction{"sector", "sector(centre, radius, from, to)"},
+    ShapeFunction{"grow", "grow(shape, distance)"},
+    ShapeFunction{"arc", "arc(via, to)"},
+    ShapeFunction{"inside", "inside(p, shape)"},
+};
+
+}  // namespace
+
+std::span<const Builtin> builtins() { return kBuiltins; }
+
+const Builtin* findBuiltin(std::string_view name) {
+  for (const Builtin& b : kBuiltins)
+    if (b.name == name) return &b;
+  return nullptr;
+}
+
+bool isShapeFunction(std::string_view name) {
+  return std::ranges::find(kShapes, name, &ShapeFunction::name) != kShapes.end();
+}
+
+std::string_view usageOf(std::string_view name) {
+  if (const Builtin* builtin = findBuiltin(name)) return builtin->usage;
+  if (const BuiltinMetric* metric = findBuiltinMetric(name)) return metric->usage;
+  const auto shape = std::ranges::find(kShapes, name, &ShapeFunction::name);
+  return shape == kShapes.end() ? name : shape->usage;
+}
+
+bool isBuiltin(std::string_view name) {
+  return findBuiltin(name) || findBuiltinMetric(name) || isShapeFunction(name);
+}
+
+std::vector<std::string> builtinNames() {
+  std::vector<std::string> names;
+  for (const Builtin& b : kBuiltins) names.emplace_back(b.name);
+  for (const BuiltinMetric& m : builtinMetrics()) names.emplace_back(m.name);
+  for (const ShapeFunction& s : kShapes) names.emplace_back(s.name);
+  return names;
+}
+
+}  // namespace af2::dsl

@@ -1,0 +1,55 @@
+// The functions of the language.
+#pragma once
+
+#include <functional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "dsl/program/values.h"
+
+namespace af2::dsl {
+
+/// One built-in function.
+///
+/// `parameters` has one letter for each: n number, r angle or number, x number or angle (all `x` of
+/// one call of the same type), p point, v vector, g point or vector (all of the same weight),
+/// l whatever can be interpolated (all alike), t truth value, w a matched vertex, c a vertex that
+/// stands in a chain, s shape. A `*` repeats the letter before it.
+struct Builtin {
+  std::string_view name;
+  std::string_view parameters;
+  std::string_view usage;  ///< as shown in diagnostics and editors: "lerp(from, to, t)"
+  Value (*make)(const Algebra& algebra, std::span<const Value> arguments);
+};
+
+std::span<const Builtin> builtins();
+const Builtin* findBuiltin(std::string_view name);
+
+/// Metrics: 0 for the ideal element and growing, or measures of which more is better.
+struct BuiltinMetric {
+  std::string_view name;
+  int weights;  ///< parameters before the corners
+  std::string_view usage;
+  /// Corners are three or four points.
+  Value (*make)(const Algebra& algebra, std::span<const Value> weights,
+                std::span<const Value> corners);
+};
+
+std::span<const BuiltinMetric> builtinMetrics();
+const BuiltinMetric* findBuiltinMetric(std::string_view name);
+
+/// Functions that make shapes: poly, hull, disc, left, sector, grow, and arc inside of poly.
+bool isShapeFunction(std::string_view name);
+
+/// How a name of the language is called: "lerp(from, to, t)"; of one without arguments the name.
+std::string_view usageOf(std::string_view name);
+
+/// Whether a name belongs to any of the above.
+bool isBuiltin(std::string_view name);
+
+/// All of them, for "did you mean".
+std::vector<std::string> builtinNames();
+
+}  // namespace af2::dsl

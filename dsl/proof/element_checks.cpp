@@ -1,0 +1,130 @@
+// G2: are all elements positive, whatever the match?
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "dsl/proof/match_sampler.h"
+#include "dsl/proof/rule_sample.h"
+#include "dsl/proof/test_text.h"
+#include "engine/base/predicates.h"
+
+namespace af2::dsl {
+namespace {
+
+/// The corner at which an element does not turn left; nothing if it is positive.
+std::optional<Point2> badCorner(const std::vector<Point2>& corners) {
+  const std::size_t n = corners.size();
+  for (std::size_t i = 0; i < n; ++i)
+    if (orientation(corners[(i + n - 1) % n], corners[i], corners[(i + 1) % n]) != Turn::Left)
+      return corners[i];
+  return std::nullopt;
+}
+
+struct Inverted {
+  int element;
+  Point2 corner;
+};
+
+std::optional<Inverted> invertedElement(const SampledMatch& one) {
+  if (!one.zone || !one.placed) return std::nullopt;
+  const auto& elements = one.match.rule().definition().elements;
+  for (std::size_t i = 0; i < elements.size(); ++i)
+    if (const auto corner = badCorner(cornersOf(elements[i], *one.placed)))
+      return Inverted{static_cast<int>(i), *corner};
+  return std::nullopt;
+}
+
+/// The smallest of the parallelograms that the elements' corners span: it changes sign without a
+/// jump where a side shrinks to nothing. Nothing where a vertex has no place.
+std::optional<double> leastTurn(const PatternMatch& match) {
+  const auto placed = match.placeAll();
+  if (!placed) return std::nullopt;
+  double least = std::numeric_limits<double>::infinity();
+  for (const RuleElement& element : match.rule().definition().elements) {
+    const auto corners = cornersOf(element, *placed);
+    for (std::size_t i = 0, n = corners.size(); i < n; ++i)
+      least = std::min(least, cross(corners[(i + 1) % n] - corners[i],
+                                    corners[(i + 2) % n] - corners[(i + 1) % n]));
+  }
+  return least;
+}
+
+PatternMatch moved(const PatternMatch& match, double reach, RandomNumbers& random) {
+  std::vector<Point2> vertices = match.vertices();
+  for (std::size_t i = 2; i < vertices.size(); ++i)
+    vertices[i] = vertices[i] + reach * random.inDisc();
+  return PatternMatch(match.rule(), std::move(vertices), match.level());
+}
+
+/// Walks from a match to ones with ever flatter elements. Faults that hide in a thousandth of the
+/// matches are found so, where drawing at random would miss them.
+std::optional<SampledMatch> flattened(const RuleSample& sample, SampledMatch best,
+                                      RandomNumbers& random) {
+  constexpr int kSteps = 200;
+  double reach = 0.3, least = *leastTurn(best.match);
+  const auto improve = [&](PatternMatch next) {
+    const auto turn = leastTurn(next);
+    if (!turn || *turn >= least || next.refusalOfMatch(sample.rules) != Refusal::None) return false;
+    SampledMatch candidate = examine(std::move(next));
+    if (!candidate.zone) return false;
+    least = *turn;
+    best = std::move(candidate);
+    return true;
+  };
+  for (int step = 0; step < kSteps; ++step) {
+    if (invertedElement(best)) return best;
+    if (!improve(moved(best.match, reach, random))) reach *= 0.98;
+  }
+  return std::nullopt;
+}
+
+SampledFinding invertedFinding(const RuleSample& sample, const SampledMatch& nearest,
+                               std::string share) {
+  const auto shows = [](const SampledMatch& one) { return invertedElement(one).has_value(); };
+  const SampledMatch example = simplified(nearest, sample.rules, shows);
+  const Inverted inverted = *invertedElement(example);
+  SampledFinding finding = findingAbout(sample, "G2", Severity::Error);
+  finding.element = inverted.element;
+  finding.message = fmt::format("a new element turns over at {} that rule '{}' accepts at level {}",
+                                share, sample.name(), sample.level);
+  finding.help = "require that the corners turn left, or make the pattern's tolerance smaller";
+  finding.example = {example.match.vertices(), sample.level, {inverted.corner}, {}};
+  finding.test =
+      writeTest(example.match, {fmt::format("{}: no element turns over", sample.name()),
+                                {},
+                                fmt::format("not rule \"{}\" because require", sample.name())});
+  return finding;
+}
+
+}  // namespace
+
+std::optional<SampledFinding> findInverted(const RuleSample& sample) {
+  int count = 0, valid = 0;
+  const SampledMatch* nearest = nullptr;
+  for (const SampledMatch& one : sample.matches) {
+    valid += one.zone != nullptr;
+    if (!invertedElement(one)) continue;
+    ++count;
+    if (!nearest || one.deviation < nearest->deviation) nearest = &one;
+  }
+  if (!nearest) return std::nullopt;
+  return invertedFinding(sample, *nearest, fmt::format("{} of {} matches", count, valid));
+}
+
+std::optional<SampledFinding> searchInverted(const RuleSample& sample) {
+  constexpr std::size_t kStarts = 12;
+  std::vector<std::pair<double, std::size_t>> order;
+  for (std::size_t i = 0; i < sample.matches.size(); ++i) {
+    if (!sample.matches[i].zone) continue;
+    if (const auto turn = leastTurn(sample.matches[i].match)) order.push_back({*turn, i});
+  }
+  std::sort(order.begin(), order.end());
+  RandomNumbers random(sample.index + 1);
+  for (std::size_t i = 0; i < std::min(kStarts, order.size()); ++i)
+    if (const auto found = flattened(sample, sample.matches[order[i].second], random))
+      return invertedFinding(sample, *found, "a few matches");
+  return std::nullopt;
+}
+
+}  // namespace af2::dsl

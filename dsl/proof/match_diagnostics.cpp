@@ -1,0 +1,114 @@
+#include "dsl/proof/match_diagnostics.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "dsl/load/intended_findings.h"
+
+namespace af2::dsl {
+namespace {
+
+/// Where the rule's condition of that number is written.
+std::optional<Span> conditionSpan(const Rule& rule, std::size_t number) {
+  for (const Clause& clause : rule.clauses)
+    if (const auto* require = std::get_if<RequireClause>(&clause.content)) {
+      if (number < require->conditions.size()) return require->conditions[number].span;
+      number -= require->conditions.size();
+    }
+  return std::nullopt;
+}
+
+/// Where the condition of the zone clause of that number is written.
+std::optional<Span> whenSpan(const Rule& rule, int number) {
+  for (const Clause& clause : rule.clauses)
+    if (const auto* zone = std::get_if<ZoneClause>(&clause.content))
+      if (number-- == 0) return zone->when.span;
+  return std::nullopt;
+}
+
+Span spanOf(const CompiledRule& rule, const SampledFinding& finding) {
+  const auto element = static_cast<std::size_t>(finding.element);
+  if (finding.code == "G2" && element < rule.elementSpans.size()) return rule.elementSpans[element];
+  if (finding.code == "D1" && rule.text && finding.zone >= 0)
+    return whenSpan(*rule.text, finding.zone).value_or(rule.title);
+  if (finding.code == "D1" && rule.text)
+    return conditionSpan(*rule.text, element).value_or(rule.title);
+  if (finding.code[0] == 'Z' && !rule.zoneSpans.empty()) return rule.zoneSpans.front();
+  return rule.title;
+}
+
+std::string onOneLine(const std::string& text) {
+  std::string line;
+  for (const char c : text) {
+    if (c == '\n' || c == ' ') {
+      if (!line.empty() && line.back() != ' ') line += ' ';
+    } else {
+      line += c;
+    }
+  }
+  while (!line.empty() && line.back() == ' ') line.pop_back();
+  return line;
+}
+
+Diagnostic diagnosticOf(const SampledFinding& finding) {
+  Diagnostic diagnostic;
+  diagnostic.severity = finding.severity;
+  diagnostic.code = finding.code;
+  diagnostic.message = finding.message;
+  diagnostic.help = finding.help;
+  if (!finding.test.empty()) diagnostic.notes.push_back(testNote(finding.test));
+  for (const std::string& test : finding.furtherTests) diagnostic.notes.push_back(testNote(test));
+  return diagnostic;
+}
+
+bool covers(const DiagnosticPlace& outer, const DiagnosticPlace& inner) {
+  return outer.file == inner.file &&
+         std::pair(outer.line, outer.column) <= std::pair(inner.line, inner.column) &&
+         std::pair(inner.endLine, inner.endColumn) <= std::pair(outer.endLine, outer.endColumn);
+}
+
+}  // namespace
+
+DiagnosticNote testNote(const std::string& test) { return {onOneLine(test), std::nullopt}; }
+
+std::vector<Diagnostic> diagnosticsOf(const LoadedRules& loaded, const SampledResult& result) {
+  std::vector<Diagnostic> diagnostics;
+  for (const SampledFinding& finding : result.findings) {
+    const CompiledRule& rule = loaded.file->rules[finding.rule];
+    if (finding.code == "D1" && rule.isMirror) continue;  // the clause is the rule's own
+    Diagnostic diagnostic = diagnosticOf(finding);
+    diagnostic.place = placeOf(rule.home->source, spanOf(rule, finding));
+    diagnostic.rule = rule.definition.name;
+    if (!isMeantToBe(*loaded.file, diagnostic)) diagnostics.push_back(std::move(diagnostic));
+  }
+  return diagnostics;
+}
+
+std::vector<Diagnostic> diagnosticsOf(const LoadedRules& loaded, const Coverage& coverage) {
+  const auto finding = findUncoveredSituations(coverage);
+  if (!finding) return {};
+  Diagnostic diagnostic = diagnosticOf(*finding);
+  diagnostic.place.file = loaded.file->main().source.name();
+  if (isMeantToBe(*loaded.file, diagnostic)) return {};
+  return {diagnostic};
+}
+
+void addFinding(std::vector<Diagnostic>& told, Diagnostic finding) {
+  if (finding.code == "D3" && std::ranges::any_of(told, [&](const Diagnostic& d) {
+        return d.code == "M2" && covers(d.place, finding.place);
+      }))
+    return;
+  const auto same = std::ranges::find_if(told, [&](const Diagnostic& d) {
+    return d.code == finding.code && d.place == finding.place && d.severity == finding.severity;
+  });
+  if (same == told.end() || finding.place.line == 0) {
+    told.push_back(std::move(finding));
+    return;
+  }
+  if (same->rule != finding.rule)
+    same->notes.push_back({"the same holds for rule \"" + finding.rule + "\"", std::nullopt});
+  else
+    same->notes.insert(same->notes.end(), finding.notes.begin(), finding.notes.end());
+}
+
+}  // namespace af2::dsl

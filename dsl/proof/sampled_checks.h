@@ -1,0 +1,75 @@
+// Checks of rules over all the matches that they accept: proven where a rule is affine and the
+// proof is short, else tried on random matches, and said so.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "dsl/proof/proof.h"
+#include "dsl/text/diagnostic.h"
+#include "engine/rule/rule_set.h"
+
+namespace af2::dsl {
+
+struct SamplingOptions {
+  int samples = 2000;                      ///< matches looked at for each rule and level
+  int situations = 1000;                   ///< pieces of front in which a rule may be chosen (D3)
+  std::uint64_t seed = 1;                  ///< the same seed gives the same findings
+  ProofEffort effort = kUsualEffort;       ///< for each rule, for G2 and for Z1
+  std::function<bool()> isCancelled = {};  ///< asked before each rule; then the rest is left out
+};
+
+/// A match that shows what is wrong: for a picture (drawMatch) and for a test.
+struct CounterExample {
+  std::vector<Point2> vertices;  ///< the matched ones in pattern order
+  int level = 1;
+  std::vector<Point2> marks;      ///< places at fault
+  std::vector<Point2> obstacles;  ///< further vertices of the front
+};
+
+struct SampledFinding {
+  std::string code;
+  Severity severity = Severity::Warning;
+  std::size_t rule = 0;  ///< index in the rule set
+  int element = -1;      ///< of the rule, where the finding is about one; of D1: the condition
+  int zone = -1;         ///< of D1, where the condition is the `when` of a zone clause
+  std::string message;   ///< the fault, one line without a full stop
+  std::string help;
+  CounterExample example;
+  std::string test;  ///< a `test` block that shows the fault, ready to be put into the rule file
+  std::vector<std::string> furtherTests;  ///< of N1
+};
+
+/// Levels beyond a rule's first one, itself included, at which its elements and zone are looked at.
+inline constexpr int kLevelsLookedAt = 20;
+
+/// How well a question about all matches of a rule is answered.
+enum class Answer {
+  Proven,   ///< holds for every match
+  Sampled,  ///< no counter-example among the samples
+  Refuted,  ///< there is a counter-example
+};
+
+struct RuleAnswers {
+  Answer positive = Answer::Sampled;  ///< G2: all elements are positive
+  Answer covered = Answer::Sampled;   ///< Z1: all elements lie in the free zone
+  bool isTried = false;               ///< whether the levels of the rule set reach the rule
+  double lostMatches = 0;  ///< Z2: share of matches lost because the zone has no valid shape
+};
+
+struct SampledResult {
+  std::vector<SampledFinding> findings;  ///< by rule, then by code
+  std::vector<RuleAnswers> answers;      ///< by rule
+};
+
+/// G2 and Z1 at the first kLevelsLookedAt levels of each rule, Z2 at its own level, Z3, and D3.
+/// Rules that the rule set's levels never reach are passed over.
+SampledResult runSampledChecks(const RuleSet& rules, const SamplingOptions& options = {});
+
+/// "12 rules; elements positive (G2): proven for 11, sampled for 1; inside the free zone (Z1): ..."
+std::string summaryOf(const SampledResult& result);
+
+}  // namespace af2::dsl

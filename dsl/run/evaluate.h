@@ -1,0 +1,45 @@
+// What one rule would do at given positions: `af2 eval`.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "engine/rule/refusal.h"
+#include "engine/rule/rule_set.h"
+
+namespace af2::dsl {
+
+/// Positions are in the frame of the base edge: a at the origin, b on the x axis.
+struct EvalRequest {
+  std::string rule;  ///< title
+  int level = 1;
+  std::map<std::string, Point2> match;  ///< by vertex; those left out stand at their reference
+  std::vector<Point2> points;
+  std::vector<std::pair<Point2, Point2>> segments;
+  std::map<std::string, double> environment;  ///< see GivenMatch
+};
+
+struct EvalResult {
+  Refusal refused = Refusal::None;  ///< the first reason, of those that need no front around
+  bool matches = false;
+  bool requireHolds = false;
+  std::vector<std::pair<std::string, std::optional<Point2>>> newVertices;
+  std::vector<std::vector<Point2>> zones;  ///< corners; curved ones as an outline
+  std::vector<bool> pointsInZone;          ///< the closed zone
+  std::vector<bool> segmentsMeetZone;      ///< its interior
+  std::optional<double> score;
+};
+
+/// Throws InputError on a rule or vertex that there is not, a level out of range, a number that is
+/// not finite.
+EvalResult evaluateRule(const RuleSet& rules, const EvalRequest& request);
+
+/// {"refused", "matches", "require", "new", "zones", "points_in_zone", "segments_meet_zone",
+/// "score"}
+std::string toJson(const EvalResult& result);
+std::string toText(const EvalResult& result);
+
+}  // namespace af2::dsl

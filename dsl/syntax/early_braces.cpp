@@ -1,0 +1,59 @@
+#include "dsl/syntax/early_braces.h"
+
+#include "dsl/text/words.h"
+
+namespace af2::dsl {
+namespace {
+
+bool beginsClause(const Token& token) {
+  return token.kind == TokenKind::Name && isClauseWord(token.text) &&
+         !SyntaxErrors::beginsItem(&token);
+}
+
+/// Tests name rules as items do: `expect rule "..."`, `expect not rule "..."`.
+bool beginsItem(const Token* token) {
+  return SyntaxErrors::beginsItem(token) && !token[-1].is("expect") && !token[-1].is("not");
+}
+
+/// Whether a '}' comes before the next item that nothing behind `from` has opened.
+bool isClosedAgain(const Token* from) {
+  int depth = 0;
+  for (const Token* t = from; t->kind != TokenKind::End; ++t) {
+    if (depth == 0 && beginsItem(t)) return false;
+    depth += t->is("{") - t->is("}");
+    if (depth < 0) return true;
+  }
+  return false;
+}
+
+/// The clause that stands behind a '}'; null if none does.
+const Token* clauseBehind(const Token* brace) {
+  const Token* next = brace + 1;
+  while (next->is("}")) ++next;
+  return beginsClause(*next) ? next : nullptr;
+}
+
+}  // namespace
+
+void leaveOutEarlyBraces(std::vector<Token>& tokens, SyntaxErrors& errors) {
+  constexpr int kMost = 20;  // each costs a look at all that follows; more tell nothing new
+  std::vector<Token> kept;
+  int depth = 0, looked = 0;
+  for (const Token& token : tokens) {
+    const bool mayBeEarly = token.is("}") && depth == 1 && looked < kMost;
+    const Token* clause = mayBeEarly ? clauseBehind(&token) : nullptr;
+    looked += clause != nullptr;
+    if (clause && isClosedAgain(clause)) {
+      errors.tell("S1", token.span,
+                  "this '}' comes too early: '" + clause->text + "' goes on with the block",
+                  Help("delete it", {Remedy::Where::Whole, ""}));
+      continue;
+    }
+    depth += token.is("{") - token.is("}");
+    if (depth < 0) depth = 0;
+    kept.push_back(token);
+  }
+  if (looked > 0) tokens = std::move(kept);
+}
+
+}  // namespace af2::dsl

@@ -1,0 +1,122 @@
+#include "dsl/syntax/items.h"
+#include "dsl/syntax/rule_grammar.h"
+#include "dsl/syntax/test_grammar.h"
+
+// The grammar runs over words (lexer.h), not over characters: no skipper, small types, and every
+// position is a word. Attributes are put together by semantic actions: `into` sets a member of what
+// the rule makes, `append` adds to a list in it. `need` is a part without which the clause is
+// broken.
+
+namespace af2::dsl {
+namespace {
+
+using namespace parsers;
+
+// ---- rule sets ----------------------------------------------------------------------------------
+
+AF2_RULE(elementsSetting, ElementsSetting, "elements");
+AF2_RULE(matchSetting, MatchSetting, "match");
+AF2_RULE(fadeSetting, FadeSetting, "fade");
+AF2_RULE(scoreSetting, ScoreSetting, "score");
+AF2_RULE(acceptSetting, AcceptSetting, "accept");
+AF2_RULE(orderSetting, OrderSetting, "front by");
+AF2_RULE(rowsArgument, MetaEntry, "an argument");
+AF2_RULE(rowsSetting, RowsSetting, "front rows");
+AF2_RULE(classesSetting, ClassesSetting, "classes");
+AF2_RULE(scaleSetting, ScaleSetting, "scale");
+AF2_RULE(paritySetting, ParitySetting, "parity");
+AF2_RULE(setting, Setting, "a setting", : Recovering<SyntaxUnit::Setting>);
+AF2_RULE(ruleSet, RuleSetBlock, "a rule set");
+
+const auto elementsSetting_def =
+    word("elements") >>
+    list(elementKind, append(&ElementsSetting::kinds), "tri, quad or poly") >> settingEnd;
+const auto matchSetting_def = word("match") >>
+                              need(expr, kExpression)[into(&MatchSetting::value)] >> settingEnd;
+const auto fadeSetting_def = word("fade") >>
+                             need(expr, kExpression)[into(&FadeSetting::value)] >> settingEnd;
+const OneOf foldWord{"max", "sum", "mean"};
+const auto scoreSetting_def = word("score") >>
+                              need(foldWord, "max, sum or mean")[into(&ScoreSetting::fold)] >>
+                              need("of") >>
+                              need(expr, "a metric")[into(&ScoreSetting::metric)] >> settingEnd;
+const auto acceptSetting_def =
+    word("accept") >> need(expr, "a condition")[into(&AcceptSetting::condition)] >> settingEnd;
+const auto orderSetting_def = word("front") >> word("by") >>
+                              parts(SyntaxUnit::Setting, ListPart::Expression, expr,
+                                    append(&OrderSetting::keys), kExpression) >>
+                              settingEnd;
+const auto rowsArgument_def = anyName[into(&MetaEntry::key)] >> need(":") >>
+                              need(anyName, kName)[into(&MetaEntry::value)];
+const auto rowsSetting_def = word("front") >> need("rows", "'by' or 'rows'") >>
+                             -(word("(") >> list(rowsArgument, append(&RowsSetting::arguments),
+                                                 "start: smallest_turn") >>
+                               need(")")) >>
+                             settingEnd;
+const auto classesSetting_def =
+    word("classes") >> need(sum, "a range such as 1..50")[into(&ClassesSetting::first)] >>
+    need("..") >> need(sum, "a whole number")[into(&ClassesSetting::last)] >> settingEnd;
+const auto scaleSetting_def =
+    word("scale") >> need(OneOf{"h", "base"}, "h or base")[into(&ScaleSetting::unit)] >> settingEnd;
+const auto paritySetting_def =
+    word("parity") >>
+    need(OneOf{"even", "any"}, "even or any")[into(&ParitySetting::parity)] >> settingEnd;
+const auto setting_def =
+    spanned(!word("}") >> !atBlockEnd >>
+            (elementsSetting[content] | matchSetting[content] | fadeSetting[content] |
+             scoreSetting[content] | acceptSetting[content] | orderSetting[content] |
+             rowsSetting[content] | classesSetting[content] | scaleSetting[content] |
+             paritySetting[content] | meta[content] | need(Nothing(), kSetting)));
+const auto ruleSet_def =
+    word("ruleset") >> need(string, "the rule set's name in quotes")[into(&RuleSetBlock::name)] >>
+    -(word("extends") >> need(string, "a rule set's name in quotes")[into(&RuleSetBlock::base)]) >>
+    need("{") >> *setting[append(&RuleSetBlock::settings)] >> need("}");
+
+BOOST_SPIRIT_DEFINE(elementsSetting, matchSetting, fadeSetting, scoreSetting, acceptSetting,
+                    orderSetting, rowsArgument, rowsSetting, classesSetting, scaleSetting,
+                    paritySetting, setting, ruleSet)
+
+// ---- files --------------------------------------------------------------------------------------
+
+AF2_RULE(importItem, Import, "import");
+AF2_RULE(useItem, Use, "use");
+AF2_RULE(constant, Constant, "const");
+AF2_RULE(function, Function, "def");
+AF2_RULE(metric, Metric, "metric");
+AF2_RULE(fileItem, Item, "an item", : Recovering<SyntaxUnit::Item>);
+AF2_RULE(wholeFile, File, "a file");
+
+const auto importItem_def = word("import") >>
+                            need(string, "a path in quotes")[into(&Import::path)] >>
+                            -(word("as") >> need(name, kName)[into(&Import::alias)]) >> itemEnd;
+const auto useItem_def =
+    word("use") >> need(name, "the name of an import")[into(&Use::library)] >> need(".") >>
+    (word("*") | need(string, "* or a rule's title in quotes")[into(&Use::rule)]) >>
+    -(word("except") >> list(string, append(&Use::except), kString)) >> itemEnd;
+const auto constant_def = word("const") >> need(name, kName)[into(&Constant::name)] >> need("=") >>
+                          need(expr, kExpression)[into(&Constant::value)] >> itemEnd;
+const auto function_def = word("def") >> need(name, kName)[into(&Function::name)] >>
+                          parameters[into(&Function::parameters)] >> need("=") >>
+                          need(corner, kExpression)[into(&Function::value)] >> itemEnd;
+const auto metric_def = word("metric") >> need(name, kName)[into(&Metric::name)] >>
+                        parameters[into(&Metric::parameters)] >> need("=") >>
+                        need(expr, kExpression)[into(&Metric::value)] >> itemEnd;
+const auto fileItem_def =
+    spanned(!atFileEnd >>
+            (importItem[content] | useItem[content] | constant[content] | function[content] |
+             metric[content] | ruleSet[content] |
+             (&(Word("rule") >> string >> Word("=")) >> instance[content]) | rule[content] |
+             templateItem[content] | test[content] | property[content] | need(Nothing(), kItem)));
+const auto wholeFile_def = *fileItem[append(&File::items)];
+
+BOOST_SPIRIT_DEFINE(importItem, useItem, constant, function, metric, fileItem, wholeFile)
+
+}  // namespace
+
+const Token* parseItems(const Token* first, const Token* last, SyntaxErrors& errors, File& file) {
+  const auto grammar = x3::with<ParsingTag>(std::ref(errors))[wholeFile];
+  x3::parse(first, last, grammar, file);
+  return first;
+}
+
+}  // namespace af2::dsl

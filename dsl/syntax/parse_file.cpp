@@ -1,0 +1,119 @@
+// A file from its text to its tree: limits, words, version, items, documentation.
+#include <algorithm>
+
+#include "dsl/syntax/early_braces.h"
+#include "dsl/syntax/grammar.h"
+#include "dsl/syntax/items.h"
+#include "dsl/syntax/lexer.h"
+#include "dsl/syntax/syntax_errors.h"
+#include "dsl/syntax/version.h"
+
+namespace af2::dsl {
+namespace {
+
+constexpr const char* kSplit = "split it, and join the parts with `import` and `use`";
+
+bool endsStatement(const Token& token) {
+  return token.is(";") || token.is("{") || token.is("}") || token.kind == TokenKind::End;
+}
+
+/// What an operator adds to the depth of the tree that it stands in.
+int weightOf(const Token& token) {
+  const bool isNested = token.is("^") || token.is("if");  // where sums are only long
+  const bool isWord = token.is("and") || token.is("or") || token.is("not");
+  const bool isSymbol =
+      token.kind == TokenKind::Symbol && !token.is("(") && !token.is(")") && !token.is(",");
+  return isNested ? 10 : isSymbol || isWord;
+}
+
+/// The first token of a statement at which brackets or operators are more than the stack can hold:
+/// the grammar and all that walks over the tree are recursive. Null if there is none.
+const Token* tooDeepAt(const Token* first, const ParseLimits& limits, const char*& fault) {
+  int brackets = 0, operators = 0;
+  for (const Token* t = first; !endsStatement(*t); ++t) {
+    brackets = std::max(0, brackets + t->is("(") - t->is(")"));
+    operators += weightOf(*t);
+    if (brackets <= limits.nesting && operators <= limits.operators) continue;
+    fault = brackets > limits.nesting ? "brackets are nested too deep here"
+                                      : "this expression is too long";
+    return t;
+  }
+  return nullptr;
+}
+
+/// Leaves out what cannot be read, statement by statement. False if nothing can be read at all.
+bool keepWithinLimits(std::vector<Token>& tokens, const ParseLimits& limits, SyntaxErrors& errors) {
+  constexpr const char* kHelp = "name parts of it with `let`, `const` or `def`";
+  std::vector<Token> kept;
+  int braces = 0;
+  for (const Token* t = tokens.data(); t < tokens.data() + tokens.size(); ++t) {
+    const char* fault = nullptr;
+    const Token* at = tooDeepAt(t, limits, fault);
+    const Token* end = t;
+    while (!endsStatement(*end)) ++end;
+    if (at) {
+      errors.tell("S6", at->span, fault, kHelp);
+      errors.leaveOut(t, end);
+    } else {
+      kept.insert(kept.end(), t, end);
+    }
+    t = end;
+    braces = std::max(0, braces + t->is("{") - t->is("}"));
+    if (braces > limits.nesting) {
+      errors.tell("S6", t->span, "brackets are nested too deep here", kHelp);
+      return false;
+    }
+    if (!at || !t->is(";")) kept.push_back(*t);
+  }
+  tokens = std::move(kept);
+  return true;
+}
+
+/// `##` documents what follows it.
+void attachDocs(File& file, const std::vector<Token>& tokens) {
+  std::size_t t = 0;
+  for (Item& item : file.items) {
+    while (t < tokens.size() && tokens[t].span.begin < item.span.begin) ++t;
+    if (t == tokens.size() || tokens[t].doc.empty()) continue;
+    std::visit(
+        [&](auto& value) {
+          if constexpr (requires { value.doc; }) value.doc = tokens[t].doc;
+        },
+        item.content);
+  }
+}
+
+}  // namespace
+
+ParsedFile parseFile(const SourceText& source, DiagnosticList& diagnostics,
+                     const ParseLimits& limits) {
+  SyntaxErrors errors(source, diagnostics);
+  ParsedFile result;
+  if (source.text().size() > limits.bytes) {
+    errors.tell("S6", {0, 0},
+                "the file is larger than " + std::to_string(limits.bytes >> 20) + " MiB", kSplit);
+    return result;
+  }
+  DiagnosticList lexical;
+  TokenList words = readTokens(source, lexical, limits.words);
+  result.comments = std::move(words.comments);
+  if (words.isCut) {
+    errors.tell("S6", words.tokens.back().span,
+                "the file has more than " + std::to_string(limits.words) + " words", kSplit);
+    return result;
+  }
+  if (!words.isText) diagnostics.append(std::move(lexical));
+  if (!words.isText || !keepWithinLimits(words.tokens, limits, errors)) return result;
+  const Token* first = readVersion(words.tokens, errors);
+  if (!first) return result;  // its words make no sense, so they need not be spelt well
+  diagnostics.append(std::move(lexical));
+  const auto begin = static_cast<std::size_t>(first - words.tokens.data());
+  leaveOutEarlyBraces(words.tokens, errors);  // none stands before `begin`
+  first = words.tokens.data() + begin;
+  parseItems(first, words.tokens.data() + words.tokens.size(), errors, result.file);
+  attachDocs(result.file, words.tokens);
+  result.broken = errors.takeBroken();
+  return result;
+}
+
+}  // namespace af2::dsl

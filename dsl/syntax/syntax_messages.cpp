@@ -1,0 +1,364 @@
+// What is said about a part that could not be read: the fault as its author would name it, and the
+// form.
+#include <algorithm>
+#include <optional>
+
+#include "dsl/syntax/clause_forms.h"
+#include "dsl/syntax/syntax_errors.h"
+#include "dsl/text/words.h"
+
+namespace af2::dsl {
+namespace {
+
+std::string found(const Token& token) {
+  switch (token.kind) {
+    case TokenKind::End:
+      return "the end of the file";
+    case TokenKind::Number:
+      return "the number " + token.text.substr(0, 40);
+    case TokenKind::String:
+      return "the string \"" + token.text.substr(0, 40) + "\"";
+    default:
+      return "'" + token.text.substr(0, 40) + "'";
+  }
+}
+
+bool isSymbolName(const std::string& wanted) {
+  return !wanted.empty() && wanted.find(' ') == std::string::npos;
+}
+
+std::string quoted(const std::string& wanted) {
+  return isSymbolName(wanted) ? "'" + wanted + "'" : wanted;
+}
+
+bool isComparison(const Token& token) {
+  for (const char* symbol : {"<", "<=", ">", ">=", "==", "!="})
+    if (token.is(symbol)) return true;
+  return false;
+}
+
+bool beginsOperand(const Token& token) {
+  return token.kind == TokenKind::Number || token.is("(") ||
+         (token.kind == TokenKind::Name && !isReserved(token.text));
+}
+
+bool endsOperand(const Token& token) {
+  return token.kind == TokenKind::Number || token.is(")") ||
+         (token.kind == TokenKind::Name && !isReserved(token.text));
+}
+
+/// The last character of what stands before: where something is missing at the end of a line.
+Span behind(const Token* where) {
+  const Token* before = where - 1;  // a unit has begun, so there is one
+  return {before->span.end > 0 ? before->span.end - 1 : 0, before->span.end};
+}
+
+Span placeFor(const Token* where) {
+  return where->kind == TokenKind::End ? behind(where) : where->span;
+}
+
+struct Fault {
+  const char* code;
+  Span span;
+  std::string message;
+  Help help;
+};
+
+/// An operator of another language, spelt with two symbols of this one.
+struct Spelling {
+  const char *first, *second, *meaning;
+};
+
+constexpr Spelling kSpellings[]{
+    {"&", "&", "conditions are joined by `and`, `or`"},
+    {"|", "|", "conditions are joined by `and`, `or`"},
+    {"*", "*", "powers are written x^2"},
+    {"<", ">", "unequal is written !="},
+    {"=", "<", "at most is written <="},
+    {"<", "-", "an edge is written a -> b"},
+    {"-", ">", "an arrow is written -> without a blank"},
+    {"=", ">", "a fade is written => without a blank"},
+    {":", "=", "write = alone"},
+    {"+", "=", "values do not change; give the new one a name of its own"},
+    {"-", "=", "values do not change; give the new one a name of its own"},
+    {"+", "+", "write one +"},
+};
+
+/// The fault is the second symbol of a pair, or the first.
+std::optional<Fault> foreignOperator(const Token* where) {
+  for (const Token* first : {where - 1, where}) {
+    const Token* second = first + 1;
+    if (first->kind != TokenKind::Symbol || second->kind != TokenKind::Symbol) continue;
+    for (const Spelling& s : kSpellings)
+      if (first->is(s.first) && second->is(s.second))
+        return Fault{"S1", cover(first->span, second->span),
+                     "'" + first->text + (first->span.end == second->span.begin ? "" : " ") +
+                         second->text + "' means nothing",
+                     s.meaning};
+  }
+  return std::nullopt;
+}
+
+bool isUnitWord(SyntaxUnit unit, const Token& token) {
+  return token.kind == TokenKind::Name && !formOf(unit, token.text).empty();
+}
+
+/// Whether another unit, or the end of the block, is plainly there.
+bool isBehindUnit(SyntaxUnit unit, const Token* where) {
+  const bool beginsNext =
+      SyntaxErrors::beginsItem(where) || (unit != SyntaxUnit::Item && isUnitWord(unit, *where));
+  return beginsNext || where->is("}") || where->kind == TokenKind::End;
+}
+
+Fault noEnd(SyntaxUnit unit, const Token* where) {
+  return {"S2", behind(where), "';' is missing after '" + (where - 1)->text.substr(0, 40) + "'",
+          Help(unit == SyntaxUnit::Item ? "end it with ';'" : "end the clause with ';'",
+               {Remedy::Where::Behind, ";"})};
+}
+
+/// `1,5` without a blank, at `where` or a little before it in the same unit.
+std::optional<Fault> decimalComma(const Token* first, const Token* where) {
+  constexpr std::ptrdiff_t kFarthest = 50;  // words
+  for (const Token* comma = where; comma > first && where - comma < kFarthest; --comma) {
+    const Token &before = comma[-1], &after = comma[1];
+    const bool isTight =
+        before.span.end == comma->span.begin && comma->span.end == after.span.begin;
+    if (!comma->is(",") || !isTight || before.kind != TokenKind::Number ||
+        after.kind != TokenKind::Number || before.text.find('.') != std::string::npos)
+      continue;
+    const std::string meant = before.text + "." + after.text;
+    return Fault{"S1", cover(before.span, after.span), "decimals stand behind a point, not a comma",
+                 Help("did you mean " + meant + "?", {Remedy::Where::Whole, meant})};
+  }
+  return std::nullopt;
+}
+
+/// The end of a clause was wanted.
+std::optional<Fault> missingEnd(SyntaxUnit unit, const Token* first, const Token* where) {
+  if (where->startsLine || isBehindUnit(unit, where)) return noEnd(unit, where);
+  if (first->is("zone") && (where->is("=") || where->is("->")))
+    return Fault{"S1", where->span, found(*where) + " does not fade",
+                 Help("did you mean '=>'? `preferred => limit`", {Remedy::Where::Whole, "=>"})};
+  if (isComparison(*where))
+    return Fault{"S1", where->span, "comparisons do not chain",
+                 "write `a < b and b < c`, or `x in low..high`"};
+  if (where->is("="))
+    return Fault{
+        "S1", where->span, "'=' does not compare",
+        Help("write '==' to ask whether two things are equal", {Remedy::Where::Whole, "=="})};
+  if (where->is("=>"))
+    return first->is("require")
+               ? Fault{"S1", where->span, "'=>' does not compare", "at least is written >="}
+               : Fault{"S1", where->span, "'=>' belongs to the corners and shapes of a zone",
+                       "only a zone fades from a preferred to a limiting form"};
+  if (where->is(",") && (first->is("const") || first->is("def") || first->is("metric")))
+    return Fault{"S1", where->span, "a `" + first->text + "` defines one name",
+                 "end it with ';', and write another `" + first->text + "` for the next one"};
+  if (where->is("&") || where->is("|"))
+    return Fault{"S1", where->span, "unexpected " + found(*where),
+                 "conditions are joined by `and`, `or`"};
+  if (where->is(")"))
+    return Fault{"S1", where->span, "this ')' closes nothing",
+                 Help("delete it", {Remedy::Where::Whole, ""})};
+  if (where->is(":"))
+    return Fault{"S2", where->span, "';' is missing: found ':'", "end the clause with ';'"};
+  return std::nullopt;
+}
+
+/// Two operands side by side.
+std::optional<Fault> missingBetween(SyntaxUnit unit, const Token* first, const Token* where,
+                                    const std::string& wanted) {
+  const Token* before = where - 1;
+  if (unit == SyntaxUnit::TestClause && (before - 1)->is("expect")) {
+    const bool isCount = before->is("elements");
+    if (isCount || before->is("score"))
+      return Fault{
+          "S1", where->span,
+          std::string("expected ") + (isCount ? "a whole number" : "a comparison") + ", found " +
+              found(*where),
+          isCount ? "it is written `expect elements 2;`" : "it is written `expect score < 0.1;`"};
+  }
+  const bool isWord = first->is("scale") || first->is("parity") || first->is("elements");
+  if (unit == SyntaxUnit::Setting && isWord) return std::nullopt;
+  const bool isGap = endsOperand(*before) && beginsOperand(*where) && before > first;
+  if (!isGap || (wanted != ";" && wanted != ")" && wanted != "->" && wanted != ","))
+    return std::nullopt;
+  const std::string between =
+      " is missing between '" + before->text.substr(0, 40) + "' and " + found(*where);
+  const bool isBetweenVertices = wanted == "->" || wanted == ";";
+  if (first->is("front") && isBetweenVertices &&
+      (unit == SyntaxUnit::Clause || unit == SyntaxUnit::TestClause))
+    return Fault{"S1", where->span, "'->'" + between,
+                 "edges are written a -> b; chains are parted by ','"};
+  if (wanted == "->") return std::nullopt;
+  return Fault{"S1", where->span, "an operator or ','" + between,
+               "there is no silent multiplication; arguments are parted by ','"};
+}
+
+/// Whether the names of a unit are defined elsewhere: what is wrong with them is told there.
+bool usesNames(const Token& head) {
+  for (const char* word : {"at", "let", "new", "const", "def", "metric", "template", "import"})
+    if (head.is(word)) return false;
+  return true;
+}
+
+/// The bracket that `where` does not close.
+const Token* openBracket(const Token* first, const Token* where) {
+  int closed = 0;
+  for (const Token* t = where; t-- > first;) {
+    closed += t->is(")") - t->is("(");
+    if (closed < 0) return t;
+  }
+  return nullptr;
+}
+
+std::string formHelp(SyntaxUnit unit, const Token* first, const Token* where,
+                     const std::string& wanted) {
+  if (wanted == ".." && unit != SyntaxUnit::Setting && !first->is("property"))
+    return "a range is written low..high, as in `x in 0.5..2`";
+  if (wanted == "'at', 'quality' or 'cost'")
+    return "a mirror image may have other tolerances, levels and costs; all else follows from its "
+           "rule";
+  if (wanted == "then" || wanted == "else")
+    return "a choice is written `if condition then x else y`";
+  if (first->is("expect") && first[1].is("new")) return "it is written `expect new 1 at (x, y);`";
+  if (first->is("expect") && first[1].is("front"))
+    return "it is written `expect front only p -> new 1 -> r;`";
+  const bool isFamily =
+      wanted == "in" || wanted == "values in parentheses" || (where - 1)->is("for");
+  const std::string_view form =
+      formOf(unit == SyntaxUnit::RuleHeader && !isFamily ? SyntaxUnit::Item : unit, first->text);
+  return form.empty() ? std::string() : "it is written " + std::string(form);
+}
+
+}  // namespace
+
+bool SyntaxErrors::tellMissingEnd(SyntaxUnit unit, const Token* where) {
+  if (!isBehindUnit(unit, where) || where->isDoubtful || (where - 1)->isDoubtful) return false;
+  const Fault fault = noEnd(unit, where);
+  tell(fault.code, fault.span, fault.message, fault.help);
+  return true;
+}
+
+void SyntaxErrors::tellMissingBrace(const Token* clause) {
+  tell("S1", behind(clause), "'{' is missing after '" + (clause - 1)->text.substr(0, 40) + "'",
+       "the clauses of a rule stand in braces");
+}
+
+void SyntaxErrors::tellUnknownWord(const Token* where, const std::string& wanted) {
+  const auto words = wanted == kItem         ? itemWords()
+                     : wanted == kSetting    ? settingWords()
+                     : wanted == kTestClause ? testWords()
+                                             : clauseWords();
+  const char* place = wanted == kItem         ? "at the top level of a file"
+                      : wanted == kSetting    ? "in a rule set"
+                      : wanted == kTestClause ? "in a test"
+                                              : "in a rule";
+  const std::vector<std::string> known(words.begin(), words.end());
+  std::string list;
+  for (const std::string& word : known) list += (list.empty() ? "" : ", ") + word;
+  list = "here stands one of: " + list;
+  if (where == version_ || where == toldWord_) return;
+  // Clauses of a block that was taken to end above.
+  if (wanted == kItem && missingBraces_ > 0 && isClauseWord(where->text)) return;
+  if (where->is("af2"))
+    return tell("S7", where->span, "the version of the language is said once, at the top",
+                "delete it here");
+  if (where->is("weld"))
+    return tell("S4", where->span, "'weld' is reserved; rules cannot join vertices yet",
+                "remove the clause");
+  if (where->is(";"))
+    return tell("S1", where->span, "this ';' ends nothing",
+                Help("delete it; what ends in a brace takes no ';'", {Remedy::Where::Whole, ""}));
+  if (where->is("}") && missingBraces_ > 0) {
+    --missingBraces_;  // of a block that was taken to end above
+    return;
+  }
+  if (where->is("}"))
+    return tell("S1", where->span, "this '}' closes nothing",
+                Help("delete it, or look above for a '}' too many", {Remedy::Where::Whole, ""}));
+  if (where->kind != TokenKind::Name)
+    return tell("S1", where->span, "unexpected " + found(*where) + " " + place, list);
+  Help help = habitOf(where->text);
+  if (wanted == kClause && where->is("quality"))
+    help = "the levels stand before the '{': `rule \"title\" quality 1 { ... }`";
+  if (help.empty()) help = didYouMean(where->text, known);
+  const bool isElsewhere = isReserved(where->text) || (help.empty() && isClauseWord(where->text));
+  tell("S4", where->span,
+       "'" + where->text.substr(0, 60) + "' " + (isElsewhere ? "cannot stand " : "means nothing ") +
+           place,
+       help.empty() ? list : help);
+}
+
+void SyntaxErrors::tellMissing(SyntaxUnit unit, const Token* first, const Token* where,
+                               const std::string& wanted) {
+  const Token* before = where - 1;
+  const Span here = placeFor(where);
+  const auto tellFault = [&](const Fault& f) { tell(f.code, f.span, f.message, f.help); };
+
+  if (wanted == kNoSecondFade)
+    return tell("S8", here, "a corner or shape fades only once; '=>' does not chain",
+                "write `preferred => limit`; use lerp for what lies between");
+  if (wanted == "}") return tellUnclosed(unit, first, where);
+  if (const auto fault = foreignOperator(where)) return tellFault(*fault);
+  if (where->is(",") && (wanted == ";" || wanted == ")"))
+    if (const auto fault = decimalComma(first, where)) return tellFault(*fault);
+  if (wanted == ";")
+    if (const auto fault = missingEnd(unit, first, where)) return tellFault(*fault);
+  if (const auto fault = missingBetween(unit, first, where, wanted)) return tellFault(*fault);
+
+  const bool isElement = first->is("tri") || first->is("quad") || first->is("poly");
+  if (where->is(",") && isElement && unit == SyntaxUnit::Clause)
+    return tell("S1", here, "the corners of an element are parted by blanks",
+                "it is written " + std::string(formOf(unit, first->text)));
+  const std::string help = formHelp(unit, first, where, wanted);
+  const bool isWord = where->kind == TokenKind::Name && isReserved(where->text);
+  if (wanted == "quality" && where->is("{") && where[1].is("quality")) {
+    toldWord_ = where + 1;
+    return tell("S1", where[1].span, "the levels of a rule stand before its '{'",
+                "it is written `rule \"title\" quality 1 { ... }`");
+  }
+  // One vertex makes no chain; what is wrong with the others of the clause is the same.
+  if (wanted == "->" && (where->is(",") || where->is(";")) && unit != SyntaxUnit::Setting) {
+    if (shortChainOf_ == first) return;
+    shortChainOf_ = first;
+  }
+  if (wanted == ")" && where->is("..") && (unit == SyntaxUnit::RuleHeader || first->is("rule")))
+    return tell("S1", where->span, "a family has no ranges",
+                "list its values: `for (k) in (1), (2), (3)`");
+  if (isWord && wordsToldAsNames_.contains(where->text) && usesNames(*first)) return;
+  if (wanted == kExpressionWanted)
+    return tell("S3", here,
+                "an expression is missing between '" + before->text.substr(0, 40) + "' and " +
+                    found(*where),
+                isWord ? "'" + where->text + "' is a word of the language and cannot be a name"
+                       : "write a number, a point, a name, ...");
+  if (isWord && wanted.find("name") != std::string::npos) wordsToldAsNames_.insert(where->text);
+  if (isWord && wanted.find("name") != std::string::npos)
+    return tell("S9", here, "'" + where->text + "' is a word of the language and cannot be a name",
+                "choose another name");
+  if (wanted == ")")
+    if (const Token* open = openBracket(first, where))
+      return tell("S1", where->startsLine ? behind(where) : here,
+                  "')' is missing before " + found(*where), "close the bracket",
+                  {{"it is opened here", placeOf(source_, open->span)}});
+  if (where->startsLine && isSymbolName(wanted))
+    return tell("S1", behind(where),
+                "'" + wanted + "' is missing after '" + before->text.substr(0, 40) + "'", help);
+  const Help guess = where->kind == TokenKind::Name ? didYouMean(where->text, {wanted}) : Help();
+  tell("S1", here, "expected " + quoted(wanted) + ", found " + found(*where),
+       guess.empty() ? Help(help) : guess);
+}
+
+void SyntaxErrors::tellUnclosed(SyntaxUnit unit, const Token* first, const Token* where) {
+  const char* what = unit == SyntaxUnit::MirrorPart || first->is("mirror") ? "this mirror"
+                     : first->is("meta")                                   ? "this meta"
+                                                                           : "this block";
+  tell("S5", placeFor(where),
+       std::string(what) + " is not closed: '}' is missing before " + found(*where),
+       where->kind == TokenKind::End ? Help("add '}'", {Remedy::Where::Behind, "\n}"})
+                                     : Help("add '}'", {Remedy::Where::Before, "}\n\n"}),
+       {{"it begins here", placeOf(source_, first->span)}});
+}
+
+}  // namespace af2::dsl

@@ -1,0 +1,30 @@
+// Titles of rules as they stand in the text, and what becomes of their {parameters}.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "dsl/syntax/ast.h"
+
+namespace af2::dsl {
+
+/// A title as text, {parameter}, text, ..., text: parameters stand at odd places.
+std::vector<std::string> titleParts(const std::string& title);
+
+/// The titles that an item gives to rules: its own and those of its mirror images.
+std::vector<const Name*> titlesOf(const Item& item);
+/// The titles of a rule and of its mirror images.
+std::vector<const Name*> titlesOf(const Rule& rule);
+
+/// Whether `title` is what `pattern` gives for some values of its {parameters}.
+bool isTitleOf(const std::string& pattern, const std::string& title);
+
+/// `title`, made by `pattern`, as `newPattern` would have made it for the same values. Both
+/// patterns must have the same parameters.
+std::string retitled(const std::string& pattern, const std::string& title,
+                     const std::string& newPattern);
+
+/// The names of {parameters} in a title, sorted.
+std::vector<std::string> titleParameters(const std::string& title);
+
+}  // namespace af2::dsl

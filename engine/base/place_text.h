@@ -1,0 +1,16 @@
+// Numbers and places as messages tell them. Not installed.
+#pragma once
+
+#include <string>
+
+#include "engine/base/point.h"
+
+namespace af2 {
+
+/// With so many digits at most, and a point before decimals wherever the program runs.
+std::string textOf(double number, int digits = 9);
+/// "(1, 2.5, -3)"
+std::string textOf(const Point3& place, int digits = 9);
+std::string textOf(Point2 place, int digits = 9);
+
+}  // namespace af2

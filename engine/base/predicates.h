@@ -1,0 +1,51 @@
+// Exact answers to "on which side?" and "do they cross?" for points with double coordinates.
+//
+// A floating-point filter answers when its error bound proves the sign; otherwise CGAL's exact
+// arithmetic does (predicates.cpp, the only CGAL of the engine).
+#pragma once
+
+#include <cmath>
+
+#include "engine/base/point.h"
+
+namespace af2 {
+
+enum class Turn { Right = -1, Straight = 0, Left = 1 };
+
+namespace detail {
+Turn exactOrientation(Point2 a, Point2 b, Point2 c);
+
+/// (3 + 16 eps) eps with eps = 2^-53: bounds the error of the determinant below relative to the sum
+/// of the sizes of its two products. Source: [Shewchuk97], ccwerrboundA.
+inline constexpr double kOrientationErrorBound = 3.3306690738754716e-16;
+/// Below this the products may have lost bits to underflow, and the bound proves nothing.
+inline constexpr double kUnderflowGuard = 1e-290;
+
+/// Whether left - right is certainly positive, for the two products of an orientation.
+inline bool isPlainlyLeft(double left, double right) {
+  const double size = std::abs(left) + std::abs(right);
+  return (left - right > kOrientationErrorBound * size) & (size > kUnderflowGuard) & (size < 1e300);
+}
+}  // namespace detail
+
+/// Which way the path a -> b -> c turns. Exact.
+inline Turn orientation(Point2 a, Point2 b, Point2 c) {
+  const double left = (a.x - c.x) * (b.y - c.y);
+  const double right = (a.y - c.y) * (b.x - c.x);
+  const double det = left - right;
+  const double size = std::abs(left) + std::abs(right);
+  if (std::abs(det) > detail::kOrientationErrorBound * size && size > detail::kUnderflowGuard &&
+      size < 1e300)
+    return det > 0 ? Turn::Left : Turn::Right;
+  // Exact arithmetic is slow to say what edges that share a vertex with a zone ask all the time,
+  // and what rows of vertices along an axis ask: both products are nothing, because a difference
+  // is.
+  const bool leftVanishes = a.x == c.x || b.y == c.y, rightVanishes = a.y == c.y || b.x == c.x;
+  if ((leftVanishes && rightVanishes) || a == b) return Turn::Straight;
+  return detail::exactOrientation(a, b, c);
+}
+
+/// Whether the closed segments pq and rs have a point in common. Exact.
+bool segmentsMeet(Point2 p, Point2 q, Point2 r, Point2 s);
+
+}  // namespace af2

@@ -1,0 +1,110 @@
+// The front: directed loops around what is not meshed yet, in flat arrays.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "engine/base/ids.h"
+#include "engine/base/point.h"
+#include "engine/mesh/front_input.h"
+
+namespace af2 {
+
+/// One corner of the front and the edge that leaves it. A vertex may have several places.
+struct alignas(64) Place {
+  SurfacePoint point;
+  double size = 0;  ///< wanted edge length at the vertex
+  VertexId vertex;
+  PlaceId next, previous;  ///< itself: an isolated vertex
+  std::int32_t level = 0;  ///< quality level of the edge; 0: the place is not in use
+  std::int32_t layer = 0;  ///< layers of elements between the vertex and the boundary
+  std::uint32_t age = 0;   ///< counts up with each edge that joins the front
+};
+
+/// A vertex on the walk that takes the place of a base edge.
+struct WalkVertex {
+  /// The place of a vertex of the front that becomes two, or none: a new vertex, or one where the
+  /// walk has elements on both sides.
+  PlaceId existing;
+  VertexId vertex;
+  SurfacePoint point;
+  double size = 0;
+  std::int32_t layer = 0;
+};
+
+class Front {
+ public:
+  /// What `replace` changed.
+  struct Change {
+    std::vector<PlaceId> added;  ///< places whose edge is new; also the base's, if it has a new one
+    std::vector<PlaceId> removed;  ///< places that left the front, or whose old edge did
+  };
+
+  /// Level of a place that no edge leaves: an isolated vertex, the end of an open chain.
+  static constexpr std::int32_t kNoEdge = -1;
+
+  /// Returns the first of the new places, which are numbered on.
+  PlaceId addLoop(std::span<const BoundaryCorner> corners, std::span<const double> sizes);
+  /// A part of a loop whose rest is not known, for trying rules: `replace` is not for it.
+  PlaceId addOpenChain(std::span<const BoundaryCorner> corners, std::span<const double> sizes);
+  PlaceId addIsolated(const BoundaryCorner& corner, double size);
+  /// Where loops touch in a vertex, links edges anew so that each free sector there is bounded by
+  /// an edge and the one that follows it: loops may be given apart or as one walk.
+  void untangle();
+
+  /// Replaces the edge that leaves `base` by the path base -> walk... -> next(base).
+  ///
+  /// At each existing vertex of the walk, the two places it has then exchange their predecessors,
+  /// which splits a loop or joins two; loops of two opposite edges cancel. `change` is overwritten;
+  /// removed places keep their contents until `release`, so that indices can be told.
+  void replace(PlaceId base, std::span<const WalkVertex> walk, Change& change);
+
+  /// Gives removed places back for reuse.
+  void release(const Change& change);
+
+  const Place& operator[](PlaceId id) const { return places_[id.value]; }
+  Place& operator[](PlaceId id) { return places_[id.value]; }
+  PlaceId next(PlaceId id) const { return places_[id.value].next; }
+  PlaceId previous(PlaceId id) const { return places_[id.value].previous; }
+  bool isUsed(PlaceId id) const { return places_[id.value].level != 0; }
+  /// Whether an edge leaves the place; whether one arrives there.
+  bool hasEdge(PlaceId id) const { return places_[id.value].level > 0; }
+  bool hasEdgeBefore(PlaceId id) const { return hasEdge(previous(id)); }
+  bool isIsolated(PlaceId id) const { return places_[id.value].next == id; }
+
+  /// Edges on the front; isolated vertices on it.
+  std::size_t edgeCount() const { return edgeCount_; }
+  std::size_t isolatedCount() const { return isolatedCount_; }
+  bool isEmpty() const { return edgeCount_ == 0; }
+  std::size_t capacity() const { return places_.size(); }
+
+  void raiseLevel(PlaceId id) { ++places_[id.value].level; }
+  double edgeLength(PlaceId id) const {
+    return distance((*this)[id].point.position, (*this)[next(id)].point.position);
+  }
+  /// Free angle at a place, radians in (0, 2 pi], seen along the vertex normal.
+  double turn(PlaceId id) const;
+  /// Number of edges in the loop of a place.
+  int loopSize(PlaceId id) const;
+
+ private:
+  PlaceId take();
+  void link(PlaceId from, PlaceId to) {
+    places_[from.value].next = to;
+    places_[to.value].previous = from;
+  }
+  void exchangePredecessors(PlaceId p, PlaceId q);
+  /// For each place of one vertex the place whose edge arrives at the end of its free sector;
+  /// nothing if the edges there do not pair off.
+  std::vector<PlaceId> freeNeighbors(std::span<const PlaceId> places) const;
+  void cancelOppositeEdges(PlaceId id, Change& change);
+
+  std::vector<Place> places_;
+  std::vector<PlaceId> free_;
+  std::vector<PlaceId> touched_;
+  std::size_t edgeCount_ = 0, isolatedCount_ = 0;
+  std::uint32_t age_ = 0;
+};
+
+}  // namespace af2

@@ -1,0 +1,160 @@
+// Which front edges lie near a box: a hierarchy of hashed grids, one for each band of edge lengths.
+// The only place where search speed is tuned.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include "engine/base/point.h"
+#include "engine/front/front.h"
+
+namespace af2 {
+
+struct Box3 {
+  Point3 low, high;
+};
+
+/// Edges are kept by their midpoint, in the grid of their length; bands are a factor of 4 wide, so
+/// that a mesh of nearly uniform size lives in one grid.
+class FrontIndex {
+ public:
+  /// box        holds all vertices to come, roughly: it only sets the resolution of coordinates
+  /// typicalLength  the length that lies in the middle of a band
+  FrontIndex(const Box3& box, double typicalLength);
+
+  /// The edge that leaves a place, or an isolated vertex.
+  void insert(const Front& front, PlaceId id);
+  /// Does nothing if the edge is not in the index.
+  void erase(PlaceId id);
+
+  struct Collected {
+    std::size_t count;     ///< edges that may meet the box
+    std::size_t lookedAt;  ///< edges of the cells around it: with these goes the time
+  };
+  /// Puts every edge that may meet the box into `found`, each once: the order depends on nothing
+  /// but the history of inserts and erases. `found` grows and never shrinks.
+  Collected collectNear(const Box3& box, std::vector<PlaceId>& found) const;
+
+ private:
+  static constexpr std::uint32_t kEmpty = 0xffffffffu;
+
+  static constexpr Box3 kNowhere{{1e300, 1e300, 1e300}, {-1e300, -1e300, -1e300}};
+
+  struct Cell {
+    std::uint64_t key = 0;
+    PlaceId first;
+    std::uint32_t edges = 0;
+  };
+  struct Slot {
+    std::uint64_t key = 0;
+    std::uint32_t cell = kEmpty;
+  };
+  /// Four numbers in one register.
+  using Four = float __attribute__((vector_size(16)));
+  using FourBits = std::int32_t __attribute__((vector_size(16)));
+  /// Of one place: about where its edge is, and its neighbours in the list of its cell. All that a
+  /// search looks at lies in one line of the cache.
+  struct alignas(32) Entry {
+    /// Its midpoint x, y, z, from the origin of the index; no point of the edge is farther from it
+    /// along an axis than the last number says.
+    Four edge{};
+    PlaceId next, previous;
+    std::uint32_t cell = kEmpty;
+  };
+  /// A box as entries see it, a little larger.
+  struct Query {
+    Four center, half;  ///< along x, y, z; the fourth half is infinite
+    bool mayMeet(const Entry& e) const {
+      const Four away = e.edge - center, reach = half + e.edge[3];
+      constexpr std::int32_t kNoSign = 0x7fffffff;
+      const auto isNear =
+          std::bit_cast<Four>(std::bit_cast<FourBits>(away) &
+                              FourBits{kNoSign, kNoSign, kNoSign, kNoSign}) <= reach;
+      const auto pairs = std::bit_cast<std::array<std::int64_t, 2>>(isNear);
+      return (pairs[0] & pairs[1]) == -1;
+    }
+  };
+  struct Search {
+    Query query;
+    std::vector<PlaceId>& found;
+    Collected collected;
+  };
+  struct Band {
+    double cellSize = 1, inverseCellSize = 1;
+    Point3 origin;  ///< half a cell off, so that a front in a plane z = 0 keeps to one layer
+    double reach =
+        0;  ///< largest distance of an edge's points from its midpoint along an axis, so far
+    Box3 midpoints = kNowhere;  ///< holds them all
+    std::size_t edges = 0;
+    std::vector<Cell> cells;  ///< in order of first use
+    std::vector<Slot> slots;  ///< open addressing into cells; a power of two
+    /// Whether there may be a cell in a block of 4 x 4 x 4, by hash; as many as slots.
+    std::vector<std::uint8_t> isBlockUsed;
+  };
+  struct CellRange {
+    std::int64_t low[3], high[3];
+    /// Of cells; of very large ranges only that they are large.
+    std::uint64_t count() const {
+      constexpr std::uint64_t kMany = 1u << 20;
+      std::uint64_t product = 1;
+      for (int i = 0; i < 3; ++i)
+        product *= std::min(static_cast<std::uint64_t>(high[i] - low[i]) + 1, kMany);
+      return product;
+    }
+  };
+
+  static std::uint64_t keyOf(std::int64_t x, std::int64_t y, std::int64_t z) {
+    constexpr std::uint64_t kMask = (1u << kKeyBits) - 1;
+    return (static_cast<std::uint64_t>(x) & kMask) |
+           (static_cast<std::uint64_t>(y) & kMask) << kKeyBits |
+           (static_cast<std::uint64_t>(z) & kMask) << 2 * kKeyBits;
+  }
+  /// The block of a cell.
+  static std::uint64_t blockOf(std::uint64_t key) {
+    constexpr std::uint64_t kLow = 3;
+    return key & ~(kLow | kLow << kKeyBits | kLow << 2 * kKeyBits);
+  }
+  /// Cells side by side go to different slots, and so do those above each other: z, which begins
+  /// at bit 42, would not get into the low bits by itself.
+  static std::size_t hash(std::uint64_t key) {
+    key = (key ^ key >> 37) * 0x9e3779b97f4a7c15u;
+    return static_cast<std::size_t>(key ^ (key >> 32));
+  }
+
+  std::size_t bandOf(double squaredLength) const;
+  static bool mayHold(const Band& band, const Box3& box);
+  CellRange cellsAround(const Band& band, const Box3& box) const;
+  std::uint64_t keyAt(const Band& band, const Point3& point) const;
+
+  /// Where a key is, or the empty slot where it would be.
+  static std::size_t slotOf(const Band& band, std::uint64_t key) {
+    const std::size_t mask = band.slots.size() - 1;
+    std::size_t i = hash(key) & mask;
+    while (band.slots[i].cell != kEmpty && band.slots[i].key != key) i = (i + 1) & mask;
+    return i;
+  }
+  std::uint32_t findOrAdd(Band& band, std::uint64_t key);
+  static void rehash(Band& band, std::size_t slots);
+  static void markBlock(Band& band, std::uint64_t key);
+  void dropEmptyCells(Band& band);
+  Query queryOf(const Box3& box) const;
+  float roundedUp(double half, double farthest) const;
+  void collectInRange(const Band& band, const CellRange& range, Search& search) const;
+  void collectInCell(const Cell& cell, Search& search) const;
+
+  static constexpr int kKeyBits = 21;
+  static constexpr int kBands = 32;
+  static constexpr std::uint32_t kBandShift = 27;  // an entry's cell: band in the high bits
+
+  double perSquaredLength_;  // times the square of a length: its place among the bands
+  Point3 origin_;
+  std::vector<Band> bands_;
+  std::size_t firstBand_ = kBands, lastBand_ = 0;  // of those that hold or have held an edge
+  std::vector<Entry> entries_;  // by place; apart from the places, so that lists are close together
+};
+
+}  // namespace af2

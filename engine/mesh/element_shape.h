@@ -1,0 +1,113 @@
+// Whether elements are the right way round, and their distortion, which the optimiser lowers: the
+// inverse of the mean ratio.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+#include "engine/base/point.h"
+#include "engine/base/predicates.h"
+#include "engine/mesh/mesh.h"
+
+namespace af2 {
+
+/// An element may lean against the surface normal at a corner by this cosine (78 degrees) at most:
+/// beyond that it is a fold of the mesh, not an approximation of the surface.
+inline constexpr double kMinNormalCosine = 0.2;
+
+/// Whether a corner that turns about `turned`, the cross product of its edges, faces the way the
+/// surface does there. A zero normal, at a pole without one, faces every way.
+inline bool facesNormal(const Point3& turned, const Point3& normal) {
+  const double cosine = dot(turned, normal);
+  return (cosine > 0 &&
+          cosine * cosine > kMinNormalCosine * kMinNormalCosine * dot(turned, turned)) ||
+         normal == Point3{};
+}
+/// The same for the corner between two edges of an element.
+inline bool facesNormal(const Point3& corner, const Point3& ahead, const Point3& behind,
+                        const Point3& normal) {
+  return facesNormal(cross(ahead - corner, behind - corner), normal);
+}
+
+/// Whether some corner of an element does not face the way the surface does there.
+inline bool leans(const Mesh& mesh, const Element& element) {
+  const auto c = element.vertices();
+  for (std::size_t i = 0; i < c.size(); ++i) {
+    const SurfacePoint& corner = mesh.vertices[c[i].value];
+    const Point3& ahead = mesh.vertices[c[(i + 1) % c.size()].value].position;
+    const Point3& behind = mesh.vertices[c[(i + c.size() - 1) % c.size()].value].position;
+    if (!facesNormal(corner.position, ahead, behind, corner.normal)) return true;
+  }
+  return false;
+}
+
+/// Whether an element turns left at each corner, in a chart. Exact for a triangle. A quadrilateral
+/// that is straight at a corner but for rounding does not: on the surface it could turn back there.
+inline bool turnsLeftEverywhere(std::span<const Point2> corners) {
+  constexpr double kLeastSine = 1e-9;
+  const std::size_t n = corners.size();
+  if (n == 3) return orientation(corners[0], corners[1], corners[2]) == Turn::Left;
+  for (std::size_t i = 0; i < n; ++i) {
+    const Point2 ahead = corners[(i + 1) % n] - corners[i];
+    const Point2 behind = corners[(i + n - 1) % n] - corners[i];
+    const double turned = cross(ahead, behind);
+    if (!(turned > 0) ||
+        turned * turned <= kLeastSine * kLeastSine * dot(ahead, ahead) * dot(behind, behind))
+      return false;
+  }
+  return true;
+}
+
+/// Squared edges over area, scaled to 1 for the ideal corner. Source: [Knupp01].
+inline double cornerDistortion(const Point3& corner, const Point3& ahead, const Point3& behind,
+                               bool ofTriangle) {
+  constexpr double kTwoRootThree = 3.4641016151377544;
+  const Point3 p = ahead - corner, q = behind - corner;
+  const double twiceArea = length(cross(p, q));
+  const double squares = dot(p, p) + dot(q, q);
+  if (!(twiceArea > 0)) return INFINITY;
+  if (!ofTriangle) return squares / (2 * twiceArea);
+  const Point3 r = behind - ahead;
+  return (squares + dot(r, r)) / (kTwoRootThree * twiceArea);
+}
+
+/// Whether the distortion of a triangle is below a limit, by a margin far beyond what rounding can
+/// do: costs neither a root nor a division. False: not certain.
+inline bool isPlainlyBelow(double limit, const SurfacePoint& a, const SurfacePoint& b,
+                           const SurfacePoint& c) {
+  constexpr double kCertain = 1 - 1e-9, kTwelve = 12;  // (2 sqrt(3))^2
+  const Point3 p = b.position - a.position, q = c.position - a.position;
+  const Point3 r = c.position - b.position, turned = cross(p, q);
+  for (const SurfacePoint* corner : {&a, &b, &c})
+    if (!facesNormal(turned, corner->normal)) return false;
+  const double squares = dot(p, p) + dot(q, q) + dot(r, r);
+  return squares * squares < kCertain * limit * limit * kTwelve * dot(turned, turned);
+}
+
+/// Distortion of a triangle: 1 for the equilateral one, growing without bound, infinite for one
+/// that folds against the surface.
+inline double triangleDistortion(const SurfacePoint& a, const SurfacePoint& b,
+                                 const SurfacePoint& c) {
+  const Point3 turned = cross(b.position - a.position, c.position - a.position);
+  for (const SurfacePoint* corner : {&a, &b, &c})
+    if (!facesNormal(turned, corner->normal)) return INFINITY;
+  return cornerDistortion(a.position, b.position, c.position, true);
+}
+
+/// The same, or that of the worst corner of a quadrilateral.
+inline double elementDistortion(std::span<const SurfacePoint* const> corners) {
+  const std::size_t n = corners.size();
+  if (n == 3) return triangleDistortion(*corners[0], *corners[1], *corners[2]);
+  double worst = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    const Point3& corner = corners[i]->position;
+    const Point3& ahead = corners[i + 1 == n ? 0 : i + 1]->position;
+    const Point3& behind = corners[i == 0 ? n - 1 : i - 1]->position;
+    if (!facesNormal(corner, ahead, behind, corners[i]->normal)) return INFINITY;
+    worst = std::max(worst, cornerDistortion(corner, ahead, behind, false));
+  }
+  return worst;
+}
+
+}  // namespace af2

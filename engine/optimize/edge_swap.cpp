@@ -1,0 +1,124 @@
+#include "engine/optimize/edge_swap.h"
+
+#include <cmath>
+
+#include "engine/mesh/element_shape.h"
+
+namespace af2 {
+namespace {
+
+constexpr int kWantedInside = 6;
+/// By how much a swap must lower the sum of the squared defects, sweep by sweep. Where two fronts
+/// have met in a row of vertices with four triangles each, that some swaps help more than others
+/// decides between a regular mesh and one that no smoothing evens out.
+constexpr int kLeastGains[] = {6, 1};
+/// A swap for the sake of valence may not make a triangle worse than this: smoothing repairs it.
+constexpr double kFairAfterSwap = 2.5;
+
+class Swapper {
+ public:
+  Swapper(MeshTopology& topology, SwapGoal goal, const std::vector<std::uint8_t>& wantedAtFixed)
+      : topology_(topology), goal_(goal), wantedAtFixed_(wantedAtFixed) {
+    const std::size_t elements = goal == SwapGoal::Shape ? topology.mesh().elements.size() : 0;
+    isGood_.resize(elements);
+    for (std::size_t e = 0; e < elements; ++e) look(e);
+  }
+
+  /// One sweep over all sides in order. Returns how many were turned.
+  std::size_t sweep(int leastGain) {
+    leastGain_ = leastGain;
+    std::size_t swaps = 0;
+    for (std::size_t e = 0; e < topology_.mesh().elements.size(); ++e) {
+      for (std::size_t i = 0; i < 3 && !topology_.isDead(e); ++i) {
+        const Corner side(e, i);
+        // Each side is looked at from one of its elements.
+        if (topology_.across(side).code > side.code) swaps += trySwap(side);
+      }
+    }
+    return swaps;
+  }
+
+ private:
+  bool trySwap(Corner side) {
+    const Corner other = topology_.across(side);
+    if (other.isNone()) return false;
+    if (goal_ == SwapGoal::Shape && isGood_[side.element()] && isGood_[other.element()])
+      return false;
+    if (topology_.sizeOf(side) != 3 || topology_.sizeOf(other) != 3) return false;
+    const VertexId a = topology_.vertexAt(side), b = topology_.vertexAt(topology_.next(side));
+    const VertexId c = topology_.vertexAt(topology_.previous(side));
+    const VertexId d = topology_.vertexAt(topology_.previous(other));
+    if (topology_.valence(a) <= fewest(a) || topology_.valence(b) <= fewest(b)) return false;
+    if (!isWorthwhile(a, b, c, d) || topology_.areJoined(c, d)) return false;
+    topology_.swap(side);
+    if (goal_ == SwapGoal::Shape) {
+      look(side.element());
+      look(other.element());
+    }
+    return true;
+  }
+
+  /// Notes whether a triangle is too good to be swapped. Seen from another corner its distortion
+  /// may differ in the last bits.
+  void look(std::size_t e) {
+    constexpr double kRounding = 1e-9;
+    const auto corners = topology_.mesh().elements[e].vertices();
+    isGood_[e] = !topology_.isDead(e) && corners.size() == 3 &&
+                 distortion(corners[0], corners[1], corners[2]) < (1 - kRounding) * kBest;
+  }
+
+  int fewest(VertexId v) const { return topology_.isFixed(v) ? 1 : 3; }
+  int defect(VertexId v, int change) const {
+    const int wanted = topology_.isFixed(v) ? wantedAtFixed_[v.value] : kWantedInside;
+    const int off = topology_.valence(v) + change - wanted;
+    return off * off;
+  }
+
+  bool isWorthwhile(VertexId a, VertexId b, VertexId c, VertexId d) const {
+    if (goal_ == SwapGoal::Valence) {
+      const int before = defect(a, 0) + defect(b, 0) + defect(c, 0) + defect(d, 0);
+      const int after = defect(a, -1) + defect(b, -1) + defect(c, 1) + defect(d, 1);
+      return before - after >= leastGain_ && worst(a, d, c, d, b, c) < kFairAfterSwap;
+    }
+    const double before = worst(a, b, c, b, a, d);
+    if (before < kBest) return false;
+    return worst(a, d, c, d, b, c) < (1 - 1e-9) * before;
+  }
+
+  double worst(VertexId a, VertexId b, VertexId c, VertexId d, VertexId e, VertexId f) const {
+    return std::max(distortion(a, b, c), distortion(d, e, f));
+  }
+  double distortion(VertexId a, VertexId b, VertexId c) const {
+    const auto& vertices = topology_.mesh().vertices;
+    return triangleDistortion(vertices[a.value], vertices[b.value], vertices[c.value]);
+  }
+
+  /// Two triangles better than this cannot both be better the other way round.
+  static constexpr double kBest = 1.05;
+
+  MeshTopology& topology_;
+  SwapGoal goal_;
+  int leastGain_ = 1;
+  const std::vector<std::uint8_t>& wantedAtFixed_;
+  std::vector<std::uint8_t> isGood_;  ///< by element, for the sake of shape alone
+};
+
+}  // namespace
+
+std::vector<std::uint8_t> wantedValences(const std::vector<double>& angles) {
+  std::vector<std::uint8_t> wanted;
+  for (double angle : angles)
+    wanted.push_back(static_cast<std::uint8_t>(std::max(1.0, std::round(angle / (M_PI / 3)))));
+  return wanted;
+}
+
+std::size_t swapSides(MeshTopology& topology, SwapGoal goal,
+                      const std::vector<std::uint8_t>& wantedAtFixed) {
+  Swapper swapper(topology, goal, wantedAtFixed);
+  if (goal == SwapGoal::Shape) return swapper.sweep(0);
+  std::size_t swaps = 0;
+  for (const int gain : kLeastGains) swaps += swapper.sweep(gain);
+  return swaps;
+}
+
+}  // namespace af2

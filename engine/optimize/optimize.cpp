@@ -1,0 +1,139 @@
+#include "engine/optimize/optimize.h"
+
+#include <algorithm>
+#include <optional>
+#include <vector>
+
+#include "engine/mesh/element_shape.h"
+#include "engine/mesh/mesh_check.h"
+#include "engine/mesh/mesh_topology.h"
+#include "engine/optimize/edge_collapse.h"
+#include "engine/optimize/edge_swap.h"
+#include "engine/optimize/quad_tidying.h"
+#include "engine/optimize/smoothing.h"
+
+namespace af2 {
+namespace {
+
+/// An element more distorted than this is poor: below 0.87 of the ideal shape.
+constexpr double kPoorDistortion = 1.15;
+
+bool isPoor(const Mesh& mesh, const Element& element) {
+  const auto at = [&](std::size_t i) -> const Point3& {
+    return mesh.vertices[element.corners[i].value].position;
+  };
+  if (element.size() == 3) return cornerDistortion(at(0), at(1), at(2), true) > kPoorDistortion;
+  for (std::size_t i = 0; i < 4; ++i)
+    if (cornerDistortion(at(i), at((i + 1) % 4), at((i + 3) % 4), false) > kPoorDistortion)
+      return true;
+  return false;
+}
+
+/// Elements that may be poor, and their inner vertices.
+class PoorElements {
+ public:
+  explicit PoorElements(const MeshTopology& topology) : topology_(topology) {
+    for (std::size_t e = 0; e < topology.mesh().elements.size(); ++e)
+      if (!topology.isDead(e)) look(e);
+    sortOut();
+  }
+
+  /// Each once, in order.
+  const std::vector<VertexId>& vertices() const { return vertices_; }
+
+  /// After some of the vertices were moved: what is poor now.
+  void renew() {
+    const std::vector<VertexId> before = std::move(vertices_);
+    vertices_.clear();
+    for (const VertexId v : before) {
+      const Corner first = topology_.cornerOf(v);
+      Corner c = first;
+      do {
+        look(c.element());
+        c = topology_.aroundVertex(c);
+      } while (!c.isNone() && c != first);
+    }
+    sortOut();
+  }
+
+ private:
+  void look(std::size_t e) {
+    const Element& element = topology_.mesh().elements[e];
+    if (!isPoor(topology_.mesh(), element)) return;
+    for (const VertexId v : element.vertices())
+      if (!topology_.isFixed(v)) vertices_.push_back(v);
+  }
+  void sortOut() {
+    std::ranges::sort(vertices_);
+    vertices_.erase(std::unique(vertices_.begin(), vertices_.end()), vertices_.end());
+  }
+
+  const MeshTopology& topology_;
+  std::vector<VertexId> vertices_;
+};
+
+/// What smoothing for the good of all has left behind: few elements, each worth a look of its own.
+std::size_t mendPoorElements(const MeshTopology& topology, VertexSmoother& smoother) {
+  constexpr int kRounds = 3, kSweeps = 2;
+  PoorElements poor(topology);
+  std::size_t moves = 0;
+  for (int round = 0; round < kRounds; ++round) {
+    std::size_t moved = 0;
+    for (int sweep = 0; sweep < kSweeps; ++sweep) moved += smoother.mend(poor.vertices());
+    if (moved == 0) break;
+    moves += moved;
+    poor.renew();
+  }
+  return moves;
+}
+
+/// All but the check of what comes out.
+OptimizeReport improve(Mesh& mesh, const MeshBoundary& boundary,
+                       const AF2LocalTransformMaker& maker, const OptimizeOptions& options) {
+  OptimizeReport report;
+  MeshTopology topology(mesh, boundary);
+  VertexSmoother smoother(topology, mesh, maker);
+  const std::vector<double> angles = topology.anglesAtFixed();
+  const std::vector<std::uint8_t> wanted = wantedValences(angles);
+  const bool hasQuads = std::ranges::any_of(mesh.elements, &Element::isQuad) ||
+                        (options.closingRule &&
+                         std::ranges::find(mesh.rule, *options.closingRule) != mesh.rule.end());
+  const int rounds = options.rounds + (hasQuads ? 1 : 0);
+  // Rounds with quadrilaterals smooth twice, and nothing sleeps early in them.
+  const bool hasOneLess = hasQuads && options.smoothingSweeps > 1;
+  const int sweeps = options.smoothingSweeps - (hasOneLess ? 1 : 0);
+  const auto smooth = [&] {
+    smoother.wake(topology.takeChanged());
+    for (int sweep = 0; sweep < sweeps; ++sweep)
+      if (!options.stop.stop_requested()) report.moves += smoother.sweep(options.stop);
+  };
+  for (int round = 0; round < rounds && !options.stop.stop_requested(); ++round) {
+    if (hasQuads && options.renumber) {
+      smooth();
+      report.replacements += tidyQuads(topology, angles, options.closingRule);
+    }
+    report.swaps += swapSides(topology, SwapGoal::Valence, wanted);
+    if (options.renumber) report.collapses += collapseEdges(topology);
+    smooth();
+    report.swaps += swapSides(topology, SwapGoal::Shape, wanted);
+  }
+  smooth();
+  if (!options.stop.stop_requested()) report.moves += mendPoorElements(topology, smoother);
+  topology.compact();
+  return report;
+}
+
+}  // namespace
+
+OptimizeReport optimizeMesh(Mesh& mesh, const MeshBoundary& boundary,
+                            const AF2LocalTransformMaker& maker, const OptimizeOptions& options) {
+  std::optional<Mesh> before;
+  if (options.keepOriginal) before = mesh;
+  OptimizeReport report = improve(mesh, boundary, maker, options);
+  report.isSound = checkMesh(mesh, boundary).empty();
+  if (report.isSound || !before) return report;
+  mesh = std::move(*before);
+  return {};
+}
+
+}  // namespace af2

@@ -1,0 +1,177 @@
+#include "engine/optimize/quad_changes.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "engine/mesh/element_shape.h"
+
+namespace af2 {
+namespace {
+
+/// Ideal angles are counted in units of 30 degrees.
+constexpr int kFullTurn = 12;
+int idealAngle(const Element& element) { return element.isQuad() ? 3 : 2; }
+
+/// What a triangle costs, and what distortion does, in squared units of missing angle.
+constexpr double kTriangleCost = 12, kDistortionCost = 3;
+/// What a change must bring at least, so that rounding does not turn things to and fro.
+constexpr double kLeastGain = 1e-6;
+/// More triangles than these, side by side, are meant to be.
+constexpr std::size_t kLargestIsland = 12;
+
+double costOfKind(const Element& element) { return element.isQuad() ? 0 : kTriangleCost; }
+
+/// How much more angle a vertex would have, to be added up.
+int& angleAt(std::vector<std::pair<VertexId, int>>& angles, VertexId v) {
+  for (auto& [vertex, more] : angles)
+    if (vertex == v) return more;
+  return angles.emplace_back(v, 0).second;
+}
+
+}  // namespace
+
+Element elementOf(std::span<const VertexId> ring) {
+  Element element;
+  std::ranges::copy(ring, element.corners.begin());
+  return element;
+}
+
+bool areDifferent(std::span<const VertexId> vertices) {
+  for (std::size_t i = 0; i < vertices.size(); ++i)
+    for (std::size_t k = 0; k < i; ++k)
+      if (vertices[i] == vertices[k]) return false;
+  return true;
+}
+
+QuadChanges::QuadChanges(MeshTopology& topology, const std::vector<double>& anglesAtFixed,
+                         std::optional<std::uint16_t> closingRule)
+    : topology_(topology),
+      wanted_(topology.mesh().vertices.size(), kFullTurn),
+      sum_(wanted_.size(), 0),
+      changed_(wanted_.size(), 0),
+      lookedAt_(topology.mesh().elements.size(), 0),
+      bestGain_(kLeastGain) {
+  for (std::size_t v = 0; v < anglesAtFixed.size(); ++v)
+    wanted_[v] = std::max(1, static_cast<int>(std::lround(anglesAtFixed[v] / (M_PI / 6))));
+  for (std::size_t e = 0; e < elementCount(); ++e) {
+    distortion_.push_back(topology_.isDead(e) ? 0 : distortionOf(elementAt(e)));
+    if (!topology_.isDead(e)) add(elementAt(e), 1);
+  }
+  open(closingRule);
+}
+
+/// Quadrilaterals, triangles that close a front, and those of which few hang together by their
+/// sides.
+void QuadChanges::open(std::optional<std::uint16_t> closingRule) {
+  isOpen_.assign(elementCount(), 0);
+  std::vector<std::uint8_t> isSeen(elementCount(), 0);
+  std::vector<std::size_t> island;
+  for (std::size_t e = 0; e < elementCount(); ++e) {
+    if (topology_.isDead(e)) continue;
+    if (elementAt(e).isQuad() || mesh().rule[e] == closingRule) isOpen_[e] = 1;
+    if (isSeen[e] || elementAt(e).isQuad()) continue;
+    island.assign(1, e);
+    isSeen[e] = 1;
+    for (std::size_t i = 0; i < island.size(); ++i)
+      for (std::size_t k = 0; k < 3; ++k) {
+        const Corner beyond = topology_.across(Corner(island[i], k));
+        if (beyond.isNone() || isSeen[beyond.element()]) continue;
+        if (elementAt(beyond.element()).isQuad()) continue;
+        isSeen[beyond.element()] = 1;
+        island.push_back(beyond.element());
+      }
+    if (island.size() > kLargestIsland) continue;
+    for (const std::size_t triangle : island) isOpen_[triangle] = 1;
+  }
+}
+
+std::vector<VertexId> QuadChanges::from(Corner c) const {
+  std::vector<VertexId> vertices;
+  for (int i = 0; i < topology_.sizeOf(c); ++i, c = topology_.next(c))
+    vertices.push_back(topology_.vertexAt(c));
+  return vertices;
+}
+
+double QuadChanges::distortionOf(const Element& element) const {
+  std::array<const SurfacePoint*, 4> corners{};
+  const auto vertices = element.vertices();
+  for (std::size_t i = 0; i < vertices.size(); ++i)
+    corners[i] = &mesh().vertices[vertices[i].value];
+  return elementDistortion({corners.data(), vertices.size()});
+}
+
+bool QuadChanges::isNews(std::size_t e) const {
+  return std::ranges::any_of(elementAt(e).vertices(),
+                             [&](VertexId v) { return changed_[v.value] >= lookedAt_[e]; });
+}
+
+void QuadChanges::add(const Element& element, int sign) {
+  for (const VertexId v : element.vertices()) {
+    sum_[v.value] += sign * idealAngle(element);
+    changed_[v.value] = clock_;
+  }
+}
+
+double QuadChanges::costOfDistortion(double distortion) const {
+  constexpr double kWorst = 20;
+  const double excess = std::min(distortion, kWorst) - 1;
+  return kDistortionCost * excess * excess;
+}
+
+/// Squared units of angle that a vertex has too many or too few; none if no element is left.
+double QuadChanges::costOf(VertexId v, int sum) const {
+  const int off = sum == 0 ? 0 : sum - wanted_[v.value];
+  return off * off;
+}
+
+double QuadChanges::gainOf(const Change& change) const {
+  double gain = 0;
+  angles_.clear();
+  for (const std::size_t place : change.places) {
+    const Element& element = elementAt(place);
+    gain += costOfKind(element);
+    for (const VertexId v : element.vertices()) angleAt(angles_, v) -= idealAngle(element);
+  }
+  for (const Element& element : change.elements) {
+    gain -= costOfKind(element);
+    for (const VertexId v : element.vertices()) angleAt(angles_, v) += idealAngle(element);
+  }
+  for (const auto& [v, more] : angles_)
+    gain += costOf(v, sum_[v.value]) - costOf(v, sum_[v.value] + more);
+  return gain;
+}
+
+void QuadChanges::offer(Change change, const Leniency& leniency) {
+  double gain = gainOf(change), worst = leniency.worst;
+  for (const std::size_t place : change.places) {
+    if (!isOpen_[place]) return;
+    worst = std::max(worst, distortion_[place]);
+    gain += leniency.shapeWeight * costOfDistortion(distortion_[place]);
+  }
+  if (gain <= bestGain_) return;  // whatever the shapes, which take longer to find out
+  for (const Element& element : change.elements) {
+    const double here = distortionOf(element);
+    if (here > worst || !std::isfinite(here)) return;
+    gain -= leniency.shapeWeight * costOfDistortion(here);
+  }
+  if (gain <= bestGain_) return;
+  bestGain_ = gain;
+  best_ = std::move(change);
+}
+
+bool QuadChanges::apply() {
+  bestGain_ = kLeastGain;
+  const Change change = std::exchange(best_, {});
+  if (change.places.empty()) return false;
+  for (const std::size_t place : change.places) add(elementAt(place), -1);
+  for (const Element& element : change.elements) add(element, 1);
+  const std::vector<std::size_t> places = topology_.replace(change.places, change.elements);
+  isOpen_.resize(elementCount(), 1);
+  lookedAt_.resize(elementCount(), 0);
+  distortion_.resize(elementCount());
+  for (const std::size_t place : places) distortion_[place] = distortionOf(elementAt(place));
+  return true;
+}
+
+}  // namespace af2

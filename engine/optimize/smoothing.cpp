@@ -1,0 +1,285 @@
+#include "engine/optimize/smoothing.h"
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include "engine/base/error.h"
+#include "engine/mesh/element_shape.h"
+
+namespace af2 {
+namespace {
+
+constexpr double kTriangleScale = 0.28867513459481287;  // 1 / (2 sqrt(3))
+constexpr double kQuadScale = 0.5;
+
+DistortionTerm triangleTerm(Point2 p, Point2 q) {
+  return {kTriangleScale,         2,          p + q, dot(p, p) + dot(q, q) + dot(p - q, p - q),
+          {p.y - q.y, q.x - p.x}, cross(p, q)};
+}
+
+/// The corner of a quadrilateral at the moving point itself, between p ahead and q behind.
+DistortionTerm ownCornerTerm(Point2 p, Point2 q) {
+  return {kQuadScale, 2, p + q, dot(p, p) + dot(q, q), {p.y - q.y, q.x - p.x}, cross(p, q)};
+}
+
+/// The corner at the next vertex n, between o ahead and the moving point behind.
+DistortionTerm nextCornerTerm(Point2 n, Point2 o) {
+  const Point2 u = o - n;
+  return {kQuadScale, 1, n, dot(n, n) + dot(u, u), {-u.y, u.x}, -cross(u, n)};
+}
+
+/// The corner at the previous vertex p, between the moving point ahead and o behind.
+DistortionTerm previousCornerTerm(Point2 p, Point2 o) {
+  const Point2 u = o - p;
+  return {kQuadScale, 1, p, dot(p, p) + dot(u, u), {u.y, -u.x}, -cross(p, u)};
+}
+
+/// No vertex moves by more than this part of its shortest edge at once.
+constexpr double kMostOfReach = 0.5;
+
+struct Energy {
+  double value = 0;
+  Point2 gradient;
+  double xx = 0, xy = 0, yy = 0;  // second derivatives
+};
+
+/// x^n for even n > 0.
+template <int kPower>
+double power(double x) {
+  if constexpr (kPower == 2)
+    return x * x;
+  else if constexpr (kPower % 4 == 0)
+    return power<kPower / 2>(x * x);
+  else
+    return x * x * power<kPower - 2>(x);
+}
+
+/// Sum of a power of the distortions: the higher the power, the more bad elements weigh.
+/// Infinite where an element would have no area.
+template <int kPower>
+double energyAt(std::span<const DistortionTerm> terms, Point2 x) {
+  double energy = 0;
+  for (const DistortionTerm& t : terms) {
+    const double area = dot(t.a, x) + t.a0;
+    if (!(area > 0)) return INFINITY;
+    const double f = t.scale * (t.count * dot(x, x) - 2 * dot(t.sum, x) + t.fixed) / area;
+    energy += power<kPower>(f);
+  }
+  return energy;
+}
+
+/// The same with derivatives, at the origin.
+template <int kPower>
+Energy derivativesOf(std::span<const DistortionTerm> terms) {
+  Energy e;
+  for (const DistortionTerm& t : terms) {
+    if (!(t.a0 > 0)) {
+      e.value = INFINITY;
+      return e;
+    }
+    const double inverse = 1 / t.a0;
+    const double ratio = t.fixed * inverse;
+    const double gx = (-2 * t.sum.x - ratio * t.a.x) * inverse;
+    const double gy = (-2 * t.sum.y - ratio * t.a.y) * inverse;
+    const double hxx = (2 * t.count - 2 * gx * t.a.x) * inverse;
+    const double hyy = (2 * t.count - 2 * gy * t.a.y) * inverse;
+    const double hxy = -(gx * t.a.y + gy * t.a.x) * inverse;
+    double weight = t.scale * t.scale;
+    if constexpr (kPower > 2) weight *= power<kPower - 2>(t.scale * ratio);
+    constexpr double kFactor = kPower - 1;
+    e.value += weight * ratio * ratio;
+    e.gradient.x += kPower * weight * ratio * gx;
+    e.gradient.y += kPower * weight * ratio * gy;
+    e.xx += kPower * weight * (kFactor * gx * gx + ratio * hxx);
+    e.xy += kPower * weight * (kFactor * gx * gy + ratio * hxy);
+    e.yy += kPower * weight * (kFactor * gy * gy + ratio * hyy);
+  }
+  return e;
+}
+
+/// That of an element with an angle of some three degrees.
+constexpr double kThinDistortion = 12;
+
+/// Beside an element without area, the energy falls so steeply that a step of Newton's method is
+/// but a small part of the way to where that element is fair.
+///
+/// energy  after `step`
+template <int kPower>
+Point2 lengthened(std::span<const DistortionTerm> terms, Point2 step, double energy, double reach) {
+  while (2 * length(step) <= kMostOfReach * reach) {
+    const double next = energyAt<kPower>(terms, 2 * step);
+    if (!(next < energy)) break;
+    step = 2 * step;
+    energy = next;
+  }
+  return step;
+}
+
+/// A step of Newton's method from the origin, shortened until it lowers the energy; (0, 0): none.
+template <int kPower>
+Point2 improvedPosition(std::span<const DistortionTerm> terms, double reach) {
+  constexpr int kHalvings = 4;
+  const Energy e = derivativesOf<kPower>(terms);
+  if (!std::isfinite(e.value)) return {};
+  const double det = e.xx * e.yy - e.xy * e.xy;
+  Point2 step;
+  if (e.xx > 0 && det > 0) {
+    step = {-(e.yy * e.gradient.x - e.xy * e.gradient.y) / det,
+            -(e.xx * e.gradient.y - e.xy * e.gradient.x) / det};
+  } else {
+    const double slope = length(e.gradient);
+    if (!(slope > 0)) return {};
+    step = (-0.25 * reach / slope) * e.gradient;
+  }
+  if (length(step) > kMostOfReach * reach) step = (kMostOfReach * reach / length(step)) * step;
+  for (int i = 0; i < kHalvings; ++i, step = 0.5 * step) {
+    const double energy = energyAt<kPower>(terms, step);
+    if (!(energy < e.value)) continue;
+    const bool isThin = kPower > 2 && energy > power<kPower>(kThinDistortion);
+    return isThin ? lengthened<kPower>(terms, step, energy, reach) : step;
+  }
+  return {};
+}
+
+/// Below this an element counts as good, and may get worse for the sake of its neighbours.
+constexpr double kGoodDistortion = 1.2;
+/// Moves of less than this part of an edge are not worth a query of the surface.
+constexpr double kLeastMove = 1e-3;
+/// Triangles need not follow moves of less than this: a vertex sleeps after it, and its neighbours
+/// sleep on. Quadrilaterals creep towards their shape in many small moves.
+constexpr double kWakingMove = 0.01;
+
+}  // namespace
+
+VertexSmoother::VertexSmoother(MeshTopology& topology, Mesh& mesh,
+                               const AF2LocalTransformMaker& maker)
+    : topology_(topology), mesh_(mesh), maker_(maker) {
+  isAwake_.assign(mesh.vertices.size(), 1);
+}
+
+void VertexSmoother::wake(std::span<const VertexId> vertices) {
+  for (const VertexId v : vertices) isAwake_[v.value] = 1;
+}
+
+std::size_t VertexSmoother::sweep(const std::stop_token& stop) {
+  constexpr std::size_t kLookInterval = 1024;
+  std::size_t moved = 0;
+  for (std::size_t v = topology_.fixedCount(); v < mesh_.vertices.size(); ++v) {
+    if (v % kLookInterval == 0 && stop.stop_requested()) break;
+    if (!isAwake_[v]) continue;
+    isAwake_[v] = 0;
+    const double move = smooth(VertexId(v), Goal::All);
+    moved += move > 0;
+    if (!(move > 0)) continue;
+    for (Corner c : star_) {
+      const Element& element = mesh_.elements[c.element()];
+      if (move >= kWakingMove || element.isQuad()) wake(element.vertices());
+    }
+  }
+  return moved;
+}
+
+std::size_t VertexSmoother::mend(std::span<const VertexId> vertices) {
+  std::size_t moved = 0;
+  for (const VertexId v : vertices) moved += smooth(v, Goal::Worst) > 0;
+  return moved;
+}
+
+double VertexSmoother::smooth(VertexId v, Goal goal) {
+  const Corner first = topology_.cornerOf(v);
+  if (first.isNone() || !collectStar(first)) return 0;
+  const SurfacePoint& here = mesh_.vertices[v.value];
+  const SurfacePoint& neighbor = at(topology_.next(first));
+  const double unit = distance(here.position, neighbor.position);
+  if (!(unit > 0)) return 0;
+  try {
+    return moveInChart(v, {maker_.makeLocalTransformIn(slot_, here, neighbor, unit), unit}, goal);
+  } catch (const GeometryError&) {
+    return 0;  // no chart at this vertex: it stays where it is
+  }
+}
+
+/// The corners of the vertex; false if it lies at the rim after all.
+bool VertexSmoother::collectStar(Corner first) {
+  star_.clear();
+  Corner c = first;
+  do {
+    star_.push_back(c);
+    c = topology_.aroundVertex(c);
+  } while (!c.isNone() && c != first);
+  return c == first;
+}
+
+double VertexSmoother::moveInChart(VertexId v, const StepChart& chart, Goal goal) {
+  if (!makeTerms(chart)) return 0;
+  const bool isForAll = goal == Goal::All;
+  const Point2 target =
+      isForAll ? improvedPosition<2>(terms_, reach_) : improvedPosition<16>(terms_, reach_);
+  const double move = length(target) / reach_;
+  if (!(move >= kLeastMove)) return 0;
+  const auto lifted = chart.lift(target);
+  if (!lifted) return 0;
+  SurfacePoint& here = mesh_.vertices[v.value];
+  const SurfacePoint before = here;
+  here = *lifted;
+  if (isForAll && chart.isPlane()) return move;  // surely better
+  if (isForAll && areAllPlainlyGood()) return move;
+  const double worst = worstDistortion();
+  if (isForAll && worst <= kGoodDistortion) return move;
+  here = before;
+  if (worst > worstDistortion()) return 0;
+  here = *lifted;
+  return move;
+}
+
+bool VertexSmoother::makeTerms(const StepChart& chart) {
+  terms_.clear();
+  double shortest = INFINITY;  // squared
+  // Going round, what is behind in one element is ahead in the next.
+  ChartPoint ahead = chart.project(at(topology_.next(star_.front())));
+  for (Corner c : star_) {
+    const ChartPoint behind = chart.project(at(topology_.previous(c)));
+    if (behind.view == ChartView::Hidden) return false;
+    shortest = std::min(shortest, dot(ahead.position, ahead.position));
+    if (topology_.sizeOf(c) == 3) {
+      terms_.push_back(triangleTerm(ahead.position, behind.position));
+    } else {
+      const Point2 opposite = chart.project(at(topology_.next(topology_.next(c)))).position;
+      terms_.push_back(ownCornerTerm(ahead.position, behind.position));
+      terms_.push_back(nextCornerTerm(ahead.position, opposite));
+      terms_.push_back(previousCornerTerm(behind.position, opposite));
+    }
+    ahead = behind;
+  }
+  reach_ = std::sqrt(shortest);
+  return true;
+}
+
+bool VertexSmoother::areAllPlainlyGood() const {
+  return std::ranges::all_of(star_, [&](Corner c) {
+    const Element& element = mesh_.elements[c.element()];
+    const auto corner = [&](std::size_t i) -> const SurfacePoint& {
+      return mesh_.vertices[element.corners[i].value];
+    };
+    return !element.isQuad() && isPlainlyBelow(kGoodDistortion, corner(0), corner(1), corner(2));
+  });
+}
+
+double VertexSmoother::worstDistortion() const {
+  double worst = 0;
+  for (Corner c : star_) {
+    const Element& element = mesh_.elements[c.element()];
+    const auto corner = [&](std::size_t i) -> const SurfacePoint& {
+      return mesh_.vertices[element.corners[i].value];
+    };
+    const double distortion =
+        element.isQuad()
+            ? elementDistortion(std::array{&corner(0), &corner(1), &corner(2), &corner(3)})
+            : triangleDistortion(corner(0), corner(1), corner(2));
+    worst = std::max(worst, distortion);
+  }
+  return worst;
+}
+
+}  // namespace af2

@@ -1,0 +1,60 @@
+// Moves inner vertices to where the elements around them are least distorted.
+#pragma once
+
+#include <span>
+#include <stop_token>
+#include <vector>
+
+#include "engine/mesh/mesh_topology.h"
+#include "engine/step/neighborhood.h"
+#include "engine/surface/local_transform.h"
+
+namespace af2 {
+
+/// The distortion of one corner as a function of a moving point x of the plane:
+/// scale * (count |x|^2 - 2 sum.x + fixed) / (a.x + a0), the denominator being twice the area.
+struct DistortionTerm {
+  double scale, count;
+  Point2 sum;
+  double fixed;
+  Point2 a;
+  double a0;
+};
+
+/// Smooths a mesh sweep by sweep. A vertex is passed over if its surroundings have hardly changed
+/// since it last found next to nothing to gain.
+class VertexSmoother {
+ public:
+  VertexSmoother(MeshTopology& topology, Mesh& mesh, const AF2LocalTransformMaker& maker);
+
+  /// One sweep over all inner vertices in order; ends early if asked to stop. Returns how many were
+  /// moved.
+  std::size_t sweep(const std::stop_token& stop = {});
+  /// One sweep over some inner vertices, for the sake of the worst element at each.
+  std::size_t mend(std::span<const VertexId> vertices);
+  /// After swaps and collapses: these are worth a look again.
+  void wake(std::span<const VertexId> vertices);
+
+ private:
+  enum class Goal { All, Worst };
+
+  /// How far the vertex was moved, as a part of the shortest edge there; 0: not at all.
+  double smooth(VertexId v, Goal goal);
+  bool collectStar(Corner first);
+  double moveInChart(VertexId v, const StepChart& chart, Goal goal);
+  bool makeTerms(const StepChart& chart);
+  bool areAllPlainlyGood() const;
+  double worstDistortion() const;
+  const SurfacePoint& at(Corner c) const { return mesh_.vertices[topology_.vertexAt(c).value]; }
+
+  MeshTopology& topology_;
+  Mesh& mesh_;
+  const AF2LocalTransformMaker& maker_;
+  ChartSlot slot_;
+  std::vector<std::uint8_t> isAwake_;
+  std::vector<Corner> star_;
+  std::vector<DistortionTerm> terms_;
+  double reach_ = 0;  ///< length of the shortest edge at the vertex
+};
+
+}  // namespace af2

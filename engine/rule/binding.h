@@ -1,0 +1,52 @@
+// A match of a rule's pattern with the front, as rules see it.
+#pragma once
+
+#include <optional>
+#include <span>
+
+#include "engine/base/point.h"
+
+namespace af2 {
+
+/// What a rule may ask about the front around a match, beyond the matched positions.
+///
+/// Vertices are named by their index in the rule's pattern; lengths are in chart units, angles in
+/// radians. The defaults describe a uniform size field and nothing else on the front.
+class AF2Surroundings {
+ public:
+  virtual ~AF2Surroundings() = default;
+  /// Wanted edge length at a point of the chart.
+  virtual double size(Point2) const { return 1; }
+  /// Free angle at a chain vertex, counter-clockwise from the next to the previous front vertex,
+  /// in (0, 2 pi]; nothing if the chain does not fix it.
+  virtual std::optional<double> turn(int /*vertex*/) const { return std::nullopt; }
+  /// Number of layers of elements between the vertex and the boundary.
+  virtual int layer(int /*vertex*/) const { return 0; }
+  virtual bool onBoundary(int /*vertex*/) const { return true; }
+  /// Number of elements at the vertex so far.
+  virtual int valence(int /*vertex*/) const { return 0; }
+  /// Number of edges in the front loop of the base edge.
+  virtual int loopSize() const { return 0; }
+  /// Distance from a point to the nearest front edge, the base included.
+  virtual double distanceToFront(Point2) const { return 0; }
+  /// Largest normal curvature times the wanted edge length.
+  virtual double curvature(Point2) const { return 0; }
+};
+
+/// The matched vertices of one rule at one place of the front.
+struct AF2Binding {
+  /// Chart positions in pattern order; [0] is a = (0, 0), [1] is b = (|ab|, 0).
+  std::span<const Point2> vertices;
+  int level = 1;                                  ///< quality level of the base edge
+  const AF2Surroundings* surroundings = nullptr;  ///< never null while the engine runs
+};
+
+/// A number that depends on a match: a condition (nonzero holds), a cost.
+class AF2BindingFunction {
+ public:
+  virtual ~AF2BindingFunction() = default;
+  /// Nothing where the expression has no value (division by zero, parallel lines).
+  virtual std::optional<double> evaluate(const AF2Binding& binding) const = 0;
+};
+
+}  // namespace af2

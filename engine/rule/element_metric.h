@@ -1,0 +1,74 @@
+// How good a new element is, and when a rule's result is good enough.
+#pragma once
+
+#include <cmath>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "engine/base/point.h"
+
+namespace af2 {
+
+/// Badness of one element in the chart: 0 for the ideal one, growing without bound.
+class AF2ElementMetric {
+ public:
+  virtual ~AF2ElementMetric() = default;
+  /// corners  three or four, positively oriented, in chart units
+  /// Nothing where the metric has no value; the match is then refused.
+  virtual std::optional<double> badness(std::span<const Point2> corners) const = 0;
+  /// The same at a quality level of the base edge, for a measure that changes with it.
+  virtual std::optional<double> badnessAt(std::span<const Point2> corners, int /*level*/) const {
+    return badness(corners);
+  }
+};
+
+/// weight * (sqrt(3)/36 * perimeter^2/area - 1) + sum over the edges (length + 1/length - 2);
+/// for quadrilaterals perimeter^2/area is held against that of the square.
+/// Source: the triangle measure of [Schoeberl97].
+class ShapeSizeMetric final : public AF2ElementMetric {
+ public:
+  explicit ShapeSizeMetric(double weight) : weight_(weight) {}
+  std::optional<double> badness(std::span<const Point2> corners) const override;
+  /// badness({a, b, c}), to the last bit; not finite where that has no value.
+  double triangleBadness(Point2 a, Point2 b, Point2 c) const {
+    const double doubleArea = cross(b - a, c - a);
+    if (!(doubleArea > 0)) return INFINITY;
+    const double ab = distance(a, b), bc = distance(b, c), ca = distance(c, a);
+    const double perimeter = ab + bc + ca;
+    const double size = (ab + 1 / ab - 2) + (bc + 1 / bc - 2) + (ca + 1 / ca - 2);
+    return weight_ * (perimeter * perimeter / (0.5 * doubleArea * kTrianglePerimeterRatio) - 1) +
+           size;
+  }
+  double weight() const { return weight_; }
+
+ private:
+  /// Perimeter^2 / area of the equilateral triangle, the least there is: 12 sqrt(3).
+  static constexpr double kTrianglePerimeterRatio = 20.784609690826528;
+
+  double weight_;
+};
+
+/// How the badnesses of the elements of one rule become one score.
+enum class ScoreOf { Max, Sum, Mean };
+
+/// Whether a rule's result is good enough at a level. Lower scores are better.
+class AF2Acceptance {
+ public:
+  virtual ~AF2Acceptance() = default;
+  virtual bool accepts(double score, int level) const = 0;
+};
+
+/// score < bound[level], the usual acceptance.
+class ScoreBound final : public AF2Acceptance {
+ public:
+  /// bounds  by level; [0] is level 1; the last one holds for higher levels
+  explicit ScoreBound(std::vector<double> bounds);
+  bool accepts(double score, int level) const override;
+
+ private:
+  std::vector<double> bounds_;
+};
+
+}  // namespace af2

@@ -1,0 +1,114 @@
+// The free zone of a rule: the region around a match that must hold nothing else.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "engine/rule/binding.h"
+#include "engine/rule/point_transform.h"
+#include "engine/rule/refusal.h"
+
+namespace af2 {
+
+struct Box2 {
+  Point2 low, high;
+  bool contains(const Box2& other) const {
+    return low.x <= other.low.x && low.y <= other.low.y && high.x >= other.high.x &&
+           high.y >= other.high.y;
+  }
+};
+
+/// Whether touching the boundary of a zone counts as being in it.
+enum class ZoneBoundary { Counts, Ignored };
+
+/// A free zone at one match. Derive from this for a shape that the rule language cannot say.
+///
+/// The engine asks `contains(vertex, Counts)` and `meets(edge, Ignored)`: vertices are held against
+/// the closed zone, edges against its interior. Matched vertices and edges are never asked about.
+class AF2FreeZone {
+ public:
+  virtual ~AF2FreeZone() = default;
+  /// A box that holds the whole zone; what lies outside of it is never asked about.
+  virtual Box2 boundingBox() const = 0;
+  virtual bool contains(Point2 point, ZoneBoundary boundary) const = 0;
+  virtual bool meets(Point2 from, Point2 to, ZoneBoundary boundary) const = 0;
+};
+
+/// How a rule makes its free zone from a match. Source: [VanderZee16], free zone definitions.
+class AF2FreeZoneDef {
+ public:
+  struct Made {
+    std::unique_ptr<const AF2FreeZone> zone;  ///< null: refused
+    Refusal refusal = Refusal::None;          ///< NoValue, Shape or Convexity when null
+  };
+
+  virtual ~AF2FreeZoneDef() = default;
+  virtual Made makeFreeZone(const AF2Binding& binding) const = 0;
+};
+
+/// The convex polygon on plain arrays, shared by the open and the fast form of the zone.
+namespace convex_polygon {
+
+/// Largest depth, in chart units, to which a corner may lie inside the chord of its neighbours and
+/// still pass for straight: rounding of corners that are collinear by construction. For zones
+/// smaller than 1 it counts in units of their extent.
+inline constexpr double kStraightTolerance = 1e-9;
+
+/// Drops corners that repeat their predecessor or lie a rounding error inside a chord, in place.
+/// Returns how many are left: 0 unless they run once around a convex region of positive area,
+/// counter-clockwise.
+int normalize(Point2* corners, int count, double straightTolerance = kStraightTolerance);
+
+/// All want normalized corners.
+bool contains(std::span<const Point2> corners, Point2 point, ZoneBoundary boundary);
+bool meets(std::span<const Point2> corners, Point2 from, Point2 to, ZoneBoundary boundary);
+/// What is left to ask if no side of the polygon separates it from the segment, which has a length.
+bool meetsLine(std::span<const Point2> corners, Point2 from, Point2 to, ZoneBoundary boundary);
+
+}  // namespace convex_polygon
+
+/// A convex polygon, corners counter-clockwise. Corners may coincide and may be straight.
+class ConvexPolygonZone final : public AF2FreeZone {
+ public:
+  /// Whether the corners run once around a convex region of positive area, counter-clockwise.
+  static bool isConvex(std::span<const Point2> corners,
+                       double straightTolerance = convex_polygon::kStraightTolerance);
+
+  /// Throws InputError unless `isConvex(corners)`.
+  explicit ConvexPolygonZone(std::vector<Point2> corners);
+
+  Box2 boundingBox() const override;
+  bool contains(Point2 point, ZoneBoundary boundary) const override;
+  bool meets(Point2 from, Point2 to, ZoneBoundary boundary) const override;
+  std::span<const Point2> corners() const { return corners_; }
+
+ private:
+  std::vector<Point2> corners_;  // normalized
+};
+
+/// The usual definition: a convex polygon whose corners fade from preferred to limiting ones as the
+/// quality level rises: corner = t * preferred + (1 - t) * limiting with t = fade[level].
+class ConvexPolygonZoneDef final : public AF2FreeZoneDef {
+ public:
+  struct Corner {
+    std::shared_ptr<const AF2PointTransform> preferred;
+    std::shared_ptr<const AF2PointTransform> limiting =
+        nullptr;  ///< null: the preferred one at every level
+  };
+
+  /// fade  weight of the preferred corner by level; [0] is level 1; the last one holds for higher
+  ///       levels. Throws InputError with fewer than three corners or an empty fade.
+  ConvexPolygonZoneDef(std::vector<Corner> corners, std::vector<double> fade);
+
+  Made makeFreeZone(const AF2Binding& binding) const override;
+
+  std::span<const Corner> corners() const { return corners_; }
+  double fade(int level) const;
+
+ private:
+  std::vector<Corner> corners_;
+  std::vector<double> fade_;
+};
+
+}  // namespace af2

@@ -1,0 +1,54 @@
+// Rules with what they share: levels, tolerances, the measure of elements, the order of the front.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "engine/rule/element_metric.h"
+#include "engine/rule/front_order.h"
+#include "engine/rule/rule.h"
+
+namespace af2 {
+
+/// What becomes length 1 in the chart.
+enum class ChartUnit { WantedLength, BaseLength };
+
+/// Whether every rule must change the number of front edges by an even number.
+enum class Parity { Any, Even };
+
+/// What a rule set says, before it is checked.
+struct RuleSetDefinition {
+  std::string name;
+  int maxLevel = 50;  ///< an edge that no rule takes at this level is stuck
+  /// Largest value of a tolerance form by level; [0] is level 1. As long as maxLevel.
+  std::vector<double> matchTolerance;
+  std::shared_ptr<const AF2ElementMetric> metric;
+  ScoreOf scoreOf = ScoreOf::Max;
+  std::shared_ptr<const AF2Acceptance> acceptance;  ///< null: every score is accepted
+  std::shared_ptr<const AF2FrontOrder> order;
+  ChartUnit unit = ChartUnit::WantedLength;
+  Parity parity = Parity::Any;
+  std::vector<AF2Rule> rules;  ///< in file order, which breaks ties
+};
+
+/// An immutable, consistent rule set: all the behaviour of a run of the engine.
+class RuleSet {
+ public:
+  /// Throws InputError, naming the rule set, if something is missing or contradicts itself.
+  explicit RuleSet(RuleSetDefinition definition);
+
+  const RuleSetDefinition& definition() const { return definition_; }
+  const std::string& name() const { return definition_.name; }
+  const std::vector<AF2Rule>& rules() const { return definition_.rules; }
+  int maxLevel() const { return definition_.maxLevel; }
+  double matchTolerance(int level) const;
+  /// Whether any rule makes triangles; quadrilaterals.
+  bool makesTriangles() const;
+  bool makesQuads() const;
+
+ private:
+  RuleSetDefinition definition_;
+};
+
+}  // namespace af2

@@ -1,0 +1,332 @@
+#include "engine/run/algorithm.h"
+
+#include <algorithm>
+
+#include "engine/base/error.h"
+#include "engine/front/front.h"
+#include "engine/front/front_index.h"
+#include "engine/front/front_queue.h"
+#include "engine/front/input_check.h"
+#include "engine/step/candidate_choice.h"
+#include "engine/step/compiled_rules.h"
+
+namespace af2 {
+namespace {
+
+/// How often a run reports its progress, in steps.
+constexpr std::size_t kReportSteps = 4096;
+/// And after how many candidates at the latest.
+constexpr std::size_t kReportCandidates = 1 << 18;
+/// Fewer elements than these from one report to the next are next to nothing.
+constexpr std::size_t kLeastGain = 64;
+/// How many of the edges that are left are explained, when the front is stuck.
+constexpr std::size_t kMostExplained = 100;
+
+class Run {
+ public:
+  Run(const CompiledRules& rules, const AF2LocalTransformMaker& maker, const FrontInput& input,
+      const SizeField& size, const MeshingOptions& options)
+      : rules_(rules),
+        maker_(maker),
+        size_(size),
+        options_(options),
+        index_(makeIndex(input)),
+        queue_(*rules.set().definition().order),
+        choice_(rules, front_, index_, size, valence_) {
+    makeRoom(input.vertexCount);
+    result_.mesh.vertices.resize(input.vertexCount);
+    valence_.resize(input.vertexCount, 0);
+    if (const auto limits = limitsOfFlatRegion(input)) choice_.keepWithin(*limits);
+    for (const auto& loop : input.loops) addLoop(loop);
+    front_.untangle();
+    for (std::size_t i = 0; i < front_.capacity(); ++i) enter(PlaceId(i));
+    for (const BoundaryCorner& corner : input.isolated) addIsolated(corner);
+  }
+
+  MeshingResult execute() {
+    std::size_t elementsAtLastRound = 0;
+    do {
+      elementsAtLastRound = result_.mesh.elements.size();
+      advance();
+      // What was stuck may have come free by what happened around it since.
+    } while (result_.outcome == Outcome::Complete && !front_.isEmpty() &&
+             result_.mesh.elements.size() > elementsAtLastRound && revive());
+    result_.candidates = choice_.examined();
+    finish();
+    return std::move(result_);
+  }
+
+ private:
+  void makeRoom(std::size_t givenVertices) {
+    constexpr double kMargin = 1.1, kMost = 1 << 20;  // beyond that an estimate is not trusted
+    if (!(options_.expectedElements > 0)) return;
+    const auto elements =
+        static_cast<std::size_t>(std::min(kMargin * options_.expectedElements, kMost));
+    result_.mesh.elements.reserve(elements);
+    result_.mesh.rule.reserve(elements);
+    result_.mesh.vertices.reserve(givenVertices + elements / 2);
+    valence_.reserve(givenVertices + elements / 2);
+  }
+
+  void addLoop(const std::vector<BoundaryCorner>& loop) {
+    std::vector<double> sizes;
+    for (const BoundaryCorner& corner : loop) {
+      sizes.push_back(checkedSizeAt(size_, corner.point));
+      result_.mesh.vertices[corner.vertex.value] = corner.point;
+    }
+    front_.addLoop(loop, sizes);
+  }
+
+  void addIsolated(const BoundaryCorner& corner) {
+    result_.mesh.vertices[corner.vertex.value] = corner.point;
+    index_.insert(front_, front_.addIsolated(corner, checkedSizeAt(size_, corner.point)));
+  }
+
+  void enter(PlaceId id) {
+    index_.insert(front_, id);
+    queue_.push(front_, id);
+  }
+
+  void advance() {
+    for (PlaceId base = queue_.pop(front_); !base.isNone(); base = queue_.pop(front_)) {
+      if (options_.stop.stop_requested()) {
+        result_.outcome = Outcome::Cancelled;
+        return;
+      }
+      step(base);
+      ++result_.steps;
+      if (!isReportDue()) continue;
+      if (options_.progress)
+        options_.progress({result_.mesh.elements.size(), front_.edgeCount(), choice_.examined()});
+      const bool isPatienceLost = losesPatience(), isInVain = worksInVain();
+      if (isPatienceLost || isInVain) {
+        result_.outcome = Outcome::Stuck;
+        return;
+      }
+    }
+  }
+
+  bool isReportDue() {
+    const std::size_t candidates = choice_.examined();
+    if (result_.steps % kReportSteps != 0 && candidates < nextReport_) return false;
+    nextReport_ = candidates + kReportCandidates;
+    return true;
+  }
+
+  bool losesPatience() {
+    if (options_.patience <= 0) return false;
+    constexpr int kLeastReports = 2;
+    const std::size_t elements = result_.mesh.elements.size();
+    const bool gains = elements >= elementsReported_ + kLeastGain;
+    idleReports_ = gains ? 0 : idleReports_ + 1;
+    if (gains) stepsAtGain_ = result_.steps;
+    elementsReported_ = elements;
+    return idleReports_ >= kLeastReports &&
+           result_.steps - stepsAtGain_ >=
+               static_cast<std::size_t>(options_.patience) * front_.edgeCount();
+  }
+
+  /// The longer a front is, the longer its edges may take to find out at which level they match:
+  /// where all edges of a long strip have to, these examine some 10 to 90 candidates each.
+  bool worksInVain() {
+    constexpr std::size_t kForEachEdge = 60;
+    const std::size_t elements = result_.mesh.elements.size(), candidates = choice_.examined();
+    if (elements >= elementsAtGain_ + kLeastGain) {
+      elementsAtGain_ = elements;
+      candidatesAtGain_ = candidates;
+    }
+    return options_.mostInVain > 0 &&
+           candidates - candidatesAtGain_ > options_.mostInVain + kForEachEdge * front_.edgeCount();
+  }
+
+  void step(PlaceId base) {
+    StepReport report;
+    report.from = front_[base].vertex;
+    report.to = front_[front_.next(base)].vertex;
+    report.level = front_[base].level;
+    std::vector<RuleRefusal> refusals;
+    try {
+      const StepChart chart = makeChart(base);
+      if (options_.observer && options_.observer->wantsRefusals())
+        refusals = choice_.explain(chart, base);
+      if (const Application* application = choice_.choose(chart, base)) {
+        report.applied = true;
+        report.rule = application->rule->index;
+        report.score = application->score;
+        apply(base, *application);
+      }
+    } catch (const GeometryError&) {
+      // No chart here: like an edge that no rule takes.
+    }
+    if (!report.applied) refuse(base);
+    tell(report, refusals);
+  }
+
+  StepChart makeChart(PlaceId base) {
+    const Place& a = front_[base];
+    const Place& b = front_[a.next];
+    const bool isWanted = rules_.set().definition().unit == ChartUnit::WantedLength;
+    const double unit = isWanted ? 0.5 * (a.size + b.size) : front_.edgeLength(base);
+    return {maker_.makeLocalTransformIn(slot_, a.point, b.point, unit), unit};
+  }
+
+  void refuse(PlaceId base) {
+    ++result_.failedSteps;
+    if (front_[base].level >= rules_.set().maxLevel()) return;
+    front_.raiseLevel(base);
+    queue_.push(front_, base);
+  }
+
+  void tell(StepReport& report, std::vector<RuleRefusal>& refusals) {
+    if (!options_.observer) return;
+    report.elements = result_.mesh.elements.size();
+    report.frontEdges = front_.edgeCount();
+    options_.observer->stepTaken(report);
+    if (!options_.observer->wantsRefusals()) return;
+    if (report.applied)
+      std::erase_if(refusals, [&](const RuleRefusal& r) { return r.rule == report.rule; });
+    options_.observer->rulesRefused(report, refusals);
+  }
+
+  void apply(PlaceId base, const Application& application) {
+    const std::size_t firstNew = result_.mesh.vertices.size();
+    addVertices(application);
+    addElements(application, firstNew);
+    makeWalk(base, application, firstNew);
+    index_.erase(base);
+    front_.replace(base, walk_, change_);
+    for (PlaceId id : change_.removed) index_.erase(id);
+    front_.release(change_);
+    for (PlaceId id : change_.added) enter(id);
+  }
+
+  void addVertices(const Application& application) {
+    for (const LiftedPoint& lifted : application.newPoints) {
+      result_.mesh.vertices.push_back(*lifted.point);
+      valence_.push_back(0);
+    }
+  }
+
+  void addElements(const Application& application, std::size_t firstNew) {
+    const CompiledRule& rule = *application.rule;
+    for (const RuleElement& wanted : rule.rule->definition().elements) {
+      Element element;
+      for (std::size_t i = 0; i < static_cast<std::size_t>(wanted.size()); ++i) {
+        const int v = wanted.corners[i];
+        element.corners[i] =
+            v < rule.matchedCount
+                ? front_[application.open.places[static_cast<std::size_t>(v)]].vertex
+                : VertexId(firstNew + static_cast<std::size_t>(v - rule.matchedCount));
+        std::uint8_t& valence = valence_[element.corners[i].value];
+        if (valence < 255) ++valence;
+      }
+      result_.mesh.elements.push_back(element);
+      result_.mesh.rule.push_back(rule.index);
+    }
+  }
+
+  void makeWalk(PlaceId base, const Application& application, std::size_t firstNew) {
+    const CompiledRule& rule = *application.rule;
+    const std::int32_t layer = 1 + std::min(front_[base].layer, front_[front_.next(base)].layer);
+    walk_.clear();
+    const auto& vertices = rule.rule->replacement();
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
+      const int v = vertices[i];
+      if (v < rule.matchedCount) {
+        const Place& place = front_[application.open.places[static_cast<std::size_t>(v)]];
+        walk_.push_back(
+            {application.open.joined[i], place.vertex, place.point, place.size, place.layer});
+        continue;
+      }
+      const auto k = static_cast<std::size_t>(v - rule.matchedCount);
+      const SurfacePoint& point = *application.newPoints[k].point;
+      const double size = checkedSizeAt(size_, point);
+      walk_.push_back({PlaceId(), VertexId(firstNew + k), point, size, layer});
+    }
+  }
+
+  template <class Visit>
+  void forEachEdge(Visit&& visit) const {
+    for (std::size_t i = 0; i < front_.capacity(); ++i)
+      if (front_.hasEdge(PlaceId(i))) visit(PlaceId(i));
+  }
+
+  bool revive() {
+    std::vector<PlaceId> edges;
+    forEachEdge([&](PlaceId id) { edges.push_back(id); });
+    std::sort(edges.begin(), edges.end(),
+              [&](PlaceId p, PlaceId q) { return front_[p].age < front_[q].age; });
+    for (PlaceId id : edges) {
+      front_[id].level = 1;
+      queue_.push(front_, id);
+    }
+    return !edges.empty();
+  }
+
+  void finish() {
+    for (std::size_t i = 0; i < front_.capacity(); ++i)
+      if (front_.isUsed(PlaceId(i)) && front_.isIsolated(PlaceId(i)))
+        result_.unused.push_back(front_[PlaceId(i)].vertex);
+    if (result_.outcome == Outcome::Cancelled) return;
+    if (front_.isEmpty() && result_.unused.empty()) return;
+    result_.outcome = Outcome::Stuck;
+    forEachEdge([&](PlaceId id) { result_.stuck.push_back(stuckEdge(id)); });
+  }
+
+  StuckEdge stuckEdge(PlaceId id) {
+    StuckEdge edge{front_[id].vertex, front_[front_.next(id)].vertex, front_[id].level, {}};
+    if (result_.stuck.size() >= kMostExplained) return edge;
+    try {
+      edge.refusals = choice_.explain(makeChart(id), id);
+    } catch (const GeometryError&) {
+      for (std::size_t i = 0; i < rules_.rules().size(); ++i)
+        edge.refusals.push_back({i, Refusal::Surface, {}, {}});
+    }
+    return edge;
+  }
+
+  const CompiledRules& rules_;
+  const AF2LocalTransformMaker& maker_;
+  const SizeField& size_;
+  const MeshingOptions& options_;
+  Front front_;
+  FrontIndex index_;
+  FrontQueue queue_;
+  std::vector<std::uint8_t> valence_;  // elements at each vertex, up to 255
+  CandidateChoice choice_;
+  std::size_t nextReport_ = kReportCandidates, elementsReported_ = 0;
+  int idleReports_ = 0;          // since elements came in numbers
+  std::size_t stepsAtGain_ = 0;  // when they did
+  std::size_t elementsAtGain_ = 0, candidatesAtGain_ = 0;
+  ChartSlot slot_;
+  std::vector<WalkVertex> walk_;
+  Front::Change change_;
+  MeshingResult result_;
+};
+
+}  // namespace
+
+struct AF2Algorithm::Compiled {
+  std::shared_ptr<const RuleSet> set;
+  CompiledRules rules;
+  explicit Compiled(std::shared_ptr<const RuleSet> s) : set(std::move(s)), rules(*set) {}
+};
+
+AF2Algorithm::AF2Algorithm(std::shared_ptr<const RuleSet> rules) {
+  if (!rules) throw InputError("AF2Algorithm: no rule set is given");
+  compiled_ = std::make_unique<const Compiled>(std::move(rules));
+}
+
+AF2Algorithm::~AF2Algorithm() = default;
+AF2Algorithm::AF2Algorithm(AF2Algorithm&&) noexcept = default;
+AF2Algorithm& AF2Algorithm::operator=(AF2Algorithm&&) noexcept = default;
+
+const RuleSet& AF2Algorithm::rules() const { return *compiled_->set; }
+
+MeshingResult AF2Algorithm::execute(const AF2LocalTransformMaker& maker, const FrontInput& input,
+                                    const SizeField& size, const MeshingOptions& options) const {
+  checkInput(input);
+  return Run(compiled_->rules, maker, input, size, options).execute();
+}
+
+}  // namespace af2

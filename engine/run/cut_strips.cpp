@@ -1,0 +1,201 @@
+#include "engine/run/cut_strips.h"
+
+#include <algorithm>
+#include <ranges>
+#include <span>
+#include <utility>
+
+#include "engine/optimize/optimize.h"
+
+namespace af2 {
+namespace {
+
+/// How many rings of elements along a cut are optimised.
+constexpr std::uint8_t kRings = 4;
+
+constexpr std::uint8_t kFar = 255;
+using Rings = std::vector<std::uint8_t>;
+
+/// Numbers the vertices of the elements by how many rings they are away from those that are 0; up
+/// to kRings.
+template <class Elements>
+void spread(const Mesh& mesh, const Elements& elements, Rings& ring) {
+  for (std::uint8_t r = 0; r < kRings; ++r) {
+    for (const std::size_t e : elements) {
+      const auto corners = mesh.elements[e].vertices();
+      if (std::ranges::none_of(corners, [&](VertexId v) { return ring[v.value] == r; })) continue;
+      for (const VertexId v : corners)
+        if (ring[v.value] == kFar) ring[v.value] = static_cast<std::uint8_t>(r + 1);
+    }
+  }
+}
+
+/// A part of a mesh, numbered on its own: fixed vertices first.
+struct Strip {
+  Mesh mesh;
+  std::size_t fixedCount = 0;
+  std::vector<std::size_t> elements;  ///< of the whole mesh, by element of the strip
+  std::vector<VertexId> vertices;     ///< likewise
+  std::vector<VertexId> local;        ///< by vertex of the whole mesh: its own; none: not here
+};
+
+template <class IsFree>
+Strip take(const Mesh& mesh, std::vector<std::size_t> elements, const IsFree& isFree) {
+  Strip strip;
+  strip.local.resize(mesh.vertices.size());
+  for (const std::size_t e : elements)
+    for (const VertexId v : mesh.elements[e].vertices()) {
+      VertexId& local = strip.local[v.value];
+      if (!local.isNone()) continue;
+      local = v;  // its number is not known yet
+      strip.vertices.push_back(v);
+    }
+  std::ranges::sort(strip.vertices);
+  const auto free =
+      std::ranges::stable_partition(strip.vertices, [&](VertexId v) { return !isFree(v); });
+  strip.fixedCount = strip.vertices.size() - free.size();
+  for (std::size_t i = 0; i < strip.vertices.size(); ++i) {
+    strip.local[strip.vertices[i].value] = VertexId(i);
+    strip.mesh.vertices.push_back(mesh.vertices[strip.vertices[i].value]);
+  }
+  for (const std::size_t e : elements) {
+    Element element = mesh.elements[e];
+    for (VertexId& v : element.corners)
+      if (!v.isNone()) v = strip.local[v.value];
+    strip.mesh.elements.push_back(element);
+    strip.mesh.rule.push_back(mesh.rule[e]);
+  }
+  strip.elements = std::move(elements);
+  return strip;
+}
+
+void putBack(const Strip& strip, Mesh& mesh) {
+  for (std::size_t v = strip.fixedCount; v < strip.vertices.size(); ++v)
+    mesh.vertices[strip.vertices[v].value] = strip.mesh.vertices[v];
+  for (std::size_t e = 0; e < strip.elements.size(); ++e) {
+    Element element = strip.mesh.elements[e];
+    for (VertexId& v : element.corners)
+      if (!v.isNone()) v = strip.vertices[v.value];
+    mesh.elements[strip.elements[e]] = element;
+  }
+}
+
+using Edges = std::vector<std::pair<VertexId, VertexId>>;
+
+/// Those of the edges that both ends of which are in the strip, in its numbering.
+Edges localEdges(const Strip& strip, const Edges& edges) {
+  Edges local;
+  for (const auto& [from, to] : edges) {
+    const std::pair here(strip.local[from.value], strip.local[to.value]);
+    if (!here.first.isNone() && !here.second.isNone()) local.push_back(here);
+  }
+  return local;
+}
+
+/// The edges at which a strip ends, and those of the region's boundary that run along it.
+MeshBoundary boundaryOf(const Strip& strip, const Edges& ofRegion) {
+  Edges edges, rim;
+  for (const Element& element : strip.mesh.elements) {
+    const auto corners = element.vertices();
+    for (std::size_t i = 0; i < corners.size(); ++i)
+      edges.emplace_back(corners[i], corners[(i + 1) % corners.size()]);
+  }
+  std::ranges::sort(edges);
+  for (const auto& [from, to] : edges)
+    if (!std::ranges::binary_search(edges, std::pair(to, from))) rim.emplace_back(from, to);
+  for (const auto& edge : localEdges(strip, ofRegion))
+    if (std::ranges::binary_search(edges, edge)) rim.push_back(edge);
+  std::ranges::sort(rim);
+  rim.erase(std::unique(rim.begin(), rim.end()), rim.end());
+  return {strip.fixedCount, std::move(rim)};
+}
+
+/// All elements along cuts as a mesh of its own, from which the strip along each cut is taken.
+class Strips {
+ public:
+  Strips(Mesh& mesh, const FrontInput& input, const SplitRegion& split, const AlongCuts& along,
+         const StripTools& tools)
+      : split_(split), along_(along), tools_(tools), mesh_(mesh), firstCut_(input.vertexCount) {
+    Rings ring(mesh.vertices.size(), kFar);
+    std::fill_n(ring.begin() + static_cast<std::ptrdiff_t>(firstCut_), split.cutVertices.size(),
+                std::uint8_t{0});
+    spread(mesh, along.elements, ring);
+    all_ = take(mesh, along.elements,
+                [&](VertexId v) { return v.value >= firstCut_ && ring[v.value] < kRings; });
+    boundary_ = localEdges(all_, af2::boundaryOf(input).edges);
+  }
+
+  void optimize() {
+    int deepest = 0;
+    for (const RegionCut& cut : split_.cuts) deepest = std::max(deepest, cut.depth);
+    for (int depth = deepest; depth >= 0; --depth) {
+      std::vector<const RegionCut*> cuts;
+      for (const RegionCut& cut : split_.cuts)
+        if (cut.depth == depth) cuts.push_back(&cut);
+      tools_.forEach(cuts.size(), [&](std::size_t i) { optimizeAlong(*cuts[i]); });
+    }
+    putBack(all_, mesh_);
+  }
+
+ private:
+  /// Cuts of the same depth change other elements and other vertices.
+  void optimizeAlong(const RegionCut& cut) {
+    const std::size_t first = along_.start[cut.pieces.begin], end = along_.start[cut.pieces.end];
+    const auto part = std::views::iota(first, end);
+    Rings ring(all_.mesh.vertices.size(), kFar);
+    for (std::size_t v = cut.own.begin; v < cut.own.end; ++v) ring[localCut(v).value] = 0;
+    spread(all_.mesh, part, ring);
+    const auto isFree = [&](VertexId v) {
+      return v.value >= all_.fixedCount && ring[v.value] < kRings && !isOnOther(v, cut);
+    };
+    std::vector<std::size_t> elements;
+    for (const std::size_t e : part)
+      if (std::ranges::any_of(all_.mesh.elements[e].vertices(), isFree)) elements.push_back(e);
+    Strip strip = take(all_.mesh, std::move(elements), isFree);
+    OptimizeOptions how;
+    how.renumber = false;
+    how.stop = tools_.stop;
+    optimizeMesh(strip.mesh, boundaryOf(strip, boundary_), *tools_.makeCharts(), how);
+    putBack(strip, all_.mesh);
+  }
+
+  VertexId localCut(std::size_t cutVertex) const { return all_.local[firstCut_ + cutVertex]; }
+
+  /// Whether a vertex lies on a cut that bounds the part of the region which this one divides.
+  bool isOnOther(VertexId v, const RegionCut& cut) const {
+    const std::size_t id = all_.vertices[v.value].value;
+    if (id < firstCut_ || id >= firstCut_ + split_.cutVertices.size()) return false;
+    return id < firstCut_ + cut.own.begin || id >= firstCut_ + cut.within.end;
+  }
+
+  const SplitRegion& split_;
+  const AlongCuts& along_;
+  const StripTools& tools_;
+  Mesh& mesh_;
+  std::size_t firstCut_;  ///< the first vertex of a cut
+  Strip all_;
+  Edges boundary_;  ///< of the region, in the numbering of `all_`
+};
+
+}  // namespace
+
+std::vector<std::uint32_t> elementsAlongCuts(const Mesh& mesh, const RegionPiece& piece,
+                                             std::size_t given) {
+  Rings ring(mesh.vertices.size(), kFar);
+  for (std::size_t v = 0; v < piece.vertices.size(); ++v)
+    if (piece.vertices[v].value >= given) ring[v] = 0;
+  spread(mesh, std::views::iota(std::size_t{0}, mesh.elements.size()), ring);
+  std::vector<std::uint32_t> found;
+  for (std::size_t e = 0; e < mesh.elements.size(); ++e)
+    if (std::ranges::any_of(mesh.elements[e].vertices(),
+                            [&](VertexId v) { return ring[v.value] < kRings; }))
+      found.push_back(static_cast<std::uint32_t>(e));
+  return found;
+}
+
+void optimizeAlongCuts(Mesh& mesh, const FrontInput& input, const SplitRegion& split,
+                       const AlongCuts& along, const StripTools& tools) {
+  Strips(mesh, input, split, along, tools).optimize();
+}
+
+}  // namespace af2

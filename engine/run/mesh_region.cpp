@@ -1,0 +1,245 @@
+#include "engine/run/mesh_region.h"
+
+#include <tbb/info.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <mutex>
+
+#include "engine/base/stopwatch.h"
+#include "engine/mesh/mesh_check.h"
+#include "engine/optimize/optimize.h"
+#include "engine/run/cut_strips.h"
+
+namespace af2 {
+namespace {
+
+/// Adds up what the pieces report; forwards it one call at a time.
+class SharedProgress {
+ public:
+  SharedProgress(const ProgressCallback& callback, std::size_t pieces)
+      : callback_(callback), last_(pieces) {}
+
+  ProgressCallback ofPiece(std::size_t piece) {
+    if (!callback_) return {};
+    return [this, piece](const Progress& progress) {
+      const std::lock_guard lock(mutex_);
+      sum_.elements += progress.elements - last_[piece].elements;
+      sum_.frontEdges += progress.frontEdges - last_[piece].frontEdges;
+      sum_.candidates += progress.candidates - last_[piece].candidates;
+      last_[piece] = progress;
+      callback_(sum_);
+    };
+  }
+
+ private:
+  const ProgressCallback& callback_;
+  std::mutex mutex_;
+  Progress sum_;
+  std::vector<Progress> last_;
+};
+
+RegionMesh meshPiece(const AF2Algorithm& algorithm, const RegionTask& task, const FrontInput& input,
+                     const MeshingOptions& options) {
+  const Stopwatch watch;
+  RegionMesh piece;
+  const MeshBoundary boundary = boundaryOf(input);
+  const PieceTools tools = task.makeTools();
+  piece.result = algorithm.execute(*tools.charts, input, *tools.size, options);
+  if (piece.result.outcome == Outcome::Complete) piece.fault = faultOf(piece.result.mesh, boundary);
+  if (piece.result.outcome == Outcome::Complete && piece.fault.empty() && task.optimize) {
+    const Stopwatch optimizing;
+    OptimizeOptions how;
+    how.stop = options.stop;
+    how.keepOriginal = false;
+    if (!optimizeMesh(piece.result.mesh, boundary, *tools.charts, how).isSound) {
+      // Nobody is told of the same steps twice.
+      MeshingOptions again;
+      again.stop = options.stop;
+      again.expectedElements = options.expectedElements;
+      piece.result = algorithm.execute(*tools.charts, input, *tools.size, again);
+    }
+    piece.optimizeSeconds = optimizing.seconds();
+  }
+  piece.seconds = watch.seconds();
+  return piece;
+}
+
+/// Puts the meshes of the pieces together, in the numbering of the whole region and in the order of
+/// the pieces. Each is taken over as soon as all before it have been, so that few are there beside
+/// what they become.
+class PieceJoiner {
+ public:
+  PieceJoiner(const RegionTask& task, const SplitRegion& split, std::vector<RegionMesh>& pieces)
+      : task_(task),
+        split_(split),
+        pieces_(pieces),
+        along_(pieces.size()),
+        isDone_(pieces.size(), false) {
+    joined_.mesh.vertices.resize(task.input.vertexCount);
+    joined_.mesh.vertices.insert(joined_.mesh.vertices.end(), split.cutVertices.begin(),
+                                 split.cutVertices.end());
+    for (const RegionPiece& piece : split.pieces) expected_ += piece.expectedElements;
+  }
+
+  /// Called from several threads, once for each piece that is meshed.
+  void finish(std::size_t piece) {
+    if (task_.optimize)
+      along_[piece] = elementsAlongCuts(pieces_[piece].result.mesh, split_.pieces[piece],
+                                        task_.input.vertexCount);
+    const std::lock_guard lock(mutex_);
+    isDone_[piece] = true;
+    for (; next_ < pieces_.size() && isDone_[next_]; ++next_) take(next_);
+  }
+
+  /// Once all are finished.
+  MeshingResult result() { return std::move(joined_); }
+  const AlongCuts& alongCuts() const { return alongCuts_; }
+
+ private:
+  void take(std::size_t p) {
+    const RegionPiece& piece = split_.pieces[p];
+    MeshingResult& result = pieces_[p].result;
+    const Mesh& mesh = result.mesh;
+    Mesh& joined = joined_.mesh;
+    const std::size_t inner = joined.vertices.size(), given = piece.vertices.size();
+    const std::size_t firstElement = joined.elements.size();
+    expectedSoFar_ += piece.expectedElements;
+    makeRoom(joined.vertices, mesh.vertices.size() - given);
+    makeRoom(joined.elements, mesh.elements.size());
+    makeRoom(joined.rule, mesh.rule.size());
+    for (std::size_t v = 0; v < given; ++v)
+      joined.vertices[piece.vertices[v].value] = mesh.vertices[v];
+    joined.vertices.insert(joined.vertices.end(),
+                           mesh.vertices.begin() + static_cast<std::ptrdiff_t>(given),
+                           mesh.vertices.end());
+    for (Element element : mesh.elements) {
+      for (VertexId& v : element.corners)
+        if (!v.isNone())
+          v = v.value < given ? piece.vertices[v.value] : VertexId(inner + v.value - given);
+      joined.elements.push_back(element);
+    }
+    joined.rule.insert(joined.rule.end(), mesh.rule.begin(), mesh.rule.end());
+    for (const std::uint32_t e : along_[p]) alongCuts_.elements.push_back(firstElement + e);
+    alongCuts_.start.push_back(alongCuts_.elements.size());
+    joined_.steps += result.steps;
+    joined_.failedSteps += result.failedSteps;
+    joined_.candidates += result.candidates;
+    result.mesh = {};
+  }
+
+  /// Where there is no room for so many more: as much as the pieces to come will take, if they go
+  /// on as those before. To grow step by step would be to hold the mesh twice, again and again.
+  template <class T>
+  void makeRoom(std::vector<T>& all, std::size_t more) const {
+    constexpr double kMargin = 1.1;
+    const std::size_t needed = all.size() + more;
+    if (needed <= all.capacity()) return;
+    const double share = expectedSoFar_ > 0 ? expected_ / expectedSoFar_ : 1;
+    all.reserve(
+        std::max(needed, static_cast<std::size_t>(kMargin * share * static_cast<double>(needed))));
+  }
+
+  const RegionTask& task_;
+  const SplitRegion& split_;
+  std::vector<RegionMesh>& pieces_;
+  std::vector<std::vector<std::uint32_t>> along_;  ///< by piece: its elements along cuts
+  std::vector<bool> isDone_;
+  std::size_t next_ = 0;  ///< the first piece that has not been taken over
+  double expected_ = 0, expectedSoFar_ = 0;
+  std::mutex mutex_;
+  MeshingResult joined_;
+  AlongCuts alongCuts_{{}, {0}};
+};
+
+/// In the arena of the task.
+void forEachInArena(const RegionTask& task, std::size_t count,
+                    const std::function<void(std::size_t)>& work) {
+  const auto all = [&] {
+    tbb::parallel_for(std::size_t{0}, count, work, tbb::simple_partitioner());
+  };
+  if (task.threads > 0)
+    tbb::task_arena(task.threads).execute(all);
+  else
+    all();
+}
+
+StripTools stripToolsOf(const RegionTask& task, const MeshingOptions& options) {
+  // Charts may refer to what else was made with them.
+  const auto makeCharts = [&task] {
+    const auto tools = std::make_shared<const PieceTools>(task.makeTools());
+    return std::shared_ptr<const AF2LocalTransformMaker>(tools, tools->charts.get());
+  };
+  const auto forEach = [&task](std::size_t count, const auto& work) {
+    forEachInArena(task, count, work);
+  };
+  return {makeCharts, forEach, options.stop};
+}
+
+/// Calls finish(p) when the p-th piece is meshed.
+template <class Finish>
+void meshPieces(const AF2Algorithm& algorithm, const RegionTask& task, const SplitRegion& split,
+                const MeshingOptions& options, std::vector<RegionMesh>& pieces,
+                const Finish& finish) {
+  SharedProgress progress(options.progress, pieces.size());
+  const auto mesh = [&](std::size_t p) {
+    MeshingOptions own = options;
+    own.progress = progress.ofPiece(p);
+    own.expectedElements = split.pieces[p].expectedElements;
+    pieces[p] = meshPiece(algorithm, task, split.pieces[p].input, own);
+    finish(p);
+  };
+  if (options.observer)
+    for (std::size_t p = 0; p < pieces.size(); ++p) mesh(p);  // it hears one step after the other
+  else
+    forEachInArena(task, pieces.size(), mesh);
+}
+
+}  // namespace
+
+RegionMesh meshRegion(const AF2Algorithm& algorithm, const RegionTask& task,
+                      const MeshingOptions& options) {
+  const Stopwatch watch;
+  SplitRegion split;
+  if (task.surface)
+    split = splitRegion(task.input, *task.surface, *task.makeTools().size, task.split);
+  if (split.pieces.size() <= 1) {
+    MeshingOptions own = options;
+    if (!split.pieces.empty()) own.expectedElements = split.pieces[0].expectedElements;
+    return meshPiece(algorithm, task, task.input, own);
+  }
+
+  RegionMesh whole;
+  whole.seconds = watch.seconds();
+  std::vector<RegionMesh> pieces(split.pieces.size());
+  PieceJoiner joiner(task, split, pieces);
+  meshPieces(algorithm, task, split, options, pieces, [&](std::size_t p) { joiner.finish(p); });
+  bool isSound = true, isCancelled = false;
+  for (const RegionMesh& piece : pieces) {
+    isSound = isSound && piece.result.outcome == Outcome::Complete && piece.fault.empty();
+    isCancelled = isCancelled || piece.result.outcome == Outcome::Cancelled;
+    whole.seconds += piece.seconds;
+    whole.optimizeSeconds += piece.optimizeSeconds;
+  }
+  // A cut in an unlucky place must not cost the region.
+  if (!isSound && !isCancelled) {
+    joiner.result();  // gives its room back
+    return meshPiece(algorithm, task, task.input, options);
+  }
+
+  whole.result = joiner.result();
+  if (isCancelled) {
+    whole.result.outcome = Outcome::Cancelled;
+    return whole;
+  }
+  const Stopwatch optimizing;
+  if (task.optimize)
+    optimizeAlongCuts(whole.result.mesh, task.input, split, joiner.alongCuts(),
+                      stripToolsOf(task, options));
+  whole.optimizeSeconds += optimizing.seconds();
+  whole.seconds += optimizing.seconds();
+  return whole;
+}
+
+}  // namespace af2

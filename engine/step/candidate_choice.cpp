@@ -1,0 +1,372 @@
+#include "engine/step/candidate_choice.h"
+
+#include <algorithm>
+#include <array>
+
+#include "engine/base/pair.h"
+#include "engine/mesh/element_shape.h"
+#include "engine/step/surroundings.h"
+
+namespace af2 {
+namespace {
+
+/// A box around a zone.
+class ZoneBox {
+ public:
+  explicit ZoneBox(const Box2& box, double margin = 0)
+      : low_(pairAt(box.low) - Pair{margin, margin}),
+        high_(pairAt(box.high) + Pair{margin, margin}) {}
+  bool holds(Point2 point) const { return isWithin(pairAt(point), pairAt(point)); }
+  bool mayMeet(Point2 from, Point2 to) const {
+    return isWithin(smaller(pairAt(from), pairAt(to)), larger(pairAt(from), pairAt(to)));
+  }
+
+ private:
+  bool isWithin(Pair least, Pair greatest) const {
+    return bothHold((greatest >= low_) & (least <= high_)) != 0;
+  }
+  Pair low_, high_;
+};
+
+/// What a zone need not be free of: the vertices and edges that the rule has matched.
+class MatchedParts {
+ public:
+  MatchedParts(const Front& front, const Candidate& c)
+      : vertexCount_(static_cast<std::size_t>(c.rule->matchedCount)) {
+    for (std::size_t v = 0; v < vertexCount_; ++v) vertices_[v] = front[c.match.places[v]].vertex;
+    for (const PatternEdge& e : c.rule->rule->definition().edges)
+      edges_[edgeCount_++] = c.match.places[static_cast<std::size_t>(e.from)];
+  }
+  bool holdVertex(VertexId id) const { return holds(vertices_, vertexCount_, id); }
+  bool holdEdge(PlaceId id) const { return holds(edges_, edgeCount_, id); }
+
+ private:
+  template <class Id>
+  static bool holds(const std::array<Id, AF2Rule::kMaxVertices>& ids, std::size_t count, Id id) {
+    bool isFound = false;
+    for (std::size_t i = 0; i < count; ++i) isFound |= ids[i] == id;
+    return isFound;
+  }
+
+  std::array<VertexId, AF2Rule::kMaxVertices> vertices_;
+  std::array<PlaceId, AF2Rule::kMaxVertices> edges_;
+  std::size_t vertexCount_, edgeCount_ = 0;
+};
+
+/// In the unit of the chart, as a rule the wanted length there. Zones are tested exactly, and often
+/// a new vertex is a corner of its zone: where rows meet, rounding must not decide whether the
+/// vertex that is there already is seen. Coordinates of a model a million lengths across are
+/// rounded by 1e-10 lengths, and no front has edges that are as short as this.
+constexpr double kSamePlace = 1e-9;
+
+/// Whether an edge from a corner of a convex zone runs into the zone, by a margin far beyond what
+/// rounding can do: then the exact test would find it.
+bool plainlyRunsInto(const AffineBatch& zone, int corner, const Point2* matched, Point2 from,
+                     Point2 to) {
+  constexpr double kMargin = 1e-4;
+  const int last = zone.count - 1;
+  const Point2 before = zone.point(corner == 0 ? last : corner - 1, matched) - from;
+  const Point2 after = zone.point(corner == last ? 0 : corner + 1, matched) - from;
+  const Point2 edge = to - from;
+  const double least = kMargin * (std::abs(edge.x) + std::abs(edge.y));
+  return (cross(after, edge) > least) & (cross(edge, before) > least) &
+         (cross(after, before) > kMargin);
+}
+
+/// More candidates than these are sorted, not searched.
+constexpr std::size_t kManyCandidates = 64;
+
+bool isAtNewVertex(const Candidate& candidate, Point2 p) {
+  const auto first = static_cast<std::size_t>(candidate.rule->matchedCount);
+  const auto end = first + static_cast<std::size_t>(candidate.rule->newCount);
+  for (std::size_t v = first; v < end; ++v)
+    if (distance(candidate.match.points[v], p) <= kSamePlace) return true;
+  return false;
+}
+
+/// False also for coordinates that are not numbers.
+bool holds(const Box3& box, const Point3& p) {
+  return p.x >= box.low.x && p.x <= box.high.x && p.y >= box.low.y && p.y <= box.high.y &&
+         p.z >= box.low.z && p.z <= box.high.z;
+}
+
+/// Whether every corner of the new elements still faces the way the surface does.
+bool staysUnfolded(const StepView& view, const Application& application) {
+  const CompiledRule& rule = *application.rule;
+  const auto pointOf = [&](std::int8_t v) -> const SurfacePoint& {
+    return v < rule.matchedCount
+               ? view.front[application.open.places[static_cast<std::size_t>(v)]].point
+               : *application.newPoints[static_cast<std::size_t>(v - rule.matchedCount)].point;
+  };
+  for (const RuleElement& element : rule.rule->definition().elements) {
+    const auto n = static_cast<std::size_t>(element.size());
+    std::array<const SurfacePoint*, 4> corners;
+    for (std::size_t i = 0; i < n; ++i) corners[i] = &pointOf(element.corners[i]);
+    const SurfacePoint* behind = corners[n - 1];
+    for (std::size_t i = 0; i < n; ++i) {
+      const SurfacePoint *corner = corners[i], *ahead = corners[i + 1 == n ? 0 : i + 1];
+      if (!facesNormal(corner->position, ahead->position, behind->position, corner->normal))
+        return false;
+      behind = corner;
+    }
+  }
+  return true;
+}
+
+}  // namespace
+
+CandidateChoice::CandidateChoice(const CompiledRules& rules, const Front& front,
+                                 const FrontIndex& index, const SizeField& size,
+                                 const std::vector<std::uint8_t>& valence)
+    : rules_(rules),
+      front_(front),
+      index_(index),
+      size_(size),
+      valence_(valence),
+      scorer_(rules, index, size, valence) {}
+
+StepView CandidateChoice::viewOf(const StepChart& chart, PlaceId base) const {
+  const int level = front_[base].level;
+  return {front_, near_, chart, drawn_, base, level, rules_.set().matchTolerance(level)};
+}
+
+void CandidateChoice::gather(const StepChart& chart, PlaceId base) {
+  drawn_.draw(front_, chart, base);
+  const double baseLength = drawn_.b.point.position.x;
+  near_.gather(front_, index_, chart, base,
+               rules_.windowAt(front_[base].level, baseLength, wasWide_));
+}
+
+const Application* CandidateChoice::choose(const StepChart& chart, PlaceId base) {
+  gather(chart, base);
+  countCrowd(near_.lookedAt());
+  const StepView view = viewOf(chart, base);
+  collect(view);
+  RuleRefusal culprit;
+  // Where a front is crammed there may be thousands, and few of them fit.
+  const bool isSorted = untried_.size() > kManyCandidates;
+  if (isSorted) sortWorstFirst();
+  while (!untried_.empty()) {
+    const std::size_t best = isSorted ? untried_.size() - 1 : bestUntried();
+    const Candidate& candidate = candidates_[untried_[best]];
+    countCrowd(near_.edges().size());
+    if (testZone(view, candidate, culprit) == Refusal::None &&
+        prepare(view, candidate) == Refusal::None) {
+      wasWide_ = candidate.rule->isWide;
+      return &application_;
+    }
+    untried_[best] = untried_.back();
+    untried_.pop_back();
+  }
+  wasWide_ = false;
+  return nullptr;
+}
+
+/// Where a front is crammed, to look at all that is near takes as long as many candidates do.
+void CandidateChoice::countCrowd(std::size_t lookedAt) {
+  constexpr std::size_t kOrdinary = 256, kLikeACandidate = 32;
+  if (lookedAt > kOrdinary) examined_ += (lookedAt - kOrdinary) / kLikeACandidate;
+}
+
+std::size_t CandidateChoice::bestUntried() const {
+  std::size_t best = 0;
+  for (std::size_t i = 1; i < untried_.size(); ++i)
+    if (isBetter(candidates_[untried_[i]], candidates_[untried_[best]])) best = i;
+  return best;
+}
+
+void CandidateChoice::sortWorstFirst() {
+  std::ranges::sort(untried_, [&](std::uint32_t one, std::uint32_t other) {
+    return isBetter(candidates_[other], candidates_[one]);
+  });
+}
+
+void CandidateChoice::collect(const StepView& view) {
+  constexpr std::size_t kLikeEdges = 4;  // to score a match takes as long as to look at so many
+  untried_.clear();
+  matcher_.moveTo(view);
+  std::size_t refused = 0;
+  for (const RuleAtLevel& at : rules_.rulesAt(view.level)) {
+    const CompiledRule& rule = *at.rule;
+    matcher_.forEachMatch(*at.pattern, [&](const Match& match) {
+      ++examined_;
+      if (isInTheWay(at, match)) return;
+      const std::size_t next = untried_.size();
+      if (next == candidates_.size()) candidates_.emplace_back();
+      Candidate& candidate = candidates_[next];
+      candidate.rule = &rule;
+      candidate.match.take(match, rule.matchedCount);
+      if (scorer_.evaluate(view, candidate) == Refusal::None)
+        untried_.push_back(static_cast<std::uint32_t>(next));
+      else
+        ++refused;
+    });
+  }
+  examined_ -= refused;
+  countCrowd(matcher_.lookedAt() + kLikeEdges * refused);
+}
+
+/// Whether an edge of the front next to the base is plainly in the zone of a match. In most steps
+/// one is in the zones of the best matches: these need neither a score nor a zone.
+bool CandidateChoice::isInTheWay(const RuleAtLevel& at, const Match& match) const {
+  if (!at.zone) return false;
+  const FastZone& zone = *at.rule->zone;
+  const Point2 *points = match.points.data(), *before = matcher_.beforeBase(),
+               *after = matcher_.afterBase();
+  return (before && zone.cornerAtA >= 0 &&
+          plainlyRunsInto(*at.zone, zone.cornerAtA, points, points[0], *before)) ||
+         (after && zone.cornerAtB >= 0 &&
+          plainlyRunsInto(*at.zone, zone.cornerAtB, points, points[1], *after));
+}
+
+bool CandidateChoice::isBetter(const Candidate& one, const Candidate& other) const {
+  if (one.score != other.score) return one.score < other.score;
+  const int priority = one.rule->rule->definition().priority;
+  const int otherPriority = other.rule->rule->definition().priority;
+  if (priority != otherPriority) return priority < otherPriority;
+  if (one.rule->index != other.rule->index) return one.rule->index < other.rule->index;
+  for (std::size_t v = 0; v < static_cast<std::size_t>(one.rule->matchedCount); ++v) {
+    const PlaceId p = one.match.places[v], q = other.match.places[v];
+    if (front_[p].vertex != front_[q].vertex) return front_[p].vertex < front_[q].vertex;
+    if (p != q) return p < q;
+  }
+  return false;
+}
+
+Refusal CandidateChoice::testZone(const StepView& view, const Candidate& candidate,
+                                  RuleRefusal& culprit) {
+  Refusal hit = Refusal::None;
+  const auto stopAt = [&](Refusal reason, VertexId from, VertexId to) {
+    hit = reason;
+    culprit.from = from;
+    culprit.to = to;
+    return false;
+  };
+  const Refusal refusal = visitObstacles(view, candidate, stopAt);
+  return refusal == Refusal::None ? hit : refusal;
+}
+
+/// Returns why there is no zone at this match, or None.
+template <class Visit>
+Refusal CandidateChoice::visitObstacles(const StepView& view, const Candidate& candidate,
+                                        Visit&& visit) {
+  if (candidate.rule->zone) {
+    if (!polygon_.make(*candidate.rule->zone, view.level, candidate.match.points.data()))
+      return Refusal::Convexity;
+    searchZone(view, candidate, polygon_.boundingBox(), polygon_, visit);
+    return Refusal::None;
+  }
+  const FrontSurroundings surroundings(view, index_, *candidate.rule, candidate.match, size_,
+                                       valence_);
+  const auto made = candidate.rule->rule->definition().zone->makeFreeZone(
+      {candidate.matchedPoints(), view.level, &surroundings});
+  if (!made.zone) return made.refusal;
+  searchZone(view, candidate, made.zone->boundingBox(), *made.zone, visit);
+  return Refusal::None;
+}
+
+/// Vertices come first, then edges, until `visit` returns false.
+template <class Zone, class Visit>
+void CandidateChoice::searchZone(const StepView& view, const Candidate& candidate, Box2 box,
+                                 const Zone& zone, Visit&& visit) {
+  const Window wanted{box.low.x, box.low.y, box.high.x, box.high.y};
+  if (!near_.window().contains(wanted)) {
+    Window larger = near_.window();
+    larger.include(wanted);
+    near_.gather(front_, index_, view.chart, view.base, larger);
+    countCrowd(near_.lookedAt());
+  }
+  const MatchedParts matched(front_, candidate);
+  const ZoneBox reach(box, kSamePlace), room(box);
+  for (const Neighborhood::Edge& edge : near_.edges()) {
+    if (!reach.holds(edge.from)) continue;
+    if (matched.holdVertex(edge.vertex)) continue;
+    if (!zone.contains(edge.from, ZoneBoundary::Counts) && !isAtNewVertex(candidate, edge.from))
+      continue;
+    if (!visit(Refusal::ZoneHitByVertex, edge.vertex, VertexId())) return;
+  }
+  for (const Neighborhood::Edge& edge : near_.edges()) {
+    if (!edge.isEdge || !room.mayMeet(edge.from, edge.to) || matched.holdEdge(edge.place)) continue;
+    if (!zone.meets(edge.from, edge.to, ZoneBoundary::Ignored)) continue;
+    const VertexId end = front_[front_.next(edge.place)].vertex;
+    if (!visit(Refusal::ZoneHitByEdge, edge.vertex, end)) return;
+  }
+}
+
+Refusal CandidateChoice::prepare(const StepView& view, const Candidate& candidate) {
+  application_.rule = candidate.rule;
+  application_.score = candidate.score;
+  if (!findOpenPlaces(view, *candidate.rule, candidate.match, application_.open))
+    return Refusal::Inverted;
+  application_.newPoints.clear();
+  for (int k = 0; k < candidate.rule->newCount; ++k) {
+    const auto v = static_cast<std::size_t>(candidate.rule->matchedCount + k);
+    application_.newPoints.emplace_back(view.chart, candidate.match.points[v]);
+    const auto& lifted = application_.newPoints.back().point;
+    if (!lifted || !holds(limits_, lifted->position)) return Refusal::Surface;
+  }
+  return view.chart.isPlane() || staysUnfolded(view, application_) ? Refusal::None
+                                                                   : Refusal::Surface;
+}
+
+std::vector<RuleRefusal> CandidateChoice::obstacles(const StepChart& chart, PlaceId base) {
+  gather(chart, base);
+  const StepView view = viewOf(chart, base);
+  std::vector<RuleRefusal> found;
+  for (const RuleAtLevel& at : rules_.rulesAt(view.level)) {
+    const CompiledRule& rule = *at.rule;
+    for (const Match& match : matchesOf(view, at)) {
+      Candidate candidate{0, &rule, match};
+      const Refusal reason = scorer_.evaluate(view, candidate);
+      if (reason == Refusal::Require || reason == Refusal::NoValue) continue;
+      visitObstacles(view, candidate, [&](Refusal hit, VertexId from, VertexId to) {
+        found.push_back({rule.index, hit, from, to});
+        return true;
+      });
+    }
+  }
+  return found;
+}
+
+/// Zone tests may gather anew, so matches are collected before they are tested.
+std::vector<Match> CandidateChoice::matchesOf(const StepView& view, const RuleAtLevel& at) {
+  std::vector<Match> matches;
+  matcher_.moveTo(view);
+  matcher_.forEachMatch(*at.pattern, [&](const Match& match) { matches.push_back(match); });
+  return matches;
+}
+
+std::vector<RuleRefusal> CandidateChoice::explain(const StepChart& chart, PlaceId base) {
+  gather(chart, base);
+  const StepView view = viewOf(chart, base);
+  std::vector<RuleRefusal> refusals;
+  for (const CompiledRule& rule : rules_.rules())
+    refusals.push_back({rule.index, Refusal::Class, {}, {}});
+  for (const RuleAtLevel& at : rules_.rulesAt(view.level))
+    refusals[at.rule->index] = explainRule(view, at);
+  return refusals;
+}
+
+RuleRefusal CandidateChoice::explainRule(const StepView& view, const RuleAtLevel& at) {
+  RuleRefusal result{at.rule->index, Refusal::Pattern, {}, {}};
+  for (const Match& match : matchesOf(view, at)) {
+    const RuleRefusal refusal = explainMatch(view, *at.rule, match);
+    if (refusal.reason > result.reason) result = refusal;
+  }
+  return result;
+}
+
+RuleRefusal CandidateChoice::explainMatch(const StepView& view, const CompiledRule& rule,
+                                          const Match& match) {
+  Candidate candidate{0, &rule, match};
+  RuleRefusal result{rule.index, scorer_.evaluate(view, candidate), {}, {}};
+  // Inverted elements and scores are checked after the zone, though they are cheaper to find out.
+  if (result.reason == Refusal::Require || result.reason == Refusal::NoValue) return result;
+  const Refusal zone = testZone(view, candidate, result);
+  if (zone != Refusal::None) result.reason = zone;
+  if (result.reason == Refusal::None) result.reason = prepare(view, candidate);
+  if (result.reason == Refusal::None) result.reason = Refusal::Beaten;
+  return result;
+}
+
+}  // namespace af2

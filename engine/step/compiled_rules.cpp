@@ -1,0 +1,383 @@
+#include "engine/step/compiled_rules.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <set>
+
+#include "engine/base/error.h"
+
+namespace af2 {
+namespace {
+
+constexpr double kEverywhere = 1e6;
+
+/// Base lengths for which windows are kept; a step uses the first that is not smaller than its own.
+constexpr std::array<double, 8> kBaseLengths{0.5, 0.75, 1, 1.25, 1.5, 2, 3, 4};
+
+// ---- binding steps -----------------------------------------------------------------------------
+
+struct ChainWalk {
+  const RuleDefinition& rule;
+  int level;
+  std::vector<BindingStep> steps;
+  std::vector<bool> isBound;
+
+  int successor(int v) const {
+    for (const PatternEdge& e : rule.edges)
+      if (e.from == v) return e.to;
+    return -1;
+  }
+  int predecessor(int v) const {
+    for (const PatternEdge& e : rule.edges)
+      if (e.to == v) return e.from;
+    return -1;
+  }
+  void bind(BindingStep::Kind kind, int vertex, int from) {
+    const PatternVertex& wanted = rule.vertices[static_cast<std::size_t>(vertex)];
+    steps.push_back({kind, static_cast<std::int8_t>(vertex), static_cast<std::int8_t>(from),
+                     wanted.reference.at(level),
+                     wanted.tolerance ? wanted.tolerance->at(level) : ToleranceForm{0, 0, 0}});
+    isBound[static_cast<std::size_t>(vertex)] = true;
+  }
+  bool bound(int v) const { return isBound[static_cast<std::size_t>(v)]; }
+
+  /// Binds the rest of the chain that v belongs to, forward and backward.
+  void follow(int v) {
+    using Kind = BindingStep::Kind;
+    int u = v;
+    for (int w = successor(u); w >= 0; u = w, w = successor(u)) {
+      if (bound(w)) {
+        if (!(u == 0 && w == 1)) bind(Kind::Closes, w, u);
+        return;  // a closed chain has been walked all round
+      }
+      bind(Kind::Next, w, u);
+    }
+    u = v;
+    for (int w = predecessor(u); w >= 0 && !bound(w); u = w, w = predecessor(u))
+      bind(Kind::Previous, w, u);
+  }
+};
+
+std::vector<BindingStep> bindingSteps(const RuleDefinition& rule, int level) {
+  const std::size_t matched = rule.vertices.size();
+  ChainWalk walk{rule, level, {}, std::vector<bool>(matched, false)};
+  walk.isBound[0] = walk.isBound[1] = true;
+  walk.follow(1);
+  int u = 0;
+  for (int w = walk.predecessor(0); w >= 0 && !walk.bound(w); u = w, w = walk.predecessor(u))
+    walk.bind(BindingStep::Kind::Previous, w, u);
+  for (int v = 2; v < static_cast<int>(matched); ++v) {
+    if (walk.bound(v)) continue;
+    if (!rule.vertices[static_cast<std::size_t>(v)].tolerance)
+      throw InputError("rule \"" + rule.name + "\": vertex " +
+                       rule.vertices[static_cast<std::size_t>(v)].name +
+                       " may be anywhere; give it a tolerance, or join it to a or b by a chain");
+    walk.bind(BindingStep::Kind::Any, v, -1);
+    walk.follow(v);
+  }
+  return walk.steps;
+}
+
+std::vector<SlopeTest> slopeTests(const RuleDefinition& rule, int level) {
+  std::vector<SlopeTest> tests;
+  for (const PatternEdge& e : rule.edges) {
+    if (!e.slope) continue;
+    const auto at = [&](int v) {
+      return rule.vertices[static_cast<std::size_t>(v)].reference.at(level);
+    };
+    tests.push_back({static_cast<std::int8_t>(e.from), static_cast<std::int8_t>(e.to),
+                     at(e.to) - at(e.from), e.slope->at(level)});
+  }
+  return tests;
+}
+
+std::vector<CompiledPattern> patternsOf(const RuleDefinition& rule) {
+  int levels = 1;
+  for (const PatternVertex& v : rule.vertices) {
+    levels = std::max(levels, v.reference.levelCount());
+    if (v.tolerance) levels = std::max(levels, v.tolerance->levelCount());
+  }
+  for (const PatternEdge& e : rule.edges)
+    if (e.slope) levels = std::max(levels, e.slope->levelCount());
+  std::vector<CompiledPattern> patterns;
+  for (int level = 1; level <= levels; ++level)
+    patterns.push_back({bindingSteps(rule, level), slopeTests(rule, level)});
+  return patterns;
+}
+
+// ---- fast forms --------------------------------------------------------------------------------
+
+const AffinePointTransform* asAffine(const std::shared_ptr<const AF2PointTransform>& transform,
+                                     int matchedCount) {
+  const auto* affine = dynamic_cast<const AffinePointTransform*>(transform.get());
+  return affine && affine->vertexCount() <= matchedCount ? affine : nullptr;
+}
+
+std::optional<AffineBatch> fastNewPoints(const AF2Rule& rule) {
+  AffineBatch batch;
+  if (rule.newCount() > AffineBatch::kCapacity) return std::nullopt;
+  for (const auto& transform : rule.definition().newVertices) {
+    const auto* affine = asAffine(transform, rule.matchedCount());
+    if (!affine) return std::nullopt;
+    batch.add(*affine, rule.matchedCount());
+  }
+  return batch;
+}
+
+bool fadesAtAll(const ConvexPolygonZoneDef& def) {
+  return std::any_of(def.corners().begin(), def.corners().end(),
+                     [](const auto& corner) { return corner.limiting != nullptr; });
+}
+
+/// The corner of a zone that is a (0) or b (1) at all levels, or -1.
+int cornerAtEnd(const FastZone& zone, int end) {
+  const auto isThere = [&](const AffineBatch& batch, std::size_t k) {
+    bool isSo = batch.constantX[k] == 0 && batch.constantY[k] == 0;
+    for (std::size_t r = 0; r < batch.rows.size(); ++r) {
+      const AffineBatch::Row& row = batch.rows[r];
+      const double own = end == 1 && r == 0 ? 1 : 0;
+      isSo = isSo && row.xx[k] == own && row.yy[k] == own && row.xy[k] == 0 && row.yx[k] == 0;
+    }
+    return isSo;
+  };
+  for (int k = 0; k < zone.byLevel[0].count; ++k)
+    if (std::ranges::all_of(zone.byLevel, [&](const AffineBatch& batch) {
+          return isThere(batch, static_cast<std::size_t>(k));
+        }))
+      return k;
+  return -1;
+}
+
+std::optional<FastZone> fastZone(const AF2Rule& rule, int maxLevel) {
+  const auto* def = dynamic_cast<const ConvexPolygonZoneDef*>(rule.definition().zone.get());
+  if (!def || def->corners().size() > AffineBatch::kCapacity) return std::nullopt;
+  FastZone zone;
+  const int levels = fadesAtAll(*def) ? maxLevel : 1;
+  for (int level = 1; level <= levels; ++level) {
+    AffineBatch batch;
+    for (const auto& corner : def->corners()) {
+      const auto* preferred = asAffine(corner.preferred, rule.matchedCount());
+      const auto* limiting =
+          corner.limiting ? asAffine(corner.limiting, rule.matchedCount()) : preferred;
+      if (!preferred || !limiting) return std::nullopt;
+      batch.add(corner.limiting ? preferred->blend(*limiting, def->fade(level)) : *preferred,
+                rule.matchedCount());
+    }
+    zone.byLevel.push_back(std::move(batch));
+  }
+  const auto& edges = rule.definition().edges;
+  if (std::ranges::none_of(edges, [](const PatternEdge& e) { return e.to == 0; }))
+    zone.cornerAtA = cornerAtEnd(zone, 0);
+  if (std::ranges::none_of(edges, [](const PatternEdge& e) { return e.from == 1; }))
+    zone.cornerAtB = cornerAtEnd(zone, 1);
+  return zone;
+}
+
+// ---- windows -----------------------------------------------------------------------------------
+
+/// Added on all sides of a window: zones that begin at the base, whose place in the chart is
+/// rounded or a little longer than the bucket says, are not to be fetched on their own.
+constexpr double kWindowMargin = 0.05;
+
+/// Whether a walk from a to b comes by a vertex that it has come by before.
+bool passesTwice(const std::vector<std::int8_t>& walk) {
+  std::set<int> seen{0, 1};
+  return !std::ranges::all_of(walk, [&](int v) { return seen.insert(v).second; });
+}
+
+/// Rules that make more are wide.
+constexpr std::size_t kOrdinaryElements = 4;
+
+/// Half extents of the ellipse form(d) <= tolerance.
+Point2 ellipseExtent(const ToleranceForm& form, double tolerance) {
+  const double det = form.xx * form.yy - 0.25 * form.xy * form.xy;
+  if (!(det > 1e-12 * form.xx * form.yy) || !(form.xx > 0)) return {kEverywhere, kEverywhere};
+  return {std::sqrt(tolerance * form.yy / det), std::sqrt(tolerance * form.xx / det)};
+}
+
+/// Every place that a free vertex of the rule can match. Others are found along the front.
+Window matchWindow(const CompiledRule& rule, int level, double tolerance) {
+  Window window;
+  for (const BindingStep& step : rule.patternAt(level).steps) {
+    if (step.kind != BindingStep::Kind::Any) continue;
+    const Point2 extent = ellipseExtent(step.form, tolerance);
+    window.include(step.reference.x - extent.x, step.reference.y - extent.y);
+    window.include(step.reference.x + extent.x, step.reference.y + extent.y);
+  }
+  return window;
+}
+
+/// Where the zone lies when matched vertices deviate by half of what is allowed, to either side.
+Window zoneWindow(const CompiledRule& rule, int level, double baseLength, double tolerance) {
+  Window window;
+  const RuleDefinition& definition = rule.rule->definition();
+  const AF2Surroundings nothingAround;
+  std::vector<Point2> matched(definition.vertices.size());
+  for (int corner = 0; corner < 4; ++corner) {
+    matched[1] = {baseLength, 0};
+    for (std::size_t i = 2; i < matched.size(); ++i) {
+      const PatternVertex& v = definition.vertices[i];
+      const ToleranceForm form = v.tolerance ? v.tolerance->at(level) : ToleranceForm{};
+      const Point2 extent = ellipseExtent(form, tolerance);
+      const double dx = std::min(0.5 * extent.x, 1.0), dy = std::min(0.5 * extent.y, 1.0);
+      matched[i] = v.reference.at(level) + Point2{corner & 1 ? dx : -dx, corner & 2 ? dy : -dy};
+    }
+    if (rule.zone) {
+      double x[AffineBatch::kCapacity], y[AffineBatch::kCapacity];
+      const AffineBatch& corners = rule.zone->at(level);
+      corners.evaluate(matched.data(), x, y);
+      for (int k = 0; k < corners.count; ++k) window.include(x[k], y[k]);
+      continue;
+    }
+    const auto made = definition.zone->makeFreeZone({matched, level, &nothingAround});
+    if (!made.zone) continue;
+    const Box2 box = made.zone->boundingBox();
+    window.include(std::max(box.low.x, -kEverywhere), std::max(box.low.y, -kEverywhere));
+    window.include(std::min(box.high.x, kEverywhere), std::min(box.high.y, kEverywhere));
+  }
+  return window;
+}
+
+}  // namespace
+
+void AffineBatch::add(const AffinePointTransform& transform, int matchedCount) {
+  rows.resize(static_cast<std::size_t>(matchedCount - 1));
+  constantX[count] = transform.constant().x;
+  constantY[count] = transform.constant().y;
+  for (const AffinePointTransform::Term& t : transform.terms()) {
+    if (t.vertex == 0) continue;  // a is the origin of the chart
+    Row& row = rows[static_cast<std::size_t>(t.vertex - 1)];
+    row.xx[count] = t.xx;
+    row.yy[count] = t.yy;
+    row.xy[count] = t.xy;
+    row.yx[count] = t.yx;
+    isMixed = isMixed || t.xy != 0 || t.yx != 0;
+  }
+  ++count;
+}
+
+namespace {
+
+/// As many sums at a time as fit into registers, so that rows are read and nothing else.
+template <int kSlots, bool kIsMixed>
+void evaluateSlots(const AffineBatch& batch, const Point2* matched, double* x, double* y) {
+  double sumX[kSlots], sumY[kSlots];
+  for (int k = 0; k < kSlots; ++k) sumX[k] = batch.constantX[k], sumY[k] = batch.constantY[k];
+  for (const AffineBatch::Row& row : batch.rows) {
+    const Point2 p = *++matched;
+    for (int k = 0; k < kSlots; ++k) {
+      if constexpr (kIsMixed) {
+        sumX[k] += row.xx[k] * p.x + row.xy[k] * p.y;
+        sumY[k] += row.yx[k] * p.x + row.yy[k] * p.y;
+      } else {
+        sumX[k] += row.xx[k] * p.x;
+        sumY[k] += row.yy[k] * p.y;
+      }
+    }
+  }
+  for (int k = 0; k < kSlots; ++k) x[k] = sumX[k], y[k] = sumY[k];
+}
+
+template <int kSlots>
+void evaluateSlots(const AffineBatch& batch, const Point2* matched, double* x, double* y) {
+  if (batch.isMixed)
+    evaluateSlots<kSlots, true>(batch, matched, x, y);
+  else
+    evaluateSlots<kSlots, false>(batch, matched, x, y);
+}
+
+}  // namespace
+
+void AffineBatch::evaluate(const Point2* matched, double* x, double* y) const {
+  static_assert(kCapacity == 8);
+  if (count <= 2) return evaluateSlots<2>(*this, matched, x, y);
+  if (count <= 4) return evaluateSlots<4>(*this, matched, x, y);
+  if (count <= 6) return evaluateSlots<6>(*this, matched, x, y);
+  evaluateSlots<8>(*this, matched, x, y);
+}
+
+void Window::include(double x, double y) {
+  lowX = std::min(lowX, x);
+  lowY = std::min(lowY, y);
+  highX = std::max(highX, x);
+  highY = std::max(highY, y);
+}
+
+Window Window::widened(double margin) const {
+  return {lowX - margin, lowY - margin, highX + margin, highY + margin};
+}
+
+void Window::include(const Window& other) {
+  include(other.lowX, other.lowY);
+  include(other.highX, other.highY);
+}
+
+CompiledRules::CompiledRules(const RuleSet& rules, std::optional<int> onlyLevel)
+    : set_(rules),
+      fastMetric_(dynamic_cast<const ShapeSizeMetric*>(rules.definition().metric.get())) {
+  rules_.reserve(rules.rules().size());
+  for (const AF2Rule& rule : rules.rules()) addRule(rule);
+  byLevel_.resize(static_cast<std::size_t>(rules.maxLevel()));
+  for (auto& windows : windows_) windows.resize(static_cast<std::size_t>(rules.maxLevel()));
+  for (int level = onlyLevel.value_or(1); level <= onlyLevel.value_or(rules.maxLevel()); ++level) {
+    collectRules(level);
+    makeWindows(level);
+  }
+}
+
+void CompiledRules::addRule(const AF2Rule& rule) {
+  const RuleDefinition& definition = rule.definition();
+  CompiledRule compiled;
+  compiled.rule = &rule;
+  compiled.index = static_cast<std::uint16_t>(rules_.size());
+  compiled.firstLevel = definition.firstLevel;
+  compiled.lastLevel = definition.lastLevel.value_or(std::numeric_limits<int>::max());
+  compiled.matchedCount = rule.matchedCount();
+  compiled.newCount = rule.newCount();
+  compiled.patterns = patternsOf(definition);
+  compiled.newPoints = fastNewPoints(rule);
+  compiled.zone = fastZone(rule, set_.maxLevel());
+  compiled.isWide = definition.elements.size() > kOrdinaryElements;
+  compiled.touchesItself = passesTwice(rule.replacement());
+  compiled.isPlain = definition.requirements.empty() && !definition.cost;
+  rules_.push_back(std::move(compiled));
+}
+
+void CompiledRules::collectRules(int level) {
+  for (const CompiledRule& rule : rules_)
+    if (level >= rule.firstLevel && level <= rule.lastLevel)
+      byLevel_[indexOf(level)].push_back(
+          {&rule, &rule.patternAt(level), rule.zone ? &rule.zone->at(level) : nullptr});
+}
+
+void CompiledRules::makeWindows(int level) {
+  const double tolerance = set_.matchTolerance(level);
+  for (double baseLength : kBaseLengths) {
+    Window usual, wide;
+    for (const RuleAtLevel& at : rulesAt(level)) {
+      const Window zone = zoneWindow(*at.rule, level, baseLength, tolerance);
+      usual.include(matchWindow(*at.rule, level, tolerance));
+      (at.rule->isWide ? wide : usual).include(zone);
+    }
+    wide.include(usual);
+    windows_[false][indexOf(level)].push_back(usual.widened(kWindowMargin));
+    windows_[true][indexOf(level)].push_back(wide.widened(kWindowMargin));
+  }
+}
+
+Window CompiledRules::windowAt(int level, double baseLength, bool withWide) const {
+  const auto& row = windows_[withWide][indexOf(level)];
+  const auto bucket = std::lower_bound(kBaseLengths.begin(), kBaseLengths.end(), baseLength);
+  if (bucket != kBaseLengths.end())
+    return row[static_cast<std::size_t>(bucket - kBaseLengths.begin())];
+  // Longer bases stretch the window in proportion, which is generous.
+  Window window = row.back();
+  const double stretch = baseLength / kBaseLengths.back();
+  window.include(stretch * window.lowX, stretch * window.lowY);
+  window.include(stretch * window.highX, stretch * window.highY);
+  return window;
+}
+
+}  // namespace af2

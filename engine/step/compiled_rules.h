@@ -1,0 +1,160 @@
+// Rules made ready for the loop: binding steps, coefficient tables by level, search windows.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "engine/rule/rule_set.h"
+
+namespace af2 {
+
+/// Up to eight affine points of a rule, evaluated together: structure of arrays, one row of
+/// coefficients for each matched vertex.
+struct AffineBatch {
+  static constexpr int kCapacity = 8;
+  struct Row {
+    double xx[kCapacity]{}, yy[kCapacity]{};
+    double xy[kCapacity]{}, yx[kCapacity]{};
+  };
+
+  int count = 0;
+  bool isMixed = false;  ///< whether any x depends on a y or the other way round
+  double constantX[kCapacity]{}, constantY[kCapacity]{};
+  std::vector<Row> rows;  ///< by matched vertex from b on: a is the origin
+
+  void add(const AffinePointTransform& transform, int matchedCount);
+  /// Slots from `count` on hold nothing of use.
+  void evaluate(const Point2* matched, double* x, double* y) const;
+  /// One of the points.
+  Point2 point(int slot, const Point2* matched) const {
+    const auto k = static_cast<std::size_t>(slot);
+    Point2 sum{constantX[k], constantY[k]};
+    for (const Row& row : rows) {
+      const Point2 p = *++matched;
+      sum.x += row.xx[k] * p.x + row.xy[k] * p.y;
+      sum.y += row.yx[k] * p.x + row.yy[k] * p.y;
+    }
+    return sum;
+  }
+};
+
+/// The free zone of a rule in its fast form: a convex polygon with affine corners.
+struct FastZone {
+  std::vector<AffineBatch> byLevel;  ///< one for all levels, or [level - 1], the last for all above
+  /// The corners that are a and b at all levels, where the front goes on with an edge that the rule
+  /// does not match; -1 otherwise.
+  int cornerAtA = -1, cornerAtB = -1;
+  const AffineBatch& at(int level) const {
+    const auto last = byLevel.size() - 1;
+    const auto index = static_cast<std::size_t>(level - 1);
+    return byLevel[index < last ? index : last];
+  }
+};
+
+/// How one pattern vertex finds its place on the front.
+struct BindingStep {
+  enum class Kind : std::uint8_t {
+    Next,      ///< the place after that of `from`
+    Previous,  ///< the place before that of `from`
+    Closes,    ///< a check: the place after that of `from` is that of `vertex`
+    Any,       ///< every legal place in the window
+  };
+  Kind kind = Kind::Next;
+  std::int8_t vertex = 0;
+  std::int8_t from = 0;
+  Point2 reference;    ///< of the vertex
+  ToleranceForm form;  ///< 0 everywhere if any position will do
+
+  bool fits(Point2 point, double tolerance) const { return form(point - reference) <= tolerance; }
+};
+
+struct SlopeTest {
+  std::int8_t from, to;
+  Point2 reference;
+  ToleranceForm form;
+};
+
+/// An axis-parallel window around the base edge, in chart units.
+struct Window {
+  double lowX = 0, lowY = 0, highX = 0, highY = 0;
+  void include(double x, double y);
+  void include(const Window& other);
+  Window widened(double margin) const;
+  bool contains(const Window& w) const {
+    return lowX <= w.lowX && lowY <= w.lowY && highX >= w.highX && highY >= w.highY;
+  }
+};
+
+/// What a match must fulfil at one level.
+struct CompiledPattern {
+  std::vector<BindingStep> steps;
+  std::vector<SlopeTest> slopes;
+};
+
+struct CompiledRule {
+  const AF2Rule* rule = nullptr;
+  std::uint16_t index = 0;
+  int firstLevel = 1, lastLevel = 1;
+  int matchedCount = 2, newCount = 0;
+  /// One for all levels, or [level - 1], the last for all above.
+  std::vector<CompiledPattern> patterns;
+  std::optional<AffineBatch> newPoints;  ///< the fast form, if all new points are affine
+  std::optional<FastZone> zone;          ///< the fast form, if the zone has it
+  bool isPlain = false;  ///< no requirement and no cost: nothing but geometry decides
+  /// Makes so many elements at once that its free zone may be searched for on its own: steps that
+  /// it has nothing to do with look at a smaller window.
+  bool isWide = false;
+  /// Some new elements have nothing in common but a vertex.
+  bool touchesItself = false;
+
+  const CompiledPattern& patternAt(int level) const {
+    const auto last = patterns.size() - 1;
+    const auto wanted = static_cast<std::size_t>(level - 1);
+    return patterns[wanted < last ? wanted : last];
+  }
+};
+
+/// A rule at one level, with what it asks for there.
+struct RuleAtLevel {
+  const CompiledRule* rule = nullptr;
+  const CompiledPattern* pattern = nullptr;
+  const AffineBatch* zone = nullptr;  ///< of the fast form, if it has that
+};
+
+class CompiledRules {
+ public:
+  /// onlyLevel  for steps at one level alone: no windows are made for the others
+  explicit CompiledRules(const RuleSet& rules, std::optional<int> onlyLevel = std::nullopt);
+  CompiledRules(const CompiledRules&) = delete;
+  CompiledRules& operator=(const CompiledRules&) = delete;
+
+  const RuleSet& set() const { return set_; }
+  /// The fast form of the rule set's metric, if it has it, else null.
+  const ShapeSizeMetric* fastMetric() const { return fastMetric_; }
+  const std::vector<CompiledRule>& rules() const { return rules_; }
+  /// Those that are used at a level, in order.
+  const std::vector<RuleAtLevel>& rulesAt(int level) const { return byLevel_[indexOf(level)]; }
+  /// What a step at this level looks at first. It holds every place that a rule can match, and the
+  /// free zones of typical matches; a zone that sticks out is fetched on its own.
+  /// withWide  also the zones of wide rules
+  Window windowAt(int level, double baseLength, bool withWide) const;
+
+ private:
+  std::size_t indexOf(int level) const {
+    return static_cast<std::size_t>(std::clamp(level, 1, set_.maxLevel()) - 1);
+  }
+  void addRule(const AF2Rule& rule);
+  void makeWindows(int level);
+  void collectRules(int level);
+
+  const RuleSet& set_;
+  const ShapeSizeMetric* fastMetric_;
+  std::vector<CompiledRule> rules_;
+  std::vector<std::vector<RuleAtLevel>> byLevel_;  // [level - 1]
+  std::vector<std::vector<Window>> windows_[2];  // [with wide ones][level - 1][base length bucket]
+};
+
+}  // namespace af2

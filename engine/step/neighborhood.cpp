@@ -1,0 +1,174 @@
+#include "engine/step/neighborhood.h"
+
+#include <algorithm>
+
+#include "engine/base/pair.h"
+
+namespace af2 {
+namespace {
+
+struct Drawn {
+  Pair position;
+  ChartView view;
+};
+
+enum class FrameKind { Plane, Bent, Folding, Central };
+
+/// ProjectionFrame::project for many points.
+template <FrameKind kKind>
+class FrameDrawing {
+ public:
+  explicit FrameDrawing(const ProjectionFrame& f)
+      : frame_(f),
+        origin_(f.origin),
+        x_{f.xAxis.x, f.yAxis.x},
+        y_{f.xAxis.y, f.yAxis.y},
+        z_{f.xAxis.z, f.yAxis.z},
+        scale_{f.scale, f.scale},
+        centre_{f.centreX, 0} {}
+
+  Drawn operator()(const SurfacePoint& point) const {
+    const Point3 d = point.position - origin_;
+    const Pair position =
+        scale_ * (Pair{d.x, d.x} * x_ + Pair{d.y, d.y} * y_ + Pair{d.z, d.z} * z_);
+    if constexpr (kKind == FrameKind::Plane) return {position, ChartView::Legal};
+    if constexpr (kKind == FrameKind::Bent) {
+      const ChartPoint p = frame_.bent(pointAt(position));
+      return {Pair{p.position.x, p.position.y}, p.view};
+    }
+    if constexpr (kKind == FrameKind::Folding) return {position, frame_.viewOf(point, d)};
+    const double stretch = 1 / (1 + frame_.perspective * dot(d, frame_.normal));
+    return {centre_ + Pair{stretch, stretch} * (position - centre_), ChartView::Legal};
+  }
+
+ private:
+  const ProjectionFrame& frame_;
+  const Point3 origin_;
+  const Pair x_, y_, z_, scale_, centre_;
+};
+
+/// A chart of any kind.
+class ChartDrawing {
+ public:
+  explicit ChartDrawing(const StepChart& chart) : chart_(chart) {}
+  Drawn operator()(const SurfacePoint& point) const {
+    const ChartPoint p = chart_.project(point);
+    return {Pair{p.position.x, p.position.y}, p.view};
+  }
+
+ private:
+  const StepChart& chart_;
+};
+
+/// Hands the fastest drawing of a chart to `use`.
+template <class Use>
+void withDrawing(const StepChart& chart, const Use& use) {
+  if (!chart.frame()) return use(ChartDrawing(chart));
+  const ProjectionFrame& frame = *chart.frame();
+  if (chart.isPlane() && frame.bend != Point2{0, 0})
+    return use(FrameDrawing<FrameKind::Bent>(frame));
+  if (chart.isPlane()) return use(FrameDrawing<FrameKind::Plane>(frame));
+  if (frame.perspective != 0) return use(FrameDrawing<FrameKind::Central>(frame));
+  use(FrameDrawing<FrameKind::Folding>(frame));
+}
+
+}  // namespace
+
+void DrawnBase::draw(const Front& front, const StepChart& chart, PlaceId base) {
+  a.place = base;
+  b.place = front.next(base);
+  before.place = front.previous(base);
+  after.place = front.next(b.place);
+  withDrawing(chart, [&](const auto& drawing) {
+    for (Corner* corner : {&before, &a, &b, &after}) {
+      const Drawn drawn = drawing(front[corner->place].point);
+      corner->point.position = pointAt(drawn.position);
+      corner->point.view = drawn.view;
+    }
+  });
+}
+
+Box3 StepChart::boxOf(const Window& window, const Point3& origin) const {
+  const Window w = frame_ && frame_->bend != Point2{0, 0} ? straightened(window) : window;
+  if (!frame_) {
+    // A chart of unknown kind: its lengths are about right near the base, so look generously
+    // around.
+    const double reach = 1.5 * unit_ * std::max({-w.lowX, -w.lowY, w.highX, w.highY});
+    const Point3 r{reach, reach, reach};
+    return {origin - r, origin + r};
+  }
+  const double halfX = 0.5 * (w.highX - w.lowX) * unit_, halfY = 0.5 * (w.highY - w.lowY) * unit_;
+  const double midX = 0.5 * (w.highX + w.lowX) * unit_, midY = 0.5 * (w.highY + w.lowY) * unit_;
+  const Heights heights = heightsWithin(w);
+  const double halfZ = 0.5 * (heights.above + heights.below);
+  const double midZ = 0.5 * (heights.above - heights.below);
+  const Point3 center =
+      frame_->origin + midX * frame_->xAxis + midY * frame_->yAxis + midZ * frame_->normal;
+  const auto extent = [&](double x, double y, double n) {
+    return std::abs(x) * halfX + std::abs(y) * halfY + std::abs(n) * halfZ;
+  };
+  const Point3 r{extent(frame_->xAxis.x, frame_->yAxis.x, frame_->normal.x),
+                 extent(frame_->xAxis.y, frame_->yAxis.y, frame_->normal.y),
+                 extent(frame_->xAxis.z, frame_->yAxis.z, frame_->normal.z)};
+  return {center - r, center + r};
+}
+
+Window StepChart::straightened(const Window& w) const {
+  constexpr double kFarthest = 3;
+  const double reach = length(Point2{std::max(-w.lowX, w.highX), std::max(-w.lowY, w.highY)});
+  const double change =
+      length(frame_->bend) * reach + distance(frame_->kept, Point2{1, 0});  // of scale, at most
+  const double margin = reach * std::min(kFarthest, change / std::max(0.25, 1 - change));
+  return {w.lowX - margin, w.lowY - margin, w.highX + margin, w.highY + margin};
+}
+
+StepChart::Heights StepChart::heightsWithin(const Window& w) const {
+  if (isPlane()) return {0, 0};
+  if (frame_->perspective == 0) {
+    const double reach = std::max(w.highX - w.lowX, w.highY - w.lowY) * unit_;
+    const double height = std::min(frame_->maxHeight, reach);
+    return {height, height};
+  }
+  // A sphere through the centre that touches the plane bends down this far.
+  const double x = std::max(frame_->centreX - w.lowX, w.highX - frame_->centreX);
+  const double y = std::max(-w.lowY, w.highY);
+  const double squaredReach = (x * x + y * y) * unit_ * unit_;
+  const double p = std::abs(frame_->perspective);
+  const double depth = p * squaredReach / (1 + p * p * squaredReach);
+  return frame_->perspective > 0 ? Heights{depth, frame_->maxHeight}
+                                 : Heights{frame_->maxHeight, depth};
+}
+
+void Neighborhood::gather(const Front& front, const FrontIndex& index, const StepChart& chart,
+                          PlaceId base, const Window& window) {
+  window_ = window;
+  collected_ = index.collectNear(chart.boxOf(window, front[base].point.position), found_);
+  if (edges_.size() <= collected_.count) edges_.resize(2 * collected_.count + 1);
+  withDrawing(chart, [&](const auto& drawing) { draw(front, drawing); });
+}
+
+/// Two short loops, and storing every edge before knowing whether it stays, keep the processor
+/// busy: which edges lie in the window is not to be guessed.
+template <class Drawing>
+void Neighborhood::draw(const Front& front, const Drawing& drawing) {
+  const Pair low{window_.lowX, window_.lowY}, high{window_.highX, window_.highY};
+  Edge* edge = edges_.data();
+  for (const PlaceId id : std::span(found_.data(), collected_.count)) {
+    const Place& place = front[id];
+    const Place& end = front[place.level < 0 ? id : place.next];
+    const Drawn from = drawing(place.point), to = drawing(end.point);
+    edge->from = pointAt(from.position);
+    edge->to = pointAt(to.position);
+    edge->place = id;
+    edge->vertex = place.vertex;
+    edge->view = from.view;
+    edge->isEdge = place.level > 0;
+    const auto isInside =
+        (larger(from.position, to.position) >= low) & (smaller(from.position, to.position) <= high);
+    const bool isHidden = (from.view == ChartView::Hidden) & (to.view == ChartView::Hidden);
+    edge += isHidden ? 0 : bothHold(isInside);
+  }
+  count_ = static_cast<std::size_t>(edge - edges_.data());
+}
+
+}  // namespace af2

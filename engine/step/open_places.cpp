@@ -1,0 +1,130 @@
+#include "engine/step/open_places.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "engine/base/predicates.h"
+
+namespace af2 {
+namespace {
+
+/// The free directions at a place: counter-clockwise from the next to the previous vertex of the
+/// front; both ends belong to them.
+struct Sector {
+  Point2 center, next, previous;
+
+  bool contains(Point2 d) const {
+    if (d == next || d == previous) return true;
+    const bool leftOfNext = orientation(center, next, d) != Turn::Right;
+    const bool rightOfPrevious = orientation(center, previous, d) != Turn::Left;
+    if (leftOfNext && rightOfPrevious) return true;
+    switch (orientation(center, next, previous)) {
+      case Turn::Left:
+        return false;
+      case Turn::Right:
+        return leftOfNext || rightOfPrevious;
+      case Turn::Straight:
+        break;
+    }
+    return leftOfNext || dot(next - center, previous - center) > 0;
+  }
+};
+
+Point2 positionOf(const StepView& view, PlaceId id) {
+  for (const DrawnBase::Corner* corner : {&view.drawn.a, &view.drawn.b})
+    if (corner->place == id) return corner->point.position;
+  return view.chart.positionOf(view.front[id].point);
+}
+
+bool placeIsOpenTo(const StepView& view, PlaceId id, Point2 center, Point2 d1, Point2 d2) {
+  const Place& place = view.front[id];
+  // At an isolated vertex and at the end of an open chain all directions are free.
+  if (place.level <= 0 || !view.front.hasEdge(place.previous)) return true;
+  const Sector sector{center, positionOf(view, place.next), positionOf(view, place.previous)};
+  return sector.contains(d1) && sector.contains(d2);
+}
+
+/// The same for the ends a and b of the base, whose edge is drawn already.
+bool baseIsOpenTo(const StepView& view, const Match& match, Point2 first, Point2 last) {
+  const Point2 a = match.points[0], b = match.points[1];
+  const DrawnBase::Corner &before = view.drawn.before, &after = view.drawn.after;
+  return (!view.front.hasEdge(before.place) ||
+          Sector{a, b, before.point.position}.contains(first)) &&
+         (!view.front.hasEdge(match.places[1]) ||
+          Sector{b, after.point.position, a}.contains(last));
+}
+
+/// A vertex may stand on the front more than once; the place at which the new elements lie is the
+/// one whose free sector they fill. None: they would cover what is meshed already.
+PlaceId openPlace(const StepView& view, PlaceId matched, Point2 center, Point2 d1, Point2 d2) {
+  if (placeIsOpenTo(view, matched, center, d1, d2)) return matched;
+  const VertexId id = view.front[matched].vertex;
+  for (const Neighborhood::Edge& edge : view.near.edges()) {
+    const PlaceId other = edge.place;
+    if (other != matched && view.front[other].vertex == id &&
+        placeIsOpenTo(view, other, center, d1, d2))
+      return other;
+  }
+  return {};
+}
+
+/// Whether the free directions to the left of the way before -> center -> after hold all that is
+/// not free at a place.
+bool goesAround(const StepView& view, PlaceId id, Point2 center, Point2 before, Point2 after) {
+  const Sector left{center, after, before};
+  const Place& place = view.front[id];
+  return left.contains(positionOf(view, place.next)) &&
+         left.contains(positionOf(view, place.previous));
+}
+
+/// Where new elements touch in nothing but a vertex, the walk comes by there more than once.
+/// Between elements it passes what was free at the place and is cut off from the rest; only once
+/// does it pass the rest. False if it cannot be told where.
+bool joinOnce(const StepView& view, const CompiledRule& rule, const Match& match,
+              std::vector<PlaceId>& joined) {
+  const auto& walk = rule.rule->replacement();
+  const auto at = [&](int v) { return match.points[static_cast<std::size_t>(v)]; };
+  for (int v = 0; v < rule.matchedCount; ++v) {
+    const bool isEnd = v < 2;  // a and b: where the walk begins and ends
+    const auto passes = std::ranges::count(walk, v);
+    if (passes + isEnd < 2) continue;
+    PlaceId last;  // at which the vertex is joined
+    for (std::size_t i = 0; i < walk.size(); ++i) {
+      if (walk[i] != v) continue;
+      const PlaceId place = std::exchange(joined[i], PlaceId());
+      const bool isLoose = view.front[place].level <= 0;
+      const Point2 before = at(i == 0 ? 0 : walk[i - 1]);
+      const Point2 after = at(i + 1 == walk.size() ? 1 : walk[i + 1]);
+      if (isLoose ? !last.isNone() : !goesAround(view, place, at(v), before, after)) continue;
+      if (!last.isNone()) return false;
+      joined[i] = last = place;
+    }
+    if (last.isNone() && !isEnd) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+bool findOpenPlaces(const StepView& view, const CompiledRule& rule, const Match& match,
+                    OpenPlaces& open) {
+  open.places.assign(match.places.begin(), match.places.begin() + rule.matchedCount);
+  open.joined.clear();
+  const auto& walk = rule.rule->replacement();
+  const auto at = [&](int v) { return match.points[static_cast<std::size_t>(v)]; };
+  if (!baseIsOpenTo(view, match, at(walk.front()), at(walk.back()))) return false;
+  for (std::size_t i = 0; i < walk.size(); ++i) {
+    PlaceId place;
+    if (walk[i] < rule.matchedCount) {
+      const auto v = static_cast<std::size_t>(walk[i]);
+      const Point2 before = at(i == 0 ? 0 : walk[i - 1]);
+      const Point2 after = at(i + 1 == walk.size() ? 1 : walk[i + 1]);
+      place = open.places[v] = openPlace(view, open.places[v], at(walk[i]), before, after);
+      if (place.isNone()) return false;
+    }
+    open.joined.push_back(place);
+  }
+  return !rule.touchesItself || joinOnce(view, rule, match, open.joined);
+}
+
+}  // namespace af2

@@ -1,0 +1,66 @@
+#include "engine/step/surroundings.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace af2 {
+namespace {
+
+double distanceToSegment(Point2 p, Point2 a, Point2 b) {
+  const Point2 ab = b - a;
+  const double squared = dot(ab, ab);
+  const double t = squared > 0 ? std::clamp(dot(p - a, ab) / squared, 0.0, 1.0) : 0.0;
+  return distance(p, a + t * ab);
+}
+
+}  // namespace
+
+double FrontSurroundings::size(Point2 point) const {
+  const auto onSurface = view_.chart.lift(point);
+  return onSurface ? size_.sizeAt(*onSurface) / view_.chart.unit() : 1;
+}
+
+std::optional<double> FrontSurroundings::turn(int vertex) const {
+  const auto& edges = rule_.rule->definition().edges;
+  const bool isInChain = std::any_of(edges.begin(), edges.end(), [&](const PatternEdge& e) {
+    return e.from == vertex || e.to == vertex;
+  });
+  const PlaceId place = match_.places[static_cast<std::size_t>(vertex)];
+  if (!isInChain || !view_.front.hasEdge(place) || !view_.front.hasEdgeBefore(place))
+    return std::nullopt;
+  return view_.front.turn(place);
+}
+
+double FrontSurroundings::distanceToFront(Point2 point) const {
+  // Never farther than the base edge; what the rules look at may not reach that far.
+  const double toBase = distanceToSegment(point, match_.points[0], match_.points[1]);
+  const Window reach{point.x - toBase, point.y - toBase, point.x + toBase, point.y + toBase};
+  if (view_.near.window().contains(reach)) return nearestEdge(view_.near, point, toBase);
+  Neighborhood wider;
+  wider.gather(view_.front, index_, view_.chart, view_.base, reach);
+  return nearestEdge(wider, point, toBase);
+}
+
+double FrontSurroundings::nearestEdge(const Neighborhood& near, Point2 point,
+                                      double nearest) const {
+  for (const Neighborhood::Edge& edge : near.edges())
+    if (view_.front.hasEdge(edge.place))
+      nearest = std::min(nearest, distanceToSegment(point, edge.from, edge.to));
+  return nearest;
+}
+
+double FrontSurroundings::curvature(Point2 point) const {
+  constexpr double kStep = 0.25;  // of the wanted length: the scale that matters to an element
+  const auto here = view_.chart.lift(point);
+  if (!here) return 0;
+  double largest = 0;
+  for (Point2 d : {Point2{kStep, 0}, Point2{0, kStep}}) {
+    const auto there = view_.chart.lift(point + d);
+    if (!there) continue;
+    const double away = distance(here->position, there->position);
+    if (away > 0) largest = std::max(largest, distance(here->normal, there->normal) / away);
+  }
+  return largest * view_.chart.unit();
+}
+
+}  // namespace af2

@@ -1,0 +1,119 @@
+// Finds which of many boxes in space meet another one.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+#include "engine/base/point.h"
+
+namespace af2::geometry {
+
+struct Box3 {
+  Point3 low{1e300, 1e300, 1e300}, high{-1e300, -1e300, -1e300};
+
+  void add(const Point3& p) {
+    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+  }
+  void add(const Box3& box) {
+    add(box.low);
+    add(box.high);
+  }
+  bool meets(const Box3& other) const {
+    // Without branches: which of these fails is not to be guessed.
+    return (low.x <= other.high.x) & (other.low.x <= high.x) & (low.y <= other.high.y) &
+           (other.low.y <= high.y) & (low.z <= other.high.z) & (other.low.z <= high.z);
+  }
+  /// Zero inside.
+  double distanceTo(const Point3& p) const;
+};
+
+/// A straight piece of a line, to be held against boxes.
+class Segment3 {
+ public:
+  Segment3(const Point3& from, const Point3& to);
+  /// Whether it meets a box, or passes by so near that rounding may tell so.
+  bool meets(const Box3& box) const;
+
+ private:
+  Point3 middle_, half_;  ///< it runs from middle - half to middle + half
+  Point3 reach_;          ///< half the sides of the box around it
+};
+
+/// A tree over boxes; immutable, so that threads may share it.
+class BoxTree {
+ public:
+  explicit BoxTree(const std::vector<Box3>& boxes);
+
+  /// Calls visit(index) for each box that meets `where`, in an order that depends on the boxes
+  /// alone.
+  ///
+  /// Where  Box3 or Segment3
+  template <class Where = Box3, class Visit>
+  void forEachIn(const Where& where, Visit&& visit) const {
+    if (!nodes_.empty()) walk(0, 0, order_.size(), where, visit);
+  }
+
+  /// The smallest of distance(index) over all boxes, and its index; the lower one of two with the
+  /// same. The distance of what is in a box must not be smaller than that of the box. Nothing
+  /// within `farthest`: kNone.
+  template <class Distance>
+  std::uint32_t nearest(const Point3& p, double farthest, Distance&& distance) const {
+    Nearest best{farthest, kNone};
+    if (!nodes_.empty()) seek(0, 0, order_.size(), p, distance, best);
+    return best.index;
+  }
+  static constexpr std::uint32_t kNone = 0xffffffffu;
+
+ private:
+  static constexpr std::size_t kLeaf = 4;
+  struct Nearest {
+    double distance;
+    std::uint32_t index;
+  };
+  void build(const std::vector<Box3>& boxes, std::size_t node, std::size_t first, std::size_t last);
+  static std::size_t middle(std::size_t first, std::size_t last) {
+    return first + (last - first) / 2;
+  }
+
+  template <class Where, class Visit>
+  void walk(std::size_t node, std::size_t first, std::size_t last, const Where& where,
+            Visit& visit) const {
+    if (!where.meets(nodes_[node])) return;
+    if (last - first <= kLeaf) {
+      for (std::size_t i = first; i < last; ++i)
+        if (where.meets(leaves_[i])) visit(order_[i]);
+      return;
+    }
+    const std::size_t half = middle(first, last);
+    walk(2 * node + 1, first, half, where, visit);
+    walk(2 * node + 2, half, last, where, visit);
+  }
+
+  template <class Distance>
+  void seek(std::size_t node, std::size_t first, std::size_t last, const Point3& p,
+            Distance& distance, Nearest& best) const {
+    if (last - first <= kLeaf) {
+      for (std::size_t i = first; i < last; ++i) {
+        if (leaves_[i].distanceTo(p) > best.distance) continue;
+        const double d = distance(order_[i]);
+        if (d < best.distance || (d == best.distance && order_[i] < best.index))
+          best = {d, order_[i]};
+      }
+      return;
+    }
+    const std::size_t half = middle(first, last), left = 2 * node + 1, right = left + 1;
+    const double toLeft = nodes_[left].distanceTo(p), toRight = nodes_[right].distanceTo(p);
+    const bool leftFirst = toLeft <= toRight;
+    if (leftFirst && toLeft <= best.distance) seek(left, first, half, p, distance, best);
+    if (toRight <= best.distance) seek(right, half, last, p, distance, best);
+    if (!leftFirst && toLeft <= best.distance) seek(left, first, half, p, distance, best);
+  }
+
+  std::vector<Box3> nodes_;           ///< a heap: the halves of node i are 2 i + 1 and 2 i + 2
+  std::vector<std::uint32_t> order_;  ///< the boxes as they lie in the leaves
+  std::vector<Box3> leaves_;          ///< in this order
+};
+
+}  // namespace af2::geometry

@@ -1,0 +1,59 @@
+// The way of a front into the plane of a map, and of its mesh back to the surface.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "engine/run/algorithm.h"
+#include "engine/run/region_split.h"
+#include "engine/surface/size_field.h"
+#include "geometry/charts/plane_map.h"
+
+namespace af2::geometry {
+
+/// A front in the plane z = 0. A vertex of a seam lies on both sides of it: there are as many
+/// vertices here as places.
+struct LaidOutFront {
+  FrontInput input;
+  std::vector<VertexId> original;  ///< by vertex of `input`
+  bool hasTwins = false;           ///< whether some vertex has several places
+};
+
+/// A point of the plane, as the engine sees it.
+inline SurfacePoint pointInPlane(Point2 p) { return {{p.x, p.y, 0}, {0, 0, 1}, p.x, p.y}; }
+inline Point2 placeOf(const SurfacePoint& point) { return {point.position.x, point.position.y}; }
+
+LaidOutFront layOut(const FrontInput& input, const PlaneMap& map);
+
+/// The result of a run in the plane becomes one on the surface, with the vertices of the boundary
+/// as they were given.
+void lift(MeshingResult& result, const LaidOutFront& front, const FrontInput& original,
+          const PlaneMap& map);
+
+/// What the way back may have spoiled in a mesh that was sound in the plane; empty: nothing.
+///
+/// mayLean  elements may lean against the surface as far as they like
+std::string faultOfLifted(const Mesh& mesh, const LaidOutFront& front, const FrontInput& original,
+                          bool mayLean = false);
+
+/// Sizes on the surface as the plane sees them.
+class LaidOutSize final : public SizeField {
+ public:
+  LaidOutSize(const SizeField& size, const PlaneMap& map) : size_(size), map_(map) {}
+  double sizeAt(const SurfacePoint& point) const override {
+    const Point2 place = placeOf(point);
+    return size_.sizeAt(map_.lift(place)) * map_.scaleAt(place);
+  }
+
+ private:
+  const SizeField& size_;
+  const PlaneMap& map_;
+};
+
+/// The plane itself, for cuts between pieces of a face.
+class PlanePoints final : public SurfaceEvaluator {
+ public:
+  SurfacePoint at(double u, double v) const override { return pointInPlane({u, v}); }
+};
+
+}  // namespace af2::geometry

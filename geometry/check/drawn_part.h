@@ -1,0 +1,48 @@
+// Whether some elements of a mesh can be drawn in a plane without overlaps: then they cannot cross
+// each other.
+// Not installed.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+
+#include "geometry/mesh/model_mesh.h"
+
+namespace af2::geometry {
+
+/// Cosine of the most that an element may lean against the plane that it is drawn in.
+inline constexpr double kLeastFacing = 0.1;
+
+/// Some elements of a mesh: those from `first` on, or those at `places` from there on.
+struct MeshPart {
+  const ModelMesh& mesh;
+  std::size_t first = 0, count = 0;
+  const std::uint32_t* places = nullptr;  ///< `count` of them, or null
+
+  /// Calls visit with the normal of each half of a quadrilateral and of each triangle; its length
+  /// is twice the area.
+  template <class Visit>
+  void forEachNormal(std::size_t i, const Visit& visit) const {
+    const auto all = corners(i);
+    const Point3& origin = mesh.vertices[all[0].value];
+    for (std::size_t k = 1; k + 1 < all.size(); ++k)
+      visit(cross(mesh.vertices[all[k].value] - origin, mesh.vertices[all[k + 1].value] - origin));
+  }
+  std::span<const VertexId> corners(std::size_t i) const {
+    return mesh.elements[first + (places ? places[i] : i)].vertices();
+  }
+};
+
+/// Whether all elements of the part look to the side of a plane to which its unit normal points,
+/// and not too flatly.
+bool allFace(const MeshPart& part, const Point3& normal);
+
+/// Whether the part can be seen to lie over itself nowhere: all of its elements look to one side of
+/// a plane, and its outline, drawn in the plane, crosses itself nowhere and has the part on its
+/// left and nothing on its right. False says nothing.
+///
+/// The elements must be conforming and oriented alike.
+bool canBeDrawn(const MeshPart& part);
+
+}  // namespace af2::geometry

@@ -1,0 +1,35 @@
+// Holds the mesh of a model against its boundary: what must hold before a mesh is written.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "geometry/mesh/model_mesh.h"
+
+namespace af2::geometry {
+
+/// Something that should hold of a mesh and does not.
+struct MeshFinding {
+  int face = 0;  ///< where; 0: not on one face
+  std::string what;
+  Point3 place;
+  bool operator==(const MeshFinding&) const = default;
+};
+
+/// Whether the area of the elements of a face can't be that of the CAD face, of which it is
+/// `ratio`. Straight elements have another area than a curved face, or than a plane face with a
+/// curved boundary: a few of them, quite another one.
+bool isWrongArea(double ratio, std::size_t elements);
+
+/// Checks a mesh:
+///   * every corner is a vertex of the mesh, no element repeats a corner or has no area;
+///   * every piece of a model edge is used as often as its faces run along it;
+///   * every other edge is used by two elements of the same face, in opposite directions;
+///   * the area of each complete face is near that of the CAD face.
+/// Findings come in the order of the elements and segments; at most `limit` of them, so that a mesh
+/// that is wrong everywhere does not fill the memory. Large meshes are checked on up to `threads`
+/// threads (0: as many as the caller's TBB arena has).
+std::vector<MeshFinding> checkModelMesh(const ModelMesh& mesh, std::size_t limit = 100,
+                                        int threads = 1);
+
+}  // namespace af2::geometry

@@ -1,0 +1,117 @@
+#include "geometry/check/sound_faces.h"
+
+#include <algorithm>
+
+#include "engine/base/place_text.h"
+#include "geometry/base/parallel.h"
+
+namespace af2::geometry {
+namespace {
+
+/// Enough to find every bad face of a model, and no more than fits into the memory.
+constexpr std::size_t kMostFindings = 1'000'000;
+
+std::string describe(const MeshFinding& finding) {
+  std::string text = "the mesh does not pass its checks: " + finding.what;
+  const Point3& p = finding.place;
+  if (p == Point3{}) return text;  // it is about the whole face
+  return text + ", near " + textOf(p);
+}
+
+bool isOneOf(const std::vector<int>& sorted, int id) {
+  return std::ranges::binary_search(sorted, id);
+}
+
+/// Removes vertices and segments that nothing refers to any more.
+void dropUnusedVertices(ModelMesh& mesh) {
+  std::vector<bool> used(mesh.vertices.size(), false);
+  for (const Element& element : mesh.elements) {
+    for (const VertexId vertex : element.vertices()) used[vertex.value] = true;
+  }
+  std::vector<VertexId> renumbered(mesh.vertices.size());
+  std::size_t count = 0;
+  for (std::size_t v = 0; v < used.size(); ++v) {
+    if (!used[v]) continue;
+    mesh.vertices[count] = mesh.vertices[v];
+    if (!mesh.wantedSizes.empty()) mesh.wantedSizes[count] = mesh.wantedSizes[v];
+    renumbered[v] = VertexId(count++);
+  }
+  mesh.vertices.resize(count);
+  if (!mesh.wantedSizes.empty()) mesh.wantedSizes.resize(count);
+  for (Element& element : mesh.elements) {
+    for (VertexId& corner : element.corners) {
+      if (!corner.isNone()) corner = renumbered[corner.value];
+    }
+  }
+  std::erase_if(mesh.segments,
+                [&](const EdgeSegment& s) { return !used[s.from.value] || !used[s.to.value]; });
+  for (EdgeSegment& segment : mesh.segments) {
+    segment.from = renumbered[segment.from.value];
+    segment.to = renumbered[segment.to.value];
+  }
+}
+
+/// A face without width needs no elements beside others that have some. Where none has, the size is
+/// far too large, or the model is nothing.
+void failFacesWithoutElements(ModelMesh& mesh) {
+  for (FaceReport& face : mesh.faces) {
+    if (face.status != FaceStatus::Complete) continue;
+    face.status = FaceStatus::Failed;
+    face.reason += (face.reason.empty() ? "" : "; ");
+    face.reason += "nothing of the model is to be seen at this size; ask for a smaller one";
+  }
+}
+
+}  // namespace
+
+void dropElements(ModelMesh& mesh, const std::vector<int>& faces) {
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < mesh.elements.size(); ++i) {
+    if (isOneOf(faces, mesh.face[i])) continue;
+    mesh.elements[kept] = mesh.elements[i];
+    mesh.face[kept] = mesh.face[i];
+    mesh.rule[kept++] = mesh.rule[i];
+  }
+  mesh.elements.resize(kept);
+  mesh.face.resize(kept);
+  mesh.rule.resize(kept);
+  dropUnusedVertices(mesh);
+}
+
+MeshFaults faultsOf(const ModelMesh& mesh, bool mayCross, int threads) {
+  MeshFaults faults;
+  forEachInParallel(2, threads, [&](std::size_t k) {
+    if (k == 1)
+      faults.findings = checkModelMesh(mesh, kMostFindings, threads);
+    else if (mayCross)
+      faults.crossings = elementCrossings(mesh, [&](std::size_t count, const auto& work) {
+        forEachInParallel(count, threads, work);
+      });
+  });
+  return faults;
+}
+
+std::vector<std::string> keepSoundFaces(ModelMesh& mesh, const MeshFaults& faults) {
+  std::vector<std::string> elsewhere;
+  std::vector<int> bad;
+  const auto giveUp = [&](const MeshFinding& finding) {
+    const auto face = std::ranges::find(mesh.faces, finding.face, &FaceReport::id);
+    if (face == mesh.faces.end()) {
+      elsewhere.push_back(describe(finding));
+      return;
+    }
+    if (isOneOf(bad, face->id)) return;
+    bad.insert(std::ranges::upper_bound(bad, face->id), face->id);
+    if (face->status == FaceStatus::Complete) face->status = FaceStatus::Failed;
+    face->elements = 0;
+    face->reason = describe(finding);
+  };
+  for (const MeshFinding& finding : faults.findings) giveUp(finding);
+  for (const MeshFinding& finding : facesThatCross(faults.crossings, std::vector(bad)))
+    giveUp(finding);
+  if (!bad.empty()) dropElements(mesh, bad);
+  if (mesh.elements.empty()) failFacesWithoutElements(mesh);
+  return elsewhere;
+}
+
+}  // namespace af2::geometry

@@ -1,0 +1,17 @@
+// What is awkward in a planar domain or a surface of triangles, against the size of a mesh.
+#pragma once
+
+#include <vector>
+
+#include "geometry/domain/domain_model.h"
+#include "geometry/mesh/defect.h"
+
+namespace af2::geometry {
+
+/// Tiny edges and slivers, from the most to the least severe; of a surface of triangles also edges
+/// with one face or with more than two, in the order of the model.
+///
+/// size  edge length of a mesh, > 0
+std::vector<Defect> findDefects(const DomainModel& model, double size);
+
+}  // namespace af2::geometry

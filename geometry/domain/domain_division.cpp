@@ -1,0 +1,225 @@
+#include "geometry/domain/domain_division.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "engine/base/error.h"
+#include "geometry/domain/points_on_curve.h"
+#include "geometry/edges/curve_division.h"
+
+namespace af2::geometry {
+
+namespace {
+
+/// A curve with the sizes that are wanted at some of its parameters.
+struct Samples {
+  std::vector<double> parameters;
+  SampledCurve curve;
+};
+
+class Division {
+ public:
+  Division(const DomainModel& model, const DomainSizes& sizes, const EdgePoints& given)
+      : model_(model), sizes_(sizes), given_(given), faces_(model.curves.size()) {
+    for (std::size_t f = 0; f < model.faces.size(); ++f)
+      for (const auto& loop : model.faces[f].loops)
+        for (const CurveUse& use : loop) faces_[use.curve].push_back(f);
+  }
+
+  DividedEdges divide(double growth) {
+    std::vector<SampledCurve> curves;
+    std::vector<CurveEnds> ends;
+    std::vector<std::vector<double>> parameters;
+    for (std::size_t c = 0; c < model_.curves.size(); ++c) {
+      Samples samples = isFixed(c) ? unlimited() : sample(c);
+      ends.push_back({model_.curves[c].first, model_.curves[c].last});
+      samples.curve.ends = ends.back();
+      parameters.push_back(std::move(samples.parameters));
+      curves.push_back(std::move(samples.curve));
+    }
+    gradeTogether(curves, model_.corners.size(), growth);
+    const std::vector<std::size_t> least = leastSegments(ends);
+    result_.points = model_.corners;
+    for (std::size_t c = 0; c < curves.size(); ++c)
+      result_.edges.push_back(isFixed(c) ? fixed(c, least[c])
+                                         : divided(c, curves[c], parameters[c], least[c]));
+    return std::move(result_);
+  }
+
+ private:
+  const EdgePoints::mapped_type* givenFor(std::size_t c) const {
+    const auto found = given_.find(model_.curves[c].id);
+    return found == given_.end() ? nullptr : &found->second;
+  }
+  bool isFixed(std::size_t c) const { return model_.curves[c].isKept || givenFor(c); }
+
+  double wantedAt(std::size_t c, const Point3& p) const {
+    const auto own = sizes_.onEdge.find(model_.curves[c].id);
+    double wanted = own == sizes_.onEdge.end() ? onFacesBeside(c) : own->second;
+    wanted = std::min(wanted, model_.curves[c].largest);
+    for (const std::size_t f : faces_[c])
+      if (sizes_.limits[f]) wanted = std::min(wanted, sizes_.limits[f]->sizeAt({p, {}, 0, 0}));
+    wanted = sizes_.byPosition.at(p, wanted);
+    return sizes_.nearLoosePoints ? std::min(wanted, sizes_.nearLoosePoints->at(p)) : wanted;
+  }
+
+  double onFacesBeside(std::size_t c) const {
+    double wanted = std::numeric_limits<double>::infinity();
+    for (const std::size_t f : faces_[c]) wanted = std::min(wanted, sizes_.onFace[f]);
+    return wanted;
+  }
+
+  /// Of a curve whose division is fixed, so that it has no say in that of others.
+  static Samples unlimited() {
+    constexpr double kNone = DomainCurve::kNoLimit, kFar = 1e300;
+    return {{}, {{}, {0, kFar}, {kNone, kNone}}};
+  }
+
+  /// At the knots, and between them where these are far apart.
+  Samples sample(std::size_t c) const {
+    constexpr double kDenser = 8;
+    constexpr int kMostRounds = 4;
+    const bool isVaried = sizes_.byPosition.isVaried() || sizes_.nearLoosePoints || !model_.isFlat;
+    double perSize = isVaried ? kDenser : 1;
+    Samples samples = sampled(c, perSize);
+    for (int round = 0; isVaried && !isFine(samples.curve) && round < kMostRounds; ++round) {
+      perSize *= kDenser;
+      samples = sampled(c, perSize);
+    }
+    return samples;
+  }
+
+  /// Whether no cell is long against the size at its end.
+  static bool isFine(const SampledCurve& curve) {
+    constexpr double kMostOfSize = 0.25;
+    for (std::size_t i = 1; i < curve.sizes.size(); ++i)
+      if (curve.arcLength[i] - curve.arcLength[i - 1] > kMostOfSize * curve.sizes[i]) return false;
+    return true;
+  }
+
+  Samples sampled(std::size_t c, double perSize) const {
+    const DomainCurve& curve = model_.curves[c];
+    Samples samples;
+    Point3 from = curve.pointAt(curve.knots[0]);
+    double fromSize = wantedAt(c, from);
+    add(curve.knots[0], 0, fromSize, samples);
+    for (std::size_t k = 1; k < curve.knots.size(); ++k) {
+      const Point3 to = curve.pointAt(curve.knots[k]);
+      const double length = distance(from, to), toSize = limitedByTurn(c, k, wantedAt(c, to));
+      const double start = samples.curve.arcLength.back();
+      const std::size_t cells = cellsFor(perSize * length / std::min(fromSize, toSize), samples);
+      for (std::size_t i = 1; i <= cells; ++i) {
+        const double within = static_cast<double>(i) / static_cast<double>(cells);
+        const double t = curve.knots[k - 1] + within * (curve.knots[k] - curve.knots[k - 1]);
+        add(i == cells ? curve.knots[k] : t, start + within * length,
+            i == cells ? toSize : wantedAt(c, curve.pointAt(t)), samples);
+      }
+      from = to;
+      fromSize = toSize;
+    }
+    return samples;
+  }
+
+  static void add(double parameter, double arcLength, double size, Samples& samples) {
+    samples.parameters.push_back(parameter);
+    samples.curve.arcLength.push_back(arcLength);
+    samples.curve.sizes.push_back(size);
+  }
+
+  std::size_t cellsFor(double wanted, const Samples& samples) const {
+    constexpr double kMost = 1e7;
+    if (!(wanted + static_cast<double>(samples.parameters.size()) < kMost))
+      throw InputError(model_.name +
+                       ": an edge would need more than a million segments; ask for a larger size");
+    return static_cast<std::size_t>(std::max(1.0, std::ceil(wanted)));
+  }
+
+  /// At a knot the curve may turn.
+  double limitedByTurn(std::size_t c, std::size_t knot, double size) const {
+    const DomainCurve& curve = model_.curves[c];
+    if (knot + 1 >= curve.knots.size()) return size;
+    const Point3 p = curve.pointAt(curve.knots[knot - 1]), q = curve.pointAt(curve.knots[knot]),
+                 r = curve.pointAt(curve.knots[knot + 1]);
+    const double turn = distance(unit(q - p), unit(r - q));
+    if (turn == 0) return size;
+    const double radius = (distance(p, q) + distance(q, r)) / 2 / turn;
+    return sizes_.byPosition.bounded(
+        std::min(size, sizes_.byPosition.turnLimit(radius, model_.leastAtTurns)));
+  }
+
+  /// 0 if turns are not to have their elements.
+  double segmentsByTurn(std::size_t c) const {
+    const double mostTurn = sizes_.byPosition.turnOfSegment();
+    if (mostTurn == 0) return 0;
+    std::vector<Point3> points;
+    for (const double knot : model_.curves[c].knots)
+      points.push_back(model_.curves[c].pointAt(knot));
+    return turnAlong(points) / mostTurn;
+  }
+
+  DividedEdge divided(std::size_t c, const SampledCurve& sizes,
+                      const std::vector<double>& parameters, std::size_t least) {
+    const DomainCurve& curve = model_.curves[c];
+    const std::vector<double> count = segmentsAlong(sizes.arcLength, sizes.sizes);
+    DividedEdge edge = begun(c);
+    const std::size_t segments = std::max(least, wholeSegments(count.back(), segmentsByTurn(c)));
+    for (const CurvePlace& place : equalShares(count, segments)) {
+      const double t = place.between(parameters);
+      add(t, curve.pointAt(t), edge);
+    }
+    return ended(c, std::move(edge));
+  }
+
+  DividedEdge fixed(std::size_t c, std::size_t least) {
+    const DomainCurve& curve = model_.curves[c];
+    DividedEdge edge = begun(c);
+    if (const auto* points = givenFor(c)) {
+      const PlacedPoints placed = placeOnCurve(curve, *points, least);
+      for (std::size_t i = 0; i < placed.points.size(); ++i)
+        add(placed.parameters[i + 1], placed.points[i], edge);
+    } else {
+      for (std::size_t i = 1; i < least; ++i) {
+        const double t = curve.knots.front() + static_cast<double>(i) / static_cast<double>(least) *
+                                                   (curve.knots.back() - curve.knots.front());
+        add(t, curve.pointAt(t), edge);
+      }
+    }
+    return ended(c, std::move(edge));
+  }
+
+  DividedEdge begun(std::size_t c) const {
+    const DomainCurve& curve = model_.curves[c];
+    DividedEdge edge;
+    edge.parameters.push_back(curve.knots.front());
+    edge.points.push_back(static_cast<std::uint32_t>(curve.first));
+    return edge;
+  }
+  void add(double parameter, const Point3& point, DividedEdge& edge) {
+    edge.parameters.push_back(parameter);
+    edge.points.push_back(static_cast<std::uint32_t>(result_.points.size()));
+    result_.points.push_back(point);
+  }
+  DividedEdge ended(std::size_t c, DividedEdge edge) const {
+    const DomainCurve& curve = model_.curves[c];
+    edge.parameters.push_back(curve.knots.back());
+    edge.points.push_back(static_cast<std::uint32_t>(curve.last));
+    return edge;
+  }
+
+  const DomainModel& model_;
+  const DomainSizes& sizes_;
+  const EdgePoints& given_;
+  std::vector<std::vector<std::size_t>> faces_;  ///< by curve: those beside it
+  DividedEdges result_;
+};
+
+}  // namespace
+
+DividedEdges divideCurves(const DomainModel& model, const DomainSizes& sizes, double growth,
+                          const EdgePoints& given) {
+  return Division(model, sizes, given).divide(growth);
+}
+
+}  // namespace af2::geometry

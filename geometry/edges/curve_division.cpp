@@ -1,0 +1,81 @@
+#include "geometry/edges/curve_division.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace af2::geometry {
+
+void gradeAlong(std::span<const double> s, std::span<double> h, double growth) {
+  for (std::size_t i = 1; i < h.size(); ++i)
+    h[i] = std::min(h[i], h[i - 1] + growth * (s[i] - s[i - 1]));
+  for (std::size_t i = h.size() - 1; i-- > 0;)
+    h[i] = std::min(h[i], h[i + 1] + growth * (s[i + 1] - s[i]));
+}
+
+std::vector<double> segmentsAlong(std::span<const double> arcLength,
+                                  std::span<const double> sizes) {
+  std::vector<double> count(sizes.size(), 0);
+  for (std::size_t i = 1; i < count.size(); ++i)
+    count[i] = count[i - 1] + 2 * (arcLength[i] - arcLength[i - 1]) / (sizes[i - 1] + sizes[i]);
+  return count;
+}
+
+std::vector<CurvePlace> equalShares(std::span<const double> count, std::size_t segments) {
+  std::vector<CurvePlace> places;
+  std::size_t cell = 1;
+  for (std::size_t k = 1; k < segments; ++k) {
+    const double target = count.back() * static_cast<double>(k) / static_cast<double>(segments);
+    while (cell + 1 < count.size() && count[cell] < target) ++cell;
+    places.push_back({cell - 1, (target - count[cell - 1]) / (count[cell] - count[cell - 1])});
+  }
+  return places;
+}
+
+double turnAlong(std::span<const Point3> points) {
+  double turn = 0;
+  Point3 before = unit(points[1] - points[0]);
+  for (std::size_t i = 2; i < points.size(); ++i) {
+    const Point3 here = unit(points[i] - points[i - 1]);
+    turn += distance(before, here);
+    before = here;
+  }
+  const auto cells = static_cast<double>(points.size() - 1);
+  return cells > 1 ? turn * cells / (cells - 1) : 0;  // each chord turns half as much at its ends
+}
+
+std::size_t wholeSegments(double count, double byTurn, double share) {
+  constexpr double kStraight = 0.25;  // of the turn that a segment may have
+  constexpr double kRounding = 0.01;
+  const auto nearest = static_cast<std::size_t>(std::max(1.0, std::floor(count + 0.5)));
+  if (byTurn < kStraight * static_cast<double>(nearest)) return nearest;
+  const double enough = std::max(share * count, std::min(byTurn, count));
+  return std::max(nearest, static_cast<std::size_t>(std::ceil(enough - kRounding)));
+}
+
+void gradeTogether(std::vector<SampledCurve>& curves, std::size_t points, double growth) {
+  constexpr int kRounds = 3;  // a short curve passes a small size on to those beyond it
+  std::vector<double> atPoint(points, 1e300);
+  for (int round = 0; round < kRounds; ++round) {
+    for (SampledCurve& curve : curves) {
+      double &first = atPoint[curve.ends.first], &last = atPoint[curve.ends.last];
+      curve.sizes.front() = std::min(curve.sizes.front(), first);
+      curve.sizes.back() = std::min(curve.sizes.back(), last);
+      gradeAlong(curve.arcLength, curve.sizes, growth);
+      first = std::min(first, curve.sizes.front());
+      last = std::min(last, curve.sizes.back());
+    }
+  }
+}
+
+std::vector<std::size_t> leastSegments(const std::vector<CurveEnds>& curves) {
+  std::map<std::pair<std::size_t, std::size_t>, std::size_t> sameEnds;
+  const auto key = [](CurveEnds ends) { return std::minmax({ends.first, ends.last}); };
+  for (const CurveEnds ends : curves) ++sameEnds[key(ends)];
+  std::vector<std::size_t> least;
+  for (const CurveEnds ends : curves)
+    least.push_back(ends.first == ends.last ? 3 : sameEnds[key(ends)] > 1 ? 2 : 1);
+  return least;
+}
+
+}  // namespace af2::geometry

@@ -1,0 +1,333 @@
+#include "geometry/fill/diagnose_face.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "engine/mesh/element_shape.h"
+#include "engine/mesh/mesh_check.h"
+#include "geometry/check/boundary_crossings.h"
+#include "geometry/check/model_check.h"
+
+namespace af2::geometry {
+
+namespace {
+
+constexpr double kFiner = 0.5;
+/// Where segments cross, what is between their curves may be far narrower than they are long.
+constexpr double kMuchFiner = 0.3;
+/// More places than this at once would not make the next try better, only slower.
+constexpr std::size_t kMostPlaces = 20'000;
+
+/// Angles below this are opened, in degrees.
+constexpr double kLeastAngle = 5;
+/// Where that is possible, to so many times what they are, within these bounds: what shorter edges
+/// cost grows as fast.
+constexpr double kOpening = 4, kLowestAim = 1, kHighestAim = 10;
+constexpr double kLeastShare = 0.02;
+/// Elements with such angles are hardly of use.
+constexpr double kBadAngle = 0.7;
+/// Curved and round faces may lose this share of their area to straight edges.
+constexpr double kMostAreaError = 0.05, kWantedAreaError = 0.04;
+
+Point3 middle(const Point3& a, const Point3& b) { return 0.5 * (a + b); }
+
+void addEdge(std::vector<SizeSource>& places, const Point3& a, const Point3& b, double share) {
+  if (places.size() < kMostPlaces) places.push_back({middle(a, b), share * distance(a, b)});
+}
+
+void addStuck(const MeshingResult& result, std::vector<SizeSource>& places) {
+  for (const StuckEdge& edge : result.stuck)
+    addEdge(places, result.mesh.vertices[edge.from.value].position,
+            result.mesh.vertices[edge.to.value].position, kFiner);
+}
+
+void addFaults(const MeshingResult& result, const MeshBoundary& boundary,
+               std::vector<SizeSource>& places) {
+  if (result.outcome != Outcome::Complete || result.mesh.vertices.empty()) return;
+  const auto at = [&](VertexId v) -> const Point3& {
+    return result.mesh.vertices[v.value].position;
+  };
+  const auto addElement = [&](const Element& element) {
+    const auto c = element.vertices();
+    for (std::size_t i = 0; i < c.size(); ++i)
+      addEdge(places, at(c[i]), at(c[(i + 1) % c.size()]), kFiner);
+  };
+  for (const Element& element : result.mesh.elements)
+    if (leans(result.mesh, element)) addElement(element);
+  for (const MeshFault& fault : checkMesh(result.mesh, boundary)) {
+    if (!fault.element.isNone()) {
+      addElement(result.mesh.elements[fault.element.value]);
+    } else if (!fault.from.isNone() && !fault.to.isNone()) {
+      addEdge(places, at(fault.from), at(fault.to), kFiner);
+    }
+  }
+}
+
+void addSegment(const FrontInput& input, SegmentPlace place, double share,
+                std::vector<SizeSource>& places) {
+  const auto& loop = input.loops[place.loop];
+  addEdge(places, loop[place.corner].point.position,
+          loop[(place.corner + 1) % loop.size()].point.position, share);
+}
+
+void addCrossings(const ChartedSurface& surface, const FaceBoundary& boundary,
+                  std::vector<SizeSource>& places) {
+  if (boundary.input.loops.empty()) return;
+  if (!surface.isPlane() && !(boundary.closedInParameters && surface.inParameters())) return;
+  constexpr std::size_t kMostCrossings = 2000;
+  const BoundaryPicture picture(surface, boundary.input);
+  for (const auto& [a, b] : crossingsOf(boundary.input, picture, kMostCrossings)) {
+    addSegment(boundary.input, a, kMuchFiner, places);
+    addSegment(boundary.input, b, kMuchFiner, places);
+  }
+}
+
+void addBoundary(const FrontInput& input, double share, std::vector<SizeSource>& places) {
+  for (std::size_t l = 0; l < input.loops.size(); ++l)
+    for (std::size_t i = 0; i < input.loops[l].size(); ++i)
+      addSegment(input, {l, i}, share, places);
+}
+
+/// The least angle of an element in degrees.
+double leastAngle(const Mesh& mesh, std::span<const VertexId> c) {
+  double least = 180;
+  for (std::size_t i = 0; i < c.size(); ++i) {
+    const auto at = [&](std::size_t k) -> const Point3& {
+      return mesh.vertices[c[k % c.size()].value].position;
+    };
+    const Point3 p = at(i + 1) - at(i), q = at(i + c.size() - 1) - at(i);
+    least = std::min(least, std::atan2(length(cross(p, q)), dot(p, q)));
+  }
+  return least * 180 / 3.14159265358979323846;
+}
+
+constexpr double kSharpTangent = 0.09;  // of a little more than kLeastAngle
+
+/// Whether the angle between two edges is below kLeastAngle, or nearly so.
+///
+/// turned  the square of their cross product
+bool isSharp(double along, double turned) {
+  return along >= 0 && turned <= kSharpTangent * kSharpTangent * along * along;
+}
+
+/// Whether some angle is: nearly all are not.
+bool hasSharpAngle(const Mesh& mesh, std::span<const VertexId> c) {
+  const auto at = [&](std::size_t i) -> const Point3& {
+    return mesh.vertices[c[i].value].position;
+  };
+  if (c.size() == 3) {
+    const Point3 p = at(1) - at(0), q = at(2) - at(1), r = at(0) - at(2);
+    const Point3 normal = cross(p, q);
+    const double turned = dot(normal, normal);
+    return isSharp(-dot(p, q), turned) || isSharp(-dot(q, r), turned) ||
+           isSharp(-dot(r, p), turned);
+  }
+  for (std::size_t i = 0; i < c.size(); ++i) {
+    const Point3 p = at(i + 1 == c.size() ? 0 : i + 1) - at(i);
+    const Point3 q = at(i == 0 ? c.size() - 1 : i - 1) - at(i);
+    const Point3 normal = cross(p, q);
+    if (isSharp(dot(p, q), dot(normal, normal))) return true;
+  }
+  return false;
+}
+
+/// All along its longest edge an element wants a share of that.
+void openAngle(const Mesh& mesh, std::span<const VertexId> c, double share,
+               std::vector<SizeSource>& places) {
+  constexpr double kApart = 2;  // sizes between two sources grow to 1.3 times theirs
+  std::size_t longest = 0;
+  const auto at = [&](std::size_t i) -> const Point3& {
+    return mesh.vertices[c[i % c.size()].value].position;
+  };
+  for (std::size_t i = 1; i < c.size(); ++i)
+    if (distance(at(i), at(i + 1)) > distance(at(longest), at(longest + 1))) longest = i;
+  const Point3 from = at(longest), along = at(longest + 1) - from;
+  const double size = share * length(along);
+  const double count = std::ceil(1 / (kApart * share));
+  for (double k = 0; k < count && places.size() < kMostPlaces; ++k)
+    places.push_back({from + (k + 0.5) / count * along, size});
+}
+
+/// Above the longest edge of an element.
+double heightOf(const Mesh& mesh, std::span<const VertexId> c) {
+  const auto at = [&](std::size_t i) -> const Point3& {
+    return mesh.vertices[c[i % c.size()].value].position;
+  };
+  double longest = 0;
+  for (std::size_t i = 0; i < c.size(); ++i)
+    longest = std::max(longest, distance(at(i), at(i + 1)));
+  return length(cross(at(1) - at(0), at(2) - at(0))) / longest;
+}
+
+/// The corners of a face that are sharper than any element should be. In such a wedge all elements
+/// are thin, however short their edges are.
+class SharpCorners {
+ public:
+  SharpCorners(const Mesh& mesh, const FrontInput& boundary) : mesh_(mesh) {
+    std::vector<int> uses(mesh.vertices.size(), 0);
+    for (const Element& element : mesh.elements)
+      for (const VertexId v : element.vertices()) ++uses[v.value];
+    for (const auto& loop : boundary.loops)
+      for (std::size_t i = 0; i < loop.size(); ++i)
+        if (uses[loop[i].vertex.value] == 1) add(loop, i);
+  }
+
+  /// Whether an element is as thin as a wedge that it lies in.
+  bool hold(std::span<const VertexId> c) const {
+    constexpr double kMost = 1.5, kLeast = 0.3;  // height over width of the wedge
+    return std::ranges::any_of(corners_, [&](const Corner& corner) {
+      double far = 0;
+      for (const VertexId v : c) far = std::max(far, distance(at(v), corner.place));
+      const double width = corner.tangent * far, height = heightOf(mesh_, c);
+      return height < kMost * width && height > kLeast * width;
+    });
+  }
+
+ private:
+  struct Corner {
+    Point3 place;
+    double tangent;
+  };
+
+  const Point3& at(VertexId v) const { return mesh_.vertices[v.value].position; }
+
+  void add(const std::vector<BoundaryCorner>& loop, std::size_t i) {
+    constexpr double kBlunt = 0.7;
+    const double first = tangentAt(loop, i, 1), second = tangentAt(loop, i, 2);
+    if (!(first > 0) || first >= kSharpTangent) return;
+    // What narrows more slowly than it gets nearer has a blunt end: there shorter edges are better.
+    if (second < kBlunt * first) return;
+    corners_.push_back({loop[i].point.position, first});
+  }
+
+  /// Of the angle that two sides make at a corner, each so many segments long; infinite beyond 90
+  /// degrees.
+  static double tangentAt(const std::vector<BoundaryCorner>& loop, std::size_t i,
+                          std::size_t steps) {
+    const std::size_t n = loop.size();
+    const Point3& place = loop[i].point.position;
+    const Point3 p = loop[(i + steps) % n].point.position - place;
+    const Point3 q = loop[(i + n - steps) % n].point.position - place;
+    const double along = dot(p, q);
+    return along > 0 ? length(cross(p, q)) / along : std::numeric_limits<double>::infinity();
+  }
+
+  const Mesh& mesh_;
+  std::vector<Corner> corners_;
+};
+
+/// Edges as long as the height of the element allows at the wanted angle.
+///
+/// A few merely poor elements among very many do not count: to mesh the face again would cost more
+/// than it could bring.
+///
+/// unseen  heights below this would take far too many elements
+void openAngles(const Mesh& mesh, const FrontInput& boundary, double unseen,
+                FaceDiagnosis& diagnosis) {
+  constexpr std::size_t kManyForOnePoor = 2000;
+  std::optional<SharpCorners> corners;  // seldom asked for
+  FaceDiagnosis found;
+  std::size_t poor = 0;
+  for (const Element& element : mesh.elements) {
+    const auto c = element.vertices();
+    if (!hasSharpAngle(mesh, c)) continue;
+    const double angle = leastAngle(mesh, c);
+    if (angle >= kLeastAngle) continue;
+    found.hasBadAngle = found.hasBadAngle || angle < kBadAngle;
+    if (!corners) corners.emplace(mesh, boundary);
+    if (corners->hold(c) || heightOf(mesh, c) < unseen) continue;
+    ++poor;
+    found.isBad = found.isBad || angle < kBadAngle;
+    // The worst one counts: shorter edges make more of them, though better ones.
+    found.poorness = std::max(found.poorness, std::log(kLeastAngle / std::max(angle, 1e-6)));
+    const double aim = std::clamp(kOpening * angle, kLowestAim, kHighestAim);
+    openAngle(mesh, c, std::max(angle / aim, kLeastShare), found.places);
+  }
+  const bool isWorthIt = found.isBad || poor * kManyForOnePoor >= mesh.elements.size();
+  if (!isWorthIt) found = {{}, 0, false, found.hasBadAngle};
+  diagnosis = std::move(found);
+}
+
+void addElements(const Mesh& mesh, double share, std::vector<SizeSource>& places) {
+  for (const Element& element : mesh.elements) {
+    const auto c = element.vertices();
+    for (std::size_t i = 0; i < c.size(); ++i) {
+      const VertexId from = c[i], to = c[(i + 1) % c.size()];
+      if (from < to)  // else the element on the other side adds it
+        addEdge(places, mesh.vertices[from.value].position, mesh.vertices[to.value].position,
+                share);
+    }
+  }
+}
+
+}  // namespace
+
+BoundaryPicture::BoundaryPicture(const ChartedSurface& surface, const FrontInput& boundary)
+    : isPlane_(surface.isPlane()), axes_(boundary.loops[0][0].point) {
+  if (isPlane_) return;
+  double du = 0, dv = 0;
+  std::size_t count = 0;
+  for (const auto& loop : boundary.loops)
+    for (const BoundaryCorner& corner : loop) {
+      const auto frame = surface.inParameters()->frameAt(corner.point.u, corner.point.v);
+      du += length(frame.du);
+      dv += length(frame.dv);
+      ++count;
+    }
+  u_ = du / static_cast<double>(count);
+  v_ = (surface.inParameters()->isFlipped() ? -1 : 1) * dv / static_cast<double>(count);
+}
+
+Point2 BoundaryPicture::operator()(const SurfacePoint& point) const {
+  return isPlane_ ? axes_(point) : Point2{u_ * point.u, v_ * point.v};
+}
+
+FaceDiagnosis diagnoseFailure(const ChartedSurface& surface, const FaceBoundary& boundary,
+                              const std::vector<MeshingResult>& results) {
+  FaceDiagnosis diagnosis;
+  diagnosis.poorness = 1e300;
+  diagnosis.isBad = true;
+  const MeshBoundary kept = boundaryOf(boundary.input);
+  for (const MeshingResult& result : results) {
+    addStuck(result, diagnosis.places);
+    addFaults(result, kept, diagnosis.places);
+  }
+  addCrossings(surface, boundary, diagnosis.places);
+  return diagnosis;
+}
+
+FaceDiagnosis diagnoseMesh(const Mesh& mesh, const FaceBoundary& boundary, bool isPlane,
+                           double area, double unseen) {
+  FaceDiagnosis diagnosis;
+  openAngles(mesh, boundary.input, unseen, diagnosis);
+  if (!(area > 0)) return diagnosis;
+  const double ratio = areaOfElements(mesh) / area, error = std::abs(ratio - 1);
+  if (!(error > kMostAreaError)) return diagnosis;
+  diagnosis.isBad = true;
+  diagnosis.hasWrongArea = isWrongArea(ratio, mesh.elements.size());
+  diagnosis.poorness += error / kMostAreaError - 1;
+  // What a chord cuts off goes with the third power of its length, their number with the first.
+  const double share = std::clamp(std::sqrt(kWantedAreaError / error), 0.3, 0.8);
+  addBoundary(boundary.input, share, diagnosis.places);
+  if (!isPlane) addElements(mesh, share, diagnosis.places);
+  return diagnosis;
+}
+
+double areaOfElements(const Mesh& mesh) {
+  double area = 0;
+  for (const Element& element : mesh.elements) {
+    const auto c = element.vertices();
+    const auto at = [&](std::size_t i) -> const Point3& {
+      return mesh.vertices[c[i].value].position;
+    };
+    Point3 sum;
+    for (std::size_t i = 1; i + 1 < c.size(); ++i)
+      sum = sum + cross(at(i) - at(0), at(i + 1) - at(0));
+    area += length(sum) / 2;
+  }
+  return area;
+}
+
+}  // namespace af2::geometry

@@ -1,0 +1,126 @@
+#include "geometry/fill/face_filling.h"
+
+#include <algorithm>
+#include <iterator>
+#include <string>
+
+#include "engine/base/error.h"
+#include "engine/base/stopwatch.h"
+#include "engine/optimize/optimize.h"
+#include "geometry/fill/close_front.h"
+#include "geometry/fill/stuck_front.h"
+#include "geometry/mesh/fans.h"
+
+namespace af2::geometry {
+
+namespace {
+
+/// The middle of a side on the surface; where that cannot be reached, of the straight side.
+Point3 middleOf(const SurfacePoint& from, const SurfacePoint& to,
+                const AF2LocalTransformMaker& charts) {
+  const Point3 straight = 0.5 * (from.position + to.position);
+  const double side = distance(from.position, to.position);
+  try {
+    ChartSlot slot;
+    const auto middle =
+        charts.makeLocalTransformIn(slot, from, to, side).transformToSurface({0.5, 0});
+    if (middle && distance(middle->position, straight) < side / 2) return middle->position;
+  } catch (const GeometryError&) {
+  }
+  return straight;
+}
+
+/// Through the chart of each side, which goes back to the surface from the middle of the side.
+void findMiddles(const ChartedSurface& surface, const Mesh& meshed, FaceMesh& mesh) {
+  const auto charts =
+      surface.makeCharts(surface.isPlane() ? ChartKind::Plane : ChartKind::MeanNormal);
+  for (const Element& element : meshed.elements) {
+    SideMiddles& middles = mesh.middles.emplace_back();
+    const auto corners = element.vertices();
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      // The same way round for the elements on both sides.
+      const auto [first, last] = std::minmax(corners[i], corners[(i + 1) % corners.size()]);
+      middles[i] = middleOf(meshed.vertices[first.value], meshed.vertices[last.value], *charts);
+    }
+  }
+}
+
+void optimize(const FaceTask& task, FaceAttempt& attempt, FaceMesh& mesh) {
+  const Stopwatch watch;
+  const FrontInput& input = task.boundary.input;
+  // Charts in parameters know a vertex of a seam on one of its sheets only.
+  const bool inParameters =
+      attempt.chart == ChartKind::Parametric || attempt.chart == ChartKind::Affine;
+  if (inParameters && hasTwoSheets(input))
+    attempt.charts = task.surface.makeCharts(ChartKind::MeanNormal);
+  OptimizeOptions options;
+  const RuleSet& rules = task.algorithm.rules();
+  if (rules.makesQuads()) options.closingRule = closingRule(rules);
+  options.stop = task.options.stop;
+  optimizeMesh(attempt.result.mesh, boundaryOf(input), *attempt.charts, options);
+  mesh.optimizeSeconds += watch.seconds();
+}
+
+void take(MeshingResult& result, FaceBoundary& boundary, FaceMesh& mesh) {
+  mesh.boundary = std::move(boundary.points);
+  mesh.uses = std::move(boundary.uses);
+  const auto& vertices = result.mesh.vertices;
+  mesh.inside.reserve(vertices.size() - mesh.boundary.size());
+  for (std::size_t i = mesh.boundary.size(); i < vertices.size(); ++i)
+    mesh.inside.push_back(vertices[i].position);
+  mesh.elements = std::move(result.mesh.elements);
+  mesh.rule = std::move(result.mesh.rule);
+  mesh.report.elements = mesh.elements.size();
+}
+
+FaceAttempt fill(const FaceTask& task, FaceMesh& mesh) {
+  try {
+    return fillFace(task);
+  } catch (...) {
+    mesh.diagnosis = diagnoseFailure(task.surface, task.boundary, {});
+    throw;
+  }
+}
+
+[[noreturn]] void giveUp(const FaceFilling& filling, const FaceAttempt& attempt, FaceMesh& mesh) {
+  mesh.diagnosis = diagnoseFailure(filling.task.surface, filling.task.boundary, attempt.failures);
+  if (!attempt.failures.empty()) mesh.report.stuck = stuckPlaces(attempt.failures.front());
+  if (filling.findParameters) filling.findParameters(mesh.report.stuck);
+  throw GeometryError(attempt.fault);
+}
+
+}  // namespace
+
+void fillInto(const FaceFilling& filling, FaceBoundary& boundary, FaceMesh& mesh) {
+  const FaceTask& task = filling.task;
+  const Stopwatch watch;
+  FaceAttempt attempt = fill(task, mesh);
+  mesh.optimizeSeconds = attempt.optimizeShare * watch.seconds();
+  mesh.effort = attempt.effort;
+  std::ranges::move(attempt.steps, std::back_inserter(mesh.report.attempts));
+  if (attempt.chart != ChartKind::Auto) mesh.report.chart = toString(attempt.chart);
+  if (!attempt.fault.empty()) giveUp(filling, attempt, mesh);
+  if (attempt.result.outcome == Outcome::Cancelled) {
+    mesh.report.status = FaceStatus::Cancelled;
+    return;
+  }
+  if (task.options.optimize && !attempt.isOptimized) optimize(task, attempt, mesh);
+  if (attempt.closingElements > 0)
+    mesh.report.reason = std::to_string(attempt.closingElements) +
+                         " elements were made without a rule, where rules had no room";
+  mesh.diagnosis = diagnoseMesh(attempt.result.mesh, boundary, task.surface.isPlane(), task.area,
+                                filling.unseen);
+  addFans(boundary, closingRule(task.algorithm.rules()), attempt.result.mesh);
+  mesh.wantedSizes.reserve(attempt.result.mesh.vertices.size());
+  for (const SurfacePoint& vertex : attempt.result.mesh.vertices)
+    mesh.wantedSizes.push_back(filling.wanted.sizeAt(vertex));
+  if (filling.findMiddles) findMiddles(task.surface, attempt.result.mesh, mesh);
+  take(attempt.result, boundary, mesh);
+}
+
+void failFor(const std::string& reason, FaceMesh& mesh) {
+  mesh.report.status = FaceStatus::Failed;
+  mesh.report.reason = reason;
+}
+
+}  // namespace af2::geometry

@@ -1,0 +1,50 @@
+#include "geometry/fill/stuck_front.h"
+
+#include <algorithm>
+
+#include "engine/base/place_text.h"
+
+namespace af2::geometry {
+
+namespace {
+
+/// More would not tell more, only make the report long.
+constexpr std::size_t kMostReportedPlaces = 10;
+
+}  // namespace
+
+std::string stuckReason(const MeshingResult& result, const AF2Algorithm& algorithm) {
+  std::string text =
+      "the front got stuck with " + std::to_string(result.stuck.size()) + " edges left";
+  if (result.stuck.empty()) return text;
+  const StuckEdge& edge = result.stuck.front();
+  text += ", the first from " + textOf(result.mesh.vertices[edge.from.value].position) + " to " +
+          textOf(result.mesh.vertices[edge.to.value].position);
+  const RuleRefusal* farthest = nullptr;
+  for (const RuleRefusal& refusal : edge.refusals)
+    if (!farthest || refusal.reason > farthest->reason) farthest = &refusal;
+  if (farthest)
+    text += "; rule '" + algorithm.rules().rules()[farthest->rule].name() +
+            "': " + toString(farthest->reason);
+  return text;
+}
+
+std::vector<StuckPlace> stuckPlaces(const MeshingResult& result) {
+  std::vector<StuckPlace> places;
+  for (std::size_t i = 0; i < std::min(kMostReportedPlaces, result.stuck.size()); ++i) {
+    const StuckEdge& edge = result.stuck[i];
+    const SurfacePoint& from = result.mesh.vertices[edge.from.value];
+    StuckPlace& place = places.emplace_back();
+    place.from = from.position;
+    place.to = result.mesh.vertices[edge.to.value].position;
+    place.u = from.u;
+    place.v = from.v;
+    place.level = edge.level;
+    for (const RuleRefusal& refusal : edge.refusals)
+      place.refusals.emplace_back(static_cast<std::uint16_t>(refusal.rule),
+                                  toString(refusal.reason));
+  }
+  return places;
+}
+
+}  // namespace af2::geometry

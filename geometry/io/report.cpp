@@ -1,0 +1,171 @@
+#include "geometry/io/report.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "geometry/io/output_file.h"
+#include "geometry/mesh/fingerprint.h"
+
+namespace af2::geometry {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json toJson(const Point3& p) { return Json::array({p.x, p.y, p.z}); }
+
+Json toJson(const StuckPlace& place, const std::vector<std::string>& ruleNames) {
+  Json json{{"from", toJson(place.from)},
+            {"to", toJson(place.to)},
+            {"uv", {place.u, place.v}},
+            {"level", place.level},
+            {"refused", Json::object()}};
+  for (const auto& [rule, reason] : place.refusals) json["refused"][ruleNames[rule]] = reason;
+  return json;
+}
+
+Json toJson(const FaceReport& face, const std::vector<std::string>& ruleNames) {
+  Json json{{"id", face.id}};
+  if (!face.name.empty()) json["name"] = face.name;
+  json["surface_type"] = face.surfaceType;
+  json["status"] = toString(face.status);
+  if (!face.chart.empty()) json["chart"] = face.chart;
+  json["elements"] = face.elements;
+  json["area"] = face.area;
+  json["seconds"] = face.seconds;
+  json["reason"] = face.reason;
+  if (!face.attempts.empty()) json["attempts"] = face.attempts;
+  for (const StuckPlace& place : face.stuck) json["stuck"].push_back(toJson(place, ruleNames));
+  return json;
+}
+
+Json toJson(const Healing& healing) {
+  Json changes = Json::array();
+  for (const HealedChange& change : healing.changes) {
+    Json entry{{"what", change.what}, {"count", change.count}};
+    if (const auto& place = change.place) entry["place"] = {place->x, place->y, place->z};
+    changes.push_back(std::move(entry));
+  }
+  return {{"tolerance", healing.tolerance}, {"changes", changes}, {"undone", healing.undone}};
+}
+
+Json toJson(const StageSeconds& seconds) {
+  return {{"read", seconds.read},
+          {"edges", seconds.edges},
+          {"surface", seconds.surface},
+          {"optimize", seconds.optimize},
+          {"write", seconds.write}};
+}
+
+Json toJson(const LengthRatio& edges) {
+  return {{"mean", edges.mean},
+          {"p5", edges.p5},
+          {"p95", edges.p95},
+          {"bounds", LengthRatio::kBounds},
+          {"histogram", edges.histogram},
+          {"asked", {edges.leastWanted, edges.mostWanted}},
+          {"achieved", {edges.leastLength, edges.mostLength}}};
+}
+
+Json toJson(const MeshQuality& quality) {
+  return {{"min", quality.min},
+          {"p1", quality.p1},
+          {"mean", quality.mean},
+          {"min_angle", quality.minAngle},
+          {"max_angle", quality.maxAngle},
+          {"edge_ratio", toJson(quality.edges)}};
+}
+
+}  // namespace
+
+const char* toString(RunStatus status) {
+  switch (status) {
+    case RunStatus::Complete:
+      return "complete";
+    case RunStatus::Partial:
+      return "partial";
+    case RunStatus::Failed:
+      return "failed";
+    case RunStatus::Cancelled:
+      return "cancelled";
+  }
+  return "failed";
+}
+
+const char* toString(GroupKind kind) {
+  switch (kind) {
+    case GroupKind::Part:
+      return "part";
+    case GroupKind::Solid:
+      return "solid";
+    case GroupKind::Layer:
+      return "layer";
+    case GroupKind::Color:
+      return "color";
+  }
+  return "part";
+}
+
+std::string shownName(const EdgeGroup& boundary) {
+  return boundary.name.empty() ? std::to_string(boundary.number) : boundary.name;
+}
+
+const char* toString(FaceStatus status) {
+  switch (status) {
+    case FaceStatus::Complete:
+      return "complete";
+    case FaceStatus::Failed:
+      return "failed";
+    case FaceStatus::Cancelled:
+      return "cancelled";
+    case FaceStatus::Skipped:
+      return "skipped";
+  }
+  return "failed";
+}
+
+RunStatus statusOf(const ModelMesh& mesh) {
+  const auto count = [&](FaceStatus status) {
+    return std::ranges::count(mesh.faces, status, &FaceReport::status);
+  };
+  if (count(FaceStatus::Cancelled) > 0) return RunStatus::Cancelled;
+  if (count(FaceStatus::Complete) == 0) return RunStatus::Failed;
+  return count(FaceStatus::Failed) > 0 ? RunStatus::Partial : RunStatus::Complete;
+}
+
+void writeReport(const RunReport& report, const ModelMesh& mesh, OutputFile& file) {
+  const auto quads = std::ranges::count_if(mesh.elements, &Element::isQuad);
+  Json json{{"status", toString(report.status)}};
+  if (!report.reason.empty()) json["reason"] = report.reason;
+  json["order"] = mesh.midsides.empty() ? 1 : 2;
+  for (const ElementId element : mesh.straightened) {
+    const Point3& p = mesh.vertices[mesh.elements[element.value].corners[0].value];
+    json["straightened"].push_back({{"element", element.value},
+                                    {"face", mesh.face[element.value]},
+                                    {"place", {p.x, p.y, p.z}}});
+  }
+  if (!mesh.unit.empty()) json["unit"] = mesh.unit;
+  if (!mesh.fileUnit.empty()) json["file_unit"] = mesh.fileUnit;
+  json["vertices"] = mesh.vertices.size();
+  json["triangles"] = static_cast<std::ptrdiff_t>(mesh.elements.size()) - quads;
+  json["quads"] = quads;
+  json["faces"] = Json::array();
+  for (const FaceReport& face : mesh.faces) json["faces"].push_back(toJson(face, mesh.ruleNames));
+  for (const FaceGroup& group : mesh.groups)
+    json["groups"].push_back(
+        {{"kind", toString(group.kind)}, {"name", group.name}, {"faces", group.faces}});
+  for (const EdgeGroup& boundary : mesh.boundaries)
+    json["groups"].push_back({{"kind", "boundary"},
+                              {"name", shownName(boundary)},
+                              {"number", boundary.number},
+                              {"edges", boundary.edges}});
+  if (!mesh.notes.empty()) json["notes"] = mesh.notes;
+  if (mesh.healing) json["healing"] = toJson(*mesh.healing);
+  json["seconds"] = toJson(mesh.seconds);
+  json["quality"] = toJson(report.quality);
+  json["fingerprint"] = fingerprint(mesh);
+  // Names come from CAD files, which need not be valid UTF-8.
+  file.text(json.dump(2, ' ', false, Json::error_handler_t::replace));
+  file.text("\n");
+}
+
+}  // namespace af2::geometry

@@ -1,0 +1,34 @@
+// The report of a run as JSON (docs/formats.md tells each field).
+#pragma once
+
+#include <string>
+
+#include "geometry/mesh/model_mesh.h"
+#include "geometry/mesh/quality.h"
+
+namespace af2::geometry {
+
+class OutputFile;
+
+enum class RunStatus {
+  Complete,   ///< every face asked for is meshed, and the mesh passed all checks
+  Partial,    ///< some faces failed; the mesh of the others is there
+  Failed,     ///< there is no mesh
+  Cancelled,  ///< stopped from outside; the mesh so far is there
+};
+
+const char* toString(RunStatus status);
+const char* toString(FaceStatus status);
+
+/// How a run went, from the statuses of its faces; Failed if there are none.
+RunStatus statusOf(const ModelMesh& mesh);
+
+struct RunReport {
+  RunStatus status = RunStatus::Failed;
+  std::string reason;  ///< of failure; empty: not written
+  MeshQuality quality;
+};
+
+void writeReport(const RunReport& report, const ModelMesh& mesh, OutputFile& file);
+
+}  // namespace af2::geometry

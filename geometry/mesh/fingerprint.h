@@ -1,0 +1,13 @@
+// A short text that differs when meshes differ, for comparing runs.
+#pragma once
+
+#include <string>
+
+#include "geometry/mesh/model_mesh.h"
+
+namespace af2::geometry {
+
+/// 16 hexadecimal digits: the 64-bit xxHash of the bytes of all vertices, then of all elements.
+std::string fingerprint(const ModelMesh& mesh);
+
+}  // namespace af2::geometry

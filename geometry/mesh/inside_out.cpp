@@ -1,0 +1,65 @@
+#include "geometry/mesh/inside_out.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace af2::geometry {
+
+namespace {
+
+bool isWhole(const ModelMesh& mesh) {
+  const auto isComplete = [](const FaceReport& face) {
+    return face.status == FaceStatus::Complete;
+  };
+  const auto isShared = [](const EdgeSegment& segment) { return segment.uses == 2; };
+  return !mesh.elements.empty() && !mesh.segments.empty() && mesh.findings.empty() &&
+         std::ranges::all_of(mesh.faces, isComplete) &&
+         std::ranges::all_of(mesh.segments, isShared);
+}
+
+/// Whether each side between faces is there in both directions. Inside faces that is so anyway.
+bool isTurnedAlike(const ModelMesh& mesh) {
+  std::vector<std::uint8_t> isOnEdge(mesh.vertices.size(), 0);
+  for (const EdgeSegment& segment : mesh.segments)
+    isOnEdge[segment.from.value] = isOnEdge[segment.to.value] = 1;
+  std::vector<std::pair<VertexId, VertexId>> sides, reversed;
+  const auto add = [&](VertexId from, VertexId to) {
+    if (!isOnEdge[from.value] || !isOnEdge[to.value]) return;
+    sides.emplace_back(from, to);
+    reversed.emplace_back(to, from);
+  };
+  for (const Element& element : mesh.elements) {
+    const auto& [a, b, c, d] = element.corners;
+    add(a, b);
+    add(b, c);
+    add(c, d.isNone() ? a : d);
+    if (!d.isNone()) add(d, a);
+  }
+  std::ranges::sort(sides);
+  std::ranges::sort(reversed);
+  return sides == reversed;
+}
+
+/// Six times the volume.
+double volumeOf(const ModelMesh& mesh) {
+  const Point3 origin = mesh.vertices[mesh.elements.front().corners[0].value];
+  const auto at = [&](VertexId v) { return mesh.vertices[v.value] - origin; };
+  double sum = 0;
+  for (const Element& element : mesh.elements) {
+    const auto& [a, b, c, d] = element.corners;
+    const Point3 first = at(a), third = at(c);
+    sum += dot(first, cross(at(b), third));
+    if (!d.isNone()) sum += dot(first, cross(third, at(d)));
+  }
+  return sum;
+}
+
+}  // namespace
+
+bool isInsideOut(const ModelMesh& mesh) {
+  return isWhole(mesh) && isTurnedAlike(mesh) && volumeOf(mesh) < 0;
+}
+
+}  // namespace af2::geometry

@@ -1,0 +1,26 @@
+// Joins the meshes of faces at the vertices of their edges.
+// Not installed.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <vector>
+
+#include "geometry/edges/divided_edges.h"
+#include "geometry/mesh/face_mesh.h"
+
+namespace af2::geometry {
+
+struct JoinOptions {
+  std::map<int, double> edgeSizes;  ///< by edge, instead of the sizes of its faces
+  /// The point of an edge at a parameter. Only for elements of second order; else empty.
+  std::function<Point3(int edge, double parameter)> pointOnEdge;
+  int threads = 0;
+};
+
+/// Vertices are numbered: those of model vertices, those along edges, those inside faces. Vertices
+/// that neither an element nor a segment of the boundary uses are left out.
+ModelMesh joinFaces(const DividedEdges& divided, const std::vector<FaceMesh>& faces,
+                    const JoinOptions& options);
+
+}  // namespace af2::geometry

@@ -1,0 +1,137 @@
+// The mesh of a whole model: the meshes of its faces, joined at the shared vertices of their edges.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "engine/base/point.h"
+#include "engine/mesh/mesh.h"
+
+namespace af2::geometry {
+
+enum class FaceStatus { Complete, Failed, Cancelled, Skipped };
+
+/// An edge of a front that got stuck.
+struct StuckPlace {
+  Point3 from, to;
+  double u = 0, v = 0;  ///< of `from` in the parameters of the face's surface, if it has any
+  int level = 1;        ///< the quality level that was reached there
+  /// Why each rule was refused last: index in ModelMesh::ruleNames, and the reason.
+  std::vector<std::pair<std::uint16_t, std::string>> refusals;
+};
+
+/// How the meshing of one face of the model went.
+struct FaceReport {
+  int id = 0;               ///< 1, 2, ... in the order of the model
+  std::string name;         ///< from the file, may be empty
+  std::string surfaceType;  ///< "plane", "cylinder", ...
+  std::string chart = {};   ///< with which it was meshed: "plane", "mean-normal", ...
+  FaceStatus status = FaceStatus::Complete;
+  std::size_t elements = 0;
+  double seconds = 0;
+  double area = 0;                         ///< of the CAD face, model units squared
+  std::string reason;                      ///< where and why, when it failed
+  std::vector<std::string> attempts = {};  ///< what was tried before in vain
+  std::vector<StuckPlace> stuck = {};      ///< where its front got stuck, if it failed so
+};
+
+enum class GroupKind {
+  Part,   ///< what the file gives a name
+  Solid,  ///< a solid of the model
+  Layer,
+  Color,  ///< named "#rrggbb"
+};
+
+/// "part", "solid", "layer" or "color".
+const char* toString(GroupKind kind);
+
+/// Faces of the model that belong together. A face may belong to several groups.
+struct FaceGroup {
+  std::string name;
+  GroupKind kind = GroupKind::Part;
+  std::vector<int> faces;  ///< ids, ascending
+  bool operator==(const FaceGroup&) const = default;
+};
+
+/// Edges of the model that the file marks as one boundary, for conditions that hold there. An edge
+/// is in one boundary at most.
+struct EdgeGroup {
+  int number = 0;          ///< as the file has it, not 0
+  std::string name;        ///< may be empty
+  std::vector<int> edges;  ///< ids, ascending
+  bool operator==(const EdgeGroup&) const = default;
+};
+
+/// Its name, or its number if it has none.
+std::string shownName(const EdgeGroup& boundary);
+
+/// A piece of a divided model edge. `uses` is how often the faces that were asked for run along it:
+/// 2 inside a closed shell and along a seam, 1 at its border.
+struct EdgeSegment {
+  VertexId from, to;
+  int edge = 0;  ///< id of the model edge, 1, 2, ...
+  int uses = 0;
+  Point3 middle{};  ///< halfway along the edge; only for elements of second order
+  bool operator==(const EdgeSegment&) const = default;
+};
+
+/// Something in the model that healing changed, as often as it did.
+struct HealedChange {
+  std::string what;
+  std::size_t count = 0;
+  std::optional<Point3> place;  ///< of one of them, if any is known
+  bool operator==(const HealedChange&) const = default;
+};
+
+/// What was asked for of healing, and what came of it.
+struct Healing {
+  double tolerance = 0;  ///< in model units
+  std::vector<HealedChange> changes;
+  std::vector<std::string> undone;  ///< steps that would have made it worse, and why
+};
+
+/// Seconds spent in each stage of a run.
+struct StageSeconds {
+  double read = 0, edges = 0, surface = 0, optimize = 0, write = 0;
+};
+
+struct ModelMesh {
+  std::vector<Point3> vertices;
+  /// By vertex: the edge length that was asked for there, before anything spread from short edges
+  /// of the model; may be empty.
+  std::vector<double> wantedSizes;
+  std::vector<Element> elements;
+  /// Second order: by element, the vertices at the middles of its sides, [0] between corners 0 and
+  /// 1; they follow all other vertices. Empty: first order.
+  std::vector<std::array<VertexId, 4>> midsides;
+  /// Second order: elements that kept straight sides, because curved ones would turn them over.
+  std::vector<ElementId> straightened;
+  std::vector<std::int32_t> face;   ///< by element: id of the model face
+  std::vector<std::uint16_t> rule;  ///< by element: index in ruleNames
+  std::vector<std::string> ruleNames;
+  std::vector<EdgeSegment> segments;
+  std::vector<FaceReport> faces;
+  std::vector<FaceGroup> groups;
+  std::vector<EdgeGroup> boundaries;  ///< by their numbers, ascending
+  std::string unit;                   ///< of all lengths, "mm"; empty if the file does not say
+  std::string fileUnit;               ///< in which the file has them, as it names it; may be empty
+  std::vector<std::string> notes;     ///< what of the file was put right while reading
+  std::optional<Healing> healing;     ///< if the model was healed before
+  /// What the last checks found that is not on one face, and which faces of the file are lost;
+  /// empty: nothing.
+  std::vector<std::string> findings;
+  StageSeconds seconds;
+};
+
+/// The vertices at corners of elements: all but those at the middles of sides, which follow.
+inline std::span<const Point3> cornerVertices(const ModelMesh& mesh) {
+  const std::span<const Point3> all = mesh.vertices;
+  return mesh.midsides.empty() ? all : all.first(mesh.midsides.front().front().value);
+}
+
+}  // namespace af2::geometry

@@ -1,0 +1,46 @@
+// How good the elements of a mesh are, in the numbers that a report gives.
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "geometry/mesh/model_mesh.h"
+
+namespace af2::geometry {
+
+/// How near an element is to its ideal shape: 1 is the best, 0 is degenerate.
+///
+/// Triangles: 4 sqrt(3) area / sum of squared edges. Quadrilaterals: the least over the corners of
+/// 2 |p x q| / (p.p + q.q), p and q the edges at the corner; negative where the corner is turned
+/// over. A square has 1, a rectangle of 1 : 2 has 0.8, a rhombus the sine of its angle.
+double shapeQuality(const std::vector<Point3>& vertices, const Element& element);
+
+/// Edge length over wanted length.
+struct LengthRatio {
+  /// The histogram counts the edges below the first bound, between each two, and above the last.
+  static constexpr std::array kBounds{0.25, 0.35, 0.5, 0.71, 1.0, 1.41, 2.0, 2.83, 4.0};
+
+  double mean = 0, p5 = 0, p95 = 0;
+  std::array<std::size_t, kBounds.size() + 1> histogram{};
+  double leastWanted = 0, mostWanted = 0;  ///< the smallest and the largest wanted length
+  double leastLength = 0, mostLength = 0;  ///< the shortest and the longest edge
+};
+
+/// All zero for a mesh without elements.
+struct MeshQuality {
+  double min = 0, p1 = 0, mean = 0;   ///< of shapeQuality; p1 is the 1st percentile
+  double minAngle = 0, maxAngle = 0;  ///< between the edges at a corner, in degrees
+  LengthRatio edges;                  ///< each edge of the mesh counts once
+};
+
+/// An edge is held against the mean of the sizes that were wanted at its ends; its lengths are all
+/// zero if the mesh does not know these. Uses up to `threads` threads (0: as many as the caller's
+/// TBB arena has).
+MeshQuality measureQuality(const ModelMesh& mesh, int threads = 1);
+
+/// The value below which the fraction `part` (0 to 1) of `values` lies, between neighbours by
+/// linear interpolation; 0 if there are none. Reorders `values`.
+double percentile(std::span<double> values, double part);
+
+}  // namespace af2::geometry

@@ -1,0 +1,31 @@
+// Divides each edge of a model once, so that the faces on both sides share its vertices.
+// Not installed: includers need OpenCASCADE's headers.
+#pragma once
+
+#include <stop_token>
+#include <vector>
+
+#include "geometry/edges/divided_edges.h"
+#include "geometry/occ/edges/edge_samples.h"
+#include "geometry/occ/model/meshing_options.h"
+#include "geometry/occ/model/model_shape.h"
+
+namespace af2::geometry {
+
+/// All edges as sampleEdge has them: made once, for all divisions of a model by sizes that differ
+/// in their function only.
+std::vector<EdgeSamples> sampleEdges(const ModelShape& model, const ModelSizes& sizes, int threads,
+                                     const std::stop_token& stop);
+
+/// Divides all edges, whichever faces are asked for, so that these mesh alike alone or together.
+///
+/// Segments are as long as the sizes want along the curve in space, or between the points that are
+/// given for an edge. Closed edges have at least
+/// three segments, edges with the same two ends at least two: no two edges share a segment.
+///
+/// Throws InputError if the points given for an edge do not lie on it, in order and apart.
+DividedEdges divideEdges(const ModelShape& model, const std::vector<EdgeSamples>& sampled,
+                         const ModelSizes& sizes, int threads, const std::stop_token& stop,
+                         const EdgePoints& given = {}, const EdgesAsPoints& asPoints = {});
+
+}  // namespace af2::geometry

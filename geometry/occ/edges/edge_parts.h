@@ -1,0 +1,49 @@
+// Edges in parts, between the vertices of other edges that they pass.
+// Not installed: includers need OpenCASCADE's headers.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <vector>
+
+#include "geometry/occ/edges/edge_samples.h"
+#include "geometry/occ/edges/given_points.h"
+#include "geometry/occ/edges/open_ends.h"
+#include "geometry/occ/model/model_shape.h"
+
+namespace af2::geometry {
+
+struct EdgeEnd {
+  std::size_t edge = 0;  ///< [0] is edge 1
+  bool isStart = true;
+  auto operator<=>(const EdgeEnd&) const = default;
+};
+
+/// The ends of the edges of a face by the points at which they are, without edges that are points.
+///
+/// ends, samples  by edge; [0] is edge 1
+std::map<std::uint32_t, std::vector<EdgeEnd>> endsByPoint(const std::vector<EdgeUse>& edgesOfFace,
+                                                          const std::vector<Ends>& ends,
+                                                          const std::vector<EdgeSamples>& samples);
+
+/// Of an edge between two of the points that it passes, or all of it.
+struct EdgePart {
+  std::size_t edge = 0;  ///< [0] is edge 1
+  EdgeSamples samples;
+  Ends ends;
+  /// Whether it begins and ends where the edge does, not where that only passes another one's end.
+  bool isFirst = true, isLast = true;
+
+  EdgeRange range() const {
+    return {samples.pieces.front().parameters.front(), samples.pieces.back().parameters.back(),
+            samples.length, 0};
+  }
+};
+
+/// The samples of the parts between these parameters, which lie in order between the ends.
+std::vector<EdgeSamples> split(const EdgeSamples& samples, const std::vector<double>& parameters);
+
+/// The parameter at a length from the start, which lies between the ends.
+double parameterAt(const EdgeSamples& samples, double length);
+
+}  // namespace af2::geometry

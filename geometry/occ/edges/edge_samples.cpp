@@ -1,0 +1,354 @@
+#include "geometry/occ/edges/edge_samples.h"
+
+#include <BRepAdaptor_Curve.hxx>
+#include <BRep_Tool.hxx>
+#include <Precision.hxx>
+#include <Standard_Failure.hxx>
+#include <TColStd_Array1OfReal.hxx>
+#include <TopExp.hxx>
+#include <TopoDS.hxx>
+#include <algorithm>
+#include <cmath>
+
+#include "engine/base/place_text.h"
+#include "geometry/edges/curve_division.h"
+#include "geometry/occ/base/points.h"
+#include "geometry/occ/sizes/sizing.h"
+#include "geometry/occ/sizes/wanted_along_edge.h"
+
+namespace af2::geometry {
+
+namespace {
+
+/// Samples per wanted segment: position errors are then a few thousandths of a segment.
+constexpr double kSamplesPerSegment = 10;
+constexpr int kMinSamples = 16;
+constexpr double kMaxSamples = 2e6;
+constexpr const char* kNoNumbers = "has a curve with values that are not numbers";
+
+/// Chord between unit tangents beyond which a curve has a kink, i.e. an angle of about 20 degrees.
+constexpr double kKink = 0.35;
+
+/// However short an edge is against the wanted size, it may have this many segments to follow its
+/// turns: a small hole is to stay a hole.
+constexpr double kSegmentsForTurns = 6;
+
+struct CurvePoint {
+  Point3 position, tangent;  ///< tangent of any length
+};
+
+CurvePoint pointAt(const BRepAdaptor_Curve& curve, double parameter) {
+  gp_Pnt position;
+  gp_Vec tangent;
+  curve.D1(parameter, position, tangent);
+  return {toPoint(position), toPoint(tangent)};
+}
+
+/// The part of a curve that makes an edge.
+struct Extent {
+  double first, last;
+};
+
+/// Parameters at which the curve changes its formula, and the ends.
+std::vector<double> breaksOf(const BRepAdaptor_Curve& curve, Extent extent) {
+  const int count = curve.NbIntervals(GeomAbs_C1);
+  TColStd_Array1OfReal bounds(1, count + 1);
+  curve.Intervals(bounds, GeomAbs_C1);
+  std::vector<double> breaks{extent.first};
+  for (const double bound : bounds)
+    if (bound > extent.first && bound < extent.last) breaks.push_back(bound);
+  breaks.push_back(extent.last);
+  return breaks;
+}
+
+double roughLength(const BRepAdaptor_Curve& curve) {
+  constexpr int kChords = 24;
+  const double first = curve.FirstParameter(), last = curve.LastParameter();
+  double sum = 0;
+  Point3 previous = toPoint(curve.Value(first));
+  for (int i = 1; i <= kChords; ++i) {
+    const Point3 next = toPoint(curve.Value(first + (last - first) * i / kChords));
+    sum += distance(previous, next);
+    previous = next;
+  }
+  return sum;
+}
+
+/// Samples one interval in which the curve is smooth.
+class IntervalSampler {
+ public:
+  IntervalSampler(const BRepAdaptor_Curve& curve, const WantedAlongEdge& wanted,
+                  const ModelSizes& sizes, double length)
+      : curve_(curve),
+        wanted_(wanted),
+        turn_(sizes.edgeTurn),
+        least_(std::min(sizes.edgeLeast * wanted.largest(), length / kSegmentsForTurns)) {}
+
+  /// Appends the interval to a piece. `atStart` and `atEnd` become the unit tangents at its ends.
+  void append(EdgePiece& piece, double low, double high, int cells, Point3& atStart,
+              Point3& atEnd) {
+    // Just inside the interval: at its ends the derivative may be that of the neighbour.
+    const double inset = 1e-7 * (high - low);
+    CurvePoint before = pointAt(curve_, low + inset);
+    atStart = unit(before.tangent);
+    if (piece.parameters.empty()) addPoint(piece, low, 0, before.position);
+    const double step = (high - low) / cells;
+    for (int i = 1; i <= cells; ++i) {
+      const bool isLast = i == cells;
+      const double parameter = isLast ? high : low + i * step;
+      const CurvePoint here = pointAt(curve_, isLast ? high - inset : parameter);
+      const double ds = (length(before.tangent) + length(here.tangent)) / 2 * step;
+      addPoint(piece, parameter, piece.arcLength.back() + ds, here.position);
+      limitByTurn(piece, distance(unit(before.tangent), unit(here.tangent)), ds);
+      before = here;
+    }
+    atEnd = unit(before.tangent);
+  }
+
+ private:
+  void addPoint(EdgePiece& piece, double parameter, double arcLength, const Point3& position) {
+    piece.parameters.push_back(parameter);
+    piece.arcLength.push_back(arcLength);
+    piece.positions.push_back(position);
+    piece.sizes.push_back(wanted_.at(position, parameter));
+  }
+
+  /// The last cell turns by `turn` within `ds`.
+  void limitByTurn(EdgePiece& piece, double turn, double ds) const {
+    if (turn * piece.sizes.back() <= turn_ * ds) return;
+    const double size = std::max(turn_ * ds / turn, least_);
+    for (std::size_t i = piece.sizes.size() - 2; i < piece.sizes.size(); ++i)
+      piece.sizes[i] = std::min(piece.sizes[i], size);
+  }
+
+  const BRepAdaptor_Curve& curve_;
+  const WantedAlongEdge& wanted_;
+  double turn_, least_;
+};
+
+/// Brings the sizes of a piece below those that are wanted by position, and between the bounds.
+void limitByPosition(EdgePiece& piece, const ModelSizes& sizes) {
+  if (sizes.function) {
+    std::vector<double> limits(piece.positions.size());
+    sizes.function.at(piece.positions, limits);
+    for (std::size_t i = 0; i < limits.size(); ++i)
+      piece.sizes[i] = std::min(piece.sizes[i], limits[i]);
+  }
+  for (double& size : piece.sizes) size = bounded(sizes, size);
+}
+
+std::vector<EdgePiece> sampleInCells(const BRepAdaptor_Curve& curve, const WantedAlongEdge& wanted,
+                                     const ModelSizes& sizes, Extent extent, double length,
+                                     double total) {
+  const std::vector<double> breaks = breaksOf(curve, extent);
+  const std::size_t intervals = breaks.size() - 1;
+  const int cells = std::max(kMinSamples, static_cast<int>(total / static_cast<double>(intervals)));
+  IntervalSampler sampler(curve, wanted, sizes, length);
+  std::vector<EdgePiece> pieces;
+  Point3 previousEnd;
+  for (std::size_t i = 0; i < intervals; ++i) {
+    Point3 atStart, atEnd;
+    const bool smooth =
+        i > 0 &&
+        distance(previousEnd,
+                 unit(pointAt(curve, breaks[i] + 1e-7 * (breaks[i + 1] - breaks[i])).tangent)) <
+            kKink;
+    if (!smooth) pieces.push_back({});
+    sampler.append(pieces.back(), breaks[i], breaks[i + 1], cells, atStart, atEnd);
+    previousEnd = atEnd;
+  }
+  return pieces;
+}
+
+/// How many times too long the cells are. Sizes that were asked for may be far below the largest,
+/// and small in a few places only: samples are to be dense there as well.
+double coarseness(const std::vector<EdgePiece>& pieces) {
+  constexpr double kMostOfCell = 0.25;  // length of a cell
+  double worst = 0;
+  for (const EdgePiece& piece : pieces)
+    for (std::size_t i = 1; i < piece.sizes.size(); ++i)
+      worst = std::max(worst, (piece.arcLength[i] - piece.arcLength[i - 1]) / piece.sizes[i]);
+  return worst / kMostOfCell;
+}
+
+/// Where an edge begins, seen from one of its ends. A curve may end beside its vertex, as far as
+/// the tolerance allows, and pass by the vertex first: what lies nearer to that than its end is
+/// left out.
+double beginOf(const BRepAdaptor_Curve& curve, double end, double otherEnd,
+               const TopoDS_Vertex& vertex, double wanted) {
+  constexpr double kBeside = 0.01;  // share of the wanted size
+  constexpr int kSteps = 64;        // to the middle
+  if (vertex.IsNull()) return end;
+  const gp_Pnt place = BRep_Tool::Pnt(vertex);
+  const double gap = place.Distance(curve.Value(end));
+  if (!(gap > kBeside * wanted)) return end;
+  const auto at = [&](int step) { return end + (otherEnd - end) * step / (2 * kSteps); };
+  for (int step = 1; step <= kSteps; ++step)
+    if (place.Distance(curve.Value(at(step))) > gap) return at(step - 1);
+  return end;
+}
+
+/// The part of a curve that lies between the vertices of its edge.
+Extent extentOf(const BRepAdaptor_Curve& curve, const TopoDS_Edge& edge, double wanted) {
+  const TopoDS_Edge forward = TopoDS::Edge(edge.Oriented(TopAbs_FORWARD));
+  const double first = curve.FirstParameter(), last = curve.LastParameter();
+  return {beginOf(curve, first, last, TopExp::FirstVertex(forward), wanted),
+          beginOf(curve, last, first, TopExp::LastVertex(forward), wanted)};
+}
+
+/// One edge of a model, to be sampled as finely as it takes.
+class EdgeSampler {
+ public:
+  EdgeSampler(const BRepAdaptor_Curve& curve, const ModelShape& model, int edge,
+              const ModelSizes& sizes)
+      : sizes_(sizes),
+        curve_(curve),
+        wanted_(model, edge, sizes),
+        extent_(extentOf(curve, model.edge(edge), wanted())),
+        length_(roughLength(curve)) {}
+
+  double wanted() const { return wanted_.largest(); }
+  /// How many samples the wanted size alone takes.
+  double fewest() const { return kSamplesPerSegment * length_ / wanted(); }
+
+  std::vector<EdgePiece> pieces(double total) const {
+    return sampleInCells(curve_, wanted_, sizes_, extent_, length_, total);
+  }
+
+ private:
+  const ModelSizes& sizes_;
+  const BRepAdaptor_Curve& curve_;
+  WantedAlongEdge wanted_;
+  Extent extent_;
+  double length_;
+};
+
+void samplePlain(const ModelShape& model, int edge, const ModelSizes& sizes, EdgeSamples& samples) {
+  const BRepAdaptor_Curve curve(model.edge(edge));
+  const double first = curve.FirstParameter(), last = curve.LastParameter();
+  if (Precision::IsInfinite(first) || Precision::IsInfinite(last)) {
+    samples.problem = "is infinite";
+    return;
+  }
+  if (!(last > first)) return;
+  samples.start = toPoint(curve.Value(first));
+  samples.end = toPoint(curve.Value(last));
+  const EdgeSampler sampler(curve, model, edge, sizes);
+  samples.wanted = sampler.wanted();
+  const double total = sampler.fewest();
+  if (std::isnan(total))
+    samples.problem = kNoNumbers;
+  else if (total > kMaxSamples)
+    samples.problem = "needs more than " + textOf(total / kSamplesPerSegment, 3) +
+                      " segments; ask for a larger size";
+  else
+    samples.pieces = sampler.pieces(total);
+}
+
+/// Samples more densely until the cells are short against the sizes that are wanted by position.
+void resample(const ModelShape& model, int edge, const ModelSizes& sizes, EdgeSamples& samples) {
+  constexpr int kMostRounds = 4;
+  constexpr double kMargin = 1.25, kMostAtOnce = 16;
+  double tooCoarse = coarseness(samples.pieces);
+  if (tooCoarse <= 1) return;
+  const BRepAdaptor_Curve curve(model.edge(edge));
+  const EdgeSampler sampler(curve, model, edge, sizes);
+  double total = sampler.fewest();
+  for (int round = 0; round < kMostRounds && tooCoarse > 1; ++round) {
+    total = std::min(kMargin * tooCoarse, kMostAtOnce) * std::max(total, double(kMinSamples));
+    if (total > kMaxSamples) return;
+    samples.pieces = sampler.pieces(total);
+    for (EdgePiece& piece : samples.pieces) limitByPosition(piece, sizes);
+    tooCoarse = coarseness(samples.pieces);
+  }
+}
+
+/// Does something with the curve of an edge that may turn out to be unusable.
+template <class Use>
+void tryCurve(EdgeSamples& samples, Use&& use) {
+  try {
+    use();
+  } catch (const Standard_Failure& failure) {
+    samples.problem = std::string("has no usable curve (") + failure.DynamicType()->Name() + ")";
+  }
+  samples.length = 0;
+  for (const EdgePiece& piece : samples.pieces) samples.length += piece.arcLength.back();
+  if (samples.problem.empty() && !std::isfinite(samples.length)) samples.problem = kNoNumbers;
+  if (!samples.problem.empty()) samples.pieces.clear();
+}
+
+std::size_t segmentsOf(const EdgePiece& piece, double count, const ModelSizes& sizes) {
+  const bool isAsked = sizes.elementsPerTurn > 0;
+  return wholeSegments(count, isAsked ? turnAlong(piece.positions) / sizes.edgeTurn : 0,
+                       sizes.curvedShare);
+}
+
+/// Appends the ends of `segments` equal shares of the count, without the start of the piece.
+void place(const EdgePiece& piece, const std::vector<double>& count, std::size_t segments,
+           std::vector<double>& parameters) {
+  for (const CurvePlace& at : equalShares(count, segments))
+    parameters.push_back(at.between(piece.parameters));
+  parameters.push_back(piece.parameters.back());
+}
+
+}  // namespace
+
+EdgeSamples sampleEdge(const ModelShape& model, int edge, const ModelSizes& sizes) {
+  EdgeSamples samples;
+  if (BRep_Tool::Degenerated(model.edge(edge))) return samples;
+  tryCurve(samples, [&] { samplePlain(model, edge, sizes, samples); });
+  return samples;
+}
+
+EdgeSamples limitedByPosition(const ModelShape& model, int edge, const ModelSizes& sizes,
+                              EdgeSamples samples) {
+  for (EdgePiece& piece : samples.pieces) limitByPosition(piece, sizes);
+  if (sizes.function || sizes.elementsPerTurn > 0)
+    tryCurve(samples, [&] { resample(model, edge, sizes, samples); });
+  return samples;
+}
+
+void gradeSizes(EdgeSamples& samples, double first, double last, double growth) {
+  if (samples.pieces.empty()) return;
+  double& front = samples.pieces.front().sizes.front();
+  double& back = samples.pieces.back().sizes.back();
+  front = std::min(front, first);
+  back = std::min(back, last);
+  for (std::size_t i = 0; i < samples.pieces.size(); ++i) {
+    std::vector<double>& sizes = samples.pieces[i].sizes;
+    if (i > 0) sizes.front() = std::min(sizes.front(), samples.pieces[i - 1].sizes.back());
+    gradeAlong(samples.pieces[i].arcLength, sizes, growth);
+  }
+  for (std::size_t i = samples.pieces.size() - 1; i-- > 0;) {
+    std::vector<double>& sizes = samples.pieces[i].sizes;
+    sizes.back() = std::min(sizes.back(), samples.pieces[i + 1].sizes.front());
+    gradeAlong(samples.pieces[i].arcLength, sizes, growth);
+  }
+}
+
+std::vector<double> divide(const EdgeSamples& samples, std::size_t leastSegments,
+                           const ModelSizes& sizes) {
+  std::vector<std::vector<double>> counts;
+  std::vector<std::size_t> segments;
+  std::size_t total = 0;
+  for (const EdgePiece& piece : samples.pieces) {
+    counts.push_back(segmentsAlong(piece.arcLength, piece.sizes));
+    segments.push_back(segmentsOf(piece, counts.back().back(), sizes));
+    total += segments.back();
+  }
+  for (; total < leastSegments; ++total) {
+    std::size_t coarsest = 0;
+    const auto load = [&](std::size_t i) {
+      return counts[i].back() / static_cast<double>(segments[i]);
+    };
+    for (std::size_t i = 1; i < segments.size(); ++i)
+      if (load(i) > load(coarsest)) coarsest = i;
+    ++segments[coarsest];
+  }
+  std::vector<double> parameters{samples.pieces.front().parameters.front()};
+  for (std::size_t i = 0; i < samples.pieces.size(); ++i)
+    place(samples.pieces[i], counts[i], segments[i], parameters);
+  return parameters;
+}
+
+}  // namespace af2::geometry

@@ -1,0 +1,303 @@
+#include "geometry/occ/edges/narrow_strips.h"
+
+#include <BRep_Tool.hxx>
+#include <Standard_Failure.hxx>
+#include <TopoDS.hxx>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "geometry/base/box_tree.h"
+#include "geometry/base/parallel.h"
+#include "geometry/occ/edges/edge_on_face.h"
+#include "geometry/occ/sizes/sizing.h"
+#include "geometry/occ/surfaces/face_surface.h"
+
+namespace af2::geometry {
+
+namespace {
+
+/// Segments along a strip are at most so many times longer than it is wide.
+constexpr double kMostOfWidth = 1.5;
+/// What would take segments shorter than this share of the size stays as it is: less where turns
+/// are to have their elements, so that the mesh is fine in places anyway.
+constexpr double kLeastShare = 0.15, kLeastShareWithTurns = 0.1;
+
+/// One of a few samples of an edge for each of its segments.
+struct Knot {
+  Point3 position, tangent;  ///< tangent of length 1, along the edge
+  double parameter, size;
+  std::size_t piece, first, last;  ///< the samples for which it stands: [first, last)
+};
+
+struct KnottedEdge {
+  std::vector<Knot> knots;  ///< empty: its sizes are not to be changed
+  Box3 box;
+  double reach = 0;     ///< how far away the other side of a strip may be
+  double blur = 0;      ///< what is nearer is the same place
+  double longest = 0;   ///< way from one knot to the next
+  bool isBent = false;  ///< it may be both sides of a strip
+  bool isStraight = true;
+  std::optional<BoxTree> segments;  ///< [i] from knot i to the next; only of very many
+};
+
+std::size_t knotsAlong(const EdgePiece& piece) {
+  constexpr double kKnotsPerSegment = 3;
+  constexpr std::size_t kFewest = 4;
+  const std::size_t cells = piece.positions.size() - 1;
+  double segments = 0;
+  for (std::size_t i = 1; i <= cells; ++i)
+    segments +=
+        2 * (piece.arcLength[i] - piece.arcLength[i - 1]) / (piece.sizes[i - 1] + piece.sizes[i]);
+  const double knots = std::min(kKnotsPerSegment * segments, static_cast<double>(cells));
+  return std::min(std::max(kFewest, static_cast<std::size_t>(knots)), cells);
+}
+
+void addPiece(const EdgePiece& piece, std::size_t index, KnottedEdge& edge) {
+  const std::size_t cells = piece.positions.size() - 1, count = knotsAlong(piece);
+  const auto sampleAt = [&](std::size_t knot) { return knot * cells / count; };
+  for (std::size_t k = 0; k <= count; ++k) {
+    const std::size_t here = sampleAt(k);
+    const std::size_t before = sampleAt(k > 0 ? k - 1 : 0),
+                      after = sampleAt(std::min(k + 1, count));
+    const Point3 along = piece.positions[after] - piece.positions[before];
+    const double chord = length(along);
+    if (!(chord > 0)) continue;
+    edge.knots.push_back({piece.positions[here], (1 / chord) * along, piece.parameters[here],
+                          piece.sizes[here], index, (before + here + 1) / 2,
+                          (here + after) / 2 + 1});
+  }
+}
+
+std::vector<Box3> boxesBetween(const std::vector<Knot>& knots) {
+  std::vector<Box3> boxes(knots.empty() ? 0 : knots.size() - 1);
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    boxes[i].add(knots[i].position);
+    boxes[i].add(knots[i + 1].position);
+  }
+  return boxes;
+}
+
+KnottedEdge knotted(const EdgeSamples& samples) {
+  constexpr double kHalfTurn = 3, kNoTurn = 0.1;
+  constexpr std::size_t kMany = 200;  // to build a tree of fewer takes longer than to walk along
+  KnottedEdge edge;
+  for (std::size_t i = 0; i < samples.pieces.size(); ++i) addPiece(samples.pieces[i], i, edge);
+  double turn = 0;
+  for (std::size_t i = 0; i < edge.knots.size(); ++i) {
+    const Knot& knot = edge.knots[i];
+    edge.box.add(knot.position);
+    edge.reach = std::max(edge.reach, knot.size / kMostOfWidth);
+    if (i == 0) continue;
+    turn += distance(knot.tangent, edge.knots[i - 1].tangent);
+    edge.longest = std::max(edge.longest, distance(knot.position, edge.knots[i - 1].position));
+  }
+  if (edge.knots.size() > kMany) edge.segments.emplace(boxesBetween(edge.knots));
+  edge.blur = kUnseen * samples.wanted;
+  edge.isBent = turn > kHalfTurn;
+  edge.isStraight = turn < kNoTurn;
+  return edge;
+}
+
+struct Limit {
+  std::uint32_t edge, knot;
+  double size;
+};
+
+/// The edges of one face against each other.
+class FaceStrips {
+ public:
+  FaceStrips(const ModelShape& model, int face, const std::vector<Ends>& ends,
+             const std::vector<KnottedEdge>& edges, double leastShare)
+      : model_(model),
+        face_(face),
+        forward_(TopoDS::Face(model.face(face).Oriented(TopAbs_FORWARD))),
+        ends_(ends),
+        edges_(edges),
+        leastShare_(leastShare) {
+    for (const EdgeUse& use : model.edgesOfFaces[static_cast<std::size_t>(face) - 1]) {
+      const auto index = static_cast<std::uint32_t>(use.id - 1);
+      if (!edges_[index].knots.empty()) uses_.push_back({index, use.edge});
+    }
+  }
+
+  std::vector<Limit> limits() {
+    std::vector<Box3> boxes;
+    for (const Use& use : uses_) boxes.push_back(edges_[use.edge].box);
+    const BoxTree tree(boxes);
+    std::vector<std::uint32_t> near;
+    for (const Use& use : uses_) {
+      const KnottedEdge& edge = edges_[use.edge];
+      const Point3 reach{edge.reach, edge.reach, edge.reach};
+      near.clear();
+      tree.forEachIn({edge.box.low - reach, edge.box.high + reach}, [&](std::uint32_t i) {
+        if (mayFace(use.edge, uses_[i].edge)) near.push_back(uses_[i].edge);
+      });
+      if (!near.empty()) look(use, near);
+    }
+    return std::move(limits_);
+  }
+
+ private:
+  struct Use {
+    std::uint32_t edge;
+    TopoDS_Edge oriented;  ///< as in the face
+  };
+  /// The other side of a strip.
+  struct Side {
+    double width;
+    Point3 direction;
+  };
+
+  bool isEndOf(std::uint32_t point, std::uint32_t edge) const {
+    return point == ends_[edge].first || point == ends_[edge].last;
+  }
+
+  bool mayFace(std::uint32_t a, std::uint32_t b) const {
+    if (a == b) return edges_[a].isBent;
+    if (!isEndOf(ends_[a].first, b) && !isEndOf(ends_[a].last, b)) return true;
+    return !(edges_[a].isStraight && edges_[b].isStraight) && !areWedge(a, b);
+  }
+
+  void look(const Use& use, const std::vector<std::uint32_t>& near) {
+    const KnottedEdge& edge = edges_[use.edge];
+    for (std::uint32_t k = 0; k < edge.knots.size(); ++k) {
+      const Knot& knot = edge.knots[k];
+      const double most = knot.size / kMostOfWidth;
+      double width = most;
+      for (const std::uint32_t other : near) {
+        const std::optional<Side> side = across(use.edge, k, other, width);
+        if (side && isInside(use, knot, side->direction)) width = side->width;
+      }
+      if (width < most && kMostOfWidth * width > leastShare_ * knot.size)
+        limits_.push_back({use.edge, k, kMostOfWidth * width});
+    }
+  }
+
+  /// The nearest place of `other` that faces the knot and is nearer than `most`.
+  std::optional<Side> across(std::uint32_t edge, std::uint32_t k, std::uint32_t other,
+                             double most) const {
+    const KnottedEdge& line = edges_[other];
+    const Knot& knot = edges_[edge].knots[k];
+    if (line.box.distanceTo(knot.position) > most) return std::nullopt;
+    const auto sideAt = [&](std::uint32_t i, double nearer) -> std::optional<Side> {
+      if (line.knots[i].piece != line.knots[i + 1].piece) return std::nullopt;
+      if (edge == other && isBeside(k, i + 1)) return std::nullopt;
+      return acrossTo(line.knots[i].position, line.knots[i + 1].position, knot, line.blur, nearer);
+    };
+    if (!line.segments) return nearestAlong(line, knot, most, sideAt);
+    const std::uint32_t nearest = line.segments->nearest(knot.position, most, [&](std::uint32_t i) {
+      const std::optional<Side> side = sideAt(i, most);
+      return side ? side->width : std::numeric_limits<double>::infinity();
+    });
+    return nearest == BoxTree::kNone ? std::nullopt : sideAt(nearest, most);
+  }
+
+  /// The same, from one segment to the next.
+  template <class SideAt>
+  static std::optional<Side> nearestAlong(const KnottedEdge& line, const Knot& knot, double most,
+                                          SideAt&& sideAt) {
+    std::optional<Side> nearest;
+    const double perLongest = 1 / line.longest;
+    std::uint32_t step = 1;
+    for (std::uint32_t i = 0; i + 1 < line.knots.size(); i += step) {
+      const Point3& from = line.knots[i].position;
+      const double reach = line.longest + most;
+      const double squared = dot(knot.position - from, knot.position - from);
+      step = 1;
+      if (squared > reach * reach) {  // on to what may be near enough
+        const double segments = perLongest * (std::sqrt(squared) - reach);
+        step += static_cast<std::uint32_t>(std::min(segments, double(line.knots.size())));
+        continue;
+      }
+      const std::optional<Side> side = sideAt(i, most);
+      if (!side) continue;
+      most = side->width;
+      nearest = side;
+    }
+    return nearest;
+  }
+
+  static std::optional<Side> acrossTo(const Point3& from, const Point3& to, const Knot& knot,
+                                      double least, double most) {
+    constexpr double kFacing = 0.5;  // most cosine between an edge and the way across
+    const Point3 along = to - from;
+    const double t = std::clamp(dot(knot.position - from, along) / dot(along, along), 0.0, 1.0);
+    const Point3 way = from + t * along - knot.position;
+    const double width = length(way);
+    if (!(width < most) || width <= least) return std::nullopt;
+    if (std::abs(dot(way, along)) > kFacing * width * length(along)) return std::nullopt;
+    if (std::abs(dot(way, knot.tangent)) > kFacing * width) return std::nullopt;
+    return Side{width, (1 / width) * way};
+  }
+
+  /// Whether a segment of the same edge is a neighbour of the knot.
+  static bool isBeside(std::uint32_t k, std::uint32_t i) {
+    constexpr std::uint32_t kNear = 3;
+    return (i > k ? i - k : k + 1 - i) <= kNear;
+  }
+
+  /// Whether two edges part from a common end at a small angle. No division opens such a wedge, and
+  /// where its sides touch at the tip, the element there is the worse the shorter it is.
+  bool areWedge(std::uint32_t a, std::uint32_t b) const {
+    constexpr double kSharp = 0.866;  // least cosine of the angle
+    const auto awayFrom = [&](std::uint32_t edge, bool first) {
+      const Knot &front = edges_[edge].knots.front(), &back = edges_[edge].knots.back();
+      return first ? front.tangent : -1.0 * back.tangent;
+    };
+    for (const bool first : {true, false})
+      for (const bool itsFirst : {true, false}) {
+        const std::uint32_t end = first ? ends_[a].first : ends_[a].last;
+        if (end != (itsFirst ? ends_[b].first : ends_[b].last)) continue;
+        if (dot(awayFrom(a, first), awayFrom(b, itsFirst)) > kSharp) return true;
+      }
+    return false;
+  }
+
+  /// Whether a direction leads from an edge into the face.
+  bool isInside(const Use& use, const Knot& knot, const Point3& direction) {
+    if (BRep_Tool::IsClosed(use.oriented, forward_)) return true;
+    if (!surface_) surface_.emplace(model_.surface(face_));
+    const Point3 normal = normalOnEdge(*surface_, forward_, use.oriented, knot.parameter);
+    const double side = dot(cross(normal, knot.tangent), direction);
+    return use.oriented.Orientation() == TopAbs_REVERSED ? side < 0 : side > 0;
+  }
+
+  const ModelShape& model_;
+  int face_;
+  TopoDS_Face forward_;
+  const std::vector<Ends>& ends_;
+  const std::vector<KnottedEdge>& edges_;
+  double leastShare_;  ///< of the size, that segments may have
+  std::vector<Use> uses_;
+  std::optional<FaceSurface> surface_;
+  std::vector<Limit> limits_;
+};
+
+}  // namespace
+
+void limitInStrips(const ModelShape& model, const ModelSizes& sizes, const std::vector<Ends>& ends,
+                   int threads, std::vector<EdgeSamples>& samples) {
+  std::vector<KnottedEdge> edges(samples.size());
+  for (std::size_t i = 0; i < samples.size(); ++i)
+    if (!sizes.edgeSizes.contains(static_cast<int>(i) + 1)) edges[i] = knotted(samples[i]);
+  const double leastShare = sizes.elementsPerTurn > 0 ? kLeastShareWithTurns : kLeastShare;
+  std::vector<std::vector<Limit>> byFace(static_cast<std::size_t>(model.faces.Extent()));
+  forEachInParallel(byFace.size(), threads, [&](std::size_t i) {
+    try {
+      byFace[i] = FaceStrips(model, static_cast<int>(i) + 1, ends, edges, leastShare).limits();
+    } catch (const std::exception&) {  // reported when the face is meshed
+    } catch (const Standard_Failure&) {
+    }
+  });
+  for (const std::vector<Limit>& limits : byFace)
+    for (const Limit& limit : limits) {
+      const Knot& knot = edges[limit.edge].knots[limit.knot];
+      std::vector<double>& along = samples[limit.edge].pieces[knot.piece].sizes;
+      for (std::size_t i = knot.first; i < knot.last; ++i)
+        along[i] = std::min(along[i], bounded(sizes, limit.size));
+    }
+}
+
+}  // namespace af2::geometry

@@ -1,0 +1,298 @@
+#include "geometry/occ/faces/face_mesher.h"
+
+#include <BRep_Tool.hxx>
+#include <ShapeAnalysis_Surface.hxx>
+#include <Standard_Failure.hxx>
+#include <TopoDS.hxx>
+#include <algorithm>
+#include <cstdio>
+#include <iterator>
+#include <new>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/base/error.h"
+#include "engine/base/stopwatch.h"
+#include "engine/surface/plane_chart.h"
+#include "geometry/charts/conformal_chart.h"
+#include "geometry/charts/laid_out.h"
+#include "geometry/fill/face_filling.h"
+#include "geometry/mesh/face_parts.h"
+#include "geometry/mesh/fans.h"
+#include "geometry/mesh/sharp_seams.h"
+#include "geometry/occ/base/points.h"
+#include "geometry/occ/edges/edge_samples.h"
+#include "geometry/occ/edges/tip_fans.h"
+#include "geometry/occ/faces/face_area.h"
+#include "geometry/occ/faces/most_area.h"
+#include "geometry/occ/sizes/face_size.h"
+#include "geometry/occ/sizes/sizing.h"
+#include "geometry/sizes/graded_size.h"
+
+namespace af2::geometry {
+
+namespace {
+
+/// Nothing if there are none.
+void tellOfPoints(const char* why, const std::vector<int>& edges, std::vector<std::string>& told) {
+  constexpr std::size_t kMostNamed = 5;
+  if (edges.empty()) return;
+  std::string ids;
+  for (std::size_t i = 0; i < std::min(edges.size(), kMostNamed); ++i)
+    ids += (i > 0 ? ", " : "") + std::to_string(edges[i]);
+  if (edges.size() > kMostNamed)
+    ids += " and " + std::to_string(edges.size() - kMostNamed) + " more";
+  told.push_back(std::string(why) + ": edges " + ids);
+}
+
+std::string toldOfTouching(const FaceBoundary::TouchingEdges& edges) {
+  char gap[32];
+  std::snprintf(gap, sizeof gap, "%.2g", edges.gap);
+  return "edges " + std::to_string(edges.one) + " and " + std::to_string(edges.other) +
+         " lie on each other, but for " + gap + ": where they do, the face has no width";
+}
+
+std::string toldOfLying(const FaceOnFace& lying) {
+  const std::string under = "face " + std::to_string(lying.under);
+  return lying.isDouble() ? "is " + under + " once more, so it has no elements"
+                          : "lies on " + under + ", turned back, so it has no elements";
+}
+
+std::string toldOfCells(const FaceCells& cells) {
+  std::string text = "turns sharply inside, so there are vertices along";
+  const auto add = [&](const std::vector<Stretch>& stretches, const char* name) {
+    for (std::size_t k = 1; k < stretches.size(); ++k) {
+      char value[48];
+      std::snprintf(value, sizeof value, " %s = %.6g,", name, stretches[k].low);
+      text += value;
+    }
+  };
+  add(cells.u, "u");
+  add(cells.v, "v");
+  text.pop_back();
+  return text;
+}
+
+class FaceMesher {
+ public:
+  FaceMesher(const FaceMeshingContext& context, int face, double area, double expectedElements)
+      : context_(context),
+        face_(face),
+        area_(area),
+        expected_(expectedElements),
+        surface_(context.model.surface(face)),
+        original_(surface_) {}
+
+  /// Of one cell of a face with creases.
+  FaceMesher(const FaceMeshingContext& context, int face, double area, FaceSurface surface)
+      : context_(context),
+        face_(face),
+        area_(area),
+        expected_(area > 0 ? geometry::expectedElements(context.options.sizes, face, surface, area)
+                           : 1),
+        surface_(std::move(surface)),
+        original_(surface_) {}
+
+  void meshInto(FaceMesh& mesh) {
+    const auto lying = std::ranges::find(context_.onFaces, face_, &FaceOnFace::face);
+    if (lying != context_.onFaces.end()) {
+      mesh.report.reason = toldOfLying(*lying);
+      return;
+    }
+    if (meshInCells(mesh)) return;
+    fill(findBoundary(context_.model, face_, context_.divided, surface_, context_.onFaces), mesh);
+  }
+
+ private:
+  /// Cell by cell, if the face has creases that are edges all through it.
+  bool meshInCells(FaceMesh& mesh) const {
+    const auto found = context_.model.cells.find(face_);
+    if (found == context_.model.cells.end() || found->second.isOne()) return false;
+    const auto isUnder = [&](const FaceOnFace& lying) { return lying.under == face_; };
+    if (std::ranges::any_of(context_.onFaces, isUnder)) return false;
+    std::vector<FaceMesh> parts;
+    try {
+      parts = meshCells(found->second);
+    } catch (const GeometryError&) {  // no closed loops around some cell
+      return false;
+    }
+    if (parts.size() < 2) return false;
+    for (FaceMesh& part : parts) part.report.area = 0;  // of the face it is known
+    joinParts(std::move(parts), mesh);
+    mesh.report.attempts.insert(mesh.report.attempts.begin(), toldOfCells(found->second));
+    return true;
+  }
+
+  struct Cell {
+    FaceCell id;
+    FaceSurface surface;
+    FaceBoundary boundary;
+  };
+
+  std::vector<FaceMesh> meshCells(const FaceCells& cells) const {
+    std::vector<Cell> filled;
+    for (FaceCell id; id.u < cells.u.size(); ++id.u)
+      for (id.v = 0; id.v < cells.v.size(); ++id.v) {
+        FaceSurface surface =
+            FaceSurface::ofCell(context_.model.face(face_), cells.u[id.u], cells.v[id.v]);
+        FaceBoundary boundary = findBoundary(context_.model, face_, id, context_.divided, surface);
+        if (!boundary.input.loops.empty())
+          filled.push_back({id, std::move(surface), std::move(boundary)});
+      }
+    std::vector<FaceMesh> parts;
+    for (Cell& cell : filled) {
+      const double area =
+          area_ > 0 ? areaOf(context_.model, face_, cells.u[cell.id.u], cells.v[cell.id.v]) : 0;
+      FaceMesher(
+          context_, face_, area,
+          FaceSurface::ofCell(context_.model.face(face_), cells.u[cell.id.u], cells.v[cell.id.v]))
+          .fillOrFail(std::move(cell.boundary), parts.emplace_back());
+    }
+    return parts;
+  }
+
+  void fillOrFail(FaceBoundary boundary, FaceMesh& mesh) {
+    try {
+      fill(std::move(boundary), mesh);
+    } catch (const GeometryError& failure) {
+      failFor(failure.what(), mesh);
+    }
+  }
+
+  void fill(FaceBoundary boundary, FaceMesh& mesh) {
+    leaveOutFans(surface_, boundary);
+    mesh.report.attempts = boundary.repairs;
+    std::ranges::copy(boundary.notes, std::back_inserter(mesh.report.attempts));
+    tellOfPoints(boundary.pointEdges, mesh.report.attempts);
+    double closed = 0;  // area between edges that are one
+    for (const FaceBoundary::TouchingEdges& edges : boundary.touching) {
+      mesh.report.attempts.push_back(toldOfTouching(edges));
+      closed += edges.gap * edges.length;
+    }
+    if (boundary.input.loops.empty()) {
+      mesh.report.reason = "has no width, so it has no elements: its boundary runs back on itself";
+      return;
+    }
+    if (context_.mayLean) partSeams(boundary.input, boundary.points);
+    constexpr double kMostClosed = 0.05;  // of the area
+    if (!boundary.repairs.empty() || closed > kMostClosed * area_)
+      mesh.report.area = area_ = 0;  // was found with the old boundary
+    const double toFill = area_ > 0 ? area_ - areaOfFans(boundary) : 0;
+    const FaceSize wanted(context_.options.sizes, face_, surface_);
+    const GradedSize size(wanted, boundary.input, context_.options.sizes.growth);
+    const ProgressCallback& progress = context_.progress;
+    FillOptions options{
+        context_.options.chart, context_.options.optimize, context_.options.stop, {}};
+    if (context_.options.observer)
+      options.observer = [&] { return context_.options.observer(face_); };
+    const std::function<PieceTools(ChartKind)> tools = [&](ChartKind kind) {
+      return makeTools(size, kind);
+    };
+    const FaceTask task{surface_,
+                        boundary,
+                        size,
+                        toFill,
+                        area_ > 0 ? expected_ : mostElements(boundary.input),
+                        context_.algorithm,
+                        options,
+                        context_.mayBeFineInside,
+                        context_.mostCandidates,
+                        context_.mayLean,
+                        progress,
+                        tools};
+    FaceFilling filling{task, wanted, kUnseen * wantedOnFace(context_.options.sizes, face_),
+                        context_.options.order == 2};
+    filling.findParameters = [&](std::vector<StuckPlace>& places) { findParameters(places); };
+    fillInto(filling, boundary, mesh);
+  }
+
+  void tellOfPoints(std::vector<int> edges, std::vector<std::string>& told) const {
+    const auto asked = std::ranges::stable_partition(edges, [&](int edge) {
+      return !context_.divided.edges[static_cast<std::size_t>(edge) - 1].point;
+    });
+    geometry::tellOfPoints("too short to be seen in the mesh, so taken for points",
+                           {edges.begin(), asked.begin()}, told);
+    geometry::tellOfPoints("short, and taken for points because a face there failed with them",
+                           {asked.begin(), edges.end()}, told);
+  }
+
+  /// Vertices inside quadrics, and those of faces laid out, do not keep the parameters of the file.
+  void findParameters(std::vector<StuckPlace>& places) const {
+    const TopoDS_Face face = TopoDS::Face(context_.model.face(face_));
+    ShapeAnalysis_Surface surface(BRep_Tool::Surface(face));
+    for (StuckPlace& place : places) {
+      const gp_Pnt2d uv = surface.ValueOfUV(toOcc(place.from), BRep_Tool::Tolerance(face));
+      place.u = uv.X();
+      place.v = uv.Y();
+    }
+  }
+
+  /// For a face whose area is not known.
+  double mostElements(const FrontInput& input) const {
+    return geometry::expectedElements(context_.options.sizes, face_, surface_,
+                                      mostArea(context_.model.face(face_), surface_, input));
+  }
+
+  /// A size field with a surface of its own: OpenCASCADE's evaluators are not to be shared.
+  struct OwnSize final : SizeField {
+    OwnSize(const FaceMeshingContext& context, int face, const FaceSurface& original,
+            const GradedSize& size, ChartKind kind)
+        : surface(original),
+          wanted(context.options.sizes, face, surface),
+          graded(wanted, size),
+          map(surface.makePlaneMap(kind)) {
+      if (map) laidOut.emplace(graded, *map);
+    }
+    double sizeAt(const SurfacePoint& point) const override {
+      return laidOut ? laidOut->sizeAt(point) : graded.sizeAt(point);
+    }
+
+    FaceSurface surface;
+    FaceSize wanted;
+    GradedSize graded;
+    std::unique_ptr<PlaneMap> map;  ///< null: charts see the surface itself
+    std::optional<LaidOutSize> laidOut;
+  };
+
+  PieceTools makeTools(const GradedSize& graded, ChartKind kind) const {
+    auto size = std::make_shared<const OwnSize>(context_, face_, original_, graded, kind);
+    if (size->map && kind == ChartKind::Conformal)
+      return {std::make_unique<ConformalChartMaker>(*size->map), std::move(size)};
+    if (size->map) return {std::make_unique<PlaneChartMaker>(), std::move(size)};
+    auto charts = size->surface.makeCharts(kind);
+    return {std::move(charts), std::move(size)};
+  }
+
+  const FaceMeshingContext& context_;
+  int face_;
+  double area_, expected_;
+  FaceSurface surface_;
+  const FaceSurface original_;  ///< only to be copied, by any thread
+};
+
+}  // namespace
+
+FaceMesh meshFace(const FaceMeshingContext& context, int face, double area,
+                  double expectedElements) {
+  FaceMesh mesh;
+  const Stopwatch watch;
+  const auto index = static_cast<std::size_t>(face) - 1;
+  mesh.report.id = face;
+  mesh.report.area = area;
+  mesh.report.name = context.model.faceNames[index];
+  mesh.report.surfaceType = context.model.surfaceTypes[index];
+  try {
+    FaceMesher(context, face, area, expectedElements).meshInto(mesh);
+  } catch (const Standard_Failure& failure) {
+    failFor(std::string("OpenCASCADE: ") + failure.DynamicType()->Name(), mesh);
+  } catch (const std::bad_alloc&) {
+    failFor("there is not enough memory; ask for a larger size", mesh);
+  } catch (const std::exception& failure) {
+    failFor(failure.what(), mesh);
+  }
+  mesh.report.seconds = watch.seconds();
+  return mesh;
+}
+
+}  // namespace af2::geometry

@@ -1,0 +1,145 @@
+#include "geometry/occ/faces/meeting_faces.h"
+
+#include <BRepBuilderAPI_MakeVertex.hxx>
+#include <BRepExtrema_DistShapeShape.hxx>
+#include <BRepTopAdaptor_FClass2d.hxx>
+#include <BRep_Tool.hxx>
+#include <GeomLProp_SLProps.hxx>
+#include <ShapeAnalysis_Surface.hxx>
+#include <Standard_Failure.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "engine/base/place_text.h"
+#include "geometry/occ/base/points.h"
+
+namespace af2::geometry {
+namespace {
+
+/// One of two faces, and the point of its surface that is nearest to the other one.
+class MeetingFace {
+ public:
+  explicit MeetingFace(const TopoDS_Face& face)
+      : face_(face), surface_(new ShapeAnalysis_Surface(BRep_Tool::Surface(face))) {}
+
+  gp_Pnt drop(const gp_Pnt& point) {
+    const double precision = BRep_Tool::Tolerance(face_);
+    uv_ = isBegun_ ? surface_->NextValueOfUV(uv_, point, precision)
+                   : surface_->ValueOfUV(point, precision);
+    isBegun_ = true;
+    return surface_->Value(uv_);
+  }
+
+  bool isOnFace() const {
+    return BRepTopAdaptor_FClass2d(face_, BRep_Tool::Tolerance(face_)).Perform(uv_) != TopAbs_OUT;
+  }
+
+  bool isAway(const gp_Pnt& point, double away) const {
+    const TopoDS_Vertex vertex = BRepBuilderAPI_MakeVertex(point);
+    for (TopExp_Explorer it(face_, TopAbs_EDGE); it.More(); it.Next()) {
+      const TopoDS_Edge& edge = TopoDS::Edge(it.Current());
+      if (BRep_Tool::Degenerated(edge)) continue;
+      const BRepExtrema_DistShapeShape distance(vertex, edge);
+      const double most = std::max(away, 2 * BRep_Tool::Tolerance(edge));
+      if (!distance.IsDone() || distance.Value() <= most) return false;
+    }
+    return true;
+  }
+
+  std::optional<gp_Dir> normal() const {
+    GeomLProp_SLProps properties(surface_->Surface(), uv_.X(), uv_.Y(), 1, 1e-9);
+    if (!properties.IsNormalDefined()) return std::nullopt;
+    return properties.Normal();
+  }
+
+ private:
+  TopoDS_Face face_;
+  Handle(ShapeAnalysis_Surface) surface_;
+  gp_Pnt2d uv_;
+  bool isBegun_ = false;
+};
+
+/// From one surface to the other and back: that ends where they meet, if they do.
+std::optional<gp_Pnt> meet(MeetingFace& one, MeetingFace& other, gp_Pnt point, double tolerance) {
+  constexpr int kMostSteps = 60;
+  for (int step = 0; step < kMostSteps; ++step) {
+    const gp_Pnt above = one.drop(point);
+    point = other.drop(above);
+    if (above.Distance(point) <= tolerance) return point;
+  }
+  return std::nullopt;
+}
+
+bool isParallel(const MeetingFace& one, const MeetingFace& other) {
+  constexpr double kSame = 1e-3;  // radians
+  const std::optional<gp_Dir> a = one.normal(), b = other.normal();
+  return a && b && a->IsParallel(*b, kSame);
+}
+
+/// The places at which the elements of a face cross those of each other face.
+std::map<int, std::vector<Point3>> placesByFace(const std::vector<Crossing>& crossings, int face) {
+  std::map<int, std::vector<Point3>> places;
+  for (const Crossing& crossing : crossings) {
+    if (crossing.faces[0] == crossing.faces[1]) continue;
+    if (crossing.faces[0] == face) places[crossing.faces[1]].push_back(crossing.place);
+    if (crossing.faces[1] == face) places[crossing.faces[0]].push_back(crossing.place);
+  }
+  return places;
+}
+
+/// Words for where a face meets another one; empty if that is not so.
+std::string meetingOf(const ModelShape& model, int face, const std::vector<Crossing>& crossings,
+                      double away) {
+  constexpr std::size_t kMostFaces = 6, kPlaces = 4;
+  std::size_t faces = 0;
+  for (const auto& [other, places] : placesByFace(crossings, face)) {
+    if (++faces > kMostFaces) break;
+    for (std::size_t k = 0; k < kPlaces; ++k) {
+      const Point3& nearby = places[(2 * k + 1) * places.size() / (2 * kPlaces)];
+      const auto found = commonPoint(model, face, other, nearby, away);
+      if (!found) continue;
+      return std::string("in the model itself it ") + (found->isTouching ? "lies on" : "meets") +
+             " face " + std::to_string(other) + " at " + textOf(found->place) +
+             ", where they have no edge in common: " +
+             (found->isTouching ? "take one of them out of the other"
+                                : "cut both along the line where they meet");
+    }
+  }
+  return "";
+}
+
+}  // namespace
+
+std::optional<CommonPoint> commonPoint(const ModelShape& model, int one, int other,
+                                       const Point3& nearby, double away) {
+  constexpr double kShare = 1e-2;  // of the distance from the edges
+  try {
+    MeetingFace first(model.face(one)), second(model.face(other));
+    const std::optional<gp_Pnt> point = meet(first, second, toOcc(nearby), kShare * away);
+    if (!point || !first.isOnFace() || !second.isOnFace()) return std::nullopt;
+    if (!first.isAway(*point, away) && !second.isAway(*point, away)) return std::nullopt;
+    return CommonPoint{toPoint(*point), isParallel(first, second)};
+  } catch (const Standard_Failure&) {
+    return std::nullopt;
+  }
+}
+
+void tellOfMeetingFaces(const ModelShape& model, const std::vector<Crossing>& crossings,
+                        double size, std::vector<FaceReport>& faces) {
+  constexpr double kAway = 0.02;  // of the size
+  constexpr int kMostTold = 20;   // where many cross, the first ones tell enough
+  if (crossings.empty()) return;
+  int told = 0;
+  for (FaceReport& face : faces) {
+    if (face.status != FaceStatus::Failed || told == kMostTold) continue;
+    const std::string meeting = meetingOf(model, face.id, crossings, kAway * size);
+    if (meeting.empty()) continue;
+    face.reason += "; " + meeting;
+    ++told;
+  }
+}
+
+}  // namespace af2::geometry

@@ -1,0 +1,70 @@
+#include "geometry/occ/faces/most_area.h"
+
+#include <BRep_Tool.hxx>
+#include <Geom_RectangularTrimmedSurface.hxx>
+#include <Geom_Surface.hxx>
+#include <Precision.hxx>
+#include <algorithm>
+#include <limits>
+#include <numbers>
+
+namespace af2::geometry {
+namespace {
+
+bool endsByItself(const TopoDS_Face& face) {
+  Handle(Geom_Surface) surface = BRep_Tool::Surface(face);
+  while (const auto trimmed = Handle(Geom_RectangularTrimmedSurface)::DownCast(surface))
+    surface = trimmed->BasisSurface();
+  double bounds[4];
+  surface->Bounds(bounds[0], bounds[1], bounds[2], bounds[3]);
+  return std::ranges::none_of(bounds, [](double b) { return Precision::IsInfinite(b); });
+}
+
+double farthest(const FrontInput& boundary) {
+  const Point3& origin = boundary.loops[0][0].point.position;
+  double extent = 0;
+  for (const auto& loop : boundary.loops)
+    for (const BoundaryCorner& corner : loop)
+      extent = std::max(extent, distance(corner.point.position, origin));
+  return extent;
+}
+
+struct Range {
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  void add(double value) {
+    low = std::min(low, value);
+    high = std::max(high, value);
+  }
+  double width() const { return high - low; }
+  double at(double share) const { return low + share * width(); }
+};
+
+/// Of the part of a surface within the bounds of the boundary in the parameters.
+double areaAround(const FaceSurface& surface, const FrontInput& boundary) {
+  constexpr int kSamples = 8;
+  Range u, v;
+  for (const auto& loop : boundary.loops)
+    for (const BoundaryCorner& corner : loop) {
+      u.add(corner.point.u);
+      v.add(corner.point.v);
+    }
+  double sum = 0;
+  for (int i = 0; i < kSamples; ++i)
+    for (int j = 0; j < kSamples; ++j) {
+      const SurfaceFrame frame =
+          surface.inParameters()->frameAt(u.at((i + 0.5) / kSamples), v.at((j + 0.5) / kSamples));
+      sum += length(cross(frame.du, frame.dv));
+    }
+  return sum / (kSamples * kSamples) * u.width() * v.width();
+}
+
+}  // namespace
+
+double mostArea(const TopoDS_Face& face, const FaceSurface& surface, const FrontInput& boundary) {
+  const bool isEndless = !endsByItself(face);
+  const double extent = std::max(farthest(boundary), isEndless ? 0.0 : surface.extent());
+  const double sphere = std::numbers::pi * extent * extent;
+  return isEndless && !surface.isPlane() ? std::min(sphere, areaAround(surface, boundary)) : sphere;
+}
+
+}  // namespace af2::geometry

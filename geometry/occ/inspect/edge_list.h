@@ -1,0 +1,14 @@
+// The edges of a model as a table: which id belongs to which.
+#pragma once
+
+#include <vector>
+
+#include "geometry/edges/edge_entry.h"
+#include "geometry/occ/model/model.h"
+
+namespace af2::geometry {
+
+/// All edges by their ids, but those without length or curve.
+std::vector<EdgeEntry> edgesOf(const Model& model);
+
+}  // namespace af2::geometry

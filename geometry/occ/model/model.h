@@ -1,0 +1,64 @@
+// A CAD model as it was read: faces, edges and vertices with their numbers.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "engine/base/point.h"
+#include "geometry/mesh/model_mesh.h"
+
+namespace af2::geometry {
+
+struct ModelShape;  // the OpenCASCADE side of it, occ/model_shape.h
+
+/// A CAD model. Copies share the same, immutable shape.
+class Model {
+ public:
+  explicit Model(std::shared_ptr<const ModelShape> shape);
+
+  /// Faces, edges and vertices are numbered 1, 2, ... in the order in which they stand in the
+  /// model.
+  int faceCount() const;
+  int edgeCount() const;
+  int vertexCount() const;
+
+  /// From the file; empty if it has none.
+  const std::string& faceName(int face) const;
+  /// "plane", "cylinder", "cone", "sphere", "torus", "bspline", ...
+  const std::string& surfaceType(int face) const;
+  /// What the file says belongs together (STEP only: names of parts, layers, colours), and solids.
+  const std::vector<FaceGroup>& groups() const;
+  /// The unit of all coordinates: "mm" from STEP and IGES; empty from BREP, which does not say.
+  const std::string& unit() const;
+  /// The unit that the file was written in, as it names it; empty if it does not say.
+  const std::string& fileUnit() const;
+  /// Diagonal of the box around all vertices and edges.
+  double diagonal() const;
+  /// What was repaired while reading, and what looks wrong; one sentence each.
+  const std::vector<std::string>& notes() const;
+
+  /// Faces of the file that could not be read, so that the model lacks them, as the file numbers
+  /// them: "#17 'inlet'" from STEP, "D17" from IGES.
+  const std::vector<std::string>& lostFaces() const;
+
+  /// What healModel changed, if it made this model.
+  const std::optional<Healing>& healing() const;
+
+  const ModelShape& shape() const { return *shape_; }
+  std::shared_ptr<const ModelShape> sharedShape() const { return shape_; }
+
+ private:
+  std::shared_ptr<const ModelShape> shape_;
+};
+
+/// Reads a STEP, IGES or BREP file; which of them, its content says.
+///
+/// Throws InputError, naming the file, the cause and a way out, if the file cannot be read, is cut
+/// off or damaged, or holds no face.
+///
+/// Not to be called from two threads at once: OpenCASCADE's readers share global state.
+Model readModel(const std::filesystem::path& path);
+
+}  // namespace af2::geometry

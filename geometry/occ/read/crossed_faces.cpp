@@ -1,0 +1,195 @@
+#include "geometry/occ/read/crossed_faces.h"
+
+#include <BRepAdaptor_Surface.hxx>
+#include <BRepBndLib.hxx>
+#include <BRepBuilderAPI_MakeVertex.hxx>
+#include <BRepExtrema_DistShapeShape.hxx>
+#include <BRepGProp.hxx>
+#include <BRepTools.hxx>
+#include <BRepTopAdaptor_FClass2d.hxx>
+#include <BRep_Builder.hxx>
+#include <BRep_Tool.hxx>
+#include <Bnd_Box.hxx>
+#include <GProp_GProps.hxx>
+#include <GeomAdaptor_Curve.hxx>
+#include <Geom_Line.hxx>
+#include <IntCurveSurface_HInter.hxx>
+#include <Standard_Failure.hxx>
+#include <TopExp.hxx>
+#include <TopTools_IndexedDataMapOfShapeListOfShape.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Iterator.hxx>
+#include <TopoDS_Wire.hxx>
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include "geometry/occ/read/turned_faces.h"
+
+namespace af2::geometry {
+namespace {
+
+constexpr double kTolerance = 1e-7;
+
+using Chord = std::array<gp_Pnt, 2>;
+
+Bnd_Box boxOf(const TopoDS_Face& face) {
+  Bnd_Box box;
+  BRepBndLib::Add(face, box);
+  return box;
+}
+
+double areaOf(const TopoDS_Face& face) {
+  GProp_GProps properties;
+  BRepGProp::SurfaceProperties(face, properties);
+  return std::abs(properties.Mass());
+}
+
+/// Short chords between points inside a face, in rows across it.
+std::vector<Chord> chordsOf(const TopoDS_Face& face) {
+  constexpr int kRows = 6, kSteps = 18;
+  const BRepAdaptor_Surface surface(face);
+  const BRepTopAdaptor_FClass2d inside(face, kTolerance);
+  double u1, u2, v1, v2;
+  BRepTools::UVBounds(face, u1, u2, v1, v2);
+  std::vector<Chord> chords;
+  const auto addRow = [&](const auto& at) {
+    std::optional<gp_Pnt> before;
+    for (int step = 0; step <= kSteps; ++step) {
+      const gp_Pnt2d uv = at(static_cast<double>(step) / kSteps);
+      const bool isInside = inside.Perform(uv) == TopAbs_IN;
+      const gp_Pnt here = isInside ? surface.Value(uv.X(), uv.Y()) : gp_Pnt();
+      if (isInside && before) chords.push_back({*before, here});
+      before = isInside ? std::optional(here) : std::nullopt;
+    }
+  };
+  for (int row = 0; row < kRows; ++row) {
+    const double r = (row + 0.5) / kRows;
+    addRow([&](double t) { return gp_Pnt2d(u1 + r * (u2 - u1), v1 + t * (v2 - v1)); });
+    addRow([&](double t) { return gp_Pnt2d(u1 + t * (u2 - u1), v1 + r * (v2 - v1)); });
+  }
+  return chords;
+}
+
+/// Counts what passes through a face, but for what may only touch it at its boundary.
+///
+/// Not by IntCurvesFace_Intersector: that fails beside edges without a curve, as poles are.
+class Crossed {
+ public:
+  explicit Crossed(const TopoDS_Face& face)
+      : face_(face),
+        surface_(new BRepAdaptor_Surface(face)),
+        within_(face, kTolerance),
+        margin_(kMargin * std::sqrt(areaOf(face))) {}
+
+  int by(const std::vector<Chord>& chords) {
+    int count = 0;
+    for (const auto& [from, to] : chords) {
+      const double length = from.Distance(to);
+      if (length < kTolerance) continue;
+      const Handle(Geom_Line) line = new Geom_Line(from, gp_Vec(from, to));
+      IntCurveSurface_HInter meets;
+      meets.Perform(new GeomAdaptor_Curve(line, 0, length), surface_);
+      for (int i = 1; meets.IsDone() && i <= meets.NbPoints(); ++i)
+        count += isInside(meets.Point(i)) ? 1 : 0;
+    }
+    return count;
+  }
+
+ private:
+  static constexpr double kMargin = 0.02;  // of the extent of the face
+
+  bool isInside(const IntCurveSurface_IntersectionPoint& point) const {
+    if (within_.Perform({point.U(), point.V()}) != TopAbs_IN) return false;
+    const TopoDS_Shape vertex = BRepBuilderAPI_MakeVertex(point.Pnt()).Shape();
+    const BRepExtrema_DistShapeShape distance(vertex, BRepTools::OuterWire(face_));
+    return distance.IsDone() && distance.Value() > margin_;
+  }
+
+  TopoDS_Face face_;
+  Handle(BRepAdaptor_Surface) surface_;
+  BRepTopAdaptor_FClass2d within_;
+  double margin_;
+};
+
+/// Whether several chords of other faces pass through a face and none through its rest.
+bool isRestMeant(const std::vector<TopoDS_Face>& faces, std::size_t index,
+                 const TopoDS_Face& rest) {
+  constexpr int kSeveral = 3;
+  Bnd_Box box = boxOf(faces[index]);
+  box.Add(boxOf(rest));
+  Crossed given(faces[index]), other(rest);
+  int throughGiven = 0;
+  for (std::size_t i = 0; i < faces.size(); ++i) {
+    if (i == index || box.IsOut(boxOf(faces[i]))) continue;
+    const std::vector<Chord> chords = chordsOf(faces[i]);
+    if (other.by(chords) > 0) return false;
+    throughGiven += given.by(chords);
+  }
+  return throughGiven >= kSeveral;
+}
+
+bool isClosed(const TopoDS_Shape& shell) {
+  TopTools_IndexedDataMapOfShapeListOfShape faces;
+  TopExp::MapShapesAndAncestors(shell, TopAbs_EDGE, TopAbs_FACE, faces);
+  for (int i = 1; i <= faces.Extent(); ++i)
+    if (faces(i).Extent() < 2 && !BRep_Tool::Degenerated(TopoDS::Edge(faces.FindKey(i))))
+      return false;
+  return true;
+}
+
+/// Whether a shell of these faces, as they are, looks outwards.
+bool looksOutwards(const std::vector<TopoDS_Face>& faces) {
+  const BRep_Builder builder;
+  TopoDS_Shell shell;
+  builder.MakeShell(shell);
+  for (const TopoDS_Face& face : faces) builder.Add(shell, face);
+  GProp_GProps properties;  // each face by itself would be measured from a place of its own
+  BRepGProp::VolumeProperties(shell, properties);
+  return properties.Mass() > 0;
+}
+
+Rests crossedIn(const TopoDS_Shell& shell) {
+  std::vector<TopoDS_Face> faces;
+  for (TopoDS_Iterator it(shell.Oriented(TopAbs_FORWARD)); it.More(); it.Next())
+    faces.push_back(TopoDS::Face(it.Value()));
+  Rests rests;
+  std::vector<TopoDS_Face> meant = faces;
+  for (std::size_t i = 0; i < faces.size(); ++i) {
+    const TopoDS_Face rest = restOf(faces[i]);
+    if (rest.IsNull()) continue;
+    if (rests.faces.empty() && !isClosed(shell)) return {};
+    if (!isRestMeant(faces, i, rest)) continue;
+    rests.faces.emplace(static_cast<int>(i), rest);
+    meant[i] = rest;
+  }
+  if (!rests.faces.empty()) rests.isShellForward = looksOutwards(meant);
+  return rests;
+}
+
+/// None if OpenCASCADE cannot tell: the faces stay as they were read.
+Rests restsIn(const TopoDS_Shell& shell) {
+  try {
+    return crossedIn(shell);
+  } catch (const Standard_Failure&) {
+    return {};
+  }
+}
+
+}  // namespace
+
+void turnBackCrossedFaces(ReadShape& read) {
+  std::vector<TopoDS_Shell> shells;
+  TopTools_IndexedMapOfShape found;
+  TopExp::MapShapes(read.shape, TopAbs_SHELL, found);
+  for (int i = 1; i <= found.Extent(); ++i)
+    shells.push_back(TopoDS::Shell(found(i).Located(TopLoc_Location())));
+  const int count = replaceByRests(read, shells, restsIn);
+  if (count == 0) return;
+  read.notes.push_back(std::to_string(count) +
+                       " faces between two poles were crossed by others; put right as the rest of "
+                       "their surface, which nothing crosses");
+}
+
+}  // namespace af2::geometry

@@ -1,0 +1,53 @@
+#include "geometry/occ/read/external_parts.h"
+
+#include <STEPCAFControl_ExternFile.hxx>
+#include <STEPConstruct_ExternRefs.hxx>
+#include <StepBasic_ProductDefinition.hxx>
+#include <TCollection_HAsciiString.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TransferBRep.hxx>
+#include <Transfer_TransientProcess.hxx>
+#include <XSControl_TransferReader.hxx>
+#include <XSControl_WorkSession.hxx>
+#include <set>
+
+namespace af2::geometry {
+
+namespace {
+
+/// A part may be in the assembly itself; then the other file is for information only.
+bool hasFaces(const Handle(XSControl_WorkSession) & session,
+              const Handle(StepBasic_ProductDefinition) & part) {
+  const TopoDS_Shape shape =
+      TransferBRep::ShapeResult(session->TransferReader()->TransientProcess(), part);
+  return !shape.IsNull() && TopExp_Explorer(shape, TopAbs_FACE).More();
+}
+
+}  // namespace
+
+ExternalParts externalPartsOf(STEPCAFControl_Reader& reader) {
+  ExternalParts parts;
+  std::set<std::string> told;
+  const auto lookAt = [&](const Handle(XSControl_WorkSession) & session) {
+    STEPConstruct_ExternRefs references(session);
+    if (!references.LoadExternRefs()) return;
+    for (int i = 1; i <= references.NbExternRefs(); ++i) {
+      const std::string name = references.FileName(i);
+      Handle(STEPCAFControl_ExternFile) file;
+      const bool isRead = !name.empty() && reader.ExternFile(name.c_str(), file) &&
+                          !file.IsNull() && file->GetLoadStatus() == IFSelect_RetDone &&
+                          file->GetTransferStatus();
+      if (!isRead && hasFaces(session, references.ProdDef(i))) continue;
+      if (!told.insert(name).second) continue;
+      (isRead ? parts.read : parts.missing).push_back(name);
+      if (isRead) parts.sessions.push_back(file->GetWS());
+    }
+  };
+  lookAt(reader.ChangeReader().WS());
+  // Grows as it goes on: parts may be assemblies again.
+  for (std::size_t i = 0; i < parts.sessions.size(); ++i)
+    lookAt(Handle(XSControl_WorkSession)(parts.sessions[i]));
+  return parts;
+}
+
+}  // namespace af2::geometry

@@ -1,0 +1,177 @@
+#include <Message.hxx>
+#include <Message_Messenger.hxx>
+#include <Standard_Failure.hxx>
+#include <fstream>
+#include <iostream>
+#include <new>
+
+#include "engine/base/error.h"
+#include "geometry/base/file_extension.h"
+#include "geometry/occ/model/model.h"
+#include "geometry/occ/read/crossed_faces.h"
+#include "geometry/occ/read/readers.h"
+
+namespace af2::geometry {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+enum class Format { Unknown, Step, Iges, Brep };
+
+/// Keeps OpenCASCADE from printing while a file is read; its readers share global state anyway.
+class Silence {
+ public:
+  Silence() : printers_(Message::DefaultMessenger()->Printers()) {
+    Message::DefaultMessenger()->ChangePrinters().Clear();
+    // Some readers write to the streams directly.
+    out_ = std::cout.rdbuf(nullptr);
+    error_ = std::cerr.rdbuf(nullptr);
+  }
+  Silence(const Silence&) = delete;
+  Silence& operator=(const Silence&) = delete;
+  ~Silence() {
+    std::cout.rdbuf(out_);
+    std::cerr.rdbuf(error_);
+    std::cout.clear();
+    std::cerr.clear();
+    Message::DefaultMessenger()->ChangePrinters() = printers_;
+  }
+
+ private:
+  Message_SequenceOfPrinters printers_;
+  std::streambuf* out_;
+  std::streambuf* error_;
+};
+
+std::string startOf(const fs::path& path) {
+  std::ifstream stream(path, std::ios::binary);
+  std::string start(400, '\0');
+  stream.read(start.data(), static_cast<std::streamsize>(start.size()));
+  start.resize(static_cast<std::size_t>(stream.gcount()));
+  return start;
+}
+
+/// An IGES file is made of lines of 80 columns; column 73 holds the letter of the section.
+bool looksLikeIges(const std::string& start) {
+  const std::size_t end = start.find_first_of("\r\n");
+  return end != std::string::npos && end >= 73 && end <= 81 &&
+         (start[72] == 'S' || start[72] == 'C' || start[72] == 'B');
+}
+
+Format formatByContent(const std::string& start) {
+  if (start.find("ISO-10303-21") != std::string::npos) return Format::Step;
+  if (start.find("CASCADE Topology V") != std::string::npos ||
+      start.find("DBRep_DrawableShape") != std::string::npos)
+    return Format::Brep;
+  if (looksLikeIges(start)) return Format::Iges;
+  return Format::Unknown;
+}
+
+Format formatByName(const fs::path& path) {
+  const std::string extension = extensionOf(path);
+  if (extension == ".step" || extension == ".stp" || extension == ".p21") return Format::Step;
+  if (extension == ".iges" || extension == ".igs") return Format::Iges;
+  if (extension == ".brep" || extension == ".brp" || extension == ".rle") return Format::Brep;
+  return Format::Unknown;
+}
+
+const char* nameOf(Format format) {
+  switch (format) {
+    case Format::Step:
+      return "STEP";
+    case Format::Iges:
+      return "IGES";
+    case Format::Brep:
+      return "BREP";
+    default:
+      return "CAD";
+  }
+}
+
+/// The content decides; the name tells what a file that has lost its start was meant to be.
+Format formatOf(const fs::path& path) {
+  std::error_code error;
+  const fs::file_status status = fs::status(path, error);
+  if (!fs::exists(status)) throw InputError(path.string() + ": there is no such file");
+  if (fs::is_directory(status)) throw InputError(path.string() + ": is a folder, not a file");
+  std::ifstream stream(path, std::ios::binary);
+  if (!stream) throw InputError(path.string() + ": cannot be opened; check its permissions");
+  const std::string start = startOf(path);
+  if (start.empty()) throw InputError(path.string() + ": is empty; export the model again");
+
+  const Format format = formatByContent(start);
+  if (format != Format::Unknown) return format;
+  const Format byName = formatByName(path);
+  if (byName != Format::Unknown)
+    throw InputError(path.string() + ": does not start like " +
+                     (byName == Format::Iges ? "an " : "a ") + nameOf(byName) +
+                     " file; it is damaged or something else, export the model again");
+  if (start.starts_with("\x1f\x8b") || start.starts_with("PK\x03\x04"))
+    throw InputError(path.string() + ": is compressed; unpack it first");
+  throw InputError(path.string() +
+                   ": is no STEP, IGES or BREP file; export the model as one of these");
+}
+
+ReadShape readAs(Format format, const fs::path& path) {
+  const Silence silence;
+  switch (format) {
+    case Format::Step:
+      return readStep(path);
+    case Format::Iges:
+      return readIges(path);
+    default:
+      return readBrep(path);
+  }
+}
+
+std::string damaged(const fs::path& path, Format format, const std::string& cause) {
+  return path.string() + ": this " + nameOf(format) + " file is damaged or cut off (" + cause +
+         "); export the model again";
+}
+
+ReadShape readShape(const fs::path& path) {
+  const Format format = formatOf(path);
+  try {
+    return readAs(format, path);
+  } catch (const InputError&) {
+    throw;
+  } catch (const Standard_Failure& failure) {
+    const std::string text = failure.GetMessageString() ? failure.GetMessageString() : "";
+    throw InputError(damaged(path, format, text.empty() ? failure.DynamicType()->Name() : text));
+  } catch (const std::bad_alloc&) {
+    throw InputError(damaged(path, format, "it asks for more memory than there is"));
+  } catch (const std::exception& failure) {
+    throw InputError(damaged(path, format, failure.what()));
+  }
+}
+
+}  // namespace
+
+Model readModel(const fs::path& path) {
+  ReadShape read = readShape(path);
+  if (read.shape.IsNull())
+    throw InputError(path.string() +
+                     ": holds no shape; it is cut off, or was exported without one");
+  std::shared_ptr<const ModelShape> shape;
+  try {
+    const Silence silence;
+    turnBackCrossedFaces(read);
+    shape = makeModelShape(std::move(read));
+  } catch (const Standard_Failure& failure) {
+    throw InputError(path.string() + ": the shape in it is damaged (" +
+                     failure.DynamicType()->Name() + "); repair or export the model again");
+  }
+  if (shape->faces.IsEmpty() && !shape->lostFaces.empty())
+    throw InputError(path.string() + ": none of its " + std::to_string(shape->lostFaces.size()) +
+                     " faces can be read, the first is " + shape->lostFaces.front() +
+                     "; export the model again");
+  if (shape->faces.IsEmpty())
+    throw InputError(path.string() + ": holds no face, only " +
+                     std::to_string(shape->edges.Extent()) + " edges and " +
+                     std::to_string(shape->vertices.Extent()) +
+                     " vertices; export the model with its surfaces");
+  return Model(shape);
+}
+
+}  // namespace af2::geometry

@@ -1,0 +1,165 @@
+#include <BRep_Builder.hxx>
+#include <STEPCAFControl_Reader.hxx>
+#include <STEPControl_Reader.hxx>
+#include <StepData_StepModel.hxx>
+#include <StepShape_FaceSurface.hxx>
+#include <TColStd_SequenceOfAsciiString.hxx>
+#include <TCollection_HAsciiString.hxx>
+#include <TDF_LabelSequence.hxx>
+#include <TDocStd_Document.hxx>
+#include <TopTools_DataMapOfShapeInteger.hxx>
+#include <TopoDS_Compound.hxx>
+#include <TransferBRep.hxx>
+#include <Transfer_TransientProcess.hxx>
+#include <XCAFDoc_DocumentTool.hxx>
+#include <XCAFDoc_ShapeTool.hxx>
+#include <XSControl_TransferReader.hxx>
+#include <XSControl_WorkSession.hxx>
+#include <algorithm>
+#include <iterator>
+
+#include "engine/base/error.h"
+#include "geometry/base/utf8.h"
+#include "geometry/occ/base/trial.h"
+#include "geometry/occ/read/damaged_entities.h"
+#include "geometry/occ/read/external_parts.h"
+#include "geometry/occ/read/lost_faces.h"
+#include "geometry/occ/read/reader_setting.h"
+#include "geometry/occ/read/readers.h"
+#include "geometry/occ/read/step_groups.h"
+#include "geometry/occ/read/turned_faces.h"
+
+namespace af2::geometry {
+
+namespace {
+
+/// The faces as the file gives them, found by the shape that each became.
+class StepFaces {
+ public:
+  void add(const Handle(Transfer_TransientProcess) & process) {
+    for (int i = 1; i <= process->NbMapped(); ++i) {
+      const auto face = Handle(StepShape_FaceSurface)::DownCast(process->Mapped(i));
+      if (face.IsNull()) continue;
+      const TopoDS_Shape shape = TransferBRep::ShapeResult(process, face);
+      if (shape.IsNull()) continue;
+      index_.Bind(shape.Located(TopLoc_Location()), static_cast<int>(faces_.size()));
+      faces_.push_back(face);
+    }
+  }
+
+  std::string nameOf(const TopoDS_Face& face) const {
+    const Handle(StepShape_FaceSurface) found = find(face);
+    if (found.IsNull() || found->Name().IsNull()) return "";
+    const std::string name = found->Name()->ToCString();
+    return isName(name) ? name : "";
+  }
+
+  /// Whether the face looks to the side of its surface that the file says.
+  bool isAsInFile(const TopoDS_Face& face) const {
+    const Handle(StepShape_FaceSurface) found = find(face);
+    return found.IsNull() || found->SameSense() == (face.Orientation() == TopAbs_FORWARD);
+  }
+
+ private:
+  Handle(StepShape_FaceSurface) find(const TopoDS_Face& face) const {
+    const int* index = index_.Seek(face.Located(TopLoc_Location()));
+    return index ? faces_[static_cast<std::size_t>(*index)] : Handle(StepShape_FaceSurface)();
+  }
+
+  /// Some systems write a placeholder or the number of the entity.
+  static bool isName(const std::string& name) {
+    return !name.empty() && name != "NONE" && name[0] != '#';
+  }
+
+  TopTools_DataMapOfShapeInteger index_;
+  std::vector<Handle(StepShape_FaceSurface)> faces_;
+};
+
+/// Files may mix units: all that there are.
+std::string lengthUnitsOf(STEPControl_Reader& reader) {
+  TColStd_SequenceOfAsciiString lengths, angles, solidAngles;
+  reader.FileUnits(lengths, angles, solidAngles);
+  std::vector<std::string> units;
+  for (const TCollection_AsciiString& length : lengths)
+    if (!std::ranges::count(units, length.ToCString())) units.emplace_back(length.ToCString());
+  std::string text;
+  for (const std::string& unit : units) text += (text.empty() ? "" : ", ") + unit;
+  return text;
+}
+
+std::string listed(const std::vector<std::string>& names) {
+  constexpr std::size_t kMostNamed = 10;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(names.size(), kMostNamed); ++i)
+    text += (i > 0 ? ", '" : "'") + names[i] + "'";
+  if (names.size() > kMostNamed)
+    text += " and " + std::to_string(names.size() - kMostNamed) + " more";
+  return text;
+}
+
+/// All parts in their places, also those from other files, which only the document has.
+TopoDS_Shape joinedParts(const Handle(TDocStd_Document) & document, const ExternalParts& parts,
+                         const std::filesystem::path& path, std::vector<std::string>& notes) {
+  if (!parts.missing.empty())
+    throw InputError(path.string() + ": parts of this assembly lie in other files, of which " +
+                     listed(parts.missing) +
+                     " cannot be read; put these beside it, or export the assembly to one file");
+  notes.push_back("parts of the assembly were read from " + listed(parts.read));
+  TDF_LabelSequence tops;
+  XCAFDoc_DocumentTool::ShapeTool(document->Main())->GetFreeShapes(tops);
+  TopoDS_Compound all;
+  const BRep_Builder builder;
+  builder.MakeCompound(all);
+  for (const TDF_Label& top : tops) builder.Add(all, XCAFDoc_ShapeTool::GetShape(top));
+  return all;
+}
+
+}  // namespace
+
+ReadShape readStep(const std::filesystem::path& path) {
+  STEPCAFControl_Reader withAttributes;
+  withAttributes.SetNameMode(true);
+  withAttributes.SetColorMode(true);
+  withAttributes.SetLayerMode(true);
+  withAttributes.SetPropsMode(false);
+  Handle(TDocStd_Document) document = new TDocStd_Document("XmlXCAF");
+  STEPControl_Reader& reader = withAttributes.ChangeReader();
+  const ReaderSetting unit("xstep.cascade.unit", "MM");
+  const bool isUtf8 = isUtf8File(path);
+  const ReaderSetting codepage("read.step.codepage", isUtf8 ? "UTF8" : "CP1252");
+  // Files that it refers to are found only beside a file with its whole path.
+  if (withAttributes.ReadFile(std::filesystem::absolute(path).c_str()) != IFSelect_RetDone)
+    throw InputError(path.string() +
+                     ": this STEP file is damaged or cut off; export the model again");
+  ReadShape result;
+  if (!isUtf8)
+    result.notes.push_back("the names in the file are not in UTF-8; read as in Windows-1252");
+  const StepDamage damage = takeOutDamage(reader.WS(), path);
+  if (!damage.text.empty()) {
+    constexpr std::chrono::seconds kLimit(30);
+    if (!survives([&] { withAttributes.Transfer(document); }, kLimit))
+      throw InputError(path.string() + ": " + damage.text + "; export the model again");
+    result.notes.push_back(damage.text + "; what uses them may be missing");
+  }
+  withAttributes.Transfer(document);
+  result.unit = "mm";
+  result.fileUnit = lengthUnitsOf(reader);
+  const ExternalParts others = externalPartsOf(withAttributes);
+  const bool isInOneFile = others.read.empty() && others.missing.empty();
+  result.shape =
+      isInOneFile ? reader.OneShape() : joinedParts(document, others, path, result.notes);
+  result.groups = groupsOf(document);
+  StepFaces faces;
+  const auto take = [&](const Handle(XSControl_WorkSession) & session,
+                        const std::vector<TakenFace>& taken) {
+    faces.add(session->TransferReader()->TransientProcess());
+    std::ranges::move(lostStepFaces(session, taken), std::back_inserter(result.lostFaces));
+  };
+  take(reader.WS(), damage.faces);
+  for (const auto& session : others.sessions) take(session, {});
+  result.nameOf = [faces](const TopoDS_Face& face) { return faces.nameOf(face); };
+  turnBackFaces(result, [&](const TopoDS_Face& face) { return faces.isAsInFile(face); });
+  return result;
+}
+
+}  // namespace af2::geometry

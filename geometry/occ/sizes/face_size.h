@@ -1,0 +1,27 @@
+// The wanted size on one face.
+// Not installed: includers need OpenCASCADE's headers.
+#pragma once
+
+#include "engine/surface/size_field.h"
+#include "geometry/occ/model/meshing_options.h"
+#include "geometry/occ/surfaces/face_surface.h"
+
+namespace af2::geometry {
+
+/// The size that the options give, limited by curvature.
+class FaceSize final : public SizeField {
+ public:
+  FaceSize(const ModelSizes& sizes, int face, const FaceSurface& surface);
+  double sizeAt(const SurfacePoint& point) const override;
+
+ private:
+  double limitedAt(const SurfacePoint& point) const;
+
+  const ModelSizes& sizes_;
+  const FaceSurface& surface_;
+  int face_;
+  double wanted_;
+  bool isBentAlike_;  ///< then `wanted_` is limited by the curvature already
+};
+
+}  // namespace af2::geometry

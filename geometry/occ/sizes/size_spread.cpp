@@ -1,0 +1,365 @@
+// Sizes that faces want inside, spread through space so that what is near knows of them.
+#include <BRepTools.hxx>
+#include <BRepTopAdaptor_FClass2d.hxx>
+#include <Precision.hxx>
+#include <Standard_Failure.hxx>
+#include <TopoDS.hxx>
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+#include <numeric>
+#include <optional>
+#include <set>
+#include <utility>
+
+#include "engine/base/error.h"
+#include "geometry/base/parallel.h"
+#include "geometry/occ/base/points.h"
+#include "geometry/occ/sizes/face_size.h"
+#include "geometry/occ/sizes/sizing.h"
+
+namespace af2::geometry {
+namespace {
+
+/// Cells along each parameter of a face: about one for each wanted edge, within these bounds.
+constexpr int kFewestCells = 4, kMostCells = 48;
+
+/// What wants nearly the size of its face need not be spread.
+constexpr double kSmall = 0.9;
+
+/// Away from what faces want inside, sizes grow by this share of what they may. In the open, where
+/// elements follow nothing but their sizes, their shapes are the better the more gently these grow.
+constexpr double kShareOfGrowth = 2.0 / 3;
+
+double growthInside(const ModelSizes& sizes) { return kShareOfGrowth * sizes.growth; }
+
+/// The options for gentle curvature, set so that a turn gets as many elements as asked for.
+void setTurns(ModelSizes& sizes) {
+  constexpr double kCurvedShare = 0.9;
+  if (sizes.elementsPerTurn == 0) return;
+  sizes.curvedShare = kCurvedShare;
+  sizes.edgeTurn = sizes.faceTurn = 2 * std::numbers::pi / sizes.elementsPerTurn;
+  const double least = sizes.minSize > 0 ? 0 : leastForLimits(1, 0);
+  sizes.edgeLeast = sizes.faceLeast = sizes.bentFaceLeast = least;
+}
+
+/// Samples one face on cells of its parameters, and more densely where sizes change too fast.
+class FaceSampler {
+ public:
+  FaceSampler(const ModelShape& model, int face, const ModelSizes& sizes)
+      : id_(face),
+        face_(TopoDS::Face(model.face(face).Oriented(TopAbs_FORWARD))),
+        sizes_(sizes),
+        wanted_(wantedOnFace(sizes, face)),
+        surface_(model.surface(face)) {}
+
+  std::vector<SizeSource> sources() {
+    if (!sizes_.function && surface_.isPlane()) return {};
+    trimming_.emplace(face_, Precision::PConfusion());
+    std::vector<Cell> cells = firstCells();
+    for (std::size_t samples = 0; !cells.empty() && samples < kMostSamples;) {
+      samples += cells.size();
+      takePoints(cells);
+      findSizes();
+      addSources();
+      cells = partsOfUneven(cells);
+    }
+    roughShare_ = shareOf(cells);
+    if (!cells.empty() && !isAsked()) return {};  // rougher than shorter edges could make good
+    return std::move(sources_);
+  }
+
+  /// Whether sizes changed faster than could be sampled, and not at some spot alone, such as a
+  /// corner where the surface turns over.
+  bool isTooRough() const {
+    constexpr double kSpot = 0.003;  // of the parameters
+    return roughShare_ > kSpot && !isAsked();
+  }
+
+ private:
+  struct Cell {
+    double u, v, du, dv;  // its middle, and half its width
+  };
+  /// Whether sizes inside faces were asked for.
+  bool isAsked() const { return sizes_.function || sizes_.elementsPerTurn > 0; }
+
+  static constexpr int kPointsPerCell = 5;
+  static constexpr std::size_t kMostSamples = 20000;
+
+  std::vector<Cell> firstCells() {
+    double u1, u2, v1, v2;
+    BRepTools::UVBounds(face_, u1, u2, v1, v2);
+    for (const double bound : {u1, u2, v1, v2})
+      if (Precision::IsInfinite(bound)) return {};
+    if (!(u2 > u1 && v2 > v1)) return {};
+    const auto lengthAlong = [&](bool alongU) {
+      constexpr int kChords = 8;
+      const auto at = [&](double s, double t) {
+        return positionAt(u1 + s * (u2 - u1), v1 + t * (v2 - v1));
+      };
+      double longest = 0;
+      for (const double across : {0.0, 0.5, 1.0}) {
+        double sum = 0;
+        for (int i = 0; i < kChords; ++i) {
+          const double s = double(i) / kChords, t = double(i + 1) / kChords;
+          sum += alongU ? distance(at(s, across), at(t, across))
+                        : distance(at(across, s), at(across, t));
+        }
+        longest = std::max(longest, sum);
+      }
+      return longest;
+    };
+    const int m = cellsFor(lengthAlong(true)), n = cellsFor(lengthAlong(false));
+    const double du = (u2 - u1) / m / 2, dv = (v2 - v1) / n / 2;
+    std::vector<Cell> cells;
+    for (int i = 0; i < m; ++i)
+      for (int j = 0; j < n; ++j)
+        cells.push_back({u1 + (2 * i + 1) * du, v1 + (2 * j + 1) * dv, du, dv});
+    return cells;
+  }
+
+  /// How much of the parameters the cells take up.
+  double shareOf(const std::vector<Cell>& cells) const {
+    double u1, u2, v1, v2, sum = 0;
+    BRepTools::UVBounds(face_, u1, u2, v1, v2);
+    for (const Cell& cell : cells) sum += 4 * cell.du * cell.dv;
+    return cells.empty() ? 0 : sum / ((u2 - u1) * (v2 - v1));
+  }
+
+  int cellsFor(double length) const {
+    return static_cast<int>(
+        std::clamp(std::ceil(length / wanted_), double(kFewestCells), double(kMostCells)));
+  }
+  Point3 positionAt(double u, double v) const {
+    return surface_.inOccParameters().pointAt(u, v).position;
+  }
+
+  /// The middle and near the corners of each cell.
+  void takePoints(const std::vector<Cell>& cells) {
+    constexpr double kInside = 0.99;
+    points_.clear();
+    for (const Cell& c : cells) {
+      for (const auto& [s, t] : {std::pair{0, 0}, {-1, -1}, {1, -1}, {-1, 1}, {1, 1}}) {
+        const double u = c.u + kInside * s * c.du, v = c.v + kInside * t * c.dv;
+        points_.push_back({positionAt(u, v), {}, u, v});
+      }
+    }
+  }
+
+  void findSizes() {
+    limits_.assign(points_.size(), wanted_);
+    if (sizes_.function) {
+      std::vector<Point3> at;
+      for (const SurfacePoint& p : points_) at.push_back(p.position);
+      sizes_.function.at(at, limits_);
+    }
+    for (std::size_t i = 0; i < points_.size(); ++i) {
+      double size = std::min(wanted_, limits_[i]);
+      if (!surface_.isPlane()) size = limitByCurvature(sizes_, id_, size, surface_, points_[i]);
+      limits_[i] = bounded(sizes_, size);
+    }
+  }
+
+  /// Only what lies on the face counts.
+  void addSources() {
+    for (std::size_t i = 0; i < points_.size(); ++i) {
+      if (limits_[i] >= kSmall * wanted_) continue;
+      if (trimming_->Perform({points_[i].u, points_[i].v}) == TopAbs_OUT) continue;
+      sources_.push_back({points_[i].position, limits_[i]});
+    }
+  }
+
+  /// Quarters of the cells in which sizes change faster than they may, until these are small
+  /// against the sizes.
+  std::vector<Cell> partsOfUneven(const std::vector<Cell>& cells) const {
+    const double smallest = isAsked() ? 1 : 2;  // cell, in sizes
+    std::vector<Cell> parts;
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      const std::size_t first = i * kPointsPerCell;
+      const auto [least, most] = std::minmax_element(
+          limits_.begin() + static_cast<std::ptrdiff_t>(first),
+          limits_.begin() + static_cast<std::ptrdiff_t>(first) + kPointsPerCell);
+      const double across =
+          std::max(distance(points_[first + 1].position, points_[first + 4].position),
+                   distance(points_[first + 2].position, points_[first + 3].position));
+      if (*most - *least <= growthInside(sizes_) * across || across < smallest * *least) continue;
+      const Cell& c = cells[i];
+      for (const int s : {-1, 1})
+        for (const int t : {-1, 1})
+          parts.push_back({c.u + s * c.du / 2, c.v + t * c.dv / 2, c.du / 2, c.dv / 2});
+    }
+    return parts;
+  }
+
+  int id_;
+  TopoDS_Face face_;
+  const ModelSizes& sizes_;
+  double wanted_;
+  FaceSurface surface_;
+  std::optional<BRepTopAdaptor_FClass2d> trimming_;
+  std::vector<SurfacePoint> points_;
+  std::vector<double> limits_;  // by point
+  std::vector<SizeSource> sources_;
+  double roughShare_ = 0;
+};
+
+/// Compares sizes on a face one element apart.
+class UnevennessProbe {
+ public:
+  UnevennessProbe(const FaceSurface& surface, const ModelSizes& sizes, int face)
+      : surface_(surface), size_(sizes, face, surface) {}
+
+  bool isUneven() {
+    if (surface_.isBentAlike()) return false;
+    takeSamples();
+    constexpr double kMany = 300;  // small faces follow their edges
+    if (!(elements_ > kMany)) return false;
+    for (const Sample& sample : samples_) {
+      compare(sample.size, sample.u + sample.size / length(sample.frame.du), sample.v);
+      compare(sample.size, sample.u, sample.v + sample.size / length(sample.frame.dv));
+    }
+    constexpr double kMostUneven = 0.05;
+    return uneven_ > kMostUneven * compared_;
+  }
+
+ private:
+  struct Sample {
+    double u, v, size;
+    SurfaceFrame frame;
+  };
+
+  void takeSamples() {
+    constexpr int kSamples = 5;              // along each parameter
+    constexpr double kUnitTriangle = 0.433;  // area of the one with edges of length 1
+    const SplineSurface::Box& box = surface_.box();
+    const double cell = (box.u2 - box.u1) * (box.v2 - box.v1) / (kSamples * kSamples);
+    for (int i = 0; i < kSamples; ++i)
+      for (int k = 0; k < kSamples; ++k) {
+        const double u = box.u1 + (i + 0.5) / kSamples * (box.u2 - box.u1);
+        const double v = box.v1 + (k + 0.5) / kSamples * (box.v2 - box.v1);
+        const SurfaceFrame frame = surface_.inOccParameters().frameAt(u, v);
+        const double size = sizeAt(u, v);
+        samples_.push_back({u, v, size, frame});
+        elements_ += cell * length(cross(frame.du, frame.dv)) / (kUnitTriangle * size * size);
+      }
+  }
+
+  double sizeAt(double u, double v) const {
+    return size_.sizeAt({surface_.inOccParameters().frameAt(u, v).position, {}, u, v});
+  }
+
+  void compare(double size, double u, double v) {
+    constexpr double kSteep = 0.6;
+    const SplineSurface::Box& box = surface_.box();
+    if (!(u < box.u2 && v < box.v2)) return;
+    const double next = sizeAt(u, v);
+    ++compared_;
+    if (next < kSteep * size || size < kSteep * next) ++uneven_;
+  }
+
+  const FaceSurface& surface_;
+  FaceSize size_;
+  std::vector<Sample> samples_;
+  double elements_ = 0;
+  int compared_ = 0, uneven_ = 0;
+};
+
+std::vector<SizeSource> sampleFaces(const ModelShape& model, const std::vector<int>& faces,
+                                    const ModelSizes& sizes, int threads,
+                                    const std::stop_token& stop) {
+  std::vector<std::vector<SizeSource>> byFace(faces.size());
+  forEachInParallel(byFace.size(), threads, [&](std::size_t i) {
+    if (!stop.stop_requested()) byFace[i] = sizesInside(model, faces[i], sizes);
+  });
+  std::vector<SizeSource> all;
+  for (const auto& sources : byFace) all.insert(all.end(), sources.begin(), sources.end());
+  return all;
+}
+
+/// Those on which sizes change so fast that they cannot be sampled.
+std::set<int> roughFacesOf(const ModelShape& model, const std::vector<int>& faces,
+                           const ModelSizes& sizes, int threads, const std::stop_token& stop) {
+  std::vector<std::uint8_t> isRough(faces.size(), 0);
+  forEachInParallel(faces.size(), threads, [&](std::size_t i) {
+    if (stop.stop_requested()) return;
+    try {
+      FaceSampler sampler(model, faces[i], sizes);
+      sampler.sources();
+      isRough[i] = sampler.isTooRough();
+    } catch (const GeometryError&) {  // reported when the face is meshed
+    } catch (const Standard_Failure&) {
+    }
+  });
+  std::set<int> rough;
+  for (std::size_t i = 0; i < faces.size(); ++i)
+    if (isRough[i]) rough.insert(faces[i]);
+  return rough;
+}
+
+/// Whether sizes inside all faces are to be known outside them.
+bool spreadsAll(const ModelSizes& sizes) { return sizes.function || sizes.elementsPerTurn > 0; }
+
+/// By position, beside all other limits.
+void limitBySources(SizeSources sources, double growth, ModelSizes& sizes) {
+  if (sources.isEmpty()) return;
+  const PositionSize grown = sizeFrom(std::move(sources), growth);
+  if (!sizes.function) {
+    sizes.function = grown;
+    return;
+  }
+  sizes.function = [grown, own = sizes.function](std::span<const Point3> at,
+                                                 std::span<double> result) {
+    own.at(at, result);
+    for (std::size_t i = 0; i < at.size(); ++i) result[i] = std::min(result[i], grown.at(at[i]));
+  };
+}
+
+std::vector<int> allFaces(const ModelShape& model) {
+  std::vector<int> faces(static_cast<std::size_t>(model.faces.Extent()));
+  std::iota(faces.begin(), faces.end(), 1);
+  return faces;
+}
+
+}  // namespace
+
+std::vector<SizeSource> sizesInside(const ModelShape& model, int face, const ModelSizes& sizes) {
+  try {
+    return FaceSampler(model, face, sizes).sources();
+  } catch (const GeometryError&) {  // reported when the face is meshed
+  } catch (const Standard_Failure&) {
+  }
+  return {};
+}
+
+std::vector<int> unevenFaces(const ModelShape& model, const ModelSizes& sizes, int threads,
+                             const std::stop_token& stop) {
+  if (spreadsAll(sizes)) return {};
+  std::vector<int> faces = allFaces(model);
+  std::vector<std::uint8_t> isUneven(faces.size(), 0);
+  forEachInParallel(faces.size(), threads, [&](std::size_t i) {
+    if (stop.stop_requested()) return;
+    try {
+      isUneven[i] = UnevennessProbe(model.surface(faces[i]), sizes, faces[i]).isUneven();
+    } catch (const GeometryError&) {  // reported when the face is meshed
+    } catch (const Standard_Failure&) {
+    }
+  });
+  std::erase_if(faces, [&](int face) { return !isUneven[static_cast<std::size_t>(face) - 1]; });
+  return faces;
+}
+
+ModelSizes spreadSizes(const ModelShape& model, ModelSizes sizes, const std::vector<int>& uneven,
+                       int threads, const std::stop_token& stop) {
+  setTurns(sizes);
+  sizes.roughFaces.merge(roughFacesOf(model, uneven, sizes, threads, stop));
+  SizeSources asked = std::exchange(sizes.sources, {}), inside;
+  for (SizeSource& point : asked.points) point.size = bounded(sizes, point.size);
+  inside.points =
+      sampleFaces(model, spreadsAll(sizes) ? allFaces(model) : uneven, sizes, threads, stop);
+  limitBySources(std::move(asked), sizes.growth, sizes);
+  limitBySources(std::move(inside), growthInside(sizes), sizes);
+  return sizes;
+}
+
+}  // namespace af2::geometry

@@ -1,0 +1,56 @@
+#include "geometry/occ/sizes/wanted_along_edge.h"
+
+#include <BRep_Tool.hxx>
+#include <Standard_Failure.hxx>
+#include <TopoDS.hxx>
+#include <algorithm>
+
+#include "geometry/occ/sizes/sizing.h"
+
+namespace af2::geometry {
+
+WantedAlongEdge::WantedAlongEdge(const ModelShape& model, int edge, const ModelSizes& sizes)
+    : sizes_(sizes) {
+  const auto given = sizes.edgeSizes.find(edge);
+  const bool isGiven = given != sizes.edgeSizes.end();
+  largest_ = bounded(sizes, isGiven ? given->second : sizes.size);
+  if (isGiven) return;
+  for (const int face : model.facesOfEdges[static_cast<std::size_t>(edge) - 1])
+    addFace(model, edge, face);
+}
+
+double WantedAlongEdge::at(const Point3& position, double parameter) const {
+  double size = largest_;
+  for (const Neighbor& face : faces_) size = std::min(size, onFace(face, position, parameter));
+  return size;
+}
+
+void WantedAlongEdge::addFace(const ModelShape& model, int edge, int face) {
+  Neighbor neighbor{face, wantedOnFace(sizes_, face), std::nullopt, {}};
+  largest_ = faces_.empty() ? neighbor.wanted : std::min(largest_, neighbor.wanted);
+  try {
+    const FaceSurface surface = model.surface(face);
+    double first, last;
+    // Along a crease, what the face turns across it is left out.
+    if (!surface.isPlane() && edge <= model.edgesOfFile) {
+      neighbor.curve =
+          BRep_Tool::CurveOnSurface(model.edge(edge), TopoDS::Face(model.faces(face)), first, last);
+      neighbor.surface = surface;
+    }
+  } catch (const std::exception&) {  // reported when the face is meshed
+  } catch (const Standard_Failure&) {
+  }
+  faces_.push_back(std::move(neighbor));
+}
+
+double WantedAlongEdge::onFace(const Neighbor& face, const Point3& position,
+                               double parameter) const {
+  if (!face.surface || face.curve.IsNull()) return face.wanted;
+  const gp_Pnt2d uv = face.curve->Value(parameter);
+  const CurvedSize curved =
+      curvedSizeAt(sizes_, face.id, face.wanted, *face.surface, {position, {}, uv.X(), uv.Y()});
+  // A full turn keeps its number of elements.
+  return std::min(curved.share * face.wanted, curved.limit);
+}
+
+}  // namespace af2::geometry

@@ -1,0 +1,41 @@
+// The size that the faces beside an edge want along it.
+// Not installed: includers need OpenCASCADE's headers.
+#pragma once
+
+#include <Geom2d_Curve.hxx>
+#include <optional>
+#include <vector>
+
+#include "geometry/occ/model/meshing_options.h"
+#include "geometry/occ/model/model_shape.h"
+#include "geometry/occ/surfaces/face_surface.h"
+
+namespace af2::geometry {
+
+/// For the calling thread alone.
+class WantedAlongEdge {
+ public:
+  WantedAlongEdge(const ModelShape& model, int edge, const ModelSizes& sizes);
+
+  /// An upper bound.
+  double largest() const { return largest_; }
+
+  /// Before the limits by position, which are asked for along a whole piece.
+  double at(const Point3& position, double parameter) const;
+
+ private:
+  struct Neighbor {
+    int id;
+    double wanted;
+    std::optional<FaceSurface> surface;
+    Handle(Geom2d_Curve) curve;
+  };
+  void addFace(const ModelShape& model, int edge, int face);
+  double onFace(const Neighbor& face, const Point3& position, double parameter) const;
+
+  const ModelSizes& sizes_;
+  std::vector<Neighbor> faces_;
+  double largest_;
+};
+
+}  // namespace af2::geometry

@@ -1,0 +1,115 @@
+#include "geometry/sizes/graded_size.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace af2::geometry {
+
+namespace {
+
+/// Segments come out up to a third shorter than wanted, to divide an edge evenly; that needs no
+/// grading.
+constexpr double kShort = 0.6;
+
+/// A segment that is so many times longer than wanted is far too long; a division from outside may
+/// have such.
+constexpr double kLong = 2;
+
+/// How fast sizes may shrink away from long segments, per unit of length: the next element is then
+/// about two thirds as large.
+constexpr double kShrinking = 1;
+
+/// A source may be left out if the others around it want no more than this times its size there.
+constexpr double kThinning = 1.3;
+
+/// The wanted size at each corner, loop by loop: to ask a curved surface is dear.
+using AtCorners = std::vector<std::vector<double>>;
+
+AtCorners wantedAtCorners(const FrontInput& boundary, const SizeField& wanted) {
+  AtCorners sizes;
+  for (const auto& loop : boundary.loops) {
+    std::vector<double>& ofLoop = sizes.emplace_back();
+    for (const BoundaryCorner& corner : loop) ofLoop.push_back(wanted.sizeAt(corner.point));
+  }
+  return sizes;
+}
+
+double largestOf(const AtCorners& sizes) {
+  double largest = 0;
+  for (const auto& loop : sizes)
+    for (const double size : loop) largest = std::max(largest, size);
+  return largest;
+}
+
+/// The corners at which the boundary is divided more finely than is wanted.
+std::vector<SizeSource> shortSegments(const FrontInput& boundary, const AtCorners& wanted) {
+  std::vector<SizeSource> sources;
+  for (std::size_t l = 0; l < boundary.loops.size(); ++l) {
+    const auto& loop = boundary.loops[l];
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      const Point3& here = loop[i].point.position;
+      const Point3& before = loop[(i + loop.size() - 1) % loop.size()].point.position;
+      const Point3& after = loop[(i + 1) % loop.size()].point.position;
+      // The geometric mean: beside a much longer neighbour, a tiny segment counts for less.
+      const double spacing = std::sqrt(distance(before, here) * distance(here, after));
+      if (spacing > 0 && spacing < kShort * wanted[l][i]) sources.push_back({here, spacing});
+    }
+  }
+  return sources;
+}
+
+/// Keeps every second source or so of an evenly divided edge: the smallest first, in order.
+std::vector<SizeSource> thinned(std::vector<SizeSource> sources, double growth) {
+  std::stable_sort(sources.begin(), sources.end(),
+                   [](const SizeSource& a, const SizeSource& b) { return a.size < b.size; });
+  std::vector<SizeSource> kept;
+  for (const SizeSource& s : sources) {
+    // Neighbours along a loop were added shortly before, so a look at the last ones is enough.
+    const std::size_t from = kept.size() > 16 ? kept.size() - 16 : 0;
+    bool covered = false;
+    for (std::size_t i = from; i < kept.size() && !covered; ++i)
+      covered =
+          kept[i].size + growth * distance(kept[i].position, s.position) <= kThinning * s.size;
+    if (!covered) kept.push_back(s);
+  }
+  return kept;
+}
+
+/// Sources with negative sizes, so that the smallest of them is the longest segment.
+std::vector<SizeSource> longSegments(const FrontInput& boundary, const AtCorners& wanted) {
+  std::vector<SizeSource> sources;
+  for (std::size_t l = 0; l < boundary.loops.size(); ++l) {
+    const auto& loop = boundary.loops[l];
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      const std::size_t next = (i + 1) % loop.size();
+      const Point3 &from = loop[i].point.position, &to = loop[next].point.position;
+      const double segment = distance(from, to);
+      if (segment < kLong * std::max(wanted[l][i], wanted[l][next])) continue;
+      sources.push_back({0.5 * (from + to), -segment});
+    }
+  }
+  return sources;
+}
+
+}  // namespace
+
+GradedSize::GradedSize(const SizeField& wanted, const FrontInput& boundary, double growth)
+    : wanted_(wanted) {
+  const AtCorners sizes = wantedAtCorners(boundary, wanted);
+  slopes_ = std::make_shared<const Slopes>(
+      Slopes{{thinned(shortSegments(boundary, sizes), growth), growth, largestOf(sizes)},
+             {longSegments(boundary, sizes), kShrinking, 0}});
+}
+
+GradedSize::GradedSize(const SizeField& wanted, const GradedSize& other)
+    : wanted_(wanted), slopes_(other.slopes_) {}
+
+double GradedSize::sizeAt(const SurfacePoint& point) const {
+  const auto& [growing, shrinking] = *slopes_;
+  double size = wanted_.sizeAt(point);
+  if (!shrinking.isEmpty()) size = std::max(size, -shrinking.at(point.position));
+  if (!growing.isEmpty()) size = std::min(size, growing.at(point.position));
+  return size;
+}
+
+}  // namespace af2::geometry

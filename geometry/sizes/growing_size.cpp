@@ -1,0 +1,121 @@
+#include "geometry/sizes/growing_size.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <tuple>
+
+namespace af2::geometry {
+namespace {
+
+/// Few enough to be looked at one by one.
+constexpr std::size_t kLeaf = 4;
+
+std::size_t middle(std::size_t first, std::size_t last) { return first + (last - first) / 2; }
+
+/// How many nodes a tree over `count` sources has room for.
+std::size_t treeSize(std::size_t count) {
+  std::size_t size = 1;
+  while (count > 2 * kLeaf) {
+    count -= count / 2;
+    size = 2 * size + 1;
+  }
+  return size;
+}
+
+}  // namespace
+
+GrowingSize::GrowingSize(std::vector<SizeSource> sources, double growth, double largest)
+    : sources_(std::move(sources)), growth_(growth), largest_(largest) {
+  if (sources_.size() <= kLeaf) return;
+  halves_.resize(treeSize(sources_.size()));
+  build(0, 0, sources_.size());
+}
+
+GrowingSize::Box GrowingSize::boxOf(std::size_t first, std::size_t last) const {
+  Box box{sources_[first].position, sources_[first].position, sources_[first].size, largest_};
+  for (std::size_t i = first; i < last; ++i) {
+    const SizeSource& s = sources_[i];
+    const Point3& p = s.position;
+    box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y), std::min(box.low.z, p.z)};
+    box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y), std::max(box.high.z, p.z)};
+    box.size = std::min(box.size, s.size);
+    box.atCentres = std::min(box.atCentres, s.size - growth_ * s.radius);
+  }
+  return box;
+}
+
+GrowingSize::Box GrowingSize::build(std::size_t node, std::size_t first, std::size_t last) {
+  const Box box = boxOf(first, last);
+  if (last - first <= kLeaf) return box;
+  const std::size_t half = middle(first, last);
+  divide(box, first, half, last);
+  const Box a = build(2 * node + 1, first, half), b = build(2 * node + 2, half, last);
+  halves_[node] =
+      Halves{Pair{a.low.x, b.low.x},   Pair{a.low.y, b.low.y},        Pair{a.low.z, b.low.z},
+             Pair{a.high.x, b.high.x}, Pair{a.high.y, b.high.y},      Pair{a.high.z, b.high.z},
+             Pair{a.size, b.size},     Pair{a.atCentres, b.atCentres}};
+  return box;
+}
+
+/// In two halves across the longest side of their box.
+void GrowingSize::divide(const Box& box, std::size_t first, std::size_t half, std::size_t last) {
+  const Point3 extent = box.high - box.low;
+  const auto along = [&](const Point3& p) {
+    if (extent.x >= extent.y && extent.x >= extent.z) return std::tuple(p.x, p.y, p.z);
+    if (extent.y >= extent.z) return std::tuple(p.y, p.z, p.x);
+    return std::tuple(p.z, p.x, p.y);
+  };
+  const auto at = [&](std::size_t i) { return sources_.begin() + static_cast<std::ptrdiff_t>(i); };
+  std::nth_element(at(first), at(half), at(last), [&](const SizeSource& a, const SizeSource& b) {
+    return along(a.position) < along(b.position);
+  });
+}
+
+Pair GrowingSize::leastIn(const Halves& h, const Point3& p) const {
+  const Pair x{p.x, p.x}, y{p.y, p.y}, z{p.z, p.z}, growth{growth_, growth_};
+  const auto beyond = [](Pair value, Pair low, Pair high) {
+    return larger(Pair{0, 0}, larger(low - value, value - high));
+  };
+  const Pair outX = beyond(x, h.lowX, h.highX), outY = beyond(y, h.lowY, h.highY),
+             outZ = beyond(z, h.lowZ, h.highZ);
+  const Pair squared = outX * outX + outY * outY + outZ * outZ;
+  const Pair outside{std::sqrt(squared[0]), std::sqrt(squared[1])};
+  return larger(h.size, h.atCentres + growth * outside);
+}
+
+void GrowingSize::look(std::size_t node, std::size_t first, std::size_t last,
+                       const Point3& position, double& least) const {
+  if (last - first <= kLeaf) {
+    for (std::size_t i = first; i < last; ++i) {
+      const SizeSource& s = sources_[i];
+      const double outside = std::max(0.0, distance(s.position, position) - s.radius);
+      least = std::min(least, s.size + growth_ * outside);
+    }
+    return;
+  }
+  const std::size_t half = middle(first, last), left = 2 * node + 1, right = left + 1;
+  const Pair within = leastIn(halves_[node], position);
+  const bool leftFirst = within[0] <= within[1];
+  if (leftFirst && within[0] < least) look(left, first, half, position, least);
+  if (within[1] < least) look(right, half, last, position, least);
+  if (!leftFirst && within[0] < least) look(left, first, half, position, least);
+}
+
+double GrowingSize::at(const Point3& position) const {
+  double least = largest_;
+  look(0, 0, sources_.size(), position, least);
+  return least;
+}
+
+/// What others want everywhere in the ball of a source they want wherever it reaches.
+std::vector<SizeSource> uncovered(std::vector<SizeSource> sources, double growth) {
+  constexpr double kClearly = 1 - 1e-9;  // more than rounding, and nothing is covered by itself
+  const GrowingSize all(sources, growth, std::numeric_limits<double>::infinity());
+  std::erase_if(sources, [&](const SizeSource& s) {
+    return all.at(s.position) + growth * s.radius < kClearly * s.size;
+  });
+  return sources;
+}
+
+}  // namespace af2::geometry

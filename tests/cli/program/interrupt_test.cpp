@@ -1,0 +1,44 @@
+#include "cli/program/interrupt.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <csignal>
+
+namespace af2::cli {
+namespace {
+
+bool becomesTrue(const std::stop_token& token) {
+  for (int i = 0; i < 200 && !token.stop_requested(); ++i) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  return token.stop_requested();
+}
+
+TEST(Interrupt, TurnsASignalIntoARequestToStop) {
+  for (const int signal : {SIGINT, SIGTERM}) {
+    const Interrupt interrupt;
+    EXPECT_FALSE(interrupt.requested());
+    ::kill(::getpid(), signal);
+    EXPECT_TRUE(becomesTrue(interrupt.token()));
+  }
+}
+
+TEST(Interrupt, TakesSignalsThatComeTogetherForOne) {
+  const Interrupt interrupt;
+  for (int i = 0; i < 3; ++i) {
+    ::kill(::getpid(), SIGTERM);
+    EXPECT_TRUE(becomesTrue(interrupt.token()));
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  }
+  EXPECT_TRUE(interrupt.requested()) << "and the program still runs";
+}
+
+TEST(Interrupt, EndsQuietlyIfNothingHappens) {
+  const Interrupt interrupt;
+  EXPECT_FALSE(interrupt.requested());
+}
+
+}  // namespace
+}  // namespace af2::cli

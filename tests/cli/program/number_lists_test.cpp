@@ -1,0 +1,54 @@
+#include "cli/program/number_lists.h"
+
+#include <gtest/gtest.h>
+
+#include "cli/program/usage_error.h"
+
+namespace af2::cli {
+namespace {
+
+template <class Parse>
+std::string refusal(Parse parse) {
+  try {
+    parse();
+  } catch (const UsageError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+TEST(ParseIds, TakesNumbersAndRangesInAnyOrder) {
+  EXPECT_EQ(parseIds("--faces", "7-9,3,8"), (std::vector<int>{3, 7, 8, 9}));
+  EXPECT_EQ(parseIds("--faces", "1"), (std::vector<int>{1}));
+}
+
+TEST(ParseIds, RefusesWhatIsNoId) {
+  for (const char* text : {"", "0", "-1", "a", "1,,2", "3-", "9-7", "1.5", "1 ", "99999999999"}) {
+    EXPECT_THROW(parseIds("--faces", text), UsageError) << text;
+  }
+  EXPECT_EQ(
+      refusal([] { parseIds("--faces", "1,x"); }),
+      "--faces '1,x': 'x' is no number and no range of numbers; write e.g. 3,7-9 (counted from 1)");
+}
+
+TEST(ParseSize, TakesPositiveNumbers) {
+  EXPECT_EQ(parseSize("--size", "0.5"), 0.5);
+  EXPECT_EQ(parseSize("--size", "1e-3"), 1e-3);
+}
+
+TEST(ParseSize, RefusesWhatIsNoLength) {
+  for (const char* text : {"", "0", "-1", "nan", "inf", "1e999", "1mm", "0,5"}) {
+    EXPECT_THROW(parseSize("--size", text), UsageError) << text;
+  }
+}
+
+TEST(ParseSizes, LetsTheLastOneWin) {
+  EXPECT_EQ(parseSizes("--face-size", {"1-3=0.5", "2=0.1"}),
+            (std::map<int, double>{{1, 0.5}, {2, 0.1}, {3, 0.5}}));
+  EXPECT_THROW(parseSizes("--face-size", {"3"}), UsageError);
+  EXPECT_THROW(parseSizes("--face-size", {"3=0"}), UsageError);
+  EXPECT_THROW(parseSizes("--face-size", {"=1"}), UsageError);
+}
+
+}  // namespace
+}  // namespace af2::cli

@@ -1,0 +1,133 @@
+#include "cli/program/supervisor.h"
+
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <csignal>
+#include <ctime>
+#include <filesystem>
+#include <fstream>
+
+#include "engine/base/error.h"
+
+namespace af2::cli {
+namespace {
+
+/// The child goes on with the test program: it must end here, and say nothing.
+int runHere(const RunLimits& limits, const std::function<int(RunLog&, const GivenUp&)>& run) {
+  const pid_t self = getpid();
+  const int code = supervise(limits, run);
+  if (getpid() != self) _exit(code);
+  return code;
+}
+
+[[noreturn]] void spin() {
+  std::atomic<bool> forever = true;
+  while (forever) {
+  }
+  _exit(0);
+}
+
+TEST(Supervisor, GivesTheExitCodeOfTheRun) {
+  EXPECT_EQ(runHere({}, [](RunLog&, const GivenUp&) { return 3; }), 3);
+}
+
+TEST(Supervisor, LeavesOutTheFaceThatCrashes) {
+  const int code = runHere({}, [](RunLog& log, const GivenUp& givenUp) {
+    log.begin(4);
+    log.finish();
+    log.begin(7);
+    if (!givenUp.contains(7)) std::raise(SIGSEGV);
+    return givenUp.size() == 1 ? 5 : 6;
+  });
+  EXPECT_EQ(code, 5);
+}
+
+TEST(Supervisor, LeavesOutSeveralFacesOneAfterTheOther) {
+  const int code = runHere({}, [](RunLog& log, const GivenUp& givenUp) {
+    for (const int face : {1, 2, 3}) {
+      if (givenUp.contains(face)) continue;
+      log.begin(face);
+      if (face != 2) std::raise(SIGABRT);
+      log.finish();
+    }
+    return static_cast<int>(givenUp.size());
+  });
+  EXPECT_EQ(code, 2);
+}
+
+TEST(Supervisor, LeavesOutTheFaceThatDoesNotEnd) {
+  const int code = runHere({1, 0.2}, [](RunLog& log, const GivenUp& givenUp) {
+    log.begin(9);
+    if (!givenUp.contains(9)) spin();
+    return givenUp.at(9).find("did not come to an end") != std::string::npos ? 5 : 6;
+  });
+  EXPECT_EQ(code, 5);
+}
+
+double secondsOfChildren() {
+  rusage usage{};
+  getrusage(RUSAGE_CHILDREN, &usage);
+  return static_cast<double>(usage.ru_utime.tv_sec) +
+         1e-6 * static_cast<double>(usage.ru_utime.tv_usec);
+}
+
+TEST(Supervisor, WaitsHalfAsLongAfterEachHang) {
+  constexpr double kLimit = 1.6;
+  const double before = secondsOfChildren();
+  const int code = runHere({1, kLimit}, [](RunLog& log, const GivenUp& givenUp) {
+    for (const int face : {1, 2, 3}) {
+      log.begin(face);
+      if (!givenUp.contains(face)) spin();
+      log.finish();
+    }
+    return static_cast<int>(givenUp.size());
+  });
+  EXPECT_EQ(code, 3);
+  // 1.6, .8 and .4 of them, each up to .2 more: it looks five times a second.
+  EXPECT_LT(secondsOfChildren() - before, 2.5 * kLimit);
+}
+
+TEST(Supervisor, LetsWhatComesAfterTheFacesTakeItsTime) {
+  const int code = runHere({1, 0.2}, [](RunLog& log, const GivenUp&) {
+    log.begin(9);
+    log.finish();
+    const std::clock_t end = std::clock() + CLOCKS_PER_SEC;
+    while (std::clock() < end) {
+    }
+    return 7;
+  });
+  EXPECT_EQ(code, 7);
+}
+
+TEST(Supervisor, TellsOfACrashOutsideOfFaces) {
+  EXPECT_THROW(runHere({},
+                       [](RunLog&, const GivenUp&) -> int {
+                         std::raise(SIGSEGV);
+                         return 0;
+                       }),
+               InputError);
+}
+
+TEST(Supervisor, TellsOfAHangOutsideOfFaces) {
+  EXPECT_THROW(runHere({0.2, 1}, [](RunLog&, const GivenUp&) -> int { spin(); }), InputError);
+}
+
+TEST(Supervisor, EndsLikeTheRunWhenNobodyReadsItsOutput) {
+  const auto run = [](RunLog&, const GivenUp&) { return std::raise(SIGPIPE); };
+  EXPECT_EXIT(supervise({}, run), ::testing::KilledBySignal(SIGPIPE), "^$");
+}
+
+TEST(Supervisor, PassesOnThatTheRunWasEndedFromOutside) {
+  EXPECT_THROW(runHere({},
+                       [](RunLog&, const GivenUp&) -> int {
+                         std::raise(SIGKILL);
+                         return 0;
+                       }),
+               InputError);
+}
+
+}  // namespace
+}  // namespace af2::cli

@@ -1,0 +1,151 @@
+#include "dsl/run/rule_tests.h"
+
+#include <gtest/gtest.h>
+
+namespace af2::dsl {
+namespace {
+
+const std::string kRules = R"(af2 1;
+ruleset "s" { match 0.5 + 0.3*q; accept score < 2 + 0.5*q^2; }
+rule "free" quality 1 {
+  new  c = mid(a, b) + (0, 0.866);
+  zone a, b, mid(a, b) + (1, 0.7), mid(a, b) + (0, 1.5), mid(a, b) + (-1, 0.7);
+  tri  a b c;
+}
+rule "corner" quality 1 {
+  front a -> b -> c;
+  at    c (0.5, 0.866);
+  require turn(b) < 90deg;
+  zone  a, b, c;
+  tri   a b c;
+  mirror "corner left";
+}
+)";
+
+LoadedRules load(const std::string& tests) { return loadRulesFromText("test.af2", kRules + tests); }
+
+std::vector<std::string> outcomes(const std::string& tests) {
+  const LoadedRules rules = load(tests);
+  EXPECT_TRUE(rules.rules) << toPretty(rules.diagnostics);
+  std::vector<std::string> result;
+  for (const TestResult& r : runRuleTests(rules)) result.push_back(toText(r));
+  return result;
+}
+
+std::vector<std::string> faults(const std::string& tests) {
+  std::vector<std::string> result;
+  for (const Diagnostic& d : load(tests).diagnostics) result.push_back(d.code + ": " + d.message);
+  return result;
+}
+
+using Lines = std::vector<std::string>;
+
+TEST(RuleTests, PassWhereTheEngineDoesWhatIsExpected) {
+  EXPECT_EQ(outcomes(R"(test "t" {
+    front p (0, 0) -> r (2, 0);
+    size 2;
+    expect rule "free";
+    expect new 1 at (1, 1.732);
+    expect front only p -> new 1 -> r;
+    expect elements 1;
+    expect not stuck;
+    expect score < 0.1;
+    expect dist(p, r) == 2;
+  })"),
+            Lines{"ok    t\n"});
+}
+
+TEST(RuleTests, TellWhatCameInstead) {
+  EXPECT_EQ(outcomes(R"(test "t" {
+    front p (0, 0) -> r (1, 0), u (-1, 1) -> v (2, 1);
+    expect rule "free";
+  })"),
+            Lines{"FAIL  t   test.af2:16\n      expected: rule \"free\"   (line 18)\n"
+                  "      got:      no rule; \"free\" was refused: zone hit by edge u -> v\n"});
+}
+
+TEST(RuleTests, KnowWhyARuleIsRefused) {
+  EXPECT_EQ(outcomes(R"(test "t" {
+    front p (0, 0) -> r (1, 0) -> s (1.05, 0.9);
+    point w (0.5, 1);
+    expect not rule "corner" because require;
+    expect not rule "corner left" because pattern;
+    expect not rule "free" because zone hit by vertex w;
+  })"),
+            Lines{"ok    t\n"});
+}
+
+TEST(RuleTests, KnowAllThatHitsAZone) {
+  EXPECT_EQ(outcomes(R"(test "t" {
+    front p (0, 0) -> r (1, 0), u (-1, 1) -> v (2, 1), w (-1, 1.2) -> x (2, 1.2), m (3, 0) -> n (3, 1);
+    expect not rule "free" because zone hit by edge u -> v;
+    expect not rule "free" because zone hit by edge w -> x;
+  }
+  test "vertices and edges" {
+    front p (0, 0) -> r (1, 0), u (-1, 1) -> v (2, 1);
+    point w (0.5, 0.5), x (0.6, 0.5);
+    expect not rule "free" because zone hit by edge u -> v;
+    expect not rule "free" because zone hit by vertex w;
+    expect not rule "free" because zone hit by vertex x;
+  })"),
+            (Lines{"ok    t\n", "ok    vertices and edges\n"}));
+  const Lines failed = outcomes(R"(test "t" {
+    front p (0, 0) -> r (1, 0), u (-1, 1) -> v (2, 1), m (3, 0) -> n (3, 1);
+    expect not rule "free" because zone hit by edge m -> n;
+  })");
+  ASSERT_EQ(failed.size(), 1u);
+  EXPECT_NE(failed[0].find("FAIL"), std::string::npos);
+}
+
+TEST(RuleTests, BindMirrorsAndBases) {
+  EXPECT_EQ(outcomes(R"(test "t" {
+    front s (0.5, 0.9) -> p (0, 0) -> r (1, 0);
+    base p -> r;
+    expect rule "corner left" with c = s;
+    expect turn(p) < 90deg;
+  })"),
+            Lines{"ok    t\n"});
+}
+
+TEST(RuleTests, AreCheckedBeforeTheyRun) {
+  EXPECT_EQ(faults("test \"t\" { front p (0, 0) -> r (1, 0); expect rule \"fre\"; }"),
+            Lines{"R1: there is no rule \"fre\""});
+  EXPECT_EQ(faults("test \"t\" { front p (0, 0) -> r (1, 0); expect front p -> s; }"),
+            Lines{"R1: this test has no vertex 's'"});
+  EXPECT_EQ(faults("test \"t\" { front p (0, 0) -> r (1, 0); expect turn(p) < 90deg; }"),
+            Lines{"Y5: this vertex has no turn"});
+  EXPECT_EQ(faults("test \"t\" { front p (0, 0) -> r (1, 0); expect valence(p) < 3; }"),
+            Lines{"Y5: 'valence' cannot be asked in a test, which has no mesh around it"});
+  EXPECT_EQ(faults("test \"t\" { front p (0, 0) -> r (1, 0), p (1, 1) -> r; expect stuck; }"),
+            Lines{"R2: the vertex 'p' is placed twice"});
+}
+
+TEST(RuleTests, HoldPropertiesAgainstMatches) {
+  EXPECT_EQ(
+      outcomes(
+          R"(property "p" forall match of "corner", t in 1..3 { expect dist(a, c) < 4; expect t <= 3; })"),
+      Lines{"ok    p\n"});
+  const Lines failed =
+      outcomes(R"(property "p" forall match of "corner left" { expect dist(b, c) < 0.9; })");
+  ASSERT_EQ(failed.size(), 1u);
+  EXPECT_NE(failed[0].find("it fails at level 1 for b = ("), std::string::npos) << failed[0];
+}
+
+void expectAllPass(const char* file, std::size_t atLeast) {
+  const LoadedRules rules = loadRules(file);
+  ASSERT_TRUE(rules.rules) << toPretty(rules.diagnostics);
+  const auto results = runRuleTests(rules);
+  EXPECT_GE(results.size(), atLeast);
+  for (const TestResult& result : results) EXPECT_TRUE(result.passed()) << toText(result);
+}
+
+TEST(RuleTests, OfTheClassicalTrianglesPass) {
+  expectAllPass(AF2_SOURCE_DIR "/rules/tri/classic.af2", 11);
+}
+
+TEST(RuleTests, OfTheClassicalQuadsPass) {
+  expectAllPass(AF2_SOURCE_DIR "/rules/quad/classic.af2", 18);
+}
+
+}  // namespace
+}  // namespace af2::dsl

@@ -1,0 +1,105 @@
+// That vertices which sleep would not have moved.
+#include "engine/optimize/smoothing.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "tests/support/meshing.h"
+
+namespace af2 {
+namespace {
+
+using namespace af2::testing;
+
+struct SmoothedDisc {
+  FrontInput input;
+  Mesh mesh;
+  FlatMaker maker;
+
+  SmoothedDisc() : input(discWithHole(.1)) {
+    mesh = AF2Algorithm(triangleSet()).execute(maker, input, UniformSize(.1)).mesh;
+  }
+};
+
+/// Until nothing moves, whoever looks.
+void bringToRest(MeshTopology& topology, SmoothedDisc& c) {
+  constexpr int kMost = 2000;
+  for (int i = 0; i < kMost; ++i)
+    if (VertexSmoother(topology, c.mesh, c.maker).sweep() == 0) return;
+  FAIL() << "still moving";
+}
+
+Corner someInnerSide(const MeshTopology& topology) {
+  const std::size_t last = topology.mesh().vertices.size() - 1;
+  return topology.cornerOf(VertexId(last / 2 + topology.fixedCount() / 2));
+}
+
+/// Neighbours need not follow moves of a hundredth of an edge.
+constexpr double kAsNear = 0.02 * .1;
+
+TEST(Smoothing, AfterASwapWhoeverIsNotToldNeedNotLook) {
+  SmoothedDisc c;
+  MeshTopology topology(c.mesh, boundaryOf(c.input));
+  bringToRest(topology, c);
+  VertexSmoother asleep(topology, c.mesh, c.maker);
+  EXPECT_EQ(asleep.sweep(), 0u);
+  topology.swap(someInnerSide(topology));
+  const std::vector<SurfacePoint> before = c.mesh.vertices;
+
+  asleep.wake(topology.takeChanged());
+  EXPECT_GT(asleep.sweep(), 0u);
+  const std::vector<SurfacePoint> woken = c.mesh.vertices;
+  double farthest = 0;
+  for (std::size_t v = 0; v < woken.size(); ++v)
+    farthest = std::max(farthest, distance(before[v].position, woken[v].position));
+  EXPECT_GT(farthest, 2 * kAsNear);
+
+  c.mesh.vertices = before;
+  VertexSmoother(topology, c.mesh, c.maker).sweep();
+  for (std::size_t v = 0; v < woken.size(); ++v)
+    EXPECT_LT(distance(c.mesh.vertices[v].position, woken[v].position), kAsNear);
+}
+
+TEST(Smoothing, NobodyLooksWhereNothingWasToldOf) {
+  SmoothedDisc c;
+  MeshTopology topology(c.mesh, boundaryOf(c.input));
+  bringToRest(topology, c);
+  VertexSmoother asleep(topology, c.mesh, c.maker);
+  asleep.sweep();
+  topology.swap(someInnerSide(topology));
+  EXPECT_EQ(asleep.sweep(), 0u);
+}
+
+/// A square, and a vertex inside at some height above its lower side.
+struct Square {
+  FrontInput input;
+  Mesh mesh;
+  FlatMaker maker;
+
+  explicit Square(double height) {
+    const auto at = [](double x, double y) { return SurfacePoint{{x, y, 0}, {0, 0, 1}, x, y}; };
+    mesh.vertices = {at(0, 0), at(1, 0), at(1, 1), at(0, 1), at(0.5, height)};
+    input.vertexCount = 4;
+    input.loops.emplace_back();
+    for (std::uint32_t i = 0; i < 4; ++i) {
+      input.loops[0].push_back({VertexId(i), mesh.vertices[i]});
+      mesh.elements.push_back({{VertexId(i), VertexId((i + 1) % 4), VertexId(4), VertexId()}});
+    }
+    mesh.rule.assign(4, 0);
+  }
+};
+
+/// One that is all but flat takes more than small steps.
+TEST(Smoothing, AThinElementIsMendedAtOnce) {
+  constexpr double kFlat = 1e-4;
+  Square square(kFlat);
+  MeshTopology topology(square.mesh, boundaryOf(square.input));
+  VertexSmoother smoother(topology, square.mesh, square.maker);
+  const std::vector<VertexId> inside{VertexId(4)};
+  EXPECT_EQ(smoother.mend(inside), 1u);
+  EXPECT_GT(square.mesh.vertices[4].position.y, 0.1);
+}
+
+}  // namespace
+}  // namespace af2

@@ -1,0 +1,135 @@
+// What size fields, observers and makers of charts that users bring may do to a run.
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <stdexcept>
+
+#include "engine/base/error.h"
+#include "engine/run/algorithm.h"
+#include "tests/support/meshing.h"
+#include "tests/support/recorded_run.h"
+
+namespace af2 {
+namespace {
+
+using namespace af2::testing;
+
+struct UserError : std::runtime_error {
+  UserError() : std::runtime_error("user") {}
+};
+
+TEST(UserCode, ExceptionsOfASizeFieldReachTheCaller) {
+  const AF2Algorithm algorithm(triangleSet());
+  const FrontInput input = square(.1);
+  int calls = 0;
+  const SizeFunction failing([&](const Point3&) -> double {
+    if (++calls > 60) throw UserError();
+    return .1;
+  });
+  EXPECT_THROW(algorithm.execute(FlatMaker(), input, failing), UserError);
+  expectGoodMesh(algorithm.execute(FlatMaker(), input, UniformSize(.1)), input, .1);
+}
+
+TEST(UserCode, SizesThatAreNotPositiveAreInputErrors) {
+  const AF2Algorithm algorithm(triangleSet());
+  for (double bad : {0.0, -1.0, std::numeric_limits<double>::quiet_NaN(),
+                     std::numeric_limits<double>::infinity()}) {
+    EXPECT_THROW(algorithm.execute(FlatMaker(), square(.1), UniformSize(bad)), InputError);
+    int calls = 0;
+    const SizeFunction inside([&](const Point3&) { return ++calls > 60 ? bad : .1; });
+    EXPECT_THROW(algorithm.execute(FlatMaker(), square(.1), inside), InputError);
+  }
+}
+
+TEST(UserCode, ExceptionsOfAnObserverReachTheCaller) {
+  class Thrower final : public AF2MeshingObserver {
+    void stepTaken(const StepReport&) override { throw UserError(); }
+  } thrower;
+  MeshingOptions options;
+  options.observer = &thrower;
+  EXPECT_THROW(run(square(.1), .1, options), UserError);
+}
+
+TEST(UserCode, ExceptionsOfTheProgressCallbackReachTheCaller) {
+  MeshingOptions options;
+  options.progress = [](const Progress&) { throw UserError(); };
+  EXPECT_THROW(run(square(.01), .01, options), UserError);
+}
+
+/// Fails in a part of the plane, in one way or another.
+class PartialMaker final : public AF2LocalTransformMaker {
+ public:
+  enum class Failure { Throws, ThrowsOther, NoSurface, NonFinite };
+  explicit PartialMaker(Failure failure) : failure_(failure) {}
+  std::unique_ptr<AF2LocalTransform> makeLocalTransform(const SurfacePoint& from,
+                                                        const SurfacePoint& to,
+                                                        double unit) const override {
+    const bool isBad = from.position.x > .5;
+    if (isBad && failure_ == Failure::Throws) throw GeometryError("no normal here");
+    if (isBad && failure_ == Failure::ThrowsOther) throw UserError();
+    return std::make_unique<Chart>(from.position, to.position, unit, failure_);
+  }
+
+ private:
+  class Chart final : public AF2LocalTransform {
+   public:
+    Chart(const Point3& from, const Point3& to, double unit, Failure failure)
+        : flat_(flatChart(from, to, unit)), failure_(failure) {}
+    ChartPoint transformFromSurface(const SurfacePoint& p) const override {
+      return flat_.transformFromSurface(p);
+    }
+    std::optional<SurfacePoint> transformToSurface(Point2 p) const override {
+      const auto point = flat_.transformToSurface(p);
+      if (point->position.x <= .5) return point;
+      if (failure_ == Failure::NoSurface) return std::nullopt;
+      const double nan = std::numeric_limits<double>::quiet_NaN();
+      return SurfacePoint{{nan, nan, nan}, {0, 0, 1}, 0, 0};
+    }
+
+   private:
+    PlaneChart flat_;
+    Failure failure_;
+  };
+  Failure failure_;
+};
+
+MeshingResult runPartly(PartialMaker::Failure failure) {
+  return AF2Algorithm(triangleSet()).execute(PartialMaker(failure), square(.1), UniformSize(.1));
+}
+
+TEST(UserCode, AGeometryErrorOfTheMakerIsAPlaceWithoutAChart) {
+  const MeshingResult result = runPartly(PartialMaker::Failure::Throws);
+  ASSERT_EQ(result.outcome, Outcome::Stuck);
+  EXPECT_FALSE(result.mesh.elements.empty());
+  for (const StuckEdge& edge : result.stuck)
+    if (result.mesh.vertices[edge.from.value].position.x > .5) {
+      ASSERT_EQ(edge.refusals.size(), 12u);
+      for (const RuleRefusal& r : edge.refusals) EXPECT_EQ(r.reason, Refusal::Surface);
+    }
+}
+
+TEST(UserCode, OtherExceptionsOfTheMakerReachTheCaller) {
+  EXPECT_THROW(runPartly(PartialMaker::Failure::ThrowsOther), UserError);
+}
+
+TEST(UserCode, APointWithoutAFinitePlaceOnTheSurfaceRefusesTheRule) {
+  using Failure = PartialMaker::Failure;
+  for (Failure failure : {Failure::NoSurface, Failure::NonFinite}) {
+    Recorder recorder(true);
+    MeshingOptions options;
+    options.observer = &recorder;
+    const FrontInput input = square(.1);
+    // Rules that need no new vertex may still fill the region.
+    const MeshingResult result =
+        AF2Algorithm(triangleSet()).execute(PartialMaker(failure), input, UniformSize(.1), options);
+    bool isTold = false;
+    for (const auto& refusals : recorder.refusals)
+      for (const RuleRefusal& r : refusals) isTold = isTold || r.reason == Refusal::Surface;
+    EXPECT_TRUE(isTold);
+    for (std::size_t v = input.vertexCount; v < result.mesh.vertices.size(); ++v)
+      EXPECT_LE(result.mesh.vertices[v].position.x, .5);
+  }
+}
+
+}  // namespace
+}  // namespace af2

@@ -1,0 +1,110 @@
+#include "geometry/fill/close_front.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace af2::geometry {
+namespace {
+
+/// A stuck result whose front is the given loops.
+MeshingResult stuckAt(const std::vector<std::vector<Point2>>& loops) {
+  MeshingResult result;
+  result.outcome = Outcome::Stuck;
+  for (const auto& loop : loops) {
+    const std::size_t base = result.mesh.vertices.size();
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      result.mesh.vertices.push_back({{loop[i].x, loop[i].y, 0}, {0, 0, 1}});
+      result.stuck.push_back({VertexId(base + i), VertexId(base + (i + 1) % loop.size()), 1, {}});
+    }
+  }
+  return result;
+}
+
+bool close(MeshingResult& result, std::size_t most = kMostStuckEdges) {
+  const auto vertices = result.mesh.vertices;
+  return closeFront(
+      result,
+      [&](VertexId v) {
+        return Point2{vertices[v.value].position.x, vertices[v.value].position.y};
+      },
+      99, most);
+}
+
+double areaOf(const Mesh& mesh) {
+  double area = 0;
+  for (const Element& e : mesh.elements) {
+    const Point3 a = mesh.vertices[e.corners[0].value].position;
+    area += cross(mesh.vertices[e.corners[1].value].position - a,
+                  mesh.vertices[e.corners[2].value].position - a)
+                .z /
+            2;
+  }
+  return area;
+}
+
+TEST(CloseFront, FillsAPolygonThatIsNotConvex) {
+  MeshingResult result = stuckAt({{{0, 0}, {4, 0}, {4, 4}, {2, 1}, {0, 4}}});
+  ASSERT_TRUE(close(result));
+  EXPECT_EQ(result.outcome, Outcome::Complete);
+  EXPECT_EQ(result.mesh.elements.size(), 3u);
+  EXPECT_DOUBLE_EQ(areaOf(result.mesh), 10);
+  EXPECT_EQ(result.mesh.rule, (std::vector<std::uint16_t>{99, 99, 99}));
+}
+
+TEST(CloseFront, FillsAStripOfThousandsOfSegments) {
+  constexpr int kSegments = 1500;
+  std::vector<Point2> strip;
+  for (int i = 0; i <= kSegments; ++i) strip.push_back({double(i), 0});
+  for (int i = kSegments; i >= 0; --i) strip.push_back({double(i), 0.01});
+  MeshingResult result = stuckAt({strip});
+  EXPECT_FALSE(close(result)) << "so many edges are not merely stuck somewhere";
+  ASSERT_TRUE(close(result, kMostClosingEdges));
+  EXPECT_EQ(result.mesh.elements.size(), 2u * kSegments);
+  EXPECT_NEAR(areaOf(result.mesh), 0.01 * kSegments, 1e-9);
+}
+
+TEST(CloseFront, FillsAroundAHole) {
+  MeshingResult result =
+      stuckAt({{{0, 0}, {4, 0}, {4, 4}, {0, 4}}, {{1, 1}, {1, 3}, {3, 3}, {3, 1}}});
+  ASSERT_TRUE(close(result));
+  EXPECT_EQ(result.mesh.elements.size(), 8u);
+  EXPECT_DOUBLE_EQ(areaOf(result.mesh), 12);
+}
+
+TEST(CloseFront, FillsASliver) {
+  MeshingResult result = stuckAt({{{0, 0}, {1, 1e-9}, {2, 0}, {3, 1e-9}, {3, 2e-9}, {1.5, 3e-9}}});
+  ASSERT_TRUE(close(result));
+  EXPECT_EQ(result.mesh.elements.size(), 4u);
+}
+
+TEST(CloseFront, LeavesAFrontThatRunsTheWrongWayRoundAlone) {
+  MeshingResult result = stuckAt({{{0, 0}, {0, 4}, {4, 4}, {4, 0}}});
+  EXPECT_FALSE(close(result));
+  EXPECT_EQ(result.outcome, Outcome::Stuck);
+  EXPECT_TRUE(result.mesh.elements.empty());
+}
+
+TEST(CloseFront, ClosesEachSmallLoopInItsOwnPlane) {
+  MeshingResult result = stuckAt({{{0, 0}, {4, 0}, {4, 4}, {0, 4}}, {{6, 0}, {8, 0}, {7, 2}}});
+  for (std::size_t v = 0; v < 4; ++v) {  // upright, and not as the normals say
+    Point3& p = result.mesh.vertices[v].position;
+    p = {p.x, 0, p.y};
+  }
+  ASSERT_TRUE(closeLoops(result, 99));
+  EXPECT_EQ(result.outcome, Outcome::Complete);
+  EXPECT_EQ(result.mesh.elements.size(), 3u);
+  EXPECT_DOUBLE_EQ(areaOf(result.mesh), 2);  // of the loop that lies flat
+}
+
+TEST(CloseFront, LeavesLargeLoopsAsTheyAre) {
+  std::vector<Point2> circle;
+  for (int i = 0; i < 30; ++i) circle.push_back({std::cos(0.2 * i), std::sin(0.2 * i)});
+  MeshingResult result = stuckAt({{{6, 0}, {8, 0}, {7, 2}}, circle});
+  EXPECT_FALSE(closeLoops(result, 99));
+  EXPECT_TRUE(result.mesh.elements.empty());
+  EXPECT_EQ(result.stuck.size(), 33u);
+}
+
+}  // namespace
+}  // namespace af2::geometry

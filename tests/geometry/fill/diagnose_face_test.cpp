@@ -1,0 +1,56 @@
+#include "geometry/fill/diagnose_face.h"
+
+#include <gtest/gtest.h>
+
+namespace af2::geometry {
+namespace {
+
+/// A strip of squares of side 1 across the x axis, two triangles each; at every other line across
+/// it, it lies so much higher.
+Mesh pleated(int squares, double height) {
+  Mesh mesh;
+  for (int i = 0; i <= squares; ++i)
+    for (const double y : {0.0, 1.0})
+      mesh.vertices.push_back({{static_cast<double>(i), y, i % 2 * height}, {0, 0, 1}, 0, 0});
+  for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(squares); ++i) {
+    const VertexId a(2 * i), b(2 * i + 2), c(2 * i + 3), d(2 * i + 1);
+    mesh.elements.push_back({{a, b, c}});
+    mesh.elements.push_back({{a, c, d}});
+  }
+  return mesh;
+}
+
+FaceDiagnosis diagnosisOf(const Mesh& mesh, double area) {
+  FaceBoundary boundary;
+  const auto count = static_cast<std::uint32_t>(mesh.vertices.size());
+  auto& loop = boundary.input.loops.emplace_back();
+  for (std::uint32_t i = 0; i < count; i += 2) loop.push_back({VertexId(i), mesh.vertices[i]});
+  for (std::uint32_t i = count; i > 0; i -= 2)
+    loop.push_back({VertexId(i - 1), mesh.vertices[i - 1]});
+  boundary.input.vertexCount = count;
+  return diagnoseMesh(mesh, boundary, false, area, 0);
+}
+
+TEST(FaceDiagnosis, IsNoneWhereAMeshIsAsItShouldBe) {
+  const FaceDiagnosis diagnosis = diagnosisOf(pleated(40, 0), 40);
+  EXPECT_TRUE(diagnosis.places.empty());
+  EXPECT_FALSE(diagnosis.isBad || diagnosis.hasBadAngle || diagnosis.hasWrongArea);
+}
+
+TEST(FaceDiagnosis, AsksForShorterEdgesWhereTheAreaIsOff) {
+  const FaceDiagnosis diagnosis = diagnosisOf(pleated(40, 0.5), 40);  // 1.12 times as large
+  EXPECT_TRUE(diagnosis.isBad);
+  EXPECT_FALSE(diagnosis.hasWrongArea);
+  ASSERT_FALSE(diagnosis.places.empty());
+  for (const SizeSource& place : diagnosis.places) EXPECT_LT(place.size, 1.5);
+}
+
+/// Else such a mesh would be kept as the better one and fall at the last check.
+TEST(FaceDiagnosis, KnowsMeshesThatWillNotPass) {
+  EXPECT_TRUE(diagnosisOf(pleated(40, 1.5), 40).hasWrongArea);
+  EXPECT_TRUE(diagnosisOf(pleated(40, 0), 60).hasWrongArea);
+  EXPECT_FALSE(diagnosisOf(pleated(10, 1.5), 10).hasWrongArea);  // a few elements may be far off
+}
+
+}  // namespace
+}  // namespace af2::geometry

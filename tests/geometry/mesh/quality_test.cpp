@@ -1,0 +1,100 @@
+#include "geometry/mesh/quality.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/support/small_meshes.h"
+
+namespace af2::geometry {
+namespace {
+
+const double kHeight = std::sqrt(3.0) / 2;
+
+double qualityOf(std::vector<Point3> corners) {
+  const ModelMesh mesh = oneElement(std::move(corners));
+  return shapeQuality(mesh.vertices, mesh.elements[0]);
+}
+
+TEST(ShapeQuality, IsOneForTheEquilateralTriangleOfAnySize) {
+  EXPECT_NEAR(qualityOf({{0, 0, 0}, {1, 0, 0}, {0.5, kHeight, 0}}), 1, 1e-15);
+  EXPECT_NEAR(qualityOf({{0, 0, 0}, {0, 1e-6, 0}, {0, 0.5e-6, kHeight * 1e-6}}), 1, 1e-12);
+}
+
+TEST(ShapeQuality, OfATriangleIsAreaOverSquaredEdges) {
+  // area 1/2, squared edges 1 + 1 + 2
+  EXPECT_NEAR(qualityOf({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}), 4 * std::sqrt(3.0) * 0.5 / 4, 1e-15);
+}
+
+TEST(ShapeQuality, IsZeroForDegenerateElements) {
+  EXPECT_EQ(qualityOf({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}), 0);
+  EXPECT_EQ(qualityOf({{1, 1, 1}, {1, 1, 1}, {1, 1, 1}}), 0);
+  EXPECT_EQ(qualityOf({{1, 1, 1}, {1, 1, 1}, {1, 1, 1}, {1, 1, 1}}), 0);
+}
+
+TEST(ShapeQuality, OfAQuadIsThatOfItsWorstCorner) {
+  EXPECT_NEAR(qualityOf({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}), 1, 1e-15);
+  EXPECT_NEAR(qualityOf({{0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {0, 1, 0}}), 0.8, 1e-15);
+  EXPECT_NEAR(qualityOf({{0, 0, 0}, {1, 0, 0}, {1.5, kHeight, 0}, {0.5, kHeight, 0}}), kHeight,
+              1e-15);
+}
+
+TEST(ShapeQuality, OfAQuadWithAReflexCornerIsNegative) {
+  EXPECT_LT(qualityOf({{0, 0, 0}, {2, 0, 0}, {0.5, 0.5, 0}, {0, 2, 0}}), 0);
+}
+
+TEST(Percentile, InterpolatesBetweenNeighbours) {
+  std::vector<double> values{4, 1, 3, 2, 5};
+  EXPECT_EQ(percentile(values, 0), 1);
+  EXPECT_EQ(percentile(values, 0.5), 3);
+  EXPECT_NEAR(percentile(values, 0.05), 1.2, 1e-15);
+  EXPECT_EQ(percentile(values, 1), 5);
+  EXPECT_EQ(percentile({}, 0.5), 0);
+}
+
+TEST(MeasureQuality, FindsTheExtremeAnglesOfFlatElements) {
+  const auto anglesOf = [](const std::vector<Point3>& corners) {
+    return measureQuality(oneElement(corners));
+  };
+  for (const auto& corners : {std::vector<Point3>{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}},
+                              std::vector<Point3>{{1, 0, 0}, {2, 0, 0}, {0, 0, 0}}}) {
+    EXPECT_EQ(anglesOf(corners).minAngle, 0);
+    EXPECT_NEAR(anglesOf(corners).maxAngle, 180, 1e-12);
+  }
+  EXPECT_NEAR(anglesOf({{0, 0, 0}, {1, 0, 0}, {0, 1e-6, 0}}).minAngle, 180e-6 / 3.14159265, 1e-9);
+  EXPECT_NEAR(anglesOf({{0, 0, 0}, {1, 0, 0}, {0, 1e-6, 0}}).maxAngle, 90, 1e-12);
+}
+
+TEST(MeasureQuality, OfAnEmptyMeshIsZero) {
+  const MeshQuality quality = measureQuality({});
+  EXPECT_EQ(quality.mean, 0);
+  EXPECT_EQ(quality.maxAngle, 0);
+}
+
+TEST(MeasureQuality, CountsEachEdgeOnce) {
+  // The cube has 12 edges of length 1 and, on five faces, a diagonal.
+  ModelMesh cube = cubeMesh();
+  cube.wantedSizes.assign(cube.vertices.size(), 0.6);
+  const MeshQuality quality = measureQuality(cube);
+  EXPECT_NEAR(quality.edges.mean, (12 + 5 * std::sqrt(2.0)) / 17 / 0.6, 1e-12);
+  EXPECT_NEAR(quality.edges.p5, 1 / 0.6, 1e-12);
+  EXPECT_NEAR(quality.edges.p95, std::sqrt(2.0) / 0.6, 1e-12);
+  EXPECT_NEAR(quality.minAngle, 45, 1e-12);
+  EXPECT_NEAR(quality.maxAngle, 90, 1e-12);
+  EXPECT_EQ(quality.edges.histogram, (std::array<std::size_t, 10>{0, 0, 0, 0, 0, 0, 12, 5, 0, 0}));
+  EXPECT_EQ(quality.edges.leastWanted, 0.6);
+  EXPECT_EQ(quality.edges.leastLength, 1);
+  EXPECT_NEAR(quality.edges.mostLength, std::sqrt(2.0), 1e-15);
+}
+
+TEST(MeasureQuality, HoldsAnEdgeAgainstTheSizesAtItsEnds) {
+  ModelMesh mesh = oneElement({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
+  mesh.wantedSizes = {1, 3, 1};
+  const double sum = 1 / 2.0 + std::sqrt(2.0) / 2 + 1;
+  EXPECT_NEAR(measureQuality(mesh).edges.mean, sum / 3, 1e-12);
+  mesh.wantedSizes.clear();
+  EXPECT_EQ(measureQuality(mesh).edges.mean, 0);
+}
+
+}  // namespace
+}  // namespace af2::geometry

@@ -1,0 +1,102 @@
+// Edges that are taken for points because a face fails with them.
+#include <gtest/gtest.h>
+#include <BRepBuilderAPI_MakeFace.hxx>
+#include <Geom_Circle.hxx>
+#include <Geom_SurfaceOfRevolution.hxx>
+
+#include <algorithm>
+#include <numbers>
+#include <string>
+#include <string_view>
+
+#include "geometry/occ/edges/edge_division.h"
+#include "tests/geometry/occ/meshing.h"
+#include "tests/support/model_mesh.h"
+
+namespace af2::geometry {
+namespace {
+
+using std::numbers::pi;
+
+constexpr std::string_view kTold = "short, and taken for points because a face there failed";
+
+/// A hemisphere of radius 7, made by a meridian that goes on past the pole by some angle, so that
+/// the surface turns over there: its normals look inwards.
+TopoDS_Face pastThePole(double turn, double angle) {
+  const Handle(Geom_Curve) meridian =
+      new Geom_Circle(gp_Ax2(gp_Pnt(0, 0, 0), gp_Dir(0, -1, 0), gp_Dir(1, 0, 0)), 7);
+  const Handle(Geom_Surface) surface =
+      new Geom_SurfaceOfRevolution(meridian, gp_Ax1(gp_Pnt(0, 0, 0), gp_Dir(0, 0, 1)));
+  return BRepBuilderAPI_MakeFace(surface, 0, turn, 0, pi / 2 + angle, 1e-7);
+}
+
+bool tellsOfPoints(const FaceReport& face) {
+  return std::ranges::any_of(
+      face.attempts, [](const std::string& step) { return step.find(kTold) != std::string::npos; });
+}
+
+TEST(ShortEdges, AMeridianThatGoesOnPastThePoleEndsThere) {
+  const ModelMesh result = testing::mesh(pastThePole(pi, 1e-3), 2.7);
+  testing::expectComplete(result, pi * 49);
+  EXPECT_GT(testing::leastAngle(result), 20);
+  EXPECT_TRUE(tellsOfPoints(result.faces[0]));
+  for (const Point3& p : result.vertices) EXPECT_NEAR(length(p), 7, 1e-6);
+}
+
+/// To try shorter edges again and again would take long, and be of no use.
+TEST(ShortEdges, AlsoAllTheWayAroundAfterFewTries) {
+  ModelMeshingOptions options = testing::ofSize(2.7);
+  int fronts = 0;
+  options.observer = [&](int) {
+    ++fronts;
+    return nullptr;
+  };
+  const ModelMesh result = testing::mesh(testing::modelOf(pastThePole(2 * pi, 0.05)), options);
+  EXPECT_LE(fronts, 2 * (1 + 2 + 3));  // with two kinds of charts: first, shorter, without edges
+  testing::expectComplete(result, 2 * pi * 49);
+  EXPECT_GT(testing::leastAngle(result), 15);
+  EXPECT_TRUE(tellsOfPoints(result.faces[0]));
+}
+
+/// As long as a face can be meshed with them, they stay.
+TEST(ShortEdges, AreKeptWhereNothingFails) {
+  const ModelMesh result = testing::mesh(pastThePole(pi, -0.02), 2.7);
+  testing::expectComplete(result, pi * 49);
+  EXPECT_FALSE(tellsOfPoints(result.faces[0]));
+}
+
+DividedEdges divided(const Model& model, double size, const EdgesAsPoints& asPoints) {
+  ModelSizes sizes;
+  sizes.size = size;
+  return divideEdges(model.shape(), sampleEdges(model.shape(), sizes, 1, {}), sizes, 1, {}, {},
+                     asPoints);
+}
+
+TEST(ShortEdges, OneThatIsAPointLeavesOneVertexToTheEdgesBeside) {
+  const Model model = testing::box(0.1, 2, 2);
+  const DividedEdges all = divided(model, 1, {});
+  int shortEdge = 0;
+  for (std::size_t i = 0; i < all.edges.size() && shortEdge == 0; ++i) {
+    const auto& points = all.edges[i].points;
+    if (distance(all.points[points.front()], all.points[points.back()]) < 0.2)
+      shortEdge = static_cast<int>(i) + 1;
+  }
+  const auto& ends = all.edges[static_cast<std::size_t>(shortEdge) - 1].points;
+  const DividedEdges fewer = divided(model, 1, {{shortEdge, 0.2}});
+  for (std::size_t i = 0; i < fewer.edges.size(); ++i) {
+    const DividedEdge& edge = fewer.edges[i];
+    const bool isPoint = static_cast<int>(i) + 1 == shortEdge;
+    EXPECT_EQ(edge.points.empty(), isPoint);
+    EXPECT_EQ(edge.point.has_value(), isPoint);
+    EXPECT_EQ(std::ranges::count(edge.points, std::max(ends.front(), ends.back())), 0);
+  }
+}
+
+/// What becomes one point is no larger than asked for, however many edges lie in a row.
+TEST(ShortEdges, OneThatWouldJoinPointsTooFarApartStays) {
+  const DividedEdges kept = divided(testing::box(0.1, 2, 2), 1, {{1, 0.05}, {2, 0.05}, {3, 0.05}});
+  for (const DividedEdge& edge : kept.edges) EXPECT_FALSE(edge.points.empty());
+}
+
+}  // namespace
+}  // namespace af2::geometry

@@ -1,0 +1,85 @@
+#include "geometry/occ/faces/meeting_faces.h"
+
+#include <gtest/gtest.h>
+#include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRep_Builder.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Compound.hxx>
+#include <gp_Cylinder.hxx>
+#include <gp_Pln.hxx>
+
+#include <cmath>
+
+#include "tests/geometry/occ/meshing.h"
+#include "tests/geometry/occ/run/dirt.h"
+
+namespace af2::geometry {
+namespace {
+
+/// A square in the plane z = height, 4 wide, around the axis.
+TopoDS_Face square(double height, double from = -2) {
+  return BRepBuilderAPI_MakeFace(gp_Pln({0, 0, height}, {0, 0, 1}), from, 2, -2, 2);
+}
+/// A tube of radius 1 around the axis.
+TopoDS_Face tube(double low, double high) {
+  return BRepBuilderAPI_MakeFace(gp_Cylinder(gp_Ax3(), 1), 0, 2 * M_PI, low, high);
+}
+
+Model both(const TopoDS_Face& one, const TopoDS_Face& other) {
+  BRep_Builder builder;
+  TopoDS_Compound all;
+  builder.MakeCompound(all);
+  builder.Add(all, one);
+  builder.Add(all, other);
+  return testing::modelOf(all);
+}
+
+std::optional<CommonPoint> common(const Model& model, const Point3& nearby) {
+  return commonPoint(model.shape(), 1, 2, nearby, 0.05);
+}
+
+TEST(CommonPoint, IsFoundWhereFacesPassThroughEachOther) {
+  const auto found = common(both(square(0), tube(-1, 1)), {1.2, 0.5, 0.1});
+  ASSERT_TRUE(found);
+  EXPECT_NEAR(found->place.z, 0, 1e-3);
+  EXPECT_NEAR(std::hypot(found->place.x, found->place.y), 1, 1e-3);
+  EXPECT_FALSE(found->isTouching);
+}
+
+TEST(CommonPoint, IsFoundWhereAFaceEndsInsideAnother) {
+  EXPECT_TRUE(common(both(square(0), tube(0, 1)), {1.2, 0.5, 0.1}));
+}
+
+TEST(CommonPoint, IsFoundWhereFacesLieOnEachOther) {
+  const auto found = common(both(square(0), square(0, -1)), {0.5, 0.5, 0});
+  ASSERT_TRUE(found);
+  EXPECT_TRUE(found->isTouching);
+}
+
+TEST(CommonPoint, IsNoneWhereFacesOnlyComeNear) {
+  EXPECT_FALSE(common(both(square(0), square(0.1)), {0.5, 0.5, 0.05}));
+  EXPECT_FALSE(common(both(square(0), tube(0.1, 1)), {1.2, 0.5, 0.1}));
+  EXPECT_FALSE(common(both(square(0, 1.5), tube(-1, 1)), {1.2, 0.5, 0.1}));
+}
+
+TEST(CommonPoint, IsNoneAlongACommonEdge) {
+  EXPECT_FALSE(common(testing::box(1, 1, 1), {0.01, 0.5, 0.01}));
+}
+
+TEST(MeetingFaces, AreToldOfFacesThatFailed) {
+  const Model model = both(square(0), tube(-1, 1));
+  std::vector<FaceReport> faces(2);
+  for (int i = 0; i < 2; ++i) faces[static_cast<std::size_t>(i)].id = i + 1;
+  faces[1].status = FaceStatus::Failed;
+  faces[1].reason = "elements cross";
+  Crossing crossing;
+  crossing.faces = {1, 2};
+  crossing.place = {1.01, 0.01, 0.01};
+  tellOfMeetingFaces(model.shape(), {crossing}, 0.5, faces);
+  EXPECT_TRUE(faces[0].reason.empty());
+  EXPECT_TRUE(faces[1].reason.starts_with("elements cross; in the model itself it meets face 1"))
+      << faces[1].reason;
+}
+
+}  // namespace
+}  // namespace af2::geometry

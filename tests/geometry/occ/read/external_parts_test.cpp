@@ -1,0 +1,122 @@
+// STEP assemblies with parts in files of their own.
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakeCylinder.hxx>
+#include <Message.hxx>
+#include <Message_Messenger.hxx>
+#include <STEPCAFControl_Writer.hxx>
+#include <TDataStd_Name.hxx>
+#include <TDocStd_Document.hxx>
+#include <XCAFDoc_DocumentTool.hxx>
+#include <XCAFDoc_ShapeTool.hxx>
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "engine/base/error.h"
+#include "geometry/occ/model/model.h"
+
+namespace af2::geometry {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A folder of its own, which ends with the test.
+class ExternalParts : public ::testing::Test {
+ protected:
+  ExternalParts() { fs::create_directories(folder_); }
+  ~ExternalParts() override { fs::remove_all(folder_); }
+
+  /// A plate and a bolt that is there twice; with a prefix, each part in a file of its own.
+  fs::path writeMachine(const char* prefix) const {
+    const Handle(TDocStd_Document) document = new TDocStd_Document("XmlXCAF");
+    const auto shapes = XCAFDoc_DocumentTool::ShapeTool(document->Main());
+    const TDF_Label plate = shapes->AddShape(BRepPrimAPI_MakeBox(20, 10, 2).Shape(), false);
+    const TDF_Label bolt = shapes->AddShape(BRepPrimAPI_MakeCylinder(1, 4).Shape(), false);
+    TDataStd_Name::Set(plate, "plate");
+    TDataStd_Name::Set(bolt, "bolt");
+    const TDF_Label machine = shapes->NewShape();
+    TDataStd_Name::Set(machine, "machine");
+    shapes->AddComponent(machine, plate, TopLoc_Location());
+    for (const double x : {5.0, 15.0}) {
+      gp_Trsf place;
+      place.SetTranslation({x, 5, 2});
+      shapes->AddComponent(machine, bolt, TopLoc_Location(place));
+    }
+    shapes->UpdateAssemblies();
+    Message::DefaultMessenger()->ChangePrinters().Clear();
+    STEPCAFControl_Writer writer;
+    writer.Transfer(document, STEPControl_AsIs, prefix);
+    writer.Write((folder_ / "machine.step").c_str());
+    return folder_ / "machine.step";
+  }
+
+  const fs::path folder_ =
+      fs::path(::testing::TempDir()) / ("af2_external_" + std::to_string(::getpid()));
+};
+
+std::vector<int> facesOf(const Model& model, const std::string& part) {
+  for (const FaceGroup& group : model.groups())
+    if (group.name == part) return group.faces;
+  return {};
+}
+
+TEST_F(ExternalParts, AreReadFromTheFilesBesideTheAssembly) {
+  const Model model = readModel(writeMachine("part_"));
+  EXPECT_EQ(model.faceCount(), 12);
+  EXPECT_NEAR(model.diagonal(), std::sqrt(20 * 20 + 10 * 10 + 6 * 6), 1e-3);
+  EXPECT_EQ(facesOf(model, "machine").size(), 12u);
+  EXPECT_EQ(facesOf(model, "plate").size(), 6u);
+  EXPECT_EQ(facesOf(model, "bolt").size(), 6u);
+  ASSERT_EQ(model.notes().size(), 1u);
+  EXPECT_NE(model.notes()[0].find("'part_bolt.stp'"), std::string::npos) << model.notes()[0];
+}
+
+TEST_F(ExternalParts, AreFoundByARelativePath) {
+  const fs::path whole = writeMachine("part_");
+  EXPECT_EQ(readModel(fs::relative(whole)).faceCount(), 12);
+}
+
+TEST_F(ExternalParts, AreNamedIfTheyAreMissing) {
+  const fs::path assembly = writeMachine("part_");
+  ASSERT_TRUE(fs::remove(folder_ / "part_bolt.stp"));
+  try {
+    readModel(assembly);
+    FAIL() << "was read without its bolts";
+  } catch (const InputError& error) {
+    const std::string text = error.what();
+    EXPECT_NE(text.find("'part_bolt.stp'"), std::string::npos) << text;
+    EXPECT_EQ(text.find("'part_plate.stp'"), std::string::npos) << text;
+  }
+}
+
+TEST_F(ExternalParts, NeedNotBeThereIfTheAssemblyHasThemItself) {
+  const fs::path assembly = writeMachine(nullptr);
+  std::stringstream content;
+  content << std::ifstream(assembly).rdbuf();
+  std::string text = content.str();
+  // The first definition of a product gets a file that describes it.
+  const std::size_t definition = text.find(" = PRODUCT_DEFINITION(");
+  ASSERT_NE(definition, std::string::npos);
+  const std::size_t number = text.rfind('#', definition);
+  const std::string product = text.substr(number, definition - number);
+  text.insert(
+      text.rfind("ENDSEC;"),
+      "#9001=DOCUMENT_FILE('drawing.stp','',$,#9002,'',$);\n"
+      "#9002=DOCUMENT_TYPE('');\n"
+      "#9003=APPLIED_EXTERNAL_IDENTIFICATION_ASSIGNMENT('drawing.stp',#9004,#9005,(#9001));\n"
+      "#9004=IDENTIFICATION_ROLE('external document id and location',$);\n"
+      "#9005=EXTERNAL_SOURCE(IDENTIFIER('drawing.stp'));\n"
+      "#9006=APPLIED_DOCUMENT_REFERENCE(#9001,'',(" +
+          product + "));\n");
+  std::ofstream(assembly) << text;
+  const Model model = readModel(assembly);
+  EXPECT_EQ(model.faceCount(), 12);
+  EXPECT_TRUE(model.notes().empty());
+}
+
+}  // namespace
+}  // namespace af2::geometry

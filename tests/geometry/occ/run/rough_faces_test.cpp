@@ -1,0 +1,70 @@
+// Faces on which curvature is noise to elements of the wanted size.
+#include <gtest/gtest.h>
+#include <BRepBuilderAPI_MakeFace.hxx>
+#include <Geom_BSplineSurface.hxx>
+#include <TColStd_Array1OfInteger.hxx>
+#include <TColStd_Array1OfReal.hxx>
+#include <TColgp_Array2OfPnt.hxx>
+
+#include <algorithm>
+#include <cstdint>
+#include <set>
+
+#include "geometry/occ/sizes/sizing.h"
+#include "geometry/occ/surfaces/face_surface.h"
+#include "tests/geometry/occ/meshing.h"
+
+namespace af2::geometry {
+namespace {
+
+constexpr double kSize = 1.5;
+
+/// A square of side 25 with poles 0.25 apart, a tenth of which are lifted.
+Model noisyGround(double height) {
+  constexpr int kPoles = 101;
+  TColgp_Array2OfPnt poles(1, kPoles, 1, kPoles);
+  std::uint32_t noise = 1;
+  for (int i = 1; i <= kPoles; ++i)
+    for (int k = 1; k <= kPoles; ++k) {
+      noise = 1664525u * noise + 1013904223u;
+      poles(i, k) = gp_Pnt(0.25 * (i - 1), 0.25 * (k - 1), (noise >> 16) % 10 == 0 ? height : 0);
+    }
+  TColStd_Array1OfReal knots(1, kPoles - 2);
+  TColStd_Array1OfInteger multiplicities(1, kPoles - 2);
+  for (int i = 1; i <= kPoles - 2; ++i) {
+    knots(i) = i;
+    multiplicities(i) = i == 1 || i == kPoles - 2 ? 4 : 1;
+  }
+  return testing::modelOf(BRepBuilderAPI_MakeFace(
+      new Geom_BSplineSurface(poles, knots, knots, multiplicities, multiplicities, 3, 3), 1e-6));
+}
+
+ModelSizes spread(const Model& model) {
+  ModelSizes sizes;
+  sizes.size = kSize;
+  return spreadSizes(model.shape(), sizes, unevenFaces(model.shape(), sizes, 1, {}), 1, {});
+}
+
+double smallestSize(const Model& model, const ModelSizes& sizes) {
+  const FaceSurface surface = model.shape().surface(1);
+  double smallest = kSize;
+  for (double u = 2; u < 98; u += 1.37)
+    for (double v = 2; v < 98; v += 1.37)
+      smallest = std::min(smallest, limitByCurvature(sizes, 1, kSize, surface, {{}, {}, u, v}));
+  return smallest;
+}
+
+TEST(RoughFaces, AreNoTubes) {
+  const Model ground = noisyGround(0.6);
+  const ModelSizes sizes = spread(ground);
+  EXPECT_EQ(sizes.roughFaces, std::set<int>{1});
+  EXPECT_GE(smallestSize(ground, sizes), sizes.faceLeast * kSize);
+  ModelSizes asTube;
+  asTube.size = kSize;
+  EXPECT_LT(smallestSize(ground, asTube), sizes.faceLeast * kSize / 5);
+}
+
+TEST(RoughFaces, SmoothOnesAreNone) { EXPECT_TRUE(spread(noisyGround(1e-3)).roughFaces.empty()); }
+
+}  // namespace
+}  // namespace af2::geometry

@@ -1,0 +1,145 @@
+#include "geometry/retry/retries.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <atomic>
+
+namespace af2::geometry {
+namespace {
+
+/// Faces for which nothing helps: each front goes on as long as it may, at most for `kStubborn`
+/// candidates.
+class HopelessModel final : public RetriedModel {
+ public:
+  static constexpr std::size_t kStubborn = 3'000'000;
+
+  explicit HopelessModel(std::size_t faces) : edges_(faces) {}
+
+  const std::vector<std::vector<int>>& edgesOfFaces() const override { return edges_; }
+  DividedEdges divide(const PositionSize&, const EdgesAsPoints&) const override { return {}; }
+  std::vector<EdgesAsPoints> shortEdges(std::size_t, const DividedEdges&,
+                                        const std::vector<SizeSource>&) const override {
+    return {};
+  }
+  void mesh(std::size_t i, const PositionSize&, const TryLimits& limits,
+            FaceMeshes& into) const override {
+    into.meshes[i] = failure(i, std::min(limits.mostCandidates, kStubborn));
+    spent += into.meshes[i].effort;
+    if (limits.mayLean) ++leant;
+  }
+  void join(FaceMeshes&) const override {}
+  std::vector<SizeSource> sizesInside(std::size_t) const override { return {}; }
+
+  static FaceMesh failure(std::size_t i, std::size_t effort) {
+    FaceMesh mesh;
+    mesh.report.id = static_cast<int>(i) + 1;
+    mesh.report.status = FaceStatus::Failed;
+    mesh.report.reason = "hopeless";
+    mesh.diagnosis.isBad = true;
+    mesh.diagnosis.places = {{{static_cast<double>(i), 0, 0}, 0.1}};
+    mesh.effort = effort;
+    return mesh;
+  }
+
+  mutable std::atomic<std::size_t> spent = 0, leant = 0;
+
+ private:
+  std::vector<std::vector<int>> edges_;
+};
+
+FaceMeshes retried(const HopelessModel& model, int threads) {
+  FaceMeshes state;
+  for (std::size_t i = 0; i < model.edgesOfFaces().size(); ++i)
+    state.meshes.push_back(HopelessModel::failure(i, HopelessModel::kStubborn));
+  RetryOptions options;
+  options.largest = 1;
+  options.threads = threads;
+  retryPoorFaces(model, options, state);
+  return state;
+}
+
+TEST(Retries, OfManyHopelessFacesTakeNoMoreThanOfAFew) {
+  const HopelessModel few(5), many(200);
+  retried(few, 1);
+  const FaceMeshes state = retried(many, 2);
+  EXPECT_LT(many.spent, 2 * few.spent);
+  EXPECT_LT(many.spent, 60'000'000u);
+  for (const FaceMesh& mesh : state.meshes) {
+    ASSERT_FALSE(mesh.report.attempts.empty());
+    EXPECT_EQ(mesh.report.attempts.back(),
+              "not everything was tried: faces that fail have taken too long already");
+  }
+}
+
+TEST(Retries, TakeAsMuchWithAnyNumberOfThreads) {
+  const HopelessModel one(50), two(50);
+  retried(one, 1);
+  retried(two, 2);
+  EXPECT_EQ(one.spent, two.spent);
+  EXPECT_EQ(one.leant, two.leant);
+}
+
+TEST(Retries, LeaveSomethingForTheLastWayOfEachOfAFewFaces) {
+  const HopelessModel model(5);
+  retried(model, 1);
+  EXPECT_EQ(model.leant, 5u);
+}
+
+/// Two faces all but touch along a line: they cross at the first place of it where elements are too
+/// large, and when these are smaller, at the next one.
+class TouchingModel final : public RetriedModel {
+ public:
+  static constexpr int kPlaces = 7;
+  static constexpr double kLargest = 1, kWanted = 0.3;
+
+  const std::vector<std::vector<int>>& edgesOfFaces() const override { return edges_; }
+  DividedEdges divide(const PositionSize& sizes, const EdgesAsPoints&) const override {
+    sizes_ = sizes;
+    return {};
+  }
+  std::vector<EdgesAsPoints> shortEdges(std::size_t, const DividedEdges&,
+                                        const std::vector<SizeSource>&) const override {
+    return {};
+  }
+  void mesh(std::size_t i, const PositionSize&, const TryLimits&, FaceMeshes& into) const override {
+    into.meshes[i] = face(i);
+  }
+  void join(FaceMeshes& state) const override {
+    state.joined = {};
+    state.faults = {};
+    for (int k = 0; k < kPlaces && state.faults.crossings.empty(); ++k) {
+      const Point3 place{static_cast<double>(k), 0, 0};
+      const double size = sizes_ ? std::min(kLargest, sizes_.at(place)) : kLargest;
+      if (size <= kWanted) continue;
+      state.joined.vertices = {place, {k + size, 0, 0}, {k + size / 2, size / 2, 0}};
+      state.joined.elements.push_back({{VertexId(0), VertexId(1), VertexId(2)}});
+      state.faults.crossings.push_back({{ElementId(0), ElementId(0)}, {1, 2}, false, place});
+    }
+  }
+  std::vector<SizeSource> sizesInside(std::size_t) const override { return {}; }
+
+  static FaceMesh face(std::size_t i) {
+    FaceMesh mesh;
+    mesh.report.id = static_cast<int>(i) + 1;
+    mesh.effort = 1000;
+    return mesh;
+  }
+
+ private:
+  mutable PositionSize sizes_;
+  std::vector<std::vector<int>> edges_{{}, {}};
+};
+
+TEST(Retries, GoOnAlongALineWhereFacesAllButTouch) {
+  const TouchingModel model;
+  FaceMeshes state;
+  for (std::size_t i = 0; i < 2; ++i) state.meshes.push_back(TouchingModel::face(i));
+  RetryOptions options;
+  options.largest = TouchingModel::kLargest;
+  retryPoorFaces(model, options, state);
+  EXPECT_TRUE(state.faults.crossings.empty());
+}
+
+}  // namespace
+}  // namespace af2::geometry

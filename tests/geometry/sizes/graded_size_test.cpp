@@ -1,0 +1,101 @@
+#include "geometry/sizes/graded_size.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "tests/support/flat_surface.h"
+
+namespace af2::geometry {
+namespace {
+
+TEST(GrowingSize, IsTheSmallestOfWhatGrowsFromItsSources) {
+  const std::vector<SizeSource> sources{{{0, 0, 0}, 0.1}, {{1, 0, 0}, 0.2}, {{0, 3, 1}, 0.05}};
+  const GrowingSize size(sources, 0.4, 1.0);
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> any(-4, 4);
+  for (int i = 0; i < 1000; ++i) {
+    const Point3 p{any(random), any(random), any(random)};
+    double expected = 1;
+    for (const SizeSource& s : sources)
+      expected = std::min(expected, s.size + 0.4 * distance(s.position, p));
+    EXPECT_DOUBLE_EQ(size.at(p), expected);
+  }
+}
+
+TEST(GrowingSize, FindsTheSmallestAmongManyBalls) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> any(0, 10), some(0.01, 0.5);
+  std::vector<SizeSource> sources;
+  for (int i = 0; i < 777; ++i)
+    sources.push_back({{any(random), any(random), any(random)}, some(random), some(random)});
+  const GrowingSize size(sources, 0.3, 2);
+  for (int i = 0; i < 300; ++i) {
+    const Point3 p{2 * any(random) - 5, any(random), any(random)};
+    double expected = 2;
+    for (const SizeSource& s : sources) {
+      const double outside = std::max(0.0, distance(s.position, p) - s.radius);
+      expected = std::min(expected, s.size + 0.3 * outside);
+    }
+    EXPECT_EQ(size.at(p), expected);
+  }
+}
+
+TEST(GrowingSize, NeedsOnlyTheUncoveredSources) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> any(0, 10), some(0.01, 1), radius(0, 0.2);
+  std::vector<SizeSource> sources;
+  for (int i = 0; i < 1000; ++i)
+    sources.push_back({{any(random), any(random), 0}, some(random), radius(random)});
+  const std::vector<SizeSource> few = uncovered(sources, 0.3);
+  EXPECT_GT(few.size(), 10u);
+  EXPECT_LT(few.size(), 500u);
+  const GrowingSize all(sources, 0.3, 5), same(few, 0.3, 5);
+  for (int i = 0; i < 1000; ++i) {
+    const Point3 p{2 * any(random) - 5, any(random), any(random) - 5};
+    EXPECT_EQ(same.at(p), all.at(p));
+  }
+}
+
+FrontInput polygon(const std::vector<Point2>& corners) {
+  FrontInput input;
+  testing::addLoop(input, corners);
+  return input;
+}
+
+FrontInput rectangle(double width, double height) {
+  return polygon({{0, 0}, {width, 0}, {width, height}, {0, height}});
+}
+
+TEST(GradedSize, IsAsWantedFarFromShortSegments) {
+  const UniformSize wanted(10);
+  const GradedSize size(wanted, polygon({{0, 0}, {0.01, 0}, {0.02, 0}, {10, 0}, {10, 10}}), 1);
+  EXPECT_NEAR(size.sizeAt({{0.01, 0, 0}, {}}), 0.01, 1e-12);
+  EXPECT_NEAR(size.sizeAt({{0.01, 0.4, 0}, {}}), 0.41, 1e-12);
+  EXPECT_EQ(size.sizeAt({{10, 10, 0}, {}}), 10);
+}
+
+TEST(GradedSize, ComesDownFromLongSegmentsInSteps) {
+  const UniformSize wanted(1);
+  const GradedSize size(wanted, rectangle(8, 8), 0.5);
+  EXPECT_EQ(size.sizeAt({{4, 0, 0}, {}}), 8);
+  EXPECT_EQ(size.sizeAt({{4, 4, 0}, {}}), 4);
+  EXPECT_EQ(size.sizeAt({{4, -6, 0}, {}}), 2);
+  EXPECT_EQ(size.sizeAt({{4, -20, 0}, {}}), 1);
+}
+
+TEST(GradedSize, IsTheSameOverAnotherFieldWithTheSameSizes) {
+  const SizeFunction wanted([](const Point3& p) { return 1 + p.x; });
+  const SizeFunction alike([](const Point3& p) { return 1 + p.x; });
+  const GradedSize size(wanted, rectangle(8, 0.1), 0.5), other(alike, size);
+  for (double x = 0; x <= 8; x += 0.25)
+    EXPECT_EQ(other.sizeAt({{x, 0.05, 0}, {}}), size.sizeAt({{x, 0.05, 0}, {}}));
+}
+
+TEST(GradedSize, LeavesAnEvenBoundaryAlone) {
+  const UniformSize wanted(1);
+  EXPECT_EQ(GradedSize(wanted, rectangle(0.8, 0.8), 0.5).sizeAt({{0, 0, 0}, {}}), 1);
+}
+
+}  // namespace
+}  // namespace af2::geometry
