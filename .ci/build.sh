@@ -28,19 +28,46 @@ as_root() {
   fi
 }
 
+# how_far LOG: what ninja or apt-get has come to, in a word or two; nothing if that cannot be told.
+how_far() {
+  awk '
+    match($0, /^\[[0-9]+\/[0-9]+\]/) {
+      split(substr($0, 2, RLENGTH - 2), n, "/"); done = n[1]; all = n[2]; step = "compiled" }
+    /newly installed/ { for (i = 1; i < NF; ++i) if ($(i + 1) == "newly") all = $i }
+    /^Get:/ { step = "downloaded"; ++downloads; done = downloads }
+    /^Unpacking / { step = "unpacked"; ++unpacked; done = unpacked }
+    /^Setting up / { step = "set up"; ++ready; done = ready }
+    END { if (all > 0 && step != "") {
+      share = int(10 * done / all) * 10
+      printf "%s %d %%", step, share > 100 ? 100 : share } }' "$1" 2>/dev/null
+}
+
+# run_logged LOG WHAT COMMAND...: runs it with its output in LOG, and says about every tenth how far it is.
+run_logged() {
+  local log=$1 what=$2 told='' now pid
+  shift 2
+  "$@" </dev/null >"$log" 2>&1 &
+  pid=$!
+  while kill -0 "$pid" 2>/dev/null; do
+    sleep 1
+    now=$(how_far "$log")
+    if [ -n "$now" ] && [ "$now" != "$told" ]; then say "$what: $now"; told=$now; fi
+  done
+  wait "$pid"
+}
+
 # apt_install NAME...
 apt_install() {
-  local log
+  local log status=0
   log=$(mktemp)
   # An update that fails may still leave lists that are good enough.
   as_root apt-get update </dev/null >"$log" 2>&1 || true
-  if ! as_root env DEBIAN_FRONTEND=noninteractive \
-      apt-get install -y --no-install-recommends "$@" </dev/null >>"$log" 2>&1; then
-    tail -n 15 "$log" >&2
-    rm -f "$log"
-    return 1
-  fi
+  run_logged "$log" packages \
+    as_root env DEBIAN_FRONTEND=noninteractive \
+    apt-get install -y --no-install-recommends -o Dpkg::Use-Pty=0 "$@" || status=1
+  [ "$status" -eq 0 ] || tail -n 15 "$log" >&2
   rm -f "$log"
+  return "$status"
 }
 
 # install_packages build|check
@@ -89,17 +116,17 @@ warnings_setting() {
   if grep -qs '^VERSION_ID="12"' /etc/os-release; then echo ON; else echo OFF; fi
 }
 
-# build TARGET: silent if nothing is to be done, and as long as nothing fails.
+# build TARGET: silent if nothing is to be done.
 build() {
-  local log="$root/build/build.log"
+  local log="$root/build/build.log" command
   export CCACHE_BASEDIR="$root" CCACHE_NOHASHDIR=1
   if ninja -C "$root/build" -n "$1" 2>/dev/null | grep -q 'no work to do'; then return 0; fi
+  command=(ninja -C "$root/build" -j "$(jobs_that_fit)" "$1")
   if [ -t 2 ]; then
-    NINJA_STATUS='af2: building [%f/%t] ' ninja -C "$root/build" -j "$(jobs_that_fit)" "$1" \
-      </dev/null >&2 && return 0
+    NINJA_STATUS='af2: building [%f/%t] ' "${command[@]}" </dev/null >&2 && return 0
   else
-    say "building (the first time takes some minutes) ..."
-    ninja -C "$root/build" -j "$(jobs_that_fit)" "$1" </dev/null >"$log" 2>&1 && return 0
+    say "building; the first time this takes some minutes (log: $log)"
+    run_logged "$log" building env NINJA_STATUS='[%f/%t] ' "${command[@]}" && return 0
     grep -v '^\[' "$log" | tail -n 60 >&2
   fi
   say "AF2 could not be built (see above)"

@@ -56,14 +56,14 @@ std::optional<Fix> allow(const Fault& fault) {
                          return std::holds_alternative<dsl::MetaClause>(c.content);
                        });
   if (!rule || hasMeta) return std::nullopt;
-  return addClause(fault, "it is meant to be so: allow " + fault.diagnostic.code,
-                   "meta { allow \"" + fault.diagnostic.code + "\"; }");
+  return addClause(fault, "it is meant to be so: allow " + dsl::idOf(fault.diagnostic.code),
+                   "meta { allow \"" + dsl::idOf(fault.diagnostic.code) + "\"; }");
 }
 
 /// The counter-example as a test, laid out, at the end of the file.
 std::optional<Fix> addTest(const Fault& fault) {
   for (const dsl::DiagnosticNote& note : fault.diagnostic.notes) {
-    if (!note.message.starts_with("test \"")) continue;
+    if (note.kind != dsl::DiagnosticNote::Kind::Test) continue;
     const dsl::Formatted formatted = dsl::format("", "af2 1;\n\n" + note.message);
     const std::size_t begin = formatted.text.find("test \"");
     if (begin == std::string::npos) continue;
@@ -95,7 +95,7 @@ class ActionList {
       if (isHere(edit.place)) offer({edit.what, spanOf(edit.place), edit.replacement}, true);
     for (const auto fix : kFixes)
       if (const auto found = fix({document_, analysis_, diagnostic, span, isFromChecks}))
-        offer(*found, diagnostic.code[0] == 'S');
+        offer(*found, false);
   }
 
   Json take() { return std::move(list_); }

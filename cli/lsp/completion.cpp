@@ -4,7 +4,7 @@
 
 #include "cli/lsp/completion_items.h"
 #include "cli/lsp/server.h"
-#include "dsl/text/words.h"
+#include "dsl/text/keywords.h"
 
 namespace af2::lsp {
 namespace {
@@ -60,50 +60,62 @@ void addInItem(ItemList& list) {
   }
 }
 
-void addInSetting(ItemList& list) {
+/// Behind the first word of a clause whose parts are all of one sort.
+void addBehind(ItemList& list, const dsl::Keyword& keyword) {
   const BlockContext& context = list.context();
-  const bool isSecond = context.statement.size() == 1;
-  if (context.begins("elements")) return list.addWords({"tri", "quad"});
-  if (context.begins("scale")) return list.addWords({"h", "base"});
-  if (context.begins("parity")) return list.addWords({"even", "any"});
-  if (context.begins("front") && isSecond) return list.addWords({"by", "rows"});
-  if (context.begins("front") && holds(context, "rows"))
-    return list.addWords({"start", "smallest_turn"});
-  if (context.begins("score")) {
-    if (isSecond) return list.addWords({"max", "sum", "mean"});
-    if (!holds(context, "of")) return list.addWords({"of"});
-    if (context.follows("of")) return addMetrics(list);
+  const bool isExpression = isWithinParentheses(context) || holds(context, "=");
+  switch (keyword.follows) {
+    case dsl::Follows::Nothing:
+      return;
+    case dsl::Follows::Words:
+      return list.addWords(keyword.words);
+    case dsl::Follows::Vertices:
+      return addVertices(list);
+    case dsl::Follows::VerticesAndForms:
+      if (!isExpression && !holds(context, "~")) return addVertices(list);
+      if (context.follows("~")) list.addWords({"any"});
+      return addExpression(list);
+    case dsl::Follows::Definitions: {
+      const bool isNextName = context.follows(",") && !isWithinParentheses(context);
+      if (isExpression && !isNextName) addExpression(list);
+      return;
+    }
+    case dsl::Follows::Expression:
+    case dsl::Follows::Header:
+      list.addWords(keyword.words);
+      return addExpression(list);
   }
-  if (context.begins("accept")) list.addWords({"score"});
-  if (context.begins("front"))  // the order may ask about the ends of each edge
-    for (const char* end : {"a", "b"})
-      list.add(ItemList::Rank::Local, ItemKind::Field, end, "an end of the edge");
+}
+
+void addScore(ItemList& list, const dsl::Keyword& keyword) {
+  const BlockContext& context = list.context();
+  if (context.statement.size() == 1) return list.addWords(keyword.words);
+  if (!holds(context, "of")) return list.addWords({"of"});
+  return context.follows("of") ? addMetrics(list) : addExpression(list);
+}
+
+void addFrontOrder(ItemList& list, const dsl::Keyword& keyword) {
+  const BlockContext& context = list.context();
+  if (context.statement.size() == 1) return list.addWords(keyword.words);
+  if (context.follows(":")) return list.addWords(dsl::kRowStarts);
+  if (holds(context, "rows")) return list.addWords({"start"});
+  for (const char* end : {"a", "b"})  // the order may ask about the ends of each edge
+    list.add(ItemList::Rank::Local, ItemKind::Field, end, "an end of the edge");
   addExpression(list);
 }
 
-void addInClause(ItemList& list) {
-  const BlockContext& context = list.context();
-  if (context.follows("quality")) return addExpression(list);
-  const bool namesVertices = context.begins("front") || context.begins("tri") ||
-                             context.begins("quad") || context.begins("poly");
-  const bool isExpression = isWithinParentheses(context) || holds(context, "=");
-  if (namesVertices) return addVertices(list);
-  if (context.follows("~")) list.addWords({"any"});
-  const bool wantsVertex =
-      (context.begins("at") || context.begins("slope")) && !isExpression && !holds(context, "~");
-  if (wantsVertex) return addVertices(list);
-  const bool givesName = (context.begins("let") || context.begins("new")) &&
-                         (!isExpression || (context.follows(",") && !isWithinParentheses(context)));
-  if (givesName || context.begins("mirror")) return;
-  if (context.begins("zone")) list.addWords({"when"});
-  addExpression(list);
+void addInSetting(ItemList& list, const dsl::Keyword& keyword) {
+  if (keyword.word == "score") return addScore(list, keyword);
+  if (keyword.word == "front") return addFrontOrder(list, keyword);
+  addBehind(list, keyword);
 }
 
 void addOutcome(ItemList& list) {
   const BlockContext& context = list.context();
-  if (holds(context, "because"))
-    return list.addWords({"class", "pattern", "require", "novalue", "shape", "zone hit by edge",
-                          "zone hit by vertex", "inverted", "score", "beaten"});
+  if (holds(context, "because")) {
+    list.addWords(dsl::kReasons);
+    return list.addWords({"zone hit by edge", "zone hit by vertex"});
+  }
   if (holds(context, "with")) {
     if (context.follows("=")) return addVertices(list);
     if (context.follows("with") || context.follows(","))
@@ -121,41 +133,26 @@ void addOutcome(ItemList& list) {
   if (holds(context, "new") && !isWithinParentheses(context)) return list.addWords({"at"});
   const bool isFirst = context.follows("expect") || context.follows("not");
   if (context.follows("expect")) list.addWords({"not"});
-  if (isFirst) list.addWords({"rule", "new", "front", "elements", "stuck", "score"});
+  if (isFirst) list.addWords(dsl::kOutcomes);
   addExpression(list);
 }
 
-void addInTest(ItemList& list) {
-  const BlockContext& context = list.context();
-  if (context.begins("expect")) return addOutcome(list);
-  if (isWithinParentheses(context) || context.begins("size")) return addExpression(list);
-  if (context.begins("front") || context.begins("base")) addVertices(list);
+void addInTest(ItemList& list, const dsl::Keyword& keyword) {
+  if (keyword.word == "expect") return addOutcome(list);
+  if (isWithinParentheses(list.context())) return addExpression(list);
+  addBehind(list, keyword);
 }
 
 void addInProperty(ItemList& list) {
-  if (list.context().isAtBeginning()) return list.addWords({"expect"});
   addVerticesOfRule(list, list.context().title);
   addExpression(list);
 }
 
 void addAtBeginning(ItemList& list) {
-  switch (list.context().block) {
-    case BlockKind::File:
-      if (list.place().document->text.find("af2 ") == std::string::npos) list.addWords({"af2 1;"});
-      return list.addKeywords(dsl::itemWords());
-    case BlockKind::Rule:
-      return list.addKeywords(dsl::clauseWords());
-    case BlockKind::RuleSet:
-      return list.addKeywords(dsl::settingWords());
-    case BlockKind::Test:
-      return list.addKeywords(dsl::testWords());
-    case BlockKind::Mirror:
-      return list.addWords({"at", "quality", "cost"});
-    case BlockKind::Meta:
-      return list.addWords({"allow", "author", "note"});
-    case BlockKind::Property:
-      return addInProperty(list);
-  }
+  const BlockKind block = list.context().block;
+  const bool isNew = list.place().document->text.find("af2 ") == std::string::npos;
+  if (block == BlockKind::File && isNew) list.addWords({"af2 1;"});
+  list.addKeywords(block);
 }
 
 void addItems(ItemList& list) {
@@ -166,21 +163,13 @@ void addItems(ItemList& list) {
   const auto& words = context.statement;
   if (context.follows(".") && words.size() > 1)
     return addMembers(list, words[words.size() - 2].text);
-  switch (context.block) {
-    case BlockKind::File:
-      return addInItem(list);
-    case BlockKind::RuleSet:
-      return addInSetting(list);
-    case BlockKind::Rule:
-    case BlockKind::Mirror:
-      return addInClause(list);
-    case BlockKind::Test:
-      return addInTest(list);
-    case BlockKind::Property:
-      return addInProperty(list);
-    case BlockKind::Meta:
-      return;
-  }
+  if (context.block == BlockKind::File) return addInItem(list);
+  if (context.block == BlockKind::Property) return addInProperty(list);
+  const dsl::Keyword* keyword = dsl::findKeyword(context.block, words[0].text);
+  if (context.block == BlockKind::RuleSet && keyword) return addInSetting(list, *keyword);
+  if (context.block == BlockKind::Test && keyword) return addInTest(list, *keyword);
+  if (keyword) return addBehind(list, *keyword);
+  if (context.block != BlockKind::Meta) addExpression(list);  // a clause that there is not
 }
 
 std::optional<Json> completion(Session& session, const Json&, const Json& params) {

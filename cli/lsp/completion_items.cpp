@@ -15,28 +15,6 @@ namespace fs = std::filesystem;
 using dsl::SymbolKind;
 using Rank = ItemList::Rank;
 
-struct Skeleton {
-  std::string_view word, text;
-};
-
-constexpr std::array kSkeletons{
-    Skeleton{"ruleset", "ruleset \"${1:name}\" {\n  elements ${2:tri};$0\n}"},
-    Skeleton{"rule",
-             "rule \"${1:title}\" quality ${2:1} {\n  new  ${3:c} = ${4:mid(a, b) + (0, 0.866)};\n"
-             "  zone a, b, ${3:c};\n  tri  a b ${3:c};$0\n}"},
-    Skeleton{"test",
-             "test \"${1:title}\" {\n  front  p (0, 0) -> r (1, 0);\n  expect rule "
-             "\"${2:title}\";$0\n}"},
-    Skeleton{
-        "property",
-        "property \"${1:title}\" forall match of \"${2:rule}\" {\n  expect ${0:condition};\n}"},
-    Skeleton{"import", "import \"${1:file.af2}\" as ${2:name};$0"},
-    Skeleton{"def", "def ${1:name}(${2:p, q}) = ${0:mid(p, q)};"},
-    Skeleton{"const", "const ${1:NAME} = ${0:1};"},
-    Skeleton{"mirror", "mirror \"${1:title}\";$0"},
-    Skeleton{"meta", "meta { ${1:allow} \"$2\"; }$0"},
-};
-
 std::string nameOnly(std::string usage) { return usage.substr(0, usage.find('(')); }
 
 /// Names that an imported or the own file gives away, as far as they are defined above the place.
@@ -87,8 +65,8 @@ void addBuiltins(ItemList& list) {
     const bool isMeasure = help.meaning.starts_with("Measure");
     if (isMetric && !isMeasure) continue;
     const bool isName = help.usage.find('(') == std::string_view::npos;
-    list.add(Rank::Language, isName ? ItemKind::Variable : ItemKind::Function,
-             std::string(help.word), std::string(help.usage), std::string(help.meaning));
+    list.add(Rank::Language, isName ? ItemKind::Variable : ItemKind::Function, help.word,
+             std::string(help.usage), std::string(help.meaning));
   }
 }
 
@@ -182,19 +160,22 @@ Json& ItemList::add(Rank rank, ItemKind kind, const std::string& label, const st
   return items_.back();
 }
 
-void ItemList::addWords(std::initializer_list<const char*> words) {
-  for (const char* word : words) add(Rank::Word, ItemKind::Keyword, word);
+void ItemList::addWords(std::span<const std::string_view> words) {
+  for (const std::string_view word : words) add(Rank::Word, ItemKind::Keyword, std::string(word));
 }
 
-void ItemList::addKeywords(std::span<const std::string_view> words) {
-  for (const std::string_view word : words) {
-    const dsl::WordHelp* help = dsl::helpForKeyword(word);
-    Json& item = add(Rank::Word, ItemKind::Keyword, std::string(word),
-                     help ? std::string(help->usage) : "", help ? std::string(help->meaning) : "");
-    const auto skeleton = std::ranges::find(kSkeletons, word, &Skeleton::word);
-    if (!session_.client.takesSnippets || skeleton == kSkeletons.end()) continue;
+void ItemList::addKeywords(dsl::BlockKind block) {
+  for (const std::string_view word : dsl::keywordsOf(block)) {
+    const dsl::Keyword* keyword = dsl::findKeyword(block, word);
+    if (!keyword) {  // a key of `meta`
+      add(Rank::Word, ItemKind::Keyword, std::string(word));
+      continue;
+    }
+    Json& item = add(Rank::Word, ItemKind::Keyword, std::string(word), std::string(keyword->form),
+                     std::string(keyword->help));
+    if (!session_.client.takesSnippets || keyword->snippet.empty()) continue;
     item["insertTextFormat"] = 2;
-    item["textEdit"]["newText"] = skeleton->text;
+    item["textEdit"]["newText"] = keyword->snippet;
   }
 }
 

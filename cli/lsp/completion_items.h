@@ -35,9 +35,13 @@ class ItemList {
   /// Replaces what has been typed of the word.
   Json& add(Rank rank, ItemKind kind, const std::string& label, const std::string& detail = {},
             const std::string& meaning = {});
-  void addWords(std::initializer_list<const char*> words);
-  /// Words of the language with what they mean; with a skeleton if the editor can fill one in.
-  void addKeywords(std::span<const std::string_view> words);
+  void addWords(std::span<const std::string_view> words);
+  void addWords(std::initializer_list<std::string_view> words) {
+    addWords(std::span(words.begin(), words.size()));
+  }
+  /// What may begin a clause of a block, with what it means; with a skeleton if the editor can fill
+  /// one in.
+  void addKeywords(dsl::BlockKind block);
 
   const dsl::BlockContext& context() const { return context_; }
   const Place& place() const { return place_; }

@@ -36,19 +36,18 @@ class Writer {
     if (d.place.file != analysis_.main().source.name()) return addImported(d);
     Json json{{"range", rangeOf(d.place)},
               {"severity", severityOf(d)},
-              {"code", "AF2-" + d.code},
+              {"code", dsl::fullIdOf(d.code)},
               {"source", "af2"},
               {"message", messageOf(d)}};
     Json related = Json::array();
     for (const dsl::DiagnosticNote& note : d.notes)
       if (note.place) addRelated(related, *note.place, note.message);
     if (!related.empty()) json["relatedInformation"] = std::move(related);
-    const bool isUnused = d.code == "A2" && d.message.ends_with("is never used");
-    if (isUnused) json["tags"] = {1};  // shown faded
+    if (d.isUnused) json["tags"] = {1};  // shown faded
     json["data"] = {{"help", d.help}};
     if (!d.rule.empty()) json["data"]["rule"] = d.rule;
     for (const dsl::DiagnosticNote& note : d.notes)
-      if (note.message.starts_with("test \"")) json["data"]["test"] = note.message;
+      if (note.kind == dsl::DiagnosticNote::Kind::Test) json["data"]["test"] = note.message;
     list_.push_back(std::move(json));
   }
 
@@ -119,7 +118,7 @@ class Writer {
       addRelated(related, d.place, d.message);
       imported_.push_back({{"range", range},
                            {"severity", kError},
-                           {"code", "AF2-" + d.code},
+                           {"code", dsl::fullIdOf(d.code)},
                            {"source", "af2"},
                            {"message", "the imported file has errors: " + d.place.file + ":" +
                                            std::to_string(d.place.line) + ": " + d.message},
@@ -180,7 +179,7 @@ std::vector<Diagnostic> slowChecks(const Analysis& analysis, const std::atomic<b
   if (isCancelled) return found;
   if (!analysis.loaded.rules) {
     // Which rule is chosen, and what none takes, shows only where no rule is missing.
-    std::erase_if(found, [](const Diagnostic& d) { return d.code == "D3"; });
+    std::erase_if(found, [](const Diagnostic& d) { return d.code == dsl::Code::NeverChosen; });
     return found;
   }
   for (Diagnostic& d : dsl::diagnosticsOf(analysis.loaded, dsl::measureCoverage(rules)))

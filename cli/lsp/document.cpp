@@ -17,8 +17,9 @@ std::vector<std::string> filesOf(const dsl::LoadedRules& rules) {
 
 Analysis::Analysis(dsl::LoadedRules rules)
     : loaded(std::move(rules)), symbols(loaded.file->modules), files(filesOf(loaded)) {
-  misses = std::ranges::any_of(loaded.diagnostics,
-                               [](const dsl::Diagnostic& d) { return d.code == "R3"; });
+  misses = std::ranges::any_of(loaded.diagnostics, [](const dsl::Diagnostic& d) {
+    return d.code == dsl::Code::UnreadableFile;
+  });
 }
 
 std::vector<const dsl::CompiledRule*> Analysis::rulesOf(const dsl::Symbol& rule) const {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "cli/lsp/text_map.h"
+#include "dsl/load/loaded_file.h"
 #include "dsl/load/rule_file.h"
 #include "dsl/symbols/symbol_index.h"
 

@@ -1,13 +1,13 @@
 // Hover: what a name or a word means.
 #include <algorithm>
 #include <array>
-#include <cctype>
 
 #include "cli/lsp/pictures.h"
 #include "cli/lsp/rule_facts.h"
 #include "cli/lsp/server.h"
 #include "dsl/symbols/block_context.h"
 #include "dsl/symbols/word_help.h"
+#include "dsl/text/characters.h"
 
 namespace af2::lsp {
 namespace {
@@ -131,16 +131,13 @@ std::string symbolText(const Session& session, const Place& place, const dsl::Oc
   return text + paragraph(symbol.doc);
 }
 
-std::string helpText(const dsl::WordHelp& help) {
-  return code(std::string(help.usage)) + std::string(help.meaning) + "\n";
+std::string helpText(std::string_view usage, std::string_view meaning) {
+  return code(std::string(usage)) + std::string(meaning) + "\n";
 }
 
 /// The word at an offset: where it begins and ends.
 dsl::Span wordAt(std::string_view text, std::uint32_t offset) {
-  const auto isPart = [&](std::size_t i) {
-    return i < text.size() &&
-           (std::isalnum(static_cast<unsigned char>(text[i])) != 0 || text[i] == '_');
-  };
+  const auto isPart = [&](std::size_t i) { return i < text.size() && dsl::isNamePart(text[i]); };
   dsl::Span span{offset, offset};
   while (span.begin > 0 && isPart(span.begin - 1)) --span.begin;
   while (isPart(span.end)) ++span.end;
@@ -153,12 +150,12 @@ std::string wordText(const Place& place, dsl::Span span) {
   const std::string_view word = text.substr(span.begin, span.end - span.begin);
   const dsl::BlockContext context = contextAt(place.analysis->main().source, span.begin);
   if (context.isInComment || context.isInString) return {};
-  const dsl::WordHelp* keyword = dsl::helpForKeyword(word);
+  const dsl::Keyword* keyword = dsl::helpForKeyword(context.block, word);
   const auto builtin = dsl::helpForBuiltin(word);
   const bool isCalled = span.end < text.size() && text[span.end] == '(';
   const bool isKeyword = keyword && (context.isAtBeginning() || !builtin) && !isCalled;
-  if (isKeyword) return helpText(*keyword);
-  return builtin ? helpText(*builtin) : std::string();
+  if (isKeyword) return helpText(keyword->form, keyword->help);
+  return builtin ? helpText(builtin->usage, builtin->meaning) : std::string();
 }
 
 /// Markdown without its marks.

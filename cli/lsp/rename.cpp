@@ -1,12 +1,12 @@
 // Rename: every place at once, or a reason why not.
 #include <algorithm>
 #include <array>
-#include <cctype>
 
 #include "cli/lsp/server.h"
 #include "cli/lsp/workspace.h"
 #include "dsl/program/builtins.h"
-#include "dsl/text/words.h"
+#include "dsl/text/characters.h"
+#include "dsl/text/keywords.h"
 
 namespace af2::lsp {
 namespace {
@@ -17,14 +17,6 @@ using dsl::SymbolKind;
 
 [[noreturn]] void refuse(const std::string& why) {
   throw RequestError(ErrorCode::RequestFailed, why);
-}
-
-bool isName(const std::string& text) {
-  const auto isPart = [](char c) {
-    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
-  };
-  return !text.empty() && std::isdigit(static_cast<unsigned char>(text[0])) == 0 &&
-         std::ranges::all_of(text, isPart);
 }
 
 bool isCalled(SymbolKind kind) {
@@ -50,7 +42,7 @@ Occurrence renamedAt(const Session& session, const Place& place) {
 }
 
 void checkWord(const Symbol& symbol, const std::string& name) {
-  if (!isName(name))
+  if (!dsl::isPlainName(name))
     refuse("'" + name +
            "' is no name: names are letters, digits and '_', and no digit comes first");
   if (dsl::isReserved(name))

@@ -1,50 +1,15 @@
 // `af2 mesh` for CAD models.
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <numeric>
 
 #include "cli/meshing/model_runs.h"
 #include "cli/program/progress_bar.h"
-#include "engine/base/error.h"
 #include "geometry/check/sounder_mesh.h"
-#include "geometry/domain/part_sizes.h"
 #include "geometry/occ/heal/heal_model.h"
 #include "geometry/occ/run/mesh_model.h"
 
 namespace af2::cli {
 namespace {
-
-/// Sizes by name become sizes by face; those on the command line count more.
-std::map<int, double> sizesOfFaces(const SizeRequest& request, const geometry::Model& model) {
-  std::vector<std::string> names;
-  for (int face = 1; face <= model.faceCount(); ++face) names.push_back(model.faceName(face));
-  std::map<int, double> sizes = geometry::sizesByName(request.file.parts, names, model.groups());
-  for (const auto& [face, size] : request.faceSizes) sizes[face] = size;
-  return sizes;
-}
-
-/// firstFace  added to the numbers of faces in the log
-geometry::ModelMeshingOptions meshingOptions(const MeshRequest& request,
-                                             const geometry::Model& model,
-                                             const RunControl& control, ProgressBar& bar,
-                                             int firstFace) {
-  geometry::ModelMeshingOptions options;
-  setSizes(request.sizes, options.sizes);
-  options.sizes.faceSizes = sizesOfFaces(request.sizes, model);
-  setRun(request, control, options);
-  options.observer = [&control, firstFace](int face) {
-    if (control.log) control.log->begin(firstFace + face);
-    return nullptr;
-  };
-  options.progress = [&bar, &control, done = 0](const geometry::ModelProgress& progress) mutable {
-    if (control.log) progress.facesDone > done ? control.log->finish() : control.log->beat();
-    done = progress.facesDone;
-    const double part = progress.workTotal > 0 ? progress.workDone / progress.workTotal : 0;
-    bar.show("meshing", part, fmt::format("{}/{} faces", progress.facesDone, progress.faces));
-  };
-  return options;
-}
 
 /// All faces that were asked for but those given up; these go into the reports as failed.
 std::vector<int> withoutGivenUp(std::vector<int> faces, const geometry::Model& model,
@@ -73,7 +38,7 @@ void reportGivenUp(const geometry::Model& model, const GivenUp& givenUp,
   }
 }
 
-geometry::ModelMesh meshAll(const geometry::Model& model, geometry::ModelMeshingOptions options,
+geometry::ModelMesh meshAll(const geometry::Model& model, geometry::MeshingOptions options,
                             const AF2Algorithm& algorithm, const GivenUp& givenUp) {
   options.faces = withoutGivenUp(std::move(options.faces), model, givenUp);
   geometry::ModelMesh mesh;
@@ -100,7 +65,7 @@ geometry::ModelMesh runCad(const MeshRequest& request, const AF2Algorithm& algor
   checkIds(request, model.faceCount(), model.edgeCount());
   const GivenUp givenUp = control.givenUp ? *control.givenUp : GivenUp();
   const auto meshed = [&](const geometry::Model& some, int firstFace) {
-    return meshAll(some, meshingOptions(request, some, control, bar, firstFace), algorithm,
+    return meshAll(some, optionsOf(request, control, bar, firstFace), algorithm,
                    firstFace == 0 ? givenUp : GivenUp());
   };
   geometry::ModelMesh mesh = meshed(model, 0);

@@ -6,15 +6,13 @@ namespace af2::cli {
 
 geometry::ModelMesh runFaceted(const MeshRequest& request, const AF2Algorithm& algorithm,
                                const RunControl& control) {
+  ProgressBar bar(control.showProgress);
+  bar.show("reading", 0, request.model.filename().string());
   Stopwatch reading;
   const geometry::Facets facets = geometry::readFacets(request.model);
-  ProgressBar bar(control.showProgress);
-  geometry::FacetedMeshingOptions options;
-  setOptions(request, control, bar, options);
-  options.featureAngle = request.featureAngle;
   const double readSeconds = reading.seconds();
   geometry::ModelMesh mesh =
-      geometry::meshFaceted(facets, algorithm, options,
+      geometry::meshFaceted(facets, algorithm, optionsOf(request, control, bar),
                             [&](const geometry::DomainModel& model) { checkIds(request, model); });
   mesh.seconds.read = readSeconds;
   return mesh;

@@ -7,15 +7,14 @@
 #include <string>
 
 #include "cli/meshing/inspect_tables.h"
-#include "cli/meshing/mesh_request.h"
 #include "cli/meshing/mesh_summary.h"
+#include "cli/meshing/model_formats.h"
 #include "cli/program/exit_code.h"
 #include "geometry/base/box_tree.h"
-#include "geometry/base/file_extension.h"
 #include "geometry/domain/domain_defects.h"
 #include "geometry/faceted/mesh_faceted.h"
-#include "geometry/planar/in2d_file.h"
 #include "geometry/planar/mesh_planar.h"
+#include "geometry/planar/planar_file.h"
 
 namespace af2::cli {
 namespace {
@@ -32,20 +31,17 @@ DomainModel facetedModel(const DomainInspection& request) {
   const geometry::Facets facets = geometry::readFacets(request.model);
   geometry::Box3 box;
   for (const Point3& p : facets.vertices) box.add(p);
-  geometry::FacetedMeshingOptions options;
-  options.size = sizeFor(request.size, box);
+  geometry::MeshingOptions options;
+  options.sizes.size = sizeFor(request.size, box);
   return geometry::facetedModel(facets, options);
 }
 
 DomainModel planarModel(const DomainInspection& request) {
-  const bool hasCurves = geometry::extensionOf(request.model) == ".in2d";
-  const geometry::PlanarDomain domain = hasCurves
-                                            ? geometry::domainOf(geometry::readIn2d(request.model))
-                                            : geometry::readPoly(request.model);
+  const geometry::PlanarDomain domain = geometry::readPlanar(request.model);
   geometry::Box3 box;
   for (const Point2 p : domain.points) box.add(Point3{p.x, p.y, 0});
-  geometry::PlanarMeshingOptions options;
-  options.size = sizeFor(request.size, box);
+  geometry::MeshingOptions options;
+  options.sizes.size = sizeFor(request.size, box);
   return geometry::planarModel(domain, options);
 }
 
@@ -109,16 +105,9 @@ void printSurfaceTypes(const DomainModel& model) {
 
 }  // namespace
 
-bool isDomain(const std::filesystem::path& model) {
-  MeshRequest request;
-  request.model = model;
-  return request.isPlanar() || request.isFaceted();
-}
-
 int inspectDomain(const DomainInspection& request) {
-  MeshRequest kind;
-  kind.model = request.model;
-  const DomainModel model = kind.isPlanar() ? planarModel(request) : facetedModel(request);
+  const DomainModel model = modelKindOf(request.model) == ModelKind::Planar ? planarModel(request)
+                                                                            : facetedModel(request);
   fmt::print("{} faces, {} edges, {} vertices; diagonal {:.6g}\n", model.faces.size(),
              model.curves.size(), model.corners.size(), model.diagonal);
   fmt::print("{}", notesText(model.notes));

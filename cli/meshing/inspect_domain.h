@@ -11,10 +11,8 @@ struct DomainInspection {
   bool brief = false, all = false, edges = false;
 };
 
-/// Whether a file is a planar domain or a surface of triangles, as its name says.
-bool isDomain(const std::filesystem::path& model);
-
-/// Prints the tables; returns an exit code. Throws InputError if the model cannot be read.
+/// Prints the tables of a model that is no CAD model; returns an exit code. Throws InputError if
+/// the model cannot be read.
 int inspectDomain(const DomainInspection& request);
 
 }  // namespace af2::cli

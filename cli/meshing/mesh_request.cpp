@@ -8,7 +8,8 @@
 #include "cli/program/usage_error.h"
 #include "cli/rules/rules_location.h"
 #include "engine/base/error.h"
-#include "geometry/base/file_extension.h"
+#include "geometry/base/words.h"
+#include "geometry/io/boundary_file.h"
 #include "geometry/io/mesh_files.h"
 #include "geometry/io/output_file.h"
 
@@ -26,8 +27,7 @@ void checkReadable(const fs::path& model) {
   if (!fs::exists(status)) throw InputError(fmt::format("there is no file '{}'", model.string()));
   if (fs::is_directory(status)) {
     throw InputError(
-        fmt::format("'{}' is a directory; give a STEP, IGES, BREP, .poly, .in2d, STL or OBJ file",
-                    model.string()));
+        fmt::format("'{}' is a directory; give a file: {}", model.string(), modelHelp()));
   }
   if (!fs::is_regular_file(status))
     throw InputError(fmt::format(
@@ -43,6 +43,20 @@ void asUsage(Check check) {
   } catch (const InputError& error) {
     throw UsageError(error.what());
   }
+}
+
+/// The extensions of the formats that hold something.
+std::string extensionsThat(bool geometry::MeshFormat::*holds, const char* conjunction) {
+  std::vector<std::string_view> extensions;
+  for (const geometry::MeshFormat& format : geometry::meshFormats())
+    if (format.*holds) extensions.push_back(format.extension);
+  return geometry::listed(extensions, conjunction);
+}
+
+void checkHolds(const fs::path& output, bool geometry::MeshFormat::*holds, const char* what) {
+  if (geometry::meshFormatOf(output).*holds) return;
+  throw UsageError(fmt::format("'{}' cannot hold {}; use {}", output.string(), what,
+                               extensionsThat(holds, "or")));
 }
 
 void checkOutputs(const MeshRequest& request) {
@@ -61,14 +75,10 @@ void checkOutputs(const MeshRequest& request) {
   };
   for (const fs::path& output : request.outputs) {
     asUsage([&] { geometry::meshFormatOf(output); });
-    if (request.order == 2 && !geometry::meshFormatOf(output).holdsSecondOrder)
-      throw UsageError(
-          fmt::format("'{}' cannot hold elements of order 2; use .vtu or .msh", output.string()));
-    if (request.lines == geometry::LinesAlong::AllEdges &&
-        !geometry::meshFormatOf(output).holdsLines)
-      throw UsageError(
-          fmt::format("'{}' cannot hold line elements, as --edges asks for; use .vtu, .vtk or .msh",
-                      output.string()));
+    if (request.options.order == 2)
+      checkHolds(output, &geometry::MeshFormat::holdsSecondOrder, "elements of order 2");
+    if (request.lines == geometry::LinesAlong::AllEdges)
+      checkHolds(output, &geometry::MeshFormat::holdsLines, "line elements, as --edges asks for");
     checkOne(output);
   }
   if (!request.report.empty()) checkOne(request.report);
@@ -85,11 +95,7 @@ std::string outputHelp() {
 }  // namespace
 
 void declareMeshOptions(CLI::App& command, MeshOptions& options) {
-  command
-      .add_option("MODEL", options.model,
-                  "STEP, IGES or BREP file, a .poly or .in2d file (planar), an STL or OBJ file")
-      ->type_name("")
-      ->required();
+  command.add_option("MODEL", options.model, modelHelp())->type_name("")->required();
   declareSizeOptions(command, options.sizes);
   command
       .add_option("-r,--rules", options.rules, "rule file; a path, or a name in the rules of AF2")
@@ -106,12 +112,15 @@ void declareMeshOptions(CLI::App& command, MeshOptions& options) {
                   "file (JSON) with the vertices along edges that are divided already")
       ->type_name("FILE");
   command.add_flag("--edges", options.edges,
-                   "line elements along all edges of the model, too, in .vtu, .vtk and .msh files");
-  command.add_flag("--keep-boundary", options.keepBoundary,
-                   "take the segments of a .poly or .in2d file as they are");
+                   "line elements along all edges of the model, too, in " +
+                       extensionsThat(&geometry::MeshFormat::holdsLines, "and") + " files");
+  command.add_flag(
+      "--keep-boundary", options.keepBoundary,
+      "of " + formatNames(ModelKind::Planar, "and") + " files: take the segments as they are");
   command
       .add_option("--feature-angle", options.featureAngle,
-                  "of an STL or OBJ file: edges that turn by more degrees are kept, default 40")
+                  "of " + formatNames(ModelKind::Faceted, "and") +
+                      " files: edges that turn by more degrees are kept, default 40")
       ->type_name("DEGREES");
   command
       .add_option("--chart", options.chart,
@@ -149,18 +158,13 @@ double checkedHealTolerance(bool heal, const std::string& tolerance) {
   return parseSize("--heal-tolerance", tolerance);
 }
 
-bool MeshRequest::isPlanar() const {
-  const std::string extension = geometry::extensionOf(model);
-  return extension == ".poly" || extension == ".in2d";
-}
-
-bool MeshRequest::isFaceted() const {
-  const std::string extension = geometry::extensionOf(model);
-  return extension == ".stl" || extension == ".obj";
+void refuseHealing() {
+  const std::string formats = formatNames(ModelKind::Cad, "and");
+  throw UsageError("--heal is for " + (formats.empty() ? "CAD" : formats) + " files");
 }
 
 geometry::ChartKind checkedChart(const MeshOptions& options, const MeshRequest& request) {
-  if (request.isPlanar())
+  if (request.kind() == ModelKind::Planar)
     throw UsageError("--chart is for curved faces; a planar domain is its own chart");
   const auto kind = geometry::chartKindOf(options.chart);
   if (!kind)
@@ -172,40 +176,42 @@ geometry::ChartKind checkedChart(const MeshOptions& options, const MeshRequest& 
 MeshRequest checkedRequest(const MeshOptions& options) {
   MeshRequest request;
   request.model = options.model;
-  request.sizes = checkedSizes(options.sizes);
-  if (!options.faces.empty()) request.faces = parseIds("--faces", options.faces);
+  request.options.sizes = checkedSizes(options.sizes);
+  if (!options.faces.empty()) request.options.faces = parseIds("--faces", options.faces);
   if (options.threads < 0 || options.threads > 4096) {
     throw UsageError(fmt::format("--threads {}: give 1 to 4096", options.threads));
   }
-  request.threads = options.threads;
+  request.options.threads = options.threads;
   if (options.order != 1 && options.order != 2)
     throw UsageError(fmt::format("--order {}: elements can have order 1 or 2", options.order));
-  request.order = options.order;
+  request.options.order = options.order;
   request.quiet = options.quiet;
-  request.optimize = !options.rawFront;
+  request.options.optimize = !options.rawFront;
   request.report = options.report;
   request.outputs.assign(options.outputs.begin(), options.outputs.end());
-  if (!request.isPlanar() && options.keepBoundary) {
-    throw UsageError("--keep-boundary is for .poly and .in2d files; others take --boundary FILE");
-  }
+  if (request.kind() != ModelKind::Planar && options.keepBoundary)
+    throw UsageError("--keep-boundary is for " + formatNames(ModelKind::Planar, "and") +
+                     " files; others take --boundary FILE");
   if (!options.featureAngle.empty()) {
-    if (!request.isFaceted()) throw UsageError("--feature-angle is for STL and OBJ files");
-    request.featureAngle =
+    if (request.kind() != ModelKind::Faceted)
+      throw UsageError("--feature-angle is for " + formatNames(ModelKind::Faceted, "and") +
+                       " files");
+    request.options.featureAngle =
         parsePositive("--feature-angle", options.featureAngle, "an angle in degrees");
-    if (request.featureAngle >= 180)
+    if (request.options.featureAngle >= 180)
       throw UsageError(
           fmt::format("--feature-angle {}: give degrees below 180", options.featureAngle));
   }
-  request.keepBoundary = options.keepBoundary;
+  request.options.keepBoundary = options.keepBoundary;
   if (options.edges) request.lines = geometry::LinesAlong::AllEdges;
-  if (!options.chart.empty()) request.chart = checkedChart(options, request);
-  if (options.heal && (request.isPlanar() || request.isFaceted()))
-    throw UsageError("--heal is for STEP, IGES and BREP files");
+  if (!options.chart.empty()) request.options.chart = checkedChart(options, request);
+  if (options.heal && request.kind() != ModelKind::Cad) refuseHealing();
   request.heal = options.heal;
   request.healTolerance = checkedHealTolerance(options.heal, options.healTolerance);
   checkOutputs(request);
   checkReadable(request.model);
-  if (!options.boundary.empty()) request.edgePoints = geometry::readEdgePoints(options.boundary);
+  if (!options.boundary.empty())
+    request.options.edgePoints = geometry::readEdgePoints(options.boundary);
   request.rules = findRuleFile(options.rules);
   return request;
 }

@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
+#include "cli/meshing/model_formats.h"
 #include "cli/meshing/size_request.h"
-#include "geometry/charts/chart_kind.h"
-#include "geometry/io/boundary_file.h"
 #include "geometry/io/line_elements.h"
+#include "geometry/meshing/meshing_options.h"
 
 namespace af2::cli {
 
@@ -27,22 +27,17 @@ void declareMeshOptions(CLI::App& command, MeshOptions& options);
 
 /// The options of all verbs that can heal a model.
 void declareHealing(CLI::App& command, bool& heal, std::string& tolerance);
+/// Throws UsageError: the model is of a kind that cannot be healed.
+[[noreturn]] void refuseHealing();
 /// 0 if none is given. Throws UsageError for one that is no length, or without `heal`.
 double checkedHealTolerance(bool heal, const std::string& tolerance);
 
 struct MeshRequest {
   std::filesystem::path model, rules, report;  ///< no report if empty
   std::vector<std::filesystem::path> outputs;
-  SizeRequest sizes;
-  std::vector<int> faces;           ///< empty: all
-  int order = 1;                    ///< of the elements
-  int threads = 0;                  ///< 0: as many as the machine has
-  geometry::EdgePoints edgePoints;  ///< edges that are divided already
-  geometry::ChartKind chart = geometry::ChartKind::Auto;
-  bool quiet = false, optimize = true, keepBoundary = false;
+  geometry::MeshingOptions options;  ///< what is wanted of the mesh
+  bool quiet = false;
   geometry::LinesAlong lines = geometry::LinesAlong::Boundaries;
-
-  double featureAngle = 40;  ///< in degrees
 
   bool heal = false;         ///< repair the model first
   double healTolerance = 0;  ///< in its unit; 0: by its size
@@ -51,12 +46,11 @@ struct MeshRequest {
 
   /// Whether the numbers of faces and edges mean something: they are not the same after healing.
   bool asksByNumber() const {
-    return !faces.empty() || !sizes.faceSizes.empty() || !sizes.edgeSizes.empty() ||
-           !edgePoints.empty();
+    return !options.faces.empty() || !options.sizes.faceSizes.empty() ||
+           !options.sizes.edgeSizes.empty() || !options.edgePoints.empty();
   }
 
-  bool isPlanar() const;   ///< whether the model is a .poly or .in2d file
-  bool isFaceted() const;  ///< whether the model is an .stl or .obj file
+  ModelKind kind() const { return modelKindOf(model); }
 };
 
 /// Throws UsageError for options that make no sense or files that cannot be written, InputError for

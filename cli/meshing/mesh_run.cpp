@@ -7,7 +7,6 @@
 
 #include "cli/meshing/model_runs.h"
 #include "cli/program/usage_error.h"
-#include "engine/base/error.h"
 
 namespace af2::cli {
 
@@ -24,10 +23,10 @@ void checkId(const std::string& option, const char* kind, int id, int count) {
 }  // namespace
 
 void checkIds(const MeshRequest& request, int faces, int edges) {
-  for (const int face : request.faces) checkId("--faces", "face", face, faces);
-  for (const auto& [face, size] : request.sizes.faceSizes)
+  for (const int face : request.options.faces) checkId("--faces", "face", face, faces);
+  for (const auto& [face, size] : request.options.sizes.faceSizes)
     checkId("--face-size", "face", face, faces);
-  for (const auto& [edge, size] : request.sizes.edgeSizes)
+  for (const auto& [edge, size] : request.options.sizes.edgeSizes)
     checkId("--edge-size", "edge", edge, edges);
 }
 
@@ -37,27 +36,39 @@ void checkIds(const MeshRequest& request, const geometry::DomainModel& model) {
   checkIds(request, static_cast<int>(model.faces.size()), edges);
 }
 
-void setOptions(const MeshRequest& request, const RunControl& control, ProgressBar& bar,
-                geometry::DomainMeshingOptions& options) {
-  setSizes(request.sizes, options);
-  options.partSizes = request.sizes.file.parts;
-  setRun(request, control, options);
-  options.progress = [&bar](const Progress& progress) {
-    bar.show("meshing", 0, fmt::format("{} elements", progress.elements));
+geometry::MeshingOptions optionsOf(const MeshRequest& request, const RunControl& control,
+                                   ProgressBar& bar, int firstFace) {
+  geometry::MeshingOptions options = request.options;
+  options.stop = control.stop;
+  if (control.log)
+    options.observer = [&control, firstFace](int face) {
+      control.log->begin(firstFace + face);
+      return nullptr;
+    };
+  options.progress = [&bar, &control, done = 0](const geometry::ModelProgress& progress) mutable {
+    if (control.log) progress.facesDone > done ? control.log->finish() : control.log->beat();
+    done = progress.facesDone;
+    const double part = progress.workTotal > 0 ? progress.workDone / progress.workTotal : 0;
+    bar.show("meshing", part, fmt::format("{}/{} faces", progress.facesDone, progress.faces));
   };
+  return options;
 }
 
 geometry::ModelMesh runMesh(const MeshRequest& request, std::shared_ptr<const RuleSet> rules,
                             const RunControl& control) {
   const AF2Algorithm algorithm(std::move(rules));
-  if (request.isPlanar()) return runPlanar(request, algorithm, control);
-  if (request.isFaceted()) return runFaceted(request, algorithm, control);
+  switch (request.kind()) {
+    case ModelKind::Planar:
+      return runPlanar(request, algorithm, control);
+    case ModelKind::Faceted:
+      return runFaceted(request, algorithm, control);
+    case ModelKind::Cad:
+      break;
+  }
 #if AF2_HAVE_OCC
   return runCad(request, algorithm, control);
 #else
-  throw InputError("'" + request.model.string() +
-                   "' is no .poly file, and this af2 was built without OpenCASCADE; build it with "
-                   "-DAF2_BUILD_OCC=ON");
+  refuseCadModel(request.model);
 #endif
 }
 

@@ -9,34 +9,12 @@
 
 namespace af2::cli {
 
-/// What models of every kind take from a request, into the options of theirs.
-template <class Sizes>
-void setSizes(const SizeRequest& request, Sizes& sizes) {
-  sizes.size = request.size;
-  sizes.minSize = request.smallest;
-  sizes.maxSize = request.largest;
-  sizes.elementsPerTurn = request.elementsPerTurn;
-  sizes.elementsAcross = request.elementsAcross;
-  sizes.growth = request.growth;
-  sizes.faceSizes = request.faceSizes;
-  sizes.edgeSizes = request.edgeSizes;
-  sizes.sources = request.file.sources;
-}
-
-template <class Options>
-void setRun(const MeshRequest& request, const RunControl& control, Options& options) {
-  options.edgePoints = request.edgePoints;
-  options.faces = request.faces;
-  options.chart = request.chart;
-  options.order = request.order;
-  options.optimize = request.optimize;
-  options.threads = request.threads;
-  options.stop = control.stop;
-}
-
-/// What all domains take from a request. The progress bar must outlive the options.
-void setOptions(const MeshRequest& request, const RunControl& control, ProgressBar& bar,
-                geometry::DomainMeshingOptions& options);
+/// What is wanted of the mesh, with the progress shown, a stop heard and each face told to the log.
+/// Control and bar must outlive the options.
+///
+/// firstFace  added to the numbers of faces in the log
+geometry::MeshingOptions optionsOf(const MeshRequest& request, const RunControl& control,
+                                   ProgressBar& bar, int firstFace = 0);
 
 /// Throw UsageError for faces and edges that a model does not have.
 void checkIds(const MeshRequest& request, int faces, int edges);

@@ -2,11 +2,11 @@
 
 #include <fmt/core.h>
 
-#include <limits>
+#include <utility>
 
 #include "cli/program/number_lists.h"
 #include "cli/program/usage_error.h"
-#include "geometry/domain/domain_check.h"
+#include "geometry/io/size_file.h"
 
 namespace af2::cli {
 
@@ -50,35 +50,38 @@ void declareSizeOptions(CLI::App& command, SizeOptions& options) {
       ->expected(1);
 }
 
-SizeRequest checkedSizes(const SizeOptions& options) {
-  SizeRequest request;
-  request.size = parseSize("--size", options.size);
-  if (!options.smallest.empty()) request.smallest = parseSize("--min-size", options.smallest);
-  request.largest = options.largest.empty() ? std::numeric_limits<double>::infinity()
-                                            : parseSize("--max-size", options.largest);
-  if (request.smallest > request.largest)
+geometry::Sizes checkedSizes(const SizeOptions& options) {
+  geometry::Sizes sizes;
+  sizes.size = parseSize("--size", options.size);
+  if (!options.smallest.empty()) sizes.minSize = parseSize("--min-size", options.smallest);
+  if (!options.largest.empty()) sizes.maxSize = parseSize("--max-size", options.largest);
+  if (sizes.minSize > sizes.maxSize)
     throw UsageError(
         fmt::format("--min-size {} is above --max-size {}", options.smallest, options.largest));
   if (!options.curvature.empty()) {
-    request.elementsPerTurn =
+    sizes.elementsPerTurn =
         parsePositive("--curvature", options.curvature, "how many elements go round");
-    if (request.elementsPerTurn < 3)
+    if (sizes.elementsPerTurn < 3)
       throw UsageError(
           fmt::format("--curvature {}: a turn needs at least 3 elements", options.curvature));
   }
   if (!options.proximity.empty())
-    request.elementsAcross =
+    sizes.elementsAcross =
         parsePositive("--proximity", options.proximity, "how many elements go across");
   if (!options.grading.empty()) {
-    request.growth = parsePositive("--grading", options.grading, "the growth");
-    if (request.growth > geometry::kMostGrowth)
+    sizes.growth = parsePositive("--grading", options.grading, "the growth");
+    if (sizes.growth > geometry::kMostGrowth)
       throw UsageError(fmt::format("--grading {}: the growth must be at most {} per unit of length",
                                    options.grading, geometry::kMostGrowth));
   }
-  request.faceSizes = parseSizes("--face-size", options.faceSizes);
-  request.edgeSizes = parseSizes("--edge-size", options.edgeSizes);
-  if (!options.file.empty()) request.file = geometry::readSizeFile(options.file);
-  return request;
+  sizes.faceSizes = parseSizes("--face-size", options.faceSizes);
+  sizes.edgeSizes = parseSizes("--edge-size", options.edgeSizes);
+  if (!options.file.empty()) {
+    geometry::SizeFile file = geometry::readSizeFile(options.file);
+    sizes.sources = std::move(file.sources);
+    sizes.partSizes = std::move(file.parts);
+  }
+  return sizes;
 }
 
 }  // namespace af2::cli

@@ -7,6 +7,7 @@
 #include <variant>
 
 #include "cli/rules/html_code.h"
+#include "dsl/load/loaded_file.h"
 #include "dsl/picture/rule_picture.h"
 #include "dsl/run/rule_tests.h"
 
@@ -126,12 +127,12 @@ class Gallery {
     std::string out;
     for (const dsl::Item& item : main.parsed.file.items) {
       const std::string code = "<pre>" + codeHtml(main.source, item.span) + "</pre>\n";
-      if (std::holds_alternative<dsl::Constant>(item.content)) out += code;
-      if (const auto* f = std::get_if<dsl::Function>(&item.content))
-        out += paragraph(f->doc) + code;
-      if (const auto* m = std::get_if<dsl::Metric>(&item.content)) out += paragraph(m->doc) + code;
-      if (const auto* t = std::get_if<dsl::Template>(&item.content))
-        out += paragraph(t->doc) + code;
+      using namespace dsl;
+      match(
+          item.content, [&](const Constant&) { out += code; },
+          [&](const AnyOf<Function, Metric, Template> auto& c) { out += paragraph(c.doc) + code; },
+          [](const AnyOf<std::monostate, Import, Use, RuleSetBlock, Rule, Instance, Test,
+                         Property> auto&) {});
     }
     return out.empty() ? out : "<section>\n<h2>Definitions</h2>\n" + out + "</section>\n";
   }

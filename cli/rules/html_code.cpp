@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "dsl/syntax/lexer.h"
-#include "dsl/text/words.h"
+#include "dsl/text/keywords.h"
 
 namespace af2::cli {
 namespace {
@@ -14,11 +14,7 @@ struct Mark {
   const char* style;  ///< class of the stretch
 };
 
-bool isKeyword(std::string_view word) {
-  const auto has = [word](auto words) { return std::ranges::find(words, word) != words.end(); };
-  return has(dsl::itemWords()) || has(dsl::clauseWords()) || has(dsl::settingWords()) ||
-         has(dsl::testWords()) || dsl::isReserved(word);
-}
+bool isKeyword(std::string_view word) { return dsl::isClauseWord(word) || dsl::isReserved(word); }
 
 const char* styleOf(const dsl::Token& token) {
   switch (token.kind) {

@@ -7,6 +7,8 @@
 #include <cmath>
 
 #include "cli/program/usage_error.h"
+#include "dsl/run/evaluate.h"
+#include "engine/base/error.h"
 
 namespace af2::cli {
 namespace {
@@ -87,32 +89,17 @@ std::map<std::string, double> parseValues(const std::string& option,
   return values;
 }
 
-const AF2Rule& findRule(const RuleSet& rules, const std::string& title) {
-  const auto found = std::ranges::find(rules.rules(), title, &AF2Rule::name);
-  if (found != rules.rules().end()) return *found;
-  std::string titles;
-  for (const AF2Rule& rule : rules.rules()) {
-    titles += (titles.empty() ? "\"" : ", \"") + rule.name() + "\"";
-  }
-  throw UsageError(fmt::format("there is no rule \"{}\"; there are: {}", title, titles));
+const AF2Rule& findRule(const RuleSet& rules, const std::string& title) try {
+  return dsl::findRule(rules, title);
+} catch (const InputError& error) {
+  throw UsageError(error.what());
 }
 
 std::vector<Point2> matchedVertices(const AF2Rule& rule, const std::map<std::string, Point2>& given,
-                                    int level) {
-  std::vector<Point2> positions;
-  std::size_t used = 0;
-  for (const PatternVertex& vertex : rule.definition().vertices) {
-    const auto found = given.find(vertex.name);
-    positions.push_back(found == given.end() ? vertex.reference.at(level) : found->second);
-    if (found != given.end()) ++used;
-  }
-  if (used == given.size()) return positions;
-  std::string names;
-  for (const PatternVertex& vertex : rule.definition().vertices) {
-    names += (names.empty() ? "" : ", ") + vertex.name;
-  }
-  throw UsageError(
-      fmt::format("rule \"{}\" matches the vertices {} and no others", rule.name(), names));
+                                    int level) try {
+  return dsl::matchedPositions(rule.definition(), given, level);
+} catch (const InputError& error) {
+  throw UsageError(error.what());
 }
 
 }  // namespace af2::cli

@@ -10,113 +10,19 @@ namespace {
 using dsl::Op;
 using dsl::Step;
 
-const char* wordFor(Op op) {
-  switch (op) {
-    case Op::Unknown:
-      return "unknown";
-    case Op::Constant:
-      return "constant";
-    case Op::CoordinateX:
-      return "x of";
-    case Op::CoordinateY:
-      return "y of";
-    case Op::Level:
-      return "q";
-    case Op::Input:
-      return "input";
-    case Op::Layer:
-      return "layer of";
-    case Op::OnBoundary:
-      return "on_boundary of";
-    case Op::Valence:
-      return "valence of";
-    case Op::Turn:
-      return "turn of";
-    case Op::LoopSize:
-      return "loop_size";
-    case Op::SizeAt:
-      return "h at";
-    case Op::FrontDistance:
-      return "dist_front at";
-    case Op::CurvatureAt:
-      return "curvature at";
-    case Op::Add:
-      return "add";
-    case Op::Subtract:
-      return "subtract";
-    case Op::Multiply:
-      return "multiply";
-    case Op::Divide:
-      return "divide";
-    case Op::Negate:
-      return "negate";
-    case Op::Power:
-      return "power";
-    case Op::SquareRoot:
-      return "sqrt";
-    case Op::Sine:
-      return "sin";
-    case Op::Cosine:
-      return "cos";
-    case Op::Tangent:
-      return "tan";
-    case Op::Atan2:
-      return "atan2";
-    case Op::Absolute:
-      return "abs";
-    case Op::Minimum:
-      return "min";
-    case Op::Maximum:
-      return "max";
-    case Op::Sweep:
-      return "sweep";
-    case Op::BisectX:
-      return "bisector x";
-    case Op::BisectY:
-      return "bisector y";
-    case Op::Less:
-      return "less";
-    case Op::LessEqual:
-      return "less or equal";
-    case Op::Equal:
-      return "equal";
-    case Op::And:
-      return "and";
-    case Op::Or:
-      return "or";
-    case Op::Not:
-      return "not";
-    case Op::Select:
-      return "select";
-    case Op::LeftTurn:
-      return "turns left";
-    case Op::NotRightTurn:
-      return "does not turn right";
-    case Op::Inside:
-      return "inside shape";
-    case Op::Call:
-      return "call function";
-  }
-  return "unknown";
-}
-
-bool namesVertex(Op op) {
-  return op == Op::CoordinateX || op == Op::CoordinateY || op == Op::Layer ||
-         op == Op::OnBoundary || op == Op::Valence || op == Op::Turn;
-}
-
 std::string vertexText(int index, const VertexNames& names) {
   const auto i = static_cast<std::size_t>(index);
   return i < names.size() ? names[i] : fmt::format("corner {}", index + 1);
 }
 
 std::string stepText(const Step& step, const VertexNames& names) {
-  std::string text = wordFor(step.op);
+  const dsl::Operation& operation = dsl::operationOf(step.op);
+  std::string text(operation.text);
   if (step.op == Op::Constant) return text + " " + numberText(step.constant);
-  if (namesVertex(step.op)) return text + " " + vertexText(step.index, names);
-  if (step.op == Op::Inside || step.op == Op::Call || step.op == Op::Input) {
-    text += fmt::format(" {}", step.index);
+  if (operation.index == dsl::IndexOf::Vertex) {
+    return text + " " + vertexText(step.index, names);
   }
+  if (operation.index == dsl::IndexOf::Other) text += fmt::format(" {}", step.index);
   for (const dsl::Node argument : step.arguments) {
     if (argument >= 0) text += fmt::format(" %{}", argument);
   }

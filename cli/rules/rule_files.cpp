@@ -46,7 +46,7 @@ fs::path resolved(const std::string& name) {
   }
 }
 
-dsl::LoadOptions optionsFor(const std::vector<std::string>& allowed) {
+dsl::LoadOptions optionsFor(const std::vector<dsl::Code>& allowed) {
   dsl::LoadOptions options;
   options.allowed = allowed;
   options.needsRuleSet = false;
@@ -85,7 +85,7 @@ RuleText readRuleText(const std::string& name) {
   return {path.string(), dsl::readRuleText(file)};
 }
 
-dsl::LoadedRules loadRuleFile(const std::string& name, const std::vector<std::string>& allowed) {
+dsl::LoadedRules loadRuleFile(const std::string& name, const std::vector<dsl::Code>& allowed) {
   const dsl::LoadOptions options = optionsFor(allowed);
   if (name != kStandardInput) return dsl::loadRules(resolved(name), options);
   RuleText input = readRuleText(name);

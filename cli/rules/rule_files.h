@@ -24,8 +24,7 @@ RuleText readRuleText(const std::string& name);
 /// Loads a file, named by its path or within the rules of AF2, or standard input. That there is no
 /// such file is a diagnostic; that there is no rule set is none, since files that others import
 /// have none.
-dsl::LoadedRules loadRuleFile(const std::string& name,
-                              const std::vector<std::string>& allowed = {});
+dsl::LoadedRules loadRuleFile(const std::string& name, const std::vector<dsl::Code>& allowed = {});
 
 /// A rule text with what has one obvious remedy mended.
 dsl::FixedText fixRuleText(const RuleText& input);

@@ -11,6 +11,7 @@
 #include "cli/program/text_files.h"
 #include "cli/program/usage_error.h"
 #include "cli/rules/rule_files.h"
+#include "dsl/load/loaded_file.h"
 #include "dsl/picture/coverage_picture.h"
 #include "dsl/picture/rule_picture.h"
 #include "dsl/proof/coverage.h"
@@ -79,7 +80,8 @@ void addMirrorExamples(const std::string& stem, const dsl::LoadedRules& loaded,
                                 found->example.level,
                                 {},
                                 diagnostic.message + ": what it would do"};
-    pictures.add(diagnostic, fmt::format("{} M1 {}", stem, diagnostic.rule),
+    pictures.add(diagnostic,
+                 fmt::format("{} {} {}", stem, dsl::idOf(diagnostic.code), diagnostic.rule),
                  dsl::drawMatch(*loaded.rules, *found->image, match, dsl::PictureFormat::Svg));
   }
 }
@@ -92,7 +94,8 @@ void addMatchFindings(const std::string& stem, const dsl::LoadedRules& loaded,
     one.findings = {finding};
     for (Diagnostic& diagnostic : dsl::diagnosticsOf(loaded, one)) {
       if (pictures.isWanted()) {
-        pictures.add(diagnostic, fmt::format("{} {} {}", stem, diagnostic.code, diagnostic.rule),
+        pictures.add(diagnostic,
+                     fmt::format("{} {} {}", stem, dsl::idOf(diagnostic.code), diagnostic.rule),
                      drawExample(loaded, finding));
       }
       dsl::addFinding(into, std::move(diagnostic));
@@ -105,7 +108,7 @@ void addCoverageFindings(const std::string& stem, const dsl::LoadedRules& loaded
   const dsl::Coverage coverage = dsl::measureCoverage(*loaded.rules);
   for (Diagnostic& diagnostic : dsl::diagnosticsOf(loaded, coverage)) {
     if (pictures.isWanted()) {
-      pictures.add(diagnostic, stem + " N1",
+      pictures.add(diagnostic, fmt::format("{} {}", stem, dsl::idOf(diagnostic.code)),
                    dsl::drawCoverage(coverage, loaded.rules->name(), dsl::PictureFormat::Svg));
     }
     into.push_back(std::move(diagnostic));
@@ -127,7 +130,7 @@ void countAnswers(const dsl::SampledResult& result, RuleFindings& findings) {
   }
 }
 
-void drop(std::vector<Diagnostic>& diagnostics, const std::vector<std::string>& allowed) {
+void drop(std::vector<Diagnostic>& diagnostics, const std::vector<dsl::Code>& allowed) {
   std::erase_if(diagnostics, [&](const Diagnostic& d) {
     return std::ranges::find(allowed, d.code) != allowed.end();
   });
@@ -163,7 +166,7 @@ RuleFindings findIn(const std::string& name, const FindingOptions& options) {
   if (isWhole)
     addCoverageFindings(stemOf(name), loaded, pictures, findings.diagnostics);
   else
-    drop(findings.diagnostics, {"D3"});
+    drop(findings.diagnostics, {dsl::Code::NeverChosen});
   drop(findings.diagnostics, options.allowed);
   sortByPlace(findings.diagnostics, std::string(loaded.file->main().source.name()));
   return findings;

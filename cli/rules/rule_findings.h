@@ -10,11 +10,11 @@
 namespace af2::cli {
 
 struct FindingOptions {
-  bool quick = false;                ///< nothing that looks at many matches
-  int samples = 0;                   ///< for each rule; 0: as the checks see fit
-  bool prove = false;                ///< proofs may take their time
-  std::string pictures;              ///< folder for pictures of findings; empty: none
-  std::vector<std::string> allowed;  ///< codes that are not told
+  bool quick = false;              ///< nothing that looks at many matches
+  int samples = 0;                 ///< for each rule; 0: as the checks see fit
+  bool prove = false;              ///< proofs may take their time
+  std::string pictures;            ///< folder for pictures of findings; empty: none
+  std::vector<dsl::Code> allowed;  ///< codes that are not told
 };
 
 struct RuleFindings {

@@ -6,6 +6,7 @@
 #include <set>
 #include <variant>
 
+#include "dsl/load/loaded_file.h"
 #include "engine/step/single_step.h"
 
 namespace af2::cli {
@@ -43,6 +44,15 @@ std::vector<Seen> runAll(const dsl::LoadedRules& loaded) {
   return seen;
 }
 
+/// Whether a clause takes part in a match: remarks name nothing, and a mirror image is another
+/// rule.
+bool takesPart(const dsl::Clause& clause) {
+  if (std::holds_alternative<dsl::MirrorClause>(clause.content)) return false;
+  bool namesSomething = false;
+  dsl::visitParts(clause.content, [&](const auto&...) { namesSomething = true; });
+  return namesSomething;
+}
+
 RuleCoverage coverageOf(const dsl::CompiledRule& rule, const Seen& seen) {
   RuleCoverage coverage;
   coverage.title = rule.definition.name;
@@ -56,16 +66,11 @@ RuleCoverage coverageOf(const dsl::CompiledRule& rule, const Seen& seen) {
     if (!exercised) coverage.missing.emplace_back(keyword);
   };
   for (const dsl::Clause& clause : rule.text->clauses) {
-    const auto is = [&]<class Kind>() { return std::holds_alternative<Kind>(clause.content); };
-    if (is.operator()<std::monostate>() || is.operator()<dsl::MetaClause>() ||
-        is.operator()<dsl::MirrorClause>()) {
-      continue;
-    }
-    if (is.operator()<dsl::RequireClause>()) {
+    if (std::holds_alternative<dsl::RequireClause>(clause.content)) {
       countGuard(seen.requireRefused, "require");
-    } else if (is.operator()<dsl::ZoneClause>()) {
+    } else if (std::holds_alternative<dsl::ZoneClause>(clause.content)) {
       countGuard(seen.zoneRefused, "zone");
-    } else {
+    } else if (takesPart(clause)) {
       count(seen.applied);
     }
   }

@@ -14,7 +14,7 @@
 #include "cli/program/verbs.h"
 #include "cli/rules/rule_files.h"
 #include "cli/rules/rule_findings.h"
-#include "dsl/text/code_explanations.h"
+#include "dsl/text/diagnostic_codes.h"
 #include "engine/base/stopwatch.h"
 
 namespace af2::cli {
@@ -25,6 +25,7 @@ using dsl::Diagnostic;
 struct CheckOptions {
   std::vector<std::string> files;
   std::string format = "pretty";
+  std::vector<std::string> allowed;  ///< ids of codes
   FindingOptions findings;
   bool strict = false, quiet = false;
   bool fix = false, diff = false;
@@ -92,12 +93,12 @@ void append(std::vector<Diagnostic>& all, std::vector<Diagnostic> more) {
 
 int check(CheckOptions options) {
   options.files = expandRuleFiles(options.files);
-  for (std::string& code : options.findings.allowed) {
-    const auto* known = dsl::findCodeExplanation(code);
-    if (!known)
+  for (const std::string& id : options.allowed) {
+    const auto code = dsl::findCode(id);
+    if (!code)
       throw UsageError(
-          fmt::format("--allow '{}': there is no such code; `af2 explain-code` lists all", code));
-    code = known->code;
+          fmt::format("--allow '{}': there is no such code; `af2 explain-code` lists all", id));
+    options.findings.allowed.push_back(*code);
   }
   if (options.fix || options.diff) fixFiles(options);
   const Stopwatch watch;
@@ -137,7 +138,7 @@ Action declareCheck(CLI::App& command) {
   command.add_option("--samples", options->findings.samples, "matches tried for each rule")
       ->type_name("N")
       ->check(CLI::Range(1, 10'000'000).description(""));
-  command.add_option("--allow", options->findings.allowed, "codes that are not told")
+  command.add_option("--allow", options->allowed, "codes that are not told")
       ->type_name("CODES")
       ->delimiter(',')
       ->allow_extra_args(false);

@@ -7,25 +7,25 @@
 #include "cli/program/exit_code.h"
 #include "cli/program/usage_error.h"
 #include "cli/program/verbs.h"
-#include "dsl/text/code_explanations.h"
+#include "dsl/text/diagnostic_codes.h"
 
 namespace af2::cli {
 namespace {
 
 void listCodes() {
-  for (const dsl::CodeExplanation& code : dsl::codeExplanations()) {
-    fmt::print("{:<4} {}\n", code.code, code.title);
+  for (const dsl::CodeInfo& info : dsl::diagnosticCodes()) {
+    fmt::print("{:<4} {}\n", info.id, info.title);
   }
 }
 
 void explain(const std::string& name) {
-  const dsl::CodeExplanation* code = dsl::findCodeExplanation(name);
+  const auto code = dsl::findCode(name);
   if (!code) {
     throw UsageError(
         fmt::format("there is no code '{}'; `af2 explain-code` without a code lists all", name));
   }
-  fmt::print("AF2-{}: {}\n\n{}{}", code->code, code->title, code->text,
-             code->text.ends_with('\n') ? "" : "\n");
+  const dsl::CodeInfo& info = dsl::infoOf(*code);
+  fmt::print("{}: {}\n\n{}\n", dsl::fullIdOf(*code), info.title, info.explanation);
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include "cli/meshing/inspect_domain.h"
 #include "cli/meshing/inspect_tables.h"
 #include "cli/meshing/mesh_request.h"
+#include "cli/meshing/model_formats.h"
 #include "cli/program/exit_code.h"
 #include "cli/program/number_lists.h"
 #include "cli/program/supervisor.h"
@@ -15,7 +16,6 @@
 #include "cli/program/usage_error.h"
 #include "cli/program/verbs.h"
 #include "cli/rules/picture_format.h"
-#include "engine/base/error.h"
 #if AF2_HAVE_OCC
 #include "cli/meshing/defect_picture.h"
 #include "cli/meshing/mesh_summary.h"
@@ -34,7 +34,7 @@ struct InspectOptions {
 
 int inspectOther(const InspectOptions& options) {
   if (!options.picture.empty()) throw UsageError("--picture is for CAD models");
-  if (options.heal) throw UsageError("--heal is for STEP, IGES and BREP files");
+  if (options.heal) refuseHealing();
   return inspectDomain({options.model, options.size.empty() ? 0 : parseSize("--size", options.size),
                         options.brief, options.all, options.edges});
 }
@@ -125,9 +125,7 @@ int inspectSafely(const InspectOptions& options) {
 
 Action declareInspect(CLI::App& command) {
   const auto options = std::make_shared<InspectOptions>();
-  command.add_option("MODEL", options->model, "STEP, IGES, BREP, STL, OBJ, .poly or .in2d file")
-      ->type_name("")
-      ->required();
+  command.add_option("MODEL", options->model, modelHelp())->type_name("")->required();
   command.add_flag("--brief", options->brief,
                    "count the faces of each kind instead of listing them; no defects");
   command.add_flag("--edges", options->edges,
@@ -145,11 +143,11 @@ Action declareInspect(CLI::App& command) {
       ->type_name("FILE");
   declareHealing(command, options->heal, options->healTolerance);
   return [options]() -> int {
-    if (isDomain(options->model)) return inspectOther(*options);
+    if (modelKindOf(options->model) != ModelKind::Cad) return inspectOther(*options);
 #if AF2_HAVE_OCC
     return inspectSafely(*options);
 #else
-    throw InputError("this af2 was built without OpenCASCADE; build it with -DAF2_BUILD_OCC=ON");
+    refuseCadModel(options->model);
 #endif
   };
 }

@@ -87,7 +87,7 @@ int meshAndTell(const MeshRequest& request, RunLog* log, const GivenUp& givenUp)
                            {!request.quiet, interrupt.token(), log, &givenUp});
   RunReport report = reportOf(mesh);
   // Files do not wait for the figures about the mesh.
-  geometry::forEachInParallel(2, request.threads, [&](std::size_t task) {
+  geometry::forEachInParallel(2, request.options.threads, [&](std::size_t task) {
     if (task == 0)
       writeOutputs(request, mesh);
     else
@@ -101,7 +101,7 @@ int meshAndTell(const MeshRequest& request, RunLog* log, const GivenUp& givenUp)
 /// CAD models go through OpenCASCADE, which may crash or hang on them, or on repairing them; what
 /// else there is takes as long as it takes.
 int meshSafely(const MeshRequest& request) {
-  if (request.isPlanar() || request.isFaceted()) return meshAndTell(request, nullptr, {});
+  if (request.kind() != ModelKind::Cad) return meshAndTell(request, nullptr, {});
   RunLimits limits;
   limits.first = secondsToRead(std::filesystem::file_size(request.model));
   const auto run = [&](const MeshRequest& asked) {

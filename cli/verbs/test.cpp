@@ -13,6 +13,7 @@
 #include "cli/program/verbs.h"
 #include "cli/rules/rule_files.h"
 #include "cli/rules/test_coverage.h"
+#include "dsl/load/loaded_file.h"
 #include "dsl/run/rule_tests.h"
 
 namespace af2::cli {

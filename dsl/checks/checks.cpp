@@ -7,20 +7,44 @@
 
 #include "dsl/program/compiled_forms.h"
 #include "dsl/program/known_values.h"
+#include "engine/rule/rule_at_match.h"
 
 namespace af2::dsl {
+
+// Each is defined in a file of its own.
+void checkPattern(const CheckedRules& rules, Findings& findings);
+void checkTopology(const CheckedRules& rules, Findings& findings);
+void checkOrientation(const CheckedRules& rules, Findings& findings);
+void checkProgress(const CheckedRules& rules, Findings& findings);
+void checkParity(const CheckedRules& rules, Findings& findings);
+void checkMirrors(const CheckedRules& rules, Findings& findings);
+void checkLevels(const CheckedRules& rules, Findings& findings);
+void checkZones(const CheckedRules& rules, Findings& findings);
+
 namespace {
 
 constexpr std::array kChecks{
-    Check{0, "T2", "Are chains, vertices and elements named as they should be?", checkPattern},
-    Check{0, "D2", "Is every rule tried at some level?", checkLevels, true},
-    Check{1, "T1", "Do elements and pattern close up?", checkTopology},
-    Check{1, "F1", "Does every step make progress?", checkProgress},
-    Check{1, "G1", "Are the elements positive at the reference match?", checkOrientation},
-    Check{2, "Z2 Z4 Z5", "Is the zone a bounded region, counter-clockwise, at the reference match?",
-          checkZones, true},
-    Check{2, "P1", "Does every rule keep the parity of the front?", checkParity},
-    Check{2, "M1 M2", "Has every rule its mirror image, once?", checkMirrors},
+    Check{0,
+          {Code::MalformedPattern},
+          "Are chains, vertices and elements named as they should be?",
+          checkPattern},
+    Check{0, {Code::UnreachedLevels}, "Is every rule tried at some level?", checkLevels, true},
+    Check{1, {Code::OpenTopology}, "Do elements and pattern close up?", checkTopology},
+    Check{1, {Code::NoProgress}, "Does every step make progress?", checkProgress},
+    Check{1,
+          {Code::InvertedElement},
+          "Are the elements positive at the reference match?",
+          checkOrientation},
+    Check{2,
+          {Code::InvalidZone, Code::UnboundedZone, Code::ClockwiseZone},
+          "Is the zone a bounded region, counter-clockwise, at the reference match?",
+          checkZones,
+          true},
+    Check{2, {Code::BrokenParity}, "Does every rule keep the parity of the front?", checkParity},
+    Check{2,
+          {Code::MissingMirror, Code::RedundantMirror},
+          "Has every rule its mirror image, once?",
+          checkMirrors},
 };
 
 bool isNeverTried(const CheckedRules& given, const std::string& title) {
@@ -40,13 +64,11 @@ void excuse(Diagnostic& d) {
 
 std::span<const Check> checks() { return kChecks; }
 
-void Findings::add(const CompiledRule& rule, Severity severity, const char* code, Span span,
-                   std::string message, std::string label, std::string help,
-                   std::vector<DiagnosticNote> notes, std::vector<SuggestedEdit> edits) {
-  if (severity == Severity::Error) faulty_.insert(rule.definition.name);
-  Diagnostic d;
-  d.severity = severity;
-  d.code = code;
+void Findings::add(const CompiledRule& rule, Code code, Span span, std::string message,
+                   std::string label, std::string help, std::vector<DiagnosticNote> notes,
+                   std::vector<SuggestedEdit> edits) {
+  Diagnostic d(code);
+  if (d.severity == Severity::Error) faulty_.insert(rule.definition.name);
   d.message = std::move(message);
   d.label = std::move(label);
   d.help = std::move(help);
@@ -76,7 +98,7 @@ std::vector<CompiledRule> runChecks(const CheckedRules& given, DiagnosticList& d
     faulty.insert(findings.faulty().begin(), findings.faulty().end());
     for (Diagnostic& d : found.take()) {
       // While rules are missing because of errors, whose twins they are cannot be said.
-      if (d.code == "M1" && diagnostics.hasErrors()) continue;
+      if (d.code == Code::MissingMirror && diagnostics.hasErrors()) continue;
       if (d.severity == Severity::Error) {
         if (isTold(d.place)) continue;
         toldPlaces.push_back(d.place);
@@ -144,17 +166,7 @@ std::string referenceName(const CompiledRule& rule, int level) {
 }
 
 std::optional<std::vector<Point2>> referencePositions(const CompiledRule& rule, int level) {
-  const RuleDefinition& d = rule.definition;
-  std::vector<Point2> points;
-  for (const PatternVertex& v : d.vertices) points.push_back(v.reference.at(level));
-  const std::vector<Point2> matched = points;
-  const AF2Surroundings uniform;
-  for (const auto& transform : d.newVertices) {
-    const auto at = transform->transformPoint({matched, level, &uniform});
-    if (!at) return std::nullopt;
-    points.push_back(*at);
-  }
-  return points;
+  return RuleAtMatch::atReference(rule.definition, level).placeAll();
 }
 
 }  // namespace af2::dsl

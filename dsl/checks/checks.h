@@ -1,6 +1,8 @@
 // The table of static checks: what is held against every rule set before it runs.
 #pragma once
 
+#include <array>
+#include <optional>
 #include <set>
 #include <span>
 #include <string>
@@ -24,9 +26,9 @@ struct CheckedRules {
 class Findings {
  public:
   explicit Findings(DiagnosticList& diagnostics) : diagnostics_(diagnostics) {}
-  void add(const CompiledRule& rule, Severity severity, const char* code, Span span,
-           std::string message, std::string label = {}, std::string help = {},
-           std::vector<DiagnosticNote> notes = {}, std::vector<SuggestedEdit> edits = {});
+  void add(const CompiledRule& rule, Code code, Span span, std::string message,
+           std::string label = {}, std::string help = {}, std::vector<DiagnosticNote> notes = {},
+           std::vector<SuggestedEdit> edits = {});
   /// Titles of the rules with errors. A mirror image has those of its rule, which are told once.
   const std::set<std::string>& faulty() const { return faulty_; }
 
@@ -35,10 +37,11 @@ class Findings {
   std::set<std::string> faulty_;
 };
 
-/// One check. Give it a file of its own, a row in checks.cpp and a case in tests/dsl/cases.
+/// One check. Give it a file of its own, a row and a declaration in checks.cpp, a code in
+/// dsl/text/diagnostic_codes.def, and cases in tests/dsl/codes.
 struct Check {
-  int stage = 0;           ///< rules in which one stage finds errors are not shown to later ones
-  std::string_view codes;  ///< "T1", or several: "M1 M2"
+  int stage = 0;  ///< rules in which one stage finds errors are not shown to later ones
+  std::array<std::optional<Code>, 3> codes;  ///< of what it finds
   std::string_view question;
   void (*run)(const CheckedRules& rules, Findings& findings);
   bool standsAlone = false;  ///< what other checks found makes no difference to it
@@ -48,15 +51,6 @@ std::span<const Check> checks();
 
 /// Runs all checks. Of one place only the first error is told. Returns the rules without errors.
 std::vector<CompiledRule> runChecks(const CheckedRules& rules, DiagnosticList& diagnostics);
-
-void checkPattern(const CheckedRules& rules, Findings& findings);
-void checkTopology(const CheckedRules& rules, Findings& findings);
-void checkOrientation(const CheckedRules& rules, Findings& findings);
-void checkProgress(const CheckedRules& rules, Findings& findings);
-void checkParity(const CheckedRules& rules, Findings& findings);
-void checkMirrors(const CheckedRules& rules, Findings& findings);
-void checkLevels(const CheckedRules& rules, Findings& findings);
-void checkZones(const CheckedRules& rules, Findings& findings);
 
 // ---- what several checks ask --------------------------------------------------------------------
 

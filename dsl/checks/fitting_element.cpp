@@ -7,7 +7,7 @@
 
 #include "dsl/checks/checks.h"
 #include "dsl/text/help.h"
-#include "engine/base/predicates.h"
+#include "engine/mesh/element_shape.h"
 
 namespace af2::dsl {
 namespace {
@@ -27,12 +27,9 @@ std::vector<DirectedEdge> edgesOf(const Cycle& cycle) {
 }
 
 bool turnsLeft(const Cycle& cycle, const std::vector<Point2>& at) {
-  const auto place = [&](std::size_t i) {
-    return at[static_cast<std::size_t>(cycle[i % cycle.size()])];
-  };
-  for (std::size_t i = 0; i < cycle.size(); ++i)
-    if (orientation(place(i), place(i + 1), place(i + 2)) != Turn::Left) return false;
-  return true;
+  std::vector<Point2> corners;
+  for (const int vertex : cycle) corners.push_back(at[static_cast<std::size_t>(vertex)]);
+  return turnsLeftEverywhere(corners);
 }
 
 /// Whether elements have each directed edge once, and of the pattern's edges between their corners

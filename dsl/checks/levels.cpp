@@ -6,7 +6,7 @@ namespace af2::dsl {
 void checkLevels(const CheckedRules& rules, Findings& findings) {
   for (const CompiledRule& rule : rules.rules)
     if (rule.definition.firstLevel > rules.settings.maxLevel)
-      findings.add(rule, Severity::Warning, "D2", rule.levelSpan,
+      findings.add(rule, Code::UnreachedLevels, rule.levelSpan,
                    "this rule is never tried: the quality levels end at " +
                        std::to_string(rules.settings.maxLevel),
                    "",

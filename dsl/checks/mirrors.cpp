@@ -55,7 +55,7 @@ void checkOne(const CompiledRule& rule, std::span<const CompiledRule> all, Findi
   const bool isItsOwnMirror = doTheSame(rule.definition, *rule.image);
   if (rule.mirrorSpan) {
     if (isItsOwnMirror)
-      findings.add(rule, Severity::Warning, "M2", *rule.mirrorSpan,
+      findings.add(rule, Code::RedundantMirror, *rule.mirrorSpan,
                    "this rule is its own mirror image", "the mirror does the same once more",
                    "remove the `mirror` clause", {}, withoutMirror(rule));
     return;
@@ -74,21 +74,21 @@ void checkOne(const CompiledRule& rule, std::span<const CompiledRule> all, Findi
   });
   if (similar == all.end()) similar = std::find_if(all.begin(), all.end(), isSimilar);
   if (areAlike(rule.definition, *rule.image)) {
-    findings.add(rule, Severity::Warning, "M1", rule.title,
+    findings.add(rule, Code::MissingMirror, rule.title,
                  "this rule is not quite its own mirror image",
                  "its image differs in " + differenceOf(rule.definition, *rule.image),
                  "make it symmetric, or add `mirror \"...\";`");
     return;
   }
   if (similar != all.end()) {
-    findings.add(rule, Severity::Warning, "M1", rule.title,
+    findings.add(rule, Code::MissingMirror, rule.title,
                  "this rule and \"" + similar->definition.name + "\" are not quite mirror images",
                  "they differ in " + differenceOf(similar->definition, *rule.image),
                  "if they are meant to be, write one of them as `mirror`",
                  {{"the other rule", placeOf(similar->home->source, similar->title)}});
     return;
   }
-  findings.add(rule, Severity::Warning, "M1", rule.title, "this rule has no mirror image", "",
+  findings.add(rule, Code::MissingMirror, rule.title, "this rule has no mirror image", "",
                "add `mirror \"...\";` if the other side should work alike", {},
                withMirror(rule, all));
 }

@@ -4,6 +4,7 @@
 #include "dsl/checks/checks.h"
 #include "dsl/checks/fitting_element.h"
 #include "engine/base/predicates.h"
+#include "engine/step/rule_scoring.h"
 
 namespace af2::dsl {
 namespace {
@@ -14,15 +15,17 @@ struct Fault {
 };
 
 std::optional<Fault> faultOf(const RuleElement& element, const std::vector<Point2>& points) {
-  const int n = element.size();
-  const auto vertexAt = [&](int k) { return element.corners[static_cast<std::size_t>(k % n)]; };
-  const auto at = [&](int k) { return points[static_cast<std::size_t>(vertexAt(k))]; };
-  int left = 0, right = 0, bad = -1;
-  for (int c = 0; c < n; ++c) {
-    const Turn turn = orientation(at(c), at(c + 1), at(c + 2));
-    left += turn == Turn::Left;
-    right += turn == Turn::Right;
-    if (turn != Turn::Left) bad = vertexAt(c + 1);
+  const ElementCorners corners(element, points.data());
+  const std::size_t n = corners.span().size();
+  std::size_t left = 0, right = 0;
+  int bad = -1;
+  for (std::size_t k = 1; k <= n; ++k) {
+    const std::size_t before = k - 1, c = k % n, after = (k + 1) % n;
+    right += orientation(corners[before], corners[c], corners[after]) == Turn::Right;
+    if (turnsLeftAt(corners.span(), c))
+      ++left;
+    else
+      bad = element.corners[c];
   }
   if (left == n) return std::nullopt;
   return Fault{right == n, bad};
@@ -52,7 +55,7 @@ void tell(const CompiledRule& rule, std::size_t element, const Fault& fault, int
                                 ? ""
                                 : "at the corner '" + vertexName(rule, fault.vertex) + "'";
   const bool isFirst = level == referenceLevels(rule.definition).front();
-  findings.add(rule, Severity::Error, "G1", rule.elementSpans[element],
+  findings.add(rule, Code::InvertedElement, rule.elementSpans[element],
                message + " at " + referenceName(rule, level), label,
                helpFor(rule, element, fault, level), {},
                isFirst ? elementEdits(rule) : std::vector<SuggestedEdit>());

@@ -32,7 +32,7 @@ void checkParity(const CheckedRules& rules, Findings& findings) {
   for (const CompiledRule& rule : rules.rules) {
     const int change = frontChange(rule.definition);
     if (change % 2 != 0)
-      findings.add(rule, Severity::Error, "P1",
+      findings.add(rule, Code::BrokenParity,
                    rule.elementSpans.empty() ? rule.title : rule.elementSpans.front(),
                    "this rule makes even loops odd",
                    "the front changes by " + std::to_string(change) +

@@ -14,7 +14,7 @@ bool checkRepetition(const CompiledRule& rule, std::size_t i, Findings& findings
   for (int c = 0; c < element.size(); ++c) {
     const int vertex = element.corners[static_cast<std::size_t>(c)];
     if (!seen.insert(vertex).second) {
-      findings.add(rule, Severity::Error, "T2", rule.elementSpans[i],
+      findings.add(rule, Code::MalformedPattern, rule.elementSpans[i],
                    "this element uses the vertex '" + vertexName(rule, vertex) + "' twice", "",
                    "an element has three or four different corners");
       return false;
@@ -44,7 +44,7 @@ void checkNewVertices(const CompiledRule& rule, Findings& findings) {
   for (std::size_t i = 0; i < rule.definition.newVertices.size(); ++i) {
     const int vertex = matched + static_cast<int>(i);
     if (!used.contains(vertex))
-      findings.add(rule, Severity::Error, "T2", rule.vertexSpans[static_cast<std::size_t>(vertex)],
+      findings.add(rule, Code::MalformedPattern, rule.vertexSpans[static_cast<std::size_t>(vertex)],
                    "no element uses the new vertex '" + vertexName(rule, vertex) + "'", "",
                    "use it in an element, or make it a `let`");
   }
@@ -52,7 +52,7 @@ void checkNewVertices(const CompiledRule& rule, Findings& findings) {
 
 void checkCount(const CompiledRule& rule, Findings& findings) {
   if (rule.definition.elements.size() > static_cast<std::size_t>(AF2Rule::kMaxElements))
-    findings.add(rule, Severity::Error, "T2", rule.elementSpans.back(),
+    findings.add(rule, Code::MalformedPattern, rule.elementSpans.back(),
                  "this rule makes " + std::to_string(rule.definition.elements.size()) + " elements",
                  "", "at most " + std::to_string(AF2Rule::kMaxElements) + " are possible");
 }
@@ -67,7 +67,7 @@ void checkPattern(const CheckedRules& rules, Findings& findings) {
     if (isRight) checkNewVertices(rule, findings);
     checkCount(rule, findings);
     if (!rule.definition.elements.empty() && !consumesBase(rule.definition))
-      findings.add(rule, Severity::Error, "T2", rule.elementSpans.front(),
+      findings.add(rule, Code::MalformedPattern, rule.elementSpans.front(),
                    "no element consumes the base edge a -> b", "",
                    "every rule needs an element with a and b as neighbouring corners");
   }

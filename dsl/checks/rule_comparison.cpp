@@ -7,7 +7,7 @@
 #include <set>
 #include <span>
 
-#include "dsl/match/given_match.h"
+#include "engine/rule/rule_at_match.h"
 
 namespace af2::dsl {
 namespace {
@@ -80,23 +80,16 @@ std::vector<Point2> renumbered(const std::vector<Point2>& points, const Renumber
   return result;
 }
 
-std::vector<std::optional<Point2>> newPlaces(const RuleDefinition& rule,
-                                             const AF2Binding& binding) {
-  std::vector<std::optional<Point2>> places;
-  for (const auto& transform : rule.newVertices)
-    places.push_back(transform->transformPoint(binding));
-  return places;
-}
-
 bool isSamePlace(const std::optional<Point2>& p, const std::optional<Point2>& q) {
   return p && q ? isNear(*p, *q) : p.has_value() == q.has_value();
 }
 
 bool matchNewVertices(const RuleDefinition& a, const RuleDefinition& b, Renumbering& to) {
   const std::size_t matched = a.vertices.size();
-  const GivenMatch here(a, matchOf(a, a.firstLevel, 1), a.firstLevel),
-      there(b, renumbered(here.matched(), to), a.firstLevel);
-  const auto placesA = newPlaces(a, here.binding()), placesB = newPlaces(b, there.binding());
+  const RuleAtMatch here(a, matchOf(a, a.firstLevel, 1), a.firstLevel),
+      there(b, renumbered(here.vertices(), to), a.firstLevel);
+  const auto placesA = newVerticesAt(a, here.binding()),
+             placesB = newVerticesAt(b, there.binding());
   std::set<std::size_t> taken;
   for (const auto& place : placesA) {
     std::size_t found = placesB.size();
@@ -140,15 +133,11 @@ bool haveSameTolerances(const RuleDefinition& a, const RuleDefinition& b, const 
   return true;
 }
 
-bool requirementsHold(const RuleDefinition& rule, const AF2Binding& binding) {
-  return std::all_of(rule.requirements.begin(), rule.requirements.end(), [&](const auto& r) {
-    const auto value = r->evaluate(binding);
-    return value && *value != 0;
-  });
-}
-
-double costOf(const RuleDefinition& rule, const AF2Binding& binding) {
-  return rule.cost ? rule.cost->evaluate(binding).value_or(-1) : 0;
+bool haveSameCosts(const RuleDefinition& a, const RuleDefinition& b, const AF2Binding& here,
+                   const AF2Binding& there) {
+  const auto costA = costAt(a, here), costB = costAt(b, there);
+  return costA && costB ? std::abs(*costA - *costB) <= kSame
+                        : costA.has_value() == costB.has_value();
 }
 
 bool haveSamePoints(std::span<const Point2> first, std::span<const Point2> second) {
@@ -185,14 +174,17 @@ bool agreeAtMatches(const RuleDefinition& a, const RuleDefinition& b, const Renu
   const Renumbering matchedTo(to.begin(), to.begin() + static_cast<std::ptrdiff_t>(matched));
   for (std::size_t sample = 0; sample < 4; ++sample) {
     for (int level : {a.firstLevel, a.firstLevel + 2}) {
-      const GivenMatch here(a, matchOf(a, level, sample), level),
-          there(b, renumbered(here.matched(), matchedTo), level);
-      const auto placesA = newPlaces(a, here.binding()), placesB = newPlaces(b, there.binding());
+      const RuleAtMatch here(a, matchOf(a, level, sample), level),
+          there(b, renumbered(here.vertices(), matchedTo), level);
+      const auto placesA = newVerticesAt(a, here.binding()),
+                 placesB = newVerticesAt(b, there.binding());
       for (std::size_t i = 0; i < placesA.size(); ++i)
         if (!isSamePlace(placesA[i], placesB[static_cast<std::size_t>(to[matched + i]) - matched]))
           return false;
-      if (requirementsHold(a, here.binding()) != requirementsHold(b, there.binding())) return false;
-      if (std::abs(costOf(a, here.binding()) - costOf(b, there.binding())) > kSame) return false;
+      if (failedRequirement(a, here.binding()).isNone() !=
+          failedRequirement(b, there.binding()).isNone())
+        return false;
+      if (!haveSameCosts(a, b, here.binding(), there.binding())) return false;
       if (!haveSameZones(a, b, here.binding(), there.binding())) return false;
     }
   }
@@ -238,10 +230,10 @@ std::string differenceOf(const RuleDefinition& a, const RuleDefinition& b) {
   if (!to) return {};
   double vertices = 0, zones = 0;
   for (std::size_t sample = 0; sample < 20; ++sample) {
-    const GivenMatch here(a, matchOf(a, a.firstLevel, sample), a.firstLevel),
-        there(b, renumbered(here.matched(), *to), a.firstLevel);
-    vertices = std::max(vertices, distanceOf(pointsOf(newPlaces(a, here.binding())),
-                                             pointsOf(newPlaces(b, there.binding()))));
+    const RuleAtMatch here(a, matchOf(a, a.firstLevel, sample), a.firstLevel),
+        there(b, renumbered(here.vertices(), *to), a.firstLevel);
+    vertices = std::max(vertices, distanceOf(pointsOf(newVerticesAt(a, here.binding())),
+                                             pointsOf(newVerticesAt(b, there.binding()))));
     const auto cornersA = zoneCorners(a, here.binding()),
                cornersB = zoneCorners(b, there.binding());
     if (cornersA.empty() || cornersB.empty()) continue;

@@ -44,7 +44,7 @@ bool collectEdges(const CompiledRule& rule, std::map<Edge, std::size_t>& owner,
       isRight = false;
       const bool isSame = known->second == i;
       findings.add(
-          rule, Severity::Error, "T1", rule.elementSpans[i],
+          rule, Code::OpenTopology, rule.elementSpans[i],
           "the new elements do not fit together: " + edgeName(rule, e) +
               (isSame ? " occurs twice in one element" : " occurs in two of them"),
           "", "neighbouring elements use their common edge in opposite directions",
@@ -66,7 +66,7 @@ bool checkPatternEdges(const CompiledRule& rule, const std::map<Edge, std::size_
     const auto against = owner.find(back);
     if (against != owner.end()) {
       isRight = false;
-      findings.add(rule, Severity::Error, "T1", rule.elementSpans[against->second],
+      findings.add(rule, Code::OpenTopology, rule.elementSpans[against->second],
                    "this element lies on the wrong side of the front edge " + edgeName(rule, e),
                    "it has " + edgeName(rule, back),
                    "corners run counter-clockwise, so that the element has " + edgeName(rule, e),
@@ -76,7 +76,7 @@ bool checkPatternEdges(const CompiledRule& rule, const std::map<Edge, std::size_
       isRight = false;
       const auto after = std::find_if(owner.begin(), owner.end(),
                                       [&](const auto& o) { return o.first.first == e.second; });
-      findings.add(rule, Severity::Error, "T1",
+      findings.add(rule, Code::OpenTopology,
                    cover(rule.elementSpans.front(), rule.elementSpans[after->second]),
                    "the new elements do not close up with the front",
                    edgeName(rule, e) + " is left over between their corners",
@@ -114,7 +114,7 @@ std::size_t groups(const RuleDefinition& rule) {
 void checkDisc(const CompiledRule& rule, const std::map<Edge, std::size_t>& owner,
                Findings& findings) {
   if (groups(rule.definition) > 1) {
-    findings.add(rule, Severity::Error, "T1", rule.elementSpans.back(),
+    findings.add(rule, Code::OpenTopology, rule.elementSpans.back(),
                  "the new elements do not hang together", "",
                  "all elements of a rule share vertices with each other", {}, elementEdits(rule));
     return;
@@ -128,7 +128,7 @@ void checkDisc(const CompiledRule& rule, const std::map<Edge, std::size_t>& owne
   const auto euler = static_cast<long>(corners.size()) - static_cast<long>(edges.size()) +
                      static_cast<long>(rule.definition.elements.size());
   if (euler != 1)
-    findings.add(rule, Severity::Error, "T1", rule.elementSpans.back(),
+    findings.add(rule, Code::OpenTopology, rule.elementSpans.back(),
                  "the new elements leave a hole or overlap", "",
                  "together they must fill one region without holes", {}, elementEdits(rule));
 }

@@ -6,8 +6,8 @@
 
 #include "dsl/checks/checks.h"
 #include "dsl/program/shape_program.h"
-#include "dsl/program/zone_corners.h"
 #include "engine/base/turn.h"
+#include "engine/rule/rule_at_match.h"
 
 namespace af2::dsl {
 namespace {
@@ -35,24 +35,19 @@ class ZoneCheck {
 
   /// Whether something was told.
   bool run() {
-    std::vector<Point2> points;
-    for (const PatternVertex& v : rule_.definition.vertices)
-      points.push_back(v.reference.at(level_));
-    const AF2Surroundings uniform;
-    const AF2Binding binding{points, level_, &uniform};
+    const RuleAtMatch match = RuleAtMatch::atReference(rule_.definition, level_);
     const AF2FreeZoneDef* zone = rule_.definition.zone.get();
     if (const auto* list = dynamic_cast<const ConvexPolygonZoneDef*>(zone))
-      checkCorners(cornersAt(*list, binding));
+      checkCorners(list->cornersAt(match.binding()).value_or(std::vector<Point2>()));
     else if (const auto* free = dynamic_cast<const ShapeZoneDef*>(zone))
-      checkAlternatives(*free, binding);
+      checkAlternatives(*free, match.binding());
     return hasTold_;
   }
 
  private:
-  void tell(Severity severity, const char* code, Span zone, const std::string& message,
-            std::string label, std::string help) {
+  void tell(Code code, Span zone, const std::string& message, std::string label, std::string help) {
     hasTold_ = true;
-    findings_.add(rule_, severity, code, zone, message, std::move(label), std::move(help));
+    findings_.add(rule_, code, zone, message, std::move(label), std::move(help));
   }
 
   /// The corners of a list as they follow each other around it, if all of them are corners of their
@@ -90,7 +85,7 @@ class ZoneCheck {
 
   void tellClockwise(Span zone) {
     const std::string below = belowBase(rule_, level_), order = orderedCorners(zone);
-    tell(Severity::Error, "Z5", zone, "the zone runs clockwise at " + referenceName(rule_, level_),
+    tell(Code::ClockwiseZone, zone, "the zone runs clockwise at " + referenceName(rule_, level_),
          "",
          !below.empty()   ? below
          : !order.empty() ? order
@@ -99,7 +94,7 @@ class ZoneCheck {
 
   void tellNotConvex(Span zone) {
     const std::string order = orderedCorners(zone);
-    tell(Severity::Warning, "Z2", zone, "the zone is not convex at " + referenceName(rule_, level_),
+    tell(Code::InvalidZone, zone, "the zone is not convex at " + referenceName(rule_, level_),
          "the rule is refused there",
          order.empty() ? "a list of corners must be convex; write poly(...) for other shapes"
                        : order);
@@ -116,15 +111,14 @@ class ZoneCheck {
 
   void checkShape(const Shape& shape, Span zone) {
     if (!isBounded(shape))
-      return tell(Severity::Error, "Z4", zone, "this zone is unbounded", "",
+      return tell(Code::UnboundedZone, zone, "this zone is unbounded", "",
                   "cut half planes with something bounded: `left(p, v) & disc(p, 2)`");
     if (turnsClockwise(shape)) return tellClockwise(zone);
     const MadeZone made = makeZone(shape);
     if (made.zone) return;
     if (made.refusal == Refusal::Convexity) return tellNotConvex(zone);
-    tell(Severity::Warning, "Z2", zone,
-         "the zone has no valid shape at " + referenceName(rule_, level_), made.reason,
-         "the rule is refused there");
+    tell(Code::InvalidZone, zone, "the zone has no valid shape at " + referenceName(rule_, level_),
+         made.reason, "the rule is refused there");
   }
 
   /// One alternative for each zone clause; or one in all, which is the union of the clauses, and

@@ -8,8 +8,12 @@ namespace {
 
 bool isPart(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '-'; }
 
-std::set<std::string> codesIn(const std::string& list) {
+}  // namespace
+
+std::set<std::string> codesListedIn(const MetaEntry& entry) {
   std::set<std::string> codes;
+  if (entry.key.text != "allow") return codes;
+  const std::string& list = entry.value.text;
   for (auto at = list.begin(); at != list.end();) {
     at = std::find_if(at, list.end(), isPart);
     const auto end = std::find_if_not(at, list.end(), isPart);
@@ -22,16 +26,15 @@ std::set<std::string> codesIn(const std::string& list) {
   return codes;
 }
 
-}  // namespace
-
-std::set<std::string> allowedBy(const MetaClause& meta) {
-  std::set<std::string> codes;
+std::set<Code> allowedBy(const MetaClause& meta) {
+  std::set<Code> codes;
   for (const MetaEntry& entry : meta.entries)
-    if (entry.key.text == "allow") codes.merge(codesIn(entry.value.text));
+    for (const std::string& listed : codesListedIn(entry))
+      if (const auto code = findCode(listed)) codes.insert(*code);
   return codes;
 }
 
-bool allows(const Rule& rule, const std::string& code) {
+bool allows(const Rule& rule, Code code) {
   return std::ranges::any_of(rule.clauses, [&](const Clause& clause) {
     const auto* meta = std::get_if<MetaClause>(&clause.content);
     return meta && allowedBy(*meta).contains(code);

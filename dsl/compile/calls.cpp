@@ -11,35 +11,6 @@
 namespace af2::dsl {
 namespace {
 
-std::string kindName(char kind) {
-  switch (kind) {
-    case 'n':
-      return "a number";
-    case 'a':
-      return "an angle";
-    case 'r':
-      return "an angle";
-    case 'x':
-      return "a number or an angle";
-    case 'p':
-      return "a point";
-    case 'v':
-      return "a vector";
-    case 'g':
-      return "a point or a vector";
-    case 'l':
-      return "a point, a vector or a number";
-    case 't':
-      return "a condition";
-    case 'w':
-      return "a vertex of the front";
-    case 'c':
-      return "a vertex of a chain";
-    default:
-      return "a value";
-  }
-}
-
 bool isAlike(const Value& a, const Value& b) {
   return a.type == b.type && (a.type != Type::Geometric || std::abs(a.weight - b.weight) < 1e-9);
 }
@@ -81,7 +52,7 @@ bool ExpressionCompiler::isAllowedHere(const Expr& expr, const Builtin& builtin)
   if (place_ == ExpressionPlace::Constant && !locals.empty()) return true;
   const char* here =
       place_ == ExpressionPlace::Test ? "in a test, which has no mesh around it" : "here";
-  tell("Y5", expr.span, "'" + expr.name + "' cannot be asked " + here, "",
+  tell(Code::NotAvailable, expr.span, "'" + expr.name + "' cannot be asked " + here, "",
        "it asks about the front around a match, so it belongs in a rule");
   return false;
 }
@@ -126,20 +97,20 @@ bool ExpressionCompiler::fits(const Value& value, char kind, const Value* firstA
   }
   if (isRight && firstAlike && (kind == 'x' || kind == 'g' || kind == 'l') &&
       !isAlike(*firstAlike, value)) {
-    tell("Y2", argument.span, "the arguments of " + usage + " must be of one type",
+    tell(Code::WrongOperands, argument.span, "the arguments of " + usage + " must be of one type",
          "this is " + describe(value) + ", the first is " + describe(*firstAlike));
     return false;
   }
   if (isRight && kind == 'c' && place_ != ExpressionPlace::Test &&
       !(static_cast<std::size_t>(value.vertex) < inChain.size() &&
         inChain[static_cast<std::size_t>(value.vertex)])) {
-    tell("Y5", argument.span, "this vertex has no known place on the front",
+    tell(Code::NotAvailable, argument.span, "this vertex has no known place on the front",
          "it stands in no chain", "name it in a `front` chain, which fixes its neighbours");
     return false;
   }
   if (isRight) return true;
   if (value.isNewVertex && (kind == 'w' || kind == 'c')) {
-    tell("Y5", argument.span, "a new vertex is not on the front yet", "",
+    tell(Code::NotAvailable, argument.span, "a new vertex is not on the front yet", "",
          usage + " takes a matched vertex");
     return false;
   }
@@ -153,20 +124,21 @@ bool ExpressionCompiler::fits(const Value& value, char kind, const Value* firstA
     if (kind == 'p' && value.isVector())
       help = usage + " takes a point; add the vector to one, as in `a + (0, 1)`";
     if (!value.isPoint() && !value.isVector()) {
-      wrongType(argument, kindName(kind), value);
+      wrongType(argument, wantedBy(kind), value);
       return false;
     }
-    tell("Y1", argument.span, "this is not " + kindName(kind), "this is " + describe(value), help);
+    tell(Code::WrongType, argument.span, "this is not " + wantedBy(kind).words,
+         "this is " + describe(value), help);
     return false;
   }
-  const std::string way = wayToType(kindName(kind), value);
-  tell("Y1", argument.span, "this is not " + kindName(kind), "this is " + describe(value),
-       (way.empty() ? "" : way + "; ") + "the call is " + usage);
+  const std::string way = wayToType(wantedBy(kind).kind, value);
+  tell(Code::WrongType, argument.span, "this is not " + wantedBy(kind).words,
+       "this is " + describe(value), (way.empty() ? "" : way + "; ") + "the call is " + usage);
   return false;
 }
 
 void ExpressionCompiler::tellOfCount(const Expr& expr, const std::string& usage) {
-  tell("Y6", expr.span,
+  tell(Code::ArgumentCount, expr.span,
        "'" + expr.name + "' is called with " + std::to_string(expr.parts.size()) +
            (expr.parts.size() == 1 ? " argument" : " arguments"),
        "", "the call is " + usage);
@@ -194,7 +166,7 @@ Value ExpressionCompiler::callBuiltin(const Expr& expr, const Builtin& builtin) 
   if (place_ == ExpressionPlace::Test && builtin.name == "turn") {
     const auto turn = turnInTest(arguments[0].vertex);
     if (turn) return algebra_.angle(*turn);
-    tell("Y5", expr.span, "this vertex has no turn", "its chain is open here",
+    tell(Code::NotAvailable, expr.span, "this vertex has no turn", "its chain is open here",
          "a turn needs a neighbour on both sides");
     return {};
   }
@@ -238,7 +210,7 @@ Value ExpressionCompiler::callFunction(const Expr& expr, const FunctionName& fun
     usage += ")";
     const bool isPartial = function.isMetric && !corners.empty();
     if (isPartial)
-      tell("Y6", expr.span,
+      tell(Code::ArgumentCount, expr.span,
            "the metric '" + expr.name + "' does not measure elements of " +
                std::to_string(corners.size()) + " corners",
            "", "it is defined as " + usage + "; its last three or four parameters are the corners");
@@ -248,7 +220,7 @@ Value ExpressionCompiler::callFunction(const Expr& expr, const FunctionName& fun
   }
   Value result = inlined(expr, function, std::move(arguments));
   if (function.isMetric && !result.isAny() && result.type != Type::Number)
-    return wrongType(expr, "a number, as a metric must be", result);
+    return wrongType(expr, wantedNumber(), result, "a metric");
   return result;
 }
 
@@ -261,7 +233,7 @@ Value ExpressionCompiler::callMetric(const Expr& expr, const BuiltinMetric& metr
   if (values.size() == weights + 3 || values.size() == weights + 4)
     measured.assign(values.begin() + metric.weights, values.end());
   else if (values.size() != weights || corners.empty()) {
-    tell("Y6", expr.span,
+    tell(Code::ArgumentCount, expr.span,
          "'" + expr.name + "' is called with " + std::to_string(expr.parts.size()) +
              (expr.parts.size() == 1 ? " argument" : " arguments"),
          "",
@@ -283,7 +255,7 @@ Value ExpressionCompiler::callUserMetric(const Expr& expr, const AF2ElementMetri
   for (const Expr& part : expr.parts) values.push_back(evaluate(part));
   const std::vector<Value>& measured = values.empty() ? corners : values;
   if (measured.size() < 3 || measured.size() > 4) {
-    tell("Y6", expr.span, "a registered metric takes three or four corners", "",
+    tell(Code::ArgumentCount, expr.span, "a registered metric takes three or four corners", "",
          expr.name + "(u, v, w, x)");
     return {};
   }
@@ -310,7 +282,7 @@ Value ExpressionCompiler::callUserFunction(const Expr& expr,
                                            const std::shared_ptr<const UserFunction>& function) {
   const std::string usage = expr.name + " with arguments of the kinds " + function->parameters;
   if (expr.parts.size() != function->parameters.size()) {
-    tell("Y6", expr.span,
+    tell(Code::ArgumentCount, expr.span,
          "'" + expr.name + "' is called with " + std::to_string(expr.parts.size()) +
              (expr.parts.size() == 1 ? " argument" : " arguments"),
          "", "it takes " + std::to_string(function->parameters.size()));
@@ -355,7 +327,8 @@ const FunctionName* ExpressionCompiler::findFunction(const Expr& call, bool& isT
   if (!call.qualifier.empty()) {
     std::vector<std::string> known;
     for (const auto& [name, f] : home->functions) known.push_back(name);
-    tell("R1", call.span, "'" + call.qualifier + "' has no function '" + call.name + "'", "",
+    tell(Code::UnknownName, call.span,
+         "'" + call.qualifier + "' has no function '" + call.name + "'", "",
          didYouMean(call.name, known));
   }
   return nullptr;

@@ -14,8 +14,8 @@ void ClauseCompiler::warnIfHiding(const Name& name) {
   const auto constant = home_.constants.find(name.text);
   if (mirror_ || constant == home_.constants.end()) return;
   expressions_.tell(
-      "A2", name.span, "'" + name.text + "' hides the constant of that name", "",
-      "choose another name", Severity::Warning,
+      Code::UnusedOrHiding, name.span, "'" + name.text + "' hides the constant of that name", "",
+      "choose another name",
       {{"the constant", placeOf(constant->second.home->source, constant->second.span)}});
 }
 
@@ -24,7 +24,7 @@ bool ClauseCompiler::defineLocal(const Name& name, Value value, LocalKind kind) 
   const auto known = locals.find(name.text);
   const bool isReplacing = known != locals.end() && known->second.kind == LocalKind::Broken;
   if (name.text == "q" || name.text == "class") {
-    tell("R2", name.span,
+    tell(Code::DuplicateName, name.span,
          "'" + name.text + "' is the quality level and cannot be given another meaning", "",
          "choose another name");
     return false;
@@ -33,13 +33,13 @@ bool ClauseCompiler::defineLocal(const Name& name, Value value, LocalKind kind) 
     std::vector<DiagnosticNote> notes;
     const bool isEnd = name.text == "a" || name.text == "b";
     if (!isEnd) notes.push_back({"first given here", placeOf(home_.source, known->second.span)});
-    tell("R2", name.span,
+    tell(Code::DuplicateName, name.span,
          isEnd ? "'" + name.text + "' is an end of the base edge; it is always there"
                : "'" + name.text + "' is given twice in this rule",
          "",
          isEnd ? "choose another name; the base edge a -> b needs no place and no tolerance"
                : "choose another name",
-         Severity::Error, std::move(notes));
+         std::move(notes));
     return false;
   }
   warnIfHiding(name);
@@ -87,18 +87,15 @@ std::optional<int> ClauseCompiler::elementVertex(const Name& kind, const Name& n
     if (index >= 2) list += ", " + text;
   }
   for (const std::string& text : names) list += ", " + text;
-  for (const Clause& clause : rule_.clauses)
-    if (const auto* later = std::get_if<NewClause>(&clause.content))
-      for (const Definition& d : later->vertices)
-        if (d.name.text == name.text) {
-          tell("R1", name.span, "'" + name.text + "' is used before it is defined", "",
-               "move its `new` clause up");
-          return std::nullopt;
-        }
+  if (isNewVertexOfRule(name.text)) {
+    tell(Code::UnknownName, name.span, "'" + name.text + "' is used before it is defined", "",
+         "move its `new` clause up");
+    return std::nullopt;
+  }
   const auto local = expressions_.locals.find(name.text);
   if (local != expressions_.locals.end() && local->second.kind == LocalKind::Let) {
     local->second.isUsed = true;
-    tell("R1", name.span, "'" + name.text + "' is a `let`, no vertex", "",
+    tell(Code::UnknownName, name.span, "'" + name.text + "' is a `let`, no vertex", "",
          "make it a vertex with `new " + name.text + " = ...;`");
     return std::nullopt;
   }
@@ -108,7 +105,7 @@ std::optional<int> ClauseCompiler::elementVertex(const Name& kind, const Name& n
     return std::nullopt;
   }
   markBroken(name.text);
-  tell("R1", name.span,
+  tell(Code::UnknownName, name.span,
        "'" + kind.text + "' uses the vertex '" + name.text + "', which this rule does not have", "",
        "vertices of this rule: " + list + (help.empty() ? "" : "; " + help));
   return std::nullopt;
@@ -123,14 +120,15 @@ void ClauseCompiler::addElement(const Name& kind, const std::vector<Name>& corne
     if (vertex) vertices.push_back(*vertex);
   }
   if (corners.size() != wanted)
-    return tell("T2", span, "'" + kind.text + "' takes " + std::to_string(wanted) + " vertices",
+    return tell(Code::MalformedPattern, span,
+                "'" + kind.text + "' takes " + std::to_string(wanted) + " vertices",
                 std::to_string(corners.size()) + " are given",
                 corners.size() == 4   ? "write quad"
                 : corners.size() == 3 ? "write tri"
                                       : "");
   if (corners.size() > 4)
-    return tell("T2", span, "elements with more than four corners cannot be made", "",
-                "split it into tri and quad elements");
+    return tell(Code::MalformedPattern, span, "elements with more than four corners cannot be made",
+                "", "split it into tri and quad elements");
   if (vertices.size() != corners.size()) return;
   if (mirror_) std::reverse(vertices.begin(), vertices.end());
   std::rotate(vertices.begin(), std::min_element(vertices.begin(), vertices.end()), vertices.end());
@@ -154,10 +152,10 @@ void ClauseCompiler::compileRequire(const RequireClause& clause) {
     }
     const auto constant = builder_.constantValue(value.number);
     if (constant && !mirror_ && !isGeneric_)
-      expressions_.tell("D1", expr.span,
+      expressions_.tell(Code::IdleClause, expr.span,
                         *constant != 0 ? "this condition always holds"
                                        : "this condition never holds, so the rule never applies",
-                        "", "it does not depend on the match", Severity::Warning);
+                        "", "it does not depend on the match");
     use(UsedValue::Kind::Requirement, value, expr.span);
     definition().requirements.push_back(makeFunction(builder_, value.number));
   }
@@ -175,12 +173,13 @@ void ClauseCompiler::compileCost(const CostClause& clause) {
 }
 
 void ClauseCompiler::compilePriority(const PriorityClause& clause, Span span) {
-  if (hasPriority_) tell("R2", span, "the priority is given twice", "", "give it once");
+  if (hasPriority_)
+    tell(Code::DuplicateName, span, "the priority is given twice", "", "give it once");
   hasPriority_ = true;
   const auto value = expressions_.constantNumber(clause.value, "a priority");
   if (!value) return;
   if (*value != std::floor(*value) || std::abs(*value) > 1e6)
-    return tell("Y3", clause.value.span, "a priority is a whole number",
+    return tell(Code::NotConstant, clause.value.span, "a priority is a whole number",
                 "this is " + shownNumber(*value));
   if (*value == 0)
     expressions_.warnIdle(span, "a priority of 0 is what every rule has",
@@ -188,40 +187,37 @@ void ClauseCompiler::compilePriority(const PriorityClause& clause, Span span) {
   definition().priority = static_cast<int>(*value);
 }
 
+void ClauseCompiler::compileLet(const LetClause& clause) {
+  for (const Definition& d : clause.values) {
+    Value value = expressions_.evaluate(d.value);
+    if (value.isAny() && !isGeneric_) hasErrors_ = true;
+    defineLocal(d.name, std::move(value), LocalKind::Let);
+  }
+}
+
+/// The cost of the rule itself; that of a mirror image may take its place.
+void ClauseCompiler::compileOwnCost(const CostClause& clause, Span span) {
+  if (hasCost_)
+    tell(Code::DuplicateName, span, "the cost is given twice", "", "add the two up in one clause");
+  hasCost_ = true;
+  compileCost(clause);
+}
+
 void ClauseCompiler::compileClause(const Clause& clause) {
-  std::visit(
-      [&](const auto& content) {
-        using Content = std::decay_t<decltype(content)>;
-        if constexpr (std::is_same_v<Content, AtClause>) {
-          compilePlaces(content);
-        } else if constexpr (std::is_same_v<Content, SlopeClause>) {
-          compileSlope(content);
-        } else if constexpr (std::is_same_v<Content, LetClause>) {
-          for (const Definition& d : content.values) {
-            Value value = expressions_.evaluate(d.value);
-            if (value.isAny() && !isGeneric_) hasErrors_ = true;
-            defineLocal(d.name, std::move(value), LocalKind::Let);
-          }
-        } else if constexpr (std::is_same_v<Content, NewClause>) {
-          compileNew(content);
-        } else if constexpr (std::is_same_v<Content, ZoneClause>) {
-          readZone(content, clause.span);
-        } else if constexpr (std::is_same_v<Content, ElementClause>) {
-          compileElements(content);
-        } else if constexpr (std::is_same_v<Content, RequireClause>) {
-          compileRequire(content);
-        } else if constexpr (std::is_same_v<Content, CostClause>) {
-          if (hasCost_)
-            tell("R2", clause.span, "the cost is given twice", "", "add the two up in one clause");
-          hasCost_ = true;
-          compileCost(content);
-        } else if constexpr (std::is_same_v<Content, MetaClause>) {
-          if (!mirror_) expressions_.checkAllowed(content);
-        } else if constexpr (std::is_same_v<Content, PriorityClause>) {
-          compilePriority(content, clause.span);
-        }
+  match(
+      clause.content, [&](const AtClause& c) { compilePlaces(c); },
+      [&](const SlopeClause& c) { compileSlope(c); }, [&](const LetClause& c) { compileLet(c); },
+      [&](const NewClause& c) { compileNew(c); },
+      [&](const ZoneClause& c) { readZone(c, clause.span); },
+      [&](const ElementClause& c) { compileElements(c); },
+      [&](const RequireClause& c) { compileRequire(c); },
+      [&](const CostClause& c) { compileOwnCost(c, clause.span); },
+      [&](const PriorityClause& c) { compilePriority(c, clause.span); },
+      [&](const MetaClause& c) {
+        if (!mirror_) expressions_.checkAllowed(c);
       },
-      clause.content);
+      // Chains come before all other clauses; `mirror` is another rule, see RuleCompiler.
+      [](const AnyOf<std::monostate, FrontClause, MirrorClause> auto&) {});
 }
 
 void ClauseCompiler::applyOverrides() {
@@ -231,7 +227,7 @@ void ClauseCompiler::applyOverrides() {
       if (found == matched_.end() || found->second < 2) {
         std::vector<std::string> known;
         for (const PatternVertex& v : definition().vertices) known.push_back(v.name);
-        tell("R1", name.span,
+        tell(Code::UnknownName, name.span,
              found == matched_.end()
                  ? "the rule has no vertex '" + name.text + "' with a tolerance"
                  : "'" + name.text + "' is an end of the base edge and carries no tolerance",
@@ -241,7 +237,8 @@ void ClauseCompiler::applyOverrides() {
       bool isAny = false;
       const auto form = toleranceOf(tolerance, isAny);
       if (isAny && !expressions_.inChain[static_cast<std::size_t>(found->second)])
-        tell("T2", tolerance.span, "'any' needs a chain", "'" + name.text + "' stands in no chain");
+        tell(Code::MalformedPattern, tolerance.span, "'any' needs a chain",
+             "'" + name.text + "' stands in no chain");
       for (PatternVertex& v : definition().vertices)
         if (v.name == name.text) v.tolerance = form;
     }
@@ -251,37 +248,30 @@ void ClauseCompiler::applyOverrides() {
 
 /// So that a name used too early is told apart from one that there is not.
 void ClauseCompiler::listNamesBelow() {
-  for (const Clause& clause : rule_.clauses) {
-    if (const auto* at = std::get_if<AtClause>(&clause.content))
-      for (const Place& p : at->places) expressions_.definedBelow.emplace(p.name.text, p.name.span);
-    if (const auto* let = std::get_if<LetClause>(&clause.content))
-      for (const Definition& d : let->values)
-        expressions_.definedBelow.emplace(d.name.text, d.name.span);
-    if (const auto* made = std::get_if<NewClause>(&clause.content))
-      for (const Definition& d : made->vertices)
-        expressions_.definedBelow.emplace(d.name.text, d.name.span);
-  }
+  for (const Name* name :
+       namesIn(rule_, {NameRole::PlacedVertex, NameRole::Value, NameRole::NewVertex}))
+    expressions_.definedBelow.emplace(name->text, name->span);
 }
 
 void ClauseCompiler::warnAboutNames() {
   if (mirror_ || hasErrors_) return;
-  for (const auto& [name, local] : expressions_.locals)
-    if (local.kind == LocalKind::Let && !local.isUsed)
-      warn("A2", local.span, "the value '" + name + "' is never used", "remove it");
+  for (const auto& [name, local] : expressions_.locals) {
+    if (local.kind != LocalKind::Let || local.isUsed) continue;
+    Diagnostic unused =
+        expressions_.finding(Code::UnusedOrHiding, local.span,
+                             "the value '" + name + "' is never used", "", Help("remove it"));
+    unused.isUnused = true;
+    expressions_.tell(std::move(unused));
+  }
 }
 
 /// The engine takes so many only; and everything here may look at all of them for each.
 bool ClauseCompiler::tellTooManyVertices() {
-  std::vector<const Name*> names;
-  for (const Clause& clause : rule_.clauses) {
-    if (const auto* at = std::get_if<AtClause>(&clause.content))
-      for (const Place& place : at->places) names.push_back(&place.name);
-    if (const auto* made = std::get_if<NewClause>(&clause.content))
-      for (const Definition& d : made->vertices) names.push_back(&d.name);
-  }
+  const auto names = namesIn(rule_, {NameRole::PlacedVertex, NameRole::NewVertex});
   const std::size_t count = names.size() + 2, most = AF2Rule::kMaxVertices;
   if (count <= most) return false;
-  tell("T2", names.back()->span, "this rule has " + std::to_string(count) + " vertices", "",
+  tell(Code::MalformedPattern, names.back()->span,
+       "this rule has " + std::to_string(count) + " vertices", "",
        "at most " + std::to_string(most) + " are possible, a and b among them");
   return true;
 }
@@ -316,7 +306,7 @@ std::optional<CompiledRule> ClauseCompiler::compile(const std::string& title, Sp
   tellMissingValues();
   warnAboutNames();
   if (definition().zone == nullptr && zones_.empty() && !hasErrors_)
-    tell("Z6", titleSpan, "this rule has no zone",
+    tell(Code::MissingZone, titleSpan, "this rule has no zone",
          "nothing would keep its elements from lying over others",
          "say which region must be empty: `zone a, b, ...;`");
   const bool isWhole = definition().zone && !hasErrors_ && !isGeneric_ &&

@@ -13,6 +13,7 @@
 #include "dsl/compile/expressions.h"
 #include "dsl/compile/rule_compiler.h"
 #include "dsl/program/known_values.h"
+#include "dsl/syntax/names.h"
 
 namespace af2::dsl {
 
@@ -61,11 +62,7 @@ class ClauseCompiler {
 
  private:
   static int countPlaces(const Rule& rule) {
-    int count = 0;
-    for (const Clause& clause : rule.clauses)
-      if (const auto* at = std::get_if<AtClause>(&clause.content))
-        count += static_cast<int>(at->places.size());
-    return count;
+    return static_cast<int>(namesIn(rule, {NameRole::PlacedVertex}).size());
   }
 
   const Algebra& algebra() const { return expressions_.algebra(); }
@@ -103,13 +100,13 @@ class ClauseCompiler {
   }
 
   template <class... Arguments>
-  void tell(const char* code, Span span, std::string message, Arguments&&... arguments) {
+  void tell(Code code, Span span, std::string message, Arguments&&... arguments) {
     expressions_.tell(code, span, std::move(message), std::forward<Arguments>(arguments)...);
     hasErrors_ = true;
   }
 
-  void warn(const char* code, Span span, std::string message, std::string help) {
-    expressions_.tell(code, span, std::move(message), "", std::move(help), Severity::Warning);
+  void warn(Code code, Span span, std::string message, std::string help) {
+    expressions_.tell(code, span, std::move(message), "", std::move(help));
   }
 
   void warnIfHiding(const Name& name);
@@ -125,6 +122,7 @@ class ClauseCompiler {
   void collectPattern();
   void readLevels();
   void compileClause(const Clause& clause);
+  void compileLet(const LetClause& clause);
   void compilePlaces(const AtClause& at);
   std::optional<ReferenceByLevel> referenceOf(const Place& place);
   std::optional<ToleranceByLevel> toleranceOf(const Tolerance& tolerance, bool& isAny);
@@ -134,6 +132,7 @@ class ClauseCompiler {
   void addChain(const Chain& chain);
   void addEdge(const Name& from, const Name& to);
   std::optional<int> matchedVertex(const Name& name, const char* use);
+  bool isNewVertexOfRule(const std::string& name) const;
   void compileSlope(const SlopeClause& slope);
   void compileNew(const NewClause& clause);
   void compileElements(const ElementClause& clause);
@@ -143,6 +142,7 @@ class ClauseCompiler {
   void compileZones();
   void compileRequire(const RequireClause& clause);
   void compileCost(const CostClause& clause);
+  void compileOwnCost(const CostClause& clause, Span span);
   void compilePriority(const PriorityClause& clause, Span span);
   void applyOverrides();
   void warnAboutNames();

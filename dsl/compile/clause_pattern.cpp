@@ -38,18 +38,13 @@ void ClauseCompiler::poisonBrokenNames() {
 void ClauseCompiler::collectPattern() {
   matched_ = {{"a", 0}, {"b", 1}};
   int next = 2;
-  for (const Clause& clause : rule_.clauses)
-    if (const auto* at = std::get_if<AtClause>(&clause.content))
-      for (const Place& place : at->places)
-        if (matched_.emplace(place.name.text, next).second) ++next;
+  for (const Name* name : namesIn(rule_, {NameRole::PlacedVertex}))
+    if (matched_.emplace(name->text, next).second) ++next;
   expressions_.inChain.assign(static_cast<std::size_t>(next), false);
   expressions_.inChain[0] = expressions_.inChain[1] = true;
-  for (const Clause& clause : rule_.clauses)
-    if (const auto* front = std::get_if<FrontClause>(&clause.content))
-      for (const Chain& chain : front->chains)
-        for (const Name& name : chain)
-          if (const auto found = matched_.find(name.text); found != matched_.end())
-            expressions_.inChain[static_cast<std::size_t>(found->second)] = true;
+  for (const Name* name : namesIn(rule_, {NameRole::ChainVertex}))
+    if (const auto found = matched_.find(name->text); found != matched_.end())
+      expressions_.inChain[static_cast<std::size_t>(found->second)] = true;
 }
 
 void ClauseCompiler::readLevels() {
@@ -63,7 +58,7 @@ void ClauseCompiler::readLevels() {
     if (*value >= 1 && *value <= 1e6 && *value == std::floor(*value))
       return static_cast<int>(*value);
     const bool isDifference = expr.kind == ExprKind::Binary && expr.name == "-";
-    tell("Y3", expr.span, "a quality level is a whole number from 1",
+    tell(Code::NotConstant, expr.span, "a quality level is a whole number from 1",
          "this is " + shownNumber(*value),
          isDifference ? "a range of levels is written 1..3" : "1 is the best");
     return std::nullopt;
@@ -76,8 +71,9 @@ void ClauseCompiler::readLevels() {
   const auto last = whole(levels->last);
   definition().lastLevel = last;
   if (first && last && *last < *first) {
-    tell("D2", result_.levelSpan, "no quality level lies in this range",
-         "its end lies below its beginning", "write the smaller level first");
+    tell(Code::UnreachedLevels, result_.levelSpan, "no quality level lies in this range",
+         "its end lies below its beginning", "write the smaller level first",
+         std::vector<DiagnosticNote>(), Severity::Error);
     definition().lastLevel = std::nullopt;
   }
 }
@@ -98,7 +94,7 @@ std::optional<std::vector<double>> ClauseCompiler::numberByLevel(const Expr& exp
   if (value.isAny()) return std::nullopt;
   if (const auto constant = builder_.constantValue(value.number)) return std::vector{*constant};
   if (builder_.dependsOnMatch(value.number)) {
-    tell("Y3", expr.span, what + " cannot depend on the match", "",
+    tell(Code::NotConstant, expr.span, what + " cannot depend on the match", "",
          "use numbers, constants, parameters and q; what a match must fulfil besides is said by "
          "`require`");
     return std::nullopt;
@@ -109,7 +105,7 @@ std::optional<std::vector<double>> ClauseCompiler::numberByLevel(const Expr& exp
   for (int level = 1; level <= lastLevel(); ++level) {
     const auto at = function.evaluate({{}, std::max(level, first), nullptr});
     if (!at) {
-      tell("Y4", expr.span, what + " has no value at level " + std::to_string(level), "",
+      tell(Code::NoValue, expr.span, what + " has no value at level " + std::to_string(level), "",
            "a division by zero, a root of a negative number or the like");
       return std::nullopt;
     }
@@ -122,7 +118,7 @@ std::optional<ToleranceByLevel> ClauseCompiler::formOf(const Expr& expr) {
   const bool isForm = expr.kind == ExprKind::Tuple && expr.parts.size() == 3;
   if (expr.kind == ExprKind::Tuple && !isForm) {
     for (const Expr& part : expr.parts) numberByLevel(part, "a coefficient");
-    tell("Y6", expr.span, "a form has three coefficients, (xx, xy, yy)",
+    tell(Code::ArgumentCount, expr.span, "a form has three coefficients, (xx, xy, yy)",
          std::to_string(expr.parts.size()) + " are given",
          "write `~ w` for the same weight in all directions, or `~ (xx, xy, yy)`");
     return std::nullopt;
@@ -145,10 +141,10 @@ std::optional<ToleranceByLevel> ClauseCompiler::formOf(const Expr& expr) {
     if (form.xx < 0 || form.yy < 0 || form.xy * form.xy > 4 * form.xx * form.yy) {
       const std::string where = levels > 1 ? " at level " + std::to_string(i + 1) : "";
       if (isForm)
-        tell("Y3", expr.span, "this form is negative for some deviations" + where, "",
+        tell(Code::NotConstant, expr.span, "this form is negative for some deviations" + where, "",
              "a form (xx, xy, yy) needs xx >= 0, yy >= 0 and xy^2 <= 4 xx yy");
       else
-        tell("Y3", expr.span, "a tolerance's weight cannot be negative",
+        tell(Code::NotConstant, expr.span, "a tolerance's weight cannot be negative",
              where.empty() ? "" : "it is " + shownNumber(form.xx) + where,
              "a larger weight is stricter; 0 or `any` lets all through");
       return std::nullopt;
@@ -194,7 +190,7 @@ void ClauseCompiler::compilePlaces(const AtClause& at) {
       const bool isInChain =
           expressions_.inChain[static_cast<std::size_t>(matched_.at(place.name.text))];
       if (isAny && !isInChain)
-        tell("T2", place.tolerance->span, "'any' needs a chain",
+        tell(Code::MalformedPattern, place.tolerance->span, "'any' needs a chain",
              "'" + place.name.text + "' stands in no chain",
              "name the vertex in a `front` chain that leads to it, or give a tolerance");
     }
@@ -203,23 +199,25 @@ void ClauseCompiler::compilePlaces(const AtClause& at) {
   }
 }
 
+bool ClauseCompiler::isNewVertexOfRule(const std::string& name) const {
+  const auto made = namesIn(rule_, {NameRole::NewVertex});
+  return std::ranges::find(made, name, &Name::text) != made.end();
+}
+
 std::optional<int> ClauseCompiler::matchedVertex(const Name& name, const char* use) {
   const auto found = matched_.find(name.text);
   if (found != matched_.end()) return found->second;
   if (broken_.contains(name.text)) return std::nullopt;
-  for (const Clause& clause : rule_.clauses)
-    if (const auto* made = std::get_if<NewClause>(&clause.content))
-      for (const Definition& d : made->vertices)
-        if (d.name.text == name.text) {
-          tell("T2", name.span,
-               "'" + name.text + "' is a new vertex; the front does not have it yet", "",
-               std::string(use) + " names matched vertices only");
-          return std::nullopt;
-        }
+  if (isNewVertexOfRule(name.text)) {
+    tell(Code::MalformedPattern, name.span,
+         "'" + name.text + "' is a new vertex; the front does not have it yet", "",
+         std::string(use) + " names matched vertices only");
+    return std::nullopt;
+  }
   std::vector<std::string> known;
   for (const auto& [text, index] : matched_) known.push_back(text);
   const Help help = didYouMean(name.text, known);
-  tell("R1", name.span, "the vertex '" + name.text + "' has no place", "",
+  tell(Code::UnknownName, name.span, "the vertex '" + name.text + "' has no place", "",
        help.empty() ? "say where it is expected: `at " + name.text + " (x, y);`" : help);
   markBroken(name.text);
   return std::nullopt;
@@ -229,7 +227,7 @@ void ClauseCompiler::addEdge(const Name& fromName, const Name& toName) {
   const auto from = matchedVertex(fromName, "a chain"), to = matchedVertex(toName, "a chain");
   if (!from || !to) return;
   const Span span = cover(fromName.span, toName.span);
-  if (*from == *to) return tell("T2", span, "an edge from a vertex to itself");
+  if (*from == *to) return tell(Code::MalformedPattern, span, "an edge from a vertex to itself");
   int u = stored(*from), v = stored(*to);
   if (mirror_) std::swap(u, v);
   for (std::size_t i = 0; i < definition().edges.size(); ++i) {
@@ -241,15 +239,16 @@ void ClauseCompiler::addEdge(const Name& fromName, const Name& toName) {
         result_.edgeSpans[0] = span;
         return;
       }
-      return tell("T2", span, "the edge " + text + " is named twice", "",
+      return tell(Code::MalformedPattern, span, "the edge " + text + " is named twice", "",
                   "name each front edge once");
     }
     if (known.from == v && known.to == u)
-      return tell("T2", span, "the edge " + text + " runs against another one of the pattern", "",
+      return tell(Code::MalformedPattern, span,
+                  "the edge " + text + " runs against another one of the pattern", "",
                   "front edges have the unmeshed region on their left");
     if (known.from == u || known.to == v) {
       const Name& at = (known.from == u) != (mirror_ != nullptr) ? fromName : toName;
-      return tell("T2", span, "the chains branch at '" + at.text + "'",
+      return tell(Code::MalformedPattern, span, "the chains branch at '" + at.text + "'",
                   isBase ? "the base edge a -> b is always part of the pattern" : "",
                   "each vertex has one front edge that comes and one that goes");
     }
@@ -272,8 +271,8 @@ void ClauseCompiler::compileSlope(const SlopeClause& slope) {
   for (PatternEdge& edge : definition().edges)
     if (edge.from == u && edge.to == v) {
       if (edge.slope && !isAny)
-        tell("R2", cover(slope.from.span, slope.to.span), "the slope of this edge is given twice",
-             "", "give it once");
+        tell(Code::DuplicateName, cover(slope.from.span, slope.to.span),
+             "the slope of this edge is given twice", "", "give it once");
       edge.slope = form;
       const bool isIdle = !form || *form == ToleranceByLevel(ToleranceForm{0, 0, 0});
       if (isIdle && (isAny || !hasErrors_))
@@ -281,12 +280,12 @@ void ClauseCompiler::compileSlope(const SlopeClause& slope) {
                               "this slope lets every edge through",
                               "remove it, or give it a weight: a larger one is stricter");
       if (u == 0 && v == 1 && !mirror_)
-        warn("D1", cover(slope.from.span, slope.tolerance.span),
+        warn(Code::IdleClause, cover(slope.from.span, slope.tolerance.span),
              "a slope of the base edge tests its length only: the frame's x axis runs along it",
              "remove the clause if that is not meant");
       return;
     }
-  tell("T2", cover(slope.from.span, slope.to.span),
+  tell(Code::MalformedPattern, cover(slope.from.span, slope.to.span),
        slope.from.text + " -> " + slope.to.text + " is no edge of the pattern", "",
        "name it in a `front` chain; a slope is a tolerance on a front edge");
 }

@@ -83,10 +83,10 @@ void ClauseCompiler::tellMissingAt(int level, KnownResults known) {
       if (!known[i].isNone()) continue;
       if (!used.isTold)
         expressions_.tell(
-            "Y4", used.span,
+            Code::NoValue, used.span,
             nameOf(used.kind) + std::string(" has no value at level ") + std::to_string(level),
             "the rule is refused there",
-            "a division by zero, a root of a negative number or the like", Severity::Warning);
+            "a division by zero, a root of a negative number or the like", {}, Severity::Warning);
       used.isTold = true;
       known.forget(i);
     }

@@ -1,5 +1,6 @@
 // What must be empty: the zone clauses of a rule.
 #include "dsl/compile/clause_compiler.h"
+#include "dsl/compile/type_help.h"
 
 #include <algorithm>
 
@@ -12,7 +13,8 @@ void ClauseCompiler::readZone(const ZoneClause& clause, Span span) {
   ReadZone zone;
   zone.text = &clause;
   zone.isRight = clause.corners.size() != 2;
-  if (!zone.isRight) tell("Y6", span, "a zone needs at least three corners", "2 are given");
+  if (!zone.isRight)
+    tell(Code::ArgumentCount, span, "a zone needs at least three corners", "2 are given");
   if (isShapeClause(clause)) {
     zone.shape = oneShape(clause.corners[0]);
     zone.isRight = !zone.shape.isAny();
@@ -37,12 +39,13 @@ void ClauseCompiler::readZone(const ZoneClause& clause, Span span) {
 Value ClauseCompiler::oneShape(const Expr& expr) {
   Value value = expressions_.evaluate(expr);
   if (value.isPoint()) {
-    tell("Y6", expr.span, "a zone needs at least three corners, or one shape", "1 corner is given",
+    tell(Code::ArgumentCount, expr.span, "a zone needs at least three corners, or one shape",
+         "1 corner is given",
          "list corners counter-clockwise, or use poly, hull, disc, left, sector, grow");
     return {};
   }
   if (value.isAny() || value.type == Type::Shape) return value;
-  return expressions_.wrongType(expr, "a shape", value);
+  return expressions_.wrongType(expr, wantedShape(), value);
 }
 
 /// The list form of a zone, in the engine's fast form.
@@ -110,9 +113,8 @@ void ClauseCompiler::compileZones() {
   const bool hasConditions = std::any_of(zones_.begin(), zones_.end(), hasWhen);
   for (std::size_t i = 1; i < zones_.size(); ++i)
     if (hasConditions && !hasWhen(zones_[i - 1]))
-      expressions_.tell("D1", result_.zoneSpans[i], "this zone is never used", "",
-                        "the one without `when` takes all that is left; write it last",
-                        Severity::Warning);
+      expressions_.tell(Code::IdleClause, result_.zoneSpans[i], "this zone is never used", "",
+                        "the one without `when` takes all that is left; write it last");
   if (!std::all_of(zones_.begin(), zones_.end(), [](const ReadZone& z) { return z.isRight; }))
     return;
   tellIdleAlternatives();

@@ -2,12 +2,11 @@
 
 namespace af2::dsl {
 
-void CompileContext::tell(const Module& home, const char* code, Span span, std::string message,
-                          Help help, std::vector<DiagnosticNote> notes, Severity severity) {
-  if (!diagnostics.takes(severity)) return;
-  Diagnostic d;
-  d.severity = severity;
-  d.code = code;
+void CompileContext::tell(const Module& home, Code code, Span span, std::string message, Help help,
+                          std::vector<DiagnosticNote> notes, std::optional<Severity> severity) {
+  Diagnostic d(code);
+  d.severity = severity.value_or(d.severity);
+  if (!diagnostics.takes(d.severity)) return;
   d.message = std::move(message);
   d.place = placeOf(home.source, span);
   setHelp(d, home.source, span, help);

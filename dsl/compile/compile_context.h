@@ -1,6 +1,7 @@
 // What all steps from syntax trees to rules share.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,9 +23,9 @@ struct CompileContext {
   /// Whether to look for what was meant by a name that there is not: it takes its time for each.
   bool mayGuess() const { return guesses && !diagnostics.isFull(); }
 
-  /// Tells something about a stretch of a module.
-  void tell(const Module& home, const char* code, Span span, std::string message, Help help = {},
-            std::vector<DiagnosticNote> notes = {}, Severity severity = Severity::Error);
+  /// Tells something about a stretch of a module, as severe as its code is unless it is said here.
+  void tell(const Module& home, Code code, Span span, std::string message, Help help = {},
+            std::vector<DiagnosticNote> notes = {}, std::optional<Severity> severity = {});
 };
 
 }  // namespace af2::dsl

@@ -47,10 +47,10 @@ Value ExpressionCompiler::usedTooEarly(const Expr& expr, Span definition) {
   const bool isItself =
       module_->source.lineOf(definition.begin) == module_->source.lineOf(expr.span.begin) &&
       definition.begin < expr.span.begin;
-  tell("R1", expr.span,
+  tell(Code::UnknownName, expr.span,
        isItself ? "'" + expr.name + "' is defined in terms of itself"
                 : "'" + expr.name + "' is used before it is defined",
-       "", isItself ? "definitions cannot be recursive" : "move its definition up", Severity::Error,
+       "", isItself ? "definitions cannot be recursive" : "move its definition up",
        {{"defined here", placeOf(module_->source, definition)}});
   return {};
 }
@@ -58,7 +58,7 @@ Value ExpressionCompiler::usedTooEarly(const Expr& expr, Span definition) {
 Value ExpressionCompiler::unknownName(const Expr& expr, bool isFunction) {
   if (module_->brokenNames.contains(expr.name) || module_->hasBrokenImport) return {};
   if (!context_.mayGuess()) {
-    tell("R1", expr.span, "there is no '" + expr.name + "' here");
+    tell(Code::UnknownName, expr.span, "there is no '" + expr.name + "' here");
     return {};
   }
   if (const auto below = definedBelow.find(expr.name);
@@ -66,12 +66,12 @@ Value ExpressionCompiler::unknownName(const Expr& expr, bool isFunction) {
     return usedTooEarly(expr, below->second);
   // Defined further down is the commonest slip after a typing error.
   for (const Item& item : module_->parsed.file.items) {
-    const Name* name = nullptr;
-    if (const auto* c = std::get_if<Constant>(&item.content))
-      name = isFunction ? nullptr : &c->name;
-    if (const auto* f = std::get_if<Function>(&item.content))
-      name = isFunction ? &f->name : nullptr;
-    if (const auto* m = std::get_if<Metric>(&item.content)) name = isFunction ? &m->name : nullptr;
+    using Found = const Name*;
+    const Found name = match(
+        item.content, [&](const Constant& c) { return isFunction ? Found() : &c.name; },
+        [&](const AnyOf<Function, Metric> auto& f) { return isFunction ? &f.name : Found(); },
+        [](const AnyOf<std::monostate, Import, Use, RuleSetBlock, Rule, Template, Instance, Test,
+                       Property> auto&) { return Found(); });
     if (name && name->text == expr.name) return usedTooEarly(expr, name->span);
   }
   std::vector<std::string> known = isFunction ? builtinNames() : namesInScope();
@@ -94,7 +94,7 @@ Value ExpressionCompiler::unknownName(const Expr& expr, bool isFunction) {
     for (const std::string& name : known) list += (list.empty() ? "" : ", ") + name;
     if (!list.empty() && list.size() < 120) help = "known here: " + list;
   }
-  tell("R1", expr.span,
+  tell(Code::UnknownName, expr.span,
        std::string(isFunction ? "there is no function '" : "there is no '") + expr.name + "'" +
            (isFunction ? "" : " here"),
        "", help);
@@ -114,7 +114,7 @@ Value ExpressionCompiler::evaluateName(const Expr& expr) {
   }
   if (expr.name == "q" || expr.name == "class") {
     if (!hasLevel()) {
-      tell("R1", expr.span, "there is no quality level here", "",
+      tell(Code::UnknownName, expr.span, "there is no quality level here", "",
            "'" + expr.name + "' means something in rules and rule sets only");
       return {};
     }
@@ -146,7 +146,7 @@ Value ExpressionCompiler::evaluateImported(const Expr& expr) {
     for (const auto& [name, m] : module_->imports) known.push_back(name);
     const bool isValue =
         locals.contains(expr.qualifier) || module_->constants.contains(expr.qualifier);
-    tell("R1", expr.span,
+    tell(Code::UnknownName, expr.span,
          isValue ? "'" + expr.qualifier + "' has no part '" + expr.name + "'"
                  : "nothing is imported as '" + expr.qualifier + "'",
          "",
@@ -161,8 +161,8 @@ Value ExpressionCompiler::evaluateImported(const Expr& expr) {
     return callFunction(expr, metric->second);
   std::vector<std::string> known;
   for (const auto& [name, c] : library->second->constants) known.push_back(name);
-  tell("R1", expr.span, "'" + expr.qualifier + "' has no constant '" + expr.name + "'", "",
-       helpAmong(expr.name, known, "constants of that file"));
+  tell(Code::UnknownName, expr.span, "'" + expr.qualifier + "' has no constant '" + expr.name + "'",
+       "", helpAmong(expr.name, known, "constants of that file"));
   return {};
 }
 

@@ -6,7 +6,7 @@
 
 #include "dsl/compile/allowed_codes.h"
 #include "dsl/compile/type_help.h"
-#include "dsl/text/code_explanations.h"
+#include "dsl/text/diagnostic_codes.h"
 #include "dsl/text/words.h"
 
 namespace af2::dsl {
@@ -16,15 +16,24 @@ void ExpressionCompiler::warnIdle(Span span, std::string message, std::string he
     return entry.second.kind == LocalKind::Parameter;
   };
   if (algebra_.frame().mirrored || std::ranges::any_of(locals, isParameter)) return;
-  tell("D1", span, std::move(message), "", std::move(help), Severity::Warning);
+  tell(Code::IdleClause, span, std::move(message), "", std::move(help));
 }
 
-void ExpressionCompiler::tell(const char* code, Span span, std::string message, std::string label,
-                              Help help, Severity severity, std::vector<DiagnosticNote> notes) {
-  if (!context_.diagnostics.takes(severity)) return;
-  Diagnostic d;
-  d.severity = severity;
-  d.code = code;
+void ExpressionCompiler::tell(Code code, Span span, std::string message, std::string label,
+                              Help help, std::vector<DiagnosticNote> notes,
+                              std::optional<Severity> severity) {
+  const Severity told = severity.value_or(infoOf(code).severity);
+  if (!context_.diagnostics.takes(told)) return;
+  Diagnostic d = finding(code, span, std::move(message), std::move(label), help, std::move(notes));
+  d.severity = told;
+  context_.diagnostics.add(std::move(d));
+}
+
+void ExpressionCompiler::tell(Diagnostic finding) { context_.diagnostics.add(std::move(finding)); }
+
+Diagnostic ExpressionCompiler::finding(Code code, Span span, std::string message, std::string label,
+                                       const Help& help, std::vector<DiagnosticNote> notes) const {
+  Diagnostic d(code);
   d.message = std::move(message);
   d.label = std::move(label);
   setHelp(d, module_->source, span, help);
@@ -38,36 +47,36 @@ void ExpressionCompiler::tell(const char* code, Span span, std::string message, 
     d.notes.push_back({"this is in the definition of '" + calls_.back().name + "'",
                        placeOf(module_->source, span)});
   }
-  context_.diagnostics.add(std::move(d));
+  return d;
 }
 
 void ExpressionCompiler::checkAllowed(const MetaClause& meta) {
   for (const MetaEntry& entry : meta.entries)
-    for (const std::string& code : allowedBy({{entry}})) {
-      if (findCodeExplanation(code)) continue;
+    for (const std::string& code : codesListedIn(entry)) {
+      if (findCode(code)) continue;
       std::vector<std::string> known;
-      for (const CodeExplanation& e : codeExplanations()) known.push_back(e.code);
+      for (const CodeInfo& info : diagnosticCodes()) known.emplace_back(info.id);
       const Help guess = didYouMean(code, known);
-      tell("R1", entry.value.span, "there is no code '" + code + "'", "",
+      tell(Code::UnknownName, entry.value.span, "there is no code '" + code + "'", "",
            guess.empty() ? "codes stand in what is told, as in `allow \"Z1, M1\";`" : guess);
     }
 }
 
-Value ExpressionCompiler::wrongType(const Expr& expr, const std::string& wanted,
-                                    const Value& found) {
+Value ExpressionCompiler::wrongType(const Expr& expr, const Wanted& wanted, const Value& found,
+                                    const std::string& use) {
   if (found.isAny()) return {};
+  const std::string fault =
+      "this is not " + wanted.words + (use.empty() ? "" : ", as " + use + " must be");
   const bool isWeight = found.type == Type::Geometric && !found.isPoint() && !found.isVector();
   if (isWeight) {
-    tell("A1", expr.span, "this is not " + wanted,
-         "weights add up to " +
-             describe(found).substr(std::string("a sum of points of weight ").size()) +
-             "; a point needs 1, a vector 0",
+    tell(Code::PointWeights, expr.span, fault,
+         "weights add up to " + weightText(found) + "; a point needs 1, a vector 0",
          "let the weights of the points add up to 1, as in `2*d - a`, or use mid, lerp, centroid");
     return {};
   }
-  const bool wantsPoint = wanted == "a point" || wanted == "a vector";
-  tell(wantsPoint && found.type == Type::Geometric ? "A1" : "Y1", expr.span,
-       "this is not " + wanted, "this is " + describe(found), wayToType(wanted, found));
+  const bool wantsPoint = wanted.kind == Wanted::Kind::Point || wanted.kind == Wanted::Kind::Vector;
+  tell(wantsPoint && found.type == Type::Geometric ? Code::PointWeights : Code::WrongType,
+       expr.span, fault, "this is " + describe(found), wayToType(wanted.kind, found));
   return {};
 }
 
@@ -81,27 +90,27 @@ Value ExpressionCompiler::needValue(const Expr& expr, Value value, const char* c
           ? isNothing(value.at.x) || isNothing(value.at.y)
           : !value.isAny() && value.type != Type::Shape && isNothing(value.number);
   if (!isBroken) return value;
-  tell("Y4", expr.span, "this never has a value", cause);
+  tell(Code::NoValue, expr.span, "this never has a value", cause);
   return {};
 }
 
 Value ExpressionCompiler::number(const Expr& expr, const std::string& what) {
   const Value value = evaluate(expr);
   if (value.isAny() || value.type == Type::Number) return value;
-  return wrongType(expr, "a number" + (what.empty() ? "" : ", as " + what + " must be"), value);
+  return wrongType(expr, wantedNumber(), value, what);
 }
 
 Value ExpressionCompiler::truth(const Expr& expr, const std::string& what) {
   const Value value = evaluate(expr);
   if (value.isAny() || value.type == Type::Truth) return value;
-  wrongType(expr, "a condition, as " + what + " must be", value);
+  wrongType(expr, wantedCondition(), value, what);
   return {};
 }
 
 Value ExpressionCompiler::point(const Expr& expr) {
   const Value value = evaluate(expr);
   if (value.isAny() || value.isPoint()) return value;
-  return wrongType(expr, "a point", value);
+  return wrongType(expr, wantedPoint(), value);
 }
 
 std::optional<double> ExpressionCompiler::constantNumber(const Expr& expr,
@@ -111,14 +120,14 @@ std::optional<double> ExpressionCompiler::constantNumber(const Expr& expr,
   if (value.isAny()) return std::nullopt;
   const auto constant = builder().constantValue(value.number);
   if (!constant)
-    tell("Y3", expr.span, what + " must be a constant", "this depends on the match or on q",
-         "use numbers, constants and parameters only");
+    tell(Code::NotConstant, expr.span, what + " must be a constant",
+         "this depends on the match or on q", "use numbers, constants and parameters only");
   return constant;
 }
 
 Value ExpressionCompiler::evaluateTuple(const Expr& expr) {
   if (expr.parts.size() != 2) {
-    tell("Y1", expr.span, "a vector has two coordinates",
+    tell(Code::WrongType, expr.span, "a vector has two coordinates",
          std::to_string(expr.parts.size()) + " are given", "write (x, y)");
     return {};
   }
@@ -131,21 +140,22 @@ Value ExpressionCompiler::evaluateMember(const Expr& expr) {
   const Value whole = evaluate(expr.parts[0]);
   if (whole.isAny()) return {};
   if (expr.name != "x" && expr.name != "y") {
-    tell("R1", expr.span, "there is no part '" + expr.name + "'", "",
+    tell(Code::UnknownName, expr.span, "there is no part '" + expr.name + "'", "",
          "points and vectors have the parts x and y");
     return {};
   }
-  if (whole.type != Type::Geometric) return wrongType(expr.parts[0], "a point or vector", whole);
+  if (whole.type != Type::Geometric)
+    return wrongType(expr.parts[0], {Wanted::Kind::Point, "a point or vector"}, whole);
   if (!whole.isPoint() && !whole.isVector())
-    return wrongType(expr.parts[0], "a point or vector", whole);
+    return wrongType(expr.parts[0], {Wanted::Kind::Point, "a point or vector"}, whole);
   return algebra_.scalar(Type::Number, expr.name == "x" ? whole.at.x : whole.at.y);
 }
 
 Value ExpressionCompiler::evaluate(const Expr& expr) {
   if (context_.stepsLeft == 0) return {};
   if (--context_.stepsLeft == 0) {
-    tell("S6", expr.span, "the definitions of this file unfold to too many steps", "",
-         "let definitions call others less often");
+    tell(Code::LimitExceeded, expr.span, "the definitions of this file unfold to too many steps",
+         "", "let definitions call others less often");
     return {};
   }
   switch (expr.kind) {

@@ -18,6 +18,8 @@ namespace af2::dsl {
 /// Where an expression stands; says what it may ask about.
 enum class ExpressionPlace { Constant, Level, Metric, Acceptance, FrontOrder, Rule, Test };
 
+struct Wanted;
+
 enum class LocalKind { Vertex, NewVertex, Let, Parameter, Broken };
 
 /// A name of a rule, with what it stands for.
@@ -61,8 +63,10 @@ class ExpressionCompiler {
   /// A number that does not depend on the match or the level.
   std::optional<double> constantNumber(const Expr& expr, const std::string& what);
 
-  /// Tells that a value is of another type than was wanted: "a number"; gives Any.
-  Value wrongType(const Expr& expr, const std::string& wanted, const Value& found);
+  /// Tells that a value is of another type than was wanted, perhaps by a certain use ("a metric");
+  /// gives Any.
+  Value wrongType(const Expr& expr, const Wanted& wanted, const Value& found,
+                  const std::string& use = {});
 
   struct Corner {
     Value preferred;
@@ -79,9 +83,12 @@ class ExpressionCompiler {
   void warnIdle(Span span, std::string message, std::string help);
   /// R1 for codes that there are not in `allow`.
   void checkAllowed(const MetaClause& meta);
-  void tell(const char* code, Span span, std::string message, std::string label = {},
-            Help help = {}, Severity severity = Severity::Error,
-            std::vector<DiagnosticNote> notes = {});
+  void tell(Code code, Span span, std::string message, std::string label = {}, Help help = {},
+            std::vector<DiagnosticNote> notes = {}, std::optional<Severity> severity = {});
+  void tell(Diagnostic finding);
+  /// What is told, to be completed first.
+  Diagnostic finding(Code code, Span span, std::string message, std::string label = {},
+                     const Help& help = {}, std::vector<DiagnosticNote> notes = {}) const;
   /// All names that could stand at this place.
   std::vector<std::string> namesInScope() const;
 

@@ -15,7 +15,7 @@ void checkIdealScore(CompileContext& context, const Expr& score, const Module& h
     if (at && std::isfinite(*at)) continue;
     const char* element = corners == 3 ? "the triangle with sides of 1" : "the unit square";
     return context.tell(
-        home, "Y4", score.span,
+        home, Code::NoValue, score.span,
         std::string("the score of ") + element + " has no value at level " + std::to_string(level),
         "a rule is refused where one of its elements has no score", {}, Severity::Warning);
   }

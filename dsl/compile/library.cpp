@@ -63,21 +63,15 @@ const Module& Library::load(std::string name, std::string text) {
 
 void Library::registerItems(Module& module) {
   for (const Item& item : module.parsed.file.items) {
-    std::visit(
-        [&](const auto& content) {
-          using Content = std::decay_t<decltype(content)>;
-          if constexpr (std::is_same_v<Content, Import>)
-            registerImport(module, content);
-          else if constexpr (std::is_same_v<Content, Constant>)
-            registerConstant(module, content);
-          else if constexpr (std::is_same_v<Content, Function>)
-            registerFunction(module, content.name, content.parameters, content.value, false);
-          else if constexpr (std::is_same_v<Content, Metric>)
-            registerFunction(module, content.name, content.parameters, content.value, true);
-          else if constexpr (std::is_same_v<Content, Template>)
-            registerTemplate(module, content);
-        },
-        item.content);
+    match(
+        item.content, [&](const Import& c) { registerImport(module, c); },
+        [&](const Constant& c) { registerConstant(module, c); },
+        [&](const Function& c) { registerFunction(module, c.name, c.parameters, c.value, false); },
+        [&](const Metric& c) { registerFunction(module, c.name, c.parameters, c.value, true); },
+        [&](const Template& c) { registerTemplate(module, c); },
+        // These give expressions nothing to name.
+        [](const AnyOf<std::monostate, Use, RuleSetBlock, Rule, Instance, Test, Property> auto&) {
+        });
   }
 }
 
@@ -86,15 +80,15 @@ bool Library::isFree(const Module& module, const Name& name, bool isFunction) {
   const Module* home = nullptr;
   if (isFunction) {
     if (isBuiltin(name.text)) {
-      context_.tell(module, "R2", name.span, "'" + name.text + "' is a function of the language",
-                    "choose another name");
+      context_.tell(module, Code::DuplicateName, name.span,
+                    "'" + name.text + "' is a function of the language", "choose another name");
       return false;
     }
     if (const auto f = module.functions.find(name.text); f != module.functions.end())
       known = f->second.span, home = f->second.home;
   } else {
     if (name.text == "q" || name.text == "class") {
-      context_.tell(module, "R2", name.span,
+      context_.tell(module, Code::DuplicateName, name.span,
                     "'" + name.text + "' is the quality level and cannot be given another meaning",
                     "choose another name");
       return false;
@@ -103,8 +97,9 @@ bool Library::isFree(const Module& module, const Name& name, bool isFunction) {
       known = c->second.span, home = c->second.home;
   }
   if (!home) return true;
-  context_.tell(module, "R2", name.span, "'" + name.text + "' is given twice in this file",
-                "choose another name", {{"first given here", placeOf(home->source, known)}});
+  context_.tell(module, Code::DuplicateName, name.span,
+                "'" + name.text + "' is given twice in this file", "choose another name",
+                {{"first given here", placeOf(home->source, known)}});
   return false;
 }
 
@@ -118,9 +113,9 @@ void Library::registerConstant(Module& module, const Constant& item) {
   constant.span = item.name.span;
   if (item.name.text == "a" || item.name.text == "b")
     context_.tell(
-        module, "A2", item.name.span,
+        module, Code::UnusedOrHiding, item.name.span,
         "in rules '" + item.name.text + "' is an end of the base edge, never this constant",
-        "choose another name", {}, Severity::Warning);
+        "choose another name");
   const auto known = [&](Node node) {
     return node < 0 ? std::optional<double>(0) : builder.constantValue(node);
   };
@@ -131,7 +126,7 @@ void Library::registerConstant(Module& module, const Constant& item) {
     constant.x = *x;
     constant.y = *y;
   } else if (value.type == Type::Shape) {
-    compiler.tell("Y1", item.value.span, "a constant cannot be a shape", "",
+    compiler.tell(Code::WrongType, item.value.span, "a constant cannot be a shape", "",
                   "make it a `def` of the points it needs");
   }
   if (value.type == Type::Geometric && !value.isVector()) constant.type = Type::Any;
@@ -145,10 +140,10 @@ void Library::registerFunction(Module& module, const Name& name,
   std::set<std::string_view> seen;
   for (const Name& p : parameters)
     if (!seen.insert(p.text).second)
-      context_.tell(module, "R2", p.span, "the parameter '" + p.text + "' is given twice",
-                    "choose another name");
+      context_.tell(module, Code::DuplicateName, p.span,
+                    "the parameter '" + p.text + "' is given twice", "choose another name");
   if (isMetric && parameters.size() < 3)
-    context_.tell(module, "Y6", name.span, "a metric needs three or four corners",
+    context_.tell(module, Code::ArgumentCount, name.span, "a metric needs three or four corners",
                   "its last three or four parameters are the corners");
   DiagnosticList found;
   CompileContext quiet{found, context_.registry, context_.stepsLeft};
@@ -162,7 +157,8 @@ void Library::registerFunction(Module& module, const Name& name,
   const Value result = compiler.checkBody(function);
   const auto isBadMetric = [](const Value& v) { return !v.isAny() && v.type != Type::Number; };
   if (isMetric && isBadMetric(result))
-    compiler.tell("Y1", body.span, "a metric must be a number", "this is " + describe(result));
+    compiler.tell(Code::WrongType, body.span, "a metric must be a number",
+                  "this is " + describe(result));
   function.isBroken = found.hasErrors();
   for (Diagnostic& d : found.take()) context_.diagnostics.add(std::move(d));
   if (isFree(module, name, true)) module.functions[name.text] = function;
@@ -172,7 +168,7 @@ void Library::registerTemplate(Module& module, const Template& item) {
   const auto known = module.templates.find(item.name.text);
   if (known != module.templates.end())
     return context_.tell(
-        module, "R2", item.name.span,
+        module, Code::DuplicateName, item.name.span,
         "the template '" + item.name.text + "' is given twice in this file", "choose another name",
         {{"first given here", placeOf(known->second.home->source, known->second.span)}});
   module.templates[item.name.text] = {&item, &module, item.name.span};
@@ -221,7 +217,7 @@ const Module* Library::import(Module& into, const Import& item) {
   if (cycle != loading_.end()) {
     std::string chain;
     for (auto m = cycle; m != loading_.end(); ++m) chain += (*m)->source.name() + " -> ";
-    context_.tell(into, "R4", item.path.span, "this import runs in a circle",
+    context_.tell(into, Code::CircularUse, item.path.span, "this import runs in a circle",
                   "move what both files need into a third one",
                   {{"the circle is " + chain + (*cycle)->source.name(), std::nullopt}});
     return nullptr;
@@ -235,7 +231,8 @@ const Module* Library::import(Module& into, const Import& item) {
     for (const Module* m : loading_) chain += m->source.name() + " -> ";
     std::vector<DiagnosticNote> notes;
     notes.push_back({"imported through " + chain + item.path.text, std::nullopt});
-    context_.tell(into, "R3", item.path.span, "cannot import \"" + item.path.text + "\": " + fault,
+    context_.tell(into, Code::UnreadableFile, item.path.span,
+                  "cannot import \"" + item.path.text + "\": " + fault,
                   item.path.text.find('\\') != std::string::npos
                       ? "folders are parted by '/'"
                       : "paths are taken from the folder of the importing file",
@@ -244,7 +241,7 @@ const Module* Library::import(Module& into, const Import& item) {
   }
   constexpr std::size_t kMostFiles = 200;
   if (modules_.size() >= kMostFiles) {
-    context_.tell(into, "S6", item.path.span,
+    context_.tell(into, Code::LimitExceeded, item.path.span,
                   "more than " + std::to_string(kMostFiles) + " files are imported",
                   "join some of them");
     return nullptr;
@@ -260,14 +257,14 @@ void Library::registerImport(Module& module, const Import& item) {
       item.alias ? item.alias->text : std::filesystem::path(item.path.text).stem().string();
   const Span span = item.alias ? item.alias->span : item.path.span;
   if (item.alias && module.imports.contains(name))
-    context_.tell(module, "R2", span, "'" + name + "' is given to two imports",
+    context_.tell(module, Code::DuplicateName, span, "'" + name + "' is given to two imports",
                   "choose another name");
   module.imports[name] = imported;
   module.hasBrokenImport = module.hasBrokenImport || (!imported && !item.alias);
   if (!imported) return;
   if (item.alias) return;
   const auto clash = [&](const std::string& text, const Module* home, Span at) {
-    context_.tell(module, "R2", item.path.span,
+    context_.tell(module, Code::DuplicateName, item.path.span,
                   "this import brings '" + text + "', which is there already",
                   "import it under a name of its own: `import \"" + item.path.text +
                       "\" as lib;`, and write lib." + text,

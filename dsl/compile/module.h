@@ -18,9 +18,6 @@ namespace af2::dsl {
 
 struct Module;
 
-/// Where the text of a file is to be had before the disk is asked; nothing: ask the disk.
-using TextSource = std::function<std::optional<std::string>(const std::filesystem::path&)>;
-
 /// A `const`: a value that needs no match.
 struct ConstantName {
   Type type = Type::Any;

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "dsl/compile/expressions.h"
+#include "dsl/compile/type_help.h"
 
 namespace af2::dsl {
 namespace {
@@ -21,12 +22,12 @@ Value ExpressionCompiler::evaluateUnary(const Expr& expr) {
     return algebra_.geometric({builder().negate(v.at.x), builder().negate(v.at.y)}, -v.weight);
   if (v.type == Type::Number || v.type == Type::Angle)
     return algebra_.scalar(v.type, builder().negate(v.number));
-  return wrongType(expr.parts[0], "a number, angle, point or vector", v);
+  return wrongType(expr.parts[0], {Wanted::Kind::Number, "a number, angle, point or vector"}, v);
 }
 
 Value ExpressionCompiler::wrongOperands(const Expr& expr, const Value& a, const Value& b,
                                         std::string help) {
-  tell("Y2", expr.span,
+  tell(Code::WrongOperands, expr.span,
        "'" + expr.name + "' does not work on " + describe(a) + " and " + describe(b), "",
        std::move(help));
   return {};
@@ -63,7 +64,7 @@ Value ExpressionCompiler::multiply(const Expr& expr, const Value& a, const Value
   if (b.type == Type::Geometric && a.type == Type::Number) {
     const auto constant = builder().constantValue(a.number);
     if (!b.isVector() && !constant) {
-      tell("A1", expr.span, "the weight of a point must be a constant",
+      tell(Code::PointWeights, expr.span, "the weight of a point must be a constant",
            "this weight depends on the match or on q",
            "use lerp(p, q, t) to move from p to q by a share that varies");
       return {};
@@ -92,7 +93,7 @@ Value ExpressionCompiler::divide(const Expr& expr, const Value& a, const Value& 
   if (a.type == Type::Geometric && b.type == Type::Number) {
     const auto constant = builder().constantValue(b.number);
     if (!a.isVector() && !constant) {
-      tell("A1", expr.span, "the weight of a point must be a constant",
+      tell(Code::PointWeights, expr.span, "the weight of a point must be a constant",
            "this weight depends on the match or on q",
            "use lerp(p, q, t) to move from p to q by a share that varies");
       return {};
@@ -160,15 +161,14 @@ Value ExpressionCompiler::evaluateRange(const Expr& expr) {
               high = evaluate(expr.parts[2]);
   if (x.isAny() || low.isAny() || high.isAny()) return {};
   const bool isScalar = x.type == Type::Number || x.type == Type::Angle;
-  if (!isScalar) return wrongType(expr.parts[0], "a number or an angle", x);
-  if (low.type != x.type)
-    return wrongType(expr.parts[1], x.type == Type::Angle ? "an angle" : "a number", low);
-  if (high.type != x.type)
-    return wrongType(expr.parts[2], x.type == Type::Angle ? "an angle" : "a number", high);
+  if (!isScalar) return wrongType(expr.parts[0], wantedBy('x'), x);
+  const Wanted alike = x.type == Type::Angle ? wantedAngle() : wantedNumber();
+  if (low.type != x.type) return wrongType(expr.parts[1], alike, low);
+  if (high.type != x.type) return wrongType(expr.parts[2], alike, high);
   const auto from = builder().constantValue(low.number), to = builder().constantValue(high.number);
   if (from && to && *from > *to)
-    tell("D1", cover(expr.parts[1].span, expr.parts[2].span), "this range is empty",
-         "its end lies below its beginning", "write the smaller bound first", Severity::Warning);
+    tell(Code::IdleClause, cover(expr.parts[1].span, expr.parts[2].span), "this range is empty",
+         "its end lies below its beginning", "write the smaller bound first");
   return algebra_.scalar(
       Type::Truth,
       builder().make(Op::And, {builder().make(Op::LessEqual, {low.number, x.number}),
@@ -182,7 +182,7 @@ Value ExpressionCompiler::evaluateIf(const Expr& expr) {
   const bool isAlike =
       a.type == b.type && (a.type != Type::Geometric || std::abs(a.weight - b.weight) < 1e-9);
   if (!isAlike || a.type == Type::Shape) {
-    tell("Y2", expr.span, "`then` and `else` must be of one type",
+    tell(Code::WrongOperands, expr.span, "`then` and `else` must be of one type",
          describe(a) + " and " + describe(b),
          a.type == Type::Shape ? "use several `zone ... when ...` clauses for shapes"
                                : "let both give the same kind of value");

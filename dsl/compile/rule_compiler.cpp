@@ -37,7 +37,7 @@ static void tellUnknownParameter(ExpressionCompiler& expressions, const Name& ti
   for (const auto& [text, local] : expressions.locals)
     if (local.kind == LocalKind::Parameter) known.push_back(text);
   const Help help = didYouMean(name, known);
-  expressions.tell("R1", title.span,
+  expressions.tell(Code::UnknownName, title.span,
                    "the title asks for '{" + name + "}', which is no parameter of this rule", "",
                    help.empty() ? "parameters come from `for (...)` or from a template" : help);
 }
@@ -87,7 +87,8 @@ void RuleCompiler::tellFurtherMirrors(const Rule& rule) {
   const Clause* first = mirrorOf(rule);
   for (const Clause& clause : rule.clauses)
     if (std::holds_alternative<MirrorClause>(clause.content) && &clause != first)
-      context_.tell(home_, "R2", clause.span, "a rule has one mirror image", "remove this clause");
+      context_.tell(home_, Code::DuplicateName, clause.span, "a rule has one mirror image",
+                    "remove this clause");
 }
 
 void RuleCompiler::compileOne(const Rule& rule, const std::map<std::string, Parameter>& parameters,
@@ -104,8 +105,8 @@ void RuleCompiler::compileOne(const Rule& rule, const std::map<std::string, Para
     const std::string filled = filledTitle(compiler.expressions(), ownTitle.title);
     const bool isWritten = ownTitle.title.span.end > ownTitle.title.span.begin;
     if (ownTitle.title.text.empty() && isWritten)
-      context_.tell(*ownTitle.home, "S1", ownTitle.title.span, "this title is empty",
-                    "name the situation, as in \"right 60\"");
+      context_.tell(*ownTitle.home, Code::UnexpectedText, ownTitle.title.span,
+                    "this title is empty", "name the situation, as in \"right 60\"");
     const Span titleSpan = ownTitle.home == &home_ ? ownTitle.title.span : rule.title.span;
     auto compiled = compiler.compile(filled, titleSpan);
     if (!compiled) continue;
@@ -124,7 +125,7 @@ void RuleCompiler::compileOne(const Rule& rule, const std::map<std::string, Para
 }
 
 void RuleCompiler::tellTooMany(const InstanceTitle& title) {
-  context_.tell(*title.home, "S6", title.title.span, "there are too many rules",
+  context_.tell(*title.home, Code::LimitExceeded, title.title.span, "there are too many rules",
                 "5000 are the most, members of families and rules of other files among them");
 }
 
@@ -143,15 +144,15 @@ std::vector<CompiledRule> RuleCompiler::compile(const Rule& rule,
   std::set<std::string> names;
   for (const Name& name : rule.family->names)
     if (!names.insert(name.text).second || parameters.contains(name.text))
-      values.tell("R2", name.span, "the parameter '" + name.text + "' is given twice", "",
-                  "choose another name");
+      values.tell(Code::DuplicateName, name.span,
+                  "the parameter '" + name.text + "' is given twice", "", "choose another name");
   for (const Expr& tuple : rule.family->tuples) {
     if (context_.rulesLeft == 0) break;
     const bool isTuple = tuple.kind == ExprKind::Tuple || tuple.kind == ExprKind::Paren;
     const std::span<const Expr> parts =
         isTuple ? std::span<const Expr>(tuple.parts) : std::span<const Expr>(&tuple, 1);
     if (parts.size() != rule.family->names.size()) {
-      values.tell("Y6", tuple.span,
+      values.tell(Code::ArgumentCount, tuple.span,
                   "this gives " + counted(parts.size(), "value") + " for " +
                       counted(rule.family->names.size(), "parameter"),
                   "", "give one value for each parameter");
@@ -166,7 +167,8 @@ std::vector<CompiledRule> RuleCompiler::compile(const Rule& rule,
       if (!constant) {
         isRight = false;
         if (!value.isAny())
-          values.tell("Y1", parts[i].span, "a family's value must be a number or an angle",
+          values.tell(Code::WrongType, parts[i].span,
+                      "a family's value must be a number or an angle",
                       "this is " + describe(value));
         continue;
       }
@@ -205,7 +207,7 @@ std::optional<CompiledProperty> RuleCompiler::compileProperty(const Property& pr
     isRight = isRange;
     if (first && last && !isRange)
       expressions.tell(
-          "Y3", cover(property.first.span, property.last.span),
+          Code::NotConstant, cover(property.first.span, property.last.span),
           "the levels must be whole numbers from 1 to " + std::to_string(settings_.maxLevel));
     if (isRange) {
       result.firstLevel = static_cast<int>(*first);
@@ -225,8 +227,9 @@ std::optional<CompiledProperty> RuleCompiler::compileProperty(const Property& pr
     result.expectationSpans.push_back(expr.span);
   }
   if (property.expectations.empty())
-    context_.tell(written, "S10", property.title.span, "this property expects nothing",
-                  "add `expect dist(a, b) > 0;`", {}, Severity::Warning);
+    context_.tell(written, Code::IncompleteTest, property.title.span,
+                  "this property expects nothing", "add `expect dist(a, b) > 0;`", {},
+                  Severity::Warning);
   if (!isRight) return std::nullopt;
   return result;
 }

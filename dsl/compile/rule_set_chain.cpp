@@ -52,13 +52,13 @@ bool ChainFinder::addBase(std::vector<PlacedRuleSet>& chain, std::set<const Rule
         if (const auto* block = std::get_if<RuleSetBlock>(&item.content))
           if (block != first.block) known.push_back(block->name.text);
     const Help help = didYouMean(first.block->base->text, known);
-    context_.tell(*first.home, "R1", first.block->base->span,
+    context_.tell(*first.home, Code::UnknownName, first.block->base->span,
                   "there is no rule set \"" + first.block->base->text + "\"",
                   help.empty() ? "import the file in which it stands" : help);
     return false;
   }
   if (!seen.insert(base->block).second) {
-    context_.tell(*first.home, "R4", first.block->base->span,
+    context_.tell(*first.home, Code::CircularUse, first.block->base->span,
                   "these rule sets extend each other in a circle");
     return false;
   }
@@ -81,7 +81,7 @@ void ChainFinder::warnOfRulesAlone() {
   if (isBroken()) return;
   for (const Item& item : main_.parsed.file.items) {
     if (!std::holds_alternative<Rule>(item.content)) continue;
-    context_.tell(main_, "R5", std::get<Rule>(item.content).title.span,
+    context_.tell(main_, Code::RuleSetCount, std::get<Rule>(item.content).title.span,
                   "this file has rules, but no rule set: only files that `use` them can run",
                   "add `ruleset \"name\" { ... }` if this file is to be run itself", {},
                   Severity::Warning);
@@ -108,12 +108,12 @@ std::vector<PlacedRuleSet> ChainFinder::find() {
   if (heads.empty()) {
     const bool hasText = !main_.parsed.file.items.empty() || !main_.source.text().empty();
     if (!isBroken())
-      context_.tell(main_, "R5", {0, 0}, "this file has no rule set",
+      context_.tell(main_, Code::RuleSetCount, {0, 0}, "this file has no rule set",
                     hasText ? "add `ruleset \"name\" { ... }`" : "the file is empty");
     return {};
   }
   for (std::size_t i = 1; i < heads.size(); ++i)
-    context_.tell(main_, "R5", heads[i]->name.span, "this file has a second rule set",
+    context_.tell(main_, Code::RuleSetCount, heads[i]->name.span, "this file has a second rule set",
                   "keep one `ruleset` in the file that is run",
                   {{"the first one", placeOf(main_.source, heads[0]->name.span)}});
   std::vector<PlacedRuleSet> chain{{heads[0], &main_}};

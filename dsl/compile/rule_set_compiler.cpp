@@ -9,6 +9,7 @@
 #include "dsl/compile/ideal_score.h"
 #include "dsl/program/compiled_forms.h"
 #include "dsl/program/known_values.h"
+#include "engine/front/row_order.h"
 
 namespace af2::dsl {
 namespace {
@@ -23,10 +24,11 @@ double roundedTo(double value, int digits) {
   return std::isfinite(scale) ? std::round(value * scale) / scale : value;
 }
 
-const char* settingName(const SettingContent& content) {
-  constexpr std::array names{"",      "elements", "match",   "fade",  "score",  "accept",
-                             "front", "front",    "classes", "scale", "parity", "meta"};
-  return names[content.index()];
+/// The word that a setting begins with.
+std::string wordOf(const Setting& setting, const Module& home) {
+  const std::string_view text = home.source.text().substr(setting.span.begin);
+  const auto isLetter = [](char c) { return c >= 'a' && c <= 'z'; };
+  return std::string(text.begin(), std::ranges::find_if_not(text, isLetter));
 }
 
 /// `front by` and `front rows` exclude each other.
@@ -95,15 +97,18 @@ RuleSetCompiler::RuleSetCompiler(CompileContext& context, const Module& main,
 void RuleSetCompiler::collect(const PlacedRuleSet& placed) {
   std::vector<const Setting*> seen(settings_.size());
   for (const Setting& setting : placed.block->settings) {
-    if (const auto* meta = std::get_if<MetaClause>(&setting.content))
-      readAllowed(*meta, *placed.home);
+    match(
+        setting.content, [&](const MetaClause& meta) { readAllowed(meta, *placed.home); },
+        // Each of these is looked up where it is needed.
+        [](const AnyOf<std::monostate, ElementsSetting, MatchSetting, FadeSetting, ScoreSetting,
+                       AcceptSetting, OrderSetting, RowsSetting, ClassesSetting, ScaleSetting,
+                       ParitySetting> auto&) {});
     const std::size_t slot = slotOf(setting.content);
     if (slot == 0) continue;
     if (seen[slot])
-      context_.tell(
-          *placed.home, "R2", setting.span,
-          std::string("'") + settingName(setting.content) + "' is given twice in this rule set",
-          "keep one of them");
+      context_.tell(*placed.home, Code::DuplicateName, setting.span,
+                    "'" + wordOf(setting, *placed.home) + "' is given twice in this rule set",
+                    "keep one of them");
     seen[slot] = &setting;
     settings_[slot] = {&setting, placed.home};
   }
@@ -129,11 +134,11 @@ void RuleSetCompiler::readClasses() {
   const auto last = compiler.constantNumber(classes->last, "the last level");
   if (!first || !last) return;
   if (*first != 1)
-    context_.tell(*home, "Y3", classes->first.span, "the first quality level is 1",
+    context_.tell(*home, Code::NotConstant, classes->first.span, "the first quality level is 1",
                   "write 1.." + shownNumber(std::max(*first, *last)));
   else if (*last < 1 || *last > kMostLevels || *last != std::floor(*last))
     context_.tell(
-        *home, "Y3", classes->last.span,
+        *home, Code::NotConstant, classes->last.span,
         "the last quality level must be a whole number from 1 to " + std::to_string(kMostLevels),
         "an edge that no rule takes at the last level is stuck");
   else
@@ -155,7 +160,7 @@ std::vector<double> RuleSetCompiler::table(const Expr& expr, const Module& home,
       continue;
     }
     context_.tell(
-        home, "Y4", expr.span,
+        home, Code::NoValue, expr.span,
         std::string(what) +
             (at ? " is " + shownNumber(roundedTo(*at, 6)) : std::string(" has no value")) +
             " at level " + std::to_string(level),
@@ -183,7 +188,8 @@ void RuleSetCompiler::readKinds() {
   if (!elements) return;
   for (const Name& kind : elements->kinds) {
     if (!kinds_.insert(kind.text).second)
-      context_.tell(*home, "R2", kind.span, "'" + kind.text + "' is given twice", "give it once");
+      context_.tell(*home, Code::DuplicateName, kind.span, "'" + kind.text + "' is given twice",
+                    "give it once");
   }
 }
 
@@ -194,7 +200,8 @@ void RuleSetCompiler::readParity() {
   if (parity->parity.text == "even")
     parity_ = Parity::Even;
   else if (parity->parity.text != "any")
-    context_.tell(*home, "Y3", parity->parity.span, "'" + parity->parity.text + "' is no parity",
+    context_.tell(*home, Code::NotConstant, parity->parity.span,
+                  "'" + parity->parity.text + "' is no parity",
                   "write `parity even;` or `parity any;`");
 }
 
@@ -217,9 +224,8 @@ std::optional<Program> RuleSetCompiler::metricProgram(const Expr& expr, const Mo
   const Value value = compiler.number(expr, "a score");
   if (value.isAny()) return std::nullopt;
   if (!builder.dependsOnMatch(value.number))
-    context_.tell(home, "D1", expr.span, "every element has the same score",
-                  "let it ask for the corners, as metrics do: shape_size(10), size_error", {},
-                  Severity::Warning);
+    context_.tell(home, Code::IdleClause, expr.span, "every element has the same score",
+                  "let it ask for the corners, as metrics do: shape_size(10), size_error");
   return builder.program(std::array<Node, 1>{value.number});
 }
 
@@ -229,7 +235,7 @@ bool RuleSetCompiler::hasValues(const Program& program, const Expr& expr, const 
   if (!asksForLevel(program)) return true;
   for (int level = 1; level <= shared_.maxLevel; ++level) {
     if (!KnownResults(program, level)[0].isNone()) continue;
-    context_.tell(home, "Y4", expr.span,
+    context_.tell(home, Code::NoValue, expr.span,
                   std::string(what) + " has no value at level " + std::to_string(level),
                   "a division by zero, a root of a negative number or the like");
     return false;
@@ -315,11 +321,12 @@ std::shared_ptr<const AF2FrontOrder> RuleSetCompiler::rows(const RowsSetting& se
   for (const MetaEntry& argument : setting.arguments) {
     const std::string& value = argument.value.text;
     if (argument.key.text != "start")
-      context_.tell(home, "R1", argument.key.span,
+      context_.tell(home, Code::UnknownName, argument.key.span,
                     "'rows' has no argument '" + argument.key.text + "'",
                     "write rows(start: smallest_turn)");
-    else if (value != "smallest_turn" && value != "oldest")
-      context_.tell(home, "R1", argument.value.span, "rows cannot start at '" + value + "'",
+    else if (std::ranges::find(kRowStarts, value) == kRowStarts.end())
+      context_.tell(home, Code::UnknownName, argument.value.span,
+                    "rows cannot start at '" + value + "'",
                     "rows start at smallest_turn or at oldest");
     else if (value == "oldest")
       start = RowStart::Oldest;
@@ -347,7 +354,7 @@ std::shared_ptr<const AF2FrontOrder> RuleSetCompiler::order() {
     const Value value = compiler.evaluate(expr);
     if (value.isAny()) return usual;
     if (value.type != Type::Number && value.type != Type::Angle) {
-      compiler.tell("Y1", expr.span, "the front is ordered by numbers",
+      compiler.tell(Code::WrongType, expr.span, "the front is ordered by numbers",
                     "this is " + describe(value));
       return usual;
     }
@@ -382,7 +389,7 @@ RuleSetDefinition RuleSetCompiler::finish(const std::set<int>& sizes) {
     if (scale->unit.text == "base")
       definition.unit = ChartUnit::BaseLength;
     else if (scale->unit.text != "h")
-      context_.tell(*home, "Y3", scale->unit.span,
+      context_.tell(*home, Code::NotConstant, scale->unit.span,
                     "'" + scale->unit.text + "' is no unit of length",
                     "write `scale h;` or `scale base;`");
   }

@@ -33,7 +33,7 @@ class RuleSetCompiler {
   const std::set<std::string>& kinds() const { return kinds_; }
 
   /// Codes of findings that the rule set allows.
-  const std::set<std::string>& allowed() const { return allowed_; }
+  const std::set<Code>& allowed() const { return allowed_; }
 
   /// The definition without its rules. `sizes`: numbers of corners that the rules make elements of.
   RuleSetDefinition finish(const std::set<int>& sizes);
@@ -67,7 +67,8 @@ class RuleSetCompiler {
   std::vector<Found> settings_;  ///< by kind of content, the last one wins
   SharedSettings shared_;
   Parity parity_ = Parity::Any;
-  std::set<std::string> kinds_, allowed_;
+  std::set<std::string> kinds_;
+  std::set<Code> allowed_;
 };
 
 }  // namespace af2::dsl

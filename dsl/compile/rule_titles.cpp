@@ -31,8 +31,7 @@ void tellSameTitle(const CompiledRule& known, const CompiledRule& rule,
                               : isOwn     ? rule.text->title.text
                                           : title;
   const std::string parameter = untoldParameter(rule, written);
-  Diagnostic d;
-  d.code = "R2";
+  Diagnostic d(Code::DuplicateName);
   d.place = rule.titlePlace;
   d.message = isOfInstances ? "two instances of one template make a rule \"" + title + "\""
                             : "several rules of this family have the title \"" + title + "\"";
@@ -68,8 +67,7 @@ void checkTitles(const Module& main, std::span<const CompiledRule> rules,
   const auto add = [&](const std::string& title, const DiagnosticPlace& at) {
     const auto [known, isNew] = seen.emplace(title, at);
     if (isNew || known->second == at) return;
-    Diagnostic d;
-    d.code = "R2";
+    Diagnostic d(Code::DuplicateName);
     d.message = "there are two rules \"" + title + "\"";
     d.place = at;
     d.help =

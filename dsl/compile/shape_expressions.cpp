@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "dsl/compile/expressions.h"
+#include "dsl/compile/type_help.h"
 #include "dsl/program/builtins.h"
 #include "dsl/program/shape_program.h"
 
@@ -98,7 +99,7 @@ NodePair ExpressionCompiler::fadedPoint(const Expr& expr) {
 
 Value ExpressionCompiler::fadeShapes(const Expr& expr) {
   if (!fade) {
-    tell("Y7", expr.span, "'=>' has no meaning here", "",
+    tell(Code::UnmatchedShapes, expr.span, "'=>' has no meaning here", "",
          "corners and shapes fade in `zone` clauses only");
     return {};
   }
@@ -108,7 +109,8 @@ Value ExpressionCompiler::fadeShapes(const Expr& expr) {
     const Value& side = i == 0 ? preferred : limiting;
     if (side.type != Type::Number && side.type != Type::Angle) continue;
     tell(
-        "Y1", expr.parts[i].span, "only points and shapes fade", "this is " + describe(side),
+        Code::WrongType, expr.parts[i].span, "only points and shapes fade",
+        "this is " + describe(side),
         "fade the whole shape, as in `disc(c, 2) => disc(c, 1)`, or write the number by the level, "
         "as in `1 + 1/q`");
     return {};
@@ -116,10 +118,10 @@ Value ExpressionCompiler::fadeShapes(const Expr& expr) {
   if (preferred.isPoint() && limiting.isPoint() && preferred.at == limiting.at) tellNoFade(expr);
   if (preferred.isPoint() && limiting.isPoint())
     return algebra_.point(algebra_.lerp(limiting.at, preferred.at, fade()));
-  if (preferred.type != Type::Shape) return wrongType(expr.parts[0], "a shape", preferred);
-  if (limiting.type != Type::Shape) return wrongType(expr.parts[1], "a shape", limiting);
+  if (preferred.type != Type::Shape) return wrongType(expr.parts[0], wantedShape(), preferred);
+  if (limiting.type != Type::Shape) return wrongType(expr.parts[1], wantedShape(), limiting);
   if (!isSameTree(*preferred.shape, *limiting.shape)) {
-    tell("Y7", expr.span, "these two shapes cannot fade into each other",
+    tell(Code::UnmatchedShapes, expr.span, "these two shapes cannot fade into each other",
          std::string("'") + toString(preferred.shape->kind) + "' and '" +
              toString(limiting.shape->kind) + "' are not built alike",
          "both sides need the same constructors with the same number of corners");
@@ -132,7 +134,7 @@ Value ExpressionCompiler::fadeShapes(const Expr& expr) {
 Value ExpressionCompiler::shape(const Expr& expr) {
   const Value value = evaluate(expr);
   if (value.isAny() || value.type == Type::Shape) return value;
-  return wrongType(expr, "a shape", value);
+  return wrongType(expr, wantedShape(), value);
 }
 
 Value ExpressionCompiler::shapeOf(ShapeKind kind, const Value& first, const Value& second) {
@@ -170,7 +172,7 @@ Value ExpressionCompiler::polyShape(const Expr& expr) {
     const bool isArc = step.kind == ExprKind::Call && step.name == "arc" &&
                        step.qualifier.empty() && !module_->functions.contains("arc");
     if (isArc && step.parts.size() != 2) {
-      tell("Y6", step.span,
+      tell(Code::ArgumentCount, step.span,
            "'arc' is called with " + std::to_string(step.parts.size()) + " arguments", "",
            "the call is arc(via, to): from the corner before, through `via`, to `to`");
       isRight = false;
@@ -185,7 +187,7 @@ Value ExpressionCompiler::polyShape(const Expr& expr) {
     }
   }
   if (isRight && result.points.size() < 3) {
-    tell("Y6", expr.span, "a path needs three corners or an arc", "",
+    tell(Code::ArgumentCount, expr.span, "a path needs three corners or an arc", "",
          "the call is poly(p, q, r, ...)");
     isRight = false;
   }
@@ -195,7 +197,7 @@ Value ExpressionCompiler::polyShape(const Expr& expr) {
 /// Of a registered shape only answers are known, not where its boundary runs.
 bool ExpressionCompiler::isGrownUser(const Expr& expr, const ShapeValue& shape) {
   if (!hasUserPart(shape)) return false;
-  tell("Y7", expr.span, "a registered shape cannot be grown", "",
+  tell(Code::UnmatchedShapes, expr.span, "a registered shape cannot be grown", "",
        "give the shape itself a distance as one more argument");
   return true;
 }
@@ -204,7 +206,7 @@ Value ExpressionCompiler::callShape(const Expr& expr) {
   const std::string usage(usageOf(expr.name));
   if (expr.name == "poly") return polyShape(expr);
   if (expr.name == "arc") {
-    tell("Y7", expr.span, "an arc stands only in the path of a poly", "",
+    tell(Code::UnmatchedShapes, expr.span, "an arc stands only in the path of a poly", "",
          "write poly(p, arc(via, to), ...)");
     return {};
   }
@@ -250,7 +252,7 @@ Value ExpressionCompiler::callShape(const Expr& expr) {
   if (isRight && (expr.name == "disc" || expr.name == "grow" || expr.name == "sector")) {
     const auto size = builder().constantValue(result.numbers[0]);
     if (size && *size < 0) {
-      tell("Z4", expr.parts[1].span, "a negative radius or distance", "",
+      tell(Code::UnboundedZone, expr.parts[1].span, "a negative radius or distance", "",
            "use a number of at least 0");
       isRight = false;
     }
@@ -264,7 +266,7 @@ Value ExpressionCompiler::callUserShape(const Expr& expr,
   result.kind = ShapeKind::User;
   result.user = user;
   if (expr.parts.size() != user->parameters.size()) {
-    tell("Y6", expr.span,
+    tell(Code::ArgumentCount, expr.span,
          "'" + expr.name + "' is called with " + std::to_string(expr.parts.size()) + " arguments",
          "", "it takes " + std::to_string(user->parameters.size()));
     return {};
@@ -282,7 +284,7 @@ Value ExpressionCompiler::callUserShape(const Expr& expr,
 
 Value ExpressionCompiler::inside(const Expr& expr) {
   if (expr.parts.size() != 2) {
-    tell("Y6", expr.span,
+    tell(Code::ArgumentCount, expr.span,
          "'inside' is called with " + std::to_string(expr.parts.size()) + " arguments", "",
          "the call is inside(p, shape)");
     return {};

@@ -33,7 +33,7 @@ class TestCompiler {
 
  private:
   template <class... Arguments>
-  void tell(const char* code, Span span, std::string message, Arguments&&... arguments) {
+  void tell(Code code, Span span, std::string message, Arguments&&... arguments) {
     expressions_.tell(code, span, std::move(message), std::forward<Arguments>(arguments)...);
     hasErrors_ = true;
   }
@@ -53,6 +53,8 @@ class TestCompiler {
   void checkEdges();
   std::optional<double> turnAt(std::size_t vertex) const;
   const CompiledRule* findRule(const Name& title);
+  void readLevel(const TestLevel& level);
+  void readSize(const TestSize& size);
   void addExpectation(const Expectation& expectation, Span span);
   std::optional<CompiledExpectation::IsRule> compileOutcome(const ExpectRule& expected,
                                                             bool negated);
@@ -86,7 +88,7 @@ std::optional<std::size_t> TestCompiler::known(const Name& name) {
   std::vector<std::string> names;
   for (const auto& [text, index] : vertices_) names.push_back(text);
   const Help help = didYouMean(name.text, names);
-  tell("R1", name.span, "this test has no vertex '" + name.text + "'", "",
+  tell(Code::UnknownName, name.span, "this test has no vertex '" + name.text + "'", "",
        help.empty() ? "place it: `" + name.text + " (x, y)` in a `front` or `point` clause above"
                     : help);
   return std::nullopt;
@@ -96,8 +98,9 @@ std::optional<std::size_t> TestCompiler::place(const TestVertex& vertex) {
   if (!vertex.isPlaced) return known(vertex.name);
   const auto x = number(vertex.x, "a coordinate"), y = number(vertex.y, "a coordinate");
   if (vertices_.contains(vertex.name.text)) {
-    tell("R2", vertex.name.span, "the vertex '" + vertex.name.text + "' is placed twice", "",
-         "name it without coordinates the second time", Severity::Error,
+    tell(Code::DuplicateName, vertex.name.span,
+         "the vertex '" + vertex.name.text + "' is placed twice", "",
+         "name it without coordinates the second time",
          std::vector<DiagnosticNote>{
              {"placed here", placeOf(module_.source, places_[vertex.name.text])}});
     return vertices_[vertex.name.text];
@@ -158,10 +161,10 @@ void TestCompiler::checkEdges() {
       const std::string text =
           result_.vertexNames[chain[i]] + " -> " + result_.vertexNames[chain[i + 1]];
       if (result_.piece.vertices[chain[i]] == result_.piece.vertices[chain[i + 1]])
-        tell("Y3", chainSpan_, "the front edge " + text + " has no length", "",
+        tell(Code::NotConstant, chainSpan_, "the front edge " + text + " has no length", "",
              "place its ends apart");
       else if (!edges.insert({chain[i], chain[i + 1]}).second)
-        tell("R2", chainSpan_, "the front edge " + text + " is given twice", "",
+        tell(Code::DuplicateName, chainSpan_, "the front edge " + text + " is given twice", "",
              "name each edge once");
     }
 }
@@ -176,7 +179,7 @@ void TestCompiler::setBase(const TestBase* base) {
         result_.piece.base = {*from, *to};
         return;
       }
-  tell("R1", cover(base->from.span, base->to.span),
+  tell(Code::UnknownName, cover(base->from.span, base->to.span),
        base->from.text + " -> " + base->to.text + " is no edge of this test's front", "",
        "name an edge of a `front` clause");
 }
@@ -207,7 +210,7 @@ const CompiledRule* TestCompiler::findRule(const Name& title) {
   for (const auto& [name, imported] : module_.imports)
     if (!imported) return nullptr;
   const auto tellMissing = [&](const Help& help) -> const CompiledRule* {
-    tell("R1", title.span, "there is no rule \"" + title.text + "\"", "", help);
+    tell(Code::UnknownName, title.span, "there is no rule \"" + title.text + "\"", "", help);
     return nullptr;
   };
   if (!context_.mayGuess()) return tellMissing({});
@@ -240,7 +243,7 @@ std::optional<CompiledExpectation::IsRule> TestCompiler::compileOutcome(const Ex
     if (found == vertices.end()) {
       std::vector<std::string> names;
       for (const PatternVertex& v : vertices) names.push_back(v.name);
-      tell("R1", vertex.span,
+      tell(Code::UnknownName, vertex.span,
            "the rule \"" + result.title + "\" matches no vertex '" + vertex.text + "'", "",
            helpAmong(vertex.text, names, "vertices that it matches"));
     } else if (bound) {
@@ -250,7 +253,7 @@ std::optional<CompiledExpectation::IsRule> TestCompiler::compileOutcome(const Ex
   for (const Name& name : expected.reasonVertices)
     if (const auto index = known(name)) result.reasonVertices.push_back(*index);
   if (!expected.reason.empty() && !negated)
-    tell("S1", expected.title.span, "`because` says why a rule is not applied", "",
+    tell(Code::UnexpectedText, expected.title.span, "`because` says why a rule is not applied", "",
          "write `expect not rule ... because ...`");
   if (!rule) return std::nullopt;
   return result;
@@ -275,36 +278,51 @@ std::optional<CompiledExpectation::Front> TestCompiler::compileOutcome(
 
 void TestCompiler::addExpectation(const Expectation& e, Span span) {
   using C = CompiledExpectation;
-  std::visit(
-      [&](const auto& outcome) {
-        using Outcome = std::decay_t<decltype(outcome)>;
-        if constexpr (std::is_same_v<Outcome, ExpectRule>) {
-          add(compileOutcome(outcome, e.negated), e.negated, span);
-        } else if constexpr (std::is_same_v<Outcome, ExpectFront>) {
-          add(compileOutcome(outcome), e.negated, span);
-        } else if constexpr (std::is_same_v<Outcome, ExpectNew>) {
-          const auto x = number(outcome.x, "a coordinate"), y = number(outcome.y, "a coordinate");
-          if (outcome.index < 1)
-            tell("Y3", span, "new vertices are numbered from 1");
-          else if (x && y)
-            add(std::optional(C::NewAt{static_cast<std::size_t>(outcome.index) - 1, {*x, *y}}),
-                e.negated, span);
-        } else if constexpr (std::is_same_v<Outcome, ExpectElements>) {
-          add(std::optional(C::Elements{static_cast<std::size_t>(outcome.count)}), e.negated, span);
-        } else if constexpr (std::is_same_v<Outcome, ExpectStuck>) {
-          add(std::optional(C::Stuck{}), e.negated, span);
-        } else if constexpr (std::is_same_v<Outcome, ExpectScore>) {
-          if (const auto value = number(outcome.value, "a score"))
-            add(std::optional(C::Score{outcome.comparison, *value}), e.negated, span);
-        } else if constexpr (std::is_same_v<Outcome, ExpectCondition>) {
-          const Value value = expressions_.truth(outcome.condition, "what is expected");
-          const auto holds = value.isAny() ? std::nullopt : builder_.constantValue(value.number);
-          hasErrors_ = hasErrors_ || !holds;
-          if (holds)
-            add(std::optional(C::Condition{*holds != 0 && !std::isnan(*holds)}), e.negated, span);
-        }
+  const auto add = [&](auto outcome) { this->add(std::move(outcome), e.negated, span); };
+  match(
+      e.outcome, [](std::monostate) {},
+      [&](const ExpectRule& o) { add(compileOutcome(o, e.negated)); },
+      [&](const ExpectFront& o) { add(compileOutcome(o)); },
+      [&](const ExpectNew& o) {
+        const auto x = number(o.x, "a coordinate"), y = number(o.y, "a coordinate");
+        if (o.index < 1)
+          tell(Code::NotConstant, span, "new vertices are numbered from 1");
+        else if (x && y)
+          add(std::optional(C::NewAt{static_cast<std::size_t>(o.index) - 1, {*x, *y}}));
       },
-      e.outcome);
+      [&](const ExpectElements& o) {
+        add(std::optional(C::Elements{static_cast<std::size_t>(o.count)}));
+      },
+      [&](const ExpectStuck&) { add(std::optional(C::Stuck{})); },
+      [&](const ExpectScore& o) {
+        if (const auto value = number(o.value, "a score"))
+          add(std::optional(C::Score{o.comparison, *value}));
+      },
+      [&](const ExpectCondition& o) {
+        const Value value = expressions_.truth(o.condition, "what is expected");
+        const auto held = value.isAny() ? std::nullopt : builder_.constantValue(value.number);
+        const double truth = held.value_or(0);
+        hasErrors_ = hasErrors_ || !held;
+        if (held) add(std::optional(C::Condition{truth != 0 && !std::isnan(truth)}));
+      });
+}
+
+void TestCompiler::readLevel(const TestLevel& level) {
+  const auto value = number(level.value, "a quality level");
+  if (value && (*value < 1 || *value > maxLevel_ || *value != std::floor(*value)))
+    tell(Code::NotConstant, level.value.span,
+         "a quality level is a whole number from 1 to " + std::to_string(maxLevel_),
+         "this is " + shownNumber(*value));
+  else if (value)
+    result_.piece.level = static_cast<int>(*value);
+}
+
+void TestCompiler::readSize(const TestSize& size) {
+  const auto value = number(size.value, "a size");
+  if (value && !(*value > 0))
+    tell(Code::NotConstant, size.value.span, "a size is a positive number");
+  else if (value)
+    result_.piece.size = *value;
 }
 
 std::optional<CompiledTest> TestCompiler::compile() {
@@ -318,29 +336,16 @@ std::optional<CompiledTest> TestCompiler::compile() {
     }
   const TestBase* base = nullptr;
   for (const TestClause& clause : test_.clauses) {
-    if (const auto* front = std::get_if<TestFront>(&clause.content)) addChains(*front);
-    if (const auto* points = std::get_if<TestPoints>(&clause.content)) addPoints(*points);
-    if (const auto* given = std::get_if<TestBase>(&clause.content)) base = given;
-    if (const auto* level = std::get_if<TestLevel>(&clause.content)) {
-      const auto value = number(level->value, "a quality level");
-      if (value && (*value < 1 || *value > maxLevel_ || *value != std::floor(*value)))
-        tell("Y3", level->value.span,
-             "a quality level is a whole number from 1 to " + std::to_string(maxLevel_),
-             "this is " + shownNumber(*value));
-      else if (value)
-        result_.piece.level = static_cast<int>(*value);
-    }
-    if (const auto* size = std::get_if<TestSize>(&clause.content)) {
-      const auto value = number(size->value, "a size");
-      if (value && !(*value > 0))
-        tell("Y3", size->value.span, "a size is a positive number");
-      else if (value)
-        result_.piece.size = *value;
-    }
+    match(
+        clause.content, [&](const TestFront& c) { addChains(c); },
+        [&](const TestPoints& c) { addPoints(c); }, [&](const TestBase& c) { base = &c; },
+        [&](const TestLevel& c) { readLevel(c); }, [&](const TestSize& c) { readSize(c); },
+        // What is expected is read when the front is known.
+        [](const AnyOf<std::monostate, Expectation> auto&) {});
   }
   const bool hasFront = !result_.piece.chains.empty();
   if (!hasFront && !hasErrors_)
-    tell("S10", test_.title.span, "this test has no front", "",
+    tell(Code::IncompleteTest, test_.title.span, "this test has no front", "",
          "add `front p (0, 0) -> r (1, 0);`");
   if (hasFront) {
     if (!hasErrors_) checkEdges();
@@ -352,8 +357,8 @@ std::optional<CompiledTest> TestCompiler::compile() {
     if (const auto* expectation = std::get_if<Expectation>(&clause.content))
       addExpectation(*expectation, clause.span);
   if (result_.expectations.empty() && !hasErrors_)
-    expressions_.tell("S10", test_.title.span, "this test expects nothing", "",
-                      "add `expect rule \"...\";`", Severity::Warning);
+    expressions_.tell(Code::IncompleteTest, test_.title.span, "this test expects nothing", "",
+                      "add `expect rule \"...\";`", {}, Severity::Warning);
   if (hasErrors_) return std::nullopt;
   return std::move(result_);
 }

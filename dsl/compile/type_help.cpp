@@ -14,22 +14,59 @@ std::string wayToNumber(const Value& found) {
 
 }  // namespace
 
-std::string wayToType(std::string_view wanted, const Value& found) {
-  const auto wants = [&](std::string_view type) { return wanted.starts_with(type); };
+Wanted wantedNumber() { return {Wanted::Kind::Number, "a number"}; }
+Wanted wantedAngle() { return {Wanted::Kind::Angle, "an angle"}; }
+Wanted wantedCondition() { return {Wanted::Kind::Condition, "a condition"}; }
+Wanted wantedPoint() { return {Wanted::Kind::Point, "a point"}; }
+Wanted wantedShape() { return {Wanted::Kind::Shape, "a shape"}; }
+
+Wanted wantedBy(char parameter) {
+  switch (parameter) {
+    case 'n':
+      return wantedNumber();
+    case 'a':
+    case 'r':
+      return wantedAngle();
+    case 'x':
+      return {Wanted::Kind::Number, "a number or an angle"};
+    case 'p':
+      return wantedPoint();
+    case 'v':
+      return {Wanted::Kind::Vector, "a vector"};
+    case 'g':
+      return {Wanted::Kind::Point, "a point or a vector"};
+    case 'l':
+      return {Wanted::Kind::Point, "a point, a vector or a number"};
+    case 't':
+      return wantedCondition();
+    case 'w':
+      return {Wanted::Kind::Other, "a vertex of the front"};
+    case 'c':
+      return {Wanted::Kind::Other, "a vertex of a chain"};
+    default:
+      return {Wanted::Kind::Other, "a value"};
+  }
+}
+
+std::string wayToType(Wanted::Kind wanted, const Value& found) {
   const bool isScalar = found.type == Type::Number || found.type == Type::Angle;
-  if (wants("a point") && found.isVector()) return "add it to a point, as in `a + (0, 1)`";
-  if (wants("a point") && found.type == Type::Shape)
+  if (wanted == Wanted::Kind::Point && found.isVector())
+    return "add it to a point, as in `a + (0, 1)`";
+  if (wanted == Wanted::Kind::Point && found.type == Type::Shape)
     return "a zone is a list of corners or one shape; shapes are joined by `|`, as in "
            "`hull(a, b, c) | disc(c, 1)`";
-  if (wants("a vector") && found.isPoint())
+  if (wanted == Wanted::Kind::Vector && found.isPoint())
     return "a vector is the difference of two points, as in `b - a`";
-  if (wants("an angle") && found.type == Type::Number) return "an angle has a unit, as in 60deg";
-  if (wants("a condition") && isScalar)
+  if (wanted == Wanted::Kind::Angle && found.type == Type::Number)
+    return "an angle has a unit, as in 60deg";
+  if (wanted == Wanted::Kind::Condition && isScalar)
     return std::string("compare it with something, as in `... < ") +
            (found.type == Type::Angle ? "90deg`" : "1`");
-  if (wants("a condition")) return "conditions are comparisons, ccw(...), convex(...), inside(...)";
-  if (wants("a number")) return wayToNumber(found);
-  if (wants("a shape")) return "shapes are made by poly, hull, disc, left, sector and grow";
+  if (wanted == Wanted::Kind::Condition)
+    return "conditions are comparisons, ccw(...), convex(...), inside(...)";
+  if (wanted == Wanted::Kind::Number) return wayToNumber(found);
+  if (wanted == Wanted::Kind::Shape)
+    return "shapes are made by poly, hull, disc, left, sector and grow";
   return {};
 }
 

@@ -71,28 +71,20 @@ std::string ruleOutcome(const ExpectRule& r) {
 }
 
 std::string outcomeText(const ExpectedOutcome& outcome) {
-  return std::visit(
-      [](const auto& o) -> std::string {
-        using O = std::decay_t<decltype(o)>;
-        if constexpr (std::is_same_v<O, ExpectRule>)
-          return ruleOutcome(o);
-        else if constexpr (std::is_same_v<O, ExpectNew>)
-          return "new " + std::to_string(o.index) + " at " + pairText(o.x, o.y);
-        else if constexpr (std::is_same_v<O, ExpectFront>)
-          return std::string("front ") + (o.only ? "only " : "") +
-                 join(o.chains, [](const auto& c) { return join(c, expectedVertexText, " -> "); });
-        else if constexpr (std::is_same_v<O, ExpectElements>)
-          return "elements " + std::to_string(o.count);
-        else if constexpr (std::is_same_v<O, ExpectStuck>)
-          return "stuck";
-        else if constexpr (std::is_same_v<O, ExpectScore>)
-          return "score " + o.comparison + " " + printExpression(o.value);
-        else if constexpr (std::is_same_v<O, ExpectCondition>)
-          return printExpression(o.condition);
-        else
-          return "";
+  return match(
+      outcome, [](std::monostate) { return std::string(); },
+      [](const ExpectRule& o) { return ruleOutcome(o); },
+      [](const ExpectNew& o) {
+        return "new " + std::to_string(o.index) + " at " + pairText(o.x, o.y);
       },
-      outcome);
+      [](const ExpectFront& o) {
+        return std::string("front ") + (o.only ? "only " : "") +
+               join(o.chains, [](const auto& c) { return join(c, expectedVertexText, " -> "); });
+      },
+      [](const ExpectElements& o) { return "elements " + std::to_string(o.count); },
+      [](const ExpectStuck&) { return std::string("stuck"); },
+      [](const ExpectScore& o) { return "score " + o.comparison + " " + printExpression(o.value); },
+      [](const ExpectCondition& o) { return printExpression(o.condition); });
 }
 
 std::string familyText(const Family& family) {
@@ -111,98 +103,111 @@ std::string quoted(const std::string& text) {
 }
 
 Line lineOf(const Clause& clause) {
-  return std::visit(
-      [](const auto& c) -> Line {
-        using C = std::decay_t<decltype(c)>;
-        if constexpr (std::is_same_v<C, FrontClause>)
-          return {"front", join(c.chains, chainText) + ";"};
-        else if constexpr (std::is_same_v<C, AtClause>)
-          return {"at", join(c.places, placeText) + ";"};
-        else if constexpr (std::is_same_v<C, SlopeClause>)
-          return {"slope",
-                  c.from.text + " -> " + c.to.text + " " + toleranceText(c.tolerance) + ";"};
-        else if constexpr (std::is_same_v<C, LetClause>)
-          return {"let", join(c.values, definitionText) + ";"};
-        else if constexpr (std::is_same_v<C, NewClause>)
-          return {"new", join(c.vertices, definitionText) + ";"};
-        else if constexpr (std::is_same_v<C, ZoneClause>)
-          return {"zone", join(c.corners, printExpression) +
-                              (c.when.isMissing() ? "" : " when " + printExpression(c.when)) + ";"};
-        else if constexpr (std::is_same_v<C, ElementClause>)
-          return {c.kind.text,
-                  join(c.elements, [](const auto& e) { return join(e, nameOf, " "); }) + ";"};
-        else if constexpr (std::is_same_v<C, RequireClause>)
-          return {"require", join(c.conditions, printExpression) + ";"};
-        else if constexpr (std::is_same_v<C, CostClause>)
-          return {"cost", printExpression(c.value) + ";"};
-        else if constexpr (std::is_same_v<C, PriorityClause>)
-          return {"priority", printExpression(c.value) + ";"};
-        else if constexpr (std::is_same_v<C, MetaClause>)
-          return {"meta", metaText(c)};
-        else if constexpr (std::is_same_v<C, MirrorClause>)
-          return {"mirror", mirrorText(c)};
-        else
-          return {};
+  return match(
+      clause.content, [](std::monostate) { return Line(); },
+      [](const FrontClause& c) {
+        return Line{"front", join(c.chains, chainText) + ";"};
       },
-      clause.content);
+      [](const AtClause& c) {
+        return Line{"at", join(c.places, placeText) + ";"};
+      },
+      [](const SlopeClause& c) {
+        return Line{"slope",
+                    c.from.text + " -> " + c.to.text + " " + toleranceText(c.tolerance) + ";"};
+      },
+      [](const LetClause& c) {
+        return Line{"let", join(c.values, definitionText) + ";"};
+      },
+      [](const NewClause& c) {
+        return Line{"new", join(c.vertices, definitionText) + ";"};
+      },
+      [](const ZoneClause& c) {
+        const std::string when = c.when.isMissing() ? "" : " when " + printExpression(c.when);
+        return Line{"zone", join(c.corners, printExpression) + when + ";"};
+      },
+      [](const ElementClause& c) {
+        const auto corners = [](const auto& element) { return join(element, nameOf, " "); };
+        return Line{c.kind.text, join(c.elements, corners) + ";"};
+      },
+      [](const RequireClause& c) {
+        return Line{"require", join(c.conditions, printExpression) + ";"};
+      },
+      [](const CostClause& c) {
+        return Line{"cost", printExpression(c.value) + ";"};
+      },
+      [](const PriorityClause& c) {
+        return Line{"priority", printExpression(c.value) + ";"};
+      },
+      [](const MetaClause& c) {
+        return Line{"meta", metaText(c)};
+      },
+      [](const MirrorClause& c) {
+        return Line{"mirror", mirrorText(c)};
+      });
 }
 
 Line lineOf(const Setting& setting) {
-  return std::visit(
-      [](const auto& c) -> Line {
-        using C = std::decay_t<decltype(c)>;
-        if constexpr (std::is_same_v<C, ElementsSetting>)
-          return {"elements", join(c.kinds, nameOf) + ";"};
-        else if constexpr (std::is_same_v<C, MatchSetting>)
-          return {"match", printExpression(c.value) + ";"};
-        else if constexpr (std::is_same_v<C, FadeSetting>)
-          return {"fade", printExpression(c.value) + ";"};
-        else if constexpr (std::is_same_v<C, ScoreSetting>)
-          return {"score", c.fold.text + " of " + printExpression(c.metric) + ";"};
-        else if constexpr (std::is_same_v<C, AcceptSetting>)
-          return {"accept", printExpression(c.condition) + ";"};
-        else if constexpr (std::is_same_v<C, OrderSetting>)
-          return {"front", "by " + join(c.keys, printExpression) + ";"};
-        else if constexpr (std::is_same_v<C, RowsSetting>) {
-          const std::string arguments = join(
-              c.arguments, [](const MetaEntry& e) { return e.key.text + ": " + e.value.text; });
-          return {"front", "rows" + (arguments.empty() ? "" : "(" + arguments + ")") + ";"};
-        } else if constexpr (std::is_same_v<C, ClassesSetting>)
-          return {"classes", printExpression(c.first) + ".." + printExpression(c.last) + ";"};
-        else if constexpr (std::is_same_v<C, ScaleSetting>)
-          return {"scale", c.unit.text + ";"};
-        else if constexpr (std::is_same_v<C, ParitySetting>)
-          return {"parity", c.parity.text + ";"};
-        else if constexpr (std::is_same_v<C, MetaClause>)
-          return {"meta", metaText(c)};
-        else
-          return {};
+  return match(
+      setting.content, [](std::monostate) { return Line(); },
+      [](const ElementsSetting& c) {
+        return Line{"elements", join(c.kinds, nameOf) + ";"};
       },
-      setting.content);
+      [](const MatchSetting& c) {
+        return Line{"match", printExpression(c.value) + ";"};
+      },
+      [](const FadeSetting& c) {
+        return Line{"fade", printExpression(c.value) + ";"};
+      },
+      [](const ScoreSetting& c) {
+        return Line{"score", c.fold.text + " of " + printExpression(c.metric) + ";"};
+      },
+      [](const AcceptSetting& c) {
+        return Line{"accept", printExpression(c.condition) + ";"};
+      },
+      [](const OrderSetting& c) {
+        return Line{"front", "by " + join(c.keys, printExpression) + ";"};
+      },
+      [](const RowsSetting& c) {
+        const std::string arguments =
+            join(c.arguments, [](const MetaEntry& e) { return e.key.text + ": " + e.value.text; });
+        return Line{"front", "rows" + (arguments.empty() ? "" : "(" + arguments + ")") + ";"};
+      },
+      [](const ClassesSetting& c) {
+        return Line{"classes", printExpression(c.first) + ".." + printExpression(c.last) + ";"};
+      },
+      [](const ScaleSetting& c) {
+        return Line{"scale", c.unit.text + ";"};
+      },
+      [](const ParitySetting& c) {
+        return Line{"parity", c.parity.text + ";"};
+      },
+      [](const MetaClause& c) {
+        return Line{"meta", metaText(c)};
+      });
 }
 
 Line lineOf(const TestClause& clause) {
-  return std::visit(
-      [](const auto& c) -> Line {
-        using C = std::decay_t<decltype(c)>;
-        if constexpr (std::is_same_v<C, TestFront>)
-          return {"front", join(c.chains, [](const auto& chain) {
-                             return join(chain, vertexText, " -> ");
-                           }) + ";"};
-        else if constexpr (std::is_same_v<C, TestPoints>)
-          return {"point", join(c.points, vertexText) + ";"};
-        else if constexpr (std::is_same_v<C, TestBase>)
-          return {"base", c.from.text + " -> " + c.to.text + ";"};
-        else if constexpr (std::is_same_v<C, TestLevel>)
-          return {"class", printExpression(c.value) + ";"};
-        else if constexpr (std::is_same_v<C, TestSize>)
-          return {"size", printExpression(c.value) + ";"};
-        else if constexpr (std::is_same_v<C, Expectation>)
-          return {"expect", std::string(c.negated ? "not " : "") + outcomeText(c.outcome) + ";"};
-        else
-          return {};
+  return match(
+      clause.content, [](std::monostate) { return Line(); },
+      [](const TestFront& c) {
+        const auto text = [](const auto& chain) { return join(chain, vertexText, " -> "); };
+        return Line{"front", join(c.chains, text) + ";"};
       },
-      clause.content);
+      [](const TestPoints& c) {
+        return Line{"point", join(c.points, vertexText) + ";"};
+      },
+      [](const TestBase& c) {
+        return Line{"base", c.from.text + " -> " + c.to.text + ";"};
+      },
+      [](const TestLevel& c) {
+        return Line{"class", printExpression(c.value) + ";"};
+      },
+      [](const TestSize& c) {
+        return Line{"size", printExpression(c.value) + ";"};
+      },
+      [](const Expectation& c) {
+        return Line{"expect", std::string(c.negated ? "not " : "") + outcomeText(c.outcome) + ";"};
+      });
 }
 
 std::string ruleHeader(const Rule& rule) {

@@ -150,48 +150,50 @@ class Printer {
     return text + ";";
   }
 
+  static std::string functionText(const AnyOf<Function, Metric> auto& f) {
+    return f.name.text + "(" + join(f.parameters, nameOf) + ") = " + printExpression(f.value) + ";";
+  }
+
   void printContent(const Item& item) {
-    std::visit(
-        [&](const auto& c) {
-          using C = std::decay_t<decltype(c)>;
-          if constexpr (std::is_same_v<C, Import>)
-            printLine(
-                "import " + quoted(c.path.text) + (c.alias ? " as " + c.alias->text : "") + ";",
-                item.span);
-          else if constexpr (std::is_same_v<C, Use>)
-            printLine(useText(c), item.span);
-          else if constexpr (std::is_same_v<C, Constant>)
-            printLine("const " + c.name.text + " = " + printExpression(c.value) + ";", item.span);
-          else if constexpr (std::is_same_v<C, Function> || std::is_same_v<C, Metric>)
-            printLine((std::is_same_v<C, Metric> ? "metric " : "def ") + c.name.text + "(" +
-                          join(c.parameters, nameOf) + ") = " + printExpression(c.value) + ";",
-                      item.span);
-          else if constexpr (std::is_same_v<C, RuleSetBlock>)
-            printBlock("ruleset " + quoted(c.name.text) +
-                           (c.base ? " extends " + quoted(c.base->text) : ""),
-                       item.span, c.settings, c.base ? c.base->span.end : c.name.span.end);
-          else if constexpr (std::is_same_v<C, Rule>)
-            printRule("", c, item.span);
-          else if constexpr (std::is_same_v<C, Template>)
-            printRule("template " + c.name.text + "(" + join(c.parameters, nameOf) + ") ", c.rule,
-                      item.span);
-          else if constexpr (std::is_same_v<C, Instance>)
-            printLine("rule " + quoted(c.title.text) + " = " + printExpression(c.call) + ";",
-                      item.span);
-          else if constexpr (std::is_same_v<C, Test>)
-            printBlock("test " + quoted(c.title.text), item.span, c.clauses, c.title.span.end);
-          else if constexpr (std::is_same_v<C, Property>)
-            printProperty(c, item.span);
+    const Span span = item.span;
+    match(
+        item.content, [](std::monostate) {},
+        [&](const Import& c) {
+          printLine("import " + quoted(c.path.text) + (c.alias ? " as " + c.alias->text : "") + ";",
+                    span);
         },
-        item.content);
+        [&](const Use& c) { printLine(useText(c), span); },
+        [&](const Constant& c) {
+          printLine("const " + c.name.text + " = " + printExpression(c.value) + ";", span);
+        },
+        [&](const Function& c) { printLine("def " + functionText(c), span); },
+        [&](const Metric& c) { printLine("metric " + functionText(c), span); },
+        [&](const RuleSetBlock& c) {
+          printBlock(
+              "ruleset " + quoted(c.name.text) + (c.base ? " extends " + quoted(c.base->text) : ""),
+              span, c.settings, c.base ? c.base->span.end : c.name.span.end);
+        },
+        [&](const Rule& c) { printRule("", c, span); },
+        [&](const Template& c) {
+          printRule("template " + c.name.text + "(" + join(c.parameters, nameOf) + ") ", c.rule,
+                    span);
+        },
+        [&](const Instance& c) {
+          printLine("rule " + quoted(c.title.text) + " = " + printExpression(c.call) + ";", span);
+        },
+        [&](const Test& c) {
+          printBlock("test " + quoted(c.title.text), span, c.clauses, c.title.span.end);
+        },
+        [&](const Property& c) { printProperty(c, span); });
   }
 
   static bool isBlock(const Item& item) {
-    return std::holds_alternative<RuleSetBlock>(item.content) ||
-           std::holds_alternative<Rule>(item.content) ||
-           std::holds_alternative<Template>(item.content) ||
-           std::holds_alternative<Test>(item.content) ||
-           std::holds_alternative<Property>(item.content);
+    return match(
+        item.content,
+        [](const AnyOf<RuleSetBlock, Rule, Template, Test, Property> auto&) { return true; },
+        [](const AnyOf<std::monostate, Import, Use, Constant, Function, Metric, Instance> auto&) {
+          return false;
+        });
   }
 
   void printItem(const Item& item) {

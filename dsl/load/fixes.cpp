@@ -1,8 +1,8 @@
 #include "dsl/load/fixes.h"
+#include "dsl/load/loaded_file.h"
 
 #include <algorithm>
 #include <array>
-#include <string_view>
 
 namespace af2::dsl {
 namespace {
@@ -12,12 +12,8 @@ namespace {
 std::array<std::size_t, 4> faultsOf(const LoadedRules& loaded) {
   std::array<std::size_t, 4> counts{};
   for (const Diagnostic& d : loaded.diagnostics) {
-    const std::string_view early = "LS", middle = "RYA";
     const bool isError = d.severity == Severity::Error;
-    const std::size_t stage = early.find(d.code[0]) != early.npos     ? 0
-                              : middle.find(d.code[0]) != middle.npos ? 1
-                                                                      : 2;
-    ++counts[isError ? stage : 3];
+    ++counts[isError ? static_cast<std::size_t>(infoOf(d.code).stage) : 3];
   }
   return counts;
 }

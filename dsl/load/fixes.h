@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "dsl/load/rule_file.h"
+#include "engine/base/export.h"
 
 namespace af2::dsl {
 
@@ -18,7 +19,7 @@ struct TextEdit {
 /// The edits that the findings about a file bring along: words that "did you mean" knows better,
 /// signs that are missing or too many, corners of elements in the wrong order, mirror clauses that
 /// are missing or do nothing. Comments and layout stay.
-std::vector<TextEdit> editsFor(const LoadedRules& loaded);
+AF2_EXPORT std::vector<TextEdit> editsFor(const LoadedRules& loaded);
 
 struct FixedText {
   std::string text;
@@ -27,6 +28,7 @@ struct FixedText {
 
 /// Makes edits one after another, and keeps each of them only if the file is better for it: fewer
 /// errors in its signs; or as many, and fewer in names and types; and so on down to warnings.
-FixedText fixText(const std::string& name, std::string text, const LoadOptions& options = {});
+AF2_EXPORT FixedText fixText(const std::string& name, std::string text,
+                             const LoadOptions& options = {});
 
 }  // namespace af2::dsl

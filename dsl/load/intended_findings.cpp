@@ -3,12 +3,13 @@
 #include <algorithm>
 
 #include "dsl/compile/allowed_codes.h"
+#include "dsl/load/loaded_file.h"
 
 namespace af2::dsl {
 
 bool isMeantToBe(const LoadedFile& file, const Diagnostic& finding) {
   const bool canBe =
-      finding.severity == Severity::Warning || finding.code == "G2" || finding.code == "Z1";
+      finding.severity == Severity::Warning || infoOf(finding.code).allowance == Allowance::AsError;
   if (!canBe) return false;
   if (file.allowed.contains(finding.code)) return true;
   return !finding.rule.empty() && std::ranges::any_of(file.rules, [&](const CompiledRule& rule) {

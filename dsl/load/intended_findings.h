@@ -1,6 +1,7 @@
 // Findings that the author of a rule file has allowed.
 #pragma once
 
+#include "dsl/load/loaded_file.h"
 #include "dsl/load/rule_file.h"
 #include "dsl/text/diagnostic.h"
 

@@ -12,6 +12,7 @@
 #include "dsl/compile/rule_set_compiler.h"
 #include "dsl/compile/rule_titles.h"
 #include "dsl/load/intended_findings.h"
+#include "dsl/load/loaded_file.h"
 #include "dsl/syntax/titles.h"
 #include "dsl/text/words.h"
 #include "engine/base/error.h"
@@ -72,7 +73,7 @@ void FileCompiler::compileInstance(const Module& module, const Instance& instanc
   const Expr& call = instance.call;
   if (call.kind != ExprKind::Call) {
     if (!call.isMissing())
-      values.tell("S1", call.span, "an instance is written `template(values)`", "",
+      values.tell(Code::UnexpectedText, call.span, "an instance is written `template(values)`", "",
                   "rule \"title\" = name(1, 2);");
     return;
   }
@@ -80,7 +81,8 @@ void FileCompiler::compileInstance(const Module& module, const Instance& instanc
   if (!call.qualifier.empty()) {
     const auto library = module.imports.find(call.qualifier);
     if (library == module.imports.end())
-      return values.tell("R1", call.span, "nothing is imported as '" + call.qualifier + "'");
+      return values.tell(Code::UnknownName, call.span,
+                         "nothing is imported as '" + call.qualifier + "'");
     if (!library->second) return;
     home = library->second;
   }
@@ -90,19 +92,19 @@ void FileCompiler::compileInstance(const Module& module, const Instance& instanc
     std::vector<std::string> known;
     if (context_.mayGuess())
       for (const auto& [name, t] : home->templates) known.push_back(name);
-    return values.tell("R1", call.span, "there is no template '" + call.name + "'", "",
+    return values.tell(Code::UnknownName, call.span, "there is no template '" + call.name + "'", "",
                        guessAmong(call.name, known, "templates"));
   }
   if (home == &module && found->second.span.begin > call.span.begin &&
       found->second.home == &module)
-    return values.tell("R1", call.span,
+    return values.tell(Code::UnknownName, call.span,
                        "the template '" + call.name + "' is used before it is defined", "",
                        "move the template up");
   const Template& text = *found->second.text;
   if (call.parts.size() != text.parameters.size()) {
     std::string usage = text.name.text + "(";
     for (const Name& p : text.parameters) usage += (usage.back() == '(' ? "" : ", ") + p.text;
-    return values.tell("Y6", call.span,
+    return values.tell(Code::ArgumentCount, call.span,
                        "'" + call.name + "' is instantiated with " +
                            std::to_string(call.parts.size()) +
                            (call.parts.size() == 1 ? " value" : " values"),
@@ -121,7 +123,7 @@ void FileCompiler::compileInstance(const Module& module, const Instance& instanc
     p.value.x = known(value.at.x);
     p.value.y = known(value.at.y);
     if (value.type == Type::Shape) {
-      values.tell("Y1", call.parts[i].span, "a template's value cannot be a shape", "",
+      values.tell(Code::WrongType, call.parts[i].span, "a template's value cannot be a shape", "",
                   "give numbers, angles or vectors");
       p.value.type = Type::Any;
     }
@@ -138,8 +140,8 @@ void FileCompiler::checkTemplate(const Module& module, const Template& item) {
   std::set<std::string> seen;
   for (const Name& name : item.parameters) {
     if (!seen.insert(name.text).second)
-      context_.tell(module, "R2", name.span, "the parameter '" + name.text + "' is given twice",
-                    "choose another name");
+      context_.tell(module, Code::DuplicateName, name.span,
+                    "the parameter '" + name.text + "' is given twice", "choose another name");
     RuleCompiler::Parameter p;
     p.span = name.span;
     parameters[name.text] = p;
@@ -161,7 +163,7 @@ void FileCompiler::compileUse(const Module& module, const Use& use) {
     for (const auto& [name, m] : module.imports) known.push_back(name);
     const Help help = didYouMean(use.library.text, known);
     if (!module.brokenNames.contains(use.library.text) && !module.hasBrokenImport)
-      context_.tell(module, "R1", use.library.span,
+      context_.tell(module, Code::UnknownName, use.library.span,
                     "nothing is imported as '" + use.library.text + "'",
                     help.empty() ? "import the file first: `import \"" + use.library.text +
                                        ".af2\" as " + use.library.text + ";`"
@@ -198,7 +200,7 @@ void FileCompiler::checkTitle(const Module& module, const Use& use, const Name& 
     titles.push_back(rule.definition.name);
   }
   if (holdsRule(library, name.text)) return;  // it has errors of its own
-  context_.tell(module, "R1", name.span,
+  context_.tell(module, Code::UnknownName, name.span,
                 "'" + use.library.text + "' has no rule \"" + name.text + "\"",
                 guessAmong(name.text, titles, "rules of that file"));
 }
@@ -217,14 +219,17 @@ const std::vector<CompiledRule>& FileCompiler::rulesOf(const Module& library) {
 void FileCompiler::compileItems(const Module& module) {
   for (const Item& item : module.parsed.file.items) {
     if (context_.rulesLeft == 0) return;
-    if (const auto* rule = std::get_if<Rule>(&item.content))
-      append(RuleCompiler(context_, module, settings_->shared()).compile(*rule, {}));
-    else if (const auto* instance = std::get_if<Instance>(&item.content))
-      compileInstance(module, *instance);
-    else if (const auto* text = std::get_if<Template>(&item.content))
-      checkTemplate(module, *text);
-    else if (const auto* use = std::get_if<Use>(&item.content))
-      compileUse(module, *use);
+    match(
+        item.content,
+        [&](const Rule& rule) {
+          append(RuleCompiler(context_, module, settings_->shared()).compile(rule, {}));
+        },
+        [&](const Instance& instance) { compileInstance(module, instance); },
+        [&](const Template& text) { checkTemplate(module, text); },
+        [&](const Use& use) { compileUse(module, use); },
+        // Settings and names were read before any rule; tests and properties ask for all of them.
+        [](const AnyOf<std::monostate, Import, Constant, Function, Metric, RuleSetBlock, Test,
+                       Property> auto&) {});
   }
 }
 
@@ -234,7 +239,7 @@ void FileCompiler::checkKinds(const RuleSetCompiler& settings) {
     for (std::size_t i = 0; i < rule.definition.elements.size(); ++i) {
       const std::string kind = rule.definition.elements[i].size() == 3 ? "tri" : "quad";
       if (!settings.kinds().contains(kind))
-        context_.tell(*rule.home, "T2", rule.elementSpans[i],
+        context_.tell(*rule.home, Code::MalformedPattern, rule.elementSpans[i],
                       "this rule makes a " + kind + ", which the rule set does not list",
                       "add '" + kind + "' to the `elements` of the rule set");
     }
@@ -255,7 +260,7 @@ void FileCompiler::compileProperty(const Property& property, LoadedFile& result)
     if (holdsRule(main_, property.rule.text)) return;  // it has errors of its own
     std::vector<std::string> titles;
     for (const CompiledRule& r : rules_) titles.push_back(r.definition.name);
-    return context_.tell(main_, "R1", property.rule.span,
+    return context_.tell(main_, Code::UnknownName, property.rule.span,
                          "there is no rule \"" + property.rule.text + "\"",
                          guessAmong(property.rule.text, titles, "rules of this file"));
   }
@@ -266,26 +271,28 @@ void FileCompiler::compileProperty(const Property& property, LoadedFile& result)
 
 void FileCompiler::compileTests(LoadedFile& result) {
   std::map<std::string, Span> titles, properties;
-  for (const Item& item : main_.parsed.file.items) {
-    if (const auto* test = std::get_if<Test>(&item.content)) {
-      const auto [known, isNew] = titles.emplace(test->title.text, test->title.span);
-      if (!isNew)
-        context_.tell(main_, "R2", test->title.span,
-                      "there are two tests \"" + test->title.text + "\"",
-                      "give each test a title of its own",
-                      {{"the other one", placeOf(main_.source, known->second)}});
-      auto compiled = compileTest(context_, main_, *test, rules_, settings_->shared().maxLevel);
-      if (compiled) result.tests.push_back(std::move(*compiled));
-    } else if (const auto* property = std::get_if<Property>(&item.content)) {
-      const auto [known, isNew] = properties.emplace(property->title.text, property->title.span);
-      if (!isNew)
-        context_.tell(main_, "R2", property->title.span,
-                      "there are two properties \"" + property->title.text + "\"",
-                      "give each property a title of its own",
-                      {{"the other one", placeOf(main_.source, known->second)}});
-      compileProperty(*property, result);
-    }
-  }
+  const auto tellIfTaken = [&](std::map<std::string, Span>& taken, const Name& title,
+                               const std::string& plural, const std::string& one) {
+    const auto [known, isNew] = taken.emplace(title.text, title.span);
+    if (isNew) return;
+    context_.tell(main_, Code::DuplicateName, title.span,
+                  "there are two " + plural + " \"" + title.text + "\"",
+                  "give each " + one + " a title of its own",
+                  {{"the other one", placeOf(main_.source, known->second)}});
+  };
+  const auto addTest = [&](const Test& test) {
+    tellIfTaken(titles, test.title, "tests", "test");
+    auto compiled = compileTest(context_, main_, test, rules_, settings_->shared().maxLevel);
+    if (compiled) result.tests.push_back(std::move(*compiled));
+  };
+  const auto addProperty = [&](const Property& property) {
+    tellIfTaken(properties, property.title, "properties", "property");
+    compileProperty(property, result);
+  };
+  for (const Item& item : main_.parsed.file.items)
+    match(item.content, addTest, addProperty,
+          [](const AnyOf<std::monostate, Import, Use, Constant, Function, Metric, RuleSetBlock,
+                         Rule, Template, Instance> auto&) {});
 }
 
 /// Makes the engine's rules, and leaves out of `rules` those that it would not take.
@@ -297,14 +304,15 @@ std::shared_ptr<const RuleSet> FileCompiler::ruleSetOf(std::vector<CompiledRule>
       return false;
     } catch (const InputError& error) {
       const bool isNeverTried = rule.definition.firstLevel > definition.maxLevel;  // told as that
-      if (!isNeverTried) context_.tell(*rule.home, "T1", rule.title, error.what());
+      if (!isNeverTried) context_.tell(*rule.home, Code::OpenTopology, rule.title, error.what());
       return true;
     }
   });
   try {
     return std::make_shared<const RuleSet>(std::move(definition));
   } catch (const InputError& error) {
-    if (!context_.diagnostics.hasErrors()) context_.tell(main_, "R5", {0, 0}, error.what());
+    if (!context_.diagnostics.hasErrors())
+      context_.tell(main_, Code::RuleSetCount, {0, 0}, error.what());
     return nullptr;
   }
 }
@@ -321,7 +329,7 @@ std::shared_ptr<const RuleSet> FileCompiler::compile(LoadedFile& result) {
   RuleSetDefinition definition = settings_->finish(sizesMade());
   std::vector<CompiledRule> sound = runChecks({rules_, definition, main_}, context_.diagnostics);
   if (rules_.empty() && !context_.diagnostics.hasErrors() && needsRules)
-    context_.tell(main_, "R5", {0, 0}, "this file has no rules",
+    context_.tell(main_, Code::RuleSetCount, {0, 0}, "this file has no rules",
                   "add `rule \"title\" quality 1 { ... }`");
   if (!context_.diagnostics.hasErrors()) sound = rules_;  // those that are never tried as well
   const bool isUsable = hasRuleSet || !context_.diagnostics.hasErrors();
@@ -334,7 +342,7 @@ std::shared_ptr<const RuleSet> FileCompiler::compile(LoadedFile& result) {
   return context_.diagnostics.hasErrors() ? nullptr : result.soundRules;
 }
 
-bool isAllowed(const Diagnostic& d, const std::vector<std::string>& allowed) {
+bool isAllowed(const Diagnostic& d, const std::vector<Code>& allowed) {
   return d.severity == Severity::Warning &&
          std::find(allowed.begin(), allowed.end(), d.code) != allowed.end();
 }
@@ -364,8 +372,7 @@ LoadedRules loadRules(const std::filesystem::path& path, const LoadOptions& opti
   std::optional<std::string> text = readFile(path, fault);
   if (text) return loadRulesFromText(path.string(), std::move(*text), options);
   LoadedRules result;
-  Diagnostic d;
-  d.code = "R3";
+  Diagnostic d(Code::UnreadableFile);
   d.message = "cannot read the rule file: " + fault;
   d.place.file = path.string();
   d.help = "check the path";

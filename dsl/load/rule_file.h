@@ -3,18 +3,18 @@
 
 #include <filesystem>
 #include <memory>
-#include <set>
 #include <string>
 #include <vector>
 
-#include "dsl/compile/compiled_rule.h"
-#include "dsl/compile/module.h"
-#include "dsl/compile/test_compiler.h"
-#include "dsl/program/registry.h"
 #include "dsl/text/diagnostic.h"
+#include "dsl/text/source_text.h"
+#include "engine/base/export.h"
 #include "engine/rule/rule_set.h"
 
 namespace af2::dsl {
+
+class Registry;
+struct LoadedFile;  // loaded_file.h, for AF2 itself
 
 struct LoadOptions {
   /// Where imports are looked for after the folder of the importing file.
@@ -24,35 +24,24 @@ struct LoadOptions {
   /// Texts that stand for files, asked before the disk is: what an editor has not saved yet.
   TextSource unsaved;
   /// Codes of warnings that are not told.
-  std::vector<std::string> allowed;
+  std::vector<Code> allowed;
   /// Whether the file is to be run, which takes a rule set and rules. Without, a file may be a
   /// library: its rules get the default settings.
   bool needsRuleSet = true;
 };
 
-/// The files and rules behind a rule set, for tests, pictures and further checks.
-struct LoadedFile {
-  std::vector<std::unique_ptr<Module>> modules;  ///< [0] is the file itself, then its imports
-  std::vector<CompiledRule> rules;               ///< those of `soundRules` first, in its order
-  /// The rule set; of a file with errors what is sound of it, so that further checks can tell all
-  /// mistakes in one run. Null if there is no rule set, or nothing sound.
-  std::shared_ptr<const RuleSet> soundRules;
-  std::vector<CompiledTest> tests;  ///< of the file itself, those without errors
-  std::vector<CompiledProperty> properties;
-  std::set<std::string> allowed;  ///< codes that the rule set allows, for all rules
-  const Module& main() const { return *modules.front(); }
-};
-
 struct LoadedRules {
-  std::shared_ptr<const RuleSet> rules;  ///< null if there are errors, or a library has no rules
-  std::vector<Diagnostic> diagnostics;   ///< errors and warnings, in the order of the text
-  std::shared_ptr<const LoadedFile> file;
+  std::shared_ptr<const RuleSet> rules;    ///< null if there are errors, or a library has no rules
+  std::vector<Diagnostic> diagnostics;     ///< errors and warnings, in the order of the text
+  std::shared_ptr<const LoadedFile> file;  ///< what the rules were made of
 };
 
 /// Never throws on what stands in the file, nor when there is none: that is a diagnostic (R3).
-LoadedRules loadRules(const std::filesystem::path& path, const LoadOptions& options = {});
+AF2_EXPORT LoadedRules loadRules(const std::filesystem::path& path,
+                                 const LoadOptions& options = {});
 
 /// `name` is what diagnostics call the text; imports are looked for beside it.
-LoadedRules loadRulesFromText(std::string name, std::string text, const LoadOptions& options = {});
+AF2_EXPORT LoadedRules loadRulesFromText(std::string name, std::string text,
+                                         const LoadOptions& options = {});
 
 }  // namespace af2::dsl

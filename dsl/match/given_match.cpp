@@ -1,42 +1,56 @@
 #include "dsl/match/given_match.h"
 
-#include <cmath>
-#include <limits>
 #include <numbers>
-
-#include "engine/base/turn.h"
+#include <utility>
 
 namespace af2::dsl {
 
 GivenMatch::GivenMatch(const RuleDefinition& rule, std::vector<Point2> matched, int level,
                        std::map<std::string, double> environment)
-    : rule_(rule),
-      matched_(std::move(matched)),
-      level_(level),
-      environment_(std::move(environment)) {}
+    : RuleAtMatch(rule, std::move(matched), level), environment_(std::move(environment)) {}
 
-double GivenMatch::value(const std::string& name, double otherwise) const {
+std::optional<double> GivenMatch::given(const std::string& name) const {
   const auto found = environment_.find(name);
-  return found == environment_.end() ? otherwise : found->second;
+  return found == environment_.end() ? std::nullopt : std::optional(found->second);
 }
 
-double GivenMatch::ofVertex(const std::string& name, int vertex, double otherwise) const {
-  const std::string& vertexName = rule_.vertices[static_cast<std::size_t>(vertex)].name;
-  return value(name + "(" + vertexName + ")", value(name, otherwise));
+std::optional<double> GivenMatch::given(const std::string& name, int vertex) const {
+  const std::string& vertexName = definition().vertices[static_cast<std::size_t>(vertex)].name;
+  const auto ofVertex = given(name + "(" + vertexName + ")");
+  return ofVertex ? ofVertex : given(name);
+}
+
+double GivenMatch::size(Point2 point) const {
+  return given("h").value_or(RuleAtMatch::size(point));
 }
 
 std::optional<double> GivenMatch::turn(int vertex) const {
-  const double given = ofVertex("turn", vertex, std::numeric_limits<double>::quiet_NaN());
-  if (!std::isnan(given)) return given * std::numbers::pi / 180;
-  const auto at = [&](int v) { return matched_[static_cast<std::size_t>(v)]; };
-  std::optional<Point2> next, previous;
-  for (const PatternEdge& edge : rule_.edges) {
-    if (edge.from == vertex) next = at(edge.to);
-    if (edge.to == vertex) previous = at(edge.from);
-  }
-  if (!next || !previous) return std::nullopt;
-  const Point2 from = *next - at(vertex), to = *previous - at(vertex);
-  return turnBetween(from, to);
+  const auto degrees = given("turn", vertex);
+  return degrees ? *degrees * std::numbers::pi / 180 : RuleAtMatch::turn(vertex);
+}
+
+int GivenMatch::layer(int vertex) const {
+  return static_cast<int>(given("layer", vertex).value_or(RuleAtMatch::layer(vertex)));
+}
+
+bool GivenMatch::onBoundary(int vertex) const {
+  return given("on_boundary", vertex).value_or(layer(vertex) == 0) != 0;
+}
+
+int GivenMatch::valence(int vertex) const {
+  return static_cast<int>(given("valence", vertex).value_or(RuleAtMatch::valence(vertex)));
+}
+
+int GivenMatch::loopSize() const {
+  return static_cast<int>(given("loop_size").value_or(RuleAtMatch::loopSize()));
+}
+
+double GivenMatch::distanceToFront(Point2 point) const {
+  return given("dist_front").value_or(RuleAtMatch::distanceToFront(point));
+}
+
+double GivenMatch::curvature(Point2 point) const {
+  return given("curvature").value_or(RuleAtMatch::curvature(point));
 }
 
 }  // namespace af2::dsl

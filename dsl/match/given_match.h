@@ -5,12 +5,11 @@
 #include <string>
 #include <vector>
 
-#include "engine/rule/binding.h"
-#include "engine/rule/rule.h"
+#include "engine/rule/rule_at_match.h"
 
 namespace af2::dsl {
 
-class GivenMatch final : public AF2Surroundings {
+class GivenMatch final : public RuleAtMatch {
  public:
   /// matched      positions in pattern order
   /// environment  answers by name: h, loop_size, dist_front, curvature, and for a vertex c of the
@@ -19,27 +18,19 @@ class GivenMatch final : public AF2Surroundings {
   GivenMatch(const RuleDefinition& rule, std::vector<Point2> matched, int level,
              std::map<std::string, double> environment = {});
 
-  AF2Binding binding() const { return {matched_, level_, this}; }
-  const std::vector<Point2>& matched() const { return matched_; }
-
-  double size(Point2) const override { return value("h", 1); }
+  double size(Point2 point) const override;
   std::optional<double> turn(int vertex) const override;
-  int layer(int vertex) const override { return static_cast<int>(ofVertex("layer", vertex, 0)); }
-  bool onBoundary(int vertex) const override { return ofVertex("on_boundary", vertex, 1) != 0; }
-  int valence(int vertex) const override {
-    return static_cast<int>(ofVertex("valence", vertex, 0));
-  }
-  int loopSize() const override { return static_cast<int>(value("loop_size", 0)); }
-  double distanceToFront(Point2) const override { return value("dist_front", 0); }
-  double curvature(Point2) const override { return value("curvature", 0); }
+  int layer(int vertex) const override;
+  bool onBoundary(int vertex) const override;
+  int valence(int vertex) const override;
+  int loopSize() const override;
+  double distanceToFront(Point2 point) const override;
+  double curvature(Point2 point) const override;
 
  private:
-  double value(const std::string& name, double otherwise) const;
-  double ofVertex(const std::string& name, int vertex, double otherwise) const;
+  std::optional<double> given(const std::string& name) const;
+  std::optional<double> given(const std::string& name, int vertex) const;
 
-  const RuleDefinition& rule_;
-  std::vector<Point2> matched_;
-  int level_;
   std::map<std::string, double> environment_;
 };
 

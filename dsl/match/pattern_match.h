@@ -2,39 +2,34 @@
 // sampled checks look at.
 #pragma once
 
-#include <optional>
+#include <utility>
 #include <vector>
 
-#include "engine/rule/binding.h"
+#include "engine/rule/rule_at_match.h"
 #include "engine/rule/rule_set.h"
+#include "engine/step/rule_evaluation.h"
 #include "engine/step/single_step.h"
 
 namespace af2::dsl {
 
-class PatternMatch final : public AF2Surroundings {
+class PatternMatch final : public RuleAtMatch {
  public:
   /// vertices  the matched ones in pattern order; [0] and [1] on the x axis
-  PatternMatch(const AF2Rule& rule, std::vector<Point2> vertices, int level);
-  static PatternMatch atReference(const AF2Rule& rule, int level);
+  PatternMatch(const AF2Rule& rule, std::vector<Point2> vertices, int level)
+      : RuleAtMatch(rule.definition(), std::move(vertices), level), rule_(&rule) {}
+  static PatternMatch atReference(const AF2Rule& rule, int level) {
+    return PatternMatch(rule, RuleAtMatch::atReference(rule.definition(), level).vertices(), level);
+  }
 
   const AF2Rule& rule() const { return *rule_; }
-  const std::vector<Point2>& vertices() const { return vertices_; }
-  int level() const { return level_; }
-  AF2Binding binding() const { return {vertices_, level_, this}; }
-
-  /// The free angle, where the pattern's chains fix it.
-  std::optional<double> turn(int vertex) const override;
-
-  /// Matched and new vertices; nothing where a placement has no value.
-  std::optional<std::vector<Point2>> placeAll() const;
 
   /// Class, Pattern, Require or NoValue: why the match is no match of the rule; else None.
-  Refusal refusalOfMatch(const RuleSet& rules) const;
+  Refusal refusalOfMatch(const RuleSet& rules) const {
+    return af2::refusalOfMatch(rules, *rule_, binding()).reason;
+  }
 
  private:
   const AF2Rule* rule_;
-  std::vector<Point2> vertices_;
-  int level_;
 };
 
 /// The corners of an element, out of PatternMatch::placeAll.

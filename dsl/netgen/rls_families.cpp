@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <map>
+
+#include "dsl/text/characters.h"
 
 namespace af2::dsl {
 namespace {
@@ -16,23 +17,18 @@ struct Skeleton {
   NumberTexts numbers;
 };
 
-bool isPartOfName(char c) {
-  return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '.';
-}
+bool isPartOfName(char c) { return isNamePart(c) || c == '.'; }
 
 void take(Skeleton& skeleton, const std::string& text) {
   std::size_t i = 0;
   while (i < text.size()) {
-    const bool isNumber = std::isdigit(static_cast<unsigned char>(text[i])) != 0 &&
-                          (i == 0 || !isPartOfName(text[i - 1]));
+    const bool isNumber = isDigit(text[i]) && (i == 0 || !isPartOfName(text[i - 1]));
     if (!isNumber) {
       skeleton.words.back() += text[i++];
       continue;
     }
     std::size_t end = i;
-    while (end < text.size() &&
-           (std::isdigit(static_cast<unsigned char>(text[end])) != 0 || text[end] == '.'))
-      ++end;
+    while (end < text.size() && (isDigit(text[end]) || text[end] == '.')) ++end;
     skeleton.numbers.push_back(text.substr(i, end - i));
     skeleton.words.emplace_back();
     i = end;

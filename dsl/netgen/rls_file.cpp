@@ -7,6 +7,7 @@
 
 #include "dsl/netgen/rls_reader.h"
 #include "dsl/netgen/rls_rule_check.h"
+#include "dsl/text/characters.h"
 #include "dsl/text/words.h"
 
 namespace af2::dsl {
@@ -52,7 +53,7 @@ class Reader : RlsReader {
 
   std::vector<RlsRule> read() {
     if (!comments().empty())
-      tell(Severity::Warning, "I4", comments().front(),
+      tell(Code::NetgenStrayText, comments().front(),
            "comments are no part of such files; they are passed over here",
            comments().size() > 1 ? "there are " + std::to_string(comments().size()) + " of them"
                                  : "");
@@ -60,7 +61,7 @@ class Reader : RlsReader {
       if (beginsRule()) {
         readRule();
         if (rules_.size() <= kMostRules) continue;
-        tell(Severity::Error, "I2", now().span, "more than 1000 rules in one file", "split it");
+        tell(Code::NetgenContradiction, now().span, "more than 1000 rules in one file", "split it");
         break;
       } else {
         passOver();
@@ -99,7 +100,7 @@ class Reader : RlsReader {
   }
 
   void tellSolid(const RlsToken& token) {
-    tell(Severity::Error, "I3", token.span,
+    tell(Code::NetgenVolumeRule, token.span,
          shown(token) + " belongs to rules that fill volumes with tetrahedra",
          "AF2 meshes surfaces: import a rule file for surfaces");
   }
@@ -115,7 +116,7 @@ class Reader : RlsReader {
       next();
     }
     tell(
-        Severity::Warning, "I4", looksLikeRule ? first.span : cover(first.span, last),
+        Code::NetgenStrayText, looksLikeRule ? first.span : cover(first.span, last),
         looksLikeRule ? "a rule is lost here: it does not begin with the word 'rule'"
                       : "this stands outside of the rules and does not count",
         looksLikeRule ? "write 'rule' where it says " + shown(first) + " to have it imported" : "");
@@ -135,13 +136,13 @@ class Reader : RlsReader {
       rule_.span = now().span;
       next();
     } else {
-      tell(Severity::Error, "I1", now().span, "a rule has a name in quotes",
+      tell(Code::NetgenSyntax, now().span, "a rule has a name in quotes",
            "write: rule \"its name\"", "instead of " + shown(now()));
     }
     while (!now().is("endrule")) {
       if (now().kind == RlsTokenKind::End ||
           (now().is("rule") && ahead(1).kind == RlsTokenKind::String)) {
-        tell(Severity::Error, "I1", word, "this rule does not end", "close it with 'endrule'");
+        tell(Code::NetgenSyntax, word, "this rule does not end", "close it with 'endrule'");
         return;
       }
       readClauseOrRecover();
@@ -181,7 +182,7 @@ class Reader : RlsReader {
   void tellCapitals(const RlsToken& keyword) {
     const std::string usual = lowered(keyword.text);
     if (keyword.text == usual) return;
-    tell(Severity::Warning, "I5", keyword.span,
+    tell(Code::NetgenIdlePart, keyword.span,
          "Netgen passes over " + shown(keyword) + ": its keywords are in lower case",
          "it is read as '" + usual + "' here");
   }
@@ -190,13 +191,13 @@ class Reader : RlsReader {
   void passOverClause(const RlsToken& token) {
     const std::string_view meant = nearestClause(lowered(token.text));
     if (!meant.empty()) {
-      tell(Severity::Error, "I1", token.span, shown(token) + " is no clause of a rule",
+      tell(Code::NetgenSyntax, token.span, shown(token) + " is no clause of a rule",
            "did you mean '" + std::string(meant) + "'?");
     } else if (isOneOf(token, kSolidSettings)) {
-      tell(Severity::Warning, "I4", token.span,
+      tell(Code::NetgenStrayText, token.span,
            shown(token) + " belongs to rules that fill volumes, and does not count here", "");
     } else {
-      tell(Severity::Warning, "I4", token.span,
+      tell(Code::NetgenStrayText, token.span,
            shown(token) + " is no clause of a rule: this does not count",
            "clauses are quality, mappoints, maplines, newpoints, newlines, freearea, "
            "freearea2, elements, orientations, endrule");
@@ -258,7 +259,7 @@ class Reader : RlsReader {
   /// What stands between a part and its ';' without a meaning.
   void passOverPart(const std::string& wanted) {
     if (now().kind != RlsTokenKind::Word || isClause(now()) || now().is("rule")) unreadable(wanted);
-    tell(Severity::Warning, "I5", now().span, shown(now()) + " does nothing here", "");
+    tell(Code::NetgenIdlePart, now().span, shown(now()) + " does nothing here", "");
     next();
   }
 
@@ -365,7 +366,7 @@ class Reader : RlsReader {
   template <class Part>
   void limit(const std::vector<Part>& parts, std::size_t most, const std::string& what) {
     if (parts.size() <= most) return;
-    tell(Severity::Error, "I2", parts.back().span,
+    tell(Code::NetgenContradiction, parts.back().span,
          "more than " + std::to_string(most) + " " + what + " in one rule", "");
     throw Unreadable{};
   }

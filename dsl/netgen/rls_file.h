@@ -69,11 +69,9 @@ struct RlsRule {
 };
 
 /// What is told about such a file.
-inline Diagnostic rlsFinding(Severity severity, const char* code, DiagnosticPlace place,
-                             std::string message, std::string help) {
-  Diagnostic d;
-  d.severity = severity;
-  d.code = code;
+inline Diagnostic rlsFinding(Code code, DiagnosticPlace place, std::string message,
+                             std::string help) {
+  Diagnostic d(code);
   d.message = std::move(message);
   d.place = std::move(place);
   d.help = std::move(help);

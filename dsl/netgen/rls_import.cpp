@@ -25,7 +25,7 @@ class Importer {
       if (!branches(rule)) rules_.push_back(toClassicRule(rule, source_, diagnostics_));
     }
     if (rules_.empty() && !diagnostics_.hasErrors())
-      tell(Severity::Error, "I1", {}, "there is no rule in this file",
+      tell(Code::NetgenSyntax, {}, "there is no rule in this file",
            "rules begin with: rule \"name\"");
     if (diagnostics_.hasErrors()) return {};
     for (const ClassicRule& rule : rules_) titles_.push_back(titleOf(rule));
@@ -37,9 +37,8 @@ class Importer {
   }
 
  private:
-  void tell(Severity severity, const char* code, Span span, std::string message, std::string help) {
-    diagnostics_.add(
-        rlsFinding(severity, code, placeOf(source_, span), std::move(message), std::move(help)));
+  void tell(Code code, Span span, std::string message, std::string help) {
+    diagnostics_.add(rlsFinding(code, placeOf(source_, span), std::move(message), std::move(help)));
   }
 
   void tellWhatCannotBeUsed(const std::string& text) {
@@ -47,7 +46,7 @@ class Importer {
     for (const Diagnostic& d : loadRulesFromText("imported.af2", text).diagnostics) {
       if (d.severity != Severity::Error || !told.insert(d.rule).second) continue;
       const auto i = static_cast<std::size_t>(std::ranges::find(titles_, d.rule) - titles_.begin());
-      tell(Severity::Warning, "I9", i < rules_.size() ? rules_[i].span : Span{},
+      tell(Code::NetgenRefused, i < rules_.size() ? rules_[i].span : Span{},
            "the imported rule will be refused: " + d.message,
            "mend it here or in the imported file, where `af2 check` tells more");
     }
@@ -59,7 +58,7 @@ class Importer {
     for (const RlsLine& line : rule.mapLines) {
       if (line.from != line.to && from.insert(line.from).second && to.insert(line.to).second)
         continue;
-      tell(Severity::Error, "I2", line.span, "maplines that branch or stand still",
+      tell(Code::NetgenContradiction, line.span, "maplines that branch or stand still",
            "at most one line leaves a point, and one arrives");
       return true;
     }
@@ -80,7 +79,7 @@ class Importer {
     std::string unique = title;
     for (int i = 2; !used_.insert(unique).second; ++i) unique = title + ", " + std::to_string(i);
     if (unique != rule.title)
-      tell(Severity::Warning, "I8", rule.span, "this rule is called \"" + unique + "\" now",
+      tell(Code::NetgenRenamed, rule.span, "this rule is called \"" + unique + "\" now",
            "titles are unique and plain");
     return unique;
   }
@@ -110,7 +109,7 @@ class Importer {
       const auto twin = findTwin(rules_[i], rules_[j], difference);
       if (twin) {
         if (!twin->ownForms.empty())
-          tell(Severity::Warning, "I6", rules_[j].span,
+          tell(Code::NetgenMismatch, rules_[j].span,
                "this is the mirror image of \"" + titles_[i] + "\" but for its tolerances",
                "the mirror keeps tolerances of its own");
         text.clauses.push_back(mirrorClause(rules_[i], rules_[j], *twin, titles_[j]));
@@ -125,7 +124,7 @@ class Importer {
     }
     if (nearest.empty()) nearest = "this rule has no mirror image in the file";
     text.remarks.push_back(nearest);
-    tell(Severity::Warning, "I6", rules_[i].span, nearest,
+    tell(Code::NetgenMismatch, rules_[i].span, nearest,
          "if its mirror image is wanted, add: mirror \"a title\";");
     return std::nullopt;
   }

@@ -33,14 +33,13 @@ std::optional<Exact> exactValue(std::string_view text) {
 
 }  // namespace
 
-void RlsReader::tell(Severity severity, const char* code, Span span, std::string message,
-                     std::string help, std::string label) {
-  Diagnostic d =
-      rlsFinding(severity, code, placeOf(source_, span), std::move(message), std::move(help));
+void RlsReader::tell(Code code, Span span, std::string message, std::string help,
+                     std::string label) {
+  Diagnostic d = rlsFinding(code, placeOf(source_, span), std::move(message), std::move(help));
   d.label = std::move(label);
   d.rule = about_;
+  if (d.severity == Severity::Error) isSound_ = false;
   diagnostics_.add(std::move(d));
-  if (severity == Severity::Error) isSound_ = false;
 }
 
 std::string RlsReader::shown(const RlsToken& token) {
@@ -49,7 +48,7 @@ std::string RlsReader::shown(const RlsToken& token) {
 }
 
 void RlsReader::unreadable(const std::string& wanted) {
-  tell(Severity::Error, "I1", now().span, "here should be " + wanted + ", not " + shown(now()),
+  tell(Code::NetgenSyntax, now().span, "here should be " + wanted + ", not " + shown(now()),
        "a clause is a keyword and its parts, each closed by ';'");
   throw Unreadable{};
 }
@@ -63,7 +62,7 @@ Exact RlsReader::number() {
   if (now().kind != RlsTokenKind::Number) unreadable("a number");
   const std::optional<Exact> value = exactValue(now().text);
   if (!value) {
-    tell(Severity::Error, "I2", now().span, "this number is too long or too large",
+    tell(Code::NetgenContradiction, now().span, "this number is too long or too large",
          "numbers have at most 30 digits and exponents from -30 to 30");
     throw Unreadable{};
   }
@@ -75,7 +74,8 @@ int RlsReader::wholeNumber(const std::string& what) {
   const RlsToken token = now();
   const Exact value = number();
   if (denominator(value) != 1 || value < -1000000 || value > 1000000) {
-    tell(Severity::Error, "I2", token.span, what + " is a whole number, not " + shown(token), "");
+    tell(Code::NetgenContradiction, token.span, what + " is a whole number, not " + shown(token),
+         "");
     throw Unreadable{};
   }
   return numerator(value).convert_to<int>();

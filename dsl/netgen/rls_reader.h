@@ -22,8 +22,7 @@ class RlsReader {
         source_(source),
         diagnostics_(diagnostics) {}
 
-  void tell(Severity severity, const char* code, Span span, std::string message, std::string help,
-            std::string label = {});
+  void tell(Code code, Span span, std::string message, std::string help, std::string label = {});
 
  protected:
   const RlsToken& now() const { return tokens_[at_]; }

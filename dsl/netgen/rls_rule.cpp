@@ -46,11 +46,9 @@ class Converter {
   }
 
  private:
-  void warn(const char* code, Span span, std::string message, std::string help,
-            bool isRemark = true) {
+  void warn(Code code, Span span, std::string message, std::string help, bool isRemark = true) {
     if (isRemark) rule_.remarks.push_back(message);
-    Diagnostic d = rlsFinding(Severity::Warning, code, placeOf(source_, span), std::move(message),
-                              std::move(help));
+    Diagnostic d = rlsFinding(code, placeOf(source_, span), std::move(message), std::move(help));
     d.rule = text_.name;
     diagnostics_.add(std::move(d));
   }
@@ -58,7 +56,7 @@ class Converter {
   void readQuality() {
     rule_.quality = std::max(1, text_.quality);
     if (rule_.quality > kLastClassicLevel)
-      warn("I7", text_.qualitySpan,
+      warn(Code::NetgenSwitchedOff, text_.qualitySpan,
            "quality " + std::to_string(rule_.quality) + " switches this rule off: levels end at " +
                std::to_string(kLastClassicLevel),
            "leave the rule out, or give it a level that is reached");
@@ -73,7 +71,7 @@ class Converter {
     for (std::size_t i = 1; i <= text_.newPoints.size(); ++i)
       order_.push_back(count + static_cast<int>(i));
     if (base.from != 1 || base.to != 2)
-      warn("I8", base.span,
+      warn(Code::NetgenRenamed, base.span,
            "the base edge of this rule runs from point " + std::to_string(base.from) +
                " to point " + std::to_string(base.to) + "; these became a and b",
            "");
@@ -106,21 +104,23 @@ class Converter {
       ClassicRule::Vertex vertex{point.x, point.y};
       if (v < 2 && point.form) {
         if (point.form->weights != std::array<Exact, 3>{1, 0, 1})
-          warn("I5", point.span, "a tolerance on an end of the base edge never acts",
+          warn(Code::NetgenIdlePart, point.span,
+               "a tolerance on an end of the base edge never acts",
                "the base edge is always matched, whatever its length", false);
       } else if (point.form) {
         vertex.form = point.form->weights;
       }
       if (point.isDeleted)
-        warn("I5", point.span, "'del' on a point does nothing", "edges are deleted, not points",
-             false);
+        warn(Code::NetgenIdlePart, point.span, "'del' on a point does nothing",
+             "edges are deleted, not points", false);
       rule_.matched.push_back(vertex);
     }
     const auto stands = [&](std::size_t v, int x) {
       return rule_.matched[v].x == x && rule_.matched[v].y == 0;
     };
     if (!stands(0, 0) || !stands(1, 1))
-      warn("I8", mapPoint(0).span, "the base edge of this rule does not run from (0, 0) to (1, 0)",
+      warn(Code::NetgenRenamed, mapPoint(0).span,
+           "the base edge of this rule does not run from (0, 0) to (1, 0)",
            "deviations of its ends are taken from where the rule puts them");
     for (const RlsLine& line : text_.mapLines) {
       ClassicRule::Edge edge{vertex(line.from), vertex(line.to), std::nullopt};
@@ -150,7 +150,7 @@ class Converter {
 
   void add(ExactMap& map, std::size_t row, const RlsTerm& term) {
     if (term.point < 1 || term.point > static_cast<int>(text_.mapPoints.size())) {
-      warn("I5", term.span,
+      warn(Code::NetgenIdlePart, term.span,
            "there is no point " + std::to_string(term.point) +
                " to follow; Netgen passes over this term, and so does the imported rule",
            "points to follow are the mappoints, 1 to " + std::to_string(text_.mapPoints.size()));
@@ -159,7 +159,8 @@ class Converter {
     const auto v = static_cast<std::size_t>(vertex(term.point));
     Exact& weight = map.weights[row][2 * v + (term.isX ? 0 : 1)];
     if (weight != 0)
-      warn("I5", term.span, "this coordinate comes twice in one row: the last one counts", "");
+      warn(Code::NetgenIdlePart, term.span,
+           "this coordinate comes twice in one row: the last one counts", "");
     weight = term.coefficient;
   }
 
@@ -167,7 +168,7 @@ class Converter {
     for (const RlsPoint& point : text_.newPoints) {
       rule_.added.push_back(mapOf(point));
       if (rule_.added.back().isPointSum()) continue;
-      warn("I6", point.span,
+      warn(Code::NetgenMismatch, point.span,
            "this point is no sum of points: its x and its y do not follow the same matched points",
            "it is kept as it is, but a front that is turned a little gets another element");
     }
@@ -180,7 +181,7 @@ class Converter {
   void readZone() {
     const std::size_t corners = text_.freeArea.size(), limits = text_.freeArea2.size();
     if (limits > 0 && limits != corners)
-      warn("I6", text_.freeArea2.back().span,
+      warn(Code::NetgenMismatch, text_.freeArea2.back().span,
            "freearea2 has " + std::to_string(limits) + " corners, freearea " +
                std::to_string(corners) + ": " +
                (limits < corners ? "corners without a limit keep their preferred place"
@@ -202,7 +203,7 @@ class Converter {
         return std::array<Exact, 2>{area[k % n].x, area[k % n].y};
       };
       if (cross(at(i), at(i + 1), at(i + 2)) >= 0) continue;
-      warn("I6", area[(i + 1) % n].span,
+      warn(Code::NetgenMismatch, area[(i + 1) % n].span,
            "the corners of " + name +
                " do not run counter-clockwise around a convex region, so that this rule seldom or "
                "never applies",
@@ -216,7 +217,8 @@ class Converter {
       const std::vector<int> v = vertices(tuple);
       rule_.orientations.push_back({v[0], v[1], v[2]});
       if (cross(reference(v[0]), reference(v[1]), reference(v[2])) < 0)
-        warn("I6", tuple.span, "these points are clockwise where the rule expects them",
+        warn(Code::NetgenMismatch, tuple.span,
+             "these points are clockwise where the rule expects them",
              "the rule then applies to other positions only");
     }
   }
@@ -271,7 +273,7 @@ class Converter {
     for (std::size_t i = 0; i < rule_.elements.size(); ++i) {
       if (isTurnedLeft(rule_.elements[i])) continue;
       const auto better = fittingElement(i);
-      warn("I6", text_.elements[i].span,
+      warn(Code::NetgenMismatch, text_.elements[i].span,
            "this element does not run counter-clockwise where the rule expects its corners",
            better ? "with " + fileNumbers(*better) + " instead all the rest would fit"
                   : "elements run counter-clockwise");
@@ -289,7 +291,7 @@ class Converter {
       const DirectedEdge edge{vertex(line.from), vertex(line.to)};
       pattern.insert(edge);
       if (line.isDeleted == boundary.contains(edge)) continue;
-      warn("I6", line.span,
+      warn(Code::NetgenMismatch, line.span,
            line.isDeleted ? "this edge is deleted, but no new element lies at it"
                           : "a new element lies at this edge, but it is not deleted",
            "the imported rule goes by its elements");
@@ -300,11 +302,11 @@ class Converter {
     for (const RlsTuple& line : text_.newLines) {
       const DirectedEdge edge{vertex(line.points[0]), vertex(line.points[1])};
       if (wanted.erase(edge) > 0) continue;
-      warn("I6", line.span, "this new line is not a free edge of the new elements",
+      warn(Code::NetgenMismatch, line.span, "this new line is not a free edge of the new elements",
            "the imported rule goes by its elements");
     }
     for (const DirectedEdge& e : wanted)
-      warn("I6", text_.span,
+      warn(Code::NetgenMismatch, text_.span,
            "the new elements have a free edge " + fileNumbers({e.first, e.second}) +
                " that newlines does not name",
            "the imported rule goes by its elements");

@@ -4,11 +4,12 @@
 #include <cctype>
 #include <cstdint>
 
+#include "dsl/text/characters.h"
+
 namespace af2::dsl {
 namespace {
 
 bool isSpace(char c) { return std::isspace(static_cast<unsigned char>(c)) != 0; }
-bool isLetter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0 || c == '_'; }
 
 bool beginsComment(std::string_view text) {
   return text.starts_with('#') || text.starts_with('%') || text.starts_with("//");
@@ -66,9 +67,9 @@ std::vector<RlsToken> rlsTokensOf(std::string_view text, std::vector<Span>* comm
       isClosed ? add(Kind::String, end + 1 - i) : add(Kind::Sign, 1);
     } else if (const std::size_t number = numberLength(text.substr(i))) {
       add(Kind::Number, number);
-    } else if (isLetter(text[i])) {
+    } else if (isNameStart(text[i])) {
       std::size_t end = i;
-      while (end < text.size() && (isLetter(text[end]) || isDigit(text[end]))) ++end;
+      while (end < text.size() && isNamePart(text[end])) ++end;
       add(Kind::Word, end - i);
     } else {
       add(Kind::Sign, 1);

@@ -22,8 +22,6 @@ struct RlsToken {
 /// the line, are left out. Never fails: what is nothing else is a Sign of one character.
 ///
 /// comments  the comments are added to it, unless it is null
-inline bool isDigit(char c) { return c >= '0' && c <= '9'; }
-
 std::vector<RlsToken> rlsTokensOf(std::string_view text, std::vector<Span>* comments = nullptr);
 
 }  // namespace af2::dsl

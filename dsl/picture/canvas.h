@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/base/export.h"
 #include "engine/base/point.h"
 #include "engine/rule/free_zone.h"
 
@@ -48,7 +49,7 @@ using Loop = std::vector<Point2>;
 
 /// A drawing surface. Positions are in pixels from the top left, or, once a view is set, in the
 /// chart; widths and sizes are always in pixels.
-class Canvas {
+class AF2_EXPORT Canvas {
  public:
   /// Draws and returns the bytes of the file. The same drawing gives the same bytes.
   static std::string render(PictureFormat format, double width, double height,

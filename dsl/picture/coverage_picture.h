@@ -5,12 +5,13 @@
 
 #include "dsl/picture/canvas.h"
 #include "dsl/proof/coverage.h"
+#include "engine/base/export.h"
 
 namespace af2::dsl {
 
 /// Green: taken at level 1; through yellow to orange: later; red: by no rule; white: no such
 /// situation. Returns the bytes of the file.
-std::string drawCoverage(const Coverage& coverage, const std::string& ruleSet,
-                         PictureFormat format);
+AF2_EXPORT std::string drawCoverage(const Coverage& coverage, const std::string& ruleSet,
+                                    PictureFormat format);
 
 }  // namespace af2::dsl

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "dsl/picture/canvas.h"
+#include "engine/base/export.h"
 #include "engine/rule/rule_set.h"
 
 namespace af2::dsl {
@@ -19,8 +20,8 @@ struct PictureOptions {
 };
 
 /// A rule at its reference match. Returns the bytes of the file.
-std::string drawRule(const RuleSet& rules, const AF2Rule& rule, PictureFormat format,
-                     const PictureOptions& options = {});
+AF2_EXPORT std::string drawRule(const RuleSet& rules, const AF2Rule& rule, PictureFormat format,
+                                const PictureOptions& options = {});
 
 /// All rules of a set on one sheet, with a key.
 std::string drawRuleSet(const RuleSet& rules, PictureFormat format,
@@ -34,7 +35,7 @@ struct DrawnMatch {
   std::string note;           ///< below the picture
 };
 
-std::string drawMatch(const RuleSet& rules, const AF2Rule& rule, const DrawnMatch& match,
-                      PictureFormat format, const PictureOptions& options = {});
+AF2_EXPORT std::string drawMatch(const RuleSet& rules, const AF2Rule& rule, const DrawnMatch& match,
+                                 PictureFormat format, const PictureOptions& options = {});
 
 }  // namespace af2::dsl

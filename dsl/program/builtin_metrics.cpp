@@ -139,12 +139,18 @@ Value minAngle(const Algebra& a, Values, Values corners) {
 }
 
 constexpr std::array kMetrics{
-    BuiltinMetric{"shape_size", 1, "shape_size(weight)", shapeSize},
-    BuiltinMetric{"jacobian_badness", 0, "jacobian_badness", jacobianBadness},
-    BuiltinMetric{"size_error", 0, "size_error", sizeError},
-    BuiltinMetric{"aspect_badness", 0, "aspect_badness", aspectBadness},
-    BuiltinMetric{"scaled_jacobian", 0, "scaled_jacobian(u, v, w, x)", scaledJacobian},
-    BuiltinMetric{"min_angle", 0, "min_angle(u, v, w, x)", minAngle},
+    BuiltinMetric{"shape_size", 1, "shape_size(weight)", shapeSize,
+                  "Metric: shape and edge lengths of a triangle."},
+    BuiltinMetric{"jacobian_badness", 0, "jacobian_badness", jacobianBadness,
+                  "Metric: 0 for the square."},
+    BuiltinMetric{"size_error", 0, "size_error", sizeError,
+                  "Metric: 0 where all edges have the wanted length."},
+    BuiltinMetric{"aspect_badness", 0, "aspect_badness", aspectBadness,
+                  "Metric: 0 where all edges are equally long."},
+    BuiltinMetric{"scaled_jacobian", 0, "scaled_jacobian(u, v, w, x)", scaledJacobian,
+                  "Measure: 1 for the ideal element, 0 for a flat one."},
+    BuiltinMetric{"min_angle", 0, "min_angle(u, v, w, x)", minAngle,
+                  "Measure: the smallest corner."},
 };
 
 }  // namespace

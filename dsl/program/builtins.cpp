@@ -159,56 +159,74 @@ Value convex(const Algebra& a, Arguments v) {
 }
 
 constexpr std::array kBuiltins{
-    Builtin{"sqrt", "n", "sqrt(x)", squareRoot},
-    Builtin{"sin", "r", "sin(angle)", sine},
-    Builtin{"cos", "r", "cos(angle)", cosine},
-    Builtin{"tan", "r", "tan(angle)", tangent},
-    Builtin{"atan2", "nn", "atan2(y, x)", atan2},
-    Builtin{"abs", "x", "abs(x)", absolute},
-    Builtin{"min", "xx*", "min(x, y, ...)", extreme<Op::Minimum>},
-    Builtin{"max", "xx*", "max(x, y, ...)", extreme<Op::Maximum>},
-    Builtin{"clamp", "xxx", "clamp(x, low, high)", clamp},
-    Builtin{"mid", "gg", "mid(p, q)", mid},
-    Builtin{"lerp", "lln", "lerp(from, to, t)", lerp},
-    Builtin{"centroid", "p*", "centroid(p, q, ...)", centroid},
-    Builtin{"perp", "v", "perp(v)", perp},
-    Builtin{"rot", "va", "rot(v, angle)", rot},
-    Builtin{"unit", "v", "unit(v)", unit},
-    Builtin{"len", "v", "len(v)", len},
-    Builtin{"dot", "vv", "dot(u, v)", dot},
-    Builtin{"cross", "vv", "cross(u, v)", cross},
-    Builtin{"dist", "pp", "dist(p, q)", dist},
-    Builtin{"foot", "ppp", "foot(p, q, r)", foot},
-    Builtin{"cut", "pvpv", "cut(p, u, q, v)", cut},
-    Builtin{"bisector", "ppp", "bisector(p, v, q)", bisector},
-    Builtin{"reflect", "ppp", "reflect(p, q, r)", reflect},
-    Builtin{"angle", "ppp", "angle(p, v, q)", angle},
-    Builtin{"turn", "c", "turn(v)", ofVertex<Op::Turn, Type::Angle>},
-    Builtin{"corner", "c", "corner(v)", corner},
-    Builtin{"h", "p", "h(p)", ofPlace<Op::SizeAt>},
-    Builtin{"layer", "w", "layer(v)", ofVertex<Op::Layer, Type::Number>},
-    Builtin{"on_boundary", "w", "on_boundary(v)", ofVertex<Op::OnBoundary, Type::Truth>},
-    Builtin{"valence", "w", "valence(v)", ofVertex<Op::Valence, Type::Number>},
-    Builtin{"loop_size", "", "loop_size()", loopSize},
-    Builtin{"dist_front", "p", "dist_front(p)", ofPlace<Op::FrontDistance>},
-    Builtin{"curvature", "p", "curvature(p)", ofPlace<Op::CurvatureAt>},
-    Builtin{"ccw", "ppp", "ccw(p, q, r)", ccw},
-    Builtin{"convex", "ppp*", "convex(p, q, r, ...)", convex},
+    Builtin{"sqrt", "n", "sqrt(x)", squareRoot, "The square root."},
+    Builtin{"sin", "r", "sin(angle)", sine, "The sine; a bare number stands for radians."},
+    Builtin{"cos", "r", "cos(angle)", cosine, "The cosine; a bare number stands for radians."},
+    Builtin{"tan", "r", "tan(angle)", tangent, "The tangent; a bare number stands for radians."},
+    Builtin{"atan2", "nn", "atan2(y, x)", atan2, "The angle of the vector (x, y)."},
+    Builtin{"abs", "x", "abs(x)", absolute, "The value without its sign."},
+    Builtin{"min", "xx*", "min(x, y, ...)", extreme<Op::Minimum>, "The smallest."},
+    Builtin{"max", "xx*", "max(x, y, ...)", extreme<Op::Maximum>, "The largest."},
+    Builtin{"clamp", "xxx", "clamp(x, low, high)", clamp, "x, but not below low nor above high."},
+    Builtin{"mid", "gg", "mid(p, q)", mid, "The point halfway."},
+    Builtin{"lerp", "lln", "lerp(from, to, t)", lerp,
+            "from at t = 0, to at t = 1; t may lie outside."},
+    Builtin{"centroid", "p*", "centroid(p, q, ...)", centroid, "The mean of points."},
+    Builtin{"perp", "v", "perp(v)", perp, "The vector, turned by 90 degrees counter-clockwise."},
+    Builtin{"rot", "va", "rot(v, angle)", rot, "The vector, turned counter-clockwise."},
+    Builtin{"unit", "v", "unit(v)", unit, "The vector at length 1."},
+    Builtin{"len", "v", "len(v)", len, "The length of a vector."},
+    Builtin{"dot", "vv", "dot(u, v)", dot, "The scalar product."},
+    Builtin{"cross", "vv", "cross(u, v)", cross, "The z component of the vector product."},
+    Builtin{"dist", "pp", "dist(p, q)", dist, "The distance of two points."},
+    Builtin{"foot", "ppp", "foot(p, q, r)", foot, "The foot of p on the line through q and r."},
+    Builtin{"cut", "pvpv", "cut(p, u, q, v)", cut,
+            "Where the line through p along u meets the one through q along v."},
+    Builtin{"bisector", "ppp", "bisector(p, v, q)", bisector,
+            "The unit vector that halves angle(p, v, q)."},
+    Builtin{"reflect", "ppp", "reflect(p, q, r)", reflect,
+            "p, reflected in the line through q and r."},
+    Builtin{"angle", "ppp", "angle(p, v, q)", angle,
+            "Counter-clockwise from v->q to v->p, above 0 and up to 360deg."},
+    Builtin{"turn", "c", "turn(v)", ofVertex<Op::Turn, Type::Angle>,
+            "The free angle at a vertex of a chain."},
+    Builtin{"corner", "c", "corner(v)", corner,
+            "1 end, 2 side, 3 corner, 4 reversal, by the free angle."},
+    Builtin{"h", "p", "h(p)", ofPlace<Op::SizeAt>,
+            "The wanted edge length at p, in units of that at the base."},
+    Builtin{"layer", "w", "layer(v)", ofVertex<Op::Layer, Type::Number>,
+            "Layers of elements between v and the boundary."},
+    Builtin{"on_boundary", "w", "on_boundary(v)", ofVertex<Op::OnBoundary, Type::Truth>,
+            "Whether v lies on the boundary."},
+    Builtin{"valence", "w", "valence(v)", ofVertex<Op::Valence, Type::Number>,
+            "The number of elements at v so far."},
+    Builtin{"loop_size", "", "loop_size()", loopSize,
+            "The number of edges of this loop of the front."},
+    Builtin{"dist_front", "p", "dist_front(p)", ofPlace<Op::FrontDistance>,
+            "The distance to the nearest front edge."},
+    Builtin{"curvature", "p", "curvature(p)", ofPlace<Op::CurvatureAt>,
+            "The surface's curvature times the wanted length."},
+    Builtin{"ccw", "ppp", "ccw(p, q, r)", ccw, "Whether three points turn left; exact."},
+    Builtin{"convex", "ppp*", "convex(p, q, r, ...)", convex,
+            "Whether corners form a convex polygon; exact."},
 };
 
 struct ShapeFunction {
-  std::string_view name, usage;
+  std::string_view name, usage, help;
 };
 
 constexpr std::array kShapes{
-    ShapeFunction{"poly", "poly(p, q, r, ...)"},
-    ShapeFunction{"hull", "hull(p, q, ...)"},
-    ShapeFunction{"disc", "disc(centre, radius)"},
-    ShapeFunction{"left", "left(point, direction)"},
-    ShapeFunction{"sector", "sector(centre, radius, from, to)"},
-    ShapeFunction{"grow", "grow(shape, distance)"},
-    ShapeFunction{"arc", "arc(via, to)"},
-    ShapeFunction{"inside", "inside(p, shape)"},
+    ShapeFunction{"poly", "poly(p, q, r, ...)",
+                  "A simple polygon, counter-clockwise; arc(via, to) may be a corner."},
+    ShapeFunction{"hull", "hull(p, q, ...)", "The convex hull."},
+    ShapeFunction{"disc", "disc(centre, radius)", "A disc."},
+    ShapeFunction{"left", "left(point, direction)",
+                  "The half plane to the left of the line through p along v."},
+    ShapeFunction{"sector", "sector(centre, radius, from, to)",
+                  "Counter-clockwise between two angles from the x axis."},
+    ShapeFunction{"grow", "grow(shape, distance)", "All within a distance of the shape."},
+    ShapeFunction{"arc", "arc(via, to)", "In a poly: along a circle through via."},
+    ShapeFunction{"inside", "inside(p, shape)", "Whether the closed shape holds the point."},
 };
 
 }  // namespace
@@ -230,6 +248,13 @@ std::string_view usageOf(std::string_view name) {
   if (const BuiltinMetric* metric = findBuiltinMetric(name)) return metric->usage;
   const auto shape = std::ranges::find(kShapes, name, &ShapeFunction::name);
   return shape == kShapes.end() ? name : shape->usage;
+}
+
+std::string_view helpOf(std::string_view name) {
+  if (const Builtin* builtin = findBuiltin(name)) return builtin->help;
+  if (const BuiltinMetric* metric = findBuiltinMetric(name)) return metric->help;
+  const auto shape = std::ranges::find(kShapes, name, &ShapeFunction::name);
+  return shape == kShapes.end() ? std::string_view() : shape->help;
 }
 
 bool isBuiltin(std::string_view name) {

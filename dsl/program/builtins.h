@@ -22,6 +22,7 @@ struct Builtin {
   std::string_view parameters;
   std::string_view usage;  ///< as shown in diagnostics and editors: "lerp(from, to, t)"
   Value (*make)(const Algebra& algebra, std::span<const Value> arguments);
+  std::string_view help;  ///< one sentence
 };
 
 std::span<const Builtin> builtins();
@@ -35,6 +36,7 @@ struct BuiltinMetric {
   /// Corners are three or four points.
   Value (*make)(const Algebra& algebra, std::span<const Value> weights,
                 std::span<const Value> corners);
+  std::string_view help;  ///< one sentence
 };
 
 std::span<const BuiltinMetric> builtinMetrics();
@@ -45,6 +47,9 @@ bool isShapeFunction(std::string_view name);
 
 /// How a name of the language is called: "lerp(from, to, t)"; of one without arguments the name.
 std::string_view usageOf(std::string_view name);
+
+/// What it does, in one sentence; empty if the language has no such name.
+std::string_view helpOf(std::string_view name);
 
 /// Whether a name belongs to any of the above.
 bool isBuiltin(std::string_view name);

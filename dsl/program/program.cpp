@@ -156,9 +156,21 @@ class Runner {
       case Op::LeftTurn:
       case Op::NotRightTurn:
         return turns(s);
-      default:
+      case Op::Layer:
+      case Op::OnBoundary:
+      case Op::Valence:
+      case Op::Turn:
+      case Op::LoopSize:
+      case Op::SizeAt:
+      case Op::FrontDistance:
+      case Op::CurvatureAt:
         return surroundings(s);
+      case Op::Unknown:
+      case Op::Inside:  // as is a call, run by the program, which holds the shapes and functions
+      case Op::Call:
+        break;
     }
+    throw InternalError("a rule with errors was run");
   }
 
  private:
@@ -217,49 +229,6 @@ double evaluateStep(const Step& step, std::span<const double> values) {
   return Runner({}, {}, values.data())(step);
 }
 
-int argumentCount(Op op) {
-  switch (op) {
-    case Op::SizeAt:
-    case Op::FrontDistance:
-    case Op::CurvatureAt:
-      return 2;
-    case Op::Add:
-    case Op::Subtract:
-    case Op::Multiply:
-    case Op::Divide:
-    case Op::Power:
-    case Op::Atan2:
-    case Op::Minimum:
-    case Op::Maximum:
-    case Op::Less:
-    case Op::LessEqual:
-    case Op::Equal:
-    case Op::And:
-    case Op::Or:
-    case Op::Inside:
-      return 2;
-    case Op::Negate:
-    case Op::SquareRoot:
-    case Op::Sine:
-    case Op::Cosine:
-    case Op::Tangent:
-    case Op::Absolute:
-    case Op::Not:
-      return 1;
-    case Op::Select:
-      return 3;
-    case Op::Sweep:
-    case Op::BisectX:
-    case Op::BisectY:
-      return 4;
-    case Op::LeftTurn:
-    case Op::NotRightTurn:
-      return 6;
-    default:
-      return 0;
-  }
-}
-
 bool Program::run(const AF2Binding& binding, std::span<const double> inputs,
                   std::span<double> results) const {
   constexpr std::size_t kUsual = 192;  // programs of rules have some dozens of steps
@@ -278,7 +247,9 @@ bool Program::run(const AF2Binding& binding, std::span<const double> inputs,
     return finite(call(*functions_[index], s.arguments, {values, steps_.size()}));
   };
   double* value = values;
-  static_assert(Op::Inside > Op::NotRightTurn && Op::Call > Op::Inside);  // the last two
+  static_assert(std::ranges::none_of(kOperations, [](const Operation& o) {
+    return o.op != Op::Unknown && (o.op >= Op::Inside) != (o.needs == Needs::Program);
+  }));
   for (const Step& s : steps_) *value++ = s.op >= Op::Inside ? holdsOrCalls(s) : runner(s);
   bool hasValues = true;
   for (std::size_t i = 0; i < results_.size(); ++i) {

@@ -9,6 +9,7 @@
 #include <tuple>
 #include <vector>
 
+#include "dsl/program/operations.h"
 #include "engine/rule/binding.h"
 #include "engine/rule/point_transform.h"
 
@@ -16,53 +17,6 @@ namespace af2::dsl {
 
 class ShapeProgram;
 struct UserFunction;
-
-/// What a step does. "No value" is kept as NaN while a program runs: it spreads through arithmetic,
-/// but a choice whose other branch is taken drops it.
-enum class Op : unsigned char {
-  Unknown,  ///< stands for something that could not be compiled; never run
-  Constant,
-  CoordinateX,  ///< of the matched vertex `index`
-  CoordinateY,
-  Level,
-  Input,  ///< a number from outside, such as the score in `accept`
-  Layer,
-  OnBoundary,
-  Valence,
-  Turn,  ///< of the matched vertex `index`
-  LoopSize,
-  SizeAt,
-  FrontDistance,
-  CurvatureAt,  ///< at a point
-  Add,
-  Subtract,
-  Multiply,
-  Divide,
-  Negate,
-  Power,
-  SquareRoot,
-  Sine,
-  Cosine,
-  Tangent,
-  Atan2,
-  Absolute,
-  Minimum,
-  Maximum,
-  Sweep,  ///< angle counter-clockwise from one vector to another, in (0, 2 pi]
-  BisectX,
-  BisectY,  ///< unit vector that halves that angle
-  Less,
-  LessEqual,
-  Equal,
-  And,
-  Or,
-  Not,
-  Select,
-  LeftTurn,      ///< whether three points turn left; exact
-  NotRightTurn,  ///< whether they do not turn right; exact
-  Inside,        ///< whether a point lies in a shape
-  Call,          ///< a registered function
-};
 
 /// An index of a step.
 using Node = int;
@@ -142,8 +96,5 @@ class ProgramBuilder {
   std::vector<std::shared_ptr<const ShapeProgram>> shapes_;
   std::vector<std::shared_ptr<const UserFunction>> functions_;
 };
-
-/// Number of arguments of an operation.
-int argumentCount(Op op);
 
 }  // namespace af2::dsl

@@ -6,7 +6,6 @@
 #include "dsl/program/steps.h"
 
 namespace af2::dsl {
-namespace {}  // namespace
 
 Node ProgramBuilder::constant(double value) {
   Step step;
@@ -75,7 +74,8 @@ Node ProgramBuilder::insert(const Step& step) {
   }
   const auto [found, isNew] = known_.emplace(step.key(), static_cast<Node>(steps_.size()));
   if (!isNew) return found->second;
-  bool depends = !isArithmetic(step.op) && step.op != Op::Constant && step.op != Op::Level;
+  const Needs needs = operationOf(step.op).needs;
+  bool depends = needs != Needs::Nothing && needs != Needs::Level;
   for (Node argument : step.arguments)
     if (argument >= 0) depends = depends || dependsOnMatch(argument);
   affine_.push_back(affineOf(step));

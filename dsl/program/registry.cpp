@@ -5,20 +5,13 @@
 #include <limits>
 
 #include "dsl/program/builtins.h"
-#include "dsl/text/words.h"
+#include "dsl/program/steps.h"
+#include "dsl/text/characters.h"
+#include "dsl/text/keywords.h"
 #include "engine/base/error.h"
 
 namespace af2::dsl {
 namespace {
-
-bool isName(const std::string& name) {
-  const auto isLetter = [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
-  };
-  return !name.empty() && isLetter(name[0]) && std::all_of(name.begin(), name.end(), [&](char c) {
-    return isLetter(c) || (c >= '0' && c <= '9');
-  });
-}
 
 void checkParameters(const std::string& name, const std::string& parameters) {
   constexpr int kMostNumbers = 8;
@@ -36,7 +29,7 @@ void checkParameters(const std::string& name, const std::string& parameters) {
 }  // namespace
 
 void Registry::checkName(const std::string& name) const {
-  if (!isName(name) || isReserved(name) || isBuiltin(name))
+  if (!isPlainName(name) || isReserved(name) || isBuiltin(name))
     throw InputError("'" + name + "' cannot be registered: not a free name of the rule language");
   if (functions_.contains(name) || metrics_.contains(name) || shapes_.contains(name))
     throw InputError("'" + name + "' is registered already");

@@ -2,7 +2,6 @@
 // name.
 #pragma once
 
-#include <array>
 #include <functional>
 #include <map>
 #include <memory>
@@ -10,7 +9,7 @@
 #include <span>
 #include <string>
 
-#include "dsl/program/program.h"
+#include "engine/base/export.h"
 #include "engine/rule/element_metric.h"
 #include "engine/rule/free_zone.h"
 
@@ -35,7 +34,7 @@ struct UserShape {
 };
 
 /// What rule files may call beyond the language. Names must not be those of built-in functions.
-class Registry {
+class AF2_EXPORT Registry {
  public:
   /// Each throws InputError on a name that is taken or no name, or on unknown letters.
   void addFunction(UserFunction function);
@@ -56,9 +55,5 @@ class Registry {
   std::map<std::string, std::shared_ptr<const AF2ElementMetric>> metrics_;
   std::map<std::string, std::shared_ptr<const UserShape>> shapes_;
 };
-
-/// Calls a registered function with the values of steps; NaN where it has no value.
-double call(const UserFunction& function, const std::array<Node, Step::kMostArguments>& arguments,
-            std::span<const double> values);
 
 }  // namespace af2::dsl

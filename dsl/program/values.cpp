@@ -42,8 +42,10 @@ std::string describe(const Value& value) {
   if (value.vertex >= 0) return "a vertex";
   if (value.isPoint()) return "a point";
   if (value.isVector()) return "a vector";
-  return "a sum of points of weight " + shortNumber(value.weight);
+  return "a sum of points of weight " + weightText(value);
 }
+
+std::string weightText(const Value& value) { return shortNumber(value.weight); }
 
 Value Algebra::scalar(Type type, Node node) const {
   Value v;

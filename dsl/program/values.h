@@ -55,6 +55,8 @@ struct Value {
 
 /// "a number", "a point", "a sum of weight 2", ...
 std::string describe(const Value& value);
+/// The weight of a sum of points, as messages show it.
+std::string weightText(const Value& value);
 
 /// What a rule's expressions may ask about the match, and in which frame.
 struct MatchFrame {

@@ -202,9 +202,23 @@ Local localOf(const Step& step, const std::array<Interval, 4>& a) {
       return truth(a[0].isZero(), !a[0].contains(0));
     case Op::Select:
       return selected(a[0], a[1], a[2]);
-    default:
-      return jump(Interval::all());
+    // Variables of the box come from elsewhere; of the rest nothing is known.
+    case Op::Unknown:
+    case Op::CoordinateX:
+    case Op::CoordinateY:
+    case Op::Level:
+    case Op::Input:
+    case Op::Turn:
+    case Op::SizeAt:
+    case Op::FrontDistance:
+    case Op::CurvatureAt:
+    case Op::LeftTurn:
+    case Op::NotRightTurn:
+    case Op::Inside:
+    case Op::Call:
+      break;
   }
+  return jump(Interval::all());
 }
 
 }  // namespace

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <map>
 
-#include "dsl/proof/match_sampler.h"
+#include "dsl/match/match_sampler.h"
 #include "dsl/proof/rule_sample.h"
 #include "dsl/proof/test_text.h"
 #include "engine/base/error.h"
@@ -66,7 +66,7 @@ std::optional<SampledFinding> findNeverChosen(const RuleSample& sample, SingleSt
   if (situations == 0) return std::nullopt;
 
   const auto reference = PatternMatch::atReference(sample.rule, sample.level);
-  SampledFinding finding = findingAbout(sample, "D3", Severity::Warning);
+  SampledFinding finding = findingAbout(sample, Code::NeverChosen);
   finding.message = fmt::format("rule '{}' was never chosen in {} situations that it fits; {}",
                                 sample.name(), situations, describe(sample.rules, winners));
   finding.help = "drop it, or let it match where the others do not";

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 
+#include "dsl/match/match_sampler.h"
 #include "dsl/program/compiled_forms.h"
 #include "dsl/program/shape_program.h"
-#include "dsl/proof/match_sampler.h"
 #include "dsl/proof/rule_sample.h"
 #include "dsl/proof/test_text.h"
 
@@ -46,29 +46,7 @@ bool isLength(const Program& program, const Step& root) {
 /// Whether the condition has a value at every match: where it has none, it refuses.
 bool hasAlwaysValue(const Program& program) {
   return std::ranges::all_of(program.steps(), [&](const Step& step) {
-    switch (step.op) {
-      case Op::Constant:
-      case Op::CoordinateX:
-      case Op::CoordinateY:
-      case Op::Level:
-      case Op::Add:
-      case Op::Subtract:
-      case Op::Multiply:
-      case Op::Negate:
-      case Op::Less:
-      case Op::LessEqual:
-      case Op::Equal:
-      case Op::And:
-      case Op::Or:
-      case Op::Not:
-      case Op::LeftTurn:
-      case Op::NotRightTurn:
-        return true;
-      case Op::SquareRoot:
-        return isLength(program, step);
-      default:
-        return false;
-    }
+    return step.op == Op::SquareRoot ? isLength(program, step) : operationOf(step.op).isTotal;
   });
 }
 
@@ -146,8 +124,7 @@ SampledFinding idleFinding(const RuleSet& rules, std::size_t index, std::size_t 
   const AF2Rule& rule = rules.rules()[index];
   const int level = rule.definition().firstLevel;
   const auto reference = PatternMatch::atReference(rule, level);
-  SampledFinding finding;
-  finding.code = "D1";
+  SampledFinding finding(Code::IdleClause);
   finding.rule = index;
   finding.element = static_cast<int>(number);
   finding.example = {reference.vertices(), level, {}, {}};

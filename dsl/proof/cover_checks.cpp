@@ -8,6 +8,7 @@
 #include "dsl/proof/test_text.h"
 #include "dsl/proof/zone_depth.h"
 #include "engine/base/predicates.h"
+#include "engine/mesh/element_shape.h"
 
 namespace af2::dsl {
 namespace {
@@ -19,14 +20,6 @@ struct Uncovered {
   double depth = 0;  // from `at` to the zone; measured for some
 };
 
-bool isPositive(const std::vector<Point2>& corners) {
-  const std::size_t n = corners.size();
-  for (std::size_t i = 0; i < n; ++i)
-    if (orientation(corners[i], corners[(i + 1) % n], corners[(i + 2) % n]) != Turn::Left)
-      return false;
-  return true;
-}
-
 bool isUsable(const SampledMatch& one) { return one.zone && one.placed; }
 
 std::optional<Uncovered> uncoveredElement(const SampledMatch& one) {
@@ -34,7 +27,7 @@ std::optional<Uncovered> uncoveredElement(const SampledMatch& one) {
   std::optional<Uncovered> found;
   for (std::size_t i = 0; i < elements.size(); ++i) {
     const auto corners = cornersOf(elements[i], *one.placed);
-    if (!isPositive(corners)) return std::nullopt;  // another finding
+    if (!turnsLeftEverywhere(corners)) return std::nullopt;  // another finding
     if (found) continue;
     if (const auto at = unseenPlace(*one.zone, corners))
       found = Uncovered{&one, static_cast<int>(i), *at};
@@ -135,7 +128,7 @@ std::optional<SampledFinding> findUncovered(const RuleSample& sample) {
   const Point2 surelyUnseen = example.at;
   measure(example);
   const Point2 unseen = shownPlace(example).value_or(surelyUnseen);
-  SampledFinding finding = findingAbout(sample, "Z1", Severity::Error);
+  SampledFinding finding = findingAbout(sample, Code::UncoveredElement);
   finding.element = example.element;
   finding.message = fmt::format(
       "a new element of rule '{}' sticks out of the free zone at {} of the matches at level "

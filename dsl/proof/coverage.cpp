@@ -176,7 +176,7 @@ bool isOrdinary(const FrontPiece& piece) {
 std::optional<SampledFinding> findUncoveredSituations(const Coverage& coverage) {
   constexpr double kTolerable = 0.01;
   std::string shares;
-  SampledFinding finding;
+  SampledFinding finding(Code::UncoveredSituation);
   double worst = 0;
   for (const CoverageMap& map : coverage.maps) {
     const double share = shareLeftOut(map);
@@ -192,7 +192,6 @@ std::optional<SampledFinding> findUncoveredSituations(const Coverage& coverage) 
       finding.furtherTests.push_back(test);
   }
   if (shares.empty()) return std::nullopt;
-  finding.code = "N1";
   finding.message = fmt::format("no rule takes some ordinary pieces of front up to level {}: {}",
                                 coverage.lastLevel, shares);
   finding.help = "add a rule for them, or let the acceptance bound grow faster with the level";

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "dsl/proof/sampled_checks.h"
+#include "engine/base/export.h"
 #include "engine/rule/rule_set.h"
 #include "engine/step/single_step.h"
 
@@ -34,15 +35,15 @@ struct Coverage {
 /// Tries the whole rule set on free-standing pieces of front: a single edge by its length; two
 /// edges by the angle between them and the length of the second; three edges by their two angles.
 /// Angles are those of the unmeshed side.
-Coverage measureCoverage(const RuleSet& rules, int lastLevel = 10);
+AF2_EXPORT Coverage measureCoverage(const RuleSet& rules, int lastLevel = 10);
 
 /// Whether a front in good order comes to look like this: edges of 0.6 to 1.7 times the wanted
 /// length, no free angle below 45 or above 315 degrees, and vertices that are not neighbours at
 /// least half an edge apart.
-bool isOrdinary(const FrontPiece& piece);
+AF2_EXPORT bool isOrdinary(const FrontPiece& piece);
 
 /// A finding, about no rule in particular, if no rule accepts some ordinary situations. It has a
 /// test for each kind of piece, on a situation amid those that are left out.
-std::optional<SampledFinding> findUncoveredSituations(const Coverage& coverage);
+AF2_EXPORT std::optional<SampledFinding> findUncoveredSituations(const Coverage& coverage);
 
 }  // namespace af2::dsl

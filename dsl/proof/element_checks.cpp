@@ -4,20 +4,18 @@
 #include <algorithm>
 #include <limits>
 
-#include "dsl/proof/match_sampler.h"
+#include "dsl/match/match_sampler.h"
 #include "dsl/proof/rule_sample.h"
 #include "dsl/proof/test_text.h"
-#include "engine/base/predicates.h"
+#include "engine/mesh/element_shape.h"
 
 namespace af2::dsl {
 namespace {
 
 /// The corner at which an element does not turn left; nothing if it is positive.
 std::optional<Point2> badCorner(const std::vector<Point2>& corners) {
-  const std::size_t n = corners.size();
-  for (std::size_t i = 0; i < n; ++i)
-    if (orientation(corners[(i + n - 1) % n], corners[i], corners[(i + 1) % n]) != Turn::Left)
-      return corners[i];
+  for (std::size_t i = 0; i < corners.size(); ++i)
+    if (!turnsLeftAt(corners, i)) return corners[i];
   return std::nullopt;
 }
 
@@ -84,7 +82,7 @@ SampledFinding invertedFinding(const RuleSample& sample, const SampledMatch& nea
   const auto shows = [](const SampledMatch& one) { return invertedElement(one).has_value(); };
   const SampledMatch example = simplified(nearest, sample.rules, shows);
   const Inverted inverted = *invertedElement(example);
-  SampledFinding finding = findingAbout(sample, "G2", Severity::Error);
+  SampledFinding finding = findingAbout(sample, Code::InvertibleElement);
   finding.element = inverted.element;
   finding.message = fmt::format("a new element turns over at {} that rule '{}' accepts at level {}",
                                 share, sample.name(), sample.level);

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "dsl/load/intended_findings.h"
+#include "dsl/load/loaded_file.h"
 
 namespace af2::dsl {
 namespace {
@@ -28,12 +29,15 @@ std::optional<Span> whenSpan(const Rule& rule, int number) {
 
 Span spanOf(const CompiledRule& rule, const SampledFinding& finding) {
   const auto element = static_cast<std::size_t>(finding.element);
-  if (finding.code == "G2" && element < rule.elementSpans.size()) return rule.elementSpans[element];
-  if (finding.code == "D1" && rule.text && finding.zone >= 0)
+  if (finding.code == Code::InvertibleElement && element < rule.elementSpans.size())
+    return rule.elementSpans[element];
+  if (finding.code == Code::IdleClause && rule.text && finding.zone >= 0)
     return whenSpan(*rule.text, finding.zone).value_or(rule.title);
-  if (finding.code == "D1" && rule.text)
+  if (finding.code == Code::IdleClause && rule.text)
     return conditionSpan(*rule.text, element).value_or(rule.title);
-  if (finding.code[0] == 'Z' && !rule.zoneSpans.empty()) return rule.zoneSpans.front();
+  const bool isAboutZone = finding.code == Code::UncoveredElement ||
+                           finding.code == Code::InvalidZone || finding.code == Code::GrowingZone;
+  if (isAboutZone && !rule.zoneSpans.empty()) return rule.zoneSpans.front();
   return rule.title;
 }
 
@@ -51,9 +55,8 @@ std::string onOneLine(const std::string& text) {
 }
 
 Diagnostic diagnosticOf(const SampledFinding& finding) {
-  Diagnostic diagnostic;
+  Diagnostic diagnostic(finding.code);
   diagnostic.severity = finding.severity;
-  diagnostic.code = finding.code;
   diagnostic.message = finding.message;
   diagnostic.help = finding.help;
   if (!finding.test.empty()) diagnostic.notes.push_back(testNote(finding.test));
@@ -69,13 +72,16 @@ bool covers(const DiagnosticPlace& outer, const DiagnosticPlace& inner) {
 
 }  // namespace
 
-DiagnosticNote testNote(const std::string& test) { return {onOneLine(test), std::nullopt}; }
+DiagnosticNote testNote(const std::string& test) {
+  return {onOneLine(test), std::nullopt, DiagnosticNote::Kind::Test};
+}
 
 std::vector<Diagnostic> diagnosticsOf(const LoadedRules& loaded, const SampledResult& result) {
   std::vector<Diagnostic> diagnostics;
   for (const SampledFinding& finding : result.findings) {
     const CompiledRule& rule = loaded.file->rules[finding.rule];
-    if (finding.code == "D1" && rule.isMirror) continue;  // the clause is the rule's own
+    if (finding.code == Code::IdleClause && rule.isMirror)
+      continue;  // the clause is the rule's own
     Diagnostic diagnostic = diagnosticOf(finding);
     diagnostic.place = placeOf(rule.home->source, spanOf(rule, finding));
     diagnostic.rule = rule.definition.name;
@@ -94,8 +100,8 @@ std::vector<Diagnostic> diagnosticsOf(const LoadedRules& loaded, const Coverage&
 }
 
 void addFinding(std::vector<Diagnostic>& told, Diagnostic finding) {
-  if (finding.code == "D3" && std::ranges::any_of(told, [&](const Diagnostic& d) {
-        return d.code == "M2" && covers(d.place, finding.place);
+  if (finding.code == Code::NeverChosen && std::ranges::any_of(told, [&](const Diagnostic& d) {
+        return d.code == Code::RedundantMirror && covers(d.place, finding.place);
       }))
     return;
   const auto same = std::ranges::find_if(told, [&](const Diagnostic& d) {

@@ -3,8 +3,9 @@
 
 #include <algorithm>
 
+#include "dsl/load/loaded_file.h"
+#include "dsl/match/match_sampler.h"
 #include "dsl/proof/match_diagnostics.h"
-#include "dsl/proof/match_sampler.h"
 #include "dsl/proof/test_text.h"
 
 namespace af2::dsl {
@@ -31,10 +32,9 @@ bool isDone(const SingleStep& step, const AF2Rule& image, const std::vector<Poin
 
 /// Whether the image would apply at a match, and no rule does the same.
 bool isMissing(SingleStepper& stepper, const RuleSet& rules, const PatternMatch& match) {
-  const auto placed = match.placeAll();
-  if (!placed || match.refusalOfMatch(rules) != Refusal::None) return false;
-  if (!match.rule().definition().zone->makeFreeZone(match.binding()).zone) return false;
-  return !isDone(stepper.take(pieceOf(match, match.level())), match.rule(), *placed);
+  if (!evaluateMatch(rules, match.rule(), match.binding()).refused.isNone()) return false;
+  const SingleStep step = stepper.take(pieceOf(match, match.level()));
+  return !isDone(step, match.rule(), *match.placeAll());
 }
 
 }  // namespace
@@ -45,7 +45,7 @@ std::optional<MirrorExample> mirrorExampleOf(const LoadedRules& loaded, const Di
   const auto rule = std::ranges::find_if(compiled, [&](const CompiledRule& one) {
     return one.definition.name == finding.rule && one.image;
   });
-  if (finding.code != "M1" || rule == compiled.end()) return std::nullopt;
+  if (finding.code != Code::MissingMirror || rule == compiled.end()) return std::nullopt;
   const RuleSet& rules = *loaded.rules;
   const int level = rule->definition.firstLevel;
   if (level > rules.maxLevel()) return std::nullopt;

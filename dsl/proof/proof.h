@@ -5,6 +5,7 @@
 #include <memory>
 #include <span>
 
+#include "engine/base/export.h"
 #include "engine/rule/rule_set.h"
 
 namespace af2::dsl {
@@ -24,17 +25,20 @@ inline constexpr ProofEffort kGreatEffort{400'000, 1e-5};
 ///
 /// False: not proven, not disproven. `effort` is used up as boxes are looked at. Bounds are rounded
 /// outwards; what is shown to be at least -1e-7 counts as not negative.
-bool provesPositive(const RuleSet& rules, const AF2Rule& rule, int level, ProofEffort& effort);
+AF2_EXPORT bool provesPositive(const RuleSet& rules, const AF2Rule& rule, int level,
+                               ProofEffort& effort);
 
 /// Whether every element lies in the zone, at any such match with elements that are positive.
-bool provesCovered(const RuleSet& rules, const AF2Rule& rule, int level, ProofEffort& effort);
+AF2_EXPORT bool provesCovered(const RuleSet& rules, const AF2Rule& rule, int level,
+                              ProofEffort& effort);
 
 /// Whether a condition is surely `truth` at every match that passes the pattern and the `require`
 /// of `rule`, and at which none of `failing` holds: here base edges of any length are meant, and
 /// vertices anywhere. Where the condition has no value nothing is said. Neither it nor the rule's
 /// `require` may ask for sizes.
-bool provesCondition(const RuleSet& rules, const AF2Rule& rule, const AF2BindingFunction& condition,
-                     bool truth, int level, ProofEffort& effort,
-                     std::span<const std::shared_ptr<const AF2BindingFunction>> failing = {});
+AF2_EXPORT bool provesCondition(
+    const RuleSet& rules, const AF2Rule& rule, const AF2BindingFunction& condition, bool truth,
+    int level, ProofEffort& effort,
+    std::span<const std::shared_ptr<const AF2BindingFunction>> failing = {});
 
 }  // namespace af2::dsl

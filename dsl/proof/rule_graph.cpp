@@ -11,11 +11,6 @@ namespace {
 
 double rounded(double x) { return std::round(x * 1e12) / 1e12 + 0.0; }
 
-bool isSum(Op op) {
-  return op == Op::Add || op == Op::Subtract || op == Op::Negate || op == Op::Multiply ||
-         op == Op::Divide;
-}
-
 }  // namespace
 
 RuleGraph::RuleGraph(const RuleSet& rules, const AF2Rule& rule, int level,
@@ -72,8 +67,7 @@ LinearForm RuleGraph::formOf(Op op, std::span<const Node> arguments, Node node) 
   }
 }
 
-Node RuleGraph::make(Op op, std::initializer_list<Node> given, int index) {
-  std::vector<Node> arguments(given);
+Node RuleGraph::make(Op op, std::vector<Node> arguments, int index) {
   if (op == Op::Multiply) std::ranges::sort(arguments);
   const Node node = builder_.make(op, arguments, index);
   const bool isNew = static_cast<std::size_t>(node) >= forms_.size();
@@ -85,7 +79,6 @@ Node RuleGraph::make(Op op, std::initializer_list<Node> given, int index) {
     step.index = index;
     std::copy(arguments.begin(), arguments.end(), step.arguments.begin());
   }
-  if (!isSum(op)) return node;
   return nodeOf(formOf(op, arguments, node));
 }
 
@@ -173,33 +166,16 @@ Node RuleGraph::importStep(const Step& step, const std::vector<Node>& imported) 
       return make(Op::Less, {constant(0), turn(point(0), point(1), point(2))});
     case Op::NotRightTurn:
       return make(Op::LessEqual, {constant(0), turn(point(0), point(1), point(2))});
-    case Op::Layer:
-    case Op::OnBoundary:
-    case Op::Valence:
-    case Op::LoopSize:
-      return make(step.op, {}, step.index);
-    case Op::Unknown:
-    case Op::Input:
-    case Op::FrontDistance:
-    case Op::CurvatureAt:
-    case Op::Inside:
-    case Op::Call:
-      return unknown();
     default:
       break;
   }
-  switch (argumentCount(step.op)) {
-    case 1:
-      return make(step.op, {argument(0)});
-    case 2:
-      return make(step.op, {argument(0), argument(1)});
-    case 3:
-      return make(step.op, {argument(0), argument(1), argument(2)});
-    case 4:
-      return make(step.op, {argument(0), argument(1), argument(2), argument(3)});
-    default:
-      return unknown();
-  }
+  const Operation& operation = operationOf(step.op);
+  const bool isFact = operation.needs == Needs::Front && operation.arguments == 0;
+  if (!isFact && !isArithmetic(step.op)) return unknown();
+  std::vector<Node> arguments;
+  for (int i = 0; i < operation.arguments; ++i)
+    arguments.push_back(argument(static_cast<std::size_t>(i)));
+  return make(step.op, std::move(arguments), isFact ? step.index : 0);
 }
 
 std::vector<Node> RuleGraph::import(const Program& program) {

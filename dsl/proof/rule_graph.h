@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "dsl/match/match_sampler.h"
 #include "dsl/program/program.h"
 #include "dsl/program/values.h"
 #include "dsl/proof/interval.h"
@@ -35,13 +36,9 @@ struct GraphVariable {
   Interval range;
 };
 
-/// How far a vertex may be from its reference where its tolerance sets no bound.
-inline constexpr double kFarthestVertex = 2.5;
-inline constexpr Interval kBaseLengths{0.7, 1.4};  ///< by the wanted length
-
-/// Which matches a graph stands for, where the pattern sets no bound.
+/// Which matches a graph stands for, where the pattern sets no bound: those that are sampled.
 struct MatchDomain {
-  Interval baseLengths = kBaseLengths;
+  Interval baseLengths{kShortestBase, kLongestBase};  ///< in wanted lengths
   double farthestVertex = kFarthestVertex;
 };
 
@@ -60,7 +57,7 @@ class RuleGraph {
 
   // Further nodes. Equal ones are made once, affine sums in one way however they are written.
   Node constant(double value) { return keep(builder_.constant(value)); }
-  Node make(Op op, std::initializer_list<Node> arguments, int index = 0);
+  Node make(Op op, std::vector<Node> arguments, int index = 0);
   Node add(Node a, Node b) { return make(Op::Add, {a, b}); }
   Node subtract(Node a, Node b) { return make(Op::Subtract, {a, b}); }
   Node multiply(Node a, Node b) { return make(Op::Multiply, {a, b}); }

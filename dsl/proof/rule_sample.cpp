@@ -5,7 +5,7 @@
 #include <set>
 
 #include "dsl/checks/checks.h"
-#include "dsl/proof/match_sampler.h"
+#include "dsl/match/match_sampler.h"
 
 namespace af2::dsl {
 
@@ -27,10 +27,8 @@ SampledMatch examine(PatternMatch match) {
   return result;
 }
 
-SampledFinding findingAbout(const RuleSample& sample, const char* code, Severity severity) {
-  SampledFinding finding;
-  finding.code = code;
-  finding.severity = severity;
+SampledFinding findingAbout(const RuleSample& sample, Code code) {
+  SampledFinding finding(code);
   finding.rule = sample.index;
   return finding;
 }

@@ -50,7 +50,7 @@ SampledMatch simplified(const SampledMatch& one, const RuleSet& rules, const Sho
 }
 
 /// A finding about the rule, still without message and example.
-SampledFinding findingAbout(const RuleSample& sample, const char* code, Severity severity);
+SampledFinding findingAbout(const RuleSample& sample, Code code);
 
 /// The first level that the rule's conditions let through, some later ones with all at which its
 /// pattern moves, and the last one at which it is tried or which is looked at; empty if the rule

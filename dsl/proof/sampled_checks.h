@@ -10,6 +10,7 @@
 
 #include "dsl/proof/proof.h"
 #include "dsl/text/diagnostic.h"
+#include "engine/base/export.h"
 #include "engine/rule/rule_set.h"
 
 namespace af2::dsl {
@@ -31,8 +32,11 @@ struct CounterExample {
 };
 
 struct SampledFinding {
-  std::string code;
-  Severity severity = Severity::Warning;
+  /// As severe as findings with this code are.
+  explicit SampledFinding(Code what) : code(what), severity(infoOf(what).severity) {}
+
+  Code code;
+  Severity severity;
   std::size_t rule = 0;  ///< index in the rule set
   int element = -1;      ///< of the rule, where the finding is about one; of D1: the condition
   int zone = -1;         ///< of D1, where the condition is the `when` of a zone clause
@@ -67,9 +71,10 @@ struct SampledResult {
 
 /// G2 and Z1 at the first kLevelsLookedAt levels of each rule, Z2 at its own level, Z3, and D3.
 /// Rules that the rule set's levels never reach are passed over.
-SampledResult runSampledChecks(const RuleSet& rules, const SamplingOptions& options = {});
+AF2_EXPORT SampledResult runSampledChecks(const RuleSet& rules,
+                                          const SamplingOptions& options = {});
 
 /// "12 rules; elements positive (G2): proven for 11, sampled for 1; inside the free zone (Z1): ..."
-std::string summaryOf(const SampledResult& result);
+AF2_EXPORT std::string summaryOf(const SampledResult& result);
 
 }  // namespace af2::dsl

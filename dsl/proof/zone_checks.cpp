@@ -81,7 +81,7 @@ Growth worstGrowth(const PatternMatch& match, const std::vector<int>& levels) {
 
 SampledFinding growthFinding(const RuleSample& sample, const PatternMatch& match,
                              const Growth& growth, int count, int looked) {
-  SampledFinding finding = findingAbout(sample, "Z3", Severity::Warning);
+  SampledFinding finding = findingAbout(sample, Code::GrowingZone);
   finding.message = fmt::format(
       "the free zone of rule '{}' grows as the level rises: at {} of {} matches, by up to {:.2g} "
       "from level {} to {}",
@@ -116,7 +116,7 @@ std::optional<SampledFinding> findLost(const RuleSample& sample) {
   const SampledMatch* nearest = losesReference ? &reference : nullptr;
   for (const SampledMatch& one : sample.matches)
     if (isLost(one) && (!nearest || one.deviation < nearest->deviation)) nearest = &one;
-  SampledFinding finding = findingAbout(sample, "Z2", Severity::Warning);
+  SampledFinding finding = findingAbout(sample, Code::InvalidZone);
   const SampledMatch example = simplified(*nearest, sample.rules, isLost);
   const bool isConvexity = example.zoneRefusal == Refusal::Convexity;
   finding.message =

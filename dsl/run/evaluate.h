@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/base/export.h"
 #include "engine/rule/refusal.h"
 #include "engine/rule/rule_set.h"
 
@@ -24,6 +25,7 @@ struct EvalRequest {
 
 struct EvalResult {
   Refusal refused = Refusal::None;  ///< the first reason, of those that need no front around
+  std::string because;              ///< the numbers behind it, as a sentence; empty: none
   bool matches = false;
   bool requireHolds = false;
   std::vector<std::pair<std::string, std::optional<Point2>>> newVertices;
@@ -33,13 +35,22 @@ struct EvalResult {
   std::optional<double> score;
 };
 
+/// The rule with this title. Throws InputError if there is none.
+AF2_EXPORT const AF2Rule& findRule(const RuleSet& rules, const std::string& title);
+
+/// Positions in pattern order; vertices that are not given stand at their reference at this level.
+/// Throws InputError on a vertex that the rule does not match, or a number that is not finite.
+AF2_EXPORT std::vector<Point2> matchedPositions(const RuleDefinition& rule,
+                                                const std::map<std::string, Point2>& match,
+                                                int level);
+
 /// Throws InputError on a rule or vertex that there is not, a level out of range, a number that is
 /// not finite.
-EvalResult evaluateRule(const RuleSet& rules, const EvalRequest& request);
+AF2_EXPORT EvalResult evaluateRule(const RuleSet& rules, const EvalRequest& request);
 
-/// {"refused", "matches", "require", "new", "zones", "points_in_zone", "segments_meet_zone",
-/// "score"}
-std::string toJson(const EvalResult& result);
-std::string toText(const EvalResult& result);
+/// {"refused", "because", "matches", "require", "new", "zones", "points_in_zone",
+/// "segments_meet_zone", "score"}
+AF2_EXPORT std::string toJson(const EvalResult& result);
+AF2_EXPORT std::string toText(const EvalResult& result);
 
 }  // namespace af2::dsl

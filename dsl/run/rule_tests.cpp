@@ -5,7 +5,8 @@
 #include <cstdio>
 #include <set>
 
-#include "dsl/match/given_match.h"
+#include "dsl/load/loaded_file.h"
+#include "dsl/match/match_sampler.h"
 
 namespace af2::dsl {
 namespace {
@@ -199,48 +200,12 @@ std::string written(const SourceText& source, Span span) {
   return result;
 }
 
-/// Numbers in [0, 1) that are the same on every machine.
-class Numbers {
- public:
-  double next() {
-    state_ = state_ * 6364136223846793005ull + 1442695040888963407ull;
-    return static_cast<double>(state_ >> 11) * 0x1.0p-53;
-  }
-
- private:
-  std::uint64_t state_ = 0x9e3779b97f4a7c15ull;
-};
-
-/// A deviation whose form is at most `tolerance`, or nothing if this draw misses.
-std::optional<Point2> deviation(Numbers& numbers, const ToleranceForm* form, double tolerance) {
-  constexpr double kFarthest = 2;  // where the form itself sets no bound
-  const auto reach = [&](double weight) {
-    return weight > 0 ? std::min(kFarthest, 1.2 * std::sqrt(tolerance / weight)) : kFarthest;
-  };
-  const double dx = form ? reach(form->xx) : kFarthest, dy = form ? reach(form->yy) : kFarthest;
-  const Point2 d{dx * (2 * numbers.next() - 1), dy * (2 * numbers.next() - 1)};
-  if (form && !((*form)(d) <= tolerance)) return std::nullopt;
-  return d;
-}
-
-std::optional<std::vector<Point2>> draw(Numbers& numbers, const RuleDefinition& rule, int level,
-                                        double tolerance) {
-  std::vector<Point2> points{{0, 0}, {0.7 + 0.6 * numbers.next(), 0}};
-  for (std::size_t i = 2; i < rule.vertices.size(); ++i) {
-    const auto& wanted = rule.vertices[i].tolerance;
-    const auto d = deviation(numbers, wanted ? &wanted->at(level) : nullptr, tolerance);
-    if (!d) return std::nullopt;
-    points.push_back(rule.vertices[i].reference.at(level) + *d);
-  }
-  return points;
-}
-
-bool satisfies(const RuleDefinition& rule, const AF2Binding& binding) {
-  return std::all_of(rule.requirements.begin(), rule.requirements.end(),
-                     [&](const auto& requirement) {
-                       const auto value = requirement->evaluate(binding);
-                       return value && *value != 0;
-                     });
+/// " b = (1, 0) c = (1.5, 0.9)"
+std::string shownMatch(const PatternMatch& match) {
+  std::string text;
+  for (std::size_t v = 1; v < match.vertices().size(); ++v)
+    text += " " + match.rule().definition().vertices[v].name + " = " + shown(match.vertices()[v]);
+  return text;
 }
 
 }  // namespace
@@ -263,7 +228,7 @@ TestResult runTest(const LoadedRules& rules, SingleStepper& stepper, const Compi
 }
 
 TestResult runProperty(const LoadedRules& rules, const CompiledProperty& property) {
-  constexpr int kDrawsPerLevel = 2000;
+  constexpr int kMatchesPerLevel = 1000;
   const SourceText& source = rules.file->main().source;
   TestResult result;
   result.title = property.title;
@@ -273,26 +238,21 @@ TestResult runProperty(const LoadedRules& rules, const CompiledProperty& propert
   const auto found = std::find_if(all.begin(), all.end(),
                                   [&](const AF2Rule& r) { return r.name() == property.rule; });
   if (found == all.end()) return result;
-  const RuleDefinition& rule = found->definition();
-  Numbers numbers;
   std::vector<bool> failed(property.expectations.size());
   for (int level = property.firstLevel; level <= property.lastLevel; ++level) {
-    for (int i = 0; i < kDrawsPerLevel; ++i) {
-      const auto points = draw(numbers, rule, level, rules.rules->matchTolerance(level));
-      if (!points) continue;
-      const GivenMatch match(rule, *points, level);
-      const AF2Binding binding = match.binding();
-      if (!satisfies(rule, binding)) continue;
+    MatchSampler sampler(*rules.rules, *found, level);
+    for (int i = 0; i < kMatchesPerLevel; ++i) {
+      const auto match = sampler.next();
+      if (!match) break;
       ++result.samples;
       for (std::size_t e = 0; e < property.expectations.size(); ++e) {
-        const auto value = property.expectations[e]->evaluate(binding);
+        const auto value = property.expectations[e]->evaluate(match->binding());
         if (failed[e] || !value || *value != 0) continue;
         failed[e] = true;
-        std::string at = "it fails at level " + std::to_string(level) + " for";
-        for (std::size_t v = 1; v < points->size(); ++v)
-          at += " " + rule.vertices[v].name + " = " + shown((*points)[v]);
-        result.failures.push_back({placeOf(source, property.expectationSpans[e]),
-                                   written(source, property.expectationSpans[e]), at});
+        result.failures.push_back(
+            {placeOf(source, property.expectationSpans[e]),
+             written(source, property.expectationSpans[e]),
+             "it fails at level " + std::to_string(level) + " for" + shownMatch(*match)});
       }
     }
   }

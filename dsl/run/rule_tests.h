@@ -5,9 +5,13 @@
 #include <vector>
 
 #include "dsl/load/rule_file.h"
+#include "engine/base/export.h"
 #include "engine/step/single_step.h"
 
 namespace af2::dsl {
+
+struct CompiledTest;
+struct CompiledProperty;
 
 /// An expectation that was not met.
 struct TestFailure {
@@ -27,15 +31,17 @@ struct TestResult {
 };
 
 /// One test. `rules` must be without errors, and `stepper` one for its rule set.
-TestResult runTest(const LoadedRules& rules, SingleStepper& stepper, const CompiledTest& test);
+AF2_EXPORT TestResult runTest(const LoadedRules& rules, SingleStepper& stepper,
+                              const CompiledTest& test);
 
 /// One property, on matches spread over what its rule accepts; the same ones each time.
-TestResult runProperty(const LoadedRules& rules, const CompiledProperty& property);
+AF2_EXPORT TestResult runProperty(const LoadedRules& rules, const CompiledProperty& property);
 
 /// All tests and properties whose titles hold `filter`, in file order.
-std::vector<TestResult> runRuleTests(const LoadedRules& rules, const std::string& filter = {});
+AF2_EXPORT std::vector<TestResult> runRuleTests(const LoadedRules& rules,
+                                                const std::string& filter = {});
 
 /// "ok    title" or "FAIL  title   file:line" with what was expected and what came.
-std::string toText(const TestResult& result);
+AF2_EXPORT std::string toText(const TestResult& result);
 
 }  // namespace af2::dsl

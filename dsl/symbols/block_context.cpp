@@ -4,7 +4,6 @@
 
 #include "dsl/syntax/lexer.h"
 #include "dsl/syntax/syntax_errors.h"
-#include "dsl/text/words.h"
 
 namespace af2::dsl {
 namespace {
@@ -17,23 +16,10 @@ struct Block {
   std::vector<Statement> statements;  ///< those that are finished
 };
 
-bool isOneOf(const Token& token, std::span<const std::string_view> words) {
-  return token.kind == TokenKind::Name && std::ranges::find(words, token.text) != words.end();
-}
-
-std::span<const std::string_view> wordsThatBegin(BlockKind kind) {
-  switch (kind) {
-    case BlockKind::File:
-      return itemWords();
-    case BlockKind::Rule:
-      return clauseWords();
-    case BlockKind::RuleSet:
-      return settingWords();
-    case BlockKind::Test:
-      return testWords();
-    default:
-      return {};
-  }
+/// Whether a word may begin a statement on a line of its own, even if the one before has no end.
+bool beginsStatement(const Token& token, BlockKind kind) {
+  const bool isOpen = kind == BlockKind::Mirror || kind == BlockKind::Property;
+  return token.kind == TokenKind::Name && !isOpen && findKeyword(kind, token.text);
 }
 
 BlockKind kindOf(const Statement& header) {
@@ -64,21 +50,57 @@ void addHeaderNames(const Statement& header, std::vector<LocalName>& names) {
   }
 }
 
+SymbolKind kindOf(NameRole role) {
+  switch (role) {
+    case NameRole::NewVertex:
+      return SymbolKind::NewVertex;
+    case NameRole::Value:
+      return SymbolKind::Let;
+    case NameRole::TestVertex:
+      return SymbolKind::TestVertex;
+    case NameRole::Vertex:
+    case NameRole::ChainVertex:
+    case NameRole::PlacedVertex:
+    case NameRole::RuleVertex:
+      return SymbolKind::Vertex;
+    case NameRole::MirrorTitle:
+    case NameRole::RuleTitle:
+      return SymbolKind::Rule;
+  }
+  return SymbolKind::Vertex;
+}
+
+/// Whether a name that stands before `next` is one that its clause defines.
+bool isDefinedBefore(const Token* next, NameRole role) {
+  switch (role) {
+    case NameRole::ChainVertex:
+    case NameRole::TestVertex:
+      return true;
+    case NameRole::PlacedVertex:
+      return next && next->is("(");
+    case NameRole::NewVertex:
+    case NameRole::Value:
+      return next && next->is("=");
+    case NameRole::Vertex:
+    case NameRole::MirrorTitle:
+    case NameRole::RuleTitle:
+    case NameRole::RuleVertex:
+      return false;
+  }
+  return false;
+}
+
 void addClauseNames(const Statement& words, BlockKind block, std::vector<LocalName>& names) {
-  if (words.empty()) return;
-  const bool isTest = block == BlockKind::Test;
-  const bool isChain = words[0].is("front") || (isTest && words[0].is("point"));
-  const SymbolKind vertex = isTest ? SymbolKind::TestVertex : SymbolKind::Vertex;
+  const Keyword* keyword = words.empty() ? nullptr : findKeyword(block, words[0].text);
+  if (!keyword || !keyword->defines) return;
   int depth = 0;
   for (std::size_t i = 1; i < words.size(); ++i) {
     if (words[i].is("(")) ++depth;
     if (words[i].is(")")) --depth;
     if (depth > 0 || words[i].kind != TokenKind::Name) continue;
-    const bool opens = i + 1 < words.size() && words[i + 1].is("(");
-    const bool isGiven = i + 1 < words.size() && words[i + 1].is("=");
-    if (isChain || (words[0].is("at") && opens)) names.push_back({words[i].text, vertex});
-    if (words[0].is("let") && isGiven) names.push_back({words[i].text, SymbolKind::Let});
-    if (words[0].is("new") && isGiven) names.push_back({words[i].text, SymbolKind::NewVertex});
+    const Token* next = i + 1 < words.size() ? &words[i + 1] : nullptr;
+    if (isDefinedBefore(next, *keyword->defines))
+      names.push_back({words[i].text, kindOf(*keyword->defines)});
   }
 }
 
@@ -134,8 +156,7 @@ class ContextReader {
     if (token.startsLine && SyntaxErrors::beginsItem(inList) && !isRuleOfTemplate(token)) {
       blocks_.assign(1, Block{});
       statement_.clear();
-    } else if (token.startsLine && isOneOf(token, wordsThatBegin(block.kind)) &&
-               !isRuleOfTemplate(token)) {
+    } else if (token.startsLine && beginsStatement(token, block.kind) && !isRuleOfTemplate(token)) {
       endStatement();
     }
     if (token.is("{")) {

@@ -7,10 +7,9 @@
 
 #include "dsl/symbols/symbol_index.h"
 #include "dsl/syntax/token.h"
+#include "dsl/text/keywords.h"
 
 namespace af2::dsl {
-
-enum class BlockKind { File, Rule, RuleSet, Test, Property, Mirror, Meta };
 
 /// A name that a block defines above the place.
 struct LocalName {

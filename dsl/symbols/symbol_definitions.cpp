@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "dsl/symbols/symbol_index_builder.h"
+#include "dsl/syntax/names.h"
 
 namespace af2::dsl {
 
@@ -48,66 +49,68 @@ Symbol SymbolIndexBuilder::itemSymbol(SymbolKind kind, const Name& name, Span wh
   return symbol;
 }
 
-void SymbolIndexBuilder::defineRule(const Rule& rule, const std::string& doc, const Item& item,
-                                    bool isInTemplate) {
-  if (!isInTemplate) define(itemSymbol(SymbolKind::Rule, rule.title, item.span, doc, item));
-  for (const Clause& clause : rule.clauses) {
-    const auto* mirror = std::get_if<MirrorClause>(&clause.content);
-    if (!mirror || mirror->title.span.end == 0) continue;
-    Symbol symbol = itemSymbol(SymbolKind::Rule, mirror->title, clause.span, doc, item);
-    symbol.isMirror = true;
-    define(std::move(symbol));
-  }
+void SymbolIndexBuilder::defineMirrors(const Rule& rule, const std::string& doc, const Item& item) {
+  for (const Clause& clause : rule.clauses)
+    visitNames(clause.content, [&](NameRole role, const Name& title, Span) {
+      if (role != NameRole::MirrorTitle || title.span.end == 0) return;
+      Symbol symbol = itemSymbol(SymbolKind::Rule, title, clause.span, doc, item);
+      symbol.isMirror = true;
+      define(std::move(symbol));
+    });
+}
+
+void SymbolIndexBuilder::defineImport(const Import& import, const Item& item,
+                                      const Module& module) {
+  const std::string stem = std::filesystem::path(import.path.text).stem().string();
+  const Name name = import.alias ? *import.alias : Name{stem, import.path.span};
+  const std::size_t id = define(itemSymbol(SymbolKind::Import, name, item.span, {}, item));
+  const auto target = module.imports.find(name.text);
+  if (target != module.imports.end()) index_.symbols_[id].target = target->second;
+  imports_[&module][name.text] = id;
 }
 
 void SymbolIndexBuilder::defineItems(const Module& module) {
   module_ = &module;
   for (const Item& item : module.parsed.file.items) {
     const auto add = [&](SymbolKind kind, const Name& name, const std::string& doc = {}) {
-      return define(itemSymbol(kind, name, item.span, doc, item));
+      define(itemSymbol(kind, name, item.span, doc, item));
     };
-    if (const auto* c = std::get_if<Constant>(&item.content))
-      add(SymbolKind::Constant, c->name, c->doc);
-    if (const auto* f = std::get_if<Function>(&item.content))
-      add(SymbolKind::Function, f->name, f->doc);
-    if (const auto* m = std::get_if<Metric>(&item.content))
-      add(SymbolKind::Metric, m->name, m->doc);
-    if (const auto* t = std::get_if<Template>(&item.content)) {
-      add(SymbolKind::Template, t->name, t->doc);
-      defineRule(t->rule, t->doc, item, true);
-    }
-    if (const auto* r = std::get_if<Rule>(&item.content)) defineRule(*r, r->doc, item, false);
-    if (const auto* i = std::get_if<Instance>(&item.content))
-      add(SymbolKind::Rule, i->title, i->doc);
-    if (const auto* s = std::get_if<RuleSetBlock>(&item.content))
-      add(SymbolKind::RuleSet, s->name, s->doc);
-    if (const auto* t = std::get_if<Test>(&item.content)) add(SymbolKind::Test, t->title);
-    if (const auto* p = std::get_if<Property>(&item.content)) add(SymbolKind::Property, p->title);
-    if (const auto* i = std::get_if<Import>(&item.content)) {
-      const std::string stem = std::filesystem::path(i->path.text).stem().string();
-      const std::size_t id =
-          add(SymbolKind::Import, i->alias ? *i->alias : Name{stem, i->path.span});
-      const std::string& name = index_.symbols_[id].name;
-      const auto target = module.imports.find(name);
-      if (target != module.imports.end()) index_.symbols_[id].target = target->second;
-      imports_[&module][name] = id;
-    }
+    match(
+        item.content, [&](const Import& c) { defineImport(c, item, module); },
+        [&](const Constant& c) { add(SymbolKind::Constant, c.name, c.doc); },
+        [&](const Function& c) { add(SymbolKind::Function, c.name, c.doc); },
+        [&](const Metric& c) { add(SymbolKind::Metric, c.name, c.doc); },
+        [&](const RuleSetBlock& c) { add(SymbolKind::RuleSet, c.name, c.doc); },
+        [&](const Rule& c) {
+          add(SymbolKind::Rule, c.title, c.doc);
+          defineMirrors(c, c.doc, item);
+        },
+        [&](const Template& c) {
+          add(SymbolKind::Template, c.name, c.doc);
+          defineMirrors(c.rule, c.doc, item);
+        },
+        [&](const Instance& c) { add(SymbolKind::Rule, c.title, c.doc); },
+        [&](const Test& c) { add(SymbolKind::Test, c.title); },
+        [&](const Property& c) { add(SymbolKind::Property, c.title); },
+        [](const AnyOf<std::monostate, Use> auto&) {});
   }
 }
 
 /// The vertices of a rule: where its place is given, else where it is first named.
 void SymbolIndexBuilder::defineVertices(const Rule& rule, Names& names) {
-  for (const Clause& clause : rule.clauses)
-    if (const auto* at = std::get_if<AtClause>(&clause.content))
-      for (const Place& place : at->places) {
-        const Span last = place.tolerance ? place.tolerance->span : place.y.span;
-        defineIn(names, SymbolKind::Vertex, place.name, cover(place.name.span, last));
-      }
-  for (const Clause& clause : rule.clauses)
-    if (const auto* front = std::get_if<FrontClause>(&clause.content))
-      for (const Chain& chain : front->chains)
-        for (const Name& name : chain)
-          if (!names.contains(name.text)) defineIn(names, SymbolKind::Vertex, name, clause.span);
+  const auto forEachName = [&](const auto& visit) {
+    for (const Clause& clause : rule.clauses)
+      visitNames(clause.content, [&](NameRole role, const Name& name, Span whole) {
+        visit(role, name, role == NameRole::ChainVertex ? clause.span : whole);
+      });
+  };
+  forEachName([&](NameRole role, const Name& name, Span whole) {
+    if (role == NameRole::PlacedVertex) defineIn(names, SymbolKind::Vertex, name, whole);
+  });
+  forEachName([&](NameRole role, const Name& name, Span whole) {
+    if (role == NameRole::ChainVertex && !names.contains(name.text))
+      defineIn(names, SymbolKind::Vertex, name, whole);
+  });
   // Every rule has a base edge, whether or not a chain names it.
   for (const char* end : {"a", "b"}) {
     if (names.contains(end)) continue;
@@ -121,14 +124,10 @@ void SymbolIndexBuilder::defineVertices(const Rule& rule, Names& names) {
     symbol.item = item_;
     names[end] = define(std::move(symbol));
   }
-  for (const Clause& clause : rule.clauses) {
-    if (const auto* let = std::get_if<LetClause>(&clause.content))
-      for (const Definition& d : let->values)
-        defineIn(names, SymbolKind::Let, d.name, cover(d.name.span, d.value.span));
-    if (const auto* made = std::get_if<NewClause>(&clause.content))
-      for (const Definition& d : made->vertices)
-        defineIn(names, SymbolKind::NewVertex, d.name, cover(d.name.span, d.value.span));
-  }
+  forEachName([&](NameRole role, const Name& name, Span whole) {
+    if (role == NameRole::Value) defineIn(names, SymbolKind::Let, name, whole);
+    if (role == NameRole::NewVertex) defineIn(names, SymbolKind::NewVertex, name, whole);
+  });
 }
 
 }  // namespace af2::dsl

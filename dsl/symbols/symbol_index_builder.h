@@ -23,7 +23,8 @@ class SymbolIndexBuilder {
 
   // What each file defines, before any use is looked at.
   void defineItems(const Module& module);
-  void defineRule(const Rule& rule, const std::string& doc, const Item& item, bool isInTemplate);
+  void defineMirrors(const Rule& rule, const std::string& doc, const Item& item);
+  void defineImport(const Import& import, const Item& item, const Module& module);
   std::size_t define(Symbol symbol);
   std::size_t defineIn(Names& names, SymbolKind kind, const Name& name, Span whole);
   Symbol itemSymbol(SymbolKind kind, const Name& name, Span whole, const std::string& doc,
@@ -31,27 +32,24 @@ class SymbolIndexBuilder {
 
   // The uses.
   void useItem(const Item& item);
-  void use(const Import& item);
   void use(const Use& item);
   void use(const RuleSetBlock& block);
   void use(const Test& test);
-  void use(const Expectation& expectation, std::size_t test);
   void use(const Property& property);
   void useBody(const Name& owner, const std::vector<Name>& parameters, const Expr& body,
                Span whole);
   void useRule(const Rule& rule, const Names& parameters);
   void defineVertices(const Rule& rule, Names& names);
-  void useClause(const Clause& clause);
-  void useMirror(const MirrorClause& mirror);
-  void use(const Tolerance& tolerance);
-  void use(const LevelRange& levels);
+  void use(const Instance& instance);
+  template <class Content>
+  void useParts(const Content& content);
+  void useName(NameRole role, const Name& name, Span whole);
   void use(const Expr& expr);
   void useCall(const Expr& expr);
   void useImported(const Expr& expr);
   void useTitle(const Name& title, std::size_t user);
   void useParametersIn(const Name& title, const Names& names);
   void useLocal(const Name& name, const Names& names);
-  void useVertex(const Name& name) { useLocal(name, locals_); }
   void note(Span span, std::size_t symbol, bool isDefinition = false);
 
   std::size_t definedAt(const Module* home, Span span) const;
@@ -66,6 +64,7 @@ class SymbolIndexBuilder {
   std::size_t owner_ = kNoSymbol;
   Span scope_;
   Names locals_;
+  const Names* localsOfNamedRule_ = nullptr;  ///< of the rule that an expectation named last
   std::map<std::pair<const Module*, std::uint32_t>, std::size_t> byDefinition_;
   std::map<const Module*, std::map<std::string, std::size_t>> imports_;
   std::map<std::size_t, Names> localsOfRule_;  ///< by the symbol of the rule, or of its mirror

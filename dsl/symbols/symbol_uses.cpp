@@ -4,6 +4,7 @@
 
 #include "dsl/program/builtins.h"
 #include "dsl/symbols/symbol_index_builder.h"
+#include "dsl/syntax/names.h"
 
 namespace af2::dsl {
 
@@ -122,70 +123,38 @@ void SymbolIndexBuilder::use(const Expr& expr) {
   for (const Expr& part : expr.parts) use(part);
 }
 
-void SymbolIndexBuilder::use(const Tolerance& tolerance) {
-  if (!tolerance.any) use(tolerance.form);
-}
-
-void SymbolIndexBuilder::use(const LevelRange& levels) {
-  use(levels.first);
-  use(levels.last);
-}
-
-void SymbolIndexBuilder::useMirror(const MirrorClause& mirror) {
-  useParametersIn(mirror.title, locals_);
-  for (const MirrorOverride& part : mirror.overrides) {
-    for (const MirrorOverride::Vertex& vertex : part.tolerances) {
-      useVertex(vertex.name);
-      use(vertex.tolerance);
+void SymbolIndexBuilder::useName(NameRole role, const Name& name, Span whole) {
+  switch (role) {
+    case NameRole::Vertex:
+    case NameRole::ChainVertex:
+      return useLocal(name, locals_);
+    case NameRole::PlacedVertex:
+    case NameRole::NewVertex:
+    case NameRole::Value:
+      return;  // defined before any clause of the rule is looked at
+    case NameRole::TestVertex:
+      defineIn(locals_, SymbolKind::TestVertex, name, whole);
+      return;
+    case NameRole::MirrorTitle:
+      return useParametersIn(name, locals_);
+    case NameRole::RuleTitle: {
+      useTitle(name, owner_);
+      const auto locals = localsOfRule_.find(findRule(*module_, name.text));
+      localsOfNamedRule_ = locals == localsOfRule_.end() ? nullptr : &locals->second;
+      return;
     }
-    if (part.levels) use(*part.levels);
-    if (part.cost) use(part.cost->value);
+    case NameRole::RuleVertex:
+      if (localsOfNamedRule_) useLocal(name, *localsOfNamedRule_);
+      return;
   }
 }
 
-void SymbolIndexBuilder::useClause(const Clause& clause) {
-  const auto values = [&](const std::vector<Expr>& list) {
-    for (const Expr& expr : list) use(expr);
-  };
-  const auto definitions = [&](const std::vector<Definition>& list) {
-    for (const Definition& d : list) use(d.value);
-  };
-  std::visit(
-      [&](const auto& c) {
-        using Content = std::decay_t<decltype(c)>;
-        if constexpr (std::is_same_v<Content, FrontClause>) {
-          for (const Chain& chain : c.chains)
-            for (const Name& name : chain) useVertex(name);
-        } else if constexpr (std::is_same_v<Content, AtClause>) {
-          for (const Place& place : c.places) {
-            use(place.x);
-            use(place.y);
-            if (place.tolerance) use(*place.tolerance);
-          }
-        } else if constexpr (std::is_same_v<Content, SlopeClause>) {
-          useVertex(c.from);
-          useVertex(c.to);
-          use(c.tolerance);
-        } else if constexpr (std::is_same_v<Content, LetClause>) {
-          definitions(c.values);
-        } else if constexpr (std::is_same_v<Content, NewClause>) {
-          definitions(c.vertices);
-        } else if constexpr (std::is_same_v<Content, ZoneClause>) {
-          values(c.corners);
-          use(c.when);
-        } else if constexpr (std::is_same_v<Content, ElementClause>) {
-          for (const auto& element : c.elements)
-            for (const Name& name : element) useVertex(name);
-        } else if constexpr (std::is_same_v<Content, RequireClause>) {
-          values(c.conditions);
-        } else if constexpr (std::is_same_v<Content, CostClause> ||
-                             std::is_same_v<Content, PriorityClause>) {
-          use(c.value);
-        } else if constexpr (std::is_same_v<Content, MirrorClause>) {
-          useMirror(c);
-        }
-      },
-      clause.content);
+template <class Content>
+void SymbolIndexBuilder::useParts(const Content& content) {
+  visitParts(content, Overloaded{[this](const Expr& expr) { use(expr); },
+                                 [this](NameRole role, const Name& name, Span whole = {}) {
+                                   useName(role, name, whole);
+                                 }});
 }
 
 void SymbolIndexBuilder::useRule(const Rule& rule, const Names& parameters) {
@@ -197,13 +166,13 @@ void SymbolIndexBuilder::useRule(const Rule& rule, const Names& parameters) {
       defineIn(locals_, SymbolKind::Parameter, name, name.span);
   }
   useParametersIn(rule.title, locals_);
-  use(rule.levels);
+  use(rule.levels.first);
+  use(rule.levels.last);
   defineVertices(rule, locals_);
-  for (const Clause& clause : rule.clauses) useClause(clause);
+  for (const Clause& clause : rule.clauses) useParts(clause.content);
   localsOfRule_[owner_] = locals_;
-  for (const Clause& clause : rule.clauses)
-    if (const auto* mirror = std::get_if<MirrorClause>(&clause.content))
-      localsOfRule_[definedAt(module_, mirror->title.span)] = locals_;
+  for (const Name* mirror : namesIn(rule, {NameRole::MirrorTitle}))
+    localsOfRule_[definedAt(module_, mirror->span)] = locals_;
 }
 
 void SymbolIndexBuilder::useBody(const Name& owner, const std::vector<Name>& parameters,
@@ -213,8 +182,6 @@ void SymbolIndexBuilder::useBody(const Name& owner, const std::vector<Name>& par
   for (const Name& name : parameters) defineIn(locals_, SymbolKind::Parameter, name, name.span);
   use(body);
 }
-
-void SymbolIndexBuilder::use(const Import&) {}
 
 void SymbolIndexBuilder::use(const Use& item) {
   const auto& imports = imports_[module_];
@@ -231,66 +198,13 @@ void SymbolIndexBuilder::use(const Use& item) {
 
 void SymbolIndexBuilder::use(const RuleSetBlock& block) {
   if (block.base) note(block.base->span, findRuleSet(block.base->text));
-  for (const Setting& setting : block.settings) {
-    std::visit(
-        [&](const auto& s) {
-          using Content = std::decay_t<decltype(s)>;
-          if constexpr (std::is_same_v<Content, MatchSetting> ||
-                        std::is_same_v<Content, FadeSetting>)
-            use(s.value);
-          else if constexpr (std::is_same_v<Content, ScoreSetting>)
-            use(s.metric);
-          else if constexpr (std::is_same_v<Content, AcceptSetting>)
-            use(s.condition);
-          else if constexpr (std::is_same_v<Content, OrderSetting>)
-            for (const Expr& key : s.keys) use(key);
-          else if constexpr (std::is_same_v<Content, ClassesSetting>)
-            use(s.first), use(s.last);
-        },
-        setting.content);
-  }
-}
-
-void SymbolIndexBuilder::use(const Expectation& expectation, std::size_t test) {
-  if (const auto* rule = std::get_if<ExpectRule>(&expectation.outcome)) {
-    useTitle(rule->title, test);
-    const auto inRule = localsOfRule_.find(findRule(*module_, rule->title.text));
-    for (const auto& [vertex, inTest] : rule->bindings) {
-      if (inRule != localsOfRule_.end()) useLocal(vertex, inRule->second);
-      useVertex(inTest);
-    }
-    for (const Name& name : rule->reasonVertices) useVertex(name);
-  }
-  if (const auto* made = std::get_if<ExpectNew>(&expectation.outcome)) use(made->x), use(made->y);
-  if (const auto* front = std::get_if<ExpectFront>(&expectation.outcome))
-    for (const auto& chain : front->chains)
-      for (const ExpectedVertex& vertex : chain)
-        if (vertex.newIndex == 0) useVertex(vertex.name);
-  if (const auto* score = std::get_if<ExpectScore>(&expectation.outcome)) use(score->value);
-  if (const auto* c = std::get_if<ExpectCondition>(&expectation.outcome)) use(c->condition);
+  for (const Setting& setting : block.settings) useParts(setting.content);
 }
 
 void SymbolIndexBuilder::use(const Test& test) {
   owner_ = definedAt(module_, test.title.span);
   scope_ = test.span;
-  const auto place = [&](const TestVertex& v) {
-    if (!v.isPlaced) return useVertex(v.name);
-    defineIn(locals_, SymbolKind::TestVertex, v.name, cover(v.name.span, v.y.span));
-    use(v.x);
-    use(v.y);
-  };
-  for (const TestClause& clause : test.clauses) {
-    if (const auto* front = std::get_if<TestFront>(&clause.content))
-      for (const TestChain& chain : front->chains) std::ranges::for_each(chain, place);
-    if (const auto* points = std::get_if<TestPoints>(&clause.content))
-      std::ranges::for_each(points->points, place);
-    if (const auto* base = std::get_if<TestBase>(&clause.content))
-      useVertex(base->from), useVertex(base->to);
-    if (const auto* level = std::get_if<TestLevel>(&clause.content)) use(level->value);
-    if (const auto* size = std::get_if<TestSize>(&clause.content)) use(size->value);
-    if (const auto* expectation = std::get_if<Expectation>(&clause.content))
-      use(*expectation, owner_);
-  }
+  for (const TestClause& clause : test.clauses) useParts(clause.content);
 }
 
 void SymbolIndexBuilder::use(const Property& property) {
@@ -308,40 +222,38 @@ void SymbolIndexBuilder::use(const Property& property) {
   for (const Expr& expr : property.expectations) use(expr);
 }
 
+void SymbolIndexBuilder::use(const Instance& instance) {
+  const Expr& call = instance.call;
+  const auto found = module_->templates.find(call.name);
+  if (!call.qualifier.empty())
+    useImported(call);
+  else if (found != module_->templates.end())
+    note(spanOfName(call), definedAt(found->second.home, found->second.span));
+  for (const Expr& part : call.parts) use(part);
+}
+
 void SymbolIndexBuilder::useItem(const Item& item) {
   item_ = &item;
   owner_ = kNoSymbol;
   locals_.clear();
-  std::visit(
-      [&](const auto& c) {
-        using Content = std::decay_t<decltype(c)>;
-        if constexpr (std::is_same_v<Content, Constant>) {
-          use(c.value);
-        } else if constexpr (std::is_same_v<Content, Function> || std::is_same_v<Content, Metric>) {
-          useBody(c.name, c.parameters, c.value, item.span);
-        } else if constexpr (std::is_same_v<Content, Rule>) {
-          owner_ = definedAt(module_, c.title.span);
-          useRule(c, {});
-        } else if constexpr (std::is_same_v<Content, Template>) {
-          owner_ = definedAt(module_, c.name.span);
-          scope_ = item.span;
-          for (const Name& name : c.parameters)
-            defineIn(locals_, SymbolKind::Parameter, name, name.span);
-          useRule(c.rule, Names(locals_));
-        } else if constexpr (std::is_same_v<Content, Instance>) {
-          if (c.call.qualifier.empty()) {
-            const auto t = module_->templates.find(c.call.name);
-            if (t != module_->templates.end())
-              note(spanOfName(c.call), definedAt(t->second.home, t->second.span));
-          } else {
-            useImported(c.call);
-          }
-          for (const Expr& part : c.call.parts) use(part);
-        } else if constexpr (!std::is_same_v<Content, std::monostate>) {
-          use(c);
-        }
+  match(
+      item.content, [&](const Constant& c) { use(c.value); },
+      [&](const AnyOf<Function, Metric> auto& c) {
+        useBody(c.name, c.parameters, c.value, item.span);
       },
-      item.content);
+      [&](const Rule& c) {
+        owner_ = definedAt(module_, c.title.span);
+        useRule(c, {});
+      },
+      [&](const Template& c) {
+        owner_ = definedAt(module_, c.name.span);
+        scope_ = item.span;
+        for (const Name& name : c.parameters)
+          defineIn(locals_, SymbolKind::Parameter, name, name.span);
+        useRule(c.rule, Names(locals_));
+      },
+      [&](const AnyOf<Use, RuleSetBlock, Instance, Test, Property> auto& c) { use(c); },
+      [](const AnyOf<std::monostate, Import> auto&) {});
 }
 
 void SymbolIndexBuilder::build() {

@@ -2,26 +2,26 @@
 #pragma once
 
 #include <optional>
-#include <span>
+#include <string>
 #include <string_view>
 #include <vector>
+
+#include "dsl/text/keywords.h"
 
 namespace af2::dsl {
 
 struct WordHelp {
-  std::string_view word;
+  std::string word;
   std::string_view usage;    ///< how it is written
   std::string_view meaning;  ///< one sentence
 };
 
-/// Words that begin items and clauses. One word may stand in blocks of two kinds, as `front` does;
-/// then the help covers both.
-std::span<const WordHelp> keywordHelp();
 /// Functions, shapes, metrics, and names such as `q`.
 std::vector<WordHelp> builtinHelp();
 
+/// The row of a keyword as it is used in a block; if that block has none, the first one of another.
 /// Null or nothing if there is none.
-const WordHelp* helpForKeyword(std::string_view word);
+const Keyword* helpForKeyword(BlockKind block, std::string_view word);
 std::optional<WordHelp> helpForBuiltin(std::string_view word);
 
 }  // namespace af2::dsl

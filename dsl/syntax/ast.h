@@ -9,6 +9,8 @@
 #include <variant>
 #include <vector>
 
+#include "dsl/syntax/match.h"
+#include "dsl/text/keywords.h"
 #include "dsl/text/source_text.h"
 
 namespace af2::dsl {
@@ -53,63 +55,134 @@ struct Tolerance {
   Span span;
 };
 
+// ---- the parts of a clause ----------------------------------------------------------------------
+
+// Each clause, setting and clause of a test lists its parts with `visitParts(part)`, in the order
+// in which they are written. Symbols, and whatever else asks for the names or the expressions of
+// any clause, follow from this list. `part` takes
+//
+//     part(expr)                an expression that the clause evaluates
+//     part(role, name)          a name, and what it stands for
+//     part(role, name, whole)   a name that the clause gives a meaning, and the text that says so
+
+/// The parts of whatever `content` holds. Of what could not be read there are none.
+template <class... Contents>
+void visitParts(const std::variant<std::monostate, Contents...>& content, auto&& part) {
+  match(
+      content, [](std::monostate) {},
+      [&](const AnyOf<Contents...> auto& held) { held.visitParts(part); });
+}
+
 // ---- clauses of a rule --------------------------------------------------------------------------
 
 using Chain = std::vector<Name>;
 
 struct FrontClause {
   std::vector<Chain> chains;
+
+  void visitParts(auto&& part) const {
+    for (const Chain& chain : chains)
+      for (const Name& name : chain) part(NameRole::ChainVertex, name);
+  }
 };
 
 struct Place {
   Name name;
   Expr x, y;
   std::optional<Tolerance> tolerance;
+
+  Span span() const { return cover(name.span, tolerance ? tolerance->span : y.span); }
 };
 
 struct AtClause {
   std::vector<Place> places;
+
+  void visitParts(auto&& part) const {
+    for (const Place& place : places) {
+      part(NameRole::PlacedVertex, place.name, place.span());
+      part(place.x);
+      part(place.y);
+      if (place.tolerance) part(place.tolerance->form);
+    }
+  }
 };
 
 struct SlopeClause {
   Name from, to;
   Tolerance tolerance;
+
+  void visitParts(auto&& part) const {
+    part(NameRole::Vertex, from);
+    part(NameRole::Vertex, to);
+    part(tolerance.form);
+  }
 };
 
 /// One `name = expr`.
 struct Definition {
   Name name;
   Expr value;
+
+  void visitParts(NameRole role, auto&& part) const {
+    part(role, name, cover(name.span, value.span));
+    part(value);
+  }
 };
 
 struct LetClause {
   std::vector<Definition> values;
+
+  void visitParts(auto&& part) const {
+    for (const Definition& d : values) d.visitParts(NameRole::Value, part);
+  }
 };
 
 struct NewClause {
   std::vector<Definition> vertices;
+
+  void visitParts(auto&& part) const {
+    for (const Definition& d : vertices) d.visitParts(NameRole::NewVertex, part);
+  }
 };
 
 struct ZoneClause {
   std::vector<Expr> corners;  ///< a list of corners, or one shape
   Expr when;                  ///< Missing: none
+
+  void visitParts(auto&& part) const {
+    for (const Expr& corner : corners) part(corner);
+    part(when);
+  }
 };
 
 struct ElementClause {
   Name kind;  ///< tri, quad or poly
   std::vector<std::vector<Name>> elements;
+
+  void visitParts(auto&& part) const {
+    for (const auto& corners : elements)
+      for (const Name& corner : corners) part(NameRole::Vertex, corner);
+  }
 };
 
 struct RequireClause {
   std::vector<Expr> conditions;
+
+  void visitParts(auto&& part) const {
+    for (const Expr& condition : conditions) part(condition);
+  }
 };
 
 struct CostClause {
   Expr value;
+
+  void visitParts(auto&& part) const { part(value); }
 };
 
 struct PriorityClause {
   Expr value;
+
+  void visitParts(auto&& part) const { part(value); }
 };
 
 struct MetaEntry {
@@ -118,10 +191,17 @@ struct MetaEntry {
 
 struct MetaClause {
   std::vector<MetaEntry> entries;
+
+  void visitParts(auto&&) const {}  // remarks for tools, which name nothing
 };
 
 struct LevelRange {
   Expr first, last;  ///< `last` is Missing where there is no upper end
+
+  void visitParts(auto&& part) const {
+    part(first);
+    part(last);
+  }
 };
 
 struct MirrorOverride {
@@ -133,12 +213,26 @@ struct MirrorOverride {
   std::optional<LevelRange> levels;  ///< quality 3;
   std::optional<CostClause> cost;    ///< cost 0.1;
   Span span;
+
+  void visitParts(auto&& part) const {
+    for (const Vertex& vertex : tolerances) {
+      part(NameRole::Vertex, vertex.name);
+      part(vertex.tolerance.form);
+    }
+    if (levels) levels->visitParts(part);
+    if (cost) cost->visitParts(part);
+  }
 };
 
 struct MirrorClause {
   Name title;
   bool hasBody = false;
   std::vector<MirrorOverride> overrides;
+
+  void visitParts(auto&& part) const {
+    part(NameRole::MirrorTitle, title);
+    for (const MirrorOverride& entry : overrides) entry.visitParts(part);
+  }
 };
 
 using ClauseContent = std::variant<std::monostate, FrontClause, AtClause, SlopeClause, LetClause,
@@ -185,44 +279,69 @@ struct Instance {
 
 struct ElementsSetting {
   std::vector<Name> kinds;
+
+  void visitParts(auto&&) const {}  // kinds are words of the language
 };
 
 struct MatchSetting {
   Expr value;
+
+  void visitParts(auto&& part) const { part(value); }
 };
 
 struct FadeSetting {
   Expr value;
+
+  void visitParts(auto&& part) const { part(value); }
 };
 
 struct ScoreSetting {
   Name fold;  ///< max, sum or mean
   Expr metric;
+
+  void visitParts(auto&& part) const { part(metric); }
 };
 
 struct AcceptSetting {
   Expr condition;
+
+  void visitParts(auto&& part) const { part(condition); }
 };
 
 struct OrderSetting {
   std::vector<Expr> keys;
+
+  void visitParts(auto&& part) const {
+    for (const Expr& key : keys) part(key);
+  }
 };
 
 /// front rows(start: smallest_turn)
 struct RowsSetting {
   std::vector<MetaEntry> arguments;
+
+  void visitParts(auto&&) const {}  // arguments and their values are words of the language
 };
 
 struct ClassesSetting {
   Expr first, last;
+
+  void visitParts(auto&& part) const {
+    part(first);
+    part(last);
+  }
 };
 
 struct ScaleSetting {
   Name unit;
+
+  void visitParts(auto&&) const {}  // units are words of the language
 };
 
 struct ParitySetting {
   Name parity;
+
+  void visitParts(auto&&) const {}  // as are parities
 };
 
 using SettingContent = std::variant<std::monostate, ElementsSetting, MatchSetting, FadeSetting,
@@ -248,34 +367,63 @@ struct TestVertex {
   Name name;
   bool isPlaced = false;
   Expr x, y;
+
+  void visitParts(auto&& part) const {
+    if (!isPlaced) return part(NameRole::Vertex, name);
+    part(NameRole::TestVertex, name, cover(name.span, y.span));
+    part(x);
+    part(y);
+  }
 };
 
 using TestChain = std::vector<TestVertex>;
 
 struct TestFront {
   std::vector<TestChain> chains;
+
+  void visitParts(auto&& part) const {
+    for (const TestChain& chain : chains)
+      for (const TestVertex& vertex : chain) vertex.visitParts(part);
+  }
 };
 
 struct TestPoints {
   std::vector<TestVertex> points;
+
+  void visitParts(auto&& part) const {
+    for (const TestVertex& vertex : points) vertex.visitParts(part);
+  }
 };
 
 struct TestBase {
   Name from, to;
+
+  void visitParts(auto&& part) const {
+    part(NameRole::Vertex, from);
+    part(NameRole::Vertex, to);
+  }
 };
 
 struct TestLevel {
   Expr value;
+
+  void visitParts(auto&& part) const { part(value); }
 };
 
 struct TestSize {
   Expr value;
+
+  void visitParts(auto&& part) const { part(value); }
 };
 
 /// A vertex in an expected chain: a name, or the n-th new vertex.
 struct ExpectedVertex {
   Name name;
   int newIndex = 0;  ///< from 1; 0: not a new one
+
+  void visitParts(auto&& part) const {
+    if (newIndex == 0) part(NameRole::Vertex, name);
+  }
 };
 
 struct ExpectRule {
@@ -283,31 +431,58 @@ struct ExpectRule {
   std::vector<std::pair<Name, Name>> bindings;  ///< with c = r
   std::string reason;                ///< because ...: the words joined by blanks; empty: none
   std::vector<Name> reasonVertices;  ///< of `zone hit by edge u -> v`, `zone hit by vertex r`
+
+  void visitParts(auto&& part) const {
+    part(NameRole::RuleTitle, title);
+    for (const auto& [vertex, inTest] : bindings) {
+      part(NameRole::RuleVertex, vertex);
+      part(NameRole::Vertex, inTest);
+    }
+    for (const Name& name : reasonVertices) part(NameRole::Vertex, name);
+  }
 };
 
 struct ExpectNew {
   int index = 0;
   Expr x, y;
+
+  void visitParts(auto&& part) const {
+    part(x);
+    part(y);
+  }
 };
 
 struct ExpectFront {
   bool only = false;
   std::vector<std::vector<ExpectedVertex>> chains;
+
+  void visitParts(auto&& part) const {
+    for (const auto& chain : chains)
+      for (const ExpectedVertex& vertex : chain) vertex.visitParts(part);
+  }
 };
 
 struct ExpectElements {
   int count = 0;
+
+  void visitParts(auto&&) const {}
 };
 
-struct ExpectStuck {};
+struct ExpectStuck {
+  void visitParts(auto&&) const {}
+};
 
 struct ExpectScore {
   std::string comparison;
   Expr value;
+
+  void visitParts(auto&& part) const { part(value); }
 };
 
 struct ExpectCondition {
   Expr condition;
+
+  void visitParts(auto&& part) const { part(condition); }
 };
 
 using ExpectedOutcome = std::variant<std::monostate, ExpectRule, ExpectNew, ExpectFront,
@@ -316,6 +491,8 @@ using ExpectedOutcome = std::variant<std::monostate, ExpectRule, ExpectNew, Expe
 struct Expectation {
   bool negated = false;
   ExpectedOutcome outcome;
+
+  void visitParts(auto&& part) const { dsl::visitParts(outcome, part); }
 };
 
 using TestContent =

@@ -1,6 +1,6 @@
 #include "dsl/syntax/early_braces.h"
 
-#include "dsl/text/words.h"
+#include "dsl/text/keywords.h"
 
 namespace af2::dsl {
 namespace {
@@ -44,7 +44,7 @@ void leaveOutEarlyBraces(std::vector<Token>& tokens, SyntaxErrors& errors) {
     const Token* clause = mayBeEarly ? clauseBehind(&token) : nullptr;
     looked += clause != nullptr;
     if (clause && isClosedAgain(clause)) {
-      errors.tell("S1", token.span,
+      errors.tell(Code::UnexpectedText, token.span,
                   "this '}' comes too early: '" + clause->text + "' goes on with the block",
                   Help("delete it", {Remedy::Where::Whole, ""}));
       continue;

@@ -35,7 +35,7 @@ const auto matchSetting_def = word("match") >>
                               need(expr, kExpression)[into(&MatchSetting::value)] >> settingEnd;
 const auto fadeSetting_def = word("fade") >>
                              need(expr, kExpression)[into(&FadeSetting::value)] >> settingEnd;
-const OneOf foldWord{"max", "sum", "mean"};
+const OneOf foldWord(kFolds);
 const auto scoreSetting_def = word("score") >>
                               need(foldWord, "max, sum or mean")[into(&ScoreSetting::fold)] >>
                               need("of") >>
@@ -57,10 +57,10 @@ const auto classesSetting_def =
     word("classes") >> need(sum, "a range such as 1..50")[into(&ClassesSetting::first)] >>
     need("..") >> need(sum, "a whole number")[into(&ClassesSetting::last)] >> settingEnd;
 const auto scaleSetting_def =
-    word("scale") >> need(OneOf{"h", "base"}, "h or base")[into(&ScaleSetting::unit)] >> settingEnd;
+    word("scale") >> need(OneOf(kScaleUnits), "h or base")[into(&ScaleSetting::unit)] >> settingEnd;
 const auto paritySetting_def =
     word("parity") >>
-    need(OneOf{"even", "any"}, "even or any")[into(&ParitySetting::parity)] >> settingEnd;
+    need(OneOf(kParities), "even or any")[into(&ParitySetting::parity)] >> settingEnd;
 const auto setting_def =
     spanned(!word("}") >> !atBlockEnd >>
             (elementsSetting[content] | matchSetting[content] | fadeSetting[content] |

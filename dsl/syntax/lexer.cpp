@@ -12,10 +12,6 @@
 namespace af2::dsl {
 namespace {
 
-bool isDigit(char c) { return c >= '0' && c <= '9'; }
-bool isNameStart(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
-bool isNamePart(char c) { return isNameStart(c) || isDigit(c); }
-
 /// Longest first, so that `<=` is not read as `<` and `=`.
 constexpr std::array<std::string_view, 26> kSymbols{
     "->", "=>", "..", "<=", ">=", "==", "!=", "<", ">", "=", "+", "-", "*",
@@ -44,12 +40,10 @@ class Lexer {
     return {static_cast<std::uint32_t>(from), static_cast<std::uint32_t>(to)};
   }
 
-  void tell(const char* code, std::size_t from, std::size_t to, std::string message,
-            std::string help) {
+  void tell(Code code, std::size_t from, std::size_t to, std::string message, std::string help) {
     isDoubtful_ = true;
     if (!diagnostics_.takes(Severity::Error)) return;
-    Diagnostic d;
-    d.code = code;
+    Diagnostic d(code);
     d.message = std::move(message);
     d.place = placeOf(source_, spanOf(from, to));
     d.help = std::move(help);
@@ -68,7 +62,7 @@ class Lexer {
   bool isText() {
     const auto fault = findUnreadable(text_);
     if (!fault) return true;
-    tell("L1", fault->from, fault->to, fault->fault, fault->help);
+    tell(Code::UnknownCharacter, fault->from, fault->to, fault->fault, fault->help);
     if (!fault->isHopeless) return true;
     result_.isText = false;
     return false;
@@ -105,7 +99,8 @@ class Lexer {
     if (!lineIsEmpty_ || !(opens || rest().starts_with("=======") || rest().starts_with(">>>>>>>")))
       return false;
     if (opens || !isInConflict_)
-      tell("L1", at_, at_ + 7, "a conflict between two versions of this file is left here",
+      tell(Code::UnknownCharacter, at_, at_ + 7,
+           "a conflict between two versions of this file is left here",
            "keep one of them, and delete the lines of <, = and >");
     isInConflict_ = true;
     isDoubtful_ = false;  // nothing is missing
@@ -118,7 +113,8 @@ class Lexer {
     const bool isBlock = rest().starts_with("/*");
     const bool isLine = rest().starts_with("//") || (lineIsEmpty_ && rest().starts_with("-- "));
     if (!isBlock && !isLine) return false;
-    tell("L1", at_, at_ + 2, "'" + std::string(text_.substr(at_, 2)) + "' begins no comment",
+    tell(Code::UnknownCharacter, at_, at_ + 2,
+         "'" + std::string(text_.substr(at_, 2)) + "' begins no comment",
          "a comment begins with '#' and runs to the end of its line");
     isDoubtful_ = false;  // nothing is missing
     const std::size_t close = isBlock && !isLastBlock_ ? text_.find("*/", at_ + 2) : text_.npos;
@@ -136,7 +132,7 @@ class Lexer {
     const std::string meant(found->meant);
     const bool isQuote = meant == "\"" || meant == "'";
     if (toldOnLine_.insert(std::string(found->written)).second)
-      tell("L1", from, to,
+      tell(Code::UnknownCharacter, from, to,
            found->name.empty() ? "unknown character '" + std::string(found->written) + "'"
                                : "this is " + std::string(found->name),
            isQuote        ? "strings stand in plain double quotes: \"...\""
@@ -189,11 +185,12 @@ class Lexer {
     const auto plain = plainSpelling(name);
     if (!toldNames_.insert(name).second) return plain.value_or(std::move(name));
     if (!plain) {
-      tell("L1", from, at_, "a name may hold only the letters a-z, A-Z, digits and '_'",
+      tell(Code::UnknownCharacter, from, at_,
+           "a name may hold only the letters a-z, A-Z, digits and '_'",
            "write the name without accents and special characters");
       return name;
     }
-    tell("L1", from, at_,
+    tell(Code::UnknownCharacter, from, at_,
          "this only looks like '" + *plain + "': it has letters of another alphabet",
          "write '" + *plain + "' in plain letters");
     isDoubtful_ = false;
@@ -229,7 +226,7 @@ class Lexer {
            (peek() == '.' && peek(1) != '.'))
       at_ += characterSize(rest());
     const std::string written(text_.substr(from, at_ - from));
-    tell("L2", from, at_, "'" + written + "' is not a number",
+    tell(Code::MalformedNumber, from, at_, "'" + written + "' is not a number",
          "numbers are written 12, 1.5, .5 or 2e-3; angles 60deg");
     add(TokenKind::Number, from, written, 1);
     return false;
@@ -246,7 +243,7 @@ class Lexer {
     const auto parsed = std::from_chars(digits.data(), digits.data() + digits.size(), value);
     if (parsed.ec != std::errc() || !std::isfinite(value)) {
       const bool isTiny = value == 0 && digits.find("e-") != std::string_view::npos;
-      tell("L2", from, end,
+      tell(Code::MalformedNumber, from, end,
            "the number " + std::string(digits.substr(0, 40)) +
                (isTiny ? " is too small" : " is too large"),
            "the size of a number must lie between about 1e-300 and 1e300");
@@ -276,7 +273,7 @@ class Lexer {
           at_ += 2;
           continue;
         }
-        tell("L4", at_, at_ + 2, "unknown escape in a string",
+        tell(Code::UnknownEscape, at_, at_ + 2, "unknown escape in a string",
              "only \\\" and \\\\ have a meaning after a backslash");
       }
       value += text_[at_++];
@@ -298,7 +295,8 @@ class Lexer {
     if (givesBack) --at_;
     while (givesBack && at_ > contentFrom && isBlank(text_[at_ - 1])) --at_;
     if (!givesBack) at_ = lineEnd;
-    tell("L3", from, at_, "this string is not closed", "end it with \" on the same line");
+    tell(Code::UnclosedString, from, at_, "this string is not closed",
+         "end it with \" on the same line");
     return std::string(text_.substr(contentFrom, at_ - contentFrom));
   }
 
@@ -306,7 +304,7 @@ class Lexer {
     const std::size_t from = at_;
     if (rest().starts_with("...")) {
       at_ += 3;
-      tell("L1", from, at_, "'...' means nothing", "a range is written 1..50");
+      tell(Code::UnknownCharacter, from, at_, "'...' means nothing", "a range is written 1..50");
       isDoubtful_ = false;
       return add(TokenKind::Symbol, from, "..");
     }
@@ -318,7 +316,8 @@ class Lexer {
     if (peek() == '[' || peek() == ']') return readSquareBracket();
     if (peek() == '\'' &&
         text_.substr(at_ + 1, text_.find('\n', at_) - at_).find('\'') != text_.npos) {
-      tell("L1", at_, at_ + 1, "a string begins with a double quote", "write \"...\"");
+      tell(Code::UnknownCharacter, at_, at_ + 1, "a string begins with a double quote",
+           "write \"...\"");
       isDoubtful_ = false;
       return readString("'");
     }
@@ -330,7 +329,8 @@ class Lexer {
     const bool opens = peek() == '[';
     ++at_;
     if (opens || openBrackets_ == 0)
-      tell("L1", at_ - 1, at_, std::string("unknown character '") + text_[at_ - 1] + "'",
+      tell(Code::UnknownCharacter, at_ - 1, at_,
+           std::string("unknown character '") + text_[at_ - 1] + "'",
            "points and vectors are written (x, y)");
     openBrackets_ = opens ? openBrackets_ + 1 : std::max(0, openBrackets_ - 1);
     isDoubtful_ = true;
@@ -349,7 +349,7 @@ class Lexer {
     const std::string_view written = text_.substr(from, at_ - from);
     isDoubtful_ = true;
     if (isMalformed(written)) return;  // told for the whole file
-    tell("L1", from, at_,
+    tell(Code::UnknownCharacter, from, at_,
          "unknown character" + std::string(written.size() > characterSize(written) ? "s " : " ") +
              shown(written),
          helpFor(written));

@@ -52,7 +52,7 @@ bool keepWithinLimits(std::vector<Token>& tokens, const ParseLimits& limits, Syn
     const Token* end = t;
     while (!endsStatement(*end)) ++end;
     if (at) {
-      errors.tell("S6", at->span, fault, kHelp);
+      errors.tell(Code::LimitExceeded, at->span, fault, kHelp);
       errors.leaveOut(t, end);
     } else {
       kept.insert(kept.end(), t, end);
@@ -60,7 +60,7 @@ bool keepWithinLimits(std::vector<Token>& tokens, const ParseLimits& limits, Syn
     t = end;
     braces = std::max(0, braces + t->is("{") - t->is("}"));
     if (braces > limits.nesting) {
-      errors.tell("S6", t->span, "brackets are nested too deep here", kHelp);
+      errors.tell(Code::LimitExceeded, t->span, "brackets are nested too deep here", kHelp);
       return false;
     }
     if (!at || !t->is(";")) kept.push_back(*t);
@@ -90,7 +90,7 @@ ParsedFile parseFile(const SourceText& source, DiagnosticList& diagnostics,
   SyntaxErrors errors(source, diagnostics);
   ParsedFile result;
   if (source.text().size() > limits.bytes) {
-    errors.tell("S6", {0, 0},
+    errors.tell(Code::LimitExceeded, {0, 0},
                 "the file is larger than " + std::to_string(limits.bytes >> 20) + " MiB", kSplit);
     return result;
   }
@@ -98,7 +98,7 @@ ParsedFile parseFile(const SourceText& source, DiagnosticList& diagnostics,
   TokenList words = readTokens(source, lexical, limits.words);
   result.comments = std::move(words.comments);
   if (words.isCut) {
-    errors.tell("S6", words.tokens.back().span,
+    errors.tell(Code::LimitExceeded, words.tokens.back().span,
                 "the file has more than " + std::to_string(limits.words) + " words", kSplit);
     return result;
   }

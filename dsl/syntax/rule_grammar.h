@@ -73,7 +73,7 @@ const auto zoneClause_def =
     -(word("when") >> need(expr, "a condition")[into(&ZoneClause::when)]) >> clauseEnd;
 const auto corners_def = need(name, kVertex)[push] >> need(name, kVertex)[push] >>
                          need(name, kVertex)[push] >> *name[push];
-const OneOf elementKind{"tri", "quad", "poly"};
+const OneOf elementKind(kElementKinds);
 const auto elementClause_def =
     elementKind[into(&ElementClause::kind)] >>
     list(corners, append(&ElementClause::elements), kVertex) >> clauseEnd;

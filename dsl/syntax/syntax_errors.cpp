@@ -2,9 +2,25 @@
 
 #include <algorithm>
 
-#include "dsl/text/words.h"
-
 namespace af2::dsl {
+
+BlockKind blockOf(SyntaxUnit unit) {
+  switch (unit) {
+    case SyntaxUnit::Item:
+      return BlockKind::File;
+    case SyntaxUnit::RuleHeader:
+    case SyntaxUnit::Clause:
+      return BlockKind::Rule;
+    case SyntaxUnit::Setting:
+      return BlockKind::RuleSet;
+    case SyntaxUnit::TestClause:
+      return BlockKind::Test;
+    case SyntaxUnit::MirrorPart:
+      return BlockKind::Mirror;
+  }
+  return BlockKind::File;
+}
+
 namespace {
 
 bool isOneOf(const Token& token, std::span<const std::string_view> words) {
@@ -12,17 +28,10 @@ bool isOneOf(const Token& token, std::span<const std::string_view> words) {
          std::find(words.begin(), words.end(), token.text) != words.end();
 }
 
+/// The words at which reading may go on behind a broken unit. What is wrong in a mirror's braces
+/// may be followed by a clause of the rule.
 std::span<const std::string_view> wordsOf(SyntaxUnit unit) {
-  switch (unit) {
-    case SyntaxUnit::Item:
-      return itemWords();
-    case SyntaxUnit::Setting:
-      return settingWords();
-    case SyntaxUnit::TestClause:
-      return testWords();
-    default:
-      return clauseWords();
-  }
+  return keywordsOf(unit == SyntaxUnit::MirrorPart ? BlockKind::Rule : blockOf(unit));
 }
 
 /// Where a `rule`, test or other block of which the beginning is known may be gone on with.
@@ -61,7 +70,7 @@ const Token* skipUnit(SyntaxUnit unit, const Token* first, const Token* from) {
 }  // namespace
 
 bool SyntaxErrors::beginsItem(const Token* token) {
-  if (!isOneOf(*token, itemWords())) return false;
+  if (!isOneOf(*token, keywordsOf(BlockKind::File))) return false;
   const Token& next = token[1];  // the list ends with End, which is no item word
   if (token->is("import") || token->is("rule") || token->is("ruleset") || token->is("test") ||
       token->is("property"))
@@ -69,11 +78,10 @@ bool SyntaxErrors::beginsItem(const Token* token) {
   return next.kind == TokenKind::Name && !next.is("in");
 }
 
-void SyntaxErrors::tell(const char* code, Span span, std::string message, const Help& help,
+void SyntaxErrors::tell(Code code, Span span, std::string message, const Help& help,
                         std::vector<DiagnosticNote> notes) {
   if (!diagnostics_.takes(Severity::Error)) return;
-  Diagnostic d;
-  d.code = code;
+  Diagnostic d(code);
   d.message = std::move(message);
   d.place = placeOf(source_, span);
   d.notes = std::move(notes);

@@ -8,11 +8,15 @@
 #include "dsl/syntax/token.h"
 #include "dsl/text/diagnostic.h"
 #include "dsl/text/help.h"
+#include "dsl/text/keywords.h"
 
 namespace af2::dsl {
 
 /// What was being read when it broke; says where the next one may begin.
 enum class SyntaxUnit { Item, RuleHeader, Clause, Setting, TestClause, MirrorPart };
+
+/// The block whose clauses such a unit is one of.
+BlockKind blockOf(SyntaxUnit unit);
 
 /// What the parts of a list look like: any expression, p -> q, p (x, y), p = x.
 enum class ListPart { Expression, Walk, Position, Assignment };
@@ -52,7 +56,7 @@ class SyntaxErrors {
   /// Whether a list may end here, for all that can be seen.
   static bool mayEndList(SyntaxUnit unit, const Token* token);
 
-  void tell(const char* code, Span span, std::string message, const Help& help,
+  void tell(Code code, Span span, std::string message, const Help& help,
             std::vector<DiagnosticNote> notes = {});
   /// Whether a unit of which all but the ';' has been read may end before `where`, because another
   /// one or the end of its block is there; that the ';' is missing is told.

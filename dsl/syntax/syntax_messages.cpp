@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <optional>
 
-#include "dsl/syntax/clause_forms.h"
 #include "dsl/syntax/syntax_errors.h"
+#include "dsl/text/keywords.h"
 #include "dsl/text/words.h"
 
 namespace af2::dsl {
@@ -58,7 +58,7 @@ Span placeFor(const Token* where) {
 }
 
 struct Fault {
-  const char* code;
+  Code code;
   Span span;
   std::string message;
   Help help;
@@ -91,7 +91,7 @@ std::optional<Fault> foreignOperator(const Token* where) {
     if (first->kind != TokenKind::Symbol || second->kind != TokenKind::Symbol) continue;
     for (const Spelling& s : kSpellings)
       if (first->is(s.first) && second->is(s.second))
-        return Fault{"S1", cover(first->span, second->span),
+        return Fault{Code::UnexpectedText, cover(first->span, second->span),
                      "'" + first->text + (first->span.end == second->span.begin ? "" : " ") +
                          second->text + "' means nothing",
                      s.meaning};
@@ -100,7 +100,9 @@ std::optional<Fault> foreignOperator(const Token* where) {
 }
 
 bool isUnitWord(SyntaxUnit unit, const Token& token) {
-  return token.kind == TokenKind::Name && !formOf(unit, token.text).empty();
+  if (token.kind != TokenKind::Name) return false;
+  return unit == SyntaxUnit::RuleHeader ? token.is("rule")
+                                        : findKeyword(blockOf(unit), token.text) != nullptr;
 }
 
 /// Whether another unit, or the end of the block, is plainly there.
@@ -111,7 +113,8 @@ bool isBehindUnit(SyntaxUnit unit, const Token* where) {
 }
 
 Fault noEnd(SyntaxUnit unit, const Token* where) {
-  return {"S2", behind(where), "';' is missing after '" + (where - 1)->text.substr(0, 40) + "'",
+  return {Code::MissingSemicolon, behind(where),
+          "';' is missing after '" + (where - 1)->text.substr(0, 40) + "'",
           Help(unit == SyntaxUnit::Item ? "end it with ';'" : "end the clause with ';'",
                {Remedy::Where::Behind, ";"})};
 }
@@ -127,7 +130,8 @@ std::optional<Fault> decimalComma(const Token* first, const Token* where) {
         after.kind != TokenKind::Number || before.text.find('.') != std::string::npos)
       continue;
     const std::string meant = before.text + "." + after.text;
-    return Fault{"S1", cover(before.span, after.span), "decimals stand behind a point, not a comma",
+    return Fault{Code::UnexpectedText, cover(before.span, after.span),
+                 "decimals stand behind a point, not a comma",
                  Help("did you mean " + meant + "?", {Remedy::Where::Whole, meant})};
   }
   return std::nullopt;
@@ -137,31 +141,33 @@ std::optional<Fault> decimalComma(const Token* first, const Token* where) {
 std::optional<Fault> missingEnd(SyntaxUnit unit, const Token* first, const Token* where) {
   if (where->startsLine || isBehindUnit(unit, where)) return noEnd(unit, where);
   if (first->is("zone") && (where->is("=") || where->is("->")))
-    return Fault{"S1", where->span, found(*where) + " does not fade",
+    return Fault{Code::UnexpectedText, where->span, found(*where) + " does not fade",
                  Help("did you mean '=>'? `preferred => limit`", {Remedy::Where::Whole, "=>"})};
   if (isComparison(*where))
-    return Fault{"S1", where->span, "comparisons do not chain",
+    return Fault{Code::UnexpectedText, where->span, "comparisons do not chain",
                  "write `a < b and b < c`, or `x in low..high`"};
   if (where->is("="))
     return Fault{
-        "S1", where->span, "'=' does not compare",
+        Code::UnexpectedText, where->span, "'=' does not compare",
         Help("write '==' to ask whether two things are equal", {Remedy::Where::Whole, "=="})};
   if (where->is("=>"))
-    return first->is("require")
-               ? Fault{"S1", where->span, "'=>' does not compare", "at least is written >="}
-               : Fault{"S1", where->span, "'=>' belongs to the corners and shapes of a zone",
-                       "only a zone fades from a preferred to a limiting form"};
+    return first->is("require") ? Fault{Code::UnexpectedText, where->span, "'=>' does not compare",
+                                        "at least is written >="}
+                                : Fault{Code::UnexpectedText, where->span,
+                                        "'=>' belongs to the corners and shapes of a zone",
+                                        "only a zone fades from a preferred to a limiting form"};
   if (where->is(",") && (first->is("const") || first->is("def") || first->is("metric")))
-    return Fault{"S1", where->span, "a `" + first->text + "` defines one name",
+    return Fault{Code::UnexpectedText, where->span, "a `" + first->text + "` defines one name",
                  "end it with ';', and write another `" + first->text + "` for the next one"};
   if (where->is("&") || where->is("|"))
-    return Fault{"S1", where->span, "unexpected " + found(*where),
+    return Fault{Code::UnexpectedText, where->span, "unexpected " + found(*where),
                  "conditions are joined by `and`, `or`"};
   if (where->is(")"))
-    return Fault{"S1", where->span, "this ')' closes nothing",
+    return Fault{Code::UnexpectedText, where->span, "this ')' closes nothing",
                  Help("delete it", {Remedy::Where::Whole, ""})};
   if (where->is(":"))
-    return Fault{"S2", where->span, "';' is missing: found ':'", "end the clause with ';'"};
+    return Fault{Code::MissingSemicolon, where->span, "';' is missing: found ':'",
+                 "end the clause with ';'"};
   return std::nullopt;
 }
 
@@ -173,7 +179,7 @@ std::optional<Fault> missingBetween(SyntaxUnit unit, const Token* first, const T
     const bool isCount = before->is("elements");
     if (isCount || before->is("score"))
       return Fault{
-          "S1", where->span,
+          Code::UnexpectedText, where->span,
           std::string("expected ") + (isCount ? "a whole number" : "a comparison") + ", found " +
               found(*where),
           isCount ? "it is written `expect elements 2;`" : "it is written `expect score < 0.1;`"};
@@ -188,10 +194,10 @@ std::optional<Fault> missingBetween(SyntaxUnit unit, const Token* first, const T
   const bool isBetweenVertices = wanted == "->" || wanted == ";";
   if (first->is("front") && isBetweenVertices &&
       (unit == SyntaxUnit::Clause || unit == SyntaxUnit::TestClause))
-    return Fault{"S1", where->span, "'->'" + between,
+    return Fault{Code::UnexpectedText, where->span, "'->'" + between,
                  "edges are written a -> b; chains are parted by ','"};
   if (wanted == "->") return std::nullopt;
-  return Fault{"S1", where->span, "an operator or ','" + between,
+  return Fault{Code::UnexpectedText, where->span, "an operator or ','" + between,
                "there is no silent multiplication; arguments are parted by ','"};
 }
 
@@ -226,9 +232,11 @@ std::string formHelp(SyntaxUnit unit, const Token* first, const Token* where,
     return "it is written `expect front only p -> new 1 -> r;`";
   const bool isFamily =
       wanted == "in" || wanted == "values in parentheses" || (where - 1)->is("for");
-  const std::string_view form =
-      formOf(unit == SyntaxUnit::RuleHeader && !isFamily ? SyntaxUnit::Item : unit, first->text);
-  return form.empty() ? std::string() : "it is written " + std::string(form);
+  if (unit == SyntaxUnit::RuleHeader && isFamily && first->is("rule"))
+    return "it is written `rule \"title\" for (k, h) in (1, 0.5), (2, 0.3) quality k { ... }`";
+  const BlockKind block = unit == SyntaxUnit::RuleHeader ? BlockKind::File : blockOf(unit);
+  const Keyword* keyword = findKeyword(block, first->text);
+  return keyword ? "it is written " + shownForm(*keyword) : std::string();
 }
 
 }  // namespace
@@ -241,15 +249,16 @@ bool SyntaxErrors::tellMissingEnd(SyntaxUnit unit, const Token* where) {
 }
 
 void SyntaxErrors::tellMissingBrace(const Token* clause) {
-  tell("S1", behind(clause), "'{' is missing after '" + (clause - 1)->text.substr(0, 40) + "'",
+  tell(Code::UnexpectedText, behind(clause),
+       "'{' is missing after '" + (clause - 1)->text.substr(0, 40) + "'",
        "the clauses of a rule stand in braces");
 }
 
 void SyntaxErrors::tellUnknownWord(const Token* where, const std::string& wanted) {
-  const auto words = wanted == kItem         ? itemWords()
-                     : wanted == kSetting    ? settingWords()
-                     : wanted == kTestClause ? testWords()
-                                             : clauseWords();
+  const auto words = keywordsOf(wanted == kItem         ? BlockKind::File
+                                : wanted == kSetting    ? BlockKind::RuleSet
+                                : wanted == kTestClause ? BlockKind::Test
+                                                        : BlockKind::Rule);
   const char* place = wanted == kItem         ? "at the top level of a file"
                       : wanted == kSetting    ? "in a rule set"
                       : wanted == kTestClause ? "in a test"
@@ -262,29 +271,30 @@ void SyntaxErrors::tellUnknownWord(const Token* where, const std::string& wanted
   // Clauses of a block that was taken to end above.
   if (wanted == kItem && missingBraces_ > 0 && isClauseWord(where->text)) return;
   if (where->is("af2"))
-    return tell("S7", where->span, "the version of the language is said once, at the top",
-                "delete it here");
+    return tell(Code::MissingVersion, where->span,
+                "the version of the language is said once, at the top", "delete it here");
   if (where->is("weld"))
-    return tell("S4", where->span, "'weld' is reserved; rules cannot join vertices yet",
-                "remove the clause");
+    return tell(Code::UnknownClause, where->span,
+                "'weld' is reserved; rules cannot join vertices yet", "remove the clause");
   if (where->is(";"))
-    return tell("S1", where->span, "this ';' ends nothing",
+    return tell(Code::UnexpectedText, where->span, "this ';' ends nothing",
                 Help("delete it; what ends in a brace takes no ';'", {Remedy::Where::Whole, ""}));
   if (where->is("}") && missingBraces_ > 0) {
     --missingBraces_;  // of a block that was taken to end above
     return;
   }
   if (where->is("}"))
-    return tell("S1", where->span, "this '}' closes nothing",
+    return tell(Code::UnexpectedText, where->span, "this '}' closes nothing",
                 Help("delete it, or look above for a '}' too many", {Remedy::Where::Whole, ""}));
   if (where->kind != TokenKind::Name)
-    return tell("S1", where->span, "unexpected " + found(*where) + " " + place, list);
+    return tell(Code::UnexpectedText, where->span, "unexpected " + found(*where) + " " + place,
+                list);
   Help help = habitOf(where->text);
   if (wanted == kClause && where->is("quality"))
     help = "the levels stand before the '{': `rule \"title\" quality 1 { ... }`";
   if (help.empty()) help = didYouMean(where->text, known);
   const bool isElsewhere = isReserved(where->text) || (help.empty() && isClauseWord(where->text));
-  tell("S4", where->span,
+  tell(Code::UnknownClause, where->span,
        "'" + where->text.substr(0, 60) + "' " + (isElsewhere ? "cannot stand " : "means nothing ") +
            place,
        help.empty() ? list : help);
@@ -297,7 +307,7 @@ void SyntaxErrors::tellMissing(SyntaxUnit unit, const Token* first, const Token*
   const auto tellFault = [&](const Fault& f) { tell(f.code, f.span, f.message, f.help); };
 
   if (wanted == kNoSecondFade)
-    return tell("S8", here, "a corner or shape fades only once; '=>' does not chain",
+    return tell(Code::ChainedFade, here, "a corner or shape fades only once; '=>' does not chain",
                 "write `preferred => limit`; use lerp for what lies between");
   if (wanted == "}") return tellUnclosed(unit, first, where);
   if (const auto fault = foreignOperator(where)) return tellFault(*fault);
@@ -309,13 +319,13 @@ void SyntaxErrors::tellMissing(SyntaxUnit unit, const Token* first, const Token*
 
   const bool isElement = first->is("tri") || first->is("quad") || first->is("poly");
   if (where->is(",") && isElement && unit == SyntaxUnit::Clause)
-    return tell("S1", here, "the corners of an element are parted by blanks",
-                "it is written " + std::string(formOf(unit, first->text)));
+    return tell(Code::UnexpectedText, here, "the corners of an element are parted by blanks",
+                "it is written " + shownForm(*findKeyword(BlockKind::Rule, first->text)));
   const std::string help = formHelp(unit, first, where, wanted);
   const bool isWord = where->kind == TokenKind::Name && isReserved(where->text);
   if (wanted == "quality" && where->is("{") && where[1].is("quality")) {
     toldWord_ = where + 1;
-    return tell("S1", where[1].span, "the levels of a rule stand before its '{'",
+    return tell(Code::UnexpectedText, where[1].span, "the levels of a rule stand before its '{'",
                 "it is written `rule \"title\" quality 1 { ... }`");
   }
   // One vertex makes no chain; what is wrong with the others of the clause is the same.
@@ -324,29 +334,30 @@ void SyntaxErrors::tellMissing(SyntaxUnit unit, const Token* first, const Token*
     shortChainOf_ = first;
   }
   if (wanted == ")" && where->is("..") && (unit == SyntaxUnit::RuleHeader || first->is("rule")))
-    return tell("S1", where->span, "a family has no ranges",
+    return tell(Code::UnexpectedText, where->span, "a family has no ranges",
                 "list its values: `for (k) in (1), (2), (3)`");
   if (isWord && wordsToldAsNames_.contains(where->text) && usesNames(*first)) return;
   if (wanted == kExpressionWanted)
-    return tell("S3", here,
+    return tell(Code::MissingExpression, here,
                 "an expression is missing between '" + before->text.substr(0, 40) + "' and " +
                     found(*where),
                 isWord ? "'" + where->text + "' is a word of the language and cannot be a name"
                        : "write a number, a point, a name, ...");
   if (isWord && wanted.find("name") != std::string::npos) wordsToldAsNames_.insert(where->text);
   if (isWord && wanted.find("name") != std::string::npos)
-    return tell("S9", here, "'" + where->text + "' is a word of the language and cannot be a name",
+    return tell(Code::ReservedWord, here,
+                "'" + where->text + "' is a word of the language and cannot be a name",
                 "choose another name");
   if (wanted == ")")
     if (const Token* open = openBracket(first, where))
-      return tell("S1", where->startsLine ? behind(where) : here,
+      return tell(Code::UnexpectedText, where->startsLine ? behind(where) : here,
                   "')' is missing before " + found(*where), "close the bracket",
                   {{"it is opened here", placeOf(source_, open->span)}});
   if (where->startsLine && isSymbolName(wanted))
-    return tell("S1", behind(where),
+    return tell(Code::UnexpectedText, behind(where),
                 "'" + wanted + "' is missing after '" + before->text.substr(0, 40) + "'", help);
   const Help guess = where->kind == TokenKind::Name ? didYouMean(where->text, {wanted}) : Help();
-  tell("S1", here, "expected " + quoted(wanted) + ", found " + found(*where),
+  tell(Code::UnexpectedText, here, "expected " + quoted(wanted) + ", found " + found(*where),
        guess.empty() ? Help(help) : guess);
 }
 
@@ -354,7 +365,7 @@ void SyntaxErrors::tellUnclosed(SyntaxUnit unit, const Token* first, const Token
   const char* what = unit == SyntaxUnit::MirrorPart || first->is("mirror") ? "this mirror"
                      : first->is("meta")                                   ? "this meta"
                                                                            : "this block";
-  tell("S5", placeFor(where),
+  tell(Code::UnclosedBlock, placeFor(where),
        std::string(what) + " is not closed: '}' is missing before " + found(*where),
        where->kind == TokenKind::End ? Help("add '}'", {Remedy::Where::Behind, "\n}"})
                                      : Help("add '}'", {Remedy::Where::Before, "}\n\n"}),

@@ -67,8 +67,7 @@ const auto setReason = [](const char* reason) {
   return [reason](auto& context) { x3::_val(context).reason = reason; };
 };
 const auto addVertex = append(&ExpectRule::reasonVertices);
-const OneOf simpleReason{"class",     "pattern",  "require", "novalue", "shape",
-                         "convexity", "inverted", "score",   "beaten"};
+const OneOf simpleReason(kReasons);
 const auto takeReason = [](auto& context) { x3::_val(context).reason = x3::_attr(context).text; };
 const auto takeReasonOf = [](auto& context) {
   x3::_val(context).reason = std::move(x3::_attr(context).reason);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <optional>
 
+#include "dsl/syntax/names.h"
+
 namespace af2::dsl {
 namespace {
 
@@ -43,16 +45,17 @@ std::vector<std::string> titleParts(const std::string& title) {
 }
 
 std::vector<const Name*> titlesOf(const Item& item) {
-  if (const auto* instance = std::get_if<Instance>(&item.content)) return {&instance->title};
-  const auto* rule = std::get_if<Rule>(&item.content);
-  return rule ? titlesOf(*rule) : std::vector<const Name*>();
+  using Titles = std::vector<const Name*>;
+  return match(
+      item.content, [](const Rule& rule) { return titlesOf(rule); },
+      [](const Instance& instance) { return Titles{&instance.title}; },
+      [](const AnyOf<std::monostate, Import, Use, Constant, Function, Metric, RuleSetBlock,
+                     Template, Test, Property> auto&) { return Titles(); });
 }
 
 std::vector<const Name*> titlesOf(const Rule& rule) {
-  std::vector<const Name*> titles{&rule.title};
-  for (const Clause& clause : rule.clauses)
-    if (const auto* mirror = std::get_if<MirrorClause>(&clause.content))
-      titles.push_back(&mirror->title);
+  std::vector<const Name*> titles = namesIn(rule, {NameRole::MirrorTitle});
+  titles.insert(titles.begin(), &rule.title);
   return titles;
 }
 

@@ -24,7 +24,7 @@ struct Token {
   std::string doc;          ///< lines of `##` right above, joined by line breaks
   bool startsLine = false;  ///< nothing but blanks before it on its line
   bool isDoubtful = false;  ///< faulty itself, or behind something unreadable: told already
-  bool is(const char* symbolOrWord) const {
+  bool is(std::string_view symbolOrWord) const {
     return (kind == TokenKind::Symbol || kind == TokenKind::Name) && text == symbolOrWord;
   }
 };

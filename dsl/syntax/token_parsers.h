@@ -6,12 +6,12 @@
 #include <cstdlib>
 #include <initializer_list>
 #include <limits>
+#include <span>
 
 #include "dsl/syntax/ast.h"
-#include "dsl/syntax/clause_forms.h"
 #include "dsl/syntax/lexer.h"
 #include "dsl/syntax/syntax_errors.h"
-#include "dsl/text/words.h"
+#include "dsl/text/keywords.h"
 
 namespace af2::dsl::parsers {
 
@@ -42,13 +42,14 @@ struct Word : x3::parser<Word> {
 
 /// One of several words or symbols, kept with its place.
 struct OneOf : TokenParser<OneOf, Name> {
-  OneOf(std::initializer_list<const char*> w) : words(w) {}
-  std::vector<const char*> words;
+  OneOf(std::initializer_list<std::string_view> w) : words(w) {}
+  OneOf(std::span<const std::string_view> w) : words(w.begin(), w.end()) {}
+  std::vector<std::string_view> words;
 
   template <class Context, class RContext, class Attribute>
   bool parse(It& first, It const& last, Context const&, RContext&, Attribute& attribute) const {
     if (first == last) return false;
-    for (const char* text : words) {
+    for (const std::string_view text : words) {
       if (!first->is(text)) continue;
       x3::traits::move_to(Name{first->text, first->span}, attribute);
       ++first;
@@ -339,7 +340,7 @@ struct OpenBrace : x3::parser<OpenBrace> {
       ++first;
       return true;
     }
-    const bool isMissing = first->startsLine && !formOf(SyntaxUnit::Clause, first->text).empty() &&
+    const bool isMissing = first->startsLine && findKeyword(BlockKind::Rule, first->text) &&
                            first->kind == TokenKind::Name;
     if (isMissing && tells) x3::get<ParsingTag>(context).get().tellMissingBrace(first);
     return isMissing;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "dsl/text/keywords.h"
 #include "dsl/text/words.h"
 
 namespace af2::dsl {
@@ -20,17 +21,18 @@ const Token* readNumber(const Token* at, SyntaxErrors& errors) {
   if (!isWhole(version)) {
     const bool isLast = version.kind == TokenKind::End || version.startsLine;
     if (!version.isDoubtful)
-      errors.tell("S7", isLast ? at->span : cover(at->span, version.span),
+      errors.tell(Code::MissingVersion, isLast ? at->span : cover(at->span, version.span),
                   "the version of the language is missing", kForm);
     const Token* first = at++;
     while (at->kind != TokenKind::End && !at->is(";") && !at->startsLine) ++at;
     return at > first && at->is(";") ? at + 1 : at;
   }
   if (version.number != 1)
-    errors.tell("S7", version.span,
+    errors.tell(Code::MissingVersion, version.span,
                 "this is version 1 of the language; the file asks for " + version.text, kForm);
   if (at[2].is(";")) return at + 3;
-  errors.tell("S2", version.span, "';' is missing after 'af2 " + version.text + "'", kForm);
+  errors.tell(Code::MissingSemicolon, version.span,
+              "';' is missing after 'af2 " + version.text + "'", kForm);
   return at + 2;
 }
 
@@ -45,31 +47,35 @@ const Token* tellMissing(const std::vector<Token>& tokens, SyntaxErrors& errors)
   const Token* first = tokens.data();
   const char* const rule = "a rule file begins with `af2 1;`";
   if (isNetgens(tokens)) {
-    errors.tell("S7", first->span, "this is a rule file of Netgen; one of AF2 begins with `af2 1;`",
+    errors.tell(Code::MissingVersion, first->span,
+                "this is a rule file of Netgen; one of AF2 begins with `af2 1;`",
                 "`af2 import FILE` writes it anew in the language of AF2");
     return nullptr;
   }
   for (const Token& token : tokens) {
     if (!token.startsLine || !token.is("af2") || !isWhole((&token)[1])) continue;
-    errors.tell("S7", token.span, "`af2 1;` must stand at the top of the file", "move it there");
+    errors.tell(Code::MissingVersion, token.span, "`af2 1;` must stand at the top of the file",
+                "move it there");
     errors.expectVersionAt(&token);
     return first;
   }
   if (first->kind == TokenKind::End) {
-    errors.tell("S7", {0, 0}, "there is nothing in this file but blanks and comments",
+    errors.tell(Code::MissingVersion, {0, 0},
+                "there is nothing in this file but blanks and comments",
                 "a rule file begins with `af2 1;`");
     return nullptr;
   }
   if (!nearest(first->text, {"af2"}).empty() && !isClauseWord(first->text)) {
-    errors.tell("S7", first->span, rule, "did you mean `af2 1;`?");
+    errors.tell(Code::MissingVersion, first->span, rule, "did you mean `af2 1;`?");
     const Token* at = first + 1;
     while (at->kind != TokenKind::End && !at->is(";") && !at->startsLine) ++at;
     return at->is(";") ? at + 1 : at;
   }
-  const auto items = itemWords();
+  const auto items = keywordsOf(BlockKind::File);
   const bool isItem = SyntaxErrors::beginsItem(first) || isClauseWord(first->text) ||
                       !nearest(first->text, {items.begin(), items.end()}).empty();
-  errors.tell("S7", first->span, isItem ? rule : "this is no rule file: one begins with `af2 1;`",
+  errors.tell(Code::MissingVersion, first->span,
+              isItem ? rule : "this is no rule file: one begins with `af2 1;`",
               Help("add `af2 1;` as the first line", {Remedy::Where::Top, "af2 1;\n\n"}));
   return isItem ? first : nullptr;
 }

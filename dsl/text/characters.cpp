@@ -133,6 +133,10 @@ std::size_t firstMalformed(std::string_view text) {
 
 }  // namespace
 
+bool isPlainName(std::string_view text) {
+  return !text.empty() && isNameStart(text[0]) && std::ranges::all_of(text, isNamePart);
+}
+
 const LookAlike* lookAlikeAt(std::string_view text) {
   if (text.empty() || static_cast<unsigned char>(text[0]) < 0x80) return nullptr;
   const auto found = std::ranges::find_if(

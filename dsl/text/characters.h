@@ -1,4 +1,4 @@
-// Characters beyond plain ASCII, and texts that are none.
+// What names and numbers are made of, characters beyond plain ASCII, and texts that are none.
 #pragma once
 
 #include <cstddef>
@@ -7,6 +7,15 @@
 #include <string_view>
 
 namespace af2::dsl {
+
+constexpr bool isDigit(char c) { return c >= '0' && c <= '9'; }
+/// Whether a name of the language may begin with a character, and have it elsewhere.
+constexpr bool isNameStart(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
+}
+constexpr bool isNamePart(char c) { return isNameStart(c) || isDigit(c); }
+/// Whether a text is written as names of the language are; it may be a reserved word.
+bool isPlainName(std::string_view text);
 
 /// A character that word processors and other alphabets put where plain ASCII is meant.
 struct LookAlike {

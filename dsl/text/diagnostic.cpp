@@ -119,7 +119,7 @@ Json jsonOf(const Diagnostic& d) {
             {"end_line", d.place.endLine},
             {"end_column", d.place.endColumn},
             {"severity", word(d.severity)},
-            {"code", d.code},
+            {"code", idOf(d.code)},
             {"message", d.message},
             {"notes", notes},
             {"help", d.help}};
@@ -192,7 +192,7 @@ std::vector<Diagnostic> DiagnosticList::take() {
     for (std::size_t i = found_.size(); i-- > 0 && found_.size() > kMost;)
       if (found_[i].severity == Severity::Warning)
         found_.erase(found_.begin() + static_cast<std::ptrdiff_t>(i));
-    if (found_.size() > kMost) found_.resize(kMost);
+    if (found_.size() > kMost) found_.erase(found_.begin() + kMost, found_.end());
     const bool isAll = left + kMost < kKept;
     found_.back().notes.push_back(
         {std::to_string(left) + (isAll ? "" : " or more") + " further findings are not shown", {}});
@@ -202,7 +202,7 @@ std::vector<Diagnostic> DiagnosticList::take() {
 
 std::string toPretty(const Diagnostic& d, Colour colour) {
   const Paint paint(colour, d.severity);
-  std::string out = paint.loud(std::string(word(d.severity)) + "[AF2-" + d.code + "]") +
+  std::string out = paint.loud(std::string(word(d.severity)) + "[" + fullIdOf(d.code) + "]") +
                     paint.strong(": " + d.message) + "\n";
   const std::string indent = margin(d.place);
   out += indent + paint.frame("-->") + " " + where(d.place) + "\n";
@@ -226,7 +226,8 @@ std::string toPretty(std::span<const Diagnostic> diagnostics, Colour colour) {
 std::string toGcc(std::span<const Diagnostic> diagnostics) {
   std::string out;
   for (const Diagnostic& d : diagnostics)
-    out += where(d.place) + ": " + word(d.severity) + ": " + d.message + " [AF2-" + d.code + "]\n";
+    out += where(d.place) + ": " + word(d.severity) + ": " + d.message + " [" + fullIdOf(d.code) +
+           "]\n";
   return out;
 }
 

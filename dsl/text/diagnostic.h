@@ -6,11 +6,11 @@
 #include <string>
 #include <vector>
 
+#include "dsl/text/diagnostic_codes.h"
 #include "dsl/text/source_text.h"
+#include "engine/base/export.h"
 
 namespace af2::dsl {
-
-enum class Severity { Error, Warning };
 
 /// A place in a file, kept without the file.
 struct DiagnosticPlace {
@@ -24,8 +24,13 @@ struct DiagnosticPlace {
 
 /// A further remark, perhaps about another place.
 struct DiagnosticNote {
+  enum class Kind {
+    Remark,
+    Test,  ///< the message is a `test` block on one line, which fails until the fault is mended
+  };
   std::string message;
   std::optional<DiagnosticPlace> place;
+  Kind kind = Kind::Remark;
   bool operator==(const DiagnosticNote&) const = default;
 };
 
@@ -39,8 +44,11 @@ struct SuggestedEdit {
 
 /// One finding. Self-contained: it can be shown without the text that it is about.
 struct Diagnostic {
-  Severity severity = Severity::Error;
-  std::string code;     ///< such as "A1"; see code_explanations.h
+  /// As severe as findings with this code are.
+  explicit Diagnostic(Code what) : severity(infoOf(what).severity), code(what) {}
+
+  Severity severity;
+  Code code;
   std::string message;  ///< the fault, one line without a full stop
   DiagnosticPlace place;
   std::string label;  ///< a few words beside the caret; may be empty
@@ -48,16 +56,17 @@ struct Diagnostic {
   std::string help;                  ///< the way out; may be empty
   std::vector<SuggestedEdit> edits;  ///< ways to take it at once, the likeliest first
   std::string rule;                  ///< the title of the rule it is about; may be empty
+  bool isUnused = false;  ///< nothing uses what stands at the place; editors show it faded
   bool operator==(const Diagnostic&) const = default;
 };
 
-DiagnosticPlace placeOf(const SourceText& source, Span span);
+AF2_EXPORT DiagnosticPlace placeOf(const SourceText& source, Span span);
 
-bool hasErrors(std::span<const Diagnostic> diagnostics);
+AF2_EXPORT bool hasErrors(std::span<const Diagnostic> diagnostics);
 
 /// Collects findings: the same thing is told once, files in the order in which they were first
 /// seen, places in the order of the text.
-class DiagnosticList {
+class AF2_EXPORT DiagnosticList {
  public:
   /// At most so many are shown; some more are kept, since they are not found in the order of the
   /// text.
@@ -82,12 +91,13 @@ class DiagnosticList {
 enum class Colour { None, Terminal };
 
 /// The forms in which findings can be written.
-std::string toPretty(const Diagnostic& diagnostic, Colour colour = Colour::None);
-std::string toPretty(std::span<const Diagnostic> diagnostics, Colour colour = Colour::None);
-std::string toGcc(std::span<const Diagnostic> diagnostics);
+AF2_EXPORT std::string toPretty(const Diagnostic& diagnostic, Colour colour = Colour::None);
+AF2_EXPORT std::string toPretty(std::span<const Diagnostic> diagnostics,
+                                Colour colour = Colour::None);
+AF2_EXPORT std::string toGcc(std::span<const Diagnostic> diagnostics);
 /// A list of {file, line, column, end_line, end_column, severity, code, message, notes, help}.
-std::string toJson(std::span<const Diagnostic> diagnostics);
+AF2_EXPORT std::string toJson(std::span<const Diagnostic> diagnostics);
 /// SARIF 2.1.0, as code hosts take it.
-std::string toSarif(std::span<const Diagnostic> diagnostics);
+AF2_EXPORT std::string toSarif(std::span<const Diagnostic> diagnostics);
 
 }  // namespace af2::dsl

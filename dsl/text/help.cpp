@@ -1,19 +1,18 @@
 #include "dsl/text/help.h"
 
-#include <cctype>
 #include <string_view>
+
+#include "dsl/text/characters.h"
 
 namespace af2::dsl {
 namespace {
-
-bool isNameLetter(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
 
 /// Where a word stands by itself in a text; npos if it does not.
 std::size_t findWord(std::string_view text, std::string_view word) {
   for (std::size_t at = text.find(word); at != text.npos; at = text.find(word, at + 1)) {
     const std::size_t end = at + word.size();
-    const bool begins = at == 0 || !isNameLetter(text[at - 1]) || !isNameLetter(word.front());
-    const bool ends = end == text.size() || !isNameLetter(text[end]) || !isNameLetter(word.back());
+    const bool begins = at == 0 || !isNamePart(text[at - 1]) || !isNamePart(word.front());
+    const bool ends = end == text.size() || !isNamePart(text[end]) || !isNamePart(word.back());
     if (begins && ends) return at;
   }
   return std::string_view::npos;

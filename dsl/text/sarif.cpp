@@ -4,7 +4,6 @@
 #include <nlohmann/json.hpp>
 #include <string_view>
 
-#include "dsl/text/code_explanations.h"
 #include "dsl/text/diagnostic.h"
 
 namespace af2::dsl {
@@ -62,7 +61,7 @@ Json resultOf(const Diagnostic& d, std::size_t ruleIndex) {
     related.push_back(location);
   }
   if (!d.help.empty()) text += "\nhelp: " + d.help;
-  Json result{{"ruleId", "AF2-" + d.code},
+  Json result{{"ruleId", fullIdOf(d.code)},
               {"ruleIndex", ruleIndex},
               {"level", d.severity == Severity::Error ? "error" : "warning"},
               {"message", {{"text", text}}},
@@ -72,20 +71,17 @@ Json resultOf(const Diagnostic& d, std::size_t ruleIndex) {
   return result;
 }
 
-Json ruleOf(const std::string& code) {
-  Json rule{{"id", "AF2-" + code}};
-  const CodeExplanation* explanation = findCodeExplanation(code);
-  if (!explanation) return rule;
-  rule["shortDescription"] = {{"text", explanation->title}};
-  rule["help"] = {{"text", explanation->text}};
-  return rule;
+Json ruleOf(Code code) {
+  return {{"id", fullIdOf(code)},
+          {"shortDescription", {{"text", infoOf(code).title}}},
+          {"help", {{"text", infoOf(code).explanation}}}};
 }
 
 }  // namespace
 
 std::string toSarif(std::span<const Diagnostic> diagnostics) {
   Json results = Json::array(), rules = Json::array();
-  std::map<std::string, std::size_t> known;
+  std::map<Code, std::size_t> known;
   for (const Diagnostic& d : diagnostics) {
     const auto [rule, isNew] = known.emplace(d.code, rules.size());
     if (isNew) rules.push_back(ruleOf(d.code));

@@ -2,9 +2,14 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "engine/base/export.h"
 
 namespace af2::dsl {
 
@@ -26,7 +31,7 @@ struct LinePlace {
 };
 
 /// A named text with its lines. Immutable.
-class SourceText {
+class AF2_EXPORT SourceText {
  public:
   SourceText(std::string name, std::string text);
 
@@ -50,5 +55,8 @@ class SourceText {
   std::vector<std::uint32_t> lineStarts_;
   std::vector<std::uint32_t> characters_;  ///< that begin before each block of the text
 };
+
+/// Where the text of a file is to be had before the disk is asked; nothing: ask the disk.
+using TextSource = std::function<std::optional<std::string>(const std::filesystem::path&)>;
 
 }  // namespace af2::dsl

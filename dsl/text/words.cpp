@@ -1,28 +1,9 @@
 #include "dsl/text/words.h"
 
 #include <algorithm>
-#include <array>
 
 namespace af2::dsl {
 namespace {
-
-constexpr std::array<std::string_view, 10> kItems{
-    "import", "use", "const", "def", "metric", "ruleset", "rule", "template", "test", "property"};
-constexpr std::array<std::string_view, 14> kClauses{
-    "front", "at",   "slope",   "let",  "new",      "zone", "tri",
-    "quad",  "poly", "require", "cost", "priority", "meta", "mirror"};
-constexpr std::array<std::string_view, 10> kSettings{
-    "elements", "match", "fade", "score", "accept", "front", "classes", "scale", "parity", "meta"};
-constexpr std::array<std::string_view, 6> kTests{"front", "point", "base",
-                                                 "class", "size",  "expect"};
-
-/// Clause words that read naturally as names of values (cost, priority, meta) or are functions
-/// (poly) are not reserved.
-constexpr std::array<std::string_view, 32> kReserved{
-    "import", "use",      "const",   "def",    "metric", "ruleset", "rule",   "template",
-    "test",   "property", "front",   "at",     "slope",  "let",     "new",    "zone",
-    "tri",    "quad",     "require", "mirror", "weld",   "quality", "expect", "for",
-    "and",    "or",       "not",     "if",     "then",   "else",    "in",     "when"};
 
 struct Habit {
   std::string_view written, meaning;
@@ -97,24 +78,6 @@ std::size_t editDistance(std::string_view a, std::string_view b) {
     }
   }
   return d[a.size()][b.size()];
-}
-
-std::span<const std::string_view> itemWords() { return kItems; }
-std::span<const std::string_view> clauseWords() { return kClauses; }
-std::span<const std::string_view> settingWords() { return kSettings; }
-std::span<const std::string_view> testWords() { return kTests; }
-
-std::span<const std::string_view> reservedWords() { return kReserved; }
-
-bool isReserved(std::string_view word) {
-  return std::find(kReserved.begin(), kReserved.end(), word) != kReserved.end();
-}
-
-bool isClauseWord(std::string_view word) {
-  const auto holds = [&](std::span<const std::string_view> words) {
-    return std::find(words.begin(), words.end(), word) != words.end();
-  };
-  return holds(kItems) || holds(kClauses) || holds(kSettings) || holds(kTests);
 }
 
 std::string habitOf(std::string_view word) {

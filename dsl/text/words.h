@@ -1,7 +1,6 @@
-// The words of the language, in one table: for the grammar, for "did you mean", for editors.
+// What may be meant by a word that means nothing: "did you mean", and habits from other languages.
 #pragma once
 
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -9,19 +8,6 @@
 #include "dsl/text/help.h"
 
 namespace af2::dsl {
-
-/// Words that begin an item of a file, a clause of a rule, of a rule set, of a test.
-std::span<const std::string_view> itemWords();
-std::span<const std::string_view> clauseWords();
-std::span<const std::string_view> settingWords();
-std::span<const std::string_view> testWords();
-
-/// Whether a word begins a clause of any kind.
-bool isClauseWord(std::string_view word);
-
-/// Words that cannot be names.
-std::span<const std::string_view> reservedWords();
-bool isReserved(std::string_view word);
 
 /// Capital letters of the English alphabet become small ones.
 std::string lowered(std::string_view word);

@@ -5,22 +5,24 @@
 #include <stdexcept>
 #include <string>
 
+#include "engine/base/export.h"
+
 namespace af2 {
 
 /// The caller's input is unusable; the message names the input at fault.
-class InputError : public std::runtime_error {
+class AF2_EXPORT InputError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
 /// The surface does not give what was asked of it at some place, e.g. it has no normal there.
-class GeometryError : public std::runtime_error {
+class AF2_EXPORT GeometryError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
 /// An invariant of AF2 itself is broken: a defect of this library.
-class InternalError : public std::logic_error {
+class AF2_EXPORT InternalError : public std::logic_error {
  public:
   using std::logic_error::logic_error;
 };

@@ -6,6 +6,7 @@
 
 #include <cmath>
 
+#include "engine/base/export.h"
 #include "engine/base/point.h"
 
 namespace af2 {
@@ -13,7 +14,7 @@ namespace af2 {
 enum class Turn { Right = -1, Straight = 0, Left = 1 };
 
 namespace detail {
-Turn exactOrientation(Point2 a, Point2 b, Point2 c);
+AF2_EXPORT Turn exactOrientation(Point2 a, Point2 b, Point2 c);
 
 /// (3 + 16 eps) eps with eps = 2^-53: bounds the error of the determinant below relative to the sum
 /// of the sizes of its two products. Source: [Shewchuk97], ccwerrboundA.
@@ -46,6 +47,6 @@ inline Turn orientation(Point2 a, Point2 b, Point2 c) {
 }
 
 /// Whether the closed segments pq and rs have a point in common. Exact.
-bool segmentsMeet(Point2 p, Point2 q, Point2 r, Point2 s);
+AF2_EXPORT bool segmentsMeet(Point2 p, Point2 q, Point2 r, Point2 s);
 
 }  // namespace af2

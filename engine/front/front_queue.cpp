@@ -19,12 +19,9 @@ FrontEdgeFacts factsOf(const Front& front, PlaceId id, bool needsTurns) {
 }  // namespace
 
 FrontQueue::FrontQueue(const AF2FrontOrder& order)
-    : order_(order), layered_(dynamic_cast<const LayeredFrontOrder*>(&order)) {
-  if (const auto* rows = dynamic_cast<const RowFrontOrder*>(&order)) rows_.emplace(rows->start());
-}
+    : order_(order), layered_(order.layered()), own_(order.makeQueue()) {}
 
 void FrontQueue::push(const Front& front, PlaceId id) {
-  if (rows_) return rows_->push(front, id);
   const Entry entry{id, front[id].age};
   if (layered_) {
     const auto key = static_cast<std::size_t>(
@@ -34,6 +31,7 @@ void FrontQueue::push(const Front& front, PlaceId id) {
     lowest_ = std::min(lowest_, key);
     return;
   }
+  if (own_) return own_->push(front, id);
   const FrontEdgeFacts facts = factsOf(front, id, order_.needsTurns());
   KeyedEntry keyed{{}, turn_++, entry};
   for (int i = 0; i < order_.keyCount(); ++i) keyed.keys.push_back(order_.key(i, facts));
@@ -41,7 +39,7 @@ void FrontQueue::push(const Front& front, PlaceId id) {
 }
 
 PlaceId FrontQueue::pop(const Front& front) {
-  if (rows_) return rows_->pop(front);
+  if (own_) return own_->pop(front);
   for (; lowest_ < buckets_.size(); ++lowest_) {
     Bucket& bucket = buckets_[lowest_];
     while (bucket.head < bucket.entries.size()) {

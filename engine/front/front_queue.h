@@ -2,12 +2,11 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
+#include <memory>
 #include <queue>
 #include <vector>
 
 #include "engine/front/front.h"
-#include "engine/front/row_walk.h"
 #include "engine/rule/front_order.h"
 
 namespace af2 {
@@ -46,8 +45,8 @@ class FrontQueue {
   }
 
   const AF2FrontOrder& order_;
-  std::optional<RowWalk> rows_;       // an order in rows has a queue of its own
-  const LayeredFrontOrder* layered_;  // the fast form: buckets by whole key
+  const LayeredFrontOrder* layered_;   // the fast form: buckets by whole key
+  std::unique_ptr<AF2EdgeQueue> own_;  // of an order that is more than keys
   std::vector<Bucket> buckets_;
   std::size_t lowest_ = 0;
   std::priority_queue<KeyedEntry> heap_;

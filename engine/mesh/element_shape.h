@@ -42,20 +42,24 @@ inline bool leans(const Mesh& mesh, const Element& element) {
   return false;
 }
 
-/// Whether an element turns left at each corner, in a chart. Exact for a triangle. A quadrilateral
-/// that is straight at a corner but for rounding does not: on the surface it could turn back there.
-inline bool turnsLeftEverywhere(std::span<const Point2> corners) {
+/// Whether an element turns left at a corner, in a chart. Exact for a triangle. A quadrilateral
+/// that is straight there but for rounding does not: on the surface it could turn back.
+inline bool turnsLeftAt(std::span<const Point2> corners, std::size_t i) {
   constexpr double kLeastSine = 1e-9;
   const std::size_t n = corners.size();
   if (n == 3) return orientation(corners[0], corners[1], corners[2]) == Turn::Left;
-  for (std::size_t i = 0; i < n; ++i) {
-    const Point2 ahead = corners[(i + 1) % n] - corners[i];
-    const Point2 behind = corners[(i + n - 1) % n] - corners[i];
-    const double turned = cross(ahead, behind);
-    if (!(turned > 0) ||
-        turned * turned <= kLeastSine * kLeastSine * dot(ahead, ahead) * dot(behind, behind))
-      return false;
-  }
+  const Point2 ahead = corners[(i + 1) % n] - corners[i];
+  const Point2 behind = corners[(i + n - 1) % n] - corners[i];
+  const double turned = cross(ahead, behind);
+  return turned > 0 &&
+         turned * turned > kLeastSine * kLeastSine * dot(ahead, ahead) * dot(behind, behind);
+}
+
+/// Whether an element turns left at each corner.
+inline bool turnsLeftEverywhere(std::span<const Point2> corners) {
+  if (corners.size() == 3) return turnsLeftAt(corners, 0);
+  for (std::size_t i = 0; i < corners.size(); ++i)
+    if (!turnsLeftAt(corners, i)) return false;
   return true;
 }
 

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/base/export.h"
 #include "engine/mesh/front_input.h"
 #include "engine/mesh/mesh.h"
 
@@ -26,15 +27,15 @@ struct MeshFault {
 };
 
 /// One line that tells the fault and its place.
-std::string describe(const MeshFault& fault, const Mesh& mesh);
+AF2_EXPORT std::string describe(const MeshFault& fault, const Mesh& mesh);
 
 /// All faults of a mesh that should fill the region inside a boundary; none: the mesh is sound.
-std::vector<MeshFault> checkMesh(const Mesh& mesh, const MeshBoundary& boundary);
+AF2_EXPORT std::vector<MeshFault> checkMesh(const Mesh& mesh, const MeshBoundary& boundary);
 inline std::vector<MeshFault> checkMesh(const Mesh& mesh, const FrontInput& input) {
   return checkMesh(mesh, boundaryOf(input));
 }
 
 /// How many faults a mesh has, and the first in words; empty: it is sound.
-std::string faultOf(const Mesh& mesh, const MeshBoundary& boundary);
+AF2_EXPORT std::string faultOf(const Mesh& mesh, const MeshBoundary& boundary);
 
 }  // namespace af2

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "engine/base/constants.h"
 #include "engine/mesh/element_shape.h"
 
 namespace af2 {
@@ -46,13 +47,12 @@ class Collapser {
   }
 
  private:
-  /// Marks the vertices of a bad triangle. Seen from another corner its distortion may differ in
-  /// the last bits.
+  /// Marks the vertices of a bad triangle.
   void look(std::size_t e) {
-    constexpr double kRounding = 1e-9;
     const auto corners = topology_.mesh().elements[e].vertices();
     if (topology_.isDead(e) || corners.size() != 3) return;
-    if (distortion(corners[0], corners[1], corners[2]) < (1 - kRounding) * kBadDistortion) return;
+    if (distortion(corners[0], corners[1], corners[2]) < (1 - kDistortionRounding) * kBadDistortion)
+      return;
     for (VertexId v : corners) mayBeBad_[v.value] = 1;
   }
 

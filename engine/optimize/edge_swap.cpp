@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "engine/base/constants.h"
 #include "engine/mesh/element_shape.h"
 
 namespace af2 {
@@ -58,13 +59,11 @@ class Swapper {
     return true;
   }
 
-  /// Notes whether a triangle is too good to be swapped. Seen from another corner its distortion
-  /// may differ in the last bits.
+  /// Notes whether a triangle is too good to be swapped.
   void look(std::size_t e) {
-    constexpr double kRounding = 1e-9;
     const auto corners = topology_.mesh().elements[e].vertices();
     isGood_[e] = !topology_.isDead(e) && corners.size() == 3 &&
-                 distortion(corners[0], corners[1], corners[2]) < (1 - kRounding) * kBest;
+                 distortion(corners[0], corners[1], corners[2]) < (1 - kDistortionRounding) * kBest;
   }
 
   int fewest(VertexId v) const { return topology_.isFixed(v) ? 1 : 3; }

@@ -5,6 +5,7 @@
 #include <optional>
 #include <stop_token>
 
+#include "engine/base/export.h"
 #include "engine/mesh/front_input.h"
 #include "engine/mesh/mesh.h"
 #include "engine/surface/local_transform.h"
@@ -37,8 +38,8 @@ struct OptimizeReport {
 /// leaves the surface: vertices move through charts of `maker`. What comes out is held
 /// against checkMesh; should it not pass, the mesh stays as it was. Depends on nothing but its
 /// arguments.
-OptimizeReport optimizeMesh(Mesh& mesh, const MeshBoundary& boundary,
-                            const AF2LocalTransformMaker& maker,
-                            const OptimizeOptions& options = {});
+AF2_EXPORT OptimizeReport optimizeMesh(Mesh& mesh, const MeshBoundary& boundary,
+                                       const AF2LocalTransformMaker& maker,
+                                       const OptimizeOptions& options = {});
 
 }  // namespace af2

@@ -4,6 +4,7 @@
 #include <optional>
 #include <span>
 
+#include "engine/base/export.h"
 #include "engine/base/point.h"
 
 namespace af2 {
@@ -12,7 +13,7 @@ namespace af2 {
 ///
 /// Vertices are named by their index in the rule's pattern; lengths are in chart units, angles in
 /// radians. The defaults describe a uniform size field and nothing else on the front.
-class AF2Surroundings {
+class AF2_EXPORT AF2Surroundings {
  public:
   virtual ~AF2Surroundings() = default;
   /// Wanted edge length at a point of the chart.
@@ -42,7 +43,7 @@ struct AF2Binding {
 };
 
 /// A number that depends on a match: a condition (nonzero holds), a cost.
-class AF2BindingFunction {
+class AF2_EXPORT AF2BindingFunction {
  public:
   virtual ~AF2BindingFunction() = default;
   /// Nothing where the expression has no value (division by zero, parallel lines).

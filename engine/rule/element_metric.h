@@ -7,12 +7,13 @@
 #include <span>
 #include <vector>
 
+#include "engine/base/export.h"
 #include "engine/base/point.h"
 
 namespace af2 {
 
 /// Badness of one element in the chart: 0 for the ideal one, growing without bound.
-class AF2ElementMetric {
+class AF2_EXPORT AF2ElementMetric {
  public:
   virtual ~AF2ElementMetric() = default;
   /// corners  three or four, positively oriented, in chart units
@@ -27,7 +28,7 @@ class AF2ElementMetric {
 /// weight * (sqrt(3)/36 * perimeter^2/area - 1) + sum over the edges (length + 1/length - 2);
 /// for quadrilaterals perimeter^2/area is held against that of the square.
 /// Source: the triangle measure of [Schoeberl97].
-class ShapeSizeMetric final : public AF2ElementMetric {
+class AF2_EXPORT ShapeSizeMetric final : public AF2ElementMetric {
  public:
   explicit ShapeSizeMetric(double weight) : weight_(weight) {}
   std::optional<double> badness(std::span<const Point2> corners) const override;
@@ -54,14 +55,14 @@ class ShapeSizeMetric final : public AF2ElementMetric {
 enum class ScoreOf { Max, Sum, Mean };
 
 /// Whether a rule's result is good enough at a level. Lower scores are better.
-class AF2Acceptance {
+class AF2_EXPORT AF2Acceptance {
  public:
   virtual ~AF2Acceptance() = default;
   virtual bool accepts(double score, int level) const = 0;
 };
 
 /// score < bound[level], the usual acceptance.
-class ScoreBound final : public AF2Acceptance {
+class AF2_EXPORT ScoreBound final : public AF2Acceptance {
  public:
   /// bounds  by level; [0] is level 1; the last one holds for higher levels
   explicit ScoreBound(std::vector<double> bounds);

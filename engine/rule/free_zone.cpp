@@ -179,20 +179,27 @@ double ConvexPolygonZoneDef::fade(int level) const {
   return fade_[static_cast<std::size_t>(std::clamp(level - 1, 0, last))];
 }
 
-AF2FreeZoneDef::Made ConvexPolygonZoneDef::makeFreeZone(const AF2Binding& binding) const {
+std::optional<std::vector<Point2>> ConvexPolygonZoneDef::cornersAt(
+    const AF2Binding& binding) const {
   const double t = fade(binding.level);
   std::vector<Point2> corners;
   corners.reserve(corners_.size());
   for (const Corner& corner : corners_) {
     const auto preferred = corner.preferred->transformPoint(binding);
     const auto limiting = corner.limiting ? corner.limiting->transformPoint(binding) : preferred;
-    if (!preferred || !limiting) return {nullptr, Refusal::NoValue};
+    if (!preferred || !limiting) return std::nullopt;
     // Without a limiting corner the preferred one is taken as it is: corners that are matched
     // vertices must keep their coordinates to the last bit.
     corners.push_back(corner.limiting ? t * *preferred + (1 - t) * *limiting : *preferred);
   }
-  if (!ConvexPolygonZone::isConvex(corners)) return {nullptr, Refusal::Convexity};
-  return {std::make_unique<ConvexPolygonZone>(std::move(corners)), Refusal::None};
+  return corners;
+}
+
+AF2FreeZoneDef::Made ConvexPolygonZoneDef::makeFreeZone(const AF2Binding& binding) const {
+  auto corners = cornersAt(binding);
+  if (!corners) return {nullptr, Refusal::NoValue};
+  if (!ConvexPolygonZone::isConvex(*corners)) return {nullptr, Refusal::Convexity};
+  return {std::make_unique<ConvexPolygonZone>(std::move(*corners)), Refusal::None};
 }
 
 }  // namespace af2

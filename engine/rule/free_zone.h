@@ -2,9 +2,11 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
+#include "engine/base/export.h"
 #include "engine/rule/binding.h"
 #include "engine/rule/point_transform.h"
 #include "engine/rule/refusal.h"
@@ -26,7 +28,7 @@ enum class ZoneBoundary { Counts, Ignored };
 ///
 /// The engine asks `contains(vertex, Counts)` and `meets(edge, Ignored)`: vertices are held against
 /// the closed zone, edges against its interior. Matched vertices and edges are never asked about.
-class AF2FreeZone {
+class AF2_EXPORT AF2FreeZone {
  public:
   virtual ~AF2FreeZone() = default;
   /// A box that holds the whole zone; what lies outside of it is never asked about.
@@ -36,7 +38,7 @@ class AF2FreeZone {
 };
 
 /// How a rule makes its free zone from a match. Source: [VanderZee16], free zone definitions.
-class AF2FreeZoneDef {
+class AF2_EXPORT AF2FreeZoneDef {
  public:
   struct Made {
     std::unique_ptr<const AF2FreeZone> zone;  ///< null: refused
@@ -58,18 +60,20 @@ inline constexpr double kStraightTolerance = 1e-9;
 /// Drops corners that repeat their predecessor or lie a rounding error inside a chord, in place.
 /// Returns how many are left: 0 unless they run once around a convex region of positive area,
 /// counter-clockwise.
-int normalize(Point2* corners, int count, double straightTolerance = kStraightTolerance);
+AF2_EXPORT int normalize(Point2* corners, int count, double straightTolerance = kStraightTolerance);
 
 /// All want normalized corners.
-bool contains(std::span<const Point2> corners, Point2 point, ZoneBoundary boundary);
-bool meets(std::span<const Point2> corners, Point2 from, Point2 to, ZoneBoundary boundary);
+AF2_EXPORT bool contains(std::span<const Point2> corners, Point2 point, ZoneBoundary boundary);
+AF2_EXPORT bool meets(std::span<const Point2> corners, Point2 from, Point2 to,
+                      ZoneBoundary boundary);
 /// What is left to ask if no side of the polygon separates it from the segment, which has a length.
-bool meetsLine(std::span<const Point2> corners, Point2 from, Point2 to, ZoneBoundary boundary);
+AF2_EXPORT bool meetsLine(std::span<const Point2> corners, Point2 from, Point2 to,
+                          ZoneBoundary boundary);
 
 }  // namespace convex_polygon
 
 /// A convex polygon, corners counter-clockwise. Corners may coincide and may be straight.
-class ConvexPolygonZone final : public AF2FreeZone {
+class AF2_EXPORT ConvexPolygonZone final : public AF2FreeZone {
  public:
   /// Whether the corners run once around a convex region of positive area, counter-clockwise.
   static bool isConvex(std::span<const Point2> corners,
@@ -89,7 +93,7 @@ class ConvexPolygonZone final : public AF2FreeZone {
 
 /// The usual definition: a convex polygon whose corners fade from preferred to limiting ones as the
 /// quality level rises: corner = t * preferred + (1 - t) * limiting with t = fade[level].
-class ConvexPolygonZoneDef final : public AF2FreeZoneDef {
+class AF2_EXPORT ConvexPolygonZoneDef final : public AF2FreeZoneDef {
  public:
   struct Corner {
     std::shared_ptr<const AF2PointTransform> preferred;
@@ -102,6 +106,9 @@ class ConvexPolygonZoneDef final : public AF2FreeZoneDef {
   ConvexPolygonZoneDef(std::vector<Corner> corners, std::vector<double> fade);
 
   Made makeFreeZone(const AF2Binding& binding) const override;
+  /// Where the corners lie at a match, in the order in which they were given, convex or not;
+  /// nothing if one of them has no value.
+  std::optional<std::vector<Point2>> cornersAt(const AF2Binding& binding) const;
 
   std::span<const Corner> corners() const { return corners_; }
   double fade(int level) const;

@@ -1,7 +1,10 @@
 // Which front edge is advanced next, as a rule set says it.
 #pragma once
 
-#include <vector>
+#include <memory>
+
+#include "engine/base/export.h"
+#include "engine/base/ids.h"
 
 namespace af2 {
 
@@ -13,21 +16,42 @@ struct FrontEdgeFacts {
   double turnA = 0, turnB = 0;  ///< free angles at the ends, radians in (0, 2 pi]
 };
 
-/// Smallest key first, compared lexicographically; equal keys: the edge that entered first.
+class Front;
+class LayeredFrontOrder;
+
+/// The edges of the front that wait to be advanced, for an order that is more than a sorting by
+/// keys.
+class AF2_EXPORT AF2EdgeQueue {
+ public:
+  virtual ~AF2EdgeQueue() = default;
+  /// Enters the edge that leaves a place: it has joined the front, or its level has risen.
+  virtual void push(const Front& front, PlaceId place) = 0;
+  /// Takes out the edge that is next, none if there is none left. Edges may leave the front while
+  /// they wait; those are skipped.
+  virtual PlaceId pop(const Front& front) = 0;
+};
+
+/// Which of the waiting edges is next. The same front must give the same answer: nothing may depend
+/// on addresses, hash tables or clocks.
 ///
-/// A key is worked out when an edge enters the front and when its level rises. Derive from this for
-/// an order that the fast form below cannot say.
-class AF2FrontOrder {
+/// Most orders sort by keys: smallest key first, compared lexicographically; among equal keys, or
+/// without any, the edge that entered first. A key is worked out when an edge enters the front and
+/// when its level rises. An order that keys cannot say makes a queue of its own.
+class AF2_EXPORT AF2FrontOrder {
  public:
   virtual ~AF2FrontOrder() = default;
-  virtual int keyCount() const = 0;
-  virtual double key(int index, const FrontEdgeFacts& edge) const = 0;
+  virtual int keyCount() const { return 0; }
+  virtual double key(int /*index*/, const FrontEdgeFacts&) const { return 0; }
   /// Whether `key` looks at the turns, which cost more than the rest.
   virtual bool needsTurns() const { return true; }
+  /// A queue that keeps this order instead of one that sorts by keys; null: there is none.
+  virtual std::unique_ptr<AF2EdgeQueue> makeQueue() const { return nullptr; }
+  /// The fast form of the same order; null: there is none.
+  virtual const LayeredFrontOrder* layered() const { return nullptr; }
 };
 
 /// The fast form: one key, level * l + layerA * a + layerB * b with small whole coefficients >= 0.
-class LayeredFrontOrder final : public AF2FrontOrder {
+class AF2_EXPORT LayeredFrontOrder final : public AF2FrontOrder {
  public:
   LayeredFrontOrder(int level, int layerA, int layerB);
   int keyCount() const override { return 1; }
@@ -35,30 +59,13 @@ class LayeredFrontOrder final : public AF2FrontOrder {
     return wholeKey(edge.level, edge.layerA, edge.layerB);
   }
   bool needsTurns() const override { return false; }
+  const LayeredFrontOrder* layered() const override { return this; }
   int wholeKey(int level, int layerA, int layerB) const {
     return level_ * level + layerA_ * layerA + layerB_ * layerB;
   }
 
  private:
   int level_, layerA_, layerB_;
-};
-
-/// Where a row begins on its loop: at the vertex with the smallest free angle, or at the oldest
-/// edge.
-enum class RowStart { SmallestTurn, Oldest };
-
-/// Whole rows instead of keys: from the start of a row edge after edge around the loop, then the
-/// next row. Edges that join the front belong to a later row.
-class RowFrontOrder final : public AF2FrontOrder {
- public:
-  explicit RowFrontOrder(RowStart start) : start_(start) {}
-  RowStart start() const { return start_; }
-  int keyCount() const override { return 0; }
-  double key(int, const FrontEdgeFacts&) const override { return 0; }
-  bool needsTurns() const override { return false; }
-
- private:
-  RowStart start_;
 };
 
 }  // namespace af2

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "engine/base/export.h"
 #include "engine/base/point.h"
 #include "engine/rule/binding.h"
 
@@ -14,7 +15,7 @@ namespace af2 {
 ///
 /// Derive from this for a placement that the rule language cannot say. Must be pure: the same
 /// binding gives the same point. Source: [VanderZee16], point transforms.
-class AF2PointTransform {
+class AF2_EXPORT AF2PointTransform {
  public:
   virtual ~AF2PointTransform() = default;
   /// Nothing where the placement has no value at this match; the match is then refused.
@@ -24,7 +25,7 @@ class AF2PointTransform {
 
 /// An affine function of the matched coordinates:
 /// x = constant.x + sum (xx X_i + xy Y_i), y = constant.y + sum (yx X_i + yy Y_i).
-class AffinePointTransform final : public AF2PointTransform {
+class AF2_EXPORT AffinePointTransform final : public AF2PointTransform {
  public:
   /// What one matched vertex contributes; vertices that contribute nothing are left out.
   struct Term {

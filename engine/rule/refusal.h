@@ -1,6 +1,8 @@
 // Why a rule was not applied: the stated reasons, in the order in which they are checked.
 #pragma once
 
+#include "engine/base/export.h"
+
 namespace af2 {
 
 enum class Refusal {
@@ -20,6 +22,6 @@ enum class Refusal {
 };
 
 /// One word for a reason, as rule tests and reports write it.
-const char* toString(Refusal refusal);
+AF2_EXPORT const char* toString(Refusal refusal);
 
 }  // namespace af2

@@ -6,6 +6,7 @@
 
 #include "engine/base/error.h"
 #include "engine/base/turn.h"
+#include "engine/rule/rule_at_match.h"
 
 namespace af2 {
 namespace {
@@ -97,16 +98,13 @@ std::set<Edge> boundaryOf(const std::set<Edge>& edges) {
   return boundary;
 }
 
-/// Positions of all vertices at the reference match, for a base of length 1.
+/// Positions of all vertices at the reference match; new ones without a place there lie above the
+/// middle of the base.
 std::vector<Point2> referencePositions(const RuleDefinition& rule) {
-  std::vector<Point2> points{{0, 0}, {1, 0}};
-  for (std::size_t i = 2; i < rule.vertices.size(); ++i)
-    points.push_back(rule.vertices[i].reference.at(rule.firstLevel));
-  const std::vector<Point2> matched = points;
-  const AF2Surroundings nothingAround;
-  for (const auto& transform : rule.newVertices)
-    points.push_back(transform->transformPoint({matched, rule.firstLevel, &nothingAround})
-                         .value_or(Point2{0.5, 0.5}));
+  const RuleAtMatch match = RuleAtMatch::atReference(rule, rule.firstLevel);
+  std::vector<Point2> points = match.vertices();
+  for (const auto& place : newVerticesAt(rule, match.binding()))
+    points.push_back(place.value_or(Point2{0.5, 0.5}));
   return points;
 }
 

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/base/export.h"
 #include "engine/base/point.h"
 #include "engine/rule/binding.h"
 #include "engine/rule/free_zone.h"
@@ -20,6 +21,8 @@ namespace af2 {
 struct ToleranceForm {
   double xx = 1, xy = 0, yy = 1;
   double operator()(Point2 d) const { return xx * d.x * d.x + xy * d.x * d.y + yy * d.y * d.y; }
+  /// Whether a vertex or an edge may deviate like this from what the pattern wants.
+  bool allows(Point2 deviation, double tolerance) const { return (*this)(deviation) <= tolerance; }
   bool operator==(const ToleranceForm&) const = default;
 };
 
@@ -107,7 +110,7 @@ struct RuleDefinition {
 };
 
 /// An immutable, consistent rule; what follows from the rest is worked out once.
-class AF2Rule {
+class AF2_EXPORT AF2Rule {
  public:
   static constexpr int kMaxVertices = 12;  ///< matched and new ones together
   static constexpr int kMaxElements = 8;

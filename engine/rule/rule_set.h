@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/base/export.h"
 #include "engine/rule/element_metric.h"
 #include "engine/rule/front_order.h"
 #include "engine/rule/rule.h"
@@ -33,7 +34,7 @@ struct RuleSetDefinition {
 };
 
 /// An immutable, consistent rule set: all the behaviour of a run of the engine.
-class RuleSet {
+class AF2_EXPORT RuleSet {
  public:
   /// Throws InputError, naming the rule set, if something is missing or contradicts itself.
   explicit RuleSet(RuleSetDefinition definition);

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/base/export.h"
 #include "engine/mesh/front_input.h"
 #include "engine/mesh/mesh.h"
 #include "engine/rule/rule_set.h"
@@ -50,7 +51,7 @@ struct MeshingResult {
 
 /// The engine. Holds a rule set, compiled; meshes any number of regions with it, from any number of
 /// threads at once.
-class AF2Algorithm {
+class AF2_EXPORT AF2Algorithm {
  public:
   explicit AF2Algorithm(std::shared_ptr<const RuleSet> rules);
   ~AF2Algorithm();

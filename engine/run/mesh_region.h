@@ -4,6 +4,7 @@
 #include <functional>
 #include <memory>
 
+#include "engine/base/export.h"
 #include "engine/run/algorithm.h"
 #include "engine/run/region_split.h"
 
@@ -40,7 +41,7 @@ struct RegionMesh {
 /// number of threads; the progress callback is called from several threads, one at a time.
 ///
 /// Throws what AF2Algorithm::execute throws.
-RegionMesh meshRegion(const AF2Algorithm& algorithm, const RegionTask& task,
-                      const MeshingOptions& options);
+AF2_EXPORT RegionMesh meshRegion(const AF2Algorithm& algorithm, const RegionTask& task,
+                                 const MeshingOptions& options);
 
 }  // namespace af2

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/base/constants.h"
 #include "engine/base/error.h"
 #include "engine/base/predicates.h"
 #include "engine/run/region_cuts.h"
@@ -11,8 +12,6 @@ namespace af2 {
 namespace {
 
 using namespace region;
-
-constexpr double kUnitTriangle = 0.4330127018922193;  // area of the one with edges of length 1
 
 double signedArea(const Loop& loop, const Plane& plane) {
   double twice = 0;

@@ -5,13 +5,14 @@
 #include <cstddef>
 #include <vector>
 
+#include "engine/base/export.h"
 #include "engine/mesh/front_input.h"
 #include "engine/surface/size_field.h"
 
 namespace af2 {
 
 /// Gives points of a surface from its parameters, for placing the vertices of cuts.
-class SurfaceEvaluator {
+class AF2_EXPORT SurfaceEvaluator {
  public:
   virtual ~SurfaceEvaluator() = default;
   /// Throws GeometryError if there is no point with a normal at (u, v).
@@ -56,7 +57,7 @@ struct SplitOptions {
 /// The parameters of the corners must draw the region as it is: loops that do not cross each other,
 /// outer ones counter-clockwise or, if the face is reversed, all the other way round. Where a cut
 /// would come too close to the boundary another one is tried; a region that has none stays whole.
-SplitRegion splitRegion(const FrontInput& input, const SurfaceEvaluator& surface,
-                        const SizeField& size, const SplitOptions& options = {});
+AF2_EXPORT SplitRegion splitRegion(const FrontInput& input, const SurfaceEvaluator& surface,
+                                   const SizeField& size, const SplitOptions& options = {});
 
 }  // namespace af2

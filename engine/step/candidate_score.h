@@ -35,6 +35,7 @@ class CandidateScorer {
 
  private:
   Refusal evaluateOpenly(const StepView& view, Candidate& candidate) const;
+  Refusal scoreElements(const StepView& view, Candidate& candidate) const;
   Refusal judge(const StepView& view, const Candidate& candidate) const;
 
   const CompiledRules& rules_;

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "engine/base/error.h"
+#include "engine/rule/rule_at_match.h"
 
 namespace af2 {
 namespace {
@@ -187,8 +188,21 @@ bool passesTwice(const std::vector<std::int8_t>& walk) {
   return !std::ranges::all_of(walk, [&](int v) { return seen.insert(v).second; });
 }
 
-/// Rules that make more are wide.
-constexpr std::size_t kOrdinaryElements = 4;
+/// In wanted lengths, from the base edge to the farthest side of a zone's box. A rule that puts
+/// elements beside its base alone needs less: one length for them and most of another for those
+/// that will stand beside them. The longer windows are, the more of the front each step has to
+/// draw; a zone that reaches farther is therefore left out of the windows of the other rules'
+/// steps.
+constexpr double kOrdinaryReach = 2;
+
+/// How far the zone reaches from the base at the reference match of the rule's first level.
+double zoneReach(const RuleDefinition& rule) {
+  const RuleAtMatch reference = RuleAtMatch::atReference(rule, rule.firstLevel);
+  const auto made = rule.zone->makeFreeZone(reference.binding());
+  if (!made.zone) return 0;
+  const Box2 box = made.zone->boundingBox();
+  return std::max({-box.low.x, box.high.x - 1, -box.low.y, box.high.y});
+}
 
 /// Half extents of the ellipse form(d) <= tolerance.
 Point2 ellipseExtent(const ToleranceForm& form, double tolerance) {
@@ -213,7 +227,6 @@ Window matchWindow(const CompiledRule& rule, int level, double tolerance) {
 Window zoneWindow(const CompiledRule& rule, int level, double baseLength, double tolerance) {
   Window window;
   const RuleDefinition& definition = rule.rule->definition();
-  const AF2Surroundings nothingAround;
   std::vector<Point2> matched(definition.vertices.size());
   for (int corner = 0; corner < 4; ++corner) {
     matched[1] = {baseLength, 0};
@@ -231,7 +244,8 @@ Window zoneWindow(const CompiledRule& rule, int level, double baseLength, double
       for (int k = 0; k < corners.count; ++k) window.include(x[k], y[k]);
       continue;
     }
-    const auto made = definition.zone->makeFreeZone({matched, level, &nothingAround});
+    const auto made =
+        definition.zone->makeFreeZone(RuleAtMatch(definition, matched, level).binding());
     if (!made.zone) continue;
     const Box2 box = made.zone->boundingBox();
     window.include(std::max(box.low.x, -kEverywhere), std::max(box.low.y, -kEverywhere));
@@ -315,8 +329,7 @@ void Window::include(const Window& other) {
 }
 
 CompiledRules::CompiledRules(const RuleSet& rules, std::optional<int> onlyLevel)
-    : set_(rules),
-      fastMetric_(dynamic_cast<const ShapeSizeMetric*>(rules.definition().metric.get())) {
+    : set_(rules), scoring_(rules.definition()) {
   rules_.reserve(rules.rules().size());
   for (const AF2Rule& rule : rules.rules()) addRule(rule);
   byLevel_.resize(static_cast<std::size_t>(rules.maxLevel()));
@@ -339,7 +352,7 @@ void CompiledRules::addRule(const AF2Rule& rule) {
   compiled.patterns = patternsOf(definition);
   compiled.newPoints = fastNewPoints(rule);
   compiled.zone = fastZone(rule, set_.maxLevel());
-  compiled.isWide = definition.elements.size() > kOrdinaryElements;
+  compiled.isWide = zoneReach(definition) > kOrdinaryReach;
   compiled.touchesItself = passesTwice(rule.replacement());
   compiled.isPlain = definition.requirements.empty() && !definition.cost;
   rules_.push_back(std::move(compiled));

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "engine/rule/rule_set.h"
+#include "engine/step/rule_scoring.h"
 
 namespace af2 {
 
@@ -68,13 +69,19 @@ struct BindingStep {
   Point2 reference;    ///< of the vertex
   ToleranceForm form;  ///< 0 everywhere if any position will do
 
-  bool fits(Point2 point, double tolerance) const { return form(point - reference) <= tolerance; }
+  bool fits(Point2 point, double tolerance) const {
+    return form.allows(point - reference, tolerance);
+  }
 };
 
 struct SlopeTest {
   std::int8_t from, to;
   Point2 reference;
   ToleranceForm form;
+
+  bool fits(Point2 edge, double tolerance) const {
+    return form.allows(edge - reference, tolerance);
+  }
 };
 
 /// An axis-parallel window around the base edge, in chart units.
@@ -104,8 +111,8 @@ struct CompiledRule {
   std::optional<AffineBatch> newPoints;  ///< the fast form, if all new points are affine
   std::optional<FastZone> zone;          ///< the fast form, if the zone has it
   bool isPlain = false;  ///< no requirement and no cost: nothing but geometry decides
-  /// Makes so many elements at once that its free zone may be searched for on its own: steps that
-  /// it has nothing to do with look at a smaller window.
+  /// Its free zone reaches so far that it is searched for on its own: steps that it has nothing to
+  /// do with look at a smaller window.
   bool isWide = false;
   /// Some new elements have nothing in common but a vertex.
   bool touchesItself = false;
@@ -132,8 +139,7 @@ class CompiledRules {
   CompiledRules& operator=(const CompiledRules&) = delete;
 
   const RuleSet& set() const { return set_; }
-  /// The fast form of the rule set's metric, if it has it, else null.
-  const ShapeSizeMetric* fastMetric() const { return fastMetric_; }
+  const RuleScoring& scoring() const { return scoring_; }
   const std::vector<CompiledRule>& rules() const { return rules_; }
   /// Those that are used at a level, in order.
   const std::vector<RuleAtLevel>& rulesAt(int level) const { return byLevel_[indexOf(level)]; }
@@ -151,7 +157,7 @@ class CompiledRules {
   void collectRules(int level);
 
   const RuleSet& set_;
-  const ShapeSizeMetric* fastMetric_;
+  RuleScoring scoring_;
   std::vector<CompiledRule> rules_;
   std::vector<std::vector<RuleAtLevel>> byLevel_;  // [level - 1]
   std::vector<std::vector<Window>> windows_[2];  // [with wide ones][level - 1][base length bucket]

@@ -5,6 +5,7 @@
 #include <functional>
 #include <span>
 
+#include "engine/base/export.h"
 #include "engine/base/ids.h"
 #include "engine/rule/refusal.h"
 
@@ -29,7 +30,7 @@ struct StepReport {
 };
 
 /// Hears of every step of a run. Called from the thread that runs the engine.
-class AF2MeshingObserver {
+class AF2_EXPORT AF2MeshingObserver {
  public:
   virtual ~AF2MeshingObserver() = default;
   virtual void stepTaken(const StepReport&) {}

@@ -50,7 +50,7 @@ bool RuleMatcher::slopesFit(const CompiledPattern& pattern) const {
   for (const SlopeTest& test : pattern.slopes) {
     const Point2 edge = match_.points[static_cast<std::size_t>(test.to)] -
                         match_.points[static_cast<std::size_t>(test.from)];
-    if (!(test.form(edge - test.reference) <= view_->tolerance)) return false;
+    if (!test.fits(edge, view_->tolerance)) return false;
   }
   return true;
 }

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/base/export.h"
 #include "engine/base/point.h"
 #include "engine/rule/rule_set.h"
 #include "engine/step/observer.h"
@@ -45,7 +46,7 @@ struct SingleStep {
 ///
 /// All throw InputError if the piece is no front: an index out of range, an edge of length zero,
 /// the same edge twice, a base that is not among the edges, a level or size out of range.
-class SingleStepper {
+class AF2_EXPORT SingleStepper {
  public:
   explicit SingleStepper(const RuleSet& rules);
   ~SingleStepper();
@@ -65,6 +66,6 @@ class SingleStepper {
 };
 
 /// One step with a stepper of its own.
-SingleStep takeSingleStep(const RuleSet& rules, const FrontPiece& piece);
+AF2_EXPORT SingleStep takeSingleStep(const RuleSet& rules, const FrontPiece& piece);
 
 }  // namespace af2

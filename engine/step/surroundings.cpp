@@ -3,18 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/base/segment.h"
+
 namespace af2 {
-namespace {
-
-double distanceToSegment(Point2 p, Point2 a, Point2 b) {
-  const Point2 ab = b - a;
-  const double squared = dot(ab, ab);
-  const double t = squared > 0 ? std::clamp(dot(p - a, ab) / squared, 0.0, 1.0) : 0.0;
-  return distance(p, a + t * ab);
-}
-
-}  // namespace
-
 double FrontSurroundings::size(Point2 point) const {
   const auto onSurface = view_.chart.lift(point);
   return onSurface ? size_.sizeAt(*onSurface) / view_.chart.unit() : 1;

@@ -8,6 +8,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "engine/base/export.h"
 #include "engine/base/point.h"
 
 namespace af2 {
@@ -83,7 +84,7 @@ struct ProjectionFrame {
 };
 
 /// A chart around one base edge. Source: [VanderZee16], local transforms.
-class AF2LocalTransform {
+class AF2_EXPORT AF2LocalTransform {
  public:
   virtual ~AF2LocalTransform() = default;
   virtual ChartPoint transformFromSurface(const SurfacePoint& point) const = 0;
@@ -136,7 +137,7 @@ class ChartSlot {
 /// asks of a surface. Derive from this to mesh a new kind of surface.
 ///
 /// The engine calls one maker from one thread only.
-class AF2LocalTransformMaker {
+class AF2_EXPORT AF2LocalTransformMaker {
  public:
   virtual ~AF2LocalTransformMaker() = default;
 

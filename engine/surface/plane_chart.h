@@ -1,12 +1,13 @@
 // The chart of a plane: the plane itself, turned so that the base edge lies on the x axis.
 #pragma once
 
+#include "engine/base/export.h"
 #include "engine/surface/local_transform.h"
 
 namespace af2 {
 
 /// Exact in both directions and defined everywhere.
-class PlaneChart final : public AF2LocalTransform {
+class AF2_EXPORT PlaneChart final : public AF2LocalTransform {
  public:
   PlaneChart(const SurfacePoint& from, const SurfacePoint& to, const Point3& normal,
              double edgeLength);

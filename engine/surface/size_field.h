@@ -4,13 +4,14 @@
 #include <functional>
 #include <utility>
 
+#include "engine/base/export.h"
 #include "engine/base/point.h"
 
 namespace af2 {
 
 /// The wanted edge length at each point of a surface. Asked once for each new vertex.
 /// Must be pure and may be called from several threads at once.
-class SizeField {
+class AF2_EXPORT SizeField {
  public:
   virtual ~SizeField() = default;
   /// In model units, > 0.

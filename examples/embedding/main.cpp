@@ -20,7 +20,7 @@ int main(int count, char** arguments) {
     if (!loaded.rules) throw af2::InputError(af2::dsl::toPretty(loaded.diagnostics));
     const af2::AF2Algorithm algorithm(loaded.rules);
 
-    af2::geometry::ModelMeshingOptions options;
+    af2::geometry::MeshingOptions options;
     options.sizes.size = std::atof(arguments[2]);
     const af2::geometry::Model model = af2::geometry::readModel(arguments[1]);
     const af2::geometry::ModelMesh mesh = af2::geometry::meshModel(model, algorithm, options);

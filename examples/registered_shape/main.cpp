@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <exception>
 
+#include <af2/dsl/registry.h>
 #include <af2/dsl/rule_file.h>
 #include <af2/engine/algorithm.h>
 #include <af2/engine/error.h>
@@ -22,8 +23,8 @@ int run(const char* domainFile, double size, const char* output) {
   if (!loaded.rules) throw af2::InputError(af2::dsl::toPretty(loaded.diagnostics));
 
   const af2::AF2Algorithm algorithm(loaded.rules);
-  af2::geometry::PlanarMeshingOptions meshing;
-  meshing.size = size;
+  af2::geometry::MeshingOptions meshing;
+  meshing.sizes.size = size;
   const af2::geometry::ModelMesh mesh =
       af2::geometry::meshPlanar(af2::geometry::readPoly(domainFile), algorithm, meshing);
   for (const af2::geometry::FaceReport& face : mesh.faces)

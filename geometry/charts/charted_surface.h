@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include "engine/base/export.h"
 #include "engine/run/region_split.h"
 #include "engine/surface/local_transform.h"
 #include "geometry/charts/chart_kind.h"
@@ -12,7 +13,7 @@
 namespace af2::geometry {
 
 /// Need not be shared between threads.
-class ChartedSurface : public SurfaceEvaluator {
+class AF2_EXPORT ChartedSurface : public SurfaceEvaluator {
  public:
   virtual bool isPlane() const = 0;
   /// Whether there are charts of a kind for this surface.

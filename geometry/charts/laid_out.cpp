@@ -100,11 +100,11 @@ void lift(MeshingResult& result, const LaidOutFront& front, const FrontInput& or
 }
 
 std::string faultOfLifted(const Mesh& mesh, const LaidOutFront& front, const FrontInput& original,
-                          bool mayLean) {
+                          bool ignoresNormals) {
   // Where the two sides of a seam come together, edges may meet that were apart.
   if (front.hasTwins)
     if (std::string fault = faultOf(mesh, boundaryOf(original)); !fault.empty()) return fault;
-  return !mayLean && hasFold(mesh) ? "an element leans too far against the surface" : "";
+  return !ignoresNormals && hasFold(mesh) ? "an element leans too far against the surface" : "";
 }
 
 }  // namespace af2::geometry

@@ -32,9 +32,9 @@ void lift(MeshingResult& result, const LaidOutFront& front, const FrontInput& or
 
 /// What the way back may have spoiled in a mesh that was sound in the plane; empty: nothing.
 ///
-/// mayLean  elements may lean against the surface as far as they like
+/// ignoresNormals  elements may lean against the surface as far as they like
 std::string faultOfLifted(const Mesh& mesh, const LaidOutFront& front, const FrontInput& original,
-                          bool mayLean = false);
+                          bool ignoresNormals = false);
 
 /// Sizes on the surface as the plane sees them.
 class LaidOutSize final : public SizeField {

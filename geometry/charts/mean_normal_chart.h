@@ -2,6 +2,7 @@
 // Down by orthogonal projection, back along the normal of the plane. Source: [VanderZee16].
 #pragma once
 
+#include "engine/base/export.h"
 #include "engine/surface/local_transform.h"
 
 namespace af2::geometry {
@@ -35,8 +36,8 @@ struct SurfaceLine {
 ///
 /// Throws GeometryError if the mean of the normals at `from` and `to` is along the base edge or
 /// zero.
-ProjectionFrame meanNormalFrame(const SurfacePoint& from, const SurfacePoint& to, double edgeLength,
-                                const ChartLimits& limits);
+AF2_EXPORT ProjectionFrame meanNormalFrame(const SurfacePoint& from, const SurfacePoint& to,
+                                           double edgeLength, const ChartLimits& limits);
 
 /// The line across such a plane at a point of the chart.
 inline SurfaceLine lineAt(const ProjectionFrame& frame, Point2 point, const SurfacePoint& from,

@@ -2,13 +2,14 @@
 // to second order.
 #pragma once
 
+#include "engine/base/export.h"
 #include "engine/surface/local_transform.h"
 #include "geometry/charts/surface_frame.h"
 
 namespace af2::geometry {
 
 /// A surface by its parameters, as a metric chart needs it.
-class ParametricSurface {
+class AF2_EXPORT ParametricSurface {
  public:
   using Frame = SurfaceFrame;
   virtual ~ParametricSurface() = default;
@@ -35,7 +36,7 @@ enum class MetricOrder {
 };
 
 /// Takes each corner of the front at its own parameters, so that the two sides of a seam are apart.
-class MetricChart final : public AF2LocalTransform {
+class AF2_EXPORT MetricChart final : public AF2LocalTransform {
  public:
   /// Throws GeometryError where the parameters are degenerate.
   MetricChart(const ParametricSurface& surface, const SurfacePoint& from, const SurfacePoint& to,

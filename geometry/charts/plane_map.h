@@ -1,6 +1,7 @@
 // A whole face laid out in one plane, so that its front runs there as on a plane face.
 #pragma once
 
+#include "engine/base/export.h"
 #include "engine/base/point.h"
 
 namespace af2::geometry {
@@ -8,7 +9,7 @@ namespace af2::geometry {
 /// One-to-one on the face, with lengths in the plane that differ from those on the surface by a
 /// factor that is the same in all directions. Seen from the side to which the plane's z axis
 /// points, the face is seen from the side to which its own normals point.
-class PlaneMap {
+class AF2_EXPORT PlaneMap {
  public:
   virtual ~PlaneMap() = default;
   /// Where a point lies that is known by its parameters.

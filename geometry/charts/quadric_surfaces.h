@@ -3,6 +3,7 @@
 // tangent.
 #pragma once
 
+#include "engine/base/export.h"
 #include "engine/surface/local_transform.h"
 #include "geometry/charts/mean_normal_chart.h"
 
@@ -12,7 +13,7 @@ namespace af2::geometry {
 /// line, or towards it.
 enum class Side { Outer = 1, Inner = -1 };
 
-class CylinderSurface {
+class AF2_EXPORT CylinderSurface {
  public:
   /// axis  of unit length
   CylinderSurface(const Point3& onAxis, const Point3& axis, double radius, Side side);
@@ -25,7 +26,7 @@ class CylinderSurface {
   double radius_, sign_;
 };
 
-class SphereSurface {
+class AF2_EXPORT SphereSurface {
  public:
   SphereSurface(const Point3& centre, double radius, Side side);
   std::optional<SurfacePoint> hit(const SurfaceLine& line) const;
@@ -40,7 +41,7 @@ class SphereSurface {
 };
 
 /// One nappe of a cone.
-class ConeSurface {
+class AF2_EXPORT ConeSurface {
  public:
   /// axis     of unit length, from the apex to where the nappe widens
   /// tangent  of the angle between axis and surface, > 0
@@ -63,7 +64,7 @@ class ConeSurface {
   double tangent_, sign_, tipRadius_;
 };
 
-class TorusSurface {
+class AF2_EXPORT TorusSurface {
  public:
   /// axis  of unit length
   /// major, minor  radii of the centre line and around it; the spindle torus (minor > major) counts

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <type_traits>
 
+#include "geometry/base/turns.h"
+
 namespace af2::geometry {
 
 namespace {
@@ -135,7 +137,7 @@ SplineSurface::Spans::Spans(const SplineBasis& basis, double from, double to)
 double SplineSurface::Spans::brought(double parameter) const {
   if (!(period_ > 0) || (parameter >= breaks_.front() && parameter <= breaks_.back()))
     return parameter;
-  return parameter - std::floor((parameter - breaks_.front()) / period_) * period_;
+  return intoPeriod(parameter, breaks_.front(), period_);
 }
 
 /// Beyond the ends the first and the last one.

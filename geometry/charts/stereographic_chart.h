@@ -1,6 +1,7 @@
 // Spheres from the point opposite the base edge: conformal, without poles or seams, in closed form.
 #pragma once
 
+#include "engine/base/export.h"
 #include "engine/surface/local_transform.h"
 #include "geometry/charts/quadric_surfaces.h"
 
@@ -9,7 +10,7 @@ namespace af2::geometry {
 /// Stereographic projection onto the plane through the base edge, from the point of the sphere that
 /// is opposite its middle. Shapes are kept; lengths grow away from the base edge, by 7 % at 30
 /// degrees. Every point of the sphere but the opposite one has a place.
-class StereographicChart final : public AF2LocalTransform {
+class AF2_EXPORT StereographicChart final : public AF2LocalTransform {
  public:
   /// Throws GeometryError if `from` and `to` are opposite points of the sphere.
   StereographicChart(const SphereSurface& sphere, const SurfacePoint& from, const SurfacePoint& to,

@@ -22,7 +22,7 @@ Point2 TorusMap::flatten(const SurfacePoint& point) const {
   const double v = angleOf({around - major_, dot(d, frame_.axis)});
   // tan(v / 2) as a direction, which has no pole on the innermost circle.
   const Point2 half = directionAt(0.5 * v);
-  const double turns = std::floor((point.v - v) / (2 * kPi) + 0.5);
+  const double turns = turnsTowards(v, point.v);
   const double angle = 2 * (angleOf({half.x, stretch_ * half.y}) + kPi * turns);
   return {sense_ * major_ * u, perAngle_ * angle};
 }
@@ -41,7 +41,7 @@ SurfacePoint TorusMap::lift(Point2 place) const {
   const Point3 outwards = across.x * radial + across.y * frame_.axis;
   const double angle = angleOf(across);
   // Of the stretched angle and the angle itself, full turns are the same.
-  const double turns = std::floor((place.y / perAngle_ - angle) / (2 * kPi) + 0.5);
+  const double turns = turnsTowards(angle, place.y / perAngle_);
   return {frame_.origin + major_ * radial + minor_ * outwards, side_ * outwards, u,
           angle + 2 * kPi * turns};
 }

@@ -12,7 +12,7 @@ Point3 AxisFrame::radial(double angle) const {
 double AxisFrame::angleNear(const Point3& position, double near) const {
   const Point3 d = position - origin;
   const double angle = angleOf({dot(d, x), dot(d, y)});
-  return angle + 2 * kPi * std::floor((near - angle) / (2 * kPi) + 0.5);
+  return angle + 2 * kPi * turnsTowards(angle, near);
 }
 
 UnrolledCylinder::UnrolledCylinder(const AxisFrame& frame, const CylinderSurface& surface)

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <map>
-#include <numeric>
 #include <optional>
 #include <set>
 
+#include "geometry/base/disjoint_sets.h"
 #include "geometry/check/drawn_part.h"
 #include "geometry/check/element_tree.h"
 #include "geometry/check/patch_outline.h"
@@ -96,21 +96,16 @@ class Search {
   /// Faces with a common vertex are of one shell.
   void findShells() {
     constexpr std::uint32_t kNone = 0xffffffffu;
-    shell_.resize(faces_.size());
-    std::iota(shell_.begin(), shell_.end(), std::size_t{0});
+    DisjointSets shells(faces_.size());
     std::vector<std::uint32_t> faceAt(mesh_.vertices.size(), kNone);
     for (std::size_t i = 0; i < faces_.size(); ++i)
       for (const std::uint32_t v : faces_[i].patch.onSegments) {
         std::uint32_t& other = faceAt[v];
-        if (other != kNone && other != i) shell_[i] = shell_[shellOf(i)] = shellOf(other);
-        other = static_cast<std::uint32_t>(i);
+        const auto own = static_cast<std::uint32_t>(i);
+        if (other != kNone) shells.join(own, other);
+        other = own;
       }
-    for (std::size_t i = 0; i < shell_.size(); ++i) shell_[i] = shellOf(i);
-  }
-
-  std::size_t shellOf(std::size_t face) const {
-    while (shell_[face] != face) face = shell_[face];
-    return face;
+    for (std::uint32_t i = 0; i < faces_.size(); ++i) shell_.push_back(shells.of(i));
   }
 
   void findShapes(const PatchOutlines& outlines) {

@@ -5,6 +5,7 @@
 #include <functional>
 #include <vector>
 
+#include "engine/base/export.h"
 #include "geometry/check/model_check.h"
 #include "geometry/mesh/model_mesh.h"
 
@@ -29,12 +30,12 @@ using Repeat = std::function<void(std::size_t count, const std::function<void(st
 /// Pieces without a common vertex, as the parts of an assembly, are not held against each other:
 /// that they touch or overlap is how the model was made. The elements of a face must lie in a row
 /// and pass checkModelMesh.
-std::vector<Crossing> elementCrossings(const ModelMesh& mesh, const Repeat& repeat);
+AF2_EXPORT std::vector<Crossing> elementCrossings(const ModelMesh& mesh, const Repeat& repeat);
 
 /// The fewest faces, as a greedy choice finds them, without which no crossing is left: one finding
 /// for each, in the order of their choice. Crossings of faces in `without` (ascending) do not
 /// count.
-std::vector<MeshFinding> facesThatCross(std::vector<Crossing> crossings,
-                                        const std::vector<int>& without);
+AF2_EXPORT std::vector<MeshFinding> facesThatCross(std::vector<Crossing> crossings,
+                                                   const std::vector<int>& without);
 
 }  // namespace af2::geometry

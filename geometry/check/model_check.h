@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/base/export.h"
 #include "geometry/mesh/model_mesh.h"
 
 namespace af2::geometry {
@@ -19,7 +20,7 @@ struct MeshFinding {
 /// Whether the area of the elements of a face can't be that of the CAD face, of which it is
 /// `ratio`. Straight elements have another area than a curved face, or than a plane face with a
 /// curved boundary: a few of them, quite another one.
-bool isWrongArea(double ratio, std::size_t elements);
+AF2_EXPORT bool isWrongArea(double ratio, std::size_t elements);
 
 /// Checks a mesh:
 ///   * every corner is a vertex of the mesh, no element repeats a corner or has no area;
@@ -29,7 +30,7 @@ bool isWrongArea(double ratio, std::size_t elements);
 /// Findings come in the order of the elements and segments; at most `limit` of them, so that a mesh
 /// that is wrong everywhere does not fill the memory. Large meshes are checked on up to `threads`
 /// threads (0: as many as the caller's TBB arena has).
-std::vector<MeshFinding> checkModelMesh(const ModelMesh& mesh, std::size_t limit = 100,
-                                        int threads = 1);
+AF2_EXPORT std::vector<MeshFinding> checkModelMesh(const ModelMesh& mesh, std::size_t limit = 100,
+                                                   int threads = 1);
 
 }  // namespace af2::geometry

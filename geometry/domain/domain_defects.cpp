@@ -2,14 +2,12 @@
 
 #include <algorithm>
 
+#include "geometry/base/constants.h"
 #include "geometry/domain/points_on_curve.h"
 
 namespace af2::geometry {
 
 namespace {
-
-/// Below this share of the mesh size.
-constexpr double kTiny = 0.1;
 
 Point3 middleOf(const DomainCurve& curve) {
   return curve.pointAt((curve.knots.front() + curve.knots.back()) / 2);
@@ -31,7 +29,7 @@ std::vector<Defect> findDefects(const DomainModel& model, double size) {
   std::vector<double> lengths;
   for (const DomainCurve& curve : model.curves) {
     lengths.push_back(lengthOf(curve));
-    if (lengths.back() < kTiny * size)
+    if (lengths.back() < kTinyShare * size)
       defects.push_back(defectOf(DefectKind::TinyEdge, curve, lengths.back()));
   }
   std::ranges::stable_sort(defects, {}, &Defect::extent);
@@ -45,7 +43,7 @@ std::vector<Defect> findDefects(const DomainModel& model, double size) {
         ++uses[use.curve];
       }
     const double width = perimeter > 0 ? 2 * model.faces[f].area / perimeter : size;
-    if (!(width < kTiny * size)) continue;
+    if (!(width < kTinyShare * size)) continue;
     Defect defect =
         defectOf(DefectKind::Sliver, model.curves[model.faces[f].loops[0][0].curve], width);
     defect.edge = 0;

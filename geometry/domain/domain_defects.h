@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "engine/base/export.h"
 #include "geometry/domain/domain_model.h"
 #include "geometry/mesh/defect.h"
 
@@ -12,6 +13,6 @@ namespace af2::geometry {
 /// with one face or with more than two, in the order of the model.
 ///
 /// size  edge length of a mesh, > 0
-std::vector<Defect> findDefects(const DomainModel& model, double size);
+AF2_EXPORT std::vector<Defect> findDefects(const DomainModel& model, double size);
 
 }  // namespace af2::geometry

@@ -1,33 +1,25 @@
 #include <algorithm>
-#include <cmath>
-#include <mutex>
-#include <new>
-#include <numeric>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
 
-#include "engine/base/error.h"
-#include "engine/base/stopwatch.h"
-#include "geometry/base/parallel.h"
-#include "geometry/check/sound_faces.h"
+#include "engine/base/constants.h"
+#include "geometry/base/constants.h"
 #include "geometry/domain/domain_boundary.h"
 #include "geometry/domain/domain_check.h"
 #include "geometry/domain/domain_division.h"
 #include "geometry/domain/domain_model.h"
-#include "geometry/domain/part_sizes.h"
 #include "geometry/fill/face_filling.h"
-#include "geometry/mesh/inside_out.h"
-#include "geometry/mesh/join_faces.h"
-#include "geometry/mesh/narrow_places.h"
-#include "geometry/retry/retries.h"
+#include "geometry/mesh/face_history.h"
+#include "geometry/meshing/mesh_faces.h"
 #include "geometry/sizes/loose_points.h"
 #include "geometry/sizes/too_many.h"
 
 namespace af2::geometry {
 
 namespace {
-
-/// What is narrower than this share of the wanted size is not to be seen in the mesh.
-constexpr double kUnseen = 5e-5;
-constexpr double kUnitTriangle = 0.4330127018922193;  // area of the one with edges of length 1
 
 /// The size on a face: what is wanted on it, but no more than curvature and position allow.
 class FaceWanted final : public SizeField {
@@ -61,120 +53,129 @@ class NearLoosePoints final : public SizeField {
   const GrowingSize* near_;
 };
 
-/// Elements of all faces together, told one call at a time.
-class ElementCount {
+class DomainFaces final : public FaceSource {
  public:
-  ElementCount(const ProgressCallback& tell, std::size_t faces) : tell_(tell), byFace_(faces, 0) {}
+  explicit DomainFaces(const DomainModel& model) : model_(model) {}
 
-  ProgressCallback of(std::size_t face) {
-    return [this, face](const Progress& progress) {
-      if (!tell_) return;
-      const std::lock_guard lock(mutex_);
-      sum_.elements += progress.elements - byFace_[face];
-      byFace_[face] = progress.elements;
-      tell_(sum_);
-    };
+  int faceCount() const override { return static_cast<int>(model_.faces.size()); }
+  int edgeCount() const override {
+    int edges = 0;
+    for (const DomainCurve& curve : model_.curves) edges = std::max(edges, curve.id);
+    return edges;
+  }
+  double diagonal() const override { return model_.diagonal; }
+  const std::vector<FaceGroup>& groups() const override { return model_.groups; }
+
+  FaceReport reportOf(int id) const override {
+    const DomainFace& face = at(id);
+    FaceReport report;
+    report.id = id;
+    report.name = face.name;
+    report.surfaceType = face.surfaceType;
+    report.area = face.area;
+    return report;
   }
 
- private:
-  const ProgressCallback& tell_;
-  std::vector<std::size_t> byFace_;
-  Progress sum_;
-  std::mutex mutex_;
-};
-
-class DomainMesher final : public RetriedModel {
- public:
-  DomainMesher(const DomainModel& model, const AF2Algorithm& algorithm,
-               const DomainMeshingOptions& options)
-      : model_(model),
-        algorithm_(algorithm),
-        options_(options),
-        sizes_{DomainSize(options), {}, options.edgeSizes, nullptr, {}} {
-    for (const DomainCurve& curve : model.curves) idOfCurve_.push_back(curve.id);
+  void prepare(const MeshingOptions& options, const std::vector<int>& faces) override {
+    options_ = &options;
+    checkPoints(model_, options.edgePoints);
     findSizes();
     findRoom();
-    findFaces();
-    refuseTooMany();
+    double elements = 0;
+    for (const int face : faces) elements += workOn(face);
+    refuseTooMany(elements);
   }
 
-  ModelMesh mesh() {
-    const Stopwatch edgesWatch;
-    FaceMeshes state;
-    state.divided = divide(options_.function, {});
-    const double edgeSeconds = edgesWatch.seconds();
-    const Stopwatch facesWatch;
-    meshFaces(state);
-    RetryOptions retries{options_.function, largestAsked(), options_.growth, threads(),
-                         options_.stop};
-    retries.share = model_.retryShare;
-    if (options_.mostRetries) retries.mostRounds = *options_.mostRetries;
-    retryPoorFaces(*this, retries, state);
-    const double share = shareOfOptimizing(state.meshes), seconds = facesWatch.seconds();
-    ModelMesh mesh = finished(state);
-    mesh.seconds.edges = edgeSeconds;
-    mesh.seconds.optimize = share * seconds;
-    mesh.seconds.surface = seconds - mesh.seconds.optimize;
-    return mesh;
+  double workOn(int face) const override {
+    return 1 + expectedOn(face, bounded(options_->sizes, sizes_->onFace[indexOf(face)]));
   }
 
-  const std::vector<std::vector<int>>& edgesOfFaces() const override { return edgesOfFaces_; }
+  const PositionSize& sizesByPosition() const override { return options_->sizes.function; }
 
-  DividedEdges divide(const PositionSize& sizes, const EdgesAsPoints&) const override {
-    DomainSizes own = sizes_;
-    own.byPosition = sizes_.byPosition.withFunction(sizes);
-    return divideCurves(model_, own, options_.growth, options_.edgePoints);
+  /// Each curve is an edge, whichever edge of the model it is part of.
+  std::vector<int> edgesOf(int face) const override {
+    std::vector<int> edges;
+    for (const auto& loop : at(face).loops)
+      for (const CurveUse& use : loop) edges.push_back(static_cast<int>(use.curve) + 1);
+    std::ranges::sort(edges);
+    edges.erase(std::ranges::unique(edges).begin(), edges.end());
+    return edges;
+  }
+  int idOfEdge(int divided) const override { return curveOf(divided).id; }
+  Point3 pointOnEdge(int divided, double parameter) const override {
+    return curveOf(divided).pointAt(parameter);
   }
 
-  void mesh(std::size_t i, const PositionSize& sizes, const TryLimits& limits,
-            FaceMeshes& into) const override {
-    into.meshes[i] = meshed(i, sizes, limits, into.divided, {});
+  /// What cannot be seen is no edge from the beginning: no edges are taken for points.
+  DividedEdges divide(const PositionSize& sizes, const CollapsedEdges&) const override {
+    DomainSizes own = *sizes_;
+    own.byPosition = sizes_->byPosition.withFunction(sizes);
+    return divideCurves(model_, own, options_->sizes.growth, options_->edgePoints);
   }
 
-  void join(FaceMeshes& state) const override {
-    JoinOptions join;
-    join.threads = options_.threads;
-    for (std::size_t c = 0; c < model_.curves.size(); ++c)
-      if (const auto own = options_.edgeSizes.find(idOfCurve_[c]); own != options_.edgeSizes.end())
-        join.edgeSizes[static_cast<int>(c) + 1] = sizes_.byPosition.bounded(own->second);
-    if (options_.order == 2)
-      join.pointOnEdge = [&](int edge, double parameter) {
-        return model_.curves[static_cast<std::size_t>(edge) - 1].pointAt(parameter);
-      };
-    state.joined = joinFaces(state.divided, state.meshes, join);
-    const bool mayCross = !model_.isExact && !options_.stop.stop_requested();
-    state.faults = faultsOf(state.joined, mayCross, options_.threads);
-  }
-
-  /// What cannot be seen is no edge from the beginning.
-  std::vector<EdgesAsPoints> shortEdges(std::size_t, const DividedEdges&,
-                                        const std::vector<SizeSource>&) const override {
-    return {};
+  void fill(int id, const FillRequest& request, FaceMesh& mesh) const override {
+    const DomainFace& face = at(id);
+    FaceBoundary boundary = boundaryOf(face, request.divided);
+    addNotes(boundary.repairs, mesh.history);
+    const DomainSize byPosition = sizes_->byPosition.withFunction(request.sizes);
+    const CurvatureLimit* limit = sizes_->limits[indexOf(id)].get();
+    const double size = sizes_->onFace[indexOf(id)];
+    const FaceWanted wanted(byPosition, size, limit);
+    const NearLoosePoints near(wanted, sizes_->nearLoosePoints.get());
+    const GradedSize graded(near, boundary.input, options_->sizes.growth);
+    const std::function<PieceTools(ChartKind)> tools = [&](ChartKind kind) {
+      // Nothing here is changed by use, so that all threads may share it.
+      return PieceTools{face.surface->makeCharts(kind),
+                        std::shared_ptr<const SizeField>(std::shared_ptr<void>(), &graded)};
+    };
+    const double expected = expectedOn(id, size);
+    const bool mayBeFine = sizes_->byPosition.isVaried() || options_->sizes.elementsPerTurn > 0 ||
+                           sizes_->nearLoosePoints != nullptr;
+    const auto withoutParameters = [](std::vector<StuckPlace>& places) {
+      for (StuckPlace& place : places) place.u = place.v = 0;
+    };
+    fillAndJudge({{*face.surface, boundary, graded, face.area, expected, request.algorithm,
+                   request.options, mayBeFine, request.limits, request.progress, tools,
+                   limit && request.limits.hasOriginalSizes},
+                  wanted,
+                  kUnseen * size,
+                  request.findMiddles,
+                  face.surface->isPlane() ? std::function<void(std::vector<StuckPlace>&)>()
+                                          : withoutParameters},
+                 boundary, mesh);
   }
 
   /// Others are spread over the surface already.
-  std::vector<SizeSource> sizesInside(std::size_t i) const override {
-    const CurvatureLimit* limit = sizes_.limits[static_cast<std::size_t>(faces_[i]) - 1].get();
+  std::vector<SizeSource> sizesInside(int face) const override {
+    const CurvatureLimit* limit = sizes_->limits[indexOf(face)].get();
     return limit ? limit->sizesToFollow() : std::vector<SizeSource>();
   }
 
+  bool mayCross() const override { return !model_.isExact; }
+  double retryShare() const override { return model_.retryShare; }
+
+  void complete(const MeshFaults&, ModelMesh& mesh) const override {
+    mesh.boundaries = model_.boundaries;
+    mesh.notes = model_.notes;
+  }
+
  private:
-  const DomainFace& faceAt(std::size_t i) const {
-    return model_.faces[static_cast<std::size_t>(faces_[i]) - 1];
+  static std::size_t indexOf(int face) { return static_cast<std::size_t>(face) - 1; }
+  const DomainFace& at(int face) const { return model_.faces[indexOf(face)]; }
+  const DomainCurve& curveOf(int divided) const {
+    return model_.curves[static_cast<std::size_t>(divided) - 1];
   }
 
   void findSizes() {
-    std::vector<std::string> names;
-    for (const DomainFace& face : model_.faces) names.push_back(face.name);
-    std::map<int, double> own = sizesByName(options_.partSizes, names, model_.groups);
-    for (const auto& [face, size] : options_.faceSizes) own[face] = size;
+    const Sizes& asked = options_->sizes;
+    sizes_ = DomainSizes{DomainSize(asked), {}, asked.edgeSizes, nullptr, {}};
     for (std::size_t f = 0; f < model_.faces.size(); ++f) {
-      const auto given = own.find(static_cast<int>(f) + 1);
-      const double size = given == own.end() ? options_.size : given->second;
-      sizes_.onFace.push_back(std::min(size, model_.faces[f].largest));
+      const auto given = asked.faceSizes.find(static_cast<int>(f) + 1);
+      const double size = given == asked.faceSizes.end() ? asked.size : given->second;
+      sizes_->onFace.push_back(std::min(size, model_.faces[f].largest));
     }
-    sizes_.limits.resize(model_.faces.size());
-    if (model_.limitsOfFaces) sizes_.limits = model_.limitsOfFaces(sizes_.byPosition);
+    sizes_->limits.resize(model_.faces.size());
+    if (model_.limitsOfFaces) sizes_->limits = model_.limitsOfFaces(sizes_->byPosition);
   }
 
   /// Between points that are to be vertices, and between these and the curves around them.
@@ -189,11 +190,11 @@ class DomainMesher final : public RetriedModel {
       for (const auto& loop : face.loops)
         for (const CurveUse& use : loop) addChords(model_.curves[use.curve], chords);
       for (const SizeSource& source : roomAround(points, chords))
-        if (source.size < sizes_.onFace[f]) sources.push_back(source);
+        if (source.size < sizes_->onFace[f]) sources.push_back(source);
     }
     if (sources.empty()) return;
-    sizes_.nearLoosePoints = std::make_shared<const GrowingSize>(
-        std::move(sources), options_.growth, DomainCurve::kNoLimit);
+    sizes_->nearLoosePoints = std::make_shared<const GrowingSize>(
+        std::move(sources), options_->sizes.growth, DomainCurve::kNoLimit);
   }
 
   static void addChords(const DomainCurve& curve, std::vector<std::pair<Point3, Point3>>& chords) {
@@ -201,169 +202,25 @@ class DomainMesher final : public RetriedModel {
       chords.emplace_back(curve.pointAt(curve.knots[k - 1]), curve.pointAt(curve.knots[k]));
   }
 
-  void findFaces() {
-    faces_ = options_.faces;
-    if (faces_.empty()) {
-      faces_.resize(model_.faces.size());
-      std::iota(faces_.begin(), faces_.end(), 1);
-    }
-    std::ranges::sort(faces_);
-    faces_.erase(std::ranges::unique(faces_).begin(), faces_.end());
-    for (const int face : faces_) {
-      std::vector<int>& edges = edgesOfFaces_.emplace_back();
-      for (const auto& loop : model_.faces[static_cast<std::size_t>(face) - 1].loops)
-        for (const CurveUse& use : loop) edges.push_back(static_cast<int>(use.curve) + 1);
-      std::ranges::sort(edges);
-      edges.erase(std::ranges::unique(edges).begin(), edges.end());
-    }
-  }
-
   /// How many elements a face takes if nothing but its size and its curvature counts.
   double expectedOn(int face, double size) const {
-    const auto index = static_cast<std::size_t>(face) - 1;
-    if (const CurvatureLimit* limit = sizes_.limits[index].get())
+    if (const CurvatureLimit* limit = sizes_->limits[indexOf(face)].get())
       return limit->expectedElements(size);
-    return model_.faces[index].area / (kUnitTriangle * size * size);
-  }
-
-  void refuseTooMany() const {
-    double elements = 0;
-    for (const int face : faces_)
-      elements += expectedOn(
-          face, sizes_.byPosition.bounded(sizes_.onFace[static_cast<std::size_t>(face) - 1]));
-    geometry::refuseTooMany(elements);
-  }
-
-  double largestAsked() const {
-    double largest = options_.size;
-    for (const double size : sizes_.onFace) largest = std::max(largest, size);
-    for (const auto& [edge, size] : sizes_.onEdge) largest = std::max(largest, size);
-    return largest;
-  }
-
-  void meshFaces(FaceMeshes& state) const {
-    state.meshes.resize(faces_.size());
-    ElementCount count(options_.progress, faces_.size());
-    forEachInParallel(faces_.size(), threads(), [&](std::size_t i) {
-      state.meshes[i] = meshed(i, options_.function, {std::numeric_limits<std::size_t>::max()},
-                               state.divided, count.of(i));
-    });
-  }
-
-  int threads() const { return options_.observer ? 1 : options_.threads; }
-
-  FaceMesh meshed(std::size_t i, const PositionSize& sizes, const TryLimits& limits,
-                  const DividedEdges& divided, const ProgressCallback& progress) const {
-    const Stopwatch watch;
-    const DomainFace& face = faceAt(i);
-    FaceMesh mesh;
-    mesh.report.id = faces_[i];
-    mesh.report.name = face.name;
-    mesh.report.surfaceType = face.surfaceType;
-    mesh.report.area = face.area;
-    if (options_.stop.stop_requested()) {
-      mesh.report.status = FaceStatus::Cancelled;
-      return mesh;
-    }
-    try {
-      fill(i, sizes, limits, divided, progress, mesh);
-    } catch (const std::runtime_error& error) {  // of the surface or the boundary
-      failFor(error.what(), mesh);
-    } catch (const std::bad_alloc&) {
-      failFor("there is not enough memory; ask for a larger size", mesh);
-    }
-    mesh.report.seconds = watch.seconds();
-    return mesh;
-  }
-
-  void fill(std::size_t i, const PositionSize& sizes, const TryLimits& limits,
-            const DividedEdges& divided, const ProgressCallback& progress, FaceMesh& mesh) const {
-    const DomainFace& face = faceAt(i);
-    const auto index = static_cast<std::size_t>(faces_[i]) - 1;
-    FaceBoundary boundary = boundaryOf(face, divided);
-    mesh.report.attempts = boundary.repairs;
-    const DomainSize byPosition = sizes_.byPosition.withFunction(sizes);
-    const CurvatureLimit* limit = sizes_.limits[index].get();
-    const double size = sizes_.onFace[index];
-    const FaceWanted wanted(byPosition, size, limit);
-    const NearLoosePoints near(wanted, sizes_.nearLoosePoints.get());
-    const GradedSize graded(near, boundary.input, options_.growth);
-    const FillOptions options{options_.chart, options_.optimize, options_.stop,
-                              [&] { return options_.observer; }};
-    const std::function<PieceTools(ChartKind)> tools = [&](ChartKind kind) {
-      // Nothing here is changed by use, so that all threads may share it.
-      return PieceTools{face.surface->makeCharts(kind),
-                        std::shared_ptr<const SizeField>(std::shared_ptr<void>(), &graded)};
-    };
-    const double expected = expectedOn(faces_[i], size);
-    // The last way is tried with the sizes of the beginning.
-    const bool hasOwnSizes = &sizes == &options_.function || limits.mayLean;
-    const bool mayBeFine = sizes_.byPosition.isVaried() || options_.elementsPerTurn > 0 ||
-                           sizes_.nearLoosePoints != nullptr;
-    const auto withoutParameters = [](std::vector<StuckPlace>& places) {
-      for (StuckPlace& place : places) place.u = place.v = 0;
-    };
-    fillInto({{*face.surface, boundary, graded, face.area, expected, algorithm_, options, mayBeFine,
-               limits.mostCandidates, limits.mayLean, progress, tools, limit && hasOwnSizes},
-              wanted,
-              kUnseen * size,
-              options_.order == 2,
-              face.surface->isPlane() ? std::function<void(std::vector<StuckPlace>&)>()
-                                      : withoutParameters},
-             boundary, mesh);
-  }
-
-  ModelMesh finished(FaceMeshes& state) const {
-    const MiddlesByFace middles = takeMiddles(state.meshes);
-    ModelMesh mesh = std::move(state.joined);
-    for (EdgeSegment& segment : mesh.segments)
-      segment.edge = idOfCurve_[static_cast<std::size_t>(segment.edge) - 1];
-    for (const AF2Rule& rule : algorithm_.rules().rules()) mesh.ruleNames.push_back(rule.name());
-    mesh.ruleNames.push_back("closing");  // what closes a stuck front
-    mesh.groups = model_.groups;
-    mesh.boundaries = model_.boundaries;
-    mesh.notes = model_.notes;
-    mesh.findings = keepSoundFaces(mesh, state.faults);
-    if (isInsideOut(mesh)) mesh.notes.emplace_back(kInsideOut);
-    if (options_.order == 2) makeSecondOrder(mesh, middlesOf(mesh, middles));
-    return mesh;
+    return at(face).area / (kUnitTriangle * size * size);
   }
 
   const DomainModel& model_;
-  const AF2Algorithm& algorithm_;
-  const DomainMeshingOptions& options_;
-  DomainSizes sizes_;
-  std::vector<int> faces_;                      // that were asked for
-  std::vector<std::vector<int>> edgesOfFaces_;  // by face that was asked for; [0] is curve 1
-  std::vector<int> idOfCurve_;
+  const MeshingOptions* options_ = nullptr;
+  std::optional<DomainSizes> sizes_;  // once prepared
 };
 
 }  // namespace
 
 ModelMesh meshDomain(const DomainModel& model, const AF2Algorithm& algorithm,
-                     const DomainMeshingOptions& options) {
-  checkDomain(model, options);
-  ModelMesh mesh;
-  withThreads(options.threads, [&] {
-    DomainMeshingOptions own = options;
-    own.threads = 0;                                // as many as the arena has
-    own.size = std::min(own.size, model.diagonal);  // no element could be larger
-    if (own.elementsAcross > 0) {
-      // A first mesh shows what is narrow.
-      own.elementsAcross = 0;
-      DomainMeshingOptions first = own;
-      first.faces.clear();
-      first.optimize = false;
-      first.order = 1;
-      first.progress = {};
-      first.observer = nullptr;
-      addSources(narrowPlaces(DomainMesher(model, algorithm, first).mesh(), options.elementsAcross,
-                              own.threads),
-                 leastForLimits(options.size, options.minSize), own.sources);
-    }
-    mesh = DomainMesher(model, algorithm, own).mesh();
-  });
-  return mesh;
+                     const MeshingOptions& options) {
+  checkDomain(model);
+  DomainFaces faces(model);
+  return meshFaces(faces, algorithm, options);
 }
 
 }  // namespace af2::geometry

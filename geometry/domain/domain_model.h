@@ -7,12 +7,13 @@
 #include <string>
 #include <vector>
 
+#include "engine/base/export.h"
 #include "engine/surface/size_field.h"
 #include "geometry/charts/charted_surface.h"
 #include "geometry/domain/curve_use.h"
-#include "geometry/domain/domain_options.h"
 #include "geometry/domain/domain_size.h"
 #include "geometry/mesh/model_mesh.h"
+#include "geometry/meshing/meshing_options.h"
 #include "geometry/sizes/growing_size.h"
 
 namespace af2::geometry {
@@ -43,7 +44,7 @@ struct DomainFace {
 };
 
 /// The largest edges that the curvature of a face allows.
-class CurvatureLimit : public SizeField {
+class AF2_EXPORT CurvatureLimit : public SizeField {
  public:
   /// How many elements there will be about, if `size` is wanted everywhere.
   virtual double expectedElements(double size) const = 0;
@@ -74,12 +75,12 @@ struct DomainModel {
 };
 
 /// Meshes the faces between their curves, which are divided once and shared. A face that cannot be
-/// meshed as it should be is tried again as those of CAD models are (retries.h); one that fails is
-/// reported and does not spoil the others.
+/// meshed as it should be is tried again as those of CAD models are; one that fails is reported and
+/// does not spoil the others.
 ///
 /// Throws InputError for options that make no sense, and for a model with parts that are not there,
 /// or with a face without a boundary.
-ModelMesh meshDomain(const DomainModel& model, const AF2Algorithm& algorithm,
-                     const DomainMeshingOptions& options);
+AF2_EXPORT ModelMesh meshDomain(const DomainModel& model, const AF2Algorithm& algorithm,
+                                const MeshingOptions& options);
 
 }  // namespace af2::geometry

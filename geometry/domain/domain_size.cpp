@@ -5,10 +5,9 @@
 
 namespace af2::geometry {
 
-DomainSize::DomainSize(const DomainMeshingOptions& options)
-    : options_(&options), function_(options.function) {
-  if (!options.sources.isEmpty())
-    sources_ = std::make_shared<const PositionSize>(sizeFrom(options.sources, options.growth));
+DomainSize::DomainSize(const Sizes& sizes) : asked_(&sizes), function_(sizes.function) {
+  if (!sizes.sources.isEmpty())
+    sources_ = std::make_shared<const PositionSize>(sizeFrom(sizes.sources, sizes.growth));
 }
 
 DomainSize DomainSize::withFunction(PositionSize function) const {
@@ -25,19 +24,17 @@ double DomainSize::at(const Point3& position, double size) const {
 
 double DomainSize::turnLimit(double radius, double gentleLeast) const {
   constexpr double kGentleTurn = std::numbers::pi / 4;
-  const bool isAsked = options_->elementsPerTurn > 0;
+  const bool isAsked = asked_->elementsPerTurn > 0;
   const double turn = isAsked ? turnOfSegment() : kGentleTurn;
   const double least =
-      isAsked ? leastForLimits(options_->size, options_->minSize) : gentleLeast * options_->size;
+      isAsked ? leastForLimits(asked_->size, asked_->minSize) : gentleLeast * asked_->size;
   return std::max(turn * radius, least);
 }
 
 double DomainSize::turnOfSegment() const {
-  return options_->elementsPerTurn > 0 ? 2 * std::numbers::pi / options_->elementsPerTurn : 0;
+  return asked_->elementsPerTurn > 0 ? 2 * std::numbers::pi / asked_->elementsPerTurn : 0;
 }
 
-double DomainSize::bounded(double size) const {
-  return std::clamp(size, options_->minSize, options_->maxSize);
-}
+double DomainSize::bounded(double size) const { return geometry::bounded(*asked_, size); }
 
 }  // namespace af2::geometry

@@ -1,17 +1,18 @@
-// The sizes that the options of a domain want, by position and where something turns.
+// The sizes that are wanted on a domain, by position and where something turns.
 #pragma once
 
 #include <memory>
 
-#include "geometry/domain/domain_options.h"
+#include "engine/base/export.h"
+#include "geometry/sizes/sizes.h"
 
 namespace af2::geometry {
 
 /// Immutable; copies share what is large.
-class DomainSize {
+class AF2_EXPORT DomainSize {
  public:
-  /// options  are kept as a reference
-  explicit DomainSize(const DomainMeshingOptions& options);
+  /// sizes  are kept as a reference
+  explicit DomainSize(const Sizes& sizes);
 
   /// The same, but with another function of the position.
   DomainSize withFunction(PositionSize function) const;
@@ -29,7 +30,7 @@ class DomainSize {
   double bounded(double size) const;
 
  private:
-  const DomainMeshingOptions* options_;
+  const Sizes* asked_;
   PositionSize function_;
   std::shared_ptr<const PositionSize> sources_;  ///< null: there are none
 };

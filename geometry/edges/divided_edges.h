@@ -26,7 +26,7 @@ struct DividedEdge {
 };
 
 /// Edges that are to be taken for points, by id: how far apart the vertices may be that become one.
-using EdgesAsPoints = std::map<int, double>;
+using CollapsedEdges = std::map<int, double>;
 
 struct DividedEdges {
   std::vector<Point3> points;      ///< vertices of the model first, then along the edges

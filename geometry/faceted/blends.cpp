@@ -6,10 +6,10 @@
 #include <queue>
 #include <tuple>
 
+#include "geometry/base/constants.h"
+
 namespace af2::geometry {
 namespace {
-
-constexpr double kDegree = std::numbers::pi / 180;
 
 class Sharpening {
  public:
@@ -137,36 +137,11 @@ class Sharpening {
 
   /// Creases that run to and fro between the triangles become shorter.
   void straighten() {
-    constexpr int kMostRounds = 20;
-    bool isAny = true;
-    for (int round = 0; isAny && round < kMostRounds; ++round) {
-      isAny = false;
-      for (std::uint32_t t = 0; t < owner_.size(); ++t)
-        if (isBlend(t) && owner_[t] != kNoHalfEdge && shorten(t)) isAny = true;
-    }
-  }
-
-  bool shorten(std::uint32_t t) {
-    constexpr double kClearly = 0.999;
-    const std::uint32_t before = owner_[t];
-    std::uint32_t best = before;
-    double least = kClearly * creasesAround(t);
-    for (HalfEdge h = 3 * t; h < 3 * t + 3; ++h) {
-      if (twins_[h] == kNoHalfEdge || owner_[twins_[h] / 3] == kNoHalfEdge) continue;
-      owner_[t] = owner_[twins_[h] / 3];
-      const double length = creasesAround(t);
-      if (length >= least) continue;
-      least = length;
-      best = owner_[t];
-    }
-    owner_[t] = best;
-    return best != before;
-  }
-  double creasesAround(std::uint32_t t) const {
-    double sum = 0;
-    for (HalfEdge h = 3 * t; h < 3 * t + 3; ++h)
-      if (isCrease(h)) sum += lengthOf(facets_, h);
-    return sum;
+    straightenBorders(
+        facets_, twins_, owner_, [&](HalfEdge h) { return isCrease(h); },
+        [&](std::uint32_t t, std::uint32_t owner) {
+          return isBlend(t) && owner_[t] != kNoHalfEdge && owner != kNoHalfEdge;
+        });
   }
 
   const Facets& facets_;

@@ -32,10 +32,7 @@ class ConeCut {
   }
 
  private:
-  FacetEdge edgeOf(HalfEdge h) const {
-    const auto& c = facets_.triangles[h / 3];
-    return std::minmax(c[h % 3], c[nextIn(h) % 3]);
-  }
+  FacetEdge edgeOf(HalfEdge h) const { return geometry::edgeOf(facets_.triangles, h); }
   bool isBorder(HalfEdge h) const {
     return twins_[h] != kNoHalfEdge && piece_[h / 3] != piece_[twins_[h] / 3];
   }
@@ -56,15 +53,9 @@ class ConeCut {
         for (std::size_t i = 1; i < curve.size(); ++i)
           kept.insert(std::minmax(curve[i - 1], curve[i]));
       }
-    std::map<FacetEdge, HalfEdge> first;
-    twins_.assign(3 * facets_.triangles.size(), kNoHalfEdge);
-    for (HalfEdge h = 0; h < twins_.size(); ++h) {
-      if (kept.contains(edgeOf(h))) continue;
-      const auto [found, isNew] = first.try_emplace(edgeOf(h), h);
-      if (isNew) continue;
-      twins_[h] = found->second;
-      twins_[found->second] = h;
-    }
+    twins_ = HalfEdges(facets_.triangles).twins();
+    for (HalfEdge h = 0; h < twins_.size(); ++h)
+      if (kept.contains(edgeOf(h))) twins_[h] = kNoHalfEdge;
   }
 
   /// From the largest flat that is left, in the order of the angle to it.
@@ -99,38 +90,12 @@ class ConeCut {
     return dot(flats_.flats[flats_.of[t]].normal, axes_[piece]);
   }
 
-  /// Borders that run to and fro between the triangles become shorter.
+  /// A triangle stays in the cone of its piece, or not far beyond.
   void straighten() {
-    constexpr int kMostRounds = 20;
-    bool isAny = true;
-    for (int round = 0; isAny && round < kMostRounds; ++round) {
-      isAny = false;
-      for (std::uint32_t t = 0; t < piece_.size(); ++t) isAny = shorten(t) || isAny;
-    }
-  }
-
-  bool shorten(std::uint32_t t) {
-    constexpr double kClearly = 0.999;
-    const double kWidest = std::cos(4 * angle_ / 3);
-    const std::uint32_t before = piece_[t];
-    std::uint32_t best = before;
-    double least = kClearly * bordersAround(t);
-    for (HalfEdge h = 3 * t; h < 3 * t + 3; ++h) {
-      if (!isBorder(h) || !(along(t, piece_[twins_[h] / 3]) > kWidest)) continue;
-      piece_[t] = piece_[twins_[h] / 3];
-      const double length = bordersAround(t);
-      if (length < least) best = piece_[t];
-      least = std::min(least, length);
-      piece_[t] = before;
-    }
-    piece_[t] = best;
-    return best != before;
-  }
-  double bordersAround(std::uint32_t t) const {
-    double sum = 0;
-    for (HalfEdge h = 3 * t; h < 3 * t + 3; ++h)
-      if (isBorder(h)) sum += lengthOf(facets_, h);
-    return sum;
+    const double widest = std::cos(4 * angle_ / 3);
+    straightenBorders(
+        facets_, twins_, piece_, [&](HalfEdge h) { return isBorder(h); },
+        [&](std::uint32_t t, std::uint32_t piece) { return along(t, piece) > widest; });
   }
 
   /// Narrow pieces become part of those with which they share most of their borders.

@@ -8,10 +8,8 @@
 namespace af2::geometry {
 namespace {
 
-std::uint32_t startOf(const Facets& facets, HalfEdge h) { return facets.triangles[h / 3][h % 3]; }
-
 [[noreturn]] void refuse(const Facets& facets, HalfEdge g, HalfEdge h) {
-  const Point3& p = facets.vertices[startOf(facets, g)];
+  const Point3& p = facets.vertices[startOf(facets.triangles, g)];
   throw InputError(facets.name + ": triangles " + std::to_string(g / 3 + 1) + " and " +
                    std::to_string(h / 3 + 1) + " near (" + std::to_string(p.x) + ", " +
                    std::to_string(p.y) + ", " + std::to_string(p.z) +
@@ -25,9 +23,10 @@ HalfEdge baseOfCap(const Facets& facets, std::uint32_t t) {
   const HalfEdge base = std::max({3 * t, 3 * t + 1, 3 * t + 2}, [&](HalfEdge g, HalfEdge h) {
     return lengthOf(facets, g) < lengthOf(facets, h);
   });
-  const Point3 from = facets.vertices[startOf(facets, base)];
-  const Point3 along = facets.vertices[startOf(facets, nextIn(base))] - from;
-  const Point3 apex = facets.vertices[startOf(facets, nextIn(nextIn(base)))] - from;
+  const auto at = [&](HalfEdge h) { return facets.vertices[startOf(facets.triangles, h)]; };
+  const Point3 from = at(base);
+  const Point3 along = at(nextIn(base)) - from;
+  const Point3 apex = at(previousIn(base)) - from;
   const double square = dot(along, along), within = dot(apex, along) / square;
   const bool isFlat = length(cross(along, apex)) < kFlat * square;
   return isFlat && within > kFromEnds && within < 1 - kFromEnds ? base : kNoHalfEdge;
@@ -53,27 +52,19 @@ std::vector<Point3> normalsOf(const Facets& facets, const std::vector<HalfEdge>&
 
 }  // namespace
 
-std::vector<HalfEdge> twinsOf(const Facets& facets) {
-  std::vector<std::pair<FacetEdge, HalfEdge>> all;
-  all.reserve(3 * facets.triangles.size());
-  for (HalfEdge h = 0; h < 3 * facets.triangles.size(); ++h)
-    all.emplace_back(std::minmax(startOf(facets, h), startOf(facets, nextIn(h))), h);
-  std::ranges::sort(all);
-  std::vector<HalfEdge> twins(all.size(), kNoHalfEdge);
-  for (std::size_t i = 0, next; i < all.size(); i = next) {
-    for (next = i + 1; next < all.size() && all[next].first == all[i].first;) ++next;
-    if (next - i != 2) continue;
-    const HalfEdge g = all[i].second, h = all[i + 1].second;
-    if (startOf(facets, g) == startOf(facets, h)) refuse(facets, g, h);
-    twins[g] = h;
-    twins[h] = g;
-  }
-  return twins;
+std::vector<HalfEdge> orientedTwins(const Facets& facets) {
+  const HalfEdges sides(facets.triangles);
+  const auto start = [&](HalfEdge h) { return startOf(facets.triangles, h); };
+  sides.forEachEdge([&](const FacetEdge&, std::span<const HalfEdge> halves) {
+    if (halves.size() == 2 && start(halves[0]) == start(halves[1]))
+      refuse(facets, halves[0], halves[1]);
+  });
+  return sides.twins();
 }
 
 FacetDirections directionsOf(const Facets& facets,
                              const std::function<double(const Point3&)>& sizeAt) {
-  const std::vector<HalfEdge> twins = twinsOf(facets);
+  const std::vector<HalfEdge> twins = orientedTwins(facets);
   return withoutNoise(facets, twins, normalsOf(facets, twins), sizeAt);
 }
 

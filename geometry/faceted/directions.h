@@ -10,10 +10,8 @@
 
 namespace af2::geometry {
 
-/// By half-edge the one across; none at edges that have not two triangles.
-///
-/// Throws InputError if neighbours are turned against each other.
-std::vector<HalfEdge> twinsOf(const Facets& facets);
+/// Twins, by half-edge. Throws InputError if neighbours are turned against each other.
+std::vector<HalfEdge> orientedTwins(const Facets& facets);
 
 /// Normals that rounding and noise do not spoil.
 ///

@@ -8,6 +8,7 @@
 #include "geometry/base/plane_axes.h"
 #include "geometry/faceted/facet_layout.h"
 #include "geometry/faceted/flattening.h"
+#include "geometry/faceted/half_edges.h"
 
 namespace af2::geometry {
 namespace {
@@ -43,7 +44,7 @@ struct FacetSurface::Data {
     for (const std::uint32_t t : patch.triangles) normalsOfTriangles.push_back(patched.normals[t]);
     findNormals(normalsOfTriangles);
     findCurvatures();
-    findNeighbors();
+    twins = HalfEdges(triangles).twins();
     if (drawing == Drawing::None) return;
     if (auto places = flatten(vertices, triangles))
       layout.emplace(*std::move(places), vertices, triangles);
@@ -161,21 +162,6 @@ struct FacetSurface::Data {
     return isKnown ? static_cast<std::uint32_t>(point.u) : BoxTree::kNone;
   }
 
-  void findNeighbors() {
-    std::vector<std::array<std::uint32_t, 3>> sides;  // lower vertex, higher vertex, 3 t + side
-    for (std::uint32_t h = 0; h < 3 * triangles.size(); ++h) {
-      const auto [low, high] = std::minmax(triangles[h / 3][h % 3], triangles[h / 3][(h + 1) % 3]);
-      sides.push_back({low, high, h});
-    }
-    std::sort(sides.begin(), sides.end());
-    neighbors.assign(3 * triangles.size(), BoxTree::kNone);
-    for (std::size_t i = 1; i < sides.size(); ++i) {
-      if (sides[i][0] != sides[i - 1][0] || sides[i][1] != sides[i - 1][1]) continue;
-      neighbors[sides[i][2]] = sides[i - 1][2] / 3;
-      neighbors[sides[i - 1][2]] = sides[i][2] / 3;
-    }
-  }
-
   /// How a walk over the triangles to a line came out.
   struct Walk {
     enum Outcome { Found, AtBorder, AtFold } outcome = AtFold;
@@ -202,9 +188,10 @@ struct FacetSurface::Data {
       bool isAtBorder = false;
       for (std::uint32_t side = 0; side < 3; ++side) {
         if (!(beside[side] < farthest)) continue;
-        const std::uint32_t other = neighbors[3 * t + side];
-        if (other == BoxTree::kNone) isAtBorder = true;
-        if (other == BoxTree::kNone || other == before || !faces(line, other)) continue;
+        const HalfEdge twin = twins[3 * t + side];
+        const std::uint32_t other = twin / 3;
+        if (twin == kNoHalfEdge) isAtBorder = true;
+        if (twin == kNoHalfEdge || other == before || !faces(line, other)) continue;
         farthest = beside[side];
         next = other;
       }
@@ -249,7 +236,7 @@ struct FacetSurface::Data {
   std::vector<Point3> vertices, normals;
   std::vector<double> curvatures;
   std::vector<Corners> triangles;
-  std::vector<std::uint32_t> neighbors;  // 3 t + i: across the side that begins at corner i
+  std::vector<HalfEdge> twins;
   std::optional<FacetLayout> layout;
   BoxTree tree;  // last: it is made while the triangles are taken
 };

@@ -6,6 +6,8 @@
 #include <numbers>
 #include <numeric>
 
+#include "geometry/base/constants.h"
+
 namespace af2::geometry {
 namespace {
 
@@ -34,7 +36,7 @@ class Growth {
     ++count_;
   }
   bool isAlike(std::uint32_t t, std::uint32_t first) const {
-    static const double kAlike = std::cos(3 * std::numbers::pi / 180);
+    static const double kAlike = std::cos(3 * kDegree);
     return normals_[t] == Point3{} || dot(normals_[t], normals_[first]) > kAlike;
   }
 
@@ -51,8 +53,8 @@ double angleBetween(const Point3& p, const Point3& q) {
 }
 
 double lengthOf(const Facets& facets, HalfEdge h) {
-  const auto& c = facets.triangles[h / 3];
-  return distance(facets.vertices[c[h % 3]], facets.vertices[c[nextIn(h) % 3]]);
+  return distance(facets.vertices[startOf(facets.triangles, h)],
+                  facets.vertices[endOf(facets.triangles, h)]);
 }
 
 double areaOf(const Facets& facets, std::uint32_t triangle) {

@@ -2,18 +2,14 @@
 // Not installed.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
-#include "geometry/faceted/facets.h"
+#include "geometry/faceted/half_edges.h"
 
 namespace af2::geometry {
 
-/// Half-edges: 3 t + i runs from corner i of triangle t to the next one.
-using HalfEdge = std::uint32_t;
-constexpr HalfEdge kNoHalfEdge = 0xffffffffu;
-
-inline HalfEdge nextIn(HalfEdge h) { return h % 3 == 2 ? h - 2 : h + 1; }
 double angleBetween(const Point3& p, const Point3& q);
 double lengthOf(const Facets& facets, HalfEdge h);
 double areaOf(const Facets& facets, std::uint32_t triangle);
@@ -29,6 +25,44 @@ void flood(const std::vector<HalfEdge>& twins, std::uint32_t start, const Claim&
     open.pop_back();
     for (HalfEdge h = 3 * t; h < 3 * t + 3; ++h)
       if (twins[h] != kNoHalfEdge && claim(twins[h] / 3)) open.push_back(twins[h] / 3);
+  }
+}
+
+/// Triangles have labels, and borders run where those of neighbours differ. Borders that run to and
+/// fro between the triangles become shorter: again and again each triangle takes the label of a
+/// neighbour if the borders around it are clearly shorter then.
+///
+/// isBorder  (half-edge): whether a border runs there, by the labels as they are
+/// mayTake   (triangle, label): whether the triangle may have that label
+template <class IsBorder, class MayTake>
+void straightenBorders(const Facets& facets, const std::vector<HalfEdge>& twins,
+                       std::vector<std::uint32_t>& labels, const IsBorder& isBorder,
+                       const MayTake& mayTake) {
+  constexpr int kMostRounds = 20;
+  constexpr double kClearly = 0.999;  // so that rounding does not make labels go in circles
+  const auto bordersAround = [&](std::uint32_t t) {
+    double sum = 0;
+    for (HalfEdge h = 3 * t; h < 3 * t + 3; ++h)
+      if (isBorder(h)) sum += lengthOf(facets, h);
+    return sum;
+  };
+  bool isAny = true;
+  for (int round = 0; isAny && round < kMostRounds; ++round) {
+    isAny = false;
+    for (std::uint32_t t = 0; t < labels.size(); ++t) {
+      const std::uint32_t before = labels[t];
+      std::uint32_t best = before;
+      double least = kClearly * bordersAround(t);
+      for (HalfEdge h = 3 * t; h < 3 * t + 3; ++h) {
+        if (twins[h] == kNoHalfEdge || !mayTake(t, labels[twins[h] / 3])) continue;
+        labels[t] = labels[twins[h] / 3];
+        const double length = bordersAround(t);
+        if (length < least) best = labels[t];
+        least = std::min(least, length);
+      }
+      labels[t] = best;
+      isAny = isAny || best != before;
+    }
   }
 }
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "engine/base/predicates.h"
+#include "geometry/faceted/half_edges.h"
 #include "geometry/faceted/sparse_system.h"
 
 namespace af2::geometry {
@@ -40,23 +41,17 @@ class Flattening {
   /// Whether each edge has two triangles, one on each side, or lies on a boundary that does not
   /// touch itself.
   bool findLoops() {
-    std::vector<std::array<std::uint32_t, 3>> sides;  // lower vertex, higher one, start
-    for (const Corners& t : triangles_)
-      for (std::size_t i = 0; i < 3; ++i) {
-        const auto [low, high] = std::minmax(t[i], t[(i + 1) % 3]);
-        sides.push_back({low, high, t[i]});
-      }
-    std::ranges::sort(sides);
     std::vector<std::uint32_t> after(vertices_.size(), kNoCorner);
     edges_ = 0;
-    for (std::size_t i = 0, next; i < sides.size(); i = next, ++edges_) {
-      const auto& [low, high, start] = sides[i];
-      for (next = i + 1; next < sides.size() && sides[next][0] == low && sides[next][1] == high;)
-        ++next;
-      if (next - i == 2 && sides[i + 1][2] != start) continue;
-      if (next - i != 1 || after[start] != kNoCorner) return false;
-      after[start] = start == low ? high : low;
-    }
+    bool isManifold = true;
+    HalfEdges(triangles_).forEachEdge([&](const FacetEdge&, std::span<const HalfEdge> halves) {
+      ++edges_;
+      const std::uint32_t start = startOf(triangles_, halves[0]);
+      if (halves.size() == 2 && startOf(triangles_, halves[1]) != start) return;
+      isManifold = isManifold && halves.size() == 1 && after[start] == kNoCorner;
+      after[start] = endOf(triangles_, halves[0]);
+    });
+    if (!isManifold) return false;
     for (std::uint32_t first = 0; first < after.size(); ++first) {
       if (after[first] == kNoCorner) continue;
       Loop& loop = loops_.emplace_back();
@@ -153,7 +148,7 @@ class Flattening {
   }
 
   std::vector<Point3> vertices_;
-  std::vector<Corners> triangles_;
+  FacetTriangles triangles_;
   std::size_t given_, edges_ = 0;
   std::uint32_t holes_ = 0;
   std::vector<Loop> loops_;  // the longest first

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "engine/base/error.h"
+#include "geometry/base/constants.h"
 #include "geometry/base/parallel.h"
 #include "geometry/domain/domain_model.h"
 #include "geometry/faceted/cones.h"
@@ -20,7 +21,6 @@ namespace {
 
 constexpr double kRetryShare = 0.25;  // charts look through triangles
 constexpr int kBriefly = 1;           // rounds of retries, as long as patches may be cut instead
-constexpr double kDegree = std::numbers::pi / 180;
 
 double diagonalOf(const Facets& facets) {
   Box3 box;
@@ -169,18 +169,19 @@ class ModelMaker {
 
 /// What is a twentieth of an edge cannot be seen; a crease that ends nowhere needs more than that.
 /// Roundings that are large for the model are none to leave out, however large the elements.
-FeatureLimits limitsFor(const Facets& facets, const FacetedMeshingOptions& options) {
+FeatureLimits limitsFor(const Facets& facets, const MeshingOptions& options) {
   constexpr double kSpeck = 0.05, kLooseEnd = 0.5, kOfModel = 0.125;
   if (!(options.featureAngle > 0 && options.featureAngle < 180))
     throw InputError("the feature angle must lie between 0 and 180 degrees");
-  const double most = std::min(options.size, kOfModel * diagonalOf(facets));
-  return {options.featureAngle * kDegree, kLooseEnd * options.size, kSpeck * options.size,
-          [size = DomainSize(options), most](const Point3& p) { return size.at(p, most); }};
+  const double most = std::min(options.sizes.size, kOfModel * diagonalOf(facets));
+  return {options.featureAngle * kDegree, kLooseEnd * options.sizes.size,
+          kSpeck * options.sizes.size,
+          [size = DomainSize(options.sizes), most](const Point3& p) { return size.at(p, most); }};
 }
 
-DomainModel modelOf(PatchedFacets patched, const FacetedMeshingOptions& options) {
+DomainModel modelOf(PatchedFacets patched, const MeshingOptions& options) {
   return ModelMaker(std::make_shared<const PatchedFacets>(std::move(patched)), options.threads)
-      .make(options.growth);
+      .make(options.sizes.growth);
 }
 
 double failedArea(const ModelMesh& mesh) {
@@ -190,9 +191,9 @@ double failedArea(const ModelMesh& mesh) {
   return area;
 }
 
-bool namesFacesOrEdges(const FacetedMeshingOptions& options) {
-  return !options.faces.empty() || !options.faceSizes.empty() || !options.edgeSizes.empty() ||
-         !options.edgePoints.empty();
+bool namesFacesOrEdges(const MeshingOptions& options) {
+  return !options.faces.empty() || !options.sizes.faceSizes.empty() ||
+         !options.sizes.edgeSizes.empty() || !options.edgePoints.empty();
 }
 
 /// Borders between pieces of the curved patches that failed.
@@ -208,8 +209,7 @@ std::set<FacetEdge> cutsThroughFailed(const PatchedFacets& patched, const ModelM
 
 /// Whether more than the brief tries are due: faces without angles below get but one.
 bool isPoor(const ModelMesh& mesh) {
-  constexpr double kLeastAngle = 0.7;  // degrees
-  return failedArea(mesh) > 0 || measureQuality(mesh).minAngle < kLeastAngle;
+  return failedArea(mesh) > 0 || measureQuality(mesh).minAngle < kUselessAngle;
 }
 
 void tellOfCuts(std::size_t count, ModelMesh& mesh) {
@@ -219,26 +219,26 @@ void tellOfCuts(std::size_t count, ModelMesh& mesh) {
 
 }  // namespace
 
-DomainModel facetedModel(const Facets& facets, const FacetedMeshingOptions& options) {
+DomainModel facetedModel(const Facets& facets, const MeshingOptions& options) {
   return modelOf(findPatches(facets, limitsFor(facets, options)), options);
 }
 
 ModelMesh meshFaceted(const Facets& facets, const AF2Algorithm& algorithm,
-                      const FacetedMeshingOptions& options,
+                      const MeshingOptions& options,
                       const std::function<void(const DomainModel&)>& check) {
   const FeatureLimits limits = limitsFor(facets, options);
   PatchedFacets patched = findPatches(facets, limits);
   const DomainModel whole = modelOf(patched, options);
   if (check) check(whole);
   if (namesFacesOrEdges(options)) return meshDomain(whole, algorithm, options);
-  FacetedMeshingOptions brief = options;
+  MeshingOptions brief = options;
   brief.mostRetries = std::min(kBriefly, options.mostRetries.value_or(kBriefly));
   ModelMesh mesh = meshDomain(whole, algorithm, brief);
   std::size_t cutPieces = 0;
   for (const double angle : {45 * kDegree, 25 * kDegree}) {
     if (options.stop.stop_requested()) break;
     PatchedFacets next =
-        cutPatches(patched, cutsThroughFailed(patched, mesh, angle, options.size), limits);
+        cutPatches(patched, cutsThroughFailed(patched, mesh, angle, options.sizes.size), limits);
     if (next.patches.size() == patched.patches.size()) continue;
     ModelMesh meshOfNext = meshDomain(modelOf(next, options), algorithm, brief);
     if (!(failedArea(meshOfNext) < failedArea(mesh))) break;

@@ -3,19 +3,15 @@
 
 #include <functional>
 
+#include "engine/base/export.h"
 #include "geometry/domain/domain_model.h"
 #include "geometry/faceted/facets.h"
 #include "geometry/mesh/model_mesh.h"
 
 namespace af2::geometry {
 
-struct FacetedMeshingOptions : DomainMeshingOptions {
-  /// Edges at which the surface turns by more than so many degrees are kept.
-  double featureAngle = 40;
-};
-
 /// The patches between feature edges, as faces between curves.
-DomainModel facetedModel(const Facets& facets, const FacetedMeshingOptions& options);
+AF2_EXPORT DomainModel facetedModel(const Facets& facets, const MeshingOptions& options);
 
 /// Meshes each patch between feature edges, which are divided once and shared. Patches are faces:
 /// 1, 2, ... in the order of their first triangles. New vertices lie on the triangles.
@@ -28,8 +24,8 @@ DomainModel facetedModel(const Facets& facets, const FacetedMeshingOptions& opti
 ///
 /// Throws InputError for a size that is not positive, or if neighbouring triangles are turned
 /// against each other.
-ModelMesh meshFaceted(const Facets& facets, const AF2Algorithm& algorithm,
-                      const FacetedMeshingOptions& options,
-                      const std::function<void(const DomainModel&)>& check = {});
+AF2_EXPORT ModelMesh meshFaceted(const Facets& facets, const AF2Algorithm& algorithm,
+                                 const MeshingOptions& options,
+                                 const std::function<void(const DomainModel&)>& check = {});
 
 }  // namespace af2::geometry

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "geometry/base/constants.h"
 #include "geometry/base/disjoint_sets.h"
 
 namespace af2::geometry {
@@ -26,7 +27,7 @@ class Denoising {
   }
 
  private:
-  std::uint32_t cornerOf(HalfEdge h) const { return facets_.triangles[h / 3][h % 3]; }
+  std::uint32_t cornerOf(HalfEdge h) const { return startOf(facets_.triangles, h); }
   const Point3& at(std::uint32_t v) const { return facets_.vertices[v]; }
 
   /// The mean of a triangle and those across its edges.
@@ -101,17 +102,17 @@ class Denoising {
         if (begin == 0) begin = bend;
         before = bend;
       }
-      h = twins_[nextIn(nextIn(h))];
+      h = twins_[previousIn(h)];
     } while (h != kNoHalfEdge && h != first);
     return changes + (h == first && before != begin ? 1 : 0);
   }
   /// 1: a ridge, -1: a furrow, 0: neither.
   int bendAt(HalfEdge h) const {
-    constexpr double kBend = 10 * std::numbers::pi / 180;
+    constexpr double kBend = 10 * kDegree;
     if (twins_[h] == kNoHalfEdge) return 0;
     const Point3 &m = normals_[h / 3], &n = normals_[twins_[h] / 3];
     if (m == Point3{} || n == Point3{} || angleBetween(m, n) < kBend) return 0;
-    const Point3 beyond = at(cornerOf(nextIn(nextIn(twins_[h])))) - at(cornerOf(h));
+    const Point3 beyond = at(cornerOf(previousIn(twins_[h]))) - at(cornerOf(h));
     return dot(beyond, m) < 0 ? 1 : -1;
   }
 

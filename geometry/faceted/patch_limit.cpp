@@ -4,6 +4,8 @@
 #include <limits>
 #include <queue>
 
+#include "engine/base/constants.h"
+
 namespace af2::geometry {
 namespace {
 
@@ -49,7 +51,6 @@ class PatchLimit final : public CurvatureLimit {
   }
 
   double expectedElements(double size) const override {
-    constexpr double kUnitTriangle = 0.4330127018922193;  // area of the one with edges of length 1
     double sum = 0;
     surface_.forEachTriangle([&](const auto& corners, const auto& positions) {
       double here = 0;

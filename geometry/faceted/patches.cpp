@@ -74,12 +74,10 @@ class PatchFinder {
     return extents;
   }
 
-  std::uint32_t startOf(HalfEdge h) const { return facets_.triangles[h / 3][h % 3]; }
-  std::uint32_t endOf(HalfEdge h) const { return startOf(nextIn(h)); }
-  Edge edgeOf(HalfEdge h) const { return std::minmax(startOf(h), endOf(h)); }
+  Edge edgeOf(HalfEdge h) const { return geometry::edgeOf(facets_.triangles, h); }
   const Point3& at(std::uint32_t v) const { return facets_.vertices[v]; }
   void findTwins() {
-    twin_ = partner_ = twinsOf(facets_);
+    twin_ = partner_ = orientedTwins(facets_);
     findSpecks();
     std::vector<bool> isFeatureEdge(twin_.size(), false);
     for (HalfEdge h = 0; h < twin_.size(); ++h)
@@ -286,7 +284,7 @@ class PatchFinder {
       for (HalfEdge h = first; !seen[h]; h = nextAround(h)) {
         seen[h] = true;
         const Place& place = places_.at(edgeOf(h));
-        const bool reversed = startOf(h) != place.from;
+        const bool reversed = startOf(facets_.triangles, h) != place.from;
         const std::size_t start = reversed ? curves_[place.curve].size() - 2 : 0;
         if (place.index == start) loop.push_back({place.curve, reversed});
       }

@@ -10,19 +10,17 @@
 
 #include "geometry/base/box_tree.h"
 #include "geometry/base/disjoint_sets.h"
+#include "geometry/faceted/half_edges.h"
 #include "geometry/faceted/touching_parts.h"
 
 namespace af2::geometry {
 namespace {
 
 using Triangle = std::array<std::uint32_t, 3>;
-using Edge = std::pair<std::uint32_t, std::uint32_t>;  // the lower vertex first
-using HalfEdge = std::uint32_t;                        // 3 t + i: from corner i of triangle t
+using Edge = FacetEdge;
 
 /// Edges that lie nearer than this share of the diagonal are one.
 constexpr double kSame = 1e-5;
-
-HalfEdge nextIn(HalfEdge h) { return h % 3 == 2 ? h - 2 : h + 1; }
 
 class Repair {
  public:
@@ -47,9 +45,9 @@ class Repair {
   }
 
  private:
-  std::uint32_t startOf(HalfEdge h) const { return facets_.triangles[h / 3][h % 3]; }
-  std::uint32_t endOf(HalfEdge h) const { return startOf(nextIn(h)); }
-  Edge edgeOf(HalfEdge h) const { return std::minmax(startOf(h), endOf(h)); }
+  std::uint32_t startOf(HalfEdge h) const { return geometry::startOf(facets_.triangles, h); }
+  std::uint32_t endOf(HalfEdge h) const { return geometry::endOf(facets_.triangles, h); }
+  Edge edgeOf(HalfEdge h) const { return geometry::edgeOf(facets_.triangles, h); }
   const Point3& at(std::uint32_t v) const { return facets_.vertices[v]; }
 
   void tell(std::size_t count, const char* what, const Point3& place) {
@@ -130,21 +128,19 @@ class Repair {
   /// where that is not so.
   void keepThoseOfParts(std::vector<bool>& isTwin) const {
     if (std::ranges::none_of(isTwin, std::identity())) return;
-    const auto all = sortedEdges();
     std::vector<HalfEdge> open;
     std::vector<std::vector<HalfEdge>> around;
-    for (std::size_t i = 0, next; i < all.size(); i = next) {
+    HalfEdges(facets_.triangles).forEachEdge([&](const Edge& edge, auto halves) {
       std::ptrdiff_t balance = 0;
       std::vector<HalfEdge> twins;
-      for (next = i; next < all.size() && all[next].first == all[i].first; ++next) {
-        const HalfEdge h = all[next].second;
-        balance += startOf(h) == all[i].first.first ? 1 : -1;
+      for (const HalfEdge h : halves) {
+        balance += startOf(h) == edge.first ? 1 : -1;
         if (isTwin[h / 3]) twins.push_back(h);
       }
-      if (twins.empty()) continue;
+      if (twins.empty()) return;
       if (balance != 0) open.insert(open.end(), twins.begin(), twins.end());
       around.push_back(std::move(twins));
-    }
+    });
     DisjointSets sets(facets_.triangles.size());
     for (const auto& twins : around)
       for (const HalfEdge h : twins) sets.join(h / 3, twins.front() / 3);
@@ -154,25 +150,8 @@ class Repair {
       isTwin[t] = isTwin[t] && redundant.contains(sets.of(t));
   }
 
-  /// All half-edges by their edges.
-  std::vector<std::pair<Edge, HalfEdge>> sortedEdges() const {
-    std::vector<std::pair<Edge, HalfEdge>> all;
-    all.reserve(3 * facets_.triangles.size());
-    for (HalfEdge h = 0; h < 3 * facets_.triangles.size(); ++h) all.emplace_back(edgeOf(h), h);
-    std::ranges::sort(all);
-    return all;
-  }
-
   /// Edges with one triangle.
-  std::vector<HalfEdge> openEdges() const {
-    const auto all = sortedEdges();
-    std::vector<HalfEdge> open;
-    for (std::size_t i = 0, next; i < all.size(); i = next) {
-      for (next = i + 1; next < all.size() && all[next].first == all[i].first;) ++next;
-      if (next - i == 1) open.push_back(all[i].second);
-    }
-    return open;
-  }
+  std::vector<HalfEdge> openEdges() const { return HalfEdges(facets_.triangles).boundary(); }
 
   /// They are no fault of a sheet, but of what is meant to be a solid.
   void tellOfHoles() {
@@ -302,7 +281,7 @@ class Repair {
   }
 
   void splitTriangle(HalfEdge h, const std::vector<std::uint32_t>& inner) {
-    const std::uint32_t t = h / 3, last = endOf(h), apex = startOf(nextIn(nextIn(h)));
+    const std::uint32_t t = h / 3, last = endOf(h), apex = startOf(previousIn(h));
     std::uint32_t from = startOf(h);
     facets_.triangles[t] = {from, inner[0], apex};
     for (std::size_t i = 0; i < inner.size(); ++i) {
@@ -314,17 +293,10 @@ class Repair {
   /// Across edges with two triangles; of each connected part the smaller area is turned. A part
   /// that has no two sides stays as it is.
   void turn() {
-    std::vector<HalfEdge> twin(3 * facets_.triangles.size(), kNone);
-    const auto all = sortedEdges();
+    const std::vector<HalfEdge> twin = HalfEdges(facets_.triangles).twins();
     bool isTurned = false;
-    for (std::size_t i = 0, next; i < all.size(); i = next) {
-      for (next = i + 1; next < all.size() && all[next].first == all[i].first;) ++next;
-      if (next - i != 2) continue;
-      const HalfEdge g = all[i].second, h = all[i + 1].second;
-      twin[g] = h;
-      twin[h] = g;
-      isTurned = isTurned || startOf(g) == startOf(h);
-    }
+    for (HalfEdge h = 0; h < twin.size(); ++h)
+      isTurned = isTurned || (twin[h] != kNoHalfEdge && startOf(h) == startOf(twin[h]));
     if (!isTurned) return;
     std::vector<int> side(facets_.triangles.size(), 0);
     std::size_t count = 0;
@@ -349,7 +321,7 @@ class Repair {
     side[first] = 1;
     for (std::size_t i = 0; i < part.size(); ++i)
       for (HalfEdge h = 3 * part[i]; h < 3 * part[i] + 3; ++h) {
-        if (twin[h] == kNone || side[twin[h] / 3] != 0) continue;
+        if (twin[h] == kNoHalfEdge || side[twin[h] / 3] != 0) continue;
         side[twin[h] / 3] = startOf(h) == startOf(twin[h]) ? -side[part[i]] : side[part[i]];
         part.push_back(twin[h] / 3);
       }
@@ -360,7 +332,7 @@ class Repair {
                    const std::vector<int>& side) const {
     return std::ranges::all_of(part, [&](std::uint32_t t) {
       for (HalfEdge h = 3 * t; h < 3 * t + 3; ++h) {
-        if (twin[h] == kNone) continue;
+        if (twin[h] == kNoHalfEdge) continue;
         const bool isAgainst = startOf(h) == startOf(twin[h]);
         if ((side[t] == side[twin[h] / 3]) == isAgainst) return false;
       }
@@ -376,8 +348,6 @@ class Repair {
     }
     return balance >= 0 ? -1 : 1;
   }
-
-  static constexpr HalfEdge kNone = 0xffffffffu;
 
   Facets& facets_;
   double diagonal_, tolerance_;

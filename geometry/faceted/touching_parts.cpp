@@ -12,7 +12,7 @@
 
 #include "geometry/base/disjoint_sets.h"
 #include "geometry/base/plane_axes.h"
-#include "geometry/faceted/flats.h"
+#include "geometry/faceted/half_edges.h"
 
 namespace af2::geometry {
 namespace {
@@ -38,25 +38,19 @@ class Parting {
   }
 
  private:
-  std::uint32_t startOf(HalfEdge h) const { return facets_.triangles[h / 3][h % 3]; }
-  FacetEdge edgeOf(HalfEdge h) const { return std::minmax(startOf(h), startOf(nextIn(h))); }
+  std::uint32_t startOf(HalfEdge h) const { return geometry::startOf(facets_.triangles, h); }
   const Point3& at(std::uint32_t v) const { return facets_.vertices[v]; }
 
   void joinAcrossEdges() {
-    std::vector<std::pair<FacetEdge, HalfEdge>> all;
-    all.reserve(3 * facets_.triangles.size());
-    for (HalfEdge h = 0; h < 3 * facets_.triangles.size(); ++h) all.emplace_back(edgeOf(h), h);
-    std::ranges::sort(all);
-    for (std::size_t i = 0, next; i < all.size(); i = next) {
-      for (next = i + 1; next < all.size() && all[next].first == all[i].first;) ++next;
-      if (next - i == 1) isOpen_[all[i].second / 3] = true;
-      if (next - i == 2) parts_.join(all[i].second / 3, all[i + 1].second / 3);
-      if (next - i > 2) joinAround({all.data() + i, next - i});
-    }
+    HalfEdges(facets_.triangles).forEachEdge([&](const FacetEdge& edge, auto halves) {
+      if (halves.size() == 1) isOpen_[halves[0] / 3] = true;
+      if (halves.size() == 2) parts_.join(halves[0] / 3, halves[1] / 3);
+      if (halves.size() > 2) joinAround(edge, halves);
+    });
   }
 
-  void joinAround(std::span<const std::pair<FacetEdge, HalfEdge>> halves) {
-    const std::vector<Wing> wings = wingsOf(halves);
+  void joinAround(const FacetEdge& edge, std::span<const HalfEdge> halves) {
+    const std::vector<Wing> wings = wingsOf(edge, halves);
     const auto along = std::ranges::count_if(wings, &Wing::isAlong);
     if (2 * along != std::ssize(wings)) {
       for (const Wing& wing : wings) {
@@ -87,12 +81,12 @@ class Parting {
   }
 
   /// By angle; of those at the same one, where parts touch, what ends material comes first.
-  std::vector<Wing> wingsOf(std::span<const std::pair<FacetEdge, HalfEdge>> halves) const {
-    const auto [low, high] = halves.front().first;
+  std::vector<Wing> wingsOf(const FacetEdge& edge, std::span<const HalfEdge> halves) const {
+    const auto [low, high] = edge;
     const PlaneAxes axes(at(low), unit(at(high) - at(low)));
     std::vector<Wing> wings;
-    for (const auto& [edge, h] : halves) {
-      const Point3 apex = at(startOf(nextIn(nextIn(h)))) - at(low);
+    for (const HalfEdge h : halves) {
+      const Point3 apex = at(startOf(previousIn(h))) - at(low);
       const double angle = std::atan2(dot(apex, axes.yAxis()), dot(apex, axes.xAxis()));
       wings.push_back({h, angle, startOf(h) == low});
     }

@@ -5,6 +5,7 @@
 
 #include "engine/base/predicates.h"
 #include "geometry/base/plane_axes.h"
+#include "geometry/fill/fill_limits.h"
 
 namespace af2::geometry {
 
@@ -167,7 +168,6 @@ bool closeFront(MeshingResult& result, std::uint16_t rule, std::size_t most) {
 }
 
 bool closeLoops(MeshingResult& result, std::uint16_t rule) {
-  constexpr std::size_t kMostOfLoop = 24;
   MeshingResult closed = result;
   std::vector<StuckEdge> front = result.stuck;
   while (!front.empty()) {
@@ -178,7 +178,7 @@ bool closeLoops(MeshingResult& result, std::uint16_t rule) {
     const PlaneAxes axes(closed.mesh.vertices[closed.stuck.front().from.value].position,
                          unit(across));
     const auto inPlane = [&](VertexId v) { return axes(closed.mesh.vertices[v.value]); };
-    if (!closeFront(closed, inPlane, rule, kMostOfLoop)) return false;
+    if (!closeFront(closed, inPlane, rule, kMaxLoopEdges)) return false;
   }
   result = std::move(closed);
   return true;

@@ -3,44 +3,30 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <optional>
 
 #include "engine/mesh/element_shape.h"
 #include "engine/mesh/mesh_check.h"
+#include "geometry/base/constants.h"
 #include "geometry/check/boundary_crossings.h"
 #include "geometry/check/model_check.h"
+#include "geometry/fill/fill_limits.h"
 
 namespace af2::geometry {
 
 namespace {
 
-constexpr double kFiner = 0.5;
-/// Where segments cross, what is between their curves may be far narrower than they are long.
-constexpr double kMuchFiner = 0.3;
-/// More places than this at once would not make the next try better, only slower.
-constexpr std::size_t kMostPlaces = 20'000;
-
-/// Angles below this are opened, in degrees.
-constexpr double kLeastAngle = 5;
-/// Where that is possible, to so many times what they are, within these bounds: what shorter edges
-/// cost grows as fast.
-constexpr double kOpening = 4, kLowestAim = 1, kHighestAim = 10;
-constexpr double kLeastShare = 0.02;
-/// Elements with such angles are hardly of use.
-constexpr double kBadAngle = 0.7;
-/// Curved and round faces may lose this share of their area to straight edges.
-constexpr double kMostAreaError = 0.05, kWantedAreaError = 0.04;
-
 Point3 middle(const Point3& a, const Point3& b) { return 0.5 * (a + b); }
 
 void addEdge(std::vector<SizeSource>& places, const Point3& a, const Point3& b, double share) {
-  if (places.size() < kMostPlaces) places.push_back({middle(a, b), share * distance(a, b)});
+  if (places.size() < kMaxPlacesAtFault) places.push_back({middle(a, b), share * distance(a, b)});
 }
 
 void addStuck(const MeshingResult& result, std::vector<SizeSource>& places) {
   for (const StuckEdge& edge : result.stuck)
     addEdge(places, result.mesh.vertices[edge.from.value].position,
-            result.mesh.vertices[edge.to.value].position, kFiner);
+            result.mesh.vertices[edge.to.value].position, kFinerAtFaults);
 }
 
 void addFaults(const MeshingResult& result, const MeshBoundary& boundary,
@@ -52,7 +38,7 @@ void addFaults(const MeshingResult& result, const MeshBoundary& boundary,
   const auto addElement = [&](const Element& element) {
     const auto c = element.vertices();
     for (std::size_t i = 0; i < c.size(); ++i)
-      addEdge(places, at(c[i]), at(c[(i + 1) % c.size()]), kFiner);
+      addEdge(places, at(c[i]), at(c[(i + 1) % c.size()]), kFinerAtFaults);
   };
   for (const Element& element : result.mesh.elements)
     if (leans(result.mesh, element)) addElement(element);
@@ -60,7 +46,7 @@ void addFaults(const MeshingResult& result, const MeshBoundary& boundary,
     if (!fault.element.isNone()) {
       addElement(result.mesh.elements[fault.element.value]);
     } else if (!fault.from.isNone() && !fault.to.isNone()) {
-      addEdge(places, at(fault.from), at(fault.to), kFiner);
+      addEdge(places, at(fault.from), at(fault.to), kFinerAtFaults);
     }
   }
 }
@@ -76,11 +62,10 @@ void addCrossings(const ChartedSurface& surface, const FaceBoundary& boundary,
                   std::vector<SizeSource>& places) {
   if (boundary.input.loops.empty()) return;
   if (!surface.isPlane() && !(boundary.closedInParameters && surface.inParameters())) return;
-  constexpr std::size_t kMostCrossings = 2000;
   const BoundaryPicture picture(surface, boundary.input);
-  for (const auto& [a, b] : crossingsOf(boundary.input, picture, kMostCrossings)) {
-    addSegment(boundary.input, a, kMuchFiner, places);
-    addSegment(boundary.input, b, kMuchFiner, places);
+  for (const auto& [a, b] : crossingsOf(boundary.input, picture, kMaxCrossedSegments)) {
+    addSegment(boundary.input, a, kFinerAtCrossedSegments, places);
+    addSegment(boundary.input, b, kFinerAtCrossedSegments, places);
   }
 }
 
@@ -100,12 +85,10 @@ double leastAngle(const Mesh& mesh, std::span<const VertexId> c) {
     const Point3 p = at(i + 1) - at(i), q = at(i + c.size() - 1) - at(i);
     least = std::min(least, std::atan2(length(cross(p, q)), dot(p, q)));
   }
-  return least * 180 / 3.14159265358979323846;
+  return least * 180 / std::numbers::pi;
 }
 
-constexpr double kSharpTangent = 0.09;  // of a little more than kLeastAngle
-
-/// Whether the angle between two edges is below kLeastAngle, or nearly so.
+/// Whether the angle between two edges is below kSharpAngle, or nearly so.
 ///
 /// turned  the square of their cross product
 bool isSharp(double along, double turned) {
@@ -136,7 +119,6 @@ bool hasSharpAngle(const Mesh& mesh, std::span<const VertexId> c) {
 /// All along its longest edge an element wants a share of that.
 void openAngle(const Mesh& mesh, std::span<const VertexId> c, double share,
                std::vector<SizeSource>& places) {
-  constexpr double kApart = 2;  // sizes between two sources grow to 1.3 times theirs
   std::size_t longest = 0;
   const auto at = [&](std::size_t i) -> const Point3& {
     return mesh.vertices[c[i % c.size()].value].position;
@@ -145,8 +127,8 @@ void openAngle(const Mesh& mesh, std::span<const VertexId> c, double share,
     if (distance(at(i), at(i + 1)) > distance(at(longest), at(longest + 1))) longest = i;
   const Point3 from = at(longest), along = at(longest + 1) - from;
   const double size = share * length(along);
-  const double count = std::ceil(1 / (kApart * share));
-  for (double k = 0; k < count && places.size() < kMostPlaces; ++k)
+  const double count = std::ceil(1 / (kOpeningSpacing * share));
+  for (double k = 0; k < count && places.size() < kMaxPlacesAtFault; ++k)
     places.push_back({from + (k + 0.5) / count * along, size});
 }
 
@@ -176,12 +158,11 @@ class SharpCorners {
 
   /// Whether an element is as thin as a wedge that it lies in.
   bool hold(std::span<const VertexId> c) const {
-    constexpr double kMost = 1.5, kLeast = 0.3;  // height over width of the wedge
     return std::ranges::any_of(corners_, [&](const Corner& corner) {
       double far = 0;
       for (const VertexId v : c) far = std::max(far, distance(at(v), corner.place));
       const double width = corner.tangent * far, height = heightOf(mesh_, c);
-      return height < kMost * width && height > kLeast * width;
+      return height < kMaxInWedge * width && height > kMinInWedge * width;
     });
   }
 
@@ -194,11 +175,10 @@ class SharpCorners {
   const Point3& at(VertexId v) const { return mesh_.vertices[v.value].position; }
 
   void add(const std::vector<BoundaryCorner>& loop, std::size_t i) {
-    constexpr double kBlunt = 0.7;
     const double first = tangentAt(loop, i, 1), second = tangentAt(loop, i, 2);
     if (!(first > 0) || first >= kSharpTangent) return;
     // What narrows more slowly than it gets nearer has a blunt end: there shorter edges are better.
-    if (second < kBlunt * first) return;
+    if (second < kBluntWedge * first) return;
     corners_.push_back({loop[i].point.position, first});
   }
 
@@ -226,7 +206,6 @@ class SharpCorners {
 /// unseen  heights below this would take far too many elements
 void openAngles(const Mesh& mesh, const FrontInput& boundary, double unseen,
                 FaceDiagnosis& diagnosis) {
-  constexpr std::size_t kManyForOnePoor = 2000;
   std::optional<SharpCorners> corners;  // seldom asked for
   FaceDiagnosis found;
   std::size_t poor = 0;
@@ -234,18 +213,18 @@ void openAngles(const Mesh& mesh, const FrontInput& boundary, double unseen,
     const auto c = element.vertices();
     if (!hasSharpAngle(mesh, c)) continue;
     const double angle = leastAngle(mesh, c);
-    if (angle >= kLeastAngle) continue;
-    found.hasBadAngle = found.hasBadAngle || angle < kBadAngle;
+    if (angle >= kSharpAngle) continue;
+    found.hasBadAngle = found.hasBadAngle || angle < kUselessAngle;
     if (!corners) corners.emplace(mesh, boundary);
     if (corners->hold(c) || heightOf(mesh, c) < unseen) continue;
     ++poor;
-    found.isBad = found.isBad || angle < kBadAngle;
+    found.isBad = found.isBad || angle < kUselessAngle;
     // The worst one counts: shorter edges make more of them, though better ones.
-    found.poorness = std::max(found.poorness, std::log(kLeastAngle / std::max(angle, 1e-6)));
-    const double aim = std::clamp(kOpening * angle, kLowestAim, kHighestAim);
-    openAngle(mesh, c, std::max(angle / aim, kLeastShare), found.places);
+    found.poorness = std::max(found.poorness, std::log(kSharpAngle / std::max(angle, 1e-6)));
+    const double aim = std::clamp(kAngleOpening * angle, kMinOpenedAngle, kMaxOpenedAngle);
+    openAngle(mesh, c, std::max(angle / aim, kMinOpeningShare), found.places);
   }
-  const bool isWorthIt = found.isBad || poor * kManyForOnePoor >= mesh.elements.size();
+  const bool isWorthIt = found.isBad || poor * kElementsForOnePoor >= mesh.elements.size();
   if (!isWorthIt) found = {{}, 0, false, found.hasBadAngle};
   diagnosis = std::move(found);
 }
@@ -304,12 +283,13 @@ FaceDiagnosis diagnoseMesh(const Mesh& mesh, const FaceBoundary& boundary, bool 
   openAngles(mesh, boundary.input, unseen, diagnosis);
   if (!(area > 0)) return diagnosis;
   const double ratio = areaOfElements(mesh) / area, error = std::abs(ratio - 1);
-  if (!(error > kMostAreaError)) return diagnosis;
+  if (!(error > kMaxAreaError)) return diagnosis;
   diagnosis.isBad = true;
   diagnosis.hasWrongArea = isWrongArea(ratio, mesh.elements.size());
-  diagnosis.poorness += error / kMostAreaError - 1;
+  diagnosis.poorness += error / kMaxAreaError - 1;
   // What a chord cuts off goes with the third power of its length, their number with the first.
-  const double share = std::clamp(std::sqrt(kWantedAreaError / error), 0.3, 0.8);
+  const double share =
+      std::clamp(std::sqrt(kAimedAreaError / error), kMinShareForArea, kMaxShareForArea);
   addBoundary(boundary.input, share, diagnosis.places);
   if (!isPlane) addElements(mesh, share, diagnosis.places);
   return diagnosis;

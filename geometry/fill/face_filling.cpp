@@ -1,13 +1,14 @@
 #include "geometry/fill/face_filling.h"
 
 #include <algorithm>
-#include <iterator>
 #include <string>
+#include <utility>
 
 #include "engine/base/error.h"
 #include "engine/base/stopwatch.h"
 #include "engine/optimize/optimize.h"
 #include "geometry/fill/close_front.h"
+#include "geometry/fill/diagnose_face.h"
 #include "geometry/fill/stuck_front.h"
 #include "geometry/mesh/fans.h"
 
@@ -48,10 +49,7 @@ void findMiddles(const ChartedSurface& surface, const Mesh& meshed, FaceMesh& me
 void optimize(const FaceTask& task, FaceAttempt& attempt, FaceMesh& mesh) {
   const Stopwatch watch;
   const FrontInput& input = task.boundary.input;
-  // Charts in parameters know a vertex of a seam on one of its sheets only.
-  const bool inParameters =
-      attempt.chart == ChartKind::Parametric || attempt.chart == ChartKind::Affine;
-  if (inParameters && hasTwoSheets(input))
+  if (attempt.chartsKnowOneSheet && hasTwoSheets(input))
     attempt.charts = task.surface.makeCharts(ChartKind::MeanNormal);
   OptimizeOptions options;
   const RuleSet& rules = task.algorithm.rules();
@@ -73,7 +71,7 @@ void take(MeshingResult& result, FaceBoundary& boundary, FaceMesh& mesh) {
   mesh.report.elements = mesh.elements.size();
 }
 
-FaceAttempt fill(const FaceTask& task, FaceMesh& mesh) {
+FilledFace fill(const FaceTask& task, FaceMesh& mesh) {
   try {
     return fillFace(task);
   } catch (...) {
@@ -82,24 +80,25 @@ FaceAttempt fill(const FaceTask& task, FaceMesh& mesh) {
   }
 }
 
-[[noreturn]] void giveUp(const FaceFilling& filling, const FaceAttempt& attempt, FaceMesh& mesh) {
-  mesh.diagnosis = diagnoseFailure(filling.task.surface, filling.task.boundary, attempt.failures);
-  if (!attempt.failures.empty()) mesh.report.stuck = stuckPlaces(attempt.failures.front());
+[[noreturn]] void giveUp(const FaceFilling& filling, const FilledFace& filled, FaceMesh& mesh) {
+  mesh.diagnosis = diagnoseFailure(filling.task.surface, filling.task.boundary, filled.failures);
+  if (!filled.failures.empty()) mesh.report.stuck = stuckPlaces(filled.failures.front());
   if (filling.findParameters) filling.findParameters(mesh.report.stuck);
-  throw GeometryError(attempt.fault);
+  throw GeometryError(textOf(filled.attempt.fault));
 }
 
 }  // namespace
 
-void fillInto(const FaceFilling& filling, FaceBoundary& boundary, FaceMesh& mesh) {
+void fillAndJudge(const FaceFilling& filling, FaceBoundary& boundary, FaceMesh& mesh) {
   const FaceTask& task = filling.task;
   const Stopwatch watch;
-  FaceAttempt attempt = fill(task, mesh);
+  FilledFace filled = fill(task, mesh);
+  FaceAttempt& attempt = filled.attempt;
   mesh.optimizeSeconds = attempt.optimizeShare * watch.seconds();
-  mesh.effort = attempt.effort;
-  std::ranges::move(attempt.steps, std::back_inserter(mesh.report.attempts));
+  mesh.searchCost = filled.searchCost;
+  mesh.history.insert(mesh.history.end(), filled.history.begin(), filled.history.end());
   if (attempt.chart != ChartKind::Auto) mesh.report.chart = toString(attempt.chart);
-  if (!attempt.fault.empty()) giveUp(filling, attempt, mesh);
+  if (!attempt.fault.isNone()) giveUp(filling, filled, mesh);
   if (attempt.result.outcome == Outcome::Cancelled) {
     mesh.report.status = FaceStatus::Cancelled;
     return;

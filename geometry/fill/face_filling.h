@@ -4,7 +4,7 @@
 
 #include <functional>
 
-#include "geometry/fill/face_attempt.h"
+#include "geometry/fill/fill_face.h"
 #include "geometry/mesh/face_mesh.h"
 
 namespace af2::geometry {
@@ -19,12 +19,13 @@ struct FaceFilling {
   std::function<void(std::vector<StuckPlace>&)> findParameters = {};
 };
 
-/// Fills the face and takes the mesh, or what kept it from being made.
+/// Fills the face, optimises and judges the mesh, and takes it over; or what kept it from being
+/// made. What was tried joins the history of the mesh.
 ///
 /// boundary  that of the task, whose lists of points and uses the mesh takes over
 ///
 /// Throws GeometryError with the reason if nothing works.
-void fillInto(const FaceFilling& filling, FaceBoundary& boundary, FaceMesh& mesh);
+void fillAndJudge(const FaceFilling& filling, FaceBoundary& boundary, FaceMesh& mesh);
 
 /// The mesh so far becomes that of a face that failed.
 void failFor(const std::string& reason, FaceMesh& mesh);

@@ -3,15 +3,9 @@
 #include <algorithm>
 
 #include "engine/base/place_text.h"
+#include "geometry/fill/fill_limits.h"
 
 namespace af2::geometry {
-
-namespace {
-
-/// More would not tell more, only make the report long.
-constexpr std::size_t kMostReportedPlaces = 10;
-
-}  // namespace
 
 std::string stuckReason(const MeshingResult& result, const AF2Algorithm& algorithm) {
   std::string text =
@@ -31,7 +25,7 @@ std::string stuckReason(const MeshingResult& result, const AF2Algorithm& algorit
 
 std::vector<StuckPlace> stuckPlaces(const MeshingResult& result) {
   std::vector<StuckPlace> places;
-  for (std::size_t i = 0; i < std::min(kMostReportedPlaces, result.stuck.size()); ++i) {
+  for (std::size_t i = 0; i < std::min(kMaxReportedPlaces, result.stuck.size()); ++i) {
     const StuckEdge& edge = result.stuck[i];
     const SurfacePoint& from = result.mesh.vertices[edge.from.value];
     StuckPlace& place = places.emplace_back();

@@ -1,18 +1,15 @@
 #include "geometry/io/boundary_file.h"
 
-#include <charconv>
-
+#include "geometry/base/words.h"
 #include "geometry/io/json_file.h"
 
 namespace af2::geometry {
 namespace {
 
 int edgeId(const JsonValue& json, const std::string& text) {
-  int id = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), id);
-  if (error != std::errc() || end != text.data() + text.size() || id < 1)
-    json.fail("'" + text + "' is no id of an edge");
-  return id;
+  const auto id = numberIn<int>(text);
+  if (!id || *id < 1) json.fail("'" + text + "' is no id of an edge");
+  return *id;
 }
 
 }  // namespace

@@ -3,12 +3,13 @@
 
 #include <filesystem>
 
+#include "engine/base/export.h"
 #include "geometry/edges/edge_points.h"
 
 namespace af2::geometry {
 
 /// Throws InputError, naming the file and the place in it, for anything that it does not
 /// understand.
-EdgePoints readEdgePoints(const std::filesystem::path& path);
+AF2_EXPORT EdgePoints readEdgePoints(const std::filesystem::path& path);
 
 }  // namespace af2::geometry

@@ -1,9 +1,12 @@
-// The writers behind mesh_files.h, one file each.
+// The writers behind mesh_files.h, one file each, and the table of them.
+// Not installed.
 #pragma once
 
+#include <array>
 #include <span>
 
 #include "geometry/io/line_elements.h"
+#include "geometry/io/mesh_files.h"
 #include "geometry/io/output_file.h"
 #include "geometry/mesh/model_mesh.h"
 
@@ -27,5 +30,16 @@ void writeSmesh(const ModelMesh& mesh, Lines lines, OutputFile& file);
 void writeObj(const ModelMesh& mesh, Lines lines, OutputFile& file);
 /// PLY, binary.
 void writePly(const ModelMesh& mesh, Lines lines, OutputFile& file);
+
+/// In the order in which help texts name them.
+inline constexpr std::array kMeshFormats{
+    MeshFormat{".vtu", "VTK XML unstructured grid", &writeVtu, true, true},
+    MeshFormat{".vtk", "legacy VTK", &writeVtk, false, true},
+    MeshFormat{".msh", "Gmsh 4.1", &writeMsh, true, true},
+    MeshFormat{".stl", "STL", &writeStl},
+    MeshFormat{".obj", "Wavefront OBJ", &writeObj},
+    MeshFormat{".ply", "PLY", &writePly},
+    MeshFormat{".smesh", "TetGen", &writeSmesh},
+};
 
 }  // namespace af2::geometry

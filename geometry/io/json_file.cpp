@@ -2,21 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <system_error>
 
 #include "engine/base/error.h"
+#include "geometry/base/words.h"
 
 namespace af2::geometry {
 
 JsonValue JsonValue::readFile(const std::filesystem::path& path) {
-  std::error_code ignored;
-  if (std::filesystem::is_directory(path, ignored))
-    throw InputError(path.string() + ": is a folder, not a file");
-  std::ifstream stream(path);
-  if (!stream) throw InputError(path.string() + ": cannot be opened; check that it exists");
+  const std::string content = contentOf(path);
   try {
-    auto file = std::make_shared<const Json>(Json::parse(stream));
+    auto file = std::make_shared<const Json>(Json::parse(content));
     const Json* root = file.get();
     return {std::move(file), root, path.string() + ": "};
   } catch (const nlohmann::json::exception& error) {

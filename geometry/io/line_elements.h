@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "engine/base/export.h"
 #include "geometry/mesh/model_mesh.h"
 
 namespace af2::geometry {
@@ -21,6 +22,6 @@ struct LineElement {
 };
 
 /// In the order of the edges and along them. Each is a side of some element of the mesh.
-std::vector<LineElement> lineElements(const ModelMesh& mesh, LinesAlong along);
+AF2_EXPORT std::vector<LineElement> lineElements(const ModelMesh& mesh, LinesAlong along);
 
 }  // namespace af2::geometry

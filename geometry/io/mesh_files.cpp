@@ -1,6 +1,5 @@
 #include "geometry/io/mesh_files.h"
 
-#include <array>
 #include <string>
 
 #include "engine/base/error.h"
@@ -11,29 +10,19 @@
 namespace af2::geometry {
 namespace {
 
-constexpr std::array kFormats{
-    MeshFormat{".vtu", "VTK XML unstructured grid", &writeVtu, true, true},
-    MeshFormat{".vtk", "legacy VTK", &writeVtk, false, true},
-    MeshFormat{".msh", "Gmsh 4.1", &writeMsh, true, true},
-    MeshFormat{".stl", "STL", &writeStl},
-    MeshFormat{".obj", "Wavefront OBJ", &writeObj},
-    MeshFormat{".ply", "PLY", &writePly},
-    MeshFormat{".smesh", "TetGen", &writeSmesh},
-};
-
 std::string knownExtensions() {
   std::string list;
-  for (const MeshFormat& format : kFormats) list += " " + std::string(format.extension);
+  for (const MeshFormat& format : kMeshFormats) list += " " + std::string(format.extension);
   return list;
 }
 
 }  // namespace
 
-std::span<const MeshFormat> meshFormats() { return kFormats; }
+std::span<const MeshFormat> meshFormats() { return kMeshFormats; }
 
 const MeshFormat& meshFormatOf(const std::filesystem::path& file) {
   const std::string extension = extensionOf(file);
-  for (const MeshFormat& format : kFormats) {
+  for (const MeshFormat& format : kMeshFormats) {
     if (format.extension == extension) return format;
   }
   throw InputError("cannot write '" + file.string() + "': its extension names no mesh format; use" +

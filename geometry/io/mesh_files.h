@@ -5,6 +5,7 @@
 #include <span>
 #include <string_view>
 
+#include "engine/base/export.h"
 #include "geometry/io/line_elements.h"
 #include "geometry/mesh/model_mesh.h"
 
@@ -12,7 +13,7 @@ namespace af2::geometry {
 
 class OutputFile;
 
-struct MeshFormat {
+struct AF2_EXPORT MeshFormat {
   std::string_view extension;  ///< with the dot, lower case
   std::string_view name;
   void (*write)(const ModelMesh&, std::span<const LineElement>, OutputFile&);
@@ -21,15 +22,15 @@ struct MeshFormat {
 };
 
 /// In the order in which help texts name them.
-std::span<const MeshFormat> meshFormats();
+AF2_EXPORT std::span<const MeshFormat> meshFormats();
 
 /// The format that the extension of `file` stands for; upper and lower case are the same.
 /// Throws InputError, naming the known extensions, if there is none.
-const MeshFormat& meshFormatOf(const std::filesystem::path& file);
+AF2_EXPORT const MeshFormat& meshFormatOf(const std::filesystem::path& file);
 
 /// Writes `mesh` to `file`, whole or not at all. Throws InputError as meshFormatOf and OutputFile
 /// do.
-void writeMesh(const ModelMesh& mesh, const std::filesystem::path& file,
-               LinesAlong along = LinesAlong::Boundaries);
+AF2_EXPORT void writeMesh(const ModelMesh& mesh, const std::filesystem::path& file,
+                          LinesAlong along = LinesAlong::Boundaries);
 
 }  // namespace af2::geometry

@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "engine/base/export.h"
 #include "geometry/mesh/model_mesh.h"
 #include "geometry/mesh/quality.h"
 
@@ -17,11 +18,11 @@ enum class RunStatus {
   Cancelled,  ///< stopped from outside; the mesh so far is there
 };
 
-const char* toString(RunStatus status);
-const char* toString(FaceStatus status);
+AF2_EXPORT const char* toString(RunStatus status);
+AF2_EXPORT const char* toString(FaceStatus status);
 
 /// How a run went, from the statuses of its faces; Failed if there are none.
-RunStatus statusOf(const ModelMesh& mesh);
+AF2_EXPORT RunStatus statusOf(const ModelMesh& mesh);
 
 struct RunReport {
   RunStatus status = RunStatus::Failed;
@@ -29,6 +30,6 @@ struct RunReport {
   MeshQuality quality;
 };
 
-void writeReport(const RunReport& report, const ModelMesh& mesh, OutputFile& file);
+AF2_EXPORT void writeReport(const RunReport& report, const ModelMesh& mesh, OutputFile& file);
 
 }  // namespace af2::geometry

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/base/export.h"
 #include "geometry/sizes/size_sources.h"
 
 namespace af2::geometry {
@@ -19,6 +20,6 @@ struct SizeFile {
 
 /// Throws InputError, naming the file and the place in it, for anything that it does not
 /// understand.
-SizeFile readSizeFile(const std::filesystem::path& path);
+AF2_EXPORT SizeFile readSizeFile(const std::filesystem::path& path);
 
 }  // namespace af2::geometry

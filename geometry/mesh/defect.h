@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "engine/base/export.h"
 #include "engine/base/point.h"
 
 namespace af2::geometry {
@@ -24,7 +25,7 @@ enum class DefectKind {
 };
 
 /// "tiny edge", "sliver", ...
-const char* toString(DefectKind kind);
+AF2_EXPORT const char* toString(DefectKind kind);
 
 struct Defect {
   DefectKind kind = DefectKind::Invalid;

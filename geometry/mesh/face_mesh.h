@@ -9,6 +9,7 @@
 #include "geometry/edges/divided_edges.h"
 #include "geometry/mesh/face_boundary.h"
 #include "geometry/mesh/face_diagnosis.h"
+#include "geometry/mesh/face_history.h"
 #include "geometry/mesh/model_mesh.h"
 #include "geometry/mesh/second_order.h"
 
@@ -26,7 +27,8 @@ struct FaceMesh {
   std::vector<SegmentUse> uses;
   double optimizeSeconds = 0;  ///< part of report.seconds
   FaceDiagnosis diagnosis;
-  std::size_t effort = 0;  ///< candidates of the front, those in vain too
+  FaceHistory history;         ///< `report.attempts` is made from it once all has been tried
+  std::size_t searchCost = 0;  ///< candidates of the front, those in vain too
 };
 
 /// Whether a face has no mesh, or one that will not pass the checks.

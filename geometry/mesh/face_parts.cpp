@@ -21,9 +21,6 @@ void joinDiagnosis(FaceDiagnosis&& part, FaceDiagnosis& diagnosis) {
 }
 
 void joinReport(FaceReport&& part, FaceReport& report) {
-  for (std::string& step : part.attempts)
-    if (std::ranges::find(report.attempts, step) == report.attempts.end())
-      report.attempts.push_back(std::move(step));
   if (report.chart.empty()) report.chart = part.chart;
   report.elements += part.elements;
   append(report.stuck, std::move(part.stuck));
@@ -74,7 +71,8 @@ void joinParts(std::vector<FaceMesh> parts, FaceMesh& mesh) {
     append(mesh.middles, std::move(part.middles));
     append(mesh.uses, std::move(part.uses));
     mesh.optimizeSeconds += part.optimizeSeconds;
-    mesh.effort += part.effort;
+    mesh.searchCost += part.searchCost;
+    addNew(std::move(part.history), mesh.history);
     joinDiagnosis(std::move(part.diagnosis), mesh.diagnosis);
     joinReport(std::move(part.report), mesh.report);
   }

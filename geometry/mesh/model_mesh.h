@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/base/export.h"
 #include "engine/base/point.h"
 #include "engine/mesh/mesh.h"
 
@@ -48,7 +49,7 @@ enum class GroupKind {
 };
 
 /// "part", "solid", "layer" or "color".
-const char* toString(GroupKind kind);
+AF2_EXPORT const char* toString(GroupKind kind);
 
 /// Faces of the model that belong together. A face may belong to several groups.
 struct FaceGroup {
@@ -68,7 +69,7 @@ struct EdgeGroup {
 };
 
 /// Its name, or its number if it has none.
-std::string shownName(const EdgeGroup& boundary);
+AF2_EXPORT std::string shownName(const EdgeGroup& boundary);
 
 /// A piece of a divided model edge. `uses` is how often the faces that were asked for run along it:
 /// 2 inside a closed shell and along a seam, 1 at its border.

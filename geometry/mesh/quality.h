@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "engine/base/export.h"
 #include "geometry/mesh/model_mesh.h"
 
 namespace af2::geometry {
@@ -14,7 +15,7 @@ namespace af2::geometry {
 /// Triangles: 4 sqrt(3) area / sum of squared edges. Quadrilaterals: the least over the corners of
 /// 2 |p x q| / (p.p + q.q), p and q the edges at the corner; negative where the corner is turned
 /// over. A square has 1, a rectangle of 1 : 2 has 0.8, a rhombus the sine of its angle.
-double shapeQuality(const std::vector<Point3>& vertices, const Element& element);
+AF2_EXPORT double shapeQuality(const std::vector<Point3>& vertices, const Element& element);
 
 /// Edge length over wanted length.
 struct LengthRatio {
@@ -37,10 +38,10 @@ struct MeshQuality {
 /// An edge is held against the mean of the sizes that were wanted at its ends; its lengths are all
 /// zero if the mesh does not know these. Uses up to `threads` threads (0: as many as the caller's
 /// TBB arena has).
-MeshQuality measureQuality(const ModelMesh& mesh, int threads = 1);
+AF2_EXPORT MeshQuality measureQuality(const ModelMesh& mesh, int threads = 1);
 
 /// The value below which the fraction `part` (0 to 1) of `values` lies, between neighbours by
 /// linear interpolation; 0 if there are none. Reorders `values`.
-double percentile(std::span<double> values, double part);
+AF2_EXPORT double percentile(std::span<double> values, double part);
 
 }  // namespace af2::geometry

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/base/export.h"
 #include "geometry/mesh/model_mesh.h"
 
 namespace af2::geometry {
@@ -19,11 +20,11 @@ using SideMiddles = std::array<Point3, 4>;
 /// neighbours there; such elements are listed in mesh.straightened.
 ///
 /// middles  by element. Along edges of the model, EdgeSegment::middle counts instead.
-void makeSecondOrder(ModelMesh& mesh, const std::vector<SideMiddles>& middles);
+AF2_EXPORT void makeSecondOrder(ModelMesh& mesh, const std::vector<SideMiddles>& middles);
 
 /// The least Jacobian of an element of second order over that of the element with straight sides: 1
 /// if it is not distorted, not above 0 if it is turned over somewhere. For triangles a lower bound
 /// over the whole element; for quadrilaterals the least over the vertices and the centre.
-double scaledJacobian(const ModelMesh& mesh, std::size_t element);
+AF2_EXPORT double scaledJacobian(const ModelMesh& mesh, std::size_t element);
 
 }  // namespace af2::geometry

@@ -1,5 +1,7 @@
 #include "geometry/mesh/sharp_seams.h"
 
+#include "geometry/base/turns.h"
+
 namespace af2::geometry {
 namespace {
 

@@ -9,13 +9,6 @@
 
 namespace af2::geometry {
 
-/// Whether normals differ by more than a surface bends from one place to the next. One that is zero
-/// does not differ.
-inline bool differSharply(const Point3& one, const Point3& other) {
-  constexpr double kSharp = 0.85;  // cosine
-  return dot(one, other) < kSharp * length(one) * length(other);
-}
-
 /// Where the normals at the corners of one vertex differ by more than a surface bends, as on the
 /// two sides of a seam at the sharp trailing edge of a wing, gives each side a vertex of its own.
 /// The mesh knows each vertex with one normal, and no element may turn away from it.

@@ -202,14 +202,6 @@ class In2dReader {
     return {};
   }
 
-  template <class Number>
-  static std::optional<Number> numberIn(std::string_view word) {
-    Number value{};
-    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-    if (error != std::errc() || end != word.data() + word.size()) return std::nullopt;
-    return value;
-  }
-
   std::optional<double> maxSizeFrom(std::size_t first) const {
     const std::string_view word = flag(first, "-maxh=");
     if (word.empty()) return std::nullopt;

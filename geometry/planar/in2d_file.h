@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/base/export.h"
 #include "geometry/planar/mesh_planar.h"
 #include "geometry/planar/poly_file.h"
 
@@ -38,13 +39,13 @@ struct PlanarCurves {
 /// Reads a file of the kind `splinecurves2dv2`, or the older `splinecurves2d`. Of its flags -maxh
 /// is used, of segments and domains, and -bc and -bcname of segments; a boundary with a name alone
 /// gets a number beyond all others. Throws InputError with file and line if it cannot be read.
-PlanarCurves readIn2d(const std::filesystem::path& path);
+AF2_EXPORT PlanarCurves readIn2d(const std::filesystem::path& path);
 
 /// A point of a curve, t from 0 to 1. The weight of the control point makes an arc of a circle
 /// wherever the control point is equally far from both ends.
-Point2 pointOn(const PlanarCurves& curves, const PlanarCurves::Curve& curve, double t);
+AF2_EXPORT Point2 pointOn(const PlanarCurves& curves, const PlanarCurves::Curve& curve, double t);
 
 /// The domains between the curves, each of which is an edge: 1, 2, ... in the order of the file.
-PlanarDomain domainOf(const PlanarCurves& curves);
+AF2_EXPORT PlanarDomain domainOf(const PlanarCurves& curves);
 
 }  // namespace af2::geometry

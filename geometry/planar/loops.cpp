@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <map>
-#include <numeric>
 
 #include "engine/base/error.h"
 #include "engine/base/place_text.h"
 #include "engine/base/predicates.h"
 #include "engine/rule/free_zone.h"
+#include "geometry/base/disjoint_sets.h"
 #include "geometry/planar/clean_segments.h"
 
 namespace af2::geometry {
@@ -153,25 +153,23 @@ class Subdivision {
   /// At the leftmost, then lowest point of a component all edges leave to the right; the outside is
   /// what comes after the last of them.
   void findOuterCycles() {
-    std::vector<int> component(result_.points.size());
-    std::iota(component.begin(), component.end(), 0);
-    const auto above = [&](int i) -> int& { return component[static_cast<std::size_t>(i)]; };
-    const auto root = [&](int i) {
-      for (; above(i) != i; i = above(i)) above(i) = above(above(i));  // shortens the way
-      return i;
-    };
-    for (const PlanarPiece& piece : result_.pieces) {
-      const int a = root(piece.from), b = root(piece.to);
-      // The root is the leftmost point.
-      if (before(point(a), point(b)))
-        above(b) = a;
-      else
-        above(a) = b;
+    DisjointSets components(result_.points.size());
+    const auto componentOf = [&](int i) { return components.of(static_cast<std::uint32_t>(i)); };
+    for (const PlanarPiece& piece : result_.pieces)
+      components.join(static_cast<std::uint32_t>(piece.from), static_cast<std::uint32_t>(piece.to));
+    for (Cycle& cycle : cycles_)
+      cycle.component = static_cast<int>(componentOf(startOf(cycle.edges.front())));
+    constexpr int kNoPoint = -1;
+    std::vector<int> leftmost(result_.points.size(), kNoPoint);  // by component
+    for (int v = 0; v < static_cast<int>(leaving_.size()); ++v) {
+      if (leaving_[static_cast<std::size_t>(v)].empty()) continue;
+      int& first = leftmost[componentOf(v)];
+      if (first == kNoPoint || before(point(v), point(first))) first = v;
     }
-    for (Cycle& cycle : cycles_) cycle.component = root(startOf(cycle.edges.front()));
-    for (std::size_t v = 0; v < leaving_.size(); ++v) {
-      if (leaving_[v].empty() || component[v] != static_cast<int>(v)) continue;
-      cycles_[cycleOf_[static_cast<std::size_t>(leaving_[v].back())]].isOutside = true;
+    for (const int v : leftmost) {
+      if (v == kNoPoint) continue;
+      const HalfEdge last = leaving_[static_cast<std::size_t>(v)].back();
+      cycles_[cycleOf_[static_cast<std::size_t>(last)]].isOutside = true;
     }
   }
 

@@ -8,8 +8,8 @@
 
 #include "engine/base/error.h"
 #include "engine/base/place_text.h"
+#include "geometry/base/constants.h"
 #include "geometry/charts/flat_surface.h"
-#include "geometry/domain/domain_check.h"
 #include "geometry/domain/domain_model.h"
 #include "geometry/planar/loops.h"
 
@@ -22,7 +22,7 @@ Point3 inSpace(Point2 p) { return {p.x, p.y, 0}; }
 /// What lies between the pieces of a domain becomes faces between curves.
 class ModelMaker {
  public:
-  ModelMaker(const PlanarDomain& domain, const PlanarMeshingOptions& options, double blur)
+  ModelMaker(const PlanarDomain& domain, const MeshingOptions& options, double blur)
       : domain_(domain), options_(options), regions_(findRegions(domain, blur)) {
     takeDomains();
   }
@@ -186,7 +186,7 @@ class ModelMaker {
     curve.id = segment.edge;
     curve.first = corner_[static_cast<std::size_t>(piece.from)];
     curve.isKept = options_.keepBoundary;
-    curve.largest = std::max(segment.maxSize, options_.minSize);
+    curve.largest = std::max(segment.maxSize, options_.sizes.minSize);
     if (const auto bent = domain_.curves.find(segment.edge); bent != domain_.curves.end()) {
       curve.knots = {parameterAt(piece, piece.from), parameterAt(piece, piece.to)};
       curve.pointAt = [at = bent->second](double t) { return inSpace(at(t)); };
@@ -252,7 +252,7 @@ class ModelMaker {
   double sizeOfDomain(std::size_t region) const {
     const auto own = domain_.domainSizes.find(domains_[region]);
     return own == domain_.domainSizes.end() ? std::numeric_limits<double>::infinity()
-                                            : std::max(own->second, options_.minSize);
+                                            : std::max(own->second, options_.sizes.minSize);
   }
 
   static constexpr std::size_t kNone = ~std::size_t{0};
@@ -263,7 +263,7 @@ class ModelMaker {
   };
 
   const PlanarDomain& domain_;
-  const PlanarMeshingOptions& options_;
+  const MeshingOptions& options_;
   std::vector<int> domains_;  // by region
   PlanarRegions regions_;
   DomainModel model_;
@@ -278,35 +278,34 @@ class ModelMaker {
 
 /// What is too small to be seen in the mesh: a share of the smallest size that is wanted at a point
 /// of the domain. Nothing, if its segments are to be edges of the mesh.
-double blurOf(const PlanarDomain& domain, const PlanarMeshingOptions& options) {
-  constexpr double kUnseen = 5e-5;
+double blurOf(const PlanarDomain& domain, const MeshingOptions& options) {
   if (options.keepBoundary || domain.points.empty()) return 0;
   Point2 low = domain.points[0], high = low;
   for (const Point2 p : domain.points) {
     low = {std::min(low.x, p.x), std::min(low.y, p.y)};
     high = {std::max(high.x, p.x), std::max(high.y, p.y)};
   }
-  double size = std::min(options.size, distance(low, high));
+  double size = std::min(options.sizes.size, distance(low, high));
   const auto take = [&](double other) { size = std::min(size, other); };
-  for (const auto& [face, own] : options.faceSizes) take(own);
-  for (const auto& [edge, own] : options.edgeSizes) take(own);
-  for (const auto& [part, own] : options.partSizes) take(own);
+  for (const auto& [face, own] : options.sizes.faceSizes) take(own);
+  for (const auto& [edge, own] : options.sizes.edgeSizes) take(own);
+  for (const auto& [part, own] : options.sizes.partSizes) take(own);
   for (const auto& [number, own] : domain.domainSizes) take(own);
   for (const PlanarDomain::Segment& segment : domain.segments) take(segment.maxSize);
-  const DomainSize byPosition(options);
+  const DomainSize byPosition(options.sizes);
   for (const Point2 p : domain.points) take(byPosition.at(inSpace(p), size));
   return kUnseen * size;
 }
 
 }  // namespace
 
-DomainModel planarModel(const PlanarDomain& domain, const PlanarMeshingOptions& options) {
-  checkWanted(options);
+DomainModel planarModel(const PlanarDomain& domain, const MeshingOptions& options) {
+  checkSizes(options.sizes);
   return ModelMaker(domain, options, blurOf(domain, options)).make();
 }
 
 ModelMesh meshPlanar(const PlanarDomain& domain, const AF2Algorithm& algorithm,
-                     const PlanarMeshingOptions& options) {
+                     const MeshingOptions& options) {
   return meshDomain(planarModel(domain, options), algorithm, options);
 }
 

@@ -1,26 +1,22 @@
 // From a planar domain to a checked mesh, without a CAD kernel.
 #pragma once
 
+#include "engine/base/export.h"
 #include "geometry/domain/domain_model.h"
 #include "geometry/mesh/model_mesh.h"
 #include "geometry/planar/poly_file.h"
 
 namespace af2::geometry {
 
-struct PlanarMeshingOptions : DomainMeshingOptions {
-  /// The segments of the domain are edges of the mesh as they are, however long.
-  bool keepBoundary = false;
-};
-
 /// The regions that the segments bound, as faces between curves.
-DomainModel planarModel(const PlanarDomain& domain, const PlanarMeshingOptions& options);
+AF2_EXPORT DomainModel planarModel(const PlanarDomain& domain, const MeshingOptions& options);
 
 /// Meshes the regions that the segments bound: the outside and the regions of hole points are left
 /// out. Each connected region is a face: 1, 2, ... in the order of its lowest, then leftmost
 /// vertex. Segments inside a region are kept as edges of the mesh.
 ///
 /// Throws InputError if segments cross, if they enclose nothing, or if a size is not positive.
-ModelMesh meshPlanar(const PlanarDomain& domain, const AF2Algorithm& algorithm,
-                     const PlanarMeshingOptions& options);
+AF2_EXPORT ModelMesh meshPlanar(const PlanarDomain& domain, const AF2Algorithm& algorithm,
+                                const MeshingOptions& options);
 
 }  // namespace af2::geometry

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/base/export.h"
 #include "engine/base/point.h"
 
 namespace af2::geometry {
@@ -49,6 +50,6 @@ struct PlanarDomain {
 /// Reads a .poly file; if it holds no vertices, those of the .node file beside it.
 ///
 /// Throws InputError with file and line if it cannot be read.
-PlanarDomain readPoly(const std::filesystem::path& path);
+AF2_EXPORT PlanarDomain readPoly(const std::filesystem::path& path);
 
 }  // namespace af2::geometry

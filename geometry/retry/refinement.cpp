@@ -4,19 +4,15 @@
 #include <memory>
 #include <span>
 
+#include "geometry/retry/retry_limits.h"
 #include "geometry/sizes/growing_size.h"
 
 namespace af2::geometry {
 
 namespace {
 
-/// A hole of a thousandth of the wanted size can be divided by this; more would help nobody.
-constexpr double kLeastSize = 1e-4;
-
 /// Those that want clearly less than the others do around them; the smallest first.
 std::vector<SizeSource> thinned(std::vector<SizeSource> sources, double growth, double largest) {
-  constexpr double kClearly = 1.1;
-  constexpr std::size_t kMostInList = 256;  // not yet in the tree
   std::ranges::stable_sort(sources, {}, &SizeSource::size);
   std::vector<SizeSource> kept;
   GrowingSize tree({}, growth, largest);
@@ -24,13 +20,13 @@ std::vector<SizeSource> thinned(std::vector<SizeSource> sources, double growth, 
   for (const SizeSource& source : sources) {
     const auto covers = [&](const SizeSource& other) {
       return other.size + growth * distance(other.position, source.position) <=
-             kClearly * source.size;
+             kClearlySmaller * source.size;
     };
-    if (tree.at(source.position) <= kClearly * source.size) continue;
+    if (tree.at(source.position) <= kClearlySmaller * source.size) continue;
     if (std::any_of(kept.begin() + static_cast<std::ptrdiff_t>(inTree), kept.end(), covers))
       continue;
     kept.push_back(source);
-    if (kept.size() - inTree < kMostInList) continue;
+    if (kept.size() - inTree < kMaxUnsortedPlaces) continue;
     tree = GrowingSize(kept, growth, largest);
     inTree = kept.size();
   }
@@ -42,7 +38,7 @@ std::vector<SizeSource> thinned(std::vector<SizeSource> sources, double growth, 
 void Refinement::add(std::size_t face, const std::vector<SizeSource>& places) {
   std::vector<SizeSource>& added = places_[face].emplace_back();
   for (const SizeSource& place : places)
-    added.push_back({place.position, std::max(place.size, kLeastSize * largest_)});
+    added.push_back({place.position, std::max(place.size, kMinSizeShare * largest_)});
 }
 
 void Refinement::dropLast(std::size_t face) {
@@ -52,14 +48,14 @@ void Refinement::dropLast(std::size_t face) {
   if (found->second.empty()) places_.erase(found);
 }
 
-bool Refinement::dropAll(std::size_t face) {
-  const std::size_t dropped = places_.erase(face) + asPoints_.erase(face);
-  return dropped > 0;
+void Refinement::dropAll(std::size_t face) {
+  places_.erase(face);
+  collapsed_.erase(face);
 }
 
-EdgesAsPoints Refinement::edgesAsPoints() const {
-  EdgesAsPoints all;
-  for (const auto& [face, edges] : asPoints_) all.insert(edges.begin(), edges.end());
+CollapsedEdges Refinement::collapsedEdges() const {
+  CollapsedEdges all;
+  for (const auto& [face, edges] : collapsed_) all.insert(edges.begin(), edges.end());
   return all;
 }
 

@@ -12,7 +12,8 @@
 
 namespace af2::geometry {
 
-/// Sizes by position that are asked for, limited further around some places; or edges left out.
+/// Sizes by position that are asked for, limited further around some places; and edges that are
+/// collapsed to points.
 class Refinement {
  public:
   /// largest  that is asked for anywhere
@@ -26,23 +27,25 @@ class Refinement {
   void dropLast(std::size_t face);
   /// Takes back all that was added for a face.
   void dropPlaces(std::size_t face) { places_.erase(face); }
-  /// The same, and none of its edges is taken for a point. Returns whether there was anything.
-  bool dropAll(std::size_t face);
-  /// Whether anything was added for a face.
+  /// The same, and none of its edges is collapsed for its sake.
+  void dropAll(std::size_t face);
+  /// Whether shorter edges are asked for.
   bool has(std::size_t face) const { return places_.contains(face); }
+  /// Whether anything is asked for.
+  bool hasAny(std::size_t face) const { return has(face) || collapsed_.contains(face); }
   /// Asks for sizes some times as large as were added for a face.
   void soften(std::size_t face, double factor);
-  /// Takes edges for points for the sake of a face.
-  void takeForPoints(std::size_t face, const EdgesAsPoints& edges) { asPoints_[face] = edges; }
+  /// Collapses edges to points for the sake of a face.
+  void collapse(std::size_t face, const CollapsedEdges& edges) { collapsed_[face] = edges; }
 
   PositionSize sizes() const;
-  EdgesAsPoints edgesAsPoints() const;
+  CollapsedEdges collapsedEdges() const;
 
  private:
   PositionSize asked_;
   double growth_, largest_;
   std::map<std::size_t, std::vector<std::vector<SizeSource>>> places_;  ///< by face, in rounds
-  std::map<std::size_t, EdgesAsPoints> asPoints_;                       ///< by face
+  std::map<std::size_t, CollapsedEdges> collapsed_;                     ///< by face
 };
 
 }  // namespace af2::geometry

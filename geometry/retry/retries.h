@@ -1,4 +1,5 @@
-// Faces that failed or came out poor are tried again with shorter edges.
+// Faces that failed, came out poor or cross each other are tried again, with one remedy after the
+// other.
 // Not installed.
 #pragma once
 
@@ -9,6 +10,7 @@
 #include "geometry/check/sound_faces.h"
 #include "geometry/edges/divided_edges.h"
 #include "geometry/mesh/face_mesh.h"
+#include "geometry/mesh/try_limits.h"
 #include "geometry/sizes/position_size.h"
 
 namespace af2::geometry {
@@ -21,12 +23,6 @@ struct FaceMeshes {
   MeshFaults faults;             ///< of what was joined
 };
 
-/// What one more try at a face may do.
-struct TryLimits {
-  std::size_t mostCandidates;  ///< fronts that have examined more are given up
-  bool mayLean = false;        ///< elements lean against the surface: all else has failed
-};
-
 /// What trying again asks of a geometry: faces between edges that can be divided anew. Faces are
 /// counted as they were asked for, from 0.
 class RetriedModel {
@@ -35,12 +31,12 @@ class RetriedModel {
   /// By face: the ids of its edges in ascending order, each once.
   virtual const std::vector<std::vector<int>>& edgesOfFaces() const = 0;
   /// Divides all edges by sizes that are asked for by position, beside all others; some of them are
-  /// taken for points.
-  virtual DividedEdges divide(const PositionSize& sizes, const EdgesAsPoints& asPoints) const = 0;
-  /// The edges of a face, near some places, that may be taken for points: one choice after the
+  /// collapsed to points.
+  virtual DividedEdges divide(const PositionSize& sizes, const CollapsedEdges& collapsed) const = 0;
+  /// The edges of a face, near some places, that may be collapsed to points: one choice after the
   /// other.
-  virtual std::vector<EdgesAsPoints> shortEdges(std::size_t i, const DividedEdges& divided,
-                                                const std::vector<SizeSource>& places) const = 0;
+  virtual std::vector<CollapsedEdges> shortEdges(std::size_t i, const DividedEdges& divided,
+                                                 const std::vector<SizeSource>& places) const = 0;
   /// Meshes a face within the edges of `into`. Called from several threads at once.
   virtual void mesh(std::size_t i, const PositionSize& sizes, const TryLimits& limits,
                     FaceMeshes& into) const = 0;
@@ -61,10 +57,10 @@ struct RetryOptions {
   double share = 1;  ///< of the candidates that may be taken
 };
 
-/// Where faces failed, came out poor or cross each other, tries again with shorter edges around the
-/// places at fault, as long as that brings something and costs no more than some times the mesh
-/// itself. Faces beside edges that are divided anew are meshed anew. Leaves the best of all tries,
-/// joined.
+/// Where faces failed, came out poor or cross each other, tries the remedies of the table
+/// (remedies.cpp), as long as that brings something and costs no more than some times the mesh
+/// itself. Faces beside edges that are divided anew are meshed anew. Leaves the best state by its
+/// score (score.h), joined, with the history of each face in its report.
 void retryPoorFaces(const RetriedModel& model, const RetryOptions& options, FaceMeshes& state);
 
 }  // namespace af2::geometry

@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include "engine/base/export.h"
 #include "engine/mesh/front_input.h"
 #include "engine/surface/size_field.h"
 #include "geometry/sizes/growing_size.h"
@@ -16,7 +17,7 @@ constexpr double kDefaultGrowth = 0.3;
 /// `wanted`, but near short segments of the boundary no more than what grows from them, and near
 /// segments that are far too long no less than what shrinks away from these: the front has to come
 /// from their length down to the wanted one in steps.
-class GradedSize final : public SizeField {
+class AF2_EXPORT GradedSize final : public SizeField {
  public:
   GradedSize(const SizeField& wanted, const FrontInput& boundary, double growth);
   /// For another thread, whose field `wanted` gives the same sizes as that of `other`.

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "engine/base/export.h"
 #include "engine/base/pair.h"
 #include "engine/base/point.h"
 
@@ -18,7 +19,7 @@ struct SizeSource {
 
 /// The smallest of source.size + growth * distance over all sources: a tree of boxes around them,
 /// so that most are never looked at.
-class GrowingSize {
+class AF2_EXPORT GrowingSize {
  public:
   /// largest  the size where no source reaches; may be infinite
   GrowingSize(std::vector<SizeSource> sources, double growth, double largest);
@@ -48,6 +49,6 @@ class GrowingSize {
 };
 
 /// Without the sources, all of sizes > 0, that want nowhere less than the others do.
-std::vector<SizeSource> uncovered(std::vector<SizeSource> sources, double growth);
+AF2_EXPORT std::vector<SizeSource> uncovered(std::vector<SizeSource> sources, double growth);
 
 }  // namespace af2::geometry

@@ -6,6 +6,7 @@
 #include <span>
 #include <utility>
 
+#include "engine/base/export.h"
 #include "engine/base/point.h"
 
 namespace af2::geometry {
@@ -17,7 +18,7 @@ namespace af2::geometry {
 /// pays off where a call is costly, e.g. into another language: along edges and over faces AF2 asks
 /// for many positions at once; the front asks for one. Must be pure and callable from several
 /// threads at once.
-class PositionSize {
+class AF2_EXPORT PositionSize {
  public:
   PositionSize() = default;
 

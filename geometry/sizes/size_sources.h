@@ -4,6 +4,7 @@
 #include <array>
 #include <vector>
 
+#include "engine/base/export.h"
 #include "geometry/sizes/graded_size.h"
 #include "geometry/sizes/position_size.h"
 
@@ -37,13 +38,13 @@ struct SizeSources {
 inline double leastForLimits(double size, double given) { return given > 0 ? given : size / 20; }
 
 /// Adds points to sources, none of which wants less than `least`.
-void addSources(std::vector<SizeSource> points, double least, SizeSources& sources);
+AF2_EXPORT void addSources(std::vector<SizeSource> points, double least, SizeSources& sources);
 
 /// The size that `sources` want, growing by `growth` per unit of length away from each; infinite
 /// where there is none. Also within a background field it grows no faster: where the field does,
 /// its larger sizes are lowered.
 ///
 /// Throws InputError for a source that makes no sense, e.g. a size that is not positive.
-PositionSize sizeFrom(SizeSources sources, double growth);
+AF2_EXPORT PositionSize sizeFrom(SizeSources sources, double growth);
 
 }  // namespace af2::geometry

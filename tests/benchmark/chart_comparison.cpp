@@ -99,9 +99,8 @@ class Comparison {
     constexpr int kSizes = 10;
     Sum sum;
     for (int k = 0; k < kSizes; ++k) {
-      geometry::ModelMeshingOptions options;
+      geometry::MeshingOptions options;
       options.sizes.size = size * (1 + 0.013 * k);
-      options.sizes.faceTurn = options.sizes.edgeTurn = 1e3;  // the size alone counts
       options.threads = 1;
       options.faces = {1};
       options.chart = kind;
@@ -120,10 +119,12 @@ class Comparison {
     return sum;
   }
 
-  geometry::ModelMesh meshed(const geometry::Model& model,
-                             const geometry::ModelMeshingOptions& options, double& seconds) const {
+  geometry::ModelMesh meshed(const geometry::Model& model, const geometry::MeshingOptions& options,
+                             double& seconds) const {
     const double start = af2::benchmark::userSeconds();
-    auto mesh = geometry::meshModel(model, algorithm_, options);
+    geometry::TurnLimits none;
+    none.faceTurn = none.edgeTurn = 1e3;  // the size alone counts
+    auto mesh = geometry::meshModel(model, algorithm_, options, none);
     seconds += af2::benchmark::userSeconds() - start;
     return mesh;
   }

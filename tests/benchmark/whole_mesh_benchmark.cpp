@@ -61,7 +61,7 @@ int run(const Task& task) {
   }
   const af2::AF2Algorithm algorithm(loaded.rules);
   const geometry::Model model = geometry::readModel(task.model);
-  geometry::ModelMeshingOptions options;
+  geometry::MeshingOptions options;
   options.sizes.size = task.size;
   options.threads = std::max(task.threads, 1);
   options.optimize = task.optimize;

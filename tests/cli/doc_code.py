@@ -1,6 +1,6 @@
 """Compiles the C++ of the documentation: doc_code.py COMPILER SOURCE BUILD.
 
-Each block fenced as ```cpp is the body of a function, in which `options` are those of a CAD model. Blocks that derive
+Each block fenced as ```cpp is the body of a function, in which `options` are those of a mesh. Blocks that derive
 from a class of AF2 would need more; there are none."""
 
 import pathlib
@@ -35,7 +35,7 @@ for page in [SOURCE / "README.md", *sorted((SOURCE / "docs").glob("*.md"))]:
     for block in FENCE.finditer(text):
         count += 1
         line = text.count("\n", 0, block.start()) + 2
-        code += f"void block{count}() {{\n[[maybe_unused]] af2::geometry::ModelMeshingOptions options;\n{{\n"
+        code += f"void block{count}() {{\n[[maybe_unused]] af2::geometry::MeshingOptions options;\n{{\n"
         code += f'#line {line} "{page.relative_to(SOURCE)}"\n{block.group(1)}}}\n}}\n'
 
 with tempfile.TemporaryDirectory() as folder:

@@ -1,12 +1,11 @@
 // Which of many points are to be one.
 #pragma once
 
-#include <algorithm>
 #include <cstdint>
-#include <numeric>
 #include <vector>
 
 #include "geometry/base/box_tree.h"
+#include "geometry/base/disjoint_sets.h"
 
 namespace af2::geometry {
 
@@ -14,30 +13,31 @@ namespace af2::geometry {
 class MergedPoints {
  public:
   explicit MergedPoints(const std::vector<Point3>& points)
-      : parent_(points.size()), boxes_(points.size()) {
-    std::iota(parent_.begin(), parent_.end(), 0u);
+      : sets_(points.size()), boxes_(points.size()) {
     for (std::size_t i = 0; i < points.size(); ++i) boxes_[i].add(points[i]);
   }
   /// The first of those that are the same as this one.
-  std::uint32_t find(std::uint32_t i) const {
-    while (parent_[i] != i) i = parent_[i];
-    return i;
-  }
+  std::uint32_t find(std::uint32_t i) { return sets_.of(i); }
   void merge(std::uint32_t a, std::uint32_t b) {
-    const std::uint32_t low = std::min(find(a), find(b)), high = std::max(find(a), find(b));
-    boxes_[low].add(boxes_[high]);
-    parent_[high] = low;
+    const Box3 box = boxOfBoth(a, b);
+    sets_.join(a, b);
+    boxes_[find(a)] = box;
   }
   /// How far apart the points are that would be one if these two were.
-  double extent(std::uint32_t a, std::uint32_t b) const {
-    Box3 box = boxes_[find(a)];
-    box.add(boxes_[find(b)]);
+  double extent(std::uint32_t a, std::uint32_t b) {
+    const Box3 box = boxOfBoth(a, b);
     return distance(box.low, box.high);
   }
 
  private:
-  std::vector<std::uint32_t> parent_;
-  std::vector<Box3> boxes_;  // by root
+  Box3 boxOfBoth(std::uint32_t a, std::uint32_t b) {
+    Box3 box = boxes_[find(a)];
+    box.add(boxes_[find(b)]);
+    return box;
+  }
+
+  DisjointSets sets_;
+  std::vector<Box3> boxes_;  // by the point that stands for the others
 };
 
 }  // namespace af2::geometry

@@ -20,7 +20,7 @@ constexpr double kAround = 4;
 
 class TipNeighbors {
  public:
-  TipNeighbors(const ModelShape& model, const ModelSizes& sizes, const std::vector<Ends>& ends,
+  TipNeighbors(const ModelShape& model, const CadSizes& sizes, const std::vector<Ends>& ends,
                const std::map<std::uint32_t, double>& tips, const std::vector<bool>& isGiven,
                std::vector<EdgeSamples>& samples)
       : model_(model),
@@ -77,7 +77,7 @@ class TipNeighbors {
 
   void limit(const std::set<std::size_t>& edges, const Point3& place, double nearest,
              double share) {
-    ModelSizes here = sizes_;
+    CadSizes here = sizes_;
     here.function = PositionSize([=](const Point3& position) {
       return share * std::max(nearest, distance(position, place));
     });
@@ -88,7 +88,7 @@ class TipNeighbors {
   }
 
   const ModelShape& model_;
-  const ModelSizes& sizes_;
+  const CadSizes& sizes_;
   const std::vector<Ends>& ends_;
   const std::map<std::uint32_t, double>& tips_;
   const std::vector<bool>& isGiven_;
@@ -97,9 +97,9 @@ class TipNeighbors {
 
 }  // namespace
 
-bool limitBesideTips(const ModelShape& model, const ModelSizes& sizes,
-                     const std::vector<Ends>& ends, const std::map<std::uint32_t, double>& tips,
-                     const std::vector<bool>& isGiven, std::vector<EdgeSamples>& samples) {
+bool limitBesideTips(const ModelShape& model, const CadSizes& sizes, const std::vector<Ends>& ends,
+                     const std::map<std::uint32_t, double>& tips, const std::vector<bool>& isGiven,
+                     std::vector<EdgeSamples>& samples) {
   if (tips.empty()) return false;
   TipNeighbors neighbors(model, sizes, ends, tips, isGiven, samples);
   bool isAny = false;

@@ -22,8 +22,8 @@ namespace af2::geometry {
 /// isGiven        by edge: its points are given
 ///
 /// Returns whether there is such an edge: then the tips want other segments.
-bool limitBesideTips(const ModelShape& model, const ModelSizes& sizes,
-                     const std::vector<Ends>& ends, const std::map<std::uint32_t, double>& tips,
-                     const std::vector<bool>& isGiven, std::vector<EdgeSamples>& samples);
+bool limitBesideTips(const ModelShape& model, const CadSizes& sizes, const std::vector<Ends>& ends,
+                     const std::map<std::uint32_t, double>& tips, const std::vector<bool>& isGiven,
+                     std::vector<EdgeSamples>& samples);
 
 }  // namespace af2::geometry

@@ -104,7 +104,7 @@ bool isShort(const EdgeSamples& samples, const Ends& ends) {
 
 }  // namespace
 
-void limitAtShortEdges(const ModelShape& model, const ModelSizes& sizes,
+void limitAtShortEdges(const ModelShape& model, const CadSizes& sizes,
                        const std::vector<Ends>& ends, std::vector<EdgeSamples>& samples) {
   std::vector<bool> isAtOpenCorner;
   for (std::size_t i = 0; i < samples.size(); ++i)

@@ -16,7 +16,7 @@ namespace af2::geometry {
 /// wedge, triangles are thin all along that, and the shorter the more of them.
 ///
 /// ends, samples  by edge; [0] is edge 1
-void limitAtShortEdges(const ModelShape& model, const ModelSizes& sizes,
+void limitAtShortEdges(const ModelShape& model, const CadSizes& sizes,
                        const std::vector<Ends>& ends, std::vector<EdgeSamples>& samples);
 
 }  // namespace af2::geometry

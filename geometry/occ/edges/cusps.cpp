@@ -114,7 +114,7 @@ CuspLengths cuspsOf(const ModelShape& model, const std::vector<Ends>& ends,
 std::vector<double> divideFromCusps(const ModelShape& model, const EdgePart& part,
                                     const CuspLengths& cusps,
                                     const std::map<std::uint32_t, double>& tips, std::size_t least,
-                                    const ModelSizes& sizes) {
+                                    const CadSizes& sizes) {
   std::vector<double> parameters = divideFromTips(part, tips, least, sizes);
   const auto start = part.isFirst ? cusps.find({part.edge, true}) : cusps.end();
   const auto end = part.isLast ? cusps.find({part.edge, false}) : cusps.end();

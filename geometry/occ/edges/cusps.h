@@ -29,6 +29,6 @@ CuspLengths cuspsOf(const ModelShape& model, const std::vector<Ends>& ends,
 std::vector<double> divideFromCusps(const ModelShape& model, const EdgePart& part,
                                     const CuspLengths& cusps,
                                     const std::map<std::uint32_t, double>& tips, std::size_t least,
-                                    const ModelSizes& sizes);
+                                    const CadSizes& sizes);
 
 }  // namespace af2::geometry

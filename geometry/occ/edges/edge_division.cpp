@@ -10,6 +10,7 @@
 
 #include "engine/base/error.h"
 #include "geometry/base/box_tree.h"
+#include "geometry/base/constants.h"
 #include "geometry/base/parallel.h"
 #include "geometry/edges/curve_division.h"
 #include "geometry/occ/base/merged_points.h"
@@ -43,9 +44,9 @@ constexpr double kMostTolerance = 0.01;
 
 class Division {
  public:
-  Division(const ModelShape& model, const std::vector<EdgeSamples>& sampled,
-           const ModelSizes& sizes, int threads, const std::stop_token& stop,
-           const EdgePoints& given, const EdgesAsPoints& asPoints)
+  Division(const ModelShape& model, const std::vector<EdgeSamples>& sampled, const CadSizes& sizes,
+           int threads, const std::stop_token& stop, const EdgePoints& given,
+           const CollapsedEdges& asPoints)
       : model_(model), sizes_(sizes), given_(given), asPoints_(asPoints), samples_(sampled.size()) {
     limitAll(sampled, threads, stop);
     findEnds();
@@ -177,7 +178,7 @@ class Division {
     cusps_ = cuspsOf(model_, ends_, samples_);
   }
 
-  void apply(const MergedPoints& merging) {
+  void apply(MergedPoints& merging) {
     for (Ends& ends : ends_) ends = {merging.find(ends.first), merging.find(ends.last)};
   }
 
@@ -346,9 +347,9 @@ class Division {
   }
 
   const ModelShape& model_;
-  const ModelSizes& sizes_;
+  const CadSizes& sizes_;
   const EdgePoints& given_;
-  const EdgesAsPoints& asPoints_;
+  const CollapsedEdges& asPoints_;
   std::vector<EdgeSamples> samples_;
   std::vector<Ends> ends_;
   std::vector<EdgePart> parts_;  // in the order of their edges
@@ -365,7 +366,7 @@ class Division {
 
 }  // namespace
 
-std::vector<EdgeSamples> sampleEdges(const ModelShape& model, const ModelSizes& sizes, int threads,
+std::vector<EdgeSamples> sampleEdges(const ModelShape& model, const CadSizes& sizes, int threads,
                                      const std::stop_token& stop) {
   std::vector<EdgeSamples> sampled(static_cast<std::size_t>(model.edges.Extent()));
   forEachInParallel(sampled.size(), threads, [&](std::size_t i) {
@@ -375,8 +376,8 @@ std::vector<EdgeSamples> sampleEdges(const ModelShape& model, const ModelSizes& 
 }
 
 DividedEdges divideEdges(const ModelShape& model, const std::vector<EdgeSamples>& sampled,
-                         const ModelSizes& sizes, int threads, const std::stop_token& stop,
-                         const EdgePoints& given, const EdgesAsPoints& asPoints) {
+                         const CadSizes& sizes, int threads, const std::stop_token& stop,
+                         const EdgePoints& given, const CollapsedEdges& asPoints) {
   return Division(model, sampled, sizes, threads, stop, given, asPoints).result();
 }
 

@@ -6,15 +6,16 @@
 #include <vector>
 
 #include "geometry/edges/divided_edges.h"
+#include "geometry/edges/edge_points.h"
 #include "geometry/occ/edges/edge_samples.h"
-#include "geometry/occ/model/meshing_options.h"
 #include "geometry/occ/model/model_shape.h"
+#include "geometry/occ/sizes/cad_sizes.h"
 
 namespace af2::geometry {
 
 /// All edges as sampleEdge has them: made once, for all divisions of a model by sizes that differ
 /// in their function only.
-std::vector<EdgeSamples> sampleEdges(const ModelShape& model, const ModelSizes& sizes, int threads,
+std::vector<EdgeSamples> sampleEdges(const ModelShape& model, const CadSizes& sizes, int threads,
                                      const std::stop_token& stop);
 
 /// Divides all edges, whichever faces are asked for, so that these mesh alike alone or together.
@@ -25,7 +26,7 @@ std::vector<EdgeSamples> sampleEdges(const ModelShape& model, const ModelSizes& 
 ///
 /// Throws InputError if the points given for an edge do not lie on it, in order and apart.
 DividedEdges divideEdges(const ModelShape& model, const std::vector<EdgeSamples>& sampled,
-                         const ModelSizes& sizes, int threads, const std::stop_token& stop,
-                         const EdgePoints& given = {}, const EdgesAsPoints& asPoints = {});
+                         const CadSizes& sizes, int threads, const std::stop_token& stop,
+                         const EdgePoints& given = {}, const CollapsedEdges& asPoints = {});
 
 }  // namespace af2::geometry

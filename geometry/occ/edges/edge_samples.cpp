@@ -78,7 +78,7 @@ double roughLength(const BRepAdaptor_Curve& curve) {
 class IntervalSampler {
  public:
   IntervalSampler(const BRepAdaptor_Curve& curve, const WantedAlongEdge& wanted,
-                  const ModelSizes& sizes, double length)
+                  const CadSizes& sizes, double length)
       : curve_(curve),
         wanted_(wanted),
         turn_(sizes.edgeTurn),
@@ -127,7 +127,7 @@ class IntervalSampler {
 };
 
 /// Brings the sizes of a piece below those that are wanted by position, and between the bounds.
-void limitByPosition(EdgePiece& piece, const ModelSizes& sizes) {
+void limitByPosition(EdgePiece& piece, const CadSizes& sizes) {
   if (sizes.function) {
     std::vector<double> limits(piece.positions.size());
     sizes.function.at(piece.positions, limits);
@@ -138,7 +138,7 @@ void limitByPosition(EdgePiece& piece, const ModelSizes& sizes) {
 }
 
 std::vector<EdgePiece> sampleInCells(const BRepAdaptor_Curve& curve, const WantedAlongEdge& wanted,
-                                     const ModelSizes& sizes, Extent extent, double length,
+                                     const CadSizes& sizes, Extent extent, double length,
                                      double total) {
   const std::vector<double> breaks = breaksOf(curve, extent);
   const std::size_t intervals = breaks.size() - 1;
@@ -200,7 +200,7 @@ Extent extentOf(const BRepAdaptor_Curve& curve, const TopoDS_Edge& edge, double 
 class EdgeSampler {
  public:
   EdgeSampler(const BRepAdaptor_Curve& curve, const ModelShape& model, int edge,
-              const ModelSizes& sizes)
+              const CadSizes& sizes)
       : sizes_(sizes),
         curve_(curve),
         wanted_(model, edge, sizes),
@@ -216,14 +216,14 @@ class EdgeSampler {
   }
 
  private:
-  const ModelSizes& sizes_;
+  const CadSizes& sizes_;
   const BRepAdaptor_Curve& curve_;
   WantedAlongEdge wanted_;
   Extent extent_;
   double length_;
 };
 
-void samplePlain(const ModelShape& model, int edge, const ModelSizes& sizes, EdgeSamples& samples) {
+void samplePlain(const ModelShape& model, int edge, const CadSizes& sizes, EdgeSamples& samples) {
   const BRepAdaptor_Curve curve(model.edge(edge));
   const double first = curve.FirstParameter(), last = curve.LastParameter();
   if (Precision::IsInfinite(first) || Precision::IsInfinite(last)) {
@@ -246,7 +246,7 @@ void samplePlain(const ModelShape& model, int edge, const ModelSizes& sizes, Edg
 }
 
 /// Samples more densely until the cells are short against the sizes that are wanted by position.
-void resample(const ModelShape& model, int edge, const ModelSizes& sizes, EdgeSamples& samples) {
+void resample(const ModelShape& model, int edge, const CadSizes& sizes, EdgeSamples& samples) {
   constexpr int kMostRounds = 4;
   constexpr double kMargin = 1.25, kMostAtOnce = 16;
   double tooCoarse = coarseness(samples.pieces);
@@ -277,7 +277,7 @@ void tryCurve(EdgeSamples& samples, Use&& use) {
   if (!samples.problem.empty()) samples.pieces.clear();
 }
 
-std::size_t segmentsOf(const EdgePiece& piece, double count, const ModelSizes& sizes) {
+std::size_t segmentsOf(const EdgePiece& piece, double count, const CadSizes& sizes) {
   const bool isAsked = sizes.elementsPerTurn > 0;
   return wholeSegments(count, isAsked ? turnAlong(piece.positions) / sizes.edgeTurn : 0,
                        sizes.curvedShare);
@@ -293,14 +293,14 @@ void place(const EdgePiece& piece, const std::vector<double>& count, std::size_t
 
 }  // namespace
 
-EdgeSamples sampleEdge(const ModelShape& model, int edge, const ModelSizes& sizes) {
+EdgeSamples sampleEdge(const ModelShape& model, int edge, const CadSizes& sizes) {
   EdgeSamples samples;
   if (BRep_Tool::Degenerated(model.edge(edge))) return samples;
   tryCurve(samples, [&] { samplePlain(model, edge, sizes, samples); });
   return samples;
 }
 
-EdgeSamples limitedByPosition(const ModelShape& model, int edge, const ModelSizes& sizes,
+EdgeSamples limitedByPosition(const ModelShape& model, int edge, const CadSizes& sizes,
                               EdgeSamples samples) {
   for (EdgePiece& piece : samples.pieces) limitByPosition(piece, sizes);
   if (sizes.function || sizes.elementsPerTurn > 0)
@@ -327,7 +327,7 @@ void gradeSizes(EdgeSamples& samples, double first, double last, double growth) 
 }
 
 std::vector<double> divide(const EdgeSamples& samples, std::size_t leastSegments,
-                           const ModelSizes& sizes) {
+                           const CadSizes& sizes) {
   std::vector<std::vector<double>> counts;
   std::vector<std::size_t> segments;
   std::size_t total = 0;

@@ -5,14 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "geometry/occ/model/meshing_options.h"
 #include "geometry/occ/model/model_shape.h"
+#include "geometry/occ/sizes/cad_sizes.h"
 
 namespace af2::geometry {
-
-/// What is smaller than this share of the wanted size is not to be seen in a mesh; to keep it would
-/// take hundreds of times more elements around it, or leave useless ones.
-constexpr double kUnseen = 5e-5;
 
 /// A smooth piece of an edge, sampled finely against the sizes wanted on it.
 struct EdgePiece {
@@ -32,11 +28,11 @@ struct EdgeSamples {
 };
 
 /// By what the faces beside the edge want, without limits by position.
-EdgeSamples sampleEdge(const ModelShape& model, int edge, const ModelSizes& sizes);
+EdgeSamples sampleEdge(const ModelShape& model, int edge, const CadSizes& sizes);
 
 /// What sampleEdge gave, with the limits by position; sampled more densely where these ask for
 /// small sizes. `sizes` may have another function than then, nothing else.
-EdgeSamples limitedByPosition(const ModelShape& model, int edge, const ModelSizes& sizes,
+EdgeSamples limitedByPosition(const ModelShape& model, int edge, const CadSizes& sizes,
                               EdgeSamples samples);
 
 /// Lets sizes grow along the edge by no more than `growth` per unit of length, from `first` and
@@ -46,6 +42,6 @@ void gradeSizes(EdgeSamples& samples, double first, double last, double growth);
 /// Parameters that divide the edge into pieces of the wanted sizes, ends included. The number of
 /// them is the nearest; with sizes.elementsPerTurn, no piece that turns is longer than wanted.
 std::vector<double> divide(const EdgeSamples& samples, std::size_t leastSegments,
-                           const ModelSizes& sizes);
+                           const CadSizes& sizes);
 
 }  // namespace af2::geometry

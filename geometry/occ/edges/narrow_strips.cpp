@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "geometry/base/box_tree.h"
+#include "geometry/base/constants.h"
 #include "geometry/base/parallel.h"
 #include "geometry/occ/edges/edge_on_face.h"
 #include "geometry/occ/sizes/sizing.h"
@@ -277,7 +278,7 @@ class FaceStrips {
 
 }  // namespace
 
-void limitInStrips(const ModelShape& model, const ModelSizes& sizes, const std::vector<Ends>& ends,
+void limitInStrips(const ModelShape& model, const CadSizes& sizes, const std::vector<Ends>& ends,
                    int threads, std::vector<EdgeSamples>& samples) {
   std::vector<KnottedEdge> edges(samples.size());
   for (std::size_t i = 0; i < samples.size(); ++i)

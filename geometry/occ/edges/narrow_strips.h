@@ -15,7 +15,7 @@ namespace af2::geometry {
 ///
 /// ends     by edge; [0] is edge 1
 /// samples  by edge
-void limitInStrips(const ModelShape& model, const ModelSizes& sizes, const std::vector<Ends>& ends,
+void limitInStrips(const ModelShape& model, const CadSizes& sizes, const std::vector<Ends>& ends,
                    int threads, std::vector<EdgeSamples>& samples);
 
 }  // namespace af2::geometry

@@ -34,13 +34,13 @@ std::map<int, double> edgesNear(const ModelShape& model, int face, const Divided
 
 }  // namespace
 
-std::vector<EdgesAsPoints> shortEdgesNear(const ModelShape& model, int face,
-                                          const DividedEdges& divided,
-                                          const std::vector<SizeSource>& places, double wanted) {
+std::vector<CollapsedEdges> shortEdgesNear(const ModelShape& model, int face,
+                                           const DividedEdges& divided,
+                                           const std::vector<SizeSource>& places, double wanted) {
   const std::map<int, double> near = edgesNear(model, face, divided, places, wanted);
-  std::vector<EdgesAsPoints> steps;
+  std::vector<CollapsedEdges> steps;
   for (const double share : {0.03, 0.1, 1.0 / 3}) {
-    EdgesAsPoints edges;
+    CollapsedEdges edges;
     for (const auto& [edge, extent] : near)
       if (extent <= share * wanted) edges[edge] = share * wanted;
     if (edges.size() > (steps.empty() ? 0 : steps.back().size())) steps.push_back(edges);

@@ -13,8 +13,8 @@ namespace af2::geometry {
 /// The edges of a face that are short against the wanted size and lie within that size of one of
 /// the places, if there are any: only very short ones first, then all up to a third of the size.
 /// None twice alike.
-std::vector<EdgesAsPoints> shortEdgesNear(const ModelShape& model, int face,
-                                          const DividedEdges& divided,
-                                          const std::vector<SizeSource>& places, double wanted);
+std::vector<CollapsedEdges> shortEdgesNear(const ModelShape& model, int face,
+                                           const DividedEdges& divided,
+                                           const std::vector<SizeSource>& places, double wanted);
 
 }  // namespace af2::geometry

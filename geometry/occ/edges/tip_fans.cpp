@@ -182,7 +182,7 @@ std::map<std::uint32_t, double> segmentsAtTips(const ModelShape& model,
 
 std::vector<double> divideFromTips(const EdgePart& part,
                                    const std::map<std::uint32_t, double>& tips, std::size_t least,
-                                   const ModelSizes& sizes) {
+                                   const CadSizes& sizes) {
   constexpr double kMost = 0.4;  // of the part
   const EdgeSamples& all = part.samples;
   const auto tipAt = [&](std::uint32_t end) {

@@ -32,7 +32,7 @@ std::map<std::uint32_t, double> segmentsAtTips(const ModelShape& model,
 /// tips  as segmentsAtTips gave them
 std::vector<double> divideFromTips(const EdgePart& part,
                                    const std::map<std::uint32_t, double>& tips, std::size_t least,
-                                   const ModelSizes& sizes);
+                                   const CadSizes& sizes);
 
 /// Leaves fans around the tips out of the loops, where the segments on both sides are as long.
 void leaveOutFans(const FaceSurface& surface, FaceBoundary& boundary);

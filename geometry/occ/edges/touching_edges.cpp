@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "geometry/base/box_tree.h"
+#include "geometry/base/constants.h"
 #include "geometry/occ/base/points.h"
 #include "geometry/occ/edges/edge_line.h"
 

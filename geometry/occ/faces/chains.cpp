@@ -8,6 +8,7 @@
 #include "engine/base/error.h"
 #include "engine/base/place_text.h"
 #include "geometry/base/plane_axes.h"
+#include "geometry/base/turns.h"
 #include "geometry/mesh/sharp_seams.h"
 
 namespace af2::geometry {

@@ -7,14 +7,13 @@
 #include <algorithm>
 #include <cstdio>
 #include <iterator>
-#include <new>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "engine/base/error.h"
-#include "engine/base/stopwatch.h"
 #include "engine/surface/plane_chart.h"
+#include "geometry/base/constants.h"
 #include "geometry/charts/conformal_chart.h"
 #include "geometry/charts/laid_out.h"
 #include "geometry/fill/face_filling.h"
@@ -35,7 +34,7 @@ namespace af2::geometry {
 namespace {
 
 /// Nothing if there are none.
-void tellOfPoints(const char* why, const std::vector<int>& edges, std::vector<std::string>& told) {
+void noteCollapsed(const char* why, const std::vector<int>& edges, FaceHistory& history) {
   constexpr std::size_t kMostNamed = 5;
   if (edges.empty()) return;
   std::string ids;
@@ -43,7 +42,7 @@ void tellOfPoints(const char* why, const std::vector<int>& edges, std::vector<st
     ids += (i > 0 ? ", " : "") + std::to_string(edges[i]);
   if (edges.size() > kMostNamed)
     ids += " and " + std::to_string(edges.size() - kMostNamed) + " more";
-  told.push_back(std::string(why) + ": edges " + ids);
+  history.push_back(note(std::string(why) + ": edges " + ids));
 }
 
 std::string toldOfTouching(const FaceBoundary::TouchingEdges& edges) {
@@ -89,8 +88,7 @@ class FaceMesher {
       : context_(context),
         face_(face),
         area_(area),
-        expected_(area > 0 ? geometry::expectedElements(context.options.sizes, face, surface, area)
-                           : 1),
+        expected_(area > 0 ? geometry::expectedElements(context.sizes, face, surface, area) : 1),
         surface_(std::move(surface)),
         original_(surface_) {}
 
@@ -101,7 +99,8 @@ class FaceMesher {
       return;
     }
     if (meshInCells(mesh)) return;
-    fill(findBoundary(context_.model, face_, context_.divided, surface_, context_.onFaces), mesh);
+    fill(findBoundary(context_.model, face_, context_.request.divided, surface_, context_.onFaces),
+         mesh);
   }
 
  private:
@@ -120,7 +119,7 @@ class FaceMesher {
     if (parts.size() < 2) return false;
     for (FaceMesh& part : parts) part.report.area = 0;  // of the face it is known
     joinParts(std::move(parts), mesh);
-    mesh.report.attempts.insert(mesh.report.attempts.begin(), toldOfCells(found->second));
+    mesh.history.insert(mesh.history.begin(), note(toldOfCells(found->second)));
     return true;
   }
 
@@ -136,7 +135,8 @@ class FaceMesher {
       for (id.v = 0; id.v < cells.v.size(); ++id.v) {
         FaceSurface surface =
             FaceSurface::ofCell(context_.model.face(face_), cells.u[id.u], cells.v[id.v]);
-        FaceBoundary boundary = findBoundary(context_.model, face_, id, context_.divided, surface);
+        FaceBoundary boundary =
+            findBoundary(context_.model, face_, id, context_.request.divided, surface);
         if (!boundary.input.loops.empty())
           filled.push_back({id, std::move(surface), std::move(boundary)});
       }
@@ -162,30 +162,26 @@ class FaceMesher {
 
   void fill(FaceBoundary boundary, FaceMesh& mesh) {
     leaveOutFans(surface_, boundary);
-    mesh.report.attempts = boundary.repairs;
-    std::ranges::copy(boundary.notes, std::back_inserter(mesh.report.attempts));
-    tellOfPoints(boundary.pointEdges, mesh.report.attempts);
+    addNotes(boundary.repairs, mesh.history);
+    addNotes(boundary.notes, mesh.history);
+    noteCollapsed(boundary.pointEdges, mesh.history);
     double closed = 0;  // area between edges that are one
     for (const FaceBoundary::TouchingEdges& edges : boundary.touching) {
-      mesh.report.attempts.push_back(toldOfTouching(edges));
+      mesh.history.push_back(note(toldOfTouching(edges)));
       closed += edges.gap * edges.length;
     }
     if (boundary.input.loops.empty()) {
       mesh.report.reason = "has no width, so it has no elements: its boundary runs back on itself";
       return;
     }
-    if (context_.mayLean) partSeams(boundary.input, boundary.points);
+    if (context_.request.limits.ignoresNormals) partSeams(boundary.input, boundary.points);
     constexpr double kMostClosed = 0.05;  // of the area
     if (!boundary.repairs.empty() || closed > kMostClosed * area_)
       mesh.report.area = area_ = 0;  // was found with the old boundary
     const double toFill = area_ > 0 ? area_ - areaOfFans(boundary) : 0;
-    const FaceSize wanted(context_.options.sizes, face_, surface_);
-    const GradedSize size(wanted, boundary.input, context_.options.sizes.growth);
-    const ProgressCallback& progress = context_.progress;
-    FillOptions options{
-        context_.options.chart, context_.options.optimize, context_.options.stop, {}};
-    if (context_.options.observer)
-      options.observer = [&] { return context_.options.observer(face_); };
+    const FillRequest& request = context_.request;
+    const FaceSize wanted(context_.sizes, face_, surface_);
+    const GradedSize size(wanted, boundary.input, context_.sizes.growth);
     const std::function<PieceTools(ChartKind)> tools = [&](ChartKind kind) {
       return makeTools(size, kind);
     };
@@ -194,27 +190,26 @@ class FaceMesher {
                         size,
                         toFill,
                         area_ > 0 ? expected_ : mostElements(boundary.input),
-                        context_.algorithm,
-                        options,
+                        request.algorithm,
+                        request.options,
                         context_.mayBeFineInside,
-                        context_.mostCandidates,
-                        context_.mayLean,
-                        progress,
+                        request.limits,
+                        request.progress,
                         tools};
-    FaceFilling filling{task, wanted, kUnseen * wantedOnFace(context_.options.sizes, face_),
-                        context_.options.order == 2};
+    FaceFilling filling{task, wanted, kUnseen * wantedOnFace(context_.sizes, face_),
+                        request.findMiddles};
     filling.findParameters = [&](std::vector<StuckPlace>& places) { findParameters(places); };
-    fillInto(filling, boundary, mesh);
+    fillAndJudge(filling, boundary, mesh);
   }
 
-  void tellOfPoints(std::vector<int> edges, std::vector<std::string>& told) const {
+  void noteCollapsed(std::vector<int> edges, FaceHistory& history) const {
     const auto asked = std::ranges::stable_partition(edges, [&](int edge) {
-      return !context_.divided.edges[static_cast<std::size_t>(edge) - 1].point;
+      return !context_.request.divided.edges[static_cast<std::size_t>(edge) - 1].point;
     });
-    geometry::tellOfPoints("too short to be seen in the mesh, so taken for points",
-                           {edges.begin(), asked.begin()}, told);
-    geometry::tellOfPoints("short, and taken for points because a face there failed with them",
-                           {asked.begin(), edges.end()}, told);
+    geometry::noteCollapsed("too short to be seen in the mesh, so taken for points",
+                            {edges.begin(), asked.begin()}, history);
+    geometry::noteCollapsed("short, and taken for points because a face there failed with them",
+                            {asked.begin(), edges.end()}, history);
   }
 
   /// Vertices inside quadrics, and those of faces laid out, do not keep the parameters of the file.
@@ -230,7 +225,7 @@ class FaceMesher {
 
   /// For a face whose area is not known.
   double mostElements(const FrontInput& input) const {
-    return geometry::expectedElements(context_.options.sizes, face_, surface_,
+    return geometry::expectedElements(context_.sizes, face_, surface_,
                                       mostArea(context_.model.face(face_), surface_, input));
   }
 
@@ -239,7 +234,7 @@ class FaceMesher {
     OwnSize(const FaceMeshingContext& context, int face, const FaceSurface& original,
             const GradedSize& size, ChartKind kind)
         : surface(original),
-          wanted(context.options.sizes, face, surface),
+          wanted(context.sizes, face, surface),
           graded(wanted, size),
           map(surface.makePlaneMap(kind)) {
       if (map) laidOut.emplace(graded, *map);
@@ -273,26 +268,13 @@ class FaceMesher {
 
 }  // namespace
 
-FaceMesh meshFace(const FaceMeshingContext& context, int face, double area,
-                  double expectedElements) {
-  FaceMesh mesh;
-  const Stopwatch watch;
-  const auto index = static_cast<std::size_t>(face) - 1;
-  mesh.report.id = face;
-  mesh.report.area = area;
-  mesh.report.name = context.model.faceNames[index];
-  mesh.report.surfaceType = context.model.surfaceTypes[index];
+void meshFace(const FaceMeshingContext& context, int face, double area, double expectedElements,
+              FaceMesh& mesh) {
   try {
     FaceMesher(context, face, area, expectedElements).meshInto(mesh);
   } catch (const Standard_Failure& failure) {
-    failFor(std::string("OpenCASCADE: ") + failure.DynamicType()->Name(), mesh);
-  } catch (const std::bad_alloc&) {
-    failFor("there is not enough memory; ask for a larger size", mesh);
-  } catch (const std::exception& failure) {
-    failFor(failure.what(), mesh);
+    throw GeometryError(std::string("OpenCASCADE: ") + failure.DynamicType()->Name());
   }
-  mesh.report.seconds = watch.seconds();
-  return mesh;
 }
 
 }  // namespace af2::geometry

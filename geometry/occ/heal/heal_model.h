@@ -1,6 +1,7 @@
 // Repairs a model where its parts do not fit together, and tells all that it changed.
 #pragma once
 
+#include "engine/base/export.h"
 #include "geometry/occ/model/model.h"
 
 namespace af2::geometry {
@@ -24,6 +25,6 @@ struct HealingOptions {
 ///
 /// Runs OpenCASCADE's repairs, which can crash or hang on damaged models. Throws InputError if the
 /// tolerance is negative or nothing is left of the model.
-Model healModel(const Model& model, const HealingOptions& options = {});
+AF2_EXPORT Model healModel(const Model& model, const HealingOptions& options = {});
 
 }  // namespace af2::geometry

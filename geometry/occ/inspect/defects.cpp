@@ -19,6 +19,7 @@
 #include <map>
 #include <set>
 
+#include "geometry/base/constants.h"
 #include "geometry/occ/base/points.h"
 #include "geometry/occ/faces/face_area.h"
 #include "geometry/occ/inspect/overlaps.h"
@@ -28,8 +29,8 @@ namespace af2::geometry {
 
 namespace {
 
-/// Below these shares of the mesh size.
-constexpr double kTiny = 0.1, kGap = 1e-4;
+/// Below this share of the mesh size.
+constexpr double kGap = 1e-4;
 
 /// Empty: follows from others, or concerns the mesh that some models bring along.
 std::string wordsFor(BRepCheck_Status status) {
@@ -148,7 +149,7 @@ class Finder {
     double& length = lengths_[static_cast<std::size_t>(id)];
     length = GCPnts_AbscissaPoint::Length(curve);
     const Point3 middle = toPoint(curve.Value((first + last) / 2));
-    if (length < kTiny * size_) add({DefectKind::TinyEdge, 0, id, 0, length, middle, ""});
+    if (length < kTinyShare * size_) add({DefectKind::TinyEdge, 0, id, 0, length, middle, ""});
     lookForGap(id, TopExp::FirstVertex(edge), toPoint(curve.Value(first)));
     lookForGap(id, TopExp::LastVertex(edge), toPoint(curve.Value(last)));
   }
@@ -183,7 +184,7 @@ class Finder {
     }
     const Point3 place = startOf(TopoDS::Edge(TopExp_Explorer(face, TopAbs_EDGE).Current()));
     const double area = areaOf(shape_, id);
-    if (area > 0 && around > 0 && 2 * area / around < kTiny * size_)
+    if (area > 0 && around > 0 && 2 * area / around < kTinyShare * size_)
       add({DefectKind::Sliver, id, 0, 0, 2 * area / around, place, ""});
     std::vector<int> open;  // vertices
     for (TopExp_Explorer it(face, TopAbs_WIRE); it.More(); it.Next())

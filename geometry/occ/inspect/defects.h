@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "engine/base/export.h"
 #include "geometry/mesh/defect.h"
 #include "geometry/occ/model/model.h"
 
@@ -13,12 +14,12 @@ namespace af2::geometry {
 /// not count.
 ///
 /// size  edge length of a mesh, > 0
-std::vector<Defect> findDefects(const Model& model, double size);
+AF2_EXPORT std::vector<Defect> findDefects(const Model& model, double size);
 
 /// Points along an edge of the model, near enough to each other to draw it; empty if it has no
 /// length.
-std::vector<Point3> pointsAlong(const Model& model, int edge);
+AF2_EXPORT std::vector<Point3> pointsAlong(const Model& model, int edge);
 /// The edges around a face, each once.
-std::vector<int> edgesAround(const Model& model, int face);
+AF2_EXPORT std::vector<int> edgesAround(const Model& model, int face);
 
 }  // namespace af2::geometry

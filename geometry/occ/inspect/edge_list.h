@@ -3,12 +3,13 @@
 
 #include <vector>
 
+#include "engine/base/export.h"
 #include "geometry/edges/edge_entry.h"
 #include "geometry/occ/model/model.h"
 
 namespace af2::geometry {
 
 /// All edges by their ids, but those without length or curve.
-std::vector<EdgeEntry> edgesOf(const Model& model);
+AF2_EXPORT std::vector<EdgeEntry> edgesOf(const Model& model);
 
 }  // namespace af2::geometry

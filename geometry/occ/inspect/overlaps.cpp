@@ -94,7 +94,7 @@ class OverlapFinder {
   }
 
   const ModelShape& shape_;
-  ModelSizes sizes_;
+  CadSizes sizes_;
   DividedEdges divided_;
   std::vector<FaceOnFace> lying_;
   std::set<std::pair<int, int>> told_;  // edges, the lower first

@@ -6,7 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "engine/base/export.h"
 #include "engine/base/point.h"
+#include "geometry/base/file_extension.h"
 #include "geometry/mesh/model_mesh.h"
 
 namespace af2::geometry {
@@ -14,7 +16,7 @@ namespace af2::geometry {
 struct ModelShape;  // the OpenCASCADE side of it, occ/model_shape.h
 
 /// A CAD model. Copies share the same, immutable shape.
-class Model {
+class AF2_EXPORT Model {
  public:
   explicit Model(std::shared_ptr<const ModelShape> shape);
 
@@ -53,12 +55,15 @@ class Model {
   std::shared_ptr<const ModelShape> shape_;
 };
 
+/// The formats that readModel knows, in the order in which texts name them.
+AF2_EXPORT std::vector<FileFormat> cadFormats();
+
 /// Reads a STEP, IGES or BREP file; which of them, its content says.
 ///
 /// Throws InputError, naming the file, the cause and a way out, if the file cannot be read, is cut
 /// off or damaged, or holds no face.
 ///
 /// Not to be called from two threads at once: OpenCASCADE's readers share global state.
-Model readModel(const std::filesystem::path& path);
+AF2_EXPORT Model readModel(const std::filesystem::path& path);
 
 }  // namespace af2::geometry

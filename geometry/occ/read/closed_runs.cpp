@@ -13,6 +13,8 @@
 #include <numeric>
 #include <span>
 
+#include "geometry/base/disjoint_sets.h"
+
 namespace af2::geometry {
 namespace {
 
@@ -44,33 +46,23 @@ std::vector<RunSide> sidesOf(const std::vector<TopoDS_Shape>& units) {
 /// Numbers, by side, the places where edges lie: sides with the same number lie on each other.
 class Places {
  public:
-  Places(const std::vector<RunSide>& sides, double tolerance) : of_(sides.size()) {
+  Places(const std::vector<RunSide>& sides, double tolerance) : sets_(sides.size()) {
     std::vector<std::size_t> order(sides.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::ranges::stable_sort(order, {}, [&](std::size_t i) { return sides[i].center.X(); });
-    std::iota(of_.begin(), of_.end(), std::size_t{0});
     for (std::size_t i = 0; i < order.size(); ++i)
       for (std::size_t k = i + 1; k < order.size(); ++k) {
         const RunSide &a = sides[order[i]], &b = sides[order[k]];
         if (b.center.X() - a.center.X() > tolerance) break;
         if (a.center.Distance(b.center) <= tolerance && std::abs(a.length - b.length) <= tolerance)
-          join(order[i], order[k]);
+          sets_.join(static_cast<std::uint32_t>(order[i]), static_cast<std::uint32_t>(order[k]));
       }
   }
 
-  std::size_t of(std::size_t side) const {
-    while (of_[side] != side) side = of_[side];
-    return side;
-  }
+  std::size_t of(std::size_t side) { return sets_.of(static_cast<std::uint32_t>(side)); }
 
  private:
-  void join(std::size_t a, std::size_t b) {
-    a = of(a);
-    b = of(b);
-    of_[std::max(a, b)] = std::min(a, b);
-  }
-
-  std::vector<std::size_t> of_;
+  DisjointSets sets_;
 };
 
 /// Where, in the order of the file, nothing is open.
@@ -79,7 +71,7 @@ struct Closings {
   std::vector<char> meetsOpen;    ///< by unit: whether an edge lies on it that stays open
 };
 
-Closings closingsOf(const std::vector<RunSide>& sides, const Places& places, std::size_t units) {
+Closings closingsOf(const std::vector<RunSide>& sides, Places places, std::size_t units) {
   Closings closings;
   std::vector<bool> isOpen(sides.size(), false);  // by place
   std::size_t side = 0, open = 0;

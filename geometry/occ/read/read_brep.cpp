@@ -20,6 +20,11 @@ bool isBinary(std::istream& stream) {
 
 }  // namespace
 
+bool looksLikeBrep(const std::string& start) {
+  return start.find("CASCADE Topology V") != std::string::npos ||
+         start.find("DBRep_DrawableShape") != std::string::npos;
+}
+
 ReadShape readBrep(const std::filesystem::path& path) {
   std::ifstream stream(path, std::ios::binary);
   const bool binary = isBinary(stream);

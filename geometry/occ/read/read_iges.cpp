@@ -196,6 +196,13 @@ void replaceShiftedFaces(ReadShape& read, const std::filesystem::path& path) {
 
 }  // namespace
 
+/// An IGES file is made of lines of 80 columns; column 73 holds the letter of the section.
+bool looksLikeIges(const std::string& start) {
+  const std::size_t end = start.find_first_of("\r\n");
+  return end != std::string::npos && end >= 73 && end <= 81 &&
+         (start[72] == 'S' || start[72] == 'C' || start[72] == 'B');
+}
+
 ReadShape readIges(const std::filesystem::path& path) {
   IGESControl_Reader reader;
   ReadShape result;

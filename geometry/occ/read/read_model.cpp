@@ -4,9 +4,11 @@
 #include <fstream>
 #include <iostream>
 #include <new>
+#include <span>
 
 #include "engine/base/error.h"
 #include "geometry/base/file_extension.h"
+#include "geometry/base/words.h"
 #include "geometry/occ/model/model.h"
 #include "geometry/occ/read/crossed_faces.h"
 #include "geometry/occ/read/readers.h"
@@ -16,8 +18,6 @@ namespace af2::geometry {
 namespace {
 
 namespace fs = std::filesystem;
-
-enum class Format { Unknown, Step, Iges, Brep };
 
 /// Keeps OpenCASCADE from printing while a file is read; its readers share global state anyway.
 class Silence {
@@ -46,51 +46,26 @@ class Silence {
 
 std::string startOf(const fs::path& path) {
   std::ifstream stream(path, std::ios::binary);
-  std::string start(400, '\0');
+  std::string start(kStartSize, '\0');
   stream.read(start.data(), static_cast<std::streamsize>(start.size()));
   start.resize(static_cast<std::size_t>(stream.gcount()));
   return start;
 }
 
-/// An IGES file is made of lines of 80 columns; column 73 holds the letter of the section.
-bool looksLikeIges(const std::string& start) {
-  const std::size_t end = start.find_first_of("\r\n");
-  return end != std::string::npos && end >= 73 && end <= 81 &&
-         (start[72] == 'S' || start[72] == 'C' || start[72] == 'B');
+std::string namesOfFormats() {
+  std::vector<std::string_view> names;
+  for (const CadFormat& format : kCadFormats) names.push_back(format.name);
+  return listed(names, "or");
 }
 
-Format formatByContent(const std::string& start) {
-  if (start.find("ISO-10303-21") != std::string::npos) return Format::Step;
-  if (start.find("CASCADE Topology V") != std::string::npos ||
-      start.find("DBRep_DrawableShape") != std::string::npos)
-    return Format::Brep;
-  if (looksLikeIges(start)) return Format::Iges;
-  return Format::Unknown;
-}
-
-Format formatByName(const fs::path& path) {
-  const std::string extension = extensionOf(path);
-  if (extension == ".step" || extension == ".stp" || extension == ".p21") return Format::Step;
-  if (extension == ".iges" || extension == ".igs") return Format::Iges;
-  if (extension == ".brep" || extension == ".brp" || extension == ".rle") return Format::Brep;
-  return Format::Unknown;
-}
-
-const char* nameOf(Format format) {
-  switch (format) {
-    case Format::Step:
-      return "STEP";
-    case Format::Iges:
-      return "IGES";
-    case Format::Brep:
-      return "BREP";
-    default:
-      return "CAD";
-  }
+/// "an IGES file".
+std::string fileOf(const CadFormat& format) {
+  const bool isSpokenWithVowel = std::string_view("AEIO").find(format.name[0]) != std::string::npos;
+  return (isSpokenWithVowel ? "an " : "a ") + std::string(format.name) + " file";
 }
 
 /// The content decides; the name tells what a file that has lost its start was meant to be.
-Format formatOf(const fs::path& path) {
+const CadFormat& formatOfFile(const fs::path& path) {
   std::error_code error;
   const fs::file_status status = fs::status(path, error);
   if (!fs::exists(status)) throw InputError(path.string() + ": there is no such file");
@@ -100,40 +75,27 @@ Format formatOf(const fs::path& path) {
   const std::string start = startOf(path);
   if (start.empty()) throw InputError(path.string() + ": is empty; export the model again");
 
-  const Format format = formatByContent(start);
-  if (format != Format::Unknown) return format;
-  const Format byName = formatByName(path);
-  if (byName != Format::Unknown)
-    throw InputError(path.string() + ": does not start like " +
-                     (byName == Format::Iges ? "an " : "a ") + nameOf(byName) +
-                     " file; it is damaged or something else, export the model again");
+  for (const CadFormat& format : kCadFormats)
+    if (format.looksLike(start)) return format;
+  if (const CadFormat* byName = formatOf(std::span<const CadFormat>(kCadFormats), path))
+    throw InputError(path.string() + ": does not start like " + fileOf(*byName) +
+                     "; it is damaged or something else, export the model again");
   if (start.starts_with("\x1f\x8b") || start.starts_with("PK\x03\x04"))
     throw InputError(path.string() + ": is compressed; unpack it first");
-  throw InputError(path.string() +
-                   ": is no STEP, IGES or BREP file; export the model as one of these");
+  throw InputError(path.string() + ": is no " + namesOfFormats() +
+                   " file; export the model as one of these");
 }
 
-ReadShape readAs(Format format, const fs::path& path) {
-  const Silence silence;
-  switch (format) {
-    case Format::Step:
-      return readStep(path);
-    case Format::Iges:
-      return readIges(path);
-    default:
-      return readBrep(path);
-  }
-}
-
-std::string damaged(const fs::path& path, Format format, const std::string& cause) {
-  return path.string() + ": this " + nameOf(format) + " file is damaged or cut off (" + cause +
-         "); export the model again";
+std::string damaged(const fs::path& path, const CadFormat& format, const std::string& cause) {
+  return path.string() + ": this " + std::string(format.name) + " file is damaged or cut off (" +
+         cause + "); export the model again";
 }
 
 ReadShape readShape(const fs::path& path) {
-  const Format format = formatOf(path);
+  const CadFormat& format = formatOfFile(path);
   try {
-    return readAs(format, path);
+    const Silence silence;
+    return format.read(path);
   } catch (const InputError&) {
     throw;
   } catch (const Standard_Failure& failure) {
@@ -147,6 +109,8 @@ ReadShape readShape(const fs::path& path) {
 }
 
 }  // namespace
+
+std::vector<FileFormat> cadFormats() { return {kCadFormats.begin(), kCadFormats.end()}; }
 
 Model readModel(const fs::path& path) {
   ReadShape read = readShape(path);

@@ -116,6 +116,10 @@ TopoDS_Shape joinedParts(const Handle(TDocStd_Document) & document, const Extern
 
 }  // namespace
 
+bool looksLikeStep(const std::string& start) {
+  return start.find("ISO-10303-21") != std::string::npos;
+}
+
 ReadShape readStep(const std::filesystem::path& path) {
   STEPCAFControl_Reader withAttributes;
   withAttributes.SetNameMode(true);

@@ -1,8 +1,12 @@
-// One reader for each file format; readModel picks among them.
+// One reader for each file format, and the table of them, in which readModel looks.
+// Not installed.
 #pragma once
 
+#include <array>
 #include <filesystem>
+#include <string>
 
+#include "geometry/base/file_extension.h"
 #include "geometry/occ/model/model_shape.h"
 
 namespace af2::geometry {
@@ -11,5 +15,23 @@ namespace af2::geometry {
 ReadShape readStep(const std::filesystem::path& path);
 ReadShape readIges(const std::filesystem::path& path);
 ReadShape readBrep(const std::filesystem::path& path);
+
+/// Whether a file that starts so, with its first kStartSize bytes, is of the format.
+bool looksLikeStep(const std::string& start);
+bool looksLikeIges(const std::string& start);
+bool looksLikeBrep(const std::string& start);
+inline constexpr std::size_t kStartSize = 400;
+
+struct CadFormat : FileFormat {
+  ReadShape (*read)(const std::filesystem::path&);
+  bool (*looksLike)(const std::string& start);
+};
+
+/// In the order in which texts name them, and in which the start of a file is compared with them.
+inline constexpr std::array kCadFormats{
+    CadFormat{{"STEP", {".step", ".stp", ".p21"}}, &readStep, &looksLikeStep},
+    CadFormat{{"IGES", {".iges", ".igs"}}, &readIges, &looksLikeIges},
+    CadFormat{{"BREP", {".brep", ".brp", ".rle"}}, &readBrep, &looksLikeBrep},
+};
 
 }  // namespace af2::geometry

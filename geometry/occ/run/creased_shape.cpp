@@ -282,7 +282,7 @@ class Creasing {
 };
 
 /// Where turns are asked for, elements are smaller than that only if the least size says so.
-double sizeForCreases(const ModelSizes& sizes, int face) {
+double sizeForCreases(const CadSizes& sizes, int face) {
   constexpr double kShareOfLeast = 20;
   const double wanted = wantedOnFace(sizes, face);
   if (sizes.elementsPerTurn == 0 || !(sizes.minSize > 0)) return wanted;
@@ -291,7 +291,7 @@ double sizeForCreases(const ModelSizes& sizes, int face) {
 
 /// Whether elements somewhere on the creases of a face are to be so small that they see a tight
 /// turn as it is.
-bool isFineAtCreases(const ModelSizes& sizes, const FaceSurface& surface, const FaceCells& cells,
+bool isFineAtCreases(const CadSizes& sizes, const FaceSurface& surface, const FaceCells& cells,
                      double size) {
   constexpr double kFine = 0.1;  // of the size
   constexpr int kSamples = 16;
@@ -311,7 +311,7 @@ bool isFineAtCreases(const ModelSizes& sizes, const FaceSurface& surface, const 
   return false;
 }
 
-FaceCells cellsOfFace(const ModelShape& model, int face, const ModelSizes& sizes) {
+FaceCells cellsOfFace(const ModelShape& model, int face, const CadSizes& sizes) {
   const FaceSurface surface = model.surface(face);
   if (!surface.isGeneral()) return {};
   const Handle(Geom_Surface) definition = BRep_Tool::Surface(model.face(face));
@@ -325,9 +325,8 @@ FaceCells cellsOfFace(const ModelShape& model, int face, const ModelSizes& sizes
 }  // namespace
 
 std::shared_ptr<const ModelShape> withCreases(std::shared_ptr<const ModelShape> model,
-                                              const std::vector<int>& faces,
-                                              const ModelSizes& sizes, int threads,
-                                              const std::stop_token& stop) {
+                                              const std::vector<int>& faces, const CadSizes& sizes,
+                                              int threads, const std::stop_token& stop) {
   std::vector<FaceCells> cells(faces.size());
   forEachInParallel(faces.size(), threads, [&](std::size_t i) {
     if (stop.stop_requested()) return;

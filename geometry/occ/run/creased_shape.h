@@ -6,8 +6,8 @@
 #include <stop_token>
 #include <vector>
 
-#include "geometry/occ/model/meshing_options.h"
 #include "geometry/occ/model/model_shape.h"
+#include "geometry/occ/sizes/cad_sizes.h"
 
 namespace af2::geometry {
 
@@ -17,8 +17,7 @@ namespace af2::geometry {
 ///
 /// faces  that are to be meshed, ascending
 std::shared_ptr<const ModelShape> withCreases(std::shared_ptr<const ModelShape> model,
-                                              const std::vector<int>& faces,
-                                              const ModelSizes& sizes, int threads,
-                                              const std::stop_token& stop);
+                                              const std::vector<int>& faces, const CadSizes& sizes,
+                                              int threads, const std::stop_token& stop);
 
 }  // namespace af2::geometry

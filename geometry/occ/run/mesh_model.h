@@ -1,9 +1,11 @@
 // From a CAD model to a checked mesh of its faces.
 #pragma once
 
+#include "engine/base/export.h"
 #include "geometry/mesh/model_mesh.h"
-#include "geometry/occ/model/meshing_options.h"
+#include "geometry/meshing/meshing_options.h"
 #include "geometry/occ/model/model.h"
+#include "geometry/occ/sizes/cad_sizes.h"
 
 namespace af2::geometry {
 
@@ -18,7 +20,10 @@ namespace af2::geometry {
 ///
 /// Throws InputError for a size that is not positive, an id that the model does not have, or points
 /// that do not divide their edge.
-ModelMesh meshModel(const Model& model, const AF2Algorithm& algorithm,
-                    const ModelMeshingOptions& options);
+AF2_EXPORT ModelMesh meshModel(const Model& model, const AF2Algorithm& algorithm,
+                               const MeshingOptions& options, const TurnLimits& turns = {});
+
+/// As programs may call it that were written when each kind of model had options of its own.
+using ModelMeshingOptions = MeshingOptions;
 
 }  // namespace af2::geometry

@@ -4,7 +4,7 @@
 
 namespace af2::geometry {
 
-FaceSize::FaceSize(const ModelSizes& sizes, int face, const FaceSurface& surface)
+FaceSize::FaceSize(const CadSizes& sizes, int face, const FaceSurface& surface)
     : sizes_(sizes),
       surface_(surface),
       face_(face),

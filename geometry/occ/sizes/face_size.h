@@ -3,7 +3,7 @@
 #pragma once
 
 #include "engine/surface/size_field.h"
-#include "geometry/occ/model/meshing_options.h"
+#include "geometry/occ/sizes/cad_sizes.h"
 #include "geometry/occ/surfaces/face_surface.h"
 
 namespace af2::geometry {
@@ -11,13 +11,13 @@ namespace af2::geometry {
 /// The size that the options give, limited by curvature.
 class FaceSize final : public SizeField {
  public:
-  FaceSize(const ModelSizes& sizes, int face, const FaceSurface& surface);
+  FaceSize(const CadSizes& sizes, int face, const FaceSurface& surface);
   double sizeAt(const SurfacePoint& point) const override;
 
  private:
   double limitedAt(const SurfacePoint& point) const;
 
-  const ModelSizes& sizes_;
+  const CadSizes& sizes_;
   const FaceSurface& surface_;
   int face_;
   double wanted_;

@@ -13,6 +13,7 @@
 #include <set>
 #include <utility>
 
+#include "engine/base/constants.h"
 #include "engine/base/error.h"
 #include "geometry/base/parallel.h"
 #include "geometry/occ/base/points.h"
@@ -32,10 +33,10 @@ constexpr double kSmall = 0.9;
 /// elements follow nothing but their sizes, their shapes are the better the more gently these grow.
 constexpr double kShareOfGrowth = 2.0 / 3;
 
-double growthInside(const ModelSizes& sizes) { return kShareOfGrowth * sizes.growth; }
+double growthInside(const CadSizes& sizes) { return kShareOfGrowth * sizes.growth; }
 
 /// The options for gentle curvature, set so that a turn gets as many elements as asked for.
-void setTurns(ModelSizes& sizes) {
+void setTurns(CadSizes& sizes) {
   constexpr double kCurvedShare = 0.9;
   if (sizes.elementsPerTurn == 0) return;
   sizes.curvedShare = kCurvedShare;
@@ -47,7 +48,7 @@ void setTurns(ModelSizes& sizes) {
 /// Samples one face on cells of its parameters, and more densely where sizes change too fast.
 class FaceSampler {
  public:
-  FaceSampler(const ModelShape& model, int face, const ModelSizes& sizes)
+  FaceSampler(const ModelShape& model, int face, const CadSizes& sizes)
       : id_(face),
         face_(TopoDS::Face(model.face(face).Oriented(TopAbs_FORWARD))),
         sizes_(sizes),
@@ -194,7 +195,7 @@ class FaceSampler {
 
   int id_;
   TopoDS_Face face_;
-  const ModelSizes& sizes_;
+  const CadSizes& sizes_;
   double wanted_;
   FaceSurface surface_;
   std::optional<BRepTopAdaptor_FClass2d> trimming_;
@@ -207,7 +208,7 @@ class FaceSampler {
 /// Compares sizes on a face one element apart.
 class UnevennessProbe {
  public:
-  UnevennessProbe(const FaceSurface& surface, const ModelSizes& sizes, int face)
+  UnevennessProbe(const FaceSurface& surface, const CadSizes& sizes, int face)
       : surface_(surface), size_(sizes, face, surface) {}
 
   bool isUneven() {
@@ -230,8 +231,7 @@ class UnevennessProbe {
   };
 
   void takeSamples() {
-    constexpr int kSamples = 5;              // along each parameter
-    constexpr double kUnitTriangle = 0.433;  // area of the one with edges of length 1
+    constexpr int kSamples = 5;  // along each parameter
     const SplineSurface::Box& box = surface_.box();
     const double cell = (box.u2 - box.u1) * (box.v2 - box.v1) / (kSamples * kSamples);
     for (int i = 0; i < kSamples; ++i)
@@ -266,7 +266,7 @@ class UnevennessProbe {
 };
 
 std::vector<SizeSource> sampleFaces(const ModelShape& model, const std::vector<int>& faces,
-                                    const ModelSizes& sizes, int threads,
+                                    const CadSizes& sizes, int threads,
                                     const std::stop_token& stop) {
   std::vector<std::vector<SizeSource>> byFace(faces.size());
   forEachInParallel(byFace.size(), threads, [&](std::size_t i) {
@@ -279,7 +279,7 @@ std::vector<SizeSource> sampleFaces(const ModelShape& model, const std::vector<i
 
 /// Those on which sizes change so fast that they cannot be sampled.
 std::set<int> roughFacesOf(const ModelShape& model, const std::vector<int>& faces,
-                           const ModelSizes& sizes, int threads, const std::stop_token& stop) {
+                           const CadSizes& sizes, int threads, const std::stop_token& stop) {
   std::vector<std::uint8_t> isRough(faces.size(), 0);
   forEachInParallel(faces.size(), threads, [&](std::size_t i) {
     if (stop.stop_requested()) return;
@@ -298,10 +298,10 @@ std::set<int> roughFacesOf(const ModelShape& model, const std::vector<int>& face
 }
 
 /// Whether sizes inside all faces are to be known outside them.
-bool spreadsAll(const ModelSizes& sizes) { return sizes.function || sizes.elementsPerTurn > 0; }
+bool spreadsAll(const CadSizes& sizes) { return sizes.function || sizes.elementsPerTurn > 0; }
 
 /// By position, beside all other limits.
-void limitBySources(SizeSources sources, double growth, ModelSizes& sizes) {
+void limitBySources(SizeSources sources, double growth, CadSizes& sizes) {
   if (sources.isEmpty()) return;
   const PositionSize grown = sizeFrom(std::move(sources), growth);
   if (!sizes.function) {
@@ -323,7 +323,7 @@ std::vector<int> allFaces(const ModelShape& model) {
 
 }  // namespace
 
-std::vector<SizeSource> sizesInside(const ModelShape& model, int face, const ModelSizes& sizes) {
+std::vector<SizeSource> sizesInside(const ModelShape& model, int face, const CadSizes& sizes) {
   try {
     return FaceSampler(model, face, sizes).sources();
   } catch (const GeometryError&) {  // reported when the face is meshed
@@ -332,7 +332,7 @@ std::vector<SizeSource> sizesInside(const ModelShape& model, int face, const Mod
   return {};
 }
 
-std::vector<int> unevenFaces(const ModelShape& model, const ModelSizes& sizes, int threads,
+std::vector<int> unevenFaces(const ModelShape& model, const CadSizes& sizes, int threads,
                              const std::stop_token& stop) {
   if (spreadsAll(sizes)) return {};
   std::vector<int> faces = allFaces(model);
@@ -349,8 +349,8 @@ std::vector<int> unevenFaces(const ModelShape& model, const ModelSizes& sizes, i
   return faces;
 }
 
-ModelSizes spreadSizes(const ModelShape& model, ModelSizes sizes, const std::vector<int>& uneven,
-                       int threads, const std::stop_token& stop) {
+CadSizes spreadSizes(const ModelShape& model, CadSizes sizes, const std::vector<int>& uneven,
+                     int threads, const std::stop_token& stop) {
   setTurns(sizes);
   sizes.roughFaces.merge(roughFacesOf(model, uneven, sizes, threads, stop));
   SizeSources asked = std::exchange(sizes.sources, {}), inside;

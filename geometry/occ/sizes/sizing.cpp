@@ -3,30 +3,16 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/base/error.h"
-#include "geometry/domain/domain_check.h"
+#include "engine/base/constants.h"
 
 namespace af2::geometry {
 
 namespace {
 
-bool isSize(double size) { return std::isfinite(size) && size > 0; }
-
-void checkAll(const std::map<int, double>& sizes, int count, const std::string& kind) {
-  for (const auto& [id, size] : sizes) {
-    if (id < 1 || id > count)
-      throw InputError("size for " + kind + " " + std::to_string(id) + ": the model has " + kind +
-                       "s 1 to " + std::to_string(count));
-    if (!isSize(size))
-      throw InputError("size for " + kind + " " + std::to_string(id) + ": must be positive");
-  }
-}
-
 /// A tube must not be cut off by a few large elements, however large the wanted size: with fewer
 /// than five or so around it a front has no room. But a long thin one, a wire, shall not be cut
 /// into too many.
-double leastOnTube(const ModelSizes& sizes, double size, const FaceSurface& surface,
-                   double radius) {
+double leastOnTube(const CadSizes& sizes, double size, const FaceSurface& surface, double radius) {
   constexpr double kShareOfBentFace = 1.0 / 15;
   constexpr double kMostElements = 1e5;
   constexpr double kElements = 14.5;  // on a tube with edges of length 1, over length * radius
@@ -48,36 +34,7 @@ bool isCreased(double size, const FaceSurface& surface) {
 
 }  // namespace
 
-void checkSizes(const ModelSizes& sizes, const Model& model) {
-  checkWanted({sizes.size, sizes.minSize, sizes.maxSize, sizes.elementsPerTurn,
-               sizes.elementsAcross, sizes.growth});
-  checkAll(sizes.faceSizes, model.faceCount(), "face");
-  checkAll(sizes.edgeSizes, model.edgeCount(), "edge");
-}
-
-ModelSizes withinModel(ModelSizes sizes, const Model& model) {
-  const double most = model.diagonal();
-  if (!(most > 0)) return sizes;
-  sizes.size = std::min(sizes.size, most);
-  sizes.maxSize = std::min(sizes.maxSize, most);
-  sizes.minSize = std::min(sizes.minSize, most);
-  return sizes;
-}
-
-double wantedOnFace(const ModelSizes& sizes, int face) {
-  const auto found = sizes.faceSizes.find(face);
-  return bounded(sizes, found == sizes.faceSizes.end() ? sizes.size : found->second);
-}
-
-double bounded(const ModelSizes& sizes, double size) {
-  return std::clamp(size, sizes.minSize, sizes.maxSize);
-}
-
-double limitByFunction(const ModelSizes& sizes, double size, const Point3& position) {
-  return sizes.function ? std::min(size, sizes.function.at(position)) : size;
-}
-
-CurvedSize curvedSizeAt(const ModelSizes& sizes, int face, double size, const FaceSurface& surface,
+CurvedSize curvedSizeAt(const CadSizes& sizes, int face, double size, const FaceSurface& surface,
                         const SurfacePoint& point) {
   constexpr double kVisible = 0.05;  // turn of an edge, in those that it may have
   const FaceSurface::Radii radii = surface.radiiAt(point, size);
@@ -90,14 +47,13 @@ CurvedSize curvedSizeAt(const ModelSizes& sizes, int face, double size, const Fa
   return {std::min(gentle, std::max(sizes.faceTurn * radii.bent, least)), share};
 }
 
-double limitByCurvature(const ModelSizes& sizes, int face, double size, const FaceSurface& surface,
+double limitByCurvature(const CadSizes& sizes, int face, double size, const FaceSurface& surface,
                         const SurfacePoint& point) {
   return curvedSizeAt(sizes, face, size, surface, point).limit;
 }
 
-double expectedElements(const ModelSizes& sizes, int face, const FaceSurface& surface, double area,
+double expectedElements(const CadSizes& sizes, int face, const FaceSurface& surface, double area,
                         int samples) {
-  constexpr double kUnitTriangle = 0.4330127018922193;  // area of the one with edges of length 1
   const double wanted = wantedOnFace(sizes, face);
   const auto density = [&](double size) { return 1 / (kUnitTriangle * size * size); };
   constexpr int kFewSamples = 4;

@@ -1,47 +1,30 @@
-// Wanted sizes as the options give them, and their limits by curvature.
+// Limits of sizes by curvature, and what faces want inside, known outside them.
 // Not installed: includers need OpenCASCADE's headers.
 #pragma once
 
 #include <stop_token>
 
-#include "geometry/occ/model/meshing_options.h"
-#include "geometry/occ/model/model.h"
 #include "geometry/occ/model/model_shape.h"
+#include "geometry/occ/sizes/cad_sizes.h"
 #include "geometry/occ/surfaces/face_surface.h"
 
 namespace af2::geometry {
-
-/// Throws InputError for a size that is not positive or an id that the model does not have.
-void checkSizes(const ModelSizes& sizes, const Model& model);
-
-/// The same sizes, but none larger than the model, as no element could be: what is small beside a
-/// size is taken for nothing in places.
-ModelSizes withinModel(ModelSizes sizes, const Model& model);
 
 /// The same sizes, but what they want by position, and on the faces by curvature and function, is
 /// one function: it grows from wherever it is small, through space, by no more than sizes.growth.
 ///
 /// uneven  faces on which what curvature wants is spread in any case
-ModelSizes spreadSizes(const ModelShape& model, ModelSizes sizes, const std::vector<int>& uneven,
-                       int threads, const std::stop_token& stop);
+CadSizes spreadSizes(const ModelShape& model, CadSizes sizes, const std::vector<int>& uneven,
+                     int threads, const std::stop_token& stop);
 
 /// The large faces on which sizes by curvature change by much from one element to the next, so that
 /// a front could not follow them, in order. None if all faces are spread anyway.
-std::vector<int> unevenFaces(const ModelShape& model, const ModelSizes& sizes, int threads,
+std::vector<int> unevenFaces(const ModelShape& model, const CadSizes& sizes, int threads,
                              const std::stop_token& stop);
 
 /// What curvature and function want inside a face where they want less than its size. Nothing if
 /// the face cannot be sampled.
-std::vector<SizeSource> sizesInside(const ModelShape& model, int face, const ModelSizes& sizes);
-
-/// `size`, brought between the bounds of all sizes.
-double bounded(const ModelSizes& sizes, double size);
-
-/// The size for a face as the options say it, before all limits.
-double wantedOnFace(const ModelSizes& sizes, int face);
-
-/// The function's limit at a position, if there is a function.
-double limitByFunction(const ModelSizes& sizes, double size, const Point3& position);
+std::vector<SizeSource> sizesInside(const ModelShape& model, int face, const CadSizes& sizes);
 
 /// What curvature does to a size on a face.
 struct CurvedSize {
@@ -49,11 +32,11 @@ struct CurvedSize {
   double share;  ///< of it that elements aim at: 1 where the face is as good as flat, elsewhere
                  ///< sizes.curvedShare
 };
-CurvedSize curvedSizeAt(const ModelSizes& sizes, int face, double size, const FaceSurface& surface,
+CurvedSize curvedSizeAt(const CadSizes& sizes, int face, double size, const FaceSurface& surface,
                         const SurfacePoint& point);
 
 /// The limit alone.
-double limitByCurvature(const ModelSizes& sizes, int face, double size, const FaceSurface& surface,
+double limitByCurvature(const CadSizes& sizes, int face, double size, const FaceSurface& surface,
                         const SurfacePoint& point);
 
 /// About how many triangles a face will have: its area over theirs, at the sizes that the options
@@ -61,7 +44,7 @@ double limitByCurvature(const ModelSizes& sizes, int face, double size, const Fa
 ///
 /// samples  if given, what is wanted by position counts, too, at so many places along each
 /// parameter
-double expectedElements(const ModelSizes& sizes, int face, const FaceSurface& surface, double area,
+double expectedElements(const CadSizes& sizes, int face, const FaceSurface& surface, double area,
                         int samples = 0);
 
 }  // namespace af2::geometry

@@ -9,7 +9,7 @@
 
 namespace af2::geometry {
 
-WantedAlongEdge::WantedAlongEdge(const ModelShape& model, int edge, const ModelSizes& sizes)
+WantedAlongEdge::WantedAlongEdge(const ModelShape& model, int edge, const CadSizes& sizes)
     : sizes_(sizes) {
   const auto given = sizes.edgeSizes.find(edge);
   const bool isGiven = given != sizes.edgeSizes.end();

@@ -6,8 +6,8 @@
 #include <optional>
 #include <vector>
 
-#include "geometry/occ/model/meshing_options.h"
 #include "geometry/occ/model/model_shape.h"
+#include "geometry/occ/sizes/cad_sizes.h"
 #include "geometry/occ/surfaces/face_surface.h"
 
 namespace af2::geometry {
@@ -15,7 +15,7 @@ namespace af2::geometry {
 /// For the calling thread alone.
 class WantedAlongEdge {
  public:
-  WantedAlongEdge(const ModelShape& model, int edge, const ModelSizes& sizes);
+  WantedAlongEdge(const ModelShape& model, int edge, const CadSizes& sizes);
 
   /// An upper bound.
   double largest() const { return largest_; }
@@ -33,7 +33,7 @@ class WantedAlongEdge {
   void addFace(const ModelShape& model, int edge, int face);
   double onFace(const Neighbor& face, const Point3& position, double parameter) const;
 
-  const ModelSizes& sizes_;
+  const CadSizes& sizes_;
   std::vector<Neighbor> faces_;
   double largest_;
 };

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 
+#include "geometry/base/turns.h"
 #include "geometry/occ/base/points.h"
 
 namespace af2::geometry {
@@ -52,12 +53,11 @@ ParameterRange rangeOf(double low, double high, bool closed) {
 /// trailing edge of a wing.
 template <class At>
 bool isSharpAtEnds(const ParameterRange& range, double from, double to, const At& normalAt) {
-  constexpr double kSharp = 0.85;        // cosine
   constexpr double kBesideShare = 1e-6;  // of the width
   for (const double share : {0.02, 0.26, 0.5, 0.74, 0.98}) {
     const double at = from + share * (to - from), beside = kBesideShare * range.width();
     const Point3 first = normalAt(range.low + beside, at), last = normalAt(range.high - beside, at);
-    if (dot(first, last) < kSharp * length(first) * length(last)) return true;
+    if (differSharply(first, last)) return true;
   }
   return false;
 }
@@ -93,7 +93,7 @@ Handle(Geom_Surface) withoutPeriods(const Handle(Geom_Surface) & surface, bool i
 double ParameterRange::bring(double value) const {
   if (!closed) return std::clamp(value, low, high);
   if (value >= low && value <= high) return value;
-  return value - std::floor((value - low) / width()) * width();
+  return intoPeriod(value, low, width());
 }
 
 double ParameterRange::near(double value, double other) const {

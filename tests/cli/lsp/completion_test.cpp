@@ -58,6 +58,13 @@ TEST(LspCompletion, OffersOutcomesReasonsAndSettings) {
       completed(typing("expect not rule \"flat 5\" because |", "expect rule \"right")), "beaten"));
   EXPECT_EQ(completed(typing("scale |", "elements")), (std::vector<std::string>{"h", "base"}));
   EXPECT_TRUE(holds(completed(typing("score max of |", "elements")), "shape_size"));
+  EXPECT_EQ(completed(typing("elements |", "elements")),
+            (std::vector<std::string>{"tri", "quad", "poly"}));
+  EXPECT_EQ(completed(typing("front rows(start: |", "elements")),
+            (std::vector<std::string>{"smallest_turn", "oldest"}));
+  EXPECT_TRUE(
+      holds(completed(typing("expect not rule \"flat 5\" because |", "expect rule \"right")),
+            "convexity"));
 }
 
 TEST(LspCompletion, OffersFilesAndTheNamesOfImports) {

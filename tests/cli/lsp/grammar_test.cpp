@@ -1,15 +1,18 @@
 // The words that editors colour are those of the language.
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <fstream>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <regex>
 #include <set>
 #include <string>
+#include <vector>
 
 #include "dsl/program/builtins.h"
 #include "dsl/symbols/word_help.h"
-#include "dsl/text/words.h"
+#include "dsl/text/keywords.h"
 
 namespace af2 {
 namespace {
@@ -49,28 +52,115 @@ std::set<std::string> wordsIn(const std::string& scope) {
 
 TEST(TextMateGrammar, ColoursAllKeywordsOfTheLanguage) {
   const std::set<std::string> coloured = wordsIn("keyword.");
-  for (const auto table :
-       {dsl::itemWords(), dsl::clauseWords(), dsl::settingWords(), dsl::testWords()})
-    for (const std::string_view word : table)
-      EXPECT_TRUE(coloured.contains(std::string(word))) << word;
+  for (const dsl::Keyword& keyword : dsl::keywords())
+    EXPECT_TRUE(coloured.contains(std::string(keyword.word))) << keyword.word;
   for (const std::string_view word : dsl::reservedWords())
     EXPECT_TRUE(coloured.contains(std::string(word))) << word;
 }
 
 TEST(TextMateGrammar, ColoursNoClauseThatTheLanguageDoesNotHave) {
   std::set<std::string> known;
-  for (const auto table : {dsl::itemWords(), dsl::clauseWords(), dsl::settingWords(),
-                           dsl::testWords(), dsl::reservedWords()})
-    for (const std::string_view word : table) known.insert(std::string(word));
+  for (const dsl::Keyword& keyword : dsl::keywords()) known.emplace(keyword.word);
   for (const char* scope : {"keyword.control.clause", "keyword.declaration"})
     for (const std::string& word : wordsIn(scope)) EXPECT_TRUE(known.contains(word)) << word;
 }
 
-TEST(TextMateGrammar, ColoursTheFunctionsOfTheLanguage) {
-  const std::set<std::string> coloured = wordsIn("support.function");
-  std::set<std::string> known;
-  for (const std::string& name : dsl::builtinNames()) known.insert(name);
-  EXPECT_EQ(coloured, known);
+// ---- what follows from the tables ---------------------------------------------------------------
+
+std::string textOf(const std::string& path) {
+  std::ifstream file(path);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+/// Compares a file with what it should be; AF2_UPDATE_GRAMMAR=1 in the environment writes it.
+void expectFile(const std::string& name, const std::string& wanted) {
+  const std::string path = AF2_SOURCE_DIR "/" + name;
+  if (std::getenv("AF2_UPDATE_GRAMMAR")) std::ofstream(path) << wanted;
+  EXPECT_TRUE(textOf(path) == wanted)
+      << name << " does not follow from the tables of the language; to write it anew, run\n"
+      << "  AF2_UPDATE_GRAMMAR=1 build/tests/cli_test --gtest_filter='*FollowsFromTheTable*'";
+}
+
+/// a|b|c, of which each is there once.
+template <class Words>
+std::string anyOf(const Words& words) {
+  std::string list;
+  std::set<std::string> seen;
+  for (const auto& word : words)
+    if (seen.emplace(word).second) list += (list.empty() ? "" : "|") + std::string(word);
+  return list;
+}
+
+TEST(TextMateGrammar, FollowsFromTheTable) {
+  const std::string name = "examples/vscode-af2/syntaxes/af2.tmLanguage.json";
+  std::vector<std::string_view> reserved, others, functions, metrics;
+  for (const dsl::Keyword& keyword : dsl::keywords())
+    if (keyword.block != dsl::BlockKind::File)
+      (keyword.isReserved ? reserved : others).push_back(keyword.word);
+  const std::vector<std::string> builtins = dsl::builtinNames();
+  for (const std::string& builtin : builtins)
+    (dsl::findBuiltinMetric(builtin) ? metrics : functions).push_back(builtin);
+
+  auto grammar = nlohmann::ordered_json::parse(textOf(AF2_SOURCE_DIR "/" + name));
+  auto& clauses = grammar["repository"]["clauses"]["patterns"];
+  auto& calls = grammar["repository"]["calls"]["patterns"];
+  clauses[0]["match"] = R"(\b()" + anyOf(reserved) + R"()\b)";
+  // Words that may be names begin a clause at the start of a line, of a block or behind a `;`.
+  clauses[1]["match"] = R"((?:^|(?<=[;{]))\s*()" + anyOf(others) + R"()\b(?!\s*\())";
+  calls[0]["match"] = R"(\b()" + anyOf(functions) + R"()\b(?=\s*\())";
+  calls[1]["match"] = R"(\b()" + anyOf(metrics) + R"()\b)";
+  expectFile(name, grammar.dump(2) + "\n");
+}
+
+/// One production in EBNF: alternatives fill lines of a hundred characters.
+std::string production(const std::string& name, const std::vector<std::string_view>& alternatives) {
+  constexpr std::size_t kWidth = 100, kIndent = 11;
+  std::string text, line = name + std::string(kIndent - name.size(), ' ') + "= ";
+  for (const std::string_view alternative : alternatives) {
+    const bool isFirst = alternative.data() == alternatives.front().data();
+    if (!isFirst && line.size() + alternative.size() + 3 > kWidth) {
+      text += line + "\n";
+      line = std::string(kIndent, ' ') + "| ";
+    } else if (!isFirst) {
+      line += " | ";
+    }
+    line += alternative;
+  }
+  text += line + " ;\n";
+  const std::size_t lineBreak = text.find('\n');
+  if (alternatives.size() == 1 && lineBreak + 1 < text.size())
+    text.insert(lineBreak + 1, kIndent + 2, ' ');
+  return text;
+}
+
+/// Puts a production in the place of the one with its name.
+void replaceProduction(std::string& text, const std::string& name,
+                       const std::vector<std::string_view>& alternatives) {
+  const std::string head = "\n" + name + std::string(11 - name.size(), ' ') + "= ";
+  const std::size_t begin = text.find(head, text.find("```ebnf"));
+  ASSERT_NE(begin, text.npos) << "docs/language.md has no production " << name;
+  const std::size_t end = text.find(" ;\n", begin) + 3;
+  text.replace(begin + 1, end - begin - 1, production(name, alternatives));
+}
+
+TEST(DocumentedGrammar, FollowsFromTheTable) {
+  std::string text = textOf(AF2_SOURCE_DIR "/docs/language.md");
+  const auto rowsOf = [](dsl::BlockKind block) {
+    std::vector<std::string_view> rows;
+    for (const dsl::Keyword& keyword : dsl::keywords())
+      if (keyword.block == block && !keyword.grammar.empty()) rows.push_back(keyword.grammar);
+    return rows;
+  };
+  for (const dsl::Keyword& keyword : dsl::keywords()) {
+    if (keyword.block == dsl::BlockKind::File)
+      replaceProduction(text, std::string(keyword.word), {keyword.grammar});
+    EXPECT_NE(text.find("\"" + std::string(keyword.word) + "\"", text.find("```ebnf")), text.npos)
+        << "the grammar in docs/language.md does not have the word " << keyword.word;
+  }
+  replaceProduction(text, "clause", rowsOf(dsl::BlockKind::Rule));
+  replaceProduction(text, "setting", rowsOf(dsl::BlockKind::RuleSet));
+  replaceProduction(text, "testclause", rowsOf(dsl::BlockKind::Test));
+  expectFile("docs/language.md", text);
 }
 
 TEST(LanguageConfiguration, HasCommentsAndBrackets) {
@@ -84,19 +174,18 @@ TEST(LanguageConfiguration, HasCommentsAndBrackets) {
 }
 
 TEST(WordHelp, ThereIsOneForEveryWord) {
-  for (const auto table :
-       {dsl::itemWords(), dsl::clauseWords(), dsl::settingWords(), dsl::testWords()})
-    for (const std::string_view word : table) EXPECT_TRUE(dsl::helpForKeyword(word)) << word;
-  for (const dsl::Builtin& b : dsl::builtins()) {
-    ASSERT_TRUE(dsl::helpForBuiltin(b.name)) << b.name;
-    EXPECT_EQ(dsl::helpForBuiltin(b.name)->usage, b.usage);
+  for (const dsl::Keyword& keyword : dsl::keywords()) EXPECT_FALSE(keyword.help.empty());
+  for (const std::string& name : dsl::builtinNames()) {
+    ASSERT_TRUE(dsl::helpForBuiltin(name)) << name;
+    EXPECT_FALSE(dsl::helpForBuiltin(name)->meaning.empty()) << name;
+    EXPECT_EQ(dsl::helpForBuiltin(name)->usage, dsl::usageOf(name));
   }
-  for (const dsl::BuiltinMetric& m : dsl::builtinMetrics()) {
-    ASSERT_TRUE(dsl::helpForBuiltin(m.name)) << m.name;
-    EXPECT_EQ(dsl::helpForBuiltin(m.name)->usage, m.usage);
-  }
-  for (const std::string& name : dsl::builtinNames())
-    EXPECT_TRUE(dsl::helpForBuiltin(name)) << name;
+}
+
+TEST(WordHelp, AWordIsExplainedAsItIsUsedInTheBlock) {
+  const auto help = [](dsl::BlockKind block) { return dsl::helpForKeyword(block, "front")->help; };
+  EXPECT_NE(help(dsl::BlockKind::Rule), help(dsl::BlockKind::Test));
+  EXPECT_NE(help(dsl::BlockKind::Rule), help(dsl::BlockKind::RuleSet));
 }
 
 }  // namespace

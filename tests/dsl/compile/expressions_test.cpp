@@ -150,7 +150,7 @@ TEST(Expressions, TellLevelsAtWhichARegisteredMetricHasNoValue) {
     EXPECT_TRUE(loaded.rules) << toPretty(loaded.diagnostics);
     std::string told;
     for (const Diagnostic& d : loaded.diagnostics)
-      if (d.code == "Y4") told += d.message + ";";
+      if (d.code == Code::NoValue) told += d.message + ";";
     return told;
   };
   for (const std::string score : {"max of late", "max of late + 1"}) {
@@ -211,7 +211,7 @@ TEST(Expressions, KnowWhatIsInsideOfUnboundedShapes) {
 std::string faults(const std::string& clauses) {
   std::string codes;
   for (const Diagnostic& d : load("zone a, b, c, d; quad a b c d; " + clauses).diagnostics)
-    codes += d.code + " ";
+    codes += idOf(d.code) + " ";
   return codes;
 }
 

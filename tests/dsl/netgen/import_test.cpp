@@ -31,8 +31,8 @@ std::string told(const std::string& text) {
   std::string result;
   for (const Diagnostic& d : importRls("x.rls", text).diagnostics)
     result += "line " + std::to_string(d.place.line) + ": " +
-              (d.severity == Severity::Error ? "error " : "warning ") + d.code + ": " + d.message +
-              "; " + d.help + "\n";
+              (d.severity == Severity::Error ? "error " : "warning ") + idOf(d.code) + ": " +
+              d.message + "; " + d.help + "\n";
   return result;
 }
 

@@ -5,6 +5,7 @@
 #include <random>
 
 #include "dsl/load/rule_file.h"
+#include "dsl/program/registry.h"
 #include "dsl/program/shape_program.h"
 #include "dsl/shapes/covering_zone.h"
 #include "tests/support/meshing.h"
@@ -199,7 +200,7 @@ TEST(RegisteredShape, CannotBeGrown) {
       load(quadWith("zone hull(a, b, c, d) | grow(hull(a, b) | round(a, 1), 0.1);"));
   EXPECT_FALSE(rules.rules);
   ASSERT_EQ(rules.diagnostics.size(), 1u) << toPretty(rules.diagnostics);
-  EXPECT_EQ(rules.diagnostics[0].code, "Y7");
+  EXPECT_EQ(idOf(rules.diagnostics[0].code), "Y7");
 }
 
 TEST(RegisteredFunction, SaysHowShapesFadeAsItDoesForLists) {

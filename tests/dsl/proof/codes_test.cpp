@@ -15,10 +15,11 @@
 #include <string>
 #include <tuple>
 
+#include "dsl/load/loaded_file.h"
 #include "dsl/netgen/rls_import.h"
 #include "dsl/proof/match_diagnostics.h"
 #include "dsl/run/rule_tests.h"
-#include "dsl/text/code_explanations.h"
+#include "dsl/text/diagnostic_codes.h"
 
 namespace af2::dsl {
 namespace {
@@ -79,7 +80,7 @@ std::vector<Diagnostic> checked(const fs::path& path, bool withCoverage) {
   loaded.rules = loaded.file->soundRules;
   if (!loaded.rules) return told;
   for (Diagnostic& d : diagnosticsOf(loaded, runSampledChecks(*loaded.rules)))
-    if (isWhole || d.code != "D3") addFinding(told, std::move(d));
+    if (isWhole || d.code != Code::NeverChosen) addFinding(told, std::move(d));
   if (isWhole && withCoverage)
     for (Diagnostic& d : diagnosticsOf(loaded, measureCoverage(*loaded.rules)))
       addFinding(told, std::move(d));
@@ -91,9 +92,9 @@ std::vector<Diagnostic> toldOf(const fs::path& path, const std::string& code) {
   return importRls(path.filename().string(), contents(path)).diagnostics;
 }
 
-class Code : public ::testing::TestWithParam<std::string> {};
+class EachCode : public ::testing::TestWithParam<std::string> {};
 
-TEST_P(Code, IsFoundWhereItMustBe) {
+TEST_P(EachCode, IsFoundWhereItMustBe) {
   const fs::path path = fileOf("found", GetParam());
   ASSERT_TRUE(fs::exists(path)) << path << ": each code needs such a file";
   const bool isRls = GetParam()[0] == 'I';
@@ -104,38 +105,39 @@ TEST_P(Code, IsFoundWhereItMustBe) {
       << path << " does not ask for its code";
   const auto diagnostics = toldOf(path, GetParam());
   Told told;
-  std::set<std::tuple<std::string, int, int>> places;
+  std::set<std::tuple<Code, int, int>> places;
   for (const Diagnostic& d : diagnostics) {
-    told.insert(placed(d.code, d.place.line));
+    told.insert(placed(idOf(d.code), d.place.line));
     EXPECT_TRUE(places.emplace(d.code, d.place.line, d.place.column).second)
         << "told twice of one place: " << toPretty(diagnostics);
   }
   EXPECT_EQ(told, wanted) << toPretty(diagnostics);
 }
 
-TEST_P(Code, IsNotToldOfWhatComesClose) {
+TEST_P(EachCode, IsNotToldOfWhatComesClose) {
   const fs::path path = fileOf("sound", GetParam());
   ASSERT_TRUE(fs::exists(path)) << path << ": each code needs such a file";
   const auto diagnostics = toldOf(path, GetParam());
   const bool isRls = GetParam()[0] == 'I';
   // Of an imported rule without a twin there is always something to be told.
-  for (const Diagnostic& d : diagnostics) EXPECT_TRUE(isRls && d.code != GetParam()) << toPretty(d);
+  for (const Diagnostic& d : diagnostics)
+    EXPECT_TRUE(isRls && idOf(d.code) != GetParam()) << toPretty(d);
 }
 
 std::vector<std::string> allCodes() {
   std::vector<std::string> codes;
-  for (const CodeExplanation& e : codeExplanations()) codes.push_back(e.code);
+  for (const CodeInfo& info : diagnosticCodes()) codes.emplace_back(info.id);
   return codes;
 }
 
-INSTANTIATE_TEST_SUITE_P(All, Code, ::testing::ValuesIn(allCodes()),
+INSTANTIATE_TEST_SUITE_P(All, EachCode, ::testing::ValuesIn(allCodes()),
                          [](const auto& one) { return one.param; });
 
 TEST(Codes, OfTheFilesAreThoseThatAreExplained) {
   for (const char* folder : {"found", "sound"})
     for (const auto& entry :
          fs::directory_iterator(fs::path(AF2_SOURCE_DIR "/tests/dsl/codes") / folder))
-      EXPECT_TRUE(findCodeExplanation(entry.path().stem().string())) << entry.path();
+      EXPECT_TRUE(findCode(entry.path().stem().string())) << entry.path();
 }
 
 /// What is found about matches comes with a test that can be put into the file.
@@ -144,7 +146,7 @@ TEST(Codes, OfMatchesComeWithATest) {
     bool hasTest = false;
     for (const Diagnostic& d : toldOf(fileOf("found", code), code))
       for (const DiagnosticNote& note : d.notes)
-        hasTest = hasTest || (d.code == code && note.message.starts_with("test \""));
+        hasTest = hasTest || (idOf(d.code) == code && note.kind == DiagnosticNote::Kind::Test);
     EXPECT_TRUE(hasTest) << code;
   }
 }

@@ -46,7 +46,7 @@ TEST(Coverage, FindsWhatARuleSetLeavesOut) {
   set.rules = {testing::right60(), testing::fillTriangle()};
   const auto finding = findUncoveredSituations(measureCoverage(RuleSet(set), 3));
   ASSERT_TRUE(finding);
-  EXPECT_EQ(finding->code, "N1");
+  EXPECT_EQ(idOf(finding->code), "N1");
   EXPECT_NE(finding->message.find("100 % of one edge"), std::string::npos) << finding->message;
   EXPECT_NE(finding->test.find("expect not stuck;"), std::string::npos);
 }

@@ -56,6 +56,31 @@ TEST(Evaluate, GivesTheFirstReason) {
   EXPECT_EQ(evaluateRule(*classic(), request).refused, Refusal::None);
 }
 
+TEST(Evaluate, GivesTheNumbersBehindAReason) {
+  const LoadedRules loaded = loadRulesFromText("reasons.af2", R"(af2 1;
+ruleset "s" { elements tri; match 1; accept score < 2; }
+rule "corner" quality 2..4 {
+  front a -> b -> c;
+  at    c (0.5, 1) ~ 4;
+  slope b -> c ~ (0, 0, 16);
+  require c.y > 0, turn(b) < 70deg;
+  zone  a, b, c;
+  tri   a b c;
+})");
+  ASSERT_TRUE(loaded.rules) << toPretty(loaded.diagnostics);
+  const auto because = [&](int level, Point2 b, Point2 c) {
+    return evaluated(*loaded.rules, "corner", level, {{"b", b}, {"c", c}}).because;
+  };
+  EXPECT_EQ(because(1, {1, 0}, {0.5, 1}), "level 1 is not one of the rule's, 2..4");
+  EXPECT_EQ(because(2, {1, 0}, {1.5, 1}),
+            "vertex c deviates by 4 from its reference; at most 1 is allowed");
+  EXPECT_EQ(because(2, {1, 0}, {0.5, 1.5}),
+            "the slope of b -> c deviates by 4 from its reference; at most 1 is allowed");
+  EXPECT_EQ(because(2, {1, 0}, {0.9, 1}), "condition 2 does not hold");
+  EXPECT_EQ(because(2, {1, 0}, {0.5, 1}), "");
+  EXPECT_EQ(because(2, {9, 0}, {0.5, 1}).substr(0, 39), "the rule set does not accept a score of");
+}
+
 TEST(Evaluate, GivesTheCornersOfAZoneAsWritten) {
   const LoadedRules loaded = loadRulesFromText("ell.af2", R"(af2 1;
 ruleset "s" { elements tri; }

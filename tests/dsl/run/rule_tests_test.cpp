@@ -34,7 +34,8 @@ std::vector<std::string> outcomes(const std::string& tests) {
 
 std::vector<std::string> faults(const std::string& tests) {
   std::vector<std::string> result;
-  for (const Diagnostic& d : load(tests).diagnostics) result.push_back(d.code + ": " + d.message);
+  for (const Diagnostic& d : load(tests).diagnostics)
+    result.push_back(idOf(d.code) + ": " + d.message);
   return result;
 }
 
@@ -129,6 +130,29 @@ TEST(RuleTests, HoldPropertiesAgainstMatches) {
       outcomes(R"(property "p" forall match of "corner left" { expect dist(b, c) < 0.9; })");
   ASSERT_EQ(failed.size(), 1u);
   EXPECT_NE(failed[0].find("it fails at level 1 for b = ("), std::string::npos) << failed[0];
+}
+
+TEST(RuleTests, TryPropertiesOnMatchesOfTheFrontOnly) {
+  const auto outcomeOf = [](const std::string& setting, const std::string& property) {
+    const LoadedRules rules = loadRulesFromText("property.af2", R"(af2 1;
+ruleset "s" { match 1; )" + setting + R"( }
+rule "corner" quality 2..4 {
+  front a -> b -> c;
+  at    c (0.5, 0.866) ~ 3;
+  slope b -> c ~ (6, 0, 1);
+  zone  a, b, c;
+  tri   a b c;
+}
+property "p" forall match of "corner", t in )" + property);
+    EXPECT_TRUE(rules.rules) << toPretty(rules.diagnostics);
+    return runRuleTests(rules).at(0).passed();
+  };
+  EXPECT_TRUE(outcomeOf("", "2..4 { expect 6 * (c.x - b.x + 0.5)^2 < 1.001; }")) << "the slope";
+  EXPECT_TRUE(outcomeOf("scale base;", "2..4 { expect dist(a, b) == 1; }"));
+  EXPECT_TRUE(outcomeOf("", "2..4 { expect 0.7 <= dist(a, b) and dist(a, b) <= 1.4; }"));
+  EXPECT_FALSE(outcomeOf("", "2..4 { expect dist(a, b) < 1.35; }"));
+  EXPECT_FALSE(outcomeOf("", "2..4 { expect dist(a, b) > 0.75; }"));
+  EXPECT_TRUE(outcomeOf("", "1..9 { expect 2 <= t and t <= 4; }")) << "where the rule applies";
 }
 
 void expectAllPass(const char* file, std::size_t atLeast) {

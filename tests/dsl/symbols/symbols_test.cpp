@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "dsl/load/loaded_file.h"
 #include "dsl/load/rule_file.h"
 #include "dsl/symbols/block_context.h"
 #include "dsl/symbols/symbol_index.h"

@@ -22,7 +22,7 @@ Parsed parse(const std::string& text) {
 std::vector<std::string> codesAndLines(const Parsed& parsed) {
   std::vector<std::string> result;
   for (const Diagnostic& d : parsed.diagnostics)
-    result.push_back(d.code + ":" + std::to_string(d.place.line));
+    result.push_back(idOf(d.code) + ":" + std::to_string(d.place.line));
   return result;
 }
 

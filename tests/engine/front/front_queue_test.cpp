@@ -38,6 +38,25 @@ class SmallestTurn final : public AF2FrontOrder {
   double key(int, const FrontEdgeFacts& e) const override { return e.turnA + e.turnB; }
 };
 
+/// An order that keys cannot say, all in one place: the edge that entered last comes first.
+class NewestFirst final : public AF2FrontOrder {
+  class Stack final : public AF2EdgeQueue {
+    void push(const Front& front, PlaceId place) override {
+      waiting_.emplace_back(place, front[place].age);
+    }
+    PlaceId pop(const Front& front) override {
+      while (!waiting_.empty()) {
+        const auto [place, age] = waiting_.back();
+        waiting_.pop_back();
+        if (front.isUsed(place) && front[place].age == age) return place;
+      }
+      return {};
+    }
+    std::vector<std::pair<PlaceId, std::uint32_t>> waiting_;
+  };
+  std::unique_ptr<AF2EdgeQueue> makeQueue() const override { return std::make_unique<Stack>(); }
+};
+
 std::vector<std::size_t> popAll(FrontQueue& queue, const Front& front) {
   std::vector<std::size_t> order;
   for (PlaceId id = queue.pop(front); !id.isNone(); id = queue.pop(front))
@@ -154,6 +173,15 @@ TEST(FrontQueue, GivesTheSameOrderInItsFastAndItsOpenForm) {
     }
     ASSERT_EQ(popAll(fast, front), popAll(slow, front));
   }
+}
+
+TEST(FrontQueue, LeavesAnOrderThatKeysCannotSayToItsOwnQueue) {
+  Front front;
+  addPolygon(front, circle({0, 0}, 1, 4));
+  const NewestFirst order;
+  FrontQueue queue(order);
+  pushAll(queue, front);
+  EXPECT_EQ(popAll(queue, front), (std::vector<std::size_t>{3, 2, 1, 0}));
 }
 
 TEST(LayeredFrontOrder, RejectsCoefficientsOutOfRange) {

@@ -265,19 +265,37 @@ TEST(CompiledRules, WindowGrowsWithTheLevelAndTheBase) {
   }
 }
 
-TEST(CompiledRules, ZonesOfRulesThatMakeManyElementsAreLeftToThem) {
+/// The free triangle with a zone that reaches up to a height.
+RuleDefinition withZoneUpTo(double height) {
+  RuleDefinition rule = freeTriangle().definition();
+  const auto at = [](Point2 p) {
+    return std::make_shared<AffinePointTransform>(p, std::vector<AffinePointTransform::Term>{});
+  };
+  rule.zone = std::make_shared<ConvexPolygonZoneDef>(
+      std::vector<ConvexPolygonZoneDef::Corner>{
+          {at({0, 0})}, {at({1, 0})}, {at({1, height})}, {at({0, height})}},
+      std::vector<double>{1});
+  return rule;
+}
+
+TEST(CompiledRules, ZonesThatReachFarAreLeftToTheirRules) {
+  const RuleSet far = setOf(withZoneUpTo(2.1)), near = setOf(withZoneUpTo(1.9));
+  const CompiledRules wide(far), ordinary(near);
+  EXPECT_TRUE(wide.rules()[0].isWide);
+  EXPECT_FALSE(ordinary.rules()[0].isWide);
+  EXPECT_FALSE(wide.windowAt(1, 1, false).contains(ordinary.windowAt(1, 1, false)));
+  EXPECT_TRUE(wide.windowAt(1, 1, true).contains(ordinary.windowAt(1, 1, true)));
+}
+
+TEST(CompiledRules, AreOrdinaryHoweverManyElementsTheyMakeCloseBy) {
   RuleDefinition rule = freeTriangle().definition();
   for (std::int8_t v = 3; v < 7; ++v) {  // a fan around b
     rule.newVertices.push_back(rule.newVertices[0]);
     rule.newVertexNames.push_back(std::string(1, static_cast<char>('a' + v)));
     rule.elements.push_back({{static_cast<std::int8_t>(v - 1), 1, v, -1}});
   }
-  const RuleSet wide = setOf(rule), usual = setOf(freeTriangle().definition());
-  const CompiledRules compiled(wide), ordinary(usual);
-  EXPECT_TRUE(compiled.rules()[0].isWide);
-  EXPECT_FALSE(ordinary.rules()[0].isWide);
-  EXPECT_FALSE(compiled.windowAt(1, 1, false).contains(ordinary.windowAt(1, 1, false)));
-  EXPECT_TRUE(compiled.windowAt(1, 1, true).contains(ordinary.windowAt(1, 1, true)));
+  const RuleSet set = setOf(rule);
+  EXPECT_FALSE(CompiledRules(set).rules()[0].isWide);
 }
 
 }  // namespace

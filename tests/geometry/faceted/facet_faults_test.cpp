@@ -28,12 +28,12 @@ Facets read(const std::string& text) {
 }
 
 DomainModel modelOf(const Facets& facets, double size) {
-  FacetedMeshingOptions options;
-  options.size = size;
+  MeshingOptions options;
+  options.sizes.size = size;
   return facetedModel(facets, options);
 }
 
-ModelMesh mesh(const Facets& facets, const FacetedMeshingOptions& options) {
+ModelMesh mesh(const Facets& facets, const MeshingOptions& options) {
   static const AF2Algorithm algorithm(testing::triangleSet());
   ModelMesh result = meshFaceted(facets, algorithm, options);
   testing::expectComplete(result);
@@ -41,8 +41,8 @@ ModelMesh mesh(const Facets& facets, const FacetedMeshingOptions& options) {
 }
 
 void expectABox(const Facets& facets) {
-  FacetedMeshingOptions options;
-  options.size = 0.5;
+  MeshingOptions options;
+  options.sizes.size = 0.5;
   const ModelMesh result = mesh(facets, options);
   EXPECT_EQ(result.faces.size(), 6u);
   EXPECT_NEAR(testing::volumeOf(result), 8, 1e-3);
@@ -145,8 +145,8 @@ TEST(FacetFaults, LikeHolesAreTold) {
 }
 
 TEST(FacetFaults, LikeASurfaceThatLooksInwardsAreTold) {
-  FacetedMeshingOptions options;
-  options.size = 0.5;
+  MeshingOptions options;
+  options.sizes.size = 0.5;
   EXPECT_TRUE(mesh(read(kBoxVertices + kBoxFaces), options).notes.empty());
   Facets facets = read(kBoxVertices + kBoxFaces);
   for (auto& triangle : facets.triangles) std::swap(triangle[1], triangle[2]);
@@ -160,8 +160,8 @@ TEST(FacetFaults, LikeAWallThatTwoBoxesHaveTwiceMakeOneFace) {
   const Facets facets =
       read(kBoxVertices + "v 4 0 0\nv 4 2 0\nv 4 0 2\nv 4 2 2\n" + kBoxFaces +
            "f 2 3 10 9\nf 6 11 12 7\nf 2 9 11 6\nf 9 10 12 11\nf 10 3 7 12\nf 7 3 2 6\n");
-  FacetedMeshingOptions options;
-  options.size = 0.5;
+  MeshingOptions options;
+  options.sizes.size = 0.5;
   const ModelMesh result = mesh(facets, options);
   EXPECT_EQ(result.faces.size(), 11u);
 }
@@ -191,8 +191,8 @@ void expectTwoBoxes(const std::string& other, double volume) {
   const Facets facets = read(boxAt({0, 0, 0}, {2, 2, 2}, 0) + other);
   ASSERT_EQ(facets.notes.size(), 1u);
   EXPECT_NE(facets.notes[0].find("2 parts that touch"), std::string::npos) << facets.notes[0];
-  FacetedMeshingOptions options;
-  options.size = 0.5;
+  MeshingOptions options;
+  options.sizes.size = 0.5;
   const ModelMesh result = mesh(facets, options);
   EXPECT_EQ(result.faces.size(), 12u);
   EXPECT_NEAR(testing::volumeOf(result), volume, 1e-9);
@@ -217,8 +217,8 @@ TEST(FacetParts, InTheSamePlaceAreTakenApart) {
   for (int copy = 0; copy < 3; ++copy) text += kBoxFaces;
   const Facets facets = read(text);
   EXPECT_EQ(facets.triangles.size(), 36u);
-  FacetedMeshingOptions options;
-  options.size = 0.5;
+  MeshingOptions options;
+  options.sizes.size = 0.5;
   const ModelMesh result = mesh(facets, options);
   EXPECT_EQ(result.faces.size(), 18u);
   EXPECT_EQ(testing::eulerNumber(result), 6) << "three closed surfaces";
@@ -233,16 +233,16 @@ TEST(FacetParts, ThatAreOpenStayWithWhatTheyTouch) {
 TEST(FacetParts, AreGroupsWithSizesOfTheirOwn) {
   const Facets facets = read(kBoxVertices + "g bottom\nf 1 4 3 2\ng top lid\nf 5 6 7 8\ng walls\n" +
                              "f 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n");
-  FacetedMeshingOptions options;
-  options.size = 1;
-  options.partSizes = {{"top*", 0.1}};
+  MeshingOptions options;
+  options.sizes.size = 1;
+  options.sizes.partSizes = {{"top*", 0.1}};
   const ModelMesh result = mesh(facets, options);
   ASSERT_EQ(result.groups.size(), 3u);
   EXPECT_EQ(result.groups[1], (FaceGroup{"top lid", GroupKind::Part, {2}}));
   EXPECT_EQ(result.groups[2].faces.size(), 4u);
   EXPECT_GT(result.faces[1].elements, 700u);
   EXPECT_LT(result.faces[0].elements, 60u);
-  options.partSizes = {{"none", 0.1}};
+  options.sizes.partSizes = {{"none", 0.1}};
   EXPECT_THROW(mesh(facets, options), InputError);
 }
 
@@ -255,8 +255,8 @@ TEST(FacetParts, AreApartWhereTheSurfaceDoesNotTurn) {
 
 TEST(FacetedMeshing, KeepsADivisionThatIsGiven) {
   const Facets facets = read(kBoxVertices + kBoxFaces);
-  FacetedMeshingOptions options;
-  options.size = 1;
+  MeshingOptions options;
+  options.sizes.size = 1;
   const DomainModel model = modelOf(facets, 1);
   const DomainCurve& edge = model.curves[2];
   const double end = edge.knots.back();
@@ -273,10 +273,10 @@ TEST(FacetedMeshing, KeepsADivisionThatIsGiven) {
 
 TEST(FacetedMeshing, GivesFacesAndEdgesSizesOfTheirOwn) {
   const Facets facets = read(kBoxVertices + kBoxFaces);
-  FacetedMeshingOptions options;
-  options.size = 1;
-  options.faceSizes[3] = 0.2;
-  options.edgeSizes[1] = 0.05;
+  MeshingOptions options;
+  options.sizes.size = 1;
+  options.sizes.faceSizes[3] = 0.2;
+  options.sizes.edgeSizes[1] = 0.05;
   const ModelMesh result = mesh(facets, options);
   EXPECT_EQ(std::ranges::count(result.segments, 1, &EdgeSegment::edge), 40);
   EXPECT_GT(result.faces[2].elements, 150u);

@@ -9,7 +9,7 @@ namespace af2::testing {
 
 /// Held against what must be so of a complete mesh.
 inline geometry::ModelMesh completeMesh(const geometry::Facets& facets,
-                                        const geometry::FacetedMeshingOptions& options) {
+                                        const geometry::MeshingOptions& options) {
   static const AF2Algorithm algorithm(triangleSet());
   geometry::ModelMesh result = geometry::meshFaceted(facets, algorithm, options);
   expectComplete(result);
@@ -18,8 +18,8 @@ inline geometry::ModelMesh completeMesh(const geometry::Facets& facets,
 }
 
 inline geometry::ModelMesh completeMesh(const geometry::Facets& facets, double size) {
-  geometry::FacetedMeshingOptions options;
-  options.size = size;
+  geometry::MeshingOptions options;
+  options.sizes.size = size;
   return completeMesh(facets, options);
 }
 

@@ -53,19 +53,19 @@ Facets thickTorus() {
 }
 
 TEST(Faceted, RefusesSizesThatAskForTooManyElements) {
-  FacetedMeshingOptions options;
-  options.size = 1e-5;
+  MeshingOptions options;
+  options.sizes.size = 1e-5;
   const AF2Algorithm algorithm(testing::triangleSet());
   EXPECT_THROW(meshFaceted(read("box.obj", kBox), algorithm, options), InputError);
 }
 
 TEST(Faceted, RefusesGrowthThatAFrontCannotFollow) {
-  FacetedMeshingOptions options;
-  options.size = 1;
-  options.growth = 1000;
+  MeshingOptions options;
+  options.sizes.size = 1;
+  options.sizes.growth = 1000;
   const AF2Algorithm algorithm(testing::triangleSet());
   EXPECT_THROW(meshFaceted(read("box.obj", kBox), algorithm, options), InputError);
-  options.growth = 10;
+  options.sizes.growth = 10;
   testing::completeMesh(read("box.obj", kBox), options);
 }
 
@@ -213,16 +213,16 @@ TEST(FacetedMeshing, PutsElementsAcrossWhatIsNarrow) {
   for (std::size_t i = plate.find(" 2\nv"); i != std::string::npos; i = plate.find(" 2\nv", i + 1))
     plate.replace(i, 2, " 0.2");
   plate.replace(plate.find(" 2\nf"), 2, " 0.2");
-  FacetedMeshingOptions options;
-  options.size = 0.5;
+  MeshingOptions options;
+  options.sizes.size = 0.5;
   const std::size_t before = testing::completeMesh(read("box.obj", plate), options).elements.size();
-  options.elementsAcross = 2;
+  options.sizes.elementsAcross = 2;
   EXPECT_GT(testing::completeMesh(read("box.obj", plate), options).elements.size(), 8 * before);
 }
 
 TEST(FacetedMeshing, PutsMiddlesOfSidesOnTheTriangles) {
-  FacetedMeshingOptions options;
-  options.size = 0.5;
+  MeshingOptions options;
+  options.sizes.size = 0.5;
   options.order = 2;
   const ModelMesh result = testing::completeMesh(thickTorus(), options);
   ASSERT_EQ(result.midsides.size(), result.elements.size());

@@ -1,6 +1,6 @@
 #include "geometry/io/size_file.h"
 
-#include "geometry/domain/part_sizes.h"
+#include "geometry/meshing/part_sizes.h"
 
 #include <gtest/gtest.h>
 

@@ -7,21 +7,21 @@
 
 namespace af2::testing {
 
-inline geometry::ModelSizes uniform(double size) {
-  geometry::ModelSizes sizes;
+inline geometry::CadSizes uniform(double size) {
+  geometry::CadSizes sizes;
   sizes.size = size;
   return sizes;
 }
 
-inline geometry::ModelMeshingOptions ofSize(double size) {
-  geometry::ModelMeshingOptions options;
+inline geometry::MeshingOptions ofSize(double size) {
+  geometry::MeshingOptions options;
   options.sizes = uniform(size);
   options.threads = 1;
   return options;
 }
 
 inline geometry::ModelMesh mesh(const geometry::Model& model,
-                                const geometry::ModelMeshingOptions& options) {
+                                const geometry::MeshingOptions& options) {
   static const AF2Algorithm algorithm(triangleSet());
   return geometry::meshModel(model, algorithm, options);
 }

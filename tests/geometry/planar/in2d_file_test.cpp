@@ -26,8 +26,8 @@ PlanarCurves read(const std::string& text) {
 
 ModelMesh mesh(const std::string& text, double size) {
   const AF2Algorithm algorithm(testing::triangleSet());
-  PlanarMeshingOptions options;
-  options.size = size;
+  MeshingOptions options;
+  options.sizes.size = size;
   return meshPlanar(domainOf(read(text)), algorithm, options);
 }
 
@@ -81,9 +81,9 @@ TEST(In2dFile, HasNoSegmentThatTurnsByMoreThanWasAskedFor) {
       "segments\n1 0 3 1 2 3\n1 0 2 3 4\n1 0 2 4 1\n";
   const AF2Algorithm algorithm(testing::triangleSet());
   for (const double perTurn : {12.0, 13.0, 15.0, 17.0}) {
-    PlanarMeshingOptions options;
-    options.size = 5;
-    options.elementsPerTurn = perTurn;
+    MeshingOptions options;
+    options.sizes.size = 5;
+    options.sizes.elementsPerTurn = perTurn;
     const ModelMesh result = meshPlanar(domainOf(read(quarter)), algorithm, options);
     const auto segments = std::ranges::count(result.segments, 1, &EdgeSegment::edge);
     EXPECT_EQ(segments, static_cast<long>(std::ceil(perTurn / 4))) << perTurn;

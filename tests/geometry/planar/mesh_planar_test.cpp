@@ -17,7 +17,7 @@ const std::string kSquareWithHole =
 class PlanarMeshing : public ::testing::Test {
  protected:
   AF2Algorithm algorithm{testing::triangleSet()};
-  PlanarMeshingOptions options;
+  MeshingOptions options;
 
   ModelMesh mesh(const std::string& text) {
     return meshPlanar(testing::polyOf(text), algorithm, options);
@@ -35,7 +35,7 @@ class PlanarMeshing : public ::testing::Test {
 };
 
 TEST_F(PlanarMeshing, FillsASquareAroundItsHole) {
-  options.size = 0.5;
+  options.sizes.size = 0.5;
   const ModelMesh result = mesh(kSquareWithHole);
   EXPECT_TRUE(checkModelMesh(result).empty());
   EXPECT_NEAR(areaOf(result), 12, 1e-12);
@@ -46,29 +46,29 @@ TEST_F(PlanarMeshing, FillsASquareAroundItsHole) {
 }
 
 TEST_F(PlanarMeshing, RefusesSizesThatAskForTooManyElements) {
-  options.size = 1e-5;
+  options.sizes.size = 1e-5;
   EXPECT_THROW(mesh(kSquareWithHole), InputError);
 }
 
 TEST_F(PlanarMeshing, RefusesOptionsThatMakeNoSense) {
   const auto isRefused = [&](auto&& change) {
     options = {};
-    options.size = 0.5;
+    options.sizes.size = 0.5;
     change(options);
     EXPECT_THROW(mesh(kSquareWithHole), InputError);
   };
   const double none = std::numeric_limits<double>::quiet_NaN();
-  isRefused([](auto& o) { o.minSize = 0.5, o.maxSize = 0.1; });
-  isRefused([&](auto& o) { o.minSize = none; });
-  isRefused([](auto& o) { o.growth = -1; });
-  isRefused([&](auto& o) { o.growth = none; });
-  isRefused([](auto& o) { o.elementsPerTurn = 1; });
-  isRefused([&](auto& o) { o.elementsAcross = none; });
-  isRefused([&](auto& o) { o.partSizes = {{"*", none}}; });
+  isRefused([](auto& o) { o.sizes.minSize = 0.5, o.sizes.maxSize = 0.1; });
+  isRefused([&](auto& o) { o.sizes.minSize = none; });
+  isRefused([](auto& o) { o.sizes.growth = -1; });
+  isRefused([&](auto& o) { o.sizes.growth = none; });
+  isRefused([](auto& o) { o.sizes.elementsPerTurn = 1; });
+  isRefused([&](auto& o) { o.sizes.elementsAcross = none; });
+  isRefused([&](auto& o) { o.sizes.partSizes = {{"*", none}}; });
 }
 
 TEST_F(PlanarMeshing, RefusesDomainsOfAProgramThatNameWhatIsNotThere) {
-  options.size = 0.5;
+  options.sizes.size = 0.5;
   const auto isRefused = [&](auto&& change) {
     PlanarDomain domain = testing::polyOf(kSquareWithHole);
     change(domain);
@@ -81,7 +81,7 @@ TEST_F(PlanarMeshing, RefusesDomainsOfAProgramThatNameWhatIsNotThere) {
 }
 
 TEST_F(PlanarMeshing, RefusesModelsWithPartsThatAreNotThere) {
-  options.size = 0.5;
+  options.sizes.size = 0.5;
   const auto faultOf = [&](auto&& change) {
     DomainModel model = planarModel(testing::polyOf(kSquareWithHole), options);
     change(model);
@@ -102,7 +102,7 @@ TEST_F(PlanarMeshing, RefusesModelsWithPartsThatAreNotThere) {
 }
 
 TEST_F(PlanarMeshing, KnowsWhichSegmentsAreMarkedAsBoundaries) {
-  options.size = 0.5;
+  options.sizes.size = 0.5;
   // The hole is unmarked, the last segment lies on half of the one marked 7.
   const ModelMesh result = mesh(
       "9 2 0 0\n1 0 0\n2 4 0\n3 4 4\n4 0 4\n5 1 1\n6 3 1\n7 3 3\n8 1 3\n9 2 0\n"
@@ -118,7 +118,7 @@ TEST_F(PlanarMeshing, KnowsWhichSegmentsAreMarkedAsBoundaries) {
 }
 
 TEST_F(PlanarMeshing, TakesTheMarkerOfWhicheverOfTwoEqualSegmentsHasOne) {
-  options.size = 1;
+  options.sizes.size = 1;
   const ModelMesh result =
       mesh("3 2 0 0\n1 0 0\n2 4 0\n3 0 4\n4 1\n1 1 2 0\n2 2 3 0\n3 3 1 0\n4 2 1 9\n0\n");
   EXPECT_TRUE(checkModelMesh(result).empty());
@@ -127,7 +127,7 @@ TEST_F(PlanarMeshing, TakesTheMarkerOfWhicheverOfTwoEqualSegmentsHasOne) {
 }
 
 TEST_F(PlanarMeshing, SharesVerticesBetweenRegions) {
-  options.size = 0.5;
+  options.sizes.size = 0.5;
   const std::string withoutHole = kSquareWithHole.substr(0, kSquareWithHole.size() - 8) + "0\n";
   const ModelMesh result = mesh(withoutHole);
   EXPECT_TRUE(checkModelMesh(result).empty());
@@ -136,7 +136,7 @@ TEST_F(PlanarMeshing, SharesVerticesBetweenRegions) {
 }
 
 TEST_F(PlanarMeshing, MakesGroupsOfRegionsWithTheSameAttribute) {
-  options.size = 0.5;
+  options.sizes.size = 0.5;
   const std::string halves =
       "6 2 0 0\n1 0 0\n2 2 0\n3 4 0\n4 4 2\n5 2 2\n6 0 2\n"
       "7 0\n1 1 2\n2 2 3\n3 3 4\n4 4 5\n5 5 6\n6 6 1\n7 2 5\n0\n";
@@ -151,7 +151,7 @@ TEST_F(PlanarMeshing, MakesGroupsOfRegionsWithTheSameAttribute) {
 }
 
 TEST_F(PlanarMeshing, KeepsASegmentThatEndsInside) {
-  options.size = 0.5;
+  options.sizes.size = 0.5;
   const ModelMesh result = mesh(
       "5 2 0 0\n1 0 0\n2 4 0\n3 4 4\n4 0 4\n5 2 2\n5 0\n1 1 2\n2 2 3\n3 3 4\n4 4 1\n5 1 5\n0\n");
   EXPECT_TRUE(checkModelMesh(result).empty());
@@ -165,7 +165,7 @@ TEST_F(PlanarMeshing, KeepsASegmentThatEndsInside) {
 }
 
 TEST_F(PlanarMeshing, KeepsTheBoundaryThatIsGiven) {
-  options.size = 0.5;
+  options.sizes.size = 0.5;
   options.keepBoundary = true;
   const ModelMesh result = mesh(kSquareWithHole);
   EXPECT_TRUE(checkModelMesh(result).empty());
@@ -174,9 +174,9 @@ TEST_F(PlanarMeshing, KeepsTheBoundaryThatIsGiven) {
 }
 
 TEST_F(PlanarMeshing, FollowsPointsBoxesAndBounds) {
-  options.size = 1;
-  options.sources.points = {{{0, 0, 0}, 0.1}};
-  options.minSize = 0.3;
+  options.sizes.size = 1;
+  options.sizes.sources.points = {{{0, 0, 0}, 0.1}};
+  options.sizes.minSize = 0.3;
   const ModelMesh result = mesh(kSquareWithHole);
   EXPECT_TRUE(checkModelMesh(result).empty());
   ASSERT_EQ(result.wantedSizes.size(), result.vertices.size());
@@ -185,8 +185,8 @@ TEST_F(PlanarMeshing, FollowsPointsBoxesAndBounds) {
 }
 
 TEST_F(PlanarMeshing, FollowsASizeFunction) {
-  options.size = 1;
-  options.function = [](const Point3& p) { return 0.1 + 0.2 * p.x; };
+  options.sizes.size = 1;
+  options.sizes.function = [](const Point3& p) { return 0.1 + 0.2 * p.x; };
   const ModelMesh result =
       mesh("4 2 0 0\n1 0 0\n2 4 0\n3 4 4\n4 0 4\n4 0\n1 1 2\n2 2 3\n3 3 4\n4 4 1\n0\n");
   EXPECT_TRUE(checkModelMesh(result).empty());
@@ -200,22 +200,22 @@ TEST_F(PlanarMeshing, FollowsASizeFunction) {
 }
 
 TEST_F(PlanarMeshing, GivesTheSameBytesEachTime) {
-  options.size = 0.3;
+  options.sizes.size = 0.3;
   const ModelMesh first = mesh(kSquareWithHole), second = mesh(kSquareWithHole);
   EXPECT_EQ(first.vertices, second.vertices);
   EXPECT_EQ(first.elements, second.elements);
 }
 
 TEST_F(PlanarMeshing, RefusesASizeThatIsNotPositive) {
-  options.size = 0;
+  options.sizes.size = 0;
   EXPECT_THROW(mesh(kSquareWithHole), InputError);
-  options.size = 1;
-  options.function = [](const Point3&) { return -1.0; };
+  options.sizes.size = 1;
+  options.sizes.function = [](const Point3&) { return -1.0; };
   EXPECT_THROW(mesh(kSquareWithHole), InputError);
 }
 
 TEST_F(PlanarMeshing, HasTheVerticesThatNoSegmentUses) {
-  options.size = 0.5;
+  options.sizes.size = 0.5;
   // In the square, in its hole, outside, and on a segment.
   const std::string loose = "12" +
                             kSquareWithHole.substr(1, kSquareWithHole.find("8 0\n1 1 2") - 1) +
@@ -232,7 +232,7 @@ TEST_F(PlanarMeshing, HasTheVerticesThatNoSegmentUses) {
 }
 
 TEST_F(PlanarMeshing, MakesRoomForVerticesThatAreClose) {
-  options.size = 1;
+  options.sizes.size = 1;
   std::string text = "68 2 0 0\n1 0 0\n2 1 0\n3 1 1\n4 0 1\n";
   for (int i = 0; i < 64; ++i)  // about an eighth apart, where one element would do
     text += std::to_string(i + 5) + " " + std::to_string(0.06 + 0.12 * (i % 8) + 0.003 * (i / 8)) +
@@ -245,7 +245,7 @@ TEST_F(PlanarMeshing, MakesRoomForVerticesThatAreClose) {
 }
 
 TEST_F(PlanarMeshing, TakesWhatCannotBeSeenForOne) {
-  options.size = 0.5;
+  options.sizes.size = 0.5;
   // A segment of 1e-30, and a corner of the hole that all but lies on the outer square.
   const std::string text =
       "8 2 0 0\n1 0 0\n2 4 0\n3 4 4\n4 1e-30 4\n5 0 4\n6 1 1\n7 2 1e-9\n8 3 1\n"
@@ -260,8 +260,8 @@ TEST_F(PlanarMeshing, TakesWhatCannotBeSeenForOne) {
 }
 
 TEST_F(PlanarMeshing, DividesASegmentAsAsked) {
-  options.size = 1;
-  options.edgeSizes[2] = 0.1;
+  options.sizes.size = 1;
+  options.sizes.edgeSizes[2] = 0.1;
   options.edgePoints[4] = {{0, 3, 0}, {0, 0.5, 0}};
   const ModelMesh result = mesh(kSquareWithHole);
   testing::expectComplete(result);
@@ -274,7 +274,7 @@ TEST_F(PlanarMeshing, DividesASegmentAsAsked) {
 
 TEST_F(PlanarMeshing, OpensThinAnglesByShorterEdges) {
   // A hole so near to the border that edges of the wanted length leave no angle beside it.
-  options.size = 1;
+  options.sizes.size = 1;
   const ModelMesh result = mesh(
       "8 2 0 0\n1 0 0\n2 8 0\n3 8 8\n4 0 8\n5 3 0.01\n6 5 0.01\n7 5 3\n8 3 3\n"
       "8 0\n1 1 2\n2 2 3\n3 3 4\n4 4 1\n5 5 6\n6 6 7\n7 7 8\n8 8 5\n1\n1 4 2\n");
@@ -284,7 +284,7 @@ TEST_F(PlanarMeshing, OpensThinAnglesByShorterEdges) {
 }
 
 TEST_F(PlanarMeshing, StopsWhenAsked) {
-  options.size = 0.01;
+  options.sizes.size = 0.01;
   std::stop_source source;
   source.request_stop();
   options.stop = source.get_token();

@@ -17,32 +17,32 @@ class HopelessModel final : public RetriedModel {
   explicit HopelessModel(std::size_t faces) : edges_(faces) {}
 
   const std::vector<std::vector<int>>& edgesOfFaces() const override { return edges_; }
-  DividedEdges divide(const PositionSize&, const EdgesAsPoints&) const override { return {}; }
-  std::vector<EdgesAsPoints> shortEdges(std::size_t, const DividedEdges&,
-                                        const std::vector<SizeSource>&) const override {
+  DividedEdges divide(const PositionSize&, const CollapsedEdges&) const override { return {}; }
+  std::vector<CollapsedEdges> shortEdges(std::size_t, const DividedEdges&,
+                                         const std::vector<SizeSource>&) const override {
     return {};
   }
   void mesh(std::size_t i, const PositionSize&, const TryLimits& limits,
             FaceMeshes& into) const override {
-    into.meshes[i] = failure(i, std::min(limits.mostCandidates, kStubborn));
-    spent += into.meshes[i].effort;
-    if (limits.mayLean) ++leant;
+    into.meshes[i] = failure(i, std::min(limits.maxCandidates, kStubborn));
+    spent += into.meshes[i].searchCost;
+    if (limits.ignoresNormals) ++ignoring;
   }
   void join(FaceMeshes&) const override {}
   std::vector<SizeSource> sizesInside(std::size_t) const override { return {}; }
 
-  static FaceMesh failure(std::size_t i, std::size_t effort) {
+  static FaceMesh failure(std::size_t i, std::size_t searchCost) {
     FaceMesh mesh;
     mesh.report.id = static_cast<int>(i) + 1;
     mesh.report.status = FaceStatus::Failed;
     mesh.report.reason = "hopeless";
     mesh.diagnosis.isBad = true;
     mesh.diagnosis.places = {{{static_cast<double>(i), 0, 0}, 0.1}};
-    mesh.effort = effort;
+    mesh.searchCost = searchCost;
     return mesh;
   }
 
-  mutable std::atomic<std::size_t> spent = 0, leant = 0;
+  mutable std::atomic<std::size_t> spent = 0, ignoring = 0;
 
  private:
   std::vector<std::vector<int>> edges_;
@@ -77,13 +77,13 @@ TEST(Retries, TakeAsMuchWithAnyNumberOfThreads) {
   retried(one, 1);
   retried(two, 2);
   EXPECT_EQ(one.spent, two.spent);
-  EXPECT_EQ(one.leant, two.leant);
+  EXPECT_EQ(one.ignoring, two.ignoring);
 }
 
 TEST(Retries, LeaveSomethingForTheLastWayOfEachOfAFewFaces) {
   const HopelessModel model(5);
   retried(model, 1);
-  EXPECT_EQ(model.leant, 5u);
+  EXPECT_EQ(model.ignoring, 5u);
 }
 
 /// Two faces all but touch along a line: they cross at the first place of it where elements are too
@@ -94,12 +94,12 @@ class TouchingModel final : public RetriedModel {
   static constexpr double kLargest = 1, kWanted = 0.3;
 
   const std::vector<std::vector<int>>& edgesOfFaces() const override { return edges_; }
-  DividedEdges divide(const PositionSize& sizes, const EdgesAsPoints&) const override {
+  DividedEdges divide(const PositionSize& sizes, const CollapsedEdges&) const override {
     sizes_ = sizes;
     return {};
   }
-  std::vector<EdgesAsPoints> shortEdges(std::size_t, const DividedEdges&,
-                                        const std::vector<SizeSource>&) const override {
+  std::vector<CollapsedEdges> shortEdges(std::size_t, const DividedEdges&,
+                                         const std::vector<SizeSource>&) const override {
     return {};
   }
   void mesh(std::size_t i, const PositionSize&, const TryLimits&, FaceMeshes& into) const override {
@@ -122,7 +122,7 @@ class TouchingModel final : public RetriedModel {
   static FaceMesh face(std::size_t i) {
     FaceMesh mesh;
     mesh.report.id = static_cast<int>(i) + 1;
-    mesh.effort = 1000;
+    mesh.searchCost = 1000;
     return mesh;
   }
 

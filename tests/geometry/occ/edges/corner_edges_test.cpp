@@ -31,7 +31,7 @@ TopoDS_Face cornerCutBy(double length) {
 
 /// The longest segment that touches a place, of a mesh of size 1.
 double longestAt(const TopoDS_Shape& shape, const Point3& place) {
-  ModelSizes sizes;
+  CadSizes sizes;
   sizes.size = 1;
   const Model model = testing::modelOf(shape);
   const DividedEdges divided =
@@ -86,7 +86,7 @@ TEST(CornerEdges, OfTinyLengthGetNoTinySegmentsBesideThem) {
 }
 
 TEST(CornerEdges, WithASizeOfTheirOwnCountAsThat) {
-  ModelMeshingOptions options = testing::ofSize(1);
+  MeshingOptions options = testing::ofSize(1);
   for (int edge = 1; edge <= 5; ++edge) options.sizes.edgeSizes[edge] = 1;
   const ModelMesh mesh = testing::mesh(testing::modelOf(cornerCutBy(0.1)), options);
   EXPECT_EQ(mesh.segments.size(), 41u);

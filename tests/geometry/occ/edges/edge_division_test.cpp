@@ -16,7 +16,7 @@ namespace {
 
 using testing::uniform;
 
-DividedEdges divide(const Model& model, const ModelSizes& sizes) {
+DividedEdges divide(const Model& model, const CadSizes& sizes) {
   return divideEdges(model.shape(), sampleEdges(model.shape(), sizes, 1, {}), sizes, 1, {});
 }
 
@@ -42,7 +42,7 @@ TEST(EdgeDivision, TellsAboutHowManySegmentsAreTooMany) {
   const Model box = testing::box(1, 1, 1);
   for (const auto& [size, told] : {std::pair(1e-12, "needs more than 1e+12 segments"),
                                    std::pair(1e-300, "needs more than 1e+300 segments")}) {
-    ModelSizes sizes = uniform(0.5);
+    CadSizes sizes = uniform(0.5);
     sizes.edgeSizes[1] = size;
     const std::string problem = sampleEdges(box.shape(), sizes, 1, {})[0].problem;
     EXPECT_NE(problem.find(told), std::string::npos) << problem;
@@ -78,7 +78,7 @@ TEST(EdgeDivision, KeepsRoundHolesRoundHoweverLargeTheSize) {
 
 /// How many segments each arc of a sector of a cylinder has.
 std::set<std::size_t> segmentsOfArcs(double radius, double degrees, double size, double perTurn) {
-  ModelSizes sizes = uniform(size);
+  CadSizes sizes = uniform(size);
   sizes.elementsPerTurn = perTurn;
   const Model model = testing::modelOf(
       BRepPrimAPI_MakeCylinder(radius, 1, degrees / 180 * std::numbers::pi).Shape());
@@ -123,7 +123,7 @@ TEST(EdgeDivision, PutsVerticesOntoTheCurve) {
 }
 
 TEST(EdgeDivision, TakesSizesByEdgeAndByTheFinerOfItsFaces) {
-  ModelSizes sizes = uniform(1);
+  CadSizes sizes = uniform(1);
   sizes.faceSizes[2] = 0.1;
   sizes.edgeSizes[1] = 0.05;
   const Model model = testing::box(1, 1, 1);
@@ -135,7 +135,7 @@ TEST(EdgeDivision, TakesSizesByEdgeAndByTheFinerOfItsFaces) {
 }
 
 TEST(EdgeDivision, FollowsASizeFunctionAlongTheEdge) {
-  ModelSizes sizes = uniform(1);
+  CadSizes sizes = uniform(1);
   sizes.function = [](const Point3& p) { return 0.1 + 0.1 * p.z; };
   const DividedEdges divided = divide(testing::box(2, 2, 10), sizes);
   for (const DividedEdge& edge : divided.edges) {

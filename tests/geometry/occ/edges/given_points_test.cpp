@@ -14,7 +14,7 @@ namespace af2::geometry {
 namespace {
 
 ModelMesh mesh(const Model& model, const EdgePoints& points) {
-  ModelMeshingOptions options = testing::ofSize(0.4);
+  MeshingOptions options = testing::ofSize(0.4);
   options.edgePoints = points;
   ModelMesh result = testing::mesh(model, options);
   testing::expectComplete(result);

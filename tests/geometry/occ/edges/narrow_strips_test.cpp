@@ -19,8 +19,7 @@ namespace {
 using testing::uniform;
 
 /// Lengths of the segments whose middles lie within a box.
-std::vector<double> lengthsIn(const Model& model, const ModelSizes& sizes, Point3 low,
-                              Point3 high) {
+std::vector<double> lengthsIn(const Model& model, const CadSizes& sizes, Point3 low, Point3 high) {
   const DividedEdges divided =
       divideEdges(model.shape(), sampleEdges(model.shape(), sizes, 1, {}), sizes, 1, {});
   std::vector<double> lengths;
@@ -98,7 +97,7 @@ TEST(NarrowStrips, StayAsTheyAreWhereSegmentsWouldBeFarTooShort) {
 
 TEST(NarrowStrips, MayHaveShorterSegmentsWhereTurnsAreToHaveTheirElements) {
   const Model strip = polygonModel({{0, 0, 0}, {10, 0, 0}, {10, 0.08, 0}, {0, 0.08, 0}});
-  ModelSizes sizes = uniform(1);
+  CadSizes sizes = uniform(1);
   for (const double length : lengthsIn(strip, sizes, {1, -1}, {9, 1})) EXPECT_GT(length, 0.9);
   sizes.elementsPerTurn = 12;
   sizes.edgeTurn = 0.5;
@@ -107,7 +106,7 @@ TEST(NarrowStrips, MayHaveShorterSegmentsWhereTurnsAreToHaveTheirElements) {
 }
 
 TEST(NarrowStrips, LeaveToAnEdgeTheSizeThatItIsGiven) {
-  ModelSizes sizes = uniform(1);
+  CadSizes sizes = uniform(1);
   for (int edge = 1; edge <= 12; ++edge) sizes.edgeSizes[edge] = 1;
   for (const double length : lengthsIn(testing::box(10, 10, 0.3), sizes, {1, -1}, {9, 11}))
     EXPECT_NEAR(length, 1, 0.1);

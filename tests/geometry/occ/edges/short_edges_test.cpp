@@ -45,7 +45,7 @@ TEST(ShortEdges, AMeridianThatGoesOnPastThePoleEndsThere) {
 
 /// To try shorter edges again and again would take long, and be of no use.
 TEST(ShortEdges, AlsoAllTheWayAroundAfterFewTries) {
-  ModelMeshingOptions options = testing::ofSize(2.7);
+  MeshingOptions options = testing::ofSize(2.7);
   int fronts = 0;
   options.observer = [&](int) {
     ++fronts;
@@ -65,8 +65,8 @@ TEST(ShortEdges, AreKeptWhereNothingFails) {
   EXPECT_FALSE(tellsOfPoints(result.faces[0]));
 }
 
-DividedEdges divided(const Model& model, double size, const EdgesAsPoints& asPoints) {
-  ModelSizes sizes;
+DividedEdges divided(const Model& model, double size, const CollapsedEdges& asPoints) {
+  CadSizes sizes;
   sizes.size = size;
   return divideEdges(model.shape(), sampleEdges(model.shape(), sizes, 1, {}), sizes, 1, {}, {},
                      asPoints);

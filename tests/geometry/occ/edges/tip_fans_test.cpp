@@ -132,7 +132,7 @@ TEST(TipFans, LeavePartsThatAreTooShortForThem) {
   }
   part.samples.pieces.push_back(piece);
   part.samples.length = 1;
-  ModelSizes sizes;
+  CadSizes sizes;
   sizes.size = 0.25;
   EXPECT_EQ(divideFromTips(part, {{3, 2.0}}, 1, sizes).size(), 5u);
   const std::vector<double> whole = divideFromTips(part, {{3, 0.375}}, 1, sizes);
@@ -143,7 +143,7 @@ TEST(TipFans, LeavePartsThatAreTooShortForThem) {
 
 TEST(TipFans, KeepSegmentsThatAreGiven) {
   const Model model = testing::cone(1, 0, kHeight);
-  ModelMeshingOptions options = testing::ofSize(0.5);
+  MeshingOptions options = testing::ofSize(0.5);
   const ModelMesh first = testing::mesh(model, options);
   for (const EdgeSegment& segment : first.segments) {
     auto& points = options.edgePoints[segment.edge];
@@ -157,7 +157,7 @@ TEST(TipFans, KeepSegmentsThatAreGiven) {
 }
 
 TEST(TipFans, HaveMiddlesOnTheSurface) {
-  ModelMeshingOptions options = testing::ofSize(0.5);
+  MeshingOptions options = testing::ofSize(0.5);
   options.order = 2;
   const double radius = 1;
   const ModelMesh result = testing::mesh(testing::cone(radius, 0, kHeight), options);

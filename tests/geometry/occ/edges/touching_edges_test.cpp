@@ -151,7 +151,7 @@ TEST(TouchingEdges, APlaceWithoutWidthDividesAFaceInTwo) {
 }
 
 TEST(TouchingEdges, AreDividedWhereOthersEnd) {
-  ModelSizes sizes;
+  CadSizes sizes;
   sizes.size = 1.3;
   const Model model = needle(1e-4);
   const DividedEdges divided =
@@ -168,7 +168,7 @@ TEST(TouchingEdges, AreDividedWhereOthersEnd) {
 
 /// Its points are given from outside, and stay as they are.
 TEST(TouchingEdges, AnEdgeWithGivenPointsIsNotDividedFurther) {
-  ModelMeshingOptions options = testing::ofSize(1.3);
+  MeshingOptions options = testing::ofSize(1.3);
   options.edgePoints[1] = {{1, 0, 0}, {2, 0, 0}, {3.5, 0, 0}, {4.5, 0, 0}, {6, 0, 0}};
   const ModelMesh result = mesh(needle(1e-4), options);
   EXPECT_EQ(std::ranges::count(result.segments, 1, &EdgeSegment::edge), 6);

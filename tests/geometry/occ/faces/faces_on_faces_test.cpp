@@ -72,7 +72,7 @@ TEST(FacesOnFaces, AreDefects) {
 
 /// Alone, it can be meshed as it is.
 TEST(FacesOnFaces, AFlapAloneHasElements) {
-  ModelMeshingOptions options = testing::ofSize(0.25);
+  MeshingOptions options = testing::ofSize(0.25);
   options.faces = {2};
   testing::expectComplete(testing::mesh(testing::modelOf(foldedFlap()), options), 0.5, 1e-9);
 }

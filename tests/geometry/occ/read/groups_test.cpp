@@ -32,7 +32,7 @@ namespace af2::geometry {
 namespace {
 
 ModelMesh mesh(const Model& model, double size, int order) {
-  ModelMeshingOptions options = testing::ofSize(size);
+  MeshingOptions options = testing::ofSize(size);
   options.order = order;
   ModelMesh result = testing::mesh(model, options);
   testing::expectComplete(result);

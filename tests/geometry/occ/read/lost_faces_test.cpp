@@ -62,7 +62,7 @@ TEST(LostFaces, AreNoCompleteMesh) {
 }
 
 TEST(LostFaces, DoNotMatterToThoseWhoAskForOthers) {
-  ModelMeshingOptions options = testing::ofSize(0.5);
+  MeshingOptions options = testing::ofSize(0.5);
   options.faces = {1};
   EXPECT_TRUE(testing::mesh(withoutMantle(), options).findings.empty());
 }

@@ -24,7 +24,7 @@ namespace af2::geometry {
 namespace {
 
 ModelMesh mesh(const Model& model, double size, ChartKind chart) {
-  ModelMeshingOptions options = testing::ofSize(size);
+  MeshingOptions options = testing::ofSize(size);
   options.chart = chart;
   return testing::mesh(model, options);
 }
@@ -159,12 +159,13 @@ template <class Normal>
 void expectNoFolds(const Model& model, ChartKind kind, Normal&& normalAt) {
   static const AF2Algorithm algorithm(testing::triangleSet());
   for (const double size : {0.9, 0.7, 0.5}) {
-    ModelMeshingOptions options;
+    MeshingOptions options;
     options.sizes.size = size;
-    options.sizes.faceTurn = options.sizes.edgeTurn = 1e3;
+    TurnLimits none;
+    none.faceTurn = none.edgeTurn = 1e3;
     options.threads = 1;
     options.chart = kind;
-    const ModelMesh mesh = meshModel(model, algorithm, options);
+    const ModelMesh mesh = meshModel(model, algorithm, options, none);
     EXPECT_EQ(mesh.faces[0].status, FaceStatus::Complete) << toString(kind) << " " << size;
     for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
       if (mesh.face[e] != 1) continue;

@@ -91,7 +91,7 @@ TEST(DifficultFaces, AnObliqueTubeGetsTheSizesThatItsCurvatureWants) {
 
 /// No front can fill what crossing edges bound, however short they are.
 TEST(DifficultFaces, ALoopThatCrossesItselfIsTriedOnce) {
-  ModelMeshingOptions options = testing::ofSize(0.3);
+  MeshingOptions options = testing::ofSize(0.3);
   int fronts = 0;
   options.observer = [&](int) {
     ++fronts;
@@ -125,7 +125,7 @@ TEST(DifficultFaces, AFrontThatRunsAwayIsStoppedEarlyWhereTurnsAreAskedFor) {
     void stepTaken(const StepReport& step) override { most = std::max(most, step.elements); }
     std::size_t most = 0;
   } counter;
-  ModelMeshingOptions options = testing::ofSize(0.3);
+  MeshingOptions options = testing::ofSize(0.3);
   options.sizes.elementsPerTurn = 12;
   options.threads = 1;
   options.observer = [&](int) { return &counter; };
@@ -201,7 +201,7 @@ TopoDS_Face roughGround() {
 
 TEST(DifficultFaces, AFrontFollowsSizesThatChangeFasterThanItsElements) {
   const TopoDS_Face ground = roughGround();
-  ModelSizes sizes;
+  CadSizes sizes;
   sizes.size = 1;
   EXPECT_EQ(unevenFaces(testing::modelOf(ground).shape(), sizes, 1, {}), std::vector<int>{1});
   EXPECT_TRUE(unevenFaces(testing::modelOf(plane({rectangle(0, 0, 20, 20)})).shape(), sizes, 1, {})
@@ -337,7 +337,7 @@ TEST(DifficultFaces, TheSameMeshFromAnyNumberOfThreads) {
   const TopoDS_Face ring = plane({BRepBuilderAPI_MakeWire(circle(1.005)).Wire(), inner.Wire()});
   const Model solid = testing::modelOf(BRepPrimAPI_MakePrism(ring, gp_Vec(0, 0, 0.5)).Shape());
   const AF2Algorithm algorithm(testing::triangleSet());
-  ModelMeshingOptions options;
+  MeshingOptions options;
   options.sizes.size = 0.6;
   options.threads = 1;
   const ModelMesh one = meshModel(solid, algorithm, options);

@@ -272,7 +272,7 @@ TEST(Dirt, AStepThatCannotBeSeenIsNone) {
 
 TEST(Dirt, ShortEdgesThatAreGivenAreKept) {
   const Model model = testing::modelOf(testing::tinyStep(1e-6));
-  ModelMeshingOptions options = testing::ofSize(0.3);
+  MeshingOptions options = testing::ofSize(0.3);
   for (int edge = 1; edge <= model.edgeCount(); ++edge) {
     const auto [from, to] = testing::endsOf(model, edge);
     if (distance(from, to) < 1e-5) options.edgePoints[edge] = {};

@@ -32,7 +32,7 @@ using testing::mesh;
 using testing::volumeOf;
 
 ModelMesh meshOfFaces(const Model& model, double size, const std::vector<int>& faces) {
-  ModelMeshingOptions options = testing::ofSize(size);
+  MeshingOptions options = testing::ofSize(size);
   options.faces = faces;
   return mesh(model, options);
 }
@@ -59,7 +59,7 @@ TEST(ModelMeshing, MeshesASphereOverItsPoles) {
 }
 
 TEST(ModelMeshing, MeshesALargeSphereInPieces) {
-  ModelMeshingOptions options;
+  MeshingOptions options;
   options.sizes.size = 0.018;  // enough elements for a cut
   options.threads = 1;
   const Model sphere = testing::sphere(1);
@@ -155,7 +155,7 @@ TEST(ModelMeshing, DividesEdgesAlikeForOneFaceAndForAll) {
 
 TEST(ModelMeshing, DoesNotDependOnTheNumberOfThreads) {
   const Model model = testing::cone(1, 2, 2);
-  ModelMeshingOptions options;
+  MeshingOptions options;
   options.sizes.size = 0.2;
   options.threads = 1;
   const ModelMesh one = mesh(model, options);
@@ -169,7 +169,7 @@ TEST(ModelMeshing, DoesNotDependOnTheNumberOfThreads) {
 }
 
 TEST(ModelMeshing, TakesSizesByFace) {
-  ModelMeshingOptions options;
+  MeshingOptions options;
   options.sizes.size = 1;
   options.sizes.faceSizes[3] = 0.1;
   const ModelMesh result = mesh(testing::box(1, 1, 1), options);
@@ -180,7 +180,7 @@ TEST(ModelMeshing, TakesSizesByFace) {
 }
 
 TEST(ModelMeshing, TakesSizesFromAFunction) {
-  ModelMeshingOptions options;
+  MeshingOptions options;
   options.sizes.size = 1;
   options.sizes.function = [](const Point3& p) { return 0.05 + 0.2 * p.z; };
   const ModelMesh result = mesh(testing::box(1, 1, 2), options);
@@ -204,7 +204,7 @@ TEST(ModelMeshing, NumbersVerticesOfTheModelThenOfEdgesThenOfFaces) {
 }
 
 TEST(ModelMeshing, TellsItsProgress) {
-  ModelMeshingOptions options;
+  MeshingOptions options;
   options.sizes.size = 0.1;
   options.threads = 2;
   ModelProgress last;
@@ -221,7 +221,7 @@ TEST(ModelMeshing, TellsItsProgress) {
 TEST(ModelMeshing, StopsWhenAskedAndSaysSo) {
   std::stop_source source;
   source.request_stop();
-  ModelMeshingOptions options;
+  MeshingOptions options;
   options.sizes.size = 0.01;
   options.stop = source.get_token();
   const ModelMesh result = mesh(testing::box(1, 2, 3), options);

@@ -39,13 +39,13 @@ Model noisyGround(double height) {
       new Geom_BSplineSurface(poles, knots, knots, multiplicities, multiplicities, 3, 3), 1e-6));
 }
 
-ModelSizes spread(const Model& model) {
-  ModelSizes sizes;
+CadSizes spread(const Model& model) {
+  CadSizes sizes;
   sizes.size = kSize;
   return spreadSizes(model.shape(), sizes, unevenFaces(model.shape(), sizes, 1, {}), 1, {});
 }
 
-double smallestSize(const Model& model, const ModelSizes& sizes) {
+double smallestSize(const Model& model, const CadSizes& sizes) {
   const FaceSurface surface = model.shape().surface(1);
   double smallest = kSize;
   for (double u = 2; u < 98; u += 1.37)
@@ -56,10 +56,10 @@ double smallestSize(const Model& model, const ModelSizes& sizes) {
 
 TEST(RoughFaces, AreNoTubes) {
   const Model ground = noisyGround(0.6);
-  const ModelSizes sizes = spread(ground);
+  const CadSizes sizes = spread(ground);
   EXPECT_EQ(sizes.roughFaces, std::set<int>{1});
   EXPECT_GE(smallestSize(ground, sizes), sizes.faceLeast * kSize);
-  ModelSizes asTube;
+  CadSizes asTube;
   asTube.size = kSize;
   EXPECT_LT(smallestSize(ground, asTube), sizes.faceLeast * kSize / 5);
 }

@@ -21,6 +21,7 @@
 
 #include <cmath>
 
+#include "engine/base/error.h"
 #include "geometry/occ/edges/edge_division.h"
 #include "geometry/occ/faces/face_mesher.h"
 #include "tests/geometry/occ/meshing.h"
@@ -132,15 +133,21 @@ TEST(Seams, AreNoObstacleToElementsThatLean) {
       BRepPrimAPI_MakeRevol(BRepBuilderAPI_MakeEdge(zigzag).Edge(), gp_Ax1({0, 0, 0}, {0, 0, 1}))
           .Shape();
   const Model model = testing::modelOf(turned);
-  const ModelMeshingOptions options = testing::ofSize(0.4);
+  const CadSizes sizes = testing::uniform(0.4);
   const AF2Algorithm algorithm(testing::triangleSet());
-  const auto sampled = sampleEdges(model.shape(), options.sizes, 1, {});
-  const DividedEdges divided = divideEdges(model.shape(), sampled, options.sizes, 1, {}, {}, {});
-  const std::size_t any = std::numeric_limits<std::size_t>::max();
-  for (const bool mayLean : {false, true}) {
-    const FaceMesh face = meshFace(
-        {model.shape(), algorithm, options, divided, {}, {}, false, any, mayLean}, 1, 0, 500);
-    EXPECT_EQ(face.report.status, mayLean ? FaceStatus::Complete : FaceStatus::Failed);
+  const auto sampled = sampleEdges(model.shape(), sizes, 1, {});
+  const DividedEdges divided = divideEdges(model.shape(), sampled, sizes, 1, {}, {}, {});
+  for (const bool ignoresNormals : {false, true}) {
+    const FillRequest request{{}, {.ignoresNormals = ignoresNormals}, divided, algorithm, {}, false,
+                              {}};
+    FaceMesh face;
+    const auto mesh = [&] {
+      meshFace({model.shape(), sizes, {}, false, request}, 1, 0, 500, face);
+    };
+    if (ignoresNormals)
+      EXPECT_NO_THROW(mesh());
+    else
+      EXPECT_THROW(mesh(), GeometryError);
   }
 }
 

@@ -19,20 +19,20 @@
 namespace af2::geometry {
 namespace {
 
-ModelMeshingOptions optionsOf(const ModelSizes& sizes) {
-  ModelMeshingOptions options = testing::ofSize(sizes.size);
+MeshingOptions optionsOf(const Sizes& sizes) {
+  MeshingOptions options = testing::ofSize(sizes.size);
   options.sizes = sizes;
   return options;
 }
 
-ModelMesh mesh(const Model& model, const ModelSizes& sizes) {
+ModelMesh mesh(const Model& model, const Sizes& sizes) {
   ModelMesh result = testing::mesh(model, optionsOf(sizes));
   testing::expectComplete(result);
   return result;
 }
 
-ModelSizes sizesOf(double size) {
-  ModelSizes sizes;
+Sizes sizesOf(double size) {
+  Sizes sizes;
   sizes.size = size;
   return sizes;
 }
@@ -70,7 +70,7 @@ double worstStep(const ModelMesh& mesh) {
 TEST(Sizes, GiveATurnTheElementsThatAreAskedFor) {
   // A ball with fewer would lose more than a twentieth of its area, and get more after all.
   for (const double turn : {15.0, 30.0}) {
-    ModelSizes sizes = sizesOf(3);
+    Sizes sizes = sizesOf(3);
     sizes.elementsPerTurn = turn;
     sizes.minSize = 0.01;
     const ModelMesh ball = mesh(testing::sphere(1), sizes);
@@ -83,7 +83,7 @@ TEST(Sizes, GiveATurnTheElementsThatAreAskedFor) {
 }
 
 TEST(Sizes, LeaveRoomForScatterOnCurvedFacesAndTheirEdges) {
-  ModelSizes sizes = sizesOf(1);
+  Sizes sizes = sizesOf(1);
   const auto longest = [&] {
     int most = 0;
     for (const auto& [edge, count] : segmentsByEdge(mesh(testing::cylinder(10, 20), sizes)))
@@ -96,7 +96,7 @@ TEST(Sizes, LeaveRoomForScatterOnCurvedFacesAndTheirEdges) {
 }
 
 TEST(Sizes, FollowAThinTubeHoweverManyElementsATurnIsToHave) {
-  ModelSizes sizes = sizesOf(100);
+  Sizes sizes = sizesOf(100);
   std::size_t before = 0;
   for (const double turn : {10.0, 14.0, 20.0}) {
     sizes.elementsPerTurn = turn;
@@ -107,7 +107,7 @@ TEST(Sizes, FollowAThinTubeHoweverManyElementsATurnIsToHave) {
 }
 
 TEST(Sizes, LeaveNoneOnFacesThatAreAsGoodAsFlat) {
-  ModelSizes sizes = sizesOf(1);
+  Sizes sizes = sizesOf(1);
   sizes.elementsPerTurn = 12;
   const TopoDS_Face face =
       BRepBuilderAPI_MakeFace(gp_Cylinder(gp_Ax3(), 1e4), 0, 1e-3, 0, 10).Face();
@@ -116,7 +116,7 @@ TEST(Sizes, LeaveNoneOnFacesThatAreAsGoodAsFlat) {
 }
 
 TEST(Sizes, StopAtTheSmallestAndTheLargest) {
-  ModelSizes sizes = sizesOf(5);
+  Sizes sizes = sizesOf(5);
   sizes.elementsPerTurn = 100;
   sizes.minSize = 0.3;
   EXPECT_NEAR(meanLength(mesh(testing::sphere(1), sizes)), 0.3, 0.05);
@@ -129,7 +129,7 @@ TEST(Sizes, StopAtTheSmallestAndTheLargest) {
 }
 
 TEST(Sizes, AtAPointSpreadEvenlyThroughSpace) {
-  ModelSizes sizes = sizesOf(1);
+  Sizes sizes = sizesOf(1);
   sizes.sources.points = {{{5, 5, 2}, 0.05}};
   sizes.growth = 0.3;
   const ModelMesh result = mesh(testing::box(10, 10, 2), sizes);
@@ -165,7 +165,7 @@ TEST(Sizes, GrowAwayFromACurvedFaceMoreGentlyThanTheyMay) {
       testing::modelOf(BRepAlgoAPI_Cut(BRepPrimAPI_MakeBox(gp_Pnt(-8, -8, 0), 16, 16, 1).Shape(),
                                        BRepPrimAPI_MakeCylinder(below, 0.4, 3).Shape())
                            .Shape());
-  ModelSizes sizes = sizesOf(2);
+  Sizes sizes = sizesOf(2);
   sizes.elementsPerTurn = 12;
   const double atHole = 2 * std::numbers::pi * 0.4 / 12;
   for (const double growth : {0.3, 0.45}) {
@@ -178,7 +178,7 @@ TEST(Sizes, GrowAwayFromACurvedFaceMoreGentlyThanTheyMay) {
 }
 
 TEST(Sizes, InABoxAreKeptOnEdgesAndFaces) {
-  ModelSizes sizes = sizesOf(1);
+  Sizes sizes = sizesOf(1);
   sizes.sources.boxes = {{{0, 0, 0}, {1, 1, 4}, 0.1}};
   const ModelMesh result = mesh(testing::box(4, 4, 4), sizes);
   std::size_t inside = 0;
@@ -193,7 +193,7 @@ TEST(Sizes, InABoxAreKeptOnEdgesAndFaces) {
 }
 
 TEST(Sizes, PutElementsAcrossAThinPlate) {
-  ModelSizes sizes = sizesOf(1);
+  Sizes sizes = sizesOf(1);
   sizes.elementsAcross = 2;
   const ModelMesh plate = mesh(testing::box(4, 4, 0.5), sizes);
   EXPECT_NEAR(meanLength(plate), 0.25, 0.05);
@@ -205,7 +205,7 @@ TEST(Sizes, PutElementsAcrossAThinPlate) {
 }
 
 TEST(Sizes, AreToldForEachVertex) {
-  ModelSizes sizes = sizesOf(1);
+  Sizes sizes = sizesOf(1);
   sizes.faceSizes[1] = 0.5;
   sizes.edgeSizes[5] = 0.125;
   sizes.sources.points = {{{2, 2, 2}, 0.25}};
@@ -224,14 +224,14 @@ TEST(Sizes, AreToldForEachVertex) {
 
 TEST(Sizes, OfAFunctionReachTheFacesAroundThem) {
   // Small inside one face only: without spreading, the edges would not know.
-  ModelSizes sizes = sizesOf(1);
+  Sizes sizes = sizesOf(1);
   sizes.function = [](const Point3& p) { return distance(p, Point3{2, 2, 4}) < 1 ? 0.05 : 10.0; };
   const ModelMesh result = mesh(testing::box(4, 4, 4), sizes);
   EXPECT_LT(worstStep(result), 4.5);
 }
 
 TEST(Sizes, NoSizeIsLargerThanTheModel) {
-  ModelSizes sizes, asLargeAsTheModel;
+  Sizes sizes, asLargeAsTheModel;
   const Model model = testing::cylinder(1, 2);
   asLargeAsTheModel.size = asLargeAsTheModel.minSize = model.diagonal();
   sizes.size = 1e15;
@@ -241,13 +241,13 @@ TEST(Sizes, NoSizeIsLargerThanTheModel) {
 
 TEST(Sizes, ThatAskForTooManyElementsAreRefused) {
   const Model model = testing::box(10, 10, 10);
-  ModelSizes boxed = sizesOf(1);
+  Sizes boxed = sizesOf(1);
   boxed.sources.boxes.push_back({{0, 0, 0}, {10, 10, 5}, 1e-6});
   EXPECT_THROW(testing::mesh(model, optionsOf(boxed)), InputError);
   boxed.minSize = 0.5;
   EXPECT_NO_THROW(testing::mesh(model, optionsOf(boxed)));
 
-  ModelSizes turned = sizesOf(1);
+  Sizes turned = sizesOf(1);
   turned.elementsPerTurn = 1e7;
   turned.minSize = 1e-6;
   EXPECT_THROW(testing::mesh(testing::cylinder(3, 9), optionsOf(turned)), InputError);

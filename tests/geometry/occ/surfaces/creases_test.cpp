@@ -43,6 +43,7 @@ using testing::expectComplete;
 using testing::mesh;
 using testing::modelOf;
 using testing::ofSize;
+using testing::uniform;
 
 /// A spline of degree 1 through points.
 Handle(Geom_BSplineCurve) polyline(const std::vector<gp_Pnt>& points) {
@@ -250,7 +251,7 @@ TEST(Creases, WhereAFaceEndsInATurnCountForNothing) {
 TEST(Creases, OfStripsWithRoundedBordersAreTheirShape) {
   const auto isCalmInside = [](double width) {
     const Model model = modelOf(betweenRoundings(width));
-    return withCreases(model.sharedShape(), {1}, ofSize(0.2).sizes, 1, {})->cells.contains(1);
+    return withCreases(model.sharedShape(), {1}, uniform(0.2), 1, {})->cells.contains(1);
   };
   EXPECT_TRUE(isCalmInside(1));
   EXPECT_FALSE(isCalmInside(0.01));
@@ -262,7 +263,7 @@ TEST(Creases, AreNoneWhereElementsFollowTheTurn) {
         TopoDS_Shape(
             BRepBuilderAPI_NurbsConvert(BRepPrimAPI_MakeTorus(1.0, 0.02).Shape()).Shape())}) {
     const Model model = modelOf(shape);
-    const ModelSizes sizes = ofSize(0.25).sizes;
+    const CadSizes sizes = uniform(0.25);
     EXPECT_TRUE(withCreases(model.sharedShape(), {1}, sizes, 1, {})->creaseEdges.empty());
   }
 }
@@ -271,7 +272,7 @@ TEST(Creases, CutTheAreaOfAFace) {
   const TopoDS_Shape hole =
       BRepPrimAPI_MakeCylinder(gp_Ax2({0.1, 1, -1}, {0, 0, 1}), 0.4, 3).Shape();
   const Model model = modelOf(BRepAlgoAPI_Cut(roof(), hole).Shape());
-  const auto shape = withCreases(model.sharedShape(), {1}, ofSize(0.2).sizes, 1, {});
+  const auto shape = withCreases(model.sharedShape(), {1}, uniform(0.2), 1, {});
   const FaceCells& cells = shape->cells.at(1);
   double sum = 0;
   for (const Stretch& u : cells.u)
@@ -282,7 +283,7 @@ TEST(Creases, CutTheAreaOfAFace) {
 /// Then they are not kept, but the face is.
 TEST(Creases, GiveWayToPointsThatAreGiven) {
   const Model model = modelOf(roof());
-  ModelMeshingOptions options = ofSize(0.2);
+  MeshingOptions options = ofSize(0.2);
   for (int edge = 1; edge <= model.edgeCount(); ++edge) {
     const ModelMesh whole = mesh(model, 0.2);
     std::vector<Point3> inner;
@@ -298,7 +299,7 @@ TEST(Creases, GiveWayToPointsThatAreGiven) {
 
 TEST(Creases, OfSecondOrderHaveTheirMiddlesOnThem) {
   const Model model = modelOf(roof());
-  ModelMeshingOptions options = ofSize(0.4);
+  MeshingOptions options = ofSize(0.4);
   options.order = 2;
   const ModelMesh result = mesh(model, options);
   expectComplete(result);

@@ -1,0 +1,143 @@
+// The operations of programs in one table.
+//
+// To add one: its name in `Op`, its row here, its value in program.cpp, its bounds and slopes in
+// dsl/proof/box_run.cpp, and a function of the language that makes it in builtins.cpp. Neither of
+// the two switches compiles without it; all else follows from the row.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+namespace af2::dsl {
+
+/// What a step does. "No value" is kept as NaN while a program runs: it spreads through arithmetic,
+/// but a choice whose other branch is taken drops it.
+enum class Op : unsigned char {
+  Unknown,  ///< stands for something that could not be compiled; never run
+  Constant,
+  CoordinateX,  ///< of the matched vertex `index`
+  CoordinateY,
+  Level,
+  Input,  ///< a number from outside, such as the score in `accept`
+  Layer,
+  OnBoundary,
+  Valence,
+  Turn,  ///< of the matched vertex `index`
+  LoopSize,
+  SizeAt,
+  FrontDistance,
+  CurvatureAt,  ///< at a point
+  Add,
+  Subtract,
+  Multiply,
+  Divide,
+  Negate,
+  Power,
+  SquareRoot,
+  Sine,
+  Cosine,
+  Tangent,
+  Atan2,
+  Absolute,
+  Minimum,
+  Maximum,
+  Sweep,  ///< angle counter-clockwise from one vector to another, in (0, 2 pi]
+  BisectX,
+  BisectY,  ///< unit vector that halves that angle
+  Less,
+  LessEqual,
+  Equal,
+  And,
+  Or,
+  Not,
+  Select,
+  LeftTurn,      ///< whether three points turn left; exact
+  NotRightTurn,  ///< whether they do not turn right; exact
+  Inside,        ///< whether a point lies in a shape
+  Call,          ///< a registered function
+};
+
+/// What a step needs besides the values of its arguments.
+enum class Needs {
+  Nothing,  ///< so that it is worked out beforehand where these are constants
+  Level,    ///< the quality level alone
+  Match,    ///< the places of the matched vertices
+  Front,    ///< what is around the match
+  Input,    ///< numbers from outside
+  Program,  ///< the shapes and functions of its program
+};
+
+/// What the index of a step counts.
+enum class IndexOf { Nothing, Vertex, Other };
+
+struct Operation {
+  Op op;
+  std::string_view text;  ///< as `af2 compile --dump` writes it
+  int arguments;          ///< fewest; a Call has as many as its function
+  Needs needs;
+  IndexOf index = IndexOf::Nothing;
+  /// Whether there is a value wherever the arguments have one, as far as proofs know.
+  bool isTotal = false;
+};
+
+inline constexpr std::array kOperations{
+    Operation{Op::Unknown, "unknown", 0, Needs::Program},
+    Operation{Op::Constant, "constant", 0, Needs::Nothing, IndexOf::Nothing, true},
+    Operation{Op::CoordinateX, "x of", 0, Needs::Match, IndexOf::Vertex, true},
+    Operation{Op::CoordinateY, "y of", 0, Needs::Match, IndexOf::Vertex, true},
+    Operation{Op::Level, "q", 0, Needs::Level, IndexOf::Nothing, true},
+    Operation{Op::Input, "input", 0, Needs::Input, IndexOf::Other},
+    Operation{Op::Layer, "layer of", 0, Needs::Front, IndexOf::Vertex},
+    Operation{Op::OnBoundary, "on_boundary of", 0, Needs::Front, IndexOf::Vertex},
+    Operation{Op::Valence, "valence of", 0, Needs::Front, IndexOf::Vertex},
+    Operation{Op::Turn, "turn of", 0, Needs::Front, IndexOf::Vertex},
+    Operation{Op::LoopSize, "loop_size", 0, Needs::Front},
+    Operation{Op::SizeAt, "h at", 2, Needs::Front},
+    Operation{Op::FrontDistance, "dist_front at", 2, Needs::Front},
+    Operation{Op::CurvatureAt, "curvature at", 2, Needs::Front},
+    Operation{Op::Add, "add", 2, Needs::Nothing, IndexOf::Nothing, true},
+    Operation{Op::Subtract, "subtract", 2, Needs::Nothing, IndexOf::Nothing, true},
+    Operation{Op::Multiply, "multiply", 2, Needs::Nothing, IndexOf::Nothing, true},
+    Operation{Op::Divide, "divide", 2, Needs::Nothing},
+    Operation{Op::Negate, "negate", 1, Needs::Nothing, IndexOf::Nothing, true},
+    Operation{Op::Power, "power", 2, Needs::Nothing},
+    Operation{Op::SquareRoot, "sqrt", 1, Needs::Nothing},
+    Operation{Op::Sine, "sin", 1, Needs::Nothing},
+    Operation{Op::Cosine, "cos", 1, Needs::Nothing},
+    Operation{Op::Tangent, "tan", 1, Needs::Nothing},
+    Operation{Op::Atan2, "atan2", 2, Needs::Nothing},
+    Operation{Op::Absolute, "abs", 1, Needs::Nothing},
+    Operation{Op::Minimum, "min", 2, Needs::Nothing},
+    Operation{Op::Maximum, "max", 2, Needs::Nothing},
+    Operation{Op::Sweep, "sweep", 4, Needs::Nothing},
+    Operation{Op::BisectX, "bisector x", 4, Needs::Nothing},
+    Operation{Op::BisectY, "bisector y", 4, Needs::Nothing},
+    Operation{Op::Less, "less", 2, Needs::Nothing, IndexOf::Nothing, true},
+    Operation{Op::LessEqual, "less or equal", 2, Needs::Nothing, IndexOf::Nothing, true},
+    Operation{Op::Equal, "equal", 2, Needs::Nothing, IndexOf::Nothing, true},
+    Operation{Op::And, "and", 2, Needs::Nothing, IndexOf::Nothing, true},
+    Operation{Op::Or, "or", 2, Needs::Nothing, IndexOf::Nothing, true},
+    Operation{Op::Not, "not", 1, Needs::Nothing, IndexOf::Nothing, true},
+    Operation{Op::Select, "select", 3, Needs::Nothing},
+    Operation{Op::LeftTurn, "turns left", 6, Needs::Nothing, IndexOf::Nothing, true},
+    Operation{Op::NotRightTurn, "does not turn right", 6, Needs::Nothing, IndexOf::Nothing, true},
+    Operation{Op::Inside, "inside shape", 2, Needs::Program, IndexOf::Other},
+    Operation{Op::Call, "call function", 0, Needs::Program, IndexOf::Other},
+};
+
+constexpr const Operation& operationOf(Op op) { return kOperations[static_cast<std::size_t>(op)]; }
+
+static_assert(kOperations.size() == static_cast<std::size_t>(Op::Call) + 1 &&
+                  std::ranges::is_sorted(kOperations, {}, &Operation::op) &&
+                  std::ranges::adjacent_find(kOperations, {}, &Operation::op) == kOperations.end(),
+              "each operation has its row, in the order of Op");
+
+/// Whether a step works on the values of other steps, and on nothing else.
+constexpr bool isArithmetic(Op op) {
+  return operationOf(op).needs == Needs::Nothing && operationOf(op).arguments > 0;
+}
+
+constexpr int argumentCount(Op op) { return operationOf(op).arguments; }
+
+}  // namespace af2::dsl

@@ -1,0 +1,70 @@
+// The codes of what can be wrong with a rule file; the table of them is diagnostic_codes.def.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace af2::dsl {
+
+enum class Severity { Error, Warning };
+
+/// A code by its name, in the order of the table: series and number.
+enum class Code : std::uint8_t {
+#define AF2_CODE(id, name, severity, allowance, evidence, stage, page, title, explanation) name,
+#include "dsl/text/diagnostic_codes.def"
+#include "engine/base/export.h"
+#undef AF2_CODE
+};
+
+/// Whether `allow` and `--allow` silence a finding with this code.
+enum class Allowance {
+  AsWarning,  ///< wherever it is a warning
+  AsError,    ///< also where it is an error
+};
+
+/// What a finding rests on.
+enum class Evidence {
+  Text,     ///< the text and the reference match of a rule
+  Samples,  ///< many matches of a rule that are tried
+  Proof,    ///< samples; where none of them shows a fault, a proof is tried
+};
+
+/// What must be right before a fault of this kind can be found. Faults of an earlier stage hide
+/// those of later ones.
+enum class Stage {
+  Signs,  ///< how a file is divided into words and clauses
+  Names,  ///< what names and types mean
+  Rules,  ///< what rules do
+};
+
+/// A row of the table.
+struct CodeInfo {
+  Code code;
+  std::string_view id;    ///< such as "A1", as users see it
+  std::string_view name;  ///< such as "PointWeights", as the source has it
+  Severity severity;      ///< unless the place that reports it says otherwise
+  Allowance allowance;
+  Evidence evidence;
+  Stage stage;
+  std::string_view page;         ///< the section of the documentation: "language.md#types"
+  std::string_view title;        ///< one line
+  std::string_view explanation;  ///< cause, example and way out
+};
+
+/// All codes, sorted by series and number.
+AF2_EXPORT std::span<const CodeInfo> diagnosticCodes();
+
+AF2_EXPORT const CodeInfo& infoOf(Code code);
+
+/// Takes "A1" and "AF2-A1", in either case. Nothing if there is no such code.
+AF2_EXPORT std::optional<Code> findCode(std::string_view id);
+
+/// "A1", as `allow` lists it.
+AF2_EXPORT std::string idOf(Code code);
+/// "AF2-A1", as reports show it.
+AF2_EXPORT std::string fullIdOf(Code code);
+
+}  // namespace af2::dsl

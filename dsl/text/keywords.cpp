@@ -1,0 +1,421 @@
+#include "dsl/text/keywords.h"
+
+#include <algorithm>
+
+namespace af2::dsl {
+namespace {
+
+constexpr WordList<1> kWhen{"when"};
+constexpr WordList<1> kScore{"score"};
+
+constexpr std::array kKeywords{
+    // ---- items of a file ------------------------------------------------------------------------
+    Keyword{.block = BlockKind::File,
+            .word = "import",
+            .form = R"_(import "file.af2" as lib;)_",
+            .grammar = R"_("import" string [ "as" name ] ";")_",
+            .help = "Brings the constants, functions, metrics and templates of another file.",
+            .snippet = R"_(import "${1:file.af2}" as ${2:name};$0)_",
+            .follows = Follows::Header,
+            .isReserved = true},
+    Keyword{
+        .block = BlockKind::File,
+        .word = "use",
+        .form = R"_(use lib.* except "title";)_",
+        .grammar = R"_("use" name "." ( "*" | string ) [ "except" string { "," string } ] ";")_",
+        .help = "Takes over the rules of an imported file.",
+        .follows = Follows::Header,
+        .isReserved = true},
+    Keyword{.block = BlockKind::File,
+            .word = "const",
+            .form = "const height = 0.866;",
+            .grammar = R"_("const" name "=" expr ";")_",
+            .help = "A name for a value that needs no match.",
+            .snippet = "const ${1:NAME} = ${0:1};",
+            .follows = Follows::Header,
+            .isReserved = true},
+    Keyword{.block = BlockKind::File,
+            .word = "def",
+            .form = "def top(p, k) = p + (0, k);",
+            .grammar = R"_("def" name "(" name { "," name } ")" "=" expr ";")_",
+            .help = "A function of one's own.",
+            .snippet = "def ${1:name}(${2:p, q}) = ${0:mid(p, q)};",
+            .follows = Follows::Header,
+            .isReserved = true},
+    Keyword{.block = BlockKind::File,
+            .word = "metric",
+            .form = "metric mine(w, u, v, x) = w * dist(u, v);",
+            .grammar = R"_("metric" name "(" name { "," name } ")" "=" expr ";")_",
+            .help = "A measure of elements: 0 for the ideal one; the corners come last.",
+            .follows = Follows::Header,
+            .isReserved = true},
+    Keyword{.block = BlockKind::File,
+            .word = "ruleset",
+            .form = R"_(ruleset "name" { elements tri; })_",
+            .grammar = R"_("ruleset" string [ "extends" string ] "{" { setting } "}")_",
+            .help = "The settings that all rules of a file share.",
+            .snippet = "ruleset \"${1:name}\" {\n  elements ${2:tri};$0\n}",
+            .follows = Follows::Header,
+            .isReserved = true},
+    Keyword{.block = BlockKind::File,
+            .word = "rule",
+            .form = R"_(rule "title" quality 1 { ... })_",
+            .grammar =
+                R"_("rule" string [ "for" "(" name { "," name } ")" "in" tuple { "," tuple } ])_"
+                "\n"
+                R"_("quality" expr [ ".." expr ] "{" { clause } "}")_",
+            .help = "Where the front looks like the pattern and the free zone is empty, put these "
+                    "elements.",
+            .snippet =
+                "rule \"${1:title}\" quality ${2:1} {\n  new  ${3:c} = ${4:mid(a, b) + (0, 0.866)};"
+                "\n  zone a, b, ${3:c};\n  tri  a b ${3:c};$0\n}",
+            .follows = Follows::Header,
+            .isReserved = true},
+    Keyword{.block = BlockKind::File,
+            .word = "template",
+            .form = R"_(template name(k, h) rule "title {k}" quality k { ... })_",
+            .grammar = R"_("template" name "(" name { "," name } ")" rule)_",
+            .help = "A rule with parameters.",
+            .follows = Follows::Header,
+            .isReserved = true},
+    Keyword{.block = BlockKind::File,
+            .word = "test",
+            .form = R"_(test "title" { front p (0, 0) -> r (1, 0); expect rule "..."; })_",
+            .grammar = R"_("test" string "{" { testclause ";" } "}")_",
+            .help = "A piece of front and what should happen there.",
+            .snippet = "test \"${1:title}\" {\n  front  p (0, 0) -> r (1, 0);\n  expect rule "
+                       "\"${2:title}\";$0\n}",
+            .follows = Follows::Header,
+            .isReserved = true},
+    Keyword{.block = BlockKind::File,
+            .word = "property",
+            .form = R"_(property "title" forall match of "rule", q in 1..10 { expect ...; })_",
+            .grammar = R"_("property" string "forall" "match" "of" string [ "," name "in" range ])_"
+                       "\n"
+                       R"_("{" { "expect" expr ";" } "}")_",
+            .help = "A claim about all matches of a rule.",
+            .snippet = "property \"${1:title}\" forall match of \"${2:rule}\" {\n  expect "
+                       "${0:condition};\n}",
+            .follows = Follows::Header,
+            .isReserved = true},
+
+    // ---- clauses of a rule ----------------------------------------------------------------------
+    Keyword{.block = BlockKind::Rule,
+            .word = "front",
+            .form = "front a -> b -> c, d -> e;",
+            .grammar = R"_("front" chain { "," chain } ";")_",
+            .help = "Chains of front edges that the rule wants.",
+            .follows = Follows::Vertices,
+            .defines = NameRole::ChainVertex,
+            .isReserved = true},
+    Keyword{.block = BlockKind::Rule,
+            .word = "at",
+            .form = "at c (0.5, 0.866) ~ 1, d (1, 1) ~ any;",
+            .grammar = R"_("at" place { "," place } ";")_",
+            .help = "Where a vertex is expected, relative to a, and how far it may deviate.",
+            .follows = Follows::VerticesAndForms,
+            .defines = NameRole::PlacedVertex,
+            .isReserved = true},
+    Keyword{.block = BlockKind::Rule,
+            .word = "slope",
+            .form = "slope b -> c ~ 1;",
+            .grammar = R"_("slope" name "->" name tolerance ";")_",
+            .help = "Measures the deviation of an edge of the pattern, whatever its place.",
+            .follows = Follows::VerticesAndForms,
+            .isReserved = true},
+    Keyword{.block = BlockKind::Rule,
+            .word = "let",
+            .form = "let m = mid(a, b), n = mid(b, c);",
+            .grammar = R"_("let" binding { "," binding } ";")_",
+            .help = "Names for values, for later clauses of the rule.",
+            .follows = Follows::Definitions,
+            .defines = NameRole::Value,
+            .isReserved = true},
+    Keyword{.block = BlockKind::Rule,
+            .word = "new",
+            .form = "new c = mid(a, b) + (0, 0.866);",
+            .grammar = R"_("new" binding { "," binding } ";")_",
+            .help = "New vertices.",
+            .follows = Follows::Definitions,
+            .defines = NameRole::NewVertex,
+            .isReserved = true},
+    Keyword{.block = BlockKind::Rule,
+            .word = "zone",
+            .form = "zone a, b, c => mid(a, b) when q > 3;",
+            .grammar = "zone",
+            .help = "The free zone: must hold no other vertex and no part of another edge of the "
+                    "front.",
+            .words = kWhen,
+            .isReserved = true},
+    Keyword{.block = BlockKind::Rule,
+            .word = "tri",
+            .form = "tri a b c, c b d;",
+            .grammar = R"_(kind corners { "," corners } ";")_",
+            .help = "New triangles, counter-clockwise.",
+            .follows = Follows::Vertices,
+            .isReserved = true},
+    Keyword{.block = BlockKind::Rule,
+            .word = "quad",
+            .form = "quad a b c d;",
+            .help = "New quadrilaterals, counter-clockwise.",
+            .follows = Follows::Vertices,
+            .isReserved = true},
+    Keyword{.block = BlockKind::Rule,
+            .word = "poly",
+            .form = "poly a b c d;",
+            .help = "New elements by their number of corners; as a shape: a simple polygon.",
+            .follows = Follows::Vertices},
+    Keyword{.block = BlockKind::Rule,
+            .word = "require",
+            .form = "require turn(b) < 120deg, dist(b, c) in 0.5..2;",
+            .grammar = R"_("require" expr { "," expr } ";")_",
+            .help = "Conditions that must hold.",
+            .isReserved = true},
+    Keyword{.block = BlockKind::Rule,
+            .word = "cost",
+            .form = "cost 0.1 * q;",
+            .grammar = R"_("cost" expr ";")_",
+            .help = "A number that is added to the score: more is worse."},
+    Keyword{.block = BlockKind::Rule,
+            .word = "priority",
+            .form = "priority 2;",
+            .grammar = R"_("priority" integer ";")_",
+            .help = "Among rules of equal score the smaller number wins."},
+    Keyword{.block = BlockKind::Rule,
+            .word = "meta",
+            .form = R"_(meta { author "name"; })_",
+            .grammar = "meta",
+            .help = "Remarks for tools.",
+            .snippet = "meta { ${1:allow} \"$2\"; }$0",
+            .follows = Follows::Nothing},
+    Keyword{.block = BlockKind::Rule,
+            .word = "mirror",
+            .form = R"_(mirror "title";)_",
+            .otherForm = R"_(mirror "title" { at c ~ 2; })_",
+            .grammar = "mirror",
+            .help = "The mirror image of the rule, under a title of its own.",
+            .snippet = "mirror \"${1:title}\";$0",
+            .follows = Follows::Nothing,
+            .isReserved = true},
+
+    // ---- what a mirror image may have of its own ------------------------------------------------
+    Keyword{.block = BlockKind::Mirror,
+            .word = "at",
+            .form = "at c ~ 2, d ~ any;",
+            .help = "How far a vertex of the mirror image may deviate.",
+            .follows = Follows::VerticesAndForms,
+            .isReserved = true},
+    Keyword{.block = BlockKind::Mirror,
+            .word = "quality",
+            .form = "quality 2;",
+            .help = "The levels at which a rule is tried; an edge's level rises each time that no "
+                    "rule takes it.",
+            .isReserved = true},
+    Keyword{.block = BlockKind::Mirror,
+            .word = "cost",
+            .form = "cost 0.1 * q;",
+            .help = "A number that is added to the score: more is worse."},
+
+    // ---- settings of a rule set -----------------------------------------------------------------
+    Keyword{.block = BlockKind::RuleSet,
+            .word = "elements",
+            .form = "elements tri, quad;",
+            .grammar = R"_("elements" kind { "," kind } ";")_",
+            .help = "What rules may make.",
+            .follows = Follows::Words,
+            .words = kElementKinds},
+    Keyword{.block = BlockKind::RuleSet,
+            .word = "match",
+            .form = "match 0.5 + 0.3*q;",
+            .grammar = R"_("match" expr ";")_",
+            .help = "The largest value of a tolerance form, by level."},
+    Keyword{.block = BlockKind::RuleSet,
+            .word = "fade",
+            .form = "fade 1/q;",
+            .grammar = R"_("fade" expr ";")_",
+            .help = "The weight of the preferred side of `=>`, by level."},
+    Keyword{.block = BlockKind::RuleSet,
+            .word = "score",
+            .form = "score max of shape_size(10);",
+            .grammar = R"_("score" ( "max" | "sum" | "mean" ) "of" expr ";")_",
+            .help = "How good a candidate is: a metric over its new elements; the lowest wins.",
+            .follows = Follows::Header,
+            .words = kFolds},
+    Keyword{.block = BlockKind::RuleSet,
+            .word = "accept",
+            .form = "accept score < 2 + 0.5*q^2;",
+            .grammar = R"_("accept" expr ";")_",
+            .help = "Which scores are good enough.",
+            .words = kScore},
+    Keyword{
+        .block = BlockKind::RuleSet,
+        .word = "front",
+        .form = "front by q, len(b - a);",
+        .otherForm = "front rows(start: smallest_turn);",
+        .grammar = R"_("front" ( "by" expr { "," expr } | "rows" [ "(" name ":" name ")" ] ) ";")_",
+        .help = "Which edge of the front is next.",
+        .follows = Follows::Header,
+        .words = kFrontOrders,
+        .isReserved = true},
+    Keyword{.block = BlockKind::RuleSet,
+            .word = "classes",
+            .form = "classes 1..50;",
+            .grammar = R"_("classes" integer ".." integer ";")_",
+            .help = "The quality levels of an edge."},
+    Keyword{.block = BlockKind::RuleSet,
+            .word = "scale",
+            .form = "scale h;",
+            .otherForm = "scale base;",
+            .grammar = R"_("scale" ( "h" | "base" ) ";")_",
+            .help = "The unit of the frame: the wanted length h, or that of the base edge.",
+            .follows = Follows::Words,
+            .words = kScaleUnits},
+    Keyword{.block = BlockKind::RuleSet,
+            .word = "parity",
+            .form = "parity even;",
+            .otherForm = "parity any;",
+            .grammar = R"_("parity" ( "even" | "any" ) ";")_",
+            .help = "`even`: every rule changes the number of front edges by an even number.",
+            .follows = Follows::Words,
+            .words = kParities},
+    Keyword{.block = BlockKind::RuleSet,
+            .word = "meta",
+            .form = R"_(meta { author "name"; })_",
+            .grammar = "meta",
+            .help = "Remarks for tools.",
+            .snippet = "meta { ${1:allow} \"$2\"; }$0",
+            .follows = Follows::Nothing},
+
+    // ---- clauses of a test ----------------------------------------------------------------------
+    Keyword{.block = BlockKind::Test,
+            .word = "front",
+            .form = "front p (0, 0) -> r (1, 0), s (0, 2) -> t (1, 2);",
+            .grammar = R"_("front" vertices { "," vertices })_",
+            .help = "The front, with places.",
+            .follows = Follows::Vertices,
+            .defines = NameRole::TestVertex,
+            .isReserved = true},
+    Keyword{.block = BlockKind::Test,
+            .word = "point",
+            .form = "point s (0.5, 0.9), t (1, 1);",
+            .grammar = R"_("point" vertex { "," vertex })_",
+            .help = "Vertices of the front without an edge.",
+            .follows = Follows::Nothing,
+            .defines = NameRole::TestVertex},
+    Keyword{.block = BlockKind::Test,
+            .word = "base",
+            .form = "base p -> r;",
+            .grammar = R"_("base" name "->" name)_",
+            .help = "The base edge; without it, the first edge.",
+            .follows = Follows::Vertices},
+    Keyword{.block = BlockKind::Test,
+            .word = "class",
+            .form = "class 2;",
+            .grammar = R"_("class" integer)_",
+            .help = "In tests: the level of the base edge; in rules the same as q.",
+            .follows = Follows::Nothing},
+    Keyword{.block = BlockKind::Test,
+            .word = "size",
+            .form = "size 0.5;",
+            .grammar = R"_("size" expr)_",
+            .help = "The wanted length."},
+    Keyword{.block = BlockKind::Test,
+            .word = "expect",
+            .form = R"_(expect not rule "title" because zone hit by edge u -> v;)_",
+            .grammar = R"_("expect" [ "not" ] outcome)_",
+            .help = "What should happen.",
+            .follows = Follows::Header,
+            .words = kOutcomes,
+            .isReserved = true},
+
+    Keyword{.block = BlockKind::Property,
+            .word = "expect",
+            .form = "expect dist(a, b) > 0;",
+            .help = "What holds at every match.",
+            .isReserved = true},
+};
+
+/// Reserved words that begin no clause. `weld` is kept for rules that join vertices.
+constexpr WordList<11> kInnerWords{"weld", "for",  "and",  "or", "not",    "if",
+                                   "then", "else", "when", "in", "quality"};
+
+/// A list of words, each once, as long as the table is at most.
+struct Words {
+  std::array<std::string_view, kKeywords.size() + kInnerWords.size()> list{};
+  std::size_t size = 0;
+
+  constexpr void add(std::string_view word) {
+    if (std::find(list.begin(), list.begin() + size, word) == list.begin() + size)
+      list[size++] = word;
+  }
+  constexpr std::span<const std::string_view> all() const { return std::span(list).first(size); }
+};
+
+template <BlockKind block>
+constexpr Words kWordsOf = [] {
+  Words words;
+  for (const Keyword& keyword : kKeywords)
+    if (keyword.block == block) words.add(keyword.word);
+  return words;
+}();
+
+constexpr Words kReserved = [] {
+  Words words;
+  for (const Keyword& keyword : kKeywords)
+    if (keyword.isReserved) words.add(keyword.word);
+  for (const std::string_view word : kInnerWords) words.add(word);
+  return words;
+}();
+
+bool holds(std::span<const std::string_view> words, std::string_view word) {
+  return std::ranges::find(words, word) != words.end();
+}
+
+}  // namespace
+
+std::span<const Keyword> keywords() { return kKeywords; }
+
+const Keyword* findKeyword(BlockKind block, std::string_view word) {
+  const auto found = std::ranges::find_if(
+      kKeywords, [&](const Keyword& k) { return k.block == block && k.word == word; });
+  return found == kKeywords.end() ? nullptr : &*found;
+}
+
+std::span<const std::string_view> keywordsOf(BlockKind block) {
+  switch (block) {
+    case BlockKind::File:
+      return kWordsOf<BlockKind::File>.all();
+    case BlockKind::Rule:
+      return kWordsOf<BlockKind::Rule>.all();
+    case BlockKind::RuleSet:
+      return kWordsOf<BlockKind::RuleSet>.all();
+    case BlockKind::Test:
+      return kWordsOf<BlockKind::Test>.all();
+    case BlockKind::Property:
+      return kWordsOf<BlockKind::Property>.all();
+    case BlockKind::Mirror:
+      return kWordsOf<BlockKind::Mirror>.all();
+    case BlockKind::Meta:
+      return kMetaKeys;
+  }
+  return {};
+}
+
+std::string shownForm(const Keyword& keyword) {
+  const std::string form = "`" + std::string(keyword.form) + "`";
+  if (keyword.otherForm.empty()) return form;
+  return form + " or `" + std::string(keyword.otherForm) + "`";
+}
+
+bool isClauseWord(std::string_view word) {
+  for (const BlockKind block :
+       {BlockKind::File, BlockKind::Rule, BlockKind::RuleSet, BlockKind::Test})
+    if (holds(keywordsOf(block), word)) return true;
+  return false;
+}
+
+std::span<const std::string_view> reservedWords() { return kReserved.all(); }
+
+bool isReserved(std::string_view word) { return holds(kReserved.all(), word); }
+
+}  // namespace af2::dsl

@@ -1,0 +1,93 @@
+// What a match of a rule would make, as one number. The front scores its matches with this, and so
+// does whoever asks about a rule without a front.
+// Not installed.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <span>
+#include <vector>
+
+#include "engine/mesh/element_shape.h"
+#include "engine/rule/refusal.h"
+#include "engine/rule/rule_set.h"
+
+namespace af2 {
+
+/// Chart positions of an element's corners.
+class ElementCorners {
+ public:
+  /// vertices  of the match, the matched ones and then the new ones
+  ElementCorners(const RuleElement& element, const Point2* vertices) : count_(element.size()) {
+    for (std::size_t i = 0; i < static_cast<std::size_t>(count_); ++i)
+      points_[i] = vertices[static_cast<std::size_t>(element.corners[i])];
+  }
+  const Point2& operator[](std::size_t i) const { return points_[i]; }
+  int count() const { return count_; }
+  std::span<const Point2> span() const {
+    return {points_.data(), static_cast<std::size_t>(count_)};
+  }
+
+ private:
+  std::array<Point2, 4> points_;
+  int count_;
+};
+
+/// How a rule set scores what its rules make, with the fast form of its metric at hand.
+class RuleScoring {
+ public:
+  /// `set` is kept as a reference.
+  explicit RuleScoring(const RuleSetDefinition& set)
+      : set_(set), fastMetric_(dynamic_cast<const ShapeSizeMetric*>(set.metric.get())) {}
+
+  /// The badnesses of the new elements as one number. Inverted if an element does not turn left at
+  /// each corner, NoValue if one has no finite badness, else None.
+  ///
+  /// Inline: the front asks this of every match.
+  Refusal scoreElements(const std::vector<RuleElement>& elements, const Point2* vertices, int level,
+                        double& score) const {
+    double largest = 0, sum = 0;
+    bool isFirst = true;
+    for (const RuleElement& element : elements) {
+      const ElementCorners corners(element, vertices);
+      if (!turnsLeftEverywhere(corners.span())) return Refusal::Inverted;
+      const double badness = badnessOf(corners, level);
+      if (!std::isfinite(badness)) return Refusal::NoValue;
+      largest = isFirst ? badness : std::max(largest, badness);
+      sum += badness;
+      isFirst = false;
+    }
+    switch (set_.scoreOf) {
+      case ScoreOf::Max:
+        score = largest;
+        break;
+      case ScoreOf::Sum:
+        score = sum;
+        break;
+      case ScoreOf::Mean:
+        score = sum / static_cast<double>(elements.size());
+        break;
+    }
+    return Refusal::None;
+  }
+
+  /// Score if the rule set does not accept the score, else None.
+  Refusal judge(double score, int level) const {
+    return !set_.acceptance || set_.acceptance->accepts(score, level) ? Refusal::None
+                                                                      : Refusal::Score;
+  }
+
+ private:
+  /// Of an element that turns left everywhere; infinite if it has none.
+  double badnessOf(const ElementCorners& corners, int level) const {
+    if (fastMetric_ && corners.count() == 3)
+      return fastMetric_->triangleBadness(corners[0], corners[1], corners[2]);
+    return set_.metric->badnessAt(corners.span(), level).value_or(INFINITY);
+  }
+
+  const RuleSetDefinition& set_;
+  const ShapeSizeMetric* fastMetric_;
+};
+
+}  // namespace af2

@@ -1,0 +1,62 @@
+// The sides of triangles, and which of them lie on each other.
+// Not installed.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "geometry/faceted/facets.h"
+
+namespace af2::geometry {
+
+/// A side of a triangle: 3 t + i runs from corner i of triangle t to the next corner.
+using HalfEdge = std::uint32_t;
+inline constexpr HalfEdge kNoHalfEdge = 0xffffffffu;
+
+/// The sides after and before this one in its triangle.
+inline HalfEdge nextIn(HalfEdge h) { return h % 3 == 2 ? h - 2 : h + 1; }
+inline HalfEdge previousIn(HalfEdge h) { return h % 3 == 0 ? h + 2 : h - 1; }
+
+inline std::uint32_t startOf(const FacetTriangles& triangles, HalfEdge h) {
+  return triangles[h / 3][h % 3];
+}
+inline std::uint32_t endOf(const FacetTriangles& triangles, HalfEdge h) {
+  return startOf(triangles, nextIn(h));
+}
+inline FacetEdge edgeOf(const FacetTriangles& triangles, HalfEdge h) {
+  return std::minmax(startOf(triangles, h), endOf(triangles, h));
+}
+
+/// The half-edges of some triangles by the edges on which they lie.
+///
+/// The edges come in the order of their vertices, the half-edges of each in ascending order. An
+/// edge is a boundary if it has one half-edge. If it has two, they are twins, whether they run
+/// against each other, as they do where both triangles look to the same side, or along each other.
+/// If it has more, several sheets of a surface meet there, and none of its half-edges has a twin.
+class HalfEdges {
+ public:
+  explicit HalfEdges(const FacetTriangles& triangles);
+
+  /// Calls visit(edge, half-edges) for each edge.
+  template <class Visit>
+  void forEachEdge(const Visit& visit) const {
+    const std::span<const HalfEdge> all(halves_);
+    for (std::size_t i = 0; i < edges_.size(); ++i)
+      visit(edges_[i], all.subspan(first_[i], first_[i + 1] - first_[i]));
+  }
+
+  /// By half-edge its twin, or kNoHalfEdge.
+  std::vector<HalfEdge> twins() const;
+
+  /// Those without any other at their edge.
+  std::vector<HalfEdge> boundary() const;
+
+ private:
+  std::vector<FacetEdge> edges_;
+  std::vector<std::size_t> first_;  // by edge, and at the end: in halves_
+  std::vector<HalfEdge> halves_;
+};
+
+}  // namespace af2::geometry

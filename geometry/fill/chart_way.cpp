@@ -1,0 +1,251 @@
+#include "geometry/fill/chart_way.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "engine/base/constants.h"
+#include "engine/base/error.h"
+#include "engine/mesh/mesh_check.h"
+#include "geometry/charts/laid_out.h"
+#include "geometry/fill/fill_limits.h"
+#include "geometry/fill/stuck_front.h"
+#include "geometry/fill/without_normals.h"
+
+namespace af2::geometry {
+
+namespace {
+
+/// Stops a run that no longer fills a region but grows without end, because the boundary does not
+/// enclose one; or whose front is so crammed that no end is in sight. Depends on what all pieces of
+/// a face have done, never on the clock or on which of them came first.
+class RunawayGuard {
+ public:
+  /// margin  how many times more elements than are expected the limit allows
+  RunawayGuard(std::size_t limit, double margin, std::size_t maxCandidates,
+               const std::stop_token& outer)
+      : limit_(limit),
+        maxCandidates_(std::min(maxCandidates, candidatesFor(limit, margin))),
+        forward_(outer, Forward{&source_}) {}
+
+  std::stop_token token() const { return source_.get_token(); }
+  void see(const Progress& progress) {
+    ranAway_ = ranAway_ || progress.elements > limit_;
+    isCrammed_ = isCrammed_ || progress.candidates > maxCandidates_;
+    if (ranAway_ || isCrammed_) source_.request_stop();
+  }
+  bool ranAway() const { return ranAway_; }
+  bool isCrammed() const { return isCrammed_; }
+
+ private:
+  struct Forward {
+    std::stop_source* source;
+    void operator()() const { source->request_stop(); }
+  };
+  static std::size_t candidatesFor(std::size_t limit, double margin) {
+    return static_cast<std::size_t>(margin * kCandidatesPerElement * static_cast<double>(limit));
+  }
+
+  std::size_t limit_, maxCandidates_;
+  bool ranAway_ = false, isCrammed_ = false;
+  std::stop_source source_;
+  std::stop_callback<Forward> forward_;
+};
+
+/// Elements per area that the sizes along the boundary let expect: by the mean of their inverses
+/// over its length, so that a few tiny segments hardly count.
+double boundaryDensity(const FaceTask& task) {
+  double segments = 0, perimeter = 0;
+  for (const auto& loop : task.boundary.input.loops) {
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      const double segment =
+          distance(loop[i].point.position, loop[(i + 1) % loop.size()].point.position);
+      const double size = task.size.sizeAt(loop[i].point);
+      segments += segment / size;
+      perimeter += segment;
+    }
+  }
+  const double perSize = perimeter > 0 ? segments / perimeter : 0;
+  return perSize * perSize / kUnitTriangle;
+}
+
+/// How many times more elements than expected mean that a front folds over.
+double marginOf(const FaceTask& task) {
+  return task.knowsSizes ? kElementMarginOfKnownSizes : kElementMargin;
+}
+
+/// How many elements the sizes let expect. Along the boundary of a face whose area is not known
+/// these tell nothing of its inside: sizes grow from there.
+double expectedElements(const FaceTask& task) {
+  if (!(task.area > 0)) return task.expectedElements;
+  return std::max(task.expectedElements, task.area * boundaryDensity(task));
+}
+
+/// Room beside the segments, in which elements grow from the length of these.
+double elementsBeside(const FrontInput& input) {
+  double longest = 0, sum = 0;
+  std::vector<double> lengths;
+  for (const auto& loop : input.loops)
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      lengths.push_back(
+          distance(loop[i].point.position, loop[(i + 1) % loop.size()].point.position));
+      longest = std::max(longest, lengths.back());
+    }
+  for (const double length : lengths) sum += length > 0 ? 1 + std::log(longest / length) : 1;
+  return kElementsBesideSegment * (sum + static_cast<double>(input.isolated.size()));
+}
+
+/// Several times what is expected. Only a size function may want much smaller elements inside.
+std::size_t elementLimit(const FaceTask& task) {
+  const double expected = task.knowsSizes ? task.expectedElements : expectedElements(task);
+  const double margin = task.mayBeFineInside ? kElementMarginOfFunctions : marginOf(task);
+  const double beside = elementsBeside(task.boundary.input) + kElementsAlways;
+  const double limit = margin * expected + beside;
+  return static_cast<std::size_t>(limit < kMaxElements ? limit
+                                                       : kMaxElements);  // also if it is no number
+}
+
+FillFault unsound(std::string details) {
+  if (details.empty()) return {};
+  return {FillFaultKind::Unsound, std::move(details)};
+}
+
+void take(RegionMesh& mesh, const FaceTask& task, FaceAttempt& attempt) {
+  attempt.result = std::move(mesh.result);
+  attempt.fault = unsound(std::move(mesh.fault));
+  attempt.isOptimized = task.options.optimize;
+  attempt.optimizeShare = mesh.seconds > 0 ? mesh.optimizeSeconds / mesh.seconds : 0;
+}
+
+/// Seen anew from each base edge, in pieces if the face is large.
+FaceAttempt inPieces(const FaceTask& task, ChartKind kind, const MeshingOptions& options) {
+  RegionMesh mesh = meshRegion(task.algorithm,
+                               {task.boundary.input,
+                                [&] { return task.makeTools(kind); },
+                                task.boundary.canBeCut ? &task.surface : nullptr,
+                                {},
+                                task.options.optimize},
+                               options);
+  FaceAttempt attempt;
+  attempt.charts = task.surface.makeCharts(kind);
+  take(mesh, task, attempt);
+  return attempt;
+}
+
+/// As one piece, not optimised: these charts know a vertex of a seam on one of its sheets only.
+FaceAttempt inParameters(const FaceTask& task, ChartKind kind, const MeshingOptions& options) {
+  FaceAttempt attempt;
+  attempt.charts = task.surface.makeCharts(kind);
+  attempt.result = task.algorithm.execute(*attempt.charts, task.boundary.input, task.size, options);
+  if (attempt.result.outcome == Outcome::Complete)
+    attempt.fault = unsound(faultOf(attempt.result.mesh, boundaryOf(task.boundary.input)));
+  attempt.chartsKnowOneSheet = true;
+  return attempt;
+}
+
+/// The whole face laid out in one plane.
+FaceAttempt laidOut(const FaceTask& task, ChartKind kind, const MeshingOptions& options) {
+  const std::unique_ptr<PlaneMap> map = task.surface.makePlaneMap(kind);
+  const LaidOutFront front = layOut(task.boundary.input, *map);
+  const PlanePoints points;
+  FaceAttempt attempt;
+  attempt.charts = task.surface.makeCharts(ChartKind::MeanNormal);
+  try {
+    RegionMesh mesh = meshRegion(
+        task.algorithm,
+        {front.input, [&] { return task.makeTools(kind); }, &points, {}, task.options.optimize},
+        options);
+    take(mesh, task, attempt);
+  } catch (const InputError& error) {
+    attempt.fault = {FillFaultKind::BadParameters, error.what()};
+    return attempt;
+  }
+  lift(attempt.result, front, task.boundary.input, *map);
+  if (attempt.result.outcome == Outcome::Complete && attempt.fault.isNone())
+    attempt.fault = unsound(
+        faultOfLifted(attempt.result.mesh, front, task.boundary.input, task.limits.ignoresNormals));
+  return attempt;
+}
+
+/// The charts of the parameters with the metric of a surface that has no normals.
+FaceAttempt inParametersWithoutNormals(const FaceTask& task, ChartKind,
+                                       const MeshingOptions& options) {
+  const WithoutNormals surface(*task.surface.inParameters());
+  const MetricChartMaker charts(surface, MetricOrder::First);
+  const FrontInput input = withoutNormals(task.boundary.input);
+  FaceAttempt attempt;
+  attempt.result = task.algorithm.execute(charts, input, task.size, options);
+  if (attempt.result.outcome == Outcome::Complete)
+    attempt.fault = unsound(faultOf(attempt.result.mesh, boundaryOf(input)));
+  attempt.isOptimized = true;  // the optimiser knows folds by the normals
+  return attempt;
+}
+
+/// Runs a front as long as that gets on.
+///
+/// stallLimit  MeshingOptions::patience
+template <class Run>
+FaceAttempt guarded(const FaceTask& task, const ChartTraits& chart, int stallLimit, Run&& run) {
+  RunawayGuard guard(elementLimit(task), marginOf(task), task.limits.maxCandidates,
+                     task.options.stop);
+  MeshingOptions options;
+  options.patience = stallLimit;
+  options.mostInVain = kMaxCandidatesInVain;
+  options.stop = guard.token();
+  if (task.options.observer) options.observer = task.options.observer();
+  options.progress = [&](const Progress& progress) {
+    guard.see(progress);
+    if (task.progress) task.progress(progress);
+  };
+  FaceAttempt attempt = run(task, chart.kind, options);
+  attempt.chart = chart.kind;
+  attempt.isDrawnInParameters = chart.canCloseInParameters;
+  attempt.searchCost = attempt.result.candidates;
+  if (guard.ranAway())
+    attempt.fault.kind = FillFaultKind::TooManyElements;
+  else if (guard.isCrammed())
+    attempt.fault.kind = FillFaultKind::TooManyCandidates;
+  else if (attempt.result.outcome == Outcome::Stuck)
+    attempt.fault = {FillFaultKind::Stuck, stuckReason(attempt.result, task.algorithm)};
+  return attempt;
+}
+
+const ChartTraits& traitsOf(ChartKind kind) {
+  return *std::ranges::find(chartKinds(), kind, &ChartTraits::kind);
+}
+
+}  // namespace
+
+FaceAttempt attemptWith(const FaceTask& task, const ChartTraits& chart, int stallLimit) {
+  switch (chart.drawing) {
+    case ChartDrawing::InParameters:
+      return guarded(task, chart, stallLimit, inParameters);
+    case ChartDrawing::WholeFace:
+      return guarded(task, chart, stallLimit, laidOut);
+    case ChartDrawing::EachStep:
+      break;
+  }
+  return guarded(task, chart, stallLimit, inPieces);
+}
+
+FaceAttempt fillThroughCharts(FillState& state) {
+  for (const ChartTraits* chart : state.charts) {
+    // With the last charts a front goes on to its end.
+    const int stallLimit = chart == state.charts.back() ? 0 : kStallLimit;
+    FaceAttempt attempt = attemptWith(state.task, *chart, stallLimit);
+    if (attempt.fault.isNone()) return attempt;
+    state.fail(std::string(chart->name) + " charts", std::move(attempt));
+  }
+  FaceAttempt none;
+  none.fault.kind = FillFaultKind::NotFilled;
+  return none;
+}
+
+FaceAttempt attemptIgnoringNormals(const FaceTask& task) {
+  for (const ChartKind kind : {ChartKind::Developed, ChartKind::Conformal})
+    if (task.surface.has(kind)) return attemptWith(task, traitsOf(kind), 0);
+  return guarded(task, traitsOf(ChartKind::Affine), 0, inParametersWithoutNormals);
+}
+
+}  // namespace af2::geometry

@@ -1,0 +1,68 @@
+#include "geometry/fill/closing_way.h"
+
+#include <utility>
+
+#include "engine/mesh/mesh_check.h"
+#include "geometry/fill/close_front.h"
+
+namespace af2::geometry {
+
+namespace {
+
+/// Parameters, scaled so that both have about the same unit of length, and mirrored if need be.
+struct ScaledParameters {
+  double u = 1, v = 1;
+};
+
+ScaledParameters scaleOf(const ParametricSurface& surface, const MeshingResult& result) {
+  double du = 0, dv = 0;
+  for (const StuckEdge& edge : result.stuck) {
+    const SurfacePoint& p = result.mesh.vertices[edge.from.value];
+    const auto frame = surface.frameAt(p.u, p.v);
+    du += length(frame.du);
+    dv += length(frame.dv);
+  }
+  const auto count = static_cast<double>(result.stuck.size());
+  return {du / count, (surface.isFlipped() ? -1 : 1) * dv / count};
+}
+
+bool closeInParameters(const FaceTask& task, const MeshingResult& stuck, std::uint16_t rule,
+                       std::size_t maxEdges, MeshingResult& closed) {
+  const auto& vertices = stuck.mesh.vertices;
+  const ScaledParameters scale = scaleOf(*task.surface.inParameters(), stuck);
+  const auto inPlane = [&](VertexId v) {
+    return Point2{scale.u * vertices[v.value].u, scale.v * vertices[v.value].v};
+  };
+  return closeFront(closed, inPlane, rule, maxEdges);
+}
+
+}  // namespace
+
+bool closeStuck(const FaceTask& task, FaceAttempt& attempt, std::size_t maxEdges) {
+  if (attempt.result.outcome != Outcome::Stuck || attempt.result.stuck.empty()) return false;
+  MeshingResult closed = attempt.result;
+  const std::uint16_t rule = closingRule(task.algorithm.rules());
+  const bool inParameters = attempt.isDrawnInParameters && !hasTwoSheets(task.boundary.input);
+  const bool isClosed = inParameters
+                            ? closeInParameters(task, attempt.result, rule, maxEdges, closed)
+                            : closeFront(closed, rule, maxEdges);
+  if (!isClosed || !faultOf(closed.mesh, af2::boundaryOf(task.boundary.input)).empty())
+    return false;
+  attempt.closingElements = closed.mesh.elements.size() - attempt.result.mesh.elements.size();
+  attempt.result = std::move(closed);
+  attempt.fault = {};
+  return true;
+}
+
+FaceAttempt fillByClosing(FillState& state) {
+  for (FaceAttempt& attempt : state.failed) {
+    if (!closeStuck(state.task, attempt, kMostStuckEdges)) continue;
+    attempt.searchCost = 0;  // it is counted already
+    return std::move(attempt);
+  }
+  FaceAttempt none;
+  none.fault.kind = FillFaultKind::NotFilled;
+  return none;
+}
+
+}  // namespace af2::geometry

@@ -1,0 +1,33 @@
+#include "geometry/fill/boundary_alone_way.h"
+#include "geometry/fill/chart_way.h"
+#include "geometry/fill/closing_way.h"
+#include "geometry/fill/crossed_boundary.h"
+#include "geometry/fill/fill_way.h"
+#include "geometry/fill/ignoring_normals_way.h"
+
+namespace af2::geometry {
+
+namespace {
+
+constexpr FillWay kWays[] = {
+    {.name = "boundary without crossings",
+     .applies = mayHaveCrossedBoundary,
+     .fill = findCrossedBoundary,
+     .isCondition = true},
+    {"charts", isUnfilled, fillThroughCharts},
+    {"closing of what is left", isUnfilled, fillByClosing},
+    {"boundary alone", mayNeedNoVertices, fillFromBoundary, isBetterWithoutVertices},
+    {.name = "ignoring normals in the parameters",
+     .applies = canIgnoreNormalsInParameters,
+     .fill = fillIgnoringNormals,
+     .ignoresNormals = true},
+    {.name = "ignoring normals across loops",
+     .applies = canCloseLoops,
+     .fill = fillAcrossLoops,
+     .ignoresNormals = true}};
+
+}  // namespace
+
+std::span<const FillWay> fillWays() { return kWays; }
+
+}  // namespace af2::geometry

@@ -1,0 +1,36 @@
+// A surface without its normals, for faces that are rougher than their elements are large.
+// Not installed.
+#pragma once
+
+#include "engine/mesh/front_input.h"
+#include "engine/mesh/mesh.h"
+#include "geometry/charts/metric_chart.h"
+
+namespace af2::geometry {
+
+/// The surface of a face without its normals, so that elements may lean against it as they like.
+class WithoutNormals final : public ParametricSurface {
+ public:
+  explicit WithoutNormals(const ParametricSurface& surface) : surface_(surface) {}
+  Frame frameAt(double u, double v) const override { return surface_.frameAt(u, v); }
+  SurfacePoint pointAt(double u, double v) const override {
+    SurfacePoint point = surface_.pointAt(u, v);
+    point.normal = {};
+    return point;
+  }
+  bool isFlipped() const override { return surface_.isFlipped(); }
+  bool has(double u, double v) const override { return surface_.has(u, v); }
+
+ private:
+  const ParametricSurface& surface_;
+};
+
+FrontInput withoutNormals(FrontInput input);
+
+/// Gives the vertices of a mesh the normals of the surface at their parameters.
+void restoreNormals(const ParametricSurface& surface, const FrontInput& input, Mesh& mesh);
+
+/// Whether all elements lie the right way round in the parameters: then none is folded.
+bool isFlatInParameters(const Mesh& mesh, bool isFlipped);
+
+}  // namespace af2::geometry

@@ -1,0 +1,55 @@
+#include "geometry/meshing/check_options.h"
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+#include <string>
+#include <utility>
+
+#include "engine/base/error.h"
+#include "geometry/meshing/part_sizes.h"
+
+namespace af2::geometry {
+
+void checkOptions(const FaceSource& source, const MeshingOptions& options) {
+  const auto check = [](const std::string& what, const std::string& kind, int id, int count) {
+    if (id < 1 || id > count)
+      throw InputError(what + kind + " " + std::to_string(id) + ": the model has " + kind +
+                       "s 1 to " + std::to_string(count));
+  };
+  checkSizes(options.sizes);
+  for (const auto& [face, size] : options.sizes.faceSizes)
+    check("size for ", "face", face, source.faceCount());
+  for (const auto& [edge, size] : options.sizes.edgeSizes)
+    check("size for ", "edge", edge, source.edgeCount());
+  if (options.order != 1 && options.order != 2) throw InputError("elements can have order 1 or 2");
+  for (const auto& [edge, points] : options.edgePoints)
+    check("points for ", "edge", edge, source.edgeCount());
+  for (const int face : options.faces) check("", "face", face, source.faceCount());
+}
+
+MeshingOptions optionsFor(const FaceSource& source, MeshingOptions options) {
+  Sizes& sizes = options.sizes;
+  if (!sizes.partSizes.empty()) {
+    std::vector<std::string> names;
+    for (int face = 1; face <= source.faceCount(); ++face)
+      names.push_back(source.reportOf(face).name);
+    // Those by id count more.
+    sizes.faceSizes.merge(sizesByName(std::exchange(sizes.partSizes, {}), names, source.groups()));
+  }
+  sizes = withinExtent(std::move(sizes), source.diagonal());
+  return options;
+}
+
+std::vector<int> facesAskedFor(const FaceSource& source, const MeshingOptions& options) {
+  std::vector<int> faces = options.faces;
+  if (faces.empty()) {
+    faces.resize(static_cast<std::size_t>(source.faceCount()));
+    std::iota(faces.begin(), faces.end(), 1);
+  }
+  std::ranges::sort(faces);
+  faces.erase(std::ranges::unique(faces).begin(), faces.end());
+  return faces;
+}
+
+}  // namespace af2::geometry

@@ -1,0 +1,197 @@
+#include "geometry/meshing/mesh_faces.h"
+
+#include <algorithm>
+#include <limits>
+#include <new>
+#include <numeric>
+#include <utility>
+
+#include "engine/base/stopwatch.h"
+#include "geometry/base/parallel.h"
+#include "geometry/check/sound_faces.h"
+#include "geometry/fill/face_filling.h"
+#include "geometry/mesh/inside_out.h"
+#include "geometry/mesh/join_faces.h"
+#include "geometry/mesh/narrow_places.h"
+#include "geometry/mesh/second_order.h"
+#include "geometry/meshing/check_options.h"
+#include "geometry/meshing/progress_sum.h"
+
+namespace af2::geometry {
+
+namespace {
+
+std::vector<std::size_t> largestFirst(const std::vector<double>& work) {
+  std::vector<std::size_t> order(work.size());
+  std::iota(order.begin(), order.end(), 0u);
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return work[a] > work[b]; });
+  return order;
+}
+
+/// One run over the faces of a source. Faces are counted as they were asked for, from 0.
+class FaceRun final : public RetriedModel {
+ public:
+  FaceRun(FaceSource& source, const AF2Algorithm& algorithm, const MeshingOptions& options)
+      : source_(source),
+        algorithm_(algorithm),
+        options_(options),
+        faces_(facesAskedFor(source, options)) {}
+
+  ModelMesh mesh() {
+    const Stopwatch edgesWatch;
+    source_.prepare(options_, faces_);
+    for (const int face : faces_) edgesOfFaces_.push_back(source_.edgesOf(face));
+    FaceMeshes state;
+    state.divided = divide(source_.sizesByPosition(), {});
+    const double edgeSeconds = edgesWatch.seconds();
+
+    const Stopwatch facesWatch;
+    meshAll(state);
+    retry(state);
+    const double optimizeShare = shareOfOptimizing(state.meshes);
+    const double faceSeconds = facesWatch.seconds();
+    ModelMesh mesh = finished(state);
+    mesh.seconds.edges = edgeSeconds;
+    mesh.seconds.optimize = optimizeShare * faceSeconds;
+    mesh.seconds.surface = faceSeconds - mesh.seconds.optimize;
+    return mesh;
+  }
+
+  const std::vector<std::vector<int>>& edgesOfFaces() const override { return edgesOfFaces_; }
+
+  DividedEdges divide(const PositionSize& sizes, const CollapsedEdges& asPoints) const override {
+    return source_.divide(sizes, asPoints);
+  }
+
+  std::vector<CollapsedEdges> shortEdges(std::size_t i, const DividedEdges& divided,
+                                         const std::vector<SizeSource>& places) const override {
+    return source_.shortEdges(faces_[i], divided, places);
+  }
+
+  void mesh(std::size_t i, const PositionSize& sizes, const TryLimits& limits,
+            FaceMeshes& into) const override {
+    into.meshes[i] = meshed(i, sizes, limits, into.divided, {});
+  }
+
+  void join(FaceMeshes& state) const override {
+    JoinOptions join;
+    join.threads = options_.threads;
+    const std::map<int, double>& sizes = options_.sizes.edgeSizes;
+    for (int edge = 1; edge <= static_cast<int>(state.divided.edges.size()); ++edge)
+      if (const auto own = sizes.find(source_.idOfEdge(edge)); own != sizes.end())
+        join.edgeSizes[edge] = bounded(options_.sizes, own->second);
+    if (options_.order == 2)
+      join.pointOnEdge = [&](int edge, double parameter) {
+        return source_.pointOnEdge(edge, parameter);
+      };
+    state.joined = joinFaces(state.divided, state.meshes, join);
+    state.faults = faultsOf(state.joined, source_.mayCross() && !options_.stop.stop_requested(),
+                            options_.threads);
+  }
+
+  std::vector<SizeSource> sizesInside(std::size_t i) const override {
+    return source_.sizesInside(faces_[i]);
+  }
+
+ private:
+  void meshAll(FaceMeshes& state) const {
+    std::vector<double> work;
+    for (const int face : faces_) work.push_back(source_.workOn(face));
+    ProgressSum progress(options_.progress, work);
+    state.meshes.resize(faces_.size());
+    const std::vector<std::size_t> order = largestFirst(work);
+    forEachInParallel(faces_.size(), options_.threads, [&](std::size_t k) {
+      const std::size_t i = order[k];
+      state.meshes[i] = meshed(i, source_.sizesByPosition(), {}, state.divided,
+                               [&](const Progress& p) { progress.advance(i, p.elements); });
+      progress.finish(i, state.meshes[i].elements.size());
+    });
+  }
+
+  void retry(FaceMeshes& state) const {
+    RetryOptions retries{source_.sizesByPosition(), largestOf(options_.sizes),
+                         options_.sizes.growth, options_.threads, options_.stop};
+    retries.share = source_.retryShare();
+    if (options_.mostRetries) retries.mostRounds = *options_.mostRetries;
+    retryPoorFaces(*this, retries, state);
+  }
+
+  FaceMesh meshed(std::size_t i, const PositionSize& sizes, const TryLimits& limits,
+                  const DividedEdges& divided, const ProgressCallback& progress) const {
+    const Stopwatch watch;
+    const int face = faces_[i];
+    FaceMesh mesh;
+    mesh.report = source_.reportOf(face);
+    if (options_.stop.stop_requested()) {
+      mesh.report.status = FaceStatus::Cancelled;
+      return mesh;
+    }
+    FillOptions fill{options_.chart, options_.optimize, options_.stop, {}};
+    if (options_.observer) fill.observer = [&] { return options_.observer(face); };
+    try {
+      source_.fill(face, {sizes, limits, divided, algorithm_, fill, options_.order == 2, progress},
+                   mesh);
+    } catch (const std::bad_alloc&) {
+      failFor("there is not enough memory; ask for a larger size", mesh);
+    } catch (const std::exception& failure) {
+      failFor(failure.what(), mesh);
+    }
+    mesh.report.seconds = watch.seconds();
+    return mesh;
+  }
+
+  ModelMesh finished(FaceMeshes& state) const {
+    const MiddlesByFace middles = takeMiddles(state.meshes);
+    std::vector<FaceMesh>().swap(state.meshes);  // two meshes need much memory
+    ModelMesh mesh = std::move(state.joined);
+    for (EdgeSegment& segment : mesh.segments) segment.edge = source_.idOfEdge(segment.edge);
+    for (const AF2Rule& rule : algorithm_.rules().rules()) mesh.ruleNames.push_back(rule.name());
+    mesh.ruleNames.push_back("closing");  // what closes a stuck front
+    mesh.groups = source_.groups();
+    mesh.findings = keepSoundFaces(mesh, state.faults);
+    source_.complete(state.faults, mesh);
+    if (isInsideOut(mesh)) mesh.notes.emplace_back(kInsideOut);
+    if (options_.order == 2) makeSecondOrder(mesh, middlesOf(mesh, middles));
+    return mesh;
+  }
+
+  FaceSource& source_;
+  const AF2Algorithm& algorithm_;
+  const MeshingOptions& options_;
+  std::vector<int> faces_;
+  std::vector<std::vector<int>> edgesOfFaces_;
+};
+
+/// What is narrower than the elements across it wants sizes of its own. Narrow places are between
+/// any two faces, so that all are meshed for this.
+void addNarrowPlaces(FaceSource& source, const AF2Algorithm& algorithm, MeshingOptions& options) {
+  const double across = std::exchange(options.sizes.elementsAcross, 0);
+  MeshingOptions first = options;
+  first.faces.clear();
+  first.optimize = false;
+  first.order = 1;
+  first.progress = {};
+  first.observer = {};
+  const ModelMesh coarse = FaceRun(source, algorithm, first).mesh();
+  addSources(narrowPlaces(coarse, across, options.threads),
+             leastForLimits(options.sizes.size, options.sizes.minSize), options.sizes.sources);
+}
+
+}  // namespace
+
+ModelMesh meshFaces(FaceSource& source, const AF2Algorithm& algorithm,
+                    const MeshingOptions& options) {
+  checkOptions(source, options);
+  ModelMesh mesh;
+  // One arena for all stages: a thread that has to change arenas comes late to the next stage.
+  withThreads(options.threads, [&] {
+    MeshingOptions own = optionsFor(source, options);
+    own.threads = 0;  // as many as the arena has
+    if (own.sizes.elementsAcross > 0) addNarrowPlaces(source, algorithm, own);
+    mesh = FaceRun(source, algorithm, own).mesh();
+  });
+  return mesh;
+}
+
+}  // namespace af2::geometry

@@ -1,0 +1,69 @@
+#include "geometry/meshing/part_sizes.h"
+
+#include <cmath>
+#include <string_view>
+
+#include "engine/base/error.h"
+
+namespace af2::geometry {
+
+namespace {
+
+/// Of the character that begins here, in UTF-8.
+std::size_t bytesOf(std::string_view text, std::size_t at) {
+  std::size_t end = at + 1;
+  while (end < text.size() && (static_cast<unsigned char>(text[end]) & 0xc0) == 0x80) ++end;
+  return end - at;
+}
+
+}  // namespace
+
+bool fitsPattern(const std::string& name, const std::string& pattern) {
+  constexpr std::size_t kNone = std::string::npos;
+  std::size_t n = 0, p = 0, star = kNone, afterStar = 0;  // the last `*`, and what it takes up to
+  while (n < name.size()) {
+    if (p < pattern.size() && pattern[p] == '*') {
+      star = p++;
+      afterStar = n;
+    } else if (p < pattern.size() && pattern[p] == '?') {
+      n += bytesOf(name, n);
+      ++p;
+    } else if (p < pattern.size() && pattern[p] == name[n]) {
+      ++n;
+      ++p;
+    } else if (star != kNone) {
+      n = ++afterStar;
+      p = star + 1;
+    } else {
+      return false;
+    }
+  }
+  return pattern.find_first_not_of('*', p) == kNone;
+}
+
+std::map<int, double> sizesByName(std::span<const std::pair<std::string, double>> parts,
+                                  std::span<const std::string> names,
+                                  std::span<const FaceGroup> groups) {
+  std::map<int, double> sizes;
+  for (const auto& [pattern, size] : parts) {
+    if (!(size > 0) || !std::isfinite(size))
+      throw InputError("the size for parts named '" + pattern + "' must be a positive number");
+    bool fits = false;
+    for (const FaceGroup& group : groups) {
+      if (!fitsPattern(group.name, pattern)) continue;
+      for (const int face : group.faces) sizes[face] = size;
+      fits = true;
+    }
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      if (!fitsPattern(names[i], pattern)) continue;
+      sizes[static_cast<int>(i) + 1] = size;
+      fits = true;
+    }
+    if (!fits)
+      throw InputError("the sizes are for parts named '" + pattern +
+                       "', but no face or group has such a name (see af2 inspect)");
+  }
+  return sizes;
+}
+
+}  // namespace af2::geometry

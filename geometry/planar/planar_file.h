@@ -1,0 +1,25 @@
+// Planar domains from files: which formats there are, and reading a file in the one that its name
+// asks for.
+#pragma once
+
+#include <filesystem>
+#include <span>
+
+#include "engine/base/export.h"
+#include "geometry/base/file_extension.h"
+#include "geometry/planar/poly_file.h"
+
+namespace af2::geometry {
+
+struct AF2_EXPORT PlanarFormat : FileFormat {
+  PlanarDomain (*read)(const std::filesystem::path&);
+};
+
+/// In the order in which texts name them.
+AF2_EXPORT std::span<const PlanarFormat> planarFormats();
+
+/// Throws InputError, with file and line, if the file cannot be read, or if its extension belongs
+/// to no format.
+AF2_EXPORT PlanarDomain readPlanar(const std::filesystem::path& path);
+
+}  // namespace af2::geometry

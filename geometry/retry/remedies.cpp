@@ -1,0 +1,32 @@
+#include "geometry/retry/collapsed_edges.h"
+#include "geometry/retry/ignoring_normals.h"
+#include "geometry/retry/protected_neighbors.h"
+#include "geometry/retry/remedy.h"
+#include "geometry/retry/shared_diagonals.h"
+#include "geometry/retry/shorter_edges.h"
+#include "geometry/retry/withdrawn_requests.h"
+
+namespace af2::geometry {
+
+namespace {
+
+constexpr FaceRemedy kFaceRemedies[] = {
+    {"short edges collapsed to points", RemedyTime::BeforeRound, mayCollapseEdges, collapseEdges,
+     uncollapseEdges, findShortEdges, false},
+    {"shorter edges", RemedyTime::BeforeRound, mayShortenEdges, shortenEdges, unshortenEdges},
+    {"protection of neighbors", RemedyTime::AfterRound, isSpoiledNeighbor, protectNeighbor, nullptr,
+     rememberBadFaces, false},
+    {"the edges of the beginning", RemedyTime::LastRound, hasVainRequests, withdrawRequests,
+     nullptr, nullptr, false},
+    {"elements that lean against the surface", RemedyTime::InPlace, mayIgnoreNormals,
+     meshIgnoringNormals, restoreFailedFace}};
+
+constexpr MeshRemedy kMeshRemedies[] = {{"other diagonals than those of faces beside", hasFindings,
+                                         splitSharedDiagonals, hasFewerFindings}};
+
+}  // namespace
+
+std::span<const FaceRemedy> faceRemedies() { return kFaceRemedies; }
+std::span<const MeshRemedy> meshRemedies() { return kMeshRemedies; }
+
+}  // namespace af2::geometry

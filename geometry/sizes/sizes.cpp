@@ -1,0 +1,66 @@
+#include "geometry/sizes/sizes.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/base/error.h"
+
+namespace af2::geometry {
+namespace {
+
+bool isPositive(double size) { return std::isfinite(size) && size > 0; }
+
+void checkEach(const std::map<int, double>& sizes, const std::string& kind) {
+  for (const auto& [id, size] : sizes)
+    if (!isPositive(size))
+      throw InputError("size for " + kind + " " + std::to_string(id) + ": must be positive");
+}
+
+}  // namespace
+
+void checkSizes(const Sizes& sizes) {
+  constexpr double kFewestPerTurn = 3;
+  if (!isPositive(sizes.size)) throw InputError("the size must be a positive number");
+  if (!(sizes.minSize >= 0) || !(sizes.maxSize >= sizes.minSize) || !(sizes.maxSize > 0))
+    throw InputError("the smallest size must not be negative, nor above the largest");
+  if (sizes.elementsPerTurn != 0 && !(sizes.elementsPerTurn >= kFewestPerTurn))
+    throw InputError("a turn needs at least 3 elements");
+  if (!(sizes.elementsAcross >= 0) || !std::isfinite(sizes.elementsAcross))
+    throw InputError("the number of elements across narrow places must not be negative");
+  if (!isPositive(sizes.growth)) throw InputError("the growth of sizes must be a positive number");
+  if (sizes.growth > kMostGrowth)
+    throw InputError("the growth of sizes must be at most " +
+                     std::to_string(static_cast<int>(kMostGrowth)) + " per unit of length");
+  checkEach(sizes.faceSizes, "face");
+  checkEach(sizes.edgeSizes, "edge");
+}
+
+Sizes withinExtent(Sizes sizes, double extent) {
+  if (!(extent > 0)) return sizes;
+  sizes.size = std::min(sizes.size, extent);
+  sizes.maxSize = std::min(sizes.maxSize, extent);
+  sizes.minSize = std::min(sizes.minSize, extent);
+  return sizes;
+}
+
+double largestOf(const Sizes& sizes) {
+  double largest = sizes.size;
+  for (const auto& [face, size] : sizes.faceSizes) largest = std::max(largest, size);
+  for (const auto& [edge, size] : sizes.edgeSizes) largest = std::max(largest, size);
+  return largest;
+}
+
+double bounded(const Sizes& sizes, double size) {
+  return std::clamp(size, sizes.minSize, sizes.maxSize);
+}
+
+double wantedOnFace(const Sizes& sizes, int face) {
+  const auto found = sizes.faceSizes.find(face);
+  return bounded(sizes, found == sizes.faceSizes.end() ? sizes.size : found->second);
+}
+
+double limitByFunction(const Sizes& sizes, double size, const Point3& position) {
+  return sizes.function ? std::min(size, sizes.function.at(position)) : size;
+}
+
+}  // namespace af2::geometry

@@ -1,0 +1,83 @@
+#include "geometry/fill/chart_way.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "geometry/charts/flat_surface.h"
+#include "tests/support/meshing.h"
+
+namespace af2::geometry {
+namespace {
+
+constexpr std::size_t kAnyNumber = std::numeric_limits<std::size_t>::max();
+
+/// Wants edges of half a unit along a square from (0, 0) to (4, 4), and tiny ones in its middle.
+double fineInside(const Point3& p) {
+  return std::clamp(0.4 * (std::hypot(p.x - 2, p.y - 2) - 0.8), 0.01, 0.5);
+}
+
+/// What the task says beyond the boundary and the sizes.
+struct Given {
+  double area = 16, expectedElements = 1;
+  bool knowsSizes = false;
+  std::size_t maxCandidates = kAnyNumber;
+};
+
+/// Fills the square, divided into segments of half a unit.
+FaceAttempt attempt(const SizeField& size, const Given& given) {
+  const FlatSurface surface({0, 0, 0}, {1, 0, 0}, {0, 1, 0});
+  FaceBoundary boundary;
+  testing::addLoop(boundary.input, testing::divided({{0, 0}, {4, 0}, {4, 4}, {0, 4}}, 0.5));
+  const AF2Algorithm algorithm(testing::triangleSet());
+  FillOptions options;
+  options.optimize = false;
+  const ProgressCallback silent;
+  const auto makeTools = [&](ChartKind kind) {
+    return PieceTools{surface.makeCharts(kind), {&size, [](const SizeField*) {}}};
+  };
+  const TryLimits limits{.maxCandidates = given.maxCandidates};
+  const FaceTask task{surface,   boundary,        size,  given.area, given.expectedElements,
+                      algorithm, options,         false, limits,     silent,
+                      makeTools, given.knowsSizes};
+  return attemptWith(task, chartKinds().front(), MeshingOptions{}.patience);
+}
+
+TEST(ChartWay, GoesOnWhileAFrontMakesWhatIsExpected) {
+  const FaceAttempt filled = attempt(UniformSize(0.5), {});
+  EXPECT_TRUE(filled.fault.isNone());
+  EXPECT_EQ(filled.result.outcome, Outcome::Complete);
+}
+
+TEST(ChartWay, EndsAFrontThatMakesFarMoreElementsThanItsBoundaryLetsExpect) {
+  const FaceAttempt ended = attempt(SizeFunction(fineInside), {});
+  EXPECT_EQ(ended.fault.kind, FillFaultKind::TooManyElements);
+  const FaceAttempt whole = attempt(SizeFunction(fineInside), {.expectedElements = 20'000});
+  EXPECT_LT(2 * ended.result.mesh.elements.size(), whole.result.mesh.elements.size());
+}
+
+TEST(ChartWay, EndsAFrontThatMakesFarMoreElementsThanTheSizesInsideLetExpect) {
+  EXPECT_EQ(attempt(SizeFunction(fineInside), {.expectedElements = 20'000}).fault.kind,
+            FillFaultKind::None);
+  EXPECT_EQ(
+      attempt(SizeFunction(fineInside), {.expectedElements = 100, .knowsSizes = true}).fault.kind,
+      FillFaultKind::TooManyElements);
+}
+
+TEST(ChartWay, EndsAFrontOfAFaceOfUnknownAreaByTheElementsThatItMayHave) {
+  EXPECT_EQ(attempt(SizeFunction(fineInside), {.area = 0, .expectedElements = 20'000}).fault.kind,
+            FillFaultKind::None);
+  EXPECT_EQ(attempt(SizeFunction(fineInside), {.area = 0}).fault.kind,
+            FillFaultKind::TooManyElements);
+}
+
+TEST(ChartWay, EndsAFrontThatExaminesMoreCandidatesThanItMay) {
+  const FaceAttempt ended = attempt(UniformSize(0.05), {.maxCandidates = 500});
+  EXPECT_EQ(ended.fault.kind, FillFaultKind::TooManyCandidates);
+  EXPECT_LT(2 * ended.searchCost, attempt(UniformSize(0.05), {}).searchCost);
+}
+
+}  // namespace
+}  // namespace af2::geometry
