@@ -39,7 +39,8 @@ how_far() {
     /^Setting up / { step = "set up"; ++ready; done = ready }
     END { if (all > 0 && step != "") {
       share = int(10 * done / all) * 10
-      printf "%s %d %%", step, share > 100 ? 100 : share } }' "$1" 2>/dev/null
+      if (share > 100) share = 100
+      printf "%s %d %%", step, share } }' "$1" 2>/dev/null
 }
 
 # run_logged LOG WHAT COMMAND...: runs it with its output in LOG, and says about every tenth how far it is.
