@@ -1,4 +1,4 @@
-// Code actions: the way out that a diagnostic names, done at once.
+// Code actions: corrections for diagnostics, applied by the editor.
 #include <algorithm>
 #include <array>
 
@@ -10,20 +10,20 @@ namespace {
 
 using dsl::Diagnostic;
 
-/// A text in place of a span.
+/// A text that replaces a span.
 struct Fix {
   std::string title;
   dsl::Span span;
   std::string text;
 };
 
-/// What a fix may look at.
+/// The data that a fix may use.
 struct Fault {
   const Document& document;
   const Analysis& analysis;
   const Diagnostic& diagnostic;
   dsl::Span span;
-  bool isFromChecks = false;  ///< of the checks over many matches
+  bool isFromChecks = false;  ///< from the checks over many matches
 
   std::string_view text() const { return document.text; }
 };
@@ -32,7 +32,7 @@ std::uint32_t endOf(const Fault& fault) {
   return static_cast<std::uint32_t>(fault.document.text.size());
 }
 
-/// The rule of the file that a diagnostic names, families and mirror images included.
+/// The rule of the file that a diagnostic names, including families and mirrored rules.
 const dsl::Rule* ruleOf(const Fault& fault) {
   for (const dsl::CompiledRule& rule : fault.analysis.loaded.file->rules)
     if (rule.definition.name == fault.diagnostic.rule && rule.home == &fault.analysis.main())
@@ -40,7 +40,7 @@ const dsl::Rule* ruleOf(const Fault& fault) {
   return nullptr;
 }
 
-/// A clause as the last one of a rule.
+/// Adds a clause at the end of a rule.
 std::optional<Fix> addClause(const Fault& fault, std::string title, const std::string& clause) {
   const dsl::Rule* rule = ruleOf(fault);
   if (!rule || rule->clauses.empty()) return std::nullopt;
@@ -48,7 +48,7 @@ std::optional<Fix> addClause(const Fault& fault, std::string title, const std::s
   return Fix{std::move(title), {behind, behind}, "\n  " + clause};
 }
 
-/// `meta { allow ... }` is for findings that are meant to be so.
+/// `meta { allow ... }` is for findings that are intended.
 std::optional<Fix> allow(const Fault& fault) {
   const bool isWarning = fault.isFromChecks && fault.diagnostic.severity == dsl::Severity::Warning;
   const dsl::Rule* rule = isWarning ? ruleOf(fault) : nullptr;
@@ -56,11 +56,11 @@ std::optional<Fix> allow(const Fault& fault) {
                          return std::holds_alternative<dsl::MetaClause>(c.content);
                        });
   if (!rule || hasMeta) return std::nullopt;
-  return addClause(fault, "it is meant to be so: allow " + dsl::idOf(fault.diagnostic.code),
+  return addClause(fault, "this is intended: allow " + dsl::idOf(fault.diagnostic.code),
                    "meta { allow \"" + dsl::idOf(fault.diagnostic.code) + "\"; }");
 }
 
-/// The counter-example as a test, laid out, at the end of the file.
+/// Adds the counter-example as a formatted test at the end of the file.
 std::optional<Fix> addTest(const Fault& fault) {
   for (const dsl::DiagnosticNote& note : fault.diagnostic.notes) {
     if (note.kind != dsl::DiagnosticNote::Kind::Test) continue;
@@ -89,7 +89,7 @@ class ActionList {
   void add(const Diagnostic& diagnostic, bool isFromChecks) {
     if (!isHere(diagnostic.place)) return;
     const dsl::Span span = spanOf(diagnostic.place);
-    // Whole lines: the cursor need not stand on the word itself.
+    // Uses whole lines, because the cursor need not be on the word itself.
     if (!touches(span, wanted_)) return;
     for (const dsl::SuggestedEdit& edit : diagnostic.edits)
       if (isHere(edit.place)) offer({edit.what, spanOf(edit.place), edit.replacement}, true);

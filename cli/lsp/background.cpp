@@ -57,7 +57,7 @@ void WorkerThread::run() {
     isCancelled_ = isCancelled;
     lock.unlock();
     Continuation done = task.work(*isCancelled);
-    // Whether the result is still wanted is asked where it arrives: a cancellation may be underway.
+    // The receiver decides whether the result is still wanted: a cancellation may be on its way.
     deliver_([isCancelled, done = std::move(done)] {
       if (!*isCancelled && done) done();
     });

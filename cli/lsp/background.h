@@ -1,4 +1,4 @@
-// Work that takes long, beside the conversation with the editor.
+// Long-running work in a thread beside the conversation with the editor.
 #pragma once
 
 #include <atomic>
@@ -13,15 +13,15 @@
 
 namespace af2::lsp {
 
-/// Done with the result, back in the conversation.
+/// Called with the result in the thread of the conversation.
 using Continuation = std::function<void()>;
 
 struct Task {
-  std::string key;  ///< a new task takes the place of an older one with its key
+  std::string key;  ///< a new task replaces an older one with the same key
   std::chrono::milliseconds
       delay;  ///< rest before it begins, so that it waits for a pause in typing
-  /// Runs beside everything else and must touch nothing that changes. Ends early, with any result,
-  /// when it is cancelled.
+  /// Runs in parallel with everything else, so it must not touch mutable data. If it is cancelled,
+  /// it returns early with any result.
   std::function<Continuation(const std::atomic<bool>& isCancelled)> work;
 };
 
@@ -29,14 +29,14 @@ class Background {
  public:
   virtual ~Background() = default;
   virtual void start(Task task) = 0;
-  /// The task will not run, or its result is dropped. Tells whether there was one.
+  /// Removes the task or drops its result. Returns whether there was one.
   virtual bool cancel(const std::string& key) = 0;
 };
 
-/// One thread that does one task after the other.
+/// One thread that runs one task after the other.
 class WorkerThread : public Background {
  public:
-  /// `deliver` hands continuations over to the conversation; it is called from the thread.
+  /// `deliver` passes continuations to the conversation; it is called from the worker thread.
   explicit WorkerThread(std::function<void(Continuation)> deliver);
   ~WorkerThread() override;
   WorkerThread(const WorkerThread&) = delete;

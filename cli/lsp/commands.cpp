@@ -27,10 +27,10 @@ std::string firstError(const Analysis& analysis) {
   for (const dsl::Diagnostic& d : analysis.loaded.diagnostics)
     if (d.severity == dsl::Severity::Error)
       return "line " + std::to_string(d.place.line) + ": " + d.message;
-  return "it has no rules";
+  return "the file has no rules";
 }
 
-/// Titles as the compiled rules have them, of the rule or the family with this title.
+/// Titles of the compiled rules that belong to the rule or family with this title.
 std::vector<std::string> titlesOf(const Analysis& analysis, const std::string& title) {
   std::vector<std::string> titles;
   for (const dsl::CompiledRule& rule : analysis.loaded.file->rules)
@@ -59,7 +59,7 @@ std::string fileNameFor(const Document& document, const std::string& title) {
   return name + ".svg";
 }
 
-/// Opened by the editor where it can, else told of.
+/// The editor opens the picture if it can; otherwise a message names the file.
 void showFile(Session& session, const std::string& path) {
   if (session.client.showsFiles)
     session.ask("window/showDocument", {{"uri", uriOf(path)}, {"external", true}});
@@ -68,8 +68,8 @@ void showFile(Session& session, const std::string& path) {
 }
 
 /// af2.draw {uri, rule?, path?}: returns {title, svg, path?}. Without `rule` all rules are drawn.
-/// The picture is written to `path`, or else to a file that the editor is asked to show, unless
-/// the editor has said that it takes pictures as they are returned.
+/// The picture is written to `path`, or otherwise to a file that the editor is asked to show,
+/// unless the editor has said that it uses the returned picture.
 Json draw(Session& session, const Json& argument) {
   const auto document = session.document(argument.at("uri").get<std::string>());
   const auto analysis = session.analysis(*document);
@@ -84,7 +84,7 @@ Json draw(Session& session, const Json& argument) {
   }
   if (path.empty()) return result;
   try {
-    // Absolute, so that no name means standard output: the conversation goes there.
+    // Absolute, so that the name "-" cannot mean standard output, which carries the protocol.
     cli::writeText(std::filesystem::absolute(path).string(), result["svg"].get<std::string>());
   } catch (const cli::UsageError& error) {
     refuse(error.what());
@@ -98,7 +98,7 @@ Json draw(Session& session, const Json& argument) {
 
 struct TestRun {
   std::vector<dsl::TestResult> results;
-  std::string fault;  ///< not empty: they could not be run
+  std::string fault;  ///< not empty: why they could not be run
 };
 
 TestRun runTests(const Analysis& analysis, const std::vector<std::string>& titles,
@@ -143,10 +143,10 @@ Json failureDiagnostic(const TextMap& map, const dsl::SourceText& source,
            "test \"" + result.title + "\": expected " + failure.expected + ", got " + failure.got}};
 }
 
-/// Failures become diagnostics at the `expect` clauses, until the text changes.
+/// Failures are shown as diagnostics at the `expect` clauses until the text changes.
 void keepFailures(const Session& session, Document& document, const Analysis& analysis,
                   const TestRun& run) {
-  if (document.analysis.get() != &analysis) return;  // the text has changed meanwhile
+  if (document.analysis.get() != &analysis) return;  // the text has changed
   const TextMap map = session.map(document.text);
   document.testFailures.clear();
   for (const dsl::TestResult& result : run.results)
@@ -171,7 +171,7 @@ void report(Session& session, const Json& id, const std::shared_ptr<Document>& d
   session.respond(id, {{"passed", passed}, {"failed", failed}, {"results", std::move(results)}});
 }
 
-/// af2.test {uri, titles?}: returns {passed, failed, results}. Runs beside the conversation, so the
+/// af2.test {uri, titles?}: returns {passed, failed, results}. Runs in the background, so the
 /// answer comes later.
 void startTests(Session& session, const Json& id, const Json& argument) {
   const auto document = session.document(argument.at("uri").get<std::string>());
@@ -195,8 +195,8 @@ std::optional<Json> execute(Session& session, const Json& id, const Json& params
     startTests(session, id, argumentOf(params));
     return std::nullopt;
   }
-  throw RequestError(ErrorCode::InvalidParams,
-                     "there is no command '" + command + "'; there are af2.draw and af2.test");
+  throw RequestError(ErrorCode::InvalidParams, "there is no command '" + command +
+                                                   "'; the commands are af2.draw and af2.test");
 }
 
 constexpr std::array kCommandMethods{Method{"workspace/executeCommand", execute}};

@@ -60,7 +60,7 @@ void addInItem(ItemList& list) {
   }
 }
 
-/// Behind the first word of a clause whose parts are all of one sort.
+/// Completes after the first word of a clause whose parts are all of one kind.
 void addBehind(ItemList& list, const dsl::Keyword& keyword) {
   const BlockContext& context = list.context();
   const bool isExpression = isWithinParentheses(context) || holds(context, "=");
@@ -169,7 +169,7 @@ void addItems(ItemList& list) {
   if (context.block == BlockKind::RuleSet && keyword) return addInSetting(list, *keyword);
   if (context.block == BlockKind::Test && keyword) return addInTest(list, *keyword);
   if (keyword) return addBehind(list, *keyword);
-  if (context.block != BlockKind::Meta) addExpression(list);  // a clause that there is not
+  if (context.block != BlockKind::Meta) addExpression(list);  // an unknown clause
 }
 
 std::optional<Json> completion(Session& session, const Json&, const Json& params) {

@@ -17,7 +17,7 @@ using Rank = ItemList::Rank;
 
 std::string nameOnly(std::string usage) { return usage.substr(0, usage.find('(')); }
 
-/// Names that an imported or the own file gives away, as far as they are defined above the place.
+/// Names that an import or the file itself exports, if they are defined above the place.
 class FileNames {
  public:
   FileNames(ItemList& list, const dsl::Module& home) : list_(list), home_(home) {}
@@ -78,7 +78,7 @@ ItemKind kindOf(SymbolKind kind) {
 void addTitles(ItemList& list, SymbolKind kind, const dsl::Module* home) {
   const Analysis& analysis = *list.place().analysis;
   std::vector<std::string> titles;
-  // What families are really called is known once they are compiled.
+  // The titles of a family's members are known only after compilation.
   if (kind == SymbolKind::Rule)
     for (const dsl::CompiledRule& r : analysis.loaded.file->rules)
       if (!home || r.home == home) titles.push_back(r.definition.name);
@@ -107,7 +107,7 @@ void addPathsIn(ItemList& list, const fs::path& folder, const fs::path& self) {
   }
 }
 
-/// Files beside the document and among the rules of AF2; of a path, what comes after the last '/'.
+/// Files beside the document and among the rules of AF2; for a path, the part after the last '/'.
 void addPaths(ItemList& list, const std::string& typed) {
   const fs::path self = list.place().document->path;
   const std::string folder = typed.substr(0, typed.rfind('/') + 1);

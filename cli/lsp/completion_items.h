@@ -1,4 +1,4 @@
-// What can stand at a place, as a list to choose from.
+// The words and names that can be inserted at a place, as a list of completions.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace af2::lsp {
 
-/// Kinds as the protocol numbers them.
+/// Kinds with the numbers of the protocol.
 enum class ItemKind {
   Function = 3,
   Field = 5,
@@ -24,23 +24,23 @@ enum class ItemKind {
   Constant = 21,
 };
 
-/// Collects items. What is nearer to the place comes first: names of the block, of the file, of the
-/// language, then its words.
+/// Collects items. They are sorted by distance: names of the block, of the file, of the language,
+/// then keywords.
 class ItemList {
  public:
   enum class Rank { Local = 1, File = 2, Language = 3, Word = 4 };
 
   ItemList(const Session& session, const Place& place, const dsl::BlockContext& context);
 
-  /// Replaces what has been typed of the word.
+  /// Replaces the part of the word that has been typed.
   Json& add(Rank rank, ItemKind kind, const std::string& label, const std::string& detail = {},
             const std::string& meaning = {});
   void addWords(std::span<const std::string_view> words);
   void addWords(std::initializer_list<std::string_view> words) {
     addWords(std::span(words.begin(), words.size()));
   }
-  /// What may begin a clause of a block, with what it means; with a skeleton if the editor can fill
-  /// one in.
+  /// The keywords that may begin a clause of a block, with their meaning; with a snippet if the
+  /// editor supports snippets.
   void addKeywords(dsl::BlockKind block);
 
   const dsl::BlockContext& context() const { return context_; }
@@ -57,18 +57,18 @@ class ItemList {
   Json items_ = Json::array();
 };
 
-/// Titles, paths and names inside of quotes.
+/// Titles, paths and names inside quotes.
 void addInString(ItemList& list);
-/// Whatever an expression may use here.
+/// Everything that an expression may use here.
 void addExpression(ItemList& list);
 /// Vertices of the rule or of the test around the place.
 void addVertices(ItemList& list);
-/// Vertices of a rule elsewhere.
+/// Vertices of another rule.
 void addVerticesOfRule(ItemList& list, const std::string& title);
 void addImports(ItemList& list);
 void addTemplates(ItemList& list);
 void addMetrics(ItemList& list);
-/// What stands behind `lib.`, or the parts of a point.
+/// The names after `lib.`, or the coordinates of a point.
 void addMembers(ItemList& list, const std::string& owner);
 
 }  // namespace af2::lsp

@@ -1,4 +1,5 @@
-// textDocument/publishDiagnostics: what the text tells at once, and what the checks find later.
+// textDocument/publishDiagnostics: findings from the text at once, findings of the slow checks
+// later.
 #include <algorithm>
 #include <set>
 
@@ -23,7 +24,7 @@ std::string messageOf(const Diagnostic& d) {
   return text;
 }
 
-/// Turns the findings about one document into what the protocol wants.
+/// Turns the findings about one document into diagnostics of the protocol.
 class Writer {
  public:
   Writer(const Session& session, const Document& document, const Analysis& analysis)
@@ -103,7 +104,7 @@ class Writer {
     });
   }
 
-  /// What is wrong with an imported file is told where it is imported, once for each import.
+  /// Faults of an imported file are reported at the import, once for each import.
   void addImported(const Diagnostic& d) {
     if (d.severity != dsl::Severity::Error) return;
     for (const dsl::Symbol& s : analysis_.symbols.symbols()) {
@@ -135,7 +136,7 @@ class Writer {
   std::vector<Json> imported_;
 };
 
-/// Of one finding the checks may know more than the text told.
+/// Whether two findings are the same; the later one, from the checks, may contain more.
 bool isSame(const Diagnostic& p, const Diagnostic& q) {
   return p.code == q.code && p.place.file == q.place.file && p.place.line == q.place.line &&
          p.place.column == q.place.column;
@@ -155,7 +156,7 @@ void publish(const Session& session, const Document& document, const Analysis& a
   session.notify("textDocument/publishDiagnostics", std::move(params));
 }
 
-/// What the text tells of mirror images, with a counter-example each.
+/// Findings about mirrored rules, each with a counter-example.
 std::vector<Diagnostic> mirrorFindings(const Analysis& analysis) {
   dsl::LoadedRules sound = analysis.loaded;
   sound.rules = analysis.soundRules();
@@ -178,7 +179,7 @@ std::vector<Diagnostic> slowChecks(const Analysis& analysis, const std::atomic<b
     found.push_back(std::move(d));
   if (isCancelled) return found;
   if (!analysis.loaded.rules) {
-    // Which rule is chosen, and what none takes, shows only where no rule is missing.
+    // The choice among rules, and its gaps, can be judged only if all rules are sound.
     std::erase_if(found, [](const Diagnostic& d) { return d.code == dsl::Code::NeverChosen; });
     return found;
   }
@@ -187,7 +188,7 @@ std::vector<Diagnostic> slowChecks(const Analysis& analysis, const std::atomic<b
   return found;
 }
 
-/// Starts them anew; whatever was underway for the same document is dropped.
+/// Starts the checks and drops running ones for the same document.
 void startChecks(Session& session, const std::shared_ptr<Document>& document) {
   const auto analysis = document->analysis;
   if (!session.client.checks || !analysis->soundRules()) return;

@@ -1,4 +1,4 @@
-// A rule file as the editor shows it, and what is known of it.
+// A rule file as the editor shows it, and its analysis.
 #pragma once
 
 #include <memory>
@@ -13,31 +13,31 @@
 
 namespace af2::lsp {
 
-/// Everything that follows from one version of a text. Immutable; the checks in the background read
-/// it while the text goes on changing.
+/// Everything derived from one version of a text. Immutable: the background checks read it while
+/// the text changes.
 struct Analysis {
   explicit Analysis(dsl::LoadedRules rules);
 
   dsl::LoadedRules loaded;
   dsl::SymbolIndex symbols;
   std::vector<std::string> files;  ///< canonical paths of the file itself and of what it imports
-  bool misses = false;             ///< an import was not found; it may turn up
+  bool misses = false;             ///< an import was not found, but may appear later
 
   const dsl::Module& main() const { return loaded.file->main(); }
-  /// The rule set; while something is wrong with the file, what is sound of it. May be null.
+  /// The rule set; if the file has errors, only its sound rules. May be null.
   std::shared_ptr<const RuleSet> soundRules() const { return loaded.file->soundRules; }
-  /// The compiled rules that stand in an item of the file, mirror images included.
+  /// The compiled rules that an item of the file defines, mirrored rules included.
   std::vector<const dsl::CompiledRule*> rulesOf(const dsl::Symbol& rule) const;
 };
 
 struct Document {
   std::string uri, path, text;
-  std::optional<int> version;      ///< nothing: not open, read from the disk
+  std::optional<int> version;      ///< no value: not open, read from the disk
   bool isChanged = false;          ///< since its diagnostics were last sent
   std::vector<Json> testFailures;  ///< diagnostics of the last test run, until the text changes
-  std::shared_ptr<const Analysis> analysis;  ///< null: to be made when somebody asks
-  std::shared_ptr<const Analysis> checking;  ///< the one that slow checks were started for
-  std::vector<dsl::Diagnostic> checked;      ///< what they have found in it so far
+  std::shared_ptr<const Analysis> analysis;  ///< null: computed on demand
+  std::shared_ptr<const Analysis> checking;  ///< the analysis for which slow checks were started
+  std::vector<dsl::Diagnostic> checked;      ///< the findings of the checks so far
 
   /// Applies one change of textDocument/didChange: `{text}`, or `{range, text}`.
   void apply(const Json& change, Encoding encoding);

@@ -1,4 +1,4 @@
-// Formatting: the layout of `af2 fmt`, as the edits that lead to it.
+// Formatting: the layout of `af2 fmt`, as edits.
 #include <array>
 
 #include "cli/lsp/server.h"
@@ -8,7 +8,7 @@
 namespace af2::lsp {
 namespace {
 
-/// Editors keep the line breaks that a file came with.
+/// Keeps the kind of line breaks that the file has.
 std::string withBreaksOf(const std::string& like, std::string text) {
   const std::size_t first = like.find('\n');
   if (first == std::string::npos || first == 0 || like[first - 1] != '\r') return text;
@@ -20,7 +20,7 @@ std::string withBreaksOf(const std::string& like, std::string text) {
   return result;
 }
 
-/// Text that cannot be read is left alone: no edits. What is wrong with it is there as diagnostics.
+/// Returns no edits for a text that cannot be read; its diagnostics already report why.
 std::vector<cli::LineChange> changesOf(const Session& session, const Document& document) {
   const dsl::Formatted formatted = dsl::format(document.path, document.text);
   if (dsl::hasErrors(formatted.diagnostics)) {
@@ -47,7 +47,7 @@ std::optional<Json> formatting(Session& session, const Json&, const Json& params
   return edits;
 }
 
-/// Those edits that touch the lines.
+/// The edits that touch the given lines.
 std::optional<Json> rangeFormatting(Session& session, const Json&, const Json& params) {
   const auto document = session.documentOf(params);
   const TextMap map = session.map(document->text);

@@ -1,4 +1,4 @@
-// Hover: what a name or a word means.
+// Hover: the meaning of a name or a word.
 #include <algorithm>
 #include <array>
 
@@ -71,17 +71,17 @@ std::string ruleText(const Session& session, const Analysis& analysis, std::size
                      const std::string& written) {
   const Symbol& symbol = analysis.symbols[id];
   std::string text = code("rule \"" + symbol.name + "\"");
-  if (symbol.isMirror) text += "the mirror image of the rule in which it stands\n";
+  if (symbol.isMirror) text += "the mirror image of the rule that contains it\n";
   text += paragraph(symbol.doc);
   const auto rules = analysis.soundRules();
   const auto compiled = analysis.rulesOf(symbol);
   if (compiled.size() > 1)
     text += "\n" + counted(compiled.size(), "rule") + ", one for each tuple\n";
-  // Of a family, the member that is written, or else the first one.
+  // For a family, the member that is written, or else the first one.
   std::string title = compiled.empty() ? symbol.name : compiled.front()->definition.name;
   if (rules && findSound(*rules, written)) title = written;
   const AF2Rule* rule = rules ? findSound(*rules, title) : nullptr;
-  if (!rule) return text + "\nThe rule has errors, so nothing follows from it yet.\n";
+  if (!rule) return text + "\nThe rule has errors, so its edges and vertices are not known.\n";
   text += "\n" + levelsText(*rule) + "\n";
   text += factsText(*rule) + testsText(analysis, id);
   if (session.client.showsPictures) text += "\n" + pictureLink(*rules, *rule) + "\n";
@@ -135,7 +135,7 @@ std::string helpText(std::string_view usage, std::string_view meaning) {
   return code(std::string(usage)) + std::string(meaning) + "\n";
 }
 
-/// The word at an offset: where it begins and ends.
+/// The start and end of the word at an offset.
 dsl::Span wordAt(std::string_view text, std::uint32_t offset) {
   const auto isPart = [&](std::size_t i) { return i < text.size() && dsl::isNamePart(text[i]); };
   dsl::Span span{offset, offset};
@@ -144,7 +144,7 @@ dsl::Span wordAt(std::string_view text, std::uint32_t offset) {
   return span;
 }
 
-/// Keywords and built-in functions. A word that begins a clause is one, whatever else it means.
+/// Keywords and built-in functions. A word that begins a clause counts as a keyword.
 std::string wordText(const Place& place, dsl::Span span) {
   const std::string_view text = place.document->text;
   const std::string_view word = text.substr(span.begin, span.end - span.begin);
@@ -158,7 +158,7 @@ std::string wordText(const Place& place, dsl::Span span) {
   return builtin ? helpText(builtin->usage, builtin->meaning) : std::string();
 }
 
-/// Markdown without its marks.
+/// Removes the Markdown markup.
 std::string plain(const std::string& markdown) {
   std::string text;
   std::size_t at = 0;

@@ -30,7 +30,7 @@ std::optional<std::size_t> lengthIn(std::string_view header) {
   return parsed.ec == std::errc() && parsed.ptr == end ? std::optional(length) : std::nullopt;
 }
 
-/// A header is short; whatever runs on without a line break is not one.
+/// A header is short; a longer text without a line break is not a header.
 bool readLine(std::istream& in, std::string& line) {
   constexpr std::size_t kLongest = 4096;
   line.clear();
@@ -73,10 +73,10 @@ std::optional<Incoming> readMessage(std::istream& in) {
   while (readLine(in, line)) {
     if (!line.empty()) {
       hasHeader = true;
-      if (const auto told = lengthIn(line)) length = told;
+      if (const auto given = lengthIn(line)) length = given;
       continue;
     }
-    if (!hasHeader) continue;  // blank lines between messages do no harm
+    if (!hasHeader) continue;  // blank lines between messages are accepted
     if (!length) return Incoming{{}, "the header has no valid Content-Length"};
     if (*length > kLargestMessage) {
       in.ignore(static_cast<std::streamsize>(*length));

@@ -22,7 +22,7 @@ enum class ErrorCode {
   RequestCancelled = -32800,
 };
 
-/// Becomes the error that answers a request.
+/// Thrown to answer a request with an error.
 class RequestError : public std::runtime_error {
  public:
   RequestError(ErrorCode code, const std::string& message)
@@ -37,17 +37,17 @@ Json makeResult(const Json& id, Json result);
 Json makeError(const Json& id, ErrorCode code, const std::string& message);
 Json makeNotification(const std::string& method, Json params);
 
-/// What came in: a message, or what is wrong with it.
+/// An incoming message, or why it could not be read.
 struct Incoming {
   Json message;
   std::string fault;  ///< not empty: the frame or its JSON could not be read
 };
 
-/// Larger messages are passed over and told as a fault.
+/// Larger messages are skipped and reported as a fault.
 inline constexpr std::size_t kLargestMessage = std::size_t{64} << 20;
 
-/// The next message; nothing at the end of the stream. After a fault reading goes on with the next
-/// frame.
+/// The next message; no value at the end of the stream. After a fault, reading continues with the
+/// next frame.
 std::optional<Incoming> readMessage(std::istream& in);
 
 /// Writes one frame and flushes. Bytes that are not UTF-8 are replaced.

@@ -1,4 +1,4 @@
-// Code lenses and inlay hints: what stands in the text without being written.
+// Code lenses and inlay hints: additions that the editor shows within the text.
 #include <algorithm>
 #include <array>
 
@@ -77,7 +77,7 @@ std::optional<Json> codeLens(Session& session, const Json&, const Json& params) 
   return LensList(session, *document, *analysis).make();
 }
 
-/// Where the last clause ends that makes elements.
+/// The end of the last clause that makes elements.
 std::optional<std::uint32_t> endOfElements(const dsl::Rule& rule) {
   std::optional<std::uint32_t> end;
   for (const dsl::Clause& clause : rule.clauses)
@@ -85,7 +85,7 @@ std::optional<std::uint32_t> endOfElements(const dsl::Rule& rule) {
   return end;
 }
 
-/// Behind the new elements of a rule: the edges that join the front.
+/// Shows, after the new elements of a rule, the edges that join the front.
 std::optional<Json> inlayHints(Session& session, const Json&, const Json& params) {
   const auto document = session.documentOf(params);
   const auto analysis = session.analysis(*document);
@@ -97,7 +97,8 @@ std::optional<Json> inlayHints(Session& session, const Json&, const Json& params
   std::vector<const dsl::Rule*> seen;
   for (const dsl::CompiledRule& compiled : analysis->loaded.file->rules) {
     if (compiled.home != &analysis->main() || compiled.mirror || !compiled.text) continue;
-    if (std::ranges::find(seen, compiled.text) != seen.end()) continue;  // one of a family
+    // Another member of the family.
+    if (std::ranges::find(seen, compiled.text) != seen.end()) continue;
     seen.push_back(compiled.text);
     const auto end = endOfElements(*compiled.text);
     const AF2Rule* rule = findSound(*rules, compiled.definition.name);

@@ -1,4 +1,4 @@
-// initialize: what the editor can do, and what the server can.
+// initialize: the capabilities of the editor and of the server.
 #include <algorithm>
 #include <array>
 
@@ -26,7 +26,7 @@ bool holds(const Json* list, const char* word) {
   return list && list->is_array() && std::ranges::find(*list, Json(word)) != list->end();
 }
 
-/// Editors in terminals take Markdown, but show a picture as the text of its address.
+/// Terminal editors accept Markdown, but show a picture as the text of its address.
 bool showsMarkdownAsText(const Json& params) {
   const Json* name = find(params, {"clientInfo", "name"});
   if (!name || !name->is_string()) return false;

@@ -1,4 +1,4 @@
-// Definition, references and highlights: where a name comes from and where it goes.
+// Definition, references and highlights: where a name is defined and used.
 #include <algorithm>
 #include <array>
 
@@ -18,7 +18,7 @@ Json locationOf(const Session& session, const Document& document, const Analysis
   return {{"uri", uri}, {"range", session.map(module.source.text()).range(span)}};
 }
 
-/// The path in an import leads to the file.
+/// The path of an import leads to the file.
 const Symbol* importAt(const Place& place) {
   for (const Symbol& s : place.analysis->symbols.symbols())
     if (s.kind == dsl::SymbolKind::Import && s.home == &place.analysis->main() &&
@@ -37,7 +37,7 @@ std::optional<Json> definition(Session& session, const Json&, const Json& params
   const auto found = analysis.symbols.at(analysis.main(), place.offset);
   if (!found) return Json(nullptr);
   const Symbol& symbol = analysis.symbols[found->symbol];
-  // The ends of the base edge are there without being written.
+  // The ends of the base edge exist without being written.
   const bool isWritten = symbol.definition.end > symbol.definition.begin;
   return locationOf(session, *place.document, analysis, *symbol.home,
                     isWritten ? symbol.definition : symbol.whole);
@@ -73,7 +73,7 @@ std::optional<Json> highlights(Session& session, const Json&, const Json& params
   return list;
 }
 
-/// The paths of imports, to be opened by a click.
+/// The paths of imports, as links.
 std::optional<Json> links(Session& session, const Json&, const Json& params) {
   const auto document = session.documentOf(params);
   const auto analysis = session.analysis(*document);

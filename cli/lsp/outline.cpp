@@ -1,4 +1,4 @@
-// The outline of a file: symbols, and what can be folded.
+// The outline of a file: symbols and foldable ranges.
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -13,7 +13,7 @@ namespace {
 using dsl::Symbol;
 using dsl::SymbolKind;
 
-/// As the protocol numbers them.
+/// Kinds with the numbers of the protocol.
 int kindNumber(SymbolKind kind) {
   constexpr int kModule = 2, kNamespace = 3, kClass = 5, kField = 8, kInterface = 11,
                 kFunction = 12, kVariable = 13, kConstant = 14, kEvent = 24, kOperator = 25;
@@ -51,7 +51,7 @@ bool isInner(const Symbol& s) {
          s.kind == SymbolKind::Let;
 }
 
-/// An empty name is not allowed, though a title may be empty while it is typed.
+/// The protocol forbids empty names, but a title can be empty while it is typed.
 std::string nameOf(const Symbol& symbol) {
   const bool isBlank = std::ranges::all_of(
       symbol.name, [](char c) { return std::isspace(static_cast<unsigned char>(c)) != 0; });
@@ -67,7 +67,7 @@ Json symbolJson(const TextMap& map, const Symbol& symbol) {
           {"selectionRange", map.range(symbol.definition)}};
 }
 
-/// Items; in rules their vertices and values, and their mirror images.
+/// The items of a file; for rules also their vertices, values and mirrored rules.
 Json nested(const Analysis& analysis, const TextMap& map) {
   const auto& symbols = analysis.symbols.symbols();
   Json list = Json::array();
@@ -155,7 +155,7 @@ std::optional<Json> folding(Session& session, const Json&, const Json& params) {
   for (const dsl::Item& item : parsed.file.items) {
     if (item.span.end <= item.span.begin) continue;
     const std::size_t first = map.lineOf(item.span.begin), last = map.lineOf(item.span.end - 1);
-    // The closing brace stays in sight.
+    // The closing brace stays visible.
     if (last > first + 1) list.push_back(fold(first, last - 1));
     const bool isImport = std::holds_alternative<dsl::Import>(item.content) ||
                           std::holds_alternative<dsl::Use>(item.content);

@@ -11,7 +11,7 @@ namespace af2::lsp {
 
 std::string base64(std::string_view bytes);
 
-/// A Markdown image that carries the picture of the rule itself, as SVG; empty if there is none.
+/// A Markdown image that contains the picture of the rule as SVG; empty if there is none.
 std::string pictureLink(const RuleSet& rules, const AF2Rule& rule);
 
 /// SVG of some rules of a set: one rule large, several on a sheet.

@@ -1,4 +1,4 @@
-// Rename: every place at once, or a reason why not.
+// Rename: changes all occurrences at once, or says why it cannot.
 #include <algorithm>
 #include <array>
 
@@ -23,10 +23,10 @@ bool isCalled(SymbolKind kind) {
   return kind == SymbolKind::Function || kind == SymbolKind::Metric || kind == SymbolKind::Template;
 }
 
-/// What is renamed where the cursor is.
+/// The symbol under the cursor.
 Occurrence renamedAt(const Session& session, const Place& place) {
   const auto found = place.analysis->symbols.at(place.analysis->main(), place.offset);
-  if (!found) refuse("there is no name here that can be changed");
+  if (!found) refuse("there is no name here that can be renamed");
   const Symbol& symbol = place.analysis->symbols[found->symbol];
   if (symbol.kind == SymbolKind::Vertex && (symbol.name == "a" || symbol.name == "b"))
     refuse("'" + symbol.name + "' is an end of the base edge in every rule and keeps its name");
@@ -35,7 +35,7 @@ Occurrence renamedAt(const Session& session, const Place& place) {
   if (symbol.kind == SymbolKind::Import) {
     const auto* import = std::get_if<dsl::Import>(&symbol.item->content);
     if (import && !import->alias)
-      refuse("'" + symbol.name + "' is the name of the file; give the import one of its own with " +
+      refuse("'" + symbol.name + "' is the name of the file; give the import its own name with " +
              "`as` first");
   }
   return *found;
@@ -43,10 +43,10 @@ Occurrence renamedAt(const Session& session, const Place& place) {
 
 void checkWord(const Symbol& symbol, const std::string& name) {
   if (!dsl::isPlainName(name))
-    refuse("'" + name +
-           "' is no name: names are letters, digits and '_', and no digit comes first");
-  if (dsl::isReserved(name))
-    refuse("'" + name + "' is a word of the language and cannot be a name");
+    refuse(
+        "'" + name +
+        "' is not a name: names consist of letters, digits and '_' and do not begin with a digit");
+  if (dsl::isReserved(name)) refuse("'" + name + "' is a keyword and cannot be a name");
   if (isCalled(symbol.kind) && dsl::isBuiltin(name))
     refuse("'" + name + "' is a function of the language");
   if (!isCalled(symbol.kind) && (name == "q" || name == "class"))
@@ -59,10 +59,11 @@ void checkWord(const Symbol& symbol, const std::string& name) {
 
 void checkTitle(const Analysis& analysis, const Symbol& symbol, const std::string& title) {
   if (title.empty() || title.find_first_of("\r\n") != std::string::npos)
-    refuse("a title is one line of text");
+    refuse("a title must be one line of text");
   if (dsl::titleParameters(title) != dsl::titleParameters(symbol.name))
-    refuse("the title \"" + symbol.name + "\" holds the parameters of a family; the new one must " +
-           "hold the same ones");
+    refuse("the title \"" + symbol.name +
+           "\" contains the parameters of a family; the new title must "
+           "contain the same ones");
   for (const Symbol& other : analysis.symbols.symbols()) {
     if (&other == &symbol || other.kind != symbol.kind) continue;
     if (other.name == title || dsl::isTitleOf(other.name, title) ||
@@ -71,8 +72,8 @@ void checkTitle(const Analysis& analysis, const Symbol& symbol, const std::strin
   }
 }
 
-/// A name must not be known already where this one is used, nor mean something else where this one
-/// will be seen.
+/// The new name must not be visible already where this one is used, and must not change the meaning
+/// of other names where this one will be visible.
 void checkClashes(const Analysis& analysis, const Symbol& symbol, std::size_t id,
                   const std::string& name) {
   const auto clash = [&](const Symbol& other) {
@@ -91,7 +92,7 @@ void checkClashes(const Analysis& analysis, const Symbol& symbol, std::size_t id
     if (other.kind == SymbolKind::Import && symbol.kind == SymbolKind::Import && isSameFile)
       clash(other);
   }
-  // Where another file uses the name, something there may be called so already.
+  // Where another file uses the name, the new name may already have a meaning there.
   for (const auto& module : analysis.loaded.file->modules)
     for (const Occurrence& o : analysis.symbols.occurrencesIn(*module)) {
       if (o.symbol != id) continue;
@@ -122,7 +123,7 @@ std::string unquoted(std::string_view text) {
   return result;
 }
 
-/// What is to stand at an occurrence.
+/// The new text of an occurrence.
 std::string replacement(const Symbol& symbol, std::string_view written, const std::string& name) {
   if (!symbol.isTitle()) return name;
   const std::string title = unquoted(written);
@@ -142,7 +143,7 @@ Json editsIn(const Session& session, const Symbol& symbol, const FileOccurrences
   return edits;
 }
 
-/// Of a title, what is inside the quotes.
+/// For a title, the part inside the quotes.
 dsl::Span spanToEdit(const Symbol& symbol, dsl::Span span) {
   return symbol.isTitle() ? dsl::Span{span.begin + 1, span.end - 1} : span;
 }

@@ -12,11 +12,11 @@ std::string nameOf(const AF2Rule& rule, int vertex) {
                                    : d.newVertexNames[index - d.vertices.size()];
 }
 
-/// Edges that follow one another become one chain.
+/// Joins edges that follow one another into chains.
 std::vector<std::string> chainsOf(const AF2Rule& rule, std::vector<PatternEdge> edges) {
   std::vector<std::string> chains;
   while (!edges.empty()) {
-    // Begin with an edge that none leads to, if there is one.
+    // Starts with an edge that has no predecessor, if there is one.
     auto first = std::ranges::find_if(edges, [&](const PatternEdge& e) {
       return std::ranges::find(edges, e.from, &PatternEdge::to) == edges.end();
     });

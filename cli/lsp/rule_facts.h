@@ -1,4 +1,4 @@
-// What follows from a rule without being written in it.
+// Facts about a rule that follow from it without being written in it.
 #pragma once
 
 #include <string>
@@ -19,10 +19,10 @@ struct RuleFacts {
 
 RuleFacts factsOf(const AF2Rule& rule);
 
-/// "a -> b, c -> d" or, if there are none, `none`.
+/// "a -> b, c -> d"; `none` if there are no edges.
 std::string joined(const std::vector<std::string>& parts, const std::string& none = "none");
 
-/// The rule in the set of sound ones; null if it has errors.
+/// The rule in the set of sound rules; null if it has errors.
 const AF2Rule* findSound(const RuleSet& rules, const std::string& title);
 
 }  // namespace af2::lsp

@@ -9,11 +9,11 @@
 namespace af2::lsp {
 namespace {
 
-/// What happens next: a message, something finished in the background, or the end.
+/// The next event: a message, a finished background task, or the end.
 struct Event {
   std::optional<Incoming> incoming;
   Continuation done;
-  bool isCancelled = false;  ///< answered with an error instead
+  bool isCancelled = false;  ///< to be answered with an error
 };
 
 bool isMethod(const Json& message, const char* method) {
@@ -43,7 +43,7 @@ class EventQueue {
     return event;
   }
 
-  /// Marks a request that still waits.
+  /// Marks a request that has not been processed yet.
   void cancel(const Json& id) {
     const std::lock_guard lock(mutex_);
     for (Event& event : events_) {
@@ -61,7 +61,7 @@ class EventQueue {
   std::deque<Event> events_;
 };
 
-/// Reads ahead, so that a cancellation overtakes the requests before it.
+/// Reads ahead, so that a cancellation overtakes earlier requests.
 void readAll(std::istream& in, EventQueue& queue) {
   while (auto incoming = readMessage(in)) {
     const Json& message = incoming->message;

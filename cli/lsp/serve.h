@@ -7,7 +7,7 @@
 
 namespace af2::lsp {
 
-/// Talks until the editor says `exit` or hangs up. Returns the exit code: 0 after a proper
+/// Runs until the editor sends `exit` or closes the stream. Returns the exit code: 0 after a proper
 /// shutdown, else 1.
 int serve(std::istream& in, std::ostream& out, const Surroundings& surroundings);
 

@@ -30,10 +30,11 @@ void Server::take(const Incoming& incoming) {
 
 void Server::takeMessage(const Json& message) {
   if (!message.is_object())
-    return session_.fail(nullptr, ErrorCode::InvalidRequest, "a message is a JSON object");
+    return session_.fail(nullptr, ErrorCode::InvalidRequest, "a message must be a JSON object");
   const Json& id = message.contains("id") ? message["id"] : kNull;
   if (!message.contains("method")) {
-    if (message.contains("result") || message.contains("error")) return;  // answers us
+    // An answer to one of our requests.
+    if (message.contains("result") || message.contains("error")) return;
     return session_.fail(isId(id) ? id : kNull, ErrorCode::InvalidRequest,
                          "the message has no method");
   }
@@ -44,7 +45,8 @@ void Server::takeMessage(const Json& message) {
   const Json& params = message.contains("params") ? message["params"] : kNull;
   if (!message.contains("id")) return takeNotification(method, params);
   if (!isId(id))
-    return session_.fail(nullptr, ErrorCode::InvalidRequest, "the id is no number and no string");
+    return session_.fail(nullptr, ErrorCode::InvalidRequest,
+                         "the id is neither a number nor a string");
   takeRequest(method, id, params);
 }
 
@@ -55,7 +57,7 @@ void Server::takeRequest(const std::string& method, const Json& id, const Json& 
     session_.fail(id, error.code(), error.what());
   } catch (const Json::exception& error) {
     session_.fail(id, ErrorCode::InvalidParams,
-                  "the parameters of " + method + " are not as they should be: " + error.what());
+                  "the parameters of " + method + " are invalid: " + error.what());
   } catch (const std::exception& error) {
     session_.fail(id, ErrorCode::InternalError, error.what());
   }
@@ -66,7 +68,7 @@ std::optional<Json> Server::answer(const std::string& method, const Json& id, co
     throw RequestError(ErrorCode::InvalidRequest, "the server has been shut down");
   if (method == "initialize") {
     if (state_ == State::Ready)
-      throw RequestError(ErrorCode::InvalidRequest, "the server is initialized already");
+      throw RequestError(ErrorCode::InvalidRequest, "the server is already initialized");
     Json result = initialize(session_, params);
     state_ = State::Ready;
     return result;
@@ -93,7 +95,7 @@ void Server::takeNotification(const std::string& method, const Json& params) {
     const auto table = documentNotifications();
     const auto known = std::ranges::find(table, method, &Notification::name);
     if (known != table.end()) return known->take(session_, params);
-    // Unknown notifications are to be passed over in silence.
+    // The protocol requires that unknown notifications are ignored.
   } catch (const std::exception& error) {
     session_.notify("window/logMessage", {{"type", 1}, {"message", method + ": " + error.what()}});
   }

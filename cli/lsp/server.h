@@ -1,4 +1,4 @@
-// Takes messages, finds who answers them, and keeps the order of the protocol.
+// Receives messages, calls the functions that answer them, and enforces the order of the protocol.
 #pragma once
 
 #include <functional>
@@ -10,7 +10,7 @@
 
 namespace af2::lsp {
 
-/// Answers a request. `id` is for those that answer later, by session.respond: they return nothing.
+/// Answers a request. Handlers that answer later return nothing and use `id` in session.respond.
 using Answer = std::optional<Json> (*)(Session& session, const Json& id, const Json& params);
 
 struct Method {
@@ -23,7 +23,7 @@ struct Notification {
   void (*take)(Session& session, const Json& params);
 };
 
-// One table for each family of requests, in a file of its own.
+// One table for each family of requests, each in its own file.
 std::span<const Notification> documentNotifications();
 std::span<const Method> navigationMethods();
 std::span<const Method> hoverMethods();
@@ -36,28 +36,28 @@ std::span<const Method> lensMethods();
 std::span<const Method> commandMethods();
 std::span<const Method> actionMethods();
 
-/// Sends what is wrong with the documents that have changed since it was last called, and starts
-/// the slow checks of them in the background.
+/// Sends the diagnostics of all documents that changed since the last call, and starts their slow
+/// checks in the background.
 void sendDiagnostics(Session& session);
 
-/// Fills `session.client` from the parameters of `initialize`, and says what the server can do.
+/// Fills `session.client` from the parameters of `initialize`; returns the server's capabilities.
 Json initialize(Session& session, const Json& params);
-/// What can only be asked for once the editor is ready.
+/// Sends the requests that are allowed only after the editor is initialized.
 void afterInitialized(Session& session);
-/// The user's settings, as they come with `initialize` or when they change.
+/// Applies the user's settings, which come with `initialize` and when they change.
 void applySettings(Client& client, const Json& settings);
 
 class Server {
  public:
   explicit Server(Session& session) : session_(session) {}
 
-  /// Answers one message; what could not be read is answered with an error.
+  /// Answers one message; an unreadable message is answered with an error.
   void take(const Incoming& incoming);
-  /// Call it when no message waits.
+  /// Call this when no message is waiting.
   void rest();
   /// Set once the conversation is over.
   std::optional<int> exitCode() const { return exitCode_; }
-  /// The editor went away.
+  /// The editor closed the connection.
   void hangUp();
 
  private:

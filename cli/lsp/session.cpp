@@ -76,7 +76,7 @@ std::shared_ptr<const Analysis> Session::analysis(Document& document) const {
   if (document.analysis) return document.analysis;
   dsl::LoadOptions options;
   options.searchPaths = surroundings_.rules;
-  options.needsRuleSet = false;  // it may be a library
+  options.needsRuleSet = false;  // the file may be a library
   options.unsaved = [this](const std::filesystem::path& path) { return unsavedText(path); };
   return document.analysis = std::make_shared<const Analysis>(
              dsl::loadRulesFromText(document.path, document.text, options));

@@ -1,4 +1,4 @@
-// One conversation with an editor: its files, what it can do, and how to talk to it.
+// One conversation with an editor: its files, its capabilities, and how to send messages to it.
 #pragma once
 
 #include <chrono>
@@ -15,27 +15,27 @@
 
 namespace af2::lsp {
 
-/// What the editor said of itself, and what its user has set.
+/// The capabilities of the editor and the settings of its user.
 struct Client {
   Encoding encoding = Encoding::Utf16;
   bool readsMarkdown = true, showsPictures = true;
   bool takesSnippets = false, showsFiles = false, takesTitledActions = true;
   bool nestsSymbols = false, refreshesLenses = false, watchesFiles = false;
-  std::vector<std::filesystem::path> folders;  ///< of the workspace
+  std::vector<std::filesystem::path> folders;  ///< folders of the workspace
 
-  bool checks = true;  ///< look at many matches of each rule, in pauses
+  bool checks = true;  ///< run slow checks while the user pauses
   std::chrono::milliseconds checkDelay{400};
-  bool takesPictures = false;  ///< af2.draw returns the picture and opens nothing itself
+  bool takesPictures = false;  ///< af2.draw returns the picture and does not open it
 };
 
-/// Where files of rules are, and how the program calls itself.
+/// Where rule files are, and the name and version of the program.
 struct Surroundings {
   std::string version;
-  std::vector<std::filesystem::path> rules;  ///< where imports are looked for
+  std::vector<std::filesystem::path> rules;  ///< where imports are searched
   std::filesystem::path drawings;            ///< folder for pictures that an editor is to open
 };
 
-/// A place in a document that a request is about.
+/// The place in a document that a request refers to.
 struct Place {
   std::shared_ptr<const Document> document;
   std::shared_ptr<const Analysis> analysis;
@@ -64,21 +64,21 @@ class Session {
   std::vector<std::shared_ptr<Document>> openDocuments() const;
 
   std::shared_ptr<const Analysis> analysis(Document& document) const;
-  /// All that depends on a file is looked at anew; an empty path stands for every file.
+  /// Analyses everything that depends on a file again; an empty path stands for all files.
   void forget(const std::string& canonicalPath);
 
   Place placeOf(const Json& params) const;
 
   // ---- places ---------------------------------------------------------------------------------
   TextMap map(std::string_view text) const { return TextMap(text, client.encoding); }
-  /// The URI of a file that an analysis has read: that of the editor if it has it open. Empty for
+  /// The URI of a file that an analysis has read: the editor's URI if the file is open. Empty for
   /// files that are built into AF2.
   std::string uriOfModule(const Document& document, const Analysis& analysis,
                           const dsl::Module& module) const;
 
-  // ---- talking --------------------------------------------------------------------------------
+  // ---- messages -------------------------------------------------------------------------------
   void notify(const std::string& method, Json params) const;
-  /// A request to the editor, whose answer is not waited for.
+  /// Sends a request whose answer is ignored.
   void ask(const std::string& method, Json params);
   void respond(const Json& id, Json result) const { send_(makeResult(id, std::move(result))); }
   void fail(const Json& id, ErrorCode code, const std::string& message) const {

@@ -1,4 +1,4 @@
-// Signature help: what a call that is being written wants next.
+// Signature help: the parameters of the call that is being typed.
 #include <algorithm>
 #include <array>
 
@@ -11,7 +11,7 @@ namespace {
 
 using dsl::Symbol;
 
-/// "lerp(from, to, t)" with the places of its parameters.
+/// "lerp(from, to, t)" with the positions of its parameters.
 Json signatureOf(const std::string& usage, const std::string& meaning) {
   Json parameters = Json::array();
   const std::size_t open = usage.find('('), close = usage.rfind(')');
@@ -64,7 +64,7 @@ std::optional<Json> signatureHelp(Session& session, const Json&, const Json& par
     if (!signature) continue;
     std::size_t active = call->argument;
     const std::size_t count = (*signature)["parameters"].size();
-    if (count > 0) active = std::min(active, count - 1);  // the last one may be repeated
+    if (count > 0) active = std::min(active, count - 1);  // the last parameter may be repeated
     return Json{{"signatures", Json::array({*signature})},
                 {"activeSignature", 0},
                 {"activeParameter", active}};

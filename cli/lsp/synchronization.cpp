@@ -1,4 +1,4 @@
-// The editor tells what happens to its files.
+// Notifications of the editor about its files.
 #include <array>
 #include <optional>
 
@@ -63,8 +63,7 @@ void foldersChanged(Session& session, const Json& params) {
     folders.emplace_back(pathOf(added.at("uri").get<std::string>()));
 }
 
-/// Requests that still wait are cancelled where they wait; here come those that are being worked
-/// on.
+/// Requests that wait are cancelled in the queue; this cancels those that are being processed.
 void cancelRequest(Session& session, const Json& params) {
   const Json& id = params.at("id");
   if (session.commands().cancel(id.dump()))

@@ -5,7 +5,7 @@
 namespace af2::lsp {
 namespace {
 
-/// Bytes of the character that begins with `c`.
+/// Number of bytes of the character that begins with `c`.
 std::size_t lengthOf(char c) {
   const auto byte = static_cast<unsigned char>(c);
   if (byte < 0xC0) return 1;
@@ -13,16 +13,17 @@ std::size_t lengthOf(char c) {
   return byte < 0xF0 ? 3 : 4;
 }
 
-/// Throws RequestError unless it is a whole number, 0 or more.
+/// Throws RequestError unless it is a nonnegative integer.
 std::size_t countIn(const Json& number) {
   const bool isCount = number.is_number_unsigned() ||
                        (number.is_number_integer() && number.get<std::int64_t>() >= 0);
   if (!isCount)
-    throw RequestError(ErrorCode::InvalidParams, "a position is whole numbers and counts from 0");
+    throw RequestError(ErrorCode::InvalidParams,
+                       "a position consists of whole numbers that count from 0");
   return number.get<std::size_t>();
 }
 
-/// Units that a character of so many bytes takes.
+/// Number of encoding units of a character with this many bytes.
 std::size_t unitsOf(std::size_t bytes, Encoding encoding) {
   switch (encoding) {
     case Encoding::Utf8:

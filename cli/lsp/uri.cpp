@@ -33,7 +33,7 @@ bool isPlain(char c) {
 std::string pathOf(std::string_view uri) {
   if (!uri.starts_with(kScheme)) return std::string(uri);
   std::string_view rest = uri.substr(kScheme.size());
-  rest.remove_prefix(std::min(rest.find('/'), rest.size()));  // the host, nearly always empty
+  rest.remove_prefix(std::min(rest.find('/'), rest.size()));  // the host, almost always empty
   return decoded(rest);
 }
 

@@ -1,4 +1,4 @@
-// Between file names and the URIs by which editors call them.
+// Conversions between file names and the URIs that editors use for them.
 #pragma once
 
 #include <string>
@@ -6,13 +6,14 @@
 
 namespace af2::lsp {
 
-/// "file:///a%20b" is /a b. Other schemes, such as untitled:, have no path: they stay as they are.
+/// "file:///a%20b" is /a b. Other schemes, such as untitled:, have no path and are returned
+/// unchanged.
 std::string pathOf(std::string_view uri);
 
-/// The file URI of a path; relative ones are taken from the working directory.
+/// The file URI of a path; relative paths start at the working directory.
 std::string uriOf(const std::string& path);
 
-/// A path by which the same file is always called, whether or not it is there.
+/// The canonical path of a file, whether or not it exists, so that a file always has one name.
 std::string canonical(const std::string& path);
 
 }  // namespace af2::lsp

@@ -11,7 +11,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kMostFiles = 500;
+constexpr std::size_t kMaxFiles = 500;
 
 void addRuleFiles(const fs::path& folder, std::set<std::string>& files) {
   constexpr int kDeepest = 8;
@@ -23,13 +23,13 @@ void addRuleFiles(const fs::path& folder, std::set<std::string>& files) {
     std::error_code ignored;
     if (at->is_directory(ignored) && (isHidden || at.depth() >= kDeepest))
       at.disable_recursion_pending();
-    if (at->path().extension() == ".af2" && files.size() < kMostFiles)
+    if (at->path().extension() == ".af2" && files.size() < kMaxFiles)
       files.insert(canonical(at->path().string()));
     at.increment(error);
   }
 }
 
-/// The same name, found again in another analysis.
+/// Finds the same symbol in another analysis.
 std::size_t findAgain(const dsl::SymbolIndex& index, const std::string& file,
                       const dsl::Symbol& wanted, std::map<const dsl::Module*, std::string>& paths) {
   for (std::size_t i = 0; i < index.symbols().size(); ++i) {
@@ -50,7 +50,7 @@ class Collector {
         symbol_(place.analysis->symbols[symbol]),
         file_(canonical(symbol_.home->source.name())) {}
 
-  /// Every file that an analysis has read, the first time it is met.
+  /// Adds the files that an analysis has read, each only once.
   void add(const Document& document, const Analysis& analysis) {
     std::map<const dsl::Module*, std::string> paths;
     const std::size_t again = findAgain(analysis.symbols, file_, symbol_, paths);
@@ -96,12 +96,12 @@ std::vector<FileOccurrences> occurrencesEverywhere(const Session& session, const
   Collector collector(session, place, symbol);
   const dsl::Symbol& wanted = place.analysis->symbols[symbol];
   collector.add(*place.document, *place.analysis);
-  // The vertices of a rule may be named by tests in files that import it.
+  // Tests in importing files may name the vertices of a rule.
   const bool isLocal = !canBeImported(wanted) && wanted.kind != dsl::SymbolKind::Vertex;
   if (isLocal) return collector.take();
   for (const auto& document : session.openDocuments())
     collector.add(*document, *session.analysis(*document));
-  // What is the same in all uses of the name: a quick look spares most files the full reading.
+  // The part of the name that all uses contain: searching for it avoids analysing most files.
   const std::string written = wanted.name.substr(0, wanted.name.find_first_of("{\"\\"));
   for (const std::string& path : ruleFilesOf(session)) {
     if (session.findOpenFile(path)) continue;
@@ -110,7 +110,7 @@ std::vector<FileOccurrences> occurrencesEverywhere(const Session& session, const
       if (document->text.find(written) == std::string::npos) continue;
       collector.add(*document, *session.analysis(*document));
     } catch (const RequestError&) {
-      continue;  // it went away, or cannot be read
+      continue;  // the file has gone or cannot be read
     }
   }
   return collector.take();

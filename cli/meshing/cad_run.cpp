@@ -11,7 +11,7 @@
 namespace af2::cli {
 namespace {
 
-/// All faces that were asked for but those given up; these go into the reports as failed.
+/// Meshes all requested faces except those given up, which are reported as failed.
 std::vector<int> withoutGivenUp(std::vector<int> faces, const geometry::Model& model,
                                 const GivenUp& givenUp) {
   if (givenUp.empty()) return faces;
@@ -26,7 +26,7 @@ std::vector<int> withoutGivenUp(std::vector<int> faces, const geometry::Model& m
 void reportGivenUp(const geometry::Model& model, const GivenUp& givenUp,
                    geometry::ModelMesh& mesh) {
   for (const auto& [id, reason] : givenUp) {
-    if (id > model.faceCount()) continue;  // of the model before it was healed
+    if (id > model.faceCount()) continue;  // a face of the model before healing
     geometry::FaceReport report;
     report.id = id;
     report.name = model.faceName(id);
@@ -69,7 +69,8 @@ geometry::ModelMesh runCad(const MeshRequest& request, const AF2Algorithm& algor
                    firstFace == 0 ? givenUp : GivenUp());
   };
   geometry::ModelMesh mesh = meshed(model, 0);
-  // Those of the model as it was count on from the others: one given up means the whole model.
+  // Faces of the unhealed model are numbered after these. If one of them was given up, the unhealed
+  // model is not tried again.
   const int last = model.faceCount();
   if (request.heal && geometry::hasFaults(mesh) && !request.asksByNumber() &&
       !control.stop.stop_requested() && givenUp.upper_bound(last) == givenUp.end())

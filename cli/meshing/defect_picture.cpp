@@ -19,7 +19,7 @@ constexpr double kWidth = 900, kHeight = 680, kKeyWidth = 210, kMargin = 24;
 constexpr Color kInk = color(0x24292f), kLines = color(0x8c959f), kPaper = color(0xffffff);
 
 Color colorOf(DefectKind kind) {
-  // Distinct also for those who do not tell red from green.
+  // Colours that people with red-green colour blindness can distinguish, too.
   constexpr std::array kColors{0xd55e00u, 0xcc79a7u, 0x9a0000u, 0x7a3db8u, 0x0072b2u,
                                0x56b4e9u, 0x009e73u, 0xe69f00u, 0x1f3fbfu, 0x4b6b1fu,
                                0x8a6d00u, 0x555555u, 0xf02020u};
@@ -27,7 +27,7 @@ Color colorOf(DefectKind kind) {
   return color(kColors.at(static_cast<std::size_t>(kind)));
 }
 
-/// Seen from above one corner, z upwards.
+/// View from above one corner, z upwards.
 Point2 project(const Point3& p) {
   const double turn = 0.6, tilt = 0.5;  // radians
   const double across = std::cos(turn) * p.x - std::sin(turn) * p.y;
@@ -47,7 +47,7 @@ class Drawing {
         grow(lines_[static_cast<std::size_t>(edge)].back());
       }
     for (const Defect& defect : defects) grow(project(defect.place));
-    // Room for the rings.
+    // Leaves space for the rings.
     const Point2 room = 0.03 * (world_.high - world_.low);
     world_ = {world_.low - room, world_.high + room};
   }
@@ -81,7 +81,7 @@ class Drawing {
       for (const int edge : geometry::edgesAround(model_, defect.face))
         stroke(canvas, lines_[static_cast<std::size_t>(edge)], shade, 2.4);
     }
-    // What is long is seen without a ring.
+    // Long defects are visible without a ring.
     if (defect.kind == DefectKind::FreeEdge || defect.kind == DefectKind::NonManifoldEdge) return;
     canvas.dot(project(defect.place), 5, dsl::picture::faded(shade, 0.25), shade, 1.6);
   }

@@ -9,8 +9,8 @@
 
 namespace af2::cli {
 
-/// The edges of the model in grey, seen from one corner, and in the colour of each kind of defect
-/// the edges, faces and places at fault, with a key. Returns the bytes of the file.
+/// Draws the model's edges in grey, seen from one corner. Edges, faces and points with defects have
+/// a colour for each kind of defect, which a legend explains. Returns the bytes of the file.
 std::string drawDefects(const geometry::Model& model, const std::vector<geometry::Defect>& defects,
                         dsl::PictureFormat format);
 

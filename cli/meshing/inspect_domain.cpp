@@ -22,7 +22,7 @@ namespace {
 using geometry::DomainFace;
 using geometry::DomainModel;
 
-/// What was asked for, or a part of the diagonal.
+/// The given size, or the default fraction of the diagonal.
 double sizeFor(double asked, const geometry::Box3& box) {
   return asked > 0 ? asked : distance(box.low, box.high) / kSizesPerDiagonal;
 }
@@ -46,16 +46,16 @@ DomainModel planarModel(const DomainInspection& request) {
 }
 
 std::string edgesText(const DomainFace& face, const DomainModel& model) {
-  constexpr std::size_t kMostNamed = 8;
+  constexpr std::size_t kMaxNamed = 8;
   std::vector<int> ids;
   for (const auto& loop : face.loops)
     for (const geometry::CurveUse& use : loop) ids.push_back(model.curves[use.curve].id);
   std::ranges::sort(ids);
   ids.erase(std::ranges::unique(ids).begin(), ids.end());
   std::string text;
-  for (std::size_t i = 0; i < std::min(kMostNamed, ids.size()); ++i)
+  for (std::size_t i = 0; i < std::min(kMaxNamed, ids.size()); ++i)
     text += fmt::format("{}{}", i > 0 ? ", " : "", ids[i]);
-  if (ids.size() > kMostNamed) text += fmt::format(" and {} more", ids.size() - kMostNamed);
+  if (ids.size() > kMaxNamed) text += fmt::format(" and {} more", ids.size() - kMaxNamed);
   return text;
 }
 
@@ -76,7 +76,7 @@ double lengthOf(const geometry::DomainCurve& curve) {
   return length;
 }
 
-/// Where others split an edge of the file, its parts have its number.
+/// Where other edges split an edge of the file, its parts keep its number.
 std::vector<geometry::EdgeEntry> edgesOf(const DomainModel& model) {
   std::vector<geometry::EdgeEntry> edges;
   for (const geometry::DomainCurve& curve : model.curves)

@@ -7,11 +7,11 @@ namespace af2::cli {
 
 struct DomainInspection {
   std::filesystem::path model;
-  double size = 0;  ///< 0: by the diagonal
+  double size = 0;  ///< 0: derived from the diagonal
   bool brief = false, all = false, edges = false;
 };
 
-/// Prints the tables of a model that is no CAD model; returns an exit code. Throws InputError if
+/// Prints the tables of a model that is not a CAD model; returns an exit code. Throws InputError if
 /// the model cannot be read.
 int inspectDomain(const DomainInspection& request);
 

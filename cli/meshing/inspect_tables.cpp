@@ -12,8 +12,8 @@ namespace {
 
 using geometry::Defect;
 
-/// So many defects of a kind are listed; more would bury the others.
-constexpr std::size_t kMostListed = 10;
+/// At most this many defects of a kind are listed; more would hide the others.
+constexpr std::size_t kMaxListed = 10;
 
 std::string placeText(const Defect& defect) {
   std::string text;
@@ -63,12 +63,12 @@ void printEdges(const std::vector<geometry::EdgeEntry>& edges) {
 }
 
 void printDefects(const std::vector<Defect>& defects, double size, bool all) {
-  if (defects.empty()) return fmt::print("no defects, against a mesh size of {:.3g}\n", size);
-  fmt::print("{} defects, against a mesh size of {:.3g}\n", defects.size(), size);
+  if (defects.empty()) return fmt::print("no defects at a mesh size of {:.3g}\n", size);
+  fmt::print("{} defects at a mesh size of {:.3g}\n", defects.size(), size);
   fmt::print("{:<18}  {:>10}  {:>8}  {}\n", "defect", "extent", "of size", "where");
   std::map<geometry::DefectKind, std::size_t> listed, left;
   for (const Defect& defect : defects) {
-    if (all || listed[defect.kind]++ < kMostListed)
+    if (all || listed[defect.kind]++ < kMaxListed)
       printDefect(defect, size);
     else
       ++left[defect.kind];

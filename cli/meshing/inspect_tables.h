@@ -9,18 +9,18 @@
 
 namespace af2::cli {
 
-/// Of a mesh, if no size is given: this part of the diagonal.
+/// The default mesh size as a fraction of the diagonal.
 inline constexpr double kSizesPerDiagonal = 40;
 
 void printGroups(const std::vector<geometry::FaceGroup>& groups);
 
-/// Which edges are in which boundary.
+/// Prints which edges belong to which boundary.
 void printBoundaries(const std::vector<geometry::EdgeGroup>& boundaries);
 
-/// Which id belongs to which edge.
+/// Prints the id of each edge.
 void printEdges(const std::vector<geometry::EdgeEntry>& edges);
 
-/// all  also those beyond the first ten of each kind
+/// all  list all defects, not only the first ten of each kind
 void printDefects(const std::vector<geometry::Defect>& defects, double size, bool all);
 
 }  // namespace af2::cli

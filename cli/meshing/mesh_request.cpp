@@ -23,7 +23,8 @@ void checkReadable(const fs::path& model) {
   const fs::file_status status = fs::status(model, ignored);
   if (model == "-")
     throw InputError(
-        "a model is read more than once, so not from standard input; write it to a file first");
+        "a model cannot come from standard input, because it is read more than once; write it to a "
+        "file first");
   if (!fs::exists(status)) throw InputError(fmt::format("there is no file '{}'", model.string()));
   if (fs::is_directory(status)) {
     throw InputError(
@@ -31,11 +32,11 @@ void checkReadable(const fs::path& model) {
   }
   if (!fs::is_regular_file(status))
     throw InputError(fmt::format(
-        "'{}' is no ordinary file, and a model is read more than once; write it to a file first",
+        "'{}' is not a regular file, but a model is read more than once; write it to a file first",
         model.string()));
 }
 
-/// Outputs are part of the command line: what is wrong with them is wrong usage.
+/// Output files are named on the command line, so that faults in them are usage errors.
 template <class Check>
 void asUsage(Check check) {
   try {
@@ -45,7 +46,7 @@ void asUsage(Check check) {
   }
 }
 
-/// The extensions of the formats that hold something.
+/// The extensions of the formats that can hold something.
 std::string extensionsThat(bool geometry::MeshFormat::*holds, const char* conjunction) {
   std::vector<std::string_view> extensions;
   for (const geometry::MeshFormat& format : geometry::meshFormats())
@@ -62,10 +63,10 @@ void checkHolds(const fs::path& output, bool geometry::MeshFormat::*holds, const
 void checkOutputs(const MeshRequest& request) {
   std::set<fs::path> seen;
   const auto checkOne = [&](const fs::path& file) {
-    std::error_code odd;  // is told when it comes to writing
+    std::error_code odd;  // reported when the file is written
     const fs::path place = fs::weakly_canonical(fs::absolute(file), odd);
     if (!odd && !seen.insert(place).second) {
-      throw UsageError(fmt::format("'{}' is to be written twice", file.string()));
+      throw UsageError(fmt::format("'{}' would be written twice", file.string()));
     }
     std::error_code ignored;
     if (fs::equivalent(file, request.model, ignored)) {
@@ -78,14 +79,15 @@ void checkOutputs(const MeshRequest& request) {
     if (request.options.order == 2)
       checkHolds(output, &geometry::MeshFormat::holdsSecondOrder, "elements of order 2");
     if (request.lines == geometry::LinesAlong::AllEdges)
-      checkHolds(output, &geometry::MeshFormat::holdsLines, "line elements, as --edges asks for");
+      checkHolds(output, &geometry::MeshFormat::holdsLines,
+                 "the line elements that --edges asks for");
     checkOne(output);
   }
   if (!request.report.empty()) checkOne(request.report);
 }
 
 std::string outputHelp() {
-  std::string help = "file for the mesh; its extension names the format:";
+  std::string help = "file for the mesh; its extension selects the format:";
   for (const geometry::MeshFormat& format : geometry::meshFormats()) {
     help += fmt::format(" {}", format.extension);
   }
@@ -98,7 +100,8 @@ void declareMeshOptions(CLI::App& command, MeshOptions& options) {
   command.add_option("MODEL", options.model, modelHelp())->type_name("")->required();
   declareSizeOptions(command, options.sizes);
   command
-      .add_option("-r,--rules", options.rules, "rule file; a path, or a name in the rules of AF2")
+      .add_option("-r,--rules", options.rules,
+                  "rule file: a path, or the name of rules that come with AF2")
       ->type_name("FILE")
       ->capture_default_str();
   command.add_option("-o,--output", options.outputs, outputHelp())
@@ -109,45 +112,53 @@ void declareMeshOptions(CLI::App& command, MeshOptions& options) {
       ->type_name("FACES");
   command
       .add_option("--boundary", options.boundary,
-                  "file (JSON) with the vertices along edges that are divided already")
+                  "JSON file with the vertices along edges that are already divided")
       ->type_name("FILE");
   command.add_flag("--edges", options.edges,
-                   "line elements along all edges of the model, too, in " +
+                   "also write line elements along all edges of the model, in " +
                        extensionsThat(&geometry::MeshFormat::holdsLines, "and") + " files");
-  command.add_flag(
-      "--keep-boundary", options.keepBoundary,
-      "of " + formatNames(ModelKind::Planar, "and") + " files: take the segments as they are");
+  command.add_flag("--keep-boundary", options.keepBoundary,
+                   "for " + formatNames(ModelKind::Planar, "and") +
+                       " files: do not divide the segments of the boundary");
   command
       .add_option("--feature-angle", options.featureAngle,
-                  "of " + formatNames(ModelKind::Faceted, "and") +
-                      " files: edges that turn by more degrees are kept, default 40")
+                  "for " + formatNames(ModelKind::Faceted, "and") +
+                      " files: keep edges at which the surface turns by more than this, default 40")
       ->type_name("DEGREES");
   command
       .add_option("--chart", options.chart,
-                  "how the front sees curved faces: " + geometry::chartNames() +
+                  "chart (2-D map) in which curved faces are meshed: " + geometry::chartNames() +
                       " (default auto); faces that have no such chart are meshed with auto")
       ->type_name("KIND");
   command
-      .add_option("-j,--threads", options.threads, "threads to use; the mesh does not depend on it")
+      .add_option("-j,--threads", options.threads,
+                  "number of threads; the mesh does not depend on it")
       ->type_name("N");
   command
       .add_option("--order", options.order,
-                  "2: elements with vertices at the middles of their sides, on the surface")
+                  "1 or 2: elements of order 2 have extra vertices, on the surface, at the middles "
+                  "of their sides")
       ->type_name("N");
   declareHealing(command, options.heal, options.healTolerance);
-  command.add_flag("--no-optimize", options.rawFront, "leave the mesh as the front made it");
+  command.add_flag("--no-optimize", options.rawFront,
+                   "do not optimize the mesh that the front made");
+  command.add_flag("--strict-rules", options.strictRules,
+                   "only rules make elements: a face fails at the first front edge that no rule "
+                   "takes, without further tries, and the exit code is 3");
+  command.add_flag("--unchecked", options.unchecked,
+                   "use the rules even if the checks of af2 check prove errors in them");
   command.add_option("--report", options.report, "file for a report in JSON")->type_name("FILE");
-  command.add_flag("-q,--quiet", options.quiet, "print nothing unless something is wrong");
+  command.add_flag("-q,--quiet", options.quiet, "print only errors and failures");
 }
 
 void declareHealing(CLI::App& command, bool& heal, std::string& tolerance) {
   command.add_flag(
       "--heal", heal,
       "repair a CAD model first: open loops, wires, small edges and faces, gaps, loose faces, "
-      "orientation. All changes are told");
+      "orientation. All changes are reported");
   command
       .add_option("--heal-tolerance", tolerance,
-                  "with --heal: what is smaller is closed or removed; default: a "
+                  "with --heal: close gaps and remove edges and faces up to this size; default: a "
                   "hundred-thousandth of the diagonal")
       ->type_name("SIZE");
 }
@@ -169,7 +180,7 @@ geometry::ChartKind checkedChart(const MeshOptions& options, const MeshRequest& 
   const auto kind = geometry::chartKindOf(options.chart);
   if (!kind)
     throw UsageError(
-        fmt::format("--chart {}: there are {}", options.chart, geometry::chartNames()));
+        fmt::format("--chart {}: choose one of {}", options.chart, geometry::chartNames()));
   return *kind;
 }
 
@@ -179,28 +190,30 @@ MeshRequest checkedRequest(const MeshOptions& options) {
   request.options.sizes = checkedSizes(options.sizes);
   if (!options.faces.empty()) request.options.faces = parseIds("--faces", options.faces);
   if (options.threads < 0 || options.threads > 4096) {
-    throw UsageError(fmt::format("--threads {}: give 1 to 4096", options.threads));
+    throw UsageError(fmt::format("--threads {}: give a number from 1 to 4096", options.threads));
   }
   request.options.threads = options.threads;
   if (options.order != 1 && options.order != 2)
     throw UsageError(fmt::format("--order {}: elements can have order 1 or 2", options.order));
   request.options.order = options.order;
   request.quiet = options.quiet;
+  request.ruleLoading = {options.quiet, options.unchecked};
   request.options.optimize = !options.rawFront;
+  request.options.strictRules = options.strictRules;
   request.report = options.report;
   request.outputs.assign(options.outputs.begin(), options.outputs.end());
   if (request.kind() != ModelKind::Planar && options.keepBoundary)
     throw UsageError("--keep-boundary is for " + formatNames(ModelKind::Planar, "and") +
-                     " files; others take --boundary FILE");
+                     " files; for other models use --boundary FILE");
   if (!options.featureAngle.empty()) {
     if (request.kind() != ModelKind::Faceted)
       throw UsageError("--feature-angle is for " + formatNames(ModelKind::Faceted, "and") +
                        " files");
     request.options.featureAngle =
-        parsePositive("--feature-angle", options.featureAngle, "an angle in degrees");
+        parsePositive("--feature-angle", options.featureAngle, "the angle in degrees");
     if (request.options.featureAngle >= 180)
       throw UsageError(
-          fmt::format("--feature-angle {}: give degrees below 180", options.featureAngle));
+          fmt::format("--feature-angle {}: give an angle below 180 degrees", options.featureAngle));
   }
   request.options.keepBoundary = options.keepBoundary;
   if (options.edges) request.lines = geometry::LinesAlong::AllEdges;

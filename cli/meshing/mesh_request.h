@@ -1,4 +1,4 @@
-// What `af2 mesh` was asked to do, checked as far as the command line alone allows.
+// The request of `af2 mesh`, checked as far as the command line alone allows.
 #pragma once
 
 #include <CLI/App.hpp>
@@ -8,6 +8,7 @@
 
 #include "cli/meshing/model_formats.h"
 #include "cli/meshing/size_request.h"
+#include "cli/rules/rule_loading.h"
 #include "geometry/io/line_elements.h"
 #include "geometry/meshing/meshing_options.h"
 
@@ -20,31 +21,33 @@ struct MeshOptions {
   std::vector<std::string> outputs;
   int threads = 0, order = 1;
   std::string boundary, featureAngle, chart, healTolerance;
-  bool quiet = false, rawFront = false, keepBoundary = false, heal = false, edges = false;
+  bool quiet = false, rawFront = false, strictRules = false, unchecked = false;
+  bool keepBoundary = false, heal = false, edges = false;
 };
 
 void declareMeshOptions(CLI::App& command, MeshOptions& options);
 
-/// The options of all verbs that can heal a model.
+/// Declares the options about healing, which several verbs share.
 void declareHealing(CLI::App& command, bool& heal, std::string& tolerance);
-/// Throws UsageError: the model is of a kind that cannot be healed.
+/// Throws UsageError: models of this kind cannot be healed.
 [[noreturn]] void refuseHealing();
-/// 0 if none is given. Throws UsageError for one that is no length, or without `heal`.
+/// Returns 0 if none is given. Throws UsageError if it is not a length, or without `heal`.
 double checkedHealTolerance(bool heal, const std::string& tolerance);
 
 struct MeshRequest {
-  std::filesystem::path model, rules, report;  ///< no report if empty
+  std::filesystem::path model, rules, report;  ///< report: empty for none
   std::vector<std::filesystem::path> outputs;
-  geometry::MeshingOptions options;  ///< what is wanted of the mesh
+  geometry::MeshingOptions options;  ///< the options for meshing
   bool quiet = false;
+  RuleLoading ruleLoading;
   geometry::LinesAlong lines = geometry::LinesAlong::Boundaries;
 
   bool heal = false;         ///< repair the model first
-  double healTolerance = 0;  ///< in its unit; 0: by its size
-  /// How the repairs took the program down, so that they are left out now; empty: they did not.
+  double healTolerance = 0;  ///< in the model's unit; 0: derived from its size
+  /// How the repairs crashed or hung, which is why they are left out now; empty: they did not.
   std::string healingEnd;
 
-  /// Whether the numbers of faces and edges mean something: they are not the same after healing.
+  /// Whether options name faces or edges by number: healing changes the numbers.
   bool asksByNumber() const {
     return !options.faces.empty() || !options.sizes.faceSizes.empty() ||
            !options.sizes.edgeSizes.empty() || !options.edgePoints.empty();
@@ -53,7 +56,7 @@ struct MeshRequest {
   ModelKind kind() const { return modelKindOf(model); }
 };
 
-/// Throws UsageError for options that make no sense or files that cannot be written, InputError for
+/// Throws UsageError for contradictory options or files that cannot be written, InputError for
 /// files that cannot be read.
 MeshRequest checkedRequest(const MeshOptions& options);
 

@@ -1,4 +1,4 @@
-// Reads the model of a request and meshes it: joins the rules, the readers and the meshers.
+// Reads the model of a request and meshes it: combines the rules, the readers and the meshers.
 #pragma once
 
 #include <memory>
@@ -14,8 +14,8 @@ namespace af2::cli {
 struct RunControl {
   bool showProgress = true;
   std::stop_token stop;
-  RunLog* log = nullptr;             ///< of a supervised run
-  const GivenUp* givenUp = nullptr;  ///< faces not to be tried
+  RunLog* log = nullptr;             ///< log of a supervised run
+  const GivenUp* givenUp = nullptr;  ///< faces that must not be tried again
 };
 
 /// Throws InputError if the model cannot be used, UsageError if the request names faces or edges

@@ -5,7 +5,11 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <functional>
 #include <numeric>
+#include <span>
+#include <utility>
+#include <vector>
 
 #include "engine/base/place_text.h"
 #include "geometry/mesh/fingerprint.h"
@@ -29,7 +33,7 @@ std::string countText(const geometry::ModelMesh& mesh) {
   return text;
 }
 
-/// Shares of the edges by their length over the wanted one; the ends of the histogram in one.
+/// Shares of the edges by length divided by wanted length; the first and last bins are merged.
 std::string lengthsText(const geometry::LengthRatio& edges) {
   constexpr auto& kBounds = geometry::LengthRatio::kBounds;
   constexpr std::size_t kFirst = 2, kLast = 6;  // 0.5 and 2
@@ -92,7 +96,7 @@ std::string unitText(const geometry::ModelMesh& mesh) {
   std::string unit = mesh.fileUnit;
   std::ranges::transform(unit, unit.begin(), [](unsigned char c) { return std::tolower(c); });
   if (mesh.unit.empty() || unit.empty() || std::ranges::count(kMillimetre, unit) > 0) return "";
-  return fmt::format("note: the file has lengths in {}; sizes and coordinates are in {} here\n",
+  return fmt::format("note: lengths in the file are in {}; here, sizes and coordinates are in {}\n",
                      mesh.fileUnit, mesh.unit);
 }
 
@@ -100,6 +104,27 @@ std::string notesText(const std::vector<std::string>& notes) {
   std::string text;
   for (const std::string& note : notes) text += fmt::format("note: {}\n", note);
   return text;
+}
+
+std::string withoutRuleText(const geometry::ModelMesh& mesh) {
+  constexpr std::size_t kMaxListed = 5;
+  const geometry::WithoutRuleCounts all = elementsWithoutRule(mesh);
+  if (all.total() == 0) return "";
+  std::vector<const FaceReport*> faces;
+  for (const FaceReport& face : mesh.faces)
+    if (face.withoutRule.total() > 0) faces.push_back(&face);
+  std::ranges::stable_sort(faces, std::greater<>(),
+                           [](const FaceReport* face) { return face->withoutRule.total(); });
+  std::string kinds, list;
+  for (const auto& [name, count] :
+       {std::pair{"closing", all.closing}, {"fan", all.fan}, {"leaning", all.leaning}})
+    if (count > 0) kinds += fmt::format("{}{} {}", kinds.empty() ? "" : ", ", name, grouped(count));
+  for (const FaceReport* face : std::span(faces).first(std::min(faces.size(), kMaxListed)))
+    list += fmt::format("{}face {}: {}", list.empty() ? "" : ", ", face->id,
+                        grouped(face->withoutRule.total()));
+  if (faces.size() > kMaxListed) list += fmt::format(" and {} more", faces.size() - kMaxListed);
+  return fmt::format("af2: {} of {} elements were made without a rule ({}); {}\n",
+                     grouped(all.total()), grouped(mesh.elements.size()), kinds, list);
 }
 
 std::string failureText(const geometry::ModelMesh& mesh) {

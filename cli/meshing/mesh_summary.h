@@ -1,4 +1,4 @@
-// What `af2 mesh` tells at the end.
+// The texts that `af2 mesh` prints at the end.
 #pragma once
 
 #include <optional>
@@ -10,19 +10,22 @@
 
 namespace af2::cli {
 
-/// What was made, how good it is (unless there is no mesh), how long it took.
+/// Counts, quality (unless there is no mesh) and times.
 std::string summaryText(const geometry::ModelMesh& mesh, const geometry::MeshQuality& quality);
 
-/// What healing changed, one line each; empty if nothing was healed.
+/// The changes made by healing, one line each; empty if nothing was healed.
 std::string healingText(const std::optional<geometry::Healing>& healing);
 
-/// That lengths are not in the unit of the file; empty if they are, or nobody knows.
+/// Says that AF2's lengths are not in the unit of the file; empty if they are, or if unknown.
 std::string unitText(const geometry::ModelMesh& mesh);
 
-/// What was put right while reading, one line each; empty if nothing was.
+/// The repairs made while reading, one line each; empty if there were none.
 std::string notesText(const std::vector<std::string>& notes);
 
-/// One line for each face that failed, with its reason; empty if none did.
+/// How many elements no rule made, and on which faces; empty if there are none.
+std::string withoutRuleText(const geometry::ModelMesh& mesh);
+
+/// One line for each failed face, with the reason; empty if none failed.
 std::string failureText(const geometry::ModelMesh& mesh);
 
 /// 1234567 as "1 234 567".

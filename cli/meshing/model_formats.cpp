@@ -23,7 +23,7 @@ struct Kind {
   ModelKind kind;
   const char* remark;
 };
-/// In the order in which texts name them.
+/// In the order in which texts list them.
 constexpr std::array kKinds{Kind{ModelKind::Cad, "CAD"}, Kind{ModelKind::Faceted, "triangles"},
                             Kind{ModelKind::Planar, "planar"}};
 
@@ -76,10 +76,10 @@ std::string modelHelp() {
 }
 
 void refuseCadModel(const std::filesystem::path& model) {
-  throw InputError(
-      fmt::format("'{}' is no {} file, and this af2 was built without OpenCASCADE; build it with "
-                  "-DAF2_BUILD_OCC=ON",
-                  model.string(), formatNames("or")));
+  throw InputError(fmt::format(
+      "'{}' is not a {} file, and this af2 was built without OpenCASCADE; build it with "
+      "-DAF2_BUILD_OCC=ON",
+      model.string(), formatNames("or")));
 }
 
 }  // namespace af2::cli

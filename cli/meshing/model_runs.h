@@ -1,4 +1,4 @@
-// One runner for each kind of model; runMesh picks.
+// One runner for each kind of model; runMesh chooses among them.
 #pragma once
 
 #include "cli/meshing/mesh_run.h"
@@ -9,14 +9,14 @@
 
 namespace af2::cli {
 
-/// What is wanted of the mesh, with the progress shown, a stop heard and each face told to the log.
-/// Control and bar must outlive the options.
+/// The meshing options of a request, connected with the progress bar, the request to stop and the
+/// log of faces. `control` and `bar` must outlive the options.
 ///
-/// firstFace  added to the numbers of faces in the log
+/// firstFace  added to the face numbers in the log
 geometry::MeshingOptions optionsOf(const MeshRequest& request, const RunControl& control,
                                    ProgressBar& bar, int firstFace = 0);
 
-/// Throw UsageError for faces and edges that a model does not have.
+/// Throw UsageError for faces and edges that the model does not have.
 void checkIds(const MeshRequest& request, int faces, int edges);
 void checkIds(const MeshRequest& request, const geometry::DomainModel& model);
 

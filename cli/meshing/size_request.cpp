@@ -12,39 +12,41 @@ namespace af2::cli {
 
 void declareSizeOptions(CLI::App& command, SizeOptions& options) {
   command
-      .add_option("-s,--size", options.size,
-                  "wanted edge length: in millimetres for STEP and IGES files, whatever these use, "
-                  "else in the "
-                  "unit of the file")
+      .add_option(
+          "-s,--size", options.size,
+          "wanted edge length; in millimetres for STEP and IGES files, whatever unit they use, "
+          "otherwise in the unit of the file")
       ->type_name("SIZE")
       ->required();
-  command.add_option("--min-size", options.smallest, "no wanted size is smaller than this")
+  command.add_option("--min-size", options.smallest, "lower limit of the wanted size")
       ->type_name("SIZE");
-  command.add_option("--max-size", options.largest, "no wanted size is larger than this")
+  command.add_option("--max-size", options.largest, "upper limit of the wanted size")
       ->type_name("SIZE");
   command
       .add_option("--curvature", options.curvature,
-                  "elements around a full turn of a curved face or edge, e.g. 20")
+                  "number of elements around a full turn of a curved face or edge, e.g. 20")
       ->type_name("N");
   command
       .add_option("--proximity", options.proximity,
-                  "elements across strips of faces, walls and gaps, e.g. 3")
+                  "number of elements across strips of faces, walls and gaps, e.g. 3")
       ->type_name("N");
   command
       .add_option("--grading", options.grading,
-                  "most growth of the size per unit of length, default 0.3")
+                  "largest growth of the size per unit of length, default 0.3")
       ->type_name("GROWTH");
   command
       .add_option("--sizes", options.file,
-                  "file (JSON) with sizes at points, in boxes, in fields, of named parts")
+                  "JSON file with sizes at points, in boxes, in fields and of named parts")
       ->type_name("FILE");
   command
-      .add_option("--face-size", options.faceSizes, "another size for some faces, e.g. 3,7-9=0.1")
+      .add_option("--face-size", options.faceSizes,
+                  "a different size for some faces, e.g. 3,7-9=0.1")
       ->type_name("FACES=SIZE")
       ->take_all()
       ->expected(1);
   command
-      .add_option("--edge-size", options.edgeSizes, "another size along some edges, e.g. 5=0.05")
+      .add_option("--edge-size", options.edgeSizes,
+                  "a different size along some edges, e.g. 5=0.05")
       ->type_name("EDGES=SIZE")
       ->take_all()
       ->expected(1);
@@ -60,19 +62,19 @@ geometry::Sizes checkedSizes(const SizeOptions& options) {
         fmt::format("--min-size {} is above --max-size {}", options.smallest, options.largest));
   if (!options.curvature.empty()) {
     sizes.elementsPerTurn =
-        parsePositive("--curvature", options.curvature, "how many elements go round");
+        parsePositive("--curvature", options.curvature, "the number of elements around a turn");
     if (sizes.elementsPerTurn < 3)
       throw UsageError(
           fmt::format("--curvature {}: a turn needs at least 3 elements", options.curvature));
   }
   if (!options.proximity.empty())
     sizes.elementsAcross =
-        parsePositive("--proximity", options.proximity, "how many elements go across");
+        parsePositive("--proximity", options.proximity, "the number of elements across");
   if (!options.grading.empty()) {
     sizes.growth = parsePositive("--grading", options.grading, "the growth");
-    if (sizes.growth > geometry::kMostGrowth)
+    if (sizes.growth > geometry::kMaxGrowth)
       throw UsageError(fmt::format("--grading {}: the growth must be at most {} per unit of length",
-                                   options.grading, geometry::kMostGrowth));
+                                   options.grading, geometry::kMaxGrowth));
   }
   sizes.faceSizes = parseSizes("--face-size", options.faceSizes);
   sizes.edgeSizes = parseSizes("--edge-size", options.edgeSizes);

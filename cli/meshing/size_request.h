@@ -9,7 +9,7 @@
 
 namespace af2::cli {
 
-/// As they were typed; empty: not given.
+/// The options as they were typed; empty: not given.
 struct SizeOptions {
   std::string size, smallest, largest, curvature, proximity, grading, file;
   std::vector<std::string> faceSizes, edgeSizes;
@@ -17,7 +17,7 @@ struct SizeOptions {
 
 void declareSizeOptions(CLI::App& command, SizeOptions& options);
 
-/// Throws UsageError for options that make no sense, InputError for a file that cannot be read.
+/// Throws UsageError for contradictory options, InputError for a file that cannot be read.
 geometry::Sizes checkedSizes(const SizeOptions& options);
 
 }  // namespace af2::cli

@@ -1,4 +1,4 @@
-// Whether what is written to a stream may be coloured.
+// Whether output to a stream may be coloured.
 #pragma once
 
 #include <cstdio>
@@ -7,7 +7,8 @@
 
 namespace af2::cli {
 
-/// AF2_COLOR=always or never decides; else NO_COLOR forbids, and a terminal is asked for.
+/// AF2_COLOR=always or never decides; otherwise NO_COLOR forbids colour, and else a terminal gets
+/// it.
 dsl::Colour colourOf(std::FILE* stream);
 
 }  // namespace af2::cli

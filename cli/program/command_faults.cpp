@@ -20,29 +20,31 @@ std::string descriptionOf(const CLI::App& command, const std::string& option) {
   return found ? found->get_description() : "";
 }
 
-/// What the library for command lines says of an option, said so that it tells the way out.
-std::string reworded(const CLI::App& command, const std::string& told) {
+/// Rewords a message of the command-line library so that it says what to do.
+std::string reworded(const CLI::App& command, const std::string& message) {
   std::smatch part;
-  const auto is = [&](const char* form) { return std::regex_match(told, part, std::regex(form)); };
+  const auto is = [&](const char* form) {
+    return std::regex_match(message, part, std::regex(form));
+  };
   if (is("(.+) is required")) {
     const std::string description = descriptionOf(command, part[1]);
-    return told + (description.empty() ? "" : ": " + description);
+    return message + (description.empty() ? "" : ": " + description);
   }
   if (is("(.+): [0-9]+ required .* missing")) return part[1].str() + ": its value is missing";
   if (is("(.+): At Most 1 required but received ([0-9]+)"))
-    return fmt::format("{} stands there {} times; give it once", part[1].str(), part[2].str());
+    return fmt::format("{} is given {} times; give it once", part[1].str(), part[2].str());
   if (is("Could not convert: (.+) = (.*)"))
     return fmt::format("{} '{}': give a whole number", part[1].str(), part[2].str());
   if (is("(.+): Value (.*) not in range (.+) to (.+)"))
     return fmt::format("{} '{}': give a whole number from {} to {}", part[1].str(), part[2].str(),
                        part[3].str(), part[4].str());
   if (is("(.+): (.*) not in \\{(.*)\\}"))
-    return fmt::format("{} '{}': there are {}", part[1].str(), part[2].str(),
+    return fmt::format("{} '{}': choose one of {}", part[1].str(), part[2].str(),
                        std::regex_replace(part[3].str(), std::regex(","), ", "));
-  return told;
+  return message;
 }
 
-/// The first word that looks like an option and is none.
+/// The first word that looks like an option but is not a known one.
 std::optional<std::string> strangeOption(const std::vector<std::string>& words) {
   for (const std::string& word : words) {
     if (word == "--") break;  // no options follow
@@ -63,11 +65,11 @@ std::string faultOf(const CLI::App& program, const CLI::ParseError& error) {
     for (const CLI::Option* option : command.get_options())
       for (const std::string& own : option->get_lnames()) options.push_back("--" + own);
     const std::string help = dsl::didYouMean(*name, options).text();
-    return fmt::format("there is no option '{}'{}{}", *name, help.empty() ? "" : "; ", help);
+    return fmt::format("unknown option '{}'{}{}", *name, help.empty() ? "" : "; ", help);
   }
   std::erase(words, "--");
   return words.empty() ? reworded(command, firstLine(error.what()))
-                       : fmt::format("'{}' is one word too many", words.front());
+                       : fmt::format("unexpected argument '{}'", words.front());
 }
 
 }  // namespace af2::cli

@@ -1,4 +1,4 @@
-// What is wrong with the words of a command, in plain words.
+// Explains faults of the command line in plain words.
 #pragma once
 
 #include <CLI/App.hpp>
@@ -6,8 +6,8 @@
 
 namespace af2::cli {
 
-/// One line that names the option at fault and the way out. A mistyped option is told rather than
-/// that the right one is missing.
+/// One line that names the option at fault and the way out. A mistyped option is reported before a
+/// missing one, because it is the likely cause.
 std::string faultOf(const CLI::App& program, const CLI::ParseError& error);
 
 }  // namespace af2::cli

@@ -21,7 +21,7 @@ sigset_t handledSignals() {
 
 }  // namespace
 
-// A thread that waits for the signals may do what a signal handler may not.
+// A thread that waits for the signals may call functions that a signal handler may not.
 Interrupt::Interrupt() {
   const sigset_t signals = handledSignals();
   pthread_sigmask(SIG_BLOCK, &signals, nullptr);

@@ -7,10 +7,10 @@
 
 namespace af2::cli {
 
-/// While it lives, the first SIGINT or SIGTERM requests a stop; a later one ends the program at
-/// once. Whoever signals a whole group of processes, as `timeout` and batch systems do, sends some
-/// of them more than one; so those within half a second count as one. Make it before other threads
-/// start: they inherit that these signals are not theirs.
+/// During its lifetime, the first SIGINT or SIGTERM requests a stop; a later one ends the program
+/// at once. Programs that signal a whole process group, such as `timeout` and batch systems,
+/// deliver some signals more than once; therefore all signals within half a second count as one.
+/// Construct it before other threads start, so that they inherit the blocked signals.
 class Interrupt {
  public:
   Interrupt();

@@ -12,13 +12,13 @@ namespace {
 
 constexpr std::size_t kContext = 3;
 
-/// Beyond this many pairs of lines the changed middle is shown as replaced as a whole.
-constexpr std::size_t kMostPairs = 4'000'000;
+/// Beyond this number of line pairs the changed middle is shown as one replacement.
+constexpr std::size_t kMaxPairs = 4'000'000;
 
 using Lines = std::span<const std::string_view>;
 
 struct Line {
-  char mark;  ///< ' ' in both, '-' before only, '+' after only
+  char mark;  ///< ' ' in both texts, '-' only in the old one, '+' only in the new one
   std::string_view text;
 };
 
@@ -35,7 +35,7 @@ std::vector<std::string_view> linesOf(std::string_view text, Breaks breaks = Bre
   return lines;
 }
 
-/// Lengths of the longest common subsequences of all tails, row by row.
+/// Lengths of the longest common subsequences of all pairs of tails, row by row.
 class Tails {
  public:
   Tails(Lines a, Lines b) : width_(b.size() + 1), lengths_((a.size() + 1) * width_) {
@@ -54,7 +54,7 @@ class Tails {
 };
 
 void appendMiddle(Lines a, Lines b, std::vector<Line>& lines) {
-  if (a.size() * b.size() > kMostPairs) {
+  if (a.size() * b.size() > kMaxPairs) {
     for (const std::string_view text : a) lines.push_back({'-', text});
     for (const std::string_view text : b) lines.push_back({'+', text});
     return;

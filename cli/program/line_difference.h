@@ -1,4 +1,4 @@
-// What differs between two texts, line by line.
+// The difference between two texts, line by line.
 #pragma once
 
 #include <cstddef>
@@ -12,13 +12,14 @@ namespace af2::cli {
 std::string lineDifference(const std::string& name, const std::string& before,
                            const std::string& after);
 
-/// Lines of one text that are replaced by some of another.
+/// Lines of one text, replaced by lines of another.
 struct LineChange {
-  std::size_t first = 0, count = 0;  ///< lines of the text before, from 0
+  std::size_t first = 0, count = 0;  ///< lines of the old text, from 0
   std::string text;                  ///< with line breaks
 };
 
-/// What turns `before` into `after`, from the top; line breaks count as part of their lines.
+/// The replacements that turn `before` into `after`, from the top; line breaks belong to their
+/// lines.
 std::vector<LineChange> lineChanges(std::string_view before, std::string_view after);
 
 }  // namespace af2::cli

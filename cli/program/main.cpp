@@ -1,4 +1,4 @@
-// The program af2. Here is only the list of its verbs; each has a file of its own.
+// The program af2. This file only lists its verbs; each has its own file.
 #include "cli/program/program.h"
 #include "cli/program/verbs.h"
 
@@ -9,16 +9,16 @@ int main(int count, char** arguments) {
       {"inspect", "list faces, edges, groups and defects of a model", declareInspect},
       {"check", "find mistakes in rule files", declareCheck},
       {"test", "run the tests of rule files", declareTest},
-      {"fmt", "lay out rule files", declareFmt},
+      {"fmt", "format rule files", declareFmt},
       {"draw", "draw rules", declareDraw},
-      {"doc", "make a gallery of a rule set", declareDoc},
-      {"new", "begin a rule set or a rule", declareNew},
-      {"eval", "tell what one rule does at given positions", declareEval},
-      {"compile", "show what rules become", declareCompile},
-      {"import", "rewrite rule files of Netgen (.rls)", declareImport},
+      {"doc", "make an HTML page about a rule set", declareDoc},
+      {"new", "create a rule set or a rule", declareNew},
+      {"eval", "evaluate one rule at given positions", declareEval},
+      {"compile", "show the compiled form of rules", declareCompile},
+      {"import", "convert rule files of Netgen (.rls)", declareImport},
       {"explain-code", "explain the code of a diagnostic", declareExplainCode},
-      {"lsp", "serve editors: the language server", declareLsp},
-      {"version", "tell the version", declareVersion},
+      {"lsp", "run the language server for editors", declareLsp},
+      {"version", "print the version", declareVersion},
   };
   return runProgram(kVerbs, count, arguments);
 }

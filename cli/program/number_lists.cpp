@@ -14,7 +14,7 @@
 namespace af2::cli {
 namespace {
 
-/// More numbers than these in one range are a slip of the finger.
+/// A longer range than this is taken for a typing error.
 constexpr int kLongestRange = 10'000'000;
 
 template <class Number>
@@ -48,7 +48,7 @@ std::vector<int> parseIds(const std::string& option, const std::string& text) {
     const auto range = parseRange(part);
     if (!range) {
       throw UsageError(fmt::format(
-          "{} '{}': '{}' is no number and no range of numbers; write e.g. 3,7-9 (counted from 1)",
+          "{} '{}': '{}' is neither a number nor a range; write e.g. 3,7-9 (counted from 1)",
           option, text, part));
     }
     for (int id = range->first; id <= range->last; ++id) ids.insert(id);
@@ -60,13 +60,14 @@ std::vector<int> parseIds(const std::string& option, const std::string& text) {
 double parsePositive(const std::string& option, const std::string& text, const std::string& what) {
   const auto number = parsed<double>(text);
   if (!number || !std::isfinite(*number) || *number <= 0)
-    throw UsageError(fmt::format("{} '{}': {} is a number greater than 0{}", option, text, what,
-                                 text.find(',') == std::string::npos ? "" : ", written like 1.5"));
+    throw UsageError(fmt::format(
+        "{} '{}': {} must be a number greater than 0{}", option, text, what,
+        text.find(',') == std::string::npos ? "" : "; write decimals with a point, such as 1.5"));
   return *number;
 }
 
 double parseSize(const std::string& option, const std::string& text) {
-  return parsePositive(option, text, "a size, in the model's unit,");
+  return parsePositive(option, text, "the size, in the model's unit,");
 }
 
 std::map<int, double> parseSizes(const std::string& option, const std::vector<std::string>& texts) {

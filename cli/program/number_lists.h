@@ -7,12 +7,12 @@
 
 namespace af2::cli {
 
-/// "3,7-9" gives {3, 7, 8, 9}: sorted, each once, all >= 1. Throws UsageError, which names
+/// "3,7-9" gives {3, 7, 8, 9}: sorted, without repetition, all >= 1. Throws UsageError, which names
 /// `option`.
 std::vector<int> parseIds(const std::string& option, const std::string& text);
 
-/// Each of "3=0.1" or "3,7-9=0.1" gives a value > 0 to the ids in front of it; a later one
-/// overrules an earlier one. Throws UsageError, which names `option`.
+/// Items such as "3=0.1" or "3,7-9=0.1" give a value > 0 to the ids before the '='; a later item
+/// replaces an earlier one. Throws UsageError, which names `option`.
 std::map<int, double> parseSizes(const std::string& option, const std::vector<std::string>& texts);
 
 /// A number > 0. Throws UsageError, which names `option` and says what the number is.

@@ -20,27 +20,27 @@
 namespace af2::cli {
 namespace {
 
-/// Not with fmt::print, which throws if nobody listens (`2>&-`).
-void tell(const std::string& line) { std::fputs((line + "\n").c_str(), stderr); }
+/// Does not use fmt::print, which throws if stderr is closed (`2>&-`).
+void printLine(const std::string& line) { std::fputs((line + "\n").c_str(), stderr); }
 
-void complain(const std::string& message) { tell("af2: error: " + message); }
+void complain(const std::string& message) { printLine("af2: error: " + message); }
 
 int explainUsage(const CLI::App& program, const std::string& message) {
   const auto chosen = program.get_subcommands();
   const std::string verb = chosen.empty() ? "" : chosen.front()->get_name() + " ";
   complain(message);
-  tell("try: af2 " + verb + "--help");
+  printLine("try: af2 " + verb + "--help");
   return kUsage;
 }
 
-/// Of threads that cannot be started, of text that cannot be printed, of the file system.
+/// Message of an error from threads, output or the file system.
 std::string faultOf(const std::exception& error) {
-  const std::string told = error.what();
-  if (told.starts_with("cannot write to file:"))
-    return "cannot write all of the output" + told.substr(told.find(':'));
-  if (told.starts_with("pthread_create"))
-    return told + "; give the program more memory, or fewer threads (--threads)";
-  return told;
+  const std::string message = error.what();
+  if (message.starts_with("cannot write to file:"))
+    return "cannot write all of the output" + message.substr(message.find(':'));
+  if (message.starts_with("pthread_create"))
+    return message + "; give the program more memory, or fewer threads (--threads)";
+  return message;
 }
 
 int runAction(const CLI::App& program, const Action& action) {
@@ -62,7 +62,7 @@ int runAction(const CLI::App& program, const Action& action) {
   return kUnusable;
 }
 
-/// Such as `--faces "$list"` makes where a script has no list; it would count as not given.
+/// A script may pass an empty variable, such as `--faces "$list"`, which would count as not given.
 void refuseEmptyValues(const CLI::App& command) {
   for (const CLI::Option* option : command.get_options())
     if (std::ranges::count(option->results(), "") > 0)
@@ -79,8 +79,8 @@ std::string knownVerbs(std::span<const Verb> verbs) {
   return list;
 }
 
-/// What stands in the way of writing to standard output, if anything does. That nobody listens is
-/// no fault.
+/// Why standard output could not be written; empty if it was. A closed standard output is not a
+/// fault.
 std::string faultOfOutput() {
   errno = 0;
   if (std::fflush(stdout) == 0 || errno == EBADF || errno == EPIPE) return {};
@@ -90,10 +90,10 @@ std::string faultOfOutput() {
 }  // namespace
 
 int runProgram(std::span<const Verb> verbs, int count, char** arguments) {
-  CLI::App program{"Surface meshing by an advancing front that rules drive.", "af2"};
+  CLI::App program{"Meshes surfaces with an advancing front and rules from files.", "af2"};
   program.get_formatter()->label("SUBCOMMAND", "VERB");
   program.require_subcommand(1);
-  program.set_version_flag("--version", std::string("af2 ") + AF2_VERSION, "Tell the version");
+  program.set_version_flag("--version", std::string("af2 ") + AF2_VERSION, "Print the version");
   std::map<const CLI::App*, Action> actions;
   for (const Verb& verb : verbs) {
     CLI::App* command = program.add_subcommand(verb.name, verb.summary);
@@ -101,10 +101,11 @@ int runProgram(std::span<const Verb> verbs, int count, char** arguments) {
     actions[command] = verb.declare(*command);
   }
 
-  if (count < 2) return explainUsage(program, "a verb is missing; there are: " + knownVerbs(verbs));
+  if (count < 2)
+    return explainUsage(program, "a verb is missing; the verbs are: " + knownVerbs(verbs));
   if (arguments[1][0] != '-' && !isVerb(verbs, arguments[1])) {
-    return explainUsage(program, fmt::format("'{}' is no verb of af2; there are: {}", arguments[1],
-                                             knownVerbs(verbs)));
+    return explainUsage(program, fmt::format("'{}' is not a verb of af2; the verbs are: {}",
+                                             arguments[1], knownVerbs(verbs)));
   }
   try {
     program.parse(count, arguments);

@@ -26,7 +26,7 @@ int terminalWidth() {
 std::string progressLine(const std::string& title, double fraction, const std::string& details,
                          int width) {
   const double part = std::clamp(fraction, 0.0, 1.0);
-  // Not 100 % before the work is done.
+  // Does not show 100 % before the work is done.
   const std::string tail = fmt::format(" {:3d} %  {}", static_cast<int>(part * 100), details);
   const int room = width - static_cast<int>(title.size() + 1 + tail.size());
   const int length = std::min(room, kLongestBar);

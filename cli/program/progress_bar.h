@@ -1,4 +1,4 @@
-// One line at the bottom of a terminal that tells how far a run has come.
+// One line at the bottom of a terminal that shows the progress of a run.
 #pragma once
 
 #include <chrono>
@@ -6,7 +6,7 @@
 
 namespace af2::cli {
 
-/// How wide the terminal behind stderr is; 0 if stderr is none.
+/// The width of the terminal behind stderr; 0 if stderr is not a terminal.
 int terminalWidth();
 
 /// The bar as a text of at most `width` characters, e.g. "meshing ######----  60 %  12/20 faces".
@@ -14,8 +14,8 @@ int terminalWidth();
 std::string progressLine(const std::string& title, double fraction, const std::string& details,
                          int width);
 
-/// Draws on stderr if that is a terminal, at most ten times a second, and takes the line away when
-/// it is destroyed. Not for several threads at once.
+/// Draws on stderr if that is a terminal, at most ten times a second, and erases the line when it
+/// is destroyed. Not thread-safe.
 class ProgressBar {
  public:
   explicit ProgressBar(bool wanted);

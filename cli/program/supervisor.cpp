@@ -26,7 +26,7 @@
 namespace af2::cli {
 namespace {
 
-/// Lies in memory that both processes see.
+/// Lies in memory that both processes share.
 struct SharedLog {
   static constexpr std::size_t kThreads = 1024;
   std::atomic<std::uint64_t> beats = 0;
@@ -35,7 +35,7 @@ struct SharedLog {
   std::array<std::atomic<int>, kThreads> face{};
 };
 
-// A signal handler can know them in no other way.
+// Global because a signal handler can reach nothing else.
 SharedLog* crashLog = nullptr;
 thread_local int crashFace = 0;
 thread_local int threadSlot = -1;
@@ -65,7 +65,8 @@ class ChildLog final : public RunLog {
 
 constexpr std::array kCrashes{SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT};
 
-/// Takes a note and has the signal come again, to the default this time, which ends the process.
+/// Records the face at fault and raises the signal again with its default action, which ends the
+/// process.
 extern "C" void noteCrash(int signal) {
   crashLog->crashed = crashFace;
   raise(signal);
@@ -116,14 +117,14 @@ End watch(pid_t child, const SharedLog& log, const RunLimits& limits) {
     const timespec pause{0, 200'000'000};
     siginfo_t info{};
     const int signal = sigtimedwait(&signals, &info, &pause);
-    // What comes from the terminal has come to the child as well.
+    // Signals from the terminal reach the child directly.
     if (signal == SIGTERM || (signal == SIGINT && info.si_code == SI_USER)) kill(child, signal);
     const double now = processorSeconds(child);
     if (log.beats != beats) {
       beats = log.beats;
       lastBeat = now;
     }
-    // Between faces there are only loops of ours, which end, however large the mesh.
+    // Between faces only AF2's own loops run, which always end, however large the mesh.
     if (beats > 0 && facesAtFault(log).empty()) lastBeat = now;
     if (now - lastBeat < (beats == 0 ? limits.first : limits.next)) continue;
     kill(child, SIGKILL);
@@ -142,17 +143,18 @@ bool isCrash(int status) {
 }
 
 std::string nameOf(const End& end) {
-  return end.hung ? "it did not come to an end"
-                  : fmt::format("it ended in a crash ({})", strsignal(WTERMSIG(end.status)));
+  return end.hung ? "the run did not finish"
+                  : fmt::format("the run crashed ({})", strsignal(WTERMSIG(end.status)));
 }
 
-/// The exit code of a child that ended by itself or was ended from outside.
+/// The exit code of a child that ended normally or was killed from outside.
 int codeOf(int status) {
   if (WIFEXITED(status)) return WEXITSTATUS(status);
-  // Whoever read the output wants no more of it: `af2 inspect part.step | head`.
+  // The reader of the output has closed it: `af2 inspect part.step | head`.
   if (WTERMSIG(status) == SIGPIPE) raise(SIGPIPE);
-  throw InputError(fmt::format("the run was ended from outside ({}), perhaps for want of memory",
-                               strsignal(WTERMSIG(status))));
+  throw InputError(
+      fmt::format("the run was killed from outside ({}), perhaps because memory ran out",
+                  strsignal(WTERMSIG(status))));
 }
 
 class SharedMemory {
@@ -167,7 +169,7 @@ class SharedMemory {
   SharedLog* log() { return log_; }
 
  private:
-  void* room_;  // stays until the process ends: its threads may still write to it
+  void* room_;  // never unmapped: threads may still write to it
   SharedLog* log_ = nullptr;
 };
 
@@ -186,7 +188,7 @@ class BlockedSignals {
   sigset_t before_;
 };
 
-/// The end of a child, or nothing in the child itself.
+/// The end of a child; no value in the child itself.
 std::optional<End> forkAndWatch(SharedLog& log, const RunLimits& limits) {
   const BlockedSignals blocked;
   std::fflush(nullptr);
@@ -200,7 +202,7 @@ std::optional<End> forkAndWatch(SharedLog& log, const RunLimits& limits) {
     if (getppid() != parent) _exit(1);
     catchCrashes(log);
   }
-  return std::nullopt;  // the child, or a system that has no room for one
+  return std::nullopt;  // the child, or the system could not make one
 }
 
 }  // namespace
@@ -214,8 +216,8 @@ int supervise(RunLimits limits, const std::function<int(RunLog&, const GivenUp&)
     SharedLog& log = shared.log() ? *shared.log() : local;
     const std::optional<End> end = forkAndWatch(log, limits);
     if (!end) {
-      ChildLog told(log);
-      return run(told, givenUp);
+      ChildLog childLog(log);
+      return run(childLog, givenUp);
     }
     if (!end->hung && !isCrash(end->status)) return codeOf(end->status);
     const std::set<int> faces = facesAtFault(log);

@@ -1,4 +1,4 @@
-// A run in a process of its own, so that neither a crash nor an endless loop takes the result down.
+// Runs work in a separate process, so that a crash or an endless loop does not lose the result.
 #pragma once
 
 #include <cstdint>
@@ -10,37 +10,38 @@
 
 namespace af2::cli {
 
-/// What a supervised run tells of itself, from any of its threads.
+/// Receives the progress of a supervised run, from any of its threads.
 class RunLog {
  public:
   virtual ~RunLog() = default;
-  virtual void begin(int face) = 0;  ///< this thread now works on a face
+  virtual void begin(int face) = 0;  ///< this thread starts on a face
   virtual void finish() = 0;         ///< this thread is done with its face
-  virtual void beat() = 0;           ///< this thread is getting on
+  virtual void beat() = 0;           ///< this thread has made progress
 };
 
-/// By face: why it is not tried.
+/// By face: why it is not tried again.
 using GivenUp = std::map<int, std::string>;
 
-/// Processor seconds.
+/// Limits in processor seconds.
 struct RunLimits {
   double first = 30;  ///< until the run begins its first face
-  double next = 20;   ///< until it tells of anything again, while it works on a face; half of it
-                      ///< after each hang, down to an eighth: many such faces end, too
+  /// While it works on a face: until its next sign of progress. Halved after each hang, down to an
+  /// eighth, so that a run with many such faces ends, too.
+  double next = 20;
 };
 
 /// For `RunLimits::first`: large models take long to read.
 inline double secondsToRead(std::uintmax_t bytes) {
-  constexpr double kLeast = 30, kPerByte = 2e-6;
-  return kLeast + kPerByte * static_cast<double>(bytes);
+  constexpr double kMin = 30, kPerByte = 2e-6;
+  return kMin + kPerByte * static_cast<double>(bytes);
 }
 
-/// A run that cannot be repeated without what took it down.
+/// A run that crashed or hung outside any face, so that leaving out faces cannot help.
 struct RunEnded : InputError {
-  /// cause  such as "it ended in a crash (Segmentation fault)"
+  /// cause  such as "the run crashed (Segmentation fault)"
   explicit RunEnded(const std::string& how)
       : InputError("the model cannot be used: " + how +
-                   " before any face was begun; export the model again"),
+                   " before it began to mesh a face; export the model again"),
         cause(how) {}
   std::string cause;
 };
@@ -48,10 +49,10 @@ struct RunEnded : InputError {
 /// Runs `run` in a child process. If that crashes or hangs while it works on a face, runs it again
 /// without this face. Interrupts and requests to stop are passed on.
 ///
-/// Returns what `run` returns; in the child process, too, which goes on from there as if it were
-/// the whole program. Costs one fork, and memory for nothing but what the child changes.
+/// Returns what `run` returns. It returns in the child process, too, which continues as if it were
+/// the whole program. Costs one fork, and memory only for what the child changes.
 ///
-/// Throws RunEnded if the child crashes while it works on no face, or hangs before the first one.
+/// Throws RunEnded if the child crashes outside any face, or hangs before the first one.
 int supervise(RunLimits limits, const std::function<int(RunLog&, const GivenUp&)>& run);
 
 }  // namespace af2::cli

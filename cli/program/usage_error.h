@@ -1,4 +1,4 @@
-// The command line makes no sense.
+// The command line is wrong.
 #pragma once
 
 #include <stdexcept>

@@ -1,4 +1,4 @@
-// The verbs of the program, `af2 VERB ...`, each in a file of its own.
+// The verbs of the program, `af2 VERB ...`, each in its own file.
 #pragma once
 
 #include <CLI/App.hpp>
@@ -6,8 +6,8 @@
 
 namespace af2::cli {
 
-/// What a verb does once the command line is read; gives the exit code. Throws UsageError,
-/// InputError and GeometryError, whose messages reach the user.
+/// The action of a verb after the command line is parsed; returns the exit code. Throws UsageError,
+/// InputError and GeometryError, whose messages are shown to the user.
 using Action = std::function<int()>;
 
 /// Declares the options of a verb on its subcommand.

@@ -16,7 +16,7 @@ namespace {
 
 using dsl::CompiledRule;
 
-/// Levels whose zones have a picture of their own.
+/// Levels whose zones are also drawn separately.
 constexpr int kLevels[] = {1, 2, 3, 5, 10, 20};
 
 constexpr const char* kStyle = R"(
@@ -66,7 +66,7 @@ struct TestOfRule {
   bool passed = true;
 };
 
-/// Tests by the rule that they speak of or that was applied in them.
+/// Assigns each test to the rule that it names or that was applied in it.
 std::map<std::string, std::vector<TestOfRule>> testsByRule(
     const dsl::LoadedRules& loaded, const std::vector<dsl::TestResult>& results) {
   std::map<std::string, std::vector<TestOfRule>> tests;
@@ -121,7 +121,7 @@ class Gallery {
     return rules_ ? rules_->name() : std::string(loaded_.file->main().source.name());
   }
 
-  /// What other files may import, with what is written above it.
+  /// The definitions that other files may import, with the comments above them.
   std::string definitions() const {
     const dsl::Module& main = loaded_.file->main();
     std::string out;
@@ -137,7 +137,7 @@ class Gallery {
     return out.empty() ? out : "<section>\n<h2>Definitions</h2>\n" + out + "</section>\n";
   }
 
-  /// The text of the rule set itself, with what is written above it.
+  /// The text of the rule set itself, with the comments above it.
   std::string settings() const {
     const dsl::Module& main = loaded_.file->main();
     for (const dsl::Item& item : main.parsed.file.items) {
@@ -196,7 +196,7 @@ class Gallery {
 
   std::string testList(const std::string& rule) const {
     const auto found = tests_.find(rule);
-    if (found == tests_.end()) return "<p class=\"soft\">No test speaks of this rule.</p>\n";
+    if (found == tests_.end()) return "<p class=\"soft\">No test names this rule.</p>\n";
     std::string out = "<ul class=\"tests\">\n";
     for (const TestOfRule& test : found->second) {
       out += fmt::format("<li><span class=\"{}\">{}</span> {}</li>\n", test.passed ? "good" : "bad",
@@ -226,7 +226,7 @@ class Gallery {
   }
 
   const dsl::LoadedRules& loaded_;
-  const RuleSet* rules_;  // null: a library without rules
+  const RuleSet* rules_;  // null: a file without rules
   std::vector<dsl::TestResult> results_;
   std::map<std::string, std::vector<TestOfRule>> tests_;
   Site site_;

@@ -1,4 +1,4 @@
-// A rule set as a page to look at, without a network.
+// A rule set as an HTML page that needs no network.
 #pragma once
 
 #include <map>
@@ -8,7 +8,7 @@
 
 namespace af2::cli {
 
-/// Contents by path within the folder: index.html and its pictures.
+/// File contents by path within the folder: index.html and its pictures.
 using Site = std::map<std::string, std::string>;
 
 Site makeGallery(const dsl::LoadedRules& loaded);

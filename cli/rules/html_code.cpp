@@ -11,7 +11,7 @@ namespace {
 
 struct Mark {
   dsl::Span span;
-  const char* style;  ///< class of the stretch
+  const char* style;  ///< CSS class of the stretch
 };
 
 bool isKeyword(std::string_view word) { return dsl::isClauseWord(word) || dsl::isReserved(word); }

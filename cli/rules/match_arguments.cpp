@@ -32,7 +32,7 @@ double parseNumber(const std::string& option, std::string text, const std::strin
   double value = 0;
   const auto [stop, error] = std::from_chars(begin, end, value);
   if (error == std::errc() && stop == end && std::isfinite(value)) return value;
-  throw UsageError(fmt::format("{} '{}': '{}' is no number", option, whole, text));
+  throw UsageError(fmt::format("{} '{}': '{}' is not a number", option, whole, text));
 }
 
 std::vector<double> parseNumbers(const std::string& option, const std::string& text,
@@ -45,7 +45,7 @@ std::vector<double> parseNumbers(const std::string& option, const std::string& t
   throw UsageError(fmt::format("{} '{}' is not of the form {}", option, text, form));
 }
 
-/// Cuts "name=value".
+/// Splits "name=value".
 std::pair<std::string, std::string> parseAssignment(const std::string& option,
                                                     const std::string& text, const char* form) {
   const std::size_t equals = text.find('=');

@@ -1,4 +1,4 @@
-// SVG or PNG, as the name of a picture file says.
+// SVG or PNG, by the extension of a picture file.
 #pragma once
 
 #include <fmt/core.h>
@@ -11,7 +11,7 @@
 
 namespace af2::cli {
 
-/// option  that names the file, for the UsageError if its name says neither
+/// option  the option that gives the file, for the UsageError if the extension is neither
 inline dsl::PictureFormat pictureFormatOf(const std::string& file, const char* option) {
   const std::string extension = geometry::extensionOf(file);
   if (extension == ".svg") return dsl::PictureFormat::Svg;

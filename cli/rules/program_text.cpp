@@ -29,7 +29,7 @@ std::string stepText(const Step& step, const VertexNames& names) {
   return text;
 }
 
-/// " + 0.5 b.x", without the blanks at the start of a sum.
+/// " + 0.5 b.x"; without leading blanks at the start of a sum.
 void appendTerm(std::string& sum, double coefficient, const std::string& coordinate) {
   if (coefficient == 0) return;
   const bool isNegative = coefficient < 0;
@@ -76,14 +76,14 @@ std::string transformText(const AF2PointTransform& transform, const VertexNames&
   if (const auto* general = dynamic_cast<const dsl::ExpressionTransform*>(&transform)) {
     return programText(general->program(), names, indent);
   }
-  return "a transform of one's own\n";
+  return "a custom transform\n";
 }
 
 std::string functionText(const AF2BindingFunction& function, const VertexNames& names, int indent) {
   if (const auto* general = dynamic_cast<const dsl::ExpressionFunction*>(&function)) {
     return programText(general->program(), names, indent);
   }
-  return "a function of one's own\n";
+  return "a custom function\n";
 }
 
 }  // namespace af2::cli

@@ -52,7 +52,7 @@ class RuleDump {
     return fmt::format("({}, {})", numberText(p.x), numberText(p.y));
   }
 
-  /// Once, or at the first and the last level at which it differs.
+  /// One value, or the values at the first and the last level if they differ.
   template <class T, class Text>
   std::string byLevel(const ByLevel<T>& value, const Text& textOf) const {
     const int first = definition_.firstLevel, last = std::max(first, value.levelCount());
@@ -105,7 +105,7 @@ class RuleDump {
       const std::size_t count = shapes->alternatives().size();
       return fmt::format("  zone      shape, {} alternative{}\n", count, count == 1 ? "" : "s");
     }
-    return "  zone      a shape of one's own\n";
+    return "  zone      a custom shape\n";
   }
 
   std::string corners(const ConvexPolygonZoneDef& zone) const {

@@ -1,4 +1,4 @@
-// A compiled rule set in words.
+// A compiled rule set as text.
 #pragma once
 
 #include <string>
@@ -7,8 +7,8 @@
 
 namespace af2::cli {
 
-/// The settings, then every rule: what it matches, what follows from its elements, and its points
-/// as the engine works them out. `rule`: only the rule with this title; empty: all.
+/// The settings, then every rule: its pattern, what follows from its elements, and its points as
+/// the engine evaluates them. `rule`: only the rule with this title; empty: all.
 std::string dumpText(const RuleSet& rules, const std::string& rule);
 
 }  // namespace af2::cli

@@ -35,7 +35,7 @@ std::vector<std::string> ruleFilesBelow(const fs::path& folder) {
   return files;
 }
 
-/// As a path if there is such a file, else within the rules of AF2; else the name as it is.
+/// The path if there is such a file, else the file within the rules of AF2; else the name itself.
 fs::path resolved(const std::string& name) {
   std::error_code ignored;
   if (fs::exists(name, ignored)) return name;
@@ -53,7 +53,8 @@ dsl::LoadOptions optionsFor(const std::vector<dsl::Code>& allowed) {
   try {
     options.searchPaths = {rulesDirectory()};
   } catch (const InputError&) {
-    // A file without imports needs no rules of AF2; one with imports is told what is missing.
+    // A file without imports does not need the rules of AF2; for others the missing import is
+    // reported.
   }
   return options;
 }

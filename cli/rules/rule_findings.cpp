@@ -22,7 +22,7 @@ namespace {
 
 using dsl::Diagnostic;
 
-/// A name for a file made of what people put into titles.
+/// A file name made from free text such as a title.
 std::string fileNameOf(const std::string& text) {
   std::string name;
   for (const char c : text) {
@@ -34,13 +34,13 @@ std::string fileNameOf(const std::string& text) {
   return name;
 }
 
-/// Writes the pictures that findings speak of.
+/// Writes the pictures to which findings refer.
 class PictureFolder {
  public:
   explicit PictureFolder(std::string folder) : folder_(std::move(folder)) {
     std::error_code error;
     if (isWanted()) std::filesystem::create_directories(folder_, error);
-    if (error) throw UsageError(fmt::format("cannot make the folder '{}'", folder_));
+    if (error) throw UsageError(fmt::format("cannot create the folder '{}'", folder_));
   }
 
   bool isWanted() const { return !folder_.empty(); }
@@ -68,10 +68,10 @@ std::string drawExample(const dsl::LoadedRules& loaded, const dsl::SampledFindin
                         dsl::PictureFormat::Svg);
 }
 
-/// What the text alone tells has no counter-example yet.
+/// Findings from the text alone have no counter-example yet; this adds one.
 void addMirrorExamples(const std::string& stem, const dsl::LoadedRules& loaded,
-                       PictureFolder& pictures, std::vector<Diagnostic>& told) {
-  for (Diagnostic& diagnostic : told) {
+                       PictureFolder& pictures, std::vector<Diagnostic>& diagnostics) {
+  for (Diagnostic& diagnostic : diagnostics) {
     const auto found = dsl::mirrorExampleOf(loaded, diagnostic);
     if (!found) continue;
     diagnostic.notes.push_back(dsl::testNote(found->test));
@@ -136,7 +136,7 @@ void drop(std::vector<Diagnostic>& diagnostics, const std::vector<dsl::Code>& al
   });
 }
 
-/// Findings of one file stay together; those of its imports follow.
+/// Findings of the main file come first; those of its imports follow, file by file.
 void sortByPlace(std::vector<Diagnostic>& diagnostics, const std::string& mainFile) {
   std::ranges::stable_sort(diagnostics, {}, [&](const Diagnostic& d) {
     return std::tuple(d.place.file != mainFile, d.place.file, d.place.line, d.place.column);
@@ -144,6 +144,22 @@ void sortByPlace(std::vector<Diagnostic>& diagnostics, const std::string& mainFi
 }
 
 }  // namespace
+
+RuleFindings provenErrorsIn(const dsl::LoadedRules& loaded) {
+  RuleFindings findings;
+  findings.ruleCount = loaded.rules->rules().size();
+  dsl::SamplingOptions sampling;
+  sampling.onlyErrors = true;
+  sampling.samples = 500;
+  sampling.effort = {100, 1e-2};
+  dsl::SampledResult result = dsl::runSampledChecks(*loaded.rules, sampling);
+  countAnswers(result, findings);
+  std::erase_if(result.findings, [](const dsl::SampledFinding& finding) {
+    return finding.severity != dsl::Severity::Error;
+  });
+  findings.diagnostics = dsl::diagnosticsOf(loaded, result);
+  return findings;
+}
 
 RuleFindings findIn(const std::string& name, const FindingOptions& options) {
   RuleFindings findings;
@@ -162,7 +178,7 @@ RuleFindings findIn(const std::string& name, const FindingOptions& options) {
   const dsl::SampledResult result = dsl::runSampledChecks(*loaded.rules, sampling);
   countAnswers(result, findings);
   addMatchFindings(stemOf(name), loaded, result, pictures, findings.diagnostics);
-  // Which rule is chosen, and what none takes, shows only where no rule is missing.
+  // The choice among rules, and its gaps, can be judged only if all rules are sound.
   if (isWhole)
     addCoverageFindings(stemOf(name), loaded, pictures, findings.diagnostics);
   else

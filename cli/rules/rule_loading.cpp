@@ -5,28 +5,58 @@
 #include <algorithm>
 
 #include "cli/program/colour.h"
+#include "cli/rules/rule_findings.h"
 #include "cli/rules/rules_location.h"
+#include "cli/rules/shipped_rules.h"
 #include "dsl/load/rule_file.h"
 #include "engine/base/error.h"
 
 namespace af2::cli {
 namespace {
 
-bool isError(const dsl::Diagnostic& diagnostic) {
-  return diagnostic.severity == dsl::Severity::Error;
+std::size_t errorCount(const std::vector<dsl::Diagnostic>& diagnostics) {
+  return static_cast<std::size_t>(
+      std::ranges::count(diagnostics, dsl::Severity::Error, &dsl::Diagnostic::severity));
+}
+
+/// Errors in full; of warnings, how many there are.
+void print(std::vector<dsl::Diagnostic> diagnostics, const std::string& file, bool isQuiet) {
+  const std::size_t warnings = diagnostics.size() - errorCount(diagnostics);
+  std::erase_if(diagnostics,
+                [](const dsl::Diagnostic& d) { return d.severity != dsl::Severity::Error; });
+  fmt::print(stderr, "{}", dsl::toPretty(diagnostics, colourOf(stderr)));
+  if (warnings > 0 && !isQuiet)
+    fmt::print(stderr, "af2: {} warning{} about the rules; 'af2 check {}' shows {}\n", warnings,
+               warnings == 1 ? "" : "s", file, warnings == 1 ? "it" : "them");
+}
+
+[[noreturn]] void refuse(std::size_t errors, const std::string& file, const char* wayOut) {
+  throw InputError(fmt::format("{} error{} in the rule file '{}', see above{}", errors,
+                               errors == 1 ? "" : "s", file, wayOut));
 }
 
 }  // namespace
 
-std::shared_ptr<const RuleSet> loadRuleSet(const std::filesystem::path& file) {
+std::shared_ptr<const RuleSet> loadRuleSet(const std::filesystem::path& file,
+                                           const RuleLoading& loading) {
   dsl::LoadOptions options;
   options.searchPaths = {rulesDirectory()};
   const dsl::LoadedRules loaded = dsl::loadRules(file, options);
-  fmt::print(stderr, "{}", dsl::toPretty(loaded.diagnostics, colourOf(stderr)));
-  const auto errors = std::ranges::count_if(loaded.diagnostics, isError);
-  if (loaded.rules) return loaded.rules;
-  throw InputError(fmt::format("{} error{} in the rule file '{}', see above", errors,
-                               errors == 1 ? "" : "s", file.string()));
+  const std::string name = file.string();
+  print(loaded.diagnostics, name, loading.isQuiet);
+  if (!loaded.rules) refuse(errorCount(loaded.diagnostics), name, "");
+  if (loading.isUnchecked || isShipped(*loaded.file)) return loaded.rules;
+
+  const RuleFindings findings = provenErrorsIn(loaded);
+  print(findings.diagnostics, name, loading.isQuiet);
+  if (!findings.diagnostics.empty())
+    refuse(findings.diagnostics.size(), name, "; --unchecked runs the rules all the same");
+  if (findings.sampled > 0 && !loading.isQuiet)
+    fmt::print(stderr,
+               "af2: {} of {} rules are not proven to be sound, only tried on random matches; "
+               "'af2 check --prove {}' takes its time\n",
+               findings.sampled, findings.ruleCount, name);
+  return loaded.rules;
 }
 
 }  // namespace af2::cli

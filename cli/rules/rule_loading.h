@@ -8,8 +8,20 @@
 
 namespace af2::cli {
 
-/// The rule set of `file`. Prints what is wrong with the file, or worth a warning, to stderr;
-/// throws InputError if there is an error.
-std::shared_ptr<const RuleSet> loadRuleSet(const std::filesystem::path& file);
+/// How much is said about a rule file before it is used, and whether it is checked.
+struct RuleLoading {
+  bool isQuiet = false;      ///< errors are printed, nothing else
+  bool isUnchecked = false;  ///< only errors in the text of the file stop the run
+};
+
+/// The rule set of `file`. Prints the errors of the file to stderr, those that the checks prove by
+/// a counter-example among them. Unless quiet, says also how many warnings there are and which
+/// rules are not proven to be sound.
+///
+/// The rule files that AF2 comes with are not checked again, unless they were edited.
+///
+/// Throws InputError if there is an error.
+std::shared_ptr<const RuleSet> loadRuleSet(const std::filesystem::path& file,
+                                           const RuleLoading& loading);
 
 }  // namespace af2::cli

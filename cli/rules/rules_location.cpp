@@ -30,7 +30,7 @@ fs::path programDirectory() {
   return failed ? fs::path() : program.parent_path();
 }
 
-/// The rule sets below a directory, in their order by name.
+/// The rule sets below a directory, sorted by name.
 std::string listOf(const fs::path& rules) {
   std::vector<std::string> names;
   for (const fs::directory_entry& entry : fs::recursive_directory_iterator(rules))
@@ -47,7 +47,8 @@ std::string listOf(const fs::path& rules) {
 fs::path rulesDirectory() {
   if (const char* chosen = std::getenv("AF2_RULES"); chosen != nullptr && *chosen != '\0') {
     if (isDirectory(chosen)) return chosen;
-    throw InputError(fmt::format("AF2_RULES='{}' is no directory; unset it or correct it", chosen));
+    throw InputError(
+        fmt::format("AF2_RULES='{}' is not a directory; unset it or correct it", chosen));
   }
   const fs::path program = programDirectory();
   for (const fs::path& place : {program / ".." / "share" / "af2" / "rules",  // installed
@@ -55,7 +56,9 @@ fs::path rulesDirectory() {
                                 fs::path(AF2_SOURCE_RULES)}) {               // any build tree
     if (isDirectory(place)) return place.lexically_normal();
   }
-  throw InputError("the rules that AF2 comes with are not where the program is; set AF2_RULES");
+  throw InputError(
+      "the rule files that come with AF2 are not beside the program; set AF2_RULES to their "
+      "folder");
 }
 
 fs::path findRuleFile(const fs::path& name) {

@@ -12,7 +12,7 @@
 namespace af2::cli {
 namespace {
 
-/// What happened to one rule over all tests.
+/// What happened to one rule in all tests.
 struct Seen {
   bool applied = false, requireRefused = false, zoneRefused = false;
 };
@@ -44,7 +44,7 @@ std::vector<Seen> runAll(const dsl::LoadedRules& loaded) {
   return seen;
 }
 
-/// Whether a clause takes part in a match: remarks name nothing, and a mirror image is another
+/// Whether a clause takes part in a match. Remarks name nothing, and a mirror clause makes another
 /// rule.
 bool takesPart(const dsl::Clause& clause) {
   if (std::holds_alternative<dsl::MirrorClause>(clause.content)) return false;
@@ -97,8 +97,8 @@ std::string toText(const std::vector<RuleCoverage>& coverage) {
     if (!rule.isChosen) {
       neverChosen += fmt::format("  never chosen: \"{}\"\n", rule.title);
     } else if (!rule.missing.empty()) {
-      unguarded += fmt::format("  never turned a match down: {} of \"{}\"\n", rule.missing.front(),
-                               rule.title);
+      unguarded +=
+          fmt::format("  never refused a match: {} of \"{}\"\n", rule.missing.front(), rule.title);
     }
   }
   const std::size_t percent = clauses == 0 ? 100 : 100 * exercised / clauses;

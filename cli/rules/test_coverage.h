@@ -1,4 +1,4 @@
-// What the tests of a rule file exercise.
+// Which clauses the tests of a rule file exercise.
 #pragma once
 
 #include <string>
@@ -8,16 +8,16 @@
 
 namespace af2::cli {
 
-/// Clauses of one rule; a mirror counts on its own.
+/// Coverage of one rule; a mirrored rule is counted separately.
 struct RuleCoverage {
   std::string title;
   std::size_t clauses = 0, exercised = 0;
-  bool isChosen = false;             ///< in some test the rule was applied
-  std::vector<std::string> missing;  ///< keywords of guards that never turned a match down
+  bool isChosen = false;             ///< whether the rule was applied in some test
+  std::vector<std::string> missing;  ///< keywords of guards that never refused a match
 };
 
-/// A clause that builds (front, at, new, tri, ...) is exercised once the rule is applied in a test;
-/// a guard (require, zone) once it has turned a match down.
+/// A clause that builds (front, at, new, tri, ...) is exercised when the rule is applied in a test;
+/// a guard (require, zone) when it has refused a match.
 std::vector<RuleCoverage> testCoverage(const dsl::LoadedRules& loaded);
 
 std::string toText(const std::vector<RuleCoverage>& coverage);

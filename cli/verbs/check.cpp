@@ -58,7 +58,7 @@ std::string summaryOf(const CheckOptions& options, const RuleFindings& all, doub
                      proofText(all));
 }
 
-void tell(const CheckOptions& options, const RuleFindings& all, double seconds) {
+void report(const CheckOptions& options, const RuleFindings& all, double seconds) {
   if (options.format == "json") return fmt::print("{}", dsl::toJson(all.diagnostics));
   if (options.format == "sarif") return fmt::print("{}", dsl::toSarif(all.diagnostics));
   if (options.format == "gcc") return fmt::print("{}", dsl::toGcc(all.diagnostics));
@@ -66,13 +66,13 @@ void tell(const CheckOptions& options, const RuleFindings& all, double seconds) 
   if (!options.quiet) fmt::print("{}", summaryOf(options, all, seconds));
 }
 
-/// Mends the files, and tells how.
+/// Corrects the files and prints the changes.
 void fixFiles(const CheckOptions& options) {
   for (const std::string& file : options.files) {
     if (file == "-") throw UsageError("--fix and --diff need a file, not standard input");
     const RuleText input = readRuleText(file);
     std::error_code ignored;
-    if (!std::filesystem::exists(file, ignored)) continue;  // one of AF2's own rules
+    if (!std::filesystem::exists(file, ignored)) continue;  // a rule file that comes with AF2
     const dsl::FixedText fixed = fixRuleText(input);
     if (fixed.text == input.text) continue;
     fmt::print(stderr, "{}", lineDifference(input.name, input.text, fixed.text));
@@ -82,7 +82,7 @@ void fixFiles(const CheckOptions& options) {
   }
 }
 
-/// A file that several others import is told about once.
+/// Appends new diagnostics only: a file that several others import is reported once.
 void append(std::vector<Diagnostic>& all, std::vector<Diagnostic> more) {
   const std::size_t known = all.size();
   for (Diagnostic& diagnostic : more) {
@@ -96,8 +96,8 @@ int check(CheckOptions options) {
   for (const std::string& id : options.allowed) {
     const auto code = dsl::findCode(id);
     if (!code)
-      throw UsageError(
-          fmt::format("--allow '{}': there is no such code; `af2 explain-code` lists all", id));
+      throw UsageError(fmt::format(
+          "--allow '{}': there is no such code; `af2 explain-code` lists all codes", id));
     options.findings.allowed.push_back(*code);
   }
   if (options.fix || options.diff) fixFiles(options);
@@ -111,7 +111,7 @@ int check(CheckOptions options) {
     all.sampled += one.sampled;
     all.refuted += one.refuted;
   }
-  tell(options, all, watch.seconds());
+  report(options, all, watch.seconds());
   const bool hasFindings =
       dsl::hasErrors(all.diagnostics) || (options.strict && !all.diagnostics.empty());
   return hasFindings ? kUnusable : kComplete;
@@ -121,32 +121,34 @@ int check(CheckOptions options) {
 
 Action declareCheck(CLI::App& command) {
   const auto options = std::make_shared<CheckOptions>();
-  command.add_option("FILES", options->files, "rule files, folders of them, or - for stdin")
+  command
+      .add_option("FILES", options->files, "rule files, folders with rule files, or - for stdin")
       ->type_name("")
       ->required();
   command.add_option("--format", options->format, "pretty, json, sarif or gcc")
       ->type_name("FORMAT")
       ->check(CLI::IsMember({"pretty", "json", "sarif", "gcc"}).description(""));
-  command.add_flag("--strict", options->strict, "warnings are findings, too: exit code 1");
+  command.add_flag("--strict", options->strict, "exit with code 1 for warnings, too");
   command.add_flag("--quick", options->findings.quick,
-                   "only what the text tells; no proofs, no samples of matches");
+                   "check only the text of the rules: no proofs, no sampled matches");
   command.add_flag("--prove", options->findings.prove,
-                   "let proofs take their time: some seconds for each rule that resists");
+                   "spend more time on proofs: several seconds for each difficult rule");
   command.add_flag("--fix", options->fix,
-                   "first mend what has one obvious remedy; shows what it changes in the files");
-  command.add_flag("--diff", options->diff, "show what --fix would change, and leave the files");
-  command.add_option("--samples", options->findings.samples, "matches tried for each rule")
+                   "first correct errors that have one obvious correction; prints the changes");
+  command.add_flag("--diff", options->diff,
+                   "print the changes that --fix would make, without writing the files");
+  command
+      .add_option("--samples", options->findings.samples, "number of matches tried for each rule")
       ->type_name("N")
       ->check(CLI::Range(1, 10'000'000).description(""));
-  command.add_option("--allow", options->allowed, "codes that are not told")
+  command.add_option("--allow", options->allowed, "codes of diagnostics that are not reported")
       ->type_name("CODES")
       ->delimiter(',')
       ->allow_extra_args(false);
   command
-      .add_option("--pictures", options->findings.pictures,
-                  "a folder for pictures of what was found")
+      .add_option("--pictures", options->findings.pictures, "folder for pictures of the findings")
       ->type_name("DIR");
-  command.add_flag("-q,--quiet", options->quiet, "findings only");
+  command.add_flag("-q,--quiet", options->quiet, "print only the findings");
   return [options] { return check(*options); };
 }
 

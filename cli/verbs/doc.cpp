@@ -29,8 +29,8 @@ int document(const std::string& file, const std::string& output) {
     std::error_code error;
     fs::create_directories(target.parent_path(), error);
     if (error) {
-      throw UsageError(fmt::format("cannot make the folder '{}': {}", target.parent_path().string(),
-                                   error.message()));
+      throw UsageError(fmt::format("cannot create the folder '{}': {}",
+                                   target.parent_path().string(), error.message()));
     }
     writeText(target.string(), content);
   }
@@ -44,7 +44,9 @@ Action declareDoc(CLI::App& command) {
   const auto file = std::make_shared<std::string>();
   const auto output = std::make_shared<std::string>();
   command.add_option("FILE", *file, "rule file, or - for stdin")->type_name("")->required();
-  command.add_option("-o,--output", *output, "a folder; default: the name of the file with -doc")
+  command
+      .add_option("-o,--output", *output,
+                  "output folder; default: the name of the rule file with -doc appended")
       ->type_name("DIR");
   return [file, output] { return document(*file, *output); };
 }

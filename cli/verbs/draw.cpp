@@ -33,8 +33,7 @@ dsl::PictureOptions pictureOptions(const DrawOptions& options, const RuleSet& ru
   if (!options.levels.empty()) picture.levels = parseIds("--levels", options.levels);
   for (const int level : picture.levels)
     if (level > rules.maxLevel())
-      throw UsageError(
-          fmt::format("--levels {}: there are levels 1 to {}", level, rules.maxLevel()));
+      throw UsageError(fmt::format("--levels {}: the levels are 1 to {}", level, rules.maxLevel()));
   picture.names = !options.noNames;
   picture.tolerances = !options.noTolerances;
   return picture;
@@ -83,23 +82,24 @@ Action declareDraw(CLI::App& command) {
   command.add_option("--rule", options->rule, "only the rule with this title")->type_name("TITLE");
   command
       .add_option("-o,--output", options->output,
-                  "picture, .svg or .png; default: the name of the file, .svg; - is stdout")
+                  "output picture, .svg or .png; default: the name of the rule file with .svg; - "
+                  "for stdout")
       ->type_name("FILE");
   command
       .add_option("--levels,--level,--class", options->levels,
                   "quality levels whose zones are shown, such as 1,5,20")
       ->type_name("LEVELS");
   command
-      .add_option("--match", options->match, "with --rule: where a vertex is, such as c=0.6,0.9")
+      .add_option("--match", options->match, "with --rule: position of a vertex, such as c=0.6,0.9")
       ->type_name("VERTEX=X,Y")
       ->allow_extra_args(false);
   command.add_option("--size", options->size, "width and height of one rule in pixels")
       ->type_name("N")
       ->check(CLI::Range(50, 4000).description(""));
-  command.add_flag("--no-names", options->noNames, "leave out the names of vertices");
-  command.add_flag("--no-tolerances", options->noTolerances, "leave out the tolerance ellipses");
+  command.add_flag("--no-names", options->noNames, "do not draw the names of vertices");
+  command.add_flag("--no-tolerances", options->noTolerances, "do not draw the tolerance ellipses");
   command.add_flag("--coverage", options->coverage,
-                   "draw which situations the rules take, and at which level");
+                   "draw which situations of the front the rules accept, and at which level");
   return [options] { return draw(*options); };
 }
 

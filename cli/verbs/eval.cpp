@@ -42,7 +42,7 @@ int evaluate(const EvalOptions& options) {
     fmt::print("{}", options.format == "json" ? dsl::toJson(result) : dsl::toText(result));
     return kComplete;
   } catch (const InputError& error) {
-    throw UsageError(error.what());  // all that can be wrong now came from the command line
+    throw UsageError(error.what());  // from here on only the command line can be wrong
   }
 }
 
@@ -58,13 +58,14 @@ Action declareEval(CLI::App& command) {
     command.add_option(name, values, help)->type_name(form)->allow_extra_args(false);
   };
   repeated("--match", options->match, "VERTEX=X,Y",
-           "where a vertex is, such as c=1.5,0.9; others stand at their reference. "
-           "The frame: a at (0, 0), b on the x axis, unit the wanted edge length");
-  repeated("--point", options->points, "X,Y", "a point: is it in the free zone?");
+           "position of a vertex, such as c=1.5,0.9; others are at their reference positions. "
+           "Coordinates: a at (0, 0), b on the x axis; the unit is the wanted edge length");
+  repeated("--point", options->points, "X,Y", "a point to test: is it in the free zone?");
   repeated("--segment", options->segments, "X,Y,X,Y",
-           "an edge: does it meet the inside of the free zone?");
-  repeated("--env", options->environment, "NAME=NUMBER",
-           "what surrounds the match: h=0.8, loop_size=7, turn(c)=120 (degrees), layer(c)=2, ...");
+           "an edge to test: does it meet the interior of the free zone?");
+  repeated(
+      "--env", options->environment, "NAME=NUMBER",
+      "a fact about the surroundings: h=0.8, loop_size=7, turn(c)=120 (degrees), layer(c)=2, ...");
   command.add_option("--format", options->format, "pretty or json")
       ->type_name("FORMAT")
       ->check(CLI::IsMember({"pretty", "json"}).description(""));

@@ -21,8 +21,8 @@ void listCodes() {
 void explain(const std::string& name) {
   const auto code = dsl::findCode(name);
   if (!code) {
-    throw UsageError(
-        fmt::format("there is no code '{}'; `af2 explain-code` without a code lists all", name));
+    throw UsageError(fmt::format(
+        "there is no code '{}'; `af2 explain-code` without a code lists all codes", name));
   }
   const dsl::CodeInfo& info = dsl::infoOf(*code);
   fmt::print("{}: {}\n\n{}\n", dsl::fullIdOf(*code), info.title, info.explanation);
@@ -32,7 +32,9 @@ void explain(const std::string& name) {
 
 Action declareExplainCode(CLI::App& command) {
   const auto name = std::make_shared<std::string>();
-  command.add_option("CODE", *name, "such as A1 or AF2-A1; without one all codes are listed")
+  command
+      .add_option("CODE", *name,
+                  "code of a diagnostic, such as A1 or AF2-A1; without it, all codes are listed")
       ->type_name("");
   return [name] {
     name->empty() ? listCodes() : explain(*name);

@@ -21,7 +21,7 @@ struct FmtOptions {
   bool write = false, check = false;
 };
 
-/// Returns whether there is something to tell: an error, or, with --check, a difference.
+/// Returns whether there are findings: an error or, with --check, a difference.
 bool formatOne(const FmtOptions& options, const std::string& name) {
   const RuleText input = readRuleText(name);
   const dsl::Formatted formatted = dsl::format(input.name, input.text);
@@ -53,12 +53,14 @@ int format(const FmtOptions& options) {
 
 Action declareFmt(CLI::App& command) {
   const auto options = std::make_shared<FmtOptions>();
-  command.add_option("FILES", options->files, "rule files, folders of them, or - for stdin")
+  command
+      .add_option("FILES", options->files, "rule files, folders with rule files, or - for stdin")
       ->type_name("")
       ->required();
-  auto* write = command.add_flag("-w,--write", options->write, "change the files themselves");
+  auto* write = command.add_flag("-w,--write", options->write, "write the result to the files");
   command
-      .add_flag("--check", options->check, "print what would change, and exit with 1 if anything")
+      .add_flag("--check", options->check,
+                "print what would change, and exit with code 1 if anything would")
       ->excludes(write);
   return [options] { return format(*options); };
 }

@@ -39,14 +39,14 @@ Action declareImport(CLI::App& command) {
   command.add_option("FILE", options->input, "rule file of Netgen (.rls), or - for stdin")
       ->type_name("")
       ->required();
-  command.add_option("-o,--output", options->output, "the .af2 file to write; - is stdout")
+  command.add_option("-o,--output", options->output, "the .af2 file to write; - for stdout")
       ->type_name("FILE")
       ->capture_default_str();
-  command.add_option("--format", options->format, "of what is noticed: pretty or json")
+  command.add_option("--format", options->format, "format of the diagnostics: pretty or json")
       ->type_name("FORMAT")
       ->check(CLI::IsMember({"pretty", "json"}).description(""))
       ->capture_default_str();
-  command.add_flag("-q,--quiet", options->quiet, "tell errors only");
+  command.add_flag("-q,--quiet", options->quiet, "print only errors");
   return [options] { return importRules(*options); };
 }
 

@@ -76,7 +76,7 @@ void printFaces(const geometry::Model& model) {
 
 struct InspectRequest {
   std::filesystem::path model;
-  double size = 0;  ///< 0: by the diagonal
+  double size = 0;  ///< 0: derived from the diagonal
   bool heal = false;
   double healTolerance = 0;
   dsl::PictureFormat format = dsl::PictureFormat::Svg;
@@ -110,7 +110,7 @@ int inspect(const InspectOptions& options, const InspectRequest& request) {
   return kComplete;
 }
 
-/// Reading and checking go through OpenCASCADE, which may crash or hang.
+/// In a supervised process, because OpenCASCADE may crash or hang while it reads or checks a model.
 int inspectSafely(const InspectOptions& options) {
   const InspectRequest request = checkedRequest(options);
   std::error_code missing;
@@ -127,14 +127,13 @@ Action declareInspect(CLI::App& command) {
   const auto options = std::make_shared<InspectOptions>();
   command.add_option("MODEL", options->model, modelHelp())->type_name("")->required();
   command.add_flag("--brief", options->brief,
-                   "count the faces of each kind instead of listing them; no defects");
+                   "count the faces of each kind instead of listing them; do not look for defects");
   command.add_flag("--edges", options->edges,
-                   "list the edges, too, with their lengths, ends and faces: for --edge-size and "
+                   "also list the edges, with their lengths, ends and faces, for --edge-size and "
                    "--boundary of af2 mesh");
   command
       .add_option("-s,--size", options->size,
-                  "edge length of the mesh that defects are held against; default: a fortieth of "
-                  "the diagonal")
+                  "mesh size with which defects are compared; default: a fortieth of the diagonal")
       ->type_name("SIZE");
   command.add_flag("--all", options->all, "list all defects, not only the first ten of each kind");
   command

@@ -21,7 +21,8 @@ lsp::Surroundings surroundings() {
   try {
     result.rules = {rulesDirectory()};
   } catch (const InputError&) {
-    // Files without imports need no rules of AF2; the others are told what is missing.
+    // Files without imports do not need the rules of AF2; for others the missing import is
+    // reported.
   }
   std::error_code ignored;
   result.drawings = fs::temp_directory_path(ignored) / ("af2-pictures-" + std::to_string(getuid()));
@@ -32,10 +33,11 @@ lsp::Surroundings surroundings() {
 
 Action declareLsp(CLI::App& command) {
   command.footer(
-      "Editors start this program and talk to it over standard input and output; it is of no use "
-      "in a terminal.\nHow to set up VS Code, Neovim and others is told in docs/editors.md.");
+      "Editors start this program and communicate with it over standard input and output; it is "
+      "not for use in a terminal.\ndocs/editors.md explains how to set up VS Code, Neovim and "
+      "others.");
   const auto useStdio = std::make_shared<bool>(true);
-  command.add_flag("--stdio", *useStdio, "talk over standard input and output; always so");
+  command.add_flag("--stdio", *useStdio, "communicate over standard input and output; always on");
   return [] {
     std::ios::sync_with_stdio(false);
     std::cin.tie(nullptr);

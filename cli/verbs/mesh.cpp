@@ -1,6 +1,7 @@
 // af2 mesh
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 
@@ -17,6 +18,7 @@
 #include "geometry/io/mesh_files.h"
 #include "geometry/io/output_file.h"
 #include "geometry/io/report.h"
+#include "geometry/mesh/element_scores.h"
 #include "geometry/mesh/quality.h"
 
 namespace af2::cli {
@@ -26,9 +28,18 @@ using geometry::ModelMesh;
 using geometry::RunReport;
 using geometry::RunStatus;
 
-void writeOutputs(const MeshRequest& request, ModelMesh& mesh) {
+/// Only if a file holds them: they take time.
+void scoreElements(const MeshRequest& request, const RuleSet& rules, ModelMesh& mesh) {
+  if (std::ranges::any_of(request.outputs, [](const auto& output) {
+        return geometry::meshFormatOf(output).holdsScores;
+      }))
+    mesh.scores = geometry::elementScores(mesh, rules.definition(), request.options.threads);
+}
+
+void writeOutputs(const MeshRequest& request, const RuleSet& rules, ModelMesh& mesh) {
   if (mesh.elements.empty()) return;  // an empty file would look like a result
   const Stopwatch writing;
+  scoreElements(request, rules, mesh);
   for (const auto& output : request.outputs) geometry::writeMesh(mesh, output, request.lines);
   mesh.seconds.write = writing.seconds();
 }
@@ -54,26 +65,31 @@ ExitCode exitCodeOf(RunStatus status) {
   return kPartial;
 }
 
-void tell(const MeshRequest& request, const RunReport& report, const ModelMesh& mesh) {
+void printResult(const MeshRequest& request, const RunReport& report, const ModelMesh& mesh) {
   std::string text = failureText(mesh);
   if (!report.reason.empty()) text += fmt::format("af2: {}\n", report.reason);
-  if (report.status == RunStatus::Cancelled) text += "af2: stopped before the end\n";
+  if (report.status == RunStatus::Cancelled) text += "af2: stopped before the mesh was complete\n";
   if (mesh.elements.empty() && !request.outputs.empty())
-    text += "af2: there is no mesh, so no file was written\n";
+    text += "af2: the mesh is empty, so no file was written\n";
   if (!mesh.straightened.empty())
     text += fmt::format("af2: {} elements of second order kept straight sides (see --report)\n",
                         mesh.straightened.size());
-  std::fputs(text.c_str(), stderr);  // does not throw if nobody listens
+  text += withoutRuleText(mesh);
+  std::fputs(text.c_str(), stderr);  // does not throw if stderr is closed
   if (!request.quiet)
     fmt::print("{}{}{}{}", unitText(mesh), notesText(mesh.notes), healingText(mesh.healing),
                summaryText(mesh, report.quality));
 }
 
-/// The status of a run, by its faces and by what the checks of the whole found.
-RunReport reportOf(const ModelMesh& mesh) {
+/// The status of a run, from its faces and from the checks of the whole mesh.
+RunReport reportOf(const ModelMesh& mesh, bool strictRules) {
   RunReport report;
-  for (const std::string& finding : mesh.findings)
-    report.reason += (report.reason.empty() ? "" : "; ") + finding;
+  const auto add = [&](const std::string& reason) {
+    report.reason += (report.reason.empty() ? "" : "; ") + reason;
+  };
+  for (const std::string& finding : mesh.findings) add(finding);
+  if (strictRules && elementsWithoutRule(mesh).total() > 0)
+    add("elements were made without a rule, which --strict-rules does not accept");
   report.status = statusOf(mesh);
   if (!report.reason.empty() && report.status == RunStatus::Complete) {
     report.status = RunStatus::Partial;
@@ -81,32 +97,32 @@ RunReport reportOf(const ModelMesh& mesh) {
   return report;
 }
 
-int meshAndTell(const MeshRequest& request, RunLog* log, const GivenUp& givenUp) {
+int meshAndReport(const MeshRequest& request, RunLog* log, const GivenUp& givenUp) {
   const Interrupt interrupt;
-  ModelMesh mesh = runMesh(request, loadRuleSet(request.rules),
-                           {!request.quiet, interrupt.token(), log, &givenUp});
-  RunReport report = reportOf(mesh);
-  // Files do not wait for the figures about the mesh.
+  const std::shared_ptr<const RuleSet> rules = loadRuleSet(request.rules, request.ruleLoading);
+  ModelMesh mesh = runMesh(request, rules, {!request.quiet, interrupt.token(), log, &givenUp});
+  RunReport report = reportOf(mesh, request.options.strictRules);
+  // Writing files and measuring quality run in parallel.
   geometry::forEachInParallel(2, request.options.threads, [&](std::size_t task) {
     if (task == 0)
-      writeOutputs(request, mesh);
+      writeOutputs(request, *rules, mesh);
     else
       report.quality = measureQuality(mesh, 0);
   });
   writeReportIfAsked(request, report, mesh);
-  tell(request, report, mesh);
+  printResult(request, report, mesh);
   return exitCodeOf(report.status);
 }
 
-/// CAD models go through OpenCASCADE, which may crash or hang on them, or on repairing them; what
-/// else there is takes as long as it takes.
+/// CAD models are meshed in a supervised process, because OpenCASCADE may crash or hang on them or
+/// on repairing them. Other models have no time limit.
 int meshSafely(const MeshRequest& request) {
-  if (request.kind() != ModelKind::Cad) return meshAndTell(request, nullptr, {});
+  if (request.kind() != ModelKind::Cad) return meshAndReport(request, nullptr, {});
   RunLimits limits;
   limits.first = secondsToRead(std::filesystem::file_size(request.model));
   const auto run = [&](const MeshRequest& asked) {
     return supervise(limits, [&](RunLog& log, const GivenUp& givenUp) {
-      return meshAndTell(asked, &log, givenUp);
+      return meshAndReport(asked, &log, givenUp);
     });
   };
   try {
@@ -120,7 +136,7 @@ int meshSafely(const MeshRequest& request) {
   }
 }
 
-/// A report is written even if the model is unusable: whoever runs many models reads only that.
+/// Writes a report even if the model is unusable: programs that run many models read only that.
 int meshOrReportWhyNot(const MeshRequest& request) {
   try {
     return meshSafely(request);

@@ -19,7 +19,7 @@
 namespace af2::cli {
 namespace {
 
-// Few enough rules to be read at once, and enough of them to mesh a real part.
+// Few enough rules to read at once, but enough to mesh a real part.
 constexpr std::string_view kRuleSet = R"(af2 1;
 # TITLE: a rule set for triangles to start from.
 #
@@ -123,10 +123,10 @@ void replaceAll(std::string& text, std::string_view word, std::string_view by) {
   }
 }
 
-/// A title as it stands between quotes in a rule file.
+/// The title with the escapes that it needs between quotes in a rule file.
 std::string quoted(const std::string& title) {
   if (title.find_first_not_of(' ') == std::string::npos)
-    throw UsageError("the title is empty; say in a few words what the rules are for");
+    throw UsageError("the title is empty; describe in a few words what the rules are for");
   std::string text;
   for (const char c : title) {
     if (static_cast<unsigned char>(c) < 0x20) throw UsageError("a title must be plain text");
@@ -143,7 +143,7 @@ void newRuleSet(const NewOptions& options) {
   replaceAll(text, "TITLE", quoted(title));
   std::error_code ignored;
   if (!options.force && std::filesystem::exists(options.name, ignored)) {
-    throw UsageError(fmt::format("'{}' exists; another name, or --force", options.name));
+    throw UsageError(fmt::format("'{}' exists; choose another name or use --force", options.name));
   }
   writeText(options.name, text);
   if (options.name == "-") return;
@@ -155,15 +155,15 @@ void newRule(const NewOptions& options) {
   replaceAll(text, "TITLE", quoted(options.name));
   if (options.into.empty()) return writeText("-", std::string_view(text).substr(1));
   std::error_code ignored;
-  if (!std::filesystem::exists(options.into, ignored))  // perhaps one of AF2's own rules
+  if (!std::filesystem::exists(options.into, ignored))  // or a rule file that comes with AF2
     throw UsageError(
-        fmt::format("there is no file '{}'; `af2 new ruleset` begins one", options.into));
+        fmt::format("there is no file '{}'; `af2 new ruleset` creates one", options.into));
   const RuleText before = readRuleText(options.into);
   const dsl::Formatted read = dsl::format(before.name, before.text);
   if (dsl::hasErrors(read.diagnostics)) {
     fmt::print(stderr, "{}", dsl::toPretty(read.diagnostics.front(), colourOf(stderr)));
     throw InputError(
-        fmt::format("'{}' cannot be read as a rule file; it is left as it was", before.name));
+        fmt::format("'{}' cannot be read as a rule file; it was not changed", before.name));
   }
   writeText(before.name, before.text + text);
   fmt::print("added rule \"{}\" and two tests to {}\n", options.name, before.name);
@@ -177,14 +177,18 @@ Action declareNew(CLI::App& command) {
       ->type_name("")
       ->required()
       ->check(CLI::IsMember({"ruleset", "rule"}).description(""));
-  command.add_option("NAME", options->name, "of a rule set: its file; of a rule: its title")
+  command.add_option("NAME", options->name, "for a rule set: its file; for a rule: its title")
       ->type_name("")
       ->required();
-  command.add_option("--title", options->title, "of a rule set; default: the name of the file")
+  command
+      .add_option("--title", options->title,
+                  "for a rule set: its title; default: the name of the file")
       ->type_name("TEXT");
-  command.add_option("--into", options->into, "the file that a rule is added to; default: stdout")
+  command
+      .add_option("--into", options->into,
+                  "for a rule: the file that it is added to; default: stdout")
       ->type_name("FILE");
-  command.add_flag("--force", options->force, "write over a file that exists");
+  command.add_flag("--force", options->force, "overwrite an existing file");
   return [options]() -> int {
     const bool isRule = options->what == "rule";
     if (isRule && !options->title.empty()) throw UsageError("--title is for rule sets");

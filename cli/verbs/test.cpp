@@ -49,7 +49,7 @@ nlohmann::ordered_json jsonOf(const dsl::TestResult& result) {
   return json;
 }
 
-/// Microseconds for one step on the front of each test.
+/// Prints the microseconds that one step takes on the front of each test.
 void printTimes(const dsl::LoadedRules& loaded) {
   using Clock = std::chrono::steady_clock;
   SingleStepper stepper(*loaded.rules);
@@ -77,7 +77,7 @@ class TestRun {
         fmt::print(stderr, "{}", dsl::toPretty(loaded.diagnostics, colourOf(stderr)));
         ++totals_.broken;
       } else if (!loaded.file->tests.empty()) {
-        fmt::print(stderr, "{}: a test needs a rule, and this file has none\n", name);
+        fmt::print(stderr, "{}: the file has tests but no rule\n", name);
         ++totals_.broken;
       }
       return;
@@ -87,7 +87,7 @@ class TestRun {
     if (options_.bench && isPretty()) printTimes(loaded);
   }
 
-  /// No test was run, and none was kept from it by an error.
+  /// Whether there was no test at all, not even one that an error prevented from running.
   bool isEmpty() const { return totals_.passed + totals_.failed + totals_.broken == 0; }
 
   int finish() const {
@@ -119,7 +119,7 @@ int test(const TestOptions& options) {
   TestRun run(options);
   for (const std::string& file : expandRuleFiles(options.files)) run.file(file);
   if (!options.filter.empty() && run.isEmpty())
-    throw UsageError(fmt::format("--filter '{}': no test has that in its title", options.filter));
+    throw UsageError(fmt::format("--filter '{}': no title of a test contains it", options.filter));
   return run.finish();
 }
 
@@ -127,18 +127,21 @@ int test(const TestOptions& options) {
 
 Action declareTest(CLI::App& command) {
   const auto options = std::make_shared<TestOptions>();
-  command.add_option("FILES", options->files, "rule files, folders of them, or - for stdin")
+  command
+      .add_option("FILES", options->files, "rule files, folders with rule files, or - for stdin")
       ->type_name("")
       ->required();
-  command.add_option("-k,--filter", options->filter, "only tests whose title holds this text")
+  command
+      .add_option("-k,--filter", options->filter, "run only tests whose title contains this text")
       ->type_name("TEXT");
   command.add_option("--format", options->format, "pretty or json")
       ->type_name("FORMAT")
       ->check(CLI::IsMember({"pretty", "json"}).description(""));
   command.add_flag("--coverage", options->coverage,
-                   "which clauses of the rules the tests exercise");
-  command.add_flag("--bench", options->bench, "time one step on the front of each test");
-  command.add_flag("-q,--quiet", options->quiet, "only tests that fail");
+                   "report which clauses of the rules the tests exercise");
+  command.add_flag("--bench", options->bench,
+                   "measure the time of one step on the front of each test");
+  command.add_flag("-q,--quiet", options->quiet, "print only tests that fail");
   return [options] { return test(*options); };
 }
 

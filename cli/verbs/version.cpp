@@ -11,7 +11,7 @@ namespace af2::cli {
 
 Action declareVersion(CLI::App& command) {
   const auto asJson = std::make_shared<bool>(false);
-  command.add_flag("--json", *asJson, "as JSON");
+  command.add_flag("--json", *asJson, "print as JSON");
   return [asJson] {
     if (*asJson) {
       const nlohmann::ordered_json json{

@@ -11,7 +11,7 @@
 
 namespace af2::dsl {
 
-// Each is defined in a file of its own.
+// Each check is defined in its own file.
 void checkPattern(const CheckedRules& rules, Findings& findings);
 void checkTopology(const CheckedRules& rules, Findings& findings);
 void checkOrientation(const CheckedRules& rules, Findings& findings);
@@ -53,11 +53,11 @@ bool isNeverTried(const CheckedRules& given, const std::string& title) {
   });
 }
 
-/// A rule that is switched off by its level can do no harm: its errors are worth telling, but do
-/// not keep the others from being used.
+/// A rule whose level is never reached is never tried. Its errors are reported, but do not prevent
+/// the other rules from being used.
 void excuse(Diagnostic& d) {
   d.severity = Severity::Warning;
-  d.notes.push_back({"this rule is never tried, so the others can be used all the same", {}});
+  d.notes.push_back({"this rule is never tried, so the other rules can be used", {}});
 }
 
 }  // namespace
@@ -97,7 +97,7 @@ std::vector<CompiledRule> runChecks(const CheckedRules& given, DiagnosticList& d
     check.run({shown, given.settings, given.main}, findings);
     faulty.insert(findings.faulty().begin(), findings.faulty().end());
     for (Diagnostic& d : found.take()) {
-      // While rules are missing because of errors, whose twins they are cannot be said.
+      // A rule with errors may be the missing mirror image, so mirror images cannot be checked.
       if (d.code == Code::MissingMirror && diagnostics.hasErrors()) continue;
       if (d.severity == Severity::Error) {
         if (isTold(d.place)) continue;
@@ -132,7 +132,7 @@ bool isRefusedAt(const RuleDefinition& rule, int level) {
 }  // namespace
 
 std::vector<int> referenceLevels(const RuleDefinition& rule) {
-  constexpr int kTried = 50;  // levels, for the first one at which conditions let anything through
+  constexpr int kTried = 50;  // levels, to find the first one with a match
   int first = rule.firstLevel;
   while (first < rule.lastLevel.value_or(rule.firstLevel + kTried) && isRefusedAt(rule, first))
     ++first;

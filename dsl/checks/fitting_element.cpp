@@ -32,8 +32,8 @@ bool turnsLeft(const Cycle& cycle, const std::vector<Point2>& at) {
   return turnsLeftEverywhere(corners);
 }
 
-/// Whether elements have each directed edge once, and of the pattern's edges between their corners
-/// all, in their own direction; and use every new vertex.
+/// Whether the elements have each directed edge at most once, have all edges of the pattern between
+/// their corners in the direction of the pattern, and use every new vertex.
 bool closeUp(const std::vector<Cycle>& elements, const RuleDefinition& rule) {
   std::set<DirectedEdge> edges;
   std::set<int> corners;
@@ -53,7 +53,8 @@ bool closeUp(const std::vector<Cycle>& elements, const RuleDefinition& rule) {
   return true;
 }
 
-/// Calls visit for each cycle of some of the vertices; the smallest one comes first.
+/// Calls `visit` for each cycle of some of the vertices; each cycle begins with its smallest
+/// vertex.
 template <class Visit>
 void forEachCycle(Cycle& cycle, std::size_t size, int vertexCount, const Visit& visit) {
   if (cycle.size() == size) return visit(cycle);

@@ -1,4 +1,4 @@
-// What a wrong element was probably meant to be.
+// Suggests corrections for wrong elements.
 #pragma once
 
 #include <string>
@@ -8,14 +8,14 @@
 
 namespace af2::dsl {
 
-/// The corners of one element, "a d c", with which all elements of a rule would be positive at its
-/// reference match of its first level, and fit together and to the pattern: the same corners the
-/// other way round, or the only others that there are. Empty if that is not clear, or nothing is
-/// wrong with it.
+/// The corrected corners of one element, such as "a d c". With them, all elements of the rule are
+/// positive at the reference match of the first level and fit together and to the pattern. They are
+/// the same corners in reverse order, or the only other corners that fit. Empty if there is no
+/// unique correction, or if the element is correct.
 std::string fittingElement(const CompiledRule& rule, std::size_t element);
 
-/// The same as edits, one for each element that has such corners; none for a mirror image, whose
-/// elements are those of its rule.
+/// The same as edits, one for each element that has a correction. A mirror image has none, because
+/// its elements are written in its rule.
 std::vector<SuggestedEdit> elementEdits(const CompiledRule& rule);
 
 }  // namespace af2::dsl

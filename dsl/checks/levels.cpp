@@ -1,4 +1,4 @@
-// D2: a rule that waits for a level that is never reached.
+// D2: a rule whose levels are never reached.
 #include "dsl/checks/checks.h"
 
 namespace af2::dsl {
@@ -10,7 +10,7 @@ void checkLevels(const CheckedRules& rules, Findings& findings) {
                    "this rule is never tried: the quality levels end at " +
                        std::to_string(rules.settings.maxLevel),
                    "",
-                   "lower its level, or say `classes 1.." +
+                   "lower its level, or write `classes 1.." +
                        std::to_string(rule.definition.firstLevel) + ";` in the rule set");
 }
 

@@ -1,4 +1,4 @@
-// M1, M2: every rule has its mirror image, once.
+// M1, M2: every rule has exactly one mirror image.
 #include <algorithm>
 #include <cctype>
 #include <string>
@@ -10,7 +10,7 @@
 namespace af2::dsl {
 namespace {
 
-/// The title of the twin: left for right, or an addition.
+/// The title of the mirror image: "left" and "right" are swapped, or ", mirrored" is added.
 std::string twinTitle(const std::string& title, std::span<const CompiledRule> all) {
   std::string twin = title;
   for (const auto& [word, other] : {std::pair<std::string, std::string>{"right", "left"},
@@ -28,8 +28,8 @@ std::string twinTitle(const std::string& title, std::span<const CompiledRule> al
   return twin;
 }
 
-/// A mirror clause as the last one. Of a family or a template one clause would stand for several
-/// rules.
+/// An edit that adds a mirror clause at the end. There is none for a family or a template, because
+/// the clause would apply to several rules.
 std::vector<SuggestedEdit> withMirror(const CompiledRule& rule, std::span<const CompiledRule> all) {
   const bool isOne = !rule.text->family && rule.parameters.empty();
   if (!isOne || rule.text->clauses.empty()) return {};
@@ -39,7 +39,7 @@ std::vector<SuggestedEdit> withMirror(const CompiledRule& rule, std::span<const 
            "the mirror image \"" + twin + "\" added"}};
 }
 
-/// Without its mirror clause, and the blanks before it.
+/// An edit that removes the mirror clause and the spaces before it.
 std::vector<SuggestedEdit> withoutMirror(const CompiledRule& rule) {
   if (!rule.parameters.empty()) return {};
   const std::string_view text = rule.home->source.text();
@@ -56,7 +56,7 @@ void checkOne(const CompiledRule& rule, std::span<const CompiledRule> all, Findi
   if (rule.mirrorSpan) {
     if (isItsOwnMirror)
       findings.add(rule, Code::RedundantMirror, *rule.mirrorSpan,
-                   "this rule is its own mirror image", "the mirror does the same once more",
+                   "this rule is its own mirror image", "its mirror image would be the same rule",
                    "remove the `mirror` clause", {}, withoutMirror(rule));
     return;
   }

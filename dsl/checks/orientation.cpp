@@ -11,7 +11,7 @@ namespace {
 
 struct Fault {
   bool isClockwise = false;
-  int vertex = -1;  ///< where it does not turn left
+  int vertex = -1;  ///< a corner at which the element does not turn left
 };
 
 std::optional<Fault> faultOf(const RuleElement& element, const std::vector<Point2>& points) {
@@ -31,7 +31,7 @@ std::optional<Fault> faultOf(const RuleElement& element, const std::vector<Point
   return Fault{right == n, bad};
 }
 
-/// Elements are written for what the first level shows; at later ones it is the pattern that moved.
+/// At the first level the element is wrong; at later levels the cause is that the pattern moves.
 std::string helpFor(const CompiledRule& rule, std::size_t element, const Fault& fault, int level) {
   const int first = referenceLevels(rule.definition).front();
   if (level != first)

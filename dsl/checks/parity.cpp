@@ -1,5 +1,4 @@
-// P1: in a set that keeps loops even, every rule changes the number of front edges by an even
-// number.
+// P1: with `parity even`, every rule changes the number of front edges by an even number.
 #include <algorithm>
 #include <set>
 
@@ -8,7 +7,7 @@
 namespace af2::dsl {
 namespace {
 
-/// Number of edges that the rule adds to the front, less those that it takes away.
+/// The number of edges that the rule adds to the front minus the number that it consumes.
 int frontChange(const RuleDefinition& rule) {
   std::set<std::pair<int, int>> edges;
   for (const RuleElement& element : rule.elements)

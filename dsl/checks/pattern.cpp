@@ -1,4 +1,4 @@
-// T2: chains, vertices and elements are what they should be.
+// T2: chains, vertices and elements are valid.
 #include <algorithm>
 #include <set>
 
@@ -7,7 +7,7 @@
 namespace af2::dsl {
 namespace {
 
-/// Whether no element repeats a vertex; tells the one that does.
+/// Whether no element repeats a vertex; reports one that does.
 bool checkRepetition(const CompiledRule& rule, std::size_t i, Findings& findings) {
   const RuleElement& element = rule.definition.elements[i];
   std::set<int> seen;
@@ -33,7 +33,7 @@ bool consumesBase(const RuleDefinition& rule) {
       return false;
     });
   };
-  return uses(0, 1) || uses(1, 0);  // the wrong direction is another fault
+  return uses(0, 1) || uses(1, 0);  // the wrong direction is a different fault
 }
 
 void checkNewVertices(const CompiledRule& rule, Findings& findings) {

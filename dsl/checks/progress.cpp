@@ -1,4 +1,4 @@
-// F1: every step takes area away from what is left to be meshed, so the advance ends.
+// F1: every step reduces the unmeshed area, so meshing ends.
 #include "dsl/checks/checks.h"
 
 namespace af2::dsl {

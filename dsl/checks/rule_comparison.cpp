@@ -12,9 +12,10 @@
 namespace af2::dsl {
 namespace {
 
-constexpr double kSame = 1e-9;  // both sides are rounded results of the same formulas
+constexpr double kSame = 1e-9;  // both sides are results of the same formulas, up to rounding
 
-/// For each vertex of one rule, matched and new, the one of the other; empty if there is none.
+/// For each vertex of one rule, matched or new, the corresponding vertex of the other rule; empty
+/// if the rules do not correspond.
 using Renumbering = std::vector<int>;
 
 bool isNear(Point2 p, Point2 q) {
@@ -58,7 +59,7 @@ std::optional<Renumbering> matchVertices(const RuleDefinition& a, const RuleDefi
   return to;
 }
 
-/// Fixed deviations: no two alike, none special.
+/// Fixed deviations, all different, without special values.
 double deviation(std::size_t sample, std::size_t coordinate) {
   if (sample == 0) return 0;
   const double x = 0.6180339887498949 * static_cast<double>(7 * sample + coordinate + 1);
@@ -191,7 +192,8 @@ bool agreeAtMatches(const RuleDefinition& a, const RuleDefinition& b, const Renu
   return true;
 }
 
-/// The farthest that a point of one list is from all of the other; infinite if one has none.
+/// The largest distance of a point of one list from the nearest point of the other; infinite if one
+/// list is empty.
 double distanceOf(const std::vector<Point2>& first, const std::vector<Point2>& second) {
   double farthest = 0;
   for (const Point2 p : first) {

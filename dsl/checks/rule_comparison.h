@@ -1,4 +1,4 @@
-// Whether two rules do the same, however their vertices are numbered and named.
+// Whether two rules have the same effect, independent of the numbers and names of vertices.
 #pragma once
 
 #include <string>
@@ -11,11 +11,11 @@ namespace af2::dsl {
 /// of matches around the reference.
 bool doTheSame(const RuleDefinition& first, const RuleDefinition& second);
 
-/// What keeps two rules that are alike from doing the same: "new vertices by up to 0.46, free zones
-/// by up to 0.12".
+/// The difference between two similar rules: "new vertices by up to 0.46, free zones by up to
+/// 0.12".
 std::string differenceOf(const RuleDefinition& first, const RuleDefinition& second);
 
-/// Whether they look for the same pattern and make the same elements, wherever they put them.
+/// Whether the rules have the same pattern and the same elements; positions may differ.
 bool areAlike(const RuleDefinition& first, const RuleDefinition& second);
 
 }  // namespace af2::dsl

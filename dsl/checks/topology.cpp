@@ -1,4 +1,4 @@
-// T1: the elements and the pattern close up.
+// T1: the elements and the pattern fit together.
 #include <algorithm>
 #include <map>
 #include <set>
@@ -15,7 +15,7 @@ std::string edgeName(const CompiledRule& rule, Edge e) {
   return vertexName(rule, e.first) + "->" + vertexName(rule, e.second);
 }
 
-/// The element that was meant, if there is one such; else what is said in general.
+/// Suggests the corrected element if there is a unique one, otherwise gives the general advice.
 std::string wayOut(const CompiledRule& rule, std::string otherwise) {
   for (std::size_t i = 0; i < rule.definition.elements.size(); ++i) {
     const std::string meant = fittingElement(rule, i);
@@ -33,7 +33,8 @@ std::vector<Edge> edgesOf(const RuleElement& element) {
   return edges;
 }
 
-/// Each directed edge with the element that has it; false after telling that two have it.
+/// Collects each directed edge with its element. If two elements have the same edge, reports it and
+/// returns false.
 bool collectEdges(const CompiledRule& rule, std::map<Edge, std::size_t>& owner,
                   Findings& findings) {
   bool isRight = true;
@@ -54,7 +55,8 @@ bool collectEdges(const CompiledRule& rule, std::map<Edge, std::size_t>& owner,
   return isRight;
 }
 
-/// The pattern's edges lie on the boundary of the elements, in their own direction, or apart.
+/// Each edge of the pattern is on the boundary of the elements, in its own direction, or apart from
+/// the elements.
 bool checkPatternEdges(const CompiledRule& rule, const std::map<Edge, std::size_t>& owner,
                        Findings& findings) {
   std::set<int> corners;
@@ -80,7 +82,7 @@ bool checkPatternEdges(const CompiledRule& rule, const std::map<Edge, std::size_
                    cover(rule.elementSpans.front(), rule.elementSpans[after->second]),
                    "the new elements do not close up with the front",
                    edgeName(rule, e) + " is left over between their corners",
-                   wayOut(rule, "add or mend the element that has " + edgeName(rule, e) +
+                   wayOut(rule, "add or correct the element that has " + edgeName(rule, e) +
                                     ", or leave this edge out of the pattern"),
                    {{"the front edge", placeOf(rule.home->source, rule.edgeSpans[k])}},
                    elementEdits(rule));
@@ -89,7 +91,7 @@ bool checkPatternEdges(const CompiledRule& rule, const std::map<Edge, std::size_
   return isRight;
 }
 
-/// Number of connected groups of elements; a common vertex joins.
+/// Number of connected groups of elements; a common vertex connects.
 std::size_t groups(const RuleDefinition& rule) {
   std::vector<std::set<int>> parts;
   for (const RuleElement& element : rule.elements) {
@@ -109,13 +111,13 @@ std::size_t groups(const RuleDefinition& rule) {
   return parts.size();
 }
 
-/// The boundary of the union has one walk if the union is a disc, or discs that touch in vertices:
-/// then corners - edges + elements = 1.
+/// The boundary of the union is one closed walk if the union is a disc, or discs that touch at
+/// vertices; then corners - edges + elements = 1.
 void checkDisc(const CompiledRule& rule, const std::map<Edge, std::size_t>& owner,
                Findings& findings) {
   if (groups(rule.definition) > 1) {
     findings.add(rule, Code::OpenTopology, rule.elementSpans.back(),
-                 "the new elements do not hang together", "",
+                 "the new elements are not connected", "",
                  "all elements of a rule share vertices with each other", {}, elementEdits(rule));
     return;
   }

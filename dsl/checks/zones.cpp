@@ -33,7 +33,7 @@ class ZoneCheck {
   ZoneCheck(const CompiledRule& rule, int level, Findings& findings)
       : rule_(rule), level_(level), findings_(findings) {}
 
-  /// Whether something was told.
+  /// Whether something was reported.
   bool run() {
     const RuleAtMatch match = RuleAtMatch::atReference(rule_.definition, level_);
     const AF2FreeZoneDef* zone = rule_.definition.zone.get();
@@ -50,8 +50,8 @@ class ZoneCheck {
     findings_.add(rule_, code, zone, message, std::move(label), std::move(help));
   }
 
-  /// The corners of a list as they follow each other around it, if all of them are corners of their
-  /// hull; else nothing.
+  /// The corners of a list in counter-clockwise order, if all of them are corners of their convex
+  /// hull; otherwise nothing.
   std::string orderedCorners(Span zone) const {
     const ZoneClause* list = listAt(zone);
     if (!list || corners_.size() != list->corners.size() || rule_.isMirror) return {};
@@ -121,8 +121,8 @@ class ZoneCheck {
          made.reason, "the rule is refused there");
   }
 
-  /// One alternative for each zone clause; or one in all, which is the union of the clauses, and
-  /// whose parts are looked at one by one.
+  /// There is one alternative for each zone clause, or a single one: the union of the clauses,
+  /// whose parts are checked one by one.
   void checkAlternatives(const ShapeZoneDef& zone, const AF2Binding& binding) {
     const auto& alternatives = zone.alternatives();
     const std::vector<Span>& spans = rule_.zoneSpans;
@@ -132,7 +132,7 @@ class ZoneCheck {
       std::vector<Shape> parts{*shape};
       while (alternatives.size() == 1 && parts.size() < spans.size() &&
              parts.front().kind() == ShapeKind::Union) {
-        const Shape whole = parts.front();  // unions of clauses are grouped from the left
+        const Shape whole = parts.front();  // unions of clauses are left-associative
         parts.erase(parts.begin());
         parts.insert(parts.begin(), whole.parts().begin(), whole.parts().end());
       }

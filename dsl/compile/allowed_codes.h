@@ -1,4 +1,4 @@
-// `meta { allow "Z1, M1"; }`: findings that are meant to be so.
+// `meta { allow "Z1, M1"; }`: the codes of findings that the author of a rule allows.
 #pragma once
 
 #include <set>
@@ -9,8 +9,8 @@
 
 namespace af2::dsl {
 
-/// What an entry of `allow` lists, in short form and capital letters ("Z1"), whether there is such
-/// a code or not; nothing for other entries.
+/// The codes that an entry of `allow` lists, in short form and capital letters ("Z1"), including
+/// codes that do not exist. Empty for other entries.
 std::set<std::string> codesListedIn(const MetaEntry& entry);
 
 /// The codes that the `allow` entries of a clause list.

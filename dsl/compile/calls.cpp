@@ -48,12 +48,12 @@ bool ExpressionCompiler::isAllowedHere(const Expr& expr, const Builtin& builtin)
   if (place_ == ExpressionPlace::Rule || (place_ == ExpressionPlace::FrontOrder && isFact))
     return true;
   if (place_ == ExpressionPlace::Test && builtin.name == "turn") return true;
-  // Within a def nothing is known about the place of its calls.
+  // A def can be called from anywhere, so its body may use everything.
   if (place_ == ExpressionPlace::Constant && !locals.empty()) return true;
   const char* here =
       place_ == ExpressionPlace::Test ? "in a test, which has no mesh around it" : "here";
-  tell(Code::NotAvailable, expr.span, "'" + expr.name + "' cannot be asked " + here, "",
-       "it asks about the front around a match, so it belongs in a rule");
+  tell(Code::NotAvailable, expr.span, "'" + expr.name + "' is not available " + here, "",
+       "it depends on the front around a match, so it can be used in rules only");
   return false;
 }
 
@@ -105,7 +105,7 @@ bool ExpressionCompiler::fits(const Value& value, char kind, const Value* firstA
       !(static_cast<std::size_t>(value.vertex) < inChain.size() &&
         inChain[static_cast<std::size_t>(value.vertex)])) {
     tell(Code::NotAvailable, argument.span, "this vertex has no known place on the front",
-         "it stands in no chain", "name it in a `front` chain, which fixes its neighbours");
+         "it is not in a chain", "name it in a `front` chain, which fixes its neighbours");
     return false;
   }
   if (isRight) return true;

@@ -1,4 +1,4 @@
-// What a rule makes and asks: vertices, elements, conditions, cost; and all of it together.
+// Compiles new vertices, elements, conditions and costs, and assembles the rule.
 #include "dsl/compile/clause_compiler.h"
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 
 namespace af2::dsl {
 
-/// A constant of the same name cannot be reached in the rule.
+/// Warns if the name hides a constant, because the rule then cannot use the constant.
 void ClauseCompiler::warnIfHiding(const Name& name) {
   const auto constant = home_.constants.find(name.text);
   if (mirror_ || constant == home_.constants.end()) return;
@@ -95,13 +95,13 @@ std::optional<int> ClauseCompiler::elementVertex(const Name& kind, const Name& n
   const auto local = expressions_.locals.find(name.text);
   if (local != expressions_.locals.end() && local->second.kind == LocalKind::Let) {
     local->second.isUsed = true;
-    tell(Code::UnknownName, name.span, "'" + name.text + "' is a `let`, no vertex", "",
+    tell(Code::UnknownName, name.span, "'" + name.text + "' is a `let`, not a vertex", "",
          "make it a vertex with `new " + name.text + " = ...;`");
     return std::nullopt;
   }
   const Help help = didYouMean(name.text, known);
   if (local != expressions_.locals.end() && local->second.kind == LocalKind::Broken) {
-    hasErrors_ = true;  // told where it was first used
+    hasErrors_ = true;  // reported at its first use
     return std::nullopt;
   }
   markBroken(name.text);
@@ -145,7 +145,7 @@ void ClauseCompiler::compileElements(const ElementClause& clause) {
 
 void ClauseCompiler::compileRequire(const RequireClause& clause) {
   for (const Expr& expr : clause.conditions) {
-    const Value value = expressions_.truth(expr, "what is required");
+    const Value value = expressions_.truth(expr, "the argument of `require`");
     if (value.isAny()) {
       hasErrors_ = hasErrors_ || !isGeneric_;
       continue;
@@ -182,7 +182,7 @@ void ClauseCompiler::compilePriority(const PriorityClause& clause, Span span) {
     return tell(Code::NotConstant, clause.value.span, "a priority is a whole number",
                 "this is " + shownNumber(*value));
   if (*value == 0)
-    expressions_.warnIdle(span, "a priority of 0 is what every rule has",
+    expressions_.warnIdle(span, "a priority of 0 is the default",
                           "remove it, or give it another value: the smaller one wins");
   definition().priority = static_cast<int>(*value);
 }
@@ -216,7 +216,8 @@ void ClauseCompiler::compileClause(const Clause& clause) {
       [&](const MetaClause& c) {
         if (!mirror_) expressions_.checkAllowed(c);
       },
-      // Chains come before all other clauses; `mirror` is another rule, see RuleCompiler.
+      // Chains are compiled before all other clauses; `mirror` makes another rule, see
+      // RuleCompiler.
       [](const AnyOf<std::monostate, FrontClause, MirrorClause> auto&) {});
 }
 
@@ -238,7 +239,7 @@ void ClauseCompiler::applyOverrides() {
       const auto form = toleranceOf(tolerance, isAny);
       if (isAny && !expressions_.inChain[static_cast<std::size_t>(found->second)])
         tell(Code::MalformedPattern, tolerance.span, "'any' needs a chain",
-             "'" + name.text + "' stands in no chain");
+             "'" + name.text + "' is not in a chain");
       for (PatternVertex& v : definition().vertices)
         if (v.name == name.text) v.tolerance = form;
     }
@@ -246,7 +247,7 @@ void ClauseCompiler::applyOverrides() {
   }
 }
 
-/// So that a name used too early is told apart from one that there is not.
+/// Distinguishes a name that is used before its definition from a name that does not exist.
 void ClauseCompiler::listNamesBelow() {
   for (const Name* name :
        namesIn(rule_, {NameRole::PlacedVertex, NameRole::Value, NameRole::NewVertex}))
@@ -265,14 +266,14 @@ void ClauseCompiler::warnAboutNames() {
   }
 }
 
-/// The engine takes so many only; and everything here may look at all of them for each.
+/// The engine limits the number of vertices, and some loops in this file are quadratic in it.
 bool ClauseCompiler::tellTooManyVertices() {
   const auto names = namesIn(rule_, {NameRole::PlacedVertex, NameRole::NewVertex});
   const std::size_t count = names.size() + 2, most = AF2Rule::kMaxVertices;
   if (count <= most) return false;
   tell(Code::MalformedPattern, names.back()->span,
        "this rule has " + std::to_string(count) + " vertices", "",
-       "at most " + std::to_string(most) + " are possible, a and b among them");
+       "at most " + std::to_string(most) + " are possible, including a and b");
   return true;
 }
 
@@ -307,7 +308,7 @@ std::optional<CompiledRule> ClauseCompiler::compile(const std::string& title, Sp
   warnAboutNames();
   if (definition().zone == nullptr && zones_.empty() && !hasErrors_)
     tell(Code::MissingZone, titleSpan, "this rule has no zone",
-         "nothing would keep its elements from lying over others",
+         "only a zone prevents its elements from overlapping others",
          "say which region must be empty: `zone a, b, ...;`");
   const bool isWhole = definition().zone && !hasErrors_ && !isGeneric_ &&
                        std::all_of(definition().newVertices.begin(), definition().newVertices.end(),

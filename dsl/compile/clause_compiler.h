@@ -48,7 +48,7 @@ class ClauseCompiler {
     isGeneric_ = isGeneric_ || parameter.value.type == Type::Any;
   }
 
-  /// Something that is worked out at a match, and so needs a value at every level.
+  /// An expression that is evaluated at a match, and therefore needs a value at every level.
   struct UsedValue {
     enum class Kind { Requirement, NewVertex, Cost, When, Zone };  ///< Zone: of the When before it
     Kind kind;
@@ -57,7 +57,7 @@ class ClauseCompiler {
     bool isTold = false;
   };
 
-  /// Nothing if something was told that leaves no rule.
+  /// Nothing if an error was reported, so that there is no rule.
   std::optional<CompiledRule> compile(const std::string& title, Span titleSpan);
 
  private:
@@ -89,7 +89,7 @@ class ClauseCompiler {
     const Node q = builder_.make(Op::Level, std::initializer_list<Node>{});
     fade_ = builder_.divide(builder_.constant(1), q);
     if (settings_.fadeExpression) {
-      DiagnosticList silent;  // told once, with the rule set
+      DiagnosticList silent;  // reported once, with the rule set
       CompileContext quiet{silent, registry_};
       ExpressionCompiler compiler(quiet, *settings_.fadeHome, ExpressionPlace::Level,
                                   Algebra(builder_, {}));
@@ -146,7 +146,7 @@ class ClauseCompiler {
   void compilePriority(const PriorityClause& clause, Span span);
   void applyOverrides();
   void warnAboutNames();
-  /// A zone clause, evaluated where it stands: everything is defined above its use.
+  /// A zone clause, evaluated at its place in the text, because definitions stand above their uses.
   struct ReadZone {
     const ZoneClause* text = nullptr;
     std::vector<ExpressionCompiler::Corner> corners;  ///< of a list

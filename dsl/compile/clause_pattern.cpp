@@ -1,4 +1,4 @@
-// What a rule looks for: levels, places, tolerances, chains.
+// Compiles the pattern of a rule: levels, positions, tolerances, chains.
 #include "dsl/compile/clause_compiler.h"
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 namespace af2::dsl {
 namespace {
 
-/// Of numbers by level, the last of which holds for all above.
+/// The number for a level; the last one also applies to all higher levels.
 double valueAt(const std::vector<double>& byLevel, std::size_t index) {
   return byLevel[std::min(index, byLevel.size() - 1)];
 }
@@ -33,8 +33,8 @@ void ClauseCompiler::poisonBrokenNames() {
   }
 }
 
-/// First the vertices of all `at` clauses and the chains, so that every expression knows which
-/// vertices have a place on the front.
+/// Collects the vertices of all `at` clauses and chains first, because every expression must know
+/// which vertices are on the front.
 void ClauseCompiler::collectPattern() {
   matched_ = {{"a", 0}, {"b", 1}};
   int next = 2;
@@ -72,7 +72,7 @@ void ClauseCompiler::readLevels() {
   definition().lastLevel = last;
   if (first && last && *last < *first) {
     tell(Code::UnreachedLevels, result_.levelSpan, "no quality level lies in this range",
-         "its end lies below its beginning", "write the smaller level first",
+         "its end is less than its beginning", "write the smaller level first",
          std::vector<DiagnosticNote>(), Severity::Error);
     definition().lastLevel = std::nullopt;
   }
@@ -85,8 +85,8 @@ int ClauseCompiler::lastLevel() const {
                   std::min(rule.lastLevel.value_or(settings_.maxLevel), settings_.maxLevel));
 }
 
-/// By level from 1 on, or one number for all of them; nothing after telling. Levels below the
-/// rule's first one have the value of that.
+/// The values by level from 1 on, or one value for all levels; nothing after an error. Levels below
+/// the rule's first level have the value of that level.
 std::optional<std::vector<double>> ClauseCompiler::numberByLevel(const Expr& expr,
                                                                  const std::string& what) {
   if (expr.isMissing()) return std::nullopt;
@@ -95,7 +95,7 @@ std::optional<std::vector<double>> ClauseCompiler::numberByLevel(const Expr& exp
   if (const auto constant = builder_.constantValue(value.number)) return std::vector{*constant};
   if (builder_.dependsOnMatch(value.number)) {
     tell(Code::NotConstant, expr.span, what + " cannot depend on the match", "",
-         "use numbers, constants, parameters and q; what a match must fulfil besides is said by "
+         "use numbers, constants, parameters and q; write other conditions on a match as "
          "`require`");
     return std::nullopt;
   }
@@ -146,7 +146,7 @@ std::optional<ToleranceByLevel> ClauseCompiler::formOf(const Expr& expr) {
       else
         tell(Code::NotConstant, expr.span, "a tolerance's weight cannot be negative",
              where.empty() ? "" : "it is " + shownNumber(form.xx) + where,
-             "a larger weight is stricter; 0 or `any` lets all through");
+             "a larger weight is stricter; 0 or `any` accepts every position");
       return std::nullopt;
     }
     forms.push_back({form.xx, mirror_ ? 0 - form.xy : form.xy, form.yy});
@@ -191,7 +191,7 @@ void ClauseCompiler::compilePlaces(const AtClause& at) {
           expressions_.inChain[static_cast<std::size_t>(matched_.at(place.name.text))];
       if (isAny && !isInChain)
         tell(Code::MalformedPattern, place.tolerance->span, "'any' needs a chain",
-             "'" + place.name.text + "' stands in no chain",
+             "'" + place.name.text + "' is not in a chain",
              "name the vertex in a `front` chain that leads to it, or give a tolerance");
     }
     definition().vertices.push_back(std::move(vertex));
@@ -243,14 +243,15 @@ void ClauseCompiler::addEdge(const Name& fromName, const Name& toName) {
                   "name each front edge once");
     }
     if (known.from == v && known.to == u)
-      return tell(Code::MalformedPattern, span,
-                  "the edge " + text + " runs against another one of the pattern", "",
-                  "front edges have the unmeshed region on their left");
+      return tell(
+          Code::MalformedPattern, span,
+          "the edge " + text + " runs in the opposite direction of another edge of the pattern", "",
+          "front edges have the unmeshed region on their left");
     if (known.from == u || known.to == v) {
       const Name& at = (known.from == u) != (mirror_ != nullptr) ? fromName : toName;
       return tell(Code::MalformedPattern, span, "the chains branch at '" + at.text + "'",
                   isBase ? "the base edge a -> b is always part of the pattern" : "",
-                  "each vertex has one front edge that comes and one that goes");
+                  "each vertex has one incoming and one outgoing front edge");
     }
   }
   definition().edges.push_back({u, v, std::nullopt});
@@ -277,7 +278,7 @@ void ClauseCompiler::compileSlope(const SlopeClause& slope) {
       const bool isIdle = !form || *form == ToleranceByLevel(ToleranceForm{0, 0, 0});
       if (isIdle && (isAny || !hasErrors_))
         expressions_.warnIdle(cover(slope.from.span, slope.tolerance.span),
-                              "this slope lets every edge through",
+                              "this slope accepts every edge",
                               "remove it, or give it a weight: a larger one is stricter");
       if (u == 0 && v == 1 && !mirror_)
         warn(Code::IdleClause, cover(slope.from.span, slope.tolerance.span),
@@ -286,7 +287,7 @@ void ClauseCompiler::compileSlope(const SlopeClause& slope) {
       return;
     }
   tell(Code::MalformedPattern, cover(slope.from.span, slope.to.span),
-       slope.from.text + " -> " + slope.to.text + " is no edge of the pattern", "",
+       slope.from.text + " -> " + slope.to.text + " is not an edge of the pattern", "",
        "name it in a `front` chain; a slope is a tolerance on a front edge");
 }
 

@@ -1,4 +1,4 @@
-// Levels at which something that a rule works out has no value, whatever the match.
+// Finds levels at which an expression of a rule has no value for any match.
 #include <algorithm>
 
 #include "dsl/compile/clause_compiler.h"
@@ -25,13 +25,13 @@ const char* nameOf(ClauseCompiler::UsedValue::Kind kind) {
   using Kind = ClauseCompiler::UsedValue::Kind;
   switch (kind) {
     case Kind::Requirement:
-      return "what is required";
+      return "the argument of `require`";
     case Kind::NewVertex:
       return "the place of a new vertex";
     case Kind::Cost:
       return "the cost";
     case Kind::When:
-      return "what follows `when`";
+      return "the argument of `when`";
     case Kind::Zone:
       break;
   }
@@ -46,7 +46,7 @@ void ClauseCompiler::use(UsedValue::Kind kind, const Value& value, Span span) {
   used_.push_back({kind, span, first, usedNodes_.size()});
 }
 
-/// In the order in which they are asked: each zone behind its condition.
+/// In the order of evaluation: each zone after its condition.
 void ClauseCompiler::useZones() {
   for (const ReadZone& zone : zones_) {
     if (!zone.text->when.isMissing()) use(UsedValue::Kind::When, zone.when, zone.text->when.span);
@@ -60,8 +60,8 @@ void ClauseCompiler::useZones() {
   }
 }
 
-/// Each fault is told once, at the lowest level. What a condition that fails keeps from being asked
-/// may be without a value.
+/// Each fault is reported once, at the lowest level. An expression that is not evaluated because an
+/// earlier condition fails may have no value.
 void ClauseCompiler::tellMissingValues() {
   if (hasErrors_ || isGeneric_) return;
   useZones();

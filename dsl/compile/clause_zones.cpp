@@ -1,4 +1,4 @@
-// What must be empty: the zone clauses of a rule.
+// Compiles the zone clauses of a rule.
 #include "dsl/compile/clause_compiler.h"
 #include "dsl/compile/type_help.h"
 
@@ -28,7 +28,7 @@ void ClauseCompiler::readZone(const ZoneClause& clause, Span span) {
     }
   }
   if (!clause.when.isMissing()) {
-    zone.when = expressions_.truth(clause.when, "what follows `when`");
+    zone.when = expressions_.truth(clause.when, "the argument of `when`");
     zone.isRight = zone.isRight && !zone.when.isAny();
   }
   hasErrors_ = hasErrors_ || !zone.isRight;
@@ -48,7 +48,7 @@ Value ClauseCompiler::oneShape(const Expr& expr) {
   return expressions_.wrongType(expr, wantedShape(), value);
 }
 
-/// The list form of a zone, in the engine's fast form.
+/// Converts a zone that is a list of corners to the engine's fast form.
 std::shared_ptr<const AF2FreeZoneDef> ClauseCompiler::cornerZone(const ReadZone& zone) {
   std::vector<ConvexPolygonZoneDef::Corner> corners;
   for (const auto& corner : zone.corners) {
@@ -60,7 +60,7 @@ std::shared_ptr<const AF2FreeZoneDef> ClauseCompiler::cornerZone(const ReadZone&
   }
   if (mirror_) {
     std::reverse(corners.begin(), corners.end());
-    std::rotate(corners.begin(), corners.end() - 2, corners.end());  // a, b come first again
+    std::rotate(corners.begin(), corners.end() - 2, corners.end());  // a and b come first again
   }
   return std::make_shared<ConvexPolygonZoneDef>(std::move(corners), settings_.fade);
 }
@@ -88,7 +88,7 @@ ShapeValue ClauseCompiler::unionOf(std::vector<ShapeValue> shapes) {
   return result;
 }
 
-/// Alternatives whose `when` never decides: it is settled by constants, or by an earlier one.
+/// Warns about a `when` that constants or an earlier `when` already decide.
 void ClauseCompiler::tellIdleAlternatives() {
   std::vector<Node> before;
   for (const ReadZone& zone : zones_) {
@@ -101,7 +101,8 @@ void ClauseCompiler::tellIdleAlternatives() {
                                            : "this condition never holds, so the zone is not used",
                             "it does not depend on the match");
     else if (std::ranges::find(before, zone.when.number) != before.end())
-      expressions_.warnIdle(when.span, "this zone is never used: an earlier one has its condition",
+      expressions_.warnIdle(when.span,
+                            "this zone is never used: an earlier zone has the same condition",
                             "remove it, or give it another condition");
     before.push_back(zone.when.number);
   }
@@ -114,7 +115,7 @@ void ClauseCompiler::compileZones() {
   for (std::size_t i = 1; i < zones_.size(); ++i)
     if (hasConditions && !hasWhen(zones_[i - 1]))
       expressions_.tell(Code::IdleClause, result_.zoneSpans[i], "this zone is never used", "",
-                        "the one without `when` takes all that is left; write it last");
+                        "the zone without `when` applies in all other cases; write it last");
   if (!std::all_of(zones_.begin(), zones_.end(), [](const ReadZone& z) { return z.isRight; }))
     return;
   tellIdleAlternatives();

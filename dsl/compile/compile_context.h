@@ -1,4 +1,4 @@
-// What all steps from syntax trees to rules share.
+// State that all steps of the compilation share.
 #pragma once
 
 #include <optional>
@@ -12,18 +12,20 @@
 
 namespace af2::dsl {
 
-/// Shared by all that is compiled in one run.
+/// Shared by everything that is compiled in one run.
 struct CompileContext {
   DiagnosticList& diagnostics;
   const Registry& registry;
-  std::size_t stepsLeft = 2'000'000;  ///< defs that call each other can grow without bound
-  std::size_t rulesLeft = 5'000;      ///< so can families, and files that use each other
-  bool guesses = true;                ///< whether anybody will read what is told
+  std::size_t stepsLeft = 2'000'000;  ///< defs that call other defs can unfold without bound
+  std::size_t rulesLeft =
+      5'000;            ///< families and imported files can multiply rules in the same way
+  bool guesses = true;  ///< whether anybody will read the diagnostics
 
-  /// Whether to look for what was meant by a name that there is not: it takes its time for each.
+  /// Whether to search for the name that an unknown name was meant to be. Each search takes time.
   bool mayGuess() const { return guesses && !diagnostics.isFull(); }
 
-  /// Tells something about a stretch of a module, as severe as its code is unless it is said here.
+  /// Reports a finding about a span of a module. Its severity is that of its code unless given
+  /// here.
   void tell(const Module& home, Code code, Span span, std::string message, Help help = {},
             std::vector<DiagnosticNote> notes = {}, std::optional<Severity> severity = {});
 };

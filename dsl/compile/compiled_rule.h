@@ -1,4 +1,4 @@
-// A rule between text and engine: its definition, and where each part of it was written.
+// A compiled rule: its definition for the engine, and the place of each part in the text.
 #pragma once
 
 #include <map>
@@ -14,31 +14,31 @@
 
 namespace af2::dsl {
 
-/// A name with a known value that a rule is compiled with: of its family, of its template.
+/// A parameter of a family or template with its value.
 struct RuleParameter {
   ConstantName value;
   Span span;
 };
 
-/// One rule: a family gives several, a rule with a mirror two.
+/// One rule. A family makes several, a rule with a mirror image two.
 struct CompiledRule {
   RuleDefinition definition;
   const Rule* text = nullptr;
   const Module* home = nullptr;  ///< the file that `text` is from
-  Span title;                    ///< of a mirror: the mirror's title
-  DiagnosticPlace titlePlace;    ///< of an instance: in the file that asks for it
+  Span title;                    ///< of a mirror image: its own title
+  DiagnosticPlace titlePlace;    ///< of an instance of a template: in the file of the instance
   DiagnosticPlace askedAt;       ///< of an instance and its mirror image: the instance's title
   bool isMirror = false;
   std::vector<Span> elementSpans;  ///< one for each element of the definition
-  std::vector<Span> vertexSpans;   ///< matched, then new ones: where each is defined
-  std::vector<Span> edgeSpans;     ///< one for each pattern edge; the implied base: the title
-  std::vector<Span> zoneSpans;     ///< the zone clauses
+  std::vector<Span> vertexSpans;  ///< the definitions of the matched vertices, then of the new ones
+  std::vector<Span> edgeSpans;    ///< one for each pattern edge; the title for an implied base edge
+  std::vector<Span> zoneSpans;    ///< the zone clauses
   Span levelSpan;
   std::optional<Span> mirrorSpan;  ///< of the clause `mirror "..."` of this rule
   std::map<std::string, RuleParameter> parameters;
-  const MirrorClause* mirror = nullptr;  ///< of a mirror: the clause that asks for it
+  const MirrorClause* mirror = nullptr;  ///< of a mirror image: its clause
   std::string doc;
-  std::shared_ptr<const RuleDefinition> image;  ///< what its mirror image would be
+  std::shared_ptr<const RuleDefinition> image;  ///< its mirror image, even if no rule has it
 };
 
 }  // namespace af2::dsl

@@ -1,4 +1,4 @@
-// Names in expressions: what they stand for, and what was meant where they stand for nothing.
+// Resolves names in expressions, and suggests corrections for unknown names.
 #include <algorithm>
 
 #include "dsl/compile/expressions.h"
@@ -38,7 +38,7 @@ Value ExpressionCompiler::fromConstant(const ConstantName& constant) const {
   }
 }
 
-/// Everything is defined above its use, in the order of the text.
+/// Definitions must stand above their uses, in the order of the text.
 bool ExpressionCompiler::isBelow(const Expr& expr, const Module* home, Span definition) {
   return home == module_ && expr.qualifier.empty() && definition.begin > expr.span.begin;
 }
@@ -64,7 +64,7 @@ Value ExpressionCompiler::unknownName(const Expr& expr, bool isFunction) {
   if (const auto below = definedBelow.find(expr.name);
       !isFunction && calls_.empty() && below != definedBelow.end())
     return usedTooEarly(expr, below->second);
-  // Defined further down is the commonest slip after a typing error.
+  // After typing errors, the most common mistake is a definition below its use.
   for (const Item& item : module_->parsed.file.items) {
     using Found = const Name*;
     const Found name = match(
@@ -99,7 +99,7 @@ Value ExpressionCompiler::unknownName(const Expr& expr, bool isFunction) {
            (isFunction ? "" : " here"),
        "", help);
   if (!isFunction && place_ == ExpressionPlace::Rule && calls_.empty()) {
-    Local broken;  // told once for each rule
+    Local broken;  // reported once for each rule
     broken.kind = LocalKind::Broken;
     locals.emplace(expr.name, std::move(broken));
   }
@@ -115,7 +115,7 @@ Value ExpressionCompiler::evaluateName(const Expr& expr) {
   if (expr.name == "q" || expr.name == "class") {
     if (!hasLevel()) {
       tell(Code::UnknownName, expr.span, "there is no quality level here", "",
-           "'" + expr.name + "' means something in rules and rule sets only");
+           "'" + expr.name + "' has a meaning in rules and rule sets only");
       return {};
     }
     return algebra_.scalar(Type::Number, builder().make(Op::Level, std::initializer_list<Node>{}));

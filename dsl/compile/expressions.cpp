@@ -42,7 +42,7 @@ Diagnostic ExpressionCompiler::finding(Code code, Span span, std::string message
   if (calls_.empty()) {
     d.place = placeOf(module_->source, span);
   } else {
-    // Inside a definition the fault lies with what was handed over; it is told at the call.
+    // Inside a definition the fault is in the arguments, so it is reported at the call.
     d.place = placeOf(calls_.front().module->source, calls_.front().span);
     d.notes.push_back({"this is in the definition of '" + calls_.back().name + "'",
                        placeOf(module_->source, span)});
@@ -58,7 +58,8 @@ void ExpressionCompiler::checkAllowed(const MetaClause& meta) {
       for (const CodeInfo& info : diagnosticCodes()) known.emplace_back(info.id);
       const Help guess = didYouMean(code, known);
       tell(Code::UnknownName, entry.value.span, "there is no code '" + code + "'", "",
-           guess.empty() ? "codes stand in what is told, as in `allow \"Z1, M1\";`" : guess);
+           guess.empty() ? "messages show their codes; write for example `allow \"Z1, M1\";`"
+                         : guess);
     }
 }
 
@@ -66,7 +67,7 @@ Value ExpressionCompiler::wrongType(const Expr& expr, const Wanted& wanted, cons
                                     const std::string& use) {
   if (found.isAny()) return {};
   const std::string fault =
-      "this is not " + wanted.words + (use.empty() ? "" : ", as " + use + " must be");
+      use.empty() ? "this is not " + wanted.words : use + " must be " + wanted.words;
   const bool isWeight = found.type == Type::Geometric && !found.isPoint() && !found.isVector();
   if (isWeight) {
     tell(Code::PointWeights, expr.span, fault,
@@ -155,7 +156,7 @@ Value ExpressionCompiler::evaluate(const Expr& expr) {
   if (context_.stepsLeft == 0) return {};
   if (--context_.stepsLeft == 0) {
     tell(Code::LimitExceeded, expr.span, "the definitions of this file unfold to too many steps",
-         "", "let definitions call others less often");
+         "", "reduce the number of calls in definitions");
     return {};
   }
   switch (expr.kind) {
@@ -199,7 +200,7 @@ Value ExpressionCompiler::checkBody(const FunctionName& function) {
     Local local;
     local.span = parameter.span;
     local.kind = LocalKind::Parameter;
-    // The last parameters of a metric are corners, whatever else it takes; others may be anything.
+    // The last parameters of a metric are corners; the other parameters may have any type.
     constexpr std::size_t kFewestCorners = 3;
     if (function.isMetric && i + kFewestCorners >= count)
       local.value = algebra_.vertex(static_cast<int>(i + kFewestCorners - count));

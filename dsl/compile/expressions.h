@@ -1,4 +1,4 @@
-// From expressions to values: names, types, and the steps that work them out.
+// Compiles expressions: resolves names, checks types, and makes the steps that compute values.
 #pragma once
 
 #include <functional>
@@ -15,14 +15,14 @@
 
 namespace af2::dsl {
 
-/// Where an expression stands; says what it may ask about.
+/// The place of an expression, which determines what it may use.
 enum class ExpressionPlace { Constant, Level, Metric, Acceptance, FrontOrder, Rule, Test };
 
 struct Wanted;
 
 enum class LocalKind { Vertex, NewVertex, Let, Parameter, Broken };
 
-/// A name of a rule, with what it stands for.
+/// A name of a rule, with its value.
 struct Local {
   Value value;
   Span span;
@@ -37,11 +37,11 @@ class ExpressionCompiler {
       : context_(context), module_(&module), place_(place), algebra_(algebra) {}
 
   std::map<std::string, Local> locals;
-  std::map<std::string, Span> definedBelow;  ///< names of the rule, wherever they are defined
+  std::map<std::string, Span> definedBelow;  ///< names that the rule defines, above or below
   std::vector<bool> inChain;                 ///< by matched vertex
-  std::vector<Value> corners;                ///< of the element to be measured, in metrics
+  std::vector<Value> corners;                ///< in metrics: the corners of the measured element
   std::function<Node()> fade;                ///< weight of the preferred corner
-  /// Free angle at a vertex of a test; nothing where its chain is open.
+  /// Free angle at a vertex of a test; nothing at an end of a chain.
   std::function<std::optional<double>(int)> turnInTest;
   std::string ruleTitle;  ///< for diagnostics
 
@@ -49,13 +49,14 @@ class ExpressionCompiler {
   ProgramBuilder& builder() const { return algebra_.builder(); }
   const Module& module() const { return *module_; }
 
-  /// Goes on with the names and places of another file.
+  /// Continues with the names and places of another file.
   void readIn(const Module& module) { module_ = &module; }
 
-  /// Any value; where there is none it has been told, and the result is of type Any.
+  /// A value of any type. If there is none, the error has been reported and the result has type
+  /// Any.
   Value evaluate(const Expr& expr);
 
-  /// A value of one kind, or Any after telling. `what` names the use: "a coordinate".
+  /// A value of one type, or Any after an error. `what` names the use in messages: "a coordinate".
   Value number(const Expr& expr, const std::string& what);
   Value truth(const Expr& expr, const std::string& what);
   Value point(const Expr& expr);
@@ -63,8 +64,8 @@ class ExpressionCompiler {
   /// A number that does not depend on the match or the level.
   std::optional<double> constantNumber(const Expr& expr, const std::string& what);
 
-  /// Tells that a value is of another type than was wanted, perhaps by a certain use ("a metric");
-  /// gives Any.
+  /// Reports that a value has the wrong type, optionally for a certain use ("a metric"). Returns
+  /// Any.
   Value wrongType(const Expr& expr, const Wanted& wanted, const Value& found,
                   const std::string& use = {});
 
@@ -72,24 +73,24 @@ class ExpressionCompiler {
     Value preferred;
     std::optional<Value> limiting;
   };
-  /// p or p => l, both points.
+  /// A corner `p` or `p => l`; both must be points.
   Corner corner(const Expr& expr);
 
-  /// Types only, parameters unknown: for definitions that nobody has called yet.
+  /// Checks only the types, with unknown parameters, for definitions that have not been called yet.
   Value checkBody(const FunctionName& function);
 
-  /// D1, where it is so for every rule that the text stands for: not what one member of a family
-  /// makes of it, and once for a rule and its mirror.
+  /// Reports D1 once for a rule and its mirror image. In a family it is not reported, because it
+  /// may hold for one member only.
   void warnIdle(Span span, std::string message, std::string help);
-  /// R1 for codes that there are not in `allow`.
+  /// Reports R1 for unknown codes in `allow`.
   void checkAllowed(const MetaClause& meta);
   void tell(Code code, Span span, std::string message, std::string label = {}, Help help = {},
             std::vector<DiagnosticNote> notes = {}, std::optional<Severity> severity = {});
   void tell(Diagnostic finding);
-  /// What is told, to be completed first.
+  /// A diagnostic that the caller completes before it is reported.
   Diagnostic finding(Code code, Span span, std::string message, std::string label = {},
                      const Help& help = {}, std::vector<DiagnosticNote> notes = {}) const;
-  /// All names that could stand at this place.
+  /// All names that are valid at this place.
   std::vector<std::string> namesInScope() const;
 
  private:
@@ -130,7 +131,7 @@ class ExpressionCompiler {
   Value power(const Expr& expr, const Value& a, const Value& b);
   Value inlined(const Expr& callSite, const FunctionName& function, std::vector<Value> arguments);
   NodePair fadedPoint(const Expr& expr);
-  /// Whether `q` means something here.
+  /// Whether `q` has a value here.
   bool hasLevel() const {
     return place_ != ExpressionPlace::Constant && place_ != ExpressionPlace::Test;
   }
@@ -156,7 +157,7 @@ class ExpressionCompiler {
   std::vector<Call> calls_;
 };
 
-/// The whole shape, seen from the base's frame.
+/// The whole shape, in the frame of the base edge.
 ShapeValue reflected(const Algebra& algebra, const ShapeValue& shape);
 
 }  // namespace af2::dsl

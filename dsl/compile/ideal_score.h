@@ -1,4 +1,4 @@
-// Levels at which the best element there is has no score: told ahead of a run.
+// Finds levels at which the ideal element has no score, before the rules run.
 #pragma once
 
 #include <functional>
@@ -10,14 +10,13 @@
 
 namespace af2::dsl {
 
-/// What an element with these corners scores at a level; nothing: it has no score.
+/// The score of an element with these corners at a level; nothing if it has no score.
 using ScoreAtLevel = std::function<std::optional<double>(const std::vector<Point2>&, int level)>;
 
-/// Tells of the lowest level, if there is one, at which the triangle with sides of 1, or the unit
-/// square, has no score.
+/// Reports the lowest level at which the triangle with sides of length 1, or the unit square, has
+/// no score.
 ///
-/// score    where the rule set gives it
-/// corners  three or four
+/// score    the expression in the rule set corners  three or four
 void checkIdealScore(CompileContext& context, const Expr& score, const Module& home, int corners,
                      int maxLevel, const ScoreAtLevel& scoreAt);
 

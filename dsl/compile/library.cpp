@@ -43,7 +43,7 @@ const Module& Library::load(std::string name, std::string text) {
   loading_.push_back(&module);
   module.parsed = parseFile(module.source, context_.diagnostics);
   for (const BrokenStretch& stretch : module.parsed.broken) {
-    // What stands inside of a rule that was read belongs to that rule.
+    // Names inside a rule that could be read belong to that rule.
     const bool isInside = std::any_of(
         module.parsed.file.items.begin(), module.parsed.file.items.end(), [&](const Item& item) {
           return item.content.index() != 0 && item.span.begin <= stretch.span.begin &&
@@ -69,7 +69,7 @@ void Library::registerItems(Module& module) {
         [&](const Function& c) { registerFunction(module, c.name, c.parameters, c.value, false); },
         [&](const Metric& c) { registerFunction(module, c.name, c.parameters, c.value, true); },
         [&](const Template& c) { registerTemplate(module, c); },
-        // These give expressions nothing to name.
+        // These items define no names for expressions.
         [](const AnyOf<std::monostate, Use, RuleSetBlock, Rule, Instance, Test, Property> auto&) {
         });
   }
@@ -149,7 +149,7 @@ void Library::registerFunction(Module& module, const Name& name,
   CompileContext quiet{found, context_.registry, context_.stepsLeft};
   quiet.guesses = context_.mayGuess();
   ProgramBuilder builder;
-  // Not knowing where it will be called, everything may be asked in a def.
+  // A def can be called from anywhere, so its body may use everything.
   ExpressionCompiler compiler(quiet, module,
                               isMetric ? ExpressionPlace::Metric : ExpressionPlace::Rule,
                               Algebra(builder, {}));
@@ -183,13 +183,14 @@ std::optional<std::string> Library::read(const std::filesystem::path& path,
                                          std::string& fault) const {
   if (unsaved_)
     if (auto text = unsaved_(path)) return text;
-  // Pipes and devices may be read from outside, where somebody sees to it that they end.
+  // Pipes and devices are not read here, because they may never end; a caller can read them and
+  // pass the text.
   std::error_code error;
   const bool isSpecial = std::filesystem::exists(path, error) &&
                          !std::filesystem::is_regular_file(path, error) &&
                          !std::filesystem::is_directory(path, error);
   if (!isSpecial) return readFile(path, fault);
-  fault = "it is no ordinary file";
+  fault = "it is not a regular file";
   return std::nullopt;
 }
 
@@ -217,9 +218,9 @@ const Module* Library::import(Module& into, const Import& item) {
   if (cycle != loading_.end()) {
     std::string chain;
     for (auto m = cycle; m != loading_.end(); ++m) chain += (*m)->source.name() + " -> ";
-    context_.tell(into, Code::CircularUse, item.path.span, "this import runs in a circle",
+    context_.tell(into, Code::CircularUse, item.path.span, "this import forms a cycle",
                   "move what both files need into a third one",
-                  {{"the circle is " + chain + (*cycle)->source.name(), std::nullopt}});
+                  {{"the cycle is " + chain + (*cycle)->source.name(), std::nullopt}});
     return nullptr;
   }
   if (const auto known = byPath_.find(key); known != byPath_.end()) return known->second;
@@ -234,15 +235,15 @@ const Module* Library::import(Module& into, const Import& item) {
     context_.tell(into, Code::UnreadableFile, item.path.span,
                   "cannot import \"" + item.path.text + "\": " + fault,
                   item.path.text.find('\\') != std::string::npos
-                      ? "folders are parted by '/'"
-                      : "paths are taken from the folder of the importing file",
+                      ? "folders are separated by '/'"
+                      : "paths are relative to the folder of the importing file",
                   std::move(notes));
     return nullptr;
   }
-  constexpr std::size_t kMostFiles = 200;
-  if (modules_.size() >= kMostFiles) {
+  constexpr std::size_t kMaxFiles = 200;
+  if (modules_.size() >= kMaxFiles) {
     context_.tell(into, Code::LimitExceeded, item.path.span,
-                  "more than " + std::to_string(kMostFiles) + " files are imported",
+                  "more than " + std::to_string(kMaxFiles) + " files are imported",
                   "join some of them");
     return nullptr;
   }
@@ -265,8 +266,8 @@ void Library::registerImport(Module& module, const Import& item) {
   if (item.alias) return;
   const auto clash = [&](const std::string& text, const Module* home, Span at) {
     context_.tell(module, Code::DuplicateName, item.path.span,
-                  "this import brings '" + text + "', which is there already",
-                  "import it under a name of its own: `import \"" + item.path.text +
+                  "this import brings '" + text + "', which already exists",
+                  "import it with its own name: `import \"" + item.path.text +
                       "\" as lib;`, and write lib." + text,
                   {{"first given here", placeOf(home->source, at)}});
   };

@@ -42,13 +42,14 @@ class Library {
   TextSource unsaved_;
   std::vector<std::unique_ptr<Module>> modules_;
   std::map<std::string, Module*> byPath_;
-  std::vector<const Module*> loading_;  ///< the chain of imports that led here
+  std::vector<const Module*> loading_;  ///< the chain of imports to the current file
 };
 
-/// A text as far as it can be a rule file: one byte more than the longest there may be, at most.
+/// Reads a text up to one byte more than the limit for rule files, so that a longer file is
+/// noticed.
 std::string readRuleText(std::istream& in);
 
-/// Reads a file in that way; nothing if that is not possible, then `fault` says why.
+/// Reads a file in the same way. Returns nothing on failure; then `fault` gives the reason.
 std::optional<std::string> readFile(const std::filesystem::path& path, std::string& fault);
 
 }  // namespace af2::dsl

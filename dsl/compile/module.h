@@ -31,7 +31,7 @@ struct FunctionName {
   const std::vector<Name>* parameters = nullptr;
   const Expr* body = nullptr;
   bool isMetric = false;
-  bool isBroken = false;  ///< told about where it is defined; calls cause no further errors
+  bool isBroken = false;  ///< reported at the definition; calls cause no further errors
   const Module* home = nullptr;
   Span span;
 };
@@ -42,7 +42,7 @@ struct TemplateName {
   Span span;
 };
 
-/// A file as it is being worked on. The tree stays where it is, so that pointers into it hold.
+/// A file during compilation. The syntax tree is never moved, so pointers into it stay valid.
 struct Module {
   explicit Module(SourceText text) : source(std::move(text)) {}
   SourceText source;
@@ -51,9 +51,9 @@ struct Module {
   std::map<std::string, FunctionName> functions;
   std::map<std::string, TemplateName> templates;
   std::map<std::string, const Module*>
-      imports;                   ///< by the name given with `as`, or the file's stem
-  bool hasBrokenImport = false;  ///< names may be missing that would have come from there
-  std::map<std::string, Span> brokenNames;  ///< perhaps defined in what could not be read
+      imports;                              ///< by the name given with `as`, or the file's stem
+  bool hasBrokenImport = false;             ///< names of that import may be missing
+  std::map<std::string, Span> brokenNames;  ///< names that the unreadable parts may define
 };
 
 }  // namespace af2::dsl

@@ -1,4 +1,4 @@
-// Operators in expressions: what they do to values of each type.
+// Compiles operators in expressions for operands of each type.
 #include <cmath>
 
 #include "dsl/compile/expressions.h"
@@ -13,7 +13,7 @@ constexpr const char* kTooLarge = "this is too large for a number; the largest i
 
 Value ExpressionCompiler::evaluateUnary(const Expr& expr) {
   if (expr.kind == ExprKind::Not) {
-    const Value v = truth(expr.parts[0], "what follows `not`");
+    const Value v = truth(expr.parts[0], "the operand of `not`");
     return v.isAny() ? v : algebra_.scalar(Type::Truth, builder().make(Op::Not, {v.number}));
   }
   const Value v = evaluate(expr.parts[0]);
@@ -66,7 +66,7 @@ Value ExpressionCompiler::multiply(const Expr& expr, const Value& a, const Value
     if (!b.isVector() && !constant) {
       tell(Code::PointWeights, expr.span, "the weight of a point must be a constant",
            "this weight depends on the match or on q",
-           "use lerp(p, q, t) to move from p to q by a share that varies");
+           "use lerp(p, q, t) to move from p to q by a variable share");
       return {};
     }
     return needValue(
@@ -95,7 +95,7 @@ Value ExpressionCompiler::divide(const Expr& expr, const Value& a, const Value& 
     if (!a.isVector() && !constant) {
       tell(Code::PointWeights, expr.span, "the weight of a point must be a constant",
            "this weight depends on the match or on q",
-           "use lerp(p, q, t) to move from p to q by a share that varies");
+           "use lerp(p, q, t) to move from p to q by a variable share");
       return {};
     }
     const NodePair at{builder().divide(a.at.x, b.number), builder().divide(a.at.y, b.number)};
@@ -115,7 +115,7 @@ Value ExpressionCompiler::power(const Expr& expr, const Value& a, const Value& b
 }
 
 Value ExpressionCompiler::evaluateLogic(const Expr& expr) {
-  const std::string what = "what stands beside `" + expr.name + "`";
+  const std::string what = "an operand of `" + expr.name + "`";
   const Value a = truth(expr.parts[0], what), b = truth(expr.parts[1], what);
   if (a.isAny() || b.isAny()) return {};
   return algebra_.scalar(
@@ -168,7 +168,7 @@ Value ExpressionCompiler::evaluateRange(const Expr& expr) {
   const auto from = builder().constantValue(low.number), to = builder().constantValue(high.number);
   if (from && to && *from > *to)
     tell(Code::IdleClause, cover(expr.parts[1].span, expr.parts[2].span), "this range is empty",
-         "its end lies below its beginning", "write the smaller bound first");
+         "its end is less than its beginning", "write the smaller bound first");
   return algebra_.scalar(
       Type::Truth,
       builder().make(Op::And, {builder().make(Op::LessEqual, {low.number, x.number}),
@@ -176,7 +176,7 @@ Value ExpressionCompiler::evaluateRange(const Expr& expr) {
 }
 
 Value ExpressionCompiler::evaluateIf(const Expr& expr) {
-  const Value c = truth(expr.parts[0], "what follows `if`");
+  const Value c = truth(expr.parts[0], "the argument of `if`");
   const Value a = evaluate(expr.parts[1]), b = evaluate(expr.parts[2]);
   if (c.isAny() || a.isAny() || b.isAny()) return {};
   const bool isAlike =

@@ -21,7 +21,8 @@ std::string shownNumber(double value) {
   return std::string(text, end.ptr);
 }
 
-/// As it was written: what the way to radians and back leaves behind is rounded off.
+/// Rounds to the number as written, because the conversion to radians and back leaves a rounding
+/// error.
 static double inDegrees(double radians) {
   constexpr double kDigits = 1e10;
   return std::round(radians * 180 / std::numbers::pi * kDigits) / kDigits;
@@ -38,7 +39,7 @@ static void tellUnknownParameter(ExpressionCompiler& expressions, const Name& ti
     if (local.kind == LocalKind::Parameter) known.push_back(text);
   const Help help = didYouMean(name, known);
   expressions.tell(Code::UnknownName, title.span,
-                   "the title asks for '{" + name + "}', which is no parameter of this rule", "",
+                   "the title contains '{" + name + "}', which is not a parameter of this rule", "",
                    help.empty() ? "parameters come from `for (...)` or from a template" : help);
 }
 
@@ -56,12 +57,12 @@ std::string filledTitle(ExpressionCompiler& expressions, const Name& title) {
     if (number) parts[i] = shownNumber(value.type == Type::Angle ? inDegrees(*number) : *number);
     if (isParameter || (isKnown && local->second.kind == LocalKind::Broken)) continue;
     tellUnknownParameter(expressions, title, name);
-    break;  // one place, so more would not be told
+    break;  // only one finding per place is kept
   }
   return std::accumulate(parts.begin(), parts.end(), std::string());
 }
 
-/// The exact mirror image of a sound rule, whether it asks for one or not.
+/// The exact mirror image of a rule without errors, with or without a `mirror` clause.
 std::shared_ptr<const RuleDefinition> RuleCompiler::imageOf(
     const Rule& rule, const std::map<std::string, Parameter>& parameters) {
   DiagnosticList silent;
@@ -75,7 +76,7 @@ std::shared_ptr<const RuleDefinition> RuleCompiler::imageOf(
   return std::make_shared<const RuleDefinition>(std::move(compiled->definition));
 }
 
-/// The clause that asks for the mirror image; null if there is none.
+/// The `mirror` clause; null if there is none.
 static const Clause* mirrorOf(const Rule& rule) {
   const auto found = std::ranges::find_if(rule.clauses, [](const Clause& clause) {
     return std::holds_alternative<MirrorClause>(clause.content);
@@ -125,8 +126,9 @@ void RuleCompiler::compileOne(const Rule& rule, const std::map<std::string, Para
 }
 
 void RuleCompiler::tellTooMany(const InstanceTitle& title) {
-  context_.tell(*title.home, Code::LimitExceeded, title.title.span, "there are too many rules",
-                "5000 are the most, members of families and rules of other files among them");
+  context_.tell(
+      *title.home, Code::LimitExceeded, title.title.span, "there are too many rules",
+      "at most 5000 are possible, including members of families and rules of other files");
 }
 
 std::vector<CompiledRule> RuleCompiler::compile(const Rule& rule,
@@ -220,7 +222,7 @@ std::optional<CompiledProperty> RuleCompiler::compileProperty(const Property& pr
     expressions.locals[property.variable->text] = level;
   }
   for (const Expr& expr : property.expectations) {
-    const Value value = expressions.truth(expr, "what is expected");
+    const Value value = expressions.truth(expr, "the argument of `expect`");
     isRight = isRight && !value.isAny();
     if (value.isAny()) continue;
     result.expectations.push_back(makeFunction(expressions.builder(), value.number));

@@ -1,4 +1,4 @@
-// From a rule's text to its definition.
+// Compiles one rule from its syntax tree to its definition.
 #pragma once
 
 #include <map>
@@ -12,7 +12,7 @@
 
 namespace af2::dsl {
 
-/// What the rules of a file share, as far as their compilation asks for it.
+/// The settings of a rule set that the compilation of rules needs.
 struct SharedSettings {
   int maxLevel = 50;
   std::vector<double> fade;              ///< weight of the preferred corner by level
@@ -20,14 +20,14 @@ struct SharedSettings {
   const Module* fadeHome = nullptr;
 };
 
-/// `{k}` filled in. Tells what it does not know.
+/// The title with the values of its `{parameters}`. Reports unknown parameters.
 std::string filledTitle(ExpressionCompiler& expressions, const Name& title);
 
-/// A number as titles show it.
+/// A number as it appears in titles.
 std::string shownNumber(double value);
 
-/// Compiles one rule, once as written and once for each mirror. What is wrong is told; a rule with
-/// errors is left out.
+/// Compiles one rule, once as written and once for each mirror image. Reports faults, and leaves
+/// out rules with errors.
 class RuleCompiler {
  public:
   RuleCompiler(CompileContext& context, const Module& home, const SharedSettings& settings)
@@ -35,7 +35,7 @@ class RuleCompiler {
 
   using Parameter = RuleParameter;
 
-  /// The title of an instance, and the file in which it stands.
+  /// The title of an instance, and its file.
   struct InstanceTitle {
     Name title;
     const Module* home = nullptr;
@@ -47,7 +47,7 @@ class RuleCompiler {
                                     const std::map<std::string, Parameter>& parameters,
                                     const InstanceTitle* instance = nullptr);
 
-  /// A property of a compiled rule; `home` of the property may be another file than the rule's.
+  /// A property of a compiled rule. The rule may be in another file than the property (`home`).
   std::optional<CompiledProperty> compileProperty(const Property& property, const Module& written,
                                                   const CompiledRule& rule);
 

@@ -40,7 +40,7 @@ std::optional<PlacedRuleSet> ChainFinder::findRuleSet(const std::string& name,
   return std::nullopt;
 }
 
-/// Puts the rule set that the first one extends before it.
+/// Inserts the base of the first rule set before it.
 bool ChainFinder::addBase(std::vector<PlacedRuleSet>& chain, std::set<const RuleSetBlock*>& seen) {
   const PlacedRuleSet first = chain.front();
   if (!first.block->base) return false;
@@ -54,19 +54,19 @@ bool ChainFinder::addBase(std::vector<PlacedRuleSet>& chain, std::set<const Rule
     const Help help = didYouMean(first.block->base->text, known);
     context_.tell(*first.home, Code::UnknownName, first.block->base->span,
                   "there is no rule set \"" + first.block->base->text + "\"",
-                  help.empty() ? "import the file in which it stands" : help);
+                  help.empty() ? "import the file that defines it" : help);
     return false;
   }
   if (!seen.insert(base->block).second) {
     context_.tell(*first.home, Code::CircularUse, first.block->base->span,
-                  "these rule sets extend each other in a circle");
+                  "these rule sets extend each other in a cycle");
     return false;
   }
   chain.insert(chain.begin(), *base);
   return true;
 }
 
-/// Whether something of the file could not be read, which may have been the rule set.
+/// Whether a part of the file could not be read; the rule set may have been there.
 bool ChainFinder::isBroken() const {
   const auto& items = main_.parsed.file.items;
   const bool misses = !main_.brokenNames.empty() || items.empty() ||
@@ -76,7 +76,7 @@ bool ChainFinder::isBroken() const {
   return misses && context_.diagnostics.hasErrors();
 }
 
-/// Rules without a rule set are for other files to use; or the rule set was forgotten.
+/// A file with rules but without a rule set is either a library for other files, or incomplete.
 void ChainFinder::warnOfRulesAlone() {
   if (isBroken()) return;
   for (const Item& item : main_.parsed.file.items) {

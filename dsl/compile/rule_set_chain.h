@@ -1,4 +1,4 @@
-// Which rule set is run, and which ones it extends.
+// Finds the rule set of a file and the rule sets that it extends.
 #pragma once
 
 #include <vector>
@@ -8,8 +8,8 @@
 
 namespace af2::dsl {
 
-/// The rule set of the main file after those that it extends, the farthest first; none if there is
-/// none, which is told where one is needed.
+/// The rule set of the main file, preceded by the rule sets that it extends, the most basic first.
+/// Empty if the file has none; this is reported if one is needed.
 std::vector<PlacedRuleSet> ruleSetChain(CompileContext& context, const Library& library,
                                         bool needsRuleSet);
 

@@ -14,10 +14,10 @@
 namespace af2::dsl {
 namespace {
 
-constexpr int kMostLevels = 1000;
+constexpr int kMaxLevels = 1000;
 constexpr int kDefaultLevels = 50;
 
-/// To so many digits: what is left of rounding is not shown.
+/// Rounds to a number of significant digits, so that messages do not show rounding errors.
 double roundedTo(double value, int digits) {
   if (value == 0) return 0;
   const double scale = std::pow(10, digits - 1 - std::floor(std::log10(std::abs(value))));
@@ -99,7 +99,7 @@ void RuleSetCompiler::collect(const PlacedRuleSet& placed) {
   for (const Setting& setting : placed.block->settings) {
     match(
         setting.content, [&](const MetaClause& meta) { readAllowed(meta, *placed.home); },
-        // Each of these is looked up where it is needed.
+        // These settings are looked up where they are needed.
         [](const AnyOf<std::monostate, ElementsSetting, MatchSetting, FadeSetting, ScoreSetting,
                        AcceptSetting, OrderSetting, RowsSetting, ClassesSetting, ScaleSetting,
                        ParitySetting> auto&) {});
@@ -136,10 +136,10 @@ void RuleSetCompiler::readClasses() {
   if (*first != 1)
     context_.tell(*home, Code::NotConstant, classes->first.span, "the first quality level is 1",
                   "write 1.." + shownNumber(std::max(*first, *last)));
-  else if (*last < 1 || *last > kMostLevels || *last != std::floor(*last))
+  else if (*last < 1 || *last > kMaxLevels || *last != std::floor(*last))
     context_.tell(
         *home, Code::NotConstant, classes->last.span,
-        "the last quality level must be a whole number from 1 to " + std::to_string(kMostLevels),
+        "the last quality level must be a whole number from 1 to " + std::to_string(kMaxLevels),
         "an edge that no rule takes at the last level is stuck");
   else
     shared_.maxLevel = static_cast<int>(*last);
@@ -201,7 +201,7 @@ void RuleSetCompiler::readParity() {
     parity_ = Parity::Even;
   else if (parity->parity.text != "any")
     context_.tell(*home, Code::NotConstant, parity->parity.span,
-                  "'" + parity->parity.text + "' is no parity",
+                  "'" + parity->parity.text + "' is not a parity",
                   "write `parity even;` or `parity any;`");
 }
 
@@ -225,11 +225,11 @@ std::optional<Program> RuleSetCompiler::metricProgram(const Expr& expr, const Mo
   if (value.isAny()) return std::nullopt;
   if (!builder.dependsOnMatch(value.number))
     context_.tell(home, Code::IdleClause, expr.span, "every element has the same score",
-                  "let it ask for the corners, as metrics do: shape_size(10), size_error");
+                  "let it depend on the corners, as metrics do: shape_size(10), size_error");
   return builder.program(std::array<Node, 1>{value.number});
 }
 
-/// Whether there may be a value at every level; if not, the lowest one without is told.
+/// Whether there can be a value at every level. If not, reports the lowest level without a value.
 bool RuleSetCompiler::hasValues(const Program& program, const Expr& expr, const Module& home,
                                 const char* what) {
   if (!asksForLevel(program)) return true;
@@ -294,12 +294,12 @@ std::shared_ptr<const AF2Acceptance> RuleSetCompiler::acceptance() {
   if (!accept) return nullptr;
   ProgramBuilder builder;
   ExpressionCompiler compiler(context_, *home, ExpressionPlace::Acceptance, Algebra(builder, {}));
-  const Value value = compiler.truth(accept->condition, "what is accepted");
+  const Value value = compiler.truth(accept->condition, "the argument of `accept`");
   if (value.isAny()) return nullptr;
   if (const auto constant = builder.constantValue(value.number); constant && *constant != 0)
     return nullptr;
   const Program whole = builder.program(std::array<Node, 1>{value.number});
-  hasValues(whole, accept->condition, *home, "what is accepted");
+  hasValues(whole, accept->condition, *home, "the argument of `accept`");
   const Expr& expr = accept->condition;
   const bool isBound = expr.kind == ExprKind::Binary && expr.name == "<" &&
                        expr.parts[0].kind == ExprKind::Name && expr.parts[0].name == "score";
@@ -390,7 +390,7 @@ RuleSetDefinition RuleSetCompiler::finish(const std::set<int>& sizes) {
       definition.unit = ChartUnit::BaseLength;
     else if (scale->unit.text != "h")
       context_.tell(*home, Code::NotConstant, scale->unit.span,
-                    "'" + scale->unit.text + "' is no unit of length",
+                    "'" + scale->unit.text + "' is not a unit of length",
                     "write `scale h;` or `scale base;`");
   }
   definition.parity = parity_;

@@ -1,4 +1,4 @@
-// From a `ruleset` block to what all rules share.
+// Compiles a `ruleset` block to the settings that all rules share.
 #pragma once
 
 #include <memory>
@@ -14,17 +14,17 @@
 
 namespace af2::dsl {
 
-/// A `ruleset` block and the file it stands in.
+/// A `ruleset` block and its file.
 struct PlacedRuleSet {
   const RuleSetBlock* block = nullptr;
   const Module* home = nullptr;
 };
 
-/// Compiles the settings: first those that rules depend on, and when the rules are known the rest.
+/// Compiles the settings: first those that rules depend on, then the rest when the rules are known.
 class RuleSetCompiler {
  public:
-  /// `blocks`: the rule set after those that it extends, the farthest first. May be empty, then all
-  /// settings have their defaults.
+  /// `blocks`: the rule set, preceded by the rule sets that it extends, the most basic first. If it
+  /// is empty, all settings have their defaults.
   RuleSetCompiler(CompileContext& context, const Module& main, std::vector<PlacedRuleSet> blocks);
 
   const SharedSettings& shared() const { return shared_; }
@@ -35,7 +35,8 @@ class RuleSetCompiler {
   /// Codes of findings that the rule set allows.
   const std::set<Code>& allowed() const { return allowed_; }
 
-  /// The definition without its rules. `sizes`: numbers of corners that the rules make elements of.
+  /// The definition without its rules. `sizes`: the numbers of corners of the elements that the
+  /// rules make.
   RuleSetDefinition finish(const std::set<int>& sizes);
 
  private:
@@ -64,7 +65,7 @@ class RuleSetCompiler {
   CompileContext& context_;
   const Module& main_;
   std::vector<PlacedRuleSet> blocks_;
-  std::vector<Found> settings_;  ///< by kind of content, the last one wins
+  std::vector<Found> settings_;  ///< by kind of content; the last one is used
   SharedSettings shared_;
   Parity parity_ = Parity::Any;
   std::set<std::string> kinds_;

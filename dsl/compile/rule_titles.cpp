@@ -8,7 +8,8 @@
 namespace af2::dsl {
 namespace {
 
-/// A parameter that a title does not tell yet, the family's own first; empty if it tells all.
+/// A parameter that the title does not contain, parameters of the family first; empty if it
+/// contains all of them.
 std::string untoldParameter(const CompiledRule& rule, const std::string& title) {
   std::vector<std::string> names;
   if (rule.text->family)
@@ -20,7 +21,7 @@ std::string untoldParameter(const CompiledRule& rule, const std::string& title) 
   return untold == names.end() ? std::string() : *untold;
 }
 
-/// Two rules from one title: members of a family, or what two instances make.
+/// Two rules with the same title: members of a family, or rules of two instances.
 void tellSameTitle(const CompiledRule& known, const CompiledRule& rule,
                    DiagnosticList& diagnostics) {
   const bool isOfInstances = known.askedAt != rule.askedAt;
@@ -76,7 +77,7 @@ void checkTitles(const Module& main, std::span<const CompiledRule> rules,
     d.notes = {{"the other one", known->second}};
     diagnostics.add(std::move(d));
   };
-  // By the text first: rules with errors of their own are not among the compiled ones.
+  // Checks the text first, because rules with errors are not among the compiled rules.
   const auto addText = [&](const Name& title) {
     if (title.text.find('{') == std::string::npos)
       add(title.text, placeOf(main.source, title.span));

@@ -1,4 +1,4 @@
-// Which titles a file gives to rules; and that every rule has one of its own (R2).
+// The titles of the rules of a file, and the check that they are unique (R2).
 #pragma once
 
 #include <span>
@@ -10,12 +10,12 @@
 
 namespace af2::dsl {
 
-/// The titles that an item of a file gives to rules: those of `titlesOf`, and of an instance the
-/// ones that its template gives to mirror images.
+/// The titles of the rules that an item of a file defines: those of `titlesOf`, and for an instance
+/// also those of the mirror images in its template.
 std::vector<const Name*> titlesMadeBy(const Item& item, const Module& module);
 
-/// Rules of one title, by the text of the file and by what families, templates and other files make
-/// of it.
+/// Reports rules with equal titles, both in the text of the file and after families, templates and
+/// imports are expanded.
 void checkTitles(const Module& main, std::span<const CompiledRule> rules,
                  DiagnosticList& diagnostics);
 

@@ -61,7 +61,7 @@ ShapeValue blended(const Algebra& algebra, const ShapeValue& preferred, const Sh
   return result;
 }
 
-/// Of trees that are built alike: equal numbers are one step.
+/// Whether two trees have the same structure; equal numbers share one step.
 bool isSameShape(const ShapeValue& a, const ShapeValue& b) {
   const auto isSame = [](const auto& p, const auto& q) { return isSameShape(*p, *q); };
   return a.points == b.points && a.numbers == b.numbers &&
@@ -108,11 +108,11 @@ Value ExpressionCompiler::fadeShapes(const Expr& expr) {
   for (int i = 0; i < 2; ++i) {
     const Value& side = i == 0 ? preferred : limiting;
     if (side.type != Type::Number && side.type != Type::Angle) continue;
-    tell(
-        Code::WrongType, expr.parts[i].span, "only points and shapes fade",
-        "this is " + describe(side),
-        "fade the whole shape, as in `disc(c, 2) => disc(c, 1)`, or write the number by the level, "
-        "as in `1 + 1/q`");
+    tell(Code::WrongType, expr.parts[i].span, "only points and shapes fade",
+         "this is " + describe(side),
+         "fade the whole shape, as in `disc(c, 2) => disc(c, 1)`, or let the number depend on the "
+         "level, "
+         "as in `1 + 1/q`");
     return {};
   }
   if (preferred.isPoint() && limiting.isPoint() && preferred.at == limiting.at) tellNoFade(expr);
@@ -123,7 +123,7 @@ Value ExpressionCompiler::fadeShapes(const Expr& expr) {
   if (!isSameTree(*preferred.shape, *limiting.shape)) {
     tell(Code::UnmatchedShapes, expr.span, "these two shapes cannot fade into each other",
          std::string("'") + toString(preferred.shape->kind) + "' and '" +
-             toString(limiting.shape->kind) + "' are not built alike",
+             toString(limiting.shape->kind) + "' have different structures",
          "both sides need the same constructors with the same number of corners");
     return {};
   }
@@ -194,7 +194,7 @@ Value ExpressionCompiler::polyShape(const Expr& expr) {
   return isRight ? shapeValue(std::move(result)) : Value{};
 }
 
-/// Of a registered shape only answers are known, not where its boundary runs.
+/// A registered shape only answers queries; its boundary is not known.
 bool ExpressionCompiler::isGrownUser(const Expr& expr, const ShapeValue& shape) {
   if (!hasUserPart(shape)) return false;
   tell(Code::UnmatchedShapes, expr.span, "a registered shape cannot be grown", "",
@@ -206,7 +206,7 @@ Value ExpressionCompiler::callShape(const Expr& expr) {
   const std::string usage(usageOf(expr.name));
   if (expr.name == "poly") return polyShape(expr);
   if (expr.name == "arc") {
-    tell(Code::UnmatchedShapes, expr.span, "an arc stands only in the path of a poly", "",
+    tell(Code::UnmatchedShapes, expr.span, "an arc is allowed only in the path of a poly", "",
          "write poly(p, arc(via, to), ...)");
     return {};
   }
@@ -316,7 +316,7 @@ ShapeValue reflected(const Algebra& algebra, const ShapeValue& shape) {
     result.numbers[1] = b.subtract(half, shape.numbers[2]);
     result.numbers[2] = b.subtract(half, shape.numbers[1]);
   } else if (shape.kind == ShapeKind::Poly) {
-    // Backwards, every step leads to where it came from; an arc keeps its point on the way.
+    // In reverse order, every step leads back to its start; an arc keeps its intermediate point.
     std::vector<NodePair> ends, vias;
     std::size_t next = 0;
     for (bool isArc : shape.arcs) {

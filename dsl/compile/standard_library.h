@@ -7,7 +7,7 @@
 
 namespace af2::dsl {
 
-/// The text of, for instance, "std/quality.af2".
+/// The text of a file such as "std/quality.af2"; nothing if there is no such file.
 std::optional<std::string> standardFile(std::string_view path);
 
 }  // namespace af2::dsl

@@ -134,7 +134,7 @@ void TestCompiler::addPoints(const TestPoints& points) {
     if (const auto index = place(vertex)) isolated_.insert(*index);
 }
 
-/// A chain that begins where another one ends goes on with it.
+/// A chain that begins at the end of another chain continues it.
 void TestCompiler::joinChains() {
   auto& chains = result_.piece.chains;
   for (std::size_t i = 0; i < chains.size(); ++i) {
@@ -142,7 +142,7 @@ void TestCompiler::joinChains() {
       const bool isClosed =
           chains[i].front() == chains[i].back() || chains[k].front() == chains[k].back();
       if (i == k || isClosed || chains[i].back() != chains[k].front()) continue;
-      // The first edge of the first chain stays the base.
+      // The first edge of the first chain stays the base edge.
       chains[i].insert(chains[i].end(), chains[k].begin() + 1, chains[k].end());
       chains.erase(chains.begin() + static_cast<std::ptrdiff_t>(k));
       if (k < i) --i;
@@ -180,7 +180,7 @@ void TestCompiler::setBase(const TestBase* base) {
         return;
       }
   tell(Code::UnknownName, cover(base->from.span, base->to.span),
-       base->from.text + " -> " + base->to.text + " is no edge of this test's front", "",
+       base->from.text + " -> " + base->to.text + " is not an edge of this test's front", "",
        "name an edge of a `front` clause");
 }
 
@@ -214,7 +214,7 @@ const CompiledRule* TestCompiler::findRule(const Name& title) {
     return nullptr;
   };
   if (!context_.mayGuess()) return tellMissing({});
-  // A rule with errors is not among the compiled ones; it has been told about.
+  // A rule with errors is not among the compiled rules; its errors have been reported.
   for (const Item& item : module_.parsed.file.items) {
     if (item.content.index() == 0) return nullptr;
     for (const Name* written : titlesMadeBy(item, module_)) {
@@ -299,7 +299,7 @@ void TestCompiler::addExpectation(const Expectation& e, Span span) {
           add(std::optional(C::Score{o.comparison, *value}));
       },
       [&](const ExpectCondition& o) {
-        const Value value = expressions_.truth(o.condition, "what is expected");
+        const Value value = expressions_.truth(o.condition, "the argument of `expect`");
         const auto held = value.isAny() ? std::nullopt : builder_.constantValue(value.number);
         const double truth = held.value_or(0);
         hasErrors_ = hasErrors_ || !held;
@@ -340,7 +340,7 @@ std::optional<CompiledTest> TestCompiler::compile() {
         clause.content, [&](const TestFront& c) { addChains(c); },
         [&](const TestPoints& c) { addPoints(c); }, [&](const TestBase& c) { base = &c; },
         [&](const TestLevel& c) { readLevel(c); }, [&](const TestSize& c) { readSize(c); },
-        // What is expected is read when the front is known.
+        // Expectations are compiled when the front is known.
         [](const AnyOf<std::monostate, Expectation> auto&) {});
   }
   const bool hasFront = !result_.piece.chains.empty();

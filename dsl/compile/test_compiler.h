@@ -1,4 +1,4 @@
-// From the text of a test to a piece of front and what is expected of the rules there.
+// Compiles a test to a piece of front and the expectations on the rules there.
 #pragma once
 
 #include <memory>
@@ -20,7 +20,7 @@ struct CompiledExpectation {
   struct IsRule {
     std::string title;
     std::vector<std::pair<std::string, std::size_t>>
-        bindings;                             ///< pattern vertex, vertex of the test
+        bindings;                             ///< from pattern vertex to vertex of the test
     std::string reason;                       ///< as written; empty: none
     std::vector<std::size_t> reasonVertices;  ///< one vertex, or the two of an edge
   };
@@ -28,7 +28,7 @@ struct CompiledExpectation {
     std::size_t index = 0;  ///< from 0
     Point2 at;
   };
-  /// Vertices of the test, then the new ones.
+  /// Vertices of the test, then the new vertices.
   struct Front {
     bool only = false;
     std::vector<std::vector<std::size_t>> chains;
@@ -58,7 +58,7 @@ struct CompiledTest {
   std::vector<CompiledExpectation> expectations;
 };
 
-/// A `property` with its expectations in the terms of its rule.
+/// A `property`, with its expectations compiled for its rule.
 struct CompiledProperty {
   std::string title;
   Span span;
@@ -68,7 +68,7 @@ struct CompiledProperty {
   std::vector<Span> expectationSpans;
 };
 
-/// Nothing if the test has errors, which are told.
+/// Nothing if the test has errors, which are reported.
 std::optional<CompiledTest> compileTest(CompileContext& context, const Module& module,
                                         const Test& test, std::span<const CompiledRule> rules,
                                         int maxLevel);

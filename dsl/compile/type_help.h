@@ -1,4 +1,4 @@
-// The way out where a value of one type stands where another is needed.
+// Suggestions for a value of the wrong type.
 #pragma once
 
 #include <string>
@@ -7,8 +7,7 @@
 
 namespace af2::dsl {
 
-/// What a place needs: a type that is taken there, the first of them where there are several, and
-/// the words for it.
+/// The type that a place requires (the first one if several are accepted), and the words for it.
 struct Wanted {
   enum class Kind { Number, Angle, Condition, Point, Vector, Shape, Other };
   Kind kind = Kind::Other;
@@ -21,10 +20,10 @@ Wanted wantedCondition();
 Wanted wantedPoint();
 Wanted wantedShape();
 
-/// What a parameter of a function takes, by its letter in the table of functions (builtins.h).
+/// The type of a parameter, by its letter in the table of functions (builtins.h).
 Wanted wantedBy(char parameter);
 
-/// Empty if there is no usual way.
+/// A suggestion to convert `found` to the type; empty if there is no usual way.
 std::string wayToType(Wanted::Kind wanted, const Value& found);
 
 }  // namespace af2::dsl

@@ -1,4 +1,4 @@
-// Clauses and headers in their usual form, without comments and layout.
+// Prints clauses and headers in their canonical form, without comments and layout.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace af2::dsl {
 
-/// A clause as its first word and the rest.
+/// A clause: its keyword and the rest.
 struct Line {
   std::string word, rest;
 };
@@ -19,7 +19,7 @@ Line lineOf(const TestClause& clause);
 /// rule "title" for (k) in (1), (2) quality k
 std::string ruleHeader(const Rule& rule);
 
-/// A string in quotes, with what must be escaped.
+/// A string in quotes, with escapes.
 std::string quoted(const std::string& text);
 
 inline std::string nameOf(const Name& name) { return name.text; }

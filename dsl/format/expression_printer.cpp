@@ -1,4 +1,4 @@
-// Expressions as canonical text.
+// Prints expressions as canonical text.
 #include "dsl/format/printer.h"
 
 namespace af2::dsl {
@@ -10,8 +10,8 @@ std::string list(const std::vector<Expr>& parts) {
   return text;
 }
 
-/// Products are written close, sums wide: 0.5 + 0.3*q. Where an operand is no single word the
-/// product is wide as well.
+/// Products are printed without spaces, sums with spaces: 0.5 + 0.3*q. If an operand is not a
+/// single word, the product also has spaces.
 bool isShort(const Expr& e) {
   switch (e.kind) {
     case ExprKind::Number:
@@ -57,7 +57,7 @@ std::string printExpression(const Expr& e) {
     case ExprKind::Tuple:
       return "(" + list(e.parts) + ")";
     case ExprKind::Member:
-      // A number needs the blank: `1.x` is no number.
+      // A number needs the space: `1.x` is not a number.
       return printExpression(e.parts[0]) + (e.parts[0].kind == ExprKind::Number ? " ." : ".") +
              e.name;
     case ExprKind::Negate:

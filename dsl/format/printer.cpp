@@ -7,7 +7,7 @@
 namespace af2::dsl {
 namespace {
 
-/// Writes items with the comments that stand before, between and behind them.
+/// Writes items with the comments before, between and after them.
 class Printer {
  public:
   Printer(const SourceText& source, const ParsedFile& parsed) : source_(source), parsed_(parsed) {}
@@ -28,7 +28,7 @@ class Printer {
  private:
   std::uint32_t end() const { return static_cast<std::uint32_t>(source_.text().size()); }
 
-  /// Where `af2` stands: behind the comments that may open a file.
+  /// The position of `af2`, after comments at the beginning of the file.
   std::uint32_t versionBegin() const {
     std::uint32_t at = source_.text().starts_with("\xEF\xBB\xBF") ? 3 : 0;
     std::size_t c = 0;
@@ -51,7 +51,7 @@ class Printer {
     if (line(begin) - line(previousEnd_) > 1) out_ += "\n";
   }
 
-  /// All comments that begin before `offset`, each on a line of its own.
+  /// Writes all comments that begin before `offset`, each on its own line.
   void commentsBefore(std::uint32_t offset, const std::string& indent) {
     while (next_ < parsed_.comments.size() && parsed_.comments[next_].span.begin < offset) {
       const Comment& comment = parsed_.comments[next_++];
@@ -61,7 +61,7 @@ class Printer {
     }
   }
 
-  /// A comment on the line on which something ended, if it begins before `limit`.
+  /// Writes a comment on the line where the previous text ended, if it begins before `limit`.
   void trailingComment(std::uint32_t endedAt, std::uint32_t limit) {
     if (next_ >= parsed_.comments.size()) return;
     const Comment& comment = parsed_.comments[next_];
@@ -72,7 +72,7 @@ class Printer {
     ++next_;
   }
 
-  /// Comments in the middle of something go before it.
+  /// Comments in the middle of a clause are moved before it.
   void commentsInside(Span span, const std::string& indent) {
     while (next_ < parsed_.comments.size() && parsed_.comments[next_].span.begin < span.end) {
       out_ += indent + parsed_.comments[next_].text + "\n";
@@ -121,7 +121,7 @@ class Printer {
     finish(span, end());
   }
 
-  /// Where the brace of a block stands, as nearly as its parts tell.
+  /// The position of the opening brace of a block, estimated from its parts.
   static std::uint32_t last(const LevelRange& levels) {
     return levels.last.isMissing() ? levels.first.span.end : levels.last.span.end;
   }
@@ -199,7 +199,8 @@ class Printer {
   void printItem(const Item& item) {
     if ((isBlock(item) || wasBlock_) && !out_.ends_with("\n\n")) out_ += "\n";
     commentsBefore(item.span.begin, "");
-    // A blank line between a comment and what follows parts the two; doc comments stand close.
+    // A blank line separates a comment from the next item; a doc comment has no blank line after
+    // it.
     blankLineIfThereWasOne(item.span.begin);
     printContent(item);
     wasBlock_ = isBlock(item);

@@ -1,4 +1,4 @@
-// Canonical text of rule files: the formatter.
+// The formatter: prints rule files as canonical text.
 #pragma once
 
 #include <string>
@@ -9,17 +9,17 @@
 
 namespace af2::dsl {
 
-/// One clause per line, the first words of a block's clauses padded to one column, one blank line
-/// between items (blank lines between single-line items are kept), comments where they stood.
-/// `parsed` must be without broken parts.
+/// Prints one clause per line, with the keywords of a block padded to the same width and one blank
+/// line between items (blank lines between single-line items are kept). Comments keep their places.
+/// `parsed` must have no broken parts.
 std::string print(const SourceText& source, const ParsedFile& parsed);
 
 struct Formatted {
   std::string text;                     ///< empty if there are errors
-  std::vector<Diagnostic> diagnostics;  ///< what kept the file from being read
+  std::vector<Diagnostic> diagnostics;  ///< the errors that prevented reading the file
 };
 
-/// Reads and prints. Text that cannot be read is left alone: errors and no text.
+/// Reads and prints a text. A text that cannot be read gives errors and an empty text.
 Formatted format(std::string name, std::string text);
 
 /// One expression on one line.

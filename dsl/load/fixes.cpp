@@ -7,8 +7,9 @@
 namespace af2::dsl {
 namespace {
 
-/// Errors in the signs, in names and types, in what the rules say; then warnings. Earlier faults
-/// hide later ones, so that fewer of the first kind are better whatever comes to light.
+/// Counts errors by stage (words and clauses, names and types, rules), then warnings. Earlier
+/// faults hide later ones, so fewer errors of an early stage are better, even if more later faults
+/// appear.
 std::array<std::size_t, 4> faultsOf(const LoadedRules& loaded) {
   std::array<std::size_t, 4> counts{};
   for (const Diagnostic& d : loaded.diagnostics) {
@@ -41,14 +42,14 @@ std::vector<TextEdit> editsFor(const LoadedRules& loaded) {
 }
 
 FixedText fixText(const std::string& name, std::string text, const LoadOptions& options) {
-  constexpr int kMostTries = 500;
+  constexpr int kMaxTries = 500;
   FixedText fixed{std::move(text), {}};
   LoadedRules loaded = loadRulesFromText(name, fixed.text, options);
   int tries = 0;
   for (bool isBetter = true; isBetter;) {
     isBetter = false;
     for (const TextEdit& edit : editsFor(loaded)) {
-      if (++tries > kMostTries) return fixed;
+      if (++tries > kMaxTries) return fixed;
       std::string candidate = edited(fixed.text, edit);
       LoadedRules then = loadRulesFromText(name, candidate, options);
       if (faultsOf(then) >= faultsOf(loaded)) continue;

@@ -7,8 +7,8 @@
 
 namespace af2::dsl {
 
-/// Whether the rule that a finding is about allows it, or the rule set does for all rules. Warnings
-/// can be allowed, and of the errors G2 and Z1.
+/// Whether the rule of a finding allows it, or the rule set allows it for all rules. All warnings
+/// can be allowed, but only the errors G2 and Z1.
 bool isMeantToBe(const LoadedFile& file, const Diagnostic& finding);
 
 }  // namespace af2::dsl

@@ -1,4 +1,4 @@
-// What a rule set was made of: its files, rules and tests as they were written.
+// The source of a rule set: its files, rules and tests.
 #pragma once
 
 #include <memory>
@@ -16,11 +16,11 @@ namespace af2::dsl {
 /// The files and rules behind a rule set, for tests, pictures and further checks.
 struct LoadedFile {
   std::vector<std::unique_ptr<Module>> modules;  ///< [0] is the file itself, then its imports
-  std::vector<CompiledRule> rules;               ///< those of `soundRules` first, in its order
-  /// The rule set; of a file with errors what is sound of it, so that further checks can tell all
-  /// mistakes in one run. Null if there is no rule set, or nothing sound.
+  std::vector<CompiledRule> rules;  ///< the rules of `soundRules` first, in the same order
+  /// The rule set without rules that have errors, so that further checks can report all mistakes in
+  /// one run. Null if there is no rule set, or no rule without errors.
   std::shared_ptr<const RuleSet> soundRules;
-  std::vector<CompiledTest> tests;  ///< of the file itself, those without errors
+  std::vector<CompiledTest> tests;  ///< the tests of the file itself that have no errors
   std::vector<CompiledProperty> properties;
   std::set<Code> allowed;  ///< codes that the rule set allows, for all rules
   const Module& main() const { return *modules.front(); }

@@ -20,7 +20,7 @@
 namespace af2::dsl {
 namespace {
 
-/// Compiles one main file: its rule set, and its rules with those that it uses from elsewhere.
+/// Compiles one main file: its rule set, its rules, and the rules that it uses from other files.
 class FileCompiler {
  public:
   FileCompiler(CompileContext& context, const Library& library, bool needsRuleSet)
@@ -29,7 +29,7 @@ class FileCompiler {
         main_(*library.modules().front()),
         needsRuleSet_(needsRuleSet) {}
 
-  /// Null if there are errors or no rules. Compiled rules and tests are left in `result`.
+  /// Null if there are errors or no rules. Compiled rules and tests are stored in `result`.
   std::shared_ptr<const RuleSet> compile(LoadedFile& result);
 
  private:
@@ -134,7 +134,7 @@ void FileCompiler::compileInstance(const Module& module, const Instance& instanc
              .compile(text.rule, parameters, &title));
 }
 
-/// A template is checked by its text alone as well, so that faults show before it is used.
+/// A template is also checked without an instance, so that its faults are found before it is used.
 void FileCompiler::checkTemplate(const Module& module, const Template& item) {
   Parameters parameters;
   std::set<std::string> seen;
@@ -191,7 +191,7 @@ void FileCompiler::compileUse(const Module& module, const Use& use) {
   }
 }
 
-/// Tells if the library that is used makes no rule of this title.
+/// Reports that the imported file has no rule with this title.
 void FileCompiler::checkTitle(const Module& module, const Use& use, const Name& name) {
   const Module& library = *module.imports.at(use.library.text);
   std::vector<std::string> titles;
@@ -205,8 +205,8 @@ void FileCompiler::checkTitle(const Module& module, const Use& use, const Name& 
                 guessAmong(name.text, titles, "rules of that file"));
 }
 
-/// What a file makes and uses, worked out once however often it is used; of a circle, which is told
-/// where it is imported, nothing.
+/// The rules that a file defines and uses, computed once. Empty for a cycle of imports, which is
+/// reported at the import.
 const std::vector<CompiledRule>& FileCompiler::rulesOf(const Module& library) {
   const auto [known, isNew] = libraryRules_.try_emplace(&library);
   if (!isNew) return known->second;
@@ -227,7 +227,8 @@ void FileCompiler::compileItems(const Module& module) {
         [&](const Instance& instance) { compileInstance(module, instance); },
         [&](const Template& text) { checkTemplate(module, text); },
         [&](const Use& use) { compileUse(module, use); },
-        // Settings and names were read before any rule; tests and properties ask for all of them.
+        // Settings and names are read before the rules; tests and properties need all rules, so
+        // they follow.
         [](const AnyOf<std::monostate, Import, Constant, Function, Metric, RuleSetBlock, Test,
                        Property> auto&) {});
   }
@@ -295,7 +296,7 @@ void FileCompiler::compileTests(LoadedFile& result) {
                          Rule, Template, Instance> auto&) {});
 }
 
-/// Makes the engine's rules, and leaves out of `rules` those that it would not take.
+/// Makes the rules for the engine, and removes from `rules` those that the engine would refuse.
 std::shared_ptr<const RuleSet> FileCompiler::ruleSetOf(std::vector<CompiledRule>& rules,
                                                        RuleSetDefinition definition) {
   std::erase_if(rules, [&](const CompiledRule& rule) {
@@ -303,7 +304,7 @@ std::shared_ptr<const RuleSet> FileCompiler::ruleSetOf(std::vector<CompiledRule>
       definition.rules.emplace_back(rule.definition);
       return false;
     } catch (const InputError& error) {
-      const bool isNeverTried = rule.definition.firstLevel > definition.maxLevel;  // told as that
+      const bool isNeverTried = rule.definition.firstLevel > definition.maxLevel;  // reported as D2
       if (!isNeverTried) context_.tell(*rule.home, Code::OpenTopology, rule.title, error.what());
       return true;
     }
@@ -331,7 +332,7 @@ std::shared_ptr<const RuleSet> FileCompiler::compile(LoadedFile& result) {
   if (rules_.empty() && !context_.diagnostics.hasErrors() && needsRules)
     context_.tell(main_, Code::RuleSetCount, {0, 0}, "this file has no rules",
                   "add `rule \"title\" quality 1 { ... }`");
-  if (!context_.diagnostics.hasErrors()) sound = rules_;  // those that are never tried as well
+  if (!context_.diagnostics.hasErrors()) sound = rules_;  // including rules that are never tried
   const bool isUsable = hasRuleSet || !context_.diagnostics.hasErrors();
   if (isUsable && !sound.empty()) result.soundRules = ruleSetOf(sound, std::move(definition));
   std::set<std::string> titles;

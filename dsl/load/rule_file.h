@@ -1,4 +1,4 @@
-// Rule files: from a path or a text to an immutable rule set, with all that is to be said about it.
+// Loads rule files: from a path or a text to an immutable rule set with its diagnostics.
 #pragma once
 
 #include <filesystem>
@@ -17,30 +17,30 @@ class Registry;
 struct LoadedFile;  // loaded_file.h, for AF2 itself
 
 struct LoadOptions {
-  /// Where imports are looked for after the folder of the importing file.
+  /// The folders in which imports are searched after the folder of the importing file.
   std::vector<std::filesystem::path> searchPaths;
-  /// Functions, metrics and zone shapes of the caller; null: none.
+  /// Registered functions, metrics and zone shapes; null if there are none.
   const Registry* registry = nullptr;
-  /// Texts that stand for files, asked before the disk is: what an editor has not saved yet.
+  /// Supplies texts in place of files on the disk, such as the unsaved files of an editor.
   TextSource unsaved;
-  /// Codes of warnings that are not told.
+  /// Codes of warnings that are not reported.
   std::vector<Code> allowed;
-  /// Whether the file is to be run, which takes a rule set and rules. Without, a file may be a
-  /// library: its rules get the default settings.
+  /// Whether the file must be complete, with a rule set and rules. Otherwise the file may be a
+  /// library, whose rules get the default settings.
   bool needsRuleSet = true;
 };
 
 struct LoadedRules {
   std::shared_ptr<const RuleSet> rules;    ///< null if there are errors, or a library has no rules
   std::vector<Diagnostic> diagnostics;     ///< errors and warnings, in the order of the text
-  std::shared_ptr<const LoadedFile> file;  ///< what the rules were made of
+  std::shared_ptr<const LoadedFile> file;  ///< the source of the rules
 };
 
-/// Never throws on what stands in the file, nor when there is none: that is a diagnostic (R3).
+/// Never throws because of the content of the file. A missing file is a diagnostic (R3).
 AF2_EXPORT LoadedRules loadRules(const std::filesystem::path& path,
                                  const LoadOptions& options = {});
 
-/// `name` is what diagnostics call the text; imports are looked for beside it.
+/// `name` is the name of the text in diagnostics; imports are searched in its folder.
 AF2_EXPORT LoadedRules loadRulesFromText(std::string name, std::string text,
                                          const LoadOptions& options = {});
 

@@ -1,4 +1,4 @@
-// A rule at given positions, with as much of a front around it as its chains and the caller tell.
+// A rule at given positions, with the front that its chains and the caller define.
 #pragma once
 
 #include <map>
@@ -14,7 +14,7 @@ class GivenMatch final : public RuleAtMatch {
   /// matched      positions in pattern order
   /// environment  answers by name: h, loop_size, dist_front, curvature, and for a vertex c of the
   ///              pattern layer(c), turn(c) in degrees, valence(c), on_boundary(c); without a
-  ///              vertex layer, turn, ... hold for all of them
+  ///              vertex, `layer`, `turn`, ... apply to all vertices
   GivenMatch(const RuleDefinition& rule, std::vector<Point2> matched, int level,
              std::map<std::string, double> environment = {});
 

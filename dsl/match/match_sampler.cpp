@@ -28,9 +28,9 @@ MatchSampler::MatchSampler(const RuleSet& rules, const AF2Rule& rule, int level,
       tolerance_(rules.matchTolerance(level)),
       random_(seed) {}
 
-/// Within xx dx^2 + xy dx dy + yy dy^2 <= tolerance. With the Cholesky factor of the form the
-/// ellipse is the image of a disc; the pattern test that follows cuts off what forms without one
-/// let pass.
+/// A deviation with xx dx^2 + xy dx dy + yy dy^2 <= tolerance. The Cholesky factor of the form maps
+/// a disc to this ellipse. For forms without such a factor, the pattern test that follows removes
+/// deviations that are too large.
 Point2 MatchSampler::draw(const PatternVertex& vertex) {
   const Point2 p = random_.inDisc(), reference = vertex.reference.at(level_);
   if (!vertex.tolerance) return reference + kFarthestVertex * p;

@@ -1,4 +1,4 @@
-// Random matches of a rule, for checks that cannot be decided by arithmetic alone.
+// Random matches of a rule, for checks that arithmetic alone cannot decide.
 #pragma once
 
 #include <cstdint>
@@ -23,21 +23,21 @@ class RandomNumbers {
   std::uint64_t state_;
 };
 
-/// Lengths of the base edges that samples and proofs look at, in wanted lengths: what a front has
-/// where sizes are kept. An edge that is more than a square root of two too long or too short would
-/// be closer to the next size.
+/// Lengths of the base edges in samples and proofs, in multiples of the target size: the usual
+/// lengths on a front. The limits are about 1/sqrt(2) and sqrt(2): an edge beyond them would be
+/// closer to half or twice the target size.
 inline constexpr double kShortestBase = 0.7, kLongestBase = 1.4;
-/// How far a vertex may be from its reference where its tolerance sets no bound.
+/// The largest distance of a vertex from its reference if its tolerance sets no bound.
 inline constexpr double kFarthestVertex = 2.5;
 
-/// Draws matches of a rule at a level: base edges of any of these lengths, or of length 1 where the
-/// chart is scaled to the base; and each other vertex anywhere within its tolerance.
+/// Draws matches of a rule at a level: the base edge has any of these lengths, or length 1 if the
+/// chart is scaled to the base edge; every other vertex is anywhere within its tolerance.
 class MatchSampler {
  public:
   MatchSampler(const RuleSet& rules, const AF2Rule& rule, int level, std::uint64_t seed = 1);
 
-  /// A match that passes level, pattern and every `require`; nothing if none is found in many
-  /// tries.
+  /// A match that passes the level, the pattern and every `require`; nothing if many attempts find
+  /// none.
   std::optional<PatternMatch> next();
 
   RandomNumbers& random() { return random_; }
@@ -53,7 +53,7 @@ class MatchSampler {
   RandomNumbers random_;
 };
 
-/// How far a match is from the reference: the sum of squared deviations.
+/// The deviation of a match from the reference: the sum of squared deviations of its vertices.
 double deviationOf(const PatternMatch& match);
 
 }  // namespace af2::dsl

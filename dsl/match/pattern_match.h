@@ -1,5 +1,4 @@
-// A rule at given positions of its pattern, with no front around it: what pictures show and what
-// sampled checks look at.
+// A rule at given positions of its pattern, without a front around it, for pictures and checks.
 #pragma once
 
 #include <utility>
@@ -23,7 +22,8 @@ class PatternMatch final : public RuleAtMatch {
 
   const AF2Rule& rule() const { return *rule_; }
 
-  /// Class, Pattern, Require or NoValue: why the match is no match of the rule; else None.
+  /// The reason why the positions do not match the rule (Class, Pattern, Require or NoValue), or
+  /// None.
   Refusal refusalOfMatch(const RuleSet& rules) const {
     return af2::refusalOfMatch(rules, *rule_, binding()).reason;
   }
@@ -32,14 +32,14 @@ class PatternMatch final : public RuleAtMatch {
   const AF2Rule* rule_;
 };
 
-/// The corners of an element, out of PatternMatch::placeAll.
+/// The corners of an element, taken from the result of PatternMatch::placeAll.
 std::vector<Point2> cornersOf(const RuleElement& element, const std::vector<Point2>& placed);
 
 /// The pattern's edges as walks over its vertices, the one with the base edge first; a closed walk
 /// ends in the vertex in which it begins.
 std::vector<std::vector<int>> chainsOf(const RuleDefinition& rule);
 
-/// The piece of front that a match stands on, and nothing else.
+/// The piece of front of a match, and nothing else.
 FrontPiece pieceOf(const PatternMatch& match, int level);
 
 }  // namespace af2::dsl

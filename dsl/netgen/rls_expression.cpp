@@ -7,8 +7,8 @@
 namespace af2::dsl {
 namespace {
 
-/// A sum of points with weights and a constant vector behind them: what a point sum is made of.
-/// Kept twice, because only doubles are fast enough to search with.
+/// A weighted sum of points plus a constant vector. It is stored twice, exactly and in doubles,
+/// because the search needs the speed of doubles.
 struct Sum {
   std::vector<Exact> exact;
   std::vector<double> rough;
@@ -18,7 +18,7 @@ struct Sum {
   }
 };
 
-/// The share of a is what the others leave of 1; its position is the origin.
+/// The weight of a is 1 minus the other weights; its position is the origin.
 Sum sumOf(const ExactMap& map) {
   const std::size_t count = map.weights[0].size() / 2;
   std::vector<Exact> numbers(count + 2);
@@ -69,7 +69,7 @@ std::string coordinates(const Exact& x, const Exact& y) {
   return "(" + numberText(x) + ", " + numberText(y) + ")";
 }
 
-/// What it costs a reader to take in a number.
+/// The cost of a number: how hard it is to read.
 int cost(const Exact& number) {
   const std::string text = numberText(number);
   return static_cast<int>(text.size()) + (text.find('/') != std::string::npos ? 6 : 0);
@@ -107,7 +107,7 @@ class Search {
   }
 
  private:
-  /// Takes a phrase that is right up to a constant vector, which is then written behind it.
+  /// Accepts a phrase that is correct up to a constant vector, which is then appended.
   void offer(const Phrase& phrase) {
     for (std::size_t i = 0; i < weights_; ++i)
       if (!isSmall(phrase.sum.rough[i] - target_.rough[i])) return;
@@ -125,7 +125,7 @@ class Search {
     bestCost_ = price;
   }
 
-  /// Such a phrase may be right by chance: its constant comes from a new vertex nearby.
+  /// Such a phrase may be correct by chance: its constant comes from a new vertex nearby.
   bool bearsConstant(const Phrase& phrase) const {
     return phrase.sum.exact[weights_] != 0 || phrase.sum.exact[weights_ + 1] != 0;
   }
@@ -137,7 +137,7 @@ class Search {
       for (std::size_t j = i + 1; j < n; ++j)
         parts_.push_back({"mid(" + names_[i].text + ", " + names_[j].text + ")",
                           combine(names_[i].sum, half, names_[j].sum, half), 6});
-    if (n > 6) return;  // subsets grow fast
+    if (n > 6) return;  // the number of subsets grows fast
     for (unsigned subset = 0; subset < (1u << n); ++subset) addCentroid(subset);
   }
 
@@ -204,7 +204,7 @@ class Search {
         }
   }
 
-  /// lerp(p, lerp(q, r, s), t): three points in any proportion.
+  /// lerp(p, lerp(q, r, s), t): three points with any weights.
   void offerNestedLerps() {
     for (const Phrase& q : names_)
       for (const Phrase& r : names_) {
@@ -259,7 +259,7 @@ class Search {
   int bestCost_ = 0;
 };
 
-/// One coordinate, where x and y are made differently.
+/// One coordinate, if x and y have different formulas.
 std::string rowText(const ExactMap& map, std::size_t row, const std::vector<NamedPoint>& points) {
   std::string text;
   for (std::size_t i = 0; i < map.weights[row].size(); ++i) {
@@ -280,9 +280,9 @@ std::string rowText(const ExactMap& map, std::size_t row, const std::vector<Name
 std::string numberText(const Exact& number) {
   using boost::multiprecision::cpp_int;
   cpp_int digits = numerator(number), rest = denominator(number);
-  constexpr int kMostPlaces = 60;
+  constexpr int kMaxPlaces = 60;
   int places = 0;
-  for (; rest != 1 && places < kMostPlaces && (rest % 2 == 0 || rest % 5 == 0); ++places) {
+  for (; rest != 1 && places < kMaxPlaces && (rest % 2 == 0 || rest % 5 == 0); ++places) {
     const Exact scaled(digits * 10, rest);
     digits = numerator(scaled);
     rest = denominator(scaled);

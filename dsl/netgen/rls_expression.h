@@ -1,4 +1,4 @@
-// Linear maps as geometry: finds `mid(b, c)` where a file says 0.5 X2 + 0.5 X3.
+// Converts linear maps to geometry: finds `mid(b, c)` for 0.5 X2 + 0.5 X3.
 #pragma once
 
 #include <string>
@@ -16,10 +16,10 @@ struct NamedPoint {
 
 /// The simplest expression of the rule language that places a point exactly as `map` does.
 ///
-/// points  the matched points in order, then new ones that are known already
+/// points  the matched points in order, then new points that are already defined
 std::string pointExpression(const ExactMap& map, const std::vector<NamedPoint>& points);
 
-/// A number of the rule language, exact: a decimal where there is one, otherwise a fraction.
+/// A number of the rule language, exact: a decimal if possible, otherwise a fraction.
 std::string numberText(const Exact& number);
 
 }  // namespace af2::dsl

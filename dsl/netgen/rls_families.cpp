@@ -11,7 +11,7 @@ namespace {
 
 using NumberTexts = std::vector<std::string>;
 
-/// A text with its numbers taken out: "a + (0, 0.5)" is {"a + (", ", ", ")"} with 0 and 0.5.
+/// A text with its numbers removed: "a + (0, 0.5)" is {"a + (", ", ", ")"} with 0 and 0.5.
 struct Skeleton {
   std::vector<std::string> words{""};
   NumberTexts numbers;
@@ -35,7 +35,7 @@ void take(Skeleton& skeleton, const std::string& text) {
   }
 }
 
-/// Title, quality and clauses one behind the other; the title's numbers first, then the quality.
+/// Title, quality and clauses in sequence, with their numbers in the same order.
 struct RuleSkeleton {
   Skeleton whole;
   std::size_t titleNumbers = 0;
@@ -50,7 +50,7 @@ RuleSkeleton skeletonOf(const RuleText& rule) {
   return result;
 }
 
-/// The columns of numbers in which the rules of a family differ, and what they are called.
+/// The columns of numbers in which the rules of a family differ, and their parameter names.
 class NetgenFamily {
  public:
   NetgenFamily(const RuleSkeleton& like, std::vector<NumberTexts> rows)
@@ -146,7 +146,7 @@ std::string remarksText(const RuleText& rule) {
 }  // namespace
 
 std::string writeRules(const std::vector<RuleText>& rules) {
-  constexpr std::size_t kMostParameters = 4;
+  constexpr std::size_t kMaxParameters = 4;
   std::vector<RuleSkeleton> skeletons;
   for (const RuleText& rule : rules) skeletons.push_back(skeletonOf(rule));
   std::vector<bool> isWritten(rules.size());
@@ -164,7 +164,7 @@ std::string writeRules(const std::vector<RuleText>& rules) {
     }
     const NetgenFamily family(skeletons[i], rows);
     const bool isFamily =
-        members.size() > 1 && family.titlesDiffer() && family.parameterCount() <= kMostParameters;
+        members.size() > 1 && family.titlesDiffer() && family.parameterCount() <= kMaxParameters;
     text += "\n" + remarksText(rules[i]) + (isFamily ? family.text() : plainText(rules[i]));
     if (isFamily)
       for (std::size_t member : members) isWritten[member] = true;

@@ -1,4 +1,4 @@
-// Rules that differ in numbers only become one rule with `for`.
+// Combines rules that differ in numbers only into one rule with `for`.
 #pragma once
 
 #include <string>
@@ -6,7 +6,7 @@
 
 namespace af2::dsl {
 
-/// A rule as text, title and quality apart.
+/// A rule as text, with separate title and quality.
 struct RuleText {
   std::string title;
   int quality = 1;
@@ -15,8 +15,8 @@ struct RuleText {
   bool hasMirror = false;
 };
 
-/// The rules as text of a file. Of rules with the same words and signs only the first is kept, with
-/// its numbers as parameters.
+/// The text of a file with these rules. Of rules that differ in numbers only, the first is kept,
+/// with its numbers as parameters.
 std::string writeRules(const std::vector<RuleText>& rules);
 
 }  // namespace af2::dsl

@@ -17,18 +17,18 @@ constexpr std::array<std::string_view, 10> kClauses{
     "quality",  "mappoints", "maplines", "newpoints",    "newlines",
     "freearea", "freearea2", "elements", "orientations", "endrule"};
 
-/// Words that only rules for tetrahedra have; files of such rules look alike.
+/// Words that occur only in rules for tetrahedra, whose files have the same form.
 constexpr std::array<std::string_view, 7> kSolidClauses{
     "freezone", "freezone2", "freezonelimit", "mapfaces", "newfaces", "mapedges", "elements3"};
 
-/// Words of those files that say nothing about what a rule fills.
+/// Words of those files that do not show whether a rule fills volumes.
 constexpr std::array<std::string_view, 3> kSolidSettings{"freeset", "flags", "tolfak"};
 
-/// More than any rule or file needs.
-constexpr std::size_t kMostParts = 64, kMostRules = 1000;
+/// Limits above the needs of any rule or file.
+constexpr std::size_t kMaxParts = 64, kMaxRules = 1000;
 
-/// The clause that a word comes within two letters of; empty if there is none. What is farther off
-/// is passed over, as Netgen does.
+/// The clause that differs from a word in at most two letters; empty if there is none. Other words
+/// are ignored, as Netgen does.
 std::string_view nearestClause(std::string_view word) {
   std::string_view best;
   std::size_t least = 3;
@@ -54,13 +54,13 @@ class Reader : RlsReader {
   std::vector<RlsRule> read() {
     if (!comments().empty())
       tell(Code::NetgenStrayText, comments().front(),
-           "comments are no part of such files; they are passed over here",
+           "such files cannot contain comments; they are ignored here",
            comments().size() > 1 ? "there are " + std::to_string(comments().size()) + " of them"
                                  : "");
     while (now().kind != RlsTokenKind::End) {
       if (beginsRule()) {
         readRule();
-        if (rules_.size() <= kMostRules) continue;
+        if (rules_.size() <= kMaxRules) continue;
         tell(Code::NetgenContradiction, now().span, "more than 1000 rules in one file", "split it");
         break;
       } else {
@@ -71,7 +71,8 @@ class Reader : RlsReader {
   }
 
  private:
-  /// The word in the prose between rules begins none: what follows has neither name nor clauses.
+  /// The word `rule` in text between rules does not begin a rule if neither a name nor clauses
+  /// follow.
   bool beginsRule() const {
     if (!now().is("rule")) return false;
     if (ahead(1).kind == RlsTokenKind::String) return true;
@@ -80,7 +81,7 @@ class Reader : RlsReader {
     return false;
   }
 
-  /// Rules for volumes are told as what they are, not by each thing in them that surfaces have not.
+  /// A rule for volumes is reported once as such, instead of once for each unknown clause.
   bool passOverSolidRule() {
     std::size_t length = 1;
     bool isSolid = false;
@@ -105,7 +106,7 @@ class Reader : RlsReader {
          "AF2 meshes surfaces: import a rule file for surfaces");
   }
 
-  // Text between rules does not count, which is how a rule with a misspelt 'rule' gets lost.
+  // Text between rules is ignored, so a rule with a misspelt 'rule' is lost.
   void passOver() {
     const RlsToken first = now();
     bool looksLikeRule = false;
@@ -118,7 +119,7 @@ class Reader : RlsReader {
     tell(
         Code::NetgenStrayText, looksLikeRule ? first.span : cover(first.span, last),
         looksLikeRule ? "a rule is lost here: it does not begin with the word 'rule'"
-                      : "this stands outside of the rules and does not count",
+                      : "this text is outside of the rules and is ignored",
         looksLikeRule ? "write 'rule' where it says " + shown(first) + " to have it imported" : "");
   }
 
@@ -183,22 +184,22 @@ class Reader : RlsReader {
     const std::string usual = lowered(keyword.text);
     if (keyword.text == usual) return;
     tell(Code::NetgenIdlePart, keyword.span,
-         "Netgen passes over " + shown(keyword) + ": its keywords are in lower case",
+         "Netgen ignores " + shown(keyword) + ": its keywords are in lower case",
          "it is read as '" + usual + "' here");
   }
 
-  /// What is no clause says nothing to Netgen's reader either; but it may be a slip.
+  /// The reader of Netgen also ignores words that are not clauses, but they may be mistakes.
   void passOverClause(const RlsToken& token) {
     const std::string_view meant = nearestClause(lowered(token.text));
     if (!meant.empty()) {
-      tell(Code::NetgenSyntax, token.span, shown(token) + " is no clause of a rule",
+      tell(Code::NetgenSyntax, token.span, shown(token) + " is not a clause of a rule",
            "did you mean '" + std::string(meant) + "'?");
     } else if (isOneOf(token, kSolidSettings)) {
       tell(Code::NetgenStrayText, token.span,
-           shown(token) + " belongs to rules that fill volumes, and does not count here", "");
+           shown(token) + " belongs to rules that fill volumes, and is ignored here", "");
     } else {
       tell(Code::NetgenStrayText, token.span,
-           shown(token) + " is no clause of a rule: this does not count",
+           shown(token) + " is not a clause of a rule: it is ignored",
            "clauses are quality, mappoints, maplines, newpoints, newlines, freearea, "
            "freearea2, elements, orientations, endrule");
     }
@@ -256,10 +257,10 @@ class Reader : RlsReader {
     next();
   }
 
-  /// What stands between a part and its ';' without a meaning.
+  /// Skips text without a meaning between a part and its ';'.
   void passOverPart(const std::string& wanted) {
     if (now().kind != RlsTokenKind::Word || isClause(now()) || now().is("rule")) unreadable(wanted);
-    tell(Code::NetgenIdlePart, now().span, shown(now()) + " does nothing here", "");
+    tell(Code::NetgenIdlePart, now().span, shown(now()) + " has no effect here", "");
     next();
   }
 
@@ -285,7 +286,7 @@ class Reader : RlsReader {
     auto point = pointHere<RlsMapPoint>();
     readRest(point);
     rule_.mapPoints.push_back(std::move(point));
-    limit(rule_.mapPoints, kMostRlsPoints, "mappoints");
+    limit(rule_.mapPoints, kMaxRlsPoints, "mappoints");
   }
 
   void readMapLine() {
@@ -298,7 +299,7 @@ class Reader : RlsReader {
     expect(")");
     readRest(line);
     rule_.mapLines.push_back(std::move(line));
-    limit(rule_.mapLines, kMostRlsPoints, "maplines");
+    limit(rule_.mapLines, kMaxRlsPoints, "maplines");
   }
 
   /// X2, or X 2.
@@ -328,7 +329,7 @@ class Reader : RlsReader {
       term.coefficient = number();
       readCoordinate(term);
       row.push_back(std::move(term));
-      if (row.size() > kMostParts) unreadable("'}'");
+      if (row.size() > kMaxParts) unreadable("'}'");
       if (now().is(",")) next();
     }
     next();
@@ -342,7 +343,7 @@ class Reader : RlsReader {
     point.span = cover(point.span, now().span);
     expectEnd();
     points.push_back(std::move(point));
-    limit(points, kMostParts, "points");
+    limit(points, kMaxParts, "points");
   }
 
   void readTuple(std::vector<RlsTuple>& tuples, std::size_t least, std::size_t most) {
@@ -360,7 +361,7 @@ class Reader : RlsReader {
     tuple.span = cover(tuple.span, now().span);
     expectEnd();
     tuples.push_back(std::move(tuple));
-    limit(tuples, kMostParts, "parts");
+    limit(tuples, kMaxParts, "parts");
   }
 
   template <class Part>

@@ -1,4 +1,4 @@
-// Netgen's rule files (.rls) as they are written: numbers exact, every part with its place.
+// Netgen's rule files (.rls) as written, with exact numbers and the place of every part.
 #pragma once
 
 #include <array>
@@ -15,7 +15,7 @@ namespace af2::dsl {
 /// The decimal numbers of a file, taken exactly.
 using Exact = boost::multiprecision::cpp_rational;
 
-/// One `0.5 X2`: a share of a matched point's deviation from its reference.
+/// One `0.5 X2`: a multiple of the deviation of a matched point from its reference.
 struct RlsTerm {
   Exact coefficient;
   bool isX = true;
@@ -68,7 +68,7 @@ struct RlsRule {
   std::vector<RlsTuple> elements, orientations;
 };
 
-/// What is told about such a file.
+/// A finding about such a file.
 inline Diagnostic rlsFinding(Code code, DiagnosticPlace place, std::string message,
                              std::string help) {
   Diagnostic d(code);
@@ -78,8 +78,8 @@ inline Diagnostic rlsFinding(Code code, DiagnosticPlace place, std::string messa
   return d;
 }
 
-/// Reads a whole file. What is wrong is told, all of it (I1, I2, I3); what the readers of such
-/// files pass over in silence is told as a warning (I4). Rules with errors are left out.
+/// Reads a whole file and reports all faults (I1, I2, I3). Text that Netgen silently ignores is
+/// reported as a warning (I4). Rules with errors are left out.
 std::vector<RlsRule> readRls(const SourceText& source, DiagnosticList& diagnostics);
 
 }  // namespace af2::dsl

@@ -48,7 +48,7 @@ class Importer {
       const auto i = static_cast<std::size_t>(std::ranges::find(titles_, d.rule) - titles_.begin());
       tell(Code::NetgenRefused, i < rules_.size() ? rules_[i].span : Span{},
            "the imported rule will be refused: " + d.message,
-           "mend it here or in the imported file, where `af2 check` tells more");
+           "correct it here or in the imported file; `af2 check` gives the details");
     }
   }
 
@@ -58,14 +58,14 @@ class Importer {
     for (const RlsLine& line : rule.mapLines) {
       if (line.from != line.to && from.insert(line.from).second && to.insert(line.to).second)
         continue;
-      tell(Code::NetgenContradiction, line.span, "maplines that branch or stand still",
+      tell(Code::NetgenContradiction, line.span, "maplines that branch or join a point to itself",
            "at most one line leaves a point, and one arrives");
       return true;
     }
     return false;
   }
 
-  /// A title that no other rule has, without what has a meaning in titles.
+  /// A unique title, without characters that have a meaning in titles.
   std::string titleOf(const ClassicRule& rule) {
     std::string title;
     for (char c : rule.title) {
@@ -160,7 +160,7 @@ class Importer {
   std::vector<ClassicRule> rules_;
   std::vector<std::string> titles_;
   std::set<std::string> used_;
-  std::vector<bool> isPartner_;  // rules that an earlier one was compared with in a remark
+  std::vector<bool> isPartner_;  // rules that the remark of an earlier rule mentions
 };
 
 }  // namespace

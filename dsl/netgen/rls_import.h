@@ -1,4 +1,4 @@
-// Netgen's rule files (.rls) rewritten as rule files of this language.
+// Converts Netgen's rule files (.rls) to rule files of AF2.
 #pragma once
 
 #include <string>
@@ -10,14 +10,16 @@ namespace af2::dsl {
 
 struct ImportedRules {
   std::string text;  ///< an .af2 file; empty if there are errors
-  /// Errors, and warnings about what the file says in vain, against itself, or not at all.
+  /// Errors, and warnings about parts of the file that have no effect, are contradictory or
+  /// missing.
   std::vector<Diagnostic> diagnostics;
 };
 
-/// Linear maps become geometry, limiting areas fades, twins mirrors, rules that differ in numbers
-/// only families. Zones, points and elements are what the numbers of the file say.
+/// Converts linear maps to geometry, limiting areas to fades, pairs of mirrored rules to mirrors,
+/// and rules that differ in numbers only to families. Zones, points and elements have exactly the
+/// numbers of the file.
 ///
-/// name  what the text is called in diagnostics; the rule set is named after it
+/// name  the name of the text in diagnostics, and of the rule set
 ImportedRules importRls(std::string name, std::string text);
 
 }  // namespace af2::dsl

@@ -48,8 +48,8 @@ std::string RlsReader::shown(const RlsToken& token) {
 }
 
 void RlsReader::unreadable(const std::string& wanted) {
-  tell(Code::NetgenSyntax, now().span, "here should be " + wanted + ", not " + shown(now()),
-       "a clause is a keyword and its parts, each closed by ';'");
+  tell(Code::NetgenSyntax, now().span, "expected " + wanted + ", found " + shown(now()),
+       "a clause is a keyword and its parts, each followed by ';'");
   throw Unreadable{};
 }
 

@@ -1,4 +1,4 @@
-// The words of a rule file of Netgen, read one by one.
+// Reads the words of a rule file of Netgen one by one.
 #pragma once
 
 #include <algorithm>
@@ -11,10 +11,10 @@
 
 namespace af2::dsl {
 
-/// Thrown where a part cannot be read; the reader goes on at the next clause.
+/// Thrown if a part cannot be read; the reader continues at the next clause.
 struct Unreadable {};
 
-/// What readers of such files have in common: where they stand, what they tell, numbers.
+/// The common part of readers of such files: position, diagnostics, numbers.
 class RlsReader {
  public:
   RlsReader(const SourceText& source, DiagnosticList& diagnostics)
@@ -35,14 +35,14 @@ class RlsReader {
   void skip(std::size_t count) { at_ = std::min(at_ + count, tokens_.size() - 1); }
   const std::vector<Span>& comments() const { return comments_; }
 
-  /// A part of the file whose soundness is asked for later.
+  /// A part of the file that can later be asked whether it had errors.
   void begin() {
     about_.clear();
     isSound_ = true;
   }
-  /// The rule that diagnostics name from now on.
+  /// Sets the rule that following diagnostics name.
   void beAbout(const std::string& rule) { about_ = rule; }
-  /// Whether no error has been told since the part began.
+  /// Whether no error has been reported since the part began.
   bool isSound() const { return isSound_; }
 
   [[noreturn]] void unreadable(const std::string& wanted);

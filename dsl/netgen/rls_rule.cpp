@@ -14,7 +14,7 @@ Exact cross(const std::array<Exact, 2>& o, const std::array<Exact, 2>& p,
   return (p[0] - o[0]) * (q[1] - o[1]) - (p[1] - o[1]) * (q[0] - o[0]);
 }
 
-/// Directed edges of the elements whose reverse is none of them.
+/// The boundary: directed edges of the elements whose reverse is not an edge of an element.
 EdgeSet boundaryOf(const std::vector<std::vector<int>>& elements) {
   EdgeSet edges;
   for (const auto& element : elements)
@@ -105,13 +105,13 @@ class Converter {
       if (v < 2 && point.form) {
         if (point.form->weights != std::array<Exact, 3>{1, 0, 1})
           warn(Code::NetgenIdlePart, point.span,
-               "a tolerance on an end of the base edge never acts",
+               "a tolerance on an end of the base edge has no effect",
                "the base edge is always matched, whatever its length", false);
       } else if (point.form) {
         vertex.form = point.form->weights;
       }
       if (point.isDeleted)
-        warn(Code::NetgenIdlePart, point.span, "'del' on a point does nothing",
+        warn(Code::NetgenIdlePart, point.span, "'del' on a point has no effect",
              "edges are deleted, not points", false);
       rule_.matched.push_back(vertex);
     }
@@ -152,7 +152,7 @@ class Converter {
     if (term.point < 1 || term.point > static_cast<int>(text_.mapPoints.size())) {
       warn(Code::NetgenIdlePart, term.span,
            "there is no point " + std::to_string(term.point) +
-               " to follow; Netgen passes over this term, and so does the imported rule",
+               " to follow; Netgen ignores this term, and so does the imported rule",
            "points to follow are the mappoints, 1 to " + std::to_string(text_.mapPoints.size()));
       return;
     }
@@ -160,7 +160,7 @@ class Converter {
     Exact& weight = map.weights[row][2 * v + (term.isX ? 0 : 1)];
     if (weight != 0)
       warn(Code::NetgenIdlePart, term.span,
-           "this coordinate comes twice in one row: the last one counts", "");
+           "this coordinate occurs twice in one row: the last one is used", "");
     weight = term.coefficient;
   }
 
@@ -169,7 +169,8 @@ class Converter {
       rule_.added.push_back(mapOf(point));
       if (rule_.added.back().isPointSum()) continue;
       warn(Code::NetgenMismatch, point.span,
-           "this point is no sum of points: its x and its y do not follow the same matched points",
+           "this point is not a sum of points: its x and its y do not follow the same matched "
+           "points",
            "it is kept as it is, but a front that is turned a little gets another element");
     }
   }
@@ -223,7 +224,7 @@ class Converter {
     }
   }
 
-  /// Where a vertex stands if all matched points stand at their references.
+  /// The position of a vertex if all matched points are at their references.
   std::array<Exact, 2> reference(int v) const {
     const auto i = static_cast<std::size_t>(v);
     if (i < rule_.matched.size()) return {rule_.matched[i].x, rule_.matched[i].y};
@@ -249,7 +250,7 @@ class Converter {
     return stated;
   }
 
-  /// The one element in place of elements[i] with which the rule does what del and newlines say.
+  /// The only element that could replace elements[i] so that the rule agrees with del and newlines.
   std::optional<std::vector<int>> fittingElement(std::size_t i) const {
     const EdgeSet stated = statedBoundary();
     std::vector<std::vector<int>> elements = rule_.elements;
@@ -267,7 +268,7 @@ class Converter {
     return std::nullopt;
   }
 
-  /// False if one wrong element explains all that there is to say about the front.
+  /// False if one wrong element explains all differences of the front.
   bool checkElements() {
     bool isExplained = false;
     for (std::size_t i = 0; i < rule_.elements.size(); ++i) {
@@ -275,15 +276,15 @@ class Converter {
       const auto better = fittingElement(i);
       warn(Code::NetgenMismatch, text_.elements[i].span,
            "this element does not run counter-clockwise where the rule expects its corners",
-           better ? "with " + fileNumbers(*better) + " instead all the rest would fit"
+           better ? "with " + fileNumbers(*better) + " instead, everything else would fit"
                   : "elements run counter-clockwise");
       isExplained |= better.has_value();
     }
     return !isExplained;
   }
 
-  /// The edges that leave and join the front follow from the elements; what the file says of them
-  /// is only held against that.
+  /// The elements determine the edges that leave and join the front. The statements of the file
+  /// about these edges are only compared with the elements.
   void checkFront() {
     const EdgeSet boundary = boundaryOf(rule_.elements);
     EdgeSet pattern;
@@ -294,7 +295,7 @@ class Converter {
       warn(Code::NetgenMismatch, line.span,
            line.isDeleted ? "this edge is deleted, but no new element lies at it"
                           : "a new element lies at this edge, but it is not deleted",
-           "the imported rule goes by its elements");
+           "the imported rule follows its elements");
     }
     EdgeSet wanted;
     for (const DirectedEdge& e : boundary)
@@ -303,13 +304,13 @@ class Converter {
       const DirectedEdge edge{vertex(line.points[0]), vertex(line.points[1])};
       if (wanted.erase(edge) > 0) continue;
       warn(Code::NetgenMismatch, line.span, "this new line is not a free edge of the new elements",
-           "the imported rule goes by its elements");
+           "the imported rule follows its elements");
     }
     for (const DirectedEdge& e : wanted)
       warn(Code::NetgenMismatch, text_.span,
            "the new elements have a free edge " + fileNumbers({e.first, e.second}) +
                " that newlines does not name",
-           "the imported rule goes by its elements");
+           "the imported rule follows its elements");
   }
 
   const RlsRule& text_;
@@ -330,7 +331,7 @@ bool ExactMap::isPointSum() const {
   return true;
 }
 
-// With L = x of b: x turns to L - x, at the matched points as at the one that is placed.
+// With L = x of b: x becomes L - x, both at the matched points and at the new point.
 ExactMap mirrored(const ExactMap& map) {
   ExactMap result = map;
   result.constant[0] = -map.constant[0];

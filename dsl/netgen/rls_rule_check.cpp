@@ -26,10 +26,10 @@ void checkRlsRule(const RlsRule& rule, RlsReader& reader) {
   if (rule.freeArea.size() < 3)
     reader.tell(Code::NetgenContradiction, rule.span, "a free area has three corners or more",
                 "this one has " + std::to_string(rule.freeArea.size()));
-  if (rule.elements.size() > kMostRlsElements)
+  if (rule.elements.size() > kMaxRlsElements)
     reader.tell(Code::NetgenContradiction, rule.span, "a rule makes at most 8 elements",
                 "this one makes " + std::to_string(rule.elements.size()));
-  if (static_cast<std::size_t>(all) > kMostRlsPoints)
+  if (static_cast<std::size_t>(all) > kMaxRlsPoints)
     reader.tell(Code::NetgenContradiction, rule.span,
                 "a rule has at most 12 points, new ones included", "split it");
 }

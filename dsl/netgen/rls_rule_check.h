@@ -1,4 +1,4 @@
-// What a rule of a Netgen file must hold beyond its single parts.
+// Checks of a rule of a Netgen file as a whole.
 #pragma once
 
 #include <cstddef>
@@ -7,10 +7,10 @@
 
 namespace af2::dsl {
 
-/// As many as AF2 can hold in one rule.
-constexpr std::size_t kMostRlsPoints = 12, kMostRlsElements = 8;
+/// The limit of AF2 for one rule.
+constexpr std::size_t kMaxRlsPoints = 12, kMaxRlsElements = 8;
 
-/// Tells of numbers of points that there are not, of missing parts, and of too many.
+/// Reports points that do not exist, missing parts, and too many parts.
 void checkRlsRule(const RlsRule& rule, RlsReader& reader);
 
 }  // namespace af2::dsl

@@ -59,7 +59,7 @@ class Writer {
     if (!parts.empty()) text_.clauses.push_back(keyword + " " + joined(parts) + ";");
   }
 
-  /// Each chain begins at a vertex that no edge reaches, or, if it is closed, anywhere.
+  /// A chain begins at a vertex without an incoming edge; a closed chain may begin anywhere.
   void writeFront() {
     if (rule_.edges.size() == 1) return;
     std::vector<bool> isUsed(rule_.edges.size());
@@ -128,7 +128,8 @@ class Writer {
     clause("require", conditions);
   }
 
-  /// Whether the four corners of a quadrilateral are all asked to turn left; then takes them out.
+  /// Whether all four corners of a quadrilateral are required to turn left; if so, removes these
+  /// conditions.
   static bool takeConvexity(const std::vector<int>& element,
                             std::set<std::array<int, 3>>& triples) {
     if (element.size() != 4) return false;
@@ -186,7 +187,7 @@ class Writer {
 }  // namespace
 
 std::vector<std::string> vertexNames(const ClassicRule& rule) {
-  // Free of the names that families and the language itself use.
+  // Excludes names that families and the language use.
   constexpr std::array kNames{"a", "b", "c", "d", "e", "f", "g", "i", "j", "m", "n", "o"};
   std::vector<std::string> names;
   for (std::size_t v = 0; v < rule.matched.size() + rule.added.size(); ++v)

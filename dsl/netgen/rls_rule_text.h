@@ -1,4 +1,4 @@
-// A classical rule in the words of this language.
+// Writes a classical rule in the rule language.
 #pragma once
 
 #include <string>
@@ -13,10 +13,10 @@ namespace af2::dsl {
 /// Names of matched vertices, then of new ones.
 std::vector<std::string> vertexNames(const ClassicRule& rule);
 
-/// `title` is what the rule is to be called. Nothing if its edges branch.
+/// `title` is the title of the rule. Nothing if its edges branch.
 RuleText ruleText(const ClassicRule& rule, const std::string& title);
 
-/// The clause by which `rule` gives `other` as its mirror image.
+/// The `mirror` clause of `rule` that makes `other`.
 std::string mirrorClause(const ClassicRule& rule, const ClassicRule& other, const Twin& twin,
                          const std::string& otherTitle);
 

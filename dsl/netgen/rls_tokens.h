@@ -1,4 +1,4 @@
-// The words, numbers and signs of Netgen's rule files.
+// The words, numbers and symbols of Netgen's rule files.
 #pragma once
 
 #include <string_view>
@@ -18,8 +18,8 @@ struct RlsToken {
   bool is(std::string_view other) const;
 };
 
-/// All of a text; the last token is an End. Blanks and comments, `#`, `//` or `%` up to the end of
-/// the line, are left out. Never fails: what is nothing else is a Sign of one character.
+/// The tokens of a text; the last one is an End. Spaces are left out, and so are comments (`#`,
+/// `//` or `%` up to the end of the line). Never fails: any other character is a Sign.
 ///
 /// comments  the comments are added to it, unless it is null
 std::vector<RlsToken> rlsTokensOf(std::string_view text, std::vector<Span>* comments = nullptr);

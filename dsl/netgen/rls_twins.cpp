@@ -14,7 +14,7 @@ VertexNumbers rotated(VertexNumbers cycle) {
   return cycle;
 }
 
-/// For each vertex of `rule` the vertex of `other` that stands where its mirror image is expected.
+/// For each vertex of `rule` the vertex of `other` at the position of its mirror image.
 std::optional<VertexNumbers> correspondence(const ClassicRule& rule, const ClassicRule& other) {
   if (rule.matched.size() != other.matched.size() || rule.added.size() != other.added.size())
     return std::nullopt;
@@ -31,7 +31,7 @@ std::optional<VertexNumbers> correspondence(const ClassicRule& rule, const Class
   return vertices;
 }
 
-/// The mirrored map with its vertices renumbered to those of the twin.
+/// The mirrored map, with its vertices renumbered to those of the other rule.
 ExactMap imageOf(const ExactMap& map, const VertexNumbers& vertices) {
   const ExactMap image = mirrored(map);
   ExactMap result = image;
@@ -58,10 +58,10 @@ class Comparison {
     return image == own && !hasSlopes(rule_) && !hasSlopes(other_);
   }
 
-  /// New vertices may be numbered differently: tries all orders, as long as these are few.
+  /// New vertices may be numbered differently: tries all orders if there are few.
   bool haveLikeElements() {
-    constexpr std::size_t kMostReordered = 5;
-    if (rule_.added.size() > kMostReordered)
+    constexpr std::size_t kMaxReordered = 5;
+    if (rule_.added.size() > kMaxReordered)
       return elementsOf(rule_, true) == elementsOf(other_, false);
     const auto matched = static_cast<std::ptrdiff_t>(rule_.matched.size());
     do {
@@ -123,7 +123,7 @@ class Comparison {
     return true;
   }
 
-  /// Corners from the one at a on, as numbers that can be compared.
+  /// The corners, beginning with the one at a, as comparable numbers.
   std::vector<ExactMap> zone(const ClassicRule& rule, bool isImage,
                              ExactMap ClassicRule::Corner::*part) const {
     std::vector<ExactMap> corners;
@@ -140,7 +140,7 @@ class Comparison {
     return corners;
   }
 
-  /// The new elements turn left at every corner in any case, so corners of theirs do not count.
+  /// Corners of new elements are left out, because new elements always turn left at every corner.
   static bool isImplied(const ClassicRule& rule, const VertexNumbers& triple) {
     return std::ranges::any_of(rule.elements, [&](const VertexNumbers& element) {
       const auto place = [&](int v) { return std::ranges::find(element, v) - element.begin(); };

@@ -1,4 +1,4 @@
-// Which classical rules are mirror images of each other.
+// Finds classical rules that are mirror images of each other.
 #pragma once
 
 #include <optional>
@@ -9,20 +9,20 @@
 
 namespace af2::dsl {
 
-/// How one rule is the mirror image of another.
+/// The correspondence between a rule and its mirror image.
 struct Twin {
-  /// By vertex of the rule that is written out: the twin's vertex.
+  /// By vertex of the written rule: the vertex of the mirror image.
   std::vector<int> vertices;
   bool hasOwnQuality = false;
-  std::vector<int> ownForms;  ///< vertices of the written rule whose tolerance the twin changes
+  std::vector<int> ownForms;  ///< vertices with another tolerance in the mirror image
 };
 
-/// Nothing if `other` is not what `rule` looks like in the mirror, tolerances and quality aside.
-/// If it comes close, `difference` tells what keeps them apart, otherwise it is left empty.
+/// Nothing if `other` is not the mirror image of `rule`, apart from tolerances and quality. If it
+/// is almost the mirror image, `difference` describes the difference; otherwise it is empty.
 std::optional<Twin> findTwin(const ClassicRule& rule, const ClassicRule& other,
                              std::string& difference);
 
-/// A tolerance form seen in the mirror.
+/// The reflected tolerance form.
 ExactForm mirrored(const ExactForm& form);
 
 }  // namespace af2::dsl

@@ -11,7 +11,7 @@
 namespace af2::dsl::picture {
 namespace {
 
-constexpr double kPngScale = 2;  // pixels of the file to one of the picture
+constexpr double kPngScale = 2;  // pixels of the file per pixel of the picture
 const char* const kFont = "DejaVu Sans";
 
 cairo_status_t append(void* bytes, const unsigned char* data, unsigned int length) {
@@ -24,7 +24,7 @@ struct Delete {
   void operator()(cairo_t* cairo) const { cairo_destroy(cairo); }
 };
 
-/// Cairo numbers its surfaces through all of a process; without that number equal pictures are
+/// Cairo numbers its surfaces per process. This removes the number, so that equal pictures give
 /// equal files.
 void dropSurfaceNumber(std::string& svg) {
   const std::string attribute = " id=\"surface";
@@ -43,7 +43,7 @@ void check(cairo_status_t status) {
 
 struct Canvas::Surface {
   cairo_t* cairo;
-  double scale = 0;  // of the view; 0: none, points are pixels
+  double scale = 0;  // of the view; 0 if there is no view, so that points are in pixels
   Point2 origin;     // pixel of the chart's origin
 
   void use(Color c) { cairo_set_source_rgba(cairo, c.red, c.green, c.blue, c.alpha); }
@@ -205,7 +205,7 @@ void Canvas::arrow(Point2 from, Point2 to, Color color, double width) {
   const Point2 p = pixel(from), q = pixel(to);
   const double size = distance(p, q);
   if (size < 12) return;
-  // The head stands a little beyond the middle, clear of the vertices.
+  // The head is a little beyond the middle, away from the vertices.
   const double head = 6 + 1.8 * width;
   const Point2 along = (1 / size) * (q - p), aside{-along.y, along.x};
   const Point2 tip = 0.5 * (p + q) + (0.6 * head) * along, back = tip - head * along;

@@ -1,5 +1,4 @@
-// Drawing with Cairo in coordinates of a chart: y up, unit the wanted edge length. The only file of
-// the room that knows Cairo is canvas.cpp.
+// Drawing in coordinates of a chart: y up, unit the target size. Only canvas.cpp uses Cairo.
 #pragma once
 
 #include <functional>
@@ -26,7 +25,7 @@ constexpr Color color(unsigned rgb, double alpha = 1) {
   return {((rgb >> 16) & 255) / 255.0, ((rgb >> 8) & 255) / 255.0, (rgb & 255) / 255.0, alpha};
 }
 
-/// Text and outlines, what accompanies them, and the lines around pictures.
+/// Colours of text and outlines, of secondary text, and of the frames of pictures.
 inline constexpr Color kInk = color(0x1f2933), kMuted = color(0x6b7785), kFrame = color(0xdde3ea);
 
 constexpr Color faded(Color color, double alpha) {
@@ -42,7 +41,7 @@ struct TextStyle {
   Color color;
   Weight weight = Weight::Normal;
   Anchor anchor = Anchor::Left;
-  bool halo = false;  ///< a white edge around the letters, for text upon lines
+  bool halo = false;  ///< a white edge around the letters, for text on lines
 };
 
 using Loop = std::vector<Point2>;
@@ -60,12 +59,12 @@ class AF2_EXPORT Canvas {
 
   void fillRectangle(Point2 low, Point2 high, double radius, Color fill);
   void strokeRectangle(Point2 low, Point2 high, double radius, Color stroke, double width);
-  /// `at` is where the baseline of the text begins, or its middle or end by the anchor.
+  /// `at` is the start, middle or end of the baseline of the text, depending on the anchor.
   void text(const std::string& text, Point2 at, const TextStyle& style);
   double widthOf(const std::string& text, const TextStyle& style);
 
-  /// From now on points are of the chart: `world` fits into the pixel box, centred, no more than
-  /// `largestScale` pixels to the unit, and nothing is drawn outside. Ends with the scope.
+  /// Until the end of the scope, points are in the chart. `world` fits into the pixel box, centred,
+  /// with at most `largestScale` pixels per unit, and nothing is drawn outside.
   class View {
    public:
     View(Canvas& canvas, Point2 low, Point2 high, const Box2& world, double largestScale);
@@ -85,7 +84,7 @@ class AF2_EXPORT Canvas {
   void band(Point2 from, Point2 to, Color color, double width);
   void dot(Point2 at, double radius, Color fill, Color edge, double edgeWidth);
   void cross(Point2 at, double radius, Color color, double width);
-  /// Text whose middle lies `distance` pixels from `at` in the given direction.
+  /// Text with its centre `distance` pixels from `at` in the given direction.
   void label(const std::string& text, Point2 at, Point2 direction, double distance,
              const TextStyle& style);
 

@@ -21,10 +21,10 @@ using picture::Weight;
 
 constexpr Color kNone = color(0xb3261e);
 constexpr double kCell = 17, kLeft = 74, kGap = 58, kTop = 96;
-/// Situations that are not ordinary are drawn small: N1 does not count them.
+/// Situations that are not ordinary are drawn small, because N1 ignores them.
 constexpr double kSmallInset = 5;
 
-/// From good to late.
+/// From the first level to late levels.
 constexpr std::array kRamp{color(0x2f8f46), color(0x86c06c), color(0xd6e08a), color(0xf6d365),
                            color(0xf0a04b)};
 
@@ -64,7 +64,7 @@ void drawCells(Canvas& canvas, const CoverageMap& map, int lastLevel, Point2 low
     }
 }
 
-/// Every third or so of the values, so that they do not touch.
+/// About every third value, so that labels do not touch.
 void drawTicks(Canvas& canvas, const CoverageMap& map, Point2 low) {
   const double bottom = low.y + heightOf(map);
   const std::size_t step = map.xs.size() > 30 ? 5 : 3;
@@ -113,7 +113,7 @@ void drawKey(Canvas& canvas, int lastLevel, Point2 at) {
   canvas.text("small: no front in good order looks like this", at + Point2{20, 2}, style);
 }
 
-/// The top left of each map: beside one another as far as the widest map reaches, then below.
+/// The top left of each map: side by side up to the width of the widest map, then below.
 std::vector<Point2> layOut(const Coverage& coverage) {
   constexpr double kSlack = 120;
   double widest = 0;

@@ -9,8 +9,8 @@
 
 namespace af2::dsl {
 
-/// Green: taken at level 1; through yellow to orange: later; red: by no rule; white: no such
-/// situation. Returns the bytes of the file.
+/// Green: accepted at level 1; yellow to orange: at a later level; red: by no rule; white:
+/// impossible situation. Returns the bytes of the file.
 AF2_EXPORT std::string drawCoverage(const Coverage& coverage, const std::string& ruleSet,
                                     PictureFormat format);
 

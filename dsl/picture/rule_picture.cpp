@@ -73,7 +73,7 @@ void drawFront(Canvas& canvas, const Scene& scene) {
       canvas.arrow(at(edge.from), at(edge.to), kNewFront, 2);
 }
 
-/// Away from the neighbors, so that names stand beside lines and not upon them.
+/// The direction away from the neighbors, so that names are beside lines, not on them.
 Point2 labelDirection(const Scene& scene, std::size_t vertex) {
   Point2 sum{};
   for (const RuleElement& element : scene.rule.definition().elements) {
@@ -158,7 +158,7 @@ void drawPanel(Canvas& canvas, const Scene& scene, Point2 low, Point2 high, bool
   canvas.text(scene.subtitle, low + Point2{14, 40}, {10.5, kMuted});
   drawLevels(canvas, scene, {low.x + 14, high.y - 12}, high.x);
 
-  // The margin leaves room for names beyond the outermost vertices.
+  // The margin leaves space for names beyond the outermost vertices.
   Box2 world = worldOf(scene);
   const Point2 size = high - low - Point2{2 * kMargin, kTitleHeight + kFooterHeight + kMargin};
   const Point2 extent = world.high - world.low;

@@ -12,8 +12,8 @@ namespace af2::dsl {
 
 struct PictureOptions {
   double width = 420, height = 400;  ///< of one rule, in pixels
-  /// The quality levels whose zones are shown; empty: the rule's first one, twice and four times
-  /// that, and the last one of the set.
+  /// The quality levels whose zones are shown; if empty, the first level of the rule, twice and
+  /// four times that level, and the last level.
   std::vector<int> levels = {};
   bool names = true;
   bool tolerances = true;
@@ -23,15 +23,15 @@ struct PictureOptions {
 AF2_EXPORT std::string drawRule(const RuleSet& rules, const AF2Rule& rule, PictureFormat format,
                                 const PictureOptions& options = {});
 
-/// All rules of a set on one sheet, with a key.
+/// All rules of a set on one sheet, with a legend.
 std::string drawRuleSet(const RuleSet& rules, PictureFormat format,
                         const PictureOptions& options = {.width = 300, .height = 300});
 
-/// One match of a rule, as a finding shows it.
+/// One match of a rule, as in a finding.
 struct DrawnMatch {
   std::vector<Point2> vertices;  ///< the matched ones in pattern order
   int level = 1;
-  std::vector<Point2> marks;  ///< places that are at fault: a red cross each
+  std::vector<Point2> marks;  ///< places of faults, each drawn as a red cross
   std::string note;           ///< below the picture
 };
 

@@ -11,11 +11,11 @@
 namespace af2::dsl::picture {
 namespace {
 
-/// Points on w(x - centre) = tolerance; axes longer than `longest` are cut down to it.
+/// Points on w(x - centre) = tolerance; axes longer than `longest` are shortened to it.
 Loop ellipse(const ToleranceForm& w, Point2 centre, double tolerance, double longest) {
   const double mean = 0.5 * (w.xx + w.yy), half = 0.5 * (w.xx - w.yy);
   const double spread = std::sqrt(half * half + 0.25 * w.xy * w.xy);
-  const double angle = 0.5 * std::atan2(w.xy, w.xx - w.yy);  // of the stronger axis
+  const double angle = 0.5 * std::atan2(w.xy, w.xx - w.yy);  // of the axis with the larger weight
   const auto axis = [&](double strength) {
     return strength * longest * longest > tolerance ? std::sqrt(tolerance / strength) : longest;
   };
@@ -68,7 +68,7 @@ std::vector<int> levelsOf(const RuleSet& rules, const AF2Rule& rule,
   return levels;
 }
 
-/// The zones of a match at several levels, less those that look like the one before.
+/// The zones of a match at several levels, without those equal to the previous one.
 std::vector<Zone> zonesOf(const AF2Rule& rule, const std::vector<Point2>& vertices,
                           const std::vector<int>& levels, std::string& note) {
   std::vector<Zone> zones;

@@ -1,4 +1,4 @@
-// What a picture of a rule shows, before it is drawn.
+// The contents of a picture of a rule, before it is drawn.
 #pragma once
 
 #include <string>
@@ -18,9 +18,9 @@ struct Zone {
 struct Scene {
   const RuleSet& rules;
   const AF2Rule& rule;
-  std::vector<Point2> placed;  ///< matched vertices, then new ones as far as they have a value
+  std::vector<Point2> placed;  ///< matched vertices, then the new vertices that have a value
   std::vector<Point2> references;
-  std::vector<Loop> paths;  ///< of a reference that moves: where it is at each level drawn
+  std::vector<Loop> paths;  ///< for each reference that moves, its positions at the drawn levels
   std::vector<Zone> zones;
   std::vector<Loop> tolerances;
   std::vector<Point2> marks;
@@ -31,8 +31,8 @@ Scene sceneAtReference(const RuleSet& rules, const AF2Rule& rule, const PictureO
 Scene sceneAt(const RuleSet& rules, const AF2Rule& rule, const DrawnMatch& match,
               const PictureOptions& options);
 
-/// What has to be seen: all of the pattern and the widest zone; of tolerances those that are close,
-/// for they may be very wide.
+/// The visible area: the whole pattern and the widest zone, and nearby tolerances only, because
+/// tolerances may be very wide.
 Box2 worldOf(const Scene& scene);
 
 }  // namespace af2::dsl::picture

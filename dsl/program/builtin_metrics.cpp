@@ -53,7 +53,7 @@ Node sizeTerm(const Algebra& a, std::span<const Node> edgeLengths) {
   return sum(a, terms);
 }
 
-/// Perimeter^2 / area over its least possible value, less 1.
+/// Perimeter^2 / area divided by its smallest possible value, minus 1.
 Node shapeTerm(const Algebra& a, Values corners) {
   ProgramBuilder& b = a.builder();
   const double best = corners.size() == 3 ? 12 * std::sqrt(3.0) : 16;
@@ -86,8 +86,8 @@ Node jacobianTerm(const Algebra& a, NodePair u, NodePair v) {
   return whereOf(a, det, b.subtract(ratio, b.constant(0.5)));
 }
 
-/// Mean over the 2 x 2 Gauss points of the bilinear map; a triangle is held against the
-/// equilateral.
+/// Mean over the 2 x 2 Gauss points of the bilinear map; a triangle is compared with the
+/// equilateral one.
 Value jacobianBadness(const Algebra& a, Values, Values corners) {
   ProgramBuilder& b = a.builder();
   const auto edges = edgesOf(a, corners);
@@ -107,7 +107,7 @@ Value jacobianBadness(const Algebra& a, Values, Values corners) {
   return a.scalar(Type::Number, b.multiply(b.constant(0.25), sum(a, terms)));
 }
 
-/// Least over the corners of the sine of the angle, signed; a triangle is scaled so that the
+/// The smallest signed sine of the angles at the corners; for triangles it is scaled so that the
 /// equilateral one has 1.
 Value scaledJacobian(const Algebra& a, Values, Values corners) {
   ProgramBuilder& b = a.builder();
@@ -144,9 +144,9 @@ constexpr std::array kMetrics{
     BuiltinMetric{"jacobian_badness", 0, "jacobian_badness", jacobianBadness,
                   "Metric: 0 for the square."},
     BuiltinMetric{"size_error", 0, "size_error", sizeError,
-                  "Metric: 0 where all edges have the wanted length."},
+                  "Metric: 0 if all edges have the target size."},
     BuiltinMetric{"aspect_badness", 0, "aspect_badness", aspectBadness,
-                  "Metric: 0 where all edges are equally long."},
+                  "Metric: 0 if all edges have equal length."},
     BuiltinMetric{"scaled_jacobian", 0, "scaled_jacobian(u, v, w, x)", scaledJacobian,
                   "Measure: 1 for the ideal element, 0 for a flat one."},
     BuiltinMetric{"min_angle", 0, "min_angle(u, v, w, x)", minAngle,

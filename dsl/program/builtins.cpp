@@ -124,7 +124,7 @@ Value loopSize(const Algebra& a, Arguments) {
   return a.scalar(Type::Number, a.builder().make(Op::LoopSize, std::initializer_list<Node>{}));
 }
 
-/// 1 end, 2 side, 3 corner, 4 reversal: how many elements a vertex of the front wants.
+/// The number of elements that a vertex of the front needs: 1 end, 2 side, 3 corner, 4 reversal.
 Value corner(const Algebra& a, Arguments v) {
   ProgramBuilder& b = a.builder();
   const Node turn = ofVertex<Op::Turn, Type::Angle>(a, v).number;
@@ -144,8 +144,8 @@ Value ccw(const Algebra& a, Arguments v) {
   return a.scalar(Type::Truth, turns(a, Op::LeftTurn, v[0], v[1], v[2]));
 }
 
-/// No corner turns right, and no corner is seen clockwise from the first edge, so that the corners
-/// run around once.
+/// No corner turns right, and no corner is clockwise of the first edge as seen from its start, so
+/// the corners make exactly one turn.
 Value convex(const Algebra& a, Arguments v) {
   ProgramBuilder& b = a.builder();
   const std::size_t n = v.size();
@@ -160,9 +160,9 @@ Value convex(const Algebra& a, Arguments v) {
 
 constexpr std::array kBuiltins{
     Builtin{"sqrt", "n", "sqrt(x)", squareRoot, "The square root."},
-    Builtin{"sin", "r", "sin(angle)", sine, "The sine; a bare number stands for radians."},
-    Builtin{"cos", "r", "cos(angle)", cosine, "The cosine; a bare number stands for radians."},
-    Builtin{"tan", "r", "tan(angle)", tangent, "The tangent; a bare number stands for radians."},
+    Builtin{"sin", "r", "sin(angle)", sine, "The sine; a plain number is in radians."},
+    Builtin{"cos", "r", "cos(angle)", cosine, "The cosine; a plain number is in radians."},
+    Builtin{"tan", "r", "tan(angle)", tangent, "The tangent; a plain number is in radians."},
     Builtin{"atan2", "nn", "atan2(y, x)", atan2, "The angle of the vector (x, y)."},
     Builtin{"abs", "x", "abs(x)", absolute, "The value without its sign."},
     Builtin{"min", "xx*", "min(x, y, ...)", extreme<Op::Minimum>, "The smallest."},
@@ -181,7 +181,7 @@ constexpr std::array kBuiltins{
     Builtin{"dist", "pp", "dist(p, q)", dist, "The distance of two points."},
     Builtin{"foot", "ppp", "foot(p, q, r)", foot, "The foot of p on the line through q and r."},
     Builtin{"cut", "pvpv", "cut(p, u, q, v)", cut,
-            "Where the line through p along u meets the one through q along v."},
+            "The intersection of the line through p along u with that through q along v."},
     Builtin{"bisector", "ppp", "bisector(p, v, q)", bisector,
             "The unit vector that halves angle(p, v, q)."},
     Builtin{"reflect", "ppp", "reflect(p, q, r)", reflect,
@@ -193,7 +193,7 @@ constexpr std::array kBuiltins{
     Builtin{"corner", "c", "corner(v)", corner,
             "1 end, 2 side, 3 corner, 4 reversal, by the free angle."},
     Builtin{"h", "p", "h(p)", ofPlace<Op::SizeAt>,
-            "The wanted edge length at p, in units of that at the base."},
+            "The target size at p, relative to that at the base edge."},
     Builtin{"layer", "w", "layer(v)", ofVertex<Op::Layer, Type::Number>,
             "Layers of elements between v and the boundary."},
     Builtin{"on_boundary", "w", "on_boundary(v)", ofVertex<Op::OnBoundary, Type::Truth>,
@@ -205,7 +205,7 @@ constexpr std::array kBuiltins{
     Builtin{"dist_front", "p", "dist_front(p)", ofPlace<Op::FrontDistance>,
             "The distance to the nearest front edge."},
     Builtin{"curvature", "p", "curvature(p)", ofPlace<Op::CurvatureAt>,
-            "The surface's curvature times the wanted length."},
+            "The curvature of the surface times the target size."},
     Builtin{"ccw", "ppp", "ccw(p, q, r)", ccw, "Whether three points turn left; exact."},
     Builtin{"convex", "ppp*", "convex(p, q, r, ...)", convex,
             "Whether corners form a convex polygon; exact."},
@@ -224,7 +224,7 @@ constexpr std::array kShapes{
                   "The half plane to the left of the line through p along v."},
     ShapeFunction{"sector", "sector(centre, radius, from, to)",
                   "Counter-clockwise between two angles from the x axis."},
-    ShapeFunction{"grow", "grow(shape, distance)", "All within a distance of the shape."},
+    ShapeFunction{"grow", "grow(shape, distance)", "All points within a distance of the shape."},
     ShapeFunction{"arc", "arc(via, to)", "In a poly: along a circle through via."},
     ShapeFunction{"inside", "inside(p, shape)", "Whether the closed shape holds the point."},
 };

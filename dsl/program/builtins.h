@@ -14,9 +14,9 @@ namespace af2::dsl {
 /// One built-in function.
 ///
 /// `parameters` has one letter for each: n number, r angle or number, x number or angle (all `x` of
-/// one call of the same type), p point, v vector, g point or vector (all of the same weight),
-/// l whatever can be interpolated (all alike), t truth value, w a matched vertex, c a vertex that
-/// stands in a chain, s shape. A `*` repeats the letter before it.
+/// one call have the same type), p point, v vector, g point or vector (all of the same weight), l
+/// any type that can be interpolated (all `l` have the same type), t truth value, w a matched
+/// vertex, c a vertex of a chain, s shape. A `*` repeats the letter before it.
 struct Builtin {
   std::string_view name;
   std::string_view parameters;
@@ -28,7 +28,8 @@ struct Builtin {
 std::span<const Builtin> builtins();
 const Builtin* findBuiltin(std::string_view name);
 
-/// Metrics: 0 for the ideal element and growing, or measures of which more is better.
+/// Metrics, which are 0 for the ideal element and larger for others, or measures, which are larger
+/// for better elements.
 struct BuiltinMetric {
   std::string_view name;
   int weights;  ///< parameters before the corners
@@ -45,16 +46,16 @@ const BuiltinMetric* findBuiltinMetric(std::string_view name);
 /// Functions that make shapes: poly, hull, disc, left, sector, grow, and arc inside of poly.
 bool isShapeFunction(std::string_view name);
 
-/// How a name of the language is called: "lerp(from, to, t)"; of one without arguments the name.
+/// The form of a call: "lerp(from, to, t)"; for a name without arguments, the name.
 std::string_view usageOf(std::string_view name);
 
-/// What it does, in one sentence; empty if the language has no such name.
+/// A description in one sentence; empty if the language has no such name.
 std::string_view helpOf(std::string_view name);
 
-/// Whether a name belongs to any of the above.
+/// Whether a name is one of the above.
 bool isBuiltin(std::string_view name);
 
-/// All of them, for "did you mean".
+/// All names, for "did you mean".
 std::vector<std::string> builtinNames();
 
 }  // namespace af2::dsl

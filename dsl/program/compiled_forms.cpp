@@ -8,7 +8,7 @@
 namespace af2::dsl {
 namespace {
 
-/// The facts of one front edge as a match of nothing but a and b.
+/// One front edge as a match with only the vertices a and b.
 class EdgeSurroundings final : public AF2Surroundings {
  public:
   explicit EdgeSurroundings(const FrontEdgeFacts& edge) : edge_(edge) {}
@@ -82,7 +82,7 @@ double ExpressionFrontOrder::key(int index, const FrontEdgeFacts& edge) const {
   const std::array<Point2, 2> ends{Point2{0, 0}, Point2{edge.length, 0}};
   const EdgeSurroundings surroundings(edge);
   std::array<double, 1> result;
-  // A key without a value sorts last, whatever the others are.
+  // A key without a value sorts last, regardless of the other keys.
   if (!keys_[static_cast<std::size_t>(index)].run({ends, edge.level, &surroundings}, {}, result))
     return std::numeric_limits<double>::max();
   return result[0];

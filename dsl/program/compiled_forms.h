@@ -1,4 +1,4 @@
-// What expressions become in a rule set: the engine's open forms, run by a program.
+// Expressions in the general forms of the engine, evaluated by programs.
 #pragma once
 
 #include <memory>
@@ -12,7 +12,7 @@
 
 namespace af2::dsl {
 
-/// A placement that is no affine map.
+/// A placement that is not an affine map.
 class ExpressionTransform final : public AF2PointTransform {
  public:
   explicit ExpressionTransform(Program program) : program_(std::move(program)) {}
@@ -34,8 +34,8 @@ class ExpressionFunction final : public AF2BindingFunction {
   Program program_;
 };
 
-/// A metric written in a rule file: one program for triangles and one for quadrilaterals, which see
-/// the corners as matched vertices.
+/// A metric written in a rule file: one program for triangles and one for quadrilaterals. In both,
+/// the corners are the matched vertices.
 class ExpressionMetric final : public AF2ElementMetric {
  public:
   ExpressionMetric(std::optional<Program> triangle, std::optional<Program> quad)
@@ -73,7 +73,7 @@ class ExpressionFrontOrder final : public AF2FrontOrder {
   bool needsTurns_ = false;
 };
 
-/// The affine form where there is one, otherwise the open form.
+/// The affine form if there is one, otherwise the general form.
 std::shared_ptr<const AF2PointTransform> makeTransform(const ProgramBuilder& builder, NodePair at);
 
 std::shared_ptr<const AF2BindingFunction> makeFunction(const ProgramBuilder& builder, Node node);

@@ -16,7 +16,7 @@ KnownValue numberOrNone(double value) {
   return std::isnan(value) ? KnownValue{Kind::None} : KnownValue{Kind::Number, value};
 }
 
-/// The value of one step, from those of the steps before it.
+/// The value of one step, computed from those of earlier steps.
 class OneStep {
  public:
   OneStep(const std::vector<KnownValue>& values, int level) : values_(values), level_(level) {}
@@ -46,7 +46,7 @@ class OneStep {
   }
 
  private:
-  /// One operand that decides is enough; else both must have a value.
+  /// One operand that decides the result is sufficient; otherwise both must have a value.
   template <class Decides>
   KnownValue logical(const Step& step, const Decides& decides) const {
     for (std::size_t i = 0; i < 2; ++i)
@@ -65,7 +65,7 @@ class OneStep {
   }
 
   KnownValue usual(const Step& step) const {
-    std::array<double, Step::kMostArguments> numbers{};
+    std::array<double, Step::kMaxArguments> numbers{};
     Step folded = step;
     bool isKnown = isArithmetic(step.op);
     for (std::size_t i = 0; i < step.arguments.size(); ++i) {

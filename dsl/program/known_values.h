@@ -1,4 +1,4 @@
-// What is certain about a program at one quality level, whatever the match.
+// Values of a program that are the same for every match at one quality level.
 #pragma once
 
 #include <cstddef>
@@ -8,29 +8,29 @@
 
 namespace af2::dsl {
 
-/// A value as far as the level alone tells it.
+/// The part of a value that depends on the level alone.
 struct KnownValue {
   enum class Kind {
     Open,    ///< depends on the match
-    Number,  ///< always this one
-    None     ///< a division by zero or the like: there never is one
+    Number,  ///< the same number at every match
+    None     ///< no match has a value, because of a division by zero or the like
   };
   Kind kind = Kind::Open;
-  double number = 0;  ///< of a Number
+  double number = 0;  ///< for a Number
 
   bool isNone() const { return kind == Kind::None; }
   bool isFalse() const { return kind == Kind::Number && number == 0; }
   bool isTrue() const { return kind == Kind::Number && number != 0; }
 };
 
-/// What is known of the results of a program.
+/// The known results of a program.
 class KnownResults {
  public:
   KnownResults(const Program& program, int level);
 
   const KnownValue& operator[](std::size_t result) const;
-  /// From now on all without a value that this result comes from counts as open: so that a fault
-  /// is told once, and not of all that follows from it.
+  /// Marks all steps without a value on which this result depends as open, so that a fault is
+  /// reported once, and not again for each result that depends on it.
   void forget(std::size_t result);
 
  private:
@@ -42,7 +42,7 @@ class KnownResults {
   std::vector<bool> isForgotten_;
 };
 
-/// Whether any step asks for the level.
+/// Whether any step depends on the level.
 bool asksForLevel(const Program& program);
 
 }  // namespace af2::dsl

@@ -1,8 +1,8 @@
 // The operations of programs in one table.
 //
-// To add one: its name in `Op`, its row here, its value in program.cpp, its bounds and slopes in
-// dsl/proof/box_run.cpp, and a function of the language that makes it in builtins.cpp. Neither of
-// the two switches compiles without it; all else follows from the row.
+// To add an operation, write its name in `Op`, its row here, its value in program.cpp, its bounds
+// and slopes in dsl/proof/box_run.cpp, and a function of the language that uses it in builtins.cpp.
+// The two switches do not compile without it; everything else uses the row.
 #pragma once
 
 #include <algorithm>
@@ -11,15 +11,15 @@
 
 namespace af2::dsl {
 
-/// What a step does. "No value" is kept as NaN while a program runs: it spreads through arithmetic,
-/// but a choice whose other branch is taken drops it.
+/// The operation of a step. "No value" is NaN while a program runs. It propagates through
+/// arithmetic, but a choice that takes the other branch discards it.
 enum class Op : unsigned char {
-  Unknown,  ///< stands for something that could not be compiled; never run
+  Unknown,  ///< an expression that could not be compiled; never run
   Constant,
   CoordinateX,  ///< of the matched vertex `index`
   CoordinateY,
   Level,
-  Input,  ///< a number from outside, such as the score in `accept`
+  Input,  ///< a number from the caller, such as the score in `accept`
   Layer,
   OnBoundary,
   Valence,
@@ -44,7 +44,7 @@ enum class Op : unsigned char {
   Maximum,
   Sweep,  ///< angle counter-clockwise from one vector to another, in (0, 2 pi]
   BisectX,
-  BisectY,  ///< unit vector that halves that angle
+  BisectY,  ///< unit vector along the bisector of that angle
   Less,
   LessEqual,
   Equal,
@@ -53,31 +53,31 @@ enum class Op : unsigned char {
   Not,
   Select,
   LeftTurn,      ///< whether three points turn left; exact
-  NotRightTurn,  ///< whether they do not turn right; exact
+  NotRightTurn,  ///< whether three points do not turn right; exact
   Inside,        ///< whether a point lies in a shape
   Call,          ///< a registered function
 };
 
-/// What a step needs besides the values of its arguments.
+/// What a step needs in addition to the values of its arguments.
 enum class Needs {
-  Nothing,  ///< so that it is worked out beforehand where these are constants
+  Nothing,  ///< computed in advance if the arguments are constants
   Level,    ///< the quality level alone
-  Match,    ///< the places of the matched vertices
-  Front,    ///< what is around the match
-  Input,    ///< numbers from outside
-  Program,  ///< the shapes and functions of its program
+  Match,    ///< the positions of the matched vertices
+  Front,    ///< the front around the match
+  Input,    ///< numbers from the caller
+  Program,  ///< the shapes and functions of the program
 };
 
-/// What the index of a step counts.
+/// The meaning of the index of a step.
 enum class IndexOf { Nothing, Vertex, Other };
 
 struct Operation {
   Op op;
   std::string_view text;  ///< as `af2 compile --dump` writes it
-  int arguments;          ///< fewest; a Call has as many as its function
+  int arguments;          ///< the minimum; a Call has as many as its function
   Needs needs;
   IndexOf index = IndexOf::Nothing;
-  /// Whether there is a value wherever the arguments have one, as far as proofs know.
+  /// Whether the operation is known to have a value whenever its arguments have values.
   bool isTotal = false;
 };
 
@@ -133,7 +133,7 @@ static_assert(kOperations.size() == static_cast<std::size_t>(Op::Call) + 1 &&
                   std::ranges::adjacent_find(kOperations, {}, &Operation::op) == kOperations.end(),
               "each operation has its row, in the order of Op");
 
-/// Whether a step works on the values of other steps, and on nothing else.
+/// Whether a step uses only the values of other steps.
 constexpr bool isArithmetic(Op op) {
   return operationOf(op).needs == Needs::Nothing && operationOf(op).arguments > 0;
 }

@@ -17,11 +17,11 @@ namespace {
 double finite(double x) { return std::isfinite(x) ? x : kNoValue; }
 double truth(bool b) { return b ? 1.0 : 0.0; }
 
-/// Quarter turns come out exactly, so that rot(v, 90deg) keeps coordinates to the last bit.
+/// Quarter turns are exact, so that rot(v, 90deg) does not round coordinates.
 std::optional<int> quarterTurns(double angle) {
   const double quarters = angle / (kFullTurn / 4);
   const double whole = std::round(quarters);
-  // An angle without a value is near nothing.
+  // An angle without a value is not close to a quarter turn.
   const bool isNear = std::abs(quarters - whole) <= 1e-14 * std::max(1.0, std::abs(whole));
   if (!isNear || std::abs(whole) > 1e6) return std::nullopt;
   return ((static_cast<int>(whole) % 4) + 4) % 4;
@@ -52,8 +52,8 @@ double sweep(Point2 from, Point2 to) {
   return turnBetween(from, to);
 }
 
-/// The sum of unit vectors is small near half a turn, their difference near a full one; each is
-/// used where it is large.
+/// The sum of the unit vectors is small near a half turn, and their difference is small near a full
+/// turn. The larger one is used, because it has the smaller relative error.
 Point2 bisect(Point2 from, Point2 to) {
   const double lengthFrom = length(from), lengthTo = length(to);
   if (lengthFrom == 0 || lengthTo == 0) return {kNoValue, kNoValue};
@@ -70,7 +70,7 @@ Point2 bisect(Point2 from, Point2 to) {
   return (1 / length(result)) * result;
 }
 
-double both(double a, double b) {  // false wins over no value
+double both(double a, double b) {  // a false operand decides, even if the other has no value
   if (a == 0 || b == 0) return 0;
   return std::isnan(a) || std::isnan(b) ? kNoValue : 1;
 }
@@ -84,14 +84,14 @@ double chosen(double condition, double a, double b) {
   return std::isnan(condition) ? kNoValue : condition != 0 ? a : b;
 }
 
-/// One step of a run: the arguments are values of earlier steps.
+/// Evaluates one step; its arguments are values of earlier steps.
 class Runner {
  public:
   Runner(const AF2Binding& binding, std::span<const double> inputs, const double* values)
       : binding_(binding), inputs_(inputs), values_(values) {}
 
-  /// Of a step that needs nothing but values, or nothing but the match. One switch over all that
-  /// rules ask most often: choosing among operations is what a step costs.
+  /// The value of a step that needs only values, or only the match. The most frequent operations
+  /// are in one switch, because the dispatch is the main cost of a step.
   double operator()(const Step& s) const {
     const auto at = [&](std::size_t i) { return values_[s.arguments[i]]; };
     switch (s.op) {
@@ -166,7 +166,7 @@ class Runner {
       case Op::CurvatureAt:
         return surroundings(s);
       case Op::Unknown:
-      case Op::Inside:  // as is a call, run by the program, which holds the shapes and functions
+      case Op::Inside:  // the program runs this and Call, because it has the shapes and functions
       case Op::Call:
         break;
     }
@@ -231,7 +231,7 @@ double evaluateStep(const Step& step, std::span<const double> values) {
 
 bool Program::run(const AF2Binding& binding, std::span<const double> inputs,
                   std::span<double> results) const {
-  constexpr std::size_t kUsual = 192;  // programs of rules have some dozens of steps
+  constexpr std::size_t kUsual = 192;  // programs of rules usually have some dozens of steps
   std::array<double, kUsual> small;
   std::vector<double> large;
   double* values = small.data();

@@ -1,4 +1,4 @@
-// Expressions of rules as flat programs: each step works on the results of earlier ones.
+// Expressions of rules as flat programs: each step uses the results of earlier steps.
 #pragma once
 
 #include <array>
@@ -22,18 +22,18 @@ struct UserFunction;
 using Node = int;
 
 struct Step {
-  static constexpr int kMostArguments = 9;  ///< four corners and the level, of a registered metric
+  static constexpr int kMaxArguments = 9;  ///< a registered metric has four corners and the level
   Op op = Op::Unknown;
-  double constant = 0;  ///< of a Constant
-  int index = 0;        ///< of a vertex, an input, a shape, a registered function
-  std::array<Node, kMostArguments> arguments{-1, -1, -1, -1, -1, -1, -1, -1, -1};
+  double constant = 0;  ///< for a Constant
+  int index = 0;        ///< the index of a vertex, an input, a shape or a registered function
+  std::array<Node, kMaxArguments> arguments{-1, -1, -1, -1, -1, -1, -1, -1, -1};
   auto key() const { return std::tuple(op, constant, index, arguments); }
 };
 
 /// A program with any number of results. Immutable; pure; safe from several threads at once.
 class Program {
  public:
-  /// Runs on a match. Returns false if a result has no value. `inputs` are numbers from outside.
+  /// Runs on a match. Returns false if a result has no value. `inputs` are numbers from the caller.
   bool run(const AF2Binding& binding, std::span<const double> inputs,
            std::span<double> results) const;
 
@@ -57,7 +57,7 @@ struct AffineForm {
   std::map<int, double> coefficients;
 };
 
-/// Makes steps: equal ones only once, constants folded, affine forms followed along.
+/// Makes the steps of a program. It shares equal steps, folds constants, and tracks affine forms.
 class ProgramBuilder {
  public:
   Node constant(double value);
@@ -77,7 +77,7 @@ class ProgramBuilder {
   /// The number if it does not depend on a match; NaN if it is known to have no value.
   std::optional<double> constantValue(Node node) const;
   const std::optional<AffineForm>& affine(Node node) const { return affine_[index(node)]; }
-  /// Whether the value depends on anything but the quality level.
+  /// Whether the value depends on anything other than the quality level.
   bool dependsOnMatch(Node node) const;
 
   /// The steps that `results` need, in order.

@@ -1,4 +1,4 @@
-// How programs are put together.
+// Builds programs.
 #include <cmath>
 #include <limits>
 
@@ -10,7 +10,7 @@ namespace af2::dsl {
 Node ProgramBuilder::constant(double value) {
   Step step;
   step.op = Op::Constant;
-  step.constant = value == 0 ? 0 : value;  // one zero is enough
+  step.constant = value == 0 ? 0 : value;  // -0 and 0 share one step
   if (std::isnan(value)) step.constant = kNoValue;
   return insert(step);
 }
@@ -66,7 +66,7 @@ bool ProgramBuilder::dependsOnMatch(Node node) const { return dependsOnMatch_[in
 
 Node ProgramBuilder::insert(const Step& step) {
   if (step.op == Op::Constant && std::isnan(step.constant)) {
-    // NaN is not equal to itself, so it cannot be looked up.
+    // NaN is not equal to itself, so a lookup would not find it.
     steps_.push_back(step);
     affine_.emplace_back();
     dependsOnMatch_.push_back(false);
@@ -86,7 +86,7 @@ Node ProgramBuilder::insert(const Step& step) {
 
 namespace {
 
-/// p + q, where what is left of a cancellation is rounding, and counts as nothing.
+/// p + q. A tiny remainder of a cancellation is a rounding error and counts as zero.
 double sum(double p, double q) {
   constexpr double kRounding = 4 * std::numeric_limits<double>::epsilon();
   const double result = p + q;

@@ -14,7 +14,7 @@ namespace af2::dsl {
 namespace {
 
 void checkParameters(const std::string& name, const std::string& parameters) {
-  constexpr int kMostNumbers = 8;
+  constexpr int kMaxNumbers = 8;
   int numbers = 0;
   for (char c : parameters) {
     if (std::string("napv").find(c) == std::string::npos)
@@ -22,7 +22,7 @@ void checkParameters(const std::string& name, const std::string& parameters) {
                        std::string(1, c) + "'; use n, a, p or v");
     numbers += c == 'p' || c == 'v' ? 2 : 1;
   }
-  if (numbers > kMostNumbers)
+  if (numbers > kMaxNumbers)
     throw InputError("registered function '" + name + "': more than eight numbers");
 }
 
@@ -59,9 +59,9 @@ void Registry::addShape(UserShape shape) {
   shapes_[name] = std::make_shared<const UserShape>(std::move(shape));
 }
 
-double call(const UserFunction& function, const std::array<Node, Step::kMostArguments>& arguments,
+double call(const UserFunction& function, const std::array<Node, Step::kMaxArguments>& arguments,
             std::span<const double> values) {
-  std::array<double, Step::kMostArguments> numbers{};
+  std::array<double, Step::kMaxArguments> numbers{};
   std::size_t count = 0;
   for (Node node : arguments) {
     if (node < 0) break;

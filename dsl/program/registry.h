@@ -1,5 +1,4 @@
-// Functions, metrics and zone shapes of one's own, written in C++ and called from rule files by
-// name.
+// User-defined functions, metrics and zone shapes in C++, called from rule files by name.
 #pragma once
 
 #include <functional>
@@ -15,28 +14,29 @@
 
 namespace af2::dsl {
 
-/// A function of numbers. Points are handed over as two numbers, x and y.
+/// A function of numbers. A point is passed as two numbers, x and y.
 struct UserFunction {
   std::string name;
   /// One letter for each argument: n number, a angle in radians, p point, v vector. At most eight
   /// numbers in all.
   std::string parameters;
   char result = 'n';  ///< n, a, or t for a truth value
-  /// Nothing: no value at this match. Must be pure.
+  /// Returns nothing if there is no value at this match. Must be pure.
   std::function<std::optional<double>(std::span<const double>)> value;
 };
 
-/// A zone shape: makes a zone from the numbers that the rule hands over.
+/// A zone shape: makes a zone from the arguments in the rule.
 struct UserShape {
   std::string name;
   std::string parameters;  ///< as for functions
   std::function<AF2FreeZoneDef::Made(std::span<const double>)> make;
 };
 
-/// What rule files may call beyond the language. Names must not be those of built-in functions.
+/// The registered functions, metrics and shapes. Their names must differ from those of built-in
+/// functions.
 class AF2_EXPORT Registry {
  public:
-  /// Each throws InputError on a name that is taken or no name, or on unknown letters.
+  /// Each function throws InputError on a name that is in use or malformed, or on unknown letters.
   void addFunction(UserFunction function);
   void addMetric(std::string name, std::shared_ptr<const AF2ElementMetric> metric);
   void addShape(UserShape shape);

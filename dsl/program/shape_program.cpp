@@ -9,7 +9,7 @@
 namespace af2::dsl {
 namespace {
 
-/// The numbers of a shape, in the order in which `build` takes them.
+/// The numbers of a shape, in the order in which `build` reads them.
 void collect(const ShapeValue& shape, std::vector<Node>& nodes) {
   for (NodePair p : shape.points) {
     nodes.push_back(p.x);
@@ -37,7 +37,7 @@ std::vector<PathStep> pathOf(const std::vector<Point2>& points, const std::vecto
   return path;
 }
 
-/// A zone in the frame reflected through x = ends / 2, whatever it is like.
+/// Any zone, reflected in the line x = ends / 2.
 class ReflectedZone final : public CoveringZone {
  public:
   ReflectedZone(std::shared_ptr<const AF2FreeZone> zone, double ends)

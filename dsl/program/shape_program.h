@@ -1,4 +1,4 @@
-// Shapes whose numbers are worked out at a match.
+// Shapes whose numbers are computed at a match.
 #pragma once
 
 #include <memory>
@@ -11,19 +11,19 @@
 
 namespace af2::dsl {
 
-/// A tree of shape constructors together with the program that works out its numbers.
+/// A tree of shape constructors, with the program that computes its numbers.
 class ShapeProgram {
  public:
   ShapeProgram(const ProgramBuilder& builder, const ShapeValue& shape);
 
-  /// The tree of constructors, and its numbers in the order of the tree: of each shape its points,
+  /// The tree of constructors, and its numbers in the order of the tree: for each shape its points,
   /// its own numbers, then those of its parts.
   const ShapeValue& shape() const { return shape_; }
   const Program& program() const { return program_; }
 
-  /// Nothing where a number has no value.
+  /// Nothing if a number has no value.
   std::optional<Shape> shapeAt(const AF2Binding& binding) const;
-  /// 1 or 0: whether a point lies in the closed shape; NaN where it has no valid form.
+  /// 1 or 0: whether a point lies in the closed shape; NaN if the shape is invalid.
   double holds(const AF2Binding& binding, Point2 point) const;
 
  private:
@@ -33,7 +33,7 @@ class ShapeProgram {
   Program program_;
 };
 
-/// The zone clauses of a rule that are not one list of corners.
+/// The zone clauses of a rule, unless they are a single list of corners.
 class ShapeZoneDef final : public AF2FreeZoneDef {
  public:
   struct Alternative {
@@ -41,7 +41,8 @@ class ShapeZoneDef final : public AF2FreeZoneDef {
     std::shared_ptr<const ShapeProgram> shape;
   };
 
-  /// The first alternative whose condition holds is the zone; if none does, the match is refused.
+  /// The zone is the first alternative whose condition holds. If no condition holds, the match is
+  /// refused.
   explicit ShapeZoneDef(std::vector<Alternative> alternatives);
 
   Made makeFreeZone(const AF2Binding& binding) const override;

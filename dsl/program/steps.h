@@ -1,4 +1,4 @@
-// Steps that need nothing but the values of earlier ones.
+// Steps that need only the values of earlier steps.
 #pragma once
 
 #include <limits>
@@ -8,14 +8,14 @@
 
 namespace af2::dsl {
 
-/// What a step without a value leaves: every step that works on it has none either.
+/// The result of a step without a value. Steps that use it have no value either.
 inline constexpr double kNoValue = std::numeric_limits<double>::quiet_NaN();
 
 /// The value of an arithmetic step whose arguments are indices of `values`; NaN if it has none.
 double evaluateStep(const Step& step, std::span<const double> values);
 
-/// Calls a registered function with the values of steps; NaN where it has no value.
-double call(const UserFunction& function, const std::array<Node, Step::kMostArguments>& arguments,
+/// Calls a registered function with the values of steps; NaN if it has no value.
+double call(const UserFunction& function, const std::array<Node, Step::kMaxArguments>& arguments,
             std::span<const double> values);
 
 }  // namespace af2::dsl

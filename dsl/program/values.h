@@ -1,5 +1,4 @@
-// What an expression of a rule stands for while rules are compiled: its type, and the steps of the
-// program that work it out.
+// The value of an expression during compilation: its type, and the steps that compute it.
 #pragma once
 
 #include <memory>
@@ -15,7 +14,7 @@ namespace af2::dsl {
 struct UserShape;
 
 enum class Type {
-  Any,  ///< not known, or broken: fits everywhere, and causes no errors
+  Any,  ///< unknown or faulty; accepted everywhere, and causes no further errors
   Number,
   Truth,
   Angle,      ///< radians
@@ -28,23 +27,23 @@ struct NodePair {
   bool operator==(const NodePair&) const = default;
 };
 
-/// A shape as a tree of constructors whose numbers are steps; laid out as Shape lays out its own.
+/// A shape as a tree of constructors whose numbers are steps; in the same layout as Shape.
 struct ShapeValue {
   ShapeKind kind = ShapeKind::Convex;
   std::vector<NodePair> points;
   std::vector<Node> numbers;
   std::vector<bool> arcs;
   std::vector<std::shared_ptr<const ShapeValue>> parts;
-  std::shared_ptr<const UserShape> user;  ///< a registered shape; then only `numbers` counts,
-  bool isReflected = false;  ///< which are those of the frame reflected through the base's bisector
+  std::shared_ptr<const UserShape> user;  ///< a registered shape; then only `numbers` is used,
+  bool isReflected = false;  ///< `numbers` are in the frame reflected in the bisector of the base
 };
 
 struct Value {
   Type type = Type::Any;
-  Node number = -1;   ///< of a Number, Truth, Angle
-  NodePair at;        ///< of a Geometric
-  double weight = 0;  ///< of a Geometric
-  int vertex = -1;    ///< the vertex of the rule that it is, if it is one
+  Node number = -1;   ///< for a Number, Truth, Angle
+  NodePair at;        ///< for a Geometric
+  double weight = 0;  ///< for a Geometric
+  int vertex = -1;    ///< the vertex of the rule if the value is one, otherwise -1
   bool isNewVertex = false;
   std::shared_ptr<const ShapeValue> shape;
 
@@ -55,17 +54,17 @@ struct Value {
 
 /// "a number", "a point", "a sum of weight 2", ...
 std::string describe(const Value& value);
-/// The weight of a sum of points, as messages show it.
+/// The weight of a sum of points, as shown in messages.
 std::string weightText(const Value& value);
 
-/// What a rule's expressions may ask about the match, and in which frame.
+/// The match that expressions of a rule can use, and the frame.
 struct MatchFrame {
-  int matchedVertices = 0;  ///< 0: there is no match (constants, settings of a rule set)
-  bool mirrored = false;    ///< x runs from b to a, and a and b have changed places
+  int matchedVertices = 0;  ///< 0 if there is no match (constants, settings of a rule set)
+  bool mirrored = false;    ///< x runs from b to a, and a and b are swapped
   int stored(int vertex) const { return mirrored && vertex < 2 ? 1 - vertex : vertex; }
 };
 
-/// Makes values out of values: the arithmetic of points, vectors, numbers.
+/// The arithmetic of values: points, vectors, numbers.
 class Algebra {
  public:
   Algebra(ProgramBuilder& builder, MatchFrame frame) : builder_(builder), frame_(frame) {}
@@ -80,7 +79,7 @@ class Algebra {
   Value geometric(NodePair at, double weight) const;
   Value point(NodePair at) const { return geometric(at, 1); }
   Value vector(NodePair at) const { return geometric(at, 0); }
-  /// The matched vertex, seen from the frame.
+  /// The matched vertex in this frame.
   Value vertex(int index) const;
 
   NodePair add(NodePair a, NodePair b) const;
@@ -93,7 +92,7 @@ class Algebra {
   Node length(NodePair a) const;
   NodePair unit(NodePair a) const;
   NodePair perpendicular(NodePair a) const;
-  /// The point of the base's frame that the frame's point is; the identity unless mirrored.
+  /// Converts a point from this frame to the frame of the base edge; the identity unless mirrored.
   NodePair toBase(NodePair a) const;
   NodePair vectorToBase(NodePair a) const;
 

@@ -11,7 +11,7 @@ namespace {
 
 constexpr Interval kOne{1, 1}, kTruth{0, 1}, kUnit{-1, 1};
 
-/// A value with its derivatives by the arguments of the step.
+/// A value, with its derivatives with respect to the arguments of the step.
 struct Local {
   Interval value;
   std::array<Interval, 4> by{};
@@ -27,14 +27,14 @@ Local truth(bool isSurelyTrue, bool isSurelyFalse) {
   return jump(isSurelyTrue ? kOne : isSurelyFalse ? Interval{} : kTruth);
 }
 
-/// Around the full angle 2 pi with a rounding error to either side.
+/// Bounds of the full angle 2 pi, with a margin for rounding on both sides.
 Interval turned(Interval angle, double by) {
   return angle + Interval{by * (1 - 1e-15), by * (1 + 1e-15)};
 }
 
 /// A vector of unit length as a function of (x, y): its coordinates, and the derivatives of both.
 struct Direction {
-  Interval x, y, xx, xy, yy;  // xy: of x by y, and of y by x
+  Interval x, y, xx, xy, yy;  // xy: derivative of x by y, and of y by x
 };
 
 Direction directionOf(Interval x, Interval y) {
@@ -44,7 +44,7 @@ Direction directionOf(Interval x, Interval y) {
           -(x * y) / cube, wholePower(x, 2) / cube};
 }
 
-/// How cross and dot product of two vectors lie, for the angle from one to the other.
+/// Cross and dot product of two vectors, from which the angle between them follows.
 struct Spread {
   Interval cross, dot;
   Spread(const std::array<Interval, 4>& a)
@@ -62,7 +62,7 @@ Local sweep(const std::array<Interval, 4>& a) {
     local.value = turned(angleOf(-spread.cross, -spread.dot), kFullTurn / 2);
   else
     return jump({0, kFullTurn + 1e-14});
-  // The angle of one vector grows with the angle of `to`, and shrinks with that of `from`.
+  // The angle increases with the direction of `to` and decreases with the direction of `from`.
   const Interval from = wholePower(a[0], 2) + wholePower(a[1], 2);
   const Interval to = wholePower(a[2], 2) + wholePower(a[3], 2);
   local.by = {a[1] / from, -a[0] / from, -a[3] / to, a[2] / to};
@@ -75,7 +75,7 @@ Local bisect(const std::array<Interval, 4>& a, bool wantsX) {
   const Direction u = directionOf(a[0], a[1]), w = directionOf(a[2], a[3]);
   const bool isWide = spread.dot.high < 0;
   if (!isWide && spread.cross.contains(0)) return jump(kUnit);
-  // Either the sum of both, turned to the right side, or what stands upright on their difference.
+  // Either the sum of both, turned to the correct side, or the perpendicular of their difference.
   const double sign = isWide || spread.cross.low > 0 ? 1 : -1;
   const Interval s = Interval::point(sign);
   const Interval x = isWide ? w.y - u.y : s * (u.x + w.x);
@@ -202,7 +202,7 @@ Local localOf(const Step& step, const std::array<Interval, 4>& a) {
       return truth(a[0].isZero(), !a[0].contains(0));
     case Op::Select:
       return selected(a[0], a[1], a[2]);
-    // Variables of the box come from elsewhere; of the rest nothing is known.
+    // The box contains the bounds of its variables; nothing is known about other values.
     case Op::Unknown:
     case Op::CoordinateX:
     case Op::CoordinateY:

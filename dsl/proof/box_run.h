@@ -1,4 +1,4 @@
-// Bounds of all steps of a program, and of how fast they change, over a box of matches.
+// Bounds of all steps of a program, and of their derivatives, over a box of matches.
 #pragma once
 
 #include <span>
@@ -12,8 +12,8 @@ namespace af2::dsl {
 
 using Box = std::vector<Interval>;  ///< by variable
 
-/// A step's values hold for every match of the box at which the step has a value; so do its slopes,
-/// the partial derivatives by variable, which are everything where the step may jump.
+/// The bounds hold for every match of the box at which the step has a value. The slopes are bounds
+/// of the partial derivatives by variable; they are infinite if the step may be discontinuous.
 class BoxRun {
  public:
   BoxRun(const Program& program, std::span<const GraphVariable> variables);
@@ -26,7 +26,8 @@ class BoxRun {
   }
   /// Bounds at the middle of the box.
   Interval middle(std::size_t step) const { return middles_[step]; }
-  /// middle(p) - factor * middle(q) plus what the slopes of the difference allow within the box.
+  /// Bounds of p - factor * q: the value at the middle of the box, plus the range that the slopes
+  /// of the difference allow.
   Interval differenceOf(std::size_t p, double factor, std::size_t q) const;
 
  private:

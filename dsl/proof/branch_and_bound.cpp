@@ -8,11 +8,11 @@
 namespace af2::dsl {
 namespace {
 
-/// What counts as not negative. Facts may be missed by the tolerance to which corners in a row pass
-/// for convex, times the length of a chord.
+/// Rounding allowances: a value above minus kClaimRounding counts as non-negative. Facts may be
+/// violated by the tolerance of the convexity test times the length of a chord.
 constexpr double kClaimRounding = 1e-7, kFactRounding = 1e-8;
 
-/// What a strict claim must rise above somewhere in each box.
+/// A strict claim must exceed this value somewhere in each box.
 constexpr double kFlat = 1e-6;
 
 using Steps = std::vector<std::size_t>;
@@ -91,7 +91,7 @@ class Search {
     for (StepClaim& part : claim.parts) resolve(part, results);
   }
 
-  /// Whether no match lies in the box.
+  /// Whether the box contains no match.
   bool isEmpty() const {
     const auto isMissed = [&](std::size_t step) { return run_.value(step).high < -kFactRounding; };
     const auto isFalse = [&](std::size_t step) { return run_.value(step).isZero(); };
@@ -124,8 +124,8 @@ class Search {
     return std::ranges::any_of(facts_, [&](std::size_t fact) { return exceeds(step, fact); });
   }
 
-  /// Whether the step exceeds a multiple of a fact: the one that takes away its slope along that of
-  /// the fact.
+  /// Whether the step exceeds a multiple of a fact. The multiple is chosen so that the difference
+  /// has no slope along the slope of the fact.
   bool exceeds(std::size_t step, std::size_t fact) const {
     double along = 0, size = 0;
     for (std::size_t v = 0; v < graph_.variables().size(); ++v) {
@@ -138,8 +138,7 @@ class Search {
     return run_.differenceOf(step, factor, fact).low - factor * kFactRounding >= -kClaimRounding;
   }
 
-  /// The side along which what is not decided changes most; the longest one where that is not
-  /// known.
+  /// The side along which the undecided step changes most; the longest side if this is not known.
   std::optional<std::size_t> sideToCut(const Box& box) const {
     std::optional<std::size_t> best, longest;
     double most = 0;
@@ -155,7 +154,7 @@ class Search {
     return best ? best : longest;
   }
 
-  /// The longest side along which the undecided step changes at all.
+  /// The longest side along which the undecided step changes.
   std::optional<std::size_t> longestChanging(const Box& box) const {
     std::optional<std::size_t> longest;
     for (std::size_t v = 0; v < box.size(); ++v)
@@ -171,7 +170,7 @@ class Search {
   StepClaim claim_{Claim::Kind::All, 0, {}};
   Program program_;
   BoxRun run_;
-  std::optional<std::size_t> undecided_;  // the first step that kept the claim from holding
+  std::optional<std::size_t> undecided_;  // the first step not shown to be non-negative
 };
 
 }  // namespace

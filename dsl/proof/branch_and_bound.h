@@ -1,4 +1,4 @@
-// Whether a claim holds for all matches: boxes of matches are cut until bounds decide each of them.
+// Proves claims for all matches: boxes of matches are split until bounds decide each of them.
 #pragma once
 
 #include "dsl/proof/claim.h"
@@ -7,12 +7,12 @@
 
 namespace af2::dsl {
 
-/// What a claim is held against, beyond what holds for every match of the graph.
+/// Assumptions of a claim, in addition to the facts that hold for every match of the graph.
 struct Circumstances {
   std::vector<Node> facts;             ///< nodes that are >= 0
   std::vector<Node> truths, untruths;  ///< conditions
-  /// A claim must hold with something to spare at most matches: elements are to be positive, not
-  /// just never negative.
+  /// Whether the claim must hold with a margin at some match of each box, because elements must
+  /// have positive area, not just non-negative area.
   bool isStrict = false;
 };
 

@@ -13,10 +13,10 @@
 namespace af2::dsl {
 namespace {
 
-/// How many levels above its first one a rule is given a chance.
+/// The number of levels above its first one at which a rule is tried.
 constexpr int kHighestRise = 6;
 
-/// Vertices around the match that its zone does not see, so that other rules may be blocked.
+/// Random vertices around the match but outside its zone. They may block other rules.
 void addObstacles(FrontPiece& piece, const AF2FreeZone& zone, RandomNumbers& random) {
   const int count = static_cast<int>(random.between(0, 6));
   for (int i = 0; i < count; ++i) {
@@ -27,14 +27,15 @@ void addObstacles(FrontPiece& piece, const AF2FreeZone& zone, RandomNumbers& ran
   }
 }
 
-/// Who was chosen how often, by rule; -1 for nobody.
+/// The number of times that each rule was chosen, by rule; -1 for no rule.
 using Winners = std::map<int, int>;
 
 std::string describe(const RuleSet& rules, const Winners& winners) {
   const auto most = std::max_element(winners.begin(), winners.end(),
                                      [](auto& p, auto& q) { return p.second < q.second; });
-  if (most->first < 0) return fmt::format("no rule was in {} of them", most->second);
-  return fmt::format("'{}' was in {} of them", rules.rules()[most->first].name(), most->second);
+  if (most->first < 0) return fmt::format("in {} of them no rule was chosen", most->second);
+  return fmt::format("in {} of them rule '{}' was chosen", most->second,
+                     rules.rules()[most->first].name());
 }
 
 /// Whether the rule is chosen in one random situation around a match.
@@ -69,7 +70,7 @@ std::optional<SampledFinding> findNeverChosen(const RuleSample& sample, SingleSt
   SampledFinding finding = findingAbout(sample, Code::NeverChosen);
   finding.message = fmt::format("rule '{}' was never chosen in {} situations that it fits; {}",
                                 sample.name(), situations, describe(sample.rules, winners));
-  finding.help = "drop it, or let it match where the others do not";
+  finding.help = "remove it, or let it match where other rules do not";
   finding.example = {reference.vertices(), sample.level, {}, {}};
   finding.test = writeTest(reference, {fmt::format("{}: is chosen where it fits", sample.name()),
                                        {},

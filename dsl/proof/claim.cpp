@@ -26,10 +26,10 @@ MaybeClaim anyKnown(std::vector<MaybeClaim> parts) {
   return anyOf(std::move(known));
 }
 
-/// One way for a convex element to lie in shapes, or beside them.
+/// Makes claims which imply that a convex element is inside or outside of shapes.
 class Placement {
  public:
-  /// cuts  how often the element may still be cut into parts, each of which lies somewhere else
+  /// cuts  how many more times the element may be split into parts that different shapes contain
   Placement(RuleGraph& graph, const Corners& element, int cuts)
       : graph_(graph), element_(element), cuts_(cuts) {}
 
@@ -100,15 +100,15 @@ class Placement {
     return allOf(std::move(sides));
   }
 
-  /// In a triangle of the points, whichever way round it runs.
+  /// In a triangle of the points, in either orientation.
   Claim inHull(const GraphShape& shape, NodePair p) {
-    constexpr std::size_t kMostPoints = 6;
+    constexpr std::size_t kMaxPoints = 6;
     const auto& q = shape.points;
     if (isCombination(p, q)) return allOf({});
     std::vector<Claim> triangles;
-    for (std::size_t i = 0; i < std::min(q.size(), kMostPoints); ++i)
-      for (std::size_t j = i + 1; j < std::min(q.size(), kMostPoints); ++j)
-        for (std::size_t k = j + 1; k < std::min(q.size(), kMostPoints); ++k) {
+    for (std::size_t i = 0; i < std::min(q.size(), kMaxPoints); ++i)
+      for (std::size_t j = i + 1; j < std::min(q.size(), kMaxPoints); ++j)
+        for (std::size_t k = j + 1; k < std::min(q.size(), kMaxPoints); ++k) {
           triangles.push_back(
               allOf({left(q[i], q[j], p), left(q[j], q[k], p), left(q[k], q[i], p)}));
           triangles.push_back(
@@ -117,7 +117,7 @@ class Placement {
     return anyOf(std::move(triangles));
   }
 
-  /// distance <= radius, for a radius that is not negative.
+  /// distance <= radius, for a non-negative radius.
   Claim near(NodePair centre, Node radius, NodePair p) {
     const NodePair d = graph_.difference(p, centre);
     return notNegative(graph_.subtract(graph_.multiply(radius, radius), graph_.dot(d, d)));
@@ -142,7 +142,7 @@ class Placement {
     return allOf({inDisc, between});
   }
 
-  /// Corners within the distance of something convex.
+  /// All corners are within the distance of a convex set.
   MaybeClaim inGrown(const GraphShape& shape) {
     const GraphShape& inner = shape.parts[0];
     const Node distance = shape.numbers[0];
@@ -160,7 +160,7 @@ class Placement {
     });
   }
 
-  /// In one of the shapes that are united; or cut into four, each of them somewhere in the union.
+  /// In one of the shapes of the union; or split into four parts, each of which is in the union.
   MaybeClaim inUnion(const GraphShape& shape) {
     std::vector<MaybeClaim> ways;
     addMembers(shape, ways);
@@ -168,7 +168,7 @@ class Placement {
     return anyKnown(std::move(ways));
   }
 
-  /// Unions within a union are one: each of its shapes is looked at once, whatever the grouping.
+  /// Nested unions are flattened, so that each shape is considered once.
   void addMembers(const GraphShape& shape, std::vector<MaybeClaim>& ways) {
     for (const GraphShape& part : shape.parts) {
       if (part.kind == ShapeKind::Union)
@@ -202,11 +202,11 @@ class Placement {
     return parts;
   }
 
-  // ---- paths: no side enters the element, and one side is an edge of it
-  // --------------------------
+  // ---- paths: no side enters the element, and one side is an edge of it -------------------------
 
-  /// If a side of a path that runs counter-clockwise is also an edge of the element, the path holds
-  /// the element beside it; and so all of it, unless another side comes in between.
+  /// If a side of a counter-clockwise path is also an edge of the element, the path contains the
+  /// part of the element next to that edge. It then contains the whole element, unless another side
+  /// of the path enters the element.
   MaybeClaim inPath(const GraphShape& shape) {
     std::vector<Claim> claims;
     bool hasCommonEdge = false;
@@ -241,7 +241,7 @@ class Placement {
     return anyOf(std::move(ways));
   }
 
-  /// An arc lies on one side of its chord, and on its circle.
+  /// An arc is on one side of its chord, and on its circle.
   Claim arcKeepsOut(NodePair from, NodePair via, NodePair to) {
     return anyOf({allOf({right(from, to, via), allLeft(from, to)}),
                   allOf({left(from, to, via), allRight(from, to)}),
@@ -261,8 +261,7 @@ class Placement {
     });
   }
 
-  // ---- beside
-  // ------------------------------------------------------------------------------------
+  // ---- the element is outside of a shape -------------------------------------------------------
 
   MaybeClaim beside(const GraphShape& shape) {
     switch (shape.kind) {
@@ -295,7 +294,7 @@ class Placement {
     return anyOf(std::move(ways));
   }
 
-  /// Behind an edge, or beyond a corner from which the element lies the other way.
+  /// Outside of an edge, or separated from the element by a line through a corner.
   Claim discBeside(NodePair centre, Node radius) {
     std::vector<Claim> ways{behindSomeEdge([&](NodePair p, NodePair q) {
       const Node reach = graph_.multiply(radius, graph_.length(graph_.difference(q, p)));
@@ -342,8 +341,8 @@ Claim anyOf(std::vector<Claim> parts) {
 }
 
 std::optional<Claim> liesIn(RuleGraph& graph, const GraphShape& shape, const Corners& element) {
-  constexpr int kMostCuts = 2;  // each multiplies the claims by four for every level of unions
-  return Placement(graph, element, kMostCuts).in(shape);
+  constexpr int kMaxCuts = 2;  // each multiplies the claims by four for every level of unions
+  return Placement(graph, element, kMaxCuts).in(shape);
 }
 
 void addShapeFacts(RuleGraph& graph, const GraphShape& shape, std::vector<Node>& facts) {

@@ -1,4 +1,4 @@
-// Claims about a rule that hold where certain nodes are not negative.
+// Claims about a rule, expressed as non-negative nodes.
 #pragma once
 
 #include <optional>
@@ -19,18 +19,18 @@ struct Claim {
 };
 
 Claim notNegative(Node node);
-/// Parts that are true already are left out.
+/// Parts that are known to be true are left out.
 Claim allOf(std::vector<Claim> parts);
 Claim anyOf(std::vector<Claim> parts);
 
 using Corners = std::vector<NodePair>;  ///< of a convex element, counter-clockwise
 
-/// What has to be shown for a convex element to lie in a shape, given that the shape has a valid
-/// form; nothing if no way is known. It need not hold for an element that does.
+/// A claim which implies that a convex element is inside a shape, if the shape is valid. The claim
+/// is sufficient, not necessary. Returns nothing if no such claim is known.
 std::optional<Claim> liesIn(RuleGraph& graph, const GraphShape& shape, const Corners& element);
 
-/// Adds what holds wherever a shape has a valid form: lists of corners are convex, radii are not
-/// negative.
+/// Adds facts that hold wherever a shape is valid: lists of corners are convex, radii are
+/// non-negative.
 void addShapeFacts(RuleGraph& graph, const GraphShape& shape, std::vector<Node>& facts);
 
 }  // namespace af2::dsl

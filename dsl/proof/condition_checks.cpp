@@ -1,5 +1,4 @@
-// D1: is there a match that a condition refuses, and one that it lets through? Of a `require`, and
-// of the `when` of a zone.
+// D1: does each condition (`require`, or `when` of a zone) refuse some match and accept some match?
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -24,13 +23,15 @@ bool has(const Program& program, Op op) {
   return std::ranges::any_of(program.steps(), [&](const Step& step) { return step.op == op; });
 }
 
-/// Proofs take the size field for uniform, which it need not be.
+/// Whether the condition depends on sizes. Proofs assume a uniform size field, so they say nothing
+/// about such conditions.
 bool asksForSizes(const Condition& condition) {
   const Program* program = programOf(condition);
   return !program || has(*program, Op::SizeAt);
 }
 
-/// The length of a vector: sums of squares are never negative.
+/// Whether a square root is the length of a vector: its argument, a sum of squares, is never
+/// negative.
 bool isLength(const Program& program, const Step& root) {
   const auto& steps = program.steps();
   const auto at = [&](Node node) -> const Step& { return steps[static_cast<std::size_t>(node)]; };
@@ -43,7 +44,7 @@ bool isLength(const Program& program, const Step& root) {
          (sum.op == Op::Add && isSquare(sum.arguments[0]) && isSquare(sum.arguments[1]));
 }
 
-/// Whether the condition has a value at every match: where it has none, it refuses.
+/// Whether the condition has a value at every match. Without a value it refuses the match.
 bool hasAlwaysValue(const Program& program) {
   return std::ranges::all_of(program.steps(), [&](const Step& step) {
     return step.op == Op::SquareRoot ? isLength(program, step) : operationOf(step.op).isTotal;
@@ -55,12 +56,12 @@ bool holds(const Condition& condition, const PatternMatch& match) {
   return value && *value != 0;
 }
 
-/// How a condition answers for matches that the pattern and the conditions before it let through.
+/// The values of a condition for matches that the pattern and the earlier conditions accept.
 class ConditionCheck {
  public:
   /// condition  a `require` of the rule, or the `when` of a zone
-  /// before     how many `require` stand before it
-  /// failing    the `when` of the zones before it: none of them holds where it is asked
+  /// before     the number of `require` conditions before it failing    the `when` of the zones
+  /// before it: none of them holds where the condition is evaluated
   ConditionCheck(const RuleSet& rules, const AF2Rule& rule, Condition condition, std::size_t before,
                  std::vector<Condition> failing, const SamplingOptions& options)
       : rules_(rules),
@@ -82,7 +83,7 @@ class ConditionCheck {
     return AF2Rule(std::move(definition));
   }
 
-  /// At every level at which the rule is tried.
+  /// For every level at which the rule is tried.
   bool isAlways(bool truth) const {
     if (asksForSizes(condition_) || std::ranges::any_of(failing_, asksForSizes) ||
         !seemsAlways(truth))
@@ -96,7 +97,7 @@ class ConditionCheck {
     return true;
   }
 
-  /// Most conditions answer both ways within a few samples: no proof is tried then.
+  /// Most conditions are both true and false within a few samples; then no proof is attempted.
   bool seemsAlways(bool truth) const {
     constexpr int kLooked = 100;
     MatchSampler sampler(rules_, before_, before_.definition().firstLevel, options_.seed);
@@ -130,15 +131,15 @@ SampledFinding idleFinding(const RuleSet& rules, std::size_t index, std::size_t 
   finding.example = {reference.vertices(), level, {}, {}};
   if (holds) {
     finding.message = fmt::format(
-        "this condition of rule '{}' always holds: no match that the pattern and the conditions "
-        "before it let through fails it",
+        "this condition of rule '{}' always holds: every match that the pattern and the "
+        "earlier conditions accept passes it",
         rule.name());
-    finding.help = "remove it, or compare with what was meant";
+    finding.help = "remove it, or check that it is the condition you meant";
     return finding;
   }
   finding.message = fmt::format(
       "this condition never holds, so rule '{}' never applies: no match that the pattern and the "
-      "conditions before it let through passes it",
+      "earlier conditions accept passes it",
       rule.name());
   finding.help = "compare it with the reference positions and their tolerances";
   finding.test = writeTest(reference, {fmt::format("{}: applies where it fits", rule.name()),
@@ -152,11 +153,11 @@ SampledFinding idleZoneFinding(const RuleSet& rules, std::size_t index, std::siz
   SampledFinding finding = idleFinding(rules, index, 0, true);
   finding.element = -1;
   finding.zone = static_cast<int>(zone);
-  finding.message = fmt::format(
-      "{} of rule '{}' {}", alwaysHolds ? "this condition" : "this zone",
-      rules.rules()[index].name(),
-      alwaysHolds ? "always holds where it is asked" : "is never used: its condition never holds");
-  finding.help = alwaysHolds ? "leave out `when`, or compare with what was meant"
+  finding.message = fmt::format("{} of rule '{}' {}", alwaysHolds ? "this condition" : "this zone",
+                                rules.rules()[index].name(),
+                                alwaysHolds ? "always holds where it is evaluated"
+                                            : "is never used: its condition never holds");
+  finding.help = alwaysHolds ? "leave out `when`, or check that it is the condition you meant"
                              : "remove it, or give it another condition";
   return finding;
 }
@@ -174,7 +175,7 @@ void findIdleZones(const RuleSet& rules, std::size_t index, const SamplingOption
                                options);
     const bool always = check.alwaysHolds();
     if (always || check.neverHolds()) findings.push_back(idleZoneFinding(rules, index, i, always));
-    if (always) break;  // those behind it are not asked
+    if (always) break;  // later ones are not evaluated
     failing.push_back(when);
   }
 }
@@ -192,7 +193,7 @@ std::vector<SampledFinding> findIdleConditions(const RuleSet& rules, std::size_t
     const bool always = check.alwaysHolds();
     if (!always && !check.neverHolds()) continue;
     findings.push_back(idleFinding(rules, index, number, always));
-    if (!always) return findings;  // behind it everything holds, for nothing is left
+    if (!always) return findings;  // no match is left for later conditions
   }
   findIdleZones(rules, index, options, findings);
   return findings;

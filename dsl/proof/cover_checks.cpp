@@ -1,4 +1,4 @@
-// Z1: do all elements lie in the free zone?
+// Z1: are all elements inside the free zone?
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -27,7 +27,7 @@ std::optional<Uncovered> uncoveredElement(const SampledMatch& one) {
   std::optional<Uncovered> found;
   for (std::size_t i = 0; i < elements.size(); ++i) {
     const auto corners = cornersOf(elements[i], *one.placed);
-    if (!turnsLeftEverywhere(corners)) return std::nullopt;  // another finding
+    if (!turnsLeftEverywhere(corners)) return std::nullopt;  // this is reported as G2
     if (found) continue;
     if (const auto at = unseenPlace(*one.zone, corners))
       found = Uncovered{&one, static_cast<int>(i), *at};
@@ -35,7 +35,8 @@ std::optional<Uncovered> uncoveredElement(const SampledMatch& one) {
   return found;
 }
 
-/// How far the element sticks out: the farthest of its corners and of the place that was found.
+/// The distance by which the element extends beyond the zone: the maximum over its corners and the
+/// place that was found.
 void measure(Uncovered& uncovered) {
   const SampledMatch& one = *uncovered.match;
   const MeasuredZone zone(*one.zone);
@@ -58,8 +59,8 @@ bool holds(const std::vector<Point2>& corners, Point2 p) {
   return true;
 }
 
-/// A place of few digits inside the element and outside the zone: from where it sticks out most
-/// towards its middle.
+/// A place with few digits inside the element and outside the zone, searched from the farthest
+/// place towards the middle of the element.
 std::optional<Point2> shownPlace(const Uncovered& uncovered) {
   const SampledMatch& one = *uncovered.match;
   const auto corners =
@@ -83,7 +84,8 @@ double median(std::vector<double> values) {
   return *middle;
 }
 
-/// One that shows well and is not far-fetched: the closest to the reference of the deeper half.
+/// A clear and ordinary example: of the half with the larger depths, the match closest to the
+/// reference.
 const Uncovered& exampleOf(const std::vector<Uncovered>& all, double leastDepth) {
   const Uncovered* best = nullptr;
   for (const Uncovered& one : all)
@@ -92,7 +94,7 @@ const Uncovered& exampleOf(const std::vector<Uncovered>& all, double leastDepth)
   return *best;
 }
 
-/// Outlines of curved zones cost much: a few tell enough.
+/// Outlines of curved zones are expensive to compute, so only a few are measured.
 void measureSome(std::vector<Uncovered>& all) {
   constexpr std::size_t kCurvedMeasured = 12;
   const bool isCheap = isConvexPolygon(*all.front().match->zone);
@@ -131,10 +133,10 @@ std::optional<SampledFinding> findUncovered(const RuleSample& sample) {
   SampledFinding finding = findingAbout(sample, Code::UncoveredElement);
   finding.element = example.element;
   finding.message = fmt::format(
-      "a new element of rule '{}' sticks out of the free zone at {} of the matches at level "
-      "{}, by {:.2g} in the middle and {:.2g} at most",
+      "a new element of rule '{}' extends beyond the free zone at {} of the matches at level "
+      "{}: median distance {:.2g}, maximum {:.2g}",
       sample.name(), percent(share), sample.level, middle, *std::ranges::max_element(depths));
-  finding.help = "an obstacle there would not be seen; move the zone's corners outwards";
+  finding.help = "an obstacle there would not be noticed; move the zone's corners outwards";
   finding.example = {match.match.vertices(), sample.level, {example.at}, {unseen}};
   finding.test = writeTest(
       match.match, {fmt::format("{}: an obstacle inside the new element is seen", sample.name()),

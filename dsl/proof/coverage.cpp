@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kDegree = M_PI / 180;
 
-/// From low to high, each the same factor longer.
+/// Lengths from low to high in geometric progression.
 std::vector<double> lengths(double low, double high, int count) {
   std::vector<double> values;
   for (int i = 0; i < count; ++i) {
@@ -30,7 +30,7 @@ std::vector<double> angles() {
   return values;
 }
 
-/// Of few digits, so that a situation can be told.
+/// Rounds to few digits, so that a situation is easy to describe.
 Point2 polar(double degrees, double radius) {
   const auto round = [](double x) { return std::round(x * 1000) / 1000 + 0.0; };
   return {round(radius * std::cos(degrees * kDegree)), round(radius * std::sin(degrees * kDegree))};
@@ -58,7 +58,7 @@ FrontPiece threeEdges(double angleB, double angleA) {
   return chainOf({polar(angleA, 1), {0, 0}, {1, 0}, Point2{1, 0} + polar(180 - angleB, 1)}, 1);
 }
 
-/// Whether edges of a chain cross or touch but for the vertices between them.
+/// Whether edges of a chain cross, or touch other than at a common vertex.
 bool isPossible(const FrontPiece& piece) {
   const auto& v = piece.vertices;
   if (v.size() == 4 && segmentsMeet(v[0], v[1], v[2], v[3])) return false;
@@ -104,7 +104,7 @@ bool isLeftOut(const CoverageMap& map, std::size_t i) {
   return map.isOrdinary[i] && map.levels[i] == CoverageMap::kNone;
 }
 
-/// A situation amid its row of those that are left out: no borderline case.
+/// A situation in the middle of a row of uncovered ones, so that it is not a borderline case.
 std::size_t typicalGap(const CoverageMap& map) {
   std::size_t best = 0, longest = 0;
   const std::size_t columns = map.xs.size();
@@ -120,7 +120,7 @@ std::size_t typicalGap(const CoverageMap& map) {
   return best;
 }
 
-/// Of the ordinary situations, how many are left out.
+/// The share of the ordinary situations that are uncovered.
 double shareLeftOut(const CoverageMap& map) {
   double ordinary = 0, leftOut = 0;
   for (std::size_t i = 0; i < map.levels.size(); ++i) {
@@ -156,14 +156,14 @@ Coverage measureCoverage(const RuleSet& rules, int lastLevel) {
 }
 
 bool isOrdinary(const FrontPiece& piece) {
-  constexpr double kShortest = 0.6, kLongest = 1.7, kLeastGap = 0.5;
+  constexpr double kShortest = 0.6, kLongest = 1.7, kMinGap = 0.5;
   if (!isPossible(piece)) return false;
   const auto& v = piece.vertices;
   for (std::size_t i = 0; i + 1 < v.size(); ++i) {
     const double size = distance(v[i], v[i + 1]);
     if (size < kShortest || size > kLongest) return false;
     for (std::size_t j = i + 2; j < v.size(); ++j)
-      if (distance(v[i], v[j]) < kLeastGap) return false;
+      if (distance(v[i], v[j]) < kMinGap) return false;
   }
   for (std::size_t i = 1; i + 1 < v.size(); ++i) {
     const Point2 back = v[i - 1] - v[i], ahead = v[i + 1] - v[i];

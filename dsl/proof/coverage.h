@@ -1,5 +1,4 @@
-// N1: which situations of one, two and three front edges do the rules of a set accept, and at which
-// level?
+// N1: which situations of one to three front edges do the rules accept, and at which level?
 #pragma once
 
 #include <optional>
@@ -18,7 +17,7 @@ struct CoverageMap {
   static constexpr int kNone = 0, kImpossible = -1;
 
   std::string title;           ///< "two edges"
-  std::string xName, yName;    ///< yName is empty where there is one row only
+  std::string xName, yName;    ///< yName is empty if there is only one row
   std::vector<double> xs, ys;  ///< lengths, or angles in degrees
   std::vector<int> levels;     ///< by row, then column: the lowest level at which a rule applies
   std::vector<FrontPiece> pieces;  ///< the situations themselves
@@ -32,18 +31,17 @@ struct Coverage {
   std::vector<CoverageMap> maps;
 };
 
-/// Tries the whole rule set on free-standing pieces of front: a single edge by its length; two
-/// edges by the angle between them and the length of the second; three edges by their two angles.
-/// Angles are those of the unmeshed side.
+/// Tries the whole rule set on isolated pieces of front: one edge, varied in length; two edges,
+/// varied in their angle and the length of the second; three edges, varied in their two angles.
+/// Angles are measured on the unmeshed side.
 AF2_EXPORT Coverage measureCoverage(const RuleSet& rules, int lastLevel = 10);
 
-/// Whether a front in good order comes to look like this: edges of 0.6 to 1.7 times the wanted
-/// length, no free angle below 45 or above 315 degrees, and vertices that are not neighbours at
-/// least half an edge apart.
+/// Whether a situation is ordinary: edges of 0.6 to 1.7 times the target size, free angles of 45 to
+/// 315 degrees, and a distance of at least half an edge between vertices that are not neighbours.
 AF2_EXPORT bool isOrdinary(const FrontPiece& piece);
 
 /// A finding, about no rule in particular, if no rule accepts some ordinary situations. It has a
-/// test for each kind of piece, on a situation amid those that are left out.
+/// test for each kind of piece, with a situation in the middle of the uncovered ones.
 AF2_EXPORT std::optional<SampledFinding> findUncoveredSituations(const Coverage& coverage);
 
 }  // namespace af2::dsl

@@ -1,4 +1,4 @@
-// G2: are all elements positive, whatever the match?
+// G2: are all elements positive at every match?
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -33,8 +33,8 @@ std::optional<Inverted> invertedElement(const SampledMatch& one) {
   return std::nullopt;
 }
 
-/// The smallest of the parallelograms that the elements' corners span: it changes sign without a
-/// jump where a side shrinks to nothing. Nothing where a vertex has no place.
+/// The smallest signed area of the parallelograms at the corners of the elements. It is continuous,
+/// even where a side shrinks to zero length. Nothing if a vertex has no position.
 std::optional<double> leastTurn(const PatternMatch& match) {
   const auto placed = match.placeAll();
   if (!placed) return std::nullopt;
@@ -55,8 +55,8 @@ PatternMatch moved(const PatternMatch& match, double reach, RandomNumbers& rando
   return PatternMatch(match.rule(), std::move(vertices), match.level());
 }
 
-/// Walks from a match to ones with ever flatter elements. Faults that hide in a thousandth of the
-/// matches are found so, where drawing at random would miss them.
+/// Moves from a match to matches with flatter and flatter elements. This finds faults that occur at
+/// one of a thousand matches and that random samples would miss.
 std::optional<SampledMatch> flattened(const RuleSample& sample, SampledMatch best,
                                       RandomNumbers& random) {
   constexpr int kSteps = 200;
@@ -84,8 +84,9 @@ SampledFinding invertedFinding(const RuleSample& sample, const SampledMatch& nea
   const Inverted inverted = *invertedElement(example);
   SampledFinding finding = findingAbout(sample, Code::InvertibleElement);
   finding.element = inverted.element;
-  finding.message = fmt::format("a new element turns over at {} that rule '{}' accepts at level {}",
-                                share, sample.name(), sample.level);
+  finding.message =
+      fmt::format("a new element is inverted at {} that rule '{}' accepts at level {}", share,
+                  sample.name(), sample.level);
   finding.help = "require that the corners turn left, or make the pattern's tolerance smaller";
   finding.example = {example.match.vertices(), sample.level, {inverted.corner}, {}};
   finding.test =

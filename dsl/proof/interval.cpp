@@ -9,8 +9,8 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-/// Below and above every number that rounds to x; `units` times as far for functions that are
-/// rounded less well.
+/// Bounds below and above every number that rounds to x; `units` times as wide for functions with
+/// larger rounding errors.
 double below(double x, int units = 1) {
   return x - units * (std::abs(x) * 0x1p-52 + std::numeric_limits<double>::denorm_min());
 }
@@ -23,10 +23,10 @@ Interval outwards(double low, double high, int units = 1) {
   return {std::isinf(low) ? low : below(low, units), std::isinf(high) ? high : above(high, units)};
 }
 
-/// Bounds of the mathematical library's functions, which are right to less than this.
+/// A bound of the error of the functions of the mathematical library, in units of the last digit.
 constexpr int kLibraryUnits = 4;
 
-/// Whether some x0 + 2 pi k lies in the interval, give or take rounding.
+/// Whether the interval contains some x0 + 2 pi k, within rounding.
 bool holdsAngle(Interval a, double x0) {
   constexpr double kRounding = 1e-9;
   const double turns = std::ceil((a.low - kRounding - x0) / (2 * kPi));
@@ -79,7 +79,7 @@ Interval cosine(Interval a) {
   if (!a.isFinite() || a.width() >= 2 * kPi) return {-1, 1};
   const double p = std::cos(a.low), q = std::cos(a.high);
   Interval result = outwards(std::min(p, q), std::max(p, q), kLibraryUnits);
-  // Programs take angles close to quarter turns for exact ones, which moves them a little.
+  // Programs round angles close to quarter turns to exact ones, which moves them a little.
   const double moved = 2e-14 * std::max(1.0, std::max(std::abs(a.low), std::abs(a.high)));
   result = {result.low - moved, result.high + moved};
   if (holdsAngle(a, 0)) result.high = 1;

@@ -1,4 +1,4 @@
-// Intervals that hold every result of an operation on their members, rounding included.
+// Interval arithmetic: results contain the result for all members, including rounding errors.
 #pragma once
 
 #include <limits>
@@ -25,24 +25,24 @@ struct Interval {
 Interval operator+(Interval a, Interval b);
 Interval operator-(Interval a, Interval b);
 Interval operator-(Interval a);
-/// Nothing times anything is nothing, even if the other may be infinite.
+/// Zero times any interval is zero, even if the other interval is unbounded.
 Interval operator*(Interval a, Interval b);
-/// Everything if the divisor may be zero.
+/// All numbers if the divisor may be zero.
 Interval operator/(Interval a, Interval b);
 
-/// The smallest interval that holds both.
+/// The smallest interval that contains both.
 Interval hull(Interval a, Interval b);
-/// What lies in both; that there is something is known beforehand, but for rounding.
+/// The intersection. The caller knows that it is not empty, except for rounding.
 Interval common(Interval a, Interval b);
 
-Interval squareRoot(Interval a);  ///< of its members that have one
+Interval squareRoot(Interval a);  ///< of its non-negative members
 Interval sine(Interval a);
 Interval cosine(Interval a);
 Interval absolute(Interval a);
 Interval minimum(Interval a, Interval b);
 Interval maximum(Interval a, Interval b);
 Interval wholePower(Interval a, int exponent);
-/// Of members > 0; everything if there are others.
+/// Requires members > 0; returns all numbers if there are others.
 Interval power(Interval a, Interval exponent);
 /// The angle of (x, y) in [-pi, pi].
 Interval angleOf(Interval y, Interval x);

@@ -8,9 +8,9 @@
 namespace af2::dsl {
 namespace {
 
-constexpr double kSame = 1e-11;  // of coefficients; they are sums of a few written numbers
+constexpr double kSame = 1e-11;  // coefficients are sums of a few numbers of the rule file
 
-/// Coefficients of x, then of y, by constant and node; the last number is 1, so that weights of
+/// Coefficients of x, then of y, by constant and node. The last number is 1, so that the weights of
 /// columns add up to 1.
 using Column = std::vector<double>;
 
@@ -33,8 +33,8 @@ std::vector<Column> columnsOf(const std::vector<const LinearPoint*>& points) {
   return columns;
 }
 
-/// Solves for the weights of the given corners by least squares; nothing unless they fit exactly,
-/// add up to 1 and are not negative.
+/// Solves for the weights of the given corners by least squares. Nothing unless they fit exactly,
+/// add up to 1 and are non-negative.
 std::optional<Weights> solve(const Column& point, const std::vector<Column>& zone,
                              const std::vector<std::size_t>& corners) {
   const std::size_t n = corners.size();
@@ -76,8 +76,8 @@ double minorOf(const Weights& p, const Weights& q, const Weights& r, std::size_t
          p[k] * (q[i] * r[j] - q[j] * r[i]);
 }
 
-/// Whether three corners lie on a line at every match: no product of coordinates is left of their
-/// turn.
+/// Whether three corners are collinear at every match: all products of coordinates in their
+/// orientation cancel.
 bool isFlat(const Column& p, const Column& q, const Column& r) {
   const std::size_t half = (p.size() - 1) / 2;
   const auto x = [&](const Column& to, std::size_t i) { return to[i] - p[i]; };
@@ -91,8 +91,9 @@ bool isFlat(const Column& p, const Column& q, const Column& r) {
   return true;
 }
 
-/// The turn of p, q, r is the sum over i < j < k of a minor of the weights times the turn of the
-/// corners i, j, k. No minor may be negative, and one must be positive where corners do turn.
+/// The orientation of p, q, r is the sum over i < j < k of a minor of the weights times the
+/// orientation of the corners i, j, k. No minor may be negative, and one must be positive for
+/// corners that are not collinear.
 bool haveGoodMinors(const Weights& p, const Weights& q, const Weights& r,
                     const std::vector<Column>& zone) {
   bool anyPositive = false;
@@ -129,7 +130,7 @@ LinearForm sumOf(double s, const LinearForm& p, double t, const LinearForm& q) {
   LinearForm result{s * p.constant + t * q.constant, {}};
   for (const auto& [node, c] : p.terms) result.terms[node] += s * c;
   for (const auto& [node, c] : q.terms) result.terms[node] += t * c;
-  // What is left of a cancellation is rounding.
+  // A tiny remainder of a cancellation is a rounding error.
   std::erase_if(result.terms, [](const auto& term) { return std::abs(term.second) < 1e-14; });
   return result;
 }

@@ -1,4 +1,4 @@
-// Points as affine sums, and what follows from a zone's being convex.
+// Points as affine sums, and conclusions from the convexity of a zone.
 #pragma once
 
 #include <map>
@@ -8,8 +8,8 @@
 
 namespace af2::dsl {
 
-/// constant + sum of coefficient * node. The nodes are coordinates of the match, or stand for
-/// whatever is no affine sum itself; coefficients are never zero.
+/// constant + sum of coefficient * node. The nodes are coordinates of the match, or expressions
+/// that are not affine; coefficients are never zero.
 struct LinearForm {
   double constant = 0;
   std::map<Node, double> terms;
@@ -21,17 +21,17 @@ struct LinearPoint {
   LinearForm x, y;
 };
 
-/// A point as sum of weights * corners, weights >= 0 that add up to 1, whatever the match.
+/// A point as a sum of weights * corners at every match; the weights are >= 0 and add up to 1.
 using Weights = std::vector<double>;  ///< by corner
 
-/// All ways to write a point so with at most three corners. If there is one, the point lies in
-/// their convex hull at every match.
+/// All ways to write a point with at most three corners. If there is one, the point is in the
+/// convex hull of the corners at every match.
 std::vector<Weights> convexCombinations(const LinearPoint& point,
                                         const std::vector<LinearPoint>& corners);
 
-/// Whether three points turn left at nearly all matches for which the zone is convex, and nowhere
-/// right: shown by writing them as combinations of its corners. Their turn is then a sum of turns
-/// of corners, and those of corners in order are never right turns.
+/// Whether three points turn left at almost every match with a convex zone, and never right. This
+/// is shown by writing them as combinations of the corners of the zone: their orientation is then a
+/// sum of orientations of corners, and corners in order never turn right.
 bool turnLeftInConvex(const LinearPoint& p, const LinearPoint& q, const LinearPoint& r,
                       const std::vector<LinearPoint>& zone);
 

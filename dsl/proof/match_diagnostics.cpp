@@ -9,7 +9,7 @@
 namespace af2::dsl {
 namespace {
 
-/// Where the rule's condition of that number is written.
+/// The place in the text of the rule's condition with this number.
 std::optional<Span> conditionSpan(const Rule& rule, std::size_t number) {
   for (const Clause& clause : rule.clauses)
     if (const auto* require = std::get_if<RequireClause>(&clause.content)) {
@@ -19,7 +19,7 @@ std::optional<Span> conditionSpan(const Rule& rule, std::size_t number) {
   return std::nullopt;
 }
 
-/// Where the condition of the zone clause of that number is written.
+/// The place in the text of the condition of the zone clause with this number.
 std::optional<Span> whenSpan(const Rule& rule, int number) {
   for (const Clause& clause : rule.clauses)
     if (const auto* zone = std::get_if<ZoneClause>(&clause.content))
@@ -81,7 +81,7 @@ std::vector<Diagnostic> diagnosticsOf(const LoadedRules& loaded, const SampledRe
   for (const SampledFinding& finding : result.findings) {
     const CompiledRule& rule = loaded.file->rules[finding.rule];
     if (finding.code == Code::IdleClause && rule.isMirror)
-      continue;  // the clause is the rule's own
+      continue;  // the clause belongs to the rule itself
     Diagnostic diagnostic = diagnosticOf(finding);
     diagnostic.place = placeOf(rule.home->source, spanOf(rule, finding));
     diagnostic.rule = rule.definition.name;

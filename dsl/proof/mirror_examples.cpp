@@ -1,4 +1,4 @@
-// M1: what the mirror image of a rule would do, where no rule does it.
+// M1: a match at which the mirror image of a rule would apply, and no rule has the same effect.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,11 +11,11 @@
 namespace af2::dsl {
 namespace {
 
-/// What tests can tell apart.
+/// The distance that tests can distinguish.
 constexpr double kSamePlace = 1e-6;
 
-/// What a test expects of the image: where its first new vertex lies, or how many elements it
-/// makes.
+/// The expectation of a test of the image: the position of its first new vertex, or the number of
+/// its elements.
 std::string expectationOf(const AF2Rule& image, const std::vector<Point2>& placed) {
   if (image.newCount() == 0) return fmt::format("elements {}", image.definition().elements.size());
   const Point2 at = placed[static_cast<std::size_t>(image.matchedCount())];

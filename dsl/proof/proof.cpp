@@ -18,7 +18,8 @@ Corners cornersOf(const RuleGraph& graph, const RuleElement& element) {
   return corners;
 }
 
-/// The three corners at each vertex where an element might turn the wrong way; one for a triangle.
+/// The three corners at each vertex of an element, whose orientation must be positive; a triangle
+/// needs one vertex only.
 std::vector<std::array<NodePair, 3>> turnsOf(const Corners& corners) {
   std::vector<std::array<NodePair, 3>> turns;
   const std::size_t n = corners.size();
@@ -27,7 +28,7 @@ std::vector<std::array<NodePair, 3>> turnsOf(const Corners& corners) {
   return turns;
 }
 
-/// What holds where one of the forms of the zone counts.
+/// Assumptions under which one of the alternatives of the zone is used.
 Circumstances circumstancesOf(RuleGraph& graph, const GraphZone& zone) {
   Circumstances given;
   given.truths = zone.truths;
@@ -74,8 +75,8 @@ bool isCoveredIn(RuleGraph& graph, const AF2Rule& rule, const GraphZone& zone,
   return true;
 }
 
-/// What shows that a condition holds, or does not, with more to spare than proofs round away;
-/// nothing where no way is known.
+/// A claim which implies that a condition holds (or does not hold) by more than the rounding
+/// allowance of proofs. Nothing if no such claim is known.
 std::optional<Claim> surely(RuleGraph& graph, Node condition, bool truth) {
   constexpr double kSpare = 1e-6;
   if (const auto constant = graph.constantValue(condition))
@@ -96,7 +97,7 @@ std::optional<Claim> surely(RuleGraph& graph, Node condition, bool truth) {
     case Op::And:
     case Op::Or: {
       const auto first = surely(graph, a, truth), second = surely(graph, b, truth);
-      if ((step.op == Op::And) != truth) {  // one of both will do
+      if ((step.op == Op::And) != truth) {  // one of the two is sufficient
         if (first && second) return anyOf({*first, *second});
         return first ? first : second;
       }

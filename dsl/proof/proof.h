@@ -10,32 +10,32 @@
 
 namespace af2::dsl {
 
-/// How far a proof may go.
+/// Limits of the effort of a proof.
 struct ProofEffort {
-  std::size_t mostBoxes = 0;  ///< that are looked at, for all levels of one question
-  double smallestSide = 0;    ///< boxes are not cut finer
+  std::size_t mostBoxes = 0;  ///< number of boxes, for all levels of one question
+  double smallestSide = 0;    ///< smaller boxes are not split
 };
 
 inline constexpr ProofEffort kUsualEffort{2000, 1e-3};
 inline constexpr ProofEffort kGreatEffort{400'000, 1e-5};
 
-/// Which matches are meant: the base is 0.7 to 1.4 times the wanted length; every other vertex is
-/// where its tolerance allows, one that may be anywhere within 2.5 lengths of its reference; the
-/// size field is uniform (h is 1); everything else that rules may ask of the front is anything.
+/// Considers these matches: the base edge has 0.7 to 1.4 times the target size; every other vertex
+/// is within its tolerance, or within 2.5 lengths of its reference if it has none; the size field
+/// is uniform (h is 1); all other properties of the front may have any value.
 ///
-/// False: not proven, not disproven. `effort` is used up as boxes are looked at. Bounds are rounded
-/// outwards; what is shown to be at least -1e-7 counts as not negative.
+/// False means "not proven", not "disproven". Each box reduces `effort`. Bounds are rounded
+/// outwards; a value of at least -1e-7 counts as non-negative.
 AF2_EXPORT bool provesPositive(const RuleSet& rules, const AF2Rule& rule, int level,
                                ProofEffort& effort);
 
-/// Whether every element lies in the zone, at any such match with elements that are positive.
+/// Whether every element is inside the zone, at every such match with positive elements.
 AF2_EXPORT bool provesCovered(const RuleSet& rules, const AF2Rule& rule, int level,
                               ProofEffort& effort);
 
-/// Whether a condition is surely `truth` at every match that passes the pattern and the `require`
-/// of `rule`, and at which none of `failing` holds: here base edges of any length are meant, and
-/// vertices anywhere. Where the condition has no value nothing is said. Neither it nor the rule's
-/// `require` may ask for sizes.
+/// Whether a condition is proven to be `truth` at every match that the pattern and the `require` of
+/// `rule` accept and at which none of `failing` holds. This considers base edges of any length, and
+/// vertices anywhere. Matches at which the condition has no value are not considered. Neither the
+/// condition nor the `require` of the rule may depend on sizes.
 AF2_EXPORT bool provesCondition(
     const RuleSet& rules, const AF2Rule& rule, const AF2BindingFunction& condition, bool truth,
     int level, ProofEffort& effort,

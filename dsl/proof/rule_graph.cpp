@@ -20,7 +20,7 @@ RuleGraph::RuleGraph(const RuleSet& rules, const AF2Rule& rule, int level,
   for (const auto& transform : rule_.newVertices) placed_.push_back(import(*transform));
   for (const auto& requirement : rule_.requirements) {
     const Node truth = importTruth(*requirement);
-    if (truth < 0) continue;  // matches are not fewer for a condition that is not understood
+    if (truth < 0) continue;  // a condition that the graph cannot represent excludes no match
     truths_.push_back(truth);
     addConsequences(truth, facts_);
   }
@@ -29,7 +29,7 @@ RuleGraph::RuleGraph(const RuleSet& rules, const AF2Rule& rule, int level,
 
 // ---- nodes -------------------------------------------------------------------------------------
 
-/// Notes the form of a node that may be new.
+/// Stores the form of a node, which may be new.
 Node RuleGraph::keep(Node node) {
   const auto index = static_cast<std::size_t>(node);
   if (index < forms_.size()) return node;
@@ -82,7 +82,7 @@ Node RuleGraph::make(Op op, std::vector<Node> arguments, int index) {
   return nodeOf(formOf(op, arguments, node));
 }
 
-/// The one node of an affine sum. Sums whose coefficients differ by rounding are the same.
+/// The unique node of an affine sum. Sums whose coefficients differ only by rounding share a node.
 Node RuleGraph::nodeOf(const LinearForm& form) {
   if (form.terms.empty()) return constant(form.constant);
   if (form.constant == 0 && form.terms.size() == 1 && form.terms.begin()->second == 1)
@@ -116,7 +116,7 @@ Node RuleGraph::dot(NodePair u, NodePair v) { return add(multiply(u.x, v.x), mul
 
 Node RuleGraph::turn(NodePair p, NodePair q, NodePair r) {
   if (p == q || q == r || r == p) return constant(0);
-  // One way to say it, whichever of the three comes first.
+  // The same form for all cyclic orders of the three points.
   const auto first = [](NodePair a, NodePair b) { return a.x < b.x || (a.x == b.x && a.y < b.y); };
   while (first(q, p) || first(r, p)) {
     const NodePair last = p;
@@ -129,7 +129,7 @@ Node RuleGraph::turn(NodePair p, NodePair q, NodePair r) {
 
 // ---- import ------------------------------------------------------------------------------------
 
-/// Vector from a chain vertex to its neighbour.
+/// The vector from a chain vertex to its neighbour.
 NodePair RuleGraph::toPrevious(int vertex, bool isPrevious) {
   for (const PatternEdge& edge : rule_.edges) {
     const int here = isPrevious ? edge.to : edge.from, there = isPrevious ? edge.from : edge.to;
@@ -220,7 +220,7 @@ Interval RuleGraph::rangeOf(const PatternVertex& vertex, char axis) const {
     const ToleranceForm& w = vertex.tolerance->at(level_);
     const double det = w.xx * w.yy - 0.25 * w.xy * w.xy;
     const double own = axis == 'x' ? w.xx : w.yy, other = axis == 'x' ? w.yy : w.xx;
-    reach = 4 * domain_.farthestVertex;  // where the form sets no bound
+    reach = 4 * domain_.farthestVertex;  // if the form sets no bound
     if (det > 1e-9 && own > 0)
       reach = std::min(reach, std::sqrt(rules_.matchTolerance(level_) * other / det));
     reach *= 1 + 1e-12;
@@ -320,7 +320,7 @@ void RuleGraph::addConsequences(Node truth, std::vector<Node>& facts) {
     addConsequences(b, facts);
   } else if (step.op == Op::Less || step.op == Op::LessEqual) {
     facts.push_back(subtract(b, a));
-    // An angle known to be at most half a turn: its sides turn left, which is easier to use.
+    // An angle of at most a half turn means that its sides turn left, which is easier to use.
     const Step& angle = steps_[static_cast<std::size_t>(a)];
     const auto most = constantValue(b);
     constexpr double kHalfTurn = 3.141592653589793;

@@ -1,4 +1,4 @@
-// All expressions of a rule at one level in one graph, in which equal things are one node.
+// A graph of all expressions of a rule at one level, in which equal expressions share a node.
 #pragma once
 
 #include <memory>
@@ -23,39 +23,41 @@ struct GraphShape {
   std::vector<GraphShape> parts;
 };
 
-/// One form that the free zone may take.
+/// One alternative of the free zone.
 struct GraphZone {
-  std::optional<GraphShape> shape;     ///< none: nothing is known about it
-  std::vector<Node> truths, untruths;  ///< conditions that hold, and that do not, where it counts
+  std::optional<GraphShape> shape;  ///< none: nothing is known about it
+  std::vector<Node> truths,
+      untruths;  ///< conditions that hold, and that fail, if it is used
 };
 
-/// A coordinate of the match, and where it may lie.
+/// A coordinate of the match, and its bounds.
 struct GraphVariable {
   Op op;  ///< CoordinateX or CoordinateY
   int vertex;
   Interval range;
 };
 
-/// Which matches a graph stands for, where the pattern sets no bound: those that are sampled.
+/// Bounds of the matches of a graph that the pattern does not set; the same as for samples.
 struct MatchDomain {
-  Interval baseLengths{kShortestBase, kLongestBase};  ///< in wanted lengths
+  Interval baseLengths{kShortestBase, kLongestBase};  ///< in multiples of the target size
   double farthestVertex = kFarthestVertex;
 };
 
 class RuleGraph {
  public:
-  /// Throws Unknown if the rule places a vertex in a way that the graph cannot hold.
+  /// Throws Unknown if the graph cannot represent the position of a vertex of the rule.
   RuleGraph(const RuleSet& rules, const AF2Rule& rule, int level, const MatchDomain& domain = {});
   struct Unknown {};
 
   const std::vector<NodePair>& placed() const { return placed_; }  ///< matched, then new vertices
   const std::vector<GraphZone>& zones() const { return zones_; }   ///< alternatives, in order
   const std::vector<GraphVariable>& variables() const { return variables_; }
-  /// Nodes that are >= 0 at every match, and conditions that hold there.
+  /// Nodes that are >= 0, and conditions that hold, at every match.
   const std::vector<Node>& facts() const { return facts_; }
   const std::vector<Node>& truths() const { return truths_; }
 
-  // Further nodes. Equal ones are made once, affine sums in one way however they are written.
+  // These functions make nodes. Equal nodes are made once; affine sums have one form, however they
+  // are written.
   Node constant(double value) { return keep(builder_.constant(value)); }
   Node make(Op op, std::vector<Node> arguments, int index = 0);
   Node add(Node a, Node b) { return make(Op::Add, {a, b}); }
@@ -70,13 +72,13 @@ class RuleGraph {
   /// Twice the signed area of p, q, r; 0 if two of them are the same.
   Node turn(NodePair p, NodePair q, NodePair r);
 
-  /// The condition's node; -1 for functions that the graph cannot hold.
+  /// The node of the condition; -1 if it contains a function that the graph cannot represent.
   Node importTruth(const AF2BindingFunction& function);
-  /// How a node is made; of a constant: nothing that means anything.
+  /// The step that makes a node; meaningless for a constant.
   const Step& step(Node node) const { return steps_[static_cast<std::size_t>(node)]; }
   std::optional<double> constantValue(Node node) const { return builder_.constantValue(node); }
   LinearPoint linear(NodePair p) const { return {form(p.x), form(p.y)}; }
-  /// What follows from a condition that holds, as nodes that are >= 0.
+  /// Conclusions from a condition that holds, as nodes that are >= 0.
   void addConsequences(Node truth, std::vector<Node>& facts);
   void addOpposites(Node untruth, std::vector<Node>& facts);
 

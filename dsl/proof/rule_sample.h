@@ -1,4 +1,4 @@
-// A rule with many of its matches, drawn once for all sampled checks.
+// A rule with many random matches, which all sampled checks share.
 #pragma once
 
 #include <cstddef>
@@ -12,7 +12,7 @@
 
 namespace af2::dsl {
 
-/// A match that passes pattern and `require`, and what the rule makes of it.
+/// A match that the pattern and `require` accept, with the vertices and zone of the rule.
 struct SampledMatch {
   PatternMatch match;
   double deviation = 0;                       ///< from the reference
@@ -34,10 +34,10 @@ struct RuleSample {
 /// The match with coordinates that are multiples of `step`.
 PatternMatch roundedTo(const PatternMatch& match, double step);
 
-/// What the rule makes of a match.
+/// The vertices and zone of the rule at a match.
 SampledMatch examine(PatternMatch match);
 
-/// The match with coordinates of as few digits as still show what `shows` tells of it.
+/// The match with its coordinates rounded to the fewest digits for which `shows` is still true.
 template <class Shows>
 SampledMatch simplified(const SampledMatch& one, const RuleSet& rules, const Shows& shows) {
   for (double step = 0.1; step > 1e-6; step *= 0.1) {
@@ -52,9 +52,9 @@ SampledMatch simplified(const SampledMatch& one, const RuleSet& rules, const Sho
 /// A finding about the rule, still without message and example.
 SampledFinding findingAbout(const RuleSample& sample, Code code);
 
-/// The first level that the rule's conditions let through, some later ones with all at which its
-/// pattern moves, and the last one at which it is tried or which is looked at; empty if the rule
-/// set never reaches the rule.
+/// The levels to check: the first level at which the rule's conditions accept a match, some later
+/// levels, all levels at which its pattern moves, and the last level at which it is tried or
+/// checked. Empty if the rule set never reaches the rule.
 std::vector<int> levelsOf(const RuleSet& rules, const AF2Rule& rule);
 
 /// Matches of a rule at a level.
@@ -65,19 +65,20 @@ RuleSample sampleRule(const RuleSet& rules, std::size_t rule, int level, int cou
 
 /// G2: every element turns left at each corner.
 std::optional<SampledFinding> findInverted(const RuleSample& sample);
-/// G2 again, for faults that hide from samples: from the flattest of them on to flatter ones.
+/// G2 again, for faults that samples miss: a search from the flattest samples for flatter elements.
 std::optional<SampledFinding> searchInverted(const RuleSample& sample);
-/// Z1: every element lies in the free zone, or an obstacle inside it would not be seen.
+/// Z1: every element is inside the free zone; otherwise an obstacle inside it could be missed.
 std::optional<SampledFinding> findUncovered(const RuleSample& sample);
-/// Z2: share of the matches for which the zone has no valid shape.
+/// Z2: the share of the matches at which the zone has no valid shape.
 double shareOfLost(const RuleSample& sample);
 std::optional<SampledFinding> findLost(const RuleSample& sample);
 /// Z3: the zone does not grow as the level rises.
 std::optional<SampledFinding> findGrowing(const RuleSample& sample);
-/// D1: conditions that every match passes, or none. `element` is the number of the condition.
+/// D1: conditions that are true for every match, or for none. `element` is the number of the
+/// condition.
 std::vector<SampledFinding> findIdleConditions(const RuleSet& rules, std::size_t rule,
                                                const SamplingOptions& options);
-/// D3: there are situations in which the rule is chosen.
+/// D3: the rule is chosen in some situation.
 std::optional<SampledFinding> findNeverChosen(const RuleSample& sample, SingleStepper& stepper,
                                               const SamplingOptions& options);
 

@@ -36,15 +36,18 @@ class RuleChecks {
     RuleAnswers answers;
     if (levels_.empty()) return answers;
     answers.isTried = true;
-    for (SampledFinding& finding : findIdleConditions(rules_, index_, options_))
-      findings_.push_back(std::move(finding));
+    if (options_.onlyErrors) levels_.erase(levels_.begin() + 1, levels_.end());
+    if (!options_.onlyErrors)
+      for (SampledFinding& finding : findIdleConditions(rules_, index_, options_))
+        findings_.push_back(std::move(finding));
     const RuleSample sample =
         sampleRule(rules_, index_, levels_.front(), options_.samples, options_.seed);
     if (sample.matches.empty()) return answers;
 
-    keep(findNeverChosen(sample, stepper_, options_));
+    if (!options_.onlyErrors) keep(findNeverChosen(sample, stepper_, options_));
     answers.positive = answer(sample, {findInverted, searchInverted}, provesPositive);
     answers.covered = answer(sample, {findUncovered}, provesCovered);
+    if (options_.onlyErrors) return answers;
     keep(findLost(sample));
     keep(findGrowing(sample));
     answers.lostMatches = shareOfLost(sample);
@@ -57,8 +60,8 @@ class RuleChecks {
     return finding.has_value();
   }
 
-  /// Samples at the rule's own level, then a proof, and only then what costs more: a search, and
-  /// samples at other levels.
+  /// Uses samples at the rule's first level, then a proof, and only then the expensive methods: a
+  /// search, and samples at other levels.
   Answer answer(const RuleSample& sample, std::vector<Find> finds, Proves proves) {
     if (keep(finds.front()(sample))) return Answer::Refuted;
     if (provesAtAllLevels(rules_, sample.rule, levels_, options_.effort, proves))
@@ -68,7 +71,7 @@ class RuleChecks {
     return keep(laterFinding(finds)) ? Answer::Refuted : Answer::Sampled;
   }
 
-  /// The finding at the lowest level above the first one that has any.
+  /// The finding at the lowest level after the first one that has a finding.
   std::optional<SampledFinding> laterFinding(const std::vector<Find>& finds) const {
     for (std::size_t i = 1; i < levels_.size(); ++i) {
       if (!findingAt(levels_[i], finds)) continue;
@@ -86,11 +89,12 @@ class RuleChecks {
     return std::nullopt;
   }
 
-  /// Tolerances widen and zones shrink until hardly any rule is right at every match: what goes
-  /// wrong only then costs refused matches, but is no fault of the geometry that was written.
+  /// At high levels, tolerances are so wide and zones so small that almost every rule fails at some
+  /// match. A fault that occurs only there costs refused matches, but is not a fault of the
+  /// geometry of the rule, so it is a warning.
   SampledFinding ofLaterLevel(SampledFinding finding) const {
     finding.severity = Severity::Warning;
-    finding.message += fmt::format("; below level {} none was found", finding.example.level);
+    finding.message += fmt::format("; no fault was found below level {}", finding.example.level);
     finding.help += fmt::format(", or end the rule's levels: `quality {}..{}`", levels_.front(),
                                 finding.example.level - 1);
     return finding;

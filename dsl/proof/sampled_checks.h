@@ -1,5 +1,4 @@
-// Checks of rules over all the matches that they accept: proven where a rule is affine and the
-// proof is short, else tried on random matches, and said so.
+// Checks of rules over all matches that they accept, by proof or by random samples.
 #pragma once
 
 #include <cstddef>
@@ -16,11 +15,13 @@
 namespace af2::dsl {
 
 struct SamplingOptions {
-  int samples = 2000;                      ///< matches looked at for each rule and level
-  int situations = 1000;                   ///< pieces of front in which a rule may be chosen (D3)
+  int samples = 2000;     ///< matches that are tried for each rule and level
+  int situations = 1000;  ///< pieces of front in which a rule may be chosen (D3)
+  /// Only the errors: G2 and Z1 at the first level of each rule. All else are warnings.
+  bool onlyErrors = false;
   std::uint64_t seed = 1;                  ///< the same seed gives the same findings
   ProofEffort effort = kUsualEffort;       ///< for each rule, for G2 and for Z1
-  std::function<bool()> isCancelled = {};  ///< asked before each rule; then the rest is left out
+  std::function<bool()> isCancelled = {};  ///< called before each rule; true: skip the rest
 };
 
 /// A match that shows what is wrong: for a picture (drawMatch) and for a test.
@@ -32,7 +33,7 @@ struct CounterExample {
 };
 
 struct SampledFinding {
-  /// As severe as findings with this code are.
+  /// The severity is the usual one of the code.
   explicit SampledFinding(Code what) : code(what), severity(infoOf(what).severity) {}
 
   Code code;
@@ -47,10 +48,10 @@ struct SampledFinding {
   std::vector<std::string> furtherTests;  ///< of N1
 };
 
-/// Levels beyond a rule's first one, itself included, at which its elements and zone are looked at.
+/// The number of levels, from a rule's first one on, at which its elements and zone are checked.
 inline constexpr int kLevelsLookedAt = 20;
 
-/// How well a question about all matches of a rule is answered.
+/// The certainty of an answer about all matches of a rule.
 enum class Answer {
   Proven,   ///< holds for every match
   Sampled,  ///< no counter-example among the samples
@@ -61,7 +62,8 @@ struct RuleAnswers {
   Answer positive = Answer::Sampled;  ///< G2: all elements are positive
   Answer covered = Answer::Sampled;   ///< Z1: all elements lie in the free zone
   bool isTried = false;               ///< whether the levels of the rule set reach the rule
-  double lostMatches = 0;  ///< Z2: share of matches lost because the zone has no valid shape
+  double lostMatches =
+      0;  ///< Z2: share of matches that are refused because the zone has no valid shape
 };
 
 struct SampledResult {
@@ -70,7 +72,7 @@ struct SampledResult {
 };
 
 /// G2 and Z1 at the first kLevelsLookedAt levels of each rule, Z2 at its own level, Z3, and D3.
-/// Rules that the rule set's levels never reach are passed over.
+/// Rules that the levels of the rule set never reach are skipped.
 AF2_EXPORT SampledResult runSampledChecks(const RuleSet& rules,
                                           const SamplingOptions& options = {});
 

@@ -14,14 +14,14 @@ struct TestText {
   std::string expectation;        ///< after `expect `, without the semicolon
 };
 
-/// A test on the piece of front that a match stands on. Coordinates are written with all digits, so
-/// that the test stands on the same match to the last bit.
+/// A test on the piece of front of a match. Coordinates are written with all digits, so that the
+/// test uses exactly the same match.
 std::string writeTest(const PatternMatch& match, const TestText& text);
 
-/// A share in per cent, with the digits that matter: "0.41 %", "86 %".
+/// A share in per cent, with at least two significant digits: "0.41 %", "86 %".
 std::string percent(double share);
 
-/// A number with the fewest digits that give it back.
+/// A number with the fewest digits from which it can be restored exactly.
 std::string shortest(double number);
 
 }  // namespace af2::dsl

@@ -1,5 +1,4 @@
-// Z2: how many matches are lost to zones without a valid shape? Z3: does the zone shrink with the
-// level?
+// Z2: how many matches are refused for an invalid zone? Z3: does the zone shrink with the level?
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -28,8 +27,8 @@ std::unique_ptr<const AF2FreeZone> zoneAt(const PatternMatch& match, int level) 
   return match.rule().definition().zone->makeFreeZone(other.binding()).zone;
 }
 
-/// A place that the later zone holds and the earlier one does not, close to a point of the later
-/// one's boundary: sure, whatever was rounded on the way to it.
+/// A place inside the later zone and outside the earlier one, close to a point of the boundary of
+/// the later zone. The answer is exact, independent of rounding in the point.
 bool isGrown(const AF2FreeZone& early, const AF2FreeZone& late, Point2 p) {
   constexpr double kInwards = 1e-4;
   const Box2 box = late.boundingBox();
@@ -55,7 +54,8 @@ Growth growthAt(const PatternMatch& match, int level, int laterLevel) {
   return growth;
 }
 
-/// A place of few digits that only the later zone holds, close to where it grows most.
+/// A place with few digits that only the later zone contains, close to the place of the largest
+/// growth.
 Point2 grownPlace(const PatternMatch& match, const Growth& growth) {
   const auto early = zoneAt(match, growth.level), late = zoneAt(match, growth.laterLevel);
   const Box2 box = late->boundingBox();
@@ -120,7 +120,7 @@ std::optional<SampledFinding> findLost(const RuleSample& sample) {
   const SampledMatch example = simplified(*nearest, sample.rules, isLost);
   const bool isConvexity = example.zoneRefusal == Refusal::Convexity;
   finding.message =
-      fmt::format("{} of the matches of rule '{}' at level {} are lost because its zone {}",
+      fmt::format("{} of the matches of rule '{}' at level {} are refused because its zone {}",
                   percent(share), sample.name(), sample.level,
                   isConvexity ? "is not convex there" : "has no valid shape there");
   finding.help = isConvexity ? "use poly(...), which need not be convex, or other corners"
@@ -134,7 +134,7 @@ std::optional<SampledFinding> findLost(const RuleSample& sample) {
 }
 
 std::optional<SampledFinding> findGrowing(const RuleSample& sample) {
-  constexpr int kLooked = 200, kCurvedLooked = 8;  // outlines of curved zones cost much
+  constexpr int kLooked = 200, kCurvedLooked = 8;  // outlines of curved zones are expensive
   const auto levels = levelsOf(sample.rules, sample.rule);
   const auto reference = PatternMatch::atReference(sample.rule, sample.level);
   Growth worst = worstGrowth(reference, levels);

@@ -26,7 +26,7 @@ bool isConvexPolygon(const AF2FreeZone& zone) {
 
 std::optional<Point2> unseenPlace(const AF2FreeZone& zone, std::span<const Point2> element) {
   constexpr int kSteps = 8;
-  constexpr double kInwards = 1e-5;  // of the way to the middle: farther than any rounding
+  constexpr double kInwards = 1e-5;  // share of the way to the middle; exceeds rounding errors
   const std::size_t n = element.size();
   Point2 middle{};
   for (const Point2 corner : element) middle = middle + (1.0 / static_cast<double>(n)) * corner;

@@ -1,4 +1,4 @@
-// How far points and elements stick out of a free zone.
+// The distance by which points and elements extend beyond a free zone.
 #pragma once
 
 #include <optional>
@@ -9,9 +9,9 @@
 
 namespace af2::dsl {
 
-/// A place in the interior of a convex element, close to its edges, that the closed zone does not
-/// hold: an obstacle there would not be seen. Answers are exact for the numbers as given. Looked
-/// for are corners if the zone is convex, else many points along the edges.
+/// A place in the interior of a convex element, close to its edges, that is outside the closed
+/// zone, so that an obstacle there would not be noticed. Answers are exact for the given numbers.
+/// The search tries the corners if the zone is convex, otherwise many points along the edges.
 std::optional<Point2> unseenPlace(const AF2FreeZone& zone, std::span<const Point2> element);
 
 bool isConvexPolygon(const AF2FreeZone& zone);
@@ -24,8 +24,7 @@ class MeasuredZone {
   /// 0 for points of the closed zone, else the distance to it.
   double depthOutside(Point2 point) const;
 
-  /// Worked out when first asked for; most zones are never measured, for nothing sticks out of
-  /// them.
+  /// Computed on first use, because most zones contain their elements and are never measured.
   const std::vector<std::vector<Point2>>& outlineLoops() const;
 
  private:

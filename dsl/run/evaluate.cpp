@@ -18,7 +18,7 @@ void checkFinite(Point2 p, const std::string& what) {
     throw InputError(what + " is not at a finite position");
 }
 
-/// Names that GivenMatch does not ask for.
+/// Throws InputError on names that GivenMatch does not use.
 void checkEnvironment(const RuleDefinition& rule, const EvalRequest& request) {
   std::vector<std::string> names{"h", "loop_size", "dist_front", "curvature"};
   for (const char* ofVertex : {"layer", "turn", "valence", "on_boundary"}) {
@@ -36,13 +36,13 @@ void checkEnvironment(const RuleDefinition& rule, const EvalRequest& request) {
   }
 }
 
-/// Of a registered shape: nothing.
+/// Empty for a registered shape, which has no known outline.
 std::optional<Point2> firstPoint(const Shape& shape) {
   if (!shape.parts().empty()) return firstPoint(shape.parts().front());
   return shape.points().empty() ? std::nullopt : std::optional(shape.points().front());
 }
 
-/// A loop begins at the first corner that the shape is written with, if that is on it.
+/// A loop begins at the first corner in the text of the shape, if that corner is on the loop.
 std::vector<std::vector<Point2>> outlineAsWritten(const Shape& shape) {
   auto loops = outline(shape);
   const auto wanted = firstPoint(shape);

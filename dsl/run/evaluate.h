@@ -1,4 +1,4 @@
-// What one rule would do at given positions: `af2 eval`.
+// Evaluates one rule at given positions, for `af2 eval`.
 #pragma once
 
 #include <map>
@@ -17,35 +17,35 @@ namespace af2::dsl {
 struct EvalRequest {
   std::string rule;  ///< title
   int level = 1;
-  std::map<std::string, Point2> match;  ///< by vertex; those left out stand at their reference
+  std::map<std::string, Point2> match;  ///< by vertex; others are at their references
   std::vector<Point2> points;
   std::vector<std::pair<Point2, Point2>> segments;
   std::map<std::string, double> environment;  ///< see GivenMatch
 };
 
 struct EvalResult {
-  Refusal refused = Refusal::None;  ///< the first reason, of those that need no front around
-  std::string because;              ///< the numbers behind it, as a sentence; empty: none
+  Refusal refused = Refusal::None;  ///< the first reason; ignores the rest of the front
+  std::string because;              ///< a sentence with the numbers of the refusal; may be empty
   bool matches = false;
   bool requireHolds = false;
   std::vector<std::pair<std::string, std::optional<Point2>>> newVertices;
-  std::vector<std::vector<Point2>> zones;  ///< corners; curved ones as an outline
-  std::vector<bool> pointsInZone;          ///< the closed zone
-  std::vector<bool> segmentsMeetZone;      ///< its interior
+  std::vector<std::vector<Point2>> zones;  ///< corners; for curved zones an outline
+  std::vector<bool> pointsInZone;          ///< whether the closed zone contains the point
+  std::vector<bool> segmentsMeetZone;      ///< whether the segment meets the interior
   std::optional<double> score;
 };
 
 /// The rule with this title. Throws InputError if there is none.
 AF2_EXPORT const AF2Rule& findRule(const RuleSet& rules, const std::string& title);
 
-/// Positions in pattern order; vertices that are not given stand at their reference at this level.
+/// Positions in pattern order. Vertices that are not given are at their reference at this level.
 /// Throws InputError on a vertex that the rule does not match, or a number that is not finite.
 AF2_EXPORT std::vector<Point2> matchedPositions(const RuleDefinition& rule,
                                                 const std::map<std::string, Point2>& match,
                                                 int level);
 
-/// Throws InputError on a rule or vertex that there is not, a level out of range, a number that is
-/// not finite.
+/// Throws InputError on an unknown rule or vertex, a level out of range, or a number that is not
+/// finite.
 AF2_EXPORT EvalResult evaluateRule(const RuleSet& rules, const EvalRequest& request);
 
 /// {"refused", "because", "matches", "require", "new", "zones", "points_in_zone",

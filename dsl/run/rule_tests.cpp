@@ -14,7 +14,8 @@ namespace {
 using Expected = CompiledExpectation;
 using Edge = std::pair<std::size_t, std::size_t>;
 
-constexpr double kSamePlace = 1e-6;  // of the wanted edge length: what authors round to
+/// Relative to the target size. Authors round coordinates to about this precision.
+constexpr double kSamePlace = 1e-6;
 
 std::string shown(double value) {
   char text[32];
@@ -24,7 +25,7 @@ std::string shown(double value) {
 
 std::string shown(Point2 p) { return "(" + shown(p.x) + ", " + shown(p.y) + ")"; }
 
-/// What a test's step gave, and how it is put into words.
+/// The result of the step of a test, and its description in words.
 class Verdict {
  public:
   Verdict(const RuleSet& rules, const CompiledTest& test, const SingleStep& step)
@@ -66,7 +67,7 @@ class Verdict {
     return text;
   }
 
-  /// A zone that several things hit is refused for each of them.
+  /// If several edges or vertices hit the zone, each of them is an accepted reason.
   bool isReason(const RuleRefusal& refusal, const Expected::IsRule& expected) const {
     if (expected.reason == "shape")
       return refusal.reason == Refusal::Shape || refusal.reason == Refusal::Convexity;
@@ -98,7 +99,7 @@ class Verdict {
                        });
   }
 
-  /// For `expect not rule ... because ...` the answer is turned round by the caller.
+  /// For `expect not rule ... because ...` the caller negates the answer.
   bool isMet(const Expected::IsRule& expected, bool negated) const {
     const bool isApplied = applied() && applied()->name() == expected.title && isBoundSo(expected);
     if (!negated || expected.reason.empty() || isApplied) return isApplied;

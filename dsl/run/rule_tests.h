@@ -1,4 +1,4 @@
-// Runs the tests that stand in rule files.
+// Runs the tests in rule files.
 #pragma once
 
 #include <string>
@@ -26,22 +26,22 @@ struct TestResult {
   std::string appliedRule;  ///< empty: none
   double score = 0;
   bool isProperty = false;
-  std::size_t samples = 0;  ///< of a property: matches looked at
+  std::size_t samples = 0;  ///< for a property: the number of matches tried
   bool passed() const { return failures.empty(); }
 };
 
-/// One test. `rules` must be without errors, and `stepper` one for its rule set.
+/// Runs one test. `rules` must have no errors, and `stepper` must use its rule set.
 AF2_EXPORT TestResult runTest(const LoadedRules& rules, SingleStepper& stepper,
                               const CompiledTest& test);
 
-/// One property, on matches spread over what its rule accepts; the same ones each time.
+/// Runs one property on sampled matches of its rule. The samples are the same in every run.
 AF2_EXPORT TestResult runProperty(const LoadedRules& rules, const CompiledProperty& property);
 
-/// All tests and properties whose titles hold `filter`, in file order.
+/// Runs all tests and properties whose titles contain `filter`, in the order of the file.
 AF2_EXPORT std::vector<TestResult> runRuleTests(const LoadedRules& rules,
                                                 const std::string& filter = {});
 
-/// "ok    title" or "FAIL  title   file:line" with what was expected and what came.
+/// "ok title", or "FAIL title file:line" with the expectation and the result.
 AF2_EXPORT std::string toText(const TestResult& result);
 
 }  // namespace af2::dsl

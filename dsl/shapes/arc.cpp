@@ -8,7 +8,7 @@
 namespace af2::dsl::shapes {
 namespace {
 
-/// The same arc, counter-clockwise.
+/// The same arc in counter-clockwise direction.
 struct LeftArc {
   Point2 a, b, c;
   bool reversed = false;
@@ -21,7 +21,7 @@ LeftArc leftArcOf(const Step& arc) {
 
 bool liesInside(Point2 point, const Step& arc) { return sideOf(chordOf(arc), point) > 0; }
 
-/// For arcs of one circle.
+/// Intersections of arcs of the same circle.
 bool overlap(const Step& s, const Step& t) {
   return liesInside(*s.via, t) || liesInside(s.from, t) || liesInside(s.to, t) ||
          liesInside(*t.via, s) || liesInside(t.from, s) || liesInside(t.to, s);
@@ -115,7 +115,7 @@ double areaBesideChord(const Step& arc) {
 
 Box2 boxOf(const Step& arc) {
   constexpr double kInflation = 1 + 1e-9;
-  if (dot(arc.from - *arc.via, arc.to - *arc.via) <= 0)  // at most a half circle
+  if (dot(arc.from - *arc.via, arc.to - *arc.via) <= 0)  // the arc is at most a half circle
     return boxAround(0.5 * (arc.from + arc.to), 0.5 * kInflation * distance(arc.from, arc.to));
   const Disc circle = roundedCircle(circleOf(arc));
   const Curve<Bounded> curve = curveOf<Bounded>(circleOf(arc));

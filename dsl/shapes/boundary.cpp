@@ -18,12 +18,12 @@ Point2 at(const Edge& edge, double t) {
   return edge.from + t * (edge.to - edge.from);
 }
 
-// --- straight pieces: the region's own walk along each side tells where it is boundary
+// --- straight pieces: following each side through the region shows where it is boundary
 
 bool isPartial(std::uint8_t state) { return state == kLeftSide || state == kRightSide; }
 
-/// Adds the stretches of an edge of leaf `own` that have the region on one side only. Where an
-/// earlier leaf has a boundary too, that leaf has added them.
+/// Adds the parts of an edge of leaf `own` that have the region on one side only. Parts that are
+/// also on the boundary of an earlier leaf are skipped, because that leaf has added them.
 void addStretches(const Region& region, const Edge& edge, std::size_t own, const States& known,
                   std::vector<Piece>& pieces) {
   region.alongEdge(edge, known, [&](const Region::Stretch& stretch) {
@@ -41,7 +41,7 @@ void addStretches(const Region& region, const Edge& edge, std::size_t own, const
   });
 }
 
-/// How half plane `other` lies to the line of `plane`, if they have the line in common.
+/// The orientation of half plane `other` relative to `plane`, if they have the same line.
 std::optional<std::uint8_t> stateAlong(const HalfPlane& plane, const Leaf& other) {
   const auto* set = std::get_if<SmoothSet>(&other.set);
   const auto* second = set ? std::get_if<HalfPlane>(set) : nullptr;
@@ -50,7 +50,8 @@ std::optional<std::uint8_t> stateAlong(const HalfPlane& plane, const Leaf& other
   return headsAlong(plane, *second) ? kLeftSide : kRightSide;
 }
 
-/// The rounded ends of a long piece of the line need not lie on it, so what is known is fixed.
+/// The rounded ends of a long piece of a line may be off the line, so known states are set
+/// directly.
 void addLine(const Region& region, const HalfPlane& plane, std::size_t own, const Box2& box,
              std::vector<Piece>& pieces) {
   if (plane.isChord) {
@@ -65,7 +66,7 @@ void addLine(const Region& region, const HalfPlane& plane, std::size_t own, cons
   addStretches(region, {plane.point - step, plane.point + step}, own, known, pieces);
 }
 
-// --- arcs: cut at all other boundaries, then looked at from both sides
+// --- arcs: split at all other boundaries, then tested on both sides
 
 std::optional<Disc> circleOf(const Leaf& leaf) {
   const auto* set = std::get_if<SmoothSet>(&leaf.set);
@@ -102,7 +103,7 @@ void addCuts(const Disc& circle, const Disc& other, std::vector<double>& cuts) {
   const Point2 between = other.centre - circle.centre;
   const double square = dot(between, between);
   if (square == 0) return;
-  // Both circles cross where this line does.
+  // The circles cross at the crossings with this line.
   const double share =
       0.5 * (1 + (circle.radius * circle.radius - other.radius * other.radius) / square);
   addCuts(circle, circle.centre + share * between, {-between.y, between.x}, cuts);
@@ -123,7 +124,7 @@ Point2 onCircle(const Disc& circle, double angle, double factor = 1) {
   return circle.centre + factor * circle.radius * Point2{std::cos(angle), std::sin(angle)};
 }
 
-/// A cut falls on a corner of some shape more often than not; then the corner itself is the end.
+/// A crossing is often a corner of some shape; then the corner itself is used as the end.
 Point2 snapped(const Region& region, Point2 point, double tolerance) {
   for (const Leaf& leaf : region.leaves()) {
     const auto* polygon = std::get_if<Polygon>(&leaf.set);

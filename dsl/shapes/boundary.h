@@ -20,11 +20,11 @@ struct Piece {
 
 /// All pieces of the boundary of a bounded region, in no particular order.
 ///
-/// box  finite, holds the region
+/// box  finite, contains the region
 std::vector<Piece> boundaryOf(const Region& region, const Box2& box);
 
-/// Pieces put together to closed loops, arcs sampled so that no chord is farther than `sag` from
-/// its arc.
+/// Joins pieces to closed loops. Arcs are sampled so that no chord is farther than `sag` from its
+/// arc.
 std::vector<std::vector<Point2>> loopsOf(std::vector<Piece> pieces, double sag);
 
 }  // namespace af2::dsl::shapes

@@ -1,4 +1,4 @@
-// Whether and where a region ends.
+// Whether a region is bounded, and a box that contains it.
 #include <algorithm>
 #include <cmath>
 
@@ -8,7 +8,7 @@
 namespace af2::dsl::shapes {
 namespace {
 
-/// A half plane of a region: at infinity all other leaves are left behind.
+/// A half plane of a region. Far enough out, only half planes matter.
 struct Unbounded {
   std::size_t leaf;
   const HalfPlane* plane;
@@ -24,8 +24,8 @@ std::vector<Unbounded> halfPlanesOf(const Region& region) {
   return planes;
 }
 
-/// Far out along one direction the parallel lines cut the plane into lanes; walks through them from
-/// the right to the left. `ahead` is a plane whose line has the direction.
+/// Far out in one direction, the parallel lines divide the plane into lanes. Visits the lanes from
+/// right to left. `ahead` is a half plane whose line has this direction.
 bool reachesInfinity(const Region& region, const std::vector<Unbounded>& planes,
                      const HalfPlane& ahead) {
   std::vector<std::uint8_t> states(region.leaves().size(), 0);
@@ -51,7 +51,8 @@ bool reachesInfinity(const Region& region, const std::vector<Unbounded>& planes,
   return false;
 }
 
-/// Where the lines of two half planes cross, rounded; nothing if nowhere or too far to matter.
+/// The rounded crossing of the lines of two half planes; nothing if there is none, or if it is too
+/// far away to matter.
 std::optional<Point2> crossingOf(const HalfPlane& p, const HalfPlane& q) {
   const Point2 u = p.tip - p.tail, v = q.tip - q.tail;
   const double det = cross(u, v);
@@ -77,7 +78,7 @@ bool isBounded(const Region& region) {
   });
 }
 
-/// Every vertex of the region lies on a disc or polygon, or where two lines cross.
+/// Every vertex of the region is on a disc or polygon, or at the crossing of two lines.
 Box2 finiteBox(const Region& region, const Box2& box) {
   constexpr double kMargin = 1e-9;  // relative; covers the rounding of the crossings
   if (std::isfinite(box.low.x + box.low.y + box.high.x + box.high.y)) return box;

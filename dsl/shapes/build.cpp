@@ -44,7 +44,7 @@ Built combine(Built first, Operation operation, Built second) {
   return {Region(std::move(first.region), operation, std::move(second.region)), box};
 }
 
-/// Whether products of four such numbers are finite; shapes are told apart by these.
+/// Whether products of four such numbers are finite; the predicates compute such products.
 bool isUsable(double x) {
   constexpr double kLargest = 1e75;
   return std::abs(x) <= kLargest;
@@ -76,7 +76,7 @@ Built buildLeft(const Shape& shape) {
   return halfPlane(shape.points()[0], direction);
 }
 
-/// Quarter turns are met exactly, so that a quadrant has straight flanks.
+/// Quarter turns are exact, so that the flanks of a quadrant are parallel to the axes.
 Point2 directionAt(double angle) {
   const double quarters = angle / (M_PI / 2);
   const double nearest = std::round(quarters);
@@ -87,7 +87,7 @@ Point2 directionAt(double angle) {
   return kDirections[quarter];
 }
 
-/// Between two directions, counter-clockwise; `isWide` if by more than a half turn.
+/// The sector between two directions, counter-clockwise; `isWide` if it exceeds a half turn.
 Built wedge(Point2 apex, Point2 from, Point2 to, bool isWide) {
   return combine(halfPlane(apex, from), isWide ? Operation::Union : Operation::Intersection,
                  halfPlane(apex, {-to.x, -to.y}));
@@ -117,8 +117,8 @@ Built buildConvex(const Shape& shape) {
   return buildPolygon({zone.corners().begin(), zone.corners().end()});
 }
 
-/// The chords as a polygon by the even-odd rule, and each piece between an arc and its chord added
-/// or taken away: inside the path is what an odd number of these hold.
+/// The polygon of the chords by the even-odd rule, combined with each piece between an arc and its
+/// chord. A point is inside the path if an odd number of these sets contain it.
 Built buildPoly(const Shape& shape) {
   const auto path = stepsOf(shape);
   if (!path)
@@ -157,7 +157,7 @@ std::vector<Point2> hullOf(std::vector<Point2> points) {
         hull.pop_back();
       hull.push_back(*p);
     }
-    hull.pop_back();  // begins the other chain
+    hull.pop_back();  // this point begins the other chain
   };
   addChain(points.begin(), points.end());
   addChain(points.rbegin(), points.rend());
@@ -202,7 +202,7 @@ Built grownAlong(Built inner, const std::vector<Piece>& boundary, double distanc
   return inner;
 }
 
-/// The sides of a closed polygon; of a single point: itself.
+/// The sides of a closed polygon; for a single point, the point itself.
 std::vector<Piece> sidesOf(std::span<const Point2> corners) {
   std::vector<Piece> sides;
   for (std::size_t i = 0; i < corners.size(); ++i)
@@ -241,7 +241,7 @@ Built buildGrown(const Shape& shape, double distance) {
   if (const auto corners = straightCorners(shape))
     return grownAlong(std::move(inner), sidesOf(*corners), distance);
   if (!isBounded(inner.region))
-    return {{}, kNowhere, Refusal::Shape, "what is grown has no bounds", true};
+    return {{}, kNowhere, Refusal::Shape, "the shape in `grow` has no bounds", true};
   const auto boundary = boundaryOf(inner.region, finiteBox(inner.region, inner.box));
   return grownAlong(std::move(inner), boundary, distance);
 }
@@ -276,7 +276,7 @@ Built build(const Shape& shape) {
     case ShapeKind::Difference:
       return combine(part(0), Operation::Difference, part(1));
     case ShapeKind::User:
-      return refused(Refusal::Shape, "a registered shape is no region");
+      return refused(Refusal::Shape, "a registered shape is not a region");
   }
   return nothing();
 }

@@ -1,4 +1,4 @@
-// From a shape as written to the region that answers for it.
+// Builds the region of a shape.
 #pragma once
 
 #include "dsl/shapes/region.h"
@@ -8,19 +8,19 @@ namespace af2::dsl::shapes {
 
 struct Built {
   Region region;
-  Box2 box;  ///< holds the region; infinite where half planes leave it so
+  Box2 box;  ///< contains the region; may be infinite in directions that half planes do not bound
   Refusal refusal = Refusal::None;
   const char* reason = "";
-  bool growsWithoutBounds = false;  ///< refused because what is to be grown has no bounds
+  bool growsWithoutBounds = false;  ///< refused because the shape inside `grow` is unbounded
 };
 
-/// The region of a shape, bounded or not; or why it has none.
+/// The region of a shape, bounded or not; or the reason why it has none.
 Built build(const Shape& shape);
 
-/// Whether a region lies in some box. Exact.
+/// Whether a region is bounded. Exact.
 bool isBounded(const Region& region);
 
-/// A finite box for a bounded region: `box`, or one drawn around its boundary if that is infinite.
+/// A finite box for a bounded region: `box`, or the box of its boundary if `box` is infinite.
 Box2 finiteBox(const Region& region, const Box2& box);
 
 }  // namespace af2::dsl::shapes

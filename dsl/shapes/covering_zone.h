@@ -1,4 +1,4 @@
-// Zones that can say of an edge whether they hold all of it.
+// Zones that can decide whether they contain a whole edge.
 #pragma once
 
 #include "engine/base/export.h"
@@ -6,18 +6,18 @@
 
 namespace af2::dsl {
 
-/// A zone that may be taken away from another one, `s - t`, edge by edge.
+/// A zone that can be subtracted from another zone, `s - t`, with correct answers for edges.
 ///
-/// Derive a registered shape's zone from this rather than from AF2FreeZone if rules are to take it
-/// away. Of one that does not answer, an edge in it counts as in `s - t` wherever it enters s,
-/// which refuses more than it must and never less.
+/// Derive the zone of a registered shape from this class instead of AF2FreeZone if rules may
+/// subtract it. For other zones, an edge inside the zone counts as inside `s - t` wherever it
+/// enters s. This refuses too many matches, but never too few.
 class AF2_EXPORT CoveringZone : public AF2FreeZone {
  public:
-  /// Whether the whole edge lies in the closed zone.
+  /// Whether the closed zone contains the whole edge.
   virtual bool covers(Point2 from, Point2 to) const = 0;
 };
 
-/// No if it is not known. A convex polygon holds an edge if it holds its ends.
+/// False if unknown. A convex polygon contains an edge if it contains its ends.
 AF2_EXPORT bool covers(const AF2FreeZone& zone, Point2 from, Point2 to);
 
 }  // namespace af2::dsl

@@ -16,13 +16,13 @@ Interval outward(double low, double high) {
 
 Interval intervalOf(Bounded x) { return outward(x.value() - x.error(), x.value() + x.error()); }
 
-/// The square root of a number known to be >= 0.
+/// The square root of a number that is known to be >= 0.
 Interval squareRoot(Bounded x) {
   const Interval square = intervalOf(x);
   return outward(std::sqrt(std::max(0.0, square.low)), std::sqrt(std::max(0.0, square.high)));
 }
 
-/// x / d for d > 0; everything if the bounds do not prove d > 0.
+/// x / d for d > 0; all numbers if the bounds do not prove d > 0.
 Interval quotient(Interval x, Interval d) {
   if (!(d.low > 0)) return {-kInfinity, kInfinity};
   return outward(x.low / (x.low < 0 ? d.low : d.high), x.high / (x.high > 0 ? d.low : d.high));

@@ -34,12 +34,13 @@ Quadratic<N> along(const Curve<N>& curve, const Edge& edge) {
           valueAt(curve, edge.from)};
 }
 
-/// A parameter t of an edge: where a point of its line lies, or where it crosses a smooth boundary.
+/// A parameter t of an edge: that of a point on its line, or of a crossing with a smooth boundary.
 ///
-/// Holds an enclosure in doubles, and how it came to be, so that it can be computed again exactly.
+/// Stores bounds in doubles and the definition of the parameter, so that it can be computed exactly
+/// if the bounds do not decide.
 class Crossing {
  public:
-  /// Where the foot of `point` on the line of the edge lies.
+  /// The foot of `point` on the line of the edge.
   static Crossing atPoint(const Edge& edge, Point2 point);
   /// The crossing with a line that is not parallel to the edge.
   static Crossing withLine(const Edge& edge, const HalfPlane& line);
@@ -55,7 +56,7 @@ class Crossing {
   /// The side of the boundary of `plane` on which the crossing lies: 1 inside, 0 on it. Exact.
   int sideOf(const HalfPlane& plane, const Edge& edge) const;
 
-  /// The point itself, if it is one that was given.
+  /// The given point, if the parameter was made from one.
   std::optional<Point2> point() const {
     if (root_ != Root::Point) return std::nullopt;
     return std::get<HalfPlane>(boundary_).point;

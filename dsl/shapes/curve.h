@@ -1,5 +1,4 @@
-// The smooth sets from which shapes are put together: half planes and discs, with the polynomials
-// that bound them.
+// The smooth sets in shapes: half planes and discs, with the polynomials that bound them.
 #pragma once
 
 #include <algorithm>
@@ -21,7 +20,8 @@ inline bool liesBetween(Point2 p, Point2 a, Point2 b) {
 /// The half plane left of the line through `point` along tip - tail.
 struct HalfPlane {
   Point2 point, tail, tip;
-  bool isChord = false;  ///< of an arc point -> tip: only the part between them can be a boundary
+  bool isChord = false;  ///< of an arc point -> tip: only the part between the ends of the chord
+                         ///< can be boundary
   bool operator==(const HalfPlane&) const = default;
 };
 

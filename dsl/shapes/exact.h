@@ -9,8 +9,8 @@
 
 namespace af2::dsl::shapes {
 
-/// A double with a bound on the error made so far. What is exactly zero keeps a bound of zero, so
-/// that shared corners, the commonest degeneracy, are decided without the slow path.
+/// A double with a bound on its accumulated error. An exact zero has a bound of zero, so that
+/// shared corners, the most common degeneracy, are decided without the slow path.
 class Bounded {
  public:
   Bounded(double value = 0, double error = 0) : value_(value), error_(error) {}
@@ -30,7 +30,7 @@ class Bounded {
     return {value, kSlack * error};
   }
 
-  /// Twice the unit roundoff: leaves room for the rounding of the bound itself.
+  /// Twice the unit roundoff: this covers the rounding of the bound itself.
   static constexpr double kRounding = 2.220446049250313e-16;
   static constexpr double kUnderflow = 1e-300;
   static constexpr double kSlack = 1 + 1e-12;
@@ -89,7 +89,7 @@ struct Vector {
   N x{}, y{};
 };
 
-/// to - from, without rounding where N has none.
+/// to - from, exact if N is exact.
 template <class N>
 Vector<N> difference(Point2 from, Point2 to) {
   return {N(to.x) - N(from.x), N(to.y) - N(from.y)};

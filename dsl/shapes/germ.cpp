@@ -7,16 +7,17 @@
 namespace af2::dsl::shapes {
 namespace {
 
-/// A boundary that leaves the point: first by direction, then by how it bends away to the left.
+/// A boundary that starts at the point. Rays are sorted by direction, then by their bend to the
+/// left.
 struct Ray {
   Vector<Dyadic> direction;
   Dyadic
       bend;  ///< offset to the left is bend * s^2 after s times the direction, up to second order
   int leaf = 0;
-  enum class Beyond { In, Out, Other } beyond = Beyond::Other;  ///< what lies to the left of it
+  enum class Beyond { In, Out, Other } beyond = Beyond::Other;  ///< the state to the left of it
 };
 
-/// Directions from 0 up to a half turn come before the others.
+/// Directions from 0 to below a half turn precede the others.
 bool isUpper(const Vector<Dyadic>& d) {
   return d.y.sign() > 0 || (d.y.sign() == 0 && d.x.sign() > 0);
 }
@@ -92,8 +93,8 @@ std::vector<std::vector<std::uint8_t>> sectorsAround(Point2 point, std::span<con
   std::stable_sort(rays.begin(), rays.end(),
                    [](const Ray& p, const Ray& q) { return compare(p, q) < 0; });
 
-  // The state before the first ray: smooth leaves as their last ray leaves them, polygons as just
-  // above the x axis but with the rays along it taken back.
+  // The state before the first ray. Smooth leaves have the state after their last ray. Polygons
+  // have the state just above the x axis, with the rays along the axis undone.
   for (const Ray& ray : rays)
     if (ray.beyond != Ray::Beyond::Other || pointsAlongX(ray)) cross(ray, states);
 

@@ -1,4 +1,4 @@
-// What a set looks like in an arbitrarily small disc around a point.
+// The sectors of a set in an arbitrarily small disc around a point.
 #pragma once
 
 #include <cstdint>
@@ -11,9 +11,9 @@ namespace af2::dsl::shapes {
 
 /// The sectors into which the boundaries of some leaves cut the neighborhood of a point.
 ///
-/// point   lies on the boundary of each leaf whose place is On
-/// places  of the point with respect to the leaves
-/// Returns for each sector, counter-clockwise, the leaves that hold it (1 or 0 by leaf).
+/// point   is on the boundary of each leaf whose place is On places  the place of the point
+/// relative to each leaf Returns for each sector, counter-clockwise, the leaves that contain it (1
+/// or 0 by leaf).
 std::vector<std::vector<std::uint8_t>> sectorsAround(Point2 point, std::span<const Leaf> leaves,
                                                      std::span<const Place> places);
 

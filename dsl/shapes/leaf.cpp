@@ -52,7 +52,7 @@ Place locate(const Polygon& polygon, Point2 point) {
   return inside ? Place::In : Place::Out;
 }
 
-/// Adds an event of a leaf, or folds it into the state at the start of the edge.
+/// Adds an event of a leaf, or includes it in the state at the start of the edge.
 class Tracer {
  public:
   Tracer(const Edge& edge, int leaf, std::vector<Event>& events)
@@ -69,7 +69,7 @@ class Tracer {
     events_.push_back({at, leaf_, beyondStart == 0 ? std::uint8_t{0} : flip});
   }
 
-  std::uint8_t state = 0;  ///< before all events: far back on the line of the edge
+  std::uint8_t state = 0;  ///< before all events: far behind the start, on the line of the edge
 
  private:
   const Edge& edge_;
@@ -78,8 +78,8 @@ class Tracer {
   std::vector<Event>& events_;
 };
 
-/// Each side of the edge is followed on its own, as if the edge lay a hair's breadth to that side:
-/// a corner on the line then lies to one definite side of it, and no case is special.
+/// Each side of the edge is followed separately, as if the edge were moved by an infinitesimal
+/// distance to that side. Then no corner is on the line, and there are no special cases.
 void trace(const Polygon& polygon, const Edge& edge, Tracer& tracer) {
   const auto& corners = polygon.corners;
   Turn before = orientation(edge.from, edge.to, corners.back());

@@ -16,12 +16,12 @@ bool isOutside(const Box2& box, Point2 p, Point2 q) {
          std::max(p.y, q.y) < box.low.y || std::min(p.y, q.y) > box.high.y;
 }
 
-/// A set that is asked through its parts.
+/// A set whose queries are answered by its parts.
 struct Part {
   Operation operation = Operation::Leaf;
-  std::shared_ptr<const AF2FreeZone> zone;  ///< of a leaf; null: the empty set
+  std::shared_ptr<const AF2FreeZone> zone;  ///< for a leaf; null for the empty set
   Box2 box;
-  std::vector<Part> parts;  ///< two, unless it is a leaf
+  std::vector<Part> parts;  ///< two parts; none for a leaf
 
   bool contains(Point2 p, ZoneBoundary boundary) const {
     const auto other =
@@ -38,7 +38,7 @@ struct Part {
     }
   }
 
-  /// Whether all of an edge is known to lie in the closed set.
+  /// Whether the closed set is known to contain the whole edge.
   bool covers(Point2 p, Point2 q) const {
     switch (operation) {
       case Operation::Union:
@@ -52,7 +52,7 @@ struct Part {
     }
   }
 
-  /// No if the edge is known not to meet the set.
+  /// False if the edge is known not to meet the set.
   bool mayMeet(Point2 p, Point2 q, ZoneBoundary boundary) const {
     switch (operation) {
       case Operation::Union:
@@ -111,8 +111,8 @@ Box2 boxOf(Operation operation, const Box2& p, const Box2& q) {
           {std::min(p.high.x, q.high.x), std::min(p.high.y, q.high.y)}};
 }
 
-/// Unions and intersections with the parts that are not mixed in front, joined, so that seams
-/// between those are inner ones.
+/// Reorders unions and intersections so that parts without registered shapes come first and are
+/// merged. Seams between these parts are then inner seams.
 Shape regrouped(const Shape& shape) {
   const bool isChain = shape.kind() == ShapeKind::Union || shape.kind() == ShapeKind::Intersection;
   if (!isChain || !isMixed(shape)) return shape;
@@ -135,7 +135,7 @@ Shape regrouped(const Shape& shape) {
   return result;
 }
 
-/// Builds parts from the bottom up; `refused` is set where there is none.
+/// Builds parts from the bottom up; `refused` is set if a part is invalid.
 class Builder {
  public:
   MadeZone refused{nullptr, Refusal::None, ""};

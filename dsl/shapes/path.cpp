@@ -9,21 +9,21 @@
 namespace af2::dsl::shapes {
 namespace {
 
-/// What two steps of a closed path may have in common.
+/// The corners that two steps of a closed path share.
 struct Neighbors {
   bool secondFollows = false;  ///< the second step begins where the first one ends
   bool firstFollows = false;
 };
 
 bool linesMeet(const Step& s, const Step& t, Neighbors neighbors) {
-  if (neighbors.secondFollows && neighbors.firstFollows) return true;  // there and back
+  if (neighbors.secondFollows && neighbors.firstFollows) return true;  // the path returns on itself
   if (neighbors.firstFollows) return linesMeet(t, s, {true, false});
   if (!neighbors.secondFollows) return segmentsMeet(s.from, s.to, t.from, t.to);
-  // They share a corner, so they meet again only if the path turns back there.
+  // They share a corner, so they have other common points only if the path reverses there.
   return orientation(s.from, s.to, t.to) == Turn::Straight && dot(s.to - s.from, t.to - t.from) < 0;
 }
 
-/// Line s and arc t.
+/// Intersections of line s and arc t.
 bool lineMeetsArc(const Step& s, const Step& t, Neighbors neighbors) {
   const Edge edge{s.from, s.to};
   const auto crossings = Crossing::withCircle(edge, circleOf(t));
@@ -46,7 +46,7 @@ bool stepsMeet(const Step& s, const Step& t, Neighbors neighbors) {
   return arcsMeet(s, t, neighbors.secondFollows, neighbors.firstFollows);
 }
 
-/// Corners that are apart but for the order of the path.
+/// Whether two corners of the path are at the same position.
 bool repeatsCorner(const std::vector<Step>& path) {
   std::vector<Point2> corners;
   for (const Step& step : path) corners.push_back(step.from);
@@ -55,7 +55,8 @@ bool repeatsCorner(const std::vector<Step>& path) {
   return std::adjacent_find(corners.begin(), corners.end()) != corners.end();
 }
 
-/// The turn at the lowest of the leftmost corners, which is convex for a simple polygon.
+/// The orientation at the lowest of the leftmost corners, which is a convex corner of a simple
+/// polygon.
 Turn turnOf(const std::vector<Step>& path) {
   const auto isFirst = [](const Step& s, const Step& t) {
     return s.from.x < t.from.x || (s.from.x == t.from.x && s.from.y < t.from.y);
@@ -104,7 +105,8 @@ double windingOf(const std::vector<Step>& path) {
     straight = false;
   }
   if (!straight) return area;
-  // Straight corners do not turn; with all others the sign of the area is that of the first one.
+  // `area` is rounded, so its sign comes from the exact orientation at a corner, unless that corner
+  // is straight.
   const Turn turn = turnOf(path);
   return turn == Turn::Straight ? area : static_cast<int>(turn) * std::abs(area);
 }

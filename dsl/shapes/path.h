@@ -1,4 +1,4 @@
-// Closed paths of straight steps and circular arcs: are they simple, which way do they run?
+// Closed paths of straight steps and circular arcs: validity and orientation.
 #pragma once
 
 #include <optional>
@@ -8,19 +8,19 @@
 
 namespace af2::dsl::shapes {
 
-/// One step of a closed path. The next one begins where it ends.
+/// One step of a closed path. The next step begins at its end.
 struct Step {
   Point2 from, to;
   std::optional<Point2> via;  ///< strictly to one side of the chord, if given
 };
 
-/// The steps of a Poly, less those of no length, arcs along their chord made straight.
+/// The steps of a Poly without steps of zero length; arcs along their chord become straight.
 ///
-/// Nothing if a step cannot be drawn: an arc that ends where it begins, or whose `via` lies on the
-/// chord's line beyond its ends.
+/// Nothing if a step is invalid: an arc that ends at its start, or whose `via` is on the line of
+/// the chord but outside of the chord.
 std::optional<std::vector<Step>> stepsOf(const Shape& poly);
 
-/// Whether no two steps have a point in common but the corner between them. Exact.
+/// Whether no two steps have a common point other than the corner between them. Exact.
 bool isSimple(const std::vector<Step>& path);
 
 /// Twice the signed area enclosed; the sign is exact for simple paths of straight steps.

@@ -12,7 +12,7 @@ Place complement(Place place) {
   return place == Place::In ? Place::Out : place == Place::Out ? Place::In : Place::On;
 }
 
-/// Where a point lies that lies so with respect to the operands; On where that leaves it open.
+/// The place of a point, given its places relative to the operands; On if these do not decide it.
 Place apply(Operation operation, Place first, Place second) {
   switch (operation) {
     case Operation::Union:
@@ -99,7 +99,7 @@ Place Region::locate(Point2 point) const {
   return place == Place::On && leaves_.size() > 1 ? locateCloser(point, all) : place;
 }
 
-/// Boundaries of several leaves may make an inner seam together, or cancel.
+/// Boundaries of several leaves may form an inner seam, or cancel each other.
 Place Region::locateCloser(Point2 point, std::span<const Place> places) const {
   bool anyIn = false, anyOut = false;
   for (const auto& sector : sectorsAround(point, leaves_, places)) {
@@ -141,7 +141,7 @@ Region::Walk Region::follow(const Edge& edge,
   return walk;
 }
 
-/// For an edge that lies outside but for single points: whether there is one between its ends.
+/// For an edge that is outside except for single points: whether such a point is between its ends.
 bool Region::touches(const Edge& edge) const {
   auto [states, events] = follow(edge, {});
   for (std::size_t first = 0, last = 0; first < events.size(); first = last) {

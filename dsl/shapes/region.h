@@ -17,17 +17,16 @@ class Region {
  public:
   Region() = default;  ///< the empty set
   explicit Region(Leaf leaf);
-  /// `second` applied to `first` as the operation says.
+  /// The result of the operation on `first` and `second`.
   Region(Region first, Operation operation, Region second);
 
   bool isEmpty() const { return nodes_.empty(); }
   std::span<const Leaf> leaves() const { return leaves_; }
 
-  /// Where a point lies: in the interior, on the boundary, or outside of the regular set.
+  /// The place of a point: in the interior, on the boundary, or outside of the regular set.
   Place locate(Point2 point) const;
 
-  /// What the sides of a stretch of an edge are like: which of them lie in the region (bits), and
-  /// for each leaf the same.
+  /// A stretch of an edge: the sides that are inside the region (bits), and the same for each leaf.
   struct Stretch {
     const Crossing& from;
     const Crossing& to;
@@ -36,19 +35,20 @@ class Region {
   };
 
   /// Whether the edge meets the interior; with ZoneBoundary::Counts whether it meets the set.
-  /// An edge that is outside but for a point in which boundaries of several leaves meet, and which
-  /// is neither a corner nor an end, counts as meeting the set.
+  /// An edge counts as meeting the set even if it is outside except for one point that is not a
+  /// corner or an end and in which boundaries of several leaves meet.
   bool meets(const Edge& edge, ZoneBoundary boundary) const;
-  /// Whether all of the edge lies in the set.
+  /// Whether the set contains the whole edge.
   bool covers(const Edge& edge) const;
 
   /// Calls `visit(Stretch)` for the stretches between events in order until it returns true;
-  /// returns whether it did. overrides  states to take for some leaves instead of following them.
+  /// returns whether it did. `overrides` are given states for some leaves, which are then not
+  /// followed.
   template <class Visit>
   bool alongEdge(const Edge& edge, std::span<const std::optional<std::uint8_t>> overrides,
                  Visit&& visit) const;
 
-  /// The operations on states given by leaf: on bits, each side on its own.
+  /// Applies the operations to the states of the leaves, bit by bit, so that each side is separate.
   std::uint8_t combine(std::span<const std::uint8_t> leafStates) const;
 
  private:

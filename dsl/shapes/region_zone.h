@@ -1,4 +1,4 @@
-// The zone of a region, whose answers are exact.
+// The zone of a region, with exact answers.
 #pragma once
 
 #include <utility>

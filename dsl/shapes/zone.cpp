@@ -1,4 +1,4 @@
-// Zones made from shapes.
+// Makes zones from shapes.
 #include <cmath>
 #include <utility>
 
@@ -11,7 +11,7 @@
 namespace af2::dsl {
 namespace {
 
-/// The sides between sampled cells inside and outside, the inside on their left.
+/// The sides between sampled cells inside and outside of the zone, with the inside on their left.
 std::vector<shapes::Piece> tracedBoundary(const AF2FreeZone& zone) {
   constexpr int kCells = 100;
   const Box2 box = zone.boundingBox();

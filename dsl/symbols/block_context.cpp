@@ -13,10 +13,10 @@ using Statement = std::vector<Token>;
 struct Block {
   BlockKind kind = BlockKind::File;
   Statement header;
-  std::vector<Statement> statements;  ///< those that are finished
+  std::vector<Statement> statements;  ///< the complete statements
 };
 
-/// Whether a word may begin a statement on a line of its own, even if the one before has no end.
+/// Whether a word may begin a statement on its own line, even if the previous statement has no end.
 bool beginsStatement(const Token& token, BlockKind kind) {
   const bool isOpen = kind == BlockKind::Mirror || kind == BlockKind::Property;
   return token.kind == TokenKind::Name && !isOpen && findKeyword(kind, token.text);
@@ -32,7 +32,7 @@ BlockKind kindOf(const Statement& header) {
   return first.is("mirror") ? BlockKind::Mirror : BlockKind::Meta;
 }
 
-/// Names in the first parentheses behind `from`.
+/// Names in the first parentheses after `from`.
 void addParameters(const Statement& words, std::size_t from, std::vector<LocalName>& names) {
   std::size_t i = from;
   while (i < words.size() && !words[i].is("(")) ++i;
@@ -70,7 +70,7 @@ SymbolKind kindOf(NameRole role) {
   return SymbolKind::Vertex;
 }
 
-/// Whether a name that stands before `next` is one that its clause defines.
+/// Whether the clause defines the name that is followed by `next`.
 bool isDefinedBefore(const Token* next, NameRole role) {
   switch (role) {
     case NameRole::ChainVertex:
@@ -124,7 +124,7 @@ class ContextReader {
     const TokenList words = readTokens(source_, ignored);
     context_.word = {offset_, offset_};
     for (const Comment& comment : words.comments) {
-      // Behind the last character one still writes on the comment.
+      // Directly after its last character, typing still extends the comment.
       if (comment.span.begin < offset_ && offset_ <= comment.span.end) context_.isInComment = true;
     }
     for (const Token& token : words.tokens) {
@@ -212,7 +212,7 @@ class ContextReader {
   }
 
   void findCalls() {
-    std::vector<OpenCall> open;  // a bare parenthesis is a call without a name
+    std::vector<OpenCall> open;  // a plain parenthesis is a call without a name
     for (std::size_t i = 0; i < statement_.size(); ++i) {
       const Token& token = statement_[i];
       if (token.is("(")) {

@@ -1,5 +1,4 @@
-// What is being written at a place of a rule file, told from its words alone, so that half-written
-// clauses and missing braces do no harm.
+// The context of a place in a rule file, determined from words alone.
 #pragma once
 
 #include <string>
@@ -20,17 +19,16 @@ struct LocalName {
 /// A call whose parentheses are open at the place.
 struct OpenCall {
   std::string qualifier, name;
-  std::size_t argument = 0;  ///< which one is being written, from 0
+  std::size_t argument = 0;  ///< the index of the argument at the place, from 0
 };
 
 struct BlockContext {
   BlockKind block = BlockKind::File;
   bool isInComment = false;
   bool isInString = false;
-  Span word;  ///< what has been typed of the word, or of the inside of the string
-  std::vector<Token>
-      statement;      ///< the words of the clause or item before `word`; empty: it begins
-  std::string title;  ///< of the rule, test, ... around the place; of a property: its rule
+  Span word;  ///< the part of the word, or of the contents of the string, before the place
+  std::vector<Token> statement;  ///< the words of the clause or item before `word`
+  std::string title;  ///< of the rule, test, ... around the place; for a property, of its rule
   std::vector<LocalName> names;
   std::vector<OpenCall> calls;  ///< from the outermost to the innermost
 

@@ -1,4 +1,4 @@
-// What the files define.
+// Collects the definitions of the files.
 #include <algorithm>
 #include <filesystem>
 
@@ -20,7 +20,7 @@ std::size_t SymbolIndexBuilder::define(Symbol symbol) {
 std::size_t SymbolIndexBuilder::defineIn(Names& names, SymbolKind kind, const Name& name,
                                          Span whole) {
   if (const auto known = names.find(name.text); known != names.end()) {
-    note(name.span, known->second);  // given twice: an error, told elsewhere
+    note(name.span, known->second);  // defined twice: an error that is reported elsewhere
     return known->second;
   }
   Symbol symbol;
@@ -96,7 +96,8 @@ void SymbolIndexBuilder::defineItems(const Module& module) {
   }
 }
 
-/// The vertices of a rule: where its place is given, else where it is first named.
+/// The vertices of a rule: a vertex is defined where its position is given, otherwise where it is
+/// first named.
 void SymbolIndexBuilder::defineVertices(const Rule& rule, Names& names) {
   const auto forEachName = [&](const auto& visit) {
     for (const Clause& clause : rule.clauses)
@@ -111,7 +112,7 @@ void SymbolIndexBuilder::defineVertices(const Rule& rule, Names& names) {
     if (role == NameRole::ChainVertex && !names.contains(name.text))
       defineIn(names, SymbolKind::Vertex, name, whole);
   });
-  // Every rule has a base edge, whether or not a chain names it.
+  // Every rule has a base edge, even if no chain names it.
   for (const char* end : {"a", "b"}) {
     if (names.contains(end)) continue;
     Symbol symbol;

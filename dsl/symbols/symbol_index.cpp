@@ -48,7 +48,7 @@ std::optional<Occurrence> SymbolIndex::at(const Module& module, std::uint32_t of
   for (const Occurrence& o : occurrencesIn(module)) {
     if (o.span.begin > offset) break;
     if (o.span.end < offset) continue;
-    // Of two that touch, the one that begins here; of nested ones, the inner.
+    // Of two adjacent occurrences, takes the one that begins here; of nested ones, the inner one.
     if (!best || o.span.begin >= best->span.begin) best = o;
   }
   return best;

@@ -1,4 +1,4 @@
-// The names of rule files: where each is defined, where it is used, where it can be seen.
+// An index of the names in rule files: their definitions, uses and scopes.
 #pragma once
 
 #include <cstddef>
@@ -36,38 +36,38 @@ inline constexpr std::size_t kNoSymbol = std::numeric_limits<std::size_t>::max()
 
 struct Symbol {
   SymbolKind kind = SymbolKind::Let;
-  std::string name;                ///< titles without quotes, of families with their {k}
-  const Module* home = nullptr;    ///< the file in which it is defined
-  Span definition;                 ///< the name, or the title with its quotes; empty: not written
-  Span whole;                      ///< all of what defines it, as far as one wants to read it
-  Span scope;                      ///< where its name is known
-  std::size_t owner = kNoSymbol;   ///< the rule, test, ... that it belongs to
+  std::string name;  ///< titles are without quotes; titles of families include their {k}
+  const Module* home = nullptr;  ///< the file in which it is defined
+  Span definition;  ///< the name, or the title with its quotes; empty if it is not in the text
+  Span whole;       ///< the whole definition, for display
+  Span scope;       ///< where its name is valid
+  std::size_t owner = kNoSymbol;   ///< the rule, test, ... that contains it
   std::string doc;                 ///< its doc comment
-  const Item* item = nullptr;      ///< the item of the file in which it stands
-  const Module* target = nullptr;  ///< of an import: the file; null if it cannot be read
-  bool isMirror = false;           ///< of a rule: asked for by a `mirror` clause
+  const Item* item = nullptr;      ///< the item of the file that contains it
+  const Module* target = nullptr;  ///< for an import: the file; null if it cannot be read
+  bool isMirror = false;           ///< for a rule: whether a `mirror` clause makes it
 
   /// Titles are written in quotes.
   bool isTitle() const {
     return kind == SymbolKind::Rule || kind == SymbolKind::RuleSet || kind == SymbolKind::Test ||
            kind == SymbolKind::Property;
   }
-  /// Known in the whole file and, but for tests, properties and imports, to those that import it.
+  /// Whether the symbol is valid in the whole file. Except for tests, properties and imports, it is
+  /// then also valid in files that import this file.
   bool isGlobal() const { return owner == kNoSymbol; }
 };
 
-/// A place where the name of a symbol is written.
+/// An occurrence of the name of a symbol in the text.
 struct Occurrence {
   Span span;
   std::size_t symbol = kNoSymbol;
   bool isDefinition = false;
 };
 
-/// "rule", "let", "new vertex", ...: what people call such a symbol.
+/// The name of a kind for users: "rule", "let", "new vertex", ...
 const char* wordFor(SymbolKind kind);
 
-/// All names of a file and of what it imports. Works on whatever could be read: a broken clause is
-/// missing, the others are there.
+/// All names of a file and its imports. Broken clauses are missing; all other clauses are included.
 class SymbolIndex {
  public:
   /// modules[0] is the file itself. They must outlive the index.
@@ -78,11 +78,11 @@ class SymbolIndex {
 
   /// In the order of the text.
   std::span<const Occurrence> occurrencesIn(const Module& module) const;
-  /// What is written at `offset`, or ends there.
+  /// The occurrence that contains `offset` or ends there.
   std::optional<Occurrence> at(const Module& module, std::uint32_t offset) const;
-  /// Names that are known at `offset`, those of the innermost block first.
+  /// Names that are valid at `offset`, those of the innermost block first.
   std::vector<std::size_t> visibleAt(const Module& module, std::uint32_t offset) const;
-  /// Tests and properties that name the rule.
+  /// Tests and properties that mention the rule.
   std::vector<std::size_t> testsOf(std::size_t rule) const;
 
  private:

@@ -1,4 +1,4 @@
-// Walks over the trees of rule files and notes every name.
+// Traverses the syntax trees of rule files and records every name.
 #pragma once
 
 #include <map>
@@ -21,7 +21,7 @@ class SymbolIndexBuilder {
  private:
   using Names = std::map<std::string, std::size_t>;
 
-  // What each file defines, before any use is looked at.
+  // Records the definitions of all files; this must precede the uses.
   void defineItems(const Module& module);
   void defineMirrors(const Rule& rule, const std::string& doc, const Item& item);
   void defineImport(const Import& import, const Item& item, const Module& module);
@@ -30,7 +30,7 @@ class SymbolIndexBuilder {
   Symbol itemSymbol(SymbolKind kind, const Name& name, Span whole, const std::string& doc,
                     const Item& item) const;
 
-  // The uses.
+  // Records the uses.
   void useItem(const Item& item);
   void use(const Use& item);
   void use(const RuleSetBlock& block);
@@ -59,12 +59,12 @@ class SymbolIndexBuilder {
 
   SymbolIndex& index_;
   std::span<const std::unique_ptr<Module>> modules_;
-  const Module* module_ = nullptr;  ///< the file being walked over
+  const Module* module_ = nullptr;  ///< the current file
   const Item* item_ = nullptr;
   std::size_t owner_ = kNoSymbol;
   Span scope_;
   Names locals_;
-  const Names* localsOfNamedRule_ = nullptr;  ///< of the rule that an expectation named last
+  const Names* localsOfNamedRule_ = nullptr;  ///< of the rule in the previous expectation
   std::map<std::pair<const Module*, std::uint32_t>, std::size_t> byDefinition_;
   std::map<const Module*, std::map<std::string, std::size_t>> imports_;
   std::map<std::size_t, Names> localsOfRule_;  ///< by the symbol of the rule, or of its mirror

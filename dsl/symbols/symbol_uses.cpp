@@ -1,4 +1,4 @@
-// Where names are used.
+// Collects the uses of names.
 #include <algorithm>
 #include <set>
 
@@ -18,7 +18,7 @@ std::size_t SymbolIndexBuilder::definedAt(const Module* home, Span span) const {
   return found == byDefinition_.end() ? kNoSymbol : found->second;
 }
 
-/// Rules of the file itself first; a title that is written out before one with {parameters}.
+/// Rules of the file itself come first, and a plain title precedes a title with {parameters}.
 std::size_t SymbolIndexBuilder::findRule(const Module& first, const std::string& title) const {
   std::size_t best = kNoSymbol;
   int bestRank = 4;
@@ -69,7 +69,7 @@ void SymbolIndexBuilder::useLocal(const Name& name, const Names& names) {
   const auto found = names.find(name.text);
   if (found == names.end()) return;
   const Span definition = index_.symbols_[found->second].definition;
-  if (definition == name.span) return;  // noted where it was defined
+  if (definition == name.span) return;  // recorded at its definition
   note(name.span, found->second);
 }
 
@@ -131,7 +131,7 @@ void SymbolIndexBuilder::useName(NameRole role, const Name& name, Span whole) {
     case NameRole::PlacedVertex:
     case NameRole::NewVertex:
     case NameRole::Value:
-      return;  // defined before any clause of the rule is looked at
+      return;  // already defined, before the clauses of the rule are visited
     case NameRole::TestVertex:
       defineIn(locals_, SymbolKind::TestVertex, name, whole);
       return;
@@ -258,7 +258,7 @@ void SymbolIndexBuilder::useItem(const Item& item) {
 
 void SymbolIndexBuilder::build() {
   for (const auto& module : modules_) defineItems(*module);
-  // Tests and properties speak of the vertices of rules, wherever those stand.
+  // Tests and properties mention vertices of rules, which may be anywhere in the file.
   for (const bool isTest : {false, true})
     for (const auto& module : modules_) {
       module_ = module.get();

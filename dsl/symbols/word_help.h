@@ -1,4 +1,4 @@
-// What the words of the language mean, in a line each, for those who write them in an editor.
+// One-line descriptions of the words of the language, for editors.
 #pragma once
 
 #include <optional>
@@ -12,15 +12,15 @@ namespace af2::dsl {
 
 struct WordHelp {
   std::string word;
-  std::string_view usage;    ///< how it is written
+  std::string_view usage;    ///< the form of its use
   std::string_view meaning;  ///< one sentence
 };
 
 /// Functions, shapes, metrics, and names such as `q`.
 std::vector<WordHelp> builtinHelp();
 
-/// The row of a keyword as it is used in a block; if that block has none, the first one of another.
-/// Null or nothing if there is none.
+/// The row of a keyword in a block, or its first row in another block if this block has none. Null
+/// or nothing if there is none.
 const Keyword* helpForKeyword(BlockKind block, std::string_view word);
 std::optional<WordHelp> helpForBuiltin(std::string_view word);
 

@@ -1,7 +1,7 @@
-// A rule file as it was written: the tree that the grammar builds.
+// The syntax tree of a rule file, as the parser builds it.
 //
-// Nothing here is resolved or checked. Every node knows its span; a node whose span is empty could
-// not be read, was told about, and is to be passed over in silence.
+// Nothing here is resolved or checked. Every node has a span. A node with an empty span could not
+// be read; it has been reported and must be skipped without further messages.
 #pragma once
 
 #include <optional>
@@ -15,7 +15,7 @@
 
 namespace af2::dsl {
 
-/// A name or a string with its place.
+/// A name or a string with its span.
 struct Name {
   std::string text;
   Span span;
@@ -58,14 +58,14 @@ struct Tolerance {
 // ---- the parts of a clause ----------------------------------------------------------------------
 
 // Each clause, setting and clause of a test lists its parts with `visitParts(part)`, in the order
-// in which they are written. Symbols, and whatever else asks for the names or the expressions of
-// any clause, follow from this list. `part` takes
+// of the text. Code that needs the names or expressions of any clause, such as the symbol index,
+// uses this list. `part` is called with
 //
 //     part(expr)                an expression that the clause evaluates
-//     part(role, name)          a name, and what it stands for
-//     part(role, name, whole)   a name that the clause gives a meaning, and the text that says so
+//     part(role, name)          a name and its role
+//     part(role, name, whole)   a name that the clause defines, and the text of the definition
 
-/// The parts of whatever `content` holds. Of what could not be read there are none.
+/// The parts of the clause in `content`. A clause that could not be read has none.
 template <class... Contents>
 void visitParts(const std::variant<std::monostate, Contents...>& content, auto&& part) {
   match(
@@ -192,11 +192,11 @@ struct MetaEntry {
 struct MetaClause {
   std::vector<MetaEntry> entries;
 
-  void visitParts(auto&&) const {}  // remarks for tools, which name nothing
+  void visitParts(auto&&) const {}  // remarks for tools contain no names
 };
 
 struct LevelRange {
-  Expr first, last;  ///< `last` is Missing where there is no upper end
+  Expr first, last;  ///< `last` is Missing if the range has no upper end
 
   void visitParts(auto&& part) const {
     part(first);
@@ -280,7 +280,7 @@ struct Instance {
 struct ElementsSetting {
   std::vector<Name> kinds;
 
-  void visitParts(auto&&) const {}  // kinds are words of the language
+  void visitParts(auto&&) const {}  // kinds are keywords
 };
 
 struct MatchSetting {
@@ -320,7 +320,7 @@ struct OrderSetting {
 struct RowsSetting {
   std::vector<MetaEntry> arguments;
 
-  void visitParts(auto&&) const {}  // arguments and their values are words of the language
+  void visitParts(auto&&) const {}  // arguments and their values are keywords
 };
 
 struct ClassesSetting {
@@ -335,13 +335,13 @@ struct ClassesSetting {
 struct ScaleSetting {
   Name unit;
 
-  void visitParts(auto&&) const {}  // units are words of the language
+  void visitParts(auto&&) const {}  // units are keywords
 };
 
 struct ParitySetting {
   Name parity;
 
-  void visitParts(auto&&) const {}  // as are parities
+  void visitParts(auto&&) const {}  // parities are keywords
 };
 
 using SettingContent = std::variant<std::monostate, ElementsSetting, MatchSetting, FadeSetting,
@@ -362,7 +362,7 @@ struct RuleSetBlock {
 
 // ---- tests --------------------------------------------------------------------------------------
 
-/// p (0, 0), or just p where the vertex has been placed before.
+/// p (0, 0), or just p if the vertex already has a position.
 struct TestVertex {
   Name name;
   bool isPlaced = false;
@@ -416,7 +416,7 @@ struct TestSize {
   void visitParts(auto&& part) const { part(value); }
 };
 
-/// A vertex in an expected chain: a name, or the n-th new vertex.
+/// A vertex in an expected chain: a name, or the number of a new vertex.
 struct ExpectedVertex {
   Name name;
   int newIndex = 0;  ///< from 1; 0: not a new one

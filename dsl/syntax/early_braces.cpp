@@ -15,7 +15,7 @@ bool beginsItem(const Token* token) {
   return SyntaxErrors::beginsItem(token) && !token[-1].is("expect") && !token[-1].is("not");
 }
 
-/// Whether a '}' comes before the next item that nothing behind `from` has opened.
+/// Whether a '}' without an opening brace after `from` comes before the next item.
 bool isClosedAgain(const Token* from) {
   int depth = 0;
   for (const Token* t = from; t->kind != TokenKind::End; ++t) {
@@ -26,7 +26,7 @@ bool isClosedAgain(const Token* from) {
   return false;
 }
 
-/// The clause that stands behind a '}'; null if none does.
+/// The clause that follows a '}'; null if there is none.
 const Token* clauseBehind(const Token* brace) {
   const Token* next = brace + 1;
   while (next->is("}")) ++next;
@@ -36,16 +36,17 @@ const Token* clauseBehind(const Token* brace) {
 }  // namespace
 
 void leaveOutEarlyBraces(std::vector<Token>& tokens, SyntaxErrors& errors) {
-  constexpr int kMost = 20;  // each costs a look at all that follows; more tell nothing new
+  constexpr int kMax =
+      20;  // each requires a scan of the rest of the file, and more give no new information
   std::vector<Token> kept;
   int depth = 0, looked = 0;
   for (const Token& token : tokens) {
-    const bool mayBeEarly = token.is("}") && depth == 1 && looked < kMost;
+    const bool mayBeEarly = token.is("}") && depth == 1 && looked < kMax;
     const Token* clause = mayBeEarly ? clauseBehind(&token) : nullptr;
     looked += clause != nullptr;
     if (clause && isClosedAgain(clause)) {
       errors.tell(Code::UnexpectedText, token.span,
-                  "this '}' comes too early: '" + clause->text + "' goes on with the block",
+                  "this '}' comes too early: '" + clause->text + "' continues the block",
                   Help("delete it", {Remedy::Where::Whole, ""}));
       continue;
     }

@@ -1,4 +1,4 @@
-// Blocks that a '}' too many closes before their clauses are over.
+// Finds an extra '}' that closes a block before its last clause.
 #pragma once
 
 #include <vector>
@@ -8,8 +8,8 @@
 
 namespace af2::dsl {
 
-/// A '}' ends a block too early if clauses follow it, and after them another '}' that would close
-/// nothing. It is told and left out, so that the clauses are read where they belong.
+/// A '}' ends a block too early if clauses follow it, and after them another '}' without an opening
+/// brace. Such a '}' is reported and left out, so that the clauses are read in their block.
 void leaveOutEarlyBraces(std::vector<Token>& tokens, SyntaxErrors& errors);
 
 }  // namespace af2::dsl

@@ -78,7 +78,7 @@ const auto wrap = [](ExprKind kind) {
     result.parts.push_back(std::move(x3::_attr(context)));
   };
 };
-/// What was read so far becomes the first part of an expression of another kind.
+/// Makes the expression read so far the first part of an expression of another kind.
 const auto becomePart = [](Expr& value, ExprKind kind) {
   Expr part = std::move(value);
   value = Expr{};
@@ -136,7 +136,7 @@ const auto takeMember = [](auto& context) {
 const auto takeArguments = [](auto& context) {
   Expr& value = x3::_val(context);
   if (value.kind != ExprKind::Imported) {
-    x3::_pass(context) = false;  // only functions of a library are called behind a dot
+    x3::_pass(context) = false;  // only functions of a library are called after a dot
     return;
   }
   value.kind = ExprKind::Call;

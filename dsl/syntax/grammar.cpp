@@ -2,10 +2,10 @@
 #include "dsl/syntax/rule_grammar.h"
 #include "dsl/syntax/test_grammar.h"
 
-// The grammar runs over words (lexer.h), not over characters: no skipper, small types, and every
-// position is a word. Attributes are put together by semantic actions: `into` sets a member of what
-// the rule makes, `append` adds to a list in it. `need` is a part without which the clause is
-// broken.
+// The grammar reads words (lexer.h), not characters: it needs no skipper, its types stay small, and
+// every position is a word. Semantic actions build the attributes: `into` sets a member of the
+// attribute of the rule, `append` adds to a list in it. `need` is a required part; without it the
+// clause is broken.
 
 namespace af2::dsl {
 namespace {

@@ -1,5 +1,4 @@
-// From text to tree. Only grammar.cpp and what it is written with (token_parsers.h) know
-// Boost.Spirit.
+// The parser: from text to tree. Only grammar.cpp and token_parsers.h use Boost.Spirit.
 #pragma once
 
 #include <vector>
@@ -12,7 +11,7 @@
 
 namespace af2::dsl {
 
-/// Limits that keep any input, however wild, within time and stack.
+/// Limits that bound the time and stack for any input.
 struct ParseLimits {
   std::size_t bytes = 8u << 20;
   std::size_t words = 400'000;
@@ -26,8 +25,8 @@ struct ParsedFile {
   std::vector<BrokenStretch> broken;
 };
 
-/// Reads a file; whatever cannot be read is told (codes L and S) and left out of the tree. Each
-/// broken clause is told once, and reading goes on behind it.
+/// Reads a file. Text that cannot be read is reported (codes L and S) and left out of the tree.
+/// Each broken clause is reported once, and the parser continues after it.
 ParsedFile parseFile(const SourceText& source, DiagnosticList& diagnostics,
                      const ParseLimits& limits = {});
 

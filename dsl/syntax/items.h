@@ -1,4 +1,4 @@
-// The grammar's one entry, apart from Spirit.
+// The single entry to the grammar, free of Spirit.
 #pragma once
 
 #include "dsl/syntax/ast.h"
@@ -7,8 +7,8 @@
 
 namespace af2::dsl {
 
-/// Reads the items from `first` on; the last word before `last` is an End. What cannot be read is
-/// told, and left out. Returns where it stopped.
+/// Reads the items from `first` on; the last word before `last` is an End. Text that cannot be read
+/// is reported and left out. Returns the position after the last word read.
 const Token* parseItems(const Token* first, const Token* last, SyntaxErrors& errors, File& file);
 
 }  // namespace af2::dsl

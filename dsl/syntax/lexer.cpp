@@ -58,7 +58,7 @@ class Lexer {
     result_.tokens.push_back(std::move(token));
   }
 
-  /// Tells what is wrong with the file as a whole; false if reading it is no use.
+  /// Reports faults of the file as a whole. Returns false if the file cannot be read.
   bool isText() {
     const auto fault = findUnreadable(text_);
     if (!fault) return true;
@@ -93,7 +93,7 @@ class Lexer {
 
   void skipTo(std::size_t end) { at_ = std::min(end, text_.size()); }
 
-  /// What merging two versions of a file leaves behind; told where it begins.
+  /// Conflict markers of a merge of two versions; reported at the first marker.
   bool readConflictMarker() {
     const bool opens = rest().starts_with("<<<<<<<");
     if (!lineIsEmpty_ || !(opens || rest().starts_with("=======") || rest().starts_with(">>>>>>>")))
@@ -108,13 +108,13 @@ class Lexer {
     return true;
   }
 
-  /// What other languages begin a comment with.
+  /// The beginning of a comment in another language.
   bool readForeignComment() {
     const bool isBlock = rest().starts_with("/*");
     const bool isLine = rest().starts_with("//") || (lineIsEmpty_ && rest().starts_with("-- "));
     if (!isBlock && !isLine) return false;
     tell(Code::UnknownCharacter, at_, at_ + 2,
-         "'" + std::string(text_.substr(at_, 2)) + "' begins no comment",
+         "'" + std::string(text_.substr(at_, 2)) + "' does not begin a comment",
          "a comment begins with '#' and runs to the end of its line");
     isDoubtful_ = false;  // nothing is missing
     const std::size_t close = isBlock && !isLastBlock_ ? text_.find("*/", at_ + 2) : text_.npos;
@@ -123,7 +123,7 @@ class Lexer {
     return true;
   }
 
-  /// Told once on each line, and read as what was meant.
+  /// Reported once on each line, and read as the intended character.
   bool readLookAlike() {
     const LookAlike* found = lookAlikeAt(rest());
     if (!found) return false;
@@ -135,8 +135,8 @@ class Lexer {
       tell(Code::UnknownCharacter, from, to,
            found->name.empty() ? "unknown character '" + std::string(found->written) + "'"
                                : "this is " + std::string(found->name),
-           isQuote        ? "strings stand in plain double quotes: \"...\""
-           : meant == " " ? "write a plain blank"
+           isQuote        ? "write strings in plain double quotes: \"...\""
+           : meant == " " ? "write a plain space"
                           : "write '" + meant + "'");
     if (isQuote) {
       readString(found->written);
@@ -160,7 +160,7 @@ class Lexer {
       if (!doc_.empty()) doc_ += '\n';
       doc_ += line;
     } else if (lineIsEmpty_) {
-      doc_.clear();  // a plain comment parts a doc comment from what follows
+      doc_.clear();  // a plain comment separates a doc comment from the item after it
     }
     const auto length = text.size();
     result_.comments.push_back({spanOf(from, from + length), std::move(text), lineIsEmpty_});
@@ -180,7 +180,7 @@ class Lexer {
     add(TokenKind::Name, from, std::move(name));
   }
 
-  /// Each is told once. What looks like a plain name is read as that one.
+  /// Each name is reported once. A name that looks like a plain name is read as that name.
   std::string toldForeignName(std::size_t from, std::string name) {
     const auto plain = plainSpelling(name);
     if (!toldNames_.insert(name).second) return plain.value_or(std::move(name));
@@ -217,7 +217,7 @@ class Lexer {
     addNumber(from, end);
   }
 
-  /// Whether a number may end here; otherwise tells, and adds a number in its place.
+  /// Whether a number may end here; if not, reports it and adds a number in its place.
   bool checkNumberEnd(std::size_t from) {
     const bool runsOn = (isNameStart(peek()) && !isUnit()) || beginsWithForeignLetter(rest()) ||
                         (peek() == '.' && peek(1) != '.');
@@ -252,7 +252,7 @@ class Lexer {
     add(TokenKind::Number, from, std::string(digits), value);
   }
 
-  /// Where the string ends that is being read, or 0: at its quote, or at a typographic one.
+  /// The size of the quote, plain or typographic, that ends the string here; 0 if there is none.
   std::size_t closingSize(std::string_view opening) const {
     if (peek() == '"') return opening == "'" ? 0 : 1;
     if (opening == "'") return peek() == '\'' ? 1 : 0;
@@ -260,7 +260,7 @@ class Lexer {
     return quote && (quote->meant == "\"" || quote->meant == "'") ? quote->written.size() : 0;
   }
 
-  /// `opening` is at_'s: a quote, or what was meant as one.
+  /// `opening` is the character at at_: a quote or a look-alike.
   void readString(std::string_view opening) {
     const std::size_t from = at_;
     at_ += opening.size();
@@ -285,8 +285,8 @@ class Lexer {
     add(TokenKind::String, from, std::move(value));
   }
 
-  /// Nearly always the closing quote is missing; `{` or `;` at the end of the line then belong to
-  /// the text around the string and are given back to it.
+  /// Usually the closing quote is missing. Then `{` or `;` at the end of the line is not a part of
+  /// the string, so it is read again as a symbol.
   std::string unclosedString(std::size_t from, std::size_t contentFrom) {
     const std::size_t lineEnd = at_;
     const auto isBlank = [](char c) { return c == ' ' || c == '\t' || c == '\r'; };
@@ -304,7 +304,8 @@ class Lexer {
     const std::size_t from = at_;
     if (rest().starts_with("...")) {
       at_ += 3;
-      tell(Code::UnknownCharacter, from, at_, "'...' means nothing", "a range is written 1..50");
+      tell(Code::UnknownCharacter, from, at_, "'...' has no meaning here",
+           "a range is written 1..50");
       isDoubtful_ = false;
       return add(TokenKind::Symbol, from, "..");
     }
@@ -324,7 +325,7 @@ class Lexer {
     readUnknown();
   }
 
-  /// Read as a parenthesis; told where it opens.
+  /// A square bracket is read as a parenthesis, and reported where it opens.
   void readSquareBracket() {
     const bool opens = peek() == '[';
     ++at_;
@@ -348,7 +349,7 @@ class Lexer {
     while (at_ < text_.size() && !isKnown(text_[at_]) && !lookAlikeAt(rest()));
     const std::string_view written = text_.substr(from, at_ - from);
     isDoubtful_ = true;
-    if (isMalformed(written)) return;  // told for the whole file
+    if (isMalformed(written)) return;  // reported for the whole file
     tell(Code::UnknownCharacter, from, at_,
          "unknown character" + std::string(written.size() > characterSize(written) ? "s " : " ") +
              shown(written),
@@ -369,8 +370,8 @@ class Lexer {
   static std::string helpFor(std::string_view written) {
     if (written[0] == '!') return "write `not` for the opposite, `!=` for unequal";
     if (written[0] == '?') return "a choice is written `if condition then x else y`";
-    if (written[0] == '%') return "write the remainder out; `%` has no meaning here";
-    if (written[0] == '\'') return "strings stand in double quotes";
+    if (written[0] == '%') return "there is no remainder operator; `%` has no meaning here";
+    if (written[0] == '\'') return "write strings in double quotes";
     return "delete it; the language uses plain ASCII outside of strings and comments";
   }
 
@@ -383,7 +384,7 @@ class Lexer {
   std::set<std::string> toldNames_, toldOnLine_;
   int openBrackets_ = 0;  ///< square ones
   bool isInConflict_ = false;
-  bool isLastBlock_ = false;  ///< no comment of another language is closed any more
+  bool isLastBlock_ = false;  ///< no more end markers of comments of another language follow
   bool lineIsEmpty_ = true;
   bool isDoubtful_ = false;
 };

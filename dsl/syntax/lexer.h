@@ -1,4 +1,4 @@
-// From text to words.
+// The lexer: from text to words.
 #pragma once
 
 #include <vector>
@@ -11,12 +11,13 @@ namespace af2::dsl {
 struct TokenList {
   std::vector<Token> tokens;  ///< ends with a token of kind End
   std::vector<Comment> comments;
-  bool isCut = false;  ///< there were too many; the last one stands where reading ended
-  bool isText = true;  ///< false: this is no text at all, and nothing was read
+  bool isCut = false;  ///< there were too many words; the last token is where reading ended
+  bool isText = true;  ///< false: the file is not text, and nothing was read
 };
 
-/// Splits a text into words. What cannot be read is told (codes L) and left out, or replaced by
-/// something of the same kind so that it causes no further errors. Reading ends after `most` words.
+/// Splits a text into words. Text that cannot be read is reported (codes L) and left out, or
+/// replaced by a valid word of the same kind so that it causes no further errors. Reading ends
+/// after `most` words.
 TokenList readTokens(const SourceText& source, DiagnosticList& diagnostics,
                      std::size_t most = static_cast<std::size_t>(-1));
 

@@ -1,5 +1,7 @@
-// Looking into the variants of the syntax tree: every alternative is named, so that one that is
-// added later does not compile until each place says what it means there.
+// Case distinction over the variants of the syntax tree.
+//
+// Every alternative must be named, so that code does not compile until it handles an alternative
+// that is added later.
 #pragma once
 
 #include <concepts>
@@ -9,18 +11,18 @@
 
 namespace af2::dsl {
 
-/// One function made of several, of which the type of the argument chooses.
+/// Combines several functions into one; the type of the argument selects the function.
 template <class... Cases>
 struct Overloaded : Cases... {
   using Cases::operator()...;
 };
 
-/// One of these types: for a case that serves several alternatives, among them those that a place
-/// leaves alone. Never `const auto&`, which would take in what is added later.
+/// One of these types: for a case that handles several alternatives, or ignores them. Do not use
+/// `const auto&`: it would also accept alternatives that are added later.
 template <class T, class... Alternatives>
 concept AnyOf = (std::same_as<T, Alternatives> || ...);
 
-/// The result of the case that takes what `content` holds. Every alternative needs one.
+/// The result of the case for the alternative in `content`. Every alternative needs a case.
 template <class... Alternatives, class... Cases>
 decltype(auto) match(const std::variant<Alternatives...>& content, Cases&&... cases) {
   static_assert((std::invocable<Overloaded<std::decay_t<Cases>...>, const Alternatives&> && ...),

@@ -1,4 +1,4 @@
-// The names in clauses, by what they stand for.
+// The names in clauses, by their role.
 #pragma once
 
 #include <initializer_list>
@@ -8,8 +8,8 @@
 
 namespace af2::dsl {
 
-/// Calls `visit(role, name, whole)` for every name in a clause; `whole` is empty where the clause
-/// gives the name no meaning.
+/// Calls `visit(role, name, whole)` for every name in a clause; `whole` is empty if the clause does
+/// not define the name.
 template <class Content>
 void visitNames(const Content& content, auto&& visit) {
   visitParts(content,
@@ -17,7 +17,7 @@ void visitNames(const Content& content, auto&& visit) {
                                                 Span whole = {}) { visit(role, name, whole); }});
 }
 
-/// The names in the clauses of a rule that stand for one of these, in the order of the text.
+/// The names with one of these roles in the clauses of a rule, in the order of the text.
 std::vector<const Name*> namesIn(const Rule& rule, std::initializer_list<NameRole> roles);
 
 }  // namespace af2::dsl

@@ -17,17 +17,18 @@ bool endsStatement(const Token& token) {
   return token.is(";") || token.is("{") || token.is("}") || token.kind == TokenKind::End;
 }
 
-/// What an operator adds to the depth of the tree that it stands in.
+/// The depth that an operator adds to its tree.
 int weightOf(const Token& token) {
-  const bool isNested = token.is("^") || token.is("if");  // where sums are only long
+  const bool isNested = token.is("^") || token.is("if");  // sums are long, but not deep
   const bool isWord = token.is("and") || token.is("or") || token.is("not");
   const bool isSymbol =
       token.kind == TokenKind::Symbol && !token.is("(") && !token.is(")") && !token.is(",");
   return isNested ? 10 : isSymbol || isWord;
 }
 
-/// The first token of a statement at which brackets or operators are more than the stack can hold:
-/// the grammar and all that walks over the tree are recursive. Null if there is none.
+/// The first token of a statement at which brackets or operators exceed the limit; null if there is
+/// none. The limit exists because the parser and the code that traverses the tree are recursive and
+/// need stack.
 const Token* tooDeepAt(const Token* first, const ParseLimits& limits, const char*& fault) {
   int brackets = 0, operators = 0;
   for (const Token* t = first; !endsStatement(*t); ++t) {
@@ -41,7 +42,7 @@ const Token* tooDeepAt(const Token* first, const ParseLimits& limits, const char
   return nullptr;
 }
 
-/// Leaves out what cannot be read, statement by statement. False if nothing can be read at all.
+/// Leaves out statements that exceed the limits. Returns false if nothing can be read.
 bool keepWithinLimits(std::vector<Token>& tokens, const ParseLimits& limits, SyntaxErrors& errors) {
   constexpr const char* kHelp = "name parts of it with `let`, `const` or `def`";
   std::vector<Token> kept;
@@ -105,7 +106,7 @@ ParsedFile parseFile(const SourceText& source, DiagnosticList& diagnostics,
   if (!words.isText) diagnostics.append(std::move(lexical));
   if (!words.isText || !keepWithinLimits(words.tokens, limits, errors)) return result;
   const Token* first = readVersion(words.tokens, errors);
-  if (!first) return result;  // its words make no sense, so they need not be spelt well
+  if (!first) return result;  // not a rule file, so its words are not checked
   diagnostics.append(std::move(lexical));
   const auto begin = static_cast<std::size_t>(first - words.tokens.data());
   leaveOutEarlyBraces(words.tokens, errors);  // none stands before `begin`

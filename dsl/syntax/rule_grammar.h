@@ -122,7 +122,8 @@ BOOST_SPIRIT_DEFINE(mirrorVertex, mirrorPart, mirrorClause, clause)
 
 // ---- rules --------------------------------------------------------------------------------------
 
-/// What stands before the brace; apart, so that a fault in it does not hide the clauses.
+/// The part before the brace. It is a separate rule so that a fault in it does not hide the
+/// clauses.
 struct RuleHeader {
   Name title;
   std::optional<Family> family;

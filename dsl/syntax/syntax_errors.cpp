@@ -28,14 +28,14 @@ bool isOneOf(const Token& token, std::span<const std::string_view> words) {
          std::find(words.begin(), words.end(), token.text) != words.end();
 }
 
-/// The words at which reading may go on behind a broken unit. What is wrong in a mirror's braces
-/// may be followed by a clause of the rule.
+/// The words at which the parser may continue after a broken unit. After a fault in the braces of a
+/// mirror, a clause of the rule may follow.
 std::span<const std::string_view> wordsOf(SyntaxUnit unit) {
   return keywordsOf(unit == SyntaxUnit::MirrorPart ? BlockKind::Rule : blockOf(unit));
 }
 
-/// Where a `rule`, test or other block of which the beginning is known may be gone on with.
-/// Tests name rules as items do; there only the beginning of a line counts.
+/// Where the parser may continue in a rule, test or other block whose beginning is known. Tests
+/// contain `rule "..."`, as items do, so there it counts only at the beginning of a line.
 bool endsBlockEarly(const Token* token, SyntaxUnit unit) {
   if (token->kind == TokenKind::End) return true;
   return SyntaxErrors::beginsItem(token) && (unit != SyntaxUnit::TestClause || token->startsLine);
@@ -58,7 +58,8 @@ const Token* skipUnit(SyntaxUnit unit, const Token* first, const Token* from) {
       if (--braces <= 0 && isLast) return t + 1;
       braces = std::max(braces, 0);
     } else if (t->is(";") && braces == 0) {
-      // A header that ends in `;` has no body; what was meant as one cannot be told from clauses.
+      // A header that ends with `;` has no body: an intended body cannot be distinguished from
+      // clauses.
       return t + 1;
     } else if (braces == 0 && t > first && t->startsLine && isOneOf(*t, wordsOf(unit)) &&
                unit != SyntaxUnit::Item && unit != SyntaxUnit::RuleHeader) {
@@ -71,7 +72,7 @@ const Token* skipUnit(SyntaxUnit unit, const Token* first, const Token* from) {
 
 bool SyntaxErrors::beginsItem(const Token* token) {
   if (!isOneOf(*token, keywordsOf(BlockKind::File))) return false;
-  const Token& next = token[1];  // the list ends with End, which is no item word
+  const Token& next = token[1];  // safe: the list ends with End, which begins no item
   if (token->is("import") || token->is("rule") || token->is("ruleset") || token->is("test") ||
       token->is("property"))
     return next.kind == TokenKind::String;
@@ -97,7 +98,7 @@ bool SyntaxErrors::mayEndList(SyntaxUnit unit, const Token* token) {
 
 namespace {
 
-/// The ',' that parts a list behind `where`, outside of the brackets that the part opens.
+/// The ',' that separates the next part of a list after `where`, outside of brackets in the part.
 const Token* nextComma(SyntaxUnit unit, const Token* part, const Token* where) {
   int depth = 0;
   for (const Token* t = part;; ++t) {
@@ -134,8 +135,8 @@ const Token* SyntaxErrors::tellAndRecover(SyntaxUnit unit, const Token* first, c
       wanted == kTold || where->isDoubtful || (where > first && (where - 1)->isDoubtful);
   const bool isItemPart =
       wanted == kItem || wanted == kClause || wanted == kSetting || wanted == kTestClause;
-  // Where reading has just been resumed a fault may be the last one's; a brace that is missing
-  // behind a whole clause is not.
+  // Directly after a resume, a fault may follow from the previous one. A missing brace after a
+  // complete clause does not.
   const bool isFresh = where != resumedAt_ || where == first ||
                        (wanted == "}" && where > first && (where - 1)->is(";"));
   if (!isTold && isFresh) {
@@ -149,11 +150,11 @@ const Token* SyntaxErrors::tellAndRecover(SyntaxUnit unit, const Token* first, c
   const Token* resumed =
       nextBegins ? where : skipUnit(unit, first, where == first ? first + 1 : where);
   if (where == first && !endsBlockEarly(first, unit)) {
-    // The first word itself is wrong; what hangs on it goes with it.
+    // The first word itself is wrong, so its whole unit is skipped.
     resumed = skipUnit(unit, first, first->is("{") || first->is(";") ? first : first + 1);
   }
-  constexpr std::size_t kMostBroken = 1000;  // more tell nothing new, and take up memory
-  if (broken_.size() >= kMostBroken) resumed = last - 1;
+  constexpr std::size_t kMaxBroken = 1000;  // more give no new information, and need memory
+  if (broken_.size() >= kMaxBroken) resumed = last - 1;
   resumed = std::min(resumed, last - 1);  // the End token stays
   leaveOut(first, resumed);
   resumedAt_ = resumed;

@@ -1,4 +1,4 @@
-// Telling what could not be read, once, and finding where reading can go on.
+// Reports each syntax error once, and finds the place where the parser can continue.
 #pragma once
 
 #include <set>
@@ -12,27 +12,26 @@
 
 namespace af2::dsl {
 
-/// What was being read when it broke; says where the next one may begin.
+/// The kind of unit with the fault; it determines where the next one may begin.
 enum class SyntaxUnit { Item, RuleHeader, Clause, Setting, TestClause, MirrorPart };
 
-/// The block whose clauses such a unit is one of.
+/// The kind of block that contains such a unit.
 BlockKind blockOf(SyntaxUnit unit);
 
-/// What the parts of a list look like: any expression, p -> q, p (x, y), p = x.
+/// The form of the parts of a list: any expression, p -> q, p (x, y), p = x.
 enum class ListPart { Expression, Walk, Position, Assignment };
 
-/// Parts that the grammar may find missing, beyond plain symbols.
+/// Names of parts that may be missing, other than plain symbols.
 inline constexpr const char* kNoSecondFade = "no second =>";
 inline constexpr const char* kExpressionWanted = "an expression";
 inline constexpr const char* kItem = "an item";
 inline constexpr const char* kClause = "a clause";
 inline constexpr const char* kSetting = "a setting";
 inline constexpr const char* kTestClause = "a test clause";
-/// The rest of a unit of which a part has been told to be wrong.
+/// The rest of a unit after a fault that has been reported.
 inline constexpr const char* kTold = "told already";
 
-/// A stretch of the file that could not be read, with the names that occur in it: they may have
-/// been meant to be defined there.
+/// A part of the file that could not be read, with its names: it may have defined them.
 struct BrokenStretch {
   Span span;
   std::vector<std::string> names;
@@ -43,29 +42,30 @@ class SyntaxErrors {
   SyntaxErrors(const SourceText& source, DiagnosticList& diagnostics)
       : source_(source), diagnostics_(diagnostics) {}
 
-  /// Tells that `wanted` was not found at `where`, in a unit that began at `first`. Returns where
-  /// to go on, beyond `first`.
+  /// Reports that `wanted` is missing at `where`, in a unit that begins at `first`. Returns the
+  /// place after `first` where the parser can continue.
   const Token* tellAndRecover(SyntaxUnit unit, const Token* first, const Token* where,
                               const Token* last, const std::string& wanted);
 
   /// The same in a part of a list that begins at `part`, in a unit whose word is `head`. Returns
-  /// the
-  /// ',' before the next part, or null, without telling, if no other part can be found.
+  /// the ',' before the next part. If no other part can be found, reports nothing and returns
+  /// null.
   const Token* tellPart(SyntaxUnit unit, const Token* head, const Token* part, const Token* where,
                         ListPart next, const std::string& wanted);
-  /// Whether a list may end here, for all that can be seen.
+  /// Whether a list seems to end here.
   static bool mayEndList(SyntaxUnit unit, const Token* token);
 
   void tell(Code code, Span span, std::string message, const Help& help,
             std::vector<DiagnosticNote> notes = {});
-  /// Whether a unit of which all but the ';' has been read may end before `where`, because another
-  /// one or the end of its block is there; that the ';' is missing is told.
+  /// Whether a unit that is complete except for its ';' ends before `where`, because another unit
+  /// or the end of its block follows. Reports the missing ';'.
   bool tellMissingEnd(SyntaxUnit unit, const Token* where);
-  /// Tells that a block's `{` is missing before `clause`; reading goes on as if it stood there.
+  /// Reports that the `{` of a block is missing before `clause`; the parser continues as if it were
+  /// there.
   void tellMissingBrace(const Token* clause);
-  /// `af2 1;` stands where it does not belong; that has been told.
+  /// Notes that `af2 1;` is at the wrong place, which has been reported.
   void expectVersionAt(const Token* token) { version_ = token; }
-  /// What is left out without being read.
+  /// Notes a part that is skipped without being read.
   void leaveOut(const Token* first, const Token* last);
   std::vector<BrokenStretch> takeBroken() { return std::move(broken_); }
 
@@ -84,9 +84,9 @@ class SyntaxErrors {
   std::set<std::string> wordsToldAsNames_;
   const Token* resumedAt_ = nullptr;
   const Token* version_ = nullptr;
-  const Token* toldWord_ = nullptr;      ///< told with something else
+  const Token* toldWord_ = nullptr;      ///< a word already reported with another fault
   const Token* shortChainOf_ = nullptr;  ///< the clause of which a chain was too short
-  int missingBraces_ = 0;  ///< blocks that were taken to end early: their `}` may still come
+  int missingBraces_ = 0;  ///< blocks that were assumed to end early; their `}` may still follow
 };
 
 }  // namespace af2::dsl

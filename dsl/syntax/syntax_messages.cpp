@@ -1,5 +1,4 @@
-// What is said about a part that could not be read: the fault as its author would name it, and the
-// form.
+// Messages about parts that could not be read: the fault as its author sees it, and the form.
 #include <algorithm>
 #include <optional>
 
@@ -47,7 +46,8 @@ bool endsOperand(const Token& token) {
          (token.kind == TokenKind::Name && !isReserved(token.text));
 }
 
-/// The last character of what stands before: where something is missing at the end of a line.
+/// The last character of the word before: the place of something that is missing at the end of a
+/// line.
 Span behind(const Token* where) {
   const Token* before = where - 1;  // a unit has begun, so there is one
   return {before->span.end > 0 ? before->span.end - 1 : 0, before->span.end};
@@ -64,7 +64,7 @@ struct Fault {
   Help help;
 };
 
-/// An operator of another language, spelt with two symbols of this one.
+/// An operator of another language that consists of two symbols of this language.
 struct Spelling {
   const char *first, *second, *meaning;
 };
@@ -76,11 +76,11 @@ constexpr Spelling kSpellings[]{
     {"<", ">", "unequal is written !="},
     {"=", "<", "at most is written <="},
     {"<", "-", "an edge is written a -> b"},
-    {"-", ">", "an arrow is written -> without a blank"},
-    {"=", ">", "a fade is written => without a blank"},
+    {"-", ">", "an arrow is written -> without a space"},
+    {"=", ">", "a fade is written => without a space"},
     {":", "=", "write = alone"},
-    {"+", "=", "values do not change; give the new one a name of its own"},
-    {"-", "=", "values do not change; give the new one a name of its own"},
+    {"+", "=", "values cannot change; give the new value another name"},
+    {"-", "=", "values cannot change; give the new value another name"},
     {"+", "+", "write one +"},
 };
 
@@ -93,7 +93,7 @@ std::optional<Fault> foreignOperator(const Token* where) {
       if (first->is(s.first) && second->is(s.second))
         return Fault{Code::UnexpectedText, cover(first->span, second->span),
                      "'" + first->text + (first->span.end == second->span.begin ? "" : " ") +
-                         second->text + "' means nothing",
+                         second->text + "' has no meaning here",
                      s.meaning};
   }
   return std::nullopt;
@@ -105,7 +105,7 @@ bool isUnitWord(SyntaxUnit unit, const Token& token) {
                                         : findKeyword(blockOf(unit), token.text) != nullptr;
 }
 
-/// Whether another unit, or the end of the block, is plainly there.
+/// Whether another unit, or the end of the block, clearly follows.
 bool isBehindUnit(SyntaxUnit unit, const Token* where) {
   const bool beginsNext =
       SyntaxErrors::beginsItem(where) || (unit != SyntaxUnit::Item && isUnitWord(unit, *where));
@@ -131,20 +131,20 @@ std::optional<Fault> decimalComma(const Token* first, const Token* where) {
       continue;
     const std::string meant = before.text + "." + after.text;
     return Fault{Code::UnexpectedText, cover(before.span, after.span),
-                 "decimals stand behind a point, not a comma",
+                 "write decimals with a point, not a comma",
                  Help("did you mean " + meant + "?", {Remedy::Where::Whole, meant})};
   }
   return std::nullopt;
 }
 
-/// The end of a clause was wanted.
+/// The fault if the end of a clause was expected.
 std::optional<Fault> missingEnd(SyntaxUnit unit, const Token* first, const Token* where) {
   if (where->startsLine || isBehindUnit(unit, where)) return noEnd(unit, where);
   if (first->is("zone") && (where->is("=") || where->is("->")))
     return Fault{Code::UnexpectedText, where->span, found(*where) + " does not fade",
                  Help("did you mean '=>'? `preferred => limit`", {Remedy::Where::Whole, "=>"})};
   if (isComparison(*where))
-    return Fault{Code::UnexpectedText, where->span, "comparisons do not chain",
+    return Fault{Code::UnexpectedText, where->span, "comparisons cannot be chained",
                  "write `a < b and b < c`, or `x in low..high`"};
   if (where->is("="))
     return Fault{
@@ -171,7 +171,7 @@ std::optional<Fault> missingEnd(SyntaxUnit unit, const Token* first, const Token
   return std::nullopt;
 }
 
-/// Two operands side by side.
+/// The fault if two operands follow each other without an operator.
 std::optional<Fault> missingBetween(SyntaxUnit unit, const Token* first, const Token* where,
                                     const std::string& wanted) {
   const Token* before = where - 1;
@@ -195,20 +195,20 @@ std::optional<Fault> missingBetween(SyntaxUnit unit, const Token* first, const T
   if (first->is("front") && isBetweenVertices &&
       (unit == SyntaxUnit::Clause || unit == SyntaxUnit::TestClause))
     return Fault{Code::UnexpectedText, where->span, "'->'" + between,
-                 "edges are written a -> b; chains are parted by ','"};
+                 "edges are written a -> b; chains are separated by ','"};
   if (wanted == "->") return std::nullopt;
   return Fault{Code::UnexpectedText, where->span, "an operator or ','" + between,
-               "there is no silent multiplication; arguments are parted by ','"};
+               "write multiplication with '*'; separate arguments by ','"};
 }
 
-/// Whether the names of a unit are defined elsewhere: what is wrong with them is told there.
+/// Whether the names of a unit are defined elsewhere, so that faults in them are reported there.
 bool usesNames(const Token& head) {
   for (const char* word : {"at", "let", "new", "const", "def", "metric", "template", "import"})
     if (head.is(word)) return false;
   return true;
 }
 
-/// The bracket that `where` does not close.
+/// The opening bracket that should be closed before `where`.
 const Token* openBracket(const Token* first, const Token* where) {
   int closed = 0;
   for (const Token* t = where; t-- > first;) {
@@ -223,7 +223,8 @@ std::string formHelp(SyntaxUnit unit, const Token* first, const Token* where,
   if (wanted == ".." && unit != SyntaxUnit::Setting && !first->is("property"))
     return "a range is written low..high, as in `x in 0.5..2`";
   if (wanted == "'at', 'quality' or 'cost'")
-    return "a mirror image may have other tolerances, levels and costs; all else follows from its "
+    return "a mirror image may have other tolerances, levels and costs; everything else follows "
+           "from its "
            "rule";
   if (wanted == "then" || wanted == "else")
     return "a choice is written `if condition then x else y`";
@@ -251,7 +252,7 @@ bool SyntaxErrors::tellMissingEnd(SyntaxUnit unit, const Token* where) {
 void SyntaxErrors::tellMissingBrace(const Token* clause) {
   tell(Code::UnexpectedText, behind(clause),
        "'{' is missing after '" + (clause - 1)->text.substr(0, 40) + "'",
-       "the clauses of a rule stand in braces");
+       "the clauses of a rule belong in braces");
 }
 
 void SyntaxErrors::tellUnknownWord(const Token* where, const std::string& wanted) {
@@ -266,37 +267,38 @@ void SyntaxErrors::tellUnknownWord(const Token* where, const std::string& wanted
   const std::vector<std::string> known(words.begin(), words.end());
   std::string list;
   for (const std::string& word : known) list += (list.empty() ? "" : ", ") + word;
-  list = "here stands one of: " + list;
+  list = "expected one of: " + list;
   if (where == version_ || where == toldWord_) return;
-  // Clauses of a block that was taken to end above.
+  // These are clauses of a block that was assumed to have ended above.
   if (wanted == kItem && missingBraces_ > 0 && isClauseWord(where->text)) return;
   if (where->is("af2"))
     return tell(Code::MissingVersion, where->span,
-                "the version of the language is said once, at the top", "delete it here");
+                "the version of the language is given once, at the top", "delete it here");
   if (where->is("weld"))
     return tell(Code::UnknownClause, where->span,
                 "'weld' is reserved; rules cannot join vertices yet", "remove the clause");
   if (where->is(";"))
-    return tell(Code::UnexpectedText, where->span, "this ';' ends nothing",
-                Help("delete it; what ends in a brace takes no ';'", {Remedy::Where::Whole, ""}));
+    return tell(
+        Code::UnexpectedText, where->span, "this ';' ends nothing",
+        Help("delete it; a block that ends with a brace takes no ';'", {Remedy::Where::Whole, ""}));
   if (where->is("}") && missingBraces_ > 0) {
-    --missingBraces_;  // of a block that was taken to end above
+    --missingBraces_;  // belongs to a block that was assumed to have ended above
     return;
   }
   if (where->is("}"))
     return tell(Code::UnexpectedText, where->span, "this '}' closes nothing",
-                Help("delete it, or look above for a '}' too many", {Remedy::Where::Whole, ""}));
+                Help("delete it, or look above for an extra '}'", {Remedy::Where::Whole, ""}));
   if (where->kind != TokenKind::Name)
     return tell(Code::UnexpectedText, where->span, "unexpected " + found(*where) + " " + place,
                 list);
   Help help = habitOf(where->text);
   if (wanted == kClause && where->is("quality"))
-    help = "the levels stand before the '{': `rule \"title\" quality 1 { ... }`";
+    help = "the levels belong before the '{': `rule \"title\" quality 1 { ... }`";
   if (help.empty()) help = didYouMean(where->text, known);
   const bool isElsewhere = isReserved(where->text) || (help.empty() && isClauseWord(where->text));
   tell(Code::UnknownClause, where->span,
-       "'" + where->text.substr(0, 60) + "' " + (isElsewhere ? "cannot stand " : "means nothing ") +
-           place,
+       "'" + where->text.substr(0, 60) + "' " +
+           (isElsewhere ? "is not allowed " : "has no meaning ") + place,
        help.empty() ? list : help);
 }
 
@@ -307,8 +309,9 @@ void SyntaxErrors::tellMissing(SyntaxUnit unit, const Token* first, const Token*
   const auto tellFault = [&](const Fault& f) { tell(f.code, f.span, f.message, f.help); };
 
   if (wanted == kNoSecondFade)
-    return tell(Code::ChainedFade, here, "a corner or shape fades only once; '=>' does not chain",
-                "write `preferred => limit`; use lerp for what lies between");
+    return tell(Code::ChainedFade, here,
+                "a corner or shape fades only once; '=>' cannot be chained",
+                "write `preferred => limit`; use lerp for points between them");
   if (wanted == "}") return tellUnclosed(unit, first, where);
   if (const auto fault = foreignOperator(where)) return tellFault(*fault);
   if (where->is(",") && (wanted == ";" || wanted == ")"))
@@ -319,16 +322,17 @@ void SyntaxErrors::tellMissing(SyntaxUnit unit, const Token* first, const Token*
 
   const bool isElement = first->is("tri") || first->is("quad") || first->is("poly");
   if (where->is(",") && isElement && unit == SyntaxUnit::Clause)
-    return tell(Code::UnexpectedText, here, "the corners of an element are parted by blanks",
+    return tell(Code::UnexpectedText, here, "the corners of an element are separated by spaces",
                 "it is written " + shownForm(*findKeyword(BlockKind::Rule, first->text)));
   const std::string help = formHelp(unit, first, where, wanted);
   const bool isWord = where->kind == TokenKind::Name && isReserved(where->text);
   if (wanted == "quality" && where->is("{") && where[1].is("quality")) {
     toldWord_ = where + 1;
-    return tell(Code::UnexpectedText, where[1].span, "the levels of a rule stand before its '{'",
+    return tell(Code::UnexpectedText, where[1].span, "the levels of a rule belong before its '{'",
                 "it is written `rule \"title\" quality 1 { ... }`");
   }
-  // One vertex makes no chain; what is wrong with the others of the clause is the same.
+  // One vertex is not a chain. The other parts of the clause usually have the same fault, so it is
+  // reported once.
   if (wanted == "->" && (where->is(",") || where->is(";")) && unit != SyntaxUnit::Setting) {
     if (shortChainOf_ == first) return;
     shortChainOf_ = first;
@@ -341,12 +345,11 @@ void SyntaxErrors::tellMissing(SyntaxUnit unit, const Token* first, const Token*
     return tell(Code::MissingExpression, here,
                 "an expression is missing between '" + before->text.substr(0, 40) + "' and " +
                     found(*where),
-                isWord ? "'" + where->text + "' is a word of the language and cannot be a name"
+                isWord ? "'" + where->text + "' is a keyword and cannot be a name"
                        : "write a number, a point, a name, ...");
   if (isWord && wanted.find("name") != std::string::npos) wordsToldAsNames_.insert(where->text);
   if (isWord && wanted.find("name") != std::string::npos)
-    return tell(Code::ReservedWord, here,
-                "'" + where->text + "' is a word of the language and cannot be a name",
+    return tell(Code::ReservedWord, here, "'" + where->text + "' is a keyword and cannot be a name",
                 "choose another name");
   if (wanted == ")")
     if (const Token* open = openBracket(first, where))

@@ -8,7 +8,7 @@
 namespace af2::dsl {
 namespace {
 
-/// The values of the parameters, each as short as possible; nothing if the title does not fit.
+/// The values of the parameters, each as short as possible; nothing if the title does not match.
 std::optional<std::vector<std::string>> valuesIn(const std::vector<std::string>& parts,
                                                  const std::string& title) {
   if (!title.starts_with(parts.front())) return std::nullopt;

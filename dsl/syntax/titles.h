@@ -1,4 +1,4 @@
-// Titles of rules as they stand in the text, and what becomes of their {parameters}.
+// Titles of rules in the text, and the substitution of their {parameters}.
 #pragma once
 
 #include <string>
@@ -8,19 +8,19 @@
 
 namespace af2::dsl {
 
-/// A title as text, {parameter}, text, ..., text: parameters stand at odd places.
+/// A title as text, {parameter}, text, ..., text: parameters have odd indices.
 std::vector<std::string> titleParts(const std::string& title);
 
-/// The titles that an item gives to rules: its own and those of its mirror images.
+/// The titles of the rules that an item defines: its own and those of its mirror images.
 std::vector<const Name*> titlesOf(const Item& item);
 /// The titles of a rule and of its mirror images.
 std::vector<const Name*> titlesOf(const Rule& rule);
 
-/// Whether `title` is what `pattern` gives for some values of its {parameters}.
+/// Whether `pattern` gives `title` for some values of its {parameters}.
 bool isTitleOf(const std::string& pattern, const std::string& title);
 
-/// `title`, made by `pattern`, as `newPattern` would have made it for the same values. Both
-/// patterns must have the same parameters.
+/// Given a `title` that `pattern` makes, returns the title that `newPattern` makes for the same
+/// values. Both patterns must have the same parameters.
 std::string retitled(const std::string& pattern, const std::string& title,
                      const std::string& newPattern);
 

@@ -19,11 +19,11 @@ enum class TokenKind {
 struct Token {
   TokenKind kind = TokenKind::End;
   Span span;
-  std::string text;         ///< as written; for strings what they stand for
+  std::string text;         ///< as written; for strings, their value
   double number = 0;        ///< of a number
-  std::string doc;          ///< lines of `##` right above, joined by line breaks
-  bool startsLine = false;  ///< nothing but blanks before it on its line
-  bool isDoubtful = false;  ///< faulty itself, or behind something unreadable: told already
+  std::string doc;          ///< lines of `##` directly above, joined by line breaks
+  bool startsLine = false;  ///< only spaces precede it on its line
+  bool isDoubtful = false;  ///< faulty, or after unreadable text; the fault has been reported
   bool is(std::string_view symbolOrWord) const {
     return (kind == TokenKind::Symbol || kind == TokenKind::Name) && text == symbolOrWord;
   }
@@ -33,7 +33,7 @@ struct Token {
 struct Comment {
   Span span;
   std::string text;
-  bool ownLine = false;  ///< nothing but blanks before it on its line
+  bool ownLine = false;  ///< only spaces precede it on its line
 };
 
 }  // namespace af2::dsl

@@ -1,5 +1,4 @@
-// Words of a rule file as parsers, and the actions that put trees together: what the grammar is
-// written with. For grammar.cpp alone.
+// The building blocks of the grammar: parsers for words, and actions. For grammar.cpp alone.
 #pragma once
 
 #include <boost/spirit/home/x3.hpp>
@@ -40,7 +39,7 @@ struct Word : x3::parser<Word> {
   }
 };
 
-/// One of several words or symbols, kept with its place.
+/// One of several words or symbols, with its span.
 struct OneOf : TokenParser<OneOf, Name> {
   OneOf(std::initializer_list<std::string_view> w) : words(w) {}
   OneOf(std::span<const std::string_view> w) : words(w.begin(), w.end()) {}
@@ -121,7 +120,7 @@ struct IntegerWord : TokenParser<IntegerWord, int> {
   }
 };
 
-/// Where a block must end though its brace is missing: at the next item, at the end of the file.
+/// Where a block must end if its brace is missing: at the next item or the end of the file.
 struct BlockEnd : x3::parser<BlockEnd> {
   using attribute_type = x3::unused_type;
   static bool const has_attribute = false;
@@ -152,7 +151,7 @@ struct Nothing : x3::parser<Nothing> {
 
 struct ParsingTag;
 
-/// The subject, or an expectation failure that says what was wanted.
+/// The subject, or an expectation failure that names the missing part.
 template <class Subject>
 struct Need : x3::unary_parser<Subject, Need<Subject>> {
   using base = x3::unary_parser<Subject, Need<Subject>>;
@@ -176,8 +175,8 @@ auto need(Subject const& subject, const char* wanted) {
 inline Need<Word> need(const char* symbol) { return {Word(symbol), symbol}; }
 inline Need<Word> need(const char* symbol, const char* wanted) { return {Word(symbol), wanted}; }
 
-/// The ';' of a unit. Where another unit plainly follows instead, that it is missing is told, and
-/// the unit is whole all the same: what it says counts, and is looked at.
+/// The ';' of a unit. If another unit clearly follows instead, the missing ';' is reported, but the
+/// unit counts as complete, so that its content is compiled and checked.
 template <SyntaxUnit unit>
 struct UnitEnd : x3::parser<UnitEnd<unit>> {
   using attribute_type = x3::unused_type;
@@ -210,13 +209,13 @@ const FileEnd atFileEnd;
 
 // ---- actions ------------------------------------------------------------------------------------
 
-/// Sets a member of the value that the rule makes.
+/// Sets a member of the attribute of the rule.
 template <class Class, class Member>
 auto into(Member Class::*member) {
   return [member](auto& context) { x3::_val(context).*member = std::move(x3::_attr(context)); };
 }
 
-/// Adds to a list in the value that the rule makes.
+/// Appends to a list in the attribute of the rule.
 template <class Class, class Member>
 auto append(Member Class::*member) {
   return [member](auto& context) {
@@ -235,7 +234,7 @@ const auto content = [](auto& context) {
   x3::_val(context).content = std::move(x3::_attr(context));
 };
 
-/// subject, subject, ...; the action takes each.
+/// subject, subject, ...; the action is called for each.
 template <class Subject, class Action>
 auto list(Subject const& subject, Action action, const char* wanted) {
   return need(subject, wanted)[action] >> *(word(",") >> need(subject, wanted)[action]);
@@ -248,7 +247,7 @@ inline Span spanOf(It first, It end) {
                       : cover(first->span, (end - 1)->span);
 }
 
-/// Sets the span of the value that the rule makes.
+/// Sets the span of the attribute of the rule.
 template <class Subject>
 struct Spanned : x3::unary_parser<Subject, Spanned<Subject>> {
   using base = x3::unary_parser<Subject, Spanned<Subject>>;
@@ -270,8 +269,8 @@ auto spanned(Subject const& subject) {
   return Spanned<Subject>(subject);
 }
 
-/// subject, subject, ... of a clause. A part that cannot be read is told, and the next one looked
-/// at; the clause is broken all the same.
+/// subject, subject, ... of a clause. A part that cannot be read is reported, and the parser
+/// continues with the next part; the clause still counts as broken.
 template <class Subject>
 struct Parts : x3::parser<Parts<Subject>> {
   using attribute_type = x3::unused_type;
@@ -314,7 +313,7 @@ auto parts(SyntaxUnit unit, ListPart part, Subject const& subject, Action action
   return Parts<std::decay_t<decltype(whole)>>(whole, unit, part);
 }
 
-/// Told once, and passed over up to where the next one can begin.
+/// A broken unit is reported once and skipped up to the place where the next one can begin.
 template <SyntaxUnit unit>
 struct Recovering {
   template <class Context>
@@ -326,7 +325,7 @@ struct Recovering {
   }
 };
 
-/// `{`; where a clause of a rule follows instead it is told to be missing, and taken to be there.
+/// `{`. If a clause of a rule follows instead, the missing brace is reported and assumed.
 struct OpenBrace : x3::parser<OpenBrace> {
   using attribute_type = x3::unused_type;
   static bool const has_attribute = false;

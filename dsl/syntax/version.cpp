@@ -15,7 +15,7 @@ bool isWhole(const Token& token) {
          token.text.find_first_not_of("0123456789") == std::string::npos;
 }
 
-/// What follows `af2`, up to and with its `;`.
+/// Reads the words after `af2`, including the `;`.
 const Token* readNumber(const Token* at, SyntaxErrors& errors) {
   const Token& version = at[1];
   if (!isWhole(version)) {
@@ -42,26 +42,25 @@ bool isNetgens(const std::vector<Token>& tokens) {
   });
 }
 
-/// The version is not where it belongs: elsewhere, misspelt, or nowhere.
+/// Reports a version that is misplaced, misspelt or missing.
 const Token* tellMissing(const std::vector<Token>& tokens, SyntaxErrors& errors) {
   const Token* first = tokens.data();
   const char* const rule = "a rule file begins with `af2 1;`";
   if (isNetgens(tokens)) {
     errors.tell(Code::MissingVersion, first->span,
-                "this is a rule file of Netgen; one of AF2 begins with `af2 1;`",
-                "`af2 import FILE` writes it anew in the language of AF2");
+                "this is a rule file of Netgen; a rule file of AF2 begins with `af2 1;`",
+                "`af2 import FILE` converts it to the language of AF2");
     return nullptr;
   }
   for (const Token& token : tokens) {
     if (!token.startsLine || !token.is("af2") || !isWhole((&token)[1])) continue;
-    errors.tell(Code::MissingVersion, token.span, "`af2 1;` must stand at the top of the file",
+    errors.tell(Code::MissingVersion, token.span, "`af2 1;` must be at the top of the file",
                 "move it there");
     errors.expectVersionAt(&token);
     return first;
   }
   if (first->kind == TokenKind::End) {
-    errors.tell(Code::MissingVersion, {0, 0},
-                "there is nothing in this file but blanks and comments",
+    errors.tell(Code::MissingVersion, {0, 0}, "this file contains only spaces and comments",
                 "a rule file begins with `af2 1;`");
     return nullptr;
   }
@@ -75,7 +74,7 @@ const Token* tellMissing(const std::vector<Token>& tokens, SyntaxErrors& errors)
   const bool isItem = SyntaxErrors::beginsItem(first) || isClauseWord(first->text) ||
                       !nearest(first->text, {items.begin(), items.end()}).empty();
   errors.tell(Code::MissingVersion, first->span,
-              isItem ? rule : "this is no rule file: one begins with `af2 1;`",
+              isItem ? rule : "this is not a rule file: a rule file begins with `af2 1;`",
               Help("add `af2 1;` as the first line", {Remedy::Where::Top, "af2 1;\n\n"}));
   return isItem ? first : nullptr;
 }

@@ -8,8 +8,8 @@
 
 namespace af2::dsl {
 
-/// Reads the version; one that is missing, misspelt or unknown is told (S7). Returns where the
-/// items begin, or null if this is no rule file at all.
+/// Reads the version, and reports one that is missing, misspelt or unknown (S7). Returns the first
+/// word of the items, or null if this is not a rule file.
 const Token* readVersion(const std::vector<Token>& tokens, SyntaxErrors& errors);
 
 }  // namespace af2::dsl

@@ -61,7 +61,7 @@ struct Twin {
   char meant;
 };
 
-/// Letters that no font tells from those of ASCII: Cyrillic, then Greek ones.
+/// Letters that look the same as ASCII letters in every font: Cyrillic, then Greek.
 constexpr std::array kTwins{
     Twin{"\u0430", 'a'}, Twin{"\u0441", 'c'}, Twin{"\u0435", 'e'}, Twin{"\u043E", 'o'},
     Twin{"\u0440", 'p'}, Twin{"\u0445", 'x'}, Twin{"\u0443", 'y'}, Twin{"\u0456", 'i'},
@@ -78,8 +78,8 @@ constexpr std::array kTwins{
 
 bool isTrail(char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; }
 
-/// Whether this trailing byte may follow that first one of three or four: no character is written
-/// longer than need be, is half of a pair of UTF-16, or lies beyond U+10FFFF.
+/// Whether `second` may follow `first` in a character of three or four bytes. This excludes
+/// overlong encodings, halves of a UTF-16 surrogate pair, and code points beyond U+10FFFF.
 bool isAllowedSecond(unsigned char lead, unsigned char second) {
   switch (lead) {
     case 0xE0:
@@ -114,7 +114,7 @@ bool isControl(char c) {
   return (u < 0x20 && c != '\t' && c != '\n' && c != '\r') || u == 0x7F;
 }
 
-/// UTF-16, which some editors write, with or without its mark.
+/// Some editors write UTF-16, with or without a byte order mark.
 bool isUtf16(std::string_view text) {
   if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF")) return true;
   const std::string_view sample = text.substr(0, 1000);
@@ -172,7 +172,7 @@ std::optional<std::string> plainSpelling(std::string_view name) {
 std::optional<UnreadableText> findUnreadable(std::string_view text) {
   if (isUtf16(text))
     return UnreadableText{0, 0, "this file is written in UTF-16", "save it as UTF-8"};
-  // A stray control character is told where it stands; many of them are no text.
+  // A single control character is reported at its place; a file with many of them is not text.
   const std::string_view sample = text.substr(0, 4000);
   const auto controls = static_cast<std::size_t>(std::ranges::count_if(sample, isControl));
   if (controls >= 5 && 50 * controls > sample.size())

@@ -14,7 +14,7 @@ using Json = nlohmann::ordered_json;
 
 const char* word(Severity severity) { return severity == Severity::Error ? "error" : "warning"; }
 
-/// What is set off in which way on a terminal.
+/// Colours and styles of the parts of a message on a terminal.
 class Paint {
  public:
   Paint(Colour colour, Severity severity)
@@ -40,21 +40,21 @@ std::string where(const DiagnosticPlace& place) {
   return place.file + ":" + std::to_string(place.line) + ":" + std::to_string(place.column);
 }
 
-/// Characters, not bytes, so that carets stand where the eye expects them.
+/// Counts characters, not bytes, so that the caret is below the right character.
 std::size_t characters(std::string_view text) {
   return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
     return (static_cast<unsigned char>(c) & 0xC0) != 0x80;
   }));
 }
 
-/// `count` characters from the one at `from` on; what a terminal cannot show becomes a question
-/// mark, and each character stays one.
+/// `count` characters of the line from number `from` on. A character that a terminal cannot show
+/// becomes one question mark, so that columns stay aligned.
 std::string printable(std::string_view line, std::size_t from, std::size_t count) {
   std::string result;
   for (std::size_t at = 0, index = 0; at < line.size() && index < from + count;) {
     const auto first = static_cast<unsigned char>(line[at]);
     const std::size_t size = characterSize(line.substr(at));
-    const bool isTrail = (first & 0xC0) == 0x80;  // astray: places do not count it either
+    const bool isTrail = (first & 0xC0) == 0x80;  // stray byte; columns do not count it either
     const bool isShown = first >= 0x80 ? size > 1 : first >= 0x20 && first != 0x7F;
     if (!isTrail && index++ >= from) {
       if (isShown)
@@ -186,14 +186,14 @@ std::vector<Diagnostic> DiagnosticList::take() {
     return std::tuple(fileOrder[a.place.file], a.place.line, a.place.column) <
            std::tuple(fileOrder[b.place.file], b.place.line, b.place.column);
   });
-  if (found_.size() > kMost) {
-    const std::size_t left = found_.size() - kMost;
+  if (found_.size() > kMax) {
+    const std::size_t left = found_.size() - kMax;
     // Warnings give way first, so that a file with errors never looks clean.
-    for (std::size_t i = found_.size(); i-- > 0 && found_.size() > kMost;)
+    for (std::size_t i = found_.size(); i-- > 0 && found_.size() > kMax;)
       if (found_[i].severity == Severity::Warning)
         found_.erase(found_.begin() + static_cast<std::ptrdiff_t>(i));
-    if (found_.size() > kMost) found_.erase(found_.begin() + kMost, found_.end());
-    const bool isAll = left + kMost < kKept;
+    if (found_.size() > kMax) found_.erase(found_.begin() + kMax, found_.end());
+    const bool isAll = left + kMax < kKept;
     found_.back().notes.push_back(
         {std::to_string(left) + (isAll ? "" : " or more") + " further findings are not shown", {}});
   }

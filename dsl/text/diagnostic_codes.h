@@ -1,4 +1,4 @@
-// The codes of what can be wrong with a rule file; the table of them is diagnostic_codes.def.
+// The codes of faults in rule files; their table is diagnostic_codes.def.
 #pragma once
 
 #include <cstdint>
@@ -21,31 +21,31 @@ enum class Code : std::uint8_t {
 
 /// Whether `allow` and `--allow` silence a finding with this code.
 enum class Allowance {
-  AsWarning,  ///< wherever it is a warning
-  AsError,    ///< also where it is an error
+  AsWarning,  ///< only if the finding is a warning
+  AsError,    ///< also if the finding is an error
 };
 
-/// What a finding rests on.
+/// The evidence for a finding.
 enum class Evidence {
   Text,     ///< the text and the reference match of a rule
-  Samples,  ///< many matches of a rule that are tried
-  Proof,    ///< samples; where none of them shows a fault, a proof is tried
+  Samples,  ///< many sampled matches of a rule
+  Proof,    ///< samples; if none of them shows a fault, a proof is attempted
 };
 
-/// What must be right before a fault of this kind can be found. Faults of an earlier stage hide
-/// those of later ones.
+/// The stage of compilation in which a fault is found. Faults of an earlier stage hide those of
+/// later stages.
 enum class Stage {
-  Signs,  ///< how a file is divided into words and clauses
-  Names,  ///< what names and types mean
-  Rules,  ///< what rules do
+  Signs,  ///< words and clauses of the file
+  Names,  ///< names and types
+  Rules,  ///< the effect of rules
 };
 
 /// A row of the table.
 struct CodeInfo {
   Code code;
   std::string_view id;    ///< such as "A1", as users see it
-  std::string_view name;  ///< such as "PointWeights", as the source has it
-  Severity severity;      ///< unless the place that reports it says otherwise
+  std::string_view name;  ///< such as "PointWeights", as in the source code
+  Severity severity;      ///< the usual one; the code that reports the finding can override it
   Allowance allowance;
   Evidence evidence;
   Stage stage;

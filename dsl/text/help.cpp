@@ -7,7 +7,7 @@
 namespace af2::dsl {
 namespace {
 
-/// Where a word stands by itself in a text; npos if it does not.
+/// Position of `word` as a whole word in the text; npos if there is none.
 std::size_t findWord(std::string_view text, std::string_view word) {
   for (std::size_t at = text.find(word); at != text.npos; at = text.find(word, at + 1)) {
     const std::size_t end = at + word.size();

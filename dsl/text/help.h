@@ -1,4 +1,4 @@
-// The way out that a diagnostic tells, together with the change of the text that takes it.
+// The way out of a fault: a sentence, and the change of the text that carries it out.
 #pragma once
 
 #include <optional>
@@ -10,21 +10,21 @@
 
 namespace af2::dsl {
 
-/// What becomes of the stretch of text that a diagnostic is about.
+/// A change of the text that a diagnostic points at (here called the stretch).
 struct Remedy {
   enum class Where {
-    Word,    ///< `word`, where it first stands in the stretch, becomes `text`
-    Whole,   ///< the stretch becomes `text`
-    Before,  ///< `text` is put in before the stretch
-    Behind,  ///< and behind it
-    Top,     ///< and at the top of the file
+    Word,    ///< replaces the first `word` in the stretch by `text`
+    Whole,   ///< replaces the stretch by `text`
+    Before,  ///< inserts `text` before the stretch
+    Behind,  ///< inserts `text` after the stretch
+    Top,     ///< inserts `text` at the top of the file
   };
   Where where = Where::Whole;
   std::string text;
   std::string word = {};
 };
 
-/// A sentence, and perhaps what it says as a change of the text.
+/// A sentence, and optionally the change of the text that it describes.
 class Help {
  public:
   Help() = default;
@@ -41,16 +41,17 @@ class Help {
   std::optional<Remedy> remedy_;
 };
 
-/// More words around the same remedy.
+/// The same remedy with more words around it.
 inline Help operator+(const std::string& before, const Help& help) {
   const std::string text = before + help.text();
   return help.remedy() ? Help(text, *help.remedy()) : Help(text);
 }
 
-/// Gives a diagnostic about a stretch of a text its help, and the edit that goes with it.
+/// Adds the help, and its edit if there is one, to a diagnostic about a stretch of a text.
 void setHelp(Diagnostic& diagnostic, const SourceText& source, Span span, const Help& help);
 
-/// The edit that a remedy is for a stretch; nothing where its word does not stand there.
+/// The edit that carries out a remedy on a stretch; nothing if the stretch does not contain its
+/// word.
 std::optional<SuggestedEdit> editOf(const SourceText& source, Span span, const Remedy& remedy);
 
 }  // namespace af2::dsl

@@ -1,9 +1,9 @@
-// The keywords of the language in one table: what begins an item of a file or a clause of a block.
+// The table of keywords: the words that begin an item of a file or a clause of a block.
 //
-// One row says all that is said about a clause apart from its tree, its grammar and its meaning.
-// From it follow the words that the parser recovers at, "did you mean", the form shown where a
-// clause is broken, completion and hover in editors, the colours of the TextMate grammar, and the
-// grammar in docs/language.md (tests compare the last two).
+// A row describes a clause, except for its syntax tree, its parser and its meaning. These parts use
+// the table: the recovery of the parser, "did you mean", the form that a message shows for a broken
+// clause, completion and hover in editors, the TextMate grammar, and the grammar in
+// docs/language.md (tests compare the last two with the table).
 #pragma once
 
 #include <array>
@@ -14,55 +14,55 @@
 
 namespace af2::dsl {
 
-/// Where a keyword stands.
+/// The kind of block in which a keyword is allowed.
 enum class BlockKind { File, Rule, RuleSet, Test, Property, Mirror, Meta };
 
-/// What a name in a clause stands for.
+/// The meaning of a name in a clause.
 enum class NameRole {
   Vertex,        ///< a vertex that is defined elsewhere
-  ChainVertex,   ///< the same in a chain, which is where a vertex without a place is defined
-  PlacedVertex,  ///< defined: a vertex with its place
+  ChainVertex,   ///< the same in a chain; a vertex without a position is defined there
+  PlacedVertex,  ///< defined: a vertex with its position
   NewVertex,     ///< defined: a vertex that the rule makes
   Value,         ///< defined: a name for a value
-  TestVertex,    ///< defined: a vertex of a test, with its place
+  TestVertex,    ///< defined: a vertex of a test, with its position
   MirrorTitle,   ///< defined: the title of the mirror image
   RuleTitle,     ///< a rule
-  RuleVertex,    ///< a vertex of the rule that was named last
+  RuleVertex,    ///< a vertex of the last named rule
 };
 
 /// What may follow a keyword, for completion.
 enum class Follows {
-  Nothing,           ///< a name or title of one's own, or a block
-  Expression,        ///< an expression; besides it the words of the row
+  Nothing,           ///< a new name or title, or a block
+  Expression,        ///< an expression, or one of the words of the row
   Words,             ///< one of the words of the row
   Vertices,          ///< vertices only
-  VerticesAndForms,  ///< vertices, and behind `~` how far they may deviate
-  Definitions,       ///< names of one's own with expressions
-  Header,            ///< several parts, each with a choice of its own
+  VerticesAndForms,  ///< vertices, each with a tolerance after `~`
+  Definitions,       ///< new names with expressions
+  Header,            ///< several parts, each with its own choices
 };
 
 struct Keyword {
   BlockKind block = BlockKind::File;
   std::string_view word = {};
   std::string_view form = {};  ///< an example that can be read and printed; "..." stands for a body
-  std::string_view otherForm = {};  ///< of a clause that is written in two ways
-  std::string_view grammar = {};    ///< in EBNF, on one line or two; empty: said by the row before
+  std::string_view otherForm = {};  ///< the second form, for a clause with two forms
+  std::string_view grammar = {};    ///< in EBNF; empty: in the row before
   std::string_view help = {};       ///< one sentence
-  std::string_view snippet = {};    ///< a skeleton for editors that can fill one in
+  std::string_view snippet = {};    ///< a template for editors that support snippets
   Follows follows = Follows::Expression;
-  std::span<const std::string_view> words = {};  ///< of the language, that may stand in it
-  std::optional<NameRole> defines = {};          ///< what the names are that it defines
+  std::span<const std::string_view> words = {};  ///< other keywords that the clause may contain
+  std::optional<NameRole> defines = {};          ///< the meaning of the names that it defines
   bool isReserved = false;                       ///< whether the word cannot be a name
 };
 
-/// All rows; those of a block in the order in which they are listed to users.
+/// All rows. Users see the rows of a block in this order.
 std::span<const Keyword> keywords();
 /// The first row of a word in a block; null if none has it.
 const Keyword* findKeyword(BlockKind block, std::string_view word);
-/// The words that begin an item or a clause there, each once.
+/// The words that begin an item or a clause in this block, without duplicates.
 std::span<const std::string_view> keywordsOf(BlockKind block);
 
-/// The form in backticks, or both.
+/// The form, or both forms, in backticks.
 std::string shownForm(const Keyword& keyword);
 
 /// Whether a word begins an item, or a clause of a rule, of a rule set or of a test.
@@ -72,7 +72,7 @@ bool isClauseWord(std::string_view word);
 std::span<const std::string_view> reservedWords();
 bool isReserved(std::string_view word);
 
-// Choices among words, for the grammar, the compiler and completion.
+// Sets of words that a clause can choose from, for the grammar, the compiler and completion.
 
 template <std::size_t N>
 using WordList = std::array<std::string_view, N>;
@@ -84,7 +84,8 @@ inline constexpr WordList<2> kParities{"even", "any"};
 inline constexpr WordList<2> kFrontOrders{"by", "rows"};
 inline constexpr WordList<2> kRowStarts{"smallest_turn", "oldest"};
 inline constexpr WordList<6> kOutcomes{"rule", "new", "front", "elements", "stuck", "score"};
-/// Why a rule was refused, as tests name it; `zone hit by edge` and `zone hit by vertex` besides.
+/// Reasons for the refusal of a rule in tests. The reasons `zone hit by edge` and `zone hit by
+/// vertex` have a separate syntax.
 inline constexpr WordList<9> kReasons{"class",     "pattern",  "require", "novalue", "shape",
                                       "convexity", "inverted", "score",   "beaten"};
 inline constexpr WordList<3> kMetaKeys{"allow", "author", "note"};

@@ -11,7 +11,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// A path as a relative reference: what has a meaning in an address, or is not ASCII, is escaped.
+/// A path as a relative URI reference. Reserved and non-ASCII characters are escaped.
 std::string uriOf(const std::string& path) {
   constexpr std::string_view kPlain = "/-._~!$&'()*+,;=@:";
   constexpr std::string_view kDigits = "0123456789ABCDEF";

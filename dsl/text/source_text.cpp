@@ -7,7 +7,7 @@ namespace {
 
 constexpr std::size_t kBlock = 1024;
 
-/// Between two offsets; not the bytes inside of a character.
+/// Number of characters between two offsets; continuation bytes do not count.
 std::uint32_t countCharacters(std::string_view text, std::size_t from, std::size_t to) {
   std::uint32_t count = 0;
   for (const char c : text.substr(from, to - from))

@@ -1,4 +1,4 @@
-// What may be meant by a word that means nothing: "did you mean", and habits from other languages.
+// Suggestions for unknown words: "did you mean", and the equivalents of words of other languages.
 #pragma once
 
 #include <string>
@@ -9,25 +9,26 @@
 
 namespace af2::dsl {
 
-/// Capital letters of the English alphabet become small ones.
+/// The text with the letters A-Z in lower case.
 std::string lowered(std::string_view word);
 
-/// How many letters must be put in, taken out, replaced, or swapped with their neighbour to make
-/// one word of another.
+/// The edit distance of two words: the number of letters to insert, delete, replace, or swap with a
+/// neighbour.
 std::size_t editDistance(std::string_view a, std::string_view b);
 
-/// The word of `known` that is most probably meant by `written`; empty if none is near.
+/// The word of `known` that is most similar to `written`; empty if none is similar.
 std::string nearest(std::string_view written, const std::vector<std::string>& known);
 
-/// What a word of other languages, or of Netgen's rule files, is called here: a whole sentence, or
-/// nothing.
+/// A sentence that gives the equivalent of a word of another language or of Netgen's rule files;
+/// empty if there is none.
 std::string habitOf(std::string_view word);
 
-/// "did you mean 'x'?", or else "`what`: x, y, z" where those are few.
+/// "did you mean 'x'?", or "`what`: x, y, z" if no word is similar and the list is short.
 Help helpAmong(std::string_view written, const std::vector<std::string>& known,
                const std::string& what);
 
-/// "did you mean 'x'?", which puts x in place of what is written, or nothing.
+/// "did you mean 'x'?" with an edit that replaces the written word by x; empty if no word is
+/// similar.
 Help didYouMean(std::string_view written, const std::vector<std::string>& known);
 
 }  // namespace af2::dsl

@@ -4,11 +4,12 @@
 
 namespace af2 {
 
-/// Area of the equilateral triangle with sides of length 1: sqrt(3) / 4. Divides areas where the
-/// number of elements is estimated that a size asks for.
+/// Area of the equilateral triangle with sides of length 1: sqrt(3) / 4. The expected number of
+/// elements is an area divided by this.
 inline constexpr double kUnitTriangle = 0.4330127018922193;
 
-/// Seen from another corner the distortion of a triangle may differ by this share: the last bits.
+/// Largest relative difference between the distortions computed for one triangle from two of its
+/// corners: they differ in the last bits.
 inline constexpr double kDistortionRounding = 1e-9;
 
 }  // namespace af2

@@ -15,13 +15,13 @@ class AF2_EXPORT InputError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// The surface does not give what was asked of it at some place, e.g. it has no normal there.
+/// The surface cannot answer a query at some point, e.g. it has no normal there.
 class AF2_EXPORT GeometryError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// An invariant of AF2 itself is broken: a defect of this library.
+/// An invariant of AF2 itself does not hold: a defect of this library.
 class AF2_EXPORT InternalError : public std::logic_error {
  public:
   using std::logic_error::logic_error;
@@ -33,6 +33,6 @@ class AF2_EXPORT InternalError : public std::logic_error {
 
 }  // namespace af2
 
-/// Throws InternalError unless `condition` holds; `what` says what should hold. Always on.
+/// Throws InternalError unless `condition` holds; `what` says what should hold. Always enabled.
 #define AF2_CHECK(condition, what) \
   ((condition) ? void() : ::af2::failCheck(__FILE__, __LINE__, what))

@@ -1,6 +1,6 @@
-// Which functions and classes programs may call.
+// Which functions and classes of the shared library programs may call.
 #pragma once
 
-/// Marks what the shared library lets programs call. Everything else of it is hidden, so that it
-/// can change without breaking a program.
+/// Makes a function or class visible in the shared library. Everything else is hidden, so that it
+/// can change without breaking programs.
 #define AF2_EXPORT __attribute__((visibility("default")))

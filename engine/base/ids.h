@@ -1,4 +1,4 @@
-// Integer ids that cannot be mixed up: everything refers to everything else by these.
+// Integer ids with a type for each kind of object, so that they cannot be mixed up.
 #pragma once
 
 #include <compare>
@@ -6,7 +6,7 @@
 
 namespace af2 {
 
-/// A 32-bit index into the array of things of one kind.
+/// A 32-bit index into the array of all objects of one kind.
 template <class Kind>
 struct Id {
   static constexpr std::uint32_t kNone = 0xffffffffu;

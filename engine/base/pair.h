@@ -1,5 +1,5 @@
-// Two coordinates in one register. Each is worked out as on its own, so that every processor has
-// the same results.
+// Two coordinates in one SIMD register. Each one is computed exactly as it would be alone, so that
+// every processor gets the same results.
 #pragma once
 
 #include <bit>

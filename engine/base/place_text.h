@@ -1,4 +1,4 @@
-// Numbers and places as messages tell them. Not installed.
+// Numbers and points as text for messages. Not installed.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace af2 {
 
-/// With so many digits at most, and a point before decimals wherever the program runs.
+/// With at most this many digits, and with a decimal point whatever the locale.
 std::string textOf(double number, int digits = 9);
 /// "(1, 2.5, -3)"
 std::string textOf(const Point3& place, int digits = 9);

@@ -5,7 +5,7 @@
 
 namespace af2 {
 
-/// A point or vector in a chart, in units of the wanted edge length.
+/// A point or vector in a chart. The unit is the wanted edge length.
 struct Point2 {
   double x = 0, y = 0;
   bool operator==(const Point2&) const = default;
@@ -17,12 +17,12 @@ struct Point3 {
   bool operator==(const Point3&) const = default;
 };
 
-/// A point on a surface together with what the surface is like there.
+/// A point on a surface, with the surface's normal and parameters there.
 struct SurfacePoint {
   Point3 position;
-  Point3
-      normal;  ///< unit length, pointing to the side from which the face is seen; zero: undefined
-  double u = 0, v = 0;  ///< surface parameters; on a seam those of the side one comes from
+  Point3 normal;  ///< unit length, towards the side from which the face is seen; zero if undefined
+  /// Surface parameters; on a seam those of the side that the curve comes from.
+  double u = 0, v = 0;
   bool operator==(const SurfacePoint&) const = default;
 };
 

@@ -1,7 +1,7 @@
-// Exact answers to "on which side?" and "do they cross?" for points with double coordinates.
+// Exact orientation and intersection tests for points with double coordinates.
 //
-// A floating-point filter answers when its error bound proves the sign; otherwise CGAL's exact
-// arithmetic does (predicates.cpp, the only CGAL of the engine).
+// A floating-point filter answers when its error bound proves the sign. Otherwise CGAL's exact
+// arithmetic answers (predicates.cpp, the only use of CGAL in the engine).
 #pragma once
 
 #include <cmath>
@@ -19,10 +19,10 @@ AF2_EXPORT Turn exactOrientation(Point2 a, Point2 b, Point2 c);
 /// (3 + 16 eps) eps with eps = 2^-53: bounds the error of the determinant below relative to the sum
 /// of the sizes of its two products. Source: [Shewchuk97], ccwerrboundA.
 inline constexpr double kOrientationErrorBound = 3.3306690738754716e-16;
-/// Below this the products may have lost bits to underflow, and the bound proves nothing.
+/// Below this size the products may have lost bits to underflow, so the bound proves nothing.
 inline constexpr double kUnderflowGuard = 1e-290;
 
-/// Whether left - right is certainly positive, for the two products of an orientation.
+/// Whether left - right, for the two products of an orientation, is certainly positive.
 inline bool isPlainlyLeft(double left, double right) {
   const double size = std::abs(left) + std::abs(right);
   return (left - right > kOrientationErrorBound * size) & (size > kUnderflowGuard) & (size < 1e300);
@@ -38,9 +38,8 @@ inline Turn orientation(Point2 a, Point2 b, Point2 c) {
   if (std::abs(det) > detail::kOrientationErrorBound * size && size > detail::kUnderflowGuard &&
       size < 1e300)
     return det > 0 ? Turn::Left : Turn::Right;
-  // Exact arithmetic is slow to say what edges that share a vertex with a zone ask all the time,
-  // and what rows of vertices along an axis ask: both products are nothing, because a difference
-  // is.
+  // Both products are zero if a difference in each is zero. This is common: for edges that share a
+  // vertex with a zone and for rows of vertices along an axis. Exact arithmetic would be slow.
   const bool leftVanishes = a.x == c.x || b.y == c.y, rightVanishes = a.y == c.y || b.x == c.x;
   if ((leftVanishes && rightVanishes) || a == b) return Turn::Straight;
   return detail::exactOrientation(a, b, c);

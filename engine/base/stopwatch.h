@@ -1,11 +1,11 @@
-// Seconds that have passed, for reports only: nothing that a mesh depends on may look at a clock.
+// Elapsed seconds, for reports only: a mesh must not depend on a clock.
 #pragma once
 
 #include <chrono>
 
 namespace af2 {
 
-/// Runs from when it is made.
+/// Starts when it is constructed.
 class Stopwatch {
  public:
   double seconds() const {

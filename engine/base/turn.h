@@ -11,7 +11,7 @@ namespace af2 {
 
 inline constexpr double kFullTurn = 2 * std::numbers::pi;
 
-/// The angle of a direction with this sine and cosine, up to a common factor, in (0, 2 pi].
+/// The angle, in (0, 2 pi], of a direction whose sine and cosine are given up to a common factor.
 inline double turnOf(double sine, double cosine) {
   const double angle = std::atan2(sine, cosine);
   return angle > 0 ? angle : angle + kFullTurn;

@@ -95,7 +95,7 @@ void Front::replace(PlaceId base, std::span<const WalkVertex> walk, Change& chan
   link(last, end);
   edgeCount_ += walk.size();
 
-  // Exchanging predecessors, not successors, keeps every old edge with the place that it leaves.
+  // Exchanging predecessors rather than successors keeps each old edge at the place that it leaves.
   for (std::size_t i = 0; i < walk.size(); ++i) {
     const PlaceId old = walk[i].existing;
     if (old.isNone()) continue;

@@ -1,4 +1,4 @@
-// The front: directed loops around what is not meshed yet, in flat arrays.
+// The front: directed loops around the unmeshed region, stored in flat arrays.
 #pragma once
 
 #include <cstdint>
@@ -11,21 +11,22 @@
 
 namespace af2 {
 
-/// One corner of the front and the edge that leaves it. A vertex may have several places.
+/// One corner of the front and the edge that leaves it. A vertex can have several places.
 struct alignas(64) Place {
   SurfacePoint point;
   double size = 0;  ///< wanted edge length at the vertex
   VertexId vertex;
-  PlaceId next, previous;  ///< itself: an isolated vertex
+  PlaceId next, previous;  ///< the place itself for an isolated vertex
   std::int32_t level = 0;  ///< quality level of the edge; 0: the place is not in use
   std::int32_t layer = 0;  ///< layers of elements between the vertex and the boundary
-  std::uint32_t age = 0;   ///< counts up with each edge that joins the front
+  /// Sequence number of the edge: increases with each edge that joins the front.
+  std::uint32_t age = 0;
 };
 
-/// A vertex on the walk that takes the place of a base edge.
+/// A vertex on the walk that replaces a base edge.
 struct WalkVertex {
-  /// The place of a vertex of the front that becomes two, or none: a new vertex, or one where the
-  /// walk has elements on both sides.
+  /// The place of a front vertex, which the walk splits into two places. None for a new vertex, and
+  /// for a vertex where the walk has elements on both sides.
   PlaceId existing;
   VertexId vertex;
   SurfacePoint point;
@@ -37,27 +38,28 @@ class Front {
  public:
   /// What `replace` changed.
   struct Change {
-    std::vector<PlaceId> added;  ///< places whose edge is new; also the base's, if it has a new one
+    /// Places whose edge is new; includes the base's place if its edge is new.
+    std::vector<PlaceId> added;
     std::vector<PlaceId> removed;  ///< places that left the front, or whose old edge did
   };
 
-  /// Level of a place that no edge leaves: an isolated vertex, the end of an open chain.
+  /// Level of a place that no edge leaves: an isolated vertex or the end of an open chain.
   static constexpr std::int32_t kNoEdge = -1;
 
-  /// Returns the first of the new places, which are numbered on.
+  /// Returns the first of the new places, which have consecutive ids.
   PlaceId addLoop(std::span<const BoundaryCorner> corners, std::span<const double> sizes);
-  /// A part of a loop whose rest is not known, for trying rules: `replace` is not for it.
+  /// Adds part of a loop whose rest is unknown, for trying rules. `replace` must not be used on it.
   PlaceId addOpenChain(std::span<const BoundaryCorner> corners, std::span<const double> sizes);
   PlaceId addIsolated(const BoundaryCorner& corner, double size);
-  /// Where loops touch in a vertex, links edges anew so that each free sector there is bounded by
-  /// an edge and the one that follows it: loops may be given apart or as one walk.
+  /// Relinks the edges where loops touch in a vertex, so that each free sector there is bounded by
+  /// an edge and its successor. The input may give such loops separately or as one walk.
   void untangle();
 
   /// Replaces the edge that leaves `base` by the path base -> walk... -> next(base).
   ///
-  /// At each existing vertex of the walk, the two places it has then exchange their predecessors,
-  /// which splits a loop or joins two; loops of two opposite edges cancel. `change` is overwritten;
-  /// removed places keep their contents until `release`, so that indices can be told.
+  /// At each existing vertex of the walk, the vertex's two places exchange their predecessors,
+  /// which splits a loop or joins two. Loops of two opposite edges cancel. `change` is overwritten.
+  /// Removed places keep their contents until `release`, so that callers can still report them.
   void replace(PlaceId base, std::span<const WalkVertex> walk, Change& change);
 
   /// Gives removed places back for reuse.
@@ -68,12 +70,12 @@ class Front {
   PlaceId next(PlaceId id) const { return places_[id.value].next; }
   PlaceId previous(PlaceId id) const { return places_[id.value].previous; }
   bool isUsed(PlaceId id) const { return places_[id.value].level != 0; }
-  /// Whether an edge leaves the place; whether one arrives there.
+  /// Whether an edge leaves the place; whether an edge arrives there.
   bool hasEdge(PlaceId id) const { return places_[id.value].level > 0; }
   bool hasEdgeBefore(PlaceId id) const { return hasEdge(previous(id)); }
   bool isIsolated(PlaceId id) const { return places_[id.value].next == id; }
 
-  /// Edges on the front; isolated vertices on it.
+  /// Number of front edges; number of isolated vertices.
   std::size_t edgeCount() const { return edgeCount_; }
   std::size_t isolatedCount() const { return isolatedCount_; }
   bool isEmpty() const { return edgeCount_ == 0; }
@@ -95,8 +97,8 @@ class Front {
     places_[to.value].previous = from;
   }
   void exchangePredecessors(PlaceId p, PlaceId q);
-  /// For each place of one vertex the place whose edge arrives at the end of its free sector;
-  /// nothing if the edges there do not pair off.
+  /// For each place of one vertex, the place whose edge arrives at the end of its free sector.
+  /// Empty if the edges there do not pair up.
   std::vector<PlaceId> freeNeighbors(std::span<const PlaceId> places) const;
   void cancelOppositeEdges(PlaceId id, Change& change);
 

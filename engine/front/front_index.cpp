@@ -8,13 +8,13 @@
 namespace af2 {
 namespace {
 
-/// Cells as multiples of the longest edge of their band: large enough that a step looks into few of
-/// them, small enough that it finds few edges that are no neighbours.
+/// Cell size as a multiple of the band's longest edge: large enough that a step visits few cells,
+/// small enough that a search finds few edges that are not neighbours.
 constexpr double kCellPerLength = 3.0;
 constexpr int kMiddleBand = 16;
 
-/// The largest whole number not above x; std::floor is a call where nothing newer than SSE2 is
-/// taken for granted.
+/// The largest integer not above x. Faster than std::floor, which is a function call if the
+/// compiler may use SSE2 only.
 std::int64_t wholePart(double x) {
   const auto truncated = static_cast<std::int64_t>(x);
   return truncated - (static_cast<double>(truncated) > x);
@@ -55,7 +55,7 @@ std::uint64_t FrontIndex::keyAt(const Band& band, const Point3& point) const {
 
 FrontIndex::CellRange FrontIndex::cellsAround(const Band& band, const Box3& box) const {
   const auto cellIndex = [&](double d) {
-    constexpr double kFar = 1e15;  // cells; whole numbers of this size are exact
+    constexpr double kFar = 1e15;  // cells; integers of this size are exact
     return wholePart(std::clamp(d * band.inverseCellSize, -kFar, kFar));
   };
   const Point3 reach{band.reach, band.reach, band.reach};
@@ -64,7 +64,7 @@ FrontIndex::CellRange FrontIndex::cellsAround(const Band& band, const Box3& box)
           {cellIndex(high.x), cellIndex(high.y), cellIndex(high.z)}};
 }
 
-/// Single precision is enough to leave out what is far; what it rounds away is added.
+/// Single precision is enough to leave out distant edges; the rounding error is added to the box.
 float FrontIndex::roundedUp(double half, double farthest) const {
   constexpr double kRounding = 2.4e-7;  // 4 * 2^-24
   return static_cast<float>((1 + kRounding) * half + kRounding * farthest);
@@ -81,7 +81,7 @@ FrontIndex::Query FrontIndex::queryOf(const Box3& box) const {
   return query;
 }
 
-/// With graded sizes most bands have their edges elsewhere.
+/// Most bands can be skipped: where sizes are graded, their edges are elsewhere.
 bool FrontIndex::mayHold(const Band& band, const Box3& box) {
   const Point3 &low = band.midpoints.low, &high = band.midpoints.high;
   const double reach = band.reach;
@@ -115,7 +115,7 @@ void FrontIndex::collectInRange(const Band& band, const CellRange& range, Search
       for (std::int64_t x = range.low[0]; x <= range.high[0]; ++x) {
         const std::uint64_t key = keyOf(x, y, z);
         if (areMany && !band.isBlockUsed[hash(blockOf(key)) & mask]) {
-          x |= kBlock - 1;  // on to the next block
+          x |= kBlock - 1;  // skip to the next block
           continue;
         }
         const std::uint32_t cell = band.slots[slotOf(band, key)].cell;
@@ -125,7 +125,7 @@ void FrontIndex::collectInRange(const Band& band, const CellRange& range, Search
   }
 }
 
-/// Stores every edge before knowing whether it stays: that is not to be guessed.
+/// Stores every edge before the test that keeps or drops it: a branch would be mispredicted often.
 void FrontIndex::collectInCell(const Cell& cell, Search& search) const {
   std::size_t& count = search.collected.count;
   search.collected.lookedAt += cell.edges;
@@ -213,7 +213,8 @@ void FrontIndex::markBlock(Band& band, std::uint64_t key) {
   band.isBlockUsed[hash(blockOf(key)) & (band.isBlockUsed.size() - 1)] = 1;
 }
 
-/// The front moves on and leaves empty cells behind; they would fill the table in time.
+/// Removes the empty cells that the moving front leaves behind, which would eventually fill the
+/// table.
 void FrontIndex::dropEmptyCells(Band& band) {
   std::size_t kept = 0;
   band.midpoints = kNowhere;
@@ -222,7 +223,7 @@ void FrontIndex::dropEmptyCells(Band& band) {
     for (PlaceId id = cell.first; !id.isNone(); id = entries_[id.value].next) {
       std::uint32_t& own = entries_[id.value].cell;
       own = (own & ~((1u << kBandShift) - 1)) | static_cast<std::uint32_t>(kept);
-      // What an entry has lost to rounding is in its half.
+      // `half` already includes the entry's rounding error.
       const Four edge = entries_[id.value].edge;
       const Point3 middle = origin_ + Point3{edge[0], edge[1], edge[2]};
       const Point3 half{edge[3], edge[3], edge[3]};

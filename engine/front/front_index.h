@@ -1,5 +1,5 @@
-// Which front edges lie near a box: a hierarchy of hashed grids, one for each band of edge lengths.
-// The only place where search speed is tuned.
+// Finds the front edges near a box: a hierarchy of hashed grids, one for each band of edge lengths.
+// Tuning for search speed is done only here.
 #pragma once
 
 #include <algorithm>
@@ -18,25 +18,25 @@ struct Box3 {
   Point3 low, high;
 };
 
-/// Edges are kept by their midpoint, in the grid of their length; bands are a factor of 4 wide, so
-/// that a mesh of nearly uniform size lives in one grid.
+/// Each edge is stored at its midpoint, in the grid for its length. A band covers a factor of 4, so
+/// a mesh of nearly uniform size uses one grid.
 class FrontIndex {
  public:
-  /// box        holds all vertices to come, roughly: it only sets the resolution of coordinates
-  /// typicalLength  the length that lies in the middle of a band
+  /// box        roughly holds all future vertices; it only sets the resolution of coordinates
+  /// typicalLength  the length in the middle of a band
   FrontIndex(const Box3& box, double typicalLength);
 
-  /// The edge that leaves a place, or an isolated vertex.
+  /// Inserts the edge that leaves a place, or an isolated vertex.
   void insert(const Front& front, PlaceId id);
   /// Does nothing if the edge is not in the index.
   void erase(PlaceId id);
 
   struct Collected {
     std::size_t count;     ///< edges that may meet the box
-    std::size_t lookedAt;  ///< edges of the cells around it: with these goes the time
+    std::size_t lookedAt;  ///< edges in the cells around it: determines the running time
   };
-  /// Puts every edge that may meet the box into `found`, each once: the order depends on nothing
-  /// but the history of inserts and erases. `found` grows and never shrinks.
+  /// Puts every edge that may meet the box into `found`, each once. The order depends only on the
+  /// history of inserts and erases. `found` never shrinks.
   Collected collectNear(const Box3& box, std::vector<PlaceId>& found) const;
 
  private:
@@ -53,19 +53,19 @@ class FrontIndex {
     std::uint64_t key = 0;
     std::uint32_t cell = kEmpty;
   };
-  /// Four numbers in one register.
+  /// Four numbers in one SIMD register.
   using Four = float __attribute__((vector_size(16)));
   using FourBits = std::int32_t __attribute__((vector_size(16)));
-  /// Of one place: about where its edge is, and its neighbours in the list of its cell. All that a
-  /// search looks at lies in one line of the cache.
+  /// The approximate edge of one place and its neighbours in its cell's list. Everything a search
+  /// reads is in one cache line.
   struct alignas(32) Entry {
-    /// Its midpoint x, y, z, from the origin of the index; no point of the edge is farther from it
-    /// along an axis than the last number says.
+    /// The edge's midpoint x, y, z, relative to the origin of the index. The fourth number is the
+    /// largest distance along an axis from the midpoint to a point of the edge.
     Four edge{};
     PlaceId next, previous;
     std::uint32_t cell = kEmpty;
   };
-  /// A box as entries see it, a little larger.
+  /// A box in the single precision of the entries, slightly enlarged.
   struct Query {
     Four center, half;  ///< along x, y, z; the fourth half is infinite
     bool mayMeet(const Entry& e) const {
@@ -85,19 +85,20 @@ class FrontIndex {
   };
   struct Band {
     double cellSize = 1, inverseCellSize = 1;
-    Point3 origin;  ///< half a cell off, so that a front in a plane z = 0 keeps to one layer
-    double reach =
-        0;  ///< largest distance of an edge's points from its midpoint along an axis, so far
-    Box3 midpoints = kNowhere;  ///< holds them all
+    /// Offset by half a cell, so that a front in the plane z = 0 stays in one layer.
+    Point3 origin;
+    /// Largest distance so far from a midpoint to a point of its edge along an axis.
+    double reach = 0;
+    Box3 midpoints = kNowhere;  ///< bounding box of all midpoints
     std::size_t edges = 0;
     std::vector<Cell> cells;  ///< in order of first use
     std::vector<Slot> slots;  ///< open addressing into cells; a power of two
-    /// Whether there may be a cell in a block of 4 x 4 x 4, by hash; as many as slots.
+    /// Whether a block of 4 x 4 x 4 cells may be in use, by hash; as many entries as slots.
     std::vector<std::uint8_t> isBlockUsed;
   };
   struct CellRange {
     std::int64_t low[3], high[3];
-    /// Of cells; of very large ranges only that they are large.
+    /// Number of cells; for very large ranges any large number.
     std::uint64_t count() const {
       constexpr std::uint64_t kMany = 1u << 20;
       std::uint64_t product = 1;
@@ -113,13 +114,13 @@ class FrontIndex {
            (static_cast<std::uint64_t>(y) & kMask) << kKeyBits |
            (static_cast<std::uint64_t>(z) & kMask) << 2 * kKeyBits;
   }
-  /// The block of a cell.
+  /// The block that holds a cell.
   static std::uint64_t blockOf(std::uint64_t key) {
     constexpr std::uint64_t kLow = 3;
     return key & ~(kLow | kLow << kKeyBits | kLow << 2 * kKeyBits);
   }
-  /// Cells side by side go to different slots, and so do those above each other: z, which begins
-  /// at bit 42, would not get into the low bits by itself.
+  /// Adjacent cells go to different slots, also those above each other: the bits of z, which begin
+  /// at bit 42, would not reach the low bits otherwise.
   static std::size_t hash(std::uint64_t key) {
     key = (key ^ key >> 37) * 0x9e3779b97f4a7c15u;
     return static_cast<std::size_t>(key ^ (key >> 32));
@@ -130,7 +131,7 @@ class FrontIndex {
   CellRange cellsAround(const Band& band, const Box3& box) const;
   std::uint64_t keyAt(const Band& band, const Point3& point) const;
 
-  /// Where a key is, or the empty slot where it would be.
+  /// The slot of a key, or the empty slot where it would go.
   static std::size_t slotOf(const Band& band, std::uint64_t key) {
     const std::size_t mask = band.slots.size() - 1;
     std::size_t i = hash(key) & mask;
@@ -148,13 +149,14 @@ class FrontIndex {
 
   static constexpr int kKeyBits = 21;
   static constexpr int kBands = 32;
-  static constexpr std::uint32_t kBandShift = 27;  // an entry's cell: band in the high bits
+  static constexpr std::uint32_t kBandShift = 27;  // an entry's cell: the band is in the high bits
 
-  double perSquaredLength_;  // times the square of a length: its place among the bands
+  double perSquaredLength_;  // times the squared length: position among the bands
   Point3 origin_;
   std::vector<Band> bands_;
-  std::size_t firstBand_ = kBands, lastBand_ = 0;  // of those that hold or have held an edge
-  std::vector<Entry> entries_;  // by place; apart from the places, so that lists are close together
+  std::size_t firstBand_ = kBands, lastBand_ = 0;  // bands that hold or have held an edge
+  // By place; separate from the places, so that lists are compact in memory.
+  std::vector<Entry> entries_;
 };
 
 }  // namespace af2

@@ -1,4 +1,4 @@
-// Which front edge is next: a queue in the order that the rule set states.
+// The queue of front edges, in the order that the rule set states.
 #pragma once
 
 #include <cstdint>
@@ -11,14 +11,14 @@
 
 namespace af2 {
 
-/// Entries are forgotten lazily: one whose edge has left the front is skipped when its turn comes.
+/// Removal is lazy: an entry whose edge has left the front is skipped when it is taken out.
 class FrontQueue {
  public:
   explicit FrontQueue(const AF2FrontOrder& order);
 
-  /// Enters the edge that leaves `id`, with its present level.
+  /// Inserts the edge that leaves `id`, with its current level.
   void push(const Front& front, PlaceId id);
-  /// Takes out the next edge; none if there is none left.
+  /// Removes and returns the next edge; none if the queue is empty.
   PlaceId pop(const Front& front);
 
  private:
@@ -33,9 +33,9 @@ class FrontQueue {
   };
   struct KeyedEntry {
     std::vector<double> keys;
-    std::uint64_t turn;  // of entering
+    std::uint64_t turn;  // insertion number, breaks ties
     Entry entry;
-    bool operator<(const KeyedEntry& other) const {  // std::priority_queue wants the largest on top
+    bool operator<(const KeyedEntry& other) const {  // std::priority_queue takes the largest first
       return keys != other.keys ? keys > other.keys : turn > other.turn;
     }
   };
@@ -45,8 +45,8 @@ class FrontQueue {
   }
 
   const AF2FrontOrder& order_;
-  const LayeredFrontOrder* layered_;   // the fast form: buckets by whole key
-  std::unique_ptr<AF2EdgeQueue> own_;  // of an order that is more than keys
+  const LayeredFrontOrder* layered_;   // the fast form: one bucket for each key
+  std::unique_ptr<AF2EdgeQueue> own_;  // for an order that keys cannot express
   std::vector<Bucket> buckets_;
   std::size_t lowest_ = 0;
   std::priority_queue<KeyedEntry> heap_;

@@ -1,4 +1,4 @@
-// Boundary loops that touch: which edge follows which at a vertex that they share.
+// Boundary loops that touch: decides which edge follows which at a shared vertex.
 #include <algorithm>
 #include <cmath>
 
@@ -7,8 +7,8 @@
 namespace af2 {
 namespace {
 
-/// Grows with the angle from `from` counter-clockwise to `to`, seen along `normal`; in (0, 4].
-/// Free of libm, so that every platform agrees.
+/// Increases with the angle from `from` counter-clockwise to `to`, seen along `normal`; in (0, 4].
+/// Uses no libm, so that all platforms agree.
 double sweep(const Point3& normal, const Point3& from, const Point3& to) {
   const auto flat = [&](const Point3& d) { return d - dot(d, normal) * normal; };
   const double c = dot(flat(from), flat(to)), s = dot(normal, cross(from, to));

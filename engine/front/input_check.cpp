@@ -99,7 +99,7 @@ Extent extentOf(const FrontInput& input) {
   return extent;
 }
 
-/// A region all of whose boundary lies in one plane, with one normal.
+/// A region whose whole boundary lies in one plane, with one normal.
 bool isFlat(const FrontInput& input, double diagonal) {
   constexpr double kRounding = 1e-9;
   const SurfacePoint& first = input.loops[0][0].point;
@@ -133,7 +133,7 @@ std::optional<Box3> limitsOfFlatRegion(const FrontInput& input) {
   if (!isFlat(input, diagonal)) return std::nullopt;
   if (!(flatArea(input) > 1e-15 * diagonal * diagonal))
     throw InputError(
-        "boundary: its loops bound no area on their left, seen against the normals; turn round the "
+        "boundary: its loops bound no area on their left, seen against the normals; reverse the "
         "loops that run the wrong way");
   const Point3 margin{diagonal, diagonal, diagonal};
   return Box3{extent.box.low - margin, extent.box.high + margin};

@@ -1,4 +1,4 @@
-// What is asked of a region before it is meshed, and what can be told of it beforehand.
+// Checks of a region's boundary before meshing, and what can be derived from it beforehand.
 #pragma once
 
 #include <optional>
@@ -9,15 +9,15 @@
 
 namespace af2 {
 
-/// Throws InputError if the input is no set of closed loops (see AF2Algorithm::execute).
+/// Throws InputError if the input is not a set of closed loops (see AF2Algorithm::execute).
 void checkInput(const FrontInput& input);
 
-/// The wanted length at a point. Throws InputError if that is no positive number.
+/// The wanted length at a point. Throws InputError if that is not a positive number.
 double checkedSizeAt(const SizeField& field, const SurfacePoint& point);
 
-/// Of a flat region it can be told beforehand whether its boundary runs the right way round, which
-/// throws InputError if not, and where no vertex can lie: a front that runs outwards would never
-/// end. Nothing of a region that is not flat.
+/// For a flat region: throws InputError if the boundary runs the wrong way round (a front that runs
+/// outwards would never end), and returns where vertices can lie. For other regions nothing can be
+/// said.
 std::optional<Box3> limitsOfFlatRegion(const FrontInput& input);
 
 /// An empty index for the front of a region.

@@ -18,7 +18,7 @@ class RowWalk final : public AF2EdgeQueue {
   PlaceId pop(const Front& front) override;
 
  private:
-  /// An edge, for as long as it is on the front: places are used again, ages are not.
+  /// Identifies an edge while it is on the front: a place is reused later, an age is not.
   struct Edge {
     PlaceId place;
     std::uint32_t age;
@@ -30,11 +30,12 @@ class RowWalk final : public AF2EdgeQueue {
   void rotateToStart(const Front& front);
 
   RowStart start_;
-  std::deque<Edge> queue_;                 // as they were pushed; also those no longer waiting
-  std::vector<std::uint64_t> waitingAge_;  // by place: age of the edge that waits there, plus 1
+  std::deque<Edge> queue_;  // in order of insertion; includes edges that no longer wait
+  // By place: age of the waiting edge, plus 1; 0: none waits.
+  std::vector<std::uint64_t> waitingAge_;
   std::vector<Edge> row_;
-  std::size_t at_ = 0;          // in row_
-  std::size_t passLength_ = 0;  // edges to be walked in this pass
+  std::size_t at_ = 0;          // index in row_
+  std::size_t passLength_ = 0;  // edges to visit in this pass
 };
 
 void RowWalk::push(const Front& front, PlaceId id) {
@@ -52,7 +53,7 @@ PlaceId RowWalk::pop(const Front& front) {
       waitingAge_[edge.place.value] = 0;
       return edge.place;
     }
-    // Round. Edges that were refused were pushed again and are waiting, one level higher.
+    // The pass is complete. Refused edges were inserted again, one level higher, and wait.
     const std::size_t left = waitingInRow(front);
     const bool getsOn = 0 < left && left < passLength_;
     if (!getsOn && !beginRow(front)) return {};
@@ -86,8 +87,8 @@ bool RowWalk::beginRow(const Front& front) {
   return true;
 }
 
-/// Of equal corners, such as those of a rectangle, that of the oldest edge: rounding must not
-/// choose.
+/// Among corners with equal angles, such as those of a rectangle, takes the one at the oldest edge:
+/// rounding must not decide.
 void RowWalk::rotateToStart(const Front& front) {
   if (start_ == RowStart::Oldest) return;
   constexpr double kSame = 1e-9;  // radians

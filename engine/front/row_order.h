@@ -1,4 +1,4 @@
-// An order of the front: whole rows, edge after edge around a loop, then around the next.
+// A front order that works in rows: edge after edge around one loop, then around the next.
 #pragma once
 
 #include <memory>
@@ -12,10 +12,10 @@ namespace af2 {
 /// edge.
 enum class RowStart { SmallestTurn, Oldest };
 
-/// Loops take turns: the next row is that of the edge that has been waiting longest. It has all the
-/// waiting edges of that loop, as they follow each other; edges that join the front meanwhile wait
-/// for a later row. What was refused is walked again, one level higher, for as long as the row gets
-/// on; then it waits, too.
+/// Loops take turns: the next row belongs to the loop of the edge that has waited longest. It
+/// consists of all waiting edges of that loop, in loop order; edges that join the front meanwhile
+/// wait for a later row. Refused edges are visited again, one level higher, as long as each pass
+/// takes some edges; then they wait, too.
 class AF2_EXPORT RowFrontOrder final : public AF2FrontOrder {
  public:
   explicit RowFrontOrder(RowStart start) : start_(start) {}

@@ -1,5 +1,5 @@
-// Whether elements are the right way round, and their distortion, which the optimiser lowers: the
-// inverse of the mean ratio.
+// The orientation of elements, and their distortion, which the optimiser lowers: the inverse of the
+// mean ratio.
 #pragma once
 
 #include <algorithm>
@@ -12,12 +12,12 @@
 
 namespace af2 {
 
-/// An element may lean against the surface normal at a corner by this cosine (78 degrees) at most:
-/// beyond that it is a fold of the mesh, not an approximation of the surface.
+/// Smallest cosine between a corner's normal and the surface normal (78 degrees): an element that
+/// leans more is a fold of the mesh, not an approximation of the surface.
 inline constexpr double kMinNormalCosine = 0.2;
 
-/// Whether a corner that turns about `turned`, the cross product of its edges, faces the way the
-/// surface does there. A zero normal, at a pole without one, faces every way.
+/// Whether a corner faces the way the surface does; `turned` is the cross product of its edges. A
+/// zero normal, as at a pole, accepts every direction.
 inline bool facesNormal(const Point3& turned, const Point3& normal) {
   const double cosine = dot(turned, normal);
   return (cosine > 0 &&
@@ -42,17 +42,18 @@ inline bool leans(const Mesh& mesh, const Element& element) {
   return false;
 }
 
-/// Whether an element turns left at a corner, in a chart. Exact for a triangle. A quadrilateral
-/// that is straight there but for rounding does not: on the surface it could turn back.
+/// Whether an element turns left at a corner, in a chart. Exact for a triangle. For a
+/// quadrilateral, a corner that is straight within rounding does not count: on the surface it could
+/// turn back.
 inline bool turnsLeftAt(std::span<const Point2> corners, std::size_t i) {
-  constexpr double kLeastSine = 1e-9;
+  constexpr double kMinSine = 1e-9;
   const std::size_t n = corners.size();
   if (n == 3) return orientation(corners[0], corners[1], corners[2]) == Turn::Left;
   const Point2 ahead = corners[(i + 1) % n] - corners[i];
   const Point2 behind = corners[(i + n - 1) % n] - corners[i];
   const double turned = cross(ahead, behind);
   return turned > 0 &&
-         turned * turned > kLeastSine * kLeastSine * dot(ahead, ahead) * dot(behind, behind);
+         turned * turned > kMinSine * kMinSine * dot(ahead, ahead) * dot(behind, behind);
 }
 
 /// Whether an element turns left at each corner.
@@ -63,7 +64,7 @@ inline bool turnsLeftEverywhere(std::span<const Point2> corners) {
   return true;
 }
 
-/// Squared edges over area, scaled to 1 for the ideal corner. Source: [Knupp01].
+/// Sum of squared edge lengths over area, scaled to 1 for the ideal corner. Source: [Knupp01].
 inline double cornerDistortion(const Point3& corner, const Point3& ahead, const Point3& behind,
                                bool ofTriangle) {
   constexpr double kTwoRootThree = 3.4641016151377544;
@@ -76,8 +77,8 @@ inline double cornerDistortion(const Point3& corner, const Point3& ahead, const 
   return (squares + dot(r, r)) / (kTwoRootThree * twiceArea);
 }
 
-/// Whether the distortion of a triangle is below a limit, by a margin far beyond what rounding can
-/// do: costs neither a root nor a division. False: not certain.
+/// Whether the distortion of a triangle is below a limit, by a margin far larger than any rounding
+/// error. Needs neither a root nor a division. False means: not certain.
 inline bool isPlainlyBelow(double limit, const SurfacePoint& a, const SurfacePoint& b,
                            const SurfacePoint& c) {
   constexpr double kCertain = 1 - 1e-9, kTwelve = 12;  // (2 sqrt(3))^2
@@ -89,8 +90,8 @@ inline bool isPlainlyBelow(double limit, const SurfacePoint& a, const SurfacePoi
   return squares * squares < kCertain * limit * limit * kTwelve * dot(turned, turned);
 }
 
-/// Distortion of a triangle: 1 for the equilateral one, growing without bound, infinite for one
-/// that folds against the surface.
+/// Distortion of a triangle: 1 for the equilateral one, unbounded above, infinite for one that
+/// folds against the surface.
 inline double triangleDistortion(const SurfacePoint& a, const SurfacePoint& b,
                                  const SurfacePoint& c) {
   const Point3 turned = cross(b.position - a.position, c.position - a.position);
@@ -99,7 +100,7 @@ inline double triangleDistortion(const SurfacePoint& a, const SurfacePoint& b,
   return cornerDistortion(a.position, b.position, c.position, true);
 }
 
-/// The same, or that of the worst corner of a quadrilateral.
+/// The distortion of a triangle, or of the worst corner of a quadrilateral.
 inline double elementDistortion(std::span<const SurfacePoint* const> corners) {
   const std::size_t n = corners.size();
   if (n == 3) return triangleDistortion(*corners[0], *corners[1], *corners[2]);

@@ -10,8 +10,8 @@
 
 namespace af2 {
 
-/// One corner of a boundary loop. A vertex may be a corner several times: at the ends of a seam, or
-/// where loops touch; its parameters (u, v) then differ from corner to corner, its position does
+/// One corner of a boundary loop. A vertex may be a corner several times, at the ends of a seam or
+/// where loops touch. Its parameters (u, v) then differ from corner to corner; its position does
 /// not.
 struct BoundaryCorner {
   VertexId vertex;
@@ -19,17 +19,17 @@ struct BoundaryCorner {
 };
 
 /// Closed directed loops with the region to be meshed on their left, seen from the side to which
-/// the normals point. Holes run the other way round than outer loops. A line inside the region that
-/// the mesh must keep appears in both directions.
+/// the normals point. Holes run in the opposite direction to outer loops. A line inside the region
+/// that the mesh must keep appears in both directions.
 struct FrontInput {
   std::vector<std::vector<BoundaryCorner>> loops;
   std::vector<BoundaryCorner> isolated;  ///< vertices inside the region that the mesh must use
-  std::size_t vertexCount = 0;           ///< corners' vertex ids lie below this
+  std::size_t vertexCount = 0;           ///< vertex ids of all corners are below this
 };
 
-/// What a mesh must keep of the boundary it was made from.
+/// The part of the boundary that a mesh must keep.
 struct MeshBoundary {
-  std::size_t fixedCount = 0;  ///< vertices below this stay where they are
+  std::size_t fixedCount = 0;  ///< vertices with lower ids do not move
   /// Directed edges with an element on their left, sorted; a line inside appears in both
   /// directions.
   std::vector<std::pair<VertexId, VertexId>> edges;

@@ -23,7 +23,7 @@ struct Element {
   bool operator==(const Element&) const = default;
 };
 
-/// Whether all corners are different ones of so many vertices.
+/// Whether all corners are distinct and below the vertex count.
 inline bool hasProperCorners(const Element& element, std::size_t vertices) {
   const auto& [a, b, c, d] = element.corners;
   return a.value < vertices && b.value < vertices && c.value < vertices &&
@@ -31,10 +31,18 @@ inline bool hasProperCorners(const Element& element, std::size_t vertices) {
          c != d;
 }
 
+/// What made an element.
+struct ElementOrigin {
+  std::uint16_t rule = 0;  ///< index in the rule set
+  std::uint8_t level = 0;  ///< quality level of the base edge, at most 255; 0: no rule made it
+  bool isChanged = false;  ///< whether optimisation gave the element other corners
+  bool operator==(const ElementOrigin&) const = default;
+};
+
 struct Mesh {
   std::vector<SurfacePoint> vertices;
   std::vector<Element> elements;
-  std::vector<std::uint16_t> rule;  ///< by element: index of the rule that made it
+  std::vector<ElementOrigin> origins;  ///< by element
   bool operator==(const Mesh&) const = default;
 };
 

@@ -18,8 +18,8 @@ class Checker {
 
   std::vector<MeshFault> check() {
     for (std::size_t i = 0; i < mesh_.elements.size(); ++i) checkElement(ElementId(i));
-    for (std::size_t v = 0; v < mesh_.vertices.size(); v += VertexStars::kMostAtOnce)
-      checkVertices(v, std::min(v + VertexStars::kMostAtOnce, mesh_.vertices.size()));
+    for (std::size_t v = 0; v < mesh_.vertices.size(); v += VertexStars::kMaxAtOnce)
+      checkVertices(v, std::min(v + VertexStars::kMaxAtOnce, mesh_.vertices.size()));
     nameElements();
     return std::move(faults_);
   }
@@ -105,7 +105,7 @@ class Checker {
     }
   }
 
-  /// Of a triangle, whose corners all turn as its area does; false also where a normal is unknown.
+  /// For a triangle, whose corners all turn like its area. False also where a normal is unknown.
   bool facesAllNormals(std::span<const VertexId> triangle) const {
     const SurfacePoint &a = mesh_.vertices[triangle[0].value],
                        &b = mesh_.vertices[triangle[1].value],
@@ -114,13 +114,14 @@ class Checker {
     return (dot(area, a.normal) > 0) & (dot(area, b.normal) > 0) & (dot(area, c.normal) > 0);
   }
 
-  /// A fault at the element that uses the edge v -> to after `before` others that do.
+  /// A fault at the element that uses the edge v -> to after `before` other elements.
   void addAt(MeshFault::Kind kind, VertexId v, VertexId to, std::size_t before) {
     unnamed_.push_back({faults_.size(), before});
     add(kind, {}, v, to);
   }
 
-  /// Faults are rare: what elements they lie at is found in one more walk, not kept for all edges.
+  /// Faults are rare: a second walk finds their elements, so that these are not stored for all
+  /// edges.
   void nameElements() {
     if (unnamed_.empty()) return;
     std::map<Edge, std::vector<ElementId>> users;
@@ -144,7 +145,7 @@ class Checker {
   const Mesh& mesh_;
   const MeshBoundary& boundary_;
   std::vector<VertexStars::Corner> corners_;  ///< of one vertex
-  std::vector<ElementId> bad_;                ///< elements that have no edges to speak of
+  std::vector<ElementId> bad_;                ///< degenerate elements, which have no usable edges
   std::vector<MeshFault> faults_;
   std::vector<Unnamed> unnamed_;
 };
@@ -160,7 +161,7 @@ const char* toString(MeshFault::Kind kind) {
     case MeshFault::Kind::BoundaryNotKept:
       return "a boundary edge was not kept";
     case MeshFault::Kind::Inverted:
-      return "an element is turned against the surface";
+      return "a corner of an element turns against the surface normal";
     case MeshFault::Kind::UnusedVertex:
       return "a vertex is used by no element";
   }

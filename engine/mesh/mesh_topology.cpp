@@ -8,7 +8,7 @@
 namespace af2 {
 namespace {
 
-/// The corners of a mesh in groups by the smaller vertex of the side that begins there.
+/// The corners of a mesh, grouped by the smaller vertex of the side that begins there.
 struct SidesByVertex {
   std::vector<std::uint32_t> first;
   std::vector<Corner> sides;
@@ -60,7 +60,7 @@ MeshTopology::MeshTopology(Mesh& mesh, const MeshBoundary& boundary)
   findCorners();
 }
 
-/// Joins two sides; a side joined to none is at the rim.
+/// Joins two sides; a side without a partner lies on the rim.
 void MeshTopology::setAcross(Corner c, Corner d) {
   if (!c.isNone()) across_[static_cast<std::size_t>(c.code)] = d;
   if (!d.isNone()) across_[static_cast<std::size_t>(d.code)] = c;
@@ -147,8 +147,8 @@ void MeshTopology::swap(Corner side) {
 void MeshTopology::collapse(Corner side) {
   const Corner other = across(side);
   const VertexId from = vertexAt(side), to = vertexAt(next(side));
-  // The sides of the two vanishing triangles: what lies beyond those at `from` and those at `to`
-  // becomes neighbours.
+  // The sides of the two vanishing triangles: the neighbour beyond the side at `from` and the one
+  // beyond the side at `to` become neighbours.
   const Corner leftAtTo = across(next(side)), leftAtFrom = across(previous(side));
   const Corner rightAtTo = across(previous(other)), rightAtFrom = across(next(other));
   const std::size_t s = side.element(), t = other.element();
@@ -196,7 +196,7 @@ std::vector<std::size_t> MeshTopology::replace(std::vector<std::size_t> places,
   while (places.size() < elements.size()) {
     places.push_back(mesh_.elements.size());
     mesh_.elements.emplace_back();
-    mesh_.rule.push_back(mesh_.rule[places[0]]);
+    mesh_.origins.push_back(mesh_.origins[places[0]]);
     across_.resize(4 * mesh_.elements.size());
   }
   for (std::size_t k = 0; k < places.size(); ++k) {
@@ -219,7 +219,7 @@ std::vector<std::size_t> MeshTopology::replace(std::vector<std::size_t> places,
   return places;
 }
 
-/// Makes a corner, or at the rim the first corner clockwise of it, the corner of its vertex.
+/// Makes a corner, or on the rim the first corner clockwise of it, the corner of its vertex.
 void MeshTopology::renewCornerOf(Corner c) {
   const VertexId v = vertexAt(c);
   cornerOf_[v.value] = c;
@@ -243,11 +243,11 @@ void MeshTopology::compact() {
     Element element = mesh_.elements[e];
     for (VertexId& v : element.corners)
       if (!v.isNone()) v = renumbered[v.value];
-    mesh_.rule[elements] = mesh_.rule[e];
+    mesh_.origins[elements] = mesh_.origins[e];
     mesh_.elements[elements++] = element;
   }
   mesh_.elements.resize(elements);
-  mesh_.rule.resize(elements);
+  mesh_.origins.resize(elements);
 }
 
 }  // namespace af2

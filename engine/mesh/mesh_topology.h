@@ -1,4 +1,4 @@
-// Which elements lie side by side, for the optimiser: a corner table that swaps and collapses keep.
+// Adjacency of elements for the optimiser: a corner table that swaps and collapses update.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@
 
 namespace af2 {
 
-/// One corner of one element; also the side that runs from there to the next corner.
+/// One corner of one element. Also identifies the side from there to the next corner.
 struct Corner {
   std::int32_t code = -1;  ///< 4 * element + index; -1: none
 
@@ -25,7 +25,7 @@ struct Corner {
 };
 
 /// Adjacency of a mesh. The boundary edges that the mesh was made from are its rim, on both of
-/// their sides: nothing is swapped or walked across them.
+/// their sides: no swap and no walk crosses them.
 class MeshTopology {
  public:
   MeshTopology(Mesh& mesh, const MeshBoundary& boundary);
@@ -41,39 +41,38 @@ class MeshTopology {
     return {c.element(), (i == 0 ? static_cast<std::size_t>(sizeOf(c)) : i) - 1};
   }
   int sizeOf(Corner c) const { return mesh_.elements[c.element()].size(); }
-  /// The same side seen from the other element, where it runs the other way; none at the rim.
+  /// The same side in the other element, where it has the opposite direction; none on the rim.
   Corner across(Corner c) const { return across_[static_cast<std::size_t>(c.code)]; }
-  /// The corner of the same vertex in the next element counter-clockwise; none at the rim.
+  /// The corner of the same vertex in the next element counter-clockwise; none on the rim.
   Corner aroundVertex(Corner c) const { return across(previous(c)); }
-  /// A corner of the vertex, at the rim the first counter-clockwise; none: no element uses it.
+  /// A corner of the vertex, on the rim the first counter-clockwise; none if no element uses it.
   Corner cornerOf(VertexId v) const { return cornerOf_[v.value]; }
 
-  /// Elements at a vertex, up to 255.
+  /// Number of elements at a vertex, at most 255.
   int valence(VertexId v) const { return valence_[v.value]; }
   bool isFixed(VertexId v) const { return v.value < fixedCount_; }
   std::size_t fixedCount() const { return fixedCount_; }
   bool isDead(std::size_t element) const { return mesh_.elements[element].corners[0].isNone(); }
 
-  /// The angle of the mesh at each fixed vertex, in radians.
+  /// The angle that the mesh has at each fixed vertex, in radians.
   std::vector<double> anglesAtFixed() const;
 
   /// Whether an element side joins the two vertices.
   bool areJoined(VertexId u, VertexId v) const;
 
-  /// Turns the side shared by two triangles: (a, b, c), (b, a, d) become (a, d, c), (d, b, c).
+  /// Swaps the side shared by two triangles: (a, b, c), (b, a, d) become (a, d, c), (d, b, c).
   void swap(Corner side);
-  /// Moves the inner vertex at the start of a side into that at its end; the elements on both sides
-  /// of it, triangles, vanish.
+  /// Moves the inner vertex at the start of a side to the vertex at its end. The elements on both
+  /// sides of it, which must be triangles, vanish.
   void collapse(Corner side);
-  /// Puts elements into the places of others that cover the same part of the surface, and behind
-  /// all others if they are more; places that are left over are dead, as is a vertex that no
-  /// element uses any more. Returns where the elements are.
+  /// Replaces elements by others that cover the same part of the surface; additional ones are
+  /// appended. Unused old elements are dead, as are vertices that no element uses any more. Returns
+  /// the indices of the new elements.
   std::vector<std::size_t> replace(std::vector<std::size_t> places,
                                    std::span<const Element> elements);
-  /// The vertices of all elements that were changed since this was last asked, in no order and
-  /// perhaps several times.
+  /// The vertices of all elements that changed since the last call, unordered and with repetitions.
   std::vector<VertexId> takeChanged() { return std::exchange(changed_, {}); }
-  /// Takes out what collapses left dead; the topology is of no use afterwards.
+  /// Removes what collapses left dead. The topology must not be used afterwards.
   void compact();
 
  private:
@@ -82,6 +81,7 @@ class MeshTopology {
   void findCorners();
   void renewCornerOf(Corner c);
   void noteChange(std::size_t element) {
+    mesh_.origins[element].isChanged = true;
     const auto vertices = mesh_.elements[element].vertices();
     changed_.insert(changed_.end(), vertices.begin(), vertices.end());
   }

@@ -1,5 +1,5 @@
-// The corners of elements in groups by their vertex: quick to make, quick to ask whether the
-// elements at a vertex lie around it. Not installed.
+// Element corners grouped by vertex: fast to build, with a fast test of whether the elements at a
+// vertex surround it. Not installed.
 #pragma once
 
 #include <algorithm>
@@ -18,24 +18,24 @@ namespace af2 {
 
 class VertexStars {
  public:
-  /// Those of all vertices of a large mesh take more memory than the mesh: of so many at once they
-  /// do not.
-  static constexpr std::size_t kMostAtOnce = 250'000;
+  /// Number of vertices handled at once: stars for all vertices of a large mesh would take more
+  /// memory than the mesh.
+  static constexpr std::size_t kMaxAtOnce = 250'000;
 
-  /// The vertices before and after one in an element. The edges of the element at the vertex lead
+  /// The vertices before and after a vertex in an element. The element's edges at the vertex lead
   /// to `next` and come from `previous`.
   struct Corner {
     std::uint32_t previous, next;
     bool operator==(const Corner&) const = default;
   };
 
-  /// Of the vertices from `begin` to before `end`.
+  /// For the vertices from `begin` up to, but not including, `end`.
   VertexStars(std::size_t begin, std::size_t end)
       : begin_(begin),
         counts_(end - begin, 0),
         fans_(std::make_unique_for_overwrite<Fan[]>(end - begin)) {}
 
-  /// Adds the corners of an element that are at these vertices. Vertices are below 2^32 - 2.
+  /// Adds the corners of an element that are at these vertices. Vertex ids are below 2^32 - 2.
   void add(const Element& element) {
     const auto& [a, b, c, d] = element.corners;
     const VertexId last = d.isNone() ? c : d;
@@ -47,15 +47,15 @@ class VertexStars {
 
   bool isEmpty(std::size_t vertex) const { return counts_[vertex - begin_] == 0; }
 
-  /// Whether each edge that leaves the vertex leaves it once, and arrives there once, too. So it is
-  /// where the elements at a vertex inside a mesh lie around it.
+  /// Whether each edge at the vertex leaves it exactly once and arrives exactly once. This is true
+  /// where the elements at a vertex inside a mesh surround it.
   bool areAround(std::size_t vertex) const {
     const std::uint32_t count = counts_[vertex - begin_];
     if (count == 0) return false;
     if (count > kSlots) return areAllAround(vertex);
     const Fan& fan = fans_[vertex - begin_];
     const auto previous = fours(fan.previous), next = fours(fan.next);
-    // By slot, how many there are whose edge is the same. Those of empty slots are none.
+    // By slot, the number of corners that share its edge. The edges of empty slots match none.
     std::array<Four, 2> arriving{}, leaving{};
     for (std::size_t i = 0; i < count; ++i) {
       const Four to = all(fan.next[i]), from = all(fan.previous[i]);
@@ -72,10 +72,10 @@ class VertexStars {
     return (wrong[0] | wrong[1] | wrong[2] | wrong[3]) == 0;
   }
 
-  /// To be called when all are added.
+  /// Must be called after all elements are added.
   void finish() { std::ranges::stable_sort(more_, {}, &std::pair<std::size_t, Corner>::first); }
 
-  /// Those of a vertex in the order in which they were added.
+  /// The corners of a vertex in the order in which they were added.
   void corners(std::size_t vertex, std::vector<Corner>& all) const {
     const std::size_t v = vertex - begin_, count = counts_[v];
     all.clear();
@@ -90,7 +90,7 @@ class VertexStars {
 
  private:
   static constexpr std::size_t kSlots = 8;  // few vertices have more
-  /// Corners of a vertex. They fill a line of the cache.
+  /// Corners of one vertex. They fill one cache line.
   struct alignas(64) Fan {
     std::array<std::uint32_t, kSlots> previous, next;
   };
@@ -139,8 +139,8 @@ class VertexStars {
   }
 
   std::size_t begin_;
-  std::vector<std::uint16_t> counts_;  ///< kSlots + 1: there are some in more_
-  std::unique_ptr<Fan[]> fans_;        ///< those of vertices without corners are not set
+  std::vector<std::uint16_t> counts_;  ///< kSlots + 1: the rest is in more_
+  std::unique_ptr<Fan[]> fans_;        ///< entries of vertices without corners are not initialized
   std::vector<std::pair<std::size_t, Corner>> more_;
 };
 

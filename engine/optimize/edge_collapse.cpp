@@ -9,10 +9,10 @@
 namespace af2 {
 namespace {
 
-/// A vertex with so few triangles is worth taking out if what is left is fair.
+/// A vertex with at most this many triangles is removed if the remaining triangles are fair.
 constexpr int kFewTriangles = 4;
 constexpr double kFairDistortion = 1.5;
-/// A triangle worse than this is worth a collapse that clearly helps.
+/// A collapse that clearly improves a triangle worse than this is worth while.
 constexpr double kBadDistortion = 2.5;
 constexpr double kClearGain = 0.8;
 
@@ -59,7 +59,7 @@ class Collapser {
   const SurfacePoint& at(VertexId v) const { return topology_.mesh().vertices[v.value]; }
   VertexId endOf(Corner side) const { return topology_.vertexAt(topology_.next(side)); }
 
-  /// The corners of an inner vertex among triangles only.
+  /// The corners of an inner vertex that has only triangles.
   bool collectStar(VertexId v) {
     star_.clear();
     const Corner first = topology_.cornerOf(v);
@@ -72,8 +72,8 @@ class Collapser {
     return c == first;
   }
 
-  /// Whether the mesh stays one: the ends have no common neighbour but the two beside the edge, and
-  /// those two keep enough triangles.
+  /// Whether the result is a valid mesh: the ends have no common neighbours except the two beside
+  /// the edge, and those two keep enough triangles.
   bool isPossible(Corner side) const {
     const VertexId to = endOf(side);
     const VertexId left = topology_.vertexAt(topology_.previous(side));
@@ -111,7 +111,7 @@ class Collapser {
 
   MeshTopology& topology_;
   std::vector<Corner> star_;
-  std::vector<std::uint8_t> mayBeBad_;  ///< by vertex: a triangle there is bad or was
+  std::vector<std::uint8_t> mayBeBad_;  ///< by vertex: a triangle there is, or was, bad
 };
 
 }  // namespace

@@ -1,11 +1,11 @@
-// Takes out inner vertices that their neighbours do better without.
+// Removes inner vertices where that improves the mesh.
 #pragma once
 
 #include "engine/mesh/mesh_topology.h"
 
 namespace af2 {
 
-/// One sweep over all inner vertices in order. Returns how many were taken out.
+/// One sweep over all inner vertices in order. Returns the number of removed vertices.
 std::size_t collapseEdges(MeshTopology& topology);
 
 }  // namespace af2

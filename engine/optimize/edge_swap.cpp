@@ -9,11 +9,11 @@ namespace af2 {
 namespace {
 
 constexpr int kWantedInside = 6;
-/// By how much a swap must lower the sum of the squared defects, sweep by sweep. Where two fronts
-/// have met in a row of vertices with four triangles each, that some swaps help more than others
-/// decides between a regular mesh and one that no smoothing evens out.
-constexpr int kLeastGains[] = {6, 1};
-/// A swap for the sake of valence may not make a triangle worse than this: smoothing repairs it.
+/// The least reduction of the sum of squared valence defects by a swap, for each sweep. The most
+/// useful swaps come first: where two fronts have met in a row of vertices with four triangles
+/// each, only this order gives a regular mesh instead of one that smoothing cannot repair.
+constexpr int kMinGains[] = {6, 1};
+/// A swap that improves valences may not make a triangle worse than this: smoothing repairs it.
 constexpr double kFairAfterSwap = 2.5;
 
 class Swapper {
@@ -25,14 +25,14 @@ class Swapper {
     for (std::size_t e = 0; e < elements; ++e) look(e);
   }
 
-  /// One sweep over all sides in order. Returns how many were turned.
+  /// One sweep over all sides in order. Returns the number of swapped sides.
   std::size_t sweep(int leastGain) {
     leastGain_ = leastGain;
     std::size_t swaps = 0;
     for (std::size_t e = 0; e < topology_.mesh().elements.size(); ++e) {
       for (std::size_t i = 0; i < 3 && !topology_.isDead(e); ++i) {
         const Corner side(e, i);
-        // Each side is looked at from one of its elements.
+        // Each side is visited from one of its two elements only.
         if (topology_.across(side).code > side.code) swaps += trySwap(side);
       }
     }
@@ -59,7 +59,7 @@ class Swapper {
     return true;
   }
 
-  /// Notes whether a triangle is too good to be swapped.
+  /// Records whether a triangle is too good to be swapped.
   void look(std::size_t e) {
     const auto corners = topology_.mesh().elements[e].vertices();
     isGood_[e] = !topology_.isDead(e) && corners.size() == 3 &&
@@ -92,14 +92,14 @@ class Swapper {
     return triangleDistortion(vertices[a.value], vertices[b.value], vertices[c.value]);
   }
 
-  /// Two triangles better than this cannot both be better the other way round.
+  /// If both triangles are better than this, the swap cannot improve both.
   static constexpr double kBest = 1.05;
 
   MeshTopology& topology_;
   SwapGoal goal_;
   int leastGain_ = 1;
   const std::vector<std::uint8_t>& wantedAtFixed_;
-  std::vector<std::uint8_t> isGood_;  ///< by element, for the sake of shape alone
+  std::vector<std::uint8_t> isGood_;  ///< by element, for the Shape goal only
 };
 
 }  // namespace
@@ -116,7 +116,7 @@ std::size_t swapSides(MeshTopology& topology, SwapGoal goal,
   Swapper swapper(topology, goal, wantedAtFixed);
   if (goal == SwapGoal::Shape) return swapper.sweep(0);
   std::size_t swaps = 0;
-  for (const int gain : kLeastGains) swaps += swapper.sweep(gain);
+  for (const int gain : kMinGains) swaps += swapper.sweep(gain);
   return swaps;
 }
 

@@ -1,4 +1,4 @@
-// Turns sides between two triangles where that makes better triangles or more regular vertices.
+// Swaps sides between two triangles where that gives better triangles or more regular vertices.
 #pragma once
 
 #include <cstdint>
@@ -8,17 +8,17 @@
 
 namespace af2 {
 
-/// What a swap must improve.
+/// The quantity that a swap must improve.
 enum class SwapGoal {
   Valence,  ///< the deviation from 6 triangles at each vertex, as long as shapes stay fair
   Shape,    ///< the worse of the two triangles
 };
 
-/// Number of triangles that vertices with such angles should have.
+/// The ideal number of triangles at vertices with these angles.
 std::vector<std::uint8_t> wantedValences(const std::vector<double>& angles);
 
-/// Sweeps over all sides in order; for the sake of valence twice, the swaps that help most first.
-/// Returns how many were turned.
+/// Sweeps over all sides in order; for the Valence goal twice, with the most useful swaps first.
+/// Returns the number of swapped sides.
 std::size_t swapSides(MeshTopology& topology, SwapGoal goal,
                       const std::vector<std::uint8_t>& wantedAtFixed);
 

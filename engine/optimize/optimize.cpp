@@ -29,7 +29,7 @@ bool isPoor(const Mesh& mesh, const Element& element) {
   return false;
 }
 
-/// Elements that may be poor, and their inner vertices.
+/// Elements that may be poor, and the inner vertices of these elements.
 class PoorElements {
  public:
   explicit PoorElements(const MeshTopology& topology) : topology_(topology) {
@@ -38,10 +38,10 @@ class PoorElements {
     sortOut();
   }
 
-  /// Each once, in order.
+  /// In order, without repetition.
   const std::vector<VertexId>& vertices() const { return vertices_; }
 
-  /// After some of the vertices were moved: what is poor now.
+  /// Updates the poor elements after some of the vertices have moved.
   void renew() {
     const std::vector<VertexId> before = std::move(vertices_);
     vertices_.clear();
@@ -72,7 +72,7 @@ class PoorElements {
   std::vector<VertexId> vertices_;
 };
 
-/// What smoothing for the good of all has left behind: few elements, each worth a look of its own.
+/// Smooths the poor elements that remain after the general smoothing, each individually.
 std::size_t mendPoorElements(const MeshTopology& topology, VertexSmoother& smoother) {
   constexpr int kRounds = 3, kSweeps = 2;
   PoorElements poor(topology);
@@ -87,7 +87,7 @@ std::size_t mendPoorElements(const MeshTopology& topology, VertexSmoother& smoot
   return moves;
 }
 
-/// All but the check of what comes out.
+/// Everything except the final check of the mesh.
 OptimizeReport improve(Mesh& mesh, const MeshBoundary& boundary,
                        const AF2LocalTransformMaker& maker, const OptimizeOptions& options) {
   OptimizeReport report;
@@ -95,11 +95,12 @@ OptimizeReport improve(Mesh& mesh, const MeshBoundary& boundary,
   VertexSmoother smoother(topology, mesh, maker);
   const std::vector<double> angles = topology.anglesAtFixed();
   const std::vector<std::uint8_t> wanted = wantedValences(angles);
-  const bool hasQuads = std::ranges::any_of(mesh.elements, &Element::isQuad) ||
-                        (options.closingRule &&
-                         std::ranges::find(mesh.rule, *options.closingRule) != mesh.rule.end());
+  const bool hasQuads =
+      std::ranges::any_of(mesh.elements, &Element::isQuad) ||
+      (options.closingRule &&
+       std::ranges::count(mesh.origins, *options.closingRule, &ElementOrigin::rule) > 0);
   const int rounds = options.rounds + (hasQuads ? 1 : 0);
-  // Rounds with quadrilaterals smooth twice, and nothing sleeps early in them.
+  // Rounds with quadrilaterals smooth twice, and no vertex goes to sleep early in them.
   const bool hasOneLess = hasQuads && options.smoothingSweeps > 1;
   const int sweeps = options.smoothingSweeps - (hasOneLess ? 1 : 0);
   const auto smooth = [&] {

@@ -1,4 +1,4 @@
-// After the front has closed: swaps, collapses, other quadrilaterals and smoothing.
+// Optimises a complete mesh: swaps, collapses, quadrilateral replacements and smoothing.
 #pragma once
 
 #include <cstdint>
@@ -14,30 +14,29 @@ namespace af2 {
 
 struct OptimizeOptions {
   int rounds = 2;           ///< of swapping and smoothing; one more with quadrilaterals
-  int smoothingSweeps = 3;  ///< at most, in each round; one less with quadrilaterals
-  bool renumber = true;     ///< whether vertices and elements may be taken out and put in
-  /// Whether a mesh that comes out unsound is put back as it was. If not, the report tells, and
-  /// half of the memory is saved: for those who can make the mesh anew.
+  int smoothingSweeps = 3;  ///< maximum in each round; one less with quadrilaterals
+  bool renumber = true;     ///< whether vertices and elements may be removed and added
+  /// Whether the original mesh is restored if the result is not sound. If not, the report says so
+  /// and the memory of a copy is saved, for callers that can mesh again.
   bool keepOriginal = true;
-  /// Triangles that this rule made may become quadrilaterals wherever they are: it stands for what
-  /// closes a front of quadrilaterals that got stuck. None: only small groups of triangles may.
+  /// Triangles made by this rule may become quadrilaterals everywhere: it is the rule that fills a
+  /// front of quadrilaterals that got stuck. None: only small groups of triangles may.
   std::optional<std::uint16_t> closingRule;
-  std::stop_token stop;  ///< what is done so far stays
+  std::stop_token stop;  ///< changes made so far are kept
 };
 
-/// What was done.
+/// Counts of the changes made.
 struct OptimizeReport {
   std::size_t swaps = 0, moves = 0, collapses = 0;
-  std::size_t replacements = 0;  ///< of groups with quadrilaterals
-  bool isSound = true;           ///< false: the mesh does not pass checkMesh, and was not put back
+  std::size_t replacements = 0;  ///< of groups of elements, with quadrilaterals
+  bool isSound = true;           ///< false: the mesh fails checkMesh and was not restored
 };
 
-/// Improves the shape of the elements of a complete mesh, in place.
+/// Improves the shapes of the elements of a complete mesh, in place.
 ///
-/// Never moves or removes the fixed vertices of the boundary, never turns an element over, never
-/// leaves the surface: vertices move through charts of `maker`. What comes out is held
-/// against checkMesh; should it not pass, the mesh stays as it was. Depends on nothing but its
-/// arguments.
+/// Fixed boundary vertices are never moved or removed, elements are never inverted, and vertices
+/// move through charts of `maker`, so they stay on the surface. The result is tested with
+/// checkMesh; if it fails, the original mesh is restored. Depends only on its arguments.
 AF2_EXPORT OptimizeReport optimizeMesh(Mesh& mesh, const MeshBoundary& boundary,
                                        const AF2LocalTransformMaker& maker,
                                        const OptimizeOptions& options = {});

@@ -9,20 +9,20 @@
 namespace af2 {
 namespace {
 
-/// Ideal angles are counted in units of 30 degrees.
+/// The unit of ideal angles is 30 degrees.
 constexpr int kFullTurn = 12;
 int idealAngle(const Element& element) { return element.isQuad() ? 3 : 2; }
 
-/// What a triangle costs, and what distortion does, in squared units of missing angle.
+/// Cost of a triangle, and of distortion, in squared units of missing angle.
 constexpr double kTriangleCost = 12, kDistortionCost = 3;
-/// What a change must bring at least, so that rounding does not turn things to and fro.
-constexpr double kLeastGain = 1e-6;
-/// More triangles than these, side by side, are meant to be.
+/// Least gain of a change, so that rounding cannot undo and redo changes forever.
+constexpr double kMinGain = 1e-6;
+/// Larger connected groups of triangles are assumed to be intended.
 constexpr std::size_t kLargestIsland = 12;
 
 double costOfKind(const Element& element) { return element.isQuad() ? 0 : kTriangleCost; }
 
-/// How much more angle a vertex would have, to be added up.
+/// The change of the angle sum at a vertex, to be accumulated.
 int& angleAt(std::vector<std::pair<VertexId, int>>& angles, VertexId v) {
   for (auto& [vertex, more] : angles)
     if (vertex == v) return more;
@@ -51,7 +51,7 @@ QuadChanges::QuadChanges(MeshTopology& topology, const std::vector<double>& angl
       sum_(wanted_.size(), 0),
       changed_(wanted_.size(), 0),
       lookedAt_(topology.mesh().elements.size(), 0),
-      bestGain_(kLeastGain) {
+      bestGain_(kMinGain) {
   for (std::size_t v = 0; v < anglesAtFixed.size(); ++v)
     wanted_[v] = std::max(1, static_cast<int>(std::lround(anglesAtFixed[v] / (M_PI / 6))));
   for (std::size_t e = 0; e < elementCount(); ++e) {
@@ -61,15 +61,15 @@ QuadChanges::QuadChanges(MeshTopology& topology, const std::vector<double>& angl
   open(closingRule);
 }
 
-/// Quadrilaterals, triangles that close a front, and those of which few hang together by their
-/// sides.
+/// Opens for replacement: quadrilaterals, triangles that close a front, and small groups of
+/// triangles connected by sides.
 void QuadChanges::open(std::optional<std::uint16_t> closingRule) {
   isOpen_.assign(elementCount(), 0);
   std::vector<std::uint8_t> isSeen(elementCount(), 0);
   std::vector<std::size_t> island;
   for (std::size_t e = 0; e < elementCount(); ++e) {
     if (topology_.isDead(e)) continue;
-    if (elementAt(e).isQuad() || mesh().rule[e] == closingRule) isOpen_[e] = 1;
+    if (elementAt(e).isQuad() || mesh().origins[e].rule == closingRule) isOpen_[e] = 1;
     if (isSeen[e] || elementAt(e).isQuad()) continue;
     island.assign(1, e);
     isSeen[e] = 1;
@@ -119,7 +119,7 @@ double QuadChanges::costOfDistortion(double distortion) const {
   return kDistortionCost * excess * excess;
 }
 
-/// Squared units of angle that a vertex has too many or too few; none if no element is left.
+/// Square of the vertex's excess or missing angle, in units; 0 if no element is left there.
 double QuadChanges::costOf(VertexId v, int sum) const {
   const int off = sum == 0 ? 0 : sum - wanted_[v.value];
   return off * off;
@@ -149,7 +149,7 @@ void QuadChanges::offer(Change change, const Leniency& leniency) {
     worst = std::max(worst, distortion_[place]);
     gain += leniency.shapeWeight * costOfDistortion(distortion_[place]);
   }
-  if (gain <= bestGain_) return;  // whatever the shapes, which take longer to find out
+  if (gain <= bestGain_) return;  // rejects early: shapes take longer to compute
   for (const Element& element : change.elements) {
     const double here = distortionOf(element);
     if (here > worst || !std::isfinite(here)) return;
@@ -161,7 +161,7 @@ void QuadChanges::offer(Change change, const Leniency& leniency) {
 }
 
 bool QuadChanges::apply() {
-  bestGain_ = kLeastGain;
+  bestGain_ = kMinGain;
   const Change change = std::exchange(best_, {});
   if (change.places.empty()) return false;
   for (const std::size_t place : change.places) add(elementAt(place), -1);

@@ -1,4 +1,4 @@
-// What it would bring to put other elements into the place of some, where there are quadrilaterals.
+// Evaluates replacements of elements by others, for meshes with quadrilaterals.
 #pragma once
 
 #include <cstdint>
@@ -11,20 +11,21 @@
 
 namespace af2 {
 
-/// Elements that could stand in the place of others.
+/// Elements that could replace others.
 struct Change {
   std::vector<std::size_t> places;
   std::vector<Element> elements;
 };
 
-/// How much distortion a change may bring, which smoothing is to take away.
+/// How much distortion a change may add; smoothing is to reduce it later.
 struct Leniency {
-  double worst;        ///< distortion of a new element; more only where there was more before
-  double shapeWeight;  ///< of distortion, beside angles and triangles
+  double worst;        ///< largest distortion of a new element, unless an old one was worse
+  double shapeWeight;  ///< weight of distortion relative to angles and triangles
 };
 
-/// Chooses among changes: counts for an element its distortion and whether it is a triangle, for a
-/// vertex how far the ideal angles of its elements are from filling the angle there.
+/// Chooses among changes by their cost. An element costs its distortion, and more if it is a
+/// triangle; a vertex costs the difference between the sum of its elements' ideal angles and the
+/// angle there.
 class QuadChanges {
  public:
   /// See tidyQuads.
@@ -34,25 +35,25 @@ class QuadChanges {
   const MeshTopology& topology() const { return topology_; }
   std::size_t elementCount() const { return mesh().elements.size(); }
   const Element& elementAt(std::size_t e) const { return mesh().elements[e]; }
-  /// The vertices of an element from one of its corners on.
+  /// The vertices of an element, starting at one of its corners.
   std::vector<VertexId> from(Corner c) const;
 
-  /// Whether it may be replaced.
+  /// Whether the element may be replaced.
   bool isOpen(std::size_t e) const { return isOpen_[e]; }
   double distortionAt(std::size_t e) const { return distortion_[e]; }
   double distortionOf(const Element& element) const;
   bool isRegular(VertexId v) const { return sum_[v.value] == wanted_[v.value]; }
 
-  /// Whether something was replaced at its vertices since it was looked at last.
+  /// Whether anything changed at the element's vertices since the last look.
   bool isNews(std::size_t e) const;
   void look(std::size_t e) { lookedAt_[e] = ++clock_; }
 
-  /// What a change lowers the sum of all costs by, distortion left out.
+  /// How much a change lowers the sum of all costs except distortion.
   double gainOf(const Change& change) const;
   double costOfDistortion(double distortion) const;
   /// Remembers the change if it is the best since the last apply().
   void offer(Change change, const Leniency& leniency);
-  /// Makes the best change that was offered; false: there was none.
+  /// Applies the best change that was offered; returns false if there was none.
   bool apply();
 
  private:
@@ -62,19 +63,19 @@ class QuadChanges {
   double costOf(VertexId v, int sum) const;
 
   MeshTopology& topology_;
-  std::vector<int> wanted_, sum_;     ///< by vertex: the angle there, and the ideal ones in all
+  std::vector<int> wanted_, sum_;     ///< by vertex: the angle there, the sum of ideal angles
   std::vector<std::uint8_t> isOpen_;  ///< by element
   std::vector<double> distortion_;    ///< by element
-  std::uint32_t clock_ = 0;           ///< counts looks
+  std::uint32_t clock_ = 0;           ///< counts looks, as a time stamp
   std::vector<std::uint32_t> changed_, lookedAt_;  ///< by vertex, by element
   Change best_;
   double bestGain_;
-  mutable std::vector<std::pair<VertexId, int>> angles_;  ///< of gainOf
+  mutable std::vector<std::pair<VertexId, int>> angles_;  ///< temporary of gainOf
 };
 
 /// An element with three or four vertices.
 Element elementOf(std::span<const VertexId> ring);
-/// Whether no vertex is there twice.
+/// Whether no vertex occurs twice.
 bool areDifferent(std::span<const VertexId> vertices);
 
 }  // namespace af2

@@ -8,14 +8,14 @@
 namespace af2 {
 namespace {
 
-/// Elements worse than this may come about only where there was a worse one: smoothing follows.
+/// New elements may be worse than this only where an old one was worse, too: smoothing follows.
 constexpr Leniency kFair{2.5, 1};
-/// Elements better than this are left alone if all their vertices are as they should be.
+/// Elements better than this are left unchanged if all their vertices are regular.
 constexpr double kGoodQuad = 1.3;
-/// Worse ones are worth a collapse that makes triangles of quadrilaterals.
+/// Elements worse than this justify a collapse that turns quadrilaterals into triangles.
 constexpr double kBadQuad = 3;
 
-/// Changes at one element and its neighbours.
+/// Offers changes at one element and its neighbours.
 class Tidier {
  public:
   explicit Tidier(QuadChanges& changes) : changes_(changes), topology_(changes.topology()) {}
@@ -57,7 +57,7 @@ class Tidier {
     return changes_.apply();
   }
 
-  /// Two elements side by side become one quadrilateral, or two others with the same outline.
+  /// Two adjacent elements become one quadrilateral, or two others with the same outline.
   void offerResplits(Corner side) {
     const Corner other = topology_.across(side);
     std::vector<VertexId> ring = changes_.from(topology_.next(side));
@@ -83,7 +83,7 @@ class Tidier {
       offerHalves({one.element(), apart[0].element(), apart[1].element()}, ring);
   }
 
-  /// A ring of five or six vertices is cut in two in each of the ways that leave no two triangles.
+  /// Splits a ring of five or six vertices in two in all ways that do not give two triangles.
   void offerHalves(const std::vector<std::size_t>& places, std::vector<VertexId> ring) {
     const std::size_t across = ring.size() - 3;
     for (std::size_t i = 0; i < (ring.size() == 5 ? 5u : 3u); ++i) {
@@ -103,15 +103,15 @@ class Tidier {
     changes_.offer({{c.element()}, {{{v[0], v[1], v[2], {}}}, {{v[0], v[2], v[3], {}}}}}, kFair);
   }
 
-  /// A quadrilateral goes: one of its vertices moves into the opposite one.
+  /// Removes a quadrilateral: one of its vertices moves to the opposite one.
   void offerDiagonalCollapse(Corner c) {
     for (const Corner beside : {topology_.next(c), topology_.previous(c)})
       if (topology_.valence(topology_.vertexAt(beside)) <= (isInner(beside) ? 3 : 1)) return;
     offerMerge(topology_.vertexAt(c), topology_.vertexAt(topology_.next(topology_.next(c))));
   }
 
-  /// An inner vertex moves into another one of an element with both. Of the elements with both,
-  /// triangles go, and quadrilaterals become triangles or, if the two are opposite, go as well.
+  /// Moves an inner vertex to another vertex of an element. Of the elements that have both,
+  /// triangles vanish; quadrilaterals become triangles or, if the two are opposite, vanish as well.
   void offerMerge(VertexId gone, VertexId into) {
     Change change;
     std::vector<VertexId> shared, others;  // neighbours of `gone`, in elements with `into` and not
@@ -145,11 +145,11 @@ class Tidier {
 
 std::size_t tidyQuads(MeshTopology& topology, const std::vector<double>& anglesAtFixed,
                       std::optional<std::uint16_t> closingRule) {
-  constexpr int kMostPasses = 3;
+  constexpr int kMaxPasses = 3;
   QuadChanges changes(topology, anglesAtFixed, closingRule);
   Tidier tidier(changes);
   std::size_t count = 0;
-  for (int i = 0; i < kMostPasses; ++i) {
+  for (int i = 0; i < kMaxPasses; ++i) {
     const std::size_t more = tidier.pass();
     count += more;
     if (more == 0) break;

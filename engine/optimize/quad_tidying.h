@@ -1,5 +1,5 @@
-// Takes out what fronts of quadrilaterals leave where they collide: triangles in pairs, vertices
-// with too few or too many elements, elements squeezed flat.
+// Removes defects where fronts of quadrilaterals collide: pairs of triangles, vertices with too few
+// or too many elements, flat elements.
 #pragma once
 
 #include <cstdint>
@@ -10,14 +10,12 @@
 
 namespace af2 {
 
-/// Replaces small groups of elements by better ones that fill the same place, as long as that
-/// helps. Counts for an element its distortion and whether it is a triangle, for a vertex how far
-/// the ideal angles of its elements are from filling the angle there. Only touches quadrilaterals,
-/// triangles that closed a front, and small islands of others: where a rule set wants triangles,
-/// they stay.
+/// Replaces small groups of elements by better ones with the same outline, as long as that lowers
+/// the total cost (see QuadChanges). Only changes quadrilaterals, triangles that closed a front,
+/// and small groups of other triangles: where a rule set makes triangles on purpose, they stay.
 ///
-/// anglesAtFixed  the angle of the mesh at each fixed vertex, in radians
-/// closingRule    made the triangles that closed a front; see OptimizeOptions
+/// anglesAtFixed  the angle that the mesh has at each fixed vertex, in radians
+/// closingRule    the rule that made the triangles that closed a front; see OptimizeOptions
 /// Returns the number of replacements.
 std::size_t tidyQuads(MeshTopology& topology, const std::vector<double>& anglesAtFixed,
                       std::optional<std::uint16_t> closingRule);

@@ -35,8 +35,8 @@ DistortionTerm previousCornerTerm(Point2 p, Point2 o) {
   return {kQuadScale, 1, p, dot(p, p) + dot(u, u), {u.y, -u.x}, -cross(p, u)};
 }
 
-/// No vertex moves by more than this part of its shortest edge at once.
-constexpr double kMostOfReach = 0.5;
+/// No vertex moves by more than this fraction of its shortest edge at once.
+constexpr double kMaxOfReach = 0.5;
 
 struct Energy {
   double value = 0;
@@ -55,8 +55,8 @@ double power(double x) {
     return x * x * power<kPower - 2>(x);
 }
 
-/// Sum of a power of the distortions: the higher the power, the more bad elements weigh.
-/// Infinite where an element would have no area.
+/// Sum of a power of the distortions: a higher power gives bad elements more weight. Infinite where
+/// an element has no positive area.
 template <int kPower>
 double energyAt(std::span<const DistortionTerm> terms, Point2 x) {
   double energy = 0;
@@ -98,16 +98,16 @@ Energy derivativesOf(std::span<const DistortionTerm> terms) {
   return e;
 }
 
-/// That of an element with an angle of some three degrees.
+/// Distortion of an element with an angle of about three degrees.
 constexpr double kThinDistortion = 12;
 
-/// Beside an element without area, the energy falls so steeply that a step of Newton's method is
-/// but a small part of the way to where that element is fair.
+/// Doubles a step while that lowers the energy. Next to an element of almost no area the energy is
+/// so steep that one step of Newton's method covers only a small part of the way to a fair element.
 ///
 /// energy  after `step`
 template <int kPower>
 Point2 lengthened(std::span<const DistortionTerm> terms, Point2 step, double energy, double reach) {
-  while (2 * length(step) <= kMostOfReach * reach) {
+  while (2 * length(step) <= kMaxOfReach * reach) {
     const double next = energyAt<kPower>(terms, 2 * step);
     if (!(next < energy)) break;
     step = 2 * step;
@@ -116,7 +116,8 @@ Point2 lengthened(std::span<const DistortionTerm> terms, Point2 step, double ene
   return step;
 }
 
-/// A step of Newton's method from the origin, shortened until it lowers the energy; (0, 0): none.
+/// A step of Newton's method from the origin, shortened until it lowers the energy; (0, 0) if none
+/// does.
 template <int kPower>
 Point2 improvedPosition(std::span<const DistortionTerm> terms, double reach) {
   constexpr int kHalvings = 4;
@@ -132,7 +133,7 @@ Point2 improvedPosition(std::span<const DistortionTerm> terms, double reach) {
     if (!(slope > 0)) return {};
     step = (-0.25 * reach / slope) * e.gradient;
   }
-  if (length(step) > kMostOfReach * reach) step = (kMostOfReach * reach / length(step)) * step;
+  if (length(step) > kMaxOfReach * reach) step = (kMaxOfReach * reach / length(step)) * step;
   for (int i = 0; i < kHalvings; ++i, step = 0.5 * step) {
     const double energy = energyAt<kPower>(terms, step);
     if (!(energy < e.value)) continue;
@@ -142,12 +143,12 @@ Point2 improvedPosition(std::span<const DistortionTerm> terms, double reach) {
   return {};
 }
 
-/// Below this an element counts as good, and may get worse for the sake of its neighbours.
+/// Elements below this are good, and may get worse in favour of their neighbours.
 constexpr double kGoodDistortion = 1.2;
-/// Moves of less than this part of an edge are not worth a query of the surface.
-constexpr double kLeastMove = 1e-3;
-/// Triangles need not follow moves of less than this: a vertex sleeps after it, and its neighbours
-/// sleep on. Quadrilaterals creep towards their shape in many small moves.
+/// Moves below this fraction of an edge are not worth evaluating the surface.
+constexpr double kMinMove = 1e-3;
+/// Triangles need not follow smaller moves than this: the vertex then sleeps, and its neighbours
+/// are not woken. Quadrilaterals converge in many small moves, so this does not apply to them.
 constexpr double kWakingMove = 0.01;
 
 }  // namespace
@@ -196,11 +197,11 @@ double VertexSmoother::smooth(VertexId v, Goal goal) {
   try {
     return moveInChart(v, {maker_.makeLocalTransformIn(slot_, here, neighbor, unit), unit}, goal);
   } catch (const GeometryError&) {
-    return 0;  // no chart at this vertex: it stays where it is
+    return 0;  // there is no chart at this vertex: it does not move
   }
 }
 
-/// The corners of the vertex; false if it lies at the rim after all.
+/// Collects the corners of the vertex; returns false if it lies on the rim.
 bool VertexSmoother::collectStar(Corner first) {
   star_.clear();
   Corner c = first;
@@ -217,13 +218,13 @@ double VertexSmoother::moveInChart(VertexId v, const StepChart& chart, Goal goal
   const Point2 target =
       isForAll ? improvedPosition<2>(terms_, reach_) : improvedPosition<16>(terms_, reach_);
   const double move = length(target) / reach_;
-  if (!(move >= kLeastMove)) return 0;
+  if (!(move >= kMinMove)) return 0;
   const auto lifted = chart.lift(target);
   if (!lifted) return 0;
   SurfacePoint& here = mesh_.vertices[v.value];
   const SurfacePoint before = here;
   here = *lifted;
-  if (isForAll && chart.isPlane()) return move;  // surely better
+  if (isForAll && chart.isPlane()) return move;  // an improvement for certain
   if (isForAll && areAllPlainlyGood()) return move;
   const double worst = worstDistortion();
   if (isForAll && worst <= kGoodDistortion) return move;
@@ -236,7 +237,7 @@ double VertexSmoother::moveInChart(VertexId v, const StepChart& chart, Goal goal
 bool VertexSmoother::makeTerms(const StepChart& chart) {
   terms_.clear();
   double shortest = INFINITY;  // squared
-  // Going round, what is behind in one element is ahead in the next.
+  // Around the vertex, the edge behind one element is the edge ahead of the next.
   ChartPoint ahead = chart.project(at(topology_.next(star_.front())));
   for (Corner c : star_) {
     const ChartPoint behind = chart.project(at(topology_.previous(c)));

@@ -1,4 +1,4 @@
-// Moves inner vertices to where the elements around them are least distorted.
+// Moves inner vertices to positions where the elements around them are least distorted.
 #pragma once
 
 #include <span>
@@ -12,7 +12,7 @@
 namespace af2 {
 
 /// The distortion of one corner as a function of a moving point x of the plane:
-/// scale * (count |x|^2 - 2 sum.x + fixed) / (a.x + a0), the denominator being twice the area.
+/// scale * (count |x|^2 - 2 sum.x + fixed) / (a.x + a0); the denominator is twice the area.
 struct DistortionTerm {
   double scale, count;
   Point2 sum;
@@ -21,24 +21,24 @@ struct DistortionTerm {
   double a0;
 };
 
-/// Smooths a mesh sweep by sweep. A vertex is passed over if its surroundings have hardly changed
-/// since it last found next to nothing to gain.
+/// Smooths a mesh sweep by sweep. A vertex sleeps, i.e. is skipped, while its surroundings have
+/// hardly changed since its last visit brought almost no gain.
 class VertexSmoother {
  public:
   VertexSmoother(MeshTopology& topology, Mesh& mesh, const AF2LocalTransformMaker& maker);
 
-  /// One sweep over all inner vertices in order; ends early if asked to stop. Returns how many were
-  /// moved.
+  /// One sweep over all inner vertices in order; ends early if a stop is requested. Returns the
+  /// number of moved vertices.
   std::size_t sweep(const std::stop_token& stop = {});
-  /// One sweep over some inner vertices, for the sake of the worst element at each.
+  /// One sweep over some inner vertices that improves the worst element at each.
   std::size_t mend(std::span<const VertexId> vertices);
-  /// After swaps and collapses: these are worth a look again.
+  /// Wakes these vertices, after swaps and collapses.
   void wake(std::span<const VertexId> vertices);
 
  private:
   enum class Goal { All, Worst };
 
-  /// How far the vertex was moved, as a part of the shortest edge there; 0: not at all.
+  /// How far the vertex was moved, as a fraction of its shortest edge; 0: not at all.
   double smooth(VertexId v, Goal goal);
   bool collectStar(Corner first);
   double moveInChart(VertexId v, const StepChart& chart, Goal goal);

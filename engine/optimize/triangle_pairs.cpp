@@ -7,20 +7,20 @@
 namespace af2 {
 namespace {
 
-/// How far apart two triangles may be, in elements; how many others are tried for each, and how
-/// many ways to each are followed at a time.
+/// Largest distance of two triangles, in elements; number of partners tried for each triangle;
+/// number of partial ways followed at a time to each partner.
 constexpr int kReach = 14;
-constexpr std::size_t kMostPartners = 4, kMostWays = 12;
-/// Elements lean one way along a path, and smoothing sets them up again.
+constexpr std::size_t kMaxPartners = 4, kMaxWays = 12;
+/// Elements along the way become slanted, and smoothing straightens them.
 constexpr Leniency kLeaning{4, 0.25};
 
-/// A triangle on its way: what it has changed so far, and the side by which it goes on.
+/// A triangle on its way: its changes so far, and the side by which it continues.
 struct Way {
   Change change;
-  double distortion = 0;  ///< cost of the new elements' less that of the old ones
-  double gain = 0;        ///< if it stayed here
+  double distortion = 0;  ///< cost of the new elements minus cost of the old ones
+  double gain = 0;        ///< if the triangle stayed here
   Corner out;
-  VertexId third;  ///< its vertex that is not on the side
+  VertexId third;  ///< the triangle's vertex that is not on that side
 };
 
 class Pairing {
@@ -39,13 +39,13 @@ class Pairing {
   }
 
  private:
-  /// Counts the steps from a triangle to all elements around. Returns the nearest triangles.
+  /// Computes each element's distance from a triangle. Returns the nearest other triangles.
   std::vector<std::size_t> explore(std::size_t triangle) {
     std::vector<std::size_t> found;
     distance_.resize(changes_.elementCount(), -1);
     explored_.assign(1, triangle);
     distance_[triangle] = 0;
-    for (std::size_t i = 0; i < explored_.size() && found.size() < kMostPartners; ++i) {
+    for (std::size_t i = 0; i < explored_.size() && found.size() < kMaxPartners; ++i) {
       const std::size_t e = explored_[i];
       const bool isQuad = changes_.elementAt(e).isQuad();
       if (!isQuad && e != triangle) found.push_back(e);
@@ -62,7 +62,7 @@ class Pairing {
     return found;
   }
 
-  /// Whether the side is one step nearer to the triangle that was explored from.
+  /// Whether the element beyond the side is one step nearer to the triangle that was explored from.
   bool leadsOn(Corner side) const {
     const Corner beyond = topology_.across(side);
     return !beyond.isNone() && distance_[beyond.element()] == distance_[side.element()] - 1;
@@ -81,12 +81,12 @@ class Pairing {
       std::vector<Way> longer;
       for (const Way& way : ways) goOn(way, longer);
       std::ranges::stable_sort(longer, std::greater<>(), &Way::gain);
-      if (longer.size() > kMostWays) longer.resize(kMostWays);
+      if (longer.size() > kMaxWays) longer.resize(kMaxWays);
       ways = std::move(longer);
     }
   }
 
-  /// The triangle and the element beyond its side are divided anew.
+  /// Divides the triangle and the element beyond its side in other ways.
   void goOn(const Way& way, std::vector<Way>& longer) {
     const Corner in = topology_.across(way.out);
     const std::vector<VertexId> beyond = changes_.from(in);
@@ -107,8 +107,8 @@ class Pairing {
           longer);
   }
 
-  /// Leaves `made` behind; what goes on is the triangle `rest`, by one of two sides, which are its
-  /// first ones if they are those of `outs`.
+  /// Leaves the element `made` behind. The triangle `rest` continues by one of the two sides
+  /// `outs`, which must be its first two.
   void leave(Way way, const Element& made, const Element& rest, std::array<Corner, 2> outs,
              std::vector<Way>& longer) {
     const std::size_t place = way.change.places.back();

@@ -5,10 +5,9 @@
 
 namespace af2 {
 
-/// Lets one triangle wander through the quadrilaterals to another, side by side with the next,
-/// where both become one quadrilateral: each that it passes has another outline afterwards, and no
-/// vertex comes or goes. Only where that lowers the sum of all costs.
-/// Returns the number of pairs.
+/// Moves one triangle through adjacent quadrilaterals to another triangle, where the two become one
+/// quadrilateral. Each quadrilateral on the way gets another outline; no vertex is added or
+/// removed. Done only where that lowers the total cost. Returns the number of pairs.
 std::size_t pairTriangles(QuadChanges& changes);
 
 }  // namespace af2

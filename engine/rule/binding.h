@@ -9,17 +9,17 @@
 
 namespace af2 {
 
-/// What a rule may ask about the front around a match, beyond the matched positions.
+/// What a rule may query about the front around a match, in addition to the matched positions.
 ///
-/// Vertices are named by their index in the rule's pattern; lengths are in chart units, angles in
-/// radians. The defaults describe a uniform size field and nothing else on the front.
+/// Vertices are identified by their index in the rule's pattern; lengths are in chart units, angles
+/// in radians. The defaults describe a uniform size field and an otherwise empty front.
 class AF2_EXPORT AF2Surroundings {
  public:
   virtual ~AF2Surroundings() = default;
   /// Wanted edge length at a point of the chart.
   virtual double size(Point2) const { return 1; }
-  /// Free angle at a chain vertex, counter-clockwise from the next to the previous front vertex,
-  /// in (0, 2 pi]; nothing if the chain does not fix it.
+  /// Free angle at a chain vertex, counter-clockwise from the next to the previous front vertex, in
+  /// (0, 2 pi]; no value if the chain does not determine it.
   virtual std::optional<double> turn(int /*vertex*/) const { return std::nullopt; }
   /// Number of layers of elements between the vertex and the boundary.
   virtual int layer(int /*vertex*/) const { return 0; }
@@ -42,11 +42,11 @@ struct AF2Binding {
   const AF2Surroundings* surroundings = nullptr;  ///< never null while the engine runs
 };
 
-/// A number that depends on a match: a condition (nonzero holds), a cost.
+/// A number that depends on a match: a condition (holds if nonzero) or a cost.
 class AF2_EXPORT AF2BindingFunction {
  public:
   virtual ~AF2BindingFunction() = default;
-  /// Nothing where the expression has no value (division by zero, parallel lines).
+  /// No value if the expression has none (division by zero, parallel lines).
   virtual std::optional<double> evaluate(const AF2Binding& binding) const = 0;
 };
 

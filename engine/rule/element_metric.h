@@ -1,4 +1,4 @@
-// How good a new element is, and when a rule's result is good enough.
+// The quality of a new element, and when a rule's result is good enough.
 #pragma once
 
 #include <cmath>
@@ -12,27 +12,27 @@
 
 namespace af2 {
 
-/// Badness of one element in the chart: 0 for the ideal one, growing without bound.
+/// Badness of one element in the chart: 0 for the ideal element, unbounded above.
 class AF2_EXPORT AF2ElementMetric {
  public:
   virtual ~AF2ElementMetric() = default;
   /// corners  three or four, positively oriented, in chart units
-  /// Nothing where the metric has no value; the match is then refused.
+  /// No value where the metric is undefined; the match is then refused.
   virtual std::optional<double> badness(std::span<const Point2> corners) const = 0;
-  /// The same at a quality level of the base edge, for a measure that changes with it.
+  /// The same at a quality level of the base edge, for metrics that depend on it.
   virtual std::optional<double> badnessAt(std::span<const Point2> corners, int /*level*/) const {
     return badness(corners);
   }
 };
 
 /// weight * (sqrt(3)/36 * perimeter^2/area - 1) + sum over the edges (length + 1/length - 2);
-/// for quadrilaterals perimeter^2/area is held against that of the square.
+/// for quadrilaterals perimeter^2/area is compared with that of the square.
 /// Source: the triangle measure of [Schoeberl97].
 class AF2_EXPORT ShapeSizeMetric final : public AF2ElementMetric {
  public:
   explicit ShapeSizeMetric(double weight) : weight_(weight) {}
   std::optional<double> badness(std::span<const Point2> corners) const override;
-  /// badness({a, b, c}), to the last bit; not finite where that has no value.
+  /// badness({a, b, c}), bit for bit; not finite where that has no value.
   double triangleBadness(Point2 a, Point2 b, Point2 c) const {
     const double doubleArea = cross(b - a, c - a);
     if (!(doubleArea > 0)) return INFINITY;
@@ -45,13 +45,13 @@ class AF2_EXPORT ShapeSizeMetric final : public AF2ElementMetric {
   double weight() const { return weight_; }
 
  private:
-  /// Perimeter^2 / area of the equilateral triangle, the least there is: 12 sqrt(3).
+  /// Perimeter^2 / area of the equilateral triangle, the minimum over all triangles: 12 sqrt(3).
   static constexpr double kTrianglePerimeterRatio = 20.784609690826528;
 
   double weight_;
 };
 
-/// How the badnesses of the elements of one rule become one score.
+/// How the badnesses of the elements of one rule combine into one score.
 enum class ScoreOf { Max, Sum, Mean };
 
 /// Whether a rule's result is good enough at a level. Lower scores are better.
@@ -64,7 +64,7 @@ class AF2_EXPORT AF2Acceptance {
 /// score < bound[level], the usual acceptance.
 class AF2_EXPORT ScoreBound final : public AF2Acceptance {
  public:
-  /// bounds  by level; [0] is level 1; the last one holds for higher levels
+  /// bounds  by level; [0] is level 1; the last one applies to all higher levels
   explicit ScoreBound(std::vector<double> bounds);
   bool accepts(double score, int level) const override;
 

@@ -10,11 +10,11 @@
 namespace af2 {
 namespace {
 
-/// Whether an edge direction points into the upper half plane; a convex counter-clockwise polygon
-/// changes between the halves exactly twice on one round.
+/// Whether an edge direction points into the upper half plane. Along a convex counter-clockwise
+/// polygon this changes exactly twice.
 bool pointsUp(Point2 d) { return d.y > 0 || (d.y == 0 && d.x > 0); }
 
-/// Drops corner `index` of `count`, keeping the order of the others.
+/// Removes corner `index` of `count`, keeping the order of the others.
 void drop(Point2* corners, int& count, int index) {
   std::copy(corners + index + 1, corners + count, corners + index);
   --count;
@@ -27,12 +27,12 @@ int dropRepetitions(Point2* corners, int count) {
   return count;
 }
 
-/// Whether a point that turns to `turn` is beyond a line that has the polygon on its other side.
+/// Whether a point with orientation `turn` is beyond a line that has the polygon on its other side.
 bool isBeyond(Turn turn, Turn side, ZoneBoundary boundary) {
   return turn == side || (turn == Turn::Straight && boundary == ZoneBoundary::Ignored);
 }
 
-/// How far q lies inside the chord from p to r, > 0 for a reflex corner.
+/// How far q lies inside the chord from p to r; > 0 for a reflex corner.
 double reflexDepth(Point2 p, Point2 q, Point2 r) {
   const double chord = distance(p, r);
   return chord > 0 ? -cross(q - p, r - q) / chord : 0;
@@ -44,7 +44,7 @@ double extentOf(const Point2* corners, int count) {
   for (int i = 0; i < count; ++i) {
     const Point2 d = corners[i] - corners[0];
     extent = std::max({extent, std::abs(d.x), std::abs(d.y)});
-    check += 0 * d.x + 0 * d.y;  // std::max passes over what is not a number
+    check += 0 * d.x + 0 * d.y;  // std::max ignores NaN
   }
   return extent + check;
 }
@@ -56,7 +56,7 @@ int convex_polygon::normalize(Point2* corners, int count, double straightToleran
   if (!std::isfinite(tolerance)) return 0;
   count = dropRepetitions(corners, count);
   bool hasLeftTurn = false;
-  // Once round and on until every corner has been found good since the last one was dropped.
+  // Goes round until every corner has passed the test since the last one was removed.
   for (int i = 0, good = 0; good < count && count >= 3;) {
     const Point2 p = corners[i == 0 ? count - 1 : i - 1], q = corners[i];
     const Point2 r = corners[i + 1 == count ? 0 : i + 1];
@@ -68,8 +68,8 @@ int convex_polygon::normalize(Point2* corners, int count, double straightToleran
       i = i + 1 == count ? 0 : i + 1;
       continue;
     }
-    // A corner that runs straight back is no corner of a region, unless two corners that ought to
-    // coincide have changed places by rounding.
+    // A corner at which the polygon turns straight back is not a valid corner, unless rounding has
+    // swapped two corners that should coincide.
     if (runsBack ? std::min(distance(p, q), distance(q, r)) > tolerance
                  : !(reflexDepth(p, q, r) <= tolerance))
       return 0;
@@ -102,7 +102,7 @@ bool convex_polygon::contains(std::span<const Point2> corners, Point2 point,
 bool convex_polygon::meets(std::span<const Point2> corners, Point2 from, Point2 to,
                            ZoneBoundary boundary) {
   if (from == to) return contains(corners, from, boundary);
-  // Two convex sets are apart iff a line along an edge of one of them separates them.
+  // Two convex sets are disjoint if and only if a line along an edge of one separates them.
   Point2 p = corners.back();
   for (Point2 q : corners) {
     if (isBeyond(orientation(p, q, from), Turn::Right, boundary) &&
@@ -188,8 +188,8 @@ std::optional<std::vector<Point2>> ConvexPolygonZoneDef::cornersAt(
     const auto preferred = corner.preferred->transformPoint(binding);
     const auto limiting = corner.limiting ? corner.limiting->transformPoint(binding) : preferred;
     if (!preferred || !limiting) return std::nullopt;
-    // Without a limiting corner the preferred one is taken as it is: corners that are matched
-    // vertices must keep their coordinates to the last bit.
+    // Without a limiting corner the preferred one is used unchanged: corners that are matched
+    // vertices must keep their coordinates bit for bit.
     corners.push_back(corner.limiting ? t * *preferred + (1 - t) * *limiting : *preferred);
   }
   return corners;

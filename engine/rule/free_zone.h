@@ -1,4 +1,4 @@
-// The free zone of a rule: the region around a match that must hold nothing else.
+// The free zone of a rule: the region around a match that must be empty.
 #pragma once
 
 #include <memory>
@@ -21,17 +21,18 @@ struct Box2 {
   }
 };
 
-/// Whether touching the boundary of a zone counts as being in it.
+/// Whether a point on the boundary of a zone counts as being in it.
 enum class ZoneBoundary { Counts, Ignored };
 
-/// A free zone at one match. Derive from this for a shape that the rule language cannot say.
+/// A free zone at one match. Derive from this for a shape that the rule language cannot express.
 ///
-/// The engine asks `contains(vertex, Counts)` and `meets(edge, Ignored)`: vertices are held against
-/// the closed zone, edges against its interior. Matched vertices and edges are never asked about.
+/// The engine calls `contains(vertex, Counts)` and `meets(edge, Ignored)`: it tests vertices
+/// against the closed zone and edges against its interior. It never asks about matched vertices and
+/// edges.
 class AF2_EXPORT AF2FreeZone {
  public:
   virtual ~AF2FreeZone() = default;
-  /// A box that holds the whole zone; what lies outside of it is never asked about.
+  /// A box that holds the whole zone; the engine never asks about anything outside it.
   virtual Box2 boundingBox() const = 0;
   virtual bool contains(Point2 point, ZoneBoundary boundary) const = 0;
   virtual bool meets(Point2 from, Point2 to, ZoneBoundary boundary) const = 0;
@@ -49,24 +50,25 @@ class AF2_EXPORT AF2FreeZoneDef {
   virtual Made makeFreeZone(const AF2Binding& binding) const = 0;
 };
 
-/// The convex polygon on plain arrays, shared by the open and the fast form of the zone.
+/// The convex polygon on plain arrays, used by both the open and the fast form of the zone.
 namespace convex_polygon {
 
 /// Largest depth, in chart units, to which a corner may lie inside the chord of its neighbours and
-/// still pass for straight: rounding of corners that are collinear by construction. For zones
-/// smaller than 1 it counts in units of their extent.
+/// still count as straight. It allows for the rounding of corners that are collinear by
+/// construction. For zones smaller than 1 it is relative to their extent.
 inline constexpr double kStraightTolerance = 1e-9;
 
-/// Drops corners that repeat their predecessor or lie a rounding error inside a chord, in place.
-/// Returns how many are left: 0 unless they run once around a convex region of positive area,
-/// counter-clockwise.
+/// Removes, in place, corners that repeat their predecessor or lie a rounding error inside a chord.
+/// Returns the number of corners left: 0 unless they run once, counter-clockwise, around a convex
+/// region of positive area.
 AF2_EXPORT int normalize(Point2* corners, int count, double straightTolerance = kStraightTolerance);
 
-/// All want normalized corners.
+/// The following functions require normalized corners.
 AF2_EXPORT bool contains(std::span<const Point2> corners, Point2 point, ZoneBoundary boundary);
 AF2_EXPORT bool meets(std::span<const Point2> corners, Point2 from, Point2 to,
                       ZoneBoundary boundary);
-/// What is left to ask if no side of the polygon separates it from the segment, which has a length.
+/// The remaining test when no side of the polygon separates it from the segment, whose length is
+/// not zero.
 AF2_EXPORT bool meetsLine(std::span<const Point2> corners, Point2 from, Point2 to,
                           ZoneBoundary boundary);
 
@@ -91,8 +93,8 @@ class AF2_EXPORT ConvexPolygonZone final : public AF2FreeZone {
   std::vector<Point2> corners_;  // normalized
 };
 
-/// The usual definition: a convex polygon whose corners fade from preferred to limiting ones as the
-/// quality level rises: corner = t * preferred + (1 - t) * limiting with t = fade[level].
+/// The usual definition: a convex polygon whose corners move from preferred to limiting positions
+/// as the quality level rises: corner = t * preferred + (1 - t) * limiting with t = fade[level].
 class AF2_EXPORT ConvexPolygonZoneDef final : public AF2FreeZoneDef {
  public:
   struct Corner {
@@ -101,13 +103,13 @@ class AF2_EXPORT ConvexPolygonZoneDef final : public AF2FreeZoneDef {
         nullptr;  ///< null: the preferred one at every level
   };
 
-  /// fade  weight of the preferred corner by level; [0] is level 1; the last one holds for higher
-  ///       levels. Throws InputError with fewer than three corners or an empty fade.
+  /// fade  weight of the preferred corner by level; [0] is level 1; the last one applies to all
+  ///       higher levels. Throws InputError with fewer than three corners or an empty fade.
   ConvexPolygonZoneDef(std::vector<Corner> corners, std::vector<double> fade);
 
   Made makeFreeZone(const AF2Binding& binding) const override;
-  /// Where the corners lie at a match, in the order in which they were given, convex or not;
-  /// nothing if one of them has no value.
+  /// The corners at a match, in the order in which they were given, convex or not; no value if one
+  /// of them has none.
   std::optional<std::vector<Point2>> cornersAt(const AF2Binding& binding) const;
 
   std::span<const Corner> corners() const { return corners_; }

@@ -1,4 +1,4 @@
-// Which front edge is advanced next, as a rule set says it.
+// Which front edge is advanced next, as the rule set defines it.
 #pragma once
 
 #include <memory>
@@ -19,32 +19,31 @@ struct FrontEdgeFacts {
 class Front;
 class LayeredFrontOrder;
 
-/// The edges of the front that wait to be advanced, for an order that is more than a sorting by
-/// keys.
+/// The edges of the front that wait to be advanced, for an order that sort keys cannot express.
 class AF2_EXPORT AF2EdgeQueue {
  public:
   virtual ~AF2EdgeQueue() = default;
-  /// Enters the edge that leaves a place: it has joined the front, or its level has risen.
+  /// Inserts the edge that leaves a place: it has joined the front, or its level has risen.
   virtual void push(const Front& front, PlaceId place) = 0;
-  /// Takes out the edge that is next, none if there is none left. Edges may leave the front while
+  /// Removes and returns the next edge, none if the queue is empty. Edges may leave the front while
   /// they wait; those are skipped.
   virtual PlaceId pop(const Front& front) = 0;
 };
 
-/// Which of the waiting edges is next. The same front must give the same answer: nothing may depend
-/// on addresses, hash tables or clocks.
+/// Which of the waiting edges is next. The same front must give the same answer, so the order must
+/// not depend on addresses, hash tables or clocks.
 ///
-/// Most orders sort by keys: smallest key first, compared lexicographically; among equal keys, or
-/// without any, the edge that entered first. A key is worked out when an edge enters the front and
-/// when its level rises. An order that keys cannot say makes a queue of its own.
+/// Most orders sort by keys: the smallest key first, compared lexicographically. Ties, and orders
+/// without keys, go to the edge that entered first. A key is computed when an edge enters the front
+/// and when its level rises. An order that keys cannot express provides a queue of its own.
 class AF2_EXPORT AF2FrontOrder {
  public:
   virtual ~AF2FrontOrder() = default;
   virtual int keyCount() const { return 0; }
   virtual double key(int /*index*/, const FrontEdgeFacts&) const { return 0; }
-  /// Whether `key` looks at the turns, which cost more than the rest.
+  /// Whether `key` uses the turns, which cost more to compute than the rest.
   virtual bool needsTurns() const { return true; }
-  /// A queue that keeps this order instead of one that sorts by keys; null: there is none.
+  /// A queue that keeps this order and replaces the one that sorts by keys; null: there is none.
   virtual std::unique_ptr<AF2EdgeQueue> makeQueue() const { return nullptr; }
   /// The fast form of the same order; null: there is none.
   virtual const LayeredFrontOrder* layered() const { return nullptr; }

@@ -17,7 +17,7 @@ bool isFinite(const Term& t) {
 
 bool isZero(const Term& t) { return t.xx == 0 && t.xy == 0 && t.yx == 0 && t.yy == 0; }
 
-/// Sorted by vertex, one term for each, none that contributes nothing.
+/// Sorted by vertex, one term for each vertex, without terms that contribute nothing.
 std::vector<Term> normalized(std::vector<Term> terms) {
   std::stable_sort(terms.begin(), terms.end(),
                    [](const Term& s, const Term& t) { return s.vertex < t.vertex; });

@@ -1,4 +1,4 @@
-// How a rule places a point: the open form, and the affine form that nearly every rule uses.
+// How a rule places a point: the open form, and the affine form that almost every rule uses.
 #pragma once
 
 #include <optional>
@@ -13,13 +13,13 @@ namespace af2 {
 
 /// Places a new vertex or a zone corner from the matched vertices.
 ///
-/// Derive from this for a placement that the rule language cannot say. Must be pure: the same
+/// Derive from this for a placement that the rule language cannot express. Must be pure: the same
 /// binding gives the same point. Source: [VanderZee16], point transforms.
 class AF2_EXPORT AF2PointTransform {
  public:
   virtual ~AF2PointTransform() = default;
-  /// Nothing where the placement has no value at this match; the match is then refused.
-  /// Throws InputError if the binding has fewer vertices than the transform needs.
+  /// No value where the placement has none at this match; the match is then refused. Throws
+  /// InputError if the binding has fewer vertices than the transform needs.
   virtual std::optional<Point2> transformPoint(const AF2Binding& binding) const = 0;
 };
 
@@ -27,21 +27,21 @@ class AF2_EXPORT AF2PointTransform {
 /// x = constant.x + sum (xx X_i + xy Y_i), y = constant.y + sum (yx X_i + yy Y_i).
 class AF2_EXPORT AffinePointTransform final : public AF2PointTransform {
  public:
-  /// What one matched vertex contributes; vertices that contribute nothing are left out.
+  /// The contribution of one matched vertex; vertices that contribute nothing are left out.
   struct Term {
     int vertex = 0;
     double xx = 0, xy = 0, yx = 0, yy = 0;
     bool operator==(const Term&) const = default;
   };
 
-  /// Terms are kept in order of vertex; several of one vertex are added up. Throws InputError on a
-  /// negative vertex or a coefficient that is not finite.
+  /// Terms are kept in order of vertex; several terms of one vertex are added. Throws InputError on
+  /// a negative vertex or a coefficient that is not finite.
   AffinePointTransform(Point2 constant, std::vector<Term> terms);
 
   /// The matched vertex itself.
   static AffinePointTransform vertex(int index);
 
-  /// `point` + coefficients * deviations from the reference positions, the published form:
+  /// The published form, `point` + coefficients * deviations from the reference positions:
   /// x = point.x + sum (xCoefficients[2i] dx_i + xCoefficients[2i+1] dy_i), y likewise.
   /// Throws InputError unless both lists are twice as long as `reference`.
   static AffinePointTransform fromDeviations(Point2 point, std::span<const Point2> reference,

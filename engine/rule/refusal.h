@@ -12,16 +12,16 @@ enum class Refusal {
   Require,          ///< a `require` condition does not hold
   NoValue,          ///< an expression has no value at this match
   Shape,            ///< the free zone has no valid shape at this match
-  Convexity,        ///< the commonest kind of it: a corner list that is not convex
+  Convexity,        ///< the commonest shape fault: the corner list is not convex
   ZoneHitByVertex,  ///< the free zone holds a vertex of the front
   ZoneHitByEdge,    ///< the free zone holds part of a front edge
   Inverted,         ///< a new element would not be positively oriented
   Score,            ///< the rule set does not accept the score
-  Surface,  ///< a new vertex has no place on the surface, or an element would fold over there
+  Surface,  ///< a new vertex has no point on the surface, or an element would fold over there
   Beaten,   ///< another rule scored better
 };
 
-/// One word for a reason, as rule tests and reports write it.
+/// The name of a reason in rule tests and reports.
 AF2_EXPORT const char* toString(Refusal refusal);
 
 }  // namespace af2

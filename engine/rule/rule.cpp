@@ -29,7 +29,7 @@ std::string edgeName(const RuleDefinition& rule, Edge edge) {
   return vertexName(rule, edge.first) + "->" + vertexName(rule, edge.second);
 }
 
-/// Names are for messages and pictures: those that are given must tell vertices apart.
+/// Names serve messages and pictures: no two vertices may have the same one.
 void checkNames(const RuleDefinition& rule) {
   if (rule.newVertexNames.size() > rule.newVertices.size())
     fail(rule, "names more new vertices than it has");
@@ -98,8 +98,8 @@ std::set<Edge> boundaryOf(const std::set<Edge>& edges) {
   return boundary;
 }
 
-/// Positions of all vertices at the reference match; new ones without a place there lie above the
-/// middle of the base.
+/// Positions of all vertices at the reference match; new vertices without a position there are put
+/// above the middle of the base.
 std::vector<Point2> referencePositions(const RuleDefinition& rule) {
   const RuleAtMatch match = RuleAtMatch::atReference(rule, rule.firstLevel);
   std::vector<Point2> points = match.vertices();
@@ -108,8 +108,9 @@ std::vector<Point2> referencePositions(const RuleDefinition& rule) {
   return points;
 }
 
-/// Where elements touch in a single vertex, several boundary edges leave it. The unmeshed region to
-/// the right of the walk then turns, counter-clockwise from where the walk came, into the first.
+/// Where elements touch in a single vertex, several boundary edges leave it. The walk continues
+/// with the first of them counter-clockwise from the direction it came from: the unmeshed region
+/// lies to the right of the walk.
 int nextOnWalk(const std::set<Edge>& unused, const std::vector<Point2>& points, Edge last) {
   int best = -1;
   double bestSweep = 0;
@@ -123,7 +124,7 @@ int nextOnWalk(const std::set<Edge>& unused, const std::vector<Point2>& points, 
   return best;
 }
 
-/// The one walk around the new elements, from b to a, without its ends, reversed.
+/// The boundary walk around the new elements, from b to a, without its ends, reversed.
 std::vector<std::int8_t> replacementOf(const RuleDefinition& rule, const std::set<Edge>& boundary) {
   if (!boundary.contains({0, 1})) fail(rule, "does not consume its base edge a->b");
   const std::vector<Point2> points = referencePositions(rule);

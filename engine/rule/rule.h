@@ -1,4 +1,4 @@
-// A rule: where the front looks like this pattern and this free zone is empty, put these elements.
+// A rule: where the front looks like this pattern and this free zone is empty, add these elements.
 #pragma once
 
 #include <array>
@@ -21,17 +21,17 @@ namespace af2 {
 struct ToleranceForm {
   double xx = 1, xy = 0, yy = 1;
   double operator()(Point2 d) const { return xx * d.x * d.x + xy * d.x * d.y + yy * d.y * d.y; }
-  /// Whether a vertex or an edge may deviate like this from what the pattern wants.
+  /// Whether a vertex or an edge may deviate by this much from what the pattern wants.
   bool allows(Point2 deviation, double tolerance) const { return (*this)(deviation) <= tolerance; }
   bool operator==(const ToleranceForm&) const = default;
 };
 
-/// What counts at each quality level, mostly the same at all of them.
+/// A value for each quality level, usually the same for all.
 template <class T>
 class ByLevel {
  public:
   ByLevel(T everywhere) : values_{std::move(everywhere)} {}
-  /// values  by level; [0] is level 1; the last one holds for higher levels; at least one
+  /// values  by level; [0] is level 1; the last one applies to all higher levels; at least one
   explicit ByLevel(std::vector<T> values) : values_(std::move(values)) {
     while (values_.size() > 1 && values_.back() == values_[values_.size() - 2]) values_.pop_back();
   }
@@ -40,7 +40,7 @@ class ByLevel {
     const auto index = static_cast<std::size_t>(level - 1);
     return index < values_.size() ? values_[index] : values_.back();
   }
-  /// From this level on nothing changes any more.
+  /// From this level on the value is constant.
   int levelCount() const { return static_cast<int>(values_.size()); }
   bool operator==(const ByLevel&) const = default;
 
@@ -50,7 +50,7 @@ class ByLevel {
 
 using ToleranceByLevel = ByLevel<ToleranceForm>;
 
-/// Where a vertex is expected at each quality level.
+/// The expected position of a vertex at each quality level.
 class ReferenceByLevel : public ByLevel<Point2> {
  public:
   using ByLevel::ByLevel;
@@ -62,8 +62,8 @@ class ReferenceByLevel : public ByLevel<Point2> {
 struct PatternVertex {
   std::string name;
   ReferenceByLevel reference;
-  /// Deviation allowed up to the rule set's match tolerance; nothing: any position will do, allowed
-  /// only for vertices of a chain that reaches them from a or b.
+  /// Limits the deviation by the rule set's match tolerance. Without a value any position will do,
+  /// which is allowed only for vertices of a chain that leads to them from a or b.
   std::optional<ToleranceByLevel> tolerance = ToleranceForm{};
   bool operator==(const PatternVertex&) const = default;
 };
@@ -92,7 +92,7 @@ struct RuleSource {
   bool operator==(const RuleSource&) const = default;
 };
 
-/// What a rule says, before it is checked.
+/// A rule as it is written, before it is checked.
 struct RuleDefinition {
   std::string name;
   int firstLevel = 1;
@@ -103,16 +103,16 @@ struct RuleDefinition {
   std::vector<std::shared_ptr<const AF2PointTransform>> newVertices;
   std::shared_ptr<const AF2FreeZoneDef> zone;
   std::vector<RuleElement> elements;
-  std::vector<std::shared_ptr<const AF2BindingFunction>> requirements;  ///< each nonzero to hold
-  std::shared_ptr<const AF2BindingFunction> cost;  ///< added to the score; null: nothing
-  int priority = 0;                                ///< among equal scores the smaller one wins
+  std::vector<std::shared_ptr<const AF2BindingFunction>> requirements;  ///< all must be nonzero
+  std::shared_ptr<const AF2BindingFunction> cost;  ///< added to the score; null: no cost
+  int priority = 0;                                ///< ties in score go to the smaller one
   RuleSource source;
 };
 
-/// An immutable, consistent rule; what follows from the rest is worked out once.
+/// An immutable, consistent rule. Derived data is computed once.
 class AF2_EXPORT AF2Rule {
  public:
-  static constexpr int kMaxVertices = 12;  ///< matched and new ones together
+  static constexpr int kMaxVertices = 12;  ///< matched and new vertices together
   static constexpr int kMaxElements = 8;
 
   /// Throws InputError, naming the rule, if the definition contradicts itself: unknown or repeated
@@ -129,12 +129,12 @@ class AF2_EXPORT AF2Rule {
     return level >= definition_.firstLevel && level <= definition_.lastLevel.value_or(level);
   }
 
-  /// Pattern edges that lie on the boundary of the new elements, so leave the front.
+  /// Pattern edges on the boundary of the new elements: they leave the front.
   const std::vector<PatternEdge>& consumedEdges() const { return consumed_; }
-  /// Edges that join the front: the reversed boundary of the new elements, less consumed edges.
+  /// Edges that join the front: the reversed boundary of the new elements without consumed edges.
   const std::vector<PatternEdge>& newEdges() const { return new_; }
   /// The vertices between a and b of the walk a -> ... -> b around the new elements, i.e. what
-  /// takes the place of the base edge before opposite edges cancel.
+  /// replaces the base edge before opposite edges cancel.
   const std::vector<std::int8_t>& replacement() const { return replacement_; }
 
  private:

@@ -1,4 +1,4 @@
-// What a rule says by itself at a match: whether the pattern fits, whether its conditions hold,
+// What a rule alone determines at a match: whether the pattern fits, whether its conditions hold,
 // where its new vertices go.
 #pragma once
 
@@ -13,11 +13,11 @@
 
 namespace af2 {
 
-/// A reason for a refusal, with the numbers behind it.
+/// A reason for a refusal, with the numbers that led to it.
 struct RefusalCause {
   Refusal reason = Refusal::None;
-  /// Of what the rule lists: the pattern vertex or edge, the condition, the new vertex, the
-  /// element; -1 where the reason is not about one of them.
+  /// Index in the rule's list of pattern vertices or edges, conditions, new vertices or elements;
+  /// -1 where the reason is not about one of them.
   int index = -1;
   bool isEdge = false;          ///< Pattern: `index` is that of a pattern edge, whose slope misfits
   double value = 0, limit = 0;  ///< Pattern: the tolerance form and the largest allowed value
@@ -25,7 +25,7 @@ struct RefusalCause {
   bool isNone() const { return reason == Refusal::None; }
 };
 
-/// Pattern if a vertex or a slope deviates by more than is allowed, else None.
+/// Pattern if a vertex or a slope deviates by more than the tolerance, else None.
 ///
 /// matched    positions in pattern order; the ends of the base edge are not tested
 /// tolerance  largest allowed value of a tolerance form at the level
@@ -35,34 +35,34 @@ AF2_EXPORT RefusalCause patternMisfit(const RuleDefinition& rule, std::span<cons
 /// Require or NoValue for the first condition that does not hold, else None.
 AF2_EXPORT RefusalCause failedRequirement(const RuleDefinition& rule, const AF2Binding& binding);
 
-/// Where one of the new vertices goes; nothing where that has no finite value.
+/// The position of one of the new vertices; no value where it is not finite.
 AF2_EXPORT std::optional<Point2> newVertexAt(const RuleDefinition& rule, std::size_t index,
                                              const AF2Binding& binding);
 AF2_EXPORT std::vector<std::optional<Point2>> newVerticesAt(const RuleDefinition& rule,
                                                             const AF2Binding& binding);
 
-/// What the rule adds to its score, 0 for most; nothing where that has no finite value.
+/// What the rule adds to its score, 0 for most rules; no value where it is not finite.
 AF2_EXPORT std::optional<double> costAt(const RuleDefinition& rule, const AF2Binding& binding);
 
-/// A rule at given positions of its pattern. The front around them consists of the pattern's edges
-/// and isolated vertices, and of nothing else; sizes are uniform, the surface is a plane.
+/// A rule at given positions of its pattern. The front consists only of the pattern's edges and
+/// isolated vertices; the size field is uniform, the surface is a plane.
 class AF2_EXPORT RuleAtMatch : public AF2Surroundings {
  public:
   /// vertices  the matched ones in pattern order; [0] and [1] on the x axis
-  /// `rule` is kept as a reference.
+  /// Keeps a reference to `rule`.
   RuleAtMatch(const RuleDefinition& rule, std::vector<Point2> vertices, int level);
-  /// Where the pattern wants its vertices.
+  /// The reference positions of the pattern's vertices.
   static RuleAtMatch atReference(const RuleDefinition& rule, int level);
 
   const std::vector<Point2>& vertices() const { return vertices_; }
   int level() const { return level_; }
   AF2Binding binding() const { return {vertices_, level_, this}; }
-  /// Matched and new vertices; nothing where a new one has no place.
+  /// Matched and new vertices; no value where a new one has no position.
   std::optional<std::vector<Point2>> placeAll() const;
 
-  /// The free angle, where the pattern's chains fix it.
+  /// The free angle, where the pattern's chains determine it.
   std::optional<double> turn(int vertex) const override;
-  /// Vertices in the chain of the base: all there is of its loop.
+  /// Number of vertices in the base's chain, which is all that is known of its loop.
   int loopSize() const override;
   double distanceToFront(Point2 point) const override;
 
@@ -71,7 +71,7 @@ class AF2_EXPORT RuleAtMatch : public AF2Surroundings {
 
  private:
   Point2 at(int vertex) const { return vertices_[static_cast<std::size_t>(vertex)]; }
-  /// The vertex before or after one in its chain, or -1.
+  /// The vertex before or after a vertex in its chain, or -1.
   int before(int vertex) const;
   int after(int vertex) const;
 

@@ -23,12 +23,12 @@ bool makes(const std::vector<AF2Rule>& rules, int corners) {
 }  // namespace
 
 RuleSet::RuleSet(RuleSetDefinition definition) : definition_(std::move(definition)) {
-  constexpr int kMostLevels = 1000;  // tables are kept by level
+  constexpr int kMaxLevels = 1000;  // tables are kept by level
   const RuleSetDefinition& d = definition_;
   if (d.rules.empty()) fail(d, "has no rules");
   if (d.rules.size() > std::numeric_limits<std::uint16_t>::max()) fail(d, "has too many rules");
-  if (d.maxLevel < 1 || d.maxLevel > kMostLevels)
-    fail(d, "the quality levels must end between 1 and " + std::to_string(kMostLevels));
+  if (d.maxLevel < 1 || d.maxLevel > kMaxLevels)
+    fail(d, "the quality levels must end between 1 and " + std::to_string(kMaxLevels));
   if (d.matchTolerance.size() != static_cast<std::size_t>(d.maxLevel))
     fail(d, "needs one match tolerance for each quality level");
   for (double t : d.matchTolerance)

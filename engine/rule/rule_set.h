@@ -1,4 +1,4 @@
-// Rules with what they share: levels, tolerances, the measure of elements, the order of the front.
+// A rule set: rules with their common levels, tolerances, element metric and front order.
 #pragma once
 
 #include <memory>
@@ -12,17 +12,17 @@
 
 namespace af2 {
 
-/// What becomes length 1 in the chart.
+/// Which length becomes 1 in the chart.
 enum class ChartUnit { WantedLength, BaseLength };
 
 /// Whether every rule must change the number of front edges by an even number.
 enum class Parity { Any, Even };
 
-/// What a rule set says, before it is checked.
+/// A rule set as it is written, before it is checked.
 struct RuleSetDefinition {
   std::string name;
-  int maxLevel = 50;  ///< an edge that no rule takes at this level is stuck
-  /// Largest value of a tolerance form by level; [0] is level 1. As long as maxLevel.
+  int maxLevel = 50;  ///< an edge that no rule accepts at this level is stuck
+  /// Largest value of a tolerance form by level; [0] is level 1. Has maxLevel entries.
   std::vector<double> matchTolerance;
   std::shared_ptr<const AF2ElementMetric> metric;
   ScoreOf scoreOf = ScoreOf::Max;
@@ -30,13 +30,13 @@ struct RuleSetDefinition {
   std::shared_ptr<const AF2FrontOrder> order;
   ChartUnit unit = ChartUnit::WantedLength;
   Parity parity = Parity::Any;
-  std::vector<AF2Rule> rules;  ///< in file order, which breaks ties
+  std::vector<AF2Rule> rules;  ///< in file order; ties go to the earlier rule
 };
 
-/// An immutable, consistent rule set: all the behaviour of a run of the engine.
+/// An immutable, consistent rule set, which determines all behaviour of a run of the engine.
 class AF2_EXPORT RuleSet {
  public:
-  /// Throws InputError, naming the rule set, if something is missing or contradicts itself.
+  /// Throws InputError, naming the rule set, if something is missing or contradictory.
   explicit RuleSet(RuleSetDefinition definition);
 
   const RuleSetDefinition& definition() const { return definition_; }

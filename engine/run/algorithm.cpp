@@ -1,6 +1,7 @@
 #include "engine/run/algorithm.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "engine/base/error.h"
 #include "engine/front/front.h"
@@ -13,19 +14,19 @@
 namespace af2 {
 namespace {
 
-/// How often a run reports its progress, in steps.
+/// Number of steps between two progress reports.
 constexpr std::size_t kReportSteps = 4096;
-/// And after how many candidates at the latest.
+/// Largest number of candidates between two progress reports.
 constexpr std::size_t kReportCandidates = 1 << 18;
-/// Fewer elements than these from one report to the next are next to nothing.
-constexpr std::size_t kLeastGain = 64;
-/// How many of the edges that are left are explained, when the front is stuck.
-constexpr std::size_t kMostExplained = 100;
+/// Fewer new elements than this between two reports do not count as progress.
+constexpr std::size_t kMinGain = 64;
+/// When the front is stuck, the number of remaining edges for which reasons are collected.
+constexpr std::size_t kMaxExplained = 100;
 
 class Run {
  public:
   Run(const CompiledRules& rules, const AF2LocalTransformMaker& maker, const FrontInput& input,
-      const SizeField& size, const MeshingOptions& options)
+      const SizeField& size, const FrontOptions& options)
       : rules_(rules),
         maker_(maker),
         size_(size),
@@ -48,7 +49,7 @@ class Run {
     do {
       elementsAtLastRound = result_.mesh.elements.size();
       advance();
-      // What was stuck may have come free by what happened around it since.
+      // Edges that were stuck may have become free through later changes around them.
     } while (result_.outcome == Outcome::Complete && !front_.isEmpty() &&
              result_.mesh.elements.size() > elementsAtLastRound && revive());
     result_.candidates = choice_.examined();
@@ -58,12 +59,12 @@ class Run {
 
  private:
   void makeRoom(std::size_t givenVertices) {
-    constexpr double kMargin = 1.1, kMost = 1 << 20;  // beyond that an estimate is not trusted
+    constexpr double kMargin = 1.1, kMax = 1 << 20;  // beyond that an estimate is not trusted
     if (!(options_.expectedElements > 0)) return;
     const auto elements =
-        static_cast<std::size_t>(std::min(kMargin * options_.expectedElements, kMost));
+        static_cast<std::size_t>(std::min(kMargin * options_.expectedElements, kMax));
     result_.mesh.elements.reserve(elements);
-    result_.mesh.rule.reserve(elements);
+    result_.mesh.origins.reserve(elements);
     result_.mesh.vertices.reserve(givenVertices + elements / 2);
     valence_.reserve(givenVertices + elements / 2);
   }
@@ -98,8 +99,8 @@ class Run {
       if (!isReportDue()) continue;
       if (options_.progress)
         options_.progress({result_.mesh.elements.size(), front_.edgeCount(), choice_.examined()});
-      const bool isPatienceLost = losesPatience(), isInVain = worksInVain();
-      if (isPatienceLost || isInVain) {
+      const bool isStalled = isStalledBySteps(), isFruitless = isStalledByCandidates();
+      if (isStalled || isFruitless) {
         result_.outcome = Outcome::Stuck;
         return;
       }
@@ -113,30 +114,31 @@ class Run {
     return true;
   }
 
-  bool losesPatience() {
-    if (options_.patience <= 0) return false;
-    constexpr int kLeastReports = 2;
+  bool isStalledBySteps() {
+    if (options_.stallSteps <= 0) return false;
+    constexpr int kMinReports = 2;
     const std::size_t elements = result_.mesh.elements.size();
-    const bool gains = elements >= elementsReported_ + kLeastGain;
+    const bool gains = elements >= elementsReported_ + kMinGain;
     idleReports_ = gains ? 0 : idleReports_ + 1;
     if (gains) stepsAtGain_ = result_.steps;
     elementsReported_ = elements;
-    return idleReports_ >= kLeastReports &&
+    return idleReports_ >= kMinReports &&
            result_.steps - stepsAtGain_ >=
-               static_cast<std::size_t>(options_.patience) * front_.edgeCount();
+               static_cast<std::size_t>(options_.stallSteps) * front_.edgeCount();
   }
 
-  /// The longer a front is, the longer its edges may take to find out at which level they match:
-  /// where all edges of a long strip have to, these examine some 10 to 90 candidates each.
-  bool worksInVain() {
+  /// The limit grows with the front. Edges may need many candidates until they reach the level at
+  /// which they match: where this holds for all edges of a long strip, 10 to 90 candidates each.
+  bool isStalledByCandidates() {
     constexpr std::size_t kForEachEdge = 60;
     const std::size_t elements = result_.mesh.elements.size(), candidates = choice_.examined();
-    if (elements >= elementsAtGain_ + kLeastGain) {
+    if (elements >= elementsAtGain_ + kMinGain) {
       elementsAtGain_ = elements;
       candidatesAtGain_ = candidates;
     }
-    return options_.mostInVain > 0 &&
-           candidates - candidatesAtGain_ > options_.mostInVain + kForEachEdge * front_.edgeCount();
+    return options_.stallCandidates > 0 &&
+           candidates - candidatesAtGain_ >
+               options_.stallCandidates + kForEachEdge * front_.edgeCount();
   }
 
   void step(PlaceId base) {
@@ -156,10 +158,10 @@ class Run {
         apply(base, *application);
       }
     } catch (const GeometryError&) {
-      // No chart here: like an edge that no rule takes.
+      // There is no chart here: treat the edge like one that no rule takes.
     }
     if (!report.applied) refuse(base);
-    tell(report, refusals);
+    notify(report, refusals);
   }
 
   StepChart makeChart(PlaceId base) {
@@ -177,7 +179,7 @@ class Run {
     queue_.push(front_, base);
   }
 
-  void tell(StepReport& report, std::vector<RuleRefusal>& refusals) {
+  void notify(StepReport& report, std::vector<RuleRefusal>& refusals) {
     if (!options_.observer) return;
     report.elements = result_.mesh.elements.size();
     report.frontEdges = front_.edgeCount();
@@ -191,7 +193,7 @@ class Run {
   void apply(PlaceId base, const Application& application) {
     const std::size_t firstNew = result_.mesh.vertices.size();
     addVertices(application);
-    addElements(application, firstNew);
+    addElements(application, front_[base].level, firstNew);
     makeWalk(base, application, firstNew);
     index_.erase(base);
     front_.replace(base, walk_, change_);
@@ -207,8 +209,11 @@ class Run {
     }
   }
 
-  void addElements(const Application& application, std::size_t firstNew) {
+  void addElements(const Application& application, int level, std::size_t firstNew) {
     const CompiledRule& rule = *application.rule;
+    constexpr int kMaxLevel = std::numeric_limits<std::uint8_t>::max();
+    const ElementOrigin origin{static_cast<std::uint16_t>(rule.index),
+                               static_cast<std::uint8_t>(std::min(level, kMaxLevel))};
     for (const RuleElement& wanted : rule.rule->definition().elements) {
       Element element;
       for (std::size_t i = 0; i < static_cast<std::size_t>(wanted.size()); ++i) {
@@ -221,7 +226,7 @@ class Run {
         if (valence < 255) ++valence;
       }
       result_.mesh.elements.push_back(element);
-      result_.mesh.rule.push_back(rule.index);
+      result_.mesh.origins.push_back(origin);
     }
   }
 
@@ -275,7 +280,7 @@ class Run {
 
   StuckEdge stuckEdge(PlaceId id) {
     StuckEdge edge{front_[id].vertex, front_[front_.next(id)].vertex, front_[id].level, {}};
-    if (result_.stuck.size() >= kMostExplained) return edge;
+    if (result_.stuck.size() >= kMaxExplained) return edge;
     try {
       edge.refusals = choice_.explain(makeChart(id), id);
     } catch (const GeometryError&) {
@@ -288,15 +293,15 @@ class Run {
   const CompiledRules& rules_;
   const AF2LocalTransformMaker& maker_;
   const SizeField& size_;
-  const MeshingOptions& options_;
+  const FrontOptions& options_;
   Front front_;
   FrontIndex index_;
   FrontQueue queue_;
-  std::vector<std::uint8_t> valence_;  // elements at each vertex, up to 255
+  std::vector<std::uint8_t> valence_;  // number of elements at each vertex, at most 255
   CandidateChoice choice_;
   std::size_t nextReport_ = kReportCandidates, elementsReported_ = 0;
-  int idleReports_ = 0;          // since elements came in numbers
-  std::size_t stepsAtGain_ = 0;  // when they did
+  int idleReports_ = 0;          // consecutive reports without progress
+  std::size_t stepsAtGain_ = 0;  // steps at the last progress
   std::size_t elementsAtGain_ = 0, candidatesAtGain_ = 0;
   ChartSlot slot_;
   std::vector<WalkVertex> walk_;
@@ -324,7 +329,7 @@ AF2Algorithm& AF2Algorithm::operator=(AF2Algorithm&&) noexcept = default;
 const RuleSet& AF2Algorithm::rules() const { return *compiled_->set; }
 
 MeshingResult AF2Algorithm::execute(const AF2LocalTransformMaker& maker, const FrontInput& input,
-                                    const SizeField& size, const MeshingOptions& options) const {
+                                    const SizeField& size, const FrontOptions& options) const {
   checkInput(input);
   return Run(compiled_->rules, maker, input, size, options).execute();
 }

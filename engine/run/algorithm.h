@@ -16,40 +16,41 @@
 
 namespace af2 {
 
-/// Extras of a run; the defaults do nothing.
-struct MeshingOptions {
+/// Optional settings and hooks of an advance of the front; the defaults do nothing.
+struct FrontOptions {
   AF2MeshingObserver* observer = nullptr;
   ProgressCallback progress;  ///< called from the thread that runs the engine
-  std::stop_token stop;       ///< may be requested from any thread; answered within a few steps
-  /// A run ends as stuck after so many steps in a row for each edge of its front, and much work at
-  /// least, that brought next to nothing. 0: only when no edge is left that could be tried.
-  int patience = 0;
-  /// Nor does a run go on that has examined so many candidates, and 60 more for each edge of its
-  /// front, since it brought something. 0: it does.
-  std::size_t mostInVain = 0;
-  double expectedElements = 0;  ///< room is made for about so many, so that it need not grow
+  std::stop_token stop;       ///< may be requested from any thread; takes effect within a few steps
+  /// A run ends as stuck after this number of steps per front edge, and at least two progress
+  /// reports, in which fewer than 64 elements were added. 0: no such limit; a run ends when no
+  /// front edge is left to try.
+  int stallSteps = 0;
+  /// A run ends as stuck after examining this number of candidates, plus 60 per front edge, in
+  /// which fewer than 64 elements were added. 0: no such limit.
+  std::size_t stallCandidates = 0;
+  double expectedElements = 0;  ///< memory is reserved for this many, so that it need not grow
 };
 
 enum class Outcome { Complete, Stuck, Cancelled };
 
-/// A front edge that no rule took, and why each rule was refused last.
+/// A front edge that no rule took, with each rule's last reason for refusing it.
 struct StuckEdge {
   VertexId from, to;
   int level = 1;
   std::vector<RuleRefusal> refusals;
 };
 
-/// What a run gives: always the mesh so far, and how it ended.
+/// The result of a run: always the mesh so far, and how the run ended.
 struct MeshingResult {
   Outcome outcome = Outcome::Complete;
-  Mesh mesh;                     ///< vertices of the input first, with their ids, then the new ones
-  std::vector<StuckEdge> stuck;  ///< front edges that are left, if stuck
+  Mesh mesh;                     ///< the input's vertices with their ids, then the new vertices
+  std::vector<StuckEdge> stuck;  ///< the remaining front edges, if the run got stuck
   std::vector<VertexId> unused;  ///< isolated vertices that no element uses
   std::size_t steps = 0, failedSteps = 0;
-  std::size_t candidates = 0;  ///< examined in all steps: with these goes the time
+  std::size_t candidates = 0;  ///< examined in all steps: determines the running time
 };
 
-/// The engine. Holds a rule set, compiled; meshes any number of regions with it, from any number of
+/// The engine. Holds a compiled rule set; meshes any number of regions with it, from any number of
 /// threads at once.
 class AF2_EXPORT AF2Algorithm {
  public:
@@ -60,12 +61,12 @@ class AF2_EXPORT AF2Algorithm {
 
   /// Meshes the region that `input` bounds.
   ///
-  /// Throws InputError if the input is no set of closed loops: an edge of length zero, an id out of
-  /// range, the same directed edge twice, a vertex with two positions, a number that is not finite,
-  /// a flat region whose loops run the wrong way round;
-  /// or if a size is not positive. Getting stuck and being cancelled are results, not errors.
+  /// Throws InputError if the input is not a set of closed loops (an edge of length zero, an id out
+  /// of range, the same directed edge twice, a vertex with two positions, a number that is not
+  /// finite, a flat region whose loops run the wrong way round) or if a size is not positive.
+  /// Getting stuck and being cancelled are results, not errors.
   MeshingResult execute(const AF2LocalTransformMaker& maker, const FrontInput& input,
-                        const SizeField& size, const MeshingOptions& options = {}) const;
+                        const SizeField& size, const FrontOptions& options = {}) const;
 
   const RuleSet& rules() const;
 

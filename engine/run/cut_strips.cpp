@@ -16,8 +16,8 @@ constexpr std::uint8_t kRings = 4;
 constexpr std::uint8_t kFar = 255;
 using Rings = std::vector<std::uint8_t>;
 
-/// Numbers the vertices of the elements by how many rings they are away from those that are 0; up
-/// to kRings.
+/// Numbers the vertices of the elements by their distance, in rings, from those numbered 0; up to
+/// kRings.
 template <class Elements>
 void spread(const Mesh& mesh, const Elements& elements, Rings& ring) {
   for (std::uint8_t r = 0; r < kRings; ++r) {
@@ -30,13 +30,14 @@ void spread(const Mesh& mesh, const Elements& elements, Rings& ring) {
   }
 }
 
-/// A part of a mesh, numbered on its own: fixed vertices first.
+/// A part of a mesh with its own numbering: fixed vertices first.
 struct Strip {
   Mesh mesh;
   std::size_t fixedCount = 0;
   std::vector<std::size_t> elements;  ///< of the whole mesh, by element of the strip
   std::vector<VertexId> vertices;     ///< likewise
-  std::vector<VertexId> local;        ///< by vertex of the whole mesh: its own; none: not here
+  /// By vertex of the whole mesh: its id in the strip; none: not in the strip.
+  std::vector<VertexId> local;
 };
 
 template <class IsFree>
@@ -47,7 +48,7 @@ Strip take(const Mesh& mesh, std::vector<std::size_t> elements, const IsFree& is
     for (const VertexId v : mesh.elements[e].vertices()) {
       VertexId& local = strip.local[v.value];
       if (!local.isNone()) continue;
-      local = v;  // its number is not known yet
+      local = v;  // placeholder: its number is not known yet
       strip.vertices.push_back(v);
     }
   std::ranges::sort(strip.vertices);
@@ -63,7 +64,7 @@ Strip take(const Mesh& mesh, std::vector<std::size_t> elements, const IsFree& is
     for (VertexId& v : element.corners)
       if (!v.isNone()) v = strip.local[v.value];
     strip.mesh.elements.push_back(element);
-    strip.mesh.rule.push_back(mesh.rule[e]);
+    strip.mesh.origins.push_back(mesh.origins[e]);
   }
   strip.elements = std::move(elements);
   return strip;
@@ -77,12 +78,13 @@ void putBack(const Strip& strip, Mesh& mesh) {
     for (VertexId& v : element.corners)
       if (!v.isNone()) v = strip.vertices[v.value];
     mesh.elements[strip.elements[e]] = element;
+    mesh.origins[strip.elements[e]] = strip.mesh.origins[e];
   }
 }
 
 using Edges = std::vector<std::pair<VertexId, VertexId>>;
 
-/// Those of the edges that both ends of which are in the strip, in its numbering.
+/// The edges whose two ends are both in the strip, in the strip's numbering.
 Edges localEdges(const Strip& strip, const Edges& edges) {
   Edges local;
   for (const auto& [from, to] : edges) {
@@ -92,7 +94,7 @@ Edges localEdges(const Strip& strip, const Edges& edges) {
   return local;
 }
 
-/// The edges at which a strip ends, and those of the region's boundary that run along it.
+/// The edges at which a strip ends, and the region's boundary edges along it.
 MeshBoundary boundaryOf(const Strip& strip, const Edges& ofRegion) {
   Edges edges, rim;
   for (const Element& element : strip.mesh.elements) {
@@ -110,7 +112,7 @@ MeshBoundary boundaryOf(const Strip& strip, const Edges& ofRegion) {
   return {strip.fixedCount, std::move(rim)};
 }
 
-/// All elements along cuts as a mesh of its own, from which the strip along each cut is taken.
+/// All elements along cuts as one mesh, from which the strip along each cut is taken.
 class Strips {
  public:
   Strips(Mesh& mesh, const FrontInput& input, const SplitRegion& split, const AlongCuts& along,
@@ -138,7 +140,7 @@ class Strips {
   }
 
  private:
-  /// Cuts of the same depth change other elements and other vertices.
+  /// Cuts of the same depth change different elements and vertices, so they can run in parallel.
   void optimizeAlong(const RegionCut& cut) {
     const std::size_t first = along_.start[cut.pieces.begin], end = along_.start[cut.pieces.end];
     const auto part = std::views::iota(first, end);
@@ -161,7 +163,7 @@ class Strips {
 
   VertexId localCut(std::size_t cutVertex) const { return all_.local[firstCut_ + cutVertex]; }
 
-  /// Whether a vertex lies on a cut that bounds the part of the region which this one divides.
+  /// Whether a vertex lies on a cut that bounds the part of the region that `cut` divides.
   bool isOnOther(VertexId v, const RegionCut& cut) const {
     const std::size_t id = all_.vertices[v.value].value;
     if (id < firstCut_ || id >= firstCut_ + split_.cutVertices.size()) return false;
@@ -174,7 +176,7 @@ class Strips {
   Mesh& mesh_;
   std::size_t firstCut_;  ///< the first vertex of a cut
   Strip all_;
-  Edges boundary_;  ///< of the region, in the numbering of `all_`
+  Edges boundary_;  ///< boundary of the region, in the numbering of `all_`
 };
 
 }  // namespace

@@ -1,4 +1,4 @@
-// The strips of elements along the cuts of a region, optimised once its pieces are joined.
+// Optimises the strips of elements along the cuts of a region after its pieces are joined.
 #pragma once
 
 #include <cstddef>
@@ -15,30 +15,30 @@
 
 namespace af2 {
 
-/// By element, in order: those with a vertex that is fewer than four rings away from a cut. The
-/// cuts run along the vertices of the piece that are none of the region's, whose ids lie below
-/// `given`.
+/// In order, the elements with a vertex fewer than four rings away from a cut. The cuts run along
+/// the vertices of the piece that are not vertices of the region; the region's vertices have ids
+/// below `given`.
 std::vector<std::uint32_t> elementsAlongCuts(const Mesh& mesh, const RegionPiece& piece,
                                              std::size_t given);
 
-/// Such elements of a joined mesh.
+/// The elements along cuts in a joined mesh.
 struct AlongCuts {
   std::vector<std::size_t> elements;  ///< in the order of the pieces
-  std::vector<std::size_t> start;     ///< by piece: its first of `elements`; and their end
+  std::vector<std::size_t> start;     ///< by piece: its first entry in `elements`; then the end
 };
 
-/// What the strips are optimised with.
+/// What the optimisation of the strips needs.
 struct StripTools {
   /// Must be callable from several threads at once.
   std::function<std::shared_ptr<const AF2LocalTransformMaker>()> makeCharts;
-  /// Calls what it is given for 0 to count - 1, in any order, and returns once all is done.
+  /// Calls its argument for 0 to count - 1, in any order, and returns when all calls are done.
   std::function<void(std::size_t count, const std::function<void(std::size_t)>&)> forEach;
   std::stop_token stop;
 };
 
-/// Optimises the joined mesh of a region along its cuts, with the cuts free to move. First along
-/// those that were made last, each within the part of the region that it divided: cuts of the same
-/// depth at the same time.
+/// Optimises the joined mesh of a region along its cuts, where cut vertices can move. The cuts made
+/// last come first, each within the part of the region that it divided; cuts of the same depth are
+/// optimised in parallel.
 void optimizeAlongCuts(Mesh& mesh, const FrontInput& input, const SplitRegion& split,
                        const AlongCuts& along, const StripTools& tools);
 

@@ -15,7 +15,7 @@
 namespace af2 {
 namespace {
 
-/// Adds up what the pieces report; forwards it one call at a time.
+/// Sums the progress of all pieces; forwards one call at a time.
 class SharedProgress {
  public:
   SharedProgress(const ProgressCallback& callback, std::size_t pieces)
@@ -41,7 +41,7 @@ class SharedProgress {
 };
 
 RegionMesh meshPiece(const AF2Algorithm& algorithm, const RegionTask& task, const FrontInput& input,
-                     const MeshingOptions& options) {
+                     const FrontOptions& options) {
   const Stopwatch watch;
   RegionMesh piece;
   const MeshBoundary boundary = boundaryOf(input);
@@ -54,8 +54,8 @@ RegionMesh meshPiece(const AF2Algorithm& algorithm, const RegionTask& task, cons
     how.stop = options.stop;
     how.keepOriginal = false;
     if (!optimizeMesh(piece.result.mesh, boundary, *tools.charts, how).isSound) {
-      // Nobody is told of the same steps twice.
-      MeshingOptions again;
+      // The observer and the progress callback must not receive the same steps twice.
+      FrontOptions again;
       again.stop = options.stop;
       again.expectedElements = options.expectedElements;
       piece.result = algorithm.execute(*tools.charts, input, *tools.size, again);
@@ -66,9 +66,9 @@ RegionMesh meshPiece(const AF2Algorithm& algorithm, const RegionTask& task, cons
   return piece;
 }
 
-/// Puts the meshes of the pieces together, in the numbering of the whole region and in the order of
-/// the pieces. Each is taken over as soon as all before it have been, so that few are there beside
-/// what they become.
+/// Joins the meshes of the pieces, in the numbering of the whole region and in the order of the
+/// pieces. Each piece is copied and freed as soon as all pieces before it have been, so that few
+/// pieces are in memory beside the joined mesh.
 class PieceJoiner {
  public:
   PieceJoiner(const RegionTask& task, const SplitRegion& split, std::vector<RegionMesh>& pieces)
@@ -83,7 +83,7 @@ class PieceJoiner {
     for (const RegionPiece& piece : split.pieces) expected_ += piece.expectedElements;
   }
 
-  /// Called from several threads, once for each piece that is meshed.
+  /// Called from several threads, once for each finished piece.
   void finish(std::size_t piece) {
     if (task_.optimize)
       along_[piece] = elementsAlongCuts(pieces_[piece].result.mesh, split_.pieces[piece],
@@ -93,7 +93,7 @@ class PieceJoiner {
     for (; next_ < pieces_.size() && isDone_[next_]; ++next_) take(next_);
   }
 
-  /// Once all are finished.
+  /// Called once, when all pieces are finished.
   MeshingResult result() { return std::move(joined_); }
   const AlongCuts& alongCuts() const { return alongCuts_; }
 
@@ -108,7 +108,7 @@ class PieceJoiner {
     expectedSoFar_ += piece.expectedElements;
     makeRoom(joined.vertices, mesh.vertices.size() - given);
     makeRoom(joined.elements, mesh.elements.size());
-    makeRoom(joined.rule, mesh.rule.size());
+    makeRoom(joined.origins, mesh.origins.size());
     for (std::size_t v = 0; v < given; ++v)
       joined.vertices[piece.vertices[v].value] = mesh.vertices[v];
     joined.vertices.insert(joined.vertices.end(),
@@ -120,7 +120,7 @@ class PieceJoiner {
           v = v.value < given ? piece.vertices[v.value] : VertexId(inner + v.value - given);
       joined.elements.push_back(element);
     }
-    joined.rule.insert(joined.rule.end(), mesh.rule.begin(), mesh.rule.end());
+    joined.origins.insert(joined.origins.end(), mesh.origins.begin(), mesh.origins.end());
     for (const std::uint32_t e : along_[p]) alongCuts_.elements.push_back(firstElement + e);
     alongCuts_.start.push_back(alongCuts_.elements.size());
     joined_.steps += result.steps;
@@ -129,8 +129,8 @@ class PieceJoiner {
     result.mesh = {};
   }
 
-  /// Where there is no room for so many more: as much as the pieces to come will take, if they go
-  /// on as those before. To grow step by step would be to hold the mesh twice, again and again.
+  /// Reserves memory for the pieces to come, estimated from the pieces so far. Growing step by step
+  /// would hold the mesh twice each time.
   template <class T>
   void makeRoom(std::vector<T>& all, std::size_t more) const {
     constexpr double kMargin = 1.1;
@@ -146,14 +146,14 @@ class PieceJoiner {
   std::vector<RegionMesh>& pieces_;
   std::vector<std::vector<std::uint32_t>> along_;  ///< by piece: its elements along cuts
   std::vector<bool> isDone_;
-  std::size_t next_ = 0;  ///< the first piece that has not been taken over
+  std::size_t next_ = 0;  ///< the first piece that has not been copied yet
   double expected_ = 0, expectedSoFar_ = 0;
   std::mutex mutex_;
   MeshingResult joined_;
   AlongCuts alongCuts_{{}, {0}};
 };
 
-/// In the arena of the task.
+/// Runs in the arena of the task.
 void forEachInArena(const RegionTask& task, std::size_t count,
                     const std::function<void(std::size_t)>& work) {
   const auto all = [&] {
@@ -165,8 +165,8 @@ void forEachInArena(const RegionTask& task, std::size_t count,
     all();
 }
 
-StripTools stripToolsOf(const RegionTask& task, const MeshingOptions& options) {
-  // Charts may refer to what else was made with them.
+StripTools stripToolsOf(const RegionTask& task, const FrontOptions& options) {
+  // Charts may refer to the tools that they were made with, so both live equally long.
   const auto makeCharts = [&task] {
     const auto tools = std::make_shared<const PieceTools>(task.makeTools());
     return std::shared_ptr<const AF2LocalTransformMaker>(tools, tools->charts.get());
@@ -177,21 +177,22 @@ StripTools stripToolsOf(const RegionTask& task, const MeshingOptions& options) {
   return {makeCharts, forEach, options.stop};
 }
 
-/// Calls finish(p) when the p-th piece is meshed.
+/// Calls finish(p) when piece p is meshed.
 template <class Finish>
 void meshPieces(const AF2Algorithm& algorithm, const RegionTask& task, const SplitRegion& split,
-                const MeshingOptions& options, std::vector<RegionMesh>& pieces,
+                const FrontOptions& options, std::vector<RegionMesh>& pieces,
                 const Finish& finish) {
   SharedProgress progress(options.progress, pieces.size());
   const auto mesh = [&](std::size_t p) {
-    MeshingOptions own = options;
+    FrontOptions own = options;
     own.progress = progress.ofPiece(p);
     own.expectedElements = split.pieces[p].expectedElements;
     pieces[p] = meshPiece(algorithm, task, split.pieces[p].input, own);
     finish(p);
   };
   if (options.observer)
-    for (std::size_t p = 0; p < pieces.size(); ++p) mesh(p);  // it hears one step after the other
+    // One after the other: the observer must receive steps in order.
+    for (std::size_t p = 0; p < pieces.size(); ++p) mesh(p);
   else
     forEachInArena(task, pieces.size(), mesh);
 }
@@ -199,13 +200,13 @@ void meshPieces(const AF2Algorithm& algorithm, const RegionTask& task, const Spl
 }  // namespace
 
 RegionMesh meshRegion(const AF2Algorithm& algorithm, const RegionTask& task,
-                      const MeshingOptions& options) {
+                      const FrontOptions& options) {
   const Stopwatch watch;
   SplitRegion split;
   if (task.surface)
     split = splitRegion(task.input, *task.surface, *task.makeTools().size, task.split);
   if (split.pieces.size() <= 1) {
-    MeshingOptions own = options;
+    FrontOptions own = options;
     if (!split.pieces.empty()) own.expectedElements = split.pieces[0].expectedElements;
     return meshPiece(algorithm, task, task.input, own);
   }
@@ -222,9 +223,9 @@ RegionMesh meshRegion(const AF2Algorithm& algorithm, const RegionTask& task,
     whole.seconds += piece.seconds;
     whole.optimizeSeconds += piece.optimizeSeconds;
   }
-  // A cut in an unlucky place must not cost the region.
+  // If a piece fails because of a badly placed cut, the whole region is meshed without cuts.
   if (!isSound && !isCancelled) {
-    joiner.result();  // gives its room back
+    joiner.result();  // frees its memory
     return meshPiece(algorithm, task, task.input, options);
   }
 

@@ -1,4 +1,4 @@
-// Meshes one region from boundary to finished mesh, on as many threads as the caller's arena has.
+// Meshes one region from boundary to finished mesh, with as many threads as the caller's arena.
 #pragma once
 
 #include <functional>
@@ -10,14 +10,14 @@
 
 namespace af2 {
 
-/// What one piece needs for itself: neither is shared between threads. Each may refer to the other;
-/// they go together.
+/// The tools for one piece, which threads must not share. Each may refer to the other, so they have
+/// the same lifetime.
 struct PieceTools {
   std::unique_ptr<AF2LocalTransformMaker> charts;
   std::shared_ptr<const SizeField> size;
 };
 
-/// A region and what it lies on.
+/// A region and the surface on which it lies.
 struct RegionTask {
   const FrontInput& input;
   /// Must be callable from several threads at once.
@@ -26,22 +26,22 @@ struct RegionTask {
   const SurfaceEvaluator* surface = nullptr;
   SplitOptions split = {};
   bool optimize = true;
-  int threads = 0;  ///< at most so many; 0: as many as the caller's TBB arena has
+  int threads = 0;  ///< maximum; 0: as many as the caller's TBB arena has
 };
 
 struct RegionMesh {
   MeshingResult result;
   std::string fault;           ///< what is wrong with the mesh; empty: it is sound
   double optimizeSeconds = 0;  ///< summed over threads
-  double seconds = 0;          ///< likewise, in all
+  double seconds = 0;          ///< total, likewise summed over threads
 };
 
-/// Cuts the region where it is large, meshes the pieces at the same time, optimises them and the
-/// lines where they meet, and checks all of it. The mesh depends on the task alone, not on the
-/// number of threads; the progress callback is called from several threads, one at a time.
+/// Cuts the region if it is large, meshes the pieces in parallel, optimises them and the strips
+/// where they meet, and checks the result. The mesh depends only on the task, not on the number of
+/// threads. The progress callback is called from several threads, one call at a time.
 ///
-/// Throws what AF2Algorithm::execute throws.
+/// Throws the exceptions of AF2Algorithm::execute.
 AF2_EXPORT RegionMesh meshRegion(const AF2Algorithm& algorithm, const RegionTask& task,
-                                 const MeshingOptions& options);
+                                 const FrontOptions& options);
 
 }  // namespace af2

@@ -9,11 +9,11 @@
 namespace af2::region {
 namespace {
 
-/// A cut keeps this distance, in wanted lengths, from the boundary but near its own ends.
+/// Minimum distance, in wanted lengths, between a cut and the boundary, except near its ends.
 constexpr double kClearance = 2.5;
-/// A cut with fewer edges than this would be all ends.
+/// A cut with fewer edges would consist only of its ends.
 constexpr int kFewestEdges = 5;
-/// Where cuts are tried, as parts of the extent of the region: the middle first.
+/// Positions at which cuts are tried, as fractions of the region's extent: the middle first.
 constexpr std::array<double, 9> kPositions{0.5, 0.45, 0.55, 0.4, 0.6, 0.35, 0.65, 0.3, 0.7};
 
 /// Where a line x = position or y = position crosses a boundary edge.
@@ -27,7 +27,7 @@ class Bisector {
   Bisector(const SurfaceEvaluator& surface, const SizeField& size)
       : surface_(surface), size_(size) {}
 
-  /// The cuts of the best line, none if no line will do.
+  /// The cuts along the best line, none if no line is suitable.
   std::vector<Cut> bisect(const Loops& loops, const Plane& plane) {
     loops_ = &loops;
     plane_ = plane;
@@ -91,7 +91,7 @@ class Bisector {
   }
 
   std::optional<Cut> cutBetween(Spot from, Spot to) const {
-    // A line around a tube comes back to the vertex that it left: it goes on to the next one.
+    // A line around a tube returns to its start vertex; the cut then ends at the next vertex.
     if (from != to && at(from).vertex == at(to).vertex) to = next(to);
     if (from == to || at(from).vertex == at(to).vertex) return std::nullopt;
     const Point2 p = plane_.at(at(from)), q = plane_.at(at(to));
@@ -102,17 +102,17 @@ class Bisector {
     return cut;
   }
 
-  /// Whether the direction to `target` leaves a corner well inside the region: at no less than 40
-  /// degrees to both of its edges.
+  /// Whether the direction to `target` points well into the region: at least 40 degrees away from
+  /// both edges of the corner.
   bool leavesInside(Spot spot, Point2 target) const {
-    constexpr double kLeastAngle = 0.7;
+    constexpr double kMinAngle = 0.7;
     const Loop& loop = (*loops_)[spot.loop];
     const Point2 center = plane_.at(at(spot));
     const Point2 out = plane_.at(at(next(spot))) - center;
     const Point2 back = plane_.at(loop[(spot.corner + loop.size() - 1) % loop.size()]) - center;
     const Point2 d = target - center;
     const double free = turnBetween(out, back), own = turnBetween(out, d);
-    return own > kLeastAngle && own < free - kLeastAngle;
+    return own > kMinAngle && own < free - kMinAngle;
   }
 
   bool meetsBoundary(Spot from, Spot to) const {
@@ -127,7 +127,7 @@ class Bisector {
     return false;
   }
 
-  /// Vertices at equal steps of length over wanted length.
+  /// The inner vertices, spaced evenly in length divided by wanted length.
   std::vector<SurfacePoint> innerVertices(const SurfacePoint& from, const SurfacePoint& to) const {
     const auto pointAt = [&](double t) {
       return surface_.at(from.u + t * (to.u - from.u), from.v + t * (to.v - from.v));
@@ -161,7 +161,7 @@ class Bisector {
     const Point2 direction = (1 / distance(p, q)) * (q - p);
     double longest = 0;
     for (const SurfacePoint& x : cut.inner) longest = std::max(longest, size_.sizeAt(x));
-    const double reach = 4 * kClearance * longest;  // lengths in the plane are only about right
+    const double reach = 4 * kClearance * longest;  // lengths in the plane are approximate
     std::vector<const BoundaryCorner*> near;
     forEachEdge(*loops_, [&](const BoundaryCorner& c, const BoundaryCorner&) {
       const Point2 d = plane_.at(c) - p;
@@ -172,7 +172,7 @@ class Bisector {
     const Point3 start = at(cut.from).point.position, end = at(cut.to).point.position;
     for (const SurfacePoint& x : cut.inner) {
       const double toEnds = std::min(distance(x.position, start), distance(x.position, end));
-      // Near its own ends a cut that leaves steeply comes as close to its neighbours as it must.
+      // Near its ends a cut is necessarily close to the neighbouring boundary vertices.
       const double wanted = std::min(kClearance * size_.sizeAt(x), 0.6 * toEnds);
       for (const BoundaryCorner* c : near)
         if (distance(c->point.position, x.position) < wanted) return false;

@@ -39,15 +39,16 @@ struct Spot {
   bool operator==(const Spot&) const = default;
 };
 
-/// A cut to be: a straight line in the parameter plane between two corners, and its inner vertices.
+/// A planned cut: a straight line in the parameter plane between two corners, and its inner
+/// vertices.
 struct Cut {
   Spot from, to;
   std::vector<SurfacePoint> inner;
 };
 
 /// The cuts along the best line through a region whose loops run counter-clockwise around it in the
-/// parameters; none if no line will do. Throws GeometryError where a line meets a place without a
-/// normal.
+/// parameter plane; none if no line is suitable. Throws GeometryError where a line meets a point
+/// without a normal.
 std::vector<Cut> findCuts(const Loops& loops, const Plane& plane, const SurfaceEvaluator& surface,
                           const SizeField& size);
 

@@ -21,7 +21,7 @@ double signedArea(const Loop& loop, const Plane& plane) {
   return 0.5 * twice;
 }
 
-/// Links the loops anew along the cuts: at each end of a cut the way in goes on along it.
+/// Relinks the loops along the cuts: at each end of a cut the incoming edge continues along it.
 Loops relink(const Loops& loops, const std::vector<Cut>& cuts, std::size_t firstCutVertex) {
   std::vector<std::size_t> first(loops.size() + 1, 0);
   for (std::size_t l = 0; l < loops.size(); ++l) first[l + 1] = first[l] + loops[l].size();
@@ -85,7 +85,7 @@ bool encloses(const Loop& outer, Point2 p, const Plane& plane) {
   return isInside;
 }
 
-/// Outer loops, each with the holes that lie in it; nothing if a hole lies in none.
+/// Outer loops, each with the holes inside it; no value if a hole lies in none of them.
 std::vector<Loops> regionsOf(Loops loops, const Plane& plane, bool isReversed) {
   std::vector<Loops> regions;
   std::vector<Loop> holes;
@@ -121,7 +121,8 @@ class Splitter {
     double area = 0;
     for (const Loop& loop : input_.loops) area += signedArea(loop, Plane{});
     isReversed_ = area < 0;
-    // Where isolated vertices go would need a rule of its own; they are rare.
+    // A region with isolated vertices is not cut: they are rare, and would have to be assigned to
+    // pieces.
     if (input_.isolated.empty()) recurse(input_.loops, 0);
     if (result_.pieces.size() <= 1)
       result_.pieces = {whole(result_.pieces.empty() ? 0 : result_.pieces[0].expectedElements)};
@@ -163,8 +164,8 @@ class Splitter {
 
   std::vector<Cut> tryToCut(const Loops& loops, const Plane& plane) const {
     try {
-      // A reversed face is drawn in the mirror: region on the right. Swapping u and v puts it
-      // right.
+      // In the parameter plane a reversed face is mirrored: the region is on the right. Swapping u
+      // and v corrects this.
       if (!isReversed_) return findCuts(loops, plane, surface_, size_);
       const Mirror mirror(surface_);
       const MirrorSize mirrorSize(size_);
@@ -176,7 +177,7 @@ class Splitter {
         for (SurfacePoint& p : cut.inner) std::swap(p.u, p.v);
       return cuts;
     } catch (const GeometryError&) {
-      return {};  // a line through a place without a normal: the region stays whole
+      return {};  // a line meets a point without a normal: the region stays whole
     }
   }
 

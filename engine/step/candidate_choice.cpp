@@ -10,7 +10,7 @@
 namespace af2 {
 namespace {
 
-/// A box around a zone.
+/// The bounding box of a zone.
 class ZoneBox {
  public:
   explicit ZoneBox(const Box2& box, double margin = 0)
@@ -28,7 +28,7 @@ class ZoneBox {
   Pair low_, high_;
 };
 
-/// What a zone need not be free of: the vertices and edges that the rule has matched.
+/// What a zone may contain: the vertices and edges that the rule has matched.
 class MatchedParts {
  public:
   MatchedParts(const Front& front, const Candidate& c)
@@ -53,14 +53,14 @@ class MatchedParts {
   std::size_t vertexCount_, edgeCount_ = 0;
 };
 
-/// In the unit of the chart, as a rule the wanted length there. Zones are tested exactly, and often
-/// a new vertex is a corner of its zone: where rows meet, rounding must not decide whether the
-/// vertex that is there already is seen. Coordinates of a model a million lengths across are
-/// rounded by 1e-10 lengths, and no front has edges that are as short as this.
+/// In chart units, normally the wanted length there. Zones are tested exactly, and a new vertex is
+/// often a corner of its zone. Where rows meet, rounding must therefore not decide whether the zone
+/// sees a vertex that is already there. In a model a million lengths across, rounding moves
+/// coordinates by 1e-10 lengths, and no front edge is as short as this limit.
 constexpr double kSamePlace = 1e-9;
 
-/// Whether an edge from a corner of a convex zone runs into the zone, by a margin far beyond what
-/// rounding can do: then the exact test would find it.
+/// Whether an edge from a corner of a convex zone enters the zone, by a margin far larger than any
+/// rounding error: the exact test would then find it, too.
 bool plainlyRunsInto(const AffineBatch& zone, int corner, const Point2* matched, Point2 from,
                      Point2 to) {
   constexpr double kMargin = 1e-4;
@@ -73,7 +73,7 @@ bool plainlyRunsInto(const AffineBatch& zone, int corner, const Point2* matched,
          (cross(after, before) > kMargin);
 }
 
-/// More candidates than these are sorted, not searched.
+/// If there are more candidates than this, they are sorted instead of searched.
 constexpr std::size_t kManyCandidates = 64;
 
 bool isAtNewVertex(const Candidate& candidate, Point2 p) {
@@ -84,13 +84,13 @@ bool isAtNewVertex(const Candidate& candidate, Point2 p) {
   return false;
 }
 
-/// False also for coordinates that are not numbers.
+/// Returns false also if a coordinate is NaN.
 bool holds(const Box3& box, const Point3& p) {
   return p.x >= box.low.x && p.x <= box.high.x && p.y >= box.low.y && p.y <= box.high.y &&
          p.z >= box.low.z && p.z <= box.high.z;
 }
 
-/// Whether every corner of the new elements still faces the way the surface does.
+/// Whether every corner of the new elements faces the way the surface does.
 bool staysUnfolded(const StepView& view, const Application& application) {
   const CompiledRule& rule = *application.rule;
   const auto pointOf = [&](std::int8_t v) -> const SurfacePoint& {
@@ -139,17 +139,17 @@ void CandidateChoice::gather(const StepChart& chart, PlaceId base) {
 
 const Application* CandidateChoice::choose(const StepChart& chart, PlaceId base) {
   gather(chart, base);
-  countCrowd(near_.lookedAt());
+  countExamined(near_.lookedAt());
   const StepView view = viewOf(chart, base);
   collect(view);
   RuleRefusal culprit;
-  // Where a front is crammed there may be thousands, and few of them fit.
+  // Where a front is crowded there may be thousands of candidates, few of which are free.
   const bool isSorted = untried_.size() > kManyCandidates;
   if (isSorted) sortWorstFirst();
   while (!untried_.empty()) {
     const std::size_t best = isSorted ? untried_.size() - 1 : bestUntried();
     const Candidate& candidate = candidates_[untried_[best]];
-    countCrowd(near_.edges().size());
+    countExamined(near_.edges().size());
     if (testZone(view, candidate, culprit) == Refusal::None &&
         prepare(view, candidate) == Refusal::None) {
       wasWide_ = candidate.rule->isWide;
@@ -162,8 +162,9 @@ const Application* CandidateChoice::choose(const StepChart& chart, PlaceId base)
   return nullptr;
 }
 
-/// Where a front is crammed, to look at all that is near takes as long as many candidates do.
-void CandidateChoice::countCrowd(std::size_t lookedAt) {
+/// Where a front is crowded, visiting all nearby edges takes as long as testing many candidates, so
+/// these edges are counted in candidates.
+void CandidateChoice::countExamined(std::size_t lookedAt) {
   constexpr std::size_t kOrdinary = 256, kLikeACandidate = 32;
   if (lookedAt > kOrdinary) examined_ += (lookedAt - kOrdinary) / kLikeACandidate;
 }
@@ -182,7 +183,8 @@ void CandidateChoice::sortWorstFirst() {
 }
 
 void CandidateChoice::collect(const StepView& view) {
-  constexpr std::size_t kLikeEdges = 4;  // to score a match takes as long as to look at so many
+  // Scoring a match takes as long as visiting this many edges.
+  constexpr std::size_t kLikeEdges = 4;
   untried_.clear();
   matcher_.moveTo(view);
   std::size_t refused = 0;
@@ -203,11 +205,11 @@ void CandidateChoice::collect(const StepView& view) {
     });
   }
   examined_ -= refused;
-  countCrowd(matcher_.lookedAt() + kLikeEdges * refused);
+  countExamined(matcher_.lookedAt() + kLikeEdges * refused);
 }
 
-/// Whether an edge of the front next to the base is plainly in the zone of a match. In most steps
-/// one is in the zones of the best matches: these need neither a score nor a zone.
+/// Whether a front edge next to the base is clearly in the zone of a match. In most steps this
+/// refutes the best matches, so that neither a score nor a zone is computed for them.
 bool CandidateChoice::isInTheWay(const RuleAtLevel& at, const Match& match) const {
   if (!at.zone) return false;
   const FastZone& zone = *at.rule->zone;
@@ -265,7 +267,7 @@ Refusal CandidateChoice::visitObstacles(const StepView& view, const Candidate& c
   return Refusal::None;
 }
 
-/// Vertices come first, then edges, until `visit` returns false.
+/// Visits vertices first, then edges, until `visit` returns false.
 template <class Zone, class Visit>
 void CandidateChoice::searchZone(const StepView& view, const Candidate& candidate, Box2 box,
                                  const Zone& zone, Visit&& visit) {
@@ -274,7 +276,7 @@ void CandidateChoice::searchZone(const StepView& view, const Candidate& candidat
     Window larger = near_.window();
     larger.include(wanted);
     near_.gather(front_, index_, view.chart, view.base, larger);
-    countCrowd(near_.lookedAt());
+    countExamined(near_.lookedAt());
   }
   const MatchedParts matched(front_, candidate);
   const ZoneBox reach(box, kSamePlace), room(box);
@@ -328,7 +330,7 @@ std::vector<RuleRefusal> CandidateChoice::obstacles(const StepChart& chart, Plac
   return found;
 }
 
-/// Zone tests may gather anew, so matches are collected before they are tested.
+/// A zone test may gather the neighborhood again, so all matches are collected first.
 std::vector<Match> CandidateChoice::matchesOf(const StepView& view, const RuleAtLevel& at) {
   std::vector<Match> matches;
   matcher_.moveTo(view);
@@ -360,7 +362,7 @@ RuleRefusal CandidateChoice::explainMatch(const StepView& view, const CompiledRu
                                           const Match& match) {
   Candidate candidate{0, &rule, match};
   RuleRefusal result{rule.index, scorer_.evaluate(view, candidate), {}, {}};
-  // Inverted elements and scores are checked after the zone, though they are cheaper to find out.
+  // Inverted elements and scores are reported after the zone although they are cheaper to test.
   if (result.reason == Refusal::Require || result.reason == Refusal::NoValue) return result;
   const Refusal zone = testZone(view, candidate, result);
   if (zone != Refusal::None) result.reason = zone;

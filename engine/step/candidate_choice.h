@@ -1,5 +1,5 @@
-// Chooses what to do at one base edge: scores every match of every rule, then tests free zones in
-// order of score and takes the first that is free.
+// Chooses the rule to apply at one base edge: scores all matches of all rules, then tests their
+// free zones in order of score and takes the first that is free.
 #pragma once
 
 #include <optional>
@@ -16,47 +16,47 @@
 
 namespace af2 {
 
-/// A new vertex on the surface, or nothing. The chart writes it where it stays: what has just been
-/// put together in pieces is slow to copy.
+/// A new vertex on the surface, or none. The chart writes it in place, because copying a freshly
+/// assembled object is slow.
 struct LiftedPoint {
   std::optional<SurfacePoint> point;
   LiftedPoint(const StepChart& chart, Point2 inChart) : point(chart.lift(inChart)) {}
 };
 
-/// The chosen candidate, with everything that is needed to apply it.
+/// The chosen candidate, with all data needed to apply it.
 struct Application {
   const CompiledRule* rule = nullptr;
   double score = 0;
   OpenPlaces open;
-  std::vector<LiftedPoint> newPoints;  ///< by new vertex; none is missing
+  std::vector<LiftedPoint> newPoints;  ///< by new vertex; all are present
 };
 
-/// Reused from step to step; after the first steps nothing is allocated.
+/// Reused from step to step, so that nothing is allocated after the first steps.
 class CandidateChoice {
  public:
   CandidateChoice(const CompiledRules& rules, const Front& front, const FrontIndex& index,
                   const SizeField& size, const std::vector<std::uint8_t>& valence);
 
-  /// For a region known to lie within a box: no new vertex is put outside of it.
+  /// For a region known to lie within a box: no new vertex is placed outside it.
   void keepWithin(const Box3& box) { limits_ = box; }
 
   /// The best applicable rule at the edge that leaves `base`, or null. Valid until the next call.
   const Application* choose(const StepChart& chart, PlaceId base);
 
-  /// How many candidates there were in all steps so far; edges count as some where they are many.
+  /// Number of candidates in all steps so far. Where very many edges were visited, they count, too.
   std::size_t examined() const { return examined_; }
 
-  /// For each rule in order why it is not the one to apply; call it before the front changes.
+  /// For each rule, in order, why it is not applied. Call it before the front changes.
   std::vector<RuleRefusal> explain(const StepChart& chart, PlaceId base);
 
-  /// All that hits the free zone of any match of any rule, each thing for itself.
+  /// Every vertex and edge that hits the free zone of any match of any rule, one entry for each.
   std::vector<RuleRefusal> obstacles(const StepChart& chart, PlaceId base);
 
  private:
   void gather(const StepChart& chart, PlaceId base);
   void collect(const StepView& view);
   bool isInTheWay(const RuleAtLevel& at, const Match& match) const;
-  void countCrowd(std::size_t lookedAt);
+  void countExamined(std::size_t lookedAt);
   std::size_t bestUntried() const;
   void sortWorstFirst();
   bool isBetter(const Candidate& one, const Candidate& other) const;
@@ -81,10 +81,11 @@ class CandidateChoice {
   Neighborhood near_;
   RuleMatcher matcher_;
   CandidateScorer scorer_;
-  std::vector<Candidate> candidates_;   // as many as there ever were at once
-  std::vector<std::uint32_t> untried_;  // those of this step that have not been tried yet
+  std::vector<Candidate> candidates_;   // as many as there ever were in one step
+  std::vector<std::uint32_t> untried_;  // indices of this step's candidates not tried yet
   ZonePolygon polygon_;
-  bool wasWide_ = false;  // the last step's rule: the next one is likely to be like it
+  // Whether the last step's rule was wide: the next one is likely to be, too.
+  bool wasWide_ = false;
   std::size_t examined_ = 0;
   Application application_;
   Box3 limits_{{-1e300, -1e300, -1e300}, {1e300, 1e300, 1e300}};

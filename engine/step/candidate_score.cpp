@@ -38,7 +38,7 @@ Refusal CandidateScorer::evaluate(const StepView& view, Candidate& candidate) co
   return refusal == Refusal::None ? judge(view, candidate) : refusal;
 }
 
-/// Where a rule asks about its surroundings, or has new vertices of any kind.
+/// The general form: for a rule that queries its surroundings or has new vertices of any kind.
 Refusal CandidateScorer::evaluateOpenly(const StepView& view, Candidate& candidate) const {
   const CompiledRule& rule = *candidate.rule;
   const RuleDefinition& definition = rule.rule->definition();

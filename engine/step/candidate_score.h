@@ -1,4 +1,4 @@
-// What a match of a rule would make, and how good that is; free zones are not looked at.
+// What a match of a rule would make, and its score. Does not look at free zones.
 #pragma once
 
 #include <span>
@@ -12,11 +12,11 @@
 
 namespace af2 {
 
-/// A match that would be accepted if its free zone is free.
+/// A match that is accepted if its free zone is empty.
 struct Candidate {
   double score = 0;
   const CompiledRule* rule = nullptr;
-  Match match;  ///< with the positions of the new vertices behind those of the matched ones
+  Match match;  ///< with the positions of the new vertices after those of the matched ones
 
   std::span<const Point2> matchedPoints() const {
     return {match.points.data(), static_cast<std::size_t>(rule->matchedCount)};
@@ -25,12 +25,12 @@ struct Candidate {
 
 class CandidateScorer {
  public:
-  /// All are kept as references.
+  /// Keeps references to all arguments.
   CandidateScorer(const CompiledRules& rules, const FrontIndex& index, const SizeField& size,
                   const std::vector<std::uint8_t>& valence)
       : rules_(rules), index_(index), size_(size), valence_(valence) {}
 
-  /// Places the new vertices and gives the candidate its score, or says why it is none.
+  /// Places the new vertices and scores the candidate, or returns why it is refused.
   Refusal evaluate(const StepView& view, Candidate& candidate) const;
 
  private:

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kEverywhere = 1e6;
 
-/// Base lengths for which windows are kept; a step uses the first that is not smaller than its own.
+/// Base lengths that have a window each; a step uses the first one not below its own length.
 constexpr std::array<double, 8> kBaseLengths{0.5, 0.75, 1, 1.25, 1.5, 2, 3, 4};
 
 // ---- binding steps -----------------------------------------------------------------------------
@@ -44,14 +44,14 @@ struct ChainWalk {
   }
   bool bound(int v) const { return isBound[static_cast<std::size_t>(v)]; }
 
-  /// Binds the rest of the chain that v belongs to, forward and backward.
+  /// Binds the rest of v's chain, forwards and backwards.
   void follow(int v) {
     using Kind = BindingStep::Kind;
     int u = v;
     for (int w = successor(u); w >= 0; u = w, w = successor(u)) {
       if (bound(w)) {
         if (!(u == 0 && w == 1)) bind(Kind::Closes, w, u);
-        return;  // a closed chain has been walked all round
+        return;  // a closed chain is complete
       }
       bind(Kind::Next, w, u);
     }
@@ -178,21 +178,21 @@ std::optional<FastZone> fastZone(const AF2Rule& rule, int maxLevel) {
 
 // ---- windows -----------------------------------------------------------------------------------
 
-/// Added on all sides of a window: zones that begin at the base, whose place in the chart is
-/// rounded or a little longer than the bucket says, are not to be fetched on their own.
+/// Added on all sides of a window. It covers rounding of the base's chart position and bases
+/// slightly longer than their bucket, so that zones that begin at the base need no extra search.
 constexpr double kWindowMargin = 0.05;
 
-/// Whether a walk from a to b comes by a vertex that it has come by before.
+/// Whether a walk from a to b visits a vertex twice.
 bool passesTwice(const std::vector<std::int8_t>& walk) {
   std::set<int> seen{0, 1};
   return !std::ranges::all_of(walk, [&](int v) { return seen.insert(v).second; });
 }
 
 /// In wanted lengths, from the base edge to the farthest side of a zone's box. A rule that puts
-/// elements beside its base alone needs less: one length for them and most of another for those
-/// that will stand beside them. The longer windows are, the more of the front each step has to
-/// draw; a zone that reaches farther is therefore left out of the windows of the other rules'
-/// steps.
+/// elements beside its base alone reaches less far: one length for these elements and most of
+/// another for those that will stand beside them. Longer windows make each step transform more of
+/// the front. A zone that reaches farther is therefore left out of the windows of steps that other
+/// rules take.
 constexpr double kOrdinaryReach = 2;
 
 /// How far the zone reaches from the base at the reference match of the rule's first level.
@@ -211,7 +211,8 @@ Point2 ellipseExtent(const ToleranceForm& form, double tolerance) {
   return {std::sqrt(tolerance * form.yy / det), std::sqrt(tolerance * form.xx / det)};
 }
 
-/// Every place that a free vertex of the rule can match. Others are found along the front.
+/// All positions that a free vertex of the rule can match. Other vertices are found along the
+/// front.
 Window matchWindow(const CompiledRule& rule, int level, double tolerance) {
   Window window;
   for (const BindingStep& step : rule.patternAt(level).steps) {
@@ -223,7 +224,7 @@ Window matchWindow(const CompiledRule& rule, int level, double tolerance) {
   return window;
 }
 
-/// Where the zone lies when matched vertices deviate by half of what is allowed, to either side.
+/// The extent of the zone when matched vertices deviate, to either side, by half of the tolerance.
 Window zoneWindow(const CompiledRule& rule, int level, double baseLength, double tolerance) {
   Window window;
   const RuleDefinition& definition = rule.rule->definition();
@@ -274,7 +275,7 @@ void AffineBatch::add(const AffinePointTransform& transform, int matchedCount) {
 
 namespace {
 
-/// As many sums at a time as fit into registers, so that rows are read and nothing else.
+/// As many sums at a time as fit into registers, so that the loop only reads rows.
 template <int kSlots, bool kIsMixed>
 void evaluateSlots(const AffineBatch& batch, const Point2* matched, double* x, double* y) {
   double sumX[kSlots], sumY[kSlots];
@@ -385,7 +386,7 @@ Window CompiledRules::windowAt(int level, double baseLength, bool withWide) cons
   const auto bucket = std::lower_bound(kBaseLengths.begin(), kBaseLengths.end(), baseLength);
   if (bucket != kBaseLengths.end())
     return row[static_cast<std::size_t>(bucket - kBaseLengths.begin())];
-  // Longer bases stretch the window in proportion, which is generous.
+  // For longer bases the window grows in proportion, which is more than needed.
   Window window = row.back();
   const double stretch = baseLength / kBaseLengths.back();
   window.include(stretch * window.lowX, stretch * window.lowY);

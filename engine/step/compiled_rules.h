@@ -1,4 +1,4 @@
-// Rules made ready for the loop: binding steps, coefficient tables by level, search windows.
+// Rules prepared for the main loop: binding steps, coefficient tables by level, search windows.
 #pragma once
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 
 namespace af2 {
 
-/// Up to eight affine points of a rule, evaluated together: structure of arrays, one row of
+/// Up to eight affine points of a rule, evaluated together: a structure of arrays with one row of
 /// coefficients for each matched vertex.
 struct AffineBatch {
   static constexpr int kCapacity = 8;
@@ -22,14 +22,14 @@ struct AffineBatch {
   };
 
   int count = 0;
-  bool isMixed = false;  ///< whether any x depends on a y or the other way round
+  bool isMixed = false;  ///< whether any x depends on a y or vice versa
   double constantX[kCapacity]{}, constantY[kCapacity]{};
   std::vector<Row> rows;  ///< by matched vertex from b on: a is the origin
 
   void add(const AffinePointTransform& transform, int matchedCount);
-  /// Slots from `count` on hold nothing of use.
+  /// Slots from `count` on are undefined.
   void evaluate(const Point2* matched, double* x, double* y) const;
-  /// One of the points.
+  /// Evaluates one of the points.
   Point2 point(int slot, const Point2* matched) const {
     const auto k = static_cast<std::size_t>(slot);
     Point2 sum{constantX[k], constantY[k]};
@@ -44,9 +44,10 @@ struct AffineBatch {
 
 /// The free zone of a rule in its fast form: a convex polygon with affine corners.
 struct FastZone {
-  std::vector<AffineBatch> byLevel;  ///< one for all levels, or [level - 1], the last for all above
-  /// The corners that are a and b at all levels, where the front goes on with an edge that the rule
-  /// does not match; -1 otherwise.
+  /// One entry for all levels, or [level - 1], the last for all above.
+  std::vector<AffineBatch> byLevel;
+  /// The corners that are a and b at all levels and at which the front continues with an edge that
+  /// the rule does not match; -1 otherwise.
   int cornerAtA = -1, cornerAtB = -1;
   const AffineBatch& at(int level) const {
     const auto last = byLevel.size() - 1;
@@ -55,18 +56,18 @@ struct FastZone {
   }
 };
 
-/// How one pattern vertex finds its place on the front.
+/// How one pattern vertex is bound to a place of the front.
 struct BindingStep {
   enum class Kind : std::uint8_t {
     Next,      ///< the place after that of `from`
     Previous,  ///< the place before that of `from`
     Closes,    ///< a check: the place after that of `from` is that of `vertex`
-    Any,       ///< every legal place in the window
+    Any,       ///< every matchable place in the window
   };
   Kind kind = Kind::Next;
   std::int8_t vertex = 0;
   std::int8_t from = 0;
-  Point2 reference;    ///< of the vertex
+  Point2 reference;    ///< reference position of the vertex
   ToleranceForm form;  ///< 0 everywhere if any position will do
 
   bool fits(Point2 point, double tolerance) const {
@@ -95,7 +96,7 @@ struct Window {
   }
 };
 
-/// What a match must fulfil at one level.
+/// What a match must satisfy at one level.
 struct CompiledPattern {
   std::vector<BindingStep> steps;
   std::vector<SlopeTest> slopes;
@@ -106,15 +107,15 @@ struct CompiledRule {
   std::uint16_t index = 0;
   int firstLevel = 1, lastLevel = 1;
   int matchedCount = 2, newCount = 0;
-  /// One for all levels, or [level - 1], the last for all above.
+  /// One entry for all levels, or [level - 1], the last for all above.
   std::vector<CompiledPattern> patterns;
   std::optional<AffineBatch> newPoints;  ///< the fast form, if all new points are affine
-  std::optional<FastZone> zone;          ///< the fast form, if the zone has it
-  bool isPlain = false;  ///< no requirement and no cost: nothing but geometry decides
-  /// Its free zone reaches so far that it is searched for on its own: steps that it has nothing to
-  /// do with look at a smaller window.
+  std::optional<FastZone> zone;          ///< the fast form, if the zone has one
+  bool isPlain = false;                  ///< no requirement and no cost: only geometry decides
+  /// The free zone reaches so far that it has its own search, so that steps of other rules can look
+  /// at a smaller window.
   bool isWide = false;
-  /// Some new elements have nothing in common but a vertex.
+  /// Some of the new elements share only a vertex.
   bool touchesItself = false;
 
   const CompiledPattern& patternAt(int level) const {
@@ -124,16 +125,16 @@ struct CompiledRule {
   }
 };
 
-/// A rule at one level, with what it asks for there.
+/// A rule at one level, with its data for that level.
 struct RuleAtLevel {
   const CompiledRule* rule = nullptr;
   const CompiledPattern* pattern = nullptr;
-  const AffineBatch* zone = nullptr;  ///< of the fast form, if it has that
+  const AffineBatch* zone = nullptr;  ///< of the fast form, if there is one
 };
 
 class CompiledRules {
  public:
-  /// onlyLevel  for steps at one level alone: no windows are made for the others
+  /// onlyLevel  for steps at one level only: no windows are made for the others
   explicit CompiledRules(const RuleSet& rules, std::optional<int> onlyLevel = std::nullopt);
   CompiledRules(const CompiledRules&) = delete;
   CompiledRules& operator=(const CompiledRules&) = delete;
@@ -141,10 +142,10 @@ class CompiledRules {
   const RuleSet& set() const { return set_; }
   const RuleScoring& scoring() const { return scoring_; }
   const std::vector<CompiledRule>& rules() const { return rules_; }
-  /// Those that are used at a level, in order.
+  /// The rules that are used at a level, in order.
   const std::vector<RuleAtLevel>& rulesAt(int level) const { return byLevel_[indexOf(level)]; }
-  /// What a step at this level looks at first. It holds every place that a rule can match, and the
-  /// free zones of typical matches; a zone that sticks out is fetched on its own.
+  /// The window that a step at this level searches first. It holds every place that a rule can
+  /// match, and the free zones of typical matches; a zone that sticks out needs a second search.
   /// withWide  also the zones of wide rules
   Window windowAt(int level, double baseLength, bool withWide) const;
 

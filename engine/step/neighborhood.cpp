@@ -47,7 +47,7 @@ class FrameDrawing {
   const Pair x_, y_, z_, scale_, centre_;
 };
 
-/// A chart of any kind.
+/// A chart of any class.
 class ChartDrawing {
  public:
   explicit ChartDrawing(const StepChart& chart) : chart_(chart) {}
@@ -60,7 +60,7 @@ class ChartDrawing {
   const StepChart& chart_;
 };
 
-/// Hands the fastest drawing of a chart to `use`.
+/// Calls `use` with the fastest way to map points to the chart.
 template <class Use>
 void withDrawing(const StepChart& chart, const Use& use) {
   if (!chart.frame()) return use(ChartDrawing(chart));
@@ -91,8 +91,8 @@ void DrawnBase::draw(const Front& front, const StepChart& chart, PlaceId base) {
 Box3 StepChart::boxOf(const Window& window, const Point3& origin) const {
   const Window w = frame_ && frame_->bend != Point2{0, 0} ? straightened(window) : window;
   if (!frame_) {
-    // A chart of unknown kind: its lengths are about right near the base, so look generously
-    // around.
+    // A chart of unknown class: its lengths are approximately right near the base, so the box is
+    // generous.
     const double reach = 1.5 * unit_ * std::max({-w.lowX, -w.lowY, w.highX, w.highY});
     const Point3 r{reach, reach, reach};
     return {origin - r, origin + r};
@@ -116,8 +116,8 @@ Box3 StepChart::boxOf(const Window& window, const Point3& origin) const {
 Window StepChart::straightened(const Window& w) const {
   constexpr double kFarthest = 3;
   const double reach = length(Point2{std::max(-w.lowX, w.highX), std::max(-w.lowY, w.highY)});
-  const double change =
-      length(frame_->bend) * reach + distance(frame_->kept, Point2{1, 0});  // of scale, at most
+  const double change = length(frame_->bend) * reach +
+                        distance(frame_->kept, Point2{1, 0});  // upper bound on the change of scale
   const double margin = reach * std::min(kFarthest, change / std::max(0.25, 1 - change));
   return {w.lowX - margin, w.lowY - margin, w.highX + margin, w.highY + margin};
 }
@@ -129,7 +129,7 @@ StepChart::Heights StepChart::heightsWithin(const Window& w) const {
     const double height = std::min(frame_->maxHeight, reach);
     return {height, height};
   }
-  // A sphere through the centre that touches the plane bends down this far.
+  // How far a sphere through the centre that touches the plane falls below it in the window.
   const double x = std::max(frame_->centreX - w.lowX, w.highX - frame_->centreX);
   const double y = std::max(-w.lowY, w.highY);
   const double squaredReach = (x * x + y * y) * unit_ * unit_;
@@ -147,8 +147,8 @@ void Neighborhood::gather(const Front& front, const FrontIndex& index, const Ste
   withDrawing(chart, [&](const auto& drawing) { draw(front, drawing); });
 }
 
-/// Two short loops, and storing every edge before knowing whether it stays, keep the processor
-/// busy: which edges lie in the window is not to be guessed.
+/// Two short loops that store every edge before testing whether it stays. A branch on whether an
+/// edge lies in the window would be mispredicted often.
 template <class Drawing>
 void Neighborhood::draw(const Front& front, const Drawing& drawing) {
   const Pair low{window_.lowX, window_.lowY}, high{window_.highX, window_.highY};

@@ -1,4 +1,4 @@
-// The front near one base edge, drawn in the chart; its buffer is reused from step to step.
+// The front near one base edge, mapped to the chart; the buffer is reused from step to step.
 #pragma once
 
 #include <span>
@@ -11,7 +11,7 @@
 
 namespace af2 {
 
-/// One chart with its fast form at hand.
+/// One chart with its fast form, if it has one.
 class StepChart {
  public:
   StepChart(const AF2LocalTransform& transform, double unit)
@@ -20,8 +20,7 @@ class StepChart {
   ChartPoint project(const SurfacePoint& point) const {
     return frame_ ? frame_->project(point) : transform_.transformFromSurface(point);
   }
-  /// Returned in registers: to put it together in memory and then to copy it makes the processor
-  /// wait.
+  /// Returned in registers: assembling it in memory and copying it would stall the processor.
   [[gnu::noinline]] Point2 positionOf(const SurfacePoint& point) const {
     return project(point).position;
   }
@@ -29,16 +28,16 @@ class StepChart {
     return transform_.transformToSurface(point);
   }
   const ProjectionFrame* frame() const { return frame_; }
-  /// Whether nothing but the projection matters: a surface without folds or other sheets.
+  /// Whether the projection alone decides: a surface without folds or other sheets.
   bool isPlane() const { return frame_ && frame_->minCosine <= -2 && frame_->perspective == 0; }
-  double unit() const { return unit_; }  ///< what is length 1 in the chart, in model units
-  /// A box in space that holds what the window shows.
+  double unit() const { return unit_; }  ///< the length, in model units, that is 1 in the chart
+  /// A box in space that holds everything the window shows.
   Box3 boxOf(const Window& window, const Point3& origin) const;
 
  private:
-  /// What shows in a window, before the frame has bent it, lies in this.
+  /// Holds everything that the window shows, before the frame bends it.
   Window straightened(const Window& window) const;
-  /// How far the surface may lie below and above the plane of the frame, within the window.
+  /// How far the surface may extend below and above the plane of the frame, within the window.
   struct Heights {
     double below, above;
   };
@@ -60,15 +59,15 @@ struct DrawnBase {
   void draw(const Front& front, const StepChart& chart, PlaceId base);
 };
 
-/// Every edge of the front that may meet a window. The start points of the edges are the vertices.
+/// All front edges that may meet a window. The start points of the edges are the vertices.
 class Neighborhood {
  public:
   struct Edge {
     Point2 from, to;
     PlaceId place;
     VertexId vertex;  ///< the start point
-    ChartView view;   ///< of it
-    bool isEdge;      ///< false: nothing but the vertex
+    ChartView view;   ///< of the start point
+    bool isEdge;      ///< false: only the vertex
   };
 
   void gather(const Front& front, const FrontIndex& index, const StepChart& chart, PlaceId base,
@@ -76,7 +75,7 @@ class Neighborhood {
 
   std::span<const Edge> edges() const { return {edges_.data(), count_}; }
   const Window& window() const { return window_; }
-  /// How many edges were looked at for that.
+  /// How many edges were visited for that.
   std::size_t lookedAt() const { return collected_.lookedAt; }
 
  private:
@@ -84,7 +83,7 @@ class Neighborhood {
   void draw(const Front& front, const Drawing& drawing);
 
   Window window_;
-  std::vector<PlaceId> found_;  // as many as were collected are in use
+  std::vector<PlaceId> found_;  // the collected edges are at the front
   FrontIndex::Collected collected_{0, 0};
   std::vector<Edge> edges_;  // [0, count_) are in use
   std::size_t count_ = 0;

@@ -8,8 +8,8 @@
 namespace af2 {
 namespace {
 
-/// The free directions at a place: counter-clockwise from the next to the previous vertex of the
-/// front; both ends belong to them.
+/// The free directions at a place: counter-clockwise from the next to the previous front vertex,
+/// both included.
 struct Sector {
   Point2 center, next, previous;
 
@@ -44,7 +44,7 @@ bool placeIsOpenTo(const StepView& view, PlaceId id, Point2 center, Point2 d1, P
   return sector.contains(d1) && sector.contains(d2);
 }
 
-/// The same for the ends a and b of the base, whose edge is drawn already.
+/// The same for the ends a and b of the base, whose chart positions are already known.
 bool baseIsOpenTo(const StepView& view, const Match& match, Point2 first, Point2 last) {
   const Point2 a = match.points[0], b = match.points[1];
   const DrawnBase::Corner &before = view.drawn.before, &after = view.drawn.after;
@@ -54,8 +54,8 @@ bool baseIsOpenTo(const StepView& view, const Match& match, Point2 first, Point2
           Sector{b, after.point.position, a}.contains(last));
 }
 
-/// A vertex may stand on the front more than once; the place at which the new elements lie is the
-/// one whose free sector they fill. None: they would cover what is meshed already.
+/// A vertex may have several places on the front. Returns the one whose free sector holds the new
+/// elements; none if they would cover what is already meshed.
 PlaceId openPlace(const StepView& view, PlaceId matched, Point2 center, Point2 d1, Point2 d2) {
   if (placeIsOpenTo(view, matched, center, d1, d2)) return matched;
   const VertexId id = view.front[matched].vertex;
@@ -68,8 +68,8 @@ PlaceId openPlace(const StepView& view, PlaceId matched, Point2 center, Point2 d
   return {};
 }
 
-/// Whether the free directions to the left of the way before -> center -> after hold all that is
-/// not free at a place.
+/// Whether the free directions to the left of the path before -> center -> after include everything
+/// at a place that is not free.
 bool goesAround(const StepView& view, PlaceId id, Point2 center, Point2 before, Point2 after) {
   const Sector left{center, after, before};
   const Place& place = view.front[id];
@@ -77,18 +77,18 @@ bool goesAround(const StepView& view, PlaceId id, Point2 center, Point2 before, 
          left.contains(positionOf(view, place.previous));
 }
 
-/// Where new elements touch in nothing but a vertex, the walk comes by there more than once.
-/// Between elements it passes what was free at the place and is cut off from the rest; only once
-/// does it pass the rest. False if it cannot be told where.
+/// Where new elements share only a vertex, the walk visits it more than once. Each visit between
+/// two elements cuts off free space at the place; one visit alone passes the rest of the front
+/// there, and the vertex is joined at that visit. Returns false if that visit cannot be determined.
 bool joinOnce(const StepView& view, const CompiledRule& rule, const Match& match,
               std::vector<PlaceId>& joined) {
   const auto& walk = rule.rule->replacement();
   const auto at = [&](int v) { return match.points[static_cast<std::size_t>(v)]; };
   for (int v = 0; v < rule.matchedCount; ++v) {
-    const bool isEnd = v < 2;  // a and b: where the walk begins and ends
+    const bool isEnd = v < 2;  // a and b: the ends of the walk
     const auto passes = std::ranges::count(walk, v);
     if (passes + isEnd < 2) continue;
-    PlaceId last;  // at which the vertex is joined
+    PlaceId last;  // where the vertex is joined
     for (std::size_t i = 0; i < walk.size(); ++i) {
       if (walk[i] != v) continue;
       const PlaceId place = std::exchange(joined[i], PlaceId());

@@ -1,4 +1,4 @@
-// The places of the front that new elements can fill.
+// Finds the places of the front that new elements can fill.
 #pragma once
 
 #include <vector>
@@ -7,16 +7,16 @@
 
 namespace af2 {
 
-/// Where new elements go.
+/// The places of the front that new elements fill.
 struct OpenPlaces {
-  /// By matched vertex: where a vertex stands on the front more than once, the place whose free
+  /// By matched vertex. If a vertex has several places on the front, this is the one whose free
   /// directions hold the new elements.
   std::vector<PlaceId> places;
   /// By vertex of the rule's replacement: WalkVertex::existing.
   std::vector<PlaceId> joined;
 };
 
-/// False if a vertex has no such place.
+/// Returns false if a vertex has no such place.
 bool findOpenPlaces(const StepView& view, const CompiledRule& rule, const Match& match,
                     OpenPlaces& open);
 

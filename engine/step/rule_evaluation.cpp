@@ -35,7 +35,7 @@ Scored scoreOf(const RuleSet& rules, const RuleDefinition& rule,
   return {{scoring.judge(score, binding.level)}, score};
 }
 
-/// Those that are there behind the matched ones; nothing if one is missing.
+/// The given positions after the matched ones; no value if one is missing.
 std::optional<std::vector<Point2>> allVertices(
     std::span<const Point2> matched, const std::vector<std::optional<Point2>>& newVertices) {
   std::vector<Point2> all(matched.begin(), matched.end());

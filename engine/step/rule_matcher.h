@@ -10,7 +10,7 @@
 
 namespace af2 {
 
-/// What one step of the advance looks at.
+/// The input of one step of the advance.
 struct StepView {
   const Front& front;
   const Neighborhood& near;
@@ -21,12 +21,13 @@ struct StepView {
   double tolerance;  ///< largest value of a tolerance form at this level
 };
 
-/// A bound pattern: places and chart positions by pattern vertex; then room for the new vertices.
+/// A bound pattern: places and chart positions by pattern vertex, then storage for the new
+/// vertices.
 struct Match {
   std::array<PlaceId, AF2Rule::kMaxVertices> places;
   std::array<Point2, AF2Rule::kMaxVertices + AffineBatch::kCapacity> points;
 
-  /// Takes over the first `count` vertices of another match, and nothing else.
+  /// Copies only the first `count` vertices of another match.
   void take(const Match& other, int count) {
     for (std::size_t v = 0; v < static_cast<std::size_t>(count); ++v) {
       places[v] = other.places[v];
@@ -35,21 +36,21 @@ struct Match {
   }
 };
 
-/// Calls visit(const Match&) for every complete binding of one rule. Used again from step to step.
+/// Calls visit(const Match&) for every complete binding of one rule. Reused from step to step.
 class RuleMatcher {
  public:
-  /// Goes to the base edge of a step; `view` must be there for as long as matches are asked for.
+  /// Moves to the base edge of a step; `view` must outlive all calls for that step.
   void moveTo(const StepView& view);
 
-  /// The corner at the far end of the edge of the front that arrives at the base, or of the one
-  /// that leaves it; null if there is none, or if it is out of sight.
+  /// The corner before the base (after it), at the far end of the adjacent front edge. Null if
+  /// there is no such edge or the corner is hidden.
   const Point2* beforeBase() const { return before_.seen(); }
   const Point2* afterBase() const { return after_.seen(); }
 
   template <class Visit>
   void forEachMatch(const CompiledPattern& pattern, Visit&& visit) {
     if (pattern.steps.empty()) return visitIfSlopesFit(pattern, visit);
-    // Most rules are ruled out by the corner beside the base: this is quick to find out.
+    // The corner beside the base rules out most rules, and testing it is fast.
     const BindingStep& first = pattern.steps.front();
     const Beside* beside = besideBase(first);
     if (!beside) return bind(pattern, 0, visit);
@@ -58,7 +59,7 @@ class RuleMatcher {
     bind(pattern, 1, visit);
   }
 
-  /// How many edges nearby were looked at since the last move.
+  /// How many nearby edges were visited since the last move.
   std::size_t lookedAt() const { return lookedAt_; }
 
  private:
@@ -66,7 +67,7 @@ class RuleMatcher {
   struct Beside {
     DrawnBase::Corner corner;
     bool hasEdge = false;  ///< whether the front has an edge between it and the base
-    bool isOpen = false;   ///< and it may be matched by a vertex other than a and b
+    bool isOpen = false;   ///< whether a vertex other than a and b may match it
 
     const Point2* seen() const {
       return hasEdge && corner.point.view != ChartView::Hidden ? &corner.point.position : nullptr;
@@ -74,7 +75,7 @@ class RuleMatcher {
   };
 
   void look(const DrawnBase::Corner& corner, bool hasEdge, Beside& beside) const;
-  /// The one that a step looks at if it is the first of its pattern, or null.
+  /// The corner that a step binds if it is the first of its pattern, or null.
   const Beside* besideBase(const BindingStep& step) const {
     if (step.kind == BindingStep::Kind::Next && step.from == 1) return &after_;
     if (step.kind == BindingStep::Kind::Previous && step.from == 0) return &before_;
@@ -113,7 +114,7 @@ class RuleMatcher {
     if (pattern.slopes.empty() || slopesFit(pattern)) visit(std::as_const(match_));
   }
 
-  /// Binds the vertex of a step if the place fits it.
+  /// Binds the vertex of a step if the place fits.
   bool accept(const CompiledPattern& pattern, std::size_t index, PlaceId place, VertexId vertex,
               Point2 point, ChartView view) {
     const BindingStep& step = pattern.steps[index];
@@ -132,10 +133,10 @@ class RuleMatcher {
   PlaceId placeOf(std::int8_t vertex) const {
     return match_.places[static_cast<std::size_t>(vertex)];
   }
-  /// Whether an earlier step has bound this mesh vertex: pattern vertices are all different.
+  /// Whether an earlier step has bound this mesh vertex: pattern vertices must be distinct.
   bool isBound(const CompiledPattern& pattern, std::size_t index, VertexId id) const;
   bool slopesFit(const CompiledPattern& pattern) const;
-  /// Where a step along the front leads, or null if there is no edge. Valid until the next call.
+  /// The target of a step along the front, or null if there is no edge. Valid until the next call.
   const DrawnBase::Corner* neighbor(const BindingStep& step);
 
   const StepView* view_ = nullptr;

@@ -1,5 +1,5 @@
-// What a match of a rule would make, as one number. The front scores its matches with this, and so
-// does whoever asks about a rule without a front.
+// The score of what a match of a rule would make. Used by the front for its matches, and by callers
+// that evaluate a rule without a front.
 // Not installed.
 #pragma once
 
@@ -18,7 +18,7 @@ namespace af2 {
 /// Chart positions of an element's corners.
 class ElementCorners {
  public:
-  /// vertices  of the match, the matched ones and then the new ones
+  /// vertices  of the match: the matched ones, then the new ones
   ElementCorners(const RuleElement& element, const Point2* vertices) : count_(element.size()) {
     for (std::size_t i = 0; i < static_cast<std::size_t>(count_); ++i)
       points_[i] = vertices[static_cast<std::size_t>(element.corners[i])];
@@ -34,17 +34,17 @@ class ElementCorners {
   int count_;
 };
 
-/// How a rule set scores what its rules make, with the fast form of its metric at hand.
+/// Computes the scores that a rule set gives to its rules' results; keeps the metric's fast form.
 class RuleScoring {
  public:
-  /// `set` is kept as a reference.
+  /// Keeps a reference to `set`.
   explicit RuleScoring(const RuleSetDefinition& set)
       : set_(set), fastMetric_(dynamic_cast<const ShapeSizeMetric*>(set.metric.get())) {}
 
-  /// The badnesses of the new elements as one number. Inverted if an element does not turn left at
+  /// The combined badness of the new elements. Returns Inverted if an element does not turn left at
   /// each corner, NoValue if one has no finite badness, else None.
   ///
-  /// Inline: the front asks this of every match.
+  /// Inline because the front calls it for every match.
   Refusal scoreElements(const std::vector<RuleElement>& elements, const Point2* vertices, int level,
                         double& score) const {
     double largest = 0, sum = 0;
@@ -79,7 +79,7 @@ class RuleScoring {
   }
 
  private:
-  /// Of an element that turns left everywhere; infinite if it has none.
+  /// Badness of an element that turns left everywhere; infinite if it has no value.
   double badnessOf(const ElementCorners& corners, int level) const {
     if (fastMetric_ && corners.count() == 3)
       return fastMetric_->triangleBadness(corners[0], corners[1], corners[2]);

@@ -65,7 +65,7 @@ struct Scene {
   }
 };
 
-/// The directed edges after the new elements have taken theirs away and left their reverses.
+/// The directed edges after the new elements have consumed theirs and added their reverses.
 std::vector<Edge> frontAfter(std::set<Edge> edges,
                              const std::vector<std::vector<std::size_t>>& elements) {
   for (const auto& element : elements) {
@@ -96,7 +96,7 @@ void describe(SingleStep& step, const Scene& scene, const FrontPiece& piece,
   }
 }
 
-/// What is asked at the base edge of a piece.
+/// The query at the base edge of a piece.
 class Question {
  public:
   Question(const CompiledRules& rules, const FrontPiece& piece)

@@ -1,5 +1,4 @@
-// One step of the advance on a piece of front in the plane: for tests of rules and for their
-// authors.
+// One step of the advance on a piece of front in the plane, for rule authors and tests of rules.
 #pragma once
 
 #include <memory>
@@ -19,7 +18,7 @@ class CompiledRules;
 /// A piece of front in the plane. The unmeshed region lies to the left of each edge.
 struct FrontPiece {
   std::vector<Point2> vertices;
-  /// Chains of vertices joined by edges; one whose first vertex comes again at its end is closed.
+  /// Chains of vertices joined by edges; a closed chain repeats its first vertex at the end.
   std::vector<std::vector<std::size_t>> chains;
   /// Vertices without an edge.
   std::vector<std::size_t> isolated;
@@ -28,24 +27,25 @@ struct FrontPiece {
   double size = 1;  ///< wanted edge length, in the units of the vertices
 };
 
-/// What the engine would do there.
+/// The engine's result there.
 struct SingleStep {
-  /// Of the rule that was applied; none if every rule is refused.
+  /// Results of the applied rule; none if every rule is refused.
   std::optional<std::size_t> rule;
   double score = 0;
   std::vector<std::size_t> matched;  ///< vertex by pattern vertex
-  std::vector<Point2> newVertices;   ///< numbered on behind the vertices of the piece
+  std::vector<Point2> newVertices;   ///< numbered after the vertices of the piece
   std::vector<std::vector<std::size_t>> elements;
   std::vector<std::pair<std::size_t, std::size_t>> frontAfter;
-  /// For every rule but the applied one why it was refused.
+  /// For every rule that was not applied, why it was refused.
   std::vector<RuleRefusal> refusals;
 };
 
-/// Takes steps with one rule set, which is made ready only once for each level. It must outlive the
-/// stepper; one stepper serves one thread.
+/// Takes steps with one rule set, which is compiled only once for each level. The rule set must
+/// outlive the stepper. One stepper serves one thread.
 ///
-/// All throw InputError if the piece is no front: an index out of range, an edge of length zero,
-/// the same edge twice, a base that is not among the edges, a level or size out of range.
+/// All functions throw InputError if the piece is not a front: an index out of range, an edge of
+/// length zero, the same edge twice, a base that is not an edge of a chain, a level or size out of
+/// range.
 class AF2_EXPORT SingleStepper {
  public:
   explicit SingleStepper(const RuleSet& rules);
@@ -53,9 +53,9 @@ class AF2_EXPORT SingleStepper {
 
   /// Tries all rules of the set at the base edge of a piece of front.
   SingleStep take(const FrontPiece& piece);
-  /// The rule that would be applied, none if every rule is refused; costs less than half as much.
+  /// The rule that would be applied, none if every rule is refused; less than half the cost.
   std::optional<std::size_t> chosenRule(const FrontPiece& piece);
-  /// All that hits the free zone of any match of any rule; a refusal names the first only.
+  /// Everything that hits the free zone of any match of any rule; a refusal names only the first.
   std::vector<RuleRefusal> obstacles(const FrontPiece& piece);
 
  private:
@@ -65,7 +65,7 @@ class AF2_EXPORT SingleStepper {
   std::vector<std::unique_ptr<const CompiledRules>> byLevel_;  // [level - 1]; null until needed
 };
 
-/// One step with a stepper of its own.
+/// One step with a temporary stepper.
 AF2_EXPORT SingleStep takeSingleStep(const RuleSet& rules, const FrontPiece& piece);
 
 }  // namespace af2

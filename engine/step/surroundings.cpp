@@ -23,7 +23,7 @@ std::optional<double> FrontSurroundings::turn(int vertex) const {
 }
 
 double FrontSurroundings::distanceToFront(Point2 point) const {
-  // Never farther than the base edge; what the rules look at may not reach that far.
+  // The distance to the base is an upper bound. The window of the step may not reach that far.
   const double toBase = distanceToSegment(point, match_.points[0], match_.points[1]);
   const Window reach{point.x - toBase, point.y - toBase, point.x + toBase, point.y + toBase};
   if (view_.near.window().contains(reach)) return nearestEdge(view_.near, point, toBase);
@@ -41,7 +41,7 @@ double FrontSurroundings::nearestEdge(const Neighborhood& near, Point2 point,
 }
 
 double FrontSurroundings::curvature(Point2 point) const {
-  constexpr double kStep = 0.25;  // of the wanted length: the scale that matters to an element
+  constexpr double kStep = 0.25;  // in wanted lengths: the scale that matters to an element
   const auto here = view_.chart.lift(point);
   if (!here) return 0;
   double largest = 0;

@@ -1,4 +1,4 @@
-// What the engine answers when a rule asks about more than the matched positions.
+// The engine's answers when a rule asks about more than the matched positions.
 #pragma once
 
 #include <vector>
@@ -26,7 +26,7 @@ class FrontSurroundings final : public AF2Surroundings {
   double curvature(Point2 point) const override;
 
  private:
-  /// Of the edges there, but at most `nearest`.
+  /// Distance to the edges there, but at most `nearest`.
   double nearestEdge(const Neighborhood& near, Point2 point, double nearest) const;
   const Place& placeOf(int vertex) const {
     return view_.front[match_.places[static_cast<std::size_t>(vertex)]];

@@ -5,11 +5,10 @@
 namespace af2 {
 namespace {
 
-/// Let u be 2^-53. The number of a side d from p to q is n . x + c with n = (-d.y, d.x) and
-/// c = d.y p.x - d.x p.y. None of its four products goes through more than five roundings, so it
-/// is off by less than 5.1 u (|d.x| + |d.y|) (|x| + |y| + |p.x| + |p.y|). Here |p.x| + |p.y| is at
-/// most the reach, |d.x| + |d.y| at most twice that; with 16 u the roundings of the bound itself
-/// are allowed for.
+/// Let u be 2^-53. The number of a side d from p to q is n . x + c with n = (-d.y, d.x) and c = d.y
+/// p.x - d.x p.y. Each of its four products is rounded at most five times, so the error is below
+/// 5.1 u (|d.x| + |d.y|) (|x| + |y| + |p.x| + |p.y|). Here |p.x| + |p.y| is at most the reach,
+/// |d.x| + |d.y| at most twice that; the factor 16 u also covers the rounding of the bound itself.
 constexpr double kErrorBound = 1.7763568394002505e-15;
 double least(const std::array<double, 8>& values) {
   std::array<double, 4> four;
@@ -59,7 +58,7 @@ void ZonePolygon::drawSides() {
   error_ = kErrorBound * reach_;
 }
 
-/// Whether the filter of `orientation` alone proves that all corners turn left, once round.
+/// Whether the filter of `orientation` alone proves that all corners turn left, once around.
 bool ZonePolygon::isPlainlyConvex() const {
   bool allTurnLeft = count_ >= 3;
   int turnsDown = 0;

@@ -11,11 +11,11 @@
 
 namespace af2 {
 
-/// Answers what ConvexPolygonZone answers, and allocates nothing. A number for each side tells on
-/// which side of it a point clearly lies; exact tests decide about the rest.
+/// Gives the same answers as ConvexPolygonZone without allocating. One number for each side says on
+/// which side a point clearly lies; exact tests decide the other cases.
 class ZonePolygon {
  public:
-  /// False: the corners do not run counter-clockwise around a convex region.
+  /// Returns false if the corners do not run counter-clockwise around a convex region.
   bool make(const FastZone& zone, int level, const Point2* matched);
 
   const Box2& boundingBox() const { return box_; }
@@ -28,7 +28,7 @@ class ZonePolygon {
 
   void drawSides();
   bool isPlainlyConvex() const;
-  /// For each side a number that is positive on its left, but for an error below errorAt.
+  /// For each side a number that is positive on its left, up to an error below errorAt.
   void evaluateSides(Point2 point, Values& values) const {
     for (std::size_t k = 0; k < kSides; ++k)
       values[k] = normalX_[k] * point.x + normalY_[k] * point.y + constant_[k];
@@ -37,16 +37,16 @@ class ZonePolygon {
     // Small products may have lost bits to underflow.
     return error_ * (largestX + largestY + reach_) + detail::kUnderflowGuard;
   }
-  /// Whether a point lies beyond side k, or on its line where touching does not count.
+  /// Whether a point lies beyond side k, or on its line if touching does not count.
   bool isBeyond(std::size_t k, Point2 point, double value, double error,
                 ZoneBoundary boundary) const;
   std::span<const Point2> corners() const { return {corners_.data(), count_}; }
 
-  std::array<Point2, kSides + 1> corners_;  // from count_ on the first one again
+  std::array<Point2, kSides + 1> corners_;  // from count_ on: repetitions of the first
   std::size_t count_ = 0;
   Box2 box_;
-  // Side k runs from corner k to corner k + 1; from count_ on they have no length, and nothing lies
-  // beyond them.
+  // Side k runs from corner k to corner k + 1. From count_ on sides have length zero, and nothing
+  // lies beyond them.
   Values sideX_, sideY_;
   Values normalX_, normalY_, constant_;
   double error_ = 0, reach_ = 0;

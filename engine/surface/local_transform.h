@@ -1,4 +1,4 @@
-// Charts: the 2-D picture of the surface in which one step of the advance takes place.
+// Charts: a chart is a 2-D map of the surface in which one step of the advance takes place.
 #pragma once
 
 #include <cstddef>
@@ -13,11 +13,11 @@
 
 namespace af2 {
 
-/// How far a front vertex takes part in a step.
+/// Whether a front vertex can be matched in a step, and whether it blocks new elements.
 enum class ChartView {
-  Legal = 0,  ///< may be matched, and is in the way of new elements
-  Obstacle,   ///< its place in the chart is too distorted to match, but it is in the way
-  Hidden,     ///< belongs to another sheet of the surface; neither
+  Legal = 0,  ///< can be matched, and blocks new elements
+  Obstacle,   ///< its image in the chart is too distorted to match, but it blocks
+  Hidden,     ///< belongs to another sheet of the surface: neither matched nor blocking
 };
 
 struct ChartPoint {
@@ -25,7 +25,7 @@ struct ChartPoint {
   ChartView view = ChartView::Legal;
 };
 
-/// The fast form of going down to the chart: orthogonal or central projection onto a plane.
+/// The fast form of mapping to a chart: orthogonal or central projection onto a plane.
 ///
 /// x = scale * (p - origin).xAxis, y likewise. A point whose normal makes a cosine with `normal` of
 /// less than `minCosine` is an Obstacle, of less than `hiddenCosine` Hidden; so is a point farther
@@ -33,16 +33,15 @@ struct ChartPoint {
 struct ProjectionFrame {
   Point3 origin, xAxis, yAxis, normal;
   double scale = 1;
-  double minCosine = -2, hiddenCosine = -2;  ///< -2: normals are not looked at (plane surfaces)
+  double minCosine = -2, hiddenCosine = -2;  ///< -2: normals are not tested (plane surfaces)
   double maxHeight = 1e300;
-  /// Not 0: a central projection, from the centre that lies 1 / perspective below the plane (above
-  /// it, if negative) at `centreX` of the chart's x axis. All points are legal then, the surface
-  /// bends towards the centre, and away from it rises by no more than `maxHeight` over the plane.
+  /// Not 0: a central projection, whose centre lies 1 / perspective below the plane (above it, if
+  /// negative) at `centreX` on the chart's x axis. All points are Legal then; the surface bends
+  /// towards the centre, and elsewhere rises at most `maxHeight` above the plane.
   double perspective = 0, centreX = 0;
-  /// Not 0: lengths in the plane vary. As complex numbers, p = (x, y) is drawn at
-  /// p (1 - bend L) / (1 - bend p), where (L, 0) is the end of the base edge; `kept` is 1 - bend L.
-  /// This keeps angles, the base edge, and circles, and varies lengths about the base as `bend`
-  /// says.
+  /// Not 0: lengths in the plane vary. As complex numbers, p = (x, y) is mapped to p (1 - bend L) /
+  /// (1 - bend p), where (L, 0) is the end of the base edge; `kept` is 1 - bend L. This map
+  /// preserves angles, circles and the base edge; `bend` controls how lengths vary around the base.
   Point2 bend{0, 0}, kept{1, 0};
 
   ChartPoint project(const SurfacePoint& point) const {
@@ -52,23 +51,23 @@ struct ProjectionFrame {
     if (bend != Point2{0, 0}) return bent(position);
     return {position, minCosine <= -2 ? ChartView::Legal : viewOf(point, d)};
   }
-  /// Where normals are looked at; d = point.position - origin.
+  /// For surfaces whose normals are tested; d = point.position - origin.
   ChartView viewOf(const SurfacePoint& point, const Point3& d) const {
     const double cosine = dot(point.normal, normal);
     const bool isHidden = (cosine < hiddenCosine) | (std::abs(dot(d, normal)) > maxHeight);
     const int view = isHidden ? 2 : cosine < minCosine ? 1 : 0;
     return static_cast<ChartView>(view);
   }
-  /// Far off, where the drawing would turn inside out, it stays in the way outside.
+  /// Far away, where the map would fold over, the point stays outside and still blocks.
   ChartPoint bent(Point2 p) const {
-    constexpr double kLeast = 0.25;
+    constexpr double kMin = 0.25;
     const Point2 divisor{1 - (bend.x * p.x - bend.y * p.y), -(bend.x * p.y + bend.y * p.x)};
-    if (divisor.x < kLeast) return {(1 / kLeast) * p, ChartView::Obstacle};
+    if (divisor.x < kMin) return {(1 / kMin) * p, ChartView::Obstacle};
     const Point2 q{kept.x * p.x - kept.y * p.y, kept.x * p.y + kept.y * p.x};
     const double scaled = 1 / dot(divisor, divisor);
     return {{scaled * dot(q, divisor), scaled * cross(divisor, q)}, ChartView::Legal};
   }
-  /// The way back.
+  /// The inverse map.
   Point2 straightened(Point2 z) const {
     const Point2 divisor{kept.x + bend.x * z.x - bend.y * z.y,
                          kept.y + bend.x * z.y + bend.y * z.x};
@@ -88,14 +87,14 @@ class AF2_EXPORT AF2LocalTransform {
  public:
   virtual ~AF2LocalTransform() = default;
   virtual ChartPoint transformFromSurface(const SurfacePoint& point) const = 0;
-  /// Nothing where the surface cannot be reached from this point of the chart.
+  /// No value where the surface cannot be reached from this point of the chart.
   virtual std::optional<SurfacePoint> transformToSurface(Point2 point) const = 0;
-  /// Not null: transformFromSurface is this projection, and the engine does it by itself in
+  /// Not null: transformFromSurface is this projection, and the engine evaluates it itself in
   /// batches.
   virtual const ProjectionFrame* projection() const { return nullptr; }
 };
 
-/// Room for one chart at a time, so that a step of the advance need not allocate.
+/// Storage for one chart at a time, so that a step of the advance need not allocate.
 class ChartSlot {
  public:
   ChartSlot() = default;
@@ -103,7 +102,7 @@ class ChartSlot {
   ChartSlot& operator=(const ChartSlot&) = delete;
   ~ChartSlot() { clear(); }
 
-  /// Holds the chart that `make` returns, where it is made: it is not moved.
+  /// Holds the chart that `make` returns, constructed in place: it is not moved.
   template <class Make>
   const AF2LocalTransform& fill(const Make& make) {
     using Chart = decltype(make());
@@ -133,8 +132,8 @@ class ChartSlot {
   std::unique_ptr<AF2LocalTransform> held_;
 };
 
-/// Makes the chart in which one step of the advance takes place: the one question that the engine
-/// asks of a surface. Derive from this to mesh a new kind of surface.
+/// Makes the chart for one step of the advance. This is the only thing that the engine asks of a
+/// surface. Derive from this class to mesh a new kind of surface.
 ///
 /// The engine calls one maker from one thread only.
 class AF2_EXPORT AF2LocalTransformMaker {
@@ -143,9 +142,9 @@ class AF2_EXPORT AF2LocalTransformMaker {
 
   /// Returns a chart with `from` at (0, 0) and `to` on the positive x axis.
   ///
-  /// from, to    ends of the base edge, apart; the region still to be meshed lies to the left of
+  /// from, to    ends of the base edge, distinct; the unmeshed region lies to the left of
   ///             from -> to, seen from the side to which the normals point
-  /// edgeLength  what becomes length 1 in the chart, in model units, > 0
+  /// edgeLength  the length, in model units, that becomes 1 in the chart; > 0
   ///
   /// Throws GeometryError if there is no chart here, e.g. no normal at `from` or at `to`.
   virtual std::unique_ptr<AF2LocalTransform> makeLocalTransform(const SurfacePoint& from,
@@ -163,7 +162,7 @@ class AF2_EXPORT AF2LocalTransformMaker {
 /// A maker that allocates nothing in a step. Derive as `class Maker : public ChartMaker<Maker>`,
 /// with
 ///   Chart chart(const SurfacePoint& from, const SurfacePoint& to, double edgeLength) const;
-/// which returns a chart, of the class that it likes, as makeLocalTransform would.
+/// which returns a chart of any class, with the meaning that makeLocalTransform has.
 template <class Derived>
 class ChartMaker : public AF2LocalTransformMaker {
  public:

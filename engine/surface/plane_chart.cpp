@@ -7,7 +7,7 @@ PlaneChart::PlaneChart(const SurfacePoint& from, const SurfacePoint& to, const P
     : edgeLength_(edgeLength) {
   const Point3 along = to.position - from.position;
   frame_.origin = from.position;
-  // Within the plane to rounding, also where the given points lie a little beside it.
+  // Within rounding the result is in the plane, even if the given points lie slightly beside it.
   frame_.xAxis = unit(along - dot(along, normal) * normal);
   frame_.yAxis = cross(normal, frame_.xAxis);
   frame_.normal = normal;

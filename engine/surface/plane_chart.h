@@ -1,4 +1,4 @@
-// The chart of a plane: the plane itself, turned so that the base edge lies on the x axis.
+// The chart of a plane: the plane itself, rotated so that the base edge lies on the x axis.
 #pragma once
 
 #include "engine/base/export.h"
@@ -30,7 +30,7 @@ class AF2_EXPORT PlaneChart final : public AF2LocalTransform {
 /// Makes the charts of one plane.
 class PlaneChartMaker final : public ChartMaker<PlaneChartMaker> {
  public:
-  /// normal  of any length but zero, pointing to the side from which the region is seen
+  /// normal  any nonzero length, pointing to the side from which the region is seen
   explicit PlaneChartMaker(const Point3& normal = {0, 0, 1}) : normal_(unit(normal)) {}
 
   PlaneChart chart(const SurfacePoint& from, const SurfacePoint& to, double edgeLength) const {

@@ -9,8 +9,8 @@
 
 namespace af2 {
 
-/// The wanted edge length at each point of a surface. Asked once for each new vertex.
-/// Must be pure and may be called from several threads at once.
+/// The wanted edge length at each point of a surface. Called once for each new vertex.
+/// Must be pure, and callable from several threads at once.
 class AF2_EXPORT SizeField {
  public:
   virtual ~SizeField() = default;
@@ -27,7 +27,7 @@ class UniformSize final : public SizeField {
   double size_;
 };
 
-/// A size field from any callable that takes a position.
+/// A size field that wraps any callable taking a position.
 class SizeFunction final : public SizeField {
  public:
   explicit SizeFunction(std::function<double(const Point3&)> size) : size_(std::move(size)) {}

@@ -25,7 +25,8 @@ int main(int count, char** arguments) {
     const af2::geometry::Model model = af2::geometry::readModel(arguments[1]);
     const af2::geometry::ModelMesh mesh = af2::geometry::meshModel(model, algorithm, options);
 
-    // A face that cannot be meshed, or fails the checks, does not spoil the others; it is told.
+    // A face that cannot be meshed, or fails the checks, does not affect the others; it is
+    // reported.
     bool isWhole = mesh.findings.empty();
     for (const std::string& lack : mesh.findings) std::fprintf(stderr, "%s\n", lack.c_str());
     for (const af2::geometry::FaceReport& face : mesh.faces) {

@@ -1,4 +1,4 @@
-// A free zone that the rule language does not have: an ellipse with given foci.
+// A free zone that the rule language lacks: an ellipse with given foci.
 #pragma once
 
 #include <algorithm>
@@ -8,11 +8,11 @@
 
 #include <af2/dsl/covering_zone.h>
 
-/// All points whose distances from two foci add up to at most `reach`.
+/// The points whose distances from two foci have a sum of at most `reach`.
 ///
-/// A registered shape says where it is (`boundingBox`), which points it holds (`contains`) and
-/// which edges enter it (`meets`). This one also says which edges lie in it (`covers`), so that
-/// rules may take it away from other shapes.
+/// A registered shape defines its bounding box (`boundingBox`), which points it contains
+/// (`contains`) and which edges enter it (`meets`). This one also defines which edges lie inside it
+/// (`covers`), so that rules may subtract it from other shapes.
 class Egg final : public af2::dsl::CoveringZone {
  public:
   Egg(af2::Point2 first, af2::Point2 second, double reach)
@@ -28,7 +28,7 @@ class Egg final : public af2::dsl::CoveringZone {
     return boundary == af2::ZoneBoundary::Counts ? sum(point) <= reach_ : sum(point) < reach_;
   }
 
-  /// The sum of distances is convex along an edge: its least value is found by thirds.
+  /// The sum of distances is convex along an edge, so its minimum is found by ternary search.
   bool meets(af2::Point2 from, af2::Point2 to, af2::ZoneBoundary boundary) const override {
     double low = 0, high = 1;
     for (int i = 0; i < 100; ++i) {
@@ -44,7 +44,7 @@ class Egg final : public af2::dsl::CoveringZone {
     return contains(from, boundary) || contains(to, boundary);
   }
 
-  /// Convex, so its ends say it.
+  /// The shape is convex, so testing the two ends is enough.
   bool covers(af2::Point2 from, af2::Point2 to) const override {
     return contains(from, af2::ZoneBoundary::Counts) && contains(to, af2::ZoneBoundary::Counts);
   }
@@ -56,7 +56,7 @@ class Egg final : public af2::dsl::CoveringZone {
   double reach_;
 };
 
-/// egg(p, q, reach): from the numbers of a call to a zone, or a refusal where there is none.
+/// egg(p, q, reach): makes a zone from the numbers of a call, or refuses where there is none.
 inline af2::AF2FreeZoneDef::Made makeEgg(std::span<const double> n) {
   const af2::Point2 first{n[0], n[1]}, second{n[2], n[3]};
   if (!(distance(first, second) < n[4])) return {nullptr, af2::Refusal::Shape};

@@ -1,4 +1,4 @@
-// Meshes a planar domain with rules that call a zone shape of one's own:
+// Meshes a planar domain with rules that call a custom zone shape:
 // registered_shape DOMAIN.poly SIZE OUTPUT
 #include <cstdio>
 #include <cstdlib>

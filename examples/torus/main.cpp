@@ -12,13 +12,13 @@
 
 namespace {
 
-/// The files of AF2 hold the mesh of a model; here the model has one face.
+/// AF2's mesh files hold the mesh of a model; here the model has one face.
 af2::geometry::ModelMesh asModelMesh(const af2::Mesh& mesh, const af2::RuleSet& rules) {
   af2::geometry::ModelMesh result;
   for (const af2::SurfacePoint& vertex : mesh.vertices) result.vertices.push_back(vertex.position);
   result.elements = mesh.elements;
   result.face.assign(mesh.elements.size(), 1);
-  result.rule = mesh.rule;
+  result.origins = mesh.origins;
   for (const af2::AF2Rule& rule : rules.rules()) result.ruleNames.push_back(rule.name());
   return result;
 }

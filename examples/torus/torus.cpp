@@ -26,8 +26,8 @@ class TorusChart final : public af2::AF2LocalTransform {
     plane_.normal = af2::unit(sum - af2::dot(sum, along) * along);
     plane_.yAxis = af2::cross(plane_.normal, along);
     plane_.scale = 1 / edgeLength;
-    plane_.minCosine = 0.25;  // steeper parts are in the way, but are not matched
-    plane_.hiddenCosine = 0;  // what faces away is the other side of the tube
+    plane_.minCosine = 0.25;  // steeper parts block elements but are not matched
+    plane_.hiddenCosine = 0;  // parts that face away are the other side of the tube
     plane_.maxHeight = 2 * edgeLength;
   }
 
@@ -43,7 +43,7 @@ class TorusChart final : public af2::AF2LocalTransform {
     return found;
   }
 
-  /// Allowed, not needed: lets the engine project many points at once.
+  /// Optional: lets the engine project many points at once.
   const af2::ProjectionFrame* projection() const override { return &plane_; }
 
  private:
@@ -96,7 +96,7 @@ af2::FrontInput cutOpen(const Torus& torus, double size) {
   const auto corner = [&](int i, int j) {
     const int onLong = i % along, onShort = j % around;
     const int id = onLong == 0 && onShort == 0 ? 0 : onShort == 0 ? onLong : along + onShort - 1;
-    // Positions of the two sides must be the same bits; only u and v may differ.
+    // Positions on the two sides must be bitwise equal; only u and v may differ.
     SurfacePoint point = torus.at(kFullTurn * onLong / along, kFullTurn * onShort / around);
     point.u = kFullTurn * i / along;
     point.v = kFullTurn * j / around;

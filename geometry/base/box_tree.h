@@ -21,7 +21,7 @@ struct Box3 {
     add(box.high);
   }
   bool meets(const Box3& other) const {
-    // Without branches: which of these fails is not to be guessed.
+    // Without branches, because the processor cannot predict which of these tests fails.
     return (low.x <= other.high.x) & (other.low.x <= high.x) & (low.y <= other.high.y) &
            (other.low.y <= high.y) & (low.z <= other.high.z) & (other.low.z <= high.z);
   }
@@ -29,11 +29,11 @@ struct Box3 {
   double distanceTo(const Point3& p) const;
 };
 
-/// A straight piece of a line, to be held against boxes.
+/// A straight segment, tested for intersection with boxes.
 class Segment3 {
  public:
   Segment3(const Point3& from, const Point3& to);
-  /// Whether it meets a box, or passes by so near that rounding may tell so.
+  /// Whether it meets a box. May also be true if it passes so near that rounding cannot decide.
   bool meets(const Box3& box) const;
 
  private:
@@ -41,7 +41,7 @@ class Segment3 {
   Point3 reach_;          ///< half the sides of the box around it
 };
 
-/// A tree over boxes; immutable, so that threads may share it.
+/// A tree of boxes. It is immutable, so threads may share it.
 class BoxTree {
  public:
   explicit BoxTree(const std::vector<Box3>& boxes);
@@ -55,9 +55,9 @@ class BoxTree {
     if (!nodes_.empty()) walk(0, 0, order_.size(), where, visit);
   }
 
-  /// The smallest of distance(index) over all boxes, and its index; the lower one of two with the
-  /// same. The distance of what is in a box must not be smaller than that of the box. Nothing
-  /// within `farthest`: kNone.
+  /// The smallest value of distance(index) over all boxes, and its index; ties go to the lower
+  /// index. The distance to the content of a box must not be smaller than the distance to the box.
+  /// The index is kNone if nothing is within `farthest`.
   template <class Distance>
   std::uint32_t nearest(const Point3& p, double farthest, Distance&& distance) const {
     Nearest best{farthest, kNone};
@@ -112,7 +112,7 @@ class BoxTree {
   }
 
   std::vector<Box3> nodes_;           ///< a heap: the halves of node i are 2 i + 1 and 2 i + 2
-  std::vector<std::uint32_t> order_;  ///< the boxes as they lie in the leaves
+  std::vector<std::uint32_t> order_;  ///< indices of the boxes, in the order of the leaves
   std::vector<Box3> leaves_;          ///< in this order
 };
 

@@ -1,4 +1,4 @@
-// Which of many things belong together.
+// Groups items that belong together (union-find).
 // Not installed.
 #pragma once
 
@@ -9,7 +9,7 @@
 
 namespace af2::geometry {
 
-/// Things by their numbers, each alone at first. The lowest of those together stands for them.
+/// Items by number, each in a set of its own at first. The lowest number of a set represents it.
 class DisjointSets {
  public:
   explicit DisjointSets(std::size_t count) : up_(count) { std::iota(up_.begin(), up_.end(), 0u); }

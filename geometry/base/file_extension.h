@@ -1,4 +1,4 @@
-// What the end of a file's name says of its format.
+// Finds the format of a file by its extension.
 #pragma once
 
 #include <array>
@@ -9,7 +9,7 @@
 
 namespace af2::geometry {
 
-/// With the dot, in small letters: ".step" of PART.STEP.
+/// The extension with the dot, in lower case: ".step" for PART.STEP.
 inline std::string extensionOf(const std::filesystem::path& file) {
   std::string extension = file.extension().string();
   for (char& c : extension)
@@ -17,15 +17,15 @@ inline std::string extensionOf(const std::filesystem::path& file) {
   return extension;
 }
 
-/// A format that files are read in. The tables of formats have rows that derive from this and add
-/// how such a file is read.
+/// A format of input files. Each table of formats has a row type that derives from this and adds
+/// the function that reads the format.
 struct FileFormat {
-  std::string_view name;  ///< as texts call it: "STEP", ".poly"
-  /// With the dot, in small letters; those that a format does not need are empty.
+  std::string_view name;  ///< as shown in messages: "STEP", ".poly"
+  /// With the dot, in lower case; unused entries are empty.
   std::array<std::string_view, 3> extensions = {};
 };
 
-/// The row of a table of formats to which the extension of a file belongs; null if there is none.
+/// The row of a table of formats that has the extension of the file; null if there is none.
 template <class Format>
 const Format* formatOf(std::span<const Format> formats, const std::filesystem::path& file) {
   const std::string extension = extensionOf(file);

@@ -11,7 +11,7 @@ namespace af2::geometry {
 
 namespace {
 
-/// A counter instead of ranges: things are to be started in order, the largest first.
+/// A counter instead of ranges, because tasks must be started in order, the largest first.
 void runAll(std::size_t count, int workers, const std::function<void(std::size_t)>& work) {
   std::atomic<std::size_t> next = 0;
   const auto takeAll = [&] {

@@ -1,4 +1,4 @@
-// Doing many independent things with several threads.
+// Runs many independent tasks on several threads.
 #pragma once
 
 #include <cstddef>
@@ -6,13 +6,13 @@
 
 namespace af2::geometry {
 
-/// Calls `work`; what it does in parallel happens on up to `threads` threads (0: as many as the
-/// caller's TBB arena has). Exceptions are thrown on.
+/// Calls `work`, whose parallel parts use at most `threads` threads (0: as many as the caller's TBB
+/// arena has). Exceptions are passed on.
 void withThreads(int threads, const std::function<void()>& work);
 
 /// Calls work(0), ..., work(count - 1), each once, started in this order, on up to `threads`
-/// threads (0: as many as the caller's TBB arena has). The first exception stops the rest and is
-/// thrown on.
+/// threads (0: as many as the caller's TBB arena has). The first exception stops the remaining
+/// calls and is passed on.
 void forEachInParallel(std::size_t count, int threads,
                        const std::function<void(std::size_t)>& work);
 

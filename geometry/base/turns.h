@@ -11,24 +11,25 @@ namespace af2::geometry {
 
 inline constexpr double kPi = std::numbers::pi;
 
-/// (cos, sin) of an angle in radians, of size 1e6 at most; to a few units in the last place.
+/// (cos, sin) of an angle in radians, whose absolute value is at most 1e6; accurate to a few units
+/// in the last place.
 Point2 directionAt(double angle);
 
 /// The angle of a direction, in [-pi, pi]; 0 for the zero vector.
 double angleOf(Point2 direction);
 
-/// How many whole turns to add to an angle so that it comes nearest to another one.
+/// The number of whole turns to add to an angle so that it is nearest to another one.
 inline double turnsTowards(double angle, double near) {
   return std::floor((near - angle) / (2 * kPi) + 0.5);
 }
 
-/// A value, less whole periods, in [low, low + period).
+/// The value shifted by whole periods into [low, low + period).
 inline double intoPeriod(double value, double low, double period) {
   return value - std::floor((value - low) / period) * period;
 }
 
-/// Whether normals differ by more than a surface bends from one place to the next. One that is zero
-/// does not differ.
+/// Whether two normals differ by more than a smooth surface bends from one place to the next. A
+/// zero normal (unknown) never differs.
 inline bool differSharply(const Point3& one, const Point3& other) {
   constexpr double kSharp = 0.85;  // cosine
   return dot(one, other) < kSharp * length(one) * length(other);

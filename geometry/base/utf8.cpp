@@ -9,7 +9,7 @@ void Utf8Check::take(std::string_view text) {
   for (const char c : text) take(static_cast<unsigned char>(c));
 }
 
-/// By the table of well-formed sequences in the Unicode Standard.
+/// Follows the table of well-formed sequences in the Unicode Standard.
 void Utf8Check::take(unsigned char byte) {
   constexpr unsigned char kFirst = 0x80, kLast = 0xbf;  // of the bytes that follow
   if (missing_ > 0) {

@@ -6,19 +6,19 @@
 
 namespace af2::geometry {
 
-/// Takes text in pieces, which may end within a character.
+/// Checks text that comes in pieces, which may end within a character.
 class Utf8Check {
  public:
   void take(std::string_view text);
-  /// Of all that was taken.
+  /// Whether all of the text so far is UTF-8.
   bool isUtf8() const { return isValid_ && missing_ == 0; }
 
  private:
   void take(unsigned char byte);
 
   bool isValid_ = true;
-  int missing_ = 0;                        ///< bytes of the character that was begun
-  unsigned char least_ = 0, most_ = 0xff;  ///< that the next of these may be
+  int missing_ = 0;                        ///< bytes that the current character still lacks
+  unsigned char least_ = 0, most_ = 0xff;  ///< bounds of the next byte
 };
 
 /// False if it cannot be read.

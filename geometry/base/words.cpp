@@ -61,7 +61,7 @@ std::string_view Words::next() {
 double Words::number() {
   const std::string_view word = next();
   const auto value = numberIn<double>(word);
-  if (!value || !std::isfinite(*value)) fail("'" + std::string(word) + "' is no number");
+  if (!value || !std::isfinite(*value)) fail("'" + std::string(word) + "' is not a number");
   return *value;
 }
 

@@ -13,13 +13,13 @@
 
 namespace af2::geometry {
 
-/// What stands between words.
+/// The characters that separate words.
 inline constexpr std::string_view kBlanks = " \t\r\n\f\v";
 
 /// The bytes of a file. Throws InputError if it is a folder or cannot be opened.
 std::string contentOf(const std::filesystem::path& path);
 
-/// The words of a text, which they are parts of.
+/// The words of a text, as views into it.
 std::vector<std::string_view> wordsIn(std::string_view text, std::string_view blanks = kBlanks);
 
 /// A text without the blanks at its ends.
@@ -28,7 +28,8 @@ std::string_view trimmed(std::string_view text);
 /// "a, b or c", with `conjunction` before the last one.
 std::string listed(const std::vector<std::string_view>& words, std::string_view conjunction);
 
-/// The number that a whole word is, perhaps with a plus in front; none if it is no such number.
+/// The number that a word represents, perhaps with a leading plus; none if the whole word is not
+/// such a number.
 template <class Number>
 std::optional<Number> numberIn(std::string_view word) {
   if (word.starts_with('+')) word.remove_prefix(1);
@@ -38,7 +39,7 @@ std::optional<Number> numberIn(std::string_view word) {
   return value;
 }
 
-/// Reads the words of a text and knows in which line it is. The text must outlive it.
+/// Reads the words of a text and keeps track of the line. The text must outlive it.
 class Words {
  public:
   /// name  of the file, for messages
@@ -46,13 +47,13 @@ class Words {
 
   /// Empty at the end of the text.
   std::string_view next();
-  /// The next word, which is a finite number, or three of them.
+  /// The next word (or the next three) as finite numbers.
   double number();
   Point3 point();
 
   /// Goes to the end of the line.
   void skipLine();
-  /// The rest of the line, and of those that it goes on in after a backslash.
+  /// The rest of the line, with the lines that continue it after a backslash.
   std::string_view restOfLine();
 
   /// Throws InputError with file and line.

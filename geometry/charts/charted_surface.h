@@ -1,4 +1,4 @@
-// What filling a face asks of the surface under it, whatever that is made of.
+// The interface of a face's surface that filling the face needs, for every kind of surface.
 #pragma once
 
 #include <memory>
@@ -18,13 +18,12 @@ class AF2_EXPORT ChartedSurface : public SurfaceEvaluator {
   virtual bool isPlane() const = 0;
   /// Whether there are charts of a kind for this surface.
   virtual bool has(ChartKind kind) const = 0;
-  /// Charts of a kind that looks at the surface from each base edge anew. They may refer to this
-  /// surface.
+  /// Charts of a kind that has a new chart for each base edge. They may refer to this surface.
   virtual std::unique_ptr<AF2LocalTransformMaker> makeCharts(ChartKind kind) const = 0;
   /// The map of a kind that lays out the whole face; null for the others. It may refer to this
   /// surface.
   virtual std::unique_ptr<PlaneMap> makePlaneMap(ChartKind) const { return nullptr; }
-  /// The surface by parameters (u, v), in which its boundaries are given; null: it has none.
+  /// The surface by the parameters (u, v) in which its boundaries are given; null if it has none.
   virtual const ParametricSurface* inParameters() const { return nullptr; }
 
  protected:

@@ -6,7 +6,7 @@ namespace af2::geometry {
 
 namespace {
 /// Where lengths vary more than this from one edge to the next, they cannot be trusted farther off.
-constexpr double kMostStretchChange = 0.25;
+constexpr double kMaxStretchChange = 0.25;
 }  // namespace
 
 ConformalChart::ConformalChart(const PlaneMap& map, const SurfacePoint& from,
@@ -26,8 +26,8 @@ ConformalChart::ConformalChart(const PlaneMap& map, const SurfacePoint& from,
   const Point2 x{frame_.xAxis.x, frame_.xAxis.y}, y{frame_.yAxis.x, frame_.yAxis.y};
   frame_.bend = {0.5 * dot(gradient, x), -0.5 * dot(gradient, y)};
   const double most = length(frame_.bend);
-  if (!(most <= kMostStretchChange))
-    frame_.bend = most > 0 ? (kMostStretchChange / most) * frame_.bend : Point2{};
+  if (!(most <= kMaxStretchChange))
+    frame_.bend = most > 0 ? (kMaxStretchChange / most) * frame_.bend : Point2{};
   const double end = size / edgeLength;
   frame_.kept = {1 - end * frame_.bend.x, -end * frame_.bend.y};
 }

@@ -1,4 +1,4 @@
-// Charts in a plane that a face is laid out in with lengths that vary.
+// Charts for a face that is laid out conformally in a plane, with a scale that varies.
 #pragma once
 
 #include "engine/surface/local_transform.h"
@@ -6,10 +6,10 @@
 
 namespace af2::geometry {
 
-/// The plane, turned so that the base edge lies on the x axis, and bent by a fraction of complex
-/// numbers so that lengths about the base edge are those on the surface to first order. Without
-/// this, rows of elements would not know that they grow longer or shorter: in the plane they are
-/// straight where on the surface they bend.
+/// The plane, turned so that the base edge is on the x axis and transformed by a Moebius map so
+/// that lengths near the base edge equal those on the surface to first order. Without this map,
+/// rules would not see that rows of elements get longer or shorter: in the plane, rows are straight
+/// that bend on the surface.
 class ConformalChart final : public AF2LocalTransform {
  public:
   /// from, to  in the plane z = 0

@@ -50,7 +50,7 @@ class LayingOut {
     return {places.back().id, pointInPlane(at)};
   }
 
-  /// Of the shorter segment at a corner.
+  /// A share of the shorter segment at a corner.
   static constexpr double kSamePlace = 0.1;
 
   const FrontInput& input_;
@@ -104,7 +104,7 @@ std::string faultOfLifted(const Mesh& mesh, const LaidOutFront& front, const Fro
   // Where the two sides of a seam come together, edges may meet that were apart.
   if (front.hasTwins)
     if (std::string fault = faultOf(mesh, boundaryOf(original)); !fault.empty()) return fault;
-  return !ignoresNormals && hasFold(mesh) ? "an element leans too far against the surface" : "";
+  return !ignoresNormals && hasFold(mesh) ? "an element tilts too far against the surface" : "";
 }
 
 }  // namespace af2::geometry

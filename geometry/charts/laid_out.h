@@ -1,4 +1,4 @@
-// The way of a front into the plane of a map, and of its mesh back to the surface.
+// Maps a front into the plane of a PlaneMap, and its mesh back to the surface.
 #pragma once
 
 #include <string>
@@ -11,8 +11,8 @@
 
 namespace af2::geometry {
 
-/// A front in the plane z = 0. A vertex of a seam lies on both sides of it: there are as many
-/// vertices here as places.
+/// A front in the plane z = 0. A vertex on a seam has a place on each side of the seam, and the
+/// front has one vertex for each place.
 struct LaidOutFront {
   FrontInput input;
   std::vector<VertexId> original;  ///< by vertex of `input`
@@ -25,18 +25,19 @@ inline Point2 placeOf(const SurfacePoint& point) { return {point.position.x, poi
 
 LaidOutFront layOut(const FrontInput& input, const PlaneMap& map);
 
-/// The result of a run in the plane becomes one on the surface, with the vertices of the boundary
-/// as they were given.
+/// Maps the result of a run in the plane to the surface. The vertices of the boundary keep the
+/// positions that they were given.
 void lift(MeshingResult& result, const LaidOutFront& front, const FrontInput& original,
           const PlaneMap& map);
 
-/// What the way back may have spoiled in a mesh that was sound in the plane; empty: nothing.
+/// Describes a fault that mapping back has caused in a mesh that was sound in the plane; empty if
+/// there is none.
 ///
-/// ignoresNormals  elements may lean against the surface as far as they like
+/// ignoresNormals  elements may tilt against the surface by any angle
 std::string faultOfLifted(const Mesh& mesh, const LaidOutFront& front, const FrontInput& original,
                           bool ignoresNormals = false);
 
-/// Sizes on the surface as the plane sees them.
+/// The sizes on the surface, converted to lengths in the plane.
 class LaidOutSize final : public SizeField {
  public:
   LaidOutSize(const SizeField& size, const PlaneMap& map) : size_(size), map_(map) {}
@@ -50,7 +51,7 @@ class LaidOutSize final : public SizeField {
   const PlaneMap& map_;
 };
 
-/// The plane itself, for cuts between pieces of a face.
+/// The plane itself as a surface, for cuts between pieces of a face.
 class PlanePoints final : public SurfaceEvaluator {
  public:
   SurfacePoint at(double u, double v) const override { return pointInPlane({u, v}); }

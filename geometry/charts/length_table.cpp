@@ -7,12 +7,12 @@ namespace af2::geometry {
 
 namespace {
 
-constexpr int kLeastPieces = 32, kMostHalvings = 6;
+constexpr int kMinPieces = 32, kMaxHalvings = 6;
 /// Speeds at both ends of a piece differ by no more than this share, where halving can bring it
 /// about.
-constexpr double kMostChange = 0.03;
-/// Of the largest speed: less counts as none.
-constexpr double kLeastSpeed = 1e-3;
+constexpr double kMaxChange = 0.03;
+/// A speed below this share of the largest one counts as zero.
+constexpr double kMinSpeed = 1e-3;
 
 }  // namespace
 
@@ -25,7 +25,7 @@ std::optional<LengthTable> LengthTable::make(double from, double to,
   std::vector<Sample> samples;
   const auto sampleAt = [&](double t) { return Sample{t, speed(t)}; };
   const auto addBetween = [&](auto&& self, const Sample& a, const Sample& b, int halvings) -> void {
-    if (halvings > 0 && std::abs(a.speed - b.speed) > kMostChange * std::max(a.speed, b.speed)) {
+    if (halvings > 0 && std::abs(a.speed - b.speed) > kMaxChange * std::max(a.speed, b.speed)) {
       const Sample middle = sampleAt(0.5 * (a.parameter + b.parameter));
       self(self, a, middle, halvings - 1);
       self(self, middle, b, halvings - 1);
@@ -34,12 +34,12 @@ std::optional<LengthTable> LengthTable::make(double from, double to,
     }
   };
   samples.push_back(sampleAt(from));
-  for (int i = 1; i <= kLeastPieces; ++i) {
+  for (int i = 1; i <= kMinPieces; ++i) {
     const Sample last = samples.back();
-    addBetween(addBetween, last, sampleAt(from + (to - from) * i / kLeastPieces), kMostHalvings);
+    addBetween(addBetween, last, sampleAt(from + (to - from) * i / kMinPieces), kMaxHalvings);
   }
   const auto [least, most] = std::ranges::minmax(samples, {}, &Sample::speed);
-  if (!(least.speed > kLeastSpeed * most.speed) || !std::isfinite(most.speed)) return std::nullopt;
+  if (!(least.speed > kMinSpeed * most.speed) || !std::isfinite(most.speed)) return std::nullopt;
 
   LengthTable table;
   table.nodes_.push_back({from, 0});

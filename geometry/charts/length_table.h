@@ -1,4 +1,4 @@
-// Lengths along a parameter, and back.
+// Converts a parameter to a length along a curve, and back.
 #pragma once
 
 #include <functional>
@@ -7,15 +7,15 @@
 
 namespace af2::geometry {
 
-/// The integral of a speed from the start of an interval, as straight pieces between nodes that lie
-/// closer where the speed changes. Each direction is exactly the other's inverse.
+/// The integral of a speed from the start of an interval, piecewise linear between nodes that are
+/// closer together where the speed changes. The two directions are exact inverses of each other.
 class LengthTable {
  public:
-  /// Nothing if the speed vanishes somewhere, nearly so, or is no number.
+  /// Nothing if the speed is zero or almost zero somewhere, or not a number.
   static std::optional<LengthTable> make(double from, double to,
                                          const std::function<double(double)>& speed);
 
-  /// Beyond the ends, the last pieces go on.
+  /// Beyond the ends, the last pieces are extrapolated.
   double lengthAt(double parameter) const;
   double parameterAt(double length) const;
 

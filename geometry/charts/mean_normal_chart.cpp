@@ -7,7 +7,7 @@ namespace af2::geometry {
 namespace {
 /// Below this length the part of the mean normal across the base edge is noise. The mean of two
 /// normals 179 degrees apart is longer.
-constexpr double kLeastNormal = 1e-2;
+constexpr double kMinNormal = 1e-2;
 }  // namespace
 
 ProjectionFrame meanNormalFrame(const SurfacePoint& from, const SurfacePoint& to, double edgeLength,
@@ -15,7 +15,7 @@ ProjectionFrame meanNormalFrame(const SurfacePoint& from, const SurfacePoint& to
   const Point3 along = unit(to.position - from.position);
   const Point3 sum = from.normal + to.normal;
   const Point3 across = sum - dot(sum, along) * along;
-  if (!(length(across) > kLeastNormal))
+  if (!(length(across) > kMinNormal))
     throw GeometryError(
         "the normals at the ends of an edge cancel: the edge turns by 180 degrees; "
         "ask for a smaller size here");

@@ -1,5 +1,6 @@
 // The published chart: a plane normal to the mean of the normals at the two ends of the base edge.
-// Down by orthogonal projection, back along the normal of the plane. Source: [VanderZee16].
+// Orthogonal projection to the plane, and back along the normal of the plane. Source:
+// [VanderZee16].
 #pragma once
 
 #include "engine/base/export.h"
@@ -9,20 +10,21 @@ namespace af2::geometry {
 
 /// How far around the base edge a chart is trusted.
 struct ChartLimits {
-  /// Least cosine between the normal of the surface and that of the chart at a vertex that rules
-  /// may match, and at a new vertex. At 0.25, about 75 degrees, lengths are foreshortened four
-  /// times.
+  /// Least cosine of the angle between the normals of the surface and of the chart, at a vertex
+  /// that rules may match and at a new vertex. At 0.25, about 75 degrees, lengths are foreshortened
+  /// to a quarter.
   double minCosine = 0.25;
-  /// What faces away is another sheet of the surface.
+  /// Vertices whose normal has a smaller cosine face away: they are on another sheet of the
+  /// surface.
   double hiddenCosine = 0;
-  /// Largest distance from the plane, in wanted edge lengths. A surface that curls up as much as
-  /// the least cosine allows stays within it; another sheet of the face with the same normal mostly
-  /// not.
+  /// Largest distance from the plane, in wanted edge lengths. A surface that curves as much as the
+  /// least cosine allows stays within it; another sheet of the face with the same normal mostly
+  /// does not.
   double maxHeight = 2.5;
 };
 
-/// A line across a chart, along which a point goes back to the surface, and the nearest points of
-/// the surface known so far.
+/// A line perpendicular to a chart, along which a point goes back to the surface, and the nearest
+/// known points of the surface.
 struct SurfaceLine {
   Point3 start;      ///< on the plane of the chart
   Point3 direction;  ///< unit normal of the chart
@@ -39,7 +41,7 @@ struct SurfaceLine {
 AF2_EXPORT ProjectionFrame meanNormalFrame(const SurfacePoint& from, const SurfacePoint& to,
                                            double edgeLength, const ChartLimits& limits);
 
-/// The line across such a plane at a point of the chart.
+/// The line perpendicular to such a plane at a point of the chart.
 inline SurfaceLine lineAt(const ProjectionFrame& frame, Point2 point, const SurfacePoint& from,
                           const SurfacePoint& to, double edgeLength) {
   const Point3 start =
@@ -81,7 +83,7 @@ class MeanNormalChart final : public AF2LocalTransform {
   }
 
   const Surface& surface_;
-  SurfacePoint from_, to_;  // copies: the front may move while the chart is in use
+  SurfacePoint from_, to_;  // copies: the points of the front may be reallocated meanwhile
   ProjectionFrame frame_;
   double edgeLength_;
 };

@@ -11,9 +11,9 @@ namespace {
 constexpr double kDegenerate = 1e-9;
 /// Half the turn of an edge, in radians, within the surface against the lines of the parameters:
 /// with more, charts would fold within the reach of the rules, four edges or so.
-constexpr double kMostTurn = 0.12;
+constexpr double kMaxTurn = 0.12;
 /// The bend of a chart at a place, over the distance of the place.
-constexpr double kMostBend = 0.5;
+constexpr double kMaxBend = 0.5;
 /// New vertices lie on the surface wherever these stop.
 constexpr int kInverseSteps = 12;
 constexpr double kPlaceTolerance = 1e-4;  // in the chart
@@ -68,8 +68,8 @@ MetricChart::MetricChart(const ParametricSurface& surface, const SurfacePoint& f
   // Where an edge turns by too much, as beside a pole, the second order does not hold as far as the
   // next edges: rather none of it.
   const double turn = std::sqrt(std::max({dot(xx_, xx_), dot(xy_, xy_), dot(yy_, yy_)}));
-  if (turn > kMostTurn) {
-    const double less = (kMostTurn / turn) * (kMostTurn / turn);
+  if (turn > kMaxTurn) {
+    const double less = (kMaxTurn / turn) * (kMaxTurn / turn);
     xx_ = less * xx_;
     xy_ = less * xy_;
     yy_ = less * yy_;
@@ -82,7 +82,7 @@ Point2 MetricChart::bent(Point2 p) const {
   const double x = p.x - end_;
   const Point2 bend = (p.x * x) * xx_ + (p.y * (p.x + x)) * xy_ + (p.y * p.y) * yy_;
   // Farther off the second order is no better than the first, and would fold over.
-  const double most = kMostBend * kMostBend * dot(p, p), size = dot(bend, bend);
+  const double most = kMaxBend * kMaxBend * dot(p, p), size = dot(bend, bend);
   return p + (size > most ? std::sqrt(most / size) : 1) * bend;
 }
 

@@ -14,17 +14,17 @@ class AF2_EXPORT ParametricSurface {
   using Frame = SurfaceFrame;
   virtual ~ParametricSurface() = default;
   virtual Frame frameAt(double u, double v) const = 0;
-  /// Second derivatives without what they have along the normal will do; here none, as of
-  /// parameters that are lengths.
+  /// The second derivatives may lack their components along the normal. This default gives none,
+  /// which is right for parameters that are lengths.
   virtual SurfaceJet jetAt(double u, double v) const {
     const Frame frame = frameAt(u, v);
     return {frame.position, frame.du, frame.dv, {}, {}, {}};
   }
-  /// With (u, v), position and normal of the face.
+  /// The point with its parameters (u, v), its position and the normal of the face.
   virtual SurfacePoint pointAt(double u, double v) const = 0;
   /// Whether the normals of the face are opposite to du x dv.
   virtual bool isFlipped() const = 0;
-  /// Whether there is a surface at (u, v); beyond, formulas may run away.
+  /// Whether the surface is defined at (u, v); elsewhere formulas may diverge.
   virtual bool has(double, double) const { return true; }
 };
 
@@ -35,7 +35,8 @@ enum class MetricOrder {
           ///< surface to second order
 };
 
-/// Takes each corner of the front at its own parameters, so that the two sides of a seam are apart.
+/// Places each corner of the front by its own parameters, so that the two sides of a seam are
+/// apart.
 class AF2_EXPORT MetricChart final : public AF2LocalTransform {
  public:
   /// Throws GeometryError where the parameters are degenerate.
@@ -46,14 +47,14 @@ class AF2_EXPORT MetricChart final : public AF2LocalTransform {
   std::optional<SurfacePoint> transformToSurface(Point2 point) const override;
 
  private:
-  /// A place of the affine chart about `from` as it is drawn.
+  /// Converts a place in the affine chart about `from` to the final, bent chart.
   Point2 bent(Point2 p) const;
 
   const ParametricSurface& surface_;
   double u_, v_;              // of the start of the base edge
   double xu_, xv_, yu_, yv_;  // from parameters to the affine chart
   double ux_, uy_, vx_, vy_;  // and back
-  Point2 xx_, xy_, yy_;       // halves of Christoffel's symbols at the middle, in that chart
+  Point2 xx_, xy_, yy_;       // half the Christoffel symbols at the middle, in that chart
   double end_;                // of the base edge, on the x axis
   bool isAffine_;
 };

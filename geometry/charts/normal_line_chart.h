@@ -1,13 +1,13 @@
-// Along the normals of the surface down to a plane, and back to where these came from.
+// A chart that projects along the normals of the surface to a plane, and back.
 #pragma once
 
 #include "geometry/charts/mean_normal_chart.h"
 
 namespace af2::geometry {
 
-/// On the plane of the published chart, but each point goes down along its own normal, so that a
-/// point of the plane comes from the point of the surface that is nearest to it. Lengths grow away
-/// from the base edge, where orthogonal projection makes them shrink. Source: [VanderZee16],
+/// Uses the plane of the published chart, but projects each point along its own surface normal, so
+/// that a point of the plane corresponds to the nearest point of the surface. Away from the base
+/// edge lengths grow, whereas orthogonal projection makes them shrink. Source: [VanderZee16],
 /// further work.
 ///
 /// Surface  as for MeanNormalChart
@@ -36,10 +36,10 @@ class NormalLineChart final : public AF2LocalTransform {
   }
 
  private:
-  /// Each takes the error down by the height over the radius of curvature.
+  /// Each step reduces the error by the factor height / radius of curvature.
   static constexpr int kSteps = 3;
 
-  /// From where orthogonal projection puts a point to where its normal does.
+  /// The vector from the orthogonal projection of a point to its projection along its normal.
   Point2 driftOf(const SurfacePoint& point) const {
     const double height = dot(point.position - frame_.origin, frame_.normal);
     const double factor = -frame_.scale * height / dot(point.normal, frame_.normal);
@@ -52,7 +52,7 @@ class NormalLineChart final : public AF2LocalTransform {
   }
 
   const Surface& surface_;
-  SurfacePoint from_, to_;  // copies: the front may move while the chart is in use
+  SurfacePoint from_, to_;  // copies: the points of the front may be reallocated meanwhile
   ProjectionFrame frame_;
   double edgeLength_;
 };

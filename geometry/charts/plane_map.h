@@ -1,4 +1,4 @@
-// A whole face laid out in one plane, so that its front runs there as on a plane face.
+// Maps a whole face to one plane, so that its front runs there as on a plane face.
 #pragma once
 
 #include "engine/base/export.h"
@@ -12,13 +12,13 @@ namespace af2::geometry {
 class AF2_EXPORT PlaneMap {
  public:
   virtual ~PlaneMap() = default;
-  /// Where a point lies that is known by its parameters.
+  /// The place in the plane of a point that is given by its parameters.
   virtual Point2 flatten(const SurfacePoint& point) const = 0;
   /// The point of the surface, with the face's normal and parameters.
   virtual SurfacePoint lift(Point2 place) const = 0;
-  /// Length in the plane for one on the surface.
+  /// Length in the plane per unit of length on the surface.
   virtual double scaleAt(Point2) const { return 1; }
-  /// How the logarithm of the scale changes along x and y.
+  /// The gradient of the logarithm of the scale.
   virtual Point2 scaleGradientAt(Point2) const { return {0, 0}; }
 };
 

@@ -26,7 +26,7 @@ std::optional<double> rootWithSlope(double a, double b, double c, double sign) {
 
 Point3 across(const Point3& p, const Point3& axis) { return p - dot(p, axis) * axis; }
 
-/// Of 30 degrees between axis and surface.
+/// The tangent for 30 degrees between axis and surface.
 constexpr double kSharpTangent = 0.577;
 
 double signOf(Side side) { return side == Side::Outer ? 1.0 : -1.0; }

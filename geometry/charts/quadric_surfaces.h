@@ -1,5 +1,5 @@
 // Cylinder, cone, sphere and torus in closed form: where a line along a chart's normal meets them.
-// They keep no parameters (u, v): nothing on the way of a mesh needs them, and each costs an arc
+// They store no parameters (u, v), because meshing does not need them and each costs an arc
 // tangent.
 #pragma once
 
@@ -45,18 +45,18 @@ class AF2_EXPORT ConeSurface {
  public:
   /// axis     of unit length, from the apex to where the nappe widens
   /// tangent  of the angle between axis and surface, > 0
-  /// extent   of the face, roughly: what is nearer to the apex than a billionth of it is the apex
+  /// extent   approximate size of the face: nearer to the apex than a billionth of it is the apex
   ConeSurface(const Point3& apex, const Point3& axis, double tangent, Side side, double extent = 1);
   std::optional<SurfacePoint> hit(const SurfaceLine& line) const;
-  /// At the apex, the mean of the normals around it, which is along the axis; but zero if the cone
-  /// is so sharp that elements around the apex lean too far against that.
+  /// At the apex this is the mean of the normals around it, which is along the axis. It is zero if
+  /// the cone is so sharp that elements around the apex tilt too far against that mean.
   Point3 normalAt(const Point3& position) const;
   /// Smaller radius of curvature.
   double curvatureRadiusAt(const Point3& position) const;
   /// The same, at a distance from the apex along the surface.
   double curvatureRadiusAtDistance(double distance) const { return distance * tangent_; }
   const Point3& apex() const { return apex_; }
-  /// Of the unrolled nappe.
+  /// The angle of the unrolled nappe at its apex.
   double angleAroundApex() const;
 
  private:
@@ -76,11 +76,11 @@ class AF2_EXPORT TorusSurface {
   double minor() const { return minor_; }
   /// Smaller radius of curvature.
   double curvatureRadiusAt(const Point3& position) const;
-  /// That along the circles around the axis.
+  /// The radius of curvature along the circles around the axis.
   double radiusAroundAxisAt(const Point3& position) const;
 
  private:
-  /// From the nearest point of the centre line to a position.
+  /// The vector from the nearest point of the centre line to a position.
   Point3 fromCentreLine(const Point3& position) const;
 
   Point3 centre_, axis_;

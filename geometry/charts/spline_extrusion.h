@@ -1,4 +1,4 @@
-// Splines that are extrusions, whatever kind of surface they are stored as.
+// Recognises spline surfaces that are extrusions.
 #pragma once
 
 #include <optional>
@@ -9,10 +9,11 @@ namespace af2::geometry {
 
 struct Extrusion {
   Point3 direction;       ///< of unit length, towards greater parameters
-  bool isAlongU = false;  ///< whether u runs along the direction; else v does
+  bool isAlongU = false;  ///< true if u runs along the direction; otherwise v does
 };
 
-/// Told by the poles, to a millionth of their extent; nothing if the surface is no extrusion.
+/// Decided by the poles, with a tolerance of a millionth of their extent; nothing if the surface is
+/// not an extrusion.
 std::optional<Extrusion> extrusionOf(const SplineDefinition& definition);
 
 }  // namespace af2::geometry

@@ -11,7 +11,7 @@ namespace af2::geometry {
 
 namespace {
 
-constexpr std::size_t kMost = SplineSurface::kMaxDegree + 1;  // coefficients in one direction
+constexpr std::size_t kMax = SplineSurface::kMaxDegree + 1;  // coefficients in one direction
 
 bool isBasis(const SplineBasis& basis) {
   if (basis.degree < 1 || basis.degree > SplineSurface::kMaxDegree) return false;
@@ -30,7 +30,7 @@ std::vector<double> bezierMatrix(const SplineBasis& basis, std::size_t knot) {
   const auto p = static_cast<std::size_t>(basis.degree);
   const std::vector<double>& t = basis.knots;
   std::vector<double> matrix((p + 1) * (p + 1));
-  std::array<double, kMost> d;
+  std::array<double, kMax> d;
   for (std::size_t pole = 0; pole <= p; ++pole) {
     for (std::size_t j = 0; j <= p; ++j) {
       d.fill(0);
@@ -69,7 +69,7 @@ auto withConstant(std::size_t count, Use&& use) {
 /// Count  how many there are; 0: as many as the degree says
 template <int Order, std::size_t Count>
 struct Bernstein {
-  using Values = std::array<double, Count == 0 ? kMost : Count>;
+  using Values = std::array<double, Count == 0 ? kMax : Count>;
   std::array<Values, Order + 1> by;
 
   Bernstein(int degree, double t, double perUnit) {

@@ -13,9 +13,10 @@ namespace af2::geometry {
 /// One parameter of a spline.
 struct SplineBasis {
   int degree = 1;
-  /// Each as often as its multiplicity, in order; as many as the poles plus degree + 1.
+  /// In ascending order, each repeated by its multiplicity; their number is that of the poles plus
+  /// degree + 1.
   std::vector<double> knots;
-  /// Above 0: parameters that differ by it are the same.
+  /// If above 0, parameters that differ by it are the same place.
   double period = 0;
 
   std::size_t poleCount() const { return knots.size() - static_cast<std::size_t>(degree) - 1; }
@@ -23,43 +24,44 @@ struct SplineBasis {
   double high() const { return knots[poleCount()]; }
 };
 
-/// A spline surface as its definition gives it.
+/// The definition of a spline surface.
 struct SplineDefinition {
   SplineBasis u, v;
-  std::vector<Point3> poles;    ///< that of (i, j) at i * v.poleCount() + j
+  std::vector<Point3> poles;    ///< pole (i, j) is at index i * v.poleCount() + j
   std::vector<double> weights;  ///< of the poles, > 0; empty: not rational
 };
 
 /// Immutable, so threads may share it. Where the derivatives jump, at a multiple knot, the values
 /// are those of the side of greater parameters. Beyond the ends of a parameter that is not
-/// periodic, the last patch goes on.
+/// periodic, the last patch is extrapolated.
 class SplineSurface {
  public:
   static constexpr int kMaxDegree = 25;
 
-  /// The part of the parameters in which the surface is wanted.
+  /// The range of parameters in which the surface is needed.
   struct Box {
     double u1, u2, v1, v2;
   };
 
-  /// Makes patches for the box and one more all around. Nothing if a degree is above kMaxDegree,
-  /// the table would be larger than `mostNumbers`, or the definition is not one of a surface.
+  /// Makes the patches of the box and one more on each side. Nothing if a degree is above
+  /// kMaxDegree, if the table would have more than `mostNumbers` numbers, or if the definition is
+  /// invalid.
   static std::optional<SplineSurface> make(const SplineDefinition& definition, const Box& box,
                                            std::size_t mostNumbers = std::size_t{1} << 22);
 
-  /// Nothing outside the patches that were made.
+  /// Returns nothing outside the patches that were made.
   std::optional<SurfaceFrame> frameAt(double u, double v) const;
   std::optional<SurfaceJet> jetAt(double u, double v) const;
 
  private:
-  /// The spans between different knots that have patches, and where a parameter lies in them.
+  /// The spans between distinct knots that have patches; finds the span of a parameter.
   class Spans {
    public:
     Spans(const SplineBasis& basis, double from, double to);
     struct Place {
       std::size_t span;  ///< from the first that has patches
       double local;      ///< 0 ... 1
-      double perUnit;    ///< of the local parameter, for one of the surface's
+      double perUnit;    ///< change of the local parameter per unit of the surface's parameter
     };
     std::optional<Place> find(double parameter) const;
     std::size_t count() const { return last_ - first_ + 1; }
@@ -76,7 +78,7 @@ class SplineSurface {
     std::vector<double> breaks_;      ///< one more than spans
     std::vector<double> perUnit_;     ///< by span
     std::vector<std::size_t> knots_;  ///< by span
-    double spansPerUnit_ = 0;         ///< if they were alike
+    double spansPerUnit_ = 0;         ///< if all spans were equally long
     std::size_t first_ = 0, last_ = 0;
   };
 
@@ -97,7 +99,8 @@ class SplineSurface {
 
   Spans u_, v_;
   bool isRational_;
-  std::size_t stride_;  ///< numbers of a patch: four each for its origin and, by u and v, its poles
+  std::size_t stride_;  ///< numbers per patch: four for its origin and four for each of its poles,
+                        ///< by u and v
   std::vector<double> numbers_;
 };
 

@@ -5,9 +5,9 @@
 namespace af2::geometry {
 
 namespace {
-/// Below this share of the radius the middle of the base edge is too near the centre to tell a
+/// Below this share of the radius the middle of the base edge is too near the centre to define a
 /// direction.
-constexpr double kLeastOffset = 1e-3;
+constexpr double kMinOffset = 1e-3;
 }  // namespace
 
 StereographicChart::StereographicChart(const SphereSurface& sphere, const SurfacePoint& from,
@@ -22,7 +22,7 @@ StereographicChart::StereographicChart(const SphereSurface& sphere, const Surfac
   const Point3 middle = from.position - sphereCentre_;
   const Point3 offset = middle - dot(middle, along) * along;
   const double distance = length(offset);
-  if (!(distance > kLeastOffset * radius_))
+  if (!(distance > kMinOffset * radius_))
     throw GeometryError(
         "the ends of an edge are opposite points of a sphere; ask for a smaller size");
   up_ = (1 / distance) * offset;

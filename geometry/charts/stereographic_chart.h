@@ -1,4 +1,4 @@
-// Spheres from the point opposite the base edge: conformal, without poles or seams, in closed form.
+// Stereographic charts of spheres: conformal, without poles or seams, in closed form.
 #pragma once
 
 #include "engine/base/export.h"
@@ -7,9 +7,9 @@
 
 namespace af2::geometry {
 
-/// Stereographic projection onto the plane through the base edge, from the point of the sphere that
-/// is opposite its middle. Shapes are kept; lengths grow away from the base edge, by 7 % at 30
-/// degrees. Every point of the sphere but the opposite one has a place.
+/// Stereographic projection onto the plane through the base edge, from the point of the sphere
+/// opposite the middle of the base edge. Angles are kept; lengths grow away from the base edge, by
+/// 7 % at 30 degrees. Every point of the sphere except the opposite one has a place.
 class AF2_EXPORT StereographicChart final : public AF2LocalTransform {
  public:
   /// Throws GeometryError if `from` and `to` are opposite points of the sphere.

@@ -40,7 +40,7 @@ SurfacePoint TorusMap::lift(Point2 place) const {
   const Point3 radial = frame_.radial(u);
   const Point3 outwards = across.x * radial + across.y * frame_.axis;
   const double angle = angleOf(across);
-  // Of the stretched angle and the angle itself, full turns are the same.
+  // Full turns of the stretched angle and of the angle itself are the same.
   const double turns = turnsTowards(angle, place.y / perAngle_);
   return {frame_.origin + major_ * radial + minor_ * outwards, side_ * outwards, u,
           angle + 2 * kPi * turns};

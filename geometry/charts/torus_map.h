@@ -6,15 +6,16 @@
 
 namespace af2::geometry {
 
-/// x goes with the angle around the axis, y with the integral of the length along a meridian over
-/// the distance from the axis; both are lengths where that distance is the major radius.
+/// x is proportional to the angle around the axis; y is proportional to the integral of ds / r
+/// along a meridian, with s the length and r the distance from the axis. Both are lengths where r
+/// is the major radius.
 class TorusMap final : public PlaneMap {
  public:
   /// frame    its origin is the centre
-  /// surface  the same torus, which does not meet itself
+  /// surface  the same torus, which does not intersect itself
   TorusMap(const AxisFrame& frame, const TorusSurface& surface);
 
-  /// The parameters tell the turns only: u around the axis, v around the centre line.
+  /// The parameters only select the turn: u around the axis, v around the centre line.
   Point2 flatten(const SurfacePoint& point) const override;
   SurfacePoint lift(Point2 place) const override;
   double scaleAt(Point2 place) const override;
@@ -27,7 +28,7 @@ class TorusMap final : public PlaneMap {
   AxisFrame frame_;
   double major_, minor_;
   double stretch_;   ///< tan(half of the stretched angle) = stretch * tan(v / 2)
-  double perAngle_;  ///< y for one of the stretched angle
+  double perAngle_;  ///< change of y per unit of the stretched angle
   double side_, sense_;
 };
 

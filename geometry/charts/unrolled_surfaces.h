@@ -8,12 +8,12 @@
 
 namespace af2::geometry {
 
-/// Three unit vectors across each other, the third one being the axis; left-handed or right-handed.
+/// Three perpendicular unit vectors, the third of which is the axis; left-handed or right-handed.
 struct AxisFrame {
   Point3 origin, x, y, axis;
-  /// The direction across the axis at an angle from x.
+  /// The direction perpendicular to the axis at an angle from x.
   Point3 radial(double angle) const;
-  /// The angle of the place of a point around the axis, on the turn nearest to `near`.
+  /// The angle of a point around the axis, on the turn nearest to `near`.
   double angleNear(const Point3& position, double near) const;
 };
 
@@ -21,7 +21,7 @@ struct AxisFrame {
 class UnrolledSurface : public ParametricSurface {
  public:
   /// position  of a point, on the surface or nearly so
-  /// u, v      its angle around the axis and its height, about: they tell the turn
+  /// u, v      its angle around the axis and its height, about: they select the turn
   virtual Point2 develop(const Point3& position, double u, double v) const = 0;
 };
 
@@ -45,8 +45,8 @@ class UnrolledCone final : public UnrolledSurface {
  public:
   /// frame      its origin is the apex
   /// halfAngle  between the axis and the nappe
-  /// middle     angle around the axis that lies on the x axis: the middle of the face, so that a
-  ///            whole turn fits
+  /// middle     angle around the axis that is mapped to the x axis: the middle of the face, so that
+  ///            a whole turn fits
   /// surface    the same nappe, for its normals
   UnrolledCone(const AxisFrame& frame, double halfAngle, double middle, const ConeSurface& surface);
   Point2 develop(const Point3& position, double u, double v) const override;

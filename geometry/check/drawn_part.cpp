@@ -108,8 +108,8 @@ class DrawnOutline {
     return {first, last};
   }
 
-  /// Where the outline comes to a vertex more than once, all ways in and out must alternate around
-  /// it: the parts of the mesh that meet there lie beside each other.
+  /// Where the outline visits a vertex more than once, incoming and outgoing sides must alternate
+  /// around it: then the parts of the mesh that meet there do not overlap.
   bool touchesInTurn() const {
     std::vector<DrawnSide> touching;
     for (std::size_t i = 0; i < sides_.size(); ++i)
@@ -199,8 +199,8 @@ bool allFace(const MeshPart& part, const Point3& plane) {
   for (std::size_t i = 0; i < part.count && isCommon; ++i)
     part.forEachNormal(i, [&](const Point3& normal) {
       const double facing = dot(normal, plane);
-      isCommon = isCommon && facing > 0 &&
-                 facing * facing > kLeastFacing * kLeastFacing * dot(normal, normal);
+      isCommon =
+          isCommon && facing > 0 && facing * facing > kMinFacing * kMinFacing * dot(normal, normal);
     });
   return isCommon;
 }

@@ -1,5 +1,4 @@
-// Whether some elements of a mesh can be drawn in a plane without overlaps: then they cannot cross
-// each other.
+// Whether some elements of a mesh project to a plane without overlaps: then they cannot cross.
 // Not installed.
 #pragma once
 
@@ -11,10 +10,11 @@
 
 namespace af2::geometry {
 
-/// Cosine of the most that an element may lean against the plane that it is drawn in.
-inline constexpr double kLeastFacing = 0.1;
+/// Least cosine of the angle between an element and the plane to which it is projected.
+inline constexpr double kMinFacing = 0.1;
 
-/// Some elements of a mesh: those from `first` on, or those at `places` from there on.
+/// Some elements of a mesh: `count` elements from `first` on, or those at the offsets `places` from
+/// `first`.
 struct MeshPart {
   const ModelMesh& mesh;
   std::size_t first = 0, count = 0;
@@ -34,13 +34,13 @@ struct MeshPart {
   }
 };
 
-/// Whether all elements of the part look to the side of a plane to which its unit normal points,
-/// and not too flatly.
+/// Whether all elements of the part face the side of a plane to which its unit normal points,
+/// within the angle that kMinFacing allows.
 bool allFace(const MeshPart& part, const Point3& normal);
 
-/// Whether the part can be seen to lie over itself nowhere: all of its elements look to one side of
-/// a plane, and its outline, drawn in the plane, crosses itself nowhere and has the part on its
-/// left and nothing on its right. False says nothing.
+/// Whether a projection proves that the part does not overlap itself: all of its elements face one
+/// side of a plane, and its outline, projected to the plane, does not cross itself and has the part
+/// on its left and nothing on its right. False proves nothing.
 ///
 /// The elements must be conforming and oriented alike.
 bool canBeDrawn(const MeshPart& part);

@@ -18,7 +18,7 @@ namespace {
 /// Elements that reach into each other by less than this share of the mesh's diagonal touch: its
 /// points are no more exact, nor are the models.
 constexpr double kDepth = 1e-9;
-/// Elements at a common edge lie on each other if the angle between them is below this, in radians.
+/// Elements at a common edge overlap if the angle between them is below this, in radians.
 constexpr double kFoldAngle = 0.005;
 
 /// Half of a quadrilateral, or a triangle.
@@ -234,7 +234,7 @@ class Search {
     return {mesh_.vertices[a], mesh_.vertices[b], mesh_.vertices[c]};
   }
 
-  /// Whether they lie on each other at a common edge (true), cross (false), or neither.
+  /// Whether they overlap at a common edge (true), cross (false), or neither.
   std::optional<bool> meeting(const Part& part, const Part& other) const {
     std::array<bool, 3> isCommon{}, isCommonInOther{};
     int common = 0;

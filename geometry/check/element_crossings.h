@@ -1,4 +1,4 @@
-// Where elements of a mesh pass through each other or lie on each other.
+// Finds elements of a mesh that pass through each other or overlap.
 #pragma once
 
 #include <array>
@@ -15,7 +15,7 @@ namespace af2::geometry {
 struct Crossing {
   std::array<ElementId, 2> elements;  ///< in ascending order
   std::array<int, 2> faces{};         ///< of the model, of these elements
-  bool isFold = false;  ///< they share an edge, and one lies on the other; else they cross
+  bool isFold = false;                ///< true: they share an edge and overlap; false: they cross
   Point3 place;
   bool operator==(const Crossing&) const = default;
 };
@@ -23,18 +23,17 @@ struct Crossing {
 /// Calls work(0), ..., work(count - 1), perhaps several at once.
 using Repeat = std::function<void(std::size_t count, const std::function<void(std::size_t)>& work)>;
 
-/// All pairs of elements of one piece of the mesh that reach into each other by more than a
-/// thousand-millionth of its diagonal, or that share an edge and lie on each other there. In the
-/// order of the elements; it does not depend on how `repeat` goes about it.
+/// All pairs of elements of one piece of the mesh that penetrate each other by more than 1e-9 of
+/// its diagonal, or that share an edge and overlap there. The pairs are in the order of the
+/// elements, and do not depend on how `repeat` distributes the work.
 ///
-/// Pieces without a common vertex, as the parts of an assembly, are not held against each other:
-/// that they touch or overlap is how the model was made. The elements of a face must lie in a row
-/// and pass checkModelMesh.
+/// Pieces without a common vertex, such as the parts of an assembly, are not compared: if they
+/// touch or overlap, the model was made so. The elements of a face must be consecutive and pass
+/// checkModelMesh.
 AF2_EXPORT std::vector<Crossing> elementCrossings(const ModelMesh& mesh, const Repeat& repeat);
 
-/// The fewest faces, as a greedy choice finds them, without which no crossing is left: one finding
-/// for each, in the order of their choice. Crossings of faces in `without` (ascending) do not
-/// count.
+/// A small set of faces, chosen greedily, whose removal leaves no crossing: one finding for each,
+/// in the order of the choice. Crossings of faces in `without` (ascending) do not count.
 AF2_EXPORT std::vector<MeshFinding> facesThatCross(std::vector<Crossing> crossings,
                                                    const std::vector<int>& without);
 

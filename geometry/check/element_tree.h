@@ -11,9 +11,9 @@
 
 namespace af2::geometry {
 
-/// Over some elements, or none. Leaves hold elements that follow each other on a curve that fills
-/// space: those made one after the other may lie far apart, as on both sides of a strip, and then
-/// boxes that are not along the axes all meet.
+/// A tree over some elements, or none. Leaves hold elements that are consecutive on a space-filling
+/// curve. Elements that were made one after the other may be far apart, as on both sides of a
+/// strip; if leaves held these, the boxes of a strip that is not along an axis would all overlap.
 class ElementTree {
  public:
   ElementTree() = default;
@@ -29,23 +29,23 @@ class ElementTree {
     std::size_t element(std::size_t place) const { return tree.first_ + tree.order_[place]; }
   };
 
-  /// Calls visit(run, otherRun) for each pair of runs of this tree and of the other whose boxes
-  /// come nearer to each other than `gap`. Of a tree with itself each pair comes once.
+  /// Calls visit(run, otherRun) for each pair of runs of this tree and of the other whose boxes are
+  /// nearer to each other than `gap`. If a tree is compared with itself, each pair is visited once.
   template <class Visit>
   void forEachNear(const ElementTree& other, double gap, const Visit& visit) const {
     if (count_ == 0 || other.count_ == 0) return;
     walk({levels_.size() - 1, 0}, other, {other.levels_.size() - 1, 0}, gap, visit);
   }
 
-  /// Calls isFree(first, count, places) for large parts of the tree and then, where it said no, for
-  /// smaller ones: elements as those of a MeshPart. Where it says yes, elements are not held
-  /// against each other when the tree is held against itself.
+  /// Calls isFree(first, count, places) for large parts of the tree and then, where it returned
+  /// false, for smaller parts; the arguments are as in MeshPart. Where it returns true, elements
+  /// are not compared with each other when the tree is compared with itself.
   template <class IsFree>
   void findFree(const IsFree& isFree) {
     isFree_.resize(levels_.size());
-    for (std::size_t level = kLeastFree; level < levels_.size(); ++level)
+    for (std::size_t level = kMinFree; level < levels_.size(); ++level)
       isFree_[level].assign(levels_[level].size(), 0);
-    if (levels_.size() > kLeastFree) findFree({levels_.size() - 1, 0}, isFree);
+    if (levels_.size() > kMinFree) findFree({levels_.size() - 1, 0}, isFree);
   }
 
   static Box3 grown(Box3 box, double gap) {
@@ -56,7 +56,7 @@ class ElementTree {
 
  private:
   static constexpr std::size_t kRun = 8, kBranches = 4;
-  static constexpr std::size_t kLeastFree = 3;  ///< level of the smallest parts that may be free
+  static constexpr std::size_t kMinFree = 3;  ///< level of the smallest parts that may be free
   struct Node {
     std::size_t level, index;
   };
@@ -66,7 +66,7 @@ class ElementTree {
     const std::size_t size = kRun << 2 * node.level, first = node.index * size;
     if (isFree(first_, std::min(size, count_ - first), order_.data() + first)) {
       isFree_[node.level][node.index] = 1;
-    } else if (node.level > kLeastFree) {
+    } else if (node.level > kMinFree) {
       const auto [begin, end] = children(node);
       for (std::size_t i = begin; i < end; ++i) findFree({node.level - 1, i}, isFree);
     }
@@ -79,7 +79,7 @@ class ElementTree {
   template <class Visit>
   void walk(Node own, const ElementTree& other, Node its, double gap, const Visit& visit) const {
     if (own.level == 0 && its.level == 0) return visit(run(own.index), other.run(its.index));
-    // The larger one is taken apart; of a tree with itself, both at once.
+    // The larger node is split; if a tree is compared with itself, both are split at once.
     const bool isSelf = this == &other;
     if (isSelf && own.index == its.index && isFree(own)) return;
     const bool takeOwn = own.level >= its.level, takeIts = isSelf || !takeOwn;
@@ -107,7 +107,8 @@ class ElementTree {
 
   std::size_t first_ = 0, count_ = 0;
   std::vector<std::uint32_t> order_;       ///< elements, counted from first_
-  std::vector<std::vector<Box3>> levels_;  ///< [0]: the leaves; each next: of the one before
+  std::vector<std::vector<Box3>> levels_;  ///< [0]: boxes of the leaves; each further level: boxes
+                                           ///< around pairs of the level before
   std::vector<std::vector<std::uint8_t>> isFree_;  ///< by level and node; empty: none is
 };
 

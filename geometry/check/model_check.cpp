@@ -19,7 +19,7 @@ namespace af2::geometry {
 namespace {
 
 /// A face without width has no elements, and no more than this share of the area of the mesh.
-constexpr double kMostWithoutWidth = 1e-4;
+constexpr double kMaxWithoutWidth = 1e-4;
 
 /// How often a piece of a model edge is to be used. Several may have the same ends.
 struct WantedUses {
@@ -55,7 +55,7 @@ class Findings {
   void add(MeshFinding finding) {
     if (all_.size() < limit_) all_.push_back(std::move(finding));
   }
-  /// None yet, and no more than so many.
+  /// No findings yet; at most `limit` of them are kept.
   Findings none() const { return Findings(limit_); }
   void take(Findings other) {
     for (MeshFinding& finding : other.all_) add(std::move(finding));
@@ -96,7 +96,7 @@ class ElementChecker {
     for (const auto& [id, area] : areas_) whole += area;
     for (const FaceReport& face : mesh_.faces) {
       if (face.status != FaceStatus::Complete || !(face.area > 0)) continue;
-      if (!areas_.contains(face.id) && face.area < kMostWithoutWidth * whole) continue;
+      if (!areas_.contains(face.id) && face.area < kMaxWithoutWidth * whole) continue;
       const double ratio = areas_[face.id] / face.area;
       if (!isWrongArea(ratio, face.elements)) continue;
       findings_.add({face.id,
@@ -105,8 +105,8 @@ class ElementChecker {
     }
   }
 
-  /// A vertex from which on none is on a segment or at elements of two faces; nothing where their
-  /// numbers tell of none, or corners are wrong.
+  /// The lowest vertex such that no later vertex is on a segment or belongs to elements of two
+  /// faces; nothing if the numbering gives no such vertex, or if corners are wrong.
   std::optional<std::uint32_t> firstInside() const {
     if (!unsound_.empty()) return std::nullopt;
     std::vector<Range> insides = insides_;
@@ -123,7 +123,7 @@ class ElementChecker {
       if (!std::ranges::binary_search(unsound_, i)) all.push_back(i);
     return all;
   }
-  /// Of these all that have a side between vertices before firstInside().
+  /// All of these elements that have a side between vertices before firstInside().
   const std::vector<std::size_t>& atSegments() const { return atSegments_; }
 
  private:
@@ -138,7 +138,7 @@ class ElementChecker {
     unsound_.push_back(i);
     for (const VertexId v : mesh_.elements[i].vertices())
       if (v.value >= mesh_.vertices.size())
-        return findings_.add({mesh_.face[i], "an element has a corner that is no vertex", {}});
+        return findings_.add({mesh_.face[i], "an element has a corner that is not a vertex", {}});
     std::array<VertexId, 4> corners = mesh_.elements[i].corners;
     std::ranges::sort(corners);
     const VertexId twice = *std::ranges::adjacent_find(corners);
@@ -185,8 +185,8 @@ struct VertexRange {
   bool contains(std::size_t v) const { return v >= begin && v < end; }
 };
 
-/// Whether the elements at each of some vertices lie around it: then nothing is wrong with the
-/// sides that end there, if they are of one face.
+/// Whether the elements at each of some vertices enclose it: then the sides that end there are
+/// correct, if the elements belong to one face.
 bool areSurrounded(const ModelMesh& mesh, VertexRange vertices) {
   VertexStars stars(vertices.begin, vertices.end);
   for (const Element& element : mesh.elements) stars.add(element);
@@ -199,7 +199,7 @@ bool areSurrounded(const ModelMesh& mesh, VertexRange vertices) {
 /// Looks at the edges whose lower vertex is one of some.
 class EdgeChecker {
  public:
-  /// What goes into all parts.
+  /// Data that all parts of the check use.
   struct Task {
     const ModelMesh& mesh;
     const std::vector<WantedUses>& wanted;
@@ -263,7 +263,7 @@ class EdgeChecker {
   }
 
   void checkEdge(const Point3& place, std::span<const MeshSide> sides) {
-    // Of faces that are there twice, the later one goes.
+    // Of two identical faces, the later one is removed.
     const int face = faceOf(sides.size() > 2 ? sides.back() : sides.front());
     if (sides.size() != 2) {
       findings_.add(
@@ -284,8 +284,8 @@ class EdgeChecker {
 /// Sides and stars take more memory than the mesh: those of a large one are looked at in parts.
 std::vector<VertexRange> partsOf(VertexRange vertices) {
   std::vector<VertexRange> parts;
-  for (std::size_t v = vertices.begin; v < vertices.end; v += VertexStars::kMostAtOnce)
-    parts.push_back({v, std::min(v + VertexStars::kMostAtOnce, vertices.end)});
+  for (std::size_t v = vertices.begin; v < vertices.end; v += VertexStars::kMaxAtOnce)
+    parts.push_back({v, std::min(v + VertexStars::kMaxAtOnce, vertices.end)});
   return parts;
 }
 
@@ -317,8 +317,8 @@ void checkEdges(const ModelMesh& mesh, const ElementChecker& elements, int threa
 
 bool isWrongArea(double ratio, std::size_t elements) {
   constexpr std::size_t kFew = 60;
-  constexpr double kMostFactor = 1.4, kMostFactorOfFew = 5;
-  const double most = elements < kFew ? kMostFactorOfFew : kMostFactor;
+  constexpr double kMaxFactor = 1.4, kMaxFactorOfFew = 5;
+  const double most = elements < kFew ? kMaxFactorOfFew : kMaxFactor;
   return ratio < 1 / most || ratio > most;
 }
 

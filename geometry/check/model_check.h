@@ -1,4 +1,4 @@
-// Holds the mesh of a model against its boundary: what must hold before a mesh is written.
+// Checks the mesh of a model against its boundary, before the mesh is written.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace af2::geometry {
 
-/// Something that should hold of a mesh and does not.
+/// A check that a mesh does not pass.
 struct MeshFinding {
   int face = 0;  ///< where; 0: not on one face
   std::string what;
@@ -17,9 +17,9 @@ struct MeshFinding {
   bool operator==(const MeshFinding&) const = default;
 };
 
-/// Whether the area of the elements of a face can't be that of the CAD face, of which it is
-/// `ratio`. Straight elements have another area than a curved face, or than a plane face with a
-/// curved boundary: a few of them, quite another one.
+/// Whether the area of the elements of a face is wrong, given its `ratio` to the area of the CAD
+/// face. Straight elements differ in area from a curved face, and from a plane face with a curved
+/// boundary; the fewer elements there are, the more they may differ.
 AF2_EXPORT bool isWrongArea(double ratio, std::size_t elements);
 
 /// Checks a mesh:

@@ -43,8 +43,8 @@ bool contains(const DrawnLoop& loop, Point2 point) {
   return inside;
 }
 
-/// Of simple loops that do not cross: whether each has the region on its left, as often as they
-/// lie in each other.
+/// For simple loops that do not cross: whether each has the region on its left, given how they are
+/// nested.
 bool areNestedInTurn(const FrontInput& outline, const PlaneAxes& axes) {
   std::vector<DrawnLoop> loops;
   for (const auto& loop : outline.loops) loops.push_back(draw(loop, axes));
@@ -71,14 +71,14 @@ class StarShape {
     const double facing = dot(normal, p);
     if (side_ == 0) side_ = facing > 0 ? 1 : -1;
     if (!(side_ * facing > 0) ||
-        !(facing * facing > kLeastFacing * kLeastFacing * dot(normal, normal) * dot(p, p)))
+        !(facing * facing > kMinFacing * kMinFacing * dot(normal, normal) * dot(p, p)))
       return false;
     return meets(p, q, r);
   }
   bool goesAroundOnce() const { return count_ == 1; }
 
  private:
-  static constexpr Point3 kRay{0.5257, 0.6143, 0.5885};  // along nothing that models lie along
+  static constexpr Point3 kRay{0.5257, 0.6143, 0.5885};  // parallel to no usual direction
   static constexpr double kCertain = 1e-9;  // of the largest value that the terms can have
 
   bool meets(const Point3& p, const Point3& q, const Point3& r) {
@@ -219,7 +219,8 @@ bool PatchOutlines::isStarShaped(std::span<const Patch* const> patches) const {
         return false;
     return true;
   };
-  // One element of each face tells about most models that are no stars.
+  // A quick test: one element of each face is enough to reject most models that are not
+  // star-shaped.
   StarShape sample(centre), star(centre);
   for (const Patch* patch : patches)
     if (!takes(sample, patch->first)) return false;

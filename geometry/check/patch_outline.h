@@ -1,5 +1,5 @@
-// Whether a part of a mesh can be drawn in a plane or on a sphere without overlaps: then it cannot
-// cross itself.
+// Whether a part of a mesh projects to a plane or a sphere without overlaps: then it cannot cross
+// itself.
 // Not installed.
 #pragma once
 
@@ -14,9 +14,9 @@
 
 namespace af2::geometry {
 
-/// What one walk over the elements of a face, or some of them in a row, tells of them.
+/// Data collected in one pass over consecutive elements of a face.
 struct Patch {
-  /// How many elements have a box in common.
+  /// The number of elements that share a box.
   static constexpr std::size_t kRun = 64;
   using Side = std::pair<std::uint32_t, std::uint32_t>;
 
@@ -25,25 +25,25 @@ struct Patch {
   std::vector<Box3> boxes;  ///< of each kRun elements
   Point3 normal;            ///< the sum of their normals, each as long as twice the area
   Point3 corners;           ///< the sum of their first corners
-  std::vector<Side> sides;  ///< those along segments, as the elements run along them; sorted
-  std::vector<std::uint32_t> onSegments;  ///< vertices on segments, once or more often
+  std::vector<Side> sides;  ///< those along segments, directed as in their elements; sorted
+  std::vector<std::uint32_t> onSegments;  ///< vertices on segments, possibly repeated
 };
 
-/// The segments of a mesh, to hold its patches against.
+/// The segments of a mesh, for checking its patches.
 class PatchOutlines {
  public:
   explicit PatchOutlines(const ModelMesh& mesh);
 
   Patch patch(std::size_t first, std::size_t last) const;
 
-  /// Of a patch of one face: whether all of its elements look to one side of some plane, and the
-  /// boundary between them and the segments of the mesh, drawn in it, is made of simple loops that
-  /// do not cross. Then each point of the plane is below one element at most. False says nothing.
+  /// For a patch of one face: whether all of its elements face one side of some plane, and its
+  /// boundary along the segments of the mesh, projected to the plane, consists of simple loops that
+  /// do not cross. Then each point of the plane is below at most one element. False proves nothing.
   bool canBeDrawn(const Patch& patch) const;
 
-  /// Whether the elements of some patches, of any faces, are closed and all look away from one
-  /// point, or all towards it, and go around it once: then each ray from there meets one of them.
-  /// False says nothing.
+  /// Whether the elements of some patches, of any faces, form a closed surface, all face away from
+  /// one point or all towards it, and enclose it once: then each ray from that point meets one of
+  /// them. False proves nothing.
   bool isStarShaped(std::span<const Patch* const> patches) const;
 
  private:

@@ -9,7 +9,7 @@ namespace af2::geometry {
 namespace {
 
 /// Enough to find every bad face of a model, and no more than fits into the memory.
-constexpr std::size_t kMostFindings = 1'000'000;
+constexpr std::size_t kMaxFindings = 1'000'000;
 
 std::string describe(const MeshFinding& finding) {
   std::string text = "the mesh does not pass its checks: " + finding.what;
@@ -51,14 +51,14 @@ void dropUnusedVertices(ModelMesh& mesh) {
   }
 }
 
-/// A face without width needs no elements beside others that have some. Where none has, the size is
-/// far too large, or the model is nothing.
+/// A face without width needs no elements if other faces have some. If no face has any, the size is
+/// far too large, or the model is empty.
 void failFacesWithoutElements(ModelMesh& mesh) {
   for (FaceReport& face : mesh.faces) {
     if (face.status != FaceStatus::Complete) continue;
     face.status = FaceStatus::Failed;
     face.reason += (face.reason.empty() ? "" : "; ");
-    face.reason += "nothing of the model is to be seen at this size; ask for a smaller one";
+    face.reason += "no part of the model is visible at this size; ask for a smaller one";
   }
 }
 
@@ -70,11 +70,11 @@ void dropElements(ModelMesh& mesh, const std::vector<int>& faces) {
     if (isOneOf(faces, mesh.face[i])) continue;
     mesh.elements[kept] = mesh.elements[i];
     mesh.face[kept] = mesh.face[i];
-    mesh.rule[kept++] = mesh.rule[i];
+    mesh.origins[kept++] = mesh.origins[i];
   }
   mesh.elements.resize(kept);
   mesh.face.resize(kept);
-  mesh.rule.resize(kept);
+  mesh.origins.resize(kept);
   dropUnusedVertices(mesh);
 }
 
@@ -82,7 +82,7 @@ MeshFaults faultsOf(const ModelMesh& mesh, bool mayCross, int threads) {
   MeshFaults faults;
   forEachInParallel(2, threads, [&](std::size_t k) {
     if (k == 1)
-      faults.findings = checkModelMesh(mesh, kMostFindings, threads);
+      faults.findings = checkModelMesh(mesh, kMaxFindings, threads);
     else if (mayCross)
       faults.crossings = elementCrossings(mesh, [&](std::size_t count, const auto& work) {
         forEachInParallel(count, threads, work);

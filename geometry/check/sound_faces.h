@@ -1,4 +1,4 @@
-// Keeps only what passes the checks: the last look at a mesh before it is written.
+// Keeps only the faces that pass the last checks of a mesh before it is written.
 #pragma once
 
 #include <string>
@@ -11,23 +11,23 @@
 
 namespace af2::geometry {
 
-/// What the checks of a mesh have found.
+/// The findings of the checks of a mesh.
 struct MeshFaults {
   std::vector<MeshFinding> findings;  ///< of checkModelMesh
   std::vector<Crossing> crossings;    ///< elementCrossings
 };
 
-/// Both checks, one beside the other. Without `mayCross` no crossings are looked for.
+/// Runs both checks in parallel. Without `mayCross`, crossings are not searched for.
 AF2_EXPORT MeshFaults faultsOf(const ModelMesh& mesh, bool mayCross, int threads);
 
-/// Each face with a finding becomes Failed, with the finding as its reason, and its elements and
-/// the vertices that only they use are taken out; so do as many faces as it takes to leave no
-/// crossings. If no elements are left, all faces are Failed. Returns in words what else was found,
-/// of the mesh as a whole.
+/// Each face with a finding becomes Failed, with the finding as its reason; its elements and the
+/// vertices that only they use are removed. The same is done to as many faces as are needed to
+/// leave no crossings. If no elements are left, all faces are Failed. Returns messages for the
+/// findings that concern the mesh as a whole.
 AF2_EXPORT std::vector<std::string> keepSoundFaces(ModelMesh& mesh, const MeshFaults& faults);
 
-/// Takes out the elements of `faces` (ids in ascending order) and the vertices that no element uses
-/// then. What stays keeps its order.
+/// Removes the elements of `faces` (ids in ascending order) and the vertices that no element uses
+/// then. The rest keeps its order.
 AF2_EXPORT void dropElements(ModelMesh& mesh, const std::vector<int>& faces);
 
 }  // namespace af2::geometry

@@ -26,7 +26,7 @@ ModelMesh sounderMesh(ModelMesh healed, ModelMesh asItWas) {
   if (healed.healing) {
     asItWas.healing = Healing{healed.healing->tolerance, {}, std::move(healed.healing->undone)};
     asItWas.healing->undone.push_back(
-        "the model was left as it was, for it can be meshed better: " + cause);
+        "the model was not healed, because the original can be meshed better: " + cause);
   }
   return asItWas;
 }

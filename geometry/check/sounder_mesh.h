@@ -1,16 +1,16 @@
-// Whether healing was of use, told by the meshes with it and without.
+// Chooses between the meshes of a model with healing and without.
 #pragma once
 
 #include "geometry/mesh/model_mesh.h"
 
 namespace af2::geometry {
 
-/// Whether a face was not meshed, or anything else was found at fault.
+/// Whether a face was not meshed, or any other fault was found.
 bool hasFaults(const ModelMesh& mesh);
 
-/// Of the mesh of a healed model and that of the model as it was, the one with fewer faults; the
-/// healed one if there are as many. Repairs that are sound by themselves may still leave faces that
-/// cannot be meshed. `healing` tells if the model was left as it was.
+/// Of the meshes of a healed model and of the original model, returns the one with fewer faults;
+/// the healed one if they have equally many. Repairs that are valid by themselves may still leave
+/// faces that cannot be meshed. `healing` of the result says if the original model was kept.
 ModelMesh sounderMesh(ModelMesh healed, ModelMesh asItWas);
 
 }  // namespace af2::geometry

@@ -43,7 +43,7 @@ bool anyEdgeNormalSeparates(const Corners& edges, const Point3& normal, const Co
 bool reachIntoEachOther(const Corners& p, const Corners& q, double depth) {
   const Corners edgesP = edgesOf(p), edgesQ = edgesOf(q);
   const Point3 normalP = cross(edgesP[0], edgesP[1]), normalQ = cross(edgesQ[0], edgesQ[1]);
-  // In one plane, only directions in the plane can tell.
+  // If both are in one plane, only directions in the plane can separate them.
   const bool isFlat = isInPlane(q, p[0], normalP, depth);
   if (!isFlat && (separates(normalP, p, q, depth) || separates(normalQ, p, q, depth))) return false;
   if (anyEdgeNormalSeparates(edgesP, normalP, p, q, depth)) return false;

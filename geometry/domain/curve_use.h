@@ -1,4 +1,4 @@
-// Which curves bound a face.
+// The curves that bound a face.
 #pragma once
 
 #include <cstddef>
@@ -6,7 +6,7 @@
 
 namespace af2::geometry {
 
-/// One curve as a face runs along it, with the face on the left.
+/// One curve in the direction in which a face uses it, with the face on the left.
 struct CurveUse {
   std::size_t curve = 0;
   bool reversed = false;

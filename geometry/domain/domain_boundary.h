@@ -8,7 +8,7 @@
 
 namespace af2::geometry {
 
-/// Throws GeometryError where the surface does not know a point of the boundary.
+/// Throws GeometryError if a point of the boundary is not on the surface.
 FaceBoundary boundaryOf(const DomainFace& face, const DividedEdges& divided);
 
 }  // namespace af2::geometry

@@ -15,7 +15,8 @@ void checkCurves(const DomainModel& model) {
     const auto require = [&](bool isSo, const char* fault) {
       if (!isSo) throw InputError("curve " + std::to_string(c + 1) + " of the model " + fault);
     };
-    require(std::max(curve.first, curve.last) < model.corners.size(), "ends at no corner of it");
+    require(std::max(curve.first, curve.last) < model.corners.size(),
+            "has an end that is not a corner of it");
     require(static_cast<bool>(curve.pointAt), "has no points");
     require(curve.knots.size() >= 2 &&
                 std::ranges::adjacent_find(curve.knots, std::greater_equal()) == curve.knots.end(),
@@ -33,9 +34,10 @@ void checkFaces(const DomainModel& model) {
     require(!face.loops.empty(), "has no boundary; cut a closed surface along curves");
     for (const auto& loop : face.loops)
       for (const CurveUse& use : loop)
-        require(use.curve < model.curves.size(), "is bounded by a curve that is not there");
+        require(use.curve < model.curves.size(), "is bounded by a curve that does not exist");
     for (const std::size_t corner : face.isolated)
-      require(corner < model.corners.size(), "has a vertex inside at no corner of the model");
+      require(corner < model.corners.size(),
+              "has a vertex inside that is not a corner of the model");
   }
 }
 

@@ -1,4 +1,4 @@
-// What is awkward in a planar domain or a surface of triangles, against the size of a mesh.
+// Finds details of a planar domain or a surface of triangles that are difficult at a mesh size.
 #pragma once
 
 #include <vector>
@@ -9,7 +9,7 @@
 
 namespace af2::geometry {
 
-/// Tiny edges and slivers, from the most to the least severe; of a surface of triangles also edges
+/// Tiny edges and slivers, from the most to the least severe; for a surface of triangles also edges
 /// with one face or with more than two, in the order of the model.
 ///
 /// size  edge length of a mesh, > 0

@@ -80,11 +80,11 @@ class Division {
   /// At the knots, and between them where these are far apart.
   Samples sample(std::size_t c) const {
     constexpr double kDenser = 8;
-    constexpr int kMostRounds = 4;
+    constexpr int kMaxRounds = 4;
     const bool isVaried = sizes_.byPosition.isVaried() || sizes_.nearLoosePoints || !model_.isFlat;
     double perSize = isVaried ? kDenser : 1;
     Samples samples = sampled(c, perSize);
-    for (int round = 0; isVaried && !isFine(samples.curve) && round < kMostRounds; ++round) {
+    for (int round = 0; isVaried && !isFine(samples.curve) && round < kMaxRounds; ++round) {
       perSize *= kDenser;
       samples = sampled(c, perSize);
     }
@@ -93,9 +93,9 @@ class Division {
 
   /// Whether no cell is long against the size at its end.
   static bool isFine(const SampledCurve& curve) {
-    constexpr double kMostOfSize = 0.25;
+    constexpr double kMaxOfSize = 0.25;
     for (std::size_t i = 1; i < curve.sizes.size(); ++i)
-      if (curve.arcLength[i] - curve.arcLength[i - 1] > kMostOfSize * curve.sizes[i]) return false;
+      if (curve.arcLength[i] - curve.arcLength[i - 1] > kMaxOfSize * curve.sizes[i]) return false;
     return true;
   }
 
@@ -129,8 +129,8 @@ class Division {
   }
 
   std::size_t cellsFor(double wanted, const Samples& samples) const {
-    constexpr double kMost = 1e7;
-    if (!(wanted + static_cast<double>(samples.parameters.size()) < kMost))
+    constexpr double kMax = 1e7;
+    if (!(wanted + static_cast<double>(samples.parameters.size()) < kMax))
       throw InputError(model_.name +
                        ": an edge would need more than a million segments; ask for a larger size");
     return static_cast<std::size_t>(std::max(1.0, std::ceil(wanted)));

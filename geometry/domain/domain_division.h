@@ -22,10 +22,10 @@ struct DomainSizes {
   std::vector<std::shared_ptr<const CurvatureLimit>> limits;  ///< by face; null: it is plane
 };
 
-/// Segments are as long as the sizes want along the curve, or lie between the points that are given
-/// for it. Closed curves have at least three, curves with the same two ends at least two.
+/// Segments have the wanted sizes along the curve, or end at the points that are given for it. A
+/// closed curve has at least three segments; curves that share both ends have at least two each.
 ///
-/// Throws InputError if the points given for a curve do not lie on it, in order and apart, or if
+/// Throws InputError if the points given for a curve are not on it, in order and distinct, or if
 /// there would be far too many segments.
 DividedEdges divideCurves(const DomainModel& model, const DomainSizes& sizes, double growth,
                           const EdgePoints& given);

@@ -106,7 +106,7 @@ class DomainFaces final : public FaceSource {
     return curveOf(divided).pointAt(parameter);
   }
 
-  /// What cannot be seen is no edge from the beginning: no edges are taken for points.
+  /// Invisible edges were removed when the model was made, so no edges are collapsed to points.
   DividedEdges divide(const PositionSize& sizes, const CollapsedEdges&) const override {
     DomainSizes own = *sizes_;
     own.byPosition = sizes_->byPosition.withFunction(sizes);

@@ -1,4 +1,4 @@
-// Faces that meet at curves: what planar domains and surfaces of triangles are meshed as.
+// Faces that meet at curves: the form in which planar domains and triangle surfaces are meshed.
 #pragma once
 
 #include <cstddef>
@@ -18,14 +18,14 @@
 
 namespace af2::geometry {
 
-/// A curve between two corners, by a parameter that grows along it.
+/// A curve between two corners, with a parameter that increases along it.
 struct DomainCurve {
-  int id = 0;  ///< of the edge of the model that it is, or is part of: 1, 2, ...
-  std::size_t first = 0, last = 0;        ///< corners
-  std::vector<double> knots;              ///< parameters of its ends, and of places where it turns
+  int id = 0;                       ///< of the edge of the model to which it belongs: 1, 2, ...
+  std::size_t first = 0, last = 0;  ///< corners
+  std::vector<double> knots;        ///< parameters of its ends and of places where it turns
   std::function<Point3(double)> pointAt;  ///< straight, or nearly so, from knot to knot
-  double largest = kNoLimit;              ///< no segment is to be longer
-  bool isKept = false;                    ///< it is a single segment, however long
+  double largest = kNoLimit;              ///< maximum length of a segment
+  bool isKept = false;                    ///< it stays a single segment of any length
 
   static constexpr double kNoLimit = std::numeric_limits<double>::infinity();
 };
@@ -35,27 +35,27 @@ struct DomainFace {
   std::string name, surfaceType;
   double area = 0;
   CurveLoops loops;
-  std::vector<std::size_t> isolated;  ///< corners inside that are to be vertices of the mesh
+  std::vector<std::size_t> isolated;  ///< corners inside that become vertices of the mesh
   std::shared_ptr<const ChartedSurface> surface;       ///< may be used by several threads at once
   std::function<SurfacePoint(const Point3&)> nearest;  ///< point of the surface
   bool canBeCut = false;                   ///< lines in the parameters of the surface may cut it
-  double largest = DomainCurve::kNoLimit;  ///< no edge is to be longer
-  std::vector<std::string> notes;          ///< what was put right, for the report
+  double largest = DomainCurve::kNoLimit;  ///< maximum length of an edge
+  std::vector<std::string> notes;          ///< repairs, for the report
 };
 
 /// The largest edges that the curvature of a face allows.
 class AF2_EXPORT CurvatureLimit : public SizeField {
  public:
-  /// How many elements there will be about, if `size` is wanted everywhere.
+  /// Approximate number of elements if `size` is wanted everywhere.
   virtual double expectedElements(double size) const = 0;
-  /// Places that want smaller ones, for elements to follow the face at all.
+  /// Places that need smaller sizes, so that elements can follow the face at all.
   virtual std::vector<SizeSource> sizesToFollow() const { return {}; }
 };
 
 struct DomainModel {
   std::string name;      ///< the file
   double diagonal = 0;   ///< of the box around it
-  bool isFlat = false;   ///< all of it lies in one plane
+  bool isFlat = false;   ///< all of it is in one plane
   bool isExact = false;  ///< and its curves are straight, so that elements that fill their faces
                          ///< cannot cross each other
   std::vector<Point3> corners;
@@ -63,23 +63,25 @@ struct DomainModel {
   std::vector<DomainFace> faces;  ///< their ids are 1, 2, ...
   std::vector<FaceGroup> groups;
   std::vector<EdgeGroup> boundaries;  ///< by their numbers, ascending
-  std::vector<std::string> notes;     ///< what was put right while reading
-  /// How much of the wanted size is left along curves that turn sharply (DomainSize::turnLimit).
+  std::vector<std::string> notes;     ///< repairs made while reading
+  /// Least size along sharply turning curves, as a share of the wanted size
+  /// (DomainSize::turnLimit).
   double leastAtTurns = 0.1;
-  /// Of the candidates that retries of CAD faces may take, as charts differ in what they cost.
+  /// The budget of retries, as a share of the candidates that CAD faces may use: the cost of charts
+  /// differs.
   double retryShare = 1;
-  /// By face, what curvature allows; empty: all faces are plane. To be used by several threads at
+  /// By face, the limits by curvature; empty: all faces are plane. Several threads may use them at
   /// once.
   std::function<std::vector<std::shared_ptr<const CurvatureLimit>>(const DomainSize&)>
       limitsOfFaces;
 };
 
-/// Meshes the faces between their curves, which are divided once and shared. A face that cannot be
-/// meshed as it should be is tried again as those of CAD models are; one that fails is reported and
-/// does not spoil the others.
+/// Meshes the faces between their curves, which are divided once and shared. A face that fails or
+/// comes out poor is retried as the faces of CAD models are; a face that still fails is reported
+/// and does not affect the others.
 ///
-/// Throws InputError for options that make no sense, and for a model with parts that are not there,
-/// or with a face without a boundary.
+/// Throws InputError for invalid options, for a model whose parts refer to parts that do not exist,
+/// and for a face without a boundary.
 AF2_EXPORT ModelMesh meshDomain(const DomainModel& model, const AF2Algorithm& algorithm,
                                 const MeshingOptions& options);
 

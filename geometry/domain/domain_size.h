@@ -1,4 +1,4 @@
-// The sizes that are wanted on a domain, by position and where something turns.
+// The wanted sizes on a domain, by position and by curvature.
 #pragma once
 
 #include <memory>
@@ -17,16 +17,17 @@ class AF2_EXPORT DomainSize {
   /// The same, but with another function of the position.
   DomainSize withFunction(PositionSize function) const;
 
-  /// What is wanted at a position where `size` is wanted unless something there wants less.
+  /// The wanted size at a position: `size`, or less where something there asks for less.
   double at(const Point3& position, double size) const;
-  /// Whether sizes differ from place to place.
+  /// Whether sizes vary with the position.
   bool isVaried() const { return function_ || sources_; }
-  /// The largest edges where a surface or a curve turns within `radius`. Unless turns were asked
-  /// for, this goes down to `gentleLeast` times the wanted size.
+  /// The largest edge length where a surface or a curve has the radius of curvature `radius`.
+  /// Without `elementsPerTurn` this is at least `gentleLeast` times the wanted size.
   double turnLimit(double radius, double gentleLeast) const;
-  /// By how much a segment may turn, in radians, if turns were asked for; else 0.
+  /// The largest angle, in radians, by which a segment may turn, if `elementsPerTurn` is given;
+  /// else 0.
   double turnOfSegment() const;
-  /// `size`, brought between the bounds of all sizes.
+  /// `size`, clamped to the bounds of all sizes.
   double bounded(double size) const;
 
  private:

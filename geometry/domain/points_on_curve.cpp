@@ -6,7 +6,7 @@ namespace af2::geometry {
 
 namespace {
 
-/// The nearest point between two knots, where the curve is all but straight.
+/// The nearest point between two knots, where the curve is almost straight.
 CurveFoot footBetween(const DomainCurve& curve, double low, double high, const Point3& point) {
   constexpr int kSteps = 3;  // a curve between knots that departs from its chord a little
   CurveFoot foot;

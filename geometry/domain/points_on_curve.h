@@ -1,4 +1,4 @@
-// Points from outside that divide a curve of a domain.
+// Places given points on the curve of a domain that they divide.
 // Not installed.
 #pragma once
 
@@ -9,14 +9,15 @@
 
 namespace af2::geometry {
 
-/// From knot to knot.
+/// The length of the polyline through the knots.
 double lengthOf(const DomainCurve& curve);
 
-/// Finds where the points between the ends of a curve lie on it.
+/// Finds the parameters of the points between the ends of a curve.
 ///
 /// least  segments that the curve needs
 ///
-/// Throws InputError unless they do, in order and apart, to a hundredth of a segment.
+/// Throws InputError unless the points are on the curve, to a hundredth of a segment, in order and
+/// distinct.
 PlacedPoints placeOnCurve(const DomainCurve& curve, const std::vector<Point3>& points,
                           std::size_t least);
 

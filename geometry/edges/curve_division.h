@@ -1,4 +1,4 @@
-// Dividing a sampled curve by the sizes wanted along it.
+// Divides a sampled curve by the sizes wanted along it.
 #pragma once
 
 #include <cstddef>
@@ -9,15 +9,16 @@
 
 namespace af2::geometry {
 
-/// Lets sizes grow along a curve by no more than `growth` per unit of length.
+/// Limits the growth of sizes along a curve to `growth` per unit of length.
 ///
 /// arcLength  of the samples, from the start of the curve
 void gradeAlong(std::span<const double> arcLength, std::span<double> sizes, double growth);
 
-/// Number of segments up to each sample, if segments had exactly the wanted sizes.
+/// The number of segments up to each sample, as a fraction, if segments had exactly the wanted
+/// sizes.
 std::vector<double> segmentsAlong(std::span<const double> arcLength, std::span<const double> sizes);
 
-/// A place on a sampled curve: `within` of the way from sample `cell` to the next.
+/// A place on a sampled curve: the fraction `within` of the way from sample `cell` to the next.
 struct CurvePlace {
   std::size_t cell = 0;
   double within = 0;
@@ -28,18 +29,18 @@ struct CurvePlace {
   }
 };
 
-/// Where `segments` equal shares of the count end, but for the last.
+/// The ends of `segments` equal shares of the count, except the last.
 std::vector<CurvePlace> equalShares(std::span<const double> count, std::size_t segments);
 
-/// By how much, in radians, the tangent turns along a curve, of which these are points.
+/// The angle, in radians, by which the tangent turns along a curve through these points.
 double turnAlong(std::span<const Point3> points);
 
-/// How many segments a curve gets that is `count` wanted sizes long: the nearest whole number, at
-/// least one. Where it turns and turns are to have their elements, so many that no segment is
-/// longer than wanted.
+/// The number of segments of a curve that is `count` wanted sizes long: the nearest whole number,
+/// at least one. If the curve turns and turns need a minimum number of elements, the number is
+/// rounded up so that no segment is longer than wanted.
 ///
-/// byTurn  as many as its turn asks for alone; 0 if turns are not to have their elements
-/// share   of the wanted sizes that those counted in `count` have where the curve turns
+/// byTurn  the number that its turn alone needs; 0 if turns need no minimum number
+/// share   ratio of the sizes counted in `count` to the wanted sizes where the curve turns
 std::size_t wholeSegments(double count, double byTurn, double share = 1);
 
 /// The ends of a curve among numbered points.
@@ -47,15 +48,16 @@ struct CurveEnds {
   std::size_t first = 0, last = 0;
 };
 
-/// Curves that share ends, each with its samples. Grades all of them, also from one to the next.
+/// Curves that share ends, each with its samples. Sizes are graded along all of them, and from one
+/// to the next.
 struct SampledCurve {
   CurveEnds ends;
   std::vector<double> arcLength, sizes;
 };
 void gradeTogether(std::vector<SampledCurve>& curves, std::size_t points, double growth);
 
-/// How many segments each curve needs at least, so that no two share a segment: three if it is
-/// closed, two if another one has the same ends.
+/// The least number of segments of each curve, so that no two curves share a segment: three if it
+/// is closed, two if another one has the same ends.
 std::vector<std::size_t> leastSegments(const std::vector<CurveEnds>& curves);
 
 }  // namespace af2::geometry

@@ -17,15 +17,16 @@ struct DividedEdge {
   /// unusable.
   std::vector<double> parameters;
   std::vector<std::uint32_t> points;  ///< by parameter: index into DividedEdges::points
-  /// Indices of those, between the ends, at which another edge ends on this one.
+  /// Indices of the parameters, between the ends, at which another edge ends on this one.
   std::vector<std::size_t> stops;
   std::string problem;                 ///< why it is unusable; its faces fail
-  double wanted = 0;                   ///< the size asked for, before all limits
-  int twin = 0;                        ///< the edge that it has its vertices from; 0: none
-  std::optional<std::uint32_t> point;  ///< that the edge was taken for because that was asked for
+  double wanted = 0;                   ///< the requested size, before all limits
+  int twin = 0;                        ///< the edge whose vertices it uses; 0: none
+  std::optional<std::uint32_t> point;  ///< the point to which the edge was collapsed on request
 };
 
-/// Edges that are to be taken for points, by id: how far apart the vertices may be that become one.
+/// Edges that are collapsed to points, by id, with the largest distance of vertices that are
+/// merged.
 using CollapsedEdges = std::map<int, double>;
 
 struct DividedEdges {

@@ -1,4 +1,4 @@
-// An edge of a model, to be told from the others.
+// A row of the list of edges of a model, by which a user can identify an edge.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// Divisions of model edges that come from outside.
+// Divisions of model edges that the caller gives.
 #pragma once
 
 #include <map>

@@ -30,8 +30,8 @@ PlacedPoints placePoints(int edge, std::vector<Point3> points, const PlacedRange
     if (!(foot.distance <= range.tolerance))
       refuse(edge, i, points[i],
              std::isfinite(foot.distance)
-                 ? "it lies " + textOf(foot.distance) + " beside the edge"
-                 : "it lies beside the ends of the edge; give the points between them");
+                 ? "it is " + textOf(foot.distance) + " away from the edge"
+                 : "it is beyond the ends of the edge; give only points between them");
     placed.parameters.push_back(foot.parameter);
   }
   if (points.size() > 1 && placed.parameters.front() > placed.parameters.back()) {

@@ -1,4 +1,4 @@
-// Points from outside that divide an edge: where they lie along it.
+// Finds the parameters of given points that divide an edge.
 // Not installed.
 #pragma once
 
@@ -17,24 +17,25 @@ struct CurveFoot {
 };
 
 struct PlacedPoints {
-  std::vector<Point3> points;      ///< as they were given, in the direction of the edge
+  std::vector<Point3> points;      ///< the given points, in the direction of the edge
   std::vector<double> parameters;  ///< of the points, and of the ends of the edge around them
 };
 
 /// An edge, or a part of it.
 struct PlacedRange {
   double first = 0, last = 0;  ///< parameters of its ends
-  double tolerance = 0;        ///< how far from it points may lie
+  double tolerance = 0;        ///< how far from it points may be
 };
 
-/// How far beside an edge of this length points may lie that divide it: a hundredth of a segment.
+/// The distance that points which divide an edge of this length may have from it: a hundredth of a
+/// segment.
 double toleranceOfPoints(double length, std::size_t points);
 
-/// Finds where points between the ends of an edge lie on it.
+/// Finds the parameters of points between the ends of an edge.
 ///
 /// edge  its id, for messages
 ///
-/// Throws InputError unless they lie on it, in order and apart.
+/// Throws InputError unless they are on it, in order and distinct.
 PlacedPoints placePoints(int edge, std::vector<Point3> points, const PlacedRange& range,
                          const std::function<CurveFoot(const Point3&)>& footOf);
 

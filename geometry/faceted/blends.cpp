@@ -37,28 +37,30 @@ class Sharpening {
  private:
   bool isBlend(std::uint32_t t) const { return isFlatBlend_[flats_.of[t]]; }
   double sizeIn(std::uint32_t t) const { return limits_.sizeAt(middleOf(facets_, t)); }
-  /// Across what is beside a triangle, in wanted sizes: triangles of strips are long.
+  /// The width of the adjacent flat, in wanted sizes. The distance of triangles would not do,
+  /// because triangles of strips are long.
   double stepFrom(std::uint32_t from, std::uint32_t to) const {
     if (flats_.of[from] == flats_.of[to]) return 0;
     return flats_.flats[flats_.of[to]].width() / sizeIn(to);
   }
 
-  /// By the angle to what is beside a flat, for its width.
+  /// Finds roundings by the angle between a flat and its neighbours, compared with the width of the
+  /// flat.
   void findBlends() {
-    constexpr double kRadius = 0.25;        // in wanted sizes
-    const double kLeastTurn = 4 * kDegree;  // less is noise
+    constexpr double kRadius = 0.25;      // in wanted sizes
+    const double kMinTurn = 4 * kDegree;  // less is noise
     isFlatBlend_.assign(flats_.flats.size(), false);
     for (HalfEdge h = 0; h < twins_.size(); ++h) {
       if (twins_[h] == kNoHalfEdge || isBlend(h / 3)) continue;
       const std::uint32_t own = flats_.of[h / 3], other = flats_.of[twins_[h] / 3];
       const Flat& flat = flats_.flats[own];
       const double turn = angleBetween(flat.normal, flats_.flats[other].normal);
-      if (own == other || turn < kLeastTurn) continue;
+      if (own == other || turn < kMinTurn) continue;
       isFlatBlend_[own] = turn * kRadius * limits_.sizeAt(flat.middle) > flat.width();
     }
   }
 
-  /// What is left between blends, and is hardly wider than they are, is no surface that they join.
+  /// A narrow rest between blends, hardly wider than they are, is not a surface that they join.
   void takeNarrowRest() {
     constexpr double kWidth = 0.08;  // in wanted sizes
     std::vector<bool> seen(flats_.of.size(), false);

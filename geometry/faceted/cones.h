@@ -1,4 +1,4 @@
-// Cuts a patch into pieces that hardly turn.
+// Cuts a patch into pieces whose normals vary little.
 // Not installed.
 #pragma once
 
@@ -10,11 +10,11 @@
 
 namespace af2::geometry {
 
-/// Edges between pieces of a patch that can be drawn in a plane each: no triangle of a piece turns
-/// far from the middle of it. Pieces that would be narrower than elements become part of those
-/// beside them.
+/// The edges between pieces of a patch, each of which projects to a plane: no normal in a piece
+/// deviates far from the mean of the piece. Pieces that would be narrower than elements are merged
+/// with their neighbours.
 ///
-/// angle  in radians: so far at most, or a third more where that makes borders shorter
+/// angle  largest deviation, in radians; a third more where that makes borders shorter
 /// size   wanted size of elements
 std::set<FacetEdge> coneBorders(const PatchedFacets& patched, const Patch& patch, double angle,
                                 double size);

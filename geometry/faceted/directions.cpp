@@ -13,7 +13,7 @@ namespace {
   throw InputError(facets.name + ": triangles " + std::to_string(g / 3 + 1) + " and " +
                    std::to_string(h / 3 + 1) + " near (" + std::to_string(p.x) + ", " +
                    std::to_string(p.y) + ", " + std::to_string(p.z) +
-                   ") are turned against each other, and cannot be turned so that all fit: the "
+                   ") have opposite orientations, and no reversal makes all triangles match: the "
                    "surface has only one side");
 }
 

@@ -1,4 +1,4 @@
-// Where the triangles of a surface look to.
+// The orientation and the normals of the triangles of a surface.
 // Not installed.
 #pragma once
 
@@ -10,12 +10,12 @@
 
 namespace af2::geometry {
 
-/// Twins, by half-edge. Throws InputError if neighbours are turned against each other.
+/// Twins, by half-edge. Throws InputError if neighbouring triangles have opposite orientations.
 std::vector<HalfEdge> orientedTwins(const Facets& facets);
 
-/// Normals that rounding and noise do not spoil.
+/// Normals from which errors by rounding and noise are removed.
 ///
-/// sizeAt  wanted size of elements by position; none: noise stays as it is
+/// sizeAt  wanted size of elements by position; none: noise is not removed
 FacetDirections directionsOf(const Facets& facets,
                              const std::function<double(const Point3&)>& sizeAt);
 

@@ -1,4 +1,4 @@
-// A patch of triangles by the parameters of its picture in a plane.
+// A patch of triangles, parametrised by its layout in a plane.
 // Not installed.
 #pragma once
 
@@ -16,17 +16,17 @@ struct Barycentric {
   double a = 1, b = 0, c = 0;
 };
 
-/// Lengths on a surface by parameters: squares of the derivatives, and their product.
+/// The first fundamental form: squares of the derivatives by the parameters, and their product.
 struct Metric {
   double uu = 0, uv = 0, vv = 0;
 };
 
-/// Immutable, so that threads may share it.
+/// Immutable, so threads may share it.
 class FacetLayout {
  public:
   using Corners = std::array<std::uint32_t, 3>;
 
-  /// places  by vertex; all triangles lie counter-clockwise
+  /// places  by vertex; all triangles are counter-clockwise
   FacetLayout(std::vector<Point2> places, const std::vector<Point3>& vertices,
               const std::vector<Corners>& triangles);
 
@@ -34,7 +34,7 @@ class FacetLayout {
     std::uint32_t triangle = 0;
     Barycentric where;
   };
-  /// The triangle in which a place lies; beyond the boundary and in holes the nearest one.
+  /// The triangle that contains a place; beyond the boundary and in holes the nearest one.
   Found at(Point2 place) const;
   Point2 placeIn(std::uint32_t triangle, const Barycentric& where) const;
   /// Smooth: at each vertex the mean over the triangles around it, and linear in between.

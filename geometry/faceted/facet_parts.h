@@ -1,4 +1,4 @@
-// The parts that a file of triangles names.
+// The named parts of a file of triangles.
 // Not installed.
 #pragma once
 
@@ -10,7 +10,7 @@
 
 namespace af2::geometry {
 
-/// The parts of a file; triangles that are added belong to the one that was begun last.
+/// The parts of a file; added triangles belong to the part that was begun last.
 class FacetParts {
  public:
   explicit FacetParts(Facets& facets) : facets_(facets) {}
@@ -22,7 +22,7 @@ class FacetParts {
     current_ = static_cast<std::uint32_t>(found - facets_.groupNames.begin());
     if (found == facets_.groupNames.end()) facets_.groupNames.emplace_back(name);
   }
-  /// Gives all triangles so far their part.
+  /// Assigns the part to all triangles added since it was begun.
   void close() {
     if (facets_.groupNames.empty()) {
       begin_ = facets_.triangles.size();

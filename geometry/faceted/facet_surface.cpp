@@ -172,12 +172,12 @@ struct FacetSurface::Data {
   /// From the base edge over sides of triangles towards the line, as long as these face the chart:
   /// so that what is found is on the same sheet of the surface.
   Walk walk(const SurfaceLine& line, const SurfacePoint& from) const {
-    constexpr int kMostSteps = 2000;
+    constexpr int kMaxSteps = 2000;
     Walk walk;
     std::uint32_t t = triangleOf(from);
     if (t == BoxTree::kNone) return walk;
     std::uint32_t before = BoxTree::kNone;
-    for (int step = 0; step < kMostSteps; ++step) {
+    for (int step = 0; step < kMaxSteps; ++step) {
       const std::array<double, 3> beside = sidesOf(line, t);
       const double area = beside[0] + beside[1] + beside[2];
       const double rim = -1e-9 * area;
@@ -260,7 +260,7 @@ SurfaceFrame FacetSurface::frameAt(double u, double v) const {
   const Metric metric = data_->layout->metricAt(found);
   const PlaneAxes axes(point.position, point.normal);
   if (!(metric.uu > 0) || !std::isfinite(metric.vv))
-    throw GeometryError("the picture of the patch in a plane is degenerate here");
+    throw GeometryError("the layout of the patch in a plane is degenerate here");
   const double du = std::sqrt(metric.uu), along = metric.uv / du;
   const double across = std::sqrt(std::max(metric.vv - along * along, 0.0));
   return {point.position, du * axes.xAxis(), along * axes.xAxis() + across * axes.yAxis()};

@@ -16,36 +16,37 @@ namespace af2::geometry {
 
 /// Positions lie on the triangles. Normals are smooth: at each vertex the mean over the triangles
 /// of the patch around it, weighted by their angles there, and linear in between; in small
-/// roundings they are those of the surface beside. Immutable; copies share the same data.
+/// roundings they are those of the adjacent surface. Immutable; copies share the same data.
 ///
-/// The parameters of a point are its place in a plane in which the patch is drawn one-to-one; if it
-/// is not drawn, u is the number of its triangle in the patch.
+/// The parameters of a point are its place in a plane to which the patch is mapped one-to-one;
+/// without such a map, u is the number of its triangle in the patch.
 class FacetSurface {
  public:
   enum class Drawing { None, IfPossible };
   FacetSurface(const PatchedFacets& patched, const Patch& patch, Drawing drawing);
 
   bool isDrawn() const;
-  /// By parameters, if it is drawn: beyond the boundary the nearest place.
+  /// The point at these parameters, if the patch is mapped to a plane; beyond the boundary the
+  /// nearest place.
   SurfacePoint pointAt(double u, double v) const;
-  /// With smooth lengths, across the normal.
+  /// With a smooth metric, perpendicular to the normal.
   SurfaceFrame frameAt(double u, double v) const;
 
-  /// Where a line meets the patch, on the sheet of its base edge if that goes so far; else nearest
-  /// to its start. If it misses, e.g. beside a boundary of chords, the nearest point of the patch,
-  /// if that is near.
+  /// Where a line meets the patch: on the sheet of its base edge if that extends so far; else the
+  /// place nearest to its start. If the line misses, e.g. next to a boundary of chords, the nearest
+  /// point of the patch, if that is near.
   std::optional<SurfacePoint> hit(const SurfaceLine& line) const;
   /// The nearest point of the patch.
   SurfacePoint nearest(const Point3& position) const;
-  /// Something that is known at the vertices, at the nearest point of the patch: linear in between.
+  /// Interpolates values at the vertices linearly to the nearest point of the patch.
   ///
   /// values  by vertex of the facets
   double interpolated(const std::vector<double>& values, const Point3& position) const;
   double area() const;
-  /// As seen from the side to which most of it looks, what folds back deducted.
+  /// The area projected along the mean normal; what folds back is subtracted.
   double projectedArea() const;
-  /// Calls visit(v, curvature) for each vertex of the facets that the patch uses: how fast its
-  /// normals turn there per unit of length, as a mean over the triangles around.
+  /// Calls visit(v, curvature) for each vertex of the facets that the patch uses: the rate at which
+  /// its normals turn there per unit of length, as a mean over the triangles around it.
   template <class Visit>
   void forEachCurvature(const Visit& visit) const {
     for (std::size_t i = 0; i < usedVertices().size(); ++i)
@@ -56,7 +57,7 @@ class FacetSurface {
   void forEachTriangle(const Visit& visit) const {
     for (std::size_t t = 0; t < triangleCount(); ++t) visit(verticesOf(t), positionsOf(t));
   }
-  /// The plane in which all of it lies, if there is one.
+  /// The plane that contains all of it, if there is one.
   std::optional<FlatSurface> plane() const;
 
  private:

@@ -52,7 +52,7 @@ void dropCollapsedTriangles(Facets& facets) {
   if (!facets.group.empty()) facets.group.resize(kept);
 }
 
-/// However far away they lie, they are none of the surface.
+/// However far away they are, they do not belong to the surface.
 void dropUnusedVertices(Facets& facets) {
   std::vector<bool> isUsed(facets.vertices.size(), false);
   for (const auto& triangle : facets.triangles)
@@ -77,15 +77,15 @@ Facets readFacets(const std::filesystem::path& path) {
   Facets facets;
   facets.name = path.string();
   const FacetFormat* format = formatOf(facetFormats(), path);
-  if (!format) throw InputError(facets.name + ": its extension belongs to no format of triangles");
+  if (!format) throw InputError(facets.name + ": its extension is not that of a triangle format");
   format->read(contentOf(path), facets);
   mergeVertices(facets);
   dropCollapsedTriangles(facets);
   dropUnusedVertices(facets);
-  if (facets.triangles.empty()) throw InputError(facets.name + ": holds no triangle");
+  if (facets.triangles.empty()) throw InputError(facets.name + ": contains no triangle");
   repairFacets(facets);
   if (facets.triangles.empty())
-    throw InputError(facets.name + ": no triangle is left when what is no surface is repaired" +
+    throw InputError(facets.name + ": no triangle is left after the repair of invalid triangles" +
                      (facets.notes.empty() ? "" : ": " + facets.notes.back()));
   return facets;
 }

@@ -17,7 +17,7 @@ namespace af2::geometry {
 
 using FacetEdge = std::pair<std::uint32_t, std::uint32_t>;  ///< the lower vertex first
 
-/// Their corners: numbers of vertices, counter-clockwise seen from outside.
+/// The corners of triangles: numbers of vertices, counter-clockwise seen from outside.
 using FacetTriangles = std::vector<std::array<std::uint32_t, 3>>;
 
 /// Triangles between shared vertices.
@@ -25,10 +25,10 @@ struct Facets {
   std::string name;  ///< the file
   std::vector<Point3> vertices;
   FacetTriangles triangles;
-  /// By triangle: the part that the file puts it in; empty: it names none.
+  /// By triangle: its part in the file; empty: the file names no parts.
   std::vector<std::uint32_t> group;
   std::vector<std::string> groupNames;  ///< by part; may be empty
-  std::vector<std::string> notes;       ///< what was not as it should be and was put right
+  std::vector<std::string> notes;       ///< faults that were repaired
 };
 
 struct AF2_EXPORT FacetFormat : FileFormat {
@@ -36,16 +36,16 @@ struct AF2_EXPORT FacetFormat : FileFormat {
   void (*read)(const std::string& content, Facets& facets);
 };
 
-/// In the order in which texts name them.
+/// In the order in which messages list them.
 AF2_EXPORT std::span<const FacetFormat> facetFormats();
 
-/// Reads an STL file, text or binary, or an OBJ file; which of them, its extension says. Vertices
-/// at the same position are one, triangles that name one of them twice are left out, polygons of an
-/// OBJ file are cut into triangles. The solids of a text STL file, and the groups and objects of an
-/// OBJ file, are parts. Small faults are put right (repairFacets), and told.
+/// Reads an STL file, text or binary, or an OBJ file, chosen by the extension. Vertices at the same
+/// position are merged, triangles that use one of them twice are left out, and polygons of an OBJ
+/// file are cut into triangles. The solids of a text STL file, and the groups and objects of an OBJ
+/// file, become parts. Small faults are repaired (repairFacets) and noted.
 ///
-/// Throws InputError, with file and place, if it cannot be read or holds no triangle, or none that
-/// is left after that.
+/// Throws InputError, with file and place, if the file cannot be read or no triangle is left after
+/// the repairs.
 AF2_EXPORT Facets readFacets(const std::filesystem::path& path);
 
 }  // namespace af2::geometry

@@ -1,4 +1,4 @@
-// Parts of a surface of triangles that are all but flat.
+// Parts of a surface of triangles that are almost flat.
 // Not installed.
 #pragma once
 
@@ -15,8 +15,9 @@ double lengthOf(const Facets& facets, HalfEdge h);
 double areaOf(const Facets& facets, std::uint32_t triangle);
 Point3 middleOf(const Facets& facets, std::uint32_t triangle);
 
-/// Goes from a triangle to those across its edges, and from each to which `claim` says yes on to
-/// the next ones. `claim` must say yes once at most for each triangle.
+/// Visits triangles from a start across edges: from a triangle to its neighbours, and further from
+/// each neighbour for which `claim` returns true. `claim` must return true at most once for each
+/// triangle.
 template <class Claim>
 void flood(const std::vector<HalfEdge>& twins, std::uint32_t start, const Claim& claim) {
   std::vector<std::uint32_t> open{start};
@@ -28,9 +29,9 @@ void flood(const std::vector<HalfEdge>& twins, std::uint32_t start, const Claim&
   }
 }
 
-/// Triangles have labels, and borders run where those of neighbours differ. Borders that run to and
-/// fro between the triangles become shorter: again and again each triangle takes the label of a
-/// neighbour if the borders around it are clearly shorter then.
+/// Smooths the borders between labels. Triangles have labels, and a border is an edge where the
+/// labels of neighbours differ. To straighten zigzag borders, each triangle repeatedly takes the
+/// label of a neighbour if that clearly shortens the borders around it.
 ///
 /// isBorder  (half-edge): whether a border runs there, by the labels as they are
 /// mayTake   (triangle, label): whether the triangle may have that label
@@ -38,8 +39,8 @@ template <class IsBorder, class MayTake>
 void straightenBorders(const Facets& facets, const std::vector<HalfEdge>& twins,
                        std::vector<std::uint32_t>& labels, const IsBorder& isBorder,
                        const MayTake& mayTake) {
-  constexpr int kMostRounds = 20;
-  constexpr double kClearly = 0.999;  // so that rounding does not make labels go in circles
+  constexpr int kMaxRounds = 20;
+  constexpr double kClearly = 0.999;  // so that rounding cannot make labels alternate for ever
   const auto bordersAround = [&](std::uint32_t t) {
     double sum = 0;
     for (HalfEdge h = 3 * t; h < 3 * t + 3; ++h)
@@ -47,7 +48,7 @@ void straightenBorders(const Facets& facets, const std::vector<HalfEdge>& twins,
     return sum;
   };
   bool isAny = true;
-  for (int round = 0; isAny && round < kMostRounds; ++round) {
+  for (int round = 0; isAny && round < kMaxRounds; ++round) {
     isAny = false;
     for (std::uint32_t t = 0; t < labels.size(); ++t) {
       const std::uint32_t before = labels[t];
@@ -66,11 +67,11 @@ void straightenBorders(const Facets& facets, const std::vector<HalfEdge>& twins,
   }
 }
 
-/// Triangles that hang together, with about the same normal.
+/// Connected triangles with about the same normal.
 struct Flat {
   Point3 normal, middle;
   double area = 0, perimeter = 0;
-  /// Of a strip; half of the side of a square.
+  /// The width of a strip; for a square half of its side.
   double width() const { return perimeter > 0 ? 2 * area / perimeter : 0; }
 };
 
@@ -79,10 +80,11 @@ struct Flats {
   std::vector<std::uint32_t> of;  ///< by triangle
 };
 
-/// Grown from the largest triangles to the smallest, as far as normals differ by three degrees.
+/// Regions grown from the largest triangles to the smallest, as long as normals differ by at most
+/// three degrees.
 ///
-/// twins    by half-edge: the one across, or kNoHalfEdge where nothing grows across
-/// normals  by triangle, units; 0: there is nothing to tell it by
+/// twins    by half-edge: the opposite one, or kNoHalfEdge where nothing grows across
+/// normals  by triangle, unit vectors; 0: unknown
 Flats findFlats(const Facets& facets, const std::vector<HalfEdge>& twins,
                 const std::vector<Point3>& normals);
 

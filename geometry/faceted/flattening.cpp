@@ -87,7 +87,7 @@ class Flattening {
       ++holes_;
     }
   }
-  /// By Euler's number; that the triangles hang together is known.
+  /// Decided by Euler's number; the triangles are known to be connected.
   bool isDisc() const { return vertices_.size() + triangles_.size() == edges_ + 1; }
 
   void drawCircle() {
@@ -143,8 +143,8 @@ class Flattening {
   }
   /// Kept away from the ends, where triangles have no area.
   static double tangentOfHalf(const Point3& p, const Point3& q) {
-    constexpr double kLeast = 1e-3, kMost = 1e3;
-    return std::clamp(std::tan(std::atan2(length(cross(p, q)), dot(p, q)) / 2), kLeast, kMost);
+    constexpr double kMin = 1e-3, kMax = 1e3;
+    return std::clamp(std::tan(std::atan2(length(cross(p, q)), dot(p, q)) / 2), kMin, kMax);
   }
 
   std::vector<Point3> vertices_;

@@ -9,15 +9,15 @@
 
 namespace af2::geometry {
 
-/// Each adds the triangles and parts of a file to `facets`, which has its name, without regard to
-/// vertices at the same position. Throws InputError, with file and place.
+/// Each adds the triangles and parts of a file to `facets`, whose name is set; vertices at the same
+/// position are not merged yet. Throws InputError, with file and place.
 ///
-/// STL, text or binary, which its content says.
+/// STL, text or binary, recognised by the content.
 void readStl(const std::string& content, Facets& facets);
 /// Wavefront OBJ; polygons are cut into triangles.
 void readObj(const std::string& content, Facets& facets);
 
-/// In the order in which texts name them.
+/// In the order in which messages list them.
 inline constexpr std::array kFacetFormats{
     FacetFormat{{"STL", {".stl"}}, &readStl},
     FacetFormat{{"OBJ", {".obj"}}, &readObj},

@@ -1,4 +1,4 @@
-// The sides of triangles, and which of them lie on each other.
+// The sides of triangles, and which of them coincide.
 // Not installed.
 #pragma once
 
@@ -29,12 +29,12 @@ inline FacetEdge edgeOf(const FacetTriangles& triangles, HalfEdge h) {
   return std::minmax(startOf(triangles, h), endOf(triangles, h));
 }
 
-/// The half-edges of some triangles by the edges on which they lie.
+/// The half-edges of some triangles, grouped by edge.
 ///
-/// The edges come in the order of their vertices, the half-edges of each in ascending order. An
-/// edge is a boundary if it has one half-edge. If it has two, they are twins, whether they run
-/// against each other, as they do where both triangles look to the same side, or along each other.
-/// If it has more, several sheets of a surface meet there, and none of its half-edges has a twin.
+/// The edges are in the order of their vertices, the half-edges of each in ascending order. An edge
+/// is a boundary if it has one half-edge. If it has two, they are twins, whether they have opposite
+/// directions, as they do where both triangles are oriented alike, or the same direction. If it has
+/// more, several sheets of a surface meet there, and none of its half-edges has a twin.
 class HalfEdges {
  public:
   explicit HalfEdges(const FacetTriangles& triangles);
@@ -47,10 +47,10 @@ class HalfEdges {
       visit(edges_[i], all.subspan(first_[i], first_[i + 1] - first_[i]));
   }
 
-  /// By half-edge its twin, or kNoHalfEdge.
+  /// By half-edge: its twin, or kNoHalfEdge.
   std::vector<HalfEdge> twins() const;
 
-  /// Those without any other at their edge.
+  /// The half-edges that are alone at their edge.
   std::vector<HalfEdge> boundary() const;
 
  private:

@@ -1,4 +1,4 @@
-// The directions in which triangles extend most and least.
+// The directions in which a set of triangles extends most and least.
 // Not installed.
 #pragma once
 

@@ -42,7 +42,7 @@ class ModelMaker {
 
   DomainModel make(double growth) {
     model_.name = facets_.name;
-    model_.leastAtTurns = kLeastAtPatchTurns;
+    model_.leastAtTurns = kMinAtPatchTurns;
     model_.retryShare = kRetryShare;
     model_.diagonal = diagonalOf(facets_);
     corner_.assign(facets_.vertices.size(), kNone);
@@ -59,9 +59,9 @@ class ModelMaker {
 
   /// It costs little for small patches; and large ones hardly need it.
   static FacetSurface::Drawing drawingOf(const Patch& patch) {
-    constexpr std::size_t kMostTriangles = 10000;
-    return patch.triangles.size() <= kMostTriangles ? FacetSurface::Drawing::IfPossible
-                                                    : FacetSurface::Drawing::None;
+    constexpr std::size_t kMaxTriangles = 10000;
+    return patch.triangles.size() <= kMaxTriangles ? FacetSurface::Drawing::IfPossible
+                                                   : FacetSurface::Drawing::None;
   }
 
   std::size_t cornerAt(std::uint32_t v) {
@@ -100,7 +100,7 @@ class ModelMaker {
   /// have to stand on edge. By quarters of the curve, in which noise does not count.
   static double largestOn(const DomainCurve& curve) {
     constexpr int kParts = 4;
-    constexpr double kMostTurn = 75 * kDegree;
+    constexpr double kMaxTurn = 75 * kDegree;
     const double whole = curve.knots.back();
     double turn = 0;
     Point3 before;
@@ -111,7 +111,7 @@ class ModelMaker {
       before = chord;
     }
     turn *= kParts / (kParts - 1.0);
-    const double parts = std::min(std::ceil(turn / kMostTurn), kParts + 0.0);
+    const double parts = std::min(std::ceil(turn / kMaxTurn), kParts + 0.0);
     return parts > 1 ? whole / parts : DomainCurve::kNoLimit;
   }
 
@@ -167,12 +167,12 @@ class ModelMaker {
   DomainModel model_;
 };
 
-/// What is a twentieth of an edge cannot be seen; a crease that ends nowhere needs more than that.
-/// Roundings that are large for the model are none to leave out, however large the elements.
+/// Details of a twentieth of an edge are invisible; a crease with a loose end must be longer than
+/// that. Roundings that are large compared with the model are kept, however large the elements are.
 FeatureLimits limitsFor(const Facets& facets, const MeshingOptions& options) {
   constexpr double kSpeck = 0.05, kLooseEnd = 0.5, kOfModel = 0.125;
   if (!(options.featureAngle > 0 && options.featureAngle < 180))
-    throw InputError("the feature angle must lie between 0 and 180 degrees");
+    throw InputError("the feature angle must be between 0 and 180 degrees");
   const double most = std::min(options.sizes.size, kOfModel * diagonalOf(facets));
   return {options.featureAngle * kDegree, kLooseEnd * options.sizes.size,
           kSpeck * options.sizes.size,
@@ -207,14 +207,15 @@ std::set<FacetEdge> cutsThroughFailed(const PatchedFacets& patched, const ModelM
   return cuts;
 }
 
-/// Whether more than the brief tries are due: faces without angles below get but one.
+/// Whether more than the short tries are needed: meshes without smaller angles get only one.
 bool isPoor(const ModelMesh& mesh) {
   return failedArea(mesh) > 0 || measureQuality(mesh).minAngle < kUselessAngle;
 }
 
-void tellOfCuts(std::size_t count, ModelMesh& mesh) {
-  mesh.notes.push_back("patches that could not be meshed whole were cut; that makes " +
-                       std::to_string(count) + " more");
+void noteCuts(std::size_t count, ModelMesh& mesh) {
+  mesh.notes.push_back(
+      "patches that could not be meshed whole were cut into pieces; additional patches: " +
+      std::to_string(count));
 }
 
 }  // namespace
@@ -247,7 +248,7 @@ ModelMesh meshFaceted(const Facets& facets, const AF2Algorithm& algorithm,
     mesh = std::move(meshOfNext);
   }
   if (isPoor(mesh)) mesh = meshDomain(modelOf(patched, options), algorithm, options);
-  if (cutPieces > 0) tellOfCuts(cutPieces, mesh);
+  if (cutPieces > 0) noteCuts(cutPieces, mesh);
   return mesh;
 }
 

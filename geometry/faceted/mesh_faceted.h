@@ -1,4 +1,4 @@
-// From a surface of triangles to a checked mesh of its smooth patches.
+// Meshes a surface of triangles by its smooth patches, and checks the mesh.
 #pragma once
 
 #include <functional>
@@ -14,16 +14,16 @@ namespace af2::geometry {
 AF2_EXPORT DomainModel facetedModel(const Facets& facets, const MeshingOptions& options);
 
 /// Meshes each patch between feature edges, which are divided once and shared. Patches are faces:
-/// 1, 2, ... in the order of their first triangles. New vertices lie on the triangles.
+/// 1, 2, ... in the order of their first triangles. New vertices are on the triangles.
 ///
-/// A patch that cannot be meshed whole is cut into pieces that turn less, if no faces or edges are
-/// named by the options: the pieces are faces, too, and a note tells of them. What fails then is
-/// reported as failed and does not spoil the others.
+/// A patch that cannot be meshed whole is cut into pieces whose normals vary less, unless the
+/// options name faces or edges: the pieces are faces, too, and a note reports them. A piece that
+/// still fails is reported as failed and does not affect the others.
 ///
-/// check  sees the model before it is meshed, and may throw
+/// check  is called with the model before it is meshed, and may throw
 ///
-/// Throws InputError for a size that is not positive, or if neighbouring triangles are turned
-/// against each other.
+/// Throws InputError for a size that is not positive, or if neighbouring triangles have opposite
+/// orientations.
 AF2_EXPORT ModelMesh meshFaceted(const Facets& facets, const AF2Algorithm& algorithm,
                                  const MeshingOptions& options,
                                  const std::function<void(const DomainModel&)>& check = {});

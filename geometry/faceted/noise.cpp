@@ -118,15 +118,16 @@ class Denoising {
 
   enum class Weights { Plain, ByDifference };
 
-  /// What differs as much as neighbours do around there is noise; what differs more is an edge.
+  /// Normals that differ as much as neighbours do in the surroundings differ by noise; a larger
+  /// difference is an edge.
   void average(Weights weights) {
-    constexpr double kLeast = 0.25;
+    constexpr double kMin = 0.25;
     std::vector<double> noise(normals_.size(), 0);
     if (weights == Weights::ByDifference) noise = spread(spread(differences()));
     std::vector<Point3> next = normals_;
     for (std::uint32_t t = 0; t < noise.size(); ++t) {
       if (!isRough_[t]) continue;
-      const double width = std::max(kLeast, noise[t]);
+      const double width = std::max(kMin, noise[t]);
       Point3 sum = areas_[t] * normals_[t];
       for (HalfEdge h = 3 * t; h < 3 * t + 3; ++h) {
         if (twins_[h] == kNoHalfEdge) continue;

@@ -1,4 +1,4 @@
-// What remains of the directions of triangles when noise is taken away.
+// Removes noise from the normals of triangles.
 // Not installed.
 #pragma once
 
@@ -11,12 +11,12 @@
 namespace af2::geometry {
 
 /// Normals of triangles without noise: where the surface is rough on a scale that elements cannot
-/// show, as on scans, each becomes a mean of those around it. Those that differ much count little,
-/// so that edges stay. Elsewhere normals are as they were. Source: [Zheng11].
+/// resolve, as on scans, each normal becomes a mean of those around it. Normals that differ much
+/// get little weight, so that edges stay. Elsewhere normals do not change. Source: [Zheng11].
 ///
-/// twins    by half-edge: the one across, or kNoHalfEdge where nothing is averaged across
-/// normals  by triangle, units; 0: there is nothing to tell it by
-/// sizeAt   wanted size of elements by position; none: nothing is too small
+/// twins    by half-edge: the opposite one, or kNoHalfEdge where nothing is averaged across
+/// normals  by triangle, unit vectors; 0: unknown
+/// sizeAt   wanted size of elements by position; none: nothing counts as noise
 FacetDirections withoutNoise(const Facets& facets, const std::vector<HalfEdge>& twins,
                              std::vector<Point3> normals,
                              const std::function<double(const Point3&)>& sizeAt);

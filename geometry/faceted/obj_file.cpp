@@ -13,7 +13,7 @@ namespace {
 std::uint32_t cornerFrom(std::string_view word, const Facets& facets, const Words& words) {
   const auto number = numberIn<long>(word.substr(0, word.find('/')));
   const auto count = static_cast<long>(facets.vertices.size());
-  if (!number) words.fail("'" + std::string(word) + "' is no vertex");
+  if (!number) words.fail("'" + std::string(word) + "' is not a vertex number");
   const long index = *number < 0 ? *number + count + 1 : *number;
   if (index < 1 || index > count)
     words.fail("there is no vertex " + std::string(word) + "; there are " + std::to_string(count) +

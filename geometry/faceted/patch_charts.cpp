@@ -27,7 +27,7 @@ std::unique_ptr<AF2LocalTransformMaker> PatchCharts::makeCharts(ChartKind kind) 
 }
 
 SurfacePoint PatchCharts::at(double u, double v) const {
-  if (!surface_.isDrawn()) throw GeometryError("the patch is not drawn in a plane");
+  if (!surface_.isDrawn()) throw GeometryError("the patch has no layout in a plane");
   return surface_.pointAt(u, v);
 }
 

@@ -7,8 +7,8 @@
 
 namespace af2::geometry {
 
-/// Planes across the normals; the picture of the patch in one plane, if there is one, else along
-/// the normals.
+/// The mean-normal charts; also charts in the layout of the patch in one plane, if it has one, else
+/// along the normals.
 class PatchCharts final : public ChartedSurface, public ParametricSurface {
  public:
   explicit PatchCharts(FacetSurface surface) : surface_(std::move(surface)) {}
@@ -19,7 +19,7 @@ class PatchCharts final : public ChartedSurface, public ParametricSurface {
   const ParametricSurface* inParameters() const override {
     return surface_.isDrawn() ? this : nullptr;
   }
-  /// Throws GeometryError if the patch is not drawn in a plane.
+  /// Throws GeometryError if the patch has no layout in a plane.
   SurfacePoint at(double u, double v) const override;
   Frame frameAt(double u, double v) const override { return surface_.frameAt(u, v); }
   SurfacePoint pointAt(double u, double v) const override { return surface_.pointAt(u, v); }

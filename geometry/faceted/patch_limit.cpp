@@ -16,7 +16,7 @@ std::vector<double> limitsAtVertices(const Facets& facets,
   for (const FacetSurface& surface : surfaces)
     surface.forEachCurvature([&](std::uint32_t v, double curvature) {
       const double radius = curvature > 0 ? 1 / curvature : 1e300;
-      limits[v] = std::min(limits[v], size.turnLimit(radius, kLeastAtPatchTurns));
+      limits[v] = std::min(limits[v], size.turnLimit(radius, kMinAtPatchTurns));
     });
   std::vector<std::vector<std::uint32_t>> beside(facets.vertices.size());
   for (const auto& t : facets.triangles)
@@ -63,9 +63,9 @@ class PatchLimit final : public CurvatureLimit {
 
   /// Along the edges of the triangles, where the limit is too coarse for the curvature.
   std::vector<SizeSource> sizesToFollow() const override {
-    constexpr double kTurn = 1.2;         // radians along an element
-    constexpr double kCoarse = 1.5;       // times as large as that
-    constexpr std::size_t kMost = 20000;  // places
+    constexpr double kTurn = 1.2;        // radians along an element
+    constexpr double kCoarse = 1.5;      // times as large as that
+    constexpr std::size_t kMax = 20000;  // places
     std::vector<double> wanted(limits_->size(), std::numeric_limits<double>::infinity());
     surface_.forEachCurvature([&](std::uint32_t v, double curvature) {
       if (curvature > 0 && kCoarse * kTurn < curvature * (*limits_)[v])
@@ -73,17 +73,17 @@ class PatchLimit final : public CurvatureLimit {
     });
     std::vector<SizeSource> places;
     surface_.forEachTriangle([&](const auto& corners, const auto& positions) {
-      for (std::size_t i = 0; i < 3 && places.size() < kMost; ++i) {
+      for (std::size_t i = 0; i < 3 && places.size() < kMax; ++i) {
         const double size = std::max(wanted[corners[i]], wanted[corners[(i + 1) % 3]]);
         if (!(size < std::numeric_limits<double>::infinity())) continue;
         addAlong(positions[i], positions[(i + 1) % 3], size, places);
       }
     });
-    return places.size() < kMost ? places : std::vector<SizeSource>();
+    return places.size() < kMax ? places : std::vector<SizeSource>();
   }
 
  private:
-  /// So that sizes grow by half in between.
+  /// The places are so near to each other that sizes grow by half between two of them.
   void addAlong(const Point3& from, const Point3& to, double size,
                 std::vector<SizeSource>& places) const {
     const double step = size / growth_;

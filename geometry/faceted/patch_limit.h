@@ -10,12 +10,12 @@
 
 namespace af2::geometry {
 
-/// Of the wanted size: less than where a CAD model has edges along its roundings, which bring
-/// vertices there.
-constexpr double kLeastAtPatchTurns = 0.2;
+/// Least size at turns, as a share of the wanted size. It is smaller than on CAD models, where
+/// edges along the roundings bring vertices there.
+constexpr double kMinAtPatchTurns = 0.2;
 
-/// By patch: what curvature allows at the vertices of the facets, growing from each along their
-/// edges no faster than sizes may. Null for planes.
+/// By patch: the sizes that curvature allows at the vertices of the facets, growing from each along
+/// the edges no faster than sizes may. Null for planes.
 std::vector<std::shared_ptr<const CurvatureLimit>> limitsOfPatches(
     const Facets& facets, const std::vector<FacetSurface>& surfaces,
     const std::vector<bool>& isPlane, const DomainSize& size, double growth);

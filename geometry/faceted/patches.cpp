@@ -92,7 +92,7 @@ class PatchFinder {
       if (isCrease_[h]) twin_[h] = kNoHalfEdge;
   }
 
-  /// What is hardly longer than an element is noise where a surface is rough.
+  /// On a rough surface, details hardly longer than an element are noise.
   void findSpecks() {
     constexpr double kRough = 0.7;  // in wanted sizes
     speckAt_.assign(facets_.vertices.size(), limits_.speck);
@@ -102,7 +102,7 @@ class PatchFinder {
           speckAt_[v] = kRough * limits_.sizeAt(at(v));
   }
 
-  /// Beside a triangle without area there is nothing to tell the angle by.
+  /// Next to a triangle without area, the angle is unknown.
   bool isFeature(HalfEdge g, HalfEdge h) const {
     if (forced_.contains(edgeOf(g))) return true;
     if (!facets_.group.empty() && facets_.group[g / 3] != facets_.group[h / 3]) return true;
@@ -168,9 +168,9 @@ class PatchFinder {
     return isAny;
   }
 
-  /// Patches without width, as rounding leaves them along edges, become part of the one beside them
-  /// with which they have most of their boundary in common. Edges in roundings are not worth a
-  /// patch that is narrow against the elements.
+  /// Patches without width, as rounding leaves them along edges, are merged with the adjacent patch
+  /// with which they share most of their boundary. Edges in roundings do not justify a patch that
+  /// is narrow compared with the elements.
   bool dropSlivers() {
     constexpr double kWidth = 0.02, kBesideCrease = 2;  // of a speck
     const std::vector<Extent> extents = extentsOfPatches();
@@ -232,7 +232,7 @@ class PatchFinder {
     for (const auto& [v, others] : beside_) follow(v, others.front());  // what is closed
   }
 
-  /// Curves that run to and fro within less than a speck do not turn.
+  /// Curves that go back and forth within less than a speck do not turn.
   bool isCorner(std::uint32_t v) const {
     const std::vector<std::uint32_t>& others = beside_.at(v);
     if (others.size() != 2) return true;
@@ -315,11 +315,11 @@ class PatchFinder {
 
 PatchedFacets patchesBetween(Facets facets, FacetDirections directions, const FeatureLimits& limits,
                              std::set<Edge> cuts) {
-  constexpr int kMostRounds = 30;
+  constexpr int kMaxRounds = 30;
   for (int round = 0;; ++round) {
     PatchFinder finder(facets, directions, limits, cuts);
     const auto bulging = finder.bulgingPatches();
-    if (bulging.empty() || round == kMostRounds) {
+    if (bulging.empty() || round == kMaxRounds) {
       PatchedFacets patched = finder.find();
       patched.directions = std::move(directions);
       return patched;

@@ -21,44 +21,45 @@ struct Patch {
   CurveLoops loops;
 };
 
-/// Where triangles look to, without noise.
+/// The normals of triangles, without noise.
 struct FacetDirections {
-  std::vector<Point3> normals;  ///< by triangle; 0: there is nothing to tell it by
-  std::vector<bool> isRough;    ///< by triangle: its normal is a mean of those around
+  std::vector<Point3> normals;  ///< by triangle; 0: unknown
+  std::vector<bool> isRough;    ///< by triangle: its normal is a mean of the surrounding ones
 };
 
 struct PatchedFacets {
   Facets facets;
   FacetDirections directions;
-  std::vector<Point3> normals;  ///< by triangle, as smooth normals are to follow (SharpBlends)
+  std::vector<Point3> normals;  ///< by triangle, the basis of smooth normals (SharpBlends)
   std::vector<FeatureCurve> curves;
   std::vector<Patch> patches;  ///< in the order of their first triangles
-  std::set<FacetEdge> cuts;    ///< edges between patches that no feature has made
+  std::set<FacetEdge> cuts;    ///< edges between patches that are no features
 };
 
-/// What feature edges are.
+/// Limits that define feature edges.
 struct FeatureLimits {
-  double angle = 0;     ///< in radians: where the surface turns by more
-  double looseEnd = 0;  ///< a curve with the same patch on both sides is longer than this
-  /// Patches smaller than this are part of those around them; so are those that are narrower than a
-  /// fiftieth of it. What a curve turns within it and back is no corner. Where the surface is rough
-  /// it is most of an element.
+  double angle = 0;     ///< in radians: edges where the surface turns by more are features
+  double looseEnd = 0;  ///< minimum length of a curve with the same patch on both sides
+  /// Patches smaller than this are merged with those around them; so are patches narrower than a
+  /// fiftieth of this, or next to a crease in a rounding, narrower than twice this. A turn of a
+  /// curve that is reversed within this length is no corner. Where the surface is rough, 0.7 times
+  /// the wanted size is used instead.
   double speck = 0;
-  /// Wanted size of elements by position: roundings far smaller than that are taken for edges;
-  /// none: they are not. What is rough on a smaller scale is taken for noise.
+  /// Wanted size of elements by position: far smaller roundings become edges, and roughness on a
+  /// smaller scale counts as noise; none: neither.
   std::function<double(const Point3&)> sizeAt = {};
 };
 
 /// Feature edges are those at which the surface turns by more than the angle, those between parts
-/// of the file, those with one triangle or with more than two, and those amid small roundings.
-/// Where a curve of feature edges turns by more than this, or several meet, is a corner. A patch
-/// with hardly any boundary for its area, e.g. a sphere, is cut in two across its longest
-/// direction.
+/// of the file, those with one triangle or with more than two, and those in the middle of small
+/// roundings. Corners are where a curve of feature edges turns by more than the angle, and where
+/// several curves meet. A patch with little boundary for its area, e.g. a sphere, is cut in two by
+/// a plane (cutAcross).
 ///
-/// Throws InputError if neighbours are turned against each other.
+/// Throws InputError if neighbouring triangles have opposite orientations.
 PatchedFacets findPatches(Facets facets, const FeatureLimits& limits);
 
-/// The same with more edges between patches.
+/// The same, with further edges between patches.
 PatchedFacets cutPatches(const PatchedFacets& patched, const std::set<FacetEdge>& cuts,
                          const FeatureLimits& limits);
 

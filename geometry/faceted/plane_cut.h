@@ -11,11 +11,11 @@
 
 namespace af2::geometry {
 
-/// Cuts triangles along a plane that goes through no vertex: across the direction in which they
-/// extend least, so that each half is seen from one side; those that extend about as far in all
-/// directions, across the one in which they extend most.
+/// Cuts triangles along a plane that goes through no vertex and is perpendicular to the direction
+/// in which they extend least, so that each half faces one side. If they extend about equally in
+/// all directions, the plane is perpendicular to the one in which they extend most.
 ///
-/// directions  of the triangles; those of what a triangle is cut into are its own
+/// directions  of the triangles; the pieces of a triangle get its direction
 /// cuts        gets the edges along the plane
 void cutAcross(Facets& facets, FacetDirections& directions,
                const std::vector<std::uint32_t>& triangles, std::set<FacetEdge>& cuts);

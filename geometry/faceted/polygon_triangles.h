@@ -1,4 +1,4 @@
-// Triangles of the polygons that OBJ files may have as faces.
+// Triangulates the polygons that OBJ files may have as faces.
 // Not installed.
 #pragma once
 
@@ -11,9 +11,9 @@
 
 namespace af2::geometry {
 
-/// Divides a simple polygon, which may be concave and need not be quite plane, into triangles with
-/// its corners, turned as it is. All around its first corner if they fit there; also if no division
-/// fits, since the polygon crosses itself.
+/// Divides a simple polygon, which may be concave and slightly non-planar, into triangles between
+/// its corners, with its orientation. The result is a fan around the first corner if that is valid,
+/// and also if no triangulation is valid because the polygon crosses itself.
 ///
 /// corners  indices into vertices, at least three
 std::vector<std::array<std::uint32_t, 3>> trianglesOfPolygon(

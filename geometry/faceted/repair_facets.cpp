@@ -40,8 +40,8 @@ class Repair {
     partTouching(facets_);
     dropTwins(Twins::BothSides);
     if (twins_ > 0)
-      tell(twins_, "triangles lay on others with the same corners and were left out", *twinPlace_);
-    tellOfHoles();
+      note(twins_, "triangles had the same corners as others and were left out", *twinPlace_);
+    noteHoles();
   }
 
  private:
@@ -50,7 +50,7 @@ class Repair {
   Edge edgeOf(HalfEdge h) const { return geometry::edgeOf(facets_.triangles, h); }
   const Point3& at(std::uint32_t v) const { return facets_.vertices[v]; }
 
-  void tell(std::size_t count, const char* what, const Point3& place) {
+  void note(std::size_t count, const char* what, const Point3& place) {
     if (count == 0) return;
     char text[200];
     std::snprintf(text, sizeof text, "%zu %s, the first near (%.9g, %.9g, %.9g)", count, what,
@@ -95,7 +95,7 @@ class Repair {
     }
     if (count == 0) return;
     rename([&](std::uint32_t v) { return sets.of(v); });
-    tell(count, "edges without length were collapsed", place);
+    note(count, "edges without length were collapsed", place);
   }
 
   enum class Twins { SameSide, BothSides };
@@ -123,9 +123,9 @@ class Repair {
     erase(isTwin);
   }
 
-  /// Where as many triangles run along each edge as against it, closed parts lie on each other, and
-  /// would have holes without their triangles. Twins that are too many hang together with edges
-  /// where that is not so.
+  /// Where each edge is used equally often in both directions, closed parts coincide, and removing
+  /// their triangles would leave holes. Superfluous twins are connected to edges where this does
+  /// not hold.
   void keepThoseOfParts(std::vector<bool>& isTwin) const {
     if (std::ranges::none_of(isTwin, std::identity())) return;
     std::vector<HalfEdge> open;
@@ -154,10 +154,10 @@ class Repair {
   std::vector<HalfEdge> openEdges() const { return HalfEdges(facets_.triangles).boundary(); }
 
   /// They are no fault of a sheet, but of what is meant to be a solid.
-  void tellOfHoles() {
+  void noteHoles() {
     const std::vector<HalfEdge> open = openEdges();
     if (open.empty()) return;
-    tell(open.size(), "edges of triangles have no other triangle: the surface is open there",
+    note(open.size(), "edges have only one triangle: the surface is open there",
          at(startOf(open.front())));
   }
 
@@ -201,7 +201,7 @@ class Repair {
     }
     if (count == 0) return;
     rename([&](std::uint32_t v) { return same[v]; });
-    tell(count, "vertices beside gaps were joined with others that are near", place);
+    note(count, "vertices at gaps were merged with nearby ones", place);
   }
 
   /// Not so far that short edges would vanish.
@@ -217,10 +217,10 @@ class Repair {
 
   /// Where several open edges run along one, its triangle is split at their vertices.
   void splitAtVertices() {
-    constexpr int kMostRounds = 3;  // one for each side of a triangle
+    constexpr int kMaxRounds = 3;  // one for each side of a triangle
     std::size_t count = 0;
     std::optional<Point3> place;
-    for (int round = 0; round < kMostRounds; ++round) {
+    for (int round = 0; round < kMaxRounds; ++round) {
       const std::vector<HalfEdge> open = openEdges();
       const std::vector<std::uint32_t> vertices = verticesOf(open);
       const BoxTree tree = treeOf(vertices);
@@ -242,7 +242,7 @@ class Repair {
       if (split == 0) break;
     }
     if (place)
-      tell(count, "triangles were split where vertices of others lay on their edges", *place);
+      note(count, "triangles were split where vertices of others lay on their edges", *place);
   }
 
   std::vector<std::uint32_t> verticesAlong(HalfEdge h, const std::vector<std::uint32_t>& vertices,
@@ -312,7 +312,7 @@ class Repair {
         if (count++ == 0) place = at(facets_.triangles[t][0]);
       }
     }
-    tell(count, "triangles were turned to the side of those around them", place);
+    note(count, "triangles were reversed to match their neighbours", place);
   }
 
   std::vector<std::uint32_t> partFrom(std::uint32_t first, const std::vector<HalfEdge>& twin,

@@ -1,4 +1,4 @@
-// Puts right what files of triangles often have wrong.
+// Repairs common faults of files of triangles.
 // Not installed.
 #pragma once
 
@@ -7,10 +7,10 @@
 namespace af2::geometry {
 
 /// In this order: edges shorter than a ten-millionth of the diagonal are collapsed; of triangles
-/// with the same corners one is kept; edges with one triangle that lie on each other, to a
-/// hundred-thousandth of the diagonal, are joined, also where one of them is several on the other
-/// side; triangles that are turned against most of those around them are turned. Tells what was
-/// done in facets.notes.
+/// with the same corners one is kept; edges with one triangle that coincide, to a
+/// hundred-thousandth of the diagonal, are joined, also where one edge matches several on the other
+/// side; triangles that are oriented against most of their neighbours are reversed. Reports the
+/// repairs in facets.notes.
 void repairFacets(Facets& facets);
 
 }  // namespace af2::geometry

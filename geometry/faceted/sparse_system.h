@@ -15,9 +15,9 @@ struct SparseEntry {
   double value = 0;
 };
 
-/// The solution for two right sides at once, x and y; none if the matrix is singular.
+/// The solution for two right-hand sides at once, x and y; none if the matrix is singular.
 ///
-/// matrix  what is given twice is added up
+/// matrix  entries at the same place are summed
 std::optional<std::vector<Point2>> solveSparse(const std::vector<SparseEntry>& matrix,
                                                const std::vector<Point2>& right);
 

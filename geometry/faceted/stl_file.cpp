@@ -29,12 +29,12 @@ void readTextStl(const std::string& text, Facets& facets) {
       words.next();  // loop
       std::array<Point3, 3> corners;
       for (Point3& corner : corners) {
-        if (words.next() != "vertex") words.fail("'vertex' should stand here");
+        if (words.next() != "vertex") words.fail("expected 'vertex'");
         corner = words.point();
       }
       addTriangle(facets, corners[0], corners[1], corners[2]);
     } else if (word == "facet") {
-      words.skipLine();  // a normal, which the corners tell as well
+      words.skipLine();  // a normal, which also follows from the corners
     } else if (word != "endloop" && word != "endfacet") {
       words.fail("'" + std::string(word) + "' is not known in an STL file");
     }
@@ -60,12 +60,12 @@ void readBinaryStlAndMore(const std::string& data, std::uint32_t count, Facets& 
   readBinaryStl(data, count, facets);
   facets.notes.push_back(std::to_string(data.size() - 84 - 50 * std::size_t{count}) +
                          " bytes after the last of " + std::to_string(count) +
-                         " triangles were passed over");
+                         " triangles were ignored");
 }
 
 }  // namespace
 
-/// The size tells: text files may begin with anything, and binary ones with "solid".
+/// The size decides, because text files may begin with anything, and binary files with "solid".
 void readStl(const std::string& data, Facets& facets) {
   std::uint32_t count = 0;
   if (data.size() >= 84) std::memcpy(&count, data.data() + 80, sizeof count);
@@ -76,8 +76,8 @@ void readStl(const std::string& data, Facets& facets) {
   else if (count > 0 && data.size() > 84 + 50 * std::size_t{count})
     readBinaryStlAndMore(data, count, facets);
   else
-    throw InputError(facets.name +
-                     ": is no STL file, or is cut off: " + std::to_string(data.size()) + " bytes");
+    throw InputError(facets.name + ": is not an STL file, or is truncated: " +
+                     std::to_string(data.size()) + " bytes");
 }
 
 }  // namespace af2::geometry

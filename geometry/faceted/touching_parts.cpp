@@ -80,7 +80,8 @@ class Parting {
     }
   }
 
-  /// By angle; of those at the same one, where parts touch, what ends material comes first.
+  /// The wings sorted by angle. At equal angles, where parts touch, the wing at which material ends
+  /// comes first.
   std::vector<Wing> wingsOf(const FacetEdge& edge, std::span<const HalfEdge> halves) const {
     const auto [low, high] = edge;
     const PlaneAxes axes(at(low), unit(at(high) - at(low)));
@@ -99,8 +100,8 @@ class Parting {
         if (comesBefore(wings[k], wings[k - 1])) std::swap(wings[k], wings[k - 1]);
     return wings;
   }
-  /// Of two at the same angle. Of several solids in the same place, which follow each other in the
-  /// file, each keeps to itself.
+  /// The order of two wings at the same angle. If several solids coincide, which are consecutive in
+  /// the file, each stays separate.
   static bool comesBefore(const Wing& p, const Wing& q) {
     if (p.isAlong != q.isAlong) return p.isAlong;
     return p.half < q.half;
@@ -121,7 +122,7 @@ class Parting {
     return std::abs(std::remainder(p.angle - q.angle, 2 * std::numbers::pi)) < most;
   }
 
-  /// From where on no material ends that has not begun.
+  /// The first wing from which on material never ends before it has begun.
   static std::size_t beginning(const std::vector<Wing>& wings) {
     std::size_t first = 0;
     int depth = 0, least = 0;
@@ -145,7 +146,7 @@ class Parting {
     return false;
   }
 
-  /// What is not closed stays with all it touches.
+  /// Open parts stay joined with everything that they touch.
   void closeParts() {
     std::set<std::uint32_t> open;
     for (std::uint32_t t = 0; t < isOpen_.size(); ++t)
@@ -153,8 +154,8 @@ class Parting {
     for (const std::uint32_t part : open) parts_.join(part, *open.begin());
   }
 
-  /// Two parts stay together if triangles of both lie on each other, but none of which only a part
-  /// does, or that go on beside each other, as those of a pin in its hole.
+  /// Two parts stay together if triangles of both coincide, unless triangles overlap only in part,
+  /// or continue next to each other, as those of a pin in its hole.
   void keepCommonWalls() {
     std::set<FacetEdge> common, overlapping;  // pairs of parts
     for (const auto& wings : crowded_)
@@ -196,7 +197,7 @@ class Parting {
     if (!place) return;
     char text[200];
     std::snprintf(text, sizeof text,
-                  "%zu parts that touch each other were taken apart, the first near (%.9g, %.9g, "
+                  "%zu parts that touch each other were separated, the first near (%.9g, %.9g, "
                   "%.9g)",
                   apart.size(), place->x, place->y, place->z);
     facets_.notes.emplace_back(text);

@@ -1,4 +1,4 @@
-// Parts of an assembly that touch, taken apart.
+// Separates parts of an assembly that touch.
 // Not installed.
 #pragma once
 
@@ -6,10 +6,10 @@
 
 namespace af2::geometry {
 
-/// Closed parts that have vertices in common get vertices of their own, so that each can be meshed
-/// by itself. Around an edge with more than two triangles those belong together that have material
-/// between them. Parts with a wall in common, all triangles of which are there twice, stay
-/// together: the wall bounds both. What was done is told in the notes.
+/// Closed parts that share vertices get vertices of their own, so that each can be meshed by
+/// itself. Around an edge with more than two triangles, two triangles belong to the same part if
+/// there is material between them. Parts with a common wall, all triangles of which exist twice,
+/// stay together, because the wall bounds both. The notes report what was done.
 void partTouching(Facets& facets);
 
 }  // namespace af2::geometry

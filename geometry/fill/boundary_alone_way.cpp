@@ -103,7 +103,7 @@ FaceAttempt fillFromBoundary(FillState& state) {
   attempt.isDrawnInParameters = !isPlane;
   attempt.fault.kind = FillFaultKind::NotFilled;
   attempt.result = frontBeforeFirstStep(task.boundary.input);
-  closeStuck(task, attempt, kMostClosingEdges);
+  closeStuck(task, attempt, kMaxClosingEdges);
   return attempt;
 }
 

@@ -1,4 +1,4 @@
-// A way to fill a face: triangulated from its boundary alone, without vertices inside.
+// A way to fill a face: triangulate its boundary, without vertices inside.
 // Not installed.
 #pragma once
 
@@ -6,17 +6,17 @@
 
 namespace af2::geometry {
 
-/// A strip of a plane that is far narrower than its segments are long, or a curved face whose mesh
-/// has an area that is far from the face's.
+/// Whether the face is a plane strip far narrower than its segments are long, or a curved face
+/// whose mesh differs much from it in area.
 bool mayNeedNoVertices(const FillState& state);
 FaceAttempt fillFromBoundary(FillState& state);
-/// Whether the mesh is better than that with vertices inside, if there is one: by its worst
-/// element in a narrow strip, by its area elsewhere.
+/// Whether the mesh is better than the one with vertices inside, if there is one: judged by the
+/// worst element in a narrow strip, by the area elsewhere.
 bool isBetterWithoutVertices(const FillState& state, const FaceAttempt& attempt);
 
-/// Whether the area of the elements is about that of the face, so far as that is known.
+/// Whether the area of the elements is about that of the face; true if the latter is unknown.
 bool isNearArea(const FaceTask& task, const FaceAttempt& attempt);
-/// The front is all of the boundary, as it is before the first step.
+/// The result of a run before its first step: the front is the whole boundary.
 MeshingResult frontBeforeFirstStep(const FrontInput& boundary);
 
 }  // namespace af2::geometry

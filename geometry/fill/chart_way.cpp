@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <span>
 #include <string>
 #include <utility>
 
@@ -70,19 +72,19 @@ double boundaryDensity(const FaceTask& task) {
   return perSize * perSize / kUnitTriangle;
 }
 
-/// How many times more elements than expected mean that a front folds over.
+/// The multiple of the expected elements above which a front counts as overlapping itself.
 double marginOf(const FaceTask& task) {
   return task.knowsSizes ? kElementMarginOfKnownSizes : kElementMargin;
 }
 
-/// How many elements the sizes let expect. Along the boundary of a face whose area is not known
-/// these tell nothing of its inside: sizes grow from there.
+/// The number of elements expected from the sizes. If the area of a face is unknown, the sizes
+/// along its boundary say nothing about its inside, because sizes grow from there.
 double expectedElements(const FaceTask& task) {
   if (!(task.area > 0)) return task.expectedElements;
   return std::max(task.expectedElements, task.area * boundaryDensity(task));
 }
 
-/// Room beside the segments, in which elements grow from the length of these.
+/// The elements next to the segments, where sizes grow from the length of the segments.
 double elementsBeside(const FrontInput& input) {
   double longest = 0, sum = 0;
   std::vector<double> lengths;
@@ -118,8 +120,8 @@ void take(RegionMesh& mesh, const FaceTask& task, FaceAttempt& attempt) {
   attempt.optimizeShare = mesh.seconds > 0 ? mesh.optimizeSeconds / mesh.seconds : 0;
 }
 
-/// Seen anew from each base edge, in pieces if the face is large.
-FaceAttempt inPieces(const FaceTask& task, ChartKind kind, const MeshingOptions& options) {
+/// Uses a new chart for each base edge, and meshes a large face in pieces.
+FaceAttempt inPieces(const FaceTask& task, ChartKind kind, const FrontOptions& options) {
   RegionMesh mesh = meshRegion(task.algorithm,
                                {task.boundary.input,
                                 [&] { return task.makeTools(kind); },
@@ -134,7 +136,7 @@ FaceAttempt inPieces(const FaceTask& task, ChartKind kind, const MeshingOptions&
 }
 
 /// As one piece, not optimised: these charts know a vertex of a seam on one of its sheets only.
-FaceAttempt inParameters(const FaceTask& task, ChartKind kind, const MeshingOptions& options) {
+FaceAttempt inParameters(const FaceTask& task, ChartKind kind, const FrontOptions& options) {
   FaceAttempt attempt;
   attempt.charts = task.surface.makeCharts(kind);
   attempt.result = task.algorithm.execute(*attempt.charts, task.boundary.input, task.size, options);
@@ -145,7 +147,7 @@ FaceAttempt inParameters(const FaceTask& task, ChartKind kind, const MeshingOpti
 }
 
 /// The whole face laid out in one plane.
-FaceAttempt laidOut(const FaceTask& task, ChartKind kind, const MeshingOptions& options) {
+FaceAttempt laidOut(const FaceTask& task, ChartKind kind, const FrontOptions& options) {
   const std::unique_ptr<PlaneMap> map = task.surface.makePlaneMap(kind);
   const LaidOutFront front = layOut(task.boundary.input, *map);
   const PlanePoints points;
@@ -170,7 +172,7 @@ FaceAttempt laidOut(const FaceTask& task, ChartKind kind, const MeshingOptions& 
 
 /// The charts of the parameters with the metric of a surface that has no normals.
 FaceAttempt inParametersWithoutNormals(const FaceTask& task, ChartKind,
-                                       const MeshingOptions& options) {
+                                       const FrontOptions& options) {
   const WithoutNormals surface(*task.surface.inParameters());
   const MetricChartMaker charts(surface, MetricOrder::First);
   const FrontInput input = withoutNormals(task.boundary.input);
@@ -182,16 +184,38 @@ FaceAttempt inParametersWithoutNormals(const FaceTask& task, ChartKind,
   return attempt;
 }
 
+/// How many elements a stopped front made, how many the sizes let expect, and which rules made
+/// most.
+std::string elementsOfStoppedFront(const FaceTask& task, const Mesh& mesh) {
+  constexpr std::size_t kMaxNamed = 3;
+  const auto& rules = task.algorithm.rules().rules();
+  std::vector<std::pair<std::size_t, std::size_t>> made(rules.size());  // count, rule
+  for (std::size_t rule = 0; rule < rules.size(); ++rule) made[rule].second = rule;
+  for (const ElementOrigin& origin : mesh.origins) ++made[origin.rule].first;
+  std::ranges::stable_sort(made, std::greater<>(), &std::pair<std::size_t, std::size_t>::first);
+  std::string names;
+  for (const auto& [count, rule] : std::span(made).first(std::min(kMaxNamed, made.size()))) {
+    if (count == 0) break;
+    const auto share =
+        std::lround(100 * static_cast<double>(count) / static_cast<double>(mesh.elements.size()));
+    names += (names.empty() ? "" : ", ") + ("'" + rules[rule].name() + "' (") +
+             std::to_string(share) + " %)";
+  }
+  const double expected = std::clamp(expectedElements(task), 1.0, kMaxElements);
+  return std::to_string(mesh.elements.size()) + " elements were made where the sizes let expect " +
+         std::to_string(std::lround(expected)) + (names.empty() ? "" : ", most by ") + names;
+}
+
 /// Runs a front as long as that gets on.
 ///
-/// stallLimit  MeshingOptions::patience
+/// stallLimit  FrontOptions::stallSteps
 template <class Run>
 FaceAttempt guarded(const FaceTask& task, const ChartTraits& chart, int stallLimit, Run&& run) {
   RunawayGuard guard(elementLimit(task), marginOf(task), task.limits.maxCandidates,
                      task.options.stop);
-  MeshingOptions options;
-  options.patience = stallLimit;
-  options.mostInVain = kMaxCandidatesInVain;
+  FrontOptions options;
+  options.stallSteps = stallLimit;
+  options.stallCandidates = kStallCandidates;
   options.stop = guard.token();
   if (task.options.observer) options.observer = task.options.observer();
   options.progress = [&](const Progress& progress) {
@@ -203,9 +227,11 @@ FaceAttempt guarded(const FaceTask& task, const ChartTraits& chart, int stallLim
   attempt.isDrawnInParameters = chart.canCloseInParameters;
   attempt.searchCost = attempt.result.candidates;
   if (guard.ranAway())
-    attempt.fault.kind = FillFaultKind::TooManyElements;
+    attempt.fault = {FillFaultKind::TooManyElements,
+                     elementsOfStoppedFront(task, attempt.result.mesh)};
   else if (guard.isCrammed())
-    attempt.fault.kind = FillFaultKind::TooManyCandidates;
+    attempt.fault = {FillFaultKind::TooManyCandidates,
+                     elementsOfStoppedFront(task, attempt.result.mesh)};
   else if (attempt.result.outcome == Outcome::Stuck)
     attempt.fault = {FillFaultKind::Stuck, stuckReason(attempt.result, task.algorithm)};
   return attempt;

@@ -6,18 +6,18 @@
 
 namespace af2::geometry {
 
-/// Through charts of one kind after the other, as chart_kind.cpp has them.
+/// Tries one kind of charts after the other, in the order of chart_kind.cpp.
 FaceAttempt fillThroughCharts(FillState& state);
 
-/// Through charts of one kind: runs the front, and the optimiser if the charts are good for it, and
-/// checks what came of it.
+/// Fills the face through charts of one kind: runs the front, and the optimiser if the charts are
+/// suitable, and checks the result.
 ///
-/// stallLimit  MeshingOptions::patience
+/// stallLimit  FrontOptions::stallSteps
 FaceAttempt attemptWith(const FaceTask& task, const ChartTraits& chart, int stallLimit);
 
-/// For a curved face with loops that are closed in the parameters: laid out in a plane, or with
-/// affine charts. Elements may lean against the surface as far as they like. The vertices of the
-/// mesh may have no normals.
+/// For a curved face whose loops are closed in the parameters: fills it in a plane layout or with
+/// affine charts. Elements may tilt against the surface by any angle. The vertices of the mesh may
+/// have no normals.
 FaceAttempt attemptIgnoringNormals(const FaceTask& task);
 
 }  // namespace af2::geometry

@@ -148,26 +148,26 @@ ProjectionFrame planeOfFront(const MeshingResult& result) {
 }  // namespace
 
 bool closeFront(MeshingResult& result, const std::function<Point2(VertexId)>& inPlane,
-                std::uint16_t rule, std::size_t most) {
+                ElementOrigin origin, std::size_t most) {
   if (result.stuck.empty() || result.stuck.size() > most) return false;
   const auto elements = Closer(result, inPlane).close();
   if (!elements) return false;
   result.mesh.elements.insert(result.mesh.elements.end(), elements->begin(), elements->end());
-  result.mesh.rule.insert(result.mesh.rule.end(), elements->size(), rule);
+  result.mesh.origins.insert(result.mesh.origins.end(), elements->size(), origin);
   result.stuck.clear();
   result.outcome = Outcome::Complete;
   return true;
 }
 
-bool closeFront(MeshingResult& result, std::uint16_t rule, std::size_t most) {
+bool closeFront(MeshingResult& result, ElementOrigin origin, std::size_t most) {
   if (result.stuck.empty()) return false;
   const ProjectionFrame plane = planeOfFront(result);
   return closeFront(
       result, [&](VertexId v) { return plane.project(result.mesh.vertices[v.value]).position; },
-      rule, most);
+      origin, most);
 }
 
-bool closeLoops(MeshingResult& result, std::uint16_t rule) {
+bool closeLoops(MeshingResult& result, ElementOrigin origin) {
   MeshingResult closed = result;
   std::vector<StuckEdge> front = result.stuck;
   while (!front.empty()) {
@@ -178,7 +178,7 @@ bool closeLoops(MeshingResult& result, std::uint16_t rule) {
     const PlaneAxes axes(closed.mesh.vertices[closed.stuck.front().from.value].position,
                          unit(across));
     const auto inPlane = [&](VertexId v) { return axes(closed.mesh.vertices[v.value]); };
-    if (!closeFront(closed, inPlane, rule, kMaxLoopEdges)) return false;
+    if (!closeFront(closed, inPlane, origin, kMaxLoopEdges)) return false;
   }
   result = std::move(closed);
   return true;

@@ -1,7 +1,6 @@
-// Closes what is left of a front that got stuck, without new vertices.
+// Closes the rest of a stuck front without new vertices.
 #pragma once
 
-#include <cstdint>
 #include <functional>
 #include <vector>
 
@@ -9,36 +8,33 @@
 
 namespace af2::geometry {
 
-/// A front with more edges left is not merely stuck somewhere: its rules are not equal to the
-/// region, which must be told rather than hidden.
-inline constexpr std::size_t kMostStuckEdges = 600;
-/// The work grows with the second power.
-inline constexpr std::size_t kMostClosingEdges = 5000;
+/// A front with more edges left is not just stuck at some place: its rules cannot mesh the region,
+/// which must be reported rather than hidden.
+inline constexpr std::size_t kMaxStuckEdges = 600;
+/// The work grows with the square of this number.
+inline constexpr std::size_t kMaxClosingEdges = 5000;
 
-/// What stands in the place of the rule's number where an element was made without rules.
-inline std::uint16_t closingRule(const RuleSet& rules) {
-  return static_cast<std::uint16_t>(rules.rules().size());
-}
-
-/// Triangulates the region to the left of the front edges that are left in `result`, whatever the
-/// shape of its triangles, and appends them with `rule` as the rule that made them.
+/// Triangulates the region to the left of the remaining front edges of `result`, with triangles of
+/// any shape, and appends these with `origin`.
 ///
-/// The rules of a rule set make good elements, and need room for them; in a sliver of a face, or
-/// where fronts have met badly, there may be none. Any region that is bounded by straight edges can
-/// be triangulated from its corners, though.
+/// Rules make good elements and need room for them; in a sliver of a face, or where fronts have met
+/// badly, there may be no room. But any region that is bounded by straight edges can be
+/// triangulated from its corners.
 ///
-/// inPlane  where a vertex lies in a plane in which the front does not cross itself
-/// most     edges of the front
+/// inPlane  the place of a vertex in a plane in which the front does not cross itself
+/// most     maximum number of edges of the front
 ///
-/// Returns whether it succeeded; if not, `result` is unchanged. Decisions are exact in the plane.
+/// Returns whether it succeeded; if not, `result` is unchanged. Geometric decisions in the plane
+/// are exact.
 bool closeFront(MeshingResult& result, const std::function<Point2(VertexId)>& inPlane,
-                std::uint16_t rule, std::size_t most = kMostStuckEdges);
-/// The same in the plane across the mean normal of the vertices that are left on the front.
-bool closeFront(MeshingResult& result, std::uint16_t rule, std::size_t most = kMostStuckEdges);
+                ElementOrigin origin, std::size_t most = kMaxStuckEdges);
+/// The same in the plane perpendicular to the mean normal of the vertices that are left on the
+/// front.
+bool closeFront(MeshingResult& result, ElementOrigin origin, std::size_t most = kMaxStuckEdges);
 
-/// The same for small loops, each in the plane that its area vector is across, whichever way that
-/// leans. Nothing tells whether loops enclose each other, or whether what is closed lies on the
-/// rest of the mesh.
-bool closeLoops(MeshingResult& result, std::uint16_t rule);
+/// The same for small loops, each in the plane perpendicular to its area vector, whatever the
+/// direction of that. It does not check whether loops enclose each other, or whether the new
+/// triangles overlap the rest of the mesh.
+bool closeLoops(MeshingResult& result, ElementOrigin origin);
 
 }  // namespace af2::geometry

@@ -4,6 +4,7 @@
 
 #include "engine/mesh/mesh_check.h"
 #include "geometry/fill/close_front.h"
+#include "geometry/mesh/without_rule.h"
 
 namespace af2::geometry {
 
@@ -26,14 +27,14 @@ ScaledParameters scaleOf(const ParametricSurface& surface, const MeshingResult& 
   return {du / count, (surface.isFlipped() ? -1 : 1) * dv / count};
 }
 
-bool closeInParameters(const FaceTask& task, const MeshingResult& stuck, std::uint16_t rule,
+bool closeInParameters(const FaceTask& task, const MeshingResult& stuck, ElementOrigin origin,
                        std::size_t maxEdges, MeshingResult& closed) {
   const auto& vertices = stuck.mesh.vertices;
   const ScaledParameters scale = scaleOf(*task.surface.inParameters(), stuck);
   const auto inPlane = [&](VertexId v) {
     return Point2{scale.u * vertices[v.value].u, scale.v * vertices[v.value].v};
   };
-  return closeFront(closed, inPlane, rule, maxEdges);
+  return closeFront(closed, inPlane, origin, maxEdges);
 }
 
 }  // namespace
@@ -41,11 +42,11 @@ bool closeInParameters(const FaceTask& task, const MeshingResult& stuck, std::ui
 bool closeStuck(const FaceTask& task, FaceAttempt& attempt, std::size_t maxEdges) {
   if (attempt.result.outcome != Outcome::Stuck || attempt.result.stuck.empty()) return false;
   MeshingResult closed = attempt.result;
-  const std::uint16_t rule = closingRule(task.algorithm.rules());
+  const ElementOrigin origin = originOf(WithoutRule::Closing, task.algorithm.rules());
   const bool inParameters = attempt.isDrawnInParameters && !hasTwoSheets(task.boundary.input);
   const bool isClosed = inParameters
-                            ? closeInParameters(task, attempt.result, rule, maxEdges, closed)
-                            : closeFront(closed, rule, maxEdges);
+                            ? closeInParameters(task, attempt.result, origin, maxEdges, closed)
+                            : closeFront(closed, origin, maxEdges);
   if (!isClosed || !faultOf(closed.mesh, af2::boundaryOf(task.boundary.input)).empty())
     return false;
   attempt.closingElements = closed.mesh.elements.size() - attempt.result.mesh.elements.size();
@@ -56,7 +57,7 @@ bool closeStuck(const FaceTask& task, FaceAttempt& attempt, std::size_t maxEdges
 
 FaceAttempt fillByClosing(FillState& state) {
   for (FaceAttempt& attempt : state.failed) {
-    if (!closeStuck(state.task, attempt, kMostStuckEdges)) continue;
+    if (!closeStuck(state.task, attempt, kMaxStuckEdges)) continue;
     attempt.searchCost = 0;  // it is counted already
     return std::move(attempt);
   }

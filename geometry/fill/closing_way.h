@@ -1,4 +1,4 @@
-// A way to fill a face: what is left of a stuck front is closed without rules.
+// A way to fill a face: close the rest of a stuck front without rules.
 // Not installed.
 #pragma once
 
@@ -8,10 +8,10 @@
 
 namespace af2::geometry {
 
-/// Closes the first of the fronts that are stuck and can be closed.
+/// Closes the first stuck front that can be closed.
 FaceAttempt fillByClosing(FillState& state);
 
-/// Closes the front of one attempt, if the result is sound; else leaves it as it is.
+/// Closes the front of one attempt, if the result is sound; otherwise leaves the attempt unchanged.
 ///
 /// maxEdges  of the front
 bool closeStuck(const FaceTask& task, FaceAttempt& attempt, std::size_t maxEdges);

@@ -1,4 +1,4 @@
-// Looked for before a face is filled: segments of its boundary that cross.
+// A check before a face is filled: whether segments of its boundary cross.
 // Not installed.
 #pragma once
 
@@ -6,10 +6,10 @@
 
 namespace af2::geometry {
 
-/// Chords of a narrow plane face may cross between their ends. No front could fill what they bound,
-/// and to find that out takes long: so it is looked for first on a face that has failed before.
+/// Chords of a narrow plane face may cross between their ends. No front can fill such a boundary,
+/// and a front takes long to find that out; so faces that have failed before are checked first.
 bool mayHaveCrossedBoundary(const FillState& state);
-/// Makes no mesh: its fault says whether segments cross.
+/// Makes no mesh; the fault of the attempt says whether segments cross.
 FaceAttempt findCrossedBoundary(FillState& state);
 
 }  // namespace af2::geometry

@@ -156,7 +156,7 @@ class SharpCorners {
         if (uses[loop[i].vertex.value] == 1) add(loop, i);
   }
 
-  /// Whether an element is as thin as a wedge that it lies in.
+  /// Whether an element is as thin as the wedge that contains it.
   bool hold(std::span<const VertexId> c) const {
     return std::ranges::any_of(corners_, [&](const Corner& corner) {
       double far = 0;
@@ -177,13 +177,14 @@ class SharpCorners {
   void add(const std::vector<BoundaryCorner>& loop, std::size_t i) {
     const double first = tangentAt(loop, i, 1), second = tangentAt(loop, i, 2);
     if (!(first > 0) || first >= kSharpTangent) return;
-    // What narrows more slowly than it gets nearer has a blunt end: there shorter edges are better.
+    // A wedge whose width decreases more slowly than the distance to its end has a blunt end: there
+    // shorter edges give better elements.
     if (second < kBluntWedge * first) return;
     corners_.push_back({loop[i].point.position, first});
   }
 
-  /// Of the angle that two sides make at a corner, each so many segments long; infinite beyond 90
-  /// degrees.
+  /// The tangent of the angle between two sides at a corner, each `steps` segments long; infinite
+  /// above 90 degrees.
   static double tangentAt(const std::vector<BoundaryCorner>& loop, std::size_t i,
                           std::size_t steps) {
     const std::size_t n = loop.size();

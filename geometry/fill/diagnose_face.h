@@ -1,4 +1,4 @@
-// Where the mesh of a face is missing or poor, and how short edges should be there.
+// Finds where the mesh of a face is missing or poor, and how short edges should be there.
 // Not installed.
 #pragma once
 
@@ -14,24 +14,24 @@
 namespace af2::geometry {
 
 /// Where a front got stuck, where a mesh has faults, and where the segments of the boundary cross.
-/// May be nowhere.
+/// May contain no places.
 FaceDiagnosis diagnoseFailure(const ChartedSurface& surface, const FaceBoundary& boundary,
                               const std::vector<MeshingResult>& results);
 
-/// Elements with tiny angles that shorter edges could open, and faces that straight edges cut too
-/// much off from.
+/// Elements with tiny angles that shorter edges could open, and faces from whose area straight
+/// edges cut off too much.
 ///
 /// area    of the face; 0: unknown
-/// unseen  what is narrower than this is not to be seen in the mesh
+/// unseen  narrower details are invisible in the mesh
 FaceDiagnosis diagnoseMesh(const Mesh& mesh, const FaceBoundary& boundary, bool isPlane,
                            double area, double unseen);
 
 /// The area of the elements of a mesh.
 double areaOfElements(const Mesh& mesh);
 
-/// Draws the boundary of a face in a plane: for a plane, that itself; else its parameters, scaled
-/// to a common unit of length. A reversed face comes out mirrored, so that its loops still run with
-/// the region on their left.
+/// Maps the boundary of a face to a plane: the face's own plane, or its parameters, scaled to a
+/// common unit of length. A reversed face is mirrored, so that its loops still have the region on
+/// their left.
 class BoundaryPicture {
  public:
   BoundaryPicture(const ChartedSurface& surface, const FrontInput& boundary);

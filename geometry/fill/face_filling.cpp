@@ -1,13 +1,12 @@
 #include "geometry/fill/face_filling.h"
 
 #include <algorithm>
-#include <string>
 #include <utility>
 
 #include "engine/base/error.h"
 #include "engine/base/stopwatch.h"
+#include "engine/mesh/element_shape.h"
 #include "engine/optimize/optimize.h"
-#include "geometry/fill/close_front.h"
 #include "geometry/fill/diagnose_face.h"
 #include "geometry/fill/stuck_front.h"
 #include "geometry/mesh/fans.h"
@@ -53,7 +52,7 @@ void optimize(const FaceTask& task, FaceAttempt& attempt, FaceMesh& mesh) {
     attempt.charts = task.surface.makeCharts(ChartKind::MeanNormal);
   OptimizeOptions options;
   const RuleSet& rules = task.algorithm.rules();
-  if (rules.makesQuads()) options.closingRule = closingRule(rules);
+  if (rules.makesQuads()) options.closingRule = originOf(WithoutRule::Closing, rules).rule;
   options.stop = task.options.stop;
   optimizeMesh(attempt.result.mesh, boundaryOf(input), *attempt.charts, options);
   mesh.optimizeSeconds += watch.seconds();
@@ -67,8 +66,21 @@ void take(MeshingResult& result, FaceBoundary& boundary, FaceMesh& mesh) {
   for (std::size_t i = mesh.boundary.size(); i < vertices.size(); ++i)
     mesh.inside.push_back(vertices[i].position);
   mesh.elements = std::move(result.mesh.elements);
-  mesh.rule = std::move(result.mesh.rule);
+  mesh.origins = std::move(result.mesh.origins);
   mesh.report.elements = mesh.elements.size();
+}
+
+/// Before the fans are added.
+WithoutRuleCounts countWithoutRule(const FaceTask& task, const FaceAttempt& attempt,
+                                   const FaceBoundary& boundary) {
+  WithoutRuleCounts counts;
+  counts.closing = attempt.closingElements;
+  for (const FaceBoundary::Fan& fan : boundary.fans) counts.fan += fan.rim.size() - 1;
+  const Mesh& mesh = attempt.result.mesh;
+  if (task.limits.ignoresNormals)
+    counts.leaning = static_cast<std::size_t>(std::ranges::count_if(
+        mesh.elements, [&](const Element& element) { return leans(mesh, element); }));
+  return counts;
 }
 
 FilledFace fill(const FaceTask& task, FaceMesh& mesh) {
@@ -104,12 +116,10 @@ void fillAndJudge(const FaceFilling& filling, FaceBoundary& boundary, FaceMesh& 
     return;
   }
   if (task.options.optimize && !attempt.isOptimized) optimize(task, attempt, mesh);
-  if (attempt.closingElements > 0)
-    mesh.report.reason = std::to_string(attempt.closingElements) +
-                         " elements were made without a rule, where rules had no room";
+  mesh.report.withoutRule = countWithoutRule(task, attempt, boundary);
   mesh.diagnosis = diagnoseMesh(attempt.result.mesh, boundary, task.surface.isPlane(), task.area,
                                 filling.unseen);
-  addFans(boundary, closingRule(task.algorithm.rules()), attempt.result.mesh);
+  addFans(boundary, originOf(WithoutRule::Fan, task.algorithm.rules()), attempt.result.mesh);
   mesh.wantedSizes.reserve(attempt.result.mesh.vertices.size());
   for (const SurfacePoint& vertex : attempt.result.mesh.vertices)
     mesh.wantedSizes.push_back(filling.wanted.sizeAt(vertex));

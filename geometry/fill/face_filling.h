@@ -1,4 +1,4 @@
-// From the boundary of a face to its mesh, on whatever surface: filled, optimised and judged.
+// Fills a face within its boundary, on any surface, and optimises and judges the mesh.
 // Not installed.
 #pragma once
 
@@ -13,21 +13,21 @@ namespace af2::geometry {
 struct FaceFilling {
   const FaceTask& task;
   const SizeField& wanted;   ///< before it is graded away from short segments
-  double unseen = 0;         ///< what is narrower than this is not to be seen in the mesh
+  double unseen = 0;         ///< narrower details are invisible in the mesh
   bool findMiddles = false;  ///< for elements of second order
-  /// Gives the places of a stuck front their parameters, if the surface has any.
+  /// Sets the parameters of the places of a stuck front, if the surface has any.
   std::function<void(std::vector<StuckPlace>&)> findParameters = {};
 };
 
-/// Fills the face, optimises and judges the mesh, and takes it over; or what kept it from being
-/// made. What was tried joins the history of the mesh.
+/// Fills the face, optimises and judges the mesh, and stores the mesh, or the reason for its
+/// failure, in `mesh`. The ways that were tried are added to the history of the mesh.
 ///
-/// boundary  that of the task, whose lists of points and uses the mesh takes over
+/// boundary  the boundary of the task; the mesh takes over its lists of points and uses
 ///
 /// Throws GeometryError with the reason if nothing works.
 void fillAndJudge(const FaceFilling& filling, FaceBoundary& boundary, FaceMesh& mesh);
 
-/// The mesh so far becomes that of a face that failed.
+/// Turns the mesh into that of a failed face.
 void failFor(const std::string& reason, FaceMesh& mesh);
 
 }  // namespace af2::geometry

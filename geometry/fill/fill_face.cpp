@@ -30,6 +30,7 @@ std::vector<const ChartTraits*> chartsFor(const FaceTask& task) {
     else if (chart.suits(possible))
       charts.push_back(&chart);
   }
+  if (task.options.strictRules && !charts.empty()) charts.erase(charts.begin() + 1, charts.end());
   return charts;
 }
 
@@ -40,7 +41,9 @@ class Filling {
 
   FilledFace fill() {
     for (const FillWay& way : fillWays()) {
-      if (way.ignoresNormals != state_.task.limits.ignoresNormals || !way.applies(state_)) continue;
+      if (way.ignoresNormals != state_.task.limits.ignoresNormals) continue;
+      if (way.needsNoRule && state_.task.options.strictRules) continue;
+      if (!way.applies(state_)) continue;
       FaceAttempt attempt = way.fill(state_);
       if (attempt.fault.isNone())
         take(way, std::move(attempt));

@@ -1,4 +1,4 @@
-// One way after the other to fill a face, until one gives a sound mesh.
+// Tries one way after the other to fill a face, until one gives a sound mesh.
 // Not installed.
 #pragma once
 
@@ -20,60 +20,61 @@ namespace af2::geometry {
 /// A mesh of a face and how it was made.
 struct FaceAttempt {
   MeshingResult result;
-  ChartKind chart = ChartKind::Auto;               ///< with which it was filled; Auto: with none
-  std::unique_ptr<AF2LocalTransformMaker> charts;  ///< with which it may be optimised
+  ChartKind chart = ChartKind::Auto;               ///< used to fill the face; Auto: none
+  std::unique_ptr<AF2LocalTransformMaker> charts;  ///< usable for optimising
   FillFault fault;
-  bool isDrawnInParameters = false;  ///< so the front does not cross itself there
-  bool chartsKnowOneSheet = false;   ///< `charts` see a vertex of a seam at one place only
+  bool isDrawnInParameters = false;  ///< then the front does not cross itself there
+  bool chartsKnowOneSheet = false;   ///< `charts` know only one place of a vertex on a seam
   bool isOptimized = false;
   double optimizeShare = 0;         ///< of the time, if optimised
   std::size_t closingElements = 0;  ///< how many were made without a rule, to close a stuck front
   std::size_t searchCost = 0;       ///< candidates of the front that were examined for it
 };
 
-/// What came of all the ways that were tried.
+/// The result of all the ways that were tried.
 struct FilledFace {
-  /// The best one; if all ways failed, an empty mesh with the fault of all.
+  /// The best attempt; if all ways failed, an empty mesh with a fault that combines theirs.
   FaceAttempt attempt;
   FaceHistory history;                  ///< the ways that failed
-  std::vector<MeshingResult> failures;  ///< what these came to, if all failed
+  std::vector<MeshingResult> failures;  ///< their results, if all failed
   std::size_t searchCost = 0;           ///< of all ways together
 };
 
-/// What is wanted of the mesh of a face.
+/// Options for the mesh of a face.
 struct FillOptions {
   ChartKind chart = ChartKind::Auto;
   bool optimize = true;
+  bool strictRules = false;  ///< only rules make elements, with the first chart
   std::stop_token stop = {};
   std::function<AF2MeshingObserver*()> observer;  ///< of each front
 };
 
-/// What is given for a face.
+/// The input for filling a face.
 struct FaceTask {
   const ChartedSurface& surface;
   const FaceBoundary& boundary;
   const SizeField& size;
   double area = 0;  ///< of the face; 0: unknown
-  /// That the sizes inside let expect, in the face or, if its area is not known, at most.
+  /// The number expected from the sizes inside; an upper bound if the area of the face is unknown.
   double expectedElements = 1;
   const AF2Algorithm& algorithm;
   const FillOptions& options;
   /// Whether sizes inside may be much smaller than along the boundary.
   bool mayBeFineInside = false;
-  /// Of this try at the face.
+  /// The limits of this try at the face.
   const TryLimits& limits;
   const ProgressCallback& progress;
-  /// Charts and sizes of the face for one thread more.
+  /// Makes charts and sizes of the face for another thread.
   const std::function<PieceTools(ChartKind)>& makeTools;
-  /// Whether the expected elements are those of all sizes inside: a front that makes twice as many
-  /// folds over.
+  /// Whether the expected number of elements takes all sizes inside into account: then a front that
+  /// makes twice as many overlaps itself.
   bool knowsSizes = false;
 };
 
 /// Goes through the table of ways (fill_ways.cpp) from the top.
 FilledFace fillFace(const FaceTask& task);
 
-/// Whether a vertex stands at two places of the parameters, as those of a seam do.
+/// Whether some vertex has two places in the parameters, as those on a seam do.
 bool hasTwoSheets(const FrontInput& input);
 /// Whether the boundary is a closed curve in the parameters, in which every vertex has one place.
 bool hasOneSheet(const FaceTask& task);

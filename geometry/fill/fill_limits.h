@@ -1,4 +1,4 @@
-// What the ways to fill a face may cost, and what tells a useful mesh from a useless one.
+// Limits for filling a face: the cost of each way, and what makes a mesh useful or useless.
 // Not installed.
 #pragma once
 
@@ -8,56 +8,57 @@ namespace af2::geometry {
 
 // --- how long a front goes on -------------------------------------------------------------------
 
-/// Steps in a row for each edge of the front that bring next to nothing, while there are other
-/// charts to try. With the last charts a front goes on to its end.
+/// Consecutive steps without notable progress, for each edge of the front, after which other charts
+/// are tried. With the last charts a front runs to its end.
 inline constexpr int kStallLimit = 4;
 
-/// Candidates that a front may examine without bringing anything. Nearly twice what any front of
-/// the public models took on its way to a whole face (each candidate counted once).
-inline constexpr std::size_t kMaxCandidatesInVain = 4'000'000;
+/// Candidates that a front may examine without progress. This is nearly twice the largest number
+/// that any front of the public models needed to complete a face (each candidate counted once).
+inline constexpr std::size_t kStallCandidates = 4'000'000;
 
-/// Times the elements that are expected. More mean that a front folds over and goes on for ever:
-/// four times where only the boundary tells how many there should be, twice where all sizes do.
+/// The allowed multiple of the expected elements. A front that makes more overlaps itself and would
+/// never end. The multiple is four where only the boundary indicates how many elements there should
+/// be, and two where all sizes are known.
 inline constexpr double kElementMargin = 4, kElementMarginOfKnownSizes = 2;
 
 /// The same where a size function may want much smaller elements anywhere inside.
 inline constexpr double kElementMarginOfFunctions = 1e5;
 
-/// Elements that any face may have, and those beside each segment, in the room in which elements
-/// grow from the length of the segment to the longest one.
+/// Elements that any face may have, and those next to each segment, where elements grow from the
+/// length of the segment to the longest one.
 inline constexpr double kElementsAlways = 2000, kElementsBesideSegment = 12;
 
-/// Elements that no face may have: the limits are no numbers beyond.
+/// Upper bound of all limits of elements. Without it, they could exceed the range of integers.
 inline constexpr double kMaxElements = 1e9;
 
-/// Candidates for each element that the limit allows, times the margin above. Fronts need about
-/// three; one that takes several times as many is so crammed that no end is in sight.
+/// Candidates for each element that the limit allows, to be multiplied by the margin above. Fronts
+/// need about three; a front that takes several times as many is so crowded that it will not end.
 inline constexpr double kCandidatesPerElement = 7.5;
 
-/// Candidates of a front whose rest is to be closed across its loops, whatever these lean against:
-/// a crammed front would leave too much for that.
+/// Candidates of a front whose rest is then closed by loops with any normals: a crowded front would
+/// leave too much for that.
 inline constexpr std::size_t kMaxCandidatesBeforeLoops = 300'000;
 
 // --- what is closed without rules ---------------------------------------------------------------
 
-// How many edges a front may have at all stands in close_front.h, which is installed.
+// The maximum number of edges of a front is in close_front.h, which is installed.
 
-/// Edges of a loop that is closed in the plane of its area vector. This is for patches that are
-/// bent more than a few elements can follow; larger loops reach too far for one plane.
+/// Edges of a loop that is closed in the plane perpendicular to its area vector. This is for
+/// patches that are curved more than a few elements can follow; larger loops do not fit one plane.
 inline constexpr std::size_t kMaxLoopEdges = 24;
 
 // --- which mesh is better -----------------------------------------------------------------------
 
-/// Times the area of the face, or its inverse. A curved strip that is narrower than its segments
-/// sag comes out with a worse area if there are vertices inside.
+/// Largest ratio of the area of the elements to that of the face, or its inverse. A curved strip
+/// that is narrower than the sag of its segments gets a worse area with vertices inside.
 inline constexpr double kNearArea = 1.25;
 
-/// Width of a strip over the length of a segment. Below, vertices inside make elements only
+/// Width of a strip over the length of a segment. Below this, vertices inside only make elements
 /// thinner.
 inline constexpr double kNarrowStrip = 0.3;
 
-/// Length of an edge across a strip over that of the segments at its ends. A strip with longer ones
-/// is wider there than elsewhere, and wants vertices inside.
+/// Length of an edge across a strip over that of the segments at its ends. A strip with longer
+/// edges is wider there than elsewhere, and needs vertices inside.
 inline constexpr double kLongAcross = 2.2;
 
 // --- what is wrong with a mesh, and how short edges should be there ------------------------------
@@ -65,49 +66,52 @@ inline constexpr double kLongAcross = 2.2;
 /// Length of new edges over those at which a front got stuck or elements are at fault.
 inline constexpr double kFinerAtFaults = 0.5;
 
-/// The same where segments cross: what is between their curves may be far narrower than they are
-/// long.
+/// The same where segments cross: the strip between their curves may be far narrower than the
+/// segments are long.
 inline constexpr double kFinerAtCrossedSegments = 0.3;
 
-/// Places, and crossings of segments, that are told. More at once would not make the next try
-/// better, only slower.
+/// Maximum number of places, and of crossings of segments, that are recorded. More would not make
+/// the next try better, only slower.
 inline constexpr std::size_t kMaxPlacesAtFault = 20'000, kMaxCrossedSegments = 2000;
 
 /// Angles below this are opened where that is possible, in degrees.
 inline constexpr double kSharpAngle = 5;
 
-/// The tangent of a little more than kSharpAngle: most angles need not be found to be told apart.
+/// The tangent of slightly more than kSharpAngle, a quick test: angles above it need not be
+/// computed.
 inline constexpr double kSharpTangent = 0.09;
 
-/// How many times an angle is to become what it is, within bounds in degrees. What shorter edges
-/// cost grows as fast.
+/// The factor by which a sharp angle is to be opened, and the bounds of the result in degrees. The
+/// cost of the shorter edges grows by the same factor.
 inline constexpr double kAngleOpening = 4, kMinOpenedAngle = 1, kMaxOpenedAngle = 10;
 
-/// Least length of edges at an angle that is opened, over that of the element.
+/// Least length of edges at an angle that is opened, over that of the element's edge.
 inline constexpr double kMinOpeningShare = 0.02;
 
-/// Distance of places along the longest edge of such an element, over the size that they ask for:
-/// sizes between two of them grow to 1.3 times that.
+/// Distance between places along the longest edge of such an element, over the size that they
+/// request: between two of them, sizes grow to 1.3 times that.
 inline constexpr double kOpeningSpacing = 2;
 
-/// Elements of a face for each that is poor. A few poor ones among more do not count: to mesh the
-/// face again would cost more than it could bring.
+/// Elements of a face for each poor one. If poor elements are rarer, they do not count: meshing the
+/// face again would cost more than it could gain.
 inline constexpr std::size_t kElementsForOnePoor = 2000;
 
-/// Height of an element over the width of a wedge that it lies in, for both to be as thin.
+/// Range of the height of an element over the width of the wedge that contains it, in which both
+/// are equally thin.
 inline constexpr double kMinInWedge = 0.3, kMaxInWedge = 1.5;
 
-/// Tangent of a corner two segments on over that one segment on. Below, its end is blunt.
+/// Tangent of the angle of a corner measured two segments away, over that one segment away. Below
+/// this, the end of the wedge is blunt.
 inline constexpr double kBluntWedge = 0.7;
 
-/// Share of its area that a curved or round face may lose to straight edges, and that at which
-/// shorter ones aim.
+/// Share of its area that a curved or round face may lose to straight edges, and the share at which
+/// shorter edges aim.
 inline constexpr double kMaxAreaError = 0.05, kAimedAreaError = 0.04;
 
-/// Length of new edges over those that cut off too much, at least and at most.
+/// Least and greatest length of new edges, over that of the edges that cut off too much.
 inline constexpr double kMinShareForArea = 0.3, kMaxShareForArea = 0.8;
 
-/// Edges of a stuck front that are reported. More would not tell more, only make the report long.
+/// Edges of a stuck front that are reported. More would only make the report longer.
 inline constexpr std::size_t kMaxReportedPlaces = 10;
 
 }  // namespace af2::geometry

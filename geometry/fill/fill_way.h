@@ -11,7 +11,7 @@
 
 namespace af2::geometry {
 
-/// What has come of the ways that were tried so far.
+/// The results of the ways that were tried so far.
 struct FillState {
   const FaceTask& task;
   std::vector<const ChartTraits*> charts = {};  ///< of the face, in the order of trying
@@ -20,25 +20,28 @@ struct FillState {
   std::size_t searchCost = 0;                   ///< of these
   std::optional<FaceAttempt> best = {};         ///< complete and sound, or cancelled
 
-  /// An attempt came to nothing.
+  /// Records an attempt that failed.
   void fail(std::string name, FaceAttempt attempt);
 };
 
-/// Ways are tried in the order of the table, where they apply.
+/// Ways that apply are tried in the order of the table.
 struct FillWay {
   const char* name;
-  /// Whether the way is tried, given what came of those before it.
+  /// Whether the way is tried, given the results of those before it.
   bool (*applies)(const FillState& state);
-  /// Throws GeometryError if the surface gives no charts. A fault of kind NotFilled says that there
-  /// was nothing to begin with, or that the state knows what failed; it is not reported. May take
-  /// over what has failed before.
+  /// Throws GeometryError if the surface gives no charts. A fault of kind NotFilled means that
+  /// there was nothing to start from, or that the state already has the failure; it is not
+  /// reported. May take over earlier failed attempts from the state.
   FaceAttempt (*fill)(FillState& state);
   /// Whether a sound mesh is taken; null: always.
   bool (*isBetter)(const FillState& state, const FaceAttempt& attempt) = nullptr;
   /// If the way fails, no other can help.
   bool isCondition = false;
-  /// It is a way of those tries alone at which all else has failed.
+  /// Whether the way is used only in tries that ignore normals, after everything else has failed.
   bool ignoresNormals = false;
+  /// It makes elements without rules, or such as rules would not: it is left out where only rules
+  /// may make elements.
+  bool needsNoRule = false;
 };
 
 /// All ways, in the order in which they are tried.

@@ -9,22 +9,30 @@ namespace af2::geometry {
 
 namespace {
 
-constexpr FillWay kWays[] = {
-    {.name = "boundary without crossings",
-     .applies = mayHaveCrossedBoundary,
-     .fill = findCrossedBoundary,
-     .isCondition = true},
-    {"charts", isUnfilled, fillThroughCharts},
-    {"closing of what is left", isUnfilled, fillByClosing},
-    {"boundary alone", mayNeedNoVertices, fillFromBoundary, isBetterWithoutVertices},
-    {.name = "ignoring normals in the parameters",
-     .applies = canIgnoreNormalsInParameters,
-     .fill = fillIgnoringNormals,
-     .ignoresNormals = true},
-    {.name = "ignoring normals across loops",
-     .applies = canCloseLoops,
-     .fill = fillAcrossLoops,
-     .ignoresNormals = true}};
+constexpr FillWay kWays[] = {{.name = "boundary without crossings",
+                              .applies = mayHaveCrossedBoundary,
+                              .fill = findCrossedBoundary,
+                              .isCondition = true},
+                             {"charts", isUnfilled, fillThroughCharts},
+                             {.name = "closing the rest of the front",
+                              .applies = isUnfilled,
+                              .fill = fillByClosing,
+                              .needsNoRule = true},
+                             {.name = "boundary alone",
+                              .applies = mayNeedNoVertices,
+                              .fill = fillFromBoundary,
+                              .isBetter = isBetterWithoutVertices,
+                              .needsNoRule = true},
+                             {.name = "ignoring normals in the parameters",
+                              .applies = canIgnoreNormalsInParameters,
+                              .fill = fillIgnoringNormals,
+                              .ignoresNormals = true,
+                              .needsNoRule = true},
+                             {.name = "ignoring normals across loops",
+                              .applies = canCloseLoops,
+                              .fill = fillAcrossLoops,
+                              .ignoresNormals = true,
+                              .needsNoRule = true}};
 
 }  // namespace
 

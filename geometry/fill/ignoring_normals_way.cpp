@@ -10,12 +10,13 @@
 #include "geometry/fill/closing_way.h"
 #include "geometry/fill/fill_limits.h"
 #include "geometry/fill/without_normals.h"
+#include "geometry/mesh/without_rule.h"
 
 namespace af2::geometry {
 
 namespace {
 
-/// Whether a mesh fills what the boundary encloses, however its elements lean.
+/// Whether a mesh fills the region that the boundary encloses, whatever the tilt of its elements.
 bool isFilled(const FaceTask& task, Mesh mesh) {
   for (SurfacePoint& vertex : mesh.vertices) vertex.normal = {};
   return faultOf(mesh, af2::boundaryOf(task.boundary.input)).empty();
@@ -25,7 +26,7 @@ bool isFilled(const FaceTask& task, Mesh mesh) {
 bool closeAcrossLoops(const FaceTask& task, FaceAttempt& attempt) {
   if (attempt.result.outcome != Outcome::Stuck) return false;
   MeshingResult closed = attempt.result;
-  if (!closeLoops(closed, closingRule(task.algorithm.rules()))) return false;
+  if (!closeLoops(closed, originOf(WithoutRule::Closing, task.algorithm.rules()))) return false;
   if (!isFilled(task, closed.mesh)) return false;
   attempt.closingElements = closed.mesh.elements.size() - attempt.result.mesh.elements.size();
   attempt.result = std::move(closed);
@@ -43,7 +44,7 @@ bool canIgnoreNormalsInParameters(const FillState& state) {
 FaceAttempt fillIgnoringNormals(FillState& state) {
   const FaceTask& task = state.task;
   FaceAttempt attempt = attemptIgnoringNormals(task);
-  if (!attempt.fault.isNone() && !closeStuck(task, attempt, kMostStuckEdges)) return attempt;
+  if (!attempt.fault.isNone() && !closeStuck(task, attempt, kMaxStuckEdges)) return attempt;
   const ParametricSurface& surface = *task.surface.inParameters();
   if (!isFlatInParameters(attempt.result.mesh, surface.isFlipped()))
     attempt.fault.kind = FillFaultKind::FoldedInParameters;

@@ -1,5 +1,5 @@
-// Ways to fill a curved face at which all else has failed: elements may lean against the surface as
-// far as they like.
+// Ways to fill a curved face on which everything else has failed: elements may tilt against the
+// surface by any angle.
 // Not installed.
 #pragma once
 
@@ -9,14 +9,15 @@ namespace af2::geometry {
 
 /// Whether the boundary is a closed curve in the parameters.
 bool canIgnoreNormalsInParameters(const FillState& state);
-/// As long as nothing folds over in the parameters.
+/// Fills the face as long as no element folds over in the parameters.
 FaceAttempt fillIgnoringNormals(FillState& state);
 
-/// Whether a front may be closed across its loops: on curved faces without points that are to be
+/// Whether a front may be closed loop by loop: on curved faces without isolated points that must be
 /// vertices.
 bool canCloseLoops(const FillState& state);
-/// A patch where fillets meet may be bent more than its few elements can follow: there the front
-/// leaves little, across which only its edges tell how elements should lie; or nothing fits at all.
+/// Closes the rest of a front loop by loop. A patch where fillets meet may be curved more than its
+/// few elements can follow: the front then leaves small loops, where only the edges indicate the
+/// orientation of the elements, or nothing fits at all.
 FaceAttempt fillAcrossLoops(FillState& state);
 
 }  // namespace af2::geometry

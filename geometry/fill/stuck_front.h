@@ -1,4 +1,4 @@
-// What is told of a front that got stuck.
+// Reports where and why a front got stuck.
 #pragma once
 
 #include <string>
@@ -9,7 +9,8 @@
 
 namespace af2::geometry {
 
-/// Where and why: the first edge that is left, and what kept the most promising rule away.
+/// A message with the first edge that is left, and the reason why the most promising rule was not
+/// applied.
 std::string stuckReason(const MeshingResult& result, const AF2Algorithm& algorithm);
 
 /// Some of the edges that are left, in the order of the front, with the reason of each rule.

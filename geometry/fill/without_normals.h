@@ -1,4 +1,4 @@
-// A surface without its normals, for faces that are rougher than their elements are large.
+// A surface without normals, for faces that are rough on the scale of their elements.
 // Not installed.
 #pragma once
 
@@ -8,7 +8,7 @@
 
 namespace af2::geometry {
 
-/// The surface of a face without its normals, so that elements may lean against it as they like.
+/// The surface of a face without its normals, so that elements may tilt against it by any angle.
 class WithoutNormals final : public ParametricSurface {
  public:
   explicit WithoutNormals(const ParametricSurface& surface) : surface_(surface) {}
@@ -27,10 +27,10 @@ class WithoutNormals final : public ParametricSurface {
 
 FrontInput withoutNormals(FrontInput input);
 
-/// Gives the vertices of a mesh the normals of the surface at their parameters.
+/// Sets the normals of the vertices of a mesh to those of the surface at their parameters.
 void restoreNormals(const ParametricSurface& surface, const FrontInput& input, Mesh& mesh);
 
-/// Whether all elements lie the right way round in the parameters: then none is folded.
+/// Whether all elements have the right orientation in the parameters: then none is folded.
 bool isFlatInParameters(const Mesh& mesh, bool isFlipped);
 
 }  // namespace af2::geometry

@@ -8,7 +8,7 @@ namespace {
 
 int edgeId(const JsonValue& json, const std::string& text) {
   const auto id = numberIn<int>(text);
-  if (!id || *id < 1) json.fail("'" + text + "' is no id of an edge");
+  if (!id || *id < 1) json.fail("'" + text + "' is not the id of an edge");
   return *id;
 }
 

@@ -1,4 +1,4 @@
-// Divisions of edges from a file: JSON (docs/formats.md).
+// Reads divisions of edges from a JSON file (docs/formats.md).
 #pragma once
 
 #include <filesystem>
@@ -8,8 +8,7 @@
 
 namespace af2::geometry {
 
-/// Throws InputError, naming the file and the place in it, for anything that it does not
-/// understand.
+/// Throws InputError, naming the file and the place in it, for anything unknown or invalid.
 AF2_EXPORT EdgePoints readEdgePoints(const std::filesystem::path& path);
 
 }  // namespace af2::geometry

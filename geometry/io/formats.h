@@ -12,10 +12,11 @@
 
 namespace af2::geometry {
 
-/// Left out by formats that have none.
+/// Formats without line elements leave these out.
 using Lines = std::span<const LineElement>;
 
-/// VTK XML, base64: elements with their face, rule and quality, lines with edge and boundary.
+/// VTK XML, base64: elements with their face, rule, level, score and quality, lines with edge and
+/// boundary.
 void writeVtu(const ModelMesh& mesh, Lines lines, OutputFile& file);
 /// Legacy VTK, binary: the same.
 void writeVtk(const ModelMesh& mesh, Lines lines, OutputFile& file);
@@ -33,8 +34,8 @@ void writePly(const ModelMesh& mesh, Lines lines, OutputFile& file);
 
 /// In the order in which help texts name them.
 inline constexpr std::array kMeshFormats{
-    MeshFormat{".vtu", "VTK XML unstructured grid", &writeVtu, true, true},
-    MeshFormat{".vtk", "legacy VTK", &writeVtk, false, true},
+    MeshFormat{".vtu", "VTK XML unstructured grid", &writeVtu, true, true, true},
+    MeshFormat{".vtk", "legacy VTK", &writeVtk, false, true, true},
     MeshFormat{".msh", "Gmsh 4.1", &writeMsh, true, true},
     MeshFormat{".stl", "STL", &writeStl},
     MeshFormat{".obj", "Wavefront OBJ", &writeObj},

@@ -16,7 +16,7 @@ JsonValue JsonValue::readFile(const std::filesystem::path& path) {
     return {std::move(file), root, path.string() + ": "};
   } catch (const nlohmann::json::exception& error) {
     const std::string text = error.what();  // "[json.exception...] parse error at line 2, ..."
-    throw InputError(path.string() + ": is no JSON: " + text.substr(text.find(']') + 2));
+    throw InputError(path.string() + ": is not valid JSON: " + text.substr(text.find(']') + 2));
   }
 }
 

@@ -1,4 +1,4 @@
-// Reading JSON whose every mistake is told with its place. Not installed.
+// Reads JSON files and reports every error with its place. Not installed.
 #pragma once
 
 #include <filesystem>
@@ -11,8 +11,8 @@
 
 namespace af2::geometry {
 
-/// A value of a JSON file and where it stands. All functions throw InputError, naming file and
-/// place, where the value is not what is asked for.
+/// A value of a JSON file and its place. All functions throw InputError, naming file and place, if
+/// the value does not have the requested type or range.
 class JsonValue {
  public:
   static JsonValue readFile(const std::filesystem::path& path);
@@ -22,7 +22,7 @@ class JsonValue {
   bool has(const std::string& key) const { return json_->contains(key); }
   JsonValue at(const std::string& key) const;
   std::vector<JsonValue> elements() const;
-  /// Of an object, in the order of the file.
+  /// The members of an object, in the order of the file.
   std::vector<std::pair<std::string, JsonValue>> members() const;
 
   double number() const;

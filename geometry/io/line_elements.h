@@ -8,7 +8,7 @@
 
 namespace af2::geometry {
 
-/// Which edges of the model get line elements in files that can hold them.
+/// Which edges of the model get line elements in formats that support them.
 enum class LinesAlong {
   Boundaries,  ///< those that the file of the model marks
   AllEdges,
@@ -16,7 +16,7 @@ enum class LinesAlong {
 
 struct LineElement {
   VertexId from, to;
-  VertexId middle;   ///< of second order; else none
+  VertexId middle;   ///< only if of second order
   int edge = 0;      ///< id of the model edge
   int boundary = 0;  ///< its number; 0: the edge is in none
 };

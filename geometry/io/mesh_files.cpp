@@ -25,8 +25,8 @@ const MeshFormat& meshFormatOf(const std::filesystem::path& file) {
   for (const MeshFormat& format : kMeshFormats) {
     if (format.extension == extension) return format;
   }
-  throw InputError("cannot write '" + file.string() + "': its extension names no mesh format; use" +
-                   knownExtensions());
+  throw InputError("cannot write '" + file.string() +
+                   "': its extension is not that of a mesh format; use" + knownExtensions());
 }
 
 void writeMesh(const ModelMesh& mesh, const std::filesystem::path& file, LinesAlong along) {

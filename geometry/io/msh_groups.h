@@ -1,4 +1,4 @@
-// Physical groups of a mesh, as Gmsh's format has them.
+// Physical groups of a mesh, for Gmsh's format.
 // Not installed.
 #pragma once
 
@@ -19,15 +19,15 @@ struct PhysicalGroup {
   auto operator<=>(const PhysicalGroup&) const = default;
 };
 
-/// Of surfaces: each face has a group of its own, with its number; those of the model follow.
-/// Of curves: each boundary has a group, with its number if that is positive; then each edge with
-/// lines that is in no boundary has one of its own.
+/// Groups of surfaces: each face has a group of its own, with its number; the groups of the model
+/// follow. Groups of curves: each boundary has a group, with its number if that is positive; then
+/// each edge with lines that is in no boundary has one of its own.
 class MshGroups {
  public:
   /// `mesh` must live as long as this.
   MshGroups(const ModelMesh& mesh, Lines lines);
 
-  /// Unique, and fit to stand between quotation marks.
+  /// The names are unique and need no escapes between quotation marks.
   const std::map<PhysicalGroup, std::string>& names() const { return names_; }
   /// Numbers of the groups of a face, its own first.
   std::vector<std::int32_t> ofFace(std::int32_t face) const;

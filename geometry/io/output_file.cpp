@@ -22,7 +22,7 @@ static_assert(std::endian::native == std::endian::little, "the writers rely on i
   throw InputError("cannot write '" + target.string() + "': " + reason);
 }
 
-/// What to do about the commonest refusals.
+/// The remedies for the most common errors.
 std::string explained(int error, const fs::path& directory) {
   const std::string reason = std::generic_category().message(error);
   if (error == ENOENT) {
@@ -53,7 +53,8 @@ void refuseOddTargets(const fs::path& target) {
   const fs::file_status status = fs::status(target, odd);
   if (odd == std::errc::too_many_symbolic_link_levels) refuse(target, "it is a link to itself");
   if (fs::is_directory(status)) refuse(target, "it is a directory; give a file name");
-  if (fs::exists(status) && !fs::is_regular_file(status)) refuse(target, "it is not a plain file");
+  if (fs::exists(status) && !fs::is_regular_file(status))
+    refuse(target, "it is not a regular file");
 }
 
 constexpr const char* kOpenFiles = "/proc/self/fd";

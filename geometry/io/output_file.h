@@ -1,4 +1,4 @@
-// A file that appears whole or not at all: written beside its target, renamed over it at the end.
+// Writes a file completely or not at all: to a temporary file, which is renamed at the end.
 #pragma once
 
 #include <concepts>
@@ -10,10 +10,10 @@
 
 namespace af2::geometry {
 
-/// Buffered output to `target`. Until `commit` the target keeps what it held before; an OutputFile
-/// that is dropped without `commit` leaves nothing behind.
+/// Buffered output to `target`. Until `commit` the target keeps its previous content; an OutputFile
+/// that is destroyed without `commit` leaves nothing behind.
 ///
-/// Every function throws InputError, naming the target, if the file system refuses.
+/// Every function throws InputError, naming the target, if the file system reports an error.
 class OutputFile {
  public:
   explicit OutputFile(const std::filesystem::path& target);
@@ -47,7 +47,7 @@ class OutputFile {
     bytes(reversed, sizeof reversed);
   }
 
-  /// Makes the target what was written, safely on disk.
+  /// Replaces the target by what was written, safely on disk.
   void commit();
 
  private:
@@ -68,8 +68,8 @@ class OutputFile {
   std::size_t used_ = 0;
 };
 
-/// Throws InputError, with the reason and the way out, if no file can be written at `target`. For
-/// asking before the work begins.
+/// Throws InputError, with the reason and a remedy, if no file can be written at `target`. Call it
+/// before the work begins.
 void checkWritable(const std::filesystem::path& target);
 
 }  // namespace af2::geometry

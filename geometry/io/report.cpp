@@ -23,6 +23,10 @@ Json toJson(const StuckPlace& place, const std::vector<std::string>& ruleNames) 
   return json;
 }
 
+Json toJson(const WithoutRuleCounts& counts) {
+  return {{"closing", counts.closing}, {"fan", counts.fan}, {"leaning", counts.leaning}};
+}
+
 Json toJson(const FaceReport& face, const std::vector<std::string>& ruleNames) {
   Json json{{"id", face.id}};
   if (!face.name.empty()) json["name"] = face.name;
@@ -33,6 +37,7 @@ Json toJson(const FaceReport& face, const std::vector<std::string>& ruleNames) {
   json["area"] = face.area;
   json["seconds"] = face.seconds;
   json["reason"] = face.reason;
+  if (face.withoutRule.total() > 0) json["without_rule"] = toJson(face.withoutRule);
   if (!face.attempts.empty()) json["attempts"] = face.attempts;
   for (const StuckPlace& place : face.stuck) json["stuck"].push_back(toJson(place, ruleNames));
   return json;
@@ -148,6 +153,7 @@ void writeReport(const RunReport& report, const ModelMesh& mesh, OutputFile& fil
   json["vertices"] = mesh.vertices.size();
   json["triangles"] = static_cast<std::ptrdiff_t>(mesh.elements.size()) - quads;
   json["quads"] = quads;
+  json["without_rule"] = toJson(elementsWithoutRule(mesh));
   json["faces"] = Json::array();
   for (const FaceReport& face : mesh.faces) json["faces"].push_back(toJson(face, mesh.ruleNames));
   for (const FaceGroup& group : mesh.groups)

@@ -1,4 +1,4 @@
-// The report of a run as JSON (docs/formats.md tells each field).
+// Writes the report of a run as JSON (docs/formats.md explains each field).
 #pragma once
 
 #include <string>
@@ -21,7 +21,7 @@ enum class RunStatus {
 AF2_EXPORT const char* toString(RunStatus status);
 AF2_EXPORT const char* toString(FaceStatus status);
 
-/// How a run went, from the statuses of its faces; Failed if there are none.
+/// The status of a run, from the statuses of its faces; Failed if there are none.
 AF2_EXPORT RunStatus statusOf(const ModelMesh& mesh);
 
 struct RunReport {

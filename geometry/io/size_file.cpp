@@ -19,7 +19,7 @@ SizeBox boxFrom(const JsonValue& json) {
   json.expectKeys({"from", "to", "size"});
   const SizeBox box{json.at("from").point(), json.at("to").point(), json.at("size").size()};
   if (!(box.low.x <= box.high.x && box.low.y <= box.high.y && box.low.z <= box.high.z))
-    json.fail("the corner 'from' must not lie above 'to' in x, y or z");
+    json.fail("the corner 'from' must not be above 'to' in x, y or z");
   return box;
 }
 

@@ -1,4 +1,4 @@
-// Wanted sizes from a file: JSON (docs/formats.md tells each field).
+// Reads wanted sizes from a JSON file (docs/formats.md explains each field).
 #pragma once
 
 #include <filesystem>
@@ -13,13 +13,12 @@ namespace af2::geometry {
 
 struct SizeFile {
   SizeSources sources;
-  /// Sizes by name, where `*` stands for any text and `?` for any character; in the order of the
-  /// file, the last one that fits counts.
+  /// Sizes by name, where `*` matches any text and `?` any character, in the order of the file; the
+  /// last match counts.
   std::vector<std::pair<std::string, double>> parts;
 };
 
-/// Throws InputError, naming the file and the place in it, for anything that it does not
-/// understand.
+/// Throws InputError, naming the file and the place in it, for anything unknown or invalid.
 AF2_EXPORT SizeFile readSizeFile(const std::filesystem::path& path);
 
 }  // namespace af2::geometry

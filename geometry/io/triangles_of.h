@@ -1,4 +1,4 @@
-// Elements as triangles, for formats and programs that know nothing else. Not installed.
+// Splits elements into triangles, for formats that support nothing else. Not installed.
 #pragma once
 
 #include <array>

@@ -38,8 +38,8 @@ void writeCells(const ModelMesh& mesh, Lines lines, OutputFile& file) {
 
 void writeCellData(const ModelMesh& mesh, Lines lines, OutputFile& file) {
   const std::size_t count = mesh.elements.size() + lines.size();
-  sectionHead(file, "\nCELL_DATA", count,
-              lines.empty() ? "\nFIELD FieldData 3\n" : "\nFIELD FieldData 5\n");
+  const int arrays = 4 + (mesh.scores.empty() ? 0 : 1) + (lines.empty() ? 0 : 2);
+  sectionHead(file, "\nCELL_DATA", count, "\nFIELD FieldData " + std::to_string(arrays) + "\n");
   const auto repeat = [&](std::size_t times, auto value) {
     for (std::size_t i = 0; i < times; ++i) file.bigEndian(value);
   };
@@ -47,8 +47,17 @@ void writeCellData(const ModelMesh& mesh, Lines lines, OutputFile& file) {
   for (const std::int32_t face : mesh.face) file.bigEndian(face);
   repeat(lines.size(), kFaceOfLine);
   sectionHead(file, "\nrule 1", count, " int\n");
-  for (const std::uint16_t rule : mesh.rule) file.bigEndian(std::int32_t{rule});
-  repeat(lines.size(), kRuleOfLine);
+  for (const ElementOrigin& origin : mesh.origins) file.bigEndian(ruleNumber(origin));
+  repeat(lines.size(), kNoRule);
+  sectionHead(file, "\nlevel 1", count, " int\n");
+  for (const ElementOrigin& origin : mesh.origins)
+    file.bigEndian(std::int32_t{levelNumber(origin)});
+  repeat(lines.size(), std::int32_t{kNoLevel});
+  if (!mesh.scores.empty()) {
+    sectionHead(file, "\nscore 1", count, " float\n");
+    for (const float score : mesh.scores) file.bigEndian(score);
+    repeat(lines.size(), kScoreOfLine);
+  }
   sectionHead(file, "\nquality 1", count, " double\n");
   for (const Element& element : mesh.elements) {
     file.bigEndian(shapeQuality(mesh.vertices, element));

@@ -242,8 +242,16 @@ void writeXmlCellData(const ModelMesh& mesh, Lines lines, OutputFile& file) {
       [](const LineElement&) { return kFaceOfLine; });
   cellArray(
       file, {"Int32", "rule"}, mesh, lines,
-      [&](std::size_t e) { return std::int32_t{mesh.rule[e]}; },
-      [](const LineElement&) { return kRuleOfLine; });
+      [&](std::size_t e) { return ruleNumber(mesh.origins[e]); },
+      [](const LineElement&) { return kNoRule; });
+  cellArray(
+      file, {"UInt8", "level"}, mesh, lines,
+      [&](std::size_t e) { return levelNumber(mesh.origins[e]); },
+      [](const LineElement&) { return kNoLevel; });
+  if (!mesh.scores.empty())
+    cellArray(
+        file, {"Float32", "score"}, mesh, lines, [&](std::size_t e) { return mesh.scores[e]; },
+        [](const LineElement&) { return kScoreOfLine; });
   cellArray(
       file, {"Float64", "quality"}, mesh, lines,
       [&](std::size_t e) { return shapeQuality(mesh.vertices, mesh.elements[e]); },

@@ -1,4 +1,4 @@
-// Where the mesh of a face is missing or poor, and how far from acceptable it is.
+// The result of a diagnosis: where the mesh of a face is missing or poor, and by how much.
 #pragma once
 
 #include <vector>
@@ -7,13 +7,13 @@
 
 namespace af2::geometry {
 
-/// Places that want shorter edges, and how far from acceptable a mesh is: 0 is good enough.
+/// Places that need shorter edges, and how far from acceptable a mesh is: 0 is good enough.
 struct FaceDiagnosis {
   std::vector<SizeSource> places;
   double poorness = 0;
-  bool isBad = false;         ///< not fit for use; else it could be nicer, but not at any price
-  bool hasBadAngle = false;   ///< one that makes an element hardly of use
-  bool hasWrongArea = false;  ///< no check would let the mesh pass
+  bool isBad = false;         ///< true: not usable; false: it could be better, but not at any cost
+  bool hasBadAngle = false;   ///< an angle that makes an element hardly usable
+  bool hasWrongArea = false;  ///< so wrong that no check would accept it
 };
 
 }  // namespace af2::geometry

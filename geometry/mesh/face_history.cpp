@@ -14,9 +14,11 @@ std::string textOf(const FillFault& fault) {
     case FillFaultKind::CrossedBoundary:
       return "segments of the boundary cross";
     case FillFaultKind::TooManyElements:
-      return "far more elements than the area has room for: the boundary does not enclose a region";
+      return "far more elements than fit the area: " + fault.details +
+             "; either the rules let elements overlap (see 'af2 check'), or the boundary does not "
+             "enclose a region";
     case FillFaultKind::TooManyCandidates:
-      return "the front is so crammed that no end is in sight";
+      return "the front examined too many candidates, so it was stopped: " + fault.details;
     case FillFaultKind::FoldedInParameters:
       return "elements fold in the parameters";
     case FillFaultKind::BadParameters:
@@ -83,13 +85,13 @@ std::string textOf(const FaceStep& step) {
     case FaceStepKind::WayFailed:
       return step.name + ": " + textOf(step.fault);
     case FaceStepKind::WrongArea:
-      return "the elements have another area than the face";
+      return "the area of the elements differs from that of the face";
     case FaceStepKind::Crossings:
       return std::to_string(step.count) + " pairs of elements cross here";
     case FaceStepKind::Remedy:
       return step.name + (step.count > 0 ? " at " + std::to_string(step.count) + " places" : "");
     case FaceStepKind::BudgetSpent:
-      return "not everything was tried: faces that fail have taken too long already";
+      return "not every remedy was tried: retries of failed faces have used up their budget";
   }
   return step.details;
 }

@@ -1,5 +1,4 @@
-// What was tried to mesh a face, and why it came to nothing; the report of the face is made from
-// it. Not installed.
+// What was tried to mesh a face, and why it failed; the basis of its report. Not installed.
 #pragma once
 
 #include <cstddef>
@@ -8,15 +7,15 @@
 
 namespace af2::geometry {
 
-/// Why one way to fill a face came to nothing.
+/// Why one way to fill a face failed.
 enum class FillFaultKind {
-  None,                ///< it did not: the mesh is complete and sound, or the run was cancelled
-  NotFilled,           ///< there was nothing to begin with, so there is nothing to report
+  None,                ///< no failure: the mesh is complete and sound, or the run was cancelled
+  NotFilled,           ///< there was nothing to start from, so there is nothing to report
   CrossedBoundary,     ///< segments of the boundary cross
-  BadParameters,       ///< the boundary in the parameters is not a boundary
+  BadParameters,       ///< the boundary is invalid in the parameters
   Stuck,               ///< no rule fits at some edges of the front; the details say where
-  TooManyElements,     ///< far more than the sizes let expect
-  TooManyCandidates,   ///< the front examined more than it may
+  TooManyElements,     ///< far more than expected from the sizes
+  TooManyCandidates,   ///< the front examined more than it is allowed
   Unsound,             ///< the mesh does not pass its checks; the details say why
   FoldedInParameters,  ///< elements fold over in the parameters
   EveryWayFailed,      ///< the details name each
@@ -30,23 +29,23 @@ struct FillFault {
   bool operator==(const FillFault&) const = default;
 };
 
-/// Empty for none.
+/// The message of a fault; empty for None.
 std::string textOf(const FillFault& fault);
 
 enum class FaceStepKind {
-  Note,         ///< what the boundary is like, which holds for all that is tried with it
-  WayFailed,    ///< a way to fill the face
-  FaceFailed,   ///< all of them, which the details tell
-  WrongArea,    ///< the elements have another area than the face
+  Note,         ///< a remark on the boundary, which applies to all that is tried with it
+  WayFailed,    ///< one way to fill the face
+  FaceFailed,   ///< all ways, which the details list
+  WrongArea,    ///< the area of the elements differs from that of the face
   Crossings,    ///< `count` pairs of elements cross
-  Remedy,       ///< was tried at `count` places, or at the face as a whole
-  BudgetSpent,  ///< other remedies would have cost too much
+  Remedy,       ///< a remedy was tried at `count` places, or at the face as a whole
+  BudgetSpent,  ///< further remedies would have cost too much
 };
 
-/// One thing that is known of a face or was tried on it.
+/// One entry of the history: a fact about a face, or something that was tried on it.
 struct FaceStep {
   FaceStepKind kind = FaceStepKind::Note;
-  std::string name;  ///< of the way or the remedy, as their tables have it
+  std::string name;  ///< of the way or the remedy, as in their tables
   FillFault fault;   ///< of the way
   std::string details;
   std::size_t count = 0;
@@ -60,11 +59,11 @@ FaceStep failedFace(std::string reason);
 FaceStep crossingElements(std::size_t pairs);
 FaceStep triedRemedy(std::string name, std::size_t places);
 
-/// In the order of time.
+/// In chronological order.
 using FaceHistory = std::vector<FaceStep>;
 
 void addNotes(const std::vector<std::string>& notes, FaceHistory& history);
-/// Adds what is not yet known of the face.
+/// Adds the steps that the history does not contain yet.
 void addNew(FaceHistory&& steps, FaceHistory& history);
 
 std::string textOf(const FaceStep& step);

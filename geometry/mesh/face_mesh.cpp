@@ -6,7 +6,8 @@ namespace af2::geometry {
 
 namespace {
 
-/// By vertex of a face: the longer of what is wanted there and the segments that end there.
+/// By vertex of a face: the larger of the wanted size and the lengths of the segments that end
+/// there.
 std::vector<double> usualLengths(const FaceMesh& mesh, const DividedEdges& divided) {
   std::vector<double> lengths = mesh.wantedSizes;
   std::map<std::uint32_t, double> longest;  // by point
@@ -25,7 +26,7 @@ std::vector<double> usualLengths(const FaceMesh& mesh, const DividedEdges& divid
 }  // namespace
 
 bool reachesTooFar(const FaceMesh& mesh, const DividedEdges& divided) {
-  constexpr double kMost = 5, kShare = 0.05;
+  constexpr double kMax = 5, kShare = 0.05;
   const std::vector<double> usual = usualLengths(mesh, divided);
   const auto at = [&](VertexId v) -> const Point3& {
     const std::size_t given = mesh.boundary.size();
@@ -34,7 +35,7 @@ bool reachesTooFar(const FaceMesh& mesh, const DividedEdges& divided) {
   const auto isFar = [&](const Element& element) {
     VertexId last = element.vertices().back();
     for (const VertexId v : element.vertices()) {
-      if (distance(at(last), at(v)) > kMost * std::max(usual[last.value], usual[v.value]))
+      if (distance(at(last), at(v)) > kMax * std::max(usual[last.value], usual[v.value]))
         return true;
       last = v;
     }
@@ -50,7 +51,7 @@ MiddlesByFace takeMiddles(std::vector<FaceMesh>& meshes) {
   return middles;
 }
 
-/// The elements of a face lie one after the other.
+/// The elements of a face are consecutive.
 std::vector<SideMiddles> middlesOf(const ModelMesh& mesh, const MiddlesByFace& byFace) {
   std::vector<SideMiddles> middles;
   for (std::size_t first = 0; first < mesh.face.size();) {

@@ -22,31 +22,32 @@ struct FaceMesh {
   std::vector<Point3> inside;
   std::vector<double> wantedSizes;  ///< by vertex
   std::vector<Element> elements;
-  std::vector<std::uint16_t> rule;
-  std::vector<SideMiddles> middles;  ///< by element; only for elements of second order
+  std::vector<ElementOrigin> origins;  ///< by element
+  std::vector<SideMiddles> middles;    ///< by element; only for elements of second order
   std::vector<SegmentUse> uses;
   double optimizeSeconds = 0;  ///< part of report.seconds
   FaceDiagnosis diagnosis;
   FaceHistory history;         ///< `report.attempts` is made from it once all has been tried
-  std::size_t searchCost = 0;  ///< candidates of the front, those in vain too
+  std::size_t searchCost = 0;  ///< candidates of the front, with those of failed attempts
 };
 
-/// Whether a face has no mesh, or one that will not pass the checks.
+/// Whether a face has no mesh, or a mesh that will not pass the checks.
 inline bool failed(const FaceMesh& mesh) {
   return mesh.report.status == FaceStatus::Failed || mesh.diagnosis.hasWrongArea;
 }
 
-/// Whether more than a few elements have sides several times as long as what is wanted at their
-/// ends, and as the segments of the boundary there: they span what they should have followed.
+/// Whether more than a few elements have sides several times as long as the sizes wanted at their
+/// ends, and as the segments of the boundary there: they span details that they should have
+/// followed.
 bool reachesTooFar(const FaceMesh& mesh, const DividedEdges& divided);
 
-/// By id of the face, where the middles of the sides of its elements lie.
+/// By id of the face: the positions of the middles of the sides of its elements.
 using MiddlesByFace = std::map<int, std::vector<SideMiddles>>;
 MiddlesByFace takeMiddles(std::vector<FaceMesh>& meshes);
-/// Of the elements that are still there after the checks, in their order.
+/// The middles for the elements that remain after the checks, in their order.
 std::vector<SideMiddles> middlesOf(const ModelMesh& mesh, const MiddlesByFace& byFace);
 
-/// The part of the time that optimising took, where faces are meshed one beside the other.
+/// The share of the time that optimising took, if faces are meshed in parallel.
 double shareOfOptimizing(const std::vector<FaceMesh>& meshes);
 
 }  // namespace af2::geometry

@@ -24,6 +24,7 @@ void joinReport(FaceReport&& part, FaceReport& report) {
   if (report.chart.empty()) report.chart = part.chart;
   report.elements += part.elements;
   append(report.stuck, std::move(part.stuck));
+  report.withoutRule += part.withoutRule;
   if (part.status != FaceStatus::Complete) report.status = part.status;
   if (!part.reason.empty()) report.reason += (report.reason.empty() ? "" : "; ") + part.reason;
 }
@@ -67,7 +68,7 @@ void joinParts(std::vector<FaceMesh> parts, FaceMesh& mesh) {
     append(mesh.boundary, std::move(part.boundary));
     append(mesh.inside, std::move(part.inside));
     append(mesh.elements, std::move(part.elements));
-    append(mesh.rule, std::move(part.rule));
+    append(mesh.origins, std::move(part.origins));
     append(mesh.middles, std::move(part.middles));
     append(mesh.uses, std::move(part.uses));
     mesh.optimizeSeconds += part.optimizeSeconds;
@@ -78,12 +79,12 @@ void joinParts(std::vector<FaceMesh> parts, FaceMesh& mesh) {
   }
   append(mesh.wantedSizes, std::move(sizesInside));
   if (mesh.report.status == FaceStatus::Complete) return;
-  // No part of a face is delivered without the others.
+  // A face is only complete with all of its parts.
   mesh.boundary.clear();
   mesh.inside.clear();
   mesh.wantedSizes.clear();
   mesh.elements.clear();
-  mesh.rule.clear();
+  mesh.origins.clear();
   mesh.middles.clear();
   mesh.uses.clear();
   mesh.report.elements = 0;

@@ -1,4 +1,4 @@
-// A face that is meshed in several parts, between lines that are none of its own edges.
+// Joins the meshes of a face that is meshed in parts, along lines that are not its edges.
 // Not installed.
 #pragma once
 
@@ -8,8 +8,8 @@
 
 namespace af2::geometry {
 
-/// Makes one mesh of the parts of a face. What the report says of the face itself stays. It has
-/// failed if one of its parts has.
+/// Makes one mesh of the parts of a face. The entries of the report on the face itself stay. The
+/// face has failed if one of its parts has failed.
 void joinParts(std::vector<FaceMesh> parts, FaceMesh& mesh);
 
 }  // namespace af2::geometry

@@ -18,7 +18,7 @@ double areaOfFans(const FaceBoundary& boundary) {
   return area;
 }
 
-void addFans(FaceBoundary& boundary, std::uint16_t rule, Mesh& mesh) {
+void addFans(FaceBoundary& boundary, ElementOrigin origin, Mesh& mesh) {
   if (boundary.fans.empty()) return;
   const auto first = static_cast<std::uint32_t>(boundary.points.size());
   const auto count = static_cast<std::uint32_t>(boundary.fans.size());
@@ -35,7 +35,7 @@ void addFans(FaceBoundary& boundary, std::uint16_t rule, Mesh& mesh) {
     tips.push_back(fan.place);
     for (std::size_t i = 1; i < fan.rim.size(); ++i) {
       mesh.elements.push_back({{moved(fan.rim[i]), moved(fan.rim[i - 1]), tip}});
-      mesh.rule.push_back(rule);
+      mesh.origins.push_back(origin);
     }
   }
   mesh.vertices.insert(mesh.vertices.begin() + first, tips.begin(), tips.end());

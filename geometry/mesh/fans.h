@@ -1,4 +1,4 @@
-// The ready-made triangles of a face, put to those that a front has made.
+// Adds the ready-made triangles of a face to those that a front has made.
 // Not installed.
 #pragma once
 
@@ -13,8 +13,8 @@ double areaOfFans(const FaceBoundary& boundary);
 
 /// The tips become the last vertices of the boundary.
 ///
-/// mesh  of the loops of the boundary
-/// rule  by which its elements count as made
-void addFans(FaceBoundary& boundary, std::uint16_t rule, Mesh& mesh);
+/// mesh    of the loops of the boundary
+/// origin  of the elements of the fans
+void addFans(FaceBoundary& boundary, ElementOrigin origin, Mesh& mesh);
 
 }  // namespace af2::geometry

@@ -1,4 +1,4 @@
-// A short text that differs when meshes differ, for comparing runs.
+// A hash of a mesh, for comparing runs.
 #pragma once
 
 #include <string>

@@ -67,7 +67,7 @@ class Assembly {
     mesh_.wantedSizes.resize(next.vertex);
     mesh_.elements.resize(next.element);
     mesh_.face.resize(next.element);
-    mesh_.rule.resize(next.element);
+    mesh_.origins.resize(next.element);
   }
 
   std::uint32_t addVertex(const Point3& position) {
@@ -85,7 +85,7 @@ class Assembly {
     std::copy(face.inside.begin(), face.inside.end(), at(mesh_.vertices, vertex));
     std::copy(face.wantedSizes.end() - static_cast<std::ptrdiff_t>(face.inside.size()),
               face.wantedSizes.end(), at(mesh_.wantedSizes, vertex));
-    std::copy(face.rule.begin(), face.rule.end(), at(mesh_.rule, element));
+    std::copy(face.origins.begin(), face.origins.end(), at(mesh_.origins, element));
     std::fill_n(at(mesh_.face, element), face.elements.size(), face.report.id);
     for (std::size_t i = 0; i < face.elements.size(); ++i) {
       Element& placed = mesh_.elements[element + i];

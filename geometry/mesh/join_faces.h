@@ -18,8 +18,8 @@ struct JoinOptions {
   int threads = 0;
 };
 
-/// Vertices are numbered: those of model vertices, those along edges, those inside faces. Vertices
-/// that neither an element nor a segment of the boundary uses are left out.
+/// Vertices are numbered in this order: at model vertices, along edges, inside faces. Vertices that
+/// neither an element nor a segment of the boundary uses are left out.
 ModelMesh joinFaces(const DividedEdges& divided, const std::vector<FaceMesh>& faces,
                     const JoinOptions& options);
 

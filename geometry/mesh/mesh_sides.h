@@ -1,4 +1,4 @@
-// The sides of all elements of a mesh, in groups by their lower vertex: linear to make.
+// The sides of all elements of a mesh, grouped by their lower vertex in linear time.
 // Not installed.
 #pragma once
 
@@ -15,7 +15,7 @@ namespace af2::geometry {
 /// One side of an element, filed under its lower vertex.
 struct MeshSide {
   std::uint32_t to;   ///< the higher vertex
-  std::uint32_t use;  ///< of elements, there are fewer than 2^31
+  std::uint32_t use;  ///< of elements; there are fewer than 2^31
 
   MeshSide(std::uint32_t higher, std::size_t element, bool isForward)
       : to(higher), use(static_cast<std::uint32_t>(2 * element + isForward)) {}
@@ -30,8 +30,8 @@ class MeshSides {
       : MeshSides(mesh, std::views::iota(std::size_t{0}, mesh.elements.size()),
                   [](std::uint32_t, std::uint32_t) { return true; }) {}
 
-  /// elements  those whose sides count, ascending; only their corners have to be vertices
-  /// isThere   whether to have the sides from a vertex to a higher one
+  /// elements  whose sides are stored, ascending; only their corners have to be vertices
+  /// isThere   whether to store the sides from a vertex to a higher one
   template <class Elements, class IsThere>
   MeshSides(const ModelMesh& mesh, const Elements& elements, const IsThere& isThere)
       : first_(mesh.vertices.size() + 2, 0) {
@@ -40,14 +40,15 @@ class MeshSides {
     });
     for (std::size_t v = 2; v < first_.size(); ++v) first_[v] += first_[v - 1];
     sides_.resize(first_.back());
-    // first_[v + 1] is where the next side of v goes; when all are placed, that is its end.
+    // first_[v + 1] is the index of the next side of v; when all are placed, it is the end of v's
+    // sides.
     forEachSide(mesh, elements, [&](std::uint32_t from, const MeshSide& side) {
       if (isThere(from, side.to)) sides_[first_[from + 1]++] = side;
     });
     for (std::size_t v = 0; v + 2 < first_.size(); ++v) sort(first_[v], first_[v + 1]);
   }
 
-  /// Those of a vertex, by their higher vertex and in the order of the elements.
+  /// The sides of a vertex, by their higher vertex and in the order of the elements.
   std::span<const MeshSide> of(std::size_t vertex) const {
     return {sides_.data() + first_[vertex], first_[vertex + 1] - first_[vertex]};
   }
@@ -82,7 +83,7 @@ class MeshSides {
     }
   }
 
-  /// Nearly all groups are of a few: each goes to its place among those before it.
+  /// Insertion sort, because almost all groups have only a few sides.
   void sort(std::size_t begin, std::size_t end) {
     constexpr std::size_t kFew = 24;
     const auto isLess = [](const MeshSide& a, const MeshSide& b) { return a.to < b.to; };

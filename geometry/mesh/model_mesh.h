@@ -12,6 +12,7 @@
 #include "engine/base/export.h"
 #include "engine/base/point.h"
 #include "engine/mesh/mesh.h"
+#include "geometry/mesh/without_rule.h"
 
 namespace af2::geometry {
 
@@ -21,8 +22,8 @@ enum class FaceStatus { Complete, Failed, Cancelled, Skipped };
 struct StuckPlace {
   Point3 from, to;
   double u = 0, v = 0;  ///< of `from` in the parameters of the face's surface, if it has any
-  int level = 1;        ///< the quality level that was reached there
-  /// Why each rule was refused last: index in ModelMesh::ruleNames, and the reason.
+  int level = 1;        ///< the quality level reached there
+  /// The last reason why each rule was refused: index in ModelMesh::ruleNames, and the reason.
   std::vector<std::pair<std::uint16_t, std::string>> refusals;
 };
 
@@ -31,18 +32,19 @@ struct FaceReport {
   int id = 0;               ///< 1, 2, ... in the order of the model
   std::string name;         ///< from the file, may be empty
   std::string surfaceType;  ///< "plane", "cylinder", ...
-  std::string chart = {};   ///< with which it was meshed: "plane", "mean-normal", ...
+  std::string chart = {};   ///< used to mesh it: "plane", "mean-normal", ...
   FaceStatus status = FaceStatus::Complete;
   std::size_t elements = 0;
   double seconds = 0;
   double area = 0;                         ///< of the CAD face, model units squared
   std::string reason;                      ///< where and why, when it failed
-  std::vector<std::string> attempts = {};  ///< what was tried before in vain
-  std::vector<StuckPlace> stuck = {};      ///< where its front got stuck, if it failed so
+  std::vector<std::string> attempts = {};  ///< unsuccessful attempts
+  std::vector<StuckPlace> stuck = {};  ///< where its front got stuck, if it failed for that reason
+  WithoutRuleCounts withoutRule = {};  ///< elements as they were made, before optimisation
 };
 
 enum class GroupKind {
-  Part,   ///< what the file gives a name
+  Part,   ///< a part that the file names
   Solid,  ///< a solid of the model
   Layer,
   Color,  ///< named "#rrggbb"
@@ -59,19 +61,19 @@ struct FaceGroup {
   bool operator==(const FaceGroup&) const = default;
 };
 
-/// Edges of the model that the file marks as one boundary, for conditions that hold there. An edge
-/// is in one boundary at most.
+/// Edges of the model that the file marks as one boundary, for boundary conditions. An edge is in
+/// at most one boundary.
 struct EdgeGroup {
-  int number = 0;          ///< as the file has it, not 0
+  int number = 0;          ///< the number in the file, not 0
   std::string name;        ///< may be empty
   std::vector<int> edges;  ///< ids, ascending
   bool operator==(const EdgeGroup&) const = default;
 };
 
-/// Its name, or its number if it has none.
+/// The name of a boundary, or its number if it has no name.
 AF2_EXPORT std::string shownName(const EdgeGroup& boundary);
 
-/// A piece of a divided model edge. `uses` is how often the faces that were asked for run along it:
+/// A piece of a divided model edge. `uses` is the number of times that the requested faces use it:
 /// 2 inside a closed shell and along a seam, 1 at its border.
 struct EdgeSegment {
   VertexId from, to;
@@ -81,19 +83,19 @@ struct EdgeSegment {
   bool operator==(const EdgeSegment&) const = default;
 };
 
-/// Something in the model that healing changed, as often as it did.
+/// A kind of change that healing made in the model, and how often.
 struct HealedChange {
   std::string what;
   std::size_t count = 0;
-  std::optional<Point3> place;  ///< of one of them, if any is known
+  std::optional<Point3> place;  ///< of one of the changes, if known
   bool operator==(const HealedChange&) const = default;
 };
 
-/// What was asked for of healing, and what came of it.
+/// The options and the result of healing.
 struct Healing {
   double tolerance = 0;  ///< in model units
   std::vector<HealedChange> changes;
-  std::vector<std::string> undone;  ///< steps that would have made it worse, and why
+  std::vector<std::string> undone;  ///< steps that would have made the model worse, and why
 };
 
 /// Seconds spent in each stage of a run.
@@ -103,33 +105,42 @@ struct StageSeconds {
 
 struct ModelMesh {
   std::vector<Point3> vertices;
-  /// By vertex: the edge length that was asked for there, before anything spread from short edges
-  /// of the model; may be empty.
+  /// By vertex: the edge length requested there, before sizes were graded away from short edges of
+  /// the model; may be empty.
   std::vector<double> wantedSizes;
   std::vector<Element> elements;
   /// Second order: by element, the vertices at the middles of its sides, [0] between corners 0 and
-  /// 1; they follow all other vertices. Empty: first order.
+  /// 1; they come after all other vertices. Empty: first order.
   std::vector<std::array<VertexId, 4>> midsides;
-  /// Second order: elements that kept straight sides, because curved ones would turn them over.
+  /// Second order: elements that kept straight sides, because curved sides would invert them.
   std::vector<ElementId> straightened;
-  std::vector<std::int32_t> face;   ///< by element: id of the model face
-  std::vector<std::uint16_t> rule;  ///< by element: index in ruleNames
+  std::vector<std::int32_t> face;      ///< by element: id of the model face
+  std::vector<ElementOrigin> origins;  ///< by element; `rule` is an index in ruleNames
+  std::vector<float> scores;           ///< by element: as elementScores gives them; may be empty
+  /// Titles of the rules, followed by the names of what makes elements where no rule does.
   std::vector<std::string> ruleNames;
   std::vector<EdgeSegment> segments;
   std::vector<FaceReport> faces;
   std::vector<FaceGroup> groups;
   std::vector<EdgeGroup> boundaries;  ///< by their numbers, ascending
   std::string unit;                   ///< of all lengths, "mm"; empty if the file does not say
-  std::string fileUnit;               ///< in which the file has them, as it names it; may be empty
-  std::vector<std::string> notes;     ///< what of the file was put right while reading
-  std::optional<Healing> healing;     ///< if the model was healed before
-  /// What the last checks found that is not on one face, and which faces of the file are lost;
-  /// empty: nothing.
+  std::string fileUnit;               ///< unit used in the file, as named there; may be empty
+  std::vector<std::string> notes;     ///< repairs made while reading
+  std::optional<Healing> healing;     ///< if the model was healed
+  /// Findings of the last checks that do not concern a single face, and faces of the file that were
+  /// lost.
   std::vector<std::string> findings;
   StageSeconds seconds;
 };
 
-/// The vertices at corners of elements: all but those at the middles of sides, which follow.
+/// Of all faces together.
+inline WithoutRuleCounts elementsWithoutRule(const ModelMesh& mesh) {
+  WithoutRuleCounts counts;
+  for (const FaceReport& face : mesh.faces) counts += face.withoutRule;
+  return counts;
+}
+
+/// The vertices at corners of elements: all except those at the middles of sides, which come last.
 inline std::span<const Point3> cornerVertices(const ModelMesh& mesh) {
   const std::span<const Point3> all = mesh.vertices;
   return mesh.midsides.empty() ? all : all.first(mesh.midsides.front().front().value);

@@ -1,4 +1,4 @@
-// Where a mesh is too coarse for what is narrow: strips of faces, walls and gaps.
+// Finds where a mesh is too coarse for narrow strips of faces, walls and gaps.
 #pragma once
 
 #include <vector>
@@ -8,14 +8,15 @@
 
 namespace af2::geometry {
 
-/// Places at which fewer than `elementsAcross` elements of the wanted sizes lie between opposite
-/// boundaries of a face, or between opposite elements of a wall or a gap, each with the size that
-/// would make it so many. Asks how far it is from the middle of each boundary edge across its face,
-/// and from the middle of each element along its normal, both ways; things that meet in a vertex
-/// are not opposite to each other. Only as exact as the elements are small.
+/// Places at which fewer than `elementsAcross` elements of the wanted sizes fit between opposite
+/// boundaries of a face, or between opposite elements of a wall or a gap, each with the size at
+/// which that many fit. Measures the distance from the middle of each boundary edge across its
+/// face, and from the middle of each element along its normal, in both directions; edges or
+/// elements that share a vertex are not opposite to each other. The accuracy depends on the size of
+/// the elements.
 ///
-/// mesh     must know its wanted sizes
-/// threads  at most so many; 0: as many as the caller's TBB arena has
+/// mesh     must contain its wanted sizes
+/// threads  the maximum number; 0: as many as the caller's TBB arena has
 std::vector<SizeSource> narrowPlaces(const ModelMesh& mesh, double elementsAcross, int threads = 1);
 
 }  // namespace af2::geometry

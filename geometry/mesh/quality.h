@@ -1,4 +1,4 @@
-// How good the elements of a mesh are, in the numbers that a report gives.
+// Measures the quality of the elements of a mesh, for the report.
 #pragma once
 
 #include <array>
@@ -10,14 +10,14 @@
 
 namespace af2::geometry {
 
-/// How near an element is to its ideal shape: 1 is the best, 0 is degenerate.
+/// The shape quality of an element: 1 is ideal, 0 is degenerate.
 ///
-/// Triangles: 4 sqrt(3) area / sum of squared edges. Quadrilaterals: the least over the corners of
-/// 2 |p x q| / (p.p + q.q), p and q the edges at the corner; negative where the corner is turned
-/// over. A square has 1, a rectangle of 1 : 2 has 0.8, a rhombus the sine of its angle.
+/// Triangles: 4 sqrt(3) area / sum of squared edges. Quadrilaterals: the least value over the
+/// corners of 2 |p x q| / (p.p + q.q), with p and q the edges at the corner; negative at an
+/// inverted corner. A square has 1, a rectangle of 1 : 2 has 0.8, a rhombus the sine of its angle.
 AF2_EXPORT double shapeQuality(const std::vector<Point3>& vertices, const Element& element);
 
-/// Edge length over wanted length.
+/// Statistics of edge length over wanted length.
 struct LengthRatio {
   /// The histogram counts the edges below the first bound, between each two, and above the last.
   static constexpr std::array kBounds{0.25, 0.35, 0.5, 0.71, 1.0, 1.41, 2.0, 2.83, 4.0};
@@ -35,13 +35,13 @@ struct MeshQuality {
   LengthRatio edges;                  ///< each edge of the mesh counts once
 };
 
-/// An edge is held against the mean of the sizes that were wanted at its ends; its lengths are all
-/// zero if the mesh does not know these. Uses up to `threads` threads (0: as many as the caller's
-/// TBB arena has).
+/// The length of an edge is compared with the mean of the sizes wanted at its ends; the length
+/// statistics are all zero if the mesh does not contain these. Uses up to `threads` threads (0: as
+/// many as the caller's TBB arena has).
 AF2_EXPORT MeshQuality measureQuality(const ModelMesh& mesh, int threads = 1);
 
-/// The value below which the fraction `part` (0 to 1) of `values` lies, between neighbours by
-/// linear interpolation; 0 if there are none. Reorders `values`.
+/// The value below which the fraction `part` (0 to 1) of `values` is, by linear interpolation
+/// between neighbours; 0 if there are none. Reorders `values`.
 AF2_EXPORT double percentile(std::span<double> values, double part);
 
 }  // namespace af2::geometry

@@ -1,4 +1,4 @@
-// A surface may come back to itself at an angle: then its seam is an edge, not a place like others.
+// Splits sharp seams: where a surface meets itself at an angle, its seam is an edge.
 // Not installed.
 #pragma once
 
@@ -9,14 +9,15 @@
 
 namespace af2::geometry {
 
-/// Where the normals at the corners of one vertex differ by more than a surface bends, as on the
-/// two sides of a seam at the sharp trailing edge of a wing, gives each side a vertex of its own.
-/// The mesh knows each vertex with one normal, and no element may turn away from it.
+/// Where the normals at the corners of one vertex differ by more than a smooth surface bends, as on
+/// the two sides of a seam at the sharp trailing edge of a wing, gives each side a vertex of its
+/// own. This is needed because a vertex of the mesh has one normal, and no element may face away
+/// from it.
 ///
-/// points  by vertex: which point it is; gets those of the new vertices
+/// points  the point of each vertex; extended by those of the new vertices
 void partSharpSeams(FrontInput& input, std::vector<std::uint32_t>& points);
 
-/// Gives each side of every seam vertices of its own: each place in the parameters.
+/// Gives each side of every seam vertices of its own, one for each place in the parameters.
 void partSeams(FrontInput& input, std::vector<std::uint32_t>& points);
 
 }  // namespace af2::geometry

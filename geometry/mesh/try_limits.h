@@ -1,4 +1,4 @@
-// What a try at a face may do, and what it may cost.
+// The permissions and the cost limit of a try at a face.
 // Not installed.
 #pragma once
 
@@ -7,15 +7,15 @@
 
 namespace af2::geometry {
 
-/// As given: the first try at a face, which may take what it needs.
+/// The defaults are those of the first try at a face, whose cost is not limited.
 struct TryLimits {
-  /// A front that has examined more candidates than these is given up.
+  /// A front that has examined more candidates than this is stopped.
   std::size_t maxCandidates = std::numeric_limits<std::size_t>::max();
-  /// Elements may lean against the surface as far as they like: all else has failed.
+  /// Elements may tilt against the surface by any angle, because everything else has failed.
   bool ignoresNormals = false;
-  /// All tries at the face before have failed.
+  /// All earlier tries at the face have failed.
   bool failedBefore = false;
-  /// The sizes are those that were asked for, without what remedies ask for.
+  /// The sizes are those of the user, without the requests of remedies.
   bool hasOriginalSizes = true;
 };
 

@@ -34,7 +34,7 @@ MeshingOptions optionsFor(const FaceSource& source, MeshingOptions options) {
     std::vector<std::string> names;
     for (int face = 1; face <= source.faceCount(); ++face)
       names.push_back(source.reportOf(face).name);
-    // Those by id count more.
+    // Sizes by id take precedence.
     sizes.faceSizes.merge(sizesByName(std::exchange(sizes.partSizes, {}), names, source.groups()));
   }
   sizes = withinExtent(std::move(sizes), source.diagonal());

@@ -1,4 +1,4 @@
-// Whether what is wanted of a mesh makes sense for a model. Not installed.
+// Checks the options of a mesh against the model. Not installed.
 #pragma once
 
 #include <vector>
@@ -7,15 +7,15 @@
 
 namespace af2::geometry {
 
-/// Throws InputError for an option that makes no sense, and for an id that the model does not have.
+/// Throws InputError for an invalid option, and for an id that the model does not have.
 void checkOptions(const FaceSource& source, const MeshingOptions& options);
 
-/// The options with sizes by face instead of those by name, and none larger than the model.
+/// The options with sizes by face instead of sizes by name, and no size larger than the model.
 ///
 /// Throws InputError if no face or group has the name.
 MeshingOptions optionsFor(const FaceSource& source, MeshingOptions options);
 
-/// All faces that are asked for, ascending.
+/// All requested faces, ascending.
 std::vector<int> facesAskedFor(const FaceSource& source, const MeshingOptions& options);
 
 }  // namespace af2::geometry

@@ -29,7 +29,7 @@ std::vector<std::size_t> largestFirst(const std::vector<double>& work) {
   return order;
 }
 
-/// One run over the faces of a source. Faces are counted as they were asked for, from 0.
+/// One run over the faces of a source. Faces are counted in the order of the request, from 0.
 class FaceRun final : public RetriedModel {
  public:
   FaceRun(FaceSource& source, const AF2Algorithm& algorithm, const MeshingOptions& options)
@@ -114,6 +114,7 @@ class FaceRun final : public RetriedModel {
                          options_.sizes.growth, options_.threads, options_.stop};
     retries.share = source_.retryShare();
     if (options_.mostRetries) retries.mostRounds = *options_.mostRetries;
+    if (options_.strictRules) retries.mostRounds = 0;
     retryPoorFaces(*this, retries, state);
   }
 
@@ -127,7 +128,7 @@ class FaceRun final : public RetriedModel {
       mesh.report.status = FaceStatus::Cancelled;
       return mesh;
     }
-    FillOptions fill{options_.chart, options_.optimize, options_.stop, {}};
+    FillOptions fill{options_.chart, options_.optimize, options_.strictRules, options_.stop, {}};
     if (options_.observer) fill.observer = [&] { return options_.observer(face); };
     try {
       source_.fill(face, {sizes, limits, divided, algorithm_, fill, options_.order == 2, progress},
@@ -147,7 +148,7 @@ class FaceRun final : public RetriedModel {
     ModelMesh mesh = std::move(state.joined);
     for (EdgeSegment& segment : mesh.segments) segment.edge = source_.idOfEdge(segment.edge);
     for (const AF2Rule& rule : algorithm_.rules().rules()) mesh.ruleNames.push_back(rule.name());
-    mesh.ruleNames.push_back("closing");  // what closes a stuck front
+    for (const char* name : kWithoutRuleNames) mesh.ruleNames.emplace_back(name);
     mesh.groups = source_.groups();
     mesh.findings = keepSoundFaces(mesh, state.faults);
     source_.complete(state.faults, mesh);
@@ -163,7 +164,7 @@ class FaceRun final : public RetriedModel {
   std::vector<std::vector<int>> edgesOfFaces_;
 };
 
-/// What is narrower than the elements across it wants sizes of its own. Narrow places are between
+/// Places narrower than the elements across them get sizes of their own. Narrow places are between
 /// any two faces, so that all are meshed for this.
 void addNarrowPlaces(FaceSource& source, const AF2Algorithm& algorithm, MeshingOptions& options) {
   const double across = std::exchange(options.sizes.elementsAcross, 0);

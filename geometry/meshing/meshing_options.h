@@ -1,4 +1,4 @@
-// What is wanted of the mesh of a model: a planar domain, a surface of triangles or a CAD model.
+// The options for meshing a model: a planar domain, a surface of triangles or a CAD model.
 #pragma once
 
 #include <functional>
@@ -13,7 +13,7 @@
 
 namespace af2::geometry {
 
-/// How far the meshing of a model has come. Work is counted in expected elements.
+/// The progress of meshing a model. Work is counted in expected elements.
 struct ModelProgress {
   double workDone = 0, workTotal = 0;
   int facesDone = 0, faces = 0;
@@ -22,11 +22,11 @@ struct ModelProgress {
 
 struct MeshingOptions {
   Sizes sizes;
-  /// Edges that are divided already, by id: the vertices between their ends, in order along the
-  /// edge, one way or the other; none: the edge is a single segment. They are kept as they are.
+  /// Given divisions of edges, by id: the vertices between the ends, in order along the edge in
+  /// either direction; none: the edge is a single segment. They are kept unchanged.
   EdgePoints edgePoints;
-  /// How surfaces are seen. A face whose surface has no such charts, or on which they fail, is
-  /// meshed as with ChartKind::Auto; its report tells.
+  /// The kind of charts. A face whose surface has no such charts, or on which they fail, is meshed
+  /// as with ChartKind::Auto; its report says so.
   ChartKind chart = ChartKind::Auto;
   int order = 1;           ///< 2: elements with vertices at the middles of their sides as well
   std::vector<int> faces;  ///< ids of the faces to mesh; empty: all
@@ -34,16 +34,20 @@ struct MeshingOptions {
   /// Called from several threads, one at a time.
   std::function<void(const ModelProgress&)> progress;
   bool optimize = true;  ///< swaps and smoothing after the front has closed; false: the raw front
-  /// In how many rounds faces that failed or came out poor are tried again; empty: in as many as
-  /// usually help.
+  /// A face fails where the rules do not fill it: at the first stuck front, without other charts,
+  /// without elements that no rule makes, and without further tries.
+  bool strictRules = false;
+  /// Maximum number of rounds in which faces that failed or came out poor are retried; empty: as
+  /// many as usually help.
   std::optional<int> mostRetries;
   std::stop_token stop;
-  /// The observer of one face, or null; asked for from the thread that meshes the face.
+  /// The observer of one face, or null; called on the thread that meshes the face.
   std::function<AF2MeshingObserver*(int face)> observer;
 
-  /// Planar domains: their segments are edges of the mesh as they are, however long.
+  /// Planar domains: each segment of the domain is one edge of the mesh, of any length.
   bool keepBoundary = false;
-  /// Surfaces of triangles: edges at which they turn by more than so many degrees are kept.
+  /// Surfaces of triangles: edges at which the surface turns by more than this angle, in degrees,
+  /// are kept.
   double featureAngle = 40;
 };
 

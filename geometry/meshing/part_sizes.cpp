@@ -9,7 +9,7 @@ namespace af2::geometry {
 
 namespace {
 
-/// Of the character that begins here, in UTF-8.
+/// The number of bytes of the UTF-8 character that begins here.
 std::size_t bytesOf(std::string_view text, std::size_t at) {
   std::size_t end = at + 1;
   while (end < text.size() && (static_cast<unsigned char>(text[end]) & 0xc0) == 0x80) ++end;

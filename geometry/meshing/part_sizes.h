@@ -1,4 +1,4 @@
-// Sizes that are given by the names of faces and groups.
+// Sizes by the names of faces and groups.
 #pragma once
 
 #include <map>
@@ -12,18 +12,18 @@
 
 namespace af2::geometry {
 
-/// By face id, the sizes of the last of the `parts` that fits the name of the face or of one of its
-/// groups.
+/// By face id: the size of the last of the `parts` that matches the name of the face or of one of
+/// its groups.
 ///
 /// names  of the faces 1, 2, ...; may be empty
 ///
-/// Throws InputError if a part fits no name, or its size is not positive.
+/// Throws InputError if a part matches no name, or its size is not positive.
 AF2_EXPORT std::map<int, double> sizesByName(std::span<const std::pair<std::string, double>> parts,
                                              std::span<const std::string> names,
                                              std::span<const FaceGroup> groups);
 
-/// Whether a name is what a pattern says, in which `*` is any text and `?` any character of
-/// UTF-8. All else stands for itself, brackets and backslashes too.
+/// Whether a name matches a pattern, in which `*` matches any text and `?` any UTF-8 character. All
+/// other characters match themselves, including brackets and backslashes.
 AF2_EXPORT bool fitsPattern(const std::string& name, const std::string& pattern);
 
 }  // namespace af2::geometry

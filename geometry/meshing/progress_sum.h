@@ -1,4 +1,4 @@
-// The progress of many faces as one, told one call at a time.
+// Sums the progress of many faces and reports it, one call at a time.
 // Not installed.
 #pragma once
 
@@ -11,13 +11,13 @@
 
 namespace af2::geometry {
 
-/// Adds up how far the faces have come and tells it, one caller at a time.
+/// Sums the progress of the faces and reports it, one caller at a time.
 class ProgressSum {
  public:
-  /// tell, work  are kept as references
-  ProgressSum(const std::function<void(const ModelProgress&)>& tell,
+  /// report, work  are kept as references
+  ProgressSum(const std::function<void(const ModelProgress&)>& report,
               const std::vector<double>& work)
-      : tell_(tell), work_(work), parts_(work.size()) {
+      : report_(report), work_(work), parts_(work.size()) {
     sum_.faces = static_cast<int>(work.size());
     for (const double w : work) sum_.workTotal += w;
   }
@@ -25,13 +25,13 @@ class ProgressSum {
   void advance(std::size_t index, std::size_t elements) {
     const std::lock_guard lock(mutex_);
     update(index, elements, std::min(static_cast<double>(elements), 0.99 * work_[index]));
-    tell();
+    report();
   }
   void finish(std::size_t index, std::size_t elements) {
     const std::lock_guard lock(mutex_);
     update(index, elements, work_[index]);
     ++sum_.facesDone;
-    tell();
+    report();
   }
 
  private:
@@ -40,15 +40,15 @@ class ProgressSum {
     sum_.workDone += done - parts_[index].done;
     parts_[index] = {elements, done};
   }
-  void tell() const {
-    if (tell_) tell_(sum_);
+  void report() const {
+    if (report_) report_(sum_);
   }
 
   struct Part {
     std::size_t elements = 0;
     double done = 0;
   };
-  const std::function<void(const ModelProgress&)>& tell_;
+  const std::function<void(const ModelProgress&)>& report_;
   const std::vector<double>& work_;
   std::vector<Part> parts_;  // by face
   ModelProgress sum_;

@@ -48,23 +48,25 @@ class Cleaner {
   }
 
  private:
-  /// Readers of files have told of this with the line; a program may give anything.
+  /// The readers of files report these faults with the line; but a calling program may pass any
+  /// data.
   void checkDomain() const {
     const auto isFinite = [](Point2 p) { return std::isfinite(p.x) && std::isfinite(p.y); };
     const auto require = [&](bool isSo, std::size_t index, const char* fault) {
       if (!isSo) throw InputError(domain_.name + ": " + fault + std::to_string(index + 1));
     };
     for (std::size_t i = 0; i < domain_.points.size(); ++i)
-      require(isFinite(domain_.points[i]), i, "a coordinate is no finite number: that of point ");
+      require(isFinite(domain_.points[i]), i,
+              "a coordinate is not a finite number: that of point ");
     for (std::size_t i = 0; i < domain_.segments.size(); ++i)
       for (const int end : {domain_.segments[i].from, domain_.segments[i].to})
         require(end >= 0 && std::cmp_less(end, domain_.points.size()), i,
                 "there is no such point: at an end of segment ");
     for (std::size_t i = 0; i < domain_.holes.size(); ++i)
-      require(isFinite(domain_.holes[i]), i, "a coordinate is no finite number: that of hole ");
+      require(isFinite(domain_.holes[i]), i, "a coordinate is not a finite number: that of hole ");
     for (std::size_t i = 0; i < domain_.regionPoints.size(); ++i)
       require(isFinite(domain_.regionPoints[i].inside), i,
-              "a coordinate is no finite number: that of region ");
+              "a coordinate is not a finite number: that of region ");
   }
 
   void mergePoints() {
@@ -111,8 +113,8 @@ class Cleaner {
       first = piece;
     else
       result_.notes.push_back("line " + std::to_string(other.line) +
-                              ": this segment lies on that of line " + std::to_string(old.line) +
-                              ", whose boundary marker counts");
+                              ": this segment coincides with that of line " +
+                              std::to_string(old.line) + ", whose boundary marker is used");
   }
 
   const PlanarDomain::Segment& segmentOf(const PlanarPiece& piece) const {
@@ -187,8 +189,8 @@ class Cleaner {
                      "; put a vertex where they cross and split both there");
   }
 
-  /// Whether p comes before q along a segment. Points beside it, as only blur allows, cannot be
-  /// told apart exactly.
+  /// Whether p comes before q along a segment. Points off the segment, within the blur, cannot be
+  /// ordered exactly.
   bool isBetween(int p, int q, const PlanarPiece& segment) const {
     const Point2 from = point(segment.from), to = point(segment.to);
     if (blur_ > 0) {

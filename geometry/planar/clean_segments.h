@@ -1,12 +1,12 @@
-// Makes segments meet at their ends only.
+// Splits and merges segments so that they meet only at their ends.
 #pragma once
 
 #include "geometry/planar/loops.h"
 
 namespace af2::geometry {
 
-/// Fills points, pieces and what is said of points, not the regions. What is nearer than `blur` is
-/// the same. Throws InputError if segments cross.
+/// Sets the points, their properties and the pieces, but not the regions. Points nearer than `blur`
+/// are merged. Throws InputError if segments cross.
 PlanarRegions cleanSegments(const PlanarDomain& domain, double blur);
 
 }  // namespace af2::geometry

@@ -10,7 +10,7 @@
 
 namespace af2::geometry {
 
-/// In the order in which texts name them.
+/// In the order in which messages list them.
 inline constexpr std::array kPlanarFormats{
     PlanarFormat{{".poly", {".poly"}}, &readPoly},
     PlanarFormat{{".in2d", {".in2d"}},

@@ -24,7 +24,7 @@ class In2dReader {
     file_.expectLine("the grading");
     file_.number(0, "the grading");  // of another mesher; --grading is ours
     isOld ? readCounted() : readSections();
-    if (curves_.curves.empty()) file_.fail("the file holds no segments");
+    if (curves_.curves.empty()) file_.fail("the file contains no segments");
     numberNamedBoundaries();
     return std::move(curves_);
   }
@@ -65,14 +65,14 @@ class In2dReader {
       else if (section == kMaterials)
         addMaterial();
       else
-        file_.fail("'points', 'segments' or 'materials' should stand here");
+        file_.fail("expected 'points', 'segments' or 'materials'");
     }
   }
 
   void addPoint() {
     const long id = file_.whole(0, "number of a point");
     if (!index_.try_emplace(id, static_cast<int>(curves_.points.size())).second)
-      file_.fail("point " + std::to_string(id) + " stands here for the second time");
+      file_.fail("point " + std::to_string(id) + " is defined a second time");
     curves_.points.push_back({file_.number(1, "x"), file_.number(2, "y")});
   }
 
@@ -121,9 +121,9 @@ class In2dReader {
   }
 
   int checkedNumber(long boundary) const {
-    if (boundary < -kMostItems || boundary > kMostItems)
+    if (boundary < -kMaxItems || boundary > kMaxItems)
       file_.fail("boundary " + std::to_string(boundary) + ": numbers go up to " +
-                 std::to_string(kMostItems));
+                 std::to_string(kMaxItems));
     return static_cast<int>(boundary);
   }
 
@@ -206,7 +206,7 @@ class In2dReader {
     const std::string_view word = flag(first, "-maxh=");
     if (word.empty()) return std::nullopt;
     const auto size = numberIn<double>(word);
-    if (!size || !(*size > 0)) file_.fail("'" + std::string(word) + "' is no size");
+    if (!size || !(*size > 0)) file_.fail("'" + std::string(word) + "' is not a size");
     return size;
   }
 
@@ -239,7 +239,7 @@ Point2 pointOnBSpline(const std::vector<Point2>& poles, int order, double t) {
   return near[degree];
 }
 
-/// The parameters between which a curve is all but straight.
+/// The parameters between which a curve is almost straight.
 std::vector<double> stepsOf(const PlanarCurves::Curve& curve) {
   constexpr std::size_t kSteps = 64, kStepsInSpan = 16;
   std::size_t steps = 1;

@@ -14,18 +14,18 @@
 
 namespace af2::geometry {
 
-/// Lines, rational quadratic curves and B-splines, with the domains on both sides.
+/// Lines, rational quadratic curves and B-splines, with the domains on their two sides.
 struct PlanarCurves {
   struct Curve {
     int from = 0, to = 0;        ///< indices into points
-    std::optional<int> control;  ///< a curve towards this point; none: a line
-    /// Of a B-spline with equal knots that goes through its first and last pole; order 2: straight
-    /// from pole to pole; order 0: it is none.
+    std::optional<int> control;  ///< control point of a quadratic curve; none: a line
+    /// Poles of a B-spline with uniform knots that goes through its first and last pole; order 2:
+    /// straight from pole to pole; order 0: not a B-spline.
     std::vector<Point2> poles;
     int order = 0;
     int left = 0, right = 0;  ///< domains; 0: outside
     double maxSize = std::numeric_limits<double>::infinity();
-    int boundary = 0;  ///< its number; 0: in none
+    int boundary = 0;  ///< number of its boundary; 0: none
     int line = 0;      ///< in the file
   };
   std::string name;  ///< the file
@@ -36,13 +36,14 @@ struct PlanarCurves {
   std::map<int, std::string> boundaryNames;
 };
 
-/// Reads a file of the kind `splinecurves2dv2`, or the older `splinecurves2d`. Of its flags -maxh
-/// is used, of segments and domains, and -bc and -bcname of segments; a boundary with a name alone
-/// gets a number beyond all others. Throws InputError with file and line if it cannot be read.
+/// Reads a file of the kind `splinecurves2dv2`, or the older `splinecurves2d`. Of the flags in the
+/// file it uses -maxh of segments and domains, and -bc and -bcname of segments; a boundary with
+/// only a name gets a number above all others. Throws InputError with file and line if the file
+/// cannot be read.
 AF2_EXPORT PlanarCurves readIn2d(const std::filesystem::path& path);
 
-/// A point of a curve, t from 0 to 1. The weight of the control point makes an arc of a circle
-/// wherever the control point is equally far from both ends.
+/// A point of a curve, t from 0 to 1. The weight of the control point is chosen so that the curve
+/// is an arc of a circle if the control point is equally far from both ends.
 AF2_EXPORT Point2 pointOn(const PlanarCurves& curves, const PlanarCurves::Curve& curve, double t);
 
 /// The domains between the curves, each of which is an edge: 1, 2, ... in the order of the file.

@@ -229,7 +229,7 @@ std::vector<std::size_t> facesOfHoles(const PlanarDomain& domain, const Subdivis
     faces.push_back(plane.faceAround(domain.holes[i]));
     if (faces.back() == Subdivision::kNoFace)
       notes.push_back(nameOf("hole", i, domain.holes[i]) +
-                      " lies outside of all outlines and has no effect");
+                      " is outside all outlines and has no effect");
   }
   return faces;
 }
@@ -243,12 +243,12 @@ std::map<std::size_t, int> domainsOfFaces(const PlanarDomain& domain, const Subd
     const PlanarDomain::RegionPoint& point = domain.regionPoints[i];
     const std::size_t face = plane.faceAround(point.inside);
     if (face == Subdivision::kNoFace || std::ranges::count(holes, face) > 0) {
-      notes.push_back(nameOf("region", i, point.inside) + " lies in no region and has no effect");
+      notes.push_back(nameOf("region", i, point.inside) + " is in no region and has no effect");
       continue;
     }
     if (domains.try_emplace(face, point.domain).first->second != point.domain)
       notes.push_back(nameOf("region", i, point.inside) +
-                      " lies in the same region as an earlier one, which counts");
+                      " is in the same region as an earlier one, which is used");
   }
   return domains;
 }

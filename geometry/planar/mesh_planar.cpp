@@ -19,7 +19,7 @@ namespace {
 
 Point3 inSpace(Point2 p) { return {p.x, p.y, 0}; }
 
-/// What lies between the pieces of a domain becomes faces between curves.
+/// Converts the regions between the pieces of a domain to faces between curves.
 class ModelMaker {
  public:
   ModelMaker(const PlanarDomain& domain, const MeshingOptions& options, double blur)
@@ -56,7 +56,7 @@ class ModelMaker {
         faces[domain].push_back(static_cast<int>(kept.size()));
     }
     regions_.regions = std::move(kept);
-    if (regions_.regions.empty()) throw InputError(domain_.name + ": all regions lie outside");
+    if (regions_.regions.empty()) throw InputError(domain_.name + ": all regions are outside");
     addGroups(faces);
   }
 
@@ -108,8 +108,9 @@ class ModelMaker {
         if (domain == PlanarDomain::kAnyDomain) domain = here;
         if (here != domain)
           throw InputError(domain_.name + ":" + std::to_string(segment.line) +
-                           ": beside this segment lies domain " + std::to_string(here) +
-                           ", but other segments of the same region say " + std::to_string(domain));
+                           ": this segment borders on domain " + std::to_string(here) +
+                           ", but other segments of the same region name domain " +
+                           std::to_string(domain));
       }
     }
     return domain;
@@ -124,7 +125,7 @@ class ModelMaker {
     model_.diagonal = distance(low, high);
   }
 
-  /// What no region uses is left out.
+  /// Points that no region uses are left out.
   void findUses() {
     isUsed_.assign(regions_.pieces.size(), false);
     for (const PlanarRegion& region : regions_.regions)
@@ -219,7 +220,7 @@ class ModelMaker {
     face.surface = plane_;
     face.nearest = [plane = plane_](const Point3& p) { return plane->pointAt(p); };
     face.canBeCut = true;
-    tellOfBlur(region, face);
+    noteBlur(region, face);
     model_.faces.push_back(std::move(face));
   }
 
@@ -234,7 +235,7 @@ class ModelMaker {
     }
   }
 
-  void tellOfBlur(const PlanarRegion& region, DomainFace& face) const {
+  void noteBlur(const PlanarRegion& region, DomainFace& face) const {
     std::vector<int> blurred;
     for (const auto& loop : region.loops)
       for (const DirectedPiece d : loop)
@@ -244,8 +245,8 @@ class ModelMaker {
     std::ranges::sort(blurred);
     blurred.erase(std::ranges::unique(blurred).begin(), blurred.end());
     face.notes.push_back(
-        "points or segments too near to others to be seen in the mesh were taken "
-        "as one with these at " +
+        "points or segments were merged with others that are nearer than the mesh can show, "
+        "at " +
         std::to_string(blurred.size()) + " places, the first at " + textOf(point(blurred.front())));
   }
 
@@ -257,7 +258,7 @@ class ModelMaker {
 
   static constexpr std::size_t kNone = ~std::size_t{0};
 
-  /// The pieces of a curve lie one after the other.
+  /// The pieces of a curve are consecutive.
   struct PieceRange {
     std::size_t first, last;
   };
@@ -276,8 +277,8 @@ class ModelMaker {
       std::make_shared<const FlatSurface>(Point3{}, Point3{1, 0, 0}, Point3{0, 1, 0});
 };
 
-/// What is too small to be seen in the mesh: a share of the smallest size that is wanted at a point
-/// of the domain. Nothing, if its segments are to be edges of the mesh.
+/// The extent below which details are invisible in the mesh: a share of the smallest size that is
+/// wanted at a point of the domain. Nothing, if its segments are to be edges of the mesh.
 double blurOf(const PlanarDomain& domain, const MeshingOptions& options) {
   if (options.keepBoundary || domain.points.empty()) return 0;
   Point2 low = domain.points[0], high = low;

@@ -1,4 +1,4 @@
-// From a planar domain to a checked mesh, without a CAD kernel.
+// Meshes a planar domain and checks the mesh, without a CAD kernel.
 #pragma once
 
 #include "engine/base/export.h"
@@ -11,9 +11,9 @@ namespace af2::geometry {
 /// The regions that the segments bound, as faces between curves.
 AF2_EXPORT DomainModel planarModel(const PlanarDomain& domain, const MeshingOptions& options);
 
-/// Meshes the regions that the segments bound: the outside and the regions of hole points are left
-/// out. Each connected region is a face: 1, 2, ... in the order of its lowest, then leftmost
-/// vertex. Segments inside a region are kept as edges of the mesh.
+/// Meshes the regions that the segments bound, except the outside and the regions of hole points.
+/// Each connected region is a face: 1, 2, ... in the order of its lowest, then leftmost vertex.
+/// Segments inside a region are kept as edges of the mesh.
 ///
 /// Throws InputError if segments cross, if they enclose nothing, or if a size is not positive.
 AF2_EXPORT ModelMesh meshPlanar(const PlanarDomain& domain, const AF2Algorithm& algorithm,

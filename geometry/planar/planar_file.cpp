@@ -10,7 +10,7 @@ std::span<const PlanarFormat> planarFormats() { return kPlanarFormats; }
 PlanarDomain readPlanar(const std::filesystem::path& path) {
   const PlanarFormat* format = formatOf(planarFormats(), path);
   if (!format)
-    throw InputError(path.string() + ": its extension belongs to no format of planar domains");
+    throw InputError(path.string() + ": its extension is not that of a format of planar domains");
   return format->read(path);
 }
 

@@ -1,5 +1,4 @@
-// Planar domains from files: which formats there are, and reading a file in the one that its name
-// asks for.
+// Reads planar domains from files, in the format that the extension selects.
 #pragma once
 
 #include <filesystem>
@@ -15,11 +14,11 @@ struct AF2_EXPORT PlanarFormat : FileFormat {
   PlanarDomain (*read)(const std::filesystem::path&);
 };
 
-/// In the order in which texts name them.
+/// In the order in which messages list them.
 AF2_EXPORT std::span<const PlanarFormat> planarFormats();
 
-/// Throws InputError, with file and line, if the file cannot be read, or if its extension belongs
-/// to no format.
+/// Throws InputError, with file and line, if the file cannot be read, or if its extension is
+/// unknown.
 AF2_EXPORT PlanarDomain readPlanar(const std::filesystem::path& path);
 
 }  // namespace af2::geometry

@@ -32,8 +32,8 @@ class PolyReader {
     fs::path nodes = path_;
     nodes.replace_extension(".node");
     if (!fs::exists(nodes))
-      throw InputError(domain_.name + ": holds no vertices, and there is no file " +
-                       nodes.string() + " beside it that does");
+      throw InputError(domain_.name + ": contains no vertices, and there is no file " +
+                       nodes.string() + " next to it that does");
     WordFile file(nodes);
     file.expectLine("the number of vertices");
     readPoints(file);
@@ -48,7 +48,7 @@ class PolyReader {
       file.expectLine("vertex " + std::to_string(i + 1) + " of " + std::to_string(count));
       const long id = file.whole(0, "vertex number");
       if (!index_.try_emplace(id, static_cast<int>(i)).second)
-        file.fail("vertex " + std::to_string(id) + " stands here for the second time");
+        file.fail("vertex " + std::to_string(id) + " is defined a second time");
       domain_.points.push_back({file.number(1, "x"), file.number(2, "y")});
       domain_.pointLines.push_back(file.line());
     }

@@ -13,9 +13,9 @@
 
 namespace af2::geometry {
 
-inline constexpr long kMostItems = 100'000'000;
+inline constexpr long kMaxItems = 100'000'000;
 
-/// The lines of a file that hold something, as words; `#` starts a comment.
+/// The lines of a file that are not empty, as words; `#` starts a comment.
 class WordFile {
  public:
   explicit WordFile(const std::filesystem::path& path)
@@ -36,7 +36,7 @@ class WordFile {
     return !words_.empty();
   }
   void expectLine(const std::string& what) {
-    if (!next()) fail("the file ends where " + what + " should follow");
+    if (!next()) fail("the file ends before " + what);
   }
 
   std::size_t count() const { return words_.size(); }
@@ -46,12 +46,12 @@ class WordFile {
   double number(std::size_t i, const std::string& what) const {
     const auto value = numberIn<double>(at(i, what));
     if (!value || !std::isfinite(*value))
-      fail("'" + std::string(word(i)) + "' is no number; " + what + " should stand here");
+      fail("'" + std::string(word(i)) + "' is not a number; expected " + what);
     return *value;
   }
   long whole(std::size_t i, const std::string& what) const {
     const double value = number(i, what);
-    if (value != std::floor(value) || std::abs(value) > static_cast<double>(kMostItems))
+    if (value != std::floor(value) || std::abs(value) > static_cast<double>(kMaxItems))
       fail("'" + std::string(at(i, what)) + "' is no " + what);
     return static_cast<long>(value);
   }

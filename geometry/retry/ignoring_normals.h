@@ -1,5 +1,5 @@
-// The last remedy for faces that failed: elements that lean against the surface as far as they
-// like. Not installed.
+// The last remedy for faces that failed: elements may tilt against the surface by any angle.
+// Not installed.
 #pragma once
 
 #include "geometry/retry/remedy.h"
@@ -7,7 +7,7 @@
 namespace af2::geometry {
 
 bool mayIgnoreNormals(const Retrial& retrial, const FaceMeshes& state, std::size_t face);
-/// A mesh whose elements reach too far is of no use.
+/// Rejects a mesh whose elements reach too far.
 std::optional<std::size_t> meshIgnoringNormals(Retrial& retrial, FaceMeshes& state,
                                                std::size_t face);
 void restoreFailedFace(Retrial& retrial, FaceMeshes& state, const FaceMeshes& next,

@@ -19,8 +19,8 @@ void refuseNothing(const FaceMesh& failure, FaceMesh& mesh) {
   mesh.diagnosis = failure.diagnosis;
 }
 
-/// What a face that is meshed again has behind it comes first in its history; what is so of the
-/// face at each try is not repeated.
+/// The earlier history of a face that is meshed again comes first; steps that recur in each try are
+/// not repeated.
 void addPast(const FaceMeshes& state, std::size_t i, const FaceHistory& remedies, FaceMesh& after) {
   const FaceMesh& before = state.meshes[i];
   FaceHistory own = std::exchange(after.history, before.history);

@@ -1,4 +1,4 @@
-// One round: edges divided as remedies ask for, and the faces concerned meshed anew.
+// One round of retries: divides the edges as remedies request, and meshes the affected faces again.
 // Not installed.
 #pragma once
 
@@ -8,14 +8,14 @@
 
 namespace af2::geometry {
 
-/// Meshes the faces that are named and those at edges that changed; takes over the others. What is
-/// behind a face stands in its history. The meshes are not joined yet.
+/// Meshes the given faces and those at edges that changed, and takes over the others. The history
+/// of each face is kept. The meshes are not joined yet.
 ///
 /// faces  in ascending order
 FaceMeshes meshAgain(Retrial& retrial, const FaceMeshes& state,
                      const std::vector<std::size_t>& faces);
 
-/// Joins the meshes, with the remedies for joined meshes.
+/// Joins the meshes, and applies the remedies for joined meshes.
 void joinWithRemedies(const Retrial& retrial, FaceMeshes& state);
 
 }  // namespace af2::geometry

@@ -20,7 +20,7 @@ std::vector<std::size_t> besideFace(const std::vector<std::vector<int>>& edgesOf
   return found;
 }
 
-/// Whether there was something to take back or to soften.
+/// Whether there was a request to withdraw or to soften.
 bool yields(Retrial& retrial, std::size_t culprit) {
   FaceRecord& record = retrial.faces[culprit];
   if (!record.wasBad) {

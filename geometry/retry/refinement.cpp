@@ -11,7 +11,7 @@ namespace af2::geometry {
 
 namespace {
 
-/// Those that want clearly less than the others do around them; the smallest first.
+/// The places that request clearly smaller sizes than the others do there; the smallest first.
 std::vector<SizeSource> thinned(std::vector<SizeSource> sources, double growth, double largest) {
   std::ranges::stable_sort(sources, {}, &SizeSource::size);
   std::vector<SizeSource> kept;

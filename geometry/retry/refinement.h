@@ -1,4 +1,4 @@
-// Where a mesh turned out to need shorter edges than the sizes asked for, and a new try with them.
+// The requests of remedies for shorter edges than the sizes of the user.
 // Not installed.
 #pragma once
 
@@ -12,7 +12,7 @@
 
 namespace af2::geometry {
 
-/// Sizes by position that are asked for, limited further around some places; and edges that are
+/// The sizes by position of the user, with smaller limits around some places; and edges that are
 /// collapsed to points.
 class Refinement {
  public:
@@ -20,22 +20,22 @@ class Refinement {
   Refinement(PositionSize asked, double growth, double largest)
       : asked_(std::move(asked)), growth_(growth), largest_(largest) {}
 
-  /// For the sake of one of the faces. Sizes below a ten-thousandth of what was asked for are
-  /// raised to that.
+  /// Adds places for one of the faces. Sizes below a ten-thousandth of the largest requested size
+  /// are raised to that.
   void add(std::size_t face, const std::vector<SizeSource>& places);
-  /// Takes back what was added last for a face.
+  /// Removes the last addition for a face.
   void dropLast(std::size_t face);
-  /// Takes back all that was added for a face.
+  /// Removes all places that were added for a face.
   void dropPlaces(std::size_t face) { places_.erase(face); }
-  /// The same, and none of its edges is collapsed for its sake.
+  /// The same, and also removes its collapsed edges.
   void dropAll(std::size_t face);
-  /// Whether shorter edges are asked for.
+  /// Whether shorter edges are requested.
   bool has(std::size_t face) const { return places_.contains(face); }
-  /// Whether anything is asked for.
+  /// Whether anything is requested.
   bool hasAny(std::size_t face) const { return has(face) || collapsed_.contains(face); }
-  /// Asks for sizes some times as large as were added for a face.
+  /// Multiplies the sizes that were added for a face by a factor.
   void soften(std::size_t face, double factor);
-  /// Collapses edges to points for the sake of a face.
+  /// Collapses edges to points for a face.
   void collapse(std::size_t face, const CollapsedEdges& edges) { collapsed_[face] = edges; }
 
   PositionSize sizes() const;

@@ -16,12 +16,12 @@ constexpr FaceRemedy kFaceRemedies[] = {
     {"shorter edges", RemedyTime::BeforeRound, mayShortenEdges, shortenEdges, unshortenEdges},
     {"protection of neighbors", RemedyTime::AfterRound, isSpoiledNeighbor, protectNeighbor, nullptr,
      rememberBadFaces, false},
-    {"the edges of the beginning", RemedyTime::LastRound, hasVainRequests, withdrawRequests,
-     nullptr, nullptr, false},
-    {"elements that lean against the surface", RemedyTime::InPlace, mayIgnoreNormals,
+    {"original edges", RemedyTime::LastRound, hasVainRequests, withdrawRequests, nullptr, nullptr,
+     false},
+    {"elements that tilt against the surface", RemedyTime::InPlace, mayIgnoreNormals,
      meshIgnoringNormals, restoreFailedFace}};
 
-constexpr MeshRemedy kMeshRemedies[] = {{"other diagonals than those of faces beside", hasFindings,
+constexpr MeshRemedy kMeshRemedies[] = {{"diagonals that differ from adjacent faces", hasFindings,
                                          splitSharedDiagonals, hasFewerFindings}};
 
 }  // namespace

@@ -15,66 +15,66 @@
 
 namespace af2::geometry {
 
-/// What is known of one face over all rounds.
+/// The data on one face over all rounds.
 struct FaceRecord {
-  bool wasBad = false;        ///< before any remedy: failed, or had an element hardly of use
+  bool wasBad = false;  ///< before any remedy: failed, or had an element that is hardly usable
   bool askedShorter = false;  ///< shorter edges were tried
-  bool isGivenUp = false;     ///< nothing more is asked for its sake
-  int failures = 0;           ///< tries that brought nothing
-  int softenings = 0;         ///< of what it asked for
-  FaceHistory remedies;       ///< that are under way
-  /// Short edges to be collapsed, one choice after the other, the last first.
+  bool isGivenUp = false;     ///< no more requests are made for it
+  int failures = 0;           ///< tries without benefit
+  int softenings = 0;         ///< of its requests
+  FaceHistory remedies;       ///< in progress
+  /// Alternatives of short edges to collapse, tried from last to first.
   std::vector<CollapsedEdges> shortEdges;
 };
 
-/// What remedies look at and change.
+/// The state that remedies read and change.
 struct Retrial {
   const RetriedModel& model;
   const RetryOptions& options;
-  Refinement requests;  ///< what is asked of the edges for the next round
+  Refinement requests;  ///< requests for the edges in the next round
   std::vector<FaceRecord> faces;
   RetryBudget budget;
   bool hasBudgetLeft = true;  ///< at the beginning of the round
-  /// In ascending order: faces that are meshed again because something was taken back.
+  /// In ascending order: faces that are meshed again because requests were withdrawn.
   std::vector<std::size_t> withdrawn = {};
-  /// Meshes that others have taken the place of, to be put back.
+  /// Meshes that were replaced, kept so that they can be restored.
   std::map<std::size_t, FaceMesh> replaced = {};
 };
 
 enum class RemedyTime {
-  /// Asks for other edges. Of all such remedies, the first that applies to a face is tried; it is
-  /// undone if the face gains nothing from the round.
+  /// Requests other edges. Of all such remedies, the first that applies to a face is tried; it is
+  /// undone if the face does not improve in the round.
   BeforeRound,
-  /// Looks at what came of a round, and takes back what did harm.
+  /// Examines the result of a round, and withdraws harmful requests.
   AfterRound,
-  /// Asks for one more round after the best state was found, which is kept if it is better still.
+  /// Requests one more round after the best state was found; its result is kept if it is better.
   LastRound,
-  /// At last: meshes one face after the other within the edges there are. It is undone where
+  /// The last step: meshes one face after the other within the existing edges. It is undone where
   /// elements then cross others.
   InPlace,
 };
 
 struct FaceRemedy {
-  const char* name;  ///< as the report of a face has it
+  const char* name;  ///< as in the report of a face
   RemedyTime time;
   /// Whether it may be tried on a face.
   bool (*applies)(const Retrial& retrial, const FaceMeshes& state, std::size_t face);
-  /// At how many places it is tried, 0 for the face as a whole; nothing: it has no use. Only
-  /// remedies in place may change the state.
+  /// Returns the number of places at which it is tried, 0 for the face as a whole, or nothing if it
+  /// is of no use. Only remedies in place may change the state.
   std::optional<std::size_t> (*propose)(Retrial& retrial, FaceMeshes& state, std::size_t face);
-  /// Takes back what it has proposed and was of no use; null: there is nothing to take back.
+  /// Withdraws a proposal that did not help; null: there is nothing to withdraw.
   ///
-  /// next  what came of it
+  /// next  the state that resulted from it
   void (*undo)(Retrial& retrial, FaceMeshes& state, const FaceMeshes& next,
                std::size_t face) = nullptr;
-  /// Finds what it will need, before any remedy is tried.
+  /// Collects the data that it needs, before any remedy is tried.
   void (*begin)(Retrial& retrial, const FaceMeshes& state) = nullptr;
-  /// Whether the report names it; else the mesh of the face tells by itself.
+  /// Whether the report names it; if not, the mesh of the face shows it.
   bool isReported = true;
 };
 
-/// Changes joined meshes as they are. It is tried on a copy each time that meshes were joined, and
-/// kept where the checks find less.
+/// Changes the meshes of faces directly. It is tried on a copy each time that meshes are joined,
+/// and kept if the checks then have fewer findings.
 struct MeshRemedy {
   const char* name;
   bool (*applies)(const MeshFaults& faults);

@@ -1,5 +1,4 @@
-// Faces that failed, came out poor or cross each other are tried again, with one remedy after the
-// other.
+// Retries faces that failed, came out poor or cross each other, with one remedy after the other.
 // Not installed.
 #pragma once
 
@@ -18,23 +17,23 @@ namespace af2::geometry {
 /// A division of the edges and the meshes made within it.
 struct FaceMeshes {
   DividedEdges divided;
-  std::vector<FaceMesh> meshes;  ///< by face that was asked for
+  std::vector<FaceMesh> meshes;  ///< by requested face
   ModelMesh joined;              ///< of all of them
-  MeshFaults faults;             ///< of what was joined
+  MeshFaults faults;             ///< of the joined mesh
 };
 
-/// What trying again asks of a geometry: faces between edges that can be divided anew. Faces are
-/// counted as they were asked for, from 0.
+/// The interface of a model to the retries: faces between edges that can be divided again. Faces
+/// are counted in the order of the request, from 0.
 class RetriedModel {
  public:
   virtual ~RetriedModel() = default;
   /// By face: the ids of its edges in ascending order, each once.
   virtual const std::vector<std::vector<int>>& edgesOfFaces() const = 0;
-  /// Divides all edges by sizes that are asked for by position, beside all others; some of them are
+  /// Divides all edges by sizes by position, in addition to all other sizes; some edges are
   /// collapsed to points.
   virtual DividedEdges divide(const PositionSize& sizes, const CollapsedEdges& collapsed) const = 0;
-  /// The edges of a face, near some places, that may be collapsed to points: one choice after the
-  /// other.
+  /// Edges of a face, near some places, that may be collapsed to points: alternatives, in the order
+  /// in which to try them.
   virtual std::vector<CollapsedEdges> shortEdges(std::size_t i, const DividedEdges& divided,
                                                  const std::vector<SizeSource>& places) const = 0;
   /// Meshes a face within the edges of `into`. Called from several threads at once.
@@ -42,25 +41,25 @@ class RetriedModel {
                     FaceMeshes& into) const = 0;
   /// Joins the meshes and finds their faults.
   virtual void join(FaceMeshes& state) const = 0;
-  /// What is wanted inside a face where that is less than its size, if that may be too uneven for a
-  /// front.
+  /// The sizes wanted inside a face where they are below its general size, if they may be too
+  /// uneven for a front.
   virtual std::vector<SizeSource> sizesInside(std::size_t i) const = 0;
 };
 
 struct RetryOptions {
-  PositionSize sizes;  ///< asked for by position
-  double largest = 0;  ///< size that is asked for anywhere
+  PositionSize sizes;  ///< requested by position
+  double largest = 0;  ///< largest requested size
   double growth = kDefaultGrowth;
   int threads = 0;
   std::stop_token stop;
   int mostRounds = 20;
-  double share = 1;  ///< of the candidates that may be taken
+  double share = 1;  ///< factor for the budget of candidates
 };
 
 /// Where faces failed, came out poor or cross each other, tries the remedies of the table
-/// (remedies.cpp), as long as that brings something and costs no more than some times the mesh
-/// itself. Faces beside edges that are divided anew are meshed anew. Leaves the best state by its
-/// score (score.h), joined, with the history of each face in its report.
+/// (remedies.cpp), as long as they bring progress and the cost stays below a multiple of that of
+/// the mesh. Faces at edges that were divided again are meshed again. The result in `state` is the
+/// best state by its score (score.h), joined, with the history of each face in its report.
 void retryPoorFaces(const RetriedModel& model, const RetryOptions& options, FaceMeshes& state);
 
 }  // namespace af2::geometry

@@ -1,4 +1,4 @@
-// How good a state of all faces is, and what is wrong with one of them.
+// Scores a state of all faces, and the faults of one face.
 // Not installed.
 #pragma once
 
@@ -9,18 +9,18 @@
 
 namespace af2::geometry {
 
-/// Compared one after the other; less is better.
+/// Compared in this order; less is better.
 struct Score {
-  std::size_t failedFaces = 0;  ///< with those that must go so that no elements cross
-  std::size_t badAngles = 0;    ///< faces with an element that is hardly of use
+  std::size_t failedFaces = 0;  ///< including those that must be removed so that no elements cross
+  std::size_t badAngles = 0;    ///< faces with an element that is hardly usable
   double poorness = 0;          ///< of all faces that have not failed
-  std::size_t elements = 0;     ///< the fewest, if all else is equal
+  std::size_t elements = 0;     ///< fewer are better if all else is equal
   auto operator<=>(const Score&) const = default;
 };
 
 Score scoreOf(const FaceMeshes& state);
 
-/// How many pairs of elements cross of which at least one belongs to a face.
+/// The number of pairs of crossing elements of which at least one belongs to the face.
 std::ptrdiff_t crossingsAt(const FaceMeshes& state, std::size_t face);
 
 }  // namespace af2::geometry

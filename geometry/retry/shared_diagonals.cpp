@@ -23,7 +23,7 @@ struct CommonSide {
   auto operator<=>(const CommonSide&) const = default;
 };
 
-/// Two triangles beside each other, and those that the other diagonal makes of them.
+/// Two adjacent triangles, and those that result from swapping their common edge.
 struct Swap {
   std::size_t face = 0, first = 0, second = 0;
   std::array<VertexId, 3> newFirst, newSecond;
@@ -72,7 +72,7 @@ class SharedDiagonals {
     }
   }
 
-  /// At a segment, all edges inside faces are too many; else, all but one.
+  /// At a segment, every edge inside a face is superfluous; elsewhere, all except one are.
   void lookAt(Ends ends, SideAt first, SideAt last) {
     if (last - first <= 2) return;
     const bool isBoundary = isSegment(ends);

@@ -1,4 +1,4 @@
-// A remedy: faces that touch each other and have an edge inside in common get different ones.
+// A remedy: swaps diagonals where two touching faces have the same edge inside.
 // Not installed.
 #pragma once
 
@@ -11,16 +11,16 @@
 
 namespace af2::geometry {
 
-/// Where edges inside two faces have the same two ends, as where both close a corner with the same
-/// triangle or bridge the same narrow place, there are four elements at one edge; more than its
-/// faces have at a segment between the same ends. In all of these faces but one, the edge is
-/// swapped for the other diagonal of its two triangles, if that makes sound elements; first where
-/// the worse angle of both is larger. Elements of second order stay as they are.
-/// Returns how many were swapped.
+/// Where edges inside two faces have the same two ends, for example because both close a corner
+/// with the same triangle or bridge the same narrow place, one edge has four elements, which is
+/// also too many if a segment has the same ends. In all of these faces except one, the edge is
+/// swapped for the other diagonal of its two triangles, if the new elements are valid; the faces in
+/// which the smallest resulting angle is larger come first. Elements of second order are not
+/// changed. Returns the number of swapped edges.
 std::size_t splitSharedDiagonals(const DividedEdges& divided, std::vector<FaceMesh>& meshes);
 
 bool hasFindings(const MeshFaults& faults);
-/// And no more elements that cross.
+/// Whether there are fewer findings, and no more crossing elements.
 bool hasFewerFindings(const MeshFaults& before, const MeshFaults& after);
 
 }  // namespace af2::geometry

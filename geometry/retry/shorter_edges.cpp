@@ -10,9 +10,10 @@ namespace af2::geometry {
 
 namespace {
 
-/// Those of the diagnosis; and where elements cross, half as long as these. Where two faces almost
-/// touch along a curve, new crossings arise beside those that went: once that did not help some
-/// times, a quarter, so that what is finer reaches farther.
+/// The places of the diagnosis; and where elements cross, places with half the length of these
+/// elements. Where two faces almost touch along a curve, new crossings appear next to those that
+/// vanished: after some unsuccessful tries the length is a quarter, so that the finer region
+/// extends farther.
 std::vector<SizeSource> placesAtFault(const Retrial& retrial, const FaceMeshes& state,
                                       std::size_t i) {
   const double share =

@@ -1,4 +1,4 @@
-// A remedy: shorter edges around the places at which a face is at fault.
+// A remedy: requests shorter edges around the places at which a face is faulty.
 // Not installed.
 #pragma once
 
@@ -8,8 +8,8 @@ namespace af2::geometry {
 
 bool mayShortenEdges(const Retrial& retrial, const FaceMeshes& state, std::size_t face);
 std::optional<std::size_t> shortenEdges(Retrial& retrial, FaceMeshes& state, std::size_t face);
-/// All for a face that had failed; the places of one that fails or crosses others now; else those
-/// of the last round.
+/// Removes all requests of a face that had failed, all places of a face that fails or crosses
+/// others now, and else only those of the last round.
 void unshortenEdges(Retrial& retrial, FaceMeshes& state, const FaceMeshes& next, std::size_t face);
 
 }  // namespace af2::geometry

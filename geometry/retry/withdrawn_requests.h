@@ -1,5 +1,5 @@
-// A remedy: a face that has failed whatever was asked for its sake gets back the edges that it had
-// at the beginning, and so do those beside it.
+// A remedy: a face that has failed in spite of all requests gets back its original edges, and so do
+// its neighbours.
 // Not installed.
 #pragma once
 
@@ -8,7 +8,7 @@
 namespace af2::geometry {
 
 bool hasVainRequests(const Retrial& retrial, const FaceMeshes& state, std::size_t face);
-/// So that what comes after begins as if nothing had been tried.
+/// Withdraws all requests, so that the next remedies start as if nothing had been tried.
 std::optional<std::size_t> withdrawRequests(Retrial& retrial, FaceMeshes& state, std::size_t face);
 
 }  // namespace af2::geometry

@@ -11,8 +11,8 @@ namespace {
 /// grading.
 constexpr double kShort = 0.6;
 
-/// A segment that is so many times longer than wanted is far too long; a division from outside may
-/// have such.
+/// A segment that is this many times longer than wanted is far too long; given divisions may have
+/// such segments.
 constexpr double kLong = 2;
 
 /// How fast sizes may shrink away from long segments, per unit of length: the next element is then
@@ -22,7 +22,8 @@ constexpr double kShrinking = 1;
 /// A source may be left out if the others around it want no more than this times its size there.
 constexpr double kThinning = 1.3;
 
-/// The wanted size at each corner, loop by loop: to ask a curved surface is dear.
+/// The wanted size at each corner, loop by loop. It is stored, because evaluating a curved surface
+/// is expensive.
 using AtCorners = std::vector<std::vector<double>>;
 
 AtCorners wantedAtCorners(const FrontInput& boundary, const SizeField& wanted) {

@@ -108,7 +108,8 @@ double GrowingSize::at(const Point3& position) const {
   return least;
 }
 
-/// What others want everywhere in the ball of a source they want wherever it reaches.
+/// A source is covered if the others give at most its size everywhere in its ball: then they do so
+/// wherever it applies.
 std::vector<SizeSource> uncovered(std::vector<SizeSource> sources, double growth) {
   constexpr double kClearly = 1 - 1e-9;  // more than rounding, and nothing is covered by itself
   const GrowingSize all(sources, growth, std::numeric_limits<double>::infinity());

@@ -10,18 +10,18 @@
 
 namespace af2::geometry {
 
-/// A ball that wants a size, which may grow with the distance from it.
+/// A ball with a wanted size, which grows with the distance from the ball.
 struct SizeSource {
   Point3 position;
   double size = 0;
   double radius = 0;
 };
 
-/// The smallest of source.size + growth * distance over all sources: a tree of boxes around them,
-/// so that most are never looked at.
+/// The smallest of source.size + growth * distance over all sources. A tree of boxes avoids the
+/// evaluation of most of them.
 class AF2_EXPORT GrowingSize {
  public:
-  /// largest  the size where no source reaches; may be infinite
+  /// largest  the size that applies where no source gives a smaller one; may be infinite
   GrowingSize(std::vector<SizeSource> sources, double growth, double largest);
   double at(const Point3& position) const;
   bool isEmpty() const { return sources_.empty(); }
@@ -48,7 +48,7 @@ class AF2_EXPORT GrowingSize {
   double growth_, largest_;
 };
 
-/// Without the sources, all of sizes > 0, that want nowhere less than the others do.
+/// Removes the sources that nowhere give a smaller size than the others do. All sizes must be > 0.
 AF2_EXPORT std::vector<SizeSource> uncovered(std::vector<SizeSource> sources, double growth);
 
 }  // namespace af2::geometry

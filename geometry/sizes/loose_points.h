@@ -1,4 +1,4 @@
-// How much room there is around points that are to be vertices without lying on an edge.
+// Finds the room around isolated points, which become vertices without being on an edge.
 // Not installed.
 #pragma once
 
@@ -10,8 +10,8 @@
 
 namespace af2::geometry {
 
-/// For each of the points the distance to the nearest other one or chord, as a size that is wanted
-/// there. Points that coincide with another are left out.
+/// For each of the points, the distance to the nearest other point or chord, as a wanted size
+/// there. Points that coincide with another one are left out.
 std::vector<SizeSource> roomAround(std::span<const Point3> points,
                                    std::span<const std::pair<Point3, Point3>> chords);
 

@@ -1,4 +1,4 @@
-// Wanted sizes by position, asked for at many positions at once.
+// Wanted sizes by position, evaluated at many positions at once.
 #pragma once
 
 #include <concepts>
@@ -13,11 +13,11 @@ namespace af2::geometry {
 
 /// A function of the position that gives wanted edge lengths, in model units, > 0.
 ///
-/// Made from a callable for one position, `double f(const Point3&)`, or for many,
-/// `void f(std::span<const Point3> at, std::span<double> sizes)`, which fills `sizes`. The latter
-/// pays off where a call is costly, e.g. into another language: along edges and over faces AF2 asks
-/// for many positions at once; the front asks for one. Must be pure and callable from several
-/// threads at once.
+/// Made from a callable for one position, `double f(const Point3&)`, or for many, `void
+/// f(std::span<const Point3> at, std::span<double> sizes)`, which fills `sizes`. The latter pays
+/// off where a call is expensive, e.g. into another language: AF2 evaluates many positions at once
+/// along edges and over faces, and single positions for the front. The function must be pure and
+/// callable from several threads at once.
 class AF2_EXPORT PositionSize {
  public:
   PositionSize() = default;

@@ -31,7 +31,7 @@ void check(const SizeSources& sources) {
     const SizeBox& box = sources.boxes[i];
     if (!isSize(box.size)) throw InputError(numbered("box", i) + "the size must be positive");
     if (!(box.low.x <= box.high.x && box.low.y <= box.high.y && box.low.z <= box.high.z))
-      throw InputError(numbered("box", i) + "the corner 'from' must lie below 'to' in x, y and z");
+      throw InputError(numbered("box", i) + "the corner 'from' must be below 'to' in x, y and z");
   }
   for (std::size_t i = 0; i < sources.grids.size(); ++i) {
     const SizeGrid& grid = sources.grids[i];

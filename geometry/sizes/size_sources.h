@@ -1,4 +1,4 @@
-// Places in space that want sizes of their own: points, boxes and background fields.
+// Sources of sizes in space: points, boxes and background fields.
 #pragma once
 
 #include <array>
@@ -10,7 +10,7 @@
 
 namespace af2::geometry {
 
-/// A box that wants one size in all of it.
+/// A box with one wanted size.
 struct SizeBox {
   Point3 low, high;
   double size = 0;
@@ -24,7 +24,7 @@ struct SizeGrid {
   std::vector<double> sizes;            ///< x varies fastest, then y
 };
 
-/// Away from each of them sizes may grow; where several reach, the smallest counts.
+/// Sizes grow away from each source; where several sources apply, the smallest counts.
 struct SizeSources {
   std::vector<SizeSource> points;
   std::vector<SizeBox> boxes;
@@ -33,18 +33,18 @@ struct SizeSources {
   bool isEmpty() const { return points.empty() && boxes.empty() && grids.empty(); }
 };
 
-/// The smallest size that curvature and narrow places may ask for: what is given, or a twentieth of
+/// The smallest size that curvature and narrow places may request: the given one, or a twentieth of
 /// the wanted size.
 inline double leastForLimits(double size, double given) { return given > 0 ? given : size / 20; }
 
-/// Adds points to sources, none of which wants less than `least`.
+/// Adds points to the sources, with their sizes raised to at least `least`.
 AF2_EXPORT void addSources(std::vector<SizeSource> points, double least, SizeSources& sources);
 
-/// The size that `sources` want, growing by `growth` per unit of length away from each; infinite
-/// where there is none. Also within a background field it grows no faster: where the field does,
+/// The size by `sources`, growing by `growth` per unit of length away from each; infinite where
+/// there is none. The limit also applies within a background field: where the field grows faster,
 /// its larger sizes are lowered.
 ///
-/// Throws InputError for a source that makes no sense, e.g. a size that is not positive.
+/// Throws InputError for an invalid source, e.g. a size that is not positive.
 AF2_EXPORT PositionSize sizeFrom(SizeSources sources, double growth);
 
 }  // namespace af2::geometry

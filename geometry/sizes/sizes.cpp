@@ -28,9 +28,9 @@ void checkSizes(const Sizes& sizes) {
   if (!(sizes.elementsAcross >= 0) || !std::isfinite(sizes.elementsAcross))
     throw InputError("the number of elements across narrow places must not be negative");
   if (!isPositive(sizes.growth)) throw InputError("the growth of sizes must be a positive number");
-  if (sizes.growth > kMostGrowth)
+  if (sizes.growth > kMaxGrowth)
     throw InputError("the growth of sizes must be at most " +
-                     std::to_string(static_cast<int>(kMostGrowth)) + " per unit of length");
+                     std::to_string(static_cast<int>(kMaxGrowth)) + " per unit of length");
   checkEach(sizes.faceSizes, "face");
   checkEach(sizes.edgeSizes, "edge");
 }

@@ -1,4 +1,4 @@
-// The wanted edge lengths of a mesh, as they are asked for.
+// The wanted edge lengths of a mesh, as the user requests them.
 #pragma once
 
 #include <limits>
@@ -15,44 +15,45 @@
 
 namespace af2::geometry {
 
-/// The largest growth of sizes per unit of length. Elements at a short segment are up to so many
-/// times longer than it: the front has to look at as many segments around each of them.
-constexpr double kMostGrowth = 10;
+/// The largest allowed growth of sizes per unit of length. Elements at a short segment are up to
+/// this many times longer than the segment, and the front has to examine as many segments around
+/// each of them.
+constexpr double kMaxGrowth = 10;
 
-/// Wanted edge lengths, in model units. The smallest of those that apply at a place counts.
+/// Wanted edge lengths, in model units. The smallest size that applies at a place counts.
 struct Sizes {
   double size = 0;  ///< everywhere; must be > 0
-  /// Bounds of all wanted sizes, however they come about. Edges of the model that are shorter than
+  /// Bounds of all wanted sizes, from any source. Edges of the model that are shorter than
   /// `minSize` are kept nevertheless.
   double minSize = 0, maxSize = std::numeric_limits<double>::infinity();
   std::map<int, double> faceSizes;  ///< by face id; instead of `size`
   std::map<int, double> edgeSizes;  ///< by edge id; along that edge, instead of the faces' sizes
-  /// By name of a face or group; `*` is any text, `?` any character. `faceSizes` count more, and of
-  /// several that fit the last.
+  /// By name of a face or group; `*` matches any text, `?` any character. `faceSizes` take
+  /// precedence, and of several matches the last.
   std::vector<std::pair<std::string, double>> partSizes;
   SizeSources sources;    ///< points, boxes and background fields
   PositionSize function;  ///< further limit by position
 
-  /// How many edges of elements go around a full turn of a curved face or edge; 0: gentle limits,
-  /// which keep elements from cutting corners (about eight around a turn of a planar or faceted
-  /// model; see TurnLimits for CAD models). Where a turn would need edges smaller than `minSize`,
-  /// or if that is 0, than a twentieth of the size, it gets fewer.
+  /// The number of element edges around a full turn of a curved face or edge; 0: weak limits, which
+  /// keep elements from cutting corners (about eight around a turn of a planar or faceted model;
+  /// see TurnLimits for CAD models). A turn gets fewer edges if these would be smaller than
+  /// `minSize`, or, if that is 0, than a twentieth of the size.
   double elementsPerTurn = 0;
 
-  /// How many elements lie across what is narrow: strips of faces, walls and gaps; 0: it does not
-  /// matter. A first mesh shows where that is. Where it would need edges smaller than `minSize`, or
-  /// if that is 0, than a twentieth of the size, there are fewer.
+  /// The number of elements across narrow places: strips of faces, walls and gaps; 0: no
+  /// requirement. A first mesh finds these places. There are fewer elements where their edges would
+  /// be smaller than `minSize`, or, if that is 0, than a twentieth of the size.
   double elementsAcross = 0;
 
-  /// Most growth of the size per unit of length, away from whatever wants a small one.
+  /// Largest growth of the size per unit of length, away from places with small sizes.
   double growth = kDefaultGrowth;
 };
 
-/// Throws InputError for sizes that are not positive, or above what they should be below.
+/// Throws InputError for sizes that are not positive, or that exceed their upper bound.
 AF2_EXPORT void checkSizes(const Sizes& sizes);
 
-/// The same sizes, but none larger than the model, as no element could be: what is small beside a
-/// size is taken for nothing in places.
+/// The same sizes, but none larger than the model. No element can be larger, and some tolerances
+/// are relative to the size, so that too large a size would swallow details.
 ///
 /// extent  of the model; 0: it has none, and sizes stay as they are
 AF2_EXPORT Sizes withinExtent(Sizes sizes, double extent);
@@ -63,7 +64,7 @@ AF2_EXPORT double largestOf(const Sizes& sizes);
 /// `size`, brought between the bounds of all sizes.
 AF2_EXPORT double bounded(const Sizes& sizes, double size);
 
-/// The size for a face as the options say it, before all limits.
+/// The size of a face in the options, before all limits.
 AF2_EXPORT double wantedOnFace(const Sizes& sizes, int face);
 
 /// The function's limit at a position, if there is a function.

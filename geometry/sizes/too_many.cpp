@@ -9,13 +9,12 @@
 namespace af2::geometry {
 
 void refuseTooMany(double elements) {
-  constexpr double kMostElements = 2e9;  // vertices and elements have 32-bit numbers
-  if (!(elements > kMostElements)) return;
+  constexpr double kMaxElements = 2e9;  // vertices and elements have 32-bit numbers
+  if (!(elements > kMaxElements)) return;
   const std::string count = elements < 1e18
                                 ? "about " + std::to_string(static_cast<long long>(elements / 1e9))
-                                : std::string("more than a thousand million");
-  throw InputError("the sizes ask for " + count +
-                   " thousand million elements; ask for larger ones");
+                                : std::string("more than a billion");
+  throw InputError("the sizes need " + count + " billion elements; ask for larger ones");
 }
 
 void refuseBlurred(double farthest, double extent, double size) {
@@ -24,9 +23,9 @@ void refuseBlurred(double farthest, double extent, double size) {
   const double step = farthest * std::numeric_limits<double>::epsilon();
   if (step <= kSharp * size || step <= kNear * extent) return;
   std::ostringstream text;
-  text << "coordinates of " << farthest << " are exact to " << step
-       << " only, too little for elements of size " << size
-       << "; move the model to the origin, or ask for larger ones";
+  text << "coordinates of " << farthest << " are exact only to " << step
+       << ", which is too coarse for elements of size " << size
+       << "; move the model to the origin, or ask for larger elements";
   throw InputError(text.str());
 }
 

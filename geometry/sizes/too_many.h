@@ -1,16 +1,16 @@
-// Sizes that ask for more elements than there can be, or for smaller ones than can be placed.
+// Refuses sizes that give too many elements, or elements too small for the coordinates.
 #pragma once
 
 namespace af2::geometry {
 
-/// Throws InputError if a mesh is to have more elements than can be numbered. It says so before the
-/// memory is full.
+/// Throws InputError if a mesh would have more elements than can be numbered, before the memory is
+/// full.
 ///
-/// elements  about how many there would be
+/// elements  approximate number
 void refuseTooMany(double elements);
 
-/// Throws InputError if coordinates as large as these, of a model of that extent, blur elements of
-/// the size.
+/// Throws InputError if the rounding of such large coordinates is too coarse for elements of the
+/// size, in a model of this extent.
 void refuseBlurred(double farthest, double extent, double size);
 
 }  // namespace af2::geometry

@@ -132,7 +132,7 @@ class Tally final : public AF2MeshingObserver {
 
 bool tallySteps(const AF2Algorithm& algorithm, const Task& task, const FrontInput& input) {
   Tally tally(algorithm.rules());
-  MeshingOptions options;
+  FrontOptions options;
   options.observer = &tally;
   const MeshingResult result = algorithm.execute(FlatMaker(), input, *sizeOf(task), options);
   tally.print();

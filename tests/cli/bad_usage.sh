@@ -6,25 +6,25 @@ cylinder=$models/cylinder.step
 usage() { expect 2 "$@"; says_one_line; }
 unusable() { expect 1 "$@"; says_one_line; }
 
-usage "$af2"; told 'a verb is missing; there are: mesh,'
-usage "$af2" mash "$cylinder"; told "'mash' is no verb of af2"
+usage "$af2"; told 'a verb is missing; the verbs are: mesh,'
+usage "$af2" mash "$cylinder"; told "'mash' is not a verb of af2"
 usage "$af2" mesh; told 'MODEL is required'
 usage "$af2" mesh "$cylinder"; told '--size is required'
 for size in 0 -1 nan inf 1mm; do
   usage "$af2" mesh "$cylinder" "--size=$size"; told 'greater than 0'
 done
 usage "$af2" mesh "$cylinder" --size=; told '--size'
-usage "$af2" mesh "$cylinder" --size=1,5; told 'written like 1.5'
+usage "$af2" mesh "$cylinder" --size=1,5; told 'such as 1.5'
 usage "$af2" mesh "$cylinder" --size; told '--size: its value is missing'
 usage "$af2" mesh "$cylinder" --size 1 --faces ''; told '--faces: its value is empty'
 usage "$af2" mesh "$cylinder" --size 1 --chart=; told '--chart'
-usage "$af2" mesh "$cylinder" --size 1 --size 2; told '--size stands there 2 times'
-usage "$af2" mesh --size 1 -- -- a; told "'a' is one word too many"
+usage "$af2" mesh "$cylinder" --size 1 --size 2; told '--size is given 2 times'
+usage "$af2" mesh --size 1 -- -- a; told "unexpected argument 'a'"
 expect 1 "$af2" mesh --size 1 -- -x.step; told "there is no file '-x.step'"
-usage "$af2" mesh "$cylinder" --size 1 --sise 2; told "there is no option '--sise'; did you mean '--size'?"
-usage "$af2" mesh "$cylinder" --sise=2; told "there is no option '--sise'; did you mean '--size'?"
-usage "$af2" mesh "$cylinder" --size 1 -z; told "there is no option '-z'"
-usage "$af2" mesh "$cylinder" two.step --size 1; told "'two.step' is one word too many"
+usage "$af2" mesh "$cylinder" --size 1 --sise 2; told "unknown option '--sise'; did you mean '--size'?"
+usage "$af2" mesh "$cylinder" --sise=2; told "unknown option '--sise'; did you mean '--size'?"
+usage "$af2" mesh "$cylinder" --size 1 -z; told "unknown option '-z'"
+usage "$af2" mesh "$cylinder" two.step --size 1; told "unexpected argument 'two.step'"
 usage "$af2" mesh "$cylinder" --size 1 --faces 0; told 'counted from 1'
 usage "$af2" mesh "$cylinder" --size 1 --faces 99; told 'there is no face 99; the model has faces 1 to 3'
 usage "$af2" mesh "$cylinder" --size 1 --edge-size 99=0.1; told 'there is no edge 99'
@@ -38,20 +38,20 @@ unusable "$af2" mesh "$cylinder" --size 1 --sizes nothing.json; told 'nothing.js
 echo '{"parts": {"nowhere": 1}}' >sizes.json
 unusable "$af2" mesh "$cylinder" --size 1 --sizes sizes.json; told "no face or group has such a name"
 usage "$af2" mesh "$cylinder" --size 1 --feature-angle 20; told 'STL and OBJ'
-usage "$af2" mesh "$cylinder" --size 1 --chart round; told "there are auto, mean-normal"
+usage "$af2" mesh "$cylinder" --size 1 --chart round; told "choose one of auto, mean-normal"
 echo 'v 0 0 x' >bad.obj
 usage "$af2" mesh "$models/plate.poly" --size 1 --chart auto; told 'curved faces'
 usage "$af2" mesh "$models/plate.poly" --size 1 --faces 99; told 'there is no face 99'
 usage "$af2" mesh "$models/plate.poly" --size 1 --edge-size 99=1; told 'there is no edge 99'
 usage "$af2" inspect "$models/plate.poly" --heal; told 'STEP, IGES and BREP'
-unusable "$af2" mesh bad.obj --size 1; told "'x' is no number"
+unusable "$af2" mesh bad.obj --size 1; told "'x' is not a number"
 usage "$af2" mesh "$cylinder" --size 1 --heal-tolerance 1; told 'needs --heal'
 usage "$af2" mesh "$models/plate.poly" --size 1 --heal; told 'STEP, IGES and BREP'
 usage "$af2" mesh "$cylinder" --size 1 --order 3; told 'order 1 or 2'
 usage "$af2" mesh "$cylinder" --size 1 --order 2 -o a.stl; told 'cannot hold elements of order 2'
 usage "$af2" mesh "$cylinder" --size 1 --threads -1; told '--threads'
 usage "$af2" mesh "$cylinder" --size 1 --threads two; told "--threads 'two': give a whole number"
-unusable "$af2" mesh "$cylinder" --size 1e-300; told 'ask for more than'
+unusable "$af2" mesh "$cylinder" --size 1e-300; told 'need more than'
 usage "$af2" mesh "$cylinder" --size 1 -o mesh.xyz; told '.vtu'
 usage "$af2" mesh "$cylinder" --size 1 -o mesh; told '.vtu'
 usage "$af2" mesh "$cylinder" --size 1 -o nowhere/a.vtu; told "mkdir -p"
@@ -68,7 +68,7 @@ unusable "$af2" inspect $long; told "$long"
 ln -s turn.vtu turn.vtu
 usage "$af2" mesh "$cylinder" --size 1 -o turn.vtu; told 'link to itself'
 rm turn.vtu
-unusable "$af2" mesh /dev/null --size 1; told 'no ordinary file'
+unusable "$af2" mesh /dev/null --size 1; told 'not a regular file'
 echo '{"points": [{"at": [1e999, 0, 0], "size": 1}]}' >sizes.json
 unusable "$af2" mesh "$cylinder" --size 1 --sizes sizes.json; told 'sizes.json'
 

@@ -101,7 +101,7 @@ expect 1 "$af2" test failing.af2; says 'FAIL'; says 'got:'
 expect 1 "$af2" test good.af2 failing.af2 --format json
 [ "$(json out 1 passed)" = False ] || fail 'the second test does not fail'
 expect 1 "$af2" test bad.af2; told 'bad.af2:9'
-expect 2 "$af2" test failing.af2 -k 'no such title'; told 'no test has that in its title'
+expect 2 "$af2" test failing.af2 -k 'no such title'; told 'no title of a test contains it'
 
 # fmt
 expect 0 "$af2" fmt good.af2
@@ -152,14 +152,14 @@ expect 0 "$af2" check --quick --strict mine.af2
 expect 0 "$af2" test mine.af2
 expect 0 "$af2" fmt --check mine.af2
 expect 2 "$af2" draw mine.af2 --size 10; told 'a whole number from 50 to 4000'
-expect 2 "$af2" draw mine.af2 --levels 1,99; told 'there are levels 1 to 50'
-expect 2 "$af2" test mine.af2 -k 'no such test'; told 'no test has that in its title'
+expect 2 "$af2" draw mine.af2 --levels 1,99; told 'the levels are 1 to 50'
+expect 2 "$af2" test mine.af2 -k 'no such test'; told 'no title of a test contains it'
 for file in none.af2 tri/classic -; do
   expect 2 "$af2" new rule 'corner' --into $file; told "there is no file '$file'"
 done
 printf 'notes on rules\n' >notes.txt
 cp notes.txt notes_before.txt
-expect 1 "$af2" new rule 'corner' --into notes.txt; told 'notes.txt:1:1'; told 'left as it was'
+expect 1 "$af2" new rule 'corner' --into notes.txt; told 'notes.txt:1:1'; told 'was not changed'
 same notes.txt notes_before.txt
 expect 0 "$af2" new rule 'on stdout'; says 'rule "on stdout"'
 
@@ -172,14 +172,14 @@ rm -f out err
 left=$(find . -name '*.tmp')
 [ -z "$left" ] || fail "left behind: $left"
 # slips on the command line
-expect 2 "$af2" check; told 'FILES is required: rule files, folders of them, or - for stdin'
-expect 2 "$af2" check good.af2 --format xml; told "--format 'xml': there are pretty, json, sarif, gcc"
+expect 2 "$af2" check; told 'FILES is required: rule files, folders with rule files, or - for stdin'
+expect 2 "$af2" check good.af2 --format xml; told "--format 'xml': choose one of pretty, json, sarif, gcc"
 expect 2 "$af2" check good.af2 --samples 0; told 'give a whole number from 1 to'
 expect 2 "$af2" check good.af2 --allow Q9; told "--allow 'Q9': there is no such code"
 expect 2 "$af2" eval good.af2 --rule right --level 1e9; told "--level '1e9': give a whole number"
 expect 2 "$af2" eval good.af2 --rule right --env turm=3; told "the environment has no 'turm'; did you mean 'turn'?"
 expect 0 "$af2" eval good.af2 --rule right --env 'turn(c)=120' --env h=2
 expect 2 "$af2" new rule ' '; told 'the title is empty'
-expect 2 "$af2" new rules x; told "WHAT 'rules': there are ruleset, rule"
+expect 2 "$af2" new rules x; told "WHAT 'rules': choose one of ruleset, rule"
 
 finish

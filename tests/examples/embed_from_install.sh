@@ -14,6 +14,6 @@ cmake -S "$work/embedding" -B "$work/build" -G Ninja -DCMAKE_BUILD_TYPE=Release 
 
 cp "$source/examples/models/cylinder.step" "$work/part.step"
 cd "$work"
-build/embedding part.step 0.5 embedded.vtu
-env -u AF2_RULES prefix/bin/af2 mesh part.step --size 0.5 -o program.vtu
-cmp embedded.vtu program.vtu
+build/embedding part.step 0.5 embedded.msh
+env -u AF2_RULES prefix/bin/af2 mesh part.step --size 0.5 -o program.msh
+cmp embedded.msh program.msh

@@ -36,7 +36,7 @@ void promise(bool holds, const char* what) {
 /// Every finding has a place in its file and can be written in every form.
 void checkFindings(const std::vector<Diagnostic>& found, const std::string& text) {
   const auto lines = 1 + std::count(text.begin(), text.end(), '\n');
-  promise(found.size() <= dsl::DiagnosticList::kMost, "at most so many findings as are shown");
+  promise(found.size() <= dsl::DiagnosticList::kMax, "at most so many findings as are shown");
   for (const Diagnostic& d : found) {
     promise(!d.message.empty(), "a finding has a message");
     promise(d.place.line >= 0 && d.place.line <= lines, "a finding lies in the file");
@@ -59,8 +59,8 @@ void checkFormat(const std::string& text, const dsl::LoadedRules& loaded) {
 
 /// The first rules at their reference match.
 void evaluateSome(const RuleSet& rules) {
-  constexpr std::size_t kMost = 5;
-  for (std::size_t i = 0; i < std::min(kMost, rules.rules().size()); ++i) {
+  constexpr std::size_t kMax = 5;
+  for (std::size_t i = 0; i < std::min(kMax, rules.rules().size()); ++i) {
     dsl::EvalRequest request;
     request.rule = rules.rules()[i].name();
     request.points = {{0.5, 0.3}, {2, 2}};

@@ -66,7 +66,7 @@ inline void expectGoodMesh(const MeshingResult& result, const FrontInput& input,
   EXPECT_EQ(faults.size(), 0u);
   const double area = areaOf(input);
   EXPECT_NEAR(areaOf(result.mesh), area, 1e-9 * std::abs(area));
-  EXPECT_EQ(result.mesh.rule.size(), result.mesh.elements.size());
+  EXPECT_EQ(result.mesh.origins.size(), result.mesh.elements.size());
   for (const auto& loop : input.loops)
     for (const BoundaryCorner& corner : loop)
       EXPECT_EQ(result.mesh.vertices[corner.vertex.value], corner.point);

@@ -27,7 +27,7 @@ struct QuadGrid {
   }
   void addElement(const Element& element) {
     mesh.elements.push_back(element);
-    mesh.rule.push_back(0);
+    mesh.origins.emplace_back();
   }
 
   /// Makes two triangles of an element.

@@ -7,7 +7,7 @@
 
 namespace af2::testing {
 
-inline MeshingResult run(const FrontInput& input, double size, const MeshingOptions& options,
+inline MeshingResult run(const FrontInput& input, double size, const FrontOptions& options,
                          std::shared_ptr<const RuleSet> set = triangleSet()) {
   return AF2Algorithm(std::move(set)).execute(FlatMaker(), input, UniformSize(size), options);
 }

@@ -11,7 +11,7 @@ void addFace(ModelMesh& mesh, int id, std::array<std::size_t, 4> c) {
   mesh.elements.push_back(elementOf({c[0], c[1], c[2]}));
   mesh.elements.push_back(elementOf({c[0], c[2], c[3]}));
   for (int i = 0; i < 2; ++i) mesh.face.push_back(id);
-  for (const std::uint16_t rule : {0, 1}) mesh.rule.push_back(rule);
+  for (const std::uint16_t rule : {0, 1}) mesh.origins.push_back({rule});
   mesh.faces.push_back({id, "", "plane", "plane", FaceStatus::Complete, 2, 0.25, 1, ""});
 }
 
@@ -32,7 +32,7 @@ ModelMesh cubeMesh() {
   addFace(mesh, 5, {3, 0, 4, 7});
   mesh.elements.push_back(elementOf({4, 5, 6, 7}));
   mesh.face.push_back(6);
-  mesh.rule.push_back(2);
+  mesh.origins.push_back({2});
   mesh.faces.push_back({6, "lid", "plane", "plane", FaceStatus::Complete, 1, 0.25, 1, ""});
   for (std::size_t i = 0; i < 4; ++i) {
     mesh.segments.push_back(
@@ -52,7 +52,7 @@ ModelMesh oneElement(std::vector<Point3> corners) {
   mesh.vertices = std::move(corners);
   mesh.elements = {only};
   mesh.face = {1};
-  mesh.rule = {0};
+  mesh.origins.resize(1);
   mesh.ruleNames = {"only"};
   mesh.faces = {{1, "", "plane", "plane", FaceStatus::Complete, 1, 0, 1, ""}};
   return mesh;

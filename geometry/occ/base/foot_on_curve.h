@@ -1,4 +1,4 @@
-// Where on a curve the point nearest to a place is.
+// Finds the point of a curve that is nearest to a place.
 // Not installed: includers need OpenCASCADE's headers.
 #pragma once
 
@@ -9,7 +9,7 @@
 
 namespace af2::geometry {
 
-/// The parameter after some steps of Gauss and Newton from `start`, kept within the range.
+/// The parameter after some Gauss-Newton steps from `start`, kept within the range.
 inline double footOnCurve(const BRepAdaptor_Curve& curve, const Point3& place, double start,
                           double low, double high, int steps) {
   double parameter = start;

@@ -1,4 +1,4 @@
-// Which of many points are to be one.
+// Keeps track of points that are merged.
 #pragma once
 
 #include <cstdint>
@@ -9,21 +9,21 @@
 
 namespace af2::geometry {
 
-/// Which points were found to be the same.
+/// The groups of points that were merged.
 class MergedPoints {
  public:
   explicit MergedPoints(const std::vector<Point3>& points)
       : sets_(points.size()), boxes_(points.size()) {
     for (std::size_t i = 0; i < points.size(); ++i) boxes_[i].add(points[i]);
   }
-  /// The first of those that are the same as this one.
+  /// The first point of the group of this point.
   std::uint32_t find(std::uint32_t i) { return sets_.of(i); }
   void merge(std::uint32_t a, std::uint32_t b) {
     const Box3 box = boxOfBoth(a, b);
     sets_.join(a, b);
     boxes_[find(a)] = box;
   }
-  /// How far apart the points are that would be one if these two were.
+  /// The extent of the group that merging these two would create.
   double extent(std::uint32_t a, std::uint32_t b) {
     const Box3 box = boxOfBoth(a, b);
     return distance(box.low, box.high);
@@ -37,7 +37,7 @@ class MergedPoints {
   }
 
   DisjointSets sets_;
-  std::vector<Box3> boxes_;  // by the point that stands for the others
+  std::vector<Box3> boxes_;  // by the first point of each group
 };
 
 }  // namespace af2::geometry

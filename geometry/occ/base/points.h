@@ -1,4 +1,4 @@
-// Between OpenCASCADE's points and ours.
+// Conversions between OpenCASCADE's points and those of AF2.
 #pragma once
 
 #include <gp_Dir.hxx>

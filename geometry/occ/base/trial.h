@@ -1,4 +1,4 @@
-// Trying out in a process of its own what may crash this one.
+// Runs code that may crash in a separate process first.
 #pragma once
 
 #include <chrono>
@@ -6,9 +6,8 @@
 
 namespace af2::geometry {
 
-/// Whether `work` comes back, by return or by exception, within `limit`: it runs in a forked copy
-/// of this process, which may crash. Where there is no fork, it is not tried and counts as
-/// surviving.
+/// Whether `work` ends, by return or by exception, within `limit`. It runs in a forked copy of this
+/// process, which may crash. On systems without fork it is not run, and the result is true.
 ///
 /// OpenCASCADE's STEP translator dereferences entities that a damaged file refers to but does not
 /// hold. Refusing all damaged files instead would refuse many that are harmless.

@@ -63,14 +63,14 @@ class TipNeighbors {
   /// How far it is to the nearest edge that does not end at a tip, if that is within the fan.
   std::optional<double> nearestTo(const std::set<std::size_t>& edges, std::uint32_t point,
                                   const Point3& place) const {
-    constexpr double kLeast = 1e-3;  // of the size
+    constexpr double kMin = 1e-3;  // of the size
     const double reach = tips_.at(point) / kReach;
     std::optional<double> nearest;
     for (const std::size_t edge : edges) {
       if (ends_[edge].first == point || ends_[edge].last == point) continue;
       const EdgeLine line(model_, edge, samples_[edge]);
       const auto foot = line.footOf(place, nearest ? std::min(*nearest, reach) : reach);
-      if (foot && foot->distance > kLeast * samples_[edge].wanted) nearest = foot->distance;
+      if (foot && foot->distance > kMin * samples_[edge].wanted) nearest = foot->distance;
     }
     return nearest;
   }

@@ -17,10 +17,10 @@ namespace af2::geometry {
 
 namespace {
 
-/// Segments beside a short edge are at most so many times longer.
-constexpr double kMostOfLength = 2;
+/// Segments next to a short edge are at most this many times longer.
+constexpr double kMaxOfLength = 2;
 /// But no shorter than this share of the size: around a tiny edge that would take too many.
-constexpr double kLeastShare = 0.02;
+constexpr double kMinShare = 0.02;
 
 /// From an end of an edge to a place on it as far away as that.
 Point3 awayFrom(const EdgeSamples& samples, bool first, double reach) {
@@ -54,7 +54,7 @@ class FaceCorners {
 
   /// Whether the face gets wider from an edge on.
   bool opensFrom(const EdgeUse& use, const Ends& ends) {
-    constexpr double kLeastOpening = 0.5;  // radians between the edges beyond the ends
+    constexpr double kMinOpening = 0.5;  // radians between the edges beyond the ends
     const std::size_t edge = indexOf(use);
     const EdgeSamples& samples = samples_[edge];
     const std::optional<Point3> before = beyond(edge, ends.first), after = beyond(edge, ends.last);
@@ -67,7 +67,7 @@ class FaceCorners {
     const Point3 along = samples.end - samples.start;
     double turn = turnBetween(-1.0 * *before, along, normal) + turnBetween(along, *after, normal);
     if (use.edge.Orientation() == TopAbs_REVERSED) turn = -turn;
-    return turn < std::numbers::pi - kLeastOpening;
+    return turn < std::numbers::pi - kMinOpening;
   }
 
   const std::vector<EdgeUse>& uses() const {
@@ -82,7 +82,7 @@ class FaceCorners {
     if (there.size() != 2) return std::nullopt;
     const EdgeEnd& other = there[there[0].edge == edge ? 1 : 0];
     const Point3 way =
-        awayFrom(samples_[other.edge], other.isStart, kMostOfLength * samples_[edge].length);
+        awayFrom(samples_[other.edge], other.isStart, kMaxOfLength * samples_[edge].length);
     return length(way) > 0 ? std::optional(way) : std::nullopt;
   }
 
@@ -99,7 +99,7 @@ bool isShort(const EdgeSamples& samples, const Ends& ends) {
   double largest = 0;
   for (const EdgePiece& piece : samples.pieces)
     largest = std::max(largest, *std::ranges::max_element(piece.sizes));
-  return kMostOfLength * samples.length < largest;
+  return kMaxOfLength * samples.length < largest;
 }
 
 }  // namespace
@@ -128,8 +128,8 @@ void limitAtShortEdges(const ModelShape& model, const CadSizes& sizes,
   }
   for (std::size_t i = 0; i < samples.size(); ++i) {
     if (!isAtOpenCorner[i]) continue;
-    const double limit = bounded(
-        sizes, std::max(kMostOfLength * samples[i].length, kLeastShare * samples[i].wanted));
+    const double limit =
+        bounded(sizes, std::max(kMaxOfLength * samples[i].length, kMinShare * samples[i].wanted));
     for (EdgePiece& piece : samples[i].pieces)
       for (double& size : piece.sizes) size = std::min(size, limit);
   }

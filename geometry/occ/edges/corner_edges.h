@@ -1,4 +1,4 @@
-// Edges that are short beside those before and after them, at corners where a face opens.
+// Limits sizes next to short edges at corners where a face gets wider.
 // Not installed: includers need OpenCASCADE's headers.
 #pragma once
 
@@ -10,10 +10,11 @@
 
 namespace af2::geometry {
 
-/// Limits the sizes along short edges to some times their length, so that sizes grow from there
-/// along the edges beyond their ends: a long segment beside a short one makes a thin triangle.
-/// Only where a face gets wider from the short edge on: where it is the end of a strip, or of a
-/// wedge, triangles are thin all along that, and the shorter the more of them.
+/// Limits the sizes along short edges to a multiple of their length, so that sizes grow from there
+/// along the adjacent edges: a long segment next to a short one makes a thin triangle. This is done
+/// only where a face gets wider away from the short edge. If the short edge is the end of a strip
+/// or of a wedge, triangles are thin along all of it, and shorter segments would only make more of
+/// them.
 ///
 /// ends, samples  by edge; [0] is edge 1
 void limitAtShortEdges(const ModelShape& model, const CadSizes& sizes,

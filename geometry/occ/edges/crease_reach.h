@@ -1,4 +1,4 @@
-// How edges are divided where creases of their faces end on them.
+// Divides edges where creases of their faces end on them.
 // Not installed: includers need OpenCASCADE's headers.
 #pragma once
 
@@ -11,18 +11,19 @@
 
 namespace af2::geometry {
 
-/// An edge across a crease turns with it. That counts for nothing, as the crease is an edge.
+/// An edge that crosses a crease turns there. This turn does not limit the sizes, because the
+/// crease itself is an edge of the mesh.
 class CreaseReach {
  public:
   CreaseReach() = default;
-  /// pointOf  the point that a vertex of the model has become, both counted from 0
+  /// pointOf  the point for a vertex of the model, both counted from 0
   CreaseReach(const ModelShape& model,
               const std::function<std::uint32_t(std::uint32_t vertex)>& pointOf);
 
-  /// How far from a point, at which a crease ends, edges across it turn.
+  /// By point at which a crease ends: the distance within which edges turn with the crease.
   const std::map<std::uint32_t, double>& byPoint() const { return byPoint_; }
 
-  /// Takes the limits by turns from the ends of a part.
+  /// Removes the limits by turns from the ends of a part.
   void leaveOut(EdgePart& part) const;
 
  private:

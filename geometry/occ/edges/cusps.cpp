@@ -14,8 +14,8 @@ namespace {
 
 /// Tangents of the angle that elements there are to have, if edges are long enough for that, and of
 /// that below which they are of no use.
-constexpr double kOpen = 0.018, kLeastOpen = 0.0093;
-constexpr double kMostOfSize = 2, kMostOfEdge = 0.4;
+constexpr double kOpen = 0.018, kMinOpen = 0.0093;
+constexpr double kMaxOfSize = 2, kMaxOfEdge = 0.4;
 
 /// An edge on the way from one of its ends.
 class Way {
@@ -72,16 +72,16 @@ class CuspFinder {
   }
 
   bool areAlike(EdgeEnd one, EdgeEnd other) const {
-    constexpr double kLeastCosine = 0.9;  // samples are fine
-    return dot(direction(one), direction(other)) > kLeastCosine;
+    constexpr double kMinCosine = 0.9;  // samples are fine
+    return dot(direction(one), direction(other)) > kMinCosine;
   }
 
   void compare(EdgeEnd one, EdgeEnd other) {
     constexpr double kNear = 1e-3;
     constexpr int kSteps = 20;
     const EdgeSamples &first = samples_[one.edge], &second = samples_[other.edge];
-    const double most = std::min(kMostOfSize * std::min(first.wanted, second.wanted),
-                                 kMostOfEdge * std::min(first.length, second.length));
+    const double most = std::min(kMaxOfSize * std::min(first.wanted, second.wanted),
+                                 kMaxOfEdge * std::min(first.length, second.length));
     const Way a(model_, one, first), b(model_, other, second);
     const auto tangentAt = [&](double length) {
       return b.distanceTo(a.at(length), length) / length;
@@ -89,7 +89,7 @@ class CuspFinder {
     double near = kNear * most, far = most;
     const double open = std::min(kOpen, tangentAt(most));
     const auto isOpen = [&](double length) { return tangentAt(length) >= open; };
-    if (open < kLeastOpen || isOpen(near)) return;
+    if (open < kMinOpen || isOpen(near)) return;
     for (int step = 0; step < kSteps; ++step) {
       const double middle = std::sqrt(near * far);
       (isOpen(middle) ? far : near) = middle;

@@ -1,4 +1,4 @@
-// Where edges of a face part from a common vertex without an angle, as a circle and a tangent do.
+// Cusps: edges of a face that leave a common vertex without an angle, like circle and tangent.
 // Not installed: includers need OpenCASCADE's headers.
 #pragma once
 
@@ -13,19 +13,19 @@
 
 namespace af2::geometry {
 
-/// How far from its end an edge is to have no vertex: nearer to it, the edge that parts from it
-/// there is so near that an element between them would have less than one degree.
+/// The distance from its end within which an edge must have no vertex: there the other edge of the
+/// cusp is so near that an element between them would have an angle below one degree.
 using CuspLengths = std::map<EdgeEnd, double>;
 
-/// At most two times the wanted size, if there are 0.53 degrees there; none where edges part at an
-/// angle that no length opens.
+/// The distance is at most twice the wanted size, where the angle must be at least 0.53 degrees;
+/// there is none where edges meet at an angle that does not open with the distance.
 ///
 /// ends, samples  by edge; [0] is edge 1
 CuspLengths cuspsOf(const ModelShape& model, const std::vector<Ends>& ends,
                     const std::vector<EdgeSamples>& samples);
 
 /// Parameters that divide a part of an edge, ends included, as divideFromTips does; segments at
-/// cusps are no shorter than it takes there.
+/// cusps have at least the length that the cusp needs.
 std::vector<double> divideFromCusps(const ModelShape& model, const EdgePart& part,
                                     const CuspLengths& cusps,
                                     const std::map<std::uint32_t, double>& tips, std::size_t least,

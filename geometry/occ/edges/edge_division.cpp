@@ -33,14 +33,14 @@ namespace af2::geometry {
 namespace {
 
 /// An edge that is shorter than this share of the wanted size, and than the tolerances of its
-/// vertices, is taken for one point.
+/// vertices, is collapsed to a point.
 constexpr double kPointLike = 1e-3;
-/// So is one that is shorter than this share of the model, where coordinates blur, or than nothing
-/// can be seen, whatever the tolerances say.
+/// So is an edge that is shorter than this share of the model, where the precision of coordinates
+/// ends, or too short to be visible, independent of the tolerances.
 constexpr double kBlur = 1e-10;
 
 /// Vertices with tolerances beyond this share of the model are damaged.
-constexpr double kMostTolerance = 0.01;
+constexpr double kMaxTolerance = 0.01;
 
 class Division {
  public:
@@ -120,7 +120,7 @@ class Division {
 
   bool isAskedToBePoint(std::size_t i) const { return asPoints_.contains(static_cast<int>(i) + 1); }
 
-  /// What is given from outside is taken as it is.
+  /// Given divisions are used unchanged.
   bool mayBePoint(std::size_t i) const {
     return !givenFor(i) && (isAskedToBePoint(i) || samples_[i].length <= pointLength(i));
   }
@@ -187,13 +187,13 @@ class Division {
     std::vector<double> tolerance(result_.points.size(), blur);
     for (int id = 1; id <= model_.vertices.Extent(); ++id)
       tolerance[static_cast<std::size_t>(id) - 1] +=
-          std::min(BRep_Tool::Tolerance(model_.vertex(id)), kMostTolerance * model_.diagonal);
+          std::min(BRep_Tool::Tolerance(model_.vertex(id)), kMaxTolerance * model_.diagonal);
     std::vector<bool> isUsed;
     for (const EdgeSamples& samples : samples_) isUsed.push_back(!samples.pieces.empty());
     return gapsInWires(model_, ends_, isUsed, result_.points, tolerance);
   }
 
-  /// What is given from outside is not divided any further.
+  /// Given divisions are not divided any further.
   void makeParts() {
     std::vector<bool> mayBeSplit;
     for (std::size_t i = 0; i < samples_.size(); ++i) mayBeSplit.push_back(!givenFor(i));
@@ -283,7 +283,7 @@ class Division {
     std::vector<Point3> positions;
     for (const std::uint32_t p : inner) positions.push_back(result_.points[p]);
     EdgeRange range = part.range();
-    range.tolerance = kMostBetweenTouching * part.samples.wanted;
+    range.tolerance = kMaxBetweenTouching * part.samples.wanted;
     try {
       PlacedPoints placed = placeOnEdge(model_, static_cast<int>(part.edge) + 1, positions, range);
       if (!(placed.points == positions)) std::ranges::reverse(inner);

@@ -13,18 +13,19 @@
 
 namespace af2::geometry {
 
-/// All edges as sampleEdge has them: made once, for all divisions of a model by sizes that differ
-/// in their function only.
+/// The samples of all edges (sampleEdge). They are made once and serve all divisions of a model by
+/// sizes that differ only in their function.
 std::vector<EdgeSamples> sampleEdges(const ModelShape& model, const CadSizes& sizes, int threads,
                                      const std::stop_token& stop);
 
-/// Divides all edges, whichever faces are asked for, so that these mesh alike alone or together.
+/// Divides all edges, whichever faces are requested, so that a face gets the same mesh alone or
+/// together with others.
 ///
-/// Segments are as long as the sizes want along the curve in space, or between the points that are
-/// given for an edge. Closed edges have at least
-/// three segments, edges with the same two ends at least two: no two edges share a segment.
+/// Segments have the wanted sizes along the curve in space, or end at the points that are given for
+/// an edge. Closed edges have at least three segments, edges with the same two ends at least two,
+/// so that no two edges share a segment.
 ///
-/// Throws InputError if the points given for an edge do not lie on it, in order and apart.
+/// Throws InputError if the points given for an edge are not on it, in order and distinct.
 DividedEdges divideEdges(const ModelShape& model, const std::vector<EdgeSamples>& sampled,
                          const CadSizes& sizes, int threads, const std::stop_token& stop,
                          const EdgePoints& given = {}, const CollapsedEdges& asPoints = {});

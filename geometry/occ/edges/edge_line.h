@@ -1,4 +1,4 @@
-// The nearest place of an edge, by its samples.
+// Finds the nearest place of an edge, starting from its samples.
 // Not installed: includers need OpenCASCADE's headers.
 #pragma once
 
@@ -24,8 +24,8 @@ struct Foot {
 /// Finds the nearest place of an edge, first among the chords of its samples.
 class EdgeLine {
  public:
-  /// Samples of curves lie on them; chords between them leave them by no more than this share of
-  /// their length.
+  /// Samples are on the curve; the distance of the chords between them from the curve is at most
+  /// this share of the chord's length.
   static constexpr double kSag = 0.25;
 
   EdgeLine(const ModelShape& model, std::size_t edge, const EdgeSamples& samples)

@@ -26,7 +26,7 @@ gp_Pnt2d EdgeOnFace::at(double parameter, const Point3& position) {
 bool EdgeOnFace::isAstray(const DividedEdge& divided, const std::vector<Point3>& points,
                           const FaceSurface& surface) const {
   if (plane_ || curve_.IsNull()) return false;
-  constexpr double kMost = 0.5;  // of the longest segment
+  constexpr double kMax = 0.5;  // of the longest segment
   double most = 0, longest = 0;
   for (std::size_t i = 0; i < divided.points.size(); ++i) {
     const Point3& position = points[divided.points[i]];
@@ -35,7 +35,7 @@ bool EdgeOnFace::isAstray(const DividedEdge& divided, const std::vector<Point3>&
                     distance(surface.inOccParameters().pointAt(uv.X(), uv.Y()).position, position));
     if (i > 0) longest = std::max(longest, distance(points[divided.points[i - 1]], position));
   }
-  return most > kMost * longest;
+  return most > kMax * longest;
 }
 
 gp_Pnt2d EdgeOnFace::onCurve(double parameter) const {

@@ -1,4 +1,4 @@
-// Where the points of an edge lie in the parameters of a face.
+// Finds the places of the points of an edge in the parameters of a face.
 // Not installed: includers need OpenCASCADE's headers.
 #pragma once
 
@@ -16,18 +16,20 @@
 
 namespace af2::geometry {
 
-/// Where the points of an edge lie in the parameters of a face.
+/// The places of the points of an edge in the parameters of a face.
 class EdgeOnFace {
  public:
-  /// plane  on which the face lies, if it does; all are kept by reference but the box, of the part
-  /// of the parameters that the face takes up
+  /// plane  of the face, if it is plane
+  /// box    the part of the parameters that the face occupies
+  ///
+  /// All arguments except the box are kept as references.
   EdgeOnFace(const TopoDS_Edge& edge, const TopoDS_Face& face, const std::optional<gp_Pln>& plane,
              const SplineSurface::Box& box);
 
   gp_Pnt2d at(double parameter, const Point3& position);
 
-  /// Whether the curve in the parameters is far from that in space: what is `most` away from where
-  /// it should be lies elsewhere on the face.
+  /// Whether the curve in the parameters is far from the curve in space: a deviation of `most`
+  /// means that it is elsewhere on the face.
   bool isAstray(const DividedEdge& divided, const std::vector<Point3>& points,
                 const FaceSurface& surface) const;
 
@@ -50,8 +52,8 @@ class EdgeOnFace {
   double first_ = 0, last_ = 1, curveFirst_ = 0, curveLast_ = 1;
 };
 
-/// Of the surface at a place of an edge, du x dv, whichever way the face looks; of any length, and
-/// 0 where it is not known.
+/// The normal du x dv of the surface at a place of an edge, independent of the orientation of the
+/// face; of any length, and 0 if unknown.
 Point3 normalOnEdge(const FaceSurface& surface, const TopoDS_Face& face, const TopoDS_Edge& edge,
                     double parameter);
 

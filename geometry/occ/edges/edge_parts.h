@@ -1,4 +1,4 @@
-// Edges in parts, between the vertices of other edges that they pass.
+// Splits edges into parts at the vertices of other edges that they pass.
 // Not installed: includers need OpenCASCADE's headers.
 #pragma once
 
@@ -19,19 +19,20 @@ struct EdgeEnd {
   auto operator<=>(const EdgeEnd&) const = default;
 };
 
-/// The ends of the edges of a face by the points at which they are, without edges that are points.
+/// The ends of the edges of a face, grouped by point, without edges that are points.
 ///
 /// ends, samples  by edge; [0] is edge 1
 std::map<std::uint32_t, std::vector<EdgeEnd>> endsByPoint(const std::vector<EdgeUse>& edgesOfFace,
                                                           const std::vector<Ends>& ends,
                                                           const std::vector<EdgeSamples>& samples);
 
-/// Of an edge between two of the points that it passes, or all of it.
+/// The part of an edge between two of the points that it passes, or the whole edge.
 struct EdgePart {
   std::size_t edge = 0;  ///< [0] is edge 1
   EdgeSamples samples;
   Ends ends;
-  /// Whether it begins and ends where the edge does, not where that only passes another one's end.
+  /// Whether the part begins and ends where the edge does, rather than where the edge passes the
+  /// end of another one.
   bool isFirst = true, isLast = true;
 
   EdgeRange range() const {
@@ -40,10 +41,10 @@ struct EdgePart {
   }
 };
 
-/// The samples of the parts between these parameters, which lie in order between the ends.
+/// The samples of the parts between these parameters, which are in order between the ends.
 std::vector<EdgeSamples> split(const EdgeSamples& samples, const std::vector<double>& parameters);
 
-/// The parameter at a length from the start, which lies between the ends.
+/// The parameter at a length from the start; the length is between 0 and that of the edge.
 double parameterAt(const EdgeSamples& samples, double length);
 
 }  // namespace af2::geometry

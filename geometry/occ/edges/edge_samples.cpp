@@ -163,17 +163,17 @@ std::vector<EdgePiece> sampleInCells(const BRepAdaptor_Curve& curve, const Wante
 /// How many times too long the cells are. Sizes that were asked for may be far below the largest,
 /// and small in a few places only: samples are to be dense there as well.
 double coarseness(const std::vector<EdgePiece>& pieces) {
-  constexpr double kMostOfCell = 0.25;  // length of a cell
+  constexpr double kMaxOfCell = 0.25;  // length of a cell
   double worst = 0;
   for (const EdgePiece& piece : pieces)
     for (std::size_t i = 1; i < piece.sizes.size(); ++i)
       worst = std::max(worst, (piece.arcLength[i] - piece.arcLength[i - 1]) / piece.sizes[i]);
-  return worst / kMostOfCell;
+  return worst / kMaxOfCell;
 }
 
-/// Where an edge begins, seen from one of its ends. A curve may end beside its vertex, as far as
-/// the tolerance allows, and pass by the vertex first: what lies nearer to that than its end is
-/// left out.
+/// The parameter at which an edge begins, as seen from one of its ends. A curve may end next to its
+/// vertex, within the tolerance, and pass the vertex before its end: the part after the point
+/// nearest to the vertex is left out.
 double beginOf(const BRepAdaptor_Curve& curve, double end, double otherEnd,
                const TopoDS_Vertex& vertex, double wanted) {
   constexpr double kBeside = 0.01;  // share of the wanted size
@@ -247,15 +247,15 @@ void samplePlain(const ModelShape& model, int edge, const CadSizes& sizes, EdgeS
 
 /// Samples more densely until the cells are short against the sizes that are wanted by position.
 void resample(const ModelShape& model, int edge, const CadSizes& sizes, EdgeSamples& samples) {
-  constexpr int kMostRounds = 4;
-  constexpr double kMargin = 1.25, kMostAtOnce = 16;
+  constexpr int kMaxRounds = 4;
+  constexpr double kMargin = 1.25, kMaxAtOnce = 16;
   double tooCoarse = coarseness(samples.pieces);
   if (tooCoarse <= 1) return;
   const BRepAdaptor_Curve curve(model.edge(edge));
   const EdgeSampler sampler(curve, model, edge, sizes);
   double total = sampler.fewest();
-  for (int round = 0; round < kMostRounds && tooCoarse > 1; ++round) {
-    total = std::min(kMargin * tooCoarse, kMostAtOnce) * std::max(total, double(kMinSamples));
+  for (int round = 0; round < kMaxRounds && tooCoarse > 1; ++round) {
+    total = std::min(kMargin * tooCoarse, kMaxAtOnce) * std::max(total, double(kMinSamples));
     if (total > kMaxSamples) return;
     samples.pieces = sampler.pieces(total);
     for (EdgePiece& piece : samples.pieces) limitByPosition(piece, sizes);

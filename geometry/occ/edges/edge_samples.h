@@ -1,4 +1,4 @@
-// An edge as a table: where its points are and which size is wanted there.
+// Samples of an edge: positions and the sizes wanted there.
 // Not installed: includers need OpenCASCADE's headers.
 #pragma once
 
@@ -10,7 +10,7 @@
 
 namespace af2::geometry {
 
-/// A smooth piece of an edge, sampled finely against the sizes wanted on it.
+/// A smooth piece of an edge, sampled finely compared with the sizes wanted on it.
 struct EdgePiece {
   std::vector<double> parameters;
   std::vector<double> arcLength;  ///< from the start of the piece
@@ -23,24 +23,25 @@ struct EdgeSamples {
       pieces;  ///< split where the curve has a kink; empty: no length or unusable
   Point3 start, end;
   double length = 0;
-  double wanted = 0;    ///< the size asked for, before all limits
+  double wanted = 0;    ///< the requested size, before all limits
   std::string problem;  ///< why it is unusable
 };
 
-/// By what the faces beside the edge want, without limits by position.
+/// Samples an edge with the sizes that its faces want, without limits by position.
 EdgeSamples sampleEdge(const ModelShape& model, int edge, const CadSizes& sizes);
 
-/// What sampleEdge gave, with the limits by position; sampled more densely where these ask for
-/// small sizes. `sizes` may have another function than then, nothing else.
+/// Adds the limits by position to the result of sampleEdge, and samples more densely where these
+/// require small sizes. `sizes` may differ from those given to sampleEdge only in the function.
 EdgeSamples limitedByPosition(const ModelShape& model, int edge, const CadSizes& sizes,
                               EdgeSamples samples);
 
-/// Lets sizes grow along the edge by no more than `growth` per unit of length, from `first` and
+/// Limits the growth of sizes along the edge to `growth` per unit of length, from `first` and
 /// `last` at its ends.
 void gradeSizes(EdgeSamples& samples, double first, double last, double growth);
 
 /// Parameters that divide the edge into pieces of the wanted sizes, ends included. The number of
-/// them is the nearest; with sizes.elementsPerTurn, no piece that turns is longer than wanted.
+/// pieces is rounded to the nearest; with sizes.elementsPerTurn, no piece that turns is longer than
+/// wanted.
 std::vector<double> divide(const EdgeSamples& samples, std::size_t leastSegments,
                            const CadSizes& sizes);
 

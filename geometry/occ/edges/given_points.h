@@ -1,4 +1,4 @@
-// Points from outside that divide an edge of a CAD model.
+// Places given points on the edge of a CAD model that they divide.
 // Not installed: includers need OpenCASCADE's headers.
 #pragma once
 
@@ -9,17 +9,17 @@
 
 namespace af2::geometry {
 
-/// A part of an edge, or all of it.
+/// A part of an edge, or the whole edge.
 struct EdgeRange {
   double first = 0, last = 0;  ///< parameters
   double length = 0;
-  double tolerance = 0;  ///< how far from it points may lie, whatever else is said
+  double tolerance = 0;  ///< distance that points may have from it in any case
 };
 
-/// Finds where the points between the ends of an edge, or of a part of it, lie on its curve.
+/// Finds the parameters of points between the ends of an edge, or of a part of it.
 ///
-/// Throws InputError unless they lie on it, in order and apart: within the tolerance of the edge, a
-/// hundredth of the segments beside them, or the tolerance of the range.
+/// Throws InputError unless they are on it, in order and distinct, within the largest of the
+/// tolerance of the edge, a hundredth of the adjacent segments, and the tolerance of the range.
 PlacedPoints placeOnEdge(const ModelShape& model, int edge, const std::vector<Point3>& points,
                          const EdgeRange& range);
 

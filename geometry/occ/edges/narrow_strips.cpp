@@ -19,11 +19,12 @@ namespace af2::geometry {
 
 namespace {
 
-/// Segments along a strip are at most so many times longer than it is wide.
-constexpr double kMostOfWidth = 1.5;
-/// What would take segments shorter than this share of the size stays as it is: less where turns
-/// are to have their elements, so that the mesh is fine in places anyway.
-constexpr double kLeastShare = 0.15, kLeastShareWithTurns = 0.1;
+/// Segments along a strip are at most this many times longer than the strip is wide.
+constexpr double kMaxOfWidth = 1.5;
+/// Strips that would need segments shorter than this share of the size are not changed. The share
+/// is smaller if turns have a minimum number of elements, because the mesh is then fine in places
+/// anyway.
+constexpr double kMinShare = 0.15, kMinShareWithTurns = 0.1;
 
 /// One of a few samples of an edge for each of its segments.
 struct Knot {
@@ -89,7 +90,7 @@ KnottedEdge knotted(const EdgeSamples& samples) {
   for (std::size_t i = 0; i < edge.knots.size(); ++i) {
     const Knot& knot = edge.knots[i];
     edge.box.add(knot.position);
-    edge.reach = std::max(edge.reach, knot.size / kMostOfWidth);
+    edge.reach = std::max(edge.reach, knot.size / kMaxOfWidth);
     if (i == 0) continue;
     turn += distance(knot.tangent, edge.knots[i - 1].tangent);
     edge.longest = std::max(edge.longest, distance(knot.position, edge.knots[i - 1].position));
@@ -165,14 +166,14 @@ class FaceStrips {
     const KnottedEdge& edge = edges_[use.edge];
     for (std::uint32_t k = 0; k < edge.knots.size(); ++k) {
       const Knot& knot = edge.knots[k];
-      const double most = knot.size / kMostOfWidth;
+      const double most = knot.size / kMaxOfWidth;
       double width = most;
       for (const std::uint32_t other : near) {
         const std::optional<Side> side = across(use.edge, k, other, width);
         if (side && isInside(use, knot, side->direction)) width = side->width;
       }
-      if (width < most && kMostOfWidth * width > leastShare_ * knot.size)
-        limits_.push_back({use.edge, k, kMostOfWidth * width});
+      if (width < most && kMaxOfWidth * width > leastShare_ * knot.size)
+        limits_.push_back({use.edge, k, kMaxOfWidth * width});
     }
   }
 
@@ -283,7 +284,7 @@ void limitInStrips(const ModelShape& model, const CadSizes& sizes, const std::ve
   std::vector<KnottedEdge> edges(samples.size());
   for (std::size_t i = 0; i < samples.size(); ++i)
     if (!sizes.edgeSizes.contains(static_cast<int>(i) + 1)) edges[i] = knotted(samples[i]);
-  const double leastShare = sizes.elementsPerTurn > 0 ? kLeastShareWithTurns : kLeastShare;
+  const double leastShare = sizes.elementsPerTurn > 0 ? kMinShareWithTurns : kMinShare;
   std::vector<std::vector<Limit>> byFace(static_cast<std::size_t>(model.faces.Extent()));
   forEachInParallel(byFace.size(), threads, [&](std::size_t i) {
     try {

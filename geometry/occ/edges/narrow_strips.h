@@ -1,4 +1,4 @@
-// Sizes along edges where a face is narrow beside them.
+// Limits sizes along edges next to which a face is narrow.
 // Not installed: includers need OpenCASCADE's headers.
 #pragma once
 
@@ -9,9 +9,10 @@
 
 namespace af2::geometry {
 
-/// Lowers the sizes along edges where the face beside them is narrower than a part of the size, so
-/// that elements across the strip have fair angles, and the segments of its two sides, being alike,
-/// face each other. Wedges stay as they are: no division opens them.
+/// Lowers the sizes along edges next to which the face is narrower than a certain share of the
+/// size, so that elements across the strip have good angles, and the segments of its two sides have
+/// equal lengths and face each other. Wedges are not changed, because no division opens their
+/// angle.
 ///
 /// ends     by edge; [0] is edge 1
 /// samples  by edge

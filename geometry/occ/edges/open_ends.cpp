@@ -7,7 +7,7 @@ namespace af2::geometry {
 
 namespace {
 
-/// By point: how many edges of a wire start there, less how many end there.
+/// By point: the number of edges of a wire that start there, minus the number that end there.
 std::map<std::uint32_t, int> balanceOf(const std::vector<EdgeUse>& uses,
                                        const std::vector<Ends>& ends,
                                        const std::vector<bool>& isUsed) {

@@ -1,4 +1,4 @@
-// Ends of edges at which the boundary of a face has a gap.
+// Finds ends of edges at which the boundary of a face has a gap.
 // Not installed: includers need OpenCASCADE's headers.
 #pragma once
 
@@ -16,9 +16,8 @@ struct Ends {
   std::uint32_t first = 0, last = 0;
 };
 
-/// Pairs of points that are to be one, so that the wires of the faces close: at one of them a wire
-/// ends, at the other it starts again, and they are no farther apart than the tolerances of the
-/// model allow.
+/// Pairs of points to be merged, so that the wires of the faces close: at one of them a wire ends,
+/// at the other it continues, and their distance is within the tolerances of the model.
 ///
 /// ends       by edge; [0] is edge 1
 /// tolerance  by point

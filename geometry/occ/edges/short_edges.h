@@ -1,5 +1,5 @@
-// Short edges where a face fails: a surface may turn over beside them, or what they bound may be
-// smaller than any element.
+// Finds short edges where a face fails: a surface may fold over next to them, or the detail that
+// they bound may be smaller than any element.
 // Not installed: includers need OpenCASCADE's headers.
 #pragma once
 
@@ -10,9 +10,9 @@
 
 namespace af2::geometry {
 
-/// The edges of a face that are short against the wanted size and lie within that size of one of
-/// the places, if there are any: only very short ones first, then all up to a third of the size.
-/// None twice alike.
+/// The edges of a face that are short compared with the wanted size and within that size of one of
+/// the places, if any are given: first only very short edges, then all up to a third of the size.
+/// All choices differ.
 std::vector<CollapsedEdges> shortEdgesNear(const ModelShape& model, int face,
                                            const DividedEdges& divided,
                                            const std::vector<SizeSource>& places, double wanted);

@@ -94,8 +94,8 @@ class FanCutter {
       fan.rim.push_back(loop[before].vertex);
       for (const BoundaryCorner& corner : rim) fan.rim.push_back(corner.vertex);
       fan.rim.push_back(loop[behind].vertex);
-      boundary_.notes.push_back("comes to a sharp tip; " + std::to_string(rim.size() + 1) +
-                                " triangles around that were made before the front");
+      boundary_.notes.push_back("has a sharp tip; " + std::to_string(rim.size() + 1) +
+                                " triangles around it were made before the front");
       const auto at = loop.erase(loop.begin() + static_cast<std::ptrdiff_t>(i));
       loop.insert(at, rim.begin(), rim.end());
       i += rim.size();
@@ -171,10 +171,10 @@ std::map<std::uint32_t, double> segmentsAtTips(const ModelShape& model,
     add(ends[i].first, samples[i].pieces.front().sizes.front());
     add(ends[i].last, samples[i].pieces.back().sizes.back());
   }
-  constexpr double kMostOfEdge = 0.25;
+  constexpr double kMaxOfEdge = 0.25;
   std::map<std::uint32_t, double> segments;
   for (const auto& [point, tip] : found) {
-    const double length = std::min(kFewestAround * tip.size / tip.angle, kMostOfEdge * tip.length);
+    const double length = std::min(kFewestAround * tip.size / tip.angle, kMaxOfEdge * tip.length);
     if (length > 0 && std::isfinite(length)) segments[point] = length;
   }
   return segments;
@@ -183,11 +183,11 @@ std::map<std::uint32_t, double> segmentsAtTips(const ModelShape& model,
 std::vector<double> divideFromTips(const EdgePart& part,
                                    const std::map<std::uint32_t, double>& tips, std::size_t least,
                                    const CadSizes& sizes) {
-  constexpr double kMost = 0.4;  // of the part
+  constexpr double kMax = 0.4;  // of the part
   const EdgeSamples& all = part.samples;
   const auto tipAt = [&](std::uint32_t end) {
     const auto tip = tips.find(end);
-    return tip != tips.end() && tip->second <= kMost * all.length ? tip : tips.end();
+    return tip != tips.end() && tip->second <= kMax * all.length ? tip : tips.end();
   };
   const auto none = tips.end(), first = tipAt(part.ends.first), last = tipAt(part.ends.last);
   std::vector<double> ends;

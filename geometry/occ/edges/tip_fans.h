@@ -1,5 +1,5 @@
-// Triangles around sharp tips of surfaces, made before the front: all around the tip of a needle
-// there is less room than a front needs for one element.
+// Fans of triangles around sharp tips of surfaces, made before the front, because around the tip of
+// a needle there is less room than a front needs for one element.
 // Not installed: includers need OpenCASCADE's headers.
 #pragma once
 
@@ -15,26 +15,26 @@
 
 namespace af2::geometry {
 
-/// By index of a point around which faces come to a sharp tip: how long the segments of all edges
-/// are there, so that four elements around it have rims as long as the size that is wanted.
+/// By index of a point at which faces have a sharp tip: the length of the segments of all edges
+/// there, such that the rims of four elements around it have the wanted size.
 ///
 /// ends, samples  by edge; [0] is edge 1
-/// isGiven        by edge: its points are given; beside it there is nothing to choose
+/// isGiven        by edge: its points are given, so its segments cannot be chosen
 std::map<std::uint32_t, double> segmentsAtTips(const ModelShape& model,
                                                const std::vector<Ends>& ends,
                                                const std::vector<EdgeSamples>& samples,
                                                const std::vector<bool>& isGiven);
 
 /// Parameters that divide a part of an edge, ends included: a segment at a sharp tip is as long as
-/// the fan around that, the rest has the wanted sizes. A part that another edge's end has cut too
-/// short for the segment is divided as any other.
+/// the fan around that, the rest has the wanted sizes. A part that is too short for this segment,
+/// because another edge ends there, is divided like any other.
 ///
 /// tips  as segmentsAtTips gave them
 std::vector<double> divideFromTips(const EdgePart& part,
                                    const std::map<std::uint32_t, double>& tips, std::size_t least,
                                    const CadSizes& sizes);
 
-/// Leaves fans around the tips out of the loops, where the segments on both sides are as long.
+/// Excludes fans around the tips from the loops, where the segments on both sides are equally long.
 void leaveOutFans(const FaceSurface& surface, FaceBoundary& boundary);
 
 }  // namespace af2::geometry

@@ -17,10 +17,11 @@ namespace af2::geometry {
 
 namespace {
 
-/// Of the wanted size: tolerances count up to that.
-constexpr double kMost = 1e-3;
+/// Tolerances count up to this share of the wanted size.
+constexpr double kMax = 1e-3;
 
-/// What lies on an edge is so many times as far from its ends as it may be beside it.
+/// A stop must be this many times farther from the ends of the edge than the allowed distance from
+/// the edge.
 constexpr double kFromEnds = 10;
 
 class StopFinder {
@@ -86,7 +87,7 @@ class StopFinder {
         if (i > 0)
           longest = std::max(longest, distance(piece.positions[i - 1], piece.positions[i]));
       }
-    const double margin = EdgeLine::kSag * longest + kMostBetweenTouching * samples.wanted;
+    const double margin = EdgeLine::kSag * longest + kMaxBetweenTouching * samples.wanted;
     const Point3 around{margin, margin, margin};
     return {box.low - around, box.high + around};
   }
@@ -101,7 +102,7 @@ class StopFinder {
     const EdgeLine line(model_, edge, samples_[edge]);
     const Point3& place = points_[vertex];
     const std::optional<Foot> foot =
-        line.footOf(place, std::max(reach, kMostBetweenTouching * wanted));
+        line.footOf(place, std::max(reach, kMaxBetweenTouching * wanted));
     if (!foot) return;
     const double fromEnds = std::min(distance(foot->position, points_[ends_[edge].first]),
                                      distance(foot->position, points_[ends_[edge].last]));
@@ -175,13 +176,13 @@ class StopFinder {
 
 double reachOfEdge(const ModelShape& model, int edge, double tolerance, double wanted) {
   constexpr double kBlur = 1e-9;  // of the model
-  return std::min(BRep_Tool::Tolerance(model.edge(edge)) + tolerance, kMost * wanted) +
+  return std::min(BRep_Tool::Tolerance(model.edge(edge)) + tolerance, kMax * wanted) +
          std::max(kBlur * model.diagonal, kUnseen * wanted);
 }
 
 double reachInWedge(double reach, double wanted, double fromVertex) {
   constexpr double kSharp = 0.0087;  // tangent of half a degree
-  return std::max(reach, std::min(kMostBetweenTouching * wanted, kSharp * fromVertex));
+  return std::max(reach, std::min(kMaxBetweenTouching * wanted, kSharp * fromVertex));
 }
 
 std::vector<std::vector<Stop>> stopsOf(const ModelShape& model, const std::vector<Ends>& ends,

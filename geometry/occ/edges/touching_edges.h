@@ -1,4 +1,4 @@
-// Where edges of a face touch each other between their ends.
+// Finds where edges of a face touch each other between their ends.
 // Not installed: includers need OpenCASCADE's headers.
 #pragma once
 
@@ -10,21 +10,21 @@
 
 namespace af2::geometry {
 
-/// Edges that touch are never farther apart than this share of the wanted size: the tolerances of
-/// damaged models say otherwise, and sharp wedges are closed up to here.
-constexpr double kMostBetweenTouching = 2e-3;
+/// Edges count as touching only up to this share of the wanted size: the tolerances of damaged
+/// models may be larger, and sharp wedges are closed up to this distance.
+constexpr double kMaxBetweenTouching = 2e-3;
 
-/// Where an edge passes a point that another edge ends at.
+/// A place where an edge passes a point at which another edge ends.
 struct Stop {
   double parameter = 0;
   std::uint32_t point = 0;
 };
 
-/// How far apart edges of a face may lie that are taken for one, given the tolerances of both: no
-/// farther than can be seen in a mesh of the wanted size.
+/// The distance up to which edges of a face count as one, given the tolerances of both: no more
+/// than is visible in a mesh of the wanted size.
 double reachOfEdge(const ModelShape& model, int edge, double tolerance, double wanted);
 /// The same for edges that begin at the same vertex: in a wedge between them that is sharper than
-/// half a degree, no element can be any better than that.
+/// half a degree, no element can have a larger angle.
 double reachInWedge(double reach, double wanted, double fromVertex);
 
 /// By edge, and in order along it: the points at which other edges of a face end on it, between its

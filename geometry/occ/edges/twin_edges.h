@@ -1,5 +1,5 @@
-// Edges, or parts of them, that run along the same curve: the two sides of a seam that was not made
-// one, or of a face where it has no width, or edges of faces that were not sewn.
+// Finds edges, or parts of them, along the same curve: the two sides of a seam that are not one
+// edge, or of a face where it has no width, or edges of faces that are not sewn.
 // Not installed: includers need OpenCASCADE's headers.
 #pragma once
 
@@ -11,10 +11,10 @@
 
 namespace af2::geometry {
 
-/// For each part an earlier one between the same points that it runs along: some face has both, and
-/// they are as near as their tolerances say; or each bounds one face only, from one side and the
-/// other, and they are within a thousandth of the wanted size. Parts are in the order of their
-/// edges.
+/// For each part, an earlier part between the same points along the same curve, if there is one.
+/// Either some face has both, and their distance is within their tolerances; or each bounds only
+/// one face, on opposite sides, and their distance is within a thousandth of the wanted size. Parts
+/// are in the order of their edges.
 std::vector<std::optional<std::size_t>> twinsOf(const ModelShape& model,
                                                 const std::vector<EdgePart>& parts);
 

@@ -101,7 +101,7 @@ class Linker {
       }
     }
     if (!best)
-      throw GeometryError("the boundary is not closed: nothing follows edge " +
+      throw GeometryError("the boundary is not closed: no edge follows edge " +
                           std::to_string(chains_[i].edge) + ", which ends at " +
                           textOf(end.point.position) + "; healing closes loops that lack an edge");
     return *best;
@@ -125,8 +125,9 @@ class Linker {
   std::map<VertexId, std::vector<std::size_t>> starting_;
 };
 
-/// Whether the region lies on both sides of two chains that run back along each other: inside what
-/// the others bound. If these are not closed where they are drawn, nobody knows, and there is none.
+/// Whether the region is on both sides of two opposite chains, that is, whether they are inside the
+/// loops of the others. If the others are not closed in the plane, this is unknown, and the result
+/// is false.
 bool isSlit(const std::vector<Chain>& chains, std::size_t one, std::size_t other,
             const std::function<Point2(const SurfacePoint&)>& inPlane) {
   constexpr double kGap = 1e-3;  // of the length of what is drawn

@@ -1,4 +1,4 @@
-// From directed chains of vertices, one for each edge, to closed loops.
+// Links directed chains of vertices, one for each edge, to closed loops.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,8 @@
 
 namespace af2::geometry {
 
-/// An edge, or a part of it, as a face runs along it: at least two corners, the region on the left.
+/// An edge, or a part of it, in the direction in which a face uses it: at least two corners, with
+/// the region on the left.
 struct Chain {
   int edge = 0;
   bool reversed = false;           ///< against the direction of the edge
@@ -18,16 +19,16 @@ struct Chain {
   std::vector<BoundaryCorner> corners;
 };
 
-/// Takes out pairs of edges of a single segment that join the same two vertices in opposite
-/// directions: between them there is no room.
+/// Removes pairs of edges of a single segment that join the same two vertices in opposite
+/// directions, because there is no room between them.
 void cancelOppositeChains(std::vector<Chain>& chains);
 
-/// Takes out pairs of chains of different edges for which `runBack` holds, as they have the same
-/// vertices in opposite directions: where they touch, there is no room between them. Chains of the
-/// same wire with the region on both sides are a slit, which stays.
+/// Removes pairs of chains of different edges for which `runBack` holds, such as chains with the
+/// same vertices in opposite directions: where they touch, there is no room between them. Chains of
+/// the same wire with the region on both sides are a slit, which is kept.
 ///
 /// wire     to which each chain belongs
-/// inPlane  where the boundary is drawn
+/// inPlane  the map to the plane of the boundary
 ///
 /// Returns the pairs.
 std::vector<std::pair<Chain, Chain>> cancelTouching(
@@ -41,8 +42,8 @@ bool areOpposite(const Chain& one, const Chain& other);
 /// Chains joined to loops.
 struct LinkedLoops {
   std::vector<std::vector<BoundaryCorner>> loops;
-  /// Where a chain starts at other parameters (u, v) than those at which the one before ends, so
-  /// that the loops are not closed in the plane of the parameters: at poles.
+  /// A place, such as a pole, where a chain starts at other parameters (u, v) than those at which
+  /// the previous chain ends, so that the loops are not closed in the plane of the parameters.
   struct Jump {
     SurfacePoint end, start;
   };

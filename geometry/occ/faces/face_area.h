@@ -6,10 +6,10 @@
 
 namespace af2::geometry {
 
-/// Area of a face of the model, to about five digits; 0 if it cannot be told. Independent of how
-/// edges are divided and of any mesh.
+/// Area of a face of the model, to about five digits; 0 if it cannot be computed. It does not
+/// depend on the division of edges or on any mesh.
 double areaOf(const ModelShape& model, int face);
-/// Of the part of a face with creases that lies in one of its cells.
+/// The area of the part of a creased face in one of its cells.
 double areaOf(const ModelShape& model, int face, const Stretch& u, const Stretch& v);
 
 }  // namespace af2::geometry

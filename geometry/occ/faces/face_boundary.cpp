@@ -58,8 +58,8 @@ class BoundaryFinder {
     if (chains_.empty() && !result_.pointEdges.empty()) return std::move(result_);
     if (chains_.empty())
       throw GeometryError(
-          "the face has no boundary, and its surface does not end by itself: its edges are lost");
-    tellOfTwins();
+          "the face has no boundary, and its surface is unbounded: its edges are lost");
+    noteTwins();
     if (surface_.isPlane() && lying_.empty()) orientWiresOfPlane();
     if (hasNoWidth()) return std::move(result_);
     cancelWhereTheyTouch();
@@ -94,22 +94,22 @@ class BoundaryFinder {
   /// The two sides of a seam are one turn apart. If they are more, the area within them in the
   /// parameters is counted more than once.
   void checkSeam(int edge, const gp_Pnt2d& start) {
-    constexpr double kMost = 1.5;  // turns
+    constexpr double kMax = 1.5;  // turns
     const auto [other, isFirst] = starts_.try_emplace(edge, start);
     if (isFirst) return;
     const GeomAdaptor_Surface adaptor(BRep_Tool::Surface(forward_));
     const gp_Pnt2d& first = other->second;
     const bool isFarInU =
-        adaptor.IsUPeriodic() && std::abs(first.X() - start.X()) > kMost * adaptor.UPeriod();
+        adaptor.IsUPeriodic() && std::abs(first.X() - start.X()) > kMax * adaptor.UPeriod();
     const bool isFarInV =
-        adaptor.IsVPeriodic() && std::abs(first.Y() - start.Y()) > kMost * adaptor.VPeriod();
+        adaptor.IsVPeriodic() && std::abs(first.Y() - start.Y()) > kMax * adaptor.VPeriod();
     if (isFarInU || isFarInV)
       result_.repairs.push_back("the sides of edge " + std::to_string(edge) +
                                 ", a seam, were several turns apart in the parameters");
   }
 
-  /// Whether each edge runs back along another one, on the same side of every seam. Without their
-  /// curves in the parameters nobody knows on which side they are.
+  /// Whether each edge runs back along another one, on the same side of every seam. Without curves
+  /// in the parameters, the side is unknown.
   bool hasNoWidth() const {
     if (lacksCurves_) return false;
     std::vector<bool> isMatched(chains_.size(), false);
@@ -124,7 +124,7 @@ class BoundaryFinder {
 
   bool runsBackAlong(const Chain& one, const Chain& other) const {
     const double most =
-        kMostApart * std::max(dividedEdge(one.edge).wanted, dividedEdge(other.edge).wanted);
+        kMaxApart * std::max(dividedEdge(one.edge).wanted, dividedEdge(other.edge).wanted);
     return std::equal(one.corners.begin(), one.corners.end(), other.corners.rbegin(),
                       other.corners.rend(), [&](const BoundaryCorner& a, const BoundaryCorner& b) {
                         return a.vertex == b.vertex && widthBetween(a.point, b.point) <= most;
@@ -180,7 +180,7 @@ class BoundaryFinder {
     const int turned = orientWires(chains_, wire_, [&](const SurfacePoint& p) { return axes(p); });
     if (turned > 0)
       result_.repairs.push_back(std::to_string(turned) +
-                                " of its wires ran the wrong way round; turned");
+                                " of its wires had the wrong direction; reversed");
   }
 
   void addEdge(const TopoDS_Edge& edge) {
@@ -207,8 +207,8 @@ class BoundaryFinder {
         lying_, [&](const FaceOnFace& lying) { return std::ranges::count(lying.folds, edge) > 0; });
   }
 
-  /// Where another face lies on this one, turned back, neither has elements: the boundary of that
-  /// one, as it runs, closes what is left of that of this one.
+  /// Where another face lies on this one, folded back, neither has elements: the boundary of the
+  /// other face, in its direction, closes the rest of the boundary of this one.
   void leaveOut(const FaceOnFace& lying) {
     for (TopExp_Explorer it(model_.face(lying.face), TopAbs_EDGE); it.More(); it.Next()) {
       const bool isReversed = (it.Current().Orientation() == TopAbs_REVERSED) != reversed_;
@@ -216,7 +216,7 @@ class BoundaryFinder {
     }
     wire_.resize(chains_.size(), wires_++);
     result_.notes.push_back("face " + std::to_string(lying.face) +
-                            " lies on it, turned back: there it has no elements");
+                            " lies on it, folded back: there it has no elements");
   }
 
   /// The creases around the cell, each with the region on its left.
@@ -237,12 +237,12 @@ class BoundaryFinder {
 
   bool isCrease(int edge) const { return edge > model_.edgesOfFile; }
 
-  /// Whether the part of a face beside a chain is in the cell.
+  /// Whether the part of a face next to a chain is in the cell.
   bool isInCell(const Chain& chain, const std::vector<gp_Pnt2d>& places) const {
     if (!cell_) return true;
     const gp_Pnt2d& p = places[(places.size() - 1) / 2];
     const gp_Pnt2d& q = places[places.size() / 2];
-    // A crease lies between two cells, which has been looked at.
+    // A crease is between two cells; that case is handled above.
     const double slack = isCrease(chain.edge) ? kOnCrease : 0;
     return isIn(*cell_, model_.cells.at(face_), (p.X() + q.X()) / 2, (p.Y() + q.Y()) / 2, slack);
   }
@@ -256,7 +256,7 @@ class BoundaryFinder {
     if (onFace.isAstray(divided, divided_.points, surface_)) {
       onFace.dropCurve();
       result_.repairs.push_back("the curve of edge " + std::to_string(id) +
-                                " in its parameters ran elsewhere; found anew");
+                                " in its parameters was in the wrong place; computed again");
     }
     chain.reversed = (edge.Orientation() == TopAbs_REVERSED) != reversed_;
     auto stop = divided.stops.begin();
@@ -282,12 +282,12 @@ class BoundaryFinder {
   }
 
   /// Those on other faces.
-  void tellOfTwins() {
+  void noteTwins() {
     for (const Chain& chain : chains_) {
       const int twin = divided_.edges[static_cast<std::size_t>(chain.edge) - 1].twin;
       if (twin == 0 || std::ranges::find(chains_, twin, &Chain::edge) != chains_.end()) continue;
       result_.notes.push_back("edge " + std::to_string(chain.edge) + " runs along edge " +
-                              std::to_string(twin) + " and has its vertices");
+                              std::to_string(twin) + " and uses its vertices");
     }
   }
 
@@ -359,7 +359,7 @@ class BoundaryFinder {
 
   /// Of the wanted size: sides of a seam are farther apart in the parameters, edges that were made
   /// one are not.
-  static constexpr double kMostApart = 2 * kMostBetweenTouching;
+  static constexpr double kMaxApart = 2 * kMaxBetweenTouching;
   static constexpr double kOnCrease = 1e-6;  // of the parameters of the face
 
   const ModelShape& model_;

@@ -1,4 +1,4 @@
-// The directed loops around a face, made of the divided edges.
+// Makes the directed loops around a face from the divided edges.
 // Not installed: includers need OpenCASCADE's headers.
 #pragma once
 
@@ -9,13 +9,13 @@
 
 namespace af2::geometry {
 
-/// onFaces  what lies on this face, turned back, is left out of it
+/// onFaces  the folded-back faces on this face, whose area is excluded from it
 ///
 /// Throws GeometryError, saying which edge is at fault, if the face has no closed boundary.
 FaceBoundary findBoundary(const ModelShape& model, int face, const DividedEdges& divided,
                           const FaceSurface& surface, const std::vector<FaceOnFace>& onFaces = {});
 
-/// Of one cell of a face with creases. Without loops if the face has no part there.
+/// The boundary of one cell of a creased face. It has no loops if the face has no part there.
 ///
 /// surface  that of the cell
 FaceBoundary findBoundary(const ModelShape& model, int face, const FaceCell& cell,

@@ -35,30 +35,29 @@ namespace {
 
 /// Nothing if there are none.
 void noteCollapsed(const char* why, const std::vector<int>& edges, FaceHistory& history) {
-  constexpr std::size_t kMostNamed = 5;
+  constexpr std::size_t kMaxNamed = 5;
   if (edges.empty()) return;
   std::string ids;
-  for (std::size_t i = 0; i < std::min(edges.size(), kMostNamed); ++i)
+  for (std::size_t i = 0; i < std::min(edges.size(), kMaxNamed); ++i)
     ids += (i > 0 ? ", " : "") + std::to_string(edges[i]);
-  if (edges.size() > kMostNamed)
-    ids += " and " + std::to_string(edges.size() - kMostNamed) + " more";
+  if (edges.size() > kMaxNamed) ids += " and " + std::to_string(edges.size() - kMaxNamed) + " more";
   history.push_back(note(std::string(why) + ": edges " + ids));
 }
 
-std::string toldOfTouching(const FaceBoundary::TouchingEdges& edges) {
+std::string textOfTouching(const FaceBoundary::TouchingEdges& edges) {
   char gap[32];
   std::snprintf(gap, sizeof gap, "%.2g", edges.gap);
   return "edges " + std::to_string(edges.one) + " and " + std::to_string(edges.other) +
-         " lie on each other, but for " + gap + ": where they do, the face has no width";
+         " coincide within " + gap + ": there the face has no width";
 }
 
-std::string toldOfLying(const FaceOnFace& lying) {
+std::string textOfLying(const FaceOnFace& lying) {
   const std::string under = "face " + std::to_string(lying.under);
-  return lying.isDouble() ? "is " + under + " once more, so it has no elements"
-                          : "lies on " + under + ", turned back, so it has no elements";
+  return lying.isDouble() ? "is " + under + " again, so it has no elements"
+                          : "lies on " + under + ", folded back, so it has no elements";
 }
 
-std::string toldOfCells(const FaceCells& cells) {
+std::string textOfCells(const FaceCells& cells) {
   std::string text = "turns sharply inside, so there are vertices along";
   const auto add = [&](const std::vector<Stretch>& stretches, const char* name) {
     for (std::size_t k = 1; k < stretches.size(); ++k) {
@@ -95,7 +94,7 @@ class FaceMesher {
   void meshInto(FaceMesh& mesh) {
     const auto lying = std::ranges::find(context_.onFaces, face_, &FaceOnFace::face);
     if (lying != context_.onFaces.end()) {
-      mesh.report.reason = toldOfLying(*lying);
+      mesh.report.reason = textOfLying(*lying);
       return;
     }
     if (meshInCells(mesh)) return;
@@ -119,7 +118,7 @@ class FaceMesher {
     if (parts.size() < 2) return false;
     for (FaceMesh& part : parts) part.report.area = 0;  // of the face it is known
     joinParts(std::move(parts), mesh);
-    mesh.history.insert(mesh.history.begin(), note(toldOfCells(found->second)));
+    mesh.history.insert(mesh.history.begin(), note(textOfCells(found->second)));
     return true;
   }
 
@@ -167,7 +166,7 @@ class FaceMesher {
     noteCollapsed(boundary.pointEdges, mesh.history);
     double closed = 0;  // area between edges that are one
     for (const FaceBoundary::TouchingEdges& edges : boundary.touching) {
-      mesh.history.push_back(note(toldOfTouching(edges)));
+      mesh.history.push_back(note(textOfTouching(edges)));
       closed += edges.gap * edges.length;
     }
     if (boundary.input.loops.empty()) {
@@ -175,8 +174,8 @@ class FaceMesher {
       return;
     }
     if (context_.request.limits.ignoresNormals) partSeams(boundary.input, boundary.points);
-    constexpr double kMostClosed = 0.05;  // of the area
-    if (!boundary.repairs.empty() || closed > kMostClosed * area_)
+    constexpr double kMaxClosed = 0.05;  // of the area
+    if (!boundary.repairs.empty() || closed > kMaxClosed * area_)
       mesh.report.area = area_ = 0;  // was found with the old boundary
     const double toFill = area_ > 0 ? area_ - areaOfFans(boundary) : 0;
     const FillRequest& request = context_.request;
@@ -206,9 +205,9 @@ class FaceMesher {
     const auto asked = std::ranges::stable_partition(edges, [&](int edge) {
       return !context_.request.divided.edges[static_cast<std::size_t>(edge) - 1].point;
     });
-    geometry::noteCollapsed("too short to be seen in the mesh, so taken for points",
+    geometry::noteCollapsed("too short to be visible in the mesh, so collapsed to points",
                             {edges.begin(), asked.begin()}, history);
-    geometry::noteCollapsed("short, and taken for points because a face there failed with them",
+    geometry::noteCollapsed("short, and collapsed to points because a face there failed with them",
                             {asked.begin(), edges.end()}, history);
   }
 

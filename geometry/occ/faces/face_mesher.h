@@ -14,14 +14,14 @@ namespace af2::geometry {
 
 struct FaceMeshingContext {
   const ModelShape& model;
-  const CadSizes& sizes;  ///< with those by position of the try
+  const CadSizes& sizes;  ///< with the sizes by position of this try
   const std::vector<FaceOnFace>& onFaces;
   /// Whether sizes inside a face may be much smaller than along its boundary.
   bool mayBeFineInside = false;
   const FillRequest& request;
 };
 
-/// Throws GeometryError for a fault of the face.
+/// Throws GeometryError if the face is faulty.
 void meshFace(const FaceMeshingContext& context, int face, double area, double expectedElements,
               FaceMesh& mesh);
 

@@ -30,7 +30,7 @@ struct Use {
   TopoDS_Edge edge;
 };
 
-/// Whether points lie on a face.
+/// Whether points are on a face.
 class OnFace {
  public:
   OnFace(const TopoDS_Face& face, double tolerance)
@@ -121,9 +121,9 @@ class Finder {
 
   std::vector<std::pair<int, int>> candidatesAt(const std::vector<Use>& uses) const {
     constexpr double kSame = 0.9999;  // cosine
-    constexpr std::size_t kMostUses = 6;
+    constexpr std::size_t kMaxUses = 6;
     std::vector<std::pair<int, int>> pairs;
-    if (uses.size() < 2 || uses.size() > kMostUses) return pairs;
+    if (uses.size() < 2 || uses.size() > kMaxUses) return pairs;
     std::vector<std::optional<Point3>> into;
     for (const Use& use : uses) into.push_back(inwards(model_.face(use.face), use.edge));
     for (std::size_t i = 0; i < uses.size(); ++i)

@@ -62,10 +62,11 @@ class MeetingFace {
   bool isBegun_ = false;
 };
 
-/// From one surface to the other and back: that ends where they meet, if they do.
+/// Projects alternately to one surface and the other, which converges to a common point, if there
+/// is one.
 std::optional<gp_Pnt> meet(MeetingFace& one, MeetingFace& other, gp_Pnt point, double tolerance) {
-  constexpr int kMostSteps = 60;
-  for (int step = 0; step < kMostSteps; ++step) {
+  constexpr int kMaxSteps = 60;
+  for (int step = 0; step < kMaxSteps; ++step) {
     const gp_Pnt above = one.drop(point);
     point = other.drop(above);
     if (above.Distance(point) <= tolerance) return point;
@@ -93,10 +94,10 @@ std::map<int, std::vector<Point3>> placesByFace(const std::vector<Crossing>& cro
 /// Words for where a face meets another one; empty if that is not so.
 std::string meetingOf(const ModelShape& model, int face, const std::vector<Crossing>& crossings,
                       double away) {
-  constexpr std::size_t kMostFaces = 6, kPlaces = 4;
+  constexpr std::size_t kMaxFaces = 6, kPlaces = 4;
   std::size_t faces = 0;
   for (const auto& [other, places] : placesByFace(crossings, face)) {
-    if (++faces > kMostFaces) break;
+    if (++faces > kMaxFaces) break;
     for (std::size_t k = 0; k < kPlaces; ++k) {
       const Point3& nearby = places[(2 * k + 1) * places.size() / (2 * kPlaces)];
       const auto found = commonPoint(model, face, other, nearby, away);
@@ -104,7 +105,7 @@ std::string meetingOf(const ModelShape& model, int face, const std::vector<Cross
       return std::string("in the model itself it ") + (found->isTouching ? "lies on" : "meets") +
              " face " + std::to_string(other) + " at " + textOf(found->place) +
              ", where they have no edge in common: " +
-             (found->isTouching ? "take one of them out of the other"
+             (found->isTouching ? "subtract one of them from the other"
                                 : "cut both along the line where they meet");
     }
   }
@@ -129,16 +130,16 @@ std::optional<CommonPoint> commonPoint(const ModelShape& model, int one, int oth
 
 void tellOfMeetingFaces(const ModelShape& model, const std::vector<Crossing>& crossings,
                         double size, std::vector<FaceReport>& faces) {
-  constexpr double kAway = 0.02;  // of the size
-  constexpr int kMostTold = 20;   // where many cross, the first ones tell enough
+  constexpr double kAway = 0.02;    // of the size
+  constexpr int kMaxReported = 20;  // where many cross, the first ones are enough
   if (crossings.empty()) return;
-  int told = 0;
+  int reported = 0;
   for (FaceReport& face : faces) {
-    if (face.status != FaceStatus::Failed || told == kMostTold) continue;
+    if (face.status != FaceStatus::Failed || reported == kMaxReported) continue;
     const std::string meeting = meetingOf(model, face.id, crossings, kAway * size);
     if (meeting.empty()) continue;
     face.reason += "; " + meeting;
-    ++told;
+    ++reported;
   }
 }
 

@@ -1,4 +1,4 @@
-// Faces whose elements cross because the faces themselves do, in the model.
+// Finds faces whose elements cross because the faces themselves cross in the model.
 // Not installed: includers need OpenCASCADE's headers.
 #pragma once
 
@@ -11,20 +11,19 @@
 
 namespace af2::geometry {
 
-/// A point that two faces have in common inside.
+/// A common point in the interior of two faces.
 struct CommonPoint {
   Point3 place;
-  bool isTouching =
-      false;  ///< there the faces lie on each other; else one passes through the other
+  bool isTouching = false;  ///< true: the faces overlap there; false: they cross
 };
 
-/// A common point of two faces, sought from a place nearby, that is farther than `away` from the
-/// edges of both. None if the search ends elsewhere.
+/// A common point of two faces that is farther than `away` from the edges of both, found by a
+/// search from a place nearby. None if the search does not converge to such a point.
 std::optional<CommonPoint> commonPoint(const ModelShape& model, int one, int other,
                                        const Point3& nearby, double away);
 
-/// Adds to the reasons of faces that failed, because their elements cross those of others, where
-/// the faces themselves do: no mesh can be sound there.
+/// Where faces failed because their elements cross those of other faces, and the faces themselves
+/// cross, adds this to the reasons: no mesh can be valid there.
 ///
 /// size  edge length of the mesh
 void tellOfMeetingFaces(const ModelShape& model, const std::vector<Crossing>& crossings,

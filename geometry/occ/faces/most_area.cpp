@@ -39,7 +39,7 @@ struct Range {
   double at(double share) const { return low + share * width(); }
 };
 
-/// Of the part of a surface within the bounds of the boundary in the parameters.
+/// The area of the part of a surface within the bounds of the boundary in the parameters.
 double areaAround(const FaceSurface& surface, const FrontInput& boundary) {
   constexpr int kSamples = 8;
   Range u, v;

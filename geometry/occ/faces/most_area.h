@@ -1,4 +1,4 @@
-// What the area of a face can be at most, where its curves do not tell.
+// An upper bound of the area of a face, for faces whose curves do not give the area.
 // Not installed: includers need OpenCASCADE's headers.
 #pragma once
 
@@ -9,9 +9,9 @@
 
 namespace af2::geometry {
 
-/// That of a sphere which is as large as the surface or the boundary. On surfaces that do not end
-/// by themselves, such as cylinders, faces lie within their boundaries, whatever the curves of
-/// these say: there it is no more than that of the part of the surface that holds the boundary.
+/// The area of a sphere as large as the surface or the boundary. On unbounded surfaces, such as
+/// cylinders, a face is within its boundary even if the boundary curves are faulty: there the bound
+/// is at most the area of the part of the surface that contains the boundary.
 double mostArea(const TopoDS_Face& face, const FaceSurface& surface, const FrontInput& boundary);
 
 }  // namespace af2::geometry

@@ -1,4 +1,4 @@
-// Wires of a plane face that run the wrong way round.
+// Reverses wires of a plane face that have the wrong direction.
 #pragma once
 
 #include <functional>
@@ -8,11 +8,11 @@
 
 namespace af2::geometry {
 
-/// Turns round the wires that have the face on their right: in a plane it can be told from how they
-/// lie in each other. Returns how many were turned.
+/// Reverses the wires that have the face on their right: in a plane, their nesting determines this.
+/// Returns how many were reversed.
 ///
 /// wire     by chain, the wire that it belongs to: 0, 1, ...
-/// inPlane  draws corners in the plane, seen from the side to which the normals point
+/// inPlane  maps corners to the plane, as seen from the side to which the normals point
 int orientWires(std::vector<Chain>& chains, const std::vector<std::size_t>& wire,
                 const std::function<Point2(const SurfacePoint&)>& inPlane);
 

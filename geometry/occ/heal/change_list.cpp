@@ -29,7 +29,7 @@ std::string wordsOf(const Message_Msg& message) {
   return words;
 }
 
-/// Some messages only tell what could not be done.
+/// Some messages only report what could not be done.
 bool isChange(const std::string& words) {
   return !words.empty() && words.find("annot") == std::string::npos &&
          words.find("not corrected") == std::string::npos &&
@@ -52,8 +52,8 @@ void ChangeList::add(const std::string& what, const std::optional<Point3>& place
   entry->second.count += count;
 }
 
-void ChangeList::add(const Handle(ShapeExtend_MsgRegistrator) & told) {
-  for (ShapeExtend_DataMapOfShapeListOfMsg::Iterator it(told->MapShape()); it.More(); it.Next())
+void ChangeList::add(const Handle(ShapeExtend_MsgRegistrator) & messages) {
+  for (ShapeExtend_DataMapOfShapeListOfMsg::Iterator it(messages->MapShape()); it.More(); it.Next())
     for (const Message_Msg& message : it.Value())
       if (const std::string what = wordsOf(message); isChange(what)) add(what, placeOf(it.Key()));
 }

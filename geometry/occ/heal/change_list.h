@@ -1,4 +1,4 @@
-// What healing has changed of a shape: how often, and where.
+// Records the changes that healing makes to a shape: how often, and where.
 // Not installed: includers need OpenCASCADE's headers.
 #pragma once
 
@@ -14,15 +14,15 @@
 
 namespace af2::geometry {
 
-/// A place on a shape: of its first vertex.
+/// A place on a shape: the position of its first vertex.
 std::optional<Point3> placeOf(const TopoDS_Shape& shape);
 
-/// Counts what was changed, by what it was.
+/// Counts changes by kind.
 class ChangeList {
  public:
   void add(const std::string& what, const std::optional<Point3>& place, std::size_t count = 1);
-  /// What a tool of OpenCASCADE tells. Single findings are told along with their sum.
-  void add(const Handle(ShapeExtend_MsgRegistrator) & told);
+  /// Adds the messages of a tool of OpenCASCADE. Single findings are reported along with their sum.
+  void add(const Handle(ShapeExtend_MsgRegistrator) & messages);
 
   std::vector<HealedChange> take() const;
 

@@ -38,8 +38,9 @@ namespace {
 
 constexpr double kDiagonalShare = 1e-5;
 
-/// Repairs may raise tolerances to so many times the one they are given. Some bridge any gap so.
-constexpr double kMostTolerance = 10;
+/// Repairs may raise tolerances to at most this multiple of the given one. Some repairs bridge any
+/// gap by raising tolerances.
+constexpr double kMaxTolerance = 10;
 
 /// Edges that one face has, and that face once: where it is open.
 std::vector<TopoDS_Shape> freeEdges(const TopoDS_Shape& shape) {
@@ -89,7 +90,8 @@ class Healer {
     healed.fileUnit = model_.fileUnit;
     healed.notes = model_.notes;
     healed.lostFaces = model_.lostFaces;
-    // What has no edges counts as a spot, and is removed; but it may be anything.
+    // OpenCASCADE removes a face without edges as a spot, but the face may have any size, so it
+    // counts as lost.
     for (std::size_t i = 0; i < faces_.size(); ++i)
       if (faces_[i].IsNull() && before_[i].edges == 0)
         healed.lostFaces.push_back("face " + std::to_string(i + 1) + ", which had no boundary");
@@ -97,7 +99,8 @@ class Healer {
       changes_.add("face with other edges, curves or tolerances", std::nullopt, count);
     healed.healing = Healing{tolerance_, changes_.take(), undone_};
     if (healed.healing->changes.empty()) {
-      // What no tool tells of is not to happen either.
+      // If no tool reports a change, the original shape is kept, so that there are no unreported
+      // changes.
       healed.shape = model_.shape;
       for (int id = 1; id <= model_.faces.Extent(); ++id)
         faces_[static_cast<std::size_t>(id) - 1] = model_.faces(id);
@@ -107,8 +110,8 @@ class Healer {
   }
 
  private:
-  /// What repairs change of a face without a word. That they put its edges into another order is
-  /// no change.
+  /// Properties of a face that repairs may change without a report. A new order of its edges is no
+  /// change.
   struct Details {
     int edges = 0, missingCurves = 0;
     double tolerances = 0;
@@ -146,14 +149,14 @@ class Healer {
       step();
       const bool isEmpty = shape_.IsNull() || !TopExp_Explorer(shape_, TopAbs_FACE).More();
       const std::size_t invalid = isEmpty ? 0 : invalidFaces(shape_);
-      const bool isLoose = mostTolerance() > std::max(mostBefore, kMostTolerance * tolerance_);
+      const bool isLoose = mostTolerance() > std::max(mostBefore, kMaxTolerance * tolerance_);
       if (!isEmpty && !isLoose && invalid <= invalid_) {
         invalid_ = invalid;
         return;
       }
       undone_.push_back(std::string("the ") + name + " would have " +
                         (isEmpty   ? "left nothing"
-                         : isLoose ? "closed gaps by tolerances as large as they are"
+                         : isLoose ? "closed gaps only by tolerances as large as these"
                                    : "made faces invalid") +
                         ", so it was not done");
     } catch (const Standard_Failure& failure) {
@@ -180,14 +183,15 @@ class Healer {
     const std::vector<ClosedFace> closed = closeOpenLoops(shape_, tolerance_);
     for (const ClosedFace& face : closed) {
       context->Replace(face.before, face.after);
-      for (const auto& [edge, isNew] : face.added) changes_.add(toldOf(edge, isNew), placeOf(edge));
+      for (const auto& [edge, isNew] : face.added)
+        changes_.add(textOfClosing(edge, isNew), placeOf(edge));
     }
     if (closed.empty()) return;
     shape_ = context->Apply(shape_);
     replaceFaces(context);
   }
 
-  static std::string toldOf(const TopoDS_Edge& edge, bool isNew) {
+  static std::string textOfClosing(const TopoDS_Edge& edge, bool isNew) {
     char length[32];
     std::snprintf(length, sizeof length, "%.4g",
                   GCPnts_AbscissaPoint::Length(BRepAdaptor_Curve(edge)));
@@ -198,48 +202,48 @@ class Healer {
   }
 
   void fixShapes() {
-    Handle(ShapeExtend_MsgRegistrator) told = new ShapeExtend_MsgRegistrator;
+    Handle(ShapeExtend_MsgRegistrator) messages = new ShapeExtend_MsgRegistrator;
     Handle(ShapeBuild_ReShape) context = new ShapeBuild_ReShape;
     Handle(ShapeFix_Shape) fix = new ShapeFix_Shape(shape_);
     fix->SetContext(context);
-    fix->SetMsgRegistrator(told);
+    fix->SetMsgRegistrator(messages);
     fix->SetPrecision(tolerance_);
     fix->SetMaxTolerance(tolerance_);
     fix->FixSolidTool()->CreateOpenSolidMode() = false;
     fix->Perform();
     shape_ = fix->Shape();
-    changes_.add(told);
+    changes_.add(messages);
     replaceFaces(context);
   }
 
   void fixWireframe() {
-    Handle(ShapeExtend_MsgRegistrator) told = new ShapeExtend_MsgRegistrator;
+    Handle(ShapeExtend_MsgRegistrator) messages = new ShapeExtend_MsgRegistrator;
     Handle(ShapeBuild_ReShape) context = new ShapeBuild_ReShape;
     ShapeFix_Wireframe fix(shape_);
     fix.SetContext(context);
-    fix.SetMsgRegistrator(told);
+    fix.SetMsgRegistrator(messages);
     fix.SetPrecision(tolerance_);
     fix.SetMaxTolerance(tolerance_);
     fix.ModeDropSmallEdges() = true;
     fix.FixSmallEdges();
     fix.FixWireGaps();
     shape_ = fix.Shape();
-    changes_.add(told);
+    changes_.add(messages);
     replaceFaces(context);
   }
 
   void fixSmallFaces() {
-    Handle(ShapeExtend_MsgRegistrator) told = new ShapeExtend_MsgRegistrator;
+    Handle(ShapeExtend_MsgRegistrator) messages = new ShapeExtend_MsgRegistrator;
     Handle(ShapeBuild_ReShape) context = new ShapeBuild_ReShape;
     ShapeFix_FixSmallFace fix;
     fix.Init(shape_);
     fix.SetContext(context);
-    fix.SetMsgRegistrator(told);
+    fix.SetMsgRegistrator(messages);
     fix.SetPrecision(tolerance_);
     fix.SetMaxTolerance(tolerance_);
     fix.Perform();
     shape_ = fix.FixShape();
-    changes_.add(told);
+    changes_.add(messages);
     replaceFaces(context);
   }
 
@@ -303,7 +307,7 @@ class Healer {
     const TopoDS_Shape turned = fix->Shape();
     if (turned.IsNull()) return shell;
     if (fix->Status(ShapeExtend_DONE2))
-      changes_.add("shell with faces to both sides: all turned to one", placeOf(shell));
+      changes_.add("shell with faces oriented to both sides: all oriented to one", placeOf(shell));
     if (turned.ShapeType() != TopAbs_SHELL || !freeEdges(turned).empty()) return turned;
     ShapeFix_Solid solid;
     const TopoDS_Solid made = solid.SolidFromShell(TopoDS::Shell(turned));
@@ -352,7 +356,7 @@ class Healer {
 
 Model healModel(const Model& model, const HealingOptions& options) {
   if (options.tolerance < 0)
-    throw InputError("a negative tolerance for healing; give a length that is not");
+    throw InputError("the tolerance for healing is negative; it must be 0 or more");
   const double usual = std::max(kDiagonalShare * model.diagonal(), Precision::Confusion());
   const double tolerance = options.tolerance > 0 ? options.tolerance : usual;
   return Model(makeModelShape(Healer(model.shape(), tolerance).heal()));

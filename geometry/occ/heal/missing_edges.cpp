@@ -185,11 +185,11 @@ class Closer {
 
   /// Edges that only run to and fro bound nothing.
   static bool hasArea(const TopoDS_Face& face) {
-    constexpr double kLeast = 1e-6;  // of the square of the boundary's length
+    constexpr double kMin = 1e-6;  // of the square of the boundary's length
     GProp_GProps surface, boundary;
     BRepGProp::SurfaceProperties(face, surface);
     BRepGProp::LinearProperties(face, boundary);
-    return std::abs(surface.Mass()) > kLeast * boundary.Mass() * boundary.Mass();
+    return std::abs(surface.Mass()) > kMin * boundary.Mass() * boundary.Mass();
   }
 
   double tolerance_;

@@ -38,7 +38,7 @@ std::string wordsFor(BRepCheck_Status status) {
     case BRepCheck_InvalidPointOnCurve:
     case BRepCheck_InvalidPointOnCurveOnSurface:
     case BRepCheck_InvalidPointOnSurface:
-      return "a vertex lies beside its edge or face";
+      return "a vertex is not on its edge or face";
     case BRepCheck_InvalidCurveOnSurface:
     case BRepCheck_InvalidCurveOnClosedSurface:
       return "an edge leaves the surface by more than its tolerance";
@@ -46,9 +46,9 @@ std::string wordsFor(BRepCheck_Status status) {
       return "an edge has no curve in the parameters";
     case BRepCheck_InvalidSameRangeFlag:
     case BRepCheck_InvalidSameParameterFlag:
-      return "the curves of an edge do not run in step";
+      return "the curves of an edge have different parameters";
     case BRepCheck_InvalidDegeneratedFlag:
-      return "an edge counts wrongly as a point";
+      return "an edge is wrongly marked as a point";
     case BRepCheck_InvalidMultiConnexity:
       return "an edge has too many faces";
     case BRepCheck_InvalidRange:
@@ -58,11 +58,11 @@ std::string wordsFor(BRepCheck_Status status) {
     case BRepCheck_SelfIntersectingWire:
       return "a loop crosses itself";
     case BRepCheck_RedundantWire:
-      return "a loop is there twice";
+      return "a loop occurs twice";
     case BRepCheck_IntersectingWires:
       return "loops cross";
     case BRepCheck_InvalidImbricationOfWires:
-      return "loops do not lie in each other as they should";
+      return "loops are nested incorrectly";
     case BRepCheck_UnorientableShape:
     case BRepCheck_BadOrientation:
     case BRepCheck_BadOrientationOfSubshape:
@@ -194,8 +194,8 @@ class Finder {
 
   /// Above that, the model is damaged, and no gap is closed.
   double toleranceOf(int vertex) const {
-    constexpr double kMost = 0.01;  // of the diagonal
-    return std::min(BRep_Tool::Tolerance(shape_.vertex(vertex)), kMost * shape_.diagonal);
+    constexpr double kMax = 0.01;  // of the diagonal
+    return std::min(BRep_Tool::Tolerance(shape_.vertex(vertex)), kMax * shape_.diagonal);
   }
 
   /// With the nearest of the places at which other loops of the face, or the same one, are open.
@@ -234,7 +234,7 @@ class Finder {
         open.push_back(vertex);
       else if (!hasSeam)
         add({DefectKind::TouchingLoop, face, 0, vertex, 0, place,
-             "comes here " + std::to_string(count / 2) + " times"});
+             "visits this vertex " + std::to_string(count / 2) + " times"});
     }
   }
 
@@ -261,27 +261,27 @@ class Finder {
     if (check.IsValid()) return;
     for (int id = 1; id <= shape_.faces.Extent(); ++id) {
       const TopoDS_Face face = shape_.face(id);
-      std::set<std::string> told;
-      collect(check, face, TopoDS_Shape(), told);
+      std::set<std::string> faults;
+      collect(check, face, TopoDS_Shape(), faults);
       for (const TopAbs_ShapeEnum type : {TopAbs_WIRE, TopAbs_EDGE, TopAbs_VERTEX})
         for (TopExp_Explorer it(face, type); it.More(); it.Next()) {
-          collect(check, it.Current(), face, told);
-          if (type == TopAbs_EDGE) collect(check, it.Current(), TopoDS_Shape(), told);
+          collect(check, it.Current(), face, faults);
+          if (type == TopAbs_EDGE) collect(check, it.Current(), TopoDS_Shape(), faults);
         }
       const TopExp_Explorer edge(face, TopAbs_EDGE);
       const Point3 place = edge.More() ? startOf(TopoDS::Edge(edge.Current())) : Point3{};
-      for (const std::string& words : told) add({DefectKind::Invalid, id, 0, 0, 0, place, words});
+      for (const std::string& words : faults) add({DefectKind::Invalid, id, 0, 0, 0, place, words});
     }
   }
 
   /// What a check found of a part, by itself or, if `around` is given, as a part of that.
   static void collect(const BRepCheck_Analyzer& check, const TopoDS_Shape& part,
-                      const TopoDS_Shape& around, std::set<std::string>& told) {
+                      const TopoDS_Shape& around, std::set<std::string>& faults) {
     const Handle(BRepCheck_Result)& result = check.Result(part);
     if (result.IsNull()) return;
     const auto take = [&](const BRepCheck_ListOfStatus& all) {
       for (const BRepCheck_Status status : all)
-        if (const std::string words = wordsFor(status); !words.empty()) told.insert(words);
+        if (const std::string words = wordsFor(status); !words.empty()) faults.insert(words);
     };
     if (around.IsNull()) return take(result->Status());
     for (result->InitContextIterator(); result->MoreShapeInContext(); result->NextShapeInContext())

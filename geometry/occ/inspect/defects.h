@@ -1,4 +1,4 @@
-// What is wrong or awkward in a model, and how large it is against the size of a mesh.
+// Finds the defects of a model, and their extent compared with the size of a mesh.
 #pragma once
 
 #include <vector>
@@ -16,8 +16,7 @@ namespace af2::geometry {
 /// size  edge length of a mesh, > 0
 AF2_EXPORT std::vector<Defect> findDefects(const Model& model, double size);
 
-/// Points along an edge of the model, near enough to each other to draw it; empty if it has no
-/// length.
+/// Points along an edge of the model, dense enough to draw it; empty if it has no length.
 AF2_EXPORT std::vector<Point3> pointsAlong(const Model& model, int edge);
 /// The edges around a face, each once.
 AF2_EXPORT std::vector<int> edgesAround(const Model& model, int face);

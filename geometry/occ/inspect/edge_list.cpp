@@ -48,7 +48,7 @@ bool measure(const TopoDS_Edge& edge, EdgeEntry& entry) {
     entry.from = toPoint(curve.Value(curve.FirstParameter()));
     const bool isClosed = TopExp::FirstVertex(edge).IsSame(TopExp::LastVertex(edge));
     entry.to = isClosed ? entry.from : toPoint(curve.Value(curve.LastParameter()));
-  } catch (const Standard_Failure&) {  // `defects` tell of it
+  } catch (const Standard_Failure&) {  // `defects` reports it
     return false;
   }
   return true;

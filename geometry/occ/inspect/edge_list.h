@@ -1,4 +1,4 @@
-// The edges of a model as a table: which id belongs to which.
+// The edges of a model as a table of ids and properties.
 #pragma once
 
 #include <vector>
@@ -9,7 +9,7 @@
 
 namespace af2::geometry {
 
-/// All edges by their ids, but those without length or curve.
+/// All edges by their ids, except those without length or curve.
 AF2_EXPORT std::vector<EdgeEntry> edgesOf(const Model& model);
 
 }  // namespace af2::geometry

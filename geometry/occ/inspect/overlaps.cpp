@@ -59,7 +59,7 @@ class OverlapFinder {
       const int face = static_cast<int>(i) + 1;
       try {
         byFace[i] = findBoundary(shape_, face, divided_, shape_.surface(face), lying_).touching;
-      } catch (const GeometryError&) {  // other defects tell of it
+      } catch (const GeometryError&) {  // reported as another defect
       } catch (const Standard_Failure&) {
       }
     });
@@ -70,7 +70,7 @@ class OverlapFinder {
   }
 
   void addEdges(int face, int one, int other, double length, const std::string& rest) {
-    if (!told_.insert(std::minmax(one, other)).second) return;
+    if (!reported_.insert(std::minmax(one, other)).second) return;
     defects_.push_back({DefectKind::EdgeOnEdge, face, one, 0, length, middleOf(one),
                         "on edge " + std::to_string(other) + rest});
   }
@@ -90,14 +90,14 @@ class OverlapFinder {
       place = middleOf(shape_.edges.FindIndex(edge.Current()));
     defects_.push_back(
         {DefectKind::FaceOnFace, lying.face, 0, 0, 0, place,
-         lying.isDouble() ? "is " + under + " once more" : "lies on " + under + ", turned back"});
+         lying.isDouble() ? "is " + under + " again" : "lies on " + under + ", folded back"});
   }
 
   const ModelShape& shape_;
   CadSizes sizes_;
   DividedEdges divided_;
   std::vector<FaceOnFace> lying_;
-  std::set<std::pair<int, int>> told_;  // edges, the lower first
+  std::set<std::pair<int, int>> reported_;  // edges, the lower first
   std::vector<Defect> defects_;
 };
 

@@ -1,4 +1,4 @@
-// Edges and faces that lie on each other, as meshing sees them.
+// Finds edges and faces that overlap, by the criteria of meshing.
 #pragma once
 
 #include <vector>
@@ -8,8 +8,8 @@
 
 namespace af2::geometry {
 
-/// Those that a mesh of the given size would take for one: edges with the same ends, or parts of
-/// them, and faces that are there twice or lie on others with which they have edges in common.
+/// Edges and faces that a mesh of the given size would merge: edges with the same ends, or parts of
+/// them, and faces that occur twice or overlap others with which they share edges.
 std::vector<Defect> findOverlaps(const Model& model, double size);
 
 }  // namespace af2::geometry

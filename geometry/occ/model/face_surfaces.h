@@ -13,29 +13,29 @@
 
 namespace af2::geometry {
 
-/// To make a surface takes longer than to mesh a small face, and every edge of the face, every
-/// piece of it and every run needs it. Threads may share this.
+/// A cache of surfaces. Making a surface takes longer than meshing a small face, and every edge of
+/// the face, every piece of it and every run needs it. Threads may share this.
 class FaceSurfaces {
  public:
   explicit FaceSurfaces(int faces)
       : slots_(std::make_unique<Slot[]>(static_cast<std::size_t>(faces))) {}
-  /// The same surfaces, but for those of faces that have creases.
+  /// The same surfaces, except those of faces that have creases.
   FaceSurfaces(std::shared_ptr<const FaceSurfaces> others, int faces,
                std::map<int, FaceCells> cells)
       : others_(std::move(others)),
         slots_(std::make_unique<Slot[]>(static_cast<std::size_t>(faces))),
         cells_(std::move(cells)) {}
 
-  /// A copy of the surface of a face, whose number is `id`; made when it is first asked for. Throws
-  /// GeometryError if the face has none.
+  /// A copy of the surface of the face with the number `id`; the original is made at the first
+  /// request. Throws GeometryError if the face has none.
   FaceSurface of(const TopoDS_Face& face, int id) const { return original(face, id); }
-  /// To copy a surface is dear, and these need no copy.
+  /// Without a copy of the surface, because copying is expensive.
   std::vector<SharpTip> sharpTipsOf(const TopoDS_Face& face, int id) const {
     return original(face, id).sharpTips();
   }
 
  private:
-  /// Not to be evaluated.
+  /// The shared original, which must not be evaluated.
   const FaceSurface& original(const TopoDS_Face& face, int id) const {
     const auto cells = cells_.find(id);
     if (others_ && cells == cells_.end()) return others_->original(face, id);

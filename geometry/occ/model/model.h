@@ -20,8 +20,8 @@ class AF2_EXPORT Model {
  public:
   explicit Model(std::shared_ptr<const ModelShape> shape);
 
-  /// Faces, edges and vertices are numbered 1, 2, ... in the order in which they stand in the
-  /// model.
+  /// Faces, edges and vertices are numbered 1, 2, ... in the order in which the model contains
+  /// them.
   int faceCount() const;
   int edgeCount() const;
   int vertexCount() const;
@@ -30,22 +30,22 @@ class AF2_EXPORT Model {
   const std::string& faceName(int face) const;
   /// "plane", "cylinder", "cone", "sphere", "torus", "bspline", ...
   const std::string& surfaceType(int face) const;
-  /// What the file says belongs together (STEP only: names of parts, layers, colours), and solids.
+  /// Groups of faces in the file (STEP only: names of parts, layers, colours), and solids.
   const std::vector<FaceGroup>& groups() const;
-  /// The unit of all coordinates: "mm" from STEP and IGES; empty from BREP, which does not say.
+  /// The unit of all coordinates: "mm" from STEP and IGES; empty from BREP, which has no unit.
   const std::string& unit() const;
-  /// The unit that the file was written in, as it names it; empty if it does not say.
+  /// The unit used in the file, as named there; empty if the file has none.
   const std::string& fileUnit() const;
   /// Diagonal of the box around all vertices and edges.
   double diagonal() const;
-  /// What was repaired while reading, and what looks wrong; one sentence each.
+  /// Repairs made while reading, and suspected faults; one sentence each.
   const std::vector<std::string>& notes() const;
 
-  /// Faces of the file that could not be read, so that the model lacks them, as the file numbers
-  /// them: "#17 'inlet'" from STEP, "D17" from IGES.
+  /// Faces of the file that could not be read and are missing in the model, with their numbers in
+  /// the file: "#17 'inlet'" from STEP, "D17" from IGES.
   const std::vector<std::string>& lostFaces() const;
 
-  /// What healModel changed, if it made this model.
+  /// The changes of healModel, if it made this model.
   const std::optional<Healing>& healing() const;
 
   const ModelShape& shape() const { return *shape_; }
@@ -55,15 +55,15 @@ class AF2_EXPORT Model {
   std::shared_ptr<const ModelShape> shape_;
 };
 
-/// The formats that readModel knows, in the order in which texts name them.
+/// The formats that readModel reads, in the order in which messages list them.
 AF2_EXPORT std::vector<FileFormat> cadFormats();
 
-/// Reads a STEP, IGES or BREP file; which of them, its content says.
+/// Reads a STEP, IGES or BREP file; the content determines the format.
 ///
-/// Throws InputError, naming the file, the cause and a way out, if the file cannot be read, is cut
-/// off or damaged, or holds no face.
+/// Throws InputError, with the file, the cause and a remedy, if the file cannot be read, is
+/// truncated or damaged, or contains no face.
 ///
-/// Not to be called from two threads at once: OpenCASCADE's readers share global state.
+/// Must not be called from two threads at once, because OpenCASCADE's readers share global state.
 AF2_EXPORT Model readModel(const std::filesystem::path& path);
 
 }  // namespace af2::geometry

@@ -90,7 +90,7 @@ void buildMissingCurves(ModelShape& model) {
   }
   if (!model.edgesWithoutCurve.empty())
     model.notes.push_back(std::to_string(model.edgesWithoutCurve.size()) +
-                          " edges had no curve in space; built from their faces");
+                          " edges had no curve in space; their curves were built from their faces");
 }
 
 /// Finds faces of the model by the shapes of groups, which may have been placed anew: the same

@@ -20,20 +20,20 @@ namespace af2::geometry {
 class FaceSurface;
 class FaceSurfaces;
 
-/// An edge as a face runs along it.
+/// An edge in the direction in which a face uses it.
 struct EdgeUse {
   int id = 0;
   TopoDS_Edge edge;  ///< oriented as in the face taken forward
 };
 
-/// A line along a crease inside a face. It is an edge with an id after those of the model.
+/// A line along a crease inside a face. It is an edge, with an id above those of the model.
 struct CreaseEdge {
   int id = 0;
   bool isAtU = true;       ///< along a line of constant u; else v
   std::size_t crease = 0;  ///< [k] is between the stretches k and k + 1 of this parameter
 };
 
-/// A shape with its parts numbered. Does not change once made, so threads may share it.
+/// A shape with its parts numbered. It is immutable, so threads may share it.
 struct ModelShape {
   TopoDS_Shape shape;
   TopTools_IndexedMapOfShape faces, edges, vertices;  ///< numbered from 1
@@ -47,14 +47,14 @@ struct ModelShape {
   std::vector<std::string> notes;
   std::vector<std::string> lostFaces;
   std::optional<Healing> healing;
-  int edgesOfFile = 0;             ///< ids beyond are of edges along creases
+  int edgesOfFile = 0;             ///< higher ids belong to edges along creases
   std::map<int, FaceCells> cells;  ///< of the faces that have creases
-  /// By vertex at the end of a crease: how far from there edges across it turn with it.
+  /// By vertex at the end of a crease: the distance within which edges turn with the crease.
   std::map<int, double> creaseReach;
   std::map<int, std::vector<CreaseEdge>> creaseEdges;  ///< by face
-  std::vector<int> edgesWithoutCurve;                  ///< that got theirs from a face, ascending
+  std::vector<int> edgesWithoutCurve;  ///< whose curve was made from a face, ascending
 
-  /// With the orientation that makes the normal of its surface look outwards.
+  /// The face with the orientation in which the normal of its surface points outwards.
   TopoDS_Face face(int id) const;
   TopoDS_Edge edge(int id) const;
 
@@ -65,26 +65,26 @@ struct ModelShape {
   std::shared_ptr<const FaceSurfaces> surfaces;  ///< what surface() copies
 };
 
-/// Parts of a shape that a file says belong together.
+/// Parts of a shape that a file puts in one group.
 struct ShapeGroup {
   std::string name;
   GroupKind kind = GroupKind::Part;
   std::vector<TopoDS_Shape> shapes;
 };
 
-/// What a reader of one format hands over.
+/// The result of the reader of a format.
 struct ReadShape {
   TopoDS_Shape shape;
   std::string unit, fileUnit;
   std::vector<std::string> notes;
-  std::vector<std::string> lostFaces;                     ///< of the file, that no shape came of
+  std::vector<std::string> lostFaces;                     ///< of the file, that the reader lost
   std::function<std::string(const TopoDS_Face&)> nameOf;  ///< may be empty
   std::vector<ShapeGroup> groups;
   std::optional<Healing> healing;
 };
 
-/// Numbers the parts of a shape and completes what threads must find ready: a curve in space for
-/// every edge.
+/// Numbers the parts of a shape and makes a curve in space for every edge, because threads must not
+/// change the shape later.
 std::shared_ptr<const ModelShape> makeModelShape(ReadShape read);
 
 }  // namespace af2::geometry

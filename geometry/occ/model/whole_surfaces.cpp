@@ -45,17 +45,18 @@ TopoDS_Shape withSeams(const TopoDS_Face& face) {
 
 bool hasEdges(const TopoDS_Shape& face) { return TopExp_Explorer(face, TopAbs_EDGE).More(); }
 
-/// Of the range of a parameter. Files give numbers with ten digits.
+/// Tolerance as a share of the range of a parameter. Files give numbers with ten digits.
 constexpr double kOnSeam = 1e-6;
 
-/// Whether a parameter is one of the seam, whatever period it is told in.
+/// Whether a parameter is on the seam, in any period.
 bool isAtSeam(double parameter, double first, double last) {
   const double turns = (parameter - first) / (last - first);
   return std::abs(turns - std::round(turns)) <= kOnSeam;
 }
 
-/// From where a boundary begins to where it ends, if all of it lies on seams: nothing for one that
-/// runs to and fro, a period for a circle, whatever it bounds together with what is lost.
+/// The vector from the start of a boundary to its end in the parameters, if all of it is on seams:
+/// zero for one that runs back and forth, a period for a circle, which bounds something together
+/// with the lost edges.
 std::optional<gp_XY> advanceOnSeams(const TopoDS_Face& face, const Bounds& bounds) {
   gp_XY advance(0, 0);
   for (TopExp_Explorer it(face.Oriented(TopAbs_FORWARD), TopAbs_EDGE); it.More(); it.Next()) {
@@ -113,9 +114,9 @@ void giveWholeBoundaries(ReadShape& read) {
   }
   if (bare + lost == 0) return;
   read.shape = replacing.Apply(read.shape);
-  note(read, bare, " faces had no boundary; given their seams");
+  note(read, bare, " faces had no boundary; their seams were added");
   note(read, lost,
-       " faces had a boundary along their seams that encloses nothing; given all of it");
+       " faces had a boundary along their seams that encloses nothing; it was completed");
 }
 
 }  // namespace af2::geometry

@@ -1,16 +1,17 @@
-// Faces that are all of a closed surface, but come without the boundary that says so.
+// Completes faces that are a whole closed surface but lack a proper boundary.
 #pragma once
 
 #include "geometry/occ/model/model_shape.h"
 
 namespace af2::geometry {
 
-/// Gives seams and poles to faces without any edge, and to faces of surfaces closed both ways, as
-/// tori are, whose edges lie on the seams and enclose nothing. Notes tell how many.
+/// Adds seams and poles to faces without any edge, and to faces of surfaces that are closed in both
+/// directions, such as tori, whose edges are on the seams and enclose nothing. Notes report how
+/// many.
 ///
-/// The latter are whole tori as IGES files have them: all corners of the boundary are the same
-/// point in space, so that its sides are easily written in a wrong order, and read as the same one
-/// to and fro.
+/// The latter are whole tori in IGES files: all corners of the boundary are the same point in
+/// space, so its sides are often written in a wrong order, and read as the same side in both
+/// directions.
 void giveWholeBoundaries(ReadShape& read);
 
 }  // namespace af2::geometry

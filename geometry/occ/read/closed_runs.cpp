@@ -25,7 +25,7 @@ struct RunSide {
   gp_Pnt center;
 };
 
-/// What is not taken apart: faces, shells and solids.
+/// Units that are not split: faces, shells and solids.
 void collectUnits(const TopoDS_Shape& shape, std::vector<TopoDS_Shape>& units) {
   if (shape.ShapeType() != TopAbs_COMPOUND) return units.push_back(shape);
   for (TopoDS_Iterator it(shape); it.More(); it.Next()) collectUnits(it.Value(), units);
@@ -43,7 +43,7 @@ std::vector<RunSide> sidesOf(const std::vector<TopoDS_Shape>& units) {
   return sides;
 }
 
-/// Numbers, by side, the places where edges lie: sides with the same number lie on each other.
+/// Numbers the places of edges, by side: sides with the same number coincide.
 class Places {
  public:
   Places(const std::vector<RunSide>& sides, double tolerance) : sets_(sides.size()) {

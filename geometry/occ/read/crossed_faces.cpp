@@ -74,7 +74,8 @@ std::vector<Chord> chordsOf(const TopoDS_Face& face) {
 
 /// Counts what passes through a face, but for what may only touch it at its boundary.
 ///
-/// Not by IntCurvesFace_Intersector: that fails beside edges without a curve, as poles are.
+/// IntCurvesFace_Intersector is not used, because it fails next to edges without a curve, such as
+/// poles.
 class Crossed {
  public:
   explicit Crossed(const TopoDS_Face& face)
@@ -139,7 +140,7 @@ bool isClosed(const TopoDS_Shape& shell) {
   return true;
 }
 
-/// Whether a shell of these faces, as they are, looks outwards.
+/// Whether a shell of these faces, with their present orientation, faces outwards.
 bool looksOutwards(const std::vector<TopoDS_Face>& faces) {
   const BRep_Builder builder;
   TopoDS_Shell shell;
@@ -168,7 +169,7 @@ Rests crossedIn(const TopoDS_Shell& shell) {
   return rests;
 }
 
-/// None if OpenCASCADE cannot tell: the faces stay as they were read.
+/// Nothing if OpenCASCADE cannot decide: the faces are then kept as read.
 Rests restsIn(const TopoDS_Shell& shell) {
   try {
     return crossedIn(shell);
@@ -188,7 +189,7 @@ void turnBackCrossedFaces(ReadShape& read) {
   const int count = replaceByRests(read, shells, restsIn);
   if (count == 0) return;
   read.notes.push_back(std::to_string(count) +
-                       " faces between two poles were crossed by others; put right as the rest of "
+                       " faces between two poles were crossed by others; replaced by the rest of "
                        "their surface, which nothing crosses");
 }
 

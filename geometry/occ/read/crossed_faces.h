@@ -1,4 +1,4 @@
-// Faces that are the rest of what they should be, told by what passes through them.
+// Replaces faces that were read as the rest of their surface, and so are crossed by others.
 // Not installed: includers need OpenCASCADE's headers.
 #pragma once
 
@@ -6,10 +6,10 @@
 
 namespace af2::geometry {
 
-/// A face between two poles bounds as much of its surface as its rest does (turned_faces.h), and a
-/// file may hold the wrong one of them: then other faces of the same closed shell pass through it,
-/// and none through the rest. Puts the rest in its place, turns the shell to look outwards, and
-/// tells of it.
+/// The boundary of a face between two poles fits both the face and the rest of its surface
+/// (turned_faces.h), and a file may contain the wrong one of them: then other faces of the same
+/// closed shell pass through it, and none through the rest. Replaces the face by the rest, orients
+/// the shell outwards, and adds a note.
 void turnBackCrossedFaces(ReadShape& read);
 
 }  // namespace af2::geometry

@@ -32,8 +32,8 @@ bool isShape(const Handle(Standard_Transient) & entity) {
   return isOfType(entity, "StepGeom_") || isOfType(entity, "StepShape_");
 }
 
-/// What of a report on an entity makes it useless. Other faults, e.g. a name without quotes, are
-/// common and harmless.
+/// Messages in the report on an entity that make it unusable. Other faults, e.g. a name without
+/// quotes, are common and harmless.
 const char* damageIn(const Handle(Interface_Check) & check, bool hasValues) {
   constexpr std::array kReferences{"illegal type", "nresolved"};
   constexpr std::array kValues{"not a Real", "not an Integer", "not a LIST", "Count of Parameters"};
@@ -73,10 +73,10 @@ class Damage {
     const int label = model_->IdentLabel(entity);
     std::string fault;
     if (const auto unusable = unusable_.find(label); isShape(entity) && unusable != unusable_.end())
-      fault = unusable->second + " is no number that can be used";
+      fault = unusable->second + " is not a usable number";
     if (fault.empty() && model_->IsReportEntity(number))
-      if (const char* told = damageIn(model_->ReportEntity(number)->Check(), isShape(entity)))
-        fault = told;
+      if (const char* damage = damageIn(model_->ReportEntity(number)->Check(), isShape(entity)))
+        fault = damage;
     if (fault.empty()) return;
     const bool isWorse = isShape(entity) && !isShapeHit_;  // damage elsewhere rarely matters
     if (count_++ == 0 || isWorse) first_ = "#" + std::to_string(label) + ": " + fault;
@@ -84,8 +84,8 @@ class Damage {
     reached_.insert(number);
   }
 
-  /// From what is damaged to all that depends on it, up to its faces. Curves in parameters can be
-  /// done without.
+  /// Goes from damaged entities to all that depend on them, up to their faces. Curves in parameters
+  /// can be done without.
   void spread() {
     std::vector<int> open(reached_.begin(), reached_.end());
     while (!open.empty()) {
@@ -106,7 +106,7 @@ class Damage {
     }
   }
 
-  /// What is not there is not to be transferred, either.
+  /// Missing entities must not be transferred either.
   bool isUsable(const Handle(StepShape_Face) & face) const {
     if (face.IsNull() || reached_.contains(model_->Number(face))) return false;
     const auto oriented = Handle(StepShape_OrientedFace)::DownCast(face);

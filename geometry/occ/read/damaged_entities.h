@@ -1,4 +1,4 @@
-// Entities of a STEP file that OpenCASCADE's translator would better not meet.
+// Finds entities of a STEP file that OpenCASCADE's translator cannot handle.
 // Not installed: includers need OpenCASCADE's headers.
 #pragma once
 
@@ -13,13 +13,13 @@ namespace af2::geometry {
 
 struct StepDamage {
   std::string text;              ///< which entities are damaged and how; empty if none
-  std::vector<TakenFace> faces;  ///< taken out of their shells
+  std::vector<TakenFace> faces;  ///< removed from their shells
 };
 
-/// Entities that refer to what the file does not hold, or have values that are no numbers or larger
-/// than any length can be. The translator crashes on them, does not come to an end, or takes
-/// whatever lay in memory for a value. Faces that depend on such an entity are taken out of the
-/// model. To be asked before the transfer.
+/// Finds entities that refer to missing entities, or have values that are not numbers or larger
+/// than any length can be. The translator crashes on them, does not end, or uses uninitialised
+/// memory. Faces that depend on such an entity are removed from the model. Call this before the
+/// transfer.
 ///
 /// path  the file that the session has read
 StepDamage takeOutDamage(const Handle(XSControl_WorkSession) & session,

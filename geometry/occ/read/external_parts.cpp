@@ -27,7 +27,7 @@ bool hasFaces(const Handle(XSControl_WorkSession) & session,
 
 ExternalParts externalPartsOf(STEPCAFControl_Reader& reader) {
   ExternalParts parts;
-  std::set<std::string> told;
+  std::set<std::string> reported;
   const auto lookAt = [&](const Handle(XSControl_WorkSession) & session) {
     STEPConstruct_ExternRefs references(session);
     if (!references.LoadExternRefs()) return;
@@ -38,7 +38,7 @@ ExternalParts externalPartsOf(STEPCAFControl_Reader& reader) {
                           !file.IsNull() && file->GetLoadStatus() == IFSelect_RetDone &&
                           file->GetTransferStatus();
       if (!isRead && hasFaces(session, references.ProdDef(i))) continue;
-      if (!told.insert(name).second) continue;
+      if (!reported.insert(name).second) continue;
       (isRead ? parts.read : parts.missing).push_back(name);
       if (isRead) parts.sessions.push_back(file->GetWS());
     }

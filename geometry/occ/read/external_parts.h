@@ -1,4 +1,4 @@
-// Parts of a STEP assembly that lie in files of their own.
+// Finds parts of a STEP assembly that are in separate files.
 // Not installed: includers need OpenCASCADE's headers.
 #pragma once
 
@@ -8,15 +8,15 @@
 
 namespace af2::geometry {
 
-/// What became of the files that an assembly refers to.
+/// The files that an assembly refers to, and whether they were read.
 struct ExternalParts {
   std::vector<Handle(XSControl_WorkSession)> sessions;  ///< of those that were read
-  std::vector<std::string> read;                        ///< their names, as the assembly has them
-  /// Names of those that could not be read, and that hold parts which lie nowhere else.
+  std::vector<std::string> read;                        ///< their names in the assembly
+  /// Names of files that could not be read and that hold parts which are nowhere else.
   std::vector<std::string> missing;
 };
 
-/// To be asked after the transfer to a document, which reads these files.
+/// Call this after the transfer to a document, which reads these files.
 ExternalParts externalPartsOf(STEPCAFControl_Reader& reader);
 
 }  // namespace af2::geometry

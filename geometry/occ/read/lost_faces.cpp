@@ -49,7 +49,7 @@ class LostFaces {
 
   std::vector<std::string> find(const std::vector<TakenFace>& taken) {
     for (const TakenFace& face : taken)
-      if (wasTried(face.shell)) tell(face.name);
+      if (wasTried(face.shell)) report(face.name);
     for (int i = 1; i <= model_->NbEntities(); ++i) {
       const auto shell = Handle(StepShape_ConnectedFaceSet)::DownCast(model_->Value(i));
       if (!shell.IsNull() && wasTried(shell)) lookAt(shell);
@@ -71,18 +71,18 @@ class LostFaces {
     if (shell->CfsFaces().IsNull()) return;
     for (int k = 1; k <= shell->NbCfsFaces(); ++k) {
       const Handle(StepShape_Face) face = withoutSense(shell->CfsFacesValue(k));
-      if (face.IsNull() || !isThere(process_, face)) tell(stepFaceName(model_, shell, k));
+      if (face.IsNull() || !isThere(process_, face)) report(stepFaceName(model_, shell, k));
     }
   }
 
-  void tell(const std::string& name) {
-    if (told_.insert(name).second) lost_.push_back(name);
+  void report(const std::string& name) {
+    if (reported_.insert(name).second) lost_.push_back(name);
   }
 
   Handle(XSControl_WorkSession) session_;
   Handle(StepData_StepModel) model_;
   Handle(Transfer_TransientProcess) process_;
-  std::set<std::string> told_;
+  std::set<std::string> reported_;
   std::vector<std::string> lost_;
 };
 

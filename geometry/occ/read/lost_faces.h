@@ -1,4 +1,4 @@
-// Faces of a file that did not come through its reader.
+// Finds faces of a file that its reader lost.
 // Not installed: includers need OpenCASCADE's headers.
 #pragma once
 
@@ -23,14 +23,14 @@ struct TakenFace {
 std::string stepFaceName(const Handle(StepData_StepModel) & model,
                          const Handle(StepShape_ConnectedFaceSet) & shell, int number);
 
-/// The faces of shells that a STEP reader was to transfer and has no shape for, by their names. To
-/// be asked after the transfer.
+/// The names of the faces of shells for which a STEP reader has made no shape. Call this after the
+/// transfer.
 ///
-/// taken  faces that were taken out of shells before it
+/// taken  faces that were removed from shells before the transfer
 std::vector<std::string> lostStepFaces(const Handle(XSControl_WorkSession) & session,
                                        const std::vector<TakenFace>& taken);
 
-/// The same of an IGES reader: faces and surfaces that are faces, by their line in the directory:
+/// The same for an IGES reader: faces, and surfaces that are faces, by their line in the directory:
 /// "D17".
 std::vector<std::string> lostIgesFaces(const Handle(XSControl_WorkSession) & session);
 

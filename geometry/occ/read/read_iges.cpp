@@ -57,8 +57,8 @@ bool isNothing(const TopoDS_Shape& face, double tolerance) {
   return std::abs(area.Mass()) <= tolerance * boundary.Mass();
 }
 
-/// With the faces that sewing dropped because it could make nothing of their boundary. Those
-/// without width may go.
+/// Adds the faces that sewing dropped because it could not use their boundary. Faces without width
+/// may be dropped.
 TopoDS_Shape withDropped(const BRepBuilderAPI_Sewing& sewing, double tolerance) {
   BRep_Builder builder;
   TopoDS_Compound all;
@@ -73,7 +73,7 @@ TopoDS_Shape withDropped(const BRepBuilderAPI_Sewing& sewing, double tolerance) 
   return hasDropped ? TopoDS_Shape(all) : sewing.SewedShape();
 }
 
-/// Edges may be cut where another one ends beside them.
+/// Edges may be cut where another one ends next to them.
 enum class Edges { Whole, Cut };
 
 TopoDS_Shape sewnAt(const TopoDS_Shape& shape, double tolerance, Edges edges) {
@@ -85,8 +85,8 @@ TopoDS_Shape sewnAt(const TopoDS_Shape& shape, double tolerance, Edges edges) {
   return sewing.SewedShape().IsNull() ? TopoDS_Shape() : withDropped(sewing, tolerance);
 }
 
-/// Two sheets that were sewn to one another all round, because the gap is as wide as what lies
-/// between them, enclose nothing.
+/// Two sheets that were sewn to each other all around, because their distance is within the gap,
+/// enclose nothing.
 bool isThickerThan(double gap, const TopoDS_Shape& shape) {
   GProp_GProps volume, area;
   BRepGProp::VolumeProperties(shape, volume);
@@ -117,7 +117,7 @@ TopoDS_Shape sewn(const TopoDS_Shape& shape, double diagonal) {
   return left < before ? narrowly : shape;
 }
 
-/// What lies directly in a group of the file, and in each group inside it.
+/// Everything directly in a group of the file, and in each group inside it.
 void collectGroups(const TopoDS_Shape& shape, std::vector<TopoDS_Shape>& groups) {
   if (shape.ShapeType() != TopAbs_COMPOUND) return groups.push_back(shape);
   BRep_Builder builder;
@@ -165,7 +165,7 @@ void sew(ReadShape& read) {
   if (after >= before) return;
   read.shape = all;
   read.notes.push_back("sewed neighbouring faces: " + std::to_string(before) +
-                       " edges had one face only, now " + std::to_string(after));
+                       " edges had only one face, now " + std::to_string(after));
 }
 
 /// Which curve of an edge the reader builds on: that in space, or that in the parameters.
@@ -177,7 +177,7 @@ TopoDS_Shape transferred(IGESControl_Reader& reader, const std::filesystem::path
   const ReaderSetting mode("read.surfacecurve.mode", curves);
   if (reader.ReadFile(path.c_str()) != IFSelect_RetDone)
     throw InputError(path.string() +
-                     ": this IGES file is damaged or cut off; export the model again");
+                     ": this IGES file is damaged or truncated; export the model again");
   reader.SetReadVisible(false);
   reader.TransferRoots();
   return reader.OneShape();
@@ -190,7 +190,7 @@ void replaceShiftedFaces(ReadShape& read, const std::filesystem::path& path) {
   });
   if (count > 0)
     read.notes.push_back(std::to_string(count) +
-                         " faces had curves a period beside their place; read again by those in "
+                         " faces had curves shifted by a period; read again from the curves in "
                          "their parameters");
 }
 

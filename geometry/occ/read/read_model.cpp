@@ -64,7 +64,8 @@ std::string fileOf(const CadFormat& format) {
   return (isSpokenWithVowel ? "an " : "a ") + std::string(format.name) + " file";
 }
 
-/// The content decides; the name tells what a file that has lost its start was meant to be.
+/// The content determines the format; for a file whose start is damaged, the name shows the
+/// intended format.
 const CadFormat& formatOfFile(const fs::path& path) {
   std::error_code error;
   const fs::file_status status = fs::status(path, error);
@@ -79,15 +80,15 @@ const CadFormat& formatOfFile(const fs::path& path) {
     if (format.looksLike(start)) return format;
   if (const CadFormat* byName = formatOf(std::span<const CadFormat>(kCadFormats), path))
     throw InputError(path.string() + ": does not start like " + fileOf(*byName) +
-                     "; it is damaged or something else, export the model again");
+                     "; it is damaged or in another format, export the model again");
   if (start.starts_with("\x1f\x8b") || start.starts_with("PK\x03\x04"))
     throw InputError(path.string() + ": is compressed; unpack it first");
-  throw InputError(path.string() + ": is no " + namesOfFormats() +
+  throw InputError(path.string() + ": is not a " + namesOfFormats() +
                    " file; export the model as one of these");
 }
 
 std::string damaged(const fs::path& path, const CadFormat& format, const std::string& cause) {
-  return path.string() + ": this " + std::string(format.name) + " file is damaged or cut off (" +
+  return path.string() + ": this " + std::string(format.name) + " file is damaged or truncated (" +
          cause + "); export the model again";
 }
 
@@ -102,7 +103,7 @@ ReadShape readShape(const fs::path& path) {
     const std::string text = failure.GetMessageString() ? failure.GetMessageString() : "";
     throw InputError(damaged(path, format, text.empty() ? failure.DynamicType()->Name() : text));
   } catch (const std::bad_alloc&) {
-    throw InputError(damaged(path, format, "it asks for more memory than there is"));
+    throw InputError(damaged(path, format, "it needs more memory than is available"));
   } catch (const std::exception& failure) {
     throw InputError(damaged(path, format, failure.what()));
   }
@@ -116,7 +117,7 @@ Model readModel(const fs::path& path) {
   ReadShape read = readShape(path);
   if (read.shape.IsNull())
     throw InputError(path.string() +
-                     ": holds no shape; it is cut off, or was exported without one");
+                     ": contains no shape; it is truncated, or was exported without one");
   std::shared_ptr<const ModelShape> shape;
   try {
     const Silence silence;
@@ -131,7 +132,7 @@ Model readModel(const fs::path& path) {
                      " faces can be read, the first is " + shape->lostFaces.front() +
                      "; export the model again");
   if (shape->faces.IsEmpty())
-    throw InputError(path.string() + ": holds no face, only " +
+    throw InputError(path.string() + ": contains no face, only " +
                      std::to_string(shape->edges.Extent()) + " edges and " +
                      std::to_string(shape->vertices.Extent()) +
                      " vertices; export the model with its surfaces");

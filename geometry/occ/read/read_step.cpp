@@ -88,12 +88,12 @@ std::string lengthUnitsOf(STEPControl_Reader& reader) {
 }
 
 std::string listed(const std::vector<std::string>& names) {
-  constexpr std::size_t kMostNamed = 10;
+  constexpr std::size_t kMaxNamed = 10;
   std::string text;
-  for (std::size_t i = 0; i < std::min(names.size(), kMostNamed); ++i)
+  for (std::size_t i = 0; i < std::min(names.size(), kMaxNamed); ++i)
     text += (i > 0 ? ", '" : "'") + names[i] + "'";
-  if (names.size() > kMostNamed)
-    text += " and " + std::to_string(names.size() - kMostNamed) + " more";
+  if (names.size() > kMaxNamed)
+    text += " and " + std::to_string(names.size() - kMaxNamed) + " more";
   return text;
 }
 
@@ -101,9 +101,10 @@ std::string listed(const std::vector<std::string>& names) {
 TopoDS_Shape joinedParts(const Handle(TDocStd_Document) & document, const ExternalParts& parts,
                          const std::filesystem::path& path, std::vector<std::string>& notes) {
   if (!parts.missing.empty())
-    throw InputError(path.string() + ": parts of this assembly lie in other files, of which " +
-                     listed(parts.missing) +
-                     " cannot be read; put these beside it, or export the assembly to one file");
+    throw InputError(
+        path.string() + ": parts of this assembly are in other files, of which " +
+        listed(parts.missing) +
+        " cannot be read; put these into the same folder, or export the assembly to one file");
   notes.push_back("parts of the assembly were read from " + listed(parts.read));
   TDF_LabelSequence tops;
   XCAFDoc_DocumentTool::ShapeTool(document->Main())->GetFreeShapes(tops);
@@ -134,7 +135,7 @@ ReadShape readStep(const std::filesystem::path& path) {
   // Files that it refers to are found only beside a file with its whole path.
   if (withAttributes.ReadFile(std::filesystem::absolute(path).c_str()) != IFSelect_RetDone)
     throw InputError(path.string() +
-                     ": this STEP file is damaged or cut off; export the model again");
+                     ": this STEP file is damaged or truncated; export the model again");
   ReadShape result;
   if (!isUtf8)
     result.notes.push_back("the names in the file are not in UTF-8; read as in Windows-1252");
@@ -143,7 +144,7 @@ ReadShape readStep(const std::filesystem::path& path) {
     constexpr std::chrono::seconds kLimit(30);
     if (!survives([&] { withAttributes.Transfer(document); }, kLimit))
       throw InputError(path.string() + ": " + damage.text + "; export the model again");
-    result.notes.push_back(damage.text + "; what uses them may be missing");
+    result.notes.push_back(damage.text + "; parts that use them may be missing");
   }
   withAttributes.Transfer(document);
   result.unit = "mm";

@@ -1,5 +1,5 @@
-// A setting of OpenCASCADE's readers for a while: these are global, and a program that uses AF2 has
-// its own.
+// Changes a setting of OpenCASCADE's readers temporarily, because the settings are global and a
+// program that uses AF2 may have its own.
 // Not installed: includers need OpenCASCADE's headers.
 #pragma once
 
@@ -7,7 +7,8 @@
 
 namespace af2::geometry {
 
-/// One that is a choice among texts. To be made after the reader, which defines its settings.
+/// A setting with a text as its value. Construct it after the reader, because the reader defines
+/// its settings.
 class ReaderSetting {
  public:
   ReaderSetting(const char* name, const char* choice)

@@ -1,4 +1,4 @@
-// One reader for each file format, and the table of them, in which readModel looks.
+// One reader for each file format, and the table of them that readModel uses.
 // Not installed.
 #pragma once
 
@@ -16,7 +16,7 @@ ReadShape readStep(const std::filesystem::path& path);
 ReadShape readIges(const std::filesystem::path& path);
 ReadShape readBrep(const std::filesystem::path& path);
 
-/// Whether a file that starts so, with its first kStartSize bytes, is of the format.
+/// Whether a file with these first kStartSize bytes is of the format.
 bool looksLikeStep(const std::string& start);
 bool looksLikeIges(const std::string& start);
 bool looksLikeBrep(const std::string& start);
@@ -27,7 +27,7 @@ struct CadFormat : FileFormat {
   bool (*looksLike)(const std::string& start);
 };
 
-/// In the order in which texts name them, and in which the start of a file is compared with them.
+/// In the order in which messages list them, and in which the start of a file is tested.
 inline constexpr std::array kCadFormats{
     CadFormat{{"STEP", {".step", ".stp", ".p21"}}, &readStep, &looksLikeStep},
     CadFormat{{"IGES", {".iges", ".igs"}}, &readIges, &looksLikeIges},

@@ -74,7 +74,7 @@ class Collector {
     return groups_.back();
   }
 
-  /// A label and what it consists of; `around` is where the assembly above it lies.
+  /// Visits a label and its components; `around` is the location of the assembly above it.
   void walk(const TDF_Label& label, const TopLoc_Location& around) {
     add(label, around);
     TDF_Label part = label;

@@ -1,4 +1,4 @@
-// What a STEP file says of parts of its shape: names, layers and colours.
+// Reads the names, layers and colours of parts from a STEP file.
 // Not installed: includers need OpenCASCADE's headers.
 #pragma once
 

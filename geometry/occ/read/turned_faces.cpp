@@ -73,8 +73,8 @@ std::optional<Lune> luneOf(const std::vector<FaceSide>& sides, double period) {
   const auto isPole = [](const FaceSide& side) { return side.isPole; };
   if (std::ranges::count_if(sides, isPole) != 2) return std::nullopt;
   const std::vector<double> columns = columnsOf(sides, period);
-  constexpr double kMost = 0.999;  // of the period: else the columns are the two sides of a seam
-  if (columns.size() != 2 || columns[1] - columns[0] > kMost * period) return std::nullopt;
+  constexpr double kMax = 0.999;  // of the period: else the columns are the two sides of a seam
+  if (columns.size() != 2 || columns[1] - columns[0] > kMax * period) return std::nullopt;
   return Lune{columns[0], columns[1]};
 }
 
@@ -121,7 +121,8 @@ TopoDS_Shape withFaces(const TopoDS_Shell& shell, const Rests& rests) {
   return made.Oriented(rests.isShellForward ? TopAbs_FORWARD : TopAbs_REVERSED);
 }
 
-/// Of faces that most of the shell disagrees with, however the shell as a whole looks.
+/// The rests for the faces whose orientation differs from that of most of the shell, whichever way
+/// the shell as a whole is oriented.
 Rests restsIn(const TopoDS_Shell& shell,
               const std::function<bool(const TopoDS_Face&)>& isAsInFile) {
   constexpr std::size_t kMany = 2;  // times as many as are turned
@@ -205,14 +206,14 @@ void turnBackFaces(ReadShape& read, const std::function<bool(const TopoDS_Face&)
     if (!it.More()) continue;
     const TopoDS_Shell shell = TopoDS::Shell(it.Current());
     it.Next();
-    if (!it.More()) shells.push_back(shell);  // of several, nobody tells here which looks inwards
+    if (!it.More()) shells.push_back(shell);  // of several, it is unknown which faces inwards
   }
   const int count = replaceByRests(
       read, shells, [&](const TopoDS_Shell& shell) { return restsIn(shell, isAsInFile); });
   if (count == 0) return;
   read.notes.push_back(std::to_string(count) +
-                       " faces between two poles were read as the rest of their surface, turned "
-                       "against what the file says; put right");
+                       " faces between two poles were read as the rest of their surface, oriented "
+                       "opposite to the file; corrected");
 }
 
 }  // namespace af2::geometry

@@ -1,4 +1,4 @@
-// Faces that a reader took for the rest of their surface.
+// Repairs faces that a reader took for the rest of their surface.
 // Not installed: includers need OpenCASCADE's headers.
 #pragma once
 
@@ -13,27 +13,27 @@
 namespace af2::geometry {
 
 /// The rest of a surface that is closed around its axis and between two poles, such as a sphere: a
-/// face with the same edges, on the other side of them, that looks to the other side, too. Null if
+/// face with the same edges, on the other side of them, and with the opposite orientation. Null if
 /// the boundary does not run once from pole to pole and back.
 TopoDS_Face restOf(const TopoDS_Face& face);
 
-/// What is to be put in place of faces of a shell.
+/// Replacements for faces of a shell.
 struct Rests {
   std::map<int, TopoDS_Face> faces;  ///< by index in the shell
-  bool isShellForward = true;        ///< how the shell with them is oriented
+  bool isShellForward = true;        ///< orientation of the shell after the replacement
 };
 
-/// Puts the rests that `choose` finds in the place of faces of the shells, also in groups and for
-/// names. Returns how many.
+/// Replaces faces of the shells by the rests that `choose` returns, also in groups and names.
+/// Returns the number of replaced faces.
 int replaceByRests(ReadShape& read, const std::vector<TopoDS_Shell>& shells,
                    const std::function<Rests(const TopoDS_Shell&)>& choose);
 
-/// A reader that finds the edges of a face on the seam of its surface may take them for those on
-/// the other side of it. It then sees the loop run the wrong way round, turns it, and so has the
-/// rest of the surface, in a shell that looks inwards. Puts that right for faces that are turned
-/// against what the file says while most of their shell is not, and tells of it.
+/// A reader may put edges on the seam of a surface on the wrong side of the seam. The loop then has
+/// the wrong direction, the reader reverses it, and the face becomes the rest of its surface, in a
+/// shell that faces inwards. Replaces such faces and adds a note. They are the faces whose
+/// orientation relative to the file differs from that of at least two thirds of their shell.
 ///
-/// isAsInFile  whether a face of a shell, by itself, looks to the side that the file says
+/// isAsInFile  whether a face, regardless of its shell, has the orientation given in the file
 void turnBackFaces(ReadShape& read, const std::function<bool(const TopoDS_Face&)>& isAsInFile);
 
 }  // namespace af2::geometry

@@ -29,7 +29,7 @@ namespace {
 
 /// Nearer to a vertex than this share of the wanted size, an edge crosses a crease there.
 constexpr double kAtVertex = 0.01;
-/// Of the parameters that a face takes up.
+/// A share of the parameter range that a face occupies.
 constexpr double kExact = 1e-6;
 
 /// Where a crease meets an edge of its face: how far along the crease, and at which vertex.
@@ -180,7 +180,7 @@ class Creasing {
     return across(isAtU).back().high - across(isAtU).front().low;
   }
 
-  /// Ends of edges at a crease may be beside it by as much as files are exact.
+  /// The ends of edges at a crease may be off the crease by the precision of files.
   double nearZero(double beside, bool isAtU) const {
     return std::abs(beside) <= kExact * rangeAcross(isAtU) ? 0 : beside;
   }

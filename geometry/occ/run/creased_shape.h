@@ -1,4 +1,4 @@
-// A model in which the creases inside faces are edges.
+// Makes the creases inside faces of a model edges.
 // Not installed: includers need OpenCASCADE's headers.
 #pragma once
 
@@ -11,9 +11,9 @@
 
 namespace af2::geometry {
 
-/// The model as it is, with its own numbers, and an edge more along each piece of a crease that
-/// lies inside a face. Each begins and ends at vertices of the face or at new ones on its edges.
-/// The same shape if no face has creases.
+/// The model with unchanged numbers, and one more edge along each piece of a crease inside a face.
+/// Each such edge begins and ends at vertices of the face or at new vertices on its edges. Returns
+/// the same shape if no face has creases.
 ///
 /// faces  that are to be meshed, ascending
 std::shared_ptr<const ModelShape> withCreases(std::shared_ptr<const ModelShape> model,

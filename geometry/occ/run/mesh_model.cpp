@@ -26,15 +26,15 @@ namespace af2::geometry {
 
 namespace {
 
-std::string toldOfLost(const std::vector<std::string>& faces) {
-  constexpr std::size_t kMostNamed = 10;
+std::string textOfLost(const std::vector<std::string>& faces) {
+  constexpr std::size_t kMaxNamed = 10;
   std::string text = faces.size() == 1 ? "a face" : std::to_string(faces.size()) + " faces";
   text += " of the file could not be read, so the mesh lacks " +
           std::string(faces.size() == 1 ? "it: " : "them: ");
-  for (std::size_t i = 0; i < std::min(faces.size(), kMostNamed); ++i)
+  for (std::size_t i = 0; i < std::min(faces.size(), kMaxNamed); ++i)
     text += (i > 0 ? ", " : "") + faces[i];
-  if (faces.size() > kMostNamed)
-    text += " and " + std::to_string(faces.size() - kMostNamed) + " more";
+  if (faces.size() > kMaxNamed)
+    text += " and " + std::to_string(faces.size() - kMaxNamed) + " more";
   return text + "; export the model again";
 }
 
@@ -120,7 +120,7 @@ class CadFaces final : public FaceSource {
     tellOfMeetingFaces(*shape_, faults.crossings, sizes_.size, mesh.faces);
     const bool areAll = faces_.size() == static_cast<std::size_t>(faceCount());
     if (areAll && !model_.lostFaces().empty())
-      mesh.findings.push_back(toldOfLost(model_.lostFaces()));
+      mesh.findings.push_back(textOfLost(model_.lostFaces()));
   }
 
  private:
@@ -143,7 +143,7 @@ class CadFaces final : public FaceSource {
     return sizes;
   }
 
-  /// Those that lie on another one which is to be meshed, too, or is to be meshed alone.
+  /// Keeps only faces that lie on another face which is also meshed.
   void findFacesOnFaces() {
     onFaces_ = facesOnFaces(*shape_, options_->threads);
     std::erase_if(onFaces_, [&](const FaceOnFace& lying) {
@@ -163,7 +163,7 @@ class CadFaces final : public FaceSource {
     }
   }
 
-  /// How many elements a face takes; 0 if nobody knows.
+  /// The number of elements of a face; 0 if unknown.
   ///
   /// samples  along each parameter, where sizes differ from place to place; 0: as few as will do
   double expectedOn(int face, int samples) const {

@@ -1,4 +1,4 @@
-// From a CAD model to a checked mesh of its faces.
+// Meshes the faces of a CAD model and checks the mesh.
 #pragma once
 
 #include "engine/base/export.h"
@@ -9,21 +9,21 @@
 
 namespace af2::geometry {
 
-/// Meshes the faces asked for, each within its edges, which are divided once and shared.
+/// Meshes the requested faces, each within its edges, which are divided once and shared.
 ///
-/// A face that cannot be meshed is reported as failed and does not spoil the others; so does
-/// cancelling. Vertices are numbered: those of model vertices, those along the edges, those inside
-/// the faces, each in the order of the model.
+/// A face that cannot be meshed is reported as failed and does not affect the others; the same
+/// holds for cancelling. Vertices are numbered in this order: at model vertices, along the edges,
+/// inside the faces, each group in the order of the model.
 ///
-/// Each face is held against its own boundary and surface, and the joined mesh once more: what does
-/// not pass is taken out and reported.
+/// Each face is checked against its own boundary and surface, and the joined mesh is checked again;
+/// faces that do not pass are removed and reported.
 ///
 /// Throws InputError for a size that is not positive, an id that the model does not have, or points
 /// that do not divide their edge.
 AF2_EXPORT ModelMesh meshModel(const Model& model, const AF2Algorithm& algorithm,
                                const MeshingOptions& options, const TurnLimits& turns = {});
 
-/// As programs may call it that were written when each kind of model had options of its own.
+/// An alias for programs written when each kind of model had options of its own.
 using ModelMeshingOptions = MeshingOptions;
 
 }  // namespace af2::geometry

@@ -8,7 +8,7 @@
 
 namespace af2::geometry {
 
-/// The size that the options give, limited by curvature.
+/// The size from the options, limited by curvature.
 class FaceSize final : public SizeField {
  public:
   FaceSize(const CadSizes& sizes, int face, const FaceSurface& surface);
@@ -21,7 +21,7 @@ class FaceSize final : public SizeField {
   const FaceSurface& surface_;
   int face_;
   double wanted_;
-  bool isBentAlike_;  ///< then `wanted_` is limited by the curvature already
+  bool isBentAlike_;  ///< then `wanted_` already has the limit by curvature
 };
 
 }  // namespace af2::geometry

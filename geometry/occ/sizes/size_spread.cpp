@@ -24,9 +24,9 @@ namespace af2::geometry {
 namespace {
 
 /// Cells along each parameter of a face: about one for each wanted edge, within these bounds.
-constexpr int kFewestCells = 4, kMostCells = 48;
+constexpr int kFewestCells = 4, kMaxCells = 48;
 
-/// What wants nearly the size of its face need not be spread.
+/// Sizes above this share of the size of the face need not be spread.
 constexpr double kSmall = 0.9;
 
 /// Away from what faces want inside, sizes grow by this share of what they may. In the open, where
@@ -59,7 +59,7 @@ class FaceSampler {
     if (!sizes_.function && surface_.isPlane()) return {};
     trimming_.emplace(face_, Precision::PConfusion());
     std::vector<Cell> cells = firstCells();
-    for (std::size_t samples = 0; !cells.empty() && samples < kMostSamples;) {
+    for (std::size_t samples = 0; !cells.empty() && samples < kMaxSamples;) {
       samples += cells.size();
       takePoints(cells);
       findSizes();
@@ -86,7 +86,7 @@ class FaceSampler {
   bool isAsked() const { return sizes_.function || sizes_.elementsPerTurn > 0; }
 
   static constexpr int kPointsPerCell = 5;
-  static constexpr std::size_t kMostSamples = 20000;
+  static constexpr std::size_t kMaxSamples = 20000;
 
   std::vector<Cell> firstCells() {
     double u1, u2, v1, v2;
@@ -130,7 +130,7 @@ class FaceSampler {
 
   int cellsFor(double length) const {
     return static_cast<int>(
-        std::clamp(std::ceil(length / wanted_), double(kFewestCells), double(kMostCells)));
+        std::clamp(std::ceil(length / wanted_), double(kFewestCells), double(kMaxCells)));
   }
   Point3 positionAt(double u, double v) const {
     return surface_.inOccParameters().pointAt(u, v).position;
@@ -162,7 +162,7 @@ class FaceSampler {
     }
   }
 
-  /// Only what lies on the face counts.
+  /// Only samples on the face count.
   void addSources() {
     for (std::size_t i = 0; i < points_.size(); ++i) {
       if (limits_[i] >= kSmall * wanted_) continue;
@@ -220,8 +220,8 @@ class UnevennessProbe {
       compare(sample.size, sample.u + sample.size / length(sample.frame.du), sample.v);
       compare(sample.size, sample.u, sample.v + sample.size / length(sample.frame.dv));
     }
-    constexpr double kMostUneven = 0.05;
-    return uneven_ > kMostUneven * compared_;
+    constexpr double kMaxUneven = 0.05;
+    return uneven_ > kMaxUneven * compared_;
   }
 
  private:
@@ -277,7 +277,7 @@ std::vector<SizeSource> sampleFaces(const ModelShape& model, const std::vector<i
   return all;
 }
 
-/// Those on which sizes change so fast that they cannot be sampled.
+/// The faces on which sizes change so fast that they cannot be sampled.
 std::set<int> roughFacesOf(const ModelShape& model, const std::vector<int>& faces,
                            const CadSizes& sizes, int threads, const std::stop_token& stop) {
   std::vector<std::uint8_t> isRough(faces.size(), 0);
@@ -300,7 +300,7 @@ std::set<int> roughFacesOf(const ModelShape& model, const std::vector<int>& face
 /// Whether sizes inside all faces are to be known outside them.
 bool spreadsAll(const CadSizes& sizes) { return sizes.function || sizes.elementsPerTurn > 0; }
 
-/// By position, beside all other limits.
+/// The limits by position, in addition to all other limits.
 void limitBySources(SizeSources sources, double growth, CadSizes& sizes) {
   if (sources.isEmpty()) return;
   const PositionSize grown = sizeFrom(std::move(sources), growth);

@@ -14,16 +14,16 @@ namespace {
 /// into too many.
 double leastOnTube(const CadSizes& sizes, double size, const FaceSurface& surface, double radius) {
   constexpr double kShareOfBentFace = 1.0 / 15;
-  constexpr double kMostElements = 1e5;
+  constexpr double kMaxElements = 1e5;
   constexpr double kElements = 14.5;  // on a tube with edges of length 1, over length * radius
-  constexpr double kMostAlong = 2e4, kLeastSize = 1e-4;  // where a spline has no radius at all
+  constexpr double kMaxAlong = 2e4, kMinSize = 1e-4;  // where a spline has no radius at all
   const double extent = surface.extent();
-  const double many = std::max({std::sqrt(kElements * radius * extent / kMostElements),
-                                extent / kMostAlong, kLeastSize * size});
+  const double many = std::max(
+      {std::sqrt(kElements * radius * extent / kMaxElements), extent / kMaxAlong, kMinSize * size});
   return std::min({sizes.bentFaceLeast * size, kShareOfBentFace * extent, many});
 }
 
-/// Whether a face turns in a crease that is far narrower than itself, so that it is no tube. No
+/// Whether a face turns in a crease that is far narrower than itself, so that it is not a tube. No
 /// price would be too high to follow that, and elements that turn by a right angle follow nothing.
 /// However many elements a turn is to have, a whole turn is 6.3 radii broad: no crease.
 bool isCreased(double size, const FaceSurface& surface) {

@@ -1,4 +1,4 @@
-// The size that the faces beside an edge want along it.
+// The size that the adjacent faces want along an edge.
 // Not installed: includers need OpenCASCADE's headers.
 #pragma once
 
@@ -17,10 +17,10 @@ class WantedAlongEdge {
  public:
   WantedAlongEdge(const ModelShape& model, int edge, const CadSizes& sizes);
 
-  /// An upper bound.
+  /// An upper bound of the sizes.
   double largest() const { return largest_; }
 
-  /// Before the limits by position, which are asked for along a whole piece.
+  /// The size without the limits by position, which are evaluated for a whole piece at once.
   double at(const Point3& position, double parameter) const;
 
  private:

@@ -13,13 +13,13 @@ namespace {
 
 /// Chord between unit normals: about 32 degrees, as at seams.
 constexpr double kKink = 0.55;
-/// Chord between unit normals: a turn that no element lies across well.
+/// Chord between unit normals: a turn that no element can span well.
 constexpr double kTight = 1.0;
-/// Of the wanted size: within this length a tight turn is a crease.
+/// A tight turn within this length, as a share of the wanted size, is a crease.
 constexpr double kWithin = 0.06;
 /// Creases nearer to each other than this share of the wanted size are one.
 constexpr double kApart = 0.15;
-/// Of the range of a parameter, beside a kink.
+/// Distance from a kink at which the surface is evaluated, as a share of the range of a parameter.
 constexpr double kBeside = 1e-7;
 
 /// A crease, or the same on one line across the face.
@@ -106,7 +106,7 @@ class CreaseFinder {
 
   /// Where the normal jumps, on at least some of the lines: a kink may fade out.
   std::vector<Crease> kinks() const {
-    constexpr int kLeast = 2;
+    constexpr int kMin = 2;
     std::vector<Crease> found;
     for (const double b : breaks_) {
       int count = 0;
@@ -118,21 +118,21 @@ class CreaseFinder {
           if (turn > kKink) ++count;
         }
       }
-      if (count >= kLeast) found.push_back({b - beside(), b, b + beside(), largest});
+      if (count >= kMin) found.push_back({b - beside(), b, b + beside(), largest});
     }
     return found;
   }
 
-  /// Those that are at the same parameters on most lines.
+  /// The creases that are at the same parameters on most lines.
   std::vector<Crease> tightTurns(const std::vector<std::vector<Crease>>& byLine) const {
-    constexpr std::size_t kMost = 20;
+    constexpr std::size_t kMax = 20;
     std::vector<Crease> found;
     for (std::size_t i = 0; i < 2; ++i)
       for (const Crease& crease : byLine[i]) {
         const auto isKnown = [&](const Crease& c) {
           return c.before <= crease.at && crease.at <= c.after;
         };
-        if (!isInside(crease) || found.size() == kMost || std::ranges::any_of(found, isKnown))
+        if (!isInside(crease) || found.size() == kMax || std::ranges::any_of(found, isKnown))
           continue;
         if (const auto all = acrossLines(crease, byLine); all && !isShort(all->at))
           found.push_back(*all);
@@ -244,7 +244,7 @@ class CreaseFinder {
     if (best.turn > 0) addCalm(line, best, found);
   }
 
-  /// With the places beside it where the surface no longer turns.
+  /// Adds a crease, with the places on both sides where the surface no longer turns.
   void addCalm(const ParameterLine& line, Crease crease, std::vector<Crease>& found) const {
     const auto before = calmBeside(line, crease.before, -1);
     const auto after = calmBeside(line, crease.after, 1);
@@ -284,17 +284,17 @@ class CreaseFinder {
       ++count;
       farthest = direction > 0 ? std::max(farthest, *calm) : std::min(farthest, *calm);
     }
-    constexpr std::size_t kLeast = 2;  // elsewhere the turn may be beyond the end
-    return count < kLeast || isShort(end) ? end : farthest;
+    constexpr std::size_t kMin = 2;  // elsewhere the turn may be beyond the end
+    return count < kMin || isShort(end) ? end : farthest;
   }
 
   /// Whether a line across is shorter than some elements, as near a pole.
   bool isShort(double parameter) const {
-    constexpr double kLeast = 4;  // of the size
+    constexpr double kMin = 4;  // of the size
     double sum = 0;
     for (std::size_t i = 1; i < lines_.size(); ++i)
       sum += distance(lines_[i - 1].at(parameter).position, lines_[i].at(parameter).position);
-    return sum < kLeast * size_;
+    return sum < kMin * size_;
   }
 
   std::optional<double> calmOnLine(const ParameterLine& line, double end, int direction,
@@ -303,7 +303,7 @@ class CreaseFinder {
       if (direction > 0 && isNear(low_, turn.at)) return turn.after;
       if (direction < 0 && isNear(turn.at, high_)) return turn.before;
     }
-    // The rest of a turn, however little, may be beside it.
+    // The rest of a turn, however small, may be next to it.
     constexpr double kStillTurns = 0.25;
     const double start = end + direction * beside();
     const double speed = line.speedAt(start);

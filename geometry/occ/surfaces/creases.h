@@ -1,4 +1,4 @@
-// Lines of constant u or v at which a face turns sharply inside: edges in all but name.
+// Finds creases: lines of constant u or v inside a face at which it turns sharply, like at an edge.
 // Not installed: includers need OpenCASCADE's headers.
 #pragma once
 
@@ -9,12 +9,13 @@
 
 namespace af2::geometry {
 
-/// Finds creases all along a face: where the normal turns by more than some 30 degrees at once, as
-/// a spline does at a knot of full multiplicity, and by more than a radian within a few hundredths
-/// of the wanted size. And pinches, where it goes on from tip to tip.
+/// Finds creases along the whole of a face: where the normal jumps by more than about 30 degrees,
+/// as on a spline at a knot of full multiplicity, or turns by more than a radian within a few
+/// hundredths of the wanted size. Also finds pinches, where the face shrinks to a point and
+/// continues.
 ///
-/// box   the part of the parameters that the face takes up
-/// size  of elements; not positive: only what turns at once counts
+/// box   the part of the parameters that the face occupies
+/// size  of elements; if not positive, only jumps of the normal count
 ///
 /// Nothing in both directions if there are none.
 FaceCells cellsOf(const GeneralSurface& surface, const Handle(Geom_Surface) & definition,

@@ -1,4 +1,4 @@
-// The part of the parameters that a face takes up, cut into cells along its creases and pinches.
+// The part of the parameters that a face occupies, cut into cells along its creases and pinches.
 #pragma once
 
 #include <algorithm>
@@ -8,8 +8,8 @@
 namespace af2::geometry {
 
 /// A range of a parameter without creases inside. Between an end of it and its calm part the
-/// surface turns in less than an element can follow: there normals and radii are those of the calm
-/// part.
+/// surface turns within less than an element can resolve; there the normals and radii of the calm
+/// part are used.
 struct Stretch {
   double low = 0, high = 0;
   double calmLow = 0, calmHigh = 0;
@@ -18,14 +18,14 @@ struct Stretch {
   bool has(double parameter) const { return parameter >= low && parameter <= high; }
 };
 
-/// Where a stretch ends if the next one begins at `parameter`: a spline at a knot is what comes
-/// after it.
+/// The end of a stretch if the next one begins at `parameter`. It is slightly before that, because
+/// a spline at a knot has the values of the span after it.
 inline double justBefore(double parameter, double range) {
   constexpr double kInside = 1e-9;  // of the range
   return parameter - kInside * range;
 }
 
-/// The part of the parameters that a face takes up, cut along its creases. [k] ends where [k + 1]
+/// The part of the parameters that a face occupies, cut along its creases. [k] ends where [k + 1]
 /// begins.
 struct FaceCells {
   std::vector<Stretch> u, v;
@@ -39,10 +39,10 @@ struct FaceCell {
   std::size_t u = 0, v = 0;
 };
 
-/// Whether a place is in a cell, or beside it by no more than some share of the parameters.
+/// Whether a place is in a cell, or outside it by at most a share of the parameters.
 bool isIn(const FaceCell& cell, const FaceCells& cells, double u, double v, double share = 0);
 
-/// The parameter, taken out of the creases.
+/// The parameter, moved out of the creases into the nearest calm part.
 double calm(const std::vector<Stretch>& stretches, double parameter);
 
 }  // namespace af2::geometry

@@ -1,4 +1,4 @@
-// The surface under one face: closed forms where there are, OpenCASCADE elsewhere.
+// The surface of one face: in closed form where there is one, else from OpenCASCADE.
 // Not installed: includers need OpenCASCADE's headers.
 #pragma once
 
@@ -27,8 +27,8 @@ namespace af2::geometry {
 struct PlaneSurface {
   Point3 origin, normal;
 
-  /// A point that a careless file has put beside the plane goes down to it: a front in the plane
-  /// does not look above it. What is near enough stays as it is.
+  /// Projects a point that an inexact file has put off the plane onto it, because a front in the
+  /// plane ignores the distance from it. Points that are near enough are not changed.
   Point3 drawnOnto(const Point3& p) const {
     constexpr double kNear = 1e-4;  // of the distance from the origin, a point of the face
     const double height = dot(p - origin, normal);
@@ -36,26 +36,26 @@ struct PlaneSurface {
   }
 };
 
-/// Knows normals, curvature and charts of a face. Not to be shared between threads, but each may
-/// have a copy.
+/// Provides normals, curvature and charts of a face. Must not be shared between threads, but each
+/// may have a copy.
 class FaceSurface final : public ChartedSurface {
  public:
   /// Throws GeometryError if the face has no surface.
   explicit FaceSurface(const TopoDS_Face& face);
-  /// Of a face with creases: normals at the boundary and radii are those beside them.
+  /// For a face with creases: normals at the boundary, and radii, are those next to the creases.
   FaceSurface(const TopoDS_Face& face, FaceCells cells);
-  /// One of the cells of such a face, which ends at its creases.
+  /// The surface of one cell of such a face, which ends at the creases.
   static FaceSurface ofCell(const TopoDS_Face& face, const Stretch& u, const Stretch& v);
 
-  /// A point of the boundary from its place in OpenCASCADE's parameters. The position is given: it
-  /// may lie beside the surface by as much as the tolerances of the model allow.
+  /// A point of the boundary from its place in OpenCASCADE's parameters. The position is given,
+  /// because it may be off the surface by as much as the tolerances of the model allow.
   SurfacePoint boundaryPoint(const Point3& position, double u, double v) const;
-  /// A point at its place in our parameters, which is improved where it is needed later.
+  /// A point at its place in AF2's parameters, which is improved later where needed.
   SurfacePoint pointAt(const Point3& position, double u, double v) const;
-  /// How the surface bends at a point.
+  /// The radii of curvature of the surface at a point.
   struct Radii {
-    /// Smaller radius of curvature. Near a sharp tip, as of a cone, that at a distance of `reach`
-    /// from it: smaller elements would see the same sharp tip.
+    /// Smaller radius of curvature. Near a sharp tip, such as that of a cone, the radius at a
+    /// distance of `reach` from the tip: smaller elements would meet the same sharp tip.
     double smallest;
     /// Smaller radius of curvature along those parameter lines on which the face turns by more than
     /// about a right angle: a tube, but not the rounding of an edge. Infinite if there are none.
@@ -63,10 +63,10 @@ class FaceSurface final : public ChartedSurface {
   };
   Radii radiiAt(const SurfacePoint& point, double reach = 0) const;
   bool isPlane() const override { return std::holds_alternative<PlaneSurface>(surface_); }
-  /// Whether there is no closed form: its parameters are all that is known.
+  /// Whether there is no closed form, so that only the parametrisation is available.
   bool isGeneral() const { return std::holds_alternative<GeneralSurface>(surface_); }
   std::vector<SharpTip> sharpTips() const;
-  /// A place on the way around a sharp tip between two places near it: `share` of the angle.
+  /// A place around a sharp tip between two places near it, at the fraction `share` of the angle.
   SurfacePoint aroundTip(const SurfacePoint& from, const SurfacePoint& to, double share) const;
   /// The angle along the surface between two places near the sharp tip at `tip`.
   double angleAroundTip(const SurfacePoint& from, const SurfacePoint& to, const Point3& tip) const;
@@ -75,15 +75,15 @@ class FaceSurface final : public ChartedSurface {
     return isPlane() || std::holds_alternative<CylinderSurface>(surface_) ||
            std::holds_alternative<SphereSurface>(surface_);
   }
-  /// Distance of the parts of the face that are farthest from each other, roughly.
+  /// Approximate diameter of the face.
   double extent() const { return extent_; }
-  /// Of the shortest parameter line on which the face turns by more than about a right angle;
-  /// infinite if there is none.
+  /// Length of the shortest parameter line on which the face turns by more than about a right
+  /// angle; infinite if there is none.
   double breadth() const { return breadth_; }
-  /// The least radius at which the face turns all along a crease across such lines. Infinite if
+  /// The least radius at which the face turns along a whole crease across such lines. Infinite if
   /// there are none.
   double creaseRadius() const { return creaseRadius_; }
-  /// The part of OpenCASCADE's parameters that the face takes up; of a plane, any part.
+  /// The part of OpenCASCADE's parameters that the face occupies; arbitrary for a plane.
   const SplineSurface::Box& box() const { return box_; }
 
   /// Makes the published charts; for a plane, the exact one.
@@ -92,8 +92,8 @@ class FaceSurface final : public ChartedSurface {
   bool has(ChartKind kind) const override;
   std::unique_ptr<AF2LocalTransformMaker> makeCharts(ChartKind kind) const override;
   std::unique_ptr<PlaneMap> makePlaneMap(ChartKind kind) const override;
-  /// The surface by our parameters (u, v): OpenCASCADE's, but for a cylinder and a cone those of
-  /// the unrolled surface. There always are some.
+  /// The surface by AF2's parameters (u, v): those of OpenCASCADE, except on a cylinder and a cone,
+  /// where they are those of the unrolled surface. Never null.
   const ParametricSurface* inParameters() const override;
   SurfacePoint at(double u, double v) const override;
   const GeneralSurface& inOccParameters() const { return parametric_; }
@@ -122,7 +122,7 @@ class FaceSurface final : public ChartedSurface {
   double creaseRadius_ = std::numeric_limits<double>::infinity();
   enum class Sweep { None, Torus, Revolution } sweep_ = Sweep::None;
   AxisFrame sweepAxis_;                 ///< of a surface of revolution without x and y
-  std::optional<Extrusion> extrusion_;  ///< also of splines that are one
+  std::optional<Extrusion> extrusion_;  ///< also for splines that are extrusions
 };
 
 }  // namespace af2::geometry

@@ -12,30 +12,30 @@
 
 namespace af2::geometry {
 
-/// One parameter of a surface: its range, and whether it comes back to where it started.
+/// One parameter of a surface: its range, and whether the surface is closed in it.
 struct ParameterRange {
   double low = 0, high = 1;
   bool closed = false;
 
   double width() const { return high - low; }
   bool has(double value) const {
-    constexpr double kSlack = 1e-6;  // of the width: boundaries are not exact
+    constexpr double kSlack = 1e-6;  // of the width, because boundaries are not exact
     return closed || (value >= low - kSlack * width() && value <= high + kSlack * width());
   }
-  /// `value` brought into the range: around, if closed, else to the nearer end.
+  /// `value` moved into the range: by whole periods if closed, else to the nearer end.
   double bring(double value) const;
-  /// The copy of `value` that is nearest to `other`, if closed.
+  /// The value nearest to `other` that differs from `value` by whole periods, if closed.
   double near(double value, double other) const;
 };
 
-/// A surface in terms of its parameters. Not to be used from two threads at once.
+/// A surface in terms of its parameters. Must not be used from two threads at once.
 class GeneralSurface final : public ParametricSurface {
  public:
   /// flipped  the face's normals are opposite to du x dv
-  /// box      where the surface is wanted; elsewhere it may take longer
+  /// box      where the surface is needed; evaluation elsewhere may be slower
   GeneralSurface(const Handle(Geom_Surface) & surface, bool flipped, const SplineSurface::Box& box);
 
-  /// Newton on the two parameters, seeded at the middle of the base edge.
+  /// Newton's method on the two parameters, started at the middle of the base edge.
   std::optional<SurfacePoint> hit(const SurfaceLine& line) const;
 
   Frame frameAt(double u, double v) const override { return values_.frameAt(u, v); }
@@ -43,10 +43,11 @@ class GeneralSurface final : public ParametricSurface {
   SurfacePoint pointAt(double u, double v) const override;
   bool isFlipped() const override { return sign_ < 0; }
   bool has(double u, double v) const override { return u_.has(u) && v_.has(v); }
-  /// Where du x dv vanishes (a pole), the mean of the normals around.
+  /// The unit normal; where du x dv vanishes (a pole), the mean of the surrounding normals.
   Point3 normalAt(double u, double v) const;
-  /// Of a point of the boundary. Where the parameters all but degenerate, what the normals do may
-  /// be noise, or a twist too small to be seen: the normal a little way into the face counts.
+  /// The normal at a point of the boundary. Where the parameters are almost degenerate, the normals
+  /// may be noise, or show a twist too small to matter: then the normal slightly inside the face is
+  /// used.
   Point3 normalAtBoundary(double u, double v) const;
   /// Radii of normal curvature: the smallest, and those along the two parameter lines; infinite
   /// where there is no curvature.
@@ -54,15 +55,15 @@ class GeneralSurface final : public ParametricSurface {
     double smallest, u, v;
   };
   Radii radiiAt(double u, double v) const;
-  /// Moves (u, v) to the foot of the perpendicular from `position`, if it is near.
+  /// Moves (u, v) to the foot of the perpendicular from `position`, if that is near.
   void refine(const Point3& position, double& u, double& v) const;
 
-  /// The surface ends at the ends of the box, also where it would go on or come back to itself.
+  /// Makes the surface end at the ends of the box, also where it would continue or close.
   void endAtBox();
 
  private:
   std::optional<Point3> unitNormal(const Frame& frame) const;
-  /// Where the surface comes back to itself at an angle, it ends.
+  /// Treats the surface as open where it meets itself at an angle.
   void openSharpEnds(const Handle(Geom_Surface) & surface);
 
   SurfaceValues values_;

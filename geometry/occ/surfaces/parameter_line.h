@@ -1,4 +1,4 @@
-// A line on a surface along which one parameter runs, the other one being fixed.
+// A line on a surface along which one parameter varies and the other is fixed.
 // Not installed: includers need OpenCASCADE's headers.
 #pragma once
 
@@ -46,7 +46,7 @@ class ParameterLine {
   double fixed_;
 };
 
-/// Chord between the unit normals at two places; 0 where there is none.
+/// Distance between the unit normals at two places; 0 if one has no normal.
 inline double turnBetween(const ParameterLine::Place& a, const ParameterLine::Place& b) {
   if (!(dot(a.normal, a.normal) > 0 && dot(b.normal, b.normal) > 0)) return 0;
   return distance(a.normal, b.normal);

@@ -1,4 +1,4 @@
-// Lines of constant u or v inside a face that are points: there it goes on from tip to tip.
+// Finds pinches: lines of constant u or v inside a face that degenerate to a point.
 // Not installed: includers need OpenCASCADE's headers.
 #pragma once
 
@@ -9,16 +9,16 @@
 
 namespace af2::geometry {
 
-/// A line across a face that is no longer than this share of the wanted size is a point.
+/// A line across a face whose length is at most this share of the wanted size counts as a point.
 inline constexpr double kPinched = 1e-3;
 
-/// Cuts where all lines that run along a parameter come to the same place, and part again.
+/// Cuts where all lines along a parameter come together at one place and separate again.
 ///
 /// lines      side by side across the face
-/// samples    of the parameter, ascending, so dense that there is one on each side of a pinch
-/// longest    how far apart the lines may be at one place
+/// samples    of the parameter, ascending, dense enough to have one on each side of a pinch
+/// longest    maximum distance of the lines at one place
 /// whole      the range of the parameter
-/// stretches  of it; none: it is in one piece
+/// stretches  of this range; none: it is not divided
 void cutAtPinches(const std::vector<ParameterLine>& lines, const std::vector<double>& samples,
                   double longest, const Stretch& whole, std::vector<Stretch>& stretches);
 

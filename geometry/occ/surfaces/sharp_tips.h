@@ -1,4 +1,4 @@
-// Where a surface by its parameters ends in a tip as sharp as that of a cone.
+// Finds tips of parametric surfaces that are as sharp as that of a cone.
 // Not installed: includers need OpenCASCADE's headers.
 #pragma once
 
@@ -11,25 +11,27 @@ namespace af2::geometry {
 
 struct SharpTip {
   Point3 position;
-  double slack = 0;  ///< nearer than this is at the tip
-  /// Around the tip along the surface: a sector in the plane with this angle, rolled up to a whole
-  /// turn, is the surface there. 2 pi sin(a) for a cone with an angle of a between axis and
-  /// surface.
+  double slack = 0;  ///< points nearer than this are at the tip
+  /// The angle around the tip along the surface: a plane sector with this angle, rolled up to a
+  /// whole turn, is the surface there. It is 2 pi sin(a) for a cone with an angle of a between axis
+  /// and surface.
   double angle = 0;
 };
 
-/// Places where a side of the parameters is one point, with normals that do not come together
-/// there: radii of curvature go to zero on the way, but smaller elements see the same sharp tip.
+/// Places where a side of the parameter range is one point, at which the normals do not converge:
+/// radii of curvature go to zero towards the tip, but smaller elements would meet the same sharp
+/// tip.
 class SharpTips {
  public:
   SharpTips() = default;
-  /// box  the part of the parameters that the face takes up
+  /// box  the part of the parameters that the face occupies
   SharpTips(const GeneralSurface& surface, const SplineSurface::Box& box);
 
-  /// By how much radii of curvature count as larger than they are at `position`, so that nearer
-  /// to a tip than `reach` they are about those at this distance. At least 1.
+  /// The factor, at least 1, by which radii of curvature at `position` are enlarged, so that nearer
+  /// to a tip than `reach` they are about those at this distance.
   double easing(const Point3& position, double reach) const;
-  /// At a tip itself, where a radius of curvature cannot be found, that at a distance of `reach`.
+  /// At a tip itself, where no radius of curvature can be computed, the radius at a distance of
+  /// `reach`.
   std::optional<double> radiusAtTip(const Point3& position, double reach) const;
 
   /// The mean of the normals around the tip at `position`; nothing if there is none.
@@ -45,9 +47,9 @@ class SharpTips {
   struct Tip : SharpTip {
     Point3 normal;
     bool isAlongU;     ///< the side of the parameters that is the tip
-    double perLength;  ///< angle along the surface, by length of that side
+    double perLength;  ///< angle along the surface, per length of that side
   };
-  /// One that is nearer than `times` its slack, or null.
+  /// A tip that is nearer than `times` its slack, or null.
   const Tip* tipAt(const Point3& position, double times = 1) const;
 
   std::vector<Tip> tips_;

@@ -1,4 +1,4 @@
-// Where the derivatives of a surface may jump.
+// Finds parameters at which the derivatives of a surface may jump.
 // Not installed: includers need OpenCASCADE's headers.
 #pragma once
 
@@ -7,11 +7,11 @@
 
 namespace af2::geometry {
 
-/// Parameters at which derivatives may jump, ascending. Those of a periodic surface are wanted
-/// wherever its face lies.
+/// Parameters at which derivatives may jump, ascending. On a periodic surface, they are repeated
+/// throughout the range of the face.
 ///
 /// isInU      of u; else v
-/// low, high  the range of the parameter that a face takes up
+/// low, high  the range of the parameter that a face occupies
 std::vector<double> breaksOf(const GeomAdaptor_Surface& surface, bool isInU, double low,
                              double high);
 

@@ -10,16 +10,16 @@
 
 namespace af2::geometry {
 
-/// A surface as the definition of a spline, if it is one, or extruded from one. An extrusion is
-/// linear along its direction; as a spline it reaches from box.v1 to box.v2.
+/// The spline definition of a surface, if it is a spline or extruded from one. An extrusion is
+/// linear along its direction; as a spline it extends from box.v1 to box.v2.
 std::optional<SplineDefinition> splineDefinitionOf(const GeomAdaptor_Surface& surface,
                                                    const SplineSurface::Box& box);
 
-/// Not to be used from two threads at once: OpenCASCADE's evaluators keep what they computed last.
-/// Each thread may have a copy; copies share the tables only.
+/// Must not be used from two threads at once, because OpenCASCADE's evaluators cache their last
+/// result. Each thread may have a copy; copies share only the tables.
 class SurfaceValues {
  public:
-  /// box  where the surface is wanted; elsewhere it may take longer
+  /// box  where the surface is needed; evaluation elsewhere may be slower
   SurfaceValues(const Handle(Geom_Surface) & surface, const SplineSurface::Box& box);
   SurfaceValues(const SurfaceValues& other);
   SurfaceValues(SurfaceValues&&) = default;

@@ -124,7 +124,7 @@ std::unique_ptr<PlaneMap> makeRevolutionMap(const GeneralSurface& surface,
                                             const SplineSurface::Box& box, const Point3& onAxis,
                                             const Point3& axis) {
   const auto across = [&](const Point3& d) { return d - dot(d, axis) * axis; };
-  constexpr double kLeastShare = 0.02;  // of the largest distance from the axis
+  constexpr double kMinShare = 0.02;  // of the largest distance from the axis
   double radius = 0, least = std::numeric_limits<double>::infinity();
   auto lengths = LengthTable::make(box.v1, box.v2, [&](double v) {
     const SurfaceFrame at = surface.frameAt(box.u1, v);
@@ -135,7 +135,7 @@ std::unique_ptr<PlaneMap> makeRevolutionMap(const GeneralSurface& surface,
     const Point3 around = cross(axis, unit(radial));
     return length(at.dv - dot(at.dv, around) * around) / fromAxis;
   });
-  if (!lengths || !(least > kLeastShare * radius)) return nullptr;
+  if (!lengths || !(least > kMinShare * radius)) return nullptr;
   const Point3 x = unit(across(surface.frameAt(box.u1, 0.5 * (box.v1 + box.v2)).position - onAxis));
   return std::make_unique<RevolutionMap>(surface, AxisFrame{onAxis, x, cross(axis, x), axis},
                                          box.u1, radius, std::move(*lengths));

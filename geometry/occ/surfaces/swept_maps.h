@@ -1,4 +1,4 @@
-// Extrusions and surfaces of revolution laid out in the plane.
+// Maps extrusions and surfaces of revolution to the plane.
 // Not installed: includers need OpenCASCADE's headers.
 #pragma once
 
@@ -12,17 +12,18 @@
 
 namespace af2::geometry {
 
-/// An isometry: x is the length of the curve across the direction of extrusion, y that along it.
-/// Null if the curve runs along the direction somewhere. The map keeps a reference to `surface`.
+/// An isometry: x is the length of the curve perpendicular to the direction of extrusion, y the
+/// length along it. Null if the curve is parallel to the direction somewhere. The map keeps a
+/// reference to `surface`.
 ///
 /// box  the part of the parameters that is laid out
 std::unique_ptr<PlaneMap> makeExtrusionMap(const GeneralSurface& surface,
                                            const SplineSurface::Box& box,
                                            const Extrusion& extrusion);
 
-/// Conformal: x goes with the angle around the axis, y with the integral of the length along the
-/// meridian over the distance from the axis. Null if the surface comes near the axis. The map keeps
-/// a reference to `surface`.
+/// Conformal: x is proportional to the angle around the axis, y to the integral of ds / r along the
+/// meridian, with s the length and r the distance from the axis. Null if the surface comes near the
+/// axis. The map keeps a reference to `surface`.
 ///
 /// onAxis, axis  the latter of unit length
 std::unique_ptr<PlaneMap> makeRevolutionMap(const GeneralSurface& surface,

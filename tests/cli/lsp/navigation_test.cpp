@@ -88,13 +88,13 @@ TEST(LspRename, FollowsParametersIntoTitlesAndTitlesOfFamiliesIntoTests) {
   const std::string text = renamed(at("flat {k}"), "{k} low");
   EXPECT_TRUE(says(text, "rule \"{k} low\""));
   EXPECT_TRUE(says(text, "expect rule \"5 low\";"));
-  EXPECT_TRUE(says(renamed(at("flat {k}"), "low"), "must hold the same"));
+  EXPECT_TRUE(says(renamed(at("flat {k}"), "low"), "must contain the same"));
 }
 
 TEST(LspRename, RefusesWithWordsThatHelp) {
   EXPECT_TRUE(says(renamed(at("push(b"), "mid"), "'mid' is a function of the language"));
-  EXPECT_TRUE(says(renamed(at("H);"), "front"), "'front' is a word of the language"));
-  EXPECT_TRUE(says(renamed(at("H);"), "2x"), "is no name"));
+  EXPECT_TRUE(says(renamed(at("H);"), "front"), "'front' is a keyword"));
+  EXPECT_TRUE(says(renamed(at("H);"), "2x"), "is not a name"));
   EXPECT_TRUE(says(renamed(at("H);"), "q"), "is the quality level"));
   EXPECT_TRUE(says(renamed(at("H);"), "d"), "already the name of a new vertex here (line 16)"));
   EXPECT_TRUE(says(renamed(at("d, b c d"), "c"), "already the name of a vertex here"));
@@ -102,7 +102,7 @@ TEST(LspRename, RefusesWithWordsThatHelp) {
   EXPECT_TRUE(says(renamed(at("b -> c;"), "x"), "keeps its name"));
   EXPECT_TRUE(says(renamed(at("right 120"), "left 120"), "there is already a rule \"left 120\""));
   EXPECT_TRUE(says(renamed(at("right 120"), "flat 7"), "there is already a rule \"flat {k}\""));
-  EXPECT_TRUE(says(renamed(at("right 120"), ""), "a title is one line of text"));
+  EXPECT_TRUE(says(renamed(at("right 120"), ""), "a title must be one line of text"));
   EXPECT_TRUE(says(renamed(at("lerp"), "x"), "no name here"));
 }
 

@@ -117,7 +117,7 @@ end)
 goTo("H * 2")
 local refused = ask("textDocument/rename", { newName = "front" })
 check("a rename that is refused", (refused.error or refused.err or {}).message and
-  (refused.error or refused.err).message:find("word of the language", 1, true), refused)
+  (refused.error or refused.err).message:find("is a keyword", 1, true), refused)
 
 -- Completion.
 goTo('free";')

@@ -47,7 +47,7 @@ TEST(UnitText, TellsOfFilesThatAreNotInMillimetres) {
   }
   mesh.fileUnit = "INCH";
   EXPECT_EQ(unitText(mesh),
-            "note: the file has lengths in INCH; sizes and coordinates are in mm here\n");
+            "note: lengths in the file are in INCH; here, sizes and coordinates are in mm\n");
 }
 
 }  // namespace

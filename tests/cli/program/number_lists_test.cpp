@@ -28,7 +28,7 @@ TEST(ParseIds, RefusesWhatIsNoId) {
   }
   EXPECT_EQ(
       refusal([] { parseIds("--faces", "1,x"); }),
-      "--faces '1,x': 'x' is no number and no range of numbers; write e.g. 3,7-9 (counted from 1)");
+      "--faces '1,x': 'x' is neither a number nor a range; write e.g. 3,7-9 (counted from 1)");
 }
 
 TEST(ParseSize, TakesPositiveNumbers) {

@@ -62,7 +62,7 @@ TEST(Supervisor, LeavesOutTheFaceThatDoesNotEnd) {
   const int code = runHere({1, 0.2}, [](RunLog& log, const GivenUp& givenUp) {
     log.begin(9);
     if (!givenUp.contains(9)) spin();
-    return givenUp.at(9).find("did not come to an end") != std::string::npos ? 5 : 6;
+    return givenUp.at(9).find("did not finish") != std::string::npos ? 5 : 6;
   });
   EXPECT_EQ(code, 5);
 }

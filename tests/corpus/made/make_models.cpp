@@ -28,7 +28,7 @@ namespace af2::made {
 namespace {
 
 /// Seconds after which OpenCASCADE is not expected to come to an end.
-constexpr unsigned kMostSeconds = 20;
+constexpr unsigned kMaxSeconds = 20;
 
 double areaOf(const TopoDS_Shape& shape) {
   GProp_GProps properties;
@@ -101,7 +101,7 @@ bool makeOne(const Family& family, int number, const std::string& path) {
 bool makeOneApart(const Family& family, int number, const std::string& path) {
   const pid_t child = fork();
   if (child == 0) {
-    alarm(kMostSeconds);
+    alarm(kMaxSeconds);
     _exit(makeOne(family, number, path) ? 0 : 1);
   }
   int status = 0;

@@ -69,7 +69,7 @@ TEST(Limits, ARuleHasAsManyVerticesAsTheEngineTakes) {
   const auto found = loadRulesFromText("x.af2", text).diagnostics;
   ASSERT_EQ(found.size(), 1u) << toPretty(found);
   EXPECT_EQ(found[0].message, "this rule has 302 vertices");
-  EXPECT_EQ(found[0].help, "at most 12 are possible, a and b among them");
+  EXPECT_EQ(found[0].help, "at most 12 are possible, including a and b");
 }
 
 class ImportLimits : public testing::Test {
@@ -136,7 +136,7 @@ TEST_F(ImportLimits, DevicesAreNotImported) {
         "af2 1;\nimport \"/dev/zero\" as z;\nruleset \"s\" { elements tri; }\n" + ruleOf(0));
   const LoadedRules loaded = load("x.af2");
   ASSERT_EQ(loaded.diagnostics.size(), 1u);
-  EXPECT_EQ(loaded.diagnostics[0].message, "cannot import \"/dev/zero\": it is no ordinary file");
+  EXPECT_EQ(loaded.diagnostics[0].message, "cannot import \"/dev/zero\": it is not a regular file");
 }
 
 #if !defined(__SANITIZE_ADDRESS__)

@@ -281,7 +281,7 @@ TEST(ImportedClassicRules, WhatIsOddInThemIsTold) {
   for (const char* part :
        {"quality 1000 switches this rule off", "quality 3000 switches this rule off",
         "Left 120 (1): this element does not run counter-clockwise", "with (1, 4, 3) instead",
-        "a tolerance on an end of the base edge never acts",
+        "a tolerance on an end of the base edge has no effect",
         "the mirror image of \"Left Quad (1)\", but for the new points"})
     EXPECT_TRUE(contains(told, part)) << part << "\n" << told;
 }

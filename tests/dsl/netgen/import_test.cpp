@@ -102,9 +102,9 @@ TEST(ImportRls, PassesOverWhatNetgenPassesOver) {
                      "line 3: warning I4: 'flags' belongs to rules that fill volumes"},
            {with("quality 1", "tolfak 0.5\nquality 1"), "line 2: warning I4: 'tolfak' belongs"},
            {with("quality 1", "quality 1\nremember (1, 2);"),
-            "line 3: warning I4: 'remember' is no clause of a rule: this does not count"},
-           {with("(1, 3);", "(1, 3) del;"), "line 11: warning I5: 'del' does nothing here"},
-           {with("Y3 };", "Y3 } whatever;"), "line 15: warning I5: 'whatever' does nothing here"},
+            "line 3: warning I4: 'remember' is not a clause of a rule: it is ignored"},
+           {with("(1, 3);", "(1, 3) del;"), "line 11: warning I5: 'del' has no effect here"},
+           {with("Y3 };", "Y3 } whatever;"), "line 15: warning I5: 'whatever' has no effect here"},
        }) {
     EXPECT_TRUE(isSame(text)) << told(text);
     expectTold(text, warning);
@@ -122,19 +122,19 @@ TEST(ImportRls, IsMoreGenerousThanNetgenWithCapitalsAndComments) {
     capitals[at] = static_cast<char>(std::toupper(capitals[at]));
   }
   EXPECT_TRUE(isSame(capitals)) << told(capitals);
-  expectTold(capitals, "line 2: warning I5: Netgen passes over 'Quality'");
+  expectTold(capitals, "line 2: warning I5: Netgen ignores 'Quality'");
   const std::string commented = "# corners, elements (1, 2, 3);\n" +
                                 with("(1, 0);", "(1, 0); // the base, \"rule\"") +
                                 "% the end of elements\n";
   EXPECT_TRUE(isSame(commented)) << told(commented);
-  expectTold(commented, "line 1: warning I4: comments are no part of such files");
+  expectTold(commented, "line 1: warning I4: such files cannot contain comments");
 }
 
 TEST(ImportRls, TellsWhatNeverActs) {
   expectTold(with("(1, 0);", "(1, 0) { 0.5, 0, 1 };"), "line 5: warning I5: a tolerance on an end");
   expectTold(with("(0.5, 0.8);", "(0.5, 0.8) del;"), "line 6: warning I5: 'del' on a point");
   expectTold(with("1 X3", "1 X3, 1 X7"), "line 15: warning I5: there is no point 7 to follow");
-  expectTold(with("1 X3", "2 X3, 1 X3"), "line 15: warning I5: this coordinate comes twice");
+  expectTold(with("1 X3", "2 X3, 1 X3"), "line 15: warning I5: this coordinate occurs twice");
   expectTold(with("quality 1", "quality 1000"), "line 2: warning I7: quality 1000 switches");
 }
 
@@ -167,12 +167,12 @@ TEST(ImportRls, TellsOfLimitsThatDoNotFit) {
 TEST(ImportRls, TellsOfLostRules) {
   expectTold(kRule + "rul \"lost\"\nquality 2\nendrule\n",
              "line 19: warning I4: a rule is lost here: it does not begin with the word 'rule'");
-  expectTold("some words\n" + kRule, "line 1: warning I4: this stands outside of the rules");
+  expectTold("some words\n" + kRule, "line 1: warning I4: this text is outside of the rules");
 }
 
 TEST(ImportRls, ReadsProseThatSpeaksOfARule) {
   const std::string prose = "(* each rule below is for one corner *)\n";
-  expectTold(prose + kRule, "line 1: warning I4: this stands outside of the rules");
+  expectTold(prose + kRule, "line 1: warning I4: this text is outside of the rules");
   EXPECT_TRUE(loadRulesFromText("x.af2", importRls("x.rls", prose + kRule).text).rules);
 }
 
@@ -190,11 +190,11 @@ TEST(ImportRls, TellsARuleForVolumesOnce) {
 
 TEST(ImportRls, TellsErrorsWithTheirLines) {
   expectTold(with("mappoints", "mappoint"),
-             "line 3: error I1: 'mappoint' is no clause of a rule; did you mean 'mappoints'?");
-  expectTold(with("(1, 0);", "(1 0);"), "line 5: error I1: here should be ','");
-  expectTold(with("(1, 0);", "(1, zero);"), "line 5: error I1: here should be a number");
-  expectTold(with("{ 1 X3 }", "{ X3 }"), "line 15: error I1: here should be a number, not 'X3'");
-  expectTold(with("{ 1 X3 }", "{ 1 Z3 }"), "line 15: error I1: here should be a coordinate");
+             "line 3: error I1: 'mappoint' is not a clause of a rule; did you mean 'mappoints'?");
+  expectTold(with("(1, 0);", "(1 0);"), "line 5: error I1: expected ','");
+  expectTold(with("(1, 0);", "(1, zero);"), "line 5: error I1: expected a number");
+  expectTold(with("{ 1 X3 }", "{ X3 }"), "line 15: error I1: expected a number, found 'X3'");
+  expectTold(with("{ 1 X3 }", "{ 1 Z3 }"), "line 15: error I1: expected a coordinate");
   expectTold(with("quality 1", "quality 1.5"), "line 2: error I2: a quality is a whole number");
   expectTold(with("(1, 2, 3);", "(1, 2, 4);"), "line 17: error I2: there is no point 4");
   expectTold(with("(1, 2, 3);", "(1, 2);"), "line 17: error I1");

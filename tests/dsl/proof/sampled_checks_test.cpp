@@ -58,7 +58,7 @@ TEST(SampledChecks, FindTheTrapezoidRuleOfTheClassicalQuads) {
   ASSERT_TRUE(inverted && uncovered);
   EXPECT_EQ(inverted->severity, Severity::Error);
   EXPECT_EQ(uncovered->severity, Severity::Error);
-  EXPECT_NE(uncovered->message.find("sticks out of the free zone at 8"), std::string::npos)
+  EXPECT_NE(uncovered->message.find("extends beyond the free zone at 8"), std::string::npos)
       << uncovered->message;
   EXPECT_EQ(ofQuads().answers[0].positive, Answer::Refuted);
   EXPECT_EQ(ofQuads().answers[0].covered, Answer::Refuted);

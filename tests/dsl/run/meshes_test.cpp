@@ -181,7 +181,7 @@ rule "middle" quality 1 {
     const FrontInput input = rectangle(3, 3, 1);
     const MeshingResult result = mesh(rulesFrom(kQuads + "}" + kGrid + rule), input, 1);
     EXPECT_EQ(result.mesh.elements.size(), 9u);
-    return result.mesh.rule.back() == 3;
+    return result.mesh.origins.back().rule == 3;
   };
   EXPECT_TRUE(holds("layer(a) == 1, layer(c) == 1, not on_boundary(b)"));
   EXPECT_TRUE(holds("valence(a) == 3, valence(b) == 3, valence(c) == 3, valence(d) == 3"));
@@ -302,7 +302,8 @@ std::shared_ptr<const RuleSet> classicWith(const std::string& rule) {
 
 std::size_t elementsOf(const std::string& rule, const MeshingResult& result, const RuleSet& rules) {
   return static_cast<std::size_t>(std::ranges::count_if(
-      result.mesh.rule, [&](std::size_t i) { return rules.rules()[i].name() == rule; }));
+      result.mesh.origins,
+      [&](const ElementOrigin& origin) { return rules.rules()[origin.rule].name() == rule; }));
 }
 
 // Where new elements touched in a matched vertex, the front was linked wrongly there, crossed its

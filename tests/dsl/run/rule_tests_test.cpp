@@ -116,7 +116,7 @@ TEST(RuleTests, AreCheckedBeforeTheyRun) {
   EXPECT_EQ(faults("test \"t\" { front p (0, 0) -> r (1, 0); expect turn(p) < 90deg; }"),
             Lines{"Y5: this vertex has no turn"});
   EXPECT_EQ(faults("test \"t\" { front p (0, 0) -> r (1, 0); expect valence(p) < 3; }"),
-            Lines{"Y5: 'valence' cannot be asked in a test, which has no mesh around it"});
+            Lines{"Y5: 'valence' is not available in a test, which has no mesh around it"});
   EXPECT_EQ(faults("test \"t\" { front p (0, 0) -> r (1, 0), p (1, 1) -> r; expect stuck; }"),
             Lines{"R2: the vertex 'p' is placed twice"});
 }

@@ -96,7 +96,7 @@ TEST(InputRejection, OfABoundaryOfTheWrongOrientation) {
   std::reverse(clockwise.begin(), clockwise.end());
   addLoop(input, clockwise);
   EXPECT_EQ(errorOf(input),
-            "boundary: its loops bound no area on their left, seen against the normals; turn round "
+            "boundary: its loops bound no area on their left, seen against the normals; reverse "
             "the loops that run the wrong way");
 }
 

@@ -29,7 +29,7 @@ struct Square {
     for (const BoundaryCorner& c : input.loops[0]) mesh.vertices.push_back(c.point);
     mesh.vertices.push_back(flatCorner(4, {1, 1}).point);
     for (std::size_t i = 0; i < 4; ++i) mesh.elements.push_back(triangle(i, (i + 1) % 4, 4));
-    mesh.rule.assign(4, 0);
+    mesh.origins.assign(4, {});
   }
   std::vector<Kind> faults() const {
     std::vector<Kind> kinds;
@@ -142,7 +142,7 @@ TEST(MeshCheck, DescribesAFaultWithItsPlace) {
   const auto faults = checkMesh(s.mesh, s.input);
   ASSERT_FALSE(faults.empty());
   EXPECT_EQ(describe(faults[0], s.mesh),
-            "an element is turned against the surface, element 0, at (0, 0, 0)");
+            "a corner of an element turns against the surface normal, element 0, at (0, 0, 0)");
 }
 
 /// n x n squares.
@@ -159,7 +159,7 @@ struct Grid {
     for (std::size_t y = 0; y < n; ++y)
       for (std::size_t x = 0; x < n; ++x)
         mesh.elements.push_back(quad(at(x, y), at(x + 1, y), at(x + 1, y + 1), at(x, y + 1)));
-    mesh.rule.assign(mesh.elements.size(), 0);
+    mesh.origins.assign(mesh.elements.size(), {});
     input.vertexCount = mesh.vertices.size();
     std::vector<std::size_t> around;
     for (std::size_t i = 0; i < n; ++i) around.push_back(at(i, 0));

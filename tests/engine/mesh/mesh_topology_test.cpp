@@ -24,7 +24,7 @@ struct Hexagon {
     mesh.vertices.push_back({{0, 0, 0}, {0, 0, 1}, 0, 0});
     for (std::size_t i = 0; i < 6; ++i) {
       mesh.elements.push_back({{VertexId(6), VertexId(i), VertexId((i + 1) % 6), VertexId()}});
-      mesh.rule.push_back(0);
+      mesh.origins.emplace_back();
     }
   }
 };
@@ -162,7 +162,7 @@ TEST(MeshTopology, IsCutAlongLinesInsideTheRegion) {
   for (auto corners : {std::array{0u, 1u, 2u}, std::array{0u, 2u, 3u}})
     mesh.elements.push_back(
         {{VertexId(corners[0]), VertexId(corners[1]), VertexId(corners[2]), VertexId()}});
-  mesh.rule = {0, 0};
+  mesh.origins.resize(2);
   const MeshTopology topology(mesh, boundaryOf(input));
   for (std::size_t e = 0; e < 2; ++e)
     for (std::size_t i = 0; i < 3; ++i) EXPECT_TRUE(topology.across({e, i}).isNone());

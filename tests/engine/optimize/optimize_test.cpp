@@ -66,7 +66,7 @@ TEST(Optimize, TakesOutAVertexAmongThreeTriangles) {
   mesh.vertices.push_back({{.5, .05, 0}, {0, 0, 1}, .5, .05});
   for (std::size_t i = 0; i < 3; ++i)
     mesh.elements.push_back({{VertexId(3), VertexId(i), VertexId((i + 1) % 3), VertexId()}});
-  mesh.rule = {0, 0, 0};
+  mesh.origins.resize(3);
   const OptimizeReport report = optimizeMesh(mesh, boundaryOf(input), FlatMaker());
   EXPECT_EQ(report.collapses, 1u);
   EXPECT_EQ(mesh.elements.size(), 1u);
@@ -83,7 +83,7 @@ TEST(Optimize, MendsAPoorTriangleAtTheCostOfBetterOnes) {
   mesh.vertices.push_back({{.5, .5, 0}, {0, 0, 1}, .5, .5});
   for (std::size_t i = 0; i < 5; ++i)
     mesh.elements.push_back({{VertexId(5), VertexId(i), VertexId((i + 1) % 5), VertexId()}});
-  mesh.rule.assign(5, 0);
+  mesh.origins.assign(5, {});
   optimizeMesh(mesh, boundaryOf(input), FlatMaker());
   EXPECT_EQ(mesh.elements.size(), 5u);
   EXPECT_GT(minQuality(mesh), .81);
@@ -108,7 +108,7 @@ class RowsThatHaveMet {
     addLoop(input, polygon);
     for (const std::size_t row : {0, 1, 5, 4}) addRow(row);
     for (std::size_t i = 0; i <= columns; ++i) addMiddle(i);
-    mesh.rule.assign(mesh.elements.size(), 0);
+    mesh.origins.assign(mesh.elements.size(), {});
   }
 
   Mesh mesh;

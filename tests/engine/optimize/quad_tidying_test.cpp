@@ -77,7 +77,7 @@ TEST(QuadTidying, MakesQuadrilateralsOfTrianglesThatClosedAFront) {
     grid.split(i, 3);
   }
   for (std::size_t e = 0; e < grid.mesh.elements.size(); ++e)
-    if (!grid.mesh.elements[e].isQuad()) grid.mesh.rule[e] = kClosing;
+    if (!grid.mesh.elements[e].isQuad()) grid.mesh.origins[e].rule = kClosing;
   QuadGrid meant = grid;
   EXPECT_EQ(tidied(meant), 0u);
   EXPECT_EQ(tidied(grid, kClosing), 8u);
@@ -102,7 +102,7 @@ TEST(QuadTidying, SplitsAQuadrilateralWithAStraightCornerAtTheRim) {
   Mesh mesh;
   for (const BoundaryCorner& c : input.loops[0]) mesh.vertices.push_back(c.point);
   mesh.elements = {{{VertexId(0), VertexId(1), VertexId(2), VertexId(3)}}};
-  mesh.rule = {0};
+  mesh.origins.resize(1);
   MeshTopology topology(mesh, boundaryOf(input));
   EXPECT_EQ(tidyQuads(topology, topology.anglesAtFixed(), {}), 1u);
   topology.compact();

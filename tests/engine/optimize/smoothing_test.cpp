@@ -24,8 +24,8 @@ struct SmoothedDisc {
 
 /// Until nothing moves, whoever looks.
 void bringToRest(MeshTopology& topology, SmoothedDisc& c) {
-  constexpr int kMost = 2000;
-  for (int i = 0; i < kMost; ++i)
+  constexpr int kMax = 2000;
+  for (int i = 0; i < kMax; ++i)
     if (VertexSmoother(topology, c.mesh, c.maker).sweep() == 0) return;
   FAIL() << "still moving";
 }
@@ -86,7 +86,7 @@ struct Square {
       input.loops[0].push_back({VertexId(i), mesh.vertices[i]});
       mesh.elements.push_back({{VertexId(i), VertexId((i + 1) % 4), VertexId(4), VertexId()}});
     }
-    mesh.rule.assign(4, 0);
+    mesh.origins.assign(4, {});
   }
 };
 

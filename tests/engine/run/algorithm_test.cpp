@@ -28,7 +28,7 @@ std::shared_ptr<const RuleSet> setOf(std::vector<AF2Rule> rules) {
 
 TEST(Observer, HearsOfEachStep) {
   Recorder recorder(false);
-  MeshingOptions options;
+  FrontOptions options;
   options.observer = &recorder;
   const FrontInput input = discWithHole(.05);
   const MeshingResult result = run(input, .05, options);
@@ -41,7 +41,7 @@ TEST(Observer, HearsOfEachStep) {
     EXPECT_EQ(step.applied, step.elements > elements);
     elements = step.elements;
     EXPECT_GE(step.level, 1);
-    EXPECT_TRUE(!step.applied || step.rule == result.mesh.rule[elements - 1]);
+    EXPECT_TRUE(!step.applied || step.rule == result.mesh.origins[elements - 1].rule);
   }
   EXPECT_EQ(failed, result.failedSteps);
   EXPECT_EQ(elements, result.mesh.elements.size());
@@ -50,7 +50,7 @@ TEST(Observer, HearsOfEachStep) {
 
 TEST(Observer, HearsWhyEachOtherRuleWasRefused) {
   Recorder recorder(true);
-  MeshingOptions options;
+  FrontOptions options;
   options.observer = &recorder;
   const MeshingResult result = run(discWithHole(.05), .05, options);
   ASSERT_EQ(recorder.refusals.size(), result.steps);
@@ -75,7 +75,7 @@ TEST(Observer, DoesNotChangeTheMesh) {
   const MeshingResult plain = run(input, .03, {});
   for (bool wantsRefusals : {false, true}) {
     Recorder recorder(wantsRefusals);
-    MeshingOptions options;
+    FrontOptions options;
     options.observer = &recorder;
     expectEqualResults(run(input, .03, options), plain);
   }
@@ -83,7 +83,7 @@ TEST(Observer, DoesNotChangeTheMesh) {
 
 TEST(Progress, IsToldWhileALargeMeshIsMade) {
   std::vector<Progress> heard;
-  MeshingOptions options;
+  FrontOptions options;
   options.progress = [&](const Progress& p) { heard.push_back(p); };
   const MeshingResult result = run(square(.01), .01, options);
   ASSERT_GE(heard.size(), 2u);
@@ -101,7 +101,7 @@ TEST(Progress, CountsEdgesAsCandidatesWhereAFrontIsCrammed) {
   const auto candidatesPerStep = [&](double side) {
     const FrontInput input = square(side);
     const MeshingResult result =
-        algorithm.execute(FlatMaker(), input, UniformSize(1), MeshingOptions{});
+        algorithm.execute(FlatMaker(), input, UniformSize(1), FrontOptions{});
     return static_cast<double>(result.candidates) / static_cast<double>(result.steps);
   };
   EXPECT_LE(candidatesPerStep(0.1), 1);
@@ -117,7 +117,7 @@ TEST(Progress, CountsWhatZonesAreHeldAgainstWhereAFrontIsCrammed) {
     RuleSetDefinition set = triangleSetDefinition();
     set.rules = rules;
     const MeshingResult result = AF2Algorithm(std::make_shared<RuleSet>(set))
-                                     .execute(FlatMaker(), input, UniformSize(1), MeshingOptions{});
+                                     .execute(FlatMaker(), input, UniformSize(1), FrontOptions{});
     return static_cast<double>(result.candidates) / static_cast<double>(result.steps);
   };
   const double one = candidatesPerStep({freeTriangle()});
@@ -130,7 +130,7 @@ TEST(Progress, CountsWhatZonesAreHeldAgainstWhereAFrontIsCrammed) {
 TEST(Cancelling, BeforeTheRunGivesNoElements) {
   std::stop_source source;
   source.request_stop();
-  MeshingOptions options;
+  FrontOptions options;
   options.stop = source.get_token();
   const FrontInput input = square(.1);
   const MeshingResult result = run(input, .1, options);
@@ -142,7 +142,7 @@ TEST(Cancelling, BeforeTheRunGivesNoElements) {
 TEST(Cancelling, FromAnotherThreadAnswersWithin100MillisecondsOfWorkWithTheMeshSoFar) {
   const FrontInput input = square(.0015);  // takes seconds
   std::stop_source source;
-  MeshingOptions options;
+  FrontOptions options;
   options.stop = source.get_token();
   std::atomic<bool> isRunning = false;
   options.progress = [&](const Progress&) { isRunning = true; };
@@ -159,7 +159,7 @@ TEST(Cancelling, FromAnotherThreadAnswersWithin100MillisecondsOfWorkWithTheMeshS
   EXPECT_EQ(result.outcome, Outcome::Cancelled);
   EXPECT_LT(static_cast<double>(answered - asked) / CLOCKS_PER_SEC, .1);
   EXPECT_FALSE(result.mesh.elements.empty());
-  EXPECT_EQ(result.mesh.rule.size(), result.mesh.elements.size());
+  EXPECT_EQ(result.mesh.origins.size(), result.mesh.elements.size());
   for (const MeshFault& fault : checkMesh(result.mesh, input))
     EXPECT_TRUE(fault.kind != MeshFault::Kind::Inverted &&
                 fault.kind != MeshFault::Kind::BadElement &&
@@ -179,7 +179,7 @@ TEST(Cancelling, FromTheProgressCallbackOrTheObserverWorksToo) {
    private:
     std::stop_source& source_;
   } stopper(source);
-  MeshingOptions options;
+  FrontOptions options;
   options.stop = source.get_token();
   options.observer = &stopper;
   const MeshingResult result = run(square(.05), .05, options);
@@ -227,8 +227,8 @@ TEST(Stuck, AnImpatientRunEndsEarlyButNoEarlierThanItsFrontIsLong) {
   addLoop(input, divided({{0, 0}, {40, 0}, {40, 1}, {0, 1}}, .02));
   const auto set = setOf({right60()});
   const MeshingResult patient = run(input, .02, {}, set);
-  MeshingOptions options;
-  options.patience = 3;
+  FrontOptions options;
+  options.stallSteps = 3;
   const MeshingResult impatient = run(input, .02, options, set);
   EXPECT_EQ(patient.outcome, Outcome::Stuck);
   EXPECT_EQ(impatient.outcome, Outcome::Stuck);
@@ -241,21 +241,21 @@ TEST(Stuck, ARunInVainEndsOnceItHasTakenWhatItMay) {
   FrontInput input;  // a square with a spike that is far longer than elements, and far narrower
   addLoop(input, divided({{0, 0}, {2, 0}, {2, 1}, {40, 1.001}, {2, 1.002}, {2, 2}, {0, 2}}, .2));
   const MeshingResult whole = run(input, .2, {}, triangleSet());
-  MeshingOptions options;
-  options.mostInVain = 1000;
+  FrontOptions options;
+  options.stallCandidates = 1000;
   const MeshingResult ended = run(input, .2, options, triangleSet());
   EXPECT_EQ(whole.outcome, Outcome::Stuck);
   EXPECT_EQ(ended.outcome, Outcome::Stuck);
   EXPECT_GT(ended.mesh.elements.size(), 200u) << "the square is filled";
   EXPECT_LT(2 * ended.candidates, whole.candidates);
-  options.mostInVain = whole.candidates;
+  options.stallCandidates = whole.candidates;
   EXPECT_EQ(run(input, .2, options, triangleSet()).mesh, whole.mesh);
 }
 
 /// Runs until it ends by itself, but not for ever.
 Outcome outcomeOf(const FrontInput& input, double size) {
   std::stop_source source;
-  MeshingOptions options;
+  FrontOptions options;
   options.stop = source.get_token();
   options.progress = [&](const Progress& p) {
     if (p.elements > 200000) source.request_stop();

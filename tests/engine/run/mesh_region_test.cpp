@@ -17,7 +17,7 @@ using namespace af2::testing;
 const FlatPoints kPlane;
 
 RegionMesh meshIn(const FrontInput& input, double size, double pieceElements, int threads,
-                  const MeshingOptions& options = {}) {
+                  const FrontOptions& options = {}) {
   const auto tools = [&] {
     return PieceTools{std::make_unique<FlatMaker>(), std::make_shared<UniformSize>(size)};
   };
@@ -272,7 +272,7 @@ TEST(MeshRegion, KeepsTheSizesAsLongAsTheCharts) {
 TEST(MeshRegion, TellsItsProgressAndStopsWhenAsked) {
   const FrontInput input = square(.01);
   std::stop_source source;
-  MeshingOptions options;
+  FrontOptions options;
   options.stop = source.get_token();
   std::atomic<std::size_t> calls = 0;
   options.progress = [&](const Progress&) {

@@ -45,13 +45,13 @@ TEST(UserCode, ExceptionsOfAnObserverReachTheCaller) {
   class Thrower final : public AF2MeshingObserver {
     void stepTaken(const StepReport&) override { throw UserError(); }
   } thrower;
-  MeshingOptions options;
+  FrontOptions options;
   options.observer = &thrower;
   EXPECT_THROW(run(square(.1), .1, options), UserError);
 }
 
 TEST(UserCode, ExceptionsOfTheProgressCallbackReachTheCaller) {
-  MeshingOptions options;
+  FrontOptions options;
   options.progress = [](const Progress&) { throw UserError(); };
   EXPECT_THROW(run(square(.01), .01, options), UserError);
 }
@@ -116,7 +116,7 @@ TEST(UserCode, APointWithoutAFinitePlaceOnTheSurfaceRefusesTheRule) {
   using Failure = PartialMaker::Failure;
   for (Failure failure : {Failure::NoSurface, Failure::NonFinite}) {
     Recorder recorder(true);
-    MeshingOptions options;
+    FrontOptions options;
     options.observer = &recorder;
     const FrontInput input = square(.1);
     // Rules that need no new vertex may still fill the region.

@@ -90,7 +90,7 @@ TEST_F(LaidOut, FoldsAreSeen) {
   for (const BoundaryCorner& corner : loop) mesh.vertices.push_back(corner.point);
   mesh.elements = {Element{{VertexId(0), VertexId(1), VertexId(2), VertexId()}},
                    Element{{VertexId(0), VertexId(2), VertexId(3), VertexId()}}};
-  mesh.rule = {0, 0};
+  mesh.origins.resize(2);
   EXPECT_NE(faultOfLifted(mesh, front, input), "");
   EXPECT_EQ(faultOfLifted(mesh, front, input, true), "");
 }

@@ -17,7 +17,7 @@ ModelMesh roof() {
   mesh.vertices = {{0, 0, 1}, {1, 0, 1}, {0, 1, 0}, {0, -1, 0}};
   mesh.elements = {triangle(0, 1, 2), triangle(1, 0, 3)};
   mesh.face = {1, 2};
-  mesh.rule = {0, 0};
+  mesh.origins.resize(2);
   mesh.segments = {{v(0), v(1), 1, 2},
                    {v(1), v(2), 2, 1},
                    {v(2), v(0), 3, 1},
@@ -67,7 +67,7 @@ TEST(ModelCheck, FindsElementsThatAreNone) {
   mesh.elements[0] = triangle(0, 1, 1);
   EXPECT_EQ(firstFinding(mesh), "an element has a corner twice");
   mesh.elements[0] = triangle(0, 1, 17);
-  EXPECT_EQ(firstFinding(mesh), "an element has a corner that is no vertex");
+  EXPECT_EQ(firstFinding(mesh), "an element has a corner that is not a vertex");
   mesh = roof();
   mesh.vertices[2] = {0.5, 0, 1};
   EXPECT_EQ(firstFinding(mesh), "an element has no area");
@@ -94,7 +94,7 @@ TEST(ModelCheck, OfAFaceThatIsThereTwiceTheLaterOneIsAtFault) {
   mesh.vertices = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
   mesh.elements = {triangle(0, 1, 2), triangle(0, 2, 3), triangle(0, 1, 2), triangle(0, 2, 3)};
   mesh.face = {4, 4, 9, 9};
-  mesh.rule = {0, 0, 0, 0};
+  mesh.origins.resize(4);
   mesh.segments = {{v(0), v(1), 1, 2}, {v(1), v(2), 2, 2}, {v(2), v(3), 3, 2}, {v(3), v(0), 4, 2}};
   const auto findings = checkModelMesh(mesh);
   ASSERT_EQ(findings.size(), 1u);
@@ -114,7 +114,7 @@ ModelMesh wheel(bool isInsideFirst) {
     mesh.segments.push_back({v(a), v(b), 1, 1});
   }
   mesh.face.assign(6, 1);
-  mesh.rule.assign(6, 0);
+  mesh.origins.assign(6, {});
   mesh.faces.resize(1);
   mesh.faces[0].id = 1;
   return mesh;
@@ -158,7 +158,7 @@ ModelMesh plate(std::size_t n) {
     for (std::size_t x = 0; x < n; ++x)
       mesh.elements.push_back({{at(x, y), at(x + 1, y), at(x + 1, y + 1), at(x, y + 1)}});
   mesh.face.assign(mesh.elements.size(), 1);
-  mesh.rule.assign(mesh.elements.size(), 0);
+  mesh.origins.assign(mesh.elements.size(), {});
   for (std::size_t i = 0; i < n; ++i) {
     mesh.segments.push_back({at(i, 0), at(i + 1, 0), 1, 1});
     mesh.segments.push_back({at(i, n), at(i + 1, n), 2, 1});

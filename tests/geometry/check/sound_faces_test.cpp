@@ -35,7 +35,7 @@ TEST(KeepSoundFaces, TakesOutAFaceThatDoesNotPassAndSaysWhy) {
   EXPECT_NE(mesh.faces[0].reason.find("does not pass its checks"), std::string::npos);
   EXPECT_EQ(mesh.elements.size(), 9u);
   EXPECT_EQ(mesh.face.size(), 9u);
-  EXPECT_EQ(mesh.rule.size(), 9u);
+  EXPECT_EQ(mesh.origins.size(), 9u);
   EXPECT_EQ(mesh.faces[1].status, FaceStatus::Complete);
 }
 

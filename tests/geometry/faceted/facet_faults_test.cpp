@@ -76,7 +76,7 @@ TEST(FacetFaults, LikeTrianglesThatAreThereTwiceAreLeftOut) {
   const Facets facets = read(kBoxVertices + kBoxFaces + "f 5 6 7\nf 3 4 1\n");
   EXPECT_EQ(facets.triangles.size(), 12u);
   ASSERT_EQ(facets.notes.size(), 1u);
-  EXPECT_NE(facets.notes[0].find("2 triangles lay on others"), std::string::npos);
+  EXPECT_NE(facets.notes[0].find("2 triangles had the same corners"), std::string::npos);
   expectABox(facets);
 }
 
@@ -97,7 +97,7 @@ TEST(FacetFaults, LikeTurnedTrianglesAreTurnedBack) {
   faces.replace(faces.find("f 5 6 7 8"), 9, "f 8 7 6 5");
   const Facets facets = read(kBoxVertices + faces);
   ASSERT_EQ(facets.notes.size(), 1u);
-  EXPECT_NE(facets.notes[0].find("2 triangles were turned"), std::string::npos);
+  EXPECT_NE(facets.notes[0].find("2 triangles were reversed"), std::string::npos);
   expectABox(facets);
 }
 
@@ -107,7 +107,7 @@ TEST(FacetFaults, LikeCracksAreJoined) {
       read(kBoxVertices + "v 0 1e-6 2\nv 2 0 2.000001\nv 2 2 2\nv 1e-6 2 2\n" +
            "f 1 4 3 2\nf 9 10 11 12\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n");
   ASSERT_EQ(facets.notes.size(), 1u);
-  EXPECT_NE(facets.notes[0].find("3 vertices beside gaps"), std::string::npos);
+  EXPECT_NE(facets.notes[0].find("3 vertices at gaps"), std::string::npos);
   expectABox(facets);
 }
 
@@ -133,7 +133,7 @@ TEST(FacetFaults, LikeHolesAreTold) {
   open.erase(open.find("f 5 6 7 8\n"), 10);
   const Facets facets = read(kBoxVertices + open);
   ASSERT_EQ(facets.notes.size(), 1u);
-  EXPECT_EQ(facets.notes[0].find("4 edges of triangles have no other triangle"), 0u);
+  EXPECT_EQ(facets.notes[0].find("4 edges have only one triangle"), 0u);
   const std::vector<Defect> defects = findDefects(modelOf(facets, 0.5), 0.5);
   ASSERT_EQ(defects.size(), 4u);
   for (const Defect& defect : defects) {
@@ -153,7 +153,7 @@ TEST(FacetFaults, LikeASurfaceThatLooksInwardsAreTold) {
   const ModelMesh inwards = mesh(facets, options);
   EXPECT_LT(testing::volumeOf(inwards), 0);
   ASSERT_EQ(inwards.notes.size(), 1u);
-  EXPECT_NE(inwards.notes[0].find("looks inwards"), std::string::npos);
+  EXPECT_NE(inwards.notes[0].find("faces inwards"), std::string::npos);
 }
 
 TEST(FacetFaults, LikeAWallThatTwoBoxesHaveTwiceMakeOneFace) {

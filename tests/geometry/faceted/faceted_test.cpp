@@ -133,11 +133,11 @@ TEST(Facets, TellWhatIsWrongWithAFile) {
   };
   EXPECT_NE(faultOf("a.obj", "v 0 0 0\nf 1 2 3\n").find("a.obj:2: there is no vertex 2"),
             std::string::npos);
-  EXPECT_NE(faultOf("a.obj", "v 0 0 x\n").find(":1: 'x' is no number"), std::string::npos);
-  EXPECT_NE(faultOf("a.obj", "v 0 0 0\n").find("holds no triangle"), std::string::npos);
-  EXPECT_NE(faultOf("a.stl", "solid empty\nendsolid empty\n").find("holds no triangle"),
+  EXPECT_NE(faultOf("a.obj", "v 0 0 x\n").find(":1: 'x' is not a number"), std::string::npos);
+  EXPECT_NE(faultOf("a.obj", "v 0 0 0\n").find("contains no triangle"), std::string::npos);
+  EXPECT_NE(faultOf("a.stl", "solid empty\nendsolid empty\n").find("contains no triangle"),
             std::string::npos);
-  EXPECT_NE(faultOf("a.stl", "nothing").find("is no STL file"), std::string::npos);
+  EXPECT_NE(faultOf("a.stl", "nothing").find("is not an STL file"), std::string::npos);
   EXPECT_NE(faultOf("a.stl", "facet normal 0 0 1 outer loop\nouter loop\nvortex 0 0 0").find(":3:"),
             std::string::npos);
 }

@@ -42,7 +42,7 @@ FaceAttempt attempt(const SizeField& size, const Given& given) {
   const FaceTask task{surface,   boundary,        size,  given.area, given.expectedElements,
                       algorithm, options,         false, limits,     silent,
                       makeTools, given.knowsSizes};
-  return attemptWith(task, chartKinds().front(), MeshingOptions{}.patience);
+  return attemptWith(task, chartKinds().front(), FrontOptions{}.stallSteps);
 }
 
 TEST(ChartWay, GoesOnWhileAFrontMakesWhatIsExpected) {
@@ -54,6 +54,11 @@ TEST(ChartWay, GoesOnWhileAFrontMakesWhatIsExpected) {
 TEST(ChartWay, EndsAFrontThatMakesFarMoreElementsThanItsBoundaryLetsExpect) {
   const FaceAttempt ended = attempt(SizeFunction(fineInside), {});
   EXPECT_EQ(ended.fault.kind, FillFaultKind::TooManyElements);
+  const std::string reason = textOf(ended.fault);
+  EXPECT_NE(reason.find(std::to_string(ended.result.mesh.elements.size()) + " elements were made"),
+            std::string::npos)
+      << reason;
+  EXPECT_NE(reason.find("most by 'free triangle"), std::string::npos) << reason;
   const FaceAttempt whole = attempt(SizeFunction(fineInside), {.expectedElements = 20'000});
   EXPECT_LT(2 * ended.result.mesh.elements.size(), whole.result.mesh.elements.size());
 }

@@ -21,14 +21,14 @@ MeshingResult stuckAt(const std::vector<std::vector<Point2>>& loops) {
   return result;
 }
 
-bool close(MeshingResult& result, std::size_t most = kMostStuckEdges) {
+bool close(MeshingResult& result, std::size_t most = kMaxStuckEdges) {
   const auto vertices = result.mesh.vertices;
   return closeFront(
       result,
       [&](VertexId v) {
         return Point2{vertices[v.value].position.x, vertices[v.value].position.y};
       },
-      99, most);
+      ElementOrigin{99}, most);
 }
 
 double areaOf(const Mesh& mesh) {
@@ -49,7 +49,7 @@ TEST(CloseFront, FillsAPolygonThatIsNotConvex) {
   EXPECT_EQ(result.outcome, Outcome::Complete);
   EXPECT_EQ(result.mesh.elements.size(), 3u);
   EXPECT_DOUBLE_EQ(areaOf(result.mesh), 10);
-  EXPECT_EQ(result.mesh.rule, (std::vector<std::uint16_t>{99, 99, 99}));
+  EXPECT_EQ(result.mesh.origins, std::vector<ElementOrigin>(3, ElementOrigin{99}));
 }
 
 TEST(CloseFront, FillsAStripOfThousandsOfSegments) {
@@ -59,7 +59,7 @@ TEST(CloseFront, FillsAStripOfThousandsOfSegments) {
   for (int i = kSegments; i >= 0; --i) strip.push_back({double(i), 0.01});
   MeshingResult result = stuckAt({strip});
   EXPECT_FALSE(close(result)) << "so many edges are not merely stuck somewhere";
-  ASSERT_TRUE(close(result, kMostClosingEdges));
+  ASSERT_TRUE(close(result, kMaxClosingEdges));
   EXPECT_EQ(result.mesh.elements.size(), 2u * kSegments);
   EXPECT_NEAR(areaOf(result.mesh), 0.01 * kSegments, 1e-9);
 }
@@ -91,7 +91,7 @@ TEST(CloseFront, ClosesEachSmallLoopInItsOwnPlane) {
     Point3& p = result.mesh.vertices[v].position;
     p = {p.x, 0, p.y};
   }
-  ASSERT_TRUE(closeLoops(result, 99));
+  ASSERT_TRUE(closeLoops(result, ElementOrigin{99}));
   EXPECT_EQ(result.outcome, Outcome::Complete);
   EXPECT_EQ(result.mesh.elements.size(), 3u);
   EXPECT_DOUBLE_EQ(areaOf(result.mesh), 2);  // of the loop that lies flat
@@ -101,7 +101,7 @@ TEST(CloseFront, LeavesLargeLoopsAsTheyAre) {
   std::vector<Point2> circle;
   for (int i = 0; i < 30; ++i) circle.push_back({std::cos(0.2 * i), std::sin(0.2 * i)});
   MeshingResult result = stuckAt({{{6, 0}, {8, 0}, {7, 2}}, circle});
-  EXPECT_FALSE(closeLoops(result, 99));
+  EXPECT_FALSE(closeLoops(result, ElementOrigin{99}));
   EXPECT_TRUE(result.mesh.elements.empty());
   EXPECT_EQ(result.stuck.size(), 33u);
 }

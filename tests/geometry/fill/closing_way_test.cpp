@@ -36,7 +36,7 @@ TEST(ClosingWay, LeavesNothingBehindWhereNothingCanBeClosed) {
   state.failed.push_back(stuckAtOnce(task));
   EXPECT_EQ(fillByClosing(state).fault.kind, FillFaultKind::NotFilled);
   EXPECT_EQ(state.failed[0].fault.kind, FillFaultKind::Stuck);
-  EXPECT_FALSE(closeStuck(task, state.failed[0], kMostStuckEdges));
+  EXPECT_FALSE(closeStuck(task, state.failed[0], kMaxStuckEdges));
 }
 
 }  // namespace

@@ -35,10 +35,10 @@ TEST(MeshFiles, RefuseAnUnknownExtensionAndNameTheKnownOnes) {
     meshFormatOf("mesh.xyz");
     FAIL() << "no error";
   } catch (const InputError& error) {
-    EXPECT_STREQ(
-        error.what(),
-        "cannot write 'mesh.xyz': its extension names no mesh format; use .vtu .vtk .msh .stl "
-        ".obj .ply .smesh");
+    EXPECT_STREQ(error.what(),
+                 "cannot write 'mesh.xyz': its extension is not that of a mesh format; use .vtu "
+                 ".vtk .msh .stl "
+                 ".obj .ply .smesh");
   }
   EXPECT_THROW(meshFormatOf("mesh"), InputError);
 }

@@ -101,7 +101,7 @@ TEST_F(OutputFileTest, SaysThatTheDirectoryDoesNotExist) {
 
 TEST_F(OutputFileTest, RefusesADirectoryAndADevice) {
   EXPECT_NE(refusal(directory_).find("it is a directory"), std::string::npos);
-  EXPECT_NE(refusal("/dev/null").find("not a plain file"), std::string::npos);
+  EXPECT_NE(refusal("/dev/null").find("not a regular file"), std::string::npos);
 }
 
 TEST_F(OutputFileTest, ProbingLeavesNoFile) {

@@ -6,17 +6,20 @@ namespace af2::geometry {
 namespace {
 
 TEST(FaceHistory, TellsEachStepInWords) {
-  const FaceHistory history{note("a gap was closed"),
-                            failedWay("plane charts", {FillFaultKind::TooManyCandidates, {}}),
-                            failedFace("all failed"),
-                            crossingElements(3),
-                            triedRemedy("shorter edges", 2),
-                            triedRemedy("another surface", 0)};
-  EXPECT_EQ(textsOf(history),
-            (std::vector<std::string>{
-                "a gap was closed", "plane charts: the front is so crammed that no end is in sight",
-                "all failed", "3 pairs of elements cross here", "shorter edges at 2 places",
-                "another surface"}));
+  const FaceHistory history{
+      note("a gap was closed"),
+      failedWay("plane charts", {FillFaultKind::TooManyCandidates, "9 elements"}),
+      failedFace("all failed"),
+      crossingElements(3),
+      triedRemedy("shorter edges", 2),
+      triedRemedy("another surface", 0)};
+  EXPECT_EQ(
+      textsOf(history),
+      (std::vector<std::string>{
+          "a gap was closed",
+          "plane charts: the front examined too many candidates, so it was stopped: 9 elements",
+          "all failed", "3 pairs of elements cross here", "shorter edges at 2 places",
+          "another surface"}));
 }
 
 TEST(FaceHistory, DoesNotRepeatWhatIsSoAtEachTry) {

@@ -36,7 +36,7 @@ TEST(FaceMesh, TellsWhetherElementsReachMuchFartherThanTheirSegments) {
 TEST(JoinFaces, GivesSegmentsThatNoElementKeptTheirVertices) {
   Ribbon lost(1);
   lost.mesh.elements.resize(1);  // without the vertex 2
-  lost.mesh.rule = {0};
+  lost.mesh.origins.resize(1);
   const ModelMesh joined = joinFaces(lost.divided, {lost.mesh}, {});
   ASSERT_EQ(joined.segments.size(), 2u);
   for (const EdgeSegment& segment : joined.segments)

@@ -76,7 +76,7 @@ class Squares : public FaceSource {
     mesh.wantedSizes.assign(4, prepared.back().sizes.size);
     mesh.elements = {{{VertexId(0), VertexId(1), VertexId(2)}},
                      {{VertexId(0), VertexId(2), VertexId(3)}}};
-    mesh.rule = {0, 0};
+    mesh.origins.resize(2);
     for (const int edge : edgesOf(face)) mesh.uses.push_back({edge, 0});
     if (request.findMiddles) mesh.middles.resize(2);
     mesh.report.elements = 2;
@@ -112,7 +112,8 @@ TEST_F(MeshFaces, JoinsFacesAtTheirEdges) {
   EXPECT_EQ(result.faces[2].name, "square 3");
   EXPECT_EQ(result.groups.size(), 3u);
   EXPECT_EQ(result.notes, std::vector<std::string>{"these are squares"});
-  EXPECT_EQ(result.ruleNames.back(), "closing");
+  EXPECT_EQ(result.ruleNames[result.ruleNames.size() - 2], "closing");
+  EXPECT_EQ(result.ruleNames.back(), "fan");
   for (const EdgeSegment& segment : result.segments)
     EXPECT_EQ(segment.uses, segment.edge == 104 || segment.edge == 107 ? 2 : 1) << segment.edge;
 }

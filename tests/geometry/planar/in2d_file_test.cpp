@@ -154,11 +154,11 @@ TEST(In2dFile, TellsMistakesWithTheirLine) {
                 .find(":4: a curve of order 3 has at least as many points"),
             std::string::npos);
   EXPECT_NE(faultOf("splinecurves2dv2\n2\nsegments\n1 0 bsplinepoints 3 3 0 0 1 x 2 2\n")
-                .find(":4: 'x' is no number"),
+                .find(":4: 'x' is not a number"),
             std::string::npos);
   std::string wrong = kDisc;
   wrong.replace(wrong.find("1 0 2 3 4"), 9, "3 0 2 3 4");
-  EXPECT_NE(faultOf(wrong).find("beside this segment lies domain"), std::string::npos);
+  EXPECT_NE(faultOf(wrong).find("this segment borders on domain"), std::string::npos);
 }
 
 }  // namespace

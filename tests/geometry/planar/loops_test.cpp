@@ -48,9 +48,9 @@ TEST(Regions, TellOfPointsThatHaveNoEffect) {
   ASSERT_EQ(found.regions.size(), 1u);
   EXPECT_EQ(found.regions[0].domain, 7);
   ASSERT_EQ(found.notes.size(), 3u);
-  EXPECT_EQ(found.notes[0].find("hole point 2 at (9, 9) lies outside"), 0u) << found.notes[0];
-  EXPECT_EQ(found.notes[1].find("region point 3 at (0.5, 3.5) lies in the same"), 0u);
-  EXPECT_EQ(found.notes[2].find("region point 4 at (2, 2) lies in no region"), 0u);
+  EXPECT_EQ(found.notes[0].find("hole point 2 at (9, 9) is outside"), 0u) << found.notes[0];
+  EXPECT_EQ(found.notes[1].find("region point 3 at (0.5, 3.5) is in the same"), 0u);
+  EXPECT_EQ(found.notes[2].find("region point 4 at (2, 2) is in no region"), 0u);
 }
 
 TEST(Regions, MayHaveIslandsInTheirHoles) {

@@ -90,11 +90,11 @@ TEST_F(PlanarMeshing, RefusesModelsWithPartsThatAreNotThere) {
   EXPECT_EQ(faultOf([](DomainModel& m) { m.faces[0].surface = nullptr; }),
             "face 1 of the model has no surface");
   EXPECT_EQ(faultOf([](DomainModel& m) { m.faces[0].loops[1][0].curve = 99; }),
-            "face 1 of the model is bounded by a curve that is not there");
+            "face 1 of the model is bounded by a curve that does not exist");
   EXPECT_EQ(faultOf([](DomainModel& m) { m.faces[0].loops.clear(); }),
             "face 1 of the model has no boundary; cut a closed surface along curves");
   EXPECT_EQ(faultOf([](DomainModel& m) { m.curves[2].last = 99; }),
-            "curve 3 of the model ends at no corner of it");
+            "curve 3 of the model has an end that is not a corner of it");
   EXPECT_EQ(faultOf([](DomainModel& m) {
               m.curves[2].knots = {1, 0};
             }),
@@ -112,7 +112,7 @@ TEST_F(PlanarMeshing, KnowsWhichSegmentsAreMarkedAsBoundaries) {
   const std::vector<EdgeGroup> expected{{-3, "", {2}}, {7, "", {1, 3}}};
   EXPECT_EQ(result.boundaries, expected);
   ASSERT_EQ(result.notes.size(), 1u);
-  EXPECT_NE(result.notes[0].find("line 20: this segment lies on that of line 12"),
+  EXPECT_NE(result.notes[0].find("line 20: this segment coincides with that of line 12"),
             std::string::npos)
       << result.notes[0];
 }

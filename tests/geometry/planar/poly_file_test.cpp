@@ -48,27 +48,27 @@ TEST(PolyFile, MayHaveItsVerticesInANodeFileBeside) {
 
 TEST(PolyFile, TellsTheLineOfAMistake) {
   EXPECT_EQ(messageOf([] { polyOf("2 2 0 0\n1 0 0\n2 x 0\n"); }),
-            "test.poly:3: 'x' is no number; x should stand here");
+            "test.poly:3: 'x' is not a number; expected x");
   EXPECT_EQ(messageOf([] { polyOf("2 2 0 0\n1 0 0\n2 1\n"); }),
             "test.poly:3: the line is too short; y is missing");
   EXPECT_EQ(messageOf([] { polyOf("2 2 0 0\n1 0 0\n2 1 0\n1 0\n1 1 3\n"); }),
             "test.poly:5: there is no vertex 3; they are numbered 1 to 2");
   EXPECT_EQ(messageOf([] { polyOf("2 2 0 0\n1 0 0\n1 1 0\n"); }),
-            "test.poly:3: vertex 1 stands here for the second time");
+            "test.poly:3: vertex 1 is defined a second time");
   EXPECT_EQ(messageOf([] { polyOf("3 2 0 0\n1 0 0\n2 1 0\n"); }),
-            "test.poly:4: the file ends where vertex 3 of 3 should follow");
+            "test.poly:4: the file ends before vertex 3 of 3");
   EXPECT_EQ(
       messageOf([] { polyOf("1 3 0 0\n1 0 0 0\n"); }),
       "test.poly:1: the dimension is not 2; only planar domains can be read from this format");
   EXPECT_EQ(messageOf([] { polyOf("1 2 0 0\n1 0 inf\n"); }),
-            "test.poly:2: 'inf' is no number; y should stand here");
+            "test.poly:2: 'inf' is not a number; expected y");
 }
 
 TEST(PolyFile, TellsWhenItIsMissingOrEmpty) {
   EXPECT_NE(messageOf([] { readPoly("/nowhere/test.poly"); }).find("cannot be opened"),
             std::string::npos);
   EXPECT_EQ(messageOf([] { polyOf(""); }),
-            "test.poly:1: the file ends where the number of vertices should follow");
+            "test.poly:1: the file ends before the number of vertices");
 }
 
 }  // namespace

@@ -68,7 +68,7 @@ TEST(Retries, OfManyHopelessFacesTakeNoMoreThanOfAFew) {
   for (const FaceMesh& mesh : state.meshes) {
     ASSERT_FALSE(mesh.report.attempts.empty());
     EXPECT_EQ(mesh.report.attempts.back(),
-              "not everything was tried: faces that fail have taken too long already");
+              "not every remedy was tried: retries of failed faces have used up their budget");
   }
 }
 

@@ -18,7 +18,7 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr std::string_view kTold = "short, and taken for points because a face there failed";
+constexpr std::string_view kTold = "short, and collapsed to points because a face there failed";
 
 /// A hemisphere of radius 7, made by a meridian that goes on past the pole by some angle, so that
 /// the surface turns over there: its normals look inwards.

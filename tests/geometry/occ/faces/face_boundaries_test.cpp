@@ -88,7 +88,7 @@ TEST(FaceBoundaries, AHoleThatRunsTheWrongWayIsTurned) {
   const ModelMesh result = mesh(face, 0.3);
   expectComplete(result, 3, 1e-9);
   ASSERT_FALSE(result.faces[0].attempts.empty());
-  EXPECT_NE(result.faces[0].attempts[0].find("wrong way round"), std::string::npos);
+  EXPECT_NE(result.faces[0].attempts[0].find("wrong direction"), std::string::npos);
 }
 
 TEST(FaceBoundaries, AWholeBoundaryThatRunsTheWrongWayIsTurned) {

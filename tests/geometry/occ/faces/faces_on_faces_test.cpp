@@ -58,7 +58,7 @@ TEST(FacesOnFaces, AFlapThatIsFoldedBackHasNoElementsNorWhatItLiesOn) {
   testing::expectComplete(result, 2.5, 1e-9);
   EXPECT_NEAR(testing::areaOf(result, 1), 1.5, 1e-9);
   EXPECT_EQ(result.faces[1].elements, 0u);
-  EXPECT_NE(result.faces[1].reason.find("lies on face 1, turned back"), std::string::npos);
+  EXPECT_NE(result.faces[1].reason.find("lies on face 1, folded back"), std::string::npos);
   EXPECT_NE(result.faces[0].attempts[0].find("face 2 lies on it"), std::string::npos);
 }
 
@@ -67,7 +67,7 @@ TEST(FacesOnFaces, AreDefects) {
   const auto found = std::ranges::find(defects, DefectKind::FaceOnFace, &Defect::kind);
   ASSERT_NE(found, defects.end());
   EXPECT_EQ(found->face, 2);
-  EXPECT_EQ(found->detail, "lies on face 1, turned back");
+  EXPECT_EQ(found->detail, "lies on face 1, folded back");
 }
 
 /// Alone, it can be meshed as it is.
@@ -91,7 +91,7 @@ TEST(FacesOnFaces, OfAFaceThatIsThereTwiceOneHasElements) {
   EXPECT_EQ(testing::eulerNumber(result), 2);
   ASSERT_EQ(result.faces.size(), 7u);
   EXPECT_EQ(result.faces[6].elements, 0u);
-  EXPECT_NE(result.faces[6].reason.find("is face 1 once more"), std::string::npos);
+  EXPECT_NE(result.faces[6].reason.find("is face 1 again"), std::string::npos);
 }
 
 TEST(FacesOnFaces, ThereAreNoneOnSoundModels) {

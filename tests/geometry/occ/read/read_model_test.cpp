@@ -109,7 +109,7 @@ TEST_F(ReadModel, SaysWhenTheFileIsEmptyOrSomethingElse) {
   EXPECT_TRUE(says(messageOf(file("b.step", "hello\n")), "does not start like a STEP file"));
   EXPECT_TRUE(says(messageOf(file("c.brep", "\x01\x02\x03")), "does not start like a BREP file"));
   EXPECT_TRUE(says(messageOf(file("d.iges", "hello\n")), "does not start like an IGES file"));
-  EXPECT_TRUE(says(messageOf(file("e.dat", "hello\n")), "is no STEP, IGES or BREP file"));
+  EXPECT_TRUE(says(messageOf(file("e.dat", "hello\n")), "is not a STEP, IGES or BREP file"));
 }
 
 TEST_F(ReadModel, SaysWhenTheFileIsCutOff) {
@@ -117,7 +117,8 @@ TEST_F(ReadModel, SaysWhenTheFileIsCutOff) {
     const std::string text = textOf(kModels / name);
     for (const double share : {0.1, 0.5, 0.9, 0.99}) {
       const auto size = static_cast<std::size_t>(share * static_cast<double>(text.size()));
-      EXPECT_TRUE(says(messageOf(file(name, text.substr(0, size))), "damaged or cut off")) << share;
+      EXPECT_TRUE(says(messageOf(file(name, text.substr(0, size))), "damaged or truncated"))
+          << share;
     }
   }
 }

@@ -38,7 +38,7 @@ void expectMeshedAsBefore(const TopoDS_Shape& shape) {
   const double wanted = areaOf(testing::mesh(shape, 0.3));
   const Model model = throughIges(shape);
   ASSERT_FALSE(model.notes().empty());
-  EXPECT_NE(model.notes().front().find("a period beside"), std::string::npos);
+  EXPECT_NE(model.notes().front().find("shifted by a period"), std::string::npos);
   const ModelMesh mesh = testing::mesh(model, 0.3);
   EXPECT_EQ(statusOf(mesh), RunStatus::Complete);
   EXPECT_NEAR(areaOf(mesh), wanted, 1e-4 * wanted);

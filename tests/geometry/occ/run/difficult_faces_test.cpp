@@ -228,7 +228,7 @@ TEST(DifficultFaces, ACornerThatTurnsOverIsMeshedWithElementsThatLean) {
   const ModelMesh result = mesh(face, 1);
   expectComplete(result, properties.Mass());
   ASSERT_FALSE(result.faces[0].attempts.empty());
-  EXPECT_EQ(result.faces[0].attempts.back(), "elements that lean against the surface");
+  EXPECT_EQ(result.faces[0].attempts.back(), "elements that tilt against the surface");
 }
 
 /// Most of a turn of a trumpet: its narrow end is one point, a corner of the face, from which the
@@ -370,7 +370,7 @@ TEST(DifficultFaces, PatchesBentMoreThanAFewElementsCanFollowAreClosedLeaning) {
     EXPECT_GT(leastAngle(result), 2);
     EXPECT_EQ(crossingsOf(result), 0u);
     ASSERT_FALSE(result.faces[0].attempts.empty());
-    EXPECT_EQ(result.faces[0].attempts.back(), "elements that lean against the surface");
+    EXPECT_EQ(result.faces[0].attempts.back(), "elements that tilt against the surface");
   }
 }
 

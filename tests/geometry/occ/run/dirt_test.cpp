@@ -82,9 +82,10 @@ TEST(Dirt, AModelTooFarFromTheOriginForItsSizeIsRefused) {
     mesh(box, 0.1);
     FAIL();
   } catch (const InputError& error) {
-    EXPECT_STREQ(error.what(),
-                 "coordinates of 1e+12 are exact to 0.000222045 only, too little for elements of "
-                 "size 0.1; move the model to the origin, or ask for larger ones");
+    EXPECT_STREQ(
+        error.what(),
+        "coordinates of 1e+12 are exact only to 0.000222045, which is too coarse for elements of "
+        "size 0.1; move the model to the origin, or ask for larger elements");
   }
 }
 
@@ -264,7 +265,8 @@ TEST(Dirt, AStepThatCannotBeSeenIsNone) {
   EXPECT_EQ(testing::eulerNumber(result), 2);
   EXPECT_EQ(std::ranges::count(result.faces, 0u, &FaceReport::elements), 1);
   const auto isTold = [](const FaceReport& face) {
-    return !face.attempts.empty() && face.attempts[0].find("taken for points") != std::string::npos;
+    return !face.attempts.empty() &&
+           face.attempts[0].find("collapsed to points") != std::string::npos;
   };
   EXPECT_GE(std::ranges::count_if(result.faces, isTold), 3);  // the step, and those at its ends
   EXPECT_GT(testing::leastAngle(result), 10);

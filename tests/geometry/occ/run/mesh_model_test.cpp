@@ -164,7 +164,7 @@ TEST(ModelMeshing, DoesNotDependOnTheNumberOfThreads) {
   EXPECT_EQ(one.vertices, four.vertices);
   EXPECT_EQ(one.elements, four.elements);
   EXPECT_EQ(one.face, four.face);
-  EXPECT_EQ(one.rule, four.rule);
+  EXPECT_EQ(one.origins, four.origins);
   EXPECT_EQ(one.segments, four.segments);
 }
 
