@@ -107,6 +107,8 @@ TestRun runTests(const Analysis& analysis, const std::vector<std::string>& title
   const auto isWanted = [&](const std::string& title) {
     return titles.empty() || std::ranges::find(titles, title) != titles.end();
   };
+  run.fault = dsl::missingText(*analysis.loaded.file);
+  if (!run.fault.empty()) return run;
   try {
     SingleStepper stepper(*analysis.loaded.rules);
     for (const dsl::CompiledTest& test : analysis.loaded.file->tests)

@@ -145,15 +145,26 @@ bool isSame(const Diagnostic& p, const Diagnostic& q) {
 void publish(const Session& session, const Document& document, const Analysis& analysis,
              const std::vector<Diagnostic>& more) {
   Writer writer(session, document, analysis);
+  const auto holds = [](const std::vector<Diagnostic>& list, const Diagnostic& d) {
+    return std::ranges::any_of(list, [&](const Diagnostic& other) { return isSame(d, other); });
+  };
   for (const Diagnostic& d : analysis.loaded.diagnostics)
-    if (std::ranges::none_of(more, [&](const Diagnostic& later) { return isSame(d, later); }))
-      writer.add(d);
+    if (!holds(more, d) && !holds(document.withdrawn, d)) writer.add(d);
   for (const Diagnostic& d : more) writer.add(d);
   Json list = writer.take();
   for (const Json& failure : document.testFailures) list.push_back(failure);
   Json params{{"uri", document.uri}, {"diagnostics", std::move(list)}};
   if (document.version) params["version"] = *document.version;
   session.notify("textDocument/publishDiagnostics", std::move(params));
+}
+
+/// Findings of the text about mirror images that would never be chosen.
+std::vector<Diagnostic> idleMirrors(const Analysis& analysis) {
+  std::vector<Diagnostic> kept = analysis.loaded.diagnostics, idle;
+  if (analysis.loaded.rules) dsl::dropIdleMirrors(analysis.loaded, kept);
+  for (const Diagnostic& d : analysis.loaded.diagnostics)
+    if (std::ranges::find(kept, d) == kept.end()) idle.push_back(d);
+  return idle;
 }
 
 /// Findings about mirrored rules, each with a counter-example.
@@ -173,13 +184,14 @@ std::vector<Diagnostic> mirrorFindings(const Analysis& analysis) {
 std::vector<Diagnostic> slowChecks(const Analysis& analysis, const std::atomic<bool>& isCancelled) {
   dsl::SamplingOptions options;
   options.isCancelled = [&isCancelled] { return isCancelled.load(); };
+  options.unknown = dsl::unknownRules(analysis.loaded);
   const RuleSet& rules = *analysis.soundRules();
   auto found = mirrorFindings(analysis);
   for (Diagnostic& d : dsl::diagnosticsOf(analysis.loaded, dsl::runSampledChecks(rules, options)))
     found.push_back(std::move(d));
   if (isCancelled) return found;
-  if (!analysis.loaded.rules) {
-    // The choice among rules, and its gaps, can be judged only if all rules are sound.
+  if (!analysis.loaded.rules || !analysis.loaded.file->missing.empty()) {
+    // The choice among rules, and its gaps, can be judged only if all rules are sound and known.
     std::erase_if(found, [](const Diagnostic& d) { return d.code == dsl::Code::NeverChosen; });
     return found;
   }
@@ -195,12 +207,19 @@ void startChecks(Session& session, const std::shared_ptr<Document>& document) {
   session.checks().start(
       {document->uri, session.client.checkDelay,
        [&session, document, analysis](const std::atomic<bool>& isCancelled) -> Continuation {
+         auto withdrawn = idleMirrors(*analysis);
          auto found = slowChecks(*analysis, isCancelled);
-         return [&session, document, analysis, found = std::move(found)] {
+         std::erase_if(found, [&](const Diagnostic& d) {
+           return std::ranges::any_of(withdrawn,
+                                      [&](const Diagnostic& other) { return isSame(d, other); });
+         });
+         return [&session, document, analysis, found = std::move(found),
+                 withdrawn = std::move(withdrawn)] {
            const bool isStale =
                document->analysis != analysis || session.findOpen(document->uri) != document;
            if (isStale) return;
            document->checked = found;
+           document->withdrawn = withdrawn;
            publish(session, *document, *analysis, found);
          };
        }});
@@ -216,6 +235,7 @@ void sendDiagnostics(Session& session) {
     if (document->checking != analysis) {
       document->checking = analysis;
       document->checked.clear();
+      document->withdrawn.clear();
       startChecks(session, document);
     }
     publish(session, *document, *analysis, document->checked);

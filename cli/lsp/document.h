@@ -38,6 +38,7 @@ struct Document {
   std::shared_ptr<const Analysis> analysis;  ///< null: computed on demand
   std::shared_ptr<const Analysis> checking;  ///< the analysis for which slow checks were started
   std::vector<dsl::Diagnostic> checked;      ///< the findings of the checks so far
+  std::vector<dsl::Diagnostic> withdrawn;    ///< findings of the text that the checks disprove
 
   /// Applies one change of textDocument/didChange: `{text}`, or `{range, text}`.
   void apply(const Json& change, Encoding encoding);

@@ -77,6 +77,8 @@ std::shared_ptr<const Analysis> Session::analysis(Document& document) const {
   dsl::LoadOptions options;
   options.searchPaths = surroundings_.rules;
   options.needsRuleSet = false;  // the file may be a library
+  options.registry = &surroundings_.registry;
+  options.externs = dsl::Externs::Declared;
   options.unsaved = [this](const std::filesystem::path& path) { return unsavedText(path); };
   return document.analysis = std::make_shared<const Analysis>(
              dsl::loadRulesFromText(document.path, document.text, options));

@@ -12,6 +12,7 @@
 #include "cli/lsp/background.h"
 #include "cli/lsp/document.h"
 #include "cli/lsp/json_rpc.h"
+#include "dsl/program/registry.h"
 
 namespace af2::lsp {
 
@@ -33,6 +34,7 @@ struct Surroundings {
   std::string version;
   std::vector<std::filesystem::path> rules;  ///< where imports are searched
   std::filesystem::path drawings;            ///< folder for pictures that an editor is to open
+  dsl::Registry registry = {};               ///< what plugins register
 };
 
 /// The place in a document that a request refers to.

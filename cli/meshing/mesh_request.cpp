@@ -2,10 +2,13 @@
 
 #include <fmt/core.h>
 
+#include <CLI/CLI.hpp>
+#include <algorithm>
 #include <set>
 
 #include "cli/program/number_lists.h"
 #include "cli/program/usage_error.h"
+#include "cli/rules/plugins.h"
 #include "cli/rules/rules_location.h"
 #include "engine/base/error.h"
 #include "geometry/base/words.h"
@@ -60,6 +63,13 @@ void checkHolds(const fs::path& output, bool geometry::MeshFormat::*holds, const
                                extensionsThat(holds, "or")));
 }
 
+/// Known before the model is meshed, which may take long.
+void checkShows(const fs::path& output, ModelKind kind) {
+  if (kind == ModelKind::Planar || !geometry::meshFormatOf(output).isOnlyPlanar) return;
+  throw UsageError(
+      fmt::format("'{}' can show planar domains only; use .png or .html", output.string()));
+}
+
 void checkOutputs(const MeshRequest& request) {
   std::set<fs::path> seen;
   const auto checkOne = [&](const fs::path& file) {
@@ -76,6 +86,7 @@ void checkOutputs(const MeshRequest& request) {
   };
   for (const fs::path& output : request.outputs) {
     asUsage([&] { geometry::meshFormatOf(output); });
+    checkShows(output, request.kind());
     if (request.options.order == 2)
       checkHolds(output, &geometry::MeshFormat::holdsSecondOrder, "elements of order 2");
     if (request.lines == geometry::LinesAlong::AllEdges)
@@ -84,6 +95,8 @@ void checkOutputs(const MeshRequest& request) {
     checkOne(output);
   }
   if (!request.report.empty()) checkOne(request.report);
+  if (!request.stuckTests.empty()) checkOne(request.stuckTests);
+  if (!request.trace.empty()) checkOne(request.trace);
 }
 
 std::string outputHelp() {
@@ -147,6 +160,18 @@ void declareMeshOptions(CLI::App& command, MeshOptions& options) {
                    "takes, without further tries, and the exit code is 3");
   command.add_flag("--unchecked", options.unchecked,
                    "use the rules even if the checks of af2 check prove errors in them");
+  command
+      .add_option("--stuck-tests", options.stuckTests,
+                  "file (.af2) for tests of the places where fronts got stuck, ready for af2 test")
+      ->type_name("FILE");
+  command
+      .add_option("--trace", options.trace,
+                  "file for the decisions of the run, for af2 explain, stats and trace")
+      ->type_name("FILE");
+  command
+      .add_option("--trace-faces", options.traceFaces, "with --trace: only these faces, e.g. 3,7-9")
+      ->type_name("FACES");
+  addPluginOption(command, options.plugins);
   command.add_option("--report", options.report, "file for a report in JSON")->type_name("FILE");
   command.add_flag("-q,--quiet", options.quiet, "print only errors and failures");
 }
@@ -184,6 +209,37 @@ geometry::ChartKind checkedChart(const MeshOptions& options, const MeshRequest& 
   return *kind;
 }
 
+std::vector<std::string> argumentsOf(const CLI::App& command) {
+  const std::set<std::string> outputs{"--output",      "--report", "--stuck-tests", "--trace",
+                                      "--trace-faces", "--quiet",  "--unchecked"};
+  std::vector<std::string> arguments;
+  for (const CLI::Option* option : command.get_options()) {
+    if (option->count() == 0 || outputs.contains(option->get_name())) continue;
+    for (const std::string& value : option->results()) {
+      if (option->get_positional())
+        arguments.push_back(value);
+      else if (option->get_expected_max() == 0)
+        arguments.push_back(option->get_name());
+      else
+        arguments.push_back(option->get_name() + "=" + value);
+    }
+  }
+  return arguments;
+}
+
+MeshOptions optionsFrom(std::vector<std::string> arguments) {
+  CLI::App command;
+  MeshOptions options;
+  declareMeshOptions(command, options);
+  std::ranges::reverse(arguments);  // as CLI11 takes them
+  try {
+    command.parse(arguments);
+  } catch (const CLI::ParseError& error) {
+    throw InputError(error.what());
+  }
+  return options;
+}
+
 MeshRequest checkedRequest(const MeshOptions& options) {
   MeshRequest request;
   request.model = options.model;
@@ -197,10 +253,16 @@ MeshRequest checkedRequest(const MeshOptions& options) {
     throw UsageError(fmt::format("--order {}: elements can have order 1 or 2", options.order));
   request.options.order = options.order;
   request.quiet = options.quiet;
-  request.ruleLoading = {options.quiet, options.unchecked};
+  request.ruleLoading = {options.quiet, options.unchecked, options.plugins};
   request.options.optimize = !options.rawFront;
   request.options.strictRules = options.strictRules;
   request.report = options.report;
+  request.stuckTests = options.stuckTests;
+  request.trace = options.trace;
+  if (!options.traceFaces.empty()) {
+    if (options.trace.empty()) throw UsageError("--trace-faces needs --trace");
+    request.traceFaces = parseIds("--trace-faces", options.traceFaces);
+  }
   request.outputs.assign(options.outputs.begin(), options.outputs.end());
   if (request.kind() != ModelKind::Planar && options.keepBoundary)
     throw UsageError("--keep-boundary is for " + formatNames(ModelKind::Planar, "and") +

@@ -16,12 +16,13 @@ namespace af2::cli {
 
 /// The options as they were typed.
 struct MeshOptions {
-  std::string model, rules = "tri/even.af2", faces, report;
+  std::string model, rules = "tri/even.af2", faces, report, stuckTests, trace, traceFaces;
   SizeOptions sizes;
   std::vector<std::string> outputs;
   int threads = 0, order = 1;
   std::string boundary, featureAngle, chart, healTolerance;
   bool quiet = false, rawFront = false, strictRules = false, unchecked = false;
+  std::vector<std::string> plugins;  ///< libraries that register names for the rules
   bool keepBoundary = false, heal = false, edges = false;
 };
 
@@ -34,8 +35,16 @@ void declareHealing(CLI::App& command, bool& heal, std::string& tolerance);
 /// Returns 0 if none is given. Throws UsageError if it is not a length, or without `heal`.
 double checkedHealTolerance(bool heal, const std::string& tolerance);
 
+/// The arguments of `af2 mesh` that were given, without those that only name outputs.
+std::vector<std::string> argumentsOf(const CLI::App& command);
+/// The options that such arguments stand for. Throws InputError if they are not arguments.
+MeshOptions optionsFrom(std::vector<std::string> arguments);
+
 struct MeshRequest {
-  std::filesystem::path model, rules, report;  ///< report: empty for none
+  std::filesystem::path model, rules;
+  std::filesystem::path report, stuckTests, trace;  ///< empty: not written
+  std::vector<int> traceFaces;                      ///< that are traced; empty: all
+  std::vector<std::string> arguments;               ///< see argumentsOf; only for traces
   std::vector<std::filesystem::path> outputs;
   geometry::MeshingOptions options;  ///< the options for meshing
   bool quiet = false;

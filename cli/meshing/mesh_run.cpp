@@ -40,10 +40,10 @@ geometry::MeshingOptions optionsOf(const MeshRequest& request, const RunControl&
                                    ProgressBar& bar, int firstFace) {
   geometry::MeshingOptions options = request.options;
   options.stop = control.stop;
-  if (control.log)
-    options.observer = [&control, firstFace](int face) {
-      control.log->begin(firstFace + face);
-      return nullptr;
+  if (control.log || control.observer)
+    options.observer = [&control, firstFace](int face) -> AF2MeshingObserver* {
+      if (control.log) control.log->begin(firstFace + face);
+      return control.observer ? control.observer(firstFace + face) : nullptr;
     };
   options.progress = [&bar, &control, done = 0](const geometry::ModelProgress& progress) mutable {
     if (control.log) progress.facesDone > done ? control.log->finish() : control.log->beat();

@@ -1,12 +1,14 @@
 // Reads the model of a request and meshes it: combines the rules, the readers and the meshers.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <stop_token>
 
 #include "cli/meshing/mesh_request.h"
 #include "cli/program/supervisor.h"
 #include "engine/rule/rule_set.h"
+#include "engine/step/observer.h"
 #include "geometry/mesh/model_mesh.h"
 
 namespace af2::cli {
@@ -14,6 +16,8 @@ namespace af2::cli {
 struct RunControl {
   bool showProgress = true;
   std::stop_token stop;
+  /// The observer of a face, or null; called from several threads. Empty: no face has one.
+  std::function<AF2MeshingObserver*(int face)> observer = {};
   RunLog* log = nullptr;             ///< log of a supervised run
   const GivenUp* givenUp = nullptr;  ///< faces that must not be tried again
 };

@@ -7,6 +7,9 @@ int main(int count, char** arguments) {
   static constexpr Verb kVerbs[] = {
       {"mesh", "mesh the faces of a model", declareMesh},
       {"inspect", "list faces, edges, groups and defects of a model", declareInspect},
+      {"explain", "explain why a rule was or was not applied in a run", declareExplain},
+      {"stats", "count what the rules did in a run", declareStats},
+      {"trace", "compare the traces of two runs", declareTrace},
       {"check", "find mistakes in rule files", declareCheck},
       {"test", "run the tests of rule files", declareTest},
       {"fmt", "format rule files", declareFmt},

@@ -18,6 +18,9 @@ struct Verb {
 };
 
 Action declareMesh(CLI::App& command);
+Action declareExplain(CLI::App& command);
+Action declareStats(CLI::App& command);
+Action declareTrace(CLI::App& command);
 Action declareInspect(CLI::App& command);
 Action declareCheck(CLI::App& command);
 Action declareTest(CLI::App& command);

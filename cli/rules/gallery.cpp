@@ -89,7 +89,8 @@ class Gallery {
   explicit Gallery(const dsl::LoadedRules& loaded)
       : loaded_(loaded),
         rules_(loaded.rules.get()),
-        results_(dsl::runRuleTests(loaded)),
+        results_(loaded.file->missing.empty() ? dsl::runRuleTests(loaded)
+                                              : std::vector<dsl::TestResult>()),
         tests_(testsByRule(loaded, results_)) {}
 
   Site make() {
@@ -109,7 +110,10 @@ class Gallery {
   std::string head() const {
     const auto passed = std::ranges::count_if(results_, &dsl::TestResult::passed);
     const auto failed = static_cast<std::ptrdiff_t>(results_.size()) - passed;
-    std::string tests = results_.empty() ? "no tests" : fmt::format("{} tests pass", passed);
+    const std::string missing = dsl::missingText(*loaded_.file);
+    std::string tests = !missing.empty()   ? "tests not run: " + escapeHtml(missing)
+                        : results_.empty() ? "no tests"
+                                           : fmt::format("{} tests pass", passed);
     if (failed > 0) tests += fmt::format(", <span class=\"bad\">{} fail</span>", failed);
     return fmt::format("<h1>{}</h1>\n<p class=\"soft\">{} rules, {}</p>\n{}", escapeHtml(name()),
                        ruleCount(), tests, settings());
@@ -130,7 +134,9 @@ class Gallery {
       using namespace dsl;
       match(
           item.content, [&](const Constant&) { out += code; },
-          [&](const AnyOf<Function, Metric, Template> auto& c) { out += paragraph(c.doc) + code; },
+          [&](const AnyOf<Function, Metric, Extern, Template> auto& c) {
+            out += paragraph(c.doc) + code;
+          },
           [](const AnyOf<std::monostate, Import, Use, RuleSetBlock, Rule, Instance, Test,
                          Property> auto&) {});
     }

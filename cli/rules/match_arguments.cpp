@@ -62,6 +62,11 @@ Point2 parsePoint(const std::string& option, const std::string& text) {
   return {numbers[0], numbers[1]};
 }
 
+Point3 parsePoint3(const std::string& option, const std::string& text) {
+  const auto numbers = parseNumbers(option, text, 3, "x,y,z");
+  return {numbers[0], numbers[1], numbers[2]};
+}
+
 std::pair<Point2, Point2> parseSegment(const std::string& option, const std::string& text) {
   const auto numbers = parseNumbers(option, text, 4, "x,y,x,y");
   return {{numbers[0], numbers[1]}, {numbers[2], numbers[3]}};

@@ -13,6 +13,9 @@ namespace af2::cli {
 /// "x,y". This and the following functions throw UsageError, which names `option`.
 Point2 parsePoint(const std::string& option, const std::string& text);
 
+/// "x,y,z"
+Point3 parsePoint3(const std::string& option, const std::string& text);
+
 /// "x,y,x,y"
 std::pair<Point2, Point2> parseSegment(const std::string& option, const std::string& text);
 

@@ -7,6 +7,7 @@
 
 #include "cli/rules/program_text.h"
 #include "dsl/program/shape_program.h"
+#include "dsl/text/keywords.h"
 
 namespace af2::cli {
 namespace {
@@ -157,6 +158,7 @@ std::string settingsText(const RuleSet& rules) {
       fmt::format(" ..., {}: {}\n", set.maxLevel, numberText(rules.matchTolerance(set.maxLevel)));
   out += fmt::format("  unit      {}\n", set.unit == ChartUnit::BaseLength ? "base" : "h");
   out += fmt::format("  parity    {}\n", set.parity == Parity::Even ? "even" : "any");
+  out += fmt::format("  finish    {}\n", dsl::kFinishes.at(static_cast<std::size_t>(set.finish)));
   return out;
 }
 

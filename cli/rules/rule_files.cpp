@@ -10,8 +10,10 @@
 
 #include "cli/program/colour.h"
 #include "cli/program/usage_error.h"
+#include "cli/rules/plugins.h"
 #include "cli/rules/rules_location.h"
 #include "dsl/compile/library.h"
+#include "dsl/proof/match_diagnostics.h"
 #include "engine/base/error.h"
 
 namespace af2::cli {
@@ -46,9 +48,11 @@ fs::path resolved(const std::string& name) {
   }
 }
 
-dsl::LoadOptions optionsFor(const std::vector<dsl::Code>& allowed) {
+dsl::LoadOptions optionsFor(const RuleReading& reading, const dsl::Registry& registry) {
   dsl::LoadOptions options;
-  options.allowed = allowed;
+  options.allowed = reading.allowed;
+  options.externs = reading.externs;
+  options.registry = &registry;
   options.needsRuleSet = false;
   try {
     options.searchPaths = {rulesDirectory()};
@@ -86,19 +90,26 @@ RuleText readRuleText(const std::string& name) {
   return {path.string(), dsl::readRuleText(file)};
 }
 
-dsl::LoadedRules loadRuleFile(const std::string& name, const std::vector<dsl::Code>& allowed) {
-  const dsl::LoadOptions options = optionsFor(allowed);
+dsl::LoadedRules loadRuleFile(const std::string& name, const RuleReading& reading) {
+  const dsl::Registry registry = loadPlugins(reading.plugins);
+  const dsl::LoadOptions options = optionsFor(reading, registry);
   if (name != kStandardInput) return dsl::loadRules(resolved(name), options);
   RuleText input = readRuleText(name);
   return dsl::loadRulesFromText(std::move(input.name), std::move(input.text), options);
 }
 
-dsl::FixedText fixRuleText(const RuleText& input) {
-  return dsl::fixText(input.name, input.text, optionsFor({}));
+dsl::LoadedRules loadRuleText(const RuleText& input, const RuleReading& reading) {
+  const dsl::Registry registry = loadPlugins(reading.plugins);
+  return dsl::loadRulesFromText(input.name, input.text, optionsFor(reading, registry));
 }
 
-dsl::LoadedRules loadSoundRuleFile(const std::string& name) {
-  dsl::LoadedRules loaded = loadRuleFile(name);
+dsl::FixedText fixRuleText(const RuleText& input, const RuleReading& reading) {
+  const dsl::Registry registry = loadPlugins(reading.plugins);
+  return dsl::fixText(input.name, input.text, optionsFor(reading, registry), dsl::dropIdleMirrors);
+}
+
+dsl::LoadedRules loadSoundRuleFile(const std::string& name, const RuleReading& reading) {
+  dsl::LoadedRules loaded = loadRuleFile(name, reading);
   if (loaded.rules) return loaded;
   if (!dsl::hasErrors(loaded.diagnostics))
     throw InputError(fmt::format("there is no rule in the file '{}'", name));

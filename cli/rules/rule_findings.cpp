@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
+#include <iterator>
 #include <set>
 #include <tuple>
 
@@ -163,10 +164,14 @@ RuleFindings provenErrorsIn(const dsl::LoadedRules& loaded) {
 
 RuleFindings findIn(const std::string& name, const FindingOptions& options) {
   RuleFindings findings;
-  dsl::LoadedRules loaded = loadRuleFile(name, options.allowed);
+  dsl::LoadedRules loaded =
+      loadRuleFile(name, {options.plugins, dsl::Externs::Declared, options.allowed});
   findings.diagnostics = loaded.diagnostics;
+  std::ranges::move(dsl::missingNamesIn(loaded), std::back_inserter(findings.diagnostics));
+  drop(findings.diagnostics, options.allowed);
+  sortByPlace(findings.diagnostics, std::string(loaded.file->main().source.name()));
   findings.ruleCount = loaded.file->rules.size();
-  const bool isWhole = loaded.rules != nullptr;
+  const bool isWhole = loaded.rules != nullptr && loaded.file->missing.empty();
   loaded.rules = loaded.file->soundRules;
   if (!loaded.rules || options.quick) return findings;
 
@@ -174,11 +179,13 @@ RuleFindings findIn(const std::string& name, const FindingOptions& options) {
   dsl::SamplingOptions sampling;
   if (options.samples > 0) sampling.samples = options.samples;
   if (options.prove) sampling.effort = dsl::kGreatEffort;
+  sampling.unknown = dsl::unknownRules(loaded);
+  if (isWhole) dsl::dropIdleMirrors(loaded, findings.diagnostics);
   addMirrorExamples(stemOf(name), loaded, pictures, findings.diagnostics);
   const dsl::SampledResult result = dsl::runSampledChecks(*loaded.rules, sampling);
   countAnswers(result, findings);
   addMatchFindings(stemOf(name), loaded, result, pictures, findings.diagnostics);
-  // The choice among rules, and its gaps, can be judged only if all rules are sound.
+  // The choice among rules, and its gaps, can be judged only if all rules are sound and known.
   if (isWhole)
     addCoverageFindings(stemOf(name), loaded, pictures, findings.diagnostics);
   else

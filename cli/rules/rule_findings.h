@@ -10,11 +10,12 @@
 namespace af2::cli {
 
 struct FindingOptions {
-  bool quick = false;              ///< skip the checks that examine many matches
-  int samples = 0;                 ///< for each rule; 0: the default of the checks
-  bool prove = false;              ///< allow proofs more time
-  std::string pictures;            ///< folder for pictures of findings; empty: none
-  std::vector<dsl::Code> allowed;  ///< codes that are not reported
+  bool quick = false;                     ///< skip the checks that examine many matches
+  int samples = 0;                        ///< for each rule; 0: the default of the checks
+  bool prove = false;                     ///< allow proofs more time
+  std::string pictures;                   ///< folder for pictures of findings; empty: none
+  std::vector<dsl::Code> allowed;         ///< codes that are not reported
+  std::vector<std::string> plugins = {};  ///< libraries that register names, see plugins.h
 };
 
 struct RuleFindings {

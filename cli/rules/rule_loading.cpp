@@ -5,10 +5,12 @@
 #include <algorithm>
 
 #include "cli/program/colour.h"
+#include "cli/rules/plugins.h"
 #include "cli/rules/rule_findings.h"
 #include "cli/rules/rules_location.h"
 #include "cli/rules/shipped_rules.h"
 #include "dsl/load/rule_file.h"
+#include "dsl/text/diagnostic_codes.h"
 #include "engine/base/error.h"
 
 namespace af2::cli {
@@ -17,6 +19,14 @@ namespace {
 std::size_t errorCount(const std::vector<dsl::Diagnostic>& diagnostics) {
   return static_cast<std::size_t>(
       std::ranges::count(diagnostics, dsl::Severity::Error, &dsl::Diagnostic::severity));
+}
+
+/// Those that a rule file may allow: the rules can be run all the same.
+std::vector<dsl::Code> allowableErrors() {
+  std::vector<dsl::Code> codes;
+  for (const dsl::CodeInfo& info : dsl::diagnosticCodes())
+    if (info.allowance == dsl::Allowance::AsError) codes.push_back(info.code);
+  return codes;
 }
 
 /// Errors in full; of warnings, how many there are.
@@ -37,15 +47,17 @@ void print(std::vector<dsl::Diagnostic> diagnostics, const std::string& file, bo
 
 }  // namespace
 
-std::shared_ptr<const RuleSet> loadRuleSet(const std::filesystem::path& file,
-                                           const RuleLoading& loading) {
+dsl::LoadedRules loadRuleSet(const std::filesystem::path& file, const RuleLoading& loading) {
   dsl::LoadOptions options;
+  const dsl::Registry registry = loadPlugins(loading.plugins);
   options.searchPaths = {rulesDirectory()};
-  const dsl::LoadedRules loaded = dsl::loadRules(file, options);
+  options.registry = &registry;
+  if (loading.isUnchecked) options.allowed = allowableErrors();
+  dsl::LoadedRules loaded = dsl::loadRules(file, options);
   const std::string name = file.string();
   print(loaded.diagnostics, name, loading.isQuiet);
   if (!loaded.rules) refuse(errorCount(loaded.diagnostics), name, "");
-  if (loading.isUnchecked || isShipped(*loaded.file)) return loaded.rules;
+  if (loading.isUnchecked || isShipped(*loaded.file)) return loaded;
 
   const RuleFindings findings = provenErrorsIn(loaded);
   print(findings.diagnostics, name, loading.isQuiet);
@@ -56,7 +68,7 @@ std::shared_ptr<const RuleSet> loadRuleSet(const std::filesystem::path& file,
                "af2: {} of {} rules are not proven to be sound, only tried on random matches; "
                "'af2 check --prove {}' takes its time\n",
                findings.sampled, findings.ruleCount, name);
-  return loaded.rules;
+  return loaded;
 }
 
 }  // namespace af2::cli

@@ -106,4 +106,20 @@ std::string toText(const std::vector<RuleCoverage>& coverage) {
                      neverChosen, unguarded);
 }
 
+nlohmann::ordered_json toJson(const std::string& file, const std::vector<RuleCoverage>& coverage) {
+  std::size_t clauses = 0, exercised = 0;
+  auto rules = nlohmann::ordered_json::array();
+  for (const RuleCoverage& rule : coverage) {
+    clauses += rule.clauses;
+    exercised += rule.exercised;
+    rules.push_back({{"title", rule.title},
+                     {"chosen", rule.isChosen},
+                     {"clauses", rule.clauses},
+                     {"exercised", rule.exercised},
+                     {"never_refused", rule.missing}});
+  }
+  return {
+      {"file", file}, {"clauses", clauses}, {"exercised", exercised}, {"rules", std::move(rules)}};
+}
+
 }  // namespace af2::cli

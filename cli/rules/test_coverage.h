@@ -1,6 +1,7 @@
 // Which clauses the tests of a rule file exercise.
 #pragma once
 
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -21,5 +22,9 @@ struct RuleCoverage {
 std::vector<RuleCoverage> testCoverage(const dsl::LoadedRules& loaded);
 
 std::string toText(const std::vector<RuleCoverage>& coverage);
+
+/// {"file", "clauses", "exercised", "rules": [{"title", "chosen", "clauses", "exercised",
+/// "never_refused"}]}
+nlohmann::ordered_json toJson(const std::string& file, const std::vector<RuleCoverage>& coverage);
 
 }  // namespace af2::cli

@@ -12,6 +12,7 @@
 #include "cli/program/text_files.h"
 #include "cli/program/usage_error.h"
 #include "cli/program/verbs.h"
+#include "cli/rules/plugins.h"
 #include "cli/rules/rule_files.h"
 #include "cli/rules/rule_findings.h"
 #include "dsl/text/diagnostic_codes.h"
@@ -73,7 +74,8 @@ void fixFiles(const CheckOptions& options) {
     const RuleText input = readRuleText(file);
     std::error_code ignored;
     if (!std::filesystem::exists(file, ignored)) continue;  // a rule file that comes with AF2
-    const dsl::FixedText fixed = fixRuleText(input);
+    const dsl::FixedText fixed =
+        fixRuleText(input, {options.findings.plugins, dsl::Externs::Declared});
     if (fixed.text == input.text) continue;
     fmt::print(stderr, "{}", lineDifference(input.name, input.text, fixed.text));
     if (!options.diff) writeText(input.name, fixed.text);
@@ -148,6 +150,7 @@ Action declareCheck(CLI::App& command) {
   command
       .add_option("--pictures", options->findings.pictures, "folder for pictures of the findings")
       ->type_name("DIR");
+  addPluginOption(command, options->findings.plugins);
   command.add_flag("-q,--quiet", options->quiet, "print only the findings");
   return [options] { return check(*options); };
 }

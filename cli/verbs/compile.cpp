@@ -7,6 +7,7 @@
 #include "cli/program/exit_code.h"
 #include "cli/program/verbs.h"
 #include "cli/rules/match_arguments.h"
+#include "cli/rules/plugins.h"
 #include "cli/rules/rule_dump.h"
 #include "cli/rules/rule_files.h"
 
@@ -15,6 +16,7 @@ namespace {
 
 struct CompileOptions {
   std::string file, rule;
+  std::vector<std::string> plugins;
   bool dump = false;
 };
 
@@ -31,7 +33,8 @@ bool isAffine(const AF2Rule& rule) {
 }
 
 int compile(const CompileOptions& options) {
-  const dsl::LoadedRules loaded = loadSoundRuleFile(options.file);
+  const dsl::LoadedRules loaded =
+      loadSoundRuleFile(options.file, {options.plugins, dsl::Externs::Declared});
   const RuleSet& rules = *loaded.rules;
   if (!options.rule.empty()) findRule(rules, options.rule);
   if (options.dump) {
@@ -51,6 +54,7 @@ Action declareCompile(CLI::App& command) {
   command.add_flag("--dump", options->dump, "print the compiled rules");
   command.add_option("--rule", options->rule, "with --dump: only the rule with this title")
       ->type_name("TITLE");
+  addPluginOption(command, options->plugins);
   return [options] { return compile(*options); };
 }
 

@@ -9,6 +9,7 @@
 #include "cli/program/usage_error.h"
 #include "cli/program/verbs.h"
 #include "cli/rules/gallery.h"
+#include "cli/rules/plugins.h"
 #include "cli/rules/rule_files.h"
 #include "engine/base/error.h"
 
@@ -17,8 +18,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-int document(const std::string& file, const std::string& output) {
-  const dsl::LoadedRules loaded = loadRuleFile(file);
+struct DocOptions {
+  std::string file, output;
+  std::vector<std::string> plugins;
+};
+
+int document(const DocOptions& options) {
+  const auto& [file, output, plugins] = options;
+  const dsl::LoadedRules loaded = loadRuleFile(file, {plugins, dsl::Externs::Declared});
   if (dsl::hasErrors(loaded.diagnostics)) {
     fmt::print(stderr, "{}", dsl::toPretty(loaded.diagnostics));
     throw InputError(fmt::format("the rule file '{}' has errors, see above", file));
@@ -41,14 +48,14 @@ int document(const std::string& file, const std::string& output) {
 }  // namespace
 
 Action declareDoc(CLI::App& command) {
-  const auto file = std::make_shared<std::string>();
-  const auto output = std::make_shared<std::string>();
-  command.add_option("FILE", *file, "rule file, or - for stdin")->type_name("")->required();
+  const auto options = std::make_shared<DocOptions>();
+  command.add_option("FILE", options->file, "rule file, or - for stdin")->type_name("")->required();
   command
-      .add_option("-o,--output", *output,
+      .add_option("-o,--output", options->output,
                   "output folder; default: the name of the rule file with -doc appended")
       ->type_name("DIR");
-  return [file, output] { return document(*file, *output); };
+  addPluginOption(command, options->plugins);
+  return [options] { return document(*options); };
 }
 
 }  // namespace af2::cli

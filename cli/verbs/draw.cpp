@@ -12,6 +12,7 @@
 #include "cli/program/verbs.h"
 #include "cli/rules/match_arguments.h"
 #include "cli/rules/picture_format.h"
+#include "cli/rules/plugins.h"
 #include "cli/rules/rule_files.h"
 #include "dsl/picture/coverage_picture.h"
 #include "dsl/picture/rule_picture.h"
@@ -22,7 +23,7 @@ namespace {
 
 struct DrawOptions {
   std::string file, rule, output, levels;
-  std::vector<std::string> match;
+  std::vector<std::string> match, plugins;
   bool coverage = false, noNames = false, noTolerances = false;
   int size = 0;
 };
@@ -56,7 +57,9 @@ int draw(DrawOptions options) {
   if (options.output.empty()) options.output = stemOf(options.file) + ".svg";
   const dsl::PictureFormat format =
       options.output == "-" ? dsl::PictureFormat::Svg : pictureFormatOf(options.output, "--output");
-  const dsl::LoadedRules loaded = loadSoundRuleFile(options.file);
+  // A zone without an implementation is left out of a picture; coverage cannot be measured so.
+  const dsl::Externs externs = options.coverage ? dsl::Externs::Registered : dsl::Externs::Declared;
+  const dsl::LoadedRules loaded = loadSoundRuleFile(options.file, {options.plugins, externs});
   const RuleSet& rules = *loaded.rules;
   std::string drawn = fmt::format("{} rules", rules.rules().size());
   std::string picture;
@@ -100,6 +103,7 @@ Action declareDraw(CLI::App& command) {
   command.add_flag("--no-tolerances", options->noTolerances, "do not draw the tolerance ellipses");
   command.add_flag("--coverage", options->coverage,
                    "draw which situations of the front the rules accept, and at which level");
+  addPluginOption(command, options->plugins);
   return [options] { return draw(*options); };
 }
 

@@ -8,6 +8,7 @@
 #include "cli/program/usage_error.h"
 #include "cli/program/verbs.h"
 #include "cli/rules/match_arguments.h"
+#include "cli/rules/plugins.h"
 #include "cli/rules/rule_files.h"
 #include "dsl/run/evaluate.h"
 #include "engine/base/error.h"
@@ -18,7 +19,7 @@ namespace {
 struct EvalOptions {
   std::string file, rule, format = "pretty";
   int level = 1;
-  std::vector<std::string> match, points, segments, environment;
+  std::vector<std::string> match, points, segments, environment, plugins;
 };
 
 dsl::EvalRequest requestOf(const EvalOptions& options) {
@@ -36,7 +37,7 @@ dsl::EvalRequest requestOf(const EvalOptions& options) {
 
 int evaluate(const EvalOptions& options) {
   const dsl::EvalRequest request = requestOf(options);
-  const dsl::LoadedRules loaded = loadSoundRuleFile(options.file);
+  const dsl::LoadedRules loaded = loadSoundRuleFile(options.file, {options.plugins});
   try {
     const dsl::EvalResult result = dsl::evaluateRule(*loaded.rules, request);
     fmt::print("{}", options.format == "json" ? dsl::toJson(result) : dsl::toText(result));
@@ -69,6 +70,7 @@ Action declareEval(CLI::App& command) {
   command.add_option("--format", options->format, "pretty or json")
       ->type_name("FORMAT")
       ->check(CLI::IsMember({"pretty", "json"}).description(""));
+  addPluginOption(command, options->plugins);
   return [options] { return evaluate(*options); };
 }
 

@@ -7,6 +7,7 @@
 
 #include "cli/lsp/serve.h"
 #include "cli/program/verbs.h"
+#include "cli/rules/plugins.h"
 #include "cli/rules/rules_location.h"
 #include "engine/base/error.h"
 
@@ -15,8 +16,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-lsp::Surroundings surroundings() {
+lsp::Surroundings surroundings(const std::vector<std::string>& plugins) {
   lsp::Surroundings result;
+  result.registry = loadPlugins(plugins);
   result.version = AF2_VERSION;
   try {
     result.rules = {rulesDirectory()};
@@ -38,10 +40,12 @@ Action declareLsp(CLI::App& command) {
       "others.");
   const auto useStdio = std::make_shared<bool>(true);
   command.add_flag("--stdio", *useStdio, "communicate over standard input and output; always on");
-  return [] {
+  const auto plugins = std::make_shared<std::vector<std::string>>();
+  addPluginOption(command, *plugins);
+  return [plugins] {
     std::ios::sync_with_stdio(false);
     std::cin.tie(nullptr);
-    return lsp::serve(std::cin, std::cout, surroundings());
+    return lsp::serve(std::cin, std::cout, surroundings(*plugins));
   };
 }
 

@@ -8,11 +8,14 @@
 #include "cli/meshing/mesh_run.h"
 #include "cli/meshing/mesh_summary.h"
 #include "cli/meshing/model_runs.h"
+#include "cli/meshing/stuck_tests.h"
+#include "cli/meshing/trace_file.h"
 #include "cli/program/exit_code.h"
 #include "cli/program/interrupt.h"
 #include "cli/program/supervisor.h"
 #include "cli/program/verbs.h"
 #include "cli/rules/rule_loading.h"
+#include "cli/rules/rule_texts.h"
 #include "engine/base/error.h"
 #include "geometry/base/parallel.h"
 #include "geometry/io/mesh_files.h"
@@ -97,19 +100,39 @@ RunReport reportOf(const ModelMesh& mesh, bool strictRules) {
   return report;
 }
 
+void writeTraceOf(const MeshRequest& request, const RuleSet& rules,
+                  std::map<int, FaceTrace> faces) {
+  Trace trace;
+  trace.arguments = request.arguments;
+  trace.directory = std::filesystem::current_path();
+  for (const AF2Rule& rule : rules.rules()) trace.ruleNames.push_back(rule.name());
+  for (const auto& file : {request.model, request.rules})
+    trace.checksums[file.string()] = checksumOf(file);
+  trace.faces = std::move(faces);
+  writeTrace(trace, request.trace);
+}
+
 int meshAndReport(const MeshRequest& request, RunLog* log, const GivenUp& givenUp) {
   const Interrupt interrupt;
-  const std::shared_ptr<const RuleSet> rules = loadRuleSet(request.rules, request.ruleLoading);
-  ModelMesh mesh = runMesh(request, rules, {!request.quiet, interrupt.token(), log, &givenUp});
+  const dsl::LoadedRules loaded = loadRuleSet(request.rules, request.ruleLoading);
+  TraceRecorder recorder(request.traceFaces);
+  RunControl control{!request.quiet, interrupt.token(), {}, log, &givenUp};
+  if (!request.trace.empty())
+    control.observer = [&](int face) { return recorder.observerOf(face); };
+  ModelMesh mesh = runMesh(request, loaded.rules, control);
+  mesh.name = request.model.filename().string();
+  mesh.ruleTexts = ruleTextsOf(loaded);
   RunReport report = reportOf(mesh, request.options.strictRules);
   // Writing files and measuring quality run in parallel.
   geometry::forEachInParallel(2, request.options.threads, [&](std::size_t task) {
     if (task == 0)
-      writeOutputs(request, *rules, mesh);
+      writeOutputs(request, *loaded.rules, mesh);
     else
       report.quality = measureQuality(mesh, 0);
   });
   writeReportIfAsked(request, report, mesh);
+  if (!request.trace.empty()) writeTraceOf(request, *loaded.rules, recorder.take());
+  if (!request.stuckTests.empty()) writeStuckTests(request, *loaded.rules, mesh);
   printResult(request, report, mesh);
   return exitCodeOf(report.status);
 }
@@ -153,7 +176,11 @@ int meshOrReportWhyNot(const MeshRequest& request) {
 Action declareMesh(CLI::App& command) {
   const auto options = std::make_shared<MeshOptions>();
   declareMeshOptions(command, *options);
-  return [options] { return meshOrReportWhyNot(checkedRequest(*options)); };
+  return [options, &command] {
+    MeshRequest request = checkedRequest(*options);
+    request.arguments = argumentsOf(command);
+    return meshOrReportWhyNot(request);
+  };
 }
 
 }  // namespace af2::cli

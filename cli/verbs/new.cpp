@@ -2,10 +2,12 @@
 #include <fmt/core.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "cli/program/colour.h"
 #include "cli/program/exit_code.h"
@@ -150,6 +152,19 @@ void newRuleSet(const NewOptions& options) {
   fmt::print("wrote {}\ntry: af2 test {}\n", options.name, options.name);
 }
 
+/// Titles that the added text gives a second time: of rules, of mirror images, of tests. Those that
+/// the file had twice already are not its fault.
+std::vector<dsl::Diagnostic> titlesTakenBy(const RuleText& before, const std::string& added) {
+  const auto lineCount = 1 + std::ranges::count(before.text, '\n');
+  std::vector<dsl::Diagnostic> taken =
+      loadRuleText({before.name, before.text + added}, {{}, dsl::Externs::Declared}).diagnostics;
+  std::erase_if(taken, [&](const dsl::Diagnostic& d) {
+    return d.code != dsl::Code::DuplicateName || d.place.line < lineCount ||
+           d.place.file != before.name;
+  });
+  return taken;
+}
+
 void newRule(const NewOptions& options) {
   std::string text(kRule);
   replaceAll(text, "TITLE", quoted(options.name));
@@ -164,6 +179,13 @@ void newRule(const NewOptions& options) {
     fmt::print(stderr, "{}", dsl::toPretty(read.diagnostics.front(), colourOf(stderr)));
     throw InputError(
         fmt::format("'{}' cannot be read as a rule file; it was not changed", before.name));
+  }
+  const std::vector<dsl::Diagnostic> taken = titlesTakenBy(before, text);
+  if (!taken.empty()) {
+    fmt::print(stderr, "{}", dsl::toPretty(taken, colourOf(stderr)));
+    throw InputError(fmt::format(
+        "'{}' has these titles already; choose another title. The file is left as it was",
+        before.name));
   }
   writeText(before.name, before.text + text);
   fmt::print("added rule \"{}\" and two tests to {}\n", options.name, before.name);

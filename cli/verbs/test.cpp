@@ -11,6 +11,7 @@
 #include "cli/program/exit_code.h"
 #include "cli/program/usage_error.h"
 #include "cli/program/verbs.h"
+#include "cli/rules/plugins.h"
 #include "cli/rules/rule_files.h"
 #include "cli/rules/test_coverage.h"
 #include "dsl/load/loaded_file.h"
@@ -20,7 +21,7 @@ namespace af2::cli {
 namespace {
 
 struct TestOptions {
-  std::vector<std::string> files;
+  std::vector<std::string> files, plugins;
   std::string filter, format = "pretty";
   bool coverage = false, bench = false, quiet = false;
 };
@@ -46,6 +47,7 @@ nlohmann::ordered_json jsonOf(const dsl::TestResult& result) {
     json["score"] = result.score;
   }
   json["failures"] = std::move(failures);
+  if (!result.explanation.empty()) json["explanation"] = result.explanation;
   return json;
 }
 
@@ -71,7 +73,7 @@ class TestRun {
   explicit TestRun(const TestOptions& options) : options_(options) {}
 
   void file(const std::string& name) {
-    const dsl::LoadedRules loaded = loadRuleFile(name);
+    const dsl::LoadedRules loaded = loadRuleFile(name, {options_.plugins});
     if (!loaded.rules) {
       if (dsl::hasErrors(loaded.diagnostics)) {
         fmt::print(stderr, "{}", dsl::toPretty(loaded.diagnostics, colourOf(stderr)));
@@ -83,7 +85,7 @@ class TestRun {
       return;
     }
     for (const dsl::TestResult& result : dsl::runRuleTests(loaded, options_.filter)) add(result);
-    if (options_.coverage && isPretty()) fmt::print("{}", toText(testCoverage(loaded)));
+    if (options_.coverage) addCoverage(name, testCoverage(loaded));
     if (options_.bench && isPretty()) printTimes(loaded);
   }
 
@@ -96,7 +98,9 @@ class TestRun {
       if (totals_.broken > 0) fmt::print(", {} not run because of errors", totals_.broken);
       fmt::print("\n");
     } else {
-      fmt::print("{}\n", json_.dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
+      nlohmann::ordered_json whole = json_;
+      if (options_.coverage) whole = {{"tests", json_}, {"coverage", coverage_}};
+      fmt::print("{}\n", whole.dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
     }
     return totals_.failed + totals_.broken > 0 ? kUnusable : kComplete;
   }
@@ -110,8 +114,16 @@ class TestRun {
     if (isPretty() && !(options_.quiet && result.passed())) fmt::print("{}", toText(result));
   }
 
+  void addCoverage(const std::string& file, const std::vector<RuleCoverage>& coverage) {
+    if (isPretty())
+      fmt::print("{}", toText(coverage));
+    else
+      coverage_.push_back(toJson(file, coverage));
+  }
+
   const TestOptions& options_;
   Totals totals_;
+  nlohmann::ordered_json coverage_ = nlohmann::ordered_json::array();
   nlohmann::ordered_json json_ = nlohmann::ordered_json::array();
 };
 
@@ -142,6 +154,7 @@ Action declareTest(CLI::App& command) {
   command.add_flag("--bench", options->bench,
                    "measure the time of one step on the front of each test");
   command.add_flag("-q,--quiet", options->quiet, "print only tests that fail");
+  addPluginOption(command, options->plugins);
   return [options] { return test(*options); };
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <set>
 #include <utility>
 
@@ -20,6 +21,7 @@ void checkParity(const CheckedRules& rules, Findings& findings);
 void checkMirrors(const CheckedRules& rules, Findings& findings);
 void checkLevels(const CheckedRules& rules, Findings& findings);
 void checkZones(const CheckedRules& rules, Findings& findings);
+void checkReferences(const CheckedRules& rules, Findings& findings);
 
 namespace {
 
@@ -34,18 +36,32 @@ constexpr std::array kChecks{
     Check{1,
           {Code::InvertedElement},
           "Are the elements positive at the reference match?",
-          checkOrientation},
+          checkOrientation,
+          false,
+          true},
     Check{2,
           {Code::InvalidZone, Code::UnboundedZone, Code::ClockwiseZone},
           "Is the zone a bounded region, counter-clockwise, at the reference match?",
           checkZones,
+          true,
           true},
     Check{2, {Code::BrokenParity}, "Does every rule keep the parity of the front?", checkParity},
     Check{2,
           {Code::MissingMirror, Code::RedundantMirror},
           "Has every rule its mirror image, once?",
-          checkMirrors},
+          checkMirrors,
+          false,
+          true},
+    Check{3,
+          {Code::RefusedReference},
+          "Does every rule accept its own reference match?",
+          checkReferences,
+          false,
+          true},
 };
+
+/// Whether a rule calls a name that nothing implements.
+bool isUnknown(const CompiledRule& rule) { return !rule.missing.empty(); }
 
 bool isNeverTried(const CheckedRules& given, const std::string& title) {
   return std::ranges::any_of(given.rules, [&](const CompiledRule& rule) {
@@ -93,8 +109,13 @@ std::vector<CompiledRule> runChecks(const CheckedRules& given, DiagnosticList& d
           sound, [&](const CompiledRule& rule) { return faulty.contains(rule.definition.name); });
     DiagnosticList found;
     Findings findings(found);
-    const std::span<const CompiledRule> shown = check.standsAlone ? given.rules : sound;
-    check.run({shown, given.settings, given.main}, findings);
+    std::span<const CompiledRule> shown = check.standsAlone ? given.rules : sound;
+    std::vector<CompiledRule> known;
+    if (check.evaluates && std::ranges::any_of(shown, isUnknown)) {
+      std::ranges::remove_copy_if(shown, std::back_inserter(known), isUnknown);
+      shown = known;
+    }
+    check.run({shown, given.settings, given.main, given.allowed, given.acceptance}, findings);
     faulty.insert(findings.faulty().begin(), findings.faulty().end());
     for (Diagnostic& d : found.take()) {
       // A rule with errors may be the missing mirror image, so mirror images cannot be checked.

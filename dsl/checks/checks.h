@@ -20,6 +20,8 @@ struct CheckedRules {
   std::span<const CompiledRule> rules;
   const RuleSetDefinition& settings;  ///< without rules
   const Module& main;
+  std::set<Code> allowed;                     ///< for all rules
+  std::optional<DiagnosticPlace> acceptance;  ///< of the `accept` of the rule set
 };
 
 /// Collects findings about rules.
@@ -46,6 +48,7 @@ struct Check {
   std::string_view question;
   void (*run)(const CheckedRules& rules, Findings& findings);
   bool standsAlone = false;  ///< whether it also runs on rules with errors from other checks
+  bool evaluates = false;    ///< whether it skips rules with names that nothing implements
 };
 
 std::span<const Check> checks();

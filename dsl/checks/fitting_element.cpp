@@ -73,34 +73,82 @@ std::string namesOf(const CompiledRule& rule, const Cycle& corners) {
   return names;
 }
 
+bool haveSameCorners(Cycle one, Cycle other) {
+  std::ranges::sort(one);
+  std::ranges::sort(other);
+  return one == other;
+}
+
+/// How many corners of one element the other does not have.
+std::size_t cornersReplaced(const Cycle& written, const Cycle& other) {
+  return static_cast<std::size_t>(std::ranges::count_if(
+      written, [&](int corner) { return std::ranges::find(other, corner) == other.end(); }));
+}
+
+/// Whether an element cannot stay as it is, whatever becomes of the others: it does not turn left,
+/// or has an edge that another element or, the other way round, the front has.
+bool isWrongByItself(const std::vector<Cycle>& elements, std::size_t index,
+                     const RuleDefinition& rule, const std::vector<Point2>& at) {
+  if (!turnsLeft(elements[index], at)) return true;
+  for (const DirectedEdge& edge : edgesOf(elements[index])) {
+    for (std::size_t i = 0; i < elements.size(); ++i) {
+      const auto others = edgesOf(elements[i]);
+      if (i != index && std::ranges::find(others, edge) != others.end()) return true;
+    }
+    const auto runsAgainst = [&](const PatternEdge& front) {
+      return front.from == edge.second && front.to == edge.first;
+    };
+    if (std::ranges::any_of(rule.edges, runsAgainst)) return true;
+  }
+  return false;
+}
+
+/// The cycles in place of one element with which all is right.
+std::vector<Cycle> fittingCycles(std::vector<Cycle> elements, std::size_t index,
+                                 const RuleDefinition& rule, const std::vector<Point2>& at) {
+  const std::size_t size = elements[index].size();
+  std::vector<Cycle> fitting;
+  Cycle cycle;
+  forEachCycle(cycle, size, static_cast<int>(at.size()), [&](const Cycle& one) {
+    elements[index] = one;
+    const auto isLeft = [&](const Cycle& element) { return turnsLeft(element, at); };
+    if (std::ranges::all_of(elements, isLeft) && closeUp(elements, rule)) fitting.push_back(one);
+  });
+  return fitting;
+}
+
 }  // namespace
 
-std::string fittingElement(const CompiledRule& rule, std::size_t index) {
+FittingElement fittingElement(const CompiledRule& rule, std::size_t index) {
   const auto at = referencePositions(rule, referenceLevels(rule.definition).front());
   if (!at) return {};
   std::vector<Cycle> elements;
   for (const RuleElement& element : rule.definition.elements)
     elements.push_back(cornersOf(element));
-  Cycle reversed = elements[index];
-  std::ranges::reverse(reversed);
-  std::rotate(reversed.begin(), std::ranges::min_element(reversed), reversed.end());
-  std::vector<Cycle> fitting;
-  Cycle cycle;
-  forEachCycle(cycle, reversed.size(), static_cast<int>(at->size()), [&](const Cycle& one) {
-    elements[index] = one;
-    const auto isLeft = [&](const Cycle& element) { return turnsLeft(element, *at); };
-    if (std::ranges::all_of(elements, isLeft) && closeUp(elements, rule.definition))
-      fitting.push_back(one);
-  });
-  if (std::ranges::find(fitting, reversed) != fitting.end()) return namesOf(rule, reversed);
-  return fitting.size() == 1 ? namesOf(rule, fitting.front()) : std::string();
+  const Cycle& written = elements[index];
+  const std::vector<Cycle> fitting = fittingCycles(elements, index, rule.definition, *at);
+  const auto reordered = std::ranges::find_if(
+      fitting, [&](const Cycle& one) { return haveSameCorners(one, written); });
+  if (reordered != fitting.end()) return {namesOf(rule, *reordered), true};
+  const bool isClear = fitting.size() == 1 && cornersReplaced(written, fitting.front()) == 1 &&
+                       isWrongByItself(elements, index, rule.definition, *at);
+  return isClear ? FittingElement{namesOf(rule, fitting.front()), false} : FittingElement{};
+}
+
+std::string fittingHelp(const CompiledRule& rule, std::size_t index, const std::string& place) {
+  const FittingElement fitting = fittingElement(rule, index);
+  if (fitting.corners.empty()) return {};
+  const std::string element = "`" + fitting.corners + "`" + place;
+  return fitting.isReordered
+             ? "did you mean " + element + "?"
+             : "only " + element + " closes up with the front and the other elements";
 }
 
 std::vector<SuggestedEdit> elementEdits(const CompiledRule& rule) {
   std::vector<SuggestedEdit> edits;
   if (rule.isMirror) return edits;
   for (std::size_t i = 0; i < rule.elementSpans.size(); ++i) {
-    const std::string names = fittingElement(rule, i);
+    const std::string names = fittingElement(rule, i).corners;
     if (names.empty()) continue;
     const Remedy remedy{Remedy::Where::Whole, names};
     if (auto edit = editOf(rule.home->source, rule.elementSpans[i], remedy))

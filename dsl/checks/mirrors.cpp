@@ -50,17 +50,34 @@ std::vector<SuggestedEdit> withoutMirror(const CompiledRule& rule) {
            "a mirror clause removed that did the same once more"}};
 }
 
-void checkOne(const CompiledRule& rule, std::span<const CompiledRule> all, Findings& findings) {
+/// Whether the mirror clause changes the image: then it is another rule.
+bool changesImage(const Rule& text) {
+  return std::ranges::any_of(text.clauses, [](const Clause& clause) {
+    const auto* mirror = std::get_if<MirrorClause>(&clause.content);
+    return mirror && !mirror->overrides.empty();
+  });
+}
+
+void checkMirror(const CompiledRule& rule, const RuleSetDefinition& settings, Findings& findings) {
+  if (doTheSame(rule.definition, *rule.image))
+    findings.add(rule, Code::RedundantMirror, *rule.mirrorSpan, "this rule is its own mirror image",
+                 "its mirror image would be the same rule", "remove the `mirror` clause", {},
+                 withoutMirror(rule));
+  else if (!changesImage(*rule.text) && alwaysTie(rule.definition, *rule.image, settings))
+    findings.add(rule, Code::RedundantMirror, *rule.mirrorSpan,
+                 "the mirror image of this rule is never chosen",
+                 "it applies at the same matches with the same score, and the first of them wins",
+                 "remove the `mirror` clause, or let the two differ in their cost or conditions",
+                 {}, withoutMirror(rule));
+}
+
+void checkOne(const CompiledRule& rule, std::span<const CompiledRule> all,
+              const RuleSetDefinition& settings, Findings& findings) {
   if (rule.isMirror || !rule.image) return;
-  const bool isItsOwnMirror = doTheSame(rule.definition, *rule.image);
-  if (rule.mirrorSpan) {
-    if (isItsOwnMirror)
-      findings.add(rule, Code::RedundantMirror, *rule.mirrorSpan,
-                   "this rule is its own mirror image", "its mirror image would be the same rule",
-                   "remove the `mirror` clause", {}, withoutMirror(rule));
+  if (rule.mirrorSpan) return checkMirror(rule, settings, findings);
+  // An image that always ties would never be chosen, so nobody should be asked for it.
+  if (doTheSame(rule.definition, *rule.image) || alwaysTie(rule.definition, *rule.image, settings))
     return;
-  }
-  if (isItsOwnMirror) return;
   const auto image = [&](const CompiledRule& other) {
     return &other != &rule && doTheSame(other.definition, *rule.image);
   };
@@ -96,7 +113,8 @@ void checkOne(const CompiledRule& rule, std::span<const CompiledRule> all, Findi
 }  // namespace
 
 void checkMirrors(const CheckedRules& rules, Findings& findings) {
-  for (const CompiledRule& rule : rules.rules) checkOne(rule, rules.rules, findings);
+  for (const CompiledRule& rule : rules.rules)
+    checkOne(rule, rules.rules, rules.settings, findings);
 }
 
 }  // namespace af2::dsl

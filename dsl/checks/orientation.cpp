@@ -37,8 +37,8 @@ std::string helpFor(const CompiledRule& rule, std::size_t element, const Fault& 
   if (level != first)
     return "move a vertex, or end the rule's levels before: `quality " + std::to_string(first) +
            ".." + std::to_string(level - 1) + "`";
-  const std::string meant = fittingElement(rule, element);
-  if (!meant.empty()) return "did you mean `" + meant + "`?";
+  const std::string meant = fittingHelp(rule, element);
+  if (!meant.empty()) return meant;
   const std::string below = belowBase(rule, level);
   if (!below.empty()) return below;
   return fault.isClockwise ? "name its corners counter-clockwise"

@@ -8,6 +8,7 @@
 #include <span>
 
 #include "engine/rule/rule_at_match.h"
+#include "engine/step/rule_scoring.h"
 
 namespace af2::dsl {
 namespace {
@@ -192,6 +193,20 @@ bool agreeAtMatches(const RuleDefinition& a, const RuleDefinition& b, const Renu
   return true;
 }
 
+bool haveSameScores(const RuleAtMatch& here, const std::vector<RuleElement>& elements,
+                    const RuleAtMatch& there, const std::vector<RuleElement>& otherElements,
+                    const RuleSetDefinition& settings) {
+  const auto vertices = here.placeAll(), otherVertices = there.placeAll();
+  if (!vertices || !otherVertices) return !vertices && !otherVertices;
+  const RuleScoring scoring(settings);
+  double score = 0, other = 0;
+  const Refusal refusal = scoring.scoreElements(elements, vertices->data(), here.level(), score);
+  if (refusal != scoring.scoreElements(otherElements, otherVertices->data(), there.level(), other))
+    return false;
+  return refusal != Refusal::None ||
+         std::abs(score - other) <= kSame * std::max(1.0, std::abs(score));
+}
+
 /// The largest distance of a point of one list from the nearest point of the other; infinite if one
 /// list is empty.
 double distanceOf(const std::vector<Point2>& first, const std::vector<Point2>& second) {
@@ -225,6 +240,30 @@ std::string byUpTo(const char* what, double size) {
   return text;
 }
 
+/// What differs of two rules whose vertices lie at the same places.
+std::string otherDifferences(const RuleDefinition& a, const RuleDefinition& b,
+                             const Renumbering& to) {
+  bool differConditions = false, differCosts = false, differZones = false;
+  for (std::size_t sample = 0; sample < 4; ++sample) {
+    const RuleAtMatch here(a, matchOf(a, a.firstLevel, sample), a.firstLevel),
+        there(b, renumbered(here.vertices(), to), a.firstLevel);
+    differConditions |= failedRequirement(a, here.binding()).isNone() !=
+                        failedRequirement(b, there.binding()).isNone();
+    differCosts |= !haveSameCosts(a, b, here.binding(), there.binding());
+    differZones |= !haveSameZones(a, b, here.binding(), there.binding());
+  }
+  Renumbering all = to;
+  std::string text;
+  const auto add = [&](bool differs, const char* part) {
+    if (differs) text += (text.empty() ? "" : ", ") + std::string(part);
+  };
+  add(differConditions, "conditions");
+  add(differCosts, "costs");
+  add(matchNewVertices(a, b, all) && elementsOf(a, all) != elementsOf(b, {}), "elements");
+  add(differZones, "zones");
+  return text.empty() ? "conditions, costs, elements or zones" : text;
+}
+
 }  // namespace
 
 std::string differenceOf(const RuleDefinition& a, const RuleDefinition& b) {
@@ -248,7 +287,29 @@ std::string differenceOf(const RuleDefinition& a, const RuleDefinition& b) {
   if (zones > kSame) parts.push_back(byUpTo("free zones", zones));
   std::string text;
   for (const std::string& part : parts) text += (text.empty() ? "" : ", ") + part;
-  return text.empty() ? "conditions, costs, elements or zones" : text;
+  return text.empty() ? otherDifferences(a, b, *to) : text;
+}
+
+bool alwaysTie(const RuleDefinition& a, const RuleDefinition& b,
+               const RuleSetDefinition& settings) {
+  constexpr std::size_t kSamples = 12;
+  const auto to = matchVertices(a, b);
+  if (!to || !settings.metric || !haveSameEdges(a, b, *to) || !haveSameTolerances(a, b, *to))
+    return false;
+  if (a.firstLevel != b.firstLevel || a.lastLevel != b.lastLevel || a.priority != b.priority)
+    return false;
+  for (std::size_t sample = 0; sample < kSamples; ++sample)
+    for (const int level : {a.firstLevel, a.firstLevel + 2}) {
+      const RuleAtMatch here(a, matchOf(a, level, sample), level),
+          there(b, renumbered(here.vertices(), *to), level);
+      if (failedRequirement(a, here.binding()).isNone() !=
+              failedRequirement(b, there.binding()).isNone() ||
+          !haveSameCosts(a, b, here.binding(), there.binding()) ||
+          !haveSameZones(a, b, here.binding(), there.binding()) ||
+          !haveSameScores(here, a.elements, there, b.elements, settings))
+        return false;
+    }
+  return true;
 }
 
 bool areAlike(const RuleDefinition& a, const RuleDefinition& b) {

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "engine/rule/rule.h"
+#include "engine/rule/rule_set.h"
 
 namespace af2::dsl {
 
@@ -17,5 +17,10 @@ std::string differenceOf(const RuleDefinition& first, const RuleDefinition& seco
 
 /// Whether the rules have the same pattern and the same elements; positions may differ.
 bool areAlike(const RuleDefinition& first, const RuleDefinition& second);
+
+/// Whether two rules apply at the same matches, with the same free zones, costs and scores,
+/// whatever elements they make. Of two such rules the one that comes later is never chosen.
+bool alwaysTie(const RuleDefinition& first, const RuleDefinition& second,
+               const RuleSetDefinition& settings);
 
 }  // namespace af2::dsl

@@ -18,9 +18,8 @@ std::string edgeName(const CompiledRule& rule, Edge e) {
 /// Suggests the corrected element if there is a unique one, otherwise gives the general advice.
 std::string wayOut(const CompiledRule& rule, std::string otherwise) {
   for (std::size_t i = 0; i < rule.definition.elements.size(); ++i) {
-    const std::string meant = fittingElement(rule, i);
-    if (!meant.empty())
-      return "did you mean `" + meant + "` as element " + std::to_string(i + 1) + "?";
+    const std::string meant = fittingHelp(rule, i, " as element " + std::to_string(i + 1));
+    if (!meant.empty()) return meant;
   }
   return otherwise;
 }

@@ -7,6 +7,7 @@
 #include "dsl/compile/type_help.h"
 #include "dsl/program/builtins.h"
 #include "dsl/text/words.h"
+#include "engine/base/turn.h"
 
 namespace af2::dsl {
 namespace {
@@ -27,6 +28,13 @@ bool isCountRight(std::string_view parameters, std::size_t count) {
   const bool repeats = parameters.ends_with('*');
   const std::size_t fixed = parameters.size() - (repeats ? 1 : 0);
   return repeats ? count >= fixed : count == fixed;
+}
+
+/// A number as it is written, perhaps with a sign or in brackets; null if it is anything else.
+const Expr* literalIn(const Expr& expr) {
+  if (expr.kind == ExprKind::Negate || expr.kind == ExprKind::Paren)
+    return expr.parts.size() == 1 ? literalIn(expr.parts[0]) : nullptr;
+  return expr.kind == ExprKind::Number ? &expr : nullptr;
 }
 
 bool asksTheFront(std::string_view parameters, std::string_view name) {
@@ -137,6 +145,16 @@ bool ExpressionCompiler::fits(const Value& value, char kind, const Value* firstA
   return false;
 }
 
+/// A bare number is in radians. A literal of more than a full turn was meant in degrees.
+void ExpressionCompiler::tellOfDegrees(const Expr& argument) {
+  const Expr* literal = literalIn(argument);
+  if (!literal || std::abs(literal->number) <= kFullTurn) return;
+  tell(Code::MissingDegrees, literal->span, "this angle is more than a full turn",
+       "a number without a unit is in radians",
+       Help("write `" + literal->name + "deg` for an angle in degrees",
+            {Remedy::Where::Behind, "deg"}));
+}
+
 void ExpressionCompiler::tellOfCount(const Expr& expr, const std::string& usage) {
   tell(Code::ArgumentCount, expr.span,
        "'" + expr.name + "' is called with " + std::to_string(expr.parts.size()) +
@@ -163,6 +181,9 @@ Value ExpressionCompiler::callBuiltin(const Expr& expr, const Builtin& builtin) 
         isRight;
   }
   if (!isRight) return {};
+  for (std::size_t i = 0; i < arguments.size(); ++i)
+    if (kindOf(builtin.parameters, i) == 'r' && arguments[i].type == Type::Number)
+      tellOfDegrees(expr.parts[i]);
   if (place_ == ExpressionPlace::Test && builtin.name == "turn") {
     const auto turn = turnInTest(arguments[0].vertex);
     if (turn) return algebra_.angle(*turn);
@@ -199,6 +220,7 @@ Value ExpressionCompiler::inlined(const Expr& callSite, const FunctionName& func
 }
 
 Value ExpressionCompiler::callFunction(const Expr& expr, const FunctionName& function) {
+  if (!function.body) return function.external ? callExtern(expr, function) : Value{};
   std::vector<Value> arguments;
   for (const Expr& part : expr.parts) arguments.push_back(evaluate(part));
   const std::size_t wanted = function.parameters->size();
@@ -250,7 +272,17 @@ Value ExpressionCompiler::callMetric(const Expr& expr, const BuiltinMetric& metr
   return metric.make(algebra_, values, measured);
 }
 
-Value ExpressionCompiler::callUserMetric(const Expr& expr, const AF2ElementMetric&) {
+/// Without an implementation the call has no value, and what it is part of is not evaluated.
+Value ExpressionCompiler::callExtern(const Expr& expr, const FunctionName& declared) {
+  const ExternName& external = *declared.external;
+  if (external.isMissing) context_.missing.push_back({expr.name, declared.home, declared.span});
+  if (external.function) return callUserFunction(expr, external.function);
+  if (external.shape) return callUserShape(expr, external.shape);
+  return callUserMetric(expr, external.metric);
+}
+
+Value ExpressionCompiler::callUserMetric(const Expr& expr,
+                                         const std::shared_ptr<const AF2ElementMetric>& metric) {
   std::vector<Value> values;
   for (const Expr& part : expr.parts) values.push_back(evaluate(part));
   const std::vector<Value>& measured = values.empty() ? corners : values;
@@ -261,7 +293,7 @@ Value ExpressionCompiler::callUserMetric(const Expr& expr, const AF2ElementMetri
   }
   auto wrapped = std::make_shared<UserFunction>();
   wrapped->name = expr.name;
-  wrapped->value = [metric = context_.registry.metrics().at(expr.name)](std::span<const double> n) {
+  wrapped->value = [metric](std::span<const double> n) {
     std::array<Point2, 4> points{};
     for (std::size_t i = 0; i < n.size() / 2; ++i) points[i] = {n[2 * i], n[2 * i + 1]};
     return metric->badnessAt({points.data(), n.size() / 2}, static_cast<int>(n.back()));
@@ -350,7 +382,7 @@ Value ExpressionCompiler::evaluateCall(const Expr& expr) {
   if (const auto f = registry.functions().find(expr.name); f != registry.functions().end())
     return callUserFunction(expr, f->second);
   if (const auto m = registry.metrics().find(expr.name); m != registry.metrics().end())
-    return callUserMetric(expr, *m->second);
+    return callUserMetric(expr, m->second);
   if (const auto s = registry.shapes().find(expr.name); s != registry.shapes().end())
     return callUserShape(expr, s->second);
   for (const Expr& part : expr.parts) evaluate(part);

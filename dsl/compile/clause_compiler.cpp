@@ -151,13 +151,34 @@ void ClauseCompiler::compileRequire(const RequireClause& clause) {
       continue;
     }
     const auto constant = builder_.constantValue(value.number);
-    if (constant && !mirror_ && !isGeneric_)
-      expressions_.tell(Code::IdleClause, expr.span,
-                        *constant != 0 ? "this condition always holds"
-                                       : "this condition never holds, so the rule never applies",
-                        "", "it does not depend on the match");
+    // One that never holds refuses the reference match, too (D4).
+    if (constant && *constant != 0 && !mirror_ && !isGeneric_)
+      expressions_.tell(Code::IdleClause, expr.span, "this condition always holds", "",
+                        "it does not depend on the match");
     use(UsedValue::Kind::Requirement, value, expr.span);
     definition().requirements.push_back(makeFunction(builder_, value.number));
+    result_.conditions.push_back({expr.span, {}});
+    if (!constant && !isGeneric_) addCompared(expr, result_.conditions.back().compared);
+  }
+}
+
+/// The values on both sides of each comparison in a condition.
+void ClauseCompiler::addCompared(const Expr& condition, std::vector<ComparedValue>& compared) {
+  const bool isJunction = condition.kind == ExprKind::Not || condition.kind == ExprKind::Paren ||
+                          condition.name == "and" || condition.name == "or";
+  const bool isComparison = condition.kind == ExprKind::Binary || condition.kind == ExprKind::In;
+  if (!isJunction && !isComparison) return;
+  for (const Expr& part : condition.parts) {
+    if (isJunction) {
+      addCompared(part, compared);
+      continue;
+    }
+    const Value value = expressions_.evaluate(part);
+    const bool isScalar = value.type == Type::Number || value.type == Type::Angle;
+    if (!isScalar || builder_.constantValue(value.number)) continue;
+    const std::string_view text = home_.source.text();
+    compared.push_back({std::string(text.substr(part.span.begin, part.span.end - part.span.begin)),
+                        value.type, makeFunction(builder_, value.number)});
   }
 }
 
@@ -169,6 +190,7 @@ void ClauseCompiler::compileCost(const CostClause& clause) {
     expressions_.warnIdle(clause.value.span, "a cost of 0 changes nothing",
                           "remove it, or give it a value");
   use(UsedValue::Kind::Cost, value, clause.value.span);
+  result_.costSpan = clause.value.span;
   definition().cost = makeFunction(builder_, value.number);
 }
 

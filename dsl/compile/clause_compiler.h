@@ -141,6 +141,7 @@ class ClauseCompiler {
   void tellIdleAlternatives();
   void compileZones();
   void compileRequire(const RequireClause& clause);
+  void addCompared(const Expr& condition, std::vector<ComparedValue>& compared);
   void compileCost(const CostClause& clause);
   void compileOwnCost(const CostClause& clause, Span span);
   void compilePriority(const PriorityClause& clause, Span span);

@@ -2,6 +2,14 @@
 
 namespace af2::dsl {
 
+Diagnostic missingImplementation(const MissingName& missing) {
+  Diagnostic d(Code::MissingImplementation);
+  d.message = "'" + missing.name + "' is declared here, but nothing implements it";
+  d.place = placeOf(missing.home->source, missing.span);
+  d.help = "load the library that registers it: --plugin FILE";
+  return d;
+}
+
 void CompileContext::tell(const Module& home, Code code, Span span, std::string message, Help help,
                           std::vector<DiagnosticNote> notes, std::optional<Severity> severity) {
   Diagnostic d(code);

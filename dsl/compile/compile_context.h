@@ -12,6 +12,17 @@
 
 namespace af2::dsl {
 
+/// A declared name without an implementation.
+struct MissingName {
+  std::string name;
+  const Module* home = nullptr;
+  Span span;  ///< of the name in its declaration
+  bool operator==(const MissingName&) const = default;
+};
+
+/// R6 at the declaration.
+Diagnostic missingImplementation(const MissingName& missing);
+
 /// Shared by everything that is compiled in one run.
 struct CompileContext {
   DiagnosticList& diagnostics;
@@ -20,6 +31,8 @@ struct CompileContext {
   std::size_t rulesLeft =
       5'000;            ///< families and imported files can multiply rules in the same way
   bool guesses = true;  ///< whether anybody will read the diagnostics
+
+  std::vector<MissingName> missing = {};  ///< those that were used since the list was taken
 
   /// Whether to search for the name that an unknown name was meant to be. Each search takes time.
   bool mayGuess() const { return guesses && !diagnostics.isFull(); }

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "dsl/compile/compile_context.h"
 #include "dsl/compile/module.h"
 #include "dsl/syntax/ast.h"
 #include "dsl/text/diagnostic.h"
@@ -18,6 +19,19 @@ namespace af2::dsl {
 struct RuleParameter {
   ConstantName value;
   Span span;
+};
+
+/// What a condition compares, so that its values can be told.
+struct ComparedValue {
+  std::string text;  ///< as it is written
+  Type type = Type::Number;
+  std::shared_ptr<const AF2BindingFunction> value;
+};
+
+/// A `require` condition as it was written.
+struct WrittenCondition {
+  Span span;
+  std::vector<ComparedValue> compared;  ///< those that depend on the match or the level
 };
 
 /// One rule. A family makes several, a rule with a mirror image two.
@@ -33,11 +47,15 @@ struct CompiledRule {
   std::vector<Span> vertexSpans;  ///< the definitions of the matched vertices, then of the new ones
   std::vector<Span> edgeSpans;    ///< one for each pattern edge; the title for an implied base edge
   std::vector<Span> zoneSpans;    ///< the zone clauses
+  std::vector<WrittenCondition> conditions;  ///< one for each requirement of the definition
+  std::optional<Span> costSpan;              ///< the value of the cost
   Span levelSpan;
   std::optional<Span> mirrorSpan;  ///< of the clause `mirror "..."` of this rule
   std::map<std::string, RuleParameter> parameters;
   const MirrorClause* mirror = nullptr;  ///< of a mirror image: its clause
   std::string doc;
+  /// Declared names that the rule calls and that no program has registered. It cannot be evaluated.
+  std::vector<MissingName> missing;
   std::shared_ptr<const RuleDefinition> image;  ///< its mirror image, even if no rule has it
 };
 

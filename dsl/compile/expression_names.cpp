@@ -69,7 +69,9 @@ Value ExpressionCompiler::unknownName(const Expr& expr, bool isFunction) {
     using Found = const Name*;
     const Found name = match(
         item.content, [&](const Constant& c) { return isFunction ? Found() : &c.name; },
-        [&](const AnyOf<Function, Metric> auto& f) { return isFunction ? &f.name : Found(); },
+        [&](const AnyOf<Function, Metric, Extern> auto& f) {
+          return isFunction ? &f.name : Found();
+        },
         [](const AnyOf<std::monostate, Import, Use, RuleSetBlock, Rule, Template, Instance, Test,
                        Property> auto&) { return Found(); });
     if (name && name->text == expr.name) return usedTooEarly(expr, name->span);

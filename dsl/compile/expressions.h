@@ -114,7 +114,8 @@ class ExpressionCompiler {
   Value callBuiltin(const Expr& expr, const Builtin& builtin);
   Value callFunction(const Expr& expr, const FunctionName& function);
   Value callMetric(const Expr& expr, const BuiltinMetric& metric);
-  Value callUserMetric(const Expr& expr, const AF2ElementMetric& metric);
+  Value callExtern(const Expr& expr, const FunctionName& declared);
+  Value callUserMetric(const Expr& expr, const std::shared_ptr<const AF2ElementMetric>& metric);
   Value callUserFunction(const Expr& expr, const std::shared_ptr<const UserFunction>& function);
   Value callShape(const Expr& expr);
   Value callUserShape(const Expr& expr, const std::shared_ptr<const UserShape>& shape);
@@ -139,6 +140,7 @@ class ExpressionCompiler {
   bool isAllowedHere(const Expr& expr, const Builtin& builtin);
   bool fits(const Value& value, char kind, const Value* firstAlike, const Expr& argument,
             const std::string& usage);
+  void tellOfDegrees(const Expr& argument);
   void tellOfCount(const Expr& expr, const std::string& usage);
   Value needValue(
       const Expr& expr, Value value,

@@ -4,6 +4,7 @@
 #include <fstream>
 #include <set>
 
+#include "dsl/compile/extern_names.h"
 #include "dsl/compile/standard_library.h"
 #include "dsl/program/builtins.h"
 #include "dsl/text/words.h"
@@ -68,6 +69,7 @@ void Library::registerItems(Module& module) {
         [&](const Constant& c) { registerConstant(module, c); },
         [&](const Function& c) { registerFunction(module, c.name, c.parameters, c.value, false); },
         [&](const Metric& c) { registerFunction(module, c.name, c.parameters, c.value, true); },
+        [&](const Extern& c) { registerExtern(module, c); },
         [&](const Template& c) { registerTemplate(module, c); },
         // These items define no names for expressions.
         [](const AnyOf<std::monostate, Use, RuleSetBlock, Rule, Instance, Test, Property> auto&) {
@@ -162,6 +164,17 @@ void Library::registerFunction(Module& module, const Name& name,
   function.isBroken = found.hasErrors();
   for (Diagnostic& d : found.take()) context_.diagnostics.add(std::move(d));
   if (isFree(module, name, true)) module.functions[name.text] = function;
+}
+
+void Library::registerExtern(Module& module, const Extern& item) {
+  FunctionName function{&item.parameters, nullptr,       item.kind.text == "metric", false,
+                        &module,          item.name.span};
+  function.external = resolveExtern(context_, module, item);
+  function.isBroken = !function.external;
+  const auto known = module.functions.find(item.name.text);
+  const bool isImported = known != module.functions.end() && known->second.home != &module;
+  if (isImported && areDeclaredAlike(known->second, function)) return;
+  if (isFree(module, item.name, true)) module.functions[item.name.text] = function;
 }
 
 void Library::registerTemplate(Module& module, const Template& item) {
@@ -280,7 +293,7 @@ void Library::registerImport(Module& module, const Import& item) {
   for (const auto& [text, f] : imported->functions) {
     if (f.home != imported) continue;
     if (const auto [known, isNew] = module.functions.emplace(text, f);
-        !isNew && known->second.home != f.home)
+        !isNew && known->second.home != f.home && !areDeclaredAlike(known->second, f))
       clash(text, known->second.home, known->second.span);
   }
   for (const auto& [text, t] : imported->templates)

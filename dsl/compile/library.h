@@ -33,6 +33,7 @@ class Library {
   void registerConstant(Module& module, const Constant& item);
   void registerFunction(Module& module, const Name& name, const std::vector<Name>& parameters,
                         const Expr& body, bool isMetric);
+  void registerExtern(Module& module, const Extern& item);
   void registerTemplate(Module& module, const Template& item);
   void registerImport(Module& module, const Import& item);
   bool isFree(const Module& module, const Name& name, bool isFunction);

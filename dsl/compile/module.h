@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "dsl/program/registry.h"
 #include "dsl/program/values.h"
 #include "dsl/syntax/ast.h"
 #include "dsl/syntax/grammar.h"
@@ -26,14 +27,24 @@ struct ConstantName {
   Span span;
 };
 
-/// A `def` or a `metric`.
+/// What an `extern` declares: one of the three, as a program registered it. Where none is
+/// registered, it is a stand-in that never has a value, so that the rules can be checked.
+struct ExternName {
+  std::shared_ptr<const UserFunction> function;
+  std::shared_ptr<const UserShape> shape;
+  std::shared_ptr<const AF2ElementMetric> metric;
+  bool isMissing = false;  ///< whether it is a stand-in
+};
+
+/// A `def`, a `metric` or an `extern`.
 struct FunctionName {
-  const std::vector<Name>* parameters = nullptr;
+  const std::vector<Name>* parameters = nullptr;  ///< of an `extern`: the types of the arguments
   const Expr* body = nullptr;
   bool isMetric = false;
   bool isBroken = false;  ///< reported at the definition; calls cause no further errors
   const Module* home = nullptr;
   Span span;
+  std::shared_ptr<const ExternName> external = {};  ///< of an `extern`, which has no body
 };
 
 struct TemplateName {

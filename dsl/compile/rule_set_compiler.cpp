@@ -9,6 +9,7 @@
 #include "dsl/compile/ideal_score.h"
 #include "dsl/program/compiled_forms.h"
 #include "dsl/program/known_values.h"
+#include "engine/base/error.h"
 #include "engine/front/row_order.h"
 
 namespace af2::dsl {
@@ -102,7 +103,7 @@ void RuleSetCompiler::collect(const PlacedRuleSet& placed) {
         // These settings are looked up where they are needed.
         [](const AnyOf<std::monostate, ElementsSetting, MatchSetting, FadeSetting, ScoreSetting,
                        AcceptSetting, OrderSetting, RowsSetting, ClassesSetting, ScaleSetting,
-                       ParitySetting> auto&) {});
+                       ParitySetting, FinishSetting> auto&) {});
     const std::size_t slot = slotOf(setting.content);
     if (slot == 0) continue;
     if (seen[slot])
@@ -152,6 +153,7 @@ std::vector<double> RuleSetCompiler::table(const Expr& expr, const Module& home,
   const Value value = compiler.number(expr, what);
   std::vector<double> result(static_cast<std::size_t>(shared_.maxLevel), least);
   if (value.isAny()) return result;
+  if (!context_.missing.empty()) return result;
   const ExpressionFunction function(builder.program(std::array<Node, 1>{value.number}));
   for (int level = 1; level <= shared_.maxLevel; ++level) {
     const auto at = function.evaluate({{}, level, nullptr});
@@ -205,6 +207,14 @@ void RuleSetCompiler::readParity() {
                   "write `parity even;` or `parity any;`");
 }
 
+Finish RuleSetCompiler::finish() const {
+  const auto* setting = find<FinishSetting>();
+  if (!setting) return Finish::Shape;
+  const auto word = std::ranges::find(kFinishes, setting->finish.text);
+  AF2_CHECK(word != kFinishes.end(), "the grammar allows no other word");
+  return static_cast<Finish>(word - kFinishes.begin());
+}
+
 void RuleSetCompiler::readAllowed(const MetaClause& meta, const Module& home) {
   ProgramBuilder builder;
   ExpressionCompiler(context_, home, ExpressionPlace::Constant, Algebra(builder, {}))
@@ -245,6 +255,7 @@ bool RuleSetCompiler::hasValues(const Program& program, const Expr& expr, const 
 
 void RuleSetCompiler::checkMetric(const Program& program, const Expr& expr, const Module& home,
                                   int corners) {
+  if (!context_.missing.empty()) return;  // no element has a value
   if (!hasValues(program, expr, home, "the score")) return;
   const ExpressionFunction function(program);
   checkIdealScore(context_, expr, home, corners, shared_.maxLevel,
@@ -261,6 +272,13 @@ std::shared_ptr<const AF2ElementMetric> RuleSetCompiler::metric(const std::set<i
   const Expr& expr = score->metric;
   const bool isNameOrCall =
       (expr.kind == ExprKind::Name || expr.kind == ExprKind::Call) && expr.qualifier.empty();
+  if (isNameOrCall && expr.parts.empty())
+    if (const auto declared = home->functions.find(expr.name);
+        declared != home->functions.end() && declared->second.external &&
+        declared->second.external->isMissing && declared->second.external->metric) {
+      context_.missing.push_back({expr.name, declared->second.home, declared->second.span});
+      return declared->second.external->metric;
+    }
   if (isNameOrCall && expr.parts.empty())
     if (const auto found = context_.registry.metrics().find(expr.name);
         found != context_.registry.metrics().end()) {
@@ -313,6 +331,13 @@ std::shared_ptr<const AF2Acceptance> RuleSetCompiler::acceptance() {
       return std::make_shared<ScoreBound>(table(expr.parts[1], *home, "the bound", -1e6));
   }
   return std::make_shared<ExpressionAcceptance>(whole);
+}
+
+std::optional<DiagnosticPlace> RuleSetCompiler::acceptancePlace() const {
+  const Module* home = nullptr;
+  const auto* accept = find<AcceptSetting>(&home);
+  if (!accept) return std::nullopt;
+  return placeOf(home->source, accept->condition.span);
 }
 
 std::shared_ptr<const AF2FrontOrder> RuleSetCompiler::rows(const RowsSetting& setting,
@@ -394,6 +419,7 @@ RuleSetDefinition RuleSetCompiler::finish(const std::set<int>& sizes) {
                     "write `scale h;` or `scale base;`");
   }
   definition.parity = parity_;
+  definition.finish = finish();
   return definition;
 }
 

@@ -35,6 +35,9 @@ class RuleSetCompiler {
   /// Codes of findings that the rule set allows.
   const std::set<Code>& allowed() const { return allowed_; }
 
+  /// The place of the clause that says which scores are accepted; no value: there is none.
+  std::optional<DiagnosticPlace> acceptancePlace() const;
+
   /// The definition without its rules. `sizes`: the numbers of corners of the elements that the
   /// rules make.
   RuleSetDefinition finish(const std::set<int>& sizes);
@@ -52,6 +55,7 @@ class RuleSetCompiler {
   void readFade();
   void readKinds();
   void readParity();
+  Finish finish() const;
   void readAllowed(const MetaClause& meta, const Module& home);
   std::vector<double> table(const Expr& expr, const Module& home, const char* what, double least);
   bool hasValues(const Program& program, const Expr& expr, const Module& home, const char* what);

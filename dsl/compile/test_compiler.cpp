@@ -232,7 +232,6 @@ std::optional<CompiledExpectation::IsRule> TestCompiler::compileOutcome(const Ex
                                                                         bool negated) {
   CompiledExpectation::IsRule result;
   result.title = expected.title.text;
-  result.reason = expected.reason;
   const CompiledRule* rule = findRule(expected.title);
   for (const auto& [vertex, value] : expected.bindings) {
     const auto bound = known(value);
@@ -250,9 +249,13 @@ std::optional<CompiledExpectation::IsRule> TestCompiler::compileOutcome(const Ex
       result.bindings.emplace_back(vertex.text, *bound);
     }
   }
-  for (const Name& name : expected.reasonVertices)
-    if (const auto index = known(name)) result.reasonVertices.push_back(*index);
-  if (!expected.reason.empty() && !negated)
+  for (const ExpectedReason& reason : expected.reasons) {
+    CompiledExpectation::Reason compiled{reason.words, {}};
+    for (const Name& name : reason.vertices)
+      if (const auto index = known(name)) compiled.vertices.push_back(*index);
+    result.reasons.push_back(std::move(compiled));
+  }
+  if (!expected.reasons.empty() && !negated)
     tell(Code::UnexpectedText, expected.title.span, "`because` says why a rule is not applied", "",
          "write `expect not rule ... because ...`");
   if (!rule) return std::nullopt;

@@ -17,12 +17,15 @@ namespace af2::dsl {
 
 /// One `expect` with its names resolved.
 struct CompiledExpectation {
+  struct Reason {
+    std::string words;                  ///< as written
+    std::vector<std::size_t> vertices;  ///< one vertex, or the two of an edge
+  };
   struct IsRule {
     std::string title;
     std::vector<std::pair<std::string, std::size_t>>
-        bindings;                             ///< from pattern vertex to vertex of the test
-    std::string reason;                       ///< as written; empty: none
-    std::vector<std::size_t> reasonVertices;  ///< one vertex, or the two of an edge
+        bindings;                 ///< from pattern vertex to vertex of the test
+    std::vector<Reason> reasons;  ///< one of these; empty: any
   };
   struct NewAt {
     std::size_t index = 0;  ///< from 0

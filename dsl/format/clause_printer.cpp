@@ -60,14 +60,19 @@ std::string expectedVertexText(const ExpectedVertex& v) {
   return v.newIndex > 0 ? "new " + std::to_string(v.newIndex) : v.name.text;
 }
 
+std::string reasonText(const ExpectedReason& reason) {
+  return reason.words +
+         (reason.vertices.empty() ? "" : " " + join(reason.vertices, nameOf, " -> "));
+}
+
 std::string ruleOutcome(const ExpectRule& r) {
   std::string text = "rule " + quoted(r.title.text);
   if (!r.bindings.empty())
     text += " with " +
             join(r.bindings, [](const auto& b) { return b.first.text + " = " + b.second.text; });
-  if (r.reason.empty()) return text;
-  return text + " because " + r.reason +
-         (r.reasonVertices.empty() ? "" : " " + join(r.reasonVertices, nameOf, " -> "));
+  for (std::size_t i = 0; i < r.reasons.size(); ++i)
+    text += (i == 0 ? " because " : " or ") + reasonText(r.reasons[i]);
+  return text;
 }
 
 std::string outcomeText(const ExpectedOutcome& outcome) {
@@ -180,6 +185,9 @@ Line lineOf(const Setting& setting) {
       },
       [](const ParitySetting& c) {
         return Line{"parity", c.parity.text + ";"};
+      },
+      [](const FinishSetting& c) {
+        return Line{"finish", c.finish.text + ";"};
       },
       [](const MetaClause& c) {
         return Line{"meta", metaText(c)};

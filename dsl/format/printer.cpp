@@ -154,6 +154,13 @@ class Printer {
     return f.name.text + "(" + join(f.parameters, nameOf) + ") = " + printExpression(f.value) + ";";
   }
 
+  static std::string externText(const Extern& e) {
+    std::string text = "extern " + e.kind.text + " " + e.name.text;
+    if (e.hasList) text += "(" + join(e.parameters, nameOf) + ")";
+    if (e.result) text += " : " + e.result->text;
+    return text + ";";
+  }
+
   void printContent(const Item& item) {
     const Span span = item.span;
     match(
@@ -168,6 +175,7 @@ class Printer {
         },
         [&](const Function& c) { printLine("def " + functionText(c), span); },
         [&](const Metric& c) { printLine("metric " + functionText(c), span); },
+        [&](const Extern& c) { printLine(externText(c), span); },
         [&](const RuleSetBlock& c) {
           printBlock(
               "ruleset " + quoted(c.name.text) + (c.base ? " extends " + quoted(c.base->text) : ""),
@@ -191,9 +199,8 @@ class Printer {
     return match(
         item.content,
         [](const AnyOf<RuleSetBlock, Rule, Template, Test, Property> auto&) { return true; },
-        [](const AnyOf<std::monostate, Import, Use, Constant, Function, Metric, Instance> auto&) {
-          return false;
-        });
+        [](const AnyOf<std::monostate, Import, Use, Constant, Function, Metric, Extern,
+                       Instance> auto&) { return false; });
   }
 
   void printItem(const Item& item) {

@@ -41,17 +41,23 @@ std::vector<TextEdit> editsFor(const LoadedRules& loaded) {
   return edits;
 }
 
-FixedText fixText(const std::string& name, std::string text, const LoadOptions& options) {
+FixedText fixText(const std::string& name, std::string text, const LoadOptions& options,
+                  const DropFindings& drop) {
   constexpr int kMaxTries = 500;
   FixedText fixed{std::move(text), {}};
-  LoadedRules loaded = loadRulesFromText(name, fixed.text, options);
+  const auto load = [&](const std::string& candidate) {
+    LoadedRules result = loadRulesFromText(name, candidate, options);
+    if (drop && result.rules) drop(result, result.diagnostics);
+    return result;
+  };
+  LoadedRules loaded = load(fixed.text);
   int tries = 0;
   for (bool isBetter = true; isBetter;) {
     isBetter = false;
     for (const TextEdit& edit : editsFor(loaded)) {
       if (++tries > kMaxTries) return fixed;
       std::string candidate = edited(fixed.text, edit);
-      LoadedRules then = loadRulesFromText(name, candidate, options);
+      LoadedRules then = load(candidate);
       if (faultsOf(then) >= faultsOf(loaded)) continue;
       fixed.text = std::move(candidate);
       fixed.done.push_back(edit.what);

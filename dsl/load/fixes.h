@@ -1,6 +1,7 @@
 // Corrects faults automatically, for `af2 check --fix`.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -26,9 +27,12 @@ struct FixedText {
   std::vector<std::string> done;  ///< the changes, in order
 };
 
+/// Removes findings about a file that further checks have shown not to be worth an edit.
+using DropFindings = std::function<void(const LoadedRules& loaded, std::vector<Diagnostic>& told)>;
+
 /// Makes edits one after another, and keeps an edit only if it improves the file: fewer errors in
 /// words and clauses, or equally many and fewer in names and types, and so on down to warnings.
 AF2_EXPORT FixedText fixText(const std::string& name, std::string text,
-                             const LoadOptions& options = {});
+                             const LoadOptions& options = {}, const DropFindings& drop = {});
 
 }  // namespace af2::dsl

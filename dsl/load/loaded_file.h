@@ -22,8 +22,15 @@ struct LoadedFile {
   std::shared_ptr<const RuleSet> soundRules;
   std::vector<CompiledTest> tests;  ///< the tests of the file itself that have no errors
   std::vector<CompiledProperty> properties;
+  /// Names that the rules use and that no program has registered, once each. If `settings` of the
+  /// rule set use one, all rules depend on it.
+  std::vector<MissingName> missing;
   std::set<Code> allowed;  ///< codes that the rule set allows, for all rules
   const Module& main() const { return *modules.front(); }
 };
+
+/// Why the rules cannot be evaluated, in one line: "'egg' is declared, but nothing implements it;
+/// --plugin FILE loads a library that does". Empty if they can be.
+std::string missingText(const LoadedFile& file);
 
 }  // namespace af2::dsl

@@ -1,6 +1,7 @@
 #include "dsl/load/rule_file.h"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <set>
 #include <utility>
@@ -23,11 +24,12 @@ namespace {
 /// Compiles one main file: its rule set, its rules, and the rules that it uses from other files.
 class FileCompiler {
  public:
-  FileCompiler(CompileContext& context, const Library& library, bool needsRuleSet)
+  FileCompiler(CompileContext& context, const Library& library, const LoadOptions& options)
       : context_(context),
         library_(library),
         main_(*library.modules().front()),
-        needsRuleSet_(needsRuleSet) {}
+        needsRuleSet_(options.needsRuleSet),
+        allowed_(options.allowed) {}
 
   /// Null if there are errors or no rules. Compiled rules and tests are stored in `result`.
   std::shared_ptr<const RuleSet> compile(LoadedFile& result);
@@ -46,6 +48,8 @@ class FileCompiler {
   }
   const std::vector<CompiledRule>& rulesOf(const Module& library);
   void append(std::vector<CompiledRule> compiled);
+  void keepMissing(LoadedFile& result, const std::vector<MissingName>& ofSettings,
+                   const std::vector<MissingName>& ofTests);
   void checkKinds(const RuleSetCompiler& settings);
   void compileTests(LoadedFile& result);
   void compileProperty(const Property& property, LoadedFile& result);
@@ -58,13 +62,34 @@ class FileCompiler {
   const Library& library_;
   const Module& main_;
   bool needsRuleSet_;
+  const std::vector<Code>& allowed_;
   std::unique_ptr<RuleSetCompiler> settings_;
   std::vector<CompiledRule> rules_;
   std::map<const Module*, std::vector<CompiledRule>> libraryRules_;
 };
 
 void FileCompiler::append(std::vector<CompiledRule> compiled) {
-  for (CompiledRule& rule : compiled) rules_.push_back(std::move(rule));
+  const std::vector<MissingName> missing = std::exchange(context_.missing, {});
+  for (CompiledRule& rule : compiled) {
+    rule.missing = missing;
+    rules_.push_back(std::move(rule));
+  }
+}
+
+/// The settings apply to all rules, so none can be evaluated without what they call. Tests and
+/// properties need what they call only when they run.
+void FileCompiler::keepMissing(LoadedFile& result, const std::vector<MissingName>& ofSettings,
+                               const std::vector<MissingName>& ofTests) {
+  const auto add = [](std::vector<MissingName>& all, const std::vector<MissingName>& more) {
+    for (const MissingName& name : more)
+      if (std::ranges::find(all, name) == all.end()) all.push_back(name);
+  };
+  add(result.missing, ofSettings);
+  for (CompiledRule& rule : rules_) {
+    add(rule.missing, ofSettings);
+    add(result.missing, rule.missing);
+  }
+  add(result.missing, ofTests);
 }
 
 void FileCompiler::compileInstance(const Module& module, const Instance& instance) {
@@ -147,6 +172,7 @@ void FileCompiler::checkTemplate(const Module& module, const Template& item) {
     parameters[name.text] = p;
   }
   RuleCompiler(context_, module, settings_->shared()).compile(item.rule, parameters);
+  context_.missing.clear();  // only its instances are rules
 }
 
 bool FileCompiler::holdsRule(const Module& module, const std::string& title) const {
@@ -229,8 +255,8 @@ void FileCompiler::compileItems(const Module& module) {
         [&](const Use& use) { compileUse(module, use); },
         // Settings and names are read before the rules; tests and properties need all rules, so
         // they follow.
-        [](const AnyOf<std::monostate, Import, Constant, Function, Metric, RuleSetBlock, Test,
-                       Property> auto&) {});
+        [](const AnyOf<std::monostate, Import, Constant, Function, Metric, Extern, RuleSetBlock,
+                       Test, Property> auto&) {});
   }
 }
 
@@ -292,8 +318,8 @@ void FileCompiler::compileTests(LoadedFile& result) {
   };
   for (const Item& item : main_.parsed.file.items)
     match(item.content, addTest, addProperty,
-          [](const AnyOf<std::monostate, Import, Use, Constant, Function, Metric, RuleSetBlock,
-                         Rule, Template, Instance> auto&) {});
+          [](const AnyOf<std::monostate, Import, Use, Constant, Function, Metric, Extern,
+                         RuleSetBlock, Rule, Template, Instance> auto&) {});
 }
 
 /// Makes the rules for the engine, and removes from `rules` those that the engine would refuse.
@@ -321,14 +347,23 @@ std::shared_ptr<const RuleSet> FileCompiler::ruleSetOf(std::vector<CompiledRule>
 std::shared_ptr<const RuleSet> FileCompiler::compile(LoadedFile& result) {
   std::vector<PlacedRuleSet> sets = ruleSetChain(context_, library_, needsRuleSet_);
   const bool hasRuleSet = !sets.empty(), needsRules = needsRuleSet_ || hasRuleSet;
+  context_.missing.clear();  // definitions that no rule calls need no implementation
   settings_ = std::make_unique<RuleSetCompiler>(context_, main_, std::move(sets));
+  std::vector<MissingName> missing = std::exchange(context_.missing, {});
   result.allowed = settings_->allowed();
   compileItems(main_);
   checkTitles(main_, rules_, context_.diagnostics);
   checkKinds(*settings_);
   compileTests(result);
+  const std::vector<MissingName> ofTests = std::exchange(context_.missing, {});
   RuleSetDefinition definition = settings_->finish(sizesMade());
-  std::vector<CompiledRule> sound = runChecks({rules_, definition, main_}, context_.diagnostics);
+  std::ranges::move(std::exchange(context_.missing, {}), std::back_inserter(missing));
+  keepMissing(result, missing, ofTests);
+  std::set<Code> allowed = settings_->allowed();
+  allowed.insert(allowed_.begin(), allowed_.end());
+  std::vector<CompiledRule> sound =
+      runChecks({rules_, definition, main_, std::move(allowed), settings_->acceptancePlace()},
+                context_.diagnostics);
   if (rules_.empty() && !context_.diagnostics.hasErrors() && needsRules)
     context_.tell(main_, Code::RuleSetCount, {0, 0}, "this file has no rules",
                   "add `rule \"title\" quality 1 { ... }`");
@@ -343,12 +378,30 @@ std::shared_ptr<const RuleSet> FileCompiler::compile(LoadedFile& result) {
   return context_.diagnostics.hasErrors() ? nullptr : result.soundRules;
 }
 
+/// To evaluate rules, their functions, shapes and metrics must be there.
+void refuseMissing(CompileContext& context, const LoadedFile& file) {
+  for (const MissingName& missing : file.missing) {
+    Diagnostic d = missingImplementation(missing);
+    context.diagnostics.add(std::move(d));
+  }
+}
+
 bool isAllowed(const Diagnostic& d, const std::vector<Code>& allowed) {
   return d.severity == Severity::Warning &&
          std::find(allowed.begin(), allowed.end(), d.code) != allowed.end();
 }
 
 }  // namespace
+
+std::string missingText(const LoadedFile& file) {
+  if (file.missing.empty()) return {};
+  std::string names;
+  for (const MissingName& missing : file.missing)
+    names += (names.empty() ? "'" : ", '") + missing.name + "'";
+  return names + (file.missing.size() == 1 ? " is" : " are") +
+         " declared, but nothing implements " + (file.missing.size() == 1 ? "it" : "them") +
+         "; --plugin FILE loads a library that does";
+}
 
 LoadedRules loadRulesFromText(std::string name, std::string text, const LoadOptions& options) {
   static const Registry noRegistry;
@@ -358,7 +411,11 @@ LoadedRules loadRulesFromText(std::string name, std::string text, const LoadOpti
   library.load(std::move(name), std::move(text));
   auto file = std::make_shared<LoadedFile>();
   LoadedRules result;
-  result.rules = FileCompiler(context, library, options.needsRuleSet).compile(*file);
+  result.rules = FileCompiler(context, library, options).compile(*file);
+  if (options.externs == Externs::Registered && !file->missing.empty()) {
+    refuseMissing(context, *file);
+    result.rules = nullptr;
+  }
   file->modules = library.takeModules();
   result.file = std::move(file);
   result.diagnostics = diagnostics.take();

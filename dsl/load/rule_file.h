@@ -16,11 +16,18 @@ namespace af2::dsl {
 class Registry;
 struct LoadedFile;  // loaded_file.h, for AF2 itself
 
+/// Whether the names that a file declares with `extern` must be registered.
+enum class Externs {
+  Registered,  ///< R6 if a name that the rules use is not: to evaluate the rules
+  Declared,    ///< to check or to show rules; what needs a missing name counts as unknown
+};
+
 struct LoadOptions {
   /// The folders in which imports are searched after the folder of the importing file.
   std::vector<std::filesystem::path> searchPaths;
   /// Registered functions, metrics and zone shapes; null if there are none.
   const Registry* registry = nullptr;
+  Externs externs = Externs::Registered;
   /// Supplies texts in place of files on the disk, such as the unsaved files of an editor.
   TextSource unsaved;
   /// Codes of warnings that are not reported.

@@ -140,13 +140,13 @@ Value minAngle(const Algebra& a, Values, Values corners) {
 
 constexpr std::array kMetrics{
     BuiltinMetric{"shape_size", 1, "shape_size(weight)", shapeSize,
-                  "Metric: shape and edge lengths of a triangle."},
+                  "Metric: shape and edge lengths of an element."},
     BuiltinMetric{"jacobian_badness", 0, "jacobian_badness", jacobianBadness,
-                  "Metric: 0 for the square."},
+                  "Metric: 0 for the equilateral triangle and the square."},
     BuiltinMetric{"size_error", 0, "size_error", sizeError,
                   "Metric: 0 if all edges have the target size."},
     BuiltinMetric{"aspect_badness", 0, "aspect_badness", aspectBadness,
-                  "Metric: 0 if all edges have equal length."},
+                  "Metric: 0 for the equilateral triangle and the square."},
     BuiltinMetric{"scaled_jacobian", 0, "scaled_jacobian(u, v, w, x)", scaledJacobian,
                   "Measure: 1 for the ideal element, 0 for a flat one."},
     BuiltinMetric{"min_angle", 0, "min_angle(u, v, w, x)", minAngle,

@@ -6,6 +6,7 @@
 #include "dsl/match/match_sampler.h"
 #include "dsl/program/compiled_forms.h"
 #include "dsl/program/shape_program.h"
+#include "dsl/proof/changed_rules.h"
 #include "dsl/proof/rule_sample.h"
 #include "dsl/proof/test_text.h"
 
@@ -142,9 +143,12 @@ SampledFinding idleFinding(const RuleSet& rules, std::size_t index, std::size_t 
       "earlier conditions accept passes it",
       rule.name());
   finding.help = "compare it with the reference positions and their tolerances";
-  finding.test = writeTest(reference, {fmt::format("{}: applies where it fits", rule.name()),
-                                       {},
-                                       fmt::format("rule \"{}\"", rule.name())});
+  RuleDefinition without = rule.definition();
+  without.requirements.erase(without.requirements.begin() + static_cast<std::ptrdiff_t>(number));
+  if (ChangedRules::replacing(rules, index, std::move(without)).chooses(pieceOf(reference, level)))
+    finding.test = writeTest(reference, {fmt::format("{}: applies where it fits", rule.name()),
+                                         {},
+                                         fmt::format("rule \"{}\"", rule.name())});
   return finding;
 }
 

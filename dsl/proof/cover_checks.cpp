@@ -139,9 +139,10 @@ std::optional<SampledFinding> findUncovered(const RuleSample& sample) {
   finding.help = "an obstacle there would not be noticed; move the zone's corners outwards";
   finding.example = {match.match.vertices(), sample.level, {example.at}, {unseen}};
   finding.test = writeTest(
-      match.match, {fmt::format("{}: an obstacle inside the new element is seen", sample.name()),
-                    {unseen},
-                    fmt::format("not rule \"{}\" because zone hit by vertex o", sample.name())});
+      match.match,
+      {fmt::format("{}: an obstacle inside the new element is seen", sample.name()),
+       {unseen},
+       fmt::format("not rule \"{}\" because zone hit by vertex o or class", sample.name())});
   return finding;
 }
 

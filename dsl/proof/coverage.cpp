@@ -76,6 +76,19 @@ int lowestLevel(SingleStepper& stepper, FrontPiece piece, int lastLevel) {
   return CoverageMap::kNone;
 }
 
+/// Whether a rule would be chosen at this level if its score were accepted.
+bool isRefusedByScore(SingleStepper& stepper, FrontPiece piece, int level) {
+  piece.level = level;
+  return std::ranges::any_of(stepper.take(piece).refusals, [](const RuleRefusal& refusal) {
+    return refusal.reason == Refusal::Score;
+  });
+}
+
+/// Whether no rule accepts an ordinary situation.
+bool isLeftOut(const CoverageMap& map, std::size_t i) {
+  return map.isOrdinary[i] && map.levels[i] == CoverageMap::kNone;
+}
+
 template <class MakePiece>
 CoverageMap mapOf(SingleStepper& stepper, int lastLevel, CoverageMap map, const MakePiece& make) {
   for (const double y : map.ys)
@@ -83,6 +96,8 @@ CoverageMap mapOf(SingleStepper& stepper, int lastLevel, CoverageMap map, const 
       map.pieces.push_back(make(x, y));
       map.levels.push_back(lowestLevel(stepper, map.pieces.back(), lastLevel));
       map.isOrdinary.push_back(isOrdinary(map.pieces.back()));
+      map.isRefusedByScore.push_back(isLeftOut(map, map.levels.size() - 1) &&
+                                     isRefusedByScore(stepper, map.pieces.back(), lastLevel));
     }
   return map;
 }
@@ -98,10 +113,6 @@ std::string testOf(const FrontPiece& piece, const std::string& title, int level)
   return fmt::format(
       "test \"{}\" {{\n  front {};\n  base a -> b;\n  class {};\n  expect not stuck;\n}}\n", title,
       front, level);
-}
-
-bool isLeftOut(const CoverageMap& map, std::size_t i) {
-  return map.isOrdinary[i] && map.levels[i] == CoverageMap::kNone;
 }
 
 /// A situation in the middle of a row of uncovered ones, so that it is not a borderline case.
@@ -178,11 +189,14 @@ std::optional<SampledFinding> findUncoveredSituations(const Coverage& coverage) 
   std::string shares;
   SampledFinding finding(Code::UncoveredSituation);
   double worst = 0;
+  bool isScoreAtFault = true;  // in each of the situations that are shown
   for (const CoverageMap& map : coverage.maps) {
     const double share = shareLeftOut(map);
     if (share <= kTolerable) continue;
     shares += fmt::format("{}{} of {}", shares.empty() ? "" : ", ", percent(share), map.title);
-    const FrontPiece& piece = map.pieces[typicalGap(map)];
+    const std::size_t gap = typicalGap(map);
+    const FrontPiece& piece = map.pieces[gap];
+    isScoreAtFault = isScoreAtFault && map.isRefusedByScore[gap];
     const std::string test = testOf(piece, "a rule takes " + map.title, coverage.lastLevel);
     if (share > worst) finding.example = {piece.vertices, coverage.lastLevel, {}, {}};
     worst = std::max(worst, share);
@@ -194,7 +208,10 @@ std::optional<SampledFinding> findUncoveredSituations(const Coverage& coverage) 
   if (shares.empty()) return std::nullopt;
   finding.message = fmt::format("no rule takes some ordinary pieces of front up to level {}: {}",
                                 coverage.lastLevel, shares);
-  finding.help = "add a rule for them, or let the acceptance bound grow faster with the level";
+  finding.help =
+      isScoreAtFault
+          ? "add a rule for them, or let the bound of `accept` grow faster with the level"
+          : "add a rule for them, or loosen the tolerances or the zone of one that is near";
   return finding;
 }
 

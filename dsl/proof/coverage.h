@@ -22,6 +22,9 @@ struct CoverageMap {
   std::vector<int> levels;     ///< by row, then column: the lowest level at which a rule applies
   std::vector<FrontPiece> pieces;  ///< the situations themselves
   std::vector<bool> isOrdinary;    ///< see isOrdinary below
+  /// Whether some rule is refused at the last level for its score alone: a more generous acceptance
+  /// would let it be chosen.
+  std::vector<bool> isRefusedByScore = {};
 
   int level(std::size_t x, std::size_t y) const { return levels[y * xs.size() + x]; }
 };

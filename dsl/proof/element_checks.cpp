@@ -77,6 +77,19 @@ std::optional<SampledMatch> flattened(const RuleSample& sample, SampledMatch bes
   return std::nullopt;
 }
 
+/// The condition that an element is positive: "convex(a, b, c, d)".
+std::string leftTurnOf(const RuleDefinition& rule, int element) {
+  const RuleElement& corners = rule.elements[static_cast<std::size_t>(element)];
+  std::string names;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(corners.size()); ++i) {
+    const auto v = static_cast<std::size_t>(corners.corners[i]);
+    const bool isMatched = v < rule.vertices.size();
+    names += (i == 0 ? "" : ", ") +
+             (isMatched ? rule.vertices[v].name : rule.newVertexNames[v - rule.vertices.size()]);
+  }
+  return (corners.size() == 3 ? "ccw(" : "convex(") + names + ")";
+}
+
 SampledFinding invertedFinding(const RuleSample& sample, const SampledMatch& nearest,
                                std::string share) {
   const auto shows = [](const SampledMatch& one) { return invertedElement(one).has_value(); };
@@ -87,12 +100,14 @@ SampledFinding invertedFinding(const RuleSample& sample, const SampledMatch& nea
   finding.message =
       fmt::format("a new element is inverted at {} that rule '{}' accepts at level {}", share,
                   sample.name(), sample.level);
-  finding.help = "require that the corners turn left, or make the pattern's tolerance smaller";
+  finding.help = fmt::format("add `require {}` after the vertices, or make a tolerance smaller",
+                             leftTurnOf(sample.rule.definition(), inverted.element));
   finding.example = {example.match.vertices(), sample.level, {inverted.corner}, {}};
-  finding.test =
-      writeTest(example.match, {fmt::format("{}: no element turns over", sample.name()),
-                                {},
-                                fmt::format("not rule \"{}\" because require", sample.name())});
+  finding.test = writeTest(
+      example.match,
+      {fmt::format("{}: no element turns over", sample.name()),
+       {},
+       fmt::format("not rule \"{}\" because require or pattern or class", sample.name())});
   return finding;
 }
 

@@ -76,6 +76,28 @@ DiagnosticNote testNote(const std::string& test) {
   return {onOneLine(test), std::nullopt, DiagnosticNote::Kind::Test};
 }
 
+std::set<std::size_t> unknownRules(const LoadedRules& loaded) {
+  std::set<std::size_t> unknown;
+  const std::vector<CompiledRule>& rules = loaded.file->rules;
+  for (std::size_t i = 0; i < rules.size(); ++i)
+    if (!rules[i].missing.empty()) unknown.insert(i);
+  return unknown;
+}
+
+std::vector<Diagnostic> missingNamesIn(const LoadedRules& loaded) {
+  std::vector<Diagnostic> diagnostics;
+  const std::size_t count = unknownRules(loaded).size();
+  for (const MissingName& missing : loaded.file->missing) {
+    Diagnostic d = missingImplementation(missing);
+    d.severity = Severity::Warning;
+    d.notes.push_back({std::to_string(count) + (count == 1 ? " rule is" : " rules are") +
+                           " checked by the text alone, and gaps between rules are not looked for",
+                       std::nullopt});
+    if (!isMeantToBe(*loaded.file, d)) diagnostics.push_back(std::move(d));
+  }
+  return diagnostics;
+}
+
 std::vector<Diagnostic> diagnosticsOf(const LoadedRules& loaded, const SampledResult& result) {
   std::vector<Diagnostic> diagnostics;
   for (const SampledFinding& finding : result.findings) {

@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,13 @@
 #include "engine/base/export.h"
 
 namespace af2::dsl {
+
+/// The rules that call names that are declared and not registered, by their index in the rule set.
+/// They cannot be evaluated.
+AF2_EXPORT std::set<std::size_t> unknownRules(const LoadedRules& loaded);
+
+/// R6 as a warning at each of these declarations, with what is not checked because of it.
+AF2_EXPORT std::vector<Diagnostic> missingNamesIn(const LoadedRules& loaded);
 
 /// One diagnostic for each finding, with the counter-example as a `test` on one line in a note.
 /// Findings with codes that the rule allows are left out: meta { allow "Z1, Z2"; }.
@@ -31,6 +39,10 @@ struct MirrorExample {
 /// found.
 AF2_EXPORT std::optional<MirrorExample> mirrorExampleOf(const LoadedRules& loaded,
                                                         const Diagnostic& finding);
+
+/// Takes away the findings of M1 that ask for a mirror image which would never be chosen: whoever
+/// added it would be told so by D3.
+AF2_EXPORT void dropIdleMirrors(const LoadedRules& loaded, std::vector<Diagnostic>& told);
 
 /// A test as a note, on one line.
 AF2_EXPORT DiagnosticNote testNote(const std::string& test);

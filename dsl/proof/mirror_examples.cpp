@@ -5,7 +5,9 @@
 
 #include "dsl/load/loaded_file.h"
 #include "dsl/match/match_sampler.h"
+#include "dsl/proof/changed_rules.h"
 #include "dsl/proof/match_diagnostics.h"
+#include "dsl/proof/rule_sample.h"
 #include "dsl/proof/test_text.h"
 
 namespace af2::dsl {
@@ -30,31 +32,55 @@ bool isDone(const SingleStep& step, const AF2Rule& image, const std::vector<Poin
                   placed[static_cast<std::size_t>(image.matchedCount())]) <= kSamePlace;
 }
 
-/// Whether the image would apply at a match, and no rule does the same.
-bool isMissing(SingleStepper& stepper, const RuleSet& rules, const PatternMatch& match) {
-  if (!evaluateMatch(rules, match.rule(), match.binding()).refused.isNone()) return false;
-  const SingleStep step = stepper.take(pieceOf(match, match.level()));
-  return !isDone(step, match.rule(), *match.placeAll());
+/// Whether the image would be chosen at a match, and no rule does the same now.
+bool isMissing(SingleStepper& stepper, ChangedRules& withImage, const PatternMatch& match) {
+  const FrontPiece piece = pieceOf(match, match.level());
+  return withImage.chooses(piece) && !isDone(stepper.take(piece), match.rule(), *match.placeAll());
+}
+
+/// The rule that a finding of M1 asks an image of, as its index in the rule set.
+std::optional<std::size_t> ruleWithoutMirror(const LoadedRules& loaded, const Diagnostic& finding) {
+  if (finding.code != Code::MissingMirror) return std::nullopt;
+  const auto& compiled = loaded.file->rules;
+  const auto rule = std::ranges::find_if(compiled, [&](const CompiledRule& one) {
+    return one.definition.name == finding.rule && one.image;
+  });
+  const auto index = static_cast<std::size_t>(rule - compiled.begin());
+  const bool isSound = index < loaded.rules->rules().size() &&
+                       rule->definition.firstLevel <= loaded.rules->maxLevel();
+  return isSound ? std::optional(index) : std::nullopt;
+}
+
+/// Whether no situation is found in which the image of a rule would be chosen.
+bool isImageNeverChosen(const LoadedRules& loaded, std::size_t rule) {
+  constexpr int kMatches = 600;
+  SamplingOptions options;
+  options.situations = 300;
+  ChangedRules withImage =
+      ChangedRules::adding(*loaded.rules, rule, *loaded.file->rules[rule].image);
+  const auto levels = levelsOf(withImage.rules(), withImage.rules().rules()[withImage.index()]);
+  if (levels.empty()) return false;
+  const RuleSample sample =
+      sampleRule(withImage.rules(), withImage.index(), levels.front(), kMatches, options.seed);
+  return findNeverChosen(sample, withImage.stepper(), options).has_value();
 }
 
 }  // namespace
 
 std::optional<MirrorExample> mirrorExampleOf(const LoadedRules& loaded, const Diagnostic& finding) {
   constexpr int kTries = 60;
-  const auto& compiled = loaded.file->rules;
-  const auto rule = std::ranges::find_if(compiled, [&](const CompiledRule& one) {
-    return one.definition.name == finding.rule && one.image;
-  });
-  if (finding.code != Code::MissingMirror || rule == compiled.end()) return std::nullopt;
+  const auto rule = ruleWithoutMirror(loaded, finding);
+  if (!rule) return std::nullopt;
   const RuleSet& rules = *loaded.rules;
-  const int level = rule->definition.firstLevel;
-  if (level > rules.maxLevel()) return std::nullopt;
-  MirrorExample example{std::make_shared<const AF2Rule>(*rule->image), {}, {}};
+  const RuleDefinition& definition = *loaded.file->rules[*rule].image;
+  const int level = definition.firstLevel;
+  MirrorExample example{std::make_shared<const AF2Rule>(definition), {}, {}};
   const AF2Rule& image = *example.image;
   SingleStepper stepper(rules);
+  ChangedRules withImage = ChangedRules::adding(rules, *rule, definition);
   MatchSampler sampler(rules, image, level, 1);
   std::optional<PatternMatch> match = PatternMatch::atReference(image, level);
-  for (int i = 0; match && !isMissing(stepper, rules, *match); ++i)
+  for (int i = 0; match && !isMissing(stepper, withImage, *match); ++i)
     match = i < kTries ? sampler.next() : std::nullopt;
   if (!match) return std::nullopt;
   example.example = {match->vertices(), level, {}, {}};
@@ -62,6 +88,14 @@ std::optional<MirrorExample> mirrorExampleOf(const LoadedRules& loaded, const Di
                                     {},
                                     expectationOf(image, *match->placeAll())});
   return example;
+}
+
+void dropIdleMirrors(const LoadedRules& loaded, std::vector<Diagnostic>& told) {
+  std::erase_if(told, [&](const Diagnostic& d) {
+    const bool asksForMirror = d.notes.empty();  // else it is about two rules that are there
+    const auto rule = asksForMirror ? ruleWithoutMirror(loaded, d) : std::nullopt;
+    return rule && isImageNeverChosen(loaded, *rule);
+  });
 }
 
 }  // namespace af2::dsl

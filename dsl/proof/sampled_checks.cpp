@@ -34,7 +34,7 @@ class RuleChecks {
 
   RuleAnswers run() {
     RuleAnswers answers;
-    if (levels_.empty()) return answers;
+    if (levels_.empty() || options_.unknown.contains(index_)) return answers;
     answers.isTried = true;
     if (options_.onlyErrors) levels_.erase(levels_.begin() + 1, levels_.end());
     if (!options_.onlyErrors)

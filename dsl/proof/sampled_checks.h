@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <functional>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -19,8 +20,10 @@ struct SamplingOptions {
   int situations = 1000;  ///< pieces of front in which a rule may be chosen (D3)
   /// Only the errors: G2 and Z1 at the first level of each rule. All else are warnings.
   bool onlyErrors = false;
-  std::uint64_t seed = 1;                  ///< the same seed gives the same findings
-  ProofEffort effort = kUsualEffort;       ///< for each rule, for G2 and for Z1
+  std::uint64_t seed = 1;             ///< the same seed gives the same findings
+  ProofEffort effort = kUsualEffort;  ///< for each rule, for G2 and for Z1
+  /// Indices of rules that cannot be evaluated, see unknownRules(); they are skipped.
+  std::set<std::size_t> unknown = {};
   std::function<bool()> isCancelled = {};  ///< called before each rule; true: skip the rest
 };
 

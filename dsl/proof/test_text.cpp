@@ -70,6 +70,11 @@ class Writer {
 
 }  // namespace
 
+std::string refusedOtherwise(const std::string& title) {
+  return fmt::format(
+      "not rule \"{}\" because pattern or require or class or inverted or score or beaten", title);
+}
+
 std::string percent(double share) {
   const double value = 100 * share;
   return value >= 10 || value == 0 ? fmt::format("{:.0f} %", value)

@@ -18,6 +18,9 @@ struct TestText {
 /// test uses exactly the same match.
 std::string writeTest(const PatternMatch& match, const TestText& text);
 
+/// What is expected of a rule that no longer fails for its zone, but is not chosen either.
+std::string refusedOtherwise(const std::string& title);
+
 /// A share in per cent, with at least two significant digits: "0.41 %", "86 %".
 std::string percent(double share);
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <memory>
 
+#include "dsl/proof/changed_rules.h"
 #include "dsl/proof/rule_sample.h"
 #include "dsl/proof/test_text.h"
 #include "dsl/proof/zone_depth.h"
@@ -79,6 +80,40 @@ Growth worstGrowth(const PatternMatch& match, const std::vector<int>& levels) {
   return worst;
 }
 
+FrontPiece pieceWith(const PatternMatch& match, Point2 obstacle) {
+  FrontPiece piece = pieceOf(match, match.level());
+  piece.isolated.push_back(piece.vertices.size());
+  piece.vertices.push_back(obstacle);
+  return piece;
+}
+
+/// A lost match, and what a test expects there once no match is lost to the zone.
+struct LostMatch {
+  SampledMatch match;
+  std::string expectation;
+};
+
+/// The lost match that is nearest to the reference, of those at which the rule would be chosen if
+/// its zone were a path. Else the nearest one, where the rule is refused for another reason then.
+LostMatch nearestLost(const RuleSample& sample, const SampledMatch* reference) {
+  constexpr std::size_t kTries = 60;
+  std::vector<const SampledMatch*> lost;
+  for (const SampledMatch& one : sample.matches)
+    if (isLost(one)) lost.push_back(&one);
+  std::ranges::stable_sort(lost, {}, [](const SampledMatch* one) { return one->deviation; });
+  if (reference) lost.insert(lost.begin(), reference);
+  ChangedRules changed =
+      ChangedRules::replacing(sample.rules, sample.index, withPathAsZone(sample.rule.definition()));
+  const auto isChosen = [&](const SampledMatch& one) {
+    return isLost(one) && changed.chooses(pieceOf(one.match, sample.level));
+  };
+  for (std::size_t i = 0; i < std::min(kTries, lost.size()); ++i)
+    if (isChosen(*lost[i]))
+      return {simplified(*lost[i], sample.rules, isChosen),
+              fmt::format("rule \"{}\"", sample.name())};
+  return {simplified(*lost.front(), sample.rules, isLost), refusedOtherwise(sample.name())};
+}
+
 SampledFinding growthFinding(const RuleSample& sample, const PatternMatch& match,
                              const Growth& growth, int count, int looked) {
   SampledFinding finding = findingAbout(sample, Code::GrowingZone);
@@ -90,10 +125,14 @@ SampledFinding growthFinding(const RuleSample& sample, const PatternMatch& match
   const Point2 obstacle = grownPlace(match, growth);
   finding.example = {match.vertices(), growth.laterLevel, {growth.at}, {obstacle}};
   const PatternMatch later(sample.rule, match.vertices(), growth.laterLevel);
+  ChangedRules kept = ChangedRules::replacing(sample.rules, sample.index,
+                                              withZoneKept(sample.rule.definition(), growth.level));
+  const bool isChosen = kept.chooses(pieceWith(later, obstacle));
   finding.test = writeTest(
-      later, {fmt::format("{}: what is free at level {} stays free", sample.name(), growth.level),
-              {obstacle},
-              fmt::format("rule \"{}\"", sample.name())});
+      later,
+      {fmt::format("{}: what is free at level {} stays free", sample.name(), growth.level),
+       {obstacle},
+       isChosen ? fmt::format("rule \"{}\"", sample.name()) : refusedOtherwise(sample.name())});
   return finding;
 }
 
@@ -113,11 +152,8 @@ std::optional<SampledFinding> findLost(const RuleSample& sample) {
   const bool losesReference = isAccepted && isLost(reference);
   if (share <= kTolerable && !losesReference) return std::nullopt;
 
-  const SampledMatch* nearest = losesReference ? &reference : nullptr;
-  for (const SampledMatch& one : sample.matches)
-    if (isLost(one) && (!nearest || one.deviation < nearest->deviation)) nearest = &one;
+  const auto [example, expectation] = nearestLost(sample, losesReference ? &reference : nullptr);
   SampledFinding finding = findingAbout(sample, Code::InvalidZone);
-  const SampledMatch example = simplified(*nearest, sample.rules, isLost);
   const bool isConvexity = example.zoneRefusal == Refusal::Convexity;
   finding.message =
       fmt::format("{} of the matches of rule '{}' at level {} are refused because its zone {}",
@@ -127,9 +163,8 @@ std::optional<SampledFinding> findLost(const RuleSample& sample) {
                              : "make the tolerance smaller, or give the shape another form";
   finding.example = {example.match.vertices(), sample.level, {}, {}};
   finding.test =
-      writeTest(example.match, {fmt::format("{}: no match is lost to its zone", sample.name()),
-                                {},
-                                fmt::format("rule \"{}\"", sample.name())});
+      writeTest(example.match,
+                {fmt::format("{}: no match is lost to its zone", sample.name()), {}, expectation});
   return finding;
 }
 

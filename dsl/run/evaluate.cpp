@@ -70,14 +70,21 @@ std::string numberText(double value) {
   return text;
 }
 
+/// For sentences, where the first digits are enough.
+std::string shortText(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.4g", value);
+  return text;
+}
+
 std::string patternSentence(const RuleDefinition& rule, const RefusalCause& cause) {
   const auto index = static_cast<std::size_t>(cause.index);
   const auto name = [&](int v) { return rule.vertices[static_cast<std::size_t>(v)].name; };
   const std::string part = cause.isEdge ? "the slope of " + name(rule.edges[index].from) + " -> " +
                                               name(rule.edges[index].to)
                                         : "vertex " + rule.vertices[index].name;
-  return part + " deviates by " + numberText(cause.value) + " from its reference; at most " +
-         numberText(cause.limit) + " is allowed";
+  return part + " deviates by " + shortText(cause.value) + " from its reference; at most " +
+         shortText(cause.limit) + " is allowed";
 }
 
 std::string levelSentence(const RuleDefinition& rule, int level) {
@@ -102,7 +109,7 @@ std::string sentence(const RuleDefinition& rule, const RuleEvaluation& evaluatio
     case Refusal::Inverted:
       return "element " + number + " does not turn left at each corner";
     case Refusal::Score:
-      return "the rule set does not accept a score of " + numberText(*evaluation.score) +
+      return "the rule set does not accept a score of " + shortText(*evaluation.score) +
              " at level " + std::to_string(level);
     default:
       return {};

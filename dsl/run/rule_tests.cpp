@@ -7,6 +7,7 @@
 
 #include "dsl/load/loaded_file.h"
 #include "dsl/match/match_sampler.h"
+#include "dsl/run/explain.h"
 
 namespace af2::dsl {
 namespace {
@@ -68,14 +69,14 @@ class Verdict {
   }
 
   /// If several edges or vertices hit the zone, each of them is an accepted reason.
-  bool isReason(const RuleRefusal& refusal, const Expected::IsRule& expected) const {
-    if (expected.reason == "shape")
+  bool isReason(const RuleRefusal& refusal, const Expected::Reason& expected) const {
+    if (expected.words == "shape")
       return refusal.reason == Refusal::Shape || refusal.reason == Refusal::Convexity;
-    if (!expected.reasonVertices.empty())
+    if (!expected.vertices.empty())
       return (refusal.reason == Refusal::ZoneHitByVertex ||
               refusal.reason == Refusal::ZoneHitByEdge) &&
-             isObstacle(refusal.rule, expected.reasonVertices);
-    return expected.reason == toString(refusal.reason);
+             isObstacle(refusal.rule, expected.vertices);
+    return expected.words == toString(refusal.reason);
   }
 
   bool isObstacle(std::size_t rule, const std::vector<std::size_t>& vertices) const {
@@ -102,9 +103,11 @@ class Verdict {
   /// For `expect not rule ... because ...` the caller negates the answer.
   bool isMet(const Expected::IsRule& expected, bool negated) const {
     const bool isApplied = applied() && applied()->name() == expected.title && isBoundSo(expected);
-    if (!negated || expected.reason.empty() || isApplied) return isApplied;
+    if (!negated || expected.reasons.empty() || isApplied) return isApplied;
     const RuleRefusal* refusal = refusalOf(expected.title);
-    return !(refusal && isReason(*refusal, expected));
+    return !refusal || std::ranges::none_of(expected.reasons, [&](const Expected::Reason& reason) {
+      return isReason(*refusal, reason);
+    });
   }
 
   bool isMet(const Expected::NewAt& expected, bool) const {
@@ -225,6 +228,9 @@ TestResult runTest(const LoadedRules& rules, SingleStepper& stepper, const Compi
   for (const CompiledExpectation& e : test.expectations)
     if (!verdict.holds(e))
       result.failures.push_back({placeOf(source, e.span), written(source, e.span), verdict.got(e)});
+  if (!result.passed())
+    result.explanation =
+        toText(explainStep(*rules.rules, stepper, test.piece, test.vertexNames, true), "      ");
   return result;
 }
 
@@ -286,7 +292,7 @@ std::string toText(const TestResult& result) {
             std::to_string(failure.place.line) + ")\n";
     text += "      got:      " + failure.got + "\n";
   }
-  return text;
+  return text + result.explanation;
 }
 
 }  // namespace af2::dsl

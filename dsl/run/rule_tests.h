@@ -26,6 +26,7 @@ struct TestResult {
   std::string appliedRule;  ///< empty: none
   double score = 0;
   bool isProperty = false;
+  std::string explanation;  ///< of each rule, if the test failed; lines of a table
   std::size_t samples = 0;  ///< for a property: the number of matches tried
   bool passed() const { return failures.empty(); }
 };

@@ -80,6 +80,10 @@ void SymbolIndexBuilder::defineItems(const Module& module) {
         [&](const Constant& c) { add(SymbolKind::Constant, c.name, c.doc); },
         [&](const Function& c) { add(SymbolKind::Function, c.name, c.doc); },
         [&](const Metric& c) { add(SymbolKind::Metric, c.name, c.doc); },
+        [&](const Extern& c) {
+          const bool isMetric = c.kind.text == "metric";
+          add(isMetric ? SymbolKind::Metric : SymbolKind::Function, c.name, c.doc);
+        },
         [&](const RuleSetBlock& c) { add(SymbolKind::RuleSet, c.name, c.doc); },
         [&](const Rule& c) {
           add(SymbolKind::Rule, c.title, c.doc);

@@ -253,7 +253,7 @@ void SymbolIndexBuilder::useItem(const Item& item) {
         useRule(c.rule, Names(locals_));
       },
       [&](const AnyOf<Use, RuleSetBlock, Instance, Test, Property> auto& c) { use(c); },
-      [](const AnyOf<std::monostate, Import> auto&) {});
+      [](const AnyOf<std::monostate, Import, Extern> auto&) {});
 }
 
 void SymbolIndexBuilder::build() {

@@ -344,9 +344,16 @@ struct ParitySetting {
   void visitParts(auto&&) const {}  // parities are keywords
 };
 
-using SettingContent = std::variant<std::monostate, ElementsSetting, MatchSetting, FadeSetting,
-                                    ScoreSetting, AcceptSetting, OrderSetting, RowsSetting,
-                                    ClassesSetting, ScaleSetting, ParitySetting, MetaClause>;
+struct FinishSetting {
+  Name finish;
+
+  void visitParts(auto&&) const {}  // ways to finish are keywords
+};
+
+using SettingContent =
+    std::variant<std::monostate, ElementsSetting, MatchSetting, FadeSetting, ScoreSetting,
+                 AcceptSetting, OrderSetting, RowsSetting, ClassesSetting, ScaleSetting,
+                 ParitySetting, FinishSetting, MetaClause>;
 
 struct Setting {
   Span span;
@@ -426,11 +433,16 @@ struct ExpectedVertex {
   }
 };
 
+/// One reason of a refusal.
+struct ExpectedReason {
+  std::string words;           ///< joined by blanks
+  std::vector<Name> vertices;  ///< of `zone hit by edge u -> v`, `zone hit by vertex r`
+};
+
 struct ExpectRule {
   Name title;
   std::vector<std::pair<Name, Name>> bindings;  ///< with c = r
-  std::string reason;                ///< because ...: the words joined by blanks; empty: none
-  std::vector<Name> reasonVertices;  ///< of `zone hit by edge u -> v`, `zone hit by vertex r`
+  std::vector<ExpectedReason> reasons;          ///< because ... or ...; empty: none
 
   void visitParts(auto&& part) const {
     part(NameRole::RuleTitle, title);
@@ -438,7 +450,8 @@ struct ExpectRule {
       part(NameRole::RuleVertex, vertex);
       part(NameRole::Vertex, inTest);
     }
-    for (const Name& name : reasonVertices) part(NameRole::Vertex, name);
+    for (const ExpectedReason& reason : reasons)
+      for (const Name& name : reason.vertices) part(NameRole::Vertex, name);
   }
 };
 
@@ -551,7 +564,17 @@ struct Metric {
   Expr value;
 };
 
-using ItemContent = std::variant<std::monostate, Import, Use, Constant, Function, Metric,
+/// extern function heat(point) : number;
+struct Extern {
+  std::string doc;
+  Name kind;  ///< function, shape or metric
+  Name name;
+  bool hasList = false;          ///< whether there are parentheses
+  std::vector<Name> parameters;  ///< the types of the arguments
+  std::optional<Name> result;    ///< the type of the value
+};
+
+using ItemContent = std::variant<std::monostate, Import, Use, Constant, Function, Metric, Extern,
                                  RuleSetBlock, Rule, Template, Instance, Test, Property>;
 
 struct Item {

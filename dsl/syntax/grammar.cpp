@@ -25,6 +25,7 @@ AF2_RULE(rowsSetting, RowsSetting, "front rows");
 AF2_RULE(classesSetting, ClassesSetting, "classes");
 AF2_RULE(scaleSetting, ScaleSetting, "scale");
 AF2_RULE(paritySetting, ParitySetting, "parity");
+AF2_RULE(finishSetting, FinishSetting, "finish");
 AF2_RULE(setting, Setting, "a setting", : Recovering<SyntaxUnit::Setting>);
 AF2_RULE(ruleSet, RuleSetBlock, "a rule set");
 
@@ -61,12 +62,15 @@ const auto scaleSetting_def =
 const auto paritySetting_def =
     word("parity") >>
     need(OneOf(kParities), "even or any")[into(&ParitySetting::parity)] >> settingEnd;
-const auto setting_def =
-    spanned(!word("}") >> !atBlockEnd >>
-            (elementsSetting[content] | matchSetting[content] | fadeSetting[content] |
-             scoreSetting[content] | acceptSetting[content] | orderSetting[content] |
-             rowsSetting[content] | classesSetting[content] | scaleSetting[content] |
-             paritySetting[content] | meta[content] | need(Nothing(), kSetting)));
+const auto finishSetting_def =
+    word("finish") >>
+    need(OneOf(kFinishes), "shape, score or none")[into(&FinishSetting::finish)] >> settingEnd;
+const auto setting_def = spanned(
+    !word("}") >> !atBlockEnd >>
+    (elementsSetting[content] | matchSetting[content] | fadeSetting[content] |
+     scoreSetting[content] | acceptSetting[content] | orderSetting[content] | rowsSetting[content] |
+     classesSetting[content] | scaleSetting[content] | paritySetting[content] |
+     finishSetting[content] | meta[content] | need(Nothing(), kSetting)));
 const auto ruleSet_def =
     word("ruleset") >> need(string, "the rule set's name in quotes")[into(&RuleSetBlock::name)] >>
     -(word("extends") >> need(string, "a rule set's name in quotes")[into(&RuleSetBlock::base)]) >>
@@ -74,15 +78,19 @@ const auto ruleSet_def =
 
 BOOST_SPIRIT_DEFINE(elementsSetting, matchSetting, fadeSetting, scoreSetting, acceptSetting,
                     orderSetting, rowsArgument, rowsSetting, classesSetting, scaleSetting,
-                    paritySetting, setting, ruleSet)
+                    paritySetting, finishSetting, setting, ruleSet)
 
 // ---- files --------------------------------------------------------------------------------------
+
+constexpr const char* kArgumentType = "number, angle, point or vector";
 
 AF2_RULE(importItem, Import, "import");
 AF2_RULE(useItem, Use, "use");
 AF2_RULE(constant, Constant, "const");
 AF2_RULE(function, Function, "def");
 AF2_RULE(metric, Metric, "metric");
+AF2_RULE(externTypes, std::vector<Name>, "the types of arguments");
+AF2_RULE(externItem, Extern, "extern");
 AF2_RULE(fileItem, Item, "an item", : Recovering<SyntaxUnit::Item>);
 AF2_RULE(wholeFile, File, "a file");
 
@@ -101,15 +109,25 @@ const auto function_def = word("def") >> need(name, kName)[into(&Function::name)
 const auto metric_def = word("metric") >> need(name, kName)[into(&Metric::name)] >>
                         parameters[into(&Metric::parameters)] >> need("=") >>
                         need(expr, kExpression)[into(&Metric::value)] >> itemEnd;
+const auto externTypes_def = -(OneOf(kArgumentTypes)[push] >>
+                               *(word(",") >> need(OneOf(kArgumentTypes), kArgumentType)[push])) >>
+                             need(")", kArgumentType);
+const auto externItem_def =
+    word("extern") >> need(OneOf(kExternKinds), "function, shape or metric")[into(&Extern::kind)] >>
+    need(name, kName)[into(&Extern::name)] >>
+    -(word("(")[setFlag(&Extern::hasList)] >> externTypes[into(&Extern::parameters)]) >>
+    -(word(":") >> need(OneOf(kResultTypes), "number, angle or truth")[into(&Extern::result)]) >>
+    itemEnd;
 const auto fileItem_def =
     spanned(!atFileEnd >>
             (importItem[content] | useItem[content] | constant[content] | function[content] |
-             metric[content] | ruleSet[content] |
+             metric[content] | externItem[content] | ruleSet[content] |
              (&(Word("rule") >> string >> Word("=")) >> instance[content]) | rule[content] |
              templateItem[content] | test[content] | property[content] | need(Nothing(), kItem)));
 const auto wholeFile_def = *fileItem[append(&File::items)];
 
-BOOST_SPIRIT_DEFINE(importItem, useItem, constant, function, metric, fileItem, wholeFile)
+BOOST_SPIRIT_DEFINE(importItem, useItem, constant, function, metric, externTypes, externItem,
+                    fileItem, wholeFile)
 
 }  // namespace
 

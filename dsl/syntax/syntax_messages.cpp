@@ -184,7 +184,8 @@ std::optional<Fault> missingBetween(SyntaxUnit unit, const Token* first, const T
               found(*where),
           isCount ? "it is written `expect elements 2;`" : "it is written `expect score < 0.1;`"};
   }
-  const bool isWord = first->is("scale") || first->is("parity") || first->is("elements");
+  const bool isWord =
+      first->is("scale") || first->is("parity") || first->is("finish") || first->is("elements");
   if (unit == SyntaxUnit::Setting && isWord) return std::nullopt;
   const bool isGap = endsOperand(*before) && beginsOperand(*where) && before > first;
   if (!isGap || (wanted != ";" && wanted != ")" && wanted != "->" && wanted != ","))

@@ -15,7 +15,7 @@ AF2_RULE(testLevel, TestLevel, "class");
 AF2_RULE(testSize, TestSize, "size");
 AF2_RULE(expectedVertex, ExpectedVertex, "a vertex");
 AF2_RULE(expectedChain, std::vector<ExpectedVertex>, "a chain of vertices");
-AF2_RULE(reasonWords, ExpectRule, "a reason");
+AF2_RULE(reasonWords, ExpectedReason, "a reason");
 AF2_RULE(expectRule, ExpectRule, "rule");
 AF2_RULE(expectNew, ExpectNew, "new");
 AF2_RULE(expectFront, ExpectFront, "front");
@@ -64,15 +64,11 @@ const auto expectedChain_def = expectedVertex[push] >> need("->") >>
                                *(word("->") >> need(expectedVertex, kVertex)[push]);
 
 const auto setReason = [](const char* reason) {
-  return [reason](auto& context) { x3::_val(context).reason = reason; };
+  return [reason](auto& context) { x3::_val(context).words = reason; };
 };
-const auto addVertex = append(&ExpectRule::reasonVertices);
+const auto addVertex = append(&ExpectedReason::vertices);
 const OneOf simpleReason(kReasons);
-const auto takeReason = [](auto& context) { x3::_val(context).reason = x3::_attr(context).text; };
-const auto takeReasonOf = [](auto& context) {
-  x3::_val(context).reason = std::move(x3::_attr(context).reason);
-  x3::_val(context).reasonVertices = std::move(x3::_attr(context).reasonVertices);
-};
+const auto takeReason = [](auto& context) { x3::_val(context).words = x3::_attr(context).text; };
 const auto reasonWords_def =
     simpleReason[takeReason] |
     (word("zone") >> need("hit") >> need("by") >>
@@ -86,12 +82,13 @@ const auto addBinding = [](auto& context) {
   Definition& d = x3::_attr(context);
   x3::_val(context).bindings.emplace_back(d.name, Name{d.value.name, d.value.span});
 };
-const auto expectRule_def =
-    word("rule") >> need(string, "a rule's title in quotes")[into(&ExpectRule::title)] >>
-    -(word("with") >> list(binding, addBinding, "c = vertex")) >>
-    -(word("because") >>
-      need(reasonWords,
-           "a reason such as 'zone hit by edge u -> v', 'pattern', 'score'")[takeReasonOf]);
+const auto addReason = append(&ExpectRule::reasons);
+const char* const kReason = "a reason such as 'zone hit by edge u -> v', 'pattern', 'score'";
+const auto expectRule_def = word("rule") >>
+                            need(string, "a rule's title in quotes")[into(&ExpectRule::title)] >>
+                            -(word("with") >> list(binding, addBinding, "c = vertex")) >>
+                            -(word("because") >> need(reasonWords, kReason)[addReason] >>
+                              *(word("or") >> need(reasonWords, kReason)[addReason]));
 const auto expectNew_def = word("new") >>
                            need(integer, "the number of a new vertex")[into(&ExpectNew::index)] >>
                            need("at") >> coordinates(&ExpectNew::x, &ExpectNew::y, "(");

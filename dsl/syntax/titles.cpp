@@ -49,7 +49,7 @@ std::vector<const Name*> titlesOf(const Item& item) {
   return match(
       item.content, [](const Rule& rule) { return titlesOf(rule); },
       [](const Instance& instance) { return Titles{&instance.title}; },
-      [](const AnyOf<std::monostate, Import, Use, Constant, Function, Metric, RuleSetBlock,
+      [](const AnyOf<std::monostate, Import, Use, Constant, Function, Metric, Extern, RuleSetBlock,
                      Template, Test, Property> auto&) { return Titles(); });
 }
 

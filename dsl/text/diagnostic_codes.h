@@ -27,9 +27,11 @@ enum class Allowance {
 
 /// The evidence for a finding.
 enum class Evidence {
-  Text,     ///< the text and the reference match of a rule
-  Samples,  ///< many sampled matches of a rule
-  Proof,    ///< samples; if none of them shows a fault, a proof is attempted
+  Text,            ///< the text and the reference match of a rule
+  Samples,         ///< many sampled matches of a rule
+  Proof,           ///< samples; if none of them shows a fault, a proof is attempted
+  TextAndSamples,  ///< the text, and also samples
+  TextAndProof,    ///< the text, and also samples and a proof
 };
 
 /// The stage of compilation in which a fault is found. Faults of an earlier stage hide those of

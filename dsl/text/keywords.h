@@ -81,13 +81,18 @@ inline constexpr WordList<3> kElementKinds{"tri", "quad", "poly"};
 inline constexpr WordList<3> kFolds{"max", "sum", "mean"};
 inline constexpr WordList<2> kScaleUnits{"h", "base"};
 inline constexpr WordList<2> kParities{"even", "any"};
+inline constexpr WordList<3> kFinishes{"shape", "score", "none"};  ///< in the order of af2::Finish
+/// The kinds of names that an `extern` declares, the types of their arguments and of their values.
+inline constexpr WordList<3> kExternKinds{"function", "shape", "metric"};
+inline constexpr WordList<4> kArgumentTypes{"number", "angle", "point", "vector"};
+inline constexpr WordList<3> kResultTypes{"number", "angle", "truth"};
 inline constexpr WordList<2> kFrontOrders{"by", "rows"};
 inline constexpr WordList<2> kRowStarts{"smallest_turn", "oldest"};
 inline constexpr WordList<6> kOutcomes{"rule", "new", "front", "elements", "stuck", "score"};
 /// Reasons for the refusal of a rule in tests. The reasons `zone hit by edge` and `zone hit by
 /// vertex` have a separate syntax.
-inline constexpr WordList<9> kReasons{"class",     "pattern",  "require", "novalue", "shape",
-                                      "convexity", "inverted", "score",   "beaten"};
+inline constexpr WordList<10> kReasons{"class",     "pattern",  "require", "novalue", "shape",
+                                       "convexity", "inverted", "score",   "surface", "beaten"};
 inline constexpr WordList<3> kMetaKeys{"allow", "author", "note"};
 
 }  // namespace af2::dsl

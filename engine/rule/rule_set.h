@@ -18,6 +18,13 @@ enum class ChartUnit { WantedLength, BaseLength };
 /// Whether every rule must change the number of front edges by an even number.
 enum class Parity { Any, Even };
 
+/// What happens to a mesh after its front has closed.
+enum class Finish {
+  Shape,  ///< changes towards equilateral triangles and squares
+  Score,  ///< changes that lower the badness by the metric of the rule set
+  None,   ///< the mesh stays as the front made it
+};
+
 /// A rule set as it is written, before it is checked.
 struct RuleSetDefinition {
   std::string name;
@@ -30,6 +37,7 @@ struct RuleSetDefinition {
   std::shared_ptr<const AF2FrontOrder> order;
   ChartUnit unit = ChartUnit::WantedLength;
   Parity parity = Parity::Any;
+  Finish finish = Finish::Shape;
   std::vector<AF2Rule> rules;  ///< in file order; ties go to the earlier rule
 };
 

@@ -22,6 +22,8 @@ constexpr std::size_t kReportCandidates = 1 << 18;
 constexpr std::size_t kMinGain = 64;
 /// When the front is stuck, the number of remaining edges for which reasons are collected.
 constexpr std::size_t kMaxExplained = 100;
+/// And of how many the front around them is kept.
+constexpr std::size_t kMaxPieces = 10;
 
 class Run {
  public:
@@ -29,6 +31,7 @@ class Run {
       const SizeField& size, const FrontOptions& options)
       : rules_(rules),
         maker_(maker),
+        input_(input),
         size_(size),
         options_(options),
         index_(makeIndex(input)),
@@ -46,6 +49,7 @@ class Run {
 
   MeshingResult execute() {
     std::size_t elementsAtLastRound = 0;
+    if (options_.observer) options_.observer->frontBegun(input_);
     do {
       elementsAtLastRound = result_.mesh.elements.size();
       advance();
@@ -54,6 +58,7 @@ class Run {
              result_.mesh.elements.size() > elementsAtLastRound && revive());
     result_.candidates = choice_.examined();
     finish();
+    if (options_.observer) options_.observer->frontEnded(result_.stuck.size());
     return std::move(result_);
   }
 
@@ -145,12 +150,17 @@ class Run {
     StepReport report;
     report.from = front_[base].vertex;
     report.to = front_[front_.next(base)].vertex;
+    report.fromPoint = front_[base].point.position;
+    report.toPoint = front_[front_.next(base)].point.position;
     report.level = front_[base].level;
     std::vector<RuleRefusal> refusals;
+    std::optional<LocalFront> around;
     try {
       const StepChart chart = makeChart(base);
       if (options_.observer && options_.observer->wantsRefusals())
         refusals = choice_.explain(chart, base);
+      if (options_.observer && options_.observer->wantsFrontAround(report))
+        around = frontAround(chart, base);
       if (const Application* application = choice_.choose(chart, base)) {
         report.applied = true;
         report.rule = application->rule->index;
@@ -162,6 +172,14 @@ class Run {
     }
     if (!report.applied) refuse(base);
     notify(report, refusals);
+    if (around) options_.observer->frontAround(report, *around);
+  }
+
+  /// What rules may see of the front, with room to spare.
+  LocalFront frontAround(const StepChart& chart, PlaceId base) const {
+    constexpr double kReach = 4;  // sizes
+    const double size = 0.5 * (front_[base].size + front_[front_.next(base)].size) / chart.unit();
+    return localFront(front_, chart, base, size, kReach * std::max(size, 1.0));
   }
 
   StepChart makeChart(PlaceId base) {
@@ -279,10 +297,12 @@ class Run {
   }
 
   StuckEdge stuckEdge(PlaceId id) {
-    StuckEdge edge{front_[id].vertex, front_[front_.next(id)].vertex, front_[id].level, {}};
+    StuckEdge edge{front_[id].vertex, front_[front_.next(id)].vertex, front_[id].level, {}, {}};
     if (result_.stuck.size() >= kMaxExplained) return edge;
     try {
-      edge.refusals = choice_.explain(makeChart(id), id);
+      const StepChart chart = makeChart(id);
+      edge.refusals = choice_.explain(chart, id);
+      if (result_.stuck.size() < kMaxPieces) edge.around = frontAround(chart, id);
     } catch (const GeometryError&) {
       for (std::size_t i = 0; i < rules_.rules().size(); ++i)
         edge.refusals.push_back({i, Refusal::Surface, {}, {}});
@@ -292,6 +312,7 @@ class Run {
 
   const CompiledRules& rules_;
   const AF2LocalTransformMaker& maker_;
+  const FrontInput& input_;
   const SizeField& size_;
   const FrontOptions& options_;
   Front front_;

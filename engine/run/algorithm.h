@@ -38,6 +38,8 @@ struct StuckEdge {
   VertexId from, to;
   int level = 1;
   std::vector<RuleRefusal> refusals;
+  /// The front around the edge; only for the first few edges that are left, else without vertices.
+  LocalFront around = {};
 };
 
 /// The result of a run: always the mesh so far, and how the run ended.

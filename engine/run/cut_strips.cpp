@@ -5,8 +5,6 @@
 #include <span>
 #include <utility>
 
-#include "engine/optimize/optimize.h"
-
 namespace af2 {
 namespace {
 
@@ -157,7 +155,7 @@ class Strips {
     OptimizeOptions how;
     how.renumber = false;
     how.stop = tools_.stop;
-    optimizeMesh(strip.mesh, boundaryOf(strip, boundary_), *tools_.makeCharts(), how);
+    tools_.finish(strip.mesh, boundaryOf(strip, boundary_), how);
     putBack(strip, all_.mesh);
   }
 

@@ -4,14 +4,13 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <memory>
 #include <stop_token>
 #include <vector>
 
 #include "engine/mesh/front_input.h"
 #include "engine/mesh/mesh.h"
+#include "engine/optimize/optimize.h"
 #include "engine/run/region_split.h"
-#include "engine/surface/local_transform.h"
 
 namespace af2 {
 
@@ -29,8 +28,8 @@ struct AlongCuts {
 
 /// What the optimisation of the strips needs.
 struct StripTools {
-  /// Must be callable from several threads at once.
-  std::function<std::shared_ptr<const AF2LocalTransformMaker>()> makeCharts;
+  /// Finishes one strip, in place. Must be callable from several threads at once.
+  std::function<void(Mesh&, const MeshBoundary&, const OptimizeOptions&)> finish;
   /// Calls its argument for 0 to count - 1, in any order, and returns when all calls are done.
   std::function<void(std::size_t count, const std::function<void(std::size_t)>&)> forEach;
   std::stop_token stop;

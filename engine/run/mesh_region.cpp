@@ -9,7 +9,7 @@
 
 #include "engine/base/stopwatch.h"
 #include "engine/mesh/mesh_check.h"
-#include "engine/optimize/optimize.h"
+#include "engine/optimize/finish_mesh.h"
 #include "engine/run/cut_strips.h"
 
 namespace af2 {
@@ -53,7 +53,8 @@ RegionMesh meshPiece(const AF2Algorithm& algorithm, const RegionTask& task, cons
     OptimizeOptions how;
     how.stop = options.stop;
     how.keepOriginal = false;
-    if (!optimizeMesh(piece.result.mesh, boundary, *tools.charts, how).isSound) {
+    const FinishTask finish{algorithm.rules(), *tools.charts, *tools.size};
+    if (!finishMesh(piece.result.mesh, boundary, finish, how).isSound) {
       // The observer and the progress callback must not receive the same steps twice.
       FrontOptions again;
       again.stop = options.stop;
@@ -165,16 +166,16 @@ void forEachInArena(const RegionTask& task, std::size_t count,
     all();
 }
 
-StripTools stripToolsOf(const RegionTask& task, const FrontOptions& options) {
-  // Charts may refer to the tools that they were made with, so both live equally long.
-  const auto makeCharts = [&task] {
-    const auto tools = std::make_shared<const PieceTools>(task.makeTools());
-    return std::shared_ptr<const AF2LocalTransformMaker>(tools, tools->charts.get());
+StripTools stripToolsOf(const AF2Algorithm& algorithm, const RegionTask& task,
+                        const FrontOptions& options) {
+  const auto finish = [&](Mesh& mesh, const MeshBoundary& boundary, const OptimizeOptions& how) {
+    const PieceTools tools = task.makeTools();
+    finishMesh(mesh, boundary, {algorithm.rules(), *tools.charts, *tools.size}, how);
   };
   const auto forEach = [&task](std::size_t count, const auto& work) {
     forEachInArena(task, count, work);
   };
-  return {makeCharts, forEach, options.stop};
+  return {finish, forEach, options.stop};
 }
 
 /// Calls finish(p) when piece p is meshed.
@@ -199,9 +200,11 @@ void meshPieces(const AF2Algorithm& algorithm, const RegionTask& task, const Spl
 
 }  // namespace
 
-RegionMesh meshRegion(const AF2Algorithm& algorithm, const RegionTask& task,
+RegionMesh meshRegion(const AF2Algorithm& algorithm, const RegionTask& given,
                       const FrontOptions& options) {
   const Stopwatch watch;
+  RegionTask task = given;
+  task.optimize = given.optimize && finishesMeshes(algorithm.rules());
   SplitRegion split;
   if (task.surface)
     split = splitRegion(task.input, *task.surface, *task.makeTools().size, task.split);
@@ -237,7 +240,7 @@ RegionMesh meshRegion(const AF2Algorithm& algorithm, const RegionTask& task,
   const Stopwatch optimizing;
   if (task.optimize)
     optimizeAlongCuts(whole.result.mesh, task.input, split, joiner.alongCuts(),
-                      stripToolsOf(task, options));
+                      stripToolsOf(algorithm, task, options));
   whole.optimizeSeconds += optimizing.seconds();
   whole.seconds += optimizing.seconds();
   return whole;

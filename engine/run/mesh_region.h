@@ -25,8 +25,8 @@ struct RegionTask {
   /// Null: the region is not cut.
   const SurfaceEvaluator* surface = nullptr;
   SplitOptions split = {};
-  bool optimize = true;
-  int threads = 0;  ///< maximum; 0: as many as the caller's TBB arena has
+  bool optimize = true;  ///< false: the mesh stays as the front made it, whatever the rule set says
+  int threads = 0;       ///< maximum; 0: as many as the caller's TBB arena has
 };
 
 struct RegionMesh {

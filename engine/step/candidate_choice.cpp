@@ -351,10 +351,12 @@ std::vector<RuleRefusal> CandidateChoice::explain(const StepChart& chart, PlaceI
 
 RuleRefusal CandidateChoice::explainRule(const StepView& view, const RuleAtLevel& at) {
   RuleRefusal result{at.rule->index, Refusal::Pattern, {}, {}};
-  for (const Match& match : matchesOf(view, at)) {
-    const RuleRefusal refusal = explainMatch(view, *at.rule, match);
-    if (refusal.reason > result.reason) result = refusal;
+  const std::vector<Match> matches = matchesOf(view, at);
+  for (const Match& match : matches) {
+    RuleRefusal refusal = explainMatch(view, *at.rule, match);
+    if (refusal.reason > result.reason) result = std::move(refusal);
   }
+  result.matches = matches.size();
   return result;
 }
 
@@ -362,6 +364,10 @@ RuleRefusal CandidateChoice::explainMatch(const StepView& view, const CompiledRu
                                           const Match& match) {
   Candidate candidate{0, &rule, match};
   RuleRefusal result{rule.index, scorer_.evaluate(view, candidate), {}, {}};
+  for (std::size_t v = 0; v < static_cast<std::size_t>(rule.matchedCount); ++v)
+    result.matched.push_back(front_[match.places[v]].vertex);
+  if (result.reason == Refusal::None || result.reason == Refusal::Score)
+    result.score = candidate.score;
   // Inverted elements and scores are reported after the zone although they are cheaper to test.
   if (result.reason == Refusal::Require || result.reason == Refusal::NoValue) return result;
   const Refusal zone = testZone(view, candidate, result);

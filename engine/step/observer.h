@@ -3,11 +3,15 @@
 
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <span>
+#include <vector>
 
 #include "engine/base/export.h"
 #include "engine/base/ids.h"
+#include "engine/mesh/front_input.h"
 #include "engine/rule/refusal.h"
+#include "engine/step/front_piece.h"
 
 namespace af2 {
 
@@ -16,12 +20,16 @@ namespace af2 {
 struct RuleRefusal {
   std::size_t rule = 0;  ///< index in the rule set
   Refusal reason = Refusal::None;
-  VertexId from, to;  ///< what hit the free zone: a vertex (`from` alone) or an edge
+  VertexId from, to;        ///< what hit the free zone: a vertex (`from` alone) or an edge
+  std::size_t matches = 0;  ///< number of matches of the rule that were tried
+  std::vector<VertexId> matched = {};  ///< of the match that came farthest, in pattern order
+  std::optional<double> score = {};    ///< of that match, if it has one
 };
 
 /// One step of the advance.
 struct StepReport {
   VertexId from, to;  ///< the base edge
+  Point3 fromPoint, toPoint;
   int level = 1;
   bool applied = false;
   std::size_t rule = 0;  ///< if applied: the rule and its score
@@ -33,11 +41,21 @@ struct StepReport {
 class AF2_EXPORT AF2MeshingObserver {
  public:
   virtual ~AF2MeshingObserver() = default;
+  /// A front begins: a region, one of the pieces of a large region, or another attempt at one of
+  /// them. The ids of vertices are those of this front until the next one begins.
+  virtual void frontBegun(const FrontInput&) {}
   virtual void stepTaken(const StepReport&) {}
   /// Whether `rulesRefused` should be called, which costs time.
   virtual bool wantsRefusals() const { return false; }
   /// Called after `stepTaken` with the reason for each rule that was not applied.
   virtual void rulesRefused(const StepReport&, std::span<const RuleRefusal>) {}
+  /// Whether `frontAround` should be called for the step that is about to be taken at this base
+  /// edge, which is given with its level. It costs time in proportion to the length of the front.
+  virtual bool wantsFrontAround(const StepReport&) const { return false; }
+  /// Follows `stepTaken`: the front around the base edge, as it was before the step.
+  virtual void frontAround(const StepReport&, const LocalFront&) {}
+  /// The front ended, with this number of edges that no rule took; 0: it closed.
+  virtual void frontEnded(std::size_t /*edgesLeft*/) {}
 };
 
 /// The progress of a run. Sent every few thousand steps, or more often where steps take long.

@@ -9,23 +9,12 @@
 #include "engine/base/export.h"
 #include "engine/base/point.h"
 #include "engine/rule/rule_set.h"
+#include "engine/step/front_piece.h"
 #include "engine/step/observer.h"
 
 namespace af2 {
 
 class CompiledRules;
-
-/// A piece of front in the plane. The unmeshed region lies to the left of each edge.
-struct FrontPiece {
-  std::vector<Point2> vertices;
-  /// Chains of vertices joined by edges; a closed chain repeats its first vertex at the end.
-  std::vector<std::vector<std::size_t>> chains;
-  /// Vertices without an edge.
-  std::vector<std::size_t> isolated;
-  std::pair<std::size_t, std::size_t> base;  ///< an edge of a chain
-  int level = 1;
-  double size = 1;  ///< wanted edge length, in the units of the vertices
-};
 
 /// The engine's result there.
 struct SingleStep {

@@ -82,7 +82,7 @@ MeshingResult frontBeforeFirstStep(const FrontInput& boundary) {
   for (const auto& loop : boundary.loops) {
     for (std::size_t i = 0; i < loop.size(); ++i) {
       result.mesh.vertices[loop[i].vertex.value] = loop[i].point;
-      result.stuck.push_back({loop[i].vertex, loop[(i + 1) % loop.size()].vertex, 1, {}});
+      result.stuck.push_back({loop[i].vertex, loop[(i + 1) % loop.size()].vertex, 1, {}, {}});
     }
   }
   return result;
@@ -104,6 +104,7 @@ FaceAttempt fillFromBoundary(FillState& state) {
   attempt.fault.kind = FillFaultKind::NotFilled;
   attempt.result = frontBeforeFirstStep(task.boundary.input);
   closeStuck(task, attempt, kMaxClosingEdges);
+  attempt.stuck.clear();  // no front was advanced
   return attempt;
 }
 

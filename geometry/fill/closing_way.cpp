@@ -4,6 +4,7 @@
 
 #include "engine/mesh/mesh_check.h"
 #include "geometry/fill/close_front.h"
+#include "geometry/fill/stuck_front.h"
 #include "geometry/mesh/without_rule.h"
 
 namespace af2::geometry {
@@ -50,6 +51,7 @@ bool closeStuck(const FaceTask& task, FaceAttempt& attempt, std::size_t maxEdges
   if (!isClosed || !faultOf(closed.mesh, af2::boundaryOf(task.boundary.input)).empty())
     return false;
   attempt.closingElements = closed.mesh.elements.size() - attempt.result.mesh.elements.size();
+  attempt.stuck = stuckPlaces(attempt.result);
   attempt.result = std::move(closed);
   attempt.fault = {};
   return true;

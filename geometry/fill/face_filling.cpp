@@ -6,7 +6,7 @@
 #include "engine/base/error.h"
 #include "engine/base/stopwatch.h"
 #include "engine/mesh/element_shape.h"
-#include "engine/optimize/optimize.h"
+#include "engine/optimize/finish_mesh.h"
 #include "geometry/fill/diagnose_face.h"
 #include "geometry/fill/stuck_front.h"
 #include "geometry/mesh/fans.h"
@@ -54,7 +54,7 @@ void optimize(const FaceTask& task, FaceAttempt& attempt, FaceMesh& mesh) {
   const RuleSet& rules = task.algorithm.rules();
   if (rules.makesQuads()) options.closingRule = originOf(WithoutRule::Closing, rules).rule;
   options.stop = task.options.stop;
-  optimizeMesh(attempt.result.mesh, boundaryOf(input), *attempt.charts, options);
+  finishMesh(attempt.result.mesh, boundaryOf(input), {rules, *attempt.charts, task.size}, options);
   mesh.optimizeSeconds += watch.seconds();
 }
 
@@ -117,6 +117,8 @@ void fillAndJudge(const FaceFilling& filling, FaceBoundary& boundary, FaceMesh& 
   }
   if (task.options.optimize && !attempt.isOptimized) optimize(task, attempt, mesh);
   mesh.report.withoutRule = countWithoutRule(task, attempt, boundary);
+  mesh.report.stuck = std::move(attempt.stuck);
+  if (filling.findParameters) filling.findParameters(mesh.report.stuck);
   mesh.diagnosis = diagnoseMesh(attempt.result.mesh, boundary, task.surface.isPlane(), task.area,
                                 filling.unseen);
   addFans(boundary, originOf(WithoutRule::Fan, task.algorithm.rules()), attempt.result.mesh);

@@ -13,6 +13,7 @@
 #include "geometry/charts/charted_surface.h"
 #include "geometry/mesh/face_boundary.h"
 #include "geometry/mesh/face_history.h"
+#include "geometry/mesh/model_mesh.h"
 #include "geometry/mesh/try_limits.h"
 
 namespace af2::geometry {
@@ -23,8 +24,9 @@ struct FaceAttempt {
   ChartKind chart = ChartKind::Auto;               ///< used to fill the face; Auto: none
   std::unique_ptr<AF2LocalTransformMaker> charts;  ///< usable for optimising
   FillFault fault;
-  bool isDrawnInParameters = false;  ///< then the front does not cross itself there
-  bool chartsKnowOneSheet = false;   ///< `charts` know only one place of a vertex on a seam
+  std::vector<StuckPlace> stuck = {};  ///< where its front was stuck before it was closed
+  bool isDrawnInParameters = false;    ///< then the front does not cross itself there
+  bool chartsKnowOneSheet = false;     ///< `charts` know only one place of a vertex on a seam
   bool isOptimized = false;
   double optimizeShare = 0;         ///< of the time, if optimised
   std::size_t closingElements = 0;  ///< how many were made without a rule, to close a stuck front

@@ -9,6 +9,7 @@
 #include "geometry/fill/close_front.h"
 #include "geometry/fill/closing_way.h"
 #include "geometry/fill/fill_limits.h"
+#include "geometry/fill/stuck_front.h"
 #include "geometry/fill/without_normals.h"
 #include "geometry/mesh/without_rule.h"
 
@@ -29,6 +30,7 @@ bool closeAcrossLoops(const FaceTask& task, FaceAttempt& attempt) {
   if (!closeLoops(closed, originOf(WithoutRule::Closing, task.algorithm.rules()))) return false;
   if (!isFilled(task, closed.mesh)) return false;
   attempt.closingElements = closed.mesh.elements.size() - attempt.result.mesh.elements.size();
+  attempt.stuck = stuckPlaces(attempt.result);
   attempt.result = std::move(closed);
   attempt.fault = {};
   attempt.isOptimized = true;  // the optimiser knows folds by the normals

@@ -37,6 +37,7 @@ std::vector<StuckPlace> stuckPlaces(const MeshingResult& result) {
     for (const RuleRefusal& refusal : edge.refusals)
       place.refusals.emplace_back(static_cast<std::uint16_t>(refusal.rule),
                                   toString(refusal.reason));
+    place.around = edge.around.piece;
   }
   return places;
 }

@@ -31,6 +31,12 @@ void writeSmesh(const ModelMesh& mesh, Lines lines, OutputFile& file);
 void writeObj(const ModelMesh& mesh, Lines lines, OutputFile& file);
 /// PLY, binary.
 void writePly(const ModelMesh& mesh, Lines lines, OutputFile& file);
+/// A page for browsers, which needs no other file: geometry/page/.
+void writePage(const ModelMesh& mesh, Lines lines, OutputFile& file);
+/// A picture, PNG: geometry/picture/.
+void writePng(const ModelMesh& mesh, Lines lines, OutputFile& file);
+/// A picture of a planar mesh, SVG. Throws InputError if the mesh is not planar.
+void writeSvg(const ModelMesh& mesh, Lines lines, OutputFile& file);
 
 /// In the order in which help texts name them.
 inline constexpr std::array kMeshFormats{
@@ -41,6 +47,9 @@ inline constexpr std::array kMeshFormats{
     MeshFormat{".obj", "Wavefront OBJ", &writeObj},
     MeshFormat{".ply", "PLY", &writePly},
     MeshFormat{".smesh", "TetGen", &writeSmesh},
+    MeshFormat{".html", "page for browsers", &writePage, true, false, true},
+    MeshFormat{".png", "picture, PNG", &writePng, true},
+    MeshFormat{".svg", "picture, SVG", &writeSvg, true, false, false, true},
 };
 
 }  // namespace af2::geometry

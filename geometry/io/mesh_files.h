@@ -20,6 +20,7 @@ struct AF2_EXPORT MeshFormat {
   bool holdsSecondOrder = false;  ///< if false, the middles of sides are left out
   bool holdsLines = false;        ///< line elements; if false, they are left out
   bool holdsScores = false;       ///< ModelMesh::scores; if false, they are left out
+  bool isOnlyPlanar = false;      ///< for meshes of planar domains only
 };
 
 /// In the order in which help texts name them.

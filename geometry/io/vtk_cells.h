@@ -1,4 +1,4 @@
-// Values that both VTK formats use for cells to which an array does not apply.
+// Values that files have where an array does not apply: both VTK formats, and the page.
 // Not installed.
 #pragma once
 

@@ -12,6 +12,7 @@
 #include "engine/base/export.h"
 #include "engine/base/point.h"
 #include "engine/mesh/mesh.h"
+#include "engine/step/front_piece.h"
 #include "geometry/mesh/without_rule.h"
 
 namespace af2::geometry {
@@ -25,6 +26,8 @@ struct StuckPlace {
   int level = 1;        ///< the quality level reached there
   /// The last reason why each rule was refused: index in ModelMesh::ruleNames, and the reason.
   std::vector<std::pair<std::uint16_t, std::string>> refusals;
+  /// The front around the edge in its chart; without vertices if it is not known.
+  FrontPiece around = {};
 };
 
 /// How the meshing of one face of the model went.
@@ -39,8 +42,8 @@ struct FaceReport {
   double area = 0;                         ///< of the CAD face, model units squared
   std::string reason;                      ///< where and why, when it failed
   std::vector<std::string> attempts = {};  ///< unsuccessful attempts
-  std::vector<StuckPlace> stuck = {};  ///< where its front got stuck, if it failed for that reason
-  WithoutRuleCounts withoutRule = {};  ///< elements as they were made, before optimisation
+  std::vector<StuckPlace> stuck = {};      ///< where its front got stuck, if it did
+  WithoutRuleCounts withoutRule = {};      ///< elements as they were made, before optimisation
 };
 
 enum class GroupKind {
@@ -98,12 +101,21 @@ struct Healing {
   std::vector<std::string> undone;  ///< steps that would have made the model worse, and why
 };
 
+/// Where a rule is written. A mirror image has the text of the rule that it mirrors.
+struct RuleText {
+  std::string file;  ///< as a reader may want to see it, such as "tri/even.af2"
+  int line = 0;      ///< counted from 1
+  std::string text;
+  bool operator==(const RuleText&) const = default;
+};
+
 /// Seconds spent in each stage of a run.
 struct StageSeconds {
   double read = 0, edges = 0, surface = 0, optimize = 0, write = 0;
 };
 
 struct ModelMesh {
+  std::string name;  ///< of the model, for people; may be empty
   std::vector<Point3> vertices;
   /// By vertex: the edge length requested there, before sizes were graded away from short edges of
   /// the model; may be empty.
@@ -119,6 +131,7 @@ struct ModelMesh {
   std::vector<float> scores;           ///< by element: as elementScores gives them; may be empty
   /// Titles of the rules, followed by the names of what makes elements where no rule does.
   std::vector<std::string> ruleNames;
+  std::vector<RuleText> ruleTexts;  ///< of the first rules of ruleNames; may be empty
   std::vector<EdgeSegment> segments;
   std::vector<FaceReport> faces;
   std::vector<FaceGroup> groups;

@@ -25,6 +25,7 @@ usage "$af2" mesh "$cylinder" --size 1 --sise 2; told "unknown option '--sise'; 
 usage "$af2" mesh "$cylinder" --sise=2; told "unknown option '--sise'; did you mean '--size'?"
 usage "$af2" mesh "$cylinder" --size 1 -z; told "unknown option '-z'"
 usage "$af2" mesh "$cylinder" two.step --size 1; told "unexpected argument 'two.step'"
+usage "$af2" mesh "$cylinder" --size 1 -o a.svg; told 'planar domains only; use .png or .html'
 usage "$af2" mesh "$cylinder" --size 1 --faces 0; told 'counted from 1'
 usage "$af2" mesh "$cylinder" --size 1 --faces 99; told 'there is no face 99; the model has faces 1 to 3'
 usage "$af2" mesh "$cylinder" --size 1 --edge-size 99=0.1; told 'there is no edge 99'

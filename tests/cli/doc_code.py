@@ -1,7 +1,7 @@
 """Compiles the C++ of the documentation: doc_code.py COMPILER SOURCE BUILD.
 
-Each block fenced as ```cpp is the body of a function, in which `options` are those of a mesh. Blocks that derive
-from a class of AF2 would need more; there are none."""
+Each block fenced as ```cpp is the body of a function, in which `options` are those of a mesh; a block that begins
+with #include is a part of a file. Blocks that derive from a class of AF2 would need more; there are none."""
 
 import pathlib
 import re
@@ -35,6 +35,9 @@ for page in [SOURCE / "README.md", *sorted((SOURCE / "docs").glob("*.md"))]:
     for block in FENCE.finditer(text):
         count += 1
         line = text.count("\n", 0, block.start()) + 2
+        if block.group(1).startswith("#include"):
+            code += f'#line {line} "{page.relative_to(SOURCE)}"\n{block.group(1)}'
+            continue
         code += f"void block{count}() {{\n[[maybe_unused]] af2::geometry::MeshingOptions options;\n{{\n"
         code += f'#line {line} "{page.relative_to(SOURCE)}"\n{block.group(1)}}}\n}}\n'
 

@@ -7,12 +7,12 @@ rules=$2/rules/tri/classic.af2
 
 # A rule set that accepts nothing: every element is made by closing.
 sed 's/accept .*;/accept score < 0;/' "$rules" >never.af2
-expect 0 "$af2" mesh "$die" --size 1 -r never.af2 --report never.json -o never.vtu --quiet
+expect 0 "$af2" mesh "$die" --size 1 -r never.af2 --unchecked --report never.json -o never.vtu --quiet
 told 'elements were made without a rule (closing'
 told 'face '
 [ "$(json never.json without_rule closing)" = "$(json never.json triangles)" ] || fail "not all elements are by closing"
 [ "$(json never.json faces 0 without_rule closing)" -gt 0 ] || fail "face 1 does not count its elements"
-expect 3 "$af2" mesh "$die" --size 1 -r never.af2 --strict-rules --report strict.json -o strict.vtu
+expect 3 "$af2" mesh "$die" --size 1 -r never.af2 --unchecked --strict-rules --report strict.json -o strict.vtu
 [ "$(json strict.json status)" = failed ] || fail "--strict-rules made elements"
 [ "$(json strict.json faces 0 stuck 0 level)" -ge 1 ] || fail "a strict face does not say where it got stuck"
 python3 - strict.json <<'PYTHON' || fail "--strict-rules tried again"
@@ -21,6 +21,9 @@ faces = json.load(open(sys.argv[1]))["faces"]
 sys.exit(any("closing" in text for face in faces for text in face.get("attempts", [])))
 PYTHON
 [ ! -e strict.vtu ] || fail "a file without elements was written"
+
+expect 1 "$af2" mesh "$die" --size 1 -r never.af2 --quiet
+told 'AF2-D4'
 
 # Rules that fill everything are not affected.
 expect 0 "$af2" mesh "$plate" --size 0.5 --report plain.json

@@ -97,6 +97,13 @@ ls found/*.svg >/dev/null || fail 'no pictures of findings'
 
 # test
 expect 0 "$af2" test good.af2 --coverage; says '1 passed, 0 failed'; says 'never chosen: "left"'
+expect 0 "$af2" test good.af2 --coverage --format json
+[ "$(json out tests 0 title)" = 'a corner of 120 degrees' ] || fail 'tests are missing'
+[ "$(json out coverage 0 file)" = good.af2 ] || fail 'the coverage of good.af2 is missing'
+[ "$(json out coverage 0 rules 1 title)" = left ] || fail 'the coverage lacks rules'
+[ "$(json out coverage 0 rules 1 chosen)" = False ] || fail 'no test applies "left"'
+[ "$(json out coverage 0 rules 0 never_refused 0)" = zone ] || fail 'no test hits the zone of "right"'
+for key in clauses exercised; do json out coverage 0 "$key" >/dev/null || fail "no '$key'"; done
 expect 1 "$af2" test failing.af2; says 'FAIL'; says 'got:'
 expect 1 "$af2" test good.af2 failing.af2 --format json
 [ "$(json out 1 passed)" = False ] || fail 'the second test does not fail'
@@ -154,6 +161,9 @@ expect 0 "$af2" fmt --check mine.af2
 expect 2 "$af2" draw mine.af2 --size 10; told 'a whole number from 50 to 4000'
 expect 2 "$af2" draw mine.af2 --levels 1,99; told 'the levels are 1 to 50'
 expect 2 "$af2" test mine.af2 -k 'no such test'; told 'no title of a test contains it'
+cp mine.af2 mine_before.af2
+expect 1 "$af2" new rule 'corner' --into mine.af2; told 'has these titles already'; told 'corner'
+same mine.af2 mine_before.af2
 for file in none.af2 tri/classic -; do
   expect 2 "$af2" new rule 'corner' --into $file; told "there is no file '$file'"
 done

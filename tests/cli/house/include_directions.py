@@ -21,6 +21,7 @@ CAD_HEADER = re.compile(
 LIBRARIES = [
     (re.compile(r"boost/spirit"), re.compile(r"dsl/syntax/(grammar\.cpp|token_parsers\.h)"), "Boost.Spirit"),
     (re.compile(r"CGAL/"), re.compile(r"engine/base/predicates\.cpp|dsl/shapes/exact\.(h|cpp)"), "CGAL"),
+    (re.compile(r"cairo"), re.compile(r"dsl/picture/canvas\.cpp|geometry/picture/png_file\.cpp"), "Cairo"),
     (re.compile(r"Eigen/"), re.compile(r"geometry/faceted/sparse_system\.cpp"), "Eigen"),
     (CAD_HEADER, re.compile(r"geometry/occ/.*"), "OpenCASCADE"),
     (re.compile(r"(tbb|oneapi)/"), re.compile(r".*\.cpp"), "a TBB type in a header"),

@@ -115,6 +115,24 @@ TEST(LspActions, TurnMissingMirrorImagesIntoTests) {
   EXPECT_EQ(told, 1) << "by the text and by the checks";
 }
 
+TEST(LspActions, DoNotAskForMirrorImagesThatWouldNeverBeChosen) {
+  Conversation c;
+  c.open(
+      "af2 1;\nruleset \"s\" { elements tri; match 0.5; }\n"
+      "rule \"right\" quality 1 {\n  front a -> b -> c;\n  at c (0.5, 0.866) ~ 3;\n"
+      "  zone a, b, c;\n  tri a b c;\n}\n"
+      "rule \"left\" quality 1 {\n  front d -> a -> b;\n  at d (0.52, 0.866) ~ 2;\n"
+      "  zone a, b, d;\n  tri a b d;\n  cost -1;\n  meta { allow \"M1\"; }\n}\n");
+  const auto count = [&] {
+    int told = 0;
+    for (const Json& d : c.diagnostics()) told += d["code"] == "AF2-M1";
+    return told;
+  };
+  EXPECT_EQ(count(), 1) << "as far as the text tells";
+  c.checks.run();
+  EXPECT_EQ(count(), 0);
+}
+
 TEST(LspInlayHints, ShowTheNewFront) {
   Conversation c;
   c.open(kRules);

@@ -28,8 +28,8 @@ const std::vector<Point2> kMatch{{0, 0}, {1.25, 0}, {1.5, 0.75}, {-0.25, 1.5}};
 
 /// The value of an expression as the cost of a rule; -1e300 where it has none.
 double value(const std::string& expression, int level = 2, const Registry* registry = nullptr) {
-  const LoadedRules rules =
-      load("zone a, b, c, d; quad a b c d; cost " + expression + ";", registry);
+  const LoadedRules rules = load(
+      "zone a, b, c, d; quad a b c d; meta { allow \"D4\"; } cost " + expression + ";", registry);
   EXPECT_TRUE(rules.rules) << expression << "\n" << toPretty(rules.diagnostics);
   if (!rules.rules) return -1e301;
   const RuleDefinition& rule = rules.rules->rules()[0].definition();

@@ -73,6 +73,29 @@ TEST(Fixes, FindTheElementThatClosesUp) {
   expectSound(text);
 }
 
+/// The element that is written is right; what is missing is another one.
+TEST(Fixes, DoNotTakeAnElementWithOtherCornersForASlip) {
+  const std::string rule =
+      "rule \"x\" quality 1 {\n  front a -> b -> c;\n  at c (1.5, H);\n  new d = a + (c - b);\n"
+      "  zone a, b, c, d;\n  tri a b d;\n  tri b c d;\n  mirror \"y\";\n}\n";
+  expectSound(rule);
+  std::string without = rule;
+  without.erase(without.find("  tri b c d;\n"), 13);
+  const LoadedRules loaded = loadRulesFromText("r.af2", kHead + without);
+  EXPECT_EQ(toPretty(loaded.diagnostics).find("did you mean"), std::string::npos)
+      << toPretty(loaded.diagnostics);
+  EXPECT_EQ(fixed(without), without);
+}
+
+TEST(Fixes, GiveAnglesTheirUnit) {
+  const std::string right =
+      "rule \"x\" quality 1 {\n  new c = mid(a, b) + (0, sin(60deg));\n  zone a, b, c;\n"
+      "  tri a b c;\n}\n";
+  std::string bare = right;
+  bare.erase(bare.find("deg"), 3);
+  EXPECT_EQ(fixed(bare), right);
+}
+
 TEST(Fixes, RemoveMirrorsThatDoNothing) {
   EXPECT_EQ(fixed("rule \"x\" quality 1 {\n  new c = mid(a, b) + (0, H);\n  zone a, b, c;\n"
                   "  tri a b c;\n  mirror \"y\";\n}\n"),

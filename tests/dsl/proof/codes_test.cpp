@@ -79,6 +79,7 @@ std::vector<Diagnostic> checked(const fs::path& path, bool withCoverage) {
   const bool isWhole = loaded.rules != nullptr;
   loaded.rules = loaded.file->soundRules;
   if (!loaded.rules) return told;
+  if (isWhole) dropIdleMirrors(loaded, told);
   for (Diagnostic& d : diagnosticsOf(loaded, runSampledChecks(*loaded.rules)))
     if (isWhole || d.code != Code::NeverChosen) addFinding(told, std::move(d));
   if (isWhole && withCoverage)

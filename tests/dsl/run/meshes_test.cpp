@@ -249,7 +249,7 @@ TEST(RuleMeshes, TolerancesAndScoresMayGoByLevel) {
                      "; accept score < 1; classes 1.." + std::to_string(levels) +
                      "; }\nrule \"whole\" quality 1 { front " + front + "; at c (1, 1) ~ " +
                      tolerance + ", d (0, 1) ~ " + tolerance +
-                     "; zone a, b, c, d; quad a b c d; }");
+                     "; zone a, b, c, d; quad a b c d; meta { allow \"D4\"; } }");
   };
   const char* const loop = "a -> b -> c -> d -> a";
   const char* const apart = "a -> b, c -> d";
@@ -278,6 +278,7 @@ rule "whole" quality 1 {
   require abs(h(a) - 0.5/0.75) < 1e-12, abs(h(b) - 1/0.75) < 1e-12, abs(b.x - 2/0.75) < 1e-12;
   zone    a, b, c, d;
   quad    a b c d;
+  meta    { allow "D4"; }
 })");
   FrontInput input;
   addLoop(input, {{0, 0}, {2, 0}, {2, 2}, {0, 2}});

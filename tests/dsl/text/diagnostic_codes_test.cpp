@@ -48,9 +48,11 @@ std::set<std::string> anchorsOf(const std::string& text) {
 }
 
 std::string evidenceOf(const CodeInfo& info) {
-  return info.evidence == Evidence::Text      ? "the text"
-         : info.evidence == Evidence::Samples ? "samples"
-                                              : "samples, then a proof";
+  return info.evidence == Evidence::Text             ? "the text"
+         : info.evidence == Evidence::Samples        ? "samples"
+         : info.evidence == Evidence::TextAndSamples ? "the text; samples"
+         : info.evidence == Evidence::TextAndProof   ? "the text; samples, then a proof"
+                                                     : "samples, then a proof";
 }
 
 std::string rowOf(const CodeInfo& info) {

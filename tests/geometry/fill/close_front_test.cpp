@@ -15,7 +15,8 @@ MeshingResult stuckAt(const std::vector<std::vector<Point2>>& loops) {
     const std::size_t base = result.mesh.vertices.size();
     for (std::size_t i = 0; i < loop.size(); ++i) {
       result.mesh.vertices.push_back({{loop[i].x, loop[i].y, 0}, {0, 0, 1}});
-      result.stuck.push_back({VertexId(base + i), VertexId(base + (i + 1) % loop.size()), 1, {}});
+      result.stuck.push_back(
+          {VertexId(base + i), VertexId(base + (i + 1) % loop.size()), 1, {}, {}});
     }
   }
   return result;

@@ -36,6 +36,7 @@ af2::geometry::ModelMesh withBoundaries(af2::geometry::ModelMesh mesh) {
 int main(int, char** arguments) {
   const std::filesystem::path directory = arguments[1];
   for (const af2::geometry::MeshFormat& format : af2::geometry::meshFormats()) {
+    if (format.isOnlyPlanar) continue;  // a cube is not
     const std::string extension(format.extension);
     using namespace af2::geometry;
     writeMesh(cubeMesh(), directory / ("cube" + extension));

@@ -15,6 +15,7 @@
 #include <TopoDS_Face.hxx>
 
 #include <cmath>
+#include <utility>
 
 #include "geometry/occ/run/mesh_model.h"
 #include "tests/geometry/occ/meshing.h"
@@ -54,6 +55,44 @@ TEST(Charts, ACylinderIsMeshedThroughEachThatItHas) {
     expectOnSurface(result, 0.4, fromTube);
     EXPECT_EQ(result.faces[0].chart, toString(kind));
     EXPECT_EQ(result.faces[1].chart, "plane");
+  }
+}
+
+/// Badness of the triangles of face 1, each laid flat: the largest and the mean.
+std::pair<double, double> badnessOf(const ModelMesh& mesh, double size) {
+  double worst = 0, sum = 0, count = 0;
+  for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
+    if (mesh.face[e] != 1) continue;
+    const auto v = mesh.elements[e].vertices();
+    const Point3 a = mesh.vertices[v[0].value];
+    const Point3 p = (1 / size) * (mesh.vertices[v[1].value] - a);
+    const Point3 q = (1 / size) * (mesh.vertices[v[2].value] - a);
+    const double along = dot(p, q) / length(p);
+    const double badness = ShapeSizeMetric(10).triangleBadness(
+        {0, 0}, {length(p), 0}, {along, length(cross(p, q)) / length(p)});
+    worst = std::max(worst, badness);
+    sum += badness;
+    count += 1;
+  }
+  return {worst, sum / count};
+}
+
+TEST(Charts, ACylinderIsFinishedByTheScoreThroughEachThatItHas) {
+  constexpr double kSize = 0.4;
+  RuleSetDefinition definition = testing::triangleSetDefinition();
+  definition.finish = Finish::Score;
+  const AF2Algorithm byScore(std::make_shared<const RuleSet>(definition));
+  for (const ChartKind kind :
+       {ChartKind::MeanNormal, ChartKind::Parametric, ChartKind::Affine, ChartKind::Developed}) {
+    MeshingOptions options = testing::ofSize(kSize);
+    options.chart = kind;
+    const ModelMesh finished = meshModel(testing::cylinder(2, 3), byScore, options);
+    expectOnSurface(finished, kSize, fromTube);
+    options.optimize = false;
+    const ModelMesh raw = meshModel(testing::cylinder(2, 3), byScore, options);
+    EXPECT_EQ(finished.elements.size(), raw.elements.size());
+    EXPECT_LT(badnessOf(finished, kSize).first, badnessOf(raw, kSize).first) << toString(kind);
+    EXPECT_LT(badnessOf(finished, kSize).second, badnessOf(raw, kSize).second) << toString(kind);
   }
 }
 

@@ -1,0 +1,108 @@
+#include "engine/step/front_piece.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <tuple>
+
+#include "engine/front/front.h"
+#include "engine/step/neighborhood.h"
+
+namespace af2 {
+namespace {
+
+double distanceToSegment(Point2 point, Point2 from, Point2 to) {
+  const Point2 along = to - from, offset = point - from;
+  const double squared = dot(along, along);
+  const double share = squared > 0 ? std::clamp(dot(offset, along) / squared, 0.0, 1.0) : 0;
+  return length(offset - share * along);
+}
+
+/// Cuts a piece out of a front.
+class Cutter {
+ public:
+  Cutter(const Front& front, const StepChart& chart, PlaceId base, double reach)
+      : front_(front), chart_(chart), reach_(reach) {
+    const Point2 from = chart_.project(front_[base].point).position;
+    const Point2 to = chart_.project(front_[front_.next(base)].point).position;
+    middle_ = 0.5 * (from + to);
+    isKept_.assign(front_.capacity(), false);
+    for (std::size_t i = 0; i < front_.capacity(); ++i)
+      isKept_[i] = front_.hasEdge(PlaceId(i)) && isNear(PlaceId(i));
+    for (const PlaceId id : {front_.previous(base), base, front_.next(base)})
+      if (front_.hasEdge(id)) isKept_[id.value] = true;
+  }
+
+  LocalFront cut() {
+    // Open chains begin where the edge before is not kept; what is then left is closed.
+    for (std::size_t i = 0; i < isKept_.size(); ++i)
+      if (isKept_[i] && !isKept_[front_.previous(PlaceId(i)).value]) addChain(PlaceId(i));
+    for (std::size_t i = 0; i < isKept_.size(); ++i)
+      if (isKept_[i]) addChain(PlaceId(i));
+    for (std::size_t i = 0; i < front_.capacity(); ++i) addIsolated(PlaceId(i));
+    return std::move(local_);
+  }
+
+  std::size_t vertexAt(PlaceId id) {
+    const Place& place = front_[id];
+    const Point2 at = chart_.project(place.point).position;
+    const auto [known, isNew] = numbers_.try_emplace(std::tuple(place.vertex.value, at.x, at.y),
+                                                     local_.piece.vertices.size());
+    if (isNew) {
+      local_.piece.vertices.push_back(at);
+      local_.ids.push_back(place.vertex);
+    }
+    return known->second;
+  }
+
+ private:
+  bool isHidden(PlaceId id) const {
+    return chart_.project(front_[id].point).view == ChartView::Hidden;
+  }
+
+  bool isNear(PlaceId id) const {
+    const PlaceId next = front_.next(id);
+    return !isHidden(id) && !isHidden(next) &&
+           distanceToSegment(middle_, chart_.project(front_[id].point).position,
+                             chart_.project(front_[next].point).position) <= reach_;
+  }
+
+  void addChain(PlaceId first) {
+    std::vector<std::size_t>& chain = local_.piece.chains.emplace_back();
+    chain.push_back(vertexAt(first));
+    for (PlaceId id = first; isKept_[id.value]; id = front_.next(id)) {
+      isKept_[id.value] = false;
+      chain.push_back(vertexAt(front_.next(id)));
+    }
+  }
+
+  void addIsolated(PlaceId id) {
+    if (!front_.isUsed(id) || !front_.isIsolated(id) || isHidden(id)) return;
+    if (length(chart_.project(front_[id].point).position - middle_) > reach_) return;
+    local_.piece.isolated.push_back(vertexAt(id));
+  }
+
+  const Front& front_;
+  const StepChart& chart_;
+  double reach_;
+  Point2 middle_;
+  std::vector<bool> isKept_;  ///< by place: whether the edge that leaves it is still to be added
+  std::map<std::tuple<std::size_t, double, double>, std::size_t> numbers_;
+  LocalFront local_;
+};
+
+}  // namespace
+
+LocalFront localFront(const Front& front, const StepChart& chart, PlaceId base, double size,
+                      double reach) {
+  Cutter cutter(front, chart, base, reach);
+  const std::pair edge{cutter.vertexAt(base), cutter.vertexAt(front.next(base))};
+  LocalFront local = cutter.cut();
+  local.piece.base = edge;
+  local.piece.level = front[base].level;
+  local.piece.size = size;
+  return local;
+}
+
+}  // namespace af2

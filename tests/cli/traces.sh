@@ -1,0 +1,65 @@
+#!/usr/bin/env bash
+# From a run to the reason of one of its steps, and to a test of it.
+. "$(dirname "$0")/support.sh"
+plate=$models/plate.poly
+die=$models/die.step
+cp "$2/rules/tri/classic.af2" mine.af2
+
+expect 0 "$af2" mesh "$plate" --size 0.5 -r mine.af2 --trace plate.af2t --report plain.json --quiet
+expect 0 "$af2" mesh "$plate" --size 0.5 -r mine.af2 --report untraced.json --quiet
+[ "$(json plain.json fingerprint)" = "$(json untraced.json fingerprint)" ] || fail "--trace changed the mesh"
+expect 0 "$af2" mesh "$die" --size 1 -j 2 --trace two.af2t --quiet
+expect 0 "$af2" mesh "$die" --size 1 -j 1 --trace one.af2t --quiet
+expect 0 "$af2" trace diff one.af2t two.af2t
+grep -q '68 of 68 faces took the same steps' out || fail "the trace depends on the threads"
+expect 0 "$af2" mesh "$die" --size 1 --trace part.af2t --trace-faces 3,5-6 --quiet
+expect 1 "$af2" trace diff one.af2t part.af2t
+grep -q '3 of 3 faces took the same steps, 65 are in one trace only' out || fail "--trace-faces"
+
+expect 0 "$af2" explain plate.af2t --step 1
+grep -q '^face 1, step 1: ' out || fail "explain does not name the step"
+grep -q 'applied' out || fail "explain does not name the rule that was applied"
+expect 0 "$af2" explain plate.af2t --step 1 --why-not 'right 60'
+[ "$(grep -c '^  [a-z0-9]' out)" -eq 2 ] || fail "--why-not shows other rules"
+expect 0 "$af2" explain plate.af2t --at 1,1,0 --format json
+json out level >/dev/null || fail "explain writes no JSON"
+expect 0 "$af2" explain plate.af2t --step 5 --extract step.af2
+expect 0 "$af2" test step.af2
+
+expect 0 "$af2" stats plate.af2t
+grep -q '^free triangle 1 ' out || fail "stats lacks a rule"
+expect 0 "$af2" stats plate.af2t --format json
+[ "$(json out 0 chosen)" -gt 0 ] || fail "stats in JSON"
+
+# A stuck front: from the run to a test that fails, and passes once the rules are mended.
+sed '/^test/,$d; /^rule "free triangle {k}"/,/^}/d; /^rule "fill/,/^}/d; /^rule .*vis a vis/,/^}/d' mine.af2 >tight.af2
+expect 0 "$af2" mesh "$plate" --size 0.5 -r tight.af2 --trace tight.af2t --stuck-tests stuck.af2 --quiet
+grep -q 'expect not stuck' stuck.af2 || fail "there are no tests of stuck places"
+expect 1 "$af2" test stuck.af2
+grep -q 'most frequent reason' out || fail "a failed test does not say why"
+expect 0 "$af2" explain tight.af2t --extract stuck_step.af2
+grep -q 'no rule' out || fail "explain does not find the stuck step"
+expect 1 "$af2" test stuck_step.af2
+cp mine.af2 tight.af2
+expect 0 "$af2" test stuck_step.af2
+expect 1 "$af2" explain tight.af2t; told 'has changed since the trace was made'
+expect 1 "$af2" trace diff plate.af2t tight.af2t
+grep -q 'parts at step' out || fail "trace diff does not name the first different step"
+
+# Bad input.
+expect 2 "$af2" explain plate.af2t; told 'no front got stuck'
+expect 2 "$af2" explain plate.af2t --step 100000; told 'has steps 1 to'
+expect 2 "$af2" explain plate.af2t --face 7; told 'no steps of this face'
+expect 2 "$af2" explain one.af2t --step 1; told '--step needs --face'
+expect 2 "$af2" explain plate.af2t --step 1 --why-not 'right 6'; told 'did you mean'
+expect 2 "$af2" explain plate.af2t --at 1,1; told 'x,y,z'
+expect 1 "$af2" explain nothing.af2t; told 'cannot read'
+expect 1 "$af2" explain mine.af2; told 'is not a trace of this version'
+head -c 300 plate.af2t >cut.af2t
+expect 1 "$af2" stats cut.af2t; told 'make it again'
+head -c 2000 plate.af2t >cut.af2t
+expect 1 "$af2" stats cut.af2t; told 'is damaged'
+sed 's/"version":"[^"]*"/"version":"0.0.1"/' plate.af2t >old.af2t
+expect 1 "$af2" explain old.af2t; told 'was written by version 0.0.1'
+expect 2 "$af2" mesh "$plate" --size 1 --trace-faces 1; told 'needs --trace'
+finish
