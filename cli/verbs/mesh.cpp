@@ -78,6 +78,7 @@ void printResult(const MeshRequest& request, const RunReport& report, const Mode
     text += fmt::format("af2: {} elements of second order kept straight sides (see --report)\n",
                         mesh.straightened.size());
   text += withoutRuleText(mesh);
+  if (!request.quiet && request.stuckTests.empty()) text += stuckHint(mesh);
   std::fputs(text.c_str(), stderr);  // does not throw if stderr is closed
   if (!request.quiet)
     fmt::print("{}{}{}{}", unitText(mesh), notesText(mesh.notes), healingText(mesh.healing),

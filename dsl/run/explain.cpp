@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "dsl/run/evaluate.h"
+#include "engine/base/segment.h"
 
 namespace af2::dsl {
 namespace {
@@ -96,13 +97,6 @@ class LikelyMatch {
   const BaseFrame& frame_;
   std::vector<Edge> edges_;
 };
-
-double distanceToSegment(Point2 point, Point2 from, Point2 to) {
-  const Point2 along = to - from, offset = point - from;
-  const double squared = dot(along, along);
-  const double share = squared > 0 ? std::clamp(dot(offset, along) / squared, 0.0, 1.0) : 0;
-  return length(offset - share * along);
-}
 
 /// How far a point lies from the outline of the zones.
 double depthIn(const std::vector<std::vector<Point2>>& zones, Point2 point) {

@@ -1,23 +1,14 @@
 #include "engine/step/front_piece.h"
 
-#include <algorithm>
-#include <cmath>
 #include <map>
-#include <optional>
 #include <tuple>
 
+#include "engine/base/segment.h"
 #include "engine/front/front.h"
 #include "engine/step/neighborhood.h"
 
 namespace af2 {
 namespace {
-
-double distanceToSegment(Point2 point, Point2 from, Point2 to) {
-  const Point2 along = to - from, offset = point - from;
-  const double squared = dot(along, along);
-  const double share = squared > 0 ? std::clamp(dot(offset, along) / squared, 0.0, 1.0) : 0;
-  return length(offset - share * along);
-}
 
 /// Cuts a piece out of a front.
 class Cutter {
