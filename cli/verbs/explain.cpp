@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <limits>
 #include <list>
 #include <memory>
 #include <mutex>
@@ -25,14 +26,21 @@ namespace {
 
 struct ExplainOptions {
   std::string trace, at, whyNot, extract, format = "pretty";
-  int face = 0, step = 0;
+  int face = 0, step = 0, element = -1;
 };
 
 /// Which step is asked for: a number, or else the step whose base edge is nearest to a place.
 struct Target {
   int face = 0;          ///< 0: any
   std::size_t step = 0;  ///< in the face, from 1; 0: by place
-  Point3 place;
+  Point3 place = {};
+  /// Only steps that applied this rule; kNoRule: only steps that applied none. No value: all.
+  std::optional<std::size_t> rule = {};
+  static constexpr std::size_t kNoRule = std::numeric_limits<std::size_t>::max();
+
+  bool accepts(const StepReport& taken) const {
+    return !rule || (taken.applied ? *rule == taken.rule : *rule == kNoRule);
+  }
 };
 
 /// A step of the run and the front around it.
@@ -51,11 +59,12 @@ class Finder final : public AF2MeshingObserver {
 
   bool wantsFrontAround(const StepReport& step) const override {
     if (target_.step > 0) return step_ + 1 == target_.step;
-    return !found || distanceOf(step) < found->distance;
+    // Of the steps at one base edge, the last: it was tried at the highest level.
+    return !found || distanceOf(step) <= found->distance;
   }
   void stepTaken(const StepReport&) override { ++step_; }
   void frontAround(const StepReport& step, const LocalFront& around) override {
-    found = FoundStep{face_, step_, distanceOf(step), step, around};
+    if (target_.accepts(step)) found = FoundStep{face_, step_, distanceOf(step), step, around};
   }
 
   std::optional<FoundStep> found;
@@ -79,7 +88,7 @@ std::optional<Target> firstStuckStep(const Trace& trace, int face) {
       step += entry.isStep();
       if (entry.kind == TraceEntry::Kind::Refused) refused = step;
       if (entry.kind == TraceEntry::Kind::End && entry.from > 0 && refused > 0)
-        return Target{id, refused, {}};
+        return Target{id, refused};
     }
   }
   return std::nullopt;
@@ -97,10 +106,29 @@ Target targetOf(const ExplainOptions& options, const Trace& trace) {
     if (options.step < 1 || options.step > steps)
       throw UsageError(
           fmt::format("--step {}: face {} has steps 1 to {}", options.step, face, steps));
-    return {face, static_cast<std::size_t>(options.step), {}};
+    return {face, static_cast<std::size_t>(options.step)};
   }
   if (const auto stuck = firstStuckStep(trace, options.face)) return *stuck;
   throw UsageError("no front got stuck in this run; name a step by --face and --step, or by --at");
+}
+
+/// The step that made an element is the one with its rule whose base edge is nearest. Where no rule
+/// made it, the nearest step that applied none says why; where optimisation changed it, any step.
+Target targetOf(int number, const Replay& replay) {
+  const geometry::ModelMesh mesh = replay.run({});
+  const auto index = static_cast<std::size_t>(number);
+  if (index >= mesh.elements.size())
+    throw UsageError(fmt::format("--element {}: the mesh has elements 0 to {}", number,
+                                 static_cast<std::ptrdiff_t>(mesh.elements.size()) - 1));
+  Target target;
+  target.face = mesh.face[index];
+  const Element& element = mesh.elements[index];
+  for (const VertexId v : element.vertices())
+    target.place = target.place + (1.0 / element.size()) * mesh.vertices[v.value];
+  const ElementOrigin& origin = mesh.origins[index];
+  if (origin.isChanged) return target;
+  target.rule = origin.rule < replay.rules().rules().size() ? origin.rule : Target::kNoRule;
+  return target;
 }
 
 FoundStep find(const Replay& replay, const Target& target) {
@@ -157,8 +185,13 @@ void extract(const ExplainOptions& options, const Replay& replay, const FoundSte
 
 int explain(const ExplainOptions& options) {
   const Trace trace = readTrace(options.trace);
-  const Target target = targetOf(options, trace);
+  const bool isByElement = options.element >= 0;
+  if (isByElement && (options.step != 0 || !options.at.empty()))
+    throw UsageError("--element, --step and --at name different steps; give one of them");
+  Target target;
+  if (!isByElement) target = targetOf(options, trace);
   const Replay replay(trace);
+  if (isByElement) target = targetOf(options.element, replay);
   try {
     if (!options.whyNot.empty()) dsl::findRule(replay.rules(), options.whyNot);
   } catch (const InputError& error) {
@@ -193,6 +226,12 @@ Action declareExplain(CLI::App& command) {
       ->type_name("N");
   command.add_option("--at", options->at, "the step whose base edge is nearest to this place")
       ->type_name("X,Y,Z");
+  command
+      .add_option(
+          "--element", options->element,
+          "the step that made the element with this number, from 0 as in .vtu files and pages")
+      ->type_name("N")
+      ->check(CLI::NonNegativeNumber.description(""));
   command.add_option("--why-not", options->whyNot, "explain only this rule")->type_name("TITLE");
   command
       .add_option("--extract", options->extract,

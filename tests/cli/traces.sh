@@ -26,6 +26,11 @@ json out level >/dev/null || fail "explain writes no JSON"
 expect 0 "$af2" explain plate.af2t --step 5 --extract step.af2
 expect 0 "$af2" test step.af2
 
+expect 0 "$af2" explain plate.af2t --element 0
+grep -q 'applied' out || fail "the step of an element did not apply a rule"
+expect 2 "$af2" explain plate.af2t --element 100000; told 'the mesh has elements 0 to'
+expect 2 "$af2" explain plate.af2t --element 1 --step 1; told 'give one of them'
+
 expect 0 "$af2" stats plate.af2t
 grep -q '^free triangle 1 ' out || fail "stats lacks a rule"
 expect 0 "$af2" stats plate.af2t --format json
