@@ -173,6 +173,8 @@ void declareMeshOptions(CLI::App& command, MeshOptions& options) {
       ->type_name("FACES");
   addPluginOption(command, options.plugins);
   command.add_option("--report", options.report, "file for a report in JSON")->type_name("FILE");
+  command.add_flag("--statistics", options.statistics,
+                   "with --report: also what each rule did, as af2 stats prints it");
   command.add_flag("-q,--quiet", options.quiet, "print only errors and failures");
 }
 
@@ -211,7 +213,7 @@ geometry::ChartKind checkedChart(const MeshOptions& options, const MeshRequest& 
 
 std::vector<std::string> argumentsOf(const CLI::App& command) {
   const std::set<std::string> outputs{"--output",      "--report", "--stuck-tests", "--trace",
-                                      "--trace-faces", "--quiet",  "--unchecked"};
+                                      "--trace-faces", "--quiet",  "--unchecked",   "--statistics"};
   std::vector<std::string> arguments;
   for (const CLI::Option* option : command.get_options()) {
     if (option->count() == 0 || outputs.contains(option->get_name())) continue;
@@ -259,6 +261,9 @@ MeshRequest checkedRequest(const MeshOptions& options) {
   request.report = options.report;
   request.stuckTests = options.stuckTests;
   request.trace = options.trace;
+  if (options.statistics && options.report.empty())
+    throw UsageError("--statistics needs --report, which holds them");
+  request.statistics = options.statistics;
   if (!options.traceFaces.empty()) {
     if (options.trace.empty()) throw UsageError("--trace-faces needs --trace");
     request.traceFaces = parseIds("--trace-faces", options.traceFaces);

@@ -23,7 +23,7 @@ struct MeshOptions {
   std::string boundary, featureAngle, chart, healTolerance;
   bool quiet = false, rawFront = false, strictRules = false, unchecked = false;
   std::vector<std::string> plugins;  ///< libraries that register names for the rules
-  bool keepBoundary = false, heal = false, edges = false;
+  bool keepBoundary = false, heal = false, edges = false, statistics = false;
 };
 
 void declareMeshOptions(CLI::App& command, MeshOptions& options);
@@ -48,6 +48,7 @@ struct MeshRequest {
   std::vector<std::filesystem::path> outputs;
   geometry::MeshingOptions options;  ///< the options for meshing
   bool quiet = false;
+  bool statistics = false;  ///< the report has the statistics of the rules
   RuleLoading ruleLoading;
   geometry::LinesAlong lines = geometry::LinesAlong::Boundaries;
 

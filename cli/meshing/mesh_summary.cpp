@@ -127,16 +127,6 @@ std::string withoutRuleText(const geometry::ModelMesh& mesh) {
                      grouped(all.total()), grouped(mesh.elements.size()), kinds, list);
 }
 
-std::string stuckHint(const geometry::ModelMesh& mesh) {
-  const auto faces =
-      std::ranges::count_if(mesh.faces, [](const FaceReport& face) { return !face.stuck.empty(); });
-  if (faces == 0) return "";
-  return fmt::format(
-      "af2: fronts got stuck on {} face{}; --stuck-tests FILE writes tests of these places, which "
-      "say why\n",
-      faces, faces == 1 ? "" : "s");
-}
-
 std::string failureText(const geometry::ModelMesh& mesh) {
   std::string text;
   for (const FaceReport& face : mesh.faces) {

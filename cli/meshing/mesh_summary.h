@@ -25,9 +25,6 @@ std::string notesText(const std::vector<std::string>& notes);
 /// How many elements no rule made, and on which faces; empty if there are none.
 std::string withoutRuleText(const geometry::ModelMesh& mesh);
 
-/// Where to find out why fronts got stuck; empty if none did.
-std::string stuckHint(const geometry::ModelMesh& mesh);
-
 /// One line for each failed face, with the reason; empty if none failed.
 std::string failureText(const geometry::ModelMesh& mesh);
 

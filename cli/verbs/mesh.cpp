@@ -8,8 +8,10 @@
 #include "cli/meshing/mesh_run.h"
 #include "cli/meshing/mesh_summary.h"
 #include "cli/meshing/model_runs.h"
+#include "cli/meshing/rule_statistics.h"
+#include "cli/meshing/run_recorders.h"
+#include "cli/meshing/stuck_causes.h"
 #include "cli/meshing/stuck_tests.h"
-#include "cli/meshing/trace_file.h"
 #include "cli/program/exit_code.h"
 #include "cli/program/interrupt.h"
 #include "cli/program/supervisor.h"
@@ -78,7 +80,7 @@ void printResult(const MeshRequest& request, const RunReport& report, const Mode
     text += fmt::format("af2: {} elements of second order kept straight sides (see --report)\n",
                         mesh.straightened.size());
   text += withoutRuleText(mesh);
-  if (!request.quiet && request.stuckTests.empty()) text += stuckHint(mesh);
+  if (!request.quiet && request.stuckTests.empty()) text += stuckText(mesh);
   std::fputs(text.c_str(), stderr);  // does not throw if stderr is closed
   if (!request.quiet)
     fmt::print("{}{}{}{}", unitText(mesh), notesText(mesh.notes), healingText(mesh.healing),
@@ -101,25 +103,11 @@ RunReport reportOf(const ModelMesh& mesh, bool strictRules) {
   return report;
 }
 
-void writeTraceOf(const MeshRequest& request, const RuleSet& rules,
-                  std::map<int, FaceTrace> faces) {
-  Trace trace;
-  trace.arguments = request.arguments;
-  trace.directory = std::filesystem::current_path();
-  for (const AF2Rule& rule : rules.rules()) trace.ruleNames.push_back(rule.name());
-  for (const auto& file : {request.model, request.rules})
-    trace.checksums[file.string()] = checksumOf(file);
-  trace.faces = std::move(faces);
-  writeTrace(trace, request.trace);
-}
-
 int meshAndReport(const MeshRequest& request, RunLog* log, const GivenUp& givenUp) {
   const Interrupt interrupt;
   const dsl::LoadedRules loaded = loadRuleSet(request.rules, request.ruleLoading);
-  TraceRecorder recorder(request.traceFaces);
-  RunControl control{!request.quiet, interrupt.token(), {}, log, &givenUp};
-  if (!request.trace.empty())
-    control.observer = [&](int face) { return recorder.observerOf(face); };
+  RunRecorders recorders(request, *loaded.rules);
+  const RunControl control{!request.quiet, interrupt.token(), recorders.observers(), log, &givenUp};
   ModelMesh mesh = runMesh(request, loaded.rules, control);
   mesh.name = request.model.filename().string();
   mesh.ruleTexts = ruleTextsOf(loaded);
@@ -131,8 +119,12 @@ int meshAndReport(const MeshRequest& request, RunLog* log, const GivenUp& givenU
     else
       report.quality = measureQuality(mesh, 0);
   });
+  if (!request.report.empty()) report.sections["stuck"] = stuckJson(mesh);
+  if (request.statistics)
+    report.sections["statistics"] =
+        toJson(*loaded.rules, statisticsOf(*loaded.rules, mesh, recorders.counts()));
   writeReportIfAsked(request, report, mesh);
-  if (!request.trace.empty()) writeTraceOf(request, *loaded.rules, recorder.take());
+  if (!request.trace.empty()) recorders.writeTrace();
   if (!request.stuckTests.empty()) writeStuckTests(request, *loaded.rules, mesh);
   printResult(request, report, mesh);
   return exitCodeOf(report.status);

@@ -210,15 +210,21 @@ std::string detailsText(const RuleExplanation& rule) {
 
 /// The reason that the most rules were refused for, beyond that the pattern is not there.
 std::optional<Refusal> mainCause(const StepExplanation& explanation) {
+  std::vector<Refusal> reasons;
+  for (const RuleExplanation& rule : explanation.rules) reasons.push_back(rule.reason);
+  return dsl::mainCause(reasons);
+}
+
+}  // namespace
+
+std::optional<Refusal> mainCause(const std::vector<Refusal>& reasons) {
   std::map<Refusal, int> counts;
-  for (const RuleExplanation& rule : explanation.rules)
-    if (rule.reason != Refusal::Class) ++counts[rule.reason];
+  for (const Refusal reason : reasons)
+    if (reason != Refusal::Class) ++counts[reason];
   if (counts.size() > 1) counts.erase(Refusal::Pattern);
   const auto most = std::ranges::max_element(counts, {}, [](const auto& c) { return c.second; });
   return most == counts.end() ? std::nullopt : std::optional(most->first);
 }
-
-}  // namespace
 
 StepExplanation explainStep(const RuleSet& rules, SingleStepper& stepper, const FrontPiece& piece,
                             const std::vector<std::string>& names, bool higherLevels) {

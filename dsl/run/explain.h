@@ -49,6 +49,10 @@ AF2_EXPORT std::string toText(const StepExplanation& explanation, const std::str
                               const std::string& only = {});
 AF2_EXPORT std::string toJson(const StepExplanation& explanation);
 
+/// The reason that most rules share, `Pattern` only if there is no other; null if no rule was
+/// tried.
+AF2_EXPORT std::optional<Refusal> mainCause(const std::vector<Refusal>& reasons);
+
 /// What an author can do about a reason for a refusal.
 AF2_EXPORT const char* remedyFor(Refusal reason);
 

@@ -201,10 +201,14 @@ class Run {
     if (!options_.observer) return;
     report.elements = result_.mesh.elements.size();
     report.frontEdges = front_.edgeCount();
+    if (report.applied)
+      std::erase_if(refusals, [&](const RuleRefusal& r) {
+        if (r.rule != report.rule) return false;
+        report.ruleSeconds = r.seconds;
+        return true;
+      });
     options_.observer->stepTaken(report);
     if (!options_.observer->wantsRefusals()) return;
-    if (report.applied)
-      std::erase_if(refusals, [&](const RuleRefusal& r) { return r.rule == report.rule; });
     options_.observer->rulesRefused(report, refusals);
   }
 

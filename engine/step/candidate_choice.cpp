@@ -4,6 +4,7 @@
 #include <array>
 
 #include "engine/base/pair.h"
+#include "engine/base/stopwatch.h"
 #include "engine/mesh/element_shape.h"
 #include "engine/step/surroundings.h"
 
@@ -350,6 +351,7 @@ std::vector<RuleRefusal> CandidateChoice::explain(const StepChart& chart, PlaceI
 }
 
 RuleRefusal CandidateChoice::explainRule(const StepView& view, const RuleAtLevel& at) {
+  const Stopwatch watch;
   RuleRefusal result{at.rule->index, Refusal::Pattern, {}, {}};
   const std::vector<Match> matches = matchesOf(view, at);
   for (const Match& match : matches) {
@@ -357,6 +359,7 @@ RuleRefusal CandidateChoice::explainRule(const StepView& view, const RuleAtLevel
     if (refusal.reason > result.reason) result = std::move(refusal);
   }
   result.matches = matches.size();
+  result.seconds = watch.seconds();
   return result;
 }
 

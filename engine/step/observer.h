@@ -24,6 +24,7 @@ struct RuleRefusal {
   std::size_t matches = 0;  ///< number of matches of the rule that were tried
   std::vector<VertexId> matched = {};  ///< of the match that came farthest, in pattern order
   std::optional<double> score = {};    ///< of that match, if it has one
+  double seconds = 0;                  ///< for finding and testing all matches
 };
 
 /// One step of the advance.
@@ -34,6 +35,7 @@ struct StepReport {
   bool applied = false;
   std::size_t rule = 0;  ///< if applied: the rule and its score
   double score = 0;
+  double ruleSeconds = 0;  ///< for all matches of this rule, if the observer wants refusals
   std::size_t elements = 0, frontEdges = 0;  ///< after the step
 };
 

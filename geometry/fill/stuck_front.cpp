@@ -35,8 +35,7 @@ std::vector<StuckPlace> stuckPlaces(const MeshingResult& result) {
     place.v = from.v;
     place.level = edge.level;
     for (const RuleRefusal& refusal : edge.refusals)
-      place.refusals.emplace_back(static_cast<std::uint16_t>(refusal.rule),
-                                  toString(refusal.reason));
+      place.refusals.emplace_back(static_cast<std::uint16_t>(refusal.rule), refusal.reason);
     place.around = edge.around.piece;
   }
   return places;

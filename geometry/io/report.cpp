@@ -19,7 +19,8 @@ Json toJson(const StuckPlace& place, const std::vector<std::string>& ruleNames) 
             {"uv", {place.u, place.v}},
             {"level", place.level},
             {"refused", Json::object()}};
-  for (const auto& [rule, reason] : place.refusals) json["refused"][ruleNames[rule]] = reason;
+  for (const auto& [rule, reason] : place.refusals)
+    json["refused"][ruleNames[rule]] = toString(reason);
   return json;
 }
 
@@ -166,6 +167,7 @@ void writeReport(const RunReport& report, const ModelMesh& mesh, OutputFile& fil
                               {"edges", boundary.edges}});
   if (!mesh.notes.empty()) json["notes"] = mesh.notes;
   if (mesh.healing) json["healing"] = toJson(*mesh.healing);
+  for (const auto& [name, value] : report.sections) json[name] = Json::parse(value);
   json["seconds"] = toJson(mesh.seconds);
   json["quality"] = toJson(report.quality);
   json["fingerprint"] = fingerprint(mesh);

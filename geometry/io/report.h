@@ -1,6 +1,7 @@
 // Writes the report of a run as JSON (docs/formats.md explains each field).
 #pragma once
 
+#include <map>
 #include <string>
 
 #include "engine/base/export.h"
@@ -28,6 +29,8 @@ struct RunReport {
   RunStatus status = RunStatus::Failed;
   std::string reason;  ///< of failure; empty: not written
   MeshQuality quality;
+  /// Further fields by name, each with a value in JSON.
+  std::map<std::string, std::string> sections = {};
 };
 
 AF2_EXPORT void writeReport(const RunReport& report, const ModelMesh& mesh, OutputFile& file);

@@ -12,6 +12,7 @@
 #include "engine/base/export.h"
 #include "engine/base/point.h"
 #include "engine/mesh/mesh.h"
+#include "engine/rule/refusal.h"
 #include "engine/step/front_piece.h"
 #include "geometry/mesh/without_rule.h"
 
@@ -25,7 +26,7 @@ struct StuckPlace {
   double u = 0, v = 0;  ///< of `from` in the parameters of the face's surface, if it has any
   int level = 1;        ///< the quality level reached there
   /// The last reason why each rule was refused: index in ModelMesh::ruleNames, and the reason.
-  std::vector<std::pair<std::uint16_t, std::string>> refusals;
+  std::vector<std::pair<std::uint16_t, Refusal>> refusals;
   /// The front around the edge in its chart; without vertices if it is not known.
   FrontPiece around = {};
 };

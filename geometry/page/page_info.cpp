@@ -13,7 +13,7 @@ Json pointJson(const Point3& p) { return Json::array({p.x, p.y, p.z}); }
 
 Json stuckJson(const StuckPlace& place) {
   Json refused = Json::array();
-  for (const auto& [rule, reason] : place.refusals) refused.push_back({rule, reason});
+  for (const auto& [rule, reason] : place.refusals) refused.push_back({rule, toString(reason)});
   return {{"from", pointJson(place.from)},
           {"to", pointJson(place.to)},
           {"level", place.level},

@@ -34,7 +34,22 @@ expect 2 "$af2" explain plate.af2t --element 1 --step 1; told 'give one of them'
 expect 0 "$af2" stats plate.af2t
 grep -q '^free triangle 1 ' out || fail "stats lacks a rule"
 expect 0 "$af2" stats plate.af2t --format json
-[ "$(json out 0 chosen)" -gt 0 ] || fail "stats in JSON"
+[ "$(json out rules 0 chosen)" -gt 0 ] || fail "stats in JSON"
+cp out stats.json
+expect 0 "$af2" mesh "$plate" --size 0.5 -r mine.af2 --report run.json --statistics --trace both.af2t --quiet
+cmp -s plate.af2t both.af2t || fail "statistics changed the trace"
+python3 - stats.json run.json <<'PYTHON' || fail "statistics of a run and of its trace differ"
+import json, sys
+def counts(statistics):
+    for rule in statistics["rules"]: del rule["seconds"]
+    return statistics
+stats, run = (json.load(open(name)) for name in sys.argv[1:])
+assert counts(stats) == counts(run["statistics"])
+elements = sum(source["elements"] for source in stats["sources"])
+assert elements == run["triangles"] + run["quads"]
+assert 0 < sum(source["worst"] for source in stats["sources"]) <= elements / 100 + 1
+PYTHON
+expect 2 "$af2" mesh "$plate" --size 0.5 --statistics; told '--statistics needs --report'
 
 # A stuck front: from the run to a test that fails, and passes once the rules are mended.
 sed '/^test/,$d; /^rule "free triangle {k}"/,/^}/d; /^rule "fill/,/^}/d; /^rule .*vis a vis/,/^}/d' mine.af2 >tight.af2
@@ -42,7 +57,10 @@ expect 0 "$af2" mesh "$plate" --size 0.5 -r tight.af2 --trace tight.af2t --stuck
 grep -q 'expect not stuck' stuck.af2 || fail "there are no tests of stuck places"
 expect 1 "$af2" test stuck.af2
 grep -q 'most frequent reason' out || fail "a failed test does not say why"
-expect 0 "$af2" mesh "$plate" --size 0.5 -r tight.af2; told 'fronts got stuck on 1 face; --stuck-tests'
+expect 0 "$af2" mesh "$plate" --size 0.5 -r tight.af2; told 'fronts got stuck on 1 face; most frequent reason: '; told '--stuck-tests'
+expect 0 "$af2" mesh "$plate" --size 0.5 -r tight.af2 --report stuck.json
+[ "$(json stuck.json stuck 0 places)" -gt 0 ] || fail "the report does not group stuck places"
+[ -n "$(json stuck.json stuck 0 remedy)" ] || fail "a cause has no remedy"
 expect 0 "$af2" explain tight.af2t --extract stuck_step.af2
 grep -q 'no rule' out || fail "explain does not find the stuck step"
 expect 1 "$af2" test stuck_step.af2

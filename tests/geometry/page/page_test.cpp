@@ -70,7 +70,7 @@ TEST(Page, LetsNoNameEndItsData) {
 TEST(Page, ListsWhereTheFrontsOfFailedFacesGotStuck) {
   ModelMesh mesh = oneElement({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
   mesh.faces.push_back({2, "", "sphere", "", FaceStatus::Failed, 0, 0, 1, "the front got stuck"});
-  mesh.faces.back().stuck = {{{1, 2, 3}, {4, 5, 6}, 0, 0, 7, {{0, "zone hit by edge"}}}};
+  mesh.faces.back().stuck = {{{1, 2, 3}, {4, 5, 6}, 0, 0, 7, {{0, Refusal::ZoneHitByEdge}}}};
   EXPECT_TRUE(contains(
       written(mesh, ".html"),
       R"({"from":[1.0,2.0,3.0],"to":[4.0,5.0,6.0],"level":7,"refused":[[0,"zone hit by edge"]]})"));

@@ -1,0 +1,56 @@
+// What `af2 mesh` records during a run: the trace and the statistics of the rules.
+#pragma once
+
+#include <functional>
+#include <list>
+#include <mutex>
+#include <vector>
+
+#include "cli/meshing/mesh_request.h"
+#include "cli/meshing/rule_statistics.h"
+#include "cli/meshing/trace_file.h"
+#include "engine/rule/rule_set.h"
+
+namespace af2::cli {
+
+/// Passes what it hears to two observers.
+class ObserverPair final : public AF2MeshingObserver {
+ public:
+  ObserverPair(AF2MeshingObserver& first, AF2MeshingObserver& second)
+      : first_(first), second_(second) {}
+  void frontBegun(const FrontInput& input) override;
+  void stepTaken(const StepReport& step) override;
+  bool wantsRefusals() const override;
+  void rulesRefused(const StepReport& step, std::span<const RuleRefusal> refusals) override;
+  bool wantsFrontAround(const StepReport& step) const override;
+  void frontAround(const StepReport& step, const LocalFront& front) override;
+  void frontEnded(std::size_t edgesLeft) override;
+
+ private:
+  AF2MeshingObserver &first_, &second_;
+};
+
+/// The recorders of a run, as far as the request asks for them. Must outlive the run.
+class RunRecorders {
+ public:
+  RunRecorders(const MeshRequest& request, const RuleSet& rules);
+
+  /// Of each face; empty if there is nothing to record.
+  std::function<AF2MeshingObserver*(int face)> observers();
+  /// Writes the trace file. Throws InputError if it cannot be written.
+  void writeTrace();
+  /// By rule; all zero without statistics.
+  std::vector<RuleCounts> counts() const { return counters_.total(); }
+
+ private:
+  AF2MeshingObserver* observerOf(int face);
+
+  const MeshRequest& request_;
+  const RuleSet& rules_;
+  TraceRecorder trace_;
+  RuleCounters counters_;
+  std::mutex mutex_;
+  std::list<ObserverPair> pairs_;  // which stay where they are
+};
+
+}  // namespace af2::cli
