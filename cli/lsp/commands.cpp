@@ -127,11 +127,13 @@ Json jsonOf(const dsl::TestResult& result) {
   Json failures = Json::array();
   for (const dsl::TestFailure& f : result.failures)
     failures.push_back({{"line", f.place.line}, {"expected", f.expected}, {"got", f.got}});
-  return {{"title", result.title},
-          {"line", result.place.line},
-          {"passed", result.passed()},
-          {"rule", result.appliedRule},
-          {"failures", std::move(failures)}};
+  Json json{{"title", result.title},
+            {"line", result.place.line},
+            {"passed", result.passed()},
+            {"rule", result.appliedRule},
+            {"failures", std::move(failures)}};
+  if (!result.explanation.empty()) json["explanation"] = result.explanation;
+  return json;
 }
 
 Json failureDiagnostic(const TextMap& map, const dsl::SourceText& source,

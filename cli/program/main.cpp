@@ -20,6 +20,7 @@ int main(int count, char** arguments) {
       {"compile", "show the compiled form of rules", declareCompile},
       {"import", "convert rule files of Netgen (.rls)", declareImport},
       {"explain-code", "explain the code of a diagnostic", declareExplainCode},
+      {"playground", "edit rules in a browser beside what they do", declarePlayground},
       {"lsp", "run the language server for editors", declareLsp},
       {"version", "print the version", declareVersion},
   };

@@ -32,6 +32,7 @@ Action declareEval(CLI::App& command);
 Action declareCompile(CLI::App& command);
 Action declareExplainCode(CLI::App& command);
 Action declareImport(CLI::App& command);
+Action declarePlayground(CLI::App& command);
 Action declareLsp(CLI::App& command);
 Action declareVersion(CLI::App& command);
 

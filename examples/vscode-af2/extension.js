@@ -1,6 +1,8 @@
 // AF2 rules in VS Code: starts `af2 lsp`, shows its pictures, and tells of its tests.
 const vscode = require("vscode");
 const { LanguageClient } = require("vscode-languageclient/node");
+const { closePreviews, showPreview } = require("./preview");
+const { makeTestExplorer } = require("./tests");
 
 let client;
 let output;
@@ -86,8 +88,24 @@ async function onAll(command) {
   if (uri) await vscode.commands.executeCommand(command, { uri });
 }
 
+function program() {
+  return settings().get("path") || "af2";
+}
+
+async function preview() {
+  if (!currentUri()) return;
+  const { document } = vscode.window.activeTextEditor;
+  if (document.isUntitled) return vscode.window.showInformationMessage("Save the file first: the preview reads it.");
+  await showPreview(program(), document);
+}
+
+/// The answer of the server alone, without the message that the command shows.
+function request(command, argument, token) {
+  return client.sendRequest("workspace/executeCommand", { command, arguments: [argument] }, token);
+}
+
 async function start() {
-  const command = settings().get("path") || "af2";
+  const command = program();
   const server = { command, args: ["lsp"] };
   client = new LanguageClient("af2", "AF2 rules", server, {
     documentSelector: [{ language: "af2" }],
@@ -121,12 +139,15 @@ async function activate(context) {
     vscode.commands.registerCommand("af2.drawRule", drawRule),
     vscode.commands.registerCommand("af2.drawAll", () => onAll("af2.draw")),
     vscode.commands.registerCommand("af2.testAll", () => onAll("af2.test")),
+    vscode.commands.registerCommand("af2.preview", preview),
     vscode.commands.registerCommand("af2.restart", restart),
     vscode.workspace.onDidChangeConfiguration(settingsChanged));
   await start();
+  context.subscriptions.push(makeTestExplorer(request));
 }
 
 async function deactivate() {
+  closePreviews();
   if (client) await client.stop();
 }
 

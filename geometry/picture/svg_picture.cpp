@@ -1,6 +1,9 @@
-// A picture of a planar mesh in SVG, coloured by quality.
+#include "geometry/picture/svg_picture.h"
+
 #include <algorithm>
+#include <charconv>
 #include <cmath>
+#include <concepts>
 
 #include "engine/base/error.h"
 #include "geometry/io/formats.h"
@@ -14,6 +17,24 @@ namespace {
 
 constexpr double kSvgWidth = 1000, kSvgMostHeight = 1000, kSvgMargin = 20, kSvgLegendHeight = 44;
 constexpr double kSvgBarLeft = 92, kSvgBarWidth = 200;
+constexpr double kFileLineWidth = 0.5;
+constexpr double kPageLineWidth = 1.2;  ///< a page shows the picture at about half of its size
+
+/// Takes what an OutputFile takes, and keeps it in memory.
+class TextOutput {
+ public:
+  void text(std::string_view bytes) { text_ += bytes; }
+  void number(double value) { digits(value); }
+  void number(std::integral auto value) { digits(static_cast<long long>(value)); }
+  std::string take() { return std::move(text_); }
+
+ private:
+  void digits(auto value) {
+    char room[32];
+    text_.append(room, std::to_chars(room, room + sizeof room, value).ptr);
+  }
+  std::string text_;
+};
 
 /// From the model to the picture, in which y points down.
 struct Plan {
@@ -36,25 +57,29 @@ struct Plan {
   }
 };
 
-void writePoint(Point2 p, OutputFile& file) {
+void writePoint(Point2 p, auto& file) {
   file.number(p.x);
   file.text(" ");
   file.number(p.y);
 }
 
-void writeSegment(Point2 from, Point2 to, OutputFile& file) {
+void writeSegment(Point2 from, Point2 to, auto& file) {
   file.text("M");
   writePoint(from, file);
   file.text("L");
   writePoint(to, file);
 }
 
-void writeHead(const Plan& plan, OutputFile& file) {
+void writeHead(double height, auto& file) {
   file.text("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"1000\" height=\"");
-  file.number(std::ceil(plan.height + kSvgLegendHeight));
+  file.number(std::ceil(height));
   file.text("\" viewBox=\"0 0 1000 ");
-  file.number(std::ceil(plan.height + kSvgLegendHeight));
-  file.text("\">\n<title>Mesh by AF2</title>\n<defs><linearGradient id=\"quality\">");
+  file.number(std::ceil(height));
+  file.text("\">\n<title>Mesh by AF2</title>\n");
+}
+
+void writeQualityScale(auto& file) {
+  file.text("<defs><linearGradient id=\"quality\">");
   for (std::size_t i = 0; i < kQualityColors.size(); ++i) {
     file.text("<stop offset=\"");
     file.number(static_cast<double>(i) / static_cast<double>(kQualityColors.size() - 1));
@@ -64,9 +89,10 @@ void writeHead(const Plan& plan, OutputFile& file) {
 }
 
 void writeElements(const ModelMesh& mesh, const DrawnMesh& drawn, const Plan& plan,
-                   OutputFile& file) {
-  file.text("<g stroke=\"" + hexOf(kOutlineColor) +
-            "\" stroke-width=\"0.5\" stroke-linejoin=\"round\">\n");
+                   const ElementColor& colorOf, double lineWidth, auto& file) {
+  file.text("<g stroke=\"" + hexOf(kOutlineColor) + "\" stroke-width=\"");
+  file.number(lineWidth);
+  file.text("\" stroke-linejoin=\"round\">\n");
   for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
     const char* command = "<path d=\"M";
     for (const DrawnSide& side : drawn.sidesOf(e)) {
@@ -74,14 +100,12 @@ void writeElements(const ModelMesh& mesh, const DrawnMesh& drawn, const Plan& pl
       writePoint(plan.at(mesh.vertices[side.from.value]), file);
       command = "L";
     }
-    const double quality = shapeQuality(mesh.vertices, mesh.elements[e]);
-    file.text("Z\" fill=\"" + hexOf(qualityColor(quality)) + "\"/>\n");
+    file.text("Z\" fill=\"" + hexOf(colorOf(e)) + "\"/>\n");
   }
   file.text("</g>\n");
 }
 
-void writeOutlines(const ModelMesh& mesh, const DrawnMesh& drawn, const Plan& plan,
-                   OutputFile& file) {
+void writeOutlines(const ModelMesh& mesh, const DrawnMesh& drawn, const Plan& plan, auto& file) {
   file.text("<path fill=\"none\" stroke=\"" + hexOf(kOutlineColor) +
             "\" stroke-width=\"1.6\" stroke-linecap=\"round\" d=\"");
   for (std::size_t e = 0; e < mesh.elements.size(); ++e)
@@ -96,7 +120,7 @@ void writeOutlines(const ModelMesh& mesh, const DrawnMesh& drawn, const Plan& pl
   file.text("\"/>\n");
 }
 
-void writeText(const std::string& text, double x, double y, OutputFile& file) {
+void writeText(const std::string& text, double x, double y, auto& file) {
   file.text("<text x=\"");
   file.number(x);
   file.text("\" y=\"");
@@ -104,7 +128,7 @@ void writeText(const std::string& text, double x, double y, OutputFile& file) {
   file.text("\">" + text + "</text>");
 }
 
-void writeLegend(const ModelMesh& mesh, double top, OutputFile& file) {
+void writeLegend(const ModelMesh& mesh, double top, auto& file) {
   const double baseline = std::ceil(top) + 20;
   file.text("<g font-family=\"DejaVu Sans, sans-serif\" font-size=\"14\" fill=\"#1f2933\">");
   writeText("Quality 0", kSvgMargin, baseline, file);
@@ -120,17 +144,40 @@ void writeLegend(const ModelMesh& mesh, double top, OutputFile& file) {
   file.text("</g>\n</svg>\n");
 }
 
-}  // namespace
-
-void writeSvg(const ModelMesh& mesh, Lines, OutputFile& file) {
+/// Throws InputError if there is none.
+Plan planOf(const ModelMesh& mesh) {
   const DrawnBox box = drawnBox(mesh);
   if (!box.isPlanar())
     throw InputError(
         "an .svg file shows planar meshes only, in a plane of constant z; use .png or .html");
-  const Plan plan(box);
+  return Plan(box);
+}
+
+}  // namespace
+
+ElementColor colorByQuality(const ModelMesh& mesh) {
+  return [&mesh](std::size_t e) {
+    return qualityColor(shapeQuality(mesh.vertices, mesh.elements[e]));
+  };
+}
+
+std::string svgPicture(const ModelMesh& mesh, const ElementColor& colorOf) {
+  const Plan plan = planOf(mesh);
   const DrawnMesh drawn(mesh);
-  writeHead(plan, file);
-  writeElements(mesh, drawn, plan, file);
+  TextOutput out;
+  writeHead(plan.height, out);
+  writeElements(mesh, drawn, plan, colorOf, kPageLineWidth, out);
+  writeOutlines(mesh, drawn, plan, out);
+  out.text("</svg>\n");
+  return out.take();
+}
+
+void writeSvg(const ModelMesh& mesh, Lines, OutputFile& file) {
+  const Plan plan = planOf(mesh);
+  const DrawnMesh drawn(mesh);
+  writeHead(plan.height + kSvgLegendHeight, file);
+  writeQualityScale(file);
+  writeElements(mesh, drawn, plan, colorByQuality(mesh), kFileLineWidth, file);
   writeOutlines(mesh, drawn, plan, file);
   writeLegend(mesh, plan.height, file);
 }

@@ -2,6 +2,8 @@
 
 #include "engine/base/error.h"
 #include "geometry/picture/caption.h"
+#include "geometry/picture/category_colors.h"
+#include "geometry/picture/svg_picture.h"
 #include "tests/support/small_meshes.h"
 #include "tests/support/written.h"
 
@@ -46,6 +48,22 @@ TEST(SvgPicture, IsRefusedUnlessTheMeshIsPlanar) {
   } catch (const InputError& error) {
     EXPECT_NE(std::string(error.what()).find(".html"), std::string::npos) << error.what();
   }
+}
+
+TEST(SvgPicture, HasTheColoursItIsGivenAndNoLegendOnAPage) {
+  const ModelMesh mesh = planarWithFailedFace();
+  const std::string svg = svgPicture(mesh, [](std::size_t) { return Rgb{1, 0, 0}; });
+  EXPECT_EQ(countOf("Z\" fill=\"#ff0000\"", svg), 1u);
+  EXPECT_EQ(countOf("<text", svg) + countOf("<rect", svg), 0u);
+  EXPECT_TRUE(svg.ends_with("</svg>\n"));
+  EXPECT_THROW(svgPicture(cubeMesh(), colorByQuality(mesh)), InputError);
+}
+
+TEST(CategoryColors, AreThoseOfThePage) {
+  EXPECT_EQ(hexOf(categoryColor(0)), "#4e79a7");
+  EXPECT_EQ(hexOf(categoryColor(11)), "#d4a6c8");
+  EXPECT_EQ(hexOf(categoryColor(12)), "#467fb9");
+  EXPECT_EQ(hexOf(kColorOfNone), "#969ea6");
 }
 
 TEST(Captions, CountElementsAndFailedFaces) {
