@@ -7,9 +7,11 @@ int main(int count, char** arguments) {
   static constexpr Verb kVerbs[] = {
       {"mesh", "mesh the faces of a model", declareMesh},
       {"inspect", "list faces, edges, groups and defects of a model", declareInspect},
+      {"quality", "measure the quality of a mesh file", declareQuality},
       {"explain", "explain why a rule was or was not applied in a run", declareExplain},
       {"stats", "count what the rules did in a run", declareStats},
       {"trace", "compare the traces of two runs", declareTrace},
+      {"compare", "compare the meshes of two rule sets", declareCompare},
       {"check", "find mistakes in rule files", declareCheck},
       {"test", "run the tests of rule files", declareTest},
       {"fmt", "format rule files", declareFmt},

@@ -18,6 +18,8 @@ struct Verb {
 };
 
 Action declareMesh(CLI::App& command);
+Action declareQuality(CLI::App& command);
+Action declareCompare(CLI::App& command);
 Action declareExplain(CLI::App& command);
 Action declareStats(CLI::App& command);
 Action declareTrace(CLI::App& command);

@@ -40,6 +40,12 @@ TEST(KnownInputs, BreakNoReaderOfTriangles) {
   tryAll(".stl", tryStlFile);
   tryAll(".obj", tryObjFile);
 }
+TEST(KnownInputs, BreakNoReaderOfMeshes) {
+  tryAll(".vtu", tryVtuFile);
+  tryAll(".vtk", tryVtkFile);
+  tryAll(".msh", tryMshFile);
+  tryAll(".ply", tryPlyFile);
+}
 TEST(KnownInputs, BreakNoReaderOfSizes) {
   tryAll(".size.json", trySizeFile);
   tryAll(".edge_point.json", tryEdgePointFile);

@@ -21,6 +21,8 @@
 #include "geometry/io/size_file.h"
 #include "geometry/planar/in2d_file.h"
 #include "geometry/planar/mesh_planar.h"
+#include "geometry/quality/mesh_measures.h"
+#include "geometry/reading/read_mesh.h"
 
 namespace af2::fuzz {
 namespace {
@@ -109,6 +111,13 @@ void findFaces(const fs::path& file) {
   promise(!geometry::facetedModel(facets, options).faces.empty(), "there are faces, or errors");
 }
 
+void measure(const fs::path& file) {
+  const geometry::ModelMesh mesh = geometry::readMesh(file).mesh;
+  const geometry::MeshMeasures measures = geometry::measureMesh(mesh, {0, 40});
+  promise(measures.elements() == mesh.elements.size(), "each element is measured");
+  promise(measures.vertices <= mesh.vertices.size(), "only corners of elements count");
+}
+
 }  // namespace
 
 void tryRuleFile(const std::string& text) {
@@ -142,6 +151,14 @@ void tryIn2dFile(const std::string& text) {
 void tryStlFile(const std::string& text) { readAs(".stl", text, findFaces); }
 
 void tryObjFile(const std::string& text) { readAs(".obj", text, findFaces); }
+
+void tryVtuFile(const std::string& text) { readAs(".vtu", text, measure); }
+
+void tryVtkFile(const std::string& text) { readAs(".vtk", text, measure); }
+
+void tryMshFile(const std::string& text) { readAs(".msh", text, measure); }
+
+void tryPlyFile(const std::string& text) { readAs(".ply", text, measure); }
 
 void trySizeFile(const std::string& text) {
   readAs(".json", text, [](const fs::path& file) {

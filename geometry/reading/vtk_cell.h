@@ -1,0 +1,30 @@
+// Adds cells by VTK's numbers of types, for both VTK formats.
+// Not installed.
+#pragma once
+
+#include "geometry/reading/mesh_builder.h"
+
+namespace af2::geometry {
+
+/// corners  of the cell, those of second order after the others
+/// face     of an element; edge  of a line
+inline void addVtkCell(MeshBuilder& mesh, int type, std::span<const std::uint64_t> corners,
+                       std::int32_t face, std::int32_t edge) {
+  constexpr int kVertex = 1, kLine = 3, kTriangle = 5, kPolygon = 7, kQuad = 9;
+  constexpr int kLine2 = 21, kTriangle2 = 22, kQuad2 = 23, kQuad2Centre = 28;
+  std::size_t needed = 0;
+  if (type == kVertex) return;
+  if (type == kLine || type == kLine2) needed = 2;
+  if (type == kTriangle || type == kTriangle2) needed = 3;
+  if (type == kQuad || type == kQuad2 || type == kQuad2Centre) needed = 4;
+  if (type == kPolygon) needed = corners.size();
+  if (needed == 0) return mesh.leaveOut("cells of VTK type " + std::to_string(type));
+  if (corners.size() < needed) mesh.fail("a cell has fewer corners than its type says");
+  if (type == kTriangle2 || type == kQuad2 || type == kQuad2Centre) mesh.noteSecondOrder();
+  if (needed == 2)
+    mesh.addLine(corners[0], corners[1], edge);
+  else
+    mesh.addElement(corners.first(needed), face);
+}
+
+}  // namespace af2::geometry
