@@ -6,6 +6,7 @@
 #include "cli/meshing/mesh_run.h"
 #include "cli/program/interrupt.h"
 #include "cli/rules/rule_loading.h"
+#include "cli/rules/rule_texts.h"
 #include "engine/base/error.h"
 
 namespace af2::cli {
@@ -53,7 +54,9 @@ Replay::Replay(const Trace& trace) : trace_(trace) {
           file));
   const MeshRequest request = requestOf(trace);
   ruleFile_ = fs::absolute(request.rules).lexically_normal();
-  rules_ = loadRuleSet(request.rules, request.ruleLoading).rules;
+  const dsl::LoadedRules loaded = loadRuleSet(request.rules, request.ruleLoading);
+  rules_ = loaded.rules;
+  ruleTexts_ = ruleTextsOf(loaded);
 }
 
 geometry::ModelMesh Replay::run(

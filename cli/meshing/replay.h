@@ -17,6 +17,8 @@ class Replay {
   explicit Replay(const Trace& trace);
 
   const RuleSet& rules() const { return *rules_; }
+  /// By rule: where it is written.
+  const std::vector<geometry::RuleText>& ruleTexts() const { return ruleTexts_; }
   /// The rule file, with its whole path.
   const std::filesystem::path& ruleFile() const { return ruleFile_; }
 
@@ -26,6 +28,7 @@ class Replay {
  private:
   const Trace& trace_;
   std::shared_ptr<const RuleSet> rules_;
+  std::vector<geometry::RuleText> ruleTexts_;
   std::filesystem::path ruleFile_;
 };
 

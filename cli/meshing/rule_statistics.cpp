@@ -49,6 +49,12 @@ std::vector<RuleCounts> RuleCounters::total() const {
   return sum;
 }
 
+FinishCounts RuleCounters::finish() const {
+  FinishCounts sum;
+  for (const Counter& counter : counters_) sum.add(counter.finish);
+  return sum;
+}
+
 const char* toString(ElementSource source) {
   switch (source) {
     case ElementSource::Row:
@@ -111,9 +117,10 @@ std::vector<std::size_t> worstOf(const std::vector<float>& scores) {
 }  // namespace
 
 RunStatistics statisticsOf(const RuleSet& rules, const geometry::ModelMesh& mesh,
-                           std::vector<RuleCounts> counts) {
+                           const RuleCounters& counters) {
   RunStatistics statistics;
-  statistics.counts = std::move(counts);
+  statistics.counts = counters.total();
+  statistics.finish = counters.finish();
   statistics.scores.resize(statistics.counts.size());
   const std::vector<float> scores = mesh.scores.size() == mesh.elements.size()
                                         ? mesh.scores

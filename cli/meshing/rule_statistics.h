@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/meshing/finish_counts.h"
 #include "engine/rule/refusal.h"
 #include "engine/rule/rule_set.h"
 #include "engine/step/observer.h"
@@ -35,6 +36,8 @@ class RuleCounters {
   AF2MeshingObserver* observerOfFace();
   /// By rule, over all faces.
   std::vector<RuleCounts> total() const;
+  /// What was changed after the fronts had closed, on all faces.
+  FinishCounts finish() const;
 
  private:
   class Counter final : public AF2MeshingObserver {
@@ -43,7 +46,9 @@ class RuleCounters {
     bool wantsRefusals() const override { return true; }
     void stepTaken(const StepReport& step) override;
     void rulesRefused(const StepReport& step, std::span<const RuleRefusal> refusals) override;
+    FinishObserver* finishing() override { return &finish; }
     std::vector<RuleCounts> counts;
+    FinishCounts finish;
   };
 
   std::size_t rules_;
@@ -79,15 +84,16 @@ struct RunStatistics {
     std::size_t worst = 0;  ///< of the elements with the worst scores
   };
   std::array<Source, kElementSources> sources{};  ///< by ElementSource
+  FinishCounts finish;                            ///< what was changed after the fronts had closed
   std::size_t worst = 0;  ///< the number of elements with the worst scores, one in a hundred
 };
 
 RunStatistics statisticsOf(const RuleSet& rules, const geometry::ModelMesh& mesh,
-                           std::vector<RuleCounts> counts);
+                           const RuleCounters& counters);
 
 /// Tables for people.
 std::string toText(const RuleSet& rules, const RunStatistics& statistics);
-/// An object with `rules` and `sources`.
+/// An object with `rules`, `sources` and `finish`.
 std::string toJson(const RuleSet& rules, const RunStatistics& statistics);
 
 }  // namespace af2::cli

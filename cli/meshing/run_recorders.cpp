@@ -37,6 +37,11 @@ void ObserverPair::frontEnded(std::size_t edgesLeft) {
   second_.frontEnded(edgesLeft);
 }
 
+FinishObserver* ObserverPair::finishing() {
+  FinishObserver* const first = first_.finishing();
+  return first ? first : second_.finishing();
+}
+
 RunRecorders::RunRecorders(const MeshRequest& request, const RuleSet& rules)
     : request_(request),
       rules_(rules),

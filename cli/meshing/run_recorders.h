@@ -25,6 +25,8 @@ class ObserverPair final : public AF2MeshingObserver {
   bool wantsFrontAround(const StepReport& step) const override;
   void frontAround(const StepReport& step, const LocalFront& front) override;
   void frontEnded(std::size_t edgesLeft) override;
+  /// That of the first one that has one: no two need it.
+  FinishObserver* finishing() override;
 
  private:
   AF2MeshingObserver &first_, &second_;
@@ -39,8 +41,8 @@ class RunRecorders {
   std::function<AF2MeshingObserver*(int face)> observers();
   /// Writes the trace file. Throws InputError if it cannot be written.
   void writeTrace();
-  /// By rule; all zero without statistics.
-  std::vector<RuleCounts> counts() const { return counters_.total(); }
+  /// All zero without statistics.
+  const RuleCounters& counters() const { return counters_; }
 
  private:
   AF2MeshingObserver* observerOf(int face);

@@ -114,7 +114,7 @@ std::string toText(const RuleSet& rules, const RunStatistics& statistics) {
   };
   others("changed elements", statistics.changed);
   others("made without a rule", statistics.withoutRule);
-  return text + sourceTable(statistics);
+  return text + sourceTable(statistics) + "\n" + statistics.finish.toText();
 }
 
 std::string toJson(const RuleSet& rules, const RunStatistics& statistics) {
@@ -127,6 +127,7 @@ std::string toJson(const RuleSet& rules, const RunStatistics& statistics) {
     json["sources"].push_back({{"source", toString(static_cast<ElementSource>(s))},
                                {"elements", statistics.sources[s].elements},
                                {"worst", statistics.sources[s].worst}});
+  json["finish"] = statistics.finish.toJson();
   return json.dump(2);
 }
 

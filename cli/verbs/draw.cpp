@@ -14,6 +14,7 @@
 #include "cli/rules/picture_format.h"
 #include "cli/rules/plugins.h"
 #include "cli/rules/rule_files.h"
+#include "cli/rules/test_picture.h"
 #include "dsl/picture/coverage_picture.h"
 #include "dsl/picture/rule_picture.h"
 #include "dsl/proof/coverage.h"
@@ -22,7 +23,7 @@ namespace af2::cli {
 namespace {
 
 struct DrawOptions {
-  std::string file, rule, output, levels;
+  std::string file, rule, test, output, levels;
   std::vector<std::string> match, plugins;
   bool coverage = false, noNames = false, noTolerances = false;
   int size = 0;
@@ -40,6 +41,17 @@ dsl::PictureOptions pictureOptions(const DrawOptions& options, const RuleSet& ru
   return picture;
 }
 
+dsl::PiecePictureOptions pieceOptions(const DrawOptions& options) {
+  constexpr int kSmallest = 240;  // for the text
+  if (options.size > 0 && options.size < kSmallest)
+    throw UsageError(fmt::format("--size {}: a picture of a test needs at least {} pixels",
+                                 options.size, kSmallest));
+  dsl::PiecePictureOptions picture;
+  if (options.size > 0) picture.width = picture.height = options.size;
+  picture.names = !options.noNames;
+  return picture;
+}
+
 std::string drawOne(const DrawOptions& options, const RuleSet& rules, dsl::PictureFormat format) {
   const AF2Rule& rule = findRule(rules, options.rule);
   const dsl::PictureOptions picture = pictureOptions(options, rules, 420);
@@ -54,11 +66,16 @@ int draw(DrawOptions options) {
   if (!options.match.empty() && options.rule.empty()) {
     throw UsageError("--match needs --rule: it places the vertices of one rule");
   }
+  if (!options.test.empty() && !options.rule.empty()) {
+    throw UsageError("--test and --rule draw different pictures; give one of them");
+  }
   if (options.output.empty()) options.output = stemOf(options.file) + ".svg";
   const dsl::PictureFormat format =
       options.output == "-" ? dsl::PictureFormat::Svg : pictureFormatOf(options.output, "--output");
-  // A zone without an implementation is left out of a picture; coverage cannot be measured so.
-  const dsl::Externs externs = options.coverage ? dsl::Externs::Registered : dsl::Externs::Declared;
+  // A zone without an implementation is left out of a picture of a rule; coverage and tests need
+  // it.
+  const bool mustEvaluate = options.coverage || !options.test.empty();
+  const dsl::Externs externs = mustEvaluate ? dsl::Externs::Registered : dsl::Externs::Declared;
   const dsl::LoadedRules loaded = loadSoundRuleFile(options.file, {options.plugins, externs});
   const RuleSet& rules = *loaded.rules;
   std::string drawn = fmt::format("{} rules", rules.rules().size());
@@ -66,6 +83,9 @@ int draw(DrawOptions options) {
   if (options.coverage) {
     drawn = "coverage";
     picture = dsl::drawCoverage(dsl::measureCoverage(rules), rules.name(), format);
+  } else if (!options.test.empty()) {
+    drawn = fmt::format("test \"{}\"", options.test);
+    picture = drawTest(loaded, options.test, format, pieceOptions(options));
   } else if (!options.rule.empty()) {
     drawn = fmt::format("rule \"{}\"", options.rule);
     picture = drawOne(options, rules, format);
@@ -84,6 +104,10 @@ Action declareDraw(CLI::App& command) {
   command.add_option("FILE", options->file, "rule file, or - for stdin")->type_name("")->required();
   command.add_option("--rule", options->rule, "only the rule with this title")->type_name("TITLE");
   command
+      .add_option("--test", options->test,
+                  "the test with this title: its front, and what the rules did there")
+      ->type_name("TITLE");
+  command
       .add_option("-o,--output", options->output,
                   "output picture, .svg or .png; default: the name of the rule file with .svg; - "
                   "for stdout")
@@ -96,7 +120,8 @@ Action declareDraw(CLI::App& command) {
       .add_option("--match", options->match, "with --rule: position of a vertex, such as c=0.6,0.9")
       ->type_name("VERTEX=X,Y")
       ->allow_extra_args(false);
-  command.add_option("--size", options->size, "width and height of one rule in pixels")
+  command
+      .add_option("--size", options->size, "width and height of one rule, or of a test, in pixels")
       ->type_name("N")
       ->check(CLI::Range(50, 4000).description(""));
   command.add_flag("--no-names", options->noNames, "do not draw the names of vertices");

@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <charconv>
 #include <limits>
 #include <list>
 #include <memory>
@@ -15,6 +16,7 @@
 #include "cli/program/usage_error.h"
 #include "cli/program/verbs.h"
 #include "cli/rules/match_arguments.h"
+#include "cli/trace_view/edge_step.h"
 #include "dsl/run/evaluate.h"
 #include "dsl/run/explain.h"
 #include "dsl/run/piece_text.h"
@@ -25,7 +27,7 @@ namespace af2::cli {
 namespace {
 
 struct ExplainOptions {
-  std::string trace, at, whyNot, extract, format = "pretty";
+  std::string trace, at, edge, whyNot, extract, format = "pretty";
   int face = 0, step = 0, element = -1;
 };
 
@@ -108,6 +110,7 @@ Target targetOf(const ExplainOptions& options, const Trace& trace) {
           fmt::format("--step {}: face {} has steps 1 to {}", options.step, face, steps));
     return {face, static_cast<std::size_t>(options.step)};
   }
+  if (!options.edge.empty()) return {};  // found by a replay
   if (const auto stuck = firstStuckStep(trace, options.face)) return *stuck;
   throw UsageError("no front got stuck in this run; name a step by --face and --step, or by --at");
 }
@@ -129,6 +132,24 @@ Target targetOf(int number, const Replay& replay) {
   if (origin.isChanged) return target;
   target.rule = origin.rule < replay.rules().rules().size() ? origin.rule : Target::kNoRule;
   return target;
+}
+
+/// "12-34": the step whose base edge joined these vertices.
+Target targetOf(const std::string& edge, int face, const Trace& trace, const Replay& replay) {
+  std::size_t from = 0, to = 0;
+  const char* const end = edge.data() + edge.size();
+  const auto first = std::from_chars(edge.data(), end, from);
+  const bool hasDash = first.ec == std::errc() && first.ptr != end && *first.ptr == '-';
+  const auto second = hasDash ? std::from_chars(first.ptr + 1, end, to) : first;
+  if (!hasDash || second.ec != std::errc() || second.ptr != end)
+    throw UsageError(
+        fmt::format("--edge '{}': expected the numbers of two vertices, such as 12-34", edge));
+  if (const auto found = stepAtEdge(replay, trace, face, from, to))
+    return {found->face, found->step};
+  throw UsageError(fmt::format(
+      "--edge {}: no step had this base edge; --element N finds the step that made an element "
+      "beside it",
+      edge));
 }
 
 FoundStep find(const Replay& replay, const Target& target) {
@@ -186,12 +207,14 @@ void extract(const ExplainOptions& options, const Replay& replay, const FoundSte
 int explain(const ExplainOptions& options) {
   const Trace trace = readTrace(options.trace);
   const bool isByElement = options.element >= 0;
-  if (isByElement && (options.step != 0 || !options.at.empty()))
-    throw UsageError("--element, --step and --at name different steps; give one of them");
+  const bool isByEdge = !options.edge.empty();
+  if (isByElement + isByEdge + (options.step != 0) + !options.at.empty() > 1)
+    throw UsageError("--element, --edge, --step and --at name different steps; give one of them");
   Target target;
   if (!isByElement) target = targetOf(options, trace);
   const Replay replay(trace);
   if (isByElement) target = targetOf(options.element, replay);
+  if (isByEdge) target = targetOf(options.edge, options.face, trace, replay);
   try {
     if (!options.whyNot.empty()) dsl::findRule(replay.rules(), options.whyNot);
   } catch (const InputError& error) {
@@ -232,6 +255,10 @@ Action declareExplain(CLI::App& command) {
           "the step that made the element with this number, from 0 as in .vtu files and pages")
       ->type_name("N")
       ->check(CLI::NonNegativeNumber.description(""));
+  command
+      .add_option("--edge", options->edge,
+                  "the last step whose base edge joined these vertices, from 0 as in .vtu files")
+      ->type_name("A-B");
   command.add_option("--why-not", options->whyNot, "explain only this rule")->type_name("TITLE");
   command
       .add_option("--extract", options->extract,

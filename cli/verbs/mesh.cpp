@@ -122,7 +122,7 @@ int meshAndReport(const MeshRequest& request, RunLog* log, const GivenUp& givenU
   if (!request.report.empty()) report.sections["stuck"] = stuckJson(mesh);
   if (request.statistics)
     report.sections["statistics"] =
-        toJson(*loaded.rules, statisticsOf(*loaded.rules, mesh, recorders.counts()));
+        toJson(*loaded.rules, statisticsOf(*loaded.rules, mesh, recorders.counters()));
   writeReportIfAsked(request, report, mesh);
   if (!request.trace.empty()) recorders.writeTrace();
   if (!request.stuckTests.empty()) writeStuckTests(request, *loaded.rules, mesh);

@@ -27,7 +27,7 @@ Action declareStats(CLI::App& command) {
     const Replay replay(trace);
     RuleCounters counters(replay.rules().rules().size());
     const geometry::ModelMesh mesh = replay.run([&](int) { return counters.observerOfFace(); });
-    const RunStatistics statistics = statisticsOf(replay.rules(), mesh, counters.total());
+    const RunStatistics statistics = statisticsOf(replay.rules(), mesh, counters);
     if (options->format == "json")
       fmt::print("{}\n", toJson(replay.rules(), statistics));
     else

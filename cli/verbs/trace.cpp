@@ -8,6 +8,7 @@
 #include "cli/meshing/trace_file.h"
 #include "cli/program/exit_code.h"
 #include "cli/program/verbs.h"
+#include "cli/trace_view/trace_view.h"
 
 namespace af2::cli {
 namespace {
@@ -75,6 +76,7 @@ int compare(const std::string& first, const std::string& second) {
 Action declareTrace(CLI::App& command) {
   struct Options {
     std::string first, second;
+    TraceViewOptions view;
   };
   const auto options = std::make_shared<Options>();
   command.require_subcommand(1);
@@ -83,7 +85,21 @@ Action declareTrace(CLI::App& command) {
       ->type_name("")
       ->required();
   diff->add_option("SECOND", options->second, "another trace")->type_name("")->required();
-  return [options] { return compare(options->first, options->second); };
+  CLI::App* view = command.add_subcommand("view", "write a page that plays a run step by step");
+  TraceViewOptions& shown = options->view;
+  view->add_option("TRACE", shown.trace, "a trace (af2 mesh --trace)")->type_name("")->required();
+  view->add_option("-o,--output", shown.output, "the page, .html")->type_name("FILE")->required();
+  view->add_option("--face", shown.face, "only this face")->type_name("FACE");
+  view->add_option("--from", shown.from, "the first step, from 1")->type_name("STEP");
+  view->add_option("--to", shown.to, "the last step")->type_name("STEP");
+  view->add_option("--charts", shown.charts, "the largest number of steps that get a chart")
+      ->type_name("N")
+      ->capture_default_str()
+      ->check(CLI::NonNegativeNumber.description(""));
+  return [options, view] {
+    if (view->parsed()) return viewTrace(options->view);
+    return compare(options->first, options->second);
+  };
 }
 
 }  // namespace af2::cli

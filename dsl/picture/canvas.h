@@ -27,6 +27,11 @@ constexpr Color color(unsigned rgb, double alpha = 1) {
 
 /// Colours of text and outlines, of secondary text, and of the frames of pictures.
 inline constexpr Color kInk = color(0x1f2933), kMuted = color(0x6b7785), kFrame = color(0xdde3ea);
+/// Colours of what rules are made of.
+inline constexpr Color kPaper = color(0xffffff), kZone = color(0x3b82d6);
+inline constexpr Color kElement = color(0x9fd8a4), kElementEdge = color(0x2f8f46);
+inline constexpr Color kNewFront = color(0xd6382e), kTolerance = color(0xb97a10);
+inline constexpr Color kKept = color(0x8c97a5), kMeshed = color(0x9aa5b1);
 
 constexpr Color faded(Color color, double alpha) {
   color.alpha = alpha;

@@ -16,17 +16,21 @@ using picture::Canvas;
 using picture::Color;
 using picture::color;
 using picture::faded;
+using picture::kElement;
+using picture::kElementEdge;
 using picture::kFrame;
 using picture::kInk;
+using picture::kKept;
+using picture::kMeshed;
 using picture::kMuted;
+using picture::kNewFront;
+using picture::kPaper;
+using picture::kTolerance;
+using picture::kZone;
 using picture::Loop;
 using picture::Scene;
 using picture::TextStyle;
 using picture::Weight;
-
-constexpr Color kPaper = color(0xffffff), kZone = color(0x3b82d6), kElement = color(0x9fd8a4);
-constexpr Color kElementEdge = color(0x2f8f46), kNewFront = color(0xd6382e);
-constexpr Color kTolerance = color(0xb97a10), kKept = color(0x8c97a5), kMeshed = color(0x9aa5b1);
 
 constexpr double kTitleHeight = 44, kFooterHeight = 26, kMargin = 26, kLargestScale = 150;
 

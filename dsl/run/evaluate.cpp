@@ -164,6 +164,7 @@ EvalResult evaluateRule(const RuleSet& rules, const EvalRequest& request) {
   const RuleEvaluation evaluation = evaluateMatch(rules, rule, match.binding());
   EvalResult result;
   result.refused = evaluation.refused.reason;
+  result.cause = evaluation.refused;
   result.because = sentence(definition, evaluation, request.level);
   result.matches = evaluation.misfit.isNone();
   result.requireHolds = evaluation.required.isNone();

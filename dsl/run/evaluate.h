@@ -9,6 +9,7 @@
 
 #include "engine/base/export.h"
 #include "engine/rule/refusal.h"
+#include "engine/rule/rule_at_match.h"
 #include "engine/rule/rule_set.h"
 
 namespace af2::dsl {
@@ -25,6 +26,7 @@ struct EvalRequest {
 
 struct EvalResult {
   Refusal refused = Refusal::None;  ///< the first reason; ignores the rest of the front
+  RefusalCause cause;               ///< the numbers of the refusal
   std::string because;              ///< a sentence with the numbers of the refusal; may be empty
   bool matches = false;
   bool requireHolds = false;

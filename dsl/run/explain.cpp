@@ -8,95 +8,11 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "dsl/run/evaluate.h"
+#include "dsl/run/piece_match.h"
 #include "engine/base/segment.h"
 
 namespace af2::dsl {
 namespace {
-
-using Edge = std::pair<std::size_t, std::size_t>;
-
-/// Maps the piece to the frame of its base edge, in which rules are written.
-class BaseFrame {
- public:
-  BaseFrame(const RuleSet& rules, const FrontPiece& piece)
-      : origin_(piece.vertices[piece.base.first]) {
-    const Point2 along = piece.vertices[piece.base.second] - origin_;
-    const double baseLength = length(along);
-    axis_ = (1 / baseLength) * along;
-    unit_ = rules.definition().unit == ChartUnit::WantedLength ? piece.size : baseLength;
-  }
-
-  Point2 operator()(Point2 p) const {
-    const Point2 d = p - origin_;
-    return {dot(axis_, d) / unit_, cross(axis_, d) / unit_};
-  }
-
- private:
-  Point2 origin_, axis_;
-  double unit_ = 1;
-};
-
-/// The vertices that a pattern most likely means where it does not match: neighbours along the
-/// chains of the front, and else the vertices nearest to the references.
-class LikelyMatch {
- public:
-  LikelyMatch(const FrontPiece& piece, const BaseFrame& frame) : piece_(piece), frame_(frame) {
-    for (const auto& chain : piece.chains)
-      for (std::size_t i = 0; i + 1 < chain.size(); ++i) edges_.push_back({chain[i], chain[i + 1]});
-  }
-
-  std::optional<std::vector<std::size_t>> of(const RuleDefinition& rule, int level) const {
-    constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
-    std::vector<std::size_t> matched(rule.vertices.size(), kNone);
-    matched[0] = piece_.base.first;
-    matched[1] = piece_.base.second;
-    bool isChanged = true;
-    while (isChanged) {
-      isChanged = false;
-      for (const PatternEdge& edge : rule.edges) {
-        std::size_t &from = matched[static_cast<std::size_t>(edge.from)],
-                    &to = matched[static_cast<std::size_t>(edge.to)];
-        if (from != kNone && to == kNone)
-          isChanged |= assign(
-              to, [&](const Edge& e) { return e.first == from; }, &Edge::second);
-        else if (to != kNone && from == kNone)
-          isChanged |= assign(
-              from, [&](const Edge& e) { return e.second == to; }, &Edge::first);
-      }
-    }
-    for (std::size_t v = 2; v < matched.size(); ++v)
-      if (matched[v] == kNone)
-        matched[v] = nearestTo(rule.vertices[v].reference.at(level), matched);
-    if (std::ranges::count(matched, kNone) > 0) return std::nullopt;
-    return matched;
-  }
-
- private:
-  template <class Is>
-  bool assign(std::size_t& vertex, Is is, std::size_t Edge::*end) const {
-    const auto found = std::ranges::find_if(edges_, is);
-    if (found == edges_.end()) return false;
-    vertex = *found.*end;
-    return true;
-  }
-
-  std::size_t nearestTo(Point2 reference, const std::vector<std::size_t>& taken) const {
-    std::size_t best = std::numeric_limits<std::size_t>::max();
-    double least = std::numeric_limits<double>::infinity();
-    for (std::size_t v = 0; v < piece_.vertices.size(); ++v) {
-      const double here = distance(frame_(piece_.vertices[v]), reference);
-      if (here >= least || std::ranges::count(taken, v) > 0) continue;
-      least = here;
-      best = v;
-    }
-    return best;
-  }
-
-  const FrontPiece& piece_;
-  const BaseFrame& frame_;
-  std::vector<Edge> edges_;
-};
 
 /// How far a point lies from the outline of the zones.
 double depthIn(const std::vector<std::vector<Point2>>& zones, Point2 point) {
@@ -110,7 +26,7 @@ double depthIn(const std::vector<std::vector<Point2>>& zones, Point2 point) {
 class Explainer {
  public:
   Explainer(const RuleSet& rules, const FrontPiece& piece, const std::vector<std::string>& names)
-      : rules_(rules), piece_(piece), names_(names), frame_(rules, piece), likely_(piece, frame_) {}
+      : rules_(rules), piece_(piece), names_(names), frame_(rules, piece) {}
 
   RuleExplanation explain(const RuleRefusal& refusal) const {
     RuleExplanation explanation;
@@ -131,7 +47,8 @@ class Explainer {
 
   std::string because(const AF2Rule& rule, const RuleRefusal& refusal) const {
     if (refusal.reason == Refusal::Class) return "";
-    const std::optional<EvalResult> evaluated = evaluate(rule, refusal);
+    const auto match = matchInPiece(rules_, piece_, rule, refusal.matched);
+    const EvalResult* evaluated = match ? &match->evaluated : nullptr;
     if (refusal.reason == Refusal::ZoneHitByVertex) {
       std::string text = "vertex " + named(refusal.from) + " lies in the zone";
       const double depth =
@@ -147,29 +64,10 @@ class Explainer {
     return evaluated ? evaluated->because : "";
   }
 
-  /// The rule at the match that came farthest, or at a likely one; none if there are too few
-  /// vertices.
-  std::optional<EvalResult> evaluate(const AF2Rule& rule, const RuleRefusal& refusal) const {
-    std::vector<std::size_t> matched;
-    for (const VertexId v : refusal.matched) matched.push_back(v.value);
-    if (matched.empty()) {
-      const auto likely = likely_.of(rule.definition(), piece_.level);
-      if (!likely) return std::nullopt;
-      matched = *likely;
-    }
-    EvalRequest request;
-    request.rule = rule.name();
-    request.level = piece_.level;
-    for (std::size_t v = 0; v < matched.size(); ++v)
-      request.match[rule.definition().vertices[v].name] = frame_(piece_.vertices[matched[v]]);
-    return evaluateRule(rules_, request);
-  }
-
   const RuleSet& rules_;
   const FrontPiece& piece_;
   const std::vector<std::string>& names_;
-  BaseFrame frame_;
-  LikelyMatch likely_;
+  PieceFrame frame_;
 };
 
 bool passes(Refusal reason) { return reason == Refusal::None || reason == Refusal::Beaten; }
@@ -243,6 +141,7 @@ StepExplanation explainStep(const RuleSet& rules, SingleStepper& stepper, const 
     applied.matches = 1;
     applied.score = step.score;
   }
+  explanation.step = step;
   if (higherLevels) findPassingLevels(rules, stepper, piece, explanation);
   return explanation;
 }
@@ -272,6 +171,11 @@ std::string toText(const StepExplanation& explanation, const std::string& indent
     text += fmt::format("{}most frequent reason: {}; {}\n", indent, toString(*cause),
                         remedyFor(*cause));
   return text;
+}
+
+std::string toText(const RuleExplanation& rule) {
+  const std::string details = detailsText(rule);
+  return details.empty() ? resultText(rule) : resultText(rule) + "; " + details;
 }
 
 std::string toJson(const StepExplanation& explanation) {

@@ -29,6 +29,7 @@ struct StepExplanation {
   int level = 1, maxLevel = 1;
   std::optional<std::size_t> applied;  ///< index of the rule
   std::vector<RuleExplanation> rules;  ///< in the order of the rule set
+  SingleStep step;                     ///< what was applied, and the matches that were refused
 };
 
 /// Takes the step and explains each rule.
@@ -52,6 +53,8 @@ AF2_EXPORT std::string toJson(const StepExplanation& explanation);
 /// The reason that most rules share, `Pattern` only if there is no other; null if no rule was
 /// tried.
 AF2_EXPORT std::optional<Refusal> mainCause(const std::vector<Refusal>& reasons);
+/// "zone hit by vertex; vertex p2 at (0.5, 0.9) lies in the zone; passes at level 3"
+AF2_EXPORT std::string toText(const RuleExplanation& rule);
 
 /// What an author can do about a reason for a refusal.
 AF2_EXPORT const char* remedyFor(Refusal reason);

@@ -18,8 +18,8 @@ constexpr double kClearGain = 0.8;
 
 class Collapser {
  public:
-  explicit Collapser(MeshTopology& topology)
-      : topology_(topology), mayBeBad_(topology.mesh().vertices.size(), 0) {
+  Collapser(MeshTopology& topology, ActRecorder* recorder)
+      : topology_(topology), recorder_(recorder), mayBeBad_(topology.mesh().vertices.size(), 0) {
     for (std::size_t e = 0; e < topology.mesh().elements.size(); ++e) look(e);
   }
 
@@ -40,7 +40,9 @@ class Collapser {
     const bool isWorthwhile =
         bestWorst < kClearGain * before || (hasFew && bestWorst < kFairDistortion);
     if (best.isNone() || !isWorthwhile) return false;
+    if (recorder_) recorder_->begin(star_, v);
     topology_.collapse(best);
+    if (recorder_) recorder_->end(FinishAct::Kind::Collapse);
     for (Corner c : star_)
       if (!topology_.isDead(c.element())) look(c.element());
     return true;
@@ -110,14 +112,15 @@ class Collapser {
   }
 
   MeshTopology& topology_;
+  ActRecorder* recorder_;
   std::vector<Corner> star_;
   std::vector<std::uint8_t> mayBeBad_;  ///< by vertex: a triangle there is, or was, bad
 };
 
 }  // namespace
 
-std::size_t collapseEdges(MeshTopology& topology) {
-  Collapser collapser(topology);
+std::size_t collapseEdges(MeshTopology& topology, ActRecorder* recorder) {
+  Collapser collapser(topology, recorder);
   std::size_t collapses = 0;
   for (std::size_t v = topology.fixedCount(); v < topology.mesh().vertices.size(); ++v)
     collapses += collapser.tryCollapse(VertexId(v));

@@ -1,5 +1,6 @@
 #include "engine/optimize/edge_swap.h"
 
+#include <array>
 #include <cmath>
 
 #include "engine/base/constants.h"
@@ -18,8 +19,9 @@ constexpr double kFairAfterSwap = 2.5;
 
 class Swapper {
  public:
-  Swapper(MeshTopology& topology, SwapGoal goal, const std::vector<std::uint8_t>& wantedAtFixed)
-      : topology_(topology), goal_(goal), wantedAtFixed_(wantedAtFixed) {
+  Swapper(MeshTopology& topology, SwapGoal goal, const std::vector<std::uint8_t>& wantedAtFixed,
+          ActRecorder* recorder)
+      : topology_(topology), goal_(goal), wantedAtFixed_(wantedAtFixed), recorder_(recorder) {
     const std::size_t elements = goal == SwapGoal::Shape ? topology.mesh().elements.size() : 0;
     isGood_.resize(elements);
     for (std::size_t e = 0; e < elements; ++e) look(e);
@@ -51,12 +53,20 @@ class Swapper {
     const VertexId d = topology_.vertexAt(topology_.previous(other));
     if (topology_.valence(a) <= fewest(a) || topology_.valence(b) <= fewest(b)) return false;
     if (!isWorthwhile(a, b, c, d) || topology_.areJoined(c, d)) return false;
+    const std::array places{side.element(), other.element()};
+    if (recorder_) recorder_->begin(places);
     topology_.swap(side);
+    if (recorder_) recorder_->end(kindOfSwap());
     if (goal_ == SwapGoal::Shape) {
       look(side.element());
       look(other.element());
     }
     return true;
+  }
+
+  FinishAct::Kind kindOfSwap() const {
+    return goal_ == SwapGoal::Valence ? FinishAct::Kind::SwapForValence
+                                      : FinishAct::Kind::SwapForQuality;
   }
 
   /// Records whether a triangle is too good to be swapped.
@@ -99,6 +109,7 @@ class Swapper {
   SwapGoal goal_;
   int leastGain_ = 1;
   const std::vector<std::uint8_t>& wantedAtFixed_;
+  ActRecorder* recorder_;
   std::vector<std::uint8_t> isGood_;  ///< by element, for the Shape goal only
 };
 
@@ -112,8 +123,8 @@ std::vector<std::uint8_t> wantedValences(const std::vector<double>& angles) {
 }
 
 std::size_t swapSides(MeshTopology& topology, SwapGoal goal,
-                      const std::vector<std::uint8_t>& wantedAtFixed) {
-  Swapper swapper(topology, goal, wantedAtFixed);
+                      const std::vector<std::uint8_t>& wantedAtFixed, ActRecorder* recorder) {
+  Swapper swapper(topology, goal, wantedAtFixed, recorder);
   if (goal == SwapGoal::Shape) return swapper.sweep(0);
   std::size_t swaps = 0;
   for (const int gain : kMinGains) swaps += swapper.sweep(gain);

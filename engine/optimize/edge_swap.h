@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "engine/mesh/mesh_topology.h"
+#include "engine/optimize/act_recorder.h"
 
 namespace af2 {
 
@@ -20,6 +21,7 @@ std::vector<std::uint8_t> wantedValences(const std::vector<double>& angles);
 /// Sweeps over all sides in order; for the Valence goal twice, with the most useful swaps first.
 /// Returns the number of swapped sides.
 std::size_t swapSides(MeshTopology& topology, SwapGoal goal,
-                      const std::vector<std::uint8_t>& wantedAtFixed);
+                      const std::vector<std::uint8_t>& wantedAtFixed,
+                      ActRecorder* recorder = nullptr);
 
 }  // namespace af2

@@ -92,7 +92,10 @@ OptimizeReport improve(Mesh& mesh, const MeshBoundary& boundary,
                        const AF2LocalTransformMaker& maker, const OptimizeOptions& options) {
   OptimizeReport report;
   MeshTopology topology(mesh, boundary);
-  VertexSmoother smoother(topology, mesh, maker);
+  std::optional<ActRecorder> observed;
+  if (options.observer) observed.emplace(*options.observer, mesh, distortionIn(mesh));
+  ActRecorder* recorder = observed ? &*observed : nullptr;
+  VertexSmoother smoother(topology, mesh, maker, recorder);
   const std::vector<double> angles = topology.anglesAtFixed();
   const std::vector<std::uint8_t> wanted = wantedValences(angles);
   const bool hasQuads =
@@ -111,12 +114,12 @@ OptimizeReport improve(Mesh& mesh, const MeshBoundary& boundary,
   for (int round = 0; round < rounds && !options.stop.stop_requested(); ++round) {
     if (hasQuads && options.renumber) {
       smooth();
-      report.replacements += tidyQuads(topology, angles, options.closingRule);
+      report.replacements += tidyQuads(topology, angles, options.closingRule, recorder);
     }
-    report.swaps += swapSides(topology, SwapGoal::Valence, wanted);
-    if (options.renumber) report.collapses += collapseEdges(topology);
+    report.swaps += swapSides(topology, SwapGoal::Valence, wanted, recorder);
+    if (options.renumber) report.collapses += collapseEdges(topology, recorder);
     smooth();
-    report.swaps += swapSides(topology, SwapGoal::Shape, wanted);
+    report.swaps += swapSides(topology, SwapGoal::Shape, wanted, recorder);
   }
   smooth();
   if (!options.stop.stop_requested()) report.moves += mendPoorElements(topology, smoother);
@@ -130,8 +133,10 @@ OptimizeReport optimizeMesh(Mesh& mesh, const MeshBoundary& boundary,
                             const AF2LocalTransformMaker& maker, const OptimizeOptions& options) {
   std::optional<Mesh> before;
   if (options.keepOriginal) before = mesh;
+  if (options.observer) options.observer->finishBegun(mesh);
   OptimizeReport report = improve(mesh, boundary, maker, options);
   report.isSound = checkMesh(mesh, boundary).empty();
+  if (options.observer) options.observer->finishEnded(mesh, report.isSound);
   if (report.isSound || !before) return report;
   mesh = std::move(*before);
   return {};

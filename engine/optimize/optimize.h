@@ -8,6 +8,7 @@
 #include "engine/base/export.h"
 #include "engine/mesh/front_input.h"
 #include "engine/mesh/mesh.h"
+#include "engine/optimize/finish_observer.h"
 #include "engine/surface/local_transform.h"
 
 namespace af2 {
@@ -23,6 +24,7 @@ struct OptimizeOptions {
   /// front of quadrilaterals that got stuck. None: only small groups of triangles may.
   std::optional<std::uint16_t> closingRule;
   std::stop_token stop;  ///< changes made so far are kept
+  FinishObserver* observer = nullptr;
 };
 
 /// Counts of the changes made.

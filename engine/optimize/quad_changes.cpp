@@ -45,8 +45,9 @@ bool areDifferent(std::span<const VertexId> vertices) {
 }
 
 QuadChanges::QuadChanges(MeshTopology& topology, const std::vector<double>& anglesAtFixed,
-                         std::optional<std::uint16_t> closingRule)
+                         std::optional<std::uint16_t> closingRule, ActRecorder* recorder)
     : topology_(topology),
+      recorder_(recorder),
       wanted_(topology.mesh().vertices.size(), kFullTurn),
       sum_(wanted_.size(), 0),
       changed_(wanted_.size(), 0),
@@ -160,13 +161,15 @@ void QuadChanges::offer(Change change, const Leniency& leniency) {
   best_ = std::move(change);
 }
 
-bool QuadChanges::apply() {
+bool QuadChanges::apply(FinishAct::Kind kind) {
   bestGain_ = kMinGain;
   const Change change = std::exchange(best_, {});
   if (change.places.empty()) return false;
   for (const std::size_t place : change.places) add(elementAt(place), -1);
   for (const Element& element : change.elements) add(element, 1);
+  if (recorder_) recorder_->begin(change.places);
   const std::vector<std::size_t> places = topology_.replace(change.places, change.elements);
+  if (recorder_) recorder_->end(kind, places);
   isOpen_.resize(elementCount(), 1);
   lookedAt_.resize(elementCount(), 0);
   distortion_.resize(elementCount());

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "engine/mesh/mesh_topology.h"
+#include "engine/optimize/act_recorder.h"
 
 namespace af2 {
 
@@ -30,7 +31,7 @@ class QuadChanges {
  public:
   /// See tidyQuads.
   QuadChanges(MeshTopology& topology, const std::vector<double>& anglesAtFixed,
-              std::optional<std::uint16_t> closingRule);
+              std::optional<std::uint16_t> closingRule, ActRecorder* recorder);
 
   const MeshTopology& topology() const { return topology_; }
   std::size_t elementCount() const { return mesh().elements.size(); }
@@ -54,7 +55,7 @@ class QuadChanges {
   /// Remembers the change if it is the best since the last apply().
   void offer(Change change, const Leniency& leniency);
   /// Applies the best change that was offered; returns false if there was none.
-  bool apply();
+  bool apply(FinishAct::Kind kind);
 
  private:
   const Mesh& mesh() const { return topology_.mesh(); }
@@ -63,6 +64,7 @@ class QuadChanges {
   double costOf(VertexId v, int sum) const;
 
   MeshTopology& topology_;
+  ActRecorder* recorder_;
   std::vector<int> wanted_, sum_;     ///< by vertex: the angle there, the sum of ideal angles
   std::vector<std::uint8_t> isOpen_;  ///< by element
   std::vector<double> distortion_;    ///< by element

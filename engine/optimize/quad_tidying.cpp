@@ -54,7 +54,7 @@ class Tidier {
       if (isBad && !topology_.isFixed(from)) offerMerge(from, to);
       if (isBad && !topology_.isFixed(to)) offerMerge(to, from);
     }
-    return changes_.apply();
+    return changes_.apply(FinishAct::Kind::Replacement);
   }
 
   /// Two adjacent elements become one quadrilateral, or two others with the same outline.
@@ -144,9 +144,9 @@ class Tidier {
 }  // namespace
 
 std::size_t tidyQuads(MeshTopology& topology, const std::vector<double>& anglesAtFixed,
-                      std::optional<std::uint16_t> closingRule) {
+                      std::optional<std::uint16_t> closingRule, ActRecorder* recorder) {
   constexpr int kMaxPasses = 3;
-  QuadChanges changes(topology, anglesAtFixed, closingRule);
+  QuadChanges changes(topology, anglesAtFixed, closingRule, recorder);
   Tidier tidier(changes);
   std::size_t count = 0;
   for (int i = 0; i < kMaxPasses; ++i) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/mesh/mesh_topology.h"
+#include "engine/optimize/act_recorder.h"
 
 namespace af2 {
 
@@ -18,6 +19,6 @@ namespace af2 {
 /// closingRule    the rule that made the triangles that closed a front; see OptimizeOptions
 /// Returns the number of replacements.
 std::size_t tidyQuads(MeshTopology& topology, const std::vector<double>& anglesAtFixed,
-                      std::optional<std::uint16_t> closingRule);
+                      std::optional<std::uint16_t> closingRule, ActRecorder* recorder = nullptr);
 
 }  // namespace af2

@@ -11,6 +11,7 @@
 #include "engine/base/error.h"
 #include "engine/mesh/mesh_check.h"
 #include "engine/mesh/mesh_topology.h"
+#include "engine/optimize/act_recorder.h"
 #include "engine/optimize/element_badness.h"
 #include "engine/step/neighborhood.h"
 
@@ -57,13 +58,16 @@ struct Total {
 
 class ScoreFinisher {
  public:
-  ScoreFinisher(Mesh& mesh, const MeshBoundary& boundary, const FinishTask& task)
+  ScoreFinisher(Mesh& mesh, const MeshBoundary& boundary, const FinishTask& task,
+                FinishObserver* observer)
       : mesh_(mesh),
         topology_(mesh, boundary),
         charts_(task.charts),
         badness_(mesh, task.rules, task.charts, task.size),
         isAwake_(mesh.vertices.size(), 1) {
     for (const Element& element : mesh.elements) of_.push_back(badness_.of(element));
+    if (observer)
+      recorder_.emplace(*observer, mesh, [this](const Element& e) { return badness_.of(e); });
   }
 
   std::size_t swapSides() {
@@ -109,7 +113,9 @@ class ScoreFinisher {
                           badness_.bestRotation({{d, b, c, VertexId()}})};
     const std::array badness{badness_.of(made[0]), badness_.of(made[1])};
     if (!isPlainlyLess(std::max(badness[0], badness[1]), worst)) return false;
+    if (recorder_) recorder_->begin(std::array{s, t});
     const std::vector<std::size_t> places = topology_.replace({s, t}, made);
+    if (recorder_) recorder_->end(FinishAct::Kind::SwapForQuality, places);
     for (std::size_t k = 0; k < places.size(); ++k) of_[places[k]] = badness[k];
     return true;
   }
@@ -118,6 +124,7 @@ class ScoreFinisher {
 
   bool tryMove(VertexId v) {
     if (!collectStar(v)) return false;
+    if (recorder_) recorder_->begin(star_, v);
     Total before;
     for (const std::size_t e : star_) before.add(of_[e]);
     // Most places fail at the element that is worst now, so it is evaluated first.
@@ -172,6 +179,7 @@ class ScoreFinisher {
     put(v, bestPoint);
     if (!isMoved) return false;
     for (const std::size_t e : star_) of_[e] = badness_.of(mesh_.elements[e]);
+    if (recorder_) recorder_->end(FinishAct::Kind::Move);
     return true;
   }
 
@@ -201,12 +209,13 @@ class ScoreFinisher {
   VertexId neighbor_;              ///< some neighbour of that vertex
   double shortest_ = 0;            ///< length of the shortest edge there
   ChartSlot slot_;
+  std::optional<ActRecorder> recorder_;
 };
 
 OptimizeReport improve(Mesh& mesh, const MeshBoundary& boundary, const FinishTask& task,
                        const OptimizeOptions& options) {
   OptimizeReport report;
-  ScoreFinisher finisher(mesh, boundary, task);
+  ScoreFinisher finisher(mesh, boundary, task, options.observer);
   for (int round = 0; round < options.rounds && !options.stop.stop_requested(); ++round) {
     const std::size_t swaps = finisher.swapSides();
     std::size_t moves = 0;
@@ -226,8 +235,10 @@ OptimizeReport finishByScore(Mesh& mesh, const MeshBoundary& boundary, const Fin
                              const OptimizeOptions& options) {
   std::optional<Mesh> before;
   if (options.keepOriginal) before = mesh;
+  if (options.observer) options.observer->finishBegun(mesh);
   OptimizeReport report = improve(mesh, boundary, task, options);
   report.isSound = checkMesh(mesh, boundary).empty();
+  if (options.observer) options.observer->finishEnded(mesh, report.isSound);
   if (report.isSound || !before) return report;
   mesh = std::move(*before);
   return {};

@@ -154,8 +154,8 @@ constexpr double kWakingMove = 0.01;
 }  // namespace
 
 VertexSmoother::VertexSmoother(MeshTopology& topology, Mesh& mesh,
-                               const AF2LocalTransformMaker& maker)
-    : topology_(topology), mesh_(mesh), maker_(maker) {
+                               const AF2LocalTransformMaker& maker, ActRecorder* recorder)
+    : topology_(topology), mesh_(mesh), maker_(maker), recorder_(recorder) {
   isAwake_.assign(mesh.vertices.size(), 1);
 }
 
@@ -194,8 +194,12 @@ double VertexSmoother::smooth(VertexId v, Goal goal) {
   const SurfacePoint& neighbor = at(topology_.next(first));
   const double unit = distance(here.position, neighbor.position);
   if (!(unit > 0)) return 0;
+  if (recorder_) recorder_->begin(star_, v);
   try {
-    return moveInChart(v, {maker_.makeLocalTransformIn(slot_, here, neighbor, unit), unit}, goal);
+    const double move =
+        moveInChart(v, {maker_.makeLocalTransformIn(slot_, here, neighbor, unit), unit}, goal);
+    if (recorder_ && move > 0) recorder_->end(FinishAct::Kind::Move);
+    return move;
   } catch (const GeometryError&) {
     return 0;  // there is no chart at this vertex: it does not move
   }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/mesh/mesh_topology.h"
+#include "engine/optimize/act_recorder.h"
 #include "engine/step/neighborhood.h"
 #include "engine/surface/local_transform.h"
 
@@ -25,7 +26,8 @@ struct DistortionTerm {
 /// hardly changed since its last visit brought almost no gain.
 class VertexSmoother {
  public:
-  VertexSmoother(MeshTopology& topology, Mesh& mesh, const AF2LocalTransformMaker& maker);
+  VertexSmoother(MeshTopology& topology, Mesh& mesh, const AF2LocalTransformMaker& maker,
+                 ActRecorder* recorder = nullptr);
 
   /// One sweep over all inner vertices in order; ends early if a stop is requested. Returns the
   /// number of moved vertices.
@@ -50,6 +52,7 @@ class VertexSmoother {
   MeshTopology& topology_;
   Mesh& mesh_;
   const AF2LocalTransformMaker& maker_;
+  ActRecorder* recorder_;
   ChartSlot slot_;
   std::vector<std::uint8_t> isAwake_;
   std::vector<Corner> star_;

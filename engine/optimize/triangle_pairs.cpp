@@ -32,7 +32,7 @@ class Pairing {
     bool isPaired = false;
     for (std::size_t i = 0; i < partners.size() && !isPaired; ++i) {
       walk(partners[i]);
-      isPaired = changes_.apply();
+      isPaired = changes_.apply(FinishAct::Kind::Pairing);
     }
     for (const std::size_t e : explored_) distance_[e] = -1;
     return isPaired;

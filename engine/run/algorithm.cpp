@@ -208,6 +208,7 @@ class Run {
         return true;
       });
     options_.observer->stepTaken(report);
+    if (report.applied) options_.observer->meshGrown(report, result_.mesh);
     if (!options_.observer->wantsRefusals()) return;
     options_.observer->rulesRefused(report, refusals);
   }

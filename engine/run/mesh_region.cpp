@@ -53,6 +53,7 @@ RegionMesh meshPiece(const AF2Algorithm& algorithm, const RegionTask& task, cons
     OptimizeOptions how;
     how.stop = options.stop;
     how.keepOriginal = false;
+    if (options.observer) how.observer = options.observer->finishing();
     const FinishTask finish{algorithm.rules(), *tools.charts, *tools.size};
     if (!finishMesh(piece.result.mesh, boundary, finish, how).isSound) {
       // The observer and the progress callback must not receive the same steps twice.
@@ -168,12 +169,17 @@ void forEachInArena(const RegionTask& task, std::size_t count,
 
 StripTools stripToolsOf(const AF2Algorithm& algorithm, const RegionTask& task,
                         const FrontOptions& options) {
-  const auto finish = [&](Mesh& mesh, const MeshBoundary& boundary, const OptimizeOptions& how) {
+  FinishObserver* observer = options.observer ? options.observer->finishing() : nullptr;
+  const auto finish = [&algorithm, &task, observer](Mesh& mesh, const MeshBoundary& boundary,
+                                                    OptimizeOptions how) {
     const PieceTools tools = task.makeTools();
+    how.observer = observer;
     finishMesh(mesh, boundary, {algorithm.rules(), *tools.charts, *tools.size}, how);
   };
-  const auto forEach = [&task](std::size_t count, const auto& work) {
-    forEachInArena(task, count, work);
+  const auto forEach = [&task, observer](std::size_t count, const auto& work) {
+    if (!observer) return forEachInArena(task, count, work);
+    // One after the other: the observer must receive changes in order.
+    for (std::size_t i = 0; i < count; ++i) work(i);
   };
   return {finish, forEach, options.stop};
 }

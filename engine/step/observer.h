@@ -10,10 +10,13 @@
 #include "engine/base/export.h"
 #include "engine/base/ids.h"
 #include "engine/mesh/front_input.h"
+#include "engine/mesh/mesh.h"
 #include "engine/rule/refusal.h"
 #include "engine/step/front_piece.h"
 
 namespace af2 {
+
+class FinishObserver;
 
 /// Why one rule was not applied at one base edge. If several matches of the rule were tried, this
 /// is the reason of the match that passed the most checks.
@@ -47,6 +50,9 @@ class AF2_EXPORT AF2MeshingObserver {
   /// them. The ids of vertices are those of this front until the next one begins.
   virtual void frontBegun(const FrontInput&) {}
   virtual void stepTaken(const StepReport&) {}
+  /// Follows `stepTaken` if a rule was applied: the mesh so far. The elements of the step are its
+  /// last ones.
+  virtual void meshGrown(const StepReport&, const Mesh&) {}
   /// Whether `rulesRefused` should be called, which costs time.
   virtual bool wantsRefusals() const { return false; }
   /// Called after `stepTaken` with the reason for each rule that was not applied.
@@ -58,6 +64,8 @@ class AF2_EXPORT AF2MeshingObserver {
   virtual void frontAround(const StepReport&, const LocalFront&) {}
   /// The front ended, with this number of edges that no rule took; 0: it closed.
   virtual void frontEnded(std::size_t /*edgesLeft*/) {}
+  /// The observer of what is done to meshes after their fronts have closed, or null.
+  virtual FinishObserver* finishing() { return nullptr; }
 };
 
 /// The progress of a run. Sent every few thousand steps, or more often where steps take long.

@@ -54,6 +54,8 @@ void optimize(const FaceTask& task, FaceAttempt& attempt, FaceMesh& mesh) {
   const RuleSet& rules = task.algorithm.rules();
   if (rules.makesQuads()) options.closingRule = originOf(WithoutRule::Closing, rules).rule;
   options.stop = task.options.stop;
+  if (AF2MeshingObserver* observer = task.options.observer ? task.options.observer() : nullptr)
+    options.observer = observer->finishing();
   finishMesh(attempt.result.mesh, boundaryOf(input), {rules, *attempt.charts, task.size}, options);
   mesh.optimizeSeconds += watch.seconds();
 }

@@ -2,12 +2,11 @@
 #include <algorithm>
 #include <limits>
 
-#include "geometry/io/base64.h"
 #include "geometry/io/formats.h"
 #include "geometry/io/vtk_cells.h"
 #include "geometry/mesh/quality.h"
 #include "geometry/page/page_info.h"
-#include "geometry/page/page_parts.h"
+#include "geometry/page/page_writer.h"
 
 namespace af2::geometry {
 namespace {
@@ -24,22 +23,8 @@ Point3 centreOf(const ModelMesh& mesh) {
   return 0.5 * (low + high);
 }
 
-/// One array of the page; `fill` puts its values into the stream.
-template <class Fill>
-void writeArray(const char* name, const char* type, OutputFile& file, Fill fill) {
-  file.text("<script type=\"text/plain\" id=\"array-");
-  file.text(name);
-  file.text("\" data-type=\"");
-  file.text(type);
-  file.text("\">");
-  Base64Stream stream(file);
-  fill(stream);
-  stream.finish();
-  file.text("</script>\n");
-}
-
 void writeVertices(const ModelMesh& mesh, const Point3& centre, OutputFile& file) {
-  writeArray("positions", "Float32", file, [&](Base64Stream& out) {
+  writePageArray("positions", "Float32", file, [&](Base64Stream& out) {
     for (const Point3& vertex : mesh.vertices) {
       const Point3 p = vertex - centre;
       for (const double x : {p.x, p.y, p.z}) out.put(static_cast<float>(x));
@@ -51,33 +36,33 @@ void writeVertices(const ModelMesh& mesh, const Point3& centre, OutputFile& file
 /// its fourth one, which is VertexId's for none.
 void writeCorners(const ModelMesh& mesh, std::size_t perElement, OutputFile& file) {
   static_assert(VertexId().value == std::numeric_limits<std::uint32_t>::max());
-  writeArray("corners", "Uint32", file, [&](Base64Stream& out) {
+  writePageArray("corners", "Uint32", file, [&](Base64Stream& out) {
     for (const Element& element : mesh.elements)
       for (std::size_t i = 0; i < perElement; ++i) out.put(element.corners[i].value);
   });
   if (mesh.midsides.empty()) return;
-  writeArray("middles", "Uint32", file, [&](Base64Stream& out) {
+  writePageArray("middles", "Uint32", file, [&](Base64Stream& out) {
     for (const auto& middles : mesh.midsides)
       for (std::size_t i = 0; i < perElement; ++i) out.put(middles[i].value);
   });
 }
 
 void writeNumbers(const ModelMesh& mesh, OutputFile& file) {
-  writeArray("face", "Int32", file, [&](Base64Stream& out) {
+  writePageArray("face", "Int32", file, [&](Base64Stream& out) {
     for (const std::int32_t face : mesh.face) out.put(face);
   });
-  writeArray("rule", "Int32", file, [&](Base64Stream& out) {
+  writePageArray("rule", "Int32", file, [&](Base64Stream& out) {
     for (const ElementOrigin& origin : mesh.origins) out.put(ruleNumber(origin));
   });
-  writeArray("level", "Uint8", file, [&](Base64Stream& out) {
+  writePageArray("level", "Uint8", file, [&](Base64Stream& out) {
     for (const ElementOrigin& origin : mesh.origins) out.put(levelNumber(origin));
   });
-  writeArray("quality", "Float32", file, [&](Base64Stream& out) {
+  writePageArray("quality", "Float32", file, [&](Base64Stream& out) {
     for (const Element& element : mesh.elements)
       out.put(static_cast<float>(shapeQuality(mesh.vertices, element)));
   });
   if (mesh.scores.empty()) return;
-  writeArray("score", "Float32", file, [&](Base64Stream& out) {
+  writePageArray("score", "Float32", file, [&](Base64Stream& out) {
     for (const float score : mesh.scores) out.put(score);
   });
 }
@@ -85,9 +70,7 @@ void writeNumbers(const ModelMesh& mesh, OutputFile& file) {
 void writeData(const ModelMesh& mesh, OutputFile& file) {
   const Point3 centre = centreOf(mesh);
   const int perElement = std::ranges::any_of(mesh.elements, &Element::isQuad) ? 4 : 3;
-  file.text("<script type=\"application/json\" id=\"info\">");
-  file.text(pageInfo(mesh, centre, perElement));
-  file.text("</script>\n");
+  writePageJson("info", pageInfo(mesh, centre, perElement), file);
   writeVertices(mesh, centre, file);
   writeCorners(mesh, static_cast<std::size_t>(perElement), file);
   writeNumbers(mesh, file);
@@ -95,19 +78,8 @@ void writeData(const ModelMesh& mesh, OutputFile& file) {
 
 }  // namespace
 
-/// In page.html, a name between two "@" stands for that part, and "@data@" for the mesh.
 void writePage(const ModelMesh& mesh, Lines, OutputFile& file) {
-  std::string_view rest = pagePart("page.html");
-  for (bool isName = false; !rest.empty(); isName = !isName) {
-    const std::string_view piece = rest.substr(0, rest.find('@'));
-    rest.remove_prefix(std::min(piece.size() + 1, rest.size()));
-    if (!isName)
-      file.text(piece);
-    else if (piece == "data")
-      writeData(mesh, file);
-    else
-      file.text(pagePart(piece));
-  }
+  fillPage("page.html", file, [&] { writeData(mesh, file); });
 }
 
 }  // namespace af2::geometry

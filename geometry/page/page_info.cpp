@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "geometry/io/report.h"
+#include "geometry/page/page_writer.h"
 
 namespace af2::geometry {
 namespace {
@@ -55,21 +56,6 @@ Json groupsJson(const std::vector<FaceGroup>& groups) {
   return list;
 }
 
-/// Without "<", so that no text of the model can end the element of the page that holds it.
-std::string asScript(const Json& json) {
-  // Names come from CAD files, which need not be valid UTF-8.
-  const std::string text = json.dump(-1, ' ', false, Json::error_handler_t::replace);
-  std::string safe;
-  safe.reserve(text.size());
-  for (const char c : text) {
-    if (c == '<')
-      safe += "\\u003c";
-    else
-      safe += c;
-  }
-  return safe;
-}
-
 }  // namespace
 
 std::string pageInfo(const ModelMesh& mesh, const Point3& centre, int cornersPerElement) {
@@ -84,7 +70,8 @@ std::string pageInfo(const ModelMesh& mesh, const Point3& centre, int cornersPer
             {"notes", mesh.notes},
             {"findings", mesh.findings}};
   for (const FaceReport& face : mesh.faces) json["faces"].push_back(faceJson(face));
-  return asScript(json);
+  // Names come from CAD files, which need not be valid UTF-8.
+  return jsonInScript(json.dump(-1, ' ', false, Json::error_handler_t::replace));
 }
 
 }  // namespace af2::geometry

@@ -146,6 +146,14 @@ expect 0 "$af2" draw good.af2 --coverage -o coverage.svg
 expect 2 "$af2" draw good.af2 -o good.gif; told '.svg'
 expect 2 "$af2" draw good.af2 --rule up; told 'there is no rule'
 expect 2 "$af2" draw good.af2 --match c=1,1; told '--rule'
+expect 0 "$af2" draw good.af2 --test 'a corner of 120 degrees' -o test.svg; says 'drew test "a corner of 120 degrees"'
+expect 0 "$af2" draw good.af2 --test 'a corner of 120 degrees' -o again.svg
+cmp -s test.svg again.svg || fail 'the picture of a test changes'
+expect 2 "$af2" draw good.af2 --test 'a corner of 12 degrees'; told "did you mean 'a corner of 120 degrees'"
+expect 2 "$af2" draw good.af2 --test 'zzz'; told 'the file has no such test'
+expect 2 "$af2" draw good.af2 --test 'a corner of 120 degrees' --rule left; told 'give one of them'
+expect 2 "$af2" draw good.af2 --test 'a corner of 120 degrees' -o test.gif; told '.svg'
+expect 2 "$af2" draw good.af2 --test 'a corner of 120 degrees' --size 100; told 'needs at least 240 pixels'
 expect 0 "$af2" doc good.af2 -o site
 grep -q 'a corner of 120 degrees' site/index.html || fail 'the gallery lacks a test'
 expect 0 "$af2" compile good.af2; says '2 rules, 2 of them affine'

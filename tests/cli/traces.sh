@@ -28,11 +28,23 @@ expect 0 "$af2" test step.af2
 
 expect 0 "$af2" explain plate.af2t --element 0
 grep -q 'applied' out || fail "the step of an element did not apply a rule"
+# An edge of an element of the mesh: one of its sides was the base edge of some step.
+expect 0 "$af2" mesh "$plate" --size 0.5 -r mine.af2 -o plate.obj --quiet
+found=0
+for edge in $(awk '/^f / { print $2 - 1 "-" $3 - 1; print $3 - 1 "-" $4 - 1; print $4 - 1 "-" $2 - 1 }' plate.obj | tail -n 9); do
+  "$af2" explain plate.af2t --edge "$edge" >out 2>err && grep -q '^face 1, step [0-9]*: ' out && found=1
+done
+[ $found = 1 ] || fail "no side of the last elements was a base edge"
+expect 2 "$af2" explain plate.af2t --edge 0-100000; told 'the mesh has vertices 0 to'
+expect 2 "$af2" explain plate.af2t --edge 0-0; told 'no step had this base edge'
+expect 2 "$af2" explain plate.af2t --edge 12; told 'such as 12-34'
+expect 2 "$af2" explain plate.af2t --edge 1-2 --step 1; told 'give one of them'
 expect 2 "$af2" explain plate.af2t --element 100000; told 'the mesh has elements 0 to'
 expect 2 "$af2" explain plate.af2t --element 1 --step 1; told 'give one of them'
 
 expect 0 "$af2" stats plate.af2t
 grep -q '^free triangle 1 ' out || fail "stats lacks a rule"
+grep -q '^move  ' out || fail "stats lacks the moves of vertices"
 expect 0 "$af2" stats plate.af2t --format json
 [ "$(json out rules 0 chosen)" -gt 0 ] || fail "stats in JSON"
 cp out stats.json
@@ -50,6 +62,10 @@ assert elements == run["triangles"] + run["quads"]
 assert 0 < sum(source["worst"] for source in stats["sources"]) <= elements / 100 + 1
 PYTHON
 expect 2 "$af2" mesh "$plate" --size 0.5 --statistics; told '--statistics needs --report'
+[ "$(json stats.json finish 0 number)" -gt 0 ] || fail "stats in JSON lacks the changes after the front"
+expect 0 "$af2" mesh "$plate" --size 0.5 -r mine.af2 --no-optimize --trace raw.af2t --quiet
+expect 0 "$af2" stats raw.af2t
+! grep -q '^move  ' out || fail "stats counts changes that were not made"
 
 # A stuck front: from the run to a test that fails, and passes once the rules are mended.
 sed '/^test/,$d; /^rule "free triangle {k}"/,/^}/d; /^rule "fill/,/^}/d; /^rule .*vis a vis/,/^}/d' mine.af2 >tight.af2
@@ -70,6 +86,27 @@ expect 1 "$af2" explain tight.af2t; told 'has changed since the trace was made'
 expect 1 "$af2" trace diff plate.af2t tight.af2t
 grep -q 'parts at step' out || fail "trace diff does not name the first different step"
 
+# The page that plays a run.
+expect 0 "$af2" trace view plate.af2t -o plate.html
+grep -q 'wrote plate.html' out || fail "trace view does not say what it wrote"
+cp plate.html once.html
+expect 0 "$af2" trace view plate.af2t -o plate.html
+cmp -s once.html plate.html || fail "the page of a trace changes"
+expect 0 "$af2" trace view one.af2t -o part.html --face 3 --charts 10
+grep -q 'has charts of 10 of the' out || fail "trace view does not say that charts are missing"
+grep -q '^face 3: 2 fronts; kept: ' out || fail "trace view does not say which front was kept"
+expect 0 "$af2" trace view one.af2t -o part.html --face 3 --from 2 --to 4
+expect 2 "$af2" trace view one.af2t -o part.html --from 2; told 'need --face'
+expect 2 "$af2" trace view one.af2t -o part.html --face 3 --from 4 --to 2; told 'comes after the last one'
+expect 2 "$af2" trace view one.af2t -o part.html --face 3 --to 1000000; told 'face 3 has steps 1 to'
+expect 2 "$af2" trace view one.af2t -o part.html --face 3 --from -1; told 'face 3 has steps 1 to'
+expect 2 "$af2" trace view one.af2t -o part.html --face 700; told 'no steps of this face'
+expect 2 "$af2" trace view one.af2t -o part.svg; told 'ends in .html'
+expect 1 "$af2" trace view one.af2t -o nowhere/part.html; told 'nowhere'
+[ ! -e part.svg ] || fail "a page was written in spite of an error"
+expect 1 "$af2" trace view tight.af2t -o tight.html; told 'has changed since the trace was made'
+[ ! -e tight.html ] || fail "a page was written in spite of an error"
+
 # Bad input.
 expect 2 "$af2" explain plate.af2t; told 'no front got stuck'
 expect 2 "$af2" explain plate.af2t --step 100000; told 'has steps 1 to'
@@ -85,5 +122,6 @@ head -c 2000 plate.af2t >cut.af2t
 expect 1 "$af2" stats cut.af2t; told 'is damaged'
 sed 's/"version":"[^"]*"/"version":"0.0.1"/' plate.af2t >old.af2t
 expect 1 "$af2" explain old.af2t; told 'was written by version 0.0.1'
+expect 1 "$af2" trace view old.af2t -o old.html; told 'was written by version 0.0.1'
 expect 2 "$af2" mesh "$plate" --size 1 --trace-faces 1; told 'needs --trace'
 finish

@@ -115,7 +115,7 @@ function withOwnVertices(mesh, triangles) {
     for (let axis = 0; axis < 3; ++axis)
       positions[3 * (mesh.vertexCount + i) + axis] = mesh.positions[3 * v + axis];
   });
-  return { count, index, positions, owner: owner.subarray(0, count) };
+  return { count, index, positions, owner: owner.subarray(0, count), copies };
 }
 
 /** The normal of an element, from its diagonals or two sides; not of unit length. */

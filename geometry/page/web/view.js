@@ -121,7 +121,8 @@ class View {
   }
 
   makeShapes() {
-    const { count, index, positions, owner } = withOwnVertices(this.mesh, this.triangles);
+    const { count, index, positions, owner, copies } = withOwnVertices(this.mesh, this.triangles);
+    this.copies = copies;
     this.fullIndex = index;
     this.owner = owner;
     this.colors = new Uint8Array(4 * count);

@@ -1,0 +1,157 @@
+#include "cli/trace_view/face_recorder.h"
+
+#include <algorithm>
+#include <tuple>
+
+#include "cli/trace_view/step_chart.h"
+
+namespace af2::cli {
+
+void FaceRecorder::frontBegun(const FrontInput& input) {
+  ViewFront front;
+  front.firstVertex = record_.vertices.size();
+  front.vertexCount = front.given = input.vertexCount;
+  front.firstEvent = static_cast<std::int32_t>(record_.events.size());
+  record_.vertices.resize(front.firstVertex + front.given);
+  const auto place = [&](const BoundaryCorner& corner) {
+    record_.vertices[front.firstVertex + corner.vertex.value] = corner.point.position;
+  };
+  for (const auto& loop : input.loops) std::ranges::for_each(loop, place);
+  std::ranges::for_each(input.isolated, place);
+  record_.fronts.push_back(std::move(front));
+  alive_.emplace_back();
+}
+
+ViewEvent& FaceRecorder::addEvent(std::size_t kind, std::size_t front) {
+  ViewEvent& event = record_.events.emplace_back();
+  event.kind = static_cast<std::uint8_t>(kind);
+  event.front = static_cast<std::int32_t>(front);
+  return event;
+}
+
+void FaceRecorder::stepTaken(const StepReport& step) {
+  ++step_;
+  made_.clear();
+  const auto first = static_cast<std::uint32_t>(record_.fronts.back().firstVertex);
+  ViewEvent& event =
+      addEvent(step.applied ? ViewEvent::kApplied : ViewEvent::kRefused, record_.fronts.size() - 1);
+  event.level = static_cast<std::uint8_t>(std::min(step.level, 255));
+  event.from = first + step.from.value;
+  event.to = first + step.to.value;
+  event.after = static_cast<float>(step.frontEdges);
+  if (!step.applied) return;
+  event.rule = static_cast<std::int32_t>(step.rule);
+  event.before = static_cast<float>(step.score);
+}
+
+void FaceRecorder::meshGrown(const StepReport& step, const Mesh& mesh) {
+  ViewFront& front = record_.fronts.back();
+  for (; front.vertexCount < mesh.vertices.size(); ++front.vertexCount)
+    record_.vertices.push_back(mesh.vertices[front.vertexCount].position);
+  const std::size_t count = rules_.rules()[step.rule].definition().elements.size();
+  made_.assign(mesh.elements.end() - static_cast<std::ptrdiff_t>(count), mesh.elements.end());
+  for (const Element& element : made_) bear(element, record_.fronts.size() - 1);
+}
+
+void FaceRecorder::frontAround(const StepReport& step, const LocalFront& around) {
+  record_.events.back().chart = static_cast<std::int32_t>(record_.charts.size());
+  record_.charts.push_back(stepChart(rules_, {step, around, refusals_, made_}));
+}
+
+void FaceRecorder::bear(const Element& element, std::size_t front) {
+  const auto first = static_cast<std::uint32_t>(record_.fronts[front].firstVertex);
+  alive_[front][element.corners] = record_.elements.size();
+  ViewElement& made = record_.elements.emplace_back();
+  made.corners.fill(ViewElement::kNoVertex);
+  for (std::size_t i = 0; i < element.vertices().size(); ++i)
+    made.corners[i] = first + element.corners[i].value;
+  made.birth = now();
+}
+
+void FaceRecorder::bury(const Element& element, std::size_t front) {
+  const auto found = alive_[front].find(element.corners);
+  if (found == alive_[front].end()) return;
+  record_.elements[found->second].death = now();
+  alive_[front].erase(found);
+}
+
+bool FaceRecorder::isOf(const Mesh& mesh, const ViewFront& front) const {
+  if (front.isFinished || mesh.vertices.size() != front.vertexCount) return false;
+  for (std::size_t v = 0; v < front.vertexCount; ++v)
+    if (mesh.vertices[v].position != record_.vertices[front.firstVertex + v]) return false;
+  return true;
+}
+
+/// The best of several attempts is finished, which need not be the last one. A strip along a cut,
+/// and a face that was laid out in a plane, belong to no front.
+void FaceRecorder::finishBegun(const Mesh& mesh) {
+  finishing_ = kNone;
+  for (std::size_t f = record_.fronts.size(); f-- > 0 && finishing_ == kNone;)
+    if (isOf(mesh, record_.fronts[f])) finishing_ = f;
+  record_.missesChanges = record_.missesChanges || finishing_ == kNone;
+  if (finishing_ == kNone) return;
+  record_.fronts[finishing_].isFinished = true;
+  const auto isNew = [&](const Element& e) { return !alive_[finishing_].contains(e.corners); };
+  if (std::ranges::none_of(mesh.elements, isNew)) return;
+  addEvent(ViewEvent::kClosedWithoutRule, finishing_);
+  for (const Element& element : mesh.elements)
+    if (isNew(element)) bear(element, finishing_);
+}
+
+void FaceRecorder::actKept(const FinishAct& act) {
+  if (finishing_ == kNone) return;
+  const auto first = static_cast<std::uint32_t>(record_.fronts[finishing_].firstVertex);
+  ViewEvent& event =
+      addEvent(ViewEvent::kFirstAct + static_cast<std::size_t>(act.kind), finishing_);
+  event.before = static_cast<float>(act.worstBefore);
+  event.after = static_cast<float>(act.worstAfter);
+  event.from = act.vertex.isNone() ? ViewElement::kNoVertex : first + act.vertex.value;
+  if (act.kind == FinishAct::Kind::Move) {
+    record_.moves.push_back(act.to);
+    return;
+  }
+  for (const Element& element : act.before) bury(element, finishing_);
+  for (const Element& element : act.after) bear(element, finishing_);
+}
+
+void FaceRecorder::finishEnded(const Mesh& mesh, bool isSound) {
+  if (finishing_ == kNone) return;
+  ViewFront& front = record_.fronts[finishing_];
+  for (const SurfacePoint& vertex : mesh.vertices) front.finished.push_back(vertex.position);
+  if (!isSound) front.kept = ViewFront::Kept::No;
+  finishing_ = kNone;
+}
+
+void FaceRecorder::addClosing(const geometry::ModelMesh& mesh) {
+  for (std::size_t f = 0; f < record_.fronts.size(); ++f) {
+    const ViewFront& front = record_.fronts[f];
+    if (front.kept == ViewFront::Kept::Yes && front.edgesLeft > 0 && !front.isFinished)
+      close(f, mesh);
+  }
+}
+
+/// Vertices of the mesh are known by their positions.
+void FaceRecorder::close(std::size_t f, const geometry::ModelMesh& mesh) {
+  const auto keyOf = [](const Point3& p) { return std::tuple(p.x, p.y, p.z); };
+  const ViewFront& front = record_.fronts[f];
+  std::map<std::tuple<double, double, double>, VertexId> vertices;
+  for (std::size_t v = 0; v < front.vertexCount; ++v)
+    vertices.emplace(keyOf(record_.vertices[front.firstVertex + v]), VertexId(v));
+  std::vector<Element> closing;
+  for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
+    if (mesh.face[e] != record_.face) continue;
+    Element element;
+    const auto corners = mesh.elements[e].vertices();
+    for (std::size_t i = 0; i < corners.size(); ++i)
+      if (const auto found = vertices.find(keyOf(mesh.vertices[corners[i].value]));
+          found != vertices.end())
+        element.corners[i] = found->second;
+    if (hasProperCorners(element, front.vertexCount) && !alive_[f].contains(element.corners))
+      closing.push_back(element);
+  }
+  if (closing.empty()) return;
+  addEvent(ViewEvent::kClosedWithoutRule, f);
+  for (const Element& element : closing) bear(element, f);
+}
+
+}  // namespace af2::cli
