@@ -25,7 +25,7 @@ function frameOf(svg, chart, candidate) {
   }
   const xs = points.map(([x]) => x), ys = points.map(([, y]) => y);
   const low = [Math.min(...xs), Math.min(...ys)], high = [Math.max(...xs), Math.max(...ys)];
-  const width = svg.clientWidth || 500, height = svg.clientHeight || 300, margin = 26;
+  const width = svg.clientWidth || 500, height = svg.clientHeight || 300, margin = 42;
   const scale = Math.min((width - 2 * margin) / (high[0] - low[0]), (height - 2 * margin) / (high[1] - low[1]));
   svg.setAttribute("viewBox", `0 0 ${width} ${height}`);
   return ([x, y]) => [width / 2 + scale * (x - (low[0] + high[0]) / 2), height / 2 - scale * (y - (low[1] + high[1]) / 2)];

@@ -10,6 +10,7 @@ class Surface {
     this.copies = new Map(); // by vertex: its other places among the vertices of the picture
     view.copies.forEach((v, i) => this.copies.set(v, [...(this.copies.get(v) ?? []), run.mesh.vertexCount + i]));
     this.front = markerLines(2.5);
+    for (const lines of [this.front, ...this.front.children]) lines.renderOrder = 1; // below the base edge
     this.before = markerLines(3);
     this.after = markerLines(4);
     for (const lines of [this.front, this.before, this.after]) view.scene.add(lines);
