@@ -133,6 +133,34 @@ def check_changes(page):
     return elements
 
 
+def check_play(page):
+    """Plays until it is paused, and ends at the last event."""
+    page.run("af2.page.seek(0)")
+    page.run("document.getElementById('follow').click()")
+    click(page, "play")
+    page.wait_for("af2.page.event > 3")
+    click(page, "play")
+    at = event(page)
+    page.run("new Promise(done => setTimeout(done, 300))")
+    assert event(page) == at, "it plays on after a pause"
+    assert page.run("af2.view.camera.zoom > 1"), "it does not follow"
+    page.run("document.getElementById('follow').click()")
+    page.run("af2.view.look(af2.view.direction())")
+    page.run("af2.page.seek(af2.run.lastEvent - 2)")
+    click(page, "play")
+    page.wait_for("!af2.page.isPlaying")
+    assert event(page) == page.run("af2.run.lastEvent")
+
+
+def check_scheme(page):
+    picture = "document.getElementById('timeline').toDataURL()"
+    light = page.run(picture)
+    click(page, "scheme")
+    assert page.run(picture) != light, "the time line keeps its colours"
+    click(page, "scheme")
+    assert page.run(picture) == light
+
+
 def check_timeline(page):
     box = page.run("(() => { const b = timeline.getBoundingClientRect(); return [b.left, b.top, b.width, b.height]; })()")
     page.click(box[0] + box[2] - 2, box[1] + box[3] / 2)
@@ -155,7 +183,7 @@ def main():
         page.prefer("light")
         path, _ = page_of(folder, "plate", "plate.poly", "--size", "0.5")
         page.open(path)
-        for check in (check_steps, check_refusal, check_uses, check_click, check_timeline, check_names):
+        for check in (check_steps, check_refusal, check_uses, check_click, check_play, check_scheme, check_timeline, check_names):
             check(page)
             check_quiet(page, path)
         shown = check_changes(page)
