@@ -114,9 +114,9 @@ void declareMeshOptions(CLI::App& command, MeshOptions& options) {
   declareSizeOptions(command, options.sizes);
   command
       .add_option("-r,--rules", options.rules,
-                  "rule file: a path, or the name of rules that come with AF2")
-      ->type_name("FILE")
-      ->capture_default_str();
+                  "rule file: a path, or the name of rules that come with AF2 [tri/even.af2, or "
+                  "quad/classic.af2 with --elements quad]")
+      ->type_name("FILE");
   command.add_option("-o,--output", options.outputs, outputHelp())
       ->type_name("FILE")
       ->take_all()
@@ -127,6 +127,18 @@ void declareMeshOptions(CLI::App& command, MeshOptions& options) {
       .add_option("--boundary", options.boundary,
                   "JSON file with the vertices along edges that are already divided")
       ->type_name("FILE");
+  command
+      .add_option("--elements", options.elements,
+                  "any, or quad: quadrilaterals only, with even numbers of edges on boundaries")
+      ->type_name("KIND")
+      ->check(CLI::IsMember({"any", "quad"}).description(""))
+      ->capture_default_str();
+  command
+      .add_option("--quality", options.quality,
+                  "fast, good or best: how long to look for better quadrilaterals")
+      ->type_name("LEVEL")
+      ->check(CLI::IsMember({"fast", "good", "best"}).description(""))
+      ->capture_default_str();
   command.add_flag("--edges", options.edges,
                    "also write line elements along all edges of the model, in " +
                        extensionsThat(&geometry::MeshFormat::holdsLines, "and") + " files");
@@ -211,6 +223,17 @@ geometry::ChartKind checkedChart(const MeshOptions& options, const MeshRequest& 
   return *kind;
 }
 
+QuadCleanUp checkedQuads(const MeshOptions& options) {
+  QuadCleanUp quads;
+  quads.onlyQuads = options.elements == "quad";
+  if (quads.onlyQuads && (options.rawFront || options.strictRules))
+    throw UsageError(
+        fmt::format("--elements quad joins triangles after the fronts have closed; leave out {}",
+                    options.rawFront ? "--no-optimize" : "--strict-rules"));
+  quads.depth = options.quality == "fast" ? 0 : options.quality == "best" ? 3 : 2;
+  return quads;
+}
+
 std::vector<std::string> argumentsOf(const CLI::App& command) {
   const std::set<std::string> outputs{"--output",      "--report", "--stuck-tests", "--trace",
                                       "--trace-faces", "--quiet",  "--unchecked",   "--statistics"};
@@ -257,6 +280,8 @@ MeshRequest checkedRequest(const MeshOptions& options) {
   request.quiet = options.quiet;
   request.ruleLoading = {options.quiet, options.unchecked, options.plugins};
   request.options.optimize = !options.rawFront;
+  request.options.quads = checkedQuads(options);
+  request.options.evenLoops = request.options.quads.onlyQuads;
   request.options.strictRules = options.strictRules;
   request.report = options.report;
   request.stuckTests = options.stuckTests;
@@ -292,7 +317,9 @@ MeshRequest checkedRequest(const MeshOptions& options) {
   checkReadable(request.model);
   if (!options.boundary.empty())
     request.options.edgePoints = geometry::readEdgePoints(options.boundary);
-  request.rules = findRuleFile(options.rules);
+  const bool isForQuads = request.options.quads.onlyQuads;
+  const char* usual = isForQuads ? "quad/classic.af2" : "tri/even.af2";
+  request.rules = findRuleFile(options.rules.empty() ? usual : options.rules);
   return request;
 }
 

@@ -16,11 +16,11 @@ namespace af2::cli {
 
 /// The options as they were typed.
 struct MeshOptions {
-  std::string model, rules = "tri/even.af2", faces, report, stuckTests, trace, traceFaces;
+  std::string model, rules, faces, report, stuckTests, trace, traceFaces;
   SizeOptions sizes;
   std::vector<std::string> outputs;
   int threads = 0, order = 1;
-  std::string boundary, featureAngle, chart, healTolerance;
+  std::string boundary, featureAngle, chart, healTolerance, elements = "any", quality = "good";
   bool quiet = false, rawFront = false, strictRules = false, unchecked = false;
   std::vector<std::string> plugins;  ///< libraries that register names for the rules
   bool keepBoundary = false, heal = false, edges = false, statistics = false;

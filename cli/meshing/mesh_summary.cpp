@@ -127,6 +127,23 @@ std::string withoutRuleText(const geometry::ModelMesh& mesh) {
                      grouped(all.total()), grouped(mesh.elements.size()), kinds, list);
 }
 
+std::string trianglesText(const geometry::ModelMesh& mesh) {
+  constexpr std::size_t kShown = 5;
+  std::size_t faces = 0;
+  std::string text;
+  for (const FaceReport& face : mesh.faces) {
+    if (face.triangles == 0 || ++faces > kShown) continue;
+    text += fmt::format("{}face {} ({} triangle{}", text.empty() ? "" : ", ", face.id,
+                        face.triangles, face.triangles == 1 ? "" : "s");
+    for (const FaceReport::OddLoop& odd : face.oddLoops)
+      text += fmt::format("; loop {} of its boundary has {} edges", odd.loop, odd.segments);
+    text += ")";
+  }
+  if (faces == 0) return "";
+  if (faces > kShown) text += fmt::format(" and {} more", faces - kShown);
+  return "triangles remain, which --elements quad does not accept: " + text;
+}
+
 std::string failureText(const geometry::ModelMesh& mesh) {
   std::string text;
   for (const FaceReport& face : mesh.faces) {

@@ -25,6 +25,10 @@ std::string notesText(const std::vector<std::string>& notes);
 /// How many elements no rule made, and on which faces; empty if there are none.
 std::string withoutRuleText(const geometry::ModelMesh& mesh);
 
+/// For a mesh that should have quadrilaterals only: which faces have triangles, and why; empty if
+/// none has.
+std::string trianglesText(const geometry::ModelMesh& mesh);
+
 /// One line for each failed face, with the reason; empty if none failed.
 std::string failureText(const geometry::ModelMesh& mesh);
 

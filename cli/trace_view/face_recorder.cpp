@@ -4,6 +4,7 @@
 #include <tuple>
 
 #include "cli/trace_view/step_chart.h"
+#include "engine/base/error.h"
 
 namespace af2::cli {
 
@@ -59,12 +60,11 @@ void FaceRecorder::frontAround(const StepReport& step, const LocalFront& around)
 }
 
 void FaceRecorder::bear(const Element& element, std::size_t front) {
-  const auto first = static_cast<std::uint32_t>(record_.fronts[front].firstVertex);
   alive_[front][element.corners] = record_.elements.size();
   ViewElement& made = record_.elements.emplace_back();
   made.corners.fill(ViewElement::kNoVertex);
   for (std::size_t i = 0; i < element.vertices().size(); ++i)
-    made.corners[i] = first + element.corners[i].value;
+    made.corners[i] = numberOf(element.corners[i], front);
   made.birth = now();
 }
 
@@ -86,6 +86,7 @@ bool FaceRecorder::isOf(const Mesh& mesh, const ViewFront& front) const {
 /// and a face that was laid out in a plane, belong to no front.
 void FaceRecorder::finishBegun(const Mesh& mesh) {
   finishing_ = kNone;
+  added_.clear();
   for (std::size_t f = record_.fronts.size(); f-- > 0 && finishing_ == kNone;)
     if (isOf(mesh, record_.fronts[f])) finishing_ = f;
   record_.missesChanges = record_.missesChanges || finishing_ == kNone;
@@ -98,14 +99,28 @@ void FaceRecorder::finishBegun(const Mesh& mesh) {
     if (isNew(element)) bear(element, finishing_);
 }
 
+void FaceRecorder::vertexAdded(VertexId v, const Point3& place) {
+  if (finishing_ == kNone) return;
+  AF2_CHECK(v.value == record_.fronts[finishing_].vertexCount + added_.size(),
+            "vertices are added one after the other");
+  added_.push_back(record_.vertices.size());
+  record_.vertices.push_back(place);
+}
+
+/// Vertices that were added while the front was finished are apart from the others.
+std::uint32_t FaceRecorder::numberOf(VertexId v, std::size_t front) const {
+  const ViewFront& its = record_.fronts[front];
+  return static_cast<std::uint32_t>(v.value < its.vertexCount ? its.firstVertex + v.value
+                                                              : added_[v.value - its.vertexCount]);
+}
+
 void FaceRecorder::actKept(const FinishAct& act) {
   if (finishing_ == kNone) return;
-  const auto first = static_cast<std::uint32_t>(record_.fronts[finishing_].firstVertex);
   ViewEvent& event =
       addEvent(ViewEvent::kFirstAct + static_cast<std::size_t>(act.kind), finishing_);
   event.before = static_cast<float>(act.worstBefore);
   event.after = static_cast<float>(act.worstAfter);
-  event.from = act.vertex.isNone() ? ViewElement::kNoVertex : first + act.vertex.value;
+  event.from = act.vertex.isNone() ? ViewElement::kNoVertex : numberOf(act.vertex, finishing_);
   if (act.kind == FinishAct::Kind::Move) {
     record_.moves.push_back(act.to);
     return;

@@ -47,6 +47,7 @@ class FaceRecorder final : public AF2MeshingObserver, public FinishObserver {
   FinishObserver* finishing() override { return this; }
 
   void finishBegun(const Mesh& mesh) override;
+  void vertexAdded(VertexId v, const Point3& place) override;
   void actKept(const FinishAct& act) override;
   void finishEnded(const Mesh& mesh, bool isSound) override;
 
@@ -69,7 +70,10 @@ class FaceRecorder final : public AF2MeshingObserver, public FinishObserver {
   std::vector<Alive> alive_;   ///< by front
   std::vector<Element> made_;  ///< by the last step
   std::vector<RuleRefusal> refusals_;
-  std::size_t finishing_ = kNone;  ///< the front whose mesh is being finished
+  std::uint32_t numberOf(VertexId v, std::size_t front) const;
+
+  std::vector<std::size_t> added_;  ///< numbers of the vertices that were added while finishing
+  std::size_t finishing_ = kNone;   ///< the front whose mesh is being finished
   static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
 };
 

@@ -15,6 +15,7 @@
 #include "cli/program/exit_code.h"
 #include "cli/program/interrupt.h"
 #include "cli/program/supervisor.h"
+#include "cli/program/usage_error.h"
 #include "cli/program/verbs.h"
 #include "cli/rules/rule_loading.h"
 #include "cli/rules/rule_texts.h"
@@ -94,6 +95,7 @@ RunReport reportOf(const ModelMesh& mesh, bool strictRules) {
     report.reason += (report.reason.empty() ? "" : "; ") + reason;
   };
   for (const std::string& finding : mesh.findings) add(finding);
+  if (const std::string triangles = trianglesText(mesh); !triangles.empty()) add(triangles);
   if (strictRules && elementsWithoutRule(mesh).total() > 0)
     add("elements were made without a rule, which --strict-rules does not accept");
   report.status = statusOf(mesh);
@@ -106,6 +108,10 @@ RunReport reportOf(const ModelMesh& mesh, bool strictRules) {
 int meshAndReport(const MeshRequest& request, RunLog* log, const GivenUp& givenUp) {
   const Interrupt interrupt;
   const dsl::LoadedRules loaded = loadRuleSet(request.rules, request.ruleLoading);
+  if (request.options.quads.onlyQuads && !loaded.rules->makesQuads())
+    throw UsageError(fmt::format(
+        "--elements quad: the rules '{}' make no quadrilaterals; leave out -r, or use quad/classic",
+        request.rules.string()));
   RunRecorders recorders(request, *loaded.rules);
   const RunControl control{!request.quiet, interrupt.token(), recorders.observers(), log, &givenUp};
   ModelMesh mesh = runMesh(request, loaded.rules, control);

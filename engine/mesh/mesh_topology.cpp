@@ -173,6 +173,19 @@ void MeshTopology::collapse(Corner side) {
   renewCornerOf(rightAtFrom);
 }
 
+VertexId MeshTopology::addVertex(const SurfacePoint& point) {
+  const VertexId v(mesh_.vertices.size());
+  mesh_.vertices.push_back(point);
+  cornerOf_.emplace_back();
+  valence_.push_back(0);
+  return v;
+}
+
+void MeshTopology::move(VertexId v, const SurfacePoint& point) {
+  mesh_.vertices[v.value] = point;
+  changed_.push_back(v);
+}
+
 std::vector<std::size_t> MeshTopology::replace(std::vector<std::size_t> places,
                                                std::span<const Element> elements) {
   struct Side {

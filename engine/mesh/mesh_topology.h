@@ -70,6 +70,10 @@ class MeshTopology {
   /// the indices of the new elements.
   std::vector<std::size_t> replace(std::vector<std::size_t> places,
                                    std::span<const Element> elements);
+  /// Adds an inner vertex, which no element uses yet.
+  VertexId addVertex(const SurfacePoint& point);
+  /// Moves an inner vertex.
+  void move(VertexId v, const SurfacePoint& point);
   /// The vertices of all elements that changed since the last call, unordered and with repetitions.
   std::vector<VertexId> takeChanged() { return std::exchange(changed_, {}); }
   /// Removes what collapses left dead. The topology must not be used afterwards.

@@ -22,6 +22,8 @@ const char* toString(FinishAct::Kind kind) {
       return "replacement";
     case FinishAct::Kind::Pairing:
       return "pairing";
+    case FinishAct::Kind::Search:
+      return "search";
   }
   throw InternalError("a change of a mesh has an unknown kind");
 }

@@ -18,6 +18,7 @@ class ActRecorder {
   ActRecorder(FinishObserver& observer, const Mesh& mesh, Badness badness)
       : observer_(observer), mesh_(mesh), badness_(std::move(badness)) {}
 
+  void added(VertexId v) { observer_.vertexAdded(v, mesh_.vertices[v.value].position); }
   /// Before a change that may be kept.
   ///
   /// vertex  the one that may move or vanish

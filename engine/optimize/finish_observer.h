@@ -16,7 +16,8 @@ struct FinishAct {
     Collapse,        ///< of a vertex that the mesh does not need
     Move,            ///< of a vertex by smoothing
     Replacement,     ///< of a few elements by others, with quadrilaterals
-    Pairing,         ///< of two triangles, with the quadrilaterals between them
+    Pairing,         ///< of two triangles, or a step of one towards the other
+    Search,          ///< of a sequence of changes that leaves fewer irregular vertices
   };
 
   Kind kind = Kind::Move;
@@ -28,7 +29,7 @@ struct FinishAct {
   double worstBefore = 0, worstAfter = 0;
 };
 
-inline constexpr int kFinishActKinds = static_cast<int>(FinishAct::Kind::Pairing) + 1;
+inline constexpr int kFinishActKinds = static_cast<int>(FinishAct::Kind::Search) + 1;
 
 /// "swap for valence", "move", ...
 AF2_EXPORT const char* toString(FinishAct::Kind kind);
@@ -39,8 +40,10 @@ class AF2_EXPORT FinishObserver {
  public:
   virtual ~FinishObserver() = default;
   /// The mesh as its front left it, or a strip along a cut of a large region. Until the end,
-  /// vertices keep the ids that they have here, and no vertex is added.
+  /// vertices keep the ids that they have here.
   virtual void finishBegun(const Mesh&) {}
+  /// A vertex that the next change uses.
+  virtual void vertexAdded(VertexId, const Point3&) {}
   virtual void actKept(const FinishAct&) {}
   /// The finished mesh. Its vertices and elements are numbered anew if some of them vanished.
   ///

@@ -9,8 +9,10 @@
 #include "engine/mesh/mesh_topology.h"
 #include "engine/optimize/edge_collapse.h"
 #include "engine/optimize/edge_swap.h"
+#include "engine/optimize/quad_search.h"
 #include "engine/optimize/quad_tidying.h"
 #include "engine/optimize/smoothing.h"
+#include "engine/optimize/triangle_walk.h"
 
 namespace af2 {
 namespace {
@@ -87,6 +89,15 @@ std::size_t mendPoorElements(const MeshTopology& topology, VertexSmoother& smoot
   return moves;
 }
 
+/// Returns the number of changes.
+std::size_t cleanUp(MeshTopology& topology, const AF2LocalTransformMaker& maker,
+                    const OptimizeOptions& options, ActRecorder* recorder) {
+  if (options.quads.depth == 0 && !options.quads.onlyQuads) return 0;
+  PatchEditor editor(topology, maker, topology.anglesAtFixed(), recorder);
+  const std::size_t pairs = options.quads.onlyQuads ? walkTriangles(editor, options.stop) : 0;
+  return pairs + searchQuads(editor, options.quads.depth, options.stop);
+}
+
 /// Everything except the final check of the mesh.
 OptimizeReport improve(Mesh& mesh, const MeshBoundary& boundary,
                        const AF2LocalTransformMaker& maker, const OptimizeOptions& options) {
@@ -115,6 +126,7 @@ OptimizeReport improve(Mesh& mesh, const MeshBoundary& boundary,
     if (hasQuads && options.renumber) {
       smooth();
       report.replacements += tidyQuads(topology, angles, options.closingRule, recorder);
+      report.replacements += cleanUp(topology, maker, options, recorder);
     }
     report.swaps += swapSides(topology, SwapGoal::Valence, wanted, recorder);
     if (options.renumber) report.collapses += collapseEdges(topology, recorder);
@@ -128,6 +140,19 @@ OptimizeReport improve(Mesh& mesh, const MeshBoundary& boundary,
 }
 
 }  // namespace
+
+std::size_t joinTriangles(Mesh& mesh, const MeshBoundary& boundary,
+                          const AF2LocalTransformMaker& maker, const std::stop_token& stop) {
+  if (std::ranges::all_of(mesh.elements, &Element::isQuad)) return 0;
+  const Mesh before = mesh;
+  MeshTopology topology(mesh, boundary);
+  PatchEditor editor(topology, maker, topology.anglesAtFixed());
+  const std::size_t pairs = walkTriangles(editor, stop);
+  topology.compact();
+  if (pairs > 0 && checkMesh(mesh, boundary).empty()) return pairs;
+  mesh = before;
+  return 0;
+}
 
 OptimizeReport optimizeMesh(Mesh& mesh, const MeshBoundary& boundary,
                             const AF2LocalTransformMaker& maker, const OptimizeOptions& options) {

@@ -13,6 +13,15 @@
 
 namespace af2 {
 
+/// How thoroughly a mesh with quadrilaterals is cleaned up.
+struct QuadCleanUp {
+  /// The largest number of changes in a sequence that removes irregular vertices; 0: none.
+  int depth = 2;
+  /// Whether triangles are joined in pairs, however far apart they are, until at most one is left.
+  bool onlyQuads = false;
+  bool operator==(const QuadCleanUp&) const = default;
+};
+
 struct OptimizeOptions {
   int rounds = 2;           ///< of swapping and smoothing; one more with quadrilaterals
   int smoothingSweeps = 3;  ///< maximum in each round; one less with quadrilaterals
@@ -23,6 +32,7 @@ struct OptimizeOptions {
   /// Triangles made by this rule may become quadrilaterals everywhere: it is the rule that fills a
   /// front of quadrilaterals that got stuck. None: only small groups of triangles may.
   std::optional<std::uint16_t> closingRule;
+  QuadCleanUp quads;
   std::stop_token stop;  ///< changes made so far are kept
   FinishObserver* observer = nullptr;
 };
@@ -42,5 +52,14 @@ struct OptimizeReport {
 AF2_EXPORT OptimizeReport optimizeMesh(Mesh& mesh, const MeshBoundary& boundary,
                                        const AF2LocalTransformMaker& maker,
                                        const OptimizeOptions& options = {});
+
+/// Joins the triangles of a complete mesh in pairs, in place, moving them through quadrilaterals.
+/// Where boundaries of the region have even numbers of edges, few meshes keep a triangle. As in
+/// optimizeMesh, the mesh stays as it was if the result is not sound.
+///
+/// Returns the number of pairs.
+AF2_EXPORT std::size_t joinTriangles(Mesh& mesh, const MeshBoundary& boundary,
+                                     const AF2LocalTransformMaker& maker,
+                                     const std::stop_token& stop = {});
 
 }  // namespace af2

@@ -5,13 +5,10 @@
 #include <cmath>
 
 #include "engine/mesh/element_shape.h"
+#include "engine/optimize/ideal_angles.h"
 
 namespace af2 {
 namespace {
-
-/// The unit of ideal angles is 30 degrees.
-constexpr int kFullTurn = 12;
-int idealAngle(const Element& element) { return element.isQuad() ? 3 : 2; }
 
 /// Cost of a triangle, and of distortion, in squared units of missing angle.
 constexpr double kTriangleCost = 12, kDistortionCost = 3;
@@ -54,7 +51,7 @@ QuadChanges::QuadChanges(MeshTopology& topology, const std::vector<double>& angl
       lookedAt_(topology.mesh().elements.size(), 0),
       bestGain_(kMinGain) {
   for (std::size_t v = 0; v < anglesAtFixed.size(); ++v)
-    wanted_[v] = std::max(1, static_cast<int>(std::lround(anglesAtFixed[v] / (M_PI / 6))));
+    wanted_[v] = angleInUnits(anglesAtFixed[v]);
   for (std::size_t e = 0; e < elementCount(); ++e) {
     distortion_.push_back(topology_.isDead(e) ? 0 : distortionOf(elementAt(e)));
     if (!topology_.isDead(e)) add(elementAt(e), 1);

@@ -160,6 +160,7 @@ VertexSmoother::VertexSmoother(MeshTopology& topology, Mesh& mesh,
 }
 
 void VertexSmoother::wake(std::span<const VertexId> vertices) {
+  isAwake_.resize(mesh_.vertices.size(), 1);
   for (const VertexId v : vertices) isAwake_[v.value] = 1;
 }
 

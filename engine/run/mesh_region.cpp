@@ -53,6 +53,7 @@ RegionMesh meshPiece(const AF2Algorithm& algorithm, const RegionTask& task, cons
     OptimizeOptions how;
     how.stop = options.stop;
     how.keepOriginal = false;
+    how.quads = task.quads;
     if (options.observer) how.observer = options.observer->finishing();
     const FinishTask finish{algorithm.rules(), *tools.charts, *tools.size};
     if (!finishMesh(piece.result.mesh, boundary, finish, how).isSound) {

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "engine/base/export.h"
+#include "engine/optimize/optimize.h"
 #include "engine/run/algorithm.h"
 #include "engine/run/region_split.h"
 
@@ -27,6 +28,7 @@ struct RegionTask {
   SplitOptions split = {};
   bool optimize = true;  ///< false: the mesh stays as the front made it, whatever the rule set says
   int threads = 0;       ///< maximum; 0: as many as the caller's TBB arena has
+  QuadCleanUp quads = {};
 };
 
 struct RegionMesh {

@@ -21,8 +21,13 @@ struct Samples {
 
 class Division {
  public:
-  Division(const DomainModel& model, const DomainSizes& sizes, const EdgePoints& given)
-      : model_(model), sizes_(sizes), given_(given), faces_(model.curves.size()) {
+  Division(const DomainModel& model, const DomainSizes& sizes, const EdgePoints& given,
+           const SegmentChanges& changes)
+      : model_(model),
+        sizes_(sizes),
+        given_(given),
+        changes_(changes),
+        faces_(model.curves.size()) {
     for (std::size_t f = 0; f < model.faces.size(); ++f)
       for (const auto& loop : model.faces[f].loops)
         for (const CurveUse& use : loop) faces_[use.curve].push_back(f);
@@ -149,14 +154,12 @@ class Division {
         std::min(size, sizes_.byPosition.turnLimit(radius, model_.leastAtTurns)));
   }
 
-  /// 0 if turns are not to have their elements.
+  /// The number that the turn of a curve alone needs.
   double segmentsByTurn(std::size_t c) const {
-    const double mostTurn = sizes_.byPosition.turnOfSegment();
-    if (mostTurn == 0) return 0;
     std::vector<Point3> points;
     for (const double knot : model_.curves[c].knots)
       points.push_back(model_.curves[c].pointAt(knot));
-    return turnAlong(points) / mostTurn;
+    return turnAlong(points) / sizes_.byPosition.limitOfTurn();
   }
 
   DividedEdge divided(std::size_t c, const SampledCurve& sizes,
@@ -164,7 +167,15 @@ class Division {
     const DomainCurve& curve = model_.curves[c];
     const std::vector<double> count = segmentsAlong(sizes.arcLength, sizes.sizes);
     DividedEdge edge = begun(c);
-    const std::size_t segments = std::max(least, wholeSegments(count.back(), segmentsByTurn(c)));
+    const double byTurn = segmentsByTurn(c);
+    const bool isAsked = sizes_.byPosition.turnOfSegment() > 0;
+    std::size_t segments = std::max(least, wholeSegments(count.back(), isAsked ? byTurn : 0));
+    const std::size_t fewest =
+        std::min(segments, std::max(least, fewestSegments(count.back(), byTurn)));
+    const int change = changeAt(changes_, c);
+    if (change > 0) ++segments;
+    if (change < 0 && segments > fewest) --segments;
+    result_.counts.push_back({count.back(), segments, fewest, false});
     for (const CurvePlace& place : equalShares(count, segments)) {
       const double t = place.between(parameters);
       add(t, curve.pointAt(t), edge);
@@ -186,6 +197,8 @@ class Division {
         add(t, curve.pointAt(t), edge);
       }
     }
+    const std::size_t segments = edge.points.size();
+    result_.counts.push_back({static_cast<double>(segments), segments, segments, true});
     return ended(c, std::move(edge));
   }
 
@@ -194,6 +207,7 @@ class Division {
     DividedEdge edge;
     edge.parameters.push_back(curve.knots.front());
     edge.points.push_back(static_cast<std::uint32_t>(curve.first));
+    edge.counts.push_back(c);
     return edge;
   }
   void add(double parameter, const Point3& point, DividedEdge& edge) {
@@ -211,6 +225,7 @@ class Division {
   const DomainModel& model_;
   const DomainSizes& sizes_;
   const EdgePoints& given_;
+  const SegmentChanges& changes_;
   std::vector<std::vector<std::size_t>> faces_;  ///< by curve: those beside it
   DividedEdges result_;
 };
@@ -218,8 +233,8 @@ class Division {
 }  // namespace
 
 DividedEdges divideCurves(const DomainModel& model, const DomainSizes& sizes, double growth,
-                          const EdgePoints& given) {
-  return Division(model, sizes, given).divide(growth);
+                          const EdgePoints& given, const SegmentChanges& changes) {
+  return Division(model, sizes, given, changes).divide(growth);
 }
 
 }  // namespace af2::geometry

@@ -27,7 +27,9 @@ struct DomainSizes {
 ///
 /// Throws InputError if the points given for a curve are not on it, in order and distinct, or if
 /// there would be far too many segments.
+///
+/// changes  by curve; a number that would come below the least one is not changed
 DividedEdges divideCurves(const DomainModel& model, const DomainSizes& sizes, double growth,
-                          const EdgePoints& given);
+                          const EdgePoints& given, const SegmentChanges& changes = {});
 
 }  // namespace af2::geometry

@@ -107,10 +107,21 @@ class DomainFaces final : public FaceSource {
   }
 
   /// Invisible edges were removed when the model was made, so no edges are collapsed to points.
-  DividedEdges divide(const PositionSize& sizes, const CollapsedEdges&) const override {
+  DividedEdges divide(const PositionSize& sizes, const CollapsedEdges&,
+                      const SegmentChanges& changes) const override {
     DomainSizes own = *sizes_;
     own.byPosition = sizes_->byPosition.withFunction(sizes);
-    return divideCurves(model_, own, options_->sizes.growth, options_->edgePoints);
+    return divideCurves(model_, own, options_->sizes.growth, options_->edgePoints, changes);
+  }
+
+  std::vector<CountedLoop> loopsOf(int face, const DividedEdges& divided) const override {
+    std::vector<CountedLoop> loops;
+    for (const auto& loop : at(face).loops) {
+      CountedLoop& counted = loops.emplace_back();
+      for (const CurveUse& use : loop)
+        counted.counts.push_back(divided.edges[use.curve].counts.front());
+    }
+    return loops;
   }
 
   void fill(int id, const FillRequest& request, FaceMesh& mesh) const override {

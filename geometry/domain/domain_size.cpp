@@ -23,16 +23,19 @@ double DomainSize::at(const Point3& position, double size) const {
 }
 
 double DomainSize::turnLimit(double radius, double gentleLeast) const {
-  constexpr double kGentleTurn = std::numbers::pi / 4;
   const bool isAsked = asked_->elementsPerTurn > 0;
-  const double turn = isAsked ? turnOfSegment() : kGentleTurn;
   const double least =
       isAsked ? leastForLimits(asked_->size, asked_->minSize) : gentleLeast * asked_->size;
-  return std::max(turn * radius, least);
+  return std::max(limitOfTurn() * radius, least);
 }
 
 double DomainSize::turnOfSegment() const {
   return asked_->elementsPerTurn > 0 ? 2 * std::numbers::pi / asked_->elementsPerTurn : 0;
+}
+
+double DomainSize::limitOfTurn() const {
+  constexpr double kGentleTurn = std::numbers::pi / 4;
+  return asked_->elementsPerTurn > 0 ? turnOfSegment() : kGentleTurn;
 }
 
 double DomainSize::bounded(double size) const { return geometry::bounded(*asked_, size); }

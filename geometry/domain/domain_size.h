@@ -27,6 +27,8 @@ class AF2_EXPORT DomainSize {
   /// The largest angle, in radians, by which a segment may turn, if `elementsPerTurn` is given;
   /// else 0.
   double turnOfSegment() const;
+  /// The angle, in radians, to which sizes limit the turn of a segment, given or not.
+  double limitOfTurn() const;
   /// `size`, clamped to the bounds of all sizes.
   double bounded(double size) const;
 

@@ -6,6 +6,14 @@
 
 namespace af2::geometry {
 
+namespace {
+
+std::size_t nearestSegments(double count) {
+  return static_cast<std::size_t>(std::max(1.0, std::floor(count + 0.5)));
+}
+
+}  // namespace
+
 void gradeAlong(std::span<const double> s, std::span<double> h, double growth) {
   for (std::size_t i = 1; i < h.size(); ++i)
     h[i] = std::min(h[i], h[i - 1] + growth * (s[i] - s[i - 1]));
@@ -45,12 +53,15 @@ double turnAlong(std::span<const Point3> points) {
 }
 
 std::size_t wholeSegments(double count, double byTurn, double share) {
+  return std::max(nearestSegments(count), fewestSegments(count, byTurn, share));
+}
+
+std::size_t fewestSegments(double count, double byTurn, double share) {
   constexpr double kStraight = 0.25;  // of the turn that a segment may have
   constexpr double kRounding = 0.01;
-  const auto nearest = static_cast<std::size_t>(std::max(1.0, std::floor(count + 0.5)));
-  if (byTurn < kStraight * static_cast<double>(nearest)) return nearest;
+  if (byTurn < kStraight * static_cast<double>(nearestSegments(count))) return 1;
   const double enough = std::max(share * count, std::min(byTurn, count));
-  return std::max(nearest, static_cast<std::size_t>(std::ceil(enough - kRounding)));
+  return static_cast<std::size_t>(std::max(1.0, std::ceil(enough - kRounding)));
 }
 
 void gradeTogether(std::vector<SampledCurve>& curves, std::size_t points, double growth) {

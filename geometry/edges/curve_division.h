@@ -43,6 +43,10 @@ double turnAlong(std::span<const Point3> points);
 /// share   ratio of the sizes counted in `count` to the wanted sizes where the curve turns
 std::size_t wholeSegments(double count, double byTurn, double share = 1);
 
+/// The number below which a segment of a curve that turns would be longer than wanted, with the
+/// arguments of `wholeSegments`; one if the curve hardly turns.
+std::size_t fewestSegments(double count, double byTurn, double share = 1);
+
 /// The ends of a curve among numbered points.
 struct CurveEnds {
   std::size_t first = 0, last = 0;

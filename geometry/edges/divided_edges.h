@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "engine/base/point.h"
+#include "geometry/edges/segment_count.h"
 
 namespace af2::geometry {
 
@@ -23,6 +24,9 @@ struct DividedEdge {
   double wanted = 0;                   ///< the requested size, before all limits
   int twin = 0;                        ///< the edge whose vertices it uses; 0: none
   std::optional<std::uint32_t> point;  ///< the point to which the edge was collapsed on request
+  /// Of its parts between the stops: indices in DividedEdges::counts. Parts with the same vertices
+  /// have the same count.
+  std::vector<std::size_t> counts = {};
 };
 
 /// Edges that are collapsed to points, by id, with the largest distance of vertices that are
@@ -32,6 +36,9 @@ using CollapsedEdges = std::map<int, double>;
 struct DividedEdges {
   std::vector<Point3> points;      ///< vertices of the model first, then along the edges
   std::vector<DividedEdge> edges;  ///< [0] is edge 1
+  /// The numbers of segments that can be changed one by one. Their indices do not depend on
+  /// changes.
+  std::vector<SegmentCount> counts = {};
 
   std::size_t segmentCount() const;
 };

@@ -127,7 +127,9 @@ FaceAttempt inPieces(const FaceTask& task, ChartKind kind, const FrontOptions& o
                                 [&] { return task.makeTools(kind); },
                                 task.boundary.canBeCut ? &task.surface : nullptr,
                                 {},
-                                task.options.optimize},
+                                task.options.optimize,
+                                0,
+                                task.options.quads},
                                options);
   FaceAttempt attempt;
   attempt.charts = task.surface.makeCharts(kind);
@@ -154,10 +156,15 @@ FaceAttempt laidOut(const FaceTask& task, ChartKind kind, const FrontOptions& op
   FaceAttempt attempt;
   attempt.charts = task.surface.makeCharts(ChartKind::MeanNormal);
   try {
-    RegionMesh mesh = meshRegion(
-        task.algorithm,
-        {front.input, [&] { return task.makeTools(kind); }, &points, {}, task.options.optimize},
-        options);
+    RegionMesh mesh = meshRegion(task.algorithm,
+                                 {front.input,
+                                  [&] { return task.makeTools(kind); },
+                                  &points,
+                                  {},
+                                  task.options.optimize,
+                                  0,
+                                  task.options.quads},
+                                 options);
     take(mesh, task, attempt);
   } catch (const InputError& error) {
     attempt.fault = {FillFaultKind::BadParameters, error.what()};

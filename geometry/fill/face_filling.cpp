@@ -54,6 +54,7 @@ void optimize(const FaceTask& task, FaceAttempt& attempt, FaceMesh& mesh) {
   const RuleSet& rules = task.algorithm.rules();
   if (rules.makesQuads()) options.closingRule = originOf(WithoutRule::Closing, rules).rule;
   options.stop = task.options.stop;
+  options.quads = task.options.quads;
   if (AF2MeshingObserver* observer = task.options.observer ? task.options.observer() : nullptr)
     options.observer = observer->finishing();
   finishMesh(attempt.result.mesh, boundaryOf(input), {rules, *attempt.charts, task.size}, options);
@@ -85,6 +86,13 @@ WithoutRuleCounts countWithoutRule(const FaceTask& task, const FaceAttempt& atte
   return counts;
 }
 
+std::vector<FaceReport::OddLoop> oddLoopsOf(const FrontInput& input) {
+  std::vector<FaceReport::OddLoop> odd;
+  for (std::size_t i = 0; i < input.loops.size(); ++i)
+    if (input.loops[i].size() % 2 == 1) odd.push_back({i + 1, input.loops[i].size()});
+  return odd;
+}
+
 FilledFace fill(const FaceTask& task, FaceMesh& mesh) {
   try {
     return fillFace(task);
@@ -105,6 +113,7 @@ FilledFace fill(const FaceTask& task, FaceMesh& mesh) {
 
 void fillAndJudge(const FaceFilling& filling, FaceBoundary& boundary, FaceMesh& mesh) {
   const FaceTask& task = filling.task;
+  mesh.report.oddLoops = oddLoopsOf(task.boundary.input);
   const Stopwatch watch;
   FilledFace filled = fill(task, mesh);
   FaceAttempt& attempt = filled.attempt;
@@ -118,6 +127,9 @@ void fillAndJudge(const FaceFilling& filling, FaceBoundary& boundary, FaceMesh& 
     return;
   }
   if (task.options.optimize && !attempt.isOptimized) optimize(task, attempt, mesh);
+  if (task.options.quads.onlyQuads)
+    joinTriangles(attempt.result.mesh, boundaryOf(task.boundary.input), *attempt.charts,
+                  task.options.stop);
   mesh.report.withoutRule = countWithoutRule(task, attempt, boundary);
   mesh.report.stuck = std::move(attempt.stuck);
   if (filling.findParameters) filling.findParameters(mesh.report.stuck);
@@ -127,6 +139,9 @@ void fillAndJudge(const FaceFilling& filling, FaceBoundary& boundary, FaceMesh& 
   mesh.wantedSizes.reserve(attempt.result.mesh.vertices.size());
   for (const SurfacePoint& vertex : attempt.result.mesh.vertices)
     mesh.wantedSizes.push_back(filling.wanted.sizeAt(vertex));
+  if (task.options.quads.onlyQuads)
+    mesh.report.triangles = static_cast<std::size_t>(std::ranges::count_if(
+        attempt.result.mesh.elements, [](const Element& element) { return !element.isQuad(); }));
   if (filling.findMiddles) findMiddles(task.surface, attempt.result.mesh, mesh);
   take(attempt.result, boundary, mesh);
 }

@@ -46,6 +46,7 @@ struct FilledFace {
 struct FillOptions {
   ChartKind chart = ChartKind::Auto;
   bool optimize = true;
+  QuadCleanUp quads = {};
   bool strictRules = false;  ///< only rules make elements, with the first chart
   std::stop_token stop = {};
   std::function<AF2MeshingObserver*()> observer;  ///< of each front

@@ -39,6 +39,10 @@ Json toJson(const FaceReport& face, const std::vector<std::string>& ruleNames) {
   json["seconds"] = face.seconds;
   json["reason"] = face.reason;
   if (face.withoutRule.total() > 0) json["without_rule"] = toJson(face.withoutRule);
+  if (face.triangles > 0) json["triangles"] = face.triangles;
+  for (const FaceReport::OddLoop& odd : face.oddLoops)
+    if (face.triangles > 0)
+      json["odd_loops"].push_back({{"loop", odd.loop}, {"edges", odd.segments}});
   if (!face.attempts.empty()) json["attempts"] = face.attempts;
   for (const StuckPlace& place : face.stuck) json["stuck"].push_back(toJson(place, ruleNames));
   return json;

@@ -25,6 +25,8 @@ void joinReport(FaceReport&& part, FaceReport& report) {
   report.elements += part.elements;
   append(report.stuck, std::move(part.stuck));
   report.withoutRule += part.withoutRule;
+  append(report.oddLoops, std::move(part.oddLoops));
+  report.triangles += part.triangles;
   if (part.status != FaceStatus::Complete) report.status = part.status;
   if (!part.reason.empty()) report.reason += (report.reason.empty() ? "" : "; ") + part.reason;
 }

@@ -45,6 +45,13 @@ struct FaceReport {
   std::vector<std::string> attempts = {};  ///< unsuccessful attempts
   std::vector<StuckPlace> stuck = {};      ///< where its front got stuck, if it did
   WithoutRuleCounts withoutRule = {};      ///< elements as they were made, before optimisation
+  struct OddLoop {
+    std::size_t loop = 0;      ///< of the boundary, counted from 1
+    std::size_t segments = 0;  ///< an odd number
+  };
+  std::vector<OddLoop> oddLoops = {};  ///< boundary loops with an odd number of segments
+  /// Triangles of a mesh that should have quadrilaterals only (QuadCleanUp::onlyQuads).
+  std::size_t triangles = 0;
 };
 
 enum class GroupKind {

@@ -7,6 +7,7 @@
 
 #include "engine/run/algorithm.h"
 #include "geometry/edges/divided_edges.h"
+#include "geometry/edges/even_loops.h"
 #include "geometry/fill/fill_face.h"
 #include "geometry/meshing/meshing_options.h"
 #include "geometry/retry/retries.h"
@@ -59,7 +60,15 @@ class FaceSource {
   virtual Point3 pointOnEdge(int divided, double parameter) const = 0;
 
   /// Divides all edges, whichever faces are requested; some of them are collapsed to points.
-  virtual DividedEdges divide(const PositionSize& sizes, const CollapsedEdges& asPoints) const = 0;
+  ///
+  /// changes  by count of the division without changes. Where a change is not possible, the number
+  ///          of segments stays as it is.
+  virtual DividedEdges divide(const PositionSize& sizes, const CollapsedEdges& asPoints,
+                              const SegmentChanges& changes) const = 0;
+  /// The loops around a face as its front gets them; none if it will have no front.
+  ///
+  /// Throws an exception if the boundary of the face is faulty.
+  virtual std::vector<CountedLoop> loopsOf(int face, const DividedEdges& divided) const = 0;
   /// Fills a face. `mesh` has the report of the face already.
   ///
   /// Throws an exception if the face cannot be meshed; its message goes to the report.

@@ -15,6 +15,7 @@
 #include "geometry/mesh/narrow_places.h"
 #include "geometry/mesh/second_order.h"
 #include "geometry/meshing/check_options.h"
+#include "geometry/meshing/even_division.h"
 #include "geometry/meshing/progress_sum.h"
 
 namespace af2::geometry {
@@ -61,7 +62,9 @@ class FaceRun final : public RetriedModel {
   const std::vector<std::vector<int>>& edgesOfFaces() const override { return edgesOfFaces_; }
 
   DividedEdges divide(const PositionSize& sizes, const CollapsedEdges& asPoints) const override {
-    return source_.divide(sizes, asPoints);
+    if (options_.evenLoops)
+      return divideWithEvenLoops(source_, sizes, asPoints, options_.threads, options_.stop);
+    return source_.divide(sizes, asPoints, {});
   }
 
   std::vector<CollapsedEdges> shortEdges(std::size_t i, const DividedEdges& divided,
@@ -128,7 +131,8 @@ class FaceRun final : public RetriedModel {
       mesh.report.status = FaceStatus::Cancelled;
       return mesh;
     }
-    FillOptions fill{options_.chart, options_.optimize, options_.strictRules, options_.stop, {}};
+    FillOptions fill{options_.chart,       options_.optimize, options_.quads,
+                     options_.strictRules, options_.stop,     {}};
     if (options_.observer) fill.observer = [&] { return options_.observer(face); };
     try {
       source_.fill(face, {sizes, limits, divided, algorithm_, fill, options_.order == 2, progress},
@@ -172,6 +176,7 @@ void addNarrowPlaces(FaceSource& source, const AF2Algorithm& algorithm, MeshingO
   first.faces.clear();
   first.optimize = false;
   first.order = 1;
+  first.evenLoops = false;  // narrow places are the same with the option and without
   first.progress = {};
   first.observer = {};
   const ModelMesh coarse = FaceRun(source, algorithm, first).mesh();

@@ -6,6 +6,7 @@
 #include <stop_token>
 #include <vector>
 
+#include "engine/optimize/optimize.h"
 #include "engine/run/algorithm.h"
 #include "geometry/charts/chart_kind.h"
 #include "geometry/edges/edge_points.h"
@@ -28,12 +29,19 @@ struct MeshingOptions {
   /// The kind of charts. A face whose surface has no such charts, or on which they fail, is meshed
   /// as with ChartKind::Auto; its report says so.
   ChartKind chart = ChartKind::Auto;
+  /// Every boundary loop of every face gets an even number of segments where possible, because an
+  /// odd loop cannot be filled with quadrilaterals alone. For this, edges get one segment more or
+  /// fewer than their sizes ask for; given divisions, kept boundaries, least numbers of segments
+  /// and limits of turns still hold. A loop that cannot be made even stays odd:
+  /// FaceReport::oddLoops.
+  bool evenLoops = false;
   int order = 1;           ///< 2: elements with vertices at the middles of their sides as well
   std::vector<int> faces;  ///< ids of the faces to mesh; empty: all
   int threads = 0;         ///< 0: as many as the machine has. The mesh does not depend on it.
   /// Called from several threads, one at a time.
   std::function<void(const ModelProgress&)> progress;
   bool optimize = true;  ///< swaps and smoothing after the front has closed; false: the raw front
+  QuadCleanUp quads;     ///< how thoroughly quadrilaterals are cleaned up, if `optimize`
   /// A face fails where the rules do not fill it: at the first stuck front, without other charts,
   /// without elements that no rule makes, and without further tries.
   bool strictRules = false;

@@ -113,9 +113,9 @@ CuspLengths cuspsOf(const ModelShape& model, const std::vector<Ends>& ends,
 
 std::vector<double> divideFromCusps(const ModelShape& model, const EdgePart& part,
                                     const CuspLengths& cusps,
-                                    const std::map<std::uint32_t, double>& tips, std::size_t least,
-                                    const CadSizes& sizes) {
-  std::vector<double> parameters = divideFromTips(part, tips, least, sizes);
+                                    const std::map<std::uint32_t, double>& tips,
+                                    AskedSegments asked, const CadSizes& sizes) {
+  std::vector<double> parameters = divideFromTips(part, tips, asked, sizes);
   const auto start = part.isFirst ? cusps.find({part.edge, true}) : cusps.end();
   const auto end = part.isLast ? cusps.find({part.edge, false}) : cusps.end();
   if (start == cusps.end() && end == cusps.end()) return parameters;
@@ -127,7 +127,7 @@ std::vector<double> divideFromCusps(const ModelShape& model, const EdgePart& par
   if (start != cusps.end() && lengthOf(0) < start->second) longer[part.ends.first] = start->second;
   if (end != cusps.end() && lengthOf(parameters.size() - 2) < end->second)
     longer[part.ends.last] = end->second;
-  return longer == tips ? parameters : divideFromTips(part, longer, least, sizes);
+  return longer == tips ? parameters : divideFromTips(part, longer, asked, sizes);
 }
 
 }  // namespace af2::geometry

@@ -28,7 +28,7 @@ CuspLengths cuspsOf(const ModelShape& model, const std::vector<Ends>& ends,
 /// cusps have at least the length that the cusp needs.
 std::vector<double> divideFromCusps(const ModelShape& model, const EdgePart& part,
                                     const CuspLengths& cusps,
-                                    const std::map<std::uint32_t, double>& tips, std::size_t least,
-                                    const CadSizes& sizes);
+                                    const std::map<std::uint32_t, double>& tips,
+                                    AskedSegments asked, const CadSizes& sizes);
 
 }  // namespace af2::geometry

@@ -46,8 +46,13 @@ class Division {
  public:
   Division(const ModelShape& model, const std::vector<EdgeSamples>& sampled, const CadSizes& sizes,
            int threads, const std::stop_token& stop, const EdgePoints& given,
-           const CollapsedEdges& asPoints)
-      : model_(model), sizes_(sizes), given_(given), asPoints_(asPoints), samples_(sampled.size()) {
+           const CollapsedEdges& asPoints, const SegmentChanges& changes)
+      : model_(model),
+        sizes_(sizes),
+        given_(given),
+        asPoints_(asPoints),
+        changes_(changes),
+        samples_(sampled.size()) {
     limitAll(sampled, threads, stop);
     findEnds();
     mergePoints();
@@ -293,10 +298,10 @@ class Division {
     }
   }
 
-  DividedPart divideAnew(const EdgePart& part, std::size_t least) {
-    std::vector<double> parameters = divideFromCusps(model_, part, cusps_, tips_, least, sizes_);
+  DividedPart divideAnew(const EdgePart& part, AskedSegments asked) {
+    std::vector<double> parameters = divideFromCusps(model_, part, cusps_, tips_, asked, sizes_);
     const BRepAdaptor_Curve curve(model_.edge(static_cast<int>(part.edge) + 1));
-    leaveOutBesidePoints(part.ends, least, curve, parameters);
+    leaveOutBesidePoints(part.ends, asked.least, curve, parameters);
     std::vector<std::uint32_t> inner;
     for (std::size_t k = 1; k + 1 < parameters.size(); ++k)
       inner.push_back(addPoint(toPoint(curve.Value(parameters[k]))));
@@ -319,12 +324,19 @@ class Division {
 
   void dividePart(std::size_t i, std::size_t least) {
     const EdgePart& part = parts_[i];
+    const auto* points = givenFor(part.edge);
     std::optional<DividedPart> divided;
-    if (const auto* points = givenFor(part.edge))
+    if (points)
       divided = takeGiven(part, least, *points);
     else if (twins_[i])
       divided = takeFromTwin(part, dividedParts_[*twins_[i]]);
-    dividedParts_.push_back(divided ? std::move(*divided) : divideAnew(part, least));
+    counts_.push_back(divided && !points ? counts_[*twins_[i]] : i);
+    dividedParts_.push_back(divided ? std::move(*divided)
+                                    : divideAnew(part, {least, changeAt(changes_, i)}));
+    const EdgeSamples& samples = part.samples;
+    result_.counts.push_back({wantedSegments(samples), dividedParts_.back().points.size() - 1,
+                              std::max(least, fewestSegmentsOf(samples, sizes_)),
+                              points != nullptr});
   }
 
   void joinParts() {
@@ -338,6 +350,7 @@ class Division {
       DividedEdge& edge = result_.edges[parts_[i].edge];
       const DividedPart& part = dividedParts_[i];
       const std::ptrdiff_t skipped = parts_[i].isFirst ? 0 : 1;
+      edge.counts.push_back(counts_[i]);
       if (twins_[i]) edge.twin = static_cast<int>(parts_[*twins_[i]].edge) + 1;
       if (skipped > 0) edge.stops.push_back(edge.points.size() - 1);
       edge.parameters.insert(edge.parameters.end(), part.parameters.begin() + skipped,
@@ -350,11 +363,13 @@ class Division {
   const CadSizes& sizes_;
   const EdgePoints& given_;
   const CollapsedEdges& asPoints_;
+  const SegmentChanges& changes_;
   std::vector<EdgeSamples> samples_;
   std::vector<Ends> ends_;
   std::vector<EdgePart> parts_;  // in the order of their edges
   std::vector<DividedPart> dividedParts_;
   std::vector<std::optional<std::size_t>> twins_;  // by part
+  std::vector<std::size_t> counts_;                // by part: the one whose vertices it has
   std::map<std::uint32_t, double> tips_;           // by point: how long segments are at a sharp tip
   CuspLengths cusps_;
   CreaseReach creases_;  // by point
@@ -377,8 +392,9 @@ std::vector<EdgeSamples> sampleEdges(const ModelShape& model, const CadSizes& si
 
 DividedEdges divideEdges(const ModelShape& model, const std::vector<EdgeSamples>& sampled,
                          const CadSizes& sizes, int threads, const std::stop_token& stop,
-                         const EdgePoints& given, const CollapsedEdges& asPoints) {
-  return Division(model, sampled, sizes, threads, stop, given, asPoints).result();
+                         const EdgePoints& given, const CollapsedEdges& asPoints,
+                         const SegmentChanges& changes) {
+  return Division(model, sampled, sizes, threads, stop, given, asPoints, changes).result();
 }
 
 }  // namespace af2::geometry

@@ -25,9 +25,13 @@ std::vector<EdgeSamples> sampleEdges(const ModelShape& model, const CadSizes& si
 /// an edge. Closed edges have at least three segments, edges with the same two ends at least two,
 /// so that no two edges share a segment.
 ///
+/// changes  by count of the division without changes. Where a change is not possible, the number of
+///          segments stays as it is.
+///
 /// Throws InputError if the points given for an edge are not on it, in order and distinct.
 DividedEdges divideEdges(const ModelShape& model, const std::vector<EdgeSamples>& sampled,
                          const CadSizes& sizes, int threads, const std::stop_token& stop,
-                         const EdgePoints& given = {}, const CollapsedEdges& asPoints = {});
+                         const EdgePoints& given = {}, const CollapsedEdges& asPoints = {},
+                         const SegmentChanges& changes = {});
 
 }  // namespace af2::geometry

@@ -181,7 +181,7 @@ std::map<std::uint32_t, double> segmentsAtTips(const ModelShape& model,
 }
 
 std::vector<double> divideFromTips(const EdgePart& part,
-                                   const std::map<std::uint32_t, double>& tips, std::size_t least,
+                                   const std::map<std::uint32_t, double>& tips, AskedSegments asked,
                                    const CadSizes& sizes) {
   constexpr double kMax = 0.4;  // of the part
   const EdgeSamples& all = part.samples;
@@ -193,9 +193,9 @@ std::vector<double> divideFromTips(const EdgePart& part,
   std::vector<double> ends;
   if (first != none) ends.push_back(parameterAt(all, first->second));
   if (last != none) ends.push_back(parameterAt(all, all.length - last->second));
-  if (ends.empty()) return divide(all, least, sizes);
-  const std::size_t rest = least > ends.size() ? least - ends.size() : 1;
-  std::vector<double> parameters = divide(split(all, ends)[first != none ? 1 : 0], rest, sizes);
+  if (ends.empty()) return divide(all, asked, sizes);
+  asked.least = asked.least > ends.size() ? asked.least - ends.size() : 1;
+  std::vector<double> parameters = divide(split(all, ends)[first != none ? 1 : 0], asked, sizes);
   if (first != none) parameters.insert(parameters.begin(), all.pieces.front().parameters.front());
   if (last != none) parameters.push_back(all.pieces.back().parameters.back());
   return parameters;

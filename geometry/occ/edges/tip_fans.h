@@ -31,7 +31,7 @@ std::map<std::uint32_t, double> segmentsAtTips(const ModelShape& model,
 ///
 /// tips  as segmentsAtTips gave them
 std::vector<double> divideFromTips(const EdgePart& part,
-                                   const std::map<std::uint32_t, double>& tips, std::size_t least,
+                                   const std::map<std::uint32_t, double>& tips, AskedSegments asked,
                                    const CadSizes& sizes);
 
 /// Excludes fans around the tips from the loops, where the segments on both sides are equally long.

@@ -24,6 +24,7 @@
 #include "geometry/occ/edges/edge_samples.h"
 #include "geometry/occ/edges/tip_fans.h"
 #include "geometry/occ/faces/face_area.h"
+#include "geometry/occ/faces/face_loops.h"
 #include "geometry/occ/faces/most_area.h"
 #include "geometry/occ/sizes/face_size.h"
 #include "geometry/occ/sizes/sizing.h"
@@ -105,50 +106,21 @@ class FaceMesher {
  private:
   /// Cell by cell, if the face has creases that are edges all through it.
   bool meshInCells(FaceMesh& mesh) const {
-    const auto found = context_.model.cells.find(face_);
-    if (found == context_.model.cells.end() || found->second.isOne()) return false;
-    const auto isUnder = [&](const FaceOnFace& lying) { return lying.under == face_; };
-    if (std::ranges::any_of(context_.onFaces, isUnder)) return false;
+    std::vector<BoundedCell> cells =
+        boundedCells(context_.model, face_, context_.request.divided, context_.onFaces);
+    if (cells.empty()) return false;
+    const FaceCells& stretches = context_.model.cells.at(face_);
     std::vector<FaceMesh> parts;
-    try {
-      parts = meshCells(found->second);
-    } catch (const GeometryError&) {  // no closed loops around some cell
-      return false;
-    }
-    if (parts.size() < 2) return false;
-    for (FaceMesh& part : parts) part.report.area = 0;  // of the face it is known
-    joinParts(std::move(parts), mesh);
-    mesh.history.insert(mesh.history.begin(), note(textOfCells(found->second)));
-    return true;
-  }
-
-  struct Cell {
-    FaceCell id;
-    FaceSurface surface;
-    FaceBoundary boundary;
-  };
-
-  std::vector<FaceMesh> meshCells(const FaceCells& cells) const {
-    std::vector<Cell> filled;
-    for (FaceCell id; id.u < cells.u.size(); ++id.u)
-      for (id.v = 0; id.v < cells.v.size(); ++id.v) {
-        FaceSurface surface =
-            FaceSurface::ofCell(context_.model.face(face_), cells.u[id.u], cells.v[id.v]);
-        FaceBoundary boundary =
-            findBoundary(context_.model, face_, id, context_.request.divided, surface);
-        if (!boundary.input.loops.empty())
-          filled.push_back({id, std::move(surface), std::move(boundary)});
-      }
-    std::vector<FaceMesh> parts;
-    for (Cell& cell : filled) {
-      const double area =
-          area_ > 0 ? areaOf(context_.model, face_, cells.u[cell.id.u], cells.v[cell.id.v]) : 0;
-      FaceMesher(
-          context_, face_, area,
-          FaceSurface::ofCell(context_.model.face(face_), cells.u[cell.id.u], cells.v[cell.id.v]))
+    for (BoundedCell& cell : cells) {
+      const Stretch &u = stretches.u[cell.id.u], &v = stretches.v[cell.id.v];
+      const double area = area_ > 0 ? areaOf(context_.model, face_, u, v) : 0;
+      FaceMesher(context_, face_, area, FaceSurface::ofCell(context_.model.face(face_), u, v))
           .fillOrFail(std::move(cell.boundary), parts.emplace_back());
     }
-    return parts;
+    for (FaceMesh& part : parts) part.report.area = 0;  // of the face it is known
+    joinParts(std::move(parts), mesh);
+    mesh.history.insert(mesh.history.begin(), note(textOfCells(stretches)));
+    return true;
   }
 
   void fillOrFail(FaceBoundary boundary, FaceMesh& mesh) {

@@ -14,6 +14,7 @@
 #include "geometry/occ/edges/edge_division.h"
 #include "geometry/occ/edges/short_edges.h"
 #include "geometry/occ/faces/face_area.h"
+#include "geometry/occ/faces/face_loops.h"
 #include "geometry/occ/faces/face_mesher.h"
 #include "geometry/occ/faces/faces_on_faces.h"
 #include "geometry/occ/faces/meeting_faces.h"
@@ -88,9 +89,14 @@ class CadFaces final : public FaceSource {
     return toPoint(BRepAdaptor_Curve(shape_->edge(edge)).Value(parameter));
   }
 
-  DividedEdges divide(const PositionSize& sizes, const CollapsedEdges& asPoints) const override {
+  DividedEdges divide(const PositionSize& sizes, const CollapsedEdges& asPoints,
+                      const SegmentChanges& changes) const override {
     return divideEdges(*shape_, sampled_, withFunction(sizes), options_->threads, options_->stop,
-                       options_->edgePoints, asPoints);
+                       options_->edgePoints, asPoints, changes);
+  }
+
+  std::vector<CountedLoop> loopsOf(int face, const DividedEdges& divided) const override {
+    return countedLoops(*shape_, face, divided, onFaces_);
   }
 
   void fill(int face, const FillRequest& request, FaceMesh& mesh) const override {

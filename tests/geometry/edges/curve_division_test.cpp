@@ -22,6 +22,13 @@ TEST(CurveDivision, MakesNoSegmentLongerThanWantedWhereACurveTurns) {
   EXPECT_EQ(wholeSegments(3.1, 2.8, 0.9), 3u) << "counted in nine tenths of the wanted size";
 }
 
+TEST(CurveDivision, AllowsFewerSegmentsOnlyWhereACurveHardlyTurns) {
+  EXPECT_EQ(fewestSegments(3.6, 0), 1u);
+  EXPECT_EQ(fewestSegments(3.6, 0.5), 1u);
+  EXPECT_EQ(fewestSegments(3.6, 3.6), 4u);
+  EXPECT_EQ(fewestSegments(0.3, 0.3), 1u);
+}
+
 TEST(CurveDivision, AddsUpHowACurveTurns) {
   std::vector<Point3> arc;
   for (int i = 0; i <= 100; ++i) {

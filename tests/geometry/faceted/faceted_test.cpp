@@ -69,6 +69,24 @@ TEST(Faceted, RefusesGrowthThatAFrontCannotFollow) {
   testing::completeMesh(read("box.obj", kBox), options);
 }
 
+TEST(Faceted, GetsEvenLoops) {
+  const std::string prism =
+      "v 0 0 0\nv 2 0 0\nv 0 1.7 0\nv 0 0 1.3\nv 2 0 1.3\nv 0 1.7 1.3\n"
+      "f 1 3 2\nf 4 5 6\nf 1 2 5 4\nf 2 3 6 5\nf 3 1 4 6\n";
+  MeshingOptions options;
+  int odd = 0;
+  for (const double size : {0.15, 0.19, 0.23, 0.3}) {
+    options.sizes.size = size;
+    options.evenLoops = false;
+    for (const FaceReport& face : testing::completeMesh(read("prism.obj", prism), options).faces)
+      odd += static_cast<int>(face.oddLoops.size());
+    options.evenLoops = true;
+    for (const FaceReport& face : testing::completeMesh(read("prism.obj", prism), options).faces)
+      EXPECT_TRUE(face.oddLoops.empty()) << size;
+  }
+  EXPECT_GT(odd, 0);
+}
+
 TEST(Facets, OfAnObjFileShareTheirVertices) {
   const Facets box = read("box.obj", kBox);
   EXPECT_EQ(box.vertices.size(), 8u);

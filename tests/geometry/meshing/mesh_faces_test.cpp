@@ -51,7 +51,8 @@ class Squares : public FaceSource {
     return {static_cast<double>(divided), parameter, 0};
   }
 
-  DividedEdges divide(const PositionSize&, const CollapsedEdges&) const override {
+  DividedEdges divide(const PositionSize&, const CollapsedEdges&,
+                      const SegmentChanges&) const override {
     DividedEdges divided;
     for (int i = 0; i <= count_; ++i) {
       divided.points.push_back({double(i), 0, 0});
@@ -68,6 +69,8 @@ class Squares : public FaceSource {
     }
     return divided;
   }
+
+  std::vector<CountedLoop> loopsOf(int, const DividedEdges&) const override { return {}; }
 
   void fill(int face, const FillRequest& request, FaceMesh& mesh) const override {
     if (request.options.observer) request.options.observer();

@@ -134,11 +134,11 @@ TEST(TipFans, LeavePartsThatAreTooShortForThem) {
   part.samples.length = 1;
   CadSizes sizes;
   sizes.size = 0.25;
-  EXPECT_EQ(divideFromTips(part, {{3, 2.0}}, 1, sizes).size(), 5u);
-  const std::vector<double> whole = divideFromTips(part, {{3, 0.375}}, 1, sizes);
+  EXPECT_EQ(divideFromTips(part, {{3, 2.0}}, {1}, sizes).size(), 5u);
+  const std::vector<double> whole = divideFromTips(part, {{3, 0.375}}, {1}, sizes);
   EXPECT_NEAR(whole[1], 0.375, 1e-12);
   EXPECT_EQ(whole.back(), 1);
-  EXPECT_NEAR(divideFromTips(part, {{4, 0.375}}, 1, sizes).end()[-2], 0.625, 1e-12);
+  EXPECT_NEAR(divideFromTips(part, {{4, 0.375}}, {1}, sizes).end()[-2], 0.625, 1e-12);
 }
 
 TEST(TipFans, KeepSegmentsThatAreGiven) {

@@ -102,6 +102,21 @@ TEST(TouchingEdges, ANeedleThatCannotBeSeenIsClosed) {
       << result.faces[0].attempts[0];
 }
 
+/// Parts of the sides of the needle cancel each other, and the faces beside it share the others.
+TEST(TouchingEdges, ArePartsOfEvenLoops) {
+  int odd = 0;
+  for (const double size : {0.4, 0.55, 0.7, 0.9, 1.3}) {
+    MeshingOptions options = testing::ofSize(size);
+    for (const FaceReport& face : mesh(needle(1e-4), options).faces)
+      odd += static_cast<int>(face.oddLoops.size());
+    options.evenLoops = true;
+    const ModelMesh result = mesh(needle(1e-4), options);
+    expectComplete(result, 28, 1e-4);
+    for (const FaceReport& face : result.faces) EXPECT_TRUE(face.oddLoops.empty()) << size;
+  }
+  EXPECT_GT(odd, 0);
+}
+
 TEST(TouchingEdges, ANeedleThatCanBeSeenStays) {
   const ModelMesh result = mesh(needle(0.05), 1.3);
   expectComplete(result, 28, 1e-4);

@@ -61,6 +61,29 @@ TEST(TwinEdges, OfFacesThatWereNotSewnAreOne) {
   EXPECT_TRUE(tellsOfTwin(result));
 }
 
+/// All other edges are given, so that only the twins can make both loops even: together.
+TEST(TwinEdges, HaveOneNumberOfSegmentsForEvenLoops) {
+  const Squares squares;
+  const Model model = testing::modelOf(testing::compoundOf({squares.left(), squares.right(1e-4)}));
+  MeshingOptions options = testing::ofSize(0.25);
+  for (int edge = 1; edge <= model.edgeCount(); ++edge) {
+    const auto [from, to] = testing::endsOf(model, edge);
+    if (from.x == 1 && to.x == 1) continue;
+    const int segments = from.x == to.x ? 3 : 4;
+    std::vector<Point3>& points = options.edgePoints[edge];
+    for (int i = 1; i < segments; ++i) points.push_back(from + double(i) / segments * (to - from));
+  }
+  ASSERT_EQ(options.edgePoints.size(), 6u);
+  for (const bool evenLoops : {false, true}) {
+    options.evenLoops = evenLoops;
+    const ModelMesh result = testing::mesh(model, options);
+    testing::expectComplete(result, 2);
+    for (const FaceReport& face : result.faces)
+      EXPECT_EQ(face.oddLoops.size(), evenLoops ? 0u : 1u);
+    EXPECT_EQ(openEdges(result), 2 * (4 + 4 + 3)) << "the twins have the same vertices";
+  }
+}
+
 TEST(TwinEdges, AreDefectsThatDependOnTheMeshSize) {
   const Squares squares;
   const Model model = testing::modelOf(testing::compoundOf({squares.left(), squares.right(1e-4)}));

@@ -1,0 +1,236 @@
+#include "engine/optimize/patch_editor.h"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+#include "engine/base/error.h"
+#include "engine/mesh/element_shape.h"
+#include "engine/optimize/ideal_angles.h"
+#include "engine/optimize/patch_shape.h"
+
+namespace af2 {
+
+using Vertex = QuadPatch::Vertex;
+
+PatchEditor::PatchEditor(MeshTopology& topology, const AF2LocalTransformMaker& maker,
+                         const std::vector<double>& anglesAtFixed, ActRecorder* recorder)
+    : topology_(topology),
+      mesh_(topology.mesh()),
+      maker_(maker),
+      recorder_(recorder),
+      sums_(topology.mesh().vertices.size(), 0) {
+  for (const double angle : anglesAtFixed) wanted_.push_back(angleInUnits(angle));
+  for (std::size_t e = 0; e < mesh_.elements.size(); ++e) addAngles(e, 1);
+}
+
+void PatchEditor::addAngles(std::size_t element, int sign) {
+  if (topology_.isDead(element)) return;
+  sums_.resize(mesh_.vertices.size(), 0);
+  for (const VertexId v : mesh_.elements[element].vertices())
+    sums_[v.value] += sign * idealAngle(mesh_.elements[element]);
+}
+
+int PatchEditor::wantedAt(VertexId v) const {
+  return v.value < wanted_.size() ? wanted_[v.value] : kFullTurn;
+}
+
+int PatchEditor::irregularity(VertexId v) const {
+  const int sum = sums_[v.value], off = std::abs(sum - wantedAt(v));
+  const bool isRegular = sum == 0 || (topology_.isFixed(v) && off <= 1);
+  return isRegular ? 0 : off;
+}
+
+template <class Visit>
+void PatchEditor::forEachElementAt(VertexId v, const Visit& visit) const {
+  const Corner first = topology_.cornerOf(v);
+  for (Corner c = first; !c.isNone();) {
+    visit(c.element());
+    c = topology_.aroundVertex(c);
+    if (c == first) break;
+  }
+}
+
+/// Ring by ring, as far as there is room; numbers the vertices on the way.
+std::vector<std::size_t> PatchEditor::collectElements(VertexId seed) {
+  constexpr int kRings = 3;
+  constexpr std::size_t kRoom = 8;  // for what acts add
+  std::vector<std::size_t> elements;
+  vertices_.assign(1, seed);
+  numbers_.clear();
+  numbers_[seed.value] = 0;
+  std::size_t begin = 0;
+  for (int ring = 0; ring < kRings; ++ring) {
+    const std::size_t end = vertices_.size(), before = elements.size();
+    for (std::size_t i = begin; i < end; ++i)
+      forEachElementAt(vertices_[i], [&](std::size_t e) {
+        if (std::ranges::find(elements, e) == elements.end()) elements.push_back(e);
+      });
+    constexpr std::size_t kMost = QuadPatch::kMaxElements - kRoom;
+    if (elements.size() > kMost) {
+      elements.resize(before);
+      break;
+    }
+    for (const std::size_t e : std::span(elements).subspan(before))
+      for (const VertexId v : mesh_.elements[e].vertices())
+        if (numbers_.try_emplace(v.value, static_cast<Vertex>(vertices_.size())).second)
+          vertices_.push_back(v);
+    if (vertices_.size() > QuadPatch::kMaxVertices - kRoom) return {};
+    begin = end;
+  }
+  return elements;
+}
+
+bool PatchEditor::take(VertexId seed) {
+  points_.clear();
+  elements_ = collectElements(seed);
+  if (elements_.empty()) return false;
+  std::vector<int> sums(vertices_.size(), 0);
+  for (const std::size_t e : elements_)
+    for (const VertexId v : mesh_.elements[e].vertices())
+      sums[numbers_[v.value]] += idealAngle(mesh_.elements[e]);
+  patch_ = {};
+  for (std::size_t i = 0; i < vertices_.size(); ++i) {
+    const VertexId v = vertices_[i];
+    constexpr int kMost = 100;
+    PatchVertex vertex;
+    vertex.wanted = static_cast<std::int8_t>(std::min(wantedAt(v), kMost));
+    vertex.sum = static_cast<std::int8_t>(std::min(sums_[v.value], kMost));
+    vertex.isFixed = topology_.isFixed(v);
+    vertex.isInner = !vertex.isFixed && sums[i] == sums_[v.value];
+    patch_.add(vertex);
+  }
+  for (const std::size_t e : elements_) {
+    QuadPatch::Ring ring{QuadPatch::kNone, QuadPatch::kNone, QuadPatch::kNone, QuadPatch::kNone};
+    const auto corners = mesh_.elements[e].vertices();
+    for (std::size_t i = 0; i < corners.size(); ++i) ring[i] = numbers_[corners[i].value];
+    patch_.add(ring);
+  }
+  patch_.finish();
+  return true;
+}
+
+std::optional<std::size_t> PatchEditor::find(std::size_t element) const {
+  const auto place = std::ranges::find(elements_, element);
+  if (place == elements_.end()) return std::nullopt;
+  return static_cast<std::size_t>(place - elements_.begin());
+}
+
+bool PatchEditor::openChart() {
+  if (!points_.empty()) return true;
+  const Corner corner = topology_.cornerOf(vertices_[0]);
+  const SurfacePoint& here = mesh_.vertices[vertices_[0].value];
+  const SurfacePoint& neighbor = mesh_.vertices[topology_.vertexAt(topology_.next(corner)).value];
+  const double unit = distance(here.position, neighbor.position);
+  if (!(unit > 0)) return false;
+  try {
+    chart_.emplace(maker_.makeLocalTransformIn(slot_, here, neighbor, unit), unit);
+    for (const VertexId v : vertices_) {
+      const ChartPoint point = chart_->project(mesh_.vertices[v.value]);
+      if (point.view == ChartView::Hidden) {
+        points_.clear();
+        return false;
+      }
+      points_.push_back(point.position);
+    }
+  } catch (const GeometryError&) {
+    points_.clear();
+    return false;  // there is no chart here: the patch stays as it is
+  }
+  return true;
+}
+
+std::optional<double> PatchEditor::leastScaledJacobian() {
+  if (!openChart()) return std::nullopt;
+  return af2::leastScaledJacobian(patch_, points_);
+}
+
+bool PatchEditor::putBack(const QuadPatch& changed, double wanted, FinishAct::Kind kind) {
+  if (!openChart()) return false;
+  std::vector<Point2> points = points_;
+  for (std::size_t v = points.size(); v < changed.vertexCount(); ++v)
+    points.push_back(points[changed.originOf(static_cast<Vertex>(v))]);
+  smoothPatch(changed, points);
+  if (!(af2::leastScaledJacobian(changed, points) >= wanted)) return false;
+  Moved moved(points.size());
+  for (std::size_t v = 0; v < points.size(); ++v) {
+    if (v < points_.size() && points[v] == points_[v]) continue;
+    moved[v] = chart_->lift(points[v]);
+    if (!moved[v]) return false;
+  }
+  if (!isSoundOnSurface(changed, moved) || joinsAgain(changed)) return false;
+  apply(changed, moved, kind);
+  return true;
+}
+
+bool PatchEditor::isSoundOnSurface(const QuadPatch& changed, const Moved& moved) const {
+  for (std::size_t e = 0; e < changed.elementCount(); ++e) {
+    if (!changed.isAlive(e)) continue;
+    std::array<const SurfacePoint*, 4> corners{};
+    std::size_t n = 0;
+    for (const Vertex v : changed.ringAt(e))
+      if (v != QuadPatch::kNone)
+        corners[n++] = moved[v] ? &*moved[v] : &mesh_.vertices[vertices_[v].value];
+    if (!std::isfinite(elementDistortion(std::span(corners).first(n)))) return false;
+  }
+  return true;
+}
+
+bool PatchEditor::isNew(const QuadPatch& changed, std::size_t element) const {
+  return changed.isAlive(element) &&
+         (element >= elements_.size() || changed.ringAt(element) != patch_.ringAt(element));
+}
+
+/// Whether a new side exists already outside of the patch.
+bool PatchEditor::joinsAgain(const QuadPatch& changed) const {
+  const auto joins = [&](Vertex u, Vertex v) {
+    return u < vertices_.size() && v < vertices_.size() && !patch_.areJoined(u, v) &&
+           topology_.areJoined(vertices_[u], vertices_[v]);
+  };
+  for (std::size_t e = 0; e < changed.elementCount(); ++e) {
+    if (!isNew(changed, e)) continue;
+    const auto ring = changed.cornersAt(e);
+    for (std::size_t i = 0; i < ring.size(); ++i)
+      if (joins(ring[i], ring[(i + 1) % ring.size()])) return true;
+  }
+  return false;
+}
+
+void PatchEditor::apply(const QuadPatch& changed, const Moved& moved, FinishAct::Kind kind) {
+  const std::size_t known = vertices_.size();
+  for (std::size_t v = known; v < changed.vertexCount(); ++v) {
+    vertices_.push_back(topology_.addVertex(*moved[v]));
+    if (recorder_) recorder_->added(vertices_[v]);
+  }
+  std::vector<std::size_t> places;
+  std::vector<Element> elements;
+  for (std::size_t e = 0; e < changed.elementCount(); ++e) {
+    const bool isOld = e < elements_.size();
+    if (isOld && changed.ringAt(e) == patch_.ringAt(e)) continue;
+    if (isOld) places.push_back(elements_[e]);
+    if (!changed.isAlive(e)) continue;
+    const auto ring = changed.cornersAt(e);
+    Element& element = elements.emplace_back();
+    for (std::size_t i = 0; i < ring.size(); ++i) element.corners[i] = vertices_[ring[i]];
+  }
+  for (const std::size_t e : places) addAngles(e, -1);
+  if (recorder_) recorder_->begin(places);
+  const std::vector<std::size_t> replaced = topology_.replace(places, elements);
+  if (recorder_) recorder_->end(kind, replaced);
+  for (const std::size_t e : replaced) addAngles(e, 1);
+  for (std::size_t v = 0; v < known; ++v)
+    if (moved[v]) move(vertices_[v], *moved[v]);
+  points_.clear();
+}
+
+void PatchEditor::move(VertexId v, const SurfacePoint& point) {
+  if (recorder_) {
+    std::vector<std::size_t> star;
+    forEachElementAt(v, [&](std::size_t e) { star.push_back(e); });
+    recorder_->begin(star, v);
+  }
+  topology_.move(v, point);
+  if (recorder_) recorder_->end(FinishAct::Kind::Move);
+}
+
+}  // namespace af2

@@ -1,0 +1,79 @@
+// Takes small parts out of a mesh with quadrilaterals and puts changed ones back.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <unordered_map>
+#include <vector>
+
+#include "engine/mesh/mesh_topology.h"
+#include "engine/optimize/act_recorder.h"
+#include "engine/optimize/quad_patch.h"
+#include "engine/step/neighborhood.h"
+#include "engine/surface/local_transform.h"
+
+namespace af2 {
+
+/// Works on one patch after another. The vertices of a patch are placed in one chart.
+class PatchEditor {
+ public:
+  /// anglesAtFixed  the angle that the mesh has at each fixed vertex, in radians
+  PatchEditor(MeshTopology& topology, const AF2LocalTransformMaker& maker,
+              const std::vector<double>& anglesAtFixed, ActRecorder* recorder = nullptr);
+
+  const MeshTopology& topology() const { return topology_; }
+  /// How much the sum of the ideal angles at a vertex differs from the angle there, in units of 30
+  /// degrees; 0: the vertex is regular.
+  int irregularity(VertexId v) const;
+
+  /// Takes the elements within some rings around a vertex. Returns false if there are too many.
+  bool take(VertexId seed);
+
+  // Of the patch that was taken last:
+
+  const QuadPatch& patch() const { return patch_; }
+  /// The patch's number of an element of the mesh.
+  std::optional<std::size_t> find(std::size_t element) const;
+  QuadPatch::Vertex find(VertexId v) const { return numbers_.at(v.value); }
+  VertexId vertexAt(QuadPatch::Vertex v) const { return vertices_[v]; }
+  /// The smallest scaled Jacobian in the chart; no value if the patch has no chart.
+  std::optional<double> leastScaledJacobian();
+  /// Smooths the changed patch and puts it back if its least scaled Jacobian is at least `wanted`
+  /// and its elements face the way the surface does. Returns whether it did.
+  ///
+  /// kind  of the change, for observers
+  bool putBack(const QuadPatch& changed, double wanted, FinishAct::Kind kind);
+  /// The vertices of the patch after putBack.
+  const std::vector<VertexId>& vertices() const { return vertices_; }
+
+ private:
+  using Moved = std::vector<std::optional<SurfacePoint>>;  ///< by vertex of the changed patch
+
+  std::vector<std::size_t> collectElements(VertexId seed);
+  bool openChart();
+  bool isSoundOnSurface(const QuadPatch& changed, const Moved& moved) const;
+  bool joinsAgain(const QuadPatch& changed) const;
+  bool isNew(const QuadPatch& changed, std::size_t element) const;
+  void apply(const QuadPatch& changed, const Moved& moved, FinishAct::Kind kind);
+  void move(VertexId v, const SurfacePoint& point);
+  void addAngles(std::size_t element, int sign);
+  int wantedAt(VertexId v) const;
+  template <class Visit>
+  void forEachElementAt(VertexId v, const Visit& visit) const;
+
+  MeshTopology& topology_;
+  const Mesh& mesh_;
+  const AF2LocalTransformMaker& maker_;
+  ActRecorder* recorder_;
+  std::vector<int> wanted_;  ///< by fixed vertex: the angle there
+  std::vector<int> sums_;    ///< by vertex: the sum of its elements' ideal angles
+  QuadPatch patch_;
+  std::vector<VertexId> vertices_;                                ///< by vertex of the patch
+  std::vector<std::size_t> elements_;                             ///< by element of the patch
+  std::unordered_map<std::uint32_t, QuadPatch::Vertex> numbers_;  ///< looked up, never walked
+  ChartSlot slot_;
+  std::optional<StepChart> chart_;
+  std::vector<Point2> points_;  ///< by vertex of the patch, in the chart; empty: no chart yet
+};
+
+}  // namespace af2

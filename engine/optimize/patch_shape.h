@@ -1,0 +1,22 @@
+// Places the inner vertices of a patch so that its elements get good shapes.
+#pragma once
+
+#include <vector>
+
+#include "engine/base/point.h"
+#include "engine/optimize/quad_patch.h"
+
+namespace af2 {
+
+/// Smallest scaled Jacobian of all corners of the patch, in the plane; not positive if an element
+/// does not turn left everywhere.
+double leastScaledJacobian(const QuadPatch& patch, const std::vector<Point2>& points);
+
+/// Moves the inner vertices that elements use, one after another in the order of their numbers, to
+/// places where the corners around them are better shaped. Inverted elements are turned round if
+/// possible.
+///
+/// points  by vertex; new vertices begin anywhere near their place
+void smoothPatch(const QuadPatch& patch, std::vector<Point2>& points);
+
+}  // namespace af2

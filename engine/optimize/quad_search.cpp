@@ -1,0 +1,133 @@
+#include "engine/optimize/quad_search.h"
+
+#include <algorithm>
+
+#include "engine/optimize/ideal_angles.h"
+
+namespace af2 {
+namespace {
+
+/// Elements of this scaled Jacobian are good enough for smoothing to do the rest.
+constexpr double kGoodJacobian = 0.55;
+
+/// The patches with the lowest energies, in order; ties go to the earlier one.
+class BestPatches {
+ public:
+  explicit BestPatches(std::size_t most) : most_(most) {}
+  void offer(const QuadPatch& patch) {
+    if (patches_.size() == most_ && patch.energy() >= patches_.back().energy()) return;
+    patches_.insert(std::ranges::upper_bound(patches_, patch.energy(), {}, &QuadPatch::energy),
+                    patch);
+    if (patches_.size() > most_) patches_.pop_back();
+  }
+  std::vector<QuadPatch> take() { return std::exchange(patches_, {}); }
+
+ private:
+  std::size_t most_;
+  std::vector<QuadPatch> patches_;
+};
+
+class QuadSearch {
+ public:
+  explicit QuadSearch(PatchEditor& editor)
+      : editor_(editor),
+        changed_(editor.topology().mesh().vertices.size(), 1),
+        lookedAt_(changed_.size(), 0) {}
+
+  /// One look at each irregular vertex whose surroundings have changed since the last one; first at
+  /// those that are far from regular: their neighbours could only make them a little better.
+  std::size_t pass(int depth, const std::stop_token& stop) {
+    return passOver(2 * kRightAngle, depth, stop) + passOver(1, depth, stop);
+  }
+
+ private:
+  std::size_t passOver(int leastIrregularity, int depth, const std::stop_token& stop) {
+    std::size_t applied = 0;
+    for (std::size_t v = 0; v < changed_.size(); ++v) {
+      const VertexId seed(v);
+      while (editor_.irregularity(seed) >= leastIrregularity && changed_[v] > lookedAt_[v]) {
+        if (stop.stop_requested()) return applied;
+        lookedAt_[v] = ++clock_;
+        if (!improve(seed, depth)) break;
+        ++applied;
+      }
+    }
+    return applied;
+  }
+
+  bool improve(VertexId seed, int depth) {
+    if (!editor_.take(seed)) return false;
+    const std::vector<QuadPatch> better = betterPatches(editor_.patch(), depth);
+    if (better.empty()) return false;
+    const std::optional<double> before = editor_.leastScaledJacobian();
+    if (!before) return false;
+    for (const QuadPatch& patch : better)
+      if (editor_.putBack(patch, std::min(kGoodJacobian, *before), FinishAct::Kind::Search)) {
+        noteChange();
+        return true;
+      }
+    return false;
+  }
+
+  void noteChange() {
+    changed_.resize(editor_.topology().mesh().vertices.size(), 0);
+    lookedAt_.resize(changed_.size(), 0);
+    ++clock_;
+    for (const VertexId v : editor_.vertices()) changed_[v.value] = clock_;
+  }
+
+  PatchEditor& editor_;
+  std::uint32_t clock_ = 1;                        ///< counts looks and changes
+  std::vector<std::uint32_t> changed_, lookedAt_;  ///< by vertex: the time of the last
+};
+
+}  // namespace
+
+/// The energy may rise on the way as much as two irregular vertices have.
+std::vector<QuadPatch> betterPatches(const QuadPatch& start, int depth) {
+  constexpr std::size_t kGoOn = 14, kResults = 6, kTrials = 2000, kTrialsInDepth = 9000;
+  constexpr int kDetour = 18;
+  BestPatches results(kResults);
+  std::vector<QuadPatch> level{start};
+  for (int d = 1; d <= depth; ++d) {
+    std::size_t trials = d <= 2 ? kTrials : kTrialsInDepth;
+    BestPatches next(kGoOn);
+    for (const QuadPatch& patch : level) {
+      const auto tryAct = [&](const QuadPatch::Act& act) {
+        if (trials == 0) return;
+        --trials;
+        const int energy = patch.energyAfter(act);
+        const bool isBetter = energy < start.energy();
+        const bool goesOn = d < depth && energy <= start.energy() + kDetour;
+        if ((!isBetter && !goesOn) || !patch.allows(act)) return;
+        QuadPatch changed = patch;
+        changed.apply(act);
+        if (isBetter) results.offer(changed);
+        if (goesOn) next.offer(changed);
+      };
+      for (std::size_t v = 0; v < patch.vertexCount(); ++v) {
+        const auto vertex = static_cast<QuadPatch::Vertex>(v);
+        if (v == 0 || (patch.isTouched(vertex) && patch.energyAt(vertex) > 0))
+          forEachAct(patch, vertex, tryAct);
+      }
+    }
+    level = next.take();
+  }
+  return results.take();
+}
+
+std::size_t searchQuads(PatchEditor& editor, int depth, const std::stop_token& stop) {
+  constexpr int kMaxPasses = 3;
+  std::size_t applied = 0;
+  for (int d = 1; d <= depth; ++d) {
+    QuadSearch search(editor);
+    for (int pass = 0; pass < kMaxPasses; ++pass) {
+      const std::size_t more = search.pass(d, stop);
+      applied += more;
+      if (more == 0) break;
+    }
+  }
+  return applied;
+}
+
+}  // namespace af2

@@ -1,0 +1,57 @@
+#!/usr/bin/env bash
+# Meshes of quadrilaterals only, and what the program says where that is impossible.
+. "$(dirname "$0")/support.sh"
+die=$models/die.step
+plate=$models/plate.poly
+
+for model in "$models/cylinder.step" "$models/brickhole.step" "$die" "$plate"; do
+  expect 0 "$af2" mesh "$model" --size 0.5 --elements quad -o quads.obj --report quads.json --quiet
+  [ "$(json quads.json triangles)" = 0 ] || fail "triangles in $model"
+  [ "$(json quads.json quads)" -gt 100 ] || fail "too few quadrilaterals in $model"
+done
+expect 0 "$af2" mesh "$models/cylinder.step" --size 0.5 --elements quad --report one.json --quiet -j 1
+expect 0 "$af2" mesh "$models/cylinder.step" --size 0.5 --elements quad --report two.json --quiet -j 2
+[ "$(json one.json fingerprint)" = "$(json two.json fingerprint)" ] || fail "the mesh depends on the threads"
+
+# A boundary that is given and odd.
+cat >odd.poly <<'POLY'
+5 2 0 0
+1 0 0
+2 1 0
+3 2 0
+4 2 2
+5 0 2
+5 0
+1 1 2
+2 2 3
+3 3 4
+4 4 5
+5 5 1
+0
+POLY
+expect 3 "$af2" mesh odd.poly --size 1 --keep-boundary --elements quad --report odd.json -o odd.vtu
+told 'triangles remain, which --elements quad does not accept: face 1 (1 triangle; loop 1 of its boundary has 5 edges)'
+[ "$(json odd.json status)" = partial ] || fail "the report says nothing of triangles"
+[ "$(json odd.json faces 0 odd_loops 0 edges)" = 5 ] || fail "the report does not name the loop"
+[ -s odd.vtu ] || fail "the mesh was not written"
+
+# How long to look for better meshes.
+for level in fast good best; do
+  expect 0 "$af2" mesh "$plate" --size 0.1 --elements quad --quality $level -o $level.vtu --quiet
+  expect 0 "$af2" quality $level.vtu --format json
+  cp out $level.json
+done
+python3 - fast.json good.json best.json <<'PYTHON' || fail "more time does not make meshes more regular"
+import json, sys
+def share(name):
+    inside = json.load(open(name))["irregular"]["inside"]
+    return inside["irregular"] / inside["vertices"]
+fast, good, best = map(share, sys.argv[1:])
+print(fast, good, best)
+assert best <= good < fast
+PYTHON
+
+expect 2 "$af2" mesh "$plate" --size 0.5 --elements quad -r tri/even; told 'make no quadrilaterals'
+expect 2 "$af2" mesh "$plate" --size 0.5 --elements quad --no-optimize; told 'leave out --no-optimize'
+expect 2 "$af2" mesh "$plate" --size 0.5 --elements hexagon; told '--elements'
+finish
