@@ -116,7 +116,8 @@ FillFault unsound(std::string details) {
 void take(RegionMesh& mesh, const FaceTask& task, FaceAttempt& attempt) {
   attempt.result = std::move(mesh.result);
   attempt.fault = unsound(std::move(mesh.fault));
-  attempt.isOptimized = task.options.optimize;
+  // A front that got stuck is left as it is: what closes it later is to be optimised, too.
+  attempt.isOptimized = task.options.optimize && attempt.result.outcome == Outcome::Complete;
   attempt.optimizeShare = mesh.seconds > 0 ? mesh.optimizeSeconds / mesh.seconds : 0;
 }
 

@@ -12,6 +12,15 @@ told 'elements were made without a rule (closing'
 told 'face '
 [ "$(json never.json without_rule closing)" = "$(json never.json triangles)" ] || fail "not all elements are by closing"
 [ "$(json never.json faces 0 without_rule closing)" -gt 0 ] || fail "face 1 does not count its elements"
+# A mesh whose fronts had to be closed is optimised like others.
+sed '/^test/,$d; /^rule "free triangle {k}"/,/^}/d; /^rule "fill/,/^}/d; /^rule .*vis a vis/,/^}/d' "$rules" >stuck.af2
+expect 0 "$af2" mesh "$plate" --size 0.5 -r stuck.af2 --report stuck.json --quiet
+[ "$(json stuck.json without_rule closing)" -gt 0 ] || fail "no front got stuck"
+python3 - stuck.json <<'PYTHON' || fail "a mesh with closing elements is not optimised"
+import json, sys
+quality = json.load(open(sys.argv[1]))["quality"]
+assert quality["min"] > 0.5, quality
+PYTHON
 expect 3 "$af2" mesh "$die" --size 1 -r never.af2 --unchecked --strict-rules --report strict.json -o strict.vtu
 [ "$(json strict.json status)" = failed ] || fail "--strict-rules made elements"
 [ "$(json strict.json faces 0 stuck 0 level)" -ge 1 ] || fail "a strict face does not say where it got stuck"
