@@ -137,6 +137,7 @@ std::string trianglesText(const geometry::ModelMesh& mesh) {
                         face.triangles, face.triangles == 1 ? "" : "s");
     for (const FaceReport::OddLoop& odd : face.oddLoops)
       text += fmt::format("; loop {} of its boundary has {} edges", odd.loop, odd.segments);
+    if (face.oddLoops.empty()) text += "; elements cannot change enough to join them";
     text += ")";
   }
   if (faces == 0) return "";

@@ -35,6 +35,11 @@ told 'triangles remain, which --elements quad does not accept: face 1 (1 triangl
 [ "$(json odd.json faces 0 odd_loops 0 edges)" = 5 ] || fail "the report does not name the loop"
 [ -s odd.vtu ] || fail "the mesh was not written"
 
+# An even boundary, but no room: two triangles would make one flat quadrilateral.
+printf '3 2 0 0\n1 0 0\n2 1 0\n3 0 1\n3 0\n1 1 2\n2 2 3\n3 3 1\n0\n' >corner.poly
+expect 3 "$af2" mesh corner.poly --size 2 --elements quad --quiet
+told 'face 1 (2 triangles; elements cannot change enough to join them)'
+
 # How long to look for better meshes.
 for level in fast good best; do
   expect 0 "$af2" mesh "$plate" --size 0.1 --elements quad --quality $level -o $level.vtu --quiet
