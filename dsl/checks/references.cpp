@@ -94,7 +94,7 @@ class ReferenceMatch {
 
   std::optional<Objection> misfit() const {
     const double tolerance = settings_.matchTolerance[static_cast<std::size_t>(level_ - 1)];
-    const RefusalCause cause = patternMisfit(rule_, match_.vertices(), level_, tolerance);
+    const RefusalCause cause = patternMisfit(rule_, match_.binding(), tolerance);
     if (cause.isNone()) return std::nullopt;
     Objection found = objectionTo(Refusal::Pattern,
                                   cause.isEdge ? Objection::Part::Edge : Objection::Part::Vertex,
@@ -127,9 +127,9 @@ class ReferenceMatch {
     if (refusal == Refusal::NoValue && measuresIdealElements())
       return objectionTo(refusal, Objection::Part::Score);
     if (refusal != Refusal::None || !isKnown ||
-        scoring.judge(score + *cost, level_) == Refusal::None)
+        scoring.judge(rule_.elements, vertices->data(), score + *cost, level_) == Refusal::None)
       return std::nullopt;
-    const bool isByCost = rule_.cost && scoring.judge(score, level_) == Refusal::None;
+    const bool isByCost = rule_.cost && scoring.judge(rule_.elements, vertices->data(), score, level_) == Refusal::None;
     Objection found =
         objectionTo(Refusal::Score, isByCost ? Objection::Part::Cost : Objection::Part::Score);
     found.value = score;

@@ -38,7 +38,7 @@ const Expr* literalIn(const Expr& expr) {
 }
 
 bool asksTheFront(std::string_view parameters, std::string_view name) {
-  return parameters == "w" || parameters == "c" || name == "h" || name == "loop_size" ||
+  return parameters == "w" || parameters == "c" || parameters == "e" || name == "h" || name == "loop_size" ||
          name == "dist_front" || name == "curvature";
 }
 
@@ -52,7 +52,8 @@ bool ExpressionCompiler::isMetricName(const std::string& name) const {
 
 bool ExpressionCompiler::isAllowedHere(const Expr& expr, const Builtin& builtin) {
   if (!asksTheFront(builtin.parameters, builtin.name)) return true;
-  const bool isFact = builtin.name == "layer" || builtin.name == "turn" || builtin.name == "corner";
+  const bool isFact = builtin.name == "layer" || builtin.name == "turn" ||
+                      builtin.name == "corner" || builtin.name == "count";
   if (place_ == ExpressionPlace::Rule || (place_ == ExpressionPlace::FrontOrder && isFact))
     return true;
   if (place_ == ExpressionPlace::Test && builtin.name == "turn") return true;
@@ -96,6 +97,9 @@ bool ExpressionCompiler::fits(const Value& value, char kind, const Value* firstA
     case 't':
       isRight = value.type == Type::Truth;
       break;
+    case 'e':
+      isRight = (value.vertex == 0 || value.vertex == 1) && !value.isNewVertex;
+      break;
     case 'w':
     case 'c':
       isRight = value.vertex >= 0 && !value.isNewVertex;
@@ -117,7 +121,7 @@ bool ExpressionCompiler::fits(const Value& value, char kind, const Value* firstA
     return false;
   }
   if (isRight) return true;
-  if (value.isNewVertex && (kind == 'w' || kind == 'c')) {
+  if (value.isNewVertex && (kind == 'w' || kind == 'c' || kind == 'e')) {
     tell(Code::NotAvailable, argument.span, "a new vertex is not on the front yet", "",
          usage + " takes a matched vertex");
     return false;
@@ -165,6 +169,12 @@ void ExpressionCompiler::tellOfCount(const Expr& expr, const std::string& usage)
 Value ExpressionCompiler::callBuiltin(const Expr& expr, const Builtin& builtin) {
   const std::string usage(builtin.usage);
   if (!isAllowedHere(expr, builtin)) return {};
+  const bool needsCounts = builtin.name == "count" || builtin.name == "spoke";
+  if (needsCounts && !algebra_.frame().counts && place_ != ExpressionPlace::Constant) {
+    tell(Code::NotAvailable, expr.span, "'" + expr.name + "' needs the counts of the rule set", "",
+         "add `counts 130deg, 235deg, 315deg;` to the rule set; `corner(v)` works without");
+    return {};
+  }
   if (!isCountRight(builtin.parameters, expr.parts.size())) {
     tellOfCount(expr, usage);
     return {};

@@ -228,6 +228,8 @@ void ClauseCompiler::compileOwnCost(const CostClause& clause, Span span) {
 void ClauseCompiler::compileClause(const Clause& clause) {
   match(
       clause.content, [&](const AtClause& c) { compilePlaces(c); },
+      [&](const NearClause& c) { compileNear(c); },
+      [&](const WeldClause& c) { compileWeld(c, clause.span); },
       [&](const SlopeClause& c) { compileSlope(c); }, [&](const LetClause& c) { compileLet(c); },
       [&](const NewClause& c) { compileNew(c); },
       [&](const ZoneClause& c) { readZone(c, clause.span); },
@@ -324,6 +326,7 @@ std::optional<CompiledRule> ClauseCompiler::compile(const std::string& title, Sp
     if (const auto* front = std::get_if<FrontClause>(&clause.content))
       for (const Chain& chain : front->chains) addChain(chain);
   for (const Clause& clause : rule_.clauses) compileClause(clause);
+  placeNearVertices();
   compileZones();
   if (mirror_) applyOverrides();
   tellMissingValues();

@@ -28,7 +28,7 @@ class ClauseCompiler {
         rule_(rule),
         mirror_(mirror),
         expressions_(context, home, ExpressionPlace::Rule,
-                     Algebra(builder_, {countPlaces(rule) + 2, mirror != nullptr})) {
+                     Algebra(builder_, {countPlaces(rule) + 2, mirror != nullptr, settings.counts})) {
     expressions_.fade = [this] { return fadeNode(); };
     result_.text = &rule;
     result_.home = &home;
@@ -124,6 +124,9 @@ class ClauseCompiler {
   void compileClause(const Clause& clause);
   void compileLet(const LetClause& clause);
   void compilePlaces(const AtClause& at);
+  void compileNear(const NearClause& clause);
+  void placeNearVertices();
+  void compileWeld(const WeldClause& clause, Span span);
   std::optional<ReferenceByLevel> referenceOf(const Place& place);
   std::optional<ToleranceByLevel> toleranceOf(const Tolerance& tolerance, bool& isAny);
   std::optional<ToleranceByLevel> formOf(const Expr& expr);

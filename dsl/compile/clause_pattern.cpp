@@ -8,9 +8,13 @@
 #include "dsl/program/builtins.h"
 #include "dsl/program/compiled_forms.h"
 #include "dsl/text/words.h"
+#include "engine/rule/rule_at_match.h"
 
 namespace af2::dsl {
 namespace {
+
+/// In target sizes; a longer reach would make each step search a large part of the front.
+constexpr double kLongestReach = 5;
 
 /// The number for a level; the last one also applies to all higher levels.
 double valueAt(const std::vector<double>& byLevel, std::size_t index) {
@@ -42,9 +46,16 @@ void ClauseCompiler::collectPattern() {
     if (matched_.emplace(name->text, next).second) ++next;
   expressions_.inChain.assign(static_cast<std::size_t>(next), false);
   expressions_.inChain[0] = expressions_.inChain[1] = true;
-  for (const Name* name : namesIn(rule_, {NameRole::ChainVertex}))
-    if (const auto found = matched_.find(name->text); found != matched_.end())
-      expressions_.inChain[static_cast<std::size_t>(found->second)] = true;
+  const auto haveOnePlace = [&](const auto& names) {
+    for (const Name* name : names)
+      if (const auto found = matched_.find(name->text); found != matched_.end())
+        expressions_.inChain[static_cast<std::size_t>(found->second)] = true;
+  };
+  haveOnePlace(namesIn(rule_, {NameRole::ChainVertex}));
+  for (const Clause& clause : rule_.clauses)
+    if (const auto* near = std::get_if<NearClause>(&clause.content))
+      for (const NearClause::Vertex& vertex : near->vertices)
+        haveOnePlace(std::array{&vertex.name});
 }
 
 void ClauseCompiler::readLevels() {
@@ -199,6 +210,55 @@ void ClauseCompiler::compilePlaces(const AtClause& at) {
   }
 }
 
+void ClauseCompiler::compileNear(const NearClause& clause) {
+  for (const NearClause::Vertex& near : clause.vertices) {
+    const Value at = expressions_.point(near.at);
+    const auto reach = numberByLevel(near.reach, "a reach");
+    const bool isBounded = reach && std::ranges::all_of(*reach, [](double r) {
+      return r > 0 && r <= kLongestReach;
+    });
+    if (reach && !isBounded)
+      tell(Code::NotConstant, near.reach.span,
+           "a reach is a distance above 0 and up to " + shownNumber(kLongestReach), "",
+           "the unit is the target size; most reaches lie between 0.5 and 2.5");
+    hasErrors_ = hasErrors_ || (!isGeneric_ && (at.isAny() || !isBounded));
+    const auto index = static_cast<int>(definition().vertices.size());
+    if (!defineLocal(near.name, algebra().vertex(index), LocalKind::Vertex)) continue;
+    PatternVertex vertex;
+    vertex.name = near.name.text;
+    vertex.tolerance = std::nullopt;
+    if (!at.isAny() && isBounded)
+      vertex.near = NearPlace{makeTransform(builder_, algebra().toBase(at.at)),
+                              ByLevel<double>(*reach)};
+    definition().vertices.push_back(std::move(vertex));
+    result_.vertexSpans.push_back(near.name.span);
+  }
+}
+
+/// Where vertices with a computed place are at the reference match, level by level.
+void ClauseCompiler::placeNearVertices() {
+  std::vector<PatternVertex>& vertices = definition().vertices;
+  if (hasErrors_ || isGeneric_) return;
+  for (std::size_t i = 2; i < vertices.size(); ++i) {
+    if (!vertices[i].near) continue;
+    std::vector<Point2> places;
+    for (int level = 1; level <= lastLevel(); ++level) {
+      const int used = std::max(level, definition().firstLevel);
+      const RuleAtMatch match = RuleAtMatch::atReference(definition(), used);
+      const auto place = vertices[i].near->place->transformPoint(match.binding());
+      if (!place) {
+        tell(Code::NoValue, result_.vertexSpans[i],
+             "the place of '" + vertices[i].name + "' has no value at the reference match, level " +
+                 std::to_string(used),
+             "", "it is computed from a, b and the vertices above it");
+        return;
+      }
+      places.push_back(*place);
+    }
+    vertices[i].reference = ReferenceByLevel(std::move(places));
+  }
+}
+
 bool ClauseCompiler::isNewVertexOfRule(const std::string& name) const {
   const auto made = namesIn(rule_, {NameRole::NewVertex});
   return std::ranges::find(made, name, &Name::text) != made.end();
@@ -289,6 +349,20 @@ void ClauseCompiler::compileSlope(const SlopeClause& slope) {
   tell(Code::MalformedPattern, cover(slope.from.span, slope.to.span),
        slope.from.text + " -> " + slope.to.text + " is not an edge of the pattern", "",
        "name it in a `front` chain; a slope is a tolerance on a front edge");
+}
+
+void ClauseCompiler::compileWeld(const WeldClause& clause, Span span) {
+  const auto from = matchedVertex(clause.from, "weld"), into = matchedVertex(clause.into, "weld");
+  const Value at = expressions_.point(clause.at);
+  if (definition().weld)
+    return tell(Code::DuplicateName, span, "this rule welds twice", "",
+                "weld one pair of vertices in a rule");
+  hasErrors_ = hasErrors_ || (!isGeneric_ && (at.isAny() || !from || !into));
+  if (at.isAny() || !from || !into) return;
+  use(UsedValue::Kind::NewVertex, at, clause.at.span);
+  const NodePair place = algebra().toBase(at.at);
+  definition().weld = RuleWeld{stored(*from), stored(*into), makeTransform(builder_, place)};
+  result_.weldSpan = span;
 }
 
 }  // namespace af2::dsl

@@ -3,6 +3,7 @@
 
 #include "dsl/compile/expressions.h"
 #include "dsl/program/builtins.h"
+#include "dsl/program/compiled_forms.h"
 #include "dsl/text/words.h"
 
 namespace af2::dsl {
@@ -13,7 +14,8 @@ std::vector<std::string> ExpressionCompiler::namesInScope() const {
     if (local.kind != LocalKind::Broken) names.push_back(name);
   for (const auto& [name, constant] : module_->constants) names.push_back(name);
   if (hasLevel()) names.push_back("q");
-  if (place_ == ExpressionPlace::Acceptance) names.push_back("score");
+  if (place_ == ExpressionPlace::Acceptance)
+    names.insert(names.end(), {"score", "scaled_jacobian", "min_angle"});
   if (!corners.empty()) {  // a metric is meant
     for (const BuiltinMetric& metric : builtinMetrics()) names.emplace_back(metric.name);
     for (const auto& [name, function] : module_->functions)
@@ -122,9 +124,16 @@ Value ExpressionCompiler::evaluateName(const Expr& expr) {
     }
     return algebra_.scalar(Type::Number, builder().make(Op::Level, std::initializer_list<Node>{}));
   }
-  if (expr.name == "score" && place_ == ExpressionPlace::Acceptance)
-    return algebra_.scalar(Type::Number,
-                           builder().make(Op::Input, std::initializer_list<Node>{}, 0));
+  if (place_ == ExpressionPlace::Acceptance) {
+    using Acceptance = ExpressionAcceptance;
+    const auto input = [&](Type type, int index) {
+      return algebra_.scalar(type, builder().make(Op::Input, std::initializer_list<Node>{}, index));
+    };
+    if (expr.name == "score") return input(Type::Number, Acceptance::kScoreInput);
+    if (expr.name == "scaled_jacobian")
+      return input(Type::Number, Acceptance::kScaledJacobianInput);
+    if (expr.name == "min_angle") return input(Type::Angle, Acceptance::kMinAngleInput);
+  }
   const auto constant = module_->constants.find(expr.name);
   if (constant != module_->constants.end()) {
     if (isBelow(expr, constant->second.home, constant->second.span))

@@ -1,6 +1,7 @@
 // Compiles one rule from its syntax tree to its definition.
 #pragma once
 
+#include <array>
 #include <map>
 #include <optional>
 #include <string>
@@ -18,6 +19,8 @@ struct SharedSettings {
   std::vector<double> fade;              ///< weight of the preferred corner by level
   const Expr* fadeExpression = nullptr;  ///< null: 1/q
   const Module* fadeHome = nullptr;
+  /// MatchFrame::counts
+  std::optional<std::array<double, 3>> counts;
 };
 
 /// The title with the values of its `{parameters}`. Reports unknown parameters.

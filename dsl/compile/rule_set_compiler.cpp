@@ -10,6 +10,7 @@
 #include "dsl/program/compiled_forms.h"
 #include "dsl/program/known_values.h"
 #include "engine/base/error.h"
+#include "engine/base/turn.h"
 #include "engine/front/row_order.h"
 
 namespace af2::dsl {
@@ -93,6 +94,7 @@ RuleSetCompiler::RuleSetCompiler(CompileContext& context, const Module& main,
   readFade();
   readKinds();
   readParity();
+  readCounts();
 }
 
 void RuleSetCompiler::collect(const PlacedRuleSet& placed) {
@@ -102,8 +104,9 @@ void RuleSetCompiler::collect(const PlacedRuleSet& placed) {
         setting.content, [&](const MetaClause& meta) { readAllowed(meta, *placed.home); },
         // These settings are looked up where they are needed.
         [](const AnyOf<std::monostate, ElementsSetting, MatchSetting, FadeSetting, ScoreSetting,
-                       AcceptSetting, OrderSetting, RowsSetting, ClassesSetting, ScaleSetting,
-                       ParitySetting, FinishSetting> auto&) {});
+                       AcceptSetting, ClearSetting, OrderSetting, RowsSetting, RowEndSetting,
+                       ClassesSetting, ScaleSetting, ParitySetting, CountsSetting, ColumnsSetting,
+                       FinishSetting> auto&) {});
     const std::size_t slot = slotOf(setting.content);
     if (slot == 0) continue;
     if (seen[slot])
@@ -205,6 +208,80 @@ void RuleSetCompiler::readParity() {
     context_.tell(*home, Code::NotConstant, parity->parity.span,
                   "'" + parity->parity.text + "' is not a parity",
                   "write `parity even;` or `parity any;`");
+}
+
+/// The angles of `counts`, increasing.
+void RuleSetCompiler::readCounts() {
+  const Module* home = nullptr;
+  const auto* counts = find<CountsSetting>(&home);
+  if (!counts) return;
+  ProgramBuilder builder;
+  ExpressionCompiler compiler(context_, *home, ExpressionPlace::Constant, Algebra(builder, {}));
+  std::array<double, 3> bounds{};
+  const Span all = cover(counts->bounds.front().span, counts->bounds.back().span);
+  if (counts->bounds.size() != bounds.size())
+    return context_.tell(*home, Code::ArgumentCount, all,
+                         "'counts' takes three angles, not " +
+                             std::to_string(counts->bounds.size()),
+                         "from these on a vertex wants 2, 3 and 4 elements: `counts 130deg, 235deg, "
+                         "315deg;`");
+  double last = 0;
+  for (std::size_t i = 0; i < bounds.size(); ++i) {
+    const Expr& expr = counts->bounds[i];
+    const Value value = compiler.evaluate(expr);
+    if (value.isAny()) return;
+    const auto angle =
+        value.type == Type::Angle ? builder.constantValue(value.number) : std::nullopt;
+    if (!angle || *angle <= last || *angle >= kFullTurn)
+      return context_.tell(*home, Code::NotConstant, expr.span,
+                           "the angles of 'counts' increase between 0deg and 360deg",
+                           "write for example `counts 130deg, 235deg, 315deg;`");
+    last = *angle;
+    bounds[i] = sweepOfAngle(*angle);
+  }
+  shared_.counts = bounds;
+}
+
+std::optional<ColumnLimits> RuleSetCompiler::columns() {
+  const Module* home = nullptr;
+  const auto* columns = find<ColumnsSetting>(&home);
+  if (!columns) return std::nullopt;
+  ProgramBuilder builder;
+  ExpressionCompiler compiler(context_, *home, ExpressionPlace::Constant, Algebra(builder, {}));
+  const auto low = compiler.constantNumber(columns->low, "the shortest edge");
+  const auto high = compiler.constantNumber(columns->high, "the longest edge");
+  const auto layer = compiler.constantNumber(columns->layer, "a layer");
+  if (!low || !high || !layer) return std::nullopt;
+  if (!shared_.counts)
+    context_.tell(*home, Code::NotAvailable, cover(columns->low.span, columns->layer.span),
+                  "'columns' changes the counts of vertices, and the rule set has none",
+                  "add `counts 130deg, 235deg, 315deg;`");
+  if (!(*low > 0 && *low < 1 && *high > 1 && *high <= 10))
+    context_.tell(*home, Code::NotConstant, cover(columns->low.span, columns->high.span),
+                  "columns begin above and end below the target size",
+                  "write a number between 0 and 1 and one above 1, as in 0.7..1.4");
+  if (!(*layer >= 0 && *layer <= 1e6 && *layer == std::floor(*layer)))
+    context_.tell(*home, Code::NotConstant, columns->layer.span,
+                  "a layer is a whole number from 0",
+                  "0 is the boundary; 3 keeps the rows at the boundary regular");
+  return ColumnLimits{*low, *high, static_cast<int>(*layer)};
+}
+
+int RuleSetCompiler::rowRounds() {
+  constexpr int kMaxRounds = 100;
+  const Module* home = nullptr;
+  const auto* setting = find<RowEndSetting>(&home);
+  if (!setting) return 0;
+  ProgramBuilder builder;
+  ExpressionCompiler compiler(context_, *home, ExpressionPlace::Constant, Algebra(builder, {}));
+  const auto rounds = compiler.constantNumber(setting->rounds, "a number of rounds");
+  if (!rounds) return 0;
+  if (*rounds >= 1 && *rounds <= kMaxRounds && *rounds == std::floor(*rounds))
+    return static_cast<int>(*rounds);
+  context_.tell(*home, Code::NotConstant, setting->rounds.span,
+                "the rounds are a whole number from 1 to " + std::to_string(kMaxRounds),
+                "3 rounds are usual");
+  return 0;
 }
 
 Finish RuleSetCompiler::finish() const {
@@ -312,14 +389,17 @@ std::shared_ptr<const AF2Acceptance> RuleSetCompiler::acceptance() {
   if (!accept) return nullptr;
   ProgramBuilder builder;
   ExpressionCompiler compiler(context_, *home, ExpressionPlace::Acceptance, Algebra(builder, {}));
-  const Value value = compiler.truth(accept->condition, "the argument of `accept`");
-  if (value.isAny()) return nullptr;
-  if (const auto constant = builder.constantValue(value.number); constant && *constant != 0)
-    return nullptr;
-  const Program whole = builder.program(std::array<Node, 1>{value.number});
-  hasValues(whole, accept->condition, *home, "the argument of `accept`");
-  const Expr& expr = accept->condition;
-  const bool isBound = expr.kind == ExprKind::Binary && expr.name == "<" &&
+  Node all = builder.constant(1);
+  for (const Expr& condition : accept->conditions) {
+    const Value value = compiler.truth(condition, "the argument of `accept`");
+    if (value.isAny()) return nullptr;
+    hasValues(builder.program(std::array<Node, 1>{value.number}), condition, *home,
+              "the argument of `accept`");
+    all = builder.make(Op::And, {all, value.number});
+  }
+  if (const auto constant = builder.constantValue(all); constant && *constant != 0) return nullptr;
+  const Expr& expr = accept->conditions.front();
+  const bool isBound = accept->conditions.size() == 1 && expr.kind == ExprKind::Binary && expr.name == "<" &&
                        expr.parts[0].kind == ExprKind::Name && expr.parts[0].name == "score";
   if (isBound) {
     const Value bound = compiler.evaluate(expr.parts[1]);
@@ -330,14 +410,15 @@ std::shared_ptr<const AF2Acceptance> RuleSetCompiler::acceptance() {
     if (!asksScore)
       return std::make_shared<ScoreBound>(table(expr.parts[1], *home, "the bound", -1e6));
   }
-  return std::make_shared<ExpressionAcceptance>(whole);
+  return std::make_shared<ExpressionAcceptance>(builder.program(std::array<Node, 1>{all}));
 }
 
 std::optional<DiagnosticPlace> RuleSetCompiler::acceptancePlace() const {
   const Module* home = nullptr;
   const auto* accept = find<AcceptSetting>(&home);
   if (!accept) return std::nullopt;
-  return placeOf(home->source, accept->condition.span);
+  return placeOf(home->source,
+                 cover(accept->conditions.front().span, accept->conditions.back().span));
 }
 
 std::shared_ptr<const AF2FrontOrder> RuleSetCompiler::rows(const RowsSetting& setting,
@@ -367,7 +448,7 @@ std::shared_ptr<const AF2FrontOrder> RuleSetCompiler::order() {
   if (!setting) return usual;
   ProgramBuilder builder;
   ExpressionCompiler compiler(context_, *home, ExpressionPlace::FrontOrder,
-                              Algebra(builder, {2, false}));
+                              Algebra(builder, {2, false, shared_.counts}));
   compiler.inChain = {true, true};
   for (int i = 0; i < 2; ++i) {
     Local end;
@@ -402,6 +483,10 @@ RuleSetDefinition RuleSetCompiler::finish(const std::set<int>& sizes) {
     for (int level = 1; level <= shared_.maxLevel; ++level)
       definition.matchTolerance.push_back(0.5 + 0.3 * level);
   }
+  if (const auto* clear = find<ClearSetting>(&home))
+    definition.clearance = table(clear->value, *home, "the clearance", 0);
+  definition.columns = columns();
+  definition.rowRounds = rowRounds();
   definition.metric = metric(sizes);
   if (const auto* score = find<ScoreSetting>()) {
     definition.scoreOf = score->fold.text == "sum"    ? ScoreOf::Sum

@@ -55,6 +55,9 @@ class RuleSetCompiler {
   void readFade();
   void readKinds();
   void readParity();
+  void readCounts();
+  std::optional<ColumnLimits> columns();
+  int rowRounds();
   Finish finish() const;
   void readAllowed(const MetaClause& meta, const Module& home);
   std::vector<double> table(const Expr& expr, const Module& home, const char* what, double least);

@@ -43,6 +43,8 @@ Wanted wantedBy(char parameter) {
       return {Wanted::Kind::Other, "a vertex of the front"};
     case 'c':
       return {Wanted::Kind::Other, "a vertex of a chain"};
+    case 'e':
+      return {Wanted::Kind::Other, "an end of the base edge, a or b"};
     default:
       return {Wanted::Kind::Other, "a value"};
   }

@@ -116,6 +116,13 @@ Line lineOf(const Clause& clause) {
       [](const AtClause& c) {
         return Line{"at", join(c.places, placeText) + ";"};
       },
+      [](const NearClause& c) {
+        const auto text = [](const NearClause::Vertex& v) {
+          return v.name.text + " of " + printExpression(v.at) + " within " +
+                 printExpression(v.reach);
+        };
+        return Line{"near", join(c.vertices, text) + ";"};
+      },
       [](const SlopeClause& c) {
         return Line{"slope",
                     c.from.text + " -> " + c.to.text + " " + toleranceText(c.tolerance) + ";"};
@@ -133,6 +140,10 @@ Line lineOf(const Clause& clause) {
       [](const ElementClause& c) {
         const auto corners = [](const auto& element) { return join(element, nameOf, " "); };
         return Line{c.kind.text, join(c.elements, corners) + ";"};
+      },
+      [](const WeldClause& c) {
+        return Line{"weld", c.from.text + " into " + c.into.text + " at " +
+                                printExpression(c.at) + ";"};
       },
       [](const RequireClause& c) {
         return Line{"require", join(c.conditions, printExpression) + ";"};
@@ -167,7 +178,10 @@ Line lineOf(const Setting& setting) {
         return Line{"score", c.fold.text + " of " + printExpression(c.metric) + ";"};
       },
       [](const AcceptSetting& c) {
-        return Line{"accept", printExpression(c.condition) + ";"};
+        return Line{"accept", join(c.conditions, printExpression) + ";"};
+      },
+      [](const ClearSetting& c) {
+        return Line{"clear", printExpression(c.value) + ";"};
       },
       [](const OrderSetting& c) {
         return Line{"front", "by " + join(c.keys, printExpression) + ";"};
@@ -176,6 +190,16 @@ Line lineOf(const Setting& setting) {
         const std::string arguments =
             join(c.arguments, [](const MetaEntry& e) { return e.key.text + ": " + e.value.text; });
         return Line{"front", "rows" + (arguments.empty() ? "" : "(" + arguments + ")") + ";"};
+      },
+      [](const RowEndSetting& c) {
+        return Line{"at", "row smooth " + printExpression(c.rounds) + ";"};
+      },
+      [](const CountsSetting& c) {
+        return Line{"counts", join(c.bounds, printExpression) + ";"};
+      },
+      [](const ColumnsSetting& c) {
+        return Line{"columns", printExpression(c.low) + ".." + printExpression(c.high) +
+                                   " from layer " + printExpression(c.layer) + ";"};
       },
       [](const ClassesSetting& c) {
         return Line{"classes", printExpression(c.first) + ".." + printExpression(c.last) + ";"};

@@ -120,6 +120,68 @@ Value ofPlace(const Algebra& a, Arguments v) {
   return a.scalar(Type::Number, a.builder().make(op, {p.x, p.y}));
 }
 
+/// The target size at a point; at a matched vertex the front knows it.
+Value sizeAt(const Algebra& a, Arguments v) {
+  const bool isMatched = v[0].vertex >= 0 && !v[0].isNewVertex;
+  return isMatched ? ofVertex<Op::SizeOf, Type::Number>(a, v) : ofPlace<Op::SizeAt>(a, v);
+}
+
+template <Op opX, Op opY>
+NodePair neighbour(const Algebra& a, const Value& v) {
+  const int vertex = a.frame().stored(v.vertex);
+  const std::initializer_list<Node> none{};
+  return a.toBase({a.builder().make(opX, none, vertex), a.builder().make(opY, none, vertex)});
+}
+
+/// A mirrored front runs the other way.
+Value before(const Algebra& a, Arguments v) {
+  return a.point(a.frame().mirrored ? neighbour<Op::AfterX, Op::AfterY>(a, v[0])
+                                    : neighbour<Op::BeforeX, Op::BeforeY>(a, v[0]));
+}
+Value after(const Algebra& a, Arguments v) {
+  return a.point(a.frame().mirrored ? neighbour<Op::BeforeX, Op::BeforeY>(a, v[0])
+                                    : neighbour<Op::AfterX, Op::AfterY>(a, v[0]));
+}
+
+Value count(const Algebra& a, Arguments v) {
+  ProgramBuilder& b = a.builder();
+  const auto bounds = a.frame().counts.value_or(std::array{0.0, 0.0, 0.0});
+  return a.scalar(Type::Number,
+                  b.make(Op::Count, {b.constant(bounds[0]), b.constant(bounds[1]),
+                                     b.constant(bounds[2])},
+                         a.frame().stored(v[0].vertex)));
+}
+
+/// From an end of the base edge along the edge between its first two elements: the free angle is
+/// divided into as many parts as the vertex wants elements, but into none below 60 or above 120
+/// degrees, and the spoke is so long that it ends at the target size above the base edge.
+Value spoke(const Algebra& a, Arguments v) {
+  ProgramBuilder& b = a.builder();
+  const bool isB = v[0].vertex == 1;
+  const Node turn = ofVertex<Op::TurnOrStraight, Type::Angle>(a, v).number;
+  const Node share = b.divide(turn, b.make(Op::Maximum, {count(a, v).number, b.constant(1)}));
+  const double third = std::numbers::pi / 3;
+  const Node part = b.make(
+      Op::Minimum, {b.make(Op::Maximum, {share, b.constant(third)}), b.constant(2 * third)});
+  const NodePair along =
+      a.unit(a.subtract(a.vertex(isB ? 0 : 1).at, a.vertex(isB ? 1 : 0).at));
+  const std::array turned{a.vector(along), a.scalar(Type::Angle, isB ? b.negate(part) : part)};
+  const Node length = b.divide(ofVertex<Op::SizeOf, Type::Number>(a, v).number,
+                               b.make(Op::Sine, {part}));
+  return a.vector(a.scale(length, rot(a, turned).at));
+}
+
+/// The n-th of the values; the last one beyond them.
+Value pick(const Algebra& a, Arguments v) {
+  ProgramBuilder& b = a.builder();
+  Node result = v.back().number;
+  for (std::size_t i = v.size() - 1; i-- > 1;) {
+    const Node reaches = b.make(Op::LessEqual, {v[0].number, b.constant(static_cast<double>(i))});
+    result = b.make(Op::Select, {reaches, v[i].number, result});
+  }
+  return a.scalar(v[1].type, result);
+}
+
 Value loopSize(const Algebra& a, Arguments) {
   return a.scalar(Type::Number, a.builder().make(Op::LoopSize, std::initializer_list<Node>{}));
 }
@@ -168,6 +230,8 @@ constexpr std::array kBuiltins{
     Builtin{"min", "xx*", "min(x, y, ...)", extreme<Op::Minimum>, "The smallest."},
     Builtin{"max", "xx*", "max(x, y, ...)", extreme<Op::Maximum>, "The largest."},
     Builtin{"clamp", "xxx", "clamp(x, low, high)", clamp, "x, but not below low nor above high."},
+    Builtin{"pick", "nn*", "pick(n, x, y, ...)", pick,
+            "The n-th of the values; the last one if there are fewer."},
     Builtin{"mid", "gg", "mid(p, q)", mid, "The point halfway."},
     Builtin{"lerp", "lln", "lerp(from, to, t)", lerp,
             "from at t = 0, to at t = 1; t may lie outside."},
@@ -192,7 +256,13 @@ constexpr std::array kBuiltins{
             "The free angle at a vertex of a chain."},
     Builtin{"corner", "c", "corner(v)", corner,
             "1 end, 2 side, 3 corner, 4 reversal, by the free angle."},
-    Builtin{"h", "p", "h(p)", ofPlace<Op::SizeAt>,
+    Builtin{"count", "c", "count(v)", count,
+            "How many elements v wants in its free angle, by the `counts` of the rule set."},
+    Builtin{"spoke", "e", "spoke(v)", spoke,
+            "From a or b along the edge beside the base edge that divides the free angle evenly."},
+    Builtin{"before", "c", "before(v)", before, "The vertex before v on the front."},
+    Builtin{"after", "c", "after(v)", after, "The vertex after v on the front."},
+    Builtin{"h", "p", "h(p)", sizeAt,
             "The target size at p, relative to that at the base edge."},
     Builtin{"layer", "w", "layer(v)", ofVertex<Op::Layer, Type::Number>,
             "Layers of elements between v and the boundary."},
@@ -200,6 +270,8 @@ constexpr std::array kBuiltins{
             "Whether v lies on the boundary."},
     Builtin{"valence", "w", "valence(v)", ofVertex<Op::Valence, Type::Number>,
             "The number of elements at v so far."},
+    Builtin{"fixed", "w", "fixed(v)", ofVertex<Op::IsFixed, Type::Truth>,
+            "Whether v was given with the boundary."},
     Builtin{"loop_size", "", "loop_size()", loopSize,
             "The number of edges of this loop of the front."},
     Builtin{"dist_front", "p", "dist_front(p)", ofPlace<Op::FrontDistance>,

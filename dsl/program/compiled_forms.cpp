@@ -16,6 +16,10 @@ class EdgeSurroundings final : public AF2Surroundings {
     return vertex == 0 ? edge_.turnA : edge_.turnB;
   }
   int layer(int vertex) const override { return vertex == 0 ? edge_.layerA : edge_.layerB; }
+  int count(int vertex, const std::array<double, 3>& bounds) const override {
+    return vertex == 0 ? countOf(edge_.sweepA, bounds) + edge_.countShiftA
+                       : countOf(edge_.sweepB, bounds) + edge_.countShiftB;
+  }
 
  private:
   const FrontEdgeFacts& edge_;
@@ -67,15 +71,22 @@ std::optional<double> ExpressionMetric::badnessAt(std::span<const Point2> corner
   return result[0];
 }
 
-bool ExpressionAcceptance::accepts(double score, int level) const {
+ExpressionAcceptance::ExpressionAcceptance(Program program) : program_(std::move(program)) {
+  for (const Step& step : program_.steps())
+    needsMeasures_ = needsMeasures_ || (step.op == Op::Input && step.index != kScoreInput);
+}
+
+bool ExpressionAcceptance::acceptsMeasured(double score, int level,
+                                           const ElementMeasures& measures) const {
   std::array<double, 1> result;
-  const std::array<double, 1> inputs{score};
+  const std::array<double, 3> inputs{score, measures.scaledJacobian, measures.minAngle};
   return program_.run({{}, level, nullptr}, inputs, result) && result[0] != 0;
 }
 
 ExpressionFrontOrder::ExpressionFrontOrder(std::vector<Program> keys) : keys_(std::move(keys)) {
   for (const Program& key : keys_)
-    for (const Step& step : key.steps()) needsTurns_ = needsTurns_ || step.op == Op::Turn;
+    for (const Step& step : key.steps()) 
+      needsTurns_ = needsTurns_ || step.op == Op::Turn || step.op == Op::Count;
 }
 
 double ExpressionFrontOrder::key(int index, const FrontEdgeFacts& edge) const {

@@ -50,14 +50,23 @@ class ExpressionMetric final : public AF2ElementMetric {
   std::optional<Program> triangle_, quad_;
 };
 
-/// `accept` in its general form; the score is the program's input.
+/// `accept` in its general form. The inputs of the program are the score and measures of the new
+/// elements.
 class ExpressionAcceptance final : public AF2Acceptance {
  public:
-  explicit ExpressionAcceptance(Program program) : program_(std::move(program)) {}
-  bool accepts(double score, int level) const override;
+  static constexpr int kScoreInput = 0, kScaledJacobianInput = 1, kMinAngleInput = 2;
+
+  explicit ExpressionAcceptance(Program program);
+  /// For ideal quadrilaterals.
+  bool accepts(double score, int level) const override {
+    return acceptsMeasured(score, level, {});
+  }
+  bool needsMeasures() const override { return needsMeasures_; }
+  bool acceptsMeasured(double score, int level, const ElementMeasures& measures) const override;
 
  private:
   Program program_;
+  bool needsMeasures_ = false;
 };
 
 /// `front by` in its general form.

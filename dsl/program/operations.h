@@ -23,7 +23,15 @@ enum class Op : unsigned char {
   Layer,
   OnBoundary,
   Valence,
-  Turn,  ///< of the matched vertex `index`
+  IsFixed,
+  SizeOf,
+  BeforeX,  ///< of the front vertex before the matched vertex `index`
+  BeforeY,
+  AfterX,
+  AfterY,
+  Turn,            ///< of the matched vertex `index`
+  TurnOrStraight,  ///< the same; a half turn where it is not known
+  Count,           ///< elements wanted at a vertex, by the three bounds of its free angle
   LoopSize,
   SizeAt,
   FrontDistance,
@@ -91,7 +99,15 @@ inline constexpr std::array kOperations{
     Operation{Op::Layer, "layer of", 0, Needs::Front, IndexOf::Vertex},
     Operation{Op::OnBoundary, "on_boundary of", 0, Needs::Front, IndexOf::Vertex},
     Operation{Op::Valence, "valence of", 0, Needs::Front, IndexOf::Vertex},
+    Operation{Op::IsFixed, "fixed of", 0, Needs::Front, IndexOf::Vertex},
+    Operation{Op::SizeOf, "h of", 0, Needs::Front, IndexOf::Vertex},
+    Operation{Op::BeforeX, "x before", 0, Needs::Front, IndexOf::Vertex},
+    Operation{Op::BeforeY, "y before", 0, Needs::Front, IndexOf::Vertex},
+    Operation{Op::AfterX, "x after", 0, Needs::Front, IndexOf::Vertex},
+    Operation{Op::AfterY, "y after", 0, Needs::Front, IndexOf::Vertex},
     Operation{Op::Turn, "turn of", 0, Needs::Front, IndexOf::Vertex},
+    Operation{Op::TurnOrStraight, "turn or 180 of", 0, Needs::Front, IndexOf::Vertex},
+    Operation{Op::Count, "count of", 3, Needs::Front, IndexOf::Vertex},
     Operation{Op::LoopSize, "loop_size", 0, Needs::Front},
     Operation{Op::SizeAt, "h at", 2, Needs::Front},
     Operation{Op::FrontDistance, "dist_front at", 2, Needs::Front},

@@ -159,7 +159,15 @@ class Runner {
       case Op::Layer:
       case Op::OnBoundary:
       case Op::Valence:
+      case Op::IsFixed:
+      case Op::SizeOf:
+      case Op::BeforeX:
+      case Op::BeforeY:
+      case Op::AfterX:
+      case Op::AfterY:
       case Op::Turn:
+      case Op::TurnOrStraight:
+      case Op::Count:
       case Op::LoopSize:
       case Op::SizeAt:
       case Op::FrontDistance:
@@ -176,9 +184,16 @@ class Runner {
  private:
   static bool isUnknown(double a, double b) { return std::isnan(a) || std::isnan(b); }
 
+  static Point2 orNone(const std::optional<Point2>& point) {
+    return point.value_or(Point2{kNoValue, kNoValue});
+  }
+
   double surroundings(const Step& s) const {
     static const AF2Surroundings nothing;
     const AF2Surroundings& around = binding_.surroundings ? *binding_.surroundings : nothing;
+    if (s.op == Op::Count)
+      return around.count(s.index, {values_[s.arguments[0]], values_[s.arguments[1]],
+                                    values_[s.arguments[2]]});
     const Point2 p =
         s.arguments[0] < 0 ? Point2{} : Point2{values_[s.arguments[0]], values_[s.arguments[1]]};
     if (isUnknown(p.x, p.y)) return kNoValue;
@@ -189,8 +204,22 @@ class Runner {
         return truth(around.onBoundary(s.index));
       case Op::Valence:
         return around.valence(s.index);
+      case Op::IsFixed:
+        return truth(around.isFixed(s.index));
+      case Op::SizeOf:
+        return finite(around.sizeOf(s.index));
+      case Op::BeforeX:
+        return orNone(around.before(s.index)).x;
+      case Op::BeforeY:
+        return orNone(around.before(s.index)).y;
+      case Op::AfterX:
+        return orNone(around.after(s.index)).x;
+      case Op::AfterY:
+        return orNone(around.after(s.index)).y;
       case Op::Turn:
         return around.turn(s.index).value_or(kNoValue);
+      case Op::TurnOrStraight:
+        return around.turn(s.index).value_or(kFullTurn / 2);
       case Op::LoopSize:
         return around.loopSize();
       case Op::SizeAt:

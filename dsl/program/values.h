@@ -1,6 +1,7 @@
 // The value of an expression during compilation: its type, and the steps that compute it.
 #pragma once
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <string>
@@ -61,6 +62,9 @@ std::string weightText(const Value& value);
 struct MatchFrame {
   int matchedVertices = 0;  ///< 0 if there is no match (constants, settings of a rule set)
   bool mirrored = false;    ///< x runs from b to a, and a and b are swapped
+  /// The free angles from which a vertex wants 2, 3 and 4 elements, as `sweepOf` measures them; no
+  /// value: the rule set has none.
+  std::optional<std::array<double, 3>> counts = std::nullopt;
   int stored(int vertex) const { return mirrored && vertex < 2 ? 1 - vertex : vertex; }
 };
 

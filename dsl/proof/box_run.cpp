@@ -142,7 +142,10 @@ Local localOf(const Step& step, const std::array<Interval, 4>& a) {
     case Op::Valence:
     case Op::LoopSize:
       return jump({0, kMany});
+    case Op::Count:
+      return jump({0, 5});
     case Op::OnBoundary:
+    case Op::IsFixed:
       return jump(kTruth);
     case Op::Add:
       return {a[0] + a[1], {kOne, kOne, {}, {}}};
@@ -208,7 +211,13 @@ Local localOf(const Step& step, const std::array<Interval, 4>& a) {
     case Op::CoordinateY:
     case Op::Level:
     case Op::Input:
+    case Op::BeforeX:
+    case Op::BeforeY:
+    case Op::AfterX:
+    case Op::AfterY:
     case Op::Turn:
+    case Op::TurnOrStraight:
+    case Op::SizeOf:
     case Op::SizeAt:
     case Op::FrontDistance:
     case Op::CurvatureAt:

@@ -28,7 +28,7 @@ bool has(const Program& program, Op op) {
 /// about such conditions.
 bool asksForSizes(const Condition& condition) {
   const Program* program = programOf(condition);
-  return !program || has(*program, Op::SizeAt);
+  return !program || has(*program, Op::SizeAt) || has(*program, Op::SizeOf);
 }
 
 /// Whether a square root is the length of a vector: its argument, a sum of squares, is never

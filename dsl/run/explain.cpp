@@ -207,6 +207,10 @@ const char* remedyFor(Refusal reason) {
       return "relax the condition that is named";
     case Refusal::NoValue:
       return "write the expression so that it has a value here";
+    case Refusal::Parity:
+      return "no remedy in the rule: its edges would leave a loop that quadrilaterals cannot fill";
+    case Refusal::Clearance:
+      return "let `clear` fall with the level, or write a rule that uses the vertices there";
     case Refusal::Shape:
     case Refusal::Convexity:
       return "write the zone as poly(...), or place its corners so that it stays valid here";

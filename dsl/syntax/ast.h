@@ -107,6 +107,23 @@ struct AtClause {
   }
 };
 
+/// near c of expr within expr
+struct NearClause {
+  struct Vertex {
+    Name name;
+    Expr at, reach;
+  };
+  std::vector<Vertex> vertices;
+
+  void visitParts(auto&& part) const {
+    for (const Vertex& vertex : vertices) {
+      part(vertex.at);
+      part(vertex.reach);
+      part(NameRole::PlacedVertex, vertex.name, cover(vertex.name.span, vertex.reach.span));
+    }
+  }
+};
+
 struct SlopeClause {
   Name from, to;
   Tolerance tolerance;
@@ -162,6 +179,18 @@ struct ElementClause {
   void visitParts(auto&& part) const {
     for (const auto& corners : elements)
       for (const Name& corner : corners) part(NameRole::Vertex, corner);
+  }
+};
+
+/// weld c into a at expr
+struct WeldClause {
+  Name from, into;
+  Expr at;
+
+  void visitParts(auto&& part) const {
+    part(NameRole::Vertex, from);
+    part(NameRole::Vertex, into);
+    part(at);
   }
 };
 
@@ -235,9 +264,10 @@ struct MirrorClause {
   }
 };
 
-using ClauseContent = std::variant<std::monostate, FrontClause, AtClause, SlopeClause, LetClause,
-                                   NewClause, ZoneClause, ElementClause, RequireClause, CostClause,
-                                   PriorityClause, MetaClause, MirrorClause>;
+using ClauseContent =
+    std::variant<std::monostate, FrontClause, AtClause, NearClause, SlopeClause, LetClause,
+                 NewClause, ZoneClause, ElementClause, WeldClause, RequireClause, CostClause,
+                 PriorityClause, MetaClause, MirrorClause>;
 
 struct Clause {
   Span span;  ///< empty: could not be read
@@ -303,9 +333,44 @@ struct ScoreSetting {
 };
 
 struct AcceptSetting {
-  Expr condition;
+  std::vector<Expr> conditions;  ///< all must hold
 
-  void visitParts(auto&& part) const { part(condition); }
+  void visitParts(auto&& part) const {
+    for (const Expr& condition : conditions) part(condition);
+  }
+};
+
+struct ClearSetting {
+  Expr value;
+
+  void visitParts(auto&& part) const { part(value); }
+};
+
+/// counts 130deg, 235deg, 315deg
+struct CountsSetting {
+  std::vector<Expr> bounds;
+
+  void visitParts(auto&& part) const {
+    for (const Expr& bound : bounds) part(bound);
+  }
+};
+
+/// columns 0.7..1.4 from layer 3
+struct ColumnsSetting {
+  Expr low, high, layer;
+
+  void visitParts(auto&& part) const {
+    part(low);
+    part(high);
+    part(layer);
+  }
+};
+
+/// at row smooth 3
+struct RowEndSetting {
+  Expr rounds;
+
+  void visitParts(auto&& part) const { part(rounds); }
 };
 
 struct OrderSetting {
@@ -352,8 +417,9 @@ struct FinishSetting {
 
 using SettingContent =
     std::variant<std::monostate, ElementsSetting, MatchSetting, FadeSetting, ScoreSetting,
-                 AcceptSetting, OrderSetting, RowsSetting, ClassesSetting, ScaleSetting,
-                 ParitySetting, FinishSetting, MetaClause>;
+                 AcceptSetting, ClearSetting, OrderSetting, RowsSetting, RowEndSetting,
+                 ClassesSetting, ScaleSetting, ParitySetting, CountsSetting, ColumnsSetting,
+                 FinishSetting, MetaClause>;
 
 struct Setting {
   Span span;

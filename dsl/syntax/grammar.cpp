@@ -19,6 +19,10 @@ AF2_RULE(matchSetting, MatchSetting, "match");
 AF2_RULE(fadeSetting, FadeSetting, "fade");
 AF2_RULE(scoreSetting, ScoreSetting, "score");
 AF2_RULE(acceptSetting, AcceptSetting, "accept");
+AF2_RULE(clearSetting, ClearSetting, "clear");
+AF2_RULE(countsSetting, CountsSetting, "counts");
+AF2_RULE(columnsSetting, ColumnsSetting, "columns");
+AF2_RULE(rowEndSetting, RowEndSetting, "at row");
 AF2_RULE(orderSetting, OrderSetting, "front by");
 AF2_RULE(rowsArgument, MetaEntry, "an argument");
 AF2_RULE(rowsSetting, RowsSetting, "front rows");
@@ -42,7 +46,22 @@ const auto scoreSetting_def = word("score") >>
                               need("of") >>
                               need(expr, "a metric")[into(&ScoreSetting::metric)] >> settingEnd;
 const auto acceptSetting_def =
-    word("accept") >> need(expr, "a condition")[into(&AcceptSetting::condition)] >> settingEnd;
+    word("accept") >> parts(SyntaxUnit::Setting, ListPart::Expression, expr,
+                            append(&AcceptSetting::conditions), "a condition") >>
+    settingEnd;
+const auto clearSetting_def = word("clear") >>
+                              need(expr, kExpression)[into(&ClearSetting::value)] >> settingEnd;
+const auto countsSetting_def = word("counts") >>
+                               parts(SyntaxUnit::Setting, ListPart::Expression, expr,
+                                     append(&CountsSetting::bounds), "an angle") >>
+                               settingEnd;
+const auto columnsSetting_def =
+    word("columns") >> need(sum, "a range such as 0.7..1.4")[into(&ColumnsSetting::low)] >>
+    need("..") >> need(sum, kExpression)[into(&ColumnsSetting::high)] >> need("from") >>
+    need("layer") >> need(expr, "a whole number")[into(&ColumnsSetting::layer)] >> settingEnd;
+const auto rowEndSetting_def = word("at") >> need("row") >> need("smooth") >>
+                               need(expr, "a whole number")[into(&RowEndSetting::rounds)] >>
+                               settingEnd;
 const auto orderSetting_def = word("front") >> word("by") >>
                               parts(SyntaxUnit::Setting, ListPart::Expression, expr,
                                     append(&OrderSetting::keys), kExpression) >>
@@ -68,17 +87,19 @@ const auto finishSetting_def =
 const auto setting_def = spanned(
     !word("}") >> !atBlockEnd >>
     (elementsSetting[content] | matchSetting[content] | fadeSetting[content] |
-     scoreSetting[content] | acceptSetting[content] | orderSetting[content] | rowsSetting[content] |
+     scoreSetting[content] | acceptSetting[content] | clearSetting[content] |
+     orderSetting[content] | rowsSetting[content] | rowEndSetting[content] |
      classesSetting[content] | scaleSetting[content] | paritySetting[content] |
-     finishSetting[content] | meta[content] | need(Nothing(), kSetting)));
+     countsSetting[content] | columnsSetting[content] | finishSetting[content] | meta[content] | need(Nothing(), kSetting)));
 const auto ruleSet_def =
     word("ruleset") >> need(string, "the rule set's name in quotes")[into(&RuleSetBlock::name)] >>
     -(word("extends") >> need(string, "a rule set's name in quotes")[into(&RuleSetBlock::base)]) >>
     need("{") >> *setting[append(&RuleSetBlock::settings)] >> need("}");
 
 BOOST_SPIRIT_DEFINE(elementsSetting, matchSetting, fadeSetting, scoreSetting, acceptSetting,
-                    orderSetting, rowsArgument, rowsSetting, classesSetting, scaleSetting,
-                    paritySetting, finishSetting, setting, ruleSet)
+                    clearSetting, countsSetting, columnsSetting, rowEndSetting, orderSetting,
+                    rowsArgument, rowsSetting, classesSetting, scaleSetting, paritySetting,
+                    finishSetting, setting, ruleSet)
 
 // ---- files --------------------------------------------------------------------------------------
 

@@ -40,12 +40,15 @@ BOOST_SPIRIT_DEFINE(chain, tolerance, place, definition, levels, meta, metaEntry
 
 AF2_RULE(frontClause, FrontClause, "front");
 AF2_RULE(atClause, AtClause, "at");
+AF2_RULE(nearVertex, NearClause::Vertex, "a vertex with its place");
+AF2_RULE(nearClause, NearClause, "near");
 AF2_RULE(slopeClause, SlopeClause, "slope");
 AF2_RULE(letClause, LetClause, "let");
 AF2_RULE(newClause, NewClause, "new");
 AF2_RULE(zoneClause, ZoneClause, "zone");
 AF2_RULE(corners, std::vector<Name>, "the vertices of an element");
 AF2_RULE(elementClause, ElementClause, "an element");
+AF2_RULE(weldClause, WeldClause, "weld");
 AF2_RULE(requireClause, RequireClause, "require");
 AF2_RULE(costClause, CostClause, "cost");
 AF2_RULE(priorityClause, PriorityClause, "priority");
@@ -57,6 +60,13 @@ const auto frontClause_def = word("front") >> parts(SyntaxUnit::Clause, ListPart
 const auto atClause_def = word("at") >> parts(SyntaxUnit::Clause, ListPart::Position, place,
                                               append(&AtClause::places), kVertex) >>
                           clauseEnd;
+const auto nearVertex_def = name[into(&NearClause::Vertex::name)] >> need("of") >>
+                            need(expr, kExpression)[into(&NearClause::Vertex::at)] >>
+                            need("within") >>
+                            need(expr, kExpression)[into(&NearClause::Vertex::reach)];
+const auto nearClause_def = word("near") >> parts(SyntaxUnit::Clause, ListPart::Near, nearVertex,
+                                                  append(&NearClause::vertices), kVertex) >>
+                            clauseEnd;
 const auto slopeClause_def = word("slope") >> need(name, kVertex)[into(&SlopeClause::from)] >>
                              need("->") >> need(name, kVertex)[into(&SlopeClause::to)] >>
                              need(tolerance, "~")[into(&SlopeClause::tolerance)] >> clauseEnd;
@@ -77,6 +87,10 @@ const OneOf elementKind(kElementKinds);
 const auto elementClause_def =
     elementKind[into(&ElementClause::kind)] >>
     list(corners, append(&ElementClause::elements), kVertex) >> clauseEnd;
+const auto weldClause_def = word("weld") >> need(name, kVertex)[into(&WeldClause::from)] >>
+                            need("into") >> need(name, kVertex)[into(&WeldClause::into)] >>
+                            need("at") >> need(expr, kExpression)[into(&WeldClause::at)] >>
+                            clauseEnd;
 const auto requireClause_def = word("require") >>
                                parts(SyntaxUnit::Clause, ListPart::Expression, expr,
                                      append(&RequireClause::conditions), "a condition") >>
@@ -86,8 +100,9 @@ const auto costClause_def = word("cost") >>
 const auto priorityClause_def =
     word("priority") >> need(unary, "a whole number")[into(&PriorityClause::value)] >> clauseEnd;
 
-BOOST_SPIRIT_DEFINE(frontClause, atClause, slopeClause, letClause, newClause, zoneClause, corners,
-                    elementClause, requireClause, costClause, priorityClause)
+BOOST_SPIRIT_DEFINE(frontClause, atClause, nearVertex, nearClause, slopeClause, letClause,
+                    newClause, zoneClause, corners, elementClause, weldClause, requireClause,
+                    costClause, priorityClause)
 
 // ---- mirror -------------------------------------------------------------------------------------
 
@@ -113,9 +128,9 @@ const auto mirrorClause_def =
 
 const auto clause_def =
     spanned(!word("}") >> !atBlockEnd >>
-            (frontClause[content] | atClause[content] | slopeClause[content] | letClause[content] |
-             newClause[content] | zoneClause[content] | elementClause[content] |
-             requireClause[content] | costClause[content] | priorityClause[content] |
+            (frontClause[content] | atClause[content] | nearClause[content] |
+             slopeClause[content] | letClause[content] | newClause[content] | zoneClause[content] |
+             elementClause[content] | weldClause[content] | requireClause[content] | costClause[content] | priorityClause[content] |
              meta[content] | mirrorClause[content] | need(Nothing(), kClause)));
 
 BOOST_SPIRIT_DEFINE(mirrorVertex, mirrorPart, mirrorClause, clause)

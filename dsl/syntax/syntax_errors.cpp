@@ -115,7 +115,8 @@ const Token* nextComma(SyntaxUnit unit, const Token* part, const Token* where) {
 bool begins(ListPart part, const Token* token) {
   if (part == ListPart::Expression) return true;
   if (token->kind != TokenKind::Name) return false;
-  return part == ListPart::Walk || token[1].is(part == ListPart::Position ? "(" : "=");
+  if (part == ListPart::Walk) return true;
+  return token[1].is(part == ListPart::Position ? "(" : part == ListPart::Near ? "of" : "=");
 }
 
 }  // namespace

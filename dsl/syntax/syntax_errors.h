@@ -19,7 +19,7 @@ enum class SyntaxUnit { Item, RuleHeader, Clause, Setting, TestClause, MirrorPar
 BlockKind blockOf(SyntaxUnit unit);
 
 /// The form of the parts of a list: any expression, p -> q, p (x, y), p = x.
-enum class ListPart { Expression, Walk, Position, Assignment };
+enum class ListPart { Expression, Walk, Position, Near, Assignment };
 
 /// Names of parts that may be missing, other than plain symbols.
 inline constexpr const char* kNoSecondFade = "no second =>";

@@ -6,7 +6,9 @@ namespace af2::dsl {
 namespace {
 
 constexpr WordList<1> kWhen{"when"};
-constexpr WordList<1> kScore{"score"};
+constexpr WordList<3> kAccepted{"score", "scaled_jacobian", "min_angle"};
+constexpr WordList<2> kFromLayer{"from", "layer"};
+constexpr WordList<2> kRowSmooth{"row", "smooth"};
 
 constexpr std::array kKeywords{
     // ---- items of a file ------------------------------------------------------------------------
@@ -130,6 +132,13 @@ constexpr std::array kKeywords{
             .defines = NameRole::PlacedVertex,
             .isReserved = true},
     Keyword{.block = BlockKind::Rule,
+            .word = "near",
+            .form = "near c of b + spoke(b) within 0.9;",
+            .grammar = R"_("near" nearby { "," nearby } ";")_",
+            .help = "A vertex of the front within a distance of a computed place.",
+            .follows = Follows::Header,
+            .defines = NameRole::PlacedVertex},
+    Keyword{.block = BlockKind::Rule,
             .word = "slope",
             .form = "slope b -> c ~ 1;",
             .grammar = R"_("slope" name "->" name tolerance ";")_",
@@ -179,6 +188,14 @@ constexpr std::array kKeywords{
             .form = "poly a b c d;",
             .help = "New elements by their number of corners; as a shape: a simple polygon.",
             .follows = Follows::Vertices},
+    Keyword{.block = BlockKind::Rule,
+            .word = "weld",
+            .form = "weld c into a at mid(a, c);",
+            .grammar = R"_("weld" name "into" name "at" expr ";")_",
+            .help = "Joins the far ends of two neighbouring front edges into one vertex, so that "
+                    "the edges leave the front.",
+            .follows = Follows::Header,
+            .isReserved = true},
     Keyword{.block = BlockKind::Rule,
             .word = "require",
             .form = "require turn(b) < 120deg, dist(b, c) in 0.5..2;",
@@ -258,10 +275,16 @@ constexpr std::array kKeywords{
         .words = kFolds},
     Keyword{.block = BlockKind::RuleSet,
             .word = "accept",
-            .form = "accept score < 2 + 0.5*q^2;",
-            .grammar = R"_("accept" expr ";")_",
-            .help = "Which scores are good enough.",
-            .words = kScore},
+            .form = "accept score < 2 + 0.5*q^2, scaled_jacobian > 0.2;",
+            .grammar = R"_("accept" expr { "," expr } ";")_",
+            .help = "Which scores and shapes of new elements are good enough.",
+            .words = kAccepted},
+    Keyword{.block = BlockKind::RuleSet,
+            .word = "clear",
+            .form = "clear 0.6 / q;",
+            .grammar = R"_("clear" expr ";")_",
+            .help = "The distance that new edges keep from front edges that are not matched, by "
+                    "level."},
     Keyword{
         .block = BlockKind::RuleSet,
         .word = "front",
@@ -272,6 +295,15 @@ constexpr std::array kKeywords{
         .follows = Follows::Header,
         .words = kFrontOrders,
         .isReserved = true},
+    Keyword{.block = BlockKind::RuleSet,
+            .word = "at",
+            .form = "at row smooth 3;",
+            .grammar = R"_("at" "row" "smooth" integer ";")_",
+            .help = "Moves the vertices of the front towards better shapes each time that a row of "
+                    "elements is complete, in so many rounds.",
+            .follows = Follows::Header,
+            .words = kRowSmooth,
+            .isReserved = true},
     Keyword{.block = BlockKind::RuleSet,
             .word = "classes",
             .form = "classes 1..50;",
@@ -292,9 +324,21 @@ constexpr std::array kKeywords{
             .form = "parity even;",
             .otherForm = "parity any;",
             .grammar = R"_("parity" ( "even" | "any" ) ";")_",
-            .help = "`even`: every rule changes the number of front edges by an even number.",
+            .help = "`even`: no step leaves a loop of the front with an odd number of edges.",
             .follows = Follows::Words,
             .words = kParities},
+    Keyword{.block = BlockKind::RuleSet,
+            .word = "counts",
+            .form = "counts 130deg, 235deg, 315deg;",
+            .grammar = R"_("counts" expr "," expr "," expr ";")_",
+            .help = "The free angles from which a vertex of the front wants 2, 3 and 4 elements."},
+    Keyword{.block = BlockKind::RuleSet,
+            .word = "columns",
+            .form = "columns 0.7..1.4 from layer 3;",
+            .grammar = R"_("columns" sum ".." sum "from" "layer" integer ";")_",
+            .help = "Where the edges of a row get shorter or longer than this, in target sizes, a "
+                    "vertex wants one element less or more.",
+            .words = kFromLayer},
     Keyword{.block = BlockKind::RuleSet,
             .word = "finish",
             .form = "finish shape;",
@@ -362,9 +406,9 @@ constexpr std::array kKeywords{
             .isReserved = true},
 };
 
-/// Reserved words that begin no clause. `weld` is kept for rules that join vertices.
-constexpr WordList<11> kInnerWords{"weld", "for",  "and",  "or", "not",    "if",
-                                   "then", "else", "when", "in", "quality"};
+/// Reserved words that begin no clause.
+constexpr WordList<10> kInnerWords{"for",  "and",  "or",   "not", "if",
+                                   "then", "else", "when", "in",  "quality"};
 
 /// A list of words without duplicates, with room for one word per row of the table.
 struct Words {

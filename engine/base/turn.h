@@ -20,4 +20,17 @@ inline double turnOf(double sine, double cosine) {
 /// Angle counter-clockwise from one direction to another, in (0, 2 pi].
 inline double turnBetween(Point2 from, Point2 to) { return turnOf(cross(from, to), dot(from, to)); }
 
+/// Increases with the same angle, in (0, 4]; a quarter turn is 1. Uses no libm, so that all
+/// platforms agree.
+inline double sweepOf(double sine, double cosine) {
+  const double size = std::abs(cosine) + std::abs(sine);
+  if (!(size > 0)) return 4;
+  const double p = sine / size;
+  const double angle = cosine < 0 ? 2 - p : p < 0 ? 4 + p : p;
+  return angle > 0 ? angle : 4;
+}
+
+/// `sweepOf` an angle in radians, in (0, 2 pi].
+inline double sweepOfAngle(double angle) { return sweepOf(std::sin(angle), std::cos(angle)); }
+
 }  // namespace af2

@@ -89,6 +89,7 @@ void Front::replace(PlaceId base, std::span<const WalkVertex> walk, Change& chan
     place.layer = w.layer;
     place.level = 1;
     link(last, id);
+    if (loops_.areNumbered()) loops_.add(last, id);
     touched_.push_back(id);
     last = id;
   }
@@ -105,6 +106,7 @@ void Front::replace(PlaceId base, std::span<const WalkVertex> walk, Change& chan
       --isolatedCount_;
     } else {
       exchangePredecessors(touched_[i + 1], old);
+      if (loops_.areNumbered()) loops_.exchanged(*this, touched_[i + 1], old);
     }
   }
 
@@ -124,15 +126,20 @@ void Front::release(const Change& change) {
   for (PlaceId id : change.removed) free_.push_back(id);
 }
 
-double Front::turn(PlaceId id) const {
+template <class Measure>
+double Front::measureTurn(PlaceId id, const Measure& measure) const {
   const Place& place = (*this)[id];
   const Point3 out = (*this)[place.next].point.position - place.point.position;
   const Point3 back = (*this)[place.previous].point.position - place.point.position;
-  return turnOf(dot(place.point.normal, cross(out, back)), dot(out, back));
+  return measure(dot(place.point.normal, cross(out, back)), dot(out, back));
 }
+
+double Front::turn(PlaceId id) const { return measureTurn(id, turnOf); }
+double Front::sweep(PlaceId id) const { return measureTurn(id, sweepOf); }
 
 int Front::loopSize(PlaceId id) const {
   if (isIsolated(id)) return 0;
+  if (loops_.areNumbered()) return loops_.sizeOfLoop(id);
   int count = 0;
   PlaceId p = id;
   do {

@@ -7,6 +7,7 @@
 
 #include "engine/base/ids.h"
 #include "engine/base/point.h"
+#include "engine/front/front_loops.h"
 #include "engine/mesh/front_input.h"
 
 namespace af2 {
@@ -21,6 +22,8 @@ struct alignas(64) Place {
   std::int32_t layer = 0;  ///< layers of elements between the vertex and the boundary
   /// Sequence number of the edge: increases with each edge that joins the front.
   std::uint32_t age = 0;
+  /// How many elements the vertex wants here beyond what its free angle says.
+  std::int8_t countShift = 0;
 };
 
 /// A vertex on the walk that replaces a base edge.
@@ -54,6 +57,10 @@ class Front {
   /// Relinks the edges where loops touch in a vertex, so that each free sector there is bounded by
   /// an edge and its successor. The input may give such loops separately or as one walk.
   void untangle();
+  /// From now on keeps track of the loops and their colours.
+  void keepLoops() { loops_.number(*this); }
+  /// Numbered only after `keepLoops`.
+  const FrontLoops& loops() const { return loops_; }
 
   /// Replaces the edge that leaves `base` by the path base -> walk... -> next(base).
   ///
@@ -79,6 +86,9 @@ class Front {
   std::size_t edgeCount() const { return edgeCount_; }
   std::size_t isolatedCount() const { return isolatedCount_; }
   bool isEmpty() const { return edgeCount_ == 0; }
+  /// Vertices with lower ids were given and never move.
+  std::size_t fixedCount() const { return fixedCount_; }
+  void fix(std::size_t count) { fixedCount_ = count; }
   std::size_t capacity() const { return places_.size(); }
 
   void raiseLevel(PlaceId id) { ++places_[id.value].level; }
@@ -87,6 +97,8 @@ class Front {
   }
   /// Free angle at a place, radians in (0, 2 pi], seen along the vertex normal.
   double turn(PlaceId id) const;
+  /// The same as a number in (0, 4] that grows with the angle: see `sweepOf`.
+  double sweep(PlaceId id) const;
   /// Number of edges in the loop of a place.
   int loopSize(PlaceId id) const;
 
@@ -96,6 +108,8 @@ class Front {
     places_[from.value].next = to;
     places_[to.value].previous = from;
   }
+  template <class Measure>
+  double measureTurn(PlaceId id, const Measure& measure) const;
   void exchangePredecessors(PlaceId p, PlaceId q);
   /// For each place of one vertex, the place whose edge arrives at the end of its free sector.
   /// Empty if the edges there do not pair up.
@@ -105,7 +119,8 @@ class Front {
   std::vector<Place> places_;
   std::vector<PlaceId> free_;
   std::vector<PlaceId> touched_;
-  std::size_t edgeCount_ = 0, isolatedCount_ = 0;
+  FrontLoops loops_;
+  std::size_t edgeCount_ = 0, isolatedCount_ = 0, fixedCount_ = 0;
   std::uint32_t age_ = 0;
 };
 

@@ -1,6 +1,7 @@
 #include "engine/front/front_queue.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace af2 {
 namespace {
@@ -9,33 +10,56 @@ FrontEdgeFacts factsOf(const Front& front, PlaceId id, bool needsTurns) {
   const Place& a = front[id];
   const Place& b = front[a.next];
   FrontEdgeFacts facts{a.level, a.layer, b.layer, 2 * front.edgeLength(id) / (a.size + b.size)};
-  if (needsTurns) {
-    facts.turnA = front.turn(id);
-    facts.turnB = front.turn(a.next);
-  }
+  if (!needsTurns) return facts;
+  facts.turnA = front.turn(id);
+  facts.turnB = front.turn(a.next);
+  facts.sweepA = front.sweep(id);
+  facts.sweepB = front.sweep(a.next);
+  facts.countShiftA = a.countShift;
+  facts.countShiftB = b.countShift;
   return facts;
 }
 
 }  // namespace
 
+/// std::priority_queue takes the largest first.
+bool FrontQueue::KeyedEntry::operator<(const KeyedEntry& other) const {
+  if (key != other.key) return key > other.key;
+  if (moreKeys != other.moreKeys) return moreKeys > other.moreKeys;
+  return turn > other.turn;
+}
+
 FrontQueue::FrontQueue(const AF2FrontOrder& order)
     : order_(order), layered_(order.layered()), own_(order.makeQueue()) {}
 
 void FrontQueue::push(const Front& front, PlaceId id) {
-  const Entry entry{id, front[id].age};
   if (layered_) {
     const auto key = static_cast<std::size_t>(
         layered_->wholeKey(front[id].level, front[id].layer, front[front.next(id)].layer));
     if (key >= buckets_.size()) buckets_.resize(key + 16);
-    buckets_[key].entries.push_back(entry);
+    buckets_[key].entries.push_back({id, front[id].age});
     lowest_ = std::min(lowest_, key);
     return;
   }
   if (own_) return own_->push(front, id);
+  pushKeyed(front, id, turn_++);
+}
+
+void FrontQueue::pushKeyed(const Front& front, PlaceId id, std::uint64_t turn) {
   const FrontEdgeFacts facts = factsOf(front, id, order_.needsTurns());
-  KeyedEntry keyed{{}, turn_++, entry};
-  for (int i = 0; i < order_.keyCount(); ++i) keyed.keys.push_back(order_.key(i, facts));
+  if (waiting_.size() <= id.value) waiting_.resize(front.capacity());
+  waiting_[id.value] = {turn, ++version_};
+  KeyedEntry keyed{0, {}, turn, version_, {id, front[id].age}};
+  if (order_.keyCount() > 0) keyed.key = order_.key(0, facts);
+  for (int i = 1; i < order_.keyCount(); ++i) keyed.moreKeys.push_back(order_.key(i, facts));
   heap_.push(std::move(keyed));
+}
+
+/// The edge keeps its insertion number: ties go on as if its keys had always been these.
+void FrontQueue::renew(const Front& front, PlaceId id) {
+  if (layered_ || own_ || !order_.needsTurns()) return;
+  if (!front.hasEdge(id) || id.value >= waiting_.size() || waiting_[id.value].version == 0) return;
+  pushKeyed(front, id, waiting_[id.value].turn);
 }
 
 PlaceId FrontQueue::pop(const Front& front) {
@@ -50,9 +74,12 @@ PlaceId FrontQueue::pop(const Front& front) {
     bucket.head = 0;
   }
   while (!heap_.empty()) {
-    const Entry entry = heap_.top().entry;
+    const auto [place, age] = heap_.top().entry;
+    const std::uint64_t version = heap_.top().version;
     heap_.pop();
-    if (isCurrent(front, entry)) return entry.place;
+    if (waiting_[place.value].version != version) continue;
+    waiting_[place.value] = {};
+    if (isCurrent(front, {place, age})) return place;
   }
   return {};
 }

@@ -11,13 +11,16 @@
 
 namespace af2 {
 
-/// Removal is lazy: an entry whose edge has left the front is skipped when it is taken out.
+/// Removal is lazy: an entry whose edge has left the front, or has another entry, is skipped when it
+/// is taken out.
 class FrontQueue {
  public:
   explicit FrontQueue(const AF2FrontOrder& order);
 
   /// Inserts the edge that leaves `id`, with its current level.
   void push(const Front& front, PlaceId id);
+  /// An end of a waiting edge has another neighbour: computes the keys again if they use turns.
+  void renew(const Front& front, PlaceId id);
   /// Removes and returns the next edge; none if the queue is empty.
   PlaceId pop(const Front& front);
 
@@ -32,17 +35,22 @@ class FrontQueue {
     std::size_t head = 0;
   };
   struct KeyedEntry {
-    std::vector<double> keys;
-    std::uint64_t turn;  // insertion number, breaks ties
+    double key = 0;                // the first key
+    std::vector<double> moreKeys;  // usually none
+    std::uint64_t turn;            // insertion number, breaks ties
+    std::uint64_t version;         // distinguishes entries of one edge
     Entry entry;
-    bool operator<(const KeyedEntry& other) const {  // std::priority_queue takes the largest first
-      return keys != other.keys ? keys > other.keys : turn > other.turn;
-    }
+    bool operator<(const KeyedEntry& other) const;
+  };
+  /// The one valid entry of an edge that waits; version 0: it does not wait.
+  struct Waiting {
+    std::uint64_t turn = 0, version = 0;
   };
 
   static bool isCurrent(const Front& front, const Entry& entry) {
     return front.isUsed(entry.place) && front[entry.place].age == entry.age;
   }
+  void pushKeyed(const Front& front, PlaceId id, std::uint64_t turn);
 
   const AF2FrontOrder& order_;
   const LayeredFrontOrder* layered_;   // the fast form: one bucket for each key
@@ -50,7 +58,8 @@ class FrontQueue {
   std::vector<Bucket> buckets_;
   std::size_t lowest_ = 0;
   std::priority_queue<KeyedEntry> heap_;
-  std::uint64_t turn_ = 0;
+  std::vector<Waiting> waiting_;  // by place, for the heap
+  std::uint64_t turn_ = 0, version_ = 0;
 };
 
 }  // namespace af2

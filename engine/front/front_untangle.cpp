@@ -2,21 +2,17 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/base/turn.h"
 #include "engine/front/front.h"
 
 namespace af2 {
 namespace {
 
 /// Increases with the angle from `from` counter-clockwise to `to`, seen along `normal`; in (0, 4].
-/// Uses no libm, so that all platforms agree.
-double sweep(const Point3& normal, const Point3& from, const Point3& to) {
+double sweepAround(const Point3& normal, const Point3& from, const Point3& to) {
   const auto flat = [&](const Point3& d) { return d - dot(d, normal) * normal; };
   const double c = dot(flat(from), flat(to)), s = dot(normal, cross(from, to));
-  const double size = std::abs(c) + std::abs(s);
-  if (!(size > 0)) return 4;
-  const double p = s / size;
-  const double angle = c < 0 ? 2 - p : p < 0 ? 4 + p : p;
-  return angle > 0 ? angle : 4;
+  return sweepOf(s, c);
 }
 
 }  // namespace
@@ -31,7 +27,7 @@ std::vector<PlaceId> Front::freeNeighbors(std::span<const PlaceId> places) const
     PlaceId best;
     double bestSweep = 0;
     for (PlaceId q : places) {
-      const double angle = sweep(normal, direction(p, next(p)), direction(q, previous(q)));
+      const double angle = sweepAround(normal, direction(p, next(p)), direction(q, previous(q)));
       if (best.isNone() || angle < bestSweep) best = previous(q), bestSweep = angle;
     }
     if (std::count(arriving.begin(), arriving.end(), best) > 0) return {};

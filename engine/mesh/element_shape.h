@@ -64,6 +64,15 @@ inline bool turnsLeftEverywhere(std::span<const Point2> corners) {
   return true;
 }
 
+/// Whether a quadrilateral turns left at all corners but one, so that its sides do not cross, and has
+/// a positive area.
+inline bool hasOneReflexCorner(std::span<const Point2> corners) {
+  if (corners.size() != 4) return false;
+  int others = 0;
+  for (std::size_t i = 0; i < 4; ++i) others += !turnsLeftAt(corners, i);
+  return others == 1 && cross(corners[2] - corners[0], corners[3] - corners[1]) > 0;
+}
+
 /// Sum of squared edge lengths over area, scaled to 1 for the ideal corner. Source: [Knupp01].
 inline double cornerDistortion(const Point3& corner, const Point3& ahead, const Point3& behind,
                                bool ofTriangle) {

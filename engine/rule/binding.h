@@ -1,6 +1,7 @@
 // A match of a rule's pattern with the front, as rules see it.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <span>
 
@@ -24,6 +25,17 @@ class AF2_EXPORT AF2Surroundings {
   /// Number of layers of elements between the vertex and the boundary.
   virtual int layer(int /*vertex*/) const { return 0; }
   virtual bool onBoundary(int /*vertex*/) const { return true; }
+  /// Whether the vertex was given with the boundary, so that it never moves.
+  virtual bool isFixed(int /*vertex*/) const { return true; }
+  /// Wanted edge length at a vertex.
+  virtual double sizeOf(int /*vertex*/) const { return 1; }
+  /// The neighbours of a vertex along the front, in the chart; no value if they are not known.
+  virtual std::optional<Point2> before(int /*vertex*/) const { return std::nullopt; }
+  virtual std::optional<Point2> after(int /*vertex*/) const { return std::nullopt; }
+  /// Number of elements that a vertex wants in its free angle: 1 more than the number of `bounds`
+  /// that the angle reaches. The bounds are measured by `sweepOf`. Where the angle is not known, the
+  /// front is taken to run straight.
+  virtual int count(int vertex, const std::array<double, 3>& bounds) const;
   /// Number of elements at the vertex so far.
   virtual int valence(int /*vertex*/) const { return 0; }
   /// Number of edges in the front loop of the base edge.
@@ -33,6 +45,13 @@ class AF2_EXPORT AF2Surroundings {
   /// Largest normal curvature times the wanted edge length.
   virtual double curvature(Point2) const { return 0; }
 };
+
+/// 1 more than the number of bounds that a sweep reaches.
+inline int countOf(double sweep, const std::array<double, 3>& bounds) {
+  int count = 1;
+  for (const double bound : bounds) count += sweep >= bound;
+  return count;
+}
 
 /// The matched vertices of one rule at one place of the front.
 struct AF2Binding {

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <memory>
+#include <numbers>
 #include <optional>
 #include <span>
 #include <vector>
@@ -54,11 +55,23 @@ class AF2_EXPORT ShapeSizeMetric final : public AF2ElementMetric {
 /// How the badnesses of the elements of one rule combine into one score.
 enum class ScoreOf { Max, Sum, Mean };
 
+/// The shapes of the new elements of a rule, in the chart: of each measure the worst value. By
+/// default those of ideal quadrilaterals.
+struct ElementMeasures {
+  double scaledJacobian = 1;  ///< the smallest sine of a corner; of a triangle, times 2/sqrt(3)
+  double minAngle = 0.5 * std::numbers::pi;  ///< radians
+};
+
 /// Whether a rule's result is good enough at a level. Lower scores are better.
 class AF2_EXPORT AF2Acceptance {
  public:
   virtual ~AF2Acceptance() = default;
   virtual bool accepts(double score, int level) const = 0;
+  /// Whether the shapes of the new elements count, too; then `acceptsMeasured` decides.
+  virtual bool needsMeasures() const { return false; }
+  virtual bool acceptsMeasured(double score, int level, const ElementMeasures&) const {
+    return accepts(score, level);
+  }
 };
 
 /// score < bound[level], the usual acceptance.

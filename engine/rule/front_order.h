@@ -14,6 +14,9 @@ struct FrontEdgeFacts {
   int layerA = 0, layerB = 0;   ///< layers of elements between the vertex and the boundary
   double length = 1;            ///< in units of the wanted length
   double turnA = 0, turnB = 0;  ///< free angles at the ends, radians in (0, 2 pi]
+  double sweepA = 0, sweepB = 0;  ///< the same free angles as `sweepOf` measures them, in (0, 4]
+  /// How many elements the ends want beyond what their free angles say.
+  int countShiftA = 0, countShiftB = 0;
 };
 
 class Front;
@@ -35,7 +38,8 @@ class AF2_EXPORT AF2EdgeQueue {
 ///
 /// Most orders sort by keys: the smallest key first, compared lexicographically. Ties, and orders
 /// without keys, go to the edge that entered first. A key is computed when an edge enters the front
-/// and when its level rises. An order that keys cannot express provides a queue of its own.
+/// and when its level rises; keys that use turns also when an end of the edge gets another
+/// neighbour. An order that keys cannot express provides a queue of its own.
 class AF2_EXPORT AF2FrontOrder {
  public:
   virtual ~AF2FrontOrder() = default;

@@ -14,6 +14,8 @@ const char* toString(Refusal refusal) {
       return "require";
     case Refusal::NoValue:
       return "novalue";
+    case Refusal::Parity:
+      return "parity";
     case Refusal::Shape:
       return "shape";
     case Refusal::Convexity:
@@ -22,6 +24,8 @@ const char* toString(Refusal refusal) {
       return "zone hit by vertex";
     case Refusal::ZoneHitByEdge:
       return "zone hit by edge";
+    case Refusal::Clearance:
+      return "clear";
     case Refusal::Inverted:
       return "inverted";
     case Refusal::Score:

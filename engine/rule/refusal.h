@@ -11,10 +11,12 @@ enum class Refusal {
   Pattern,          ///< no front vertices where the pattern wants them
   Require,          ///< a `require` condition does not hold
   NoValue,          ///< an expression has no value at this match
+  Parity,           ///< the step would leave a loop with an odd number of edges
   Shape,            ///< the free zone has no valid shape at this match
   Convexity,        ///< the commonest shape fault: the corner list is not convex
   ZoneHitByVertex,  ///< the free zone holds a vertex of the front
   ZoneHitByEdge,    ///< the free zone holds part of a front edge
+  Clearance,        ///< a new edge would come too close to a front edge
   Inverted,         ///< a new element would not be positively oriented
   Score,            ///< the rule set does not accept the score
   Surface,  ///< a new vertex has no point on the surface, or an element would fold over there

@@ -57,6 +57,14 @@ class ReferenceByLevel : public ByLevel<Point2> {
   ReferenceByLevel(double x = 0, double y = 0) : ByLevel(Point2{x, y}) {}
 };
 
+/// Where a vertex is sought that has no fixed expected position: within a distance of a place that
+/// is computed from the vertices matched before.
+struct NearPlace {
+  std::shared_ptr<const AF2PointTransform> place;
+  ByLevel<double> reach;  ///< the distance, in chart units, > 0
+  bool operator==(const NearPlace&) const = default;
+};
+
 /// A front vertex that the rule wants. Vertices 0 and 1 are the ends a, b of the base edge, bound
 /// without a test; their reference positions are (0, 0) and (1, 0).
 struct PatternVertex {
@@ -65,6 +73,9 @@ struct PatternVertex {
   /// Limits the deviation by the rule set's match tolerance. Without a value any position will do,
   /// which is allowed only for vertices of a chain that leads to them from a or b.
   std::optional<ToleranceByLevel> tolerance = ToleranceForm{};
+  /// With a value, it decides instead of reference and tolerance, which then describe the usual
+  /// match for tools. The place may depend on vertices with smaller numbers.
+  std::optional<NearPlace> near = std::nullopt;
   bool operator==(const PatternVertex&) const = default;
 };
 
@@ -82,6 +93,12 @@ struct RuleElement {
   std::array<std::int8_t, 4> corners{-1, -1, -1, -1};
   int size() const { return corners[3] < 0 ? 3 : 4; }
   bool operator==(const RuleElement&) const = default;
+};
+
+/// A rule's act on two neighbouring edges of the front: their far ends become one vertex.
+struct RuleWeld {
+  int from = 0, into = 0;  ///< matched vertices; `into` remains
+  std::shared_ptr<const AF2PointTransform> place;
 };
 
 /// Where a rule was written.
@@ -103,6 +120,7 @@ struct RuleDefinition {
   std::vector<std::shared_ptr<const AF2PointTransform>> newVertices;
   std::shared_ptr<const AF2FreeZoneDef> zone;
   std::vector<RuleElement> elements;
+  std::optional<RuleWeld> weld;  ///< of a rule without elements
   std::vector<std::shared_ptr<const AF2BindingFunction>> requirements;  ///< all must be nonzero
   std::shared_ptr<const AF2BindingFunction> cost;  ///< added to the score; null: no cost
   int priority = 0;                                ///< ties in score go to the smaller one

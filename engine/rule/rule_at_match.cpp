@@ -9,11 +9,31 @@
 
 namespace af2 {
 
-RefusalCause patternMisfit(const RuleDefinition& rule, std::span<const Point2> matched, int level,
+namespace {
+
+/// Whether the i-th vertex is too far from its computed place.
+RefusalCause farFrom(const NearPlace& near, std::size_t i, const AF2Binding& binding) {
+  const auto place = near.place->transformPoint(binding);
+  if (!place) return {Refusal::NoValue, static_cast<int>(i)};
+  const double away = distance(*place, binding.vertices[i]), reach = near.reach.at(binding.level);
+  if (away <= reach) return {};
+  return {Refusal::Pattern, static_cast<int>(i), false, away, reach};
+}
+
+}  // namespace
+
+RefusalCause patternMisfit(const RuleDefinition& rule, const AF2Binding& binding,
                            double tolerance) {
   const auto of = [](int v) { return static_cast<std::size_t>(v); };
+  const std::span<const Point2> matched = binding.vertices;
+  const int level = binding.level;
   for (std::size_t i = 2; i < rule.vertices.size(); ++i) {
     const PatternVertex& vertex = rule.vertices[i];
+    if (vertex.near) {
+      const RefusalCause far = farFrom(*vertex.near, i, binding);
+      if (!far.isNone()) return far;
+      continue;
+    }
     if (!vertex.tolerance) continue;
     const ToleranceForm& form = vertex.tolerance->at(level);
     const Point2 deviation = matched[i] - vertex.reference.at(level);
@@ -82,27 +102,39 @@ std::optional<std::vector<Point2>> RuleAtMatch::placeAll() const {
   return placed;
 }
 
-int RuleAtMatch::before(int vertex) const {
+int RuleAtMatch::previousOf(int vertex) const {
   const auto edge = std::ranges::find(definition_->edges, vertex, &PatternEdge::to);
   return edge == definition_->edges.end() ? -1 : edge->from;
 }
 
-int RuleAtMatch::after(int vertex) const {
+int RuleAtMatch::nextOf(int vertex) const {
   const auto edge = std::ranges::find(definition_->edges, vertex, &PatternEdge::from);
   return edge == definition_->edges.end() ? -1 : edge->to;
 }
 
 std::optional<double> RuleAtMatch::turn(int vertex) const {
-  const int next = after(vertex), previous = before(vertex);
+  const int next = nextOf(vertex), previous = previousOf(vertex);
   if (next < 0 || previous < 0) return std::nullopt;
   return turnBetween(at(next) - at(vertex), at(previous) - at(vertex));
 }
 
+std::optional<Point2> RuleAtMatch::before(int vertex) const {
+  if (const int v = previousOf(vertex); v >= 0) return at(v);
+  const int next = nextOf(vertex);
+  return next >= 0 ? 2 * at(vertex) - at(next) : at(vertex) + (at(1) - at(0));
+}
+
+std::optional<Point2> RuleAtMatch::after(int vertex) const {
+  if (const int v = nextOf(vertex); v >= 0) return at(v);
+  const int previous = previousOf(vertex);
+  return previous >= 0 ? 2 * at(vertex) - at(previous) : at(vertex) - (at(1) - at(0));
+}
+
 int RuleAtMatch::loopSize() const {
-  int count = 1, v = after(0);
-  for (; v > 0; v = after(v)) ++count;
+  int count = 1, v = nextOf(0);
+  for (; v > 0; v = nextOf(v)) ++count;
   if (v == 0) return count;  // a closed chain
-  for (v = before(0); v >= 0; v = before(v)) ++count;
+  for (v = previousOf(0); v >= 0; v = previousOf(v)) ++count;
   return count;
 }
 

@@ -27,10 +27,10 @@ struct RefusalCause {
 
 /// Pattern if a vertex or a slope deviates by more than the tolerance, else None.
 ///
-/// matched    positions in pattern order; the ends of the base edge are not tested
+/// binding    the ends of the base edge are not tested
 /// tolerance  largest allowed value of a tolerance form at the level
-AF2_EXPORT RefusalCause patternMisfit(const RuleDefinition& rule, std::span<const Point2> matched,
-                                      int level, double tolerance);
+AF2_EXPORT RefusalCause patternMisfit(const RuleDefinition& rule, const AF2Binding& binding,
+                                      double tolerance);
 
 /// Require or NoValue for the first condition that does not hold, else None.
 AF2_EXPORT RefusalCause failedRequirement(const RuleDefinition& rule, const AF2Binding& binding);
@@ -62,6 +62,10 @@ class AF2_EXPORT RuleAtMatch : public AF2Surroundings {
 
   /// The free angle, where the pattern's chains determine it.
   std::optional<double> turn(int vertex) const override;
+  /// The neighbours in the pattern's chains. Where these end, the front is taken to run on straight;
+  /// at a vertex without a chain, to run opposite to the base edge.
+  std::optional<Point2> before(int vertex) const override;
+  std::optional<Point2> after(int vertex) const override;
   /// Number of vertices in the base's chain, which is all that is known of its loop.
   int loopSize() const override;
   double distanceToFront(Point2 point) const override;
@@ -72,8 +76,8 @@ class AF2_EXPORT RuleAtMatch : public AF2Surroundings {
  private:
   Point2 at(int vertex) const { return vertices_[static_cast<std::size_t>(vertex)]; }
   /// The vertex before or after a vertex in its chain, or -1.
-  int before(int vertex) const;
-  int after(int vertex) const;
+  int previousOf(int vertex) const;
+  int nextOf(int vertex) const;
 
   const RuleDefinition* definition_;
   std::vector<Point2> vertices_;

@@ -33,6 +33,8 @@ RuleSet::RuleSet(RuleSetDefinition definition) : definition_(std::move(definitio
     fail(d, "needs one match tolerance for each quality level");
   for (double t : d.matchTolerance)
     if (!(t >= 0 && t <= 1e6)) fail(d, "a match tolerance is not a number between 0 and 1e6");
+  if (!d.clearance.empty() && d.clearance.size() != static_cast<std::size_t>(d.maxLevel))
+    fail(d, "needs one clearance for each quality level, or none");
   if (!d.metric) fail(d, "has no element metric");
   if (!d.order) fail(d, "has no front order");
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,8 +16,16 @@ namespace af2 {
 /// Which length becomes 1 in the chart.
 enum class ChartUnit { WantedLength, BaseLength };
 
-/// Whether every rule must change the number of front edges by an even number.
+/// Even: every rule changes the number of front edges by an even number, and no step may divide an
+/// even loop into two odd ones, so that a region with even loops is filled with quadrilaterals.
 enum class Parity { Any, Even };
+
+/// When rows change the number of their elements: where the edges at a vertex are longer or shorter
+/// than this, in wanted lengths, the vertex wants one element more or less.
+struct ColumnLimits {
+  double shortest = 0, longest = 0;
+  int firstLayer = 0;  ///< vertices in lower layers keep their counts
+};
 
 /// What happens to a mesh after its front has closed.
 enum class Finish {
@@ -37,6 +46,11 @@ struct RuleSetDefinition {
   std::shared_ptr<const AF2FrontOrder> order;
   ChartUnit unit = ChartUnit::WantedLength;
   Parity parity = Parity::Any;
+  /// Smallest distance of new edges from front edges of which no match is part, in chart units, by
+  /// level; [0] is level 1. Edges that share an end are exempt. Empty, or with maxLevel entries.
+  std::vector<double> clearance;
+  std::optional<ColumnLimits> columns;
+  int rowRounds = 0;  ///< rounds of smoothing of the front at the end of each row
   Finish finish = Finish::Shape;
   std::vector<AF2Rule> rules;  ///< in file order; ties go to the earlier rule
 };

@@ -43,6 +43,8 @@ class Run {
     if (const auto limits = limitsOfFlatRegion(input)) choice_.keepWithin(*limits);
     for (const auto& loop : input.loops) addLoop(loop);
     front_.untangle();
+    front_.fix(input.vertexCount);
+    if (rules.set().definition().parity == Parity::Even) front_.keepLoops();
     for (std::size_t i = 0; i < front_.capacity(); ++i) enter(PlaceId(i));
     for (const BoundaryCorner& corner : input.isolated) addIsolated(corner);
   }
@@ -223,6 +225,10 @@ class Run {
     for (PlaceId id : change_.removed) index_.erase(id);
     front_.release(change_);
     for (PlaceId id : change_.added) enter(id);
+    for (PlaceId id : change_.added) {
+      queue_.renew(front_, front_.previous(id));
+      queue_.renew(front_, front_.next(id));
+    }
   }
 
   void addVertices(const Application& application) {
@@ -253,9 +259,25 @@ class Run {
     }
   }
 
+  /// The layer of a new vertex on the walk. In sets that keep loops even, whose elements stand in
+  /// rows, it is one above the vertex on which it stands; else one above the lower end of the base.
+  std::int32_t newLayer(PlaceId base, const Application& application, std::size_t at) const {
+    const std::int32_t layerA = front_[base].layer, layerB = front_[front_.next(base)].layer;
+    if (!front_.loops().areNumbered()) return 1 + std::min(layerA, layerB);
+    const auto& walk = application.rule->rule->replacement();
+    std::int32_t lowest = std::max(layerA, layerB);
+    const auto standsOn = [&](int v) {
+      if (v < application.rule->matchedCount)
+        lowest = std::min(
+            lowest, front_[application.open.places[static_cast<std::size_t>(v)]].layer);
+    };
+    standsOn(at == 0 ? 0 : walk[at - 1]);
+    standsOn(at + 1 == walk.size() ? 1 : walk[at + 1]);
+    return 1 + lowest;
+  }
+
   void makeWalk(PlaceId base, const Application& application, std::size_t firstNew) {
     const CompiledRule& rule = *application.rule;
-    const std::int32_t layer = 1 + std::min(front_[base].layer, front_[front_.next(base)].layer);
     walk_.clear();
     const auto& vertices = rule.rule->replacement();
     for (std::size_t i = 0; i < vertices.size(); ++i) {
@@ -269,7 +291,8 @@ class Run {
       const auto k = static_cast<std::size_t>(v - rule.matchedCount);
       const SurfacePoint& point = *application.newPoints[k].point;
       const double size = checkedSizeAt(size_, point);
-      walk_.push_back({PlaceId(), VertexId(firstNew + k), point, size, layer});
+      walk_.push_back({PlaceId(), VertexId(firstNew + k), point, size,
+                       newLayer(base, application, i)});
     }
   }
 

@@ -10,6 +10,7 @@
 #include "engine/base/stopwatch.h"
 #include "engine/mesh/mesh_check.h"
 #include "engine/optimize/finish_mesh.h"
+#include "engine/optimize/turn_round.h"
 #include "engine/run/cut_strips.h"
 
 namespace af2 {
@@ -47,7 +48,10 @@ RegionMesh meshPiece(const AF2Algorithm& algorithm, const RegionTask& task, cons
   const MeshBoundary boundary = boundaryOf(input);
   const PieceTools tools = task.makeTools();
   piece.result = algorithm.execute(*tools.charts, input, *tools.size, options);
-  if (piece.result.outcome == Outcome::Complete) piece.fault = faultOf(piece.result.mesh, boundary);
+  if (piece.result.outcome == Outcome::Complete) {
+    turnElementsRound(piece.result.mesh, boundary, *tools.charts, options.stop);
+    piece.fault = faultOf(piece.result.mesh, boundary);
+  }
   if (piece.result.outcome == Outcome::Complete && piece.fault.empty() && task.optimize) {
     const Stopwatch optimizing;
     OptimizeOptions how;

@@ -6,6 +6,8 @@
 #include "engine/base/pair.h"
 #include "engine/base/stopwatch.h"
 #include "engine/mesh/element_shape.h"
+#include "engine/step/clearance.h"
+#include "engine/step/matched_parts.h"
 #include "engine/step/surroundings.h"
 
 namespace af2 {
@@ -27,31 +29,6 @@ class ZoneBox {
     return bothHold((greatest >= low_) & (least <= high_)) != 0;
   }
   Pair low_, high_;
-};
-
-/// What a zone may contain: the vertices and edges that the rule has matched.
-class MatchedParts {
- public:
-  MatchedParts(const Front& front, const Candidate& c)
-      : vertexCount_(static_cast<std::size_t>(c.rule->matchedCount)) {
-    for (std::size_t v = 0; v < vertexCount_; ++v) vertices_[v] = front[c.match.places[v]].vertex;
-    for (const PatternEdge& e : c.rule->rule->definition().edges)
-      edges_[edgeCount_++] = c.match.places[static_cast<std::size_t>(e.from)];
-  }
-  bool holdVertex(VertexId id) const { return holds(vertices_, vertexCount_, id); }
-  bool holdEdge(PlaceId id) const { return holds(edges_, edgeCount_, id); }
-
- private:
-  template <class Id>
-  static bool holds(const std::array<Id, AF2Rule::kMaxVertices>& ids, std::size_t count, Id id) {
-    bool isFound = false;
-    for (std::size_t i = 0; i < count; ++i) isFound |= ids[i] == id;
-    return isFound;
-  }
-
-  std::array<VertexId, AF2Rule::kMaxVertices> vertices_;
-  std::array<PlaceId, AF2Rule::kMaxVertices> edges_;
-  std::size_t vertexCount_, edgeCount_ = 0;
 };
 
 /// In chart units, normally the wanted length there. Zones are tested exactly, and a new vertex is
@@ -91,8 +68,9 @@ bool holds(const Box3& box, const Point3& p) {
          p.z >= box.low.z && p.z <= box.high.z;
 }
 
-/// Whether every corner of the new elements faces the way the surface does.
-bool staysUnfolded(const StepView& view, const Application& application) {
+/// Whether every corner of the new elements faces the way the surface does, except for as many
+/// corners of each element as may be reflex.
+bool staysUnfolded(const StepView& view, const Application& application, int reflexCorners) {
   const CompiledRule& rule = *application.rule;
   const auto pointOf = [&](std::int8_t v) -> const SurfacePoint& {
     return v < rule.matchedCount
@@ -104,12 +82,13 @@ bool staysUnfolded(const StepView& view, const Application& application) {
     std::array<const SurfacePoint*, 4> corners;
     for (std::size_t i = 0; i < n; ++i) corners[i] = &pointOf(element.corners[i]);
     const SurfacePoint* behind = corners[n - 1];
+    int turned = 0;
     for (std::size_t i = 0; i < n; ++i) {
       const SurfacePoint *corner = corners[i], *ahead = corners[i + 1 == n ? 0 : i + 1];
-      if (!facesNormal(corner->position, ahead->position, behind->position, corner->normal))
-        return false;
+      turned += !facesNormal(corner->position, ahead->position, behind->position, corner->normal);
       behind = corner;
     }
+    if (turned > reflexCorners) return false;
   }
   return true;
 }
@@ -124,6 +103,7 @@ CandidateChoice::CandidateChoice(const CompiledRules& rules, const Front& front,
       index_(index),
       size_(size),
       valence_(valence),
+      matcher_(index, size, valence),
       scorer_(rules, index, size, valence) {}
 
 StepView CandidateChoice::viewOf(const StepChart& chart, PlaceId base) const {
@@ -151,7 +131,7 @@ const Application* CandidateChoice::choose(const StepChart& chart, PlaceId base)
     const std::size_t best = isSorted ? untried_.size() - 1 : bestUntried();
     const Candidate& candidate = candidates_[untried_[best]];
     countExamined(near_.edges().size());
-    if (testZone(view, candidate, culprit) == Refusal::None &&
+    if (testFront(view, candidate, culprit) == Refusal::None &&
         prepare(view, candidate) == Refusal::None) {
       wasWide_ = candidate.rule->isWide;
       return &application_;
@@ -183,11 +163,36 @@ void CandidateChoice::sortWorstFirst() {
   });
 }
 
+/// Gathers a larger neighborhood if the present one does not show all of a window.
+void CandidateChoice::show(const StepView& view, const Window& wanted) {
+  if (near_.window().contains(wanted)) return;
+  Window larger = near_.window();
+  larger.include(wanted);
+  near_.gather(front_, index_, view.chart, view.base, larger);
+  countExamined(near_.lookedAt());
+}
+
+/// Computed places may lie outside the usual neighborhood. They depend on chains, which are found
+/// whatever the neighborhood holds, or on each other, so that a few repetitions show them all.
+template <class Find>
+void CandidateChoice::showAllMatches(const StepView& view, const Find& find) {
+  constexpr int kMaxRepetitions = 4;
+  for (int i = 0; i < kMaxRepetitions; ++i) {
+    matcher_.moveTo(view);
+    find();
+    if (near_.window().contains(matcher_.wanted())) return;
+    show(view, matcher_.wanted());
+  }
+}
+
 void CandidateChoice::collect(const StepView& view) {
+  showAllMatches(view, [&] { collectShown(view); });
+}
+
+void CandidateChoice::collectShown(const StepView& view) {
   // Scoring a match takes as long as visiting this many edges.
   constexpr std::size_t kLikeEdges = 4;
   untried_.clear();
-  matcher_.moveTo(view);
   std::size_t refused = 0;
   for (const RuleAtLevel& at : rules_.rulesAt(view.level)) {
     const CompiledRule& rule = *at.rule;
@@ -236,6 +241,35 @@ bool CandidateChoice::isBetter(const Candidate& one, const Candidate& other) con
   return false;
 }
 
+/// Whether the front lets a candidate be: its loops, the free zone, and the clearance.
+Refusal CandidateChoice::testFront(const StepView& view, const Candidate& candidate,
+                                   RuleRefusal& culprit) {
+  if (!keepsLoopsEven(view, candidate)) return Refusal::Parity;
+  const Refusal zone = testZone(view, candidate, culprit);
+  return zone == Refusal::None ? testClearance(view, candidate, culprit) : zone;
+}
+
+bool CandidateChoice::keepsLoopsEven(const StepView& view, const Candidate& candidate) {
+  if (!front_.loops().areNumbered()) return true;
+  OpenPlaces& open = application_.open;
+  // Without open places, the candidate is refused later, for that reason.
+  return !findOpenPlaces(view, *candidate.rule, candidate.match, open) ||
+         front_.loops().allow(front_, view.base, open.joined);
+}
+
+Refusal CandidateChoice::testClearance(const StepView& view, const Candidate& candidate,
+                                       RuleRefusal& culprit) {
+  const auto& byLevel = rules_.set().definition().clearance;
+  if (byLevel.empty()) return Refusal::None;
+  const double clearance = byLevel[static_cast<std::size_t>(view.level - 1)];
+  show(view, clearanceWindow(candidate, clearance));
+  const Neighborhood::Edge* edge = tooCloseEdge(front_, near_, candidate, clearance);
+  if (!edge) return Refusal::None;
+  culprit.from = edge->vertex;
+  culprit.to = edge->isEdge ? front_[front_.next(edge->place)].vertex : VertexId();
+  return Refusal::Clearance;
+}
+
 Refusal CandidateChoice::testZone(const StepView& view, const Candidate& candidate,
                                   RuleRefusal& culprit) {
   Refusal hit = Refusal::None;
@@ -259,7 +293,7 @@ Refusal CandidateChoice::visitObstacles(const StepView& view, const Candidate& c
     searchZone(view, candidate, polygon_.boundingBox(), polygon_, visit);
     return Refusal::None;
   }
-  const FrontSurroundings surroundings(view, index_, *candidate.rule, candidate.match, size_,
+  const FrontSurroundings surroundings(view, index_, *candidate.rule->rule, candidate.match, size_,
                                        valence_);
   const auto made = candidate.rule->rule->definition().zone->makeFreeZone(
       {candidate.matchedPoints(), view.level, &surroundings});
@@ -273,12 +307,7 @@ template <class Zone, class Visit>
 void CandidateChoice::searchZone(const StepView& view, const Candidate& candidate, Box2 box,
                                  const Zone& zone, Visit&& visit) {
   const Window wanted{box.low.x, box.low.y, box.high.x, box.high.y};
-  if (!near_.window().contains(wanted)) {
-    Window larger = near_.window();
-    larger.include(wanted);
-    near_.gather(front_, index_, view.chart, view.base, larger);
-    countExamined(near_.lookedAt());
-  }
+  show(view, wanted);
   const MatchedParts matched(front_, candidate);
   const ZoneBox reach(box, kSamePlace), room(box);
   for (const Neighborhood::Edge& edge : near_.edges()) {
@@ -308,8 +337,9 @@ Refusal CandidateChoice::prepare(const StepView& view, const Candidate& candidat
     const auto& lifted = application_.newPoints.back().point;
     if (!lifted || !holds(limits_, lifted->position)) return Refusal::Surface;
   }
-  return view.chart.isPlane() || staysUnfolded(view, application_) ? Refusal::None
-                                                                   : Refusal::Surface;
+  if (view.chart.isPlane()) return Refusal::None;
+  const int reflexCorners = rules_.scoring().allowsReflexAt(view.level) ? 1 : 0;
+  return staysUnfolded(view, application_, reflexCorners) ? Refusal::None : Refusal::Surface;
 }
 
 std::vector<RuleRefusal> CandidateChoice::obstacles(const StepChart& chart, PlaceId base) {
@@ -334,8 +364,10 @@ std::vector<RuleRefusal> CandidateChoice::obstacles(const StepChart& chart, Plac
 /// A zone test may gather the neighborhood again, so all matches are collected first.
 std::vector<Match> CandidateChoice::matchesOf(const StepView& view, const RuleAtLevel& at) {
   std::vector<Match> matches;
-  matcher_.moveTo(view);
-  matcher_.forEachMatch(*at.pattern, [&](const Match& match) { matches.push_back(match); });
+  showAllMatches(view, [&] {
+    matches.clear();
+    matcher_.forEachMatch(*at.pattern, [&](const Match& match) { matches.push_back(match); });
+  });
   return matches;
 }
 
@@ -373,8 +405,8 @@ RuleRefusal CandidateChoice::explainMatch(const StepView& view, const CompiledRu
     result.score = candidate.score;
   // Inverted elements and scores are reported after the zone although they are cheaper to test.
   if (result.reason == Refusal::Require || result.reason == Refusal::NoValue) return result;
-  const Refusal zone = testZone(view, candidate, result);
-  if (zone != Refusal::None) result.reason = zone;
+  const Refusal front = testFront(view, candidate, result);
+  if (front != Refusal::None) result.reason = front;
   if (result.reason == Refusal::None) result.reason = prepare(view, candidate);
   if (result.reason == Refusal::None) result.reason = Refusal::Beaten;
   return result;

@@ -54,12 +54,19 @@ class CandidateChoice {
 
  private:
   void gather(const StepChart& chart, PlaceId base);
+  void show(const StepView& view, const Window& wanted);
+  template <class Find>
+  void showAllMatches(const StepView& view, const Find& find);
   void collect(const StepView& view);
+  void collectShown(const StepView& view);
   bool isInTheWay(const RuleAtLevel& at, const Match& match) const;
   void countExamined(std::size_t lookedAt);
   std::size_t bestUntried() const;
   void sortWorstFirst();
   bool isBetter(const Candidate& one, const Candidate& other) const;
+  Refusal testFront(const StepView& view, const Candidate& candidate, RuleRefusal& culprit);
+  bool keepsLoopsEven(const StepView& view, const Candidate& candidate);
+  Refusal testClearance(const StepView& view, const Candidate& candidate, RuleRefusal& culprit);
   Refusal testZone(const StepView& view, const Candidate& candidate, RuleRefusal& culprit);
   template <class Visit>
   Refusal visitObstacles(const StepView& view, const Candidate& candidate, Visit&& visit);

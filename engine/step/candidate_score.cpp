@@ -42,7 +42,7 @@ Refusal CandidateScorer::evaluate(const StepView& view, Candidate& candidate) co
 Refusal CandidateScorer::evaluateOpenly(const StepView& view, Candidate& candidate) const {
   const CompiledRule& rule = *candidate.rule;
   const RuleDefinition& definition = rule.rule->definition();
-  const FrontSurroundings surroundings(view, index_, rule, candidate.match, size_, valence_);
+  const FrontSurroundings surroundings(view, index_, *rule.rule, candidate.match, size_, valence_);
   const AF2Binding binding{candidate.matchedPoints(), view.level, &surroundings};
   if (const RefusalCause failed = failedRequirement(definition, binding); !failed.isNone())
     return failed.reason;
@@ -61,7 +61,8 @@ Refusal CandidateScorer::scoreElements(const StepView& view, Candidate& candidat
 }
 
 Refusal CandidateScorer::judge(const StepView& view, const Candidate& candidate) const {
-  return rules_.scoring().judge(candidate.score, view.level);
+  return rules_.scoring().judge(candidate.rule->rule->definition().elements,
+                                candidate.match.points.data(), candidate.score, view.level);
 }
 
 }  // namespace af2

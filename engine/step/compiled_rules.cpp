@@ -40,6 +40,10 @@ struct ChainWalk {
     steps.push_back({kind, static_cast<std::int8_t>(vertex), static_cast<std::int8_t>(from),
                      wanted.reference.at(level),
                      wanted.tolerance ? wanted.tolerance->at(level) : ToleranceForm{0, 0, 0}});
+    if (wanted.near) {
+      steps.back().near = wanted.near->place.get();
+      steps.back().reach = wanted.near->reach.at(level);
+    }
     isBound[static_cast<std::size_t>(vertex)] = true;
   }
   bool bound(int v) const { return isBound[static_cast<std::size_t>(v)]; }
@@ -71,11 +75,11 @@ std::vector<BindingStep> bindingSteps(const RuleDefinition& rule, int level) {
     walk.bind(BindingStep::Kind::Previous, w, u);
   for (int v = 2; v < static_cast<int>(matched); ++v) {
     if (walk.bound(v)) continue;
-    if (!rule.vertices[static_cast<std::size_t>(v)].tolerance)
-      throw InputError("rule \"" + rule.name + "\": vertex " +
-                       rule.vertices[static_cast<std::size_t>(v)].name +
+    const PatternVertex& vertex = rule.vertices[static_cast<std::size_t>(v)];
+    if (!vertex.tolerance && !vertex.near)
+      throw InputError("rule \"" + rule.name + "\": vertex " + vertex.name +
                        " may be anywhere; give it a tolerance, or join it to a or b by a chain");
-    walk.bind(BindingStep::Kind::Any, v, -1);
+    walk.bind(vertex.near ? BindingStep::Kind::Near : BindingStep::Kind::Any, v, -1);
     walk.follow(v);
   }
   return walk.steps;
@@ -94,17 +98,19 @@ std::vector<SlopeTest> slopeTests(const RuleDefinition& rule, int level) {
   return tests;
 }
 
-std::vector<CompiledPattern> patternsOf(const RuleDefinition& rule) {
+std::vector<CompiledPattern> patternsOf(const AF2Rule& whole) {
+  const RuleDefinition& rule = whole.definition();
   int levels = 1;
   for (const PatternVertex& v : rule.vertices) {
     levels = std::max(levels, v.reference.levelCount());
     if (v.tolerance) levels = std::max(levels, v.tolerance->levelCount());
+    if (v.near) levels = std::max(levels, v.near->reach.levelCount());
   }
   for (const PatternEdge& e : rule.edges)
     if (e.slope) levels = std::max(levels, e.slope->levelCount());
   std::vector<CompiledPattern> patterns;
   for (int level = 1; level <= levels; ++level)
-    patterns.push_back({bindingSteps(rule, level), slopeTests(rule, level)});
+    patterns.push_back({&whole, bindingSteps(rule, level), slopeTests(rule, level)});
   return patterns;
 }
 
@@ -216,8 +222,10 @@ Point2 ellipseExtent(const ToleranceForm& form, double tolerance) {
 Window matchWindow(const CompiledRule& rule, int level, double tolerance) {
   Window window;
   for (const BindingStep& step : rule.patternAt(level).steps) {
-    if (step.kind != BindingStep::Kind::Any) continue;
-    const Point2 extent = ellipseExtent(step.form, tolerance);
+    if (step.kind != BindingStep::Kind::Any && step.kind != BindingStep::Kind::Near) continue;
+    // A computed place is usually about as far from the base edge as it is at the reference.
+    const Point2 extent = step.near ? Point2{step.reach, step.reach}
+                                    : ellipseExtent(step.form, tolerance);
     window.include(step.reference.x - extent.x, step.reference.y - extent.y);
     window.include(step.reference.x + extent.x, step.reference.y + extent.y);
   }
@@ -350,7 +358,7 @@ void CompiledRules::addRule(const AF2Rule& rule) {
   compiled.lastLevel = definition.lastLevel.value_or(std::numeric_limits<int>::max());
   compiled.matchedCount = rule.matchedCount();
   compiled.newCount = rule.newCount();
-  compiled.patterns = patternsOf(definition);
+  compiled.patterns = patternsOf(rule);
   compiled.newPoints = fastNewPoints(rule);
   compiled.zone = fastZone(rule, set_.maxLevel());
   compiled.isWide = zoneReach(definition) > kOrdinaryReach;

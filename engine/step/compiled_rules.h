@@ -63,12 +63,15 @@ struct BindingStep {
     Previous,  ///< the place before that of `from`
     Closes,    ///< a check: the place after that of `from` is that of `vertex`
     Any,       ///< every matchable place in the window
+    Near,      ///< every place within reach of a computed one
   };
   Kind kind = Kind::Next;
   std::int8_t vertex = 0;
   std::int8_t from = 0;
   Point2 reference;    ///< reference position of the vertex
   ToleranceForm form;  ///< 0 everywhere if any position will do
+  const AF2PointTransform* near = nullptr;  ///< for Near: the computed place
+  double reach = 0;                         ///< for Near: the largest distance from there
 
   bool fits(Point2 point, double tolerance) const {
     return form.allows(point - reference, tolerance);
@@ -98,6 +101,7 @@ struct Window {
 
 /// What a match must satisfy at one level.
 struct CompiledPattern {
+  const AF2Rule* rule = nullptr;
   std::vector<BindingStep> steps;
   std::vector<SlopeTest> slopes;
 };

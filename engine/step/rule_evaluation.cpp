@@ -32,7 +32,7 @@ Scored scoreOf(const RuleSet& rules, const RuleDefinition& rule,
   const auto cost = costAt(rule, binding);
   if (refusal != Refusal::None || !cost) return {{Refusal::NoValue}, std::nullopt};
   score += *cost;
-  return {{scoring.judge(score, binding.level)}, score};
+  return {{scoring.judge(rule.elements, vertices.data(), score, binding.level)}, score};
 }
 
 /// The given positions after the matched ones; no value if one is missing.
@@ -50,16 +50,16 @@ std::optional<std::vector<Point2>> allVertices(
 
 RefusalCause refusalOfMatch(const RuleSet& rules, const AF2Rule& rule, const AF2Binding& binding) {
   if (!rule.appliesAt(binding.level)) return {Refusal::Class};
-  const RefusalCause misfit = patternMisfit(rule.definition(), binding.vertices, binding.level,
-                                            rules.matchTolerance(binding.level));
+  const RefusalCause misfit =
+      patternMisfit(rule.definition(), binding, rules.matchTolerance(binding.level));
   return misfit.isNone() ? failedRequirement(rule.definition(), binding) : misfit;
 }
 
 RuleEvaluation evaluateMatch(const RuleSet& rules, const AF2Rule& rule, const AF2Binding& binding) {
   const RuleDefinition& definition = rule.definition();
   RuleEvaluation result;
-  result.misfit = patternMisfit(definition, binding.vertices, binding.level,
-                                rules.matchTolerance(binding.level));
+  result.misfit =
+      patternMisfit(definition, binding, rules.matchTolerance(binding.level));
   result.required = failedRequirement(definition, binding);
   result.newVertices = newVerticesAt(definition, binding);
   result.zone = definition.zone->makeFreeZone(binding);

@@ -1,10 +1,15 @@
 #include "engine/step/rule_matcher.h"
 
+#include <cmath>
+
+#include "engine/step/surroundings.h"
+
 namespace af2 {
 
 void RuleMatcher::moveTo(const StepView& view) {
   view_ = &view;
   lookedAt_ = 0;
+  wanted_ = view.near.window();
   const DrawnBase& base = view.drawn;
   match_.places[0] = base.a.place;
   match_.places[1] = base.b.place;
@@ -53,6 +58,18 @@ bool RuleMatcher::slopesFit(const CompiledPattern& pattern) const {
     if (!test.fits(edge, view_->tolerance)) return false;
   }
   return true;
+}
+
+std::optional<Point2> RuleMatcher::computedPlace(const CompiledPattern& pattern,
+                                                 const BindingStep& step) {
+  const FrontSurroundings surroundings(*view_, index_, *pattern.rule, match_, size_, valence_);
+  const auto matched = static_cast<std::size_t>(pattern.rule->matchedCount());
+  const auto place = step.near->transformPoint(
+      {std::span(match_.points.data(), matched), view_->level, &surroundings});
+  if (!place || !std::isfinite(place->x) || !std::isfinite(place->y)) return std::nullopt;
+  wanted_.include({place->x - step.reach, place->y - step.reach, place->x + step.reach,
+                   place->y + step.reach});
+  return place;
 }
 
 }  // namespace af2

@@ -2,11 +2,14 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <utility>
+#include <vector>
 
 #include "engine/front/front.h"
 #include "engine/step/compiled_rules.h"
 #include "engine/step/neighborhood.h"
+#include "engine/surface/size_field.h"
 
 namespace af2 {
 
@@ -39,6 +42,11 @@ struct Match {
 /// Calls visit(const Match&) for every complete binding of one rule. Reused from step to step.
 class RuleMatcher {
  public:
+  /// Keeps references to all arguments.
+  RuleMatcher(const FrontIndex& index, const SizeField& size,
+              const std::vector<std::uint8_t>& valence)
+      : index_(index), size_(size), valence_(valence) {}
+
   /// Moves to the base edge of a step; `view` must outlive all calls for that step.
   void moveTo(const StepView& view);
 
@@ -54,13 +62,19 @@ class RuleMatcher {
     const BindingStep& first = pattern.steps.front();
     const Beside* beside = besideBase(first);
     if (!beside) return bind(pattern, 0, visit);
-    if (!beside->isOpen || !first.fits(beside->corner.point.position, view_->tolerance)) return;
-    take(first, beside->corner.place, beside->corner.point.position);
+    const Point2 corner = beside->corner.point.position;
+    if (!beside->isOpen ||
+        (first.near ? !isNear(pattern, first, corner) : !first.fits(corner, view_->tolerance)))
+      return;
+    take(first, beside->corner.place, corner);
     bind(pattern, 1, visit);
   }
 
   /// How many nearby edges were visited since the last move.
   std::size_t lookedAt() const { return lookedAt_; }
+  /// What computed places asked for since the last move. If the neighborhood does not hold it,
+  /// matches may be missing.
+  const Window& wanted() const { return wanted_; }
 
  private:
   /// The corner before or after the base.
@@ -106,6 +120,18 @@ class RuleMatcher {
           if (accept(pattern, index, edge.place, edge.vertex, edge.from, edge.view))
             bind(pattern, index + 1, visit);
         return;
+      case BindingStep::Kind::Near: {
+        const auto place = computedPlace(pattern, step);
+        if (!place) return;
+        lookedAt_ += view_->near.edges().size();
+        for (const Neighborhood::Edge& edge : view_->near.edges())
+          if (distance(edge.from, *place) <= step.reach && edge.view == ChartView::Legal &&
+              !isBound(pattern, index, edge.vertex)) {
+            take(step, edge.place, edge.from);
+            bind(pattern, index + 1, visit);
+          }
+        return;
+      }
     }
   }
 
@@ -118,7 +144,8 @@ class RuleMatcher {
   bool accept(const CompiledPattern& pattern, std::size_t index, PlaceId place, VertexId vertex,
               Point2 point, ChartView view) {
     const BindingStep& step = pattern.steps[index];
-    if (!step.fits(point, view_->tolerance)) return false;
+    if (step.near ? !isNear(pattern, step, point) : !step.fits(point, view_->tolerance))
+      return false;
     if (view != ChartView::Legal || isBound(pattern, index, vertex)) return false;
     take(step, place, point);
     return true;
@@ -136,11 +163,21 @@ class RuleMatcher {
   /// Whether an earlier step has bound this mesh vertex: pattern vertices must be distinct.
   bool isBound(const CompiledPattern& pattern, std::size_t index, VertexId id) const;
   bool slopesFit(const CompiledPattern& pattern) const;
+  /// Where a vertex is sought, given the vertices bound so far.
+  std::optional<Point2> computedPlace(const CompiledPattern& pattern, const BindingStep& step);
+  bool isNear(const CompiledPattern& pattern, const BindingStep& step, Point2 point) {
+    const auto place = computedPlace(pattern, step);
+    return place && distance(*place, point) <= step.reach;
+  }
   /// The target of a step along the front, or null if there is no edge. Valid until the next call.
   const DrawnBase::Corner* neighbor(const BindingStep& step);
 
+  const FrontIndex& index_;
+  const SizeField& size_;
+  const std::vector<std::uint8_t>& valence_;
   const StepView* view_ = nullptr;
   std::size_t lookedAt_ = 0;
+  Window wanted_;
   Match match_;
   Beside before_, after_;  // what nearly every rule asks for
   DrawnBase::Corner other_;

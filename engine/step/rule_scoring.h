@@ -9,6 +9,7 @@
 #include <span>
 #include <vector>
 
+#include "engine/mesh/element_measures.h"
 #include "engine/mesh/element_shape.h"
 #include "engine/rule/refusal.h"
 #include "engine/rule/rule_set.h"
@@ -39,10 +40,18 @@ class RuleScoring {
  public:
   /// Keeps a reference to `set`.
   explicit RuleScoring(const RuleSetDefinition& set)
-      : set_(set), fastMetric_(dynamic_cast<const ShapeSizeMetric*>(set.metric.get())) {}
+      : set_(set),
+        fastMetric_(dynamic_cast<const ShapeSizeMetric*>(set.metric.get())),
+        needsMeasures_(set.acceptance && set.acceptance->needsMeasures()) {}
+
+  /// Whether the rule set accepts quadrilaterals with a reflex corner, which are mended when the
+  /// front has closed.
+  bool allowsReflexAt(int level) const {
+    return needsMeasures_ && set_.acceptance->acceptsMeasured(kBestScore, level, kReflex);
+  }
 
   /// The combined badness of the new elements. Returns Inverted if an element does not turn left at
-  /// each corner, NoValue if one has no finite badness, else None.
+  /// each corner, or at all but one where that is allowed, NoValue if one has no finite badness, else None.
   ///
   /// Inline because the front calls it for every match.
   Refusal scoreElements(const std::vector<RuleElement>& elements, const Point2* vertices, int level,
@@ -51,7 +60,9 @@ class RuleScoring {
     bool isFirst = true;
     for (const RuleElement& element : elements) {
       const ElementCorners corners(element, vertices);
-      if (!turnsLeftEverywhere(corners.span())) return Refusal::Inverted;
+      if (!turnsLeftEverywhere(corners.span()) &&
+          !(allowsReflexAt(level) && hasOneReflexCorner(corners.span())))
+        return Refusal::Inverted;
       const double badness = badnessOf(corners, level);
       if (!std::isfinite(badness)) return Refusal::NoValue;
       largest = isFirst ? badness : std::max(largest, badness);
@@ -72,10 +83,15 @@ class RuleScoring {
     return Refusal::None;
   }
 
-  /// Score if the rule set does not accept the score, else None.
-  Refusal judge(double score, int level) const {
-    return !set_.acceptance || set_.acceptance->accepts(score, level) ? Refusal::None
-                                                                      : Refusal::Score;
+  /// Score if the rule set does not accept the score or the shapes of the elements, else None.
+  Refusal judge(const std::vector<RuleElement>& elements, const Point2* vertices, double score,
+                int level) const {
+    if (!set_.acceptance) return Refusal::None;
+    const bool isGood =
+        needsMeasures_
+            ? set_.acceptance->acceptsMeasured(score, level, measuresOf(elements, vertices))
+            : set_.acceptance->accepts(score, level);
+    return isGood ? Refusal::None : Refusal::Score;
   }
 
  private:
@@ -86,8 +102,23 @@ class RuleScoring {
     return set_.metric->badnessAt(corners.span(), level).value_or(INFINITY);
   }
 
+  static constexpr double kBestScore = -1e9;
+  static constexpr ElementMeasures kReflex{-1e-3, 1e-3};
+
+  static ElementMeasures measuresOf(const std::vector<RuleElement>& elements,
+                                    const Point2* vertices) {
+    ElementMeasures worst;
+    for (const RuleElement& element : elements) {
+      const ElementCorners corners(element, vertices);
+      worst.scaledJacobian = std::min(worst.scaledJacobian, scaledJacobian(corners.span()));
+      worst.minAngle = std::min(worst.minAngle, smallestAngle(corners.span()));
+    }
+    return worst;
+  }
+
   const RuleSetDefinition& set_;
   const ShapeSizeMetric* fastMetric_;
+  bool needsMeasures_;
 };
 
 }  // namespace af2

@@ -109,7 +109,9 @@ class Question {
         plane_(scene_.front[scene_.base].point, scene_.front[scene_.front.next(scene_.base)].point,
                {0, 0, 1}, unit_),
         chart_(plane_, unit_),
-        choice_(rules, scene_.front, scene_.index, size_, valence_) {}
+        choice_(rules, scene_.front, scene_.index, size_, valence_) {
+    if (rules.set().definition().parity == Parity::Even) scene_.front.keepLoops();
+  }
 
   const Scene& scene() const { return scene_; }
   const Application* choose() { return choice_.choose(chart_, scene_.base); }

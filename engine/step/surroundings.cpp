@@ -11,15 +11,54 @@ double FrontSurroundings::size(Point2 point) const {
   return onSurface ? size_.sizeAt(*onSurface) / view_.chart.unit() : 1;
 }
 
+/// In the chart. What belongs to the base edge has been drawn already.
+Point2 FrontSurroundings::positionOf(PlaceId place) const {
+  for (const DrawnBase::Corner* corner :
+       {&view_.drawn.before, &view_.drawn.a, &view_.drawn.b, &view_.drawn.after})
+    if (corner->place == place) return corner->point.position;
+  return view_.chart.positionOf(view_.front[place].point);
+}
+
+bool FrontSurroundings::hasOnePlace(int vertex) const {
+  const RuleDefinition& rule = rule_.definition();
+  return rule.vertices[static_cast<std::size_t>(vertex)].near ||
+         std::ranges::any_of(rule.edges, [&](const PatternEdge& e) {
+           return e.from == vertex || e.to == vertex;
+         });
+}
+
 std::optional<double> FrontSurroundings::turn(int vertex) const {
-  const auto& edges = rule_.rule->definition().edges;
-  const bool isInChain = std::any_of(edges.begin(), edges.end(), [&](const PatternEdge& e) {
-    return e.from == vertex || e.to == vertex;
-  });
-  const PlaceId place = match_.places[static_cast<std::size_t>(vertex)];
-  if (!isInChain || !view_.front.hasEdge(place) || !view_.front.hasEdgeBefore(place))
+  const PlaceId place = idOf(vertex);
+  if (!hasOnePlace(vertex) || !view_.front.hasEdge(place) || !view_.front.hasEdgeBefore(place))
     return std::nullopt;
   return view_.front.turn(place);
+}
+
+/// An open chain, of which tests of rules consist, is taken to run on straight; at an isolated
+/// vertex, opposite to the base edge.
+std::optional<Point2> FrontSurroundings::before(int vertex) const {
+  const PlaceId place = idOf(vertex);
+  if (!hasOnePlace(vertex)) return std::nullopt;
+  if (view_.front.hasEdgeBefore(place)) return positionOf(view_.front.previous(place));
+  if (view_.front.hasEdge(place))
+    return 2 * positionOf(place) - positionOf(view_.front.next(place));
+  return positionOf(place) + match_.points[1];
+}
+
+std::optional<Point2> FrontSurroundings::after(int vertex) const {
+  const PlaceId place = idOf(vertex);
+  if (!hasOnePlace(vertex)) return std::nullopt;
+  if (view_.front.hasEdge(place)) return positionOf(view_.front.next(place));
+  if (view_.front.hasEdgeBefore(place))
+    return 2 * positionOf(place) - positionOf(view_.front.previous(place));
+  return positionOf(place) - match_.points[1];
+}
+
+int FrontSurroundings::count(int vertex, const std::array<double, 3>& bounds) const {
+  const PlaceId place = idOf(vertex);
+  if (!view_.front.hasEdge(place) || !view_.front.hasEdgeBefore(place))
+    return AF2Surroundings::count(vertex, bounds);
+  return countOf(view_.front.sweep(place), bounds) + view_.front[place].countShift;
 }
 
 double FrontSurroundings::distanceToFront(Point2 point) const {

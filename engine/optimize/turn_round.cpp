@@ -1,0 +1,68 @@
+#include "engine/optimize/turn_round.h"
+
+#include <algorithm>
+#include <vector>
+
+#include "engine/mesh/element_shape.h"
+#include "engine/optimize/patch_editor.h"
+#include "engine/optimize/quad_search.h"
+
+namespace af2 {
+namespace {
+
+/// Smoothing and the search go on from here; before that, an element need only be sound.
+constexpr double kSoundJacobian = 0.05;
+
+std::vector<std::size_t> foldedQuads(const Mesh& mesh) {
+  std::vector<std::size_t> folded;
+  for (std::size_t e = 0; e < mesh.elements.size(); ++e)
+    if (mesh.elements[e].isQuad() && leans(mesh, mesh.elements[e])) folded.push_back(e);
+  return folded;
+}
+
+/// The patches that one change at a vertex of an element leads to, the most regular first.
+std::vector<QuadPatch> changesAt(const QuadPatch& patch, std::size_t element) {
+  std::vector<QuadPatch> changed;
+  for (const QuadPatch::Vertex v : patch.cornersAt(element))
+    forEachAct(patch, v, [&](const QuadPatch::Act& act) {
+      if (!patch.allows(act)) return;
+      changed.push_back(patch);
+      changed.back().apply(act);
+    });
+  std::ranges::stable_sort(changed, {}, &QuadPatch::energy);
+  return changed;
+}
+
+bool mend(PatchEditor& editor, std::size_t element) {
+  const Element corners = editor.topology().mesh().elements[element];
+  for (const VertexId seed : corners.vertices()) {
+    if (!editor.take(seed)) continue;
+    const auto inPatch = editor.find(element);
+    if (!inPatch) continue;
+    const QuadPatch patch = editor.patch();
+    if (editor.putBack(patch, kSoundJacobian, FinishAct::Kind::Search)) return true;
+    for (const QuadPatch& changed : changesAt(patch, *inPatch))
+      if (editor.putBack(changed, kSoundJacobian, FinishAct::Kind::Search)) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+std::size_t turnElementsRound(Mesh& mesh, const MeshBoundary& boundary,
+                              const AF2LocalTransformMaker& maker, const std::stop_token& stop) {
+  const std::vector<std::size_t> folded = foldedQuads(mesh);
+  if (folded.empty()) return 0;
+  MeshTopology topology(mesh, boundary);
+  PatchEditor editor(topology, maker, topology.anglesAtFixed());
+  std::size_t left = 0;
+  for (const std::size_t e : folded) {
+    if (stop.stop_requested()) break;
+    if (topology.isDead(e) || !leans(mesh, mesh.elements[e])) continue;
+    left += !mend(editor, e);
+  }
+  topology.compact();
+  return left;
+}
+
+}  // namespace af2
