@@ -5,7 +5,7 @@ namespace af2::dsl {
 
 void checkProgress(const CheckedRules& rules, Findings& findings) {
   for (const CompiledRule& rule : rules.rules)
-    if (rule.definition.elements.empty())
+    if (rule.definition.elements.empty() && !rule.actSpan)
       findings.add(rule, Code::NoProgress, rule.title, "this rule makes no element",
                    "applying it would change nothing", "add `tri a b c;` or `quad a b c d;`");
 }

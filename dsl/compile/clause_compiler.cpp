@@ -230,6 +230,8 @@ void ClauseCompiler::compileClause(const Clause& clause) {
       clause.content, [&](const AtClause& c) { compilePlaces(c); },
       [&](const NearClause& c) { compileNear(c); },
       [&](const WeldClause& c) { compileWeld(c, clause.span); },
+      [&](const FarClause& c) { compileFar(c); },
+      [&](const PathClause& c) { compilePath(c, clause.span); },
       [&](const SlopeClause& c) { compileSlope(c); }, [&](const LetClause& c) { compileLet(c); },
       [&](const NewClause& c) { compileNew(c); },
       [&](const ZoneClause& c) { readZone(c, clause.span); },
@@ -327,6 +329,7 @@ std::optional<CompiledRule> ClauseCompiler::compile(const std::string& title, Sp
       for (const Chain& chain : front->chains) addChain(chain);
   for (const Clause& clause : rule_.clauses) compileClause(clause);
   placeNearVertices();
+  if (zones_.empty()) addZoneOfAct();
   compileZones();
   if (mirror_) applyOverrides();
   tellMissingValues();

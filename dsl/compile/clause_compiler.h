@@ -127,6 +127,9 @@ class ClauseCompiler {
   void compileNear(const NearClause& clause);
   void placeNearVertices();
   void compileWeld(const WeldClause& clause, Span span);
+  void compileFar(const FarClause& clause);
+  void compilePath(const PathClause& clause, Span span);
+  void addZoneOfAct();
   std::optional<ReferenceByLevel> referenceOf(const Place& place);
   std::optional<ToleranceByLevel> toleranceOf(const Tolerance& tolerance, bool& isAny);
   std::optional<ToleranceByLevel> formOf(const Expr& expr);
@@ -190,6 +193,7 @@ class ClauseCompiler {
   bool hasErrors_ = false;
   bool isGeneric_ = false;
   bool hasCost_ = false, hasPriority_ = false;
+  std::optional<int> far_;  ///< the vertex of `far`
 };
 
 }  // namespace af2::dsl

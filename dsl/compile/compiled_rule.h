@@ -49,7 +49,7 @@ struct CompiledRule {
   std::vector<Span> zoneSpans;    ///< the zone clauses
   std::vector<WrittenCondition> conditions;  ///< one for each requirement of the definition
   std::optional<Span> costSpan;              ///< the value of the cost
-  std::optional<Span> weldSpan;              ///< the clause `weld`
+  std::optional<Span> actSpan;               ///< the clause `weld` or `path`
   Span levelSpan;
   std::optional<Span> mirrorSpan;  ///< of the clause `mirror "..."` of this rule
   std::map<std::string, RuleParameter> parameters;

@@ -17,8 +17,8 @@ class EdgeSurroundings final : public AF2Surroundings {
   }
   int layer(int vertex) const override { return vertex == 0 ? edge_.layerA : edge_.layerB; }
   int count(int vertex, const std::array<double, 3>& bounds) const override {
-    return vertex == 0 ? countOf(edge_.sweepA, bounds) + edge_.countShiftA
-                       : countOf(edge_.sweepB, bounds) + edge_.countShiftB;
+    const int own = vertex == 0 ? edge_.ownCountA : edge_.ownCountB;
+    return own > 0 ? own : countOf(vertex == 0 ? edge_.sweepA : edge_.sweepB, bounds);
   }
 
  private:

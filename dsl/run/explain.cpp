@@ -220,6 +220,8 @@ const char* remedyFor(Refusal reason) {
              "zone";
     case Refusal::Inverted:
       return "place the new vertices so that all new elements turn left here";
+    case Refusal::Weld:
+      return "no remedy in the rule: the mesh would not stay sound";
     case Refusal::Score:
       return "let `accept` grow with the level, or write a rule that makes better elements here";
     case Refusal::Surface:

@@ -194,6 +194,25 @@ struct WeldClause {
   }
 };
 
+/// far c
+struct FarClause {
+  Name vertex;
+
+  void visitParts(auto&& part) const { part(NameRole::PlacedVertex, vertex, vertex.span); }
+};
+
+/// path a -> c by expr
+struct PathClause {
+  Name from, to;
+  Expr segments;
+
+  void visitParts(auto&& part) const {
+    part(NameRole::Vertex, from);
+    part(NameRole::Vertex, to);
+    part(segments);
+  }
+};
+
 struct RequireClause {
   std::vector<Expr> conditions;
 
@@ -266,8 +285,8 @@ struct MirrorClause {
 
 using ClauseContent =
     std::variant<std::monostate, FrontClause, AtClause, NearClause, SlopeClause, LetClause,
-                 NewClause, ZoneClause, ElementClause, WeldClause, RequireClause, CostClause,
-                 PriorityClause, MetaClause, MirrorClause>;
+                 NewClause, ZoneClause, ElementClause, WeldClause, FarClause, PathClause,
+                 RequireClause, CostClause, PriorityClause, MetaClause, MirrorClause>;
 
 struct Clause {
   Span span;  ///< empty: could not be read

@@ -49,6 +49,8 @@ AF2_RULE(zoneClause, ZoneClause, "zone");
 AF2_RULE(corners, std::vector<Name>, "the vertices of an element");
 AF2_RULE(elementClause, ElementClause, "an element");
 AF2_RULE(weldClause, WeldClause, "weld");
+AF2_RULE(farClause, FarClause, "far");
+AF2_RULE(pathClause, PathClause, "path");
 AF2_RULE(requireClause, RequireClause, "require");
 AF2_RULE(costClause, CostClause, "cost");
 AF2_RULE(priorityClause, PriorityClause, "priority");
@@ -91,6 +93,11 @@ const auto weldClause_def = word("weld") >> need(name, kVertex)[into(&WeldClause
                             need("into") >> need(name, kVertex)[into(&WeldClause::into)] >>
                             need("at") >> need(expr, kExpression)[into(&WeldClause::at)] >>
                             clauseEnd;
+const auto farClause_def = word("far") >> need(name, kVertex)[into(&FarClause::vertex)] >> clauseEnd;
+const auto pathClause_def = word("path") >> need(name, kVertex)[into(&PathClause::from)] >>
+                            need("->") >> need(name, kVertex)[into(&PathClause::to)] >>
+                            need("by") >> need(expr, kExpression)[into(&PathClause::segments)] >>
+                            clauseEnd;
 const auto requireClause_def = word("require") >>
                                parts(SyntaxUnit::Clause, ListPart::Expression, expr,
                                      append(&RequireClause::conditions), "a condition") >>
@@ -101,7 +108,7 @@ const auto priorityClause_def =
     word("priority") >> need(unary, "a whole number")[into(&PriorityClause::value)] >> clauseEnd;
 
 BOOST_SPIRIT_DEFINE(frontClause, atClause, nearVertex, nearClause, slopeClause, letClause,
-                    newClause, zoneClause, corners, elementClause, weldClause, requireClause,
+                    newClause, zoneClause, corners, elementClause, weldClause, farClause, pathClause, requireClause,
                     costClause, priorityClause)
 
 // ---- mirror -------------------------------------------------------------------------------------
@@ -130,7 +137,8 @@ const auto clause_def =
     spanned(!word("}") >> !atBlockEnd >>
             (frontClause[content] | atClause[content] | nearClause[content] |
              slopeClause[content] | letClause[content] | newClause[content] | zoneClause[content] |
-             elementClause[content] | weldClause[content] | requireClause[content] | costClause[content] | priorityClause[content] |
+             elementClause[content] | weldClause[content] | farClause[content] |
+             pathClause[content] | requireClause[content] | costClause[content] | priorityClause[content] |
              meta[content] | mirrorClause[content] | need(Nothing(), kClause)));
 
 BOOST_SPIRIT_DEFINE(mirrorVertex, mirrorPart, mirrorClause, clause)

@@ -122,6 +122,27 @@ void Front::replace(PlaceId base, std::span<const WalkVertex> walk, Change& chan
   }
 }
 
+void Front::weld(PlaceId first, PlaceId last, VertexId vertex, const SurfacePoint& point,
+                 Change& change) {
+  change.added.clear();
+  change.removed = {first, next(first)};
+  const std::int32_t layer = std::min((*this)[first].layer, (*this)[last].layer);
+  if (loops_.areNumbered()) loops_.shorten(last);
+  link(previous(first), last);
+  edgeCount_ -= 2;
+  for (const PlaceId id : change.removed) places_[id.value].level = 0;
+  Place& place = places_[last.value];
+  place.vertex = vertex;
+  place.point = point;
+  place.layer = layer;
+  place.ownCount = 0;
+  for (const PlaceId id : {previous(last), last}) {
+    places_[id.value].level = 1;
+    places_[id.value].age = age_++;
+    change.added.push_back(id);
+  }
+}
+
 void Front::release(const Change& change) {
   for (PlaceId id : change.removed) free_.push_back(id);
 }

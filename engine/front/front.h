@@ -22,8 +22,8 @@ struct alignas(64) Place {
   std::int32_t layer = 0;  ///< layers of elements between the vertex and the boundary
   /// Sequence number of the edge: increases with each edge that joins the front.
   std::uint32_t age = 0;
-  /// How many elements the vertex wants here beyond what its free angle says.
-  std::int8_t countShift = 0;
+  /// How many elements the vertex wants here; 0: as many as its free angle says.
+  std::int8_t ownCount = 0;
 };
 
 /// A vertex on the walk that replaces a base edge.
@@ -68,6 +68,11 @@ class Front {
   /// which splits a loop or joins two. Loops of two opposite edges cancel. `change` is overwritten.
   /// Removed places keep their contents until `release`, so that callers can still report them.
   void replace(PlaceId base, std::span<const WalkVertex> walk, Change& change);
+
+  /// Removes two edges first -> middle -> last, whose far ends have become one vertex. The place
+  /// `last` stays. The loop must have more than four edges. `change` is as for `replace`.
+  void weld(PlaceId first, PlaceId last, VertexId vertex, const SurfacePoint& point,
+            Change& change);
 
   /// Gives removed places back for reuse.
   void release(const Change& change);

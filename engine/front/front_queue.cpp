@@ -15,8 +15,8 @@ FrontEdgeFacts factsOf(const Front& front, PlaceId id, bool needsTurns) {
   facts.turnB = front.turn(a.next);
   facts.sweepA = front.sweep(id);
   facts.sweepB = front.sweep(a.next);
-  facts.countShiftA = a.countShift;
-  facts.countShiftB = b.countShift;
+  facts.ownCountA = a.ownCount;
+  facts.ownCountB = b.ownCount;
   return facts;
 }
 
@@ -30,7 +30,10 @@ bool FrontQueue::KeyedEntry::operator<(const KeyedEntry& other) const {
 }
 
 FrontQueue::FrontQueue(const AF2FrontOrder& order)
-    : order_(order), layered_(order.layered()), own_(order.makeQueue()) {}
+    : order_(order),
+      layered_(order.layered()),
+      own_(order.makeQueue()),
+      isRenewed_(!layered_ && !own_ && order.needsTurns()) {}
 
 void FrontQueue::push(const Front& front, PlaceId id) {
   if (layered_) {
@@ -57,7 +60,7 @@ void FrontQueue::pushKeyed(const Front& front, PlaceId id, std::uint64_t turn) {
 
 /// The edge keeps its insertion number: ties go on as if its keys had always been these.
 void FrontQueue::renew(const Front& front, PlaceId id) {
-  if (layered_ || own_ || !order_.needsTurns()) return;
+  if (!isRenewed_) return;
   if (!front.hasEdge(id) || id.value >= waiting_.size() || waiting_[id.value].version == 0) return;
   pushKeyed(front, id, waiting_[id.value].turn);
 }

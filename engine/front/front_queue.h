@@ -19,6 +19,8 @@ class FrontQueue {
 
   /// Inserts the edge that leaves `id`, with its current level.
   void push(const Front& front, PlaceId id);
+  /// Whether `renew` does anything.
+  bool isRenewed() const { return isRenewed_; }
   /// An end of a waiting edge has another neighbour: computes the keys again if they use turns.
   void renew(const Front& front, PlaceId id);
   /// Removes and returns the next edge; none if the queue is empty.
@@ -55,6 +57,7 @@ class FrontQueue {
   const AF2FrontOrder& order_;
   const LayeredFrontOrder* layered_;   // the fast form: one bucket for each key
   std::unique_ptr<AF2EdgeQueue> own_;  // for an order that keys cannot express
+  bool isRenewed_;
   std::vector<Bucket> buckets_;
   std::size_t lowest_ = 0;
   std::priority_queue<KeyedEntry> heap_;

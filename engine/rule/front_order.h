@@ -15,8 +15,8 @@ struct FrontEdgeFacts {
   double length = 1;            ///< in units of the wanted length
   double turnA = 0, turnB = 0;  ///< free angles at the ends, radians in (0, 2 pi]
   double sweepA = 0, sweepB = 0;  ///< the same free angles as `sweepOf` measures them, in (0, 4]
-  /// How many elements the ends want beyond what their free angles say.
-  int countShiftA = 0, countShiftB = 0;
+  /// How many elements the ends want; 0: as many as their free angles say.
+  int ownCountA = 0, ownCountB = 0;
 };
 
 class Front;

@@ -28,6 +28,8 @@ const char* toString(Refusal refusal) {
       return "clear";
     case Refusal::Inverted:
       return "inverted";
+    case Refusal::Weld:
+      return "weld";
     case Refusal::Score:
       return "score";
     case Refusal::Surface:

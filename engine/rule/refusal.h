@@ -18,6 +18,7 @@ enum class Refusal {
   ZoneHitByEdge,    ///< the free zone holds part of a front edge
   Clearance,        ///< a new edge would come too close to a front edge
   Inverted,         ///< a new element would not be positively oriented
+  Weld,             ///< the mesh or the front would not stay sound
   Score,            ///< the rule set does not accept the score
   Surface,  ///< a new vertex has no point on the surface, or an element would fold over there
   Beaten,   ///< another rule scored better

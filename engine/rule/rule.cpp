@@ -146,11 +146,41 @@ std::vector<std::int8_t> replacementOf(const RuleDefinition& rule, const std::se
   return walk;
 }
 
+/// The vertex between the two edges of a weld, one of which is the base.
+int middleOf(const RuleDefinition& rule) {
+  const auto has = [&](int from, int to) {
+    return std::ranges::any_of(
+        rule.edges, [&](const PatternEdge& e) { return e.from == from && e.to == to; });
+  };
+  const auto [from, into, place] = *rule.weld;
+  for (const int middle : {0, 1})
+    if ((has(from, middle) && has(middle, into)) || (has(into, middle) && has(middle, from)))
+      return middle;
+  fail(rule, "welds vertices that are not the far ends of the base edge and the next one");
+}
+
+void checkActs(const RuleDefinition& rule) {
+  if (!rule.elements.empty()) fail(rule, "makes elements; a rule that welds or has a path makes none");
+  if (rule.weld && rule.path) fail(rule, "welds and has a path");
+  if (rule.path && (rule.vertices.size() != 3 || !rule.newVertices.empty()))
+    fail(rule, "has a path, so it takes a, b and one other vertex");
+  if (rule.weld && (rule.newVertices.size() != 1 || !rule.weld->place))
+    fail(rule, "welds, so it has one new position");
+}
+
 }  // namespace
 
 AF2Rule::AF2Rule(RuleDefinition definition) : definition_(std::move(definition)) {
   checkVertices(definition_);
   checkPattern(definition_);
+  if (!makesElements()) {
+    checkActs(definition_);
+    if (!definition_.weld) return;
+    weldMiddle_ = middleOf(definition_);
+    for (const PatternEdge& edge : definition_.edges)
+      if (edge.from == weldMiddle_ || edge.to == weldMiddle_) consumed_.push_back(edge);
+    return;
+  }
   const std::set<Edge> boundary = boundaryOf(elementEdges(definition_));
 
   for (const PatternEdge& edge : definition_.edges) {

@@ -101,6 +101,13 @@ struct RuleWeld {
   std::shared_ptr<const AF2PointTransform> place;
 };
 
+/// A rule's act where no other rule applies: a path of new edges from a vertex of the front across
+/// its loop to another.
+struct RulePath {
+  /// How many edges the path should have; the nearest number that leaves even loops is taken.
+  std::shared_ptr<const AF2BindingFunction> segments;
+};
+
 /// Where a rule was written.
 struct RuleSource {
   std::string file;
@@ -121,6 +128,8 @@ struct RuleDefinition {
   std::shared_ptr<const AF2FreeZoneDef> zone;
   std::vector<RuleElement> elements;
   std::optional<RuleWeld> weld;  ///< of a rule without elements
+  /// Of a rule without elements: from vertex 0 to vertex 2, which may be any vertex of the loop.
+  std::optional<RulePath> path;
   std::vector<std::shared_ptr<const AF2BindingFunction>> requirements;  ///< all must be nonzero
   std::shared_ptr<const AF2BindingFunction> cost;  ///< added to the score; null: no cost
   int priority = 0;                                ///< ties in score go to the smaller one
@@ -135,7 +144,8 @@ class AF2_EXPORT AF2Rule {
 
   /// Throws InputError, naming the rule, if the definition contradicts itself: unknown or repeated
   /// vertices, an element edge used twice in one direction, a base edge that is not consumed, a
-  /// union of elements that does not have one boundary walk, chains that branch.
+  /// union of elements that does not have one boundary walk, chains that branch, a weld of vertices
+  /// that are not the far ends of two neighbouring edges.
   explicit AF2Rule(RuleDefinition definition);
 
   const RuleDefinition& definition() const { return definition_; }
@@ -143,6 +153,9 @@ class AF2_EXPORT AF2Rule {
   int matchedCount() const { return static_cast<int>(definition_.vertices.size()); }
   int newCount() const { return static_cast<int>(definition_.newVertices.size()); }
   int vertexCount() const { return matchedCount() + newCount(); }
+  bool makesElements() const { return !definition_.weld && !definition_.path; }
+  /// Of a rule with a weld: the vertex between the two edges.
+  int weldMiddle() const { return weldMiddle_; }
   bool appliesAt(int level) const {
     return level >= definition_.firstLevel && level <= definition_.lastLevel.value_or(level);
   }
@@ -159,6 +172,7 @@ class AF2_EXPORT AF2Rule {
   RuleDefinition definition_;
   std::vector<PatternEdge> consumed_, new_;
   std::vector<std::int8_t> replacement_;
+  int weldMiddle_ = -1;
 };
 
 }  // namespace af2

@@ -8,6 +8,11 @@
 #include "engine/front/front_index.h"
 #include "engine/front/front_queue.h"
 #include "engine/front/input_check.h"
+#include "engine/run/advance.h"
+#include "engine/run/columns.h"
+#include "engine/run/loop_path.h"
+#include "engine/run/row_smoothing.h"
+#include "engine/run/weld.h"
 #include "engine/step/candidate_choice.h"
 #include "engine/step/compiled_rules.h"
 
@@ -25,7 +30,14 @@ constexpr std::size_t kMaxExplained = 100;
 /// And of how many the front around them is kept.
 constexpr std::size_t kMaxPieces = 10;
 
-class Run {
+/// Whether the rules do more than add elements, so that the elements at vertices must be known.
+bool actOnVertices(const RuleSetDefinition& set) {
+  return set.rowRounds > 0 || std::ranges::any_of(set.rules, [](const AF2Rule& rule) {
+           return rule.definition().weld.has_value();
+         });
+}
+
+class Run : private WeldGuard {
  public:
   Run(const CompiledRules& rules, const AF2LocalTransformMaker& maker, const FrontInput& input,
       const SizeField& size, const FrontOptions& options)
@@ -36,10 +48,13 @@ class Run {
         options_(options),
         index_(makeIndex(input)),
         queue_(*rules.set().definition().order),
-        choice_(rules, front_, index_, size, valence_) {
+        choice_(rules, front_, index_, size, valence_),
+        actsOnVertices_(actOnVertices(rules.set().definition())),
+        hasRows_(rules.set().definition().rowRounds > 0 || rules.set().definition().columns) {
     makeRoom(input.vertexCount);
     result_.mesh.vertices.resize(input.vertexCount);
     valence_.resize(input.vertexCount, 0);
+    choice_.askAboutWelds(*this);
     if (const auto limits = limitsOfFlatRegion(input)) choice_.keepWithin(*limits);
     for (const auto& loop : input.loops) addLoop(loop);
     front_.untangle();
@@ -50,16 +65,17 @@ class Run {
   }
 
   MeshingResult execute() {
-    std::size_t elementsAtLastRound = 0;
+    std::size_t gainsAtLastRound = 0;
     if (options_.observer) options_.observer->frontBegun(input_);
     do {
-      elementsAtLastRound = result_.mesh.elements.size();
+      gainsAtLastRound = gains();
       advance();
       // Edges that were stuck may have become free through later changes around them.
     } while (result_.outcome == Outcome::Complete && !front_.isEmpty() &&
-             result_.mesh.elements.size() > elementsAtLastRound && revive());
+             ((gains() > gainsAtLastRound && revive()) || layPath()));
     result_.candidates = choice_.examined();
     finish();
+    dropDeadVertices();
     if (options_.observer) options_.observer->frontEnded(result_.stuck.size());
     return std::move(result_);
   }
@@ -101,6 +117,11 @@ class Run {
         result_.outcome = Outcome::Cancelled;
         return;
       }
+      if (hasRows_ && endsRow(base)) {
+        queue_.push(front_, base);
+        finishRow();
+        continue;
+      }
       step(base);
       ++result_.steps;
       if (!isReportDue()) continue;
@@ -114,6 +135,11 @@ class Run {
     }
   }
 
+  /// What counts as progress: elements, and acts that shorten or divide loops.
+  std::size_t gains() const {
+    return result_.mesh.elements.size() + result_.acts.welds + result_.acts.paths;
+  }
+
   bool isReportDue() {
     const std::size_t candidates = choice_.examined();
     if (result_.steps % kReportSteps != 0 && candidates < nextReport_) return false;
@@ -124,11 +150,10 @@ class Run {
   bool isStalledBySteps() {
     if (options_.stallSteps <= 0) return false;
     constexpr int kMinReports = 2;
-    const std::size_t elements = result_.mesh.elements.size();
-    const bool gains = elements >= elementsReported_ + kMinGain;
-    idleReports_ = gains ? 0 : idleReports_ + 1;
-    if (gains) stepsAtGain_ = result_.steps;
-    elementsReported_ = elements;
+    const bool hasGained = gains() >= gainsReported_ + kMinGain;
+    idleReports_ = hasGained ? 0 : idleReports_ + 1;
+    if (hasGained) stepsAtGain_ = result_.steps;
+    gainsReported_ = gains();
     return idleReports_ >= kMinReports &&
            result_.steps - stepsAtGain_ >=
                static_cast<std::size_t>(options_.stallSteps) * front_.edgeCount();
@@ -138,9 +163,9 @@ class Run {
   /// which they match: where this holds for all edges of a long strip, 10 to 90 candidates each.
   bool isStalledByCandidates() {
     constexpr std::size_t kForEachEdge = 60;
-    const std::size_t elements = result_.mesh.elements.size(), candidates = choice_.examined();
-    if (elements >= elementsAtGain_ + kMinGain) {
-      elementsAtGain_ = elements;
+    const std::size_t candidates = choice_.examined();
+    if (gains() >= gainsAtGain_ + kMinGain) {
+      gainsAtGain_ = gains();
       candidatesAtGain_ = candidates;
     }
     return options_.stallCandidates > 0 &&
@@ -216,19 +241,113 @@ class Run {
   }
 
   void apply(PlaceId base, const Application& application) {
-    const std::size_t firstNew = result_.mesh.vertices.size();
-    addVertices(application);
-    addElements(application, front_[base].level, firstNew);
-    makeWalk(base, application, firstNew);
-    index_.erase(base);
-    front_.replace(base, walk_, change_);
+    if (application.rule->rule->definition().weld) {
+      weld();
+    } else {
+      const std::size_t firstNew = result_.mesh.vertices.size();
+      const std::size_t firstElement = result_.mesh.elements.size();
+      addVertices(application);
+      addElements(application, front_[base].level, firstNew);
+      if (actsOnVertices_) elements_.enter(result_.mesh, firstElement);
+      makeWalk(base, application, firstNew);
+      if (hasRows_) useUpCounts(base);
+      index_.erase(base);
+      front_.replace(base, walk_, change_);
+    }
+    takeChange();
+  }
+
+  /// The front has changed as `change_` tells.
+  void takeChange() {
     for (PlaceId id : change_.removed) index_.erase(id);
     front_.release(change_);
     for (PlaceId id : change_.added) enter(id);
+    if (!queue_.isRenewed()) return;
     for (PlaceId id : change_.added) {
       queue_.renew(front_, front_.previous(id));
       queue_.renew(front_, front_.next(id));
     }
+  }
+
+  /// An element at each end of the base fills one of the parts that the end wants.
+  void useUpCounts(PlaceId base) {
+    for (const PlaceId end : {base, front_.next(base)})
+      if (front_[end].ownCount > 0) --front_[end].ownCount;
+  }
+
+  // ---- acts beside rules that add elements --------------------------------------------------------
+
+  Advance state() {
+    return {front_, index_, queue_, result_.mesh, elements_, maker_};
+  }
+
+  bool allows(const StepChart& chart, PlaceId first, const Application& application) override {
+    const RuleDefinition& rule = application.rule->rule->definition();
+    const PlaceId from = application.open.places[static_cast<std::size_t>(rule.weld->from)];
+    weld_ = planWeld(state(), chart, first, from == first, *application.newPoints[0].point);
+    return weld_.has_value();
+  }
+
+  void weld() {
+    Advance advance = state();
+    af2::apply(advance, *weld_, change_);
+    for (const PlaceId id : change_.added) index_.erase(id);  // it enters again with the change
+    const auto of = [&](VertexId v) -> std::uint8_t& { return valence_[v.value]; };
+    of(weld_->into) = static_cast<std::uint8_t>(
+        std::min<int>(255, of(weld_->into) + of(weld_->from)));
+    dead_.push_back(weld_->from);
+    ++result_.acts.welds;
+    tell({FrontAct::Kind::Weld, weld_->from, weld_->into, 1});
+  }
+
+  void tell(const FrontAct& act) {
+    if (options_.observer) options_.observer->frontActed(act);
+  }
+
+  /// A row is complete when the next edge lies in a higher layer than all edges before it.
+  bool endsRow(PlaceId base) {
+    const std::int32_t row = (front_[base].layer + front_[front_.next(base)].layer) / 2;
+    return row > row_ && (row_ = row, true);
+  }
+
+  void finishRow() {
+    const RuleSetDefinition& set = rules_.set().definition();
+    ++result_.acts.rows;
+    if (set.rowRounds > 0) {
+      Advance advance = state();
+      const std::size_t moves = smoothRow(advance, set.rowRounds);
+      result_.acts.moves += moves;
+      tell({FrontAct::Kind::Row, {}, {}, moves});
+    }
+    if (!set.columns) return;
+    const std::size_t columns = planColumns(front_, queue_, *set.columns, valence_);
+    result_.acts.columns += columns;
+    tell({FrontAct::Kind::Columns, {}, {}, columns});
+  }
+
+  /// Where no edge can be advanced: divides a loop by a path, if a rule says how.
+  bool layPath() {
+    const auto path = bestPath(state(), rules_, size_, valence_);
+    if (!path) return false;
+    const Place from = front_[path->from], to = front_[path->to];
+    const std::int32_t layer = 1 + std::min(from.layer, to.layer);
+    std::vector<WalkVertex> there;
+    for (const SurfacePoint& point : path->points) {
+      there.push_back({PlaceId(), VertexId(result_.mesh.vertices.size()), point,
+                       checkedSizeAt(size_, point), layer});
+      result_.mesh.vertices.push_back(point);
+      valence_.push_back(0);
+    }
+    walk_ = there;
+    walk_.push_back({path->to, to.vertex, to.point, to.size, to.layer});
+    walk_.insert(walk_.end(), there.rbegin(), there.rend());
+    walk_.push_back({PlaceId(), from.vertex, from.point, from.size, from.layer});
+    index_.erase(path->from);
+    front_.replace(path->from, walk_, change_);
+    takeChange();
+    ++result_.acts.paths;
+    tell({FrontAct::Kind::Path, from.vertex, to.vertex, path->points.size() + 1});
+    return revive();
   }
 
   void addVertices(const Application& application) {
@@ -314,6 +433,42 @@ class Run {
     return !edges.empty();
   }
 
+  /// Gives vertices that a weld has left without elements no place in the numbering.
+  void dropDeadVertices() {
+    if (dead_.empty()) return;
+    std::ranges::sort(dead_);
+    Mesh& mesh = result_.mesh;
+    std::vector<VertexId> renumbered(mesh.vertices.size());
+    std::size_t next = 0;
+    auto dead = dead_.begin();
+    for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
+      if (dead != dead_.end() && dead->value == v) {
+        ++dead;
+        continue;
+      }
+      mesh.vertices[next] = mesh.vertices[v];
+      renumbered[v] = VertexId(next++);
+    }
+    mesh.vertices.resize(next);
+    const auto renumberVertex = [&](VertexId& v) {
+      if (!v.isNone()) v = renumbered[v.value];
+    };
+    for (Element& element : mesh.elements)
+      for (VertexId& v : element.corners) renumberVertex(v);
+    for (StuckEdge& edge : result_.stuck) renumber(edge, renumberVertex);
+  }
+
+  static void renumber(StuckEdge& edge, const auto& renumberVertex) {
+    renumberVertex(edge.from);
+    renumberVertex(edge.to);
+    for (RuleRefusal& refusal : edge.refusals) {
+      renumberVertex(refusal.from);
+      renumberVertex(refusal.to);
+      for (VertexId& v : refusal.matched) renumberVertex(v);
+    }
+    for (VertexId& v : edge.around.ids) renumberVertex(v);
+  }
+
   void finish() {
     for (std::size_t i = 0; i < front_.capacity(); ++i)
       if (front_.isUsed(PlaceId(i)) && front_.isIsolated(PlaceId(i)))
@@ -348,13 +503,18 @@ class Run {
   FrontQueue queue_;
   std::vector<std::uint8_t> valence_;  // number of elements at each vertex, at most 255
   CandidateChoice choice_;
-  std::size_t nextReport_ = kReportCandidates, elementsReported_ = 0;
+  std::size_t nextReport_ = kReportCandidates, gainsReported_ = 0;
   int idleReports_ = 0;          // consecutive reports without progress
   std::size_t stepsAtGain_ = 0;  // steps at the last progress
-  std::size_t elementsAtGain_ = 0, candidatesAtGain_ = 0;
+  std::size_t gainsAtGain_ = 0, candidatesAtGain_ = 0;
   ChartSlot slot_;
   std::vector<WalkVertex> walk_;
   Front::Change change_;
+  bool actsOnVertices_, hasRows_;
+  VertexElements elements_;      // kept if `actsOnVertices_`
+  std::optional<Weld> weld_;     // the one that was allowed last
+  std::vector<VertexId> dead_;   // vertices that welds have removed
+  std::int32_t row_ = 0;         // the row that is being made
   MeshingResult result_;
 };
 

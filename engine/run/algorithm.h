@@ -49,6 +49,7 @@ struct MeshingResult {
   std::vector<StuckEdge> stuck;  ///< the remaining front edges, if the run got stuck
   std::vector<VertexId> unused;  ///< isolated vertices that no element uses
   std::size_t steps = 0, failedSteps = 0;
+  FrontActCounts acts;
   std::size_t candidates = 0;  ///< examined in all steps: determines the running time
 };
 

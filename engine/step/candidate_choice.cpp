@@ -250,7 +250,7 @@ Refusal CandidateChoice::testFront(const StepView& view, const Candidate& candid
 }
 
 bool CandidateChoice::keepsLoopsEven(const StepView& view, const Candidate& candidate) {
-  if (!front_.loops().areNumbered()) return true;
+  if (!front_.loops().areNumbered() || !candidate.rule->rule->makesElements()) return true;
   OpenPlaces& open = application_.open;
   // Without open places, the candidate is refused later, for that reason.
   return !findOpenPlaces(view, *candidate.rule, candidate.match, open) ||
@@ -328,7 +328,11 @@ void CandidateChoice::searchZone(const StepView& view, const Candidate& candidat
 Refusal CandidateChoice::prepare(const StepView& view, const Candidate& candidate) {
   application_.rule = candidate.rule;
   application_.score = candidate.score;
-  if (!findOpenPlaces(view, *candidate.rule, candidate.match, application_.open))
+  const bool makesElements = candidate.rule->rule->makesElements();
+  if (!makesElements)
+    application_.open.places.assign(candidate.match.places.begin(),
+                                    candidate.match.places.begin() + candidate.rule->matchedCount);
+  else if (!findOpenPlaces(view, *candidate.rule, candidate.match, application_.open))
     return Refusal::Inverted;
   application_.newPoints.clear();
   for (int k = 0; k < candidate.rule->newCount; ++k) {
@@ -337,9 +341,17 @@ Refusal CandidateChoice::prepare(const StepView& view, const Candidate& candidat
     const auto& lifted = application_.newPoints.back().point;
     if (!lifted || !holds(limits_, lifted->position)) return Refusal::Surface;
   }
+  if (!makesElements) return testWeld(view, candidate);
   if (view.chart.isPlane()) return Refusal::None;
   const int reflexCorners = rules_.scoring().allowsReflexAt(view.level) ? 1 : 0;
   return staysUnfolded(view, application_, reflexCorners) ? Refusal::None : Refusal::Surface;
+}
+
+Refusal CandidateChoice::testWeld(const StepView& view, const Candidate& candidate) {
+  const int middle = candidate.rule->rule->weldMiddle();
+  const PlaceId first = middle == 1 ? view.base : front_.previous(view.base);
+  return !weldGuard_ || weldGuard_->allows(view.chart, first, application_) ? Refusal::None
+                                                                            : Refusal::Weld;
 }
 
 std::vector<RuleRefusal> CandidateChoice::obstacles(const StepChart& chart, PlaceId base) {

@@ -31,6 +31,14 @@ struct Application {
   std::vector<LiftedPoint> newPoints;  ///< by new vertex; all are present
 };
 
+/// Asks the mesh whether a weld is possible, which the front alone cannot tell.
+class WeldGuard {
+ public:
+  virtual ~WeldGuard() = default;
+  /// first  the place of the first of the two edges
+  virtual bool allows(const StepChart& chart, PlaceId first, const Application& application) = 0;
+};
+
 /// Reused from step to step, so that nothing is allocated after the first steps.
 class CandidateChoice {
  public:
@@ -39,6 +47,8 @@ class CandidateChoice {
 
   /// For a region known to lie within a box: no new vertex is placed outside it.
   void keepWithin(const Box3& box) { limits_ = box; }
+  /// Without a guard, the front alone decides about welds. Keeps a pointer.
+  void askAboutWelds(WeldGuard& guard) { weldGuard_ = &guard; }
 
   /// The best applicable rule at the edge that leaves `base`, or null. Valid until the next call.
   const Application* choose(const StepChart& chart, PlaceId base);
@@ -66,6 +76,7 @@ class CandidateChoice {
   bool isBetter(const Candidate& one, const Candidate& other) const;
   Refusal testFront(const StepView& view, const Candidate& candidate, RuleRefusal& culprit);
   bool keepsLoopsEven(const StepView& view, const Candidate& candidate);
+  Refusal testWeld(const StepView& view, const Candidate& candidate);
   Refusal testClearance(const StepView& view, const Candidate& candidate, RuleRefusal& culprit);
   Refusal testZone(const StepView& view, const Candidate& candidate, RuleRefusal& culprit);
   template <class Visit>
@@ -95,6 +106,7 @@ class CandidateChoice {
   bool wasWide_ = false;
   std::size_t examined_ = 0;
   Application application_;
+  WeldGuard* weldGuard_ = nullptr;
   Box3 limits_{{-1e300, -1e300, -1e300}, {1e300, 1e300, 1e300}};
 };
 

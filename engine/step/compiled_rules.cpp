@@ -358,7 +358,8 @@ void CompiledRules::addRule(const AF2Rule& rule) {
   compiled.lastLevel = definition.lastLevel.value_or(std::numeric_limits<int>::max());
   compiled.matchedCount = rule.matchedCount();
   compiled.newCount = rule.newCount();
-  compiled.patterns = patternsOf(rule);
+  compiled.patterns = definition.path ? std::vector(1, CompiledPattern{&rule, {}, {}})
+                                      : patternsOf(rule);
   compiled.newPoints = fastNewPoints(rule);
   compiled.zone = fastZone(rule, set_.maxLevel());
   compiled.isWide = zoneReach(definition) > kOrdinaryReach;
@@ -369,7 +370,7 @@ void CompiledRules::addRule(const AF2Rule& rule) {
 
 void CompiledRules::collectRules(int level) {
   for (const CompiledRule& rule : rules_)
-    if (level >= rule.firstLevel && level <= rule.lastLevel)
+    if (level >= rule.firstLevel && level <= rule.lastLevel && !rule.rule->definition().path)
       byLevel_[indexOf(level)].push_back(
           {&rule, &rule.patternAt(level), rule.zone ? &rule.zone->at(level) : nullptr});
 }

@@ -42,6 +42,24 @@ struct StepReport {
   std::size_t elements = 0, frontEdges = 0;  ///< after the step
 };
 
+/// What an advance did beside adding elements.
+struct FrontAct {
+  enum class Kind {
+    Weld,    ///< `vertex` has become `other`
+    Row,     ///< a row was complete; `count` vertices were moved
+    Columns, ///< `count` vertices got counts of their own
+    Path,    ///< a path of `count` edges from `vertex` to `other`
+  };
+  Kind kind{};
+  VertexId vertex, other;
+  std::size_t count = 0;
+};
+
+/// How often an advance did what a FrontAct tells.
+struct FrontActCounts {
+  std::size_t welds = 0, rows = 0, moves = 0, columns = 0, paths = 0;
+};
+
 /// Receives every step of a run. Called from the thread that runs the engine.
 class AF2_EXPORT AF2MeshingObserver {
  public:
@@ -62,6 +80,8 @@ class AF2_EXPORT AF2MeshingObserver {
   virtual bool wantsFrontAround(const StepReport&) const { return false; }
   /// Follows `stepTaken`: the front around the base edge, as it was before the step.
   virtual void frontAround(const StepReport&, const LocalFront&) {}
+  /// Something beside a step that added elements; a weld follows its `stepTaken`.
+  virtual void frontActed(const FrontAct&) {}
   /// The front ended, with this number of edges that no rule took; 0: it closed.
   virtual void frontEnded(std::size_t /*edgesLeft*/) {}
   /// The observer of what is done to meshes after their fronts have closed, or null.

@@ -77,7 +77,7 @@ class RuleScoring {
         score = sum;
         break;
       case ScoreOf::Mean:
-        score = sum / static_cast<double>(elements.size());
+        score = elements.empty() ? 0 : sum / static_cast<double>(elements.size());
         break;
     }
     return Refusal::None;

@@ -58,7 +58,8 @@ int FrontSurroundings::count(int vertex, const std::array<double, 3>& bounds) co
   const PlaceId place = idOf(vertex);
   if (!view_.front.hasEdge(place) || !view_.front.hasEdgeBefore(place))
     return AF2Surroundings::count(vertex, bounds);
-  return countOf(view_.front.sweep(place), bounds) + view_.front[place].countShift;
+  const int own = view_.front[place].ownCount;
+  return own > 0 ? own : countOf(view_.front.sweep(place), bounds);
 }
 
 double FrontSurroundings::distanceToFront(Point2 point) const {
