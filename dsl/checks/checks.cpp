@@ -18,6 +18,8 @@ void checkTopology(const CheckedRules& rules, Findings& findings);
 void checkOrientation(const CheckedRules& rules, Findings& findings);
 void checkProgress(const CheckedRules& rules, Findings& findings);
 void checkParity(const CheckedRules& rules, Findings& findings);
+void checkColours(const CheckedRules& rules, Findings& findings);
+void checkActs(const CheckedRules& rules, Findings& findings);
 void checkMirrors(const CheckedRules& rules, Findings& findings);
 void checkLevels(const CheckedRules& rules, Findings& findings);
 void checkZones(const CheckedRules& rules, Findings& findings);
@@ -34,6 +36,10 @@ constexpr std::array kChecks{
     Check{1, {Code::OpenTopology}, "Do elements and pattern close up?", checkTopology},
     Check{1, {Code::NoProgress}, "Does every step make progress?", checkProgress},
     Check{1,
+          {Code::WeldOperands, Code::UnendingAct},
+          "Do welds and paths shorten or divide loops?",
+          checkActs},
+    Check{1,
           {Code::InvertedElement},
           "Are the elements positive at the reference match?",
           checkOrientation,
@@ -46,6 +52,7 @@ constexpr std::array kChecks{
           true,
           true},
     Check{2, {Code::BrokenParity}, "Does every rule keep the parity of the front?", checkParity},
+    Check{3, {Code::ClashingColours}, "Can loops with two colours have its edges?", checkColours},
     Check{2,
           {Code::MissingMirror, Code::RedundantMirror},
           "Has every rule its mirror image, once?",

@@ -171,7 +171,7 @@ Value ExpressionCompiler::callBuiltin(const Expr& expr, const Builtin& builtin) 
   if (!isAllowedHere(expr, builtin)) return {};
   const bool needsCounts = builtin.name == "count" || builtin.name == "spoke";
   if (needsCounts && !algebra_.frame().counts && place_ != ExpressionPlace::Constant) {
-    tell(Code::NotAvailable, expr.span, "'" + expr.name + "' needs the counts of the rule set", "",
+    tell(Code::MissingCounts, expr.span, "'" + expr.name + "' needs the counts of the rule set", "",
          "add `counts 130deg, 235deg, 315deg;` to the rule set; `corner(v)` works without");
     return {};
   }

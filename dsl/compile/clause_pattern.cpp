@@ -218,7 +218,7 @@ void ClauseCompiler::compileNear(const NearClause& clause) {
       return r > 0 && r <= kLongestReach;
     });
     if (reach && !isBounded)
-      tell(Code::NotConstant, near.reach.span,
+      tell(Code::MissingCounts, near.reach.span,
            "a reach is a distance above 0 and up to " + shownNumber(kLongestReach), "",
            "the unit is the target size; most reaches lie between 0.5 and 2.5");
     hasErrors_ = hasErrors_ || (!isGeneric_ && (at.isAny() || !isBounded));

@@ -253,7 +253,7 @@ std::optional<ColumnLimits> RuleSetCompiler::columns() {
   const auto layer = compiler.constantNumber(columns->layer, "a layer");
   if (!low || !high || !layer) return std::nullopt;
   if (!shared_.counts)
-    context_.tell(*home, Code::NotAvailable, cover(columns->low.span, columns->layer.span),
+    context_.tell(*home, Code::MissingCounts, cover(columns->low.span, columns->layer.span),
                   "'columns' changes the counts of vertices, and the rule set has none",
                   "add `counts 130deg, 235deg, 315deg;`");
   if (!(*low > 0 && *low < 1 && *high > 1 && *high <= 10))

@@ -43,6 +43,15 @@ Point2 MatchSampler::draw(const PatternVertex& vertex) {
   return reference + Point2{dx, dy};
 }
 
+/// Within reach of the computed place; vertices to come are at their references.
+Point2 MatchSampler::drawNear(const NearPlace& near, std::vector<Point2> vertices) {
+  for (std::size_t i = vertices.size(); i < rule_.definition().vertices.size(); ++i)
+    vertices.push_back(rule_.definition().vertices[i].reference.at(level_));
+  const PatternMatch match(rule_, std::move(vertices), level_);
+  const Point2 place = near.place->transformPoint(match.binding()).value_or(Point2{0.5, 1});
+  return place + near.reach.at(level_) * random_.inDisc();
+}
+
 double MatchSampler::drawBase() {
   const bool isScaled = rules_.definition().unit == ChartUnit::BaseLength;
   return isScaled ? 1 : random_.between(kShortestBase, kLongestBase);
@@ -54,7 +63,8 @@ std::optional<PatternMatch> MatchSampler::next() {
   for (int attempt = 0; attempt < kTries; ++attempt) {
     std::vector<Point2> vertices{{0, 0}, {drawBase(), 0}};
     const auto& pattern = rule_.definition().vertices;
-    for (std::size_t i = 2; i < pattern.size(); ++i) vertices.push_back(draw(pattern[i]));
+    for (std::size_t i = 2; i < pattern.size(); ++i)
+      vertices.push_back(pattern[i].near ? drawNear(*pattern[i].near, vertices) : draw(pattern[i]));
     PatternMatch match(rule_, std::move(vertices), level_);
     if (match.refusalOfMatch(rules_) == Refusal::None) return match;
   }

@@ -44,6 +44,7 @@ class MatchSampler {
 
  private:
   Point2 draw(const PatternVertex& vertex);
+  Point2 drawNear(const NearPlace& near, std::vector<Point2> vertices);
   double drawBase();
 
   const RuleSet& rules_;

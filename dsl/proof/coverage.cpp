@@ -163,6 +163,7 @@ Coverage measureCoverage(const RuleSet& rules, int lastLevel) {
       twoEdges);
   add({"three edges", "free angle at b", "free angle at a", angles(), angles(), {}, {}, {}},
       threeEdges);
+  coverage.closure = measureClosure(rules);
   return coverage;
 }
 

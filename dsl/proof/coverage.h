@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "dsl/proof/closure.h"
 #include "dsl/proof/sampled_checks.h"
 #include "engine/base/export.h"
 #include "engine/rule/rule_set.h"
@@ -32,6 +33,7 @@ struct CoverageMap {
 struct Coverage {
   int lastLevel = 0;  ///< the highest level that was tried
   std::vector<CoverageMap> maps;
+  std::optional<Closure> closure = {};  ///< of sets with `parity even`
 };
 
 /// Tries the whole rule set on isolated pieces of front: one edge, varied in length; two edges,

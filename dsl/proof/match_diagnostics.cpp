@@ -113,12 +113,16 @@ std::vector<Diagnostic> diagnosticsOf(const LoadedRules& loaded, const SampledRe
 }
 
 std::vector<Diagnostic> diagnosticsOf(const LoadedRules& loaded, const Coverage& coverage) {
-  const auto finding = findUncoveredSituations(coverage);
-  if (!finding) return {};
-  Diagnostic diagnostic = diagnosticOf(*finding);
-  diagnostic.place.file = loaded.file->main().source.name();
-  if (isMeantToBe(*loaded.file, diagnostic)) return {};
-  return {diagnostic};
+  std::vector<SampledFinding> findings;
+  if (coverage.closure) findings = findingsOf(*coverage.closure);
+  if (auto finding = findUncoveredSituations(coverage)) findings.push_back(std::move(*finding));
+  std::vector<Diagnostic> diagnostics;
+  for (const SampledFinding& finding : findings) {
+    Diagnostic diagnostic = diagnosticOf(finding);
+    diagnostic.place.file = loaded.file->main().source.name();
+    if (!isMeantToBe(*loaded.file, diagnostic)) diagnostics.push_back(std::move(diagnostic));
+  }
+  return diagnostics;
 }
 
 void addFinding(std::vector<Diagnostic>& told, Diagnostic finding) {

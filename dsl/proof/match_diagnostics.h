@@ -52,7 +52,8 @@ AF2_EXPORT DiagnosticNote testNote(const std::string& test);
 /// finding that a mirror image is never chosen is left out if the image is redundant (M2).
 AF2_EXPORT void addFinding(std::vector<Diagnostic>& told, Diagnostic finding);
 
-/// N1, at the top of the file: a warning if there are situations that no rule accepts.
+/// N1, C1 and N2, at the top of the file: warnings if there are situations that no rule accepts, or
+/// small loops that the rules do not close.
 AF2_EXPORT std::vector<Diagnostic> diagnosticsOf(const LoadedRules& loaded,
                                                  const Coverage& coverage);
 

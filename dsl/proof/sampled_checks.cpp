@@ -20,6 +20,12 @@ bool provesAtAllLevels(const RuleSet& rules, const AF2Rule& rule, const std::vec
   return true;
 }
 
+/// Proofs know the positions of vertices by their tolerances alone.
+bool hasComputedPlaces(const AF2Rule& rule) {
+  return std::ranges::any_of(rule.definition().vertices,
+                             [](const PatternVertex& v) { return v.near.has_value(); });
+}
+
 /// All checks of one rule.
 class RuleChecks {
  public:
@@ -36,6 +42,8 @@ class RuleChecks {
     RuleAnswers answers;
     if (levels_.empty() || options_.unknown.contains(index_)) return answers;
     answers.isTried = true;
+    const RuleDefinition& rule = rules_.rules()[index_].definition();
+    if (rule.path) return answers;  // it is not tried at a base edge
     if (options_.onlyErrors) levels_.erase(levels_.begin() + 1, levels_.end());
     if (!options_.onlyErrors)
       for (SampledFinding& finding : findIdleConditions(rules_, index_, options_))
@@ -45,7 +53,10 @@ class RuleChecks {
     if (sample.matches.empty()) return answers;
 
     if (!options_.onlyErrors) keep(findNeverChosen(sample, stepper_, options_));
-    answers.positive = answer(sample, {findInverted, searchInverted}, provesPositive);
+    // A set that accepts elements by their shape looks at each of them itself.
+    const auto& acceptance = rules_.definition().acceptance;
+    if (!acceptance || !acceptance->needsMeasures())
+      answers.positive = answer(sample, {findInverted, searchInverted}, provesPositive);
     answers.covered = answer(sample, {findUncovered}, provesCovered);
     if (options_.onlyErrors) return answers;
     keep(findLost(sample));
@@ -64,7 +75,8 @@ class RuleChecks {
   /// search, and samples at other levels.
   Answer answer(const RuleSample& sample, std::vector<Find> finds, Proves proves) {
     if (keep(finds.front()(sample))) return Answer::Refuted;
-    if (provesAtAllLevels(rules_, sample.rule, levels_, options_.effort, proves))
+    if (!hasComputedPlaces(sample.rule) &&
+        provesAtAllLevels(rules_, sample.rule, levels_, options_.effort, proves))
       return Answer::Proven;
     for (std::size_t i = 1; i < finds.size(); ++i)
       if (keep(finds[i](sample))) return Answer::Refuted;
