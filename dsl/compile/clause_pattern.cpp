@@ -363,6 +363,7 @@ void ClauseCompiler::compileWeld(const WeldClause& clause, Span span) {
   const NodePair place = algebra().toBase(at.at);
   definition().weld = RuleWeld{stored(*from), stored(*into), makeTransform(builder_, place)};
   definition().newVertices.push_back(definition().weld->place);
+  definition().newVertexNames.push_back(clause.into.text + "'");  // no name of the language
   newPlaces_.push_back(place);
   result_.vertexSpans.push_back(clause.at.span);
   result_.actSpan = span;

@@ -17,12 +17,8 @@
 namespace af2::dsl {
 namespace {
 
-/// A free angle at which a vertex wants so many elements, in degrees, and the length of the edge
-/// beside the base: short enough that the front does not cross itself.
-struct Corner {
-  double degrees, length;
-};
-constexpr std::array kCorners{Corner{90, 1}, Corner{180, 1}, Corner{270, 1}, Corner{335, 0.45}};
+/// Free angles at which a vertex wants 1 to 4 elements, in degrees.
+constexpr std::array kAngles{90.0, 180.0, 270.0, 335.0};
 
 Point2 along(double degrees, double length) {
   const double angle = degrees * std::numbers::pi / 180;
@@ -30,10 +26,12 @@ Point2 along(double degrees, double length) {
 }
 
 /// d -> a -> b -> c
-FrontPiece pieceWith(Corner atA, Corner atB) {
+FrontPiece pieceWith(double angleA, double angleB) {
+  // Two reversals: edges beside the base that do not cross below it.
+  const double length = angleA > 300 && angleB > 300 ? 0.45 : 1;
   FrontPiece piece;
-  piece.vertices = {along(atA.degrees, atA.length), {0, 0}, {1, 0},
-                    Point2{1, 0} + along(180 - atB.degrees, atB.length)};
+  piece.vertices = {along(angleA, length), {0, 0}, {1, 0},
+                    Point2{1, 0} + along(180 - angleB, length)};
   piece.chains = {{0, 1, 2, 3}};
   piece.base = {1, 2};
   return piece;
@@ -42,9 +40,9 @@ FrontPiece pieceWith(Corner atA, Corner atB) {
 std::vector<CountGap> gapsOf(const RuleSet& rules) {
   SingleStepper stepper(rules);
   std::vector<CountGap> gaps;
-  for (std::size_t a = 0; a < kCorners.size(); ++a)
-    for (std::size_t b = 0; b < kCorners.size(); ++b) {
-      const FrontPiece piece = pieceWith(kCorners[a], kCorners[b]);
+  for (std::size_t a = 0; a < kAngles.size(); ++a)
+    for (std::size_t b = 0; b < kAngles.size(); ++b) {
+      const FrontPiece piece = pieceWith(kAngles[a], kAngles[b]);
       if (!stepper.chosenRule(piece))
         gaps.push_back({static_cast<int>(a) + 1, static_cast<int>(b) + 1, piece});
     }

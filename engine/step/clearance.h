@@ -11,8 +11,8 @@ namespace af2 {
 Window clearanceWindow(const Candidate& candidate, double clearance);
 
 /// The first edge of the neighborhood that is closer than the clearance to a new edge of the
-/// candidate; null if there is none. Edges that the candidate has matched, and edges that share an
-/// end with the new edge, do not count.
+/// candidate; null if there is none. Edges that the candidate has matched, edges that share an end
+/// with the new edge, and the half of a new edge at a vertex of the front do not count.
 const Neighborhood::Edge* tooCloseEdge(const Front& front, const Neighborhood& near,
                                        const Candidate& candidate, double clearance);
 
