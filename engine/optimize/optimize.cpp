@@ -9,6 +9,7 @@
 #include "engine/mesh/mesh_topology.h"
 #include "engine/optimize/edge_collapse.h"
 #include "engine/optimize/edge_swap.h"
+#include "engine/optimize/patch_filling.h"
 #include "engine/optimize/quad_search.h"
 #include "engine/optimize/quad_tidying.h"
 #include "engine/optimize/smoothing.h"
@@ -95,7 +96,8 @@ std::size_t cleanUp(MeshTopology& topology, const AF2LocalTransformMaker& maker,
   if (options.quads.depth == 0 && !options.quads.onlyQuads) return 0;
   PatchEditor editor(topology, maker, topology.anglesAtFixed(), recorder);
   const std::size_t pairs = options.quads.onlyQuads ? walkTriangles(editor, options.stop) : 0;
-  return pairs + searchQuads(editor, options.quads.depth, options.stop);
+  const std::size_t found = pairs + searchQuads(editor, options.quads.depth, options.stop);
+  return found + (options.quads.depth > 0 ? fillPatches(editor, options.stop) : 0);
 }
 
 /// Everything except the final check of the mesh.

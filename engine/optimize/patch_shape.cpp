@@ -25,15 +25,12 @@ struct PatchCorner {
 };
 
 template <class Visit>
-void forEachCorner(const QuadPatch& patch, const Visit& visit) {
-  for (std::size_t e = 0; e < patch.elementCount(); ++e) {
-    if (!patch.isAlive(e)) continue;
-    const std::span<const Vertex> ring = patch.cornersAt(e);
-    const std::size_t n = ring.size();
-    for (std::size_t i = 0; i < n; ++i)
-      visit(PatchCorner{ring[i], ring[(i + 1) % n], ring[(i + n - 1) % n],
-                        n == 3 ? kTriangleScale : 1.0});
-  }
+void forEachCorner(const QuadPatch& patch, std::size_t element, const Visit& visit) {
+  const std::span<const Vertex> ring = patch.cornersAt(element);
+  const std::size_t n = ring.size();
+  for (std::size_t i = 0; i < n; ++i)
+    visit(PatchCorner{ring[i], ring[(i + 1) % n], ring[(i + n - 1) % n],
+                      n == 3 ? kTriangleScale : 1.0});
 }
 
 /// The corners that each inner vertex shapes, grouped by vertex.
@@ -42,10 +39,13 @@ class CornersByVertex {
   explicit CornersByVertex(const QuadPatch& patch) : first_(patch.vertexCount() + 2, 0) {
     const auto forEachPair = [&](const auto& visit) {
       // The corner opposite a vertex of a quadrilateral does not depend on it.
-      forEachCorner(patch, [&](const PatchCorner& corner) {
-        for (const Vertex v : {corner.at, corner.ahead, corner.behind})
-          if (patch.isInner(v)) visit(v, corner);
-      });
+      for (std::size_t e = 0; e < patch.elementCount(); ++e) {
+        if (!patch.isAlive(e)) continue;
+        forEachCorner(patch, e, [&](const PatchCorner& corner) {
+          for (const Vertex v : {corner.at, corner.ahead, corner.behind})
+            if (patch.isInner(v)) visit(v, corner);
+        });
+      }
     };
     forEachPair([&](Vertex v, const PatchCorner&) { ++first_[v + 2u]; });
     for (std::size_t v = 2; v < first_.size(); ++v) first_[v] += first_[v - 1];
@@ -209,12 +209,19 @@ class Smoother {
 
 }  // namespace
 
-double leastScaledJacobian(const QuadPatch& patch, const std::vector<Point2>& points) {
-  double least = 1;
-  forEachCorner(patch, [&](const PatchCorner& c) {
-    least = std::min(least, c.shapeIn(points).scaledJacobian());
-  });
-  return least;
+PatchJacobians jacobiansOf(const QuadPatch& patch, const std::vector<Point2>& points) {
+  double least = 1, sum = 0, elements = 0;
+  for (std::size_t e = 0; e < patch.elementCount(); ++e) {
+    if (!patch.isAlive(e)) continue;
+    double here = 1;
+    forEachCorner(patch, e, [&](const PatchCorner& c) {
+      here = std::min(here, c.shapeIn(points).scaledJacobian());
+    });
+    least = std::min(least, here);
+    sum += here;
+    elements += 1;
+  }
+  return {least, sum / elements};
 }
 
 void smoothPatch(const QuadPatch& patch, std::vector<Point2>& points) {

@@ -1,0 +1,17 @@
+// Fills regions around irregular vertices anew, with the fewest irregular vertices.
+#pragma once
+
+#include <stop_token>
+
+#include "engine/optimize/patch_editor.h"
+
+namespace af2 {
+
+/// Grows a region from each irregular vertex to other ones nearby until its outline has two to six
+/// corners and no dents, and fills it with a grid or with one or two stars (see fillingPlans).
+/// As in searchQuads, the result is smoothed and kept if it is well shaped and more regular.
+///
+/// Returns the number of regions. The same mesh gives the same result.
+std::size_t fillPatches(PatchEditor& editor, const std::stop_token& stop);
+
+}  // namespace af2
