@@ -82,10 +82,11 @@ class Numbering {
 
 class PatchFiller {
  public:
-  explicit PatchFiller(PatchEditor& editor)
+  PatchFiller(PatchEditor& editor, const FillingEffort& effort)
       : editor_(editor),
+        effort_(effort),
         topology_(editor.topology()),
-        region_(editor),
+        region_(editor, effort.elements),
         near_(topology_),
         news_(topology_.mesh().vertices.size()) {}
 
@@ -106,12 +107,11 @@ class PatchFiller {
  private:
   /// The region reaches from the seed to one irregular vertex after another.
   bool improveTowards(VertexId seed) {
-    constexpr int kMostOthers = 7;
     near_.collect(seed);
     region_.clear();
     region_.addStar(seed);
     int others = 0;
-    for (std::size_t i = 1; i < near_.count() && others < kMostOthers; ++i) {
+    for (std::size_t i = 1; i < near_.count() && others < effort_.others; ++i) {
       if (editor_.irregularity(near_.at(i)) == 0 || isInside(near_.at(i))) continue;
       for (std::size_t k = i; k != 0; k = near_.before(k)) region_.addStar(near_.at(k));
       ++others;
@@ -123,10 +123,9 @@ class PatchFiller {
 
   /// The region grows by one ring of elements after another.
   bool improveAround(VertexId seed) {
-    constexpr int kLayers = 6;
     region_.clear();
     region_.addStar(seed);
-    for (int layer = 0; layer < kLayers; ++layer) {
+    for (int layer = 0; layer < effort_.layers; ++layer) {
       if (!region_.makeConvex()) return false;
       if (fill(seed)) return true;
       region_.addLayer();
@@ -141,7 +140,6 @@ class PatchFiller {
   }
 
   bool fill(VertexId seed) {
-    constexpr std::size_t kPlans = 3;
     /// Smoothing at the end can raise the mean by as much.
     constexpr double kGoodJacobian = 0.8, kMeanMayFall = 0.005;
     const std::optional<RegionRing> ring = region_.ring();
@@ -154,7 +152,7 @@ class PatchFiller {
     const Ring outline = outlineOf(*ring);
     const PatchJacobians wanted{std::min(kGoodJacobian, before->least),
                                 before->mean - kMeanMayFall};
-    for (const FillingPlan& plan : fillingPlans(outline, mostIrregular(*ring), kPlans))
+    for (const FillingPlan& plan : fillingPlans(outline, mostIrregular(*ring), effort_.plans))
       if (putBack(*ring, fillRing(outline, plan), wanted)) {
         news_.noteChange(editor_.vertices(), topology_.mesh().vertices.size());
         return true;
@@ -221,6 +219,7 @@ class PatchFiller {
   }
 
   PatchEditor& editor_;
+  const FillingEffort& effort_;
   const MeshTopology& topology_;
   QuadRegion region_;
   NearVertices near_;
@@ -231,9 +230,10 @@ class PatchFiller {
 
 }  // namespace
 
-std::size_t fillPatches(PatchEditor& editor, const std::stop_token& stop) {
+std::size_t fillPatches(PatchEditor& editor, const FillingEffort& effort,
+                        const std::stop_token& stop) {
   constexpr int kMaxPasses = 3;
-  PatchFiller filler(editor);
+  PatchFiller filler(editor, effort);
   std::size_t filled = 0;
   for (int pass = 0; pass < kMaxPasses; ++pass) {
     const std::size_t more = filler.pass(stop);

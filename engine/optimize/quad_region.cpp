@@ -6,11 +6,6 @@
 #include "engine/optimize/vertex_star.h"
 
 namespace af2 {
-namespace {
-
-constexpr std::size_t kMostElements = 120;
-
-}  // namespace
 
 void QuadRegion::clear() {
   for (const std::size_t e : elements_) isIn_[e] = 0;
@@ -71,7 +66,7 @@ QuadRegion::Growth QuadRegion::growOnce() {
 
 bool QuadRegion::makeConvex() {
   for (;;) {
-    if (elements_.size() > kMostElements) return false;
+    if (elements_.size() > mostElements_) return false;
     const Growth growth = growOnce();
     if (growth != Growth::More) return growth == Growth::Done;
   }

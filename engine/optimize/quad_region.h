@@ -21,7 +21,8 @@ struct RegionRing {
 /// outline would be regular with one or two quadrilaterals of the region.
 class QuadRegion {
  public:
-  explicit QuadRegion(const PatchEditor& editor) : editor_(editor), topology_(editor.topology()) {}
+  QuadRegion(const PatchEditor& editor, std::size_t mostElements)
+      : editor_(editor), topology_(editor.topology()), mostElements_(mostElements) {}
 
   void clear();
   /// Adds the elements around a vertex.
@@ -51,6 +52,7 @@ class QuadRegion {
 
   const PatchEditor& editor_;
   const MeshTopology& topology_;
+  std::size_t mostElements_;
   std::vector<std::size_t> elements_;
   std::vector<std::uint8_t> isIn_;  ///< by element of the mesh
   std::vector<Corner> outline_;     ///< the sides of elements beyond which the region ends

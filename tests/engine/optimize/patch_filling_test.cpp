@@ -46,7 +46,7 @@ void rotateSide(QuadGrid& grid, int i, int j) {
 TEST(PatchFilling, LeavesARegularGridAsItIs) {
   EditedGrid edited(QuadGrid(5));
   const Mesh before = edited.grid.mesh;
-  EXPECT_EQ(fillPatches(edited.editor, {}), 0u);
+  EXPECT_EQ(fillPatches(edited.editor, kGoodFilling, {}), 0u);
   EXPECT_EQ(edited.grid.mesh, before);
 }
 
@@ -57,7 +57,7 @@ TEST(PatchFilling, MakesAGridOfAHeap) {
   rotateSide(grid, 2, 6);
   EditedGrid edited(std::move(grid));
   EXPECT_EQ(countIrregular(edited), 12u);
-  EXPECT_GE(fillPatches(edited.editor, {}), 1u);
+  EXPECT_GE(fillPatches(edited.editor, kGoodFilling, {}), 1u);
   EXPECT_EQ(countIrregular(edited), 0u);
   edited.topology.compact();
   EXPECT_TRUE(checkMesh(edited.grid.mesh, edited.grid.input).empty());
@@ -71,12 +71,12 @@ TEST(PatchFilling, StopsOnRequest) {
   EditedGrid edited(std::move(grid));
   std::stop_source stop;
   stop.request_stop();
-  EXPECT_EQ(fillPatches(edited.editor, stop.get_token()), 0u);
+  EXPECT_EQ(fillPatches(edited.editor, kGoodFilling, stop.get_token()), 0u);
 }
 
 TEST(QuadRegion, OfARegularStarHasFourCorners) {
   EditedGrid edited(QuadGrid(6));
-  QuadRegion region(edited.editor);
+  QuadRegion region(edited.editor, 60);
   region.addStar(edited.grid.id(3, 3));
   ASSERT_TRUE(region.makeConvex());
   const auto ring = region.ring();
@@ -88,7 +88,7 @@ TEST(QuadRegion, OfARegularStarHasFourCorners) {
 
 TEST(QuadRegion, GrowsWhereItIsNotConvex) {
   EditedGrid edited(QuadGrid(8));
-  QuadRegion region(edited.editor);
+  QuadRegion region(edited.editor, 60);
   region.addStar(edited.grid.id(2, 2));
   region.addStar(edited.grid.id(4, 3));
   ASSERT_TRUE(region.makeConvex());
@@ -102,7 +102,7 @@ TEST(QuadRegion, GrowsWhereItIsNotConvex) {
 /// At a corner of the grid, where the outline has one quadrilateral at each of four vertices.
 TEST(QuadRegion, ReachesTheBoundary) {
   EditedGrid edited(QuadGrid(4));
-  QuadRegion region(edited.editor);
+  QuadRegion region(edited.editor, 60);
   region.addStar(edited.grid.id(1, 1));
   ASSERT_TRUE(region.makeConvex());
   EXPECT_EQ(region.elements().size(), 4u);
@@ -113,7 +113,7 @@ TEST(QuadRegion, HasNoTriangles) {
   QuadGrid grid(6);
   grid.split(2, 2);
   EditedGrid edited(std::move(grid));
-  QuadRegion region(edited.editor);
+  QuadRegion region(edited.editor, 60);
   region.addStar(edited.grid.id(2, 2));
   EXPECT_FALSE(region.makeConvex());
 }
