@@ -9,6 +9,7 @@
 #include "engine/mesh/mesh_topology.h"
 #include "engine/optimize/edge_collapse.h"
 #include "engine/optimize/edge_swap.h"
+#include "engine/optimize/patch_filling.h"
 #include "engine/optimize/quad_search.h"
 #include "engine/optimize/quad_tidying.h"
 #include "engine/optimize/smoothing.h"
@@ -89,13 +90,43 @@ std::size_t mendPoorElements(const MeshTopology& topology, VertexSmoother& smoot
   return moves;
 }
 
+/// One way after another to make a mesh with quadrilaterals more regular.
+class QuadCleaner {
+ public:
+  QuadCleaner(MeshTopology& topology, const AF2LocalTransformMaker& maker,
+              const OptimizeOptions& options, ActRecorder* recorder)
+      : editor_(topology, maker, topology.anglesAtFixed(), recorder),
+        depth_(options.quads.depth),
+        stop_(options.stop) {}
+
+  std::size_t joinTriangles() { return walkTriangles(editor_, stop_); }
+  std::size_t clean() { return clean(std::min(depth_, kUsualDepth), kGoodFilling); }
+  /// What takes much longer, from the result of what does not, so that it never does worse.
+  std::size_t cleanThoroughly() { return depth_ <= kUsualDepth ? 0 : clean(depth_, kBestFilling); }
+
+ private:
+  static constexpr int kUsualDepth = 2;
+
+  std::size_t clean(int depth, const FillingEffort& effort) {
+    if (depth == 0) return 0;
+    const std::size_t found = searchQuads(editor_, depth, stop_);
+    return found + fillPatches(editor_, effort, stop_);
+  }
+
+  PatchEditor editor_;
+  int depth_;
+  const std::stop_token& stop_;
+};
+
 /// Returns the number of changes.
 std::size_t cleanUp(MeshTopology& topology, const AF2LocalTransformMaker& maker,
-                    const OptimizeOptions& options, ActRecorder* recorder) {
+                    const OptimizeOptions& options, ActRecorder* recorder, bool isLastRound) {
   if (options.quads.depth == 0 && !options.quads.onlyQuads) return 0;
-  PatchEditor editor(topology, maker, topology.anglesAtFixed(), recorder);
-  const std::size_t pairs = options.quads.onlyQuads ? walkTriangles(editor, options.stop) : 0;
-  return pairs + searchQuads(editor, options.quads.depth, options.stop);
+  QuadCleaner cleaner(topology, maker, options, recorder);
+  std::size_t changes = options.quads.onlyQuads ? cleaner.joinTriangles() : 0;
+  changes += cleaner.clean();
+  if (isLastRound) changes += cleaner.cleanThoroughly();
+  return changes;
 }
 
 /// Everything except the final check of the mesh.
@@ -126,7 +157,7 @@ OptimizeReport improve(Mesh& mesh, const MeshBoundary& boundary,
     if (hasQuads && options.renumber) {
       smooth();
       report.replacements += tidyQuads(topology, angles, options.closingRule, recorder);
-      report.replacements += cleanUp(topology, maker, options, recorder);
+      report.replacements += cleanUp(topology, maker, options, recorder, round + 1 == rounds);
     }
     report.swaps += swapSides(topology, SwapGoal::Valence, wanted, recorder);
     if (options.renumber) report.collapses += collapseEdges(topology, recorder);

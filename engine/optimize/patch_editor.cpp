@@ -3,11 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <span>
+#include <utility>
 
 #include "engine/base/error.h"
 #include "engine/mesh/element_shape.h"
 #include "engine/optimize/ideal_angles.h"
-#include "engine/optimize/patch_shape.h"
+#include "engine/optimize/vertex_star.h"
 
 namespace af2 {
 
@@ -41,50 +42,69 @@ int PatchEditor::irregularity(VertexId v) const {
   return isRegular ? 0 : off;
 }
 
-template <class Visit>
-void PatchEditor::forEachElementAt(VertexId v, const Visit& visit) const {
-  const Corner first = topology_.cornerOf(v);
-  for (Corner c = first; !c.isNone();) {
-    visit(c.element());
-    c = topology_.aroundVertex(c);
-    if (c == first) break;
-  }
+/// The elements at the vertices from `firstVertex` on; none of them if they are too many.
+bool PatchEditor::addRing(std::size_t firstVertex, std::size_t mostElements) {
+  const std::size_t end = vertices_.size(), before = elements_.size();
+  for (std::size_t i = firstVertex; i < end; ++i)
+    forEachCornerAt(topology_, vertices_[i], [&](Corner c) {
+      if (std::exchange(isTaken_[c.element()], 1) == 0) elements_.push_back(c.element());
+    });
+  if (elements_.size() <= mostElements) return true;
+  for (const std::size_t e : std::span(elements_).subspan(before)) isTaken_[e] = 0;
+  elements_.resize(before);
+  return false;
 }
 
-/// Ring by ring, as far as there is room; numbers the vertices on the way.
-std::vector<std::size_t> PatchEditor::collectElements(VertexId seed) {
-  constexpr int kRings = 3;
+/// The vertices of the elements from `firstElement` on that have no number yet get one.
+bool PatchEditor::number(std::size_t firstElement) {
   constexpr std::size_t kRoom = 8;  // for what acts add
-  std::vector<std::size_t> elements;
-  vertices_.assign(1, seed);
-  numbers_.clear();
-  numbers_[seed.value] = 0;
-  std::size_t begin = 0;
-  for (int ring = 0; ring < kRings; ++ring) {
-    const std::size_t end = vertices_.size(), before = elements.size();
-    for (std::size_t i = begin; i < end; ++i)
-      forEachElementAt(vertices_[i], [&](std::size_t e) {
-        if (std::ranges::find(elements, e) == elements.end()) elements.push_back(e);
-      });
-    constexpr std::size_t kMost = QuadPatch::kMaxElements - kRoom;
-    if (elements.size() > kMost) {
-      elements.resize(before);
-      break;
+  for (const std::size_t e : std::span(elements_).subspan(firstElement))
+    for (const VertexId v : mesh_.elements[e].vertices()) {
+      if (numbers_[v.value] != QuadPatch::kNone) continue;
+      if (vertices_.size() + kRoom == QuadPatch::kMaxVertices) return false;
+      numbers_[v.value] = static_cast<Vertex>(vertices_.size());
+      vertices_.push_back(v);
     }
-    for (const std::size_t e : std::span(elements).subspan(before))
-      for (const VertexId v : mesh_.elements[e].vertices())
-        if (numbers_.try_emplace(v.value, static_cast<Vertex>(vertices_.size())).second)
-          vertices_.push_back(v);
-    if (vertices_.size() > QuadPatch::kMaxVertices - kRoom) return {};
-    begin = end;
+  return true;
+}
+
+/// Ring by ring around the seed and the elements, as far as there is room.
+bool PatchEditor::collect(VertexId seed, std::vector<std::size_t> elements, const Extent& extent) {
+  numbers_.resize(mesh_.vertices.size(), QuadPatch::kNone);
+  isTaken_.resize(mesh_.elements.size(), 0);
+  for (const VertexId v : vertices_) numbers_[v.value] = QuadPatch::kNone;
+  for (const std::size_t e : elements_) isTaken_[e] = 0;
+  elements_ = std::move(elements);
+  for (const std::size_t e : elements_) isTaken_[e] = 1;
+  vertices_.assign(1, seed);
+  numbers_[seed.value] = 0;
+  if (!number(0)) return false;
+  std::size_t firstVertex = 0;
+  for (int ring = 0; ring < extent.rings; ++ring) {
+    const std::size_t firstElement = elements_.size(), nextVertex = vertices_.size();
+    if (!addRing(firstVertex, extent.mostElements)) break;
+    if (!number(firstElement)) return false;
+    firstVertex = nextVertex;
   }
-  return elements;
+  return !elements_.empty();
 }
 
 bool PatchEditor::take(VertexId seed) {
   points_.clear();
-  elements_ = collectElements(seed);
-  if (elements_.empty()) return false;
+  if (!collect(seed, {}, {3, 88})) return false;
+  makePatch();
+  return true;
+}
+
+bool PatchEditor::take(VertexId seed, std::span<const std::size_t> elements) {
+  points_.clear();
+  if (!collect(seed, {elements.begin(), elements.end()}, {2, QuadPatch::kMaxElements}))
+    return false;
+  makePatch();
+  return true;
+}
+
+void PatchEditor::makePatch() {
   std::vector<int> sums(vertices_.size(), 0);
   for (const std::size_t e : elements_)
     for (const VertexId v : mesh_.elements[e].vertices())
@@ -107,7 +127,6 @@ bool PatchEditor::take(VertexId seed) {
     patch_.add(ring);
   }
   patch_.finish();
-  return true;
 }
 
 std::optional<std::size_t> PatchEditor::find(std::size_t element) const {
@@ -140,18 +159,29 @@ bool PatchEditor::openChart() {
   return true;
 }
 
-std::optional<double> PatchEditor::leastScaledJacobian() {
-  if (!openChart()) return std::nullopt;
-  return af2::leastScaledJacobian(patch_, points_);
+const std::vector<Point2>& PatchEditor::points() {
+  openChart();
+  return points_;
 }
 
-bool PatchEditor::putBack(const QuadPatch& changed, double wanted, FinishAct::Kind kind) {
+std::optional<PatchJacobians> PatchEditor::jacobians() {
+  if (!openChart()) return std::nullopt;
+  return jacobiansOf(patch_, points_);
+}
+
+bool PatchEditor::putBack(const QuadPatch& changed, const PatchJacobians& wanted,
+                          FinishAct::Kind kind) {
   if (!openChart()) return false;
   std::vector<Point2> points = points_;
   for (std::size_t v = points.size(); v < changed.vertexCount(); ++v)
     points.push_back(points[changed.originOf(static_cast<Vertex>(v))]);
+  return putBack(changed, std::move(points), wanted, kind);
+}
+
+bool PatchEditor::putBack(const QuadPatch& changed, std::vector<Point2> points,
+                          const PatchJacobians& wanted, FinishAct::Kind kind) {
   smoothPatch(changed, points);
-  if (!(af2::leastScaledJacobian(changed, points) >= wanted)) return false;
+  if (!jacobiansOf(changed, points).areAtLeast(wanted)) return false;
   Moved moved(points.size());
   for (std::size_t v = 0; v < points.size(); ++v) {
     if (v < points_.size() && points[v] == points_[v]) continue;
@@ -226,7 +256,7 @@ void PatchEditor::apply(const QuadPatch& changed, const Moved& moved, FinishAct:
 void PatchEditor::move(VertexId v, const SurfacePoint& point) {
   if (recorder_) {
     std::vector<std::size_t> star;
-    forEachElementAt(v, [&](std::size_t e) { star.push_back(e); });
+    forEachCornerAt(topology_, v, [&](Corner c) { star.push_back(c.element()); });
     recorder_->begin(star, v);
   }
   topology_.move(v, point);

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <span>
 
+#include "engine/optimize/corner_cost.h"
+
 namespace af2 {
 namespace {
 
@@ -12,51 +14,59 @@ using Vertex = QuadPatch::Vertex;
 
 constexpr double kTriangleScale = 1.1547005383792517;  // 2 / sqrt(3)
 
-std::size_t sizeOf(const QuadPatch::Ring& ring) { return ring[3] == QuadPatch::kNone ? 3 : 4; }
-
 /// One corner of an element: between the vertices ahead and behind.
 struct PatchCorner {
   Vertex at, ahead, behind;
-  double scale;  ///< of its sine, so that the ideal corner has 1
+  double scale;
+
+  CornerShape shapeIn(const std::vector<Point2>& points) const {
+    return {points[ahead] - points[at], points[behind] - points[at], scale};
+  }
 };
 
-double sineOf(const PatchCorner& c, const std::vector<Point2>& points) {
-  const Point2 e = points[c.ahead] - points[c.at], f = points[c.behind] - points[c.at];
-  const double product = std::sqrt(dot(e, e) * dot(f, f));
-  return product > 0 ? c.scale * cross(e, f) / product : -1;
+template <class Visit>
+void forEachCorner(const QuadPatch& patch, std::size_t element, const Visit& visit) {
+  const std::span<const Vertex> ring = patch.cornersAt(element);
+  const std::size_t n = ring.size();
+  for (std::size_t i = 0; i < n; ++i)
+    visit(PatchCorner{ring[i], ring[(i + 1) % n], ring[(i + n - 1) % n],
+                      n == 3 ? kTriangleScale : 1.0});
 }
 
-/// Grows steeply where a corner becomes flat, and further where it is inverted, so that a smaller
-/// sum always means a mesh that is nearer to being sound. The second term wants sides of equal
-/// length.
-double costOf(const PatchCorner& c, const std::vector<Point2>& points) {
-  constexpr double kFlat = 0.05, kShape = 0.25;
-  const Point2 e = points[c.ahead] - points[c.at], f = points[c.behind] - points[c.at];
-  const double ee = dot(e, e), ff = dot(f, f), product = std::sqrt(ee * ff);
-  if (!(product > 0)) return 1e12;
-  const double s = c.scale * cross(e, f) / product;
-  const double steep = 1 / (kFlat * kFlat);
-  const double turned = s >= kFlat ? 1 / (s * s) : steep + 2 * steep / kFlat * (kFlat - s);
-  const double aspect = 0.5 * (ee + ff) / product;
-  return turned + kShape * aspect * aspect;
-}
+/// The corners that each inner vertex shapes, grouped by vertex.
+class CornersByVertex {
+ public:
+  explicit CornersByVertex(const QuadPatch& patch) : first_(patch.vertexCount() + 2, 0) {
+    const auto forEachPair = [&](const auto& visit) {
+      // The corner opposite a vertex of a quadrilateral does not depend on it.
+      for (std::size_t e = 0; e < patch.elementCount(); ++e) {
+        if (!patch.isAlive(e)) continue;
+        forEachCorner(patch, e, [&](const PatchCorner& corner) {
+          for (const Vertex v : {corner.at, corner.ahead, corner.behind})
+            if (patch.isInner(v)) visit(v, corner);
+        });
+      }
+    };
+    forEachPair([&](Vertex v, const PatchCorner&) { ++first_[v + 2u]; });
+    for (std::size_t v = 2; v < first_.size(); ++v) first_[v] += first_[v - 1];
+    corners_.resize(first_.back());
+    forEachPair([&](Vertex v, const PatchCorner& c) { corners_[first_[v + 1u]++] = c; });
+  }
+  std::span<const PatchCorner> of(std::size_t v) const {
+    return std::span(corners_).subspan(first_[v], first_[v + 1] - first_[v]);
+  }
+
+ private:
+  std::vector<std::size_t> first_;
+  std::vector<PatchCorner> corners_;
+};
 
 class Smoother {
  public:
   Smoother(const QuadPatch& patch, std::vector<Point2>& points)
-      : patch_(patch), points_(points), corners_(patch.vertexCount()) {
-    for (std::size_t e = 0; e < patch.elementCount(); ++e) {
-      if (!patch.isAlive(e)) continue;
-      const QuadPatch::Ring& ring = patch.ringAt(e);
-      const std::size_t n = sizeOf(ring);
-      for (std::size_t i = 0; i < n; ++i) {
-        const PatchCorner corner{ring[i], ring[(i + 1) % n], ring[(i + n - 1) % n],
-                                 n == 3 ? kTriangleScale : 1.0};
-        // The corner opposite a vertex of a quadrilateral does not depend on it.
-        for (const Vertex v : {corner.at, corner.ahead, corner.behind})
-          if (patch.isInner(v)) corners_[v].push_back(corner);
-      }
-    }
+      : patch_(patch), points_(points), corners_(patch), isAwake_(patch.vertexCount(), false) {
+    for (std::size_t v = 0; v < patch.vertexCount(); ++v)
+      if (patch.isTouched(static_cast<Vertex>(v))) wakeAround(static_cast<Vertex>(v));
   }
 
   void run() {
@@ -67,7 +77,7 @@ class Smoother {
       });
     for (int i = 0; i < kSweeps; ++i) {
       bool isMoved = false;
-      forEachVertex([&](Vertex v) { isMoved |= improve(v); });
+      forEachVertex([&](Vertex v) { isMoved |= visit(v); });
       if (!isMoved) return;
     }
   }
@@ -75,14 +85,14 @@ class Smoother {
  private:
   template <class Visit>
   void forEachVertex(const Visit& visit) {
-    for (std::size_t v = 0; v < corners_.size(); ++v)
-      if (!corners_[v].empty()) visit(static_cast<Vertex>(v));
+    for (std::size_t v = 0; v < patch_.vertexCount(); ++v)
+      if (!corners_.of(v).empty()) visit(static_cast<Vertex>(v));
   }
 
   Point2 meanOfNeighbors(Vertex v) const {
     Point2 sum;
     double count = 0;
-    for (const PatchCorner& c : corners_[v])
+    for (const PatchCorner& c : corners_.of(v))
       if (c.at == v) {
         sum = sum + points_[c.ahead] + points_[c.behind];
         count += 2;
@@ -92,7 +102,7 @@ class Smoother {
 
   double costAt(Vertex v) const {
     double sum = 0;
-    for (const PatchCorner& c : corners_[v]) sum += costOf(c, points_);
+    for (const PatchCorner& c : corners_.of(v)) sum += c.shapeIn(points_).cost();
     return sum;
   }
 
@@ -110,12 +120,62 @@ class Smoother {
 
   double reachOf(Vertex v) const {
     double reach = 0;
-    for (const PatchCorner& c : corners_[v])
+    for (const PatchCorner& c : corners_.of(v))
       if (c.at == v) reach = std::max(reach, length(points_[c.ahead] - points_[v]));
     return reach;
   }
 
-  bool improve(Vertex v) {
+  /// Improves a vertex unless it and its surroundings hardly moved since its last turn.
+  bool visit(Vertex v) {
+    if (!isAwake_[v]) return false;
+    isAwake_[v] = false;
+    const Point2 before = points_[v];
+    const double reach = reachOf(v);
+    if (!(isSoundAt(v) ? stepDown(v, reach) : searchAround(v, reach))) return false;
+    if (distance(before, points_[v]) < kWakingMove * reach) return false;
+    wakeAround(v);
+    return true;
+  }
+
+  void wakeAround(Vertex v) {
+    for (const PatchCorner& c : corners_.of(v))
+      for (const Vertex near : {c.at, c.ahead, c.behind}) isAwake_[near] = true;
+  }
+
+  bool isSoundAt(Vertex v) const {
+    return std::ranges::all_of(corners_.of(v),
+                               [&](const PatchCorner& c) { return c.shapeIn(points_).isSound(); });
+  }
+
+  /// One step of Newton's method, shortened until it lowers the cost.
+  bool stepDown(Vertex v, double reach) {
+    constexpr int kHalvings = 4;
+    constexpr double kLongest = 0.5;
+    CornerSum sum;
+    for (const PatchCorner& c : corners_.of(v)) {
+      const double byAhead = c.at == v ? -1 : c.ahead == v ? 1 : 0;
+      const double byBehind = c.at == v ? -1 : c.behind == v ? 1 : 0;
+      c.shapeIn(points_).addTo(sum, byAhead, byBehind);
+    }
+    const double det = sum.xx * sum.yy - sum.xy * sum.xy;
+    Point2 step;
+    if (sum.xx > 0 && det > 0) {
+      step = {-(sum.yy * sum.slope.x - sum.xy * sum.slope.y) / det,
+              -(sum.xx * sum.slope.y - sum.xy * sum.slope.x) / det};
+    } else if (const double slope = length(sum.slope); slope > 0) {
+      step = (-kLongest * reach / slope) * sum.slope;
+    }
+    if (const double size = length(step); size > kLongest * reach)
+      step = (kLongest * reach / size) * step;
+    const Point2 before = points_[v];
+    double cost = sum.value;
+    for (int i = 0; i <= kHalvings; ++i, step = 0.5 * step)
+      if (takeIfBetter(v, before + step, cost)) return true;
+    return false;
+  }
+
+  /// For elements that are inverted or flat: the mean of the neighbours, then eight directions.
+  bool searchAround(Vertex v, double reach) {
     constexpr int kHalvings = 4;
     constexpr double kFirst = 0.2, kDiagonal = 0.7071067811865476;
     constexpr std::array<Point2, 8> kDirections{{{1, 0},
@@ -126,7 +186,7 @@ class Smoother {
                                                  {-kDiagonal, -kDiagonal},
                                                  {0, -1},
                                                  {kDiagonal, -kDiagonal}}};
-    double cost = costAt(v), step = kFirst * reachOf(v);
+    double cost = costAt(v), step = kFirst * reach;
     bool isMoved = takeIfBetter(v, meanOfNeighbors(v), cost);
     for (int i = 0; i < kHalvings; ++i) {
       bool isBetter = false;
@@ -139,25 +199,29 @@ class Smoother {
   }
 
   static constexpr double kEnough = 1 - 1e-6;
+  /// Smaller moves, as a fraction of the longest side, do not wake the neighbours.
+  static constexpr double kWakingMove = 2e-3;
   const QuadPatch& patch_;
   std::vector<Point2>& points_;
-  std::vector<std::vector<PatchCorner>> corners_;  ///< by inner vertex: those that it shapes
+  CornersByVertex corners_;
+  std::vector<std::uint8_t> isAwake_;  ///< by vertex
 };
 
 }  // namespace
 
-double leastScaledJacobian(const QuadPatch& patch, const std::vector<Point2>& points) {
-  double least = 1;
+PatchJacobians jacobiansOf(const QuadPatch& patch, const std::vector<Point2>& points) {
+  double least = 1, sum = 0, elements = 0;
   for (std::size_t e = 0; e < patch.elementCount(); ++e) {
     if (!patch.isAlive(e)) continue;
-    const QuadPatch::Ring& ring = patch.ringAt(e);
-    const std::size_t n = sizeOf(ring);
-    for (std::size_t i = 0; i < n; ++i)
-      least = std::min(least, sineOf({ring[i], ring[(i + 1) % n], ring[(i + n - 1) % n],
-                                      n == 3 ? kTriangleScale : 1.0},
-                                     points));
+    double here = 1;
+    forEachCorner(patch, e, [&](const PatchCorner& c) {
+      here = std::min(here, c.shapeIn(points).scaledJacobian());
+    });
+    least = std::min(least, here);
+    sum += here;
+    elements += 1;
   }
-  return least;
+  return {least, sum / elements};
 }
 
 void smoothPatch(const QuadPatch& patch, std::vector<Point2>& points) {

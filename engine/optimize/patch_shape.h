@@ -8,9 +8,17 @@
 
 namespace af2 {
 
-/// Smallest scaled Jacobian of all corners of the patch, in the plane; not positive if an element
-/// does not turn left everywhere.
-double leastScaledJacobian(const QuadPatch& patch, const std::vector<Point2>& points);
+/// Scaled Jacobians of the elements of a patch, each the smallest of its corners. The smallest one
+/// is not positive if an element does not turn left everywhere.
+struct PatchJacobians {
+  double least = -1, mean = -1;
+
+  bool areAtLeast(const PatchJacobians& other) const {
+    return least >= other.least && mean >= other.mean;
+  }
+};
+
+PatchJacobians jacobiansOf(const QuadPatch& patch, const std::vector<Point2>& points);
 
 /// Moves the inner vertices that elements use, one after another in the order of their numbers, to
 /// places where the corners around them are better shaped. Inverted elements are turned round if

@@ -1,6 +1,7 @@
 #include "engine/optimize/quad_patch.h"
 
 #include <algorithm>
+#include <vector>
 
 #include "engine/base/error.h"
 #include "engine/optimize/ideal_angles.h"
@@ -193,10 +194,7 @@ void QuadPatch::apply(const Act& act) {
     }
     case Act::Kind::Open: {
       const Star star = starOf(act.vertex);
-      PatchVertex opened;
-      opened.isInner = true;
-      const Vertex split = add(opened);
-      origin_[split] = origin_[act.vertex];
+      const Vertex split = addInner(act.vertex).value();
       const Vertex from = star.spokes[act.from].next, to = star.spokes[act.to].next;
       for (std::size_t k = act.from; k < act.to; ++k)
         std::ranges::replace(rings_[star.spokes[k].element], act.vertex, split);
@@ -238,6 +236,41 @@ bool QuadPatch::replace(std::size_t one, const Ring& ring, std::size_t other,
   for (const std::size_t e : {one, other})
     if (isAlive(e)) addAngles(e, 1);
   return true;
+}
+
+std::optional<QuadPatch::Vertex> QuadPatch::addInner(Vertex origin) {
+  if (vertexCount_ == kMaxVertices) return std::nullopt;
+  PatchVertex vertex;
+  vertex.isInner = true;
+  const Vertex added = add(vertex);
+  origin_[added] = origin_[origin];
+  return added;
+}
+
+bool QuadPatch::refill(std::span<const std::size_t> gone, std::span<const Ring> rings) {
+  if (elementCount_ + rings.size() > kMaxElements + gone.size()) return false;
+  for (const std::size_t e : gone) {
+    addAngles(e, -1);
+    rings_[e] = {kNone, kNone, kNone, kNone};
+  }
+  for (std::size_t i = 0; i < rings.size(); ++i) {
+    const std::size_t e = i < gone.size() ? gone[i] : elementCount_++;
+    rings_[e] = rings[i];
+    addAngles(e, 1);
+  }
+  return !repeatsSides();
+}
+
+bool QuadPatch::repeatsSides() const {
+  std::vector<std::pair<Vertex, Vertex>> sides;
+  for (std::size_t e = 0; e < elementCount_; ++e) {
+    if (!isAlive(e)) continue;
+    const std::span<const Vertex> corners = cornersAt(e);
+    for (std::size_t i = 0; i < corners.size(); ++i)
+      sides.emplace_back(corners[i], corners[(i + 1) % corners.size()]);
+  }
+  std::ranges::sort(sides);
+  return std::ranges::adjacent_find(sides) != sides.end();
 }
 
 }  // namespace af2

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <utility>
 
@@ -24,7 +25,7 @@ class QuadPatch {
   using Vertex = std::uint8_t;
   using Ring = std::array<Vertex, 4>;
   static constexpr Vertex kNone = 0xff;
-  static constexpr std::size_t kMaxElements = 96, kMaxVertices = 160;
+  static constexpr std::size_t kMaxElements = 240, kMaxVertices = 254;
 
   /// One element at a vertex: the vertex is followed by `next`, `opposite` and `previous`.
   struct Spoke {
@@ -91,6 +92,11 @@ class QuadPatch {
   /// Gives two elements other vertices, among those that they have together; an empty ring removes
   /// the second one. Returns false, and does nothing, if vertices or sides would be repeated.
   bool replace(std::size_t one, const Ring& ring, std::size_t other, const Ring& ringBeyond);
+  /// Adds an inner vertex that no element uses yet; none if there is no room for it.
+  std::optional<Vertex> addInner(Vertex origin);
+  /// Replaces elements by quadrilaterals with the same outline. Returns false, and leaves the patch
+  /// unusable, if sides would be repeated or there are too many elements.
+  bool refill(std::span<const std::size_t> gone, std::span<const Ring> rings);
 
  private:
   int energyOf(Vertex v, int sum) const;
@@ -98,6 +104,7 @@ class QuadPatch {
   int growth(Vertex v, int more) const { return energyOf(v, sum_[v] + more) - energyAt(v); }
   void addToSum(Vertex v, int more);
   void addAngles(std::size_t element, int sign);
+  bool repeatsSides() const;
 
   std::array<Ring, kMaxElements> rings_;
   std::array<std::int8_t, kMaxVertices> sum_{}, wanted_{};

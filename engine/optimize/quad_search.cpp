@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "engine/optimize/ideal_angles.h"
+#include "engine/optimize/vertex_news.h"
 
 namespace af2 {
 namespace {
@@ -30,9 +31,7 @@ class BestPatches {
 class QuadSearch {
  public:
   explicit QuadSearch(PatchEditor& editor)
-      : editor_(editor),
-        changed_(editor.topology().mesh().vertices.size(), 1),
-        lookedAt_(changed_.size(), 0) {}
+      : editor_(editor), news_(editor.topology().mesh().vertices.size()) {}
 
   /// One look at each irregular vertex whose surroundings have changed since the last one; first at
   /// those that are far from regular: their neighbours could only make them a little better.
@@ -43,11 +42,11 @@ class QuadSearch {
  private:
   std::size_t passOver(int leastIrregularity, int depth, const std::stop_token& stop) {
     std::size_t applied = 0;
-    for (std::size_t v = 0; v < changed_.size(); ++v) {
+    for (std::size_t v = 0; v < editor_.topology().mesh().vertices.size(); ++v) {
       const VertexId seed(v);
-      while (editor_.irregularity(seed) >= leastIrregularity && changed_[v] > lookedAt_[v]) {
+      while (editor_.irregularity(seed) >= leastIrregularity && news_.isNews(seed)) {
         if (stop.stop_requested()) return applied;
-        lookedAt_[v] = ++clock_;
+        news_.look(seed);
         if (!improve(seed, depth)) break;
         ++applied;
       }
@@ -59,26 +58,19 @@ class QuadSearch {
     if (!editor_.take(seed)) return false;
     const std::vector<QuadPatch> better = betterPatches(editor_.patch(), depth);
     if (better.empty()) return false;
-    const std::optional<double> before = editor_.leastScaledJacobian();
+    const std::optional<PatchJacobians> before = editor_.jacobians();
     if (!before) return false;
+    const PatchJacobians wanted{std::min(kGoodJacobian, before->least)};
     for (const QuadPatch& patch : better)
-      if (editor_.putBack(patch, std::min(kGoodJacobian, *before), FinishAct::Kind::Search)) {
-        noteChange();
+      if (editor_.putBack(patch, wanted, FinishAct::Kind::Search)) {
+        news_.noteChange(editor_.vertices(), editor_.topology().mesh().vertices.size());
         return true;
       }
     return false;
   }
 
-  void noteChange() {
-    changed_.resize(editor_.topology().mesh().vertices.size(), 0);
-    lookedAt_.resize(changed_.size(), 0);
-    ++clock_;
-    for (const VertexId v : editor_.vertices()) changed_[v.value] = clock_;
-  }
-
   PatchEditor& editor_;
-  std::uint32_t clock_ = 1;                        ///< counts looks and changes
-  std::vector<std::uint32_t> changed_, lookedAt_;  ///< by vertex: the time of the last
+  VertexNews news_;
 };
 
 }  // namespace

@@ -138,7 +138,7 @@ class TriangleWalk {
     QuadPatch joined = editor_.patch();
     if (!joined.replace(one, whole, other, {kNone, kNone, kNone, kNone})) return false;
     const auto putBack = [&](const QuadPatch& patch) {
-      return editor_.putBack(patch, leastJacobian_, FinishAct::Kind::Pairing);
+      return editor_.putBack(patch, {leastJacobian_}, FinishAct::Kind::Pairing);
     };
     return putBack(joined) || std::ranges::any_of(betterPatches(joined, kDepth), putBack);
   }
@@ -148,7 +148,7 @@ class TriangleWalk {
                                     const Ring& rest) {
     QuadPatch changed = editor_.patch();
     if (!changed.replace(one, ring, other, rest)) return std::nullopt;
-    if (!editor_.putBack(changed, leastJacobian_, FinishAct::Kind::Pairing)) return std::nullopt;
+    if (!editor_.putBack(changed, {leastJacobian_}, FinishAct::Kind::Pairing)) return std::nullopt;
     return elementBetween(editor_.vertexAt(rest[0]), editor_.vertexAt(rest[1]));
   }
 
