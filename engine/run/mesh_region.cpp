@@ -175,6 +175,9 @@ StripTools stripToolsOf(const AF2Algorithm& algorithm, const RegionTask& task,
                                                     OptimizeOptions how) {
     const PieceTools tools = task.makeTools();
     how.observer = observer;
+    // Only with quadrilaterals is a mesh more regular where it may be numbered anew.
+    how.renumber = algorithm.rules().makesQuads();
+    how.quads = task.quads;
     finishMesh(mesh, boundary, {algorithm.rules(), *tools.charts, *tools.size}, how);
   };
   const auto forEach = [&task, observer](std::size_t count, const auto& work) {
