@@ -215,6 +215,9 @@ RegionMesh meshRegion(const AF2Algorithm& algorithm, const RegionTask& given,
   const Stopwatch watch;
   RegionTask task = given;
   task.optimize = given.optimize && finishesMeshes(algorithm.rules());
+  const RuleSet& rules = algorithm.rules();
+  task.split.evenPieces =
+      given.split.evenPieces || rules.makesQuads() || rules.definition().parity == Parity::Even;
   SplitRegion split;
   if (task.surface)
     split = splitRegion(task.input, *task.surface, *task.makeTools().size, task.split);

@@ -13,6 +13,15 @@ expect 0 "$af2" mesh "$models/cylinder.step" --size 0.5 --elements quad --report
 expect 0 "$af2" mesh "$models/cylinder.step" --size 0.5 --elements quad --report two.json --quiet -j 2
 [ "$(json one.json fingerprint)" = "$(json two.json fingerprint)" ] || fail "the mesh depends on the threads"
 
+# A large face is cut into pieces. Each can be filled with quadrilaterals, and those of a grid are grids.
+printf '4 2 0 0\n1 0 0\n2 1 0\n3 1 .6\n4 0 .6\n4 0\n1 1 2\n2 2 3\n3 3 4\n4 4 1\n0\n' >large.poly
+expect 0 "$af2" mesh large.poly --size 0.002 --elements quad --report large.json -o large.obj --quiet -j 2
+[ "$(json large.json quads)" = 150000 ] || fail "the pieces of a grid are no grids"
+expect 0 "$af2" mesh "$plate" --size 0.02 --elements quad --report one.json --quiet -j 1
+expect 0 "$af2" mesh "$plate" --size 0.02 --elements quad --report many.json --quiet -j 7
+[ "$(json one.json triangles)" = 0 ] || fail "triangles where pieces meet"
+[ "$(json one.json fingerprint)" = "$(json many.json fingerprint)" ] || fail "the pieces depend on the threads"
+
 # A boundary that is given and odd.
 cat >odd.poly <<'POLY'
 5 2 0 0
