@@ -8,6 +8,7 @@
 #include "engine/mesh/element_shape.h"
 #include "engine/optimize/finish_mesh.h"
 #include "geometry/fill/diagnose_face.h"
+#include "geometry/fill/odd_loops.h"
 #include "geometry/fill/stuck_front.h"
 #include "geometry/mesh/fans.h"
 
@@ -86,13 +87,6 @@ WithoutRuleCounts countWithoutRule(const FaceTask& task, const FaceAttempt& atte
   return counts;
 }
 
-std::vector<FaceReport::OddLoop> oddLoopsOf(const FrontInput& input) {
-  std::vector<FaceReport::OddLoop> odd;
-  for (std::size_t i = 0; i < input.loops.size(); ++i)
-    if (input.loops[i].size() % 2 == 1) odd.push_back({i + 1, input.loops[i].size()});
-  return odd;
-}
-
 FilledFace fill(const FaceTask& task, FaceMesh& mesh) {
   try {
     return fillFace(task);
@@ -113,7 +107,8 @@ FilledFace fill(const FaceTask& task, FaceMesh& mesh) {
 
 void fillAndJudge(const FaceFilling& filling, FaceBoundary& boundary, FaceMesh& mesh) {
   const FaceTask& task = filling.task;
-  mesh.report.oddLoops = oddLoopsOf(task.boundary.input);
+  const bool makesQuads = task.algorithm.rules().makesQuads();
+  mesh.report.oddLoops = oddLoopsOf(task.boundary.input, makesQuads ? &filling.wanted : nullptr);
   const Stopwatch watch;
   FilledFace filled = fill(task, mesh);
   FaceAttempt& attempt = filled.attempt;
