@@ -146,10 +146,13 @@ std::string trianglesText(const geometry::ModelMesh& mesh) {
   std::string text;
   for (const FaceReport& face : mesh.faces) {
     if (face.triangles == 0 || ++faces > kShown) continue;
-    text += fmt::format("{}face {} ({} triangle{}", text.empty() ? "" : ", ", face.id,
-                        face.triangles, face.triangles == 1 ? "" : "s");
+    const bool isOne = face.triangles == 1;
+    text +=
+        fmt::format("{}face {} ({} triangle{}{}", text.empty() ? "" : ", ", face.id, face.triangles,
+                    isOne ? " at " : "s, one of them at ", textOf(face.firstTriangle, 3));
     for (const FaceReport::OddLoop& odd : face.oddLoops) text += oddLoopText(odd);
-    if (face.oddLoops.empty()) text += "; elements cannot change enough to join them";
+    if (face.triangles > face.oddLoops.size())
+      text += "; elements cannot change enough to join them";
     text += ")";
   }
   if (faces == 0) return "";

@@ -47,6 +47,7 @@ Json toJson(const FaceReport& face, const std::vector<std::string>& ruleNames) {
   json["reason"] = face.reason;
   if (face.withoutRule.total() > 0) json["without_rule"] = toJson(face.withoutRule);
   if (face.triangles > 0) json["triangles"] = face.triangles;
+  if (face.triangles > 0) json["first_triangle"] = toJson(face.firstTriangle);
   for (const FaceReport::OddLoop& odd : face.oddLoops)
     if (face.triangles > 0) json["odd_loops"].push_back(toJson(odd));
   if (!face.attempts.empty()) json["attempts"] = face.attempts;

@@ -59,6 +59,7 @@ struct FaceReport {
   std::vector<OddLoop> oddLoops = {};  ///< boundary loops with an odd number of segments
   /// Triangles of a mesh that should have quadrilaterals only (QuadCleanUp::onlyQuads).
   std::size_t triangles = 0;
+  Point3 firstTriangle = {};  ///< the middle of one of them, if there are any
 };
 
 enum class GroupKind {
