@@ -21,6 +21,10 @@ Value ofMesh(const CaseResult& result, double value) {
   return result.hasMesh && std::isfinite(value) ? Value(value) : std::nullopt;
 }
 
+Value ofAny(const Distribution& values, double Distribution::*value) {
+  return values.count > 0 ? Value(values.*value) : std::nullopt;
+}
+
 Value ofRing(const CaseResult& result, std::size_t ring) {
   const geometry::VertexCount& count = result.measures.irregular.rings[ring];
   return share(count.irregular, count.all);
@@ -70,11 +74,27 @@ constexpr ComparedMeasure kMeasures[] = {
      }},
     {"aspect_p95", "95th percentile of the aspect ratio", Better::Lower,
      [](Case c) { return ofMesh(c, c.measures.aspect.p95); }},
+    {"length_mean", "mean of edge length / target size", Better::Neither,
+     [](Case c) { return ofMesh(c, c.measures.lengths.mean); }},
+    {"length_min", "smallest edge length / target size", Better::Higher,
+     [](Case c) { return ofMesh(c, c.measures.lengths.min); }},
+    {"length_p5", "5th percentile of edge length / target size", Better::Neither,
+     [](Case c) { return ofMesh(c, c.measures.lengths.p5); }},
+    {"length_p95", "95th percentile of edge length / target size", Better::Neither,
+     [](Case c) { return ofMesh(c, c.measures.lengths.p95); }},
+    {"length_max", "largest edge length / target size", Better::Lower,
+     [](Case c) { return ofMesh(c, c.measures.lengths.max); }},
     {"length_spread", "95th minus 5th percentile of edge length / target size", Better::Lower,
      [](Case c) { return ofMesh(c, c.measures.lengths.p95 - c.measures.lengths.p5); }},
     {"irregular", "share of irregular vertices inside faces", Better::Lower,
      [](Case c) {
        return share(c.measures.irregular.inner.irregular, c.measures.irregular.inner.all);
+     }},
+    {"irregular_excess", "share of irregular vertices inside faces beyond the least number",
+     Better::Lower,
+     [](Case c) {
+       const auto& [inner, boundary, rings, least] = c.measures.irregular;
+       return share(inner.irregular - std::min(inner.irregular, least), inner.all);
      }},
     {"irregular_boundary", "share of irregular vertices on boundaries", Better::Lower,
      [](Case c) { return ofRing(c, 0); }},
@@ -86,14 +106,30 @@ constexpr ComparedMeasure kMeasures[] = {
      [](Case c) { return ofRing(c, 3); }},
     {"irregular_far", "share of irregular vertices farther from the boundary", Better::Lower,
      [](Case c) { return ofRing(c, 4); }},
+    {"meeting", "share of elements where fronts meet", Better::Neither,
+     [](Case c) { return share(c.measures.meeting.jacobian.count, c.measures.elements()); }},
+    {"meeting_sj_p1", "1st percentile of the scaled Jacobian where fronts meet", Better::Higher,
+     [](Case c) { return ofAny(c.measures.meeting.jacobian, &Distribution::p1); }},
+    {"meeting_sj_mean", "mean of the scaled Jacobian where fronts meet", Better::Higher,
+     [](Case c) { return ofAny(c.measures.meeting.jacobian, &Distribution::mean); }},
+    {"meeting_irregular", "share of irregular vertices where fronts meet", Better::Lower,
+     [](Case c) {
+       const geometry::VertexCount& there = c.measures.meeting.irregular;
+       return share(there.irregular, there.all);
+     }},
+    {"elsewhere_sj_p1", "1st percentile of the scaled Jacobian elsewhere", Better::Higher,
+     [](Case c) { return ofAny(c.measures.meeting.jacobianElsewhere, &Distribution::p1); }},
+    {"elsewhere_sj_mean", "mean of the scaled Jacobian elsewhere", Better::Higher,
+     [](Case c) { return ofAny(c.measures.meeting.jacobianElsewhere, &Distribution::mean); }},
+    {"elsewhere_irregular", "share of irregular vertices inside faces elsewhere", Better::Lower,
+     [](Case c) {
+       const geometry::VertexCount& elsewhere = c.measures.meeting.irregularElsewhere;
+       return share(elsewhere.irregular, elsewhere.all);
+     }},
     {"spokes_mean", "mean deviation of spokes, degrees", Better::Lower,
-     [](Case c) {
-       return c.measures.spokes.count > 0 ? Value(c.measures.spokes.mean) : std::nullopt;
-     }},
+     [](Case c) { return ofAny(c.measures.spokes, &Distribution::mean); }},
     {"spokes_p95", "95th percentile of the deviation of spokes, degrees", Better::Lower,
-     [](Case c) {
-       return c.measures.spokes.count > 0 ? Value(c.measures.spokes.p95) : std::nullopt;
-     }},
+     [](Case c) { return ofAny(c.measures.spokes, &Distribution::p95); }},
     {"time", "microseconds for each element, only with --time", Better::Lower,
      [](Case c) {
        return ofMesh(c, 1e6 * c.seconds /

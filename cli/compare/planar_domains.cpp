@@ -203,6 +203,10 @@ void addLoop(const Blob& blob, double size, bool isUneven, Random& random,
 }  // namespace
 
 std::vector<NamedDomain> namedDomains() {
+  const auto fromCorner = [](const Point3& p, double size) {
+    return std::min(size, 0.1 * size + 0.06 * std::hypot(p.x, p.y));
+  };
+  const auto across = [](const Point3& p, double size) { return size * (0.4 + 1.2 * p.x); };
   return {{"square with hole", squareWithHole()},
           {"gear", gear()},
           {"disc", disc(false)},
@@ -210,7 +214,9 @@ std::vector<NamedDomain> namedDomains() {
           {"airfoil", airfoil()},
           {"L-shape", polygonDomain({{0, 0}, {1, 0}, {1, 0.5}, {0.5, 0.5}, {0.5, 1}, {0, 1}})},
           {"rectangle", polygonDomain({{0, 0}, {1, 0}, {1, 0.6}, {0, 0.6}})},
-          {"graded square", polygonDomain(kUnitSquare), true}};
+          {"graded square", polygonDomain(kUnitSquare), fromCorner},
+          {"square graded across", polygonDomain(kUnitSquare), across},
+          {"square with hole, graded across", squareWithHole(), across}};
 }
 
 geometry::PlanarDomain randomDomain(std::uint64_t seed, double size) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -13,7 +14,8 @@ namespace af2::cli {
 struct NamedDomain {
   std::string name;
   geometry::PlanarDomain domain;
-  bool isGraded = false;  ///< its sizes grow from a tenth of the size at the corner (0, 0)
+  /// The size at a place if that of the mesh is given; none: the same everywhere.
+  std::function<double(const Point3&, double size)> sizeAt = {};
 };
 
 /// All are about as large as a unit square.

@@ -28,6 +28,7 @@ using geometry::MeshingOptions;
 using geometry::ModelMesh;
 
 constexpr double kSize = 0.05, kFineSize = 0.0125;
+constexpr double kRandomSizes[] = {0.05, 0.025};
 constexpr std::uint64_t kRandomDomains = 60, kManyRandomDomains = 240;
 /// So many random domains are drawn.
 constexpr std::uint64_t kDrawnRandomDomains = 8;
@@ -35,22 +36,21 @@ constexpr std::uint64_t kDrawnRandomDomains = 8;
 SuiteCase namedCase(const NamedDomain& named, double size) {
   const auto mesh = [named, size](const ComparedRules& rules, MeshingOptions options) {
     options.sizes.size = size;
-    if (named.isGraded)
-      options.sizes.function = [size](const Point3& p) {
-        return std::min(size, 0.1 * size + 0.06 * std::hypot(p.x, p.y));
-      };
+    if (named.sizeAt)
+      options.sizes.function = [size, at = named.sizeAt](const Point3& p) { return at(p, size); };
     return geometry::meshPlanar(named.domain, rules.algorithm, options);
   };
   return {fmt::format("{}, size {}", named.name, size), mesh, size == kSize};
 }
 
-SuiteCase randomCase(std::uint64_t seed) {
-  const auto mesh = [seed](const ComparedRules& rules, MeshingOptions options) {
-    options.sizes.size = kSize;
+SuiteCase randomCase(std::uint64_t seed, double size) {
+  const auto mesh = [seed, size](const ComparedRules& rules, MeshingOptions options) {
+    options.sizes.size = size;
     options.keepBoundary = true;
-    return geometry::meshPlanar(randomDomain(seed, kSize), rules.algorithm, options);
+    return geometry::meshPlanar(randomDomain(seed, size), rules.algorithm, options);
   };
-  return {fmt::format("random {}", seed), mesh, seed <= kDrawnRandomDomains};
+  return {fmt::format("random {}, size {}", seed, size), mesh,
+          seed <= kDrawnRandomDomains && size == kSize};
 }
 
 SuiteCase fileCase(const fs::path& model, double size) {
@@ -167,8 +167,9 @@ Suite builtInSuite(bool isLong) {
   if (isLong)
     for (const NamedDomain& named : namedDomains())
       suite.cases.push_back(namedCase(named, kFineSize));
-  for (std::uint64_t seed = 1; seed <= (isLong ? kManyRandomDomains : kRandomDomains); ++seed)
-    suite.cases.push_back(randomCase(seed));
+  for (const double size : kRandomSizes)
+    for (std::uint64_t seed = 1; seed <= (isLong ? kManyRandomDomains : kRandomDomains); ++seed)
+      suite.cases.push_back(randomCase(seed, size));
   addSurfaces(suite);
   return suite;
 }

@@ -38,6 +38,8 @@ CaseResult runCase(const SuiteCase& one, const ComparedRules& rules, MeshStage s
   options.stop = control.stop;
   options.strictRules = control.strictRules;
   options.optimize = stage == MeshStage::Finished;
+  options.evenLoops = control.onlyQuads;
+  options.quads.onlyQuads = control.onlyQuads && options.optimize;
   try {
     takeMesh(one.mesh(rules, options), control.keepsMeshes && one.isDrawn, result);
   } catch (const InputError& error) {

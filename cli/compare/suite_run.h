@@ -43,6 +43,7 @@ struct SuiteResult {
 struct SuiteControl {
   bool isTimed = false;      ///< one run after the other, each on one thread
   bool strictRules = false;  ///< only rules make elements, as `af2 mesh --strict-rules`
+  bool onlyQuads = false;    ///< only quadrilaterals, as `af2 mesh --elements quad`
   bool keepsMeshes = false;  ///< those of cases that are drawn
   std::stop_token stop;
 };

@@ -62,6 +62,12 @@ std::string irregularText(const geometry::IrregularVertices& irregular) {
   return text + "\n";
 }
 
+std::string meetingText(const geometry::MeetingFronts& meeting) {
+  if (meeting.irregular.all == 0) return "";
+  return fmt::format("  where fronts meet            {}; elsewhere {}\n",
+                     shareOf(meeting.irregular), shareOf(meeting.irregularElsewhere));
+}
+
 std::string shapeText(const geometry::MeshShape& shape) {
   return fmt::format(
       "edges                          {}: {} free, {} non-manifold, {} between opposite "
@@ -99,6 +105,16 @@ Json jsonOf(const geometry::IrregularVertices& irregular) {
           {"rings", rings}};
 }
 
+Json jsonOf(const geometry::MeetingFronts& meeting) {
+  const auto part = [](const Distribution& jacobian, const VertexCount& irregular) {
+    return Json{{"elements", jacobian.count},
+                {"scaled_jacobian", jsonOf(jacobian)},
+                {"vertices_inside", jsonOf(irregular)}};
+  };
+  return {{"there", part(meeting.jacobian, meeting.irregular)},
+          {"elsewhere", part(meeting.jacobianElsewhere, meeting.irregularElsewhere)}};
+}
+
 Json jsonOf(const geometry::MeshShape& shape) {
   return {{"edges", shape.edges},
           {"free_edges", shape.freeEdges},
@@ -125,13 +141,16 @@ std::string measuresText(const MeshMeasures& measures) {
   text += "\n" + rowOf("quality", measures.quality) +
           rowOf("scaled Jacobian, quads", measures.quadJacobian) +
           rowOf("scaled Jacobian, triangles", measures.triangleJacobian) +
+          rowOf("  where fronts meet, all", measures.meeting.jacobian) +
+          rowOf("  elsewhere, all", measures.meeting.jacobianElsewhere) +
           rowOf("angles in degrees, quads", measures.quadAngles) +
           rowOf("angles in degrees, triangles", measures.triangleAngles) +
           rowOf("aspect ratio", measures.aspect) +
           rowOf(fmt::format("edge length / {}", nameOf(measures.lengthUnit)), measures.lengths) +
           rowOf("spokes off their directions", measures.spokes);
   return text + fmt::format("inverted elements              {}\n", grouped(measures.inverted)) +
-         irregularText(measures.irregular) + shapeText(measures.shape);
+         irregularText(measures.irregular) + meetingText(measures.meeting) +
+         shapeText(measures.shape);
 }
 
 Json measuresJson(const MeshMeasures& measures) {
@@ -153,6 +172,7 @@ Json measuresJson(const MeshMeasures& measures) {
       {"lengths", jsonOf(measures.lengths)},
       {"spokes", jsonOf(measures.spokes)},
       {"irregular", jsonOf(measures.irregular)},
+      {"fronts_meet", jsonOf(measures.meeting)},
       {"shape", jsonOf(measures.shape)}};
 }
 

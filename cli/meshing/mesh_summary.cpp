@@ -127,22 +127,37 @@ std::string withoutRuleText(const geometry::ModelMesh& mesh) {
                      grouped(all.total()), grouped(mesh.elements.size()), kinds, list);
 }
 
+namespace {
+
+std::string oddLoopText(const FaceReport::OddLoop& odd) {
+  std::string text = fmt::format("; loop {} of its boundary has {} edges", odd.loop, odd.segments);
+  const auto& [from, to, sizes] = odd.longest;
+  if (sizes > 0)
+    text += fmt::format(": divide the one from {} to {}, which is {:.2g} sizes long",
+                        textOf(from, 6), textOf(to, 6), sizes);
+  return text;
+}
+
+}  // namespace
+
 std::string trianglesText(const geometry::ModelMesh& mesh) {
   constexpr std::size_t kShown = 5;
   std::size_t faces = 0;
   std::string text;
   for (const FaceReport& face : mesh.faces) {
     if (face.triangles == 0 || ++faces > kShown) continue;
-    text += fmt::format("{}face {} ({} triangle{}", text.empty() ? "" : ", ", face.id,
-                        face.triangles, face.triangles == 1 ? "" : "s");
-    for (const FaceReport::OddLoop& odd : face.oddLoops)
-      text += fmt::format("; loop {} of its boundary has {} edges", odd.loop, odd.segments);
-    if (face.oddLoops.empty()) text += "; elements cannot change enough to join them";
+    const bool isOne = face.triangles == 1;
+    text +=
+        fmt::format("{}face {} ({} triangle{}{}", text.empty() ? "" : ", ", face.id, face.triangles,
+                    isOne ? " at " : "s, one of them at ", textOf(face.firstTriangle, 3));
+    for (const FaceReport::OddLoop& odd : face.oddLoops) text += oddLoopText(odd);
+    if (face.triangles > face.oddLoops.size())
+      text += "; elements cannot change enough to join them";
     text += ")";
   }
   if (faces == 0) return "";
   if (faces > kShown) text += fmt::format(" and {} more", faces - kShown);
-  return "triangles remain, which --elements quad does not accept: " + text;
+  return mesh.name + ": triangles remain, which --elements quad does not accept: " + text;
 }
 
 std::string failureText(const geometry::ModelMesh& mesh) {

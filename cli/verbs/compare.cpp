@@ -22,7 +22,7 @@ namespace af2::cli {
 namespace {
 
 struct CompareOptions {
-  std::string first, second, suite, output, format = "pretty";
+  std::string first, second, suite, output, elements = "any", format = "pretty";
   std::vector<std::string> conditions, plugins;
   bool isLong = false, isTimed = false, isUnchecked = false, strictRules = false;
 };
@@ -72,11 +72,16 @@ int compareSets(const CompareOptions& options) {
   checkOutput(options.output);
   const Interrupt interrupt;
   const std::array sets{rulesOf(options.first, options), rulesOf(options.second, options)};
+  const bool onlyQuads = options.elements == "quad";
+  for (const ComparedRules& set : sets)
+    if (onlyQuads && !set.rules->makesQuads())
+      throw UsageError(
+          fmt::format("--elements quad: the rules '{}' make no quadrilaterals", set.name));
   const Suite suite = options.suite.empty() ? builtInSuite(options.isLong) : suiteIn(options.suite);
   ComparisonReport report{options.first, options.second, {}, {}, suite.notes};
-  report.result =
-      runSuite(suite, sets,
-               {options.isTimed, options.strictRules, !options.output.empty(), interrupt.token()});
+  report.result = runSuite(suite, sets,
+                           {options.isTimed, options.strictRules, onlyQuads,
+                            !options.output.empty(), interrupt.token()});
   if (interrupt.requested()) {
     std::fputs("af2: stopped before all models were meshed\n", stderr);
     return kCancelled;
@@ -122,6 +127,11 @@ Action declareCompare(CLI::App& command) {
                    "also compare times; all runs on one thread, one after the other");
   command.add_flag("--strict-rules", options->strictRules,
                    "only rules make elements: faces fail where a front gets stuck");
+  command
+      .add_option("--elements", options->elements,
+                  "any, or quad: finished meshes of quadrilaterals only, on even boundaries")
+      ->type_name("KIND")
+      ->check(CLI::IsMember({"any", "quad"}).description(""));
   command.add_flag("--unchecked", options->isUnchecked,
                    "use the rules even if the checks find errors that a rule file may allow");
   command.add_option("--format", options->format, "pretty or json")

@@ -1,6 +1,8 @@
 #include "engine/run/cut_strips.h"
 
 #include <algorithm>
+#include <iterator>
+#include <numeric>
 #include <ranges>
 #include <span>
 #include <utility>
@@ -68,16 +70,58 @@ Strip take(const Mesh& mesh, std::vector<std::size_t> elements, const IsFree& is
   return strip;
 }
 
-void putBack(const Strip& strip, Mesh& mesh) {
-  for (std::size_t v = strip.fixedCount; v < strip.vertices.size(); ++v)
+bool isDead(const Element& element) { return element.corners[0].isNone(); }
+
+/// The strip may have more or fewer elements and free vertices than were taken. Places that it no
+/// longer needs are left dead and unused, new ones are appended. Returns the places of new
+/// elements.
+std::vector<std::size_t> putBack(Strip& strip, Mesh& mesh) {
+  std::vector<std::size_t> appended;
+  while (strip.vertices.size() < strip.mesh.vertices.size()) {
+    strip.vertices.emplace_back(mesh.vertices.size());
+    mesh.vertices.emplace_back();
+  }
+  while (strip.elements.size() < strip.mesh.elements.size()) {
+    appended.push_back(mesh.elements.size());
+    strip.elements.push_back(mesh.elements.size());
+    mesh.elements.emplace_back();
+    mesh.origins.emplace_back();
+  }
+  for (std::size_t v = strip.fixedCount; v < strip.mesh.vertices.size(); ++v)
     mesh.vertices[strip.vertices[v].value] = strip.mesh.vertices[v];
-  for (std::size_t e = 0; e < strip.elements.size(); ++e) {
+  for (std::size_t e = 0; e < strip.mesh.elements.size(); ++e) {
     Element element = strip.mesh.elements[e];
     for (VertexId& v : element.corners)
       if (!v.isNone()) v = strip.vertices[v.value];
     mesh.elements[strip.elements[e]] = element;
     mesh.origins[strip.elements[e]] = strip.mesh.origins[e];
   }
+  for (std::size_t e = strip.mesh.elements.size(); e < strip.elements.size(); ++e)
+    mesh.elements[strip.elements[e]] = {};
+  return appended;
+}
+
+/// Removes dead elements, and vertices from `fixedCount` on that no element uses.
+void squeeze(Mesh& mesh, std::size_t fixedCount) {
+  std::vector<VertexId> renumbered(mesh.vertices.size());
+  std::size_t elements = 0, vertices = 0;
+  for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
+    if (isDead(mesh.elements[e])) continue;
+    for (const VertexId v : mesh.elements[e].vertices()) renumbered[v.value] = v;
+    mesh.origins[elements] = mesh.origins[e];
+    mesh.elements[elements++] = mesh.elements[e];
+  }
+  mesh.elements.resize(elements);
+  mesh.origins.resize(elements);
+  for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
+    if (v >= fixedCount && renumbered[v].isNone()) continue;
+    renumbered[v] = VertexId(vertices);
+    mesh.vertices[vertices++] = mesh.vertices[v];
+  }
+  mesh.vertices.resize(vertices);
+  for (Element& element : mesh.elements)
+    for (VertexId& v : element.corners)
+      if (!v.isNone()) v = renumbered[v.value];
 }
 
 using Edges = std::vector<std::pair<VertexId, VertexId>>;
@@ -123,25 +167,41 @@ class Strips {
     all_ = take(mesh, along.elements,
                 [&](VertexId v) { return v.value >= firstCut_ && ring[v.value] < kRings; });
     boundary_ = localEdges(all_, af2::boundaryOf(input).edges);
+    for (std::size_t p = 0; p + 1 < along.start.size(); ++p) {
+      std::vector<std::size_t>& elements = elementsOf_.emplace_back();
+      elements.resize(along.start[p + 1] - along.start[p]);
+      std::iota(elements.begin(), elements.end(), along.start[p]);
+    }
   }
 
   void optimize() {
     int deepest = 0;
     for (const RegionCut& cut : split_.cuts) deepest = std::max(deepest, cut.depth);
-    for (int depth = deepest; depth >= 0; --depth) {
-      std::vector<const RegionCut*> cuts;
-      for (const RegionCut& cut : split_.cuts)
-        if (cut.depth == depth) cuts.push_back(&cut);
-      tools_.forEach(cuts.size(), [&](std::size_t i) { optimizeAlong(*cuts[i]); });
-    }
+    for (int depth = deepest; depth >= 0; --depth) optimizeAt(depth);
+    squeeze(all_.mesh, all_.fixedCount);
+    const bool isSmaller = all_.mesh.elements.size() < all_.elements.size() ||
+                           all_.mesh.vertices.size() < all_.vertices.size();
     putBack(all_, mesh_);
+    if (isSmaller) squeeze(mesh_, firstCut_);
   }
 
  private:
   /// Cuts of the same depth change different elements and vertices, so they can run in parallel.
-  void optimizeAlong(const RegionCut& cut) {
-    const std::size_t first = along_.start[cut.pieces.begin], end = along_.start[cut.pieces.end];
-    const auto part = std::views::iota(first, end);
+  void optimizeAt(int depth) {
+    std::vector<const RegionCut*> cuts;
+    for (const RegionCut& cut : split_.cuts)
+      if (cut.depth == depth) cuts.push_back(&cut);
+    std::vector<Strip> strips(cuts.size());
+    tools_.forEach(cuts.size(), [&](std::size_t i) { strips[i] = optimizedStrip(*cuts[i]); });
+    for (std::size_t i = 0; i < cuts.size(); ++i) {
+      // From now on the pieces of this part are used together only: any of them will do.
+      std::ranges::copy(putBack(strips[i], all_.mesh),
+                        std::back_inserter(elementsOf_[cuts[i]->pieces.begin]));
+    }
+  }
+
+  Strip optimizedStrip(const RegionCut& cut) const {
+    const std::vector<std::size_t> part = elementsIn(cut.pieces);
     Rings ring(all_.mesh.vertices.size(), kFar);
     for (std::size_t v = cut.own.begin; v < cut.own.end; ++v) ring[localCut(v).value] = 0;
     spread(all_.mesh, part, ring);
@@ -153,16 +213,25 @@ class Strips {
       if (std::ranges::any_of(all_.mesh.elements[e].vertices(), isFree)) elements.push_back(e);
     Strip strip = take(all_.mesh, std::move(elements), isFree);
     OptimizeOptions how;
-    how.renumber = false;
     how.stop = tools_.stop;
     tools_.finish(strip.mesh, boundaryOf(strip, boundary_), how);
-    putBack(strip, all_.mesh);
+    strip.local = {};
+    return strip;
+  }
+
+  std::vector<std::size_t> elementsIn(IndexRange pieces) const {
+    std::vector<std::size_t> elements;
+    for (std::size_t p = pieces.begin; p < pieces.end; ++p)
+      std::ranges::copy_if(elementsOf_[p], std::back_inserter(elements),
+                           [&](std::size_t e) { return !isDead(all_.mesh.elements[e]); });
+    return elements;
   }
 
   VertexId localCut(std::size_t cutVertex) const { return all_.local[firstCut_ + cutVertex]; }
 
   /// Whether a vertex lies on a cut that bounds the part of the region that `cut` divides.
   bool isOnOther(VertexId v, const RegionCut& cut) const {
+    if (v.value >= all_.vertices.size()) return false;  // a new vertex
     const std::size_t id = all_.vertices[v.value].value;
     if (id < firstCut_ || id >= firstCut_ + split_.cutVertices.size()) return false;
     return id < firstCut_ + cut.own.begin || id >= firstCut_ + cut.within.end;
@@ -174,6 +243,7 @@ class Strips {
   Mesh& mesh_;
   std::size_t firstCut_;  ///< the first vertex of a cut
   Strip all_;
+  std::vector<std::vector<std::size_t>> elementsOf_;  ///< by piece, some dead; of `all_`
   Edges boundary_;  ///< boundary of the region, in the numbering of `all_`
 };
 

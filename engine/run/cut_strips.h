@@ -28,7 +28,8 @@ struct AlongCuts {
 
 /// What the optimisation of the strips needs.
 struct StripTools {
-  /// Finishes one strip, in place. Must be callable from several threads at once.
+  /// Finishes one strip, in place. It may add and remove elements and inner vertices. Must be
+  /// callable from several threads at once.
   std::function<void(Mesh&, const MeshBoundary&, const OptimizeOptions&)> finish;
   /// Calls its argument for 0 to count - 1, in any order, and returns when all calls are done.
   std::function<void(std::size_t count, const std::function<void(std::size_t)>&)> forEach;

@@ -179,6 +179,9 @@ StripTools stripToolsOf(const AF2Algorithm& algorithm, const RegionTask& task,
                                                     OptimizeOptions how) {
     const PieceTools tools = task.makeTools();
     how.observer = observer;
+    // Only with quadrilaterals is a mesh more regular where it may be numbered anew.
+    how.renumber = algorithm.rules().makesQuads();
+    how.quads = task.quads;
     finishMesh(mesh, boundary, {algorithm.rules(), *tools.charts, *tools.size}, how);
   };
   const auto forEach = [&task, observer](std::size_t count, const auto& work) {
@@ -216,6 +219,9 @@ RegionMesh meshRegion(const AF2Algorithm& algorithm, const RegionTask& given,
   const Stopwatch watch;
   RegionTask task = given;
   task.optimize = given.optimize && finishesMeshes(algorithm.rules());
+  const RuleSet& rules = algorithm.rules();
+  task.split.evenPieces =
+      given.split.evenPieces || rules.makesQuads() || rules.definition().parity == Parity::Even;
   SplitRegion split;
   if (task.surface)
     split = splitRegion(task.input, *task.surface, *task.makeTools().size, task.split);

@@ -11,8 +11,6 @@ namespace {
 
 /// Minimum distance, in wanted lengths, between a cut and the boundary, except near its ends.
 constexpr double kClearance = 2.5;
-/// A cut with fewer edges would consist only of its ends.
-constexpr int kFewestEdges = 5;
 /// Positions at which cuts are tried, as fractions of the region's extent: the middle first.
 constexpr std::array<double, 9> kPositions{0.5, 0.45, 0.55, 0.4, 0.6, 0.35, 0.65, 0.3, 0.7};
 
@@ -24,8 +22,8 @@ struct Crossing {
 
 class Bisector {
  public:
-  Bisector(const SurfaceEvaluator& surface, const SizeField& size)
-      : surface_(surface), size_(size) {}
+  Bisector(const SurfaceEvaluator& surface, const SizeField& size, CutEnds ends)
+      : surface_(surface), size_(size), ends_(ends) {}
 
   /// The cuts along the best line, none if no line is suitable.
   std::vector<Cut> bisect(const Loops& loops, const Plane& plane) {
@@ -55,8 +53,10 @@ class Bisector {
     if (crossings.empty() || crossings.size() % 2 != 0) return {};
     std::vector<Cut> cuts;
     for (std::size_t i = 0; i + 1 < crossings.size(); i += 2) {
-      const auto cut = cutBetween(nearestEnd(crossings[i], acrossX, position),
-                                  nearestEnd(crossings[i + 1], acrossX, position));
+      const Spot from = nearestEnd(crossings[i], acrossX, position);
+      const Point2 start = plane_.at(at(from));
+      const double aim = ends_ == CutEnds::Nearest ? position : acrossX ? start.x : start.y;
+      const auto cut = cutBetween(from, nearestEnd(crossings[i + 1], acrossX, aim));
       if (!cut) return {};
       cuts.push_back(*cut);
     }
@@ -97,8 +97,10 @@ class Bisector {
     const Point2 p = plane_.at(at(from)), q = plane_.at(at(to));
     if (!leavesInside(from, q) || !leavesInside(to, p) || meetsBoundary(from, to))
       return std::nullopt;
-    Cut cut{from, to, innerVertices(at(from).point, at(to).point)};
-    if (static_cast<int>(cut.inner.size()) + 1 < kFewestEdges || !isClear(cut)) return std::nullopt;
+    const CutLine line(at(from).point, at(to).point, surface_, size_);
+    const auto edges = static_cast<std::size_t>(std::max(1l, std::lround(line.wantedEdges())));
+    Cut cut{from, to, line.divided(edges)};
+    if (cut.edges() < kFewestCutEdges || !isClear(cut)) return std::nullopt;
     return cut;
   }
 
@@ -125,35 +127,6 @@ class Bisector {
       }
     }
     return false;
-  }
-
-  /// The inner vertices, spaced evenly in length divided by wanted length.
-  std::vector<SurfacePoint> innerVertices(const SurfacePoint& from, const SurfacePoint& to) const {
-    const auto pointAt = [&](double t) {
-      return surface_.at(from.u + t * (to.u - from.u), from.v + t * (to.v - from.v));
-    };
-    const double roughly =
-        distance(from.position, to.position) / std::min(size_.sizeAt(from), size_.sizeAt(to));
-    const int samples = static_cast<int>(std::clamp(2 * roughly, 32.0, 20000.0));
-    std::vector<double> sum{0};
-    SurfacePoint last = from;
-    for (int i = 1; i <= samples; ++i) {
-      const SurfacePoint p = i == samples ? to : pointAt(static_cast<double>(i) / samples);
-      const double wanted = 0.5 * (size_.sizeAt(last) + size_.sizeAt(p));
-      sum.push_back(sum.back() + distance(last.position, p.position) / wanted);
-      last = p;
-    }
-    const int edges = std::max(1, static_cast<int>(std::lround(sum.back())));
-    std::vector<SurfacePoint> inner;
-    for (int k = 1; k < edges; ++k) {
-      const double target = sum.back() * k / edges;
-      const auto above = std::lower_bound(sum.begin(), sum.end(), target);
-      const auto i = static_cast<std::size_t>(above - sum.begin());
-      const double t =
-          (static_cast<double>(i) - (sum[i] - target) / (sum[i] - sum[i - 1])) / samples;
-      inner.push_back(pointAt(t));
-    }
-    return inner;
   }
 
   bool isClear(const Cut& cut) const {
@@ -193,15 +166,48 @@ class Bisector {
 
   const SurfaceEvaluator& surface_;
   const SizeField& size_;
+  const CutEnds ends_;
   const Loops* loops_ = nullptr;
   Plane plane_;
 };
 
 }  // namespace
 
+CutLine::CutLine(const SurfacePoint& from, const SurfacePoint& to, const SurfaceEvaluator& surface,
+                 const SizeField& size)
+    : from_(from), to_(to), surface_(surface) {
+  const double roughly =
+      distance(from.position, to.position) / std::min(size.sizeAt(from), size.sizeAt(to));
+  samples_ = static_cast<int>(std::clamp(2 * roughly, 32.0, 20000.0));
+  SurfacePoint last = from;
+  for (int i = 1; i <= samples_; ++i) {
+    const SurfacePoint p = i == samples_ ? to : pointAt(static_cast<double>(i) / samples_);
+    const double wanted = 0.5 * (size.sizeAt(last) + size.sizeAt(p));
+    sum_.push_back(sum_.back() + distance(last.position, p.position) / wanted);
+    last = p;
+  }
+}
+
+std::vector<SurfacePoint> CutLine::divided(std::size_t edges) const {
+  std::vector<SurfacePoint> inner;
+  for (std::size_t k = 1; k < edges; ++k) {
+    const double target = sum_.back() * static_cast<double>(k) / static_cast<double>(edges);
+    const auto above = std::lower_bound(sum_.begin(), sum_.end(), target);
+    const auto i = static_cast<std::size_t>(above - sum_.begin());
+    const double t =
+        (static_cast<double>(i) - (sum_[i] - target) / (sum_[i] - sum_[i - 1])) / samples_;
+    inner.push_back(pointAt(t));
+  }
+  return inner;
+}
+
+SurfacePoint CutLine::pointAt(double t) const {
+  return surface_.at(from_.u + t * (to_.u - from_.u), from_.v + t * (to_.v - from_.v));
+}
+
 std::vector<Cut> findCuts(const Loops& loops, const Plane& plane, const SurfaceEvaluator& surface,
-                          const SizeField& size) {
-  return Bisector(surface, size).bisect(loops, plane);
+                          const SizeField& size, CutEnds ends) {
+  return Bisector(surface, size, ends).bisect(loops, plane);
 }
 
 }  // namespace af2::region

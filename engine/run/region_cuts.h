@@ -44,12 +44,41 @@ struct Spot {
 struct Cut {
   Spot from, to;
   std::vector<SurfacePoint> inner;
+  std::size_t edges() const { return inner.size() + 1; }
 };
+
+/// A cut with fewer edges would consist only of its ends.
+inline constexpr std::size_t kFewestCutEdges = 5;
+
+/// A straight line in the parameter plane, to be divided into edges of the wanted sizes.
+class CutLine {
+ public:
+  /// surface  must live as long as this
+  CutLine(const SurfacePoint& from, const SurfacePoint& to, const SurfaceEvaluator& surface,
+          const SizeField& size);
+
+  /// The number of edges if all had exactly the wanted lengths.
+  double wantedEdges() const { return sum_.back(); }
+  /// The inner vertices, spaced evenly in length divided by wanted length.
+  std::vector<SurfacePoint> divided(std::size_t edges) const;
+
+ private:
+  SurfacePoint pointAt(double t) const;
+
+  SurfacePoint from_, to_;
+  const SurfaceEvaluator& surface_;
+  int samples_ = 0;
+  std::vector<double> sum_{0};  ///< by sample: the wanted number of edges before it
+};
+
+/// Where a cut ends: at the corners nearest to the line, or straight across from its start. A line
+/// may pass halfway between corners; straight cuts of a grid leave grids all the same.
+enum class CutEnds { Nearest, Straight };
 
 /// The cuts along the best line through a region whose loops run counter-clockwise around it in the
 /// parameter plane; none if no line is suitable. Throws GeometryError where a line meets a point
 /// without a normal.
 std::vector<Cut> findCuts(const Loops& loops, const Plane& plane, const SurfaceEvaluator& surface,
-                          const SizeField& size);
+                          const SizeField& size, CutEnds ends);
 
 }  // namespace af2::region

@@ -5,111 +5,14 @@
 
 #include "engine/base/constants.h"
 #include "engine/base/error.h"
-#include "engine/base/predicates.h"
+#include "engine/run/even_cuts.h"
 #include "engine/run/region_cuts.h"
+#include "engine/run/region_loops.h"
 
 namespace af2 {
 namespace {
 
 using namespace region;
-
-double signedArea(const Loop& loop, const Plane& plane) {
-  double twice = 0;
-  const Point2 origin = plane.at(loop[0]);
-  for (std::size_t i = 1; i + 1 < loop.size(); ++i)
-    twice += cross(plane.at(loop[i]) - origin, plane.at(loop[i + 1]) - origin);
-  return 0.5 * twice;
-}
-
-/// Relinks the loops along the cuts: at each end of a cut the incoming edge continues along it.
-Loops relink(const Loops& loops, const std::vector<Cut>& cuts, std::size_t firstCutVertex) {
-  std::vector<std::size_t> first(loops.size() + 1, 0);
-  for (std::size_t l = 0; l < loops.size(); ++l) first[l + 1] = first[l] + loops[l].size();
-  std::vector<BoundaryCorner> corners;
-  std::vector<std::size_t> next;
-  for (std::size_t l = 0; l < loops.size(); ++l) {
-    for (std::size_t i = 0; i < loops[l].size(); ++i) {
-      corners.push_back(loops[l][i]);
-      next.push_back(first[l] + (i + 1) % loops[l].size());
-    }
-  }
-  std::vector<std::size_t> previous(next.size());
-  for (std::size_t i = 0; i < next.size(); ++i) previous[next[i]] = i;
-
-  const auto add = [&](const BoundaryCorner& corner, std::size_t after) {
-    corners.push_back(corner);
-    next.push_back(0);
-    if (after < corners.size() - 1) next[after] = corners.size() - 1;
-    return corners.size() - 1;
-  };
-  std::size_t id = firstCutVertex;
-  for (const Cut& cut : cuts) {
-    const std::size_t a = first[cut.from.loop] + cut.from.corner;
-    const std::size_t b = first[cut.to.loop] + cut.to.corner;
-    // before a -> a' -> cut -> b -> after b, and before b -> b' -> cut reversed -> a -> after a
-    const std::size_t beforeA = previous[a], beforeB = previous[b];
-    const std::size_t a2 = add(corners[a], beforeA);
-    std::size_t last = a2;
-    for (std::size_t k = 0; k < cut.inner.size(); ++k)
-      last = add({VertexId(id + k), cut.inner[k]}, last);
-    next[last] = b;
-    const std::size_t b2 = add(corners[b], beforeB);
-    last = b2;
-    for (std::size_t k = cut.inner.size(); k-- > 0;)
-      last = add({VertexId(id + k), cut.inner[k]}, last);
-    next[last] = a;
-    id += cut.inner.size();
-  }
-
-  Loops result;
-  std::vector<bool> isDone(corners.size(), false);
-  for (std::size_t i = 0; i < corners.size(); ++i) {
-    if (isDone[i]) continue;
-    result.emplace_back();
-    for (std::size_t k = i; !isDone[k]; k = next[k]) {
-      isDone[k] = true;
-      result.back().push_back(corners[k]);
-    }
-  }
-  return result;
-}
-
-bool encloses(const Loop& outer, Point2 p, const Plane& plane) {
-  bool isInside = false;
-  for (std::size_t i = 0; i < outer.size(); ++i) {
-    Point2 a = plane.at(outer[i]), b = plane.at(outer[(i + 1) % outer.size()]);
-    if ((a.y > p.y) == (b.y > p.y)) continue;
-    if (a.y > b.y) std::swap(a, b);
-    if (orientation(a, b, p) == Turn::Left) isInside = !isInside;
-  }
-  return isInside;
-}
-
-/// Outer loops, each with the holes inside it; no value if a hole lies in none of them.
-std::vector<Loops> regionsOf(Loops loops, const Plane& plane, bool isReversed) {
-  std::vector<Loops> regions;
-  std::vector<Loop> holes;
-  std::vector<double> areas;
-  for (Loop& loop : loops) {
-    const double area = signedArea(loop, plane) * (isReversed ? -1 : 1);
-    if (area > 0) {
-      regions.push_back({std::move(loop)});
-      areas.push_back(area);
-    } else {
-      holes.push_back(std::move(loop));
-    }
-  }
-  for (Loop& hole : holes) {
-    std::size_t home = regions.size();
-    for (std::size_t r = 0; r < regions.size(); ++r)
-      if (encloses(regions[r][0], plane.at(hole[0]), plane) &&
-          (home == regions.size() || areas[r] < areas[home]))
-        home = r;
-    if (home == regions.size()) return {};
-    regions[home].push_back(std::move(hole));
-  }
-  return regions;
-}
 
 class Splitter {
  public:
@@ -166,19 +69,28 @@ class Splitter {
     try {
       // In the parameter plane a reversed face is mirrored: the region is on the right. Swapping u
       // and v corrects this.
-      if (!isReversed_) return findCuts(loops, plane, surface_, size_);
+      if (!isReversed_) return cutsThrough(loops, plane, surface_, size_);
       const Mirror mirror(surface_);
       const MirrorSize mirrorSize(size_);
       Loops mirrored = loops;
       for (Loop& loop : mirrored)
         for (BoundaryCorner& c : loop) std::swap(c.point.u, c.point.v);
-      std::vector<Cut> cuts = findCuts(mirrored, {plane.scaleV, plane.scaleU}, mirror, mirrorSize);
+      std::vector<Cut> cuts =
+          cutsThrough(mirrored, {plane.scaleV, plane.scaleU}, mirror, mirrorSize);
       for (Cut& cut : cuts)
         for (SurfacePoint& p : cut.inner) std::swap(p.u, p.v);
       return cuts;
     } catch (const GeometryError&) {
       return {};  // a line meets a point without a normal: the region stays whole
     }
+  }
+
+  std::vector<Cut> cutsThrough(const Loops& loops, const Plane& plane,
+                               const SurfaceEvaluator& surface, const SizeField& size) const {
+    const CutEnds ends = options_.evenPieces ? CutEnds::Straight : CutEnds::Nearest;
+    std::vector<Cut> cuts = findCuts(loops, plane, surface, size, ends);
+    if (options_.evenPieces) makePiecesEven(loops, surface, size, cuts);
+    return cuts;
   }
 
   class Mirror final : public SurfaceEvaluator {

@@ -50,6 +50,10 @@ struct SplitOptions {
   /// Regions with more expected elements than this are cut. Larger pieces lose less quality along
   /// the cuts; smaller ones keep more threads busy.
   double pieceElements = 80000;
+  /// For quadrilaterals: whether cuts get one edge more or less where this makes loops around the
+  /// pieces even. If those around the region are even, all are. Cuts then also lead straight
+  /// across, so that grids are cut into grids.
+  bool evenPieces = false;
 };
 
 /// Depends only on its arguments: the pieces are the same for any number of threads.

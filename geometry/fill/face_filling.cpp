@@ -8,6 +8,7 @@
 #include "engine/mesh/element_shape.h"
 #include "engine/optimize/finish_mesh.h"
 #include "geometry/fill/diagnose_face.h"
+#include "geometry/fill/odd_loops.h"
 #include "geometry/fill/stuck_front.h"
 #include "geometry/mesh/fans.h"
 
@@ -86,11 +87,12 @@ WithoutRuleCounts countWithoutRule(const FaceTask& task, const FaceAttempt& atte
   return counts;
 }
 
-std::vector<FaceReport::OddLoop> oddLoopsOf(const FrontInput& input) {
-  std::vector<FaceReport::OddLoop> odd;
-  for (std::size_t i = 0; i < input.loops.size(); ++i)
-    if (input.loops[i].size() % 2 == 1) odd.push_back({i + 1, input.loops[i].size()});
-  return odd;
+void reportTriangles(const Mesh& mesh, FaceReport& report) {
+  for (const Element& element : mesh.elements) {
+    if (element.isQuad() || report.triangles++ > 0) continue;
+    const auto at = [&](std::size_t i) { return mesh.vertices[element.corners[i].value].position; };
+    report.firstTriangle = 1.0 / 3 * (at(0) + at(1) + at(2));
+  }
 }
 
 FilledFace fill(const FaceTask& task, FaceMesh& mesh) {
@@ -113,7 +115,8 @@ FilledFace fill(const FaceTask& task, FaceMesh& mesh) {
 
 void fillAndJudge(const FaceFilling& filling, FaceBoundary& boundary, FaceMesh& mesh) {
   const FaceTask& task = filling.task;
-  mesh.report.oddLoops = oddLoopsOf(task.boundary.input);
+  const bool makesQuads = task.algorithm.rules().makesQuads();
+  mesh.report.oddLoops = oddLoopsOf(task.boundary.input, makesQuads ? &filling.wanted : nullptr);
   const Stopwatch watch;
   FilledFace filled = fill(task, mesh);
   FaceAttempt& attempt = filled.attempt;
@@ -135,13 +138,13 @@ void fillAndJudge(const FaceFilling& filling, FaceBoundary& boundary, FaceMesh& 
   if (filling.findParameters) filling.findParameters(mesh.report.stuck);
   mesh.diagnosis = diagnoseMesh(attempt.result.mesh, boundary, task.surface.isPlane(), task.area,
                                 filling.unseen);
-  addFans(boundary, originOf(WithoutRule::Fan, task.algorithm.rules()), attempt.result.mesh);
+  const bool onlyQuads = task.options.quads.onlyQuads;
+  addFans(boundary, onlyQuads ? FanElements::Quads : FanElements::Triangles,
+          originOf(WithoutRule::Fan, task.algorithm.rules()), attempt.result.mesh);
   mesh.wantedSizes.reserve(attempt.result.mesh.vertices.size());
   for (const SurfacePoint& vertex : attempt.result.mesh.vertices)
     mesh.wantedSizes.push_back(filling.wanted.sizeAt(vertex));
-  if (task.options.quads.onlyQuads)
-    mesh.report.triangles = static_cast<std::size_t>(std::ranges::count_if(
-        attempt.result.mesh.elements, [](const Element& element) { return !element.isQuad(); }));
+  if (onlyQuads) reportTriangles(attempt.result.mesh, mesh.report);
   if (filling.findMiddles) findMiddles(task.surface, attempt.result.mesh, mesh);
   take(attempt.result, boundary, mesh);
 }

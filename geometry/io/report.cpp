@@ -28,6 +28,13 @@ Json toJson(const WithoutRuleCounts& counts) {
   return {{"closing", counts.closing}, {"fan", counts.fan}, {"leaning", counts.leaning}};
 }
 
+Json toJson(const FaceReport::OddLoop& odd) {
+  Json json{{"loop", odd.loop}, {"edges", odd.segments}};
+  const auto& [from, to, sizes] = odd.longest;
+  if (sizes > 0) json["longest"] = {{"from", toJson(from)}, {"to", toJson(to)}, {"sizes", sizes}};
+  return json;
+}
+
 Json toJson(const FaceReport& face, const std::vector<std::string>& ruleNames) {
   Json json{{"id", face.id}};
   if (!face.name.empty()) json["name"] = face.name;
@@ -40,9 +47,9 @@ Json toJson(const FaceReport& face, const std::vector<std::string>& ruleNames) {
   json["reason"] = face.reason;
   if (face.withoutRule.total() > 0) json["without_rule"] = toJson(face.withoutRule);
   if (face.triangles > 0) json["triangles"] = face.triangles;
+  if (face.triangles > 0) json["first_triangle"] = toJson(face.firstTriangle);
   for (const FaceReport::OddLoop& odd : face.oddLoops)
-    if (face.triangles > 0)
-      json["odd_loops"].push_back({{"loop", odd.loop}, {"edges", odd.segments}});
+    if (face.triangles > 0) json["odd_loops"].push_back(toJson(odd));
   if (!face.attempts.empty()) json["attempts"] = face.attempts;
   for (const StuckPlace& place : face.stuck) json["stuck"].push_back(toJson(place, ruleNames));
   return json;

@@ -26,6 +26,7 @@ void joinReport(FaceReport&& part, FaceReport& report) {
   append(report.stuck, std::move(part.stuck));
   report.withoutRule += part.withoutRule;
   append(report.oddLoops, std::move(part.oddLoops));
+  if (report.triangles == 0) report.firstTriangle = part.firstTriangle;
   report.triangles += part.triangles;
   if (part.status != FaceStatus::Complete) report.status = part.status;
   if (!part.reason.empty()) report.reason += (report.reason.empty() ? "" : "; ") + part.reason;

@@ -1,4 +1,4 @@
-// Adds the ready-made triangles of a face to those that a front has made.
+// Adds the ready-made elements of a face to those that a front has made.
 // Not installed.
 #pragma once
 
@@ -11,10 +11,13 @@ namespace af2::geometry {
 
 double areaOfFans(const FaceBoundary& boundary);
 
+/// `Quads`: triangles are joined in pairs where this gives sound quadrilaterals.
+enum class FanElements { Triangles, Quads };
+
 /// The tips become the last vertices of the boundary.
 ///
 /// mesh    of the loops of the boundary
 /// origin  of the elements of the fans
-void addFans(FaceBoundary& boundary, ElementOrigin origin, Mesh& mesh);
+void addFans(FaceBoundary& boundary, FanElements kind, ElementOrigin origin, Mesh& mesh);
 
 }  // namespace af2::geometry

@@ -45,13 +45,21 @@ struct FaceReport {
   std::vector<std::string> attempts = {};  ///< unsuccessful attempts
   std::vector<StuckPlace> stuck = {};      ///< where its front got stuck, if it did
   WithoutRuleCounts withoutRule = {};      ///< elements as they were made, before optimisation
+  struct Segment {
+    Point3 from, to;
+    double sizes = 0;  ///< its length in wanted sizes
+  };
   struct OddLoop {
     std::size_t loop = 0;      ///< of the boundary, counted from 1
     std::size_t segments = 0;  ///< an odd number
+    /// With rules that make quadrilaterals: the segment that suffers least from being divided.
+    /// 0 sizes: there is none, because the face lies on both sides of all segments.
+    Segment longest = {};
   };
   std::vector<OddLoop> oddLoops = {};  ///< boundary loops with an odd number of segments
   /// Triangles of a mesh that should have quadrilaterals only (QuadCleanUp::onlyQuads).
   std::size_t triangles = 0;
+  Point3 firstTriangle = {};  ///< the middle of one of them, if there are any
 };
 
 enum class GroupKind {

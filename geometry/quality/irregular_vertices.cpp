@@ -76,42 +76,29 @@ std::vector<Region> regionsOf(const ModelMesh& mesh, const MeshFans& fans) {
   return regions;
 }
 
-/// By vertex: the number of edges to the nearest boundary, at most that of the last ring.
-std::vector<std::uint8_t> ringsOf(const ModelMesh& mesh, const MeshFans& fans) {
-  constexpr std::uint8_t kLast = IrregularVertices::kRings - 1;
-  std::vector<std::uint8_t> ring(mesh.vertices.size(), kLast);
-  for (const auto& [from, to] : fans.boundaryEdges()) ring[from.value] = ring[to.value] = 0;
-  for (std::uint8_t reached = 0; reached + 1 < kLast; ++reached)
-    for (const Element& element : mesh.elements) {
-      const auto corners = element.vertices();
-      for (std::size_t i = 0; i < corners.size(); ++i) {
-        std::uint8_t& one = ring[corners[i].value];
-        std::uint8_t& other = ring[corners[(i + 1) % corners.size()].value];
-        if (one == reached && other > reached + 1) other = static_cast<std::uint8_t>(reached + 1);
-        if (other == reached && one > reached + 1) one = static_cast<std::uint8_t>(reached + 1);
-      }
-    }
-  return ring;
-}
-
 }  // namespace
 
-IrregularVertices findIrregularVertices(const ModelMesh& mesh, const MeshFans& fans) {
-  enum class State : std::uint8_t { Unused, Regular, Irregular };
-  std::vector<State> states(mesh.vertices.size(), State::Unused);
+std::vector<VertexState> vertexStates(const ModelMesh& mesh, const MeshFans& fans) {
+  std::vector<VertexState> states(mesh.vertices.size(), VertexState::Unused);
   for (const Fan& fan : fans.fans()) {
-    State& state = states[fan.vertex.value];
-    if (state != State::Irregular) state = isRegular(mesh, fan) ? State::Regular : State::Irregular;
+    VertexState& state = states[fan.vertex.value];
+    if (state != VertexState::Irregular)
+      state = isRegular(mesh, fan) ? VertexState::Regular : VertexState::Irregular;
   }
-  const std::vector<std::uint8_t> rings = ringsOf(mesh, fans);
+  return states;
+}
+
+IrregularVertices countIrregularVertices(const ModelMesh& mesh, const MeshFans& fans,
+                                         const std::vector<VertexState>& states,
+                                         const std::vector<std::uint32_t>& distance) {
+  constexpr std::size_t kLast = IrregularVertices::kRings - 1;
   IrregularVertices result;
   for (std::size_t v = 0; v < states.size(); ++v) {
-    if (states[v] == State::Unused) continue;
-    const bool isIrregular = states[v] == State::Irregular;
-    for (VertexCount* const count :
-         {&result.rings[rings[v]], rings[v] == 0 ? &result.boundary : &result.inner}) {
+    if (states[v] == VertexState::Unused) continue;
+    for (VertexCount* const count : {&result.rings[std::min<std::size_t>(distance[v], kLast)],
+                                     distance[v] == 0 ? &result.boundary : &result.inner}) {
       ++count->all;
-      count->irregular += isIrregular;
+      count->irregular += states[v] == VertexState::Irregular;
     }
   }
   double least = 0;

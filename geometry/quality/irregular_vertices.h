@@ -2,6 +2,7 @@
 // Not installed.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "geometry/quality/mesh_fans.h"
@@ -9,7 +10,15 @@
 
 namespace af2::geometry {
 
-IrregularVertices findIrregularVertices(const ModelMesh& mesh, const MeshFans& fans);
+enum class VertexState : std::uint8_t { Unused, Regular, Irregular };
+
+/// By vertex.
+std::vector<VertexState> vertexStates(const ModelMesh& mesh, const MeshFans& fans);
+
+/// distance  by vertex: the number of edges to the nearest boundary
+IrregularVertices countIrregularVertices(const ModelMesh& mesh, const MeshFans& fans,
+                                         const std::vector<VertexState>& states,
+                                         const std::vector<std::uint32_t>& distance);
 
 /// By edge that leaves a smooth boundary (a vertex with an interior angle of 150 to 210 degrees)
 /// inward: the angle in degrees between it and the nearest direction of a regular mesh, in the

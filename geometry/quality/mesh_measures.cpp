@@ -7,8 +7,10 @@
 
 #include "geometry/mesh/mesh_sides.h"
 #include "geometry/mesh/quality.h"
+#include "geometry/quality/boundary_distance.h"
 #include "geometry/quality/element_measures.h"
 #include "geometry/quality/irregular_vertices.h"
+#include "geometry/quality/meeting_fronts.h"
 #include "geometry/quality/mesh_fans.h"
 
 namespace af2::geometry {
@@ -38,10 +40,11 @@ struct ElementValues {
   std::vector<double> jacobians, angles;
 };
 
-void measureElements(const ModelMesh& mesh, MeshMeasures& result) {
+/// Returns the scaled Jacobians by element.
+std::vector<double> measureElements(const ModelMesh& mesh, MeshMeasures& result) {
   const double orientation = orientationOf(mesh);
   ElementValues triangles, quads;
-  std::vector<double> qualities, aspects;
+  std::vector<double> jacobians, qualities, aspects;
   for (const Element& element : mesh.elements) {
     std::array<Point3, 4> points;
     const auto corners = element.vertices();
@@ -49,23 +52,23 @@ void measureElements(const ModelMesh& mesh, MeshMeasures& result) {
     const CornerPoints at(points.data(), corners.size());
     const bool isTurned = orientation * areaVector(at).z < 0;
     ElementValues& values = element.isQuad() ? quads : triangles;
-    values.jacobians.push_back((isTurned ? -1 : 1) * scaledJacobian(at));
+    jacobians.push_back((isTurned ? -1 : 1) * scaledJacobian(at));
+    values.jacobians.push_back(jacobians.back());
     for (std::size_t i = 0; i < corners.size(); ++i) values.angles.push_back(cornerAngle(at, i));
-    result.inverted += values.jacobians.back() <= 0;
+    result.inverted += jacobians.back() <= 0;
     qualities.push_back(shapeQuality(mesh.vertices, element));
     aspects.push_back(aspectRatio(at));
   }
   result.triangles = triangles.jacobians.size();
   result.quads = quads.jacobians.size();
-  std::vector<double> jacobians = triangles.jacobians;
-  jacobians.insert(jacobians.end(), quads.jacobians.begin(), quads.jacobians.end());
-  result.jacobian = distributionOf(std::move(jacobians));
+  result.jacobian = distributionOf(jacobians);
   result.triangleJacobian = distributionOf(std::move(triangles.jacobians));
   result.quadJacobian = distributionOf(std::move(quads.jacobians));
   result.triangleAngles = distributionOf(std::move(triangles.angles));
   result.quadAngles = distributionOf(std::move(quads.angles));
   result.quality = distributionOf(std::move(qualities));
   result.aspect = distributionOf(std::move(aspects));
+  return jacobians;
 }
 
 void measureLengths(const ModelMesh& mesh, double size, MeshMeasures& result) {
@@ -85,6 +88,15 @@ void measureLengths(const ModelMesh& mesh, double size, MeshMeasures& result) {
     for (const double length : lengths) ratios.push_back(unit > 0 ? length / unit : 0);
   }
   result.lengths = distributionOf(std::move(ratios));
+}
+
+void measureVertices(const ModelMesh& mesh, const MeshFans& fans,
+                     const std::vector<double>& jacobians, MeshMeasures& result) {
+  const VertexNeighbors neighbors(mesh);
+  const std::vector<std::uint32_t> distance = edgesToBoundary(neighbors, fans);
+  const std::vector<VertexState> states = vertexStates(mesh, fans);
+  result.irregular = countIrregularVertices(mesh, fans, states, distance);
+  result.meeting = measureMeetingFronts(mesh, neighbors, distance, states, jacobians);
 }
 
 void measureShape(const ModelMesh& mesh, const MeshFans& fans, MeshMeasures& result) {
@@ -107,10 +119,10 @@ void measureShape(const ModelMesh& mesh, const MeshFans& fans, MeshMeasures& res
 MeshMeasures measureMesh(const ModelMesh& mesh, const MeasureOptions& options) {
   MeshMeasures result;
   if (mesh.elements.empty()) return result;
-  measureElements(mesh, result);
+  const std::vector<double> jacobians = measureElements(mesh, result);
   measureLengths(mesh, options.size, result);
   const MeshFans fans(mesh, options.featureDegrees);
-  result.irregular = findIrregularVertices(mesh, fans);
+  measureVertices(mesh, fans, jacobians, result);
   result.spokes = distributionOf(spokeDeviations(mesh, fans));
   measureShape(mesh, fans, result);
   return result;

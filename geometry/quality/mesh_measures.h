@@ -49,6 +49,13 @@ struct IrregularVertices {
   std::size_t irregular() const { return inner.irregular + boundary.irregular; }
 };
 
+/// Fronts that advance row by row from all boundaries meet at the vertices from which no edge leads
+/// farther away from the boundaries. The elements at these vertices, and all others.
+struct MeetingFronts {
+  Distribution jacobian, jacobianElsewhere;   ///< of elements
+  VertexCount irregular, irregularElsewhere;  ///< inside faces: where fronts meet, and the others
+};
+
 /// How a mesh hangs together.
 struct MeshShape {
   std::size_t edges = 0;
@@ -78,6 +85,7 @@ struct MeshMeasures {
   double medianLength = 0;  ///< of edges
   Distribution lengths;     ///< of edges, divided by lengthUnit
   IrregularVertices irregular;
+  MeetingFronts meeting;
   Distribution spokes;  ///< deviations in degrees, between the edges that leave smooth
                         ///< boundaries inward and the directions of a regular mesh
   MeshShape shape;

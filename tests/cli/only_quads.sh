@@ -13,6 +13,15 @@ expect 0 "$af2" mesh "$models/cylinder.step" --size 0.5 --elements quad --report
 expect 0 "$af2" mesh "$models/cylinder.step" --size 0.5 --elements quad --report two.json --quiet -j 2
 [ "$(json one.json fingerprint)" = "$(json two.json fingerprint)" ] || fail "the mesh depends on the threads"
 
+# A large face is cut into pieces. Each can be filled with quadrilaterals, and those of a grid are grids.
+printf '4 2 0 0\n1 0 0\n2 1 0\n3 1 .6\n4 0 .6\n4 0\n1 1 2\n2 2 3\n3 3 4\n4 4 1\n0\n' >large.poly
+expect 0 "$af2" mesh large.poly --size 0.002 --elements quad --report large.json -o large.obj --quiet -j 2
+[ "$(json large.json quads)" = 150000 ] || fail "the pieces of a grid are no grids"
+expect 0 "$af2" mesh "$plate" --size 0.02 --elements quad --report one.json --quiet -j 1
+expect 0 "$af2" mesh "$plate" --size 0.02 --elements quad --report many.json --quiet -j 7
+[ "$(json one.json triangles)" = 0 ] || fail "triangles where pieces meet"
+[ "$(json one.json fingerprint)" = "$(json many.json fingerprint)" ] || fail "the pieces depend on the threads"
+
 # A boundary that is given and odd.
 cat >odd.poly <<'POLY'
 5 2 0 0
@@ -30,15 +39,16 @@ cat >odd.poly <<'POLY'
 0
 POLY
 expect 3 "$af2" mesh odd.poly --size 1 --keep-boundary --elements quad --report odd.json -o odd.vtu
-told 'triangles remain, which --elements quad does not accept: face 1 (1 triangle; loop 1 of its boundary has 5 edges)'
+told 'odd.poly: triangles remain, which --elements quad does not accept: face 1 (1 triangle at (1.81, 1.05, 0); loop 1 of its boundary has 5 edges: divide the one from (2, 0, 0) to (2, 2, 0), which is 2 sizes long)'
 [ "$(json odd.json status)" = partial ] || fail "the report says nothing of triangles"
 [ "$(json odd.json faces 0 odd_loops 0 edges)" = 5 ] || fail "the report does not name the loop"
+[ "$(json odd.json faces 0 odd_loops 0 longest sizes)" = 2.0 ] || fail "the report names no edge to be divided"
 [ -s odd.vtu ] || fail "the mesh was not written"
 
 # An even boundary, but no room: two triangles would make one flat quadrilateral.
 printf '3 2 0 0\n1 0 0\n2 1 0\n3 0 1\n3 0\n1 1 2\n2 2 3\n3 3 1\n0\n' >corner.poly
 expect 3 "$af2" mesh corner.poly --size 2 --elements quad --quiet
-told 'face 1 (2 triangles; elements cannot change enough to join them)'
+told 'face 1 (2 triangles, one of them at (0.5, 0.167, 0); elements cannot change enough to join them)'
 
 # How long to look for better meshes.
 for level in fast good best; do

@@ -205,6 +205,79 @@ TEST(RegionSplit, DrawsReversedRegionsInTheMirror) {
   EXPECT_NEAR(area, 1, 1e-9);
 }
 
+void halveAnEdge(FrontInput& input, std::size_t loop) {
+  auto& corners = input.loops[loop];
+  const Point3 middle = 0.5 * (corners[0].point.position + corners[1].point.position);
+  const SurfacePoint point{middle, {0, 0, 1}, middle.x, middle.y};
+  corners.insert(corners.begin() + 1, {VertexId(input.vertexCount++), point});
+}
+
+FrontInput withEvenLoops(FrontInput input) {
+  for (std::size_t i = 0; i < input.loops.size(); ++i)
+    if (input.loops[i].size() % 2 == 1) halveAnEdge(input, i);
+  return input;
+}
+
+std::size_t oddLoopsOf(const SplitRegion& split) {
+  std::size_t odd = 0;
+  for (const RegionPiece& piece : split.pieces)
+    for (const auto& loop : piece.input.loops) odd += loop.size() % 2;
+  return odd;
+}
+
+TEST(RegionSplit, KeepsPiecesOfEvenRegionsEven) {
+  std::size_t oddBefore = 0;
+  for (const FrontInput& given : {square(.02), discWithHole(.01), comb(), manyHoles()}) {
+    const FrontInput input = withEvenLoops(given);
+    for (const int pieces : {2, 7, 20}) {
+      const double elements = areaOf(input) / (.433 * 4e-4) / pieces;
+      oddBefore += oddLoopsOf(splitRegion(input, kPlane, UniformSize(.02), {elements}));
+      const SplitRegion split = splitRegion(input, kPlane, UniformSize(.02), {elements, true});
+      EXPECT_EQ(oddLoopsOf(split), 0u);
+      expectFitTogether(split, input);
+    }
+  }
+  EXPECT_GT(oddBefore, 10u);
+}
+
+TEST(RegionSplit, KeepsPiecesOfTubesEven) {
+  for (const double pieceElements : {300., 1000., 2500.}) {
+    const FrontInput input = tube(1. / 32);
+    const SplitRegion split =
+        splitRegion(input, TubePoints(), UniformSize(1. / 31), {pieceElements, true});
+    EXPECT_EQ(oddLoopsOf(split), 0u);
+    expectFitTogether(split, input);
+  }
+}
+
+TEST(RegionSplit, LeavesOneLoopOddWhereTheRegionIsOdd) {
+  FrontInput input = square(.02);
+  halveAnEdge(input, 0);
+  const SplitRegion split = splitRegion(input, kPlane, UniformSize(.02), {500, true});
+  EXPECT_GT(split.pieces.size(), 5u);
+  EXPECT_EQ(oddLoopsOf(split), 1u);
+}
+
+TEST(RegionSplit, ChangesCutsByOneEdgeAtMost) {
+  const FrontInput input = square(.0222);
+  const SplitRegion split = splitRegion(input, kPlane, UniformSize(.0222), {2000, true});
+  for (const RegionCut& cut : split.cuts) {
+    const Point3 first = split.cutVertices[cut.own.begin].position;
+    const Point3 last = split.cutVertices[cut.own.end - 1].position;
+    const auto inner = static_cast<double>(cut.own.end - cut.own.begin);
+    EXPECT_NEAR(distance(first, last) / (inner - 1), .0222, .0222 * 1.6 / inner);
+  }
+}
+
+TEST(RegionSplit, CutsGridsIntoGrids) {
+  // Lines halfway between two corners of the boundary.
+  const FrontInput input = square(1. / 45);
+  const SplitRegion split = splitRegion(input, kPlane, UniformSize(1. / 45), {500, true});
+  EXPECT_GT(split.pieces.size(), 5u);
+  for (const SurfacePoint& p : split.cutVertices)
+    for (const double x : {p.u, p.v}) EXPECT_NEAR(45 * x, std::round(45 * x), 1e-9);
+}
+
 TEST(MeshRegion, GivesTheSameMeshForAnyNumberOfThreads) {
   const FrontInput input = manyHoles();
   const RegionMesh one = meshIn(input, .1, 600, 1);

@@ -74,6 +74,19 @@ TEST(MeshMeasures, CountTheRingsOfIrregularVertices) {
   EXPECT_EQ(measureMesh(triangleInThreeBlocks(3)).irregular.rings[3].irregular, 1u);
 }
 
+TEST(MeshMeasures, FindWhereFrontsMeet) {
+  const MeshMeasures even = measureMesh(squareGrid(5)), odd = measureMesh(squareGrid(6));
+  // The diagonals, as far as vertices inside lie on them.
+  EXPECT_EQ(even.meeting.irregular.all, 8u);
+  EXPECT_EQ(even.meeting.irregularElsewhere.all, 8u);
+  EXPECT_EQ(odd.meeting.irregular.all, 9u);
+  EXPECT_EQ(odd.meeting.jacobian.count + odd.meeting.jacobianElsewhere.count, 36u);
+  const MeshMeasures blocks = measureMesh(triangleInThreeBlocks(4));
+  EXPECT_EQ(blocks.meeting.irregular.irregular, 1u);
+  EXPECT_EQ(blocks.meeting.irregularElsewhere.irregular, 0u);
+  EXPECT_EQ(measureMesh(squareCube(false)).meeting.jacobian.count, 0u) << "without a boundary";
+}
+
 TEST(MeshMeasures, OfACubeWithoutFacesHasEightVerticesOfThreeElements) {
   const MeshMeasures m = measureMesh(squareCube(false));
   EXPECT_EQ(m.irregular.inner.all, 8u);

@@ -61,6 +61,21 @@ TEST(TipFans, CloseConesHoweverSharp) {
   }
 }
 
+TEST(TipFans, JoinTrianglesOnRequest) {
+  for (const auto& [radius, quads] : {std::pair{1.0, 0}, {3.0, 2}, {5.5, 2}}) {
+    MeshingOptions options = testing::ofSize(0.5);
+    options.quads.onlyQuads = true;
+    const ModelMesh result = testing::mesh(testing::cone(radius, 0, kHeight), options);
+    testing::expectComplete(result);
+    const Point3 tip{0, 0, kHeight};
+    int found = 0;
+    for (const Element& e : result.elements)
+      for (const VertexId v : e.vertices())
+        found += e.isQuad() && distance(result.vertices[v.value], tip) < 1e-9 ? 1 : 0;
+    EXPECT_EQ(found, quads) << radius;
+  }
+}
+
 TEST(TipFans, LeaveBluntTipsToTheFront) {
   const ModelMesh result = testing::mesh(testing::cone(8, 0, kHeight), 1);
   testing::expectComplete(result);
