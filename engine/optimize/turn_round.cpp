@@ -40,9 +40,9 @@ bool mend(PatchEditor& editor, std::size_t element) {
     const auto inPatch = editor.find(element);
     if (!inPatch) continue;
     const QuadPatch patch = editor.patch();
-    if (editor.putBack(patch, kSoundJacobian, FinishAct::Kind::Search)) return true;
+    if (editor.putBack(patch, {kSoundJacobian}, FinishAct::Kind::Search)) return true;
     for (const QuadPatch& changed : changesAt(patch, *inPatch))
-      if (editor.putBack(changed, kSoundJacobian, FinishAct::Kind::Search)) return true;
+      if (editor.putBack(changed, {kSoundJacobian}, FinishAct::Kind::Search)) return true;
   }
   return false;
 }
