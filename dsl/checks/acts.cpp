@@ -7,8 +7,8 @@ namespace af2::dsl {
 namespace {
 
 bool hasEdge(const RuleDefinition& rule, int from, int to) {
-  return std::ranges::any_of(
-      rule.edges, [&](const PatternEdge& e) { return e.from == from && e.to == to; });
+  return std::ranges::any_of(rule.edges,
+                             [&](const PatternEdge& e) { return e.from == from && e.to == to; });
 }
 
 /// Whether the two vertices are the far ends of the base edge and a neighbour of it.
@@ -24,14 +24,15 @@ void checkWeld(const CompiledRule& rule, Findings& findings) {
   if (from != into && areFarEnds(rule.definition, from, into)) return;
   const bool areNeighbours =
       hasEdge(rule.definition, from, into) || hasEdge(rule.definition, into, from);
-  findings.add(rule, Code::WeldOperands, *rule.actSpan,
-               from == into       ? "a vertex cannot be welded into itself"
-               : areNeighbours    ? "neighbouring vertices cannot be welded: the edge between them "
-                                    "would have no length"
-                                  : "these vertices are not the far ends of two neighbouring edges",
-               "",
-               "the base edge and the next one close like a seam: `front a -> b -> c; weld c into a "
-               "at mid(a, c);`");
+  findings.add(
+      rule, Code::WeldOperands, *rule.actSpan,
+      from == into    ? "a vertex cannot be welded into itself"
+      : areNeighbours ? "neighbouring vertices cannot be welded: the edge between them "
+                        "would have no length"
+                      : "these vertices are not the far ends of two neighbouring edges",
+      "",
+      "the base edge and the next one close like a seam: `front a -> b -> c; weld c into a "
+      "at mid(a, c);`");
 }
 
 void checkAct(const CheckedRules& rules, const CompiledRule& rule, Findings& findings) {

@@ -58,13 +58,14 @@ void checkColours(const CheckedRules& rules, Findings& findings) {
         clashingEdge(edges, definition.vertices.size() + definition.newVertices.size());
     if (!clash) continue;
     const auto [from, to] = edges[*clash];
-    findings.add(rule, Code::ClashingColours,
-                 rule.elementSpans.empty() ? rule.title : rule.elementSpans.front(),
-                 "this rule never applies: its edges join vertices of like colours",
-                 "from " + vertexName(rule, from) + " to " + vertexName(rule, to) +
-                     " there are ways of odd and of even length",
-                 "with `parity even` the vertices of a loop have two colours in turn, and every edge "
-                 "joins unlike ones; triangles and closed chains of odd length cannot occur");
+    findings.add(
+        rule, Code::ClashingColours,
+        rule.elementSpans.empty() ? rule.title : rule.elementSpans.front(),
+        "this rule never applies: its edges join vertices of like colours",
+        "from " + vertexName(rule, from) + " to " + vertexName(rule, to) +
+            " there are ways of odd and of even length",
+        "with `parity even` the vertices of a loop have two colours in turn, and every edge "
+        "joins unlike ones; triangles and closed chains of odd length cannot occur");
   }
 }
 

@@ -129,7 +129,8 @@ class ReferenceMatch {
     if (refusal != Refusal::None || !isKnown ||
         scoring.judge(rule_.elements, vertices->data(), score + *cost, level_) == Refusal::None)
       return std::nullopt;
-    const bool isByCost = rule_.cost && scoring.judge(rule_.elements, vertices->data(), score, level_) == Refusal::None;
+    const bool isByCost = rule_.cost && scoring.judge(rule_.elements, vertices->data(), score,
+                                                      level_) == Refusal::None;
     Objection found =
         objectionTo(Refusal::Score, isByCost ? Objection::Part::Cost : Objection::Part::Score);
     found.value = score;

@@ -38,8 +38,8 @@ const Expr* literalIn(const Expr& expr) {
 }
 
 bool asksTheFront(std::string_view parameters, std::string_view name) {
-  return parameters == "w" || parameters == "c" || parameters == "e" || name == "h" || name == "loop_size" ||
-         name == "dist_front" || name == "curvature";
+  return parameters == "w" || parameters == "c" || parameters == "e" || name == "h" ||
+         name == "loop_size" || name == "dist_front" || name == "curvature";
 }
 
 }  // namespace

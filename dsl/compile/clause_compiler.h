@@ -27,8 +27,9 @@ class ClauseCompiler {
         settings_(settings),
         rule_(rule),
         mirror_(mirror),
-        expressions_(context, home, ExpressionPlace::Rule,
-                     Algebra(builder_, {countPlaces(rule) + 2, mirror != nullptr, settings.counts})) {
+        expressions_(
+            context, home, ExpressionPlace::Rule,
+            Algebra(builder_, {countPlaces(rule) + 2, mirror != nullptr, settings.counts})) {
     expressions_.fade = [this] { return fadeNode(); };
     result_.text = &rule;
     result_.home = &home;

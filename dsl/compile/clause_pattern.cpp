@@ -214,9 +214,8 @@ void ClauseCompiler::compileNear(const NearClause& clause) {
   for (const NearClause::Vertex& near : clause.vertices) {
     const Value at = expressions_.point(near.at);
     const auto reach = numberByLevel(near.reach, "a reach");
-    const bool isBounded = reach && std::ranges::all_of(*reach, [](double r) {
-      return r > 0 && r <= kLongestReach;
-    });
+    const bool isBounded =
+        reach && std::ranges::all_of(*reach, [](double r) { return r > 0 && r <= kLongestReach; });
     if (reach && !isBounded)
       tell(Code::MissingCounts, near.reach.span,
            "a reach is a distance above 0 and up to " + shownNumber(kLongestReach), "",
@@ -228,8 +227,8 @@ void ClauseCompiler::compileNear(const NearClause& clause) {
     vertex.name = near.name.text;
     vertex.tolerance = std::nullopt;
     if (!at.isAny() && isBounded)
-      vertex.near = NearPlace{makeTransform(builder_, algebra().toBase(at.at)),
-                              ByLevel<double>(*reach)};
+      vertex.near =
+          NearPlace{makeTransform(builder_, algebra().toBase(at.at)), ByLevel<double>(*reach)};
     definition().vertices.push_back(std::move(vertex));
     result_.vertexSpans.push_back(near.name.span);
   }

@@ -220,11 +220,11 @@ void RuleSetCompiler::readCounts() {
   std::array<double, 3> bounds{};
   const Span all = cover(counts->bounds.front().span, counts->bounds.back().span);
   if (counts->bounds.size() != bounds.size())
-    return context_.tell(*home, Code::ArgumentCount, all,
-                         "'counts' takes three angles, not " +
-                             std::to_string(counts->bounds.size()),
-                         "from these on a vertex wants 2, 3 and 4 elements: `counts 130deg, 235deg, "
-                         "315deg;`");
+    return context_.tell(
+        *home, Code::ArgumentCount, all,
+        "'counts' takes three angles, not " + std::to_string(counts->bounds.size()),
+        "from these on a vertex wants 2, 3 and 4 elements: `counts 130deg, 235deg, "
+        "315deg;`");
   double last = 0;
   for (std::size_t i = 0; i < bounds.size(); ++i) {
     const Expr& expr = counts->bounds[i];
@@ -261,8 +261,7 @@ std::optional<ColumnLimits> RuleSetCompiler::columns() {
                   "columns begin above and end below the target size",
                   "write a number between 0 and 1 and one above 1, as in 0.7..1.4");
   if (!(*layer >= 0 && *layer <= 1e6 && *layer == std::floor(*layer)))
-    context_.tell(*home, Code::NotConstant, columns->layer.span,
-                  "a layer is a whole number from 0",
+    context_.tell(*home, Code::NotConstant, columns->layer.span, "a layer is a whole number from 0",
                   "0 is the boundary; 3 keeps the rows at the boundary regular");
   return ColumnLimits{*low, *high, static_cast<int>(*layer)};
 }
@@ -399,8 +398,9 @@ std::shared_ptr<const AF2Acceptance> RuleSetCompiler::acceptance() {
   }
   if (const auto constant = builder.constantValue(all); constant && *constant != 0) return nullptr;
   const Expr& expr = accept->conditions.front();
-  const bool isBound = accept->conditions.size() == 1 && expr.kind == ExprKind::Binary && expr.name == "<" &&
-                       expr.parts[0].kind == ExprKind::Name && expr.parts[0].name == "score";
+  const bool isBound = accept->conditions.size() == 1 && expr.kind == ExprKind::Binary &&
+                       expr.name == "<" && expr.parts[0].kind == ExprKind::Name &&
+                       expr.parts[0].name == "score";
   if (isBound) {
     const Value bound = compiler.evaluate(expr.parts[1]);
     const ExpressionFunction function(builder.program(std::array<Node, 1>{bound.number}));

@@ -142,15 +142,15 @@ Line lineOf(const Clause& clause) {
         return Line{c.kind.text, join(c.elements, corners) + ";"};
       },
       [](const WeldClause& c) {
-        return Line{"weld", c.from.text + " into " + c.into.text + " at " +
-                                printExpression(c.at) + ";"};
+        return Line{"weld",
+                    c.from.text + " into " + c.into.text + " at " + printExpression(c.at) + ";"};
       },
       [](const FarClause& c) {
         return Line{"far", c.vertex.text + ";"};
       },
       [](const PathClause& c) {
-        return Line{"path", c.from.text + " -> " + c.to.text + " by " +
-                                printExpression(c.segments) + ";"};
+        return Line{"path",
+                    c.from.text + " -> " + c.to.text + " by " + printExpression(c.segments) + ";"};
       },
       [](const RequireClause& c) {
         return Line{"require", join(c.conditions, printExpression) + ";"};

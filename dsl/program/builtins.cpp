@@ -146,10 +146,10 @@ Value after(const Algebra& a, Arguments v) {
 Value count(const Algebra& a, Arguments v) {
   ProgramBuilder& b = a.builder();
   const auto bounds = a.frame().counts.value_or(std::array{0.0, 0.0, 0.0});
-  return a.scalar(Type::Number,
-                  b.make(Op::Count, {b.constant(bounds[0]), b.constant(bounds[1]),
-                                     b.constant(bounds[2])},
-                         a.frame().stored(v[0].vertex)));
+  return a.scalar(
+      Type::Number,
+      b.make(Op::Count, {b.constant(bounds[0]), b.constant(bounds[1]), b.constant(bounds[2])},
+             a.frame().stored(v[0].vertex)));
 }
 
 /// From an end of the base edge along the edge between its first two elements: the free angle is
@@ -161,13 +161,12 @@ Value spoke(const Algebra& a, Arguments v) {
   const Node turn = ofVertex<Op::TurnOrStraight, Type::Angle>(a, v).number;
   const Node share = b.divide(turn, b.make(Op::Maximum, {count(a, v).number, b.constant(1)}));
   const double third = std::numbers::pi / 3;
-  const Node part = b.make(
-      Op::Minimum, {b.make(Op::Maximum, {share, b.constant(third)}), b.constant(2 * third)});
-  const NodePair along =
-      a.unit(a.subtract(a.vertex(isB ? 0 : 1).at, a.vertex(isB ? 1 : 0).at));
+  const Node part =
+      b.make(Op::Minimum, {b.make(Op::Maximum, {share, b.constant(third)}), b.constant(2 * third)});
+  const NodePair along = a.unit(a.subtract(a.vertex(isB ? 0 : 1).at, a.vertex(isB ? 1 : 0).at));
   const std::array turned{a.vector(along), a.scalar(Type::Angle, isB ? b.negate(part) : part)};
-  const Node length = b.divide(ofVertex<Op::SizeOf, Type::Number>(a, v).number,
-                               b.make(Op::Sine, {part}));
+  const Node length =
+      b.divide(ofVertex<Op::SizeOf, Type::Number>(a, v).number, b.make(Op::Sine, {part}));
   return a.vector(a.scale(length, rot(a, turned).at));
 }
 
@@ -262,8 +261,7 @@ constexpr std::array kBuiltins{
             "From a or b along the edge beside the base edge that divides the free angle evenly."},
     Builtin{"before", "c", "before(v)", before, "The vertex before v on the front."},
     Builtin{"after", "c", "after(v)", after, "The vertex after v on the front."},
-    Builtin{"h", "p", "h(p)", sizeAt,
-            "The target size at p, relative to that at the base edge."},
+    Builtin{"h", "p", "h(p)", sizeAt, "The target size at p, relative to that at the base edge."},
     Builtin{"layer", "w", "layer(v)", ofVertex<Op::Layer, Type::Number>,
             "Layers of elements between v and the boundary."},
     Builtin{"on_boundary", "w", "on_boundary(v)", ofVertex<Op::OnBoundary, Type::Truth>,

@@ -16,7 +16,8 @@ namespace af2::dsl {
 /// `parameters` has one letter for each: n number, r angle or number, x number or angle (all `x` of
 /// one call have the same type), p point, v vector, g point or vector (all of the same weight), l
 /// any type that can be interpolated (all `l` have the same type), t truth value, w a matched
-/// vertex, c a vertex with a known place on the front, e an end of the base edge, s shape. A `*` repeats the letter before it.
+/// vertex, c a vertex with a known place on the front, e an end of the base edge, s shape. A `*`
+/// repeats the letter before it.
 struct Builtin {
   std::string_view name;
   std::string_view parameters;

@@ -85,7 +85,7 @@ bool ExpressionAcceptance::acceptsMeasured(double score, int level,
 
 ExpressionFrontOrder::ExpressionFrontOrder(std::vector<Program> keys) : keys_(std::move(keys)) {
   for (const Program& key : keys_)
-    for (const Step& step : key.steps()) 
+    for (const Step& step : key.steps())
       needsTurns_ = needsTurns_ || step.op == Op::Turn || step.op == Op::Count;
 }
 

@@ -58,9 +58,7 @@ class ExpressionAcceptance final : public AF2Acceptance {
 
   explicit ExpressionAcceptance(Program program);
   /// For ideal quadrilaterals.
-  bool accepts(double score, int level) const override {
-    return acceptsMeasured(score, level, {});
-  }
+  bool accepts(double score, int level) const override { return acceptsMeasured(score, level, {}); }
   bool needsMeasures() const override { return needsMeasures_; }
   bool acceptsMeasured(double score, int level, const ElementMeasures& measures) const override;
 

@@ -192,8 +192,8 @@ class Runner {
     static const AF2Surroundings nothing;
     const AF2Surroundings& around = binding_.surroundings ? *binding_.surroundings : nothing;
     if (s.op == Op::Count)
-      return around.count(s.index, {values_[s.arguments[0]], values_[s.arguments[1]],
-                                    values_[s.arguments[2]]});
+      return around.count(
+          s.index, {values_[s.arguments[0]], values_[s.arguments[1]], values_[s.arguments[2]]});
     const Point2 p =
         s.arguments[0] < 0 ? Point2{} : Point2{values_[s.arguments[0]], values_[s.arguments[1]]};
     if (isUnknown(p.x, p.y)) return kNoValue;

@@ -30,8 +30,8 @@ FrontPiece pieceWith(double angleA, double angleB) {
   // Two reversals: edges beside the base that do not cross below it.
   const double length = angleA > 300 && angleB > 300 ? 0.45 : 1;
   FrontPiece piece;
-  piece.vertices = {along(angleA, length), {0, 0}, {1, 0},
-                    Point2{1, 0} + along(180 - angleB, length)};
+  piece.vertices = {
+      along(angleA, length), {0, 0}, {1, 0}, Point2{1, 0} + along(180 - angleB, length)};
   piece.chains = {{0, 1, 2, 3}};
   piece.base = {1, 2};
   return piece;
@@ -55,8 +55,8 @@ std::vector<Point2> randomLoop(int edges, RandomNumbers& random) {
   const double radius = 0.5 / std::sin(std::numbers::pi / edges);
   std::vector<Point2> loop;
   for (int i = 0; i < edges; ++i)
-    loop.push_back(along(step * (i + random.between(-0.25, 0.25)),
-                         radius * random.between(0.75, 1.25)));
+    loop.push_back(
+        along(step * (i + random.between(-0.25, 0.25)), radius * random.between(0.75, 1.25)));
   return loop;
 }
 
@@ -76,9 +76,9 @@ bool closes(const AF2Algorithm& algorithm, const std::vector<Point2>& loop) {
 
 SampledFinding findingOf(const CountGap& gap, std::size_t more) {
   SampledFinding finding(Code::UncoveredCounts);
-  finding.message = fmt::format(
-      "no rule takes a base edge at level 1 whose ends want {} and {} elements", gap.countA,
-      gap.countB);
+  finding.message =
+      fmt::format("no rule takes a base edge at level 1 whose ends want {} and {} elements",
+                  gap.countA, gap.countB);
   if (more > 0) finding.message += fmt::format(", nor {} other pairs of counts", more);
   finding.help = "add a rule with `require count(a) == ..., count(b) == ...`, or loosen one";
   const auto& v = gap.piece.vertices;
@@ -122,9 +122,10 @@ std::vector<SampledFinding> findingsOf(const Closure& closure) {
   std::string corners;
   for (const Point2 p : closure.open)
     corners += fmt::format("{}({:.2f}, {:.2f})", corners.empty() ? "" : ", ", p.x, p.y);
-  finding.help = "its corners are " + corners +
-                 "; add rules that close loops of 4 and 6 edges, accept poorer elements at the last "
-                 "levels, or add a `path`";
+  finding.help =
+      "its corners are " + corners +
+      "; add rules that close loops of 4 and 6 edges, accept poorer elements at the last "
+      "levels, or add a `path`";
   findings.push_back(std::move(finding));
   return findings;
 }

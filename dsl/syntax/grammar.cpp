@@ -45,10 +45,10 @@ const auto scoreSetting_def = word("score") >>
                               need(foldWord, "max, sum or mean")[into(&ScoreSetting::fold)] >>
                               need("of") >>
                               need(expr, "a metric")[into(&ScoreSetting::metric)] >> settingEnd;
-const auto acceptSetting_def =
-    word("accept") >> parts(SyntaxUnit::Setting, ListPart::Expression, expr,
-                            append(&AcceptSetting::conditions), "a condition") >>
-    settingEnd;
+const auto acceptSetting_def = word("accept") >>
+                               parts(SyntaxUnit::Setting, ListPart::Expression, expr,
+                                     append(&AcceptSetting::conditions), "a condition") >>
+                               settingEnd;
 const auto clearSetting_def = word("clear") >>
                               need(expr, kExpression)[into(&ClearSetting::value)] >> settingEnd;
 const auto countsSetting_def = word("counts") >>
@@ -84,13 +84,14 @@ const auto paritySetting_def =
 const auto finishSetting_def =
     word("finish") >>
     need(OneOf(kFinishes), "shape, score or none")[into(&FinishSetting::finish)] >> settingEnd;
-const auto setting_def = spanned(
-    !word("}") >> !atBlockEnd >>
-    (elementsSetting[content] | matchSetting[content] | fadeSetting[content] |
-     scoreSetting[content] | acceptSetting[content] | clearSetting[content] |
-     orderSetting[content] | rowsSetting[content] | rowEndSetting[content] |
-     classesSetting[content] | scaleSetting[content] | paritySetting[content] |
-     countsSetting[content] | columnsSetting[content] | finishSetting[content] | meta[content] | need(Nothing(), kSetting)));
+const auto setting_def =
+    spanned(!word("}") >> !atBlockEnd >>
+            (elementsSetting[content] | matchSetting[content] | fadeSetting[content] |
+             scoreSetting[content] | acceptSetting[content] | clearSetting[content] |
+             orderSetting[content] | rowsSetting[content] | rowEndSetting[content] |
+             classesSetting[content] | scaleSetting[content] | paritySetting[content] |
+             countsSetting[content] | columnsSetting[content] | finishSetting[content] |
+             meta[content] | need(Nothing(), kSetting)));
 const auto ruleSet_def =
     word("ruleset") >> need(string, "the rule set's name in quotes")[into(&RuleSetBlock::name)] >>
     -(word("extends") >> need(string, "a rule set's name in quotes")[into(&RuleSetBlock::base)]) >>

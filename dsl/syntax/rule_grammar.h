@@ -91,13 +91,14 @@ const auto elementClause_def =
     list(corners, append(&ElementClause::elements), kVertex) >> clauseEnd;
 const auto weldClause_def = word("weld") >> need(name, kVertex)[into(&WeldClause::from)] >>
                             need("into") >> need(name, kVertex)[into(&WeldClause::into)] >>
-                            need("at") >> need(expr, kExpression)[into(&WeldClause::at)] >>
-                            clauseEnd;
-const auto farClause_def = word("far") >> need(name, kVertex)[into(&FarClause::vertex)] >> clauseEnd;
+                            need("at") >>
+                            need(expr, kExpression)[into(&WeldClause::at)] >> clauseEnd;
+const auto farClause_def = word("far") >>
+                           need(name, kVertex)[into(&FarClause::vertex)] >> clauseEnd;
 const auto pathClause_def = word("path") >> need(name, kVertex)[into(&PathClause::from)] >>
                             need("->") >> need(name, kVertex)[into(&PathClause::to)] >>
-                            need("by") >> need(expr, kExpression)[into(&PathClause::segments)] >>
-                            clauseEnd;
+                            need("by") >>
+                            need(expr, kExpression)[into(&PathClause::segments)] >> clauseEnd;
 const auto requireClause_def = word("require") >>
                                parts(SyntaxUnit::Clause, ListPart::Expression, expr,
                                      append(&RequireClause::conditions), "a condition") >>
@@ -108,8 +109,8 @@ const auto priorityClause_def =
     word("priority") >> need(unary, "a whole number")[into(&PriorityClause::value)] >> clauseEnd;
 
 BOOST_SPIRIT_DEFINE(frontClause, atClause, nearVertex, nearClause, slopeClause, letClause,
-                    newClause, zoneClause, corners, elementClause, weldClause, farClause, pathClause, requireClause,
-                    costClause, priorityClause)
+                    newClause, zoneClause, corners, elementClause, weldClause, farClause,
+                    pathClause, requireClause, costClause, priorityClause)
 
 // ---- mirror -------------------------------------------------------------------------------------
 
@@ -133,13 +134,13 @@ const auto mirrorClause_def =
     (word(";") | (need("{", "; or {") >> x3::eps[setFlag(&MirrorClause::hasBody)] >>
                   *mirrorPart[append(&MirrorClause::overrides)] >> need("}")));
 
-const auto clause_def =
-    spanned(!word("}") >> !atBlockEnd >>
-            (frontClause[content] | atClause[content] | nearClause[content] |
-             slopeClause[content] | letClause[content] | newClause[content] | zoneClause[content] |
-             elementClause[content] | weldClause[content] | farClause[content] |
-             pathClause[content] | requireClause[content] | costClause[content] | priorityClause[content] |
-             meta[content] | mirrorClause[content] | need(Nothing(), kClause)));
+const auto clause_def = spanned(
+    !word("}") >> !atBlockEnd >>
+    (frontClause[content] | atClause[content] | nearClause[content] | slopeClause[content] |
+     letClause[content] | newClause[content] | zoneClause[content] | elementClause[content] |
+     weldClause[content] | farClause[content] | pathClause[content] | requireClause[content] |
+     costClause[content] | priorityClause[content] | meta[content] | mirrorClause[content] |
+     need(Nothing(), kClause)));
 
 BOOST_SPIRIT_DEFINE(mirrorVertex, mirrorPart, mirrorClause, clause)
 

@@ -91,9 +91,9 @@ inline constexpr WordList<2> kRowStarts{"smallest_turn", "oldest"};
 inline constexpr WordList<6> kOutcomes{"rule", "new", "front", "elements", "stuck", "score"};
 /// Reasons for the refusal of a rule in tests. The reasons `zone hit by edge` and `zone hit by
 /// vertex` have a separate syntax.
-inline constexpr WordList<13> kReasons{"class",     "pattern", "require",  "novalue", "parity",
-                                       "shape",     "convexity", "clear", "inverted", "weld",
-                                       "score",     "surface", "beaten"};
+inline constexpr WordList<13> kReasons{"class", "pattern",   "require", "novalue",  "parity",
+                                       "shape", "convexity", "clear",   "inverted", "weld",
+                                       "score", "surface",   "beaten"};
 inline constexpr WordList<3> kMetaKeys{"allow", "author", "note"};
 
 }  // namespace af2::dsl

@@ -88,6 +88,21 @@ void FrontLoops::colourAgain(const Front& front, PlaceId place) {
   forEachOfLoop(front, place, [&](PlaceId id) { at(id).colour = std::exchange(next, !next); });
 }
 
+bool FrontLoops::areSound(const Front& front) const {
+  for (std::size_t i = 0; i < front.capacity(); ++i) {
+    if (!front.hasEdge(PlaceId(i))) continue;
+    int size = 0;
+    bool alternates = true, isOne = true;
+    forEachOfLoop(front, PlaceId(i), [&](PlaceId id) {
+      ++size;
+      alternates = alternates && colour(id) != colour(front.next(id));
+      isOne = isOne && areInOneLoop(id, PlaceId(i));
+    });
+    if (!isOne || size != sizeOfLoop(PlaceId(i)) || (size % 2 == 0 && !alternates)) return false;
+  }
+  return true;
+}
+
 bool FrontLoops::allow(const Front& front, PlaceId base, std::span<const PlaceId> joined) const {
   // An odd loop stays odd, or leaves one odd part, whatever divides it.
   if (isInOddLoop(base)) return true;

@@ -37,6 +37,10 @@ class FrontLoops {
   /// joined  by vertex of the walk: the place that the walk joins; none for a new vertex
   bool allow(const Front& front, PlaceId base, std::span<const PlaceId> joined) const;
 
+  /// Whether sizes are those of the loops, and colours alternate along even ones. Takes time in
+  /// proportion to the front; for tests and debug builds.
+  bool areSound(const Front& front) const;
+
   int sizeOfLoop(PlaceId place) const { return static_cast<int>(sizes_[at(place).loop]); }
   bool isInOddLoop(PlaceId place) const { return sizes_[at(place).loop] % 2 != 0; }
   bool areInOneLoop(PlaceId p, PlaceId q) const { return at(p).loop == at(q).loop; }

@@ -11,8 +11,8 @@
 
 namespace af2 {
 
-/// Removal is lazy: an entry whose edge has left the front, or has another entry, is skipped when it
-/// is taken out.
+/// Removal is lazy: an entry whose edge has left the front, or has another entry, is skipped when
+/// it is taken out.
 class FrontQueue {
  public:
   explicit FrontQueue(const AF2FrontOrder& order);

@@ -11,8 +11,8 @@
 
 namespace af2 {
 
-/// The smallest sine of a corner, scaled to 1 for the ideal element; negative if a corner is reflex,
-/// 0 if two corners coincide.
+/// The smallest sine of a corner, scaled to 1 for the ideal element; negative if a corner is
+/// reflex, 0 if two corners coincide.
 inline double scaledJacobian(std::span<const Point2> corners) {
   constexpr double kTwoOverRootThree = 1.1547005383792515;
   const std::size_t n = corners.size();

@@ -64,8 +64,8 @@ inline bool turnsLeftEverywhere(std::span<const Point2> corners) {
   return true;
 }
 
-/// Whether a quadrilateral turns left at all corners but one, so that its sides do not cross, and has
-/// a positive area.
+/// Whether a quadrilateral turns left at all corners but one, so that its sides do not cross, and
+/// has a positive area.
 inline bool hasOneReflexCorner(std::span<const Point2> corners) {
   if (corners.size() != 4) return false;
   int others = 0;

@@ -33,8 +33,8 @@ class AF2_EXPORT AF2Surroundings {
   virtual std::optional<Point2> before(int /*vertex*/) const { return std::nullopt; }
   virtual std::optional<Point2> after(int /*vertex*/) const { return std::nullopt; }
   /// Number of elements that a vertex wants in its free angle: 1 more than the number of `bounds`
-  /// that the angle reaches. The bounds are measured by `sweepOf`. Where the angle is not known, the
-  /// front is taken to run straight.
+  /// that the angle reaches. The bounds are measured by `sweepOf`. Where the angle is not known,
+  /// the front is taken to run straight.
   virtual int count(int vertex, const std::array<double, 3>& bounds) const;
   /// Number of elements at the vertex so far.
   virtual int valence(int /*vertex*/) const { return 0; }

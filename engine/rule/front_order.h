@@ -11,9 +11,9 @@ namespace af2 {
 /// What the order may depend on: one front edge a -> b when it enters the queue or its level rises.
 struct FrontEdgeFacts {
   int level = 1;
-  int layerA = 0, layerB = 0;   ///< layers of elements between the vertex and the boundary
-  double length = 1;            ///< in units of the wanted length
-  double turnA = 0, turnB = 0;  ///< free angles at the ends, radians in (0, 2 pi]
+  int layerA = 0, layerB = 0;     ///< layers of elements between the vertex and the boundary
+  double length = 1;              ///< in units of the wanted length
+  double turnA = 0, turnB = 0;    ///< free angles at the ends, radians in (0, 2 pi]
   double sweepA = 0, sweepB = 0;  ///< the same free angles as `sweepOf` measures them, in (0, 4]
   /// How many elements the ends want; 0: as many as their free angles say.
   int ownCountA = 0, ownCountB = 0;

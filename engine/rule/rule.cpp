@@ -149,8 +149,8 @@ std::vector<std::int8_t> replacementOf(const RuleDefinition& rule, const std::se
 /// The vertex between the two edges of a weld, one of which is the base.
 int middleOf(const RuleDefinition& rule) {
   const auto has = [&](int from, int to) {
-    return std::ranges::any_of(
-        rule.edges, [&](const PatternEdge& e) { return e.from == from && e.to == to; });
+    return std::ranges::any_of(rule.edges,
+                               [&](const PatternEdge& e) { return e.from == from && e.to == to; });
   };
   const auto [from, into, place] = *rule.weld;
   for (const int middle : {0, 1})
@@ -160,7 +160,8 @@ int middleOf(const RuleDefinition& rule) {
 }
 
 void checkActs(const RuleDefinition& rule) {
-  if (!rule.elements.empty()) fail(rule, "makes elements; a rule that welds or has a path makes none");
+  if (!rule.elements.empty())
+    fail(rule, "makes elements; a rule that welds or has a path makes none");
   if (rule.weld && rule.path) fail(rule, "welds and has a path");
   if (rule.path && (rule.vertices.size() != 3 || !rule.newVertices.empty()))
     fail(rule, "has a path, so it takes a, b and one other vertex");

@@ -62,8 +62,8 @@ class AF2_EXPORT RuleAtMatch : public AF2Surroundings {
 
   /// The free angle, where the pattern's chains determine it.
   std::optional<double> turn(int vertex) const override;
-  /// The neighbours in the pattern's chains. Where these end, the front is taken to run on straight;
-  /// at a vertex without a chain, to run opposite to the base edge.
+  /// The neighbours in the pattern's chains. Where these end, the front is taken to run on
+  /// straight; at a vertex without a chain, to run opposite to the base edge.
   std::optional<Point2> before(int vertex) const override;
   std::optional<Point2> after(int vertex) const override;
   /// Number of vertices in the base's chain, which is all that is known of its loop.

@@ -42,8 +42,8 @@ void Advance::move(VertexId v, std::span<const PlaceId> places, const SurfacePoi
     index.insert(front, edge);
   });
   for (const PlaceId place : places)
-    for (const PlaceId edge : {front.previous(front.previous(place)), front.previous(place), place,
-                               front.next(place)})
+    for (const PlaceId edge :
+         {front.previous(front.previous(place)), front.previous(place), place, front.next(place)})
       queue.renew(front, edge);
 }
 

@@ -261,6 +261,10 @@ class Run : private WeldGuard {
   void takeChange() {
     for (PlaceId id : change_.removed) index_.erase(id);
     front_.release(change_);
+#ifndef NDEBUG
+    AF2_CHECK(!front_.loops().areNumbered() || front_.loops().areSound(front_),
+              "loops have the sizes and colours that are kept for them");
+#endif
     for (PlaceId id : change_.added) enter(id);
     if (!queue_.isRenewed()) return;
     for (PlaceId id : change_.added) {
@@ -275,11 +279,10 @@ class Run : private WeldGuard {
       if (front_[end].ownCount > 0) --front_[end].ownCount;
   }
 
-  // ---- acts beside rules that add elements --------------------------------------------------------
+  // ---- acts beside rules that add elements
+  // --------------------------------------------------------
 
-  Advance state() {
-    return {front_, index_, queue_, result_.mesh, elements_, maker_};
-  }
+  Advance state() { return {front_, index_, queue_, result_.mesh, elements_, maker_}; }
 
   bool allows(const StepChart& chart, PlaceId first, const Application& application) override {
     const RuleDefinition& rule = application.rule->rule->definition();
@@ -293,8 +296,8 @@ class Run : private WeldGuard {
     af2::apply(advance, *weld_, change_);
     for (const PlaceId id : change_.added) index_.erase(id);  // it enters again with the change
     const auto of = [&](VertexId v) -> std::uint8_t& { return valence_[v.value]; };
-    of(weld_->into) = static_cast<std::uint8_t>(
-        std::min<int>(255, of(weld_->into) + of(weld_->from)));
+    of(weld_->into) =
+        static_cast<std::uint8_t>(std::min<int>(255, of(weld_->into) + of(weld_->from)));
     dead_.push_back(weld_->from);
     ++result_.acts.welds;
     tell({FrontAct::Kind::Weld, weld_->from, weld_->into, 1});
@@ -387,8 +390,8 @@ class Run : private WeldGuard {
     std::int32_t lowest = std::max(layerA, layerB);
     const auto standsOn = [&](int v) {
       if (v < application.rule->matchedCount)
-        lowest = std::min(
-            lowest, front_[application.open.places[static_cast<std::size_t>(v)]].layer);
+        lowest =
+            std::min(lowest, front_[application.open.places[static_cast<std::size_t>(v)]].layer);
     };
     standsOn(at == 0 ? 0 : walk[at - 1]);
     standsOn(at + 1 == walk.size() ? 1 : walk[at + 1]);
@@ -410,8 +413,8 @@ class Run : private WeldGuard {
       const auto k = static_cast<std::size_t>(v - rule.matchedCount);
       const SurfacePoint& point = *application.newPoints[k].point;
       const double size = checkedSizeAt(size_, point);
-      walk_.push_back({PlaceId(), VertexId(firstNew + k), point, size,
-                       newLayer(base, application, i)});
+      walk_.push_back(
+          {PlaceId(), VertexId(firstNew + k), point, size, newLayer(base, application, i)});
     }
   }
 
@@ -511,10 +514,10 @@ class Run : private WeldGuard {
   std::vector<WalkVertex> walk_;
   Front::Change change_;
   bool actsOnVertices_, hasRows_;
-  VertexElements elements_;      // kept if `actsOnVertices_`
-  std::optional<Weld> weld_;     // the one that was allowed last
-  std::vector<VertexId> dead_;   // vertices that welds have removed
-  std::int32_t row_ = 0;         // the row that is being made
+  VertexElements elements_;     // kept if `actsOnVertices_`
+  std::optional<Weld> weld_;    // the one that was allowed last
+  std::vector<VertexId> dead_;  // vertices that welds have removed
+  std::int32_t row_ = 0;        // the row that is being made
   MeshingResult result_;
 };
 

@@ -12,7 +12,8 @@ namespace {
 constexpr int kShortestWithColumns = 8;
 /// How many edges must be missing or too many; a column adds or removes two.
 constexpr double kMissing = 1.3, kTooMany = 0.6, kOfColumn = 2;
-/// A wedge opens where the front does not turn inward, a column ends where it does not turn outward.
+/// A wedge opens where the front does not turn inward, a column ends where it does not turn
+/// outward.
 const double kLeastToAdd = sweepOfAngle(165 * kFullTurn / 360);
 const double kMostToEnd = sweepOfAngle(200 * kFullTurn / 360);
 

@@ -59,8 +59,8 @@ class PathSearch {
       }
       near_.gather(front(), advance_.index, chart, base, window.widened(1));
       const int level = rules_.set().maxLevel();
-      const StepView view{front(), near_,  chart, drawn,
-                          base,    level, rules_.set().matchTolerance(level)};
+      const StepView view{
+          front(), near_, chart, drawn, base, level, rules_.set().matchTolerance(level)};
       for (std::size_t end = 0; end < loop_.size(); ++end) {
         const std::size_t away = (end + loop_.size() - start) % loop_.size();
         if (away < 3 || away + 3 > loop_.size()) continue;

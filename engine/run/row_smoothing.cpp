@@ -87,8 +87,8 @@ class RowSmoother {
     advance_.elements.forEachAt(v, [&](std::size_t e, std::size_t c) {
       const Element& element = advance_.mesh.elements[e];
       if (!element.isQuad()) return;
-      sum = sum + at(chart, element.corners[(c + 1) % 4]) + at(chart, element.corners[(c + 3) % 4]) -
-            at(chart, element.corners[(c + 2) % 4]);
+      sum = sum + at(chart, element.corners[(c + 1) % 4]) +
+            at(chart, element.corners[(c + 3) % 4]) - at(chart, element.corners[(c + 2) % 4]);
       ++count;
     });
     if (count == 0) return std::nullopt;

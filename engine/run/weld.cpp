@@ -74,8 +74,8 @@ class WeldTest {
     bool areSound = true;
     advance_.elements.forEachAt(v, [&](std::size_t e, std::size_t) {
       const Element& element = advance_.mesh.elements[e];
-      areSound = areSound &&
-                 scaledJacobianIn(chart_, advance_.mesh, element, v, to_) >= kLeastJacobian;
+      areSound =
+          areSound && scaledJacobianIn(chart_, advance_.mesh, element, v, to_) >= kLeastJacobian;
     });
     return areSound;
   }
@@ -84,8 +84,8 @@ class WeldTest {
   bool keepsFront() const {
     double longest = 0;
     for (const PlaceId place : places_)
-      longest = std::max({longest, front().edgeLength(place),
-                          front().edgeLength(front().previous(place))});
+      longest = std::max(
+          {longest, front().edgeLength(place), front().edgeLength(front().previous(place))});
     const std::vector<PlaceId> near = advance_.edgesNear(weld_.first, kReach * longest);
     for (const PlaceId place : places_)
       for (const PlaceId end : {front().next(place), front().previous(place)}) {

@@ -11,10 +11,10 @@ namespace af2 {
 
 /// A weld that keeps the mesh and the front sound.
 struct Weld {
-  PlaceId first, last;             ///< first -> middle -> last are the two edges
-  VertexId from, into;             ///< `into` remains
-  SurfacePoint point;              ///< where it will be
-  std::vector<PlaceId> places;     ///< all other places of the two vertices
+  PlaceId first, last;          ///< first -> middle -> last are the two edges
+  VertexId from, into;          ///< `into` remains
+  SurfacePoint point;           ///< where it will be
+  std::vector<PlaceId> places;  ///< all other places of the two vertices
 };
 
 /// Tests everything ahead of the act, so that nothing has to be undone: not both vertices are given

@@ -224,8 +224,8 @@ Window matchWindow(const CompiledRule& rule, int level, double tolerance) {
   for (const BindingStep& step : rule.patternAt(level).steps) {
     if (step.kind != BindingStep::Kind::Any && step.kind != BindingStep::Kind::Near) continue;
     // A computed place is usually about as far from the base edge as it is at the reference.
-    const Point2 extent = step.near ? Point2{step.reach, step.reach}
-                                    : ellipseExtent(step.form, tolerance);
+    const Point2 extent =
+        step.near ? Point2{step.reach, step.reach} : ellipseExtent(step.form, tolerance);
     window.include(step.reference.x - extent.x, step.reference.y - extent.y);
     window.include(step.reference.x + extent.x, step.reference.y + extent.y);
   }
@@ -358,8 +358,8 @@ void CompiledRules::addRule(const AF2Rule& rule) {
   compiled.lastLevel = definition.lastLevel.value_or(std::numeric_limits<int>::max());
   compiled.matchedCount = rule.matchedCount();
   compiled.newCount = rule.newCount();
-  compiled.patterns = definition.path ? std::vector(1, CompiledPattern{&rule, {}, {}})
-                                      : patternsOf(rule);
+  compiled.patterns =
+      definition.path ? std::vector(1, CompiledPattern{&rule, {}, {}}) : patternsOf(rule);
   compiled.newPoints = fastNewPoints(rule);
   compiled.zone = fastZone(rule, set_.maxLevel());
   compiled.isWide = zoneReach(definition) > kOrdinaryReach;

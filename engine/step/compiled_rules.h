@@ -68,8 +68,8 @@ struct BindingStep {
   Kind kind = Kind::Next;
   std::int8_t vertex = 0;
   std::int8_t from = 0;
-  Point2 reference;    ///< reference position of the vertex
-  ToleranceForm form;  ///< 0 everywhere if any position will do
+  Point2 reference;                         ///< reference position of the vertex
+  ToleranceForm form;                       ///< 0 everywhere if any position will do
   const AF2PointTransform* near = nullptr;  ///< for Near: the computed place
   double reach = 0;                         ///< for Near: the largest distance from there
 

@@ -45,10 +45,10 @@ struct StepReport {
 /// What an advance did beside adding elements.
 struct FrontAct {
   enum class Kind {
-    Weld,    ///< `vertex` has become `other`
-    Row,     ///< a row was complete; `count` vertices were moved
-    Columns, ///< `count` vertices got counts of their own
-    Path,    ///< a path of `count` edges from `vertex` to `other`
+    Weld,     ///< `vertex` has become `other`
+    Row,      ///< a row was complete; `count` vertices were moved
+    Columns,  ///< `count` vertices got counts of their own
+    Path,     ///< a path of `count` edges from `vertex` to `other`
   };
   Kind kind{};
   VertexId vertex, other;

@@ -58,8 +58,7 @@ RefusalCause refusalOfMatch(const RuleSet& rules, const AF2Rule& rule, const AF2
 RuleEvaluation evaluateMatch(const RuleSet& rules, const AF2Rule& rule, const AF2Binding& binding) {
   const RuleDefinition& definition = rule.definition();
   RuleEvaluation result;
-  result.misfit =
-      patternMisfit(definition, binding, rules.matchTolerance(binding.level));
+  result.misfit = patternMisfit(definition, binding, rules.matchTolerance(binding.level));
   result.required = failedRequirement(definition, binding);
   result.newVertices = newVerticesAt(definition, binding);
   result.zone = definition.zone->makeFreeZone(binding);

@@ -67,8 +67,8 @@ std::optional<Point2> RuleMatcher::computedPlace(const CompiledPattern& pattern,
   const auto place = step.near->transformPoint(
       {std::span(match_.points.data(), matched), view_->level, &surroundings});
   if (!place || !std::isfinite(place->x) || !std::isfinite(place->y)) return std::nullopt;
-  wanted_.include({place->x - step.reach, place->y - step.reach, place->x + step.reach,
-                   place->y + step.reach});
+  wanted_.include(
+      {place->x - step.reach, place->y - step.reach, place->x + step.reach, place->y + step.reach});
   return place;
 }
 

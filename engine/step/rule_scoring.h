@@ -51,7 +51,8 @@ class RuleScoring {
   }
 
   /// The combined badness of the new elements. Returns Inverted if an element does not turn left at
-  /// each corner, or at all but one where that is allowed, NoValue if one has no finite badness, else None.
+  /// each corner, or at all but one where that is allowed, NoValue if one has no finite badness,
+  /// else None.
   ///
   /// Inline because the front calls it for every match.
   Refusal scoreElements(const std::vector<RuleElement>& elements, const Point2* vertices, int level,
@@ -87,10 +88,9 @@ class RuleScoring {
   Refusal judge(const std::vector<RuleElement>& elements, const Point2* vertices, double score,
                 int level) const {
     if (!set_.acceptance) return Refusal::None;
-    const bool isGood =
-        needsMeasures_
-            ? set_.acceptance->acceptsMeasured(score, level, measuresOf(elements, vertices))
-            : set_.acceptance->accepts(score, level);
+    const bool isGood = needsMeasures_ ? set_.acceptance->acceptsMeasured(
+                                             score, level, measuresOf(elements, vertices))
+                                       : set_.acceptance->accepts(score, level);
     return isGood ? Refusal::None : Refusal::Score;
   }
 

@@ -77,6 +77,19 @@ std::vector<Edge> frontAfter(std::set<Edge> edges,
   return {edges.begin(), edges.end()};
 }
 
+/// The same after a weld: the edges at the middle vertex are gone.
+std::vector<Edge> frontAfterWeld(const std::set<Edge>& edges, std::size_t middle, std::size_t from,
+                                 std::size_t into) {
+  std::set<Edge> after;
+  for (auto [start, end] : edges) {
+    if ((start == middle && (end == from || end == into)) ||
+        (end == middle && (start == from || start == into)))
+      continue;
+    after.insert({start == from ? into : start, end == from ? into : end});
+  }
+  return {after.begin(), after.end()};
+}
+
 void describe(SingleStep& step, const Scene& scene, const FrontPiece& piece,
               const Application& application) {
   const CompiledRule& rule = *application.rule;
@@ -85,6 +98,9 @@ void describe(SingleStep& step, const Scene& scene, const FrontPiece& piece,
   for (PlaceId id : application.open.places) step.matched.push_back(scene.front[id].vertex.value);
   for (const LiftedPoint& lifted : application.newPoints)
     step.newVertices.push_back({lifted.point->position.x, lifted.point->position.y});
+  if (const auto& weld = rule.rule->definition().weld)
+    step.welded.emplace(step.matched[static_cast<std::size_t>(weld->from)],
+                        step.matched[static_cast<std::size_t>(weld->into)]);
   for (const RuleElement& wanted : rule.rule->definition().elements) {
     std::vector<std::size_t> element;
     for (std::size_t i = 0; i < static_cast<std::size_t>(wanted.size()); ++i) {
@@ -165,7 +181,14 @@ SingleStep SingleStepper::take(const FrontPiece& piece) {
     describe(step, question.scene(), piece, *application);
     std::erase_if(step.refusals, [&](const RuleRefusal& r) { return r.rule == *step.rule; });
   }
-  step.frontAfter = frontAfter(question.scene().edges, step.elements);
+  const auto& edges = question.scene().edges;
+  if (step.welded) {
+    const auto middle = static_cast<std::size_t>(rules_.rules()[*step.rule].weldMiddle());
+    step.frontAfter =
+        frontAfterWeld(edges, step.matched[middle], step.welded->first, step.welded->second);
+  } else {
+    step.frontAfter = frontAfter(edges, step.elements);
+  }
   return step;
 }
 

@@ -24,6 +24,8 @@ struct SingleStep {
   std::vector<std::size_t> matched;  ///< vertex by pattern vertex
   std::vector<Point2> newVertices;   ///< numbered after the vertices of the piece
   std::vector<std::vector<std::size_t>> elements;
+  /// Of a weld: the vertex that is gone, and the one that it has become.
+  std::optional<std::pair<std::size_t, std::size_t>> welded;
   std::vector<std::pair<std::size_t, std::size_t>> frontAfter;
   /// For every rule that was not applied, why it was refused.
   std::vector<RuleRefusal> refusals;

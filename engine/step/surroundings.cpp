@@ -22,9 +22,8 @@ Point2 FrontSurroundings::positionOf(PlaceId place) const {
 bool FrontSurroundings::hasOnePlace(int vertex) const {
   const RuleDefinition& rule = rule_.definition();
   return rule.vertices[static_cast<std::size_t>(vertex)].near ||
-         std::ranges::any_of(rule.edges, [&](const PatternEdge& e) {
-           return e.from == vertex || e.to == vertex;
-         });
+         std::ranges::any_of(
+             rule.edges, [&](const PatternEdge& e) { return e.from == vertex || e.to == vertex; });
 }
 
 std::optional<double> FrontSurroundings::turn(int vertex) const {

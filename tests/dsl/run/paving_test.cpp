@@ -1,0 +1,262 @@
+// Rule sets that keep loops even, on whole regions: quadrilaterals only, welds, rows, columns,
+// paths.
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <random>
+#include <regex>
+#include <sstream>
+
+#include "dsl/load/rule_file.h"
+#include "engine/run/mesh_region.h"
+#include "tests/support/meshing.h"
+
+namespace af2::dsl {
+namespace {
+
+using namespace af2::testing;
+
+std::shared_ptr<const RuleSet> paving() {
+  static const LoadedRules loaded = loadRules(AF2_SOURCE_DIR "/rules/quad/paving.af2");
+  EXPECT_TRUE(loaded.rules) << toPretty(loaded.diagnostics);
+  return loaded.rules;
+}
+
+std::shared_ptr<const RuleSet> rulesFrom(const std::string& text) {
+  const LoadedRules loaded = loadRulesFromText("test.af2", text);
+  EXPECT_TRUE(loaded.rules) << toPretty(loaded.diagnostics);
+  return loaded.rules;
+}
+
+std::string pavingText() {
+  std::ostringstream text;
+  text << std::ifstream(AF2_SOURCE_DIR "/rules/quad/paving.af2").rdbuf();
+  return text.str();
+}
+
+/// With the elements turned round, but not optimised.
+MeshingResult meshWith(const std::shared_ptr<const RuleSet>& rules, const FrontInput& input,
+                       double size, AF2MeshingObserver* observer = nullptr) {
+  const AF2Algorithm algorithm(rules);
+  RegionTask task{
+      input,
+      [size] {
+        return PieceTools{std::make_unique<FlatMaker>(), std::make_unique<UniformSize>(size)};
+      },
+      nullptr,
+      {},
+      false,
+      0,
+      {}};
+  FrontOptions options;
+  options.observer = observer;
+  return meshRegion(algorithm, task, options).result;
+}
+
+void expectQuads(const MeshingResult& result, const FrontInput& input) {
+  expectGoodMesh(result, input, 0);
+  for (const Element& element : result.mesh.elements) EXPECT_TRUE(element.isQuad());
+}
+
+/// An even number of edges of about a length, around a smooth star; as a hole, clockwise.
+std::vector<Point2> star(std::mt19937& random, Point2 centre, double radius, double size,
+                         bool isHole) {
+  std::uniform_real_distribution<double> phase(0, 6.28), depth(0, 0.22);
+  const double p2 = phase(random), p3 = phase(random), d2 = depth(random), d3 = depth(random);
+  const std::size_t count =
+      2 * std::max<std::size_t>(3, static_cast<std::size_t>(3.14 * radius / size));
+  std::vector<Point2> points;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double t = 6.283185307179586 * static_cast<double>(i) / static_cast<double>(count);
+    const double r = radius * (1 + d2 * std::cos(2 * t + p2) + d3 * std::cos(3 * t + p3));
+    points.push_back(centre + Point2{r * std::cos(t), r * std::sin(t)});
+  }
+  if (isHole) std::ranges::reverse(points);
+  return points;
+}
+
+FrontInput randomDomain(unsigned seed, double size) {
+  std::mt19937 random(seed);
+  FrontInput input;
+  addLoop(input, star(random, {0, 0}, 1, size, false));
+  const std::array<Point2, 3> centres{{{0.28, 0.1}, {-0.25, 0.22}, {-0.05, -0.3}}};
+  for (unsigned hole = 0; hole < seed % 4; ++hole)
+    addLoop(input, star(random, centres[hole], 0.13, size, true));
+  return input;
+}
+
+FrontInput disc(double size) {
+  FrontInput input;
+  const int count = 2 * static_cast<int>(3.14159 / size);
+  addLoop(input, circle({0, 0}, 1, count, false));
+  return input;
+}
+
+TEST(Paving, FillsRandomRegionsWithQuadrilateralsAlone) {
+  for (unsigned seed = 0; seed < 24; ++seed) {
+    SCOPED_TRACE(seed);
+    const double size = seed % 2 ? 0.05 : 0.1;
+    const FrontInput input = randomDomain(seed, size);
+    expectQuads(meshWith(paving(), input, size), input);
+  }
+}
+
+TEST(Paving, MakesGridsOfRectangles) {
+  FrontInput input;
+  addLoop(input, divided({{0, 0}, {1, 0}, {1, 0.6}, {0, 0.6}}, 0.1));
+  const MeshingResult result = meshWith(paving(), input, 0.1);
+  expectQuads(result, input);
+  EXPECT_EQ(result.mesh.elements.size(), 60u);
+  EXPECT_EQ(result.failedSteps, 0u);
+}
+
+// Under other names, and without welds, columns and smoothing of rows: nothing depends on them.
+TEST(Paving, ClosesEverythingWithRulesThatOnlyAdd) {
+  std::string text = pavingText();
+  text = std::regex_replace(text, std::regex("  (columns|at row) [^\n]*\n"), "");
+  const std::size_t seam = text.find("rule \"seam\"");
+  text.erase(seam, text.find("\n}", seam) + 2 - seam);
+  text = std::regex_replace(text, std::regex("\"side\""), "\"along\"");
+  text.erase(std::min(text.find("test \""), text.size()));
+  const auto rules = rulesFrom(text);
+  for (unsigned seed = 0; seed < 16; ++seed) {
+    SCOPED_TRACE(seed);
+    const FrontInput input = randomDomain(seed, 0.08);
+    const MeshingResult result = meshWith(rules, input, 0.08);
+    expectQuads(result, input);
+    EXPECT_EQ(result.acts.welds + result.acts.columns + result.acts.rows, 0u);
+  }
+}
+
+TEST(Paving, ChangesTheNumberOfElementsInRowsThatGetShorter) {
+  const FrontInput input = disc(0.06);
+  const MeshingResult result = meshWith(paving(), input, 0.06);
+  expectQuads(result, input);
+  EXPECT_GT(result.acts.rows, 3u);
+  EXPECT_GT(result.acts.moves, 100u);
+  EXPECT_GT(result.acts.columns, 3u);
+  // Without them, the rows inside have as many elements as the boundary.
+  const std::string text = std::regex_replace(pavingText(), std::regex("  columns [^\n]*\n"), "");
+  const MeshingResult other = meshWith(rulesFrom(text), input, 0.06);
+  EXPECT_LT(result.mesh.elements.size(), other.mesh.elements.size());
+}
+
+/// Counts what it hears of.
+class Acts final : public AF2MeshingObserver {
+ public:
+  void frontActed(const FrontAct& act) override {
+    welds += act.kind == FrontAct::Kind::Weld;
+    rows += act.kind == FrontAct::Kind::Row;
+    columns += act.kind == FrontAct::Kind::Columns ? act.count : 0;
+    paths += act.kind == FrontAct::Kind::Path;
+  }
+  std::size_t welds = 0, rows = 0, columns = 0, paths = 0;
+};
+
+TEST(Paving, WeldsAndLeavesNoVertexWithoutElements) {
+  std::size_t welds = 0;
+  for (unsigned seed = 0; seed < 24; ++seed) {
+    const FrontInput input = randomDomain(seed, 0.04);
+    Acts heard;
+    const MeshingResult result = meshWith(paving(), input, 0.04, &heard);
+    expectQuads(result, input);
+    EXPECT_EQ(heard.welds, result.acts.welds);
+    EXPECT_EQ(heard.rows, result.acts.rows);
+    EXPECT_EQ(heard.columns, result.acts.columns);
+    welds += result.acts.welds;
+    std::vector<bool> isUsed(result.mesh.vertices.size(), false);
+    for (const Element& element : result.mesh.elements)
+      for (const VertexId v : element.vertices()) isUsed[v.value] = true;
+    EXPECT_TRUE(std::ranges::all_of(isUsed, std::identity()));
+  }
+  EXPECT_GT(welds, 0u);
+}
+
+TEST(Paving, GivesTheSameMeshAgain) {
+  const FrontInput input = randomDomain(3, 0.05);
+  expectEqualResults(meshWith(paving(), input, 0.05), meshWith(paving(), input, 0.05));
+}
+
+// A single odd loop cannot be filled with quadrilaterals: the front stops, and says so.
+TEST(Paving, LeavesThreeEdgesOfAnOddLoop) {
+  FrontInput input;
+  addLoop(input, circle({0, 0}, 1, 31, false));
+  const MeshingResult result = meshWith(paving(), input, 0.2);
+  EXPECT_EQ(result.outcome, Outcome::Stuck);
+  EXPECT_LE(result.stuck.size(), 5u);
+  EXPECT_EQ(result.stuck.size() % 2, 1u);
+}
+
+// Two odd loops of one region become an even one where they meet.
+TEST(Paving, JoinsOddLoops) {
+  FrontInput input;
+  addLoop(input, circle({0, 0}, 1, 31, false));
+  addLoop(input, circle({0.1, 0}, 0.4, 13, true));
+  expectQuads(meshWith(paving(), input, 0.2), input);
+}
+
+const std::string kPath = R"(af2 1;
+ruleset "paths" { elements quad; parity even; score max of jacobian_badness; classes 1..2; }
+rule "four" quality 1 {
+  front a -> b -> c -> d -> a;
+  at    c (1, 1) ~ any, d (0, 1) ~ any;
+  zone  poly(a, b, c, d);
+  quad  a b c d;
+}
+rule "bridge" quality 1 {
+  far     c;
+  require dist(a, c) < 2.5;
+  path    a -> c by dist(a, c);
+  cost    abs(dist(a, c) - 1);
+}
+)";
+
+TEST(Paths, DivideLoopsUntilTheRulesCloseThem) {
+  FrontInput input;
+  addLoop(input, divided({{0, 0}, {4, 0}, {4, 2}, {0, 2}}, 1));
+  Acts heard;
+  const MeshingResult result = meshWith(rulesFrom(kPath), input, 1, &heard);
+  expectQuads(result, input);
+  EXPECT_GT(result.acts.paths, 0u);
+  EXPECT_EQ(heard.paths, result.acts.paths);
+}
+
+TEST(Paths, AreNotLaidWhereNoneIsAllowed) {
+  FrontInput input;
+  addLoop(input, divided({{0, 0}, {4, 0}, {4, 2}, {0, 2}}, 1));
+  std::string text = kPath;
+  text.replace(text.find("< 2.5"), 5, "< 0.5");
+  const MeshingResult result = meshWith(rulesFrom(text), input, 1);
+  EXPECT_EQ(result.outcome, Outcome::Stuck);
+  EXPECT_EQ(result.acts.paths, 0u);
+  EXPECT_EQ(result.stuck.size(), 12u);
+}
+
+// A rule whose edges would join like colours is refused for that reason, and the others go on.
+TEST(Parity, IsTheReasonOfARefusal) {
+  const auto rules = rulesFrom(R"(af2 1;
+ruleset "even" { elements quad; parity even; score max of jacobian_badness; }
+rule "to the point" quality 1 {
+  at     c (1, 1);
+  new    d = a + (c - b);
+  zone   a, b, c, d;
+  quad   a b c d;
+  mirror "to the point, left";
+}
+)");
+  FrontPiece piece;
+  // Around a square of three by one and back above: from b to (1, 1) there are five edges.
+  piece.vertices = {{0, 0}, {1, 0}, {2, 0}, {3, 0}, {3, 1}, {2, 1}, {1, 1}, {0.5, 1.6}};
+  piece.chains = {{0, 1, 2, 3, 4, 5, 6}};
+  piece.base = {0, 1};
+  const SingleStep even = takeSingleStep(*rules, piece);
+  ASSERT_TRUE(even.rule);
+  piece.vertices.insert(piece.vertices.begin() + 4, {3.5, 0.5});
+  piece.chains = {{0, 1, 2, 3, 4, 5, 6, 7}};
+  const SingleStep odd = takeSingleStep(*rules, piece);
+  EXPECT_FALSE(odd.rule);
+  EXPECT_EQ(odd.refusals[0].reason, Refusal::Parity);
+}
+
+}  // namespace
+}  // namespace af2::dsl
