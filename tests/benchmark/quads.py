@@ -1,130 +1,176 @@
 #!/usr/bin/env python3
 """Meshes of quadrilaterals on planar domains with given, even boundaries, and on models.
 
-usage: quads.py AF2 MODELS [RULES...]
+    quads.py AF2 MODELS [RULES ...] [--peers] [--random N] [--only DOMAIN ...]
 
-Prints a table in Markdown: the number of elements, the share of irregular vertices, and scaled Jacobians, for
-each of several ways to finish the mesh. docs/quads.md shows it.
+Prints tables in Markdown, which docs/quads.md shows: the share of irregular vertices inside, the minimum and the
+mean of the scaled Jacobian, and the numbers of elements, for each of several ways to finish the mesh. Random
+domains share a line: their vertices and elements together, the smallest of the minima, and on how many of them
+triangles remain. With --peers, a second table shows the meshes of Gmsh and Netgen, if Debian's packages gmsh and
+python3-netgen are there.
 """
+import argparse
+import dataclasses
 import json
-import math
 import pathlib
 import subprocess
 import sys
 import tempfile
 import time
 
+import quad_domains
+import quad_peers
+
 WAYS = ["--quality fast", "", "--elements quad", "--elements quad --quality best"]
+SIZES = (.05, .0125)
+RANDOM_SIZES = (.05, .025)
 
 
-def divided(corners, size):
-    """A polygon whose sides are divided, with an even number of segments in all."""
-    sides = list(zip(corners, corners[1:] + corners[:1]))
-    counts = [max(1, round(math.dist(a, b) / size)) for a, b in sides]
-    if sum(counts) % 2:
-        counts[counts.index(max(counts))] += 1
-    return [(a[0] + k / n * (b[0] - a[0]), a[1] + k / n * (b[1] - a[1]))
-            for (a, b), n in zip(sides, counts) for k in range(n)]
+@dataclasses.dataclass
+class Job:
+    """One line of a table: a domain or a model, or several random domains."""
+    title: str
+    size: float
+    inputs: list  # paths, each with the options that it needs
+    domains: list = None  # None: a model
 
 
-def arc(radius, begin, end, size, centre=(0, 0), segments=0):
-    n = segments or max(1, round(radius * (end - begin) / size))
-    angles = [begin + (end - begin) * k / n for k in range(n)]
-    return [(centre[0] + radius * math.cos(a), centre[1] + radius * math.sin(a)) for a in angles]
+def arguments():
+    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+    parser.add_argument("af2", type=lambda name: pathlib.Path(name).resolve())
+    parser.add_argument("models", type=lambda name: pathlib.Path(name).resolve(), help="examples/models")
+    parser.add_argument("rules", nargs="*", help="default: quad/classic quad/rows")
+    parser.add_argument("--peers", action="store_true", help="also meshes of Gmsh and Netgen")
+    parser.add_argument("--random", type=int, default=60, metavar="N", help="the number of random domains")
+    parser.add_argument("--only", nargs="+", metavar="DOMAIN", help="only lines whose titles begin like this")
+    chosen = parser.parse_args()
+    chosen.rules = chosen.rules or ["quad/classic", "quad/rows"]
+    return chosen
 
 
-def circle(x, y, radius, size):
-    n = max(6, 2 * round(math.pi * radius / size))
-    return arc(radius, 0, 2 * math.pi, size, (x, y), n)
+def jobs(models, randoms, folder):
+    def job(title, size, domains):
+        paths = [folder / f"{title} {i}.poly" for i in range(len(domains))]
+        return Job(title, size, [(path, quad_domains.write_poly(path, domain)) for path, domain in zip(paths, domains)],
+                   domains)
+
+    for size in SIZES:
+        for name, domain in quad_domains.named(size).items():
+            yield job(f"{name}, {size}", size, [domain])
+    for size in RANDOM_SIZES:
+        for is_uneven in (False, True):
+            domains = [quad_domains.random_domain(seed, size, is_uneven) for seed in range(randoms)]
+            if domains:
+                yield job(f"{randoms} random domains, {'uneven' if is_uneven else 'even'} edges, {size}", size, domains)
+    for name in ("cylinder", "die"):
+        yield Job(f"{name}, 0.5", .5, [(models / f"{name}.step", [])])
 
 
-def gear(size):
-    pitch, outline = 2 * math.pi / 12, []
-    at = lambda radius, angle: (radius * math.cos(angle), radius * math.sin(angle))
-    for tooth in range(12):
-        begin = tooth * pitch
-        root, rise, tip, fall = (begin + share * pitch for share in (.34, .46, .88, 1))
-        outline += arc(.38, begin, root, size)
-        outline += flank(at(.38, root), at(.5, rise), size)
-        outline += arc(.5, rise, tip, size)
-        outline += flank(at(.5, tip), at(.38, fall), size)
-    return outline
+class Sum:
+    """Measures of one mesh or several."""
+
+    def __init__(self):
+        self.irregular = self.inside = self.quads = self.triangles = self.inverted = self.meshes = self.mixed = 0
+        self.least, self.jacobians, self.seconds, self.faults = 1, 0, 0, []
+
+    def add(self, af2, mesh, seconds):
+        run = subprocess.run([af2, "quality", mesh, "--format", "json"], capture_output=True, text=True)
+        if run.returncode != 0:
+            self.faults.append(run.stderr.strip().split("error: ")[-1].replace(f"{mesh}:", "line "))
+            return
+        found = json.loads(run.stdout)
+        inside, jacobian = found["irregular"]["inside"], found["scaled_jacobian"]["quads"]
+        self.irregular += inside["irregular"]
+        self.inside += inside["vertices"]
+        self.quads += found["quads"]
+        self.triangles += found["triangles"]
+        self.inverted += found["inverted"]
+        self.mixed += found["triangles"] > 0
+        self.meshes += 1
+        self.seconds += seconds
+        if jacobian:
+            self.least = min(self.least, jacobian["min"])
+            self.jacobians += found["quads"] * jacobian["mean"]
+
+    def text(self):
+        faults = f"{len(self.faults)} failed: {self.faults[0]}" if self.faults else ""
+        if self.meshes == 0:
+            return faults
+        triangles = f", {self.triangles} tri" if self.triangles else ""
+        if self.triangles and self.meshes > 1:
+            triangles += f" on {self.mixed}"
+        inverted = f", {self.inverted} inverted" if self.inverted else ""
+        return (f"{100 * self.irregular / max(1, self.inside):.1f} % / {self.least:.2f} / "
+                f"{self.jacobians / max(1, self.quads):.3f} ({self.quads}{triangles}{inverted}; {self.seconds:.2f} s)"
+                + (f", {faults}" if faults else ""))
 
 
-def flank(a, b, size):
-    n = max(1, round(math.dist(a, b) / size))
-    return [(a[0] + k / n * (b[0] - a[0]), a[1] + k / n * (b[1] - a[1])) for k in range(n)]
+def af2_cell(af2, job, options, folder):
+    total, mesh = Sum(), folder / "mesh.obj"
+    for path, own in job.inputs:
+        mesh.unlink(missing_ok=True)
+        command = [af2, "mesh", path, "--size", str(job.size), "-o", mesh, "-q", "-j", "1"] + own + options
+        began = time.monotonic()
+        code = subprocess.run(command, capture_output=True).returncode
+        seconds = time.monotonic() - began
+        if mesh.exists():
+            total.add(af2, mesh, seconds)
+        else:
+            total.faults.append(f"exit code {code}")
+    return total.text()
 
 
-def airfoil(size):
-    """NACA 0012, of length 1."""
-    half = lambda x: .6 * (.2969 * math.sqrt(x) - .126 * x - .3516 * x**2 + .2843 * x**3 - .1036 * x**4)
-    n = max(8, round(1.02 / size))
-    upper = [(x, half(x)) for x in (.5 * (1 - math.cos(math.pi * k / n)) for k in range(n + 1))]
-    return upper[::-1] + [(x, -y) for x, y in upper[1:-1]]
+def peer_cell(af2, job, peer, folder):
+    if not job.domains and not peer.reads_models:
+        return "-"
+    total = Sum()
+    for i, (path, _) in enumerate(job.inputs):
+        began = time.monotonic()
+        if job.domains:
+            mesh, fault = peer.mesh_domain(job.domains[i], job.size, folder)
+        else:
+            mesh, fault = peer.mesh_model(path, job.size, folder)
+        seconds = time.monotonic() - began
+        if mesh:
+            total.add(af2, mesh, seconds)
+        else:
+            total.faults.append(fault)
+    return total.text()
 
 
-def domains(size):
-    square = divided([(0, 0), (1, 0), (1, 1), (0, 1)], size)
-    box = divided([(-.5, -.75), (1.5, -.75), (1.5, .75), (-.5, .75)], size)
-    corner = divided([(0, 0), (1, 0), (1, .5), (.5, .5), (.5, 1), (0, 1)], size)
-    return {"square with hole": ([square, circle(.5, .5, .2, size)], [(.5, .5)]),
-            "gear": ([gear(size), circle(0, 0, .12, size)], [(0, 0)]),
-            "disc": ([circle(0, 0, .5, size)], []),
-            "eccentric annulus": ([circle(0, 0, .5, size), circle(.15, 0, .2, size)], [(.15, 0)]),
-            "airfoil in a box": ([box, airfoil(size)], [(.5, 0)]),
-            "L-shape": ([corner], [])}
-
-
-def write_poly(path, loops, holes):
-    points, segments = [], []
-    for loop in loops:
-        first = len(points) + 1
-        points += loop
-        segments += [(first + i, first + (i + 1) % len(loop)) for i in range(len(loop))]
-    lines = [f"{len(points)} 2 0 0"] + [f"{i} {x!r} {y!r}" for i, (x, y) in enumerate(points, 1)]
-    lines += [f"{len(segments)} 0"] + [f"{i} {a} {b}" for i, (a, b) in enumerate(segments, 1)]
-    lines += [str(len(holes))] + [f"{i} {x} {y}" for i, (x, y) in enumerate(holes, 1)]
-    path.write_text("\n".join(lines) + "\n")
-
-
-def cell(af2, model, size, options, folder):
-    mesh = folder / "mesh.obj"
-    mesh.unlink(missing_ok=True)
-    began = time.monotonic()
-    command = [af2, "mesh", model, "--size", str(size), "-o", mesh, "-q", "-j", "1"] + options
-    code = subprocess.run(command, capture_output=True).returncode
-    seconds = time.monotonic() - began
-    if not mesh.exists():
-        return f"exit code {code}"
-    found = json.loads(subprocess.run([af2, "quality", mesh, "--format", "json"], capture_output=True,
-                                      check=True).stdout)
-    inside, jacobian = found["irregular"]["inside"], found["scaled_jacobian"]["quads"]
-    share = 100 * inside["irregular"] / max(1, inside["vertices"])
-    triangles = f", {found['triangles']} tri" if found["triangles"] else ""
-    return (f"{share:.1f} % / {jacobian['min']:.2f} / {jacobian['mean']:.3f} "
-            f"({found['quads']}{triangles}; {seconds:.2f} s)")
+def head(columns):
+    print("| " + " | ".join(columns) + " |\n|" + "---|" * len(columns))
 
 
 def main():
-    af2, models = pathlib.Path(sys.argv[1]).resolve(), pathlib.Path(sys.argv[2]).resolve()
-    rule_sets = sys.argv[3:] or ["quad/classic", "quad/rows"]
+    chosen = arguments()
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
-        jobs = []
-        for size in (.05, .0125):
-            for title, (loops, holes) in domains(size).items():
-                path = folder / f"{title} {size}.poly"
-                write_poly(path, loops, holes)
-                jobs.append((f"{title}, {size}", path, size, ["--keep-boundary"]))
-        for title in ("cylinder", "die"):
-            jobs.append((f"{title}, 0.5", models / f"{title}.step", .5, []))
-        print("| domain, size | set | " + " | ".join(f"`{way}`" if way else "default" for way in WAYS) + " |\n|---" + "|---" * (1 + len(WAYS)) + "|")
-        for title, path, size, options in jobs:
-            for rules in rule_sets:
-                cells = [cell(af2, path, size, options + ["-r", rules] + way.split(), folder) for way in WAYS]
-                print(f"| {title} | {rules} | " + " | ".join(cells) + " |", flush=True)
+        lines = [job for job in jobs(chosen.models, chosen.random, folder)
+                 if not chosen.only or job.title.startswith(tuple(chosen.only))]
+        head(["domain, size", "set"] + [f"`{way}`" if way else "default" for way in WAYS])
+        for job in lines:
+            for rules in chosen.rules:
+                cells = [af2_cell(chosen.af2, job, ["-r", rules] + way.split(), folder) for way in WAYS]
+                print(f"| {job.title} | {rules} | " + " | ".join(cells) + " |", flush=True)
+        if chosen.peers:
+            print_peers(chosen.af2, lines, folder)
+
+
+def print_peers(af2, lines, folder):
+    peers = [peer for peer in quad_peers.PEERS if not peer.missing()]
+    print()
+    for reason in sorted({peer.missing() for peer in quad_peers.PEERS} - {None}):
+        print(f"{reason}\n")
+    if not peers:
+        return
+    for peer in peers:
+        print(f"* {peer.title}: {peer.boundary()}")
+    print("* On models, Gmsh divides the boundaries itself. Debian's python3-netgen reads no models.\n")
+    head(["domain, size"] + [peer.title for peer in peers])
+    for job in lines:
+        print(f"| {job.title} | " + " | ".join(peer_cell(af2, job, peer, folder) for peer in peers) + " |", flush=True)
 
 
 if __name__ == "__main__":
-    main()
+    sys.exit(main())
