@@ -24,6 +24,10 @@ double GivenMatch::size(Point2 point) const {
   return given("h").value_or(RuleAtMatch::size(point));
 }
 
+double GivenMatch::sizeOf(int vertex) const {
+  return given("h").value_or(RuleAtMatch::sizeOf(vertex));
+}
+
 std::optional<double> GivenMatch::turn(int vertex) const {
   const auto degrees = given("turn", vertex);
   return degrees ? *degrees * std::numbers::pi / 180 : RuleAtMatch::turn(vertex);

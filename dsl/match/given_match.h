@@ -19,6 +19,7 @@ class GivenMatch final : public RuleAtMatch {
              std::map<std::string, double> environment = {});
 
   double size(Point2 point) const override;
+  double sizeOf(int vertex) const override;
   std::optional<double> turn(int vertex) const override;
   int layer(int vertex) const override;
   bool onBoundary(int vertex) const override;

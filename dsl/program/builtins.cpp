@@ -120,12 +120,6 @@ Value ofPlace(const Algebra& a, Arguments v) {
   return a.scalar(Type::Number, a.builder().make(op, {p.x, p.y}));
 }
 
-/// The target size at a point; at a matched vertex the front knows it.
-Value sizeAt(const Algebra& a, Arguments v) {
-  const bool isMatched = v[0].vertex >= 0 && !v[0].isNewVertex;
-  return isMatched ? ofVertex<Op::SizeOf, Type::Number>(a, v) : ofPlace<Op::SizeAt>(a, v);
-}
-
 template <Op opX, Op opY>
 NodePair neighbour(const Algebra& a, const Value& v) {
   const int vertex = a.frame().stored(v.vertex);
@@ -261,7 +255,8 @@ constexpr std::array kBuiltins{
             "From a or b along the edge beside the base edge that divides the free angle evenly."},
     Builtin{"before", "c", "before(v)", before, "The vertex before v on the front."},
     Builtin{"after", "c", "after(v)", after, "The vertex after v on the front."},
-    Builtin{"h", "p", "h(p)", sizeAt, "The target size at p, relative to that at the base edge."},
+    Builtin{"h", "p", "h(p)", ofPlace<Op::SizeAt>,
+            "The target size at p, relative to that at the base edge."},
     Builtin{"layer", "w", "layer(v)", ofVertex<Op::Layer, Type::Number>,
             "Layers of elements between v and the boundary."},
     Builtin{"on_boundary", "w", "on_boundary(v)", ofVertex<Op::OnBoundary, Type::Truth>,

@@ -17,7 +17,7 @@ class FrontQueue {
  public:
   explicit FrontQueue(const AF2FrontOrder& order);
 
-  /// Inserts the edge that leaves `id`, with its current level.
+  /// Inserts the edge that leaves `id`, with its current level. It must not wait already.
   void push(const Front& front, PlaceId id);
   /// Whether `renew` does anything.
   bool isRenewed() const { return isRenewed_; }

@@ -89,7 +89,7 @@ std::vector<Diagnostic> checked(const fs::path& path, bool withCoverage) {
 }
 
 std::vector<Diagnostic> toldOf(const fs::path& path, const std::string& code) {
-  if (code[0] != 'I') return checked(path, code == "N1");
+  if (code[0] != 'I') return checked(path, code == "N1" || code == "N2" || code == "C1");
   return importRls(path.filename().string(), contents(path)).diagnostics;
 }
 

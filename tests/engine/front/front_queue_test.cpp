@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <random>
+#include <set>
 
 #include "engine/base/error.h"
 #include "tests/support/fronts.h"
@@ -162,17 +163,38 @@ TEST(FrontQueue, GivesTheSameOrderInItsFastAndItsOpenForm) {
       front[PlaceId(i)].level = static_cast<std::int32_t>(1 + random() % 4);
     }
     FrontQueue fast(order), slow(open);
+    std::vector<bool> isWaiting(40, false);
     for (int n = 0; n < 200; ++n) {
       if (random() % 3 > 0) {
         const PlaceId id(random() % 40);
+        if (isWaiting[id.value]) continue;
+        isWaiting[id.value] = true;
         fast.push(front, id);
         slow.push(front, id);
       } else {
-        ASSERT_EQ(fast.pop(front), slow.pop(front));
+        const PlaceId next = fast.pop(front);
+        ASSERT_EQ(next, slow.pop(front));
+        if (!next.isNone()) isWaiting[next.value] = false;
       }
     }
     ASSERT_EQ(popAll(fast, front), popAll(slow, front));
   }
+}
+
+TEST(FrontQueue, ComputesKeysOfTurnsAgainWhenAnEndGetsAnotherNeighbour) {
+  Front front;
+  addPolygon(front, circle({0, 0}, 1, 6));
+  const SmallestTurn order;
+  FrontQueue queue(order);
+  for (std::size_t i = 0; i < 6; ++i) queue.push(front, PlaceId(i));
+  EXPECT_TRUE(queue.isRenewed());
+  // The corner at 4 becomes sharp: the edges on both sides of it come first.
+  front[PlaceId(4)].point.position = 3.0 * front[PlaceId(4)].point.position;
+  for (std::size_t i = 2; i < 6; ++i) queue.renew(front, PlaceId(i));
+  const std::vector<std::size_t> popped = popAll(queue, front);
+  EXPECT_EQ(popped.size(), 6u);
+  EXPECT_EQ(std::set<std::size_t>(popped.begin(), popped.begin() + 2),
+            (std::set<std::size_t>{3, 4}));
 }
 
 TEST(FrontQueue, LeavesAnOrderThatKeysCannotSayToItsOwnQueue) {
