@@ -126,6 +126,7 @@ class Question {
                {0, 0, 1}, unit_),
         chart_(plane_, unit_),
         choice_(rules, scene_.front, scene_.index, size_, valence_) {
+    scene_.front.fix(piece.vertices.size());
     if (rules.set().definition().parity == Parity::Even) scene_.front.keepLoops();
   }
 
