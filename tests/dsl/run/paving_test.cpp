@@ -22,7 +22,7 @@ std::shared_ptr<const RuleSet> paving() {
   return loaded.rules;
 }
 
-std::shared_ptr<const RuleSet> rulesFrom(const std::string& text) {
+std::shared_ptr<const RuleSet> rulesOfText(const std::string& text) {
   const LoadedRules loaded = loadRulesFromText("test.af2", text);
   EXPECT_TRUE(loaded.rules) << toPretty(loaded.diagnostics);
   return loaded.rules;
@@ -113,12 +113,12 @@ TEST(Paving, MakesGridsOfRectangles) {
 // Under other names, and without welds, columns and smoothing of rows: nothing depends on them.
 TEST(Paving, ClosesEverythingWithRulesThatOnlyAdd) {
   std::string text = pavingText();
-  text = std::regex_replace(text, std::regex("  (columns|at row) [^\n]*\n"), "");
+  text = std::regex_replace(text, std::regex("  (columns|at +row) [^\n]*\n"), "");
   const std::size_t seam = text.find("rule \"seam\"");
   text.erase(seam, text.find("\n}", seam) + 2 - seam);
   text = std::regex_replace(text, std::regex("\"side\""), "\"along\"");
   text.erase(std::min(text.find("test \""), text.size()));
-  const auto rules = rulesFrom(text);
+  const auto rules = rulesOfText(text);
   for (unsigned seed = 0; seed < 16; ++seed) {
     SCOPED_TRACE(seed);
     const FrontInput input = randomDomain(seed, 0.08);
@@ -137,7 +137,7 @@ TEST(Paving, ChangesTheNumberOfElementsInRowsThatGetShorter) {
   EXPECT_GT(result.acts.columns, 3u);
   // Without them, the rows inside have as many elements as the boundary.
   const std::string text = std::regex_replace(pavingText(), std::regex("  columns [^\n]*\n"), "");
-  const MeshingResult other = meshWith(rulesFrom(text), input, 0.06);
+  const MeshingResult other = meshWith(rulesOfText(text), input, 0.06);
   EXPECT_LT(result.mesh.elements.size(), other.mesh.elements.size());
 }
 
@@ -187,14 +187,6 @@ TEST(Paving, LeavesThreeEdgesOfAnOddLoop) {
   EXPECT_EQ(result.stuck.size() % 2, 1u);
 }
 
-// Two odd loops of one region become an even one where they meet.
-TEST(Paving, JoinsOddLoops) {
-  FrontInput input;
-  addLoop(input, circle({0, 0}, 1, 31, false));
-  addLoop(input, circle({0.1, 0}, 0.4, 13, true));
-  expectQuads(meshWith(paving(), input, 0.2), input);
-}
-
 const std::string kPath = R"(af2 1;
 ruleset "paths" { elements quad; parity even; score max of jacobian_badness; classes 1..2; }
 rule "four" quality 1 {
@@ -205,7 +197,7 @@ rule "four" quality 1 {
 }
 rule "bridge" quality 1 {
   far     c;
-  require dist(a, c) < 2.5;
+  require dist(a, c) < 2.6;
   path    a -> c by dist(a, c);
   cost    abs(dist(a, c) - 1);
 }
@@ -215,7 +207,7 @@ TEST(Paths, DivideLoopsUntilTheRulesCloseThem) {
   FrontInput input;
   addLoop(input, divided({{0, 0}, {4, 0}, {4, 2}, {0, 2}}, 1));
   Acts heard;
-  const MeshingResult result = meshWith(rulesFrom(kPath), input, 1, &heard);
+  const MeshingResult result = meshWith(rulesOfText(kPath), input, 1, &heard);
   expectQuads(result, input);
   EXPECT_GT(result.acts.paths, 0u);
   EXPECT_EQ(heard.paths, result.acts.paths);
@@ -225,8 +217,8 @@ TEST(Paths, AreNotLaidWhereNoneIsAllowed) {
   FrontInput input;
   addLoop(input, divided({{0, 0}, {4, 0}, {4, 2}, {0, 2}}, 1));
   std::string text = kPath;
-  text.replace(text.find("< 2.5"), 5, "< 0.5");
-  const MeshingResult result = meshWith(rulesFrom(text), input, 1);
+  text.replace(text.find("< 2.6"), 5, "in 2.5..2.6");
+  const MeshingResult result = meshWith(rulesOfText(text), input, 1);
   EXPECT_EQ(result.outcome, Outcome::Stuck);
   EXPECT_EQ(result.acts.paths, 0u);
   EXPECT_EQ(result.stuck.size(), 12u);
@@ -234,7 +226,7 @@ TEST(Paths, AreNotLaidWhereNoneIsAllowed) {
 
 // A rule whose edges would join like colours is refused for that reason, and the others go on.
 TEST(Parity, IsTheReasonOfARefusal) {
-  const auto rules = rulesFrom(R"(af2 1;
+  const auto rules = rulesOfText(R"(af2 1;
 ruleset "even" { elements quad; parity even; score max of jacobian_badness; }
 rule "to the point" quality 1 {
   at     c (1, 1);
@@ -246,13 +238,13 @@ rule "to the point" quality 1 {
 )");
   FrontPiece piece;
   // Around a square of three by one and back above: from b to (1, 1) there are five edges.
-  piece.vertices = {{0, 0}, {1, 0}, {2, 0}, {3, 0}, {3, 1}, {2, 1}, {1, 1}, {0.5, 1.6}};
-  piece.chains = {{0, 1, 2, 3, 4, 5, 6}};
+  piece.vertices = {{0, 0}, {1, 0}, {2, 0}, {3, 0}, {3, 1}, {2, 1}, {1, 1}, {0.5, 2.6}};
+  piece.chains = {{0, 1, 2, 3, 4, 5, 6, 7}};
   piece.base = {0, 1};
   const SingleStep even = takeSingleStep(*rules, piece);
   ASSERT_TRUE(even.rule);
   piece.vertices.insert(piece.vertices.begin() + 4, {3.5, 0.5});
-  piece.chains = {{0, 1, 2, 3, 4, 5, 6, 7}};
+  piece.chains = {{0, 1, 2, 3, 4, 5, 6, 7, 8}};
   const SingleStep odd = takeSingleStep(*rules, piece);
   EXPECT_FALSE(odd.rule);
   EXPECT_EQ(odd.refusals[0].reason, Refusal::Parity);
