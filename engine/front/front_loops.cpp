@@ -89,16 +89,19 @@ void FrontLoops::colourAgain(const Front& front, PlaceId place) {
 }
 
 bool FrontLoops::areSound(const Front& front) const {
+  std::vector<bool> isSeen(front.capacity(), false);
   for (std::size_t i = 0; i < front.capacity(); ++i) {
-    if (!front.hasEdge(PlaceId(i))) continue;
+    const PlaceId first(i);
+    if (!front.hasEdge(first) || isSeen[i]) continue;
     int size = 0;
     bool alternates = true, isOne = true;
-    forEachOfLoop(front, PlaceId(i), [&](PlaceId id) {
+    forEachOfLoop(front, first, [&](PlaceId id) {
+      isSeen[id.value] = true;
       ++size;
       alternates = alternates && colour(id) != colour(front.next(id));
-      isOne = isOne && areInOneLoop(id, PlaceId(i));
+      isOne = isOne && areInOneLoop(id, first);
     });
-    if (!isOne || size != sizeOfLoop(PlaceId(i)) || (size % 2 == 0 && !alternates)) return false;
+    if (!isOne || size != sizeOfLoop(first) || (size % 2 == 0 && !alternates)) return false;
   }
   return true;
 }

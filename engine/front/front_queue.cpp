@@ -45,24 +45,37 @@ void FrontQueue::push(const Front& front, PlaceId id) {
     return;
   }
   if (own_) return own_->push(front, id);
-  pushKeyed(front, id, turn_++);
+  KeyedEntry entry = keyedEntry(front, id, turn_++);
+  entry.version = ++version_;
+  if (waiting_.size() <= id.value) waiting_.resize(front.capacity());
+  Waiting& waiting = waiting_[id.value];
+  if (waiting.age != entry.entry.age) waiting = {entry.entry.age, 0, 0, entry.version, 0};
+  ++waiting.count;
+  waiting.turn = entry.turn;
+  waiting.key = entry.key;
+  heap_.push(std::move(entry));
 }
 
-void FrontQueue::pushKeyed(const Front& front, PlaceId id, std::uint64_t turn) {
+FrontQueue::KeyedEntry FrontQueue::keyedEntry(const Front& front, PlaceId id,
+                                              std::uint64_t turn) const {
   const FrontEdgeFacts facts = factsOf(front, id, order_.needsTurns());
-  if (waiting_.size() <= id.value) waiting_.resize(front.capacity());
-  waiting_[id.value] = {turn, ++version_};
-  KeyedEntry keyed{0, {}, turn, version_, {id, front[id].age}};
+  KeyedEntry keyed{0, {}, turn, 0, {id, front[id].age}};
   if (order_.keyCount() > 0) keyed.key = order_.key(0, facts);
   for (int i = 1; i < order_.keyCount(); ++i) keyed.moreKeys.push_back(order_.key(i, facts));
-  heap_.push(std::move(keyed));
+  return keyed;
 }
 
 /// The edge keeps its insertion number: ties go on as if its keys had always been these.
 void FrontQueue::renew(const Front& front, PlaceId id) {
-  if (!isRenewed_) return;
-  if (!front.hasEdge(id) || id.value >= waiting_.size() || waiting_[id.value].version == 0) return;
-  pushKeyed(front, id, waiting_[id.value].turn);
+  if (!isRenewed_ || !front.hasEdge(id) || id.value >= waiting_.size()) return;
+  Waiting& waiting = waiting_[id.value];
+  if (waiting.count == 0 || waiting.age != front[id].age) return;
+  KeyedEntry entry = keyedEntry(front, id, waiting.turn);
+  if (entry.moreKeys.empty() && entry.key == waiting.key) return;
+  entry.version = waiting.oldest = ++version_;
+  waiting.count = 1;
+  waiting.key = entry.key;
+  heap_.push(std::move(entry));
 }
 
 PlaceId FrontQueue::pop(const Front& front) {
@@ -80,9 +93,10 @@ PlaceId FrontQueue::pop(const Front& front) {
     const auto [place, age] = heap_.top().entry;
     const std::uint64_t version = heap_.top().version;
     heap_.pop();
-    if (waiting_[place.value].version != version) continue;
-    waiting_[place.value] = {};
-    if (isCurrent(front, {place, age})) return place;
+    Waiting& waiting = waiting_[place.value];
+    if (!isCurrent(front, {place, age}) || waiting.age != age || version < waiting.oldest) continue;
+    --waiting.count;
+    return place;
   }
   return {};
 }

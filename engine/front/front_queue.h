@@ -17,7 +17,7 @@ class FrontQueue {
  public:
   explicit FrontQueue(const AF2FrontOrder& order);
 
-  /// Inserts the edge that leaves `id`, with its current level. It must not wait already.
+  /// Inserts the edge that leaves `id`, with its current level.
   void push(const Front& front, PlaceId id);
   /// Whether `renew` does anything.
   bool isRenewed() const { return isRenewed_; }
@@ -44,15 +44,19 @@ class FrontQueue {
     Entry entry;
     bool operator<(const KeyedEntry& other) const;
   };
-  /// The one valid entry of an edge that waits; version 0: it does not wait.
+  /// The entries of the edge that leaves a place.
   struct Waiting {
-    std::uint64_t turn = 0, version = 0;
+    std::uint32_t age = 0;     ///< of the edge
+    std::uint32_t count = 0;   ///< valid entries; 0: it does not wait
+    std::uint64_t turn = 0;    ///< of the last entry
+    std::uint64_t oldest = 0;  ///< entries with lower versions are not valid
+    double key = 0;            ///< of the last entry
   };
 
   static bool isCurrent(const Front& front, const Entry& entry) {
     return front.isUsed(entry.place) && front[entry.place].age == entry.age;
   }
-  void pushKeyed(const Front& front, PlaceId id, std::uint64_t turn);
+  KeyedEntry keyedEntry(const Front& front, PlaceId id, std::uint64_t turn) const;
 
   const AF2FrontOrder& order_;
   const LayeredFrontOrder* layered_;   // the fast form: one bucket for each key

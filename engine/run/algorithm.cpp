@@ -8,11 +8,7 @@
 #include "engine/front/front_index.h"
 #include "engine/front/front_queue.h"
 #include "engine/front/input_check.h"
-#include "engine/run/advance.h"
-#include "engine/run/columns.h"
-#include "engine/run/loop_path.h"
-#include "engine/run/row_smoothing.h"
-#include "engine/run/weld.h"
+#include "engine/run/front_acts.h"
 #include "engine/step/candidate_choice.h"
 #include "engine/step/compiled_rules.h"
 
@@ -30,14 +26,7 @@ constexpr std::size_t kMaxExplained = 100;
 /// And of how many the front around them is kept.
 constexpr std::size_t kMaxPieces = 10;
 
-/// Whether the rules do more than add elements, so that the elements at vertices must be known.
-bool actOnVertices(const RuleSetDefinition& set) {
-  return set.rowRounds > 0 || std::ranges::any_of(set.rules, [](const AF2Rule& rule) {
-           return rule.definition().weld.has_value();
-         });
-}
-
-class Run : private WeldGuard {
+class Run {
  public:
   Run(const CompiledRules& rules, const AF2LocalTransformMaker& maker, const FrontInput& input,
       const SizeField& size, const FrontOptions& options)
@@ -49,12 +38,12 @@ class Run : private WeldGuard {
         index_(makeIndex(input)),
         queue_(*rules.set().definition().order),
         choice_(rules, front_, index_, size, valence_),
-        actsOnVertices_(actOnVertices(rules.set().definition())),
-        hasRows_(rules.set().definition().rowRounds > 0 || rules.set().definition().columns) {
+        acts_(rules, {front_, index_, queue_, result_.mesh, elements_, maker}, size, valence_,
+              options.observer) {
     makeRoom(input.vertexCount);
     result_.mesh.vertices.resize(input.vertexCount);
     valence_.resize(input.vertexCount, 0);
-    choice_.askAboutWelds(*this);
+    choice_.askAboutWelds(acts_);
     if (const auto limits = limitsOfFlatRegion(input)) choice_.keepWithin(*limits);
     for (const auto& loop : input.loops) addLoop(loop);
     front_.untangle();
@@ -75,7 +64,8 @@ class Run : private WeldGuard {
              ((gains() > gainsAtLastRound && revive()) || layPath()));
     result_.candidates = choice_.examined();
     finish();
-    dropDeadVertices();
+    acts_.dropDeadVertices(result_);
+    result_.acts = acts_.counts();
     if (options_.observer) options_.observer->frontEnded(result_.stuck.size());
     return std::move(result_);
   }
@@ -117,9 +107,9 @@ class Run : private WeldGuard {
         result_.outcome = Outcome::Cancelled;
         return;
       }
-      if (hasRows_ && endsRow(base)) {
+      if (acts_.haveRows() && acts_.endsRow(base)) {
         queue_.push(front_, base);
-        finishRow();
+        acts_.finishRow();
         continue;
       }
       step(base);
@@ -137,7 +127,7 @@ class Run : private WeldGuard {
 
   /// What counts as progress: elements, and acts that shorten or divide loops.
   std::size_t gains() const {
-    return result_.mesh.elements.size() + result_.acts.welds + result_.acts.paths;
+    return result_.mesh.elements.size() + acts_.counts().welds + acts_.counts().paths;
   }
 
   bool isReportDue() {
@@ -242,15 +232,15 @@ class Run : private WeldGuard {
 
   void apply(PlaceId base, const Application& application) {
     if (application.rule->rule->definition().weld) {
-      weld();
+      acts_.weld(change_);
     } else {
       const std::size_t firstNew = result_.mesh.vertices.size();
       const std::size_t firstElement = result_.mesh.elements.size();
       addVertices(application);
       addElements(application, front_[base].level, firstNew);
-      if (actsOnVertices_) elements_.enter(result_.mesh, firstElement);
+      acts_.enter(firstElement);
       makeWalk(base, application, firstNew);
-      if (hasRows_) useUpCounts(base);
+      if (acts_.haveRows()) useUpCounts(base);
       index_.erase(base);
       front_.replace(base, walk_, change_);
     }
@@ -261,16 +251,17 @@ class Run : private WeldGuard {
   void takeChange() {
     for (PlaceId id : change_.removed) index_.erase(id);
     front_.release(change_);
-#ifndef NDEBUG
+#ifdef AF2_DEBUG_CHECKS
     AF2_CHECK(!front_.loops().areNumbered() || front_.loops().areSound(front_),
               "loops have the sizes and colours that are kept for them");
 #endif
     for (PlaceId id : change_.added) enter(id);
-    if (!queue_.isRenewed()) return;
-    for (PlaceId id : change_.added) {
-      queue_.renew(front_, front_.previous(id));
-      queue_.renew(front_, front_.next(id));
-    }
+    if (!queue_.isRenewed() || change_.added.empty()) return;
+    // The edges beside those that have just entered. Ages increase, so these are the older ones.
+    const std::uint32_t entered = front_[change_.added.front()].age;
+    for (PlaceId id : change_.added)
+      for (const PlaceId beside : {front_.previous(id), front_.next(id)})
+        if (front_[beside].age < entered) queue_.renew(front_, beside);
   }
 
   /// An element at each end of the base fills one of the parts that the end wants.
@@ -279,77 +270,10 @@ class Run : private WeldGuard {
       if (front_[end].ownCount > 0) --front_[end].ownCount;
   }
 
-  // ---- acts beside rules that add elements
-  // --------------------------------------------------------
-
-  Advance state() { return {front_, index_, queue_, result_.mesh, elements_, maker_}; }
-
-  bool allows(const StepChart& chart, PlaceId first, const Application& application) override {
-    const RuleDefinition& rule = application.rule->rule->definition();
-    const PlaceId from = application.open.places[static_cast<std::size_t>(rule.weld->from)];
-    weld_ = planWeld(state(), chart, first, from == first, *application.newPoints[0].point);
-    return weld_.has_value();
-  }
-
-  void weld() {
-    Advance advance = state();
-    af2::apply(advance, *weld_, change_);
-    for (const PlaceId id : change_.added) index_.erase(id);  // it enters again with the change
-    const auto of = [&](VertexId v) -> std::uint8_t& { return valence_[v.value]; };
-    of(weld_->into) =
-        static_cast<std::uint8_t>(std::min<int>(255, of(weld_->into) + of(weld_->from)));
-    dead_.push_back(weld_->from);
-    ++result_.acts.welds;
-    tell({FrontAct::Kind::Weld, weld_->from, weld_->into, 1});
-  }
-
-  void tell(const FrontAct& act) {
-    if (options_.observer) options_.observer->frontActed(act);
-  }
-
-  /// A row is complete when the next edge lies in a higher layer than all edges before it.
-  bool endsRow(PlaceId base) {
-    const std::int32_t row = (front_[base].layer + front_[front_.next(base)].layer) / 2;
-    return row > row_ && (row_ = row, true);
-  }
-
-  void finishRow() {
-    const RuleSetDefinition& set = rules_.set().definition();
-    ++result_.acts.rows;
-    if (set.rowRounds > 0) {
-      Advance advance = state();
-      const std::size_t moves = smoothRow(advance, set.rowRounds);
-      result_.acts.moves += moves;
-      tell({FrontAct::Kind::Row, {}, {}, moves});
-    }
-    if (!set.columns) return;
-    const std::size_t columns = planColumns(front_, queue_, *set.columns, valence_);
-    result_.acts.columns += columns;
-    tell({FrontAct::Kind::Columns, {}, {}, columns});
-  }
-
   /// Where no edge can be advanced: divides a loop by a path, if a rule says how.
   bool layPath() {
-    const auto path = bestPath(state(), rules_, size_, valence_);
-    if (!path) return false;
-    const Place from = front_[path->from], to = front_[path->to];
-    const std::int32_t layer = 1 + std::min(from.layer, to.layer);
-    std::vector<WalkVertex> there;
-    for (const SurfacePoint& point : path->points) {
-      there.push_back({PlaceId(), VertexId(result_.mesh.vertices.size()), point,
-                       checkedSizeAt(size_, point), layer});
-      result_.mesh.vertices.push_back(point);
-      valence_.push_back(0);
-    }
-    walk_ = there;
-    walk_.push_back({path->to, to.vertex, to.point, to.size, to.layer});
-    walk_.insert(walk_.end(), there.rbegin(), there.rend());
-    walk_.push_back({PlaceId(), from.vertex, from.point, from.size, from.layer});
-    index_.erase(path->from);
-    front_.replace(path->from, walk_, change_);
+    if (!acts_.layPath(change_)) return false;
     takeChange();
-    ++result_.acts.paths;
-    tell({FrontAct::Kind::Path, from.vertex, to.vertex, path->points.size() + 1});
     return revive();
   }
 
@@ -436,42 +360,6 @@ class Run : private WeldGuard {
     return !edges.empty();
   }
 
-  /// Gives vertices that a weld has left without elements no place in the numbering.
-  void dropDeadVertices() {
-    if (dead_.empty()) return;
-    std::ranges::sort(dead_);
-    Mesh& mesh = result_.mesh;
-    std::vector<VertexId> renumbered(mesh.vertices.size());
-    std::size_t next = 0;
-    auto dead = dead_.begin();
-    for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
-      if (dead != dead_.end() && dead->value == v) {
-        ++dead;
-        continue;
-      }
-      mesh.vertices[next] = mesh.vertices[v];
-      renumbered[v] = VertexId(next++);
-    }
-    mesh.vertices.resize(next);
-    const auto renumberVertex = [&](VertexId& v) {
-      if (!v.isNone()) v = renumbered[v.value];
-    };
-    for (Element& element : mesh.elements)
-      for (VertexId& v : element.corners) renumberVertex(v);
-    for (StuckEdge& edge : result_.stuck) renumber(edge, renumberVertex);
-  }
-
-  static void renumber(StuckEdge& edge, const auto& renumberVertex) {
-    renumberVertex(edge.from);
-    renumberVertex(edge.to);
-    for (RuleRefusal& refusal : edge.refusals) {
-      renumberVertex(refusal.from);
-      renumberVertex(refusal.to);
-      for (VertexId& v : refusal.matched) renumberVertex(v);
-    }
-    for (VertexId& v : edge.around.ids) renumberVertex(v);
-  }
-
   void finish() {
     for (std::size_t i = 0; i < front_.capacity(); ++i)
       if (front_.isUsed(PlaceId(i)) && front_.isIsolated(PlaceId(i)))
@@ -513,11 +401,8 @@ class Run : private WeldGuard {
   ChartSlot slot_;
   std::vector<WalkVertex> walk_;
   Front::Change change_;
-  bool actsOnVertices_, hasRows_;
-  VertexElements elements_;     // kept if `actsOnVertices_`
-  std::optional<Weld> weld_;    // the one that was allowed last
-  std::vector<VertexId> dead_;  // vertices that welds have removed
-  std::int32_t row_ = 0;        // the row that is being made
+  VertexElements elements_;
+  FrontActs acts_;
   MeshingResult result_;
 };
 

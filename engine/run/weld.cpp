@@ -30,37 +30,18 @@ class WeldTest {
   VertexId middle() const { return vertexAt(front().next(weld_.first)); }
   Point2 at(VertexId v) const { return chart_.positionOf(advance_.mesh.vertices[v.value]); }
 
-  /// Along elements and along the front, sorted.
-  std::vector<VertexId> neighboursOf(VertexId v) const {
-    std::vector<VertexId> all;
-    advance_.elements.forEachAt(v, [&](std::size_t e, std::size_t) {
-      for (const VertexId w : advance_.mesh.elements[e].vertices())
-        if (w != v) all.push_back(w);
-    });
-    for (const PlaceId place : places_)
-      if (vertexAt(place) == v)
-        for (const PlaceId next : {front().next(place), front().previous(place)})
-          all.push_back(vertexAt(next));
-    std::ranges::sort(all);
-    return all;
-  }
+  enum class Within { Sides, Elements };
 
-  /// Opposite corners of an element count as neighbours, so that no element has both vertices.
-  bool haveCommonNeighbour() const {
-    const std::vector<VertexId> of = neighboursOf(weld_.from), others = neighboursOf(weld_.into);
-    if (std::ranges::binary_search(of, weld_.into)) return true;
-    return std::ranges::any_of(sideNeighboursOf(weld_.from), [&](VertexId v) {
-      return v != middle() && std::ranges::binary_search(sideNeighboursOf(weld_.into), v);
-    });
-  }
-
-  std::vector<VertexId> sideNeighboursOf(VertexId v) const {
+  /// Along the front, and along sides of elements or across elements, too; sorted. Where an element
+  /// has both vertices, one is a neighbour of the other within it.
+  std::vector<VertexId> neighboursOf(VertexId v, Within within) const {
     std::vector<VertexId> all;
     advance_.elements.forEachAt(v, [&](std::size_t e, std::size_t c) {
       const Element& element = advance_.mesh.elements[e];
       const auto n = static_cast<std::size_t>(element.size());
-      all.push_back(element.corners[(c + 1) % n]);
-      all.push_back(element.corners[(c + n - 1) % n]);
+      for (std::size_t i = 1; i < n; ++i)
+        if (within == Within::Elements || i == 1 || i + 1 == n)
+          all.push_back(element.corners[(c + i) % n]);
     });
     for (const PlaceId place : places_)
       if (vertexAt(place) == v)
@@ -68,6 +49,15 @@ class WeldTest {
           all.push_back(vertexAt(next));
     std::ranges::sort(all);
     return all;
+  }
+
+  bool haveCommonNeighbour() const {
+    if (std::ranges::binary_search(neighboursOf(weld_.from, Within::Elements), weld_.into))
+      return true;
+    const std::vector<VertexId> ofInto = neighboursOf(weld_.into, Within::Sides);
+    return std::ranges::any_of(neighboursOf(weld_.from, Within::Sides), [&](VertexId v) {
+      return v != middle() && std::ranges::binary_search(ofInto, v);
+    });
   }
 
   bool keepsElements(VertexId v) const {

@@ -72,4 +72,9 @@ std::optional<Point2> RuleMatcher::computedPlace(const CompiledPattern& pattern,
   return place;
 }
 
+bool RuleMatcher::isNear(const CompiledPattern& pattern, const BindingStep& step, Point2 point) {
+  const auto place = computedPlace(pattern, step);
+  return place && distance(*place, point) <= step.reach;
+}
+
 }  // namespace af2

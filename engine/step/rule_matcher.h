@@ -63,9 +63,8 @@ class RuleMatcher {
     const Beside* beside = besideBase(first);
     if (!beside) return bind(pattern, 0, visit);
     const Point2 corner = beside->corner.point.position;
-    if (!beside->isOpen ||
-        (first.near ? !isNear(pattern, first, corner) : !first.fits(corner, view_->tolerance)))
-      return;
+    if (!beside->isOpen || !first.fits(corner, view_->tolerance)) return;
+    if (first.near && !isNear(pattern, first, corner)) return;
     take(first, beside->corner.place, corner);
     bind(pattern, 1, visit);
   }
@@ -120,19 +119,25 @@ class RuleMatcher {
           if (accept(pattern, index, edge.place, edge.vertex, edge.from, edge.view))
             bind(pattern, index + 1, visit);
         return;
-      case BindingStep::Kind::Near: {
-        const auto place = computedPlace(pattern, step);
-        if (!place) return;
-        lookedAt_ += view_->near.edges().size();
-        for (const Neighborhood::Edge& edge : view_->near.edges())
-          if (distance(edge.from, *place) <= step.reach && edge.view == ChartView::Legal &&
-              !isBound(pattern, index, edge.vertex)) {
-            take(step, edge.place, edge.from);
-            bind(pattern, index + 1, visit);
-          }
+      case BindingStep::Kind::Near:
+        bindNear(pattern, index, visit);
         return;
-      }
     }
+  }
+
+  /// Not inlined, so that rules without computed places do not pay for them.
+  template <class Visit>
+  [[gnu::noinline]] void bindNear(const CompiledPattern& pattern, std::size_t index, Visit& visit) {
+    const BindingStep& step = pattern.steps[index];
+    const auto place = computedPlace(pattern, step);
+    if (!place) return;
+    lookedAt_ += view_->near.edges().size();
+    for (const Neighborhood::Edge& edge : view_->near.edges())
+      if (distance(edge.from, *place) <= step.reach && edge.view == ChartView::Legal &&
+          !isBound(pattern, index, edge.vertex)) {
+        take(step, edge.place, edge.from);
+        bind(pattern, index + 1, visit);
+      }
   }
 
   template <class Visit>
@@ -140,12 +145,12 @@ class RuleMatcher {
     if (pattern.slopes.empty() || slopesFit(pattern)) visit(std::as_const(match_));
   }
 
-  /// Binds the vertex of a step if the place fits.
-  bool accept(const CompiledPattern& pattern, std::size_t index, PlaceId place, VertexId vertex,
+  /// Binds the vertex of a step if the place fits. Inlined by force: most candidates end here.
+  [[gnu::always_inline]] bool accept(const CompiledPattern& pattern, std::size_t index, PlaceId place, VertexId vertex,
               Point2 point, ChartView view) {
     const BindingStep& step = pattern.steps[index];
-    if (step.near ? !isNear(pattern, step, point) : !step.fits(point, view_->tolerance))
-      return false;
+    if (!step.fits(point, view_->tolerance)) return false;
+    if (step.near && !isNear(pattern, step, point)) return false;
     if (view != ChartView::Legal || isBound(pattern, index, vertex)) return false;
     take(step, place, point);
     return true;
@@ -165,10 +170,7 @@ class RuleMatcher {
   bool slopesFit(const CompiledPattern& pattern) const;
   /// Where a vertex is sought, given the vertices bound so far.
   std::optional<Point2> computedPlace(const CompiledPattern& pattern, const BindingStep& step);
-  bool isNear(const CompiledPattern& pattern, const BindingStep& step, Point2 point) {
-    const auto place = computedPlace(pattern, step);
-    return place && distance(*place, point) <= step.reach;
-  }
+  bool isNear(const CompiledPattern& pattern, const BindingStep& step, Point2 point);
   /// The target of a step along the front, or null if there is no edge. Valid until the next call.
   const DrawnBase::Corner* neighbor(const BindingStep& step);
 

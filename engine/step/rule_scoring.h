@@ -46,7 +46,7 @@ class RuleScoring {
 
   /// Whether the rule set accepts quadrilaterals with a reflex corner, which are mended when the
   /// front has closed.
-  bool allowsReflexAt(int level) const {
+  [[gnu::noinline]] bool allowsReflexAt(int level) const {
     return needsMeasures_ && set_.acceptance->acceptsMeasured(kBestScore, level, kReflex);
   }
 
@@ -61,8 +61,7 @@ class RuleScoring {
     bool isFirst = true;
     for (const RuleElement& element : elements) {
       const ElementCorners corners(element, vertices);
-      if (!turnsLeftEverywhere(corners.span()) &&
-          !(allowsReflexAt(level) && hasOneReflexCorner(corners.span())))
+      if (!turnsLeftEverywhere(corners.span()) && !isAllowedReflex(corners, level))
         return Refusal::Inverted;
       const double badness = badnessOf(corners, level);
       if (!std::isfinite(badness)) return Refusal::NoValue;
@@ -102,11 +101,16 @@ class RuleScoring {
     return set_.metric->badnessAt(corners.span(), level).value_or(INFINITY);
   }
 
+  bool isAllowedReflex(const ElementCorners& corners, int level) const {
+    return needsMeasures_ && allowsReflexAt(level) && hasOneReflexCorner(corners.span());
+  }
+
   static constexpr double kBestScore = -1e9;
   static constexpr ElementMeasures kReflex{-1e-3, 1e-3};
 
-  static ElementMeasures measuresOf(const std::vector<RuleElement>& elements,
-                                    const Point2* vertices) {
+  /// Not inlined, so that sets that accept by the score alone do not pay for it.
+  [[gnu::noinline]] static ElementMeasures measuresOf(const std::vector<RuleElement>& elements,
+                                                      const Point2* vertices) {
     ElementMeasures worst;
     for (const RuleElement& element : elements) {
       const ElementCorners corners(element, vertices);
