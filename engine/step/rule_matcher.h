@@ -146,8 +146,8 @@ class RuleMatcher {
   }
 
   /// Binds the vertex of a step if the place fits. Inlined by force: most candidates end here.
-  [[gnu::always_inline]] bool accept(const CompiledPattern& pattern, std::size_t index, PlaceId place, VertexId vertex,
-              Point2 point, ChartView view) {
+  [[gnu::always_inline]] bool accept(const CompiledPattern& pattern, std::size_t index,
+                                     PlaceId place, VertexId vertex, Point2 point, ChartView view) {
     const BindingStep& step = pattern.steps[index];
     if (!step.fits(point, view_->tolerance)) return false;
     if (step.near && !isNear(pattern, step, point)) return false;
