@@ -49,6 +49,8 @@ bool mend(PatchEditor& editor, std::size_t element) {
 
 }  // namespace
 
+bool hasTurnedElements(const Mesh& mesh) { return !foldedQuads(mesh).empty(); }
+
 std::size_t turnElementsRound(Mesh& mesh, const MeshBoundary& boundary,
                               const AF2LocalTransformMaker& maker, const std::stop_token& stop) {
   const std::vector<std::size_t> folded = foldedQuads(mesh);

@@ -10,6 +10,9 @@
 
 namespace af2 {
 
+/// Whether some quadrilateral does not turn left at one of its corners.
+bool hasTurnedElements(const Mesh& mesh);
+
 /// Gives each quadrilateral that does not turn left at one of its corners a better shape: by moving
 /// the vertices around it, or, if that is not enough, by joining them differently. Changes nothing
 /// else. Returns the number of elements that it could not mend.

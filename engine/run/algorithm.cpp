@@ -44,6 +44,7 @@ class Run {
     result_.mesh.vertices.resize(input.vertexCount);
     valence_.resize(input.vertexCount, 0);
     choice_.askAboutWelds(acts_);
+    if (!options.acceptReflex) choice_.refuseReflex();
     if (const auto limits = limitsOfFlatRegion(input)) choice_.keepWithin(*limits);
     for (const auto& loop : input.loops) addLoop(loop);
     front_.untangle();

@@ -28,6 +28,9 @@ struct FrontOptions {
   /// A run ends as stuck after examining this number of candidates, plus 60 per front edge, in
   /// which fewer than 64 elements were added. 0: no such limit.
   std::size_t stallCandidates = 0;
+  /// Whether rule sets that accept quadrilaterals with a reflex corner get them. The caller then
+  /// has to mend them, as `meshRegion` does.
+  bool acceptReflex = true;
   double expectedElements = 0;  ///< memory is reserved for this many, so that it need not grow
 };
 

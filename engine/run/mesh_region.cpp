@@ -41,17 +41,36 @@ class SharedProgress {
   std::vector<Progress> last_;
 };
 
+/// The observer and the progress callback must not receive the same steps twice.
+FrontOptions withoutListeners(FrontOptions options) {
+  options.observer = nullptr;
+  options.progress = {};
+  return options;
+}
+
+/// The front with its reflex elements turned round; without such elements where that is impossible,
+/// so that what they would have closed is left open.
+MeshingResult soundFront(const AF2Algorithm& algorithm, const PieceTools& tools,
+                         const FrontInput& input, const MeshBoundary& boundary,
+                         const FrontOptions& options) {
+  MeshingResult result = algorithm.execute(*tools.charts, input, *tools.size, options);
+  if (result.outcome == Outcome::Cancelled || !hasTurnedElements(result.mesh)) return result;
+  if (result.outcome == Outcome::Complete &&
+      turnElementsRound(result.mesh, boundary, *tools.charts, options.stop) == 0)
+    return result;
+  FrontOptions again = withoutListeners(options);
+  again.acceptReflex = false;
+  return algorithm.execute(*tools.charts, input, *tools.size, again);
+}
+
 RegionMesh meshPiece(const AF2Algorithm& algorithm, const RegionTask& task, const FrontInput& input,
                      const FrontOptions& options) {
   const Stopwatch watch;
   RegionMesh piece;
   const MeshBoundary boundary = boundaryOf(input);
   const PieceTools tools = task.makeTools();
-  piece.result = algorithm.execute(*tools.charts, input, *tools.size, options);
-  if (piece.result.outcome == Outcome::Complete) {
-    turnElementsRound(piece.result.mesh, boundary, *tools.charts, options.stop);
-    piece.fault = faultOf(piece.result.mesh, boundary);
-  }
+  piece.result = soundFront(algorithm, tools, input, boundary, options);
+  if (piece.result.outcome == Outcome::Complete) piece.fault = faultOf(piece.result.mesh, boundary);
   if (piece.result.outcome == Outcome::Complete && piece.fault.empty() && task.optimize) {
     const Stopwatch optimizing;
     OptimizeOptions how;
@@ -61,11 +80,7 @@ RegionMesh meshPiece(const AF2Algorithm& algorithm, const RegionTask& task, cons
     if (options.observer) how.observer = options.observer->finishing();
     const FinishTask finish{algorithm.rules(), *tools.charts, *tools.size};
     if (!finishMesh(piece.result.mesh, boundary, finish, how).isSound) {
-      // The observer and the progress callback must not receive the same steps twice.
-      FrontOptions again;
-      again.stop = options.stop;
-      again.expectedElements = options.expectedElements;
-      piece.result = algorithm.execute(*tools.charts, input, *tools.size, again);
+      piece.result = soundFront(algorithm, tools, input, boundary, withoutListeners(options));
     }
     piece.optimizeSeconds = optimizing.seconds();
   }

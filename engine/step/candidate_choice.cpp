@@ -62,6 +62,13 @@ bool isAtNewVertex(const Candidate& candidate, Point2 p) {
   return false;
 }
 
+bool hasReflexElement(const Candidate& candidate) {
+  return std::ranges::any_of(
+      candidate.rule->rule->definition().elements, [&](const RuleElement& element) {
+        return !turnsLeftEverywhere(ElementCorners(element, candidate.match.points.data()).span());
+      });
+}
+
 /// Returns false also if a coordinate is NaN.
 bool holds(const Box3& box, const Point3& p) {
   return p.x >= box.low.x && p.x <= box.high.x && p.y >= box.low.y && p.y <= box.high.y &&
@@ -334,6 +341,7 @@ Refusal CandidateChoice::prepare(const StepView& view, const Candidate& candidat
                                     candidate.match.places.begin() + candidate.rule->matchedCount);
   else if (!findOpenPlaces(view, *candidate.rule, candidate.match, application_.open))
     return Refusal::Inverted;
+  if (refusesReflex_ && hasReflexElement(candidate)) return Refusal::Inverted;
   application_.newPoints.clear();
   for (int k = 0; k < candidate.rule->newCount; ++k) {
     const auto v = static_cast<std::size_t>(candidate.rule->matchedCount + k);

@@ -47,6 +47,8 @@ class CandidateChoice {
 
   /// For a region known to lie within a box: no new vertex is placed outside it.
   void keepWithin(const Box3& box) { limits_ = box; }
+  /// No quadrilateral with a reflex corner is made, even if the rule set accepts some.
+  void refuseReflex() { refusesReflex_ = true; }
   /// Without a guard, the front alone decides about welds. Keeps a pointer.
   void askAboutWelds(WeldGuard& guard) { weldGuard_ = &guard; }
 
@@ -107,6 +109,7 @@ class CandidateChoice {
   std::size_t examined_ = 0;
   Application application_;
   WeldGuard* weldGuard_ = nullptr;
+  bool refusesReflex_ = false;
   Box3 limits_{{-1e300, -1e300, -1e300}, {1e300, 1e300, 1e300}};
 };
 

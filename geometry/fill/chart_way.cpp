@@ -138,11 +138,18 @@ FaceAttempt inPieces(const FaceTask& task, ChartKind kind, const FrontOptions& o
   return attempt;
 }
 
+/// For fronts whose elements nothing will mend.
+FrontOptions withoutReflex(FrontOptions options) {
+  options.acceptReflex = false;
+  return options;
+}
+
 /// As one piece, not optimised: these charts know a vertex of a seam on one of its sheets only.
 FaceAttempt inParameters(const FaceTask& task, ChartKind kind, const FrontOptions& options) {
   FaceAttempt attempt;
   attempt.charts = task.surface.makeCharts(kind);
-  attempt.result = task.algorithm.execute(*attempt.charts, task.boundary.input, task.size, options);
+  attempt.result = task.algorithm.execute(*attempt.charts, task.boundary.input, task.size,
+                                          withoutReflex(options));
   if (attempt.result.outcome == Outcome::Complete)
     attempt.fault = unsound(faultOf(attempt.result.mesh, boundaryOf(task.boundary.input)));
   attempt.chartsKnowOneSheet = true;
@@ -185,7 +192,7 @@ FaceAttempt inParametersWithoutNormals(const FaceTask& task, ChartKind,
   const MetricChartMaker charts(surface, MetricOrder::First);
   const FrontInput input = withoutNormals(task.boundary.input);
   FaceAttempt attempt;
-  attempt.result = task.algorithm.execute(charts, input, task.size, options);
+  attempt.result = task.algorithm.execute(charts, input, task.size, withoutReflex(options));
   if (attempt.result.outcome == Outcome::Complete)
     attempt.fault = unsound(faultOf(attempt.result.mesh, boundaryOf(input)));
   attempt.isOptimized = true;  // the optimiser knows folds by the normals

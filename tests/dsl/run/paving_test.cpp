@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "dsl/load/rule_file.h"
+#include "engine/mesh/element_shape.h"
 #include "engine/run/mesh_region.h"
 #include "tests/support/meshing.h"
 
@@ -178,13 +179,24 @@ TEST(Paving, GivesTheSameMeshAgain) {
 }
 
 // A single odd loop cannot be filled with quadrilaterals: the front stops, and says so.
-TEST(Paving, LeavesThreeEdgesOfAnOddLoop) {
+TEST(Paving, LeavesAFewEdgesOfAnOddLoopAndSoundElements) {
   FrontInput input;
   addLoop(input, circle({0, 0}, 1, 31, false));
   const MeshingResult result = meshWith(paving(), input, 0.2);
   EXPECT_EQ(result.outcome, Outcome::Stuck);
-  EXPECT_LE(result.stuck.size(), 5u);
+  EXPECT_LE(result.stuck.size(), 7u);
   EXPECT_EQ(result.stuck.size() % 2, 1u);
+  for (const Element& element : result.mesh.elements) EXPECT_FALSE(leans(result.mesh, element));
+}
+
+// The last level closes with a quadrilateral that has a straight corner. Between given edges no
+// change mends it: the front must then be left open, not spoil the mesh.
+TEST(Paving, LeavesOpenWhatCannotBeTurnedRound) {
+  FrontInput input;
+  addLoop(input, {{0, 0}, {0.5, 0}, {1, 0}, {0, 1}});
+  const MeshingResult result = meshWith(paving(), input, 0.7);
+  EXPECT_EQ(result.outcome, Outcome::Stuck);
+  EXPECT_FALSE(result.stuck.empty());
 }
 
 const std::string kPath = R"(af2 1;
