@@ -1,6 +1,7 @@
 #include "engine/optimize/turn_round.h"
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 #include "engine/mesh/element_shape.h"
@@ -53,17 +54,20 @@ bool hasTurnedElements(const Mesh& mesh) { return !foldedQuads(mesh).empty(); }
 
 std::size_t turnElementsRound(Mesh& mesh, const MeshBoundary& boundary,
                               const AF2LocalTransformMaker& maker, const std::stop_token& stop) {
-  const std::vector<std::size_t> folded = foldedQuads(mesh);
-  if (folded.empty()) return 0;
-  MeshTopology topology(mesh, boundary);
-  PatchEditor editor(topology, maker, topology.anglesAtFixed());
-  std::size_t left = 0;
-  for (const std::size_t e : folded) {
-    if (stop.stop_requested()) break;
-    if (topology.isDead(e) || !leans(mesh, mesh.elements[e])) continue;
-    left += !mend(editor, e);
+  constexpr int kMaxPasses = 4;
+  std::size_t left = foldedQuads(mesh).size();
+  // What is mended beside an element can be what it was waiting for.
+  for (int pass = 0; pass < kMaxPasses && left > 0 && !stop.stop_requested(); ++pass) {
+    MeshTopology topology(mesh, boundary);
+    PatchEditor editor(topology, maker, topology.anglesAtFixed());
+    for (const std::size_t e : foldedQuads(mesh)) {
+      if (stop.stop_requested()) break;
+      if (!topology.isDead(e) && leans(mesh, mesh.elements[e])) mend(editor, e);
+    }
+    topology.compact();
+    const std::size_t before = std::exchange(left, foldedQuads(mesh).size());
+    if (left >= before) break;
   }
-  topology.compact();
   return left;
 }
 
