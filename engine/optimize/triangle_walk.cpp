@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <span>
 #include <vector>
 
 #include "engine/optimize/quad_search.h"
+#include "engine/optimize/triangle_division.h"
 
 namespace af2 {
 namespace {
@@ -20,8 +22,22 @@ class TriangleWalk {
 
   /// Walks from a triangle to another one at most `reach` elements away. Returns whether they met.
   bool pair(std::size_t triangle, int reach) {
-    for (const std::vector<std::size_t>& path : pathsFrom(triangle, reach))
+    for (const std::vector<std::size_t>& path : pathsFrom(triangle, 1, reach))
       if (walk(path)) return true;
+    return false;
+  }
+
+  /// Divides the elements between the triangle and another one.
+  bool divide(std::size_t triangle, int reach) {
+    for (const std::vector<std::size_t>& path : pathsFrom(triangle, 2, reach))
+      if (isWay(path) && divideInStages(path)) return true;
+    if (!isTriangle(triangle)) return false;
+    for (std::size_t side = 0; side < 3; ++side) {
+      const Corner beyond = topology_.across(Corner(triangle, side));
+      if (!beyond.isNone() && isTriangle(beyond.element()) &&
+          divideInRing(editor_, triangle, beyond.element(), leastJacobian_))
+        return true;
+    }
     return false;
   }
 
@@ -36,7 +52,7 @@ class TriangleWalk {
         if (after.isNone()) continue;
         const std::optional<std::size_t> moved = step(triangle, in.element(), after.element());
         if (!moved) continue;
-        if (pair(*moved, reach)) return true;
+        if (pair(*moved, reach) || divide(*moved, reach)) return true;
         triangle = *moved;  // it goes on from there
         break;
       }
@@ -50,7 +66,9 @@ class TriangleWalk {
   }
 
   /// Elements from other triangles, the nearest first, to this one; at most a few.
-  std::vector<std::vector<std::size_t>> pathsFrom(std::size_t triangle, int reach) {
+  ///
+  /// least, reach  bounds of the distance to the other triangle on the way, in elements
+  std::vector<std::vector<std::size_t>> pathsFrom(std::size_t triangle, int least, int reach) {
     constexpr std::size_t kPaths = 3;
     std::vector<std::vector<std::size_t>> paths;
     towards_.resize(topology_.mesh().elements.size(), kUnseen);
@@ -70,6 +88,7 @@ class TriangleWalk {
       for (std::size_t k = 0; k < sides; ++k) {
         const Corner beyond = topology_.across(Corner(e, k));
         if (beyond.isNone() || towards_[beyond.element()] != kUnseen) continue;
+        if (distance_[e] + 1 < least && isTriangle(beyond.element())) continue;
         towards_[beyond.element()] = e;
         distance_[beyond.element()] = distance_[e] + 1;
         seen.push_back(beyond.element());
@@ -93,20 +112,37 @@ class TriangleWalk {
     return false;
   }
 
-  /// The side of an element beyond which the other one lies; none if they share no side.
-  Corner sideTowards(std::size_t e, std::size_t other) const {
-    for (std::size_t k = 0; k < static_cast<std::size_t>(topology_.mesh().elements[e].size());
-         ++k) {
-      const Corner beyond = topology_.across(Corner(e, k));
-      if (!beyond.isNone() && beyond.element() == other) return Corner(e, k);
+  /// Whether no earlier attempt has changed the elements of the path.
+  bool isWay(std::span<const std::size_t> path) const {
+    for (std::size_t i = 0; i < path.size(); ++i) {
+      const bool isEnd = i == 0 || i + 1 == path.size();
+      if (topology_.isDead(path[i]) || isTriangle(path[i]) != isEnd) return false;
+      if (i > 0 && sideTowards(topology_, path[i], path[i - 1]).isNone()) return false;
     }
-    return {};
+    return true;
+  }
+
+  /// A part of the way at a time, as far as a patch reaches.
+  bool divideInStages(std::span<const std::size_t> path) {
+    constexpr std::size_t kStage = 24;
+    if (path.size() <= kStage) return divideAlong(editor_, path, std::nullopt, leastJacobian_);
+    const std::size_t beyond = path[kStage];
+    if (!divideAlong(editor_, path.first(kStage), beyond, leastJacobian_)) return false;
+    const auto sides = static_cast<std::size_t>(topology_.mesh().elements[beyond].size());
+    for (std::size_t k = 0; k < sides; ++k) {
+      const Corner across = topology_.across(Corner(beyond, k));
+      if (across.isNone() || !isTriangle(across.element())) continue;
+      std::vector<std::size_t> rest(path.begin() + kStage, path.end());
+      rest.insert(rest.begin(), across.element());
+      return divideInStages(rest);
+    }
+    return false;
   }
 
   /// Moves the triangle into the next element of its path, towards the one after it. Returns where
   /// the triangle is then; at the end of the path, any element.
   std::optional<std::size_t> step(std::size_t triangle, std::size_t into, std::size_t after) {
-    const Corner out = sideTowards(triangle, into);
+    const Corner out = sideTowards(topology_, triangle, into);
     if (out.isNone() || !editor_.take(topology_.vertexAt(out))) return std::nullopt;
     const auto here = editor_.find(triangle), there = editor_.find(into);
     if (!here || !there) return std::nullopt;
@@ -121,12 +157,12 @@ class TriangleWalk {
     }
     const Corner ahead = topology_.next(topology_.next(in));
     const QuadPatch::Vertex m = at(ahead), n = at(topology_.next(ahead));
-    const Corner side = sideTowards(into, after);
+    const Corner side = sideTowards(topology_, into, after);
     std::optional<std::size_t> end;
     if (side != topology_.previous(in))  // the sides from -> m and m -> n remain open
-      end = divide(*here, {third, from, n, to}, *there, {from, m, n, kNone});
+      end = redivide(*here, {third, from, n, to}, *there, {from, m, n, kNone});
     if (!end && side != topology_.next(in))
-      end = divide(*here, {third, from, m, to}, *there, {m, n, to, kNone});
+      end = redivide(*here, {third, from, m, to}, *there, {m, n, to, kNone});
     return end;
   }
 
@@ -144,8 +180,8 @@ class TriangleWalk {
   }
 
   /// Returns the element of the mesh that has the second ring.
-  std::optional<std::size_t> divide(std::size_t one, const Ring& ring, std::size_t other,
-                                    const Ring& rest) {
+  std::optional<std::size_t> redivide(std::size_t one, const Ring& ring, std::size_t other,
+                                      const Ring& rest) {
     QuadPatch changed = editor_.patch();
     if (!changed.replace(one, ring, other, rest)) return std::nullopt;
     if (!editor_.putBack(changed, {leastJacobian_}, FinishAct::Kind::Pairing)) return std::nullopt;
@@ -189,6 +225,8 @@ std::size_t walkTriangles(PatchEditor& editor, const std::stop_token& stop) {
     TriangleWalk walk(editor, least);
     for (const int reach : kReaches)
       forEachTriangle([&](std::size_t e) { return walk.pair(e, reach); });
+    for (const int reach : kReaches)
+      forEachTriangle([&](std::size_t e) { return walk.divide(e, reach); });
     forEachTriangle([&](std::size_t e) { return walk.pairAfterDetour(e, kAnywhere); });
   }
   return pairs;

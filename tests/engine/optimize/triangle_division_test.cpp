@@ -1,0 +1,158 @@
+// That triangles which cannot be joined become quadrilaterals by division of what lies between.
+#include "engine/optimize/triangle_division.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "engine/mesh/mesh_check.h"
+#include "engine/optimize/optimize.h"
+#include "tests/support/flat_surface.h"
+#include "tests/support/meshing.h"
+
+namespace af2 {
+namespace {
+
+using namespace af2::testing;
+
+/// A mesh without inner vertices.
+struct Outlined {
+  FrontInput input;
+  Mesh mesh;
+
+  explicit Outlined(const std::vector<Point2>& outline) {
+    addLoop(input, outline);
+    for (const BoundaryCorner& c : input.loops[0]) mesh.vertices.push_back(c.point);
+  }
+  void add(std::initializer_list<std::size_t> corners) {
+    Element element;
+    std::ranges::transform(corners, element.corners.begin(),
+                           [](std::size_t v) { return VertexId(v); });
+    mesh.elements.push_back(element);
+    mesh.origins.emplace_back();
+  }
+};
+
+/// A strip one element wide, from (0, 0) to (n, width), with a triangle at both ends.
+Outlined stripWithTips(std::size_t n, double width) {
+  std::vector<Point2> outline{{-1, width / 2}};
+  for (std::size_t i = 0; i <= n; ++i) outline.push_back({static_cast<double>(i), 0});
+  outline.push_back({static_cast<double>(n) + 1, width / 2});
+  for (std::size_t i = 0; i <= n; ++i) outline.push_back({static_cast<double>(n - i), width});
+  Outlined strip(outline);
+  const auto low = [](std::size_t i) { return 1 + i; };
+  const auto high = [n](std::size_t i) { return 2 * n + 3 - i; };
+  strip.add({0, low(0), high(0)});
+  for (std::size_t i = 0; i < n; ++i) strip.add({low(i), low(i + 1), high(i + 1), high(i)});
+  strip.add({low(n), n + 2, high(n)});
+  return strip;
+}
+
+/// Joins the triangles; the mesh must be sound, with the same area and boundary, before and after.
+void expectOnlyQuads(Outlined& outlined, std::size_t pairs = 1) {
+  ASSERT_TRUE(checkMesh(outlined.mesh, outlined.input).empty());
+  const double area = testing::areaOf(outlined.mesh);
+  EXPECT_EQ(joinTriangles(outlined.mesh, boundaryOf(outlined.input), FlatMaker()), pairs);
+  EXPECT_TRUE(checkMesh(outlined.mesh, outlined.input).empty());
+  EXPECT_NEAR(testing::areaOf(outlined.mesh), area, 1e-9 * area);
+  EXPECT_TRUE(std::ranges::all_of(outlined.mesh.elements, &Element::isQuad));
+}
+
+/// The elements of a strip of four quadrilaterals after `divide(editor)`.
+template <class Divide>
+std::vector<Element> divided(const Divide& divide) {
+  Outlined strip = stripWithTips(4, 0.8);
+  const double area = testing::areaOf(strip.mesh);
+  MeshTopology topology(strip.mesh, boundaryOf(strip.input));
+  const FlatMaker maker;
+  PatchEditor editor(topology, maker, topology.anglesAtFixed());
+  EXPECT_TRUE(divide(editor));
+  topology.compact();
+  EXPECT_TRUE(checkMesh(strip.mesh, strip.input).empty());
+  EXPECT_NEAR(testing::areaOf(strip.mesh), area, 1e-9);
+  return strip.mesh.elements;
+}
+
+TEST(TriangleDivision, DividesAStripLengthwise) {
+  const std::vector<std::size_t> path{0, 1, 2, 3, 4, 5};
+  const std::vector<Element> elements =
+      divided([&](PatchEditor& editor) { return divideAlong(editor, path, std::nullopt, 0.1); });
+  EXPECT_EQ(elements.size(), 10u);
+  EXPECT_TRUE(std::ranges::all_of(elements, &Element::isQuad));
+}
+
+TEST(TriangleDivision, MovesTheTriangleToTheEndOfThePart) {
+  const std::vector<std::size_t> part{0, 1, 2};
+  const std::vector<Element> elements =
+      divided([&](PatchEditor& editor) { return divideAlong(editor, part, 3, 0.1); });
+  EXPECT_EQ(elements.size(), 8u);
+  EXPECT_EQ(std::ranges::count_if(elements, &Element::isQuad), 6);
+}
+
+TEST(TriangleDivision, GoesAnyDistanceInStages) {
+  Outlined strip = stripWithTips(90, 0.8);
+  expectOnlyQuads(strip);
+}
+
+TEST(TriangleDivision, StripsMayBeNarrow) {
+  Outlined strip = stripWithTips(6, 0.05);
+  expectOnlyQuads(strip);
+}
+
+/// Without a quadrilateral between them, and with an outline that is straight at a vertex.
+TEST(TriangleDivision, TwoTrianglesAloneGetARing) {
+  Outlined triangle({{0, 0}, {1, 0}, {2, 0}, {1, 1.7}});
+  triangle.add({0, 1, 3});
+  triangle.add({1, 2, 3});
+  expectOnlyQuads(triangle);
+  EXPECT_EQ(triangle.mesh.elements.size(), 5u);
+}
+
+/// A strip with one segment more on one side at each of two places; the triangles share a side.
+TEST(TriangleDivision, TrianglesBesideEachOtherGoApartFirst) {
+  Outlined strip(
+      {{0, 0}, {1, 0}, {2, 0}, {3, 0}, {4, 0}, {5, 0}, {5, 0.8}, {3, 0.8}, {1, 0.8}, {0, 0.8}});
+  strip.add({0, 1, 8, 9});
+  strip.add({1, 2, 8});
+  strip.add({2, 3, 7, 8});
+  strip.add({3, 4, 7});
+  strip.add({4, 5, 6, 7});
+  expectOnlyQuads(strip);
+
+  Outlined fan({{0, 0}, {1, 0}, {2, 0}, {3, 0}, {4, 0}, {4, 0.8}, {2, 0.8}, {0, 0.8}});
+  fan.add({0, 1, 6, 7});
+  fan.add({1, 2, 6});
+  fan.add({2, 3, 6});
+  fan.add({3, 4, 5, 6});
+  expectOnlyQuads(fan);
+}
+
+/// An odd boundary keeps one triangle, and nothing changes.
+TEST(TriangleDivision, ATriangleAloneStays) {
+  Outlined outlined({{0, 0}, {1, 0}, {2, 0.4}, {1, 0.8}, {0, 0.8}});
+  outlined.add({0, 1, 3, 4});
+  outlined.add({1, 2, 3});
+  const std::vector<Element> before = outlined.mesh.elements;
+  EXPECT_EQ(joinTriangles(outlined.mesh, boundaryOf(outlined.input), FlatMaker()), 0u);
+  EXPECT_EQ(outlined.mesh.elements, before);
+}
+
+/// An L of three squares with a triangle on each of its ends; the triangles in both orders, so that
+/// the way turns to the left and to the right.
+TEST(TriangleDivision, TheWayMayTurn) {
+  for (const bool isLeft : {true, false}) {
+    Outlined corner(
+        {{0, 0}, {1, 0}, {2, 0}, {2, 1}, {2, 2}, {1.5, 2.8}, {1, 2}, {1, 1}, {0, 1}, {-0.8, 0.5}});
+    corner.add({0, 1, 7, 8});
+    corner.add({1, 2, 3, 7});
+    corner.add({7, 3, 4, 6});
+    if (isLeft) corner.add({4, 5, 6});
+    corner.add({0, 8, 9});
+    if (!isLeft) corner.add({4, 5, 6});
+    expectOnlyQuads(corner);
+  }
+}
+
+}  // namespace
+}  // namespace af2
