@@ -122,19 +122,27 @@ class TriangleWalk {
     return true;
   }
 
-  /// A part of the way at a time, as far as a patch reaches.
+  /// A part of the way at a time, as far as a patch and its chart reach.
   bool divideInStages(std::span<const std::size_t> path) {
-    constexpr std::size_t kStage = 24;
-    if (path.size() <= kStage) return divideAlong(editor_, path, std::nullopt, leastJacobian_);
-    const std::size_t beyond = path[kStage];
-    if (!divideAlong(editor_, path.first(kStage), beyond, leastJacobian_)) return false;
-    const auto sides = static_cast<std::size_t>(topology_.mesh().elements[beyond].size());
+    constexpr std::array<std::size_t, 3> kStages{24, 8, 4};
+    if (path.size() <= kStages[0] && divideAlong(editor_, path, std::nullopt, leastJacobian_))
+      return true;
+    for (const std::size_t stage : kStages)
+      if (stage < path.size() &&
+          divideAlong(editor_, path.first(stage), path[stage], leastJacobian_))
+        return divideTheRest(path.subspan(stage));
+    return false;
+  }
+
+  /// rest  begins at the element beyond the triangle
+  bool divideTheRest(std::span<const std::size_t> rest) {
+    const auto sides = static_cast<std::size_t>(topology_.mesh().elements[rest[0]].size());
     for (std::size_t k = 0; k < sides; ++k) {
-      const Corner across = topology_.across(Corner(beyond, k));
+      const Corner across = topology_.across(Corner(rest[0], k));
       if (across.isNone() || !isTriangle(across.element())) continue;
-      std::vector<std::size_t> rest(path.begin() + kStage, path.end());
-      rest.insert(rest.begin(), across.element());
-      return divideInStages(rest);
+      std::vector<std::size_t> path(rest.begin(), rest.end());
+      path.insert(path.begin(), across.element());
+      return divideInStages(path);
     }
     return false;
   }

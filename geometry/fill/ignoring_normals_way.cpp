@@ -75,6 +75,7 @@ FaceAttempt fillAcrossLoops(FillState& state) {
   }
   FaceAttempt bare;
   bare.searchCost = searchCost;
+  bare.charts = given.surface.makeCharts(ChartKind::MeanNormal);
   bare.result = frontBeforeFirstStep(task.boundary.input);
   if (!closeAcrossLoops(task, bare)) bare.fault.kind = FillFaultKind::NotFilled;
   return bare;
