@@ -54,7 +54,9 @@ QuadChanges::QuadChanges(MeshTopology& topology, const std::vector<double>& angl
     wanted_[v] = angleInUnits(anglesAtFixed[v]);
   for (std::size_t e = 0; e < elementCount(); ++e) {
     distortion_.push_back(topology_.isDead(e) ? 0 : distortionOf(elementAt(e)));
-    if (!topology_.isDead(e)) add(elementAt(e), 1);
+    if (topology_.isDead(e)) continue;
+    add(elementAt(e), 1);
+    hasTriangles_ |= !elementAt(e).isQuad();
   }
   open(closingRule);
 }
@@ -141,6 +143,9 @@ double QuadChanges::gainOf(const Change& change) const {
 }
 
 void QuadChanges::offer(Change change, const Leniency& leniency) {
+  if (!hasTriangles_ && !std::ranges::all_of(change.elements, &Element::isQuad) &&
+      std::ranges::all_of(change.places, [&](std::size_t e) { return isSoundAt(e); }))
+    return;
   double gain = gainOf(change), worst = leniency.worst;
   for (const std::size_t place : change.places) {
     if (!isOpen_[place]) return;

@@ -1,6 +1,7 @@
 // Evaluates replacements of elements by others, for meshes with quadrilaterals.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -26,7 +27,8 @@ struct Leniency {
 
 /// Chooses among changes by their cost. An element costs its distortion, and more if it is a
 /// triangle; a vertex costs the difference between the sum of its elements' ideal angles and the
-/// angle there.
+/// angle there. A mesh of sound quadrilaterals alone gets no
+/// triangles.
 class QuadChanges {
  public:
   /// See tidyQuads.
@@ -59,12 +61,14 @@ class QuadChanges {
 
  private:
   const Mesh& mesh() const { return topology_.mesh(); }
+  bool isSoundAt(std::size_t e) const { return std::isfinite(distortion_[e]); }
   void add(const Element& element, int sign);
   void open(std::optional<std::uint16_t> closingRule);
   double costOf(VertexId v, int sum) const;
 
   MeshTopology& topology_;
   ActRecorder* recorder_;
+  bool hasTriangles_ = false;
   std::vector<int> wanted_, sum_;     ///< by vertex: the angle there, the sum of ideal angles
   std::vector<std::uint8_t> isOpen_;  ///< by element
   std::vector<double> distortion_;    ///< by element

@@ -50,7 +50,6 @@ bool closeStuck(const FaceTask& task, FaceAttempt& attempt, std::size_t maxEdges
                             : closeFront(closed, origin, maxEdges);
   if (!isClosed || !faultOf(closed.mesh, af2::boundaryOf(task.boundary.input)).empty())
     return false;
-  attempt.closingElements = closed.mesh.elements.size() - attempt.result.mesh.elements.size();
   attempt.stuck = stuckPlaces(attempt.result);
   attempt.result = std::move(closed);
   attempt.fault = {};

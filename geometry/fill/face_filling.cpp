@@ -78,7 +78,9 @@ void take(MeshingResult& result, FaceBoundary& boundary, FaceMesh& mesh) {
 WithoutRuleCounts countWithoutRule(const FaceTask& task, const FaceAttempt& attempt,
                                    const FaceBoundary& boundary) {
   WithoutRuleCounts counts;
-  counts.closing = attempt.closingElements;
+  const ElementOrigin closing = originOf(WithoutRule::Closing, task.algorithm.rules());
+  counts.closing = static_cast<std::size_t>(
+      std::ranges::count(attempt.result.mesh.origins, closing.rule, &ElementOrigin::rule));
   for (const FaceBoundary::Fan& fan : boundary.fans) counts.fan += fan.rim.size() - 1;
   const Mesh& mesh = attempt.result.mesh;
   if (task.limits.ignoresNormals)

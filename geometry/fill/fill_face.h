@@ -28,9 +28,8 @@ struct FaceAttempt {
   bool isDrawnInParameters = false;    ///< then the front does not cross itself there
   bool chartsKnowOneSheet = false;     ///< `charts` know only one place of a vertex on a seam
   bool isOptimized = false;
-  double optimizeShare = 0;         ///< of the time, if optimised
-  std::size_t closingElements = 0;  ///< how many were made without a rule, to close a stuck front
-  std::size_t searchCost = 0;       ///< candidates of the front that were examined for it
+  double optimizeShare = 0;    ///< of the time, if optimised
+  std::size_t searchCost = 0;  ///< candidates of the front that were examined for it
 };
 
 /// The result of all the ways that were tried.

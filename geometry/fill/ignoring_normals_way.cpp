@@ -29,7 +29,6 @@ bool closeAcrossLoops(const FaceTask& task, FaceAttempt& attempt) {
   MeshingResult closed = attempt.result;
   if (!closeLoops(closed, originOf(WithoutRule::Closing, task.algorithm.rules()))) return false;
   if (!isFilled(task, closed.mesh)) return false;
-  attempt.closingElements = closed.mesh.elements.size() - attempt.result.mesh.elements.size();
   attempt.stuck = stuckPlaces(attempt.result);
   attempt.result = std::move(closed);
   attempt.fault = {};

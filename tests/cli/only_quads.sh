@@ -45,10 +45,14 @@ told 'odd.poly: triangles remain, which --elements quad does not accept: face 1 
 [ "$(json odd.json faces 0 odd_loops 0 longest sizes)" = 2.0 ] || fail "the report names no edge to be divided"
 [ -s odd.vtu ] || fail "the mesh was not written"
 
-# An even boundary, but no room: two triangles would make one flat quadrilateral.
+# An even boundary with a straight corner: one quadrilateral would be flat, so it gets more.
 printf '3 2 0 0\n1 0 0\n2 1 0\n3 0 1\n3 0\n1 1 2\n2 2 3\n3 3 1\n0\n' >corner.poly
-expect 3 "$af2" mesh corner.poly --size 2 --elements quad --quiet
-told 'face 1 (2 triangles, one of them at (0.5, 0.167, 0); elements cannot change enough to join them)'
+expect 0 "$af2" mesh corner.poly --size 2 --elements quad --quiet
+
+# An even boundary, but no room.
+sed 's/^3 0 1$/3 0.5 0.0001/' corner.poly >needle.poly
+expect 3 "$af2" mesh needle.poly --size 2 --elements quad --quiet
+told 'face 1 (2 triangles, one of them at (0.00748, 7.48e-07, 0); elements cannot change enough to join them)'
 
 # How long to look for better meshes.
 for level in fast good best; do

@@ -4,6 +4,7 @@
 
 #include "geometry/fill/boundary_alone_way.h"
 #include "geometry/fill/close_front.h"
+#include "geometry/mesh/without_rule.h"
 #include "tests/geometry/fill/flat_face.h"
 
 namespace af2::geometry {
@@ -25,7 +26,8 @@ TEST(ClosingWay, ClosesTheFirstFrontThatCanBeClosed) {
   state.failed.push_back(stuckAtOnce(task));
   const FaceAttempt closed = fillByClosing(state);
   EXPECT_TRUE(closed.fault.isNone());
-  EXPECT_EQ(closed.closingElements, 2u);
+  const ElementOrigin closing = originOf(WithoutRule::Closing, task.algorithm.rules());
+  EXPECT_EQ(closed.result.mesh.origins, (std::vector{closing, closing}));
   EXPECT_EQ(closed.searchCost, 0u) << "what the front cost is counted already";
 }
 
