@@ -46,7 +46,7 @@ constexpr ComparedMeasure kMeasures[] = {
      [](Case c) { return Value(static_cast<double>(c.failedFaces)); }},
     {"stuck", "faces with a front that got stuck, also if it was closed afterwards", Better::Lower,
      [](Case c) { return Value(static_cast<double>(c.stuckFaces)); }},
-    {"without_rule", "elements that no rule made, before optimization, over all elements",
+    {"without_rule", "elements that no rule made, over all elements",
      Better::Lower, [](Case c) { return share(c.withoutRule, c.measures.elements()); }},
     {"elements", "number of elements", Better::Neither,
      [](Case c) { return ofMesh(c, static_cast<double>(c.measures.elements())); }},

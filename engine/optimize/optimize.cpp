@@ -10,6 +10,7 @@
 #include "engine/optimize/edge_collapse.h"
 #include "engine/optimize/edge_swap.h"
 #include "engine/optimize/patch_filling.h"
+#include "engine/optimize/quad_division.h"
 #include "engine/optimize/quad_search.h"
 #include "engine/optimize/quad_tidying.h"
 #include "engine/optimize/smoothing.h"
@@ -110,7 +111,8 @@ class QuadCleaner {
   std::size_t clean(int depth, const FillingEffort& effort) {
     if (depth == 0) return 0;
     const std::size_t found = searchQuads(editor_, depth, stop_);
-    return found + fillPatches(editor_, effort, stop_);
+    const std::size_t filled = fillPatches(editor_, effort, stop_);
+    return found + filled + divideFlatQuads(editor_, stop_);
   }
 
   PatchEditor editor_;

@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
+#include "engine/optimize/quad_division.h"
 #include "engine/optimize/quad_search.h"
-#include "engine/optimize/triangle_division.h"
 
 namespace af2 {
 namespace {

@@ -148,6 +148,7 @@ class PieceJoiner {
     joined_.steps += result.steps;
     joined_.failedSteps += result.failedSteps;
     joined_.candidates += result.candidates;
+    joined_.acts += result.acts;
     result.mesh = {};
   }
 

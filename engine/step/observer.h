@@ -58,6 +58,15 @@ struct FrontAct {
 /// How often an advance did what a FrontAct tells.
 struct FrontActCounts {
   std::size_t welds = 0, rows = 0, moves = 0, columns = 0, paths = 0;
+  FrontActCounts& operator+=(const FrontActCounts& more) {
+    welds += more.welds;
+    rows += more.rows;
+    moves += more.moves;
+    columns += more.columns;
+    paths += more.paths;
+    return *this;
+  }
+  bool operator==(const FrontActCounts&) const = default;
 };
 
 /// Receives every step of a run. Called from the thread that runs the engine.

@@ -135,6 +135,7 @@ void fillAndJudge(const FaceFilling& filling, FaceBoundary& boundary, FaceMesh& 
   if (task.options.quads.onlyQuads)
     joinTriangles(attempt.result.mesh, boundaryOf(task.boundary.input), *attempt.charts,
                   task.options.stop);
+  mesh.report.acts = attempt.result.acts;
   mesh.report.withoutRule = countWithoutRule(task, attempt, boundary);
   mesh.report.stuck = std::move(attempt.stuck);
   if (filling.findParameters) filling.findParameters(mesh.report.stuck);

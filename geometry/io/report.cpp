@@ -35,6 +35,14 @@ Json toJson(const FaceReport::OddLoop& odd) {
   return json;
 }
 
+Json toJson(const FrontActCounts& acts) {
+  return {{"welds", acts.welds},
+          {"rows", acts.rows},
+          {"moves", acts.moves},
+          {"columns", acts.columns},
+          {"paths", acts.paths}};
+}
+
 Json toJson(const FaceReport& face, const std::vector<std::string>& ruleNames) {
   Json json{{"id", face.id}};
   if (!face.name.empty()) json["name"] = face.name;
@@ -46,6 +54,7 @@ Json toJson(const FaceReport& face, const std::vector<std::string>& ruleNames) {
   json["seconds"] = face.seconds;
   json["reason"] = face.reason;
   if (face.withoutRule.total() > 0) json["without_rule"] = toJson(face.withoutRule);
+  if (face.acts != FrontActCounts{}) json["acts"] = toJson(face.acts);
   if (face.triangles > 0) json["triangles"] = face.triangles;
   if (face.triangles > 0) json["first_triangle"] = toJson(face.firstTriangle);
   for (const FaceReport::OddLoop& odd : face.oddLoops)

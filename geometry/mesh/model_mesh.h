@@ -14,6 +14,7 @@
 #include "engine/mesh/mesh.h"
 #include "engine/rule/refusal.h"
 #include "engine/step/front_piece.h"
+#include "engine/step/observer.h"
 #include "geometry/mesh/without_rule.h"
 
 namespace af2::geometry {
@@ -44,7 +45,8 @@ struct FaceReport {
   std::string reason;                      ///< where and why, when it failed
   std::vector<std::string> attempts = {};  ///< unsuccessful attempts
   std::vector<StuckPlace> stuck = {};      ///< where its front got stuck, if it did
-  WithoutRuleCounts withoutRule = {};      ///< elements as they were made, before optimisation
+  WithoutRuleCounts withoutRule = {};      ///< or in the places of such elements
+  FrontActCounts acts = {};               ///< of the front, beside steps
   struct Segment {
     Point3 from, to;
     double sizes = 0;  ///< its length in wanted sizes

@@ -54,6 +54,10 @@ sed 's/^3 0 1$/3 0.5 0.0001/' corner.poly >needle.poly
 expect 3 "$af2" mesh needle.poly --size 2 --elements quad --quiet
 told 'face 1 (2 triangles, one of them at (0.00748, 7.48e-07, 0); elements cannot change enough to join them)'
 
+# What the front did beside adding elements is told.
+expect 0 "$af2" mesh "$plate" --size 0.05 --elements quad -r quad/paving --report acts.json --quiet
+grep -q '"rows": [1-9]' acts.json || fail "the report lacks the rows of the front"
+
 # How long to look for better meshes.
 for level in fast good best; do
   expect 0 "$af2" mesh "$plate" --size 0.1 --elements quad --quality $level -o $level.vtu --quiet

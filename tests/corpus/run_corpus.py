@@ -58,6 +58,8 @@ class Row:
     failed: int = 0
     closed_by_hand: int = 0
     elements: int = 0
+    quads: int = 0
+    faces_with_triangles: int = 0  # only with --elements quad
     mean: float = 0.0
     p1: float = 0.0
     min_angle: float = 0.0
@@ -81,7 +83,8 @@ def options() -> argparse.Namespace:
     parser.add_argument("--from", dest="earlier", type=Path, help="table of an earlier run, in JSON")
     parser.add_argument("--into", type=Path, help="page in Markdown that gets the table")
     parser.add_argument("--section", help="which part of that page")
-    parser.add_argument("--rules", default="tri/even.af2")
+    parser.add_argument("--rules", help="rule file; default: that of AF2")
+    parser.add_argument("--elements", choices=("any", "quad"), default="any")
     parser.add_argument("--scale", type=float, default=1, help="multiplies all sizes")
     parser.add_argument("--curvature", type=float, help="elements around a full turn")
     parser.add_argument("-j", type=int, default=1, help="models at the same time")
@@ -144,8 +147,10 @@ def run_one(arguments: argparse.Namespace, model: Path, size: float) -> Row:
             if not write_triangles(arguments, model, source):
                 row.status, row.exit_code, row.reason = "refused", 1, "not written as STL"
                 return row
-        command = [arguments.af2, "mesh", str(source), "-q", "-r", arguments.rules, "-s", repr(row.size),
-                   "-o", str(mesh), "--report", str(report), "-j", "1"]
+        command = [arguments.af2, "mesh", str(source), "-q", "-s", repr(row.size), "-o", str(mesh),
+                   "--report", str(report), "-j", "1", "--elements", arguments.elements]
+        if arguments.rules:
+            command += ["-r", arguments.rules]
         if arguments.curvature:
             command += ["--curvature", repr(arguments.curvature)]
         run_limited(row, command, arguments.limit)
@@ -196,7 +201,9 @@ def read_report(row: Row, report: dict) -> None:
     row.faces = len(report["faces"])
     failed = [face for face in report["faces"] if face["status"] == "failed"]
     row.failed = len(failed)
-    row.elements = report["triangles"] + report["quads"]
+    row.quads = report["quads"]
+    row.elements = report["triangles"] + row.quads
+    row.faces_with_triangles = sum(f.get("triangles", 0) > 0 for f in report["faces"])
     row.mean, row.p1 = report["quality"]["mean"], report["quality"]["p1"]
     row.min_angle = report["quality"]["min_angle"]
     row.notes = [f"face {f['id']} ({f['surface_type']}): {f['reason']}" for f in report["faces"] if f["reason"]]
@@ -264,6 +271,15 @@ def table(rows: list) -> str:
     return "\n".join(lines)
 
 
+def about_quads(rows: list) -> str:
+    quads, elements, faces, others = (sum(getattr(r, name) for r in rows)
+                                      for name in ("quads", "elements", "faces", "faces_with_triangles"))
+    if quads == 0:
+        return ""
+    return (f" {100 * quads / elements:.2f} % of the elements are quadrilaterals. With --elements quad: "
+            f"{others} of {faces} faces ({100 * others / faces:.1f} %) have triangles.")
+
+
 def summary(rows: list) -> str:
     count = {}
     for row in rows:
@@ -274,7 +290,7 @@ def summary(rows: list) -> str:
     share = 100 * len(sound) / max(len(readable), 1)
     return (f"{len(rows)} models: {text}. Of {len(readable)} that were read, {len(sound)} ({share:.1f} %) are complete "
             f"and sound; {sum(r.elements for r in rows)} elements, {sum(r.seconds for r in rows):.0f} s, "
-            f"the slowest {max(r.seconds for r in rows):.1f} s.")
+            f"the slowest {max(r.seconds for r in rows):.1f} s." + about_quads(rows))
 
 
 def replace_section(page: Path, section: str, text: str) -> None:

@@ -63,6 +63,17 @@ TEST(Report, TellsOfEachFace) {
   EXPECT_EQ(json["faces"][5]["name"], "lid");
 }
 
+TEST(Report, CountsActsOfTheFront) {
+  ModelMesh mesh = cubeMesh();
+  mesh.faces[1].acts.welds = 3;
+  mesh.faces[1].acts.columns = 2;
+  const nlohmann::json faces = written(complete(), mesh)["faces"];
+  EXPECT_FALSE(faces[0].contains("acts"));
+  EXPECT_EQ(
+      faces[1]["acts"],
+      nlohmann::json::parse(R"({"welds": 3, "rows": 0, "moves": 0, "columns": 2, "paths": 0})"));
+}
+
 TEST(Report, TellsWhereAFrontGotStuckAndWhyEachRuleWasRefused) {
   ModelMesh mesh = cubeMesh();
   MeshingResult result;

@@ -1,10 +1,12 @@
-#include "engine/optimize/triangle_division.h"
+#include "engine/optimize/quad_division.h"
 
 #include <algorithm>
 #include <array>
 #include <optional>
 #include <utility>
 #include <vector>
+
+#include "engine/mesh/element_measures.h"
 
 namespace af2 {
 namespace {
@@ -17,9 +19,11 @@ class Division {
   /// Takes the elements and those around them.
   Division(PatchEditor& editor, std::span<const std::size_t> elements)
       : editor_(editor), topology_(editor.topology()) {
-    const Corner middle =
-        sideTowards(topology_, elements[elements.size() / 2], elements[elements.size() / 2 - 1]);
-    if (middle.isNone() || !editor_.take(topology_.vertexAt(middle), elements)) return;
+    const std::size_t middle = elements.size() / 2;
+    const Corner seed = middle == 0
+                            ? Corner(elements[0], 0)
+                            : sideTowards(topology_, elements[middle], elements[middle - 1]);
+    if (seed.isNone() || !editor_.take(topology_.vertexAt(seed), elements)) return;
     before_ = editor_.jacobians();
     if (!before_) return;
     patch_ = editor_.patch();
@@ -51,10 +55,10 @@ class Division {
   void add(const QuadPatch::Ring& ring) { rings_.push_back(ring); }
 
   bool hasPatch() const { return before_.has_value(); }
-  bool putBack(double leastJacobian) {
+  double leastBefore() const { return before_->least; }
+  bool putBack(double leastJacobian, FinishAct::Kind kind) {
     return isSound_ && patch_.refill(gone_, rings_) &&
-           editor_.putBack(patch_, std::move(points_), {std::min(leastJacobian, before_->least)},
-                           FinishAct::Kind::Pairing);
+           editor_.putBack(patch_, std::move(points_), {leastJacobian}, kind);
   }
 
  private:
@@ -67,6 +71,31 @@ class Division {
   std::vector<QuadPatch::Ring> rings_;
   bool isSound_ = true;
 };
+
+/// Puts a quadrilateral with four others around it within an outline.
+bool divideOutline(Division& division, const std::array<Corner, 4>& outline, double leastJacobian,
+                   FinishAct::Kind kind) {
+  Point2 center;
+  for (const Corner c : outline) center = center + 0.25 * division.pointAt(c);
+  std::array<Vertex, 4> inner{};
+  for (std::size_t i = 0; i < 4; ++i)
+    inner[i] = division.add(0.5 * (center + division.pointAt(outline[i])));
+  division.add(inner);
+  for (std::size_t i = 0; i < 4; ++i) {
+    const std::size_t next = (i + 1) % 4;
+    division.add({division.at(outline[i]), division.at(outline[next]), inner[next], inner[i]});
+  }
+  return division.putBack(leastJacobian, kind);
+}
+
+/// Whether an element has a corner with fixed sides.
+bool hasFixedCorner(const MeshTopology& topology, std::size_t element) {
+  const auto corners = topology.mesh().elements[element].vertices();
+  const auto isFixed = [&](std::size_t i) { return topology.isFixed(corners[i % corners.size()]); };
+  for (std::size_t i = 0; i < corners.size(); ++i)
+    if (isFixed(i) && isFixed(i + 1) && isFixed(i + 2)) return true;
+  return false;
+}
 
 }  // namespace
 
@@ -137,29 +166,43 @@ bool divideAlong(PatchEditor& editor, std::span<const std::size_t> path,
     }
   }
   if (!beyond) divideTriangle(topology.across(out), exit);
-  return division.putBack(leastJacobian);
+  return division.putBack(std::min(leastJacobian, division.leastBefore()),
+                          FinishAct::Kind::Pairing);
 }
 
 bool divideInRing(PatchEditor& editor, std::size_t triangle, std::size_t beyond,
                   double leastJacobian) {
   const MeshTopology& topology = editor.topology();
+  const Corner side = sideTowards(topology, triangle, beyond);
+  if (side.isNone()) return false;
   const std::array both{triangle, beyond};
   Division division(editor, both);
-  const Corner side = sideTowards(topology, triangle, beyond);
-  if (!division.hasPatch() || side.isNone()) return false;
-  const std::array<Corner, 4> outline{
-      topology.previous(side), side, topology.previous(topology.across(side)), topology.next(side)};
-  Point2 center;
-  for (const Corner c : outline) center = center + 0.25 * division.pointAt(c);
-  std::array<Vertex, 4> inner{};
-  for (std::size_t i = 0; i < 4; ++i)
-    inner[i] = division.add(0.5 * (center + division.pointAt(outline[i])));
-  division.add(inner);
-  for (std::size_t i = 0; i < 4; ++i) {
-    const std::size_t next = (i + 1) % 4;
-    division.add({division.at(outline[i]), division.at(outline[next]), inner[next], inner[i]});
+  return division.hasPatch() &&
+         divideOutline(division,
+                       {topology.previous(side), side, topology.previous(topology.across(side)),
+                        topology.next(side)},
+                       std::min(leastJacobian, division.leastBefore()), FinishAct::Kind::Pairing);
+}
+
+std::size_t divideFlatQuads(PatchEditor& editor, const std::stop_token& stop) {
+  constexpr double kFlat = 0.35, kGain = 0.1;
+  const MeshTopology& topology = editor.topology();
+  std::size_t divided = 0;
+  for (std::size_t e = 0, n = topology.mesh().elements.size(); e < n; ++e) {
+    if (stop.stop_requested()) break;
+    if (topology.isDead(e) || !topology.mesh().elements[e].isQuad()) continue;
+    if (!hasFixedCorner(topology, e)) continue;
+    const std::array one{e};
+    Division division(editor, one);
+    if (!division.hasPatch()) continue;
+    const std::array<Corner, 4> outline{Corner(e, 0), Corner(e, 1), Corner(e, 2), Corner(e, 3)};
+    std::array<Point2, 4> points;
+    std::ranges::transform(outline, points.begin(), [&](Corner c) { return division.pointAt(c); });
+    const double here = scaledJacobian(points);
+    if (here < kFlat && divideOutline(division, outline, here + kGain, FinishAct::Kind::Search))
+      ++divided;
   }
-  return division.putBack(leastJacobian);
+  return divided;
 }
 
 }  // namespace af2

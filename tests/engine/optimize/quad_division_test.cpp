@@ -1,11 +1,12 @@
 // That triangles which cannot be joined become quadrilaterals by division of what lies between.
-#include "engine/optimize/triangle_division.h"
+#include "engine/optimize/quad_division.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <vector>
 
+#include "engine/mesh/element_measures.h"
 #include "engine/mesh/mesh_check.h"
 #include "engine/optimize/optimize.h"
 #include "tests/support/flat_surface.h"
@@ -74,7 +75,7 @@ std::vector<Element> divided(const Divide& divide) {
   return strip.mesh.elements;
 }
 
-TEST(TriangleDivision, DividesAStripLengthwise) {
+TEST(QuadDivision, DividesAStripLengthwise) {
   const std::vector<std::size_t> path{0, 1, 2, 3, 4, 5};
   const std::vector<Element> elements =
       divided([&](PatchEditor& editor) { return divideAlong(editor, path, std::nullopt, 0.1); });
@@ -82,7 +83,7 @@ TEST(TriangleDivision, DividesAStripLengthwise) {
   EXPECT_TRUE(std::ranges::all_of(elements, &Element::isQuad));
 }
 
-TEST(TriangleDivision, MovesTheTriangleToTheEndOfThePart) {
+TEST(QuadDivision, MovesTheTriangleToTheEndOfThePart) {
   const std::vector<std::size_t> part{0, 1, 2};
   const std::vector<Element> elements =
       divided([&](PatchEditor& editor) { return divideAlong(editor, part, 3, 0.1); });
@@ -90,18 +91,18 @@ TEST(TriangleDivision, MovesTheTriangleToTheEndOfThePart) {
   EXPECT_EQ(std::ranges::count_if(elements, &Element::isQuad), 6);
 }
 
-TEST(TriangleDivision, GoesAnyDistanceInStages) {
+TEST(QuadDivision, GoesAnyDistanceInStages) {
   Outlined strip = stripWithTips(90, 0.8);
   expectOnlyQuads(strip);
 }
 
-TEST(TriangleDivision, StripsMayBeNarrow) {
+TEST(QuadDivision, StripsMayBeNarrow) {
   Outlined strip = stripWithTips(6, 0.05);
   expectOnlyQuads(strip);
 }
 
 /// Without a quadrilateral between them, and with an outline that is straight at a vertex.
-TEST(TriangleDivision, TwoTrianglesAloneGetARing) {
+TEST(QuadDivision, TwoTrianglesAloneGetARing) {
   Outlined triangle({{0, 0}, {1, 0}, {2, 0}, {1, 1.7}});
   triangle.add({0, 1, 3});
   triangle.add({1, 2, 3});
@@ -110,7 +111,7 @@ TEST(TriangleDivision, TwoTrianglesAloneGetARing) {
 }
 
 /// A strip with one segment more on one side at each of two places; the triangles share a side.
-TEST(TriangleDivision, TrianglesBesideEachOtherGoApartFirst) {
+TEST(QuadDivision, TrianglesBesideEachOtherGoApartFirst) {
   Outlined strip(
       {{0, 0}, {1, 0}, {2, 0}, {3, 0}, {4, 0}, {5, 0}, {5, 0.8}, {3, 0.8}, {1, 0.8}, {0, 0.8}});
   strip.add({0, 1, 8, 9});
@@ -129,7 +130,7 @@ TEST(TriangleDivision, TrianglesBesideEachOtherGoApartFirst) {
 }
 
 /// An odd boundary keeps one triangle, and nothing changes.
-TEST(TriangleDivision, ATriangleAloneStays) {
+TEST(QuadDivision, ATriangleAloneStays) {
   Outlined outlined({{0, 0}, {1, 0}, {2, 0.4}, {1, 0.8}, {0, 0.8}});
   outlined.add({0, 1, 3, 4});
   outlined.add({1, 2, 3});
@@ -140,7 +141,7 @@ TEST(TriangleDivision, ATriangleAloneStays) {
 
 /// An L of three squares with a triangle on each of its ends; the triangles in both orders, so that
 /// the way turns to the left and to the right.
-TEST(TriangleDivision, TheWayMayTurn) {
+TEST(QuadDivision, TheWayMayTurn) {
   for (const bool isLeft : {true, false}) {
     Outlined corner(
         {{0, 0}, {1, 0}, {2, 0}, {2, 1}, {2, 2}, {1.5, 2.8}, {1, 2}, {1, 1}, {0, 1}, {-0.8, 0.5}});
@@ -152,6 +153,48 @@ TEST(TriangleDivision, TheWayMayTurn) {
     if (!isLeft) corner.add({4, 5, 6});
     expectOnlyQuads(corner);
   }
+}
+
+/// The least scaled Jacobian of a mesh in the plane.
+double leastJacobian(const Mesh& mesh) {
+  double least = 1;
+  for (const Element& element : mesh.elements) {
+    std::vector<Point2> points;
+    for (const VertexId v : element.vertices()) {
+      const Point3& p = mesh.vertices[v.value].position;
+      points.push_back({p.x, p.y});
+    }
+    least = std::min(least, scaledJacobian(points));
+  }
+  return least;
+}
+
+std::size_t countDividedFlatQuads(Outlined& outlined) {
+  MeshTopology topology(outlined.mesh, boundaryOf(outlined.input));
+  const FlatMaker maker;
+  PatchEditor editor(topology, maker, topology.anglesAtFixed());
+  const std::size_t divided = divideFlatQuads(editor, {});
+  topology.compact();
+  EXPECT_TRUE(checkMesh(outlined.mesh, outlined.input).empty());
+  return divided;
+}
+
+TEST(QuadDivision, FlatQuadsAreDividedWhereTheBoundaryIsNearlyStraight) {
+  Outlined flat({{0, 0}, {1, -0.1}, {2, 0}, {1, 1.7}});
+  flat.add({0, 1, 2, 3});
+  const double before = leastJacobian(flat.mesh);
+  EXPECT_LT(before, 0.25);
+  EXPECT_EQ(countDividedFlatQuads(flat), 1u);
+  EXPECT_EQ(flat.mesh.elements.size(), 5u);
+  EXPECT_GT(leastJacobian(flat.mesh), before + 0.1);
+}
+
+/// Its sharp corner cannot become wider.
+TEST(QuadDivision, SharpOnesStay) {
+  Outlined sharp({{0, 0}, {1, -0.1}, {1.6, 0}, {1, 0.1}});
+  sharp.add({0, 1, 2, 3});
+  EXPECT_EQ(countDividedFlatQuads(sharp), 0u);
+  EXPECT_EQ(sharp.mesh.elements.size(), 1u);
 }
 
 }  // namespace

@@ -1,8 +1,9 @@
-// Turns two triangles into quadrilaterals by dividing the elements between them.
+// Divides quadrilaterals and triangles so that only quadrilaterals are left, or better ones.
 #pragma once
 
 #include <optional>
 #include <span>
+#include <stop_token>
 
 #include "engine/optimize/patch_editor.h"
 
@@ -29,5 +30,10 @@ bool divideAlong(PatchEditor& editor, std::span<const std::size_t> path,
 /// outline may be straight at a vertex. See divideAlong for the rest.
 bool divideInRing(PatchEditor& editor, std::size_t triangle, std::size_t beyond,
                   double leastJacobian);
+
+/// Does the same with quadrilaterals that are flat at a corner of which both sides are fixed, such
+/// as those in tips: no vertex can move to make them better. Each must make its surroundings better
+/// shaped. Returns the number of quadrilaterals that were divided.
+std::size_t divideFlatQuads(PatchEditor& editor, const std::stop_token& stop);
 
 }  // namespace af2
