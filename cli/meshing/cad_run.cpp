@@ -5,6 +5,7 @@
 #include "cli/meshing/model_runs.h"
 #include "cli/program/progress_bar.h"
 #include "geometry/check/sounder_mesh.h"
+#include "geometry/occ/assembly/contacts.h"
 #include "geometry/occ/heal/heal_model.h"
 #include "geometry/occ/run/mesh_model.h"
 
@@ -48,6 +49,16 @@ geometry::ModelMesh meshAll(const geometry::Model& model, geometry::MeshingOptio
   return mesh;
 }
 
+/// For a note, which must cost little: for all pairs of a large assembly there is `af2 inspect`.
+geometry::PartContacts contactsToTell(const MeshRequest& request, const geometry::Model& model) {
+  if (!request.options.faces.empty()) return {};  // the other parts are not meshed
+  geometry::ContactOptions options;
+  options.maxFaces = 150;
+  options.secondsForPair = 2;
+  options.seconds = 5;
+  return geometry::findContacts(model, options);
+}
+
 }  // namespace
 
 geometry::ModelMesh runCad(const MeshRequest& request, const AF2Algorithm& algorithm,
@@ -61,6 +72,7 @@ geometry::ModelMesh runCad(const MeshRequest& request, const AF2Algorithm& algor
     bar.show("healing", 0, request.model.filename().string());
     model = geometry::healModel(asRead, {request.healTolerance});
   }
+  const geometry::PartContacts contacts = contactsToTell(request, model);
   const double readSeconds = reading.seconds();
   checkIds(request, model.faceCount(), model.edgeCount());
   const GivenUp givenUp = control.givenUp ? *control.givenUp : GivenUp();
@@ -80,6 +92,7 @@ geometry::ModelMesh runCad(const MeshRequest& request, const AF2Algorithm& algor
         geometry::Healing{request.healTolerance,
                           {},
                           {"the repairs were left out: when tried, " + request.healingEnd}};
+  mesh.contacts = contacts;
   mesh.seconds.read = readSeconds;
   return mesh;
 }

@@ -17,8 +17,10 @@
 #include "cli/program/verbs.h"
 #include "cli/rules/picture_format.h"
 #if AF2_HAVE_OCC
+#include "cli/meshing/contact_texts.h"
 #include "cli/meshing/defect_picture.h"
 #include "cli/meshing/mesh_summary.h"
+#include "geometry/occ/assembly/contacts.h"
 #include "geometry/occ/heal/heal_model.h"
 #include "geometry/occ/inspect/defects.h"
 #include "geometry/occ/inspect/edge_list.h"
@@ -100,6 +102,7 @@ int inspect(const InspectOptions& options, const InspectRequest& request) {
   if (options.edges) printEdges(geometry::edgesOf(model));
   printGroups(model.groups());
   if (options.brief && options.picture.empty()) return kComplete;
+  if (!options.brief) fmt::print("{}", contactTable(geometry::findContacts(model), options.all));
   const double size = request.size > 0 ? request.size : model.diagonal() / kSizesPerDiagonal;
   const std::vector<Defect> defects = geometry::findDefects(model, size);
   if (!options.brief) printDefects(defects, size, options.all);

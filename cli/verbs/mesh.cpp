@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <filesystem>
 
+#include "cli/meshing/contact_texts.h"
 #include "cli/meshing/mesh_run.h"
 #include "cli/meshing/mesh_summary.h"
 #include "cli/meshing/model_runs.h"
@@ -84,8 +85,8 @@ void printResult(const MeshRequest& request, const RunReport& report, const Mode
   if (!request.quiet && request.stuckTests.empty()) text += stuckText(mesh);
   std::fputs(text.c_str(), stderr);  // does not throw if stderr is closed
   if (!request.quiet)
-    fmt::print("{}{}{}{}", unitText(mesh), notesText(mesh.notes), healingText(mesh.healing),
-               summaryText(mesh, report.quality));
+    fmt::print("{}{}{}{}{}", unitText(mesh), notesText(mesh.notes), healingText(mesh.healing),
+               contactWarning(mesh.contacts), summaryText(mesh, report.quality));
 }
 
 /// The status of a run, from its faces and from the checks of the whole mesh.

@@ -65,6 +65,22 @@ Json toJson(const Healing& healing) {
   return {{"tolerance", healing.tolerance}, {"changes", changes}, {"undone", healing.undone}};
 }
 
+Json toJson(const PartContacts& contacts) {
+  Json pairs = Json::array();
+  for (const PartContact& pair : contacts.pairs) {
+    Json entry{{"kind", toString(pair.kind)}, {"parts", {pair.one, pair.other}}};
+    if (pair.kind != ContactKind::Unknown) {
+      entry["area"] = pair.area;
+      entry["length"] = pair.length;
+      entry["volume"] = pair.volume;
+      entry["place"] = {pair.place.x, pair.place.y, pair.place.z};
+      entry["equal_faces"] = pair.twins;
+    }
+    pairs.push_back(std::move(entry));
+  }
+  return {{"parts", contacts.parts}, {"pairs", pairs}, {"not_compared", contacts.notCompared}};
+}
+
 Json toJson(const StageSeconds& seconds) {
   return {{"read", seconds.read},
           {"edges", seconds.edges},
@@ -178,6 +194,7 @@ void writeReport(const RunReport& report, const ModelMesh& mesh, OutputFile& fil
                               {"edges", boundary.edges}});
   if (!mesh.notes.empty()) json["notes"] = mesh.notes;
   if (mesh.healing) json["healing"] = toJson(*mesh.healing);
+  if (mesh.contacts.parts > 1) json["contacts"] = toJson(mesh.contacts);
   for (const auto& [name, value] : report.sections) json[name] = Json::parse(value);
   json["seconds"] = toJson(mesh.seconds);
   json["quality"] = toJson(report.quality);

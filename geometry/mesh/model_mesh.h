@@ -14,6 +14,7 @@
 #include "engine/mesh/mesh.h"
 #include "engine/rule/refusal.h"
 #include "engine/step/front_piece.h"
+#include "geometry/mesh/contact.h"
 #include "geometry/mesh/without_rule.h"
 
 namespace af2::geometry {
@@ -156,6 +157,7 @@ struct ModelMesh {
   std::string fileUnit;               ///< unit used in the file, as named there; may be empty
   std::vector<std::string> notes;     ///< repairs made while reading
   std::optional<Healing> healing;     ///< if the model was healed
+  PartContacts contacts;              ///< of the model, where its parts share nothing
   /// Findings of the last checks that do not concern a single face, and faces of the file that were
   /// lost.
   std::vector<std::string> findings;
