@@ -85,8 +85,9 @@ void printResult(const MeshRequest& request, const RunReport& report, const Mode
   if (!request.quiet && request.stuckTests.empty()) text += stuckText(mesh);
   std::fputs(text.c_str(), stderr);  // does not throw if stderr is closed
   if (!request.quiet)
-    fmt::print("{}{}{}{}{}", unitText(mesh), notesText(mesh.notes), healingText(mesh.healing),
-               contactWarning(mesh.contacts), summaryText(mesh, report.quality));
+    fmt::print("{}{}{}{}{}{}", unitText(mesh), notesText(mesh.notes), healingText(mesh.healing),
+               imprintText(mesh.imprinting), contactWarning(mesh.contacts),
+               summaryText(mesh, report.quality));
 }
 
 /// The status of a run, from its faces and from the checks of the whole mesh.
@@ -143,6 +144,7 @@ int meshSafely(const MeshRequest& request) {
   if (request.kind() != ModelKind::Cad) return meshAndReport(request, nullptr, {});
   RunLimits limits;
   limits.first = secondsToRead(std::filesystem::file_size(request.model));
+  if (request.imprint.isAsked) limits.first += 2 * kImprintSeconds;
   const auto run = [&](const MeshRequest& asked) {
     return supervise(limits, [&](RunLog& log, const GivenUp& givenUp) {
       return meshAndReport(asked, &log, givenUp);
@@ -151,11 +153,17 @@ int meshSafely(const MeshRequest& request) {
   try {
     return run(request);
   } catch (const RunEnded& end) {
-    if (!request.heal || request.asksByNumber()) throw;
-    MeshRequest unhealed = request;
-    unhealed.heal = false;
-    unhealed.healingEnd = end.cause;
-    return run(unhealed);
+    if (request.asksByNumber() || (!request.heal && !request.imprint.isAsked)) throw;
+    // What was done last is the likeliest cause.
+    MeshRequest less = request;
+    if (request.imprint.isAsked) {
+      less.imprint = {};
+      less.imprint.end = end.cause;
+      return meshSafely(less);
+    }
+    less.heal = false;
+    less.healingEnd = end.cause;
+    return run(less);
   }
 }
 

@@ -5,6 +5,7 @@
 #include <GProp_GProps.hxx>
 #include <Standard_Failure.hxx>
 #include <TopExp.hxx>
+#include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 #include <algorithm>
 #include <cmath>
@@ -56,9 +57,12 @@ class Comparison {
     if (shapes.empty()) throw GeometryError("a part vanished");
     for (const TopoDS_Shape& shape : shapes) {
       TopExp::MapShapes(shape, TopAbs_SOLID, pieces.solids);
-      TopExp::MapShapes(shape, TopAbs_FACE, pieces.faces);
-      TopExp::MapShapes(shape, TopAbs_EDGE, pieces.edges);
-      TopExp::MapShapes(shape, TopAbs_VERTEX, pieces.vertices);
+      for (TopExp_Explorer it(shape, TopAbs_FACE); it.More(); it.Next()) {
+        if (it.Current().Orientation() == TopAbs_INTERNAL) continue;  // a sheet in a solid
+        pieces.faces.Add(it.Current());
+        TopExp::MapShapes(it.Current(), TopAbs_EDGE, pieces.edges);
+        TopExp::MapShapes(it.Current(), TopAbs_VERTEX, pieces.vertices);
+      }
     }
     return pieces;
   }
