@@ -80,7 +80,8 @@ geometry::ModelMesh runCad(const MeshRequest& request, const AF2Algorithm& algor
     bar.show("imprinting", 0, request.model.filename().string());
     model = imprintedModel(model, request.imprint, control.stop);
   }
-  const geometry::PartContacts contacts = contactsToTell(request, model);
+  geometry::PartContacts contacts;
+  if (!control.stop.stop_requested()) contacts = contactsToTell(request, model);
   const double readSeconds = reading.seconds();
   checkIds(request, model.faceCount(), model.edgeCount());
   const GivenUp givenUp = control.givenUp ? *control.givenUp : GivenUp();

@@ -68,7 +68,7 @@ std::string contactWarning(const PartContacts& contacts) {
         kindText(contacts, ContactKind::Overlap, "overlap", "overlaps"),
         kindText(contacts, ContactKind::Coincide, "coincide", "coincides")})
     if (!part.empty()) text += (text.empty() ? "" : "; ") + part;
-  if (!text.empty()) text += ": their meshes do not match there";
+  if (!text.empty()) text += ": their meshes do not match there without --imprint";
   if (const std::size_t unknown = countOf(contacts, ContactKind::Unknown); unknown > 0)
     text += fmt::format("{}{} {} of parts could not be compared", text.empty() ? "" : "; ", unknown,
                         unknown == 1 ? "pair" : "pairs");

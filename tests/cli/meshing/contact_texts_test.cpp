@@ -30,7 +30,8 @@ PartContacts someContacts() {
 TEST(ContactTexts, WarnOfEachKindWithAnExample) {
   EXPECT_EQ(contactWarning(someContacts()),
             "note: 1 pair of parts touches, e.g. 'plate' and 'bolt' at (1, 2, 3); 1 pair of parts "
-            "overlaps, e.g. 'a' and 'b' at (0, 0, 0): their meshes do not match there; 1 pair of "
+            "overlaps, e.g. 'a' and 'b' at (0, 0, 0): their meshes do not match there without "
+            "--imprint; 1 pair of "
             "parts could not be compared; 4 more pairs of parts are close to each other and were "
             "not compared (af2 inspect lists all)\n");
 }
