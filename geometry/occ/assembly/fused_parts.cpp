@@ -28,7 +28,7 @@ constexpr double kVolumeKept = 1e-6;
 
 std::string textOf(double number) {
   char text[32];
-  std::snprintf(text, sizeof text, "%.6g", number);
+  std::snprintf(text, sizeof text, "%.9g", number);
   return text;
 }
 
@@ -175,11 +175,20 @@ class PartFuser {
         throw GeometryError("a piece of the solid '" + part.name + "' is not closed");
   }
 
+  /// What the tolerance can change of a volume.
+  double slackOf(const std::vector<TopoDS_Shape>& solids) const {
+    double area = 0;
+    for (const TopoDS_Shape& solid : solids) {
+      GProp_GProps surface;
+      BRepGProp::SurfaceProperties(solid, surface);
+      area += surface.Mass();
+    }
+    return tolerance_ * area;
+  }
+
   void checkVolume(const ModelPart& part, const std::vector<TopoDS_Shape>& pieces) const {
-    GProp_GProps surface;
-    BRepGProp::SurfaceProperties(part.shape, surface);
     const VolumeChange change = volumeChange({part.shape}, pieces);
-    if (!change.isWithin(tolerance_ * surface.Mass()))
+    if (!change.isWithin(slackOf({part.shape})))
       throw GeometryError("the volume of '" + part.name + "' would change from " +
                           textOf(change.before) + " to " + textOf(change.after));
   }
@@ -242,10 +251,10 @@ class PartFuser {
     fused.shapes = std::move(joined);
   }
 
-  static std::vector<TopoDS_Shape> joinedSolids(const std::vector<TopoDS_Shape>& pieces) {
+  std::vector<TopoDS_Shape> joinedSolids(const std::vector<TopoDS_Shape>& pieces) const {
     std::vector<TopoDS_Shape> solids = solidsBetween(outerFaces(pieces));
     const VolumeChange change = volumeChange(pieces, solids);
-    if (!change.isWithin(0))
+    if (!change.isWithin(slackOf(pieces)))
       throw GeometryError("pieces of a solid have the volume " + textOf(change.before) + ", but " +
                           textOf(change.after) + " after they are joined");
     return solids;
