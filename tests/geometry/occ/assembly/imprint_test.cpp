@@ -260,6 +260,31 @@ TEST(Imprint, ReturnsTheModelAsItWasIfItIsStopped) {
   EXPECT_EQ(model.groups(), before.groups());
 }
 
+TEST(Imprint, ReturnsTheModelAsItWasIfItTakesTooLong) {
+  ImprintOptions options;
+  options.seconds = 0;
+  const Model model = imprintModel(testing::touchingBoxes(), options);
+  EXPECT_EQ(model.imprinting()->undone, "it took longer than 0 seconds");
+  EXPECT_EQ(model.faceCount(), 12);
+}
+
+TEST(Imprint, KeepsTheOrientationOfSheets) {
+  const TopoDS_Shape sheet = testing::plane({testing::rectangle(-1, -1, 5, 5)}).Reversed();
+  const auto lift = [](const Model& model) {
+    double z = 0;
+    for (const ModelMesh mesh = testing::mesh(model, 1); const Element& e : mesh.elements) {
+      const auto at = [&](std::size_t k) { return mesh.vertices[e.corners[k].value]; };
+      z += cross(at(1) - at(0), at(2) - at(0)).z / 2;
+    }
+    return z;
+  };
+  const Model model =
+      imprintModel(assemblyOf({{"block", boxBetween({0, 0, 0}, {2, 2, 2})}, {"sheet", sheet}}));
+  // The closed block adds nothing, and its bottom takes the place of that part of the sheet.
+  EXPECT_NEAR(lift(testing::modelOf(sheet)), -36, 1e-9);
+  EXPECT_NEAR(lift(model), -32, 1e-9);
+}
+
 TEST(Imprint, LeavesAModelOfOnePartAsItIs) {
   const Model box = testing::box(1, 2, 3);
   const Model model = imprintModel(box);
