@@ -2,9 +2,12 @@
 #include <algorithm>
 #include <numeric>
 
+#include "cli/meshing/imprinted_model.h"
+#include "cli/meshing/mesh_summary.h"
 #include "cli/meshing/model_runs.h"
 #include "cli/program/progress_bar.h"
 #include "geometry/check/sounder_mesh.h"
+#include "geometry/occ/assembly/contacts.h"
 #include "geometry/occ/heal/heal_model.h"
 #include "geometry/occ/run/mesh_model.h"
 
@@ -48,6 +51,18 @@ geometry::ModelMesh meshAll(const geometry::Model& model, geometry::MeshingOptio
   return mesh;
 }
 
+/// For a note, which must cost little: for all pairs of a large assembly there is `af2 inspect`.
+geometry::PartContacts contactsToTell(const MeshRequest& request, const geometry::Model& model) {
+  if (!request.options.faces.empty()) return {};  // the other parts are not meshed
+  if (request.imprint.isAsked && !request.imprint.onlyEqual && model.imprinting()->undone.empty())
+    return {};  // parts share what they have in common
+  geometry::ContactOptions options;
+  options.maxFaces = 150;
+  options.secondsForPair = 2;
+  options.seconds = 5;
+  return geometry::findContacts(model, options);
+}
+
 }  // namespace
 
 geometry::ModelMesh runCad(const MeshRequest& request, const AF2Algorithm& algorithm,
@@ -61,6 +76,12 @@ geometry::ModelMesh runCad(const MeshRequest& request, const AF2Algorithm& algor
     bar.show("healing", 0, request.model.filename().string());
     model = geometry::healModel(asRead, {request.healTolerance});
   }
+  if (request.imprint.isAsked) {
+    bar.show("imprinting", 0, request.model.filename().string());
+    model = imprintedModel(model, request.imprint, control.stop);
+  }
+  geometry::PartContacts contacts;
+  if (!control.stop.stop_requested()) contacts = contactsToTell(request, model);
   const double readSeconds = reading.seconds();
   checkIds(request, model.faceCount(), model.edgeCount());
   const GivenUp givenUp = control.givenUp ? *control.givenUp : GivenUp();
@@ -72,14 +93,21 @@ geometry::ModelMesh runCad(const MeshRequest& request, const AF2Algorithm& algor
   // Faces of the unhealed model are numbered after these. If one of them was given up, the unhealed
   // model is not tried again.
   const int last = model.faceCount();
-  if (request.heal && geometry::hasFaults(mesh) && !request.asksByNumber() &&
-      !control.stop.stop_requested() && givenUp.upper_bound(last) == givenUp.end())
+  if (request.heal && !request.imprint.isAsked && geometry::hasFaults(mesh) &&
+      !request.asksByNumber() && !control.stop.stop_requested() &&
+      givenUp.upper_bound(last) == givenUp.end())
     mesh = geometry::sounderMesh(std::move(mesh), meshed(asRead, last));
   if (!request.healingEnd.empty())
     mesh.healing =
         geometry::Healing{request.healTolerance,
                           {},
                           {"the repairs were left out: when tried, " + request.healingEnd}};
+  if (!request.imprint.end.empty())
+    mesh.imprinting =
+        geometry::Imprinting{request.imprint.tolerance, 0, 0, {}, request.imprint.end};
+  if (const std::string fault = imprintFault(mesh.imprinting); !fault.empty())
+    mesh.findings.push_back(fault);
+  mesh.contacts = contacts;
   mesh.seconds.read = readSeconds;
   return mesh;
 }

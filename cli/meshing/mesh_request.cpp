@@ -165,6 +165,7 @@ void declareMeshOptions(CLI::App& command, MeshOptions& options) {
                   "of their sides")
       ->type_name("N");
   declareHealing(command, options.heal, options.healTolerance);
+  declareImprint(command, options.imprint);
   command.add_flag("--no-optimize", options.rawFront,
                    "do not optimize the mesh that the front made");
   command.add_flag("--strict-rules", options.strictRules,
@@ -313,6 +314,7 @@ MeshRequest checkedRequest(const MeshOptions& options) {
   if (options.heal && request.kind() != ModelKind::Cad) refuseHealing();
   request.heal = options.heal;
   request.healTolerance = checkedHealTolerance(options.heal, options.healTolerance);
+  request.imprint = checkedImprint(options.imprint, request.kind());
   checkOutputs(request);
   checkReadable(request.model);
   if (!options.boundary.empty())

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/meshing/imprint_request.h"
 #include "cli/meshing/model_formats.h"
 #include "cli/meshing/size_request.h"
 #include "cli/rules/rule_loading.h"
@@ -22,6 +23,7 @@ struct MeshOptions {
   int threads = 0, order = 1;
   std::string boundary, featureAngle, chart, healTolerance, elements = "any", quality = "good";
   bool quiet = false, rawFront = false, strictRules = false, unchecked = false;
+  ImprintFlags imprint;
   std::vector<std::string> plugins;  ///< libraries that register names for the rules
   bool keepBoundary = false, heal = false, edges = false, statistics = false;
 };
@@ -56,6 +58,8 @@ struct MeshRequest {
   double healTolerance = 0;  ///< in the model's unit; 0: derived from its size
   /// How the repairs crashed or hung, which is why they are left out now; empty: they did not.
   std::string healingEnd;
+
+  ImprintRequest imprint;
 
   /// Whether options name faces or edges by number: healing changes the numbers.
   bool asksByNumber() const {

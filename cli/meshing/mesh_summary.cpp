@@ -91,6 +91,21 @@ std::string healingText(const std::optional<geometry::Healing>& healing) {
   return text;
 }
 
+std::string imprintText(const std::optional<geometry::Imprinting>& imprinting) {
+  if (!imprinting || !imprinting->undone.empty()) return "";
+  std::string text =
+      fmt::format("imprinted {} {} with tolerance {:.3g}: {} {}\n", imprinting->parts,
+                  imprinting->parts == 1 ? "part" : "parts", imprinting->tolerance,
+                  imprinting->interfaces, imprinting->interfaces == 1 ? "interface" : "interfaces");
+  for (const std::string& change : imprinting->changes) text += fmt::format("  {}\n", change);
+  return text;
+}
+
+std::string imprintFault(const std::optional<geometry::Imprinting>& imprinting) {
+  if (!imprinting || imprinting->undone.empty()) return "";
+  return "the parts of the model were not made to share faces: " + imprinting->undone;
+}
+
 std::string unitText(const geometry::ModelMesh& mesh) {
   constexpr std::array kMillimetre{"mm", "millimetre", "millimeter"};
   std::string unit = mesh.fileUnit;

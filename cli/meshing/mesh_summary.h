@@ -15,6 +15,10 @@ std::string summaryText(const geometry::ModelMesh& mesh, const geometry::MeshQua
 
 /// The changes made by healing, one line each; empty if nothing was healed.
 std::string healingText(const std::optional<geometry::Healing>& healing);
+/// What an imprint has done; empty if it was not asked for, or was undone.
+std::string imprintText(const std::optional<geometry::Imprinting>& imprinting);
+/// Why an imprint was undone, for people who asked for it; empty if it was not.
+std::string imprintFault(const std::optional<geometry::Imprinting>& imprinting);
 
 /// Says that AF2's lengths are not in the unit of the file; empty if they are, or if unknown.
 std::string unitText(const geometry::ModelMesh& mesh);

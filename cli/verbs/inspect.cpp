@@ -5,6 +5,7 @@
 #include <map>
 #include <memory>
 
+#include "cli/meshing/imprint_request.h"
 #include "cli/meshing/inspect_domain.h"
 #include "cli/meshing/inspect_tables.h"
 #include "cli/meshing/mesh_request.h"
@@ -17,8 +18,11 @@
 #include "cli/program/verbs.h"
 #include "cli/rules/picture_format.h"
 #if AF2_HAVE_OCC
+#include "cli/meshing/contact_texts.h"
 #include "cli/meshing/defect_picture.h"
+#include "cli/meshing/imprinted_model.h"
 #include "cli/meshing/mesh_summary.h"
+#include "geometry/occ/assembly/contacts.h"
 #include "geometry/occ/heal/heal_model.h"
 #include "geometry/occ/inspect/defects.h"
 #include "geometry/occ/inspect/edge_list.h"
@@ -29,12 +33,14 @@ namespace {
 
 struct InspectOptions {
   std::string model, size, picture, healTolerance;
+  ImprintFlags imprint;
   bool brief = false, all = false, edges = false, heal = false;
 };
 
 int inspectOther(const InspectOptions& options) {
   if (!options.picture.empty()) throw UsageError("--picture is for CAD models");
   if (options.heal) refuseHealing();
+  checkedImprint(options.imprint, modelKindOf(options.model));
   return inspectDomain({options.model, options.size.empty() ? 0 : parseSize("--size", options.size),
                         options.brief, options.all, options.edges});
 }
@@ -58,7 +64,9 @@ void printOverview(const geometry::Model& model) {
              model.edgeCount(), model.vertexCount(), model.diagonal(), unit);
   if (!model.fileUnit().empty()) fmt::print("lengths in the file: {}\n", model.fileUnit());
   fmt::print("{}{}", lostText(model.lostFaces()), notesText(model.notes()));
-  fmt::print("{}", healingText(model.healing()));
+  fmt::print("{}{}", healingText(model.healing()), imprintText(model.imprinting()));
+  if (const std::string fault = imprintFault(model.imprinting()); !fault.empty())
+    fmt::print("{}\n", fault);
 }
 
 void printSurfaceTypes(const geometry::Model& model) {
@@ -79,6 +87,7 @@ struct InspectRequest {
   double size = 0;  ///< 0: derived from the diagonal
   bool heal = false;
   double healTolerance = 0;
+  ImprintRequest imprint;
   dsl::PictureFormat format = dsl::PictureFormat::Svg;
 };
 
@@ -88,6 +97,7 @@ InspectRequest checkedRequest(const InspectOptions& options) {
   if (!options.size.empty()) request.size = parseSize("--size", options.size);
   request.heal = options.heal;
   request.healTolerance = checkedHealTolerance(options.heal, options.healTolerance);
+  request.imprint = checkedImprint(options.imprint, ModelKind::Cad);
   if (!options.picture.empty()) request.format = pictureFormatOf(options.picture, "--picture");
   return request;
 }
@@ -95,11 +105,13 @@ InspectRequest checkedRequest(const InspectOptions& options) {
 int inspect(const InspectOptions& options, const InspectRequest& request) {
   geometry::Model model = geometry::readModel(request.model);
   if (request.heal) model = geometry::healModel(model, {request.healTolerance});
+  model = imprintedModel(model, request.imprint, {});
   printOverview(model);
   options.brief ? printSurfaceTypes(model) : printFaces(model);
   if (options.edges) printEdges(geometry::edgesOf(model));
   printGroups(model.groups());
   if (options.brief && options.picture.empty()) return kComplete;
+  if (!options.brief) fmt::print("{}", contactTable(geometry::findContacts(model), options.all));
   const double size = request.size > 0 ? request.size : model.diagonal() / kSizesPerDiagonal;
   const std::vector<Defect> defects = geometry::findDefects(model, size);
   if (!options.brief) printDefects(defects, size, options.all);
@@ -107,7 +119,7 @@ int inspect(const InspectOptions& options, const InspectRequest& request) {
     writeText(options.picture, drawDefects(model, defects, request.format));
     fmt::print("drew {} defects -> {}\n", defects.size(), options.picture);
   }
-  return kComplete;
+  return imprintFault(model.imprinting()).empty() ? kComplete : kPartial;
 }
 
 /// In a supervised process, because OpenCASCADE may crash or hang while it reads or checks a model.
@@ -117,6 +129,7 @@ int inspectSafely(const InspectOptions& options) {
   const auto bytes = std::filesystem::file_size(request.model, missing);
   RunLimits limits;
   limits.first = secondsToRead(missing ? 0 : bytes);
+  if (request.imprint.isAsked) limits.first += 2 * kImprintSeconds;
   return supervise(limits, [&](RunLog&, const GivenUp&) { return inspect(options, request); });
 }
 
@@ -141,6 +154,7 @@ Action declareInspect(CLI::App& command) {
                   "picture of the model with its defects marked, .svg or .png")
       ->type_name("FILE");
   declareHealing(command, options->heal, options->healTolerance);
+  declareImprint(command, options->imprint);
   return [options]() -> int {
     if (modelKindOf(options->model) != ModelKind::Cad) return inspectOther(*options);
 #if AF2_HAVE_OCC

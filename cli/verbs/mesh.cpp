@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <filesystem>
 
+#include "cli/meshing/contact_texts.h"
 #include "cli/meshing/mesh_run.h"
 #include "cli/meshing/mesh_summary.h"
 #include "cli/meshing/model_runs.h"
@@ -84,7 +85,8 @@ void printResult(const MeshRequest& request, const RunReport& report, const Mode
   if (!request.quiet && request.stuckTests.empty()) text += stuckText(mesh);
   std::fputs(text.c_str(), stderr);  // does not throw if stderr is closed
   if (!request.quiet)
-    fmt::print("{}{}{}{}", unitText(mesh), notesText(mesh.notes), healingText(mesh.healing),
+    fmt::print("{}{}{}{}{}{}", unitText(mesh), notesText(mesh.notes), healingText(mesh.healing),
+               imprintText(mesh.imprinting), contactWarning(mesh.contacts),
                summaryText(mesh, report.quality));
 }
 
@@ -142,6 +144,7 @@ int meshSafely(const MeshRequest& request) {
   if (request.kind() != ModelKind::Cad) return meshAndReport(request, nullptr, {});
   RunLimits limits;
   limits.first = secondsToRead(std::filesystem::file_size(request.model));
+  if (request.imprint.isAsked) limits.first += 2 * kImprintSeconds;
   const auto run = [&](const MeshRequest& asked) {
     return supervise(limits, [&](RunLog& log, const GivenUp& givenUp) {
       return meshAndReport(asked, &log, givenUp);
@@ -150,11 +153,17 @@ int meshSafely(const MeshRequest& request) {
   try {
     return run(request);
   } catch (const RunEnded& end) {
-    if (!request.heal || request.asksByNumber()) throw;
-    MeshRequest unhealed = request;
-    unhealed.heal = false;
-    unhealed.healingEnd = end.cause;
-    return run(unhealed);
+    if (request.asksByNumber() || (!request.heal && !request.imprint.isAsked)) throw;
+    // What was done last is the likeliest cause.
+    MeshRequest less = request;
+    if (request.imprint.isAsked) {
+      less.imprint = {};
+      less.imprint.end = end.cause;
+      return meshSafely(less);
+    }
+    less.heal = false;
+    less.healingEnd = end.cause;
+    return run(less);
   }
 }
 

@@ -33,7 +33,8 @@ void MshGroups::nameThoseOfFaces() {
   }
   std::int32_t number = highestFace_;
   for (const FaceGroup& group : mesh_.groups) {
-    const bool isNamed = group.kind == GroupKind::Part || group.kind == GroupKind::Layer;
+    const bool isNamed = group.kind == GroupKind::Part || group.kind == GroupKind::Layer ||
+                         group.kind == GroupKind::Interface;
     const std::string kind = toString(group.kind);
     names_[{PhysicalGroup::kSurface, ++number}] =
         unique(isNamed ? group.name : kind + " " + group.name, kind);

@@ -74,6 +74,31 @@ Json toJson(const Healing& healing) {
   return {{"tolerance", healing.tolerance}, {"changes", changes}, {"undone", healing.undone}};
 }
 
+Json toJson(const Imprinting& imprinting) {
+  Json json{{"tolerance", imprinting.tolerance},
+            {"parts", imprinting.parts},
+            {"interfaces", imprinting.interfaces},
+            {"changes", imprinting.changes}};
+  if (!imprinting.undone.empty()) json["undone"] = imprinting.undone;
+  return json;
+}
+
+Json toJson(const PartContacts& contacts) {
+  Json pairs = Json::array();
+  for (const PartContact& pair : contacts.pairs) {
+    Json entry{{"kind", toString(pair.kind)}, {"parts", {pair.one, pair.other}}};
+    if (pair.kind != ContactKind::Unknown) {
+      entry["area"] = pair.area;
+      entry["length"] = pair.length;
+      entry["volume"] = pair.volume;
+      entry["place"] = {pair.place.x, pair.place.y, pair.place.z};
+      entry["equal_faces"] = pair.twins;
+    }
+    pairs.push_back(std::move(entry));
+  }
+  return {{"parts", contacts.parts}, {"pairs", pairs}, {"not_compared", contacts.notCompared}};
+}
+
 Json toJson(const StageSeconds& seconds) {
   return {{"read", seconds.read},
           {"edges", seconds.edges},
@@ -127,6 +152,8 @@ const char* toString(GroupKind kind) {
       return "layer";
     case GroupKind::Color:
       return "color";
+    case GroupKind::Interface:
+      return "interface";
   }
   return "part";
 }
@@ -177,9 +204,11 @@ void writeReport(const RunReport& report, const ModelMesh& mesh, OutputFile& fil
   json["without_rule"] = toJson(elementsWithoutRule(mesh));
   json["faces"] = Json::array();
   for (const FaceReport& face : mesh.faces) json["faces"].push_back(toJson(face, mesh.ruleNames));
-  for (const FaceGroup& group : mesh.groups)
-    json["groups"].push_back(
-        {{"kind", toString(group.kind)}, {"name", group.name}, {"faces", group.faces}});
+  for (const FaceGroup& group : mesh.groups) {
+    Json entry{{"kind", toString(group.kind)}, {"name", group.name}, {"faces", group.faces}};
+    if (!group.inward.empty()) entry["inward"] = group.inward;
+    json["groups"].push_back(std::move(entry));
+  }
   for (const EdgeGroup& boundary : mesh.boundaries)
     json["groups"].push_back({{"kind", "boundary"},
                               {"name", shownName(boundary)},
@@ -187,6 +216,8 @@ void writeReport(const RunReport& report, const ModelMesh& mesh, OutputFile& fil
                               {"edges", boundary.edges}});
   if (!mesh.notes.empty()) json["notes"] = mesh.notes;
   if (mesh.healing) json["healing"] = toJson(*mesh.healing);
+  if (mesh.imprinting) json["imprinting"] = toJson(*mesh.imprinting);
+  if (mesh.contacts.parts > 1) json["contacts"] = toJson(mesh.contacts);
   for (const auto& [name, value] : report.sections) json[name] = Json::parse(value);
   json["seconds"] = toJson(mesh.seconds);
   json["quality"] = toJson(report.quality);

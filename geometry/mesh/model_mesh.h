@@ -15,6 +15,7 @@
 #include "engine/rule/refusal.h"
 #include "engine/step/front_piece.h"
 #include "engine/step/observer.h"
+#include "geometry/mesh/contact.h"
 #include "geometry/mesh/without_rule.h"
 
 namespace af2::geometry {
@@ -68,10 +69,11 @@ enum class GroupKind {
   Part,   ///< a part that the file names
   Solid,  ///< a solid of the model
   Layer,
-  Color,  ///< named "#rrggbb"
+  Color,      ///< named "#rrggbb"
+  Interface,  ///< faces that two parts share, named "one|other"
 };
 
-/// "part", "solid", "layer" or "color".
+/// "part", "solid", "layer", "color" or "interface".
 AF2_EXPORT const char* toString(GroupKind kind);
 
 /// Faces of the model that belong together. A face may belong to several groups.
@@ -79,6 +81,9 @@ struct FaceGroup {
   std::string name;
   GroupKind kind = GroupKind::Part;
   std::vector<int> faces;  ///< ids, ascending
+  /// Of a solid: ids, ascending, of those faces whose elements look into it, because they look out
+  /// of another solid that shares them.
+  std::vector<int> inward = {};
   bool operator==(const FaceGroup&) const = default;
 };
 
@@ -119,6 +124,15 @@ struct Healing {
   std::vector<std::string> undone;  ///< steps that would have made the model worse, and why
 };
 
+/// How parts that touch were made to share faces.
+struct Imprinting {
+  double tolerance = 0;  ///< in model units
+  std::size_t parts = 0;
+  std::size_t interfaces = 0;        ///< pairs of parts that share faces now
+  std::vector<std::string> changes;  ///< what has become of overlaps, one sentence each
+  std::string undone;                ///< why the model is as it was; empty: it is imprinted
+};
+
 /// Where a rule is written. A mirror image has the text of the rule that it mirrors.
 struct RuleText {
   std::string file;  ///< as a reader may want to see it, such as "tri/even.af2"
@@ -153,11 +167,13 @@ struct ModelMesh {
   std::vector<EdgeSegment> segments;
   std::vector<FaceReport> faces;
   std::vector<FaceGroup> groups;
-  std::vector<EdgeGroup> boundaries;  ///< by their numbers, ascending
-  std::string unit;                   ///< of all lengths, "mm"; empty if the file does not say
-  std::string fileUnit;               ///< unit used in the file, as named there; may be empty
-  std::vector<std::string> notes;     ///< repairs made while reading
-  std::optional<Healing> healing;     ///< if the model was healed
+  std::vector<EdgeGroup> boundaries;     ///< by their numbers, ascending
+  std::string unit;                      ///< of all lengths, "mm"; empty if the file does not say
+  std::string fileUnit;                  ///< unit used in the file, as named there; may be empty
+  std::vector<std::string> notes;        ///< repairs made while reading
+  std::optional<Healing> healing;        ///< if the model was healed
+  std::optional<Imprinting> imprinting;  ///< if it was asked for
+  PartContacts contacts;                 ///< of the model, where its parts share nothing
   /// Findings of the last checks that do not concern a single face, and faces of the file that were
   /// lost.
   std::vector<std::string> findings;

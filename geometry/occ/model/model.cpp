@@ -23,5 +23,6 @@ double Model::diagonal() const { return shape_->diagonal; }
 const std::vector<std::string>& Model::notes() const { return shape_->notes; }
 const std::vector<std::string>& Model::lostFaces() const { return shape_->lostFaces; }
 const std::optional<Healing>& Model::healing() const { return shape_->healing; }
+const std::optional<Imprinting>& Model::imprinting() const { return shape_->imprinting; }
 
 }  // namespace af2::geometry

@@ -48,6 +48,9 @@ class AF2_EXPORT Model {
   /// The changes of healModel, if it made this model.
   const std::optional<Healing>& healing() const;
 
+  /// The result of imprintModel, if it made this model.
+  const std::optional<Imprinting>& imprinting() const;
+
   const ModelShape& shape() const { return *shape_; }
   std::shared_ptr<const ModelShape> sharedShape() const { return shape_; }
 

@@ -135,6 +135,16 @@ class FaceFinder {
   std::vector<std::vector<int>> ids_;  // by these: ids of the model
 };
 
+/// The faces of a solid that the model has in the orientation of another solid.
+std::vector<int> inwardFaces(const ModelShape& model, const TopoDS_Shape& solid) {
+  std::set<int> inward, outward;
+  for (TopExp_Explorer it(solid, TopAbs_FACE); it.More(); it.Next())
+    if (const int id = model.faces.FindIndex(it.Current()); id > 0)
+      (model.faces(id).Orientation() == it.Current().Orientation() ? outward : inward).insert(id);
+  for (const int id : outward) inward.erase(id);
+  return {inward.begin(), inward.end()};
+}
+
 /// The groups of the file, then the solids of the model.
 std::vector<FaceGroup> faceGroups(const ModelShape& model, const std::vector<ShapeGroup>& read) {
   const FaceFinder finder(model);
@@ -147,8 +157,11 @@ std::vector<FaceGroup> faceGroups(const ModelShape& model, const std::vector<Sha
   for (const ShapeGroup& group : read) add(group);
   TopTools_IndexedMapOfShape solids;
   TopExp::MapShapes(model.shape, TopAbs_SOLID, solids);
-  for (int i = 1; i <= solids.Extent(); ++i)
+  for (int i = 1; i <= solids.Extent(); ++i) {
+    const std::size_t before = groups.size();
     add({std::to_string(i), GroupKind::Solid, {solids(i)}});
+    if (groups.size() > before) groups.back().inward = inwardFaces(model, solids(i));
+  }
   return groups;
 }
 
@@ -173,6 +186,7 @@ std::shared_ptr<const ModelShape> makeModelShape(ReadShape read) {
   model->notes = std::move(read.notes);
   model->lostFaces = std::move(read.lostFaces);
   model->healing = std::move(read.healing);
+  model->imprinting = std::move(read.imprinting);
   TopExp::MapShapes(model->shape, TopAbs_FACE, model->faces);
   TopExp::MapShapes(model->shape, TopAbs_EDGE, model->edges);
   TopExp::MapShapes(model->shape, TopAbs_VERTEX, model->vertices);

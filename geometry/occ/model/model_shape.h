@@ -47,6 +47,7 @@ struct ModelShape {
   std::vector<std::string> notes;
   std::vector<std::string> lostFaces;
   std::optional<Healing> healing;
+  std::optional<Imprinting> imprinting;
   int edgesOfFile = 0;             ///< higher ids belong to edges along creases
   std::map<int, FaceCells> cells;  ///< of the faces that have creases
   /// By vertex at the end of a crease: the distance within which edges turn with the crease.
@@ -81,6 +82,7 @@ struct ReadShape {
   std::function<std::string(const TopoDS_Face&)> nameOf;  ///< may be empty
   std::vector<ShapeGroup> groups;
   std::optional<Healing> healing;
+  std::optional<Imprinting> imprinting;
 };
 
 /// Numbers the parts of a shape and makes a curve in space for every edge, because threads must not

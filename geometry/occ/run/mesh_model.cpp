@@ -123,6 +123,7 @@ class CadFaces final : public FaceSource {
     mesh.fileUnit = model_.fileUnit();
     mesh.notes = model_.notes();
     mesh.healing = model_.healing();
+    mesh.imprinting = model_.imprinting();
     tellOfMeetingFaces(*shape_, faults.crossings, sizes_.size, mesh.faces);
     const bool areAll = faces_.size() == static_cast<std::size_t>(faceCount());
     if (areAll && !model_.lostFaces().empty())
