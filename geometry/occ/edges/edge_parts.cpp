@@ -29,6 +29,7 @@ EdgePiece cutOff(EdgePiece& piece, double parameter) {
   move(piece.arcLength, before.arcLength, s);
   move(piece.positions, before.positions, position);
   move(piece.sizes, before.sizes, size);
+  move(piece.least, before.least, std::min(piece.least[k - 1], piece.least[k]));
   for (double& length : piece.arcLength) length -= s;
   return before;
 }

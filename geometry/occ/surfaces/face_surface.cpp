@@ -219,6 +219,7 @@ void FaceSurface::measure() {
   isBentInV_ = bend.inV;
   extent_ = bend.extent;
   breadth_ = bend.breadth;
+  girth_ = bend.girth;
   creaseRadius_ = bend.creaseRadius;
 }
 

@@ -80,6 +80,9 @@ class FaceSurface final : public ChartedSurface {
   /// Length of the shortest parameter line on which the face turns by more than about a right
   /// angle; infinite if there is none.
   double breadth() const { return breadth_; }
+  /// How far it is around the face if it is a tube; far more than its least radius says if it is
+  /// none, as at the leading edge of a wing. Infinite if the face is not bent by so much.
+  double girth() const { return girth_; }
   /// The least radius at which the face turns along a whole crease across such lines. Infinite if
   /// there are none.
   double creaseRadius() const { return creaseRadius_; }
@@ -119,6 +122,7 @@ class FaceSurface final : public ChartedSurface {
   SharpTips tips_;  ///< of a GeneralSurface
   double extent_ = 0;
   double breadth_ = std::numeric_limits<double>::infinity();
+  double girth_ = std::numeric_limits<double>::infinity();
   double creaseRadius_ = std::numeric_limits<double>::infinity();
   enum class Sweep { None, Torus, Revolution } sweep_ = Sweep::None;
   AxisFrame sweepAxis_;                 ///< of a surface of revolution without x and y
