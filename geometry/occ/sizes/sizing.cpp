@@ -38,9 +38,14 @@ double leastAllowedOnTube(const CadSizes& sizes, double size, const FaceSurface&
   constexpr double kFewestAround = 4;
   if (sizes.minSize == 0) return 0;
   const double around =
-      std::max(2 * std::numbers::pi * radius, surface.isGeneral() ? surface.girth() : 0);
+      std::max(2 * std::numbers::pi * radius, surface.isRound() ? 0 : surface.girth());
   return std::min(sizes.minSize,
                   std::max(around / kFewestAround, affordableOnTube(size, surface, radius)));
+}
+
+/// How far from a sharp tip the radius counts: a size away, but on the face.
+double reachFromTip(double size, const FaceSurface& surface) {
+  return size > surface.extent() ? surface.extent() / 2 : size;
 }
 
 /// Whether a face turns in a crease that is far narrower than itself, so that it is not a tube. No
@@ -57,7 +62,7 @@ bool isCreased(double size, const FaceSurface& surface) {
 CurvedSize curvedSizeAt(const CadSizes& sizes, int face, double size, const FaceSurface& surface,
                         const SurfacePoint& point) {
   constexpr double kVisible = 0.05;  // turn of an edge, in those that it may have
-  const FaceSurface::Radii radii = surface.radiiAt(point, size);
+  const FaceSurface::Radii radii = surface.radiiAt(point, reachFromTip(size, surface));
   const double bend = std::min(1.0, size / (kVisible * sizes.faceTurn * radii.smallest));
   const double share = 1 - (1 - sizes.curvedShare) * bend;
   const double gentle =

@@ -65,6 +65,11 @@ class FaceSurface final : public ChartedSurface {
   bool isPlane() const override { return std::holds_alternative<PlaneSurface>(surface_); }
   /// Whether there is no closed form, so that only the parametrisation is available.
   bool isGeneral() const { return std::holds_alternative<GeneralSurface>(surface_); }
+  /// Whether a tube is as far around everywhere as its radius there says: that is known of the
+  /// closed forms and of what is revolved around an axis.
+  bool isRound() const {
+    return !isGeneral() || (sweep_ == Sweep::Revolution && isBentInU_ && !isBentInV_);
+  }
   std::vector<SharpTip> sharpTips() const;
   /// A place around a sharp tip between two places near it, at the fraction `share` of the angle.
   SurfacePoint aroundTip(const SurfacePoint& from, const SurfacePoint& to, double share) const;
