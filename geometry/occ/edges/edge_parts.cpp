@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "geometry/base/box_tree.h"
+
 namespace af2::geometry {
 
 namespace {
@@ -47,6 +49,13 @@ std::map<std::uint32_t, std::vector<EdgeEnd>> endsByPoint(const std::vector<Edge
     byPoint[ends[edge].last].push_back({edge, false});
   }
   return byPoint;
+}
+
+double extentOf(const EdgeSamples& samples) {
+  Box3 box;
+  for (const EdgePiece& piece : samples.pieces)
+    for (const Point3& position : piece.positions) box.add(position);
+  return samples.pieces.empty() ? 0 : distance(box.low, box.high);
 }
 
 double parameterAt(const EdgeSamples& samples, double length) {

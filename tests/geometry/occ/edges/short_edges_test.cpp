@@ -10,6 +10,7 @@
 #include <numbers>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "geometry/occ/edges/edge_division.h"
 #include "tests/geometry/occ/meshing.h"
@@ -99,6 +100,26 @@ TEST(ShortEdges, AFaceAllOfWhoseEdgesArePointsHasVanished) {
   ASSERT_NE(vanished, result.faces.end());
   EXPECT_NE(vanished->reason.find("smaller than any element"), std::string::npos);
   EXPECT_TRUE(tellsOfPoints(*vanished));
+}
+
+/// A cone whose upper circle is given, but within the tolerance of its vertex.
+TopoDS_Shape almostPointedCone(double radius, double tolerance) {
+  const TopoDS_Shape cone = BRepPrimAPI_MakeCone(5, radius, 10).Shape();
+  for (TopExp_Explorer it(cone, TopAbs_VERTEX); it.More(); it.Next())
+    if (BRep_Tool::Pnt(TopoDS::Vertex(it.Current())).Z() > 5)
+      BRep_Builder().UpdateVertex(TopoDS::Vertex(it.Current()), tolerance);
+  return cone;
+}
+
+/// A closed edge is longer than it is large, so that it was kept, and bridged by needles.
+TEST(ShortEdges, AClosedOneWithinTheToleranceOfItsVertexIsAPoint) {
+  for (const auto& [tolerance, vanished] : {std::pair{0.003, 1}, {1e-7, 0}}) {
+    const ModelMesh result = testing::mesh(almostPointedCone(0.001, tolerance), 5);
+    testing::expectComplete(result);
+    EXPECT_EQ(testing::eulerNumber(result), 2);
+    EXPECT_GT(testing::leastAngle(result), 15);
+    EXPECT_EQ(std::ranges::count(result.faces, 0u, &FaceReport::elements), vanished);
+  }
 }
 
 DividedEdges divided(const Model& model, double size, const CollapsedEdges& asPoints) {

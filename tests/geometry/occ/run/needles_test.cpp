@@ -8,6 +8,7 @@
 #include <BRepPrimAPI_MakeCone.hxx>
 #include <BRepPrimAPI_MakeRevol.hxx>
 #include <GeomAPI_PointsToBSpline.hxx>
+#include <Geom_BSplineCurve.hxx>
 #include <TColgp_Array1OfPnt.hxx>
 
 #include "tests/geometry/occ/meshing.h"
