@@ -30,7 +30,7 @@ struct PlaneSurface {
   /// Projects a point that an inexact file has put off the plane onto it, because a front in the
   /// plane ignores the distance from it. Points that are near enough are not changed.
   Point3 drawnOnto(const Point3& p) const {
-    constexpr double kNear = 1e-4;  // of the distance from the origin, a point of the face
+    constexpr double kNear = 1e-6;  // of the distance from the origin, a point of the face
     const double height = dot(p - origin, normal);
     return std::abs(height) <= kNear * distance(p, origin) ? p : p - height * normal;
   }
