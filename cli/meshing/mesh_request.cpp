@@ -157,7 +157,7 @@ void declareMeshOptions(CLI::App& command, MeshOptions& options) {
       ->type_name("KIND");
   command
       .add_option("-j,--threads", options.threads,
-                  "number of threads; the mesh does not depend on it")
+                  "number of threads, 0: all cores; the mesh does not depend on it")
       ->type_name("N");
   command
       .add_option("--order", options.order,
@@ -272,7 +272,8 @@ MeshRequest checkedRequest(const MeshOptions& options) {
   request.options.sizes = checkedSizes(options.sizes);
   if (!options.faces.empty()) request.options.faces = parseIds("--faces", options.faces);
   if (options.threads < 0 || options.threads > 4096) {
-    throw UsageError(fmt::format("--threads {}: give a number from 1 to 4096", options.threads));
+    throw UsageError(fmt::format("--threads {}: give a number from 1 to 4096, or 0 for all cores",
+                                 options.threads));
   }
   request.options.threads = options.threads;
   if (options.order != 1 && options.order != 2)

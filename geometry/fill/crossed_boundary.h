@@ -2,6 +2,8 @@
 // Not installed.
 #pragma once
 
+#include <string>
+
 #include "geometry/fill/fill_way.h"
 
 namespace af2::geometry {
@@ -11,5 +13,9 @@ namespace af2::geometry {
 bool mayHaveCrossedBoundary(const FillState& state);
 /// Makes no mesh; the fault of the attempt says whether segments cross.
 FaceAttempt findCrossedBoundary(FillState& state);
+
+/// For the message of a plane face that failed: that segments of its boundary cross or lie on each
+/// other, and where. Empty if none do.
+std::string textOfCrossedBoundary(const ChartedSurface& surface, const FrontInput& boundary);
 
 }  // namespace af2::geometry

@@ -7,6 +7,7 @@
 #include "engine/base/stopwatch.h"
 #include "engine/mesh/element_shape.h"
 #include "engine/optimize/finish_mesh.h"
+#include "geometry/fill/crossed_boundary.h"
 #include "geometry/fill/diagnose_face.h"
 #include "geometry/fill/odd_loops.h"
 #include "geometry/fill/stuck_front.h"
@@ -100,6 +101,9 @@ void reportTriangles(const Mesh& mesh, FaceReport& report) {
 FilledFace fill(const FaceTask& task, FaceMesh& mesh) {
   try {
     return fillFace(task);
+  } catch (const InputError& failure) {
+    mesh.diagnosis = diagnoseFailure(task.surface, task.boundary, {});
+    throw InputError(textOfCrossedBoundary(task.surface, task.boundary.input) + failure.what());
   } catch (...) {
     mesh.diagnosis = diagnoseFailure(task.surface, task.boundary, {});
     throw;
@@ -110,7 +114,8 @@ FilledFace fill(const FaceTask& task, FaceMesh& mesh) {
   mesh.diagnosis = diagnoseFailure(filling.task.surface, filling.task.boundary, filled.failures);
   if (!filled.failures.empty()) mesh.report.stuck = stuckPlaces(filled.failures.front());
   if (filling.findParameters) filling.findParameters(mesh.report.stuck);
-  throw GeometryError(textOf(filled.attempt.fault));
+  throw GeometryError(textOfCrossedBoundary(filling.task.surface, filling.task.boundary.input) +
+                      textOf(filled.attempt.fault));
 }
 
 }  // namespace

@@ -25,6 +25,7 @@ struct FaceMesh {
   std::vector<ElementOrigin> origins;  ///< by element
   std::vector<SideMiddles> middles;    ///< by element; only for elements of second order
   std::vector<SegmentUse> uses;
+  bool hasVanished = false;    ///< all its edges are points, so that its neighbours meet in one
   double optimizeSeconds = 0;  ///< part of report.seconds
   FaceDiagnosis diagnosis;
   FaceHistory history;         ///< `report.attempts` is made from it once all has been tried

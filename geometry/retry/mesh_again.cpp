@@ -11,11 +11,13 @@ namespace af2::geometry {
 
 namespace {
 
-/// A face that failed and is nothing without its short edges has failed still.
+/// A face that failed and has no width without its short edges has failed still. One that has
+/// become a point is none of the mesh any more: its neighbours meet there.
 void refuseNothing(const FaceMesh& failure, FaceMesh& mesh) {
-  if (failed(mesh) || !mesh.elements.empty()) return;
+  if (failed(mesh) || !mesh.elements.empty() || mesh.hasVanished) return;
+  const std::string& reason = failure.report.reason;
   mesh.report.status = FaceStatus::Failed;
-  mesh.report.reason = failure.report.reason;
+  mesh.report.reason = reason.empty() ? "the elements did not have the area of the face" : reason;
   mesh.diagnosis = failure.diagnosis;
 }
 

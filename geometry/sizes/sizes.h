@@ -24,7 +24,7 @@ constexpr double kMaxGrowth = 10;
 struct Sizes {
   double size = 0;  ///< everywhere; must be > 0
   /// Bounds of all wanted sizes, from any source. Edges of the model that are shorter than
-  /// `minSize` are kept nevertheless.
+  /// `minSize` are kept nevertheless, and tubes of CAD models have at least four elements around.
   double minSize = 0, maxSize = std::numeric_limits<double>::infinity();
   std::map<int, double> faceSizes;  ///< by face id; instead of `size`
   std::map<int, double> edgeSizes;  ///< by edge id; along that edge, instead of the faces' sizes

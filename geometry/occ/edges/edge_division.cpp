@@ -112,6 +112,12 @@ class Division {
     return static_cast<std::uint32_t>(result_.points.size() - 1);
   }
 
+  /// The length of an edge; if it is closed, how far its points are apart: it is the whole edge
+  /// that is, or is not, within the tolerance of its vertex.
+  double spanOf(std::size_t i) const {
+    return ends_[i].first == ends_[i].last ? extentOf(samples_[i]) : samples_[i].length;
+  }
+
   /// How long an edge may be to be taken for a point.
   double pointLength(std::size_t i) const {
     const EdgeSamples& samples = samples_[i];
@@ -127,7 +133,7 @@ class Division {
 
   /// Given divisions are used unchanged.
   bool mayBePoint(std::size_t i) const {
-    return !givenFor(i) && (isAskedToBePoint(i) || samples_[i].length <= pointLength(i));
+    return !givenFor(i) && (isAskedToBePoint(i) || spanOf(i) <= pointLength(i));
   }
 
   /// How far apart points may be that become one because this edge is none.
@@ -154,13 +160,6 @@ class Division {
       merging.merge(ends.first, ends.last);
     }
     for (const auto& [i, extent] : asked) blind_[merging.find(ends_[i].first)] += extent;
-  }
-
-  static double extentOf(const EdgeSamples& samples) {
-    Box3 box;
-    for (const EdgePiece& piece : samples.pieces)
-      for (const Point3& position : piece.positions) box.add(position);
-    return samples.pieces.empty() ? 0 : distance(box.low, box.high);
   }
 
   void mergePoints() {

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "geometry/base/box_tree.h"
+
 namespace af2::geometry {
 
 namespace {
@@ -29,6 +31,7 @@ EdgePiece cutOff(EdgePiece& piece, double parameter) {
   move(piece.arcLength, before.arcLength, s);
   move(piece.positions, before.positions, position);
   move(piece.sizes, before.sizes, size);
+  move(piece.least, before.least, std::min(piece.least[k - 1], piece.least[k]));
   for (double& length : piece.arcLength) length -= s;
   return before;
 }
@@ -46,6 +49,13 @@ std::map<std::uint32_t, std::vector<EdgeEnd>> endsByPoint(const std::vector<Edge
     byPoint[ends[edge].last].push_back({edge, false});
   }
   return byPoint;
+}
+
+double extentOf(const EdgeSamples& samples) {
+  Box3 box;
+  for (const EdgePiece& piece : samples.pieces)
+    for (const Point3& position : piece.positions) box.add(position);
+  return samples.pieces.empty() ? 0 : distance(box.low, box.high);
 }
 
 double parameterAt(const EdgeSamples& samples, double length) {

@@ -110,7 +110,9 @@ class IntervalSampler {
     piece.parameters.push_back(parameter);
     piece.arcLength.push_back(arcLength);
     piece.positions.push_back(position);
-    piece.sizes.push_back(wanted_.at(position, parameter));
+    const WantedAlongEdge::Size size = wanted_.at(position, parameter);
+    piece.sizes.push_back(size.wanted);
+    piece.least.push_back(size.least);
   }
 
   /// The last cell turns by `turn` within `ds`.
@@ -134,7 +136,8 @@ void limitByPosition(EdgePiece& piece, const CadSizes& sizes) {
     for (std::size_t i = 0; i < limits.size(); ++i)
       piece.sizes[i] = std::min(piece.sizes[i], limits[i]);
   }
-  for (double& size : piece.sizes) size = bounded(sizes, size);
+  for (std::size_t i = 0; i < piece.sizes.size(); ++i)
+    piece.sizes[i] = std::clamp(piece.sizes[i], piece.least[i], sizes.maxSize);
 }
 
 std::vector<EdgePiece> sampleInCells(const BRepAdaptor_Curve& curve, const WantedAlongEdge& wanted,

@@ -16,6 +16,7 @@ struct EdgePiece {
   std::vector<double> arcLength;  ///< from the start of the piece
   std::vector<Point3> positions;
   std::vector<double> sizes;
+  std::vector<double> least;  ///< lower bounds of the sizes
 };
 
 struct EdgeSamples {

@@ -73,6 +73,11 @@ std::string textOfCells(const FaceCells& cells) {
   return text;
 }
 
+constexpr const char* kVanished =
+    "is smaller than any element, so it has none: all its edges were collapsed to points";
+constexpr const char* kWithoutWidth =
+    "has no width, so it has no elements: its boundary runs back on itself";
+
 class FaceMesher {
  public:
   FaceMesher(const FaceMeshingContext& context, int face, double area, double expectedElements)
@@ -142,7 +147,9 @@ class FaceMesher {
       closed += edges.gap * edges.length;
     }
     if (boundary.input.loops.empty()) {
-      mesh.report.reason = "has no width, so it has no elements: its boundary runs back on itself";
+      mesh.hasVanished = boundary.uses.empty() && areAllEdgesPoints();
+      if (mesh.hasVanished) mesh.report.area = 0;  // nothing is to be compared with it
+      mesh.report.reason = mesh.hasVanished ? kVanished : kWithoutWidth;
       return;
     }
     if (context_.request.limits.ignoresNormals) partSeams(boundary.input, boundary.points);
@@ -171,6 +178,14 @@ class FaceMesher {
                         request.findMiddles};
     filling.findParameters = [&](std::vector<StuckPlace>& places) { findParameters(places); };
     fillAndJudge(filling, boundary, mesh);
+  }
+
+  bool areAllEdgesPoints() const {
+    return std::ranges::all_of(
+        context_.model.edgesOfFaces[static_cast<std::size_t>(face_) - 1], [&](const EdgeUse& use) {
+          return context_.request.divided.edges[static_cast<std::size_t>(use.id) - 1]
+              .points.empty();
+        });
   }
 
   void noteCollapsed(std::vector<int> edges, FaceHistory& history) const {

@@ -16,7 +16,7 @@
 #include <array>
 #include <cstring>
 #include <map>
-#include <set>
+#include <optional>
 
 #include "geometry/occ/read/step_numbers.h"
 
@@ -79,16 +79,19 @@ class Damage {
         fault = damage;
     if (fault.empty()) return;
     const bool isWorse = isShape(entity) && !isShapeHit_;  // damage elsewhere rarely matters
-    if (count_++ == 0 || isWorse) first_ = "#" + std::to_string(label) + ": " + fault;
+    faults_.push_back("#" + std::to_string(label) + ": " + fault);
+    if (count_++ == 0 || isWorse) first_ = faults_.back();
     isShapeHit_ |= isWorse;
-    reached_.insert(number);
+    reached_.emplace(number, faults_.size() - 1);
   }
 
   /// Goes from damaged entities to all that depend on them, up to their faces. Curves in parameters
   /// can be done without.
   void spread() {
-    std::vector<int> open(reached_.begin(), reached_.end());
+    std::vector<int> open;
+    for (const auto& [number, fault] : reached_) open.push_back(number);
     while (!open.empty()) {
+      const std::size_t fault = reached_.at(open.back());
       const Handle(Standard_Transient) entity = model_->Value(open.back());
       open.pop_back();
       if (entity->IsKind(STANDARD_TYPE(StepShape_Face))) continue;
@@ -101,16 +104,20 @@ class Damage {
           continue;
         }
         const int number = model_->Number(users.Value());
-        if (isShape(users.Value()) && reached_.insert(number).second) open.push_back(number);
+        if (isShape(users.Value()) && reached_.emplace(number, fault).second)
+          open.push_back(number);
       }
     }
   }
 
-  /// Missing entities must not be transferred either.
-  bool isUsable(const Handle(StepShape_Face) & face) const {
-    if (face.IsNull() || reached_.contains(model_->Number(face))) return false;
+  /// What is wrong with a face; nothing if it can be used. Missing entities must not be transferred
+  /// either.
+  std::optional<std::string> faultOf(const Handle(StepShape_Face) & face) const {
+    if (face.IsNull()) return "the file does not contain it";
+    const auto found = reached_.find(model_->Number(face));
+    if (found != reached_.end()) return faults_[found->second];
     const auto oriented = Handle(StepShape_OrientedFace)::DownCast(face);
-    return oriented.IsNull() || isUsable(oriented->FaceElement());
+    return oriented.IsNull() ? std::nullopt : faultOf(oriented->FaceElement());
   }
 
   void takeOutFaces() {
@@ -119,10 +126,11 @@ class Damage {
       if (shell.IsNull() || shell->CfsFaces().IsNull()) continue;
       std::vector<Handle(StepShape_Face)> kept;
       for (int k = 1; k <= shell->NbCfsFaces(); ++k) {
-        if (isUsable(shell->CfsFacesValue(k)))
-          kept.push_back(shell->CfsFacesValue(k));
+        const std::optional<std::string> fault = faultOf(shell->CfsFacesValue(k));
+        if (fault)
+          faces_.push_back({shell, stepFaceName(model_, shell, k) + " (" + *fault + ")"});
         else
-          faces_.push_back({shell, stepFaceName(model_, shell, k)});
+          kept.push_back(shell->CfsFacesValue(k));
       }
       if (std::ssize(kept) < shell->NbCfsFaces()) shell->SetCfsFaces(arrayOf(kept));
     }
@@ -143,7 +151,9 @@ class Damage {
   int count_ = 0;
   bool isShapeHit_ = false;
   std::string first_;
-  std::set<int> reached_;  ///< numbers of entities that are damaged or depend on such
+  std::vector<std::string> faults_;
+  /// By number of entities that are damaged or depend on such: the fault.
+  std::map<int, std::size_t> reached_;
   std::vector<TakenFace> faces_;
 };
 

@@ -14,7 +14,7 @@ namespace af2::geometry {
 /// A face that a shell of a STEP file had before the transfer.
 struct TakenFace {
   Handle(StepShape_ConnectedFaceSet) shell;
-  std::string name;  ///< as `stepFaceName`
+  std::string name;  ///< as `stepFaceName`, with the fault in brackets
 };
 
 /// The number of its entity and its name, "#17 'inlet'"; or "number 3 of #12" if the file lacks it.

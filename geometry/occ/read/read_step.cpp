@@ -17,6 +17,8 @@
 #include <XSControl_WorkSession.hxx>
 #include <algorithm>
 #include <iterator>
+#include <optional>
+#include <sstream>
 
 #include "engine/base/error.h"
 #include "geometry/base/utf8.h"
@@ -27,6 +29,7 @@
 #include "geometry/occ/read/reader_setting.h"
 #include "geometry/occ/read/readers.h"
 #include "geometry/occ/read/step_groups.h"
+#include "geometry/occ/read/step_omissions.h"
 #include "geometry/occ/read/turned_faces.h"
 
 namespace af2::geometry {
@@ -115,6 +118,15 @@ TopoDS_Shape joinedParts(const Handle(TDocStd_Document) & document, const Extern
   return all;
 }
 
+IFSelect_ReturnStatus readInto(STEPCAFControl_Reader& reader, const std::filesystem::path& path) {
+  // Files that it refers to are found only beside a file with its whole path.
+  const std::filesystem::path whole = std::filesystem::absolute(path);
+  const std::optional<std::string> mended = withOmittedNames(path);
+  if (!mended) return reader.ReadFile(whole.c_str());
+  std::istringstream text(*mended);
+  return reader.ChangeReader().ReadStream(whole.c_str(), text);
+}
+
 }  // namespace
 
 bool looksLikeStep(const std::string& start) {
@@ -132,8 +144,7 @@ ReadShape readStep(const std::filesystem::path& path) {
   const ReaderSetting unit("xstep.cascade.unit", "MM");
   const bool isUtf8 = isUtf8File(path);
   const ReaderSetting codepage("read.step.codepage", isUtf8 ? "UTF8" : "CP1252");
-  // Files that it refers to are found only beside a file with its whole path.
-  if (withAttributes.ReadFile(std::filesystem::absolute(path).c_str()) != IFSelect_RetDone)
+  if (readInto(withAttributes, path) != IFSelect_RetDone)
     throw InputError(path.string() +
                      ": this STEP file is damaged or truncated; export the model again");
   ReadShape result;

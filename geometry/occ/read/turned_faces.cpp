@@ -142,6 +142,17 @@ Rests restsIn(const TopoDS_Shell& shell,
   return rests;
 }
 
+/// How many of the new faces are in a shape, wherever they are placed.
+int replacedIn(const TopoDS_Shape& shape,
+               const std::vector<std::pair<TopoDS_Face, TopoDS_Face>>& was) {
+  TopTools_IndexedMapOfShape faces;
+  for (TopExp_Explorer it(shape, TopAbs_FACE); it.More(); it.Next())
+    faces.Add(it.Current().Located(TopLoc_Location()));
+  return static_cast<int>(std::ranges::count_if(was, [&](const auto& pair) {
+    return faces.Contains(pair.first.Located(TopLoc_Location()));
+  }));
+}
+
 }  // namespace
 
 TopoDS_Face restOf(const TopoDS_Face& given) {
@@ -169,6 +180,7 @@ TopoDS_Face restOf(const TopoDS_Face& given) {
 int replaceByRests(ReadShape& read, const std::vector<TopoDS_Shell>& shells,
                    const std::function<Rests(const TopoDS_Shell&)>& choose) {
   BRepTools_ReShape replacing;
+  replacing.ModeConsiderLocation() = true;  // shells are found wherever their part is placed
   std::vector<std::pair<TopoDS_Face, TopoDS_Face>> was;  // by the new face: that of the reader
   for (const TopoDS_Shell& shell : shells) {
     if (replacing.IsRecorded(shell)) continue;
@@ -193,7 +205,7 @@ int replaceByRests(ReadShape& read, const std::vector<TopoDS_Shell>& shells,
           std::ranges::find_if(was, [&](const auto& pair) { return pair.first.IsPartner(face); });
       return nameOf(found == was.end() ? face : found->second);
     };
-  return static_cast<int>(was.size());
+  return replacedIn(read.shape, was);
 }
 
 void turnBackFaces(ReadShape& read, const std::function<bool(const TopoDS_Face&)>& isAsInFile) {
@@ -204,7 +216,7 @@ void turnBackFaces(ReadShape& read, const std::function<bool(const TopoDS_Face&)
     const TopoDS_Shape solid = solids(i).Located(TopLoc_Location()).Oriented(TopAbs_FORWARD);
     TopExp_Explorer it(solid, TopAbs_SHELL);
     if (!it.More()) continue;
-    const TopoDS_Shell shell = TopoDS::Shell(it.Current());
+    const TopoDS_Shell shell = TopoDS::Shell(it.Current().Located(TopLoc_Location()));
     it.Next();
     if (!it.More()) shells.push_back(shell);  // of several, it is unknown which faces inwards
   }

@@ -24,7 +24,7 @@ struct Rests {
 };
 
 /// Replaces faces of the shells by the rests that `choose` returns, also in groups and names.
-/// Returns the number of replaced faces.
+/// Returns the number of faces that were replaced, counted in the result.
 int replaceByRests(ReadShape& read, const std::vector<TopoDS_Shell>& shells,
                    const std::function<Rests(const TopoDS_Shell&)>& choose);
 

@@ -2,8 +2,11 @@
 // Not installed: includers need OpenCASCADE's headers.
 #pragma once
 
+#include <optional>
+
 #include "engine/surface/size_field.h"
 #include "geometry/occ/sizes/cad_sizes.h"
+#include "geometry/occ/sizes/sizing.h"
 #include "geometry/occ/surfaces/face_surface.h"
 
 namespace af2::geometry {
@@ -15,13 +18,13 @@ class FaceSize final : public SizeField {
   double sizeAt(const SurfacePoint& point) const override;
 
  private:
-  double limitedAt(const SurfacePoint& point) const;
+  CurvedSize curvedAt(const SurfacePoint& point) const;
 
   const CadSizes& sizes_;
   const FaceSurface& surface_;
   int face_;
   double wanted_;
-  bool isBentAlike_;  ///< then `wanted_` already has the limit by curvature
+  std::optional<CurvedSize> alike_;  ///< where the surface is bent alike everywhere
 };
 
 }  // namespace af2::geometry

@@ -157,8 +157,13 @@ class FaceSampler {
     }
     for (std::size_t i = 0; i < points_.size(); ++i) {
       double size = std::min(wanted_, limits_[i]);
-      if (!surface_.isPlane()) size = limitByCurvature(sizes_, id_, size, surface_, points_[i]);
-      limits_[i] = bounded(sizes_, size);
+      double least = sizes_.minSize;
+      if (!surface_.isPlane()) {
+        const CurvedSize curved = curvedSizeAt(sizes_, id_, size, surface_, points_[i]);
+        size = curved.limit;
+        least = curved.least;
+      }
+      limits_[i] = std::clamp(size, least, sizes_.maxSize);
     }
   }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "engine/base/constants.h"
 
@@ -9,18 +10,42 @@ namespace af2::geometry {
 
 namespace {
 
+/// The size below which a tube, or a wire, would be cut into too many elements.
+double affordableOnTube(double size, const FaceSurface& surface, double radius) {
+  constexpr double kMaxElements = 1e5;
+  constexpr double kElements = 14.5;  // on a tube with edges of length 1, over length * radius
+  constexpr double kMaxAlong = 2e4, kMinSize = 1e-4;  // where a spline has no radius at all
+  const double extent = surface.extent();
+  return std::max(
+      {std::sqrt(kElements * radius * extent / kMaxElements), extent / kMaxAlong, kMinSize * size});
+}
+
 /// A tube must not be cut off by a few large elements, however large the wanted size: with fewer
 /// than five or so around it a front has no room. But a long thin one, a wire, shall not be cut
 /// into too many.
 double leastOnTube(const CadSizes& sizes, double size, const FaceSurface& surface, double radius) {
   constexpr double kShareOfBentFace = 1.0 / 15;
-  constexpr double kMaxElements = 1e5;
-  constexpr double kElements = 14.5;  // on a tube with edges of length 1, over length * radius
-  constexpr double kMaxAlong = 2e4, kMinSize = 1e-4;  // where a spline has no radius at all
-  const double extent = surface.extent();
-  const double many = std::max(
-      {std::sqrt(kElements * radius * extent / kMaxElements), extent / kMaxAlong, kMinSize * size});
-  return std::min({sizes.bentFaceLeast * size, kShareOfBentFace * extent, many});
+  return std::min({sizes.bentFaceLeast * size, kShareOfBentFace * surface.extent(),
+                   affordableOnTube(size, surface, radius)});
+}
+
+/// The smallest allowed size on a tube: --min-size, but never so much that fewer than four elements
+/// go around it. Fewer have no room, and the tube would be lost. A face that turns sharply along a
+/// line, such as the leading edge of a wing, is much longer around than its radius there says, and
+/// no tube.
+double leastAllowedOnTube(const CadSizes& sizes, double size, const FaceSurface& surface,
+                          double radius) {
+  constexpr double kFewestAround = 4;
+  if (sizes.minSize == 0) return 0;
+  const double around =
+      std::max(2 * std::numbers::pi * radius, surface.isRound() ? 0 : surface.girth());
+  return std::min(sizes.minSize,
+                  std::max(around / kFewestAround, affordableOnTube(size, surface, radius)));
+}
+
+/// How far from a sharp tip the radius counts: a size away, but on the face.
+double reachFromTip(double size, const FaceSurface& surface) {
+  return size > surface.extent() ? surface.extent() / 2 : size;
 }
 
 /// Whether a face turns in a crease that is far narrower than itself, so that it is not a tube. No
@@ -37,19 +62,20 @@ bool isCreased(double size, const FaceSurface& surface) {
 CurvedSize curvedSizeAt(const CadSizes& sizes, int face, double size, const FaceSurface& surface,
                         const SurfacePoint& point) {
   constexpr double kVisible = 0.05;  // turn of an edge, in those that it may have
-  const FaceSurface::Radii radii = surface.radiiAt(point, size);
+  const FaceSurface::Radii radii = surface.radiiAt(point, reachFromTip(size, surface));
   const double bend = std::min(1.0, size / (kVisible * sizes.faceTurn * radii.smallest));
   const double share = 1 - (1 - sizes.curvedShare) * bend;
   const double gentle =
       std::min(size, std::max(sizes.faceTurn * radii.smallest, sizes.faceLeast * size));
-  if (sizes.roughFaces.contains(face) || isCreased(size, surface)) return {gentle, share};
+  if (sizes.roughFaces.contains(face) || isCreased(size, surface))
+    return {gentle, share, sizes.minSize};
   const double least = leastOnTube(sizes, size, surface, radii.bent);
-  return {std::min(gentle, std::max(sizes.faceTurn * radii.bent, least)), share};
+  return {std::min(gentle, std::max(sizes.faceTurn * radii.bent, least)), share,
+          leastAllowedOnTube(sizes, size, surface, radii.bent)};
 }
 
-double limitByCurvature(const CadSizes& sizes, int face, double size, const FaceSurface& surface,
-                        const SurfacePoint& point) {
-  return curvedSizeAt(sizes, face, size, surface, point).limit;
+double bounded(const CadSizes& sizes, const CurvedSize& curved, double size) {
+  return std::clamp(size, curved.least, sizes.maxSize);
 }
 
 double expectedElements(const CadSizes& sizes, int face, const FaceSurface& surface, double area,
@@ -69,12 +95,13 @@ double expectedElements(const CadSizes& sizes, int face, const FaceSurface& surf
       const SurfaceFrame frame = surface.inOccParameters().frameAt(u, v);
       const double weight = length(cross(frame.du, frame.dv));
       weights += weight;
-      const double size = surface.isPlane() ? wanted
-                                            : limitByCurvature(sizes, face, wanted, surface,
-                                                               {frame.position, {}, u, v});
-      sum +=
-          weight *
-          density(byPosition ? bounded(sizes, limitByFunction(sizes, size, frame.position)) : size);
+      const CurvedSize curved = surface.isPlane() ? CurvedSize{wanted, 1, sizes.minSize}
+                                                  : curvedSizeAt(sizes, face, wanted, surface,
+                                                                 {frame.position, {}, u, v});
+      const double size = curved.limit;
+      sum += weight * density(byPosition ? bounded(sizes, curved,
+                                                   limitByFunction(sizes, size, frame.position))
+                                         : size);
     }
   }
   return weights > 0 ? area * sum / weights : area * density(wanted);

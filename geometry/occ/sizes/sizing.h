@@ -32,13 +32,14 @@ struct CurvedSize {
   double limit;  ///< the size, or less where an edge of an element would turn by more than faceTurn
   double share;  ///< of it that elements aim at: 1 where the face is as good as flat, elsewhere
                  ///< sizes.curvedShare
+  double least;  ///< lower bound of all sizes there: sizes.minSize, or less on a tube that would
+                 ///< otherwise have fewer than four elements around it
 };
 CurvedSize curvedSizeAt(const CadSizes& sizes, int face, double size, const FaceSurface& surface,
                         const SurfacePoint& point);
 
-/// Only the limit of CurvedSize.
-double limitByCurvature(const CadSizes& sizes, int face, double size, const FaceSurface& surface,
-                        const SurfacePoint& point);
+/// `size`, brought between the bounds of all sizes there.
+double bounded(const CadSizes& sizes, const CurvedSize& curved, double size);
 
 /// The approximate number of triangles of a face: its area over theirs, at the sizes from the
 /// options and the curvature.

@@ -19,9 +19,12 @@ WantedAlongEdge::WantedAlongEdge(const ModelShape& model, int edge, const CadSiz
     addFace(model, edge, face);
 }
 
-double WantedAlongEdge::at(const Point3& position, double parameter) const {
-  double size = largest_;
-  for (const Neighbor& face : faces_) size = std::min(size, onFace(face, position, parameter));
+WantedAlongEdge::Size WantedAlongEdge::at(const Point3& position, double parameter) const {
+  Size size{largest_, sizes_.minSize};
+  for (const Neighbor& face : faces_) {
+    const Size here = onFace(face, position, parameter);
+    size = {std::min(size.wanted, here.wanted), std::min(size.least, here.least)};
+  }
   return size;
 }
 
@@ -43,14 +46,14 @@ void WantedAlongEdge::addFace(const ModelShape& model, int edge, int face) {
   faces_.push_back(std::move(neighbor));
 }
 
-double WantedAlongEdge::onFace(const Neighbor& face, const Point3& position,
-                               double parameter) const {
-  if (!face.surface || face.curve.IsNull()) return face.wanted;
+WantedAlongEdge::Size WantedAlongEdge::onFace(const Neighbor& face, const Point3& position,
+                                              double parameter) const {
+  if (!face.surface || face.curve.IsNull()) return {face.wanted, sizes_.minSize};
   const gp_Pnt2d uv = face.curve->Value(parameter);
   const CurvedSize curved =
       curvedSizeAt(sizes_, face.id, face.wanted, *face.surface, {position, {}, uv.X(), uv.Y()});
   // A full turn keeps its number of elements.
-  return std::min(curved.share * face.wanted, curved.limit);
+  return {std::min(curved.share * face.wanted, curved.limit), curved.least};
 }
 
 }  // namespace af2::geometry

@@ -20,8 +20,13 @@ class WantedAlongEdge {
   /// An upper bound of the sizes.
   double largest() const { return largest_; }
 
-  /// The size without the limits by position, which are evaluated for a whole piece at once.
-  double at(const Point3& position, double parameter) const;
+  struct Size {
+    double wanted;
+    double least;  ///< lower bound of all sizes there
+  };
+  /// The size without bounds and without the limits by position, which are evaluated for a whole
+  /// piece at once.
+  Size at(const Point3& position, double parameter) const;
 
  private:
   struct Neighbor {
@@ -31,7 +36,7 @@ class WantedAlongEdge {
     Handle(Geom2d_Curve) curve;
   };
   void addFace(const ModelShape& model, int edge, int face);
-  double onFace(const Neighbor& face, const Point3& position, double parameter) const;
+  Size onFace(const Neighbor& face, const Point3& position, double parameter) const;
 
   const CadSizes& sizes_;
   std::vector<Neighbor> faces_;

@@ -2,7 +2,6 @@
 
 #include <BRepTools.hxx>
 #include <BRep_Tool.hxx>
-#include <GeomLib_IsPlanarSurface.hxx>
 #include <TopoDS.hxx>
 #include <algorithm>
 #include <cmath>
@@ -15,6 +14,7 @@
 #include "geometry/charts/stereographic_chart.h"
 #include "geometry/charts/torus_map.h"
 #include "geometry/occ/base/points.h"
+#include "geometry/occ/surfaces/flat_surfaces.h"
 #include "geometry/occ/surfaces/surface_bend.h"
 #include "geometry/occ/surfaces/swept_maps.h"
 
@@ -116,16 +116,6 @@ SurfacePoint samplePoint(const Bounds& bounds, const GeneralSurface& surface) {
   return {surface.frameAt(u, v).position, surface.normalAt(u, v), u, v};
 }
 
-/// Whether the surface is not flat or round by its name.
-bool mayBeFlat(GeomAbs_SurfaceType type) { return type >= GeomAbs_BezierSurface; }
-
-/// Splines and swept surfaces often are planes. Parameters may be degenerate or fold on these, and
-/// normals be noise; of a plane nothing of that matters.
-bool isFlat(const Handle(Geom_Surface) & surface, double extent) {
-  constexpr double kFlat = 1e-7;  // of the extent
-  return GeomLib_IsPlanarSurface(surface, kFlat * extent).IsPlanar();
-}
-
 }  // namespace
 
 FaceSurface::FaceSurface(const TopoDS_Face& face)
@@ -155,7 +145,7 @@ FaceSurface::FaceSurface(const Handle(Geom_Surface) & surface, const SplineSurfa
   const Point3 &p = sample.position, &n = sample.normal;
   if (!(length(n) > 0)) return;
   if (adaptor.GetType() != GeomAbs_Plane) measure();
-  if (mayBeFlat(adaptor.GetType()) && isFlat(surface, extent_)) {
+  if (isFlat(surface, box, extent_)) {
     surface_ = PlaneSurface{p, n};
     return;
   }
@@ -219,6 +209,7 @@ void FaceSurface::measure() {
   isBentInV_ = bend.inV;
   extent_ = bend.extent;
   breadth_ = bend.breadth;
+  girth_ = bend.girth;
   creaseRadius_ = bend.creaseRadius;
 }
 

@@ -30,7 +30,7 @@ struct PlaneSurface {
   /// Projects a point that an inexact file has put off the plane onto it, because a front in the
   /// plane ignores the distance from it. Points that are near enough are not changed.
   Point3 drawnOnto(const Point3& p) const {
-    constexpr double kNear = 1e-4;  // of the distance from the origin, a point of the face
+    constexpr double kNear = 1e-6;  // of the distance from the origin, a point of the face
     const double height = dot(p - origin, normal);
     return std::abs(height) <= kNear * distance(p, origin) ? p : p - height * normal;
   }
@@ -65,6 +65,11 @@ class FaceSurface final : public ChartedSurface {
   bool isPlane() const override { return std::holds_alternative<PlaneSurface>(surface_); }
   /// Whether there is no closed form, so that only the parametrisation is available.
   bool isGeneral() const { return std::holds_alternative<GeneralSurface>(surface_); }
+  /// Whether a tube is as far around everywhere as its radius there says: that is known of the
+  /// closed forms and of what is revolved around an axis.
+  bool isRound() const {
+    return !isGeneral() || (sweep_ == Sweep::Revolution && isBentInU_ && !isBentInV_);
+  }
   std::vector<SharpTip> sharpTips() const;
   /// A place around a sharp tip between two places near it, at the fraction `share` of the angle.
   SurfacePoint aroundTip(const SurfacePoint& from, const SurfacePoint& to, double share) const;
@@ -80,6 +85,9 @@ class FaceSurface final : public ChartedSurface {
   /// Length of the shortest parameter line on which the face turns by more than about a right
   /// angle; infinite if there is none.
   double breadth() const { return breadth_; }
+  /// How far it is around the face if it is a tube; far more than its least radius says if it is
+  /// none, as at the leading edge of a wing. Infinite if the face is not bent by so much.
+  double girth() const { return girth_; }
   /// The least radius at which the face turns along a whole crease across such lines. Infinite if
   /// there are none.
   double creaseRadius() const { return creaseRadius_; }
@@ -119,6 +127,7 @@ class FaceSurface final : public ChartedSurface {
   SharpTips tips_;  ///< of a GeneralSurface
   double extent_ = 0;
   double breadth_ = std::numeric_limits<double>::infinity();
+  double girth_ = std::numeric_limits<double>::infinity();
   double creaseRadius_ = std::numeric_limits<double>::infinity();
   enum class Sweep { None, Torus, Revolution } sweep_ = Sweep::None;
   AxisFrame sweepAxis_;                 ///< of a surface of revolution without x and y

@@ -93,24 +93,30 @@ void SurfaceBend::add(const SurfaceBend& part) {
   inV = inV || part.inV;
   extent = std::max(extent, part.extent);
   breadth = std::min(breadth, part.breadth);
+  girth = std::min(girth, part.girth);
   creaseRadius = std::min(creaseRadius, part.creaseRadius);
 }
 
 SurfaceBend bendOf(const GeneralSurface& surface, const SplineSurface::Box& box) {
   SurfaceBend bend;
   std::vector<SharpestTurn> turnsInU, turnsInV;
-  const auto look = [&](const std::vector<SurfacePoint>& line, std::vector<SharpestTurn>& turns) {
+  double longestInU = 0, longestInV = 0;  // of those that are bent
+  const auto look = [&](const std::vector<SurfacePoint>& line, std::vector<SharpestTurn>& turns,
+                        double& longest) {
     bend.extent = std::max(bend.extent, extentOf(line));
     if (!isBent(line)) return;
     bend.breadth = std::min(bend.breadth, lengthOf(line));
+    longest = std::max(longest, lengthOf(line));
     turns.push_back(sharpestTurnOn(line, surface));
   };
   for (const double share : {0.02, 0.5, 0.98}) {
-    look(alongU(surface, box, share), turnsInU);
-    look(alongV(surface, box, share), turnsInV);
+    look(alongU(surface, box, share), turnsInU, longestInU);
+    look(alongV(surface, box, share), turnsInV, longestInV);
   }
   bend.inU = !turnsInU.empty();
   bend.inV = !turnsInV.empty();
+  if (bend.inU) bend.girth = longestInU;
+  if (bend.inV) bend.girth = std::min(bend.girth, longestInV);
   bend.creaseRadius =
       std::min(creaseRadius(turnsInU, bend.extent), creaseRadius(turnsInV, bend.extent));
   return bend;

@@ -14,6 +14,9 @@ struct SurfaceBend {
   double extent = 0;  ///< approximate diameter
   /// Length of the shortest line that turns by so much; infinite if there is none.
   double breadth = std::numeric_limits<double>::infinity();
+  /// Length of the longest such line, along the parameter in which they are shorter: around a pipe,
+  /// but also around a nose with a small radius, or from edge to edge of a wing.
+  double girth = std::numeric_limits<double>::infinity();
   /// The least radius of a crease across such lines; infinite if there are none.
   double creaseRadius = std::numeric_limits<double>::infinity();
 

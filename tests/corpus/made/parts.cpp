@@ -7,6 +7,7 @@
 #include <BRepOffsetAPI_DraftAngle.hxx>
 #include <BRepOffsetAPI_MakeThickSolid.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakeCone.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRep_Builder.hxx>
@@ -267,6 +268,20 @@ TopoDS_Shape flange(Draw& draw) {
   return rounded(draw, shape, draw.count(1, 6), 0.02, 0.6);
 }
 
+/// A plate with a hole and a pin far smaller than any element, and a needle.
+TopoDS_Shape tinyFeatures(Draw& draw) {
+  const TopoDS_Shape plate =
+      BRepPrimAPI_MakeBox(gp_Pnt(-5, -5, 0), 10, 10, draw.between(0.3, 1)).Shape();
+  const auto at = [&](double z) {
+    return gp_Ax2(gp_Pnt(draw.between(-4, 4), draw.between(-4, 4), z), gp::DZ());
+  };
+  const double hole = draw.between(0.005, 0.05), pin = draw.between(0.005, 0.05);
+  const double needle = draw.between(0.005, 0.05), height = draw.between(1, 4);
+  TopoDS_Shape shape = cut(plate, BRepPrimAPI_MakeCylinder(at(-1), hole, 4).Shape());
+  shape = fused(shape, BRepPrimAPI_MakeCylinder(at(0.1), pin, 2).Shape());
+  return fused(shape, BRepPrimAPI_MakeCone(at(0.1), needle, 0, height).Shape());
+}
+
 }  // namespace
 
 std::vector<Family> partFamilies() {
@@ -284,7 +299,8 @@ std::vector<Family> partFamilies() {
           {"gear", gear},
           {"nearly_tangent", nearlyTangent},
           {"nearly_flush", nearlyFlush},
-          {"flange", flange}};
+          {"flange", flange},
+          {"tiny_features", tinyFeatures}};
 }
 
 }  // namespace af2::made

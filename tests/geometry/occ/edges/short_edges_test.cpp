@@ -1,6 +1,8 @@
 // Edges that are taken for points because a face fails with them.
 #include <gtest/gtest.h>
 #include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakeWire.hxx>
+#include <BRepBuilderAPI_Sewing.hxx>
 #include <Geom_Circle.hxx>
 #include <Geom_SurfaceOfRevolution.hxx>
 
@@ -8,6 +10,7 @@
 #include <numbers>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "geometry/occ/edges/edge_division.h"
 #include "tests/geometry/occ/meshing.h"
@@ -63,6 +66,60 @@ TEST(ShortEdges, AreKeptWhereNothingFails) {
   const ModelMesh result = testing::mesh(pastThePole(pi, -0.02), 2.7);
   testing::expectComplete(result, pi * 49);
   EXPECT_FALSE(tellsOfPoints(result.faces[0]));
+}
+
+/// A block with a small dome on it that goes on past its pole, so that its surface turns over.
+TopoDS_Shape blockWithABadDome(double radius) {
+  BRepBuilderAPI_Sewing sewing(1e-6);
+  const gp_Pnt low(-3, -3, -6), high(3, 3, 0);
+  for (TopExp_Explorer it(BRepPrimAPI_MakeBox(low, high).Shape(), TopAbs_FACE); it.More();
+       it.Next())
+    if (BRepAdaptor_Surface(TopoDS::Face(it.Current())).Plane().Location().Z() < -1e-9 ||
+        std::abs(BRepAdaptor_Surface(TopoDS::Face(it.Current())).Plane().Axis().Direction().Z()) <
+            0.5)
+      sewing.Add(it.Current());
+  const auto wire = [](const TopoDS_Edge& edge) { return BRepBuilderAPI_MakeWire(edge).Wire(); };
+  BRepBuilderAPI_MakeFace top(gp_Pln({0, 0, 0}, {0, 0, 1}), -3, 3, -3, 3);
+  top.Add(TopoDS::Wire(wire(testing::circle(radius)).Reversed()));
+  sewing.Add(top.Face());
+  const Handle(Geom_Curve) meridian =
+      new Geom_Circle(gp_Ax2(gp_Pnt(0, 0, 0), gp_Dir(0, -1, 0), gp_Dir(1, 0, 0)), radius);
+  const Handle(Geom_Surface) surface =
+      new Geom_SurfaceOfRevolution(meridian, gp_Ax1(gp_Pnt(0, 0, 0), gp_Dir(0, 0, 1)));
+  sewing.Add(BRepBuilderAPI_MakeFace(surface, 0, 2 * pi, 0, pi / 2 + 0.6, 1e-7).Face());
+  sewing.Perform();
+  return sewing.SewedShape();
+}
+
+/// It failed with an empty reason, although all around it was closed.
+TEST(ShortEdges, AFaceAllOfWhoseEdgesArePointsHasVanished) {
+  const ModelMesh result = testing::mesh(blockWithABadDome(0.1), 1);
+  testing::expectComplete(result);
+  EXPECT_EQ(testing::eulerNumber(result), 2);
+  const auto vanished = std::ranges::find(result.faces, 0u, &FaceReport::elements);
+  ASSERT_NE(vanished, result.faces.end());
+  EXPECT_NE(vanished->reason.find("smaller than any element"), std::string::npos);
+  EXPECT_TRUE(tellsOfPoints(*vanished));
+}
+
+/// A cone whose upper circle is given, but within the tolerance of its vertex.
+TopoDS_Shape almostPointedCone(double radius, double tolerance) {
+  const TopoDS_Shape cone = BRepPrimAPI_MakeCone(5, radius, 10).Shape();
+  for (TopExp_Explorer it(cone, TopAbs_VERTEX); it.More(); it.Next())
+    if (BRep_Tool::Pnt(TopoDS::Vertex(it.Current())).Z() > 5)
+      BRep_Builder().UpdateVertex(TopoDS::Vertex(it.Current()), tolerance);
+  return cone;
+}
+
+/// A closed edge is longer than it is large, so that it was kept, and bridged by needles.
+TEST(ShortEdges, AClosedOneWithinTheToleranceOfItsVertexIsAPoint) {
+  for (const auto& [tolerance, vanished] : {std::pair{0.003, 1}, {1e-7, 0}}) {
+    const ModelMesh result = testing::mesh(almostPointedCone(0.001, tolerance), 5);
+    testing::expectComplete(result);
+    EXPECT_EQ(testing::eulerNumber(result), 2);
+    EXPECT_GT(testing::leastAngle(result), 15);
+    EXPECT_EQ(std::ranges::count(result.faces, 0u, &FaceReport::elements), vanished);
+  }
 }
 
 DividedEdges divided(const Model& model, double size, const CollapsedEdges& asPoints) {

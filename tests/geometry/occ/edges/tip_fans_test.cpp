@@ -144,6 +144,7 @@ TEST(TipFans, LeavePartsThatAreTooShortForThem) {
     piece.arcLength.push_back(i * 0.1);
     piece.positions.push_back({i * 0.1, 0, 0});
     piece.sizes.push_back(0.25);
+    piece.least.push_back(0);
   }
   part.samples.pieces.push_back(piece);
   part.samples.length = 1;

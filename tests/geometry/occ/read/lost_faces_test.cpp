@@ -2,10 +2,12 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <BRepBuilderAPI_NurbsConvert.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <IGESControl_Writer.hxx>
 #include <Message.hxx>
 #include <Message_Messenger.hxx>
+#include <STEPControl_Writer.hxx>
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
@@ -101,6 +103,35 @@ TEST(LostFaces, OfAStepFileAreThoseWhoseBoundaryIsLost) {
   const Model model = read("bound.step", text);
   EXPECT_EQ(model.faceCount(), 9);
   EXPECT_EQ(model.lostFaces().size(), 1u);
+}
+
+TEST(LostFaces, OfAStepFileTellWhatIsWrongWithThem) {
+  const Model model = read("number.step", brickWith("nan"));
+  for (const std::string& face : model.lostFaces())
+    EXPECT_NE(face.find("(#25: "), std::string::npos) << face;
+}
+
+/// A cylinder of rational splines, which are complex entities.
+std::string rationalInStep() {
+  Message::DefaultMessenger()->ChangePrinters().Clear();
+  STEPControl_Writer writer;
+  writer.Transfer(BRepBuilderAPI_NurbsConvert(BRepPrimAPI_MakeCylinder(2, 5).Shape()).Shape(),
+                  STEPControl_AsIs);
+  const testing::TemporaryFile file("rational.step", "");
+  writer.Write(file.path().c_str());
+  return textOf(file.path());
+}
+
+/// OpenCASCADE does not read an entity that leaves its name out.
+TEST(LostFaces, AreNoneWhereOnlyANameIsLeftOut) {
+  std::string text = rationalInStep();
+  const ModelMesh sound = testing::mesh(read("rational.step", text), 1);
+  testing::expectComplete(sound);
+  replace(text, " REPRESENTATION_ITEM('') SURFACE", " REPRESENTATION_ITEM( ) SURFACE");
+  const Model model = read("rational.step", text);
+  EXPECT_TRUE(model.lostFaces().empty());
+  EXPECT_TRUE(model.notes().empty());
+  EXPECT_EQ(testing::mesh(model, 1).vertices, sound.vertices);
 }
 
 /// Plain faces that share no edges, as IGES has them.

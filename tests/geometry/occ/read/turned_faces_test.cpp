@@ -75,6 +75,47 @@ TEST(TurnedFaces, AreTurnedBackWithTheirShell) {
   EXPECT_EQ(testing::eulerNumber(result), 2);
 }
 
+/// A shape with one inside it that has a place of its own.
+TopoDS_Shape compoundOf(const TopoDS_Shape& shape) {
+  TopoDS_Compound compound;
+  BRep_Builder().MakeCompound(compound);
+  BRep_Builder().Add(compound, shape);
+  return compound;
+}
+
+TopoDS_Shape moved(const TopoDS_Shape& shape, double along) {
+  gp_Trsf place;
+  place.SetRotation(gp_Ax1({0, 0, 0}, {1, 0, 0}), 0.5);
+  place.SetTranslationPart({along, 2, 0});
+  return shape.Moved(place);
+}
+
+TopoDS_Shape solidWithMovedShell(const TopoDS_Shape& solid) {
+  TopoDS_Solid made;
+  BRep_Builder().MakeSolid(made);
+  BRep_Builder().Add(made, moved(TopoDS_Iterator(solid).Value(), 4));
+  return made;
+}
+
+/// The replacement did not find shells under a location; the note said "corrected" all the same.
+TEST(TurnedFaces, AreTurnedBackWhereverTheirPartIsPlaced) {
+  const ReadShape plain = misread(wedgeOfBall(pi / 2));
+  for (const TopoDS_Shape& placed :
+       {moved(plain.shape, 3), compoundOf(moved(plain.shape, 3)),
+        moved(compoundOf(moved(plain.shape, 3)), 5), solidWithMovedShell(plain.shape),
+        moved(solidWithMovedShell(plain.shape), 7)}) {
+    ReadShape read = plain;
+    read.shape = placed;
+    const TopoDS_Face wrong = sphereOf(read.shape);
+    turnBackFaces(read, [&](const TopoDS_Face& face) { return !face.IsPartner(wrong); });
+    EXPECT_EQ(read.notes.size(), 1u);
+    EXPECT_FALSE(sphereOf(read.shape).IsPartner(wrong));
+    const ModelMesh result = testing::mesh(read.shape, 0.2);
+    testing::expectComplete(result, 2 * pi);
+    EXPECT_NEAR(testing::volumeOf(result), pi / 3, 0.03);
+  }
+}
+
 TEST(TurnedFaces, StayIfTheFileSaysSo) {
   ReadShape read = misread(wedgeOfBall(pi / 2));
   const TopoDS_Face wrong = sphereOf(read.shape);

@@ -50,7 +50,7 @@ double smallestSize(const Model& model, const CadSizes& sizes) {
   double smallest = kSize;
   for (double u = 2; u < 98; u += 1.37)
     for (double v = 2; v < 98; v += 1.37)
-      smallest = std::min(smallest, limitByCurvature(sizes, 1, kSize, surface, {{}, {}, u, v}));
+      smallest = std::min(smallest, curvedSizeAt(sizes, 1, kSize, surface, {{}, {}, u, v}).limit);
   return smallest;
 }
 

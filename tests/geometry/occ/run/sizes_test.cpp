@@ -1,6 +1,7 @@
 // Sizes that are asked for, on CAD models.
 #include <gtest/gtest.h>
 #include <BRepAlgoAPI_Cut.hxx>
+#include <BRepAlgoAPI_Fuse.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <gp_Cylinder.hxx>
@@ -228,6 +229,26 @@ TEST(Sizes, OfAFunctionReachTheFacesAroundThem) {
   sizes.function = [](const Point3& p) { return distance(p, Point3{2, 2, 4}) < 1 ? 0.05 : 10.0; };
   const ModelMesh result = mesh(testing::box(4, 4, 4), sizes);
   EXPECT_LT(worstStep(result), 4.5);
+}
+
+TEST(Sizes, OfAtLeastSoMuchLeaveSmallHolesAndPinsFourElementsAround) {
+  // With three, the walls of the hole and of the pin failed.
+  const TopoDS_Shape plate = BRepPrimAPI_MakeBox(100, 100, 5).Shape();
+  const auto cylinder = [](double x, double z, double radius) {
+    return BRepPrimAPI_MakeCylinder(gp_Ax2({x, 50, z}, {0, 0, 1}), radius, 7).Shape();
+  };
+  const TopoDS_Shape part =
+      BRepAlgoAPI_Fuse(BRepAlgoAPI_Cut(plate, cylinder(50, -1, 0.2)).Shape(), cylinder(30, 4, 0.06))
+          .Shape();
+  Sizes sizes = sizesOf(5);
+  sizes.minSize = 0.5;
+  for (const double turn : {0.0, 12.0}) {
+    sizes.elementsPerTurn = turn;
+    int circles = 0;
+    for (const auto& [edge, count] : segmentsByEdge(mesh(testing::modelOf(part), sizes)))
+      if (count == 4) ++circles;
+    EXPECT_EQ(circles, 4);
+  }
 }
 
 TEST(Sizes, NoSizeIsLargerThanTheModel) {

@@ -126,7 +126,7 @@ TEST(FaceSurface, TakesAFlatSplineForAPlane) {
 TEST(FaceSurface, DrawsCornersFarBesideAPlaneOntoIt) {
   const FaceSurface plane(bilinear({0, 0, 1}, {2, 0, 1}, {0, 1, 1}, {2, 1, 1}));
   EXPECT_NEAR(plane.boundaryPoint({2, 1, 1.5}, 1, 1).position.z, 1, 1e-12);
-  EXPECT_EQ(plane.boundaryPoint({2, 1, 1.0001}, 1, 1).position.z, 1.0001);
+  EXPECT_EQ(plane.boundaryPoint({2, 1, 1.000001}, 1, 1).position.z, 1.000001);
 }
 
 /// One side of the surface is a thousandth as long as the others, and across their plane.
