@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <cmath>
 #include <functional>
 #include <numeric>
 #include <span>
@@ -19,6 +20,20 @@ namespace {
 
 using geometry::FaceReport;
 using geometry::FaceStatus;
+
+std::string closedText(const geometry::MeshQuality& quality) {
+  if (quality.freeEdges == 0) return "closed";
+  return fmt::format("open, {} free {}", grouped(quality.freeEdges),
+                     quality.freeEdges == 1 ? "edge" : "edges");
+}
+
+/// Without the digits that rounding leaves of a zero.
+std::string roughPlace(Point3 place) {
+  const double least = 1e-9 * std::max({std::abs(place.x), std::abs(place.y), std::abs(place.z)});
+  for (double* coordinate : {&place.x, &place.y, &place.z})
+    if (std::abs(*coordinate) < least) *coordinate = 0;
+  return textOf(place, 3);
+}
 
 std::string countText(const geometry::ModelMesh& mesh) {
   const auto quads =
@@ -68,11 +83,12 @@ std::string summaryText(const geometry::ModelMesh& mesh, const geometry::MeshQua
   if (mesh.elements.empty())
     return fmt::format("{}\n{}\n", countText(mesh), secondsText(mesh.seconds));
   return fmt::format(
-      "{}\n"
-      "quality min {:.3f}  mean {:.3f}  angles {:.1f}-{:.1f} deg  fingerprint {}\n"
+      "{}  {}\n"
+      "quality min {:.3f} (face {} at {})  mean {:.3f}  angles {:.1f}-{:.1f} deg  fingerprint {}\n"
       "{}\n"
       "{}\n",
-      countText(mesh), quality.min, quality.mean, quality.minAngle, quality.maxAngle,
+      countText(mesh), closedText(quality), quality.min, quality.worstFace,
+      roughPlace(quality.worstPlace), quality.mean, quality.minAngle, quality.maxAngle,
       geometry::fingerprint(mesh), lengthsText(quality.edges), secondsText(mesh.seconds));
 }
 

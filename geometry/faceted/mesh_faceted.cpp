@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include "engine/base/error.h"
+#include "engine/base/place_text.h"
 #include "geometry/base/constants.h"
 #include "geometry/base/parallel.h"
 #include "geometry/domain/domain_model.h"
@@ -14,6 +16,7 @@
 #include "geometry/faceted/patch_charts.h"
 #include "geometry/faceted/patch_limit.h"
 #include "geometry/faceted/patches.h"
+#include "geometry/mesh/inside_out.h"
 #include "geometry/mesh/quality.h"
 
 namespace af2::geometry {
@@ -212,6 +215,28 @@ bool isPoor(const ModelMesh& mesh) {
   return failedArea(mesh) > 0 || measureQuality(mesh).minAngle < kUselessAngle;
 }
 
+double volumeOf(const Facets& facets) {
+  const Point3 origin = facets.vertices[facets.triangles.front()[0]];
+  const auto at = [&](std::uint32_t v) { return facets.vertices[v] - origin; };
+  double sum = 0;
+  for (const auto& [a, b, c] : facets.triangles) sum += dot(at(a), cross(at(b), at(c)));
+  return sum / 6;
+}
+
+/// Elements that are large beside the bends of a surface cut off what is outside of them.
+void noteVolume(const Facets& facets, ModelMesh& mesh) {
+  constexpr double kFair = 0.02;
+  const std::optional<double> enclosed = enclosedVolume(mesh);
+  const double wanted = volumeOf(facets);
+  if (!enclosed || wanted == 0) return;
+  const double more = *enclosed / wanted - 1;
+  if (std::abs(more) > kFair)
+    mesh.notes.push_back("the mesh encloses " + textOf(100 * std::abs(more), 2) +
+                         (more < 0 ? " % less" : " % more") +
+                         " volume than the triangles of the file; a smaller size, or elements by "
+                         "curvature, follow the surface more closely");
+}
+
 void noteCuts(std::size_t count, ModelMesh& mesh) {
   mesh.notes.push_back(
       "patches that could not be meshed whole were cut into pieces; additional patches: " +
@@ -231,7 +256,11 @@ ModelMesh meshFaceted(const Facets& facets, const AF2Algorithm& algorithm,
   PatchedFacets patched = findPatches(facets, limits);
   const DomainModel whole = modelOf(patched, options);
   if (check) check(whole);
-  if (namesFacesOrEdges(options)) return meshDomain(whole, algorithm, options);
+  if (namesFacesOrEdges(options)) {
+    ModelMesh mesh = meshDomain(whole, algorithm, options);
+    noteVolume(facets, mesh);
+    return mesh;
+  }
   MeshingOptions brief = options;
   brief.mostRetries = std::min(kBriefly, options.mostRetries.value_or(kBriefly));
   ModelMesh mesh = meshDomain(whole, algorithm, brief);
@@ -249,6 +278,7 @@ ModelMesh meshFaceted(const Facets& facets, const AF2Algorithm& algorithm,
   }
   if (isPoor(mesh)) mesh = meshDomain(modelOf(patched, options), algorithm, options);
   if (cutPieces > 0) noteCuts(cutPieces, mesh);
+  noteVolume(facets, mesh);
   return mesh;
 }
 

@@ -119,11 +119,13 @@ Json toJson(const LengthRatio& edges) {
 
 Json toJson(const MeshQuality& quality) {
   return {{"min", quality.min},
+          {"worst", {{"face", quality.worstFace}, {"place", toJson(quality.worstPlace)}}},
           {"p1", quality.p1},
           {"mean", quality.mean},
           {"min_angle", quality.minAngle},
           {"max_angle", quality.maxAngle},
-          {"edge_ratio", toJson(quality.edges)}};
+          {"edge_ratio", toJson(quality.edges)},
+          {"free_edges", quality.freeEdges}};
 }
 
 }  // namespace

@@ -42,7 +42,7 @@ bool isTurnedAlike(const ModelMesh& mesh) {
   return sides == reversed;
 }
 
-/// Six times the volume.
+/// Positive if the elements are counter-clockwise seen from outside.
 double volumeOf(const ModelMesh& mesh) {
   const Point3 origin = mesh.vertices[mesh.elements.front().corners[0].value];
   const auto at = [&](VertexId v) { return mesh.vertices[v.value] - origin; };
@@ -53,13 +53,15 @@ double volumeOf(const ModelMesh& mesh) {
     sum += dot(first, cross(at(b), third));
     if (!d.isNone()) sum += dot(first, cross(third, at(d)));
   }
-  return sum;
+  return sum / 6;
 }
 
 }  // namespace
 
-bool isInsideOut(const ModelMesh& mesh) {
-  return isWhole(mesh) && isTurnedAlike(mesh) && volumeOf(mesh) < 0;
+std::optional<double> enclosedVolume(const ModelMesh& mesh) {
+  return isWhole(mesh) && isTurnedAlike(mesh) ? std::optional(volumeOf(mesh)) : std::nullopt;
 }
+
+bool isInsideOut(const ModelMesh& mesh) { return enclosedVolume(mesh).value_or(0) < 0; }
 
 }  // namespace af2::geometry

@@ -1,6 +1,8 @@
 // Detects closed meshes whose elements face inwards.
 #pragma once
 
+#include <optional>
+
 #include "geometry/mesh/model_mesh.h"
 
 namespace af2::geometry {
@@ -8,6 +10,10 @@ namespace af2::geometry {
 /// The note for such a mesh.
 constexpr const char* kInsideOut =
     "the surface is closed and faces inwards: the elements are clockwise as seen from outside";
+
+/// The volume that a mesh encloses, negative if it is inside out. None if the mesh is not closed, a
+/// face failed or was left out, or its elements are not oriented alike.
+std::optional<double> enclosedVolume(const ModelMesh& mesh);
 
 /// Whether a mesh is closed, its elements are oriented alike, and they are clockwise seen from
 /// outside: the model is inside out. False if any face failed.

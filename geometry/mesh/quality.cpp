@@ -72,18 +72,30 @@ void measureShapes(const ModelMesh& mesh, MeshQuality& result) {
   for (const Element& element : mesh.elements) {
     values.push_back(shapeQuality(mesh.vertices, element));
   }
-  result.min = *std::ranges::min_element(values);
+  const auto worst = std::ranges::min_element(values);
+  result.min = *worst;
+  const auto element = static_cast<std::size_t>(worst - values.begin());
+  if (element < mesh.face.size()) result.worstFace = mesh.face[element];
+  const auto corners = mesh.elements[element].vertices();
+  for (const VertexId v : corners)
+    result.worstPlace =
+        result.worstPlace + 1.0 / static_cast<double>(corners.size()) * mesh.vertices[v.value];
   result.mean = std::reduce(values.begin(), values.end()) / static_cast<double>(values.size());
   result.p1 = percentile(values, 0.01);
 }
 
-LengthRatio measureLengths(const ModelMesh& mesh) {
+void countFreeEdges(const MeshSides& sides, MeshQuality& result) {
+  sides.forEachEdge([&](VertexId, std::span<const MeshSide> used) {
+    if (used.size() == 1) ++result.freeEdges;
+  });
+}
+
+LengthRatio measureLengths(const ModelMesh& mesh, const MeshSides& sides) {
   LengthRatio result;
   if (mesh.wantedSizes.empty()) return result;
   constexpr double kFar = std::numeric_limits<double>::infinity();
   result.leastLength = result.leastWanted = kFar;
   std::vector<double> ratios;  // nothing else is kept for each edge: there are millions
-  const MeshSides sides(mesh);
   ratios.reserve(sides.count() / 2 + mesh.segments.size());
   sides.forEachEdge([&](VertexId from, std::span<const MeshSide> used) {
     const std::uint32_t to = used.front().to;
@@ -115,7 +127,11 @@ MeshQuality measureQuality(const ModelMesh& mesh, int threads) {
   MeshQuality result;
   if (mesh.elements.empty()) return result;
   forEachInParallel(3, threads, [&](std::size_t part) {
-    if (part == 0) result.edges = measureLengths(mesh);
+    if (part == 0) {
+      const MeshSides sides(mesh);
+      countFreeEdges(sides, result);
+      result.edges = measureLengths(mesh, sides);
+    }
     if (part == 1) measureShapes(mesh, result);
     if (part == 2) measureAngles(mesh, result);
   });

@@ -31,8 +31,11 @@ struct LengthRatio {
 /// All zero for a mesh without elements.
 struct MeshQuality {
   double min = 0, p1 = 0, mean = 0;   ///< of shapeQuality; p1 is the 1st percentile
+  std::int32_t worstFace = 0;         ///< model face of the first element of quality `min`
+  Point3 worstPlace;                  ///< middle of this element
   double minAngle = 0, maxAngle = 0;  ///< between the edges at a corner, in degrees
   LengthRatio edges;                  ///< each edge of the mesh counts once
+  std::size_t freeEdges = 0;          ///< with one element; 0: the mesh is closed
 };
 
 /// The length of an edge is compared with the mean of the sizes wanted at its ends; the length

@@ -32,6 +32,21 @@ TEST(SummaryText, DoesNotCountSkippedFaces) {
   EXPECT_EQ(summaryText(mesh, {}).substr(0, 11), "faces 1/1  ");
 }
 
+TEST(SummaryText, TellsWhetherTheMeshIsClosedAndWhereItIsWorst) {
+  ModelMesh mesh;
+  mesh.faces = {{1, "", "plane", "", FaceStatus::Complete, 2, 0, 1, ""}};
+  mesh.vertices.resize(3);
+  mesh.elements.resize(1);
+  geometry::MeshQuality quality;
+  quality.worstFace = 5;
+  quality.worstPlace = {1.23456, 2, 3};
+  EXPECT_NE(summaryText(mesh, quality).find("1 triangles  closed\n"), std::string::npos);
+  EXPECT_NE(summaryText(mesh, quality).find("min 0.000 (face 5 at (1.23, 2, 3))"),
+            std::string::npos);
+  quality.freeEdges = 1234;
+  EXPECT_NE(summaryText(mesh, quality).find("open, 1 234 free edges\n"), std::string::npos);
+}
+
 TEST(SummaryText, TellsNoQualityOfAMeshWithoutElements) {
   EXPECT_EQ(summaryText({}, {}).find("quality"), std::string::npos);
 }

@@ -160,6 +160,19 @@ TEST(Facets, TellWhatIsWrongWithAFile) {
             std::string::npos);
 }
 
+TEST(Faceted, TellsWhenTheMeshEnclosesAnotherVolume) {
+  const auto tellsOfVolume = [](const ModelMesh& mesh) {
+    return std::ranges::any_of(
+        mesh.notes, [](const std::string& note) { return note.starts_with("the mesh encloses "); });
+  };
+  const Facets torus = thickTorus();
+  const ModelMesh coarse = testing::completeMesh(torus, 1),
+                  fine = testing::completeMesh(torus, 0.2);
+  EXPECT_LT(testing::volumeOf(coarse), 0.98 * testing::volumeOf(fine));
+  EXPECT_TRUE(tellsOfVolume(coarse));
+  EXPECT_FALSE(tellsOfVolume(fine));
+}
+
 TEST(Patches, AreBetweenFeatureEdges) {
   const PatchedFacets box = findPatches(read("box.obj", kBox), {pi / 4});
   EXPECT_EQ(box.patches.size(), 6u);

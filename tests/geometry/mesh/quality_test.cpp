@@ -87,6 +87,25 @@ TEST(MeasureQuality, CountsEachEdgeOnce) {
   EXPECT_NEAR(quality.edges.mostLength, std::sqrt(2.0), 1e-15);
 }
 
+TEST(MeasureQuality, CountsEdgesOfOneElement) {
+  ModelMesh mesh = cubeMesh();
+  EXPECT_EQ(measureQuality(mesh).freeEdges, 0u);
+  mesh.elements.pop_back();
+  EXPECT_GE(measureQuality(mesh).freeEdges, 3u);
+  EXPECT_EQ(measureQuality(oneElement({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}})).freeEdges, 3u);
+}
+
+TEST(MeasureQuality, NamesTheWorstElement) {
+  ModelMesh mesh = oneElement({{0, 0, 0}, {1, 0, 0}, {0.5, 0.9, 0}});
+  const VertexId far(mesh.vertices.size());
+  mesh.vertices.push_back({0.5, -0.3, 0});
+  mesh.elements.push_back({{VertexId(std::size_t{1}), VertexId(std::size_t{0}), far, {}}});
+  mesh.face = {4, 7};
+  const MeshQuality quality = measureQuality(mesh);
+  EXPECT_EQ(quality.worstFace, 7);
+  EXPECT_NEAR(distance(quality.worstPlace, {0.5, -0.1, 0}), 0, 1e-12);
+}
+
 TEST(MeasureQuality, HoldsAnEdgeAgainstTheSizesAtItsEnds) {
   ModelMesh mesh = oneElement({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
   mesh.wantedSizes = {1, 3, 1};
