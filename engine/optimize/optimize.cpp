@@ -158,7 +158,9 @@ OptimizeReport improve(Mesh& mesh, const MeshBoundary& boundary,
   for (int round = 0; round < rounds && !options.stop.stop_requested(); ++round) {
     if (hasQuads && options.renumber) {
       smooth();
-      report.replacements += tidyQuads(topology, angles, options.closingRule, recorder);
+      report.replacements +=
+          tidyQuads(topology, angles, options.closingRule, recorder,
+                    options.quads.onlyQuads ? MayAddTriangles::No : MayAddTriangles::Yes);
       report.replacements += cleanUp(topology, maker, options, recorder, round + 1 == rounds);
     }
     report.swaps += swapSides(topology, SwapGoal::Valence, wanted, recorder);

@@ -143,7 +143,7 @@ double QuadChanges::gainOf(const Change& change) const {
 }
 
 void QuadChanges::offer(Change change, const Leniency& leniency) {
-  if (!hasTriangles_ && !std::ranges::all_of(change.elements, &Element::isQuad) &&
+  if (keepsQuads_ && !std::ranges::all_of(change.elements, &Element::isQuad) &&
       std::ranges::all_of(change.places, [&](std::size_t e) { return isSoundAt(e); }))
     return;
   double gain = gainOf(change), worst = leniency.worst;

@@ -27,13 +27,15 @@ struct Leniency {
 
 /// Chooses among changes by their cost. An element costs its distortion, and more if it is a
 /// triangle; a vertex costs the difference between the sum of its elements' ideal angles and the
-/// angle there. A mesh of sound quadrilaterals alone gets no
-/// triangles.
+/// angle there.
 class QuadChanges {
  public:
   /// See tidyQuads.
   QuadChanges(MeshTopology& topology, const std::vector<double>& anglesAtFixed,
               std::optional<std::uint16_t> closingRule, ActRecorder* recorder);
+
+  /// From now on a mesh of sound quadrilaterals alone gets no triangles.
+  void keepQuads() { keepsQuads_ = !hasTriangles_; }
 
   const MeshTopology& topology() const { return topology_; }
   std::size_t elementCount() const { return mesh().elements.size(); }
@@ -68,7 +70,7 @@ class QuadChanges {
 
   MeshTopology& topology_;
   ActRecorder* recorder_;
-  bool hasTriangles_ = false;
+  bool hasTriangles_ = false, keepsQuads_ = false;
   std::vector<int> wanted_, sum_;     ///< by vertex: the angle there, the sum of ideal angles
   std::vector<std::uint8_t> isOpen_;  ///< by element
   std::vector<double> distortion_;    ///< by element

@@ -144,9 +144,11 @@ class Tidier {
 }  // namespace
 
 std::size_t tidyQuads(MeshTopology& topology, const std::vector<double>& anglesAtFixed,
-                      std::optional<std::uint16_t> closingRule, ActRecorder* recorder) {
+                      std::optional<std::uint16_t> closingRule, ActRecorder* recorder,
+                      MayAddTriangles triangles) {
   constexpr int kMaxPasses = 3;
   QuadChanges changes(topology, anglesAtFixed, closingRule, recorder);
+  if (triangles == MayAddTriangles::No) changes.keepQuads();
   Tidier tidier(changes);
   std::size_t count = 0;
   for (int i = 0; i < kMaxPasses; ++i) {

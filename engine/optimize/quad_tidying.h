@@ -11,6 +11,9 @@
 
 namespace af2 {
 
+/// Whether poor elements of a mesh of sound quadrilaterals alone may become triangles.
+enum class MayAddTriangles : std::uint8_t { No, Yes };
+
 /// Replaces small groups of elements by better ones with the same outline, as long as that lowers
 /// the total cost (see QuadChanges). Only changes quadrilaterals, triangles that closed a front,
 /// and small groups of other triangles: where a rule set makes triangles on purpose, they stay.
@@ -19,6 +22,7 @@ namespace af2 {
 /// closingRule    the rule that made the triangles that closed a front; see OptimizeOptions
 /// Returns the number of replacements.
 std::size_t tidyQuads(MeshTopology& topology, const std::vector<double>& anglesAtFixed,
-                      std::optional<std::uint16_t> closingRule, ActRecorder* recorder = nullptr);
+                      std::optional<std::uint16_t> closingRule, ActRecorder* recorder = nullptr,
+                      MayAddTriangles triangles = MayAddTriangles::Yes);
 
 }  // namespace af2
