@@ -4,7 +4,7 @@
 
 #include "engine/base/error.h"
 #include "geometry/io/formats.h"
-#include "geometry/io/triangles_of.h"
+#include "geometry/mesh/triangles_of.h"
 
 namespace af2::geometry {
 namespace {
