@@ -2,6 +2,7 @@
 // physical group of the same number, so that boundary conditions can be given by face; and it
 // belongs to the physical groups of the parts, solids, layers and colours of the model. Each edge
 // with line elements is a curve entity, in the physical group of its boundary or in one of its own.
+// Each solid is a volume entity without elements, bounded by its faces.
 #include <algorithm>
 #include <map>
 #include <set>
@@ -11,11 +12,13 @@
 #include "geometry/base/box_tree.h"
 #include "geometry/io/formats.h"
 #include "geometry/io/msh_groups.h"
+#include "geometry/io/msh_volumes.h"
 
 namespace af2::geometry {
 namespace {
 
-constexpr std::int32_t kCurve = PhysicalGroup::kCurve, kSurface = PhysicalGroup::kSurface;
+constexpr std::int32_t kCurve = PhysicalGroup::kCurve, kSurface = PhysicalGroup::kSurface,
+                       kVolume = PhysicalGroup::kVolume;
 constexpr std::int32_t kNoParameters = 0;
 
 /// Gmsh's number for a kind of element.
@@ -46,14 +49,15 @@ std::vector<VertexId> verticesOf(const LineElement& line) {
   return vertices;
 }
 
-/// The mesh of one model edge or face.
+/// The mesh of one model edge or face; or a solid, which has none.
 struct Entity {
   std::int32_t dimension = kSurface;
-  std::int32_t id = 0;               ///< of the edge or face
+  std::int32_t id = 0;               ///< of the edge, face or solid
   std::vector<std::int32_t> groups;  ///< physical groups: of a face, its own first
   Box3 box;
   std::vector<std::uint32_t> vertices;  ///< those that no earlier entity has
   std::vector<std::uint32_t> lines, triangles, quads;
+  std::vector<std::int32_t> bounds;  ///< surfaces that bound it
 };
 
 /// Takes what entities consist of; each vertex belongs to the first that comes to it.
@@ -74,8 +78,24 @@ class EntityMaker {
   std::vector<bool> placed_;
 };
 
-/// Curves, then surfaces.
-std::vector<Entity> entitiesOf(const ModelMesh& mesh, Lines lines, const MshGroups& groups) {
+/// `others` are the entities of lower dimension.
+Entity entityOf(const MshVolume& volume, const std::vector<Entity>& others) {
+  Entity entity;
+  entity.dimension = kVolume;
+  entity.id = volume.number;
+  entity.groups = {volume.number};
+  entity.bounds = volume.surfaces;
+  for (const Entity& other : others)
+    if (other.dimension == kSurface &&
+        std::ranges::binary_search(volume.surfaces, other.id, {},
+                                   [](auto id) { return id < 0 ? -id : id; }))
+      entity.box.add(other.box);
+  return entity;
+}
+
+/// Curves, then surfaces, then volumes.
+std::vector<Entity> entitiesOf(const ModelMesh& mesh, Lines lines, const MshGroups& groups,
+                               const std::vector<MshVolume>& volumes) {
   std::map<std::pair<std::int32_t, std::int32_t>, Entity> byDimensionAndId;
   EntityMaker maker(mesh);
   for (std::uint32_t i = 0; i < lines.size(); ++i) {
@@ -96,6 +116,7 @@ std::vector<Entity> entitiesOf(const ModelMesh& mesh, Lines lines, const MshGrou
     std::ranges::sort(entity.vertices);
     entities.push_back(std::move(entity));
   }
+  for (const MshVolume& volume : volumes) entities.push_back(entityOf(volume, entities));
   return entities;
 }
 
@@ -113,7 +134,7 @@ void putHead(OutputFile& file, std::uint64_t blocks, std::uint64_t count,
   file.binary(highestTag);
 }
 
-/// Only of groups that some element belongs to.
+/// Only of groups that some entity belongs to.
 void writePhysicalNames(const std::vector<Entity>& entities, const MshGroups& groups,
                         OutputFile& file) {
   const std::map<PhysicalGroup, std::string>& names = groups.names();
@@ -136,20 +157,18 @@ void writePhysicalNames(const std::vector<Entity>& entities, const MshGroups& gr
 }
 
 void writeEntities(const std::vector<Entity>& entities, OutputFile& file) {
-  const auto curves =
-      static_cast<std::uint64_t>(std::ranges::count(entities, kCurve, &Entity::dimension));
   file.text("$Entities\n");
-  for (const std::uint64_t count :
-       {std::uint64_t{0}, curves, entities.size() - curves, std::uint64_t{0}}) {
-    file.binary(count);
-  }
+  for (const std::int32_t dimension : {0, kCurve, kSurface, kVolume})
+    file.binary(
+        static_cast<std::uint64_t>(std::ranges::count(entities, dimension, &Entity::dimension)));
   for (const Entity& entity : entities) {
     file.binary(entity.id);
     putPoint(file, entity.box.low);
     putPoint(file, entity.box.high);
     file.binary(std::uint64_t{entity.groups.size()});
     for (const std::int32_t group : entity.groups) file.binary(group);
-    file.binary(std::uint64_t{0});  // what bounds it
+    file.binary(std::uint64_t{entity.bounds.size()});
+    for (const std::int32_t bound : entity.bounds) file.binary(bound);
   }
   file.text("\n$EndEntities\n");
 }
@@ -209,8 +228,9 @@ void writeElements(const ModelMesh& mesh, const std::vector<Entity>& entities, L
 }  // namespace
 
 void writeMsh(const ModelMesh& mesh, Lines lines, OutputFile& file) {
-  const MshGroups groups(mesh, lines);
-  const std::vector<Entity> entities = entitiesOf(mesh, lines, groups);
+  const std::vector<MshVolume> volumes = mshVolumes(mesh);
+  const MshGroups groups(mesh, lines, volumes);
+  const std::vector<Entity> entities = entitiesOf(mesh, lines, groups, volumes);
   file.text("$MeshFormat\n4.1 1 8\n");
   file.binary(std::int32_t{1});  // tells readers the order of bytes
   file.text("\n$EndMeshFormat\n");

@@ -17,12 +17,14 @@ bool isNegative(const EdgeGroup& boundary) { return boundary.number < 0; }
 
 }  // namespace
 
-MshGroups::MshGroups(const ModelMesh& mesh, Lines lines)
+MshGroups::MshGroups(const ModelMesh& mesh, Lines lines, const std::vector<MshVolume>& volumes)
     : mesh_(mesh), highestFace_(highestFace(mesh)) {
   for (const EdgeGroup& boundary : mesh.boundaries)
     highestBoundary_ = std::max(highestBoundary_, boundary.number);
   nameThoseOfFaces();
   nameThoseOfEdges(lines);
+  for (const MshVolume& volume : volumes)
+    names_[{PhysicalGroup::kVolume, volume.number}] = unique(volume.name, "volume");
 }
 
 void MshGroups::nameThoseOfFaces() {

@@ -10,22 +10,24 @@
 #include <vector>
 
 #include "geometry/io/formats.h"
+#include "geometry/io/msh_volumes.h"
 
 namespace af2::geometry {
 
 struct PhysicalGroup {
-  static constexpr std::int32_t kCurve = 1, kSurface = 2;
+  static constexpr std::int32_t kCurve = 1, kSurface = 2, kVolume = 3;
   std::int32_t dimension = kSurface, number = 0;
   auto operator<=>(const PhysicalGroup&) const = default;
 };
 
 /// Groups of surfaces: each face has a group of its own, with its number; the groups of the model
 /// follow. Groups of curves: each boundary has a group, with its number if that is positive; then
-/// each edge with lines that is in no boundary has one of its own.
+/// each edge with lines that is in no boundary has one of its own. Groups of volumes: each volume
+/// has one of its own, with its number.
 class MshGroups {
  public:
   /// `mesh` must live as long as this.
-  MshGroups(const ModelMesh& mesh, Lines lines);
+  MshGroups(const ModelMesh& mesh, Lines lines, const std::vector<MshVolume>& volumes);
 
   /// The names are unique and need no escapes between quotation marks.
   const std::map<PhysicalGroup, std::string>& names() const { return names_; }

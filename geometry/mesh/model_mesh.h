@@ -47,7 +47,7 @@ struct FaceReport {
   std::vector<std::string> attempts = {};  ///< unsuccessful attempts
   std::vector<StuckPlace> stuck = {};      ///< where its front got stuck, if it did
   WithoutRuleCounts withoutRule = {};      ///< or in the places of such elements
-  FrontActCounts acts = {};               ///< of the front, beside steps
+  FrontActCounts acts = {};                ///< of the front, beside steps
   struct Segment {
     Point3 from, to;
     double sizes = 0;  ///< its length in wanted sizes

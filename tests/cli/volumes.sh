@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
-# Volume meshers fill the material of each solid and leave cavities empty. Without TetGen only the
+# TetGen and Gmsh fill the material of each solid and leave cavities empty. Without them only the
 # points in solids and cavities are counted.
 . "$(dirname "$0")/support.sh"
 parts=$2/tests/cli/models
+volumes_geo=$2/examples/volume/volumes.geo
 
 # tail_of FILE: holes and regions of a .smesh file, after its triangles.
 tail_of() {
@@ -10,14 +11,27 @@ tail_of() {
        !triangles { triangles = 1; left = $1; next } { print }' "$1"
 }
 
-# volumes_by_attribute NAME: of TetGen's tetrahedra, as a list "1:875 2:33".
-volumes_by_attribute() {
-  awk 'FNR == 1 { next } /^#/ { next }
-       FILENAME ~ /node$/ { x[$1] = $2; y[$1] = $3; z[$1] = $4; next }
-       { for (i = 0; i < 3; ++i) { a[i] = x[$(i + 3)] - x[$2]; b[i] = y[$(i + 3)] - y[$2]; c[i] = z[$(i + 3)] - z[$2] }
+# volumes_of: of tetrahedra by attribute, as a list "1:875 2:33". Reads lines "v NUMBER X Y Z" and
+# "t ATTRIBUTE VERTEX VERTEX VERTEX VERTEX".
+volumes_of() {
+  awk '$1 == "v" { x[$2] = $3; y[$2] = $4; z[$2] = $5; next }
+       { for (i = 0; i < 3; ++i) { a[i] = x[$(i + 4)] - x[$3]; b[i] = y[$(i + 4)] - y[$3]; c[i] = z[$(i + 4)] - z[$3] }
          v = a[0] * (b[1] * c[2] - b[2] * c[1]) - b[0] * (a[1] * c[2] - a[2] * c[1]) + c[0] * (a[1] * b[2] - a[2] * b[1])
-         sum[$6] += (v < 0 ? -v : v) / 6 }
-       END { for (r in sum) printf "%s:%g\n", r, sum[r] }' "$1.node" "$1.ele" | sort | tr '\n' ' '
+         sum[$2] += (v < 0 ? -v : v) / 6 }
+       END { for (r in sum) printf "%s:%g\n", r, sum[r] }' | sort | tr '\n' ' '
+}
+
+tetgen_tetrahedra() {
+  awk 'FNR == 1 || /^#/ { next }
+       FILENAME ~ /node$/ { print "v", $1, $2, $3, $4; next }
+       { print "t", $6, $2, $3, $4, $5 }' "$1.node" "$1.ele"
+}
+
+# Of a file of format 2.2: type 4 is a tetrahedron; the second of two tags is the volume.
+gmsh_tetrahedra() {
+  awk '/^\$/ { section = $1; next }
+       section == "$Nodes" && NF == 4 { print "v", $0 }
+       section == "$Elements" && $2 == 4 { print "t", $5, $6, $7, $8, $9 }' "$1"
 }
 
 # same_volumes FOUND WANTED: within half a percent, which the chords of curved faces cost.
@@ -34,10 +48,18 @@ fills() {
   expect 0 "$af2" mesh "$parts/$model.brep" -s 1 "$@" -o "$model.smesh"
   found=$(tail_of "$model.smesh" | awk 'NF == 1' | tr '\n' ' ')
   [ "$found" = "$holes $regions " ] || fail "$model: holes and regions are $found"
-  command -v tetgen >/dev/null || return 0
-  expect 0 timeout 100 tetgen -pqYA "$model.smesh"
-  found=$(volumes_by_attribute "$model.1")
-  same_volumes "$found" "$volumes" || fail "$model: volumes are $found"
+  if command -v tetgen >/dev/null; then
+    expect 0 timeout 100 tetgen -pqYA "$model.smesh"
+    found=$(tetgen_tetrahedra "$model.1" | volumes_of)
+    same_volumes "$found" "$volumes" || fail "$model: volumes by TetGen are $found"
+  fi
+  if command -v gmsh >/dev/null; then
+    expect 0 "$af2" mesh "$parts/$model.brep" -s 1 "$@" -o "$model.msh"
+    expect 0 timeout 100 gmsh -3 "$model.msh" "$volumes_geo" -format msh22 -o filled.msh
+    found=$(gmsh_tetrahedra filled.msh | volumes_of)
+    same_volumes "$found" "$volumes" || fail "$model: volumes by Gmsh are $found"
+    grep -qE '^3 1 "solid 1 \(volume\)"' filled.msh || fail "$model: the volume has no name"
+  fi
 }
 
 fills box_with_cavity 1 1 "1:875"
