@@ -10,7 +10,7 @@
 #include "cli/meshing/model_formats.h"
 #include "cli/meshing/size_request.h"
 #include "cli/rules/rule_loading.h"
-#include "geometry/io/line_elements.h"
+#include "geometry/io/mesh_files.h"
 #include "geometry/meshing/meshing_options.h"
 
 namespace af2::cli {
@@ -21,7 +21,8 @@ struct MeshOptions {
   SizeOptions sizes;
   std::vector<std::string> outputs;
   int threads = 0, order = 1;
-  std::string boundary, featureAngle, chart, healTolerance, elements = "any", quality = "good";
+  std::string boundary, featureAngle, chart, groups, healTolerance, elements = "any",
+                                                                    quality = "good";
   bool quiet = false, rawFront = false, strictRules = false, unchecked = false;
   ImprintFlags imprint;
   std::vector<std::string> plugins;  ///< libraries that register names for the rules
@@ -52,7 +53,7 @@ struct MeshRequest {
   bool quiet = false;
   bool statistics = false;  ///< the report has the statistics of the rules
   RuleLoading ruleLoading;
-  geometry::LinesAlong lines = geometry::LinesAlong::Boundaries;
+  geometry::FileOptions fileOptions;
 
   bool heal = false;         ///< repair the model first
   double healTolerance = 0;  ///< in the model's unit; 0: derived from its size

@@ -47,7 +47,7 @@ void writeOutputs(const MeshRequest& request, const RuleSet& rules, ModelMesh& m
   if (mesh.elements.empty()) return;  // an empty file would look like a result
   const Stopwatch writing;
   scoreElements(request, rules, mesh);
-  for (const auto& output : request.outputs) geometry::writeMesh(mesh, output, request.lines);
+  for (const auto& output : request.outputs) geometry::writeMesh(mesh, output, request.fileOptions);
   mesh.seconds.write = writing.seconds();
 }
 

@@ -50,7 +50,7 @@ void putHolesAndRegions(const std::vector<MeshVolume>& volumes, OutputFile& file
 
 }  // namespace
 
-void writeSmesh(const ModelMesh& mesh, Lines, OutputFile& file) {
+void writeSmesh(const ModelMesh& mesh, const Extras&, OutputFile& file) {
   putRow(file, cornerVertices(mesh).size(), {3, 0, 0});
   for (std::size_t v = 0; v < cornerVertices(mesh).size(); ++v) {
     putPoint(file, v + 1, mesh.vertices[v]);

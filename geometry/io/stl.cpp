@@ -46,7 +46,7 @@ void refuseWhatCollapses(const ModelMesh& mesh) {
 
 }  // namespace
 
-void writeStl(const ModelMesh& mesh, Lines, OutputFile& file) {
+void writeStl(const ModelMesh& mesh, const Extras&, OutputFile& file) {
   refuseWhatCollapses(mesh);
   std::uint32_t triangles = 0;
   for (const Element& element : mesh.elements) triangles += element.isQuad() ? 2 : 1;

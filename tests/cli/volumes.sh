@@ -67,6 +67,17 @@ fills box_with_bubble 1 1 "1:886.903" --curvature 40
 fills ball_in_cavity 1 2 "1:875 2:33.5103" --curvature 50
 fills two_boxes 0 2 "1:64 2:18" --imprint
 fills bolt_on_plate 0 2 "1:100 2:9.42478" --imprint --curvature 40
+
+# Groups: an element of MSH 2 is in one.
+expect 0 "$af2" mesh "$parts/two_boxes.brep" -s 1 --imprint --groups interfaces,solids -o groups.msh2 -o groups.msh
+[ "$(grep -c '^2 .*"' groups.msh2)" = 3 ] || fail "there are not three groups"
+grep -q '"solid 1|solid 2"' groups.msh2 || fail "the interface is no group"
+grep -q '"face' groups.msh2 && fail "faces are groups though they are in others"
+expect 0 "$af2" quality groups.msh2
+expect 2 "$af2" mesh "$parts/two_boxes.brep" -s 1 --groups walls -o groups.msh; told "'walls' is no kind of group"
+expect 2 "$af2" mesh "$parts/two_boxes.brep" -s 1 --groups parts -o groups.stl; told "--groups is for .msh and .msh2 files"
+
+# The same bytes on any number of threads.
 "$af2" mesh "$parts/box_with_bubble.brep" -s 1 -j 2 -q -o two.smesh
 "$af2" mesh "$parts/box_with_bubble.brep" -s 1 -j 1 -q -o one.smesh
 same one.smesh two.smesh
