@@ -180,6 +180,7 @@ void declareMeshOptions(CLI::App& command, MeshOptions& options) {
                       "which it has one: " +
                       groupingWords())
       ->type_name("KINDS");
+  declareScale(command, options.scale);
   command.add_flag("--keep-boundary", options.keepBoundary,
                    "for " + formatNames(ModelKind::Planar, "and") +
                        " files: do not divide the segments of the boundary");
@@ -348,6 +349,7 @@ MeshRequest checkedRequest(const MeshOptions& options) {
   }
   request.options.keepBoundary = options.keepBoundary;
   if (options.edges) request.fileOptions.lines = geometry::LinesAlong::AllEdges;
+  request.scale = checkedScale(options.scale, request.kind());
   if (!options.groups.empty()) request.fileOptions.groups = checkedGroups(options.groups);
   if (!options.chart.empty()) request.options.chart = checkedChart(options, request);
   if (options.heal && request.kind() != ModelKind::Cad) refuseHealing();

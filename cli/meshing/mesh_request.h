@@ -8,6 +8,7 @@
 
 #include "cli/meshing/imprint_request.h"
 #include "cli/meshing/model_formats.h"
+#include "cli/meshing/output_scale.h"
 #include "cli/meshing/size_request.h"
 #include "cli/rules/rule_loading.h"
 #include "geometry/io/mesh_files.h"
@@ -25,6 +26,7 @@ struct MeshOptions {
                                                                     quality = "good";
   bool quiet = false, rawFront = false, strictRules = false, unchecked = false;
   ImprintFlags imprint;
+  ScaleOptions scale;
   std::vector<std::string> plugins;  ///< libraries that register names for the rules
   bool keepBoundary = false, heal = false, edges = false, statistics = false;
 };
@@ -54,6 +56,7 @@ struct MeshRequest {
   bool statistics = false;  ///< the report has the statistics of the rules
   RuleLoading ruleLoading;
   geometry::FileOptions fileOptions;
+  OutputScale scale;
 
   bool heal = false;         ///< repair the model first
   double healTolerance = 0;  ///< in the model's unit; 0: derived from its size

@@ -77,6 +77,19 @@ expect 0 "$af2" quality groups.msh2
 expect 2 "$af2" mesh "$parts/two_boxes.brep" -s 1 --groups walls -o groups.msh; told "'walls' is no kind of group"
 expect 2 "$af2" mesh "$parts/two_boxes.brep" -s 1 --groups parts -o groups.stl; told "--groups is for .msh and .msh2 files"
 
+# Units.
+expect 0 "$af2" mesh "$models/brickhole.step" -s 2 -o plain.obj
+expect 0 "$af2" mesh "$models/brickhole.step" -s 2 --unit m -o metres.obj
+expect 0 "$af2" mesh "$models/brickhole.step" -s 2 --scale .001 -o scaled.obj
+same metres.obj scaled.obj
+paste -d' ' plain.obj metres.obj | awk '$1 == "v" { n++; if (($2 / 1000 - $6) ^ 2 > 1e-20) exit 1 } END { exit n < 9 }' ||
+  fail "metres are no thousandths"
+expect 2 "$af2" mesh "$parts/two_boxes.brep" -s 1 --unit m -o metres.obj; told "does not say its unit"
+expect 2 "$af2" mesh "$models/plate.poly" -s 1 --unit m; told "does not say its unit"
+expect 2 "$af2" mesh "$models/brickhole.step" -s 2 --unit mile; told "choose one of"
+expect 2 "$af2" mesh "$models/brickhole.step" -s 2 --unit m --scale 2; told "exclude each other"
+expect 2 "$af2" mesh "$models/brickhole.step" -s 2 --scale -1; told "--scale"
+
 # The same bytes on any number of threads.
 "$af2" mesh "$parts/box_with_bubble.brep" -s 1 -j 2 -q -o two.smesh
 "$af2" mesh "$parts/box_with_bubble.brep" -s 1 -j 1 -q -o one.smesh
