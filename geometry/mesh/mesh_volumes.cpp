@@ -42,7 +42,7 @@ class Materials {
     int solids = 0;
     for (const FaceGroup& group : mesh.groups) {
       if (group.kind != GroupKind::Solid) continue;
-      give(++solids, cellsOf(group));
+      give(++solids, withoutCavities(group, cellsOf(group)));
       for (const int face : group.faces) ofNoSolid.erase(face);
     }
     const FaceGroup others{.name = "", .faces = {ofNoSolid.begin(), ofNoSolid.end()}};
@@ -59,6 +59,22 @@ class Materials {
     std::set<std::uint32_t> cells = cellsOn(solid, 1);
     const auto isBoundary = [&](int face) { return atFaces_.contains(face); };
     if (cells.empty() && std::ranges::all_of(solid.faces, isBoundary)) return cellsOn(solid, 0);
+    return cells;
+  }
+
+  /// Leaves out those that the material of the solid itself surrounds: they are cavities whose
+  /// faces look the wrong way, as some files have them.
+  std::set<std::uint32_t> withoutCavities(const FaceGroup& solid,
+                                          std::set<std::uint32_t> cells) const {
+    std::set<std::uint32_t> surrounded = cells;
+    for (const auto& [face, at] : atFaces_) {
+      const bool isOfSolid = std::ranges::binary_search(solid.faces, face);
+      for (const std::size_t side : {0u, 1u}) {
+        if (isOfSolid && std::ranges::includes(cells, at[1 - side])) continue;
+        for (const std::uint32_t cell : at[side]) surrounded.erase(cell);
+      }
+    }
+    for (const std::uint32_t cavity : surrounded) cells.erase(cavity);
     return cells;
   }
 

@@ -24,7 +24,8 @@ struct MeshVolume {
 ///
 /// The material of a solid is behind its faces, or before those in FaceGroup::inward; so a solid
 /// inside another one, without common faces, counts as itself only. A volume with material behind
-/// none of its faces is a void. A solid whose mesh is open has no volume.
+/// none of its faces is a void, and so is one that the material of a single solid surrounds on the
+/// other side of all its faces, whatever these look to. A solid whose mesh is open has no volume.
 std::vector<MeshVolume> volumesOf(const ModelMesh& mesh);
 
 }  // namespace af2::geometry

@@ -112,6 +112,17 @@ TEST(MeshVolumes, ACavityIsAVoid) {
   }
 }
 
+TEST(MeshVolumes, ACavityWhoseFacesLookTheWrongWayIsAVoidOfASolid) {
+  BlockMesh blocks;
+  blocks.add(kOuter, 1);
+  blocks.add(kInner, 7);
+  blocks.addSolid({1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12});
+  const std::vector<MeshVolume> volumes = volumesOf(blocks.mesh());
+  ASSERT_EQ(volumes.size(), 2u);
+  EXPECT_FALSE(isStrictlyIn(kInner, only(volumes, 1).inside));
+  EXPECT_TRUE(isStrictlyIn(kInner, only(volumes, 0).inside));
+}
+
 TEST(MeshVolumes, ThinWallsHaveAPointInThem) {
   constexpr Block kCavity{{1e-7, 1e-7, 1e-7}, {10 - 1e-7, 10 - 1e-7, 10 - 1e-7}};
   BlockMesh blocks;
