@@ -20,7 +20,7 @@ std::string nameOf(const ModelMesh& mesh, const FaceGroup& solid) {
 std::vector<MshVolume> mshVolumes(const ModelMesh& mesh) {
   // A solid may consist of several volumes, and the format has no surface twice in one entity.
   std::map<int, std::set<int>> facesOf;  // by solid
-  for (const MeshVolume& volume : volumesOf(mesh))
+  for (const MeshVolume& volume : volumesOf(mesh, PointsInside::NotNeeded))
     if (volume.solid != 0) facesOf[volume.solid].insert(volume.faces.begin(), volume.faces.end());
 
   std::vector<const FaceGroup*> solids;

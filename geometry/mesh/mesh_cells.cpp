@@ -23,26 +23,30 @@ struct Shell {
 class CellFinder {
  public:
   CellFinder(const std::vector<Point3>& vertices, const std::vector<Triangle>& triangles)
-      : vertices_(vertices),
-        triangles_(triangles),
-        lowest_(connectedSides(vertices, triangles)),
-        tree_(boxesOf(triangles)) {
+      : vertices_(vertices), triangles_(triangles), lowest_(connectedSides(vertices, triangles)) {
     for (std::size_t t = 0; t < triangles.size(); ++t)
       for (const VertexId v : triangles[t]) box_.add(vertices[v.value]);
   }
 
-  MeshCells cells() {
+  MeshCells cells(PointsInside points) {
     findShells();
+    const bool isNested = std::ranges::any_of(shells_, [&](const Shell& inner) {
+      return std::ranges::any_of(shells_,
+                                 [&](const Shell& outer) { return mayBeAround(outer, inner); });
+    });
+    // Most meshes need no tree if no points are wanted.
+    if (points == PointsInside::Wanted || isNested) tree_.emplace(boxesOf(triangles_));
     MeshCells cells;
     cells.inside.emplace_back();
     std::vector<std::uint32_t> cellOf(shells_.size(), MeshCells::kOutside);
     for (std::size_t i = 0; i < shells_.size(); ++i) {
       if (shells_[i].volume <= 0) continue;
       cellOf[i] = static_cast<std::uint32_t>(cells.inside.size());
-      cells.inside.push_back(pointInside(shells_[i]));
+      cells.inside.emplace_back();
+      if (points == PointsInside::Wanted) cells.inside.back() = pointInside(shells_[i]);
     }
     for (std::size_t i = 0; i < shells_.size(); ++i)
-      if (shells_[i].volume <= 0)
+      if (isNested && shells_[i].volume <= 0)
         if (const std::size_t around = shellAround(shells_[i]); around < shells_.size())
           cellOf[i] = cellOf[around];
     cells.ofSide.resize(lowest_.size());
@@ -93,7 +97,7 @@ class CellFinder {
   /// `way`; `farthest` if it meets none before.
   double firstHit(const Point3& from, const Point3& way, double farthest, std::size_t own) const {
     double first = farthest;
-    tree_.forEachIn(Segment3(from, from + farthest * way), [&](std::uint32_t triangle) {
+    tree_->forEachIn(Segment3(from, from + farthest * way), [&](std::uint32_t triangle) {
       if (triangle == own) return;
       const auto [a, b, c] = corners(triangle);
       const Point3 ab = b - a, ac = c - a, across = cross(way, ac), to = from - a;
@@ -150,9 +154,21 @@ class CellFinder {
     return std::nullopt;
   }
 
+  /// Whether the cell in `outer` may have `inner` as an inner boundary, as far as boxes tell. Equal
+  /// boxes are those of the two sides of the same surface.
+  static bool mayBeAround(const Shell& outer, const Shell& inner) {
+    if (outer.volume <= 0 || inner.volume > 0) return false;
+    const Box3 &big = outer.box, &small = inner.box;
+    return big.low.x <= small.low.x && big.low.y <= small.low.y && big.low.z <= small.low.z &&
+           big.high.x >= small.high.x && big.high.y >= small.high.y && big.high.z >= small.high.z &&
+           !(big.low == small.low && big.high == small.high);
+  }
+
   /// The outer boundary of the cell around a shell: of those around it, the one with the least
   /// volume. The number of shells if there is none.
   std::size_t shellAround(const Shell& shell) const {
+    if (std::ranges::none_of(shells_, [&](const Shell& o) { return mayBeAround(o, shell); }))
+      return shells_.size();
     const std::vector<Step> steps = stepsFrom(shell);
     if (steps.empty()) return shells_.size();
     const Point3 p = steps.front().to;
@@ -161,7 +177,7 @@ class CellFinder {
     std::size_t least = shells_.size();
     for (std::size_t i = 0; i < shells_.size(); ++i) {
       const Shell& other = shells_[i];
-      if (other.volume <= 0 || !other.box.meets(here)) continue;
+      if (!mayBeAround(other, shell) || !other.box.meets(here)) continue;
       if (least < shells_.size() && other.volume >= shells_[least].volume) continue;
       if (windingNumber(other, p) > 0.5) least = i;
     }
@@ -171,15 +187,16 @@ class CellFinder {
   const std::vector<Point3>& vertices_;
   const std::vector<Triangle>& triangles_;
   std::vector<std::uint32_t> lowest_;  ///< by side: the lowest one that is connected to it
-  BoxTree tree_;                       ///< of the triangles
+  std::optional<BoxTree> tree_;        ///< of the triangles
   Box3 box_;                           ///< around all
   std::vector<Shell> shells_;          ///< in the order of their first sides
 };
 
 }  // namespace
 
-MeshCells cellsOf(const std::vector<Point3>& vertices, const std::vector<Triangle>& triangles) {
-  return CellFinder(vertices, triangles).cells();
+MeshCells cellsOf(const std::vector<Point3>& vertices, const std::vector<Triangle>& triangles,
+                  PointsInside points) {
+  return CellFinder(vertices, triangles).cells(points);
 }
 
 }  // namespace af2::geometry

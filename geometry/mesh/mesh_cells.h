@@ -27,6 +27,10 @@ struct MeshCells {
   std::vector<std::optional<Point3>> inside;
 };
 
-MeshCells cellsOf(const std::vector<Point3>& vertices, const std::vector<Triangle>& triangles);
+enum class PointsInside { Wanted, NotNeeded };
+
+/// Points inside take most of the time.
+MeshCells cellsOf(const std::vector<Point3>& vertices, const std::vector<Triangle>& triangles,
+                  PointsInside points = PointsInside::Wanted);
 
 }  // namespace af2::geometry

@@ -102,7 +102,7 @@ class Materials {
 
 }  // namespace
 
-std::vector<MeshVolume> volumesOf(const ModelMesh& mesh) {
+std::vector<MeshVolume> volumesOf(const ModelMesh& mesh, PointsInside points) {
   std::vector<Triangle> triangles;
   std::vector<int> faces;  // by triangle
   for (std::size_t e = 0; e < mesh.elements.size(); ++e)
@@ -110,7 +110,7 @@ std::vector<MeshVolume> volumesOf(const ModelMesh& mesh) {
       triangles.push_back(triangle);
       faces.push_back(mesh.face[e]);
     }
-  const MeshCells cells = cellsOf(mesh.vertices, triangles);
+  const MeshCells cells = cellsOf(mesh.vertices, triangles, points);
   const std::map<int, CellsAtFace> atFaces = cellsAtFaces(cells, faces);
   const Materials materials(mesh, atFaces, cells.inside.size());
 
@@ -122,9 +122,9 @@ std::vector<MeshVolume> volumesOf(const ModelMesh& mesh) {
           volumes[cell].faces.push_back(face);
   std::vector<MeshVolume> found;
   for (std::uint32_t cell = 1; cell < volumes.size(); ++cell) {
-    if (!cells.inside[cell]) continue;
+    if (points == PointsInside::Wanted && !cells.inside[cell]) continue;
     volumes[cell].solid = materials.solidOf(cell);
-    volumes[cell].inside = *cells.inside[cell];
+    volumes[cell].inside = cells.inside[cell].value_or(Point3{});
     found.push_back(std::move(volumes[cell]));
   }
   return found;

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "geometry/mesh/mesh_cells.h"
 #include "geometry/mesh/model_mesh.h"
 
 namespace af2::geometry {
@@ -14,7 +15,7 @@ struct MeshVolume {
   /// their order. Volumes behind faces of no solid, such as those of a surface of triangles, have
   /// the numbers after these, each its own.
   int solid = 0;
-  Point3 inside;           ///< a point strictly inside
+  Point3 inside;           ///< a point strictly inside, if it was wanted
   std::vector<int> faces;  ///< ids, ascending: faces with elements that bound it
   bool operator==(const MeshVolume&) const = default;
 };
@@ -26,6 +27,7 @@ struct MeshVolume {
 /// inside another one, without common faces, counts as itself only. A volume with material behind
 /// none of its faces is a void, and so is one that the material of a single solid surrounds on the
 /// other side of all its faces, whatever these look to. A solid whose mesh is open has no volume.
-std::vector<MeshVolume> volumesOf(const ModelMesh& mesh);
+std::vector<MeshVolume> volumesOf(const ModelMesh& mesh,
+                                  PointsInside points = PointsInside::Wanted);
 
 }  // namespace af2::geometry
