@@ -83,6 +83,7 @@ geometry::ModelMesh runCad(const MeshRequest& request, const AF2Algorithm& algor
   geometry::PartContacts contacts;
   if (!control.stop.stop_requested()) contacts = contactsToTell(request, model);
   const double readSeconds = reading.seconds();
+  checkUnit(request.scale, model.unit());
   checkIds(request, model.faceCount(), model.edgeCount());
   const GivenUp givenUp = control.givenUp ? *control.givenUp : GivenUp();
   const auto meshed = [&](const geometry::Model& some, int firstFace) {

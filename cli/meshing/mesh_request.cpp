@@ -89,14 +89,45 @@ void checkOutputs(const MeshRequest& request) {
     checkShows(output, request.kind());
     if (request.options.order == 2)
       checkHolds(output, &geometry::MeshFormat::holdsSecondOrder, "elements of order 2");
-    if (request.lines == geometry::LinesAlong::AllEdges)
+    if (request.fileOptions.lines == geometry::LinesAlong::AllEdges)
       checkHolds(output, &geometry::MeshFormat::holdsLines,
                  "the line elements that --edges asks for");
     checkOne(output);
   }
+  const auto holdsGroups = [](const fs::path& file) {
+    return geometry::meshFormatOf(file).holdsGroups;
+  };
+  if (!request.fileOptions.groups.empty() && !request.outputs.empty() &&
+      std::ranges::none_of(request.outputs, holdsGroups))
+    throw UsageError(fmt::format("--groups is for {} files",
+                                 extensionsThat(&geometry::MeshFormat::holdsGroups, "and")));
   if (!request.report.empty()) checkOne(request.report);
   if (!request.stuckTests.empty()) checkOne(request.stuckTests);
   if (!request.trace.empty()) checkOne(request.trace);
+}
+
+std::string groupingWords() {
+  std::vector<std::string_view> words;
+  for (const auto& [word, kind] : geometry::groupings()) words.push_back(word);
+  return geometry::listed(words, "and");
+}
+
+std::vector<geometry::Grouping> checkedGroups(const std::string& list) {
+  std::vector<geometry::Grouping> groups;
+  const auto known = geometry::groupings();
+  for (std::size_t from = 0; from <= list.size();) {
+    const std::size_t end = std::min(list.find(',', from), list.size());
+    const std::string word = list.substr(from, end - from);
+    const auto* const found =
+        std::ranges::find_if(known.data(), known.data() + known.size(),
+                             [&](const auto& row) { return row.first == word; });
+    if (found == known.data() + known.size())
+      throw UsageError(fmt::format("--groups {}: '{}' is no kind of group; there are {}", list,
+                                   word, groupingWords()));
+    groups.push_back(found->second);
+    from = end + 1;
+  }
+  return groups;
 }
 
 std::string outputHelp() {
@@ -142,6 +173,14 @@ void declareMeshOptions(CLI::App& command, MeshOptions& options) {
   command.add_flag("--edges", options.edges,
                    "also write line elements along all edges of the model, in " +
                        extensionsThat(&geometry::MeshFormat::holdsLines, "and") + " files");
+  command
+      .add_option("--groups", options.groups,
+                  "for " + extensionsThat(&geometry::MeshFormat::holdsGroups, "and") +
+                      " files: each face is in one group only, of the first of these kinds in "
+                      "which it has one: " +
+                      groupingWords())
+      ->type_name("KINDS");
+  declareScale(command, options.scale);
   command.add_flag("--keep-boundary", options.keepBoundary,
                    "for " + formatNames(ModelKind::Planar, "and") +
                        " files: do not divide the segments of the boundary");
@@ -310,7 +349,9 @@ MeshRequest checkedRequest(const MeshOptions& options) {
           fmt::format("--feature-angle {}: give an angle below 180 degrees", options.featureAngle));
   }
   request.options.keepBoundary = options.keepBoundary;
-  if (options.edges) request.lines = geometry::LinesAlong::AllEdges;
+  if (options.edges) request.fileOptions.lines = geometry::LinesAlong::AllEdges;
+  request.scale = checkedScale(options.scale, request.kind());
+  if (!options.groups.empty()) request.fileOptions.groups = checkedGroups(options.groups);
   if (!options.chart.empty()) request.options.chart = checkedChart(options, request);
   if (options.heal && request.kind() != ModelKind::Cad) refuseHealing();
   request.heal = options.heal;

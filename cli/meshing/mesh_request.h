@@ -8,9 +8,10 @@
 
 #include "cli/meshing/imprint_request.h"
 #include "cli/meshing/model_formats.h"
+#include "cli/meshing/output_scale.h"
 #include "cli/meshing/size_request.h"
 #include "cli/rules/rule_loading.h"
-#include "geometry/io/line_elements.h"
+#include "geometry/io/mesh_files.h"
 #include "geometry/meshing/meshing_options.h"
 
 namespace af2::cli {
@@ -21,9 +22,11 @@ struct MeshOptions {
   SizeOptions sizes;
   std::vector<std::string> outputs;
   int threads = 0, order = 1;
-  std::string boundary, featureAngle, chart, healTolerance, elements = "any", quality = "good";
+  std::string boundary, featureAngle, chart, groups, healTolerance, elements = "any",
+                                                                    quality = "good";
   bool quiet = false, rawFront = false, strictRules = false, unchecked = false;
   ImprintFlags imprint;
+  ScaleOptions scale;
   std::vector<std::string> plugins;  ///< libraries that register names for the rules
   bool keepBoundary = false, heal = false, edges = false, statistics = false;
 };
@@ -52,7 +55,8 @@ struct MeshRequest {
   bool quiet = false;
   bool statistics = false;  ///< the report has the statistics of the rules
   RuleLoading ruleLoading;
-  geometry::LinesAlong lines = geometry::LinesAlong::Boundaries;
+  geometry::FileOptions fileOptions;
+  OutputScale scale;
 
   bool heal = false;         ///< repair the model first
   double healTolerance = 0;  ///< in the model's unit; 0: derived from its size

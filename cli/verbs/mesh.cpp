@@ -27,6 +27,7 @@
 #include "geometry/io/report.h"
 #include "geometry/mesh/element_scores.h"
 #include "geometry/mesh/quality.h"
+#include "geometry/mesh/scaled_mesh.h"
 
 namespace af2::cli {
 namespace {
@@ -47,7 +48,14 @@ void writeOutputs(const MeshRequest& request, const RuleSet& rules, ModelMesh& m
   if (mesh.elements.empty()) return;  // an empty file would look like a result
   const Stopwatch writing;
   scoreElements(request, rules, mesh);
-  for (const auto& output : request.outputs) geometry::writeMesh(mesh, output, request.lines);
+  const auto write = [&](const ModelMesh& written) {
+    for (const auto& output : request.outputs)
+      geometry::writeMesh(written, output, request.fileOptions);
+  };
+  if (request.scale.factor == 1)
+    write(mesh);
+  else if (!request.outputs.empty())
+    write(geometry::scaledMesh(mesh, request.scale.factor));
   mesh.seconds.write = writing.seconds();
 }
 

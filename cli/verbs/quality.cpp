@@ -97,7 +97,8 @@ int measureFile(const QualityOptions& options) {
 
 Action declareQuality(CLI::App& command) {
   const auto options = std::make_shared<QualityOptions>();
-  command.add_option("MESH", options->mesh, "a mesh file: .vtu, .vtk, .msh, .stl, .obj or .ply")
+  command
+      .add_option("MESH", options->mesh, "a mesh file: .vtu, .vtk, .msh, .msh2, .stl, .obj or .ply")
       ->type_name("")
       ->required();
   command

@@ -12,37 +12,37 @@
 
 namespace af2::geometry {
 
-/// Formats without line elements leave these out.
-using Lines = std::span<const LineElement>;
-
 /// VTK XML, base64: elements with their face, rule, level, score and quality, lines with edge and
 /// boundary.
-void writeVtu(const ModelMesh& mesh, Lines lines, OutputFile& file);
+void writeVtu(const ModelMesh& mesh, const Extras& extras, OutputFile& file);
 /// Legacy VTK, binary: the same.
-void writeVtk(const ModelMesh& mesh, Lines lines, OutputFile& file);
+void writeVtk(const ModelMesh& mesh, const Extras& extras, OutputFile& file);
 /// Gmsh 4.1, binary: each model face and each edge with lines is an entity and a
-/// physical group, or in that of its boundary.
-void writeMsh(const ModelMesh& mesh, Lines lines, OutputFile& file);
+/// physical group, or in that of its boundary; each solid is a volume entity.
+void writeMsh(const ModelMesh& mesh, const Extras& extras, OutputFile& file);
+/// Gmsh 2.2, text: the same without volumes. Each element is in one physical group.
+void writeMsh2(const ModelMesh& mesh, const Extras& extras, OutputFile& file);
 /// STL, binary; quadrilaterals are split.
-void writeStl(const ModelMesh& mesh, Lines lines, OutputFile& file);
+void writeStl(const ModelMesh& mesh, const Extras& extras, OutputFile& file);
 /// TetGen's .smesh, text; quadrilaterals are split, each model face is a boundary marker.
-void writeSmesh(const ModelMesh& mesh, Lines lines, OutputFile& file);
+void writeSmesh(const ModelMesh& mesh, const Extras& extras, OutputFile& file);
 /// Wavefront OBJ, text: each model face is a group.
-void writeObj(const ModelMesh& mesh, Lines lines, OutputFile& file);
+void writeObj(const ModelMesh& mesh, const Extras& extras, OutputFile& file);
 /// PLY, binary.
-void writePly(const ModelMesh& mesh, Lines lines, OutputFile& file);
+void writePly(const ModelMesh& mesh, const Extras& extras, OutputFile& file);
 /// A page for browsers, which needs no other file: geometry/page/.
-void writePage(const ModelMesh& mesh, Lines lines, OutputFile& file);
+void writePage(const ModelMesh& mesh, const Extras& extras, OutputFile& file);
 /// A picture, PNG: geometry/picture/.
-void writePng(const ModelMesh& mesh, Lines lines, OutputFile& file);
+void writePng(const ModelMesh& mesh, const Extras& extras, OutputFile& file);
 /// A picture of a planar mesh, SVG. Throws InputError if the mesh is not planar.
-void writeSvg(const ModelMesh& mesh, Lines lines, OutputFile& file);
+void writeSvg(const ModelMesh& mesh, const Extras& extras, OutputFile& file);
 
 /// In the order in which help texts name them.
 inline constexpr std::array kMeshFormats{
     MeshFormat{".vtu", "VTK XML unstructured grid", &writeVtu, true, true, true},
     MeshFormat{".vtk", "legacy VTK", &writeVtk, false, true, true},
-    MeshFormat{".msh", "Gmsh 4.1", &writeMsh, true, true},
+    MeshFormat{".msh", "Gmsh 4.1", &writeMsh, true, true, false, false, true},
+    MeshFormat{".msh2", "Gmsh 2.2", &writeMsh2, true, true, false, false, true},
     MeshFormat{".stl", "STL", &writeStl},
     MeshFormat{".obj", "Wavefront OBJ", &writeObj},
     MeshFormat{".ply", "PLY", &writePly},

@@ -1,5 +1,6 @@
 #include "geometry/io/mesh_files.h"
 
+#include <array>
 #include <string>
 
 #include "engine/base/error.h"
@@ -18,6 +19,17 @@ std::string knownExtensions() {
 
 }  // namespace
 
+std::span<const std::pair<std::string_view, Grouping>> groupings() {
+  static constexpr std::array<std::pair<std::string_view, Grouping>, 6> kGroupings{
+      {{"faces", Grouping::Faces},
+       {"parts", Grouping::Parts},
+       {"solids", Grouping::Solids},
+       {"layers", Grouping::Layers},
+       {"colors", Grouping::Colors},
+       {"interfaces", Grouping::Interfaces}}};
+  return kGroupings;
+}
+
 std::span<const MeshFormat> meshFormats() { return kMeshFormats; }
 
 const MeshFormat& meshFormatOf(const std::filesystem::path& file) {
@@ -29,12 +41,18 @@ const MeshFormat& meshFormatOf(const std::filesystem::path& file) {
                    "': its extension is not that of a mesh format; use" + knownExtensions());
 }
 
-void writeMesh(const ModelMesh& mesh, const std::filesystem::path& file, LinesAlong along) {
+void writeMesh(const ModelMesh& mesh, const std::filesystem::path& file,
+               const FileOptions& options) {
   const MeshFormat& format = meshFormatOf(file);
   OutputFile output(file);
-  format.write(mesh, format.holdsLines ? lineElements(mesh, along) : std::vector<LineElement>(),
-               output);
+  std::vector<LineElement> lines;
+  if (format.holdsLines) lines = lineElements(mesh, options.lines);
+  format.write(mesh, {lines, options.groups}, output);
   output.commit();
+}
+
+void writeMesh(const ModelMesh& mesh, const std::filesystem::path& file, LinesAlong along) {
+  writeMesh(mesh, file, FileOptions{along, {}});
 }
 
 }  // namespace af2::geometry

@@ -4,6 +4,8 @@
 #include <filesystem>
 #include <span>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "engine/base/export.h"
 #include "geometry/io/line_elements.h"
@@ -13,14 +15,46 @@ namespace af2::geometry {
 
 class OutputFile;
 
+/// What a face may be grouped by.
+enum class Grouping {
+  Faces,  ///< the name of the face in the file of the model; it has none otherwise
+  Parts,
+  Solids,
+  Layers,
+  Colors,
+  Interfaces,  ///< of two parts that share it
+};
+
+/// Word and value, in the order in which help texts name them.
+AF2_EXPORT std::span<const std::pair<std::string_view, Grouping>> groupings();
+
+/// What files have besides elements, where their format can hold it.
+struct FileOptions {
+  LinesAlong lines = LinesAlong::Boundaries;
+  /// Not empty: each face belongs to one group only, that of the first of these kinds in which it
+  /// has one; of several of this kind, that with the fewest faces, then the first of the model. A
+  /// face in none is a group of its own. Empty: each face belongs to all its groups and to one of
+  /// its own; but in formats that allow one group only, this is {Grouping::Faces}.
+  std::vector<Grouping> groups = {};
+};
+
+using Lines = std::span<const LineElement>;
+
+/// The same for the writer of a format.
+struct Extras {
+  Lines lines;
+  std::span<const Grouping> groups;
+};
+
 struct AF2_EXPORT MeshFormat {
   std::string_view extension;  ///< with the dot, lower case
   std::string_view name;
-  void (*write)(const ModelMesh&, std::span<const LineElement>, OutputFile&);
+  void (*write)(const ModelMesh&, const Extras&, OutputFile&);
   bool holdsSecondOrder = false;  ///< if false, the middles of sides are left out
   bool holdsLines = false;        ///< line elements; if false, they are left out
   bool holdsScores = false;       ///< ModelMesh::scores; if false, they are left out
   bool isOnlyPlanar = false;      ///< for meshes of planar domains only
+  bool holdsGroups = false;       ///< FileOptions::groups; if false, they do not matter
 };
 
 /// In the order in which help texts name them.
@@ -32,6 +66,8 @@ AF2_EXPORT const MeshFormat& meshFormatOf(const std::filesystem::path& file);
 
 /// Writes `mesh` to `file`, completely or not at all. Throws InputError as meshFormatOf and
 /// OutputFile do.
+AF2_EXPORT void writeMesh(const ModelMesh& mesh, const std::filesystem::path& file,
+                          const FileOptions& options);
 AF2_EXPORT void writeMesh(const ModelMesh& mesh, const std::filesystem::path& file,
                           LinesAlong along = LinesAlong::Boundaries);
 

@@ -2,102 +2,18 @@
 // physical group of the same number, so that boundary conditions can be given by face; and it
 // belongs to the physical groups of the parts, solids, layers and colours of the model. Each edge
 // with line elements is a curve entity, in the physical group of its boundary or in one of its own.
+// Each solid is a volume entity without elements, bounded by its faces.
 #include <algorithm>
-#include <map>
-#include <set>
-#include <string>
-#include <tuple>
 
-#include "geometry/base/box_tree.h"
 #include "geometry/io/formats.h"
-#include "geometry/io/msh_groups.h"
+#include "geometry/io/msh_entities.h"
 
 namespace af2::geometry {
 namespace {
 
-constexpr std::int32_t kCurve = PhysicalGroup::kCurve, kSurface = PhysicalGroup::kSurface;
+constexpr std::int32_t kCurve = PhysicalGroup::kCurve, kSurface = PhysicalGroup::kSurface,
+                       kVolume = PhysicalGroup::kVolume;
 constexpr std::int32_t kNoParameters = 0;
-
-/// Gmsh's number for a kind of element.
-std::int32_t typeOf(const ModelMesh& mesh, bool isQuad) {
-  constexpr std::int32_t kTriangle = 2, kQuad = 3, kTriangle2 = 9, kQuad2 = 16;
-  if (mesh.midsides.empty()) return isQuad ? kQuad : kTriangle;
-  return isQuad ? kQuad2 : kTriangle2;
-}
-
-std::int32_t typeOfLine(const ModelMesh& mesh) {
-  constexpr std::int32_t kLine = 1, kLine2 = 8;
-  return mesh.midsides.empty() ? kLine : kLine2;
-}
-
-/// Corners, then middles of sides.
-std::vector<VertexId> verticesOf(const ModelMesh& mesh, std::size_t element) {
-  const auto corners = mesh.elements[element].vertices();
-  std::vector<VertexId> vertices(corners.begin(), corners.end());
-  for (std::size_t i = 0; !mesh.midsides.empty() && i < corners.size(); ++i)
-    vertices.push_back(mesh.midsides[element][i]);
-  return vertices;
-}
-
-/// Ends, then the middle.
-std::vector<VertexId> verticesOf(const LineElement& line) {
-  std::vector<VertexId> vertices{line.from, line.to};
-  if (!line.middle.isNone()) vertices.push_back(line.middle);
-  return vertices;
-}
-
-/// The mesh of one model edge or face.
-struct Entity {
-  std::int32_t dimension = kSurface;
-  std::int32_t id = 0;               ///< of the edge or face
-  std::vector<std::int32_t> groups;  ///< physical groups: of a face, its own first
-  Box3 box;
-  std::vector<std::uint32_t> vertices;  ///< those that no earlier entity has
-  std::vector<std::uint32_t> lines, triangles, quads;
-};
-
-/// Takes what entities consist of; each vertex belongs to the first that comes to it.
-class EntityMaker {
- public:
-  explicit EntityMaker(const ModelMesh& mesh) : mesh_(mesh), placed_(mesh.vertices.size(), false) {}
-
-  void take(const std::vector<VertexId>& vertices, Entity& entity) {
-    for (const VertexId vertex : vertices) {
-      entity.box.add(mesh_.vertices[vertex.value]);
-      if (!placed_[vertex.value]) entity.vertices.push_back(vertex.value);
-      placed_[vertex.value] = true;
-    }
-  }
-
- private:
-  const ModelMesh& mesh_;
-  std::vector<bool> placed_;
-};
-
-/// Curves, then surfaces.
-std::vector<Entity> entitiesOf(const ModelMesh& mesh, Lines lines, const MshGroups& groups) {
-  std::map<std::pair<std::int32_t, std::int32_t>, Entity> byDimensionAndId;
-  EntityMaker maker(mesh);
-  for (std::uint32_t i = 0; i < lines.size(); ++i) {
-    Entity& entity = byDimensionAndId[{kCurve, lines[i].edge}];
-    entity.lines.push_back(i);
-    entity.groups = {groups.of(lines[i])};
-    maker.take(verticesOf(lines[i]), entity);
-  }
-  for (std::uint32_t i = 0; i < mesh.elements.size(); ++i) {
-    Entity& entity = byDimensionAndId[{kSurface, mesh.face[i]}];
-    (mesh.elements[i].isQuad() ? entity.quads : entity.triangles).push_back(i);
-    maker.take(verticesOf(mesh, i), entity);
-  }
-  std::vector<Entity> entities;
-  for (auto& [key, entity] : byDimensionAndId) {
-    std::tie(entity.dimension, entity.id) = key;
-    if (entity.dimension == kSurface) entity.groups = groups.ofFace(entity.id);
-    std::ranges::sort(entity.vertices);
-    entities.push_back(std::move(entity));
-  }
-  return entities;
-}
 
 void putPoint(OutputFile& file, const Point3& p) {
   file.binary(p.x);
@@ -113,56 +29,32 @@ void putHead(OutputFile& file, std::uint64_t blocks, std::uint64_t count,
   file.binary(highestTag);
 }
 
-/// Only of groups that some element belongs to.
-void writePhysicalNames(const std::vector<Entity>& entities, const MshGroups& groups,
-                        OutputFile& file) {
-  const std::map<PhysicalGroup, std::string>& names = groups.names();
-  std::set<PhysicalGroup> used;
-  for (const Entity& entity : entities)
-    for (const std::int32_t group : entity.groups) used.insert({entity.dimension, group});
-  file.text("$PhysicalNames\n");
-  file.number(used.size());
-  for (const PhysicalGroup& group : used) {
-    const auto name = names.find(group);
-    file.text("\n");
-    file.number(group.dimension);
-    file.text(" ");
-    file.number(group.number);
-    file.text(" \"");
-    file.text(name == names.end() ? "face " + std::to_string(group.number) : name->second);
-    file.text("\"");
-  }
-  file.text("\n$EndPhysicalNames\n");
-}
-
-void writeEntities(const std::vector<Entity>& entities, OutputFile& file) {
-  const auto curves =
-      static_cast<std::uint64_t>(std::ranges::count(entities, kCurve, &Entity::dimension));
+void writeEntities(const std::vector<MshEntity>& entities, OutputFile& file) {
   file.text("$Entities\n");
-  for (const std::uint64_t count :
-       {std::uint64_t{0}, curves, entities.size() - curves, std::uint64_t{0}}) {
-    file.binary(count);
-  }
-  for (const Entity& entity : entities) {
+  for (const std::int32_t dimension : {0, kCurve, kSurface, kVolume})
+    file.binary(
+        static_cast<std::uint64_t>(std::ranges::count(entities, dimension, &MshEntity::dimension)));
+  for (const MshEntity& entity : entities) {
     file.binary(entity.id);
     putPoint(file, entity.box.low);
     putPoint(file, entity.box.high);
     file.binary(std::uint64_t{entity.groups.size()});
     for (const std::int32_t group : entity.groups) file.binary(group);
-    file.binary(std::uint64_t{0});  // what bounds it
+    file.binary(std::uint64_t{entity.bounds.size()});
+    for (const std::int32_t bound : entity.bounds) file.binary(bound);
   }
   file.text("\n$EndEntities\n");
 }
 
-void writeNodes(const ModelMesh& mesh, const std::vector<Entity>& entities, OutputFile& file) {
+void writeNodes(const ModelMesh& mesh, const std::vector<MshEntity>& entities, OutputFile& file) {
   std::uint64_t blocks = 0, count = 0;
-  for (const Entity& entity : entities) {
+  for (const MshEntity& entity : entities) {
     blocks += !entity.vertices.empty();
     count += entity.vertices.size();
   }
   file.text("$Nodes\n");
   putHead(file, blocks, count, mesh.vertices.size());
-  for (const Entity& entity : entities) {
+  for (const MshEntity& entity : entities) {
     if (entity.vertices.empty()) continue;
     for (const std::int32_t number : {entity.dimension, entity.id, kNoParameters})
       file.binary(number);
@@ -176,8 +68,9 @@ void writeNodes(const ModelMesh& mesh, const std::vector<Entity>& entities, Outp
 /// Elements of one kind; verticesOf(i) are those of number i among `elements`, which has the tag
 /// first + i.
 template <class VerticesOf>
-void writeBlock(const Entity& entity, std::int32_t type, const std::vector<std::uint32_t>& elements,
-                std::uint64_t first, VerticesOf verticesOf, OutputFile& file) {
+void writeBlock(const MshEntity& entity, std::int32_t type,
+                const std::vector<std::uint32_t>& elements, std::uint64_t first,
+                VerticesOf verticesOf, OutputFile& file) {
   if (elements.empty()) return;
   for (const std::int32_t number : {entity.dimension, entity.id, type}) file.binary(number);
   file.binary(std::uint64_t{elements.size()});
@@ -188,29 +81,31 @@ void writeBlock(const Entity& entity, std::int32_t type, const std::vector<std::
 }
 
 /// Lines have the numbers after those of the elements of the surface.
-void writeElements(const ModelMesh& mesh, const std::vector<Entity>& entities, Lines lines,
+void writeElements(const ModelMesh& mesh, const std::vector<MshEntity>& entities, Lines lines,
                    OutputFile& file) {
   std::uint64_t blocks = 0;
-  for (const Entity& entity : entities)
+  for (const MshEntity& entity : entities)
     blocks += !entity.lines.empty() + !entity.triangles.empty() + !entity.quads.empty();
   const std::uint64_t count = mesh.elements.size() + lines.size();
   file.text("$Elements\n");
   putHead(file, blocks, count, count);
-  const auto ofElement = [&](std::uint32_t element) { return verticesOf(mesh, element); };
-  const auto ofLine = [&](std::uint32_t line) { return verticesOf(lines[line]); };
-  for (const Entity& entity : entities) {
-    writeBlock(entity, typeOfLine(mesh), entity.lines, mesh.elements.size() + 1, ofLine, file);
-    writeBlock(entity, typeOf(mesh, false), entity.triangles, 1, ofElement, file);
-    writeBlock(entity, typeOf(mesh, true), entity.quads, 1, ofElement, file);
+  const auto ofElement = [&](std::uint32_t element) { return mshVertices(mesh, element); };
+  const auto ofLine = [&](std::uint32_t line) { return mshVertices(lines[line]); };
+  for (const MshEntity& entity : entities) {
+    writeBlock(entity, mshLineType(mesh), entity.lines, mesh.elements.size() + 1, ofLine, file);
+    writeBlock(entity, mshType(mesh, false), entity.triangles, 1, ofElement, file);
+    writeBlock(entity, mshType(mesh, true), entity.quads, 1, ofElement, file);
   }
   file.text("\n$EndElements\n");
 }
 
 }  // namespace
 
-void writeMsh(const ModelMesh& mesh, Lines lines, OutputFile& file) {
-  const MshGroups groups(mesh, lines);
-  const std::vector<Entity> entities = entitiesOf(mesh, lines, groups);
+void writeMsh(const ModelMesh& mesh, const Extras& extras, OutputFile& file) {
+  const Lines lines = extras.lines;
+  const std::vector<MshVolume> volumes = mshVolumes(mesh);
+  const MshGroups groups(mesh, extras, volumes);
+  const std::vector<MshEntity> entities = mshEntities(mesh, lines, groups, volumes);
   file.text("$MeshFormat\n4.1 1 8\n");
   file.binary(std::int32_t{1});  // tells readers the order of bytes
   file.text("\n$EndMeshFormat\n");

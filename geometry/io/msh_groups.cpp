@@ -13,30 +13,90 @@ std::int32_t highestFace(const ModelMesh& mesh) {
   return highest;
 }
 
+Grouping groupingOf(GroupKind kind) {
+  switch (kind) {
+    case GroupKind::Part:
+      return Grouping::Parts;
+    case GroupKind::Solid:
+      return Grouping::Solids;
+    case GroupKind::Layer:
+      return Grouping::Layers;
+    case GroupKind::Color:
+      return Grouping::Colors;
+    case GroupKind::Interface:
+      break;
+  }
+  return Grouping::Interfaces;
+}
+
 bool isNegative(const EdgeGroup& boundary) { return boundary.number < 0; }
 
 }  // namespace
 
-MshGroups::MshGroups(const ModelMesh& mesh, Lines lines)
+MshGroups::MshGroups(const ModelMesh& mesh, const Extras& extras,
+                     const std::vector<MshVolume>& volumes)
     : mesh_(mesh), highestFace_(highestFace(mesh)) {
   for (const EdgeGroup& boundary : mesh.boundaries)
     highestBoundary_ = std::max(highestBoundary_, boundary.number);
+  findThoseOfFaces(extras.groups);
   nameThoseOfFaces();
-  nameThoseOfEdges(lines);
+  nameThoseOfEdges(extras.lines);
+  for (const MshVolume& volume : volumes)
+    names_[{PhysicalGroup::kVolume, volume.number}] = unique(volume.name, "volume");
 }
 
-void MshGroups::nameThoseOfFaces() {
+void MshGroups::findThoseOfFaces(std::span<const Grouping> order) {
+  std::map<std::string, std::int32_t> byName;
   for (const FaceReport& face : mesh_.faces) {
+    const bool isNamed = !face.name.empty();
+    const std::int32_t own =
+        isNamed ? byName.try_emplace(face.name, face.id).first->second : face.id;
+    std::vector<std::int32_t>& groups = ofFace_[face.id];
+    if (!order.empty()) {
+      const std::int32_t only = onlyGroupOf(face, order);
+      groups = {only == 0 ? own : only};
+      continue;
+    }
+    groups = {own};
+    std::int32_t number = highestFace_;
+    for (const FaceGroup& group : mesh_.groups) {
+      ++number;
+      if (std::ranges::binary_search(group.faces, face.id)) groups.push_back(number);
+    }
+  }
+}
+
+/// 0: its own.
+std::int32_t MshGroups::onlyGroupOf(const FaceReport& face, std::span<const Grouping> order) const {
+  for (const Grouping kind : order) {
+    if (kind == Grouping::Faces && !face.name.empty()) return 0;
+    const FaceGroup* best = nullptr;
+    for (const FaceGroup& group : mesh_.groups)
+      if (groupingOf(group.kind) == kind && std::ranges::binary_search(group.faces, face.id) &&
+          (!best || group.faces.size() < best->faces.size()))
+        best = &group;
+    if (best) return highestFace_ + 1 + static_cast<std::int32_t>(best - mesh_.groups.data());
+  }
+  return 0;
+}
+
+/// Only those that some face belongs to, so that others do not take their names.
+void MshGroups::nameThoseOfFaces() {
+  std::set<std::int32_t> used;
+  for (const auto& [face, groups] : ofFace_) used.insert(groups.begin(), groups.end());
+  for (const FaceReport& face : mesh_.faces) {
+    if (!used.contains(face.id)) continue;
     const std::string plain = "face " + std::to_string(face.id);
     names_[{PhysicalGroup::kSurface, face.id}] =
         unique(face.name.empty() ? plain : face.name, plain);
   }
   std::int32_t number = highestFace_;
   for (const FaceGroup& group : mesh_.groups) {
+    if (!used.contains(++number)) continue;
     const bool isNamed = group.kind == GroupKind::Part || group.kind == GroupKind::Layer ||
                          group.kind == GroupKind::Interface;
     const std::string kind = toString(group.kind);
-    names_[{PhysicalGroup::kSurface, ++number}] =
+    names_[{PhysicalGroup::kSurface, number}] =
         unique(isNamed ? group.name : kind + " " + group.name, kind);
   }
 }
@@ -70,13 +130,8 @@ std::string MshGroups::unique(std::string name, const std::string& what) {
 }
 
 std::vector<std::int32_t> MshGroups::ofFace(std::int32_t face) const {
-  std::vector<std::int32_t> groups{face};
-  std::int32_t number = highestFace_;
-  for (const FaceGroup& group : mesh_.groups) {
-    ++number;
-    if (std::ranges::binary_search(group.faces, face)) groups.push_back(number);
-  }
-  return groups;
+  const auto found = ofFace_.find(face);
+  return found == ofFace_.end() ? std::vector{face} : found->second;
 }
 
 std::int32_t MshGroups::of(const LineElement& line) const {

@@ -3,7 +3,7 @@
 
 namespace af2::geometry {
 
-void writeObj(const ModelMesh& mesh, Lines, OutputFile& file) {
+void writeObj(const ModelMesh& mesh, const Extras&, OutputFile& file) {
   file.text("# surface mesh by AF2\n");
   for (const Point3& p : cornerVertices(mesh)) {
     file.text("v ");

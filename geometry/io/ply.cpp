@@ -4,7 +4,7 @@
 
 namespace af2::geometry {
 
-void writePly(const ModelMesh& mesh, Lines, OutputFile& file) {
+void writePly(const ModelMesh& mesh, const Extras&, OutputFile& file) {
   file.text("ply\nformat binary_little_endian 1.0\ncomment surface mesh by AF2\nelement vertex ");
   file.number(cornerVertices(mesh).size());
   file.text("\nproperty double x\nproperty double y\nproperty double z\nelement face ");

@@ -1,7 +1,10 @@
 // TetGen's .smesh: a closed surface, from which `tetgen -pq` makes tetrahedra. Each model face is a
-// boundary marker.
+// boundary marker, each solid a region, and each void a hole.
+#include <algorithm>
+
 #include "geometry/io/formats.h"
-#include "geometry/io/triangles_of.h"
+#include "geometry/mesh/mesh_volumes.h"
+#include "geometry/mesh/triangles_of.h"
 
 namespace af2::geometry {
 namespace {
@@ -15,16 +18,42 @@ void putRow(OutputFile& file, std::size_t first, std::initializer_list<std::size
   file.text("\n");
 }
 
+void putPoint(OutputFile& file, std::size_t number, const Point3& point) {
+  file.number(number);
+  for (const double x : {point.x, point.y, point.z}) {
+    file.text(" ");
+    file.number(x);
+  }
+}
+
+/// Points in voids, from which TetGen takes the tetrahedra away; then points in solids, with the
+/// attribute that `tetgen -A` gives to their tetrahedra.
+void putHolesAndRegions(const std::vector<MeshVolume>& volumes, OutputFile& file) {
+  const auto holes = static_cast<std::size_t>(std::ranges::count(volumes, 0, &MeshVolume::solid));
+  putRow(file, holes, {});
+  std::size_t number = 0;
+  for (const MeshVolume& volume : volumes) {
+    if (volume.solid != 0) continue;
+    putPoint(file, ++number, volume.inside);
+    file.text("\n");
+  }
+  putRow(file, volumes.size() - holes, {});
+  number = 0;
+  for (const MeshVolume& volume : volumes) {
+    if (volume.solid == 0) continue;
+    putPoint(file, ++number, volume.inside);
+    file.text(" ");
+    file.number(volume.solid);
+    file.text(" -1\n");  // no largest volume of tetrahedra; left out, it would be the attribute
+  }
+}
+
 }  // namespace
 
-void writeSmesh(const ModelMesh& mesh, Lines, OutputFile& file) {
+void writeSmesh(const ModelMesh& mesh, const Extras&, OutputFile& file) {
   putRow(file, cornerVertices(mesh).size(), {3, 0, 0});
   for (std::size_t v = 0; v < cornerVertices(mesh).size(); ++v) {
-    file.number(v + 1);
-    for (const double x : {mesh.vertices[v].x, mesh.vertices[v].y, mesh.vertices[v].z}) {
-      file.text(" ");
-      file.number(x);
-    }
+    putPoint(file, v + 1, mesh.vertices[v]);
     file.text("\n");
   }
   std::size_t triangles = 0;
@@ -34,7 +63,7 @@ void writeSmesh(const ModelMesh& mesh, Lines, OutputFile& file) {
     for (const auto& [a, b, c] : trianglesOf(mesh, mesh.elements[e]))
       putRow(file, 3,
              {a.value + 1u, b.value + 1u, c.value + 1u, static_cast<std::size_t>(mesh.face[e])});
-  file.text("0\n0\n");  // no holes, no regions
+  putHolesAndRegions(volumesOf(mesh), file);
 }
 
 }  // namespace af2::geometry

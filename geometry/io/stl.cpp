@@ -4,7 +4,7 @@
 
 #include "engine/base/error.h"
 #include "geometry/io/formats.h"
-#include "geometry/io/triangles_of.h"
+#include "geometry/mesh/triangles_of.h"
 
 namespace af2::geometry {
 namespace {
@@ -46,7 +46,7 @@ void refuseWhatCollapses(const ModelMesh& mesh) {
 
 }  // namespace
 
-void writeStl(const ModelMesh& mesh, Lines, OutputFile& file) {
+void writeStl(const ModelMesh& mesh, const Extras&, OutputFile& file) {
   refuseWhatCollapses(mesh);
   std::uint32_t triangles = 0;
   for (const Element& element : mesh.elements) triangles += element.isQuad() ? 2 : 1;

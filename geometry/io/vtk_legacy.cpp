@@ -76,7 +76,8 @@ void writeCellData(const ModelMesh& mesh, Lines lines, OutputFile& file) {
 
 }  // namespace
 
-void writeVtk(const ModelMesh& mesh, Lines lines, OutputFile& file) {
+void writeVtk(const ModelMesh& mesh, const Extras& extras, OutputFile& file) {
+  const Lines lines = extras.lines;
   file.text("# vtk DataFile Version 3.0\nsurface mesh by AF2\nBINARY\nDATASET UNSTRUCTURED_GRID\n");
   sectionHead(file, "POINTS", cornerVertices(mesh).size(), " double\n");
   for (const Point3& p : cornerVertices(mesh)) {

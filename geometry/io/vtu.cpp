@@ -228,7 +228,8 @@ void writeXmlCellData(const ModelMesh& mesh, Lines lines, OutputFile& file) {
 
 }  // namespace
 
-void writeVtu(const ModelMesh& mesh, Lines lines, OutputFile& file) {
+void writeVtu(const ModelMesh& mesh, const Extras& extras, OutputFile& file) {
+  const Lines lines = extras.lines;
   file.text(
       "<?xml version=\"1.0\"?>\n"
       "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" "

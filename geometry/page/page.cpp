@@ -78,7 +78,7 @@ void writeData(const ModelMesh& mesh, OutputFile& file) {
 
 }  // namespace
 
-void writePage(const ModelMesh& mesh, Lines, OutputFile& file) {
+void writePage(const ModelMesh& mesh, const Extras&, OutputFile& file) {
   fillPage("page.html", file, [&] { writeData(mesh, file); });
 }
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "geometry/io/triangles_of.h"
+#include "geometry/mesh/triangles_of.h"
 
 namespace af2::geometry {
 namespace {

@@ -117,7 +117,7 @@ void drawElements(const ModelMesh& mesh, const Camera& camera, Raster& raster) {
 
 }  // namespace
 
-void writePng(const ModelMesh& mesh, Lines, OutputFile& file) {
+void writePng(const ModelMesh& mesh, const Extras&, OutputFile& file) {
   const auto [camera, height] = framingOf(mesh);
   Raster raster(kPixelsPerPixel * kImageWidth, kPixelsPerPixel * height);
   drawElements(mesh, camera, raster);

@@ -172,7 +172,7 @@ std::string svgPicture(const ModelMesh& mesh, const ElementColor& colorOf) {
   return out.take();
 }
 
-void writeSvg(const ModelMesh& mesh, Lines, OutputFile& file) {
+void writeSvg(const ModelMesh& mesh, const Extras&, OutputFile& file) {
   const Plan plan = planOf(mesh);
   const DrawnMesh drawn(mesh);
   writeHead(plan.height + kSvgLegendHeight, file);

@@ -23,7 +23,7 @@ void readPly(const std::string& content, MeshBuilder& mesh);
 inline constexpr std::array kMeshFileFormats{
     MeshFileFormat{{"VTK XML", {".vtu"}}, &readVtu},
     MeshFileFormat{{"VTK", {".vtk"}}, &readVtk},
-    MeshFileFormat{{"Gmsh", {".msh"}}, &readMsh},
+    MeshFileFormat{{"Gmsh", {".msh", ".msh2"}}, &readMsh},
     MeshFileFormat{{"STL", {".stl"}}, &readStlMesh},
     MeshFileFormat{{"OBJ", {".obj"}}, &readObjMesh},
     MeshFileFormat{{"PLY", {".ply"}}, &readPly},

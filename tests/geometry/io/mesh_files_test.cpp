@@ -25,7 +25,7 @@ TEST(MeshFiles, RefuseAnUnknownExtensionAndNameTheKnownOnes) {
   } catch (const InputError& error) {
     EXPECT_STREQ(error.what(),
                  "cannot write 'mesh.xyz': its extension is not that of a mesh format; use .vtu "
-                 ".vtk .msh .stl "
+                 ".vtk .msh .msh2 .stl "
                  ".obj .ply .smesh .html .png .svg");
   }
   EXPECT_THROW(meshFormatOf("mesh"), InputError);

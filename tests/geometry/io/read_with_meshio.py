@@ -52,6 +52,7 @@ assert msh.field_data["lower half"].tolist() == [7, 2]
 assert msh.field_data["lid (layer)"].tolist() == [8, 2]
 assert msh.field_data["color #ff8000"].tolist() == [9, 2]
 assert msh.field_data["solid 1"].tolist() == [10, 2]
+assert msh.field_data["solid 1 (volume)"].tolist() == [1, 3]
 
 # Elements of second order.
 for extension in [".vtu", ".msh"]:

@@ -1,0 +1,29 @@
+#include "geometry/mesh/scaled_mesh.h"
+
+namespace af2::geometry {
+namespace {
+
+void scaleFace(FaceReport& face, double factor) {
+  face.area *= factor * factor;
+  face.firstTriangle = factor * face.firstTriangle;
+  for (StuckPlace& place : face.stuck) {
+    place.from = factor * place.from;
+    place.to = factor * place.to;
+  }
+  for (FaceReport::OddLoop& loop : face.oddLoops) {
+    loop.longest.from = factor * loop.longest.from;
+    loop.longest.to = factor * loop.longest.to;
+  }
+}
+
+}  // namespace
+
+ModelMesh scaledMesh(ModelMesh mesh, double factor) {
+  for (Point3& vertex : mesh.vertices) vertex = factor * vertex;
+  for (double& size : mesh.wantedSizes) size *= factor;
+  for (EdgeSegment& segment : mesh.segments) segment.middle = factor * segment.middle;
+  for (FaceReport& face : mesh.faces) scaleFace(face, factor);
+  return mesh;
+}
+
+}  // namespace af2::geometry
