@@ -2,7 +2,7 @@
 # Parts that touch are told of, and share their faces with --imprint.
 . "$(dirname "$0")/support.sh"
 parts=$2/tests/cli/models
-bolt=$parts/bolt_on_plate.brep
+bolt=$models/bolt_on_plate.brep
 overlap=$parts/overlapping_boxes.brep
 
 # Without the option.

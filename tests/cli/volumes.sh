@@ -66,7 +66,7 @@ fills box_with_cavity 1 1 "1:875"
 fills box_with_bubble 1 1 "1:886.903" --curvature 40
 fills ball_in_cavity 1 2 "1:875 2:33.5103" --curvature 50
 fills two_boxes 0 2 "1:64 2:18" --imprint
-fills bolt_on_plate 0 2 "1:100 2:9.42478" --imprint --curvature 40
+parts=$models fills bolt_on_plate 0 2 "1:100 2:9.42478" --imprint --curvature 40
 
 # Groups: an element of MSH 2 is in one.
 expect 0 "$af2" mesh "$parts/two_boxes.brep" -s 1 --imprint --groups interfaces,solids -o groups.msh2 -o groups.msh
