@@ -32,6 +32,9 @@ Interrupt::~Interrupt() {
   over_ = true;
   pthread_kill(waiting_.native_handle(), SIGTERM);
   waiting_.join();
+  // The run ends anyway: a signal that repeats the first one, as of `timeout`, must not change its
+  // exit code.
+  if (stop_.stop_requested()) return;
   const sigset_t signals = handledSignals();
   pthread_sigmask(SIG_UNBLOCK, &signals, nullptr);
 }

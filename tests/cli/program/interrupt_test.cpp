@@ -5,6 +5,7 @@
 
 #include <chrono>
 #include <csignal>
+#include <cstdlib>
 
 namespace af2::cli {
 namespace {
@@ -33,6 +34,19 @@ TEST(Interrupt, TakesSignalsThatComeTogetherForOne) {
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
   }
   EXPECT_TRUE(interrupt.requested()) << "and the program still runs";
+}
+
+TEST(InterruptDeathTest, ASignalThatIsRepeatedAfterTheEndKeepsTheExitCode) {
+  const auto endAfterSignals = [] {
+    {
+      const Interrupt interrupt;
+      ::kill(::getpid(), SIGINT);
+      becomesTrue(interrupt.token());
+    }
+    ::kill(::getpid(), SIGINT);
+    std::_Exit(4);
+  };
+  EXPECT_EXIT(endAfterSignals(), ::testing::ExitedWithCode(4), "");
 }
 
 TEST(Interrupt, EndsQuietlyIfNothingHappens) {
