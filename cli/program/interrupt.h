@@ -9,10 +9,9 @@ namespace af2::cli {
 
 /// During its lifetime, the first SIGINT or SIGTERM requests a stop; a later one ends the program
 /// at once. Programs that signal a whole process group, such as `timeout` and batch systems,
-/// deliver some signals more than once; therefore all signals within half a second count as one, and
-/// after a request to stop both signals stay blocked, so that a late one does not change the exit
-/// code.
-/// Construct it before other threads start, so that they inherit the blocked signals.
+/// deliver some signals more than once; therefore all signals within half a second count as one,
+/// and after a request to stop both signals stay blocked, so that a late one does not change the
+/// exit code. Construct it before other threads start, so that they inherit the blocked signals.
 class Interrupt {
  public:
   Interrupt();
