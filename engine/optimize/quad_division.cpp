@@ -88,6 +88,54 @@ bool divideOutline(Division& division, const std::array<Corner, 4>& outline, dou
   return division.putBack(leastJacobian, kind);
 }
 
+/// A side of an element, and the vertex in its middle.
+struct Gate {
+  Corner side;
+  Vertex middle;
+};
+
+/// Divides a quadrilateral between two of its sides: in two, or in three where the way turns.
+void divideQuad(Division& division, const MeshTopology& topology, const Gate& in, const Gate& out) {
+  const Corner second = topology.next(in.side), third = topology.next(second);
+  const Vertex a = division.at(in.side), b = division.at(second), c = division.at(third),
+               d = division.at(topology.next(third)), entry = in.middle, exit = out.middle;
+  if (out.side == third) {
+    division.add({a, entry, exit, d});
+    division.add({entry, b, c, exit});
+    return;
+  }
+  const Vertex center = division.add(division.centerOf(in.side));
+  if (out.side == second) {
+    division.add({entry, b, exit, center});
+    division.add({center, exit, c, d});
+    division.add({a, entry, center, d});
+  } else {
+    division.add({entry, b, c, center});
+    division.add({center, c, d, exit});
+    division.add({a, entry, center, exit});
+  }
+}
+
+/// Divides the last quadrilateral of a way in a quadrilateral and a triangle that has the side
+/// `out`.
+void leaveTriangle(Division& division, const MeshTopology& topology, Corner in, Corner out,
+                   Vertex entry) {
+  constexpr Vertex kNone = QuadPatch::kNone;
+  const Corner second = topology.next(in), third = topology.next(second);
+  const Vertex a = division.at(in), b = division.at(second), c = division.at(third),
+               d = division.at(topology.next(third));
+  if (out == second) {
+    division.add({a, entry, c, d});
+    division.add({entry, b, c, kNone});
+  } else if (out == third) {
+    division.add({a, entry, b, c});
+    division.add({a, c, d, kNone});
+  } else {
+    division.add({entry, b, c, d});
+    division.add({d, a, entry, kNone});
+  }
+}
+
 /// Whether an element has a corner with fixed sides.
 bool hasFixedCorner(const MeshTopology& topology, std::size_t element) {
   const auto corners = topology.mesh().elements[element].vertices();
@@ -128,42 +176,15 @@ bool divideAlong(PatchEditor& editor, std::span<const std::size_t> path,
   Vertex exit = addMiddleNear(out, path[0]);
   divideTriangle(out, exit);
   for (std::size_t i = 1; i < path.size() && (beyond || i + 1 < path.size()); ++i) {
-    const Corner in = topology.across(out), second = topology.next(in),
-                 third = topology.next(second), last = topology.next(third);
-    const Vertex a = division.at(in), b = division.at(second), c = division.at(third),
-                 d = division.at(last), entry = exit;
-    if (i + 1 == path.size()) {  // the triangle gets the side towards the element beyond
-      constexpr Vertex kNone = QuadPatch::kNone;
-      out = sideTowards(topology, path[i], *beyond);
-      if (out == second) {
-        division.add({a, entry, c, d});
-        division.add({entry, b, c, kNone});
-      } else if (out == third) {
-        division.add({a, entry, b, c});
-        division.add({a, c, d, kNone});
-      } else {
-        division.add({entry, b, c, d});
-        division.add({d, a, entry, kNone});
-      }
+    const Corner in = topology.across(out);
+    if (i + 1 == path.size()) {
+      leaveTriangle(division, topology, in, sideTowards(topology, path[i], *beyond), exit);
       break;
     }
+    const Vertex entry = exit;
     out = sideTowards(topology, path[i], path[i + 1]);
     exit = path[i + 1] == ending && !beyond ? addMiddleNear(out, ending) : division.addMiddle(out);
-    if (out == third) {
-      division.add({a, entry, exit, d});
-      division.add({entry, b, c, exit});
-      continue;
-    }
-    const Vertex center = division.add(division.centerOf(in));
-    if (out == second) {
-      division.add({entry, b, exit, center});
-      division.add({center, exit, c, d});
-      division.add({a, entry, center, d});
-    } else {
-      division.add({entry, b, c, center});
-      division.add({center, c, d, exit});
-      division.add({a, entry, center, exit});
-    }
+    divideQuad(division, topology, {in, entry}, {out, exit});
   }
   if (!beyond) divideTriangle(topology.across(out), exit);
   return division.putBack(std::min(leastJacobian, division.leastBefore()),

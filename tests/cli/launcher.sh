@@ -39,6 +39,6 @@ rm build/cli/af2 && runs 5
 
 touch broken engine/a.cpp
 if ./af2 mesh x; then echo "a build that fails goes unnoticed"; exit 1; fi
-[ -z "$(find build -name '.begun*')" ] || { echo "a file is left"; exit 1; }
+[ -z "$(find build -name 'tmp.*')" ] || { echo "a file is left"; exit 1; }
 rm broken
 runs 6
