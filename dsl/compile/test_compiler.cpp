@@ -49,6 +49,8 @@ class TestCompiler {
   void addChains(const TestFront& front);
   void addPoints(const TestPoints& points);
   void joinChains();
+  void addColours(const TestColours& colours);
+  std::optional<bool> colourAmong(const VertexColour& given, std::size_t vertex);
   void setBase(const TestBase* base);
   void checkEdges();
   std::optional<double> turnAt(std::size_t vertex) const;
@@ -167,6 +169,46 @@ void TestCompiler::checkEdges() {
         tell(Code::DuplicateName, chainSpan_, "the front edge " + text + " is given twice", "",
              "name each edge once");
     }
+}
+
+/// The colour that follows for a vertex from the colours given before in its open chain: they
+/// alternate along it. The given colour if none was given there; nothing after an error.
+std::optional<bool> TestCompiler::colourAmong(const VertexColour& given, std::size_t vertex) {
+  const auto& chains = result_.piece.chains;
+  const auto isChain = [&](const auto& chain) {
+    return chain.front() != chain.back() && std::ranges::count(chain, vertex) == 1;
+  };
+  const auto chain = std::ranges::find_if(chains, isChain);
+  if (chain == chains.end()) {
+    tell(Code::IncompleteTest, given.vertex.span,
+         "the vertex '" + given.vertex.text + "' is not on an open chain of the front", "",
+         "a closed chain is a loop of its own, whose colours decide nothing");
+    return std::nullopt;
+  }
+  const auto at = std::ranges::find(*chain, vertex);
+  for (const auto& [other, colour] : result_.piece.colours) {
+    const auto there = std::ranges::find(*chain, other);
+    if (there != chain->end()) return colour != ((at - there) % 2 != 0);
+  }
+  return given.colour == 1;
+}
+
+void TestCompiler::addColours(const TestColours& colours) {
+  for (const VertexColour& given : colours.colours) {
+    const auto vertex = known(given.vertex);
+    if (!vertex) continue;
+    if (given.colour != 0 && given.colour != 1) {
+      tell(Code::NotConstant, given.vertex.span, "a colour is 0 or 1");
+      continue;
+    }
+    const auto colour = colourAmong(given, *vertex);
+    if (colour && *colour != (given.colour == 1))
+      tell(Code::IncompleteTest, given.vertex.span,
+           "the colour of '" + given.vertex.text + "' contradicts one that is given before", "",
+           "colours alternate along a chain, so one for each chain is enough");
+    else if (colour)
+      result_.piece.colours.emplace_back(*vertex, *colour);
+  }
 }
 
 void TestCompiler::setBase(const TestBase* base) {
@@ -296,6 +338,10 @@ void TestCompiler::addExpectation(const Expectation& e, Span span) {
       [&](const ExpectElements& o) {
         add(std::optional(C::Elements{static_cast<std::size_t>(o.count)}));
       },
+      [&](const ExpectWeld& o) {
+        const auto from = known(o.from), into = known(o.into);
+        if (from && into) add(std::optional(C::Weld{*from, *into}));
+      },
       [&](const ExpectStuck&) { add(std::optional(C::Stuck{})); },
       [&](const ExpectScore& o) {
         if (const auto value = number(o.value, "a score"))
@@ -343,8 +389,8 @@ std::optional<CompiledTest> TestCompiler::compile() {
         clause.content, [&](const TestFront& c) { addChains(c); },
         [&](const TestPoints& c) { addPoints(c); }, [&](const TestBase& c) { base = &c; },
         [&](const TestLevel& c) { readLevel(c); }, [&](const TestSize& c) { readSize(c); },
-        // Expectations are compiled when the front is known.
-        [](const AnyOf<std::monostate, Expectation> auto&) {});
+        // What depends on the whole front is compiled when it is known.
+        [](const AnyOf<std::monostate, TestColours, Expectation> auto&) {});
   }
   const bool hasFront = !result_.piece.chains.empty();
   if (!hasFront && !hasErrors_)
@@ -356,6 +402,8 @@ std::optional<CompiledTest> TestCompiler::compile() {
     joinChains();
   }
   setBase(base);
+  for (const TestClause& clause : test_.clauses)
+    if (const auto* colours = std::get_if<TestColours>(&clause.content)) addColours(*colours);
   for (const TestClause& clause : test_.clauses)
     if (const auto* expectation = std::get_if<Expectation>(&clause.content))
       addExpectation(*expectation, clause.span);

@@ -39,6 +39,9 @@ struct CompiledExpectation {
   struct Elements {
     std::size_t count = 0;
   };
+  struct Weld {
+    std::size_t from = 0, into = 0;
+  };
   struct Stuck {};
   struct Score {
     std::string comparison;
@@ -49,7 +52,7 @@ struct CompiledExpectation {
   };
 
   bool negated = false;
-  std::variant<Stuck, IsRule, NewAt, Front, Elements, Score, Condition> outcome;
+  std::variant<Stuck, IsRule, NewAt, Front, Elements, Weld, Score, Condition> outcome;
   Span span;
 };
 

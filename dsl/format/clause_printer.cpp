@@ -87,6 +87,7 @@ std::string outcomeText(const ExpectedOutcome& outcome) {
                join(o.chains, [](const auto& c) { return join(c, expectedVertexText, " -> "); });
       },
       [](const ExpectElements& o) { return "elements " + std::to_string(o.count); },
+      [](const ExpectWeld& o) { return "weld " + o.from.text + " into " + o.into.text; },
       [](const ExpectStuck&) { return std::string("stuck"); },
       [](const ExpectScore& o) { return "score " + o.comparison + " " + printExpression(o.value); },
       [](const ExpectCondition& o) { return printExpression(o.condition); });
@@ -234,6 +235,12 @@ Line lineOf(const TestClause& clause) {
       },
       [](const TestPoints& c) {
         return Line{"point", join(c.points, vertexText) + ";"};
+      },
+      [](const TestColours& c) {
+        const auto text = [](const VertexColour& v) {
+          return v.vertex.text + " " + std::to_string(v.colour);
+        };
+        return Line{"colours", join(c.colours, text) + ";"};
       },
       [](const TestBase& c) {
         return Line{"base", c.from.text + " -> " + c.to.text + ";"};

@@ -31,6 +31,13 @@ class Writer {
     return text;
   }
 
+  std::string colours() {
+    std::string text;
+    for (const auto& [v, colour] : piece_.colours)
+      text += fmt::format("{}{} {}", text.empty() ? "" : ", ", names_[v], colour ? 1 : 0);
+    return text;
+  }
+
  private:
   std::string vertex(std::size_t v) {
     if (isPlaced_[v]) return names_[v];
@@ -92,6 +99,8 @@ std::string testTextOf(const FrontPiece& piece, const PieceTest& test) {
   text += "  front  " + writer.chains() + ";\n";
   if (const std::string points = writer.isolated(); !points.empty())
     text += "  point  " + points + ";\n";
+  if (const std::string colours = writer.colours(); !colours.empty())
+    text += "  colours " + colours + ";\n";
   text += "  base   a -> b;\n";
   if (piece.level != 1) text += fmt::format("  class  {};\n", piece.level);
   if (piece.size != 1) text += fmt::format("  size   {};\n", piece.size);

@@ -133,6 +133,9 @@ class Verdict {
   bool isMet(const Expected::Elements& expected, bool) const {
     return step_.elements.size() == expected.count;
   }
+  bool isMet(const Expected::Weld& expected, bool) const {
+    return step_.welded == std::pair(expected.from, expected.into);
+  }
   bool isMet(const Expected::Stuck&, bool) const { return !applied(); }
   bool isMet(const Expected::Condition& expected, bool) const { return expected.holds; }
 
@@ -180,6 +183,11 @@ class Verdict {
   std::string describe(const Expected::Elements&) const {
     const std::size_t made = step_.elements.size();
     return std::to_string(made) + (made == 1 ? " element by " : " elements by ") + appliedText();
+  }
+  std::string describe(const Expected::Weld&) const {
+    if (!step_.welded) return "no weld by " + appliedText();
+    return "weld " + vertexName(step_.welded->first) + " into " + vertexName(step_.welded->second) +
+           " by " + appliedText();
   }
   std::string describe(const Expected::Stuck&) const { return appliedText(); }
   std::string describe(const Expected::Condition&) const { return "it does not hold"; }

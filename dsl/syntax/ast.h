@@ -508,6 +508,20 @@ struct TestSize {
   void visitParts(auto&& part) const { part(value); }
 };
 
+struct VertexColour {
+  Name vertex;
+  int colour = 0;
+};
+
+/// colours p 0, w 1;
+struct TestColours {
+  std::vector<VertexColour> colours;
+
+  void visitParts(auto&& part) const {
+    for (const VertexColour& c : colours) part(NameRole::Vertex, c.vertex);
+  }
+};
+
 /// A vertex in an expected chain: a name, or the number of a new vertex.
 struct ExpectedVertex {
   Name name;
@@ -566,6 +580,16 @@ struct ExpectElements {
   void visitParts(auto&&) const {}
 };
 
+/// weld c into a
+struct ExpectWeld {
+  Name from, into;
+
+  void visitParts(auto&& part) const {
+    part(NameRole::Vertex, from);
+    part(NameRole::Vertex, into);
+  }
+};
+
 struct ExpectStuck {
   void visitParts(auto&&) const {}
 };
@@ -583,8 +607,9 @@ struct ExpectCondition {
   void visitParts(auto&& part) const { part(condition); }
 };
 
-using ExpectedOutcome = std::variant<std::monostate, ExpectRule, ExpectNew, ExpectFront,
-                                     ExpectElements, ExpectStuck, ExpectScore, ExpectCondition>;
+using ExpectedOutcome =
+    std::variant<std::monostate, ExpectRule, ExpectNew, ExpectFront, ExpectElements, ExpectWeld,
+                 ExpectStuck, ExpectScore, ExpectCondition>;
 
 struct Expectation {
   bool negated = false;
@@ -593,8 +618,8 @@ struct Expectation {
   void visitParts(auto&& part) const { dsl::visitParts(outcome, part); }
 };
 
-using TestContent =
-    std::variant<std::monostate, TestFront, TestPoints, TestBase, TestLevel, TestSize, Expectation>;
+using TestContent = std::variant<std::monostate, TestFront, TestPoints, TestColours, TestBase,
+                                 TestLevel, TestSize, Expectation>;
 
 struct TestClause {
   Span span;

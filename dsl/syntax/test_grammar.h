@@ -10,6 +10,8 @@ AF2_RULE(placedVertex, TestVertex, "a vertex with its place");
 AF2_RULE(testChain, TestChain, "a chain of vertices");
 AF2_RULE(testFront, TestFront, "front");
 AF2_RULE(testPoints, TestPoints, "point");
+AF2_RULE(vertexColour, VertexColour, "a vertex and its colour");
+AF2_RULE(testColours, TestColours, "colours");
 AF2_RULE(testBase, TestBase, "base");
 AF2_RULE(testLevel, TestLevel, "class");
 AF2_RULE(testSize, TestSize, "size");
@@ -20,6 +22,7 @@ AF2_RULE(expectRule, ExpectRule, "rule");
 AF2_RULE(expectNew, ExpectNew, "new");
 AF2_RULE(expectFront, ExpectFront, "front");
 AF2_RULE(expectElements, ExpectElements, "elements");
+AF2_RULE(expectWeld, ExpectWeld, "weld");
 AF2_RULE(expectScore, ExpectScore, "score");
 AF2_RULE(expectCondition, ExpectCondition, "a condition");
 AF2_RULE(binding, Definition, "a binding");
@@ -48,6 +51,11 @@ const auto testPoints_def = word("point") >>
                             parts(SyntaxUnit::TestClause, ListPart::Position, placedVertex,
                                   append(&TestPoints::points), kVertex) >>
                             testClauseEnd;
+const auto setColour = [](auto& context) { x3::_val(context).colour = x3::_attr(context); };
+const auto vertexColour_def = name[into(&VertexColour::vertex)] >>
+                              need(integer, "a colour, 0 or 1")[setColour];
+const auto testColours_def =
+    word("colours") >> list(vertexColour, append(&TestColours::colours), kVertex) >> testClauseEnd;
 const auto testBase_def = word("base") >> need(name, kVertex)[into(&TestBase::from)] >>
                           need("->") >> need(name, kVertex)[into(&TestBase::to)] >> testClauseEnd;
 const auto testLevel_def = word("class") >>
@@ -96,6 +104,8 @@ const auto expectFront_def = word("front") >> -(word("only")[setFlag(&ExpectFron
                              list(expectedChain, append(&ExpectFront::chains), kVertex);
 const auto expectElements_def = word("elements") >>
                                 need(integer, "a whole number")[into(&ExpectElements::count)];
+const auto expectWeld_def = word("weld") >> need(name, kVertex)[into(&ExpectWeld::from)] >>
+                            need("into") >> need(name, kVertex)[into(&ExpectWeld::into)];
 const auto setComparison = [](auto& context) {
   x3::_val(context).comparison = x3::_attr(context).text;
 };
@@ -108,16 +118,16 @@ const auto setStuck = [](auto& context) { x3::_val(context).outcome = ExpectStuc
 const auto expectation_def =
     word("expect") >> -(word("not")[setFlag(&Expectation::negated)]) >>
     (expectRule[setOutcome] | expectNew[setOutcome] | expectFront[setOutcome] |
-     (&(Word("elements") >> integer) >> expectElements[setOutcome]) |
+     (&(Word("elements") >> integer) >> expectElements[setOutcome]) | expectWeld[setOutcome] |
      (Word("stuck") >> &Word(";"))[setStuck] | expectScore[setOutcome] |
      need(expectCondition,
-          "rule, new, front, elements, stuck, score or a condition")[setOutcome]) >>
+          "rule, new, front, elements, weld, stuck, score or a condition")[setOutcome]) >>
     testClauseEnd;
 
-const auto testClause_def =
-    spanned(!word("}") >> !atBlockEnd >>
-            (testFront[content] | testPoints[content] | testBase[content] | testLevel[content] |
-             testSize[content] | expectation[content] | need(Nothing(), kTestClause)));
+const auto testClause_def = spanned(
+    !word("}") >> !atBlockEnd >>
+    (testFront[content] | testPoints[content] | testColours[content] | testBase[content] |
+     testLevel[content] | testSize[content] | expectation[content] | need(Nothing(), kTestClause)));
 const auto test_def =
     spanned(word("test") >> need(string, "the test's title in quotes")[into(&Test::title)] >>
             need("{") >> *testClause[append(&Test::clauses)] >> need("}"));
@@ -134,9 +144,10 @@ const auto property_def = word("property") >>
                           need("{") >> *propertyExpectation[append(&Property::expectations)] >>
                           need("}");
 
-BOOST_SPIRIT_DEFINE(testVertex, placedVertex, testChain, testFront, testPoints, testBase, testLevel,
-                    testSize, expectedVertex, expectedChain, reasonWords, expectRule, expectNew,
-                    expectFront, expectElements, expectCondition, expectScore, binding, expectation,
-                    testClause, test, propertyExpectation, property)
+BOOST_SPIRIT_DEFINE(testVertex, placedVertex, testChain, testFront, testPoints, vertexColour,
+                    testColours, testBase, testLevel, testSize, expectedVertex, expectedChain,
+                    reasonWords, expectRule, expectNew, expectFront, expectElements, expectWeld,
+                    expectCondition, expectScore, binding, expectation, testClause, test,
+                    propertyExpectation, property)
 
 }  // namespace af2::dsl::parsers

@@ -388,6 +388,13 @@ constexpr std::array kKeywords{
             .follows = Follows::Nothing,
             .defines = NameRole::TestVertex},
     Keyword{.block = BlockKind::Test,
+            .word = "colours",
+            .form = "colours p 0, w 1;",
+            .grammar = R"_("colours" name integer { "," name integer })_",
+            .help = "Colours of vertices, 0 or 1. The chains of these vertices are parts of one "
+                    "loop.",
+            .follows = Follows::Vertices},
+    Keyword{.block = BlockKind::Test,
             .word = "base",
             .form = "base p -> r;",
             .grammar = R"_("base" name "->" name)_",

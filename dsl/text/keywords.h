@@ -88,7 +88,8 @@ inline constexpr WordList<4> kArgumentTypes{"number", "angle", "point", "vector"
 inline constexpr WordList<3> kResultTypes{"number", "angle", "truth"};
 inline constexpr WordList<2> kFrontOrders{"by", "rows"};
 inline constexpr WordList<2> kRowStarts{"smallest_turn", "oldest"};
-inline constexpr WordList<6> kOutcomes{"rule", "new", "front", "elements", "stuck", "score"};
+inline constexpr WordList<7> kOutcomes{"rule", "new",   "front", "elements",
+                                       "weld", "stuck", "score"};
 /// Reasons for the refusal of a rule in tests. The reasons `zone hit by edge` and `zone hit by
 /// vertex` have a separate syntax.
 inline constexpr WordList<13> kReasons{"class", "pattern",   "require", "novalue",  "parity",

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "engine/base/ids.h"
@@ -59,6 +60,10 @@ class Front {
   void untangle();
   /// From now on keeps track of the loops and their colours.
   void keepLoops() { loops_.number(*this); }
+  /// Of a front that is shown in part; see `FrontLoops::joinChains`.
+  void joinChains(std::span<const std::pair<PlaceId, bool>> colours) {
+    loops_.joinChains(*this, colours);
+  }
   /// Numbered only after `keepLoops`.
   const FrontLoops& loops() const { return loops_; }
 

@@ -37,6 +37,20 @@ void FrontLoops::number(const Front& front) {
   }
 }
 
+void FrontLoops::joinChains(const Front& front, std::span<const std::pair<PlaceId, bool>> colours) {
+  for (const auto& [place, wanted] : colours) {
+    const std::uint32_t whole = at(colours.front().first).loop, part = at(place).loop;
+    const bool flips = colour(place) != wanted;
+    forEachOfLoop(front, place, [&](PlaceId id) {
+      at(id).loop = whole;
+      at(id).colour ^= flips;
+    });
+    if (part == whole) continue;
+    sizes_[whole] += sizes_[part];
+    sizes_[part] = 0;
+  }
+}
+
 void FrontLoops::add(PlaceId before, PlaceId added) {
   if (places_.size() <= added.value) places_.resize(added.value + 1);
   at(added) = {at(before).loop, !at(before).colour};

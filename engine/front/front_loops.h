@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "engine/base/ids.h"
@@ -22,6 +23,9 @@ class FrontLoops {
  public:
   /// Numbers and colours all loops of a front. The functions below must be called from then on.
   void number(const Front& front);
+  /// Of a front that is shown in part: the open chains of these places are parts of one loop, in
+  /// which the places have these colours.
+  void joinChains(const Front& front, std::span<const std::pair<PlaceId, bool>> colours);
   bool areNumbered() const { return !places_.empty(); }
 
   /// A place has joined the loop of the place before it.

@@ -1,5 +1,6 @@
 #include "engine/step/front_piece.h"
 
+#include <algorithm>
 #include <map>
 #include <tuple>
 
@@ -14,7 +15,7 @@ namespace {
 class Cutter {
  public:
   Cutter(const Front& front, const StepChart& chart, PlaceId base, double reach)
-      : front_(front), chart_(chart), reach_(reach) {
+      : front_(front), chart_(chart), base_(base), reach_(reach) {
     const Point2 from = chart_.project(front_[base].point).position;
     const Point2 to = chart_.project(front_[front_.next(base)].point).position;
     middle_ = 0.5 * (from + to);
@@ -31,6 +32,7 @@ class Cutter {
       if (isKept_[i] && !isKept_[front_.previous(PlaceId(i)).value]) addChain(PlaceId(i));
     for (std::size_t i = 0; i < isKept_.size(); ++i)
       if (isKept_[i]) addChain(PlaceId(i));
+    if (front_.loops().areNumbered() && !front_.loops().isInOddLoop(base_)) addColours();
     for (std::size_t i = 0; i < front_.capacity(); ++i) addIsolated(PlaceId(i));
     return std::move(local_);
   }
@@ -61,10 +63,27 @@ class Cutter {
 
   void addChain(PlaceId first) {
     std::vector<std::size_t>& chain = local_.piece.chains.emplace_back();
+    starts_.push_back(first);
     chain.push_back(vertexAt(first));
     for (PlaceId id = first; isKept_[id.value]; id = front_.next(id)) {
       isKept_[id.value] = false;
       chain.push_back(vertexAt(front_.next(id)));
+    }
+  }
+
+  /// For each open chain of the base's loop, the colour of a vertex that no other chain has.
+  void addColours() {
+    const FrontLoops& loops = front_.loops();
+    std::vector<int> uses(local_.piece.vertices.size(), 0);
+    for (const auto& chain : local_.piece.chains)
+      for (const std::size_t v : chain) ++uses[v];
+    for (std::size_t c = 0; c < starts_.size(); ++c) {
+      const auto& chain = local_.piece.chains[c];
+      if (chain.front() == chain.back() || !loops.areInOneLoop(starts_[c], base_)) continue;
+      const auto own = std::ranges::find_if(chain, [&](std::size_t v) { return uses[v] == 1; });
+      if (own == chain.end()) continue;
+      const bool isOdd = (own - chain.begin()) % 2 != 0;
+      local_.piece.colours.emplace_back(*own, loops.colour(starts_[c]) != isOdd);
     }
   }
 
@@ -76,10 +95,12 @@ class Cutter {
 
   const Front& front_;
   const StepChart& chart_;
+  PlaceId base_;
   double reach_;
   Point2 middle_;
   std::vector<bool> isKept_;  ///< by place: whether the edge that leaves it is still to be added
   std::map<std::tuple<std::size_t, double, double>, std::size_t> numbers_;
+  std::vector<PlaceId> starts_;  ///< by chain of the piece
   LocalFront local_;
 };
 

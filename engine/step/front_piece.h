@@ -24,6 +24,9 @@ struct FrontPiece {
   std::pair<std::size_t, std::size_t> base;  ///< an edge of a chain
   int level = 1;
   double size = 1;  ///< wanted edge length, in the units of the vertices
+  /// Colours of vertices of open chains, which are parts of one loop then. See `FrontLoops`. Other
+  /// chains are loops of their own.
+  std::vector<std::pair<std::size_t, bool>> colours = {};
 };
 
 /// A piece of a front as the chart of a base edge shows it: the edge runs along the x axis from the

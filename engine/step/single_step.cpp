@@ -33,6 +33,7 @@ struct Scene {
   Front front;
   FrontIndex index;
   std::set<Edge> edges;
+  std::vector<std::pair<PlaceId, bool>> colours;  ///< of the piece, by place
   PlaceId base;
 
   explicit Scene(const FrontPiece& piece) : index({}, piece.size) {
@@ -61,6 +62,8 @@ struct Scene {
       const PlaceId id(first.value + i);
       index.insert(front, id);
       if (i + 1 < chain.size() && Edge{chain[i], chain[i + 1]} == piece.base) base = id;
+      for (const auto& [vertex, colour] : piece.colours)
+        if (vertex == chain[i] && !isClosed(chain)) colours.emplace_back(id, colour);
     }
   }
 };
@@ -127,7 +130,10 @@ class Question {
         chart_(plane_, unit_),
         choice_(rules, scene_.front, scene_.index, size_, valence_) {
     scene_.front.fix(piece.vertices.size());
-    if (rules.set().definition().parity == Parity::Even) scene_.front.keepLoops();
+    if (rules.set().definition().parity == Parity::Even) {
+      scene_.front.keepLoops();
+      scene_.front.joinChains(scene_.colours);
+    }
   }
 
   const Scene& scene() const { return scene_; }

@@ -194,5 +194,63 @@ TEST(RuleTests, OfTheClassicalQuadsPass) {
   expectAllPass(AF2_SOURCE_DIR "/rules/quad/classic.af2", 18);
 }
 
+/// A rule that joins the base edge to a vertex across, and one that welds.
+const std::string kEvenRules = R"(af2 1;
+ruleset "even" { elements quad; parity even; score max of jacobian_badness; }
+rule "meet" quality 1 {
+  at   c (1, 1) ~ any;
+  new  d = a + (0, 1);
+  zone poly(a, b, c, d);
+  quad a b c d;
+}
+rule "seam" quality 1 {
+  front    a -> b -> c;
+  at       c (0.5, 0.2) ~ any;
+  require  turn(b) < 32deg;
+  weld     c into a at mid(a, c);
+  priority -1;
+}
+)";
+
+TEST(RuleTests, StateColours) {
+  const std::string front =
+      "front o (-1, 0) -> p (0, 0) -> r (1, 0) -> s (2, 0), v (1.8, 1.8) -> w (1, 1) -> x (0, 2);"
+      "base p -> r;";
+  const LoadedRules rules = loadRulesFromText(
+      "even.af2", kEvenRules + "test \"like\" {" + front +
+                      "colours r 1, w 1; expect not rule \"meet\" because parity; }\n"
+                      "test \"unlike\" {" +
+                      front + "colours s 0, x 1; expect rule \"meet\" with c = w; }\n" +
+                      "test \"two loops\" {" + front + "expect rule \"meet\" with c = w; }\n");
+  ASSERT_TRUE(rules.rules) << toPretty(rules.diagnostics);
+  for (const TestResult& result : runRuleTests(rules))
+    EXPECT_TRUE(result.passed()) << toText(result);
+}
+
+TEST(RuleTests, ExpectWelds) {
+  const std::string front =
+      "front o (-1, 0.2) -> p (0, 0) -> r (1, 0) -> s (0, 0.2) -> t (-1, 0.6); base p -> r;";
+  const LoadedRules rules =
+      loadRulesFromText("even.af2", kEvenRules + "test \"welds\" {" + front +
+                                        "expect weld s into p; expect not weld p into s; }\n"
+                                        "test \"other\" {" +
+                                        front + "expect weld p into s; }\n");
+  ASSERT_TRUE(rules.rules) << toPretty(rules.diagnostics);
+  const auto results = runRuleTests(rules);
+  EXPECT_TRUE(results[0].passed()) << toText(results[0]);
+  EXPECT_NE(toText(results[1]).find("weld s into p by rule \"seam\""), std::string::npos)
+      << toText(results[1]);
+}
+
+TEST(RuleTests, ReportColoursThatCannotBe) {
+  const std::string front = "test \"t\" { front p (0, 0) -> r (1, 0) -> s (2, 0); expect stuck; ";
+  EXPECT_EQ(faults(front + "colours p 0, s 1; }"),
+            Lines{"AF2-S10: the colour of 's' contradicts one that is given before"});
+  EXPECT_EQ(faults(front + "colours p 2; }"), Lines{"AF2-Y3: a colour is 0 or 1"});
+  EXPECT_EQ(faults(front + "point u (5, 5); colours u 0; }"),
+            Lines{"AF2-S10: the vertex 'u' is not on an open chain of the front"});
+  EXPECT_EQ(faults(front + "colours q 0; }"), Lines{"AF2-Y1: this test has no vertex 'q'"});
+}
+
 }  // namespace
 }  // namespace af2::dsl

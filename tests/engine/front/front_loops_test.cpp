@@ -45,6 +45,24 @@ TEST(FrontLoops, HaveTheirSizesAndColoursInTurn) {
   EXPECT_TRUE(front.loops().areSound(front));
 }
 
+TEST(FrontLoops, OfAPieceAreJoinedByColours) {
+  Front front;
+  const auto chain = [&](std::size_t first, double y) {
+    std::vector<BoundaryCorner> corners;
+    for (std::size_t i = 0; i < 4; ++i)
+      corners.push_back({VertexId(first + i), {{double(i), y, 0}, {0, 0, 1}, double(i), y}});
+    return front.addOpenChain(corners, std::vector<double>(4, 1.0));
+  };
+  const PlaceId lower = chain(0, 0), upper = chain(4, 3);
+  front.keepLoops();
+  EXPECT_FALSE(front.loops().areInOneLoop(lower, upper));
+  front.joinChains(std::array{std::pair(lower, false), std::pair(upper, true)});
+  EXPECT_TRUE(front.loops().areInOneLoop(lower, upper));
+  EXPECT_FALSE(front.loops().isInOddLoop(lower));
+  EXPECT_TRUE(allows(front, front.next(lower), upper) !=
+              allows(front, front.next(lower), front.next(upper)));
+}
+
 TEST(FrontLoops, AllowOnlyStepsThatLeaveEvenLoops) {
   Front front;
   addPolygon(front, polygon(12));
