@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# af2 inspect --json and --labels: exact numbers, and what cannot be combined.
+# af2 inspect --json and --labels: exact numbers, and what cannot be combined; names instead of numbers.
 . "$(dirname "$0")/support.sh"
 
 expect 0 "$af2" inspect "$models/cylinder.step" --json
@@ -40,4 +40,22 @@ expect 0 "$af2" inspect "$models/cylinder.step" --picture labelled.svg --labels
 expect 2 "$af2" inspect "$models/cylinder.step" --labels; told '--labels needs --picture'
 expect 2 "$af2" inspect "$models/cylinder.step" --json --edges; told 'leave out'
 expect 2 "$af2" inspect "$models/plate.poly" --json; told '--json is for CAD models'
+
+# Names wherever numbers are taken, in the spelling of mesh files, too.
+expect 0 "$af2" mesh "$models/bolt_on_plate.brep" -s 2 --faces 'solid 2' --report named.json -o named.vtu
+expect 0 "$af2" inspect "$models/bolt_on_plate.brep" --json
+cp out bolt.json
+python3 - <<'PYTHON' || fail "the faces of a solid by its name"
+import json
+wanted = json.load(open("bolt.json"))["solids"][1]["faces"]
+faces = json.load(open("named.json"))["faces"]
+assert [face["id"] for face in faces if face["status"] == "complete"] == wanted, faces
+PYTHON
+list=$(python3 -c 'import json; print(",".join(map(str, json.load(open("bolt.json"))["solids"][1]["faces"])))')
+expect 0 "$af2" mesh "$models/bolt_on_plate.brep" -s 2 --face-size 'solid 2=1' -o named.vtu
+expect 0 "$af2" mesh "$models/bolt_on_plate.brep" -s 2 --face-size "$list=1" -o numbered.vtu
+same named.vtu numbered.vtu
+expect 1 "$af2" mesh "$models/die.step" -s 2 --faces nobody; told "no face or group called 'nobody'"
+expect 1 "$af2" mesh "$models/plate.poly" -s 2 --faces nobody; told "no face or group called 'nobody'"
+expect 2 "$af2" mesh "$models/die.step" -s 2 --faces 3x; told "'3x' is neither a number nor a range"
 finish
