@@ -1,4 +1,4 @@
-// Wavefront OBJ: text, one group per model face, or for all faces of the same name or group.
+// Wavefront OBJ: text, one group per model face, or the groups that are asked for.
 #include <map>
 #include <string>
 
@@ -15,17 +15,13 @@ std::string inOneWord(std::string name) {
   return name;
 }
 
-/// By face: its group.
+/// By face: its group, if there are groups.
 std::map<std::int32_t, std::string> groupsOfFaces(const ModelMesh& mesh, const Extras& extras) {
   std::map<std::int32_t, std::string> groups;
-  if (!extras.groups.empty()) {
-    const MshGroups msh(mesh, {{}, extras.groups}, {});
-    for (const std::int32_t face : mesh.face)
-      if (!groups.contains(face)) groups[face] = inOneWord(msh.nameOf(face));
-    return groups;
-  }
-  for (const FaceReport& face : mesh.faces)
-    if (!face.name.empty()) groups[face.id] = inOneWord(face.name);
+  if (extras.groups.empty()) return groups;
+  const MshGroups msh(mesh, {{}, extras.groups}, {});
+  for (const std::int32_t face : mesh.face)
+    if (!groups.contains(face)) groups[face] = inOneWord(msh.nameOf(face));
   return groups;
 }
 

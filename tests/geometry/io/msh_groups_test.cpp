@@ -69,14 +69,18 @@ TEST(MshGroups, AreSolidsOfTextStlFiles) {
   EXPECT_EQ(linesWith(text, "facet normal "), 12u);
 }
 
-TEST(MshGroups, AndNamesOfFacesAreGroupsOfObjFiles) {
-  const std::string names = written(groupedCube(), ".obj", {});
-  EXPECT_EQ(linesWith(names, "g wall\n"), 2u) << "for each face in turn";
-  EXPECT_EQ(linesWith(names, "g face_1\n"), 1u);
+TEST(MshGroups, AreGroupsOfObjFiles) {
+  const std::vector<Grouping> names{Grouping::Faces};
+  const std::string named =
+      testing::written(groupedCube(), ".obj", {LinesAlong::Boundaries, names});
+  EXPECT_EQ(linesWith(named, "g wall\n"), 2u) << "for each face in turn";
+  EXPECT_EQ(linesWith(named, "g face_1\n"), 1u);
   const std::vector<Grouping> order{Grouping::Colors, Grouping::Parts};
-  const std::string groups = written(groupedCube(), ".obj", {LinesAlong::Boundaries, order});
+  const std::string groups =
+      testing::written(groupedCube(), ".obj", {LinesAlong::Boundaries, order});
   EXPECT_EQ(linesWith(groups, "g color_#ff0000\n"), 1u);
   EXPECT_EQ(linesWith(groups, "g face_"), 0u);
+  EXPECT_EQ(linesWith(testing::written(groupedCube(), ".obj"), "g face_"), 6u);
 }
 
 TEST(MshGroups, NamesOfFacesAreFieldsOfVtuFiles) {
