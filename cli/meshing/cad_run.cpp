@@ -7,6 +7,7 @@
 #include "cli/meshing/model_runs.h"
 #include "cli/program/progress_bar.h"
 #include "geometry/check/sounder_mesh.h"
+#include "geometry/meshing/part_sizes.h"
 #include "geometry/occ/assembly/contacts.h"
 #include "geometry/occ/heal/heal_model.h"
 #include "geometry/occ/run/mesh_model.h"
@@ -41,8 +42,17 @@ void reportGivenUp(const geometry::Model& model, const GivenUp& givenUp,
   }
 }
 
+std::vector<std::string> namesOf(const geometry::Model& model) {
+  std::vector<std::string> names;
+  for (int face = 1; face <= model.faceCount(); ++face) names.push_back(model.faceName(face));
+  return names;
+}
+
 geometry::ModelMesh meshAll(const geometry::Model& model, geometry::MeshingOptions options,
                             const AF2Algorithm& algorithm, const GivenUp& givenUp) {
+  options.faces =
+      withFacesCalled(std::move(options.faces), options.faceNames, namesOf(model), model.groups());
+  options.faceNames.clear();
   options.faces = withoutGivenUp(std::move(options.faces), model, givenUp);
   geometry::ModelMesh mesh;
   if (!options.faces.empty() || givenUp.empty())
@@ -53,7 +63,8 @@ geometry::ModelMesh meshAll(const geometry::Model& model, geometry::MeshingOptio
 
 /// For a note, which must cost little: for all pairs of a large assembly there is `af2 inspect`.
 geometry::PartContacts contactsToTell(const MeshRequest& request, const geometry::Model& model) {
-  if (!request.options.faces.empty()) return {};  // the other parts are not meshed
+  if (!request.options.faces.empty() || !request.options.faceNames.empty())
+    return {};  // the other parts are not meshed
   if (request.imprint.isAsked && !request.imprint.onlyEqual && model.imprinting()->undone.empty())
     return {};  // parts share what they have in common
   geometry::ContactOptions options;

@@ -39,8 +39,12 @@ using Line = std::vector<Point2>;
 
 class Drawing {
  public:
-  Drawing(const geometry::Model& model, const std::vector<Defect>& defects)
-      : model_(model), defects_(defects), lines_(static_cast<std::size_t>(model.edgeCount()) + 1) {
+  Drawing(const geometry::Model& model, const std::vector<Defect>& defects,
+          const std::vector<PictureLabel>& labels)
+      : model_(model),
+        defects_(defects),
+        labels_(labels),
+        lines_(static_cast<std::size_t>(model.edgeCount()) + 1) {
     for (int edge = 1; edge <= model.edgeCount(); ++edge)
       for (const Point3& point : geometry::pointsAlong(model, edge)) {
         lines_[static_cast<std::size_t>(edge)].push_back(project(point));
@@ -59,6 +63,9 @@ class Drawing {
                             {kWidth - kMargin, kHeight - kMargin}, world_, 1e30);
     for (const Line& line : lines_) stroke(canvas, line, kLines, 0.8);
     for (const Defect& defect : defects_) mark(canvas, defect);
+    for (const PictureLabel& label : labels_)
+      canvas.label(label.text, project(label.place), {0, 1}, 0,
+                   {.size = 13, .color = kInk, .weight = dsl::picture::Weight::Bold, .halo = true});
   }
 
  private:
@@ -107,6 +114,7 @@ class Drawing {
 
   const geometry::Model& model_;
   const std::vector<Defect>& defects_;
+  const std::vector<PictureLabel>& labels_;
   std::vector<Line> lines_;  ///< by edge
   Box2 world_;
   bool isEmpty_ = true;
@@ -115,8 +123,8 @@ class Drawing {
 }  // namespace
 
 std::string drawDefects(const geometry::Model& model, const std::vector<Defect>& defects,
-                        dsl::PictureFormat format) {
-  const Drawing drawing(model, defects);
+                        dsl::PictureFormat format, const std::vector<PictureLabel>& labels) {
+  const Drawing drawing(model, defects, labels);
   return Canvas::render(format, kWidth, kHeight, [&](Canvas& canvas) { drawing.draw(canvas); });
 }
 

@@ -9,9 +9,15 @@
 
 namespace af2::cli {
 
+/// A text at a place of the model.
+struct PictureLabel {
+  Point3 place{};
+  std::string text;
+};
+
 /// Draws the model's edges in grey, seen from one corner. Edges, faces and points with defects have
 /// a colour for each kind of defect, which a legend explains. Returns the bytes of the file.
 std::string drawDefects(const geometry::Model& model, const std::vector<geometry::Defect>& defects,
-                        dsl::PictureFormat format);
+                        dsl::PictureFormat format, const std::vector<PictureLabel>& labels = {});
 
 }  // namespace af2::cli

@@ -152,7 +152,9 @@ void declareMeshOptions(CLI::App& command, MeshOptions& options) {
       ->type_name("FILE")
       ->take_all()
       ->expected(1);
-  command.add_option("--faces", options.faces, "mesh only these faces, e.g. 3,7-9")
+  command
+      .add_option("--faces", options.faces,
+                  "mesh only these faces, by number or name, e.g. 3,7-9,inlet")
       ->type_name("FACES");
   command
       .add_option("--boundary", options.boundary,
@@ -309,7 +311,11 @@ MeshRequest checkedRequest(const MeshOptions& options) {
   MeshRequest request;
   request.model = options.model;
   request.options.sizes = checkedSizes(options.sizes);
-  if (!options.faces.empty()) request.options.faces = parseIds("--faces", options.faces);
+  if (!options.faces.empty()) {
+    FaceList faces = parseFaces("--faces", options.faces);
+    request.options.faces = std::move(faces.ids);
+    request.options.faceNames = std::move(faces.names);
+  }
   if (options.threads < 0 || options.threads > 4096) {
     throw UsageError(fmt::format("--threads {}: give a number from 1 to 4096, or 0 for all cores",
                                  options.threads));

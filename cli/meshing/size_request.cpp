@@ -40,7 +40,8 @@ void declareSizeOptions(CLI::App& command, SizeOptions& options) {
       ->type_name("FILE");
   command
       .add_option("--face-size", options.faceSizes,
-                  "a different size for some faces, e.g. 3,7-9=0.1")
+                  "a different size for some faces, by number or name, e.g. 3,7-9=0.1 or "
+                  "inlet=0.1")
       ->type_name("FACES=SIZE")
       ->take_all()
       ->expected(1);
@@ -76,13 +77,16 @@ geometry::Sizes checkedSizes(const SizeOptions& options) {
       throw UsageError(fmt::format("--grading {}: the growth must be at most {} per unit of length",
                                    options.grading, geometry::kMaxGrowth));
   }
-  sizes.faceSizes = parseSizes("--face-size", options.faceSizes);
+  FaceSizeList faceSizes = parseFaceSizes("--face-size", options.faceSizes);
+  sizes.faceSizes = std::move(faceSizes.byId);
   sizes.edgeSizes = parseSizes("--edge-size", options.edgeSizes);
   if (!options.file.empty()) {
     geometry::SizeFile file = geometry::readSizeFile(options.file);
     sizes.sources = std::move(file.sources);
     sizes.partSizes = std::move(file.parts);
   }
+  // The last match counts.
+  sizes.partSizes.insert(sizes.partSizes.end(), faceSizes.byName.begin(), faceSizes.byName.end());
   return sizes;
 }
 

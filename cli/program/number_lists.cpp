@@ -57,6 +57,38 @@ std::vector<int> parseIds(const std::string& option, const std::string& text) {
   return {ids.begin(), ids.end()};
 }
 
+FaceList parseFaces(const std::string& option, const std::string& text) {
+  FaceList list;
+  std::string numbers;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find(',', begin), text.size());
+    const std::string part = text.substr(begin, end - begin);
+    if (part.empty()) throw UsageError(fmt::format("{} '{}': a face is missing", option, text));
+    if ((part[0] >= '0' && part[0] <= '9') || part[0] == '-')
+      numbers += (numbers.empty() ? "" : ",") + part;
+    else
+      list.names.push_back(part);
+    begin = end + 1;
+  }
+  if (!numbers.empty()) list.ids = parseIds(option, numbers);
+  return list;
+}
+
+FaceSizeList parseFaceSizes(const std::string& option, const std::vector<std::string>& texts) {
+  FaceSizeList sizes;
+  for (const std::string& text : texts) {
+    const std::size_t equals = text.rfind('=');
+    if (equals == std::string::npos)
+      throw UsageError(fmt::format(
+          "{} '{}': write faces, '=' and a size, e.g. 3,7-9=0.1 or inlet=0.1", option, text));
+    const double size = parseSize(option, text.substr(equals + 1));
+    const FaceList faces = parseFaces(option, text.substr(0, equals));
+    for (const int id : faces.ids) sizes.byId[id] = size;
+    for (const std::string& name : faces.names) sizes.byName.emplace_back(name, size);
+  }
+  return sizes;
+}
+
 double parsePositive(const std::string& option, const std::string& text, const std::string& what) {
   const auto number = parsed<double>(text);
   if (!number || !std::isfinite(*number) || *number <= 0)

@@ -21,11 +21,13 @@
 #include "cli/meshing/contact_texts.h"
 #include "cli/meshing/defect_picture.h"
 #include "cli/meshing/imprinted_model.h"
+#include "cli/meshing/inspect_json.h"
 #include "cli/meshing/mesh_summary.h"
 #include "geometry/occ/assembly/contacts.h"
 #include "geometry/occ/heal/heal_model.h"
 #include "geometry/occ/inspect/defects.h"
 #include "geometry/occ/inspect/edge_list.h"
+#include "geometry/occ/inspect/measures.h"
 #endif
 
 namespace af2::cli {
@@ -34,11 +36,12 @@ namespace {
 struct InspectOptions {
   std::string model, size, picture, healTolerance;
   ImprintFlags imprint;
-  bool brief = false, all = false, edges = false, heal = false;
+  bool brief = false, all = false, edges = false, heal = false, json = false, labels = false;
 };
 
 int inspectOther(const InspectOptions& options) {
   if (!options.picture.empty()) throw UsageError("--picture is for CAD models");
+  if (options.json) throw UsageError("--json is for CAD models");
   if (options.heal) refuseHealing();
   checkedImprint(options.imprint, modelKindOf(options.model));
   return inspectDomain({options.model, options.size.empty() ? 0 : parseSize("--size", options.size),
@@ -98,14 +101,36 @@ InspectRequest checkedRequest(const InspectOptions& options) {
   request.heal = options.heal;
   request.healTolerance = checkedHealTolerance(options.heal, options.healTolerance);
   request.imprint = checkedImprint(options.imprint, ModelKind::Cad);
+  if (options.json && (options.brief || options.all || options.edges || !options.size.empty()))
+    throw UsageError(
+        "--json lists everything but defects; leave out --brief, --all, --edges, --size");
+  if (options.labels && options.picture.empty()) throw UsageError("--labels needs --picture");
   if (!options.picture.empty()) request.format = pictureFormatOf(options.picture, "--picture");
   return request;
+}
+
+/// The number of each face, and its name if it has one.
+std::vector<PictureLabel> labelsOf(const geometry::Model& model, const InspectOptions& options) {
+  std::vector<PictureLabel> labels;
+  if (!options.labels) return labels;
+  for (const auto& face : geometry::measuresOfFaces(model)) {
+    if (!face) continue;
+    const std::string& name = model.faceName(face->id);
+    labels.push_back({face->place, std::to_string(face->id) + (name.empty() ? "" : " " + name)});
+  }
+  return labels;
 }
 
 int inspect(const InspectOptions& options, const InspectRequest& request) {
   geometry::Model model = geometry::readModel(request.model);
   if (request.heal) model = geometry::healModel(model, {request.healTolerance});
   model = imprintedModel(model, request.imprint, {});
+  if (options.json) {
+    fmt::print("{}", inspectJson(model));
+    if (!options.picture.empty())
+      writeText(options.picture, drawDefects(model, {}, request.format, labelsOf(model, options)));
+    return imprintFault(model.imprinting()).empty() ? kComplete : kPartial;
+  }
   printOverview(model);
   options.brief ? printSurfaceTypes(model) : printFaces(model);
   if (options.edges) printEdges(geometry::edgesOf(model));
@@ -116,7 +141,8 @@ int inspect(const InspectOptions& options, const InspectRequest& request) {
   const std::vector<Defect> defects = geometry::findDefects(model, size);
   if (!options.brief) printDefects(defects, size, options.all);
   if (!options.picture.empty()) {
-    writeText(options.picture, drawDefects(model, defects, request.format));
+    writeText(options.picture,
+              drawDefects(model, defects, request.format, labelsOf(model, options)));
     fmt::print("drew {} defects -> {}\n", defects.size(), options.picture);
   }
   return imprintFault(model.imprinting()).empty() ? kComplete : kPartial;
@@ -153,6 +179,11 @@ Action declareInspect(CLI::App& command) {
       .add_option("--picture", options->picture,
                   "picture of the model with its defects marked, .svg or .png")
       ->type_name("FILE");
+  command.add_flag("--labels", options->labels,
+                   "with --picture: write the number and the name of each face on it");
+  command.add_flag("--json", options->json,
+                   "print faces, edges, solids and groups with their measures as JSON, instead of "
+                   "tables; for CAD models");
   declareHealing(command, options->heal, options->healTolerance);
   declareImprint(command, options->imprint);
   return [options]() -> int {

@@ -44,13 +44,30 @@ void scoreElements(const MeshRequest& request, const RuleSet& rules, ModelMesh& 
     mesh.scores = geometry::elementScores(mesh, rules.definition(), request.options.threads);
 }
 
-void writeOutputs(const MeshRequest& request, const RuleSet& rules, ModelMesh& mesh) {
+/// Writes one file after another. A file that cannot be written does not affect the others.
+class Files {
+ public:
+  template <class Write>
+  void write(Write write) {
+    try {
+      write();
+    } catch (const InputError& error) {
+      faults_.emplace_back(error.what());
+    }
+  }
+  const std::vector<std::string>& faults() const { return faults_; }
+
+ private:
+  std::vector<std::string> faults_;
+};
+
+void writeOutputs(const MeshRequest& request, const RuleSet& rules, ModelMesh& mesh, Files& files) {
   if (mesh.elements.empty()) return;  // an empty file would look like a result
   const Stopwatch writing;
   scoreElements(request, rules, mesh);
   const auto write = [&](const ModelMesh& written) {
     for (const auto& output : request.outputs)
-      geometry::writeMesh(written, output, request.fileOptions);
+      files.write([&] { geometry::writeMesh(written, output, request.fileOptions); });
   };
   if (request.scale.factor == 1)
     write(mesh);
@@ -98,20 +115,21 @@ void printResult(const MeshRequest& request, const RunReport& report, const Mode
                summaryText(mesh, report.quality));
 }
 
+/// A complete run is none any more.
+void addReason(RunReport& report, const std::string& reason) {
+  report.reason += (report.reason.empty() ? "" : "; ") + reason;
+  if (report.status == RunStatus::Complete) report.status = RunStatus::Partial;
+}
+
 /// The status of a run, from its faces and from the checks of the whole mesh.
 RunReport reportOf(const ModelMesh& mesh, bool strictRules) {
   RunReport report;
-  const auto add = [&](const std::string& reason) {
-    report.reason += (report.reason.empty() ? "" : "; ") + reason;
-  };
-  for (const std::string& finding : mesh.findings) add(finding);
-  if (const std::string triangles = trianglesText(mesh); !triangles.empty()) add(triangles);
-  if (strictRules && elementsWithoutRule(mesh).total() > 0)
-    add("elements were made without a rule, which --strict-rules does not accept");
   report.status = statusOf(mesh);
-  if (!report.reason.empty() && report.status == RunStatus::Complete) {
-    report.status = RunStatus::Partial;
-  }
+  for (const std::string& finding : mesh.findings) addReason(report, finding);
+  if (const std::string triangles = trianglesText(mesh); !triangles.empty())
+    addReason(report, triangles);
+  if (strictRules && elementsWithoutRule(mesh).total() > 0)
+    addReason(report, "elements were made without a rule, which --strict-rules does not accept");
   return report;
 }
 
@@ -128,22 +146,27 @@ int meshAndReport(const MeshRequest& request, RunLog* log, const GivenUp& givenU
   mesh.name = request.model.filename().string();
   mesh.ruleTexts = ruleTextsOf(loaded);
   RunReport report = reportOf(mesh, request.options.strictRules);
+  Files files;
   // Writing files and measuring quality run in parallel.
   geometry::forEachInParallel(2, request.options.threads, [&](std::size_t task) {
     if (task == 0)
-      writeOutputs(request, *loaded.rules, mesh);
+      writeOutputs(request, *loaded.rules, mesh, files);
     else
       report.quality = measureQuality(mesh, 0);
   });
+  for (const std::string& fault : files.faults()) addReason(report, fault);
   if (!request.report.empty()) report.sections["stuck"] = stuckJson(mesh);
   if (request.statistics)
     report.sections["statistics"] =
         toJson(*loaded.rules, statisticsOf(*loaded.rules, mesh, recorders.counters()));
-  writeReportIfAsked(request, report, mesh);
-  if (!request.trace.empty()) recorders.writeTrace();
-  if (!request.stuckTests.empty()) writeStuckTests(request, *loaded.rules, mesh);
+  const std::size_t told = files.faults().size();
+  files.write([&] { writeReportIfAsked(request, report, mesh); });
+  if (!request.trace.empty()) files.write([&] { recorders.writeTrace(); });
+  if (!request.stuckTests.empty())
+    files.write([&] { writeStuckTests(request, *loaded.rules, mesh); });
+  for (std::size_t i = told; i < files.faults().size(); ++i) addReason(report, files.faults()[i]);
   printResult(request, report, mesh);
-  return exitCodeOf(report.status);
+  return files.faults().empty() ? exitCodeOf(report.status) : kUnusable;
 }
 
 /// CAD models are meshed in a supervised process, because OpenCASCADE may crash or hang on them or

@@ -1,6 +1,7 @@
 #include "geometry/faceted/facets.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <tuple>
 
@@ -69,6 +70,35 @@ void dropUnusedVertices(Facets& facets) {
     for (std::uint32_t& corner : triangle) corner = renumbered[corner];
 }
 
+std::string textOf(const Facets& facets) {
+  return facets.name.empty() ? "the facets" : facets.name;
+}
+
+void checkFacets(const Facets& facets) {
+  const std::size_t vertices = facets.vertices.size();
+  for (std::size_t i = 0; i < vertices; ++i) {
+    const Point3& p = facets.vertices[i];
+    if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z))
+      throw InputError(textOf(facets) + ": vertex " + std::to_string(i) +
+                       " has a coordinate that is not a number");
+  }
+  for (std::size_t i = 0; i < facets.triangles.size(); ++i)
+    for (const std::uint32_t corner : facets.triangles[i])
+      if (corner >= vertices)
+        throw InputError(textOf(facets) + ": triangle " + std::to_string(i) + " has vertex " +
+                         std::to_string(corner) + ", but there are only " +
+                         std::to_string(vertices) + ", counted from 0");
+  if (!facets.group.empty() && facets.group.size() != facets.triangles.size())
+    throw InputError(textOf(facets) + ": there are parts for " +
+                     std::to_string(facets.group.size()) + " triangles, but " +
+                     std::to_string(facets.triangles.size()) + " triangles");
+  for (std::size_t i = 0; i < facets.group.size(); ++i)
+    if (facets.group[i] >= facets.groupNames.size())
+      throw InputError(textOf(facets) + ": triangle " + std::to_string(i) + " is in part " +
+                       std::to_string(facets.group[i]) + ", but there are names of only " +
+                       std::to_string(facets.groupNames.size()) + " parts, counted from 0");
+}
+
 }  // namespace
 
 std::span<const FacetFormat> facetFormats() { return kFacetFormats; }
@@ -79,13 +109,19 @@ Facets readFacets(const std::filesystem::path& path) {
   const FacetFormat* format = formatOf(facetFormats(), path);
   if (!format) throw InputError(facets.name + ": its extension is not that of a triangle format");
   format->read(contentOf(path), facets);
+  return repairedFacets(std::move(facets));
+}
+
+Facets repairedFacets(Facets facets) {
+  checkFacets(facets);
   mergeVertices(facets);
   dropCollapsedTriangles(facets);
   dropUnusedVertices(facets);
-  if (facets.triangles.empty()) throw InputError(facets.name + ": contains no triangle");
+  if (facets.triangles.empty()) throw InputError(textOf(facets) + ": contains no triangle");
   repairFacets(facets);
   if (facets.triangles.empty())
-    throw InputError(facets.name + ": no triangle is left after the repair of invalid triangles" +
+    throw InputError(textOf(facets) +
+                     ": no triangle is left after the repair of invalid triangles" +
                      (facets.notes.empty() ? "" : ": " + facets.notes.back()));
   return facets;
 }

@@ -22,7 +22,7 @@ using FacetTriangles = std::vector<std::array<std::uint32_t, 3>>;
 
 /// Triangles between shared vertices.
 struct Facets {
-  std::string name;  ///< the file
+  std::string name;  ///< the file, or any name, for messages
   std::vector<Point3> vertices;
   FacetTriangles triangles;
   /// By triangle: its part in the file; empty: the file names no parts.
@@ -47,5 +47,14 @@ AF2_EXPORT std::span<const FacetFormat> facetFormats();
 /// Throws InputError, with file and place, if the file cannot be read or no triangle is left after
 /// the repairs.
 AF2_EXPORT Facets readFacets(const std::filesystem::path& path);
+
+/// The same for triangles that are in memory: vertices at the same position are merged, triangles
+/// that use one of them twice and vertices without triangles are left out, and small faults are
+/// repaired and noted. meshFaceted expects facets without such faults.
+///
+/// Throws InputError if a triangle has a corner that is no vertex, if a coordinate is not a finite
+/// number, if `group` is neither empty nor of the length of `triangles` or has a part without an
+/// entry in `groupNames`, or if no triangle is left.
+AF2_EXPORT Facets repairedFacets(Facets facets);
 
 }  // namespace af2::geometry

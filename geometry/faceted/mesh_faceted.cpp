@@ -195,7 +195,7 @@ double failedArea(const ModelMesh& mesh) {
 }
 
 bool namesFacesOrEdges(const MeshingOptions& options) {
-  return !options.faces.empty() || !options.sizes.faceSizes.empty() ||
+  return !options.faces.empty() || !options.faceNames.empty() || !options.sizes.faceSizes.empty() ||
          !options.sizes.edgeSizes.empty() || !options.edgePoints.empty();
 }
 

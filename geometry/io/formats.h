@@ -22,11 +22,11 @@ void writeVtk(const ModelMesh& mesh, const Extras& extras, OutputFile& file);
 void writeMsh(const ModelMesh& mesh, const Extras& extras, OutputFile& file);
 /// Gmsh 2.2, text: the same without volumes. Each element is in one physical group.
 void writeMsh2(const ModelMesh& mesh, const Extras& extras, OutputFile& file);
-/// STL, binary; quadrilaterals are split.
+/// STL, binary, or with groups text with a solid for each; quadrilaterals are split.
 void writeStl(const ModelMesh& mesh, const Extras& extras, OutputFile& file);
 /// TetGen's .smesh, text; quadrilaterals are split, each model face is a boundary marker.
 void writeSmesh(const ModelMesh& mesh, const Extras& extras, OutputFile& file);
-/// Wavefront OBJ, text: each model face is a group.
+/// Wavefront OBJ, text: each model face, name or group is a group.
 void writeObj(const ModelMesh& mesh, const Extras& extras, OutputFile& file);
 /// PLY, binary.
 void writePly(const ModelMesh& mesh, const Extras& extras, OutputFile& file);
@@ -43,8 +43,8 @@ inline constexpr std::array kMeshFormats{
     MeshFormat{".vtk", "legacy VTK", &writeVtk, false, true, true},
     MeshFormat{".msh", "Gmsh 4.1", &writeMsh, true, true, false, false, true},
     MeshFormat{".msh2", "Gmsh 2.2", &writeMsh2, true, true, false, false, true},
-    MeshFormat{".stl", "STL", &writeStl},
-    MeshFormat{".obj", "Wavefront OBJ", &writeObj},
+    MeshFormat{".stl", "STL", &writeStl, false, false, false, false, true},
+    MeshFormat{".obj", "Wavefront OBJ", &writeObj, false, false, false, false, true},
     MeshFormat{".ply", "PLY", &writePly},
     MeshFormat{".smesh", "TetGen", &writeSmesh},
     MeshFormat{".html", "page for browsers", &writePage, true, false, true},

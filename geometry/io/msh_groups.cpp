@@ -134,6 +134,12 @@ std::vector<std::int32_t> MshGroups::ofFace(std::int32_t face) const {
   return found == ofFace_.end() ? std::vector{face} : found->second;
 }
 
+std::string MshGroups::nameOf(std::int32_t face) const {
+  const std::int32_t group = ofFace(face).front();
+  const auto found = names_.find({PhysicalGroup::kSurface, group});
+  return found == names_.end() ? "face " + std::to_string(group) : found->second;
+}
+
 std::int32_t MshGroups::of(const LineElement& line) const {
   if (line.boundary == 0) return groupOfEdge(line.edge);
   return groupOf(*std::ranges::find(mesh_.boundaries, line.boundary, &EdgeGroup::number));

@@ -34,6 +34,8 @@ class MshGroups {
   const std::map<PhysicalGroup, std::string>& names() const { return names_; }
   /// Numbers of the groups of a face, its own first if it has one.
   std::vector<std::int32_t> ofFace(std::int32_t face) const;
+  /// The name of the first group of a face.
+  std::string nameOf(std::int32_t face) const;
   std::int32_t of(const LineElement& line) const;
 
  private:

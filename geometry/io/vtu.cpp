@@ -69,6 +69,14 @@ void writeField(const std::string& name, const std::vector<int>& values, OutputF
   file.text("</DataArray>\n");
 }
 
+/// In the order of the names.
+std::map<std::string, std::vector<int>> facesByName(const ModelMesh& mesh) {
+  std::map<std::string, std::vector<int>> faces;
+  for (const FaceReport& face : mesh.faces)
+    if (!face.name.empty()) faces[face.name].push_back(face.id);
+  return faces;
+}
+
 /// Readers of VTU do not agree on arrays of text. So each rule becomes a number named after it:
 /// a field "rule: NAME" that holds the id; and each group a field that holds the ids of its faces,
 /// or of its edges.
@@ -76,6 +84,7 @@ void writeNames(const ModelMesh& mesh, OutputFile& file) {
   file.text("<FieldData>\n");
   for (std::size_t rule = 0; rule < mesh.ruleNames.size(); ++rule)
     writeField("rule: " + mesh.ruleNames[rule], {static_cast<int>(rule)}, file);
+  for (const auto& [name, faces] : facesByName(mesh)) writeField("face: " + name, faces, file);
   for (const FaceGroup& group : mesh.groups)
     writeField(std::string(toString(group.kind)) + ": " + group.name, group.faces, file);
   for (const EdgeGroup& boundary : mesh.boundaries)

@@ -30,12 +30,14 @@ void checkOptions(const FaceSource& source, const MeshingOptions& options) {
 
 MeshingOptions optionsFor(const FaceSource& source, MeshingOptions options) {
   Sizes& sizes = options.sizes;
-  if (!sizes.partSizes.empty()) {
+  if (!sizes.partSizes.empty() || !options.faceNames.empty()) {
     std::vector<std::string> names;
     for (int face = 1; face <= source.faceCount(); ++face)
       names.push_back(source.reportOf(face).name);
     // Sizes by id take precedence.
     sizes.faceSizes.merge(sizesByName(std::exchange(sizes.partSizes, {}), names, source.groups()));
+    options.faces = withFacesCalled(std::move(options.faces), std::exchange(options.faceNames, {}),
+                                    names, source.groups());
   }
   sizes = withinExtent(std::move(sizes), source.diagonal());
   return options;

@@ -10,7 +10,7 @@ namespace af2::geometry {
 /// Throws InputError for an invalid option, and for an id that the model does not have.
 void checkOptions(const FaceSource& source, const MeshingOptions& options);
 
-/// The options with sizes by face instead of sizes by name, and no size larger than the model.
+/// The options with faces, and sizes by face, instead of names, and no size larger than the model.
 ///
 /// Throws InputError if no face or group has the name.
 MeshingOptions optionsFor(const FaceSource& source, MeshingOptions options);

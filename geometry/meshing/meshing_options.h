@@ -4,6 +4,7 @@
 #include <functional>
 #include <optional>
 #include <stop_token>
+#include <string>
 #include <vector>
 
 #include "engine/optimize/optimize.h"
@@ -36,8 +37,10 @@ struct MeshingOptions {
   /// FaceReport::oddLoops.
   bool evenLoops = false;
   int order = 1;           ///< 2: elements with vertices at the middles of their sides as well
-  std::vector<int> faces;  ///< ids of the faces to mesh; empty: all
-  int threads = 0;         ///< 0: as many as the machine has. The mesh does not depend on it.
+  std::vector<int> faces;  ///< ids of the faces to mesh; empty, and no names: all
+  /// Names of faces and groups to mesh, too, as in Sizes::partSizes.
+  std::vector<std::string> faceNames = {};
+  int threads = 0;  ///< 0: as many as the machine has. The mesh does not depend on it.
   /// Called from several threads, one at a time.
   std::function<void(const ModelProgress&)> progress;
   bool optimize = true;  ///< swaps and smoothing after the front has closed; false: the raw front

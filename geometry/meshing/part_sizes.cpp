@@ -1,6 +1,7 @@
 #include "geometry/meshing/part_sizes.h"
 
 #include <cmath>
+#include <set>
 #include <string_view>
 
 #include "engine/base/error.h"
@@ -14,6 +15,13 @@ std::size_t bytesOf(std::string_view text, std::size_t at) {
   std::size_t end = at + 1;
   while (end < text.size() && (static_cast<unsigned char>(text[end]) & 0xc0) == 0x80) ++end;
   return end - at;
+}
+
+/// "solid 1" and "color #ff0000". The first word must be written out, lest "s*" mean all solids.
+bool fitsInMeshFiles(const FaceGroup& group, const std::string& pattern) {
+  if (group.kind != GroupKind::Solid && group.kind != GroupKind::Color) return false;
+  const std::string kind = std::string(toString(group.kind)) + " ";
+  return pattern.starts_with(kind) && fitsPattern(group.name, pattern.substr(kind.size()));
 }
 
 }  // namespace
@@ -41,6 +49,29 @@ bool fitsPattern(const std::string& name, const std::string& pattern) {
   return pattern.find_first_not_of('*', p) == kNone;
 }
 
+std::vector<int> facesCalled(const std::string& pattern, std::span<const std::string> names,
+                             std::span<const FaceGroup> groups) {
+  std::set<int> faces;
+  for (const FaceGroup& group : groups)
+    if (fitsPattern(group.name, pattern) || fitsInMeshFiles(group, pattern))
+      faces.insert(group.faces.begin(), group.faces.end());
+  for (std::size_t i = 0; i < names.size(); ++i)
+    if (fitsPattern(names[i], pattern)) faces.insert(static_cast<int>(i) + 1);
+  return {faces.begin(), faces.end()};
+}
+
+std::vector<int> withFacesCalled(std::vector<int> faces, std::span<const std::string> patterns,
+                                 std::span<const std::string> names,
+                                 std::span<const FaceGroup> groups) {
+  for (const std::string& pattern : patterns) {
+    const std::vector<int> called = facesCalled(pattern, names, groups);
+    if (called.empty())
+      throw InputError("there is no face or group called '" + pattern + "' (see af2 inspect)");
+    faces.insert(faces.end(), called.begin(), called.end());
+  }
+  return faces;
+}
+
 std::map<int, double> sizesByName(std::span<const std::pair<std::string, double>> parts,
                                   std::span<const std::string> names,
                                   std::span<const FaceGroup> groups) {
@@ -48,20 +79,11 @@ std::map<int, double> sizesByName(std::span<const std::pair<std::string, double>
   for (const auto& [pattern, size] : parts) {
     if (!(size > 0) || !std::isfinite(size))
       throw InputError("the size for parts named '" + pattern + "' must be a positive number");
-    bool fits = false;
-    for (const FaceGroup& group : groups) {
-      if (!fitsPattern(group.name, pattern)) continue;
-      for (const int face : group.faces) sizes[face] = size;
-      fits = true;
-    }
-    for (std::size_t i = 0; i < names.size(); ++i) {
-      if (!fitsPattern(names[i], pattern)) continue;
-      sizes[static_cast<int>(i) + 1] = size;
-      fits = true;
-    }
-    if (!fits)
+    const std::vector<int> faces = facesCalled(pattern, names, groups);
+    if (faces.empty())
       throw InputError("the sizes are for parts named '" + pattern +
                        "', but no face or group has such a name (see af2 inspect)");
+    for (const int face : faces) sizes[face] = size;
   }
   return sizes;
 }

@@ -22,6 +22,19 @@ AF2_EXPORT std::map<int, double> sizesByName(std::span<const std::pair<std::stri
                                              std::span<const std::string> names,
                                              std::span<const FaceGroup> groups);
 
+/// The ids, ascending, of faces whose name, or that of one of their groups, matches the pattern.
+/// The name of a group is also that in mesh files, such as "solid 1" or "color #ff0000".
+AF2_EXPORT std::vector<int> facesCalled(const std::string& pattern,
+                                        std::span<const std::string> names,
+                                        std::span<const FaceGroup> groups);
+
+/// The same faces, then those that match one of the patterns. Throws InputError if one matches
+/// none.
+AF2_EXPORT std::vector<int> withFacesCalled(std::vector<int> faces,
+                                            std::span<const std::string> patterns,
+                                            std::span<const std::string> names,
+                                            std::span<const FaceGroup> groups);
+
 /// Whether a name matches a pattern, in which `*` matches any text and `?` any UTF-8 character. All
 /// other characters match themselves, including brackets and backslashes.
 AF2_EXPORT bool fitsPattern(const std::string& name, const std::string& pattern);

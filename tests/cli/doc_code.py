@@ -1,4 +1,4 @@
-"""Compiles the C++ of the documentation: doc_code.py COMPILER SOURCE BUILD.
+"""Compiles the C++ of the documentation: doc_code.py COMPILER SOURCE BUILD OPENCASCADE_HEADERS.
 
 Each block fenced as ```cpp is the body of a function, in which `options` are those of a mesh; a block that begins
 with #include is a part of a file. Blocks that derive from a class of AF2 would need more; there are none."""
@@ -10,6 +10,7 @@ import sys
 import tempfile
 
 COMPILER, SOURCE, BUILD = sys.argv[1], pathlib.Path(sys.argv[2]), pathlib.Path(sys.argv[3])
+OPENCASCADE = sys.argv[4]
 FENCE = re.compile(r"^```cpp\n(.*?)^```$", re.M | re.S)
 BEFORE = """
 #include <cmath>
@@ -21,6 +22,7 @@ BEFORE = """
 #include <af2/dsl/rule_file.h>
 #include <af2/engine/algorithm.h>
 #include <af2/engine/element_metric.h>
+#include <af2/geometry/mesh_faceted.h>
 #include <af2/geometry/mesh_files.h>
 #include <af2/geometry/mesh_model.h>
 
@@ -44,6 +46,7 @@ for page in [SOURCE / "README.md", *sorted((SOURCE / "docs").glob("*.md"))]:
 with tempfile.TemporaryDirectory() as folder:
     source = pathlib.Path(folder) / "blocks.cpp"
     source.write_text(code, encoding="utf-8")
-    compiled = subprocess.run([COMPILER, "-std=c++20", "-fsyntax-only", f"-I{BUILD}/include", f"-I{SOURCE}", source])
+    compiled = subprocess.run([COMPILER, "-std=c++20", "-fsyntax-only", f"-I{BUILD}/include", f"-I{SOURCE}",
+                               "-isystem", OPENCASCADE, source])
 print(f"{count} blocks of C++ compile" if compiled.returncode == 0 else "the C++ of the documentation does not compile")
 sys.exit(1 if compiled.returncode != 0 or count < 3 else 0)

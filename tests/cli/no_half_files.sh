@@ -22,6 +22,20 @@ if (ulimit -f 64) 2>/dev/null; then
   [ "$(cat small.vtu)" = old ] || fail "half a file after a refused write"
 fi
 
+# A file that cannot be written, here because single precision is not enough, does not affect others.
+python3 - >far.obj <<'PYTHON'
+corners = [(x, y, z) for z in (0, 2) for x, y in ((0, 0), (2, 0), (2, 2), (0, 2))]
+for x, y, z in corners: print("v", 1e9 + x, y, z)
+for f in ("1 4 3 2", "5 6 7 8", "1 2 6 5", "2 3 7 6", "3 4 8 7", "4 1 5 8"): print("f", f)
+PYTHON
+echo old >far.stl
+expect 1 "$af2" mesh far.obj --size 1 -o far.stl -o far.vtu -o missing.msh --report far.json
+told "cannot write an STL file"
+[ -s far.vtu ] && [ -s missing.msh ] || fail "the other files were not written"
+[ "$(cat far.stl)" = old ] || fail "half a file after a refused format"
+[ "$(json far.json status)" = partial ] || fail "the report says nothing of it"
+json far.json reason | grep -q 'STL' || fail "the report does not say which file is missing"
+
 # Of a file that is too large only a part is read; it is never written back.
 { echo 'af2 1;'; head -c 9000000 /dev/zero | tr '\0' '#'; echo; echo '# the end'; } >large.af2
 expect 1 "$af2" new rule 'corner' --into large.af2; told 'the file is larger than 8 MiB'

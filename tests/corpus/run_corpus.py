@@ -5,6 +5,11 @@
     run_corpus.py --af2 build/cli/af2 FOLDER... --into docs/corpus.md --section NAME
     run_corpus.py --from table.json --into docs/corpus.md --section NAME
 
+A second table counts the models that are not complete and sound by cause. With --compare OLD.json,
+the table that an earlier run left with --json, the program prints what changed since, and the exit
+code is also 1 if a model is no longer complete and sound. FOLDER is any folder with models, in
+subfolders too.
+
 With --into, the table replaces what stands between the comments `begin NAME` and `end NAME` of a
 page; with --from, it is the one that an earlier run left with --json.
 
@@ -41,6 +46,7 @@ from dataclasses import asdict, dataclass, field
 from pathlib import Path
 
 import mesh_oracle
+from corpus_changes import changes, has_worse, table_of_causes
 
 SUFFIXES = {".step", ".stp", ".iges", ".igs", ".brep", ".brp", ".rle"}
 DIAGONALS_PER_SIZE = 40
@@ -81,6 +87,7 @@ def options() -> argparse.Namespace:
     parser.add_argument("folders", nargs="*", type=Path, help="folders or single models")
     parser.add_argument("--af2", help="the program")
     parser.add_argument("--from", dest="earlier", type=Path, help="table of an earlier run, in JSON")
+    parser.add_argument("--compare", type=Path, help="table of an earlier run, in JSON: what changed since")
     parser.add_argument("--into", type=Path, help="page in Markdown that gets the table")
     parser.add_argument("--section", help="which part of that page")
     parser.add_argument("--rules", help="rule file; default: that of AF2")
@@ -316,13 +323,18 @@ def run_all(arguments: argparse.Namespace) -> list:
         return list(pool.map(lambda m: run_one(arguments, *m), models))
 
 
+def rows_of(file: Path) -> list:
+    return [Row(**row) for row in json.loads(file.read_text())]
+
+
 def main() -> int:
     arguments = options()
+    earlier = rows_of(arguments.compare) if arguments.compare else []
     if arguments.earlier:
-        rows = [Row(**row) for row in json.loads(arguments.earlier.read_text())]
+        rows = rows_of(arguments.earlier)
     else:
         rows = run_all(arguments)
-    text = summary(rows) + "\n\n" + table(rows) + "\n"
+    text = summary(rows) + "\n\n" + table_of_causes(rows) + "\n\n" + table(rows) + "\n"
     if arguments.into:
         replace_section(arguments.into, arguments.section, text)
     else:
@@ -331,8 +343,10 @@ def main() -> int:
         arguments.output.write_text(text)
     if arguments.json:
         arguments.json.write_text(json.dumps([asdict(row) for row in rows], indent=1))
+    if arguments.compare:
+        print(f"\nCompared with {arguments.compare}: {changes(earlier, rows)}")
     bad = [row for row in rows if row.faults and row.status in ("crash", "hang", "complete")]
-    return 1 if bad else 0
+    return 1 if bad or has_worse(earlier, rows) else 0
 
 
 if __name__ == "__main__":

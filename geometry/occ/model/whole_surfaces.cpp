@@ -16,6 +16,8 @@
 #include <cmath>
 #include <gp_XY.hxx>
 #include <optional>
+#include <utility>
+#include <vector>
 
 namespace af2::geometry {
 
@@ -92,6 +94,20 @@ bool hasLostItsSeams(const TopoDS_Face& face) {
   return std::abs(area.Mass()) <= kOnSeam * boundary.Mass() * boundary.Mass();
 }
 
+/// Names and groups of the faces that were replaced go on.
+void giveNamesTo(ReadShape& read, BRepTools_ReShape& replacing,
+                 const std::vector<std::pair<TopoDS_Shape, TopoDS_Shape>>& was) {
+  read.shape = replacing.Apply(read.shape);
+  for (ShapeGroup& group : read.groups)
+    for (TopoDS_Shape& shape : group.shapes) shape = replacing.Apply(shape);
+  if (!read.nameOf) return;
+  read.nameOf = [was, nameOf = read.nameOf](const TopoDS_Face& face) {
+    const auto found =
+        std::ranges::find_if(was, [&](const auto& pair) { return pair.first.IsSame(face); });
+    return nameOf(found == was.end() ? face : TopoDS::Face(found->second));
+  };
+}
+
 void note(ReadShape& read, int count, const char* what) {
   if (count > 0) read.notes.push_back(std::to_string(count) + what);
 }
@@ -102,6 +118,7 @@ void giveWholeBoundaries(ReadShape& read) {
   TopTools_IndexedMapOfShape faces;
   TopExp::MapShapes(read.shape, TopAbs_FACE, faces);
   BRepTools_ReShape replacing;
+  std::vector<std::pair<TopoDS_Shape, TopoDS_Shape>> was;  // by the new face: that of the reader
   int bare = 0, lost = 0;
   for (int i = 1; i <= faces.Extent(); ++i) {
     const TopoDS_Face face = TopoDS::Face(faces(i));
@@ -110,10 +127,11 @@ void giveWholeBoundaries(ReadShape& read) {
     const TopoDS_Shape closed = withSeams(face);
     if (closed.IsNull()) continue;
     replacing.Replace(face, closed);
+    was.emplace_back(closed, face);
     ++(isBare ? bare : lost);
   }
   if (bare + lost == 0) return;
-  read.shape = replacing.Apply(read.shape);
+  giveNamesTo(read, replacing, was);
   note(read, bare, " faces had no boundary; their seams were added");
   note(read, lost,
        " faces had a boundary along their seams that encloses nothing; it was completed");

@@ -50,5 +50,19 @@ TEST(ParseSizes, LetsTheLastOneWin) {
   EXPECT_THROW(parseSizes("--face-size", {"=1"}), UsageError);
 }
 
+TEST(NumberLists, OfFacesMayHaveNames) {
+  const FaceList faces = parseFaces("--faces", "7-9,inlet,3,bolt 2*");
+  EXPECT_EQ(faces.ids, (std::vector<int>{3, 7, 8, 9}));
+  EXPECT_EQ(faces.names, (std::vector<std::string>{"inlet", "bolt 2*"}));
+  EXPECT_THROW(parseFaces("--faces", "3,,4"), UsageError);
+  EXPECT_THROW(parseFaces("--faces", "3x"), UsageError);
+  const FaceSizeList sizes = parseFaceSizes("--face-size", {"1,lid=0.5", "a=b=0.1", "1=0.2"});
+  EXPECT_EQ(sizes.byId, (std::map<int, double>{{1, 0.2}}));
+  EXPECT_EQ(sizes.byName,
+            (std::vector<std::pair<std::string, double>>{{"lid", 0.5}, {"a=b", 0.1}}));
+  EXPECT_THROW(parseFaceSizes("--face-size", {"lid"}), UsageError);
+  EXPECT_THROW(parseFaceSizes("--face-size", {"lid=0"}), UsageError);
+}
+
 }  // namespace
 }  // namespace af2::cli

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <numbers>
 #include <sstream>
 
@@ -70,6 +71,69 @@ TEST(FacetFaults, WhereTheyLeaveNoTriangleAreRefused) {
     EXPECT_NE(told.find("no triangle is left"), std::string::npos) << told;
     EXPECT_NE(told.find("edges without length"), std::string::npos) << told;
   }
+}
+
+std::string refusalOf(Facets facets) {
+  try {
+    repairedFacets(std::move(facets));
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+/// A box of side 2 whose triangles share no vertices, as in an STL file; the lid is a part.
+Facets looseBox() {
+  const Facets sound = read(kBoxVertices + kBoxFaces);
+  Facets facets;
+  facets.groupNames = {"walls", "lid"};
+  for (const auto& triangle : sound.triangles) {
+    const auto first = static_cast<std::uint32_t>(facets.vertices.size());
+    facets.triangles.push_back({first, first + 1, first + 2});
+    bool isLid = true;
+    for (const std::uint32_t corner : triangle) {
+      facets.vertices.push_back(sound.vertices[corner]);
+      isLid = isLid && sound.vertices[corner].z == 2;
+    }
+    facets.group.push_back(isLid ? 1 : 0);
+  }
+  return facets;
+}
+
+TEST(FacetFaults, OfTrianglesInMemoryAreRepairedToo) {
+  Facets loose = looseBox();
+  loose.triangles.push_back({loose.triangles[0][0], loose.triangles[0][2], loose.triangles[0][1]});
+  loose.triangles.push_back({5, 5, 7});
+  loose.group.insert(loose.group.end(), 2, 0);
+  const Facets facets = repairedFacets(loose);
+  EXPECT_EQ(facets.vertices.size(), 8u);
+  EXPECT_EQ(facets.triangles.size(), 12u);
+  EXPECT_EQ(facets.notes.size(), 1u);
+  expectABox(facets);
+  MeshingOptions options;
+  options.sizes.size = 0.5;
+  const ModelMesh result = mesh(facets, options);
+  ASSERT_EQ(result.groups.size(), 2u);
+  EXPECT_EQ(result.groups[1].name, "lid");
+  EXPECT_EQ(result.groups[1].faces.size(), 1u);
+}
+
+TEST(FacetFaults, OfTrianglesInMemoryThatCannotBeRepairedAreToldWithTheirPlace) {
+  Facets facets = looseBox();
+  facets.triangles[2][1] = 99;
+  EXPECT_EQ(refusalOf(facets),
+            "the facets: triangle 2 has vertex 99, but there are only 36, counted from 0");
+  facets = looseBox();
+  facets.vertices[3].y = std::nan("");
+  EXPECT_EQ(refusalOf(facets), "the facets: vertex 3 has a coordinate that is not a number");
+  facets = looseBox();
+  facets.group.pop_back();
+  EXPECT_EQ(refusalOf(facets), "the facets: there are parts for 11 triangles, but 12 triangles");
+  facets = looseBox();
+  facets.groupNames.pop_back();
+  EXPECT_NE(refusalOf(facets).find("is in part 1, but there are names of only 1 parts"),
+            std::string::npos);
+  EXPECT_EQ(refusalOf({}), "the facets: contains no triangle");
 }
 
 TEST(FacetFaults, LikeTrianglesThatAreThereTwiceAreLeftOut) {

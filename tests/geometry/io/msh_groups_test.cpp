@@ -51,6 +51,44 @@ TEST(MshGroups, ByNamesOfFacesOthersAreTheirOwn) {
   EXPECT_EQ(groups.names().size(), 5u);
 }
 
+/// How often a line of the text begins with these words.
+std::size_t linesWith(const std::string& text, const std::string& words) {
+  std::size_t count = 0;
+  for (std::size_t at = text.find(words); at != std::string::npos; at = text.find(words, at + 1))
+    if (at == 0 || text[at - 1] == '\n') ++count;
+  return count;
+}
+
+TEST(MshGroups, AreSolidsOfTextStlFiles) {
+  const std::vector<Grouping> order{Grouping::Colors, Grouping::Parts};
+  const std::string text = written(groupedCube(), ".stl", {LinesAlong::Boundaries, order});
+  EXPECT_EQ(linesWith(text, "solid half\n"), 1u);
+  EXPECT_EQ(linesWith(text, "solid all\n"), 1u);
+  EXPECT_EQ(linesWith(text, "solid color #ff0000\n"), 1u);
+  EXPECT_EQ(linesWith(text, "endsolid "), 3u);
+  EXPECT_EQ(linesWith(text, "facet normal "), 12u);
+}
+
+TEST(MshGroups, AreGroupsOfObjFiles) {
+  const std::vector<Grouping> names{Grouping::Faces};
+  const std::string named =
+      testing::written(groupedCube(), ".obj", {LinesAlong::Boundaries, names});
+  EXPECT_EQ(linesWith(named, "g wall\n"), 2u) << "for each face in turn";
+  EXPECT_EQ(linesWith(named, "g face_1\n"), 1u);
+  const std::vector<Grouping> order{Grouping::Colors, Grouping::Parts};
+  const std::string groups =
+      testing::written(groupedCube(), ".obj", {LinesAlong::Boundaries, order});
+  EXPECT_EQ(linesWith(groups, "g color_#ff0000\n"), 1u);
+  EXPECT_EQ(linesWith(groups, "g face_"), 0u);
+  EXPECT_EQ(linesWith(testing::written(groupedCube(), ".obj"), "g face_"), 6u);
+}
+
+TEST(MshGroups, NamesOfFacesAreFieldsOfVtuFiles) {
+  const std::string text = written(groupedCube(), ".vtu", {});
+  EXPECT_NE(text.find("Name=\"face: wall\" NumberOfTuples=\"2\" format=\"ascii\">2 3<"),
+            std::string::npos);
+}
+
 TEST(MshGroups, NamesThatNoFaceUsesAreFreeForVolumes) {
   const ModelMesh mesh = groupedCube();
   const std::vector<Grouping> order{Grouping::Faces};

@@ -54,6 +54,18 @@ assert msh.field_data["color #ff8000"].tolist() == [9, 2]
 assert msh.field_data["solid 1"].tolist() == [10, 2]
 assert msh.field_data["solid 1 (volume)"].tolist() == [1, 3]
 
+assert read(".vtu").field_data["face: lid"].tolist() == [6]
+
+# Named solids of a text STL file, which meshio reads, too.
+import re
+
+text = open(f"{directory}/grouped.stl").read()
+assert abs(surface_area(read(".stl", "grouped")) - 6) < 1e-12
+solids = re.findall(r"^solid ([^\n]*)\n(.*?)^endsolid ([^\n]*)\n", text, re.M | re.S)
+assert all(first == last for first, _, last in solids)
+assert {name: body.count("facet normal") for name, body, _ in solids} == {
+    "lower half": 4, "face 3": 2, "face 4": 2, "face 5": 2, "lid": 2}, solids
+
 # Elements of second order.
 for extension in [".vtu", ".msh"]:
     mesh = meshio.read(f"{directory}/cube2{extension}")

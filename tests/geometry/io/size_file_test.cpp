@@ -78,5 +78,23 @@ TEST(SizeFile, NamesMayHavePatterns) {
   EXPECT_FALSE(fitsPattern("bolt M", "bolt [M3]"));
 }
 
+TEST(PartSizes, FindSolidsAndColoursAsMeshFilesCallThem) {
+  const std::vector<std::string> names{"inlet", "", ""};
+  const std::vector<FaceGroup> groups{{"1", GroupKind::Solid, {1, 2}},
+                                      {"2", GroupKind::Solid, {3}},
+                                      {"#ff0000", GroupKind::Color, {2}},
+                                      {"bolt", GroupKind::Part, {3}}};
+  EXPECT_EQ(facesCalled("solid 2", names, groups), std::vector<int>{3});
+  EXPECT_EQ(facesCalled("solid *", names, groups), (std::vector<int>{1, 2, 3}));
+  EXPECT_EQ(facesCalled("color #ff0000", names, groups), std::vector<int>{2});
+  EXPECT_EQ(facesCalled("inlet", names, groups), std::vector<int>{1});
+  EXPECT_TRUE(facesCalled("s*", names, groups).empty()) << "no name begins with s";
+  EXPECT_TRUE(facesCalled("part bolt", names, groups).empty());
+  const std::vector<std::string> patterns{"bolt", "nobody"};
+  EXPECT_THROW(withFacesCalled({1}, patterns, names, groups), InputError);
+  EXPECT_EQ(withFacesCalled({1}, std::span(patterns).first(1), names, groups),
+            (std::vector<int>{1, 3}));
+}
+
 }  // namespace
 }  // namespace af2::geometry

@@ -42,6 +42,9 @@ int main(int, char** arguments) {
     writeMesh(cubeMesh(), directory / ("cube" + extension));
     writeMesh(withBoundaries(cubeMesh()), directory / ("marked" + extension));
     writeMesh(withBoundaries(cubeMesh()), directory / ("lines" + extension), LinesAlong::AllEdges);
+    if (format.holdsGroups)
+      writeMesh(cubeMesh(), directory / ("grouped" + extension),
+                FileOptions{LinesAlong::Boundaries, {Grouping::Faces, Grouping::Parts}});
     if (!format.holdsSecondOrder) continue;
     writeMesh(cubeOfSecondOrder(), directory / ("cube2" + extension));
     writeMesh(cubeOfSecondOrder(), directory / ("lines2" + extension), LinesAlong::AllEdges);
