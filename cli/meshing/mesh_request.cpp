@@ -324,6 +324,9 @@ MeshRequest checkedRequest(const MeshOptions& options) {
   request.options.quads = checkedQuads(options);
   request.options.evenLoops = request.options.quads.onlyQuads;
   request.options.strictRules = options.strictRules;
+  request.options.fewest = options.sizes.fewest;
+  if (options.sizes.fewest && (options.order != 1 || request.options.quads.onlyQuads))
+    throw UsageError("--fewest is for triangles of order 1");
   request.report = options.report;
   request.stuckTests = options.stuckTests;
   request.trace = options.trace;

@@ -68,7 +68,8 @@ struct MeshRequest {
   /// Whether options name faces or edges by number: healing changes the numbers.
   bool asksByNumber() const {
     return !options.faces.empty() || !options.sizes.faceSizes.empty() ||
-           !options.sizes.edgeSizes.empty() || !options.edgePoints.empty();
+           !options.sizes.edgeSizes.empty() || !options.sizes.chords.faces.empty() ||
+           !options.edgePoints.empty();
   }
 
   ModelKind kind() const { return modelKindOf(model); }

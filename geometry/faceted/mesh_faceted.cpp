@@ -177,8 +177,8 @@ FeatureLimits limitsFor(const Facets& facets, const MeshingOptions& options) {
   if (!(options.featureAngle > 0 && options.featureAngle < 180))
     throw InputError("the feature angle must be between 0 and 180 degrees");
   const double most = std::min(options.sizes.size, kOfModel * diagonalOf(facets));
-  return {options.featureAngle * kDegree, kLooseEnd * options.sizes.size,
-          kSpeck * options.sizes.size,
+  const double visible = options.fewest ? most : options.sizes.size;
+  return {options.featureAngle * kDegree, kLooseEnd * visible, kSpeck * visible,
           [size = DomainSize(options.sizes), most](const Point3& p) { return size.at(p, most); }};
 }
 

@@ -1,6 +1,7 @@
 #include "geometry/meshing/part_sizes.h"
 
 #include <cmath>
+#include <set>
 #include <string_view>
 
 #include "engine/base/error.h"
@@ -41,6 +42,19 @@ bool fitsPattern(const std::string& name, const std::string& pattern) {
   return pattern.find_first_not_of('*', p) == kNone;
 }
 
+std::vector<int> facesNamed(const std::string& pattern, std::span<const std::string> names,
+                            std::span<const FaceGroup> groups) {
+  std::set<int> faces;
+  for (const FaceGroup& group : groups)
+    if (fitsPattern(group.name, pattern)) faces.insert(group.faces.begin(), group.faces.end());
+  for (std::size_t i = 0; i < names.size(); ++i)
+    if (fitsPattern(names[i], pattern)) faces.insert(static_cast<int>(i) + 1);
+  if (faces.empty())
+    throw InputError("the sizes are for parts named '" + pattern +
+                     "', but no face or group has such a name (see af2 inspect)");
+  return {faces.begin(), faces.end()};
+}
+
 std::map<int, double> sizesByName(std::span<const std::pair<std::string, double>> parts,
                                   std::span<const std::string> names,
                                   std::span<const FaceGroup> groups) {
@@ -48,20 +62,7 @@ std::map<int, double> sizesByName(std::span<const std::pair<std::string, double>
   for (const auto& [pattern, size] : parts) {
     if (!(size > 0) || !std::isfinite(size))
       throw InputError("the size for parts named '" + pattern + "' must be a positive number");
-    bool fits = false;
-    for (const FaceGroup& group : groups) {
-      if (!fitsPattern(group.name, pattern)) continue;
-      for (const int face : group.faces) sizes[face] = size;
-      fits = true;
-    }
-    for (std::size_t i = 0; i < names.size(); ++i) {
-      if (!fitsPattern(names[i], pattern)) continue;
-      sizes[static_cast<int>(i) + 1] = size;
-      fits = true;
-    }
-    if (!fits)
-      throw InputError("the sizes are for parts named '" + pattern +
-                       "', but no face or group has such a name (see af2 inspect)");
+    for (const int face : facesNamed(pattern, names, groups)) sizes[face] = size;
   }
   return sizes;
 }

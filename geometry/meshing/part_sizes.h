@@ -22,6 +22,13 @@ AF2_EXPORT std::map<int, double> sizesByName(std::span<const std::pair<std::stri
                                              std::span<const std::string> names,
                                              std::span<const FaceGroup> groups);
 
+/// The faces whose name, or that of one of their groups, matches a pattern: ids, ascending.
+///
+/// Throws InputError if there are none.
+AF2_EXPORT std::vector<int> facesNamed(const std::string& pattern,
+                                       std::span<const std::string> names,
+                                       std::span<const FaceGroup> groups);
+
 /// Whether a name matches a pattern, in which `*` matches any text and `?` any UTF-8 character. All
 /// other characters match themselves, including brackets and backslashes.
 AF2_EXPORT bool fitsPattern(const std::string& name, const std::string& pattern);

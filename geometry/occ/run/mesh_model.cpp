@@ -21,6 +21,7 @@
 #include "geometry/occ/run/creased_shape.h"
 #include "geometry/occ/sizes/sizing.h"
 #include "geometry/occ/surfaces/face_surface.h"
+#include "geometry/occ/surfaces/surface_distance.h"
 #include "geometry/sizes/too_many.h"
 
 namespace af2::geometry {
@@ -87,6 +88,10 @@ class CadFaces final : public FaceSource {
 
   Point3 pointOnEdge(int edge, double parameter) const override {
     return toPoint(BRepAdaptor_Curve(shape_->edge(edge)).Value(parameter));
+  }
+
+  std::unique_ptr<FaceDistance> distanceFrom(int face) const override {
+    return distanceFromSurface(shape_->face(face), shape_->surface(face));
   }
 
   DividedEdges divide(const PositionSize& sizes, const CollapsedEdges& asPoints,
