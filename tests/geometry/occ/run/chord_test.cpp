@@ -66,7 +66,9 @@ TEST(Chord, HoldsOnSpheresAndElementsGetFewerWithIt) {
     EXPECT_LE(mesh.deviation->largest, farthestFromSphere(mesh, 5) * (1 + 1e-9));
     // The distance is proportional to the square of the lengths: a quarter takes four times as
     // many.
-    if (before > 0) EXPECT_NEAR(double(mesh.elements.size()) / double(before), 4, 1.5);
+    if (before > 0) {
+      EXPECT_NEAR(double(mesh.elements.size()) / double(before), 4, 1.5);
+    }
     before = mesh.elements.size();
   }
 }
@@ -101,8 +103,7 @@ TEST(Chord, OfOneFaceLeavesTheOthersAlone) {
   options.sizes.chords.faces[hole] = {0.01, false};
   const ModelMesh mesh = meshed(model, options);
   EXPECT_GT(mesh.elements.size(), without);
-  for (const FaceReport& face : mesh.faces)
-    if (face.id == hole) EXPECT_LE(face.deviation.value_or(1), 0.01);
+  EXPECT_LE(mesh.faces[static_cast<std::size_t>(hole) - 1].deviation.value_or(1), 0.01);
 }
 
 TEST(Chord, ThatTheSmallestSizePreventsIsToldInANote) {
@@ -150,6 +151,16 @@ TEST(Fewest, NeedsABound) {
   MeshingOptions options = testing::ofSize(1);
   options.fewest = true;
   EXPECT_THROW(testing::mesh(testing::box(1, 1, 1), options), InputError);
+}
+
+TEST(Volume, ThatIsCutOffIsToldInANote) {
+  const auto notesOf = [](double size) {
+    return testing::mesh(testing::cylinder(5, 10), size).notes;
+  };
+  EXPECT_TRUE(notesOf(1).empty());
+  ASSERT_EQ(notesOf(1000).size(), 1u);
+  EXPECT_NE(notesOf(1000)[0].find("less volume than the model"), std::string::npos);
+  EXPECT_TRUE(testing::mesh(testing::box(1, 2, 3), 1000).notes.empty());
 }
 
 }  // namespace
