@@ -9,6 +9,7 @@
 #include "geometry/check/sounder_mesh.h"
 #include "geometry/occ/assembly/contacts.h"
 #include "geometry/occ/heal/heal_model.h"
+#include "geometry/occ/periodic/periodic_faces.h"
 #include "geometry/occ/run/mesh_model.h"
 
 namespace af2::cli {
@@ -41,8 +42,13 @@ void reportGivenUp(const geometry::Model& model, const GivenUp& givenUp,
   }
 }
 
-geometry::ModelMesh meshAll(const geometry::Model& model, geometry::MeshingOptions options,
-                            const AF2Algorithm& algorithm, const GivenUp& givenUp) {
+geometry::ModelMesh meshAll(const MeshRequest& request, const geometry::Model& model,
+                            geometry::MeshingOptions options, const AF2Algorithm& algorithm,
+                            const GivenUp& givenUp) {
+  const geometry::PeriodicRequest periodic{request.periodic.directions, request.periodic.pairs};
+  if (periodic.isAsked() && givenUp.empty())
+    return geometry::meshPeriodic(model, algorithm, options,
+                                  geometry::findPeriodic(model, periodic));
   options.faces = withoutGivenUp(std::move(options.faces), model, givenUp);
   geometry::ModelMesh mesh;
   if (!options.faces.empty() || givenUp.empty())
@@ -87,7 +93,7 @@ geometry::ModelMesh runCad(const MeshRequest& request, const AF2Algorithm& algor
   checkIds(request, model.faceCount(), model.edgeCount());
   const GivenUp givenUp = control.givenUp ? *control.givenUp : GivenUp();
   const auto meshed = [&](const geometry::Model& some, int firstFace) {
-    return meshAll(some, optionsOf(request, control, bar, firstFace), algorithm,
+    return meshAll(request, some, optionsOf(request, control, bar, firstFace), algorithm,
                    firstFace == 0 ? givenUp : GivenUp());
   };
   geometry::ModelMesh mesh = meshed(model, 0);

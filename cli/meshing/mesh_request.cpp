@@ -205,6 +205,7 @@ void declareMeshOptions(CLI::App& command, MeshOptions& options) {
       ->type_name("N");
   declareHealing(command, options.heal, options.healTolerance);
   declareImprint(command, options.imprint);
+  declarePeriodic(command, options.periodic);
   command.add_flag("--no-optimize", options.rawFront,
                    "do not optimize the mesh that the front made");
   command.add_flag("--strict-rules", options.strictRules,
@@ -360,6 +361,10 @@ MeshRequest checkedRequest(const MeshOptions& options) {
   request.heal = options.heal;
   request.healTolerance = checkedHealTolerance(options.heal, options.healTolerance);
   request.imprint = checkedImprint(options.imprint, request.kind());
+  request.periodic = checkedPeriodic(options.periodic, request.kind());
+  if (request.periodic.areAsked() &&
+      (options.order != 1 || options.sizes.fewest || !options.faces.empty()))
+    throw UsageError("--periodic cannot be combined with --order 2, --fewest and --faces");
   checkOutputs(request);
   checkReadable(request.model);
   if (!options.boundary.empty())

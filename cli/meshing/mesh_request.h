@@ -9,6 +9,7 @@
 #include "cli/meshing/imprint_request.h"
 #include "cli/meshing/model_formats.h"
 #include "cli/meshing/output_scale.h"
+#include "cli/meshing/periodic_request.h"
 #include "cli/meshing/size_request.h"
 #include "cli/rules/rule_loading.h"
 #include "geometry/io/mesh_files.h"
@@ -27,6 +28,7 @@ struct MeshOptions {
   bool quiet = false, rawFront = false, strictRules = false, unchecked = false;
   ImprintFlags imprint;
   ScaleOptions scale;
+  PeriodicOptions periodic;
   std::vector<std::string> plugins;  ///< libraries that register names for the rules
   bool keepBoundary = false, heal = false, edges = false, statistics = false;
 };
@@ -64,12 +66,13 @@ struct MeshRequest {
   std::string healingEnd;
 
   ImprintRequest imprint;
+  PeriodicFaces periodic;
 
   /// Whether options name faces or edges by number: healing changes the numbers.
   bool asksByNumber() const {
     return !options.faces.empty() || !options.sizes.faceSizes.empty() ||
            !options.sizes.edgeSizes.empty() || !options.sizes.chords.faces.empty() ||
-           !options.edgePoints.empty();
+           !options.edgePoints.empty() || !periodic.pairs.empty();
   }
 
   ModelKind kind() const { return modelKindOf(model); }

@@ -227,6 +227,11 @@ void writeReport(const RunReport& report, const ModelMesh& mesh, OutputFile& fil
   if (!mesh.notes.empty()) json["notes"] = mesh.notes;
   if (mesh.healing) json["healing"] = toJson(*mesh.healing);
   if (mesh.imprinting) json["imprinting"] = toJson(*mesh.imprinting);
+  for (const PeriodicPair& pair : mesh.periodic)
+    json["periodic"].push_back({{"first", pair.first},
+                                {"second", pair.second},
+                                {"transform", pair.transform},
+                                {"vertices", pair.vertices.size()}});
   if (mesh.deviation) json["deviation"] = toJson(*mesh.deviation);
   if (mesh.contacts.parts > 1) json["contacts"] = toJson(mesh.contacts);
   for (const auto& [name, value] : report.sections) json[name] = Json::parse(value);
