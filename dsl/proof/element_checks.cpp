@@ -24,13 +24,17 @@ struct Inverted {
   Point2 corner;
 };
 
-std::optional<Inverted> invertedElement(const SampledMatch& one) {
-  if (!one.zone || !one.placed) return std::nullopt;
-  const auto& elements = one.match.rule().definition().elements;
+std::optional<Inverted> firstInverted(const AF2Rule& rule, const std::vector<Point2>& placed) {
+  const auto& elements = rule.definition().elements;
   for (std::size_t i = 0; i < elements.size(); ++i)
-    if (const auto corner = badCorner(cornersOf(elements[i], *one.placed)))
+    if (const auto corner = badCorner(cornersOf(elements[i], placed)))
       return Inverted{static_cast<int>(i), *corner};
   return std::nullopt;
+}
+
+std::optional<Inverted> invertedElement(const SampledMatch& one) {
+  if (!one.zone || !one.placed) return std::nullopt;
+  return firstInverted(one.match.rule(), *one.placed);
 }
 
 /// The smallest signed area of the parallelograms at the corners of the elements. It is continuous,
@@ -112,6 +116,10 @@ SampledFinding invertedFinding(const RuleSample& sample, const SampledMatch& nea
 }
 
 }  // namespace
+
+bool hasPositiveElements(const SampledMatch& one) {
+  return one.placed && !firstInverted(one.match.rule(), *one.placed);
+}
 
 std::optional<SampledFinding> findInverted(const RuleSample& sample) {
   int count = 0, valid = 0;

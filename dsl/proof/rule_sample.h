@@ -37,6 +37,10 @@ PatternMatch roundedTo(const PatternMatch& match, double step);
 /// The vertices and zone of the rule at a match.
 SampledMatch examine(PatternMatch match);
 
+/// Whether all elements of the match have positions and turn left at each corner. The engine
+/// refuses other matches, whatever their zone is.
+bool hasPositiveElements(const SampledMatch& one);
+
 /// The match with its coordinates rounded to the fewest digits for which `shows` is still true.
 template <class Shows>
 SampledMatch simplified(const SampledMatch& one, const RuleSet& rules, const Shows& shows) {
@@ -69,7 +73,7 @@ std::optional<SampledFinding> findInverted(const RuleSample& sample);
 std::optional<SampledFinding> searchInverted(const RuleSample& sample);
 /// Z1: every element is inside the free zone; otherwise an obstacle inside it could be missed.
 std::optional<SampledFinding> findUncovered(const RuleSample& sample);
-/// Z2: the share of the matches at which the zone has no valid shape.
+/// Z2: the share of the matches that are lost because the zone has no valid shape.
 double shareOfLost(const RuleSample& sample);
 std::optional<SampledFinding> findLost(const RuleSample& sample);
 /// Z3: the zone does not grow as the level rises.

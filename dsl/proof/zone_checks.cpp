@@ -13,8 +13,11 @@
 namespace af2::dsl {
 namespace {
 
+/// An outline of `poly` that crosses itself is usually that of elements which are inverted there:
+/// the engine refuses such a match anyway, so its zone loses nothing.
 bool isLost(const SampledMatch& one) {
-  return one.zoneRefusal == Refusal::Convexity || one.zoneRefusal == Refusal::Shape;
+  return one.zoneRefusal == Refusal::Convexity ||
+         (one.zoneRefusal == Refusal::Shape && hasPositiveElements(one));
 }
 
 struct Growth {
@@ -140,7 +143,7 @@ SampledFinding growthFinding(const RuleSample& sample, const PatternMatch& match
 
 double shareOfLost(const RuleSample& sample) {
   if (sample.matches.empty()) return 0;
-  const auto lost = std::count_if(sample.matches.begin(), sample.matches.end(), isLost);
+  const auto lost = std::ranges::count_if(sample.matches, isLost);
   return static_cast<double>(lost) / static_cast<double>(sample.matches.size());
 }
 
