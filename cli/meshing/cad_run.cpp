@@ -9,6 +9,7 @@
 #include "geometry/check/sounder_mesh.h"
 #include "geometry/occ/assembly/contacts.h"
 #include "geometry/occ/heal/heal_model.h"
+#include "geometry/occ/model/points_inside.h"
 #include "geometry/occ/periodic/periodic_faces.h"
 #include "geometry/occ/run/mesh_model.h"
 
@@ -86,6 +87,7 @@ geometry::ModelMesh runCad(const MeshRequest& request, const AF2Algorithm& algor
     bar.show("imprinting", 0, request.model.filename().string());
     model = imprintedModel(model, request.imprint, control.stop);
   }
+  model = geometry::withPointsInside(model, request.pointsInside);
   geometry::PartContacts contacts;
   if (!control.stop.stop_requested()) contacts = contactsToTell(request, model);
   const double readSeconds = reading.seconds();
@@ -103,7 +105,8 @@ geometry::ModelMesh runCad(const MeshRequest& request, const AF2Algorithm& algor
   if (request.heal && !request.imprint.isAsked && geometry::hasFaults(mesh) &&
       !request.asksByNumber() && !control.stop.stop_requested() &&
       givenUp.upper_bound(last) == givenUp.end())
-    mesh = geometry::sounderMesh(std::move(mesh), meshed(asRead, last));
+    mesh = geometry::sounderMesh(
+        std::move(mesh), meshed(geometry::withPointsInside(asRead, request.pointsInside), last));
   if (!request.healingEnd.empty())
     mesh.healing =
         geometry::Healing{request.healTolerance,

@@ -15,6 +15,7 @@
 #include "geometry/io/boundary_file.h"
 #include "geometry/io/mesh_files.h"
 #include "geometry/io/output_file.h"
+#include "geometry/io/points_file.h"
 
 namespace af2::cli {
 namespace {
@@ -157,6 +158,10 @@ void declareMeshOptions(CLI::App& command, MeshOptions& options) {
   command
       .add_option("--boundary", options.boundary,
                   "JSON file with the vertices along edges that are already divided")
+      ->type_name("FILE");
+  command
+      .add_option("--points", options.points,
+                  "JSON file with points inside faces of a CAD model that become vertices")
       ->type_name("FILE");
   command
       .add_option("--elements", options.elements,
@@ -369,6 +374,11 @@ MeshRequest checkedRequest(const MeshOptions& options) {
   checkReadable(request.model);
   if (!options.boundary.empty())
     request.options.edgePoints = geometry::readEdgePoints(options.boundary);
+  if (!options.points.empty()) {
+    if (request.kind() != ModelKind::Cad)
+      throw UsageError("--points is for " + formatNames(ModelKind::Cad, "and") + " files");
+    request.pointsInside = geometry::readPoints(options.points);
+  }
   const bool isForQuads = request.options.quads.onlyQuads;
   const char* usual = isForQuads ? "quad/classic.af2" : "tri/even.af2";
   request.rules = findRuleFile(options.rules.empty() ? usual : options.rules);

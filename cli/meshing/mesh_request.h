@@ -23,8 +23,8 @@ struct MeshOptions {
   SizeOptions sizes;
   std::vector<std::string> outputs;
   int threads = 0, order = 1;
-  std::string boundary, featureAngle, chart, groups, healTolerance, elements = "any",
-                                                                    quality = "good";
+  std::string points, boundary, featureAngle, chart, groups, healTolerance, elements = "any",
+                                                                            quality = "good";
   bool quiet = false, rawFront = false, strictRules = false, unchecked = false;
   ImprintFlags imprint;
   ScaleOptions scale;
@@ -67,6 +67,7 @@ struct MeshRequest {
 
   ImprintRequest imprint;
   PeriodicFaces periodic;
+  std::vector<Point3> pointsInside;  ///< of faces
 
   /// Whether options name faces or edges by number: healing changes the numbers.
   bool asksByNumber() const {
