@@ -10,6 +10,8 @@
 #include "geometry/meshing/part_sizes.h"
 #include "geometry/occ/assembly/contacts.h"
 #include "geometry/occ/heal/heal_model.h"
+#include "geometry/occ/model/points_inside.h"
+#include "geometry/occ/periodic/periodic_faces.h"
 #include "geometry/occ/run/mesh_model.h"
 
 namespace af2::cli {
@@ -48,11 +50,16 @@ std::vector<std::string> namesOf(const geometry::Model& model) {
   return names;
 }
 
-geometry::ModelMesh meshAll(const geometry::Model& model, geometry::MeshingOptions options,
-                            const AF2Algorithm& algorithm, const GivenUp& givenUp) {
+geometry::ModelMesh meshAll(const MeshRequest& request, const geometry::Model& model,
+                            geometry::MeshingOptions options, const AF2Algorithm& algorithm,
+                            const GivenUp& givenUp) {
   options.faces =
       withFacesCalled(std::move(options.faces), options.faceNames, namesOf(model), model.groups());
   options.faceNames.clear();
+  const geometry::PeriodicRequest periodic{request.periodic.directions, request.periodic.pairs};
+  if (periodic.isAsked() && givenUp.empty())
+    return geometry::meshPeriodic(model, algorithm, options,
+                                  geometry::findPeriodic(model, periodic));
   options.faces = withoutGivenUp(std::move(options.faces), model, givenUp);
   geometry::ModelMesh mesh;
   if (!options.faces.empty() || givenUp.empty())
@@ -91,6 +98,7 @@ geometry::ModelMesh runCad(const MeshRequest& request, const AF2Algorithm& algor
     bar.show("imprinting", 0, request.model.filename().string());
     model = imprintedModel(model, request.imprint, control.stop);
   }
+  model = geometry::withPointsInside(model, request.pointsInside);
   geometry::PartContacts contacts;
   if (!control.stop.stop_requested()) contacts = contactsToTell(request, model);
   const double readSeconds = reading.seconds();
@@ -98,7 +106,7 @@ geometry::ModelMesh runCad(const MeshRequest& request, const AF2Algorithm& algor
   checkIds(request, model.faceCount(), model.edgeCount());
   const GivenUp givenUp = control.givenUp ? *control.givenUp : GivenUp();
   const auto meshed = [&](const geometry::Model& some, int firstFace) {
-    return meshAll(some, optionsOf(request, control, bar, firstFace), algorithm,
+    return meshAll(request, some, optionsOf(request, control, bar, firstFace), algorithm,
                    firstFace == 0 ? givenUp : GivenUp());
   };
   geometry::ModelMesh mesh = meshed(model, 0);
@@ -108,7 +116,8 @@ geometry::ModelMesh runCad(const MeshRequest& request, const AF2Algorithm& algor
   if (request.heal && !request.imprint.isAsked && geometry::hasFaults(mesh) &&
       !request.asksByNumber() && !control.stop.stop_requested() &&
       givenUp.upper_bound(last) == givenUp.end())
-    mesh = geometry::sounderMesh(std::move(mesh), meshed(asRead, last));
+    mesh = geometry::sounderMesh(
+        std::move(mesh), meshed(geometry::withPointsInside(asRead, request.pointsInside), last));
   if (!request.healingEnd.empty())
     mesh.healing =
         geometry::Healing{request.healTolerance,

@@ -15,6 +15,7 @@
 #include "geometry/io/boundary_file.h"
 #include "geometry/io/mesh_files.h"
 #include "geometry/io/output_file.h"
+#include "geometry/io/points_file.h"
 
 namespace af2::cli {
 namespace {
@@ -161,6 +162,10 @@ void declareMeshOptions(CLI::App& command, MeshOptions& options) {
                   "JSON file with the vertices along edges that are already divided")
       ->type_name("FILE");
   command
+      .add_option("--points", options.points,
+                  "JSON file with points inside faces of a CAD model that become vertices")
+      ->type_name("FILE");
+  command
       .add_option("--elements", options.elements,
                   "any, or quad: quadrilaterals only, with even numbers of edges on boundaries")
       ->type_name("KIND")
@@ -207,6 +212,7 @@ void declareMeshOptions(CLI::App& command, MeshOptions& options) {
       ->type_name("N");
   declareHealing(command, options.heal, options.healTolerance);
   declareImprint(command, options.imprint);
+  declarePeriodic(command, options.periodic);
   command.add_flag("--no-optimize", options.rawFront,
                    "do not optimize the mesh that the front made");
   command.add_flag("--strict-rules", options.strictRules,
@@ -330,6 +336,9 @@ MeshRequest checkedRequest(const MeshOptions& options) {
   request.options.quads = checkedQuads(options);
   request.options.evenLoops = request.options.quads.onlyQuads;
   request.options.strictRules = options.strictRules;
+  request.options.fewest = options.sizes.fewest;
+  if (options.sizes.fewest && (options.order != 1 || request.options.quads.onlyQuads))
+    throw UsageError("--fewest is for triangles of order 1");
   request.report = options.report;
   request.stuckTests = options.stuckTests;
   request.trace = options.trace;
@@ -363,10 +372,19 @@ MeshRequest checkedRequest(const MeshOptions& options) {
   request.heal = options.heal;
   request.healTolerance = checkedHealTolerance(options.heal, options.healTolerance);
   request.imprint = checkedImprint(options.imprint, request.kind());
+  request.periodic = checkedPeriodic(options.periodic, request.kind());
+  if (request.periodic.areAsked() &&
+      (options.order != 1 || options.sizes.fewest || !options.faces.empty()))
+    throw UsageError("--periodic cannot be combined with --order 2, --fewest and --faces");
   checkOutputs(request);
   checkReadable(request.model);
   if (!options.boundary.empty())
     request.options.edgePoints = geometry::readEdgePoints(options.boundary);
+  if (!options.points.empty()) {
+    if (request.kind() != ModelKind::Cad)
+      throw UsageError("--points is for " + formatNames(ModelKind::Cad, "and") + " files");
+    request.pointsInside = geometry::readPoints(options.points);
+  }
   const bool isForQuads = request.options.quads.onlyQuads;
   const char* usual = isForQuads ? "quad/classic.af2" : "tri/even.af2";
   request.rules = findRuleFile(options.rules.empty() ? usual : options.rules);

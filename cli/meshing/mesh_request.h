@@ -9,6 +9,7 @@
 #include "cli/meshing/imprint_request.h"
 #include "cli/meshing/model_formats.h"
 #include "cli/meshing/output_scale.h"
+#include "cli/meshing/periodic_request.h"
 #include "cli/meshing/size_request.h"
 #include "cli/rules/rule_loading.h"
 #include "geometry/io/mesh_files.h"
@@ -22,11 +23,12 @@ struct MeshOptions {
   SizeOptions sizes;
   std::vector<std::string> outputs;
   int threads = 0, order = 1;
-  std::string boundary, featureAngle, chart, groups, healTolerance, elements = "any",
-                                                                    quality = "good";
+  std::string points, boundary, featureAngle, chart, groups, healTolerance, elements = "any",
+                                                                            quality = "good";
   bool quiet = false, rawFront = false, strictRules = false, unchecked = false;
   ImprintFlags imprint;
   ScaleOptions scale;
+  PeriodicOptions periodic;
   std::vector<std::string> plugins;  ///< libraries that register names for the rules
   bool keepBoundary = false, heal = false, edges = false, statistics = false;
 };
@@ -64,11 +66,14 @@ struct MeshRequest {
   std::string healingEnd;
 
   ImprintRequest imprint;
+  PeriodicFaces periodic;
+  std::vector<Point3> pointsInside;  ///< of faces
 
   /// Whether options name faces or edges by number: healing changes the numbers.
   bool asksByNumber() const {
     return !options.faces.empty() || !options.sizes.faceSizes.empty() ||
-           !options.sizes.edgeSizes.empty() || !options.edgePoints.empty();
+           !options.sizes.edgeSizes.empty() || !options.sizes.chords.faces.empty() ||
+           !options.edgePoints.empty() || !periodic.pairs.empty();
   }
 
   ModelKind kind() const { return modelKindOf(model); }

@@ -26,6 +26,8 @@ void checkIds(const MeshRequest& request, int faces, int edges) {
   for (const int face : request.options.faces) checkId("--faces", "face", face, faces);
   for (const auto& [face, size] : request.options.sizes.faceSizes)
     checkId("--face-size", "face", face, faces);
+  for (const auto& [face, bound] : request.options.sizes.chords.faces)
+    checkId("--face-chord", "face", face, faces);
   for (const auto& [edge, size] : request.options.sizes.edgeSizes)
     checkId("--edge-size", "edge", edge, edges);
 }

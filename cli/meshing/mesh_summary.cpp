@@ -65,6 +65,17 @@ std::string lengthsText(const geometry::LengthRatio& edges) {
          fmt::format("  >{} {:.1f} %", kBounds[kLast], share(kLast + 1, edges.histogram.size()));
 }
 
+std::string deviationText(const std::optional<geometry::Deviation>& deviation) {
+  if (!deviation) return "";
+  const std::string where =
+      deviation->face > 0
+          ? fmt::format(" (face {} at {})", deviation->face, roughPlace(deviation->place))
+      : deviation->edge > 0
+          ? fmt::format(" (edge {} at {})", deviation->edge, roughPlace(deviation->place))
+          : "";
+  return fmt::format("distance from the model {:.4g}{}\n", deviation->largest, where);
+}
+
 std::string secondsText(const geometry::StageSeconds& seconds) {
   return fmt::format(
       "seconds: read {:.2f}  edges {:.2f}  surface {:.2f}  optimize {:.2f}  write {:.2f}",
@@ -85,11 +96,12 @@ std::string summaryText(const geometry::ModelMesh& mesh, const geometry::MeshQua
   return fmt::format(
       "{}  {}\n"
       "quality min {:.3f} (face {} at {})  mean {:.3f}  angles {:.1f}-{:.1f} deg  fingerprint {}\n"
-      "{}\n"
+      "{}{}\n"
       "{}\n",
       countText(mesh), closedText(quality), quality.min, quality.worstFace,
       roughPlace(quality.worstPlace), quality.mean, quality.minAngle, quality.maxAngle,
-      geometry::fingerprint(mesh), lengthsText(quality.edges), secondsText(mesh.seconds));
+      geometry::fingerprint(mesh), deviationText(mesh.deviation), lengthsText(quality.edges),
+      secondsText(mesh.seconds));
 }
 
 std::string healingText(const std::optional<geometry::Healing>& healing) {

@@ -11,8 +11,9 @@ namespace af2::cli {
 
 /// The options as they were typed; empty: not given.
 struct SizeOptions {
-  std::string size, smallest, largest, curvature, proximity, grading, file;
-  std::vector<std::string> faceSizes, edgeSizes;
+  std::string size, smallest, largest, curvature, proximity, grading, file, chord;
+  std::vector<std::string> faceSizes, edgeSizes, faceChords;
+  bool fewest = false;
 };
 
 void declareSizeOptions(CLI::App& command, SizeOptions& options);

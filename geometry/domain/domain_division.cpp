@@ -167,8 +167,10 @@ class Division {
     const DomainCurve& curve = model_.curves[c];
     const std::vector<double> count = segmentsAlong(sizes.arcLength, sizes.sizes);
     DividedEdge edge = begun(c);
-    const double byTurn = segmentsByTurn(c);
-    const bool isAsked = sizes_.byPosition.turnOfSegment() > 0;
+    double byTurn = segmentsByTurn(c);
+    const bool hasChord = sizes_.byPosition.hasChord();
+    if (hasChord && byTurn > 0.01) byTurn = count.back();  // no segment is too long
+    const bool isAsked = sizes_.byPosition.turnOfSegment() > 0 || hasChord;
     std::size_t segments = std::max(least, wholeSegments(count.back(), isAsked ? byTurn : 0));
     const std::size_t fewest =
         std::min(segments, std::max(least, fewestSegments(count.back(), byTurn)));

@@ -53,6 +53,15 @@ class NearLoosePoints final : public SizeField {
   const GrowingSize* near_;
 };
 
+class FromNearest final : public FaceDistance {
+ public:
+  explicit FromNearest(const DomainFace& face) : face_(face) {}
+  double of(const Point3& point) override { return distance(point, face_.nearest(point).position); }
+
+ private:
+  const DomainFace& face_;
+};
+
 class DomainFaces final : public FaceSource {
  public:
   explicit DomainFaces(const DomainModel& model) : model_(model) {}
@@ -104,6 +113,11 @@ class DomainFaces final : public FaceSource {
   int idOfEdge(int divided) const override { return curveOf(divided).id; }
   Point3 pointOnEdge(int divided, double parameter) const override {
     return curveOf(divided).pointAt(parameter);
+  }
+
+  std::unique_ptr<FaceDistance> distanceFrom(int face) const override {
+    const DomainFace& of = at(face);
+    return of.surface->isPlane() ? nullptr : std::make_unique<FromNearest>(of);
   }
 
   /// Invisible edges were removed when the model was made, so no edges are collapsed to points.

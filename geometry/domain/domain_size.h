@@ -29,6 +29,8 @@ class AF2_EXPORT DomainSize {
   double turnOfSegment() const;
   /// The angle, in radians, to which sizes limit the turn of a segment, given or not.
   double limitOfTurn() const;
+  /// Whether the distance from the model is bounded.
+  bool hasChord() const { return asked_->chords.areGiven(); }
   /// `size`, clamped to the bounds of all sizes.
   double bounded(double size) const;
 

@@ -6,7 +6,6 @@
 #include <optional>
 
 #include "engine/base/error.h"
-#include "engine/base/place_text.h"
 #include "geometry/base/constants.h"
 #include "geometry/base/parallel.h"
 #include "geometry/domain/domain_model.h"
@@ -16,8 +15,8 @@
 #include "geometry/faceted/patch_charts.h"
 #include "geometry/faceted/patch_limit.h"
 #include "geometry/faceted/patches.h"
-#include "geometry/mesh/inside_out.h"
 #include "geometry/mesh/quality.h"
+#include "geometry/mesh/volume_note.h"
 
 namespace af2::geometry {
 namespace {
@@ -177,8 +176,8 @@ FeatureLimits limitsFor(const Facets& facets, const MeshingOptions& options) {
   if (!(options.featureAngle > 0 && options.featureAngle < 180))
     throw InputError("the feature angle must be between 0 and 180 degrees");
   const double most = std::min(options.sizes.size, kOfModel * diagonalOf(facets));
-  return {options.featureAngle * kDegree, kLooseEnd * options.sizes.size,
-          kSpeck * options.sizes.size,
+  const double visible = options.fewest ? most : std::min(options.sizes.size, diagonalOf(facets));
+  return {options.featureAngle * kDegree, kLooseEnd * visible, kSpeck * visible,
           [size = DomainSize(options.sizes), most](const Point3& p) { return size.at(p, most); }};
 }
 
@@ -223,18 +222,9 @@ double volumeOf(const Facets& facets) {
   return sum / 6;
 }
 
-/// Elements that are large beside the bends of a surface cut off what is outside of them.
 void noteVolume(const Facets& facets, ModelMesh& mesh) {
-  constexpr double kFair = 0.02;
-  const std::optional<double> enclosed = enclosedVolume(mesh);
-  const double wanted = volumeOf(facets);
-  if (!enclosed || wanted == 0) return;
-  const double more = *enclosed / wanted - 1;
-  if (std::abs(more) > kFair)
-    mesh.notes.push_back("the mesh encloses " + textOf(100 * std::abs(more), 2) +
-                         (more < 0 ? " % less" : " % more") +
-                         " volume than the triangles of the file; a smaller size, or elements by "
-                         "curvature, follow the surface more closely");
+  const std::string note = volumeNote(mesh, volumeOf(facets), "the triangles of the file");
+  if (!note.empty()) mesh.notes.push_back(note);
 }
 
 void noteCuts(std::size_t count, ModelMesh& mesh) {

@@ -7,6 +7,7 @@
 
 #include "geometry/io/formats.h"
 #include "geometry/io/msh_entities.h"
+#include "geometry/io/msh_periodic.h"
 
 namespace af2::geometry {
 namespace {
@@ -113,6 +114,7 @@ void writeMsh(const ModelMesh& mesh, const Extras& extras, OutputFile& file) {
   writeEntities(entities, file);
   writeNodes(mesh, entities, file);
   writeElements(mesh, entities, lines, file);
+  writeMshPeriodic(mesh, file);
 }
 
 }  // namespace af2::geometry

@@ -59,6 +59,7 @@ Json toJson(const FaceReport& face, const std::vector<std::string>& ruleNames) {
   if (face.triangles > 0) json["first_triangle"] = toJson(face.firstTriangle);
   for (const FaceReport::OddLoop& odd : face.oddLoops)
     if (face.triangles > 0) json["odd_loops"].push_back(toJson(odd));
+  if (face.deviation) json["deviation"] = *face.deviation;
   if (!face.attempts.empty()) json["attempts"] = face.attempts;
   for (const StuckPlace& place : face.stuck) json["stuck"].push_back(toJson(place, ruleNames));
   return json;
@@ -97,6 +98,13 @@ Json toJson(const PartContacts& contacts) {
     pairs.push_back(std::move(entry));
   }
   return {{"parts", contacts.parts}, {"pairs", pairs}, {"not_compared", contacts.notCompared}};
+}
+
+Json toJson(const Deviation& deviation) {
+  Json json{{"largest", deviation.largest}, {"place", toJson(deviation.place)}};
+  if (deviation.face > 0) json["face"] = deviation.face;
+  if (deviation.edge > 0) json["edge"] = deviation.edge;
+  return json;
 }
 
 Json toJson(const StageSeconds& seconds) {
@@ -219,6 +227,12 @@ void writeReport(const RunReport& report, const ModelMesh& mesh, OutputFile& fil
   if (!mesh.notes.empty()) json["notes"] = mesh.notes;
   if (mesh.healing) json["healing"] = toJson(*mesh.healing);
   if (mesh.imprinting) json["imprinting"] = toJson(*mesh.imprinting);
+  for (const PeriodicPair& pair : mesh.periodic)
+    json["periodic"].push_back({{"first", pair.first},
+                                {"second", pair.second},
+                                {"transform", pair.transform},
+                                {"vertices", pair.vertices.size()}});
+  if (mesh.deviation) json["deviation"] = toJson(*mesh.deviation);
   if (mesh.contacts.parts > 1) json["contacts"] = toJson(mesh.contacts);
   for (const auto& [name, value] : report.sections) json[name] = Json::parse(value);
   json["seconds"] = toJson(mesh.seconds);

@@ -47,7 +47,7 @@ SizeGrid gridFrom(const JsonValue& json) {
 
 SizeFile readSizeFile(const std::filesystem::path& path) {
   const JsonValue json = JsonValue::readFile(path);
-  json.expectKeys({"points", "boxes", "fields", "parts"});
+  json.expectKeys({"points", "boxes", "fields", "parts", "chords"});
   SizeFile file;
   if (json.has("points"))
     for (const JsonValue& point : json.at("points").elements())
@@ -61,6 +61,9 @@ SizeFile readSizeFile(const std::filesystem::path& path) {
   if (json.has("parts"))
     for (const auto& [name, size] : json.at("parts").members())
       file.parts.emplace_back(name, size.size());
+  if (json.has("chords"))
+    for (const auto& [name, chord] : json.at("chords").members())
+      file.chords.emplace_back(name, ChordBound{chord.size(), false});
   return file;
 }
 

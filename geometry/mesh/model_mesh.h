@@ -63,6 +63,8 @@ struct FaceReport {
   /// Triangles of a mesh that should have quadrilaterals only (QuadCleanUp::onlyQuads).
   std::size_t triangles = 0;
   Point3 firstTriangle = {};  ///< the middle of one of them, if there are any
+  /// The largest distance that was found between its elements and its surface; none: not measured.
+  std::optional<double> deviation = {};
 };
 
 enum class GroupKind {
@@ -141,6 +143,23 @@ struct RuleText {
   bool operator==(const RuleText&) const = default;
 };
 
+/// The largest distance that was found between a mesh and its model, and where.
+struct Deviation {
+  double largest = 0;
+  Point3 place = {};
+  int face = 0;  ///< id; 0: it is at an edge
+  int edge = 0;  ///< id; 0: it is at a face
+};
+
+/// Two faces whose meshes are images of each other.
+struct PeriodicPair {
+  int first = 0, second = 0;  ///< ids of the faces
+  /// Maps the first face to the second: rows of a matrix [R t; 0 1].
+  std::array<double, 16> transform{};
+  /// Vertices of the second face and, for each, the vertex of the first of which it is the image.
+  std::vector<std::pair<VertexId, VertexId>> vertices = {};
+};
+
 /// Seconds spent in each stage of a run.
 struct StageSeconds {
   double read = 0, edges = 0, surface = 0, optimize = 0, write = 0;
@@ -173,6 +192,8 @@ struct ModelMesh {
   std::vector<std::string> notes;        ///< repairs made while reading
   std::optional<Healing> healing;        ///< if the model was healed
   std::optional<Imprinting> imprinting;  ///< if it was asked for
+  std::optional<Deviation> deviation;    ///< if a bound on it was given
+  std::vector<PeriodicPair> periodic;    ///< if periodic faces were asked for
   PartContacts contacts;                 ///< of the model, where its parts share nothing
   /// Findings of the last checks that do not concern a single face, and faces of the file that were
   /// lost.

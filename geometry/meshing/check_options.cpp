@@ -20,8 +20,12 @@ void checkOptions(const FaceSource& source, const MeshingOptions& options) {
   checkSizes(options.sizes);
   for (const auto& [face, size] : options.sizes.faceSizes)
     check("size for ", "face", face, source.faceCount());
+  for (const auto& [face, bound] : options.sizes.chords.faces)
+    check("distance for ", "face", face, source.faceCount());
   for (const auto& [edge, size] : options.sizes.edgeSizes)
     check("size for ", "edge", edge, source.edgeCount());
+  if (options.fewest && (!options.sizes.chords.areGiven() || options.order != 1))
+    throw InputError("the fewest elements need a bound on the distance, and order 1");
   if (options.order != 1 && options.order != 2) throw InputError("elements can have order 1 or 2");
   for (const auto& [edge, points] : options.edgePoints)
     check("points for ", "edge", edge, source.edgeCount());
@@ -30,14 +34,18 @@ void checkOptions(const FaceSource& source, const MeshingOptions& options) {
 
 MeshingOptions optionsFor(const FaceSource& source, MeshingOptions options) {
   Sizes& sizes = options.sizes;
-  if (!sizes.partSizes.empty() || !options.faceNames.empty()) {
+  if (!sizes.partSizes.empty() || !options.faceNames.empty() || !sizes.chords.parts.empty()) {
     std::vector<std::string> names;
     for (int face = 1; face <= source.faceCount(); ++face)
       names.push_back(source.reportOf(face).name);
-    // Sizes by id take precedence.
+    // What is given by id takes precedence.
     sizes.faceSizes.merge(sizesByName(std::exchange(sizes.partSizes, {}), names, source.groups()));
     options.faces = withFacesCalled(std::move(options.faces), std::exchange(options.faceNames, {}),
                                     names, source.groups());
+    std::map<int, ChordBound> chords;
+    for (const auto& [pattern, bound] : std::exchange(sizes.chords.parts, {}))
+      for (const int face : facesNamed(pattern, names, source.groups())) chords[face] = bound;
+    sizes.chords.faces.merge(chords);
   }
   sizes = withinExtent(std::move(sizes), source.diagonal());
   return options;

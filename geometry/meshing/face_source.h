@@ -2,10 +2,12 @@
 // Not installed.
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "engine/run/algorithm.h"
+#include "geometry/deviation/face_distance.h"
 #include "geometry/edges/divided_edges.h"
 #include "geometry/edges/even_loops.h"
 #include "geometry/fill/fill_face.h"
@@ -58,6 +60,9 @@ class FaceSource {
   /// The id of a divided edge. One edge of the model may be divided in several parts.
   virtual int idOfEdge(int divided) const { return divided; }
   virtual Point3 pointOnEdge(int divided, double parameter) const = 0;
+  /// Measures how far points are from the surface of a face; for one thread. Null: elements with
+  /// their corners on it lie in it.
+  virtual std::unique_ptr<FaceDistance> distanceFrom(int) const { return nullptr; }
 
   /// Divides all edges, whichever faces are requested; some of them are collapsed to points.
   ///

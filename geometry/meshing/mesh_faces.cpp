@@ -15,6 +15,7 @@
 #include "geometry/mesh/narrow_places.h"
 #include "geometry/mesh/second_order.h"
 #include "geometry/meshing/check_options.h"
+#include "geometry/meshing/chord_rounds.h"
 #include "geometry/meshing/even_division.h"
 #include "geometry/meshing/progress_sum.h"
 
@@ -39,7 +40,7 @@ class FaceRun final : public RetriedModel {
         options_(options),
         faces_(facesAskedFor(source, options)) {}
 
-  ModelMesh mesh() {
+  MeasuredMesh mesh() {
     const Stopwatch edgesWatch;
     source_.prepare(options_, faces_);
     for (const int face : faces_) edgesOfFaces_.push_back(source_.edgesOf(face));
@@ -52,11 +53,12 @@ class FaceRun final : public RetriedModel {
     retry(state);
     const double optimizeShare = shareOfOptimizing(state.meshes);
     const double faceSeconds = facesWatch.seconds();
-    ModelMesh mesh = finished(state);
-    mesh.seconds.edges = edgeSeconds;
-    mesh.seconds.optimize = optimizeShare * faceSeconds;
-    mesh.seconds.surface = faceSeconds - mesh.seconds.optimize;
-    return mesh;
+    MeasuredMesh result = finished(state);
+    StageSeconds& seconds = result.mesh.seconds;
+    seconds.edges = edgeSeconds;
+    seconds.optimize = optimizeShare * faceSeconds;
+    seconds.surface = faceSeconds - seconds.optimize;
+    return result;
   }
 
   const std::vector<std::vector<int>>& edgesOfFaces() const override { return edgesOfFaces_; }
@@ -146,19 +148,27 @@ class FaceRun final : public RetriedModel {
     return mesh;
   }
 
-  ModelMesh finished(FaceMeshes& state) const {
+  MeasuredMesh finished(FaceMeshes& state) const {
     const MiddlesByFace middles = takeMiddles(state.meshes);
     std::vector<FaceMesh>().swap(state.meshes);  // two meshes need much memory
     ModelMesh mesh = std::move(state.joined);
-    for (EdgeSegment& segment : mesh.segments) segment.edge = source_.idOfEdge(segment.edge);
     for (const AF2Rule& rule : algorithm_.rules().rules()) mesh.ruleNames.push_back(rule.name());
     for (const char* name : kWithoutRuleNames) mesh.ruleNames.emplace_back(name);
     mesh.groups = source_.groups();
     mesh.findings = keepSoundFaces(mesh, state.faults);
+    const bool isBounded = options_.sizes.chords.areGiven() && !options_.stop.stop_requested();
+    EdgeCurves curves;
+    if (isBounded)
+      curves = edgeCurves(mesh, state.divided, [&](int edge, double parameter) {
+        return source_.pointOnEdge(edge, parameter);
+      });
+    for (EdgeSegment& segment : mesh.segments) segment.edge = source_.idOfEdge(segment.edge);
     source_.complete(state.faults, mesh);
     if (isInsideOut(mesh)) mesh.notes.emplace_back(kInsideOut);
-    if (options_.order == 2) makeSecondOrder(mesh, middlesOf(mesh, middles));
-    return mesh;
+    MeasuredMesh result{std::move(mesh), {}, {}};
+    if (isBounded) result = measured(source_, options_, std::move(result.mesh), std::move(curves));
+    if (options_.order == 2) makeSecondOrder(result.mesh, middlesOf(result.mesh, middles));
+    return result;
   }
 
   FaceSource& source_;
@@ -179,7 +189,8 @@ void addNarrowPlaces(FaceSource& source, const AF2Algorithm& algorithm, MeshingO
   first.evenLoops = false;  // narrow places are the same with the option and without
   first.progress = {};
   first.observer = {};
-  const ModelMesh coarse = FaceRun(source, algorithm, first).mesh();
+  first.sizes.chords = {};
+  const ModelMesh coarse = FaceRun(source, algorithm, first).mesh().mesh;
   addSources(narrowPlaces(coarse, across, options.threads),
              leastForLimits(options.sizes.size, options.sizes.minSize), options.sizes.sources);
 }
@@ -195,7 +206,16 @@ ModelMesh meshFaces(FaceSource& source, const AF2Algorithm& algorithm,
     MeshingOptions own = optionsFor(source, options);
     own.threads = 0;  // as many as the arena has
     if (own.sizes.elementsAcross > 0) addNarrowPlaces(source, algorithm, own);
-    mesh = FaceRun(source, algorithm, own).mesh();
+    const auto make = [&](const MeshingOptions& asked) {
+      return FaceRun(source, algorithm, asked).mesh();
+    };
+    if (!own.sizes.chords.areGiven()) {
+      mesh = make(own).mesh;
+      return;
+    }
+    MeasuredMesh within = meshWithinChords(own, make);
+    if (own.fewest) thinWithinChords(source, own, within);
+    mesh = std::move(within.mesh);
   });
   return mesh;
 }

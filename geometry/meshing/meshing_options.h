@@ -36,7 +36,10 @@ struct MeshingOptions {
   /// and limits of turns still hold. A loop that cannot be made even stays odd:
   /// FaceReport::oddLoops.
   bool evenLoops = false;
-  int order = 1;           ///< 2: elements with vertices at the middles of their sides as well
+  int order = 1;  ///< 2: elements with vertices at the middles of their sides as well
+  /// As few triangles as the bounds on the distance from the model allow: vertices that are not
+  /// needed are removed from the mesh. Needs Sizes::chords, and elements of first order.
+  bool fewest = false;
   std::vector<int> faces;  ///< ids of the faces to mesh; empty, and no names: all
   /// Names of faces and groups to mesh, too, as in Sizes::partSizes.
   std::vector<std::string> faceNames = {};

@@ -72,6 +72,15 @@ std::vector<int> withFacesCalled(std::vector<int> faces, std::span<const std::st
   return faces;
 }
 
+std::vector<int> facesNamed(const std::string& pattern, std::span<const std::string> names,
+                            std::span<const FaceGroup> groups) {
+  std::vector<int> faces = facesCalled(pattern, names, groups);
+  if (faces.empty())
+    throw InputError("the sizes are for parts named '" + pattern +
+                     "', but no face or group has such a name (see af2 inspect)");
+  return faces;
+}
+
 std::map<int, double> sizesByName(std::span<const std::pair<std::string, double>> parts,
                                   std::span<const std::string> names,
                                   std::span<const FaceGroup> groups) {
@@ -79,11 +88,7 @@ std::map<int, double> sizesByName(std::span<const std::pair<std::string, double>
   for (const auto& [pattern, size] : parts) {
     if (!(size > 0) || !std::isfinite(size))
       throw InputError("the size for parts named '" + pattern + "' must be a positive number");
-    const std::vector<int> faces = facesCalled(pattern, names, groups);
-    if (faces.empty())
-      throw InputError("the sizes are for parts named '" + pattern +
-                       "', but no face or group has such a name (see af2 inspect)");
-    for (const int face : faces) sizes[face] = size;
+    for (const int face : facesNamed(pattern, names, groups)) sizes[face] = size;
   }
   return sizes;
 }

@@ -35,6 +35,11 @@ AF2_EXPORT std::vector<int> withFacesCalled(std::vector<int> faces,
                                             std::span<const std::string> names,
                                             std::span<const FaceGroup> groups);
 
+/// The same for a size or bound that is given for the pattern: throws InputError if there is none.
+AF2_EXPORT std::vector<int> facesNamed(const std::string& pattern,
+                                       std::span<const std::string> names,
+                                       std::span<const FaceGroup> groups);
+
 /// Whether a name matches a pattern, in which `*` matches any text and `?` any UTF-8 character. All
 /// other characters match themselves, including brackets and backslashes.
 AF2_EXPORT bool fitsPattern(const std::string& name, const std::string& pattern);

@@ -31,6 +31,7 @@ void checkSizes(const Sizes& sizes) {
   if (sizes.growth > kMaxGrowth)
     throw InputError("the growth of sizes must be at most " +
                      std::to_string(static_cast<int>(kMaxGrowth)) + " per unit of length");
+  checkChords(sizes.chords);
   checkEach(sizes.faceSizes, "face");
   checkEach(sizes.edgeSizes, "edge");
 }
@@ -57,6 +58,14 @@ double bounded(const Sizes& sizes, double size) {
 double wantedOnFace(const Sizes& sizes, int face) {
   const auto found = sizes.faceSizes.find(face);
   return bounded(sizes, found == sizes.faceSizes.end() ? sizes.size : found->second);
+}
+
+double chordOnFace(const Sizes& sizes, int face) {
+  const auto found = sizes.chords.faces.find(face);
+  const ChordBound& bound =
+      found == sizes.chords.faces.end() ? sizes.chords.everywhere : found->second;
+  if (!bound.isGiven()) return std::numeric_limits<double>::infinity();
+  return bound.isShareOfSize ? bound.value * wantedOnFace(sizes, face) : bound.value;
 }
 
 double limitByFunction(const Sizes& sizes, double size, const Point3& position) {

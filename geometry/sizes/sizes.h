@@ -9,6 +9,7 @@
 
 #include "engine/base/export.h"
 #include "engine/base/point.h"
+#include "geometry/sizes/chord.h"
 #include "geometry/sizes/graded_size.h"
 #include "geometry/sizes/position_size.h"
 #include "geometry/sizes/size_sources.h"
@@ -45,6 +46,11 @@ struct Sizes {
   /// be smaller than `minSize`, or, if that is 0, than a twentieth of the size.
   double elementsAcross = 0;
 
+  /// Bounds on the distance between mesh and model. Sizes on curved faces and edges are chosen so
+  /// that they hold, but are never below `minSize`; the mesh is measured, and made again with
+  /// smaller sizes where it is too far away.
+  ChordBounds chords;
+
   /// Largest growth of the size per unit of length, away from places with small sizes.
   double growth = kDefaultGrowth;
 };
@@ -66,6 +72,9 @@ AF2_EXPORT double bounded(const Sizes& sizes, double size);
 
 /// The size of a face in the options, before all limits.
 AF2_EXPORT double wantedOnFace(const Sizes& sizes, int face);
+
+/// The bound on the distance between the mesh and a face, in model units; infinite: none.
+AF2_EXPORT double chordOnFace(const Sizes& sizes, int face);
 
 /// The function's limit at a position, if there is a function.
 AF2_EXPORT double limitByFunction(const Sizes& sizes, double size, const Point3& position);

@@ -9,6 +9,7 @@
 #include <TopoDS.hxx>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "engine/base/place_text.h"
 #include "geometry/edges/curve_division.h"
@@ -117,8 +118,9 @@ class IntervalSampler {
 
   /// The last cell turns by `turn` within `ds`.
   void limitByTurn(EdgePiece& piece, double turn, double ds) const {
-    if (turn * piece.sizes.back() <= turn_ * ds) return;
-    const double size = std::max(turn_ * ds / turn, least_);
+    double size = std::numeric_limits<double>::infinity();
+    if (turn * piece.sizes.back() > turn_ * ds) size = std::max(turn_ * ds / turn, least_);
+    if (turn > 0) size = std::min(size, longestChord(ds / turn, wanted_.chord()));
     for (std::size_t i = piece.sizes.size() - 2; i < piece.sizes.size(); ++i)
       piece.sizes[i] = std::min(piece.sizes[i], size);
   }
@@ -287,8 +289,9 @@ struct SharedPiece {
 
   SharedPiece(const EdgePiece& piece, const CadSizes& sizes)
       : count(segmentsAlong(piece.arcLength, piece.sizes)) {
-    const double byTurn = turnAlong(piece.positions) / sizes.edgeTurn;
-    const bool isAsked = sizes.elementsPerTurn > 0;
+    double byTurn = turnAlong(piece.positions) / sizes.edgeTurn;
+    if (byTurn > 0.01 && sizes.chords.areGiven()) byTurn = count.back();  // none is too long
+    const bool isAsked = sizes.elementsPerTurn > 0 || sizes.chords.areGiven();
     segments = wholeSegments(count.back(), isAsked ? byTurn : 0, sizes.curvedShare);
     fewest = std::min(segments, fewestSegments(count.back(), byTurn, sizes.curvedShare));
   }

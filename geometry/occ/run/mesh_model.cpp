@@ -9,6 +9,8 @@
 
 #include "engine/base/error.h"
 #include "geometry/base/parallel.h"
+#include "geometry/mesh/inside_out.h"
+#include "geometry/mesh/volume_note.h"
 #include "geometry/meshing/mesh_faces.h"
 #include "geometry/occ/base/points.h"
 #include "geometry/occ/edges/edge_division.h"
@@ -18,9 +20,11 @@
 #include "geometry/occ/faces/face_mesher.h"
 #include "geometry/occ/faces/faces_on_faces.h"
 #include "geometry/occ/faces/meeting_faces.h"
+#include "geometry/occ/model/solid_volume.h"
 #include "geometry/occ/run/creased_shape.h"
 #include "geometry/occ/sizes/sizing.h"
 #include "geometry/occ/surfaces/face_surface.h"
+#include "geometry/occ/surfaces/surface_distance.h"
 #include "geometry/sizes/too_many.h"
 
 namespace af2::geometry {
@@ -89,6 +93,10 @@ class CadFaces final : public FaceSource {
     return toPoint(BRepAdaptor_Curve(shape_->edge(edge)).Value(parameter));
   }
 
+  std::unique_ptr<FaceDistance> distanceFrom(int face) const override {
+    return distanceFromSurface(shape_->face(face), shape_->surface(face));
+  }
+
   DividedEdges divide(const PositionSize& sizes, const CollapsedEdges& asPoints,
                       const SegmentChanges& changes) const override {
     return divideEdges(*shape_, sampled_, withFunction(sizes), options_->threads, options_->stop,
@@ -128,6 +136,7 @@ class CadFaces final : public FaceSource {
     const bool areAll = faces_.size() == static_cast<std::size_t>(faceCount());
     if (areAll && !model_.lostFaces().empty())
       mesh.findings.push_back(textOfLost(model_.lostFaces()));
+    if (areAll) noteVolume(mesh);
   }
 
  private:
@@ -148,6 +157,26 @@ class CadFaces final : public FaceSource {
     CadSizes sizes = sizes_;
     sizes.function = function;
     return sizes;
+  }
+
+  /// The volume of the model takes time, and is within 2 % where the area is very near.
+  void noteVolume(ModelMesh& mesh) const {
+    constexpr double kNear = 0.002;
+    const double wanted = std::accumulate(areas_.begin(), areas_.end(), 0.0);
+    if (std::abs(areaOfElements(mesh) - wanted) <= kNear * wanted || !enclosedVolume(mesh)) return;
+    const std::string note =
+        volumeNote(mesh, volumeOfSolids(model_.shape()).value_or(0), "the model");
+    if (!note.empty()) mesh.notes.push_back(note);
+  }
+
+  static double areaOfElements(const ModelMesh& mesh) {
+    double sum = 0;
+    for (const Element& element : mesh.elements) {
+      const auto at = [&](std::size_t i) { return mesh.vertices[element.corners[i].value]; };
+      sum += length(cross(at(1) - at(0), at(2) - at(0))) / 2;
+      if (element.isQuad()) sum += length(cross(at(2) - at(0), at(3) - at(0))) / 2;
+    }
+    return sum;
   }
 
   /// Keeps only faces that lie on another face which is also meshed.

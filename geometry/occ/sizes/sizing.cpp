@@ -59,6 +59,16 @@ bool isCreased(double size, const FaceSurface& surface) {
 
 }  // namespace
 
+namespace {
+
+/// Elements scatter around their size.
+double byChord(const CadSizes& sizes, int face, double radius) {
+  constexpr double kAim = 0.9;
+  return kAim * longestChord(radius, sizes.chords.aimOf(face) * chordOnFace(sizes, face));
+}
+
+}  // namespace
+
 CurvedSize curvedSizeAt(const CadSizes& sizes, int face, double size, const FaceSurface& surface,
                         const SurfacePoint& point) {
   constexpr double kVisible = 0.05;  // turn of an edge, in those that it may have
@@ -66,7 +76,8 @@ CurvedSize curvedSizeAt(const CadSizes& sizes, int face, double size, const Face
   const double bend = std::min(1.0, size / (kVisible * sizes.faceTurn * radii.smallest));
   const double share = 1 - (1 - sizes.curvedShare) * bend;
   const double gentle =
-      std::min(size, std::max(sizes.faceTurn * radii.smallest, sizes.faceLeast * size));
+      std::min({size, std::max(sizes.faceTurn * radii.smallest, sizes.faceLeast * size),
+                byChord(sizes, face, radii.smallest)});
   if (sizes.roughFaces.contains(face) || isCreased(size, surface))
     return {gentle, share, sizes.minSize};
   const double least = leastOnTube(sizes, size, surface, radii.bent);
@@ -98,7 +109,8 @@ double expectedElements(const CadSizes& sizes, int face, const FaceSurface& surf
       const CurvedSize curved = surface.isPlane() ? CurvedSize{wanted, 1, sizes.minSize}
                                                   : curvedSizeAt(sizes, face, wanted, surface,
                                                                  {frame.position, {}, u, v});
-      const double size = curved.limit;
+      const double size =
+          sizes.chords.areGiven() ? bounded(sizes, curved, curved.limit) : curved.limit;
       sum += weight * density(byPosition ? bounded(sizes, curved,
                                                    limitByFunction(sizes, size, frame.position))
                                          : size);

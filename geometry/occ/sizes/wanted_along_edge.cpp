@@ -14,9 +14,10 @@ WantedAlongEdge::WantedAlongEdge(const ModelShape& model, int edge, const CadSiz
   const auto given = sizes.edgeSizes.find(edge);
   const bool isGiven = given != sizes.edgeSizes.end();
   largest_ = bounded(sizes, isGiven ? given->second : sizes.size);
+  const std::vector<int>& faces = model.facesOfEdges[static_cast<std::size_t>(edge) - 1];
+  for (const int face : faces) chord_ = std::min(chord_, chordOnFace(sizes, face));
   if (isGiven) return;
-  for (const int face : model.facesOfEdges[static_cast<std::size_t>(edge) - 1])
-    addFace(model, edge, face);
+  for (const int face : faces) addFace(model, edge, face);
 }
 
 WantedAlongEdge::Size WantedAlongEdge::at(const Point3& position, double parameter) const {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Geom2d_Curve.hxx>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -19,6 +20,9 @@ class WantedAlongEdge {
 
   /// An upper bound of the sizes.
   double largest() const { return largest_; }
+
+  /// The smallest bound on the distance from the model of the faces beside; infinite: none.
+  double chord() const { return chord_; }
 
   struct Size {
     double wanted;
@@ -41,6 +45,7 @@ class WantedAlongEdge {
   const CadSizes& sizes_;
   std::vector<Neighbor> faces_;
   double largest_;
+  double chord_ = std::numeric_limits<double>::infinity();
 };
 
 }  // namespace af2::geometry
