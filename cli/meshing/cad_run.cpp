@@ -65,6 +65,9 @@ geometry::ModelMesh meshAll(const MeshRequest& request, const geometry::Model& m
   if (!options.faces.empty() || givenUp.empty())
     mesh = geometry::meshModel(model, algorithm, options);
   reportGivenUp(model, givenUp, mesh);
+  if (periodic.isAsked())
+    mesh.findings.push_back(
+        "no faces were made periodic, because a face of the model was given up");
   return mesh;
 }
 

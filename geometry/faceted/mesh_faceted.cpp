@@ -12,9 +12,11 @@
 #include "geometry/faceted/cones.h"
 #include "geometry/faceted/facet_surface.h"
 #include "geometry/faceted/flats.h"
+#include "geometry/faceted/half_edges.h"
 #include "geometry/faceted/patch_charts.h"
 #include "geometry/faceted/patch_limit.h"
 #include "geometry/faceted/patches.h"
+#include "geometry/mesh/inside_out.h"
 #include "geometry/mesh/quality.h"
 #include "geometry/mesh/volume_note.h"
 
@@ -222,7 +224,15 @@ double volumeOf(const Facets& facets) {
   return sum / 6;
 }
 
-void noteVolume(const Facets& facets, ModelMesh& mesh) {
+bool isClosed(const Facets& facets) { return HalfEdges(facets.triangles).boundary().empty(); }
+
+/// A finding if the mesh of a closed surface is open, and a note if it encloses another volume.
+void compareWithTriangles(const Facets& facets, const MeshingOptions& options, ModelMesh& mesh) {
+  const bool isWhole = options.faces.empty() && options.faceNames.empty() && failedArea(mesh) == 0;
+  if (isWhole && !enclosedVolume(mesh) && isClosed(facets))
+    if (const std::size_t open = measureQuality(mesh).freeEdges; open > 0)
+      mesh.findings.push_back("the mesh is open, with " + std::to_string(open) +
+                              " free edges, but the triangles of the file are closed");
   const std::string note = volumeNote(mesh, volumeOf(facets), "the triangles of the file");
   if (!note.empty()) mesh.notes.push_back(note);
 }
@@ -248,7 +258,7 @@ ModelMesh meshFaceted(const Facets& facets, const AF2Algorithm& algorithm,
   if (check) check(whole);
   if (namesFacesOrEdges(options)) {
     ModelMesh mesh = meshDomain(whole, algorithm, options);
-    noteVolume(facets, mesh);
+    compareWithTriangles(facets, options, mesh);
     return mesh;
   }
   MeshingOptions brief = options;
@@ -268,7 +278,7 @@ ModelMesh meshFaceted(const Facets& facets, const AF2Algorithm& algorithm,
   }
   if (isPoor(mesh)) mesh = meshDomain(modelOf(patched, options), algorithm, options);
   if (cutPieces > 0) noteCuts(cutPieces, mesh);
-  noteVolume(facets, mesh);
+  compareWithTriangles(facets, options, mesh);
   return mesh;
 }
 

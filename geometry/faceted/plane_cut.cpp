@@ -19,7 +19,10 @@ class PlaneCut {
            std::set<FacetEdge>& cuts)
       : facets_(facets), directions_(directions), cuts_(cuts) {
     choosePlane(triangles);
+    const std::size_t count = facets_.triangles.size();
     for (const std::uint32_t t : triangles) cut(t);
+    if (std::ranges::all_of(crossings_, [](const auto& c) { return c.second.uses == 2; })) return;
+    for (std::uint32_t t = 0; t < count; ++t) divideSides(t);
   }
 
  private:
@@ -65,16 +68,51 @@ class PlaneCut {
     return high - low;
   }
 
+  /// Where the plane crosses an edge, and how many triangles of the edge have been cut.
+  struct Crossing {
+    std::uint32_t vertex = 0;
+    int uses = 0;
+  };
+
   std::uint32_t crossingOf(std::uint32_t a, std::uint32_t b) {
     const FacetEdge edge = std::minmax(a, b);
-    const auto [found, isNew] =
-        crossings_.try_emplace(edge, static_cast<std::uint32_t>(facets_.vertices.size()));
+    const auto next = static_cast<std::uint32_t>(facets_.vertices.size());
+    const auto [found, isNew] = crossings_.try_emplace(edge, Crossing{next, 0});
     if (isNew) {
       const double t = height(edge.first) / (height(edge.first) - height(edge.second));
       const Point3 p = facets_.vertices[edge.first], q = facets_.vertices[edge.second];
       facets_.vertices.push_back(p + t * (q - p));
+      // An edge that was cut before stays cut.
+      if (cuts_.erase(edge) > 0)
+        for (const std::uint32_t end : {a, b}) cuts_.insert(std::minmax(end, next));
     }
-    return found->second;
+    ++found->second.uses;
+    return found->second.vertex;
+  }
+
+  void add(std::uint32_t like, const std::array<std::uint32_t, 3>& corners) {
+    facets_.triangles.push_back(corners);
+    if (!facets_.group.empty()) facets_.group.push_back(facets_.group[like]);
+    auto& [normals, isRough] = directions_;
+    normals.push_back(normals[like]);
+    isRough.push_back(isRough[like]);
+  }
+
+  /// Divides a triangle beside the cut ones where their common sides were divided.
+  void divideSides(std::uint32_t t) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto corners = facets_.triangles[t];
+      const std::uint32_t a = corners[i], b = corners[(i + 1) % 3], c = corners[(i + 2) % 3];
+      const auto found = crossings_.find(std::minmax(a, b));
+      if (found == crossings_.end()) continue;
+      const std::uint32_t p = found->second.vertex;
+      facets_.triangles[t] = {a, p, c};
+      const auto other = static_cast<std::uint32_t>(facets_.triangles.size());
+      add(t, {p, b, c});
+      divideSides(t);
+      divideSides(other);
+      return;
+    }
   }
 
   void cut(std::uint32_t t) {
@@ -85,19 +123,15 @@ class PlaneCut {
     while (isAbove(c[1]) != isAbove(c[2])) std::rotate(c.begin(), c.begin() + 1, c.end());
     const std::uint32_t p = crossingOf(c[0], c[1]), q = crossingOf(c[0], c[2]);
     facets_.triangles[t] = {c[0], p, q};
-    facets_.triangles.push_back({p, c[1], c[2]});
-    facets_.triangles.push_back({p, c[2], q});
-    if (!facets_.group.empty()) facets_.group.insert(facets_.group.end(), 2, facets_.group[t]);
-    auto& [normals, isRough] = directions_;
-    normals.insert(normals.end(), 2, normals[t]);
-    isRough.insert(isRough.end(), 2, isRough[t]);
+    add(t, {p, c[1], c[2]});
+    add(t, {p, c[2], q});
     cuts_.insert(std::minmax(p, q));
   }
 
   Facets& facets_;
   FacetDirections& directions_;
   std::set<FacetEdge>& cuts_;
-  std::map<FacetEdge, std::uint32_t> crossings_;
+  std::map<FacetEdge, Crossing> crossings_;
   Point3 axis_;
   double offset_ = 0;
 };

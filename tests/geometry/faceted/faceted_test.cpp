@@ -8,8 +8,10 @@
 
 #include "engine/base/error.h"
 #include "geometry/check/model_check.h"
+#include "geometry/faceted/half_edges.h"
 #include "geometry/faceted/mesh_faceted.h"
 #include "geometry/faceted/patches.h"
+#include "geometry/mesh/quality.h"
 #include "geometry/mesh/second_order.h"
 #include "tests/geometry/faceted/faceted_mesh.h"
 #include "tests/geometry/planar/poly_text.h"
@@ -201,6 +203,35 @@ TEST(Patches, OfAClosedSmoothSurfaceAreCutUntilTheyHaveBoundaryEnough) {
   const PatchedFacets tubes = findPatches(thickTorus(), {pi / 4});
   EXPECT_EQ(tubes.patches.size(), 2u);
   for (const Patch& patch : tubes.patches) EXPECT_EQ(patch.loops.size(), 2u);
+}
+
+/// The plane that cuts a sphere with a flat top in two goes through the top as well.
+TEST(Patches, ThatAreCutKeepTheSurfaceClosed) {
+  Facets sphere;
+  constexpr std::uint32_t kAround = 40, kUp = 20;
+  for (std::uint32_t k = 0; k <= kUp; ++k) {
+    const double latitude = -1.5 + 2.5 * k / kUp;  // a crease at the top only
+    for (std::uint32_t i = 0; i < kAround; ++i) {
+      const double longitude = 2 * pi * i / kAround;
+      sphere.vertices.push_back({std::cos(latitude) * std::cos(longitude),
+                                 std::cos(latitude) * std::sin(longitude), std::sin(latitude)});
+    }
+  }
+  const auto at = [&](std::uint32_t k, std::uint32_t i) { return k * kAround + i % kAround; };
+  for (std::uint32_t k = 0; k < kUp; ++k)
+    for (std::uint32_t i = 0; i < kAround; ++i) {
+      sphere.triangles.push_back({at(k, i), at(k, i + 1), at(k + 1, i + 1)});
+      sphere.triangles.push_back({at(k, i), at(k + 1, i + 1), at(k + 1, i)});
+    }
+  for (std::uint32_t i = 1; i + 1 < kAround; ++i) {
+    sphere.triangles.push_back({at(0, 0), at(0, i + 1), at(0, i)});
+    sphere.triangles.push_back({at(kUp, 0), at(kUp, i), at(kUp, i + 1)});
+  }
+  ASSERT_TRUE(HalfEdges(sphere.triangles).boundary().empty());
+  const PatchedFacets patched = findPatches(sphere, {25 * pi / 180});
+  EXPECT_GT(patched.facets.triangles.size(), sphere.triangles.size());
+  EXPECT_TRUE(HalfEdges(patched.facets.triangles).boundary().empty());
+  EXPECT_EQ(measureQuality(testing::completeMesh(sphere, 0.2)).freeEdges, 0u);
 }
 
 /// An edge that runs to and fro by far less than the elements are long has no corners in between.
