@@ -206,6 +206,13 @@ void declareMeshOptions(CLI::App& command, MeshOptions& options) {
                   "number of threads, 0: all cores; the mesh does not depend on it")
       ->type_name("N");
   command
+      .add_option(
+          "--max-memory", options.maxMemory,
+          "memory for the mesh, such as 800M or 4G; sizes that need more are refused before "
+          "meshing begins")
+      ->transform(CLI::AsSizeValue(true).description(""))
+      ->type_name("SIZE");
+  command
       .add_option("--order", options.order,
                   "1 or 2: elements of order 2 have extra vertices, on the surface, at the middles "
                   "of their sides")
@@ -327,6 +334,7 @@ MeshRequest checkedRequest(const MeshOptions& options) {
                                  options.threads));
   }
   request.options.threads = options.threads;
+  request.options.maxMemory = static_cast<double>(options.maxMemory);
   if (options.order != 1 && options.order != 2)
     throw UsageError(fmt::format("--order {}: elements can have order 1 or 2", options.order));
   request.options.order = options.order;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <CLI/App.hpp>
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -23,6 +24,7 @@ struct MeshOptions {
   SizeOptions sizes;
   std::vector<std::string> outputs;
   int threads = 0, order = 1;
+  std::uint64_t maxMemory = 0;  ///< bytes; 0: what is free
   std::string points, boundary, featureAngle, chart, groups, healTolerance, elements = "any",
                                                                             quality = "good";
   bool quiet = false, rawFront = false, strictRules = false, unchecked = false;

@@ -92,7 +92,7 @@ class DomainFaces final : public FaceSource {
     findRoom();
     double elements = 0;
     for (const int face : faces) elements += workOn(face);
-    refuseTooMany(elements);
+    refuseTooMany(elements, options.maxMemory);
   }
 
   double workOn(int face) const override {

@@ -43,6 +43,8 @@ struct MeshingOptions {
   std::vector<int> faces;  ///< ids of the faces to mesh; empty, and no names: all
   /// Names of faces and groups to mesh, too, as in Sizes::partSizes.
   std::vector<std::string> faceNames = {};
+  /// Bytes for the mesh. Sizes that need more are refused before meshing begins. 0: what is free.
+  double maxMemory = 0;
   int threads = 0;  ///< 0: as many as the machine has. The mesh does not depend on it.
   /// Called from several threads, one at a time.
   std::function<void(const ModelProgress&)> progress;

@@ -1,20 +1,44 @@
 #include "geometry/sizes/too_many.h"
 
+#include <cmath>
 #include <limits>
 #include <sstream>
 #include <string>
 
 #include "engine/base/error.h"
+#include "engine/base/place_text.h"
+#include "geometry/base/free_memory.h"
 
 namespace af2::geometry {
 
-void refuseTooMany(double elements) {
+namespace {
+
+/// At the peak of a run, per triangle: docs/performance.md.
+constexpr double kBytesPerElement = 100;
+
+std::string gigabytes(double bytes) { return textOf(bytes / 1e9, 3) + " GB"; }
+
+/// How many times larger the sizes must be for so many elements less.
+std::string wayOut(double tooMany) {
+  const double factor = std::ceil(10 * std::sqrt(tooMany)) / 10;
+  return "ask for sizes that are at least " + textOf(factor, 6) + " times as large";
+}
+
+}  // namespace
+
+void refuseTooMany(double elements, double maxMemory) {
   constexpr double kMaxElements = 2e9;  // vertices and elements have 32-bit numbers
-  if (!(elements > kMaxElements)) return;
-  const std::string count = elements < 1e18
-                                ? "about " + std::to_string(static_cast<long long>(elements / 1e9))
-                                : std::string("more than a billion");
-  throw InputError("the sizes need " + count + " billion elements; ask for larger ones");
+  const std::string needs = "the sizes need about " + textOf(elements, 2) + " elements";
+  if (elements > kMaxElements)
+    throw InputError(needs + ", but a mesh can have " + textOf(kMaxElements, 2) + "; " +
+                     wayOut(elements / kMaxElements));
+  const double bytes = kBytesPerElement * elements;
+  if (bytes < 1e8) return;  // any machine has so much
+  const double most = maxMemory > 0 ? maxMemory : freeMemory();
+  if (bytes <= most) return;
+  throw InputError(needs + ", which take about " + gigabytes(bytes) + " of memory, but " +
+                   gigabytes(most) + (maxMemory > 0 ? " are allowed; " : " are free; ") +
+                   wayOut(bytes / most));
 }
 
 void refuseBlurred(double farthest, double extent, double size) {

@@ -3,11 +3,12 @@
 
 namespace af2::geometry {
 
-/// Throws InputError if a mesh would have more elements than can be numbered, before the memory is
-/// full.
+/// Throws InputError if a mesh would have more elements than can be numbered, or than fit into
+/// memory.
 ///
-/// elements  approximate number
-void refuseTooMany(double elements);
+/// elements   approximate number
+/// maxMemory  bytes for the mesh; 0: what is free
+void refuseTooMany(double elements, double maxMemory);
 
 /// Throws InputError if the rounding of such large coordinates is too coarse for elements of the
 /// size, in a model of this extent.

@@ -216,7 +216,7 @@ class CadFaces final : public FaceSource {
   void expectByFace() {
     work_.assign(static_cast<std::size_t>(faceCount()), 0);
     forEachFace([&](int face) { work_[indexOf(face)] = 1 + expectedOn(face, 0); });
-    refuseTooMany(std::accumulate(work_.begin(), work_.end(), 0.0));
+    refuseTooMany(std::accumulate(work_.begin(), work_.end(), 0.0), options_->maxMemory);
   }
 
   /// Once it is known how sizes spread there.
@@ -226,7 +226,7 @@ class CadFaces final : public FaceSource {
       if (std::ranges::binary_search(uneven, face))
         work_[indexOf(face)] = 1 + expectedOn(face, kSamples);
     });
-    refuseTooMany(std::accumulate(work_.begin(), work_.end(), 0.0));
+    refuseTooMany(std::accumulate(work_.begin(), work_.end(), 0.0), options_->maxMemory);
   }
 
   /// Points, boxes, functions and turns may want small sizes anywhere. What turns want is found by
@@ -240,7 +240,7 @@ class CadFaces final : public FaceSource {
       double& work = work_[indexOf(face)];
       if (!isFineInside_) work = std::max(work, 1 + elements[indexOf(face)]);
     });
-    refuseTooMany(std::accumulate(elements.begin(), elements.end(), 0.0));
+    refuseTooMany(std::accumulate(elements.begin(), elements.end(), 0.0), options_->maxMemory);
   }
 
   template <class Work>
