@@ -28,6 +28,8 @@ std::string wayOut(double tooMany) {
 
 void refuseTooMany(double elements, double maxMemory) {
   constexpr double kMaxElements = 2e9;  // vertices and elements have 32-bit numbers
+  if (!std::isfinite(elements))
+    throw InputError("the sizes need more than 1e+300 elements; ask for larger ones");
   const std::string needs = "the sizes need about " + textOf(elements, 2) + " elements";
   if (elements > kMaxElements)
     throw InputError(needs + ", but a mesh can have " + textOf(kMaxElements, 2) + "; " +
