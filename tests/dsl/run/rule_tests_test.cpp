@@ -198,7 +198,7 @@ TEST(RuleTests, OfTheClassicalQuadsPass) {
 const std::string kEvenRules = R"(af2 1;
 ruleset "even" { elements quad; parity even; score max of jacobian_badness; }
 rule "meet" quality 1 {
-  at   c (1, 1) ~ any;
+  near c of b + (0, 1) within 0.4;
   new  d = a + (0, 1);
   zone poly(a, b, c, d);
   quad a b c d;
@@ -245,11 +245,11 @@ TEST(RuleTests, ExpectWelds) {
 TEST(RuleTests, ReportColoursThatCannotBe) {
   const std::string front = "test \"t\" { front p (0, 0) -> r (1, 0) -> s (2, 0); expect stuck; ";
   EXPECT_EQ(faults(front + "colours p 0, s 1; }"),
-            Lines{"AF2-S10: the colour of 's' contradicts one that is given before"});
-  EXPECT_EQ(faults(front + "colours p 2; }"), Lines{"AF2-Y3: a colour is 0 or 1"});
+            Lines{"S10: the colour of 's' contradicts one that is given before"});
+  EXPECT_EQ(faults(front + "colours p 2; }"), Lines{"Y3: a colour is 0 or 1"});
   EXPECT_EQ(faults(front + "point u (5, 5); colours u 0; }"),
-            Lines{"AF2-S10: the vertex 'u' is not on an open chain of the front"});
-  EXPECT_EQ(faults(front + "colours q 0; }"), Lines{"AF2-Y1: this test has no vertex 'q'"});
+            Lines{"S10: the vertex 'u' is not on an open chain of the front"});
+  EXPECT_EQ(faults(front + "colours q 0; }"), Lines{"R1: this test has no vertex 'q'"});
 }
 
 }  // namespace
