@@ -7,9 +7,9 @@
 
 #include "dsl/compile/rule_compiler.h"
 #include "dsl/compile/rule_titles.h"
+#include "dsl/compile/test_piece.h"
 #include "dsl/syntax/titles.h"
 #include "dsl/text/words.h"
-#include "engine/base/turn.h"
 
 namespace af2::dsl {
 namespace {
@@ -25,7 +25,7 @@ class TestCompiler {
         maxLevel_(maxLevel),
         expressions_(context, module, ExpressionPlace::Test, Algebra(builder_, {})) {
     expressions_.turnInTest = [this](int vertex) {
-      return turnAt(static_cast<std::size_t>(vertex));
+      return turnAt(result_.piece, static_cast<std::size_t>(vertex));
     };
   }
 
@@ -48,12 +48,10 @@ class TestCompiler {
   std::optional<std::size_t> known(const Name& name);
   void addChains(const TestFront& front);
   void addPoints(const TestPoints& points);
-  void joinChains();
   void addColours(const TestColours& colours);
   std::optional<bool> colourAmong(const VertexColour& given, std::size_t vertex);
   void setBase(const TestBase* base);
   void checkEdges();
-  std::optional<double> turnAt(std::size_t vertex) const;
   const CompiledRule* findRule(const Name& title);
   void readLevel(const TestLevel& level);
   void readSize(const TestSize& size);
@@ -136,26 +134,6 @@ void TestCompiler::addPoints(const TestPoints& points) {
     if (const auto index = place(vertex)) isolated_.insert(*index);
 }
 
-/// A chain that begins at the end of another chain continues it.
-void TestCompiler::joinChains() {
-  auto& chains = result_.piece.chains;
-  for (std::size_t i = 0; i < chains.size(); ++i) {
-    for (std::size_t k = 0; k < chains.size(); ++k) {
-      const bool isClosed =
-          chains[i].front() == chains[i].back() || chains[k].front() == chains[k].back();
-      if (i == k || isClosed || chains[i].back() != chains[k].front()) continue;
-      // The first edge of the first chain stays the base edge.
-      chains[i].insert(chains[i].end(), chains[k].begin() + 1, chains[k].end());
-      chains.erase(chains.begin() + static_cast<std::ptrdiff_t>(k));
-      if (k < i) --i;
-      k = static_cast<std::size_t>(-1);
-    }
-  }
-  for (const auto& chain : chains)
-    for (std::size_t v : chain) isolated_.erase(v);
-  result_.piece.isolated.assign(isolated_.begin(), isolated_.end());
-}
-
 void TestCompiler::checkEdges() {
   std::set<std::pair<std::size_t, std::size_t>> edges;
   for (const auto& chain : result_.piece.chains)
@@ -224,21 +202,6 @@ void TestCompiler::setBase(const TestBase* base) {
   tell(Code::UnknownName, cover(base->from.span, base->to.span),
        base->from.text + " -> " + base->to.text + " is not an edge of this test's front", "",
        "name an edge of a `front` clause");
-}
-
-std::optional<double> TestCompiler::turnAt(std::size_t vertex) const {
-  for (const auto& chain : result_.piece.chains) {
-    const bool isClosed = chain.size() > 2 && chain.front() == chain.back();
-    const std::size_t n = isClosed ? chain.size() - 1 : chain.size();
-    for (std::size_t i = 0; i < n; ++i) {
-      if (chain[i] != vertex || (!isClosed && (i == 0 || i + 1 == n))) continue;
-      const auto& at = result_.piece.vertices;
-      const Point2 here = at[vertex], from = at[chain[(i + 1) % n]] - here,
-                   to = at[chain[(i + n - 1) % n]] - here;
-      return turnBetween(from, to);
-    }
-  }
-  return std::nullopt;
 }
 
 const CompiledRule* TestCompiler::findRule(const Name& title) {
@@ -399,7 +362,10 @@ std::optional<CompiledTest> TestCompiler::compile() {
   if (hasFront) {
     if (!hasErrors_) checkEdges();
     result_.piece.base = {result_.piece.chains[0][0], result_.piece.chains[0][1]};
-    joinChains();
+    joinChains(result_.piece);
+    for (const auto& chain : result_.piece.chains)
+      for (const std::size_t v : chain) isolated_.erase(v);
+    result_.piece.isolated.assign(isolated_.begin(), isolated_.end());
   }
   setBase(base);
   for (const TestClause& clause : test_.clauses)

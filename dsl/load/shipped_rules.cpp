@@ -16,7 +16,7 @@ constexpr ShippedFile kFiles[] = {
 };
 
 /// No folder of the disk, so that a file there cannot take the place of an import.
-const std::filesystem::path kFolder = "/rules of AF2";
+constexpr const char* kFolder = "/rules of AF2";
 
 std::optional<std::string> textAt(const std::filesystem::path& path) {
   const std::string name = path.lexically_normal().lexically_relative(kFolder).generic_string();
@@ -36,7 +36,7 @@ std::string namesOfAll() {
 std::span<const ShippedFile> shippedFiles() { return kFiles; }
 
 std::shared_ptr<const RuleSet> shippedRules(std::string_view name) {
-  const std::filesystem::path path = kFolder / name;
+  const std::filesystem::path path = std::filesystem::path(kFolder) / name;
   const auto text = textAt(path);
   if (!text)
     throw InputError("AF2 comes with no rule file '" + std::string(name) +

@@ -4,6 +4,7 @@
 
 #include "engine/base/place_text.h"
 #include "geometry/base/parallel.h"
+#include "geometry/mesh/unused_vertices.h"
 
 namespace af2::geometry {
 namespace {
@@ -20,35 +21,6 @@ std::string describe(const MeshFinding& finding) {
 
 bool isOneOf(const std::vector<int>& sorted, int id) {
   return std::ranges::binary_search(sorted, id);
-}
-
-/// Removes vertices and segments that nothing refers to any more.
-void dropUnusedVertices(ModelMesh& mesh) {
-  std::vector<bool> used(mesh.vertices.size(), false);
-  for (const Element& element : mesh.elements) {
-    for (const VertexId vertex : element.vertices()) used[vertex.value] = true;
-  }
-  std::vector<VertexId> renumbered(mesh.vertices.size());
-  std::size_t count = 0;
-  for (std::size_t v = 0; v < used.size(); ++v) {
-    if (!used[v]) continue;
-    mesh.vertices[count] = mesh.vertices[v];
-    if (!mesh.wantedSizes.empty()) mesh.wantedSizes[count] = mesh.wantedSizes[v];
-    renumbered[v] = VertexId(count++);
-  }
-  mesh.vertices.resize(count);
-  if (!mesh.wantedSizes.empty()) mesh.wantedSizes.resize(count);
-  for (Element& element : mesh.elements) {
-    for (VertexId& corner : element.corners) {
-      if (!corner.isNone()) corner = renumbered[corner.value];
-    }
-  }
-  std::erase_if(mesh.segments,
-                [&](const EdgeSegment& s) { return !used[s.from.value] || !used[s.to.value]; });
-  for (EdgeSegment& segment : mesh.segments) {
-    segment.from = renumbered[segment.from.value];
-    segment.to = renumbered[segment.to.value];
-  }
 }
 
 /// A face without width needs no elements if other faces have some. If no face has any, the size is

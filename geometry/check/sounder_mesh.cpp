@@ -6,11 +6,6 @@
 namespace af2::geometry {
 namespace {
 
-std::size_t failedFaces(const ModelMesh& mesh) {
-  return static_cast<std::size_t>(
-      std::ranges::count(mesh.faces, FaceStatus::Failed, &FaceReport::status));
-}
-
 std::size_t faultsOf(const ModelMesh& mesh) { return failedFaces(mesh) + mesh.findings.size(); }
 
 }  // namespace

@@ -1,7 +1,5 @@
 #include "geometry/deviation/edge_curves.h"
 
-#include <algorithm>
-
 namespace af2::geometry {
 
 EdgeCurves edgeCurves(const ModelMesh& mesh, const DividedEdges& divided,
@@ -29,13 +27,6 @@ EdgeCurves edgeCurves(const ModelMesh& mesh, const DividedEdges& divided,
     ++k;
   }
   return curves;
-}
-
-double distanceFromSegment(const Point3& point, const Point3& from, const Point3& to) {
-  const Point3 along = to - from;
-  const double whole = dot(along, along);
-  const double share = whole > 0 ? std::clamp(dot(point - from, along) / whole, 0.0, 1.0) : 0;
-  return distance(point, from + share * along);
 }
 
 }  // namespace af2::geometry

@@ -17,7 +17,4 @@ using EdgeCurves = std::vector<std::vector<Point3>>;
 EdgeCurves edgeCurves(const ModelMesh& mesh, const DividedEdges& divided,
                       const std::function<Point3(int edge, double parameter)>& pointOnEdge);
 
-/// The distance of a point from a straight segment.
-double distanceFromSegment(const Point3& point, const Point3& from, const Point3& to);
-
 }  // namespace af2::geometry

@@ -6,6 +6,7 @@
 #include <limits>
 #include <map>
 
+#include "geometry/base/nearest_on_segment.h"
 #include "geometry/base/parallel.h"
 
 namespace af2::geometry {
@@ -109,7 +110,7 @@ void measureSegment(const ModelMesh& mesh, std::size_t s, const std::vector<Poin
   const Point3 &from = mesh.vertices[segment.from.value], &to = mesh.vertices[segment.to.value];
   FarPoint farthest;
   for (const Point3& p : curve) {
-    const double gap = distanceFromSegment(p, from, to);
+    const double gap = distance(p, nearestOnSegment(p, from, to));
     if (gap > farthest.distance) farthest = {gap, p};
   }
   if (farthest.distance > all.largest.largest)

@@ -7,6 +7,9 @@
 #include <optional>
 #include <set>
 
+#include "geometry/base/nearest_on_segment.h"
+#include "geometry/mesh/unused_vertices.h"
+
 namespace af2::geometry {
 namespace {
 
@@ -113,7 +116,7 @@ class Thinning {
       if (const double quality = qualityOf(v, w); quality > 0) ranked.emplace_back(-quality, w);
     std::ranges::sort(ranked);
     for (const auto& [quality, w] : ranked)
-      if (keepsChord(v, w) && keepsBounds(v, w)) return w;
+      if (keepsChord(v) && keepsBounds(v, w)) return w;
     return std::nullopt;
   }
 
@@ -173,12 +176,14 @@ class Thinning {
   }
 
   /// Along an edge: whether the chord keeps the bound.
-  bool keepsChord(std::uint32_t v, std::uint32_t) const {
+  bool keepsChord(std::uint32_t v) const {
     if (segmentsAt_[v].empty()) return true;
     const std::uint32_t s = segmentsAt_[v][0], t = segmentsAt_[v][1];
     const Point3 &from = at(otherEnd(s, v)), &to = at(otherEnd(t, v));
     const double bound = std::min(task_.boundsOfSegments[s], task_.boundsOfSegments[t]);
-    const auto isNear = [&](const Point3& p) { return distanceFromSegment(p, from, to) <= bound; };
+    const auto isNear = [&](const Point3& p) {
+      return distance(p, nearestOnSegment(p, from, to)) <= bound;
+    };
     return isNear(at(v)) && std::ranges::all_of(curves_[s], isNear) &&
            std::ranges::all_of(curves_[t], isNear);
   }
@@ -236,37 +241,11 @@ class Thinning {
   }
 
   void compact() {
-    std::vector<VertexId> renumbered(mesh_.vertices.size());
-    std::size_t count = 0;
-    for (std::size_t v = 0; v < mesh_.vertices.size(); ++v) {
-      if (elementsAt_[v].empty() && segmentsAt_[v].empty()) continue;
-      mesh_.vertices[count] = mesh_.vertices[v];
-      if (!mesh_.wantedSizes.empty()) mesh_.wantedSizes[count] = mesh_.wantedSizes[v];
-      renumbered[v] = VertexId(count++);
-    }
-    mesh_.vertices.resize(count);
-    if (!mesh_.wantedSizes.empty()) mesh_.wantedSizes.resize(count);
-    compactElements(renumbered);
-    std::size_t kept = 0;
-    for (std::size_t s = 0; s < mesh_.segments.size(); ++s) {
-      if (isSegmentGone_[s]) continue;
-      EdgeSegment& segment = mesh_.segments[kept] = mesh_.segments[s];
-      segment.from = renumbered[segment.from.value];
-      segment.to = renumbered[segment.to.value];
-      curves_[kept++] = std::move(curves_[s]);
-    }
-    mesh_.segments.resize(kept);
-    curves_.resize(kept);
-  }
-
-  void compactElements(const std::vector<VertexId>& renumbered) {
     std::map<int, std::size_t> byFace;
     std::size_t kept = 0;
     for (std::size_t e = 0; e < mesh_.elements.size(); ++e) {
       if (isGone_[e]) continue;
-      Element& element = mesh_.elements[kept] = mesh_.elements[e];
-      for (VertexId& corner : element.corners)
-        if (!corner.isNone()) corner = renumbered[corner.value];
+      mesh_.elements[kept] = mesh_.elements[e];
       mesh_.face[kept] = mesh_.face[e];
       mesh_.origins[kept++] = mesh_.origins[e];
       ++byFace[mesh_.face[e]];
@@ -276,6 +255,19 @@ class Thinning {
     mesh_.origins.resize(kept);
     for (FaceReport& face : mesh_.faces)
       if (face.elements > 0) face.elements = byFace[face.id];
+    compactSegments();
+    dropUnusedVertices(mesh_);
+  }
+
+  void compactSegments() {
+    std::size_t kept = 0;
+    for (std::size_t s = 0; s < mesh_.segments.size(); ++s) {
+      if (isSegmentGone_[s]) continue;
+      mesh_.segments[kept] = mesh_.segments[s];
+      curves_[kept++] = std::move(curves_[s]);
+    }
+    mesh_.segments.resize(kept);
+    curves_.resize(kept);
   }
 
   const Point3& at(std::uint32_t v) const { return mesh_.vertices[v]; }

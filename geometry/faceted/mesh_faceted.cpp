@@ -9,16 +9,15 @@
 #include "geometry/base/constants.h"
 #include "geometry/base/parallel.h"
 #include "geometry/domain/domain_model.h"
+#include "geometry/faceted/compared_mesh.h"
 #include "geometry/faceted/cones.h"
 #include "geometry/faceted/facet_surface.h"
 #include "geometry/faceted/flats.h"
-#include "geometry/faceted/half_edges.h"
 #include "geometry/faceted/patch_charts.h"
 #include "geometry/faceted/patch_limit.h"
 #include "geometry/faceted/patches.h"
 #include "geometry/mesh/inside_out.h"
 #include "geometry/mesh/quality.h"
-#include "geometry/mesh/volume_note.h"
 
 namespace af2::geometry {
 namespace {
@@ -216,27 +215,6 @@ bool isPoor(const ModelMesh& mesh) {
   return failedArea(mesh) > 0 || measureQuality(mesh).minAngle < kUselessAngle;
 }
 
-double volumeOf(const Facets& facets) {
-  const Point3 origin = facets.vertices[facets.triangles.front()[0]];
-  const auto at = [&](std::uint32_t v) { return facets.vertices[v] - origin; };
-  double sum = 0;
-  for (const auto& [a, b, c] : facets.triangles) sum += dot(at(a), cross(at(b), at(c)));
-  return sum / 6;
-}
-
-bool isClosed(const Facets& facets) { return HalfEdges(facets.triangles).boundary().empty(); }
-
-/// A finding if the mesh of a closed surface is open, and a note if it encloses another volume.
-void compareWithTriangles(const Facets& facets, const MeshingOptions& options, ModelMesh& mesh) {
-  const bool isWhole = options.faces.empty() && options.faceNames.empty() && failedArea(mesh) == 0;
-  if (isWhole && !enclosedVolume(mesh) && isClosed(facets))
-    if (const std::size_t open = measureQuality(mesh).freeEdges; open > 0)
-      mesh.findings.push_back("the mesh is open, with " + std::to_string(open) +
-                              " free edges, but the triangles of the file are closed");
-  const std::string note = volumeNote(mesh, volumeOf(facets), "the triangles of the file");
-  if (!note.empty()) mesh.notes.push_back(note);
-}
-
 void noteCuts(std::size_t count, ModelMesh& mesh) {
   mesh.notes.push_back(
       "patches that could not be meshed whole were cut into pieces; additional patches: " +
@@ -258,7 +236,7 @@ ModelMesh meshFaceted(const Facets& facets, const AF2Algorithm& algorithm,
   if (check) check(whole);
   if (namesFacesOrEdges(options)) {
     ModelMesh mesh = meshDomain(whole, algorithm, options);
-    compareWithTriangles(facets, options, mesh);
+    if (options.faces.empty() && options.faceNames.empty()) compareWithTriangles(facets, mesh);
     return mesh;
   }
   MeshingOptions brief = options;
@@ -278,7 +256,7 @@ ModelMesh meshFaceted(const Facets& facets, const AF2Algorithm& algorithm,
   }
   if (isPoor(mesh)) mesh = meshDomain(modelOf(patched, options), algorithm, options);
   if (cutPieces > 0) noteCuts(cutPieces, mesh);
-  compareWithTriangles(facets, options, mesh);
+  compareWithTriangles(facets, mesh);
   return mesh;
 }
 

@@ -1,6 +1,7 @@
 // The mesh of a whole model: the meshes of its faces, joined at the shared vertices of their edges.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -200,6 +201,11 @@ struct ModelMesh {
   std::vector<std::string> findings;
   StageSeconds seconds;
 };
+
+inline std::size_t failedFaces(const ModelMesh& mesh) {
+  return static_cast<std::size_t>(
+      std::ranges::count(mesh.faces, FaceStatus::Failed, &FaceReport::status));
+}
 
 /// Of all faces together.
 inline WithoutRuleCounts elementsWithoutRule(const ModelMesh& mesh) {

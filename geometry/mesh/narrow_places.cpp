@@ -7,6 +7,7 @@
 #include <set>
 
 #include "geometry/base/box_tree.h"
+#include "geometry/base/nearest_on_segment.h"
 #include "geometry/base/parallel.h"
 
 namespace af2::geometry {
@@ -28,12 +29,6 @@ Point3 normalOf(const ModelMesh& mesh, const Element& element) {
   const auto at = [&](std::size_t i) { return mesh.vertices[element.corners[i].value]; };
   return element.isQuad() ? unit(cross(at(2) - at(0), at(3) - at(1)))
                           : unit(cross(at(1) - at(0), at(2) - at(0)));
-}
-
-Point3 nearestOnSegment(const Point3& p, const Point3& a, const Point3& b) {
-  const Point3 d = b - a;
-  const double t = std::clamp(dot(p - a, d) / dot(d, d), 0.0, 1.0);
-  return a + t * d;
 }
 
 /// Distance along a ray to a triangle, if it hits.

@@ -1,18 +1,15 @@
 #include "geometry/mesh/volume_note.h"
 
 #include <cmath>
-#include <optional>
 
 #include "engine/base/place_text.h"
-#include "geometry/mesh/inside_out.h"
 
 namespace af2::geometry {
 
-std::string volumeNote(const ModelMesh& mesh, double wanted, const std::string& of) {
+std::string volumeNote(double enclosed, double wanted, const std::string& of) {
   constexpr double kFair = 0.02;
-  const std::optional<double> enclosed = enclosedVolume(mesh);
-  if (!enclosed || wanted == 0) return "";
-  const double more = *enclosed / wanted - 1;
+  if (wanted == 0) return "";
+  const double more = enclosed / wanted - 1;
   if (!(std::abs(more) > kFair)) return "";
   return "the mesh encloses " + af2::textOf(100 * std::abs(more), 2) +
          (more < 0 ? " % less" : " % more") + " volume than " + of +

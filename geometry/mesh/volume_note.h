@@ -4,14 +4,12 @@
 
 #include <string>
 
-#include "geometry/mesh/model_mesh.h"
-
 namespace af2::geometry {
 
-/// A note if a closed mesh encloses a volume that differs from `wanted` by more than 2 %; empty if
+/// A note if the volume that a mesh encloses differs from `wanted` by more than 2 %; empty if
 /// not. Elements that are large beside the bends of a surface cut off what is outside of them.
 ///
 /// of  whose volume is wanted, such as "the triangles of the file"
-std::string volumeNote(const ModelMesh& mesh, double wanted, const std::string& of);
+std::string volumeNote(double enclosed, double wanted, const std::string& of);
 
 }  // namespace af2::geometry

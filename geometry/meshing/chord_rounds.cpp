@@ -13,10 +13,6 @@
 namespace af2::geometry {
 namespace {
 
-std::ptrdiff_t failedFaces(const ModelMesh& mesh) {
-  return std::ranges::count(mesh.faces, FaceStatus::Failed, &FaceReport::status);
-}
-
 bool isBetter(const MeasuredMesh& one, const MeasuredMesh& other) {
   const auto failed = failedFaces(one.mesh), failedOfOther = failedFaces(other.mesh);
   if (failed != failedOfOther) return failed < failedOfOther;

@@ -26,8 +26,8 @@ std::string captionOf(const ModelMesh& mesh) {
   for (const Element& element : mesh.elements)
     lowest = std::min(lowest, shapeQuality(mesh.vertices, element));
   if (!mesh.elements.empty()) caption += ", lowest quality " + shortNumber(lowest);
-  const auto failed = std::ranges::count(mesh.faces, FaceStatus::Failed, &FaceReport::status);
-  if (failed > 0) caption += ", " + counted(static_cast<std::size_t>(failed), "face") + " failed";
+  const auto failed = failedFaces(mesh);
+  if (failed > 0) caption += ", " + counted(failed, "face") + " failed";
   return caption;
 }
 

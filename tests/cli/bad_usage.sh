@@ -70,6 +70,9 @@ usage "$af2" mesh "$cylinder" --size 1 --order 2 -o a.stl; told 'cannot hold ele
 usage "$af2" mesh "$cylinder" --size 1 --threads -1; told '--threads'
 usage "$af2" mesh "$cylinder" --size 1 --threads two; told "--threads 'two': give a whole number"
 unusable "$af2" mesh "$cylinder" --size 1e-300; told 'need more than'
+unusable "$af2" mesh "$cylinder" --size 0.005 --max-memory 200M; told 'allowed; ask for sizes that are at least'
+(ulimit -v 2000000 && "$af2" mesh "$cylinder" --size 0.005) >out 2>err && fail 'exit code 0 without the memory'
+told 'are free; ask for sizes that are at least'
 usage "$af2" mesh "$cylinder" --size 1 -o mesh.xyz; told '.vtu'
 usage "$af2" mesh "$cylinder" --size 1 -o mesh; told '.vtu'
 usage "$af2" mesh "$cylinder" --size 1 -o nowhere/a.vtu; told "mkdir -p"

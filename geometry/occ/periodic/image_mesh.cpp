@@ -110,32 +110,4 @@ std::string makeImage(ModelMesh& mesh, PeriodicPair& pair, double tolerance) {
   return "";
 }
 
-void dropLooseVertices(ModelMesh& mesh) {
-  std::vector<std::uint8_t> isUsed(mesh.vertices.size(), 0);
-  for (const Element& element : mesh.elements)
-    for (const VertexId v : element.vertices()) isUsed[v.value] = 1;
-  std::vector<VertexId> renumbered(mesh.vertices.size());
-  std::size_t count = 0;
-  for (std::size_t v = 0; v < isUsed.size(); ++v) {
-    if (!isUsed[v]) continue;
-    mesh.vertices[count] = mesh.vertices[v];
-    if (!mesh.wantedSizes.empty()) mesh.wantedSizes[count] = mesh.wantedSizes[v];
-    renumbered[v] = VertexId(count++);
-  }
-  mesh.vertices.resize(count);
-  if (!mesh.wantedSizes.empty()) mesh.wantedSizes.resize(count);
-  for (Element& element : mesh.elements)
-    for (VertexId& corner : element.corners)
-      if (!corner.isNone()) corner = renumbered[corner.value];
-  for (EdgeSegment& segment : mesh.segments) {
-    segment.from = renumbered[segment.from.value];
-    segment.to = renumbered[segment.to.value];
-  }
-  for (PeriodicPair& pair : mesh.periodic)
-    for (auto& [to, from] : pair.vertices) {
-      to = renumbered[to.value];
-      from = renumbered[from.value];
-    }
-}
-
 }  // namespace af2::geometry

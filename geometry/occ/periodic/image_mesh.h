@@ -13,7 +13,4 @@ namespace af2::geometry {
 /// not possible, and then leaves the mesh as it is; empty: it was done.
 std::string makeImage(ModelMesh& mesh, PeriodicPair& pair, double tolerance);
 
-/// Removes vertices that no element uses, and numbers those of the periodic pairs anew.
-void dropLooseVertices(ModelMesh& mesh);
-
 }  // namespace af2::geometry

@@ -9,6 +9,7 @@
 #include "engine/base/error.h"
 #include "engine/base/place_text.h"
 #include "geometry/check/sound_faces.h"
+#include "geometry/mesh/unused_vertices.h"
 #include "geometry/occ/base/points.h"
 #include "geometry/occ/model/model_shape.h"
 #include "geometry/occ/periodic/face_map.h"
@@ -175,7 +176,7 @@ ModelMesh meshPeriodic(const Model& model, const AF2Algorithm& algorithm,
     else
       mesh.periodic.push_back(std::move(pair));
   }
-  dropLooseVertices(mesh);
+  dropUnusedVertices(mesh);
   const std::size_t vertices = mesh.vertices.size();
   for (const std::string& finding : keepSoundFaces(mesh, faultsOf(mesh, true, options.threads)))
     mesh.findings.push_back(finding);

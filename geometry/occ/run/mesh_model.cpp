@@ -159,13 +159,15 @@ class CadFaces final : public FaceSource {
     return sizes;
   }
 
-  /// The volume of the model takes time, and is within 2 % where the area is very near.
+  /// The volume of the model takes time, so it is asked for only where the areas differ.
   void noteVolume(ModelMesh& mesh) const {
     constexpr double kNear = 0.002;
     const double wanted = std::accumulate(areas_.begin(), areas_.end(), 0.0);
-    if (std::abs(areaOfElements(mesh) - wanted) <= kNear * wanted || !enclosedVolume(mesh)) return;
+    if (std::abs(areaOfElements(mesh) - wanted) <= kNear * wanted) return;
+    const std::optional<double> enclosed = enclosedVolume(mesh);
+    if (!enclosed) return;
     const std::string note =
-        volumeNote(mesh, volumeOfSolids(model_.shape()).value_or(0), "the model");
+        volumeNote(*enclosed, volumeOfSolids(model_.shape()).value_or(0), "the model");
     if (!note.empty()) mesh.notes.push_back(note);
   }
 

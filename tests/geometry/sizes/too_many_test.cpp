@@ -22,7 +22,6 @@ TEST(TooMany, IsWhatDoesNotFitTheMemory) {
   EXPECT_EQ(refusal(4e7, 1e9),
             "the sizes need about 4e+07 elements, which take about 4 GB of memory, but 1 GB are "
             "allowed; ask for sizes that are at least 2 times as large");
-  EXPECT_NE(refusal(1.9e9, 0).find(" are free; "), std::string::npos);  // 190 GB
 }
 
 TEST(TooMany, IsWhatCannotBeNumbered) {
