@@ -48,15 +48,16 @@ int faceAt(const ModelShape& model, std::size_t index, const Point3& p) {
   refusePoint(index, p, "it is on no face of the model");
 }
 
+/// Parts are added to a face that looks forward: the builder reverses them otherwise.
 TopoDS_Shape withVertices(const TopoDS_Shape& face, const std::vector<Point3>& points) {
   BRep_Builder builder;
-  TopoDS_Shape copy = face.EmptyCopied();
+  TopoDS_Shape copy = face.EmptyCopied().Oriented(TopAbs_FORWARD);
   for (TopoDS_Iterator it(face.Oriented(TopAbs_FORWARD)); it.More(); it.Next())
     builder.Add(copy, it.Value());
   for (const Point3& p : points)
     builder.Add(
         copy, BRepBuilderAPI_MakeVertex(gp_Pnt(p.x, p.y, p.z)).Vertex().Oriented(TopAbs_INTERNAL));
-  return copy;
+  return copy.Oriented(face.Orientation());
 }
 
 }  // namespace

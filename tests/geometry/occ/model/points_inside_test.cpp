@@ -8,6 +8,7 @@
 
 #include "engine/base/error.h"
 #include "geometry/mesh/quality.h"
+#include "geometry/occ/model/solid_volume.h"
 #include "tests/geometry/occ/meshing.h"
 #include "tests/support/model_mesh.h"
 
@@ -30,6 +31,14 @@ TEST(PointsInside, BecomeVerticesOfPlaneAndCurvedFaces) {
       return std::ranges::count(element.vertices(), id) > 0;
     }));
   }
+}
+
+/// Faces that look backwards keep their boundaries as they are.
+TEST(PointsInside, LeaveTheVolume) {
+  const std::vector<Point3> points{{0.5, 1, 0}, {0.5, 1, 3}, {0, 1, 1},
+                                   {1, 1, 1},   {0.5, 0, 1}, {0.5, 2, 1}};
+  const Model model = withPointsInside(testing::box(1, 2, 3), points);
+  EXPECT_NEAR(volumeOfSolids(model.shape()).value_or(0), 6, 1e-9);
 }
 
 TEST(PointsInside, AreRefusedOffTheFacesAndOnEdges) {
