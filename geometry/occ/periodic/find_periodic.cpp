@@ -184,7 +184,8 @@ std::vector<PeriodicPair> findPeriodic(const Model& model, const PeriodicRequest
       if (face < 1 || face > model.faceCount())
         throw InputError("there is no face " + std::to_string(face) +
                          "; the model has faces 1 to " + std::to_string(model.faceCount()));
-    if (first == second || std::ranges::count(images, second) > 0)
+    if (first == second) throw InputError(nameOf(model, second) + " cannot be its own image");
+    if (std::ranges::count(images, second) > 0)
       throw InputError(nameOf(model, second) + " can be the image of one other face only");
     images.push_back(second);
     pairs.push_back({first, second, mapBetween(model, first, second).matrix(), {}});
