@@ -73,7 +73,8 @@ void checkMirror(const CompiledRule& rule, const RuleSetDefinition& settings, Fi
 
 void checkOne(const CompiledRule& rule, std::span<const CompiledRule> all,
               const RuleSetDefinition& settings, Findings& findings) {
-  if (rule.isMirror || !rule.image) return;
+  // A path is sought from every vertex of a loop, in both directions.
+  if (rule.isMirror || !rule.image || rule.definition.path) return;
   if (rule.mirrorSpan) return checkMirror(rule, settings, findings);
   // An image that always ties would never be chosen, so nobody should be asked for it.
   if (doTheSame(rule.definition, *rule.image) || alwaysTie(rule.definition, *rule.image, settings))

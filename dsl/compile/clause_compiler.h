@@ -171,6 +171,7 @@ class ClauseCompiler {
   std::shared_ptr<const AF2FreeZoneDef> cornerZone(const ReadZone& zone);
   ShapeValue shapeOf(const ReadZone& zone);
   void listNamesBelow();
+  std::vector<std::int8_t> cornerVerticesOf(const ShapeValue& shape);
   static ShapeValue unionOf(std::vector<ShapeValue> shapes);
   Value oneShape(const Expr& expr);
   bool isShapeClause(const ZoneClause& clause) { return clause.corners.size() == 1; }

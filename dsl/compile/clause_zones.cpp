@@ -76,6 +76,25 @@ ShapeValue ClauseCompiler::shapeOf(const ReadZone& zone) {
   return reflected(algebra(), result);
 }
 
+/// The vertices of the rule that are the corners of a polygon with straight sides; none if it has
+/// other corners.
+std::vector<std::int8_t> ClauseCompiler::cornerVerticesOf(const ShapeValue& shape) {
+  const bool isPolygon = shape.kind == ShapeKind::Convex || shape.kind == ShapeKind::Poly;
+  if (!isPolygon || std::ranges::find(shape.arcs, true) != shape.arcs.end()) return {};
+  std::vector<NodePair> vertices(matched_.size());
+  for (const auto& [name, vertex] : matched_)
+    vertices[static_cast<std::size_t>(stored(vertex))] =
+        algebra().toBase(algebra().vertex(vertex).at);
+  vertices.insert(vertices.end(), newPlaces_.begin(), newPlaces_.end());
+  std::vector<std::int8_t> corners;
+  for (const NodePair& point : shape.points) {
+    const auto found = std::ranges::find(vertices, point);
+    if (found == vertices.end()) return {};
+    corners.push_back(static_cast<std::int8_t>(found - vertices.begin()));
+  }
+  return corners;
+}
+
 ShapeValue ClauseCompiler::unionOf(std::vector<ShapeValue> shapes) {
   ShapeValue result = std::move(shapes[0]);
   for (std::size_t i = 1; i < shapes.size(); ++i) {
@@ -135,8 +154,10 @@ void ClauseCompiler::compileZones() {
       alternatives.push_back({hasWhen(zone) ? makeFunction(builder_, zone.when.number) : nullptr,
                               program(shapeOf(zone))});
   }
+  std::vector<std::int8_t> corners;
+  if (united.size() == 1) corners = cornerVerticesOf(united[0]);
   if (!united.empty()) alternatives.push_back({nullptr, program(unionOf(std::move(united)))});
-  definition().zone = std::make_shared<ShapeZoneDef>(std::move(alternatives));
+  definition().zone = std::make_shared<ShapeZoneDef>(std::move(alternatives), std::move(corners));
 }
 
 }  // namespace af2::dsl

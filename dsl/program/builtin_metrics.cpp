@@ -108,7 +108,7 @@ Value jacobianBadness(const Algebra& a, Values, Values corners) {
 }
 
 /// The smallest signed sine of the angles at the corners; for triangles it is scaled so that the
-/// equilateral one has 1.
+/// equilateral one has 1. It is limited to 1, so that bounds of scores are known.
 Value scaledJacobian(const Algebra& a, Values, Values corners) {
   ProgramBuilder& b = a.builder();
   const auto edges = edgesOf(a, corners);
@@ -121,6 +121,7 @@ Value scaledJacobian(const Algebra& a, Values, Values corners) {
     least = least < 0 ? sine : b.make(Op::Minimum, {least, sine});
   }
   if (n == 3) least = b.multiply(b.constant(2 / std::sqrt(3.0)), least);
+  least = b.make(Op::Minimum, {least, b.constant(1)});
   return a.scalar(Type::Number, least);
 }
 

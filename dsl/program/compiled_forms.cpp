@@ -71,6 +71,11 @@ std::optional<double> ExpressionMetric::badnessAt(std::span<const Point2> corner
   return result[0];
 }
 
+double ExpressionMetric::leastAt(int corners, int level) const {
+  const auto& program = corners == 3 ? triangle_ : quad_;
+  return program ? leastValue(*program, level) : 0;
+}
+
 ExpressionAcceptance::ExpressionAcceptance(Program program) : program_(std::move(program)) {
   for (const Step& step : program_.steps())
     needsMeasures_ = needsMeasures_ || (step.op == Op::Input && step.index != kScoreInput);
@@ -85,8 +90,10 @@ bool ExpressionAcceptance::acceptsMeasured(double score, int level,
 
 ExpressionFrontOrder::ExpressionFrontOrder(std::vector<Program> keys) : keys_(std::move(keys)) {
   for (const Program& key : keys_)
-    for (const Step& step : key.steps())
-      needsTurns_ = needsTurns_ || step.op == Op::Turn || step.op == Op::Count;
+    for (const Step& step : key.steps()) {
+      needsTurns_ = needsTurns_ || step.op == Op::Turn || step.op == Op::TurnOrStraight;
+      needsSweeps_ = needsSweeps_ || step.op == Op::Count;
+    }
 }
 
 double ExpressionFrontOrder::key(int index, const FrontEdgeFacts& edge) const {

@@ -4,6 +4,7 @@
 #include <memory>
 #include <vector>
 
+#include "dsl/program/least_value.h"
 #include "dsl/program/program.h"
 #include "dsl/program/values.h"
 #include "engine/rule/element_metric.h"
@@ -28,6 +29,7 @@ class ExpressionFunction final : public AF2BindingFunction {
  public:
   explicit ExpressionFunction(Program program) : program_(std::move(program)) {}
   std::optional<double> evaluate(const AF2Binding& binding) const override;
+  double leastAt(int level) const override { return leastValue(program_, level); }
   const Program& program() const { return program_; }
 
  private:
@@ -45,6 +47,7 @@ class ExpressionMetric final : public AF2ElementMetric {
     return badnessAt(corners, 1);
   }
   std::optional<double> badnessAt(std::span<const Point2> corners, int level) const override;
+  double leastAt(int corners, int level) const override;
 
  private:
   std::optional<Program> triangle_, quad_;
@@ -74,10 +77,11 @@ class ExpressionFrontOrder final : public AF2FrontOrder {
   int keyCount() const override { return static_cast<int>(keys_.size()); }
   double key(int index, const FrontEdgeFacts& edge) const override;
   bool needsTurns() const override { return needsTurns_; }
+  bool needsSweeps() const override { return needsSweeps_; }
 
  private:
   std::vector<Program> keys_;
-  bool needsTurns_ = false;
+  bool needsTurns_ = false, needsSweeps_ = false;
 };
 
 /// The affine form if there is one, otherwise the general form.

@@ -126,8 +126,9 @@ double ShapeProgram::holds(const AF2Binding& binding, Point2 point) const {
   return holds ? (*holds ? 1 : 0) : std::numeric_limits<double>::quiet_NaN();
 }
 
-ShapeZoneDef::ShapeZoneDef(std::vector<Alternative> alternatives)
-    : alternatives_(std::move(alternatives)) {
+ShapeZoneDef::ShapeZoneDef(std::vector<Alternative> alternatives,
+                           std::vector<std::int8_t> cornerVertices)
+    : alternatives_(std::move(alternatives)), cornerVertices_(std::move(cornerVertices)) {
   if (alternatives_.empty()) throw InputError("free zone: no shape is given");
 }
 

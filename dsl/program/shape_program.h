@@ -43,15 +43,19 @@ class ShapeZoneDef final : public AF2FreeZoneDef {
 
   /// The zone is the first alternative whose condition holds. If no condition holds, the match is
   /// refused.
-  explicit ShapeZoneDef(std::vector<Alternative> alternatives);
+  /// cornerVertices  see AF2FreeZoneDef
+  explicit ShapeZoneDef(std::vector<Alternative> alternatives,
+                        std::vector<std::int8_t> cornerVertices = {});
 
   Made makeFreeZone(const AF2Binding& binding) const override;
+  std::span<const std::int8_t> cornerVertices() const override { return cornerVertices_; }
   /// The shape at a match, for pictures and checks; nothing if there is none.
   std::optional<Shape> shapeAt(const AF2Binding& binding) const;
   std::span<const Alternative> alternatives() const { return alternatives_; }
 
  private:
   std::vector<Alternative> alternatives_;
+  std::vector<std::int8_t> cornerVertices_;
 };
 
 }  // namespace af2::dsl

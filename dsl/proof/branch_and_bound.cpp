@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "dsl/proof/box_run.h"
+#include "dsl/program/box_run.h"
 
 namespace af2::dsl {
 namespace {
@@ -34,7 +34,7 @@ class Search {
 
   bool holds(ProofEffort& effort) {
     Box whole;
-    for (const GraphVariable& variable : graph_.variables()) whole.push_back(variable.range);
+    for (const BoxVariable& variable : graph_.variables()) whole.push_back(variable.range);
     std::vector<Box> open{std::move(whole)};
     while (!open.empty()) {
       if (effort.mostBoxes == 0) return false;

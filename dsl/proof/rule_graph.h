@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "dsl/match/match_sampler.h"
+#include "dsl/program/box_run.h"
 #include "dsl/program/program.h"
 #include "dsl/program/values.h"
-#include "dsl/proof/interval.h"
 #include "dsl/proof/linear_forms.h"
 #include "engine/rule/rule_set.h"
 
@@ -30,13 +30,6 @@ struct GraphZone {
       untruths;  ///< conditions that hold, and that fail, if it is used
 };
 
-/// A coordinate of the match, and its bounds.
-struct GraphVariable {
-  Op op;  ///< CoordinateX or CoordinateY
-  int vertex;
-  Interval range;
-};
-
 /// Bounds of the matches of a graph that the pattern does not set; the same as for samples.
 struct MatchDomain {
   Interval baseLengths{kShortestBase, kLongestBase};  ///< in multiples of the target size
@@ -51,7 +44,8 @@ class RuleGraph {
 
   const std::vector<NodePair>& placed() const { return placed_; }  ///< matched, then new vertices
   const std::vector<GraphZone>& zones() const { return zones_; }   ///< alternatives, in order
-  const std::vector<GraphVariable>& variables() const { return variables_; }
+  /// The coordinates of the match.
+  const std::vector<BoxVariable>& variables() const { return variables_; }
   /// Nodes that are >= 0, and conditions that hold, at every match.
   const std::vector<Node>& facts() const { return facts_; }
   const std::vector<Node>& truths() const { return truths_; }
@@ -109,7 +103,7 @@ class RuleGraph {
   std::vector<Step> steps_;  // by node, for conditions
   std::vector<NodePair> placed_;
   std::vector<GraphZone> zones_;
-  std::vector<GraphVariable> variables_;
+  std::vector<BoxVariable> variables_;
   std::vector<Node> facts_, truths_;
   int unknowns_ = 0;
 };

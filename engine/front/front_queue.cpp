@@ -6,13 +6,15 @@
 namespace af2 {
 namespace {
 
-FrontEdgeFacts factsOf(const Front& front, PlaceId id, bool needsTurns) {
+FrontEdgeFacts factsOf(const Front& front, PlaceId id, const AF2FrontOrder& order) {
   const Place& a = front[id];
   const Place& b = front[a.next];
   FrontEdgeFacts facts{a.level, a.layer, b.layer, 2 * front.edgeLength(id) / (a.size + b.size)};
-  if (!needsTurns) return facts;
-  facts.turnA = front.turn(id);
-  facts.turnB = front.turn(a.next);
+  if (order.needsTurns()) {
+    facts.turnA = front.turn(id);
+    facts.turnB = front.turn(a.next);
+  }
+  if (!order.needsSweeps()) return facts;
   facts.sweepA = front.sweep(id);
   facts.sweepB = front.sweep(a.next);
   facts.ownCountA = a.ownCount;
@@ -33,7 +35,7 @@ FrontQueue::FrontQueue(const AF2FrontOrder& order)
     : order_(order),
       layered_(order.layered()),
       own_(order.makeQueue()),
-      isRenewed_(!layered_ && !own_ && order.needsTurns()) {}
+      isRenewed_(!layered_ && !own_ && (order.needsTurns() || order.needsSweeps())) {}
 
 void FrontQueue::push(const Front& front, PlaceId id) {
   if (layered_) {
@@ -58,7 +60,7 @@ void FrontQueue::push(const Front& front, PlaceId id) {
 
 FrontQueue::KeyedEntry FrontQueue::keyedEntry(const Front& front, PlaceId id,
                                               std::uint64_t turn) const {
-  const FrontEdgeFacts facts = factsOf(front, id, order_.needsTurns());
+  const FrontEdgeFacts facts = factsOf(front, id, order_);
   KeyedEntry keyed{0, {}, turn, 0, {id, front[id].age}};
   if (order_.keyCount() > 0) keyed.key = order_.key(0, facts);
   for (int i = 1; i < order_.keyCount(); ++i) keyed.moreKeys.push_back(order_.key(i, facts));

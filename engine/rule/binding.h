@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <limits>
 #include <optional>
 #include <span>
 
@@ -67,6 +68,9 @@ class AF2_EXPORT AF2BindingFunction {
   virtual ~AF2BindingFunction() = default;
   /// No value if the expression has none (division by zero, parallel lines).
   virtual std::optional<double> evaluate(const AF2Binding& binding) const = 0;
+  /// A lower bound of the values at a quality level. The better it is, the more rules a step can
+  /// leave out whose cost is too high in any case.
+  virtual double leastAt(int /*level*/) const { return -std::numeric_limits<double>::infinity(); }
 };
 
 }  // namespace af2

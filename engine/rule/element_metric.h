@@ -24,6 +24,8 @@ class AF2_EXPORT AF2ElementMetric {
   virtual std::optional<double> badnessAt(std::span<const Point2> corners, int /*level*/) const {
     return badness(corners);
   }
+  /// A lower bound of the badness of elements with this number of corners at a quality level.
+  virtual double leastAt(int /*corners*/, int /*level*/) const { return -INFINITY; }
 };
 
 /// weight * (sqrt(3)/36 * perimeter^2/area - 1) + sum over the edges (length + 1/length - 2);
@@ -42,6 +44,9 @@ class AF2_EXPORT ShapeSizeMetric final : public AF2ElementMetric {
     const double size = (ab + 1 / ab - 2) + (bc + 1 / bc - 2) + (ca + 1 / ca - 2);
     return weight_ * (perimeter * perimeter / (0.5 * doubleArea * kTrianglePerimeterRatio) - 1) +
            size;
+  }
+  double leastAt(int /*corners*/, int /*level*/) const override {
+    return weight_ < 0 ? -INFINITY : 0;
   }
   double weight() const { return weight_; }
 

@@ -1,6 +1,7 @@
 // The free zone of a rule: the region around a match that must be empty.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <span>
@@ -48,6 +49,10 @@ class AF2_EXPORT AF2FreeZoneDef {
 
   virtual ~AF2FreeZoneDef() = default;
   virtual Made makeFreeZone(const AF2Binding& binding) const = 0;
+  /// The vertices of the rule, matched and new ones, that are the corners of the zone at every
+  /// match, if it is a polygon with straight sides; else none. Where this polygon is strictly
+  /// convex, the engine tests it without making the zone.
+  virtual std::span<const std::int8_t> cornerVertices() const { return {}; }
 };
 
 /// The convex polygon on plain arrays, used by both the open and the fast form of the zone.

@@ -38,8 +38,8 @@ class AF2_EXPORT AF2EdgeQueue {
 ///
 /// Most orders sort by keys: the smallest key first, compared lexicographically. Ties, and orders
 /// without keys, go to the edge that entered first. A key is computed when an edge enters the front
-/// and when its level rises; keys that use turns also when an end of the edge gets another
-/// neighbour. An order that keys cannot express provides a queue of its own.
+/// and when its level rises; keys that use turns or sweeps also when an end of the edge gets
+/// another neighbour. An order that keys cannot express provides a queue of its own.
 class AF2_EXPORT AF2FrontOrder {
  public:
   virtual ~AF2FrontOrder() = default;
@@ -47,6 +47,8 @@ class AF2_EXPORT AF2FrontOrder {
   virtual double key(int /*index*/, const FrontEdgeFacts&) const { return 0; }
   /// Whether `key` uses the turns, which cost more to compute than the rest.
   virtual bool needsTurns() const { return true; }
+  /// Whether `key` uses the sweeps and own counts.
+  virtual bool needsSweeps() const { return needsTurns(); }
   /// A queue that keeps this order and replaces the one that sorts by keys; null: there is none.
   virtual std::unique_ptr<AF2EdgeQueue> makeQueue() const { return nullptr; }
   /// The fast form of the same order; null: there is none.

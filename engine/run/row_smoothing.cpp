@@ -12,21 +12,33 @@ namespace {
 
 constexpr double kGoodJacobian = 0.5;
 constexpr double kStep = 0.5, kAlong = 0.35;
-/// In wanted lengths: the longest move, and how near the front may come to itself.
-constexpr double kLongestMove = 0.25, kNearest = 0.3;
+/// In wanted lengths: the longest move, the shortest one that is worth its cost, and how near the
+/// front may come to itself.
+constexpr double kLongestMove = 0.25, kShortestMove = 1e-3, kNearest = 0.3;
 
 class RowSmoother {
  public:
   explicit RowSmoother(Advance& advance) : advance_(advance) { collect(); }
 
   std::size_t round() {
+    ++round_;
     std::size_t moves = 0;
-    for (const auto& [vertex, place] : onFront_) moves += smooth(vertex, place, true);
-    for (const auto& [vertex, place] : behind_) moves += smooth(vertex, place, false);
+    for (const auto& [vertex, place] : onFront_) moves += visit(vertex, place, true);
+    for (const auto& [vertex, place] : behind_) moves += visit(vertex, place, false);
     return moves;
   }
 
  private:
+  /// Only where something has moved since the last visit is there anything to do.
+  bool visit(VertexId v, PlaceId place, bool isOnFront) {
+    if (stirred_[v.value] < round_ - 1 || !smooth(v, place, isOnFront)) return false;
+    stirred_[v.value] = round_;
+    advance_.elements.forEachAt(v, [&](std::size_t e, std::size_t) {
+      for (const VertexId w : advance_.mesh.elements[e].vertices()) stirred_[w.value] = round_;
+    });
+    return true;
+  }
+
   using Vertices = std::vector<std::pair<VertexId, PlaceId>>;
 
   /// The vertices of the front, and those behind it with a place of the front to see them from.
@@ -37,6 +49,7 @@ class RowSmoother {
       if (front.hasEdge(PlaceId(i))) all.emplace_back(front[PlaceId(i)].vertex, PlaceId(i));
     std::ranges::sort(all);
     isOnFront_.assign(advance_.mesh.vertices.size(), false);
+    stirred_.assign(advance_.mesh.vertices.size(), 0);
     for (std::size_t i = 0; i < all.size(); ++i) {
       const bool isAlone = (i == 0 || all[i - 1].first != all[i].first) &&
                            (i + 1 == all.size() || all[i + 1].first != all[i].first);
@@ -60,6 +73,7 @@ class RowSmoother {
       auto to = isOnFront ? wantedOnFront(chart, v, place, from) : wantedBehind(chart, v, from);
       if (!to) return false;
       const double away = distance(from, *to);
+      if (away < kShortestMove) return false;
       if (away > kLongestMove) to = from + (kLongestMove / away) * (*to - from);
       if (!keepsElements(chart, v, from, *to)) return false;
       if (isOnFront && !keepsApart(chart, v, place, *to)) return false;
@@ -125,13 +139,16 @@ class RowSmoother {
   }
 
   bool keepsElements(const StepChart& chart, VertexId v, Point2 from, Point2 to) const {
-    double before = 1, after = 1;
-    advance_.elements.forEachAt(v, [&](std::size_t e, std::size_t) {
-      const Element& element = advance_.mesh.elements[e];
-      before = std::min(before, scaledJacobianIn(chart, advance_.mesh, element, v, from));
-      after = std::min(after, scaledJacobianIn(chart, advance_.mesh, element, v, to));
-    });
-    return after >= std::min(before, kGoodJacobian);
+    const auto least = [&](Point2 place) {
+      double jacobian = 1;
+      advance_.elements.forEachAt(v, [&](std::size_t e, std::size_t) {
+        const Element& element = advance_.mesh.elements[e];
+        jacobian = std::min(jacobian, scaledJacobianIn(chart, advance_.mesh, element, v, place));
+      });
+      return jacobian;
+    };
+    const double after = least(to);
+    return after >= kGoodJacobian || after >= least(from);
   }
 
   /// Whether the front edges at a place would stay away from all others but their neighbours.
@@ -158,6 +175,8 @@ class RowSmoother {
   ChartSlot slot_;
   Vertices onFront_, behind_;
   std::vector<bool> isOnFront_;  ///< by vertex
+  int round_ = 0;
+  std::vector<int> stirred_;  ///< by vertex: the last round in which it or a neighbour moved
 };
 
 }  // namespace

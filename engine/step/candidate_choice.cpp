@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "engine/base/pair.h"
 #include "engine/base/stopwatch.h"
@@ -125,11 +126,30 @@ void CandidateChoice::gather(const StepChart& chart, PlaceId base) {
                rules_.windowAt(front_[base].level, baseLength, wasWide_));
 }
 
+/// Rules whose scores have the same lower bound are tried together, those with low bounds first.
+/// The rest is left out once a free candidate is better than what the rest could be.
 const Application* CandidateChoice::choose(const StepChart& chart, PlaceId base) {
   gather(chart, base);
   countExamined(near_.lookedAt());
   const StepView view = viewOf(chart, base);
-  collect(view);
+  untried_.clear();
+  collected_ = 0;
+  std::span<const RuleAtLevel> rules = rules_.rulesAt(view.level);
+  while (!rules.empty()) {
+    const auto end = std::ranges::find_if(
+        rules, [&](const RuleAtLevel& at) { return at.leastScore > rules.front().leastScore; });
+    const auto count = static_cast<std::size_t>(end - rules.begin());
+    collect(view, rules.first(count));
+    rules = rules.subspan(count);
+    const double bound = rules.empty() ? INFINITY : rules.front().leastScore;
+    if (const Application* chosen = firstFree(view, bound)) return chosen;
+  }
+  wasWide_ = false;
+  return nullptr;
+}
+
+/// The best of the collected candidates that is free, if its score is below the bound.
+const Application* CandidateChoice::firstFree(const StepView& view, double bound) {
   RuleRefusal culprit;
   // Where a front is crowded there may be thousands of candidates, few of which are free.
   const bool isSorted = untried_.size() > kManyCandidates;
@@ -137,6 +157,7 @@ const Application* CandidateChoice::choose(const StepChart& chart, PlaceId base)
   while (!untried_.empty()) {
     const std::size_t best = isSorted ? untried_.size() - 1 : bestUntried();
     const Candidate& candidate = candidates_[untried_[best]];
+    if (!(candidate.score < bound)) return nullptr;
     countExamined(near_.edges().size());
     if (testFront(view, candidate, culprit) == Refusal::None &&
         prepare(view, candidate) == Refusal::None) {
@@ -146,7 +167,6 @@ const Application* CandidateChoice::choose(const StepChart& chart, PlaceId base)
     untried_[best] = untried_.back();
     untried_.pop_back();
   }
-  wasWide_ = false;
   return nullptr;
 }
 
@@ -192,27 +212,30 @@ void CandidateChoice::showAllMatches(const StepView& view, const Find& find) {
   }
 }
 
-void CandidateChoice::collect(const StepView& view) {
-  showAllMatches(view, [&] { collectShown(view); });
+void CandidateChoice::collect(const StepView& view, std::span<const RuleAtLevel> rules) {
+  const std::size_t firstUntried = untried_.size(), first = collected_;
+  showAllMatches(view, [&] {
+    untried_.resize(firstUntried);
+    collected_ = first;
+    collectShown(view, rules);
+  });
 }
 
-void CandidateChoice::collectShown(const StepView& view) {
+void CandidateChoice::collectShown(const StepView& view, std::span<const RuleAtLevel> rules) {
   // Scoring a match takes as long as visiting this many edges.
   constexpr std::size_t kLikeEdges = 4;
-  untried_.clear();
   std::size_t refused = 0;
-  for (const RuleAtLevel& at : rules_.rulesAt(view.level)) {
+  for (const RuleAtLevel& at : rules) {
     const CompiledRule& rule = *at.rule;
     matcher_.forEachMatch(*at.pattern, [&](const Match& match) {
       ++examined_;
       if (isInTheWay(at, match)) return;
-      const std::size_t next = untried_.size();
-      if (next == candidates_.size()) candidates_.emplace_back();
-      Candidate& candidate = candidates_[next];
+      if (collected_ == candidates_.size()) candidates_.emplace_back();
+      Candidate& candidate = candidates_[collected_];
       candidate.rule = &rule;
       candidate.match.take(match, rule.matchedCount);
       if (scorer_.evaluate(view, candidate) == Refusal::None)
-        untried_.push_back(static_cast<std::uint32_t>(next));
+        untried_.push_back(static_cast<std::uint32_t>(collected_++));
       else
         ++refused;
     });
@@ -297,6 +320,11 @@ Refusal CandidateChoice::visitObstacles(const StepView& view, const Candidate& c
   if (candidate.rule->zone) {
     if (!polygon_.make(*candidate.rule->zone, view.level, candidate.match.points.data()))
       return Refusal::Convexity;
+    searchZone(view, candidate, polygon_.boundingBox(), polygon_, visit);
+    return Refusal::None;
+  }
+  const auto corners = candidate.rule->zoneVertices;
+  if (!corners.empty() && polygon_.makeOf(corners, candidate.match.points.data())) {
     searchZone(view, candidate, polygon_.boundingBox(), polygon_, visit);
     return Refusal::None;
   }

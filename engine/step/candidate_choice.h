@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "engine/step/candidate_score.h"
@@ -69,8 +70,9 @@ class CandidateChoice {
   void show(const StepView& view, const Window& wanted);
   template <class Find>
   void showAllMatches(const StepView& view, const Find& find);
-  void collect(const StepView& view);
-  void collectShown(const StepView& view);
+  void collect(const StepView& view, std::span<const RuleAtLevel> rules);
+  void collectShown(const StepView& view, std::span<const RuleAtLevel> rules);
+  const Application* firstFree(const StepView& view, double bound);
   bool isInTheWay(const RuleAtLevel& at, const Match& match) const;
   void countExamined(std::size_t lookedAt);
   std::size_t bestUntried() const;
@@ -102,6 +104,7 @@ class CandidateChoice {
   RuleMatcher matcher_;
   CandidateScorer scorer_;
   std::vector<Candidate> candidates_;   // as many as there ever were in one step
+  std::size_t collected_ = 0;           // how many of them belong to this step
   std::vector<std::uint32_t> untried_;  // indices of this step's candidates not tried yet
   ZonePolygon polygon_;
   // Whether the last step's rule was wide: the next one is likely to be, too.

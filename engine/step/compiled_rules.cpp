@@ -362,6 +362,8 @@ void CompiledRules::addRule(const AF2Rule& rule) {
       definition.path ? std::vector(1, CompiledPattern{&rule, {}, {}}) : patternsOf(rule);
   compiled.newPoints = fastNewPoints(rule);
   compiled.zone = fastZone(rule, set_.maxLevel());
+  const auto corners = definition.zone->cornerVertices();
+  if (!compiled.zone && corners.size() <= AffineBatch::kCapacity) compiled.zoneVertices = corners;
   compiled.isWide = zoneReach(definition) > kOrdinaryReach;
   compiled.touchesItself = passesTwice(rule.replacement());
   compiled.isPlain = definition.requirements.empty() && !definition.cost;
@@ -369,10 +371,16 @@ void CompiledRules::addRule(const AF2Rule& rule) {
 }
 
 void CompiledRules::collectRules(int level) {
-  for (const CompiledRule& rule : rules_)
-    if (level >= rule.firstLevel && level <= rule.lastLevel && !rule.rule->definition().path)
-      byLevel_[indexOf(level)].push_back(
-          {&rule, &rule.patternAt(level), rule.zone ? &rule.zone->at(level) : nullptr});
+  auto& atLevel = byLevel_[indexOf(level)];
+  for (const CompiledRule& rule : rules_) {
+    const RuleDefinition& definition = rule.rule->definition();
+    if (level < rule.firstLevel || level > rule.lastLevel || definition.path) continue;
+    const bool isFast = rule.isPlain && rule.newPoints;
+    const double least = isFast ? -INFINITY : scoring_.leastScore(definition, level);
+    atLevel.push_back(
+        {&rule, &rule.patternAt(level), rule.zone ? &rule.zone->at(level) : nullptr, least});
+  }
+  std::ranges::stable_sort(atLevel, {}, &RuleAtLevel::leastScore);
 }
 
 void CompiledRules::makeWindows(int level) {

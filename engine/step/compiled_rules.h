@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "engine/rule/rule_set.h"
@@ -115,7 +116,9 @@ struct CompiledRule {
   std::vector<CompiledPattern> patterns;
   std::optional<AffineBatch> newPoints;  ///< the fast form, if all new points are affine
   std::optional<FastZone> zone;          ///< the fast form, if the zone has one
-  bool isPlain = false;                  ///< no requirement and no cost: only geometry decides
+  /// The corners of a zone without a fast form, if they are vertices of the rule.
+  std::span<const std::int8_t> zoneVertices;
+  bool isPlain = false;  ///< no requirement and no cost: only geometry decides
   /// The free zone reaches so far that it has its own search, so that steps of other rules can look
   /// at a smaller window.
   bool isWide = false;
@@ -134,6 +137,8 @@ struct RuleAtLevel {
   const CompiledRule* rule = nullptr;
   const CompiledPattern* pattern = nullptr;
   const AffineBatch* zone = nullptr;  ///< of the fast form, if there is one
+  /// No match has a lower score. -infinity for rules whose scores are computed fast.
+  double leastScore = 0;
 };
 
 class CompiledRules {
@@ -146,7 +151,7 @@ class CompiledRules {
   const RuleSet& set() const { return set_; }
   const RuleScoring& scoring() const { return scoring_; }
   const std::vector<CompiledRule>& rules() const { return rules_; }
-  /// The rules that are used at a level, in order.
+  /// The rules that are used at a level, by their least scores; those with equal ones in order.
   const std::vector<RuleAtLevel>& rulesAt(int level) const { return byLevel_[indexOf(level)]; }
   /// The window that a step at this level searches first. It holds every place that a rule can
   /// match, and the free zones of typical matches; a zone that sticks out needs a second search.

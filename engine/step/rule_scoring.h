@@ -83,6 +83,23 @@ class RuleScoring {
     return Refusal::None;
   }
 
+  /// A lower bound of the scores that a rule can have at a level.
+  double leastScore(const RuleDefinition& rule, int level) const {
+    constexpr double kRounding = 1e-12;
+    double largest = 0, sum = 0;
+    for (const RuleElement& element : rule.elements) {
+      const double least = set_.metric->leastAt(element.size(), level);
+      largest = &element == &rule.elements.front() ? least : std::max(largest, least);
+      sum += least;
+    }
+    const auto count = static_cast<double>(std::max<std::size_t>(rule.elements.size(), 1));
+    const double ofElements = set_.scoreOf == ScoreOf::Max   ? largest
+                              : set_.scoreOf == ScoreOf::Sum ? sum
+                                                             : sum / count;
+    const double least = ofElements + (rule.cost ? rule.cost->leastAt(level) : 0);
+    return std::isnan(least) ? -INFINITY : least - kRounding * (1 + std::abs(least));
+  }
+
   /// Score if the rule set does not accept the score or the shapes of the elements, else None.
   Refusal judge(const std::vector<RuleElement>& elements, const Point2* vertices, double score,
                 int level) const {

@@ -37,6 +37,14 @@ bool ZonePolygon::make(const FastZone& zone, int level, const Point2* matched) {
   return count_ > 0;
 }
 
+bool ZonePolygon::makeOf(std::span<const std::int8_t> corners, const Point2* vertices) {
+  count_ = corners.size();
+  for (std::size_t k = 0; k < count_; ++k)
+    corners_[k] = vertices[static_cast<std::size_t>(corners[k])];
+  drawSides();
+  return isPlainlyConvex();
+}
+
 void ZonePolygon::drawSides() {
   for (std::size_t k = count_; k <= kSides; ++k) corners_[k] = corners_[0];
   Values x, y;

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <span>
 
 #include "engine/base/predicates.h"
@@ -17,6 +18,9 @@ class ZonePolygon {
  public:
   /// Returns false if the corners do not run counter-clockwise around a convex region.
   bool make(const FastZone& zone, int level, const Point2* matched);
+  /// The polygon of some vertices of a rule, at most eight; `vertices` are the matched and new
+  /// ones. Returns false unless it is clearly strictly convex.
+  bool makeOf(std::span<const std::int8_t> corners, const Point2* vertices);
 
   const Box2& boundingBox() const { return box_; }
   bool contains(Point2 point, ZoneBoundary boundary) const;

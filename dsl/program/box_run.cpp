@@ -1,4 +1,4 @@
-#include "dsl/proof/box_run.h"
+#include "dsl/program/box_run.h"
 
 #include <algorithm>
 #include <array>
@@ -146,7 +146,18 @@ Local localOf(const Step& step, const std::array<Interval, 4>& a) {
       return jump({0, 5});
     case Op::OnBoundary:
     case Op::IsFixed:
+    case Op::LeftTurn:
+    case Op::NotRightTurn:
+    case Op::Inside:
       return jump(kTruth);
+    case Op::Turn:
+    case Op::TurnOrStraight:
+      return jump({0, kFullTurn + 1e-14});
+    case Op::SizeOf:
+    case Op::SizeAt:
+    case Op::FrontDistance:
+    case Op::CurvatureAt:
+      return jump({0, Interval::kInfinity});
     case Op::Add:
       return {a[0] + a[1], {kOne, kOne, {}, {}}};
     case Op::Subtract:
@@ -215,15 +226,6 @@ Local localOf(const Step& step, const std::array<Interval, 4>& a) {
     case Op::BeforeY:
     case Op::AfterX:
     case Op::AfterY:
-    case Op::Turn:
-    case Op::TurnOrStraight:
-    case Op::SizeOf:
-    case Op::SizeAt:
-    case Op::FrontDistance:
-    case Op::CurvatureAt:
-    case Op::LeftTurn:
-    case Op::NotRightTurn:
-    case Op::Inside:
     case Op::Call:
       break;
   }
@@ -232,7 +234,11 @@ Local localOf(const Step& step, const std::array<Interval, 4>& a) {
 
 }  // namespace
 
-BoxRun::BoxRun(const Program& program, std::span<const GraphVariable> variables)
+Interval boundsOf(const Step& step, const std::array<Interval, 4>& arguments) {
+  return localOf(step, arguments).value;
+}
+
+BoxRun::BoxRun(const Program& program, std::span<const BoxVariable> variables)
     : program_(program), variables_(variables.size()), variableOf_(program.stepCount(), -1) {
   values_.resize(program.stepCount());
   middles_.resize(program.stepCount());

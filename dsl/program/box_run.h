@@ -1,22 +1,32 @@
 // Bounds of all steps of a program, and of their derivatives, over a box of matches.
 #pragma once
 
+#include <array>
 #include <span>
 #include <vector>
 
+#include "dsl/program/interval.h"
 #include "dsl/program/program.h"
-#include "dsl/proof/interval.h"
-#include "dsl/proof/rule_graph.h"
 
 namespace af2::dsl {
 
+/// A step that varies, and its bounds: a coordinate of a vertex, or the quality level.
+struct BoxVariable {
+  Op op;
+  int vertex;
+  Interval range;
+};
+
 using Box = std::vector<Interval>;  ///< by variable
+
+/// Bounds of a step that is no variable, whatever the match, by those of its first four arguments.
+Interval boundsOf(const Step& step, const std::array<Interval, 4>& arguments);
 
 /// The bounds hold for every match of the box at which the step has a value. The slopes are bounds
 /// of the partial derivatives by variable; they are infinite if the step may be discontinuous.
 class BoxRun {
  public:
-  BoxRun(const Program& program, std::span<const GraphVariable> variables);
+  BoxRun(const Program& program, std::span<const BoxVariable> variables);
 
   void run(const Box& box);
 

@@ -1,4 +1,4 @@
-#include "dsl/proof/box_run.h"
+#include "dsl/program/box_run.h"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@ namespace {
 /// Five coordinates, as a rule with two matched vertices beside the base has them.
 constexpr int kVariables = 5;
 
-std::vector<GraphVariable> variables(const Box& box) {
+std::vector<BoxVariable> variables(const Box& box) {
   return {{Op::CoordinateX, 1, box[0]},
           {Op::CoordinateX, 2, box[1]},
           {Op::CoordinateY, 2, box[2]},
@@ -103,7 +103,7 @@ TEST(BoxRun, IsTightForSmallBoxes) {
       builder.make(Op::SquareRoot, {builder.add(builder.multiply(x, x), builder.multiply(y, y))});
   const std::array<Node, 1> results{builder.divide(x, size)};
   const Program program = builder.program(results);
-  const std::vector<GraphVariable> two{{Op::CoordinateX, 2, {}}, {Op::CoordinateY, 2, {}}};
+  const std::vector<BoxVariable> two{{Op::CoordinateX, 2, {}}, {Op::CoordinateY, 2, {}}};
   BoxRun run(program, two);
   run.run({{0.999, 1.001}, {0.999, 1.001}});
   const Interval value = run.value(static_cast<std::size_t>(program.results()[0]));

@@ -1,4 +1,4 @@
-#include "dsl/proof/interval.h"
+#include "dsl/program/interval.h"
 
 #include <algorithm>
 #include <cmath>
