@@ -2,9 +2,11 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <initializer_list>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "cli/meshing/rule_statistics.h"
 
@@ -66,6 +68,18 @@ std::string sourceTable(const RunStatistics& statistics) {
   return text;
 }
 
+/// What fronts did beside adding elements; empty if they did nothing else.
+std::string actTable(const FrontActCounts& acts) {
+  if (acts == FrontActCounts{}) return "";
+  std::string text = "\nact of the fronts     number\n";
+  const std::array rows{std::pair{"weld", acts.welds}, std::pair{"row completed", acts.rows},
+                        std::pair{"vertex of a row moved", acts.moves},
+                        std::pair{"column planned", acts.columns}, std::pair{"path", acts.paths}};
+  for (const auto& [name, count] : rows)
+    if (count > 0) text += fmt::format("{:21}  {:6}\n", name, count);
+  return text;
+}
+
 double totalSeconds(const RunStatistics& statistics) {
   double sum = 0;
   for (const RuleCounts& rule : statistics.counts) sum += rule.seconds;
@@ -114,7 +128,8 @@ std::string toText(const RuleSet& rules, const RunStatistics& statistics) {
   };
   others("changed elements", statistics.changed);
   others("made without a rule", statistics.withoutRule);
-  return text + sourceTable(statistics) + "\n" + statistics.finish.toText();
+  return text + actTable(statistics.acts) + sourceTable(statistics) + "\n" +
+         statistics.finish.toText();
 }
 
 std::string toJson(const RuleSet& rules, const RunStatistics& statistics) {
@@ -127,6 +142,12 @@ std::string toJson(const RuleSet& rules, const RunStatistics& statistics) {
     json["sources"].push_back({{"source", toString(static_cast<ElementSource>(s))},
                                {"elements", statistics.sources[s].elements},
                                {"worst", statistics.sources[s].worst}});
+  if (const FrontActCounts& acts = statistics.acts; acts != FrontActCounts{})
+    json["acts"] = {{"welds", acts.welds},
+                    {"rows", acts.rows},
+                    {"moves", acts.moves},
+                    {"columns", acts.columns},
+                    {"paths", acts.paths}};
   json["finish"] = statistics.finish.toJson();
   return json.dump(2);
 }

@@ -14,10 +14,17 @@ namespace af2::cli {
 
 inline constexpr std::int32_t kNever = std::numeric_limits<std::int32_t>::max();
 
-/// One step, or one change after the front.
+/// One step, the smoothing of a row, or one change after the front.
 struct ViewEvent {
   /// Changes after the front have the value kFirstAct + FinishAct::Kind.
-  enum Kind : std::uint8_t { kRefused, kApplied, kClosedWithoutRule, kFirstAct };
+  enum Kind : std::uint8_t {
+    kRefused,
+    kApplied,
+    kClosedWithoutRule,
+    kTurnedRound,  ///< inverted elements were turned round before the front was finished
+    kRow,
+    kFirstAct
+  };
 
   std::uint8_t kind = kRefused, level = 0;
   std::int32_t front = 0;
@@ -25,6 +32,7 @@ struct ViewEvent {
   std::int32_t chart = -1;      ///< of a step: index of its chart; -1: the record has none
   std::uint32_t from = 0;       ///< of the base edge; else the vertex that moved or vanished
   std::uint32_t to = 0;         ///< of the base edge
+  std::uint32_t moves = 0;      ///< how many vertices move
   float before = 0, after = 0;  ///< score and edges of the front; else the worst badness
 };
 
@@ -45,9 +53,9 @@ struct ViewFront {
   std::size_t given = 0;                         ///< the first vertices, which were given to it
   std::int32_t firstEvent = 0;
   std::size_t edgesLeft = 0;
-  bool isFinished = false;       ///< whether changes after the front were seen
-  std::vector<Point3> finished;  ///< positions of its vertices at the end, if `isFinished`
-  Kept kept = Kept::Unknown;     ///< whether the mesh of the face consists of its elements
+  bool isFinished = false;     ///< whether changes after the front were seen
+  std::vector<Point3> places;  ///< of the vertices of its mesh, at the end
+  Kept kept = Kept::Unknown;   ///< whether the mesh of the face consists of its elements
 };
 
 struct FaceRecord {
@@ -55,10 +63,11 @@ struct FaceRecord {
   std::vector<ViewFront> fronts;
   std::vector<ViewEvent> events;
   std::vector<ViewElement> elements;
-  std::vector<Point3> vertices;     ///< of one front after the other, where they were made
-  std::vector<Point3> moves;        ///< by event that is a move: where the vertex moved
-  std::vector<std::string> charts;  ///< of steps, see stepChart
-  bool missesChanges = false;       ///< whether changes could not be assigned to a front
+  std::vector<Point3> vertices;      ///< of one front after the other, where they were made
+  std::vector<std::uint32_t> moved;  ///< the vertices that move, event by event
+  std::vector<Point3> moves;         ///< where each of them moves
+  std::vector<std::string> charts;   ///< of steps, see stepChart
+  bool missesChanges = false;        ///< whether changes could not be assigned to a front
 };
 
 }  // namespace af2::cli

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <vector>
 
 #include "cli/trace_view/face_record.h"
@@ -43,7 +44,8 @@ class FaceRecorder final : public AF2MeshingObserver, public FinishObserver {
   }
   bool wantsFrontAround(const StepReport&) const override { return charted_.contains(step_ + 1); }
   void frontAround(const StepReport& step, const LocalFront& around) override;
-  void frontEnded(std::size_t edgesLeft) override { record_.fronts.back().edgesLeft = edgesLeft; }
+  void frontActed(const FrontAct& act, const Mesh& mesh) override;
+  void frontEnded(std::size_t edgesLeft) override;
   FinishObserver* finishing() override { return this; }
 
   void finishBegun(const Mesh& mesh) override;
@@ -60,15 +62,24 @@ class FaceRecorder final : public AF2MeshingObserver, public FinishObserver {
   void bear(const Element& element, std::size_t front);
   void close(std::size_t front, const geometry::ModelMesh& mesh);
   void bury(const Element& element, std::size_t front);
+  void takeVertices(const Mesh& mesh);
+  void weld(const Mesh& mesh);
+  void move(std::uint32_t number, const Point3& to);
   bool isOf(const Mesh& mesh, const ViewFront& front) const;
+  std::size_t turnedFront(const Mesh& mesh);
   std::int32_t now() const { return static_cast<std::int32_t>(record_.events.size()) - 1; }
 
   const RuleSet& rules_;
   StepRange charted_;
   FaceRecord record_;
-  std::size_t step_ = 0;       ///< steps of the face so far
-  std::vector<Alive> alive_;   ///< by front
-  std::vector<Element> made_;  ///< by the last step
+  std::size_t step_ = 0;      ///< steps of the face so far
+  std::vector<Alive> alive_;  ///< by front
+  /// By front that has ended: the numbers of the vertices of its mesh.
+  std::vector<std::vector<std::uint32_t>> numbers_;
+  std::vector<Point3> places_;      ///< of the vertices of the front that runs
+  std::vector<bool> isDead_;        ///< the same vertices: whether they were welded into others
+  std::optional<FrontAct> welded_;  ///< by the step that is being taken
+  std::vector<Element> made_;       ///< by the last step
   std::vector<RuleRefusal> refusals_;
   std::uint32_t numberOf(VertexId v, std::size_t front) const;
 

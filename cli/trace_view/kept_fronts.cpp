@@ -37,14 +37,8 @@ class FreeVertices {
   std::vector<bool> isTaken_;
 };
 
-std::span<const Point3> allVertices(const FaceRecord& record, const ViewFront& front) {
-  if (front.isFinished) return front.finished;
-  return std::span(record.vertices).subspan(front.firstVertex, front.vertexCount);
-}
-
-std::span<const Point3> innerVertices(const FaceRecord& record, const ViewFront& front) {
-  const std::span<const Point3> all = allVertices(record, front);
-  return all.subspan(std::min(front.given, all.size()));
+std::span<const Point3> innerVertices(const ViewFront& front) {
+  return std::span(front.places).subspan(std::min(front.given, front.places.size()));
 }
 
 /// Those that exist at the end.
@@ -63,7 +57,7 @@ void mark(FaceRecord& record, std::size_t elements, FreeVertices& vertices) {
   bool isAnyKept = false;
   // The last of several equal attempts is the one that was kept.
   for (auto front = record.fronts.rbegin(); front != record.fronts.rend(); ++front) {
-    const auto inner = innerVertices(record, *front);
+    const auto inner = innerVertices(*front);
     const auto found = vertices.freeAmong(inner);
     if (front->edgesLeft == 0 && front->kept != Kept::No) closed.push_back(&*front);
     if (front->kept == Kept::No || inner.empty()) continue;
@@ -77,7 +71,7 @@ void mark(FaceRecord& record, std::size_t elements, FreeVertices& vertices) {
   if (std::ranges::count_if(closed, isOfSize) == 1)
     closed = {*std::ranges::find_if(closed, isOfSize)};
   const bool isCertain = std::ranges::all_of(closed, [&](const ViewFront* front) {
-    return std::ranges::equal(allVertices(record, *front), allVertices(record, *closed.front()));
+    return std::ranges::equal(front->places, closed.front()->places);
   });
   for (ViewFront& front : record.fronts) front.kept = isCertain ? Kept::No : front.kept;
   for (ViewFront* front : closed)

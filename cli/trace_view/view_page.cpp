@@ -44,6 +44,11 @@ class ViewWriter {
     geometry::writePageJson("info", geometry::jsonInScript(info), file);
     writePoints("positions", &FaceRecord::vertices, file);
     writePoints("moves", &FaceRecord::moves, file);
+    geometry::writePageArray("moved", "Uint32", file, [&](geometry::Base64Stream& out) {
+      for (std::size_t f = 0; f < faces_.size(); ++f)
+        for (const std::uint32_t vertex : faces_[f]->moved)
+          out.put(static_cast<std::uint32_t>(vertex + bases_[f].vertices));
+    });
     writeEvents(file);
     writeElements(file);
     file.text("<script type=\"text/plain\" id=\"charts\">");
@@ -158,6 +163,8 @@ class ViewWriter {
                   [&](Out& o, const Event& e, const Base& b) { o.put(shifted(e.from, b)); });
     writeOfEvents("to", "Uint32", file,
                   [&](Out& o, const Event& e, const Base& b) { o.put(shifted(e.to, b)); });
+    writeOfEvents("moveCount", "Uint32", file,
+                  [](Out& o, const Event& e, const Base&) { o.put(e.moves); });
     writeOfEvents("before", "Float32", file,
                   [](Out& o, const Event& e, const Base&) { o.put(e.before); });
     writeOfEvents("after", "Float32", file,

@@ -7,6 +7,7 @@
 #include "engine/mesh/element_shape.h"
 #include "engine/mesh/mesh_check.h"
 #include "engine/mesh/mesh_topology.h"
+#include "engine/optimize/corner_mending.h"
 #include "engine/optimize/edge_collapse.h"
 #include "engine/optimize/edge_swap.h"
 #include "engine/optimize/patch_filling.h"
@@ -170,6 +171,7 @@ OptimizeReport improve(Mesh& mesh, const MeshBoundary& boundary,
   }
   smooth();
   if (!options.stop.stop_requested()) report.moves += mendPoorElements(topology, smoother);
+  if (hasQuads) report.moves += mendCorners(topology, mesh, maker, recorder, options.stop);
   topology.compact();
   return report;
 }

@@ -44,7 +44,7 @@ class FrontActs final : public WeldGuard {
 
  private:
   void tell(const FrontAct& act) {
-    if (observer_) observer_->frontActed(act);
+    if (observer_) observer_->frontActed(act, advance_.mesh);
   }
 
   const CompiledRules& rules_;

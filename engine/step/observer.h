@@ -89,8 +89,8 @@ class AF2_EXPORT AF2MeshingObserver {
   virtual bool wantsFrontAround(const StepReport&) const { return false; }
   /// Follows `stepTaken`: the front around the base edge, as it was before the step.
   virtual void frontAround(const StepReport&, const LocalFront&) {}
-  /// Something beside a step that added elements; a weld follows its `stepTaken`.
-  virtual void frontActed(const FrontAct&) {}
+  /// Something beside adding elements, and the mesh after it. A weld comes before its `stepTaken`.
+  virtual void frontActed(const FrontAct&, const Mesh&) {}
   /// The front ended, with this number of edges that no rule took; 0: it closed.
   virtual void frontEnded(std::size_t /*edgesLeft*/) {}
   /// The observer of what is done to meshes after their fronts have closed, or null.

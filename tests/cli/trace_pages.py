@@ -133,6 +133,16 @@ def check_changes(page):
     return elements
 
 
+def check_rows(page):
+    """The smoothing of a row is shown between the steps, with the front around it."""
+    row = page.run("af2.run.kind.indexOf(eventKinds.row)")
+    assert row > 0, "no row"
+    page.run(f"af2.page.seek({row})")
+    assert "a row is complete" in text(page, "caption"), text(page, "caption")
+    assert page.run("af2.page.surface.front.visible && af2.page.surface.after.visible")
+    assert page.run("af2.run.rules.findIndex((rule) => rule.name === 'seam') >= 0")
+
+
 def check_play(page):
     """Plays until it is paused, and ends at the last event."""
     page.run("af2.page.seek(0)")
@@ -189,6 +199,18 @@ def main():
         shown = check_changes(page)
         af2("mesh", MODELS / "plate.poly", "--size", "0.5", "-o", f"{folder}/plate.obj", "-q")
         made = sum(line.startswith("f ") for line in open(f"{folder}/plate.obj"))
+        assert shown == made, f"the page ends with {shown} elements, the mesh has {made}"
+        check_quiet(page, path)
+
+        # Rows that are smoothed, elements that are turned round: nothing is missing.
+        path, _ = page_of(folder, "paved", "plate.poly", "--size", "0.25", "-r", "quad/paving", "--elements", "quad")
+        page.open(path)
+        assert text(page, "notes-list") == "", text(page, "notes-list")
+        check_rows(page)
+        shown = check_changes(page)
+        af2("mesh", MODELS / "plate.poly", "--size", "0.25", "-r", "quad/paving", "--elements", "quad", "-o",
+            f"{folder}/paved.obj", "-q")
+        made = sum(line.startswith("f ") for line in open(f"{folder}/paved.obj"))
         assert shown == made, f"the page ends with {shown} elements, the mesh has {made}"
         check_quiet(page, path)
 

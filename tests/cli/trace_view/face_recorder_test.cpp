@@ -4,10 +4,15 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <set>
+#include <tuple>
 
 #include "cli/trace_view/kept_fronts.h"
+#include "dsl/load/rule_file.h"
 #include "engine/optimize/optimize.h"
+#include "engine/optimize/turn_round.h"
 #include "tests/support/meshing.h"
+#include "tests/support/random_domain.h"
 
 namespace af2::cli {
 namespace {
@@ -17,13 +22,18 @@ using namespace af2::testing;
 struct Recorded {
   std::shared_ptr<const RuleSet> rules = triangleSet();
   FaceRecorder recorder;
-  FrontInput input = square(.1);
+  FrontInput input;
   MeshingResult result;
 
-  explicit Recorded(StepRange charted) : recorder(*rules, 7, charted) {
+  /// As a region is meshed: inverted elements are turned round before the front is finished.
+  void turnRound() { turnElementsRound(result.mesh, boundaryOf(input), FlatMaker(), {}); }
+
+  explicit Recorded(StepRange charted) : Recorded(triangleSet(), charted, square(.1), .1) {}
+  Recorded(std::shared_ptr<const RuleSet> set, StepRange charted, FrontInput in, double size)
+      : rules(std::move(set)), recorder(*rules, 7, charted), input(std::move(in)) {
     FrontOptions options;
     options.observer = &recorder;
-    result = AF2Algorithm(rules).execute(FlatMaker(), input, UniformSize(.1), options);
+    result = AF2Algorithm(rules).execute(FlatMaker(), input, UniformSize(size), options);
   }
 
   void finish() {
@@ -54,6 +64,41 @@ TEST(FaceRecorder, HasTheElementsOfTheFrontAndThenThoseOfTheFinishedMesh) {
   EXPECT_EQ(aliveAtEnd(run.recorder.record()), run.result.mesh.elements.size());
   EXPECT_GT(run.recorder.record().events.size(), run.result.steps);
   EXPECT_FALSE(run.recorder.record().missesChanges);
+}
+
+/// Welds, smoothing of rows, and changes after the front: whoever plays the record sees each vertex
+/// where it was, and at the end has the mesh.
+TEST(FaceRecorder, FollowsWeldsAndSmoothing) {
+  const auto loaded = dsl::loadRules(AF2_SOURCE_DIR "/rules/quad/paving.af2");
+  ASSERT_TRUE(loaded.rules);
+  std::size_t welds = 0, rows = 0, turned = 0;
+  for (unsigned seed = 0; seed < 8; ++seed) {
+    Recorded run(loaded.rules, {1, 0}, randomDomain(seed, 0.04), 0.04);
+    if (hasTurnedElements(run.result.mesh)) {
+      ++turned;
+      run.turnRound();
+    }
+    run.finish();
+    const FaceRecord& record = run.recorder.record();
+    EXPECT_FALSE(record.missesChanges);
+    EXPECT_EQ(aliveAtEnd(record), run.result.mesh.elements.size());
+    welds += run.result.acts.welds;
+    rows += static_cast<std::size_t>(
+        std::ranges::count(record.events, ViewEvent::kRow, &ViewEvent::kind));
+    std::vector<Point3> places = record.vertices;
+    for (std::size_t i = 0; i < record.moves.size(); ++i) places[record.moved[i]] = record.moves[i];
+    std::set<std::tuple<double, double, double>> shown, wanted;
+    for (const ViewElement& element : record.elements)
+      if (element.death == kNever)
+        for (const std::uint32_t v : element.corners)
+          if (v != ViewElement::kNoVertex) shown.emplace(places[v].x, places[v].y, 0);
+    for (const SurfacePoint& v : run.result.mesh.vertices)
+      wanted.emplace(v.position.x, v.position.y, 0);
+    EXPECT_EQ(shown, wanted);
+  }
+  EXPECT_GT(welds, 0u);
+  EXPECT_GT(rows, 10u);
+  EXPECT_GT(turned, 0u);
 }
 
 TEST(FaceRecorder, MakesChartsOfTheWantedStepsOnly) {

@@ -124,6 +124,55 @@ TEST(Refusal, NamesTheFirstOfTwoFaultsInTheStatedOrder) {
   }
 }
 
+/// A cost that says how low it can be, and counts how often it is evaluated.
+class CountedCost final : public AF2BindingFunction {
+ public:
+  CountedCost(double value, int& count) : value_(value), count_(count) {}
+  std::optional<double> evaluate(const AF2Binding&) const override {
+    ++count_;
+    return value_;
+  }
+  double leastAt(int) const override { return value_; }
+
+ private:
+  double value_;
+  int& count_;
+};
+
+/// The rule that the front chooses, and how often the costs of the first and the second rule were
+/// evaluated. A blocked rule has a zone of no shape.
+struct Chosen {
+  int first = 0, second = 0;
+  std::optional<std::size_t> rule;
+
+  Chosen(double firstCost, double secondCost, bool isSecondBlocked = false) {
+    Spoilt s;
+    s.rule.cost = std::make_shared<CountedCost>(firstCost, first);
+    s.set.rules = {AF2Rule(s.rule)};
+    s.rule.name = "another";
+    s.rule.cost = std::make_shared<CountedCost>(secondCost, second);
+    if (isSecondBlocked) s.rule.zone = std::make_shared<NoShape>();
+    s.set.rules.emplace_back(s.rule);
+    const RuleSet set(s.set);
+    rule = SingleStepper(set).chosenRule(s.piece);
+  }
+};
+
+TEST(LeastScore, RulesThatCannotBeBetterAreNotEvaluated) {
+  const Chosen chosen(0.5, 0.1);
+  EXPECT_EQ(chosen.rule, 1u);
+  EXPECT_EQ(chosen.second, 1);
+  EXPECT_EQ(chosen.first, 0);
+}
+
+TEST(LeastScore, TheyAreWhereTheBetterOneIsNotFree) {
+  const Chosen chosen(0.5, 0.1, true);
+  EXPECT_EQ(chosen.rule, 0u);
+  EXPECT_EQ(chosen.first, 1);
+}
+
+TEST(LeastScore, TiesGoToTheFirstRuleAsEver) { EXPECT_EQ(Chosen(0.1, 0.1).rule, 0u); }
+
 TEST(Refusal, ConvexityIsTheCommonestKindOfShape) {
   Spoilt s;
   s.rule.zone = zone({at(0), at(1), {combine({.5, .1}, {})}, {combine({.5, 2}, {})}});

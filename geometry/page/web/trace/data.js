@@ -1,11 +1,11 @@
 // What the page plays: events one after the other, and the elements that each of them made or removed.
 
-const eventKinds = { refused: 0, applied: 1, closed: 2, firstAct: 3 };
+const eventKinds = { refused: 0, applied: 1, closed: 2, turned: 3, row: 4, firstAct: 5 };
 
 /** The run: arrays by event and by element, and the mesh of all elements that existed at some time. */
 function readRun() {
   const run = JSON.parse(document.getElementById("info").textContent);
-  for (const name of ["kind", "level", "rule", "front", "chart", "from", "to", "before", "after", "birth", "death", "moves"])
+  for (const name of ["kind", "level", "rule", "front", "chart", "from", "to", "before", "after", "birth", "death", "moves", "moved", "moveCount"])
     run[name] = readArray(name);
   run.eventCount = run.kind.length;
   const corners = readArray("corners"), elementCount = run.birth.length;
@@ -25,16 +25,16 @@ function isStep(run, event) {
   return run.kind[event] <= eventKinds.applied;
 }
 
-function moveKind(run) {
-  return eventKinds.firstAct + run.acts.indexOf("move");
+/** Steps, and the smoothing of rows between them. */
+function isOfFront(run, event) {
+  return isStep(run, event) || run.kind[event] === eventKinds.row;
 }
 
-/** By event: its face, and the number of the last step in the face; and which of the moves it is. */
+/** By event: its face, the number of the last step in the face, and the first of its moves. */
 function numberSteps(run) {
   run.step = new Uint32Array(run.eventCount);
   run.faceOf = new Uint16Array(run.eventCount);
-  run.move = new Int32Array(run.eventCount).fill(-1);
-  const move = moveKind(run);
+  run.firstMove = new Uint32Array(run.eventCount);
   let moves = 0, step = 0, face = 0;
   for (let event = 0; event < run.eventCount; ++event) {
     while (face + 1 < run.faces.length && run.faces[face + 1].firstEvent <= event) {
@@ -44,7 +44,8 @@ function numberSteps(run) {
     if (isStep(run, event)) ++step;
     run.step[event] = step;
     run.faceOf[event] = face;
-    if (run.kind[event] === move) run.move[event] = moves++;
+    run.firstMove[event] = moves;
+    moves += run.moveCount[event];
   }
   run.firstEvent = 0;
   run.lastEvent = Math.max(0, run.eventCount - 1);

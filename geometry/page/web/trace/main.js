@@ -7,6 +7,9 @@ function captionOf(run, event) {
   const kept = front.kept === undefined ? "" : front.kept ? "" : ", not kept";
   const where = `Face ${face.id}` + (fronts > 1 ? `, front ${front.number} of ${fronts}${kept}` : "");
   if (run.kind[event] === eventKinds.closed) return `${where}: the rest of the front was closed without rules`;
+  if (run.kind[event] === eventKinds.turned) return `${where}: inverted elements were turned round`;
+  if (run.kind[event] === eventKinds.row)
+    return `${where}: a row is complete; ${counted(run.moveCount[event], "vertex", "vertices")} moved`;
   if (!isStep(run, event)) {
     const change = run.acts[run.kind[event] - eventKinds.firstAct];
     return `${where}, after the front: ${change}; worst element ${digits(run.before[event])} → ${digits(run.after[event])}`;
@@ -36,10 +39,13 @@ class Page {
     run.faces.forEach((face, i) => faces.append(node("option", { value: String(i) }, `Face ${face.id}`)));
     document.title = `${run.title} – AF2`;
     document.getElementById("title").textContent = run.title;
-    let steps = 0;
-    for (let event = 0; event < run.eventCount; ++event) steps += isStep(run, event) ? 1 : 0;
+    let steps = 0, rows = 0;
+    for (let event = 0; event < run.eventCount; ++event) {
+      if (isStep(run, event)) ++steps;
+      else if (isOfFront(run, event)) ++rows;
+    }
     document.getElementById("summary").textContent =
-      `${counted(steps, "step")}, ${counted(run.eventCount - steps, "change")} after the fronts, ${counted(run.faces.length, "face")}`;
+      `${counted(steps, "step")}${rows > 0 ? `, ${counted(rows, "row")} smoothed` : ""}, ${counted(run.eventCount - steps - rows, "change")} after the fronts, ${counted(run.faces.length, "face")}`;
     document.getElementById("notes-list").replaceChildren(...run.notes.map((note) => node("li", {}, note)));
   }
 
@@ -52,7 +58,7 @@ class Page {
     on("play", () => this.play(!this.isPlaying));
     on("next-refusal", () => this.find((e) => run.kind[e] === eventKinds.refused));
     on("next-loop", () => this.find((e) => this.closesLoop(e)));
-    on("next-change", () => this.find((e) => !isStep(run, e)));
+    on("next-change", () => this.find((e) => !isOfFront(run, e)));
     on("next-use", () => this.findUse(Number(document.getElementById("rule-choice").value), 1));
     on("rule-next", () => this.findUse(this.selected.rule, 1));
     on("rule-previous", () => this.findUse(this.selected.rule, -1));
@@ -84,7 +90,9 @@ class Page {
   closesLoop(event) {
     const { run } = this;
     if (!isStep(run, event)) return false;
-    const isLast = event + 1 === run.eventCount || !isStep(run, event + 1) || run.front[event + 1] !== run.front[event];
+    let next = event + 1;
+    while (next < run.eventCount && run.kind[next] === eventKinds.row) ++next;
+    const isLast = next === run.eventCount || !isStep(run, next) || run.front[next] !== run.front[event];
     return isLast || (run.kind[event] === eventKinds.applied && run.rules[run.rule[event]].closes);
   }
 

@@ -6,7 +6,7 @@ class Surface {
     this.view = view;
     this.alive = new Uint8Array(run.mesh.elementCount);
     this.at = 0; // events that have happened
-    this.sides = new Map(); // by front
+    this.parts = new Map(); // by front
     this.copies = new Map(); // by vertex: its other places among the vertices of the picture
     view.copies.forEach((v, i) => this.copies.set(v, [...(this.copies.get(v) ?? []), run.mesh.vertexCount + i]));
     this.front = markerLines(2.5);
@@ -51,12 +51,19 @@ class Surface {
     const { run } = this;
     for (const e of bornAt(run, event)) this.alive[e] = isForward;
     for (const e of diedAt(run, event)) this.alive[e] = 1 - isForward;
-    if (run.move[event] >= 0) this.swapPlaces(run.from[event], run.move[event]);
+    this.swapAll(event);
+  }
+
+  /** All moves of an event, forward or back. */
+  swapAll(event) {
+    const { run } = this;
+    for (let i = 0; i < run.moveCount[event]; ++i) this.swapPlaces(run.firstMove[event] + i);
   }
 
   /** The places before and after a move change roles, so that it can be taken back. */
-  swapPlaces(vertex, move) {
-    const { mesh, moves } = this.run, shown = this.view.faces.geometry.attributes.position.array;
+  swapPlaces(move) {
+    const { mesh, moves, moved } = this.run, shown = this.view.faces.geometry.attributes.position.array;
+    const vertex = moved[move];
     for (let axis = 0; axis < 3; ++axis) {
       const to = moves[3 * move + axis];
       moves[3 * move + axis] = mesh.positions[3 * vertex + axis];
@@ -65,45 +72,62 @@ class Surface {
     }
   }
 
-  /** The sides between the elements that the steps of a front made. */
-  sidesOfFront(front) {
+  /**
+   * The elements that the steps of a front made, and its rim: the sides between given vertices that have elements on
+   * one side only, at any time.
+   */
+  partsOfFront(front) {
     const { run } = this;
-    if (this.sides.has(front)) return this.sides.get(front);
-    const elements = [];
-    for (let e = 0; e < run.birth.length; ++e)
-      if (run.front[run.birth[e]] === front && isStep(run, run.birth[e])) elements.push(e);
-    const corners = new Uint32Array(elements.flatMap((e) => Array.from(run.mesh.corners.subarray(4 * e, 4 * e + 4))));
-    const sides = sidesOf({ ...run.mesh, corners, elementCount: elements.length });
-    const result = { sides, elements };
-    this.sides.set(front, result);
+    if (this.parts.has(front)) return this.parts.get(front);
+    const elements = [], sides = new Map(), { given, firstVertex } = run.fronts[front];
+    const isGiven = (v) => v - firstVertex < given;
+    for (let e = 0; e < run.birth.length; ++e) {
+      if (run.front[run.birth[e]] !== front || !isStep(run, run.birth[e])) continue;
+      elements.push(e);
+      for (const [from, to] of this.sidesOfElement(e))
+        if (isGiven(from) && isGiven(to)) sides.set(this.sideKey(from, to), [from, to]);
+    }
+    const rim = [...sides.values()].filter(([from, to]) => !sides.has(this.sideKey(to, from)));
+    const result = { elements, rim };
+    this.parts.set(front, result);
     return result;
   }
 
-  /** Sides with an element on one side only, and the boundary where there is none yet. */
+  sidesOfElement(element) {
+    const corners = Array.from(cornersOf(this.run.mesh, element));
+    return corners.map((v, i) => [v, corners[(i + 1) % corners.length]]);
+  }
+
+  sideKey(from, to) {
+    return from * this.run.mesh.vertexCount + to;
+  }
+
+  /** Sides with an element on one side only, and the rim where there is none yet. */
   showFront(event) {
-    const { run } = this, number = run.front[event], front = run.fronts[number];
-    if (!isStep(run, event)) return setMarkerLines(this.front, []);
-    const { sides, elements } = this.sidesOfFront(number), ends = [];
-    const isGiven = (v) => v - front.firstVertex < front.given;
-    for (let s = 0; s < sides.count; ++s) {
-      const first = this.alive[elements[sides.first[s]]] === 1;
-      const isRim = sides.second[s] < 0 && isGiven(sides.from[s]) && isGiven(sides.to[s]);
-      const second = sides.second[s] >= 0 && this.alive[elements[sides.second[s]]] === 1;
-      if (isRim ? first : first === second) continue;
-      ends.push(...this.placeOf(sides.from[s]), ...this.placeOf(sides.to[s]));
+    const { run } = this;
+    if (!isOfFront(run, event)) return setMarkerLines(this.front, []);
+    const { elements, rim } = this.partsOfFront(run.front[event]), open = new Map();
+    for (const e of elements) {
+      if (!this.alive[e]) continue;
+      for (const [from, to] of this.sidesOfElement(e))
+        if (!open.delete(this.sideKey(to, from))) open.set(this.sideKey(from, to), [from, to]);
     }
-    setMarkerLines(this.front, ends);
+    for (const side of rim)
+      if (!open.delete(this.sideKey(...side))) open.set(this.sideKey(...side), side);
+    setMarkerLines(this.front, [...open.values()].flatMap(([from, to]) => [...this.placeOf(from), ...this.placeOf(to)]));
+    return undefined;
   }
 
   placeOf(v) {
     return Array.from(this.run.mesh.positions.subarray(3 * v, 3 * v + 3));
   }
 
-  /** The elements around a vertex that exist now. */
-  star(vertex) {
-    const found = [], { mesh } = this.run;
+  /** The elements that exist now around the vertices that an event moves. */
+  aroundMoved(event) {
+    const found = [], { mesh, moved, firstMove, moveCount } = this.run;
+    const vertices = new Set(moved.subarray(firstMove[event], firstMove[event] + moveCount[event]));
     for (let e = 0; e < mesh.elementCount; ++e)
-      if (this.alive[e] && cornersOf(mesh, e).includes(vertex)) found.push(e);
+      if (this.alive[e] && cornersOf(mesh, e).some((v) => vertices.has(v))) found.push(e);
     return found;
   }
 
@@ -114,13 +138,13 @@ class Surface {
   /** The base edge and new elements of a step, or the elements before and after a change. */
   showEvent(event) {
     const { run, view } = this;
-    const isMove = run.move[event] >= 0;
-    const changed = isMove ? this.star(run.from[event]) : bornAt(run, event);
+    const isMove = !isStep(run, event) && run.moveCount[event] > 0;
+    const changed = isMove ? this.aroundMoved(event) : bornAt(run, event);
     let before = isStep(run, event) ? [] : this.outlines(diedAt(run, event));
     if (isMove) {
-      this.swapPlaces(run.from[event], run.move[event]);
+      this.swapAll(event);
       before = this.outlines(changed);
-      this.swapPlaces(run.from[event], run.move[event]);
+      this.swapAll(event);
     }
     setMarkerLines(this.before, before);
     setMarkerLines(this.after, this.outlines(changed));

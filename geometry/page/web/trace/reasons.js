@@ -76,6 +76,10 @@ function showReasons(run, event, chart, candidates, selected, choose) {
 function missingText(run, event) {
   if (run.kind[event] === eventKinds.closed)
     return "The rest of the stuck front was closed with triangles, without rules.";
+  if (run.kind[event] === eventKinds.turned)
+    return "Elements with a reflex corner, which the last level of the rule set accepts, were turned round: red lines show the elements before it, green lines those after it.";
+  if (run.kind[event] === eventKinds.row)
+    return "A row is complete: the front and the elements behind it are smoothed. Red lines show them before, green lines after it.";
   if (!isStep(run, event))
     return "A change after the front: red lines show the elements before it, green lines those after it.";
   return "The page has no chart of this step. Write the page again with --face, --from and --to around it.";

@@ -55,6 +55,13 @@ class Timeline {
     for (let e = run.firstEvent; e <= run.lastEvent; ++e) most = Math.max(most, run.level[e]);
     for (let event = run.firstEvent; event <= run.lastEvent; ++event) {
       const x = this.xOf(event);
+      if (run.kind[event] === eventKinds.row) {
+        pen.fillStyle = this.color("--muted");
+        pen.globalAlpha = 0.4;
+        pen.fillRect(x, 0, 1, high);
+        pen.globalAlpha = 1;
+        continue;
+      }
       if (!isStep(run, event)) {
         pen.fillStyle = changed;
         pen.globalAlpha = 0.6;
