@@ -285,7 +285,8 @@ QuadCleanUp checkedQuads(const MeshOptions& options) {
     throw UsageError(
         fmt::format("--elements quad joins triangles after the fronts have closed; leave out {}",
                     options.rawFront ? "--no-optimize" : "--strict-rules"));
-  quads.depth = options.quality == "fast" ? 0 : options.quality == "best" ? 3 : 2;
+  if (!options.quality.empty())
+    quads.depth = options.quality == "fast" ? 0 : options.quality == "best" ? 3 : 2;
   return quads;
 }
 

@@ -26,7 +26,7 @@ struct MeshOptions {
   int threads = 0, order = 1;
   std::uint64_t maxMemory = 0;  ///< bytes; 0: what is free
   std::string points, boundary, featureAngle, chart, groups, healTolerance, elements = "any",
-                                                                            quality = "good";
+                                                                            quality;
   bool quiet = false, rawFront = false, strictRules = false, unchecked = false;
   ImprintFlags imprint;
   ScaleOptions scale;

@@ -105,8 +105,8 @@ void RuleSetCompiler::collect(const PlacedRuleSet& placed) {
         // These settings are looked up where they are needed.
         [](const AnyOf<std::monostate, ElementsSetting, MatchSetting, FadeSetting, ScoreSetting,
                        AcceptSetting, ClearSetting, OrderSetting, RowsSetting, RowEndSetting,
-                       ClassesSetting, ScaleSetting, ParitySetting, CountsSetting, ColumnsSetting,
-                       FinishSetting> auto&) {});
+                       EndSetting, ClassesSetting, ScaleSetting, ParitySetting, CountsSetting,
+                       ColumnsSetting, FinishSetting> auto&) {});
     const std::size_t slot = slotOf(setting.content);
     if (slot == 0) continue;
     if (seen[slot])
@@ -266,21 +266,35 @@ std::optional<ColumnLimits> RuleSetCompiler::columns() {
   return ColumnLimits{*low, *high, static_cast<int>(*layer)};
 }
 
+/// The lower end of the range if the value is not a whole number in it, which is told.
+int RuleSetCompiler::wholeNumber(const Module& home, const Expr& value, const std::string& what,
+                                 Range range, const std::string& usual) {
+  ProgramBuilder builder;
+  ExpressionCompiler compiler(context_, home, ExpressionPlace::Constant, Algebra(builder, {}));
+  const auto number = compiler.constantNumber(value, what);
+  if (!number) return range.first;
+  if (*number >= range.first && *number <= range.last && *number == std::floor(*number))
+    return static_cast<int>(*number);
+  context_.tell(home, Code::NotConstant, value.span,
+                what + " is a whole number from " + std::to_string(range.first) + " to " +
+                    std::to_string(range.last),
+                usual);
+  return range.first;
+}
+
 int RuleSetCompiler::rowRounds() {
-  constexpr int kMaxRounds = 100;
   const Module* home = nullptr;
   const auto* setting = find<RowEndSetting>(&home);
   if (!setting) return 0;
-  ProgramBuilder builder;
-  ExpressionCompiler compiler(context_, *home, ExpressionPlace::Constant, Algebra(builder, {}));
-  const auto rounds = compiler.constantNumber(setting->rounds, "a number of rounds");
-  if (!rounds) return 0;
-  if (*rounds >= 1 && *rounds <= kMaxRounds && *rounds == std::floor(*rounds))
-    return static_cast<int>(*rounds);
-  context_.tell(*home, Code::NotConstant, setting->rounds.span,
-                "the rounds are a whole number from 1 to " + std::to_string(kMaxRounds),
-                "3 rounds are usual");
-  return 0;
+  return wholeNumber(*home, setting->rounds, "the number of rounds", {1, 100}, "3 is usual");
+}
+
+std::optional<int> RuleSetCompiler::cleanDepth() {
+  const Module* home = nullptr;
+  const auto* setting = find<EndSetting>(&home);
+  if (!setting) return std::nullopt;
+  return wholeNumber(*home, setting->depth, "the depth of the clean-up", {0, 3},
+                     "2 is usual; 0 leaves it out");
 }
 
 Finish RuleSetCompiler::finish() const {
@@ -487,6 +501,7 @@ RuleSetDefinition RuleSetCompiler::finish(const std::set<int>& sizes) {
     definition.clearance = table(clear->value, *home, "the clearance", 0);
   definition.columns = columns();
   definition.rowRounds = rowRounds();
+  definition.cleanDepth = cleanDepth();
   definition.metric = metric(sizes);
   if (const auto* score = find<ScoreSetting>()) {
     definition.scoreOf = score->fold.text == "sum"    ? ScoreOf::Sum

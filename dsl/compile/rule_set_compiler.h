@@ -57,7 +57,13 @@ class RuleSetCompiler {
   void readParity();
   void readCounts();
   std::optional<ColumnLimits> columns();
+  struct Range {
+    int first, last;
+  };
+  int wholeNumber(const Module& home, const Expr& value, const std::string& what, Range range,
+                  const std::string& usual);
   int rowRounds();
+  std::optional<int> cleanDepth();
   Finish finish() const;
   void readAllowed(const MetaClause& meta, const Module& home);
   std::vector<double> table(const Expr& expr, const Module& home, const char* what, double least);

@@ -202,6 +202,9 @@ Line lineOf(const Setting& setting) {
       [](const RowEndSetting& c) {
         return Line{"at", "row smooth " + printExpression(c.rounds) + ";"};
       },
+      [](const EndSetting& c) {
+        return Line{"at", "end clean " + printExpression(c.depth) + ";"};
+      },
       [](const CountsSetting& c) {
         return Line{"counts", join(c.bounds, printExpression) + ";"};
       },

@@ -23,6 +23,7 @@ AF2_RULE(clearSetting, ClearSetting, "clear");
 AF2_RULE(countsSetting, CountsSetting, "counts");
 AF2_RULE(columnsSetting, ColumnsSetting, "columns");
 AF2_RULE(rowEndSetting, RowEndSetting, "at row");
+AF2_RULE(endSetting, EndSetting, "at end");
 AF2_RULE(orderSetting, OrderSetting, "front by");
 AF2_RULE(rowsArgument, MetaEntry, "an argument");
 AF2_RULE(rowsSetting, RowsSetting, "front rows");
@@ -59,9 +60,11 @@ const auto columnsSetting_def =
     word("columns") >> need(sum, "a range such as 0.7..1.4")[into(&ColumnsSetting::low)] >>
     need("..") >> need(sum, kExpression)[into(&ColumnsSetting::high)] >> need("from") >>
     need("layer") >> need(expr, "a whole number")[into(&ColumnsSetting::layer)] >> settingEnd;
-const auto rowEndSetting_def = word("at") >> need("row") >> need("smooth") >>
+const auto rowEndSetting_def = word("at") >> word("row") >> need("smooth") >>
                                need(expr, "a whole number")[into(&RowEndSetting::rounds)] >>
                                settingEnd;
+const auto endSetting_def = word("at") >> need("end", "'row' or 'end'") >> need("clean") >>
+                            need(expr, "a whole number")[into(&EndSetting::depth)] >> settingEnd;
 const auto orderSetting_def = word("front") >> word("by") >>
                               parts(SyntaxUnit::Setting, ListPart::Expression, expr,
                                     append(&OrderSetting::keys), kExpression) >>
@@ -89,18 +92,18 @@ const auto setting_def =
             (elementsSetting[content] | matchSetting[content] | fadeSetting[content] |
              scoreSetting[content] | acceptSetting[content] | clearSetting[content] |
              orderSetting[content] | rowsSetting[content] | rowEndSetting[content] |
-             classesSetting[content] | scaleSetting[content] | paritySetting[content] |
-             countsSetting[content] | columnsSetting[content] | finishSetting[content] |
-             meta[content] | need(Nothing(), kSetting)));
+             endSetting[content] | classesSetting[content] | scaleSetting[content] |
+             paritySetting[content] | countsSetting[content] | columnsSetting[content] |
+             finishSetting[content] | meta[content] | need(Nothing(), kSetting)));
 const auto ruleSet_def =
     word("ruleset") >> need(string, "the rule set's name in quotes")[into(&RuleSetBlock::name)] >>
     -(word("extends") >> need(string, "a rule set's name in quotes")[into(&RuleSetBlock::base)]) >>
     need("{") >> *setting[append(&RuleSetBlock::settings)] >> need("}");
 
 BOOST_SPIRIT_DEFINE(elementsSetting, matchSetting, fadeSetting, scoreSetting, acceptSetting,
-                    clearSetting, countsSetting, columnsSetting, rowEndSetting, orderSetting,
-                    rowsArgument, rowsSetting, classesSetting, scaleSetting, paritySetting,
-                    finishSetting, setting, ruleSet)
+                    clearSetting, countsSetting, columnsSetting, rowEndSetting, endSetting,
+                    orderSetting, rowsArgument, rowsSetting, classesSetting, scaleSetting,
+                    paritySetting, finishSetting, setting, ruleSet)
 
 // ---- files --------------------------------------------------------------------------------------
 

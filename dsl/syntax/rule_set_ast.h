@@ -76,6 +76,13 @@ struct RowEndSetting {
   void visitParts(auto&& part) const { part(rounds); }
 };
 
+/// at end clean 2
+struct EndSetting {
+  Expr depth;
+
+  void visitParts(auto&& part) const { part(depth); }
+};
+
 struct OrderSetting {
   std::vector<Expr> keys;
 
@@ -120,7 +127,7 @@ struct FinishSetting {
 
 using SettingContent =
     std::variant<std::monostate, ElementsSetting, MatchSetting, FadeSetting, ScoreSetting,
-                 AcceptSetting, ClearSetting, OrderSetting, RowsSetting, RowEndSetting,
+                 AcceptSetting, ClearSetting, OrderSetting, RowsSetting, RowEndSetting, EndSetting,
                  ClassesSetting, ScaleSetting, ParitySetting, CountsSetting, ColumnsSetting,
                  FinishSetting, MetaClause>;
 

@@ -8,7 +8,7 @@ namespace {
 constexpr WordList<1> kWhen{"when"};
 constexpr WordList<3> kAccepted{"score", "scaled_jacobian", "min_angle"};
 constexpr WordList<2> kFromLayer{"from", "layer"};
-constexpr WordList<2> kRowSmooth{"row", "smooth"};
+constexpr WordList<4> kAtRowOrEnd{"row", "smooth", "end", "clean"};
 
 constexpr std::array kKeywords{
     // ---- items of a file ------------------------------------------------------------------------
@@ -312,11 +312,13 @@ constexpr std::array kKeywords{
     Keyword{.block = BlockKind::RuleSet,
             .word = "at",
             .form = "at row smooth 3;",
-            .grammar = R"_("at" "row" "smooth" integer ";")_",
-            .help = "Moves the vertices of the front towards better shapes each time that a row of "
-                    "elements is complete, in so many rounds.",
+            .otherForm = "at end clean 2;",
+            .grammar = R"_("at" ( "row" "smooth" | "end" "clean" ) integer ";")_",
+            .help =
+                "At the end of each row: so many rounds of smoothing of the front. At the end of "
+                "the front: how deep the clean-up of quadrilaterals searches.",
             .follows = Follows::Header,
-            .words = kRowSmooth,
+            .words = kAtRowOrEnd,
             .isReserved = true},
     Keyword{.block = BlockKind::RuleSet,
             .word = "classes",

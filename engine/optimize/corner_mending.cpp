@@ -20,8 +20,8 @@ constexpr int kMaxSweeps = 12;
 constexpr double kFirstStep = 0.2, kLastStep = 0.01;
 /// Smaller gains are not worth a move.
 constexpr double kLeastGain = 1e-3;
-/// How much the two sides of a corner may differ for the sake of its angle, as `unevenness`: 1.25 is
-/// a ratio of 2. Where they differ more already, they stay as they are.
+/// How much the two sides of a corner may differ for the sake of its angle, as `unevenness`: 1.25
+/// is a ratio of 2. Where they differ more already, they stay as they are.
 constexpr double kMostUneven = 1.25;
 
 /// Arithmetic by geometric mean of the squared lengths of the sides of a corner: 1 if both are

@@ -7,9 +7,11 @@ namespace af2 {
 
 OptimizeReport finishMesh(Mesh& mesh, const MeshBoundary& boundary, const FinishTask& task,
                           const OptimizeOptions& options) {
+  OptimizeOptions own = options;
+  if (!own.quads.depth) own.quads.depth = task.rules.definition().cleanDepth;
   switch (task.rules.definition().finish) {
     case Finish::Shape:
-      return optimizeMesh(mesh, boundary, task.charts, options);
+      return optimizeMesh(mesh, boundary, task.charts, own);
     case Finish::Score:
       return finishByScore(mesh, boundary, task, options);
     case Finish::None:

@@ -98,17 +98,17 @@ class QuadCleaner {
   QuadCleaner(MeshTopology& topology, const AF2LocalTransformMaker& maker,
               const OptimizeOptions& options, ActRecorder* recorder)
       : editor_(topology, maker, topology.anglesAtFixed(), recorder),
-        depth_(options.quads.depth),
+        depth_(options.quads.usedDepth()),
         stop_(options.stop) {}
 
   std::size_t joinTriangles() { return walkTriangles(editor_, stop_); }
-  std::size_t clean() { return clean(std::min(depth_, kUsualDepth), kGoodFilling); }
+  std::size_t clean() { return clean(std::min(depth_, QuadCleanUp::kUsualDepth), kGoodFilling); }
   /// What takes much longer, from the result of what does not, so that it never does worse.
-  std::size_t cleanThoroughly() { return depth_ <= kUsualDepth ? 0 : clean(depth_, kBestFilling); }
+  std::size_t cleanThoroughly() {
+    return depth_ <= QuadCleanUp::kUsualDepth ? 0 : clean(depth_, kBestFilling);
+  }
 
  private:
-  static constexpr int kUsualDepth = 2;
-
   std::size_t clean(int depth, const FillingEffort& effort) {
     if (depth == 0) return 0;
     const std::size_t found = searchQuads(editor_, depth, stop_);
@@ -124,7 +124,7 @@ class QuadCleaner {
 /// Returns the number of changes.
 std::size_t cleanUp(MeshTopology& topology, const AF2LocalTransformMaker& maker,
                     const OptimizeOptions& options, ActRecorder* recorder, bool isLastRound) {
-  if (options.quads.depth == 0 && !options.quads.onlyQuads) return 0;
+  if (options.quads.usedDepth() == 0 && !options.quads.onlyQuads) return 0;
   QuadCleaner cleaner(topology, maker, options, recorder);
   std::size_t changes = options.quads.onlyQuads ? cleaner.joinTriangles() : 0;
   changes += cleaner.clean();

@@ -15,10 +15,13 @@ namespace af2 {
 
 /// How thoroughly a mesh with quadrilaterals is cleaned up.
 struct QuadCleanUp {
-  /// The largest number of changes in a sequence that removes irregular vertices; 0: none.
-  int depth = 2;
+  /// The largest number of changes in a sequence that removes irregular vertices; 0: none. No
+  /// value: what the rule set says, else kUsualDepth.
+  std::optional<int> depth;
+  static constexpr int kUsualDepth = 2;
   /// Whether triangles are joined in pairs, however far apart they are, until at most one is left.
   bool onlyQuads = false;
+  int usedDepth() const { return depth.value_or(kUsualDepth); }
   bool operator==(const QuadCleanUp&) const = default;
 };
 

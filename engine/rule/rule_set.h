@@ -51,6 +51,8 @@ struct RuleSetDefinition {
   std::vector<double> clearance;
   std::optional<ColumnLimits> columns;
   int rowRounds = 0;  ///< rounds of smoothing of the front at the end of each row
+  /// How deep the clean-up of quadrilaterals searches unless the caller says it: see QuadCleanUp.
+  std::optional<int> cleanDepth;
   Finish finish = Finish::Shape;
   std::vector<AF2Rule> rules;  ///< in file order; ties go to the earlier rule
 };

@@ -1,22 +1,23 @@
 #!/usr/bin/env python3
 """Meshes of quadrilaterals on planar domains with given, even boundaries, and on models.
 
-    quads.py AF2 MODELS [RULES ...] [--peers] [--random N] [--only DOMAIN ...]
+    quads.py AF2 MODELS [RULES ...] [--peers] [--rows] [--random N] [--only DOMAIN ...]
 
 Prints tables in Markdown, which docs/quads.md shows: the share of irregular vertices inside, the minimum and the
 mean of the scaled Jacobian, and the numbers of elements, for each of several ways to finish the mesh. Random
 domains share a line: their vertices and elements together, the smallest of the minima, and on how many of them
-triangles remain. With --peers, a second table shows the meshes of Gmsh and Netgen, if Debian's packages gmsh and
-python3-netgen are there.
+triangles remain. Times are processor times of the whole program. With --peers, another table shows the meshes of Gmsh
+and Netgen, if Debian's packages gmsh and python3-netgen are there; with --rows, one shows how the rows along boundaries
+look.
 """
 import argparse
 import dataclasses
 import json
 import pathlib
+import resource
 import subprocess
 import sys
 import tempfile
-import time
 
 import quad_domains
 import quad_peers
@@ -41,6 +42,7 @@ def arguments():
     parser.add_argument("models", type=lambda name: pathlib.Path(name).resolve(), help="examples/models")
     parser.add_argument("rules", nargs="*", help="default: quad/classic quad/rows")
     parser.add_argument("--peers", action="store_true", help="also meshes of Gmsh and Netgen")
+    parser.add_argument("--rows", action="store_true", help="also a table of the rows along boundaries")
     parser.add_argument("--random", type=int, default=60, metavar="N", help="the number of random domains")
     parser.add_argument("--only", nargs="+", metavar="DOMAIN", help="only lines whose titles begin like this")
     chosen = parser.parse_args()
@@ -105,14 +107,23 @@ class Sum:
                 + (f", {faults}" if faults else ""))
 
 
+def child_seconds():
+    """Processor time of all programs that have run so far."""
+    return resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
+
+
+def run_af2(af2, job, path, options, mesh):
+    mesh.unlink(missing_ok=True)
+    command = [af2, "mesh", path, "--size", str(job.size), "-o", mesh, "-q", "-j", "1"] + options
+    return subprocess.run(command, capture_output=True).returncode
+
+
 def af2_cell(af2, job, options, folder):
     total, mesh = Sum(), folder / "mesh.obj"
     for path, own in job.inputs:
-        mesh.unlink(missing_ok=True)
-        command = [af2, "mesh", path, "--size", str(job.size), "-o", mesh, "-q", "-j", "1"] + own + options
-        began = time.monotonic()
-        code = subprocess.run(command, capture_output=True).returncode
-        seconds = time.monotonic() - began
+        began = child_seconds()
+        code = run_af2(af2, job, path, own + options, mesh)
+        seconds = child_seconds() - began
         if mesh.exists():
             total.add(af2, mesh, seconds)
         else:
@@ -125,12 +136,12 @@ def peer_cell(af2, job, peer, folder):
         return "-"
     total = Sum()
     for i, (path, _) in enumerate(job.inputs):
-        began = time.monotonic()
+        began = child_seconds()
         if job.domains:
             mesh, fault = peer.mesh_domain(job.domains[i], job.size, folder)
         else:
             mesh, fault = peer.mesh_model(path, job.size, folder)
-        seconds = time.monotonic() - began
+        seconds = child_seconds() - began
         if mesh:
             total.add(af2, mesh, seconds)
         else:
@@ -153,8 +164,32 @@ def main():
             for rules in chosen.rules:
                 cells = [af2_cell(chosen.af2, job, ["-r", rules] + way.split(), folder) for way in WAYS]
                 print(f"| {job.title} | {rules} | " + " | ".join(cells) + " |", flush=True)
+        if chosen.rows:
+            print_rows(chosen.af2, lines, chosen.rules, folder)
         if chosen.peers:
             print_peers(chosen.af2, lines, folder)
+
+
+def print_rows(af2, lines, sets, folder):
+    """Of single planar domains: irregular vertices by their distance from the boundary, and how edges run there."""
+    print()
+    head(["domain, size", "set", "irregular vertices 1, 2, 3 edges from the boundary",
+          "angle between edges and the normal of the boundary, mean / 95 %", "edge length over size, mean (5 % to 95 %; extremes)"])
+    mesh = folder / "mesh.obj"
+    for job in lines:
+        if not job.domains or len(job.domains) > 1:
+            continue
+        for rules in sets:
+            path, own = job.inputs[0]
+            run_af2(af2, job, path, own + ["-r", rules, "--elements", "quad"], mesh)
+            run = subprocess.run([af2, "quality", mesh, "--size", str(job.size), "--format", "json"],
+                                 capture_output=True, text=True, check=True)
+            found = json.loads(run.stdout)
+            rings = [str(ring["irregular"]) for ring in found["irregular"]["rings"][1:4]]
+            spokes, lengths = found["spokes"], found["lengths"]
+            angles = f"{spokes['mean']:.1f} / {spokes['p95']:.1f}" if spokes else "-"
+            print(f"| {job.title} | {rules} | {', '.join(rings)} | {angles} | {lengths['mean']:.2f} "
+                  f"({lengths['p5']:.2f} to {lengths['p95']:.2f}; {lengths['min']:.2f} to {lengths['max']:.2f}) |", flush=True)
 
 
 def print_peers(af2, lines, folder):

@@ -22,10 +22,10 @@ rule "q" quality 1 { new c = b + (0, 1), d = a + (0, 1); zone poly(a, b, c, d); 
 }
 
 TEST(LeastValue, OfLengthsAndAngles) {
-  EXPECT_EQ(leastCost("dist(a, b)"), 0);
-  EXPECT_EQ(leastCost("0.25 + 2 * dist(a, b)"), 0.25);
-  EXPECT_EQ(leastCost("abs(dist(a, b) - 1)"), 0);
-  EXPECT_EQ(leastCost("angle(a, b, (0, 2)) / 360deg"), 0);
+  EXPECT_NEAR(leastCost("dist(a, b)"), 0, 1e-12);
+  EXPECT_NEAR(leastCost("0.25 + 2 * dist(a, b)"), 0.25, 1e-12);
+  EXPECT_NEAR(leastCost("abs(dist(a, b) - 1)"), 0, 1e-12);
+  EXPECT_NEAR(leastCost("angle(a, b, b + (0, 2)) / 360deg"), 0, 1e-12);
   EXPECT_EQ(leastCost("-dist(a, b)"), -Interval::kInfinity);
 }
 
@@ -38,15 +38,15 @@ TEST(LeastValue, OfALengthAndItsInverse) {
 
 TEST(LeastValue, OfChoicesByWhatTheirConditionsSay) {
   const std::string k = "dist(a, b)";
-  EXPECT_EQ(leastCost("if " + k + " < 0.6 then 0.6 - " + k + " else 0.1"), 0);
-  EXPECT_EQ(leastCost("if " + k + " >= 2 then 2 * " + k + " else 3"), 3);
+  EXPECT_NEAR(leastCost("if " + k + " < 0.6 then 0.6 - " + k + " else 0.1"), 0, 1e-12);
+  EXPECT_NEAR(leastCost("if " + k + " >= 2 then 2 * " + k + " else 3"), 3, 1e-12);
   // Of both branches the smaller one counts.
-  EXPECT_EQ(leastCost("if " + k + " < 1 then 5 else -2"), -2);
+  EXPECT_NEAR(leastCost("if " + k + " < 1 then 5 else -2"), -2, 1e-12);
 }
 
 TEST(LeastValue, DependsOnTheLevel) {
-  EXPECT_EQ(leastCost("0.5 * q", 1), 0.5);
-  EXPECT_EQ(leastCost("0.5 * q", 3), 1.5);
+  EXPECT_NEAR(leastCost("0.5 * q", 1), 0.5, 1e-12);
+  EXPECT_NEAR(leastCost("0.5 * q", 3), 1.5, 1e-12);
 }
 
 }  // namespace
