@@ -25,7 +25,7 @@
 #include <cmath>
 #include <optional>
 
-#include "geometry/occ/read/turned_faces.h"
+#include "geometry/occ/model/turned_faces.h"
 
 namespace af2::geometry {
 namespace {
