@@ -231,7 +231,9 @@ def summary(table: dict, chosen: argparse.Namespace) -> list:
     peers = [name for name, path in ((GMSH, chosen.gmsh), (NETGEN, chosen.netgen)) if path]
     head = ["model", "triangles", "1000/s", "user s", "10^6 instructions", "start", *STAGES,
             *(f"{peer} / AF2" for peer in peers)]
-    lines = ["```", shlex.join(["tests/benchmark/corpus_times.py", *sys.argv[1:]]), "```", ""]
+    folders = {str(folder) for folder in chosen.folders}
+    words = ["FOLDER" if word in folders else word for word in sys.argv[1:]]
+    lines = ["```", shlex.join(["tests/benchmark/corpus_times.py", *words]), "```", ""]
     lines += [about_peer(table, peer) for peer in peers] + [""] * bool(peers)
     lines += ["| " + " | ".join(head) + " |", "|---|" + "---:|" * (len(head) - 1)]
     return lines + totals(table, peers) + [cells(name, found, peers) for name, found in table.items()]
