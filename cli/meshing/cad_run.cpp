@@ -78,7 +78,7 @@ geometry::PartContacts contactsToTell(const MeshRequest& request, const geometry
   if (request.imprint.isAsked && !request.imprint.onlyEqual && model.imprinting()->undone.empty())
     return {};  // parts share what they have in common
   geometry::ContactOptions options;
-  options.maxFaces = 150;
+  options.maxFaces = 50;
   options.secondsForPair = 2;
   options.seconds = 5;
   return geometry::findContacts(model, options);
