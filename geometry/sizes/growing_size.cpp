@@ -9,7 +9,7 @@ namespace af2::geometry {
 namespace {
 
 /// Few enough to be looked at one by one.
-constexpr std::size_t kLeaf = 4;
+constexpr std::size_t kLeaf = 8;
 
 std::size_t middle(std::size_t first, std::size_t last) { return first + (last - first) / 2; }
 
