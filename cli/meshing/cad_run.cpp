@@ -73,6 +73,7 @@ geometry::ModelMesh meshAll(const MeshRequest& request, const geometry::Model& m
 
 /// For a note, which must cost little: for all pairs of a large assembly there is `af2 inspect`.
 geometry::PartContacts contactsToTell(const MeshRequest& request, const geometry::Model& model) {
+  if (request.quiet && request.report.empty()) return {};  // nobody is told
   if (!request.options.faces.empty() || !request.options.faceNames.empty())
     return {};  // the other parts are not meshed
   if (request.imprint.isAsked && !request.imprint.onlyEqual && model.imprinting()->undone.empty())
