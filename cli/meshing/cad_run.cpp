@@ -73,12 +73,13 @@ geometry::ModelMesh meshAll(const MeshRequest& request, const geometry::Model& m
 
 /// For a note, which must cost little: for all pairs of a large assembly there is `af2 inspect`.
 geometry::PartContacts contactsToTell(const MeshRequest& request, const geometry::Model& model) {
+  if (request.quiet && request.report.empty()) return {};  // nobody is told
   if (!request.options.faces.empty() || !request.options.faceNames.empty())
     return {};  // the other parts are not meshed
   if (request.imprint.isAsked && !request.imprint.onlyEqual && model.imprinting()->undone.empty())
     return {};  // parts share what they have in common
   geometry::ContactOptions options;
-  options.maxFaces = 150;
+  options.maxFaces = 50;
   options.secondsForPair = 2;
   options.seconds = 5;
   return geometry::findContacts(model, options);

@@ -1,4 +1,7 @@
 // The program af2. This file only lists its verbs; each has its own file.
+#include <cstdio>
+#include <cstdlib>
+
 #include "cli/program/program.h"
 #include "cli/program/verbs.h"
 
@@ -26,5 +29,7 @@ int main(int count, char** arguments) {
       {"lsp", "run the language server for editors", declareLsp},
       {"version", "print the version", declareVersion},
   };
-  return runProgram(kVerbs, count, arguments);
+  const int code = runProgram(kVerbs, count, arguments);
+  std::fflush(nullptr);
+  std::_Exit(code);  // all files are closed; to take libraries down one by one only takes time
 }

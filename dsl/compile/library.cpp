@@ -31,9 +31,15 @@ std::optional<std::string> readFile(const std::filesystem::path& path, std::stri
 }
 
 std::string readRuleText(std::istream& in) {
-  std::string text(ParseLimits{}.bytes + 1, '\0');
-  in.read(text.data(), static_cast<std::streamsize>(text.size()));
-  text.resize(static_cast<std::size_t>(in.gcount()));
+  constexpr std::size_t kMost = ParseLimits{}.bytes + 1;
+  std::string text;
+  // Most files are short: the memory grows with what there is to read.
+  for (std::size_t piece = 1 << 16; in && text.size() < kMost; piece *= 2) {
+    const std::size_t before = text.size();
+    text.resize(std::min(before + piece, kMost));
+    in.read(text.data() + before, static_cast<std::streamsize>(text.size() - before));
+    text.resize(before + static_cast<std::size_t>(in.gcount()));
+  }
   text.shrink_to_fit();
   return text;
 }

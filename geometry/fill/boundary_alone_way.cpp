@@ -88,11 +88,18 @@ MeshingResult frontBeforeFirstStep(const FrontInput& boundary) {
   return result;
 }
 
+bool needsNoVertices(const FillState& state) {
+  const FaceTask& task = state.task;
+  return task.boundary.input.isolated.empty() && !task.algorithm.rules().makesQuads() &&
+         isNarrow(task);
+}
+
 bool mayNeedNoVertices(const FillState& state) {
   const FaceTask& task = state.task;
   const bool isPossible = task.surface.isPlane() || hasOneSheet(task);
   if (!isPossible || !task.boundary.input.isolated.empty()) return false;
-  return isNarrow(task) || (state.best && !isNearArea(task, *state.best));
+  if (!needsNoVertices(state) && isNarrow(task)) return true;
+  return state.best && !isNearArea(task, *state.best);
 }
 
 FaceAttempt fillFromBoundary(FillState& state) {

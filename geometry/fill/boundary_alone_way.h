@@ -6,8 +6,12 @@
 
 namespace af2::geometry {
 
-/// Whether the face is a plane strip far narrower than its segments are long, or a curved face
-/// whose mesh differs much from it in area.
+/// Whether the face is a plane strip far narrower than its segments are long, and is to have
+/// triangles. A front would try in vain to put vertices there, at a cost of hundreds of candidates
+/// for each element.
+bool needsNoVertices(const FillState& state);
+/// Whether the face is such a strip that is to have quadrilaterals, or a curved face whose mesh
+/// differs much from it in area.
 bool mayNeedNoVertices(const FillState& state);
 FaceAttempt fillFromBoundary(FillState& state);
 /// Whether the mesh is better than the one with vertices inside, if there is one: judged by the

@@ -16,76 +16,119 @@ struct Edge {
   auto operator<=>(const Edge&) const = default;
 };
 
+struct Box {
+  Point2 low, high;
+
+  static Box of(Point2 a, Point2 b) {
+    return {{std::min(a.x, b.x), std::min(a.y, b.y)}, {std::max(a.x, b.x), std::max(a.y, b.y)}};
+  }
+  bool isApartFrom(const Box& other) const {
+    return high.x < other.low.x || other.high.x < low.x || high.y < other.low.y ||
+           other.high.y < low.y;
+  }
+};
+
+/// An edge of the front in the plane.
+struct DrawnEdge {
+  Edge edge;
+  Point2 from, to;
+  double length = 0;
+  Box box;
+};
+
 class Closer {
  public:
   Closer(const MeshingResult& result, const std::function<Point2(VertexId)>& inPlane)
       : inPlane_(inPlane) {
-    for (const StuckEdge& edge : result.stuck) front_.push_back({edge.from, edge.to});
+    for (const StuckEdge& edge : result.stuck) front_.push_back(drawn({edge.from, edge.to}));
   }
 
   /// Nothing if some edge has no triangle.
   std::optional<std::vector<Element>> close() {
     while (!front_.empty()) {
-      const Edge base = *std::min_element(front_.begin(), front_.end(), [&](Edge e, Edge f) {
-        return std::pair(lengthOf(e), e) < std::pair(lengthOf(f), f);
-      });
+      const DrawnEdge base =
+          *std::min_element(front_.begin(), front_.end(), [](const auto& e, const auto& f) {
+            return std::pair(e.length, e.edge) < std::pair(f.length, f.edge);
+          });
       const std::optional<VertexId> apex = bestApex(base);
       if (!apex) return std::nullopt;
-      elements_.push_back({{base.from, base.to, *apex, VertexId()}});
-      std::erase(front_, base);
-      join({base.from, *apex});
-      join({*apex, base.to});
+      elements_.push_back({{base.edge.from, base.edge.to, *apex, VertexId()}});
+      std::erase_if(front_, [&](const DrawnEdge& e) { return e.edge == base.edge; });
+      join({base.edge.from, *apex});
+      join({*apex, base.edge.to});
     }
     return std::move(elements_);
   }
 
  private:
-  double lengthOf(Edge e) const { return distance(inPlane_(e.from), inPlane_(e.to)); }
-  bool isOnFront(Edge e) const {
-    return std::find(front_.begin(), front_.end(), e) != front_.end();
+  /// A vertex that may become the third corner of a triangle.
+  struct Apex {
+    double shape;
+    std::size_t edge;  ///< of the front, which starts at the vertex
+
+    bool operator<(const Apex& other) const {
+      return shape != other.shape ? shape < other.shape : edge > other.edge;
+    }
+  };
+
+  DrawnEdge drawn(Edge edge) const {
+    const Point2 from = inPlane_(edge.from), to = inPlane_(edge.to);
+    return {edge, from, to, distance(from, to), Box::of(from, to)};
+  }
+
+  auto find(Edge edge) { return std::ranges::find(front_, edge, &DrawnEdge::edge); }
+  bool isOnFront(Edge edge) const {
+    return std::ranges::find(front_, edge, &DrawnEdge::edge) != front_.end();
   }
 
   /// Adds an edge to the front, or takes out the opposite one.
-  void join(Edge e) {
-    const auto opposite = std::find(front_.begin(), front_.end(), Edge{e.to, e.from});
+  void join(Edge edge) {
+    const auto opposite = find({edge.to, edge.from});
     if (opposite == front_.end())
-      front_.push_back(e);
+      front_.push_back(drawn(edge));
     else
       front_.erase(opposite);
   }
 
-  /// Of those that are free, the one with the best shape.
-  std::optional<VertexId> bestApex(Edge base) const {
-    struct Apex {
-      double shape;
-      VertexId vertex;
-    };
-    std::vector<Apex> apexes;
-    for (const Edge& e : front_)
-      if (e.from != base.from && e.from != base.to)
-        apexes.push_back({shapeOf(base, e.from), e.from});
-    std::stable_sort(apexes.begin(), apexes.end(),
-                     [](const Apex& a, const Apex& b) { return a.shape > b.shape; });
-    for (const Apex& apex : apexes)
-      if (isFree(base, apex.vertex)) return apex.vertex;
+  /// Of those that are free, the one with the best shape, and the first of several. Mostly it is
+  /// among the best few, so that they are not sorted.
+  std::optional<VertexId> bestApex(const DrawnEdge& base) {
+    apexes_.clear();
+    for (std::size_t i = 0; i < front_.size(); ++i) {
+      const VertexId from = front_[i].edge.from;
+      if (from != base.edge.from && from != base.edge.to)
+        apexes_.push_back({shapeOf(base, front_[i].from), i});
+    }
+    std::make_heap(apexes_.begin(), apexes_.end());
+    for (auto end = apexes_.end(); end != apexes_.begin(); --end) {
+      std::pop_heap(apexes_.begin(), end);
+      const DrawnEdge& best = front_[(end - 1)->edge];
+      if (isFree(base, best.edge.from, best.from)) return best.edge.from;
+    }
     return std::nullopt;
   }
 
   /// Area over squared edges.
-  double shapeOf(Edge base, VertexId apex) const {
-    const Point2 a = inPlane_(base.from), b = inPlane_(base.to), c = inPlane_(apex);
+  static double shapeOf(const DrawnEdge& base, Point2 c) {
+    const Point2 a = base.from, b = base.to;
     return std::abs(cross(b - a, c - a)) /
            (dot(b - a, b - a) + dot(c - b, c - b) + dot(a - c, a - c));
   }
 
-  bool isFree(Edge base, VertexId apex) const {
-    const Point2 a = inPlane_(base.from), b = inPlane_(base.to), c = inPlane_(apex);
+  bool isFree(const DrawnEdge& base, VertexId apex, Point2 c) const {
+    const Point2 a = base.from, b = base.to;
     if (orientation(a, b, c) != Turn::Left) return false;
-    if (isOnFront({base.from, apex}) || isOnFront({apex, base.to})) return false;
-    for (const Edge& e : front_) {
-      const bool isCorner = e.from == base.from || e.from == base.to || e.from == apex;
-      if (!isCorner && holds(a, b, c, inPlane_(e.from))) return false;
-      if (crosses({base.from, apex}, e) || crosses({apex, base.to}, e)) return false;
+    const DrawnEdge left{{base.edge.from, apex}, a, c, 0, {}};
+    const DrawnEdge right{{apex, base.edge.to}, c, b, 0, {}};
+    if (isOnFront(left.edge) || isOnFront(right.edge)) return false;
+    const Box triangle{{std::min({a.x, b.x, c.x}), std::min({a.y, b.y, c.y})},
+                       {std::max({a.x, b.x, c.x}), std::max({a.y, b.y, c.y})}};
+    for (const DrawnEdge& e : front_) {
+      if (triangle.isApartFrom(e.box)) continue;  // predicates are exact: they would say so, too
+      const VertexId from = e.edge.from;
+      const bool isCorner = from == base.edge.from || from == base.edge.to || from == apex;
+      if (!isCorner && holds(a, b, c, e.from)) return false;
+      if (crosses(left, e) || crosses(right, e)) return false;
     }
     return true;
   }
@@ -95,14 +138,15 @@ class Closer {
            orientation(c, a, p) != Turn::Right;
   }
 
-  bool crosses(Edge side, Edge e) const {
-    if (side.from == e.from || side.from == e.to || side.to == e.from || side.to == e.to)
-      return false;
-    return segmentsMeet(inPlane_(side.from), inPlane_(side.to), inPlane_(e.from), inPlane_(e.to));
+  static bool crosses(const DrawnEdge& side, const DrawnEdge& e) {
+    const auto isEnd = [&](VertexId v) { return v == e.edge.from || v == e.edge.to; };
+    return !isEnd(side.edge.from) && !isEnd(side.edge.to) &&
+           segmentsMeet(side.from, side.to, e.from, e.to);
   }
 
   const std::function<Point2(VertexId)>& inPlane_;
-  std::vector<Edge> front_;
+  std::vector<DrawnEdge> front_;
+  std::vector<Apex> apexes_;
   std::vector<Element> elements_;
 };
 

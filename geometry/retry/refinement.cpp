@@ -1,8 +1,11 @@
 #include "geometry/retry/refinement.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <memory>
 #include <span>
+#include <utility>
 
 #include "geometry/retry/retry_limits.h"
 #include "geometry/sizes/growing_size.h"
@@ -11,27 +14,75 @@ namespace af2::geometry {
 
 namespace {
 
+/// Places of which each requests a clearly smaller size than those before it do there. The last
+/// ones are compared one by one, all others are in trees; like the digits of a number, trees of
+/// equal size become one, so that no place is sorted more than a few times.
+class ClearlySmaller {
+ public:
+  ClearlySmaller(double growth, double largest) : growth_(growth), largest_(largest) {}
+
+  void add(const SizeSource& source) {
+    if (isCovered(source)) return;
+    places_.push_back(source);
+    if (places_.size() - inTrees_ < kMaxUnsortedPlaces) return;
+    std::size_t first = std::exchange(inTrees_, places_.size());
+    while (!trees_.empty() && first - trees_.back().first == places_.size() - first) {
+      first = trees_.back().first;
+      trees_.pop_back();
+    }
+    const auto begin = places_.begin() + static_cast<std::ptrdiff_t>(first);
+    trees_.push_back({first, GrowingSize({begin, places_.end()}, growth_, largest_)});
+  }
+
+  std::vector<SizeSource> take() { return std::move(places_); }
+
+ private:
+  struct Tree {
+    std::size_t first;  ///< of its places
+    GrowingSize sizes;
+  };
+
+  bool isCovered(const SizeSource& source) const {
+    const double limit = kClearlySmaller * source.size;
+    const auto covers = [&](const SizeSource& other) {
+      return other.size + growth_ * distance(other.position, source.position) <= limit;
+    };
+    if (largest_ <= limit) return true;
+    if (std::any_of(places_.begin() + static_cast<std::ptrdiff_t>(inTrees_), places_.end(), covers))
+      return true;
+    const double beyond = std::nextafter(limit, std::numeric_limits<double>::infinity());
+    return std::ranges::any_of(
+        trees_, [&](const Tree& tree) { return tree.sizes.at(source.position, beyond) <= limit; });
+  }
+
+  double growth_, largest_;
+  std::vector<SizeSource> places_;
+  std::size_t inTrees_ = 0;  ///< the first of these
+  std::vector<Tree> trees_;
+};
+
 /// The places that request clearly smaller sizes than the others do there; the smallest first.
 std::vector<SizeSource> thinned(std::vector<SizeSource> sources, double growth, double largest) {
   std::ranges::stable_sort(sources, {}, &SizeSource::size);
-  std::vector<SizeSource> kept;
-  GrowingSize tree({}, growth, largest);
-  std::size_t inTree = 0;
-  for (const SizeSource& source : sources) {
-    const auto covers = [&](const SizeSource& other) {
-      return other.size + growth * distance(other.position, source.position) <=
-             kClearlySmaller * source.size;
-    };
-    if (tree.at(source.position) <= kClearlySmaller * source.size) continue;
-    if (std::any_of(kept.begin() + static_cast<std::ptrdiff_t>(inTree), kept.end(), covers))
-      continue;
-    kept.push_back(source);
-    if (kept.size() - inTree < kMaxUnsortedPlaces) continue;
-    tree = GrowingSize(kept, growth, largest);
-    inTree = kept.size();
-  }
-  return kept;
+  ClearlySmaller kept(growth, largest);
+  for (const SizeSource& source : sources) kept.add(source);
+  return kept.take();
 }
+
+/// What was asked for, and less near some places.
+struct RefinedSizes {
+  std::shared_ptr<const GrowingSize> near;
+  PositionSize asked;
+
+  void operator()(std::span<const Point3> at, std::span<double> sizes) const {
+    std::ranges::fill(sizes, std::numeric_limits<double>::infinity());
+    lower(at, sizes);
+  }
+  void lower(std::span<const Point3> at, std::span<double> sizes) const {
+    for (std::size_t i = 0; i < at.size(); ++i) sizes[i] = near->at(at[i], sizes[i]);
+    if (asked) asked.lower(at, sizes);
+  }
+};
 
 }  // namespace
 
@@ -74,13 +125,7 @@ PositionSize Refinement::sizes() const {
   if (sources.empty()) return asked_;
   const auto near = std::make_shared<const GrowingSize>(
       thinned(std::move(sources), growth_, largest_), growth_, largest_);
-  return [near, asked = asked_](std::span<const Point3> at, std::span<double> sizes) {
-    for (std::size_t i = 0; i < at.size(); ++i) sizes[i] = near->at(at[i]);
-    if (!asked) return;
-    std::vector<double> limits(at.size());
-    asked.at(at, limits);
-    for (std::size_t i = 0; i < at.size(); ++i) sizes[i] = std::min(sizes[i], limits[i]);
-  };
+  return RefinedSizes{near, asked_};
 }
 
 }  // namespace af2::geometry

@@ -109,7 +109,7 @@ double GradedSize::sizeAt(const SurfacePoint& point) const {
   const auto& [growing, shrinking] = *slopes_;
   double size = wanted_.sizeAt(point);
   if (!shrinking.isEmpty()) size = std::max(size, -shrinking.at(point.position));
-  if (!growing.isEmpty()) size = std::min(size, growing.at(point.position));
+  if (!growing.isEmpty()) size = growing.at(point.position, size);
   return size;
 }
 

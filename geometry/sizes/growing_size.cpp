@@ -9,7 +9,7 @@ namespace af2::geometry {
 namespace {
 
 /// Few enough to be looked at one by one.
-constexpr std::size_t kLeaf = 4;
+constexpr std::size_t kLeaf = 8;
 
 std::size_t middle(std::size_t first, std::size_t last) { return first + (last - first) / 2; }
 
@@ -102,8 +102,8 @@ void GrowingSize::look(std::size_t node, std::size_t first, std::size_t last,
   if (!leftFirst && within[0] < least) look(left, first, half, position, least);
 }
 
-double GrowingSize::at(const Point3& position) const {
-  double least = largest_;
+double GrowingSize::at(const Point3& position, double most) const {
+  double least = std::min(most, largest_);
   look(0, 0, sources_.size(), position, least);
   return least;
 }

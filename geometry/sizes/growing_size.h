@@ -23,7 +23,9 @@ class AF2_EXPORT GrowingSize {
  public:
   /// largest  the size that applies where no source gives a smaller one; may be infinite
   GrowingSize(std::vector<SizeSource> sources, double growth, double largest);
-  double at(const Point3& position) const;
+  double at(const Point3& position) const { return at(position, largest_); }
+  /// Not more than `most`: what is known to be too large is not evaluated.
+  double at(const Point3& position, double most) const;
   bool isEmpty() const { return sources_.empty(); }
 
  private:

@@ -1,5 +1,8 @@
 #include "geometry/sizes/position_size.h"
 
+#include <algorithm>
+#include <vector>
+
 #include "engine/base/error.h"
 #include "engine/base/place_text.h"
 
@@ -18,6 +21,17 @@ double PositionSize::at(const Point3& position) const {
   double size = 0;
   at({&position, 1}, {&size, 1});
   return size;
+}
+
+void PositionSize::lower(std::span<const Point3> at, std::span<double> sizes) const {
+  if (lower_) return lower_(at, sizes);
+  if (at.size() == 1) {
+    sizes[0] = std::min(sizes[0], this->at(at[0]));
+    return;
+  }
+  std::vector<double> limits(at.size());
+  this->at(at, limits);
+  for (std::size_t i = 0; i < limits.size(); ++i) sizes[i] = std::min(sizes[i], limits[i]);
 }
 
 }  // namespace af2::geometry

@@ -24,8 +24,11 @@ class AF2_EXPORT PositionSize {
 
   template <class F>
   requires std::invocable<const F&, std::span<const Point3>, std::span<double>> PositionSize(
-      F sizes)
-      : sizes_(std::move(sizes)) {}
+      F sizes) {
+    if constexpr (requires(std::span<const Point3> at, std::span<double> s) { sizes.lower(at, s); })
+      lower_ = [sizes](std::span<const Point3> at, std::span<double> s) { sizes.lower(at, s); };
+    sizes_ = std::move(sizes);
+  }
 
   template <class F>
   requires std::is_invocable_r_v<double, const F&, const Point3&> PositionSize(F size)
@@ -41,8 +44,15 @@ class AF2_EXPORT PositionSize {
   void at(std::span<const Point3> at, std::span<double> sizes) const;
   double at(const Point3& position) const;
 
+  /// Reduces sizes[i] to the size at at[i] where that is smaller. Cheaper than `at`, because most
+  /// positions are far from any small size. A callable may have a function `lower` of its own for
+  /// this.
+  void lower(std::span<const Point3> at, std::span<double> sizes) const;
+
  private:
-  std::function<void(std::span<const Point3>, std::span<double>)> sizes_;
+  using Fill = std::function<void(std::span<const Point3>, std::span<double>)>;
+  Fill sizes_;
+  Fill lower_;  ///< may be empty
 };
 
 }  // namespace af2::geometry

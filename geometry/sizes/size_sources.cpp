@@ -147,8 +147,9 @@ struct PreparedSources {
     for (SizeGrid& grid : grids) GridGrading(grid, growth).run();
   }
 
-  double at(const Point3& p) const {
-    double size = points.at(p);
+  /// Not more than `most`.
+  double at(const Point3& p, double most) const {
+    double size = points.at(p, most);
     for (const SizeBox& box : boxes)
       size = std::min(size, box.size + growth * Box3{box.low, box.high}.distanceTo(p));
     for (const SizeGrid& grid : grids) size = std::min(size, GridSize(grid).at(p, growth));
@@ -159,6 +160,18 @@ struct PreparedSources {
   GrowingSize points;
   std::vector<SizeBox> boxes;
   std::vector<SizeGrid> grids;
+};
+
+struct SizeFromSources {
+  std::shared_ptr<const PreparedSources> sources;
+
+  void operator()(std::span<const Point3> at, std::span<double> sizes) const {
+    std::ranges::fill(sizes, std::numeric_limits<double>::infinity());
+    lower(at, sizes);
+  }
+  void lower(std::span<const Point3> at, std::span<double> sizes) const {
+    for (std::size_t i = 0; i < at.size(); ++i) sizes[i] = sources->at(at[i], sizes[i]);
+  }
 };
 
 }  // namespace
@@ -172,8 +185,7 @@ void addSources(std::vector<SizeSource> points, double least, SizeSources& sourc
 
 PositionSize sizeFrom(SizeSources sources, double growth) {
   check(sources);
-  const auto prepared = std::make_shared<const PreparedSources>(std::move(sources), growth);
-  return [prepared](const Point3& position) { return prepared->at(position); };
+  return SizeFromSources{std::make_shared<const PreparedSources>(std::move(sources), growth)};
 }
 
 }  // namespace af2::geometry

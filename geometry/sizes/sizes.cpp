@@ -69,7 +69,8 @@ double chordOnFace(const Sizes& sizes, int face) {
 }
 
 double limitByFunction(const Sizes& sizes, double size, const Point3& position) {
-  return sizes.function ? std::min(size, sizes.function.at(position)) : size;
+  if (sizes.function) sizes.function.lower({&position, 1}, {&size, 1});
+  return size;
 }
 
 }  // namespace af2::geometry

@@ -132,12 +132,7 @@ class IntervalSampler {
 
 /// Brings the sizes of a piece below those that are wanted by position, and between the bounds.
 void limitByPosition(EdgePiece& piece, const CadSizes& sizes) {
-  if (sizes.function) {
-    std::vector<double> limits(piece.positions.size());
-    sizes.function.at(piece.positions, limits);
-    for (std::size_t i = 0; i < limits.size(); ++i)
-      piece.sizes[i] = std::min(piece.sizes[i], limits[i]);
-  }
+  if (sizes.function) sizes.function.lower(piece.positions, piece.sizes);
   for (std::size_t i = 0; i < piece.sizes.size(); ++i)
     piece.sizes[i] = std::clamp(piece.sizes[i], piece.least[i], sizes.maxSize);
 }

@@ -21,11 +21,12 @@
 #include <TopoDS.hxx>
 #include <TopoDS_Iterator.hxx>
 #include <TopoDS_Wire.hxx>
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
 
-#include "geometry/occ/read/turned_faces.h"
+#include "geometry/occ/model/turned_faces.h"
 
 namespace af2::geometry {
 namespace {
@@ -84,9 +85,11 @@ class Crossed {
         within_(face, kTolerance),
         margin_(kMargin * std::sqrt(areaOf(face))) {}
 
-  int by(const std::vector<Chord>& chords) {
+  /// Stops at `most`.
+  int by(const std::vector<Chord>& chords, int most) {
     int count = 0;
     for (const auto& [from, to] : chords) {
+      if (count >= most) return most;
       const double length = from.Distance(to);
       if (length < kTolerance) continue;
       const Handle(Geom_Line) line = new Geom_Line(from, gp_Vec(from, to));
@@ -95,7 +98,7 @@ class Crossed {
       for (int i = 1; meets.IsDone() && i <= meets.NbPoints(); ++i)
         count += isInside(meets.Point(i)) ? 1 : 0;
     }
-    return count;
+    return std::min(count, most);
   }
 
  private:
@@ -114,19 +117,40 @@ class Crossed {
   double margin_;
 };
 
+/// The faces of a shell, with what is asked of them again and again.
+class ShellFaces {
+ public:
+  explicit ShellFaces(const std::vector<TopoDS_Face>& faces)
+      : faces_(faces), boxes_(faces.size()), chords_(faces.size()) {}
+
+  std::size_t size() const { return faces_.size(); }
+  const TopoDS_Face& face(std::size_t i) const { return faces_[i]; }
+  const Bnd_Box& box(std::size_t i) {
+    if (!boxes_[i]) boxes_[i] = boxOf(faces_[i]);
+    return *boxes_[i];
+  }
+  const std::vector<Chord>& chords(std::size_t i) {
+    if (!chords_[i]) chords_[i] = chordsOf(faces_[i]);
+    return *chords_[i];
+  }
+
+ private:
+  const std::vector<TopoDS_Face>& faces_;
+  std::vector<std::optional<Bnd_Box>> boxes_;
+  std::vector<std::optional<std::vector<Chord>>> chords_;
+};
+
 /// Whether several chords of other faces pass through a face and none through its rest.
-bool isRestMeant(const std::vector<TopoDS_Face>& faces, std::size_t index,
-                 const TopoDS_Face& rest) {
+bool isRestMeant(ShellFaces& faces, std::size_t index, const TopoDS_Face& rest) {
   constexpr int kSeveral = 3;
-  Bnd_Box box = boxOf(faces[index]);
+  Bnd_Box box = faces.box(index);
   box.Add(boxOf(rest));
-  Crossed given(faces[index]), other(rest);
+  Crossed given(faces.face(index)), other(rest);
   int throughGiven = 0;
   for (std::size_t i = 0; i < faces.size(); ++i) {
-    if (i == index || box.IsOut(boxOf(faces[i]))) continue;
-    const std::vector<Chord> chords = chordsOf(faces[i]);
-    if (other.by(chords) > 0) return false;
-    throughGiven += given.by(chords);
+    if (i == index || box.IsOut(faces.box(i))) continue;
+    if (other.by(faces.chords(i), 1) > 0) return false;
+    if (throughGiven < kSeveral) throughGiven += given.by(faces.chords(i), kSeveral - throughGiven);
   }
   return throughGiven >= kSeveral;
 }
@@ -156,12 +180,13 @@ Rests crossedIn(const TopoDS_Shell& shell) {
   for (TopoDS_Iterator it(shell.Oriented(TopAbs_FORWARD)); it.More(); it.Next())
     faces.push_back(TopoDS::Face(it.Value()));
   Rests rests;
+  ShellFaces known(faces);
   std::vector<TopoDS_Face> meant = faces;
   for (std::size_t i = 0; i < faces.size(); ++i) {
     const TopoDS_Face rest = restOf(faces[i]);
     if (rest.IsNull()) continue;
     if (rests.faces.empty() && !isClosed(shell)) return {};
-    if (!isRestMeant(faces, i, rest)) continue;
+    if (!isRestMeant(known, i, rest)) continue;
     rests.faces.emplace(static_cast<int>(i), rest);
     meant[i] = rest;
   }

@@ -11,7 +11,8 @@
 
 namespace af2::geometry {
 
-/// Each throws InputError or Standard_Failure if the file is damaged.
+/// Each throws InputError or Standard_Failure if the file is damaged. The first two are in
+/// geometry/occ/step/ and geometry/occ/iges/, or load these (geometry/occ/loading/).
 ReadShape readStep(const std::filesystem::path& path);
 ReadShape readIges(const std::filesystem::path& path);
 ReadShape readBrep(const std::filesystem::path& path);

@@ -305,6 +305,19 @@ std::set<int> roughFacesOf(const ModelShape& model, const std::vector<int>& face
 /// Whether sizes inside all faces are to be known outside them.
 bool spreadsAll(const CadSizes& sizes) { return sizes.function || sizes.elementsPerTurn > 0; }
 
+struct SmallerOfBoth {
+  PositionSize one, other;
+
+  void operator()(std::span<const Point3> at, std::span<double> sizes) const {
+    one.at(at, sizes);
+    other.lower(at, sizes);
+  }
+  void lower(std::span<const Point3> at, std::span<double> sizes) const {
+    one.lower(at, sizes);
+    other.lower(at, sizes);
+  }
+};
+
 /// The limits by position, in addition to all other limits.
 void limitBySources(SizeSources sources, double growth, CadSizes& sizes) {
   if (sources.isEmpty()) return;
@@ -313,11 +326,7 @@ void limitBySources(SizeSources sources, double growth, CadSizes& sizes) {
     sizes.function = grown;
     return;
   }
-  sizes.function = [grown, own = sizes.function](std::span<const Point3> at,
-                                                 std::span<double> result) {
-    own.at(at, result);
-    for (std::size_t i = 0; i < at.size(); ++i) result[i] = std::min(result[i], grown.at(at[i]));
-  };
+  sizes.function = SmallerOfBoth{sizes.function, grown};
 }
 
 std::vector<int> allFaces(const ModelShape& model) {

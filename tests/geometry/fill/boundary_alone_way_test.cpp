@@ -9,12 +9,30 @@ namespace {
 
 TEST(BoundaryAloneWay, IsForNarrowStrips) {
   testing::FlatFace strip(testing::stripLoop(), 1);
-  EXPECT_FALSE(mayNeedNoVertices({strip.task()})) << "nobody knows how wide it is";
+  EXPECT_FALSE(needsNoVertices({strip.task()})) << "nobody knows how wide it is";
   strip.area = 0.15;
-  EXPECT_TRUE(mayNeedNoVertices({strip.task()}));
+  EXPECT_TRUE(needsNoVertices({strip.task()}));
   testing::FlatFace square(testing::squareLoop());
   square.area = 16;
+  EXPECT_FALSE(needsNoVertices({square.task()}));
   EXPECT_FALSE(mayNeedNoVertices({square.task()}));
+}
+
+TEST(BoundaryAloneWay, FillsANarrowStripWithoutAFront) {
+  testing::FlatFace strip(testing::stripLoop(), 1);
+  strip.area = 0.15;
+  const FilledFace filled = fillFace(strip.task());
+  EXPECT_TRUE(filled.attempt.fault.isNone());
+  EXPECT_EQ(filled.searchCost, 0u);
+  EXPECT_EQ(filled.attempt.result.mesh.elements.size(), 6u);
+  EXPECT_TRUE(filled.history.empty());
+}
+
+TEST(BoundaryAloneWay, LeavesAStripToTheRulesWhereOnlyTheyMayMakeElements) {
+  testing::FlatFace strip(testing::stripLoop(), 1);
+  strip.area = 0.15;
+  strip.options.strictRules = true;
+  EXPECT_GT(fillFace(strip.task()).searchCost, 0u);
 }
 
 TEST(BoundaryAloneWay, PutsNoVerticesInside) {

@@ -7,7 +7,7 @@
 
 #include <numbers>
 
-#include "geometry/occ/read/turned_faces.h"
+#include "geometry/occ/model/turned_faces.h"
 #include "tests/geometry/occ/meshing.h"
 #include "tests/geometry/occ/run/dirt.h"
 #include "tests/support/model_mesh.h"

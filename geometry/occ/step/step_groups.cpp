@@ -1,4 +1,4 @@
-#include "geometry/occ/read/step_groups.h"
+#include "geometry/occ/step/step_groups.h"
 
 #include <Quantity_Color.hxx>
 #include <TColStd_HSequenceOfExtendedString.hxx>

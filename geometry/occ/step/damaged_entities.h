@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "geometry/occ/read/lost_faces.h"
+#include "geometry/occ/step/lost_step_faces.h"
 
 namespace af2::geometry {
 

@@ -1,10 +1,5 @@
-#include "geometry/occ/read/lost_faces.h"
+#include "geometry/occ/step/lost_step_faces.h"
 
-#include <IGESData_IGESEntity.hxx>
-#include <IGESGeom_BoundedSurface.hxx>
-#include <IGESGeom_TrimmedSurface.hxx>
-#include <IGESSolid_Face.hxx>
-#include <IGESToBRep.hxx>
 #include <Interface_EntityIterator.hxx>
 #include <Interface_Graph.hxx>
 #include <StepData_StepModel.hxx>
@@ -13,22 +8,16 @@
 #include <StepShape_HArray1OfFace.hxx>
 #include <StepShape_OrientedFace.hxx>
 #include <TCollection_HAsciiString.hxx>
-#include <TopExp_Explorer.hxx>
-#include <TransferBRep.hxx>
 #include <Transfer_Binder.hxx>
 #include <Transfer_TransientProcess.hxx>
 #include <XSControl_TransferReader.hxx>
 #include <set>
 
+#include "geometry/occ/read/transferred_faces.h"
+
 namespace af2::geometry {
 
 namespace {
-
-bool isThere(const Handle(Transfer_TransientProcess) & process,
-             const Handle(Standard_Transient) & face) {
-  const TopoDS_Shape shape = TransferBRep::ShapeResult(process, face);
-  return !shape.IsNull() && TopExp_Explorer(shape, TopAbs_FACE).More();
-}
 
 std::string labelOf(const Handle(StepData_StepModel) & model,
                     const Handle(Standard_Transient) & entity) {
@@ -71,7 +60,7 @@ class LostFaces {
     if (shell->CfsFaces().IsNull()) return;
     for (int k = 1; k <= shell->NbCfsFaces(); ++k) {
       const Handle(StepShape_Face) face = withoutSense(shell->CfsFacesValue(k));
-      if (face.IsNull() || !isThere(process_, face)) report(stepFaceName(model_, shell, k));
+      if (face.IsNull() || !hasBecomeFace(process_, face)) report(stepFaceName(model_, shell, k));
     }
   }
 
@@ -86,19 +75,6 @@ class LostFaces {
   std::vector<std::string> lost_;
 };
 
-bool isIgesFace(const Handle(Standard_Transient) & entity) {
-  return entity->IsKind(STANDARD_TYPE(IGESGeom_TrimmedSurface)) ||
-         entity->IsKind(STANDARD_TYPE(IGESGeom_BoundedSurface)) ||
-         entity->IsKind(STANDARD_TYPE(IGESSolid_Face));
-}
-
-/// A surface without a boundary of its own that nothing else uses is a face, too.
-bool isLooseSurface(const Handle(Standard_Transient) & entity, const Interface_Graph& graph) {
-  const auto iges = Handle(IGESData_IGESEntity)::DownCast(entity);
-  return !iges.IsNull() && IGESToBRep::IsTopoSurface(iges) && iges->SubordinateStatus() == 0 &&
-         graph.Sharings(entity).NbEntities() == 0;
-}
-
 }  // namespace
 
 std::string stepFaceName(const Handle(StepData_StepModel) & model,
@@ -108,18 +84,6 @@ std::string stepFaceName(const Handle(StepData_StepModel) & model,
   const std::string label = labelOf(model, face);
   if (face->Name().IsNull() || face->Name()->IsEmpty()) return label;
   return label + " '" + face->Name()->ToCString() + "'";
-}
-
-std::vector<std::string> lostIgesFaces(const Handle(XSControl_WorkSession) & session) {
-  const Handle(Interface_InterfaceModel) model = session->Model();
-  const Handle(Transfer_TransientProcess) process = session->TransferReader()->TransientProcess();
-  std::vector<std::string> lost;
-  for (int i = 1; i <= model->NbEntities(); ++i) {
-    const Handle(Standard_Transient) entity = model->Value(i);
-    if (!isIgesFace(entity) && !isLooseSurface(entity, session->Graph())) continue;
-    if (!isThere(process, entity)) lost.push_back(model->StringLabel(entity)->ToCString());
-  }
-  return lost;
 }
 
 std::vector<std::string> lostStepFaces(const Handle(XSControl_WorkSession) & session,

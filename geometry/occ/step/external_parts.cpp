@@ -1,4 +1,4 @@
-#include "geometry/occ/read/external_parts.h"
+#include "geometry/occ/step/external_parts.h"
 
 #include <STEPCAFControl_ExternFile.hxx>
 #include <STEPConstruct_ExternRefs.hxx>

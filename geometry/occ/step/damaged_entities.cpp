@@ -1,4 +1,4 @@
-#include "geometry/occ/read/damaged_entities.h"
+#include "geometry/occ/step/damaged_entities.h"
 
 #include <Interface_Check.hxx>
 #include <Interface_EntityIterator.hxx>
@@ -18,7 +18,7 @@
 #include <map>
 #include <optional>
 
-#include "geometry/occ/read/step_numbers.h"
+#include "geometry/occ/step/step_numbers.h"
 
 namespace af2::geometry {
 

@@ -1,4 +1,4 @@
-// Finds faces of a file that its reader lost.
+// Finds faces of a STEP file that its reader lost.
 // Not installed: includers need OpenCASCADE's headers.
 #pragma once
 
@@ -29,9 +29,5 @@ std::string stepFaceName(const Handle(StepData_StepModel) & model,
 /// taken  faces that were removed from shells before the transfer
 std::vector<std::string> lostStepFaces(const Handle(XSControl_WorkSession) & session,
                                        const std::vector<TakenFace>& taken);
-
-/// The same for an IGES reader: faces, and surfaces that are faces, by their line in the directory:
-/// "D17".
-std::vector<std::string> lostIgesFaces(const Handle(XSControl_WorkSession) & session);
 
 }  // namespace af2::geometry

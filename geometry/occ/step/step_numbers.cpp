@@ -1,4 +1,4 @@
-#include "geometry/occ/read/step_numbers.h"
+#include "geometry/occ/step/step_numbers.h"
 
 #include <algorithm>
 #include <cctype>

@@ -1,4 +1,4 @@
-#include "geometry/occ/read/closed_runs.h"
+#include "geometry/occ/iges/closed_runs.h"
 
 #include <BRepGProp.hxx>
 #include <BRep_Builder.hxx>

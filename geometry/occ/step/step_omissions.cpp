@@ -1,4 +1,4 @@
-#include "geometry/occ/read/step_omissions.h"
+#include "geometry/occ/step/step_omissions.h"
 
 #include <cctype>
 #include <fstream>

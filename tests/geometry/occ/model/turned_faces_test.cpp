@@ -1,4 +1,4 @@
-#include "geometry/occ/read/turned_faces.h"
+#include "geometry/occ/model/turned_faces.h"
 
 #include <gtest/gtest.h>
 #include <BRepTools_ReShape.hxx>

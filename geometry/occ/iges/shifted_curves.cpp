@@ -1,4 +1,4 @@
-#include "geometry/occ/read/shifted_curves.h"
+#include "geometry/occ/iges/shifted_curves.h"
 
 #include <BRepTools_ReShape.hxx>
 #include <BRep_Tool.hxx>

@@ -1,4 +1,4 @@
-#include "geometry/occ/read/turned_faces.h"
+#include "geometry/occ/model/turned_faces.h"
 
 #include <BRepTools_ReShape.hxx>
 #include <BRep_Builder.hxx>

@@ -21,12 +21,12 @@
 #include <vector>
 
 #include "engine/base/error.h"
+#include "geometry/occ/iges/closed_runs.h"
+#include "geometry/occ/iges/lost_iges_faces.h"
+#include "geometry/occ/iges/shifted_curves.h"
 #include "geometry/occ/model/whole_surfaces.h"
-#include "geometry/occ/read/closed_runs.h"
-#include "geometry/occ/read/lost_faces.h"
 #include "geometry/occ/read/reader_setting.h"
 #include "geometry/occ/read/readers.h"
-#include "geometry/occ/read/shifted_curves.h"
 
 namespace af2::geometry {
 
@@ -195,13 +195,6 @@ void replaceShiftedFaces(ReadShape& read, const std::filesystem::path& path) {
 }
 
 }  // namespace
-
-/// An IGES file is made of lines of 80 columns; column 73 holds the letter of the section.
-bool looksLikeIges(const std::string& start) {
-  const std::size_t end = start.find_first_of("\r\n");
-  return end != std::string::npos && end >= 73 && end <= 81 &&
-         (start[72] == 'S' || start[72] == 'C' || start[72] == 'B');
-}
 
 ReadShape readIges(const std::filesystem::path& path) {
   IGESControl_Reader reader;

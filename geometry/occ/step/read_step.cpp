@@ -23,14 +23,14 @@
 #include "engine/base/error.h"
 #include "geometry/base/utf8.h"
 #include "geometry/occ/base/trial.h"
-#include "geometry/occ/read/damaged_entities.h"
-#include "geometry/occ/read/external_parts.h"
-#include "geometry/occ/read/lost_faces.h"
+#include "geometry/occ/model/turned_faces.h"
 #include "geometry/occ/read/reader_setting.h"
 #include "geometry/occ/read/readers.h"
-#include "geometry/occ/read/step_groups.h"
-#include "geometry/occ/read/step_omissions.h"
-#include "geometry/occ/read/turned_faces.h"
+#include "geometry/occ/step/damaged_entities.h"
+#include "geometry/occ/step/external_parts.h"
+#include "geometry/occ/step/lost_step_faces.h"
+#include "geometry/occ/step/step_groups.h"
+#include "geometry/occ/step/step_omissions.h"
 
 namespace af2::geometry {
 
@@ -128,10 +128,6 @@ IFSelect_ReturnStatus readInto(STEPCAFControl_Reader& reader, const std::filesys
 }
 
 }  // namespace
-
-bool looksLikeStep(const std::string& start) {
-  return start.find("ISO-10303-21") != std::string::npos;
-}
 
 ReadShape readStep(const std::filesystem::path& path) {
   STEPCAFControl_Reader withAttributes;
