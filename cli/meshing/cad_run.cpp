@@ -10,6 +10,7 @@
 #include "geometry/meshing/part_sizes.h"
 #include "geometry/occ/assembly/contacts.h"
 #include "geometry/occ/heal/heal_model.h"
+#include "geometry/occ/merge/mesh_merged.h"
 #include "geometry/occ/model/points_inside.h"
 #include "geometry/occ/periodic/periodic_faces.h"
 #include "geometry/occ/run/mesh_model.h"
@@ -50,6 +51,18 @@ std::vector<std::string> namesOf(const geometry::Model& model) {
   return names;
 }
 
+geometry::ModelMesh meshFaces(const MergeAsked& asked, const geometry::Model& model,
+                              const AF2Algorithm& algorithm,
+                              const geometry::MeshingOptions& options) {
+  if (!asked.isAsked) return geometry::meshModel(model, algorithm, options);
+  geometry::MergeRequest request;
+  if (asked.angle > 0) request.angle = asked.angle;
+  if (asked.narrow >= 0) request.narrow = asked.narrow;
+  request.keptEdges = asked.keptEdges;
+  request.keptAround = asked.keptAround;
+  return geometry::meshMerged(model, algorithm, options, request);
+}
+
 geometry::ModelMesh meshAll(const MeshRequest& request, const geometry::Model& model,
                             geometry::MeshingOptions options, const AF2Algorithm& algorithm,
                             const GivenUp& givenUp) {
@@ -63,7 +76,7 @@ geometry::ModelMesh meshAll(const MeshRequest& request, const geometry::Model& m
   options.faces = withoutGivenUp(std::move(options.faces), model, givenUp);
   geometry::ModelMesh mesh;
   if (!options.faces.empty() || givenUp.empty())
-    mesh = geometry::meshModel(model, algorithm, options);
+    mesh = meshFaces(request.merge, model, algorithm, options);
   reportGivenUp(model, givenUp, mesh);
   if (periodic.isAsked())
     mesh.findings.push_back(

@@ -5,6 +5,7 @@
 #include <TopExp.hxx>
 #include <TopoDS.hxx>
 #include <algorithm>
+#include <functional>
 #include <map>
 #include <optional>
 
@@ -46,15 +47,18 @@ class Division {
  public:
   Division(const ModelShape& model, const std::vector<EdgeSamples>& sampled, const CadSizes& sizes,
            int threads, const std::stop_token& stop, const EdgePoints& given,
-           const CollapsedEdges& asPoints, const SegmentChanges& changes)
+           const CollapsedEdges& asPoints, const SegmentChanges& changes, const MergedEdges& merged)
       : model_(model),
         sizes_(sizes),
         given_(given),
         asPoints_(asPoints),
         changes_(changes),
-        samples_(sampled.size()) {
+        merged_(merged),
+        samples_(sampled.size()),
+        isMerged_(sampled.size(), false) {
     limitAll(sampled, threads, stop);
     findEnds();
+    takeChains();
     mergePoints();
     findTips();
     limitInStrips(model_, sizes_, ends_, threads, samples_);
@@ -88,6 +92,19 @@ class Division {
       const TopoDS_Edge edge =
           TopoDS::Edge(model_.edge(static_cast<int>(i) + 1).Oriented(TopAbs_FORWARD));
       ends_.push_back(endsOf(edge, samples_[i]));
+    }
+  }
+
+  /// What the mesh does not follow has no samples, and those of a chain are put together.
+  void takeChains() {
+    for (const EdgeChain& chain : merged_.chains) {
+      chains_.push_back(chainedSamples(model_, chain, samples_));
+      for (const ChainLink& link : chain.links)
+        isMerged_[static_cast<std::size_t>(link.edge) - 1] = true;
+    }
+    for (std::size_t i = 0; i < samples_.size(); ++i) {
+      isMerged_[i] = isMerged_[i] || merged_.removes(i);
+      if (isMerged_[i]) samples_[i].pieces.clear();
     }
   }
 
@@ -146,7 +163,8 @@ class Division {
   void mergeAlongShortEdges(MergedPoints& merging) {
     std::vector<std::size_t> edges;
     for (std::size_t i = 0; i < samples_.size(); ++i)
-      if (samples_[i].problem.empty() && (samples_[i].pieces.empty() || mayBePoint(i)))
+      if (!isMerged_[i] && samples_[i].problem.empty() &&
+          (samples_[i].pieces.empty() || mayBePoint(i)))
         edges.push_back(i);
     std::ranges::stable_sort(edges, {}, [&](std::size_t i) { return samples_[i].length; });
     std::vector<std::pair<std::size_t, double>> asked;
@@ -193,7 +211,8 @@ class Division {
       tolerance[static_cast<std::size_t>(id) - 1] +=
           std::min(BRep_Tool::Tolerance(model_.vertex(id)), kMaxTolerance * model_.diagonal);
     std::vector<bool> isUsed;
-    for (const EdgeSamples& samples : samples_) isUsed.push_back(!samples.pieces.empty());
+    for (std::size_t i = 0; i < samples_.size(); ++i)
+      isUsed.push_back(isMerged_[i] || !samples_[i].pieces.empty());
     return gapsInWires(model_, ends_, isUsed, result_.points, tolerance);
   }
 
@@ -204,6 +223,20 @@ class Division {
     const auto stops = stopsOf(model_, ends_, samples_, result_.points, mayBeSplit);
     for (std::size_t i = 0; i < samples_.size(); ++i)
       if (!samples_[i].pieces.empty()) addParts(i, stops[i]);
+    for (std::size_t c = 0; c < chains_.size(); ++c)
+      if (!chains_[c].pieces.empty()) addChain(merged_.chains[c], std::move(chains_[c]));
+    std::ranges::stable_sort(parts_, {}, &EdgePart::edge);
+  }
+
+  void addChain(const EdgeChain& chain, EdgeSamples samples) {
+    const auto pointAt = [&](const ChainLink& link, bool atStart) {
+      const Ends& ends = ends_[static_cast<std::size_t>(link.edge) - 1];
+      return atStart != link.isReversed ? ends.first : ends.last;
+    };
+    EdgePart part{static_cast<std::size_t>(chain.id()) - 1, std::move(samples), {}};
+    part.ends = {pointAt(chain.links.front(), true), pointAt(chain.links.back(), false)};
+    part.isChain = true;
+    parts_.push_back(std::move(part));
   }
 
   void addParts(std::size_t edge, const std::vector<Stop>& stops) {
@@ -299,24 +332,36 @@ class Division {
 
   DividedPart divideAnew(const EdgePart& part, AskedSegments asked) {
     std::vector<double> parameters = divideFromCusps(model_, part, cusps_, tips_, asked, sizes_);
-    const BRepAdaptor_Curve curve(model_.edge(static_cast<int>(part.edge) + 1));
-    leaveOutBesidePoints(part.ends, asked.least, curve, parameters);
+    const PointAt pointAt = curveOf(part);
+    leaveOutBesidePoints(part.ends, asked.least, pointAt, parameters);
     std::vector<std::uint32_t> inner;
     for (std::size_t k = 1; k + 1 < parameters.size(); ++k)
-      inner.push_back(addPoint(toPoint(curve.Value(parameters[k]))));
+      inner.push_back(addPoint(pointAt(parameters[k])));
     return between(part.ends, std::move(parameters), inner);
+  }
+
+  using PointAt = std::function<Point3(double parameter)>;
+
+  PointAt curveOf(const EdgePart& part) const {
+    const int id = static_cast<int>(part.edge) + 1;
+    if (!part.isChain)
+      return [curve = BRepAdaptor_Curve(model_.edge(id))](double t) {
+        return toPoint(curve.Value(t));
+      };
+    const auto chain = std::ranges::find(merged_.chains, id, &EdgeChain::id);
+    return [curve = ChainCurve(model_, *chain)](double t) { return curve.at(t); };
   }
 
   /// Beside what was taken for a point although it can be seen, segments are longer than that is
   /// large: a shorter one would look into it.
-  void leaveOutBesidePoints(const Ends& ends, std::size_t least, const BRepAdaptor_Curve& curve,
+  void leaveOutBesidePoints(const Ends& ends, std::size_t least, const PointAt& pointAt,
                             std::vector<double>& parameters) const {
     for (const std::uint32_t end : {ends.first, ends.last}) {
       const auto found = blind_.find(end);
       if (found == blind_.end()) continue;
       const Point3& place = result_.points[end];
       for (std::size_t k = parameters.size() - 2; k > 0 && parameters.size() > least + 1; --k)
-        if (distance(toPoint(curve.Value(parameters[k])), place) < kTimesBlind * found->second)
+        if (distance(pointAt(parameters[k]), place) < kTimesBlind * found->second)
           parameters.erase(parameters.begin() + static_cast<std::ptrdiff_t>(k));
     }
   }
@@ -363,7 +408,10 @@ class Division {
   const EdgePoints& given_;
   const CollapsedEdges& asPoints_;
   const SegmentChanges& changes_;
+  const MergedEdges& merged_;
   std::vector<EdgeSamples> samples_;
+  std::vector<bool> isMerged_;       // by edge: it is crossed, or in a chain
+  std::vector<EdgeSamples> chains_;  // in the order of merged_
   std::vector<Ends> ends_;
   std::vector<EdgePart> parts_;  // in the order of their edges
   std::vector<DividedPart> dividedParts_;
@@ -392,8 +440,8 @@ std::vector<EdgeSamples> sampleEdges(const ModelShape& model, const CadSizes& si
 DividedEdges divideEdges(const ModelShape& model, const std::vector<EdgeSamples>& sampled,
                          const CadSizes& sizes, int threads, const std::stop_token& stop,
                          const EdgePoints& given, const CollapsedEdges& asPoints,
-                         const SegmentChanges& changes) {
-  return Division(model, sampled, sizes, threads, stop, given, asPoints, changes).result();
+                         const SegmentChanges& changes, const MergedEdges& merged) {
+  return Division(model, sampled, sizes, threads, stop, given, asPoints, changes, merged).result();
 }
 
 }  // namespace af2::geometry

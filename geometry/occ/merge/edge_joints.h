@@ -1,0 +1,25 @@
+// How smoothly faces meet along the edges of a model.
+// Not installed: includers need OpenCASCADE's headers.
+#pragma once
+
+#include <limits>
+#include <vector>
+
+#include "geometry/occ/model/model_shape.h"
+
+namespace af2::geometry {
+
+/// Two faces, or both sides of the seam of one, that meet along an edge.
+struct EdgeJoint {
+  int one = 0, other = 0;  ///< ids; 0: the edge is free, has several sheets, or has no length
+  /// The largest angle between their normals along the edge, in radians; infinite: not known.
+  double angle = std::numeric_limits<double>::infinity();
+
+  bool isJoint() const { return one > 0; }
+  bool isSeam() const { return one == other; }
+};
+
+/// By edge; [0] is edge 1.
+std::vector<EdgeJoint> jointsOf(const ModelShape& model, int threads);
+
+}  // namespace af2::geometry

@@ -1,0 +1,176 @@
+#include "geometry/occ/merge/merged_faces.h"
+
+#include <BRepGProp.hxx>
+#include <BRep_Tool.hxx>
+#include <GProp_GProps.hxx>
+#include <TopoDS_Iterator.hxx>
+#include <algorithm>
+
+#include "geometry/meshing/part_sizes.h"
+#include "geometry/occ/merge/quilt_filling.h"
+
+namespace af2::geometry {
+
+namespace {
+
+/// The distance from faces that are meshed together.
+class QuiltDistance final : public FaceDistance {
+ public:
+  explicit QuiltDistance(std::shared_ptr<const QuiltParts> parts) : surface_(std::move(parts)) {}
+  double of(const Point3& point) override { return surface_.distanceFrom(point); }
+
+ private:
+  QuiltSurface surface_;
+};
+
+bool hasVertexInside(const TopoDS_Shape& face) {
+  for (TopoDS_Iterator it(face); it.More(); it.Next())
+    if (it.Value().ShapeType() == TopAbs_VERTEX) return true;
+  return false;
+}
+
+/// Edges between faces that a pattern names and others.
+void keepAround(const ModelShape& shape, const std::vector<std::string>& patterns,
+                std::set<int>& kept) {
+  for (const std::string& pattern : patterns) {
+    const std::vector<int> named = facesNamed(pattern, shape.faceNames, shape.groups);
+    const auto isNamed = [&](int face) { return std::ranges::binary_search(named, face); };
+    for (std::size_t e = 0; e < shape.facesOfEdges.size(); ++e) {
+      const std::vector<int>& faces = shape.facesOfEdges[e];
+      if (std::ranges::any_of(faces, isNamed) && !std::ranges::all_of(faces, isNamed))
+        kept.insert(static_cast<int>(e) + 1);
+    }
+  }
+}
+
+}  // namespace
+
+void MergedFaces::prepare(const MeshingOptions& options, const std::vector<int>& faces) {
+  CadFaces::prepare(options, faces);
+  if (planned_ == faces) return;  // a further round, with other sizes
+  const auto count = static_cast<std::size_t>(faceCount());
+  std::vector<double> areas(count, 0), lengths;
+  std::vector<bool> mayMerge(count, false);
+  for (const int face : faces) {
+    areas[indexOf(face)] = areaOfFace(face);
+    const bool isLying = std::ranges::any_of(lyingFaces(), [&](const FaceOnFace& lying) {
+      return lying.face == face || lying.under == face;
+    });
+    mayMerge[indexOf(face)] = areaOfFace(face) > 0 && !isLying && !shape().cells.contains(face) &&
+                              !hasVertexInside(shape().faces(face));
+  }
+  for (const EdgeSamples& samples : sampledEdges()) lengths.push_back(samples.length);
+  std::set<int> kept;
+  for (const auto& [edge, size] : options.sizes.edgeSizes) kept.insert(edge);
+  for (const auto& [edge, points] : options.edgePoints) kept.insert(edge);
+  keepAround(shape(), request_.keptAround, kept);
+  const std::vector<EdgeJoint> joints = jointsOf(shape(), options.threads);
+  plan_ = planMerging({sharedShape(), request_, options.sizes, joints, lengths, std::move(areas),
+                       std::move(mayMerge), std::move(kept), givenUp_, options.stop});
+  planned_ = faces;
+  merge(plan_.edges);
+}
+
+const Quilt* MergedFaces::quiltWith(int face) const {
+  const auto found = plan_.quiltOf.find(face);
+  return found == plan_.quiltOf.end() ? nullptr : &plan_.quilts[found->second];
+}
+
+double MergedFaces::workOn(int face) const {
+  const Quilt* quilt = quiltWith(face);
+  if (!quilt) return CadFaces::workOn(face);
+  double sum = 0;
+  if (isFirst(face, *quilt))
+    for (const int own : quilt->parts->faces) sum += CadFaces::workOn(own);
+  return sum;
+}
+
+std::vector<int> MergedFaces::edgesOf(int face) const {
+  const Quilt* quilt = quiltWith(face);
+  if (!quilt) return CadFaces::edgesOf(face);
+  std::vector<int> edges;
+  if (!isFirst(face, *quilt)) return edges;
+  for (const std::vector<QuiltUse>& loop : quilt->boundary.loops)
+    for (const QuiltUse& use : loop) edges.push_back(use.edge);
+  std::ranges::sort(edges);
+  edges.erase(std::ranges::unique(edges).begin(), edges.end());
+  return edges;
+}
+
+Point3 MergedFaces::pointOnEdge(int edge, double parameter) const {
+  const auto chain = std::ranges::find(merged().chains, edge, &EdgeChain::id);
+  return chain == merged().chains.end() ? CadFaces::pointOnEdge(edge, parameter)
+                                        : ChainCurve(shape(), *chain).at(parameter);
+}
+
+std::unique_ptr<FaceDistance> MergedFaces::distanceFrom(int face) const {
+  const Quilt* quilt = quiltWith(face);
+  if (!quilt) return CadFaces::distanceFrom(face);
+  return std::make_unique<QuiltDistance>(quilt->parts);
+}
+
+std::vector<CountedLoop> MergedFaces::loopsOf(int face, const DividedEdges& divided) const {
+  const Quilt* quilt = quiltWith(face);
+  if (!quilt) return CadFaces::loopsOf(face, divided);
+  std::vector<CountedLoop> loops;
+  if (!isFirst(face, *quilt)) return loops;
+  for (const std::vector<QuiltUse>& loop : quilt->boundary.loops) {
+    CountedLoop& counted = loops.emplace_back();
+    for (const QuiltUse& use : loop) {
+      const std::vector<std::size_t>& counts = divided.edges[indexOf(use.edge)].counts;
+      counted.counts.insert(counted.counts.end(), counts.begin(), counts.end());
+    }
+  }
+  return loops;
+}
+
+void MergedFaces::fill(int face, const FillRequest& request, FaceMesh& mesh) const {
+  const Quilt* quilt = quiltWith(face);
+  if (!quilt) {
+    CadFaces::fill(face, request, mesh);
+    return;
+  }
+  mesh.report.area = 0;
+  if (!isFirst(face, *quilt)) {
+    mesh.report.reason =
+        "is meshed together with face " + std::to_string(quilt->parts->faces.front());
+    return;
+  }
+  mesh.report.area = quilt->area;
+  const auto fillBy = [&](const CadSizes& sizes) {
+    fillQuilt({*quilt, sizes, request, workOn(face), isFineInside()}, mesh);
+  };
+  request.limits.hasOriginalSizes ? fillBy(sizes()) : fillBy(withFunction(request.sizes));
+}
+
+std::vector<CollapsedEdges> MergedFaces::shortEdges(int face, const DividedEdges& divided,
+                                                    const std::vector<SizeSource>& places) const {
+  if (quiltWith(face)) return {};
+  return CadFaces::shortEdges(face, divided, places);
+}
+
+std::vector<SizeSource> MergedFaces::sizesInside(int face) const {
+  const Quilt* quilt = quiltWith(face);
+  if (!quilt) return CadFaces::sizesInside(face);
+  std::vector<SizeSource> sizes;
+  if (!isFirst(face, *quilt)) return sizes;
+  for (const int own : quilt->parts->faces) {
+    const std::vector<SizeSource> inside = CadFaces::sizesInside(own);
+    sizes.insert(sizes.end(), inside.begin(), inside.end());
+  }
+  return sizes;
+}
+
+bool MergedFaces::giveUpFailed(const ModelMesh& mesh) {
+  bool isAny = false;
+  for (const FaceReport& report : mesh.faces) {
+    const Quilt* quilt = quiltWith(report.id);
+    if (!quilt || report.status != FaceStatus::Failed) continue;
+    isAny = true;
+    for (const int face : quilt->parts->faces) givenUp_[face] = report.reason;
+  }
+  planned_.clear();
+  return isAny;
+}
+
+}  // namespace af2::geometry
