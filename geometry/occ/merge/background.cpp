@@ -69,7 +69,7 @@ class Background {
       return toPoint(mesh->Node(node).Transformed(location.Transformation()));
     };
     for (const EdgeUse& use : model_.edgesOfFaces[static_cast<std::size_t>(id) - 1])
-      if (!addEdge(use, mesh, location, placeOf, ids)) {
+      if (!addEdge(id, use, mesh, location, placeOf, ids)) {
         facets_.failed.insert(id);
         return;
       }
@@ -92,7 +92,7 @@ class Background {
 
   /// Numbers the nodes of a face along an edge as they are numbered on the other faces there.
   template <class PlaceOf>
-  bool addEdge(const EdgeUse& use, const Handle(Poly_Triangulation) & mesh,
+  bool addEdge(int id, const EdgeUse& use, const Handle(Poly_Triangulation) & mesh,
                const TopLoc_Location& location, const PlaceOf& placeOf,
                std::vector<std::uint32_t>& ids) {
     const TopAbs_Orientation way = use.edge.Orientation();
@@ -126,7 +126,8 @@ class Background {
     for (int i = 2; i < count; ++i) at(i) = inner[static_cast<std::size_t>(i) - 2];
     for (int i = 1; i < count; ++i) {
       const std::uint32_t a = at(i), b = at(i + 1);
-      facets_.edges[std::minmax(a, b)] = {use.id, static_cast<std::uint32_t>(i - 1), a < b};
+      facets_.edges[{id, std::min(a, b), std::max(a, b)}] = {
+          use.id, static_cast<std::uint32_t>(i - 1), a < b};
     }
     facets_.pieces[use.id] = static_cast<std::uint32_t>(count - 1);
     return true;

@@ -3,10 +3,10 @@
 #pragma once
 
 #include <array>
+#include <compare>
 #include <cstdint>
 #include <map>
 #include <set>
-#include <utility>
 #include <vector>
 
 #include "engine/base/point.h"
@@ -27,8 +27,14 @@ struct BackgroundFacets {
   std::vector<int> face;                                ///< by triangle
   /// By triangle: the places of its corners in the parameters of the face.
   std::vector<std::array<Point2, 3>> parameters;
-  /// By side, the lower vertex first.
-  std::map<std::pair<std::uint32_t, std::uint32_t>, EdgePlace> edges;
+  /// By face and side of one of its triangles, the lower vertex first: two edges may have the same
+  /// ends, and one piece each.
+  struct FaceSide {
+    int face = 0;
+    std::uint32_t low = 0, high = 0;
+    auto operator<=>(const FaceSide&) const = default;
+  };
+  std::map<FaceSide, EdgePlace> edges;
   std::map<int, std::uint32_t> pieces;  ///< by edge: in how many pieces it is divided
   std::set<int> failed;                 ///< faces without triangles
 };

@@ -43,6 +43,21 @@ void keepAround(const ModelShape& shape, const std::vector<std::string>& pattern
   }
 }
 
+/// Faces with edges that coincide with others, or on which others end: their boundaries need what
+/// the division of single faces does there.
+std::set<int> facesAtTouchingEdges(const ModelShape& shape, const DividedEdges& divided) {
+  std::set<int> faces;
+  const auto add = [&](std::size_t edge) {
+    faces.insert(shape.facesOfEdges[edge].begin(), shape.facesOfEdges[edge].end());
+  };
+  for (std::size_t e = 0; e < divided.edges.size(); ++e) {
+    const DividedEdge& edge = divided.edges[e];
+    if (edge.twin > 0) add(static_cast<std::size_t>(edge.twin) - 1);
+    if (edge.twin > 0 || !edge.stops.empty() || !edge.problem.empty()) add(e);
+  }
+  return faces;
+}
+
 }  // namespace
 
 void MergedFaces::prepare(const MeshingOptions& options, const std::vector<int>& faces) {
@@ -51,12 +66,16 @@ void MergedFaces::prepare(const MeshingOptions& options, const std::vector<int>&
   const auto count = static_cast<std::size_t>(faceCount());
   std::vector<double> areas(count, 0), lengths;
   std::vector<bool> mayMerge(count, false);
+  merge({});
+  const std::set<int> touching =
+      facesAtTouchingEdges(shape(), CadFaces::divide(sizes().function, {}, {}));
   for (const int face : faces) {
     areas[indexOf(face)] = areaOfFace(face);
     const bool isLying = std::ranges::any_of(lyingFaces(), [&](const FaceOnFace& lying) {
       return lying.face == face || lying.under == face;
     });
-    mayMerge[indexOf(face)] = areaOfFace(face) > 0 && !isLying && !shape().cells.contains(face) &&
+    mayMerge[indexOf(face)] = areaOfFace(face) > 0 && !isLying && !touching.contains(face) &&
+                              !shape().cells.contains(face) &&
                               !hasVertexInside(shape().faces(face));
   }
   for (const EdgeSamples& samples : sampledEdges()) lengths.push_back(samples.length);

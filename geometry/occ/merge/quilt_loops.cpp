@@ -48,7 +48,6 @@ class LoopFinder {
       for (std::size_t i = 0; i < 3; ++i) {
         const Side side{corners[i], corners[(i + 1) % 3]};
         vertices_.insert(corners[i]);
-        undirected_.insert(std::minmax(side.first, side.second));
         if (!sides_.emplace(side, Corner{t, corners[(i + 2) % 3]}).second)
           fail("three of its faces meet along an edge, or two overlap");
       }
@@ -58,18 +57,20 @@ class LoopFinder {
   /// Of the surface that is cut along all followed edges: what lies on these cancels out.
   int eulerNumber() const {
     std::set<std::uint32_t> inside = vertices_;
-    std::ptrdiff_t inner = 0;
-    for (const Side& side : undirected_) {
-      if (!isFollowed(side)) ++inner;
+    std::set<Side> inner;
+    for (const auto& [side, corner] : sides_) {
+      if (!isFollowed(side)) inner.insert(std::minmax(side.first, side.second));
       if (!isFollowed(side)) continue;
       inside.erase(side.first);
       inside.erase(side.second);
     }
-    return static_cast<int>(std::ssize(inside) - inner + std::ssize(triangles_));
+    return static_cast<int>(std::ssize(inside) - std::ssize(inner) + std::ssize(triangles_));
   }
 
   const EdgePlace* placeOf(const Side& side) const {
-    const auto found = background_.edges.find(std::minmax(side.first, side.second));
+    const auto [low, high] = std::minmax(side.first, side.second);
+    const int face = background_.face[sides_.at(side).triangle];
+    const auto found = background_.edges.find({face, low, high});
     return found == background_.edges.end() ? nullptr : &found->second;
   }
   bool isFollowed(const Side& side) const {
@@ -181,7 +182,7 @@ class LoopFinder {
   const std::vector<bool>& isInner_;
   std::map<int, Link> links_;
   std::map<Side, Corner> sides_;
-  std::set<Side> isDone_, undirected_;
+  std::set<Side> isDone_;
   std::set<std::uint32_t> vertices_;
   QuiltLoops result_;
 };
