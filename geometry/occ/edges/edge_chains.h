@@ -4,6 +4,7 @@
 
 #include <BRepAdaptor_Curve.hxx>
 #include <cstddef>
+#include <set>
 #include <vector>
 
 #include "engine/base/point.h"
@@ -28,6 +29,7 @@ struct EdgeChain {
 struct MergedEdges {
   std::vector<bool> isRemoved;  ///< by edge, [0] is edge 1; those beyond its end are not removed
   std::vector<EdgeChain> chains;
+  std::set<int> narrowFaces;  ///< that are part of wider ones: their width limits no sizes
 
   bool isEmpty() const { return isRemoved.empty() && chains.empty(); }
   bool removes(std::size_t index) const { return index < isRemoved.size() && isRemoved[index]; }

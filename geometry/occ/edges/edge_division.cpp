@@ -58,10 +58,11 @@ class Division {
         isMerged_(sampled.size(), false) {
     limitAll(sampled, threads, stop);
     findEnds();
-    takeChains();
+    leaveOutMerged();
     mergePoints();
     findTips();
-    limitInStrips(model_, sizes_, ends_, threads, samples_);
+    limitInStrips(model_, sizes_, ends_, threads, samples_, merged_.narrowFaces);
+    takeChains();
     limitAtShortEdges(model_, sizes_, ends_, samples_);
     makeParts();
     gradeAll();
@@ -95,17 +96,27 @@ class Division {
     }
   }
 
-  /// What the mesh does not follow has no samples, and those of a chain are put together.
-  void takeChains() {
-    for (const EdgeChain& chain : merged_.chains) {
-      chains_.push_back(chainedSamples(model_, chain, samples_));
-      for (const ChainLink& link : chain.links)
-        isMerged_[static_cast<std::size_t>(link.edge) - 1] = true;
-    }
+  /// What the mesh does not follow has no samples, and no edge of a chain is a point.
+  void leaveOutMerged() {
     for (std::size_t i = 0; i < samples_.size(); ++i) {
-      isMerged_[i] = isMerged_[i] || merged_.removes(i);
+      isMerged_[i] = merged_.removes(i);
       if (isMerged_[i]) samples_[i].pieces.clear();
     }
+    for (const EdgeChain& chain : merged_.chains)
+      for (const ChainLink& link : chain.links) isMerged_[indexOf(link)] = true;
+  }
+
+  /// From here on the edges of a chain are one.
+  void takeChains() {
+    for (const EdgeChain& chain : merged_.chains)
+      chains_.push_back(chainedSamples(model_, chain, samples_));
+    for (const EdgeChain& chain : merged_.chains)
+      for (const ChainLink& link : chain.links) samples_[indexOf(link)].pieces.clear();
+    std::erase_if(cusps_, [&](const auto& cusp) { return isMerged_[cusp.first.edge]; });
+  }
+
+  static std::size_t indexOf(const ChainLink& link) {
+    return static_cast<std::size_t>(link.edge) - 1;
   }
 
   /// An edge may lack vertices, e.g. a full circle; it then gets points of its own.
@@ -230,7 +241,7 @@ class Division {
 
   void addChain(const EdgeChain& chain, EdgeSamples samples) {
     const auto pointAt = [&](const ChainLink& link, bool atStart) {
-      const Ends& ends = ends_[static_cast<std::size_t>(link.edge) - 1];
+      const Ends& ends = ends_[indexOf(link)];
       return atStart != link.isReversed ? ends.first : ends.last;
     };
     EdgePart part{static_cast<std::size_t>(chain.id()) - 1, std::move(samples), {}};

@@ -1,13 +1,15 @@
 #include "geometry/occ/merge/edge_joints.h"
 
+#include <BRepAdaptor_Curve.hxx>
 #include <BRep_Tool.hxx>
+#include <Geom2d_Curve.hxx>
 #include <Standard_Failure.hxx>
 #include <TopoDS.hxx>
 #include <algorithm>
 #include <cmath>
 
 #include "geometry/base/parallel.h"
-#include "geometry/occ/edges/edge_on_face.h"
+#include "geometry/occ/base/points.h"
 #include "geometry/occ/surfaces/face_surface.h"
 
 namespace af2::geometry {
@@ -34,42 +36,74 @@ std::vector<std::vector<FaceSide>> sidesByEdge(const ModelShape& model) {
   return sides;
 }
 
-/// The outward normals of a face along one of its edges.
-class NormalsAlong {
- public:
-  NormalsAlong(const ModelShape& model, const FaceSide& side)
-      : side_(side),
-        forward_(TopoDS::Face(model.face(side.face).Oriented(TopAbs_FORWARD))),
-        surface_(model.surface(side.face)) {}
+/// A face beside one of its edges.
+struct Beside {
+  Point3 normal;         ///< outward; 0 if it is not known
+  double curvature = 0;  ///< across the edge, > 0 where the face bends away from the normal
+};
 
-  /// 0 if it is not known.
-  Point3 at(double parameter) const {
-    const Point3 normal = unit(normalOnEdge(surface_, forward_, side_.edge, parameter));
-    return side_.isTurned ? -1 * normal : normal;
+class FaceAlongEdge {
+ public:
+  FaceAlongEdge(const ModelShape& model, const FaceSide& side)
+      : side_(side), surface_(model.surface(side.face)) {
+    double first, last;
+    if (!surface_.isPlane())
+      curve_ = BRep_Tool::CurveOnSurface(
+          side.edge, TopoDS::Face(model.face(side.face).Oriented(TopAbs_FORWARD)), first, last);
+  }
+
+  /// along  direction of the edge
+  Beside at(double parameter, const Point3& along) const {
+    if (!surface_.isPlane() && curve_.IsNull()) return {};
+    const gp_Pnt2d uv = curve_.IsNull() ? gp_Pnt2d(0, 0) : curve_->Value(parameter);
+    const SurfaceJet s = surface_.inOccParameters().jetAt(uv.X(), uv.Y());
+    const Point3 normal = unit(cross(s.du, s.dv));
+    const double sign = side_.isTurned ? -1 : 1;
+    return {sign * normal, surface_.isPlane() ? 0 : sign * curvatureAcross(s, normal, along)};
   }
 
  private:
+  static double curvatureAcross(const SurfaceJet& s, const Point3& normal, const Point3& along) {
+    const Point3 across = unit(cross(normal, along));
+    const double e = dot(s.du, s.du), f = dot(s.du, s.dv), g = dot(s.dv, s.dv);
+    const double det = e * g - f * f;
+    if (!(det > 1e-12 * e * g)) return 0;
+    const double x = dot(across, s.du), y = dot(across, s.dv);
+    const double a = (g * x - f * y) / det, b = (e * y - f * x) / det;
+    return -(a * a * dot(s.duu, normal) + 2 * a * b * dot(s.duv, normal) +
+             b * b * dot(s.dvv, normal));
+  }
+
   const FaceSide& side_;
-  TopoDS_Face forward_;
   FaceSurface surface_;
+  Handle(Geom2d_Curve) curve_;
 };
 
-double largestAngle(const ModelShape& model, const TopoDS_Edge& edge, const FaceSide& one,
-                    const FaceSide& other) {
+void compare(const ModelShape& model, const TopoDS_Edge& edge, const FaceSide& one,
+             const FaceSide& other, EdgeJoint& joint) {
   constexpr int kSamples = 24;
-  double first, last;
-  BRep_Tool::Range(edge, first, last);
-  const NormalsAlong here(model, one), there(model, other);
+  const BRepAdaptor_Curve curve(edge);
+  const double first = curve.FirstParameter(), last = curve.LastParameter();
+  const FaceAlongEdge here(model, one), there(model, other);
   double largest = -1;
   for (int i = 0; i <= kSamples; ++i) {
     // Ends may be poles, where normals are noise.
     const double share = std::clamp(i / (kSamples + 0.0), 1e-3, 1 - 1e-3);
     const double parameter = first + share * (last - first);
-    const Point3 a = here.at(parameter), b = there.at(parameter);
-    if (a == Point3{} || b == Point3{}) continue;
-    largest = std::max(largest, std::atan2(length(cross(a, b)), dot(a, b)));
+    gp_Pnt place;
+    gp_Vec along;
+    curve.D1(parameter, place, along);
+    const Beside a = here.at(parameter, toPoint(along)), b = there.at(parameter, toPoint(along));
+    if (a.normal == Point3{} || b.normal == Point3{}) continue;
+    if (i == kSamples / 2) {
+      joint.normalOfOne = a.normal;
+      joint.normalOfOther = b.normal;
+    }
+    largest =
+        std::max(largest, std::atan2(length(cross(a.normal, b.normal)), dot(a.normal, b.normal)));
+    joint.bend = std::max(joint.bend, std::abs(a.curvature - b.curvature));
   }
-  return largest < 0 ? std::numeric_limits<double>::infinity() : largest;
+  if (largest >= 0) joint.angle = largest;
 }
 
 EdgeJoint jointOf(const ModelShape& model, int id, const std::vector<FaceSide>& sides) {
@@ -78,7 +112,7 @@ EdgeJoint jointOf(const ModelShape& model, int id, const std::vector<FaceSide>& 
   if (sides[0].isForward() == sides[1].isForward()) return {};
   EdgeJoint joint{sides[0].face, sides[1].face};
   try {
-    joint.angle = largestAngle(model, edge, sides[0], sides[1]);
+    compare(model, edge, sides[0], sides[1], joint);
   } catch (const std::exception&) {  // reported when the face is meshed
   } catch (const Standard_Failure&) {
   }

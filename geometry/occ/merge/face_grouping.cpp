@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <map>
 #include <optional>
+#include <set>
 
 #include "geometry/base/constants.h"
 #include "geometry/base/disjoint_sets.h"
@@ -25,12 +27,15 @@ class Grouping {
     for (std::size_t e = 0; e < in_.joints.size(); ++e)
       if (isSmooth(e)) sets_.join(one(e), other(e));
     if (in_.narrow > 0) joinNarrow();
-    FaceGrouping grouping{{}, {}, {}, isNarrow_};
-    for (std::uint32_t f = 0; f < in_.areas.size(); ++f) grouping.group.push_back(sets_.of(f));
+    FaceGrouping grouping{{}, {}, {}, isNarrow_, facesAlone()};
+    for (std::uint32_t f = 0; f < in_.areas.size(); ++f)
+      grouping.group.push_back(grouping.isAlone[f] ? f : sets_.of(f));
     for (std::size_t e = 0; e < in_.joints.size(); ++e) {
       const bool isBeside = crossed_.contains(e);
+      const bool isSeam = in_.joints[e].isSeam();
       grouping.isBesideNarrow.push_back(isBeside);
-      grouping.isInner.push_back(isBeside || isSmooth(e));
+      grouping.isInner.push_back(isBeside ||
+                                 (isSmooth(e) && (isSeam || !grouping.isAlone[one(e)])));
     }
     return grouping;
   }
@@ -48,19 +53,33 @@ class Grouping {
            in_.mayMerge[other(e)] && in_.part[one(e)] == in_.part[other(e)] &&
            in_.sizes[one(e)] == in_.sizes[other(e)];
   }
-  bool isSmooth(std::size_t e) const { return mayCross(e) && in_.joints[e].angle <= in_.angle; }
+  /// A rounding that is too tight for three elements across begins at an edge that is kept.
+  bool isSmooth(std::size_t e) const {
+    constexpr double kLeastRadius = 0.6;  // of the size
+    return mayCross(e) && in_.joints[e].angle <= in_.angle &&
+           in_.joints[e].bend * in_.sizes[one(e)] * kLeastRadius < 1;
+  }
 
+  /// What a strip has in common with a neighbouring group.
+  struct Shared {
+    double length = 0;         // of all common edges
+    double longest = 0;        // of one of them
+    Point3 normal;             // of the neighbour there
+    double angle = 0;          // the largest between both
+    bool mayBeCrossed = true;  // all of the edges
+  };
   /// A group as long as it is one strip, by the edges around it.
   struct Strip {
     double area = 0, around = 0;
     double size = std::numeric_limits<double>::infinity();
-    std::map<std::uint32_t, double> shared;  // by neighbouring group: length of common edges
+    std::map<std::uint32_t, Shared> shared;  // by neighbouring group
     double width() const { return around > 0 ? 2 * area / around : 0; }
     bool isNarrow(double share) const { return width() < share * size; }
   };
+  using Strips = std::map<std::uint32_t, Strip>;
 
-  std::map<std::uint32_t, Strip> strips() {
-    std::map<std::uint32_t, Strip> all;
+  Strips strips() {
+    Strips all;
     for (std::uint32_t f = 0; f < in_.areas.size(); ++f) {
       Strip& strip = all[sets_.of(f)];
       strip.area += in_.areas[f];
@@ -70,25 +89,34 @@ class Grouping {
     return all;
   }
 
-  void addEdge(std::size_t e, std::map<std::uint32_t, Strip>& all) {
+  void addEdge(std::size_t e, Strips& all) {
     const double length = in_.lengths[e];
-    if (!in_.joints[e].isJoint()) {
+    const EdgeJoint& joint = in_.joints[e];
+    if (!joint.isJoint()) {
       for (const int face : in_.model.facesOfEdges[e])
         all[sets_.of(static_cast<std::uint32_t>(face) - 1)].around += length;
       return;
     }
     const std::uint32_t a = sets_.of(one(e)), b = sets_.of(other(e));
     if (a == b) return;
-    all[a].around += length;
-    all[b].around += length;
-    if (!mayCross(e)) return;
-    all[a].shared[b] += length;
-    all[b].shared[a] += length;
+    add(e, joint.normalOfOther, all[a], all[a].shared[b]);
+    add(e, joint.normalOfOne, all[b], all[b].shared[a]);
   }
 
-  /// The narrowest strips first; each is merged with one wider group beside it.
+  void add(std::size_t e, const Point3& normal, Strip& strip, Shared& shared) const {
+    const double length = in_.lengths[e];
+    strip.around += length;
+    shared.length += length;
+    shared.angle = std::max(shared.angle, in_.joints[e].angle);
+    shared.mayBeCrossed = shared.mayBeCrossed && mayCross(e);
+    if (!(length > shared.longest)) return;
+    shared.longest = length;
+    shared.normal = normal;
+  }
+
+  /// The narrowest strips first; each is merged with one wide group beside it.
   void joinNarrow() {
-    const std::map<std::uint32_t, Strip> all = strips();
+    const Strips all = strips();
     std::vector<std::uint32_t> order;
     for (const auto& [group, strip] : all)
       if (strip.isNarrow(in_.narrow)) order.push_back(group);
@@ -98,48 +126,59 @@ class Grouping {
       if (const auto host = hostOf(group, all)) hosts[group] = *host;
     std::vector<std::uint32_t> before;
     for (std::uint32_t f = 0; f < in_.areas.size(); ++f) before.push_back(sets_.of(f));
-    for (const auto& [group, host] : hosts) {
-      for (std::size_t e = 0; e < in_.joints.size(); ++e)
-        if (mayCross(e) &&
-            std::minmax(before[one(e)], before[other(e)]) == std::minmax(group, host))
-          crossed_[e] = true;
-      sets_.join(group, host);
+    for (std::size_t e = 0; e < in_.joints.size(); ++e) {
+      if (!mayCross(e)) continue;
+      const std::uint32_t a = before[one(e)], b = before[other(e)];
+      const auto isHost = [&](std::uint32_t group, std::uint32_t host) {
+        const auto found = hosts.find(group);
+        return found != hosts.end() && found->second == host;
+      };
+      if (isHost(a, b) || isHost(b, a)) crossed_.insert(e);
     }
+    for (const auto& [group, host] : hosts) sets_.join(group, host);
     for (std::uint32_t f = 0; f < before.size(); ++f) isNarrow_[f] = hosts.contains(before[f]);
   }
 
-  /// The wide group with which a strip shares most of its boundary, but not all of it: then it is
-  /// the end of a pin, and no strip.
-  std::optional<std::uint32_t> hostOf(std::uint32_t group,
-                                      const std::map<std::uint32_t, Strip>& all) {
-    constexpr double kLeast = 0.25, kMost = 0.9;  // of the boundary of the strip
-    const Strip& strip = all.at(group);
-    std::optional<std::uint32_t> best;
-    double longest = kLeast * strip.around;
-    for (const auto& [neighbor, length] : strip.shared) {
-      if (all.at(neighbor).isNarrow(in_.narrow) || length > kMost * strip.around) continue;
-      if (!(length > longest) || !isShallow(group, neighbor, strip)) continue;
-      longest = length;
-      best = neighbor;
-    }
-    return best;
+  std::vector<bool> facesAlone() {
+    std::vector<bool> areAlone(in_.areas.size(), false);
+    if (!(in_.narrow > 0)) return areAlone;
+    const Strips all = strips();
+    for (std::uint32_t f = 0; f < areAlone.size(); ++f)
+      areAlone[f] = all.at(sets_.of(f)).isNarrow(in_.narrow);
+    return areAlone;
   }
 
-  /// Whether elements that reach from the neighbour across the strip come near enough to both.
-  bool isShallow(std::uint32_t group, std::uint32_t neighbor, const Strip& strip) {
-    double angle = 0;
-    for (std::size_t e = 0; e < in_.joints.size(); ++e)
-      if (mayCross(e) &&
-          std::minmax(sets_.of(one(e)), sets_.of(other(e))) == std::minmax(group, neighbor))
-        angle = std::max(angle, in_.joints[e].angle);
-    const double rise = strip.width() * std::sin(std::min(angle, 90 * kDegree));
-    return angle <= kMaxFold && rise <= in_.narrow / 2 * strip.size;
+  /// A strip lies between two wide groups, along each with a good part of its boundary. The one
+  /// along which it lies longer is its host.
+  std::optional<std::uint32_t> hostOf(std::uint32_t group, const Strips& all) const {
+    constexpr double kLeast = 0.25;  // of the boundary of the strip
+    const Strip& strip = all.at(group);
+    std::vector<std::uint32_t> sides;
+    for (const auto& [neighbor, shared] : strip.shared)
+      if (!all.at(neighbor).isNarrow(in_.narrow) && shared.length >= kLeast * strip.around)
+        sides.push_back(neighbor);
+    std::ranges::stable_sort(sides, std::ranges::greater(),
+                             [&](std::uint32_t side) { return strip.shared.at(side).length; });
+    for (const std::uint32_t host : sides)
+      for (const std::uint32_t other : sides)
+        if (host != other && isShallow(strip, strip.shared.at(host), strip.shared.at(other)))
+          return host;
+    return std::nullopt;
+  }
+
+  /// Whether elements that reach from the host across the strip come near enough to both, and the
+  /// other side does not fold back onto the host.
+  bool isShallow(const Strip& strip, const Shared& host, const Shared& other) const {
+    const double rise = strip.width() * std::sin(std::min(host.angle, 90 * kDegree));
+    return host.mayBeCrossed && host.angle <= kMaxFold && other.angle <= kMaxFold &&
+           dot(host.normal, other.normal) >= std::cos(kMaxFold) &&
+           rise <= in_.narrow / 2 * strip.size;
   }
 
   const GroupingInput& in_;
   DisjointSets sets_;
   std::vector<bool> isNarrow_;
-  std::map<std::size_t, bool> crossed_;  // edges beside narrow faces
+  std::set<std::size_t> crossed_;  // edges beside narrow faces
 };
 
 }  // namespace

@@ -31,6 +31,9 @@ struct FaceGrouping {
   std::vector<bool> isInner;
   std::vector<bool> isBesideNarrow;  ///< by edge: it is inner, and the latter is the reason
   std::vector<bool> isNarrow;        ///< by face: merged because it is narrow
+  /// By face: it is narrow, also with those that it meets smoothly, and there is no wide face with
+  /// which it could be merged. Such faces are meshed one by one.
+  std::vector<bool> isAlone;
 };
 
 FaceGrouping groupFaces(const GroupingInput& input);

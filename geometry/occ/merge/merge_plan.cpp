@@ -40,6 +40,10 @@ class Planner {
     for (std::size_t f = 0; f < faces; ++f)
       grouping_.sizes.push_back(wantedOnFace(in_.sizes, static_cast<int>(f) + 1));
     grouping_.part.assign(faces, 0);
+    for (const auto& [face, part] : in_.part) {
+      grouping_.part[static_cast<std::size_t>(face) - 1] = part;
+      parts_ = std::max(parts_, part);
+    }
     for (std::size_t e = 0; e < in_.joints.size(); ++e) {
       const int id = static_cast<int>(e) + 1;
       grouping_.isKept.push_back(in_.keptEdges.contains(id) || in_.request.keptEdges.contains(id));
@@ -105,6 +109,17 @@ class Planner {
       plan_.edges.isRemoved[e] = true;
       if (groups.isBesideNarrow[e]) plan_.besideNarrow.push_back(static_cast<int>(e) + 1);
     }
+    for (const auto& [group, faces] : members)
+      for (const int face : faces)
+        if (faces.size() > 1 && isNarrow(face)) plan_.edges.narrowFaces.insert(face);
+  }
+
+  bool isNarrow(int face) const {
+    const auto f = static_cast<std::size_t>(face) - 1;
+    double around = 0;
+    for (const EdgeUse& use : in_.model->edgesOfFaces[f])
+      around += in_.lengths[static_cast<std::size_t>(use.id) - 1];
+    return 2 * in_.areas[f] < grouping_.narrow * grouping_.sizes[f] * around;
   }
 
   bool findBackground(const std::map<std::uint32_t, std::vector<int>>& members) {
@@ -172,25 +187,7 @@ class Planner {
       giveUp(faces.front(), "it has no boundary from which it could be meshed");
       return;
     }
-    std::map<int, std::set<int>> beside;
-    double whole = 0;
-    for (const int face : faces) whole += in_.areas[static_cast<std::size_t>(face) - 1];
-    for (std::size_t e = 0; e < in_.joints.size(); ++e) {
-      const EdgeJoint& joint = in_.joints[e];
-      if (!groups.isInner[e] || joint.isSeam()) continue;
-      beside[joint.one].insert(joint.other);
-      beside[joint.other].insert(joint.one);
-    }
-    std::vector<int> half{faces.front()};
-    std::set<int> isIn{faces.front()};
-    double area = in_.areas[static_cast<std::size_t>(faces.front()) - 1];
-    for (std::size_t i = 0; i < half.size() && area < whole / 2; ++i)
-      for (const int next : beside[half[i]]) {
-        if (area >= whole / 2 || half.size() + 1 == faces.size()) break;
-        if (!isIn.insert(next).second) continue;
-        half.push_back(next);
-        area += in_.areas[static_cast<std::size_t>(next) - 1];
-      }
+    const std::vector<int> half = halfOf(faces, in_.areas, in_.joints, groups.isInner);
     ++parts_;
     for (const int face : half) grouping_.part[static_cast<std::size_t>(face) - 1] = parts_;
   }
@@ -236,5 +233,29 @@ class Planner {
 }  // namespace
 
 MergePlan planMerging(PlanInput input) { return Planner(std::move(input)).plan(); }
+
+std::vector<int> halfOf(const std::vector<int>& group, const std::vector<double>& areas,
+                        const std::vector<EdgeJoint>& joints, const std::vector<bool>& isInner) {
+  std::map<int, std::set<int>> beside;
+  for (std::size_t e = 0; e < joints.size(); ++e) {
+    if (e >= isInner.size() || !isInner[e] || joints[e].isSeam()) continue;
+    beside[joints[e].one].insert(joints[e].other);
+    beside[joints[e].other].insert(joints[e].one);
+  }
+  const auto areaOf = [&](int face) { return areas[static_cast<std::size_t>(face) - 1]; };
+  double whole = 0;
+  for (const int face : group) whole += areaOf(face);
+  std::vector<int> half{group.front()};
+  std::set<int> isIn{group.front()};
+  double area = areaOf(group.front());
+  for (std::size_t i = 0; i < half.size() && area < whole / 2; ++i)
+    for (const int next : beside[half[i]]) {
+      if (area >= whole / 2 || half.size() + 1 == group.size()) break;
+      if (!isIn.insert(next).second) continue;
+      half.push_back(next);
+      area += areaOf(next);
+    }
+  return half;
+}
 
 }  // namespace af2::geometry

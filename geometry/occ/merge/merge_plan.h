@@ -44,9 +44,14 @@ struct PlanInput {
   std::vector<bool> mayMerge;          ///< by face
   std::set<int> keptEdges;             ///< in addition to those of the request
   std::map<int, std::string> givenUp;  ///< faces not to be merged, and why
+  std::map<int, int> part;             ///< by face: faces of different parts stay apart; or 0
   std::stop_token stop;
 };
 
 MergePlan planMerging(PlanInput input);
+
+/// About half of a group by area: faces that are connected across edges which the mesh crosses.
+std::vector<int> halfOf(const std::vector<int>& group, const std::vector<double>& areas,
+                        const std::vector<EdgeJoint>& joints, const std::vector<bool>& isInner);
 
 }  // namespace af2::geometry

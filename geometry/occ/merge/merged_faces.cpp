@@ -83,9 +83,9 @@ void MergedFaces::prepare(const MeshingOptions& options, const std::vector<int>&
   for (const auto& [edge, size] : options.sizes.edgeSizes) kept.insert(edge);
   for (const auto& [edge, points] : options.edgePoints) kept.insert(edge);
   keepAround(shape(), request_.keptAround, kept);
-  const std::vector<EdgeJoint> joints = jointsOf(shape(), options.threads);
-  plan_ = planMerging({sharedShape(), request_, options.sizes, joints, lengths, std::move(areas),
-                       std::move(mayMerge), std::move(kept), givenUp_, options.stop});
+  joints_ = jointsOf(shape(), options.threads);
+  plan_ = planMerging({sharedShape(), request_, options.sizes, joints_, lengths, std::move(areas),
+                       std::move(mayMerge), std::move(kept), givenUp_, part_, options.stop});
   planned_ = faces;
   merge(plan_.edges);
 }
@@ -180,15 +180,29 @@ std::vector<SizeSource> MergedFaces::sizesInside(int face) const {
   return sizes;
 }
 
-bool MergedFaces::giveUpFailed(const ModelMesh& mesh) {
+bool MergedFaces::cutFailed(const ModelMesh& mesh) {
+  constexpr std::size_t kSmall = 6;  // faces
   bool isAny = false;
+  int parts = 0;
+  for (const auto& [face, part] : part_) parts = std::max(parts, part);
+  std::vector<double> areas;
+  for (int face = 1; face <= faceCount(); ++face) areas.push_back(areaOfFace(face));
   for (const FaceReport& report : mesh.faces) {
     const Quilt* quilt = quiltWith(report.id);
-    if (!quilt || report.status != FaceStatus::Failed) continue;
+    if (!quilt || !isFirst(report.id, *quilt)) continue;
+    const bool isLeaning = report.withoutRule.leaning > 0;
+    if (report.status != FaceStatus::Failed && !isLeaning) continue;
     isAny = true;
-    for (const int face : quilt->parts->faces) givenUp_[face] = report.reason;
+    const std::vector<int>& own = quilt->parts->faces;
+    if (own.size() > kSmall) {
+      ++parts;
+      for (const int face : halfOf(own, areas, joints_, merged().isRemoved)) part_[face] = parts;
+      continue;
+    }
+    for (const int face : own)
+      givenUp_[face] = isLeaning ? "elements turned away from the faces" : report.reason;
   }
-  planned_.clear();
+  if (isAny) planned_.clear();
   return isAny;
 }
 

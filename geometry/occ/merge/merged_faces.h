@@ -30,8 +30,9 @@ class MergedFaces final : public CadFaces {
                                          const std::vector<SizeSource>& places) const override;
   std::vector<SizeSource> sizesInside(int face) const override;
 
-  /// Gives up the quilts that failed. Returns whether there were any.
-  bool giveUpFailed(const ModelMesh& mesh);
+  /// Cuts the quilts that failed, or have elements that turn away from their faces, into parts;
+  /// gives up those that are small. Returns whether there were any.
+  bool cutFailed(const ModelMesh& mesh);
   /// Gives each face the elements with their middles on it, and the report what was merged.
   void spread(ModelMesh& mesh) const;
 
@@ -46,6 +47,8 @@ class MergedFaces final : public CadFaces {
   MergePlan plan_;
   std::vector<int> planned_;            // the faces asked for when the plan was made
   std::map<int, std::string> givenUp_;  // faces, and why
+  std::map<int, int> part_;             // by face, of quilts that were cut
+  std::vector<EdgeJoint> joints_;
 };
 
 }  // namespace af2::geometry

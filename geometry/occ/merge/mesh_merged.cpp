@@ -27,10 +27,10 @@ ModelMesh meshMerged(const Model& model, const AF2Algorithm& algorithm,
                      const MeshingOptions& options, const MergeRequest& request,
                      const TurnLimits& turns) {
   check(model, options, request);
-  constexpr int kMostRounds = 6;
+  constexpr int kMostRounds = 12;
   MergedFaces faces(model, request, turns);
   ModelMesh mesh = meshFaces(faces, algorithm, options);
-  for (int round = 1; round < kMostRounds && faces.giveUpFailed(mesh); ++round)
+  for (int round = 1; round < kMostRounds && faces.cutFailed(mesh); ++round)
     mesh = meshFaces(faces, algorithm, options);
   faces.spread(mesh);
   return mesh;

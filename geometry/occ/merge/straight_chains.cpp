@@ -69,7 +69,8 @@ class ChainFinder {
     return !grouping_.isInner[e] && !in_.isKept[e] && !BRep_Tool::Degenerated(edge) &&
            ends_[e].first > 0 && ends_[e].last > 0 && ends_[e].first != ends_[e].last &&
            !faces.empty() && std::ranges::all_of(faces, [&](int face) {
-             return in_.mayMerge[static_cast<std::size_t>(face) - 1];
+             const auto f = static_cast<std::size_t>(face) - 1;
+             return in_.mayMerge[f] && !grouping_.isAlone[f];
            });
   }
 
