@@ -38,8 +38,9 @@ std::vector<std::vector<FaceSide>> sidesByEdge(const ModelShape& model) {
 
 /// A face beside one of its edges.
 struct Beside {
-  Point3 normal;         ///< outward; 0 if it is not known
-  double curvature = 0;  ///< across the edge, > 0 where the face bends away from the normal
+  Point3 normal;      ///< outward; 0 if it is not known
+  double across = 0;  ///< curvature across the edge, > 0 where the face bends away from the normal
+  double along = 0;   ///< the same along the edge
 };
 
 class FaceAlongEdge {
@@ -59,16 +60,17 @@ class FaceAlongEdge {
     const SurfaceJet s = surface_.inOccParameters().jetAt(uv.X(), uv.Y());
     const Point3 normal = unit(cross(s.du, s.dv));
     const double sign = side_.isTurned ? -1 : 1;
-    return {sign * normal, surface_.isPlane() ? 0 : sign * curvatureAcross(s, normal, along)};
+    if (surface_.isPlane()) return {sign * normal};
+    return {sign * normal, sign * curvatureIn(s, normal, unit(cross(normal, along))),
+            sign * curvatureIn(s, normal, unit(along))};
   }
 
  private:
-  static double curvatureAcross(const SurfaceJet& s, const Point3& normal, const Point3& along) {
-    const Point3 across = unit(cross(normal, along));
+  static double curvatureIn(const SurfaceJet& s, const Point3& normal, const Point3& way) {
     const double e = dot(s.du, s.du), f = dot(s.du, s.dv), g = dot(s.dv, s.dv);
     const double det = e * g - f * f;
     if (!(det > 1e-12 * e * g)) return 0;
-    const double x = dot(across, s.du), y = dot(across, s.dv);
+    const double x = dot(way, s.du), y = dot(way, s.dv);
     const double a = (g * x - f * y) / det, b = (e * y - f * x) / det;
     return -(a * a * dot(s.duu, normal) + 2 * a * b * dot(s.duv, normal) +
              b * b * dot(s.dvv, normal));
@@ -101,7 +103,10 @@ void compare(const ModelShape& model, const TopoDS_Edge& edge, const FaceSide& o
     }
     largest =
         std::max(largest, std::atan2(length(cross(a.normal, b.normal)), dot(a.normal, b.normal)));
-    joint.bend = std::max(joint.bend, std::abs(a.curvature - b.curvature));
+    const double bend = std::abs(a.across - b.across);
+    // A tube is as tight along the edges around it.
+    if (2 * std::min(std::abs(a.along), std::abs(b.along)) < bend)
+      joint.bend = std::max(joint.bend, bend);
   }
   if (largest >= 0) joint.angle = largest;
 }

@@ -16,7 +16,8 @@ struct EdgeJoint {
   /// The largest angle between their normals along the edge, in radians; infinite: not known.
   double angle = std::numeric_limits<double>::infinity();
   /// By how much the curvature across the edge differs from one side to the other: 0 where an edge
-  /// divides a surface, the inverse of the radius where a rounding begins.
+  /// divides a surface, the inverse of the radius where a rounding begins. Along a tube, which
+  /// bends as much along its edges, it is 0.
   double bend = 0;
   /// The outward normals of both faces halfway along the edge; 0: not known.
   Point3 normalOfOne{}, normalOfOther{};

@@ -26,7 +26,7 @@ class Grouping {
   FaceGrouping make() {
     for (std::size_t e = 0; e < in_.joints.size(); ++e)
       if (isSmooth(e)) sets_.join(one(e), other(e));
-    if (in_.narrow > 0) joinNarrow();
+    joinNarrow();
     FaceGrouping grouping{{}, {}, {}, isNarrow_, facesAlone()};
     for (std::uint32_t f = 0; f < in_.areas.size(); ++f)
       grouping.group.push_back(grouping.isAlone[f] ? f : sets_.of(f));
@@ -53,10 +53,10 @@ class Grouping {
            in_.mayMerge[other(e)] && in_.part[one(e)] == in_.part[other(e)] &&
            in_.sizes[one(e)] == in_.sizes[other(e)];
   }
-  /// A rounding that is too tight for three elements across begins at an edge that is kept.
+  /// A rounding that is too tight for two elements across begins at an edge that is kept.
   bool isSmooth(std::size_t e) const {
-    constexpr double kLeastRadius = 0.6;  // of the size
-    return mayCross(e) && in_.joints[e].angle <= in_.angle &&
+    constexpr double kLeastRadius = 0.4;  // of the size
+    return mayCross(e) && in_.joints[e].angle <= mostTurnAt(in_, e) &&
            in_.joints[e].bend * in_.sizes[one(e)] * kLeastRadius < 1;
   }
 
@@ -71,10 +71,10 @@ class Grouping {
   /// A group as long as it is one strip, by the edges around it.
   struct Strip {
     double area = 0, around = 0;
-    double size = std::numeric_limits<double>::infinity();
+    double narrow = std::numeric_limits<double>::infinity();
     std::map<std::uint32_t, Shared> shared;  // by neighbouring group
     double width() const { return around > 0 ? 2 * area / around : 0; }
-    bool isNarrow(double share) const { return width() < share * size; }
+    bool isNarrow() const { return width() < narrow; }
   };
   using Strips = std::map<std::uint32_t, Strip>;
 
@@ -83,7 +83,7 @@ class Grouping {
     for (std::uint32_t f = 0; f < in_.areas.size(); ++f) {
       Strip& strip = all[sets_.of(f)];
       strip.area += in_.areas[f];
-      strip.size = std::min(strip.size, in_.sizes[f]);
+      strip.narrow = std::min(strip.narrow, in_.narrow[f]);
     }
     for (std::size_t e = 0; e < in_.joints.size(); ++e) addEdge(e, all);
     return all;
@@ -119,7 +119,7 @@ class Grouping {
     const Strips all = strips();
     std::vector<std::uint32_t> order;
     for (const auto& [group, strip] : all)
-      if (strip.isNarrow(in_.narrow)) order.push_back(group);
+      if (strip.isNarrow()) order.push_back(group);
     std::ranges::stable_sort(order, {}, [&](std::uint32_t group) { return all.at(group).width(); });
     std::map<std::uint32_t, std::uint32_t> hosts;
     for (const std::uint32_t group : order)
@@ -141,10 +141,9 @@ class Grouping {
 
   std::vector<bool> facesAlone() {
     std::vector<bool> areAlone(in_.areas.size(), false);
-    if (!(in_.narrow > 0)) return areAlone;
     const Strips all = strips();
     for (std::uint32_t f = 0; f < areAlone.size(); ++f)
-      areAlone[f] = all.at(sets_.of(f)).isNarrow(in_.narrow);
+      areAlone[f] = all.at(sets_.of(f)).isNarrow();
     return areAlone;
   }
 
@@ -155,7 +154,7 @@ class Grouping {
     const Strip& strip = all.at(group);
     std::vector<std::uint32_t> sides;
     for (const auto& [neighbor, shared] : strip.shared)
-      if (!all.at(neighbor).isNarrow(in_.narrow) && shared.length >= kLeast * strip.around)
+      if (!all.at(neighbor).isNarrow() && shared.length >= kLeast * strip.around)
         sides.push_back(neighbor);
     std::ranges::stable_sort(sides, std::ranges::greater(),
                              [&](std::uint32_t side) { return strip.shared.at(side).length; });
@@ -171,8 +170,7 @@ class Grouping {
   bool isShallow(const Strip& strip, const Shared& host, const Shared& other) const {
     const double rise = strip.width() * std::sin(std::min(host.angle, 90 * kDegree));
     return host.mayBeCrossed && host.angle <= kMaxFold && other.angle <= kMaxFold &&
-           dot(host.normal, other.normal) >= std::cos(kMaxFold) &&
-           rise <= in_.narrow / 2 * strip.size;
+           dot(host.normal, other.normal) >= std::cos(kMaxFold) && rise <= strip.narrow / 2;
   }
 
   const GroupingInput& in_;
@@ -185,11 +183,20 @@ class Grouping {
 
 FaceGrouping groupFaces(const GroupingInput& input) { return Grouping(input).make(); }
 
-double sizeAtEdge(const GroupingInput& input, std::size_t edge) {
-  double size = std::numeric_limits<double>::infinity();
+double mostTurnAt(const GroupingInput& input, std::size_t edge) {
+  double turn = input.angle;
+  for (const int face : input.model.facesOfEdges[edge]) {
+    const auto f = static_cast<std::size_t>(face) - 1;
+    turn = std::min(turn, std::atan(4 * input.chords[f] / input.sizes[f]));
+  }
+  return turn;
+}
+
+double shortAt(const GroupingInput& input, std::size_t edge) {
+  double length = std::numeric_limits<double>::infinity();
   for (const int face : input.model.facesOfEdges[edge])
-    size = std::min(size, input.sizes[static_cast<std::size_t>(face) - 1]);
-  return size;
+    length = std::min(length, input.narrow[static_cast<std::size_t>(face) - 1]);
+  return length;
 }
 
 }  // namespace af2::geometry

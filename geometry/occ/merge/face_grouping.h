@@ -18,11 +18,12 @@ struct GroupingInput {
   std::vector<double> areas;    ///< by face
   std::vector<double> lengths;  ///< by edge
   std::vector<double> sizes;    ///< by face: wanted
+  std::vector<double> narrow;   ///< by face: how wide a narrow face is at most; 0: none is
+  std::vector<double> chords;   ///< by face: bounds on the distance from it; or infinite
   std::vector<bool> mayMerge;   ///< by face
   std::vector<int> part;        ///< by face: faces of different parts stay apart
   std::vector<bool> isKept;     ///< by edge: the user wants to keep it
   double angle = 0;             ///< radians
-  double narrow = 0;            ///< share of the sizes
 };
 
 struct FaceGrouping {
@@ -38,7 +39,11 @@ struct FaceGrouping {
 
 FaceGrouping groupFaces(const GroupingInput& input);
 
-/// The smallest of the wanted sizes beside an edge.
-double sizeAtEdge(const GroupingInput& input, std::size_t edge);
+/// The largest angle, in radians, at which elements beside an edge may reach over a vertex or over
+/// another edge: less than asked for if a bound on their distance from the model would not hold.
+double mostTurnAt(const GroupingInput& input, std::size_t edge);
+
+/// How long a short edge is at most: as wide as a narrow face beside it.
+double shortAt(const GroupingInput& input, std::size_t edge);
 
 }  // namespace af2::geometry

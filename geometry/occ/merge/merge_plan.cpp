@@ -31,14 +31,20 @@ class Planner {
                   in_.areas,
                   in_.lengths,
                   {},
+                  {},
+                  {},
                   in_.mayMerge,
                   {},
                   {},
-                  in_.request.angle * kDegree,
-                  in_.request.narrow} {
+                  in_.request.angle * kDegree} {
     const auto faces = in_.areas.size();
-    for (std::size_t f = 0; f < faces; ++f)
-      grouping_.sizes.push_back(wantedOnFace(in_.sizes, static_cast<int>(f) + 1));
+    for (std::size_t f = 0; f < faces; ++f) {
+      const int face = static_cast<int>(f) + 1;
+      const double size = wantedOnFace(in_.sizes, face), chord = chordOnFace(in_.sizes, face);
+      grouping_.sizes.push_back(size);
+      grouping_.chords.push_back(chord);
+      grouping_.narrow.push_back(std::min(in_.request.narrow * size, 2 * chord));
+    }
     grouping_.part.assign(faces, 0);
     for (const auto& [face, part] : in_.part) {
       grouping_.part[static_cast<std::size_t>(face) - 1] = part;
@@ -119,7 +125,7 @@ class Planner {
     double around = 0;
     for (const EdgeUse& use : in_.model->edgesOfFaces[f])
       around += in_.lengths[static_cast<std::size_t>(use.id) - 1];
-    return 2 * in_.areas[f] < grouping_.narrow * grouping_.sizes[f] * around;
+    return 2 * in_.areas[f] < grouping_.narrow[f] * around;
   }
 
   bool findBackground(const std::map<std::uint32_t, std::vector<int>>& members) {

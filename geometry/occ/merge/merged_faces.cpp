@@ -191,7 +191,7 @@ bool MergedFaces::cutFailed(const ModelMesh& mesh) {
     const Quilt* quilt = quiltWith(report.id);
     if (!quilt || !isFirst(report.id, *quilt)) continue;
     const bool isLeaning = report.withoutRule.leaning > 0;
-    if (report.status != FaceStatus::Failed && !isLeaning) continue;
+    if (report.status != FaceStatus::Failed && !isLeaning && report.triangles == 0) continue;
     isAny = true;
     const std::vector<int>& own = quilt->parts->faces;
     if (own.size() > kSmall) {
@@ -199,8 +199,10 @@ bool MergedFaces::cutFailed(const ModelMesh& mesh) {
       for (const int face : halfOf(own, areas, joints_, merged().isRemoved)) part_[face] = parts;
       continue;
     }
-    for (const int face : own)
-      givenUp_[face] = isLeaning ? "elements turned away from the faces" : report.reason;
+    const std::string why = isLeaning              ? "elements turned away from the faces"
+                            : report.triangles > 0 ? "triangles remained"
+                                                   : report.reason;
+    for (const int face : own) givenUp_[face] = why;
   }
   if (isAny) planned_.clear();
   return isAny;

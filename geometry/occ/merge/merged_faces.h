@@ -30,7 +30,8 @@ class MergedFaces final : public CadFaces {
                                          const std::vector<SizeSource>& places) const override;
   std::vector<SizeSource> sizesInside(int face) const override;
 
-  /// Cuts the quilts that failed, or have elements that turn away from their faces, into parts;
+  /// Cuts the quilts that failed, or have elements that turn away from their faces, or triangles
+  /// where there should be quadrilaterals, into parts;
   /// gives up those that are small. Returns whether there were any.
   bool cutFailed(const ModelMesh& mesh);
   /// Gives each face the elements with their middles on it, and the report what was merged.

@@ -74,7 +74,7 @@ class ChainFinder {
            });
   }
 
-  bool isShort(std::size_t e) const { return in_.lengths[e] < in_.narrow * sizeAtEdge(in_, e); }
+  bool isShort(std::size_t e) const { return in_.lengths[e] < shortAt(in_, e); }
 
   /// Whether a vertex may be left out, as far as its turn is not concerned.
   bool mayGo(int vertex) const {
@@ -134,6 +134,10 @@ class ChainFinder {
     return std::atan2(length(cross(a, b)), dot(a, b));
   }
 
+  double mostTurn(const ChainLink& link) const {
+    return mostTurnAt(in_, static_cast<std::size_t>(link.edge) - 1);
+  }
+
   /// By link: whether the vertex before it stays. Short edges between two others count by the turn
   /// from the one to the other.
   std::vector<bool> cornersOf(const Run& run) const {
@@ -148,7 +152,8 @@ class ChainFinder {
       if (isLast && !run.isClosed) break;
       const std::size_t here = longer[k], next = longer[isLast ? 0 : k + 1];
       const std::size_t gap = (next + count - here) % count;  // 0: the only one in a closed run
-      if (turnBetween(run.links[here], run.links[next]) > in_.angle || isWide(run, here, gap))
+      if (turnBetween(run.links[here], run.links[next]) > mostTurn(run.links[here]) ||
+          isWide(run, here, gap))
         isCorner[(here + 1) % count] = true;
     }
     return isCorner;
@@ -156,14 +161,14 @@ class ChainFinder {
 
   /// Whether short edges together are longer than a short edge may be.
   bool isWide(const Run& run, std::size_t after, std::size_t gap) const {
-    double sum = 0, size = 0;
+    double sum = 0, most = 0;
     for (std::size_t i = 1; i < gap; ++i) {
       const auto edge =
           static_cast<std::size_t>(run.links[(after + i) % run.links.size()].edge) - 1;
       sum += in_.lengths[edge];
-      size = sizeAtEdge(in_, edge);
+      most = shortAt(in_, edge);
     }
-    return gap > 1 && sum > in_.narrow * size;
+    return gap > 1 && sum > most;
   }
 
   void addRun(Run run) {
