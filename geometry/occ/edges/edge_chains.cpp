@@ -61,6 +61,26 @@ double ChainCurve::parameterOf(std::size_t link, double ofEdge) const {
                                        : ofEdge - part.curve.FirstParameter());
 }
 
+EdgePart chainPart(const EdgeChain& chain, EdgeSamples samples, const std::vector<Ends>& ends) {
+  const auto pointAt = [&](const ChainLink& link, bool atStart) {
+    const Ends& own = ends[static_cast<std::size_t>(link.edge) - 1];
+    return atStart != link.isReversed ? own.first : own.last;
+  };
+  EdgePart part{static_cast<std::size_t>(chain.id()) - 1, std::move(samples), {}};
+  part.ends = {pointAt(chain.links.front(), true), pointAt(chain.links.back(), false)};
+  part.isChain = true;
+  return part;
+}
+
+PointAt curveOf(const ModelShape& model, const EdgePart& part, const MergedEdges& merged) {
+  const int id = static_cast<int>(part.edge) + 1;
+  if (!part.isChain)
+    return
+        [curve = BRepAdaptor_Curve(model.edge(id))](double t) { return toPoint(curve.Value(t)); };
+  const auto chain = std::ranges::find(merged.chains, id, &EdgeChain::id);
+  return [curve = ChainCurve(model, *chain)](double t) { return curve.at(t); };
+}
+
 EdgeSamples chainedSamples(const ModelShape& model, const EdgeChain& chain,
                            const std::vector<EdgeSamples>& samples) {
   const ChainCurve curve(model, chain);

@@ -4,36 +4,17 @@
 
 #include <BRepAdaptor_Curve.hxx>
 #include <cstddef>
-#include <set>
+#include <functional>
 #include <vector>
 
 #include "engine/base/point.h"
+#include "geometry/occ/edges/edge_parts.h"
 #include "geometry/occ/edges/edge_samples.h"
+#include "geometry/occ/edges/merged_edges.h"
+#include "geometry/occ/edges/open_ends.h"
 #include "geometry/occ/model/model_shape.h"
 
 namespace af2::geometry {
-
-/// An edge of a chain, in the direction of the chain.
-struct ChainLink {
-  int edge = 0;
-  bool isReversed = false;
-};
-
-/// At least two edges, each of which begins where the one before ends. The division of the whole
-/// chain is that of its first edge; the others have none.
-struct EdgeChain {
-  std::vector<ChainLink> links;
-  int id() const { return links.front().edge; }
-};
-
-struct MergedEdges {
-  std::vector<bool> isRemoved;  ///< by edge, [0] is edge 1; those beyond its end are not removed
-  std::vector<EdgeChain> chains;
-  std::set<int> narrowFaces;  ///< that are part of wider ones: their width limits no sizes
-
-  bool isEmpty() const { return isRemoved.empty() && chains.empty(); }
-  bool removes(std::size_t index) const { return index < isRemoved.size() && isRemoved[index]; }
-};
 
 /// A chain as one curve. Its parameter runs from 0 through the parameters of one edge after the
 /// other. For the calling thread alone.
@@ -52,6 +33,15 @@ class ChainCurve {
   };
   std::vector<Part> parts_;
 };
+
+/// A chain as a part of its first edge.
+///
+/// ends  by edge; [0] is edge 1
+EdgePart chainPart(const EdgeChain& chain, EdgeSamples samples, const std::vector<Ends>& ends);
+
+/// The curve of a part of an edge, or of a chain. For the calling thread alone.
+using PointAt = std::function<Point3(double parameter)>;
+PointAt curveOf(const ModelShape& model, const EdgePart& part, const MergedEdges& merged);
 
 /// The samples of a chain, from those of its edges: one piece, except where an edge has a kink.
 EdgeSamples chainedSamples(const ModelShape& model, const EdgeChain& chain,

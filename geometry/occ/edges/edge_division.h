@@ -7,8 +7,8 @@
 
 #include "geometry/edges/divided_edges.h"
 #include "geometry/edges/edge_points.h"
-#include "geometry/occ/edges/edge_chains.h"
 #include "geometry/occ/edges/edge_samples.h"
+#include "geometry/occ/edges/merged_edges.h"
 #include "geometry/occ/model/model_shape.h"
 #include "geometry/occ/sizes/cad_sizes.h"
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "geometry/meshing/part_sizes.h"
+#include "geometry/occ/edges/edge_chains.h"
 #include "geometry/occ/merge/quilt_filling.h"
 
 namespace af2::geometry {

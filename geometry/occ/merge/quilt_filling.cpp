@@ -87,6 +87,8 @@ class Filling {
                     for (StuckPlace& place : places) place.u = place.v = 0;
                   }},
                  boundary, mesh);
+    if (flat_) return;
+    for (Point3& vertex : mesh.inside) vertex = surface_.settled(vertex);
   }
 
  private:

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "geometry/occ/edges/edge_chains.h"
+#include "geometry/occ/edges/merged_edges.h"
 #include "geometry/occ/merge/background.h"
 
 namespace af2::geometry {

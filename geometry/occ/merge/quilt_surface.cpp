@@ -1,5 +1,8 @@
 #include "geometry/occ/merge/quilt_surface.h"
 
+#include <BRepClass_FaceClassifier.hxx>
+#include <BRep_Tool.hxx>
+#include <TopoDS.hxx>
 #include <algorithm>
 #include <cmath>
 #include <deque>
@@ -99,11 +102,26 @@ QuiltParts quiltPartsOf(std::shared_ptr<const ModelShape> model, const Backgroun
   std::vector<bool> isNarrow;
   for (const int face : faces)
     isNarrow.push_back(grouping.isNarrow[static_cast<std::size_t>(face) - 1]);
+  std::map<SideOfTriangle, std::uint32_t> bySide;
+  const auto sidesOf = [&](std::size_t t) {
+    const auto& [a, b, c] = patched.facets.triangles[t];
+    return std::array<SideOfTriangle, 3>{{{a, b}, {b, c}, {c, a}}};
+  };
+  for (std::uint32_t t = 0; t < faceOf.size(); ++t)
+    for (const SideOfTriangle& side : sidesOf(t)) bySide[side] = t;
+  std::vector<std::vector<std::uint32_t>> beside(faceOf.size());
+  for (std::size_t t = 0; t < faceOf.size(); ++t)
+    for (const auto& [from, to] : sidesOf(t)) {
+      const auto twin = bySide.find({to, from});
+      if (twin != bySide.end() && faceOf[twin->second] != faceOf[t])
+        beside[t].push_back(twin->second);
+    }
   const auto drawing = triangles.size() <= kMaxDrawn ? FacetSurface::Drawing::IfPossible
                                                      : FacetSurface::Drawing::None;
   return {std::move(model),      FacetSurface(patched, patch, drawing),
           std::move(faces),      std::move(faceOf),
-          std::move(parameters), std::move(isNarrow)};
+          std::move(parameters), std::move(beside),
+          std::move(isNarrow)};
 }
 
 QuiltSurface::QuiltSurface(std::shared_ptr<const QuiltParts> parts)
@@ -116,12 +134,16 @@ const FaceSurface& QuiltSurface::surfaceOf(std::size_t index) const {
   return *surface;
 }
 
+Point2 QuiltSurface::parametersAt(const FacetSurface::Place& place) const {
+  const auto& at = parts_->parameters[place.triangle];
+  const auto& w = place.weights;
+  return w[0] * at[0] + w[1] * at[1] + w[2] * at[2];
+}
+
 QuiltSurface::OnFace QuiltSurface::onFace(const SurfacePoint& point) const {
   const FacetSurface::Place place = parts_->facets.placeOf(point);
   const std::size_t index = parts_->faceOf[place.triangle];
-  const auto& at = parts_->parameters[place.triangle];
-  const auto& w = place.weights;
-  const Point2 uv = w[0] * at[0] + w[1] * at[1] + w[2] * at[2];
+  const Point2 uv = parametersAt(place);
   return {index, surfaceOf(index).inOccParameters().pointAt(uv.x, uv.y)};
 }
 
@@ -170,6 +192,31 @@ double QuiltSurface::distanceFrom(const Point3& position) const {
   surface.refine(position, u, v);
   return std::min(distance(on.point.position, position),
                   distance(surface.frameAt(u, v).position, position));
+}
+
+Point3 QuiltSurface::settled(const Point3& position) const {
+  const auto footOn = [&](std::uint32_t triangle) {
+    const FacetSurface::Place place =
+        parts_->facets.placeOf(parts_->facets.nearestOn(triangle, position));
+    Point2 uv = parametersAt({triangle, place.weights});
+    const GeneralSurface& surface = surfaceOf(parts_->faceOf[triangle]).inOccParameters();
+    surface.refine(position, uv.x, uv.y);
+    return std::pair(uv, surface.frameAt(uv.x, uv.y).position);
+  };
+  const auto isOn = [&](std::uint32_t triangle, Point2 uv) {
+    const TopoDS_Face face =
+        TopoDS::Face(parts_->model->face(parts_->faces[parts_->faceOf[triangle]]));
+    BRepClass_FaceClassifier classifier(face, gp_Pnt2d(uv.x, uv.y), BRep_Tool::Tolerance(face));
+    return classifier.State() != TopAbs_OUT;
+  };
+  const SurfacePoint nearest = parts_->facets.nearest(position);
+  const std::uint32_t here = parts_->facets.placeOf(nearest).triangle;
+  if (parts_->beside[here].empty() || isOn(here, footOn(here).first)) return position;
+  for (const std::uint32_t other : parts_->beside[here]) {
+    const auto [uv, foot] = footOn(other);
+    if (isOn(other, uv)) return foot;
+  }
+  return position;
 }
 
 bool QuiltCharts::has(ChartKind kind) const {

@@ -23,7 +23,9 @@ struct QuiltParts {
   std::vector<int> faces;                         ///< ids, ascending
   std::vector<std::size_t> faceOf;                ///< by triangle: index in `faces`
   std::vector<std::array<Point2, 3>> parameters;  ///< by triangle, of its face
-  std::vector<bool> isNarrow;                     ///< by index of a face
+  /// By triangle: those beside it that are on other faces.
+  std::vector<std::vector<std::uint32_t>> beside;
+  std::vector<bool> isNarrow;  ///< by index of a face
 };
 
 /// triangles  of the background, all on `faces`
@@ -57,10 +59,14 @@ class QuiltSurface {
   OnFace onFace(const SurfacePoint& point) const;
   /// The distance of a position from the surface of the face at the nearest place.
   double distanceFrom(const Point3& position) const;
+  /// Moves a position that is on the surface of a face, but just beyond one of the edges that the
+  /// mesh crosses, to the face beyond: triangles know curved edges only nearly.
+  Point3 settled(const Point3& position) const;
   const FaceSurface& surfaceOf(std::size_t index) const;
   const QuiltParts& parts() const { return *parts_; }
 
  private:
+  Point2 parametersAt(const FacetSurface::Place& place) const;
   SurfacePoint lifted(SurfacePoint point) const;
   SurfacePoint lifted(SurfacePoint point, const OnFace& on) const;
 

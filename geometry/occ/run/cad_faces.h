@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "geometry/meshing/face_source.h"
-#include "geometry/occ/edges/edge_chains.h"
 #include "geometry/occ/edges/edge_samples.h"
+#include "geometry/occ/edges/merged_edges.h"
 #include "geometry/occ/faces/faces_on_faces.h"
 #include "geometry/occ/model/model.h"
 #include "geometry/occ/model/model_shape.h"
