@@ -51,18 +51,6 @@ std::vector<std::string> namesOf(const geometry::Model& model) {
   return names;
 }
 
-geometry::ModelMesh meshFaces(const MergeAsked& asked, const geometry::Model& model,
-                              const AF2Algorithm& algorithm,
-                              const geometry::MeshingOptions& options) {
-  if (!asked.isAsked) return geometry::meshModel(model, algorithm, options);
-  geometry::MergeRequest request;
-  if (asked.angle > 0) request.angle = asked.angle;
-  if (asked.narrow >= 0) request.narrow = asked.narrow;
-  request.keptEdges = asked.keptEdges;
-  request.keptAround = asked.keptAround;
-  return geometry::meshMerged(model, algorithm, options, request);
-}
-
 geometry::ModelMesh meshAll(const MeshRequest& request, const geometry::Model& model,
                             geometry::MeshingOptions options, const AF2Algorithm& algorithm,
                             const GivenUp& givenUp) {
@@ -76,7 +64,9 @@ geometry::ModelMesh meshAll(const MeshRequest& request, const geometry::Model& m
   options.faces = withoutGivenUp(std::move(options.faces), model, givenUp);
   geometry::ModelMesh mesh;
   if (!options.faces.empty() || givenUp.empty())
-    mesh = meshFaces(request.merge, model, algorithm, options);
+    mesh = request.merge.isAsked
+               ? geometry::meshMerged(model, algorithm, options, request.merge.request)
+               : geometry::meshModel(model, algorithm, options);
   reportGivenUp(model, givenUp, mesh);
   if (periodic.isAsked())
     mesh.findings.push_back(

@@ -2,7 +2,9 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <charconv>
+#include <iterator>
 
 #include "cli/program/number_lists.h"
 #include "cli/program/usage_error.h"
@@ -56,7 +58,7 @@ void declareMerge(CLI::App& command, MergeOptions& options) {
       ->expected(1);
 }
 
-MergeAsked checkedMerge(const MergeOptions& options, ModelKind kind) {
+MergeAsked checkedMerge(const MergeOptions& options, ModelKind kind, bool isPeriodicOrFewest) {
   MergeAsked asked;
   asked.isAsked = !options.angle.empty();
   if (!asked.isAsked) {
@@ -66,12 +68,14 @@ MergeAsked checkedMerge(const MergeOptions& options, ModelKind kind) {
   }
   if (kind != ModelKind::Cad)
     throw UsageError("--merge is for " + formatNames(ModelKind::Cad, "and") + " files");
-  if (!options.angle.front().empty()) asked.angle = parseAngle(options.angle.front());
-  if (!options.narrow.empty()) asked.narrow = parseShare(options.narrow);
+  if (isPeriodicOrFewest)
+    throw UsageError("--merge cannot be combined with --periodic and --fewest");
+  if (!options.angle.front().empty()) asked.request.angle = parseAngle(options.angle.front());
+  if (!options.narrow.empty()) asked.request.narrow = parseShare(options.narrow);
   for (const std::string& text : options.kept) {
     const FaceList list = parseFaces("--merge-keep", text);
-    asked.keptEdges.insert(list.ids.begin(), list.ids.end());
-    asked.keptAround.insert(asked.keptAround.end(), list.names.begin(), list.names.end());
+    asked.request.keptEdges.insert(list.ids.begin(), list.ids.end());
+    std::ranges::copy(list.names, std::back_inserter(asked.request.keptAround));
   }
   return asked;
 }

@@ -2,11 +2,11 @@
 #pragma once
 
 #include <CLI/App.hpp>
-#include <set>
 #include <string>
 #include <vector>
 
 #include "cli/meshing/model_formats.h"
+#include "geometry/occ/merge/merge_request.h"
 
 namespace af2::cli {
 
@@ -20,15 +20,13 @@ struct MergeOptions {
 /// What was asked for, before the model is known.
 struct MergeAsked {
   bool isAsked = false;
-  double angle = 0;    ///< degrees; 0: the usual one
-  double narrow = -1;  ///< share of the size; below 0: the usual one
-  std::set<int> keptEdges;
-  std::vector<std::string> keptAround;
+  geometry::MergeRequest request;
 };
 
 void declareMerge(CLI::App& command, MergeOptions& options);
 /// Throws UsageError for values that are no angle, share, edge or name, for these options without
-/// --merge, and for models that are no CAD models.
-MergeAsked checkedMerge(const MergeOptions& options, ModelKind kind);
+/// --merge, for models that are no CAD models, and together with what cannot be combined with it.
+MergeAsked checkedMerge(const MergeOptions& options, ModelKind kind,
+                        bool isPeriodicOrFewest = false);
 
 }  // namespace af2::cli

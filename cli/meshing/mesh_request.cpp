@@ -385,9 +385,8 @@ MeshRequest checkedRequest(const MeshOptions& options) {
   if (request.periodic.areAsked() &&
       (options.order != 1 || options.sizes.fewest || !options.faces.empty()))
     throw UsageError("--periodic cannot be combined with --order 2, --fewest and --faces");
-  request.merge = checkedMerge(options.merge, request.kind());
-  if (request.merge.isAsked && (request.periodic.areAsked() || options.sizes.fewest))
-    throw UsageError("--merge cannot be combined with --periodic and --fewest");
+  request.merge = checkedMerge(options.merge, request.kind(),
+                               request.periodic.areAsked() || options.sizes.fewest);
   checkOutputs(request);
   checkReadable(request.model);
   if (!options.boundary.empty())

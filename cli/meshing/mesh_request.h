@@ -78,7 +78,8 @@ struct MeshRequest {
   bool asksByNumber() const {
     return !options.faces.empty() || !options.sizes.faceSizes.empty() ||
            !options.sizes.edgeSizes.empty() || !options.sizes.chords.faces.empty() ||
-           !options.edgePoints.empty() || !periodic.pairs.empty() || !merge.keptEdges.empty();
+           !options.edgePoints.empty() || !periodic.pairs.empty() ||
+           !merge.request.keptEdges.empty();
   }
 
   ModelKind kind() const { return modelKindOf(model); }

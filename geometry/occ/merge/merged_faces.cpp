@@ -6,6 +6,7 @@
 #include <TopoDS_Iterator.hxx>
 #include <algorithm>
 
+#include "engine/base/error.h"
 #include "geometry/meshing/part_sizes.h"
 #include "geometry/occ/edges/edge_chains.h"
 #include "geometry/occ/merge/quilt_filling.h"
@@ -34,7 +35,10 @@ bool hasVertexInside(const TopoDS_Shape& face) {
 void keepAround(const ModelShape& shape, const std::vector<std::string>& patterns,
                 std::set<int>& kept) {
   for (const std::string& pattern : patterns) {
-    const std::vector<int> named = facesNamed(pattern, shape.faceNames, shape.groups);
+    const std::vector<int> named = facesCalled(pattern, shape.faceNames, shape.groups);
+    if (named.empty())
+      throw InputError("no face or group is called '" + pattern +
+                       "', so that no edges around it can be kept (see af2 inspect)");
     const auto isNamed = [&](int face) { return std::ranges::binary_search(named, face); };
     for (std::size_t e = 0; e < shape.facesOfEdges.size(); ++e) {
       const std::vector<int>& faces = shape.facesOfEdges[e];

@@ -36,14 +36,14 @@ class MergedFaces final : public CadFaces {
   bool cutFailed(const ModelMesh& mesh);
   /// Gives each face the elements with their middles on it, and the report what was merged.
   void spread(ModelMesh& mesh) const;
+  /// What is merged, with the distances of a mesh that is not spread yet.
+  Merging merging(const ModelMesh& mesh) const;
 
  private:
   const Quilt* quiltWith(int face) const;
   bool isFirst(int face, const Quilt& quilt) const { return quilt.parts->faces.front() == face; }
   void spreadReports(ModelMesh& mesh) const;
   void spreadSegments(ModelMesh& mesh) const;
-  Merging merging(const ModelMesh& mesh) const;
-
   const MergeRequest& request_;
   MergePlan plan_;
   std::vector<int> planned_;            // the faces asked for when the plan was made

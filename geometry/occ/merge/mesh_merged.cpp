@@ -1,6 +1,7 @@
 #include "geometry/occ/merge/mesh_merged.h"
 
 #include "engine/base/error.h"
+#include "geometry/meshing/check_options.h"
 #include "geometry/meshing/mesh_faces.h"
 #include "geometry/occ/merge/merged_faces.h"
 
@@ -34,6 +35,16 @@ ModelMesh meshMerged(const Model& model, const AF2Algorithm& algorithm,
     mesh = meshFaces(faces, algorithm, options);
   faces.spread(mesh);
   return mesh;
+}
+
+Merging mergingOf(const Model& model, const MeshingOptions& options, const MergeRequest& request,
+                  const TurnLimits& turns) {
+  check(model, options, request);
+  MergedFaces faces(model, request, turns);
+  checkOptions(faces, options);
+  const MeshingOptions own = optionsFor(faces, options);
+  faces.prepare(own, facesAskedFor(faces, own));
+  return faces.merging({});
 }
 
 }  // namespace af2::geometry

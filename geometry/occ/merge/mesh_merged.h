@@ -19,4 +19,8 @@ AF2_EXPORT ModelMesh meshMerged(const Model& model, const AF2Algorithm& algorith
                                 const MeshingOptions& options, const MergeRequest& request,
                                 const TurnLimits& turns = {});
 
+/// What meshMerged would merge at these sizes, without a mesh: no deviations.
+AF2_EXPORT Merging mergingOf(const Model& model, const MeshingOptions& options,
+                             const MergeRequest& request, const TurnLimits& turns = {});
+
 }  // namespace af2::geometry
