@@ -51,7 +51,7 @@ class Grouping {
   bool mayCross(std::size_t e) const {
     return in_.joints[e].isJoint() && !in_.isKept[e] && in_.mayMerge[one(e)] &&
            in_.mayMerge[other(e)] && in_.part[one(e)] == in_.part[other(e)] &&
-           in_.sizes[one(e)] == in_.sizes[other(e)];
+           in_.sizes[one(e)] == in_.sizes[other(e)] && in_.chords[one(e)] == in_.chords[other(e)];
   }
   /// A rounding that is too tight for two elements across begins at an edge that is kept.
   bool isSmooth(std::size_t e) const {
@@ -73,7 +73,9 @@ class Grouping {
     double area = 0, around = 0;
     double narrow = std::numeric_limits<double>::infinity();
     std::map<std::uint32_t, Shared> shared;  // by neighbouring group
-    double width() const { return around > 0 ? 2 * area / around : 0; }
+    double width() const {
+      return around > 0 ? 2 * area / around : std::numeric_limits<double>::infinity();
+    }
     bool isNarrow() const { return width() < narrow; }
   };
   using Strips = std::map<std::uint32_t, Strip>;

@@ -2,6 +2,7 @@
 #include <BRepAdaptor_Curve.hxx>
 #include <algorithm>
 #include <limits>
+#include <numeric>
 
 #include "geometry/deviation/measured_mesh.h"
 #include "geometry/occ/base/points.h"
@@ -38,6 +39,31 @@ double fromEdge(const ModelShape& shape, int edge, const Point3& place) {
   return nearest;
 }
 
+template <class T>
+void reorder(const std::vector<std::size_t>& order, std::vector<T>& values) {
+  if (values.size() != order.size()) return;  // there are none
+  std::vector<T> sorted;
+  sorted.reserve(values.size());
+  for (const std::size_t i : order) sorted.push_back(values[i]);
+  values = std::move(sorted);
+}
+
+/// The elements of each face follow each other, as they do in all meshes.
+void sortByFace(ModelMesh& mesh) {
+  std::vector<std::size_t> order(mesh.elements.size());
+  std::iota(order.begin(), order.end(), 0u);
+  std::ranges::stable_sort(order, {}, [&](std::size_t i) { return mesh.face[i]; });
+  std::vector<std::size_t> placeOf(order.size());
+  for (std::size_t i = 0; i < order.size(); ++i) placeOf[order[i]] = i;
+  reorder(order, mesh.elements);
+  reorder(order, mesh.midsides);
+  reorder(order, mesh.face);
+  reorder(order, mesh.origins);
+  reorder(order, mesh.scores);
+  for (ElementId& element : mesh.straightened) element = ElementId(placeOf[element.value]);
+  std::ranges::sort(mesh.straightened);
+}
+
 }  // namespace
 
 void MergedFaces::spread(ModelMesh& mesh) const {
@@ -54,6 +80,7 @@ void MergedFaces::spread(ModelMesh& mesh) const {
         facets.placeOf(facets.nearest(middleOf(mesh, mesh.elements[i])));
     mesh.face[i] = surface.parts().faces[surface.parts().faceOf[place.triangle]];
   }
+  sortByFace(mesh);
   spreadReports(mesh);
   spreadSegments(mesh);
 }

@@ -66,7 +66,9 @@ std::set<int> facesAtTouchingEdges(const ModelShape& shape, const DividedEdges& 
 }  // namespace
 
 void MergedFaces::prepare(const MeshingOptions& options, const std::vector<int>& faces) {
-  CadFaces::prepare(options, faces);
+  options_ = options;
+  if (planned_ == faces) shareAims();
+  CadFaces::prepare(options_, faces);
   if (planned_ == faces) return;  // a further round, with other sizes
   const auto count = static_cast<std::size_t>(faceCount());
   std::vector<double> areas(count, 0), lengths;
@@ -93,6 +95,18 @@ void MergedFaces::prepare(const MeshingOptions& options, const std::vector<int>&
                        std::move(mayMerge), std::move(kept), givenUp_, part_, options.stop});
   planned_ = faces;
   merge(plan_.edges);
+}
+
+/// The first face of a quilt stands for all when a mesh is measured.
+void MergedFaces::shareAims() {
+  std::map<int, double>& aims = options_.sizes.chords.aims;
+  for (const Quilt& quilt : plan_.quilts) {
+    const std::vector<int>& own = quilt.parts->faces;
+    const auto found = aims.find(own.front());
+    if (found == aims.end()) continue;
+    const double aim = found->second;
+    for (const int face : own) aims[face] = aim;
+  }
 }
 
 const Quilt* MergedFaces::quiltWith(int face) const {

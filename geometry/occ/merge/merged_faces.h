@@ -42,9 +42,11 @@ class MergedFaces final : public CadFaces {
  private:
   const Quilt* quiltWith(int face) const;
   bool isFirst(int face, const Quilt& quilt) const { return quilt.parts->faces.front() == face; }
+  void shareAims();
   void spreadReports(ModelMesh& mesh) const;
   void spreadSegments(ModelMesh& mesh) const;
   const MergeRequest& request_;
+  MeshingOptions options_;
   MergePlan plan_;
   std::vector<int> planned_;            // the faces asked for when the plan was made
   std::map<int, std::string> givenUp_;  // faces, and why
