@@ -29,6 +29,9 @@ class MergedFaces final : public CadFaces {
   std::vector<CollapsedEdges> shortEdges(int face, const DividedEdges& divided,
                                          const std::vector<SizeSource>& places) const override;
   std::vector<SizeSource> sizesInside(int face) const override;
+  /// Less at first, because quilts that fail are cut instead.
+  double retryShare() const override { return isBrief_ ? 0.15 : 1; }
+  void retryLonger() { isBrief_ = false; }
 
   /// Cuts the quilts that failed, or have elements that turn away from their faces, or triangles
   /// where there should be quadrilaterals, into parts;
@@ -52,6 +55,7 @@ class MergedFaces final : public CadFaces {
   std::map<int, std::string> givenUp_;  // faces, and why
   std::map<int, int> part_;             // by face, of quilts that were cut
   std::vector<EdgeJoint> joints_;
+  bool isBrief_ = true;
 };
 
 }  // namespace af2::geometry

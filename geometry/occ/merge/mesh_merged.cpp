@@ -33,6 +33,10 @@ ModelMesh meshMerged(const Model& model, const AF2Algorithm& algorithm,
   ModelMesh mesh = meshFaces(faces, algorithm, options);
   for (int round = 1; round < kMostRounds && faces.cutFailed(mesh); ++round)
     mesh = meshFaces(faces, algorithm, options);
+  if (failedFaces(mesh) > 0 && !options.stop.stop_requested()) {
+    faces.retryLonger();
+    mesh = meshFaces(faces, algorithm, options);
+  }
   faces.spread(mesh);
   return mesh;
 }
