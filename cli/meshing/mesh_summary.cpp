@@ -142,7 +142,8 @@ std::string mergeText(const std::optional<geometry::Merging>& merging) {
       "merged {} faces into {}, without {} edges and {} vertices; at most {:.3g} from the model\n",
       faces, merging->groups.size(), edges, merging->vertices.size(), deviation);
   if (!merging->kept.empty())
-    text += fmt::format("note: {} faces were not merged, e.g. face {}: {}\n", merging->kept.size(),
+    text += fmt::format("note: {} {} meshed one by one instead of merged, e.g. face {}: {}\n",
+                        merging->kept.size(), merging->kept.size() == 1 ? "face was" : "faces were",
                         merging->kept.front().face, merging->kept.front().reason);
   return text;
 }
