@@ -10,6 +10,7 @@
 #include "geometry/meshing/part_sizes.h"
 #include "geometry/occ/assembly/contacts.h"
 #include "geometry/occ/heal/heal_model.h"
+#include "geometry/occ/merge/mesh_merged.h"
 #include "geometry/occ/model/points_inside.h"
 #include "geometry/occ/periodic/periodic_faces.h"
 #include "geometry/occ/run/mesh_model.h"
@@ -63,7 +64,9 @@ geometry::ModelMesh meshAll(const MeshRequest& request, const geometry::Model& m
   options.faces = withoutGivenUp(std::move(options.faces), model, givenUp);
   geometry::ModelMesh mesh;
   if (!options.faces.empty() || givenUp.empty())
-    mesh = geometry::meshModel(model, algorithm, options);
+    mesh = request.merge.isAsked
+               ? geometry::meshMerged(model, algorithm, options, request.merge.request)
+               : geometry::meshModel(model, algorithm, options);
   reportGivenUp(model, givenUp, mesh);
   if (periodic.isAsked())
     mesh.findings.push_back(

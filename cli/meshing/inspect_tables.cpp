@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <map>
 #include <string>
 
@@ -35,6 +36,19 @@ void printDefect(const Defect& defect, double size) {
              detail);
 }
 
+/// "3, 7-9" of ascending ids.
+std::string rangesText(const std::vector<int>& ids) {
+  std::string text;
+  for (std::size_t i = 0; i < ids.size();) {
+    std::size_t last = i;
+    while (last + 1 < ids.size() && ids[last + 1] == ids[last] + 1) ++last;
+    text += (text.empty() ? "" : ", ") + std::to_string(ids[i]);
+    if (last > i) text += (last > i + 1 ? "-" : ", ") + std::to_string(ids[last]);
+    i = last + 1;
+  }
+  return text;
+}
+
 }  // namespace
 
 void printGroups(const std::vector<geometry::FaceGroup>& groups) {
@@ -43,6 +57,30 @@ void printGroups(const std::vector<geometry::FaceGroup>& groups) {
   for (const geometry::FaceGroup& group : groups)
     fmt::print("{:>8}  {:<12}  {}\n", group.faces.size(), geometry::toString(group.kind),
                group.name);
+}
+
+void printMerging(const geometry::Merging& merging, double size) {
+  if (merging.groups.empty())
+    fmt::print("no faces would be merged at a mesh size of {:.3g}\n", size);
+  else
+    fmt::print("merged at a mesh size of {:.3g}, without {} vertices:\n{:>8}  {:<30}  {}\n", size,
+               merging.vertices.size(), "faces", "ids", "edges that the mesh crosses");
+  for (const geometry::MergedGroup& group : merging.groups) {
+    std::vector<int> edges = group.smoothEdges;
+    edges.insert(edges.end(), group.narrowEdges.begin(), group.narrowEdges.end());
+    std::ranges::sort(edges);
+    std::string text = rangesText(edges);
+    if (!group.narrowEdges.empty())
+      text += fmt::format(" (beside narrow faces: {})", rangesText(group.narrowEdges));
+    fmt::print("{:>8}  {:<30}  {}\n", group.faces.size(), rangesText(group.faces), text);
+  }
+  for (const std::vector<int>& chain : merging.chains) {
+    std::string ids;
+    for (const int edge : chain) ids += (ids.empty() ? "" : ", ") + std::to_string(edge);
+    fmt::print("{:>8}  divided as one edge: {}\n", "", ids);
+  }
+  for (const geometry::Merging::Kept& kept : merging.kept)
+    fmt::print("{:>8}  face {} is not merged: {}\n", "", kept.face, kept.reason);
 }
 
 void printBoundaries(const std::vector<geometry::EdgeGroup>& boundaries) {

@@ -14,6 +14,9 @@ inline constexpr double kSizesPerDiagonal = 40;
 
 void printGroups(const std::vector<geometry::FaceGroup>& groups);
 
+/// Prints which faces would be meshed together, and without which edges.
+void printMerging(const geometry::Merging& merging, double size);
+
 /// Prints which edges belong to which boundary.
 void printBoundaries(const std::vector<geometry::EdgeGroup>& boundaries);
 

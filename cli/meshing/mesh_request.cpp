@@ -220,6 +220,7 @@ void declareMeshOptions(CLI::App& command, MeshOptions& options) {
   declareHealing(command, options.heal, options.healTolerance);
   declareImprint(command, options.imprint);
   declarePeriodic(command, options.periodic);
+  declareMerge(command, options.merge);
   command.add_flag("--no-optimize", options.rawFront,
                    "do not optimize the mesh that the front made");
   command.add_flag("--strict-rules", options.strictRules,
@@ -385,6 +386,8 @@ MeshRequest checkedRequest(const MeshOptions& options) {
   if (request.periodic.areAsked() &&
       (options.order != 1 || options.sizes.fewest || !options.faces.empty()))
     throw UsageError("--periodic cannot be combined with --order 2, --fewest and --faces");
+  request.merge = checkedMerge(options.merge, request.kind(),
+                               request.periodic.areAsked() || options.sizes.fewest);
   checkOutputs(request);
   checkReadable(request.model);
   if (!options.boundary.empty())

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "cli/meshing/imprint_request.h"
+#include "cli/meshing/merge_request.h"
 #include "cli/meshing/model_formats.h"
 #include "cli/meshing/output_scale.h"
 #include "cli/meshing/periodic_request.h"
@@ -31,6 +32,7 @@ struct MeshOptions {
   ImprintFlags imprint;
   ScaleOptions scale;
   PeriodicOptions periodic;
+  MergeOptions merge;
   std::vector<std::string> plugins;  ///< libraries that register names for the rules
   bool keepBoundary = false, heal = false, edges = false, statistics = false;
 };
@@ -69,13 +71,15 @@ struct MeshRequest {
 
   ImprintRequest imprint;
   PeriodicFaces periodic;
+  MergeAsked merge;
   std::vector<Point3> pointsInside;  ///< of faces
 
   /// Whether options name faces or edges by number: healing changes the numbers.
   bool asksByNumber() const {
     return !options.faces.empty() || !options.sizes.faceSizes.empty() ||
            !options.sizes.edgeSizes.empty() || !options.sizes.chords.faces.empty() ||
-           !options.edgePoints.empty() || !periodic.pairs.empty();
+           !options.edgePoints.empty() || !periodic.pairs.empty() ||
+           !merge.request.keptEdges.empty();
   }
 
   ModelKind kind() const { return modelKindOf(model); }

@@ -129,6 +129,25 @@ std::string imprintText(const std::optional<geometry::Imprinting>& imprinting) {
   return text;
 }
 
+std::string mergeText(const std::optional<geometry::Merging>& merging) {
+  if (!merging) return "";
+  std::size_t faces = 0, edges = 0;
+  double deviation = 0;
+  for (const geometry::MergedGroup& group : merging->groups) {
+    faces += group.faces.size();
+    edges += group.smoothEdges.size() + group.narrowEdges.size();
+    deviation = std::max(deviation, group.deviation);
+  }
+  std::string text = fmt::format(
+      "merged {} faces into {}, without {} edges and {} vertices; at most {:.3g} from the model\n",
+      faces, merging->groups.size(), edges, merging->vertices.size(), deviation);
+  if (!merging->kept.empty())
+    text += fmt::format("note: {} {} meshed one by one instead of merged, e.g. face {}: {}\n",
+                        merging->kept.size(), merging->kept.size() == 1 ? "face was" : "faces were",
+                        merging->kept.front().face, merging->kept.front().reason);
+  return text;
+}
+
 std::string imprintFault(const std::optional<geometry::Imprinting>& imprinting) {
   if (!imprinting || imprinting->undone.empty()) return "";
   return "the parts of the model were not made to share faces: " + imprinting->undone;

@@ -17,6 +17,8 @@ std::string summaryText(const geometry::ModelMesh& mesh, const geometry::MeshQua
 std::string healingText(const std::optional<geometry::Healing>& healing);
 /// What an imprint has done; empty if it was not asked for, or was undone.
 std::string imprintText(const std::optional<geometry::Imprinting>& imprinting);
+/// What was merged; empty if that was not asked for.
+std::string mergeText(const std::optional<geometry::Merging>& merging);
 /// Why an imprint was undone, for people who asked for it; empty if it was not.
 std::string imprintFault(const std::optional<geometry::Imprinting>& imprinting);
 

@@ -65,7 +65,7 @@ int runAction(const CLI::App& program, const Action& action) {
 /// A script may pass an empty variable, such as `--faces "$list"`, which would count as not given.
 void refuseEmptyValues(const CLI::App& command) {
   for (const CLI::Option* option : command.get_options())
-    if (std::ranges::count(option->results(), "") > 0)
+    if (option->get_expected_min() > 0 && std::ranges::count(option->results(), "") > 0)
       throw UsageError(option->get_name() + ": its value is empty");
 }
 

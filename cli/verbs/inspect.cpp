@@ -8,6 +8,7 @@
 #include "cli/meshing/imprint_request.h"
 #include "cli/meshing/inspect_domain.h"
 #include "cli/meshing/inspect_tables.h"
+#include "cli/meshing/merge_request.h"
 #include "cli/meshing/mesh_request.h"
 #include "cli/meshing/model_formats.h"
 #include "cli/program/exit_code.h"
@@ -28,6 +29,7 @@
 #include "geometry/occ/inspect/defects.h"
 #include "geometry/occ/inspect/edge_list.h"
 #include "geometry/occ/inspect/measures.h"
+#include "geometry/occ/merge/mesh_merged.h"
 #endif
 
 namespace af2::cli {
@@ -36,6 +38,7 @@ namespace {
 struct InspectOptions {
   std::string model, size, picture, healTolerance;
   ImprintFlags imprint;
+  MergeOptions merge;
   bool brief = false, all = false, edges = false, heal = false, json = false, labels = false;
 };
 
@@ -44,6 +47,7 @@ int inspectOther(const InspectOptions& options) {
   if (options.json) throw UsageError("--json is for CAD models");
   if (options.heal) refuseHealing();
   checkedImprint(options.imprint, modelKindOf(options.model));
+  checkedMerge(options.merge, modelKindOf(options.model));
   return inspectDomain({options.model, options.size.empty() ? 0 : parseSize("--size", options.size),
                         options.brief, options.all, options.edges});
 }
@@ -91,6 +95,7 @@ struct InspectRequest {
   bool heal = false;
   double healTolerance = 0;
   ImprintRequest imprint;
+  MergeAsked merge;
   dsl::PictureFormat format = dsl::PictureFormat::Svg;
 };
 
@@ -101,6 +106,9 @@ InspectRequest checkedRequest(const InspectOptions& options) {
   request.heal = options.heal;
   request.healTolerance = checkedHealTolerance(options.heal, options.healTolerance);
   request.imprint = checkedImprint(options.imprint, ModelKind::Cad);
+  request.merge = checkedMerge(options.merge, ModelKind::Cad);
+  if (options.json && request.merge.isAsked)
+    throw UsageError("--json does not list what --merge would do; leave out one of the two");
   if (options.json && (options.brief || options.all || options.edges || !options.size.empty()))
     throw UsageError(
         "--json lists everything but defects; leave out --brief, --all, --edges, --size");
@@ -121,6 +129,21 @@ std::vector<PictureLabel> labelsOf(const geometry::Model& model, const InspectOp
   return labels;
 }
 
+/// What a mesh would merge, instead of defects.
+int inspectMerging(const InspectOptions& options, const InspectRequest& request,
+                   const geometry::Model& model) {
+  geometry::MeshingOptions sizes;
+  sizes.sizes.size = request.size > 0 ? request.size : model.diagonal() / kSizesPerDiagonal;
+  const geometry::Merging merging = geometry::mergingOf(model, sizes, request.merge.request);
+  printMerging(merging, sizes.sizes.size);
+  if (!options.picture.empty()) {
+    writeText(options.picture,
+              drawMerging(model, merging, request.format, labelsOf(model, options)));
+    fmt::print("drew {} groups -> {}\n", merging.groups.size(), options.picture);
+  }
+  return imprintFault(model.imprinting()).empty() ? kComplete : kPartial;
+}
+
 int inspect(const InspectOptions& options, const InspectRequest& request) {
   geometry::Model model = geometry::readModel(request.model);
   if (request.heal) model = geometry::healModel(model, {request.healTolerance});
@@ -135,7 +158,8 @@ int inspect(const InspectOptions& options, const InspectRequest& request) {
   options.brief ? printSurfaceTypes(model) : printFaces(model);
   if (options.edges) printEdges(geometry::edgesOf(model));
   printGroups(model.groups());
-  if (options.brief && options.picture.empty()) return kComplete;
+  if (options.brief && options.picture.empty() && !request.merge.isAsked) return kComplete;
+  if (request.merge.isAsked) return inspectMerging(options, request, model);
   if (!options.brief) fmt::print("{}", contactTable(geometry::findContacts(model), options.all));
   const double size = request.size > 0 ? request.size : model.diagonal() / kSizesPerDiagonal;
   const std::vector<Defect> defects = geometry::findDefects(model, size);
@@ -186,6 +210,7 @@ Action declareInspect(CLI::App& command) {
                    "tables; for CAD models");
   declareHealing(command, options->heal, options->healTolerance);
   declareImprint(command, options->imprint);
+  declareMerge(command, options->merge);
   return [options]() -> int {
     if (modelKindOf(options->model) != ModelKind::Cad) return inspectOther(*options);
 #if AF2_HAVE_OCC

@@ -12,6 +12,7 @@
 
 #include "engine/mesh/vertex_stars.h"
 #include "geometry/base/parallel.h"
+#include "geometry/mesh/merged_patches.h"
 #include "geometry/mesh/mesh_sides.h"
 
 namespace af2::geometry {
@@ -70,7 +71,8 @@ class Findings {
 /// Looks at corners and areas.
 class ElementChecker {
  public:
-  ElementChecker(const ModelMesh& mesh, Findings& findings) : mesh_(mesh), findings_(findings) {
+  ElementChecker(const ModelMesh& mesh, Findings& findings)
+      : mesh_(mesh), patches_(mesh), findings_(findings) {
     for (const EdgeSegment& segment : mesh.segments)
       firstInside_ = std::max({firstInside_, segment.from.value + 1, segment.to.value + 1});
   }
@@ -79,7 +81,7 @@ class ElementChecker {
     double* area = nullptr;  // of the face
     for (std::size_t i = 0; i < mesh_.elements.size(); ++i) {
       if (i == 0 || mesh_.face[i] != mesh_.face[i - 1]) {
-        area = &areas_[mesh_.face[i]];
+        area = &areas_[patches_.of(mesh_.face[i])];
         insides_.emplace_back();
       }
       if (!hasProperCorners(mesh_.elements[i], mesh_.vertices.size())) {
@@ -91,17 +93,31 @@ class ElementChecker {
     }
   }
 
+  struct Patch {
+    double area = 0;
+    std::size_t elements = 0;
+  };
+  /// Complete faces of known area, by id; those that were meshed together are one.
+  std::map<int, Patch> patchesOfFaces() const {
+    std::map<int, Patch> all;
+    for (const FaceReport& face : mesh_.faces) {
+      if (face.status != FaceStatus::Complete || !(face.area > 0)) continue;
+      Patch& patch = all[patches_.of(face.id)];
+      patch.area += face.area;
+      patch.elements += face.elements;
+    }
+    return all;
+  }
+
   void checkAreas() {
     double whole = 0;
     for (const auto& [id, area] : areas_) whole += area;
-    for (const FaceReport& face : mesh_.faces) {
-      if (face.status != FaceStatus::Complete || !(face.area > 0)) continue;
-      if (!areas_.contains(face.id) && face.area < kMaxWithoutWidth * whole) continue;
-      const double ratio = areas_[face.id] / face.area;
+    for (const auto& [id, face] : patchesOfFaces()) {
+      if (!areas_.contains(id) && face.area < kMaxWithoutWidth * whole) continue;
+      const double ratio = areas_[id] / face.area;
       if (!isWrongArea(ratio, face.elements)) continue;
-      findings_.add({face.id,
-                     "the elements have " + std::to_string(ratio) + " times the area of the face",
-                     {}});
+      findings_.add(
+          {id, "the elements have " + std::to_string(ratio) + " times the area of the face", {}});
     }
   }
 
@@ -171,12 +187,13 @@ class ElementChecker {
   }
 
   const ModelMesh& mesh_;
+  const MergedPatches patches_;
   Findings& findings_;
   std::uint32_t firstInside_ = 0;        ///< from here on none is on a segment
   std::vector<std::size_t> unsound_;     ///< with wrong corners
   std::vector<std::size_t> atSegments_;  ///< with two corners before firstInside_
   std::vector<Range> insides_;           ///< of each run of elements of one face
-  std::map<int, double> areas_;          ///< by face
+  std::map<int, double> areas_;          ///< by face; of those meshed together by the first
 };
 
 /// Some vertices of a mesh, in a row.
@@ -240,7 +257,7 @@ class EdgeChecker {
     return std::ranges::lower_bound(task_.wanted, VertexId(vertex), {}, &WantedUses::low);
   }
   const Point3& position(VertexId v) const { return mesh_.vertices[v.value]; }
-  int faceOf(const MeshSide& side) const { return mesh_.face[side.element()]; }
+  int faceOf(const MeshSide& side) const { return patches_.of(mesh_.face[side.element()]); }
 
   void addMissing(const WantedUses& segment) {
     if (segment.uses > 0)
@@ -277,6 +294,7 @@ class EdgeChecker {
   }
 
   const ModelMesh& mesh_;
+  const MergedPatches patches_{mesh_};
   const Task& task_;
   Findings findings_;
 };

@@ -306,6 +306,20 @@ SurfacePoint FacetSurface::nearest(const Point3& position) const {
   return data_->pointIn(triangle, data_->nearestTo(position, triangle));
 }
 
+SurfacePoint FacetSurface::nearestOn(std::uint32_t triangle, const Point3& position) const {
+  return data_->pointIn(triangle, data_->nearestTo(position, triangle));
+}
+
+FacetSurface::Place FacetSurface::placeOf(const SurfacePoint& point) const {
+  if (data_->layout) {
+    const FacetLayout::Found found = data_->layout->at({point.u, point.v});
+    return {found.triangle, {found.where.a, found.where.b, found.where.c}};
+  }
+  const std::uint32_t triangle = data_->triangleOf(point);
+  const Barycentric where = data_->nearestTo(point.position, triangle);
+  return {triangle, {where.a, where.b, where.c}};
+}
+
 double FacetSurface::interpolated(const std::vector<double>& values, const Point3& position) const {
   const std::uint32_t triangle = data_->nearestTriangle(position);
   const Barycentric w = data_->nearestTo(position, triangle);

@@ -38,6 +38,15 @@ class FacetSurface {
   std::optional<SurfacePoint> hit(const SurfaceLine& line) const;
   /// The nearest point of the patch.
   SurfacePoint nearest(const Point3& position) const;
+  /// The nearest point of one triangle, by its number in the patch.
+  SurfacePoint nearestOn(std::uint32_t triangle, const Point3& position) const;
+  /// The triangle on which a point of this surface lies, by its number in the patch, and the
+  /// weights of its corners.
+  struct Place {
+    std::uint32_t triangle = 0;
+    std::array<double, 3> weights{};
+  };
+  Place placeOf(const SurfacePoint& point) const;
   /// Interpolates values at the vertices linearly to the nearest point of the patch.
   ///
   /// values  by vertex of the facets

@@ -84,6 +84,19 @@ Json toJson(const Imprinting& imprinting) {
   return json;
 }
 
+Json toJson(const Merging& merging) {
+  Json groups = Json::array(), kept = Json::array();
+  for (const MergedGroup& group : merging.groups)
+    groups.push_back({{"faces", group.faces},
+                      {"smooth_edges", group.smoothEdges},
+                      {"narrow_edges", group.narrowEdges},
+                      {"deviation", group.deviation}});
+  for (const Merging::Kept& face : merging.kept)
+    kept.push_back({{"face", face.face}, {"reason", face.reason}});
+  return {{"angle", merging.angle},       {"narrow", merging.narrow}, {"groups", groups},
+          {"vertices", merging.vertices}, {"chains", merging.chains}, {"kept", kept}};
+}
+
 Json toJson(const PartContacts& contacts) {
   Json pairs = Json::array();
   for (const PartContact& pair : contacts.pairs) {
@@ -227,6 +240,7 @@ void writeReport(const RunReport& report, const ModelMesh& mesh, OutputFile& fil
   if (!mesh.notes.empty()) json["notes"] = mesh.notes;
   if (mesh.healing) json["healing"] = toJson(*mesh.healing);
   if (mesh.imprinting) json["imprinting"] = toJson(*mesh.imprinting);
+  if (mesh.merging) json["merging"] = toJson(*mesh.merging);
   for (const PeriodicPair& pair : mesh.periodic)
     json["periodic"].push_back({{"first", pair.first},
                                 {"second", pair.second},

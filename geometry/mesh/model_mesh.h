@@ -136,6 +136,31 @@ struct Imprinting {
   std::string undone;                ///< why the model is as it was; empty: it is imprinted
 };
 
+/// Faces that were meshed together.
+struct MergedGroup {
+  std::vector<int> faces;        ///< ids, ascending
+  std::vector<int> smoothEdges;  ///< edges between them that the mesh crosses, ascending
+  std::vector<int> narrowEdges;  ///< the same, because a face beside is too narrow
+  double deviation = 0;          ///< the largest distance found of its elements from the faces
+  bool operator==(const MergedGroup&) const = default;
+};
+
+/// What a mesh across edges of its model has left out.
+struct Merging {
+  double angle = 0;   ///< degrees
+  double narrow = 0;  ///< share of the size
+  std::vector<MergedGroup> groups;
+  std::vector<int> vertices;             ///< ids of those that the mesh does not have, ascending
+  std::vector<std::vector<int>> chains;  ///< ids of edges that were divided as one
+  struct Kept {
+    int face = 0;
+    std::string reason;
+    bool operator==(const Kept&) const = default;
+  };
+  std::vector<Kept> kept;  ///< faces that were meshed one by one although they could be merged
+  bool operator==(const Merging&) const = default;
+};
+
 /// Where a rule is written. A mirror image has the text of the rule that it mirrors.
 struct RuleText {
   std::string file;  ///< as a reader may want to see it, such as "tri/even.af2"
@@ -193,6 +218,7 @@ struct ModelMesh {
   std::vector<std::string> notes;        ///< repairs made while reading
   std::optional<Healing> healing;        ///< if the model was healed
   std::optional<Imprinting> imprinting;  ///< if it was asked for
+  std::optional<Merging> merging;        ///< if it was asked for
   std::optional<Deviation> deviation;    ///< if a bound on it was given
   std::vector<PeriodicPair> periodic;    ///< if periodic faces were asked for
   PartContacts contacts;                 ///< of the model, where its parts share nothing

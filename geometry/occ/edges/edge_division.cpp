@@ -9,8 +9,6 @@
 #include <optional>
 
 #include "engine/base/error.h"
-#include "geometry/base/box_tree.h"
-#include "geometry/base/constants.h"
 #include "geometry/base/parallel.h"
 #include "geometry/edges/curve_division.h"
 #include "geometry/occ/base/merged_points.h"
@@ -19,10 +17,11 @@
 #include "geometry/occ/edges/corner_edges.h"
 #include "geometry/occ/edges/crease_reach.h"
 #include "geometry/occ/edges/cusps.h"
-#include "geometry/occ/edges/edge_samples.h"
+#include "geometry/occ/edges/edge_chains.h"
 #include "geometry/occ/edges/given_points.h"
 #include "geometry/occ/edges/narrow_strips.h"
 #include "geometry/occ/edges/open_ends.h"
+#include "geometry/occ/edges/point_edges.h"
 #include "geometry/occ/edges/tip_fans.h"
 #include "geometry/occ/edges/touching_edges.h"
 #include "geometry/occ/edges/twin_edges.h"
@@ -32,32 +31,26 @@ namespace af2::geometry {
 
 namespace {
 
-/// An edge that is shorter than this share of the wanted size, and than the tolerances of its
-/// vertices, is collapsed to a point.
-constexpr double kPointLike = 1e-3;
-/// So is an edge that is shorter than this share of the model, where the precision of coordinates
-/// ends, or too short to be visible, independent of the tolerances.
-constexpr double kBlur = 1e-10;
-
-/// Vertices with tolerances beyond this share of the model are damaged.
-constexpr double kMaxTolerance = 0.01;
-
 class Division {
  public:
   Division(const ModelShape& model, const std::vector<EdgeSamples>& sampled, const CadSizes& sizes,
            int threads, const std::stop_token& stop, const EdgePoints& given,
-           const CollapsedEdges& asPoints, const SegmentChanges& changes)
+           const CollapsedEdges& asPoints, const SegmentChanges& changes, const MergedEdges& merged)
       : model_(model),
         sizes_(sizes),
         given_(given),
         asPoints_(asPoints),
         changes_(changes),
-        samples_(sampled.size()) {
+        merged_(merged),
+        samples_(sampled.size()),
+        isMerged_(sampled.size(), false) {
     limitAll(sampled, threads, stop);
     findEnds();
+    leaveOutMerged();
     mergePoints();
     findTips();
-    limitInStrips(model_, sizes_, ends_, threads, samples_);
+    limitInStrips(model_, sizes_, ends_, threads, samples_, merged_.narrowFaces);
+    takeChains();
     limitAtShortEdges(model_, sizes_, ends_, samples_);
     makeParts();
     gradeAll();
@@ -91,6 +84,29 @@ class Division {
     }
   }
 
+  /// What the mesh does not follow has no samples, and no edge of a chain is a point.
+  void leaveOutMerged() {
+    for (std::size_t i = 0; i < samples_.size(); ++i) {
+      isMerged_[i] = merged_.removes(i);
+      if (isMerged_[i]) samples_[i].pieces.clear();
+    }
+    for (const EdgeChain& chain : merged_.chains)
+      for (const ChainLink& link : chain.links) isMerged_[indexOf(link)] = true;
+  }
+
+  /// From here on the edges of a chain are one.
+  void takeChains() {
+    for (const EdgeChain& chain : merged_.chains) {
+      chains_.push_back(chainedSamples(model_, chain, samples_));
+      for (const ChainLink& link : chain.links) samples_[indexOf(link)].pieces.clear();
+    }
+    std::erase_if(cusps_, [&](const auto& cusp) { return isMerged_[cusp.first.edge]; });
+  }
+
+  static std::size_t indexOf(const ChainLink& link) {
+    return static_cast<std::size_t>(link.edge) - 1;
+  }
+
   /// An edge may lack vertices, e.g. a full circle; it then gets points of its own.
   Ends endsOf(const TopoDS_Edge& edge, const EdgeSamples& samples) {
     const TopoDS_Vertex first = TopExp::FirstVertex(edge), last = TopExp::LastVertex(edge);
@@ -112,41 +128,30 @@ class Division {
     return static_cast<std::uint32_t>(result_.points.size() - 1);
   }
 
-  /// The length of an edge; if it is closed, how far its points are apart: it is the whole edge
-  /// that is, or is not, within the tolerance of its vertex.
-  double spanOf(std::size_t i) const {
-    return ends_[i].first == ends_[i].last ? extentOf(samples_[i]) : samples_[i].length;
-  }
-
-  /// How long an edge may be to be taken for a point.
-  double pointLength(std::size_t i) const {
-    const EdgeSamples& samples = samples_[i];
-    const double unseen = std::max(kBlur * model_.diagonal, kUnseen * samples.wanted);
-    const TopoDS_Edge edge = model_.edge(static_cast<int>(i) + 1);
-    const TopoDS_Vertex first = TopExp::FirstVertex(edge), last = TopExp::LastVertex(edge);
-    if (first.IsNull() || last.IsNull()) return unseen;
-    const double tolerance = std::max(BRep_Tool::Tolerance(first), BRep_Tool::Tolerance(last));
-    return std::max(unseen, std::min(tolerance, kPointLike * samples.wanted));
+  double pointLengthOf(std::size_t i) const {
+    return pointLength(model_, static_cast<int>(i) + 1, samples_[i]);
   }
 
   bool isAskedToBePoint(std::size_t i) const { return asPoints_.contains(static_cast<int>(i) + 1); }
 
   /// Given divisions are used unchanged.
   bool mayBePoint(std::size_t i) const {
-    return !givenFor(i) && (isAskedToBePoint(i) || spanOf(i) <= pointLength(i));
+    return !givenFor(i) &&
+           (isAskedToBePoint(i) || spanOf(samples_[i], ends_[i]) <= pointLengthOf(i));
   }
 
   /// How far apart points may be that become one because this edge is none.
   double mostExtent(std::size_t i) const {
     const auto found = asPoints_.find(static_cast<int>(i) + 1);
-    return found != asPoints_.end() ? found->second : 2 * pointLength(i);
+    return found != asPoints_.end() ? found->second : 2 * pointLengthOf(i);
   }
 
   /// The shortest first. Many short edges one after the other may make a long one, which is none.
   void mergeAlongShortEdges(MergedPoints& merging) {
     std::vector<std::size_t> edges;
     for (std::size_t i = 0; i < samples_.size(); ++i)
-      if (samples_[i].problem.empty() && (samples_[i].pieces.empty() || mayBePoint(i)))
+      if (!isMerged_[i] && samples_[i].problem.empty() &&
+          (samples_[i].pieces.empty() || mayBePoint(i)))
         edges.push_back(i);
     std::ranges::stable_sort(edges, {}, [&](std::size_t i) { return samples_[i].length; });
     std::vector<std::pair<std::size_t, double>> asked;
@@ -187,14 +192,10 @@ class Division {
   }
 
   std::vector<std::pair<std::uint32_t, std::uint32_t>> gaps() const {
-    const double blur = std::min(kBlur * model_.diagonal, kPointLike * sizes_.size);
-    std::vector<double> tolerance(result_.points.size(), blur);
-    for (int id = 1; id <= model_.vertices.Extent(); ++id)
-      tolerance[static_cast<std::size_t>(id) - 1] +=
-          std::min(BRep_Tool::Tolerance(model_.vertex(id)), kMaxTolerance * model_.diagonal);
-    std::vector<bool> isUsed;
-    for (const EdgeSamples& samples : samples_) isUsed.push_back(!samples.pieces.empty());
-    return gapsInWires(model_, ends_, isUsed, result_.points, tolerance);
+    std::vector<bool> isUsed = isMerged_;
+    for (std::size_t i = 0; i < samples_.size(); ++i)
+      if (!samples_[i].pieces.empty()) isUsed[i] = true;
+    return gapsBetweenEnds(model_, sizes_.size, ends_, isUsed, result_.points);
   }
 
   /// Given divisions are not divided any further.
@@ -204,16 +205,14 @@ class Division {
     const auto stops = stopsOf(model_, ends_, samples_, result_.points, mayBeSplit);
     for (std::size_t i = 0; i < samples_.size(); ++i)
       if (!samples_[i].pieces.empty()) addParts(i, stops[i]);
+    for (std::size_t c = 0; c < chains_.size(); ++c)
+      if (!chains_[c].pieces.empty())
+        parts_.push_back(chainPart(merged_.chains[c], std::move(chains_[c]), ends_));
+    std::ranges::stable_sort(parts_, {}, &EdgePart::edge);
   }
 
   void addParts(std::size_t edge, const std::vector<Stop>& stops) {
-    std::vector<double> parameters;
-    for (const Stop& stop : stops) parameters.push_back(stop.parameter);
-    std::vector<EdgeSamples> samples = split(samples_[edge], parameters);
-    for (std::size_t k = 0; k < samples.size(); ++k) {
-      EdgePart part{edge, std::move(samples[k]), ends_[edge], k == 0, k == stops.size()};
-      if (!part.isFirst) part.ends.first = stops[k - 1].point;
-      if (!part.isLast) part.ends.last = stops[k].point;
+    for (EdgePart& part : partsBetween(edge, samples_[edge], ends_[edge], stops)) {
       if (!givenFor(edge)) creases_.leaveOut(part);
       parts_.push_back(std::move(part));
     }
@@ -244,11 +243,10 @@ class Division {
   void limitBesideGiven(int edge, const std::vector<Point3>& points,
                         std::vector<double>& atPoint) const {
     const Ends ends = ends_[static_cast<std::size_t>(edge) - 1];
+    if (points.empty()) return;
     for (const std::uint32_t end : {ends.first, ends.last}) {
-      if (points.empty()) continue;
-      const Point3& place = result_.points[end];
-      const double segment =
-          std::min(distance(place, points.front()), distance(place, points.back()));
+      const Point3& p = result_.points[end];
+      const double segment = std::min(distance(p, points.front()), distance(p, points.back()));
       atPoint[end] = std::min(atPoint[end], bounded(sizes_, segment));
     }
   }
@@ -299,24 +297,24 @@ class Division {
 
   DividedPart divideAnew(const EdgePart& part, AskedSegments asked) {
     std::vector<double> parameters = divideFromCusps(model_, part, cusps_, tips_, asked, sizes_);
-    const BRepAdaptor_Curve curve(model_.edge(static_cast<int>(part.edge) + 1));
-    leaveOutBesidePoints(part.ends, asked.least, curve, parameters);
+    const PointAt pointAt = curveOf(model_, part, merged_);
+    leaveOutBesidePoints(part.ends, asked.least, pointAt, parameters);
     std::vector<std::uint32_t> inner;
     for (std::size_t k = 1; k + 1 < parameters.size(); ++k)
-      inner.push_back(addPoint(toPoint(curve.Value(parameters[k]))));
+      inner.push_back(addPoint(pointAt(parameters[k])));
     return between(part.ends, std::move(parameters), inner);
   }
 
   /// Beside what was taken for a point although it can be seen, segments are longer than that is
   /// large: a shorter one would look into it.
-  void leaveOutBesidePoints(const Ends& ends, std::size_t least, const BRepAdaptor_Curve& curve,
+  void leaveOutBesidePoints(const Ends& ends, std::size_t least, const PointAt& pointAt,
                             std::vector<double>& parameters) const {
     for (const std::uint32_t end : {ends.first, ends.last}) {
       const auto found = blind_.find(end);
       if (found == blind_.end()) continue;
       const Point3& place = result_.points[end];
       for (std::size_t k = parameters.size() - 2; k > 0 && parameters.size() > least + 1; --k)
-        if (distance(toPoint(curve.Value(parameters[k])), place) < kTimesBlind * found->second)
+        if (distance(pointAt(parameters[k]), place) < kTimesBlind * found->second)
           parameters.erase(parameters.begin() + static_cast<std::ptrdiff_t>(k));
     }
   }
@@ -363,7 +361,10 @@ class Division {
   const EdgePoints& given_;
   const CollapsedEdges& asPoints_;
   const SegmentChanges& changes_;
+  const MergedEdges& merged_;
   std::vector<EdgeSamples> samples_;
+  std::vector<bool> isMerged_;       // by edge: it is crossed, or in a chain
+  std::vector<EdgeSamples> chains_;  // in the order of merged_
   std::vector<Ends> ends_;
   std::vector<EdgePart> parts_;  // in the order of their edges
   std::vector<DividedPart> dividedParts_;
@@ -392,8 +393,8 @@ std::vector<EdgeSamples> sampleEdges(const ModelShape& model, const CadSizes& si
 DividedEdges divideEdges(const ModelShape& model, const std::vector<EdgeSamples>& sampled,
                          const CadSizes& sizes, int threads, const std::stop_token& stop,
                          const EdgePoints& given, const CollapsedEdges& asPoints,
-                         const SegmentChanges& changes) {
-  return Division(model, sampled, sizes, threads, stop, given, asPoints, changes).result();
+                         const SegmentChanges& changes, const MergedEdges& merged) {
+  return Division(model, sampled, sizes, threads, stop, given, asPoints, changes, merged).result();
 }
 
 }  // namespace af2::geometry

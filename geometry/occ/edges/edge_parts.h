@@ -34,6 +34,8 @@ struct EdgePart {
   /// Whether the part begins and ends where the edge does, rather than where the edge passes the
   /// end of another one.
   bool isFirst = true, isLast = true;
+  /// Whether it is a chain of edges, named by the first of them.
+  bool isChain = false;
 
   EdgeRange range() const {
     return {samples.pieces.front().parameters.front(), samples.pieces.back().parameters.back(),

@@ -280,13 +280,14 @@ class FaceStrips {
 }  // namespace
 
 void limitInStrips(const ModelShape& model, const CadSizes& sizes, const std::vector<Ends>& ends,
-                   int threads, std::vector<EdgeSamples>& samples) {
+                   int threads, std::vector<EdgeSamples>& samples, const std::set<int>& without) {
   std::vector<KnottedEdge> edges(samples.size());
   for (std::size_t i = 0; i < samples.size(); ++i)
     if (!sizes.edgeSizes.contains(static_cast<int>(i) + 1)) edges[i] = knotted(samples[i]);
   const double leastShare = sizes.elementsPerTurn > 0 ? kMinShareWithTurns : kMinShare;
   std::vector<std::vector<Limit>> byFace(static_cast<std::size_t>(model.faces.Extent()));
   forEachInParallel(byFace.size(), threads, [&](std::size_t i) {
+    if (without.contains(static_cast<int>(i) + 1)) return;
     try {
       byFace[i] = FaceStrips(model, static_cast<int>(i) + 1, ends, edges, leastShare).limits();
     } catch (const std::exception&) {  // reported when the face is meshed

@@ -2,6 +2,7 @@
 // Not installed: includers need OpenCASCADE's headers.
 #pragma once
 
+#include <set>
 #include <vector>
 
 #include "geometry/occ/edges/edge_samples.h"
@@ -16,7 +17,9 @@ namespace af2::geometry {
 ///
 /// ends     by edge; [0] is edge 1
 /// samples  by edge
+/// without  ids of faces that change nothing
 void limitInStrips(const ModelShape& model, const CadSizes& sizes, const std::vector<Ends>& ends,
-                   int threads, std::vector<EdgeSamples>& samples);
+                   int threads, std::vector<EdgeSamples>& samples,
+                   const std::set<int>& without = {});
 
 }  // namespace af2::geometry

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "geometry/occ/edges/edge_parts.h"
 #include "geometry/occ/edges/edge_samples.h"
 #include "geometry/occ/edges/open_ends.h"
 
@@ -19,6 +20,10 @@ struct Stop {
   double parameter = 0;
   std::uint32_t point = 0;
 };
+
+/// The parts of an edge between its stops.
+std::vector<EdgePart> partsBetween(std::size_t edge, const EdgeSamples& samples, const Ends& ends,
+                                   const std::vector<Stop>& stops);
 
 /// The distance up to which edges of a face count as one, given the tolerances of both: no more
 /// than is visible in a mesh of the wanted size.

@@ -87,6 +87,7 @@ class TwinFinder {
       ++uses_[edge];
       isReversed_[edge] = way == (isTurned ? TopAbs_FORWARD : TopAbs_REVERSED);
       for (const std::size_t part : ofEdge_[edge]) {
+        if (parts_[part].isChain) continue;
         std::vector<std::size_t>& others = at(between, part);
         if (std::ranges::find(others, part) == others.end()) others.push_back(part);
       }
@@ -108,7 +109,8 @@ class TwinFinder {
       if (twins_[i]) isTaken[i] = isTaken[*twins_[i]] = true;
     PartsBetween between;
     for (std::size_t i = 0; i < parts_.size(); ++i)
-      if (uses_[parts_[i].edge] == 1 && !isTaken[i]) at(between, i).push_back(i);
+      if (uses_[parts_[i].edge] == 1 && !isTaken[i] && !parts_[i].isChain)
+        at(between, i).push_back(i);
     for (auto& [points, found] : between) {
       if (points.first == points.second) continue;
       for (std::size_t i = 1; i < found.size(); ++i)
