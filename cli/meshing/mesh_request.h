@@ -31,6 +31,7 @@ struct MeshOptions {
   ImprintFlags imprint;
   ScaleOptions scale;
   PeriodicOptions periodic;
+  std::vector<std::string> layers;
   std::vector<std::string> plugins;  ///< libraries that register names for the rules
   bool keepBoundary = false, heal = false, edges = false, statistics = false;
 };
@@ -72,11 +73,7 @@ struct MeshRequest {
   std::vector<Point3> pointsInside;  ///< of faces
 
   /// Whether options name faces or edges by number: healing changes the numbers.
-  bool asksByNumber() const {
-    return !options.faces.empty() || !options.sizes.faceSizes.empty() ||
-           !options.sizes.edgeSizes.empty() || !options.sizes.chords.faces.empty() ||
-           !options.edgePoints.empty() || !periodic.pairs.empty();
-  }
+  bool asksByNumber() const;
 
   ModelKind kind() const { return modelKindOf(model); }
 };

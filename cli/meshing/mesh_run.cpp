@@ -30,6 +30,10 @@ void checkIds(const MeshRequest& request, int faces, int edges) {
     checkId("--face-chord", "face", face, faces);
   for (const auto& [edge, size] : request.options.sizes.edgeSizes)
     checkId("--edge-size", "edge", edge, edges);
+  for (const geometry::LayerRequest& layers : request.options.layers) {
+    for (const int edge : layers.edges) checkId("--layers", "edge", edge, edges);
+    for (const int face : layers.faces) checkId("--layers", "face", face, faces);
+  }
 }
 
 void checkIds(const MeshRequest& request, const geometry::DomainModel& model) {

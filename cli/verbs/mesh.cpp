@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "cli/meshing/contact_texts.h"
+#include "cli/meshing/layers_text.h"
 #include "cli/meshing/mesh_run.h"
 #include "cli/meshing/mesh_summary.h"
 #include "cli/meshing/model_runs.h"
@@ -110,8 +111,8 @@ void printResult(const MeshRequest& request, const RunReport& report, const Mode
   if (!request.quiet && request.stuckTests.empty()) text += stuckText(mesh);
   std::fputs(text.c_str(), stderr);  // does not throw if stderr is closed
   if (!request.quiet)
-    fmt::print("{}{}{}{}{}{}", unitText(mesh), notesText(mesh.notes), healingText(mesh.healing),
-               imprintText(mesh.imprinting), contactWarning(mesh.contacts),
+    fmt::print("{}{}{}{}{}{}{}", unitText(mesh), notesText(mesh.notes), healingText(mesh.healing),
+               imprintText(mesh.imprinting), contactWarning(mesh.contacts), layersText(mesh),
                summaryText(mesh, report.quality));
 }
 

@@ -21,6 +21,7 @@
 #include "geometry/occ/edges/cusps.h"
 #include "geometry/occ/edges/edge_samples.h"
 #include "geometry/occ/edges/given_points.h"
+#include "geometry/occ/edges/layer_parts.h"
 #include "geometry/occ/edges/narrow_strips.h"
 #include "geometry/occ/edges/open_ends.h"
 #include "geometry/occ/edges/tip_fans.h"
@@ -32,26 +33,24 @@ namespace af2::geometry {
 
 namespace {
 
-/// An edge that is shorter than this share of the wanted size, and than the tolerances of its
-/// vertices, is collapsed to a point.
+/// An edge that is shorter than this share of the wanted size and than the tolerances of its
+/// vertices is collapsed to a point.
 constexpr double kPointLike = 1e-3;
-/// So is an edge that is shorter than this share of the model, where the precision of coordinates
-/// ends, or too short to be visible, independent of the tolerances.
+/// So is one that is shorter than this share of the model, whatever its tolerances.
 constexpr double kBlur = 1e-10;
-
-/// Vertices with tolerances beyond this share of the model are damaged.
-constexpr double kMaxTolerance = 0.01;
+constexpr double kMaxTolerance = 0.01;  // of the model; vertices with larger ones are damaged
 
 class Division {
  public:
   Division(const ModelShape& model, const std::vector<EdgeSamples>& sampled, const CadSizes& sizes,
            int threads, const std::stop_token& stop, const EdgePoints& given,
-           const CollapsedEdges& asPoints, const SegmentChanges& changes)
+           const CollapsedEdges& asPoints, const SegmentChanges& changes, const LayerEnds& layers)
       : model_(model),
         sizes_(sizes),
         given_(given),
         asPoints_(asPoints),
         changes_(changes),
+        layerEnds_(layers),
         samples_(sampled.size()) {
     limitAll(sampled, threads, stop);
     findEnds();
@@ -298,7 +297,8 @@ class Division {
   }
 
   DividedPart divideAnew(const EdgePart& part, AskedSegments asked) {
-    std::vector<double> parameters = divideFromCusps(model_, part, cusps_, tips_, asked, sizes_);
+    std::vector<double> parameters =
+        divideBetweenLayers(model_, part, layerEnds_, cusps_, tips_, asked, sizes_);
     const BRepAdaptor_Curve curve(model_.edge(static_cast<int>(part.edge) + 1));
     leaveOutBesidePoints(part.ends, asked.least, curve, parameters);
     std::vector<std::uint32_t> inner;
@@ -363,6 +363,7 @@ class Division {
   const EdgePoints& given_;
   const CollapsedEdges& asPoints_;
   const SegmentChanges& changes_;
+  const LayerEnds& layerEnds_;
   std::vector<EdgeSamples> samples_;
   std::vector<Ends> ends_;
   std::vector<EdgePart> parts_;  // in the order of their edges
@@ -392,8 +393,8 @@ std::vector<EdgeSamples> sampleEdges(const ModelShape& model, const CadSizes& si
 DividedEdges divideEdges(const ModelShape& model, const std::vector<EdgeSamples>& sampled,
                          const CadSizes& sizes, int threads, const std::stop_token& stop,
                          const EdgePoints& given, const CollapsedEdges& asPoints,
-                         const SegmentChanges& changes) {
-  return Division(model, sampled, sizes, threads, stop, given, asPoints, changes).result();
+                         const SegmentChanges& changes, const LayerEnds& ends) {
+  return Division(model, sampled, sizes, threads, stop, given, asPoints, changes, ends).result();
 }
 
 }  // namespace af2::geometry

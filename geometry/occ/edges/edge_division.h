@@ -7,6 +7,7 @@
 
 #include "geometry/edges/divided_edges.h"
 #include "geometry/edges/edge_points.h"
+#include "geometry/layers/layer_heights.h"
 #include "geometry/occ/edges/edge_samples.h"
 #include "geometry/occ/model/model_shape.h"
 #include "geometry/occ/sizes/cad_sizes.h"
@@ -27,11 +28,12 @@ std::vector<EdgeSamples> sampleEdges(const ModelShape& model, const CadSizes& si
 ///
 /// changes  by count of the division without changes. Where a change is not possible, the number of
 ///          segments stays as it is.
+/// ends     of layers: there edges without given points have vertices
 ///
 /// Throws InputError if the points given for an edge are not on it, in order and distinct.
 DividedEdges divideEdges(const ModelShape& model, const std::vector<EdgeSamples>& sampled,
                          const CadSizes& sizes, int threads, const std::stop_token& stop,
                          const EdgePoints& given = {}, const CollapsedEdges& asPoints = {},
-                         const SegmentChanges& changes = {});
+                         const SegmentChanges& changes = {}, const LayerEnds& ends = {});
 
 }  // namespace af2::geometry

@@ -9,6 +9,8 @@
 
 #include "engine/base/error.h"
 #include "geometry/base/parallel.h"
+#include "geometry/layers/layer_ends.h"
+#include "geometry/layers/layers_of_face.h"
 #include "geometry/mesh/inside_out.h"
 #include "geometry/mesh/volume_note.h"
 #include "geometry/meshing/mesh_faces.h"
@@ -51,6 +53,12 @@ class CadFaces final : public FaceSource {
   int edgeCount() const override { return model_.edgeCount(); }
   double diagonal() const override { return model_.diagonal(); }
   const std::vector<FaceGroup>& groups() const override { return model_.groups(); }
+  std::vector<int> edgeIdsOf(int face) const override {
+    std::vector<int> ids;
+    for (const EdgeUse& use : model_.shape().edgesOfFaces[indexOf(face)]) ids.push_back(use.id);
+    std::ranges::sort(ids);
+    return ids;
+  }
 
   FaceReport reportOf(int face) const override {
     FaceReport report;
@@ -76,6 +84,7 @@ class CadFaces final : public FaceSource {
     expectMoreOn(uneven);
     expectByPosition();
     sampled_ = sampleEdges(*shape_, sizes_, options.threads, options.stop);
+    findLayers();
   }
 
   double workOn(int face) const override { return work_[indexOf(face)]; }
@@ -100,7 +109,7 @@ class CadFaces final : public FaceSource {
   DividedEdges divide(const PositionSize& sizes, const CollapsedEdges& asPoints,
                       const SegmentChanges& changes) const override {
     return divideEdges(*shape_, sampled_, withFunction(sizes), options_->threads, options_->stop,
-                       options_->edgePoints, asPoints, changes);
+                       options_->edgePoints, asPoints, changes, layerEnds_);
   }
 
   std::vector<CountedLoop> loopsOf(int face, const DividedEdges& divided) const override {
@@ -109,8 +118,8 @@ class CadFaces final : public FaceSource {
 
   void fill(int face, const FillRequest& request, FaceMesh& mesh) const override {
     const auto fillBy = [&](const CadSizes& sizes) {
-      meshFace({*shape_, sizes, onFaces_, isFineInside_, request}, face, areas_[indexOf(face)],
-               work_[indexOf(face)], mesh);
+      meshFace({*shape_, sizes, onFaces_, isFineInside_, request, layersOn(face)}, face,
+               areas_[indexOf(face)], work_[indexOf(face)], mesh);
     };
     request.limits.hasOriginalSizes ? fillBy(sizes_) : fillBy(withFunction(request.sizes));
   }
@@ -179,6 +188,25 @@ class CadFaces final : public FaceSource {
       if (element.isQuad()) sum += length(cross(at(2) - at(0), at(3) - at(0))) / 2;
     }
     return sum;
+  }
+
+  /// Of the faces to be meshed, with the places at which they end on other edges.
+  void findLayers() {
+    layers_.clear();
+    layerEnds_.clear();
+    if (options_->layers.empty()) return;
+    for (const int face : faces_)
+      if (EdgeLayers own = layersOfFace(options_->layers, face, edgesOf(face)); !own.empty())
+        layers_[face] = std::move(own);
+    const DividedEdges divided = divide(sizesByPosition(), {}, {});
+    for (const auto& [face, layers] : layers_)
+      addLayerEndsOfFace(*shape_, face, layers, divided, onFaces_, layerEnds_);
+    fitLayerEnds(divided, layerEnds_);
+  }
+
+  const EdgeLayers* layersOn(int face) const {
+    const auto own = layers_.find(face);
+    return own == layers_.end() ? nullptr : &own->second;
   }
 
   /// Keeps only faces that lie on another face which is also meshed.
@@ -259,7 +287,9 @@ class CadFaces final : public FaceSource {
   std::vector<FaceOnFace> onFaces_;
   std::vector<double> areas_, work_;  // by face; 0 of those not asked for
   std::vector<EdgeSamples> sampled_;  // by edge
-  bool isFineInside_ = false;         // sizes may be much smaller than along boundaries
+  std::map<int, EdgeLayers> layers_;  // by face
+  LayerEnds layerEnds_;
+  bool isFineInside_ = false;  // sizes may be much smaller than along boundaries
 };
 
 }  // namespace
