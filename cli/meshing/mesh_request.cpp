@@ -16,7 +16,6 @@
 #include "geometry/base/words.h"
 #include "geometry/io/boundary_file.h"
 #include "geometry/io/mesh_files.h"
-#include "geometry/io/points_file.h"
 
 namespace af2::cli {
 namespace {
@@ -96,8 +95,10 @@ void declareMeshOptions(CLI::App& command, MeshOptions& options) {
                   "JSON file with the vertices along edges that are already divided")
       ->type_name("FILE");
   command
-      .add_option("--points", options.points,
-                  "JSON file with points inside faces of a CAD model that become vertices")
+      .add_option(
+          "--points", options.points,
+          "JSON file with points and curves inside faces of a CAD model or a planar domain, which "
+          "become vertices and edges")
       ->type_name("FILE");
   declareLayers(command, options.layers);
   command
@@ -122,6 +123,9 @@ void declareMeshOptions(CLI::App& command, MeshOptions& options) {
                       "which it has one: " +
                       groupingWords())
       ->type_name("KINDS");
+  command.add_flag("--compress", options.compress,
+                   "compress the arrays of " +
+                       extensionsThat(&geometry::MeshFormat::isCompressible, "and") + " files");
   declareScale(command, options.scale);
   command.add_flag("--keep-boundary", options.keepBoundary,
                    "for " + formatNames(ModelKind::Planar, "and") +
@@ -171,7 +175,8 @@ void declareMeshOptions(CLI::App& command, MeshOptions& options) {
                   "file for the decisions of the run, for af2 explain, stats and trace")
       ->type_name("FILE");
   command
-      .add_option("--trace-faces", options.traceFaces, "with --trace: only these faces, e.g. 3,7-9")
+      .add_option("--trace-faces", options.traceFaces,
+                  "with --trace: only these faces, by number or name, e.g. 3,7-9,inlet")
       ->type_name("FACES");
   addPluginOption(command, options.plugins);
   command.add_option("--report", options.report, "file for a report in JSON")->type_name("FILE");
@@ -303,7 +308,9 @@ MeshRequest checkedRequest(const MeshOptions& options) {
   request.statistics = options.statistics;
   if (!options.traceFaces.empty()) {
     if (options.trace.empty()) throw UsageError("--trace-faces needs --trace");
-    request.traceFaces = parseIds("--trace-faces", options.traceFaces);
+    FaceList faces = parseFaces("--trace-faces", options.traceFaces);
+    request.traceFaces = std::move(faces.ids);
+    request.traceNames = std::move(faces.names);
   }
   request.outputs.assign(options.outputs.begin(), options.outputs.end());
   if (request.kind() != ModelKind::Planar && options.keepBoundary)
@@ -321,6 +328,7 @@ MeshRequest checkedRequest(const MeshOptions& options) {
   }
   request.options.keepBoundary = options.keepBoundary;
   if (options.edges) request.fileOptions.lines = geometry::LinesAlong::AllEdges;
+  request.fileOptions.compress = options.compress;
   request.scale = checkedScale(options.scale, request.kind());
   if (!options.groups.empty()) request.fileOptions.groups = checkedGroups(options.groups);
   if (!options.chart.empty()) request.options.chart = checkedChart(options, request);
@@ -337,9 +345,9 @@ MeshRequest checkedRequest(const MeshOptions& options) {
   if (!options.boundary.empty())
     request.options.edgePoints = geometry::readEdgePoints(options.boundary);
   if (!options.points.empty()) {
-    if (request.kind() != ModelKind::Cad)
-      throw UsageError("--points is for " + formatNames(ModelKind::Cad, "and") + " files");
-    request.pointsInside = geometry::readPoints(options.points);
+    if (request.kind() == ModelKind::Faceted)
+      throw UsageError("--points is for CAD models and planar domains");
+    request.inside = geometry::readInsideFaces(options.points);
   }
   const bool isForQuads = request.options.quads.onlyQuads;
   const char* usual = isForQuads ? "quad/classic.af2" : "tri/even.af2";

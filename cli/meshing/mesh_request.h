@@ -14,6 +14,7 @@
 #include "cli/meshing/size_request.h"
 #include "cli/rules/rule_loading.h"
 #include "geometry/io/mesh_files.h"
+#include "geometry/io/points_file.h"
 #include "geometry/meshing/meshing_options.h"
 
 namespace af2::cli {
@@ -33,7 +34,7 @@ struct MeshOptions {
   PeriodicOptions periodic;
   std::vector<std::string> layers;
   std::vector<std::string> plugins;  ///< libraries that register names for the rules
-  bool keepBoundary = false, heal = false, edges = false, statistics = false;
+  bool keepBoundary = false, heal = false, edges = false, statistics = false, compress = false;
 };
 
 void declareMeshOptions(CLI::App& command, MeshOptions& options);
@@ -53,7 +54,8 @@ MeshOptions optionsFrom(std::vector<std::string> arguments);
 struct MeshRequest {
   std::filesystem::path model, rules;
   std::filesystem::path report, stuckTests, trace;  ///< empty: not written
-  std::vector<int> traceFaces;                      ///< that are traced; empty: all
+  std::vector<int> traceFaces;                      ///< that are traced; empty, and no names: all
+  std::vector<std::string> traceNames;              ///< of faces and groups that are traced, too
   std::vector<std::string> arguments;               ///< see argumentsOf; only for traces
   std::vector<std::filesystem::path> outputs;
   geometry::MeshingOptions options;  ///< the options for meshing
@@ -70,7 +72,7 @@ struct MeshRequest {
 
   ImprintRequest imprint;
   PeriodicFaces periodic;
-  std::vector<Point3> pointsInside;  ///< of faces
+  geometry::InsideFaces inside;  ///< what the mesh is to keep inside faces
 
   /// Whether options name faces or edges by number: healing changes the numbers.
   bool asksByNumber() const;

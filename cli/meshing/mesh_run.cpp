@@ -42,6 +42,13 @@ void checkIds(const MeshRequest& request, const geometry::DomainModel& model) {
   checkIds(request, static_cast<int>(model.faces.size()), edges);
 }
 
+void tellNames(const RunControl& control, const geometry::DomainModel& model) {
+  if (!control.names) return;
+  std::vector<std::string> names;
+  for (const geometry::DomainFace& face : model.faces) names.push_back(face.name);
+  control.names(names, model.groups);
+}
+
 geometry::MeshingOptions optionsOf(const MeshRequest& request, const RunControl& control,
                                    ProgressBar& bar, int firstFace) {
   geometry::MeshingOptions options = request.options;

@@ -79,6 +79,12 @@ void checkOutputs(const MeshRequest& request) {
       std::ranges::none_of(request.outputs, holdsGroups))
     throw UsageError(fmt::format("--groups is for {} files",
                                  extensionsThat(&geometry::MeshFormat::holdsGroups, "and")));
+  const auto isCompressible = [](const fs::path& file) {
+    return geometry::meshFormatOf(file).isCompressible;
+  };
+  if (request.fileOptions.compress && std::ranges::none_of(request.outputs, isCompressible))
+    throw UsageError(fmt::format("--compress is for {} files",
+                                 extensionsThat(&geometry::MeshFormat::isCompressible, "and")));
   if (!request.report.empty()) checkOne(request.report);
   if (!request.stuckTests.empty()) checkOne(request.stuckTests);
   if (!request.trace.empty()) checkOne(request.trace);

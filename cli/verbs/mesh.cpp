@@ -142,7 +142,8 @@ int meshAndReport(const MeshRequest& request, RunLog* log, const GivenUp& givenU
         "--elements quad: the rules '{}' make no quadrilaterals; leave out -r, or use quad/classic",
         request.rules.string()));
   RunRecorders recorders(request, *loaded.rules);
-  const RunControl control{!request.quiet, interrupt.token(), recorders.observers(), log, &givenUp};
+  const RunControl control{!request.quiet, interrupt.token(),       recorders.observers(), log,
+                           &givenUp,       recorders.nameListener()};
   ModelMesh mesh = runMesh(request, loaded.rules, control);
   mesh.name = request.model.filename().string();
   mesh.ruleTexts = ruleTextsOf(loaded);
