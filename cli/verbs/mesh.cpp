@@ -6,7 +6,6 @@
 #include <filesystem>
 
 #include "cli/meshing/contact_texts.h"
-#include "cli/meshing/layers_text.h"
 #include "cli/meshing/mesh_run.h"
 #include "cli/meshing/mesh_summary.h"
 #include "cli/meshing/model_runs.h"
