@@ -156,7 +156,7 @@ class DomainFaces final : public FaceSource {
     const DomainFace& face = at(id);
     FaceBoundary boundary = boundaryOf(face, request.divided);
     addNotes(boundary.repairs, mesh.history);
-    leaveOutLayersOf(id, request.divided, boundary);
+    leaveOutLayersOf(id, request, boundary);
     const double area = face.area - (boundary.layers ? boundary.layers->area : 0);
     const DomainSize byPosition = sizes_->byPosition.withFunction(request.sizes);
     const CurvatureLimit* limit = sizes_->limits[indexOf(id)].get();
@@ -236,7 +236,7 @@ class DomainFaces final : public FaceSource {
     fitLayerEnds(divided, layerEnds_);
   }
 
-  void leaveOutLayersOf(int id, const DividedEdges& divided, FaceBoundary& boundary) const {
+  void leaveOutLayersOf(int id, const FillRequest& request, FaceBoundary& boundary) const {
     const auto own = layers_.find(id);
     if (own == layers_.end()) return;
     const DomainFace& face = at(id);
@@ -245,7 +245,8 @@ class DomainFaces final : public FaceSource {
       placed.position = point.position;
       return placed;
     };
-    leaveOutLayers(*face.surface, place, own->second, divided, boundary);
+    leaveOutLayers(*face.surface, place, own->second, request.divided,
+                   stepsFor(request.options.quads), boundary);
     if (!boundary.layers) return;
     for (LayersAlongEdge& along : boundary.layers->along) along.edge = idOfEdge(along.edge);
   }

@@ -24,7 +24,8 @@ std::set<VertexId> referredTo(const FaceBoundary& boundary) {
 /// Makes elements of columns. New vertices get ids above those of the boundary.
 class LayerMaker {
  public:
-  LayerMaker(const LayerGrid& grid, FaceBoundary& boundary) : grid_(grid), boundary_(boundary) {}
+  LayerMaker(const LayerGrid& grid, LayerSteps steps, FaceBoundary& boundary)
+      : grid_(grid), steps_(steps), boundary_(boundary) {}
 
   void make() {
     for (const auto& loop : boundary_.input.loops)
@@ -33,6 +34,12 @@ class LayerMaker {
       places_.try_emplace(corner.vertex, corner.point);
     next_ = boundary_.input.vertexCount;
     for (const LayerColumn& column : grid_.columns) ids_.push_back(idsOf(column));
+    before_.assign(grid_.columns.size(), kNone);
+    behind_.assign(grid_.columns.size(), kNone);
+    for (const LayerCell& cell : grid_.cells) {
+      before_[cell.right] = cell.left;
+      behind_[cell.left] = cell.right;
+    }
     for (const LayerCell& cell : grid_.cells)
       if (!isFan(cell)) addCell(cell);
     addFans();
@@ -77,6 +84,7 @@ class LayerMaker {
   /// A triangle ends the last layer if one column has a layer more than the other.
   void addCell(const LayerCell& cell) {
     addQuads(cell, 1);
+    if (steps_ == LayerSteps::Sides) return;
     const std::vector<VertexId>&left = ids_[cell.left], &right = ids_[cell.right];
     const std::size_t common = std::min(left.size(), right.size());
     if (left.size() > common) add({left[common - 1], right[common - 1], left[common]});
@@ -97,6 +105,20 @@ class LayerMaker {
     }
   }
 
+  /// The levels of a column through which the loop goes: its top, and before and behind it the end
+  /// of the side on which the next column has a layer less.
+  std::vector<std::size_t> levelsInLoop(std::size_t column) const {
+    const std::size_t top = grid_.columns[column].levels;
+    std::vector<std::size_t> levels{top};
+    if (steps_ == LayerSteps::Triangles) return levels;
+    const auto isLower = [&](std::size_t other) {
+      return other != kNone && grid_.columns[other].levels < top;
+    };
+    if (isLower(before_[column])) levels.insert(levels.begin(), top - 1);
+    if (isLower(behind_[column])) levels.push_back(top - 1);
+    return levels;
+  }
+
   /// The loop goes over the tops of columns instead of along the boundary below them.
   void replaceLoop(std::size_t index) {
     std::vector<BoundaryCorner>& loop = boundary_.input.loops[index];
@@ -108,7 +130,8 @@ class LayerMaker {
       isLeftOut[column.corner] = true;
       for (std::size_t k = 1; k < column.corners.size() && k <= column.levels; ++k)
         isLeftOut[column.corners[k]] = true;
-      tops[column.corner].push_back({ids_[c].back(), column.points[column.levels]});
+      for (const std::size_t level : levelsInLoop(c))
+        tops[column.corner].push_back({ids_[c][level], column.points[level]});
     }
     std::vector<BoundaryCorner> replaced;
     for (std::size_t i = 0; i < loop.size(); ++i) {
@@ -168,7 +191,11 @@ class LayerMaker {
     boundary_.layers = std::move(layers_);
   }
 
+  static constexpr std::size_t kNone = ~std::size_t{0};
+
   const LayerGrid& grid_;
+  LayerSteps steps_;
+  std::vector<std::size_t> before_, behind_;  // by column: the next ones
   FaceBoundary& boundary_;
   std::map<VertexId, SurfacePoint> places_;
   std::size_t next_ = 0, numbered_ = 0;
@@ -211,14 +238,15 @@ std::vector<LayersAlongEdge> layersAlongEdges(const LayerGrid& grid, const FaceB
 }  // namespace
 
 void leaveOutLayers(const ChartedSurface& surface, const PlaceInParameters& place,
-                    const EdgeLayers& layers, const DividedEdges& divided, FaceBoundary& boundary) {
+                    const EdgeLayers& layers, const DividedEdges& divided, LayerSteps steps,
+                    FaceBoundary& boundary) {
   const auto edges = edgesOfSegments(boundary, divided);
   const SurfaceWalk walk(surface, place);
   LayerGrid grid = layerGrid(boundary, layers, edges, referredTo(boundary), walk);
   if (grid.runs.empty()) return;
   limitLayers(boundary, grid);
   std::vector<LayersAlongEdge> along = layersAlongEdges(grid, boundary, layers, edges);
-  LayerMaker(grid, boundary).make();
+  LayerMaker(grid, steps, boundary).make();
   boundary.layers->along = std::move(along);
 }
 

@@ -46,6 +46,11 @@ told "no room"
 square 2 --layers 1=0.1,1,1 --fewest --chord 0.1
 told "--fewest cannot be combined with --layers"
 
+# All of quadrilaterals, also where there is room for fewer layers.
+expect 0 "$af2" mesh "$models/plate.poly" --size 1 --layers @1=0.05,1.3,6 --elements quad
+grep -q ' 0 triangles' out || fail "layers left triangles"
+grep -q 'fewer than asked' out || fail "there was room for all layers"
+
 for threads in 2 3; do
   for model in brickhole die; do
     expect 0 "$af2" mesh "$models/$model.step" --size 0.7 --layers @1-5=0.01,1.3,5 -j 1 -o a.vtu

@@ -155,7 +155,7 @@ class FaceMesher {
     }
     if (context_.layers)
       leaveOutLayers(surface_, placeInParametersOf(surface_), *context_.layers,
-                     context_.request.divided, boundary);
+                     context_.request.divided, stepsFor(context_.request.options.quads), boundary);
     const bool hasLayers = boundary.layers && !boundary.layers->elements.empty();
     if (context_.request.limits.ignoresNormals && !hasLayers)
       partSeams(boundary.input, boundary.points);
