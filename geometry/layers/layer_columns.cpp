@@ -21,6 +21,7 @@ constexpr double kNarrowest = 22.5 * kDegree, kWidest = 60 * kDegree;  // sector
 /// Columns lean up to this many times as far from a corner as layers above it reach along its
 /// sides; then segments on top of the layers are a third shorter there.
 constexpr double kSpread = 3;
+constexpr double kMostLean = 4;  // more than the tangent of half of kSharpest
 
 class RunMaker {
  public:
@@ -136,6 +137,7 @@ class RunMaker {
       const std::size_t other = (isBefore ? c + count - i : c + i) % count;
       const std::size_t next = (isBefore ? other + 1 : other + count - 1) % count;
       away += gapBetween(isBefore ? other : next, isBefore ? next : other);
+      if (away > kSpread * kMostLean * tops_.back()) return 0;  // no column leans that far away
       if (corners_[other].kind == Kind::Plain) continue;
       const double reach = std::min(kSpread * tops_.back() * std::abs(corners_[other].lean),
                                     roomFrom(other, isBefore));

@@ -51,11 +51,29 @@ class Limiter {
   void limit() {
     for (const LayerCell& cell : grid_.cells) limitByShape(cell);
     smooth();
+    if (crowding() > kMostCrowding) {
+      giveUp();
+      return;
+    }
+    isChanged_.assign(grid_.columns.size(), true);
     while (limitByCrossings()) smooth();
   }
 
  private:
   const LayerColumn& column(std::size_t i) const { return grid_.columns[i]; }
+
+  /// About how many segments of the boundary are as near to a column as it is high, for all
+  /// columns.
+  double crowding() const {
+    double sum = 0;
+    for (const LayerCell& cell : grid_.cells) {
+      const LayerColumn& left = column(cell.left);
+      const Point3& base = left.points[0].position;
+      const double segment = distance(base, column(cell.right).points[0].position);
+      if (segment > 0) sum += distance(base, left.points[left.levels].position) / segment;
+    }
+    return sum;
+  }
 
   /// No quadrilateral of a cell has an angle far from that of a rectangle, or is far narrower on
   /// top than the segment below.
@@ -92,6 +110,7 @@ class Limiter {
         if (column(i).levels <= most) return;
         grid_.columns[i].levels = most;
         isChanged = true;
+        if (!isChanged_.empty()) isChanged_[i] = true;
       };
       const auto fit = [&](const LayerCell& cell) {
         const bool isFan = column(cell.left).fan >= 0 &&
@@ -120,21 +139,37 @@ class Limiter {
     std::vector<bool> isHit(grid_.columns.size(), false);
     bool isAny = false;
     for (std::size_t i = 0; i < lines.size(); ++i) {
-      if (lines[i].isBoundary()) continue;
+      if (!isNew(lines[i])) continue;
+      if (compared_ > kMostCompared) return giveUp();
       tree.forEachIn(boxes[i], [&](std::uint32_t k) {
+        ++compared_;
         if (areBeside(lines[i], lines[k]) || !doCross(lines[i], lines[k])) return;
         for (const Line* line : {&lines[i], &lines[k]})
           for (const std::size_t c : line->columns)
             if (c != Line::kNone) isAny = isHit[c] = true;
       });
     }
-    bool isChanged = false;
+    bool isLower = false;
+    isChanged_.assign(isHit.size(), false);
     for (std::size_t c = 0; c < isHit.size(); ++c) {
       if (!isHit[c] || column(c).levels == 0) continue;
       --grid_.columns[c].levels;
-      isChanged = true;
+      isChanged_[c] = isLower = true;
     }
-    return isAny && isChanged;
+    return isAny && isLower;
+  }
+
+  /// Layers are far higher than segments are long, and cross everywhere, as where retries divide a
+  /// boundary that crosses itself: none of them is worth the time.
+  bool giveUp() {
+    for (LayerColumn& of : grid_.columns) of.levels = 0;
+    return false;
+  }
+
+  /// Lines of columns that stayed as they were have been compared before.
+  bool isNew(const Line& line) const {
+    return std::ranges::any_of(line.columns,
+                               [&](std::size_t c) { return c != Line::kNone && isChanged_[c]; });
   }
 
   /// Lines cross on a curved surface although they pass each other at some distance.
@@ -202,6 +237,10 @@ class Limiter {
 
   const FaceBoundary& boundary_;
   LayerGrid& grid_;
+  static constexpr double kMostCrowding = 2e6;
+  static constexpr std::size_t kMostCompared = 100'000'000;  // pairs of lines
+  std::size_t compared_ = 0;
+  std::vector<bool> isChanged_;  // by column: since the last comparison; empty: before the first
 };
 
 }  // namespace
