@@ -211,6 +211,7 @@ void addNarrowPlaces(FaceSource& source, const AF2Algorithm& algorithm, MeshingO
   first.progress = {};
   first.observer = {};
   first.sizes.chords = {};
+  first.layers.clear();  // they are not narrow places of the model
   const ModelMesh coarse = FaceRun(source, algorithm, first).mesh().mesh;
   addSources(narrowPlaces(coarse, across, options.threads),
              leastForLimits(options.sizes.size, options.sizes.minSize), options.sizes.sources);
