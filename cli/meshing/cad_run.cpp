@@ -1,4 +1,6 @@
 // `af2 mesh` for CAD models.
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <numeric>
 
@@ -6,11 +8,13 @@
 #include "cli/meshing/mesh_summary.h"
 #include "cli/meshing/model_runs.h"
 #include "cli/program/progress_bar.h"
+#include "cli/program/usage_error.h"
 #include "geometry/check/sounder_mesh.h"
 #include "geometry/meshing/part_sizes.h"
 #include "geometry/occ/assembly/contacts.h"
 #include "geometry/occ/heal/heal_model.h"
 #include "geometry/occ/merge/mesh_merged.h"
+#include "geometry/occ/model/curves_inside.h"
 #include "geometry/occ/model/points_inside.h"
 #include "geometry/occ/periodic/periodic_faces.h"
 #include "geometry/occ/run/mesh_model.h"
@@ -51,13 +55,33 @@ std::vector<std::string> namesOf(const geometry::Model& model) {
   return names;
 }
 
+int faceCalled(const PeriodicFace& face, const geometry::Model& model) {
+  if (face.name.empty()) return face.id;
+  const std::vector<int> faces = geometry::facesCalled(face.name, namesOf(model), model.groups());
+  if (faces.size() != 1)
+    throw UsageError(fmt::format(
+        "--periodic: {} called '{}' (see af2 inspect)",
+        faces.empty() ? "there is no face or group" : std::to_string(faces.size()) + " faces are",
+        face.name));
+  return faces.front();
+}
+
+std::vector<std::pair<int, int>> pairsByNumber(const PeriodicFaces& asked,
+                                               const geometry::Model& model) {
+  std::vector<std::pair<int, int>> pairs;
+  for (const auto& [first, second] : asked.pairs)
+    pairs.emplace_back(faceCalled(first, model), faceCalled(second, model));
+  return pairs;
+}
+
 geometry::ModelMesh meshAll(const MeshRequest& request, const geometry::Model& model,
                             geometry::MeshingOptions options, const AF2Algorithm& algorithm,
                             const GivenUp& givenUp) {
   options.faces =
       withFacesCalled(std::move(options.faces), options.faceNames, namesOf(model), model.groups());
   options.faceNames.clear();
-  const geometry::PeriodicRequest periodic{request.periodic.directions, request.periodic.pairs};
+  const geometry::PeriodicRequest periodic{request.periodic.directions,
+                                           pairsByNumber(request.periodic, model)};
   if (periodic.isAsked() && givenUp.empty())
     return geometry::meshPeriodic(model, algorithm, options,
                                   geometry::findPeriodic(model, periodic));
@@ -72,6 +96,11 @@ geometry::ModelMesh meshAll(const MeshRequest& request, const geometry::Model& m
     mesh.findings.push_back(
         "no faces were made periodic, because a face of the model was given up");
   return mesh;
+}
+
+geometry::Model withInside(const geometry::Model& model, const geometry::InsideFaces& inside) {
+  return geometry::withCurvesInside(geometry::withPointsInside(model, inside.points),
+                                    inside.curves);
 }
 
 /// For a note, which must cost little: for all pairs of a large assembly there is `af2 inspect`.
@@ -105,12 +134,13 @@ geometry::ModelMesh runCad(const MeshRequest& request, const AF2Algorithm& algor
     bar.show("imprinting", 0, request.model.filename().string());
     model = imprintedModel(model, request.imprint, control.stop);
   }
-  model = geometry::withPointsInside(model, request.pointsInside);
+  model = withInside(model, request.inside);
   geometry::PartContacts contacts;
   if (!control.stop.stop_requested()) contacts = contactsToTell(request, model);
   const double readSeconds = reading.seconds();
   checkUnit(request.scale, model.unit());
   checkIds(request, model.faceCount(), model.edgeCount());
+  if (control.names) control.names(namesOf(model), model.groups());
   const GivenUp givenUp = control.givenUp ? *control.givenUp : GivenUp();
   const auto meshed = [&](const geometry::Model& some, int firstFace) {
     return meshAll(request, some, optionsOf(request, control, bar, firstFace), algorithm,
@@ -123,8 +153,7 @@ geometry::ModelMesh runCad(const MeshRequest& request, const AF2Algorithm& algor
   if (request.heal && !request.imprint.isAsked && geometry::hasFaults(mesh) &&
       !request.asksByNumber() && !control.stop.stop_requested() &&
       givenUp.upper_bound(last) == givenUp.end())
-    mesh = geometry::sounderMesh(
-        std::move(mesh), meshed(geometry::withPointsInside(asRead, request.pointsInside), last));
+    mesh = geometry::sounderMesh(std::move(mesh), meshed(withInside(asRead, request.inside), last));
   if (!request.healingEnd.empty())
     mesh.healing =
         geometry::Healing{request.healTolerance,

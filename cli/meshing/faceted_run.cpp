@@ -11,9 +11,11 @@ geometry::ModelMesh runFaceted(const MeshRequest& request, const AF2Algorithm& a
   Stopwatch reading;
   const geometry::Facets facets = geometry::readFacets(request.model);
   const double readSeconds = reading.seconds();
-  geometry::ModelMesh mesh =
-      geometry::meshFaceted(facets, algorithm, optionsOf(request, control, bar),
-                            [&](const geometry::DomainModel& model) { checkIds(request, model); });
+  geometry::ModelMesh mesh = geometry::meshFaceted(
+      facets, algorithm, optionsOf(request, control, bar), [&](const geometry::DomainModel& model) {
+        checkIds(request, model);
+        tellNames(control, model);
+      });
   mesh.seconds.read = readSeconds;
   return mesh;
 }

@@ -6,6 +6,7 @@
 #include <map>
 #include <string>
 
+#include "cli/meshing/domain_json.h"
 #include "cli/meshing/inspect_tables.h"
 #include "cli/meshing/mesh_summary.h"
 #include "cli/meshing/model_formats.h"
@@ -47,11 +48,7 @@ DomainModel planarModel(const DomainInspection& request) {
 
 std::string edgesText(const DomainFace& face, const DomainModel& model) {
   constexpr std::size_t kMaxNamed = 8;
-  std::vector<int> ids;
-  for (const auto& loop : face.loops)
-    for (const geometry::CurveUse& use : loop) ids.push_back(model.curves[use.curve].id);
-  std::ranges::sort(ids);
-  ids.erase(std::ranges::unique(ids).begin(), ids.end());
+  const std::vector<int> ids = edgesOfFace(face, model);
   std::string text;
   for (std::size_t i = 0; i < std::min(kMaxNamed, ids.size()); ++i)
     text += fmt::format("{}{}", i > 0 ? ", " : "", ids[i]);
@@ -69,34 +66,6 @@ void printFaces(const DomainModel& model) {
   }
 }
 
-double lengthOf(const geometry::DomainCurve& curve) {
-  double length = 0;
-  for (std::size_t k = 1; k < curve.knots.size(); ++k)
-    length += distance(curve.pointAt(curve.knots[k - 1]), curve.pointAt(curve.knots[k]));
-  return length;
-}
-
-/// Where other edges split an edge of the file, its parts keep its number.
-std::vector<geometry::EdgeEntry> edgesOf(const DomainModel& model) {
-  std::vector<geometry::EdgeEntry> edges;
-  for (const geometry::DomainCurve& curve : model.curves)
-    edges.push_back({curve.id,
-                     curve.knots.size() == 2 ? "line" : "curve",
-                     lengthOf(curve),
-                     model.corners[curve.first],
-                     model.corners[curve.last],
-                     {}});
-  for (std::size_t f = 0; f < model.faces.size(); ++f)
-    for (const auto& loop : model.faces[f].loops)
-      for (const geometry::CurveUse& use : loop) {
-        std::vector<int>& faces = edges[use.curve].faces;
-        const int id = static_cast<int>(f) + 1;
-        if (faces.empty() || faces.back() != id) faces.push_back(id);
-      }
-  std::ranges::stable_sort(edges, {}, &geometry::EdgeEntry::id);
-  return edges;
-}
-
 void printSurfaceTypes(const DomainModel& model) {
   std::map<std::string, int> counts;
   for (const DomainFace& face : model.faces) ++counts[face.surfaceType];
@@ -108,6 +77,10 @@ void printSurfaceTypes(const DomainModel& model) {
 int inspectDomain(const DomainInspection& request) {
   const DomainModel model = modelKindOf(request.model) == ModelKind::Planar ? planarModel(request)
                                                                             : facetedModel(request);
+  if (request.json) {
+    fmt::print("{}", domainJson(model));
+    return kComplete;
+  }
   fmt::print("{} faces, {} edges, {} vertices; diagonal {:.6g}\n", model.faces.size(),
              model.curves.size(), model.corners.size(), model.diagonal);
   fmt::print("{}", notesText(model.notes));

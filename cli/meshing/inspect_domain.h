@@ -8,7 +8,7 @@ namespace af2::cli {
 struct DomainInspection {
   std::filesystem::path model;
   double size = 0;  ///< 0: derived from the diagonal
-  bool brief = false, all = false, edges = false;
+  bool brief = false, all = false, edges = false, json = false;
 };
 
 /// Prints the tables of a model that is not a CAD model; returns an exit code. Throws InputError if

@@ -58,7 +58,8 @@ void declareMerge(CLI::App& command, MergeOptions& options) {
       ->expected(1);
 }
 
-MergeAsked checkedMerge(const MergeOptions& options, ModelKind kind, bool isPeriodicOrFewest) {
+MergeAsked checkedMerge(const MergeOptions& options, ModelKind kind,
+                        bool hasOptionsForSingleFaces) {
   MergeAsked asked;
   asked.isAsked = !options.angle.empty();
   if (!asked.isAsked) {
@@ -68,8 +69,8 @@ MergeAsked checkedMerge(const MergeOptions& options, ModelKind kind, bool isPeri
   }
   if (kind != ModelKind::Cad)
     throw UsageError("--merge is for " + formatNames(ModelKind::Cad, "and") + " files");
-  if (isPeriodicOrFewest)
-    throw UsageError("--merge cannot be combined with --periodic and --fewest");
+  if (hasOptionsForSingleFaces)
+    throw UsageError("--merge cannot be combined with --periodic, --fewest and --layers");
   if (!options.angle.front().empty()) asked.request.angle = parseAngle(options.angle.front());
   if (!options.narrow.empty()) asked.request.narrow = parseShare(options.narrow);
   for (const std::string& text : options.kept) {

@@ -27,6 +27,6 @@ void declareMerge(CLI::App& command, MergeOptions& options);
 /// Throws UsageError for values that are no angle, share, edge or name, for these options without
 /// --merge, for models that are no CAD models, and together with what cannot be combined with it.
 MergeAsked checkedMerge(const MergeOptions& options, ModelKind kind,
-                        bool isPeriodicOrFewest = false);
+                        bool hasOptionsForSingleFaces = false);
 
 }  // namespace af2::cli

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <set>
 
+#include "cli/meshing/layers_request.h"
+#include "cli/meshing/output_checks.h"
 #include "cli/program/number_lists.h"
 #include "cli/program/usage_error.h"
 #include "cli/rules/plugins.h"
@@ -14,8 +16,6 @@
 #include "geometry/base/words.h"
 #include "geometry/io/boundary_file.h"
 #include "geometry/io/mesh_files.h"
-#include "geometry/io/output_file.h"
-#include "geometry/io/points_file.h"
 
 namespace af2::cli {
 namespace {
@@ -38,73 +38,6 @@ void checkReadable(const fs::path& model) {
     throw InputError(fmt::format(
         "'{}' is not a regular file, but a model is read more than once; write it to a file first",
         model.string()));
-}
-
-/// Output files are named on the command line, so that faults in them are usage errors.
-template <class Check>
-void asUsage(Check check) {
-  try {
-    check();
-  } catch (const InputError& error) {
-    throw UsageError(error.what());
-  }
-}
-
-/// The extensions of the formats that can hold something.
-std::string extensionsThat(bool geometry::MeshFormat::*holds, const char* conjunction) {
-  std::vector<std::string_view> extensions;
-  for (const geometry::MeshFormat& format : geometry::meshFormats())
-    if (format.*holds) extensions.push_back(format.extension);
-  return geometry::listed(extensions, conjunction);
-}
-
-void checkHolds(const fs::path& output, bool geometry::MeshFormat::*holds, const char* what) {
-  if (geometry::meshFormatOf(output).*holds) return;
-  throw UsageError(fmt::format("'{}' cannot hold {}; use {}", output.string(), what,
-                               extensionsThat(holds, "or")));
-}
-
-/// Known before the model is meshed, which may take long.
-void checkShows(const fs::path& output, ModelKind kind) {
-  if (kind == ModelKind::Planar || !geometry::meshFormatOf(output).isOnlyPlanar) return;
-  throw UsageError(
-      fmt::format("'{}' can show planar domains only; use .png or .html", output.string()));
-}
-
-void checkOutputs(const MeshRequest& request) {
-  std::set<fs::path> seen;
-  const auto checkOne = [&](const fs::path& file) {
-    std::error_code odd;  // reported when the file is written
-    const fs::path place = fs::weakly_canonical(fs::absolute(file), odd);
-    if (!odd && !seen.insert(place).second) {
-      throw UsageError(fmt::format("'{}' would be written twice", file.string()));
-    }
-    std::error_code ignored;
-    if (fs::equivalent(file, request.model, ignored)) {
-      throw UsageError(fmt::format("'{}' would overwrite the model", file.string()));
-    }
-    asUsage([&] { geometry::checkWritable(file); });
-  };
-  for (const fs::path& output : request.outputs) {
-    asUsage([&] { geometry::meshFormatOf(output); });
-    checkShows(output, request.kind());
-    if (request.options.order == 2)
-      checkHolds(output, &geometry::MeshFormat::holdsSecondOrder, "elements of order 2");
-    if (request.fileOptions.lines == geometry::LinesAlong::AllEdges)
-      checkHolds(output, &geometry::MeshFormat::holdsLines,
-                 "the line elements that --edges asks for");
-    checkOne(output);
-  }
-  const auto holdsGroups = [](const fs::path& file) {
-    return geometry::meshFormatOf(file).holdsGroups;
-  };
-  if (!request.fileOptions.groups.empty() && !request.outputs.empty() &&
-      std::ranges::none_of(request.outputs, holdsGroups))
-    throw UsageError(fmt::format("--groups is for {} files",
-                                 extensionsThat(&geometry::MeshFormat::holdsGroups, "and")));
-  if (!request.report.empty()) checkOne(request.report);
-  if (!request.stuckTests.empty()) checkOne(request.stuckTests);
-  if (!request.trace.empty()) checkOne(request.trace);
 }
 
 std::string groupingWords() {
@@ -162,9 +95,12 @@ void declareMeshOptions(CLI::App& command, MeshOptions& options) {
                   "JSON file with the vertices along edges that are already divided")
       ->type_name("FILE");
   command
-      .add_option("--points", options.points,
-                  "JSON file with points inside faces of a CAD model that become vertices")
+      .add_option(
+          "--points", options.points,
+          "JSON file with points and curves inside faces of a CAD model or a planar domain, which "
+          "become vertices and edges")
       ->type_name("FILE");
+  declareLayers(command, options.layers);
   command
       .add_option("--elements", options.elements,
                   "any, or quad: quadrilaterals only, with even numbers of edges on boundaries")
@@ -187,6 +123,9 @@ void declareMeshOptions(CLI::App& command, MeshOptions& options) {
                       "which it has one: " +
                       groupingWords())
       ->type_name("KINDS");
+  command.add_flag("--compress", options.compress,
+                   "compress the arrays of " +
+                       extensionsThat(&geometry::MeshFormat::isCompressible, "and") + " files");
   declareScale(command, options.scale);
   command.add_flag("--keep-boundary", options.keepBoundary,
                    "for " + formatNames(ModelKind::Planar, "and") +
@@ -237,7 +176,8 @@ void declareMeshOptions(CLI::App& command, MeshOptions& options) {
                   "file for the decisions of the run, for af2 explain, stats and trace")
       ->type_name("FILE");
   command
-      .add_option("--trace-faces", options.traceFaces, "with --trace: only these faces, e.g. 3,7-9")
+      .add_option("--trace-faces", options.traceFaces,
+                  "with --trace: only these faces, by number or name, e.g. 3,7-9,inlet")
       ->type_name("FACES");
   addPluginOption(command, options.plugins);
   command.add_option("--report", options.report, "file for a report in JSON")->type_name("FILE");
@@ -322,6 +262,16 @@ MeshOptions optionsFrom(std::vector<std::string> arguments) {
   return options;
 }
 
+bool MeshRequest::asksByNumber() const {
+  const auto isByNumber = [](const geometry::LayerRequest& layers) {
+    return !layers.edges.empty() || !layers.faces.empty();
+  };
+  return !options.faces.empty() || !options.sizes.faceSizes.empty() ||
+         !options.sizes.edgeSizes.empty() || !options.sizes.chords.faces.empty() ||
+         !options.edgePoints.empty() || !periodic.pairs.empty() ||
+         !merge.request.keptEdges.empty() || std::ranges::any_of(options.layers, isByNumber);
+}
+
 MeshRequest checkedRequest(const MeshOptions& options) {
   MeshRequest request;
   request.model = options.model;
@@ -349,6 +299,9 @@ MeshRequest checkedRequest(const MeshOptions& options) {
   request.options.fewest = options.sizes.fewest;
   if (options.sizes.fewest && (options.order != 1 || request.options.quads.onlyQuads))
     throw UsageError("--fewest is for triangles of order 1");
+  request.options.layers = checkedLayers(options.layers);
+  if (options.sizes.fewest && !options.layers.empty())
+    throw UsageError("--fewest cannot be combined with --layers");
   request.report = options.report;
   request.stuckTests = options.stuckTests;
   request.trace = options.trace;
@@ -357,7 +310,9 @@ MeshRequest checkedRequest(const MeshOptions& options) {
   request.statistics = options.statistics;
   if (!options.traceFaces.empty()) {
     if (options.trace.empty()) throw UsageError("--trace-faces needs --trace");
-    request.traceFaces = parseIds("--trace-faces", options.traceFaces);
+    FaceList faces = parseFaces("--trace-faces", options.traceFaces);
+    request.traceFaces = std::move(faces.ids);
+    request.traceNames = std::move(faces.names);
   }
   request.outputs.assign(options.outputs.begin(), options.outputs.end());
   if (request.kind() != ModelKind::Planar && options.keepBoundary)
@@ -375,6 +330,7 @@ MeshRequest checkedRequest(const MeshOptions& options) {
   }
   request.options.keepBoundary = options.keepBoundary;
   if (options.edges) request.fileOptions.lines = geometry::LinesAlong::AllEdges;
+  request.fileOptions.compress = options.compress;
   request.scale = checkedScale(options.scale, request.kind());
   if (!options.groups.empty()) request.fileOptions.groups = checkedGroups(options.groups);
   if (!options.chart.empty()) request.options.chart = checkedChart(options, request);
@@ -386,16 +342,17 @@ MeshRequest checkedRequest(const MeshOptions& options) {
   if (request.periodic.areAsked() &&
       (options.order != 1 || options.sizes.fewest || !options.faces.empty()))
     throw UsageError("--periodic cannot be combined with --order 2, --fewest and --faces");
-  request.merge = checkedMerge(options.merge, request.kind(),
-                               request.periodic.areAsked() || options.sizes.fewest);
+  request.merge =
+      checkedMerge(options.merge, request.kind(),
+                   request.periodic.areAsked() || options.sizes.fewest || !options.layers.empty());
   checkOutputs(request);
   checkReadable(request.model);
   if (!options.boundary.empty())
     request.options.edgePoints = geometry::readEdgePoints(options.boundary);
   if (!options.points.empty()) {
-    if (request.kind() != ModelKind::Cad)
-      throw UsageError("--points is for " + formatNames(ModelKind::Cad, "and") + " files");
-    request.pointsInside = geometry::readPoints(options.points);
+    if (request.kind() == ModelKind::Faceted)
+      throw UsageError("--points is for CAD models and planar domains");
+    request.inside = geometry::readInsideFaces(options.points);
   }
   const bool isForQuads = request.options.quads.onlyQuads;
   const char* usual = isForQuads ? "quad/classic.af2" : "tri/even.af2";

@@ -15,6 +15,7 @@
 #include "cli/meshing/size_request.h"
 #include "cli/rules/rule_loading.h"
 #include "geometry/io/mesh_files.h"
+#include "geometry/io/points_file.h"
 #include "geometry/meshing/meshing_options.h"
 
 namespace af2::cli {
@@ -33,8 +34,9 @@ struct MeshOptions {
   ScaleOptions scale;
   PeriodicOptions periodic;
   MergeOptions merge;
+  std::vector<std::string> layers;
   std::vector<std::string> plugins;  ///< libraries that register names for the rules
-  bool keepBoundary = false, heal = false, edges = false, statistics = false;
+  bool keepBoundary = false, heal = false, edges = false, statistics = false, compress = false;
 };
 
 void declareMeshOptions(CLI::App& command, MeshOptions& options);
@@ -54,7 +56,8 @@ MeshOptions optionsFrom(std::vector<std::string> arguments);
 struct MeshRequest {
   std::filesystem::path model, rules;
   std::filesystem::path report, stuckTests, trace;  ///< empty: not written
-  std::vector<int> traceFaces;                      ///< that are traced; empty: all
+  std::vector<int> traceFaces;                      ///< that are traced; empty, and no names: all
+  std::vector<std::string> traceNames;              ///< of faces and groups that are traced, too
   std::vector<std::string> arguments;               ///< see argumentsOf; only for traces
   std::vector<std::filesystem::path> outputs;
   geometry::MeshingOptions options;  ///< the options for meshing
@@ -72,15 +75,10 @@ struct MeshRequest {
   ImprintRequest imprint;
   PeriodicFaces periodic;
   MergeAsked merge;
-  std::vector<Point3> pointsInside;  ///< of faces
+  geometry::InsideFaces inside;  ///< what the mesh is to keep inside faces
 
   /// Whether options name faces or edges by number: healing changes the numbers.
-  bool asksByNumber() const {
-    return !options.faces.empty() || !options.sizes.faceSizes.empty() ||
-           !options.sizes.edgeSizes.empty() || !options.sizes.chords.faces.empty() ||
-           !options.edgePoints.empty() || !periodic.pairs.empty() ||
-           !merge.request.keptEdges.empty();
-  }
+  bool asksByNumber() const;
 
   ModelKind kind() const { return modelKindOf(model); }
 };

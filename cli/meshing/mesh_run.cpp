@@ -30,12 +30,23 @@ void checkIds(const MeshRequest& request, int faces, int edges) {
     checkId("--face-chord", "face", face, faces);
   for (const auto& [edge, size] : request.options.sizes.edgeSizes)
     checkId("--edge-size", "edge", edge, edges);
+  for (const geometry::LayerRequest& layers : request.options.layers) {
+    for (const int edge : layers.edges) checkId("--layers", "edge", edge, edges);
+    for (const int face : layers.faces) checkId("--layers", "face", face, faces);
+  }
 }
 
 void checkIds(const MeshRequest& request, const geometry::DomainModel& model) {
   int edges = 0;
   for (const geometry::DomainCurve& curve : model.curves) edges = std::max(edges, curve.id);
   checkIds(request, static_cast<int>(model.faces.size()), edges);
+}
+
+void tellNames(const RunControl& control, const geometry::DomainModel& model) {
+  if (!control.names) return;
+  std::vector<std::string> names;
+  for (const geometry::DomainFace& face : model.faces) names.push_back(face.name);
+  control.names(names, model.groups);
 }
 
 geometry::MeshingOptions optionsOf(const MeshRequest& request, const RunControl& control,

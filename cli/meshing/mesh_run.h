@@ -3,7 +3,9 @@
 
 #include <functional>
 #include <memory>
+#include <span>
 #include <stop_token>
+#include <string>
 
 #include "cli/meshing/mesh_request.h"
 #include "cli/program/supervisor.h"
@@ -20,6 +22,9 @@ struct RunControl {
   std::function<AF2MeshingObserver*(int face)> observer = {};
   RunLog* log = nullptr;             ///< log of a supervised run
   const GivenUp* givenUp = nullptr;  ///< faces that must not be tried again
+  /// Told the names of the faces 1, 2, ... and the groups of a model before it is meshed.
+  std::function<void(std::span<const std::string> names, std::span<const geometry::FaceGroup>)>
+      names = {};
 };
 
 /// Throws InputError if the model cannot be used, UsageError if the request names faces or edges

@@ -41,4 +41,8 @@ std::string failureText(const geometry::ModelMesh& mesh);
 /// 1234567 as "1 234 567".
 std::string grouped(std::size_t number);
 
+/// The number of elements of layers, and where there are fewer layers than asked; empty if none
+/// were asked for.
+std::string layersText(const geometry::ModelMesh& mesh);
+
 }  // namespace af2::cli

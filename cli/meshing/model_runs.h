@@ -20,6 +20,9 @@ geometry::MeshingOptions optionsOf(const MeshRequest& request, const RunControl&
 void checkIds(const MeshRequest& request, int faces, int edges);
 void checkIds(const MeshRequest& request, const geometry::DomainModel& model);
 
+/// Tells the control the names of a model.
+void tellNames(const RunControl& control, const geometry::DomainModel& model);
+
 geometry::ModelMesh runPlanar(const MeshRequest& request, const AF2Algorithm& algorithm,
                               const RunControl& control);
 geometry::ModelMesh runFaceted(const MeshRequest& request, const AF2Algorithm& algorithm,

@@ -11,11 +11,24 @@ void declarePeriodic(CLI::App& command, PeriodicOptions& options) {
   command
       .add_option("--periodic", options.asked,
                   "make the mesh of a face the image of that of another: x, y or z for the plane "
-                  "faces at both sides of a CAD model, or ids of two faces, e.g. 3=5")
+                  "faces at both sides of a CAD model, or numbers or names of two faces, e.g. 3=5 "
+                  "or inlet=outlet")
       ->type_name("PAIR")
       ->take_all()
       ->expected(1);
 }
+
+namespace {
+
+PeriodicFace oneFace(const std::string& option, const std::string& text) {
+  const FaceList faces = parseFaces("--periodic", text);
+  if (faces.ids.size() + faces.names.size() != 1)
+    throw UsageError(fmt::format("--periodic '{}': give one face on each side of '='", option));
+  return faces.names.empty() ? PeriodicFace{faces.ids.front()}
+                             : PeriodicFace{0, faces.names.front()};
+}
+
+}  // namespace
 
 PeriodicFaces checkedPeriodic(const PeriodicOptions& options, ModelKind kind) {
   PeriodicFaces faces;
@@ -29,12 +42,10 @@ PeriodicFaces checkedPeriodic(const PeriodicOptions& options, ModelKind kind) {
     const std::size_t equals = text.find('=');
     if (equals == std::string::npos)
       throw UsageError(fmt::format(
-          "--periodic '{}': write x, y, z, or the ids of two faces, such as 3=5", text));
-    const std::vector<int> first = parseIds("--periodic", text.substr(0, equals));
-    const std::vector<int> second = parseIds("--periodic", text.substr(equals + 1));
-    if (first.size() != 1 || second.size() != 1)
-      throw UsageError(fmt::format("--periodic '{}': give one face on each side of '='", text));
-    faces.pairs.emplace_back(first.front(), second.front());
+          "--periodic '{}': write x, y, z, or the ids of two faces, such as 3=5, or their names",
+          text));
+    faces.pairs.emplace_back(oneFace(text, text.substr(0, equals)),
+                             oneFace(text, text.substr(equals + 1)));
   }
   return faces;
 }

@@ -14,10 +14,16 @@ struct PeriodicOptions {
   std::vector<std::string> asked;  ///< as typed
 };
 
+/// A face by its number, or by a name if that is not empty.
+struct PeriodicFace {
+  int id = 0;
+  std::string name = {};
+};
+
 /// What was asked for, before the model is known.
 struct PeriodicFaces {
-  std::vector<std::string> directions;     ///< "x", "y", "z"
-  std::vector<std::pair<int, int>> pairs;  ///< ids of faces
+  std::vector<std::string> directions;  ///< "x", "y", "z"
+  std::vector<std::pair<PeriodicFace, PeriodicFace>> pairs;
 
   bool areAsked() const { return !directions.empty() || !pairs.empty(); }
 };

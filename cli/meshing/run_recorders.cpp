@@ -2,6 +2,8 @@
 
 #include <filesystem>
 
+#include "geometry/meshing/part_sizes.h"
+
 namespace af2::cli {
 
 void ObserverPair::frontBegun(const FrontInput& input) {
@@ -56,6 +58,15 @@ RunRecorders::RunRecorders(const MeshRequest& request, const RuleSet& rules)
 std::function<AF2MeshingObserver*(int face)> RunRecorders::observers() {
   if (request_.trace.empty() && !request_.statistics) return {};
   return [this](int face) { return observerOf(face); };
+}
+
+std::function<void(std::span<const std::string>, std::span<const geometry::FaceGroup>)>
+RunRecorders::nameListener() {
+  if (request_.traceNames.empty()) return {};
+  return [this](std::span<const std::string> names, std::span<const geometry::FaceGroup> groups) {
+    trace_.restrictTo(
+        geometry::withFacesCalled(request_.traceFaces, request_.traceNames, names, groups));
+  };
 }
 
 AF2MeshingObserver* RunRecorders::observerOf(int face) {

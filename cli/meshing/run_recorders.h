@@ -40,6 +40,10 @@ class RunRecorders {
 
   /// Of each face; empty if there is nothing to record.
   std::function<AF2MeshingObserver*(int face)> observers();
+  /// What a run has to tell about the names of a model, to find the faces that are traced; empty if
+  /// none are named. It throws InputError for names that the model does not have.
+  std::function<void(std::span<const std::string>, std::span<const geometry::FaceGroup>)>
+  nameListener();
   /// Writes the trace file. Throws InputError if it cannot be written.
   void writeTrace();
   /// All zero without statistics.

@@ -60,8 +60,10 @@ void declareSizeOptions(CLI::App& command, SizeOptions& options) {
       ->take_all()
       ->expected(1);
   command
-      .add_option("--edge-size", options.edgeSizes,
-                  "a different size along some edges, e.g. 5=0.05")
+      .add_option(
+          "--edge-size", options.edgeSizes,
+          "a different size along some edges, by number or by the name of a boundary or of a "
+          "face beside them, e.g. 5=0.05 or inlet=0.05")
       ->type_name("EDGES=SIZE")
       ->take_all()
       ->expected(1);
@@ -140,7 +142,9 @@ geometry::Sizes checkedSizes(const SizeOptions& options) {
   }
   FaceSizeList faceSizes = parseFaceSizes("--face-size", options.faceSizes);
   sizes.faceSizes = std::move(faceSizes.byId);
-  sizes.edgeSizes = parseSizes("--edge-size", options.edgeSizes);
+  FaceSizeList edgeSizes = parseFaceSizes("--edge-size", options.edgeSizes, "edge");
+  sizes.edgeSizes = std::move(edgeSizes.byId);
+  sizes.edgeNames = std::move(edgeSizes.byName);
   if (!options.file.empty()) {
     geometry::SizeFile file = geometry::readSizeFile(options.file);
     sizes.sources = std::move(file.sources);

@@ -55,6 +55,9 @@ class TraceRecorder {
   /// faces  ids of the faces that are recorded; empty: all
   explicit TraceRecorder(std::vector<int> faces) : faces_(std::move(faces)) {}
 
+  /// The same, before the run.
+  void restrictTo(std::vector<int> faces) { faces_ = std::move(faces); }
+
   /// The observer of a face, or null if the face is not recorded. Valid as long as the recorder.
   AF2MeshingObserver* observerOf(int face);
   /// What was recorded; the recorder is empty then.

@@ -57,13 +57,15 @@ std::vector<int> parseIds(const std::string& option, const std::string& text) {
   return {ids.begin(), ids.end()};
 }
 
-FaceList parseFaces(const std::string& option, const std::string& text) {
+FaceList parseFaces(const std::string& option, const std::string& text, const std::string& what) {
   FaceList list;
   std::string numbers;
   for (std::size_t begin = 0; begin <= text.size();) {
     const std::size_t end = std::min(text.find(',', begin), text.size());
     const std::string part = text.substr(begin, end - begin);
-    if (part.empty()) throw UsageError(fmt::format("{} '{}': a face is missing", option, text));
+    if (part.empty())
+      throw UsageError(fmt::format("{} '{}': a number or name of {} is missing", option, text,
+                                   what == "edge" ? "an edge" : "a face"));
     if ((part[0] >= '0' && part[0] <= '9') || part[0] == '-')
       numbers += (numbers.empty() ? "" : ",") + part;
     else
@@ -74,15 +76,16 @@ FaceList parseFaces(const std::string& option, const std::string& text) {
   return list;
 }
 
-FaceSizeList parseFaceSizes(const std::string& option, const std::vector<std::string>& texts) {
+FaceSizeList parseFaceSizes(const std::string& option, const std::vector<std::string>& texts,
+                            const std::string& what) {
   FaceSizeList sizes;
   for (const std::string& text : texts) {
     const std::size_t equals = text.rfind('=');
     if (equals == std::string::npos)
       throw UsageError(fmt::format(
-          "{} '{}': write faces, '=' and a size, e.g. 3,7-9=0.1 or inlet=0.1", option, text));
+          "{} '{}': write {}s, '=' and a size, e.g. 3,7-9=0.1 or inlet=0.1", option, text, what));
     const double size = parseSize(option, text.substr(equals + 1));
-    const FaceList faces = parseFaces(option, text.substr(0, equals));
+    const FaceList faces = parseFaces(option, text.substr(0, equals), what);
     for (const int id : faces.ids) sizes.byId[id] = size;
     for (const std::string& name : faces.names) sizes.byName.emplace_back(name, size);
   }
@@ -100,20 +103,6 @@ double parsePositive(const std::string& option, const std::string& text, const s
 
 double parseSize(const std::string& option, const std::string& text) {
   return parsePositive(option, text, "the size, in the model's unit,");
-}
-
-std::map<int, double> parseSizes(const std::string& option, const std::vector<std::string>& texts) {
-  std::map<int, double> sizes;
-  for (const std::string& text : texts) {
-    const std::size_t equals = text.find('=');
-    if (equals == std::string::npos) {
-      throw UsageError(
-          fmt::format("{} '{}': write ids, '=' and a size, e.g. 3,7-9=0.1", option, text));
-    }
-    const double size = parseSize(option, text.substr(equals + 1));
-    for (const int id : parseIds(option, text.substr(0, equals))) sizes[id] = size;
-  }
-  return sizes;
 }
 
 }  // namespace af2::cli

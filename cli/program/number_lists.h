@@ -12,16 +12,14 @@ namespace af2::cli {
 /// `option`.
 std::vector<int> parseIds(const std::string& option, const std::string& text);
 
-/// Items such as "3=0.1" or "3,7-9=0.1" give a value > 0 to the ids before the '='; a later item
-/// replaces an earlier one. Throws UsageError, which names `option`.
-std::map<int, double> parseSizes(const std::string& option, const std::vector<std::string>& texts);
-
-/// Faces as they are typed: "3,7-9,inlet,bolt*". What begins with a digit is a number or a range.
+/// Faces, or edges, as they are typed: "3,7-9,inlet,bolt*". What begins with a digit is a number or
+/// a range.
 struct FaceList {
   std::vector<int> ids;            ///< sorted, without repetition
   std::vector<std::string> names;  ///< in their order
 };
-FaceList parseFaces(const std::string& option, const std::string& text);
+FaceList parseFaces(const std::string& option, const std::string& text,
+                    const std::string& what = "face");
 
 /// Sizes by number, and by name in the order in which they were given.
 struct FaceSizeList {
@@ -29,7 +27,8 @@ struct FaceSizeList {
   std::vector<std::pair<std::string, double>> byName;
 };
 /// Items such as "3,7-9=0.1" or "inlet=0.1"; a name may have '=' in it. Throws UsageError.
-FaceSizeList parseFaceSizes(const std::string& option, const std::vector<std::string>& texts);
+FaceSizeList parseFaceSizes(const std::string& option, const std::vector<std::string>& texts,
+                            const std::string& what = "face");
 
 /// A number > 0. Throws UsageError, which names `option` and says what the number is.
 double parsePositive(const std::string& option, const std::string& text, const std::string& what);

@@ -44,12 +44,13 @@ struct InspectOptions {
 
 int inspectOther(const InspectOptions& options) {
   if (!options.picture.empty()) throw UsageError("--picture is for CAD models");
-  if (options.json) throw UsageError("--json is for CAD models");
+  if (options.json && (options.brief || options.all || options.edges))
+    throw UsageError("--json lists everything but defects; leave out --brief, --all, --edges");
   if (options.heal) refuseHealing();
   checkedImprint(options.imprint, modelKindOf(options.model));
   checkedMerge(options.merge, modelKindOf(options.model));
   return inspectDomain({options.model, options.size.empty() ? 0 : parseSize("--size", options.size),
-                        options.brief, options.all, options.edges});
+                        options.brief, options.all, options.edges, options.json});
 }
 
 }  // namespace
@@ -207,7 +208,7 @@ Action declareInspect(CLI::App& command) {
                    "with --picture: write the number and the name of each face on it");
   command.add_flag("--json", options->json,
                    "print faces, edges, solids and groups with their measures as JSON, instead of "
-                   "tables; for CAD models");
+                   "tables");
   declareHealing(command, options->heal, options->healTolerance);
   declareImprint(command, options->imprint);
   declareMerge(command, options->merge);

@@ -112,7 +112,7 @@ void printResult(const MeshRequest& request, const RunReport& report, const Mode
   if (!request.quiet)
     fmt::print("{}{}{}{}{}{}{}", unitText(mesh), notesText(mesh.notes), healingText(mesh.healing),
                imprintText(mesh.imprinting), mergeText(mesh.merging), contactWarning(mesh.contacts),
-               summaryText(mesh, report.quality));
+               layersText(mesh), summaryText(mesh, report.quality));
 }
 
 /// A complete run is none any more.
@@ -141,7 +141,8 @@ int meshAndReport(const MeshRequest& request, RunLog* log, const GivenUp& givenU
         "--elements quad: the rules '{}' make no quadrilaterals; leave out -r, or use quad/classic",
         request.rules.string()));
   RunRecorders recorders(request, *loaded.rules);
-  const RunControl control{!request.quiet, interrupt.token(), recorders.observers(), log, &givenUp};
+  const RunControl control{!request.quiet, interrupt.token(),       recorders.observers(), log,
+                           &givenUp,       recorders.nameListener()};
   ModelMesh mesh = runMesh(request, loaded.rules, control);
   mesh.name = request.model.filename().string();
   mesh.ruleTexts = ruleTextsOf(loaded);

@@ -22,11 +22,12 @@ struct Samples {
 class Division {
  public:
   Division(const DomainModel& model, const DomainSizes& sizes, const EdgePoints& given,
-           const SegmentChanges& changes)
+           const SegmentChanges& changes, const LayerEnds& ends)
       : model_(model),
         sizes_(sizes),
         given_(given),
         changes_(changes),
+        layerEnds_(ends),
         faces_(model.curves.size()) {
     for (std::size_t f = 0; f < model.faces.size(); ++f)
       for (const auto& loop : model.faces[f].loops)
@@ -166,23 +167,48 @@ class Division {
                       const std::vector<double>& parameters, std::size_t least) {
     const DomainCurve& curve = model_.curves[c];
     const std::vector<double> count = segmentsAlong(sizes.arcLength, sizes.sizes);
+    const LayersAtEnds at = layersAtEnds(c, sizes.arcLength);
+    const std::size_t fixed = at.first.size() + at.last.size();
+    const double from = at.first.empty() ? 0 : at.first.back().between(count);
+    const double to = at.last.empty() ? count.back() : at.last.front().between(count);
+    least = least > fixed ? least - fixed : 1;
+    const double rest = to - from;
     DividedEdge edge = begun(c);
-    double byTurn = segmentsByTurn(c);
+    double byTurn = rest / count.back() * segmentsByTurn(c);
     const bool hasChord = sizes_.byPosition.hasChord();
-    if (hasChord && byTurn > 0.01) byTurn = count.back();  // no segment is too long
+    if (hasChord && byTurn > 0.01) byTurn = rest;  // no segment is too long
     const bool isAsked = sizes_.byPosition.turnOfSegment() > 0 || hasChord;
-    std::size_t segments = std::max(least, wholeSegments(count.back(), isAsked ? byTurn : 0));
-    const std::size_t fewest =
-        std::min(segments, std::max(least, fewestSegments(count.back(), byTurn)));
+    std::size_t segments = std::max(least, wholeSegments(rest, isAsked ? byTurn : 0));
+    const std::size_t fewest = std::min(segments, std::max(least, fewestSegments(rest, byTurn)));
     const int change = changeAt(changes_, c);
     if (change > 0) ++segments;
     if (change < 0 && segments > fewest) --segments;
-    result_.counts.push_back({count.back(), segments, fewest, false});
-    for (const CurvePlace& place : equalShares(count, segments)) {
+    const auto fixedCount = static_cast<double>(fixed);
+    result_.counts.push_back({rest + fixedCount, segments + fixed, fewest + fixed, false});
+    std::vector<CurvePlace> places = at.first;
+    const std::vector<CurvePlace> between = equalShares(count, from, to, segments);
+    places.insert(places.end(), between.begin(), between.end());
+    places.insert(places.end(), at.last.begin(), at.last.end());
+    for (const CurvePlace& place : places) {
       const double t = place.between(parameters);
       add(t, curve.pointAt(t), edge);
     }
     return ended(c, std::move(edge));
+  }
+
+  /// The vertices of layers that end on a curve, from its start and up to its end.
+  struct LayersAtEnds {
+    std::vector<CurvePlace> first, last;
+  };
+  LayersAtEnds layersAtEnds(std::size_t c, const std::vector<double>& arcLength) const {
+    LayersAtEnds at;
+    const int edge = static_cast<int>(c) + 1;
+    if (const auto start = layerEnds_.find({edge, true}); start != layerEnds_.end())
+      for (const double length : start->second) at.first.push_back(placeAt(arcLength, length));
+    if (const auto end = layerEnds_.find({edge, false}); end != layerEnds_.end())
+      for (const double length : end->second)
+        at.last.insert(at.last.begin(), placeAt(arcLength, arcLength.back() - length));
+    return at;
   }
 
   DividedEdge fixed(std::size_t c, std::size_t least) {
@@ -228,6 +254,7 @@ class Division {
   const DomainSizes& sizes_;
   const EdgePoints& given_;
   const SegmentChanges& changes_;
+  const LayerEnds& layerEnds_;
   std::vector<std::vector<std::size_t>> faces_;  ///< by curve: those beside it
   DividedEdges result_;
 };
@@ -235,8 +262,9 @@ class Division {
 }  // namespace
 
 DividedEdges divideCurves(const DomainModel& model, const DomainSizes& sizes, double growth,
-                          const EdgePoints& given, const SegmentChanges& changes) {
-  return Division(model, sizes, given, changes).divide(growth);
+                          const EdgePoints& given, const SegmentChanges& changes,
+                          const LayerEnds& ends) {
+  return Division(model, sizes, given, changes, ends).divide(growth);
 }
 
 }  // namespace af2::geometry

@@ -9,6 +9,7 @@
 
 #include "geometry/domain/domain_model.h"
 #include "geometry/edges/divided_edges.h"
+#include "geometry/layers/layer_heights.h"
 #include "geometry/sizes/growing_size.h"
 
 namespace af2::geometry {
@@ -29,7 +30,10 @@ struct DomainSizes {
 /// there would be far too many segments.
 ///
 /// changes  by curve; a number that would come below the least one is not changed
+/// ends     of layers, by number of the curve, from 1: there curves without given points have
+///          vertices
 DividedEdges divideCurves(const DomainModel& model, const DomainSizes& sizes, double growth,
-                          const EdgePoints& given, const SegmentChanges& changes = {});
+                          const EdgePoints& given, const SegmentChanges& changes = {},
+                          const LayerEnds& ends = {});
 
 }  // namespace af2::geometry

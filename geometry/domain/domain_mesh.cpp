@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -12,6 +13,9 @@
 #include "geometry/domain/domain_division.h"
 #include "geometry/domain/domain_model.h"
 #include "geometry/fill/face_filling.h"
+#include "geometry/layers/layer_ends.h"
+#include "geometry/layers/layers_of_face.h"
+#include "geometry/layers/leave_out_layers.h"
 #include "geometry/mesh/face_history.h"
 #include "geometry/meshing/mesh_faces.h"
 #include "geometry/sizes/loose_points.h"
@@ -74,6 +78,14 @@ class DomainFaces final : public FaceSource {
   }
   double diagonal() const override { return model_.diagonal; }
   const std::vector<FaceGroup>& groups() const override { return model_.groups; }
+  const std::vector<EdgeGroup>& boundaries() const override { return model_.boundaries; }
+  std::vector<int> edgeIdsOf(int face) const override {
+    std::vector<int> ids;
+    for (const auto& loop : at(face).loops)
+      for (const CurveUse& use : loop) ids.push_back(model_.curves[use.curve].id);
+    std::ranges::sort(ids);
+    return ids;
+  }
 
   FaceReport reportOf(int id) const override {
     const DomainFace& face = at(id);
@@ -90,6 +102,7 @@ class DomainFaces final : public FaceSource {
     checkPoints(model_, options.edgePoints);
     findSizes();
     findRoom();
+    findLayers(faces);
     double elements = 0;
     for (const int face : faces) elements += workOn(face);
     refuseTooMany(elements, options.maxMemory);
@@ -125,7 +138,8 @@ class DomainFaces final : public FaceSource {
                       const SegmentChanges& changes) const override {
     DomainSizes own = *sizes_;
     own.byPosition = sizes_->byPosition.withFunction(sizes);
-    return divideCurves(model_, own, options_->sizes.growth, options_->edgePoints, changes);
+    return divideCurves(model_, own, options_->sizes.growth, options_->edgePoints, changes,
+                        layerEnds_);
   }
 
   std::vector<CountedLoop> loopsOf(int face, const DividedEdges& divided) const override {
@@ -142,6 +156,8 @@ class DomainFaces final : public FaceSource {
     const DomainFace& face = at(id);
     FaceBoundary boundary = boundaryOf(face, request.divided);
     addNotes(boundary.repairs, mesh.history);
+    leaveOutLayersOf(id, request, boundary);
+    const double area = face.area - (boundary.layers ? boundary.layers->area : 0);
     const DomainSize byPosition = sizes_->byPosition.withFunction(request.sizes);
     const CurvatureLimit* limit = sizes_->limits[indexOf(id)].get();
     const double size = sizes_->onFace[indexOf(id)];
@@ -159,7 +175,7 @@ class DomainFaces final : public FaceSource {
     const auto withoutParameters = [](std::vector<StuckPlace>& places) {
       for (StuckPlace& place : places) place.u = place.v = 0;
     };
-    fillAndJudge({{*face.surface, boundary, graded, face.area, expected, request.algorithm,
+    fillAndJudge({{*face.surface, boundary, graded, area, expected, request.algorithm,
                    request.options, mayBeFine, request.limits, request.progress, tools,
                    limit && request.limits.hasOriginalSizes},
                   wanted,
@@ -203,6 +219,38 @@ class DomainFaces final : public FaceSource {
     if (model_.limitsOfFaces) sizes_->limits = model_.limitsOfFaces(sizes_->byPosition);
   }
 
+  /// Of the faces to be meshed, with the places at which they end on other edges.
+  void findLayers(const std::vector<int>& faces) {
+    layers_.clear();
+    layerEnds_.clear();
+    if (options_->layers.empty()) return;
+    for (const int face : faces) {
+      const EdgeLayers byId = layersOfFace(options_->layers, face, edgeIdsOf(face));
+      for (const int curve : edgesOf(face))
+        if (const auto own = byId.find(idOfEdge(curve)); own != byId.end())
+          layers_[face][curve] = own->second;
+    }
+    const DividedEdges divided = divide(sizesByPosition(), {}, {});
+    for (const auto& [face, layers] : layers_)
+      addLayerEnds(boundaryOf(at(face), divided), layers, divided, layerEnds_);
+    fitLayerEnds(divided, layerEnds_);
+  }
+
+  void leaveOutLayersOf(int id, const FillRequest& request, FaceBoundary& boundary) const {
+    const auto own = layers_.find(id);
+    if (own == layers_.end()) return;
+    const DomainFace& face = at(id);
+    const auto place = [&](const SurfacePoint& point, double, double) {
+      SurfacePoint placed = face.nearest(point.position);
+      placed.position = point.position;
+      return placed;
+    };
+    leaveOutLayers(*face.surface, place, own->second, request.divided,
+                   stepsFor(request.options.quads), boundary);
+    if (!boundary.layers) return;
+    for (LayersAlongEdge& along : boundary.layers->along) along.edge = idOfEdge(along.edge);
+  }
+
   /// Between points that are to be vertices, and between these and the curves around them.
   void findRoom() {
     std::vector<SizeSource> sources;
@@ -237,6 +285,8 @@ class DomainFaces final : public FaceSource {
   const DomainModel& model_;
   const MeshingOptions* options_ = nullptr;
   std::optional<DomainSizes> sizes_;  // once prepared
+  std::map<int, EdgeLayers> layers_;  // by face, and number of the curve from 1
+  LayerEnds layerEnds_;
 };
 
 }  // namespace

@@ -29,15 +29,27 @@ std::vector<double> segmentsAlong(std::span<const double> arcLength,
   return count;
 }
 
-std::vector<CurvePlace> equalShares(std::span<const double> count, std::size_t segments) {
+std::vector<CurvePlace> equalShares(const std::vector<double>& count, double from, double to,
+                                    std::size_t segments) {
   std::vector<CurvePlace> places;
   std::size_t cell = 1;
   for (std::size_t k = 1; k < segments; ++k) {
-    const double target = count.back() * static_cast<double>(k) / static_cast<double>(segments);
+    const double target =
+        from + (to - from) * static_cast<double>(k) / static_cast<double>(segments);
     while (cell + 1 < count.size() && count[cell] < target) ++cell;
     places.push_back({cell - 1, (target - count[cell - 1]) / (count[cell] - count[cell - 1])});
   }
   return places;
+}
+
+std::vector<CurvePlace> equalShares(const std::vector<double>& count, std::size_t segments) {
+  return equalShares(count, 0, count.back(), segments);
+}
+
+CurvePlace placeAt(std::span<const double> arcLength, double length) {
+  const auto found = std::lower_bound(arcLength.begin() + 1, arcLength.end() - 1, length);
+  const auto cell = static_cast<std::size_t>(found - arcLength.begin()) - 1;
+  return {cell, (length - arcLength[cell]) / (arcLength[cell + 1] - arcLength[cell])};
 }
 
 double turnAlong(std::span<const Point3> points) {

@@ -30,7 +30,14 @@ struct CurvePlace {
 };
 
 /// The ends of `segments` equal shares of the count, except the last.
-std::vector<CurvePlace> equalShares(std::span<const double> count, std::size_t segments);
+std::vector<CurvePlace> equalShares(const std::vector<double>& count, std::size_t segments);
+
+/// The same for the part between two counts: the ends of its shares, except the last.
+std::vector<CurvePlace> equalShares(const std::vector<double>& count, double from, double to,
+                                    std::size_t segments);
+
+/// The place at a length from the start, which must be on the curve.
+CurvePlace placeAt(std::span<const double> arcLength, double length);
 
 /// The angle, in radians, by which the tangent turns along a curve through these points.
 double turnAlong(std::span<const Point3> points);

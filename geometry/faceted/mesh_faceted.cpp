@@ -196,7 +196,8 @@ double failedArea(const ModelMesh& mesh) {
 
 bool namesFacesOrEdges(const MeshingOptions& options) {
   return !options.faces.empty() || !options.faceNames.empty() || !options.sizes.faceSizes.empty() ||
-         !options.sizes.edgeSizes.empty() || !options.edgePoints.empty();
+         !options.sizes.edgeSizes.empty() || !options.sizes.edgeNames.empty() ||
+         !options.layers.empty() || !options.edgePoints.empty();
 }
 
 /// Borders between pieces of the curved patches that failed.

@@ -12,6 +12,7 @@
 #include "geometry/fill/odd_loops.h"
 #include "geometry/fill/stuck_front.h"
 #include "geometry/mesh/fans.h"
+#include "geometry/mesh/layer_elements.h"
 
 namespace af2::geometry {
 
@@ -73,6 +74,9 @@ void take(MeshingResult& result, FaceBoundary& boundary, FaceMesh& mesh) {
   mesh.elements = std::move(result.mesh.elements);
   mesh.origins = std::move(result.mesh.origins);
   mesh.report.elements = mesh.elements.size();
+  if (!boundary.layers) return;
+  mesh.report.layers = std::move(boundary.layers->along);
+  mesh.report.layerElements = boundary.layers->elements.size();
 }
 
 /// Before the fans are added.
@@ -147,6 +151,7 @@ void fillAndJudge(const FaceFilling& filling, FaceBoundary& boundary, FaceMesh& 
   mesh.diagnosis = diagnoseMesh(attempt.result.mesh, boundary, task.surface.isPlane(), task.area,
                                 filling.unseen);
   const bool onlyQuads = task.options.quads.onlyQuads;
+  addLayers(boundary, originOf(WithoutRule::Layer, task.algorithm.rules()), attempt.result.mesh);
   addFans(boundary, onlyQuads ? FanElements::Quads : FanElements::Triangles,
           originOf(WithoutRule::Fan, task.algorithm.rules()), attempt.result.mesh);
   mesh.wantedSizes.reserve(attempt.result.mesh.vertices.size());

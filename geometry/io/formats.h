@@ -39,7 +39,8 @@ void writeSvg(const ModelMesh& mesh, const Extras& extras, OutputFile& file);
 
 /// In the order in which help texts name them.
 inline constexpr std::array kMeshFormats{
-    MeshFormat{".vtu", "VTK XML unstructured grid", &writeVtu, true, true, true},
+    MeshFormat{".vtu", "VTK XML unstructured grid", &writeVtu, true, true, true, false, false,
+               true},
     MeshFormat{".vtk", "legacy VTK", &writeVtk, false, true, true},
     MeshFormat{".msh", "Gmsh 4.1", &writeMsh, true, true, false, false, true},
     MeshFormat{".msh2", "Gmsh 2.2", &writeMsh2, true, true, false, false, true},

@@ -47,12 +47,12 @@ void writeMesh(const ModelMesh& mesh, const std::filesystem::path& file,
   OutputFile output(file);
   std::vector<LineElement> lines;
   if (format.holdsLines) lines = lineElements(mesh, options.lines);
-  format.write(mesh, {lines, options.groups}, output);
+  format.write(mesh, {lines, options.groups, options.compress}, output);
   output.commit();
 }
 
 void writeMesh(const ModelMesh& mesh, const std::filesystem::path& file, LinesAlong along) {
-  writeMesh(mesh, file, FileOptions{along, {}});
+  writeMesh(mesh, file, FileOptions{along, {}, false});
 }
 
 }  // namespace af2::geometry

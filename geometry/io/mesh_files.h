@@ -36,6 +36,7 @@ struct FileOptions {
   /// face in none is a group of its own. Empty: each face belongs to all its groups and to one of
   /// its own; but in formats that allow one group only, this is {Grouping::Faces}.
   std::vector<Grouping> groups = {};
+  bool compress = false;  ///< compress arrays with zlib, in formats that can
 };
 
 using Lines = std::span<const LineElement>;
@@ -44,6 +45,7 @@ using Lines = std::span<const LineElement>;
 struct Extras {
   Lines lines;
   std::span<const Grouping> groups;
+  bool compress = false;
 };
 
 struct AF2_EXPORT MeshFormat {
@@ -55,6 +57,7 @@ struct AF2_EXPORT MeshFormat {
   bool holdsScores = false;       ///< ModelMesh::scores; if false, they are left out
   bool isOnlyPlanar = false;      ///< for meshes of planar domains only
   bool holdsGroups = false;       ///< FileOptions::groups; if false, they do not matter
+  bool isCompressible = false;    ///< FileOptions::compress; if false, it does not matter
 };
 
 /// In the order in which help texts name them.

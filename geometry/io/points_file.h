@@ -1,4 +1,4 @@
-// Reads points from a JSON file (docs/formats.md).
+// Reads vertices and curves inside faces from a JSON file (docs/formats.md).
 #pragma once
 
 #include <filesystem>
@@ -9,7 +9,15 @@
 
 namespace af2::geometry {
 
+/// What the mesh of a model keeps inside faces.
+struct InsideFaces {
+  std::vector<Point3> points;               ///< become vertices
+  std::vector<std::vector<Point3>> curves;  ///< polylines; their points become vertices, too
+
+  bool isEmpty() const { return points.empty() && curves.empty(); }
+};
+
 /// Throws InputError, naming the file and the place in it, for anything unknown or invalid.
-AF2_EXPORT std::vector<Point3> readPoints(const std::filesystem::path& path);
+AF2_EXPORT InsideFaces readInsideFaces(const std::filesystem::path& path);
 
 }  // namespace af2::geometry

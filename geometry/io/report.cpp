@@ -43,6 +43,12 @@ Json toJson(const FrontActCounts& acts) {
           {"paths", acts.paths}};
 }
 
+Json toJson(const LayersAlongEdge& along) {
+  return {{"edge", along.edge},          {"asked", along.asked},       {"fewest", along.fewest},
+          {"most", along.most},          {"segments", along.segments}, {"fewer", along.fewer},
+          {"place", toJson(along.place)}};
+}
+
 Json toJson(const FaceReport& face, const std::vector<std::string>& ruleNames) {
   Json json{{"id", face.id}};
   if (!face.name.empty()) json["name"] = face.name;
@@ -55,6 +61,8 @@ Json toJson(const FaceReport& face, const std::vector<std::string>& ruleNames) {
   json["reason"] = face.reason;
   if (face.withoutRule.total() > 0) json["without_rule"] = toJson(face.withoutRule);
   if (face.acts != FrontActCounts{}) json["acts"] = toJson(face.acts);
+  for (const LayersAlongEdge& along : face.layers) json["layers"].push_back(toJson(along));
+  if (!face.layers.empty()) json["layer_elements"] = face.layerElements;
   if (face.triangles > 0) json["triangles"] = face.triangles;
   if (face.triangles > 0) json["first_triangle"] = toJson(face.firstTriangle);
   for (const FaceReport::OddLoop& odd : face.oddLoops)

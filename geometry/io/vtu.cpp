@@ -1,17 +1,28 @@
-// VTK's XML format. All arrays are inline base64 without compression: read by everything that reads
-// VTU, and the same bytes for the same mesh.
+// VTK's XML format. All arrays are inline base64, without compression unless it is asked for: read
+// by everything that reads VTU, and the same bytes for the same mesh.
 #include <array>
+#include <concepts>
 #include <cstdlib>
 #include <map>
 #include <string>
 
 #include "geometry/io/base64.h"
+#include "geometry/io/compressed_array.h"
 #include "geometry/io/formats.h"
 #include "geometry/io/vtk_cells.h"
 #include "geometry/mesh/quality.h"
 
 namespace af2::geometry {
 namespace {
+
+/// The file, and how it holds arrays.
+struct XmlOutput {
+  OutputFile& file;
+  bool isCompressed = false;
+
+  void text(std::string_view bytes) { file.text(bytes); }
+  void number(std::integral auto value) { file.number(value); }
+};
 
 struct ArrayHead {
   std::string_view type, name;
@@ -39,7 +50,7 @@ std::string xmlEscaped(std::string_view text) {
 
 /// One data array; `fill` puts exactly `bytes` bytes into the stream.
 template <class Fill>
-void dataArray(OutputFile& file, const ArrayHead& head, std::uint64_t bytes, Fill fill) {
+void dataArray(XmlOutput& file, const ArrayHead& head, std::uint64_t bytes, Fill fill) {
   file.text("<DataArray type=\"");
   file.text(head.type);
   file.text("\" Name=\"");
@@ -49,14 +60,20 @@ void dataArray(OutputFile& file, const ArrayHead& head, std::uint64_t bytes, Fil
     file.number(head.components);
   }
   file.text("\" format=\"binary\">\n");
-  Base64Stream stream(file);
-  stream.put(bytes);
-  fill(stream);
-  stream.finish();
+  if (file.isCompressed) {
+    CompressedArray array(file.file);
+    fill(array);
+    array.finish();
+  } else {
+    Base64Stream stream(file.file);
+    stream.put(bytes);
+    fill(stream);
+    stream.finish();
+  }
   file.text("\n</DataArray>\n");
 }
 
-void writeField(const std::string& name, const std::vector<int>& values, OutputFile& file) {
+void writeField(const std::string& name, const std::vector<int>& values, XmlOutput& file) {
   file.text("<DataArray type=\"Int32\" Name=\"");
   file.text(xmlEscaped(name));
   file.text("\" NumberOfTuples=\"");
@@ -80,7 +97,7 @@ std::map<std::string, std::vector<int>> facesByName(const ModelMesh& mesh) {
 /// Readers of VTU do not agree on arrays of text. So each rule becomes a number named after it:
 /// a field "rule: NAME" that holds the id; and each group a field that holds the ids of its faces,
 /// or of its edges.
-void writeNames(const ModelMesh& mesh, OutputFile& file) {
+void writeNames(const ModelMesh& mesh, XmlOutput& file) {
   file.text("<FieldData>\n");
   for (std::size_t rule = 0; rule < mesh.ruleNames.size(); ++rule)
     writeField("rule: " + mesh.ruleNames[rule], {static_cast<int>(rule)}, file);
@@ -92,10 +109,10 @@ void writeNames(const ModelMesh& mesh, OutputFile& file) {
   file.text("</FieldData>\n");
 }
 
-void writePoints(const ModelMesh& mesh, OutputFile& file) {
+void writePoints(const ModelMesh& mesh, XmlOutput& file) {
   file.text("<Points>\n");
   dataArray(file, {"Float64", "Points", 3}, mesh.vertices.size() * 3 * sizeof(double),
-            [&](Base64Stream& out) {
+            [&](auto& out) {
               for (const Point3& p : mesh.vertices) {
                 out.put(p.x);
                 out.put(p.y);
@@ -105,7 +122,7 @@ void writePoints(const ModelMesh& mesh, OutputFile& file) {
   file.text("</Points>\n");
 }
 
-void writeXmlCells(const ModelMesh& mesh, Lines lines, OutputFile& file) {
+void writeXmlCells(const ModelMesh& mesh, Lines lines, XmlOutput& file) {
   const std::size_t cells = mesh.elements.size() + lines.size();
   const bool isSecondOrder = !mesh.midsides.empty();
   const int perCorner = isSecondOrder ? 2 : 1, perLine = isSecondOrder ? 3 : 2;
@@ -113,7 +130,7 @@ void writeXmlCells(const ModelMesh& mesh, Lines lines, OutputFile& file) {
   for (const Element& element : mesh.elements)
     vertices += static_cast<std::uint64_t>(perCorner * element.size());
   file.text("<Cells>\n");
-  dataArray(file, {"Int32", "connectivity"}, vertices * 4, [&](Base64Stream& out) {
+  dataArray(file, {"Int32", "connectivity"}, vertices * 4, [&](auto& out) {
     for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
       const auto corners = mesh.elements[e].vertices();
       for (const VertexId vertex : corners) out.put(vertex.value);
@@ -125,12 +142,12 @@ void writeXmlCells(const ModelMesh& mesh, Lines lines, OutputFile& file) {
       if (isSecondOrder) out.put(line.middle.value);
     }
   });
-  dataArray(file, {"Int64", "offsets"}, cells * 8, [&](Base64Stream& out) {
+  dataArray(file, {"Int64", "offsets"}, cells * 8, [&](auto& out) {
     std::int64_t end = 0;
     for (const Element& element : mesh.elements) out.put(end += perCorner * element.size());
     for (std::size_t i = 0; i < lines.size(); ++i) out.put(end += perLine);
   });
-  dataArray(file, {"UInt8", "types"}, cells, [&](Base64Stream& out) {
+  dataArray(file, {"UInt8", "types"}, cells, [&](auto& out) {
     for (const Element& element : mesh.elements) {
       if (isSecondOrder)
         out.put(element.isQuad() ? kVtkQuad2 : kVtkTriangle2);
@@ -142,10 +159,10 @@ void writeXmlCells(const ModelMesh& mesh, Lines lines, OutputFile& file) {
   file.text("</Cells>\n");
 }
 
-void writePointData(const ModelMesh& mesh, OutputFile& file) {
+void writePointData(const ModelMesh& mesh, XmlOutput& file) {
   if (mesh.wantedSizes.empty()) return;
   file.text("<PointData>\n");
-  dataArray(file, {"Float64", "wanted_size"}, mesh.wantedSizes.size() * 8, [&](Base64Stream& out) {
+  dataArray(file, {"Float64", "wanted_size"}, mesh.wantedSizes.size() * 8, [&](auto& out) {
     for (const double size : mesh.wantedSizes) out.put(size);
   });
   file.text("</PointData>\n");
@@ -165,10 +182,10 @@ std::map<std::int32_t, int> firstGroups(const ModelMesh& mesh, GroupKind kind) {
 
 /// One array with a value for each cell: those of elements by their index, then those of lines.
 template <class OfElement, class OfLine>
-void cellArray(OutputFile& file, const ArrayHead& head, const ModelMesh& mesh, Lines lines,
+void cellArray(XmlOutput& file, const ArrayHead& head, const ModelMesh& mesh, Lines lines,
                OfElement ofElement, OfLine ofLine) {
   const std::size_t bytes = sizeof(ofElement(std::size_t{}));
-  dataArray(file, head, (mesh.elements.size() + lines.size()) * bytes, [&](Base64Stream& out) {
+  dataArray(file, head, (mesh.elements.size() + lines.size()) * bytes, [&](auto& out) {
     for (std::size_t e = 0; e < mesh.elements.size(); ++e) out.put(ofElement(e));
     for (const LineElement& line : lines) out.put(ofLine(line));
   });
@@ -176,7 +193,7 @@ void cellArray(OutputFile& file, const ArrayHead& head, const ModelMesh& mesh, L
 
 /// For looking at: the solid of each element, and its colour. A face between two solids is shown
 /// with the first one; the fields have it in both.
-void writeGroupsOfCells(const ModelMesh& mesh, Lines lines, OutputFile& file) {
+void writeGroupsOfCells(const ModelMesh& mesh, Lines lines, XmlOutput& file) {
   const auto groupAt = [&](const std::map<std::int32_t, int>& first, std::size_t element) {
     const auto found = first.find(mesh.face[element]);
     return found == first.end() ? 0 : found->second;
@@ -203,7 +220,7 @@ void writeGroupsOfCells(const ModelMesh& mesh, Lines lines, OutputFile& file) {
       [&](const LineElement&) { return values.front(); });
 }
 
-void writeXmlCellData(const ModelMesh& mesh, Lines lines, OutputFile& file) {
+void writeXmlCellData(const ModelMesh& mesh, Lines lines, XmlOutput& file) {
   file.text("<CellData Scalars=\"face\">\n");
   cellArray(
       file, {"Int32", "face"}, mesh, lines, [&](std::size_t e) { return mesh.face[e]; },
@@ -237,12 +254,15 @@ void writeXmlCellData(const ModelMesh& mesh, Lines lines, OutputFile& file) {
 
 }  // namespace
 
-void writeVtu(const ModelMesh& mesh, const Extras& extras, OutputFile& file) {
+void writeVtu(const ModelMesh& mesh, const Extras& extras, OutputFile& output) {
+  XmlOutput file{output, extras.compress};
   const Lines lines = extras.lines;
   file.text(
       "<?xml version=\"1.0\"?>\n"
       "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" "
-      "header_type=\"UInt64\">\n<UnstructuredGrid>\n");
+      "header_type=\"UInt64\"");
+  if (extras.compress) file.text(" compressor=\"vtkZLibDataCompressor\"");
+  file.text(">\n<UnstructuredGrid>\n");
   writeNames(mesh, file);
   file.text("<Piece NumberOfPoints=\"");
   file.number(mesh.vertices.size());

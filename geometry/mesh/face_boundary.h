@@ -2,10 +2,13 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "engine/mesh/front_input.h"
+#include "engine/mesh/mesh.h"
+#include "geometry/mesh/layers_along_edge.h"
 
 namespace af2::geometry {
 
@@ -17,7 +20,8 @@ struct SegmentUse {
 
 struct FaceBoundary {
   FrontInput input;  ///< without loops if the face has no width: its boundary runs back on itself
-  /// By vertex id: index into DividedEdges::points. Higher vertex ids belong to the rims of fans.
+  /// By vertex id: index into DividedEdges::points. Higher vertex ids belong to the rims of fans
+  /// and to the tops of layers.
   std::vector<std::uint32_t> points;
   std::vector<SegmentUse> uses;
   bool closedInParameters = true;    ///< the loops are closed curves in (u, v), too
@@ -39,6 +43,17 @@ struct FaceBoundary {
     std::vector<VertexId> rim;  ///< of the loop that excludes the fan, in its direction
   };
   std::vector<Fan> fans;
+  /// Ready-made layers along edges. The loops run along their tops.
+  struct Layers {
+    /// Vertices that no loop has any more: their ids follow those of the input. First those of the
+    /// boundary, as indices into DividedEdges::points, with their places; then those inside.
+    std::vector<std::uint32_t> points = {};
+    std::vector<SurfacePoint> places = {}, inside = {};
+    std::vector<Element> elements = {};
+    double area = 0;
+    std::vector<LayersAlongEdge> along = {};  ///< by edge, ascending
+  };
+  std::optional<Layers> layers;  ///< none: they were not asked for
 };
 
 }  // namespace af2::geometry

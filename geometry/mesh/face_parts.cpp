@@ -25,6 +25,8 @@ void joinReport(FaceReport&& part, FaceReport& report) {
   report.elements += part.elements;
   append(report.stuck, std::move(part.stuck));
   report.withoutRule += part.withoutRule;
+  report.layers.insert(report.layers.end(), part.layers.begin(), part.layers.end());
+  report.layerElements += part.layerElements;
   append(report.oddLoops, std::move(part.oddLoops));
   if (report.triangles == 0) report.firstTriangle = part.firstTriangle;
   report.triangles += part.triangles;

@@ -17,6 +17,7 @@
 #include "engine/step/front_piece.h"
 #include "engine/step/observer.h"
 #include "geometry/mesh/contact.h"
+#include "geometry/mesh/layers_along_edge.h"
 #include "geometry/mesh/without_rule.h"
 
 namespace af2::geometry {
@@ -43,12 +44,14 @@ struct FaceReport {
   FaceStatus status = FaceStatus::Complete;
   std::size_t elements = 0;
   double seconds = 0;
-  double area = 0;                         ///< of the CAD face, model units squared
-  std::string reason;                      ///< where and why, when it failed
-  std::vector<std::string> attempts = {};  ///< unsuccessful attempts
-  std::vector<StuckPlace> stuck = {};      ///< where its front got stuck, if it did
-  WithoutRuleCounts withoutRule = {};      ///< or in the places of such elements
-  FrontActCounts acts = {};                ///< of the front, beside steps
+  double area = 0;                           ///< of the CAD face, model units squared
+  std::string reason;                        ///< where and why, when it failed
+  std::vector<std::string> attempts = {};    ///< unsuccessful attempts
+  std::vector<StuckPlace> stuck = {};        ///< where its front got stuck, if it did
+  WithoutRuleCounts withoutRule = {};        ///< or in the places of such elements
+  FrontActCounts acts = {};                  ///< of the front, beside steps
+  std::vector<LayersAlongEdge> layers = {};  ///< by edge, ascending, if layers were asked for
+  std::size_t layerElements = 0;             ///< of the layers
   struct Segment {
     Point3 from, to;
     double sizes = 0;  ///< its length in wanted sizes

@@ -90,6 +90,12 @@ void countFreeEdges(const MeshSides& sides, MeshQuality& result) {
   });
 }
 
+/// Layers have the heights that were asked for, not the sizes.
+bool isOfLayer(const ModelMesh& mesh, std::size_t element) {
+  return element < mesh.origins.size() &&
+         mesh.origins[element].rule + std::size_t{1} == mesh.ruleNames.size();
+}
+
 LengthRatio measureLengths(const ModelMesh& mesh, const MeshSides& sides) {
   LengthRatio result;
   if (mesh.wantedSizes.empty()) return result;
@@ -97,7 +103,10 @@ LengthRatio measureLengths(const ModelMesh& mesh, const MeshSides& sides) {
   result.leastLength = result.leastWanted = kFar;
   std::vector<double> ratios;  // nothing else is kept for each edge: there are millions
   ratios.reserve(sides.count() / 2 + mesh.segments.size());
+  const auto isLayer = [&](const MeshSide& side) { return isOfLayer(mesh, side.element()); };
+  const bool hasLayers = !mesh.ruleNames.empty() && mesh.ruleNames.back() == kLayerName;
   sides.forEachEdge([&](VertexId from, std::span<const MeshSide> used) {
+    if (hasLayers && std::ranges::all_of(used, isLayer)) return;
     const std::uint32_t to = used.front().to;
     const double length = distance(mesh.vertices[from.value], mesh.vertices[to]);
     const double wanted = (mesh.wantedSizes[from.value] + mesh.wantedSizes[to]) / 2;
@@ -109,6 +118,7 @@ LengthRatio measureLengths(const ModelMesh& mesh, const MeshSides& sides) {
     const auto bin = std::ranges::upper_bound(LengthRatio::kBounds, ratios.back());
     ++result.histogram[static_cast<std::size_t>(bin - LengthRatio::kBounds.begin())];
   });
+  if (ratios.empty()) return {};
   result.mean = std::reduce(ratios.begin(), ratios.end()) / static_cast<double>(ratios.size());
   result.p5 = percentile(ratios, 0.05);
   result.p95 = percentile(ratios, 0.95);

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <string_view>
 
 #include "engine/mesh/mesh.h"
 #include "engine/rule/rule_set.h"
@@ -14,10 +15,12 @@ namespace af2::geometry {
 enum class WithoutRule {
   Closing,  ///< triangles between vertices of the boundary or of a front that got stuck
   Fan,      ///< triangles around a tip that is too sharp for a front
+  Layer,    ///< layers along an edge, which were asked for
 };
 
 /// Their names, in the order of the enumeration, as ModelMesh::ruleNames has them after the rules.
-inline constexpr std::array kWithoutRuleNames{"closing", "fan"};
+inline constexpr std::string_view kLayerName = "layer";  ///< only if layers were asked for
+inline constexpr std::array<std::string_view, 3> kWithoutRuleNames{"closing", "fan", kLayerName};
 
 inline ElementOrigin originOf(WithoutRule kind, const RuleSet& rules) {
   ElementOrigin origin;

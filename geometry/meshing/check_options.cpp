@@ -1,12 +1,14 @@
 #include "geometry/meshing/check_options.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <numeric>
 #include <string>
 #include <utility>
 
 #include "engine/base/error.h"
+#include "geometry/meshing/edge_names.h"
 #include "geometry/meshing/part_sizes.h"
 
 namespace af2::geometry {
@@ -26,11 +28,29 @@ void checkOptions(const FaceSource& source, const MeshingOptions& options) {
     check("size for ", "edge", edge, source.edgeCount());
   if (options.fewest && (!options.sizes.chords.areGiven() || options.order != 1))
     throw InputError("the fewest elements need a bound on the distance, and order 1");
+  if (options.fewest && !options.layers.empty())
+    throw InputError("layers cannot be combined with the fewest elements, which have any shape");
   if (options.order != 1 && options.order != 2) throw InputError("elements can have order 1 or 2");
   for (const auto& [edge, points] : options.edgePoints)
     check("points for ", "edge", edge, source.edgeCount());
   for (const int face : options.faces) check("", "face", face, source.faceCount());
 }
+
+namespace {
+
+/// Of several names of an edge, the last one counts.
+std::map<int, double> edgeSizesByName(const FaceSource& source,
+                                      const std::vector<std::pair<std::string, double>>& names) {
+  std::map<int, double> sizes;
+  for (const auto& [name, size] : names) {
+    if (!(size > 0) || !std::isfinite(size))
+      throw InputError("the size for edges named '" + name + "' must be a positive number");
+    for (const int edge : edgesNamed(source, name)) sizes[edge] = size;
+  }
+  return sizes;
+}
+
+}  // namespace
 
 MeshingOptions optionsFor(const FaceSource& source, MeshingOptions options) {
   Sizes& sizes = options.sizes;
@@ -47,6 +67,8 @@ MeshingOptions optionsFor(const FaceSource& source, MeshingOptions options) {
       for (const int face : facesNamed(pattern, names, source.groups())) chords[face] = bound;
     sizes.chords.faces.merge(chords);
   }
+  sizes.edgeSizes.merge(edgeSizesByName(source, std::exchange(sizes.edgeNames, {})));
+  options.layers = layersById(source, std::move(options.layers));
   sizes = withinExtent(std::move(sizes), source.diagonal());
   return options;
 }

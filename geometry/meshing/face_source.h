@@ -41,6 +41,12 @@ class FaceSource {
   /// The id of a face, its name and the type of its surface; after `prepare` also its area.
   virtual FaceReport reportOf(int face) const = 0;
   virtual const std::vector<FaceGroup>& groups() const = 0;
+  virtual const std::vector<EdgeGroup>& boundaries() const {
+    static const std::vector<EdgeGroup> kNone;
+    return kNone;
+  }
+  /// The ids of the edges around a face, ascending; each as often as the face uses it.
+  virtual std::vector<int> edgeIdsOf(int) const { return {}; }
 
   /// Called before all functions below, and again for another run.
   ///

@@ -6,6 +6,7 @@
 #include <numeric>
 #include <utility>
 
+#include "engine/base/place_text.h"
 #include "engine/base/stopwatch.h"
 #include "geometry/base/parallel.h"
 #include "geometry/check/sound_faces.h"
@@ -153,7 +154,8 @@ class FaceRun final : public RetriedModel {
     std::vector<FaceMesh>().swap(state.meshes);  // two meshes need much memory
     ModelMesh mesh = std::move(state.joined);
     for (const AF2Rule& rule : algorithm_.rules().rules()) mesh.ruleNames.push_back(rule.name());
-    for (const char* name : kWithoutRuleNames) mesh.ruleNames.emplace_back(name);
+    for (const std::string_view name : kWithoutRuleNames)
+      if (name != kLayerName || !options_.layers.empty()) mesh.ruleNames.emplace_back(name);
     mesh.groups = source_.groups();
     mesh.findings = keepSoundFaces(mesh, state.faults);
     const bool isBounded = options_.sizes.chords.areGiven() && !options_.stop.stop_requested();
@@ -164,11 +166,30 @@ class FaceRun final : public RetriedModel {
       });
     for (EdgeSegment& segment : mesh.segments) segment.edge = source_.idOfEdge(segment.edge);
     source_.complete(state.faults, mesh);
+    tellOfMissingLayers(mesh);
     if (isInsideOut(mesh)) mesh.notes.emplace_back(kInsideOut);
     MeasuredMesh result{std::move(mesh), {}, {}};
     if (isBounded) result = measured(source_, options_, std::move(result.mesh), std::move(curves));
     if (options_.order == 2) makeSecondOrder(result.mesh, middlesOf(result.mesh, middles));
     return result;
+  }
+
+  /// Requests of which there is not a single layer.
+  void tellOfMissingLayers(ModelMesh& mesh) const {
+    for (const LayerRequest& request : options_.layers) {
+      std::size_t edges = 0, most = 0;
+      for (const FaceReport& face : mesh.faces)
+        for (const LayersAlongEdge& along : face.layers) {
+          if (std::ranges::count(request.edges, along.edge) == 0) continue;
+          ++edges;
+          most = std::max(most, along.most);
+        }
+      if (edges > 0 && most == 0)
+        mesh.findings.push_back(
+            "there are no layers along edge " + std::to_string(request.edges.front()) +
+            (request.edges.size() > 1 ? " and the others of its request" : "") +
+            ": a first layer of height " + af2::textOf(request.first, 4) + " has no room there");
+    }
   }
 
   FaceSource& source_;
@@ -190,6 +211,7 @@ void addNarrowPlaces(FaceSource& source, const AF2Algorithm& algorithm, MeshingO
   first.progress = {};
   first.observer = {};
   first.sizes.chords = {};
+  first.layers.clear();  // they are not narrow places of the model
   const ModelMesh coarse = FaceRun(source, algorithm, first).mesh().mesh;
   addSources(narrowPlaces(coarse, across, options.threads),
              leastForLimits(options.sizes.size, options.sizes.minSize), options.sizes.sources);

@@ -11,6 +11,7 @@
 #include "engine/run/algorithm.h"
 #include "geometry/charts/chart_kind.h"
 #include "geometry/edges/edge_points.h"
+#include "geometry/layers/layer_request.h"
 #include "geometry/sizes/sizes.h"
 
 namespace af2::geometry {
@@ -27,6 +28,10 @@ struct MeshingOptions {
   /// Given divisions of edges, by id: the vertices between the ends, in order along the edge in
   /// either direction; none: the edge is a single segment. They are kept unchanged.
   EdgePoints edgePoints;
+  /// Layers of quadrilaterals along edges. The rest of each face is filled by the rules. Where
+  /// requests name the same edge of a face, the last one counts. FaceReport::layers says where
+  /// there was room for fewer layers.
+  std::vector<LayerRequest> layers = {};
   /// The kind of charts. A face whose surface has no such charts, or on which they fail, is meshed
   /// as with ChartKind::Auto; its report says so.
   ChartKind chart = ChartKind::Auto;

@@ -291,6 +291,7 @@ double blurOf(const PlanarDomain& domain, const MeshingOptions& options) {
   for (const auto& [face, own] : options.sizes.faceSizes) take(own);
   for (const auto& [edge, own] : options.sizes.edgeSizes) take(own);
   for (const auto& [part, own] : options.sizes.partSizes) take(own);
+  for (const auto& [name, own] : options.sizes.edgeNames) take(own);
   for (const auto& [number, own] : domain.domainSizes) take(own);
   for (const PlanarDomain::Segment& segment : domain.segments) take(segment.maxSize);
   const DomainSize byPosition(options.sizes);

@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "geometry/base/words.h"
+#include "geometry/base/zlib_bytes.h"
 #include "geometry/reading/formats.h"
 #include "geometry/reading/number_stream.h"
 #include "geometry/reading/vtk_cell.h"
@@ -41,8 +42,11 @@ class VtuReader {
         coding_(file.get("<xmlattr>.byte_order", "LittleEndian") == "BigEndian" ? Coding::HighFirst
                                                                                 : Coding::LowFirst),
         hasLongHeads_(file.get("<xmlattr>.header_type", "UInt32") == "UInt64") {
-    if (file.get_optional<std::string>("<xmlattr>.compressor"))
-      mesh.fail("its arrays are compressed; write it again without compression");
+    const auto compressor = file.get_optional<std::string>("<xmlattr>.compressor");
+    isCompressed_ = compressor.has_value();
+    if (isCompressed_ && *compressor != "vtkZLibDataCompressor")
+      mesh.fail("its arrays are compressed by '" + *compressor +
+                "'; write it again with zlib or without compression");
   }
 
   void readPiece(const Tree& piece) {
@@ -109,15 +113,10 @@ class VtuReader {
       mesh_.fail("array '" + name + "' has the format '" + format +
                  "'; write the file with inline arrays, text or base64");
     const std::string type = array.get("<xmlattr>.type", "");
-    const std::string bytes = decoded(trimmed(array.data()));
+    const std::string bytes = isCompressed_ ? uncompressedBytes(trimmed(array.data()), name)
+                                            : plainBytes(trimmed(array.data()), name);
     NumberStream stream(mesh_.name(), bytes);
-    const std::uint64_t size = hasLongHeads_ ? stream.number<std::uint64_t>(coding_)
-                                             : stream.number<std::uint32_t>(coding_);
-    const std::size_t head = hasLongHeads_ ? 8 : 4;
-    if (size != bytes.size() - head)
-      mesh_.fail("array '" + name + "' is truncated or damaged: it has " +
-                 std::to_string(bytes.size() - head) + " bytes, and should have " +
-                 std::to_string(size) + "; write the file again");
+    const std::uint64_t size = bytes.size();
     if (type == "Float64") return taken<double>(stream, size);
     if (type == "Float32") return taken<float>(stream, size);
     if (type == "Int64") return taken<std::int64_t>(stream, size);
@@ -130,6 +129,54 @@ class VtuReader {
     if (type == "UInt8") return taken<std::uint8_t>(stream, size);
     mesh_.fail("array '" + name + "' has the unknown type '" + type + "'");
   }
+  std::size_t headSize() const { return hasLongHeads_ ? 8 : 4; }
+  std::uint64_t headNumber(NumberStream& stream) const {
+    return hasLongHeads_ ? stream.number<std::uint64_t>(coding_)
+                         : stream.number<std::uint32_t>(coding_);
+  }
+
+  std::string plainBytes(std::string_view text, const std::string& name) const {
+    std::string bytes = decoded(text);
+    NumberStream stream(mesh_.name(), bytes);
+    const std::uint64_t size = headNumber(stream);
+    if (size != bytes.size() - headSize())
+      mesh_.fail("array '" + name + "' is truncated or damaged: it has " +
+                 std::to_string(bytes.size() - headSize()) + " bytes, and should have " +
+                 std::to_string(size) + "; write the file again");
+    return bytes.substr(headSize());
+  }
+
+  /// The head is encoded by itself: the number of blocks, the size of all of them but the last,
+  /// that of the last one unless it is 0, and their compressed sizes.
+  std::string uncompressedBytes(std::string_view text, const std::string& name) const {
+    const auto damaged = [&] {
+      mesh_.fail("array '" + name + "' is truncated or damaged; write the file again");
+    };
+    const auto digitsOf = [](std::uint64_t bytes) { return (bytes + 2) / 3 * 4; };
+    const std::string first = decoded(text.substr(0, digitsOf(headSize())));
+    NumberStream start(mesh_.name(), first);
+    const std::uint64_t blocks = headNumber(start);
+    if (blocks > text.size()) damaged();
+    const std::uint64_t digits = digitsOf((3 + blocks) * headSize());
+    if (digits > text.size()) damaged();
+    const std::string head = decoded(text.substr(0, digits)), data = decoded(text.substr(digits));
+    NumberStream stream(mesh_.name(), head);
+    headNumber(stream);
+    const std::uint64_t full = headNumber(stream), last = headNumber(stream);
+    std::string bytes;
+    std::uint64_t at = 0;
+    for (std::uint64_t i = 0; i < blocks; ++i) {
+      const std::uint64_t size = headNumber(stream);
+      if (size > data.size() - at) damaged();
+      const auto block = uncompressed(std::string_view(data).substr(at, size),
+                                      i + 1 == blocks && last > 0 ? last : full);
+      if (!block) damaged();
+      bytes += *block;
+      at += size;
+    }
+    return bytes;
+  }
+
   template <class Number>
   std::vector<double> taken(NumberStream& stream, std::uint64_t bytes) const {
     std::vector<double> values;
@@ -151,6 +198,7 @@ class VtuReader {
   MeshBuilder& mesh_;
   Coding coding_;
   bool hasLongHeads_;
+  bool isCompressed_ = false;
 };
 
 }  // namespace

@@ -32,6 +32,9 @@ struct Sizes {
   /// By name of a face or group; `*` matches any text, `?` any character. `faceSizes` take
   /// precedence, and of several matches the last.
   std::vector<std::pair<std::string, double>> partSizes;
+  /// By name of a boundary, or of a face or group for the edges that its faces use once, with the
+  /// same patterns. `edgeSizes` take precedence, and of several matches the last.
+  std::vector<std::pair<std::string, double>> edgeNames = {};
   SizeSources sources;    ///< points, boxes and background fields
   PositionSize function;  ///< further limit by position
 

@@ -31,7 +31,7 @@ unusable "$af2" mesh "$cylinder" --size 1 --periodic 1=2; told 'are not periodic
 unusable "$af2" mesh "$cylinder" --size 1 --periodic 1=9; told 'there is no face 9'
 echo '{"points": [[0, 0, 77]]}' >far.json
 unusable "$af2" mesh "$cylinder" --size 1 --points far.json; told 'it is on no face of the model'
-usage "$af2" mesh "$models/plate.poly" --size 1 --points far.json; told '--points is for'
+unusable "$af2" mesh "$models/plate.poly" --size 1 --points far.json; told 'in the plane z = 0'
 usage "$af2" mesh "$cylinder" --size; told '--size: its value is missing'
 usage "$af2" mesh "$cylinder" --size 1 --faces ''; told '--faces: its value is empty'
 usage "$af2" mesh "$cylinder" --size 1 --chart=; told '--chart'

@@ -39,7 +39,25 @@ expect 0 "$af2" inspect "$models/cylinder.step" --picture labelled.svg --labels
 [ "$(wc -c <labelled.svg)" -gt "$(wc -c <plain.svg)" ] || fail "there are no labels on the picture"
 expect 2 "$af2" inspect "$models/cylinder.step" --labels; told '--labels needs --picture'
 expect 2 "$af2" inspect "$models/cylinder.step" --json --edges; told 'leave out'
-expect 2 "$af2" inspect "$models/plate.poly" --json; told '--json is for CAD models'
+
+expect 0 "$af2" inspect "$models/plate.poly" --json --size 1
+cp out plate.json
+expect 0 "$af2" mesh "$models/die.step" -s 2 -o die.stl
+expect 0 "$af2" inspect die.stl --json
+cp out stl.json
+python3 - <<'PYTHON' || fail "the numbers of models that are no CAD models"
+import json
+for name in ("plate.json", "stl.json"):
+    model = json.load(open(name))
+    faces = {face["id"]: face for face in model["faces"]}
+    assert faces and model["diagonal"] > 0
+    for face in faces.values():
+        assert face["area"] > 0 and all(face["id"] in faces[other]["neighbors"] for other in face["neighbors"]), face
+        assert all(low <= high for low, high in zip(face["box"]["low"], face["box"]["high"])), face
+    for edge in model["edges"]:
+        assert all(edge["id"] in faces[face]["edges"] for face in edge["faces"]), edge
+PYTHON
+expect 2 "$af2" inspect "$models/plate.poly" --json --edges; told 'leave out'
 
 # Names wherever numbers are taken, in the spelling of mesh files, too.
 expect 0 "$af2" mesh "$models/bolt_on_plate.brep" -s 2 --faces 'solid 2' --report named.json -o named.vtu
@@ -58,4 +76,12 @@ same named.vtu numbered.vtu
 expect 1 "$af2" mesh "$models/die.step" -s 2 --faces nobody; told "no face or group called 'nobody'"
 expect 1 "$af2" mesh "$models/plate.poly" -s 2 --faces nobody; told "no face or group called 'nobody'"
 expect 2 "$af2" mesh "$models/die.step" -s 2 --faces 3x; told "'3x' is neither a number nor a range"
+expect 0 "$af2" mesh "$models/bolt_on_plate.brep" -s 2 --trace a.af2t --trace-faces 'solid 2'
+expect 0 "$af2" mesh "$models/bolt_on_plate.brep" -s 2 --trace b.af2t --trace-faces "$list"
+[ "$(wc -c <a.af2t)" -gt 100 ] || fail "the trace of a solid is empty"
+expect 1 "$af2" mesh "$models/bolt_on_plate.brep" -s 2 --trace c.af2t --trace-faces nobody; told "'nobody'"
+[ ! -e c.af2t ] || fail "there is a trace of nobody"
+expect 2 "$af2" mesh "$models/bolt_on_plate.brep" -s 2 --periodic nobody=3; told "no face or group called 'nobody'"
+expect 2 "$af2" mesh "$models/bolt_on_plate.brep" -s 2 --periodic 'solid 2=3'; told "faces are called 'solid 2'"
+expect 1 "$af2" mesh "$models/bolt_on_plate.brep" -s 2 --edge-size 'nobody=1'; told "no edges called 'nobody'"
 finish

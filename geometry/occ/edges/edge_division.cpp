@@ -19,6 +19,7 @@
 #include "geometry/occ/edges/cusps.h"
 #include "geometry/occ/edges/edge_chains.h"
 #include "geometry/occ/edges/given_points.h"
+#include "geometry/occ/edges/layer_parts.h"
 #include "geometry/occ/edges/narrow_strips.h"
 #include "geometry/occ/edges/open_ends.h"
 #include "geometry/occ/edges/point_edges.h"
@@ -35,13 +36,15 @@ class Division {
  public:
   Division(const ModelShape& model, const std::vector<EdgeSamples>& sampled, const CadSizes& sizes,
            int threads, const std::stop_token& stop, const EdgePoints& given,
-           const CollapsedEdges& asPoints, const SegmentChanges& changes, const MergedEdges& merged)
+           const CollapsedEdges& asPoints, const SegmentChanges& changes, const MergedEdges& merged,
+           const LayerEnds& layers)
       : model_(model),
         sizes_(sizes),
         given_(given),
         asPoints_(asPoints),
         changes_(changes),
         merged_(merged),
+        layerEnds_(layers),
         samples_(sampled.size()),
         isMerged_(sampled.size(), false) {
     limitAll(sampled, threads, stop);
@@ -296,7 +299,8 @@ class Division {
   }
 
   DividedPart divideAnew(const EdgePart& part, AskedSegments asked) {
-    std::vector<double> parameters = divideFromCusps(model_, part, cusps_, tips_, asked, sizes_);
+    std::vector<double> parameters =
+        divideBetweenLayers(model_, part, layerEnds_, cusps_, tips_, asked, sizes_);
     const PointAt pointAt = curveOf(model_, part, merged_);
     leaveOutBesidePoints(part.ends, asked.least, pointAt, parameters);
     std::vector<std::uint32_t> inner;
@@ -362,6 +366,7 @@ class Division {
   const CollapsedEdges& asPoints_;
   const SegmentChanges& changes_;
   const MergedEdges& merged_;
+  const LayerEnds& layerEnds_;
   std::vector<EdgeSamples> samples_;
   std::vector<bool> isMerged_;       // by edge: it is crossed, or in a chain
   std::vector<EdgeSamples> chains_;  // in the order of merged_
@@ -393,8 +398,10 @@ std::vector<EdgeSamples> sampleEdges(const ModelShape& model, const CadSizes& si
 DividedEdges divideEdges(const ModelShape& model, const std::vector<EdgeSamples>& sampled,
                          const CadSizes& sizes, int threads, const std::stop_token& stop,
                          const EdgePoints& given, const CollapsedEdges& asPoints,
-                         const SegmentChanges& changes, const MergedEdges& merged) {
-  return Division(model, sampled, sizes, threads, stop, given, asPoints, changes, merged).result();
+                         const SegmentChanges& changes, const MergedEdges& merged,
+                         const LayerEnds& ends) {
+  return Division(model, sampled, sizes, threads, stop, given, asPoints, changes, merged, ends)
+      .result();
 }
 
 }  // namespace af2::geometry

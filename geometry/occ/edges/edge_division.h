@@ -7,6 +7,7 @@
 
 #include "geometry/edges/divided_edges.h"
 #include "geometry/edges/edge_points.h"
+#include "geometry/layers/layer_heights.h"
 #include "geometry/occ/edges/edge_samples.h"
 #include "geometry/occ/edges/merged_edges.h"
 #include "geometry/occ/model/model_shape.h"
@@ -30,11 +31,13 @@ std::vector<EdgeSamples> sampleEdges(const ModelShape& model, const CadSizes& si
 ///          segments stays as it is.
 /// merged   edges that are not divided, because the mesh does not follow them, and chains that are
 ///          divided as one edge
+/// ends     of layers: there edges without given points have vertices
 ///
 /// Throws InputError if the points given for an edge are not on it, in order and distinct.
 DividedEdges divideEdges(const ModelShape& model, const std::vector<EdgeSamples>& sampled,
                          const CadSizes& sizes, int threads, const std::stop_token& stop,
                          const EdgePoints& given = {}, const CollapsedEdges& asPoints = {},
-                         const SegmentChanges& changes = {}, const MergedEdges& merged = {});
+                         const SegmentChanges& changes = {}, const MergedEdges& merged = {},
+                         const LayerEnds& ends = {});
 
 }  // namespace af2::geometry

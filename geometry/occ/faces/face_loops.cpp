@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "engine/base/error.h"
+#include "geometry/layers/layer_ends.h"
 #include "geometry/occ/edges/tip_fans.h"
 
 namespace af2::geometry {
@@ -89,6 +90,21 @@ std::vector<BoundedCell> boundedCells(const ModelShape& model, int face,
   }
   if (bounded.size() < 2) bounded.clear();
   return bounded;
+}
+
+void addLayerEndsOfFace(const ModelShape& model, int face, const EdgeLayers& layers,
+                        const DividedEdges& divided, const std::vector<FaceOnFace>& onFaces,
+                        LayerEnds& ends) {
+  if (std::ranges::count(onFaces, face, &FaceOnFace::face) > 0) return;
+  try {
+    const std::vector<BoundedCell> cells = boundedCells(model, face, divided, onFaces);
+    for (const BoundedCell& cell : cells) addLayerEnds(cell.boundary, layers, divided, ends);
+    if (!cells.empty()) return;
+    const FaceSurface surface = model.surface(face);
+    addLayerEnds(findBoundary(model, face, divided, surface, onFaces), layers, divided, ends);
+  } catch (const GeometryError&) {  // reported when the face is meshed
+  } catch (const Standard_Failure&) {
+  }
 }
 
 std::vector<CountedLoop> countedLoops(const ModelShape& model, int face,

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "geometry/edges/even_loops.h"
+#include "geometry/layers/layer_heights.h"
 #include "geometry/occ/faces/face_boundary.h"
 #include "geometry/occ/faces/faces_on_faces.h"
 
@@ -21,6 +22,12 @@ struct BoundedCell {
 std::vector<BoundedCell> boundedCells(const ModelShape& model, int face,
                                       const DividedEdges& divided,
                                       const std::vector<FaceOnFace>& onFaces);
+
+/// Adds the vertices at which layers of a face end on other edges (addLayerEnds); none if its
+/// boundary is faulty.
+void addLayerEndsOfFace(const ModelShape& model, int face, const EdgeLayers& layers,
+                        const DividedEdges& divided, const std::vector<FaceOnFace>& onFaces,
+                        LayerEnds& ends);
 
 /// The loops around a face, or around its cells, as fronts get them: with both sides of seams,
 /// without edges that cancel each other, and around the fans at sharp tips. There are none around a

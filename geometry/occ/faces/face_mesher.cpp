@@ -17,6 +17,7 @@
 #include "geometry/charts/conformal_chart.h"
 #include "geometry/charts/laid_out.h"
 #include "geometry/fill/face_filling.h"
+#include "geometry/layers/leave_out_layers.h"
 #include "geometry/mesh/face_parts.h"
 #include "geometry/mesh/fans.h"
 #include "geometry/mesh/sharp_seams.h"
@@ -152,11 +153,17 @@ class FaceMesher {
       mesh.report.reason = mesh.hasVanished ? kVanished : kWithoutWidth;
       return;
     }
-    if (context_.request.limits.ignoresNormals) partSeams(boundary.input, boundary.points);
+    if (context_.layers)
+      leaveOutLayers(surface_, placeInParametersOf(surface_), *context_.layers,
+                     context_.request.divided, stepsFor(context_.request.options.quads), boundary);
+    const bool hasLayers = boundary.layers && !boundary.layers->elements.empty();
+    if (context_.request.limits.ignoresNormals && !hasLayers)
+      partSeams(boundary.input, boundary.points);
     constexpr double kMaxClosed = 0.05;  // of the area
     if (!boundary.repairs.empty() || closed > kMaxClosed * area_)
       mesh.report.area = area_ = 0;  // was found with the old boundary
-    const double toFill = area_ > 0 ? area_ - areaOfFans(boundary) : 0;
+    const double ready = areaOfFans(boundary) + (boundary.layers ? boundary.layers->area : 0);
+    const double toFill = area_ > 0 ? area_ - ready : 0;
     const FillRequest& request = context_.request;
     const FaceSize wanted(context_.sizes, face_, surface_);
     const GradedSize size(wanted, boundary.input, context_.sizes.growth);

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "geometry/layers/layer_heights.h"
 #include "geometry/mesh/face_mesh.h"
 #include "geometry/meshing/face_source.h"
 #include "geometry/occ/faces/face_boundary.h"
@@ -19,6 +20,7 @@ struct FaceMeshingContext {
   /// Whether sizes inside a face may be much smaller than along its boundary.
   bool mayBeFineInside = false;
   const FillRequest& request;
+  const EdgeLayers* layers = nullptr;  ///< of the face; null: none
 };
 
 /// Throws GeometryError if the face is faulty.

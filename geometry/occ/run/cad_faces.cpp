@@ -9,6 +9,7 @@
 
 #include "engine/base/error.h"
 #include "geometry/base/parallel.h"
+#include "geometry/layers/layer_ends.h"
 #include "geometry/mesh/inside_out.h"
 #include "geometry/mesh/volume_note.h"
 #include "geometry/occ/base/points.h"
@@ -78,6 +79,34 @@ void CadFaces::prepare(const MeshingOptions& options, const std::vector<int>& fa
   expectMoreOn(uneven);
   expectByPosition();
   sampled_ = sampleEdges(*shape_, sizes_, options.threads, options.stop);
+  findLayers();
+}
+
+/// Of the faces to be meshed, with the places at which they end on other edges.
+void CadFaces::findLayers() {
+  layers_.clear();
+  layerEnds_.clear();
+  if (options_->layers.empty()) return;
+  for (const int face : faces_)
+    if (EdgeLayers own = layersOfFace(options_->layers, face, edgesOf(face)); !own.empty())
+      layers_[face] = std::move(own);
+  const DividedEdges divided = divide(sizesByPosition(), {}, {});
+  for (const auto& [face, layers] : layers_)
+    addLayerEndsOfFace(*shape_, face, layers, divided, onFaces_, layerEnds_);
+  fitLayerEnds(divided, layerEnds_);
+}
+
+const EdgeLayers* CadFaces::layersOn(int face) const {
+  const auto own = layers_.find(face);
+  return own == layers_.end() ? nullptr : &own->second;
+}
+
+/// Of the model itself, without those along creases.
+std::vector<int> CadFaces::edgeIdsOf(int face) const {
+  std::vector<int> ids;
+  for (const EdgeUse& use : model_.shape().edgesOfFaces[indexOf(face)]) ids.push_back(use.id);
+  std::ranges::sort(ids);
+  return ids;
 }
 
 std::vector<int> CadFaces::edgesOf(int face) const {
@@ -99,7 +128,7 @@ std::unique_ptr<FaceDistance> CadFaces::distanceFrom(int face) const {
 DividedEdges CadFaces::divide(const PositionSize& sizes, const CollapsedEdges& asPoints,
                               const SegmentChanges& changes) const {
   return divideEdges(*shape_, sampled_, withFunction(sizes), options_->threads, options_->stop,
-                     options_->edgePoints, asPoints, changes, merged_);
+                     options_->edgePoints, asPoints, changes, merged_, layerEnds_);
 }
 
 std::vector<CountedLoop> CadFaces::loopsOf(int face, const DividedEdges& divided) const {
@@ -108,8 +137,8 @@ std::vector<CountedLoop> CadFaces::loopsOf(int face, const DividedEdges& divided
 
 void CadFaces::fill(int face, const FillRequest& request, FaceMesh& mesh) const {
   const auto fillBy = [&](const CadSizes& sizes) {
-    meshFace({*shape_, sizes, onFaces_, isFineInside_, request}, face, areas_[indexOf(face)],
-             work_[indexOf(face)], mesh);
+    meshFace({*shape_, sizes, onFaces_, isFineInside_, request, layersOn(face)}, face,
+             areas_[indexOf(face)], work_[indexOf(face)], mesh);
   };
   request.limits.hasOriginalSizes ? fillBy(sizes_) : fillBy(withFunction(request.sizes));
 }

@@ -2,10 +2,13 @@
 // Not installed: includers need OpenCASCADE's headers.
 #pragma once
 
+#include <map>
 #include <memory>
 #include <utility>
 #include <vector>
 
+#include "geometry/layers/layer_heights.h"
+#include "geometry/layers/layers_of_face.h"
 #include "geometry/meshing/face_source.h"
 #include "geometry/occ/edges/edge_samples.h"
 #include "geometry/occ/edges/merged_edges.h"
@@ -30,6 +33,7 @@ class CadFaces : public FaceSource {
   double workOn(int face) const override { return work_[indexOf(face)]; }
   const PositionSize& sizesByPosition() const override { return sizes_.function; }
   std::vector<int> edgesOf(int face) const override;
+  std::vector<int> edgeIdsOf(int face) const override;
   Point3 pointOnEdge(int edge, double parameter) const override;
   std::unique_ptr<FaceDistance> distanceFrom(int face) const override;
   DividedEdges divide(const PositionSize& sizes, const CollapsedEdges& asPoints,
@@ -63,6 +67,8 @@ class CadFaces : public FaceSource {
   double farthestVertex() const;
   void noteVolume(ModelMesh& mesh) const;
   void findFacesOnFaces();
+  void findLayers();
+  const EdgeLayers* layersOn(int face) const;
   void findAreas();
   double expectedOn(int face, int samples) const;
   void expectByFace();
@@ -81,6 +87,8 @@ class CadFaces : public FaceSource {
   std::vector<double> areas_, work_;  // by face; 0 of those not asked for
   std::vector<EdgeSamples> sampled_;  // by edge
   MergedEdges merged_;
+  std::map<int, EdgeLayers> layers_;  // by face
+  LayerEnds layerEnds_;
   bool isFineInside_ = false;  // sizes may be much smaller than along boundaries
 };
 

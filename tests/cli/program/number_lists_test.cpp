@@ -42,12 +42,14 @@ TEST(ParseSize, RefusesWhatIsNoLength) {
   }
 }
 
-TEST(ParseSizes, LetsTheLastOneWin) {
-  EXPECT_EQ(parseSizes("--face-size", {"1-3=0.5", "2=0.1"}),
-            (std::map<int, double>{{1, 0.5}, {2, 0.1}, {3, 0.5}}));
-  EXPECT_THROW(parseSizes("--face-size", {"3"}), UsageError);
-  EXPECT_THROW(parseSizes("--face-size", {"3=0"}), UsageError);
-  EXPECT_THROW(parseSizes("--face-size", {"=1"}), UsageError);
+TEST(ParseFaceSizes, LetsTheLastOneWin) {
+  const auto parsed = [](const std::vector<std::string>& texts) {
+    return parseFaceSizes("--edge-size", texts, "edge").byId;
+  };
+  EXPECT_EQ(parsed({"1-3=0.5", "2=0.1"}), (std::map<int, double>{{1, 0.5}, {2, 0.1}, {3, 0.5}}));
+  EXPECT_THROW(parsed({"3"}), UsageError);
+  EXPECT_THROW(parsed({"3=0"}), UsageError);
+  EXPECT_THROW(parsed({"=1"}), UsageError);
 }
 
 TEST(NumberLists, OfFacesMayHaveNames) {

@@ -26,4 +26,7 @@ std::vector<Family> surfaceFamilies();
 /// Faces that turn sharply inside, along lines that are no edges.
 std::vector<Family> creasedFamilies();
 
+/// Details below the size, needles, slits, large tolerances, edges beside their plane.
+std::vector<Family> awkwardFamilies();
+
 }  // namespace af2::made

@@ -37,6 +37,14 @@ for extension in [".vtu", ".vtk"]:
     assert abs(mesh.cell_data_dict["quality"]["quad"][0] - 1) < 1e-15, extension
 assert read(".vtu").field_data["rule: right 60"].tolist() == [1]
 
+packed, plain = read(".vtu", "packed"), read(".vtu")
+assert (packed.points == plain.points).all()
+for kind, corners in plain.cells_dict.items():
+    assert (packed.cells_dict[kind] == corners).all(), kind
+for name, values in plain.cell_data_dict.items():
+    for kind in values:
+        assert (packed.cell_data_dict[name][kind] == values[kind]).all(), name
+
 msh = read(".msh")
 assert msh.cell_data_dict["gmsh:physical"]["triangle"].tolist() == FACES
 assert msh.cell_data_dict["gmsh:geometrical"]["quad"].tolist() == [6]

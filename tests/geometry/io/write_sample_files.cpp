@@ -45,6 +45,9 @@ int main(int, char** arguments) {
     if (format.holdsGroups)
       writeMesh(cubeMesh(), directory / ("grouped" + extension),
                 FileOptions{LinesAlong::Boundaries, {Grouping::Faces, Grouping::Parts}});
+    if (format.isCompressible)
+      writeMesh(cubeMesh(), directory / ("packed" + extension),
+                FileOptions{LinesAlong::Boundaries, {}, true});
     if (!format.holdsSecondOrder) continue;
     writeMesh(cubeOfSecondOrder(), directory / ("cube2" + extension));
     writeMesh(cubeOfSecondOrder(), directory / ("lines2" + extension), LinesAlong::AllEdges);
