@@ -7,7 +7,7 @@
 #include <map>
 
 #include "cli/compare/planar_domains.h"
-#include "cli/meshing/inspect_tables.h"
+#include "cli/inspect/inspect_tables.h"
 #include "cli/meshing/mesh_run.h"
 #include "cli/rules/rules_location.h"
 #include "engine/base/error.h"

@@ -5,9 +5,9 @@
 #include <map>
 #include <memory>
 
+#include "cli/inspect/inspect_domain.h"
+#include "cli/inspect/inspect_tables.h"
 #include "cli/meshing/imprint_request.h"
-#include "cli/meshing/inspect_domain.h"
-#include "cli/meshing/inspect_tables.h"
 #include "cli/meshing/merge_request.h"
 #include "cli/meshing/mesh_request.h"
 #include "cli/meshing/model_formats.h"
@@ -19,10 +19,10 @@
 #include "cli/program/verbs.h"
 #include "cli/rules/picture_format.h"
 #if AF2_HAVE_OCC
+#include "cli/inspect/defect_picture.h"
+#include "cli/inspect/inspect_json.h"
 #include "cli/meshing/contact_texts.h"
-#include "cli/meshing/defect_picture.h"
 #include "cli/meshing/imprinted_model.h"
-#include "cli/meshing/inspect_json.h"
 #include "cli/meshing/mesh_summary.h"
 #include "geometry/occ/assembly/contacts.h"
 #include "geometry/occ/heal/heal_model.h"

@@ -110,7 +110,7 @@ void printResult(const MeshRequest& request, const RunReport& report, const Mode
   if (!request.quiet && request.stuckTests.empty()) text += stuckText(mesh);
   std::fputs(text.c_str(), stderr);  // does not throw if stderr is closed
   if (!request.quiet)
-    fmt::print("{}{}{}{}{}{}{}", unitText(mesh), notesText(mesh.notes), healingText(mesh.healing),
+    fmt::print("{}{}{}{}{}{}{}{}", unitText(mesh), notesText(mesh.notes), healingText(mesh.healing),
                imprintText(mesh.imprinting), mergeText(mesh.merging), contactWarning(mesh.contacts),
                layersText(mesh), summaryText(mesh, report.quality));
 }

@@ -1,4 +1,4 @@
-#include "cli/meshing/defect_picture.h"
+#include "cli/inspect/defect_picture.h"
 
 #include <fmt/core.h>
 

@@ -1,4 +1,4 @@
-#include "cli/meshing/inspect_domain.h"
+#include "cli/inspect/inspect_domain.h"
 
 #include <fmt/core.h>
 
@@ -6,8 +6,8 @@
 #include <map>
 #include <string>
 
-#include "cli/meshing/domain_json.h"
-#include "cli/meshing/inspect_tables.h"
+#include "cli/inspect/domain_json.h"
+#include "cli/inspect/inspect_tables.h"
 #include "cli/meshing/mesh_summary.h"
 #include "cli/meshing/model_formats.h"
 #include "cli/program/exit_code.h"

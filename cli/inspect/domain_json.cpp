@@ -1,4 +1,4 @@
-#include "cli/meshing/domain_json.h"
+#include "cli/inspect/domain_json.h"
 
 #include <algorithm>
 #include <nlohmann/json.hpp>

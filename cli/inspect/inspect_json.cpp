@@ -1,4 +1,4 @@
-#include "cli/meshing/inspect_json.h"
+#include "cli/inspect/inspect_json.h"
 
 #include <algorithm>
 #include <nlohmann/json.hpp>

@@ -1,4 +1,4 @@
-#include "cli/meshing/inspect_tables.h"
+#include "cli/inspect/inspect_tables.h"
 
 #include <fmt/core.h>
 
