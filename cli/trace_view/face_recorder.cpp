@@ -159,28 +159,30 @@ bool FaceRecorder::isOf(const Mesh& mesh, const ViewFront& front) const {
 std::size_t FaceRecorder::turnedFront(const Mesh& mesh) {
   const std::size_t f = record_.fronts.size() - 1;
   if (record_.fronts.empty() || record_.fronts[f].isFinished) return kNone;
+  ViewFront& front = record_.fronts[f];
   std::map<std::tuple<double, double, double>, std::uint32_t> known;
   const auto keyOf = [](const Point3& p) { return std::tuple(p.x, p.y, p.z); };
-  ViewFront& front = record_.fronts[f];
   for (std::size_t v = 0; v < front.places.size(); ++v)
     known.emplace(keyOf(front.places[v]), numbers_[f][v]);
-  std::vector<std::uint32_t> numbers;
-  std::size_t found = 0;
-  std::vector<Point3> moved;
-  for (const SurfacePoint& vertex : mesh.vertices) {
-    const auto place = known.find(keyOf(vertex.position));
-    found += place != known.end();
-    if (place == known.end()) moved.push_back(vertex.position);
-    numbers.push_back(place != known.end()
-                          ? place->second
-                          : static_cast<std::uint32_t>(record_.vertices.size() + moved.size() - 1));
-  }
+  const auto isKnown = [&](const SurfacePoint& v) { return known.contains(keyOf(v.position)); };
+  const auto found = static_cast<std::size_t>(std::ranges::count_if(mesh.vertices, isKnown));
   if (2 * found < mesh.vertices.size()) return kNone;
-  record_.vertices.insert(record_.vertices.end(), moved.begin(), moved.end());
-  numbers_[f] = numbers;
+  numbers_[f].clear();
   front.places.clear();
-  for (const SurfacePoint& vertex : mesh.vertices) front.places.push_back(vertex.position);
+  for (const SurfacePoint& vertex : mesh.vertices) {
+    const auto next = static_cast<std::uint32_t>(record_.vertices.size());
+    const auto number = known.emplace(keyOf(vertex.position), next).first->second;
+    if (number == next) record_.vertices.push_back(vertex.position);
+    numbers_[f].push_back(number);
+    front.places.push_back(vertex.position);
+  }
   addEvent(ViewEvent::kTurnedRound, f);
+  replaceElements(mesh, f);
+  return f;
+}
+
+/// The last event leaves a front with the elements of a mesh.
+void FaceRecorder::replaceElements(const Mesh& mesh, std::size_t f) {
   std::map<std::array<std::uint32_t, 4>, std::size_t> old;
   for (const auto& [corners, element] : alive_[f])
     old.emplace(record_.elements[element].corners, element);
@@ -188,8 +190,8 @@ std::size_t FaceRecorder::turnedFront(const Mesh& mesh) {
   for (const Element& element : mesh.elements) {
     std::array<std::uint32_t, 4> corners;
     corners.fill(ViewElement::kNoVertex);
-    for (std::size_t i = 0; i < element.vertices().size(); ++i)
-      corners[i] = numbers[element.corners[i].value];
+    std::ranges::transform(element.vertices(), corners.begin(),
+                           [&](VertexId v) { return numbers_[f][v.value]; });
     const auto same = old.find(corners);
     if (same == old.end()) {
       bear(element, f);
@@ -199,7 +201,6 @@ std::size_t FaceRecorder::turnedFront(const Mesh& mesh) {
     old.erase(same);
   }
   for (const auto& [corners, element] : old) record_.elements[element].death = now();
-  return f;
 }
 
 /// The best of several attempts is finished, which need not be the last one. A strip along a cut,

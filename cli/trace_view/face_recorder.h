@@ -67,6 +67,7 @@ class FaceRecorder final : public AF2MeshingObserver, public FinishObserver {
   void move(std::uint32_t number, const Point3& to);
   bool isOf(const Mesh& mesh, const ViewFront& front) const;
   std::size_t turnedFront(const Mesh& mesh);
+  void replaceElements(const Mesh& mesh, std::size_t front);
   std::int32_t now() const { return static_cast<std::int32_t>(record_.events.size()) - 1; }
 
   const RuleSet& rules_;
