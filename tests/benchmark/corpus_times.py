@@ -229,6 +229,14 @@ def about_peer(table: dict, peer: str) -> str:
             + (": " + ", ".join(f"{name} {both[name]:.2f}" for name in slower) if slower else "") + ".")
 
 
+INSTRUCTIONS = 5  # the column, counted from the text before the first bar
+
+
+def without_column(line: str, column: int) -> str:
+    parts = line.split("|")
+    return "|".join(parts[:column] + parts[column + 1:])
+
+
 def summary(table: dict, chosen: argparse.Namespace) -> list:
     peers = [name for name, path in ((GMSH, chosen.gmsh), (NETGEN, chosen.netgen)) if path]
     head = ["model", "triangles", "1000/s", "user s", "10^6 instructions", "start", *STAGES,
@@ -237,8 +245,11 @@ def summary(table: dict, chosen: argparse.Namespace) -> list:
     words = ["FOLDER" if word in folders else word for word in sys.argv[1:]]
     lines = ["```", shlex.join(["tests/benchmark/corpus_times.py", *words]), "```", ""]
     lines += [about_peer(table, peer) for peer in peers] + [""] * bool(peers)
-    lines += ["| " + " | ".join(head) + " |", "|---|" + "---:|" * (len(head) - 1)]
-    return lines + totals(table, peers) + [cells(name, found, peers) for name, found in table.items()]
+    rows = ["| " + " | ".join(head) + " |", "|---|" + "---:|" * (len(head) - 1)]
+    rows += totals(table, peers) + [cells(name, found, peers) for name, found in table.items()]
+    if not any(found[AF2]["instructions"] for found in table.values()):  # they could not be counted
+        rows = [without_column(row, INSTRUCTIONS) for row in rows]
+    return lines + rows
 
 
 def changes(earlier: dict, table: dict) -> list:
