@@ -37,24 +37,6 @@ void RuleCounters::Counter::rulesRefused(const StepReport& step,
   if (step.applied) counts[step.rule].seconds += step.ruleSeconds;
 }
 
-void RuleCounters::Counter::frontActed(const FrontAct& act, const Mesh&) {
-  switch (act.kind) {
-    case FrontAct::Kind::Weld:
-      ++acts.welds;
-      break;
-    case FrontAct::Kind::Row:
-      ++acts.rows;
-      acts.moves += act.count;
-      break;
-    case FrontAct::Kind::Columns:
-      acts.columns += act.count;
-      break;
-    case FrontAct::Kind::Path:
-      ++acts.paths;
-      break;
-  }
-}
-
 AF2MeshingObserver* RuleCounters::observerOfFace() {
   const std::lock_guard lock(mutex_);
   return &counters_.emplace_back(rules_);
@@ -70,12 +52,6 @@ std::vector<RuleCounts> RuleCounters::total() const {
 FinishCounts RuleCounters::finish() const {
   FinishCounts sum;
   for (const Counter& counter : counters_) sum.add(counter.finish);
-  return sum;
-}
-
-FrontActCounts RuleCounters::acts() const {
-  FrontActCounts sum;
-  for (const Counter& counter : counters_) sum += counter.acts;
   return sum;
 }
 
@@ -145,7 +121,7 @@ RunStatistics statisticsOf(const RuleSet& rules, const geometry::ModelMesh& mesh
   RunStatistics statistics;
   statistics.counts = counters.total();
   statistics.finish = counters.finish();
-  statistics.acts = counters.acts();
+  for (const geometry::FaceReport& face : mesh.faces) statistics.acts += face.acts;
   statistics.scores.resize(statistics.counts.size());
   const std::vector<float> scores = mesh.scores.size() == mesh.elements.size()
                                         ? mesh.scores

@@ -38,8 +38,6 @@ class RuleCounters {
   std::vector<RuleCounts> total() const;
   /// What was changed after the fronts had closed, on all faces.
   FinishCounts finish() const;
-  /// What fronts did beside adding elements, on all faces, attempts that were not kept included.
-  FrontActCounts acts() const;
 
  private:
   class Counter final : public AF2MeshingObserver {
@@ -48,11 +46,9 @@ class RuleCounters {
     bool wantsRefusals() const override { return true; }
     void stepTaken(const StepReport& step) override;
     void rulesRefused(const StepReport& step, std::span<const RuleRefusal> refusals) override;
-    void frontActed(const FrontAct& act, const Mesh&) override;
     FinishObserver* finishing() override { return &finish; }
     std::vector<RuleCounts> counts;
     FinishCounts finish;
-    FrontActCounts acts;
   };
 
   std::size_t rules_;
@@ -89,7 +85,7 @@ struct RunStatistics {
   };
   std::array<Source, kElementSources> sources{};  ///< by ElementSource
   FinishCounts finish;                            ///< what was changed after the fronts had closed
-  FrontActCounts acts;                            ///< what fronts did beside adding elements
+  FrontActCounts acts;                            ///< of the fronts that were kept: see FaceReport
   std::size_t worst = 0;  ///< the number of elements with the worst scores, one in a hundred
 };
 

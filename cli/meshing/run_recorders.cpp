@@ -34,11 +34,6 @@ void ObserverPair::frontAround(const StepReport& step, const LocalFront& front) 
   if (second_.wantsFrontAround(step)) second_.frontAround(step, front);
 }
 
-void ObserverPair::frontActed(const FrontAct& act, const Mesh& mesh) {
-  first_.frontActed(act, mesh);
-  second_.frontActed(act, mesh);
-}
-
 void ObserverPair::frontEnded(std::size_t edgesLeft) {
   first_.frontEnded(edgesLeft);
   second_.frontEnded(edgesLeft);

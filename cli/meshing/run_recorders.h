@@ -24,7 +24,6 @@ class ObserverPair final : public AF2MeshingObserver {
   void rulesRefused(const StepReport& step, std::span<const RuleRefusal> refusals) override;
   bool wantsFrontAround(const StepReport& step) const override;
   void frontAround(const StepReport& step, const LocalFront& front) override;
-  void frontActed(const FrontAct& act, const Mesh& mesh) override;
   void frontEnded(std::size_t edgesLeft) override;
   /// That of the first one that has one: no two need it.
   FinishObserver* finishing() override;

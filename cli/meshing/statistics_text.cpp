@@ -2,11 +2,9 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <initializer_list>
 #include <nlohmann/json.hpp>
-#include <utility>
 
 #include "cli/meshing/rule_statistics.h"
 
@@ -71,12 +69,10 @@ std::string sourceTable(const RunStatistics& statistics) {
 /// What fronts did beside adding elements; empty if they did nothing else.
 std::string actTable(const FrontActCounts& acts) {
   if (acts == FrontActCounts{}) return "";
-  std::string text = "\nact of the fronts     number\n";
-  const std::array rows{std::pair{"weld", acts.welds}, std::pair{"row completed", acts.rows},
-                        std::pair{"vertex of a row moved", acts.moves},
-                        std::pair{"column planned", acts.columns}, std::pair{"path", acts.paths}};
-  for (const auto& [name, count] : rows)
-    if (count > 0) text += fmt::format("{:21}  {:6}\n", name, count);
+  std::string text = "\nacts of the fronts    number\n";
+  acts.forEach([&](const char* name, std::size_t count) {
+    if (count > 0) text += fmt::format("{:20}  {:8}\n", name, count);
+  });
   return text;
 }
 
@@ -143,11 +139,7 @@ std::string toJson(const RuleSet& rules, const RunStatistics& statistics) {
                                {"elements", statistics.sources[s].elements},
                                {"worst", statistics.sources[s].worst}});
   if (const FrontActCounts& acts = statistics.acts; acts != FrontActCounts{})
-    json["acts"] = {{"welds", acts.welds},
-                    {"rows", acts.rows},
-                    {"moves", acts.moves},
-                    {"columns", acts.columns},
-                    {"paths", acts.paths}};
+    acts.forEach([&](const char* name, std::size_t count) { json["acts"][name] = count; });
   json["finish"] = statistics.finish.toJson();
   return json.dump(2);
 }

@@ -7,6 +7,13 @@
 #include "engine/base/error.h"
 
 namespace af2::cli {
+namespace {
+
+/// Vertices of different numberings are the same if their positions are.
+using Key = std::tuple<double, double, double>;
+Key keyOf(const Point3& p) { return {p.x, p.y, p.z}; }
+
+}  // namespace
 
 void FaceRecorder::frontBegun(const FrontInput& input) {
   ViewFront front;
@@ -160,8 +167,7 @@ std::size_t FaceRecorder::turnedFront(const Mesh& mesh) {
   const std::size_t f = record_.fronts.size() - 1;
   if (record_.fronts.empty() || record_.fronts[f].isFinished) return kNone;
   ViewFront& front = record_.fronts[f];
-  std::map<std::tuple<double, double, double>, std::uint32_t> known;
-  const auto keyOf = [](const Point3& p) { return std::tuple(p.x, p.y, p.z); };
+  std::map<Key, std::uint32_t> known;
   for (std::size_t v = 0; v < front.places.size(); ++v)
     known.emplace(keyOf(front.places[v]), numbers_[f][v]);
   const auto isKnown = [&](const SurfacePoint& v) { return known.contains(keyOf(v.position)); };
@@ -270,9 +276,8 @@ void FaceRecorder::addClosing(const geometry::ModelMesh& mesh) {
 
 /// Vertices of the mesh are known by their positions.
 void FaceRecorder::close(std::size_t f, const geometry::ModelMesh& mesh) {
-  const auto keyOf = [](const Point3& p) { return std::tuple(p.x, p.y, p.z); };
   const ViewFront& front = record_.fronts[f];
-  std::map<std::tuple<double, double, double>, VertexId> vertices;
+  std::map<Key, VertexId> vertices;
   for (std::size_t v = 0; v < front.places.size(); ++v)
     vertices.emplace(keyOf(front.places[v]), VertexId(v));
   std::vector<Element> closing;

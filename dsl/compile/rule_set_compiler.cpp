@@ -3,15 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 
 #include "dsl/compile/allowed_codes.h"
 #include "dsl/compile/ideal_score.h"
 #include "dsl/program/compiled_forms.h"
 #include "dsl/program/known_values.h"
 #include "engine/base/error.h"
-#include "engine/base/turn.h"
-#include "engine/front/row_order.h"
 
 namespace af2::dsl {
 namespace {
@@ -33,54 +30,6 @@ std::string wordOf(const Setting& setting, const Module& home) {
   return std::string(text.begin(), std::ranges::find_if_not(text, isLetter));
 }
 
-/// `front by` and `front rows` exclude each other.
-std::size_t slotOf(const SettingContent& content) {
-  const SettingContent rows = RowsSetting{}, order = OrderSetting{};
-  return content.index() == rows.index() ? order.index() : content.index();
-}
-
-/// level * [0] + layer(a) * [1] + layer(b) * [2] + [3]
-using Linear = std::array<double, 4>;
-
-std::optional<Linear> linearForm(const Program& program) {
-  std::vector<std::optional<Linear>> forms;
-  for (const Step& step : program.steps()) {
-    const auto form = [&](std::size_t i) {
-      return forms[static_cast<std::size_t>(step.arguments[i])];
-    };
-    const auto isConstant = [](const std::optional<Linear>& f) {
-      return f && (*f)[0] == 0 && (*f)[1] == 0 && (*f)[2] == 0;
-    };
-    const auto scaled = [](Linear f, double s) {
-      for (double& c : f) c *= s;
-      return f;
-    };
-    std::optional<Linear> result;
-    if (step.op == Op::Constant) result = Linear{0, 0, 0, step.constant};
-    if (step.op == Op::Level) result = Linear{1, 0, 0, 0};
-    if (step.op == Op::Layer) result = step.index == 0 ? Linear{0, 1, 0, 0} : Linear{0, 0, 1, 0};
-    if (step.op == Op::Add && form(0) && form(1)) {
-      result = *form(0);
-      for (std::size_t i = 0; i < 4; ++i) (*result)[i] += (*form(1))[i];
-    }
-    if (step.op == Op::Multiply && isConstant(form(0)) && form(1))
-      result = scaled(*form(1), (*form(0))[3]);
-    else if (step.op == Op::Multiply && isConstant(form(1)) && form(0))
-      result = scaled(*form(0), (*form(1))[3]);
-    forms.push_back(result);
-  }
-  return forms[static_cast<std::size_t>(program.results()[0])];
-}
-
-std::shared_ptr<const AF2FrontOrder> layeredOrder(const Program& key) {
-  const auto form = linearForm(key);
-  if (!form) return nullptr;
-  for (double c : *form)
-    if (c < 0 || c > 1000 || c != std::floor(c)) return nullptr;
-  return std::make_shared<LayeredFrontOrder>(
-      static_cast<int>((*form)[0]), static_cast<int>((*form)[1]), static_cast<int>((*form)[2]));
-}
-
 }  // namespace
 
 RuleSetCompiler::RuleSetCompiler(CompileContext& context, const Module& main,
@@ -95,6 +44,12 @@ RuleSetCompiler::RuleSetCompiler(CompileContext& context, const Module& main,
   readKinds();
   readParity();
   readCounts();
+}
+
+/// `front by` and `front rows` exclude each other.
+std::size_t RuleSetCompiler::slotOf(const SettingContent& content) {
+  const SettingContent rows = RowsSetting{}, order = OrderSetting{};
+  return content.index() == rows.index() ? order.index() : content.index();
 }
 
 void RuleSetCompiler::collect(const PlacedRuleSet& placed) {
@@ -116,15 +71,6 @@ void RuleSetCompiler::collect(const PlacedRuleSet& placed) {
     seen[slot] = &setting;
     settings_[slot] = {&setting, placed.home};
   }
-}
-
-template <class Content>
-const Content* RuleSetCompiler::find(const Module** home) const {
-  const SettingContent like = Content{};
-  const Found& found = settings_[slotOf(like)];
-  if (!found.setting) return nullptr;
-  if (home) *home = found.home;
-  return std::get_if<Content>(&found.setting->content);
 }
 
 void RuleSetCompiler::readClasses() {
@@ -196,105 +142,6 @@ void RuleSetCompiler::readKinds() {
       context_.tell(*home, Code::DuplicateName, kind.span, "'" + kind.text + "' is given twice",
                     "give it once");
   }
-}
-
-void RuleSetCompiler::readParity() {
-  const Module* home = nullptr;
-  const auto* parity = find<ParitySetting>(&home);
-  if (!parity) return;
-  if (parity->parity.text == "even")
-    parity_ = Parity::Even;
-  else if (parity->parity.text != "any")
-    context_.tell(*home, Code::NotConstant, parity->parity.span,
-                  "'" + parity->parity.text + "' is not a parity",
-                  "write `parity even;` or `parity any;`");
-}
-
-/// The angles of `counts`, increasing.
-void RuleSetCompiler::readCounts() {
-  const Module* home = nullptr;
-  const auto* counts = find<CountsSetting>(&home);
-  if (!counts) return;
-  ProgramBuilder builder;
-  ExpressionCompiler compiler(context_, *home, ExpressionPlace::Constant, Algebra(builder, {}));
-  std::array<double, 3> bounds{};
-  const Span all = cover(counts->bounds.front().span, counts->bounds.back().span);
-  if (counts->bounds.size() != bounds.size())
-    return context_.tell(
-        *home, Code::ArgumentCount, all,
-        "'counts' takes three angles, not " + std::to_string(counts->bounds.size()),
-        "from these on a vertex wants 2, 3 and 4 elements: `counts 130deg, 235deg, "
-        "315deg;`");
-  double last = 0;
-  for (std::size_t i = 0; i < bounds.size(); ++i) {
-    const Expr& expr = counts->bounds[i];
-    const Value value = compiler.evaluate(expr);
-    if (value.isAny()) return;
-    const auto angle =
-        value.type == Type::Angle ? builder.constantValue(value.number) : std::nullopt;
-    if (!angle || *angle <= last || *angle >= kFullTurn)
-      return context_.tell(*home, Code::NotConstant, expr.span,
-                           "the angles of 'counts' increase between 0deg and 360deg",
-                           "write for example `counts 130deg, 235deg, 315deg;`");
-    last = *angle;
-    bounds[i] = sweepOfAngle(*angle);
-  }
-  shared_.counts = bounds;
-}
-
-std::optional<ColumnLimits> RuleSetCompiler::columns() {
-  const Module* home = nullptr;
-  const auto* columns = find<ColumnsSetting>(&home);
-  if (!columns) return std::nullopt;
-  ProgramBuilder builder;
-  ExpressionCompiler compiler(context_, *home, ExpressionPlace::Constant, Algebra(builder, {}));
-  const auto low = compiler.constantNumber(columns->low, "the shortest edge");
-  const auto high = compiler.constantNumber(columns->high, "the longest edge");
-  const auto layer = compiler.constantNumber(columns->layer, "a layer");
-  if (!low || !high || !layer) return std::nullopt;
-  if (!shared_.counts)
-    context_.tell(*home, Code::MissingCounts, cover(columns->low.span, columns->layer.span),
-                  "'columns' changes the counts of vertices, and the rule set has none",
-                  "add `counts 130deg, 235deg, 315deg;`");
-  if (!(*low > 0 && *low < 1 && *high > 1 && *high <= 10))
-    context_.tell(*home, Code::NotConstant, cover(columns->low.span, columns->high.span),
-                  "columns begin above and end below the target size",
-                  "write a number between 0 and 1 and one above 1, as in 0.7..1.4");
-  if (!(*layer >= 0 && *layer <= 1e6 && *layer == std::floor(*layer)))
-    context_.tell(*home, Code::NotConstant, columns->layer.span, "a layer is a whole number from 0",
-                  "0 is the boundary; 3 keeps the rows at the boundary regular");
-  return ColumnLimits{*low, *high, static_cast<int>(*layer)};
-}
-
-/// The lower end of the range if the value is not a whole number in it, which is told.
-int RuleSetCompiler::wholeNumber(const Module& home, const Expr& value, const std::string& what,
-                                 Range range, const std::string& usual) {
-  ProgramBuilder builder;
-  ExpressionCompiler compiler(context_, home, ExpressionPlace::Constant, Algebra(builder, {}));
-  const auto number = compiler.constantNumber(value, what);
-  if (!number) return range.first;
-  if (*number >= range.first && *number <= range.last && *number == std::floor(*number))
-    return static_cast<int>(*number);
-  context_.tell(home, Code::NotConstant, value.span,
-                what + " is a whole number from " + std::to_string(range.first) + " to " +
-                    std::to_string(range.last),
-                usual);
-  return range.first;
-}
-
-int RuleSetCompiler::rowRounds() {
-  const Module* home = nullptr;
-  const auto* setting = find<RowEndSetting>(&home);
-  if (!setting) return 0;
-  return wholeNumber(*home, setting->rounds, "the number of rounds", {1, 100}, "3 is usual");
-}
-
-std::optional<int> RuleSetCompiler::cleanDepth() {
-  const Module* home = nullptr;
-  const auto* setting = find<EndSetting>(&home);
-  if (!setting) return std::nullopt;
-  return wholeNumber(*home, setting->depth, "the depth of the clean-up", {0, 3},
-                     "2 is usual; 0 leaves it out");
 }
 
 Finish RuleSetCompiler::finish() const {
@@ -433,57 +280,6 @@ std::optional<DiagnosticPlace> RuleSetCompiler::acceptancePlace() const {
   if (!accept) return std::nullopt;
   return placeOf(home->source,
                  cover(accept->conditions.front().span, accept->conditions.back().span));
-}
-
-std::shared_ptr<const AF2FrontOrder> RuleSetCompiler::rows(const RowsSetting& setting,
-                                                           const Module& home) {
-  RowStart start = RowStart::SmallestTurn;
-  for (const MetaEntry& argument : setting.arguments) {
-    const std::string& value = argument.value.text;
-    if (argument.key.text != "start")
-      context_.tell(home, Code::UnknownName, argument.key.span,
-                    "'rows' has no argument '" + argument.key.text + "'",
-                    "write rows(start: smallest_turn)");
-    else if (std::ranges::find(kRowStarts, value) == kRowStarts.end())
-      context_.tell(home, Code::UnknownName, argument.value.span,
-                    "rows cannot start at '" + value + "'",
-                    "rows start at smallest_turn or at oldest");
-    else if (value == "oldest")
-      start = RowStart::Oldest;
-  }
-  return std::make_shared<RowFrontOrder>(start);
-}
-
-std::shared_ptr<const AF2FrontOrder> RuleSetCompiler::order() {
-  const Module* home = nullptr;
-  if (const auto* setting = find<RowsSetting>(&home)) return rows(*setting, *home);
-  const auto* setting = find<OrderSetting>(&home);
-  const auto usual = std::make_shared<LayeredFrontOrder>(1, 1, 1);
-  if (!setting) return usual;
-  ProgramBuilder builder;
-  ExpressionCompiler compiler(context_, *home, ExpressionPlace::FrontOrder,
-                              Algebra(builder, {2, false, shared_.counts}));
-  compiler.inChain = {true, true};
-  for (int i = 0; i < 2; ++i) {
-    Local end;
-    end.value = compiler.algebra().vertex(i);
-    compiler.locals[i == 0 ? "a" : "b"] = std::move(end);
-  }
-  std::vector<Program> keys;
-  for (const Expr& expr : setting->keys) {
-    const Value value = compiler.evaluate(expr);
-    if (value.isAny()) return usual;
-    if (value.type != Type::Number && value.type != Type::Angle) {
-      compiler.tell(Code::WrongType, expr.span, "the front is ordered by numbers",
-                    "this is " + describe(value));
-      return usual;
-    }
-    keys.push_back(builder.program(std::array<Node, 1>{value.number}));
-    hasValues(keys.back(), expr, *home, "this key");
-  }
-  if (keys.size() == 1)
-    if (auto fast = layeredOrder(keys[0])) return fast;
-  return std::make_shared<ExpressionFrontOrder>(std::move(keys));
 }
 
 RuleSetDefinition RuleSetCompiler::finish(const std::set<int>& sizes) {

@@ -48,6 +48,8 @@ class RuleSetCompiler {
     const Module* home = nullptr;
   };
 
+  /// Where `settings_` has a setting of the kind of this one.
+  static std::size_t slotOf(const SettingContent& content);
   template <class Content>
   const Content* find(const Module** home = nullptr) const;
   void collect(const PlacedRuleSet& placed);
@@ -84,5 +86,14 @@ class RuleSetCompiler {
   std::set<std::string> kinds_;
   std::set<Code> allowed_;
 };
+
+template <class Content>
+const Content* RuleSetCompiler::find(const Module** home) const {
+  const SettingContent like = Content{};
+  const Found& found = settings_[slotOf(like)];
+  if (!found.setting) return nullptr;
+  if (home) *home = found.home;
+  return std::get_if<Content>(&found.setting->content);
+}
 
 }  // namespace af2::dsl

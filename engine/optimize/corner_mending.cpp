@@ -8,6 +8,7 @@
 #include "engine/base/error.h"
 #include "engine/mesh/element_measures.h"
 #include "engine/mesh/element_shape.h"
+#include "engine/optimize/eight_directions.h"
 #include "engine/optimize/vertex_star.h"
 #include "engine/step/neighborhood.h"
 
@@ -160,16 +161,12 @@ class CornerMender {
   /// Where the smallest scaled Jacobian is larger, found by steps in eight directions; the origin
   /// if there is nothing to gain.
   Point2 bestPlace() {
-    constexpr double kDiagonal = 0.70710678118654757;
-    constexpr std::array<Point2, 8> kDirections{
-        Point2{1, 0}, {kDiagonal, kDiagonal},   {0, 1},  {-kDiagonal, kDiagonal},
-        {-1, 0},      {-kDiagonal, -kDiagonal}, {0, -1}, {kDiagonal, -kDiagonal}};
     const double before = leastAt({}), mostAllowed = std::max(kMostUneven, mostUneven());
     double best = before;
     Point2 place;
     for (double step = kFirstStep * shortest_; step >= kLastStep * shortest_;) {
       Point2 better = place;
-      for (const Point2& direction : kDirections)
+      for (const Point2& direction : kEightDirections)
         if (const double least = leastAt(place + step * direction);
             least > best && mostUneven() <= mostAllowed) {
           best = least;

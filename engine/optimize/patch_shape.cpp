@@ -6,6 +6,7 @@
 #include <span>
 
 #include "engine/optimize/corner_cost.h"
+#include "engine/optimize/eight_directions.h"
 
 namespace af2 {
 namespace {
@@ -177,20 +178,12 @@ class Smoother {
   /// For elements that are inverted or flat: the mean of the neighbours, then eight directions.
   bool searchAround(Vertex v, double reach) {
     constexpr int kHalvings = 4;
-    constexpr double kFirst = 0.2, kDiagonal = 0.7071067811865476;
-    constexpr std::array<Point2, 8> kDirections{{{1, 0},
-                                                 {kDiagonal, kDiagonal},
-                                                 {0, 1},
-                                                 {-kDiagonal, kDiagonal},
-                                                 {-1, 0},
-                                                 {-kDiagonal, -kDiagonal},
-                                                 {0, -1},
-                                                 {kDiagonal, -kDiagonal}}};
+    constexpr double kFirst = 0.2;
     double cost = costAt(v), step = kFirst * reach;
     bool isMoved = takeIfBetter(v, meanOfNeighbors(v), cost);
     for (int i = 0; i < kHalvings; ++i) {
       bool isBetter = false;
-      for (const Point2& direction : kDirections)
+      for (const Point2& direction : kEightDirections)
         isBetter |= takeIfBetter(v, points_[v] + step * direction, cost);
       isMoved |= isBetter;
       if (!isBetter) step *= 0.5;

@@ -12,6 +12,7 @@
 #include "engine/mesh/mesh_check.h"
 #include "engine/mesh/mesh_topology.h"
 #include "engine/optimize/act_recorder.h"
+#include "engine/optimize/eight_directions.h"
 #include "engine/optimize/element_badness.h"
 #include "engine/step/neighborhood.h"
 
@@ -25,9 +26,7 @@ constexpr double kNegligible = 1e-9;
 /// step is tried in each direction once, so a visit evaluates at most 40 places.
 constexpr std::array kSteps{0.25, 0.125, 0.0625, 0.03125, 0.015625};
 
-/// Every 45 degrees. Four directions are too few: at the bottom of a V-shaped valley, as that of
-/// the worst of several elements, each of them may lead upwards.
-constexpr double kDiagonal = 0.70710678118654757;
+/// kEightDirections, those along the axes first: the first that is better is taken.
 constexpr std::array<Point2, 8> kDirections{{{1, 0},
                                              {0, 1},
                                              {-1, 0},

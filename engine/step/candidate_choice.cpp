@@ -1,56 +1,17 @@
 #include "engine/step/candidate_choice.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
-#include "engine/base/pair.h"
 #include "engine/base/stopwatch.h"
 #include "engine/mesh/element_shape.h"
 #include "engine/step/clearance.h"
 #include "engine/step/matched_parts.h"
 #include "engine/step/surroundings.h"
+#include "engine/step/zone_tests.h"
 
 namespace af2 {
 namespace {
-
-/// The bounding box of a zone.
-class ZoneBox {
- public:
-  explicit ZoneBox(const Box2& box, double margin = 0)
-      : low_(pairAt(box.low) - Pair{margin, margin}),
-        high_(pairAt(box.high) + Pair{margin, margin}) {}
-  bool holds(Point2 point) const { return isWithin(pairAt(point), pairAt(point)); }
-  bool mayMeet(Point2 from, Point2 to) const {
-    return isWithin(smaller(pairAt(from), pairAt(to)), larger(pairAt(from), pairAt(to)));
-  }
-
- private:
-  bool isWithin(Pair least, Pair greatest) const {
-    return bothHold((greatest >= low_) & (least <= high_)) != 0;
-  }
-  Pair low_, high_;
-};
-
-/// In chart units, normally the wanted length there. Zones are tested exactly, and a new vertex is
-/// often a corner of its zone. Where rows meet, rounding must therefore not decide whether the zone
-/// sees a vertex that is already there. In a model a million lengths across, rounding moves
-/// coordinates by 1e-10 lengths, and no front edge is as short as this limit.
-constexpr double kSamePlace = 1e-9;
-
-/// Whether an edge from a corner of a convex zone enters the zone, by a margin far larger than any
-/// rounding error: the exact test would then find it, too.
-bool plainlyRunsInto(const AffineBatch& zone, int corner, const Point2* matched, Point2 from,
-                     Point2 to) {
-  constexpr double kMargin = 1e-4;
-  const int last = zone.count - 1;
-  const Point2 before = zone.point(corner == 0 ? last : corner - 1, matched) - from;
-  const Point2 after = zone.point(corner == last ? 0 : corner + 1, matched) - from;
-  const Point2 edge = to - from;
-  const double least = kMargin * (std::abs(edge.x) + std::abs(edge.y));
-  return (cross(after, edge) > least) & (cross(edge, before) > least) &
-         (cross(after, before) > kMargin);
-}
 
 /// If there are more candidates than this, they are sorted instead of searched.
 constexpr std::size_t kManyCandidates = 64;
@@ -74,31 +35,6 @@ bool hasReflexElement(const Candidate& candidate) {
 bool holds(const Box3& box, const Point3& p) {
   return p.x >= box.low.x && p.x <= box.high.x && p.y >= box.low.y && p.y <= box.high.y &&
          p.z >= box.low.z && p.z <= box.high.z;
-}
-
-/// Whether every corner of the new elements faces the way the surface does, except for as many
-/// corners of each element as may be reflex.
-bool staysUnfolded(const StepView& view, const Application& application, int reflexCorners) {
-  const CompiledRule& rule = *application.rule;
-  const auto pointOf = [&](std::int8_t v) -> const SurfacePoint& {
-    return v < rule.matchedCount
-               ? view.front[application.open.places[static_cast<std::size_t>(v)]].point
-               : *application.newPoints[static_cast<std::size_t>(v - rule.matchedCount)].point;
-  };
-  for (const RuleElement& element : rule.rule->definition().elements) {
-    const auto n = static_cast<std::size_t>(element.size());
-    std::array<const SurfacePoint*, 4> corners;
-    for (std::size_t i = 0; i < n; ++i) corners[i] = &pointOf(element.corners[i]);
-    const SurfacePoint* behind = corners[n - 1];
-    int turned = 0;
-    for (std::size_t i = 0; i < n; ++i) {
-      const SurfacePoint *corner = corners[i], *ahead = corners[i + 1 == n ? 0 : i + 1];
-      turned += !facesNormal(corner->position, ahead->position, behind->position, corner->normal);
-      behind = corner;
-    }
-    if (turned > reflexCorners) return false;
-  }
-  return true;
 }
 
 }  // namespace
@@ -380,7 +316,7 @@ Refusal CandidateChoice::prepare(const StepView& view, const Candidate& candidat
   if (!makesElements) return testWeld(view, candidate);
   if (view.chart.isPlane()) return Refusal::None;
   const int reflexCorners = rules_.scoring().allowsReflexAt(view.level) ? 1 : 0;
-  return staysUnfolded(view, application_, reflexCorners) ? Refusal::None : Refusal::Surface;
+  return staysUnfolded(view.front, application_, reflexCorners) ? Refusal::None : Refusal::Surface;
 }
 
 Refusal CandidateChoice::testWeld(const StepView& view, const Candidate& candidate) {

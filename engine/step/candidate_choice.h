@@ -6,31 +6,16 @@
 #include <span>
 #include <vector>
 
+#include "engine/step/application.h"
 #include "engine/step/candidate_score.h"
 #include "engine/step/compiled_rules.h"
 #include "engine/step/neighborhood.h"
 #include "engine/step/observer.h"
-#include "engine/step/open_places.h"
 #include "engine/step/rule_matcher.h"
 #include "engine/step/zone_polygon.h"
 #include "engine/surface/size_field.h"
 
 namespace af2 {
-
-/// A new vertex on the surface, or none. The chart writes it in place, because copying a freshly
-/// assembled object is slow.
-struct LiftedPoint {
-  std::optional<SurfacePoint> point;
-  LiftedPoint(const StepChart& chart, Point2 inChart) : point(chart.lift(inChart)) {}
-};
-
-/// The chosen candidate, with all data needed to apply it.
-struct Application {
-  const CompiledRule* rule = nullptr;
-  double score = 0;
-  OpenPlaces open;
-  std::vector<LiftedPoint> newPoints;  ///< by new vertex; all are present
-};
 
 /// Asks the mesh whether a weld is possible, which the front alone cannot tell.
 class WeldGuard {

@@ -58,6 +58,15 @@ struct FrontAct {
 /// How often an advance did what a FrontAct tells.
 struct FrontActCounts {
   std::size_t welds = 0, rows = 0, moves = 0, columns = 0, paths = 0;
+
+  /// Visits each count with its name in reports.
+  void forEach(auto&& visit) const {
+    visit("welds", welds);
+    visit("rows", rows);
+    visit("moves", moves);
+    visit("columns", columns);
+    visit("paths", paths);
+  }
   FrontActCounts& operator+=(const FrontActCounts& more) {
     welds += more.welds;
     rows += more.rows;

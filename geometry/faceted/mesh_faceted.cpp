@@ -8,12 +8,12 @@
 #include "engine/base/error.h"
 #include "geometry/base/constants.h"
 #include "geometry/base/parallel.h"
+#include "geometry/charts/layout_charts.h"
 #include "geometry/domain/domain_model.h"
 #include "geometry/faceted/compared_mesh.h"
 #include "geometry/faceted/cones.h"
 #include "geometry/faceted/facet_surface.h"
 #include "geometry/faceted/flats.h"
-#include "geometry/faceted/patch_charts.h"
 #include "geometry/faceted/patch_limit.h"
 #include "geometry/faceted/patches.h"
 #include "geometry/mesh/inside_out.h"
@@ -132,7 +132,7 @@ class ModelMaker {
       face.canBeCut = true;
     } else {
       face.surfaceType = "facets";
-      face.surface = std::make_shared<const PatchCharts>(surface);
+      face.surface = std::make_shared<const LayoutCharts<FacetSurface>>(surface);
       face.nearest = [surface](const Point3& p) { return surface.nearest(p); };
     }
     model_.faces.push_back(std::move(face));

@@ -36,11 +36,9 @@ Json toJson(const FaceReport::OddLoop& odd) {
 }
 
 Json toJson(const FrontActCounts& acts) {
-  return {{"welds", acts.welds},
-          {"rows", acts.rows},
-          {"moves", acts.moves},
-          {"columns", acts.columns},
-          {"paths", acts.paths}};
+  Json json;
+  acts.forEach([&](const char* name, std::size_t count) { json[name] = count; });
+  return json;
 }
 
 Json toJson(const LayersAlongEdge& along) {

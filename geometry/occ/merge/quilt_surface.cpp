@@ -10,7 +10,6 @@
 #include <map>
 
 #include "engine/base/error.h"
-#include "geometry/charts/normal_line_chart.h"
 
 namespace af2::geometry {
 
@@ -217,32 +216,6 @@ Point3 QuiltSurface::settled(const Point3& position) const {
     if (isOn(other, uv)) return foot;
   }
   return position;
-}
-
-bool QuiltCharts::has(ChartKind kind) const {
-  switch (kind) {
-    case ChartKind::Auto:
-    case ChartKind::MeanNormal:
-    case ChartKind::NormalLines:
-      return true;
-    case ChartKind::Affine:
-      return surface_.isDrawn();
-    default:
-      return false;
-  }
-}
-
-std::unique_ptr<AF2LocalTransformMaker> QuiltCharts::makeCharts(ChartKind kind) const {
-  if (kind == ChartKind::Affine)
-    return std::make_unique<MetricChartMaker>(*this, MetricOrder::First);
-  if (kind == ChartKind::NormalLines)
-    return std::make_unique<NormalLineChartMaker<QuiltSurface>>(surface_);
-  return std::make_unique<MeanNormalChartMaker<QuiltSurface>>(surface_);
-}
-
-SurfacePoint QuiltCharts::at(double u, double v) const {
-  if (!surface_.isDrawn()) throw GeometryError("the merged faces have no layout in a plane");
-  return surface_.pointAt(u, v);
 }
 
 }  // namespace af2::geometry

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "geometry/charts/charted_surface.h"
+#include "geometry/charts/layout_charts.h"
 #include "geometry/faceted/facet_surface.h"
 #include "geometry/occ/merge/background.h"
 #include "geometry/occ/merge/face_grouping.h"
@@ -74,25 +74,7 @@ class QuiltSurface {
   mutable std::vector<std::unique_ptr<const FaceSurface>> surfaces_;  // by index of a face
 };
 
-/// The charts of a quilt: those of patches of triangles.
-class QuiltCharts final : public ChartedSurface, public ParametricSurface {
- public:
-  explicit QuiltCharts(const QuiltSurface& surface) : surface_(surface) {}
-
-  bool isPlane() const override { return false; }
-  bool has(ChartKind kind) const override;
-  std::unique_ptr<AF2LocalTransformMaker> makeCharts(ChartKind kind) const override;
-  const ParametricSurface* inParameters() const override {
-    return surface_.isDrawn() ? this : nullptr;
-  }
-  /// Throws GeometryError if the quilt has no layout in a plane.
-  SurfacePoint at(double u, double v) const override;
-  Frame frameAt(double u, double v) const override { return surface_.frameAt(u, v); }
-  SurfacePoint pointAt(double u, double v) const override { return surface_.pointAt(u, v); }
-  bool isFlipped() const override { return false; }
-
- private:
-  QuiltSurface surface_;
-};
+/// Those of patches of triangles.
+using QuiltCharts = LayoutCharts<QuiltSurface>;
 
 }  // namespace af2::geometry

@@ -2,8 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <random>
+
+#include "dsl/program/least_value.h"
 
 namespace af2::dsl {
 namespace {
@@ -30,6 +34,10 @@ class RandomProgram {
   }
 
   const Program& program() const { return program_; }
+  /// The program of one result alone.
+  Program programOf(std::size_t result) const {
+    return builder_.program(std::array<Node, 1>{nodes_[result]});
+  }
   double between(double low, double high) {
     return std::uniform_real_distribution<double>(low, high)(random_);
   }
@@ -94,6 +102,29 @@ TEST(BoxRun, BoundsWhatProgramsGive) {
     expectBounds(random, box);
     if (::testing::Test::HasFatalFailure()) FAIL() << "seed " << seed;
   }
+}
+
+TEST(LeastValue, IsNeverAboveWhatProgramsGive) {
+  std::size_t bounded = 0;
+  for (unsigned seed = 1; seed <= 3000; ++seed) {
+    RandomProgram random(seed);
+    std::vector<double> least, results(random.program().resultCount());
+    for (std::size_t r = 0; r < results.size(); ++r)
+      least.push_back(leastValue(random.programOf(r), 1));
+    for (int i = 0; i < 12; ++i) {
+      std::array<double, kVariables> x;
+      for (double& each : x) each = random.between(-3, 3);
+      const std::array<Point2, 4> vertices{Point2{0, 0}, {x[0], 0}, {x[1], x[2]}, {x[3], x[4]}};
+      random.program().run({vertices, 1, nullptr}, {}, results);
+      for (std::size_t r = 0; r < results.size(); ++r) {
+        if (std::isnan(results[r])) continue;
+        ASSERT_LE(least[r], results[r]) << "seed " << seed;
+      }
+    }
+    bounded += static_cast<std::size_t>(
+        std::ranges::count_if(least, [](double l) { return std::isfinite(l); }));
+  }
+  EXPECT_GT(bounded, 10000u);
 }
 
 TEST(BoxRun, IsTightForSmallBoxes) {

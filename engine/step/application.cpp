@@ -1,0 +1,32 @@
+#include "engine/step/application.h"
+
+#include <array>
+
+#include "engine/mesh/element_shape.h"
+
+namespace af2 {
+
+bool staysUnfolded(const Front& front, const Application& application, int reflexCorners) {
+  const CompiledRule& rule = *application.rule;
+  const auto pointOf = [&](std::int8_t v) -> const SurfacePoint& {
+    return v < rule.matchedCount
+               ? front[application.open.places[static_cast<std::size_t>(v)]].point
+               : *application.newPoints[static_cast<std::size_t>(v - rule.matchedCount)].point;
+  };
+  for (const RuleElement& element : rule.rule->definition().elements) {
+    const auto n = static_cast<std::size_t>(element.size());
+    std::array<const SurfacePoint*, 4> corners;
+    for (std::size_t i = 0; i < n; ++i) corners[i] = &pointOf(element.corners[i]);
+    const SurfacePoint* behind = corners[n - 1];
+    int turned = 0;
+    for (std::size_t i = 0; i < n; ++i) {
+      const SurfacePoint *corner = corners[i], *ahead = corners[i + 1 == n ? 0 : i + 1];
+      turned += !facesNormal(corner->position, ahead->position, behind->position, corner->normal);
+      behind = corner;
+    }
+    if (turned > reflexCorners) return false;
+  }
+  return true;
+}
+
+}  // namespace af2
