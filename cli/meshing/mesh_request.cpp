@@ -287,6 +287,7 @@ MeshRequest checkedRequest(const MeshOptions& options) {
   }
   request.options.threads = options.threads;
   request.options.maxMemory = static_cast<double>(options.maxMemory);
+  request.options.coarsen = options.coarsen;
   if (options.order != 1 && options.order != 2)
     throw UsageError(fmt::format("--order {}: elements can have order 1 or 2", options.order));
   request.options.order = options.order;

@@ -16,6 +16,16 @@ void ObserverPair::stepTaken(const StepReport& step) {
   second_.stepTaken(step);
 }
 
+void ObserverPair::meshGrown(const StepReport& step, const Mesh& mesh) {
+  first_.meshGrown(step, mesh);
+  second_.meshGrown(step, mesh);
+}
+
+void ObserverPair::frontActed(const FrontAct& act, const Mesh& mesh) {
+  first_.frontActed(act, mesh);
+  second_.frontActed(act, mesh);
+}
+
 bool ObserverPair::wantsRefusals() const {
   return first_.wantsRefusals() || second_.wantsRefusals();
 }

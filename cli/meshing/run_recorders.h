@@ -20,6 +20,8 @@ class ObserverPair final : public AF2MeshingObserver {
       : first_(first), second_(second) {}
   void frontBegun(const FrontInput& input) override;
   void stepTaken(const StepReport& step) override;
+  void meshGrown(const StepReport& step, const Mesh& mesh) override;
+  void frontActed(const FrontAct& act, const Mesh& mesh) override;
   bool wantsRefusals() const override;
   void rulesRefused(const StepReport& step, std::span<const RuleRefusal> refusals) override;
   bool wantsFrontAround(const StepReport& step) const override;

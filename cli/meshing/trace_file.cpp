@@ -56,7 +56,7 @@ Trace traceFrom(const Json& head, std::string_view entries) {
     std::memcpy(static_cast<void*>(into.data()), entries.data(), bytes);
     entries.remove_prefix(bytes);
     const bool isSound = std::ranges::all_of(into, [&](const TraceEntry& entry) {
-      return entry.kind <= TraceEntry::Kind::End &&
+      return entry.kind <= TraceEntry::Kind::Path &&
              (entry.kind != TraceEntry::Kind::Applied || entry.rule < trace.ruleNames.size());
     });
     if (!isSound) throw std::out_of_range("entries");
@@ -119,6 +119,27 @@ void TraceRecorder::FaceRecorder::stepTaken(const StepReport& step) {
     entry.kind = TraceEntry::Kind::Applied;
     entry.rule = static_cast<std::uint16_t>(step.rule);
     entry.score = static_cast<float>(step.score);
+  }
+  entries.push_back(entry);
+}
+
+void TraceRecorder::FaceRecorder::frontActed(const FrontAct& act, const Mesh&) {
+  const auto number = [](VertexId v) { return static_cast<std::uint32_t>(v.value); };
+  TraceEntry entry;
+  switch (act.kind) {
+    case FrontAct::Kind::Weld:
+    case FrontAct::Kind::Path:
+      entry.kind =
+          act.kind == FrontAct::Kind::Weld ? TraceEntry::Kind::Weld : TraceEntry::Kind::Path;
+      entry.from = number(act.vertex);
+      entry.to = number(act.other);
+      break;
+    case FrontAct::Kind::Row:
+    case FrontAct::Kind::Columns:
+      entry.kind =
+          act.kind == FrontAct::Kind::Row ? TraceEntry::Kind::Row : TraceEntry::Kind::Columns;
+      entry.from = static_cast<std::uint32_t>(act.count);
+      break;
   }
   entries.push_back(entry);
 }

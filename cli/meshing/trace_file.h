@@ -20,6 +20,11 @@ struct TraceEntry {
     Applied,
     Begin,  ///< of a front: a region, one of its pieces, or another attempt; `from`: its vertices
     End,    ///< of a front; `from`: edges that are left
+    // What an advance did beside steps; see FrontAct.
+    Weld,     ///< vertex `from` has become `to`; comes before its step
+    Row,      ///< a row was complete; `from`: the vertices that were moved
+    Columns,  ///< `from`: the vertices that got counts of their own
+    Path,     ///< a path of new edges from vertex `from` to `to`; comes before its step
   };
   std::uint32_t from = 0, to = 0;
   float score = 0;         ///< Applied only
@@ -68,6 +73,7 @@ class TraceRecorder {
    public:
     void frontBegun(const FrontInput& input) override;
     void stepTaken(const StepReport& step) override;
+    void frontActed(const FrontAct& act, const Mesh&) override;
     void frontEnded(std::size_t edgesLeft) override;
     FaceTrace entries;
   };

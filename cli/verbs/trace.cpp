@@ -27,6 +27,14 @@ std::string textOf(const Trace& trace, const FaceTrace& entries, std::size_t at)
     case TraceEntry::Kind::Applied:
       return fmt::format("edge {} -> {} at level {}: rule '{}', score {:.6g}", entry.from, entry.to,
                          entry.level, trace.ruleNames[entry.rule], entry.score);
+    case TraceEntry::Kind::Weld:
+      return fmt::format("vertex {} is welded into {}", entry.from, entry.to);
+    case TraceEntry::Kind::Row:
+      return fmt::format("a row is complete, and {} vertices are moved", entry.from);
+    case TraceEntry::Kind::Columns:
+      return fmt::format("{} vertices get counts for columns", entry.from);
+    case TraceEntry::Kind::Path:
+      return fmt::format("a path from {} to {} divides the loop", entry.from, entry.to);
   }
   return {};
 }

@@ -41,6 +41,15 @@ bool GivenMatch::onBoundary(int vertex) const {
   return given("on_boundary", vertex).value_or(layer(vertex) == 0) != 0;
 }
 
+bool GivenMatch::isFixed(int vertex) const {
+  return given("fixed", vertex).value_or(onBoundary(vertex)) != 0;
+}
+
+int GivenMatch::count(int vertex, const std::array<double, 3>& bounds) const {
+  const auto count = given("count", vertex);
+  return count ? static_cast<int>(*count) : RuleAtMatch::count(vertex, bounds);
+}
+
 int GivenMatch::valence(int vertex) const {
   return static_cast<int>(given("valence", vertex).value_or(RuleAtMatch::valence(vertex)));
 }

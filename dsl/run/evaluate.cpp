@@ -1,8 +1,8 @@
 #include "dsl/run/evaluate.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "dsl/match/given_match.h"
 #include "dsl/program/shape_program.h"
@@ -18,10 +18,12 @@ void checkFinite(Point2 p, const std::string& what) {
     throw InputError(what + " is not at a finite position");
 }
 
+constexpr std::array kFactsOfVertices{"layer", "turn", "count", "valence", "on_boundary", "fixed"};
+
 /// Throws InputError on names that GivenMatch does not use.
 void checkEnvironment(const RuleDefinition& rule, const EvalRequest& request) {
   std::vector<std::string> names{"h", "loop_size", "dist_front", "curvature"};
-  for (const char* ofVertex : {"layer", "turn", "valence", "on_boundary"}) {
+  for (const char* ofVertex : kFactsOfVertices) {
     names.emplace_back(ofVertex);
     for (const PatternVertex& vertex : rule.vertices)
       names.push_back(std::string(ofVertex) + "(" + vertex.name + ")");
@@ -62,12 +64,6 @@ std::vector<std::vector<Point2>> drawn(const AF2FreeZoneDef& zone, const AF2Bind
   if (const auto* free = dynamic_cast<const ShapeZoneDef*>(&zone))
     if (const auto shape = free->shapeAt(binding)) return outlineAsWritten(*shape);
   return {};
-}
-
-std::string numberText(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.12g", value);
-  return text;
 }
 
 /// For sentences, where the first digits are enough.
@@ -116,7 +112,23 @@ std::string sentence(const RuleDefinition& rule, const RuleEvaluation& evaluatio
   }
 }
 
-nlohmann::ordered_json pointJson(Point2 p) { return nlohmann::ordered_json::array({p.x, p.y}); }
+/// What the rule says besides new vertices and elements, at this match.
+EvaluatedActs actsOf(const RuleDefinition& rule, const AF2Binding& binding) {
+  const auto nameOf = [&](int v) { return rule.vertices[static_cast<std::size_t>(v)].name; };
+  EvaluatedActs acts;
+  for (std::size_t i = 0; i < rule.vertices.size(); ++i) {
+    const auto& near = rule.vertices[i].near;
+    if (!near) continue;
+    const auto place = near->place->transformPoint(binding);
+    acts.near.push_back(
+        {rule.vertices[i].name, place, near->reach.at(binding.level),
+         place ? std::optional(distance(*place, binding.vertices[i])) : std::nullopt});
+  }
+  if (const auto& weld = rule.weld)
+    acts.weld = {nameOf(weld->from), nameOf(weld->into), weld->place->transformPoint(binding)};
+  if (rule.path) acts.path = {nameOf(0), nameOf(2), rule.path->segments->evaluate(binding)};
+  return acts;
+}
 
 }  // namespace
 
@@ -170,6 +182,7 @@ EvalResult evaluateRule(const RuleSet& rules, const EvalRequest& request) {
   result.requireHolds = evaluation.required.isNone();
   for (std::size_t i = 0; i < definition.newVertices.size(); ++i)
     result.newVertices.emplace_back(definition.newVertexNames[i], evaluation.newVertices[i]);
+  result.acts = actsOf(definition, match.binding());
   result.zones = drawn(*definition.zone, match.binding());
   const AF2FreeZone* zone = evaluation.zone.zone.get();
   for (Point2 p : request.points)
@@ -178,59 +191,6 @@ EvalResult evaluateRule(const RuleSet& rules, const EvalRequest& request) {
     result.segmentsMeetZone.push_back(zone && zone->meets(p, q, ZoneBoundary::Ignored));
   result.score = evaluation.score;
   return result;
-}
-
-std::string toJson(const EvalResult& result) {
-  nlohmann::ordered_json json;
-  if (result.refused == Refusal::None)
-    json["refused"] = nullptr;
-  else
-    json["refused"] = toString(result.refused);
-  if (!result.because.empty()) json["because"] = result.because;
-  json["matches"] = result.matches;
-  json["require"] = result.requireHolds;
-  json["new"] = nlohmann::ordered_json::object();
-  for (const auto& [name, at] : result.newVertices) {
-    if (at)
-      json["new"][name] = pointJson(*at);
-    else
-      json["new"][name] = nullptr;
-  }
-  json["zones"] = nlohmann::ordered_json::array();
-  for (const auto& zone : result.zones) {
-    auto loop = nlohmann::ordered_json::array();
-    for (Point2 p : zone) loop.push_back(pointJson(p));
-    json["zones"].push_back(std::move(loop));
-  }
-  json["points_in_zone"] = result.pointsInZone;
-  json["segments_meet_zone"] = result.segmentsMeetZone;
-  if (result.score)
-    json["score"] = *result.score;
-  else
-    json["score"] = nullptr;
-  return json.dump(2) + "\n";
-}
-
-std::string toText(const EvalResult& result) {
-  const auto point = [&](Point2 p) { return "(" + numberText(p.x) + ", " + numberText(p.y) + ")"; };
-  std::string text = std::string("refused   ") +
-                     (result.refused == Refusal::None ? "no" : toString(result.refused)) + "\n";
-  if (!result.because.empty()) text += "because   " + result.because + "\n";
-  text += std::string("matches   ") + (result.matches ? "yes" : "no") + "\n";
-  text += std::string("require   ") + (result.requireHolds ? "holds" : "does not hold") + "\n";
-  for (const auto& [name, at] : result.newVertices)
-    text += "new " + name + "     " + (at ? point(*at) : "no value") + "\n";
-  for (const auto& zone : result.zones) {
-    text += "zone     ";
-    for (Point2 p : zone) text += " " + point(p);
-    text += "\n";
-  }
-  for (bool b : result.pointsInZone)
-    text += std::string("point     ") + (b ? "in the zone" : "outside of the zone") + "\n";
-  for (bool b : result.segmentsMeetZone)
-    text += std::string("segment   ") + (b ? "meets the zone" : "keeps clear of the zone") + "\n";
-  text += "score     " + (result.score ? numberText(*result.score) : "none") + "\n";
-  return text;
 }
 
 }  // namespace af2::dsl

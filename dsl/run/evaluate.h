@@ -24,6 +24,28 @@ struct EvalRequest {
   std::map<std::string, double> environment;  ///< see GivenMatch
 };
 
+/// What a rule determines beside new vertices and elements.
+struct EvaluatedActs {
+  /// A vertex that is looked for around a computed place.
+  struct Near {
+    std::string vertex;
+    std::optional<Point2> place;  ///< no value where the expression has none
+    double reach = 0;             ///< how far from the place the vertex may be
+    std::optional<double> away;   ///< how far it is
+  };
+  struct Weld {
+    std::string from, into;       ///< `into` remains
+    std::optional<Point2> place;  ///< where it is then
+  };
+  struct Path {
+    std::string from, to;
+    std::optional<double> segments;  ///< as the rule asks; the front takes the nearest even number
+  };
+  std::vector<Near> near;
+  std::optional<Weld> weld;
+  std::optional<Path> path;
+};
+
 struct EvalResult {
   Refusal refused = Refusal::None;  ///< the first reason; ignores the rest of the front
   RefusalCause cause;               ///< the numbers of the refusal
@@ -31,6 +53,7 @@ struct EvalResult {
   bool matches = false;
   bool requireHolds = false;
   std::vector<std::pair<std::string, std::optional<Point2>>> newVertices;
+  EvaluatedActs acts;
   std::vector<std::vector<Point2>> zones;  ///< corners; for curved zones an outline
   std::vector<bool> pointsInZone;          ///< whether the closed zone contains the point
   std::vector<bool> segmentsMeetZone;      ///< whether the segment meets the interior
@@ -50,8 +73,9 @@ AF2_EXPORT std::vector<Point2> matchedPositions(const RuleDefinition& rule,
 /// finite.
 AF2_EXPORT EvalResult evaluateRule(const RuleSet& rules, const EvalRequest& request);
 
-/// {"refused", "because", "matches", "require", "new", "zones", "points_in_zone",
-/// "segments_meet_zone", "score"}
+/// {"refused", "because", "matches", "require", "near", "new", "weld", "path", "zones",
+/// "points_in_zone", "segments_meet_zone", "score"}; "near", "weld" and "path" only of rules that
+/// have them
 AF2_EXPORT std::string toJson(const EvalResult& result);
 AF2_EXPORT std::string toText(const EvalResult& result);
 

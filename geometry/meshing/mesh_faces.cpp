@@ -19,6 +19,8 @@
 #include "geometry/meshing/chord_rounds.h"
 #include "geometry/meshing/even_division.h"
 #include "geometry/meshing/progress_sum.h"
+#include "geometry/sizes/coarser_sizes.h"
+#include "geometry/sizes/too_many.h"
 
 namespace af2::geometry {
 
@@ -217,6 +219,36 @@ void addNarrowPlaces(FaceSource& source, const AF2Algorithm& algorithm, MeshingO
              leastForLimits(options.sizes.size, options.sizes.minSize), options.sizes.sources);
 }
 
+ModelMesh meshWithSizes(FaceSource& source, const AF2Algorithm& algorithm, MeshingOptions options) {
+  if (options.sizes.elementsAcross > 0) addNarrowPlaces(source, algorithm, options);
+  const auto make = [&](const MeshingOptions& asked) {
+    return FaceRun(source, algorithm, asked).mesh();
+  };
+  if (!options.sizes.chords.areGiven()) return make(options).mesh;
+  MeasuredMesh within = meshWithinChords(options, make);
+  if (options.fewest) thinWithinChords(source, options, within);
+  return std::move(within.mesh);
+}
+
+/// With sizes that are larger than those that are asked for, if these need too much memory.
+ModelMesh meshWithinMemory(FaceSource& source, const AF2Algorithm& algorithm,
+                           MeshingOptions options) {
+  constexpr double kMost = 1e6;  // then something else is wrong
+  for (double factor = 1;;) {
+    try {
+      ModelMesh mesh = meshWithSizes(source, algorithm, options);
+      if (factor > 1)
+        mesh.notes.push_back("the sizes that were asked for need too much memory: all are " +
+                             af2::textOf(factor, 4) + " times as large");
+      return mesh;
+    } catch (const TooManyElements& error) {
+      if (!options.coarsen || factor > kMost) throw;
+      factor *= error.factor();
+      options.sizes = timesAsLarge(std::move(options.sizes), error.factor());
+    }
+  }
+}
+
 }  // namespace
 
 ModelMesh meshFaces(FaceSource& source, const AF2Algorithm& algorithm,
@@ -227,17 +259,7 @@ ModelMesh meshFaces(FaceSource& source, const AF2Algorithm& algorithm,
   withThreads(options.threads, [&] {
     MeshingOptions own = optionsFor(source, options);
     own.threads = 0;  // as many as the arena has
-    if (own.sizes.elementsAcross > 0) addNarrowPlaces(source, algorithm, own);
-    const auto make = [&](const MeshingOptions& asked) {
-      return FaceRun(source, algorithm, asked).mesh();
-    };
-    if (!own.sizes.chords.areGiven()) {
-      mesh = make(own).mesh;
-      return;
-    }
-    MeasuredMesh within = meshWithinChords(own, make);
-    if (own.fewest) thinWithinChords(source, own, within);
-    mesh = std::move(within.mesh);
+    mesh = meshWithinMemory(source, algorithm, std::move(own));
   });
   return mesh;
 }

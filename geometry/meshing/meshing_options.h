@@ -50,6 +50,9 @@ struct MeshingOptions {
   std::vector<std::string> faceNames = {};
   /// Bytes for the mesh. Sizes that need more are refused before meshing begins. 0: what is free.
   double maxMemory = 0;
+  /// Larger sizes where those that are asked for need more memory: ModelMesh::notes says how much
+  /// larger.
+  bool coarsen = false;
   int threads = 0;  ///< 0: as many as the machine has. The mesh does not depend on it.
   /// Called from several threads, one at a time.
   std::function<void(const ModelProgress&)> progress;

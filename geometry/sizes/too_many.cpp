@@ -18,10 +18,13 @@ constexpr double kBytesPerElement = 100;
 
 std::string gigabytes(double bytes) { return textOf(bytes / 1e9, 3) + " GB"; }
 
-/// How many times larger the sizes must be for so many elements less.
-std::string wayOut(double tooMany) {
-  const double factor = std::ceil(10 * std::sqrt(tooMany)) / 10;
-  return "ask for sizes that are at least " + textOf(factor, 6) + " times as large";
+/// How many times larger the sizes must be for so many times fewer elements.
+double factorFor(double tooMany) { return std::ceil(10 * std::sqrt(tooMany)) / 10; }
+
+[[noreturn]] void refuse(const std::string& why, double tooMany) {
+  const double factor = factorFor(tooMany);
+  throw TooManyElements(
+      why + "ask for sizes that are at least " + textOf(factor, 6) + " times as large", factor);
 }
 
 }  // namespace
@@ -32,15 +35,15 @@ void refuseTooMany(double elements, double maxMemory) {
     throw InputError("the sizes need more than 1e+300 elements; ask for larger ones");
   const std::string needs = "the sizes need about " + textOf(elements, 2) + " elements";
   if (elements > kMaxElements)
-    throw InputError(needs + ", but a mesh can have " + textOf(kMaxElements, 2) + "; " +
-                     wayOut(elements / kMaxElements));
+    refuse(needs + ", but a mesh can have " + textOf(kMaxElements, 2) + "; ",
+           elements / kMaxElements);
   const double bytes = kBytesPerElement * elements;
-  if (bytes < 1e8) return;  // any machine has so much
+  if (maxMemory == 0 && bytes < 1e8) return;  // any machine has so much
   const double most = maxMemory > 0 ? maxMemory : freeMemory();
   if (bytes <= most) return;
-  throw InputError(needs + ", which take about " + gigabytes(bytes) + " of memory, but " +
-                   gigabytes(most) + (maxMemory > 0 ? " are allowed; " : " are free; ") +
-                   wayOut(bytes / most));
+  refuse(needs + ", which take about " + gigabytes(bytes) + " of memory, but " + gigabytes(most) +
+             (maxMemory > 0 ? " are allowed; " : " are free; "),
+         bytes / most);
 }
 
 void refuseBlurred(double farthest, double extent, double size) {

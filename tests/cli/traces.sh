@@ -86,6 +86,16 @@ expect 1 "$af2" explain tight.af2t; told 'has changed since the trace was made'
 expect 1 "$af2" trace diff plate.af2t tight.af2t
 grep -q 'parts at step' out || fail "trace diff does not name the first different step"
 
+# What a paving front does beside steps is in the trace.
+cp "$2/rules/quad/paving.af2" rows.af2
+sed '/^  at  *row smooth/d' rows.af2 >norows.af2
+expect 0 "$af2" mesh "$plate" --size 0.25 --elements quad -r rows.af2 --trace rows.af2t --quiet
+expect 0 "$af2" mesh "$plate" --size 0.25 --elements quad -r norows.af2 --trace norows.af2t --quiet
+expect 1 "$af2" trace diff rows.af2t norows.af2t
+grep -q 'first:  a row is complete, and [1-9][0-9]* vertices are moved' out || fail "trace diff does not name rows"
+expect 0 "$af2" mesh "$plate" --size 0.25 --elements quad -r rows.af2 --report run.json --statistics --trace both.af2t --quiet
+cmp -s rows.af2t both.af2t || fail "statistics changed the trace of a paving front"
+
 # The page that plays a run.
 expect 0 "$af2" trace view plate.af2t -o plate.html
 grep -q 'wrote plate.html' out || fail "trace view does not say what it wrote"

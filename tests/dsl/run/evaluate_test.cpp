@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "dsl/load/rule_file.h"
+#include "dsl/load/shipped_rules.h"
 #include "engine/base/error.h"
 
 namespace af2::dsl {
@@ -79,6 +80,50 @@ rule "corner" quality 2..4 {
   EXPECT_EQ(because(2, {1, 0}, {0.9, 1}), "condition 2 does not hold");
   EXPECT_EQ(because(2, {1, 0}, {0.5, 1}), "");
   EXPECT_EQ(because(2, {9, 0}, {0.5, 1}).substr(0, 39), "the rule set does not accept a score of");
+}
+
+TEST(Evaluate, ShowsPlacesThatNearLooksAround) {
+  const auto rules = shippedRules("quad/paving.af2");
+  const EvalResult result = evaluated(*rules, "meet", 1, {{"c", {1.3, 1.4}}});
+  ASSERT_EQ(result.acts.near.size(), 1u);
+  const EvaluatedActs::Near& near = result.acts.near.front();
+  EXPECT_EQ(near.vertex, "c");
+  EXPECT_NEAR(near.place->x, 1, 1e-12);
+  EXPECT_NEAR(near.place->y, 1, 1e-12);
+  EXPECT_DOUBLE_EQ(near.reach, 0.9);
+  EXPECT_NEAR(*near.away, 0.5, 1e-12);
+  EXPECT_NE(toText(result).find("near c    0.5 from (1, 1), within 0.9\n"), std::string::npos)
+      << toText(result);
+  EXPECT_EQ(evaluated(*rules, "meet", 1, {{"c", {1.3, 2}}}).refused, Refusal::Pattern);
+  EXPECT_TRUE(evaluated(*rules, "side", 1, {}).acts.near.empty());
+}
+
+TEST(Evaluate, ShowsWeldsAndPaths) {
+  const auto rules = shippedRules("quad/paving.af2");
+  const EvalResult seam = evaluated(*rules, "seam", 1, {{"c", {0.5, 0.2}}});
+  ASSERT_TRUE(seam.acts.weld);
+  EXPECT_EQ(seam.acts.weld->from, "c");
+  EXPECT_EQ(seam.acts.weld->into, "a");
+  EXPECT_NEAR(seam.acts.weld->place->x, 0.25, 1e-12);
+  EXPECT_NE(toJson(seam).find("\"weld\""), std::string::npos);
+  const EvalResult bridge = evaluated(*rules, "bridge", 8, {{"c", {3, 4}}});
+  ASSERT_TRUE(bridge.acts.path);
+  EXPECT_NEAR(*bridge.acts.path->segments, 5, 1e-12);
+  EXPECT_EQ(toJson(bridge).find("\"weld\""), std::string::npos);
+}
+
+TEST(Evaluate, TakesCountsFromTheEnvironment) {
+  const auto rules = shippedRules("quad/paving.af2");
+  EvalRequest request;
+  request.rule = "side";
+  EXPECT_TRUE(evaluateRule(*rules, request).requireHolds);
+  request.environment = {{"count(a)", 1}};
+  EXPECT_FALSE(evaluateRule(*rules, request).requireHolds);
+  request.rule = "seam";
+  request.environment = {{"turn(b)", 20}, {"valence(b)", 2}, {"fixed(b)", 0}};
+  EXPECT_FALSE(evaluateRule(*rules, request).requireHolds);
+  request.environment["fixed(b)"] = 1;
+  EXPECT_TRUE(evaluateRule(*rules, request).requireHolds);
 }
 
 TEST(Evaluate, GivesTheCornersOfAZoneAsWritten) {

@@ -31,7 +31,10 @@ TEST(TooMany, IsWhatCannotBeNumbered) {
       "at least 2 times as large");
 }
 
-TEST(TooMany, IsNothingSmall) { EXPECT_EQ(refusal(1e5, 1), ""); }
+TEST(TooMany, IsNothingSmallUnlessTheUserAllowsLess) {
+  EXPECT_EQ(refusal(1e5, 0), "");
+  EXPECT_NE(refusal(1e5, 1e6), "");
+}
 
 TEST(FreeMemory, IsKnown) { EXPECT_GT(freeMemory(), 1e6); }
 
