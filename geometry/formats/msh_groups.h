@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "geometry/formats/msh_volumes.h"
 #include "geometry/io/formats.h"
-#include "geometry/io/msh_volumes.h"
 
 namespace af2::geometry {
 

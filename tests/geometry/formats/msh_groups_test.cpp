@@ -1,5 +1,5 @@
 // Physical groups of Gmsh's formats.
-#include "geometry/io/msh_groups.h"
+#include "geometry/formats/msh_groups.h"
 
 #include <gtest/gtest.h>
 

@@ -2,8 +2,8 @@
 #include <map>
 #include <string>
 
+#include "geometry/formats/msh_groups.h"
 #include "geometry/io/formats.h"
-#include "geometry/io/msh_groups.h"
 
 namespace af2::geometry {
 namespace {

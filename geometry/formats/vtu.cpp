@@ -6,10 +6,10 @@
 #include <map>
 #include <string>
 
+#include "geometry/formats/compressed_array.h"
+#include "geometry/formats/vtk_cells.h"
 #include "geometry/io/base64.h"
-#include "geometry/io/compressed_array.h"
 #include "geometry/io/formats.h"
-#include "geometry/io/vtk_cells.h"
 #include "geometry/mesh/quality.h"
 
 namespace af2::geometry {

@@ -1,4 +1,4 @@
-#include "geometry/io/msh_volumes.h"
+#include "geometry/formats/msh_volumes.h"
 
 #include <algorithm>
 #include <map>

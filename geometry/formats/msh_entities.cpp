@@ -1,4 +1,4 @@
-#include "geometry/io/msh_entities.h"
+#include "geometry/formats/msh_entities.h"
 
 #include <algorithm>
 #include <map>

@@ -1,4 +1,4 @@
-#include "geometry/io/msh_periodic.h"
+#include "geometry/formats/msh_periodic.h"
 
 namespace af2::geometry {
 

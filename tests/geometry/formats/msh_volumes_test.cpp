@@ -1,5 +1,5 @@
 // Volume entities of Gmsh's format.
-#include "geometry/io/msh_volumes.h"
+#include "geometry/formats/msh_volumes.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // Gmsh's format, version 2.2, as text, for programs that read no later one. An element has one
 // physical group, and entities of the model are but numbers.
+#include "geometry/formats/msh_entities.h"
 #include "geometry/io/formats.h"
-#include "geometry/io/msh_entities.h"
 
 namespace af2::geometry {
 namespace {

@@ -1,4 +1,4 @@
-#include "geometry/io/msh_groups.h"
+#include "geometry/formats/msh_groups.h"
 
 #include <algorithm>
 

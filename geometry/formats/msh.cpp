@@ -5,9 +5,9 @@
 // Each solid is a volume entity without elements, bounded by its faces.
 #include <algorithm>
 
+#include "geometry/formats/msh_entities.h"
+#include "geometry/formats/msh_periodic.h"
 #include "geometry/io/formats.h"
-#include "geometry/io/msh_entities.h"
-#include "geometry/io/msh_periodic.h"
 
 namespace af2::geometry {
 namespace {

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "engine/base/error.h"
+#include "geometry/formats/msh_groups.h"
 #include "geometry/io/formats.h"
-#include "geometry/io/msh_groups.h"
 #include "geometry/mesh/triangles_of.h"
 
 namespace af2::geometry {

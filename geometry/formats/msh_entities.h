@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "geometry/base/box_tree.h"
-#include "geometry/io/msh_groups.h"
-#include "geometry/io/msh_volumes.h"
+#include "geometry/formats/msh_groups.h"
+#include "geometry/formats/msh_volumes.h"
 
 namespace af2::geometry {
 

@@ -1,8 +1,8 @@
 // Legacy VTK, version 3.0, binary (high byte first, as that format wants).
 #include <string>
 
+#include "geometry/formats/vtk_cells.h"
 #include "geometry/io/formats.h"
-#include "geometry/io/vtk_cells.h"
 #include "geometry/mesh/quality.h"
 
 namespace af2::geometry {
