@@ -55,20 +55,6 @@ std::int32_t mshLineType(const ModelMesh& mesh) {
   return mesh.midsides.empty() ? kLine : kLine2;
 }
 
-std::vector<VertexId> mshVertices(const ModelMesh& mesh, std::size_t element) {
-  const auto corners = mesh.elements[element].vertices();
-  std::vector<VertexId> vertices(corners.begin(), corners.end());
-  for (std::size_t i = 0; !mesh.midsides.empty() && i < corners.size(); ++i)
-    vertices.push_back(mesh.midsides[element][i]);
-  return vertices;
-}
-
-std::vector<VertexId> mshVertices(const LineElement& line) {
-  std::vector<VertexId> vertices{line.from, line.to};
-  if (!line.middle.isNone()) vertices.push_back(line.middle);
-  return vertices;
-}
-
 std::vector<MshEntity> mshEntities(const ModelMesh& mesh, Lines lines, const MshGroups& groups,
                                    const std::vector<MshVolume>& volumes) {
   std::map<std::pair<std::int32_t, std::int32_t>, MshEntity> byDimensionAndId;

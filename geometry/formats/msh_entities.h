@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "geometry/base/box_tree.h"
+#include "geometry/formats/element_vertices.h"
 #include "geometry/formats/msh_groups.h"
 #include "geometry/formats/msh_volumes.h"
 
@@ -33,10 +34,5 @@ void writePhysicalNames(const std::vector<MshEntity>& entities, const MshGroups&
 /// Gmsh's number for a kind of element.
 std::int32_t mshType(const ModelMesh& mesh, bool isQuad);
 std::int32_t mshLineType(const ModelMesh& mesh);
-
-/// Corners, then middles of sides.
-std::vector<VertexId> mshVertices(const ModelMesh& mesh, std::size_t element);
-/// Ends, then the middle.
-std::vector<VertexId> mshVertices(const LineElement& line);
 
 }  // namespace af2::geometry

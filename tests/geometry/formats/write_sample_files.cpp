@@ -34,11 +34,11 @@ af2::geometry::ModelMesh withBoundaries(af2::geometry::ModelMesh mesh) {
 }  // namespace
 
 int main(int, char** arguments) {
+  using namespace af2::geometry;
   const std::filesystem::path directory = arguments[1];
-  for (const af2::geometry::MeshFormat& format : af2::geometry::meshFormats()) {
-    if (format.isOnlyPlanar) continue;  // a cube is not
+  for (const MeshFormat& format : meshFormats()) {
+    if (format.isOnlyPlanar || !isAvailable(format)) continue;  // a cube is not planar
     const std::string extension(format.extension);
-    using namespace af2::geometry;
     writeMesh(cubeMesh(), directory / ("cube" + extension));
     writeMesh(withBoundaries(cubeMesh()), directory / ("marked" + extension));
     writeMesh(withBoundaries(cubeMesh()), directory / ("lines" + extension), LinesAlong::AllEdges);
