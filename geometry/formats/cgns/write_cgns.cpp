@@ -1,10 +1,13 @@
 // CGNS files, in HDF5. One zone; a section of elements for each group of faces and each group of
 // edges; groups that overlap are sub-regions, groups of edges boundary conditions of a type that
 // the user gives.
+#include <cgns_io.h>
 #include <cgnslib.h>
 
 #include <algorithm>
+#include <cstring>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "engine/base/error.h"
@@ -17,6 +20,16 @@ namespace {
 
 constexpr NameLimits kCgnsNames{32, false};
 constexpr int kCellDimension = 2, kPhysicalDimension = 3;
+
+struct CgnsUnit {
+  std::string_view name;
+  CGNS_ENUMT(LengthUnits_t) length;
+};
+constexpr CgnsUnit kCgnsUnits[] = {{"mm", CGNS_ENUMV(Millimeter)},
+                                   {"cm", CGNS_ENUMV(Centimeter)},
+                                   {"m", CGNS_ENUMV(Meter)},
+                                   {"inch", CGNS_ENUMV(Inch)},
+                                   {"ft", CGNS_ENUMV(Foot)}};
 
 void check(int code, const char* doing) {
   if (code != CG_OK)
@@ -40,6 +53,7 @@ class CgnsWriter {
   void write() {
     check(cg_base_write(file_, "Base", kCellDimension, kPhysicalDimension, &base_),
           "making the base");
+    putUnit();
     if (!mesh_.vertices.empty()) {
       const cgsize_t sizes[3] = {static_cast<cgsize_t>(mesh_.vertices.size()),
                                  static_cast<cgsize_t>(mesh_.elements.size()), 0};
@@ -50,11 +64,22 @@ class CgnsWriter {
       putSubRegions();
       putLines();
     }
+    tidyLabels();
     isOpen_ = false;
     check(cg_close(file_), "closing the file");
   }
 
  private:
+  void putUnit() {
+    const auto* const known = std::ranges::find(kCgnsUnits, mesh_.unit, &CgnsUnit::name);
+    if (known == std::end(kCgnsUnits)) return;
+    check(cg_goto(file_, base_, "end"), "writing the unit");
+    check(cg_dataclass_write(CGNS_ENUMV(Dimensional)), "writing the unit");
+    check(cg_units_write(CGNS_ENUMV(MassUnitsNull), known->length, CGNS_ENUMV(TimeUnitsNull),
+                         CGNS_ENUMV(TemperatureUnitsNull), CGNS_ENUMV(AngleUnitsNull)),
+          "writing the unit");
+  }
+
   void putVertices() {
     for (const auto& [name, along] :
          {std::pair("CoordinateX", &Point3::x), std::pair("CoordinateY", &Point3::y),
@@ -109,13 +134,17 @@ class CgnsWriter {
       putSection(sections_.add(group.name),
                  mesh_.midsides.empty() ? CGNS_ENUMV(BAR_2) : CGNS_ENUMV(BAR_3),
                  group.members.size(), ends);
-      int condition = 0;
-      check(cg_boco_write(file_, base_, zone_, conditions_.add(group.name).c_str(),
-                          CGNS_ENUMV(BCTypeUserDefined), CGNS_ENUMV(PointRange), 2, range,
-                          &condition),
+      const std::string name = conditions_.add(group.name);
+      int condition = 0, ignored = 0;
+      check(cg_family_write(file_, base_, name.c_str(), &ignored), "writing a boundary");
+      check(cg_boco_write(file_, base_, zone_, name.c_str(), CGNS_ENUMV(FamilySpecified),
+                          CGNS_ENUMV(PointRange), 2, range, &condition),
             "writing a boundary");
       check(cg_boco_gridlocation_write(file_, base_, zone_, condition, CGNS_ENUMV(EdgeCenter)),
             "writing a boundary");
+      check(cg_goto(file_, base_, "Zone_t", zone_, "ZoneBC_t", 1, "BC_t", condition, "end"),
+            "writing a boundary");
+      check(cg_famname_write(name.c_str()), "writing a boundary");
     }
   }
 
@@ -127,6 +156,33 @@ class CgnsWriter {
                            last_ - static_cast<cgsize_t>(count) + 1, last_, 0, corners.data(),
                            &ignored),
           "writing elements");
+  }
+
+  /// libcgns writes what lies behind some labels in memory, too, which differs from run to run.
+  void tidyLabels() {
+    int tree = 0;
+    double root = 0;
+    check(cg_get_cgio(file_, &tree), "looking at the file");
+    check(cg_root_id(file_, &root), "looking at the file");
+    tidyLabelsBelow(tree, root);
+  }
+  void tidyLabelsBelow(int tree, double node) {
+    int count = 0;
+    check(cgio_number_children(tree, node, &count), "looking at the file");
+    std::vector<double> children(static_cast<std::size_t>(count));
+    if (count > 0)
+      check(cgio_children_ids(tree, node, 1, count, &count, children.data()),
+            "looking at the file");
+    for (const double child : children) {
+      char label[CGIO_MAX_LABEL_LENGTH + 1] = {};
+      check(cgio_get_label(tree, child, label), "looking at the file");
+      const std::string text = label;
+      std::memset(label, 0, sizeof label);
+      std::memcpy(label, text.data(), text.size());
+      check(cgio_set_label(tree, child, label), "looking at the file");
+      tidyLabelsBelow(tree, child);
+      cgio_release_id(tree, child);
+    }
   }
 
   static void append(const std::vector<VertexId>& vertices, std::vector<cgsize_t>& list) {

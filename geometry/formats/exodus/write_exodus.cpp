@@ -18,6 +18,8 @@ namespace {
 
 constexpr NameLimits kExodusNames{MAX_STR_LENGTH, false};
 
+constexpr int kFront = 1, kFirstEdge = 3;  // sides of elements in space; 2 is the back
+
 void check(int code, const char* doing) {
   if (code < 0) throw InputError(std::string("libexodusii reports an error: ") + doing);
 }
@@ -34,6 +36,7 @@ class ExodusWriter {
     for (const ElementBlock& block : grouped.blocks) inBlocks.insert(block.group);
     for (const GroupMembers& group : grouped.groups) {
       const bool isOfLines = group.group.dimension == PhysicalGroup::kCurve;
+      if (isOfLines) highestCurve_ = group.group.number;
       if (isOfLines || !inBlocks.contains(group.group.number))
         (isOfLines ? ofLines_ : ofElements_).push_back(&group);
     }
@@ -59,6 +62,9 @@ class ExodusWriter {
       for (const std::uint32_t e : group->members) places.push_back(placeOf_[e]);
       std::ranges::sort(places);
       putSet(EX_ELEM_SET, group->group.number, places, nullptr, setNames.add(group->name));
+      const std::vector<int> fronts(places.size(), kFront);
+      putSet(EX_SIDE_SET, highestCurve_ + group->group.number, places, fronts.data(),
+             sideNames.add(group->name));
     }
     for (const GroupMembers* group : ofLines_) {
       putSides(*group, sideNames.add(group->name));
@@ -78,7 +84,8 @@ class ExodusWriter {
     counts.num_elem = static_cast<std::int64_t>(mesh_.elements.size());
     counts.num_elem_blk = static_cast<std::int64_t>(grouped_.blocks.size());
     counts.num_elem_sets = static_cast<std::int64_t>(ofElements_.size());
-    counts.num_side_sets = counts.num_node_sets = static_cast<std::int64_t>(ofLines_.size());
+    counts.num_node_sets = static_cast<std::int64_t>(ofLines_.size());
+    counts.num_side_sets = counts.num_elem_sets + counts.num_node_sets;
     check(ex_put_init_ext(file_, &counts), "writing the counts");
   }
 
@@ -99,7 +106,7 @@ class ExodusWriter {
   /// A group of triangles and quadrilaterals is two blocks.
   void putBlock(const ElementBlock& block) {
     const int vertices = (block.isQuad ? 4 : 3) * (mesh_.midsides.empty() ? 1 : 2);
-    const std::string type = (block.isQuad ? "QUAD" : "TRI") + std::to_string(vertices);
+    const std::string type = (block.isQuad ? "SHELL" : "TRI") + std::to_string(vertices);
     const auto* const group = std::ranges::find(
         grouped_.groups.data(), grouped_.groups.data() + grouped_.groups.size(),
         PhysicalGroup{PhysicalGroup::kSurface, block.group}, &GroupMembers::group);
@@ -131,7 +138,7 @@ class ExodusWriter {
     std::vector<int> places, sides;
     for (const std::uint32_t line : group.members) {
       places.push_back(placeOf_[grouped_.sides[line].element]);
-      sides.push_back(static_cast<int>(grouped_.sides[line].side) + 1);
+      sides.push_back(static_cast<int>(grouped_.sides[line].side) + kFirstEdge);
     }
     putSet(EX_SIDE_SET, group.group.number, places, sides.data(), name);
   }
@@ -158,6 +165,7 @@ class ExodusWriter {
   std::vector<const GroupMembers*> ofElements_, ofLines_;  ///< groups that become sets
   std::vector<std::uint32_t> order_;                       ///< of the elements in the file
   std::vector<int> placeOf_;                               ///< in the file, counted from 1
+  std::int32_t highestCurve_ = 0;
   std::set<std::int64_t> blockIds_;
   FormatNames blockNames_{kExodusNames};
 };
