@@ -75,7 +75,14 @@ std::string outputHelp() {
 }  // namespace
 
 void declareMeshOptions(CLI::App& command, MeshOptions& options) {
-  command.add_option("MODEL", options.model, modelHelp())->type_name("")->required();
+  command.add_option("MODEL", options.model, modelHelp() + "; - stands for standard input")
+      ->type_name("")
+      ->required();
+  command
+      .add_option("--format", options.format,
+                  "with - for the model: its format, as an extension such as step, if its content "
+                  "does not tell")
+      ->type_name("FORMAT");
   declareSizeOptions(command, options.sizes);
   command
       .add_option("-r,--rules", options.rules,
@@ -273,6 +280,8 @@ bool MeshRequest::asksByNumber() const {
 }
 
 MeshRequest checkedRequest(const MeshOptions& options) {
+  if (!options.format.empty())
+    throw UsageError("--format is for a model from standard input; give - for it");
   MeshRequest request;
   request.model = options.model;
   request.options.sizes = checkedSizes(options.sizes);

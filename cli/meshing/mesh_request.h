@@ -22,7 +22,7 @@ namespace af2::cli {
 
 /// The options as they were typed.
 struct MeshOptions {
-  std::string model, rules, faces, report, stuckTests, trace, traceFaces;
+  std::string model, format, rules, faces, report, stuckTests, trace, traceFaces;
   SizeOptions sizes;
   std::vector<std::string> outputs;
   int threads = 0, order = 1;

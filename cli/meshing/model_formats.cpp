@@ -2,10 +2,12 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <array>
 #include <string_view>
 #include <vector>
 
+#include "cli/program/usage_error.h"
 #include "engine/base/error.h"
 #include "geometry/base/words.h"
 #include "geometry/faceted/facets.h"
@@ -27,22 +29,35 @@ struct Kind {
 constexpr std::array kKinds{Kind{ModelKind::Cad, "CAD"}, Kind{ModelKind::Faceted, "triangles"},
                             Kind{ModelKind::Planar, "planar"}};
 
-void addNames(const auto& formats, Names& names) {
-  for (const auto& format : formats) names.push_back(format.name);
-}
-
-void addNames(ModelKind kind, Names& names) {
+/// Calls `take` with each format of the kind.
+void forEachFormat(ModelKind kind, const auto& take) {
   switch (kind) {
     case ModelKind::Cad:
 #if AF2_HAVE_OCC
-      addNames(geometry::cadFormats(), names);
+      for (const geometry::FileFormat& format : geometry::cadFormats()) take(format);
 #endif
       return;
     case ModelKind::Faceted:
-      return addNames(geometry::facetFormats(), names);
+      for (const geometry::FileFormat& format : geometry::facetFormats()) take(format);
+      return;
     case ModelKind::Planar:
-      return addNames(geometry::planarFormats(), names);
+      for (const geometry::FileFormat& format : geometry::planarFormats()) take(format);
   }
+}
+
+void addNames(ModelKind kind, Names& names) {
+  forEachFormat(kind, [&](const geometry::FileFormat& format) { names.push_back(format.name); });
+}
+
+/// Without the dots.
+Names knownExtensions() {
+  Names extensions;
+  for (const Kind& kind : kKinds)
+    forEachFormat(kind.kind, [&](const geometry::FileFormat& format) {
+      for (const std::string_view extension : format.extensions)
+        if (!extension.empty()) extensions.push_back(extension.substr(1));
+    });
+  return extensions;
 }
 
 }  // namespace
@@ -63,6 +78,14 @@ std::string formatNames(const char* conjunction) {
   Names names;
   for (const Kind& kind : kKinds) addNames(kind.kind, names);
   return geometry::listed(names, conjunction);
+}
+
+std::string modelExtensions() { return geometry::listed(knownExtensions(), "or"); }
+
+void checkModelFormat(const std::string& format) {
+  const Names known = knownExtensions();
+  if (format.empty() || std::ranges::find(known, format) != known.end()) return;
+  throw UsageError(fmt::format("--format {}: choose one of {}", format, modelExtensions()));
 }
 
 std::string modelHelp() {

@@ -18,6 +18,11 @@ std::string formatNames(ModelKind kind, const char* conjunction);
 /// The same for all kinds.
 std::string formatNames(const char* conjunction);
 
+/// "step, stp, ...": the extensions of all formats, without dots.
+std::string modelExtensions();
+/// Throws UsageError unless `format` is one of these, or empty.
+void checkModelFormat(const std::string& format);
+
 /// For help texts: "STEP, IGES or BREP file (CAD), ...".
 std::string modelHelp();
 

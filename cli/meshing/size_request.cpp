@@ -8,6 +8,7 @@
 #include "cli/program/number_lists.h"
 #include "cli/program/usage_error.h"
 #include "geometry/io/size_file.h"
+#include "geometry/reading/size_field.h"
 
 namespace af2::cli {
 
@@ -52,6 +53,14 @@ void declareSizeOptions(CLI::App& command, SizeOptions& options) {
       .add_option("--sizes", options.file,
                   "JSON file with sizes at points, in boxes, in fields and of named parts")
       ->type_name("FILE");
+  command
+      .add_option("--size-field", options.fields,
+                  "sizes at the vertices of another mesh: node data of an .msh file, a view in a "
+                  ".pos file or a point array in a .vtu file; FILE:ARRAY if there are several. May "
+                  "be given several times")
+      ->type_name("FILE")
+      ->take_all()
+      ->expected(1);
   command
       .add_option("--face-size", options.faceSizes,
                   "a different size for some faces, by number or name, e.g. 3,7-9=0.1 or "
@@ -151,6 +160,8 @@ geometry::Sizes checkedSizes(const SizeOptions& options) {
     sizes.partSizes = std::move(file.parts);
     sizes.chords.parts = std::move(file.chords);
   }
+  for (const std::string& field : options.fields)
+    sizes.sources.cells.push_back(geometry::readSizeField(geometry::sizeFieldName(field)));
   // The last match counts.
   sizes.partSizes.insert(sizes.partSizes.end(), faceSizes.byName.begin(), faceSizes.byName.end());
   return sizes;

@@ -12,7 +12,7 @@ namespace af2::cli {
 /// The options as they were typed; empty: not given.
 struct SizeOptions {
   std::string size, smallest, largest, curvature, proximity, grading, file, chord;
-  std::vector<std::string> faceSizes, edgeSizes, faceChords;
+  std::vector<std::string> faceSizes, edgeSizes, faceChords, fields;
   bool fewest = false;
 };
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <optional>
 
 #include "cli/meshing/contact_texts.h"
 #include "cli/meshing/mesh_run.h"
@@ -11,6 +12,7 @@
 #include "cli/meshing/model_runs.h"
 #include "cli/meshing/rule_statistics.h"
 #include "cli/meshing/run_recorders.h"
+#include "cli/meshing/standard_input.h"
 #include "cli/meshing/stuck_causes.h"
 #include "cli/meshing/stuck_tests.h"
 #include "cli/program/exit_code.h"
@@ -211,12 +213,25 @@ int meshOrReportWhyNot(const MeshRequest& request) {
   }
 }
 
+/// What came through standard input, if the model does; the options then name a file that has it.
+std::optional<StandardInput> takenInput(MeshOptions& options) {
+  std::optional<StandardInput> input;
+  if (!isStandardInput(options.model)) return input;
+  if (!options.trace.empty())
+    throw UsageError("--trace needs a model in a file, which is read again for the trace");
+  input.emplace(options.format);
+  options.model = input->file().string();
+  options.format.clear();
+  return input;
+}
+
 }  // namespace
 
 Action declareMesh(CLI::App& command) {
   const auto options = std::make_shared<MeshOptions>();
   declareMeshOptions(command, *options);
   return [options, &command] {
+    const std::optional<StandardInput> input = takenInput(*options);
     MeshRequest request = checkedRequest(*options);
     request.arguments = argumentsOf(command);
     return meshOrReportWhyNot(request);

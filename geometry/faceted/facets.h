@@ -39,10 +39,11 @@ struct AF2_EXPORT FacetFormat : FileFormat {
 /// In the order in which messages list them.
 AF2_EXPORT std::span<const FacetFormat> facetFormats();
 
-/// Reads an STL file, text or binary, or an OBJ file, chosen by the extension. Vertices at the same
+/// Reads an STL, OBJ, PLY or OFF file or a mesh file, chosen by the extension. Vertices at the same
 /// position are merged, triangles that use one of them twice are left out, and polygons of an OBJ
-/// file are cut into triangles. The solids of a text STL file, and the groups and objects of an OBJ
-/// file, become parts. Small faults are repaired (repairFacets) and noted.
+/// file and quadrilaterals are cut into triangles. The solids of a text STL file, the groups and
+/// objects of an OBJ file, and the faces of a mesh file, become parts. Small faults are repaired
+/// (repairFacets) and noted.
 ///
 /// Throws InputError, with file and place, if the file cannot be read or no triangle is left after
 /// the repairs.

@@ -16,11 +16,23 @@ namespace af2::geometry {
 void readStl(const std::string& content, Facets& facets);
 /// Wavefront OBJ; polygons are cut into triangles.
 void readObj(const std::string& content, Facets& facets);
+/// Mesh files; quadrilaterals are split, and faces of the mesh are parts, with their names if they
+/// have any: geometry/reading/.
+void readMshFacets(const std::string& content, Facets& facets);
+void readVtuFacets(const std::string& content, Facets& facets);
+void readVtkFacets(const std::string& content, Facets& facets);
+void readPlyFacets(const std::string& content, Facets& facets);
+void readOffFacets(const std::string& content, Facets& facets);
 
 /// In the order in which messages list them.
 inline constexpr std::array kFacetFormats{
     FacetFormat{{"STL", {".stl"}}, &readStl},
     FacetFormat{{"OBJ", {".obj"}}, &readObj},
+    FacetFormat{{"PLY", {".ply"}}, &readPlyFacets},
+    FacetFormat{{"OFF", {".off"}}, &readOffFacets},
+    FacetFormat{{"Gmsh", {".msh", ".msh2"}}, &readMshFacets},
+    FacetFormat{{"VTK XML", {".vtu"}}, &readVtuFacets},
+    FacetFormat{{"VTK", {".vtk"}}, &readVtkFacets},
 };
 
 }  // namespace af2::geometry

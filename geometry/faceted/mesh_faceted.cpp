@@ -153,10 +153,14 @@ class ModelMaker {
   /// A patch is of the part that its first triangle is of.
   void addGroups() {
     if (facets_.group.empty()) return;
-    for (const std::string& name : facets_.groupNames)
-      model_.groups.push_back({name, GroupKind::Part, {}});
+    std::vector<std::size_t> groupOf;  // by part; parts may have the same name
+    for (const std::string& name : facets_.groupNames) {
+      const auto known = std::ranges::find(model_.groups, name, &FaceGroup::name);
+      groupOf.push_back(static_cast<std::size_t>(known - model_.groups.begin()));
+      if (known == model_.groups.end()) model_.groups.push_back({name, GroupKind::Part, {}});
+    }
     for (std::size_t i = 0; i < patched_.patches.size(); ++i)
-      model_.groups[facets_.group[patched_.patches[i].triangles.front()]].faces.push_back(
+      model_.groups[groupOf[facets_.group[patched_.patches[i].triangles.front()]]].faces.push_back(
           static_cast<int>(i) + 1);
     std::erase_if(model_.groups,
                   [](const FaceGroup& group) { return group.name.empty() || group.faces.empty(); });

@@ -5,6 +5,7 @@
 
 #include "engine/base/error.h"
 #include "geometry/base/file_extension.h"
+#include "geometry/base/loaded_parts.h"
 #include "geometry/io/formats.h"
 #include "geometry/io/output_file.h"
 
@@ -32,10 +33,19 @@ std::span<const std::pair<std::string_view, Grouping>> groupings() {
 
 std::span<const MeshFormat> meshFormats() { return kMeshFormats; }
 
+bool isAvailable(const MeshFormat& format) {
+  return format.writer.empty() || !placeOfPart(std::string(format.writer)).empty();
+}
+
 const MeshFormat& meshFormatOf(const std::filesystem::path& file) {
   const std::string extension = extensionOf(file);
   for (const MeshFormat& format : kMeshFormats) {
-    if (format.extension == extension) return format;
+    if (format.extension != extension) continue;
+    if (isAvailable(format)) return format;
+    throw InputError(
+        "cannot write '" + file.string() + "': the library '" + std::string(format.writer) +
+        "', which writes " + std::string(format.name) +
+        " files, does not lie with this program; install it, or choose another format");
   }
   throw InputError("cannot write '" + file.string() +
                    "': its extension is not that of a mesh format; use" + knownExtensions());

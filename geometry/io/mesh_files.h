@@ -58,13 +58,18 @@ struct AF2_EXPORT MeshFormat {
   bool isOnlyPlanar = false;      ///< for meshes of planar domains only
   bool holdsGroups = false;       ///< FileOptions::groups; if false, they do not matter
   bool isCompressible = false;    ///< FileOptions::compress; if false, it does not matter
+  /// The library of AF2 that writes it, which may be missing; empty: none is needed.
+  std::string_view writer = {};
 };
 
 /// In the order in which help texts name them.
 AF2_EXPORT std::span<const MeshFormat> meshFormats();
 
+/// Whether the library that it needs, if any, is there.
+AF2_EXPORT bool isAvailable(const MeshFormat& format);
+
 /// The format for the extension of `file`, in upper or lower case. Throws InputError, naming the
-/// known extensions, if there is none.
+/// known extensions, if there is none, or the library that is missing.
 AF2_EXPORT const MeshFormat& meshFormatOf(const std::filesystem::path& file);
 
 /// Writes `mesh` to `file`, completely or not at all. Throws InputError as meshFormatOf and

@@ -128,7 +128,22 @@ void OutputFile::writeThrough(const char* data, std::size_t size) {
   }
 }
 
+const fs::path& OutputFile::pathForOthers() {
+  ::close(descriptor_);
+  descriptor_ = -1;
+  used_ = 0;
+  ::unlink(temporary_.c_str());
+  named_ = true;
+  return temporary_;
+}
+
+void OutputFile::openWhatOthersWrote() {
+  descriptor_ = ::open(temporary_.c_str(), O_RDONLY | O_CLOEXEC);
+  if (descriptor_ < 0) fail("opening");
+}
+
 void OutputFile::commit() {
+  if (descriptor_ < 0) openWhatOthersWrote();
   flush();
   if (::fsync(descriptor_) != 0 && errno != EINVAL) fail("syncing");
   giveName();

@@ -47,6 +47,10 @@ class OutputFile {
     bytes(reversed, sizeof reversed);
   }
 
+  /// For libraries that write files themselves: a path beside the target at which there is no file.
+  /// What others write there takes the place of what was written here.
+  const std::filesystem::path& pathForOthers();
+
   /// Replaces the target by what was written, safely on disk.
   void commit();
 
@@ -59,6 +63,7 @@ class OutputFile {
   void writeThrough(const char* data, std::size_t size);
   void flush();
   void giveName();
+  void openWhatOthersWrote();
   [[noreturn]] void fail(const char* doing) const;
 
   std::filesystem::path target_, temporary_;

@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "geometry/formats/vtk_cells.h"
 #include "geometry/io/formats.h"
-#include "geometry/io/vtk_cells.h"
 #include "geometry/mesh/quality.h"
 #include "geometry/page/page_info.h"
 #include "geometry/page/page_writer.h"

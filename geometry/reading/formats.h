@@ -18,6 +18,8 @@ void readStlMesh(const std::string& content, MeshBuilder& mesh);
 void readObjMesh(const std::string& content, MeshBuilder& mesh);
 /// Text or binary.
 void readPly(const std::string& content, MeshBuilder& mesh);
+/// Geomview's OFF, text.
+void readOff(const std::string& content, MeshBuilder& mesh);
 
 /// In the order in which messages list them.
 inline constexpr std::array kMeshFileFormats{
@@ -27,6 +29,7 @@ inline constexpr std::array kMeshFileFormats{
     MeshFileFormat{{"STL", {".stl"}}, &readStlMesh},
     MeshFileFormat{{"OBJ", {".obj"}}, &readObjMesh},
     MeshFileFormat{{"PLY", {".ply"}}, &readPly},
+    MeshFileFormat{{"OFF", {".off"}}, &readOff},
 };
 
 }  // namespace af2::geometry

@@ -31,8 +31,7 @@ void MeshBuilder::addElement(std::span<const std::uint64_t> corners, std::int32_
   ModelMesh& mesh = result_.mesh;
   if (corners.size() < 3 || corners.size() > 4)
     fail("element " + std::to_string(mesh.elements.size() + 1) + " has " +
-         std::to_string(corners.size()) +
-         " corners; only triangles and quadrilaterals can be measured");
+         std::to_string(corners.size()) + " corners; only triangles and quadrilaterals are read");
   if (mesh.elements.size() == kMostElements) fail("has more elements than AF2 can number");
   Element element{};
   for (std::size_t i = 0; i < corners.size(); ++i)  // larger numbers stay too large
@@ -91,11 +90,11 @@ void MeshBuilder::mendElements() {
 void MeshBuilder::writeNotes(std::size_t collapsed, std::size_t mended) {
   std::vector<std::string>& notes = result_.mesh.notes;
   if (isSecondOrder_)
-    notes.push_back("the elements have second order; only their corners are measured");
+    notes.push_back("the elements have second order; only their corners are read");
   for (const auto& [kind, count] : leftOut_)
-    notes.push_back("left out: " + counted(count, "element") + " that cannot be measured: " + kind);
+    notes.push_back("left out: " + counted(count, "element") + " that AF2 does not read: " + kind);
   if (mended > 0)
-    notes.push_back("measured as triangles: " + counted(mended, "quadrilateral") +
+    notes.push_back("read as triangles: " + counted(mended, "quadrilateral") +
                     " with two equal corners");
   if (collapsed > 0)
     notes.push_back("left out: " + counted(collapsed, "element") +
@@ -122,6 +121,8 @@ void MeshBuilder::countFaces() {
     FaceReport report;
     report.id = face;
     report.elements = count;
+    if (const auto name = faceNames_.find(face); name != faceNames_.end())
+      report.name = name->second;
     result_.mesh.faces.push_back(std::move(report));
   }
 }
@@ -140,6 +141,23 @@ MeshFile MeshBuilder::finish() {
   mesh.name = std::filesystem::path(name_).filename().string();
   mesh.origins.assign(mesh.elements.size(), ElementOrigin{0, 0, true});
   return std::move(result_);
+}
+
+void MeshBuilder::finishField() {
+  checkNumbers();
+  const ModelMesh& mesh = result_.mesh;
+  const auto add = [&](std::span<const VertexId> vertices, int dimension) {
+    std::vector<std::uint64_t> corners;
+    for (const VertexId vertex : vertices) corners.push_back(vertex.value);
+    field_->add(corners, dimension);
+  };
+  for (const Element& element : mesh.elements) add(element.vertices(), 2);
+  for (const EdgeSegment& segment : mesh.segments) add(std::array{segment.from, segment.to}, 1);
+  for (const auto& cell : field_->cells)
+    for (const std::uint64_t corner : cell)
+      if (corner != FieldCells::kNoCorner && corner >= mesh.vertices.size())
+        fail("a cell uses a vertex that the file does not have");
+  field_->vertices = mesh.vertices;
 }
 
 }  // namespace af2::geometry

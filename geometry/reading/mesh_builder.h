@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "geometry/reading/field_cells.h"
 #include "geometry/reading/read_mesh.h"
 
 namespace af2::geometry {
@@ -29,7 +30,9 @@ inline std::int32_t idNumber(double value) {
 class MeshBuilder {
  public:
   /// name  of the file, for messages
-  explicit MeshBuilder(std::string name) : name_(std::move(name)) {}
+  /// field  takes arrays and solid cells, too, if it is given; then finishField ends the reading
+  explicit MeshBuilder(std::string name, FieldCells* field = nullptr)
+      : name_(std::move(name)), field_(field) {}
 
   const std::string& name() const { return name_; }
   std::size_t vertexCount() const { return result_.mesh.vertices.size(); }
@@ -39,10 +42,22 @@ class MeshBuilder {
   /// Throws InputError unless there are three or four corners.
   void addElement(std::span<const std::uint64_t> corners, std::int32_t face);
   void addLine(std::uint64_t from, std::uint64_t to, std::int32_t edge);
-  /// An element that cannot be measured.
+  /// kind  for a note, if solid cells are not wanted
+  void addSolid(std::span<const std::uint64_t> corners, const std::string& kind) {
+    field_ ? field_->add(corners, 3) : leaveOut(kind);
+  }
+  /// An array with one number for each vertex from `first` on; only if there is a field.
+  void addValues(const std::string& array, std::size_t first, const std::vector<double>& values) {
+    field_->addValues(array, first, values);
+  }
+  void noteOtherArray(const std::string& array) { field_->others.push_back(array); }
+  bool hasField() const { return field_ != nullptr; }
+  /// An element that is not one of a surface.
   void leaveOut(const std::string& kind) { ++leftOut_[kind]; }
   void noteSecondOrder() { isSecondOrder_ = true; }
   void setHasFaces() { result_.hasFaces = true; }
+  /// The name of a face, if the file has one.
+  void setFaceName(std::int32_t face, std::string name) { faceNames_[face] = std::move(name); }
   /// By vertex.
   void setWantedSizes(std::vector<double> sizes) { result_.mesh.wantedSizes = std::move(sizes); }
 
@@ -50,6 +65,8 @@ class MeshBuilder {
 
   /// Checks what was added, and gives it back.
   MeshFile finish();
+  /// Checks what was added, and adds it to the field.
+  void finishField();
 
  private:
   void checkNumbers() const;
@@ -59,8 +76,10 @@ class MeshBuilder {
   void countFaces();
 
   std::string name_;
+  FieldCells* field_;
   MeshFile result_;
   std::map<std::string, std::size_t> leftOut_;
+  std::map<std::int32_t, std::string> faceNames_;
   bool isSecondOrder_ = false;
 };
 

@@ -49,6 +49,17 @@ class VtuReader {
                 "'; write it again with zlib or without compression");
   }
 
+  /// AF2's arrays "face: NAME" have the ids of the faces with this name.
+  void readFaceNames(const Tree& fields) {
+    constexpr std::string_view kBefore = "face: ";
+    for (const auto& [tag, array] : fields) {
+      const std::string name = tag == "DataArray" ? array.get("<xmlattr>.Name", "") : "";
+      if (!name.starts_with(kBefore)) continue;
+      for (const double face : numbers(array, name))
+        mesh_.setFaceName(idNumber(face), name.substr(kBefore.size()));
+    }
+  }
+
   void readPiece(const Tree& piece) {
     const std::size_t first = mesh_.vertexCount();
     readPoints(piece);
@@ -74,9 +85,24 @@ class VtuReader {
     std::vector<double> sizes =
         optionalArray(piece, "PointData", "wanted_size", mesh_.vertexCount() - first);
     if (!sizes.empty() && first == 0) mesh_.setWantedSizes(std::move(sizes));
+    if (mesh_.hasField()) readPointArrays(piece, first);
   }
 
  private:
+  void readPointArrays(const Tree& piece, std::size_t first) {
+    const auto arrays = piece.get_child_optional("PointData");
+    if (!arrays) return;
+    for (const auto& [tag, array] : *arrays) {
+      if (tag != "DataArray") continue;
+      const std::string name = array.get("<xmlattr>.Name", "");
+      const std::vector<double> values = numbers(array, name);
+      if (values.size() == mesh_.vertexCount() - first)
+        mesh_.addValues(name, first, values);
+      else if (first == 0)
+        mesh_.noteOtherArray(name);
+    }
+  }
+
   void readPoints(const Tree& piece) {
     const auto points = piece.get_child_optional("Points.DataArray");
     if (!points) mesh_.fail("has no array of points");
@@ -217,7 +243,10 @@ void readVtu(const std::string& content, MeshBuilder& mesh) {
   if (!file || !grid) mesh.fail("is not an unstructured grid of VTK");
   VtuReader reader(*file, mesh);
   for (const auto& [tag, piece] : *grid)
-    if (tag == "Piece") reader.readPiece(piece);
+    if (tag == "Piece")
+      reader.readPiece(piece);
+    else if (tag == "FieldData")
+      reader.readFaceNames(piece);
 }
 
 }  // namespace af2::geometry

@@ -47,6 +47,7 @@ void check(const SizeSources& sources) {
     if (!std::all_of(grid.sizes.begin(), grid.sizes.end(), isSize))
       throw InputError(numbered("field", i) + "all sizes must be positive");
   }
+  for (const SizeCells& cells : sources.cells) checkCells(cells);
 }
 
 /// Lowers sizes until none is larger than that of a neighbour allows.
@@ -145,6 +146,7 @@ struct PreparedSources {
         boxes(std::move(sources.boxes)),
         grids(std::move(sources.grids)) {
     for (SizeGrid& grid : grids) GridGrading(grid, growth).run();
+    for (SizeCells& field : sources.cells) cells.emplace_back(std::move(field), growth);
   }
 
   /// Not more than `most`.
@@ -153,6 +155,7 @@ struct PreparedSources {
     for (const SizeBox& box : boxes)
       size = std::min(size, box.size + growth * Box3{box.low, box.high}.distanceTo(p));
     for (const SizeGrid& grid : grids) size = std::min(size, GridSize(grid).at(p, growth));
+    for (const CellSize& field : cells) size = std::min(size, field.at(p));
     return size;
   }
 
@@ -160,6 +163,7 @@ struct PreparedSources {
   GrowingSize points;
   std::vector<SizeBox> boxes;
   std::vector<SizeGrid> grids;
+  std::vector<CellSize> cells;
 };
 
 struct SizeFromSources {

@@ -1,10 +1,11 @@
-// Sources of sizes in space: points, boxes and background fields.
+// Sources of sizes in space: points, boxes, and background fields on grids and on cells.
 #pragma once
 
 #include <array>
 #include <vector>
 
 #include "engine/base/export.h"
+#include "geometry/sizes/cell_size.h"
 #include "geometry/sizes/graded_size.h"
 #include "geometry/sizes/position_size.h"
 
@@ -24,13 +25,15 @@ struct SizeGrid {
   std::vector<double> sizes;            ///< x varies fastest, then y
 };
 
-/// Sizes grow away from each source; where several sources apply, the smallest counts.
+/// Sizes grow away from each source, except from cells, outside which the size is that at their
+/// nearest point. Where several sources apply, the smallest counts.
 struct SizeSources {
   std::vector<SizeSource> points;
   std::vector<SizeBox> boxes;
   std::vector<SizeGrid> grids;
+  std::vector<SizeCells> cells = {};
 
-  bool isEmpty() const { return points.empty() && boxes.empty() && grids.empty(); }
+  bool isEmpty() const { return points.empty() && boxes.empty() && grids.empty() && cells.empty(); }
 };
 
 /// The smallest size that curvature and narrow places may request: the given one, or a twentieth of

@@ -99,7 +99,7 @@ unusable "$af2" mesh "$cylinder" --size 1 --sizes sizes.json; told 'sizes.json'
 
 unusable "$af2" mesh nothing.step --size 1; told "there is no file 'nothing.step'"
 unusable "$af2" mesh . --size 1; told 'is a directory'
-unusable "$af2" mesh - --size 1; told 'standard input'
+unusable "$af2" mesh - --size 1; told 'standard input is empty; pipe a model into it'
 gzip -c "$cylinder" >packed.step.gz
 unusable "$af2" mesh packed.step.gz --size 1; told 'unpack it first'
 unusable "$af2" mesh "$cylinder" --size 1 -r nothing.af2; told "there is no rule file 'nothing.af2'"

@@ -9,4 +9,12 @@ for model in brickhole die; do
     for format in vtu msh obj; do same one.$format two.$format; done
   done
 done
+
+# Times of writing are in no file, if the libraries that write these are there.
+for format in med exo cgns inp bdf glb; do
+  "$af2" mesh "$models/die.step" --size 2 -o first.$format >/dev/null 2>&1 || continue
+  sleep 1.1
+  expect 0 "$af2" mesh "$models/die.step" --size 2 -o second.$format
+  same first.$format second.$format
+done
 finish

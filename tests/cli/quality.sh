@@ -30,7 +30,7 @@ for picture in p.png p.svg p.html; do
 done
 expect 0 "$af2" mesh "$models/cylinder.step" --size 5 --order 2 -o c.msh --quiet
 if [ -e c.msh ]; then
-  expect 0 "$af2" quality c.msh; grep -q 'only their corners are measured' out || fail "second order"
+  expect 0 "$af2" quality c.msh; grep -q 'only their corners are read' out || fail "second order"
   expect 1 "$af2" quality c.msh --picture c.svg; told 'planar meshes only'
   [ -e c.svg ] && fail "a picture that cannot be drawn was left"
 fi

@@ -2,11 +2,10 @@
 # and one module for each format, which lies beside the program, or in lib/af2 once it is installed.
 # af2_load_readers(TARGET) makes a program load them.
 
-file(RELATIVE_PATH libraries_from_program /${CMAKE_INSTALL_BINDIR} /${CMAKE_INSTALL_LIBDIR}/af2)
 add_library(af2_reader_loading OBJECT EXCLUDE_FROM_ALL occ/loading/loaded_readers.cpp)
 target_link_libraries(af2_reader_loading PRIVATE af2_build af2_occ_headers af2::geometry)
 target_compile_definitions(af2_reader_loading PRIVATE
-  AF2_VERSION="${PROJECT_VERSION}" AF2_LIBRARIES_FROM_PROGRAM="${libraries_from_program}")
+  AF2_VERSION="${PROJECT_VERSION}")
 
 foreach(format step iges)
   string(TOUPPER ${format} upper)

@@ -26,13 +26,14 @@ TEST(MeshFiles, RefuseAnUnknownExtensionAndNameTheKnownOnes) {
     EXPECT_STREQ(error.what(),
                  "cannot write 'mesh.xyz': its extension is not that of a mesh format; use .vtu "
                  ".vtk .msh .msh2 .stl "
-                 ".obj .ply .smesh .html .png .svg");
+                 ".obj .ply .smesh .inp .bdf .nas .med .exo .cgns .glb .html .png .svg");
   }
   EXPECT_THROW(meshFormatOf("mesh"), InputError);
 }
 
 TEST(MeshFiles, AreTheSameBytesForTheSameMesh) {
   for (const MeshFormat& format : meshFormats()) {
+    if (!isAvailable(format)) continue;
     const ModelMesh mesh =
         format.isOnlyPlanar ? oneElement({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}) : cubeMesh();
     EXPECT_EQ(written(mesh, format.extension), written(mesh, format.extension)) << format.name;
@@ -41,6 +42,7 @@ TEST(MeshFiles, AreTheSameBytesForTheSameMesh) {
 
 TEST(MeshFiles, CanHoldAnEmptyMesh) {
   for (const MeshFormat& format : meshFormats()) {
+    if (!isAvailable(format)) continue;
     EXPECT_FALSE(written({}, format.extension).empty()) << format.name;
   }
 }

@@ -114,9 +114,8 @@ TEST(ReadMesh, NotesWhatItLeavesOut) {
                                  "CELL_TYPES 4\n5\n10\n9\n5\n");
   EXPECT_EQ(file.mesh.elements.size(), 2u);
   ASSERT_EQ(file.mesh.notes.size(), 3u);
-  EXPECT_EQ(file.mesh.notes[0],
-            "left out: 1 element that cannot be measured: cells of VTK type 10");
-  EXPECT_EQ(file.mesh.notes[1], "measured as triangles: 1 quadrilateral with two equal corners");
+  EXPECT_EQ(file.mesh.notes[0], "left out: 1 element that AF2 does not read: cells of VTK type 10");
+  EXPECT_EQ(file.mesh.notes[1], "read as triangles: 1 quadrilateral with two equal corners");
 }
 
 TEST(ReadMesh, RefusesFilesThatAreCut) {

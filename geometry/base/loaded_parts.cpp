@@ -1,0 +1,78 @@
+#include "geometry/base/loaded_parts.h"
+
+#include <dlfcn.h>
+
+#include <sstream>
+#include <vector>
+
+#include "engine/base/error.h"
+
+namespace af2::geometry {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Looking up a name in its own library first, and only then in those of the program, saves a third
+/// of the time of loading. Where something replaces the functions of the C library that reserve
+/// memory, all libraries have to get the same ones, so this is left out.
+int bindingMode() {
+#if defined(RTLD_DEEPBIND) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+  for (const char* name : {"malloc", "free"}) {
+    Dl_info info{};
+    void* const function = ::dlsym(RTLD_DEFAULT, name);
+    if (!function || !::dladdr(function, &info) || !info.dli_fname ||
+        !fs::path(info.dli_fname).filename().string().starts_with("libc.so"))
+      return 0;
+  }
+  return RTLD_DEEPBIND;
+#else
+  return 0;
+#endif
+}
+
+fs::path folderOfProgram() {
+  std::error_code failed;
+  return fs::read_symlink("/proc/self/exe", failed).parent_path();
+}
+
+/// The same, except for a library that a program has loaded, such as a module for Python.
+fs::path folderOfThisCode() {
+  Dl_info info{};
+  if (!::dladdr(reinterpret_cast<void*>(&placeOfPart), &info) || !info.dli_fname) return {};
+  std::error_code failed;
+  return fs::weakly_canonical(info.dli_fname, failed).parent_path();
+}
+
+/// One that is not there under this name is found when the library is loaded, or that tells what is
+/// missing.
+void loadFirst(const char* names, int mode) {
+  std::istringstream list(names);
+  for (std::string name; list >> name;) ::dlopen(name.c_str(), RTLD_NOW | RTLD_LOCAL | mode);
+}
+
+}  // namespace
+
+fs::path placeOfPart(const std::string& library) {
+  std::error_code failed;
+  for (const fs::path& folder : {folderOfProgram(), folderOfThisCode()})
+    for (const fs::path& inside :
+         {fs::path(), fs::path(AF2_LIBRARIES_FROM_PROGRAM), fs::path("af2")})
+      if (!folder.empty() && fs::exists(folder / inside / library, failed))
+        return folder / inside / library;
+  return {};
+}
+
+void* entryOfPart(const std::string& library, const char* entry, const char* needed) {
+  const fs::path place = placeOfPart(library);
+  if (place.empty())
+    throw InputError("the library '" + library + "' that belongs to this program is not in '" +
+                     folderOfProgram().string() + "'; copy or install it along with the program");
+  const int mode = bindingMode();
+  loadFirst(needed, mode);
+  void* const loaded = ::dlopen(place.c_str(), RTLD_NOW | RTLD_LOCAL | mode);
+  if (!loaded) throw InputError("cannot load a part of this program: " + std::string(::dlerror()));
+  return ::dlsym(loaded, entry);
+}
+
+}  // namespace af2::geometry

@@ -1,0 +1,21 @@
+// Parts of AF2 that are libraries of their own, loaded when they are needed. Not installed.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace af2::geometry {
+
+/// Where the library lies: beside the program or library that has this code, or in the folder of
+/// its libraries. Empty: nowhere there.
+std::filesystem::path placeOfPart(const std::string& library);
+
+/// The function `entry` of the library, which is loaded and stays so. `needed` are the names of
+/// libraries that it needs, apart by blanks, each after those that it needs itself: loading them
+/// first makes each look for names in few of them. May be empty.
+///
+/// Throws InputError, naming the library, if it is not there or cannot be loaded; null if it has no
+/// such function.
+void* entryOfPart(const std::string& library, const char* entry, const char* needed = "");
+
+}  // namespace af2::geometry

@@ -1,0 +1,47 @@
+// Writers that are libraries of their own.
+#include <cstring>
+
+#include "engine/base/error.h"
+#include "geometry/base/loaded_parts.h"
+#include "geometry/formats/hdf5_times.h"
+#include "geometry/formats/writer_module.h"
+#include "geometry/io/formats.h"
+
+namespace af2::geometry {
+namespace {
+
+const WriterModule& loadedWriter(const char* library) {
+  void* const entry = entryOfPart(library, kWriterModuleEntry);
+  const WriterModule* const found =
+      entry ? reinterpret_cast<const WriterModule* (*)()>(entry)() : nullptr;
+  if (!found || std::strcmp(found->version, AF2_VERSION) != 0 || found->meshSize != kWriterMeshSize)
+    throw InputError(placeOfPart(library).string() +
+                     " belongs to another version of this program; build or install both together");
+  return *found;
+}
+
+void writeByModule(const char* library, const ModelMesh& mesh, const Extras& extras,
+                   OutputFile& file) {
+  const MshGroups groups(mesh, extras, {});
+  const GroupedMesh grouped{mesh, extras.lines, groupMembers(mesh, extras.lines, groups),
+                            elementBlocks(mesh, groups), sidesOnLines(mesh, extras.lines)};
+  const std::filesystem::path path = file.pathForOthers();
+  loadedWriter(library).write(grouped, path.c_str());
+  clearHdf5Times(path);
+}
+
+}  // namespace
+
+void writeMed(const ModelMesh& mesh, const Extras& extras, OutputFile& file) {
+  writeByModule(kMedWriter, mesh, extras, file);
+}
+
+void writeExodus(const ModelMesh& mesh, const Extras& extras, OutputFile& file) {
+  writeByModule(kExodusWriter, mesh, extras, file);
+}
+
+void writeCgns(const ModelMesh& mesh, const Extras& extras, OutputFile& file) {
+  writeByModule(kCgnsWriter, mesh, extras, file);
+}
+
+}  // namespace af2::geometry
