@@ -6,15 +6,14 @@
 namespace af2::mpi {
 
 enum CrewTopic : Topic {
-  kModel = 1,  ///< the file of the model
-  kOrders,     ///< from the leader to all: an Order, and what belongs to it
-  kTake,       ///< the number of a round: a thread wants tasks
-  kTasks,      ///< the answer: tries with their numbers; none: there are no more
-  kResults,    ///< meshes of faces, with the numbers of their tries
-  kGivenUp,    ///< why a process cannot go on
-  kDone,       ///< a process has done what it was told
+  kOrders = 1,  ///< from the leader to all: an Order, and what belongs to it
+  kTake,        ///< the number of a round: a thread wants tasks
+  kTasks,       ///< the answer: tries with their numbers; none: there are no more
+  kResults,     ///< meshes of faces, with the numbers of their tries
+  kGivenUp,     ///< why a process cannot go on
+  kDone,        ///< a process has done what it was told
 };
 
-enum class Order { BeginRun, BeginRound, EndRun, EndModel, TakePart, Commit, Stop };
+enum class Order { TakeModel, BeginRun, BeginRound, EndRun, EndModel, TakePart, Commit, Stop };
 
 }  // namespace af2::mpi

@@ -19,9 +19,9 @@ struct Column {
 };
 
 // Their names are those that ParaView looks for.
-constexpr std::array kOfVertices{Column{"UInt64", "GlobalNodeIds"}, Column{"UInt64", "number"},
+constexpr std::array kOfVertices{Column{"Int64", "GlobalNodeIds"}, Column{"Int64", "number"},
                                  Column{"Int32", "owner"}, Column{"UInt8", "vtkGhostType"}};
-constexpr std::array kOfElements{Column{"UInt64", "GlobalElementIds"}, Column{"UInt64", "number"},
+constexpr std::array kOfElements{Column{"Int64", "GlobalElementIds"}, Column{"Int64", "number"},
                                  Column{"Int32", "owner"}, Column{"UInt8", "vtkGhostType"},
                                  Column{"Int32", "face"}};
 constexpr std::uint8_t kGhost = 1;
@@ -48,8 +48,8 @@ void writeVertices(const OwnedPart& part, OutputFile& file) {
   const std::size_t count = part.vertices.size();
   const auto& [ids, numbers, owners, ghosts] = kOfVertices;
   file.text("<PointData GlobalIds=\"GlobalNodeIds\">\n");
-  writeValues<std::uint64_t>(ids, count, file, [&](auto v) { return part.vertexIds[v]; });
-  writeValues<std::uint64_t>(numbers, count, file, [&](auto v) { return part.vertexNumbers[v]; });
+  writeValues<std::int64_t>(ids, count, file, [&](auto v) { return part.vertexIds[v]; });
+  writeValues<std::int64_t>(numbers, count, file, [&](auto v) { return part.vertexNumbers[v]; });
   writeValues<std::int32_t>(owners, count, file, [&](auto v) { return part.vertexOwners[v]; });
   writeValues<std::uint8_t>(ghosts, count, file,
                             [&](auto v) { return v < part.ownedVertices ? 0 : kGhost; });
@@ -60,8 +60,8 @@ void writeElements(const OwnedPart& part, OutputFile& file) {
   const std::size_t count = part.elements.size();
   const auto& [ids, numbers, owners, ghosts, face] = kOfElements;
   file.text("<CellData GlobalIds=\"GlobalElementIds\">\n");
-  writeValues<std::uint64_t>(ids, count, file, [&](auto e) { return part.elementIds[e]; });
-  writeValues<std::uint64_t>(numbers, count, file, [&](auto e) { return part.elementNumbers[e]; });
+  writeValues<std::int64_t>(ids, count, file, [&](auto e) { return part.elementIds[e]; });
+  writeValues<std::int64_t>(numbers, count, file, [&](auto e) { return part.elementNumbers[e]; });
   writeValues<std::int32_t>(owners, count, file, [&](auto e) { return part.elementOwners[e]; });
   writeValues<std::uint8_t>(ghosts, count, file,
                             [&](auto e) { return e < part.ownedElements ? 0 : kGhost; });

@@ -96,7 +96,7 @@ int lead(Crew& crew, const Options& given, int threads) {
   const MeshOptions& options = given.mesh;
   refuseWhatNeedsOneProcess(options);
   MeshRequest request = checkedRequest(options);
-  sendModel(crew.post(), request.model);
+  sendModel(crew, request.model);
   request.options.threads = threads;
   request.options.crew = &crew;
   if (!given.parts.empty()) checkPartsFile(given.parts);
@@ -108,7 +108,7 @@ int lead(Crew& crew, const Options& given, int threads) {
 /// Meshes faces for the leader, which alone says and writes something.
 int follow(Crew& crew, const Options& given, int threads) {
   MeshOptions options = given.mesh;
-  const ModelCopy model(crew.post());
+  const ModelCopy model(crew);
   options.model = model.path().string();
   options.outputs.clear();
   options.report.clear();

@@ -35,14 +35,14 @@ fs::path newFolder() {
 
 }  // namespace
 
-void sendModel(Post& post, const fs::path& model) {
-  if (post.ranks() > 1)
-    post.sendToAll(kModel, bytesOf(model.filename().string(), bytesOfFile(model)));
+void sendModel(Crew& crew, const fs::path& model) {
+  if (crew.post().ranks() > 1)
+    crew.orderAll(Order::TakeModel, bytesOf(model.filename().string(), bytesOfFile(model)));
 }
 
-ModelCopy::ModelCopy(Post& post) {
-  const Letter letter = post.receive(kModel);
-  ByteReader reader(letter.bytes);
+ModelCopy::ModelCopy(Crew& crew) {
+  const Bytes letter = crew.waitFor(Order::TakeModel);
+  ByteReader reader(letter);
   const auto name = reader.take<std::string>();
   const auto bytes = reader.take<Bytes>();
   folder_ = newFolder();
