@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "engine/run/mesh_region.h"
 #include "geometry/edges/divided_edges.h"
 #include "geometry/mesh/face_mesh.h"
 #include "geometry/mesh/try_limits.h"
@@ -36,7 +37,9 @@ RunChange changeOf(const MeshingOptions& options);
 MeshingOptions withChange(MeshingOptions options, const RunChange& change);
 
 /// Meshes a face within the edges of a round. Called from several threads at once.
-using MeshTry = std::function<FaceMesh(const FaceTry&)>;
+///
+/// pieces  who else meshes pieces of the face, if it is cut; may be null
+using MeshTry = std::function<FaceMesh(const FaceTry&, RegionCrew* pieces)>;
 /// Takes the mesh of the k-th try. Called from several threads, also at once.
 using TakeMesh = std::function<void(std::size_t k, FaceMesh)>;
 
@@ -75,8 +78,8 @@ class CrewFollower {
 class FaceCrew {
  public:
   virtual ~FaceCrew() = default;
-  virtual CrewLeader* leader() = 0;      ///< null: this process follows
-  virtual CrewFollower* follower() = 0;  ///< null: this process leads
+  virtual CrewLeader* leader() = 0;      ///< null: this process follows, or is alone
+  virtual CrewFollower* follower() = 0;  ///< null: this process leads, or is alone
 };
 
 }  // namespace af2::geometry

@@ -71,8 +71,8 @@ class FaceRun final : public RetriedModel {
     while (const std::optional<FaceRound> round = crew.nextRound()) {
       const PositionSize sizes = refinedSizes(source_.sizesByPosition(), round->near,
                                               options_.sizes.growth, largestOf(options_.sizes));
-      crew.help([&](const FaceTry& next) {
-        return meshed(next.face, sizes, next.limits, round->divided, {});
+      crew.help([&](const FaceTry& next, RegionCrew* pieces) {
+        return meshed(next.face, sizes, next.limits, round->divided, {}, pieces);
       });
     }
   }
@@ -92,7 +92,7 @@ class FaceRun final : public RetriedModel {
 
   void mesh(std::size_t i, const PositionSize& sizes, const TryLimits& limits,
             FaceMeshes& into) const override {
-    into.meshes[i] = meshed(i, sizes, limits, into.divided, {});
+    into.meshes[i] = meshed(i, sizes, limits, into.divided, {}, nullptr);
   }
 
   void meshAll(std::span<const FaceTry> tries, const RequestedSizes& sizes, int threads,
@@ -102,8 +102,8 @@ class FaceRun final : public RetriedModel {
     for (const FaceTry& next : tries) work.push_back(source_.workOn(faces_[next.face]));
     leader_->meshAll(
         {into.divided, sizes.places}, tries, work,
-        [&](const FaceTry& next) {
-          return meshed(next.face, sizes.sizes, next.limits, into.divided, {});
+        [&](const FaceTry& next, RegionCrew* pieces) {
+          return meshed(next.face, sizes.sizes, next.limits, into.divided, {}, pieces);
         },
         [&](std::size_t k, FaceMesh mesh) { into.meshes[tries[k].face] = std::move(mesh); });
   }
@@ -140,9 +140,10 @@ class FaceRun final : public RetriedModel {
     for (const int face : faces_) work.push_back(source_.workOn(face));
     ProgressSum progress(options_.progress, work);
     state.meshes.resize(faces_.size());
-    const auto mesh = [&](std::size_t i) {
-      return meshed(i, source_.sizesByPosition(), {}, state.divided,
-                    [&](const Progress& p) { progress.advance(i, p.elements); });
+    const auto mesh = [&](std::size_t i, RegionCrew* pieces) {
+      return meshed(
+          i, source_.sizesByPosition(), {}, state.divided,
+          [&](const Progress& p) { progress.advance(i, p.elements); }, pieces);
     };
     const auto take = [&](std::size_t i, FaceMesh meshOfFace) {
       state.meshes[i] = std::move(meshOfFace);
@@ -152,12 +153,12 @@ class FaceRun final : public RetriedModel {
       std::vector<FaceTry> tries(faces_.size());
       for (std::size_t i = 0; i < tries.size(); ++i) tries[i].face = i;
       return leader_->meshAll(
-          {state.divided, {}}, tries, work, [&](const FaceTry& next) { return mesh(next.face); },
-          take);
+          {state.divided, {}}, tries, work,
+          [&](const FaceTry& next, RegionCrew* pieces) { return mesh(next.face, pieces); }, take);
     }
     const std::vector<std::size_t> order = largestFirst(work);
     forEachInParallel(faces_.size(), options_.threads,
-                      [&](std::size_t k) { take(order[k], mesh(order[k])); });
+                      [&](std::size_t k) { take(order[k], mesh(order[k], nullptr)); });
   }
 
   void retry(FaceMeshes& state) const {
@@ -170,7 +171,8 @@ class FaceRun final : public RetriedModel {
   }
 
   FaceMesh meshed(std::size_t i, const PositionSize& sizes, const TryLimits& limits,
-                  const DividedEdges& divided, const ProgressCallback& progress) const {
+                  const DividedEdges& divided, const ProgressCallback& progress,
+                  RegionCrew* pieces) const {
     const Stopwatch watch;
     const int face = faces_[i];
     FaceMesh mesh;
@@ -179,8 +181,9 @@ class FaceRun final : public RetriedModel {
       mesh.report.status = FaceStatus::Cancelled;
       return mesh;
     }
-    FillOptions fill{options_.chart,       options_.optimize, options_.quads,
-                     options_.strictRules, options_.stop,     {}};
+    FillOptions fill{
+        options_.chart, options_.optimize, options_.quads, options_.strictRules, options_.stop, {},
+        pieces};
     if (options_.observer) fill.observer = [&] { return options_.observer(face); };
     try {
       source_.fill(face, {sizes, limits, divided, algorithm_, fill, options_.order == 2, progress},
@@ -301,7 +304,7 @@ ModelMesh meshFaces(FaceSource& source, const AF2Algorithm& algorithm,
       return;
     }
     mesh = meshWithin(source, algorithm, own);
-    if (own.crew) own.crew->leader()->endModel(mesh);
+    if (own.crew && own.crew->leader()) own.crew->leader()->endModel(mesh);
   });
   return mesh;
 }

@@ -22,7 +22,8 @@ Crew::~Crew() {
   if (leader_ && std::uncaught_exceptions() > 0) leader_->stop("rank 0 could not go on", 1);
 }
 
-geometry::CrewLeader* Crew::leader() { return leader_.get(); }
+/// Alone, threads do better without a board of tasks.
+geometry::CrewLeader* Crew::leader() { return post_.ranks() > 1 ? leader_.get() : nullptr; }
 geometry::CrewFollower* Crew::follower() { return follower_.get(); }
 
 void Crew::order(int process, Order order, Bytes bytes) {

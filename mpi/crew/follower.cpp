@@ -2,8 +2,7 @@
 
 #include <utility>
 
-#include "geometry/base/parallel.h"
-#include "mpi/crew/face_bytes.h"
+#include "mpi/crew/region_bytes.h"
 
 namespace af2::mpi {
 
@@ -19,6 +18,12 @@ Order orderIn(ByteReader& reader) {
 }
 
 }  // namespace
+
+Crew::Follower::Follower(Post& post, std::size_t threads)
+    : post_(post), workers_(post.rank(), threads) {
+  post_.handle(kPiece, [this](const Letter& letter) { workers_.takePiece(letter.bytes); });
+  post_.handle(kAbandon, [this](const Letter&) { workers_.giveUp(); });
+}
 
 std::optional<RunChange> Crew::Follower::nextRun() {
   const Letter letter = post_.receive(kOrders);
@@ -37,16 +42,7 @@ std::optional<FaceRound> Crew::Follower::nextRound() {
   return FaceRound{divided_, std::move(near)};
 }
 
-void Crew::Follower::help(const MeshTry& mesh) {
-  forEachInParallel(threads_, 0, [&](std::size_t) {
-    for (auto tries = nextTries(); !tries.empty(); tries = nextTries()) {
-      ByteWriter results;
-      results(round_);
-      for (const NumberedTry& one : tries) results(one.number, mesh(one.what));
-      post_.send(0, kResults, results.take());
-    }
-  });
-}
+void Crew::Follower::help(const MeshTry& mesh) { workers_.work(*this, round_, mesh); }
 
 ModelMesh Crew::Follower::reports() { return std::exchange(reports_, {}); }
 
@@ -69,10 +65,30 @@ int Crew::Follower::waitForStop() {
   }
 }
 
-std::vector<NumberedTry> Crew::Follower::nextTries() {
-  post_.send(0, kTake, bytesOf(round_));
-  const Letter letter = post_.receive(kTasks);
-  return ByteReader(letter.bytes).take<std::vector<NumberedTry>>();
+Task Crew::Follower::nextTask(std::size_t slot) {
+  post_.send(0, kAsk, bytesOf(std::uint64_t{slot}, round_));
+  const Letter letter = post_.receive(replyTo(slot));
+  return ByteReader(letter.bytes).take<Task>();
+}
+
+void Crew::Follower::finish(std::vector<NumberedMesh> meshes) {
+  post_.send(0, kResults, bytesOf(round_, meshes));
+}
+
+void Crew::Follower::offer(const RegionKey& region, const std::vector<double>& work) {
+  post_.send(0, kOffer, bytesOf(region, work));
+}
+
+std::optional<std::size_t> Crew::Follower::nextPiece(const RegionKey& region, std::size_t slot,
+                                                     bool isInvited) {
+  post_.send(0, kAskPiece, bytesOf(std::uint64_t{slot}, region, isInvited));
+  const Letter letter = post_.receive(replyTo(slot));
+  return ByteReader(letter.bytes).take<std::optional<std::size_t>>();
+}
+
+void Crew::Follower::deliver(int owner, const RegionKey& region, std::size_t piece,
+                             const RegionMesh& mesh) {
+  post_.send(owner, kPiece, bytesOfPiece(region, piece, mesh));
 }
 
 }  // namespace af2::mpi

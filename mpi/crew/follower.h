@@ -1,17 +1,15 @@
 // A process of a crew that does not lead.
 #pragma once
 
-#include <vector>
-
 #include "mpi/crew/crew.h"
-#include "mpi/crew/numbered_try.h"
 #include "mpi/crew/topics.h"
+#include "mpi/crew/workers.h"
 
 namespace af2::mpi {
 
-class Crew::Follower final : public geometry::CrewFollower {
+class Crew::Follower final : public geometry::CrewFollower, private TaskSource {
  public:
-  Follower(Post& post, std::size_t threads) : post_(post), threads_(threads) {}
+  Follower(Post& post, std::size_t threads);
 
   std::optional<geometry::RunChange> nextRun() override;
   std::optional<geometry::FaceRound> nextRound() override;
@@ -21,10 +19,16 @@ class Crew::Follower final : public geometry::CrewFollower {
   int waitForStop();
 
  private:
-  std::vector<NumberedTry> nextTries();
+  Task nextTask(std::size_t slot) override;
+  void finish(std::vector<NumberedMesh> meshes) override;
+  void offer(const RegionKey& region, const std::vector<double>& work) override;
+  std::optional<std::size_t> nextPiece(const RegionKey& region, std::size_t slot,
+                                       bool isInvited) override;
+  void deliver(int owner, const RegionKey& region, std::size_t piece,
+               const RegionMesh& mesh) override;
 
   Post& post_;
-  std::size_t threads_;
+  Workers workers_;
   std::uint64_t round_ = 0;
   geometry::DividedEdges divided_;
   geometry::ModelMesh reports_;

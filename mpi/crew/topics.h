@@ -7,12 +7,18 @@ namespace af2::mpi {
 
 enum CrewTopic : Topic {
   kOrders = 1,  ///< from the leader to all: an Order, and what belongs to it
-  kTake,        ///< the number of a round: a thread wants tasks
-  kTasks,       ///< the answer: tries with their numbers; none: there are no more
-  kResults,     ///< meshes of faces, with the numbers of their tries
-  kGivenUp,     ///< why a process cannot go on
-  kDone,        ///< a process has done what it was told
+  kAsk,         ///< to the leader: a thread, by its slot, wants a task of a round
+  kAskPiece,    ///< to the leader: a thread, by its slot, wants a piece of a region
+  kOffer,       ///< to the leader: a region, and the work of its pieces
+  kResults,     ///< to the leader: the number of a round, and meshes with their numbers
+  kPiece,       ///< to the owner of a region: a piece, with its mesh
+  kDone,        ///< to the leader: a process has done what it was told
+  kGivenUp,     ///< to the leader: why a process cannot go on
+  kAbandon,     ///< from the leader to all: what others still owe will not come
+  kReplies,     ///< and those after it, by slot: answers of the leader
 };
+
+inline Topic replyTo(std::uint64_t slot) { return kReplies + static_cast<Topic>(slot); }
 
 enum class Order { TakeModel, BeginRun, BeginRound, EndRun, EndModel, TakePart, Commit, Stop };
 

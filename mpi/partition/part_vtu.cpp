@@ -29,8 +29,9 @@ constexpr std::uint8_t kGhost = 1;
 template <class Value, class At>
 void writeArray(const Column& column, std::size_t count, int components, OutputFile& file, At at) {
   file.text("<DataArray type=\"" + std::string(column.type) + "\" Name=\"" +
-            std::string(column.name) + "\" NumberOfComponents=\"" + std::to_string(components) +
-            "\" format=\"binary\">\n");
+            std::string(column.name) + "\"");
+  if (components > 1) file.text(" NumberOfComponents=\"" + std::to_string(components) + "\"");
+  file.text(" format=\"binary\">\n");
   Base64Stream stream(file);
   stream.put(std::uint64_t{count * static_cast<std::size_t>(components) * sizeof(Value)});
   for (std::size_t i = 0; i < count; ++i) at(i, [&](Value value) { stream.put(value); });
