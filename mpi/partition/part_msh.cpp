@@ -185,8 +185,17 @@ class PartMsh {
   }
 
   /// Tags are those of the whole mesh, from 1.
-  void putHead(std::uint64_t blocks, std::uint64_t count, std::uint64_t highest) {
-    for (const std::uint64_t number : {blocks, count, std::uint64_t{1}, highest})
+  ///
+  /// more  lines, whose tags are higher
+  void putHead(std::uint64_t blocks, const std::vector<std::uint64_t>& ids, std::uint64_t more,
+               std::uint64_t highestOfMore) {
+    if (ids.empty()) {  // there are more processes than elements
+      for (int i = 0; i < 4; ++i) file_.binary(std::uint64_t{0});
+      return;
+    }
+    const auto [least, most] = std::ranges::minmax(ids);
+    for (const std::uint64_t number :
+         {blocks, ids.size() + more, least + 1, more > 0 ? highestOfMore : most + 1})
       file_.binary(number);
   }
 
@@ -194,7 +203,7 @@ class PartMsh {
     file_.text("$Nodes\n");
     putHead(static_cast<std::uint64_t>(std::ranges::count_if(
                 entities_, [](const PartEntity& e) { return !e.vertices.empty(); })),
-            part_.vertices.size(), part_.allVertices);
+            part_.vertexIds, 0, 0);
     for (const PartEntity& entity : entities_) {
       if (entity.vertices.empty()) continue;
       for (const std::int32_t number : {entity.dimension, entity.tag, 0}) file_.binary(number);
@@ -225,7 +234,8 @@ class PartMsh {
     for (const PartEntity& e : entities_)
       blocks += !e.lines.empty() + !e.triangles.empty() + !e.quads.empty();
     file_.text("$Elements\n");
-    putHead(blocks, part_.elements.size() + part_.lines.size(), part_.allElements + part_.allLines);
+    putHead(blocks, part_.elementIds, part_.lines.size(),
+            part_.lines.empty() ? 0 : part_.allElements + part_.lines.back().id + 1);
     const bool isSecond = !part_.midsides.empty();
     const auto tagOfLine = [&](std::size_t i) { return part_.allElements + part_.lines[i].id + 1; };
     const auto tagOfElement = [&](std::size_t e) { return part_.elementIds[e] + 1; };
