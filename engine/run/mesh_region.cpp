@@ -208,25 +208,74 @@ StripTools stripToolsOf(const AF2Algorithm& algorithm, const RegionTask& task,
   return {finish, forEach, options.stop};
 }
 
-/// Calls finish(p) when piece p is meshed.
-template <class Finish>
-void meshPieces(const AF2Algorithm& algorithm, const RegionTask& task, const SplitRegion& split,
-                const FrontOptions& options, std::vector<RegionMesh>& pieces,
-                const Finish& finish) {
-  SharedProgress progress(options.progress, pieces.size());
-  const auto mesh = [&](std::size_t p) {
-    FrontOptions own = options;
-    own.progress = progress.ofPiece(p);
-    own.expectedElements = split.pieces[p].expectedElements;
-    pieces[p] = meshPiece(algorithm, task, split.pieces[p].input, own);
-    finish(p);
-  };
-  if (options.observer)
-    // One after the other: the observer must receive steps in order.
-    for (std::size_t p = 0; p < pieces.size(); ++p) mesh(p);
-  else
-    forEachInArena(task, pieces.size(), mesh);
-}
+/// Meshes the pieces of a region, and joins them.
+class PieceMesher {
+ public:
+  PieceMesher(const AF2Algorithm& algorithm, const RegionTask& task, const SplitRegion& split,
+              const FrontOptions& options)
+      : algorithm_(algorithm),
+        task_(task),
+        split_(split),
+        options_(options),
+        pieces_(split.pieces.size()),
+        joiner_(task, split, pieces_),
+        progress_(options.progress, pieces_.size()) {}
+
+  /// Whether the pieces are this process's.
+  bool meshAll() {
+    const auto finish = [&](std::size_t p) {
+      pieces_[p] = mesh(p);
+      joiner_.finish(p);
+    };
+    if (options_.observer)
+      // One after the other: the observer must receive steps in order.
+      for (std::size_t p = 0; p < pieces_.size(); ++p) finish(p);
+    else if (task_.crew)
+      return meshWithCrew();
+    else
+      forEachInArena(task_, pieces_.size(), finish);
+    return true;
+  }
+
+  const std::vector<RegionMesh>& pieces() const { return pieces_; }
+  PieceJoiner& joiner() { return joiner_; }
+
+ private:
+  RegionMesh mesh(std::size_t p) {
+    FrontOptions own = options_;
+    Progress last;
+    if (const ProgressCallback report = progress_.ofPiece(p))
+      own.progress = [&last, report](const Progress& now) {
+        last = now;
+        report(now);
+      };
+    own.expectedElements = split_.pieces[p].expectedElements;
+    RegionMesh piece = meshPiece(algorithm_, task_, split_.pieces[p].input, own);
+    piece.progress = last;
+    return piece;
+  }
+
+  bool meshWithCrew() {
+    std::vector<double> work;
+    for (const RegionPiece& piece : split_.pieces) work.push_back(piece.expectedElements);
+    return task_.crew->meshPieces(
+        work, [&](std::size_t p) { return mesh(p); },
+        [&](std::size_t p, RegionMesh piece) {
+          // Limits hold for all pieces together, wherever they were meshed.
+          if (const ProgressCallback report = progress_.ofPiece(p)) report(piece.progress);
+          pieces_[p] = std::move(piece);
+          joiner_.finish(p);
+        });
+  }
+
+  const AF2Algorithm& algorithm_;
+  const RegionTask& task_;
+  const SplitRegion& split_;
+  const FrontOptions& options_;
+  std::vector<RegionMesh> pieces_;
+  PieceJoiner joiner_;
+  SharedProgress progress_;
+};
 
 }  // namespace
 
@@ -249,11 +298,10 @@ RegionMesh meshRegion(const AF2Algorithm& algorithm, const RegionTask& given,
 
   RegionMesh whole;
   whole.seconds = watch.seconds();
-  std::vector<RegionMesh> pieces(split.pieces.size());
-  PieceJoiner joiner(task, split, pieces);
-  meshPieces(algorithm, task, split, options, pieces, [&](std::size_t p) { joiner.finish(p); });
-  bool isSound = true, isCancelled = false;
-  for (const RegionMesh& piece : pieces) {
+  PieceMesher mesher(algorithm, task, split, options);
+  bool isCancelled = !mesher.meshAll();
+  bool isSound = true;
+  for (const RegionMesh& piece : mesher.pieces()) {
     isSound = isSound && piece.result.outcome == Outcome::Complete && piece.fault.empty();
     isCancelled = isCancelled || piece.result.outcome == Outcome::Cancelled;
     whole.seconds += piece.seconds;
@@ -261,18 +309,18 @@ RegionMesh meshRegion(const AF2Algorithm& algorithm, const RegionTask& given,
   }
   // If a piece fails because of a badly placed cut, the whole region is meshed without cuts.
   if (!isSound && !isCancelled) {
-    joiner.result();  // frees its memory
+    mesher.joiner().result();  // frees its memory
     return meshPiece(algorithm, task, task.input, options);
   }
 
-  whole.result = joiner.result();
+  whole.result = mesher.joiner().result();
   if (isCancelled) {
     whole.result.outcome = Outcome::Cancelled;
     return whole;
   }
   const Stopwatch optimizing;
   if (task.optimize)
-    optimizeAlongCuts(whole.result.mesh, task.input, split, joiner.alongCuts(),
+    optimizeAlongCuts(whole.result.mesh, task.input, split, mesher.joiner().alongCuts(),
                       stripToolsOf(algorithm, task, options));
   whole.optimizeSeconds += optimizing.seconds();
   whole.seconds += optimizing.seconds();

@@ -3,6 +3,8 @@
 
 #include <functional>
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "engine/base/export.h"
 #include "engine/optimize/optimize.h"
@@ -18,6 +20,30 @@ struct PieceTools {
   std::shared_ptr<const SizeField> size;
 };
 
+struct RegionMesh {
+  MeshingResult result;
+  std::string fault;           ///< what is wrong with the mesh; empty: it is sound
+  double optimizeSeconds = 0;  ///< summed over threads
+  double seconds = 0;          ///< total, likewise summed over threads
+  Progress progress = {};      ///< the last that its front reported
+};
+
+/// Others that mesh pieces of a region, too, such as processes that have the same task.
+class RegionCrew {
+ public:
+  using MeshPiece = std::function<RegionMesh(std::size_t piece)>;
+  using TakePiece = std::function<void(std::size_t piece, RegionMesh mesh)>;
+
+  virtual ~RegionCrew() = default;
+  /// Meshes the pieces of a region that is cut. Calls `take` once for each of them, from any
+  /// thread. Returns false if the region is another process's, which gets what was meshed here.
+  ///
+  /// work  by piece: the expected number of elements
+  /// mesh  meshes a piece in this process; may be called from several threads at once
+  virtual bool meshPieces(const std::vector<double>& work, const MeshPiece& mesh,
+                          const TakePiece& take) = 0;
+};
+
 /// A region and the surface on which it lies.
 struct RegionTask {
   const FrontInput& input;
@@ -29,13 +55,7 @@ struct RegionTask {
   bool optimize = true;  ///< false: the mesh stays as the front made it, whatever the rule set says
   int threads = 0;       ///< maximum; 0: as many as the caller's TBB arena has
   QuadCleanUp quads = {};
-};
-
-struct RegionMesh {
-  MeshingResult result;
-  std::string fault;           ///< what is wrong with the mesh; empty: it is sound
-  double optimizeSeconds = 0;  ///< summed over threads
-  double seconds = 0;          ///< total, likewise summed over threads
+  RegionCrew* crew = nullptr;  ///< null: the threads of this process mesh all pieces
 };
 
 /// Cuts the region if it is large, meshes the pieces in parallel, optimises them and the strips

@@ -130,7 +130,8 @@ FaceAttempt inPieces(const FaceTask& task, ChartKind kind, const FrontOptions& o
                                 {},
                                 task.options.optimize,
                                 0,
-                                task.options.quads},
+                                task.options.quads,
+                                task.options.crew},
                                options);
   FaceAttempt attempt;
   attempt.charts = task.surface.makeCharts(kind);
@@ -171,7 +172,8 @@ FaceAttempt laidOut(const FaceTask& task, ChartKind kind, const FrontOptions& op
                                   {},
                                   task.options.optimize,
                                   0,
-                                  task.options.quads},
+                                  task.options.quads,
+                                  task.options.crew},
                                  options);
     take(mesh, task, attempt);
   } catch (const InputError& error) {

@@ -49,6 +49,7 @@ struct FillOptions {
   bool strictRules = false;  ///< only rules make elements, with the first chart
   std::stop_token stop = {};
   std::function<AF2MeshingObserver*()> observer;  ///< of each front
+  RegionCrew* crew = nullptr;                     ///< who else meshes pieces of the face
 };
 
 /// The input for filling a face.

@@ -19,4 +19,10 @@ struct TryLimits {
   bool hasOriginalSizes = true;
 };
 
+/// One try at a face.
+struct FaceTry {
+  std::size_t face = 0;  ///< in the order of the request, from 0
+  TryLimits limits;
+};
+
 }  // namespace af2::geometry

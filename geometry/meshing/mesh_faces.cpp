@@ -18,6 +18,7 @@
 #include "geometry/meshing/check_options.h"
 #include "geometry/meshing/chord_rounds.h"
 #include "geometry/meshing/even_division.h"
+#include "geometry/meshing/face_crew.h"
 #include "geometry/meshing/progress_sum.h"
 #include "geometry/sizes/coarser_sizes.h"
 #include "geometry/sizes/too_many.h"
@@ -41,19 +42,21 @@ class FaceRun final : public RetriedModel {
       : source_(source),
         algorithm_(algorithm),
         options_(options),
-        faces_(facesAskedFor(source, options)) {}
+        faces_(facesAskedFor(source, options)),
+        leader_(options.crew ? options.crew->leader() : nullptr) {}
 
   MeasuredMesh mesh() {
     const Stopwatch edgesWatch;
-    source_.prepare(options_, faces_);
-    for (const int face : faces_) edgesOfFaces_.push_back(source_.edgesOf(face));
+    if (leader_) leader_->beginRun(changeOf(options_));
+    prepare();
     FaceMeshes state;
     state.divided = divide(source_.sizesByPosition(), {});
     const double edgeSeconds = edgesWatch.seconds();
 
     const Stopwatch facesWatch;
-    meshAll(state);
+    meshFirst(state);
     retry(state);
+    if (leader_) leader_->endRun();
     const double optimizeShare = shareOfOptimizing(state.meshes);
     const double faceSeconds = facesWatch.seconds();
     MeasuredMesh result = finished(state);
@@ -62,6 +65,18 @@ class FaceRun final : public RetriedModel {
     seconds.optimize = optimizeShare * faceSeconds;
     seconds.surface = faceSeconds - seconds.optimize;
     return result;
+  }
+
+  /// Meshes what the leader of the crew tells.
+  void follow(CrewFollower& crew) {
+    prepare();
+    while (const std::optional<FaceRound> round = crew.nextRound()) {
+      const PositionSize sizes = refinedSizes(source_.sizesByPosition(), round->near,
+                                              options_.sizes.growth, largestOf(options_.sizes));
+      crew.help([&](const FaceTry& next, RegionCrew* pieces) {
+        return meshed(next.face, sizes, next.limits, round->divided, {}, pieces);
+      });
+    }
   }
 
   const std::vector<std::vector<int>>& edgesOfFaces() const override { return edgesOfFaces_; }
@@ -79,7 +94,20 @@ class FaceRun final : public RetriedModel {
 
   void mesh(std::size_t i, const PositionSize& sizes, const TryLimits& limits,
             FaceMeshes& into) const override {
-    into.meshes[i] = meshed(i, sizes, limits, into.divided, {});
+    into.meshes[i] = meshed(i, sizes, limits, into.divided, {}, nullptr);
+  }
+
+  void meshAll(std::span<const FaceTry> tries, const RequestedSizes& sizes, int threads,
+               FaceMeshes& into) const override {
+    if (!leader_) return RetriedModel::meshAll(tries, sizes, threads, into);
+    std::vector<double> work;
+    for (const FaceTry& next : tries) work.push_back(source_.workOn(faces_[next.face]));
+    leader_->meshAll(
+        {into.divided, sizes.places}, tries, work,
+        [&](const FaceTry& next, RegionCrew* pieces) {
+          return meshed(next.face, sizes.sizes, next.limits, into.divided, {}, pieces);
+        },
+        [&](std::size_t k, FaceMesh mesh) { into.meshes[tries[k].face] = std::move(mesh); });
   }
 
   void join(FaceMeshes& state) const override {
@@ -103,18 +131,36 @@ class FaceRun final : public RetriedModel {
   }
 
  private:
-  void meshAll(FaceMeshes& state) const {
+  void prepare() {
+    source_.prepare(options_, faces_);
+    for (const int face : faces_) edgesOfFaces_.push_back(source_.edgesOf(face));
+  }
+
+  /// The first try at each face.
+  void meshFirst(FaceMeshes& state) const {
     std::vector<double> work;
     for (const int face : faces_) work.push_back(source_.workOn(face));
     ProgressSum progress(options_.progress, work);
     state.meshes.resize(faces_.size());
-    const std::vector<std::size_t> order = largestFirst(work);
-    forEachInParallel(faces_.size(), options_.threads, [&](std::size_t k) {
-      const std::size_t i = order[k];
-      state.meshes[i] = meshed(i, source_.sizesByPosition(), {}, state.divided,
-                               [&](const Progress& p) { progress.advance(i, p.elements); });
+    const auto mesh = [&](std::size_t i, RegionCrew* pieces) {
+      return meshed(
+          i, source_.sizesByPosition(), {}, state.divided,
+          [&](const Progress& p) { progress.advance(i, p.elements); }, pieces);
+    };
+    const auto take = [&](std::size_t i, FaceMesh meshOfFace) {
+      state.meshes[i] = std::move(meshOfFace);
       progress.finish(i, state.meshes[i].elements.size());
-    });
+    };
+    if (leader_) {
+      std::vector<FaceTry> tries(faces_.size());
+      for (std::size_t i = 0; i < tries.size(); ++i) tries[i].face = i;
+      return leader_->meshAll(
+          {state.divided, {}}, tries, work,
+          [&](const FaceTry& next, RegionCrew* pieces) { return mesh(next.face, pieces); }, take);
+    }
+    const std::vector<std::size_t> order = largestFirst(work);
+    forEachInParallel(faces_.size(), options_.threads,
+                      [&](std::size_t k) { take(order[k], mesh(order[k], nullptr)); });
   }
 
   void retry(FaceMeshes& state) const {
@@ -127,7 +173,8 @@ class FaceRun final : public RetriedModel {
   }
 
   FaceMesh meshed(std::size_t i, const PositionSize& sizes, const TryLimits& limits,
-                  const DividedEdges& divided, const ProgressCallback& progress) const {
+                  const DividedEdges& divided, const ProgressCallback& progress,
+                  RegionCrew* pieces) const {
     const Stopwatch watch;
     const int face = faces_[i];
     FaceMesh mesh;
@@ -136,13 +183,15 @@ class FaceRun final : public RetriedModel {
       mesh.report.status = FaceStatus::Cancelled;
       return mesh;
     }
-    FillOptions fill{options_.chart,       options_.optimize, options_.quads,
-                     options_.strictRules, options_.stop,     {}};
+    FillOptions fill{
+        options_.chart, options_.optimize, options_.quads, options_.strictRules, options_.stop, {},
+        pieces};
     if (options_.observer) fill.observer = [&] { return options_.observer(face); };
     try {
       source_.fill(face, {sizes, limits, divided, algorithm_, fill, options_.order == 2, progress},
                    mesh);
     } catch (const std::bad_alloc&) {
+      if (options_.crew) throw;  // the other processes may have enough
       failFor("there is not enough memory; ask for a larger size", mesh);
     } catch (const std::exception& failure) {
       failFor(failure.what(), mesh);
@@ -198,6 +247,7 @@ class FaceRun final : public RetriedModel {
   const AF2Algorithm& algorithm_;
   const MeshingOptions& options_;
   std::vector<int> faces_;
+  CrewLeader* leader_;  ///< null: no other process meshes faces for this one
   std::vector<std::vector<int>> edgesOfFaces_;
 };
 
@@ -219,7 +269,18 @@ void addNarrowPlaces(FaceSource& source, const AF2Algorithm& algorithm, MeshingO
              leastForLimits(options.sizes.size, options.sizes.minSize), options.sizes.sources);
 }
 
-ModelMesh meshWithSizes(FaceSource& source, const AF2Algorithm& algorithm, MeshingOptions options) {
+/// Does what the leader of the crew decides, as often as it meshes the faces.
+ModelMesh follow(CrewFollower& crew, FaceSource& source, const AF2Algorithm& algorithm,
+                 const MeshingOptions& options) {
+  while (const std::optional<RunChange> change = crew.nextRun()) {
+    const MeshingOptions own = withChange(options, *change);
+    FaceRun(source, algorithm, own).follow(crew);
+  }
+  return crew.reports();
+}
+
+/// Finds narrow places first, and keeps to the bounds on the distance from the model.
+ModelMesh meshWithin(FaceSource& source, const AF2Algorithm& algorithm, MeshingOptions options) {
   if (options.sizes.elementsAcross > 0) addNarrowPlaces(source, algorithm, options);
   const auto make = [&](const MeshingOptions& asked) {
     return FaceRun(source, algorithm, asked).mesh();
@@ -236,13 +297,13 @@ ModelMesh meshWithinMemory(FaceSource& source, const AF2Algorithm& algorithm,
   constexpr double kMost = 1e6;  // then something else is wrong
   for (double factor = 1;;) {
     try {
-      ModelMesh mesh = meshWithSizes(source, algorithm, options);
+      ModelMesh mesh = meshWithin(source, algorithm, options);
       if (factor > 1)
         mesh.notes.push_back("the sizes that were asked for need too much memory: all are " +
                              af2::textOf(factor, 4) + " times as large");
       return mesh;
     } catch (const TooManyElements& error) {
-      if (!options.coarsen || factor > kMost) throw;
+      if (!options.coarsen || options.crew || factor > kMost) throw;
       factor *= error.factor();
       options.sizes = timesAsLarge(std::move(options.sizes), error.factor());
     }
@@ -259,7 +320,12 @@ ModelMesh meshFaces(FaceSource& source, const AF2Algorithm& algorithm,
   withThreads(options.threads, [&] {
     MeshingOptions own = optionsFor(source, options);
     own.threads = 0;  // as many as the arena has
-    mesh = meshWithinMemory(source, algorithm, std::move(own));
+    if (own.crew && own.crew->follower()) {
+      mesh = follow(*own.crew->follower(), source, algorithm, own);
+      return;
+    }
+    mesh = meshWithinMemory(source, algorithm, own);
+    if (own.crew && own.crew->leader()) own.crew->leader()->endModel(mesh);
   });
   return mesh;
 }

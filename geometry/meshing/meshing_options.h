@@ -16,6 +16,8 @@
 
 namespace af2::geometry {
 
+class FaceCrew;
+
 /// The progress of meshing a model. Work is counted in expected elements.
 struct ModelProgress {
   double workDone = 0, workTotal = 0;
@@ -67,6 +69,8 @@ struct MeshingOptions {
   std::stop_token stop;
   /// The observer of one face, or null; called on the thread that meshes the face.
   std::function<AF2MeshingObserver*(int face)> observer;
+  /// Other processes that mesh faces of the same model, as af2-mpi has; null: none.
+  FaceCrew* crew = nullptr;
 
   /// Planar domains: each segment of the domain is one edge of the mesh, of any length.
   bool keepBoundary = false;

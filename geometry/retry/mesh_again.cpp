@@ -4,7 +4,6 @@
 #include <iterator>
 #include <utility>
 
-#include "geometry/base/parallel.h"
 #include "geometry/retry/score.h"
 
 namespace af2::geometry {
@@ -65,23 +64,23 @@ std::vector<std::size_t> takeOver(const Retrial& retrial, const FaceMeshes& stat
 
 FaceMeshes meshAgain(Retrial& retrial, const FaceMeshes& state,
                      const std::vector<std::size_t>& faces) {
-  const PositionSize sizes = retrial.requests.sizes();
   FaceMeshes next;
-  next.divided = retrial.model.divide(sizes, retrial.requests.collapsedEdges());
+  const RequestedSizes sizes = retrial.requests.requested();
+  next.divided = retrial.model.divide(sizes.sizes, retrial.requests.collapsedEdges());
   const std::vector<std::size_t> again = takeOver(retrial, state, faces, next);
   const RetryAllowance allowance(state.meshes, again, retrial.budget.left());
-  forEachInParallel(again.size(), retrial.options.threads, [&](std::size_t k) {
-    const std::size_t i = again[k];
-    const FaceMesh& before = state.meshes[i];
-    TryLimits limits;
-    limits.maxCandidates = allowance.maxCandidates(before);
-    limits.failedBefore = failed(before);
+  std::vector<FaceTry> tries;
+  for (const std::size_t i : again) {
+    TryLimits& limits = tries.emplace_back(FaceTry{i, {}}).limits;
+    limits.maxCandidates = allowance.maxCandidates(state.meshes[i]);
+    limits.failedBefore = failed(state.meshes[i]);
     limits.hasOriginalSizes = false;
-    retrial.model.mesh(i, sizes, limits, next);
+  }
+  retrial.model.meshAll(tries, sizes, retrial.options.threads, next);
+  for (const std::size_t i : again) {
+    const FaceMesh& before = state.meshes[i];
     if (failed(before)) refuseNothing(before, next.meshes[i]);
     addPast(state, i, retrial.faces[i].remedies, next.meshes[i]);
-  });
-  for (const std::size_t i : again) {
     retrial.budget.charge(next.meshes[i]);
     retrial.faces[i].remedies.clear();
   }

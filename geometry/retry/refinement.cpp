@@ -117,15 +117,21 @@ void Refinement::soften(std::size_t face, double factor) {
     for (SizeSource& place : places) place.size *= factor;
 }
 
-PositionSize Refinement::sizes() const {
+PositionSize refinedSizes(PositionSize asked, std::vector<SizeSource> places, double growth,
+                          double largest) {
+  if (places.empty()) return asked;
+  const auto near = std::make_shared<const GrowingSize>(std::move(places), growth, largest);
+  return RefinedSizes{near, std::move(asked)};
+}
+
+RequestedSizes Refinement::requested() const {
   std::vector<SizeSource> sources;
   for (const auto& [face, rounds] : places_)
     for (const std::vector<SizeSource>& places : rounds)
       sources.insert(sources.end(), places.begin(), places.end());
-  if (sources.empty()) return asked_;
-  const auto near = std::make_shared<const GrowingSize>(
-      thinned(std::move(sources), growth_, largest_), growth_, largest_);
-  return RefinedSizes{near, asked_};
+  RequestedSizes all{thinned(std::move(sources), growth_, largest_), {}};
+  all.sizes = refinedSizes(asked_, all.places, growth_, largest_);
+  return all;
 }
 
 }  // namespace af2::geometry

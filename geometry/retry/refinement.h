@@ -12,6 +12,17 @@
 
 namespace af2::geometry {
 
+/// Sizes by position, and less near some places.
+PositionSize refinedSizes(PositionSize asked, std::vector<SizeSource> places, double growth,
+                          double largest);
+
+/// The sizes of the user and of the places of a refinement.
+struct RequestedSizes {
+  /// Those that request clearly smaller sizes than the others do there; the smallest first.
+  std::vector<SizeSource> places;
+  PositionSize sizes;
+};
+
 /// The sizes by position of the user, with smaller limits around some places; and edges that are
 /// collapsed to points.
 class Refinement {
@@ -38,7 +49,8 @@ class Refinement {
   /// Collapses edges to points for a face.
   void collapse(std::size_t face, const CollapsedEdges& edges) { collapsed_[face] = edges; }
 
-  PositionSize sizes() const;
+  RequestedSizes requested() const;
+  PositionSize sizes() const { return requested().sizes; }
   CollapsedEdges collapsedEdges() const;
 
  private:

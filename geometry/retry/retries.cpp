@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "geometry/base/parallel.h"
 #include "geometry/retry/mesh_again.h"
 #include "geometry/retry/remedy.h"
 #include "geometry/retry/retry_limits.h"
@@ -183,6 +184,13 @@ class Retries {
 };
 
 }  // namespace
+
+void RetriedModel::meshAll(std::span<const FaceTry> tries, const RequestedSizes& sizes, int threads,
+                           FaceMeshes& into) const {
+  forEachInParallel(tries.size(), threads, [&](std::size_t k) {
+    mesh(tries[k].face, sizes.sizes, tries[k].limits, into);
+  });
+}
 
 void retryPoorFaces(const RetriedModel& model, const RetryOptions& options, FaceMeshes& state) {
   Retries(model, options, state).retry(state);

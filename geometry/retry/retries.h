@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <stop_token>
 #include <vector>
 
@@ -10,6 +11,7 @@
 #include "geometry/edges/divided_edges.h"
 #include "geometry/mesh/face_mesh.h"
 #include "geometry/mesh/try_limits.h"
+#include "geometry/retry/refinement.h"
 #include "geometry/sizes/position_size.h"
 
 namespace af2::geometry {
@@ -39,6 +41,9 @@ class RetriedModel {
   /// Meshes a face within the edges of `into`. Called from several threads at once.
   virtual void mesh(std::size_t i, const PositionSize& sizes, const TryLimits& limits,
                     FaceMeshes& into) const = 0;
+  /// Meshes faces as `mesh` does, several at the same time.
+  virtual void meshAll(std::span<const FaceTry> tries, const RequestedSizes& sizes, int threads,
+                       FaceMeshes& into) const;
   /// Joins the meshes and finds their faults.
   virtual void join(FaceMeshes& state) const = 0;
   /// The sizes wanted inside a face where they are below its general size, if they may be too

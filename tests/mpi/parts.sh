@@ -1,0 +1,19 @@
+#!/usr/bin/env bash
+# Meshes in parts: together they are the mesh, and each has the ghosts that it should have.
+. "$(dirname "$0")/support.sh"
+
+for options in "$models/die.step --size 1" "$models/cylinder.step --size 0.6 --elements quad --order 2" \
+  "$models/plate.poly --size 0.3"; do
+  expect 0 "$af2" mesh $options -q -o whole.vtu -o whole.msh2
+  expect 0 on 3 $options -q --parts parts.pvtu
+  expect 0 on 3 $options -q --parts parts.msh
+  expect 0 /usr/bin/python3 "$here/parts.py" 3 "$options"
+done
+# Gmsh reads them one by one; to read all, with ghosts, is more than its version 4.8 can do with its own.
+if command -v gmsh >/dev/null; then
+  for part in 1 2 3; do
+    expect 0 timeout 60 gmsh -0 "parts_$part.msh" -o again.msh
+    grep -E "^(Warning|Error)" err && fail "gmsh complains"
+  done
+fi
+finish
