@@ -23,7 +23,6 @@
 #include "engine/base/error.h"
 #include "geometry/base/parallel.h"
 #include "geometry/io/mesh_files.h"
-#include "geometry/io/output_file.h"
 #include "geometry/io/report.h"
 #include "geometry/mesh/element_scores.h"
 #include "geometry/mesh/quality.h"
@@ -78,10 +77,7 @@ void writeOutputs(const MeshRequest& request, const RuleSet& rules, ModelMesh& m
 
 void writeReportIfAsked(const MeshRequest& request, const RunReport& report,
                         const ModelMesh& mesh) {
-  if (request.report.empty()) return;
-  geometry::OutputFile file(request.report);
-  geometry::writeReport(report, mesh, file);
-  file.commit();
+  if (!request.report.empty()) geometry::writeReport(report, mesh, request.report);
 }
 
 ExitCode exitCodeOf(RunStatus status) {
