@@ -150,7 +150,7 @@ void sortByPlace(std::vector<Diagnostic>& diagnostics, const std::string& mainFi
 RuleFindings provenErrorsIn(const dsl::LoadedRules& loaded) {
   RuleFindings findings;
   findings.ruleCount = loaded.rules->rules().size();
-  dsl::ProvenErrors errors = dsl::provenErrorsIn(loaded);
+  dsl::ProvenErrors errors = dsl::findProvenErrors(loaded);
   countAnswers(errors.result, findings);
   findings.diagnostics = std::move(errors.diagnostics);
   return findings;

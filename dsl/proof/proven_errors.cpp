@@ -4,7 +4,7 @@
 
 namespace af2::dsl {
 
-ProvenErrors provenErrorsIn(const LoadedRules& loaded) {
+ProvenErrors findProvenErrors(const LoadedRules& loaded) {
   SamplingOptions sampling;
   sampling.onlyErrors = true;
   sampling.samples = 500;

@@ -17,6 +17,6 @@ struct ProvenErrors {
 
 /// From a short search, which `af2 mesh` makes as well: a rule counts as sampled if neither a proof
 /// nor a counter-example is found in it. The rules must have been loaded without errors.
-AF2_EXPORT ProvenErrors provenErrorsIn(const LoadedRules& loaded);
+AF2_EXPORT ProvenErrors findProvenErrors(const LoadedRules& loaded);
 
 }  // namespace af2::dsl

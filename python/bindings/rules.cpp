@@ -43,7 +43,7 @@ dsl::LoadOptions loadOptions(bool isChecked) {
 
 std::vector<dsl::Diagnostic> provenErrors(const Rules& rules) {
   if (!rules.loaded().rules || dsl::isShipped(rules.loaded())) return {};
-  return dsl::provenErrorsIn(rules.loaded()).diagnostics;
+  return dsl::findProvenErrors(rules.loaded()).diagnostics;
 }
 
 py::object placeOf(const std::optional<Point2>& place) {
