@@ -11,7 +11,7 @@ edges of models are numbered from 1, as in `af2 inspect`; points and elements of
 lengths are in the unit of the model: millimetres for STEP and IGES. The guide is docs/python.md.
 """
 
-from ._af2 import GeometryError, InputError, InternalError, Progress
+from ._af2 import GeometryError, InputError, InternalError, Progress, Step
 from ._af2 import version as __version__
 from ._errors import MeshError, RuleError
 from ._mesh import Group, Mesh, Snapped
@@ -21,5 +21,5 @@ from ._rules import Rules, load_rules, rule_names
 
 __all__ = [
     "GeometryError", "Group", "InputError", "InternalError", "Layers", "Mesh", "MeshError", "Model", "Planar", "Progress",
-    "RuleError", "Rules", "Snapped", "Surface", "Triangles", "__version__", "load_rules", "mesh", "read", "rule_names",
+    "RuleError", "Rules", "Snapped", "Step", "Surface", "Triangles", "__version__", "load_rules", "mesh", "read", "rule_names",
 ]

@@ -57,7 +57,7 @@ def mesh(model: ModelLike, size: Optional[float] = None, *, rules: RulesLike = N
          periodic: Union[str, Sequence[Any], None] = None, merge: Union[bool, float] = False,
          merge_narrow: Optional[float] = None, merge_keep: Union[Key, Iterable[Union[int, str]], None] = None,
          optimize: bool = True, strict_rules: bool = False, threads: int = 0, max_memory: Optional[int] = None,
-         progress: Optional[Callable[[Any], Any]] = None, allow_incomplete: bool = False,
+         progress: Optional[Callable[[Any], Any]] = None, trace: Optional[Callable[[Any], Any]] = None, allow_incomplete: bool = False,
          name: Optional[str] = None) -> Mesh:
     """Meshes a model. The mesh is the one that `af2 mesh` makes for the same request, to the last bit.
 
@@ -116,6 +116,9 @@ def mesh(model: ModelLike, size: Optional[float] = None, *, rules: RulesLike = N
         max_memory: bytes for the mesh; sizes that need more are refused before meshing begins.
         progress: called with an `af2.Progress` now and then, from other threads, one call at a time. An exception that
             it raises stops the mesher and is raised by `mesh`.
+        trace: called with an `af2.Step` for every step of every front: `face`, `start`, `end` (of the base edge), `level`,
+            `applied`, `rule` (an index in `Mesh.rule_names`, or None), `score`, `elements`, `front_edges`, `refusals`
+            (pairs of rule and reason). From other threads, unless threads=1; slow.
         allow_incomplete: return the mesh even if it is not complete. See `Mesh.complete`.
         name: of the model in files and pages; by default that of the file.
 
@@ -153,6 +156,8 @@ def mesh(model: ModelLike, size: Optional[float] = None, *, rules: RulesLike = N
         asked["max_memory"] = _positive(max_memory, "max_memory")
     if progress is not None:
         asked["progress"] = progress
+    if trace is not None:
+        asked["trace"] = trace
     with _SizeFile(sizes) as file:
         if file:
             asked["size_file"] = file

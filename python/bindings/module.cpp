@@ -2,6 +2,7 @@
 #include <af2/engine/error.h>
 
 #include "python/bindings/common.h"
+#include "python/bindings/trace.h"
 
 PYBIND11_MODULE(_af2, module) {
   namespace python = af2::python;
@@ -11,6 +12,7 @@ PYBIND11_MODULE(_af2, module) {
   py::register_exception<af2::GeometryError>(module, "GeometryError", PyExc_RuntimeError);
   py::register_exception<af2::InternalError>(module, "InternalError", PyExc_RuntimeError);
   python::bindReports(module);
+  python::bindTrace(module);
   python::bindModels(module);
   python::bindRules(module);
   python::bindMesh(module);

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <map>
 
+#include "python/bindings/trace.h"
+
 namespace af2::python {
 namespace {
 
@@ -159,6 +161,8 @@ Request requestFrom(const py::dict& asked, const std::shared_ptr<Call>& call) {
   request.merge = mergeFrom(asked);
   if (asked.contains("progress"))
     request.options.progress = progressFrom(asked["progress"].cast<py::object>(), call);
+  if (asked.contains("trace"))
+    request.options.observer = tracersFor(asked["trace"].cast<py::object>(), call);
   request.options.stop = call->token();
   request.call = call;
   return request;

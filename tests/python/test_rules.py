@@ -119,5 +119,27 @@ class Evaluation(Case):
             rules.evaluate("right 60", {"z": (0, 0)})
 
 
+class Trace(Case):
+    def test_tells_every_step(self):
+        steps = []
+        mesh = af2.mesh(MODELS / "plate.poly", size=0.5, rules="tri/classic", threads=1, optimize=False, trace=steps.append)
+        applied = [step for step in steps if step.applied]
+        self.assertLess(len(applied), len(steps) + 1)
+        made = {mesh.rule_names[i] for i in mesh.rule[mesh.level > 0]}
+        self.assertEqual({mesh.rule_names[step.rule] for step in applied}, made)
+        self.assertEqual(applied[-1].front_edges, 0)
+        self.assertGreaterEqual(applied[-1].elements, 1)
+        refused = [step for step in steps if not step.applied]
+        self.assertTrue(all(len(step.refusals) == len(mesh.rule_names) - 2 or step.refusals for step in refused))
+        self.assertEqual({step.face for step in steps}, {1})
+
+    def test_errors_stop_the_run(self):
+        def stop(step):
+            raise InterruptedError("seen enough")
+
+        with self.assertRaisesRegex(InterruptedError, "seen enough"):
+            af2.mesh(MODELS / "die.step", size=0.2, trace=stop)
+
+
 if __name__ == "__main__":
     unittest.main()
