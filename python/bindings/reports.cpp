@@ -183,7 +183,8 @@ void bindResults(py::module_& module) {
         return ratio;
       });
   using geometry::ModelProgress;
-  py::class_<ModelProgress>(module, "Progress")
+  py::class_<ModelProgress>(module, "Progress",
+                            "How far a mesh is. Work is counted in expected elements.")
       .def_readonly("work_done", &ModelProgress::workDone)
       .def_readonly("work_total", &ModelProgress::workTotal)
       .def_readonly("faces_done", &ModelProgress::facesDone)
