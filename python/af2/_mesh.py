@@ -200,13 +200,14 @@ class Mesh:
         return [Group(self, group) for group in [*self._report.groups, *self._report.boundaries]]
 
     def group(self, name: str, kind: Optional[str] = None) -> Group:
-        """The first group of this name, of any kind or of this one.
+        """The first group of this name, of any kind or of this one. "solid 1", as in mesh files, stands for the group "1" of
+        kind "solid".
 
         Raises:
             KeyError: there is none; the text names those that there are.
         """
         for group in self.groups:
-            if group.name == name and kind in (None, group.kind):
+            if name in (group.name, f"{group.kind} {group.name}") and kind in (None, group.kind):
                 return group
         names = ", ".join(sorted({repr(group.name) for group in self.groups})) or "none at all"
         raise KeyError(f"there is no group {name!r}; the mesh has {names}")

@@ -271,7 +271,8 @@ class Surface(Model):
             * `evaluate(uv)`: takes an array of (n, 2) parameters and returns (n, 3) positions;
             * `normal(uv)`, if it has one: takes the same and returns (n, 3) normals, of any length, towards the side
               from which elements are counter-clockwise. Without it, normals are du x dv;
-            * `bounds`, unless they are given here.
+            * `bounds`, unless they are given here;
+            * `chart(start, end, length)`, if fronts are to run in charts of yours: see below.
 
             It may also be the function `evaluate` alone.
         bounds: `((u_low, u_high), (v_low, v_high))`; ((0, 1), (0, 1)) if neither is given. The surface must be smooth
@@ -281,6 +282,12 @@ class Surface(Model):
             bounds is meshed. The sides are the edges 1, 2, ... of the model.
         normal: the function `normal`, if `surface` is a function.
         name: of the model, for messages and files.
+
+    A chart is a plane map of the surface around a base edge. `chart` gets the two ends of the edge, each as (position,
+    normal, (u, v)), and the wanted edge length, which becomes 1 in the chart. It returns an object with
+    `to_chart(points, normals, uv)`, which takes arrays of the shapes (n, 3), (n, 3) and (n, 2) and returns (n, 2) places,
+    and `to_surface(places)`, which takes (n, 2) places and returns (n, 2) parameters, NaN where there are none. The start
+    of the edge must be at (0, 0) and its end on the positive x axis; seen from the side of the normals, y is to its left.
 
     Raises:
         InputError: the bounds or loops are no such arrays. Errors of the functions are raised when the surface is
@@ -301,6 +308,7 @@ class Surface(Model):
             loops = [[(u0, v0), (u1, v0), (u1, v1), (u0, v1)]]
         super().__init__(
             _af2.surface({"name": name, "evaluate": evaluate, "normal": normal or getattr(surface, "normal", None),
+                          "chart": getattr(surface, "chart", None),
                           "u": (u0, u1), "v": (v0, v1), "loops": [_polygon(loop, "loops") for loop in loops]}), name)
 
 

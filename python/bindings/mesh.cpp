@@ -24,10 +24,12 @@ using geometry::ModelMesh;
 
 class MeshData {
  public:
-  MeshData(Meshed meshed, std::shared_ptr<const Rules> rules, std::string name, int threads)
+  MeshData(Meshed meshed, std::shared_ptr<const Rules> rules, std::string name,
+           std::shared_ptr<Call> call, int threads)
       : mesh_(std::move(meshed.mesh)),
         places_(std::move(meshed.places)),
         rules_(std::move(rules)),
+        call_(std::move(call)),
         threads_(threads) {
     mesh_.name = std::move(name);
     mesh_.ruleTexts = rules_->texts();
@@ -38,6 +40,8 @@ class MeshData {
 
   const ModelMesh& mesh() const { return mesh_; }
   const Places& places() const { return *places_; }
+  /// The call that made the mesh: surfaces of Python report errors to it.
+  Call& call() const { return *call_; }
   std::size_t quads() const {
     return static_cast<std::size_t>(std::ranges::count_if(mesh_.elements, &Element::isQuad));
   }
@@ -73,6 +77,7 @@ class MeshData {
   ModelMesh mesh_;
   std::shared_ptr<const Places> places_;
   std::shared_ptr<const Rules> rules_;
+  std::shared_ptr<Call> call_;
   int threads_;
   std::once_flag scored_, measured_;
   std::vector<double> qualities_;
@@ -165,14 +170,14 @@ py::tuple snap(const MeshData& data, const py::object& places, const std::vector
                int threads) {
   const std::vector<Point3> points = points3(places, "points");
   std::vector<FoundPoint> nearest;
-  Call().run([&] { nearest = data.places().nearest(points, faces, threads); });
+  data.call().run([&] { nearest = data.places().nearest(points, faces, threads); });
   return found(nearest);
 }
 
 py::tuple pointsOfFace(const MeshData& data, int face, const py::object& parameters) {
   const std::vector<Point2> uv = points2(parameters, "uv");
   std::vector<FoundPoint> points;
-  Call().run([&] { points = data.places().at(face, uv); });
+  data.call().run([&] { points = data.places().at(face, uv); });
   return found(points);
 }
 
@@ -226,7 +231,7 @@ std::shared_ptr<MeshData> mesh(const ModelPointer& model, const std::shared_ptr<
   const Request request = requestFrom(asked, call);
   Meshed meshed;
   call->run([&] { meshed = model->mesh(request, *rules->algorithm()); });
-  return std::make_shared<MeshData>(std::move(meshed), rules, std::move(name),
+  return std::make_shared<MeshData>(std::move(meshed), rules, std::move(name), call,
                                     request.options.threads);
 }
 

@@ -183,8 +183,10 @@ void bindResults(py::module_& module) {
         return ratio;
       });
   using geometry::ModelProgress;
-  py::class_<ModelProgress>(module, "Progress",
-                            "How far a mesh is. Work is counted in expected elements.")
+  py::class_<ModelProgress>(
+      module, "Progress",
+      "How far a mesh is: work_done of work_total, in expected elements; fraction; "
+      "faces_done of faces; elements so far.")
       .def_readonly("work_done", &ModelProgress::workDone)
       .def_readonly("work_total", &ModelProgress::workTotal)
       .def_readonly("faces_done", &ModelProgress::facesDone)

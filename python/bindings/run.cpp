@@ -69,6 +69,7 @@ void Call::run(const std::function<void()>& work) {
   if (error_) {
     std::exception_ptr error = std::move(error_);
     error_ = nullptr;
+    hasFailed_ = false;
     std::rethrow_exception(error);
   }
   if (failure) std::rethrow_exception(failure);

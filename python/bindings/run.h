@@ -25,7 +25,8 @@ class Call {
   void back(const std::function<void()>& callback);
 
   /// Runs `work` on a thread of its own. Meanwhile Python handles signals: Ctrl-C stops the run.
-  /// The GIL must be held. Throws what `work` throws, and errors of Python.
+  /// May be called again, for questions about the result. The GIL must be held. Throws what `work`
+  /// throws, and errors of Python.
   void run(const std::function<void()>& work);
 
  private:

@@ -57,7 +57,10 @@ std::function<AF2MeshingObserver*(int face)> tracersFor(py::object callable,
 }
 
 void bindTrace(py::module_& module) {
-  py::class_<TracedStep>(module, "Step", "One step of a front: a rule was applied, or none.")
+  py::class_<TracedStep>(
+      module, "Step",
+      "One step of a front: face, start, end, level, applied, rule, score, elements, "
+      "front_edges, refusals.")
       .def_readonly("face", &TracedStep::face)
       .def_property_readonly("start", [](const TracedStep& s) { return pointOf(s.step.fromPoint); })
       .def_property_readonly("end", [](const TracedStep& s) { return pointOf(s.step.toPoint); })

@@ -51,7 +51,10 @@ for path in paths:
                 for name in re.split(r",\s*", names.strip().rstrip(".")):
                     assert os.path.getsize(name) > 0, name
             print(f"{path.name}: {time.monotonic() - begin:.1f} s")
-        except BaseException as error:  # a script may call sys.exit
+        except SystemExit as error:
+            if error.code:
+                failures.append(f"{path.name}: {error.code}")
+        except Exception as error:
             failures.append(f"{path.name}: {type(error).__name__}: {error}")
         os.chdir(SOURCE)
 print("\n".join(failures))

@@ -90,7 +90,9 @@ class Stubs(Case):
             if name.startswith("__"):
                 continue
             self.assertTrue(inspect.getdoc(thing), name)
-            for member, value in vars(thing).items() if inspect.isclass(thing) else ():
+            if not inspect.isclass(thing) or thing.__module__ == "af2._af2":  # these have one text for all members
+                continue
+            for member, value in vars(thing).items():
                 if not member.startswith("_") and (inspect.isfunction(value) or isinstance(value, property)):
                     self.assertTrue(inspect.getdoc(value), f"{name}.{member}")
 

@@ -88,6 +88,60 @@ class Surfaces(Case):
         x, y, z = mesh.points.T
         np.testing.assert_allclose(z, 0.5 * (x**2 - y**2), atol=1e-6)
 
+    def test_own_charts(self):
+        made = []
+
+        class Flat:
+            """The parameters of the saddle as they are, moved, turned and scaled: x and y of its points."""
+
+            def __init__(self, start, end, length):
+                made.append(length)
+                self.start = np.array(start[2])
+                along = np.array(end[2]) - self.start
+                self.axes = np.array([along, (-along[1], along[0])]) / np.linalg.norm(along)
+                self.length = length
+
+            def to_chart(self, points, normals, uv):
+                return (uv - self.start) @ self.axes.T / self.length
+
+            def to_surface(self, places):
+                return self.start + self.length * places @ self.axes
+
+        class Charted(Saddle):
+            chart = Flat
+
+        mesh = af2.mesh(Charted(), size=0.3)
+        self.assertGreater(len(made), 50)
+        self.assertEqual(mesh.faces[0].chart, "mean-normal")
+        x, y, z = mesh.points.T
+        np.testing.assert_allclose(z, 0.5 * (x**2 - y**2), atol=1e-9)
+
+        class Shifted(Flat):
+            def to_chart(self, points, normals, uv):
+                return 1 + super().to_chart(points, normals, uv)
+
+        Charted.chart = Shifted
+        with self.assertRaisesRegex(ValueError, "start of the base edge"):
+            af2.mesh(Charted(), size=0.3)
+
+    def test_errors_after_meshing_are_raised(self):
+        surface = Saddle()
+        mesh = af2.mesh(surface, size=0.5)
+        evaluate = Saddle.evaluate
+
+        def fails(self, uv):
+            raise OSError("gone")
+
+        held = af2.Surface(lambda uv: surface.evaluate(uv), Saddle.bounds)
+        other = af2.mesh(held, size=0.5)
+        Saddle.evaluate = fails
+        try:
+            with self.assertRaisesRegex(OSError, "gone"):
+                other.snap([(0, 0, 1)])
+        finally:
+            Saddle.evaluate = evaluate
+        self.assertAlmostEqual(other.snap([(0, 0, 1)]).points[0, 2], mesh.snap([(0, 0, 1)]).points[0, 2])
+
     def test_errors_of_the_class_are_raised(self):
         class Broken(Saddle):
             def normal(self, uv):
