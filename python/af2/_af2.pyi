@@ -212,6 +212,32 @@ class Parts:
     boundaries: List[EdgeGroup]
 
 
+class Defect:
+    kind: str
+    face: int
+    edge: int
+    vertex: int
+    extent: float
+    place: Place
+    detail: str
+
+
+class PartContact:
+    kind: str
+    parts: Tuple[str, str]
+    area: float
+    length: float
+    volume: float
+    place: Place
+    equal_faces: List[Tuple[int, int]]
+
+
+class PartContacts:
+    parts: int
+    pairs: List[PartContact]
+    not_compared: int
+
+
 class SuggestedEdit:
     what: str
     replacement: str
@@ -259,6 +285,8 @@ class MeshableModel:
     unit: str
     file_unit: str
     def parts(self, size: float) -> Parts: ...
+    def defects(self, size: float) -> List[Defect]: ...
+    def contacts(self) -> PartContacts: ...
 
 
 class RuleFile:

@@ -57,6 +57,29 @@ class Model:
         """
         return self._handle.parts(float(size or 0))
 
+    def defects(self, size: Optional[float] = None) -> List[Any]:
+        """What is wrong or awkward in the model for a mesh of this size: tiny edges, slivers, gaps, open loops, free
+        edges, overlapping faces, ...; the most severe first.
+
+        Args:
+            size: wanted edge length; by default a hundredth of the extent.
+
+        Returns:
+            Objects with `kind`, `face`, `edge`, `vertex` (ids; 0: none), `extent`, `place`, `detail`.
+        """
+        return self._handle.defects(float(size or 0))
+
+    def contacts(self) -> Any:
+        """Where parts of a CAD model touch or overlap without sharing faces, so that meshes would not match there; see
+        `imprint` of `af2.mesh`. Parts are compared in forked processes, because OpenCASCADE may crash over them.
+
+        Returns:
+            An object with `parts` (their number), `not_compared`, and `pairs`: each with `kind` ("touch", "overlap",
+            "coincide", "unknown"), `parts` (two names), `area`, `length`, `volume`, `place`, `equal_faces` (pairs of
+            ids).
+        """
+        return self._handle.contacts()
+
     def __repr__(self) -> str:
         return f"<af2.Model '{self.name}' ({self.kind})>"
 

@@ -1,6 +1,8 @@
 // CAD models: as `af2 mesh` meshes them, but in the process of the caller.
 #include <af2/engine/error.h>
+#include <af2/geometry/contacts.h>
 #include <af2/geometry/curves_inside.h>
+#include <af2/geometry/defects.h>
 #include <af2/geometry/edge_list.h>
 #include <af2/geometry/fingerprint.h>
 #include <af2/geometry/heal_model.h>
@@ -137,6 +139,11 @@ class CadModel final : public MeshableModel {
     parts.groups = model_.groups();
     return parts;
   }
+
+  std::vector<geometry::Defect> defects(double size, const std::shared_ptr<Call>&) const override {
+    return geometry::findDefects(model_, size > 0 ? size : model_.diagonal() / 100);
+  }
+  geometry::PartContacts contacts() const override { return geometry::findContacts(model_); }
 
  private:
   /// Repairs that are valid by themselves may still leave faces that cannot be meshed.

@@ -1,5 +1,6 @@
 // Planar domains and surfaces of triangles.
 #include <af2/engine/error.h>
+#include <af2/geometry/domain_defects.h>
 #include <af2/geometry/facets.h>
 #include <af2/geometry/inside_domain.h>
 #include <af2/geometry/mesh_faceted.h>
@@ -105,6 +106,10 @@ class PlanarModel final : public MeshableModel {
   Parts parts(double size, const std::shared_ptr<Call>&) const override {
     return partsOf(geometry::planarModel(domain_, withSize(size, domain_.points)));
   }
+  std::vector<geometry::Defect> defects(double size, const std::shared_ptr<Call>&) const override {
+    const geometry::MeshingOptions options = withSize(size, domain_.points);
+    return geometry::findDefects(geometry::planarModel(domain_, options), options.sizes.size);
+  }
 
  private:
   geometry::PlanarDomain domain_;
@@ -128,6 +133,10 @@ class TriangleModel final : public MeshableModel {
 
   Parts parts(double size, const std::shared_ptr<Call>&) const override {
     return partsOf(geometry::facetedModel(*facets_, withSize(size, facets_->vertices)));
+  }
+  std::vector<geometry::Defect> defects(double size, const std::shared_ptr<Call>&) const override {
+    const geometry::MeshingOptions options = withSize(size, facets_->vertices);
+    return geometry::findDefects(geometry::facetedModel(*facets_, options), options.sizes.size);
   }
 
  private:

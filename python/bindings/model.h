@@ -2,6 +2,8 @@
 #pragma once
 
 #include <af2/engine/algorithm.h>
+#include <af2/geometry/contact.h>
+#include <af2/geometry/defect.h>
 #include <af2/geometry/domain_model.h>
 #include <af2/geometry/edge_entry.h>
 #include <af2/geometry/model_mesh.h>
@@ -60,6 +62,11 @@ class MeshableModel {
   virtual Meshed mesh(const Request& request, const AF2Algorithm& algorithm) const = 0;
   /// size  wanted edge length: the faces of planar domains and triangles depend on it
   virtual Parts parts(double size, const std::shared_ptr<Call>& call) const = 0;
+  /// What is wrong or awkward in the model for a mesh of this size.
+  virtual std::vector<geometry::Defect> defects(double size,
+                                                const std::shared_ptr<Call>& call) const = 0;
+  /// Where parts touch without sharing faces. Only CAD models have several parts.
+  virtual geometry::PartContacts contacts() const { return {}; }
   /// "cad", "planar", "triangles" or "surface".
   virtual const char* kind() const = 0;
   virtual std::vector<std::string> notes() const { return {}; }

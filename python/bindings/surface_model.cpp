@@ -1,4 +1,6 @@
 // Models of surfaces that a Python class gives.
+#include <af2/geometry/domain_defects.h>
+
 #include <algorithm>
 
 #include "python/bindings/called_surface.h"
@@ -126,6 +128,11 @@ class SurfaceModel final : public MeshableModel {
   }
   Parts parts(double, const std::shared_ptr<Call>& call) const override {
     return partsOf(*domain(call));
+  }
+  std::vector<geometry::Defect> defects(double size,
+                                        const std::shared_ptr<Call>& call) const override {
+    const auto model = domain(call);
+    return geometry::findDefects(*model, size > 0 ? size : model->diagonal / 100);
   }
 
  private:

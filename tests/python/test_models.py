@@ -41,6 +41,20 @@ class Reading(Case):
         self.assertEqual(sorted(edge.curve for edge in parts.edges), ["circle", "circle", "line"])
         self.assertEqual(parts.faces[0].edges, [edge.id for edge in parts.edges])
 
+    def test_defects(self):
+        self.assertEqual(af2.read(MODELS / "cylinder.step").defects(1), [])
+        found = af2.read(MODELS / "cylinder.step").defects(100)
+        self.assertIn("sliver", {defect.kind for defect in found})
+        plate = af2.read(MODELS / "plate.poly").defects(50)
+        self.assertEqual({defect.kind for defect in plate}, {"tiny edge", "sliver"})
+
+    def test_contacts(self):
+        contacts = af2.read(MODELS / "bolt_on_plate.brep").contacts()
+        self.assertEqual((contacts.parts, len(contacts.pairs), contacts.not_compared), (2, 1, 0))
+        self.assertEqual(contacts.pairs[0].kind, "touch")
+        self.assertGreater(contacts.pairs[0].area, 0)
+        self.assertEqual(af2.read(MODELS / "plate.poly").contacts().pairs, [])
+
     def test_is_done_once(self):
         model = af2.read(MODELS / "cylinder.step")
         self.assertIs(af2.read(model), model)
