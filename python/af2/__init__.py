@@ -13,9 +13,11 @@ lengths are in the unit of the model: millimetres for STEP and IGES. The guide i
 
 from ._af2 import GeometryError, InputError, InternalError, Progress, Step
 from ._af2 import version as __version__
+from ._arguments import Layers
 from ._errors import MeshError, RuleError
-from ._mesh import Group, Mesh, Snapped
-from ._meshing import Layers, mesh
+from ._groups import Group
+from ._mesh import Mesh, Snapped
+from ._meshing import mesh
 from ._models import Model, Planar, Surface, Triangles, read
 from ._rules import Rules, load_rules, rule_names
 

@@ -9,7 +9,8 @@ from typing import Any, Dict, List, NamedTuple, Optional, Sequence, Union
 
 import numpy as np
 
-from . import _af2
+from . import _af2, _other_packages
+from ._groups import Group
 
 #: How many millimetres each unit has.
 _MILLIMETRES = {"mm": 1.0, "cm": 10.0, "m": 1000.0, "um": 1 / 1000.0, "inch": 25.4, "in": 25.4, "ft": 304.8}
@@ -23,42 +24,6 @@ class Snapped(NamedTuple):
     faces: np.ndarray  #: (n,) ids of faces; 0: not known
     uv: np.ndarray  #: (n, 2) parameters of the faces: OpenCASCADE's for CAD models
     distances: np.ndarray  #: (n,) from the points that were asked for
-
-
-class Group:
-    """Faces of the model that belong together, or edges (kind "boundary"), with their elements or segments.
-
-    Attributes:
-        name: of the group.
-        kind: "part", "solid", "layer", "color", "interface" or "boundary".
-        faces: ids of its faces; empty for a boundary.
-        inward: of a solid: ids of those faces whose elements look into it.
-        edges: ids of its edges, for a boundary.
-        number: of a boundary; else 0.
-    """
-
-    def __init__(self, mesh: "Mesh", group: Any):
-        self._mesh = mesh
-        self.name: str = group.name
-        self.kind: str = getattr(group, "kind", "boundary")
-        self.faces: List[int] = getattr(group, "faces", [])
-        self.inward: List[int] = getattr(group, "inward", [])
-        self.edges: List[int] = getattr(group, "edges", [])
-        self.number: int = getattr(group, "number", 0)
-
-    @property
-    def elements(self) -> np.ndarray:
-        """Indices of the elements on its faces, ascending."""
-        return np.flatnonzero(np.isin(self._mesh.face, self.faces))
-
-    @property
-    def segments(self) -> np.ndarray:
-        """(n, 2) points of the segments along its edges, for a boundary."""
-        return self._mesh.segments[np.isin(self._mesh.segment_edges, self.edges)]
-
-    def __repr__(self) -> str:
-        parts = f"{len(self.edges)} edges" if self.kind == "boundary" else f"{len(self.faces)} faces"
-        return f"<af2.Group {self.kind} '{self.name}': {parts}>"
 
 
 class Mesh:
@@ -419,24 +384,7 @@ class Mesh:
         Raises:
             ImportError: meshio is not installed.
         """
-        try:
-            import meshio
-        except ImportError:
-            raise ImportError("to_meshio needs meshio; install it, for example with: apt install python3-meshio") from None
-        is_quad = self.is_quad
-        blocks, chosen = [], []
-        for kind, which in ((3, ~is_quad), (4, is_quad)):
-            if which.any():
-                blocks.append((_meshio_name(kind, self.order), self._cells(kind, which)))
-                chosen.append(which)
-        data = {name: [np.asarray(getattr(self, name))[which] for which in chosen]
-                for name in ("face", "rule", "level", "quality")}
-        return meshio.Mesh(self.points, blocks, cell_data=data)
-
-    def _cells(self, corners: int, which: np.ndarray) -> np.ndarray:
-        if self.order == 1:
-            return self.triangles if corners == 3 else self.quads
-        return np.hstack([self.elements[which, :corners], self.midsides[which, :corners]])
+        return _other_packages.meshio_of(self)
 
     def to_pyvista(self) -> Any:
         """A `pyvista.UnstructuredGrid` with `face`, `rule`, `level` and `quality` as cell data.
@@ -444,21 +392,7 @@ class Mesh:
         Raises:
             ImportError: PyVista is not installed.
         """
-        try:
-            import pyvista
-        except ImportError:
-            raise ImportError("to_pyvista needs PyVista; install it, for example with: pip install pyvista") from None
-        is_quad = self.is_quad
-        cells: Dict[int, np.ndarray] = {}
-        types = {(3, 1): 5, (4, 1): 9, (3, 2): 22, (4, 2): 23}  # VTK's numbers of kinds of cells
-        for kind, which in ((3, ~is_quad), (4, is_quad)):
-            if which.any():
-                cells[types[kind, self.order]] = np.ascontiguousarray(self._cells(kind, which))
-        grid = pyvista.UnstructuredGrid(cells, np.asarray(self.points))
-        order = np.concatenate([np.flatnonzero(~is_quad), np.flatnonzero(is_quad)])
-        for name in ("face", "rule", "level", "quality"):
-            grid.cell_data[name] = np.asarray(getattr(self, name))[order]
-        return grid
+        return _other_packages.pyvista_of(self)
 
     def __repr__(self) -> str:
         quads = self._data.quads
@@ -466,10 +400,6 @@ class Mesh:
         if quads:
             parts.append(f"{quads} quads")
         return f"<af2.Mesh '{self.name}': {', '.join(parts)}, {'complete' if self.complete else self.status}>"
-
-
-def _meshio_name(corners: int, order: int) -> str:
-    return {(3, 1): "triangle", (4, 1): "quad", (3, 2): "triangle6", (4, 2): "quad8"}[corners, order]
 
 
 def _text(place: Any) -> str:

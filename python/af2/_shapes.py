@@ -101,7 +101,7 @@ def _build123d(shape: Any) -> Optional[bytes]:
             break
     if hasattr(shape, "export_brep"):  # before 0.6
         return _through_stream_or_file(shape.export_brep, f"this {type(shape).__name__}")
-    export = getattr(sys.modules.get("build123d"), "export_brep", None)
+    export: Any = getattr(sys.modules.get("build123d"), "export_brep", None)
     if export is not None:
         return _through_file(lambda path: export(shape, path), f"this {type(shape).__name__}")
     return _ocp(getattr(shape, "wrapped", None))
@@ -124,7 +124,8 @@ def _pythonocc(shape: Any) -> Optional[bytes]:
     from OCC.Core import BRepTools  # loaded already, with the shape
 
     # The name of the function has changed with the versions.
-    write = getattr(getattr(BRepTools, "breptools", None), "Write", None) or getattr(BRepTools, "breptools_Write", None)
+    write: Any = (getattr(getattr(BRepTools, "breptools", None), "Write", None)
+                  or getattr(BRepTools, "breptools_Write", None))
     if write is None:
         raise _af2.InputError("this version of pythonocc has no breptools.Write; write the shape to a file yourself")
     return _through_file(lambda path: write(shape, path), "this TopoDS_Shape of pythonocc")
