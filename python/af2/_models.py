@@ -175,11 +175,11 @@ class Triangles(Model):
     def __init__(self, vertices: Any, triangles: Any, *, parts: Any = None, part_names: Optional[Sequence[str]] = None,
                  name: str = "triangles"):
         corners = _indices(triangles, 3, "triangles")
-        numbers = [] if parts is None else [int(part) for part in np.asarray(parts)]
-        if numbers and min(numbers) < 0:
+        numbers = _whole_numbers(parts, "parts")
+        if len(numbers) and numbers.min() < 0:
             raise _af2.InputError("parts: numbers of parts are counted from 0")
-        if numbers and part_names is None:
-            part_names = [f"part {i + 1}" for i in range(max(numbers) + 1)]
+        if len(numbers) and part_names is None:
+            part_names = [f"part {i + 1}" for i in range(numbers.max() + 1)]
         places = np.asarray(vertices, dtype=float)
         super().__init__(
             _af2.triangles({"name": name, "vertices": places, "triangles": corners, "parts": numbers,
@@ -225,7 +225,7 @@ class Planar(Model):
         numbers = _markers(markers, len(ends[0]), len(segments))
         domain_points, names, sizes = _regions(regions or {}, region_sizes or {})
         domain: Dict[str, Any] = {
-            "name": name, "points": np.concatenate(places), "segments": [tuple(map(int, pair)) for pair in segments],
+            "name": name, "points": np.concatenate(places), "segments": segments,
             "markers": numbers, "marker_names": {int(k): v for k, v in (boundary_names or {}).items()},
             "holes": np.concatenate(inside), "regions": domain_points, "domain_names": names, "domain_sizes": sizes}
         super().__init__(_af2.planar(domain), name)
@@ -258,13 +258,19 @@ def _point_inside(polygon: np.ndarray) -> np.ndarray:
     return np.array([0.5 * (x[0] + x[1]), y])
 
 
-def _markers(markers: Any, given: int, count: int) -> List[int]:
-    if markers is None:
-        return []
-    numbers = [int(marker) for marker in np.asarray(markers)]
-    if len(numbers) not in (given, count):
+def _markers(markers: Any, given: int, count: int) -> np.ndarray:
+    numbers = _whole_numbers(markers, "markers")
+    if markers is not None and len(numbers) not in (given, count):
         raise _af2.InputError(f"markers: there are {len(numbers)} for {given} segments")
-    return numbers + [0] * (count - len(numbers))
+    return np.pad(numbers, (0, count - len(numbers))) if len(numbers) else numbers
+
+
+def _whole_numbers(values: Any, argument: str) -> np.ndarray:
+    """One for each part; none for None."""
+    array = np.asarray([] if values is None else values)
+    if array.ndim != 1 or not (np.issubdtype(array.dtype, np.integer) or array.size == 0):
+        raise _af2.InputError(f"{argument}: expected a list of whole numbers")
+    return array.astype(np.int64)
 
 
 def _regions(regions: Mapping[str, Any], sizes: Mapping[str, float]) -> Tuple[np.ndarray, Dict[int, str], Dict[int, float]]:

@@ -143,17 +143,30 @@ class TriangleModel final : public MeshableModel {
   std::shared_ptr<const geometry::Facets> facets_;
 };
 
-geometry::PlanarDomain::Segment segmentFrom(std::pair<int, int> ends, int number, int points) {
-  for (const int end : {ends.first, ends.second})
-    if (end < 0 || end >= points)
-      throw InputError("segment " + std::to_string(number - 1) + " refers to point " +
-                       std::to_string(end) + "; there are points 0 to " +
-                       std::to_string(points - 1));
-  geometry::PlanarDomain::Segment segment;
-  segment.from = ends.first;
-  segment.to = ends.second;
-  segment.line = segment.edge = number;
-  return segment;
+using Indices = py::array_t<std::int64_t, py::array::c_style>;
+
+/// Throws InputError unless there is a point with this index.
+template <class Index>
+Index checkedIndex(std::int64_t index, std::size_t count, const char* part, py::ssize_t number,
+                   const char* point) {
+  if (index >= 0 && static_cast<std::size_t>(index) < count) return static_cast<Index>(index);
+  throw InputError(std::string(part) + " " + std::to_string(number) + " refers to " + point + " " +
+                   std::to_string(index) + "; they are counted from 0 to " +
+                   std::to_string(count - 1));
+}
+
+void addSegments(const Indices& ends, const Indices& markers, geometry::PlanarDomain& domain) {
+  const auto rows = ends.unchecked<2>();
+  for (py::ssize_t i = 0; i < rows.shape(0); ++i) {
+    geometry::PlanarDomain::Segment& segment = domain.segments.emplace_back();
+    const auto end = [&](py::ssize_t k) {
+      return checkedIndex<int>(rows(i, k), domain.points.size(), "segment", i, "point");
+    };
+    segment.from = end(0);
+    segment.to = end(1);
+    segment.line = segment.edge = static_cast<int>(i) + 1;
+    if (markers.size() > 0) segment.marker = static_cast<int>(markers.at(i));
+  }
 }
 
 }  // namespace
@@ -200,13 +213,7 @@ ModelPointer planarModelFrom(const py::dict& from) {
   geometry::PlanarDomain domain;
   domain.name = from["name"].cast<std::string>();
   domain.points = points2(from["points"], "points");
-  const auto ends = from["segments"].cast<std::vector<std::pair<int, int>>>();
-  const auto markers = from["markers"].cast<std::vector<int>>();
-  for (std::size_t i = 0; i < ends.size(); ++i) {
-    domain.segments.push_back(
-        segmentFrom(ends[i], static_cast<int>(i) + 1, static_cast<int>(domain.points.size())));
-    if (!markers.empty()) domain.segments.back().marker = markers[i];
-  }
+  addSegments(from["segments"].cast<Indices>(), from["markers"].cast<Indices>(), domain);
   domain.markerNames = from["marker_names"].cast<std::map<int, std::string>>();
   domain.domainNames = from["domain_names"].cast<std::map<int, std::string>>();
   domain.domainSizes = from["domain_sizes"].cast<std::map<int, double>>();
@@ -225,21 +232,18 @@ ModelPointer trianglesFrom(const py::dict& from) {
   geometry::Facets facets;
   facets.name = from["name"].cast<std::string>();
   facets.vertices = points3(from["vertices"], "vertices");
-  const auto corners = from["triangles"].cast<py::array_t<std::int64_t, py::array::c_style>>();
+  const auto corners = from["triangles"].cast<Indices>();
   const auto rows = corners.unchecked<2>();
-  const auto count = static_cast<std::int64_t>(facets.vertices.size());
   for (py::ssize_t i = 0; i < rows.shape(0); ++i) {
     std::array<std::uint32_t, 3>& triangle = facets.triangles.emplace_back();
-    for (py::ssize_t k = 0; k < 3; ++k) {
-      if (rows(i, k) < 0 || rows(i, k) >= count)
-        throw InputError("triangle " + std::to_string(i) + " refers to vertex " +
-                         std::to_string(rows(i, k)) + "; there are vertices 0 to " +
-                         std::to_string(count - 1));
-      triangle[static_cast<std::size_t>(k)] = static_cast<std::uint32_t>(rows(i, k));
-    }
+    for (std::size_t k = 0; k < 3; ++k)
+      triangle[k] = checkedIndex<std::uint32_t>(rows(i, static_cast<py::ssize_t>(k)),
+                                                facets.vertices.size(), "triangle", i, "vertex");
   }
-  facets.group = from["parts"].cast<std::vector<std::uint32_t>>();
+  const auto parts = from["parts"].cast<Indices>();
+  facets.group.assign(parts.data(), parts.data() + parts.size());
   facets.groupNames = from["part_names"].cast<std::vector<std::string>>();
+  const py::gil_scoped_release noGil;
   return std::make_shared<const TriangleModel>(geometry::repairedFacets(std::move(facets)));
 }
 

@@ -42,8 +42,10 @@ def tag():
 
 
 def run(*command):
+    """Without what pip hides from a build: CMake asks whether this Python has NumPy, as it will when it is used."""
+    environment = {key: value for key, value in os.environ.items() if key not in ("PYTHONPATH", "PYTHONNOUSERSITE")}
     try:
-        subprocess.run(command, check=True, stdout=sys.stderr)
+        subprocess.run(command, check=True, stdout=sys.stderr, env=environment)
     except FileNotFoundError:
         raise SystemExit(f"{command[0]} is missing; packages.txt lists what AF2 needs to be built") from None
 

@@ -69,9 +69,9 @@ class Arguments(Case):
         content = CYLINDER.read_bytes()
         self.refused("<bytes>", content[: len(content) // 3])
         self.refused("no model", (np.zeros((3, 3)), np.zeros((1, 2), int)))
-        self.refused("triangle 0 refers to vertex 7; there are vertices 0 to 2", (np.eye(3), [[0, 1, 7]]))
+        self.refused("triangle 0 refers to vertex 7; they are counted from 0 to 2", (np.eye(3), [[0, 1, 7]]))
         self.refused("expected whole numbers", (np.eye(3), [[0, 1, 1.5]]))
-        self.refused("segment 0 refers to point 5", (np.eye(3, 2), [[0, 5]]))
+        self.refused("segment 0 refers to point 5; they are counted from 0 to 2", (np.eye(3, 2), [[0, 5]]))
 
     def test_writing(self):
         mesh = af2.mesh(CYLINDER, size=1)

@@ -43,13 +43,13 @@ class SizesFromFunctions(Case):
         self.assertEqual(af2.mesh(DIE, size=1, sizes=lambda p: 0.7).fingerprint, alone)  # one number for all
 
     def test_may_stand_beside_other_sources(self):
-        near = {"points": [{"at": [0, 0, 0], "size": 0.3}]}
-        of_points, of_function, of_both = (af2.mesh(DIE, size=1, sizes=sizes)
-                                           for sizes in (near, lambda p: 0.8, [lambda p: 0.8, near]))
-        self.assertGreater(len(of_both.elements), len(of_function.elements))
-        self.assertNotEqual(of_both.fingerprint, of_points.fingerprint)
+        cylinder = MODELS / "cylinder.step"
+        near = {"points": [{"at": af2.read(cylinder).parts().edges[0].start, "size": 0.1}]}
+        of_points, of_function, of_both = (len(af2.mesh(cylinder, size=3, sizes=sizes).elements)
+                                           for sizes in (near, lambda p: 1.5, [lambda p: 1.5, near]))
+        self.assertGreater(of_both, 1.1 * max(of_points, of_function))
         with self.assertRaisesRegex(af2.InputError, "a list of one function"):
-            af2.mesh(DIE, size=1, sizes=[near, near])
+            af2.mesh(cylinder, size=1, sizes=[near, near])
 
     def test_points_may_be_kept(self):
         kept = []

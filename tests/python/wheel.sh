@@ -10,6 +10,8 @@ unset PYTHONPATH
 pip=("$work/env/bin/python" -m pip --disable-pip-version-check --no-input)
 "${pip[@]}" --version || { echo "no pip"; exit 77; }
 "${pip[@]}" wheel --quiet --no-index --no-deps --no-build-isolation --config-settings=build-dir="$build" -w "$work" "$source"
+"${pip[@]}" wheel --quiet --no-index --no-deps --config-settings=build-dir="$build" -w "$work/isolated" "$source"
+cmp "$work"/af2-*.whl "$work"/isolated/af2-*.whl  # nothing of the environment is in it
 "${pip[@]}" install --quiet --no-index --no-deps "$work"/af2-*.whl
 cd "$work"
 "$work/env/bin/python" - "$source" "$work" <<'PYTHON'
