@@ -25,7 +25,7 @@ TEST(NearestOnFacets, AreInsideOnEdgesAndAtCorners) {
   EXPECT_NEAR(distance(nearest[0].position, {1 / 3., 1 / 3., 1 / 3.}), 0, 1e-15);
   EXPECT_NEAR(distance(nearest[0].normal, unit({1, 1, 1})), 0, 1e-15);
   EXPECT_EQ(nearest[0].triangle, 2u);
-  EXPECT_EQ(nearest[1].position, (Point3{0.2, 0.3, 0}));
+  EXPECT_NEAR(distance(nearest[1].position, {0.2, 0.3, 0}), 0, 1e-15);
   EXPECT_EQ(nearest[1].normal, (Point3{0, 0, -1}));
   EXPECT_EQ(nearest[2].position, (Point3{0.5, 0, 0}));
   EXPECT_EQ(nearest[2].triangle, 0u);  // the first of two
