@@ -62,12 +62,16 @@ ruleset "mine" extends "classic triangles" {}
 TEST(ShippedRules, GiveWayToFilesOfPrograms) {
   LoadOptions options;
   options.searchPaths = {"/here"};
+  options.needsRuleSet = false;
   options.unsaved = [](const std::filesystem::path& path) -> std::optional<std::string> {
     if (path != "/here/tri/classic.af2") return std::nullopt;
     return "af2 1;\nconst five = 5;\n";
   };
-  const LoadedRules loaded = loadRulesFromText(
-      "mine.af2", "af2 1;\nimport \"tri/classic.af2\" as own;\n", withShippedImports(options));
+  const std::string text = R"(af2 1;
+import "tri/classic.af2" as own;
+const ten = 2 * own.five;
+)";
+  const LoadedRules loaded = loadRulesFromText("mine.af2", text, withShippedImports(options));
   EXPECT_FALSE(hasErrors(loaded.diagnostics)) << toPretty(loaded.diagnostics);
 }
 
