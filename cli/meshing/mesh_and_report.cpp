@@ -22,7 +22,6 @@
 #include "engine/base/error.h"
 #include "geometry/base/parallel.h"
 #include "geometry/io/mesh_files.h"
-#include "geometry/io/output_file.h"
 #include "geometry/mesh/element_scores.h"
 #include "geometry/mesh/quality.h"
 #include "geometry/mesh/scaled_mesh.h"
@@ -128,10 +127,7 @@ RunReport reportOf(const ModelMesh& mesh, bool strictRules) {
 
 void writeReportIfAsked(const MeshRequest& request, const RunReport& report,
                         const ModelMesh& mesh) {
-  if (request.report.empty()) return;
-  geometry::OutputFile file(request.report);
-  geometry::writeReport(report, mesh, file);
-  file.commit();
+  if (!request.report.empty()) geometry::writeReport(report, mesh, request.report);
 }
 
 int meshAndReport(const MeshRequest& request, const RunWatch& watch) {

@@ -17,6 +17,7 @@
 #include "dsl/picture/rule_picture.h"
 #include "dsl/proof/coverage.h"
 #include "dsl/proof/match_diagnostics.h"
+#include "dsl/proof/proven_errors.h"
 
 namespace af2::cli {
 namespace {
@@ -149,16 +150,9 @@ void sortByPlace(std::vector<Diagnostic>& diagnostics, const std::string& mainFi
 RuleFindings provenErrorsIn(const dsl::LoadedRules& loaded) {
   RuleFindings findings;
   findings.ruleCount = loaded.rules->rules().size();
-  dsl::SamplingOptions sampling;
-  sampling.onlyErrors = true;
-  sampling.samples = 500;
-  sampling.effort = {100, 1e-2};
-  dsl::SampledResult result = dsl::runSampledChecks(*loaded.rules, sampling);
-  countAnswers(result, findings);
-  std::erase_if(result.findings, [](const dsl::SampledFinding& finding) {
-    return finding.severity != dsl::Severity::Error;
-  });
-  findings.diagnostics = dsl::diagnosticsOf(loaded, result);
+  dsl::ProvenErrors errors = dsl::findProvenErrors(loaded);
+  countAnswers(errors.result, findings);
+  findings.diagnostics = std::move(errors.diagnostics);
   return findings;
 }
 

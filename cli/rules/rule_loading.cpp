@@ -8,8 +8,8 @@
 #include "cli/rules/plugins.h"
 #include "cli/rules/rule_findings.h"
 #include "cli/rules/rules_location.h"
-#include "cli/rules/shipped_rules.h"
 #include "dsl/load/rule_file.h"
+#include "dsl/load/shipped_rules.h"
 #include "dsl/text/diagnostic_codes.h"
 #include "engine/base/error.h"
 
@@ -57,7 +57,7 @@ dsl::LoadedRules loadRuleSet(const std::filesystem::path& file, const RuleLoadin
   const std::string name = file.string();
   print(loaded.diagnostics, name, loading.isQuiet);
   if (!loaded.rules) refuse(errorCount(loaded.diagnostics), name, "");
-  if (loading.isUnchecked || isShipped(*loaded.file)) return loaded;
+  if (loading.isUnchecked || dsl::isShipped(loaded)) return loaded;
 
   const RuleFindings findings = provenErrorsIn(loaded);
   print(findings.diagnostics, name, loading.isQuiet);

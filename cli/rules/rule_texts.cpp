@@ -3,7 +3,7 @@
 #include <filesystem>
 
 #include "cli/rules/rules_location.h"
-#include "dsl/load/loaded_file.h"
+#include "dsl/load/shipped_rules.h"
 
 namespace af2::cli {
 namespace {
@@ -21,13 +21,8 @@ std::string shownFile(const fs::path& file) {
 
 std::vector<geometry::RuleText> ruleTextsOf(const dsl::LoadedRules& loaded) {
   std::vector<geometry::RuleText> texts;
-  const std::vector<dsl::CompiledRule>& rules = loaded.file->rules;
-  for (std::size_t i = 0; i < loaded.rules->rules().size(); ++i) {
-    const dsl::SourceText& source = rules[i].home->source;
-    const dsl::Span span = rules[i].text->span;
-    texts.push_back({shownFile(source.name()), source.lineOf(span.begin),
-                     std::string(source.text().substr(span.begin, span.end - span.begin))});
-  }
+  for (dsl::RuleSource& source : dsl::sourcesOf(loaded))
+    texts.push_back({shownFile(source.file), source.line, std::move(source.text)});
   return texts;
 }
 

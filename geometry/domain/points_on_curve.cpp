@@ -22,6 +22,8 @@ CurveFoot footBetween(const DomainCurve& curve, double low, double high, const P
   return foot;
 }
 
+}  // namespace
+
 CurveFoot footOn(const DomainCurve& curve, const Point3& point) {
   CurveFoot best;
   for (std::size_t k = 1; k < curve.knots.size(); ++k) {
@@ -30,8 +32,6 @@ CurveFoot footOn(const DomainCurve& curve, const Point3& point) {
   }
   return best;
 }
-
-}  // namespace
 
 double lengthOf(const DomainCurve& curve) {
   double length = 0;

@@ -12,6 +12,9 @@ namespace af2::geometry {
 /// The length of the polyline through the knots.
 double lengthOf(const DomainCurve& curve);
 
+/// The point of a curve that is nearest to another.
+CurveFoot footOn(const DomainCurve& curve, const Point3& point);
+
 /// Finds the parameters of the points between the ends of a curve.
 ///
 /// least  segments that the curve needs

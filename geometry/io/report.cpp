@@ -263,4 +263,11 @@ void writeReport(const RunReport& report, const ModelMesh& mesh, OutputFile& fil
   file.text("\n");
 }
 
+void writeReport(const RunReport& report, const ModelMesh& mesh,
+                 const std::filesystem::path& path) {
+  OutputFile file(path);
+  writeReport(report, mesh, file);
+  file.commit();
+}
+
 }  // namespace af2::geometry

@@ -1,6 +1,7 @@
 // Writes the report of a run as JSON (docs/formats.md explains each field).
 #pragma once
 
+#include <filesystem>
 #include <map>
 #include <string>
 
@@ -34,5 +35,9 @@ struct RunReport {
 };
 
 AF2_EXPORT void writeReport(const RunReport& report, const ModelMesh& mesh, OutputFile& file);
+/// The same to the file at `path`, completely or not at all. Throws InputError if it cannot be
+/// written.
+AF2_EXPORT void writeReport(const RunReport& report, const ModelMesh& mesh,
+                            const std::filesystem::path& path);
 
 }  // namespace af2::geometry

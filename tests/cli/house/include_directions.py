@@ -9,7 +9,7 @@ import re
 import sys
 
 SOURCE = pathlib.Path(sys.argv[1])
-COMPONENTS = ("engine", "dsl", "geometry", "cli", "mpi")
+COMPONENTS = ("engine", "dsl", "geometry", "cli", "mpi", "python")
 MOST_UNITS = 30  # a header with its source is one
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]', re.M)
 
