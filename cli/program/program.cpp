@@ -20,6 +20,12 @@
 namespace af2::cli {
 namespace {
 
+constexpr const char* kExitCodes =
+    "Exit codes: 0: success. 1: the input cannot be used, a file cannot be written, or something "
+    "was "
+    "found by a verb that searches. 2: the command line is wrong. 3: some faces are not meshed. 4: "
+    "stopped by a signal.";
+
 /// Does not use fmt::print, which throws if stderr is closed (`2>&-`).
 void printLine(const std::string& line) { std::fputs((line + "\n").c_str(), stderr); }
 
@@ -93,6 +99,7 @@ int runProgram(std::span<const Verb> verbs, int count, char** arguments) {
   CLI::App program{"Meshes surfaces with an advancing front and rules from files.", "af2"};
   program.get_formatter()->label("SUBCOMMAND", "VERB");
   program.require_subcommand(1);
+  program.footer(kExitCodes);
   program.set_version_flag("--version", std::string("af2 ") + AF2_VERSION, "Print the version");
   std::map<const CLI::App*, Action> actions;
   for (const Verb& verb : verbs) {
