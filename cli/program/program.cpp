@@ -99,7 +99,6 @@ int runProgram(std::span<const Verb> verbs, int count, char** arguments) {
   CLI::App program{"Meshes surfaces with an advancing front and rules from files.", "af2"};
   program.get_formatter()->label("SUBCOMMAND", "VERB");
   program.require_subcommand(1);
-  program.footer(kExitCodes);
   program.set_version_flag("--version", std::string("af2 ") + AF2_VERSION, "Print the version");
   std::map<const CLI::App*, Action> actions;
   for (const Verb& verb : verbs) {
@@ -107,6 +106,7 @@ int runProgram(std::span<const Verb> verbs, int count, char** arguments) {
     command->group("Verbs");
     actions[command] = verb.declare(*command);
   }
+  program.footer(kExitCodes);  // verbs would inherit it
 
   if (count < 2)
     return explainUsage(program, "a verb is missing; the verbs are: " + knownVerbs(verbs));

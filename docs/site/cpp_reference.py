@@ -91,7 +91,7 @@ def rows(members):
             if described(value):
                 text += f" <code>{plain(value.find('name'))}</code>: {described(value)}"
         lines.append(f"<tr><td><code>{html.escape(signature(member))}</code></td><td>{text}</td></tr>")
-    return "\n<table markdown=\"0\">\n" + "\n".join(lines) + "\n</table>\n" if lines else ""
+    return "\n<div class=\"members\"><table>\n" + "\n".join(lines) + "\n</table></div>\n" if lines else ""
 
 
 def public_members(compound):

@@ -58,9 +58,19 @@ def outside_blocks(text, change):
     return "".join(parts + [change(text[end:])])
 
 
+def title_of(path):
+    """The first heading of a page."""
+    return next(line[2:] for line in path.read_text(encoding="utf-8").splitlines() if line.startswith("# "))
+
+
 def prepared(text, page, links):
     """The text of a page of the repository as a page of the site."""
+    def titled(match):
+        path = links.source / "docs" / match.group(1)
+        return f"[{title_of(path)}](" if path.exists() else match.group(0)
+
     def change(part):
+        part = re.sub(r"\[(?:docs/)?([\w-]+\.md)\]\(", titled, part)  # files have names, pages have titles
         part = LINK_OR_CODE.sub(lambda m: links.target(m.group(1), page) if m.group(1) else m.group(0), part)
         # A bar within code in a table needs no backslash here.
         part = "\n".join(re.sub(r"`[^`]*`", lambda m: m.group(0).replace("\\|", "|"), line) if line.startswith("|") else line

@@ -1,4 +1,5 @@
-// The playground without a server: what its page asks the program, answered by WebAssembly in the browser.
+// The playground without a server: what its page asks the program, answered by WebAssembly in the
+// browser.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -23,7 +24,8 @@ namespace {
 
 using lsp::Json;
 
-/// The text of the page lies here, beside the files that AF2 comes with, so that it can import them.
+/// The text of the page lies here, beside the files that AF2 comes with, so that it can import
+/// them.
 constexpr const char* kFolder = "/rules";
 
 std::optional<std::string> shippedText(const std::filesystem::path& path) {
@@ -140,26 +142,28 @@ Json answerTo(const Json& request) {
 /// A page of a browser does not say; its memory ends at 4 GiB.
 double af2::geometry::freeMemory() { return 2e9; }
 
+namespace {
+std::string request, answer;  // both as JSON
+}
+
 extern "C" {
 
 /// Where the caller writes a request of so many bytes.
 char* af2Reserve(std::size_t bytes) {
-  static std::string request;
   request.assign(bytes, '\0');
   return request.data();
 }
 
-/// The answer to a request, both JSON; it is there until the next one. `size` gets its length.
-const char* af2Answer(const char* request, std::size_t bytes, std::size_t* size) {
-  static std::string answer;
+/// The answer to that request, which is there until the next one.
+const char* af2Answer() {
   try {
-    const auto json = af2::lsp::Json::parse(request, request + bytes);
-    answer = af2::playground::answerTo(json).dump(-1, ' ', false,
-                                                  af2::lsp::Json::error_handler_t::replace);
+    answer = af2::playground::answerTo(af2::lsp::Json::parse(request))
+                 .dump(-1, ' ', false, af2::lsp::Json::error_handler_t::replace);
   } catch (const std::exception& error) {
     answer = af2::lsp::Json{{"fault", error.what()}}.dump();
   }
-  *size = answer.size();
   return answer.data();
 }
+
+std::size_t af2AnswerSize() { return answer.size(); }
 }

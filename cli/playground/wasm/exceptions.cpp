@@ -1,12 +1,18 @@
-// Exceptions for WebAssembly: what compiled code calls to throw and to catch. Debian's C++ library for WASI is
-// compiled without them, but knows which type catches which (can_catch). The interface is that of the Itanium C++ ABI
-// for exceptions and of clang's -fwasm-exceptions.
+// Exceptions for WebAssembly: what compiled code calls to throw and to catch. Debian's C++ library
+// for WASI is compiled without them, but knows which type catches which (can_catch). The interface
+// is that of the Itanium C++ ABI for exceptions and of clang's -fwasm-exceptions.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
 #include <exception>
 #include <new>
 #include <typeinfo>
+
+// The tag of all exceptions of C++: a pointer to the object goes with it.
+__asm__(
+    ".tagtype __cpp_exception i32\n"
+    ".globl __cpp_exception\n"
+    "__cpp_exception:\n");
 
 namespace __cxxabiv1 {
 
@@ -23,20 +29,22 @@ class __shim_type_info : public std::type_info {
 
 namespace {
 
+/// In WebAssembly, destructors return the object.
+using Destructor = void* (*)(void*);
+
 /// Stands before each object that is thrown.
 struct Thrown {
   const std::type_info* type = nullptr;
-  void (*destroy)(void*) = nullptr;
-  Thrown* next = nullptr;     ///< below this one among those that are being handled
-  int handlers = 0;           ///< that have caught it and are not over
+  Destructor destroy = nullptr;
+  Thrown* next = nullptr;      ///< below this one among those that are being handled
+  int handlers = 0;            ///< that have caught it and are not over
   bool isThrownAgain = false;  ///< by a handler: it does not end with it
-  void* adjusted = nullptr;   ///< the object as its handler sees it
+  void* adjusted = nullptr;    ///< the object as its handler sees it
 };
 constexpr std::size_t kHeader = 32;
 static_assert(sizeof(Thrown) <= kHeader);
 
 Thrown* handled = nullptr;  // the innermost one comes first
-unsigned uncaught = 0;
 
 Thrown* headerOf(void* object) {
   return reinterpret_cast<Thrown*>(static_cast<char*>(object) - kHeader);
@@ -102,8 +110,8 @@ struct HandlerTable {
   }
 };
 
-/// The first handler of a chain of actions that catches the object, by the number of its type; 0 if only
-/// cleaning up is to be done.
+/// The first handler of a chain of actions that catches the object, by the number of its type; 0 if
+/// only cleaning up is to be done.
 std::intptr_t handlerFor(const HandlerTable& table, std::uintptr_t firstAction, Thrown& thrown) {
   if (firstAction == 0) return 0;
   const std::uint8_t* place = table.actions + (firstAction - 1);
@@ -129,7 +137,8 @@ std::intptr_t handlerFor(const HandlerTable& table, std::uintptr_t firstAction, 
 
 extern "C" {
 
-/// Shared with compiled code: which call of which function was on its way, and which handler takes over.
+/// Shared with compiled code: which call of which function was on its way, and which handler takes
+/// over.
 struct LandingPad {
   std::uintptr_t index;
   const std::uint8_t* table;
@@ -163,17 +172,15 @@ void* __cxa_allocate_exception(std::size_t size) noexcept {
 
 void __cxa_free_exception(void* object) noexcept { std::free(headerOf(object)); }
 
-[[noreturn]] void __cxa_throw(void* object, std::type_info* type, void (*destroy)(void*)) {
+[[noreturn]] void __cxa_throw(void* object, std::type_info* type, Destructor destroy) {
   Thrown* const thrown = headerOf(object);
   thrown->type = type;
   thrown->destroy = destroy;
-  ++uncaught;
   __builtin_wasm_throw(0, object);
 }
 
 void* __cxa_begin_catch(void* object) noexcept {
   Thrown* const thrown = headerOf(object);
-  --uncaught;
   thrown->isThrownAgain = false;
   if (thrown->handlers++ == 0) {
     thrown->next = handled;
@@ -194,13 +201,10 @@ void __cxa_end_catch() {
 [[noreturn]] void __cxa_rethrow() {
   if (!handled) std::terminate();
   handled->isThrownAgain = true;
-  ++uncaught;
   __builtin_wasm_throw(0, objectOf(handled));
 }
 
 void* __cxa_get_exception_ptr(void* object) noexcept { return headerOf(object)->adjusted; }
-unsigned __cxa_uncaught_exceptions() noexcept { return uncaught; }
-bool __cxa_uncaught_exception() noexcept { return uncaught > 0; }
 
 void __clang_call_terminate(void*) { std::terminate(); }
 }

@@ -52,8 +52,10 @@ std::string Canvas::render(PictureFormat format, double width, double height,
   if (format != PictureFormat::Svg) throw InputError("only SVG pictures can be drawn here");
   Surface surface;
   surface.add(
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.6g}\" height=\"{1:.6g}\" viewBox=\"0 0 {0:.6g} "
-      "{1:.6g}\" stroke-linejoin=\"round\" stroke-linecap=\"round\" font-family=\"DejaVu Sans, sans-serif\">\n"
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.6g}\" height=\"{1:.6g}\" viewBox=\"0 "
+      "0 {0:.6g} "
+      "{1:.6g}\" stroke-linejoin=\"round\" stroke-linecap=\"round\" font-family=\"DejaVu Sans, "
+      "sans-serif\">\n"
       "<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n",
       width, height);
   Canvas canvas(surface);
@@ -68,14 +70,14 @@ Point2 Canvas::pixel(Point2 p) const {
 
 void Canvas::fillRectangle(Point2 low, Point2 high, double radius, Color fill) {
   surface_.add(
-      "<rect x=\"{:.6g}\" y=\"{:.6g}\" width=\"{:.6g}\" height=\"{:.6g}\" rx=\"{:.4g}\" {}/>\n", low.x,
-      low.y, high.x - low.x, high.y - low.y, radius, paint("fill", fill));
+      "<rect x=\"{:.6g}\" y=\"{:.6g}\" width=\"{:.6g}\" height=\"{:.6g}\" rx=\"{:.4g}\" {}/>\n",
+      low.x, low.y, high.x - low.x, high.y - low.y, radius, paint("fill", fill));
 }
 
 void Canvas::strokeRectangle(Point2 low, Point2 high, double radius, Color stroke, double width) {
   surface_.add(
-      "<rect x=\"{:.6g}\" y=\"{:.6g}\" width=\"{:.6g}\" height=\"{:.6g}\" rx=\"{:.4g}\" {}/>\n", low.x,
-      low.y, high.x - low.x, high.y - low.y, radius, strokeOf(stroke, width));
+      "<rect x=\"{:.6g}\" y=\"{:.6g}\" width=\"{:.6g}\" height=\"{:.6g}\" rx=\"{:.4g}\" {}/>\n",
+      low.x, low.y, high.x - low.x, high.y - low.y, radius, strokeOf(stroke, width));
 }
 
 void Canvas::text(const std::string& text, Point2 at, const TextStyle& style) {
@@ -83,10 +85,11 @@ void Canvas::text(const std::string& text, Point2 at, const TextStyle& style) {
                              : style.anchor == Anchor::Middle ? "middle"
                                                               : "end";
   surface_.add(
-      "<text x=\"{:.6g}\" y=\"{:.6g}\" font-size=\"{:.4g}\" text-anchor=\"{}\"{}{} {}>{}</text>\n", at.x,
-      at.y, style.size, anchor, style.weight == Weight::Bold ? " font-weight=\"bold\"" : "",
-      style.halo ? " paint-order=\"stroke\" stroke=\"#fff\" stroke-opacity=\"0.9\" stroke-width=\"3.5\""
-                 : "",
+      "<text x=\"{:.6g}\" y=\"{:.6g}\" font-size=\"{:.4g}\" text-anchor=\"{}\"{}{} {}>{}</text>\n",
+      at.x, at.y, style.size, anchor, style.weight == Weight::Bold ? " font-weight=\"bold\"" : "",
+      style.halo
+          ? " paint-order=\"stroke\" stroke=\"#fff\" stroke-opacity=\"0.9\" stroke-width=\"3.5\""
+          : "",
       paint("fill", style.color), escaped(text));
 }
 
@@ -103,7 +106,8 @@ Canvas::View::View(Canvas& canvas, Point2 low, Point2 high, const Box2& world, d
   Surface& surface = canvas.surface_;
   ++surface.count;
   surface.add(
-      "<clipPath id=\"c{0}\"><rect x=\"{1:.6g}\" y=\"{2:.6g}\" width=\"{3:.6g}\" height=\"{4:.6g}\"/>"
+      "<clipPath id=\"c{0}\"><rect x=\"{1:.6g}\" y=\"{2:.6g}\" width=\"{3:.6g}\" "
+      "height=\"{4:.6g}\"/>"
       "</clipPath>\n<g clip-path=\"url(#c{0})\">\n",
       surface.count, low.x, low.y, high.x - low.x, high.y - low.y);
   const Point2 size = world.high - world.low;
@@ -172,11 +176,12 @@ void Canvas::band(Point2 from, Point2 to, Color color, double width) {
   surface_.add(
       "<linearGradient id=\"g{}\" gradientUnits=\"userSpaceOnUse\" x1=\"{:.6g}\" y1=\"{:.6g}\" "
       "x2=\"{:.6g}\" y2=\"{:.6g}\"><stop {}/><stop offset=\"1\" {}/></linearGradient>\n",
-      name, p.x, p.y, p.x + aside.x, p.y + aside.y, paint("stop", color).replace(0, 4, "stop-color"),
-      "stop-opacity=\"0\"");
+      name, p.x, p.y, p.x + aside.x, p.y + aside.y,
+      paint("stop", color).replace(0, 4, "stop-color"), "stop-opacity=\"0\"");
   const Point2 r = q + aside, s = p + aside;
   surface_.add(
-      "<path d=\"M{:.6g} {:.6g}L{:.6g} {:.6g}L{:.6g} {:.6g}L{:.6g} {:.6g}Z\" fill=\"url(#g{})\"/>\n",
+      "<path d=\"M{:.6g} {:.6g}L{:.6g} {:.6g}L{:.6g} {:.6g}L{:.6g} {:.6g}Z\" "
+      "fill=\"url(#g{})\"/>\n",
       p.x, p.y, q.x, q.y, r.x, r.y, s.x, s.y, name);
 }
 
@@ -188,8 +193,9 @@ void Canvas::dot(Point2 at, double radius, Color fill, Color edge, double edgeWi
 
 void Canvas::cross(Point2 at, double radius, Color color, double width) {
   const Point2 p = pixel(at);
-  surface_.add("<path d=\"M{0:.6g} {1:.6g}L{2:.6g} {3:.6g}M{0:.6g} {3:.6g}L{2:.6g} {1:.6g}\" {4}/>\n",
-               p.x - radius, p.y - radius, p.x + radius, p.y + radius, strokeOf(color, width));
+  surface_.add(
+      "<path d=\"M{0:.6g} {1:.6g}L{2:.6g} {3:.6g}M{0:.6g} {3:.6g}L{2:.6g} {1:.6g}\" {4}/>\n",
+      p.x - radius, p.y - radius, p.x + radius, p.y + radius, strokeOf(color, width));
 }
 
 void Canvas::label(const std::string& text, Point2 at, Point2 direction, double distance,

@@ -32,8 +32,10 @@ class task_group {
   }
 };
 
+struct simple_partitioner {};
+
 template <class Index, class Work>
-void parallel_for(Index first, Index last, const Work& work) {
+void parallel_for(Index first, Index last, const Work& work, simple_partitioner) {
   for (; first < last; ++first) work(first);
 }
 

@@ -1,4 +1,4 @@
 // Stands in for the header of oneTBB of this name.
 #pragma once
 
-#include "serial.h"
+#include <tbb/serial.h>
