@@ -20,6 +20,12 @@
 namespace af2::cli {
 namespace {
 
+constexpr const char* kExitCodes =
+    "Exit codes: 0: success. 1: the input cannot be used, a file cannot be written, or something "
+    "was "
+    "found by a verb that searches. 2: the command line is wrong. 3: some faces are not meshed. 4: "
+    "stopped by a signal.";
+
 /// Does not use fmt::print, which throws if stderr is closed (`2>&-`).
 void printLine(const std::string& line) { std::fputs((line + "\n").c_str(), stderr); }
 
@@ -100,6 +106,7 @@ int runProgram(std::span<const Verb> verbs, int count, char** arguments) {
     command->group("Verbs");
     actions[command] = verb.declare(*command);
   }
+  program.footer(kExitCodes);  // verbs would inherit it
 
   if (count < 2)
     return explainUsage(program, "a verb is missing; the verbs are: " + knownVerbs(verbs));

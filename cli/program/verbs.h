@@ -36,6 +36,8 @@ Action declareExplainCode(CLI::App& command);
 Action declareImport(CLI::App& command);
 Action declarePlayground(CLI::App& command);
 Action declareLsp(CLI::App& command);
+Action declareCompletion(CLI::App& command);
+Action declareManual(CLI::App& command);
 Action declareVersion(CLI::App& command);
 
 }  // namespace af2::cli

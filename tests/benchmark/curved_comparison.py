@@ -36,7 +36,8 @@ def options() -> argparse.Namespace:
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("models", nargs="+", type=Path, help="models, or folders with models")
     parser.add_argument("--af2", required=True)
-    parser.add_argument("--netgen", help="the program netgen_driver, if it was built")
+    parser.add_argument("--netgen", help="the program netgen_driver, if it was built, or a Python with the module netgen")
+    parser.add_argument("--gmsh", help="the program gmsh of any build; default: Debian's Python module")
     parser.add_argument("--curvature", type=float, default=12, help="elements around a full turn")
     parser.add_argument("--limit", type=float, default=60, help="seconds for one mesh")
     parser.add_argument("--output", type=Path, help="file whose table is replaced; else printed")
@@ -81,9 +82,12 @@ def commands(chosen: argparse.Namespace, model: Path, size: float, mesh: Path) -
     made = {
         AF2: [chosen.af2, "mesh", str(model), "-q", "-j", "1", "-s", repr(size), "--curvature", turn, "-o", str(mesh)],
         GMSH: ["/usr/bin/python3", str(Path(__file__).with_name("gmsh_driver.py")), str(model), repr(size),
-               "--curvature", turn, "--obj", str(mesh)],
+               "--curvature", turn, "--obj", str(mesh), *(["--program", chosen.gmsh] if chosen.gmsh else [])],
     }
-    if chosen.netgen:
+    if chosen.netgen and "python" in Path(chosen.netgen).name:
+        made[NETGEN] = [chosen.netgen, str(Path(__file__).with_name("netgen_file.py")), str(model), repr(size), str(mesh),
+                        "--curvature", turn]
+    elif chosen.netgen:
         made[NETGEN] = [chosen.netgen, str(model), repr(size), turn, str(mesh)]
     return made
 

@@ -1,6 +1,7 @@
 """Quadrilateral meshes of Gmsh and Netgen for quads.py, each in a process of its own.
 
-Gmsh is Debian's package `gmsh`, Netgen is `python3-netgen`; neither is needed for anything else.
+Unless quads.py is told otherwise, Gmsh is Debian's package `gmsh`, and Netgen is `python3-netgen`; neither is needed for
+anything else.
 """
 import math
 import pathlib
@@ -10,7 +11,8 @@ import sys
 
 FRONTAL, PACKING = 6, 9  # 8, made for quadrilaterals, crashes together with full-quad in 4.8
 BLOSSOM, FULL_QUAD_BLOSSOM = 1, 3
-PYTHON = "/usr/bin/python3"  # Debian's, for which python3-netgen is made
+places = {"gmsh": "gmsh",  # any build of the program
+          "netgen": "/usr/bin/python3"}  # a Python with the module netgen: Debian's, for which python3-netgen is made
 
 
 class Gmsh:
@@ -21,7 +23,7 @@ class Gmsh:
         self.is_halved = is_halved  # it wants an even number of segments on each line
 
     def missing(self):
-        return None if shutil.which("gmsh") else "gmsh is not installed (Debian: gmsh)"
+        return None if shutil.which(places["gmsh"]) else "gmsh is not installed (Debian: gmsh)"
 
     def boundary(self):
         if self.is_halved:
@@ -62,7 +64,7 @@ class Gmsh:
         script, mesh = folder / "peer.geo", folder / "peer.msh"
         mesh.unlink(missing_ok=True)
         script.write_text("\n".join(lines) + "\n")
-        run = subprocess.run(["gmsh", "-2", str(script), "-o", str(mesh)], capture_output=True, text=True)
+        run = subprocess.run([places["gmsh"], "-2", str(script), "-o", str(mesh)], capture_output=True, text=True)
         return (mesh, None) if mesh.exists() else (None, f"exit code {run.returncode}")
 
 
@@ -70,7 +72,7 @@ class Netgen:
     title, reads_models = "Netgen", False  # Debian's package has no part for CAD files
 
     def missing(self):
-        found = pathlib.Path(PYTHON).exists() and subprocess.run([PYTHON, "-c", "import netgen"], capture_output=True)
+        found = shutil.which(places["netgen"]) and subprocess.run([places["netgen"], "-c", "import netgen"], capture_output=True)
         return None if found and found.returncode == 0 else "Netgen is not installed (Debian: python3-netgen)"
 
     def boundary(self):
@@ -82,7 +84,7 @@ class Netgen:
         # Segments that are longer than the largest size are divided.
         longest = max(math.dist(p, q) for loop in domain.loops for p, q in zip(loop, loop[1:] + loop[:1]))
         largest = max(size, 1.0001 * longest)
-        run = subprocess.run([PYTHON, __file__, str(mesh), repr(largest)], input=repr(domain.loops), capture_output=True,
+        run = subprocess.run([places["netgen"], __file__, str(mesh), repr(largest)], input=repr(domain.loops), capture_output=True,
                              text=True)
         return (mesh, None) if mesh.exists() else (None, f"exit code {run.returncode}")
 

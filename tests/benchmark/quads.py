@@ -42,10 +42,14 @@ def arguments():
     parser.add_argument("models", type=lambda name: pathlib.Path(name).resolve(), help="examples/models")
     parser.add_argument("rules", nargs="*", help="default: quad/classic quad/rows")
     parser.add_argument("--peers", action="store_true", help="also meshes of Gmsh and Netgen")
+    parser.add_argument("--gmsh", default=quad_peers.places["gmsh"], metavar="PATH", help="for --peers: the program gmsh")
+    parser.add_argument("--netgen", default=quad_peers.places["netgen"], metavar="PATH",
+                        help="for --peers: a Python with the module netgen")
     parser.add_argument("--rows", action="store_true", help="also a table of the rows along boundaries")
     parser.add_argument("--random", type=int, default=60, metavar="N", help="the number of random domains")
     parser.add_argument("--only", nargs="+", metavar="DOMAIN", help="only lines whose titles begin like this")
     chosen = parser.parse_args()
+    quad_peers.places.update(gmsh=chosen.gmsh, netgen=chosen.netgen)
     chosen.rules = chosen.rules or ["quad/classic", "quad/rows"]
     return chosen
 

@@ -2,7 +2,7 @@
 """Compares AF2 with Netgen and Gmsh on whole CAD models, at uniform sizes.
 
     whole_mesh_benchmark.py --af2 BUILD/tests/benchmark/whole_mesh_benchmark \
-        [--netgen BUILD/tests/benchmark/netgen_driver] [--output docs/benchmarks.md] \
+        [--netgen BUILD/tests/benchmark/netgen_driver] [--gmsh [PATH]] [--output docs/benchmarks.md] \
         [--models examples/models DIRECTORY] [--only die sphere:0.5,0.25]
 
 Each program meshes in a process of its own, one thread, in turns within the same run, so that all
@@ -36,7 +36,8 @@ def options() -> argparse.Namespace:
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("--af2", required=True, help="the program whole_mesh_benchmark")
     parser.add_argument("--netgen", help="the program netgen_driver, if it was built")
-    parser.add_argument("--gmsh", action="store_true", help="run Gmsh through its Python module")
+    parser.add_argument("--gmsh", nargs="?", const="", metavar="PATH",
+                        help="the program gmsh of any build; without PATH, Debian's Python module is used")
     parser.add_argument("--models", type=Path, nargs="+", help="directories with STEP files",
                         default=[REPOSITORY / "examples" / "models"])
     parser.add_argument("--only", nargs="+", default=MODELS, metavar="MODEL[:SIZE,...]",
@@ -52,8 +53,9 @@ def programs(chosen: argparse.Namespace) -> dict[str, list[str]]:
     commands = {RAW: [chosen.af2], FINISHED: [chosen.af2, "--optimize"]}
     if chosen.netgen:
         commands[NETGEN] = [chosen.netgen]
-    if chosen.gmsh:
-        commands[GMSH] = ["/usr/bin/python3", str(Path(__file__).with_name("gmsh_driver.py"))]
+    if chosen.gmsh is not None:
+        commands[GMSH] = ["/usr/bin/python3", str(Path(__file__).with_name("gmsh_driver.py")),
+                          *(["--program", chosen.gmsh] if chosen.gmsh else [])]
     return commands
 
 
@@ -151,6 +153,9 @@ def commit() -> str:
 def heading(commands: dict[str, list[str]], chosen: argparse.Namespace) -> list[str]:
     packages = {NETGEN: "libnglib-dev", GMSH: "gmsh"}
     peers = [f"{packages[name]} {version(packages[name])}" for name in commands if name in packages]
+    if chosen.gmsh:
+        told = subprocess.run([chosen.gmsh, "--version"], capture_output=True, text=True, check=False)
+        peers = [f"gmsh {(told.stdout + told.stderr).strip()}" if peer.startswith("gmsh ") else peer for peer in peers]
     shown = shlex.join(["tests/benchmark/whole_mesh_benchmark.py", *sys.argv[1:]])
     return [f"Measured on {processor()}, commit {commit()}, one thread, "
             f"median of {chosen.rounds} rounds"

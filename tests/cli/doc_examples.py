@@ -1,4 +1,4 @@
-"""Compiles the examples of the documentation: doc_examples.py PROGRAM SOURCE.
+"""Compiles the examples of the documentation: doc_examples.py PROGRAM SOURCE [PAGE...].
 
 A block fenced as ```af2 is a rule file, or items of one, or a meta clause; what is missing is added.
 "```af2 finds A1" must have the finding A1, and "```af2 NAME.af2" is added to a file that grows through
@@ -6,6 +6,11 @@ its page and is checked after each addition. Tests in the blocks must pass. Line
 in ```console blocks are run, in one folder for each page; "# exit code 3" at the end says what is expected.
 The lines that follow must be among what the command prints, in their order, each as a part of one; "..."
 stands for anything, and so does every time in seconds.
+
+A block of another language with the name of a file, "```json sizes.json", is that file for the commands below it. Of other
+blocks, JSON is read; lines that begin with "./af2" or "af2" are run if they ask for a model of examples/, except for those that
+go on until they are stopped; all other lines of shells must be sound for bash, and the scripts of the repository that they
+call must have the options that they are given.
 
 The page on the program names every option that --help does."""
 
@@ -18,8 +23,11 @@ import sys
 import tempfile
 
 PROGRAM, SOURCE = sys.argv[1], pathlib.Path(sys.argv[2])
-FENCE = re.compile(r"^```(\w+)([^\n]*)\n(.*?)^```$", re.M | re.S)
-FREE_RULE = 'rule "any" quality 1 {\n  new c = mid(a, b) + (0, 0.866);\n  zone a, b, c;\n  tri a b c;\n'
+sys.path.insert(0, str(SOURCE / "docs" / "site"))
+sys.dont_write_bytecode = True
+from doc_blocks import FENCE, completed
+
+FILE_NAME = re.compile(r"[\w-]+\.\w+")
 failures = []
 
 
@@ -29,19 +37,6 @@ def run(*arguments, folder=None):
 
 def has_cad():
     return json.loads(run("version", "--json").stdout)["opencascade"]
-
-
-def completed(text):
-    """The whole file that an excerpt stands for."""
-    if text.startswith("af2 "):
-        return text
-    if text.startswith("meta"):
-        text = FREE_RULE + text + "}\n"
-    if not re.search(r"^ruleset ", text, re.M):
-        text += 'ruleset "example" { elements tri, quad; }\n'
-    if not re.search(r"^(rule|use) ", text, re.M):
-        text += FREE_RULE + "}\n"
-    return "af2 1;\n" + text
 
 
 def check(place, name, folder, code):
@@ -87,6 +82,41 @@ def commands(place, text, folder):
             failures.append(f"{place}: {command}\nprints no '{missing}', but\n{done.stderr}{done.stdout}")
 
 
+def without_comment(line):
+    return re.sub(r"\s+#.*$", "", line)
+
+
+def shell(place, text, folder):
+    """Commands that a reader would type."""
+    lines = re.sub(r"\\\n\s*", " ", text).splitlines()
+    sound = subprocess.run(["bash", "-n"], input="\n".join(lines), capture_output=True, text=True)
+    if sound.returncode != 0:
+        failures.append(f"{place}: {sound.stderr}")
+    for line in map(without_comment, lines):
+        if re.match(r"(\./)?af2 (?!playground|lsp)", line) and re.search("examples/|\\btri/|\\.af2t|\\.vtu", line):
+            commands(place, "$ " + line.removeprefix("./") + "\n", folder)
+        script = re.match(r"(tests/\S+|docs/\S+|examples/\S+)", line)
+        if script and not (SOURCE / script[1]).exists():
+            failures.append(f"{place}: there is no {script[1]}")
+        elif script and script[1].endswith(".py"):
+            known = (SOURCE / script[1]).read_text(encoding="utf-8")
+            failures.extend(f"{place}: {script[1]} has no option {option}"
+                            for option in re.findall(r" (--[a-z-]+)", line) if f'"{option}"' not in known)
+
+
+def other_block(place, language, name, body, folder):
+    if FILE_NAME.fullmatch(name):
+        (pathlib.Path(folder) / name).write_text(body, encoding="utf-8")
+    if language == "json":
+        try:
+            json.loads(body)
+        except ValueError as error:
+            failures.append(f"{place}: {error}")
+    looks_like_shell = re.match(r"(\./|af2 |cmake |tests/|build/|gmsh |netgen |apt|ninja |cd )", body)
+    if language in ("sh", "bash") or language == "" and looks_like_shell:
+        shell(place, body, folder)
+
+
 def examine(page):
     text = page.read_text(encoding="utf-8")
     count = 0
@@ -97,6 +127,8 @@ def examine(page):
             place = f"{page.relative_to(SOURCE)}:{text.count(chr(10), 0, match.start()) + 1}"
             if language == "console":
                 commands(place, body, folder)
+            if language not in ("af2", "cpp", "console") and page.name != "README.md":  # that has a test of its own
+                other_block(place, language, info, body, folder)
             if language != "af2":
                 continue
             count += 1
@@ -131,7 +163,8 @@ def options_without_words():
 
 if options_without_words() < 10:
     failures.append("af2 --help lists no verbs")
-pages = [SOURCE / "README.md", *sorted((SOURCE / "docs").glob("*.md"))]
+pages = ([pathlib.Path(page).resolve() for page in sys.argv[3:]]
+         or [SOURCE / "README.md", *sorted((SOURCE / "docs").glob("*.md"))])
 total = sum(examine(page) for page in pages)
 print("\n".join(failures) if failures else f"all {total} examples are sound")
-sys.exit(1 if failures or total == 0 else 0)
+sys.exit(1 if failures or (total == 0 and len(sys.argv) == 3) else 0)

@@ -32,11 +32,24 @@ project plugin
 ! readelf -S --wide "$work"/prefix/lib/*/libaf2_engine.a "$work"/prefix/lib/libaf2_engine.a 2>/dev/null |
   grep -q gnu.lto || { echo "-> the installed engine has link-time bytecode"; exit 1; }
 
+# Without CMake: what pkg-config says is enough.
+if command -v pkg-config >/dev/null; then
+  export PKG_CONFIG_PATH=$(dirname "$(find "$work/prefix" -name af2.pc)")
+  read -ra flags <<<"$(pkg-config --cflags af2)"
+  read -ra libraries <<<"$(pkg-config --libs af2)"
+  "$compiler" "${flags[@]}" -DRULES="\"$(pkg-config --variable=rulesdir af2)/tri/even.af2\"" \
+    "$work/examples/embedding/main.cpp" -o "$work/without_cmake" "${libraries[@]}"
+fi
+
 cp "$source/examples/models/cylinder.step" "$work/part.step"
 cd "$work"
 embedding/build/embedding part.step 0.5 embedded.msh
 env -u AF2_RULES prefix/bin/af2 mesh part.step --size 0.5 -o program.msh
 cmp embedded.msh program.msh
+if [ -x without_cmake ]; then
+  LD_LIBRARY_PATH=$(dirname "$PKG_CONFIG_PATH") ./without_cmake part.step 0.5 without_cmake.msh
+  cmp embedded.msh without_cmake.msh
+fi
 own_shape/build/own_shape 0.5 pipe.msh | grep -q '^inlet: [1-9]' || { echo "-> a name is missing"; exit 1; }
 grep -aq '"outlet"' pipe.msh
 torus/build/torus prefix/share/af2/rules/tri/classic.af2 0.25 torus.vtu

@@ -33,6 +33,6 @@ function(af2_load_readers target)
     add_dependencies(${target} ${module})
     set_target_properties(${module} PROPERTIES
       EXCLUDE_FROM_ALL FALSE LIBRARY_OUTPUT_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR})
-    install(TARGETS ${module} LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/af2)
+    install(TARGETS ${module} LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/af2 COMPONENT program)
   endforeach()
 endfunction()
