@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
-#include <optional>
+#include <memory>
 
 #include "cli/meshing/contact_texts.h"
 #include "cli/meshing/mesh_run.h"
@@ -213,13 +213,12 @@ int meshOrReportWhyNot(const MeshRequest& request) {
   }
 }
 
-/// What came through standard input, if the model does; the options then name a file that has it.
-std::optional<StandardInput> takenInput(MeshOptions& options) {
-  std::optional<StandardInput> input;
-  if (!isStandardInput(options.model)) return input;
+/// If the model comes through standard input: the options then name a file that has it.
+std::unique_ptr<StandardInput> takenInput(MeshOptions& options) {
+  if (!isStandardInput(options.model)) return nullptr;
   if (!options.trace.empty())
     throw UsageError("--trace needs a model in a file, which is read again for the trace");
-  input.emplace(options.format);
+  auto input = std::make_unique<StandardInput>(options.format);
   options.model = input->file().string();
   options.format.clear();
   return input;
@@ -231,7 +230,7 @@ Action declareMesh(CLI::App& command) {
   const auto options = std::make_shared<MeshOptions>();
   declareMeshOptions(command, *options);
   return [options, &command] {
-    const std::optional<StandardInput> input = takenInput(*options);
+    const std::unique_ptr<StandardInput> input = takenInput(*options);
     MeshRequest request = checkedRequest(*options);
     request.arguments = argumentsOf(command);
     return meshOrReportWhyNot(request);
