@@ -25,10 +25,6 @@ namespace fs = std::filesystem;
 void checkReadable(const fs::path& model) {
   std::error_code ignored;
   const fs::file_status status = fs::status(model, ignored);
-  if (model == "-")
-    throw InputError(
-        "a model cannot come from standard input, because it is read more than once; write it to a "
-        "file first");
   if (!fs::exists(status)) throw InputError(fmt::format("there is no file '{}'", model.string()));
   if (fs::is_directory(status)) {
     throw InputError(

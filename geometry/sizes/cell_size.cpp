@@ -20,10 +20,11 @@ std::size_t cornersOf(const Cell& cell) {
   return static_cast<std::size_t>(std::ranges::find(cell, SizeCells::kNone) - cell.begin());
 }
 
-/// The nearest point of a cell, as weights of its corners.
+/// The nearest point of a cell, as weights of its corners. From so far away that distances are not
+/// finite, any corner will do.
 struct Foot {
   double distance = std::numeric_limits<double>::infinity();
-  std::array<double, 4> weights{};
+  std::array<double, 4> weights{1, 0, 0, 0};
 };
 
 class FootFinder {

@@ -55,7 +55,7 @@ unusable "$af2" mesh "$cylinder" --size 1 -r quad; told 'AF2 has quad/classic.af
 unusable "$af2" mesh "$cylinder" --size 1 --sizes nothing.json; told 'nothing.json'
 echo '{"parts": {"nowhere": 1}}' >sizes.json
 unusable "$af2" mesh "$cylinder" --size 1 --sizes sizes.json; told "no face or group has such a name"
-usage "$af2" mesh "$cylinder" --size 1 --feature-angle 20; told 'STL and OBJ'
+usage "$af2" mesh "$cylinder" --size 1 --feature-angle 20; told 'is for STL, OBJ, '
 usage "$af2" mesh "$cylinder" --size 1 --chart round; told "choose one of auto, mean-normal"
 echo 'v 0 0 x' >bad.obj
 usage "$af2" mesh "$models/plate.poly" --size 1 --chart auto; told 'curved faces'

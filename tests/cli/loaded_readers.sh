@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The readers of STEP and IGES files are libraries beside the program.
+# The readers of STEP and IGES files, and the writers of some formats, are libraries beside the program.
 . "$(dirname "$0")/support.sh"
 
 # What runs without them does not load them.
@@ -15,6 +15,23 @@ told "the library 'af2-step.so' that belongs to this program is not in"
 told "copy or install it along with the program"
 [ ! -e step.vtu ] || fail "there is a mesh of a model that was not read"
 if ldd alone/af2 | grep -qE 'TK(STEP|XCAF|IGES|V3d)'; then fail "the program is linked with readers"; fi
+
+# The same holds for writers that need libraries of others, whether these were built or not.
+for format in med exo cgns; do
+  expect 2 alone/af2 mesh "$models/plate.poly" --size 0.5 -o plate.$format
+  told "does not lie with this program; install it, or choose another format"
+done
+for library in med exodus cgns; do printf 'no library' >alone/af2-$library.so; done
+for format in med exo cgns; do
+  expect 1 alone/af2 mesh "$models/plate.poly" --size 0.5 -o plate.$format -o beside.obj
+  told "cannot load a part of this program"
+  [ ! -e plate.$format ] || fail "there is a file plate.$format"
+  [ -e beside.obj ] || fail "the other file is missing"
+  rm -f beside.obj
+done
+[ -z "$(ls | grep tmp)" ] || fail "temporary files are left"
+rm alone/af2-*.so
+if ldd alone/af2 | grep -qE 'hdf5|netcdf|med|cgns|mpi'; then fail "the program is linked with libraries of formats"; fi
 
 # Installed, they lie in a folder of the program's libraries.
 mkdir -p installed/bin

@@ -13,7 +13,7 @@ from() {
 
 expect 0 "$af2" mesh "$models/die.step" --size 2 -o die.stl -o die.obj -o die.ply -o die.vtu -o die.vtk -o die.msh
 printf 'OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n' >four.off
-printf 'splinecurves2dv2\npoints\n1 0 0\n2 4 0\n3 4 4\n4 0 4\nsegments\n1 0 2 1 2\n1 0 2 2 3\n1 0 2 3 4\n1 0 2 4 1\n' >square.in2d
+printf 'splinecurves2dv2\n2\npoints\n1 0 0\n2 4 0\n3 4 4\n4 0 4\nsegments\n1 0 2 1 2\n1 0 2 2 3\n1 0 2 3 4\n1 0 2 4 1\n' >square.in2d
 for model in "$models/cylinder.step" "$models/cylinder.brep" "$models/plate.poly" die.stl die.obj die.ply die.vtu die.vtk \
   die.msh four.off square.in2d; do
   expect 0 "$af2" mesh "$model" --size 2 -o file.obj

@@ -45,9 +45,11 @@ TEST(KnownInputs, BreakNoReaderOfMeshes) {
   tryAll(".vtk", tryVtkFile);
   tryAll(".msh", tryMshFile);
   tryAll(".ply", tryPlyFile);
+  tryAll(".off", tryOffFile);
 }
 TEST(KnownInputs, BreakNoReaderOfSizes) {
   tryAll(".size.json", trySizeFile);
+  tryAll(".pos", tryPosFile);
   tryAll(".edge_point.json", tryEdgePointFile);
 }
 

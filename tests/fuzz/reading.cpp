@@ -23,6 +23,7 @@
 #include "geometry/planar/mesh_planar.h"
 #include "geometry/quality/mesh_measures.h"
 #include "geometry/reading/read_mesh.h"
+#include "geometry/reading/size_field.h"
 
 namespace af2::fuzz {
 namespace {
@@ -160,11 +161,24 @@ void tryMshFile(const std::string& text) { readAs(".msh", text, measure); }
 
 void tryPlyFile(const std::string& text) { readAs(".ply", text, measure); }
 
+void tryOffFile(const std::string& text) { readAs(".off", text, measure); }
+
+void askForSizes(const geometry::SizeSources& sources) {
+  const geometry::PositionSize size = sizeFrom(sources, 0.3);
+  for (const double x : {-1e300, -3.0, 0.0, 0.7, 1e9})
+    promise(size.at(Point3{x, 1, -x}) > 0, "sizes are positive");
+}
+
 void trySizeFile(const std::string& text) {
-  readAs(".json", text, [](const fs::path& file) {
-    const geometry::PositionSize size = sizeFrom(geometry::readSizeFile(file).sources, 0.3);
-    for (const double x : {-1e300, -3.0, 0.0, 0.7, 1e9})
-      promise(size.at(Point3{x, 1, -x}) > 0, "sizes are positive");
+  readAs(".json", text,
+         [](const fs::path& file) { askForSizes(geometry::readSizeFile(file).sources); });
+}
+
+void tryPosFile(const std::string& text) {
+  readAs(".pos", text, [](const fs::path& file) {
+    geometry::SizeSources sources;
+    sources.cells = {geometry::readSizeField({file, ""})};
+    askForSizes(sources);
   });
 }
 

@@ -20,15 +20,17 @@ void tryIn2dFile(const std::string& text);
 void tryStlFile(const std::string& text);
 void tryObjFile(const std::string& text);
 
-/// Reads a mesh (.vtu, .vtk, .msh, .ply) and measures it.
+/// Reads a mesh (.vtu, .vtk, .msh, .ply, .off) and measures it.
 void tryVtuFile(const std::string& text);
 void tryVtkFile(const std::string& text);
 void tryMshFile(const std::string& text);
 void tryPlyFile(const std::string& text);
+void tryOffFile(const std::string& text);
 
-/// Reads a file of sizes, and asks for sizes here and there; or of the vertices along edges
-/// (.json).
+/// Reads a file of sizes (.json, .pos), and asks for sizes here and there; or of the vertices along
+/// edges (.json).
 void trySizeFile(const std::string& text);
+void tryPosFile(const std::string& text);
 void tryEdgePointFile(const std::string& text);
 
 }  // namespace af2::fuzz

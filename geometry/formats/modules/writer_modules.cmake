@@ -27,7 +27,7 @@ function(af2_writer_module format function header library)
   set_target_properties(${target} PROPERTIES PREFIX "" OUTPUT_NAME af2-${format}
     LIBRARY_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/${CMAKE_INSTALL_LIBDIR}/af2)
   add_dependencies(af2_geometry ${target})
-  install(TARGETS ${target} LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/af2)
+  install(TARGETS ${target} LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/af2 COMPONENT formats)
 endfunction()
 
 af2_writer_module(med writeMedFile med.h medC ${AF2_HDF5_INCLUDE_DIRS} ${AF2_MPI_INCLUDE_DIRS})

@@ -37,10 +37,11 @@ TEST(ModelFormats, TellTheKindOfAModelByItsExtension) {
 }
 
 TEST(ModelFormats, AreListedInTexts) {
-  EXPECT_EQ(formatNames(ModelKind::Faceted, "and"), "STL and OBJ");
-  const std::string all = formatNames("or"), others = "STL, OBJ, .poly or .in2d";
+  EXPECT_EQ(formatNames(ModelKind::Faceted, "and"), "STL, OBJ, PLY, OFF, Gmsh, VTK XML and VTK");
+  const std::string all = formatNames("or"), others = "VTK XML, VTK, .poly or .in2d";
   EXPECT_TRUE(all.ends_with(others)) << all;
-  EXPECT_TRUE(modelHelp().ends_with("STL or OBJ file (triangles), .poly or .in2d file (planar)"));
+  EXPECT_TRUE(
+      modelHelp().ends_with("VTK XML or VTK file (triangles), .poly or .in2d file (planar)"));
 }
 
 TEST(ModelFormats, AreAllInTheDocumentation) {

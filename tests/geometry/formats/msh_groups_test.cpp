@@ -9,6 +9,8 @@
 namespace af2::geometry {
 namespace {
 
+using testing::written;
+
 constexpr std::int32_t kAll = 7, kHalf = 8, kRed = 9;  // after the faces 1 to 6
 
 /// Faces 2 and 3 are called "wall", 6 is the "lid".

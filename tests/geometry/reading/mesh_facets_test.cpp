@@ -43,7 +43,8 @@ TEST(MeshFacets, KeepTheFacesOfAMeshAsParts) {
     EXPECT_EQ(facets.triangles.size(), 12u) << extension;  // the quadrilateral is split
     ASSERT_EQ(facets.groupNames.size(), 6u) << extension;
     EXPECT_NE(facets.group.front(), facets.group.back()) << extension;
-    if (std::string(extension) != ".vtk") EXPECT_EQ(facets.groupNames[5], "lid") << extension;
+    const bool hasNames = std::string(extension) != ".vtk";
+    EXPECT_EQ(facets.groupNames[5], hasNames ? "lid" : "") << extension;
     EXPECT_EQ(facets.groupNames[0], "") << extension;
   }
 }
@@ -59,7 +60,7 @@ TEST(MeshFacets, AreOfPlyAndOffFiles) {
 TEST(MeshFacets, TellWhatIsWrongWithAFile) {
   EXPECT_NE(faultOfFacets("empty.off", "").find("is truncated: the head is missing"),
             std::string::npos);
-  EXPECT_NE(faultOfFacets("cut.off", kCubeOff.substr(0, 60)).find("is truncated"),
+  EXPECT_NE(faultOfFacets("cut.off", kCubeOff.substr(0, 57)).find("is truncated"),
             std::string::npos);
   EXPECT_NE(faultOfFacets("other.off", "ply\n3 1 0\n").find("does not begin with OFF"),
             std::string::npos);

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
 
 #include "engine/base/error.h"
@@ -41,8 +42,9 @@ TEST(SizeField, IsAViewOfGmsh) {
   const SizeCells cells = readField(written("one.pos", kView));
   EXPECT_EQ(cells.cells.size(), 6u);  // the quadrilateral is two
   EXPECT_EQ(cells.vertices.size(), 5u);
-  for (std::size_t v = 0; v < cells.vertices.size(); ++v)  // the smallest at each place
-    if (cells.vertices[v] == Point3{1, 0, 0}) EXPECT_EQ(cells.sizes[v], 0.25);
+  const auto place = std::ranges::find(cells.vertices, Point3{1, 0, 0});
+  ASSERT_NE(place, cells.vertices.end());
+  EXPECT_EQ(cells.sizes[static_cast<std::size_t>(place - cells.vertices.begin())], 0.25);  // least
 }
 
 TEST(SizeField, IsChosenByNameAmongSeveral) {
