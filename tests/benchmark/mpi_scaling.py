@@ -24,7 +24,7 @@ parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.R
 parser.add_argument("report")
 parser.add_argument("--latency", type=float, default=1e-3, help="until an answer of rank 0 has come, seconds")
 parser.add_argument("--bandwidth", type=float, default=1e9, help="of the network at rank 0, bytes per second")
-parser.add_argument("--strips", type=float, default=0.1, help="of the time of a cut face: optimising along cuts")
+parser.add_argument("--strips", type=float, default=0.15, help="of the time of a cut face: optimising along cuts")
 parser.add_argument("--cutting", type=float, default=0.02, help="of the time of a cut face: finding its pieces")
 parser.add_argument("--ranks", default="1,2,4,8,16,32,64,128,256,512")
 options = parser.parse_args()
