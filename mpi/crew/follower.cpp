@@ -19,13 +19,13 @@ Order orderIn(ByteReader& reader) {
 
 }  // namespace
 
-Crew::Follower::Follower(Post& post, std::size_t threads)
+Process::Follower::Follower(Post& post, std::size_t threads)
     : post_(post), workers_(post.rank(), threads) {
   post_.handle(kPiece, [this](const Letter& letter) { workers_.takePiece(letter.bytes); });
   post_.handle(kAbandon, [this](const Letter&) { workers_.giveUp(); });
 }
 
-std::optional<RunChange> Crew::Follower::nextRun() {
+std::optional<RunChange> Process::Follower::nextRun() {
   const Letter letter = post_.receive(kOrders);
   ByteReader reader(letter.bytes);
   if (orderIn(reader) == Order::BeginRun) return reader.take<RunChange>();
@@ -33,7 +33,7 @@ std::optional<RunChange> Crew::Follower::nextRun() {
   return std::nullopt;
 }
 
-std::optional<FaceRound> Crew::Follower::nextRound() {
+std::optional<FaceRound> Process::Follower::nextRound() {
   const Letter letter = post_.receive(kOrders);
   ByteReader reader(letter.bytes);
   if (orderIn(reader) == Order::EndRun) return std::nullopt;
@@ -42,18 +42,18 @@ std::optional<FaceRound> Crew::Follower::nextRound() {
   return FaceRound{divided_, std::move(near)};
 }
 
-void Crew::Follower::help(const MeshTry& mesh) { workers_.work(*this, round_, mesh); }
+void Process::Follower::help(const MeshTry& mesh) { workers_.work(*this, round_, mesh); }
 
-ModelMesh Crew::Follower::reports() { return std::exchange(reports_, {}); }
+ModelMesh Process::Follower::reports() { return std::exchange(reports_, {}); }
 
-Bytes Crew::Follower::waitFor(Order order) {
+Bytes Process::Follower::waitFor(Order order) {
   const Letter letter = post_.receive(kOrders);
   ByteReader reader(letter.bytes);
   if (orderIn(reader) != order) throw InternalError("a process got another order than it expected");
   return reader.take<Bytes>();
 }
 
-int Crew::Follower::waitForStop() {
+int Process::Follower::waitForStop() {
   try {
     while (true) {
       const Letter letter = post_.receive(kOrders);
@@ -65,29 +65,29 @@ int Crew::Follower::waitForStop() {
   }
 }
 
-Task Crew::Follower::nextTask(std::size_t slot) {
+Task Process::Follower::nextTask(std::size_t slot) {
   post_.send(0, kAsk, bytesOf(std::uint64_t{slot}, round_));
   const Letter letter = post_.receive(replyTo(slot));
   return ByteReader(letter.bytes).take<Task>();
 }
 
-void Crew::Follower::finish(std::vector<NumberedMesh> meshes) {
+void Process::Follower::finish(std::vector<NumberedMesh> meshes) {
   post_.send(0, kResults, bytesOf(round_, meshes));
 }
 
-void Crew::Follower::offer(const RegionKey& region, const std::vector<double>& work) {
+void Process::Follower::offer(const RegionKey& region, const std::vector<double>& work) {
   post_.send(0, kOffer, bytesOf(region, work));
 }
 
-std::optional<std::size_t> Crew::Follower::nextPiece(const RegionKey& region, std::size_t slot,
-                                                     bool isInvited) {
+std::optional<std::size_t> Process::Follower::nextPiece(const RegionKey& region, std::size_t slot,
+                                                        bool isInvited) {
   post_.send(0, kAskPiece, bytesOf(std::uint64_t{slot}, region, isInvited));
   const Letter letter = post_.receive(replyTo(slot));
   return ByteReader(letter.bytes).take<std::optional<std::size_t>>();
 }
 
-void Crew::Follower::deliver(int owner, const RegionKey& region, std::size_t piece,
-                             const RegionMesh& mesh) {
+void Process::Follower::deliver(int owner, const RegionKey& region, std::size_t piece,
+                                const RegionMesh& mesh) {
   post_.send(owner, kPiece, bytesOfPiece(region, piece, mesh));
 }
 

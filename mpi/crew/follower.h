@@ -1,13 +1,13 @@
 // A process of a crew that does not lead.
 #pragma once
 
-#include "mpi/crew/crew.h"
+#include "mpi/crew/process.h"
 #include "mpi/crew/topics.h"
 #include "mpi/crew/workers.h"
 
 namespace af2::mpi {
 
-class Crew::Follower final : public geometry::CrewFollower, private TaskSource {
+class Process::Follower final : public geometry::CrewFollower, private TaskSource {
  public:
   Follower(Post& post, std::size_t threads);
 

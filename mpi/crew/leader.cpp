@@ -6,14 +6,14 @@ namespace af2::mpi {
 
 using namespace geometry;
 
-Crew::Leader::Leader(Post& post, std::size_t threads)
+Process::Leader::Leader(Post& post, std::size_t threads)
     : post_(post),
       board_(threads * static_cast<std::size_t>(post.ranks())),
       workers_(post.rank(), threads) {
   handleLetters();
 }
 
-void Crew::Leader::handleLetters() {
+void Process::Leader::handleLetters() {
   post_.handle(kAsk, [this](const Letter& letter) {
     Waiting next{letter.from, 0, 0};
     ByteReader(letter.bytes)(next.slot, next.round);
@@ -41,11 +41,11 @@ void Crew::Leader::handleLetters() {
   post_.handle(kGivenUp, [this](const Letter& letter) { giveUp(letter); });
 }
 
-void Crew::Leader::beginRun(const RunChange& change) { tell(Order::BeginRun, change); }
+void Process::Leader::beginRun(const RunChange& change) { tell(Order::BeginRun, change); }
 
-void Crew::Leader::meshAll(const FaceRound& round, std::span<const FaceTry> tries,
-                           std::span<const double> work, const MeshTry& mesh,
-                           const TakeMesh& take) {
+void Process::Leader::meshAll(const FaceRound& round, std::span<const FaceTry> tries,
+                              std::span<const double> work, const MeshTry& mesh,
+                              const TakeMesh& take) {
   begin(take, board_.begin(tries, work));
   struct End {
     Leader& leader;
@@ -56,56 +56,56 @@ void Crew::Leader::meshAll(const FaceRound& round, std::span<const FaceTry> trie
   board_.check();
 }
 
-void Crew::Leader::begin(const TakeMesh& take, std::uint64_t round) {
+void Process::Leader::begin(const TakeMesh& take, std::uint64_t round) {
   const std::lock_guard lock(mutex_);
   take_ = &take;
   round_ = round;
 }
 
 /// From now on, results are not wanted any more: if somebody has given up, some may still come.
-void Crew::Leader::end() {
+void Process::Leader::end() {
   const std::lock_guard lock(mutex_);
   take_ = nullptr;
 }
 
-void Crew::Leader::endRun() { tell(Order::EndRun); }
+void Process::Leader::endRun() { tell(Order::EndRun); }
 
-void Crew::Leader::endModel(const ModelMesh& mesh) {
+void Process::Leader::endModel(const ModelMesh& mesh) {
   tell(Order::EndModel, mesh.faces, mesh.findings, mesh.notes);
 }
 
-void Crew::Leader::stop(const std::string& reason, int code) { tell(Order::Stop, reason, code); }
+void Process::Leader::stop(const std::string& reason, int code) { tell(Order::Stop, reason, code); }
 
 template <class... T>
-void Crew::Leader::tell(Order order, const T&... values) {
+void Process::Leader::tell(Order order, const T&... values) {
   if (post_.ranks() > 1) post_.sendToAll(kOrders, bytesOf(order, values...));
 }
 
-Task Crew::Leader::nextTask(std::size_t) { return board_.take(round_); }
+Task Process::Leader::nextTask(std::size_t) { return board_.take(round_); }
 
-void Crew::Leader::finish(std::vector<NumberedMesh> meshes) {
+void Process::Leader::finish(std::vector<NumberedMesh> meshes) {
   for (auto& [number, mesh] : meshes) (*take_)(number, std::move(mesh));
   board_.finish(meshes.size());
   answerWaiting();
 }
 
-void Crew::Leader::offer(const RegionKey& region, const std::vector<double>& work) {
+void Process::Leader::offer(const RegionKey& region, const std::vector<double>& work) {
   board_.offer(region, post_.rank(), work);
   answerWaiting();
 }
 
-std::optional<std::size_t> Crew::Leader::nextPiece(const RegionKey& region, std::size_t,
-                                                   bool isInvited) {
+std::optional<std::size_t> Process::Leader::nextPiece(const RegionKey& region, std::size_t,
+                                                      bool isInvited) {
   return board_.nextPiece(region, isInvited);
 }
 
-void Crew::Leader::deliver(int owner, const RegionKey& region, std::size_t piece,
-                           const RegionMesh& mesh) {
+void Process::Leader::deliver(int owner, const RegionKey& region, std::size_t piece,
+                              const RegionMesh& mesh) {
   post_.send(owner, kPiece, bytesOfPiece(region, piece, mesh));
 }
 
 /// Those who can have a task, or whose round is over, get an answer.
-void Crew::Leader::answerWaiting() {
+void Process::Leader::answerWaiting() {
   const std::lock_guard lock(mutex_);
   std::erase_if(waiting_, [&](const Waiting& one) {
     const std::optional<Task> task = board_.takeIfAny(one.round);
@@ -114,7 +114,7 @@ void Crew::Leader::answerWaiting() {
   });
 }
 
-void Crew::Leader::takeMeshes(const Letter& letter) {
+void Process::Leader::takeMeshes(const Letter& letter) {
   ByteReader reader(letter.bytes);
   const auto round = reader.take<std::uint64_t>();
   auto meshes = reader.take<std::vector<NumberedMesh>>();
@@ -127,7 +127,7 @@ void Crew::Leader::takeMeshes(const Letter& letter) {
   answerWaiting();
 }
 
-void Crew::Leader::giveUp(const Letter& letter) {
+void Process::Leader::giveUp(const Letter& letter) {
   board_.giveUp(ByteReader(letter.bytes).take<std::string>());
   workers_.giveUp();
   post_.sendToAll(kAbandon, {});

@@ -5,14 +5,14 @@
 #include <mutex>
 #include <string>
 
-#include "mpi/crew/crew.h"
+#include "mpi/crew/process.h"
 #include "mpi/crew/task_board.h"
 #include "mpi/crew/topics.h"
 #include "mpi/crew/workers.h"
 
 namespace af2::mpi {
 
-class Crew::Leader final : public geometry::CrewLeader, private TaskSource {
+class Process::Leader final : public geometry::CrewLeader, private TaskSource {
  public:
   Leader(Post& post, std::size_t threads);
 

@@ -21,7 +21,7 @@
 #include "cli/program/usage_error.h"
 #include "cli/rules/rule_loading.h"
 #include "geometry/mesh/scaled_mesh.h"
-#include "mpi/crew/crew.h"
+#include "mpi/crew/process.h"
 #include "mpi/crew/topics.h"
 #include "mpi/partition/part_files.h"
 #include "mpi/program/model_file.h"
@@ -79,28 +79,28 @@ void writeParts(Crew& crew, const ModelMesh& mesh, const MeshRequest& request,
   const PartFiles files = writePart(
       distribute(crew, factor == 1 ? mesh : scaledMesh(mesh, factor), request.fileOptions.lines),
       file);
-  const int others = crew.post().ranks() - 1;
-  crew.waitForDone(others);
-  crew.orderAll(Order::Commit, {});
+  const int others = crew.process().post().ranks() - 1;
+  crew.process().waitForDone(others);
+  crew.process().orderAll(Order::Commit, {});
   for (const auto& part : files) part->commit();
-  crew.waitForDone(others);
+  crew.process().waitForDone(others);
 }
 
 void writeOwnPart(Crew& crew, const std::string& file) {
   const PartFiles files = writePart(distribute(crew, {}, {}), file);
-  crew.done();
-  crew.waitFor(Order::Commit);
+  crew.process().done();
+  crew.process().waitFor(Order::Commit);
   for (const auto& part : files) part->commit();
-  crew.done();
+  crew.process().done();
 }
 
 int lead(Crew& crew, const Options& given, int threads) {
   const MeshOptions& options = given.mesh;
   refuseWhatNeedsOneProcess(options);
   MeshRequest request = checkedRequest(options);
-  sendModel(crew, request.model);
+  sendModel(crew.process(), request.model);
   request.options.threads = threads;
-  request.options.crew = &crew;
+  request.options.crew = crew.faces();
   if (!given.parts.empty()) checkPartsFile(given.parts);
   RunWatch watch;
   watch.meshed = [&](const ModelMesh& mesh) { writeParts(crew, mesh, request, given.parts); };
@@ -110,7 +110,7 @@ int lead(Crew& crew, const Options& given, int threads) {
 /// Meshes faces for the leader, which alone says and writes something.
 int follow(Crew& crew, const Options& given, int threads) {
   MeshOptions options = given.mesh;
-  const ModelCopy model(crew);
+  const ModelCopy model(crew.process());
   options.model = model.path().string();
   options.outputs.clear();
   options.report.clear();
@@ -120,14 +120,14 @@ int follow(Crew& crew, const Options& given, int threads) {
   options.quiet = true;
   MeshRequest request = checkedRequest(options);
   request.options.threads = threads;
-  request.options.crew = &crew;
+  request.options.crew = crew.faces();
   request.options.maxMemory = std::numeric_limits<double>::infinity();  // the leader decides
   RunControl control;
   control.showProgress = false;
   control.names = [&](auto, auto) { model.remove(); };  // it has been read
   runMesh(request, loadRuleSet(request.rules, request.ruleLoading).rules, control);
   if (!given.parts.empty()) writeOwnPart(crew, given.parts);
-  return crew.waitForStop();
+  return crew.process().waitForStop();
 }
 
 int explain(const CLI::App& program, const CLI::ParseError& error, bool isFirst) {
@@ -160,7 +160,7 @@ int runLeader(Crew& crew, const Options& options, int threads) {
     std::tie(reason, code) = faultOf(error);
     complain(reason);
   }
-  crew.stop("the run was stopped", code);
+  crew.process().stop("the run was stopped", code);
   return code;
 }
 
@@ -170,8 +170,8 @@ int runFollower(Crew& crew, const Options& options, int threads) {
   } catch (const RunStopped& stop) {
     return stop.exitCode;
   } catch (const std::exception& error) {
-    crew.giveUp(faultOf(error).first);
-    return crew.waitForStop();
+    crew.process().giveUp(faultOf(error).first);
+    return crew.process().waitForStop();
   }
 }
 

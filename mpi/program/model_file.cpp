@@ -35,13 +35,13 @@ fs::path newFolder() {
 
 }  // namespace
 
-void sendModel(Crew& crew, const fs::path& model) {
-  if (crew.post().ranks() > 1)
-    crew.orderAll(Order::TakeModel, bytesOf(model.filename().string(), bytesOfFile(model)));
+void sendModel(Process& process, const fs::path& model) {
+  if (process.post().ranks() > 1)
+    process.orderAll(Order::TakeModel, bytesOf(model.filename().string(), bytesOfFile(model)));
 }
 
-ModelCopy::ModelCopy(Crew& crew) {
-  const Bytes letter = crew.waitFor(Order::TakeModel);
+ModelCopy::ModelCopy(Process& process) {
+  const Bytes letter = process.waitFor(Order::TakeModel);
   ByteReader reader(letter);
   const auto name = reader.take<std::string>();
   const auto bytes = reader.take<Bytes>();

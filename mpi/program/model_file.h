@@ -3,18 +3,18 @@
 
 #include <filesystem>
 
-#include "mpi/crew/crew.h"
+#include "mpi/crew/process.h"
 
 namespace af2::mpi {
 
 /// Sends the file to all other processes. Throws InputError if it cannot be read.
-void sendModel(Crew& crew, const std::filesystem::path& model);
+void sendModel(Process& process, const std::filesystem::path& model);
 
 /// A copy of the model's file of the first process, in a folder of its own until it is removed.
 class ModelCopy {
  public:
   /// Waits for the file. Throws InputError if there is no room for it.
-  explicit ModelCopy(Crew& crew);
+  explicit ModelCopy(Process& process);
   ~ModelCopy() { remove(); }
   ModelCopy(const ModelCopy&) = delete;
   ModelCopy& operator=(const ModelCopy&) = delete;

@@ -1,14 +1,13 @@
-"""mpi_scaling.py REPORT [--latency SECONDS] [--bandwidth BYTES_PER_SECOND] [--strips SHARE] [--ranks N,N,...]
+"""mpi_scaling.py REPORT [--latency S] [--bandwidth B] [--strips SHARE] [--cutting SHARE] [--ranks N,N,...]
 
 How long af2-mpi would take on many ranks, simulated from what a run on one thread has cost:
 
-    af2 mesh MODEL --size S --threads 1 --report REPORT
+    af2 mesh MODEL --size S --threads 1 -q --report REPORT
 
-The simulation plays what mpi/crew does. Each rank reads the model and prepares it; rank 0 divides the edges and
-sends them through a tree. Whoever is free asks rank 0 for the next faces, the most work first; once all faces are
-begun, those who are free take pieces of large faces, for which they cut the face once more. The owner of a cut face
-waits for its pieces, then joins them and optimises along the cuts, level by level. All meshes go to rank 0, which
-joins and checks them."""
+The simulation plays what mpi/crew does. Each rank reads and prepares the model; rank 0 divides the edges and sends
+them through a tree. Whoever is free asks rank 0 for the next faces, the most work first; once all faces are begun,
+those who are free take pieces of large faces, for which they begin and cut the face, too. The owner of a face waits
+for its pieces and optimises along the cuts. All meshes go to rank 0, which joins, checks and writes them."""
 
 import argparse
 import heapq
@@ -16,124 +15,125 @@ import json
 import math
 
 PIECE_ELEMENTS = 80000  # SplitOptions::pieceElements
-BYTES_OF_ELEMENT = 45  # a message of face meshes, per triangle: half a vertex, its corners, its rule
-COPY_BYTES_PER_SECOND = 1.5e9  # how fast rank 0 turns messages into meshes, on the thread that receives them
-SHARE_FOR_EACH = 1 / 3  # TaskBoard: of the work that is left, for each taker
+BYTES_OF_ELEMENT = 45  # in a message: half a vertex with its size, four corners, the rule
+TAKEN_PER_SECOND = 1.5e9  # bytes of messages that rank 0 turns into meshes
+SHARE = 1 / 3  # TaskBoard::nextTries
+EDGES_BYTES = 1e6
 
-parser = argparse.ArgumentParser()
+parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
 parser.add_argument("report")
-parser.add_argument("--latency", type=float, default=1e-3, help="of asking for a task; the post looks every millisecond")
-parser.add_argument("--bandwidth", type=float, default=1e9)
-parser.add_argument("--strips", type=float, default=0.12, help="share of a cut face's time that goes into its cuts")
-parser.add_argument("--cutting", type=float, default=0.02, help="share that goes into finding its pieces")
+parser.add_argument("--latency", type=float, default=1e-3, help="until an answer of rank 0 has come, seconds")
+parser.add_argument("--bandwidth", type=float, default=1e9, help="of the network at rank 0, bytes per second")
+parser.add_argument("--strips", type=float, default=0.15, help="of the time of a cut face: optimising along cuts")
+parser.add_argument("--cutting", type=float, default=0.02, help="of the time of a cut face: finding its pieces")
 parser.add_argument("--ranks", default="1,2,4,8,16,32,64,128,256,512")
 options = parser.parse_args()
 
 with open(options.report, encoding="utf-8") as file:
     report = json.load(file)
-faces = [(face["seconds"], face["elements"]) for face in report["faces"]]
-stages = report["seconds"]
-elements = sum(count for _, count in faces)
-in_faces = sum(seconds for seconds, _ in faces)
-joining = max(0, stages["surface"] + stages["optimize"] - in_faces)  # joining, checks, further rounds
-
-
-def pieces_of(count):
-    """Halved again and again."""
-    return 1 if count <= PIECE_ELEMENTS else 2 ** math.ceil(math.log2(count / PIECE_ELEMENTS))
 
 
 class Face:
-    def __init__(self, seconds, count):
-        self.seconds, self.count, self.pieces = seconds, count, pieces_of(count)
-        self.cutting = options.cutting * seconds if self.pieces > 1 else 0
-        self.strips = options.strips * seconds if self.pieces > 1 else 0
+    def __init__(self, seconds, elements):
+        self.seconds, self.elements = seconds, elements
+        halvings = max(0, math.ceil(math.log2(max(1, elements) / PIECE_ELEMENTS)))
+        self.pieces = 2**halvings
+        self.cutting = options.cutting * seconds if self.is_cut() else 0
+        self.strips = options.strips * seconds if self.is_cut() else 0
         self.piece = (seconds - self.cutting - self.strips) / self.pieces
+        self.left = self.pieces  # that nobody has begun
+        self.ready = self.done = 0.0  # when it is cut, and when its last piece is meshed
+        self.helpers = set()
 
-    def tail(self):
-        """Strips are optimised by the owner alone."""
-        return self.strips
-
-
-def simulate(ranks):
-    """Seconds until rank 0 has the meshes of all faces."""
-    queue = sorted((Face(*face) for face in faces), key=lambda face: -face.seconds)
-    left = in_faces
-    free = [(0.0, rank) for rank in range(ranks)]
-    heapq.heapify(free)
-    cut = []  # [when it is cut, pieces that nobody has begun, face, when the last piece ends]
-    inbox = 0.0  # until when rank 0 is busy with messages
-    end = 0.0
-    position = 0
-
-    def arrive(time, count):
-        nonlocal inbox, end
-        cost = count * BYTES_OF_ELEMENT * (1 / options.bandwidth + 1 / COPY_BYTES_PER_SECOND)
-        inbox = max(inbox, time) + (cost if ranks > 1 else 0)
-        end = max(end, inbox)
-
-    owners = {}
-    while free:
-        now, rank = heapq.heappop(free)
-        now += options.latency if ranks > 1 else 0
-        if rank in owners:  # it meshes pieces of its own face as long as there are any
-            entry = owners[rank]
-            if entry[1] > 0:
-                entry[1] -= 1
-                entry[3] = max(entry[3], now + entry[2].piece)
-                heapq.heappush(free, (now + entry[2].piece, rank))
-                continue
-            finished = max(now, entry[3]) + entry[2].tail()
-            del owners[rank]
-            arrive(finished, entry[2].count)
-            heapq.heappush(free, (finished, rank))
-            continue
-        if position < len(queue):
-            share = SHARE_FOR_EACH * left / ranks
-            taken, spent, count = 0, 0.0, 0
-            while position < len(queue) and (taken == 0 or spent + queue[position].seconds <= share):
-                face = queue[position]
-                if face.pieces > 1 and taken > 0:
-                    break
-                position, taken = position + 1, taken + 1
-                spent, count = spent + face.seconds, count + face.count
-                if face.pieces > 1:
-                    break
-            left -= spent
-            if face.pieces > 1 and taken == 1:
-                entry = [now + face.cutting, face.pieces, face, 0.0]
-                cut.append(entry)
-                owners[rank] = entry
-                heapq.heappush(free, (now + face.cutting, rank))
-            else:
-                arrive(now + spent, count)
-                heapq.heappush(free, (now + spent, rank))
-            continue
-        open_regions = [entry for entry in cut if entry[1] > 0]
-        if not open_regions:
-            continue  # this rank has nothing to do any more
-        entry = max(open_regions, key=lambda e: e[1])
-        ready = max(now, entry[0]) + (0 if rank in entry[4:] else entry[2].cutting)
-        entry[1] -= 1
-        entry.append(rank)
-        entry[3] = max(entry[3], ready + entry[2].piece)
-        heapq.heappush(free, (ready + entry[2].piece, rank))
-    return end
+    def is_cut(self):
+        return self.pieces > 1
 
 
-model_bytes = elements * 0 + 1e6
-print(f"{elements} elements on {len(faces)} faces; seconds on one thread: read {stages['read']:.2f}, edges "
-      f"{stages['edges']:.2f}, faces {in_faces:.2f}, joining and checks {joining:.2f}, writing {stages['write']:.2f}")
-largest = max(Face(*face) for face in faces) if False else max((Face(*face) for face in faces), key=lambda f: f.seconds)
-print(f"largest face {largest.seconds:.2f} s in {largest.pieces} piece(s) of {largest.piece:.2f} s")
-print()
-print("| ranks | faces, s | whole run, s | speed-up of faces | of the run |")
-print("|---:|---:|---:|---:|---:|")
+class Simulation:
+    def __init__(self, faces, ranks):
+        self.queue = sorted(faces, key=lambda face: -face.seconds)
+        self.work_left = sum(face.seconds for face in faces)
+        self.ranks, self.next = ranks, 0
+        self.inbox = self.end = 0.0  # until when rank 0 takes messages; when it has them all
+        self.owned = {}  # by rank: the cut face that it has begun
+
+    def run(self):
+        """Seconds until rank 0 has the meshes of all faces."""
+        free = [(0.0, rank) for rank in range(self.ranks)]
+        while free:
+            now, rank = heapq.heappop(free)
+            until = self.give_task(now + (options.latency if self.ranks > 1 else 0), rank)
+            if until is not None:
+                heapq.heappush(free, (until, rank))
+        return self.end
+
+    def give_task(self, now, rank):
+        if rank in self.owned:
+            return self.go_on(now, rank, self.owned[rank])
+        if self.next < len(self.queue):
+            return self.mesh_faces(now, rank)
+        cut = [face for face in self.queue if face.left > 0 and face.ready > 0]
+        return self.help(now, rank, max(cut, key=lambda face: face.left)) if cut else None
+
+    def mesh_faces(self, now, rank):
+        face = self.queue[self.next]
+        self.next += 1
+        if face.is_cut():
+            self.work_left -= face.seconds
+            self.owned[rank] = face
+            face.ready = now + face.cutting
+            return face.ready
+        seconds, elements, share = face.seconds, face.elements, SHARE * self.work_left / self.ranks
+        while self.next < len(self.queue) and seconds + self.queue[self.next].seconds <= share:
+            seconds += self.queue[self.next].seconds
+            elements += self.queue[self.next].elements
+            self.next += 1
+        self.work_left -= seconds
+        return self.send(now + seconds, elements)
+
+    def go_on(self, now, rank, face):
+        if face.left > 0:
+            return self.mesh_piece(now, face)
+        del self.owned[rank]
+        return self.send(max(now, face.done) + face.strips, face.elements)
+
+    def help(self, now, rank, face):
+        begun = rank in face.helpers
+        face.helpers.add(rank)
+        return self.mesh_piece(max(now, face.ready) + (0 if begun else face.cutting), face)
+
+    @staticmethod
+    def mesh_piece(now, face):
+        face.left -= 1
+        face.done = max(face.done, now + face.piece)
+        return now + face.piece
+
+    def send(self, time, elements):
+        if self.ranks > 1:
+            seconds = elements * BYTES_OF_ELEMENT * (1 / options.bandwidth + 1 / TAKEN_PER_SECOND)
+            self.inbox = max(self.inbox, time) + seconds
+        self.end = max(self.end, self.inbox, time)
+        return time
+
+
+def faces():
+    return [Face(face["seconds"], face["elements"]) for face in report["faces"]]
+
+
+stages = report["seconds"]
+in_faces = sum(face.seconds for face in faces())
+joining = max(0, stages["surface"] + stages["optimize"] - in_faces)
+largest = max(faces(), key=lambda face: face.seconds)
+print(f"{sum(face.elements for face in faces()):,} elements on {len(faces())} faces. Seconds on one thread: reading "
+      f"{stages['read']:.2f}, edges {stages['edges']:.2f}, faces {in_faces:.2f}, joining and checks {joining:.2f}, "
+      f"writing {stages['write']:.2f}.")
+print(f"The largest face takes {largest.seconds:.2f} s, in pieces of {largest.piece:.2f} s ({largest.pieces}).")
+print("\n| ranks | faces, s | run, s | speed-up of the faces | of the run |\n|---:|---:|---:|---:|---:|")
 rest = stages["read"] + stages["edges"] + joining + stages["write"]
 alone = None
 for ranks in map(int, options.ranks.split(",")):
-    sending = math.ceil(math.log2(ranks)) * (options.latency + model_bytes / options.bandwidth) if ranks > 1 else 0
-    meshing = simulate(ranks)
-    run = meshing + rest + sending
+    tree = math.ceil(math.log2(ranks)) * (options.latency + EDGES_BYTES / options.bandwidth)
+    meshing = Simulation(faces(), ranks).run()
+    run = meshing + rest + tree
     alone = alone or (meshing, run)
-    print(f"| {ranks} | {meshing:.3f} | {run:.2f} | {alone[0] / meshing:.1f} | {alone[1] / run:.1f} |")
+    print(f"| {ranks} | {meshing:.2f} | {run:.2f} | {alone[0] / meshing:.1f} | {alone[1] / run:.1f} |")

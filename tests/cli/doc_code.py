@@ -1,7 +1,7 @@
-"""Compiles the C++ of the documentation: doc_code.py COMPILER SOURCE BUILD OPENCASCADE_HEADERS.
+"""Compiles the C++ of the documentation: doc_code.py COMPILER SOURCE BUILD OPENCASCADE_HEADERS MPI_HEADERS.
 
 Each block fenced as ```cpp is the body of a function, in which `options` are those of a mesh; a block that begins
-with #include is a part of a file. Blocks that derive from a class of AF2 would need more; there are none."""
+with #include is a part of a file. Without MPI, blocks that need it are left out. Blocks that derive from a class of AF2 would need more; there are none."""
 
 import pathlib
 import re
@@ -10,7 +10,7 @@ import sys
 import tempfile
 
 COMPILER, SOURCE, BUILD = sys.argv[1], pathlib.Path(sys.argv[2]), pathlib.Path(sys.argv[3])
-OPENCASCADE = sys.argv[4]
+OPENCASCADE, MPI = sys.argv[4], [folder for folder in sys.argv[5].split(";") if folder]
 FENCE = re.compile(r"^```cpp\n(.*?)^```$", re.M | re.S)
 BEFORE = """
 #include <cmath>
@@ -37,6 +37,8 @@ for page in [SOURCE / "README.md", *sorted((SOURCE / "docs").glob("*.md"))]:
     for block in FENCE.finditer(text):
         count += 1
         line = text.count("\n", 0, block.start()) + 2
+        if "<af2/mpi/" in block.group(1) and not MPI:
+            continue
         if block.group(1).startswith("#include"):
             code += f'#line {line} "{page.relative_to(SOURCE)}"\n{block.group(1)}'
             continue
@@ -47,6 +49,6 @@ with tempfile.TemporaryDirectory() as folder:
     source = pathlib.Path(folder) / "blocks.cpp"
     source.write_text(code, encoding="utf-8")
     compiled = subprocess.run([COMPILER, "-std=c++20", "-fsyntax-only", f"-I{BUILD}/include", f"-I{SOURCE}",
-                               "-isystem", OPENCASCADE, source])
+                               "-isystem", OPENCASCADE, *(f"-isystem{folder}" for folder in MPI), source])
 print(f"{count} blocks of C++ compile" if compiled.returncode == 0 else "the C++ of the documentation does not compile")
 sys.exit(1 if compiled.returncode != 0 or count < 3 else 0)

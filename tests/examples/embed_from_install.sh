@@ -24,6 +24,7 @@ project() {
 
 build_example embedding
 build_example own_shape
+if [ -n "$(find "$work/prefix" -name af2-mpi-config.cmake)" ]; then build_example distributed; fi
 project torus
 project registered_shape
 project plugin
