@@ -293,6 +293,21 @@ class Shapes(Case):
         self.assertEqual([(f.id, f.surface, f.area) for f in parts],
                          [(f.id, f.surface, f.area) for f in af2.read(MODELS / "die.brep").parts().faces])
 
+    def test_faces_get_names(self):
+        Shape, _, _ = self.cadquery()
+        mesh = af2.mesh(Shape(), size=1, names={"top": 1, "pips": np.array([2, 3])}, face_sizes={"top": 0.3})
+        self.assertEqual(mesh.faces[0].name, "top")
+        self.assertEqual(mesh.group("pips").faces, [2, 3])
+        self.assertGreater((mesh.face == 1).sum(), 1.5 * (af2.mesh(BREP, size=1).face == 1).sum())
+        mesh.write(self.folder / "named.msh")
+        content = (self.folder / "named.msh").read_bytes()
+        self.assertIn(b'"pips"', content)
+        self.assertIn(b'"top"', content)
+        with self.assertRaisesRegex(af2.InputError, "'top' is for face 999"):
+            af2.read(BREP, names={"top": 999})
+        with self.assertRaisesRegex(af2.InputError, "names are for CAD models"):
+            af2.read(MODELS / "plate.poly", names={"top": 1})
+
     def test_a_failing_export_is_told(self):
         class Shape:
             def exportBrep(self, f):
