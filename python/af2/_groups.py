@@ -32,6 +32,11 @@ class Group:
         self.number: int = getattr(group, "number", 0)
 
     @property
+    def label(self) -> str:
+        """The name in mesh files: "inlet" for a part, "solid 1" for the solid "1"."""
+        return self.name if self.kind == "part" else f"{self.kind} {self.name}"
+
+    @property
     def elements(self) -> np.ndarray:
         """Indices of the elements on its faces, ascending."""
         return np.flatnonzero(np.isin(self._mesh.face, self.faces))
