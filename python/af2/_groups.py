@@ -34,7 +34,8 @@ class Group:
     @property
     def label(self) -> str:
         """The name in mesh files: "inlet" for a part, "solid 1" for the solid "1"."""
-        return self.name if self.kind == "part" else f"{self.kind} {self.name}"
+        is_plain = self.kind in ("solid", "color") or self.name == str(self.number)
+        return f"{self.kind} {self.name}" if is_plain else self.name
 
     @property
     def elements(self) -> np.ndarray:

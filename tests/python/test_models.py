@@ -118,6 +118,10 @@ class Planar(Case):
         self.assertTrue(np.all(mesh.points[mesh.elements[left.elements, :3], 0] <= 2))
         self.assertTrue(np.allclose(mesh.points[mesh.group("outlet").segments, 0], 4))
         self.assertEqual(mesh.group("3").number, 3)
+        self.assertEqual([group.label for group in mesh.groups], ["left", "right", "bottom", "outlet", "boundary 3"])
+        mesh.write(self.folder / "x.msh")
+        for label in ("left", "outlet", "boundary 3"):
+            self.assertIn(f'"{label}"'.encode(), (self.folder / "x.msh").read_bytes())
 
     def test_tuple_of_arrays(self):
         segments = [(0, 1), (1, 2), (2, 3), (3, 0)]
