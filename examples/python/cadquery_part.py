@@ -16,5 +16,5 @@ part = cq.Workplane("XY").box(4, 3, 1).faces(">Z").workplane().hole(1)
 shape = part.val()
 top = 1 + next(i for i, face in enumerate(shape.Faces()) if face.hashCode() == part.faces(">Z").val().hashCode())
 
-mesh = af2.mesh(part, size=0.4, face_sizes={top: 0.1})
+mesh = af2.mesh(part, size=0.4, names={"top": top}, face_sizes={"top": 0.1})
 print(mesh, "with", (mesh.face == top).sum(), "elements on the top face")

@@ -32,6 +32,12 @@ class Group:
         self.number: int = getattr(group, "number", 0)
 
     @property
+    def label(self) -> str:
+        """The name in mesh files: "inlet" for a part, "solid 1" for the solid "1"."""
+        is_plain = self.kind in ("solid", "color") or self.name == str(self.number)
+        return f"{self.kind} {self.name}" if is_plain else self.name
+
+    @property
     def elements(self) -> np.ndarray:
         """Indices of the elements on its faces, ascending."""
         return np.flatnonzero(np.isin(self._mesh.face, self.faces))

@@ -165,14 +165,13 @@ class Mesh:
         return [Group(self, group) for group in [*self._report.groups, *self._report.boundaries]]
 
     def group(self, name: str, kind: Optional[str] = None) -> Group:
-        """The first group of this name, of any kind or of this one. "solid 1", as in mesh files, stands for the group "1" of
-        kind "solid".
+        """The first group of this name or label, of any kind or of this one: "1" or "solid 1".
 
         Raises:
             KeyError: there is none; the text names those that there are.
         """
         for group in self.groups:
-            if name in (group.name, f"{group.kind} {group.name}") and kind in (None, group.kind):
+            if name in (group.name, group.label) and kind in (None, group.kind):
                 return group
         names = ", ".join(sorted({repr(group.name) for group in self.groups})) or "none at all"
         raise KeyError(f"there is no group {name!r}; the mesh has {names}")
@@ -379,7 +378,7 @@ class Mesh:
 
     def to_meshio(self) -> Any:
         """A `meshio.Mesh` with blocks of triangles and quadrilaterals (of order 2: triangle6, quad8), and `face`, `rule`,
-        `level` and `quality` as cell data. Points are not copied.
+        `level` and `quality` as cell data. Groups are cell sets. Points are not copied.
 
         Raises:
             ImportError: meshio is not installed.

@@ -15,9 +15,10 @@ from ._models import ModelLike, read
 from ._rules import RulesLike, load_rules
 
 
-def mesh(model: ModelLike, size: Optional[float] = None, *, rules: RulesLike = None, check_rules: bool = True,
-         curvature: Optional[float] = None, min_size: Optional[float] = None, max_size: Optional[float] = None,
-         grading: Optional[float] = None, proximity: Optional[float] = None,
+def mesh(model: ModelLike, size: Optional[float] = None, *, names: Optional[Mapping[str, Any]] = None,
+         rules: RulesLike = None, check_rules: bool = True, curvature: Optional[float] = None,
+         min_size: Optional[float] = None, max_size: Optional[float] = None, grading: Optional[float] = None,
+         proximity: Optional[float] = None,
          sizes: Union[Callable[[np.ndarray], Any], Mapping[str, Any], str, "os.PathLike[str]", Sequence[Any], None] = None,
          face_sizes: Optional[Mapping[Key, float]] = None, edge_sizes: Optional[Mapping[Key, float]] = None,
          chord: Union[float, str, None] = None, face_chords: Optional[Mapping[Key, Union[float, str]]] = None,
@@ -30,8 +31,8 @@ def mesh(model: ModelLike, size: Optional[float] = None, *, rules: RulesLike = N
          periodic: Union[str, Sequence[Any], None] = None, merge: Union[bool, float] = False,
          merge_narrow: Optional[float] = None, merge_keep: Union[Key, Iterable[Union[int, str]], None] = None,
          optimize: bool = True, strict_rules: bool = False, threads: int = 0, max_memory: Optional[int] = None,
-         progress: Optional[Callable[[Any], Any]] = None, trace: Optional[Callable[[Any], Any]] = None, allow_incomplete: bool = False,
-         name: Optional[str] = None) -> Mesh:
+         progress: Optional[Callable[[_af2.Progress], Any]] = None, trace: Optional[Callable[[_af2.Step], Any]] = None,
+         allow_incomplete: bool = False, name: Optional[str] = None) -> Mesh:
     """Meshes a model. The mesh is the one that `af2 mesh` makes for the same request, to the last bit.
 
     The GIL is released while the mesher runs, so that several Python threads can mesh at once. Ctrl-C stops it.
@@ -39,6 +40,8 @@ def mesh(model: ModelLike, size: Optional[float] = None, *, rules: RulesLike = N
     Args:
         model: what `af2.read` takes: a path, bytes, arrays, a CAD shape, an `af2.Model`.
         size: wanted edge length, in model units. May be left out with `fewest`.
+        names: names for faces of a CAD model, by name an id or several: `{"inlet": 3, "walls": [1, 2]}`. They become
+            groups in files, and other arguments can use them.
         rules: an `af2.Rules`, a path, a name such as "quad/paving", or a text. By default "tri/even.af2", or
             "quad/classic.af2" with elements="quad".
         check_rules: see `Rules.from_text`.
@@ -107,14 +110,14 @@ def mesh(model: ModelLike, size: Optional[float] = None, *, rules: RulesLike = N
         KeyboardInterrupt: Ctrl-C was pressed; the mesher has stopped.
         MemoryError: there is not enough memory.
     """
-    source = read(model)
+    source = read(model, names)
     _arguments.check_words(elements, quality, order, threads)
     loaded = load_rules(rules or ("quad/classic.af2" if elements == "quad" else "tri/even.af2"), check=check_rules)
     asked: Dict[str, Any] = {"order": order, "threads": int(threads), "optimize": bool(optimize), "chart": chart,
                              "strict_rules": bool(strict_rules), "fewest": bool(fewest)}
     limits = _arguments.function_and_file(sizes)
     _arguments.take_sizes(asked, size, limits, curvature=curvature, min_size=min_size, max_size=max_size, grading=grading,
-                proximity=proximity)
+                          proximity=proximity)
     _arguments.take_chords(asked, chord, face_chords, fewest)
     _arguments.take_parts(asked, face_sizes, edge_sizes)
     if faces is not None:

@@ -57,6 +57,20 @@ class Model:
         """
         return self._handle.parts(float(size or 0))
 
+    def named(self, names: Mapping[str, Any]) -> "Model":
+        """The same CAD model with names for its faces, for sizes and for groups in files: shapes of other packages come
+        without names.
+
+        Args:
+            names: by name, the id of a face or a list of ids. The name of a single face becomes that of the face; several
+                faces become a group.
+
+        Raises:
+            InputError: there is no such face, or this is no CAD model.
+        """
+        faces = [(name, [int(i) for i in np.atleast_1d(np.asarray(ids, dtype=np.int64))]) for name, ids in names.items()]
+        return Model(self._handle.named(faces), self.name)
+
     def defects(self, size: Optional[float] = None) -> List[Any]:
         """What is wrong or awkward in the model for a mesh of this size: tiny edges, slivers, gaps, open loops, free
         edges, overlapping faces, ...; the most severe first.
@@ -84,7 +98,7 @@ class Model:
         return f"<af2.Model '{self.name}' ({self.kind})>"
 
 
-def read(model: Any) -> Model:
+def read(model: Any, names: Optional[Mapping[str, Any]] = None) -> Model:
     """Reads a model.
 
     Args:
@@ -99,11 +113,17 @@ def read(model: Any) -> Model:
               the shapes (n, 2) and (m, 2): see `af2.Triangles` and `af2.Planar`;
             * an object with `evaluate(uv)`: see `af2.Surface`;
             * an `af2.Model`, which is returned as it is.
+        names: names for faces of a CAD model, see `Model.named`.
 
     Raises:
         InputError: the model cannot be read; the text says why, and what to do.
         TypeError: it is none of these.
     """
+    found = _found(model)
+    return found.named(names) if names else found
+
+
+def _found(model: Any) -> Model:
     if isinstance(model, Model):
         return model
     if isinstance(model, (str, os.PathLike)):

@@ -26,9 +26,10 @@ def meshio_of(mesh: "Mesh") -> Any:
         if which.any():
             blocks.append((_MESHIO_NAMES[kind, mesh.order], _cells(mesh, kind, which)))
             chosen.append(which)
-    data = {name: [np.asarray(getattr(mesh, name))[which] for which in chosen]
-            for name in _CELL_DATA}
-    return meshio.Mesh(mesh.points, blocks, cell_data=data)
+    data = {name: [getattr(mesh, name)[which] for which in chosen] for name in _CELL_DATA}
+    sets = {group.label: [np.flatnonzero(np.isin(mesh.face[which], group.faces)) for which in chosen]
+            for group in mesh.groups if group.faces}
+    return meshio.Mesh(mesh.points, blocks, cell_data=data, cell_sets=sets)
 
 
 def pyvista_of(mesh: "Mesh") -> Any:

@@ -10,6 +10,7 @@
 #include <af2/geometry/measures.h>
 #include <af2/geometry/mesh_merged.h>
 #include <af2/geometry/mesh_model.h>
+#include <af2/geometry/named_faces.h>
 #include <af2/geometry/part_sizes.h>
 #include <af2/geometry/periodic_faces.h>
 #include <af2/geometry/points_inside.h>
@@ -144,6 +145,12 @@ class CadModel final : public MeshableModel {
     return geometry::findDefects(model_, size > 0 ? size : model_.diagonal() / 100);
   }
   geometry::PartContacts contacts() const override { return geometry::findContacts(model_); }
+  std::shared_ptr<const MeshableModel> named(
+      const std::vector<std::pair<std::string, std::vector<int>>>& names) const override {
+    std::vector<geometry::NamedFaces> all;
+    for (const auto& [name, faces] : names) all.push_back({name, faces});
+    return std::make_shared<const CadModel>(geometry::withNames(model_, all));
+  }
 
  private:
   /// Repairs that are valid by themselves may still leave faces that cannot be meshed.

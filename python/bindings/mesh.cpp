@@ -1,9 +1,7 @@
 // A mesh as Python holds it: arrays over its data, measures, files.
 #include <af2/engine/error.h>
-#include <af2/geometry/element_measures.h>
 #include <af2/geometry/element_scores.h>
 #include <af2/geometry/fingerprint.h>
-#include <af2/geometry/line_elements.h>
 #include <af2/geometry/mesh_files.h>
 #include <af2/geometry/quality.h>
 #include <af2/geometry/report.h>
@@ -181,19 +179,6 @@ py::tuple pointsOfFace(const MeshData& data, int face, const py::object& paramet
   return found(points);
 }
 
-/// The line elements of files along edges of the model: corners and edge ids.
-py::tuple lines(const MeshData& data, bool all) {
-  const auto along = all ? geometry::LinesAlong::AllEdges : geometry::LinesAlong::Boundaries;
-  std::vector<std::int32_t> ends, edges, boundaries;
-  for (const geometry::LineElement& line : geometry::lineElements(data.mesh(), along)) {
-    ends.push_back(static_cast<std::int32_t>(line.from.value));
-    ends.push_back(static_cast<std::int32_t>(line.to.value));
-    edges.push_back(line.edge);
-    boundaries.push_back(line.boundary);
-  }
-  return py::make_tuple(arrayOf(ends).reshape({-1, 2}), arrayOf(edges), arrayOf(boundaries));
-}
-
 geometry::FileOptions fileOptions(bool lines, const std::vector<std::string>& groups,
                                   bool isCompressed) {
   geometry::FileOptions options;
@@ -290,7 +275,6 @@ void bindMesh(py::module_& module) {
                              })
       .def_property_readonly(
           "measures", [](const MeshData& data) { return geometry::measureQuality(data.mesh(), 0); })
-      .def("lines", &lines)
       .def("snap", &snap)
       .def("evaluate", &pointsOfFace)
       .def(

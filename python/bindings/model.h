@@ -67,6 +67,9 @@ class MeshableModel {
                                                 const std::shared_ptr<Call>& call) const = 0;
   /// Where parts touch without sharing faces. Only CAD models have several parts.
   virtual geometry::PartContacts contacts() const { return {}; }
+  /// The same model with names for faces: by name their ids. Only for CAD models.
+  virtual std::shared_ptr<const MeshableModel> named(
+      const std::vector<std::pair<std::string, std::vector<int>>>& names) const;
   /// "cad", "planar", "triangles" or "surface".
   virtual const char* kind() const = 0;
   virtual std::vector<std::string> notes() const { return {}; }

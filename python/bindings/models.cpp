@@ -95,6 +95,11 @@ auto askedOf(Answer answer) {
 
 }  // namespace
 
+std::shared_ptr<const MeshableModel> MeshableModel::named(
+    const std::vector<std::pair<std::string, std::vector<int>>>&) const {
+  throw InputError("names are for CAD models");
+}
+
 void checkIds(const Request& request, int faces, int edges) {
   const geometry::MeshingOptions& options = request.options;
   for (const int face : options.faces) checkId("faces", "face", face, faces);
@@ -125,6 +130,11 @@ void bindModels(py::module_& module) {
       .def("defects", askedOf([](const MeshableModel& model, double size, const auto& call) {
              return model.defects(size, call);
            }))
+      .def("named",
+           [](const MeshableModel& model,
+              const std::vector<std::pair<std::string, std::vector<int>>>& names) {
+             return std::const_pointer_cast<MeshableModel>(model.named(names));
+           })
       .def("contacts", &MeshableModel::contacts, py::call_guard<py::gil_scoped_release>());
   module.def("read", [](const std::filesystem::path& path) {
     return std::const_pointer_cast<MeshableModel>(readWithoutGil(path));

@@ -48,6 +48,9 @@ class Files(Case):
                          {"quad": len(mixed.quads)})
         self.assertTrue(np.shares_memory(self.mesh.to_meshio().points, self.mesh.points))
         self.assertTrue(np.shares_memory(self.mesh.to_meshio().cells[0].data, self.mesh.elements))
+        solids = af2.mesh(MODELS / "bolt_on_plate.brep", size=0.8)
+        sets = solids.to_meshio().cell_sets
+        np.testing.assert_array_equal(sets["solid 2"][0], solids.group("solid 2").elements)
         made.write(self.folder / "x.vtk")
         self.assertEqual(len(meshio.read(self.folder / "x.vtk").points), len(mixed.points))
         second = af2.mesh(MODELS / "cylinder.step", size=1, order=2).to_meshio()

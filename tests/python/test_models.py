@@ -118,6 +118,10 @@ class Planar(Case):
         self.assertTrue(np.all(mesh.points[mesh.elements[left.elements, :3], 0] <= 2))
         self.assertTrue(np.allclose(mesh.points[mesh.group("outlet").segments, 0], 4))
         self.assertEqual(mesh.group("3").number, 3)
+        self.assertEqual([group.label for group in mesh.groups], ["left", "right", "bottom", "outlet", "boundary 3"])
+        mesh.write(self.folder / "x.msh")
+        for label in ("left", "outlet", "boundary 3"):
+            self.assertIn(f'"{label}"'.encode(), (self.folder / "x.msh").read_bytes())
 
     def test_tuple_of_arrays(self):
         segments = [(0, 1), (1, 2), (2, 3), (3, 0)]
@@ -292,6 +296,21 @@ class Shapes(Case):
         parts = af2.read(Shape()).parts().faces
         self.assertEqual([(f.id, f.surface, f.area) for f in parts],
                          [(f.id, f.surface, f.area) for f in af2.read(MODELS / "die.brep").parts().faces])
+
+    def test_faces_get_names(self):
+        Shape, _, _ = self.cadquery()
+        mesh = af2.mesh(Shape(), size=1, names={"top": 1, "pips": np.array([2, 3])}, face_sizes={"top": 0.3})
+        self.assertEqual(mesh.faces[0].name, "top")
+        self.assertEqual(mesh.group("pips").faces, [2, 3])
+        self.assertGreater((mesh.face == 1).sum(), 1.5 * (af2.mesh(BREP, size=1).face == 1).sum())
+        mesh.write(self.folder / "named.msh")
+        content = (self.folder / "named.msh").read_bytes()
+        self.assertIn(b'"pips"', content)
+        self.assertIn(b'"top"', content)
+        with self.assertRaisesRegex(af2.InputError, "'top' is for face 999"):
+            af2.read(BREP, names={"top": 999})
+        with self.assertRaisesRegex(af2.InputError, "names are for CAD models"):
+            af2.read(MODELS / "plate.poly", names={"top": 1})
 
     def test_a_failing_export_is_told(self):
         class Shape:

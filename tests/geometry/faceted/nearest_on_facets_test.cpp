@@ -11,7 +11,7 @@ namespace af2::geometry {
 namespace {
 
 /// A tetrahedron with corners on the axes.
-Facets tetrahedron() {
+Facets cornerOfCube() {
   Facets facets;
   facets.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
   facets.triangles = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
@@ -20,7 +20,7 @@ Facets tetrahedron() {
 
 TEST(NearestOnFacets, AreInsideOnEdgesAndAtCorners) {
   const std::vector<Point3> points{{1, 1, 1}, {0.2, 0.3, -1}, {0.5, -1, -1}, {3, -1, -1}};
-  const auto nearest = nearestPoints(tetrahedron(), points);
+  const auto nearest = nearestPoints(cornerOfCube(), points);
   ASSERT_EQ(nearest.size(), 4u);
   EXPECT_NEAR(distance(nearest[0].position, {1 / 3., 1 / 3., 1 / 3.}), 0, 1e-15);
   EXPECT_NEAR(distance(nearest[0].normal, unit({1, 1, 1})), 0, 1e-15);
@@ -37,8 +37,8 @@ TEST(NearestOnFacets, DoNotDependOnThreads) {
   std::uniform_real_distribution<double> coordinate(-2, 2);
   std::vector<Point3> points(5000);
   for (Point3& p : points) p = {coordinate(random), coordinate(random), coordinate(random)};
-  const auto alone = nearestPoints(tetrahedron(), points, 1);
-  const auto together = nearestPoints(tetrahedron(), points, 4);
+  const auto alone = nearestPoints(cornerOfCube(), points, 1);
+  const auto together = nearestPoints(cornerOfCube(), points, 4);
   for (std::size_t i = 0; i < points.size(); ++i) {
     EXPECT_EQ(alone[i].position, together[i].position);
     EXPECT_EQ(alone[i].triangle, together[i].triangle);
@@ -46,7 +46,7 @@ TEST(NearestOnFacets, DoNotDependOnThreads) {
 }
 
 TEST(NearestOnFacets, RefuseWhatIsNoPoint) {
-  EXPECT_THROW(nearestPoints(tetrahedron(), std::vector<Point3>{{NAN, 0, 0}}), InputError);
+  EXPECT_THROW(nearestPoints(cornerOfCube(), std::vector<Point3>{{NAN, 0, 0}}), InputError);
   EXPECT_THROW(nearestPoints(Facets(), std::vector<Point3>{{0, 0, 0}}), InputError);
 }
 
