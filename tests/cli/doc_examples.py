@@ -101,7 +101,7 @@ def shell(place, text, folder):
         elif script and script[1].endswith(".py"):
             known = (SOURCE / script[1]).read_text(encoding="utf-8")
             failures.extend(f"{place}: {script[1]} has no option {option}"
-                            for option in re.findall(r" (--[a-z-]+)", line) if f'"{option}"' not in known)
+                            for option in re.findall(r" (--[a-z0-9-]+)", line) if f'"{option}"' not in known)
 
 
 def other_block(place, language, name, body, folder):
