@@ -4,11 +4,13 @@
 #   library      libaf2-0.1     the shared library; its version is part of the name, as Debian wants it
 #   development  libaf2-dev     headers, CMake package, af2.pc
 #   python       python3-af2    the module af2, if it is built
+#   mpi          af2-mpi        the program for many machines, if it is built
 set(soversion ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
 set(program_package af2)
 set(library_package libaf2-${soversion})
 set(development_package libaf2-dev)
 set(python_package python3-af2)
+set(mpi_package af2-mpi)
 set(program_text "Surface mesher: the program
  It meshes the faces of CAD models, planar domains and surfaces of triangles with triangles and
  quadrilaterals. Rules decide which elements the advancing front adds; they are text files.")
@@ -16,8 +18,12 @@ set(library_text "Surface mesher: the shared library
  The engine, the rule language and the readers of models, for programs that mesh surfaces.")
 set(development_text "Surface mesher: headers for programs
  Headers, and what find_package(af2) of CMake and pkg-config need.")
+set(mpi_text "Surface mesher: the program for many machines
+ Meshes the faces of a model on several machines at once, with Open MPI.")
 set(python_text "Surface mesher: the Python module
  Models and rules in, meshes as NumPy arrays out.")
+
+set(mpi_DEPENDS program)  # for the rules and the readers
 
 # The libraries that static ones are linked with: those of packages.txt that building needs.
 if(BUILD_SHARED_LIBS)
@@ -37,7 +43,7 @@ endif()
 
 get_cmake_property(components COMPONENTS)
 set(CPACK_COMPONENTS_ALL "")
-foreach(component program library development python)
+foreach(component program library development python mpi)
   if(NOT component IN_LIST components)
     continue()
   endif()
@@ -74,7 +80,6 @@ set(CPACK_DEBIAN_LIBRARY_PACKAGE_PROVIDES "libaf2 (= ${PROJECT_VERSION}-1)")
 set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "python3 (>= 3.11), python3 (<< 3.12), python3-numpy")
 # Dependencies are those of the libraries that the files are linked with (dpkg-shlibdeps).
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
-set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS ${PROJECT_BINARY_DIR})  # python3-af2 may need libaf2
 set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON)
 set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS_POLICY ">=")
 include(CPack)

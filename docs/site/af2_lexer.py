@@ -7,6 +7,7 @@ import re
 from pygments.lexer import RegexLexer, words
 from pygments.token import Comment, Keyword, Name, Number, Operator, Punctuation, String
 
+__all__ = ["Af2Lexer"]
 GRAMMAR = pathlib.Path(__file__).parents[2] / "examples" / "vscode-af2" / "syntaxes" / "af2.tmLanguage.json"
 
 

@@ -149,7 +149,7 @@ def pages(source, public_headers, work):
     subprocess.run(["doxygen", config], check=True, stdout=subprocess.DEVNULL)
     found = read(work / "xml")
     for component, title in COMPONENTS.items():
-        text = f"# {title}\n\n[embedding.md](../embedding.md) shows how these are used.\n"
+        text = f"# {title}\n\n[AF2 in your own program](../embedding.md) shows how these are used.\n"
         for inside, installed in sorted(listed, key=lambda pair: pair[1]):
             if component_of(inside, installed) == component:
                 text += header_text(source, inside, installed, found.get(inside, found.get(str(source / inside), Header())))

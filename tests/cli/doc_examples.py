@@ -18,6 +18,7 @@ import json
 import os
 import pathlib
 import re
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -101,7 +102,7 @@ def shell(place, text, folder):
         elif script and script[1].endswith(".py"):
             known = (SOURCE / script[1]).read_text(encoding="utf-8")
             failures.extend(f"{place}: {script[1]} has no option {option}"
-                            for option in re.findall(r" (--[a-z-]+)", line) if f'"{option}"' not in known)
+                            for option in re.findall(r" (--[a-z0-9-]+)", line) if f'"{option}"' not in known)
 
 
 def other_block(place, language, name, body, folder):
@@ -161,6 +162,21 @@ def options_without_words():
     return len(verbs)
 
 
+def unknown_options_of_gmsh():
+    """Those that the page for its users names, and the program, if it is there, does not."""
+    if not shutil.which("gmsh"):
+        return
+    known = subprocess.run(["gmsh", "-help"], capture_output=True, text=True)
+    known = set(re.findall(r"(?<![\w-])-[a-z_A-Z0-9]+", known.stdout + known.stderr))
+    page = (SOURCE / "docs" / "coming-from-gmsh.md").read_text(encoding="utf-8")
+    named = re.findall(r"^\| (`-[^|]*) \|", page, re.M) + re.findall(r"^gmsh .*$", page, re.M)
+    options = set(re.findall(r"(?<=[` ])-[a-z_0-9]+", " ".join(named)))
+    failures.extend(f"docs/coming-from-gmsh.md: gmsh has no option {option}" for option in sorted(options - known))
+    if len(options) < 15:
+        failures.append(f"docs/coming-from-gmsh.md names only {len(options)} options of gmsh")
+
+
+unknown_options_of_gmsh()
 if options_without_words() < 10:
     failures.append("af2 --help lists no verbs")
 pages = ([pathlib.Path(page).resolve() for page in sys.argv[3:]]

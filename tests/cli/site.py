@@ -99,6 +99,10 @@ def main():
             print(made.stdout + made.stderr)
             return 1
         see_that_links_are_followed(site)
+        language = (site / "language.html").read_text(encoding="utf-8")
+        expect('<span class="kd">rule</span>' in language, "rules have no colours")
+        expect(language.count("drawn/language-") > 10, "rules have no pictures")
+        expect("MeshingOptions" in (site / "api" / "geometry.html").read_text(encoding="utf-8"), "no reference of C++")
         if browser.program():
             look_at_all(site)
     print("\n".join(failures) if failures else "the site is sound")

@@ -40,6 +40,11 @@ if ls libaf2-0*.deb >/dev/null 2>&1; then
   needs libaf2-dev libaf2-0
 fi
 
+if ls python3-af2_*.deb >/dev/null 2>&1; then
+  holds python3-af2 lib/python3/dist-packages/af2/__init__.py 'lib/python3/dist-packages/af2/_af2.*\.so'
+  needs python3-af2 python3 libc6
+fi
+
 # Nothing is in two packages, and the program of the package runs.
 for package in *.deb; do dpkg-deb --fsys-tarfile "$package" | tar -t | grep -v '/$'; done | sort | uniq -d >twice
 [ ! -s twice ] || fail "in two packages: $(cat twice)"

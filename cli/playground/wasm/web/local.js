@@ -71,6 +71,7 @@
     choice.append(...names.map((name) => new Option(name, name, false, name === chosen)));
     choice.addEventListener("change", () => { location.search = new URLSearchParams({ file: choice.value }); });
     document.getElementById("state").before(choice);
+    document.getElementById("name").style.display = "none";  // the choice shows it
   }
 
   async function file() {
