@@ -11,6 +11,8 @@ void scale(SizeSources& sources, double factor) {
   for (SizeBox& box : sources.boxes) box.size *= factor;
   for (SizeGrid& grid : sources.grids)
     for (double& size : grid.sizes) size *= factor;
+  for (SizeCells& cells : sources.cells)
+    for (double& size : cells.sizes) size *= factor;
 }
 
 void scale(ChordBounds& chords, double factor) {

@@ -66,9 +66,14 @@ void pass(auto& archive, mpi::Is<SizeGrid> auto& grid) {
   archive(origin, spacing, counts, sizes);
 }
 
+void pass(auto& archive, mpi::Is<SizeCells> auto& field) {
+  auto& [vertices, sizes, cells] = field;
+  archive(vertices, sizes, cells);
+}
+
 void pass(auto& archive, mpi::Is<SizeSources> auto& sources) {
-  auto& [points, boxes, grids] = sources;
-  archive(points, boxes, grids);
+  auto& [points, boxes, grids, cells] = sources;
+  archive(points, boxes, grids, cells);
 }
 
 void pass(auto& archive, mpi::Is<ChordBounds> auto& bounds) {

@@ -6,7 +6,7 @@
 #include <set>
 #include <utility>
 
-#include "geometry/io/msh_groups.h"
+#include "geometry/formats/msh_groups.h"
 
 namespace af2::mpi {
 

@@ -4,8 +4,8 @@
 #include <string>
 #include <string_view>
 
+#include "geometry/formats/vtk_cells.h"
 #include "geometry/io/base64.h"
-#include "geometry/io/vtk_cells.h"
 #include "mpi/partition/part_files.h"
 
 namespace af2::mpi {
