@@ -71,6 +71,10 @@ Task Process::Follower::nextTask(std::size_t slot) {
   return ByteReader(letter.bytes).take<Task>();
 }
 
+void Process::Follower::giveUp(const std::string& reason) {
+  post_.send(0, kGivenUp, bytesOf(post_.name() + ": " + reason));
+}
+
 void Process::Follower::finish(std::vector<NumberedMesh> meshes) {
   post_.send(0, kResults, bytesOf(round_, meshes));
 }

@@ -20,6 +20,7 @@ class Process::Follower final : public geometry::CrewFollower, private TaskSourc
 
  private:
   Task nextTask(std::size_t slot) override;
+  void giveUp(const std::string& reason) override;
   void finish(std::vector<NumberedMesh> meshes) override;
   void offer(const RegionKey& region, const std::vector<double>& work) override;
   std::optional<std::size_t> nextPiece(const RegionKey& region, std::size_t slot,

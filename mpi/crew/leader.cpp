@@ -38,7 +38,9 @@ void Process::Leader::handleLetters() {
   post_.handle(kPiece, [this](const Letter& letter) { workers_.takePiece(letter.bytes); });
   post_.handle(kResults, [this](const Letter& letter) { takeMeshes(letter); });
   post_.handle(kDone, [this](const Letter&) { board_.done(); });
-  post_.handle(kGivenUp, [this](const Letter& letter) { giveUp(letter); });
+  post_.handle(kGivenUp, [this](const Letter& letter) {
+    giveUp(ByteReader(letter.bytes).take<std::string>());
+  });
 }
 
 void Process::Leader::beginRun(const RunChange& change) { tell(Order::BeginRun, change); }
@@ -127,8 +129,8 @@ void Process::Leader::takeMeshes(const Letter& letter) {
   answerWaiting();
 }
 
-void Process::Leader::giveUp(const Letter& letter) {
-  board_.giveUp(ByteReader(letter.bytes).take<std::string>());
+void Process::Leader::giveUp(const std::string& reason) {
+  board_.giveUp(reason);
   workers_.giveUp();
   post_.sendToAll(kAbandon, {});
   answerWaiting();

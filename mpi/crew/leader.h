@@ -33,6 +33,7 @@ class Process::Leader final : public geometry::CrewLeader, private TaskSource {
   };
 
   Task nextTask(std::size_t slot) override;
+  void giveUp(const std::string& reason) override;
   void finish(std::vector<NumberedMesh> meshes) override;
   void offer(const RegionKey& region, const std::vector<double>& work) override;
   std::optional<std::size_t> nextPiece(const RegionKey& region, std::size_t slot,
@@ -46,7 +47,6 @@ class Process::Leader final : public geometry::CrewLeader, private TaskSource {
   void tell(Order order, const T&... values);
   void handleLetters();
   void takeMeshes(const Letter& letter);
-  void giveUp(const Letter& letter);
   void answerWaiting();
 
   Post& post_;

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -55,6 +56,8 @@ class TaskSource {
   /// isInvited  whether this is the first that a thread takes because it was told to help
   virtual std::optional<std::size_t> nextPiece(const RegionKey& region, std::size_t slot,
                                                bool isInvited) = 0;
+  /// A thread cannot go on: the round is over for all.
+  virtual void giveUp(const std::string& reason) = 0;
   /// Sends a piece to the process that owns its region.
   virtual void deliver(int owner, const RegionKey& region, std::size_t piece,
                        const RegionMesh& mesh) = 0;

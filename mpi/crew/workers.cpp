@@ -1,7 +1,10 @@
 #include "mpi/crew/workers.h"
 
 #include <bit>
+#include <new>
+#include <thread>
 #include <utility>
+#include <vector>
 
 #include "engine/base/error.h"
 #include "geometry/base/parallel.h"
@@ -143,13 +146,35 @@ class Workers::SharedRegion final : public RegionCrew {
   bool helps_;
 };
 
+/// Each thread has an arena of its own: one that waited for others in a common arena might do their
+/// tasks meanwhile, which may wait for its own.
 void Workers::work(TaskSource& source, std::uint64_t round, const MeshTry& mesh) {
-  geometry::forEachInParallel(threads_, 0, [&](std::size_t slot) {
-    for (Task task = source.nextTask(slot); task.kind != TaskKind::Over;
-         task = source.nextTask(slot))
-      (this->*(task.kind == TaskKind::Mesh ? &Workers::meshFaces : &Workers::help))(
-          source, round, slot, task, mesh);
-  });
+  std::mutex mutex;
+  std::exception_ptr fault;
+  const auto run = [&](std::size_t slot) {
+    try {
+      geometry::withThreads(1, [&] { doTasks(source, round, slot, mesh); });
+    } catch (const std::exception& error) {
+      source.giveUp(reasonOf(error));  // others would wait for what it has begun
+      const std::lock_guard lock(mutex);
+      if (!fault) fault = std::current_exception();
+    }
+  };
+  {
+    std::vector<std::jthread> others;
+    for (std::size_t slot = 1; slot < threads_; ++slot) others.emplace_back(run, slot);
+    run(0);
+  }
+  if (fault) std::rethrow_exception(fault);
+}
+
+void Workers::doTasks(TaskSource& source, std::uint64_t round, std::size_t slot,
+                      const MeshTry& mesh) {
+  for (Task task = source.nextTask(slot); task.kind != TaskKind::Over; task = source.nextTask(slot))
+    if (task.kind == TaskKind::Mesh)
+      meshFaces(source, round, slot, task, mesh);
+    else
+      help(source, round, slot, task, mesh);
 }
 
 void Workers::meshFaces(TaskSource& source, std::uint64_t round, std::size_t slot, const Task& task,
@@ -195,6 +220,13 @@ std::shared_ptr<Workers::OpenRegion> Workers::find(std::uint64_t number) {
   const std::lock_guard lock(mutex_);
   const auto found = open_.find(number);
   return found != open_.end() && found->second->enter() ? found->second : nullptr;
+}
+
+std::string reasonOf(const std::exception& error) {
+  if (dynamic_cast<const std::bad_alloc*>(&error))
+    return "there is not enough memory; use more machines, fewer processes on each, or a larger "
+           "size";
+  return error.what();
 }
 
 Bytes bytesOfPiece(const RegionKey& region, std::size_t piece, const RegionMesh& mesh) {

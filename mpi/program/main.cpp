@@ -23,6 +23,7 @@
 #include "geometry/mesh/scaled_mesh.h"
 #include "mpi/crew/process.h"
 #include "mpi/crew/topics.h"
+#include "mpi/crew/workers.h"
 #include "mpi/partition/part_files.h"
 #include "mpi/program/model_file.h"
 
@@ -141,11 +142,7 @@ int explain(const CLI::App& program, const CLI::ParseError& error, bool isFirst)
 std::pair<std::string, int> faultOf(const std::exception& error) {
   if (dynamic_cast<const UsageError*>(&error))
     return {error.what() + std::string("\ntry: af2-mpi --help"), kUsage};
-  if (dynamic_cast<const std::bad_alloc*>(&error))
-    return {
-        "there is not enough memory; use more machines, fewer processes on each, or a larger "
-        "--size",
-        kUnusable};
+  if (dynamic_cast<const std::bad_alloc*>(&error)) return {reasonOf(error), kUnusable};
   if (dynamic_cast<const InternalError*>(&error))
     return {fmt::format("this is a defect of AF2, please report it: {}", error.what()), kUnusable};
   return {error.what(), kUnusable};

@@ -10,7 +10,7 @@ import sys
 import tempfile
 
 COMPILER, SOURCE, BUILD = sys.argv[1], pathlib.Path(sys.argv[2]), pathlib.Path(sys.argv[3])
-OPENCASCADE, MPI = sys.argv[4], [folder for folder in sys.argv[5].split(";") if folder]
+OPENCASCADE, MPI = sys.argv[4], [folder for folder in sys.argv[5].split(":") if folder]
 FENCE = re.compile(r"^```cpp\n(.*?)^```$", re.M | re.S)
 BEFORE = """
 #include <cmath>

@@ -21,6 +21,7 @@ alike 3 -- "$models/die.step" --size 1 --threads 3
 alike 2 -- "$models/plate.poly" --size 0.1 --layers @1=0.02,1.3,3
 # A face that is cut into pieces, which all processes mesh.
 alike 1 2 3 -- "$models/plate.poly" --size 0.015
+alike 2 -- "$models/plate.poly" --size 0.015 --threads 3
 # Several runs over the faces, of which the processes must take the same decisions.
 alike 3 -- "$models/brickhole.step" --size 1 --chord 0.02 --proximity 2 --fewest
 alike 2 -- "$models/die.step" --size 0.8 --merge

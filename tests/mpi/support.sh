@@ -10,5 +10,5 @@ export TMPDIR=$work  # for mpirun's and af2-mpi's own files
 on() {
   local ranks=$1
   shift
-  timeout 100 mpirun --oversubscribe -n "$ranks" "$mpi" "$@"
+  timeout 100 mpirun --oversubscribe --bind-to none -n "$ranks" "$mpi" "$@"
 }
