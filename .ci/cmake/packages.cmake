@@ -4,6 +4,7 @@
 #   library      libaf2-0.1     the shared library; its version is part of the name, as Debian wants it
 #   development  libaf2-dev     headers, CMake package, af2.pc
 #   python       python3-af2    the module af2, if it is built
+#   formats      af2-formats    writers of files that need libraries of their own (MED, Exodus, CGNS), if they are built
 #   mpi          af2-mpi        the program for many machines, if it is built
 set(soversion ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
 set(program_package af2)
@@ -11,6 +12,7 @@ set(library_package libaf2-${soversion})
 set(development_package libaf2-dev)
 set(python_package python3-af2)
 set(mpi_package af2-mpi)
+set(formats_package af2-formats)
 set(program_text "Surface mesher: the program
  It meshes the faces of CAD models, planar domains and surfaces of triangles with triangles and
  quadrilaterals. Rules decide which elements the advancing front adds; they are text files.")
@@ -20,10 +22,13 @@ set(development_text "Surface mesher: headers for programs
  Headers, and what find_package(af2) of CMake and pkg-config need.")
 set(mpi_text "Surface mesher: the program for many machines
  Meshes the faces of a model on several machines at once, with Open MPI.")
+set(formats_text "Surface mesher: more files of meshes
+ Writers of MED, Exodus II and CGNS, which the program loads when it is asked for such a file.")
 set(python_text "Surface mesher: the Python module
  Models and rules in, meshes as NumPy arrays out.")
 
 set(mpi_DEPENDS program)  # for the rules and the readers
+set(formats_DEPENDS program)
 
 # The libraries that static ones are linked with: those of packages.txt that building needs.
 if(BUILD_SHARED_LIBS)
@@ -43,7 +48,7 @@ endif()
 
 get_cmake_property(components COMPONENTS)
 set(CPACK_COMPONENTS_ALL "")
-foreach(component program library development python mpi)
+foreach(component program library development python formats mpi)
   if(NOT component IN_LIST components)
     continue()
   endif()
@@ -76,6 +81,9 @@ set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_SECTION libs)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
+if(formats IN_LIST CPACK_COMPONENTS_ALL)
+  set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS af2-formats)
+endif()
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_PROVIDES "libaf2 (= ${PROJECT_VERSION}-1)")
 set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "python3 (>= 3.11), python3 (<< 3.12), python3-numpy")
 # Dependencies are those of the libraries that the files are linked with (dpkg-shlibdeps).

@@ -78,6 +78,7 @@ def signature(member):
                       for p in member.findall("param")]
         code += f"({', '.join(parameters)})" + (" const" if member.get("const") == "yes" else "")
     else:
+        code += plain(member.find("argsstring"))  # of pointers to functions
         code += plain(member.find("initializer")).replace("=", " = ", 1) if member.find("initializer") is not None else ""
     return tidy(code)
 
@@ -89,7 +90,7 @@ def rows(members):
         text = described(member)
         for value in member.findall("enumvalue"):
             if described(value):
-                text += f" <code>{plain(value.find('name'))}</code>: {described(value)}"
+                text += f"<br><code>{plain(value.find('name'))}</code>: {described(value)}"
         lines.append(f"<tr><td><code>{html.escape(signature(member))}</code></td><td>{text}</td></tr>")
     return "\n<div class=\"members\"><table>\n" + "\n".join(lines) + "\n</table></div>\n" if lines else ""
 

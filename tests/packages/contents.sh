@@ -36,7 +36,8 @@ holds libaf2-dev include/af2/engine/algorithm.h include/af2/dsl/rule_file.h lib/
   lib/.*pkgconfig/af2.pc share/doc/libaf2-dev/copyright
 needs libaf2-dev af2
 if ls libaf2-0*.deb >/dev/null 2>&1; then
-  holds "libaf2-0.*" 'lib/.*libaf2.so.[0-9.]*' 'share/doc/libaf2-[0-9.]*/copyright'
+  library=$(ls libaf2-0*.deb | cut -d_ -f1)
+  holds "$library" 'lib/.*libaf2.so.[0-9.]*' "share/doc/$library/copyright"
   needs libaf2-dev libaf2-0
 fi
 
@@ -44,6 +45,8 @@ if ls python3-af2_*.deb >/dev/null 2>&1; then
   holds python3-af2 lib/python3/dist-packages/af2/__init__.py 'lib/python3/dist-packages/af2/_af2.*\.so'
   needs python3-af2 python3 libc6
 fi
+
+if ls af2-formats_*.deb >/dev/null 2>&1; then needs af2-formats af2; fi
 
 # Nothing is in two packages, and the program of the package runs.
 for package in *.deb; do dpkg-deb --fsys-tarfile "$package" | tar -t | grep -v '/$'; done | sort | uniq -d >twice
