@@ -26,7 +26,13 @@ void writeByModule(const char* library, const ModelMesh& mesh, const Extras& ext
   const GroupedMesh grouped{mesh, extras.lines, groupMembers(mesh, extras.lines, groups),
                             elementBlocks(mesh, groups), sidesOnLines(mesh, extras.lines)};
   const std::filesystem::path path = file.pathForOthers();
-  loadedWriter(library).write(grouped, path.c_str());
+  const WriterModule& writer = loadedWriter(library);
+  try {
+    writer.write(grouped, path.c_str());
+  } catch (const InputError& error) {
+    throw InputError("cannot write '" + file.target().string() + "': " + error.what() +
+                     "; the disk may be full");
+  }
   clearHdf5Times(path);
 }
 

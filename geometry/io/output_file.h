@@ -47,6 +47,8 @@ class OutputFile {
     bytes(reversed, sizeof reversed);
   }
 
+  const std::filesystem::path& target() const { return target_; }
+
   /// For libraries that write files themselves: a path beside the target at which there is no file.
   /// What others write there takes the place of what was written here.
   const std::filesystem::path& pathForOthers();
