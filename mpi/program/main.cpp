@@ -77,9 +77,11 @@ void writeParts(Crew& crew, const ModelMesh& mesh, const MeshRequest& request,
                 const std::string& file) {
   if (mesh.elements.empty() || file.empty()) return;
   const double factor = request.scale.factor;
-  const PartFiles files = writePart(
-      distribute(crew, factor == 1 ? mesh : scaledMesh(mesh, factor), request.fileOptions.lines),
-      file);
+  const auto partOf = [&](const ModelMesh& whole) {
+    return distribute(crew, whole, request.fileOptions.lines);
+  };
+  const PartFiles files =
+      writePart(factor == 1 ? partOf(mesh) : partOf(scaledMesh(mesh, factor)), file);
   const int others = crew.process().post().ranks() - 1;
   crew.process().waitForDone(others);
   crew.process().orderAll(Order::Commit, {});
@@ -99,13 +101,22 @@ int lead(Crew& crew, const Options& given, int threads) {
   const MeshOptions& options = given.mesh;
   refuseWhatNeedsOneProcess(options);
   MeshRequest request = checkedRequest(options);
+  if (!given.parts.empty()) checkPartsFile(given.parts);
+  // Before the others do so, and say the same about errors.
+  loadRuleSet(request.rules, {true, request.ruleLoading.isUnchecked, request.ruleLoading.plugins});
   sendModel(crew.process(), request.model);
   request.options.threads = threads;
   request.options.crew = crew.faces();
-  if (!given.parts.empty()) checkPartsFile(given.parts);
   RunWatch watch;
   watch.meshed = [&](const ModelMesh& mesh) { writeParts(crew, mesh, request, given.parts); };
-  return meshAndReport(request, watch);
+  try {
+    return meshAndReport(request, watch);
+  } catch (const std::exception& error) {
+    geometry::RunReport report;
+    report.reason = reasonOf(error);
+    writeReportIfAsked(request, report, {});
+    throw;
+  }
 }
 
 /// Meshes faces for the leader, which alone says and writes something.

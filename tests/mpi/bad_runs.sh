@@ -19,6 +19,12 @@ refuses 2 "use af2 mesh" "$models/die.step" --size 1 --trace t.af2t
 refuses 1 ".pvtu or .msh" "$models/die.step" --size 1 --parts mesh.obj
 refuses 1 "cannot write" "$models/die.step" --size 1 --parts none/mesh.msh
 
+printf 'af2 1;\nruleset "x" { elements tri; }\nrule "r" quality 1 { tri a b c; }\n' >bad.af2
+expect 1 on 3 "$models/die.step" --size 1 -r bad.af2
+[ "$(grep -c '^error.AF2-R1' err)" -eq 1 ] || fail "the fault of the rules is not told once"
+expect 1 on 2 "$models/die.step" --size 0.0001 --report why.json
+grep -q "ask for sizes" why.json || fail "the report does not say why"
+
 # A process dies in the middle, with the first one waiting for it.
 on 3 "$models/die.step" --size 0.02 -o killed.vtu --parts killed.pvtu >out 2>err &
 run=$!
