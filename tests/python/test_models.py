@@ -174,8 +174,11 @@ class Shapes(Case):
                 return True
 
         class Compound(Shape):
+            made_of = []
+
             @classmethod
             def makeCompound(cls, shapes):
+                cls.made_of.append(len(shapes))
                 return cls(shapes[0].content)
 
         class Workplane:
@@ -202,7 +205,8 @@ class Shapes(Case):
         Shape, Workplane, Assembly = self.cadquery()
         self.assertEqual(self.is_die(Shape()).name, "<Shape>")
         self.is_die(Workplane(Shape()))
-        self.is_die(Workplane(Shape(), Shape()))  # becomes a compound
+        self.is_die(Workplane(Shape(), object(), Shape()))  # the two shapes become a compound
+        self.assertEqual(sys.modules["cadquery.occ_impl.shapes"].Compound.made_of, [2])
         self.is_die(Assembly())
         with self.assertRaisesRegex(af2.InputError, "workplane has no shape"):
             af2.mesh(Workplane(), size=1)
