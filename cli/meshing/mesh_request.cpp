@@ -154,6 +154,9 @@ void declareMeshOptions(CLI::App& command, MeshOptions& options) {
           "meshing begins")
       ->transform(CLI::AsSizeValue(true).description(""))
       ->type_name("SIZE");
+  command.add_flag("--coarsen", options.coarsen,
+                   "larger sizes where those that are asked for need more memory than there is, or "
+                   "than --max-memory allows");
   command
       .add_option("--order", options.order,
                   "1 or 2: elements of order 2 have extra vertices, on the surface, at the middles "

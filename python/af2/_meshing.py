@@ -20,6 +20,7 @@ def mesh(model: ModelLike, size: Optional[float] = None, *, names: Optional[Mapp
          min_size: Optional[float] = None, max_size: Optional[float] = None, grading: Optional[float] = None,
          proximity: Optional[float] = None,
          sizes: Union[Callable[[np.ndarray], Any], Mapping[str, Any], str, "os.PathLike[str]", Sequence[Any], None] = None,
+         size_fields: Union[str, "os.PathLike[str]", Sequence[Union[str, "os.PathLike[str]"]], None] = None,
          face_sizes: Optional[Mapping[Key, float]] = None, edge_sizes: Optional[Mapping[Key, float]] = None,
          chord: Union[float, str, None] = None, face_chords: Optional[Mapping[Key, Union[float, str]]] = None,
          fewest: bool = False, faces: Union[Key, Iterable[Union[int, str]], None] = None, elements: str = "any",
@@ -31,6 +32,7 @@ def mesh(model: ModelLike, size: Optional[float] = None, *, names: Optional[Mapp
          periodic: Union[str, Sequence[Any], None] = None, merge: Union[bool, float] = False,
          merge_narrow: Optional[float] = None, merge_keep: Union[Key, Iterable[Union[int, str]], None] = None,
          optimize: bool = True, strict_rules: bool = False, threads: int = 0, max_memory: Optional[int] = None,
+         coarsen: bool = False,
          progress: Optional[Callable[[_af2.Progress], Any]] = None, trace: Optional[Callable[[_af2.Step], Any]] = None,
          allow_incomplete: bool = False, name: Optional[str] = None) -> Mesh:
     """Meshes a model. The mesh is the one that `af2 mesh` makes for the same request, to the last bit.
@@ -57,6 +59,8 @@ def mesh(model: ModelLike, size: Optional[float] = None, *, names: Optional[Mapp
             * a dictionary with "points", "boxes", "fields", "parts", "chords" as in files for `--sizes`
               (docs/formats.md), or the path of such a file;
             * a list of one function and one of these.
+        size_fields: sizes at the vertices of other meshes: the path of an `.msh`, `.pos` or `.vtu` file, or
+            "path:array" if it has several arrays; or a list of these.
         face_sizes: sizes of some faces instead of `size`: `{3: 0.1, (7, 8): 0.2, "inlet*": 0.05}`, by ids and names of
             faces and groups. A name may have `*` and `?`; ids take precedence, and of several matching names the last.
         edge_sizes: sizes along some edges, by ids and by names of boundaries, or of faces and groups for the edges
@@ -91,6 +95,8 @@ def mesh(model: ModelLike, size: Optional[float] = None, *, names: Optional[Mapp
         strict_rules: only rules make elements: a face fails at the first edge that no rule takes.
         threads: number of threads, 0: all cores. The mesh does not depend on it.
         max_memory: bytes for the mesh; sizes that need more are refused before meshing begins.
+        coarsen: larger sizes, rather than a refusal, where those that are asked for need too much memory; `mesh.notes`
+            tells how much larger.
         progress: called with an `af2.Progress` now and then, from other threads, one call at a time. An exception that
             it raises stops the mesher and is raised by `mesh`.
         trace: called with an `af2.Step` for every step of every front: `face`, `start`, `end` (of the base edge), `level`,
@@ -114,7 +120,7 @@ def mesh(model: ModelLike, size: Optional[float] = None, *, names: Optional[Mapp
     _arguments.check_words(elements, quality, order, threads)
     loaded = load_rules(rules or ("quad/classic.af2" if elements == "quad" else "tri/even.af2"), check=check_rules)
     asked: Dict[str, Any] = {"order": order, "threads": int(threads), "optimize": bool(optimize), "chart": chart,
-                             "strict_rules": bool(strict_rules), "fewest": bool(fewest)}
+                             "strict_rules": bool(strict_rules), "fewest": bool(fewest), "coarsen": bool(coarsen)}
     limits = _arguments.function_and_file(sizes)
     _arguments.take_sizes(asked, size, limits, curvature=curvature, min_size=min_size, max_size=max_size, grading=grading,
                           proximity=proximity)
@@ -130,6 +136,9 @@ def mesh(model: ModelLike, size: Optional[float] = None, *, names: Optional[Mapp
     _arguments.take_changes(asked, source.kind, heal, imprint, glue, overlap, periodic)
     _arguments.take_merge(asked, source.kind, merge, merge_narrow, merge_keep)
     _arguments.check_combinations(asked)
+    if size_fields is not None:
+        fields = [size_fields] if isinstance(size_fields, (str, os.PathLike)) else size_fields
+        asked["size_fields"] = [os.fspath(field) for field in fields]
     if max_memory is not None:
         asked["max_memory"] = _arguments.positive(max_memory, "max_memory")
     if progress is not None:

@@ -1,6 +1,7 @@
 #include "python/bindings/request.h"
 
 #include <af2/engine/error.h>
+#include <af2/geometry/size_field.h>
 #include <af2/geometry/size_file.h>
 
 #include <algorithm>
@@ -49,6 +50,10 @@ void takeSizes(const py::dict& asked, const std::shared_ptr<Call>& call, geometr
     sizes.partSizes = std::move(file.parts);
     sizes.chords.parts = std::move(file.chords);
   }
+  std::vector<std::string> fields;
+  take(asked, "size_fields", fields);
+  for (const std::string& field : fields)
+    sizes.sources.cells.push_back(geometry::readSizeField(geometry::sizeFieldName(field)));
   // The last match counts.
   std::vector<std::pair<std::string, double>> parts;
   take(asked, "part_sizes", parts);
@@ -83,6 +88,7 @@ void takeOptions(const py::dict& asked, geometry::MeshingOptions& options) {
   take(asked, "fewest", options.fewest);
   take(asked, "threads", options.threads);
   take(asked, "max_memory", options.maxMemory);
+  take(asked, "coarsen", options.coarsen);
   take(asked, "optimize", options.optimize);
   take(asked, "strict_rules", options.strictRules);
   take(asked, "keep_boundary", options.keepBoundary);

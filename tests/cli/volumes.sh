@@ -75,7 +75,7 @@ grep -q '"solid 1|solid 2"' groups.msh2 || fail "the interface is no group"
 grep -q '"face' groups.msh2 && fail "faces are groups though they are in others"
 expect 0 "$af2" quality groups.msh2
 expect 2 "$af2" mesh "$parts/two_boxes.brep" -s 1 --groups walls -o groups.msh; told "'walls' is no kind of group"
-expect 2 "$af2" mesh "$parts/two_boxes.brep" -s 1 --groups parts -o groups.ply; told "--groups is for .msh, .msh2, .stl and .obj files"
+expect 2 "$af2" mesh "$parts/two_boxes.brep" -s 1 --groups parts -o groups.ply; told "--groups is for .msh, .msh2, .stl, .obj, "
 
 # Units.
 expect 0 "$af2" mesh "$models/brickhole.step" -s 2 -o plain.obj

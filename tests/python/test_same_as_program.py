@@ -32,6 +32,21 @@ class SameAsProgram(Case):
         mesh = af2.mesh(MODELS / "cylinder.step", size=1, sizes=sizes)
         self.same_bytes(mesh, "sized.vtu", MODELS / "cylinder.step", "--size", 1, "--sizes", "sizes.json")
 
+    def test_size_fields(self):
+        (self.folder / "field.pos").write_text('View "h" { SL(0, 0, 0, 4, 0, 0){0.1, 0.5}; };')
+        plate = MODELS / "plate.poly"
+        mesh = af2.mesh(plate, size=0.5, size_fields=self.folder / "field.pos")
+        self.assertGreater(len(mesh.triangles), len(af2.mesh(plate, size=0.5).triangles))
+        self.same_bytes(mesh, "field.vtu", plate, "--size", 0.5, "--size-field", "field.pos")
+
+    def test_coarsening(self):
+        brick = MODELS / "brickhole.step"
+        with self.assertRaisesRegex(af2.InputError, "times as large"):
+            af2.mesh(brick, size=0.02, max_memory=10**6)
+        mesh = af2.mesh(brick, size=0.02, max_memory=10**6, coarsen=True)
+        self.assertTrue(any("times as large" in note for note in mesh.notes))
+        self.assertLess(len(mesh.triangles), 12000)
+
     def test_quads(self):
         mesh = af2.mesh(MODELS / "brickhole.step", size=0.7, elements="quad", quality="best")
         self.assertEqual(len(mesh.triangles), 0)
