@@ -44,6 +44,28 @@ fs::path folderOfThisCode() {
   return fs::weakly_canonical(info.dli_fname, failed).parent_path();
 }
 
+/// Beside the program, or in the folder of its libraries. The same of a library that a program has
+/// loaded; a module for Python lies several folders below what AF2 is installed in.
+std::vector<fs::path> foldersOfParts() {
+  std::vector<fs::path> folders;
+  const auto add = [&](const fs::path& folder) {
+    if (folder.empty()) return;
+    folders.push_back(folder);
+    folders.push_back((folder / AF2_LIBRARIES_FROM_PROGRAM).lexically_normal());
+    folders.push_back(folder / "af2");
+  };
+  add(folderOfProgram());
+  const fs::path own = folderOfThisCode();
+  add(own);
+  constexpr int kMostAbove = 4;
+  fs::path above = own;
+  for (int i = 0; i < kMostAbove && above.has_relative_path(); ++i) {
+    above = above.parent_path();
+    folders.push_back((above / "bin" / AF2_LIBRARIES_FROM_PROGRAM).lexically_normal());
+  }
+  return folders;
+}
+
 /// One that is not there under this name is found when the library is loaded, or that tells what is
 /// missing.
 void loadFirst(const char* names, int mode) {
@@ -55,11 +77,8 @@ void loadFirst(const char* names, int mode) {
 
 fs::path placeOfPart(const std::string& library) {
   std::error_code failed;
-  for (const fs::path& folder : {folderOfProgram(), folderOfThisCode()})
-    for (const fs::path& inside :
-         {fs::path(), fs::path(AF2_LIBRARIES_FROM_PROGRAM), fs::path("af2")})
-      if (!folder.empty() && fs::exists(folder / inside / library, failed))
-        return folder / inside / library;
+  for (const fs::path& folder : foldersOfParts())
+    if (fs::exists(folder / library, failed)) return folder / library;
   return {};
 }
 

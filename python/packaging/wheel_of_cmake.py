@@ -68,6 +68,12 @@ def packaged_files(build, stage):
     return [(str(path.relative_to(root)), path.read_bytes()) for path in sorted(root.rglob("*")) if path.is_file()]
 
 
+def writer_modules(build, stage):
+    """The libraries that write formats of others, as far as they were built: beside the extension module, which loads them."""
+    run("cmake", "--install", str(build), "--component", "formats", "--prefix", str(stage))
+    return [(f"af2/{path.name}", path.read_bytes()) for path in sorted(stage.rglob("*.so"))]
+
+
 def record_line(name, content):
     digest = base64.urlsafe_b64encode(hashlib.sha256(content).digest()).rstrip(b"=").decode()
     return f"{name},sha256={digest},{len(content)}\n"
@@ -88,8 +94,8 @@ def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
     build = pathlib.Path(folder).resolve()
     built(build)
     info, files = info_files()
-    with tempfile.TemporaryDirectory() as stage:
-        files = packaged_files(build, pathlib.Path(stage)) + files
+    with tempfile.TemporaryDirectory() as package, tempfile.TemporaryDirectory() as modules:
+        files = packaged_files(build, pathlib.Path(package)) + writer_modules(build, pathlib.Path(modules)) + files
     record = "".join(record_line(*file) for file in files) + f"{info}/RECORD,,\n"
     files.append((f"{info}/RECORD", record.encode()))
     name = f"{NAME}-{version()}-{tag()}.whl"

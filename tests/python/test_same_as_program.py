@@ -13,9 +13,8 @@ class SameAsProgram(Case):
         mesh = af2.mesh(MODELS / "die.step", size=1)
         for extension in (e for e, _ in af2._af2.mesh_formats() if e not in (".smesh",)):
             with self.subTest(extension):
-                try:
-                    mesh.write(self.folder / ("x" + extension))
-                except af2.InputError:  # a format for planar meshes, or not for this one
+                if extension == ".svg":  # for planar meshes
+                    self.assertRaises(af2.InputError, mesh.write, self.folder / "x.svg")
                     continue
                 self.same_bytes(mesh, "die" + extension, MODELS / "die.step", "--size", 1)
 

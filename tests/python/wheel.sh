@@ -24,6 +24,8 @@ assert {"py.typed", "_af2.pyi"} <= {path.name for path in pathlib.Path(af2.__fil
 mesh = af2.mesh(f"{source}/examples/models/die.step", size=1)
 mesh.write(f"{work}/die.vtu")
 assert mesh.complete and len(mesh.triangles) > 100
+if list(pathlib.Path(af2.__file__).parent.glob("af2-med.so")):
+    mesh.write(f"{work}/die.med")
 PYTHON
 "${pip[@]}" uninstall --quiet --yes af2
 ! "$work/env/bin/python" -c 'import af2' 2>/dev/null || { echo "the package is still there"; exit 1; }
