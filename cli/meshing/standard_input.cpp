@@ -6,9 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <cstdlib>
 #include <cstring>
-#include <fstream>
 #include <string_view>
 #include <vector>
 
@@ -18,8 +16,6 @@
 #include "geometry/base/words.h"
 
 namespace af2::cli {
-
-namespace fs = std::filesystem;
 
 namespace {
 
@@ -129,27 +125,12 @@ std::string extensionByContent(const std::string& content) {
   return "";
 }
 
-StandardInput::StandardInput(const std::string& format) : owner_(::getpid()) {
+std::unique_ptr<TemporaryFile> takeStandardInput(const std::string& format) {
   checkModelFormat(format);
   const std::string content = readAll();
   if (content.empty()) throw InputError("standard input is empty; pipe a model into it");
-  const std::string extension = extensionOf(content, format);
-  std::string pattern = (fs::temp_directory_path() / "af2-XXXXXX").string();
-  if (!::mkdtemp(pattern.data()))
-    throw InputError(fmt::format("standard input cannot be kept in '{}': {}; set TMPDIR",
-                                 fs::temp_directory_path().string(), std::strerror(errno)));
-  folder_ = pattern;
-  file_ = folder_ / ("standard_input" + extension);
-  std::ofstream stream(file_, std::ios::binary);
-  stream << content;
-  if (!stream.flush())
-    throw InputError(
-        fmt::format("standard input cannot be kept in '{}'; set TMPDIR", folder_.string()));
-}
-
-StandardInput::~StandardInput() {
-  std::error_code ignored;
-  if (::getpid() == owner_) fs::remove_all(folder_, ignored);
+  return std::make_unique<TemporaryFile>("standard_input" + extensionOf(content, format), content,
+                                         "standard input");
 }
 
 }  // namespace af2::cli

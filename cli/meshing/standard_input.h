@@ -1,10 +1,10 @@
 // A model that comes through standard input.
 #pragma once
 
-#include <sys/types.h>
-
-#include <filesystem>
+#include <memory>
 #include <string>
+
+#include "cli/program/temporary_file.h"
 
 namespace af2::cli {
 
@@ -15,25 +15,12 @@ bool isStandardInput(const std::string& model);
 /// be told.
 std::string extensionByContent(const std::string& content);
 
-/// A temporary file with what standard input had, named so that its extension tells the format.
-/// Goes away with this, in the process that made it.
-class StandardInput {
- public:
-  /// Reads to the end. `format` is the name of an extension, without the dot; empty: the content
-  /// tells.
-  ///
-  /// Throws UsageError if there is no such format, InputError if nothing comes, or nothing that
-  /// tells its format.
-  explicit StandardInput(const std::string& format);
-  StandardInput(const StandardInput&) = delete;
-  StandardInput& operator=(const StandardInput&) = delete;
-  ~StandardInput();
-
-  const std::filesystem::path& file() const { return file_; }
-
- private:
-  std::filesystem::path folder_, file_;
-  pid_t owner_;
-};
+/// A file with what standard input has to its end, named so that its extension tells the format.
+///
+/// format  the name of an extension, without the dot; empty: the content tells
+///
+/// Throws UsageError if there is no such format, InputError if nothing comes, or nothing that tells
+/// its format.
+std::unique_ptr<TemporaryFile> takeStandardInput(const std::string& format);
 
 }  // namespace af2::cli

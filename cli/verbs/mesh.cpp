@@ -59,12 +59,12 @@ int meshOrReportWhyNot(const MeshRequest& request) {
 }
 
 /// What came through standard input, if the model does; the options then name a file that has it.
-std::unique_ptr<StandardInput> takenInput(MeshOptions& options) {
+std::unique_ptr<TemporaryFile> takenInput(MeshOptions& options) {
   if (!isStandardInput(options.model)) return nullptr;
   if (!options.trace.empty())
     throw UsageError("--trace needs a model in a file, which is read again for the trace");
-  auto input = std::make_unique<StandardInput>(options.format);
-  options.model = input->file().string();
+  auto input = takeStandardInput(options.format);
+  options.model = input->path().string();
   options.format.clear();
   return input;
 }
@@ -75,7 +75,7 @@ Action declareMesh(CLI::App& command) {
   const auto options = std::make_shared<MeshOptions>();
   declareMeshOptions(command, *options);
   return [options, &command] {
-    const std::unique_ptr<StandardInput> input = takenInput(*options);
+    const std::unique_ptr<TemporaryFile> input = takenInput(*options);
     MeshRequest request = checkedRequest(*options);
     request.arguments = argumentsOf(command);
     return meshOrReportWhyNot(request);

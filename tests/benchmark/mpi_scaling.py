@@ -4,7 +4,7 @@ How long af2-mpi would take on many ranks, simulated from what a run on one thre
 
     af2 mesh MODEL --size S --threads 1 -q --report REPORT
 
-The simulation plays what mpi/crew does. Each rank reads and prepares the model; rank 0 divides the edges and sends
+The simulation plays what geometry/mpi/crew does. Each rank reads and prepares the model; rank 0 divides the edges and sends
 them through a tree. Whoever is free asks rank 0 for the next faces, the most work first; once all faces are begun,
 those who are free take pieces of large faces, for which they begin and cut the face, too. The owner of a face waits
 for its pieces and optimises along the cuts. All meshes go to rank 0, which joins, checks and writes them."""

@@ -1,8 +1,8 @@
-#include "mpi/crew/face_bytes.h"
+#include "geometry/mpi/crew/face_bytes.h"
 
 #include <gtest/gtest.h>
 
-#include "mpi/crew/region_bytes.h"
+#include "geometry/mpi/crew/region_bytes.h"
 
 namespace af2::mpi {
 namespace {

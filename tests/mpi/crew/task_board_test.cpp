@@ -1,4 +1,4 @@
-#include "mpi/crew/task_board.h"
+#include "geometry/mpi/crew/task_board.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "mpi/partition/cut_part.h"
+#include "geometry/mpi/partition/cut_part.h"
 
 #include <gtest/gtest.h>
 

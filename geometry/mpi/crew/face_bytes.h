@@ -1,0 +1,89 @@
+// The meshes of faces and what belongs to them as bytes. A new field of one of these types does
+// not compile until it is named here.
+#pragma once
+
+#include "geometry/meshing/face_crew.h"
+#include "geometry/mpi/messages/bytes.h"
+
+namespace af2 {
+
+void pass(auto& archive, mpi::Is<FrontPiece> auto& piece) {
+  auto& [vertices, chains, isolated, base, level, size, colours] = piece;
+  archive(vertices, chains, isolated, base, level, size, colours);
+}
+
+}  // namespace af2
+
+namespace af2::geometry {
+
+void pass(auto& archive, mpi::Is<StuckPlace> auto& place) {
+  auto& [from, to, u, v, level, refusals, around] = place;
+  archive(from, to, u, v, level, refusals, around);
+}
+
+void pass(auto& archive, mpi::Is<FaceReport> auto& report) {
+  auto& [id, name, surfaceType, chart, status, elements, seconds, area, reason, attempts, stuck,
+         withoutRule, acts, layers, layerElements, oddLoops, triangles, firstTriangle, deviation] =
+      report;
+  archive(id, name, surfaceType, chart, status, elements, seconds, area, reason, attempts, stuck,
+          withoutRule, acts, layers, layerElements, oddLoops, triangles, firstTriangle, deviation);
+}
+
+void pass(auto& archive, mpi::Is<FillFault> auto& fault) {
+  auto& [kind, details] = fault;
+  archive(kind, details);
+}
+
+void pass(auto& archive, mpi::Is<FaceStep> auto& step) {
+  auto& [kind, name, fault, details, count] = step;
+  archive(kind, name, fault, details, count);
+}
+
+void pass(auto& archive, mpi::Is<FaceDiagnosis> auto& diagnosis) {
+  auto& [places, poorness, isBad, hasBadAngle, hasWrongArea] = diagnosis;
+  archive(places, poorness, isBad, hasBadAngle, hasWrongArea);
+}
+
+void pass(auto& archive, mpi::Is<FaceMesh> auto& mesh) {
+  auto& [report, boundary, inside, wantedSizes, elements, origins, middles, uses, hasVanished,
+         optimizeSeconds, diagnosis, history, searchCost] = mesh;
+  archive(report, boundary, inside, wantedSizes, elements, origins, middles, uses, hasVanished,
+          optimizeSeconds, diagnosis, history, searchCost);
+}
+
+void pass(auto& archive, mpi::Is<DividedEdge> auto& edge) {
+  auto& [parameters, points, stops, problem, wanted, twin, point, counts] = edge;
+  archive(parameters, points, stops, problem, wanted, twin, point, counts);
+}
+
+void pass(auto& archive, mpi::Is<DividedEdges> auto& divided) {
+  auto& [points, edges, counts] = divided;
+  archive(points, edges, counts);
+}
+
+void pass(auto& archive, mpi::Is<SizeGrid> auto& grid) {
+  auto& [origin, spacing, counts, sizes] = grid;
+  archive(origin, spacing, counts, sizes);
+}
+
+void pass(auto& archive, mpi::Is<SizeCells> auto& field) {
+  auto& [vertices, sizes, cells] = field;
+  archive(vertices, sizes, cells);
+}
+
+void pass(auto& archive, mpi::Is<SizeSources> auto& sources) {
+  auto& [points, boxes, grids, cells] = sources;
+  archive(points, boxes, grids, cells);
+}
+
+void pass(auto& archive, mpi::Is<ChordBounds> auto& bounds) {
+  auto& [everywhere, faces, parts, aims] = bounds;
+  archive(everywhere, faces, parts, aims);
+}
+
+void pass(auto& archive, mpi::Is<RunChange> auto& change) {
+  auto& [faces, sources, chords, optimize, evenLoops, hasLayers, order] = change;
+  archive(faces, sources, chords, optimize, evenLoops, hasLayers, order);
+}
+
+}  // namespace af2::geometry
