@@ -4,6 +4,7 @@
 #include <charconv>
 #include <set>
 
+#include "cli/playground/choices_json.h"
 #include "cli/playground/preview.h"
 #include "cli/playground/sample_mesh.h"
 #include "dsl/text/keywords.h"
@@ -30,14 +31,6 @@ const Choice* chosen(std::span<const Choice> all, const Parameters& parameters, 
   if (found == all.end())
     throw BadRequest(std::string("The parameter '") + name + "' has no such value.");
   return &*found;
-}
-
-template <class Choice>
-Json choicesJson(std::span<const Choice> all) {
-  Json list = Json::array();
-  for (const Choice& choice : all)
-    list.push_back({{"name", std::string(choice.name)}, {"label", std::string(choice.label)}});
-  return list;
 }
 
 /// The words that begin clauses, once each.

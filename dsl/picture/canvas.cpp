@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "dsl/picture/canvas_view.h"
 #include "engine/base/error.h"
 
 namespace af2::dsl::picture {
@@ -43,8 +44,7 @@ void check(cairo_status_t status) {
 
 struct Canvas::Surface {
   cairo_t* cairo;
-  double scale = 0;  // of the view; 0 if there is no view, so that points are in pixels
-  Point2 origin;     // pixel of the chart's origin
+  CanvasView view;
 
   void use(Color c) { cairo_set_source_rgba(cairo, c.red, c.green, c.blue, c.alpha); }
 };
@@ -67,7 +67,7 @@ std::string Canvas::render(PictureFormat format, double width, double height,
     cairo_paint(cairo.get());
     cairo_set_line_join(cairo.get(), CAIRO_LINE_JOIN_ROUND);
     cairo_set_line_cap(cairo.get(), CAIRO_LINE_CAP_ROUND);
-    Surface drawing{cairo.get(), 0, {}};
+    Surface drawing{cairo.get(), {}};
     Canvas canvas(drawing);
     draw(canvas);
     check(cairo_status(cairo.get()));
@@ -79,10 +79,7 @@ std::string Canvas::render(PictureFormat format, double width, double height,
   return bytes;
 }
 
-Point2 Canvas::pixel(Point2 p) const {
-  if (surface_.scale == 0) return p;
-  return {surface_.origin.x + surface_.scale * p.x, surface_.origin.y - surface_.scale * p.y};
-}
+Point2 Canvas::pixel(Point2 p) const { return surface_.view.pixel(p); }
 
 // --- pixels
 
@@ -151,15 +148,11 @@ Canvas::View::View(Canvas& canvas, Point2 low, Point2 high, const Box2& world, d
   cairo_save(surface.cairo);
   cairo_rectangle(surface.cairo, low.x, low.y, high.x - low.x, high.y - low.y);
   cairo_clip(surface.cairo);
-  const Point2 size = world.high - world.low;
-  surface.scale = std::min({largestScale, (high.x - low.x) / size.x, (high.y - low.y) / size.y});
-  const Point2 middle = 0.5 * (world.low + world.high);
-  surface.origin = {0.5 * (low.x + high.x) - surface.scale * middle.x,
-                    0.5 * (low.y + high.y) + surface.scale * middle.y};
+  surface.view.fit(low, high, world, largestScale);
 }
 
 Canvas::View::~View() {
-  canvas_.surface_.scale = 0;
+  canvas_.surface_.view = {};
   cairo_restore(canvas_.surface_.cairo);
 }
 
@@ -202,18 +195,10 @@ void Canvas::line(Point2 from, Point2 to, Color color, double width) {
 
 void Canvas::arrow(Point2 from, Point2 to, Color color, double width) {
   line(from, to, color, width);
-  const Point2 p = pixel(from), q = pixel(to);
-  const double size = distance(p, q);
-  if (size < 12) return;
-  // The head is a little beyond the middle, away from the vertices.
-  const double head = 6 + 1.8 * width;
-  const Point2 along = (1 / size) * (q - p), aside{-along.y, along.x};
-  const Point2 tip = 0.5 * (p + q) + (0.6 * head) * along, back = tip - head * along;
-  const Point2 left = back + (0.42 * head) * aside, right = back - (0.42 * head) * aside;
-  const Point2 notch = back + (0.25 * head) * along;
+  const Loop head = arrowHead(pixel(from), pixel(to), width);
+  if (head.empty()) return;
   cairo_new_path(surface_.cairo);
-  for (const Point2 corner : {tip, left, notch, right})
-    cairo_line_to(surface_.cairo, corner.x, corner.y);
+  for (const Point2 corner : head) cairo_line_to(surface_.cairo, corner.x, corner.y);
   cairo_close_path(surface_.cairo);
   cairo_fill(surface_.cairo);
 }
@@ -256,16 +241,6 @@ void Canvas::cross(Point2 at, double radius, Color color, double width) {
     cairo_line_to(surface_.cairo, p.x + radius, p.y + s * radius);
   }
   cairo_stroke(surface_.cairo);
-}
-
-void Canvas::label(const std::string& text, Point2 at, Point2 direction, double distance,
-                   const TextStyle& style) {
-  const double size = length(direction);
-  const Point2 unit = size > 0 ? (1 / size) * direction : Point2{0, 1};
-  const Point2 p = pixel(at) + distance * Point2{unit.x, -unit.y};
-  TextStyle centred = style;
-  centred.anchor = Anchor::Middle;
-  this->text(text, {p.x, p.y + 0.36 * style.size}, centred);
 }
 
 }  // namespace af2::dsl::picture

@@ -10,6 +10,7 @@
 
 #include "cli/lsp/document.h"
 #include "cli/lsp/text_map.h"
+#include "cli/playground/choices_json.h"
 #include "cli/playground/preview.h"
 #include "cli/playground/sample_domains.h"
 #include "cli/playground/sample_mesh.h"
@@ -81,14 +82,6 @@ Json diagnosticsJson(const std::vector<dsl::Diagnostic>& all, const dsl::SourceT
 Json diagnostics(const Json& request) {
   const lsp::Analysis analysis = analysisOf(request);
   return {{"diagnostics", diagnosticsJson(analysis.loaded.diagnostics, analysis.main().source)}};
-}
-
-template <class Choice>
-Json choicesJson(std::span<const Choice> all) {
-  Json list = Json::array();
-  for (const Choice& choice : all)
-    list.push_back({{"name", std::string(choice.name)}, {"label", std::string(choice.label)}});
-  return list;
 }
 
 /// Like the answer of the server, and the files that one can begin with.

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "dsl/picture/canvas.h"
+#include "dsl/picture/canvas_view.h"
 #include "engine/base/error.h"
 
 namespace af2::dsl::picture {
@@ -37,9 +37,8 @@ std::string escaped(const std::string& text) {
 
 struct Canvas::Surface {
   std::string svg;
-  double scale = 0;  // of the view; 0 if there is no view, so that points are in pixels
-  Point2 origin;     // pixel of the chart's origin
-  int count = 0;     // of clips and gradients, which have names
+  CanvasView view;
+  int count = 0;  // of clips and gradients, which have names
 
   template <class... Values>
   void add(fmt::format_string<Values...> form, Values&&... values) {
@@ -63,10 +62,7 @@ std::string Canvas::render(PictureFormat format, double width, double height,
   return surface.svg + "</svg>\n";
 }
 
-Point2 Canvas::pixel(Point2 p) const {
-  if (surface_.scale == 0) return p;
-  return {surface_.origin.x + surface_.scale * p.x, surface_.origin.y - surface_.scale * p.y};
-}
+Point2 Canvas::pixel(Point2 p) const { return surface_.view.pixel(p); }
 
 void Canvas::fillRectangle(Point2 low, Point2 high, double radius, Color fill) {
   surface_.add(
@@ -110,15 +106,11 @@ Canvas::View::View(Canvas& canvas, Point2 low, Point2 high, const Box2& world, d
       "height=\"{4:.6g}\"/>"
       "</clipPath>\n<g clip-path=\"url(#c{0})\">\n",
       surface.count, low.x, low.y, high.x - low.x, high.y - low.y);
-  const Point2 size = world.high - world.low;
-  surface.scale = std::min({largestScale, (high.x - low.x) / size.x, (high.y - low.y) / size.y});
-  const Point2 middle = 0.5 * (world.low + world.high);
-  surface.origin = {0.5 * (low.x + high.x) - surface.scale * middle.x,
-                    0.5 * (low.y + high.y) + surface.scale * middle.y};
+  surface.view.fit(low, high, world, largestScale);
 }
 
 Canvas::View::~View() {
-  canvas_.surface_.scale = 0;
+  canvas_.surface_.view = {};
   canvas_.surface_.svg += "</g>\n";
 }
 
@@ -153,18 +145,11 @@ void Canvas::line(Point2 from, Point2 to, Color color, double width) {
 
 void Canvas::arrow(Point2 from, Point2 to, Color color, double width) {
   line(from, to, color, width);
-  const Point2 p = pixel(from), q = pixel(to);
-  const double size = distance(p, q);
-  if (size < 12) return;
-  // The head is a little beyond the middle, away from the vertices.
-  const double head = 6 + 1.8 * width;
-  const Point2 along = (1 / size) * (q - p), aside{-along.y, along.x};
-  const Point2 tip = 0.5 * (p + q) + (0.6 * head) * along, back = tip - head * along;
-  const double scale = std::exchange(surface_.scale, 0);  // these are pixels
-  fill({{tip, back + (0.42 * head) * aside, back + (0.25 * head) * along,
-         back - (0.42 * head) * aside}},
-       color);
-  surface_.scale = scale;
+  const Loop head = arrowHead(pixel(from), pixel(to), width);
+  if (head.empty()) return;
+  const CanvasView view = std::exchange(surface_.view, {});  // the head is in pixels
+  fill({head}, color);
+  surface_.view = view;
 }
 
 void Canvas::band(Point2 from, Point2 to, Color color, double width) {
@@ -196,16 +181,6 @@ void Canvas::cross(Point2 at, double radius, Color color, double width) {
   surface_.add(
       "<path d=\"M{0:.6g} {1:.6g}L{2:.6g} {3:.6g}M{0:.6g} {3:.6g}L{2:.6g} {1:.6g}\" {4}/>\n",
       p.x - radius, p.y - radius, p.x + radius, p.y + radius, strokeOf(color, width));
-}
-
-void Canvas::label(const std::string& text, Point2 at, Point2 direction, double distance,
-                   const TextStyle& style) {
-  const double size = length(direction);
-  const Point2 unit = size > 0 ? (1 / size) * direction : Point2{0, 1};
-  const Point2 p = pixel(at) + distance * Point2{unit.x, -unit.y};
-  TextStyle centred = style;
-  centred.anchor = Anchor::Middle;
-  this->text(text, {p.x, p.y + 0.36 * style.size}, centred);
 }
 
 }  // namespace af2::dsl::picture
