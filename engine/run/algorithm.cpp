@@ -9,18 +9,13 @@
 #include "engine/front/front_queue.h"
 #include "engine/front/input_check.h"
 #include "engine/run/front_acts.h"
+#include "engine/run/stall_watch.h"
 #include "engine/step/candidate_choice.h"
 #include "engine/step/compiled_rules.h"
 
 namespace af2 {
 namespace {
 
-/// Number of steps between two progress reports.
-constexpr std::size_t kReportSteps = 4096;
-/// Largest number of candidates between two progress reports.
-constexpr std::size_t kReportCandidates = 1 << 18;
-/// Fewer new elements than this between two reports do not count as progress.
-constexpr std::size_t kMinGain = 64;
 /// When the front is stuck, the number of remaining edges for which reasons are collected.
 constexpr std::size_t kMaxExplained = 100;
 /// And of how many the front around them is kept.
@@ -38,6 +33,7 @@ class Run {
         index_(makeIndex(input)),
         queue_(*rules.set().definition().order),
         choice_(rules, front_, index_, size, valence_),
+        watch_(options),
         acts_(rules, {front_, index_, queue_, result_.mesh, elements_, maker}, size, valence_,
               options.observer) {
     makeRoom(input.vertexCount);
@@ -115,11 +111,10 @@ class Run {
       }
       step(base);
       ++result_.steps;
-      if (!isReportDue()) continue;
+      if (!watch_.isReportDue(result_.steps, choice_.examined())) continue;
       if (options_.progress)
         options_.progress({result_.mesh.elements.size(), front_.edgeCount(), choice_.examined()});
-      const bool isStalled = isStalledBySteps(), isFruitless = isStalledByCandidates();
-      if (isStalled || isFruitless) {
+      if (watch_.isStalled({result_.steps, choice_.examined(), gains(), front_.edgeCount()})) {
         result_.outcome = Outcome::Stuck;
         return;
       }
@@ -129,39 +124,6 @@ class Run {
   /// What counts as progress: elements, and acts that shorten or divide loops.
   std::size_t gains() const {
     return result_.mesh.elements.size() + acts_.counts().welds + acts_.counts().paths;
-  }
-
-  bool isReportDue() {
-    const std::size_t candidates = choice_.examined();
-    if (result_.steps % kReportSteps != 0 && candidates < nextReport_) return false;
-    nextReport_ = candidates + kReportCandidates;
-    return true;
-  }
-
-  bool isStalledBySteps() {
-    if (options_.stallSteps <= 0) return false;
-    constexpr int kMinReports = 2;
-    const bool hasGained = gains() >= gainsReported_ + kMinGain;
-    idleReports_ = hasGained ? 0 : idleReports_ + 1;
-    if (hasGained) stepsAtGain_ = result_.steps;
-    gainsReported_ = gains();
-    return idleReports_ >= kMinReports &&
-           result_.steps - stepsAtGain_ >=
-               static_cast<std::size_t>(options_.stallSteps) * front_.edgeCount();
-  }
-
-  /// The limit grows with the front. Edges may need many candidates until they reach the level at
-  /// which they match: where this holds for all edges of a long strip, 10 to 90 candidates each.
-  bool isStalledByCandidates() {
-    constexpr std::size_t kForEachEdge = 60;
-    const std::size_t candidates = choice_.examined();
-    if (gains() >= gainsAtGain_ + kMinGain) {
-      gainsAtGain_ = gains();
-      candidatesAtGain_ = candidates;
-    }
-    return options_.stallCandidates > 0 &&
-           candidates - candidatesAtGain_ >
-               options_.stallCandidates + kForEachEdge * front_.edgeCount();
   }
 
   void step(PlaceId base) {
@@ -395,10 +357,7 @@ class Run {
   FrontQueue queue_;
   std::vector<std::uint8_t> valence_;  // number of elements at each vertex, at most 255
   CandidateChoice choice_;
-  std::size_t nextReport_ = kReportCandidates, gainsReported_ = 0;
-  int idleReports_ = 0;          // consecutive reports without progress
-  std::size_t stepsAtGain_ = 0;  // steps at the last progress
-  std::size_t gainsAtGain_ = 0, candidatesAtGain_ = 0;
+  StallWatch watch_;
   ChartSlot slot_;
   std::vector<WalkVertex> walk_;
   Front::Change change_;
