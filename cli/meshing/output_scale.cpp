@@ -4,25 +4,12 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <array>
-#include <utility>
 
 #include "cli/program/number_lists.h"
 #include "cli/program/usage_error.h"
+#include "geometry/mesh/scaled_mesh.h"
 
 namespace af2::cli {
-namespace {
-
-/// A length in millimetres, multiplied by this, is the length in the unit.
-struct Unit {
-  const char* name;
-  double perMillimetre;
-};
-constexpr std::array kUnits{Unit{"mm", 1},        Unit{"cm", 1 / 10.},    Unit{"m", 1 / 1000.},
-                            Unit{"um", 1000},     Unit{"inch", 1 / 25.4}, Unit{"in", 1 / 25.4},
-                            Unit{"ft", 1 / 304.8}};
-
-}  // namespace
 
 void declareScale(CLI::App& command, ScaleOptions& options) {
   command
@@ -43,9 +30,9 @@ OutputScale checkedScale(const ScaleOptions& options, ModelKind kind) {
   if (!options.scale.empty())
     return {parsePositive("--scale", options.scale, "the factor for coordinates"), ""};
   if (options.unit.empty()) return {};
-  const auto* const unit =
-      std::ranges::find_if(kUnits, [&](const Unit& known) { return known.name == options.unit; });
-  if (unit == kUnits.end())
+  const auto units = geometry::lengthUnits();
+  const auto unit = std::ranges::find(units, options.unit, &geometry::LengthUnit::name);
+  if (unit == units.end())
     throw UsageError(fmt::format("--unit {}: choose one of mm, cm, m, um, inch, ft", options.unit));
   const OutputScale scale{unit->perMillimetre, unit->name};
   if (kind != ModelKind::Cad) checkUnit(scale, "");

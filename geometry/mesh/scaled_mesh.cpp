@@ -18,6 +18,13 @@ void scaleFace(FaceReport& face, double factor) {
 
 }  // namespace
 
+std::span<const LengthUnit> lengthUnits() {
+  static constexpr LengthUnit kUnits[] = {{"mm", 1},        {"cm", 1 / 10.},    {"m", 1 / 1000.},
+                                          {"um", 1000},     {"inch", 1 / 25.4}, {"in", 1 / 25.4},
+                                          {"ft", 1 / 304.8}};
+  return kUnits;
+}
+
 ModelMesh scaledMesh(ModelMesh mesh, double factor) {
   for (Point3& vertex : mesh.vertices) vertex = factor * vertex;
   for (double& size : mesh.wantedSizes) size *= factor;

@@ -92,6 +92,22 @@ def function_and_file(sizes: Any) -> Tuple[Any, Any]:
     return function, file
 
 
+def output_factor(scale: Optional[float], unit: Optional[str], unit_of_model: str) -> float:
+    """By which the coordinates of a file are multiplied."""
+    if scale is not None and unit is not None:
+        raise _af2.InputError("scale and unit exclude each other")
+    if scale is not None:
+        return positive(scale, "scale")
+    if unit is None:
+        return 1.0
+    units = _af2.length_units()
+    if unit not in units:
+        raise _af2.InputError(f"unit={unit!r}: choose one of {', '.join(units)}")
+    if unit_of_model != "mm":
+        raise _af2.InputError(f"unit={unit!r}: the model does not say its unit; use scale")
+    return units[unit]
+
+
 class SizeFile:
     """The path of the file of sizes; a dictionary becomes one, so that both are checked alike."""
 

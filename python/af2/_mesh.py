@@ -9,11 +9,8 @@ from typing import Any, Dict, List, NamedTuple, Optional, Sequence, Union
 
 import numpy as np
 
-from . import _af2, _other_packages
+from . import _arguments, _other_packages
 from ._groups import Group
-
-#: How many millimetres each unit has.
-_MILLIMETRES = {"mm": 1.0, "cm": 10.0, "m": 1000.0, "um": 1 / 1000.0, "inch": 25.4, "in": 25.4, "ft": 304.8}
 
 
 class Snapped(NamedTuple):
@@ -340,22 +337,7 @@ class Mesh:
             InputError: the format is unknown, cannot hold the mesh, or the file cannot be written.
         """
         self._data.write(os.fspath(path), bool(edges), [groups] if isinstance(groups, str) else list(groups),
-                         bool(compress), self._factor(scale, unit))
-
-    def _factor(self, scale: Optional[float], unit: Optional[str]) -> float:
-        if scale is not None and unit is not None:
-            raise _af2.InputError("scale and unit exclude each other")
-        if scale is not None:
-            if not (np.isfinite(scale) and scale > 0):
-                raise _af2.InputError(f"scale={scale!r}: must be a finite number greater than 0")
-            return float(scale)
-        if unit is None:
-            return 1.0
-        if unit not in _MILLIMETRES:
-            raise _af2.InputError(f"unit={unit!r}: choose one of {', '.join(_MILLIMETRES)}")
-        if self.unit != "mm":
-            raise _af2.InputError(f"unit={unit!r}: the model does not say its unit; use scale")
-        return 1 / _MILLIMETRES[unit]
+                         bool(compress), _arguments.output_factor(scale, unit, self.unit))
 
     def write_report(self, path: Union[str, "os.PathLike[str]"]) -> None:
         """Writes the report in JSON that docs/formats.md explains, except `stuck`, `statistics` and `contacts`."""

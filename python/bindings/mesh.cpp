@@ -286,6 +286,12 @@ void bindMesh(py::module_& module) {
           py::call_guard<py::gil_scoped_release>())
       .def("write_report", &writeReport, py::call_guard<py::gil_scoped_release>());
   module.def("mesh", &mesh);
+  module.def("length_units", [] {
+    py::dict units;
+    for (const geometry::LengthUnit& unit : geometry::lengthUnits())
+      units[unit.name] = unit.perMillimetre;
+    return units;
+  });
   module.def("mesh_formats", [] {
     py::list formats;
     for (const geometry::MeshFormat& format : geometry::meshFormats())
