@@ -18,11 +18,15 @@ namespace fs = std::filesystem;
 TemporaryFile::TemporaryFile(const std::string& name, std::span<const char> content,
                              const std::string& what)
     : owner_(::getpid()) {
-  const fs::path parent = fs::temp_directory_path();
+  std::error_code missing;
+  const fs::path parent = fs::temp_directory_path(missing);
   const auto refuse = [&] [[noreturn]] (int error) {
     throw InputError(fmt::format("{} cannot be kept in '{}': {}; set TMPDIR to another folder",
                                  what, parent.string(), std::strerror(error)));
   };
+  if (missing)
+    throw InputError(fmt::format("{} cannot be kept: {}; set TMPDIR to a folder that exists", what,
+                                 missing.message()));
   constexpr const char* kAnyName = "af2-XXXXXX";  // mkdtemp replaces the last six letters
   std::string pattern = (parent / kAnyName).string();
   if (!::mkdtemp(pattern.data())) refuse(errno);

@@ -8,6 +8,7 @@
 #include "dsl/program/shape_program.h"
 #include "dsl/text/words.h"
 #include "engine/base/error.h"
+#include "engine/base/place_text.h"
 #include "engine/step/rule_evaluation.h"
 
 namespace af2::dsl {
@@ -18,6 +19,7 @@ void checkFinite(Point2 p, const std::string& what) {
     throw InputError(what + " is not at a finite position");
 }
 
+constexpr int kShortDigits = 4;  // of numbers in sentences
 constexpr std::array kFactsOfVertices{"layer", "turn", "count", "valence", "on_boundary", "fixed"};
 
 /// Throws InputError on names that GivenMatch does not use.
@@ -66,21 +68,14 @@ std::vector<std::vector<Point2>> drawn(const AF2FreeZoneDef& zone, const AF2Bind
   return {};
 }
 
-/// For sentences, where the first digits are enough.
-std::string shortText(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.4g", value);
-  return text;
-}
-
 std::string patternSentence(const RuleDefinition& rule, const RefusalCause& cause) {
   const auto index = static_cast<std::size_t>(cause.index);
   const auto name = [&](int v) { return rule.vertices[static_cast<std::size_t>(v)].name; };
   const std::string part = cause.isEdge ? "the slope of " + name(rule.edges[index].from) + " -> " +
                                               name(rule.edges[index].to)
                                         : "vertex " + rule.vertices[index].name;
-  return part + " deviates by " + shortText(cause.value) + " from its reference; at most " +
-         shortText(cause.limit) + " is allowed";
+  return part + " deviates by " + textOf(cause.value, kShortDigits) +
+         " from its reference; at most " + textOf(cause.limit, kShortDigits) + " is allowed";
 }
 
 std::string levelSentence(const RuleDefinition& rule, int level) {
@@ -105,7 +100,7 @@ std::string sentence(const RuleDefinition& rule, const RuleEvaluation& evaluatio
     case Refusal::Inverted:
       return "element " + number + " does not turn left at each corner";
     case Refusal::Score:
-      return "the rule set does not accept a score of " + shortText(*evaluation.score) +
+      return "the rule set does not accept a score of " + textOf(*evaluation.score, kShortDigits) +
              " at level " + std::to_string(level);
     default:
       return {};

@@ -2,23 +2,18 @@
 #include <nlohmann/json.hpp>
 
 #include "dsl/run/evaluate.h"
+#include "engine/base/place_text.h"
 
 namespace af2::dsl {
 namespace {
 
-std::string numberText(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.12g", value);
-  return text;
-}
+constexpr int kDigits = 12;
 
 std::string numberText(std::optional<double> value) {
-  return value ? numberText(*value) : "no value";
+  return value ? textOf(*value, kDigits) : "no value";
 }
 
-std::string placeText(std::optional<Point2> p) {
-  return p ? "(" + numberText(p->x) + ", " + numberText(p->y) + ")" : "no value";
-}
+std::string placeText(std::optional<Point2> p) { return p ? textOf(*p, kDigits) : "no value"; }
 
 std::string actsText(const EvaluatedActs& acts) {
   std::string text;
@@ -107,7 +102,7 @@ std::string toText(const EvalResult& result) {
     text += std::string("point     ") + (b ? "in the zone" : "outside of the zone") + "\n";
   for (bool b : result.segmentsMeetZone)
     text += std::string("segment   ") + (b ? "meets the zone" : "keeps clear of the zone") + "\n";
-  text += "score     " + (result.score ? numberText(*result.score) : "none") + "\n";
+  text += "score     " + (result.score ? textOf(*result.score, kDigits) : "none") + "\n";
   return text;
 }
 

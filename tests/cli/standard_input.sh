@@ -43,5 +43,7 @@ refused 2 "OFF" --format doc; told "--format doc: choose one of step"
 refused 2 "OFF" --trace t.af2t; told "--trace needs a model in a file"
 expect 2 "$af2" mesh "$models/die.step" --size 1 --format step; told "--format is for a model from standard input"
 
+expect 1 bash -c 'TMPDIR=/nowhere/at/all "$1" mesh - --size 2 <"$2"' bash "$af2" "$models/plate.poly"
+told 'set TMPDIR to a folder that exists'
 [ -z "$(ls "$TMPDIR")" ] || fail "left behind: $(ls "$TMPDIR")"
 finish

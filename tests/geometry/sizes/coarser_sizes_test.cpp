@@ -13,6 +13,8 @@ TEST(CoarserSizes, AreLargerFromEachSource) {
   sizes.edgeNames = {{"inlet", 0.25}};
   sizes.sources.boxes.push_back({{0, 0, 0}, {1, 1, 1}, 0.1});
   sizes.sources.grids.push_back({{0, 0, 0}, {1, 1, 1}, {2, 1, 1}, {0.1, 0.2}});
+  sizes.sources.cells.push_back(
+      {{{0, 0, 0}}, {0.3}, {{0, SizeCells::kNone, SizeCells::kNone, SizeCells::kNone}}});
   sizes.function = [](const Point3& at) { return 1 + at.x; };
   sizes.elementsPerTurn = 12;
   sizes.elementsAcross = 4;
@@ -25,6 +27,7 @@ TEST(CoarserSizes, AreLargerFromEachSource) {
   EXPECT_EQ(larger.edgeNames.front().second, 0.5);
   EXPECT_EQ(larger.sources.boxes.front().size, 0.2);
   EXPECT_EQ(larger.sources.grids.front().sizes, (std::vector<double>{0.2, 0.4}));
+  EXPECT_EQ(larger.sources.cells.front().sizes, (std::vector<double>{0.6}));
   EXPECT_EQ(larger.function.at({3, 0, 0}), 8);
   EXPECT_EQ(larger.elementsPerTurn, 6);
   EXPECT_EQ(larger.elementsAcross, 2);
