@@ -45,7 +45,8 @@ const MeshFormat& meshFormatOf(const std::filesystem::path& file) {
     throw InputError(
         "cannot write '" + file.string() + "': the library '" + std::string(format.writer) +
         "', which writes " + std::string(format.name) +
-        " files, does not lie with this program; install it, or choose another format");
+        " files, does not lie with this program; choose another format, install the package "
+        "af2-formats, or build AF2 where the library of the format is (docs/formats.md)");
   }
   throw InputError("cannot write '" + file.string() +
                    "': its extension is not that of a mesh format; use" + knownExtensions());

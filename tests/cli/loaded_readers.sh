@@ -19,7 +19,7 @@ if ldd alone/af2 | grep -qE 'TK(STEP|XCAF|IGES|V3d)'; then fail "the program is 
 # The same holds for writers that need libraries of others, whether these were built or not.
 for format in med exo cgns; do
   expect 2 alone/af2 mesh "$models/plate.poly" --size 0.5 -o plate.$format
-  told "does not lie with this program; install it, or choose another format"
+  told "does not lie with this program; choose another format, install the package af2-formats, or build AF2 where"
 done
 for library in med exodus cgns; do printf 'no library' >alone/af2-$library.so; done
 for format in med exo cgns; do
