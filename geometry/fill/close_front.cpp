@@ -1,9 +1,14 @@
 #include "geometry/fill/close_front.h"
 
 #include <algorithm>
+#include <cstdint>
+#include <limits>
+#include <map>
 #include <optional>
+#include <utility>
 
 #include "engine/base/predicates.h"
+#include "geometry/base/disjoint_sets.h"
 #include "geometry/base/plane_axes.h"
 #include "geometry/fill/fill_limits.h"
 
@@ -38,9 +43,9 @@ struct DrawnEdge {
 
 class Closer {
  public:
-  Closer(const MeshingResult& result, const std::function<Point2(VertexId)>& inPlane)
+  Closer(const std::vector<StuckEdge>& front, const std::function<Point2(VertexId)>& inPlane)
       : inPlane_(inPlane) {
-    for (const StuckEdge& edge : result.stuck) front_.push_back(drawn({edge.from, edge.to}));
+    for (const StuckEdge& edge : front) front_.push_back(drawn({edge.from, edge.to}));
   }
 
   /// Nothing if some edge has no triangle.
@@ -81,6 +86,10 @@ class Closer {
     return std::ranges::find(front_, edge, &DrawnEdge::edge) != front_.end();
   }
 
+  /// Whether an edge may not be added. Both sides of an edge may be on the front, as along a path
+  /// through its region; then the opposite one is closed.
+  bool isTaken(Edge edge) const { return isOnFront(edge) && !isOnFront({edge.to, edge.from}); }
+
   /// Adds an edge to the front, or takes out the opposite one.
   void join(Edge edge) {
     const auto opposite = find({edge.to, edge.from});
@@ -120,7 +129,7 @@ class Closer {
     if (orientation(a, b, c) != Turn::Left) return false;
     const DrawnEdge left{{base.edge.from, apex}, a, c, 0, {}};
     const DrawnEdge right{{apex, base.edge.to}, c, b, 0, {}};
-    if (isOnFront(left.edge) || isOnFront(right.edge)) return false;
+    if (isTaken(left.edge) || isTaken(right.edge)) return false;
     const Box triangle{{std::min({a.x, b.x, c.x}), std::min({a.y, b.y, c.y})},
                        {std::max({a.x, b.x, c.x}), std::max({a.y, b.y, c.y})}};
     for (const DrawnEdge& e : front_) {
@@ -174,14 +183,13 @@ Point3 areaVector(const Mesh& mesh, const std::vector<StuckEdge>& loop) {
   return sum;
 }
 
-/// The plane across the mean normal of the vertices that are left on the front.
-ProjectionFrame planeOfFront(const MeshingResult& result) {
+/// The plane across the mean normal of the vertices of a front.
+ProjectionFrame planeOfFront(const Mesh& mesh, const std::vector<StuckEdge>& front) {
   Point3 normal;
-  for (const StuckEdge& edge : result.stuck)
-    normal = normal + result.mesh.vertices[edge.from.value].normal;
+  for (const StuckEdge& edge : front) normal = normal + mesh.vertices[edge.from.value].normal;
   normal = unit(normal);
   ProjectionFrame frame;
-  frame.origin = result.mesh.vertices[result.stuck.front().from.value].position;
+  frame.origin = mesh.vertices[front.front().from.value].position;
   const PlaneAxes axes(frame.origin, normal);
   frame.xAxis = axes.xAxis();
   frame.yAxis = axes.yAxis();
@@ -189,26 +197,95 @@ ProjectionFrame planeOfFront(const MeshingResult& result) {
   return frame;
 }
 
+std::optional<std::vector<Element>> closedInItsPlane(const Mesh& mesh,
+                                                     const std::vector<StuckEdge>& front) {
+  const ProjectionFrame plane = planeOfFront(mesh, front);
+  const std::function<Point2(VertexId)> inPlane = [&](VertexId v) {
+    return plane.project(mesh.vertices[v.value]).position;
+  };
+  return Closer(front, inPlane).close();
+}
+
+/// A part of a front, and its triangles if it could be closed.
+struct FrontPart {
+  std::vector<StuckEdge> edges;
+  std::optional<std::vector<Element>> elements;
+};
+
+/// Edges that share vertices belong together.
+std::vector<FrontPart> connectedParts(const std::vector<StuckEdge>& front) {
+  std::map<std::uint32_t, std::uint32_t> firstAt;  // edge by vertex
+  DisjointSets sets(front.size());
+  for (std::uint32_t i = 0; i < front.size(); ++i)
+    for (const VertexId v : {front[i].from, front[i].to})
+      sets.join(i, firstAt.emplace(v.value, i).first->second);
+  std::map<std::uint32_t, FrontPart> parts;
+  for (std::uint32_t i = 0; i < front.size(); ++i) parts[sets.of(i)].edges.push_back(front[i]);
+  std::vector<FrontPart> inOrder;
+  for (auto& [first, part] : parts) inOrder.push_back(std::move(part));
+  return inOrder;
+}
+
+double distanceBetween(const Mesh& mesh, const FrontPart& one, const FrontPart& other) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const StuckEdge& e : one.edges)
+    for (const StuckEdge& f : other.edges)
+      least = std::min(least, distance(mesh.vertices[e.from.value].position,
+                                       mesh.vertices[f.from.value].position));
+  return least;
+}
+
+/// Makes one of a part and the one nearest to it.
+void joinWithNearest(const Mesh& mesh, std::vector<FrontPart>& parts, std::size_t which) {
+  FrontPart joined = std::move(parts[which]);
+  parts.erase(parts.begin() + static_cast<std::ptrdiff_t>(which));
+  const auto nearest = std::ranges::min_element(
+      parts, {}, [&](const FrontPart& other) { return distanceBetween(mesh, joined, other); });
+  nearest->edges.insert(nearest->edges.end(), joined.edges.begin(), joined.edges.end());
+  nearest->elements.reset();
+}
+
+/// Each part of a front in a plane of its own: those around a torus have no plane in common. Parts
+/// that cannot be closed alone are those inside others, which are closed together with these.
+std::optional<std::vector<Element>> closedInParts(const Mesh& mesh,
+                                                  const std::vector<StuckEdge>& front) {
+  std::vector<FrontPart> parts = connectedParts(front);
+  const auto isOpen = [](const FrontPart& part) { return !part.elements; };
+  for (auto open = parts.begin(); open != parts.end(); open = std::ranges::find_if(parts, isOpen)) {
+    open->elements = closedInItsPlane(mesh, open->edges);
+    if (open->elements) continue;
+    if (parts.size() == 1) return std::nullopt;
+    joinWithNearest(mesh, parts, static_cast<std::size_t>(open - parts.begin()));
+  }
+  std::vector<Element> elements;
+  for (const FrontPart& part : parts)
+    elements.insert(elements.end(), part.elements->begin(), part.elements->end());
+  return elements;
+}
+
+void complete(MeshingResult& result, const std::vector<Element>& elements, ElementOrigin origin) {
+  result.mesh.elements.insert(result.mesh.elements.end(), elements.begin(), elements.end());
+  result.mesh.origins.insert(result.mesh.origins.end(), elements.size(), origin);
+  result.stuck.clear();
+  result.outcome = Outcome::Complete;
+}
+
 }  // namespace
 
 bool closeFront(MeshingResult& result, const std::function<Point2(VertexId)>& inPlane,
                 ElementOrigin origin, std::size_t most) {
   if (result.stuck.empty() || result.stuck.size() > most) return false;
-  const auto elements = Closer(result, inPlane).close();
-  if (!elements) return false;
-  result.mesh.elements.insert(result.mesh.elements.end(), elements->begin(), elements->end());
-  result.mesh.origins.insert(result.mesh.origins.end(), elements->size(), origin);
-  result.stuck.clear();
-  result.outcome = Outcome::Complete;
-  return true;
+  const auto elements = Closer(result.stuck, inPlane).close();
+  if (elements) complete(result, *elements, origin);
+  return elements.has_value();
 }
 
 bool closeFront(MeshingResult& result, ElementOrigin origin, std::size_t most) {
-  if (result.stuck.empty()) return false;
-  const ProjectionFrame plane = planeOfFront(result);
-  return closeFront(
-      result, [&](VertexId v) { return plane.project(result.mesh.vertices[v.value]).position; },
-      origin, most);
+  if (result.stuck.empty() || result.stuck.size() > most) return false;
+  auto elements = closedInItsPlane(result.mesh, result.stuck);
+  if (!elements) elements = closedInParts(result.mesh, result.stuck);
+  if (elements) complete(result, *elements, origin);
+  return elements.has_value();
 }
 
 bool closeLoops(MeshingResult& result, ElementOrigin origin) {

@@ -29,7 +29,8 @@ inline constexpr std::size_t kMaxClosingEdges = 5000;
 bool closeFront(MeshingResult& result, const std::function<Point2(VertexId)>& inPlane,
                 ElementOrigin origin, std::size_t most = kMaxStuckEdges);
 /// The same in the plane perpendicular to the mean normal of the vertices that are left on the
-/// front.
+/// front. Where that fails, each connected part of the front is closed in a plane of its own,
+/// together with those inside it.
 bool closeFront(MeshingResult& result, ElementOrigin origin, std::size_t most = kMaxStuckEdges);
 
 /// The same for small loops, each in the plane perpendicular to its area vector, whatever the

@@ -79,6 +79,34 @@ TEST(CloseFront, FillsASliver) {
   EXPECT_EQ(result.mesh.elements.size(), 4u);
 }
 
+/// The square has an edge inside that is on the front from both sides, as a path leaves it.
+TEST(CloseFront, FillsOnBothSidesOfAPath) {
+  MeshingResult result = stuckAt({{{0, 0}, {4, 0}, {4, 4}, {0, 4}}});
+  result.mesh.vertices.push_back({{1, 1, 0}, {0, 0, 1}});
+  result.stuck.push_back({VertexId(0), VertexId(4), 1, {}, {}});
+  result.stuck.push_back({VertexId(4), VertexId(0), 1, {}, {}});
+  ASSERT_TRUE(close(result));
+  EXPECT_EQ(result.mesh.elements.size(), 4u);
+  EXPECT_DOUBLE_EQ(areaOf(result.mesh), 16);
+}
+
+/// Two rings of a tube, on opposite sides of it: what is in front of one plane hides the other.
+/// Inside one of them is a ring that is filled around.
+TEST(CloseFront, ClosesPartsThatFaceAwayFromEachOther) {
+  const std::vector<Point2> square{{0, 0}, {4, 0}, {4, 4}, {0, 4}};
+  MeshingResult result = stuckAt({square, square, {{1, 1}, {1, 3}, {3, 3}, {3, 1}}});
+  for (std::size_t v = 0; v < 4; ++v) {
+    SurfacePoint& point = result.mesh.vertices[v];
+    point.position = {4 - point.position.x, point.position.y, -1};
+    point.normal = {0, 0, -1};
+  }
+  EXPECT_FALSE(close(result)) << "no plane shows all of it";
+  ASSERT_TRUE(closeFront(result, ElementOrigin{99}));
+  EXPECT_EQ(result.outcome, Outcome::Complete);
+  EXPECT_EQ(result.mesh.elements.size(), 2u + 8u);
+  EXPECT_DOUBLE_EQ(areaOf(result.mesh), 12 - 16);  // seen from above
+}
+
 TEST(CloseFront, LeavesAFrontThatRunsTheWrongWayRoundAlone) {
   MeshingResult result = stuckAt({{{0, 0}, {0, 4}, {4, 4}, {4, 0}}});
   EXPECT_FALSE(close(result));
