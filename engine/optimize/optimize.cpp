@@ -112,8 +112,9 @@ class QuadCleaner {
   std::size_t clean(int depth, const FillingEffort& effort) {
     if (depth == 0) return 0;
     const std::size_t found = searchQuads(editor_, depth, stop_);
+    const std::size_t moved = moveInward(editor_, depth, stop_);
     const std::size_t filled = fillPatches(editor_, effort, stop_);
-    return found + filled + divideFlatQuads(editor_, stop_);
+    return found + filled + moved + divideFlatQuads(editor_, stop_);
   }
 
   PatchEditor editor_;

@@ -24,4 +24,19 @@ std::vector<QuadPatch> betterPatches(const QuadPatch& start, int depth);
 /// Returns the number of sequences that were applied. The same mesh gives the same result.
 std::size_t searchQuads(PatchEditor& editor, int depth, const std::stop_token& stop);
 
+/// How many irregular vertices are next to the boundary, each counted three times, or two edges
+/// from it.
+int irregularityAtBoundary(const QuadPatch& patch);
+
+/// As betterPatches, but for sequences that lower irregularityAtBoundary and do not raise the
+/// energy.
+std::vector<QuadPatch> inwardPatches(const QuadPatch& start, int depth);
+
+/// Moves irregular vertices away from the boundary, so that the rows along it are regular: each
+/// moves once at most, together with others near it. Smooths and judges results as searchQuads
+/// does.
+///
+/// Returns the number of sequences that were applied. The same mesh gives the same result.
+std::size_t moveInward(PatchEditor& editor, int depth, const std::stop_token& stop);
+
 }  // namespace af2

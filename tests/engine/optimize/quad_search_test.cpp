@@ -134,6 +134,38 @@ TEST(QuadSearch, TakesTwoStepsWhereOneDoesNotHelp) {
   EXPECT_EQ(countIrregular(two), 0u);
 }
 
+/// Inner vertices with other than four quadrilaterals, at most `edges` edges from the boundary.
+std::size_t countIrregularNearBoundary(const QuadGrid& grid, int edges) {
+  QuadGrid copy = grid;
+  std::size_t count = 0;
+  changesOf(copy, [&](PatchEditor& editor) {
+    for (std::size_t v = 0; v < copy.mesh.vertices.size(); ++v) {
+      const Point3 p = copy.mesh.vertices[v].position;
+      const double fromBoundary = std::min({p.x, p.y, copy.n - p.x, copy.n - p.y});
+      const bool isNear = fromBoundary > 0 && fromBoundary < edges + 0.5;
+      count += isNear && editor.irregularity(VertexId(v)) > 0 ? 1 : 0;
+    }
+    return std::size_t{0};
+  });
+  return count;
+}
+
+TEST(InwardSearch, MovesTheEndOfARowAwayFromTheBoundary) {
+  QuadGrid grid = gridWithOpenedVertex(9, 4, 2);
+  const std::size_t before = countIrregular(grid);
+  EXPECT_GE(countIrregularNearBoundary(grid, 2), 3u);
+  EXPECT_GE(changesOf(grid, [](PatchEditor& editor) { return moveInward(editor, 2, {}); }), 1u);
+  EXPECT_EQ(countIrregularNearBoundary(grid, 2), 0u);
+  EXPECT_LE(countIrregular(grid), before);
+}
+
+TEST(InwardSearch, LeavesWhatIsInsideAsItIs) {
+  QuadGrid grid = gridWithOpenedVertex(10, 5, 5);
+  const Mesh before = grid.mesh;
+  EXPECT_EQ(changesOf(grid, [](PatchEditor& editor) { return moveInward(editor, 2, {}); }), 0u);
+  EXPECT_EQ(grid.mesh, before);
+}
+
 TEST(QuadSearch, IsPartOfOptimisingUnlessTheDepthIsZero) {
   QuadGrid grid = gridWithRotatedSide(6, 2, 3);
   OptimizeOptions none;
