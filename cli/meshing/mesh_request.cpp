@@ -348,9 +348,8 @@ MeshRequest checkedRequest(const MeshOptions& options) {
   request.healTolerance = checkedHealTolerance(options.heal, options.healTolerance);
   request.imprint = checkedImprint(options.imprint, request.kind());
   request.periodic = checkedPeriodic(options.periodic, request.kind());
-  if (request.periodic.areAsked() &&
-      (options.order != 1 || options.sizes.fewest || !options.faces.empty()))
-    throw UsageError("--periodic cannot be combined with --order 2, --fewest and --faces");
+  if (request.periodic.areAsked() && (options.sizes.fewest || !options.faces.empty()))
+    throw UsageError("--periodic cannot be combined with --fewest and --faces");
   request.merge =
       checkedMerge(options.merge, request.kind(),
                    request.periodic.areAsked() || options.sizes.fewest || !options.layers.empty());

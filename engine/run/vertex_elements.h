@@ -32,8 +32,10 @@ class VertexElements {
       visit(std::size_t{c} / 4, std::size_t{c} % 4);
   }
 
-  /// All elements at one vertex are now at another.
+  /// All elements at one vertex are now at another. Vertices of a path may have none yet.
   void give(VertexId from, VertexId into) {
+    if (from.value >= first_.size()) return;
+    if (into.value >= first_.size()) first_.resize(into.value + 1, kNone);
     std::uint32_t* last = &first_[from.value];
     if (*last == kNone) return;
     while (*last != kNone) last = &next_[*last];

@@ -2,18 +2,23 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 #include "engine/base/error.h"
 
 namespace af2::geometry {
 namespace {
 
-using Key = std::pair<VertexId, VertexId>;
-
 class Builder {
  public:
-  Builder(ModelMesh& mesh, const std::vector<SideMiddles>& middles)
-      : mesh_(mesh), middles_(middles) {}
+  Builder(ModelMesh& mesh, const std::vector<SideMiddles>& middles,
+          const std::vector<std::pair<SideEnds, SideEnds>>& alike)
+      : mesh_(mesh), middles_(middles) {
+    for (const auto& [one, other] : alike) {
+      alike_[one].push_back(other);
+      alike_[other].push_back(one);
+    }
+  }
 
   void build() {
     for (const EdgeSegment& s : mesh_.segments) onEdges_[std::minmax(s.from, s.to)] = s.middle;
@@ -22,26 +27,20 @@ class Builder {
   }
 
  private:
-  Key sideOf(const Element& element, std::size_t side) const {
-    const auto corners = element.vertices();
-    return std::minmax(corners[side], corners[(side + 1) % corners.size()]);
-  }
-
   void addSides(std::size_t e) {
-    const Element& element = mesh_.elements[e];
-    std::array<VertexId, 4> sides;
-    for (std::size_t i = 0; i < element.vertices().size(); ++i) {
-      const Key side = sideOf(element, i);
-      const auto [found, isNew] = ids_.try_emplace(side, VertexId(mesh_.vertices.size()));
-      sides[i] = found->second;
+    const std::vector<SideEnds> sides = sidesOf(mesh_.elements[e]);
+    std::array<VertexId, 4> ids;
+    for (std::size_t i = 0; i < sides.size(); ++i) {
+      const auto [found, isNew] = ids_.try_emplace(sides[i], VertexId(mesh_.vertices.size()));
+      ids[i] = found->second;
       if (!isNew) continue;
-      const auto onEdge = onEdges_.find(side);
-      addVertex(side, onEdge == onEdges_.end() ? middles_[e][i] : onEdge->second);
+      const auto onEdge = onEdges_.find(sides[i]);
+      addVertex(sides[i], onEdge == onEdges_.end() ? middles_[e][i] : onEdge->second);
     }
-    mesh_.midsides.push_back(sides);
+    mesh_.midsides.push_back(ids);
   }
 
-  void addVertex(const Key& side, const Point3& place) {
+  void addVertex(const SideEnds& side, const Point3& place) {
     mesh_.vertices.push_back(place);
     if (mesh_.wantedSizes.empty()) return;
     mesh_.wantedSizes.push_back(
@@ -57,21 +56,27 @@ class Builder {
       for (std::size_t e = 0; e < mesh_.elements.size(); ++e) {
         if (isStraight[e] || scaledJacobian(mesh_, e) > 0) continue;
         isStraight[e] = changed = true;
-        for (std::size_t i = 0; i < mesh_.elements[e].vertices().size(); ++i) {
-          const Key side = sideOf(mesh_.elements[e], i);
-          mesh_.vertices[ids_.at(side).value] =
-              0.5 * (mesh_.vertices[side.first.value] + mesh_.vertices[side.second.value]);
-        }
+        for (const SideEnds& side : sidesOf(mesh_.elements[e])) straighten(side);
       }
     }
     for (std::size_t e = 0; e < isStraight.size(); ++e)
       if (isStraight[e]) mesh_.straightened.push_back(ElementId(e));
   }
 
+  void straighten(const SideEnds& side) {
+    if (!straight_.insert(side).second) return;
+    mesh_.vertices[ids_.at(side).value] =
+        0.5 * (mesh_.vertices[side.first.value] + mesh_.vertices[side.second.value]);
+    if (const auto others = alike_.find(side); others != alike_.end())
+      for (const SideEnds& other : others->second) straighten(other);
+  }
+
   ModelMesh& mesh_;
   const std::vector<SideMiddles>& middles_;
-  std::map<Key, Point3> onEdges_;
-  std::map<Key, VertexId> ids_;
+  std::map<SideEnds, Point3> onEdges_;
+  std::map<SideEnds, VertexId> ids_;
+  std::map<SideEnds, std::vector<SideEnds>> alike_;
+  std::set<SideEnds> straight_;
 };
 
 /// Corners, then middles of sides.
@@ -137,9 +142,30 @@ double quadJacobian(const std::vector<Point3>& p) {
 
 }  // namespace
 
-void makeSecondOrder(ModelMesh& mesh, const std::vector<SideMiddles>& middles) {
+std::vector<SideEnds> sidesOf(const Element& element) {
+  const auto corners = element.vertices();
+  std::vector<SideEnds> sides;
+  for (std::size_t i = 0; i < corners.size(); ++i)
+    sides.push_back(std::minmax(corners[i], corners[(i + 1) % corners.size()]));
+  return sides;
+}
+
+void makeSecondOrder(ModelMesh& mesh, const std::vector<SideMiddles>& middles,
+                     const std::vector<std::pair<SideEnds, SideEnds>>& alike) {
   AF2_CHECK(middles.size() == mesh.elements.size(), "each element has its middles of sides");
-  Builder(mesh, middles).build();
+  Builder(mesh, middles, alike).build();
+}
+
+std::vector<SideMiddles> takeSecondOrder(ModelMesh& mesh) {
+  std::vector<SideMiddles> middles(mesh.elements.size());
+  for (std::size_t e = 0; e < mesh.elements.size(); ++e)
+    for (std::size_t i = 0; i < mesh.elements[e].vertices().size(); ++i)
+      middles[e][i] = mesh.vertices[mesh.midsides[e][i].value];
+  mesh.vertices.resize(cornerVertices(mesh).size());
+  if (!mesh.wantedSizes.empty()) mesh.wantedSizes.resize(mesh.vertices.size());
+  mesh.midsides.clear();
+  mesh.straightened.clear();
+  return middles;
 }
 
 double scaledJacobian(const ModelMesh& mesh, std::size_t element) {

@@ -304,8 +304,8 @@ def take_merge(asked: Dict[str, Any], kind: str, merge: Any, narrow: Optional[fl
 def check_combinations(asked: Dict[str, Any]) -> None:
     is_periodic = bool(asked.get("periodic_directions") or asked.get("periodic_pairs"))
     has_faces = bool(asked.get("faces") or asked.get("face_names"))
-    if is_periodic and (asked["order"] != 1 or asked["fewest"] or has_faces):
-        raise _af2.InputError("periodic cannot be combined with order=2, fewest and faces")
+    if is_periodic and (asked["fewest"] or has_faces):
+        raise _af2.InputError("periodic cannot be combined with fewest and faces")
     if "merge" in asked and (is_periodic or asked["fewest"] or "layers" in asked):
         raise _af2.InputError("merge cannot be combined with periodic, fewest and layers")
     if asked["fewest"] and (asked["order"] != 1 or asked["quads"]):

@@ -25,7 +25,7 @@ usage "$af2" mesh "$cylinder" --fewest --chord 1 --order 2; told 'triangles of o
 usage "$af2" mesh "$cylinder" --size 1 --curvature 200deg; told 'at least 3 elements'
 usage "$af2" mesh "$cylinder" --size 1 --periodic w; told 'write x, y, z, or the ids of two faces'
 usage "$af2" mesh "$cylinder" --size 1 --periodic 1-2=3; told 'one face on each side'
-usage "$af2" mesh "$cylinder" --size 1 --periodic z --order 2; told 'cannot be combined'
+usage "$af2" mesh "$cylinder" --size 1 --periodic z --faces 1; told 'cannot be combined'
 usage "$af2" mesh "$models/plate.poly" --size 1 --periodic x; told '--periodic is for'
 unusable "$af2" mesh "$cylinder" --size 1 --periodic 1=2; told 'are not periodic: their areas are'
 unusable "$af2" mesh "$cylinder" --size 1 --periodic 1=9; told 'there is no face 9'

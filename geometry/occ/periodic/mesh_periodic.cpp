@@ -14,6 +14,7 @@
 #include "geometry/occ/model/model_shape.h"
 #include "geometry/occ/periodic/face_map.h"
 #include "geometry/occ/periodic/image_mesh.h"
+#include "geometry/occ/periodic/image_middles.h"
 #include "geometry/occ/periodic/periodic_faces.h"
 
 namespace af2::geometry {
@@ -158,29 +159,38 @@ EdgePoints alikeDivisions(const std::vector<EdgeLink>& links, const ModelMesh& m
 
 ModelMesh meshPeriodic(const Model& model, const AF2Algorithm& algorithm,
                        const MeshingOptions& options, std::vector<PeriodicPair> pairs) {
-  if (options.order != 1) throw InputError("periodic faces have elements of order 1");
   if (!options.faces.empty() || options.fewest)
     throw InputError("periodic faces need a mesh of all faces, with vertices where sizes ask for");
   const std::vector<EdgeLink> links = linksOf(model, pairs);
   MeshingOptions own = options;
   own.observer = {};
+  own.order = 1;
   for (auto& [edge, points] : alikeDivisions(links, meshModel(model, algorithm, own)))
     own.edgePoints[edge] = points;
   own.observer = options.observer;
+  own.order = options.order;
   ModelMesh mesh = meshModel(model, algorithm, own);
+  const bool isSecondOrder = options.order == 2 && !mesh.midsides.empty();
+  MiddlesByFace middles;
+  if (isSecondOrder) middles = groupedByFace(mesh, takeSecondOrder(mesh));
   for (PeriodicPair& pair : pairs) {
     const std::string fault = makeImage(mesh, pair, kMatching * model.diagonal());
-    if (!fault.empty())
+    if (!fault.empty()) {
       mesh.findings.push_back("faces " + std::to_string(pair.first) + " and " +
                               std::to_string(pair.second) + " are not periodic: " + fault);
-    else
-      mesh.periodic.push_back(std::move(pair));
+      continue;
+    }
+    if (isSecondOrder) makeImagesOfMiddles(mesh, pair, middles);
+    mesh.periodic.push_back(std::move(pair));
   }
   dropUnusedVertices(mesh);
   const std::size_t vertices = mesh.vertices.size();
   for (const std::string& finding : keepSoundFaces(mesh, faultsOf(mesh, true, options.threads)))
     mesh.findings.push_back(finding);
   if (mesh.vertices.size() != vertices) mesh.periodic.clear();  // faces failed, which says why
+  if (!isSecondOrder) return mesh;
+  makeSecondOrder(mesh, middlesOf(mesh, middles), imagesOfSides(mesh));
+  addMidsides(mesh);
   return mesh;
 }
 

@@ -31,7 +31,7 @@ AF2_EXPORT std::vector<PeriodicPair> findPeriodic(const Model& model,
 /// As meshModel. The mesh of the second face of each pair is the image of that of the first one, to
 /// the last bits of the coordinates; ModelMesh::periodic lists the pairs with their vertices.
 ///
-/// Throws InputError also for elements of second order, and for a choice of faces.
+/// Throws InputError also for a choice of faces and for the fewest elements.
 AF2_EXPORT ModelMesh meshPeriodic(const Model& model, const AF2Algorithm& algorithm,
                                   const MeshingOptions& options, std::vector<PeriodicPair> pairs);
 

@@ -62,6 +62,35 @@ TEST(SecondOrder, StraightensWhatWouldTurnOver) {
   for (std::size_t e = 0; e < 3; ++e) EXPECT_GT(scaledJacobian(mesh, e), 0);
 }
 
+TEST(SecondOrder, StraightensSidesThatAreAlikeTogether) {
+  const std::pair<SideEnds, SideEnds> alike{{VertexId(0u), VertexId(1u)},
+                                            {VertexId(4u), VertexId(5u)}};
+  for (const bool isAlike : {false, true}) {
+    ModelMesh mesh = strip();
+    mesh.segments = {{VertexId(0u), VertexId(1u), 1, 1, {0.5, 0.6, 0}},
+                     {VertexId(4u), VertexId(5u), 2, 1, {2.2, 0.5, 0}}};
+    makeSecondOrder(mesh, straightMiddles(mesh),
+                    isAlike ? std::vector{alike} : std::vector<std::pair<SideEnds, SideEnds>>{});
+    EXPECT_EQ(mesh.vertices[mesh.midsides[0][0].value], (Point3{0.5, 0, 0}));
+    EXPECT_EQ(mesh.vertices[mesh.midsides[2][1].value].x, isAlike ? 2 : 2.2);
+  }
+}
+
+TEST(SecondOrder, IsTakenBack) {
+  ModelMesh mesh = strip();
+  mesh.wantedSizes.assign(6, 1);
+  const ModelMesh before = mesh;
+  const std::vector<SideMiddles> middles = straightMiddles(mesh);
+  makeSecondOrder(mesh, middles);
+  const std::vector<SideMiddles> taken = takeSecondOrder(mesh);
+  for (std::size_t e = 0; e < middles.size(); ++e)
+    for (std::size_t i = 0; i < mesh.elements[e].vertices().size(); ++i)
+      EXPECT_EQ(taken[e][i], middles[e][i]);
+  EXPECT_EQ(mesh.vertices, before.vertices);
+  EXPECT_EQ(mesh.wantedSizes, before.wantedSizes);
+  EXPECT_TRUE(mesh.midsides.empty());
+}
+
 TEST(SecondOrder, JacobianSeesAFoldedQuad) {
   ModelMesh mesh = strip();
   std::vector<SideMiddles> middles = straightMiddles(mesh);

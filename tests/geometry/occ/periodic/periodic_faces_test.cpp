@@ -23,10 +23,11 @@
 namespace af2::geometry {
 namespace {
 
-ModelMesh meshed(const Model& model, const PeriodicRequest& request, double size) {
+ModelMesh meshed(const Model& model, const PeriodicRequest& request, double size, int order = 1) {
   const AF2Algorithm algorithm(testing::triangleSet());
-  ModelMesh mesh =
-      meshPeriodic(model, algorithm, testing::ofSize(size), findPeriodic(model, request));
+  MeshingOptions options = testing::ofSize(size);
+  options.order = order;
+  ModelMesh mesh = meshPeriodic(model, algorithm, options, findPeriodic(model, request));
   testing::expectComplete(mesh);
   EXPECT_TRUE(mesh.findings.empty());
   EXPECT_EQ(measureQuality(mesh).freeEdges, 0u);
@@ -80,6 +81,41 @@ TEST(PeriodicFaces, MatchAlsoWithHolesThroughThem) {
                       BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(-1, 4, 3), gp::DX()), 1.5, 12).Shape())
           .Shape());
   expectImages(meshed(model, {{"x", "y", "z"}, {}}, 1.1), 3);
+}
+
+std::set<VertexId> midsidesOf(const ModelMesh& mesh, int face) {
+  std::set<VertexId> midsides;
+  for (std::size_t e = 0; e < mesh.elements.size(); ++e)
+    if (mesh.face[e] == face)
+      for (std::size_t i = 0; i < mesh.elements[e].vertices().size(); ++i)
+        midsides.insert(mesh.midsides[e][i]);
+  return midsides;
+}
+
+/// Where the hole ends, sides of elements are curved.
+TEST(PeriodicFaces, MatchInSecondOrder) {
+  const Model model = testing::modelOf(
+      BRepAlgoAPI_Cut(BRepPrimAPI_MakeBox(10, 8, 6).Shape(),
+                      BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(-1, 4, 3), gp::DX()), 1.5, 12).Shape())
+          .Shape());
+  const ModelMesh mesh = meshed(model, {{"x", "y", "z"}, {}}, 1.1, 2);
+  expectImages(mesh, 3);
+  EXPECT_TRUE(mesh.straightened.empty());
+  std::size_t onCircle = 0;
+  for (const PeriodicPair& pair : mesh.periodic) {
+    std::set<VertexId> images, own;
+    for (const auto& [second, first] : pair.vertices) {
+      images.insert(second);
+      own.insert(first);
+    }
+    for (const VertexId v : midsidesOf(mesh, pair.first)) EXPECT_TRUE(own.contains(v));
+    for (const VertexId v : midsidesOf(mesh, pair.second)) {
+      EXPECT_TRUE(images.contains(v));
+      const Point3& p = mesh.vertices[v.value];
+      onCircle += std::abs(p.x - 10) < 1e-12 && std::abs(std::hypot(p.y - 4, p.z - 3) - 1.5) < 1e-9;
+    }
+  }
+  EXPECT_GE(onCircle, 8u);
 }
 
 TEST(PeriodicFaces, MatchByRotation) {
