@@ -1,18 +1,23 @@
 #include "engine/optimize/turn_round.h"
 
 #include <algorithm>
-#include <utility>
 #include <vector>
 
 #include "engine/mesh/element_shape.h"
 #include "engine/optimize/patch_editor.h"
 #include "engine/optimize/quad_search.h"
+#include "engine/optimize/vertex_news.h"
 
 namespace af2 {
 namespace {
 
 /// Smoothing and the search go on from here; before that, an element need only be sound.
 constexpr double kSoundJacobian = 0.05;
+
+/// Of the changes at a vertex, the most regular ones are tried. Nearly always the first one helps
+/// if any does; none of 1,300 that helped on four CAD models was beyond the twelfth, and five
+/// beyond the eighth.
+constexpr std::size_t kMostChanges = 8;
 
 std::vector<std::size_t> foldedQuads(const Mesh& mesh) {
   std::vector<std::size_t> folded;
@@ -31,6 +36,7 @@ std::vector<QuadPatch> changesAt(const QuadPatch& patch, std::size_t element) {
       changed.back().apply(act);
     });
   std::ranges::stable_sort(changed, {}, &QuadPatch::energy);
+  if (changed.size() > kMostChanges) changed.erase(changed.begin() + kMostChanges, changed.end());
   return changed;
 }
 
@@ -55,20 +61,30 @@ bool hasTurnedElements(const Mesh& mesh) { return !foldedQuads(mesh).empty(); }
 std::size_t turnElementsRound(Mesh& mesh, const MeshBoundary& boundary,
                               const AF2LocalTransformMaker& maker, const std::stop_token& stop) {
   constexpr int kMaxPasses = 4;
-  std::size_t left = foldedQuads(mesh).size();
+  MeshTopology topology(mesh, boundary);
+  PatchEditor editor(topology, maker, topology.anglesAtFixed());
+  VertexNews news(mesh.vertices.size());
+  std::size_t before = mesh.elements.size() + 1;
+  std::vector<std::size_t> folded = foldedQuads(mesh);
   // What is mended beside an element can be what it was waiting for.
-  for (int pass = 0; pass < kMaxPasses && left > 0 && !stop.stop_requested(); ++pass) {
-    MeshTopology topology(mesh, boundary);
-    PatchEditor editor(topology, maker, topology.anglesAtFixed());
-    for (const std::size_t e : foldedQuads(mesh)) {
+  for (int pass = 0; pass < kMaxPasses && !folded.empty() && folded.size() < before; ++pass) {
+    before = folded.size();
+    for (const std::size_t e : folded) {
       if (stop.stop_requested()) break;
-      if (!topology.isDead(e) && leans(mesh, mesh.elements[e])) mend(editor, e);
+      if (topology.isDead(e) || !leans(mesh, mesh.elements[e])) continue;
+      const Element element = mesh.elements[e];
+      const auto isNews = [&](VertexId v) { return news.isNews(v); };
+      if (pass > 0 && std::ranges::none_of(element.vertices(), isNews)) continue;
+      if (mend(editor, e))
+        news.noteChange(editor.vertices(), mesh.vertices.size());
+      else
+        for (const VertexId v : element.vertices()) news.look(v);
     }
-    topology.compact();
-    const std::size_t before = std::exchange(left, foldedQuads(mesh).size());
-    if (left >= before) break;
+    folded = foldedQuads(mesh);
+    std::erase_if(folded, [&](std::size_t e) { return topology.isDead(e); });
   }
-  return left;
+  topology.compact();
+  return folded.size();
 }
 
 }  // namespace af2
