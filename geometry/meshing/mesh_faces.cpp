@@ -4,6 +4,7 @@
 #include <limits>
 #include <new>
 #include <numeric>
+#include <optional>
 #include <utility>
 
 #include "engine/base/place_text.h"
@@ -19,6 +20,7 @@
 #include "geometry/meshing/chord_rounds.h"
 #include "geometry/meshing/even_division.h"
 #include "geometry/meshing/face_crew.h"
+#include "geometry/meshing/first_faces.h"
 #include "geometry/meshing/progress_sum.h"
 #include "geometry/sizes/coarser_sizes.h"
 #include "geometry/sizes/too_many.h"
@@ -94,20 +96,26 @@ class FaceRun final : public RetriedModel {
 
   void mesh(std::size_t i, const PositionSize& sizes, const TryLimits& limits,
             FaceMeshes& into) const override {
-    into.meshes[i] = meshed(i, sizes, limits, into.divided, {}, nullptr);
+    take(i, meshed(i, sizes, limits, into.divided, progressOf(i), nullptr), into);
   }
 
+  /// The most work is begun first.
   void meshAll(std::span<const FaceTry> tries, const RequestedSizes& sizes, int threads,
                FaceMeshes& into) const override {
-    if (!leader_) return RetriedModel::meshAll(tries, sizes, threads, into);
     std::vector<double> work;
-    for (const FaceTry& next : tries) work.push_back(source_.workOn(faces_[next.face]));
+    for (const FaceTry& next : tries) work.push_back(progress_->work()[next.face]);
+    if (!leader_) {
+      std::vector<FaceTry> sorted;
+      for (const std::size_t k : largestFirst(work)) sorted.push_back(tries[k]);
+      return RetriedModel::meshAll(sorted, sizes, threads, into);
+    }
     leader_->meshAll(
         {into.divided, sizes.places}, tries, work,
         [&](const FaceTry& next, RegionCrew* pieces) {
-          return meshed(next.face, sizes.sizes, next.limits, into.divided, {}, pieces);
+          return meshed(next.face, sizes.sizes, next.limits, into.divided, progressOf(next.face),
+                        pieces);
         },
-        [&](std::size_t k, FaceMesh mesh) { into.meshes[tries[k].face] = std::move(mesh); });
+        [&](std::size_t k, FaceMesh mesh) { take(tries[k].face, std::move(mesh), into); });
   }
 
   void join(FaceMeshes& state) const override {
@@ -134,41 +142,43 @@ class FaceRun final : public RetriedModel {
   void prepare() {
     source_.prepare(options_, faces_);
     for (const int face : faces_) edgesOfFaces_.push_back(source_.edgesOf(face));
-  }
-
-  /// The first try at each face.
-  void meshFirst(FaceMeshes& state) const {
     std::vector<double> work;
     for (const int face : faces_) work.push_back(source_.workOn(face));
-    ProgressSum progress(options_.progress, work);
+    progress_.emplace(options_.progress, std::move(work));
+  }
+
+  ProgressCallback progressOf(std::size_t i) const {
+    return [this, i](const Progress& p) { progress_->advance(i, p.elements); };
+  }
+
+  void take(std::size_t i, FaceMesh mesh, FaceMeshes& into) const {
+    into.meshes[i] = std::move(mesh);
+    progress_->finish(i, into.meshes[i].elements.size());
+  }
+
+  /// The first try at faces that may ask for shorter edges; the others wait for these.
+  void meshFirst(FaceMeshes& state) const {
     state.meshes.resize(faces_.size());
-    const auto mesh = [&](std::size_t i, RegionCrew* pieces) {
-      return meshed(
-          i, source_.sizesByPosition(), {}, state.divided,
-          [&](const Progress& p) { progress.advance(i, p.elements); }, pieces);
-    };
-    const auto take = [&](std::size_t i, FaceMesh meshOfFace) {
-      state.meshes[i] = std::move(meshOfFace);
-      progress.finish(i, state.meshes[i].elements.size());
-    };
-    if (leader_) {
-      std::vector<FaceTry> tries(faces_.size());
-      for (std::size_t i = 0; i < tries.size(); ++i) tries[i].face = i;
-      return leader_->meshAll(
-          {state.divided, {}}, tries, work,
-          [&](const FaceTry& next, RegionCrew* pieces) { return mesh(next.face, pieces); }, take);
+    state.isWaiting.assign(faces_.size(), false);
+    if (mostRetries() > 0) {
+      state.isWaiting = smallFaces(progress_->work());
+      state.isWaiting.flip();
     }
-    const std::vector<std::size_t> order = largestFirst(work);
-    forEachInParallel(faces_.size(), options_.threads,
-                      [&](std::size_t k) { take(order[k], mesh(order[k], nullptr)); });
+    std::vector<FaceTry> tries;
+    for (std::size_t i = 0; i < faces_.size(); ++i)
+      if (!state.waits(i)) tries.push_back({i, {}});
+    meshAll(tries, {{}, source_.sizesByPosition()}, options_.threads, state);
+  }
+
+  int mostRetries() const {
+    return options_.strictRules ? 0 : options_.mostRetries.value_or(RetryOptions().mostRounds);
   }
 
   void retry(FaceMeshes& state) const {
     RetryOptions retries{source_.sizesByPosition(), largestOf(options_.sizes),
                          options_.sizes.growth, options_.threads, options_.stop};
     retries.share = source_.retryShare();
-    if (options_.mostRetries) retries.mostRounds = *options_.mostRetries;
-    if (options_.strictRules) retries.mostRounds = 0;
+    retries.mostRounds = mostRetries();
     retryPoorFaces(*this, retries, state);
   }
 
@@ -249,6 +259,7 @@ class FaceRun final : public RetriedModel {
   std::vector<int> faces_;
   CrewLeader* leader_;  ///< null: no other process meshes faces for this one
   std::vector<std::vector<int>> edgesOfFaces_;
+  mutable std::optional<ProgressSum> progress_;  ///< of the first mesh of each face
 };
 
 /// Places narrower than the elements across them get sizes of their own. Narrow places are between

@@ -6,14 +6,12 @@
 
 namespace af2::geometry {
 
-void findShortEdges(Retrial& retrial, const FaceMeshes& state) {
-  for (std::size_t i = 0; i < state.meshes.size(); ++i) {
-    const FaceDiagnosis& diagnosis = state.meshes[i].diagnosis;
-    if (!failed(state.meshes[i]) || !diagnosis.isBad) continue;  // without a boundary all is lost
-    std::vector<CollapsedEdges>& choices = retrial.faces[i].shortEdges;
-    choices = retrial.model.shortEdges(i, state.divided, diagnosis.places);
-    std::ranges::reverse(choices);
-  }
+void findShortEdges(Retrial& retrial, const FaceMeshes& state, std::size_t face) {
+  const FaceDiagnosis& diagnosis = state.meshes[face].diagnosis;
+  if (!failed(state.meshes[face]) || !diagnosis.isBad) return;  // without a boundary all is lost
+  std::vector<CollapsedEdges>& choices = retrial.faces[face].shortEdges;
+  choices = retrial.model.shortEdges(face, state.divided, diagnosis.places);
+  std::ranges::reverse(choices);
 }
 
 bool mayCollapseEdges(const Retrial& retrial, const FaceMeshes& state, std::size_t face) {

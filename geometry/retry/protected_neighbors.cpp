@@ -8,8 +8,6 @@ namespace af2::geometry {
 
 namespace {
 
-bool isBad(const FaceMesh& mesh) { return failed(mesh) || mesh.diagnosis.hasBadAngle; }
-
 /// The face itself and those that share an edge with it.
 std::vector<std::size_t> besideFace(const std::vector<std::vector<int>>& edgesOfFaces,
                                     std::size_t face) {
@@ -35,9 +33,10 @@ bool yields(Retrial& retrial, std::size_t culprit) {
 
 }  // namespace
 
-void rememberBadFaces(Retrial& retrial, const FaceMeshes& state) {
-  for (std::size_t i = 0; i < state.meshes.size(); ++i)
-    retrial.faces[i].wasBad = isBad(state.meshes[i]);
+bool isBad(const FaceMesh& mesh) { return failed(mesh) || mesh.diagnosis.hasBadAngle; }
+
+void rememberBadFace(Retrial& retrial, const FaceMeshes& state, std::size_t face) {
+  retrial.faces[face].wasBad = isBad(state.meshes[face]);
 }
 
 bool isSpoiledNeighbor(const Retrial& retrial, const FaceMeshes& next, std::size_t face) {

@@ -6,8 +6,10 @@
 
 namespace af2::geometry {
 
-/// Records which faces were bad before any remedy: these are not protected.
-void rememberBadFaces(Retrial& retrial, const FaceMeshes& state);
+/// Whether a face failed or has an element that is hardly usable.
+bool isBad(const FaceMesh& mesh);
+/// Records whether a face was bad before any remedy: then it is not protected.
+void rememberBadFace(Retrial& retrial, const FaceMeshes& state, std::size_t face);
 /// Whether a face that was good is bad now.
 bool isSpoiledNeighbor(const Retrial& retrial, const FaceMeshes& next, std::size_t face);
 /// Withdraws the requests for this face or a neighbour, or softens them if the face that made them

@@ -110,6 +110,22 @@ CollapsedEdges Refinement::collapsedEdges() const {
   return all;
 }
 
+bool Refinement::asksAlike(const Refinement& other, std::size_t face) const {
+  const auto alike = [](const SizeSource& a, const SizeSource& b) {
+    return a.position == b.position && a.size == b.size && a.radius == b.radius;
+  };
+  const auto alikeInRound = [&](const auto& a, const auto& b) {
+    return std::ranges::equal(a, b, alike);
+  };
+  const auto own = places_.find(face), others = other.places_.find(face);
+  if (has(face) != other.has(face)) return false;
+  if (has(face) && !std::ranges::equal(own->second, others->second, alikeInRound)) return false;
+  const auto points = collapsed_.find(face), otherPoints = other.collapsed_.find(face);
+  if (points == collapsed_.end() || otherPoints == other.collapsed_.end())
+    return points == collapsed_.end() && otherPoints == other.collapsed_.end();
+  return points->second == otherPoints->second;
+}
+
 void Refinement::soften(std::size_t face, double factor) {
   const auto found = places_.find(face);
   if (found == places_.end()) return;

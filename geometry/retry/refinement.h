@@ -42,6 +42,8 @@ class Refinement {
   void dropAll(std::size_t face);
   /// Whether shorter edges are requested.
   bool has(std::size_t face) const { return places_.contains(face); }
+  /// Whether the same is requested for a face as in another one.
+  bool asksAlike(const Refinement& other, std::size_t face) const;
   /// Whether anything is requested.
   bool hasAny(std::size_t face) const { return has(face) || collapsed_.contains(face); }
   /// Multiplies the sizes that were added for a face by a factor.

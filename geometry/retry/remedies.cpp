@@ -15,7 +15,7 @@ constexpr FaceRemedy kFaceRemedies[] = {
      uncollapseEdges, findShortEdges, false},
     {"shorter edges", RemedyTime::BeforeRound, mayShortenEdges, shortenEdges, unshortenEdges},
     {"protection of neighbors", RemedyTime::AfterRound, isSpoiledNeighbor, protectNeighbor, nullptr,
-     rememberBadFaces, false},
+     rememberBadFace, false},
     {"original edges", RemedyTime::LastRound, hasVainRequests, withdrawRequests, nullptr, nullptr,
      false},
     {"elements that tilt against the surface", RemedyTime::InPlace, mayIgnoreNormals,

@@ -67,8 +67,8 @@ struct FaceRemedy {
   /// next  the state that resulted from it
   void (*undo)(Retrial& retrial, FaceMeshes& state, const FaceMeshes& next,
                std::size_t face) = nullptr;
-  /// Collects the data that it needs, before any remedy is tried.
-  void (*begin)(Retrial& retrial, const FaceMeshes& state) = nullptr;
+  /// Collects the data that it needs on a face, from its first mesh.
+  void (*begin)(Retrial& retrial, const FaceMeshes& state, std::size_t face) = nullptr;
   /// Whether the report names it; if not, the mesh of the face shows it.
   bool isReported = true;
 };

@@ -2,6 +2,7 @@
 // Not installed.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <span>
 #include <stop_token>
@@ -22,6 +23,11 @@ struct FaceMeshes {
   std::vector<FaceMesh> meshes;  ///< by requested face
   ModelMesh joined;              ///< of all of them
   MeshFaults faults;             ///< of the joined mesh
+  /// By requested face: it has not been meshed within this division yet. Empty: all have been.
+  std::vector<bool> isWaiting = {};
+
+  bool waits(std::size_t i) const { return !isWaiting.empty() && isWaiting[i]; }
+  bool isComplete() const { return std::ranges::count(isWaiting, true) == 0; }
 };
 
 /// The interface of a model to the retries: faces between edges that can be divided again. Faces
@@ -63,8 +69,10 @@ struct RetryOptions {
 
 /// Where faces failed, came out poor or cross each other, tries the remedies of the table
 /// (remedies.cpp), as long as they bring progress and the cost stays below a multiple of that of
-/// the mesh. Faces at edges that were divided again are meshed again. The result in `state` is the
-/// best state by its score (score.h), joined, with the history of each face in its report.
+/// the mesh. Faces at edges that were divided again are meshed again, once the faces that asked for
+/// it are content or given up. Faces may wait for their first mesh, too. The result in `state` is
+/// the best state by its score (score.h), complete and joined, with the history of each face in its
+/// report.
 void retryPoorFaces(const RetriedModel& model, const RetryOptions& options, FaceMeshes& state);
 
 }  // namespace af2::geometry

@@ -17,13 +17,12 @@ RetryBudget budgetFor(const std::vector<FaceMesh>& meshes, double share) {
   return RetryBudget(share * (std::min(kBudgetShare * candidates, kMaxBudget) + kMinBudget));
 }
 
-RetryAllowance::RetryAllowance(const std::vector<FaceMesh>& meshes,
-                               const std::vector<std::size_t>& again, double left)
+RetryAllowance::RetryAllowance(const std::vector<const FaceMesh*>& before, double left)
     : left_(std::max(left, 0.0)) {
-  for (const std::size_t i : again) {
-    if (!failed(meshes[i])) continue;
+  for (const FaceMesh* mesh : before) {
+    if (!failed(*mesh)) continue;
     faces_ += 1;
-    searchCost_ += static_cast<double>(meshes[i].searchCost);
+    searchCost_ += static_cast<double>(mesh->searchCost);
   }
 }
 

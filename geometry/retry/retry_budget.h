@@ -18,6 +18,8 @@ class RetryBudget {
   bool isOverdrawn() const { return spent_ > total_; }
   /// Charges the cost of one face that was meshed again.
   void charge(const FaceMesh& mesh);
+  /// Takes the total of another budget.
+  void allow(const RetryBudget& other) { total_ = other.total_; }
   /// The same budget, with nothing spent.
   RetryBudget anew() const { return RetryBudget(total_); }
 
@@ -33,10 +35,9 @@ RetryBudget budgetFor(const std::vector<FaceMesh>& meshes, double share);
 /// The candidates that failed faces may use when they are meshed again, all at the same time.
 class RetryAllowance {
  public:
-  /// again  the faces that are meshed again; only those that failed count
-  /// left   candidates left for all of them
-  RetryAllowance(const std::vector<FaceMesh>& meshes, const std::vector<std::size_t>& again,
-                 double left);
+  /// before  the former meshes of all faces that are meshed again; only those that failed count
+  /// left    candidates left for all of them
+  RetryAllowance(const std::vector<const FaceMesh*>& before, double left);
 
   /// The limit for a face. A face that failed may use more than before, because shorter edges cost
   /// more, but no more than its share of the remaining candidates, by the number of faces or by its

@@ -20,7 +20,7 @@ TEST(CollapsedEdges, AreTriedAtOnceIfNobodyKnowsWhereEdgesShouldBeShorter) {
   testing::RetrialOf of(model);
   FaceMeshes state;
   state.meshes = {testing::failedFace(1)};
-  findShortEdges(of.retrial, state);
+  findShortEdges(of.retrial, state, 0);
   EXPECT_TRUE(mayCollapseEdges(of.retrial, state, 0));
 }
 
@@ -29,7 +29,7 @@ TEST(CollapsedEdges, WaitUntilShorterEdgesHaveFailedTwice) {
   testing::RetrialOf of(model);
   FaceMeshes state;
   state.meshes = {testing::failedFace(1, {{{0, 0, 0}, 0.1}})};
-  findShortEdges(of.retrial, state);
+  findShortEdges(of.retrial, state, 0);
   EXPECT_FALSE(mayCollapseEdges(of.retrial, state, 0));
   of.retrial.faces[0].failures = 2;
   EXPECT_TRUE(mayCollapseEdges(of.retrial, state, 0));
@@ -40,7 +40,7 @@ TEST(CollapsedEdges, TakeThePlaceOfWhatWasAskedForBeforeTheShortestFirst) {
   testing::RetrialOf of(model);
   FaceMeshes state;
   state.meshes = {testing::failedFace(1)};
-  findShortEdges(of.retrial, state);
+  findShortEdges(of.retrial, state, 0);
   of.retrial.requests.add(0, {{{0, 0, 0}, 0.1}});
   EXPECT_EQ(collapseEdges(of.retrial, state, 0), 1u);
   EXPECT_FALSE(of.retrial.requests.has(0));
@@ -57,7 +57,7 @@ TEST(CollapsedEdges, AreNotLookedForOnAFaceThatIsComplete) {
   testing::RetrialOf of(model);
   FaceMeshes state;
   state.meshes = {testing::goodFace(1)};
-  findShortEdges(of.retrial, state);
+  findShortEdges(of.retrial, state, 0);
   EXPECT_FALSE(mayCollapseEdges(of.retrial, state, 0));
 }
 

@@ -19,7 +19,7 @@ class ProtectedNeighbors : public ::testing::Test {
     FaceMeshes before;
     before.meshes = {wasCulpritBad ? testing::failedFace(1) : testing::goodFace(1),
                      testing::goodFace(2), testing::goodFace(3)};
-    rememberBadFaces(of_.retrial, before);
+    for (std::size_t i = 0; i < 3; ++i) rememberBadFace(of_.retrial, before, i);
     next_.meshes = {testing::goodFace(1), testing::failedFace(2), testing::goodFace(3)};
   }
   double sizeAtPlace() const { return of_.retrial.requests.sizes().at(kWantedPlace.position); }
