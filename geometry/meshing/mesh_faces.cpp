@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <memory>
 #include <new>
 #include <numeric>
 #include <utility>
@@ -20,6 +21,7 @@
 #include "geometry/meshing/even_division.h"
 #include "geometry/meshing/face_crew.h"
 #include "geometry/meshing/progress_sum.h"
+#include "geometry/meshing/spooled_faces.h"
 #include "geometry/sizes/coarser_sizes.h"
 #include "geometry/sizes/too_many.h"
 
@@ -43,6 +45,7 @@ class FaceRun final : public RetriedModel {
         algorithm_(algorithm),
         options_(options),
         faces_(facesAskedFor(source, options)),
+        spool_(spoolFor(options)),
         leader_(options.crew ? options.crew->leader() : nullptr) {}
 
   MeasuredMesh mesh() {
@@ -99,7 +102,11 @@ class FaceRun final : public RetriedModel {
 
   void meshAll(std::span<const FaceTry> tries, const RequestedSizes& sizes, int threads,
                FaceMeshes& into) const override {
-    if (!leader_) return RetriedModel::meshAll(tries, sizes, threads, into);
+    if (!leader_)
+      return forEachInParallel(tries.size(), threads, [&](std::size_t k) {
+        mesh(tries[k].face, sizes.sizes, tries[k].limits, into);
+        putAway(into.meshes[tries[k].face], into.divided);
+      });
     std::vector<double> work;
     for (const FaceTry& next : tries) work.push_back(source_.workOn(faces_[next.face]));
     leader_->meshAll(
@@ -107,7 +114,10 @@ class FaceRun final : public RetriedModel {
         [&](const FaceTry& next, RegionCrew* pieces) {
           return meshed(next.face, sizes.sizes, next.limits, into.divided, {}, pieces);
         },
-        [&](std::size_t k, FaceMesh mesh) { into.meshes[tries[k].face] = std::move(mesh); });
+        [&](std::size_t k, FaceMesh mesh) {
+          into.meshes[tries[k].face] = std::move(mesh);
+          putAway(into.meshes[tries[k].face], into.divided);
+        });
   }
 
   void join(FaceMeshes& state) const override {
@@ -121,9 +131,13 @@ class FaceRun final : public RetriedModel {
       join.pointOnEdge = [&](int edge, double parameter) {
         return source_.pointOnEdge(edge, parameter);
       };
+    join.isSpooled = spool_ != nullptr;
+    for (FaceMesh& mesh : state.meshes) putAway(mesh, state.divided);  // what remedies have changed
     state.joined = joinFaces(state.divided, state.meshes, join);
-    state.faults = faultsOf(state.joined, source_.mayCross() && !options_.stop.stop_requested(),
-                            options_.threads);
+    const bool mayCross = source_.mayCross() && !options_.stop.stop_requested();
+    state.faults =
+        spool_ ? faultsOfSpooled(state.joined, evidenceOf(state.meshes), mayCross, options_.threads)
+               : faultsOf(state.joined, mayCross, options_.threads);
   }
 
   std::vector<SizeSource> sizesInside(std::size_t i) const override {
@@ -149,7 +163,8 @@ class FaceRun final : public RetriedModel {
     };
     const auto take = [&](std::size_t i, FaceMesh meshOfFace) {
       state.meshes[i] = std::move(meshOfFace);
-      progress.finish(i, state.meshes[i].elements.size());
+      putAway(state.meshes[i], state.divided);
+      progress.finish(i, elementCount(state.meshes[i]));
     };
     if (leader_) {
       std::vector<FaceTry> tries(faces_.size());
@@ -200,6 +215,16 @@ class FaceRun final : public RetriedModel {
     return mesh;
   }
 
+  static std::shared_ptr<SpoolFile> spoolFor(const MeshingOptions& options) {
+    if (options.spool.when != SpoolRequest::When::Always) return nullptr;
+    return std::make_shared<SpoolFile>(options.spool.folder);
+  }
+
+  /// A face that is done, if faces are put on disk.
+  void putAway(FaceMesh& mesh, const DividedEdges& divided) const {
+    if (spool_) spoolFace(mesh, divided, source_.mayCross(), spool_);
+  }
+
   MeasuredMesh finished(FaceMeshes& state) const {
     const MiddlesByFace middles = takeMiddles(state.meshes);
     std::vector<FaceMesh>().swap(state.meshes);  // two meshes need much memory
@@ -247,7 +272,8 @@ class FaceRun final : public RetriedModel {
   const AF2Algorithm& algorithm_;
   const MeshingOptions& options_;
   std::vector<int> faces_;
-  CrewLeader* leader_;  ///< null: no other process meshes faces for this one
+  std::shared_ptr<SpoolFile> spool_;  ///< null: faces stay in memory
+  CrewLeader* leader_;                ///< null: no other process meshes faces for this one
   std::vector<std::vector<int>> edgesOfFaces_;
 };
 
@@ -295,14 +321,25 @@ ModelMesh meshWithin(FaceSource& source, const AF2Algorithm& algorithm, MeshingO
 ModelMesh meshWithinMemory(FaceSource& source, const AF2Algorithm& algorithm,
                            MeshingOptions options) {
   constexpr double kMost = 1e6;  // then something else is wrong
+  bool isTooLarge = false;
   for (double factor = 1;;) {
     try {
       ModelMesh mesh = meshWithin(source, algorithm, options);
       if (factor > 1)
         mesh.notes.push_back("the sizes that were asked for need too much memory: all are " +
                              af2::textOf(factor, 4) + " times as large");
+      if (isTooLarge)
+        mesh.notes.emplace_back(
+            "the mesh needs more memory than there is: its faces were put on "
+            "disk one by one");
       return mesh;
     } catch (const TooManyElements& error) {
+      if (options.spool.when == SpoolRequest::When::IfNeeded && !options.crew &&
+          error.fitSpooled() && whyNotSpooled(options).empty()) {
+        options.spool.when = SpoolRequest::When::Always;
+        isTooLarge = true;
+        continue;
+      }
       if (!options.coarsen || options.crew || factor > kMost) throw;
       factor *= error.factor();
       options.sizes = timesAsLarge(std::move(options.sizes), error.factor());

@@ -161,8 +161,11 @@ ModelMesh meshPeriodic(const Model& model, const AF2Algorithm& algorithm,
   if (options.order != 1) throw InputError("periodic faces have elements of order 1");
   if (!options.faces.empty() || options.fewest)
     throw InputError("periodic faces need a mesh of all faces, with vertices where sizes ask for");
+  if (options.spool.when == SpoolRequest::When::Always)
+    throw InputError("a mesh that is put on disk face by face cannot have periodic faces");
   const std::vector<EdgeLink> links = linksOf(model, pairs);
   MeshingOptions own = options;
+  own.spool = {};
   own.observer = {};
   for (auto& [edge, points] : alikeDivisions(links, meshModel(model, algorithm, own)))
     own.edgePoints[edge] = points;
