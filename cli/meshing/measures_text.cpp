@@ -11,18 +11,18 @@ namespace af2::cli {
 namespace {
 
 using geometry::Distribution;
-using geometry::LengthUnit;
+using geometry::LengthReference;
 using geometry::MeshMeasures;
 using geometry::VertexCount;
 using Json = nlohmann::ordered_json;
 
-const char* nameOf(LengthUnit unit) {
+const char* nameOf(LengthReference unit) {
   switch (unit) {
-    case LengthUnit::GivenSize:
+    case LengthReference::GivenSize:
       return "size";
-    case LengthUnit::WantedSizes:
+    case LengthReference::WantedSizes:
       return "target size";
-    case LengthUnit::MedianLength:
+    case LengthReference::MedianLength:
       return "median length";
   }
   return "";

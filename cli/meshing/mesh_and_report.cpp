@@ -39,7 +39,7 @@ void scoreElements(const MeshRequest& request, const RuleSet& rules, ModelMesh& 
   if (std::ranges::any_of(request.outputs, [](const auto& output) {
         return geometry::meshFormatOf(output).holdsScores;
       }))
-    mesh.scores = geometry::elementScores(mesh, rules.definition(), request.options.threads);
+    geometry::scoreElements(mesh, rules.definition(), request.options.threads);
 }
 
 /// Writes one file after another. A file that cannot be written does not affect the others.
@@ -60,7 +60,7 @@ class Files {
 };
 
 void writeOutputs(const MeshRequest& request, const RuleSet& rules, ModelMesh& mesh, Files& files) {
-  if (mesh.elements.empty()) return;  // an empty file would look like a result
+  if (elementCount(mesh) == 0) return;  // an empty file would look like a result
   const Stopwatch writing;
   scoreElements(request, rules, mesh);
   const auto write = [&](const ModelMesh& written) {
@@ -91,7 +91,7 @@ void printResult(const MeshRequest& request, const RunReport& report, const Mode
   std::string text = failureText(mesh);
   if (!report.reason.empty()) text += fmt::format("af2: {}\n", report.reason);
   if (report.status == RunStatus::Cancelled) text += "af2: stopped before the mesh was complete\n";
-  if (mesh.elements.empty() && !request.outputs.empty())
+  if (elementCount(mesh) == 0 && !request.outputs.empty())
     text += "af2: the mesh is empty, so no file was written\n";
   if (!mesh.straightened.empty())
     text += fmt::format("af2: {} elements of second order kept straight sides (see --report)\n",
@@ -145,8 +145,9 @@ int meshAndReport(const MeshRequest& request, const RunWatch& watch) {
   if (watch.meshed) watch.meshed(mesh);
   RunReport report = reportOf(mesh, request.options.strictRules);
   Files files;
-  // Writing files and measuring quality run in parallel.
-  geometry::forEachInParallel(2, request.options.threads, [&](std::size_t task) {
+  // Writing files and measuring quality run in parallel, unless each would load faces from disk.
+  const int threads = mesh.spooled ? 1 : request.options.threads;
+  geometry::forEachInParallel(2, threads, [&](std::size_t task) {
     if (task == 0)
       writeOutputs(request, *loaded.rules, mesh, files);
     else

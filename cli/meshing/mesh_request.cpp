@@ -157,6 +157,10 @@ void declareMeshOptions(CLI::App& command, MeshOptions& options) {
   command.add_flag("--coarsen", options.coarsen,
                    "larger sizes where those that are asked for need more memory than there is, or "
                    "than --max-memory allows");
+  command.add_flag("--stream", options.stream,
+                   "put faces on disk when they are done, which takes little memory; for " +
+                       extensionsThat(&geometry::MeshFormat::holdsSpooled, "and") +
+                       " files. Default: where the mesh would not fit into memory");
   command
       .add_option("--order", options.order,
                   "1 or 2: elements of order 2 have extra vertices, on the surface, at the middles "
@@ -238,8 +242,9 @@ QuadCleanUp checkedQuads(const MeshOptions& options) {
 }
 
 std::vector<std::string> argumentsOf(const CLI::App& command) {
-  const std::set<std::string> outputs{"--output",      "--report", "--stuck-tests", "--trace",
-                                      "--trace-faces", "--quiet",  "--unchecked",   "--statistics"};
+  const std::set<std::string> outputs{"--output",    "--report",      "--stuck-tests",
+                                      "--trace",     "--trace-faces", "--quiet",
+                                      "--unchecked", "--statistics",  "--stream"};
   std::vector<std::string> arguments;
   for (const CLI::Option* option : command.get_options()) {
     if (option->count() == 0 || outputs.contains(option->get_name())) continue;

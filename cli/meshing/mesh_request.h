@@ -27,7 +27,7 @@ struct MeshOptions {
   std::vector<std::string> outputs;
   int threads = 0, order = 1;
   std::uint64_t maxMemory = 0;  ///< bytes; 0: what is free
-  bool coarsen = false;
+  bool coarsen = false, stream = false;
   std::string points, boundary, featureAngle, chart, groups, healTolerance, elements = "any",
                                                                             quality;
   bool quiet = false, rawFront = false, strictRules = false, unchecked = false;

@@ -36,14 +36,12 @@ std::string roughPlace(Point3 place) {
 }
 
 std::string countText(const geometry::ModelMesh& mesh) {
-  const auto quads =
-      static_cast<std::size_t>(std::ranges::count_if(mesh.elements, &Element::isQuad));
+  const std::size_t quads = quadCount(mesh);
   const auto asked = mesh.faces.size() - static_cast<std::size_t>(std::ranges::count(
                                              mesh.faces, FaceStatus::Skipped, &FaceReport::status));
   const auto done = std::ranges::count(mesh.faces, FaceStatus::Complete, &FaceReport::status);
-  std::string text =
-      fmt::format("faces {}/{}  {} vertices  {} triangles", done, asked,
-                  grouped(mesh.vertices.size()), grouped(mesh.elements.size() - quads));
+  std::string text = fmt::format("faces {}/{}  {} vertices  {} triangles", done, asked,
+                                 grouped(vertexCount(mesh)), grouped(elementCount(mesh) - quads));
   if (quads > 0) text += fmt::format("  {} quads", grouped(quads));
   return text;
 }
@@ -91,7 +89,7 @@ std::string grouped(std::size_t number) {
 }
 
 std::string summaryText(const geometry::ModelMesh& mesh, const geometry::MeshQuality& quality) {
-  if (mesh.elements.empty())
+  if (elementCount(mesh) == 0)
     return fmt::format("{}\n{}\n", countText(mesh), secondsText(mesh.seconds));
   return fmt::format(
       "{}  {}\n"
@@ -186,7 +184,7 @@ std::string withoutRuleText(const geometry::ModelMesh& mesh) {
                         grouped(face->withoutRule.total()));
   if (faces.size() > kMaxListed) list += fmt::format(" and {} more", faces.size() - kMaxListed);
   return fmt::format("af2: {} of {} elements were made without a rule ({}); {}\n",
-                     grouped(all.total()), grouped(mesh.elements.size()), kinds, list);
+                     grouped(all.total()), grouped(elementCount(mesh)), kinds, list);
 }
 
 namespace {

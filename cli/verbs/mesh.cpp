@@ -4,6 +4,7 @@
 
 #include "cli/meshing/mesh_and_report.h"
 #include "cli/meshing/standard_input.h"
+#include "cli/meshing/stream_request.h"
 #include "cli/program/interrupt.h"
 #include "cli/program/supervisor.h"
 #include "cli/program/usage_error.h"
@@ -78,6 +79,7 @@ Action declareMesh(CLI::App& command) {
     const std::unique_ptr<TemporaryFile> input = takenInput(*options);
     MeshRequest request = checkedRequest(*options);
     request.arguments = argumentsOf(command);
+    request.options.spool = checkedStream(options->stream, request);
     return meshOrReportWhyNot(request);
   };
 }

@@ -38,6 +38,11 @@ void withThreads(int threads, const std::function<void()>& work) {
   tbb::task_arena(std::min(threads, tbb::info::default_concurrency())).execute(work);
 }
 
+int threadCount(int threads) {
+  const int all = tbb::this_task_arena::max_concurrency();
+  return threads <= 0 ? all : std::min(threads, all);
+}
+
 void forEachInParallel(std::size_t count, int threads,
                        const std::function<void(std::size_t)>& work) {
   withThreads(threads, [&] { runAll(count, tbb::this_task_arena::max_concurrency(), work); });

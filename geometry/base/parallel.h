@@ -10,6 +10,9 @@ namespace af2::geometry {
 /// arena has). Exceptions are passed on.
 void withThreads(int threads, const std::function<void()>& work);
 
+/// How many threads run what `threads` asks for here.
+int threadCount(int threads);
+
 /// Calls work(0), ..., work(count - 1), each once, started in this order, on up to `threads`
 /// threads (0: as many as the caller's TBB arena has). The first exception stops the remaining
 /// calls and is passed on.

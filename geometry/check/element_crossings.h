@@ -17,6 +17,7 @@ struct Crossing {
   std::array<int, 2> faces{};         ///< of the model, of these elements
   bool isFold = false;                ///< true: they share an edge and overlap; false: they cross
   Point3 place;
+  std::array<double, 2> widths{};  ///< of these elements: the longest distance of two corners
   bool operator==(const Crossing&) const = default;
 };
 

@@ -6,6 +6,7 @@
 #include "geometry/base/plane_axes.h"
 #include "geometry/check/boundary_crossings.h"
 #include "geometry/check/drawn_part.h"
+#include "geometry/check/star_shape.h"
 
 namespace af2::geometry {
 
@@ -57,56 +58,14 @@ bool areNestedInTurn(const FrontInput& outline, const PlaneAxes& axes) {
   return true;
 }
 
-/// Triangles of a closed surface as seen from a point inside. If all of them turn the same way,
-/// each direction meets as many of them as any other.
-class StarShape {
- public:
-  explicit StarShape(const Point3& centre) : centre_(centre) {}
+}  // namespace
 
-  /// False: the triangle does not look the same way as those before, or too little, or it is not
-  /// certain whether it is met.
-  bool takes(const Point3& a, const Point3& b, const Point3& c) {
-    const Point3 p = a - centre_, q = b - centre_, r = c - centre_;
-    const Point3 normal = cross(b - a, c - a);
-    const double facing = dot(normal, p);
-    if (side_ == 0) side_ = facing > 0 ? 1 : -1;
-    if (!(side_ * facing > 0) ||
-        !(facing * facing > kMinFacing * kMinFacing * dot(normal, normal) * dot(p, p)))
-      return false;
-    return meets(p, q, r);
-  }
-  bool goesAroundOnce() const { return count_ == 1; }
-
- private:
-  static constexpr Point3 kRay{0.5257, 0.6143, 0.5885};  // parallel to no usual direction
-  static constexpr double kCertain = 1e-9;  // of the largest value that the terms can have
-
-  bool meets(const Point3& p, const Point3& q, const Point3& r) {
-    const double reach = kCertain * (dot(p, p) + dot(q, q) + dot(r, r));
-    double least = 1e300;
-    for (const Point3& edge : {cross(p, q), cross(q, r), cross(r, p)})
-      least = std::min(least, side_ * dot(kRay, edge));
-    count_ += least > reach;
-    return std::abs(least) > reach;
-  }
-
-  Point3 centre_;
-  double side_ = 0;
-  int count_ = 0;
-};
-
-/// Whether each segment that elements use is used by them in both directions.
-bool areClosed(std::span<const Patch* const> patches) {
-  std::vector<Patch::Side> sides;
-  for (const Patch* patch : patches)
-    sides.insert(sides.end(), patch->sides.begin(), patch->sides.end());
+bool areClosed(std::vector<OutlinedPatch::Side> sides) {
   std::sort(sides.begin(), sides.end());
-  return std::ranges::all_of(sides, [&](const Patch::Side& side) {
-    return std::ranges::binary_search(sides, Patch::Side(side.second, side.first));
+  return std::ranges::all_of(sides, [&](const OutlinedPatch::Side& side) {
+    return std::ranges::binary_search(sides, OutlinedPatch::Side(side.second, side.first));
   });
 }
-
-}  // namespace
 
 PatchOutlines::PatchOutlines(const ModelMesh& mesh)
     : mesh_(mesh), isOnSegment_(mesh.vertices.size(), 0) {
@@ -121,15 +80,15 @@ bool PatchOutlines::isSegment(std::uint32_t a, std::uint32_t b) const {
   return std::binary_search(segments_.begin(), segments_.end(), Side(std::minmax(a, b)));
 }
 
-Patch PatchOutlines::patch(std::size_t first, std::size_t last) const {
-  Patch patch{first, last, {}, {}, {}, {}, {}, {}};
-  for (std::size_t begin = first; begin < last; begin += Patch::kRun)
-    addRun(begin, std::min(begin + Patch::kRun, last), patch);
+OutlinedPatch PatchOutlines::patch(std::size_t first, std::size_t last) const {
+  OutlinedPatch patch{first, last, {}, {}, {}, {}, {}, {}};
+  for (std::size_t begin = first; begin < last; begin += OutlinedPatch::kRun)
+    addRun(begin, std::min(begin + OutlinedPatch::kRun, last), patch);
   std::sort(patch.sides.begin(), patch.sides.end());
   return patch;
 }
 
-void PatchOutlines::addRun(std::size_t begin, std::size_t end, Patch& patch) const {
+void PatchOutlines::addRun(std::size_t begin, std::size_t end, OutlinedPatch& patch) const {
   Box3 box;
   Point3 normals, firsts;
   for (std::size_t i = begin; i < end; ++i) {
@@ -155,7 +114,7 @@ void PatchOutlines::addRun(std::size_t begin, std::size_t end, Patch& patch) con
 }
 
 /// Of an element with corners on segments.
-void PatchOutlines::addAtSegments(std::span<const VertexId> corners, Patch& patch) const {
+void PatchOutlines::addAtSegments(std::span<const VertexId> corners, OutlinedPatch& patch) const {
   std::uint32_t from = corners.back().value;
   for (const VertexId corner : corners) {
     const std::uint32_t to = corner.value;
@@ -186,7 +145,7 @@ std::optional<PatchOutlines::Loops> PatchOutlines::outline(const std::vector<Sid
   return loops;
 }
 
-bool PatchOutlines::canBeDrawn(const Patch& patch) const {
+bool PatchOutlines::canBeDrawn(const OutlinedPatch& patch) const {
   const Point3 normal = unit(patch.normal);
   if (!allFace({mesh_, patch.first, patch.last - patch.first}, normal)) return false;
   const std::optional<Loops> loops = outline(patch.sides);
@@ -202,32 +161,31 @@ bool PatchOutlines::canBeDrawn(const Patch& patch) const {
   return crossingsOf(boundary, inPlane, 1).empty() && areNestedInTurn(boundary, axes);
 }
 
-bool PatchOutlines::isStarShaped(std::span<const Patch* const> patches) const {
+bool PatchOutlines::isStarShaped(std::span<const OutlinedPatch* const> patches) const {
   Point3 sum;
   std::size_t count = 0;
-  for (const Patch* patch : patches) {
+  for (const OutlinedPatch* patch : patches) {
     count += patch->last - patch->first;
     sum = sum + patch->corners;
   }
   const Point3 centre = (1 / static_cast<double>(count)) * sum;
   const auto takes = [&](StarShape& star, std::size_t i) {
-    const auto corners = mesh_.elements[i].vertices();
-    const Point3& origin = mesh_.vertices[corners[0].value];
-    for (std::size_t k = 1; k + 1 < corners.size(); ++k)
-      if (!star.takes(origin, mesh_.vertices[corners[k].value],
-                      mesh_.vertices[corners[k + 1].value]))
-        return false;
-    return true;
+    return star.takes(mesh_.elements[i],
+                      [&](VertexId v) -> const Point3& { return mesh_.vertices[v.value]; });
   };
   // A quick test: one element of each face is enough to reject most models that are not
   // star-shaped.
   StarShape sample(centre), star(centre);
-  for (const Patch* patch : patches)
+  for (const OutlinedPatch* patch : patches)
     if (!takes(sample, patch->first)) return false;
-  for (const Patch* patch : patches)
+  for (const OutlinedPatch* patch : patches)
     for (std::size_t i = patch->first; i < patch->last; ++i)
       if (!takes(star, i)) return false;
-  return star.goesAroundOnce() && areClosed(patches);
+  if (!star.goesAroundOnce()) return false;
+  std::vector<Side> sides;
+  for (const OutlinedPatch* patch : patches)
+    sides.insert(sides.end(), patch->sides.begin(), patch->sides.end());
+  return areClosed(std::move(sides));
 }
 
 }  // namespace af2::geometry

@@ -15,7 +15,7 @@
 namespace af2::geometry {
 
 /// Data collected in one pass over consecutive elements of a face.
-struct Patch {
+struct OutlinedPatch {
   /// The number of elements that share a box.
   static constexpr std::size_t kRun = 64;
   using Side = std::pair<std::uint32_t, std::uint32_t>;
@@ -29,29 +29,32 @@ struct Patch {
   std::vector<std::uint32_t> onSegments;  ///< vertices on segments, possibly repeated
 };
 
+/// Whether each of some directed sides along segments is there in the other direction, too.
+bool areClosed(std::vector<OutlinedPatch::Side> sides);
+
 /// The segments of a mesh, for checking its patches.
 class PatchOutlines {
  public:
   explicit PatchOutlines(const ModelMesh& mesh);
 
-  Patch patch(std::size_t first, std::size_t last) const;
+  OutlinedPatch patch(std::size_t first, std::size_t last) const;
 
   /// For a patch of one face: whether all of its elements face one side of some plane, and its
   /// boundary along the segments of the mesh, projected to the plane, consists of simple loops that
   /// do not cross. Then each point of the plane is below at most one element. False proves nothing.
-  bool canBeDrawn(const Patch& patch) const;
+  bool canBeDrawn(const OutlinedPatch& patch) const;
 
   /// Whether the elements of some patches, of any faces, form a closed surface, all face away from
   /// one point or all towards it, and enclose it once: then each ray from that point meets one of
   /// them. False proves nothing.
-  bool isStarShaped(std::span<const Patch* const> patches) const;
+  bool isStarShaped(std::span<const OutlinedPatch* const> patches) const;
 
  private:
-  using Side = Patch::Side;
+  using Side = OutlinedPatch::Side;
   using Loops = std::vector<std::vector<std::uint32_t>>;  ///< of vertices
 
-  void addRun(std::size_t begin, std::size_t end, Patch& patch) const;
-  void addAtSegments(std::span<const VertexId> corners, Patch& patch) const;
+  void addRun(std::size_t begin, std::size_t end, OutlinedPatch& patch) const;
+  void addAtSegments(std::span<const VertexId> corners, OutlinedPatch& patch) const;
   std::optional<Loops> outline(const std::vector<Side>& sides) const;
   bool isSegment(std::uint32_t a, std::uint32_t b) const;
 

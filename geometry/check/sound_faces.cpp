@@ -9,9 +9,6 @@
 namespace af2::geometry {
 namespace {
 
-/// Enough to find every bad face of a model, and no more than fits into the memory.
-constexpr std::size_t kMaxFindings = 1'000'000;
-
 std::string describe(const MeshFinding& finding) {
   std::string text = "the mesh does not pass its checks: " + finding.what;
   const Point3& p = finding.place;
@@ -37,6 +34,7 @@ void failFacesWithoutElements(ModelMesh& mesh) {
 }  // namespace
 
 void dropElements(ModelMesh& mesh, const std::vector<int>& faces) {
+  if (mesh.spooled) return dropSpooledFaces(mesh, faces);
   std::size_t kept = 0;
   for (std::size_t i = 0; i < mesh.elements.size(); ++i) {
     if (isOneOf(faces, mesh.face[i])) continue;
@@ -82,7 +80,7 @@ std::vector<std::string> keepSoundFaces(ModelMesh& mesh, const MeshFaults& fault
   for (const MeshFinding& finding : facesThatCross(faults.crossings, std::vector(bad)))
     giveUp(finding);
   if (!bad.empty()) dropElements(mesh, bad);
-  if (mesh.elements.empty()) failFacesWithoutElements(mesh);
+  if (elementCount(mesh) == 0) failFacesWithoutElements(mesh);
   return elsewhere;
 }
 

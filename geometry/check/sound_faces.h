@@ -1,6 +1,7 @@
 // Keeps only the faces that pass the last checks of a mesh before it is written.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -10,6 +11,9 @@
 #include "geometry/mesh/model_mesh.h"
 
 namespace af2::geometry {
+
+/// Enough findings to find every bad face of a model, and no more than fit into the memory.
+inline constexpr std::size_t kMaxFindings = 1'000'000;
 
 /// The findings of the checks of a mesh.
 struct MeshFaults {

@@ -13,7 +13,7 @@ std::size_t faultsOf(const ModelMesh& mesh) { return failedFaces(mesh) + mesh.fi
 bool hasFaults(const ModelMesh& mesh) { return faultsOf(mesh) > 0; }
 
 ModelMesh sounderMesh(ModelMesh healed, ModelMesh asItWas) {
-  if (asItWas.elements.empty() || faultsOf(asItWas) >= faultsOf(healed)) return healed;
+  if (elementCount(asItWas) == 0 || faultsOf(asItWas) >= faultsOf(healed)) return healed;
   const auto failed = std::ranges::find(healed.faces, FaceStatus::Failed, &FaceReport::status);
   std::string cause = std::to_string(failedFaces(healed)) + " faces of the healed model failed";
   if (failed != healed.faces.end())

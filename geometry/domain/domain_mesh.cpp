@@ -17,6 +17,7 @@
 #include "geometry/layers/layers_of_face.h"
 #include "geometry/layers/leave_out_layers.h"
 #include "geometry/mesh/face_history.h"
+#include "geometry/meshing/check_options.h"
 #include "geometry/meshing/mesh_faces.h"
 #include "geometry/sizes/loose_points.h"
 #include "geometry/sizes/too_many.h"
@@ -103,9 +104,9 @@ class DomainFaces final : public FaceSource {
     findSizes();
     findRoom();
     findLayers(faces);
-    double elements = 0;
-    for (const int face : faces) elements += workOn(face);
-    refuseTooMany(elements, options.maxMemory);
+    std::vector<double> elements;
+    for (const int face : faces) elements.push_back(workOn(face));
+    refuseTooMany(elements, memoryLimitOf(options));
   }
 
   double workOn(int face) const override {

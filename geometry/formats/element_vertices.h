@@ -10,6 +10,15 @@
 namespace af2::geometry {
 
 /// Corners, then middles of sides.
+template <class Visit>
+void forEachMshVertex(const ModelMesh& mesh, const MeshSlice& slice, std::size_t i,
+                      const Visit& visit) {
+  const auto corners = slice.elements[i].vertices();
+  for (const VertexId corner : corners) visit(corner);
+  for (std::size_t k = 0; !mesh.midsides.empty() && k < corners.size(); ++k)
+    visit(mesh.midsides[slice.firstElement + i][k]);
+}
+/// The same as a list, of a mesh in memory.
 inline std::vector<VertexId> mshVertices(const ModelMesh& mesh, std::size_t element) {
   const auto corners = mesh.elements[element].vertices();
   std::vector<VertexId> vertices(corners.begin(), corners.end());

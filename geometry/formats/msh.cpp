@@ -54,48 +54,57 @@ void writeNodes(const ModelMesh& mesh, const std::vector<MshEntity>& entities, O
     count += entity.vertices.size();
   }
   file.text("$Nodes\n");
-  putHead(file, blocks, count, mesh.vertices.size());
+  putHead(file, blocks, count, vertexCount(mesh));
   for (const MshEntity& entity : entities) {
     if (entity.vertices.empty()) continue;
     for (const std::int32_t number : {entity.dimension, entity.id, kNoParameters})
       file.binary(number);
     file.binary(std::uint64_t{entity.vertices.size()});
-    for (const std::uint32_t vertex : entity.vertices) file.binary(std::uint64_t{vertex} + 1);
-    for (const std::uint32_t vertex : entity.vertices) putPoint(file, mesh.vertices[vertex]);
+    entity.vertices.forEach([&](std::uint32_t vertex) { file.binary(std::uint64_t{vertex} + 1); });
+    forEachVertexOf(mesh, entity,
+                    [&](std::uint32_t, const Point3& place) { putPoint(file, place); });
   }
   file.text("\n$EndNodes\n");
 }
 
-/// Elements of one kind; verticesOf(i) are those of number i among `elements`, which has the tag
-/// first + i.
-template <class VerticesOf>
-void writeBlock(const MshEntity& entity, std::int32_t type,
-                const std::vector<std::uint32_t>& elements, std::uint64_t first,
-                VerticesOf verticesOf, OutputFile& file) {
-  if (elements.empty()) return;
+void putBlockHead(const MshEntity& entity, std::int32_t type, std::size_t count, OutputFile& file) {
   for (const std::int32_t number : {entity.dimension, entity.id, type}) file.binary(number);
-  file.binary(std::uint64_t{elements.size()});
-  for (const std::uint32_t element : elements) {
-    file.binary(first + element);
-    for (const VertexId vertex : verticesOf(element)) file.binary(std::uint64_t{vertex.value} + 1);
+  file.binary(std::uint64_t{count});
+}
+
+void putTag(VertexId vertex, OutputFile& file) { file.binary(std::uint64_t{vertex.value} + 1); }
+
+/// Lines have the tags after those of the elements of the surface.
+void writeLines(const ModelMesh& mesh, const MshEntity& entity, Lines lines, OutputFile& file) {
+  if (entity.lines.empty()) return;
+  putBlockHead(entity, mshLineType(mesh), entity.lines.size(), file);
+  for (const std::uint32_t line : entity.lines) {
+    file.binary(std::uint64_t{elementCount(mesh) + 1 + line});
+    for (const VertexId vertex : mshVertices(lines[line])) putTag(vertex, file);
   }
 }
 
-/// Lines have the numbers after those of the elements of the surface.
+void writeBlock(const ModelMesh& mesh, const MshEntity& entity, bool isQuad, OutputFile& file) {
+  const std::size_t count = isQuad ? entity.quads : entity.triangles;
+  if (count == 0) return;
+  putBlockHead(entity, mshType(mesh, isQuad), count, file);
+  forEachOfKind(mesh, entity, isQuad, [&](const MeshSlice& slice, std::size_t i) {
+    file.binary(std::uint64_t{slice.firstElement + i + 1});
+    forEachMshVertex(mesh, slice, i, [&](VertexId vertex) { putTag(vertex, file); });
+  });
+}
+
 void writeElements(const ModelMesh& mesh, const std::vector<MshEntity>& entities, Lines lines,
                    OutputFile& file) {
   std::uint64_t blocks = 0;
   for (const MshEntity& entity : entities)
-    blocks += !entity.lines.empty() + !entity.triangles.empty() + !entity.quads.empty();
-  const std::uint64_t count = mesh.elements.size() + lines.size();
+    blocks += !entity.lines.empty() + (entity.triangles > 0) + (entity.quads > 0);
+  const std::uint64_t count = elementCount(mesh) + lines.size();
   file.text("$Elements\n");
   putHead(file, blocks, count, count);
-  const auto ofElement = [&](std::uint32_t element) { return mshVertices(mesh, element); };
-  const auto ofLine = [&](std::uint32_t line) { return mshVertices(lines[line]); };
   for (const MshEntity& entity : entities) {
-    writeBlock(entity, mshLineType(mesh), entity.lines, mesh.elements.size() + 1, ofLine, file);
-    writeBlock(entity, mshType(mesh, false), entity.triangles, 1, ofElement, file);
-    writeBlock(entity, mshType(mesh, true), entity.quads, 1, ofElement, file);
+    writeLines(mesh, entity, lines, file);
+    for (const bool isQuad : {false, true}) writeBlock(mesh, entity, isQuad, file);
   }
   file.text("\n$EndElements\n");
 }

@@ -15,52 +15,58 @@ void putSection(const char* name, std::size_t count, OutputFile& file) {
 }
 
 void putNodes(const ModelMesh& mesh, const std::vector<MshEntity>& entities, OutputFile& file) {
-  std::vector<bool> isUsed(mesh.vertices.size(), false);
+  std::vector<bool> isUsed(vertexCount(mesh), false);
   std::size_t count = 0;
   for (const MshEntity& entity : entities) {
     count += entity.vertices.size();
-    for (const std::uint32_t vertex : entity.vertices) isUsed[vertex] = true;
+    entity.vertices.forEach([&](std::uint32_t vertex) { isUsed[vertex] = true; });
   }
   putSection("Nodes", count, file);
-  for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
-    if (!isUsed[v]) continue;
-    file.number(v + 1);
-    for (const double x : {mesh.vertices[v].x, mesh.vertices[v].y, mesh.vertices[v].z}) {
-      file.text(" ");
-      file.number(x);
+  forEachSlice(mesh, [&](const MeshSlice& slice) {
+    for (std::size_t i = 0; i < slice.vertices.size(); ++i) {
+      if (!isUsed[slice.firstVertex + i]) continue;
+      file.number(slice.firstVertex + i + 1);
+      for (const double x : {slice.vertices[i].x, slice.vertices[i].y, slice.vertices[i].z}) {
+        file.text(" ");
+        file.number(x);
+      }
+      file.text("\n");
     }
-    file.text("\n");
-  }
+  });
   file.text("$EndNodes\n");
 }
 
-void putElement(const MshEntity& entity, std::int32_t type, std::size_t number,
-                const std::vector<VertexId>& vertices, OutputFile& file) {
+/// What precedes the vertices of an element.
+void putHead(const MshEntity& entity, std::int32_t type, std::size_t number, OutputFile& file) {
   constexpr std::int32_t kTags = 2;  // physical group, entity
   file.number(number);
   for (const std::int32_t value : {type, kTags, entity.groups.front(), entity.id}) {
     file.text(" ");
     file.number(value);
   }
-  for (const VertexId vertex : vertices) {
-    file.text(" ");
-    file.number(std::size_t{vertex.value} + 1);
-  }
-  file.text("\n");
+}
+
+void putVertex(VertexId vertex, OutputFile& file) {
+  file.text(" ");
+  file.number(std::size_t{vertex.value} + 1);
 }
 
 /// Elements have the same numbers as in version 4.1.
 void putElements(const ModelMesh& mesh, const std::vector<MshEntity>& entities, Lines lines,
                  OutputFile& file) {
-  putSection("Elements", mesh.elements.size() + lines.size(), file);
+  putSection("Elements", elementCount(mesh) + lines.size(), file);
   for (const MshEntity& entity : entities) {
-    for (const std::uint32_t line : entity.lines)
-      putElement(entity, mshLineType(mesh), mesh.elements.size() + 1 + line,
-                 mshVertices(lines[line]), file);
-    for (const auto* const elements : {&entity.triangles, &entity.quads})
-      for (const std::uint32_t element : *elements)
-        putElement(entity, mshType(mesh, elements == &entity.quads), element + 1u,
-                   mshVertices(mesh, element), file);
+    for (const std::uint32_t line : entity.lines) {
+      putHead(entity, mshLineType(mesh), elementCount(mesh) + 1 + line, file);
+      for (const VertexId vertex : mshVertices(lines[line])) putVertex(vertex, file);
+      file.text("\n");
+    }
+    for (const bool isQuad : {false, true})
+      forEachOfKind(mesh, entity, isQuad, [&](const MeshSlice& slice, std::size_t i) {
+        putHead(entity, mshType(mesh, isQuad), slice.firstElement + i + 1, file);
+        forEachMshVertex(mesh, slice, i, [&](VertexId vertex) { putVertex(vertex, file); });
+        file.text("\n");
+      });
   }
   file.text("$EndElements\n");
 }

@@ -1,5 +1,6 @@
 // Wavefront OBJ: text, one group per model face, or the groups that are asked for.
 #include <map>
+#include <optional>
 #include <string>
 
 #include "geometry/formats/msh_groups.h"
@@ -20,8 +21,8 @@ std::map<std::int32_t, std::string> groupsOfFaces(const ModelMesh& mesh, const E
   std::map<std::int32_t, std::string> groups;
   if (extras.groups.empty()) return groups;
   const MshGroups msh(mesh, {{}, extras.groups}, {});
-  for (const std::int32_t face : mesh.face)
-    if (!groups.contains(face)) groups[face] = inOneWord(msh.nameOf(face));
+  for (const FaceElements& some : elementsByFace(mesh))
+    if (!groups.contains(some.face)) groups[some.face] = inOneWord(msh.nameOf(some.face));
   return groups;
 }
 
@@ -29,7 +30,7 @@ std::map<std::int32_t, std::string> groupsOfFaces(const ModelMesh& mesh, const E
 
 void writeObj(const ModelMesh& mesh, const Extras& extras, OutputFile& file) {
   file.text("# surface mesh by AF2\n");
-  for (const Point3& p : cornerVertices(mesh)) {
+  forEachCorner(mesh, [&](const Point3& p) {
     file.text("v ");
     file.number(p.x);
     file.text(" ");
@@ -37,22 +38,24 @@ void writeObj(const ModelMesh& mesh, const Extras& extras, OutputFile& file) {
     file.text(" ");
     file.number(p.z);
     file.text("\n");
-  }
+  });
   const std::map<std::int32_t, std::string> named = groupsOfFaces(mesh, extras);
-  for (std::size_t i = 0; i < mesh.elements.size(); ++i) {
-    if (i == 0 || mesh.face[i] != mesh.face[i - 1]) {
-      const auto name = named.find(mesh.face[i]);
+  std::optional<std::int32_t> last;
+  forEachElement(mesh, [&](const MeshSlice& slice, std::size_t i) {
+    if (const std::int32_t face = slice.face(i); face != last) {
+      last = face;
+      const auto name = named.find(face);
       file.text("g ");
-      file.text(name == named.end() ? "face_" + std::to_string(mesh.face[i]) : name->second);
+      file.text(name == named.end() ? "face_" + std::to_string(face) : name->second);
       file.text("\n");
     }
     file.text("f");
-    for (const VertexId vertex : mesh.elements[i].vertices()) {
+    for (const VertexId vertex : slice.elements[i].vertices()) {
       file.text(" ");
       file.number(vertex.value + 1ull);
     }
     file.text("\n");
-  }
+  });
 }
 
 }  // namespace af2::geometry

@@ -1,6 +1,7 @@
 // STL: loose triangles. Binary in single precision, which is all that it can hold; or, with groups,
 // text with a solid for each group.
 #include <array>
+#include <limits>
 #include <map>
 #include <string>
 #include <vector>
@@ -36,12 +37,11 @@ std::array<float, 3> rounded(const Point3& p) {
 /// A small model far from the origin would lose triangles without a word.
 void refuseWhatCollapses(const ModelMesh& mesh) {
   std::size_t count = 0;
-  for (const Element& element : mesh.elements) {
-    const auto c = element.vertices();
+  forEachElement(mesh, [&](const MeshSlice& slice, std::size_t e) {
+    const auto c = slice.elements[e].vertices();
     for (std::size_t i = 0; i < c.size(); ++i)
-      if (rounded(mesh.vertices[c[i].value]) == rounded(mesh.vertices[c[(i + 1) % c.size()].value]))
-        ++count;
-  }
+      if (rounded(slice.position(c[i])) == rounded(slice.position(c[(i + 1) % c.size()]))) ++count;
+  });
   if (count > 0)
     throw InputError("cannot write an STL file: in its single precision " + std::to_string(count) +
                      " sides of elements would have no length; write another format, or move the "
@@ -67,16 +67,17 @@ void putTextTriangle(OutputFile& file, const Point3& a, const Point3& b, const P
 /// One solid for each group, in the order of the groups' numbers.
 void writeSolids(const ModelMesh& mesh, const Extras& extras, OutputFile& file) {
   const MshGroups groups(mesh, {{}, extras.groups}, {});
-  std::map<std::int32_t, std::vector<std::size_t>> elements;
-  for (std::size_t e = 0; e < mesh.elements.size(); ++e)
-    elements[groups.ofFace(mesh.face[e]).front()].push_back(e);
-  for (const auto& [group, own] : elements) {
-    const std::string name = groups.nameOf(mesh.face[own.front()]);
+  std::map<std::int32_t, std::vector<FaceElements>> solids;
+  for (const FaceElements& some : elementsByFace(mesh))
+    solids[groups.ofFace(some.face).front()].push_back(some);
+  for (const auto& [group, own] : solids) {
+    const std::string name = groups.nameOf(own.front().face);
     file.text("solid " + name + "\n");
-    for (const std::size_t e : own)
-      for (const auto& [a, b, c] : trianglesOf(mesh, mesh.elements[e]))
-        putTextTriangle(file, mesh.vertices[a.value], mesh.vertices[b.value],
-                        mesh.vertices[c.value]);
+    for (const FaceElements& some : own)
+      forEachElementOf(mesh, some, [&](const MeshSlice& slice, std::size_t e) {
+        for (const auto& [a, b, c] : trianglesOf(slice, slice.elements[e]))
+          putTextTriangle(file, slice.position(a), slice.position(b), slice.position(c));
+      });
     file.text("endsolid " + name + "\n");
   }
 }
@@ -86,13 +87,17 @@ void writeSolids(const ModelMesh& mesh, const Extras& extras, OutputFile& file) 
 void writeStl(const ModelMesh& mesh, const Extras& extras, OutputFile& file) {
   if (!extras.groups.empty()) return writeSolids(mesh, extras, file);
   refuseWhatCollapses(mesh);
-  std::uint32_t triangles = 0;
-  for (const Element& element : mesh.elements) triangles += element.isQuad() ? 2 : 1;
+  const std::size_t triangles = elementCount(mesh) + quadCount(mesh);
+  if (triangles > std::numeric_limits<std::uint32_t>::max())
+    throw InputError(
+        "cannot write an STL file: it counts its triangles with 32 bits, and there are " +
+        std::to_string(triangles));
   file.bytes(kHeader, sizeof kHeader);
-  file.binary(triangles);
-  for (const Element& element : mesh.elements)
-    for (const auto& [a, b, c] : trianglesOf(mesh, element))
-      putTriangle(file, mesh.vertices[a.value], mesh.vertices[b.value], mesh.vertices[c.value]);
+  file.binary(static_cast<std::uint32_t>(triangles));
+  forEachElement(mesh, [&](const MeshSlice& slice, std::size_t i) {
+    for (const auto& [a, b, c] : trianglesOf(slice, slice.elements[i]))
+      putTriangle(file, slice.position(a), slice.position(b), slice.position(c));
+  });
 }
 
 }  // namespace af2::geometry

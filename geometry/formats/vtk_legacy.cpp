@@ -17,59 +17,64 @@ void sectionHead(OutputFile& file, std::string_view name, std::size_t count,
 }
 
 void writeCells(const ModelMesh& mesh, Lines lines, OutputFile& file) {
-  const std::size_t cells = mesh.elements.size() + lines.size();
-  std::size_t numbers = 3 * lines.size();
-  for (const Element& element : mesh.elements) numbers += 1 + element.vertices().size();
+  const std::size_t cells = elementCount(mesh) + lines.size();
+  const std::size_t numbers = 3 * lines.size() + 4 * elementCount(mesh) + quadCount(mesh);
   sectionHead(file, "CELLS", cells, " " + std::to_string(numbers) + "\n");
-  for (const Element& element : mesh.elements) {
+  forEachElement(mesh, [&](const MeshSlice& slice, std::size_t i) {
+    const Element& element = slice.elements[i];
     file.bigEndian(std::int32_t{element.size()});
     for (const VertexId vertex : element.vertices()) file.bigEndian(vertex.value);
-  }
+  });
   for (const LineElement& line : lines) {
     file.bigEndian(std::int32_t{2});
     for (const VertexId vertex : {line.from, line.to}) file.bigEndian(vertex.value);
   }
   sectionHead(file, "\nCELL_TYPES", cells, "\n");
-  for (const Element& element : mesh.elements) {
-    file.bigEndian(std::int32_t{element.isQuad() ? kVtkQuad : kVtkTriangle});
-  }
+  forEachElement(mesh, [&](const MeshSlice& slice, std::size_t i) {
+    file.bigEndian(std::int32_t{slice.elements[i].isQuad() ? kVtkQuad : kVtkTriangle});
+  });
   for (std::size_t i = 0; i < lines.size(); ++i) file.bigEndian(std::int32_t{kVtkLine});
 }
 
 void writeCellData(const ModelMesh& mesh, Lines lines, OutputFile& file) {
-  const std::size_t count = mesh.elements.size() + lines.size();
-  const int arrays = 4 + (mesh.scores.empty() ? 0 : 1) + (lines.empty() ? 0 : 2);
+  const std::size_t count = elementCount(mesh) + lines.size();
+  const int arrays = 4 + (hasScores(mesh) ? 1 : 0) + (lines.empty() ? 0 : 2);
   sectionHead(file, "\nCELL_DATA", count, "\nFIELD FieldData " + std::to_string(arrays) + "\n");
   const auto repeat = [&](std::size_t times, auto value) {
     for (std::size_t i = 0; i < times; ++i) file.bigEndian(value);
   };
   sectionHead(file, "face 1", count, " int\n");
-  for (const std::int32_t face : mesh.face) file.bigEndian(face);
+  forEachElement(mesh,
+                 [&](const MeshSlice& slice, std::size_t i) { file.bigEndian(slice.face(i)); });
   repeat(lines.size(), kFaceOfLine);
   sectionHead(file, "\nrule 1", count, " int\n");
-  for (const ElementOrigin& origin : mesh.origins) file.bigEndian(ruleNumber(origin));
+  forEachElement(mesh, [&](const MeshSlice& slice, std::size_t i) {
+    file.bigEndian(ruleNumber(slice.origins[i]));
+  });
   repeat(lines.size(), kNoRule);
   sectionHead(file, "\nlevel 1", count, " int\n");
-  for (const ElementOrigin& origin : mesh.origins)
-    file.bigEndian(std::int32_t{levelNumber(origin)});
+  forEachElement(mesh, [&](const MeshSlice& slice, std::size_t i) {
+    file.bigEndian(std::int32_t{levelNumber(slice.origins[i])});
+  });
   repeat(lines.size(), std::int32_t{kNoLevel});
-  if (!mesh.scores.empty()) {
+  if (hasScores(mesh)) {
     sectionHead(file, "\nscore 1", count, " float\n");
-    for (const float score : mesh.scores) file.bigEndian(score);
+    forEachElement(mesh,
+                   [&](const MeshSlice& slice, std::size_t i) { file.bigEndian(slice.scores[i]); });
     repeat(lines.size(), kScoreOfLine);
   }
   sectionHead(file, "\nquality 1", count, " double\n");
-  for (const Element& element : mesh.elements) {
-    file.bigEndian(shapeQuality(mesh.vertices, element));
-  }
+  forEachElement(mesh, [&](const MeshSlice& slice, std::size_t i) {
+    file.bigEndian(shapeQuality(slice, slice.elements[i]));
+  });
   repeat(lines.size(), kQualityOfLine);
   file.text("\n");
   if (lines.empty()) return;
   sectionHead(file, "edge 1", count, " int\n");
-  repeat(mesh.elements.size(), kOnNoEdge);
+  repeat(elementCount(mesh), kOnNoEdge);
   for (const LineElement& line : lines) file.bigEndian(std::int32_t{line.edge});
   sectionHead(file, "\nboundary 1", count, " int\n");
-  repeat(mesh.elements.size(), kOnNoEdge);
+  repeat(elementCount(mesh), kOnNoEdge);
   for (const LineElement& line : lines) file.bigEndian(std::int32_t{line.boundary});
   file.text("\n");
 }
@@ -79,12 +84,12 @@ void writeCellData(const ModelMesh& mesh, Lines lines, OutputFile& file) {
 void writeVtk(const ModelMesh& mesh, const Extras& extras, OutputFile& file) {
   const Lines lines = extras.lines;
   file.text("# vtk DataFile Version 3.0\nsurface mesh by AF2\nBINARY\nDATASET UNSTRUCTURED_GRID\n");
-  sectionHead(file, "POINTS", cornerVertices(mesh).size(), " double\n");
-  for (const Point3& p : cornerVertices(mesh)) {
+  sectionHead(file, "POINTS", cornerCount(mesh), " double\n");
+  forEachCorner(mesh, [&](const Point3& p) {
     file.bigEndian(p.x);
     file.bigEndian(p.y);
     file.bigEndian(p.z);
-  }
+  });
   file.text("\n");
   writeCells(mesh, lines, file);
   writeCellData(mesh, lines, file);

@@ -111,32 +111,33 @@ void writeNames(const ModelMesh& mesh, XmlOutput& file) {
 
 void writePoints(const ModelMesh& mesh, XmlOutput& file) {
   file.text("<Points>\n");
-  dataArray(file, {"Float64", "Points", 3}, mesh.vertices.size() * 3 * sizeof(double),
-            [&](auto& out) {
-              for (const Point3& p : mesh.vertices) {
-                out.put(p.x);
-                out.put(p.y);
-                out.put(p.z);
-              }
-            });
+  dataArray(file, {"Float64", "Points", 3}, vertexCount(mesh) * 3 * sizeof(double), [&](auto& out) {
+    forEachSlice(mesh, [&](const MeshSlice& slice) {
+      for (const Point3& p : slice.vertices) {
+        out.put(p.x);
+        out.put(p.y);
+        out.put(p.z);
+      }
+    });
+  });
   file.text("</Points>\n");
 }
 
 void writeXmlCells(const ModelMesh& mesh, Lines lines, XmlOutput& file) {
-  const std::size_t cells = mesh.elements.size() + lines.size();
+  const std::size_t cells = elementCount(mesh) + lines.size();
   const bool isSecondOrder = !mesh.midsides.empty();
   const int perCorner = isSecondOrder ? 2 : 1, perLine = isSecondOrder ? 3 : 2;
-  std::uint64_t vertices = static_cast<std::uint64_t>(perLine) * lines.size();
-  for (const Element& element : mesh.elements)
-    vertices += static_cast<std::uint64_t>(perCorner * element.size());
+  const std::uint64_t vertices =
+      static_cast<std::uint64_t>(perLine) * lines.size() +
+      static_cast<std::uint64_t>(perCorner) * (3 * elementCount(mesh) + quadCount(mesh));
   file.text("<Cells>\n");
   dataArray(file, {"Int32", "connectivity"}, vertices * 4, [&](auto& out) {
-    for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
-      const auto corners = mesh.elements[e].vertices();
+    forEachElement(mesh, [&](const MeshSlice& slice, std::size_t e) {
+      const auto corners = slice.elements[e].vertices();
       for (const VertexId vertex : corners) out.put(vertex.value);
       for (std::size_t i = 0; isSecondOrder && i < corners.size(); ++i)
-        out.put(mesh.midsides[e][i].value);
-    }
+        out.put(mesh.midsides[slice.firstElement + e][i].value);
+    });
     for (const LineElement& line : lines) {
       for (const VertexId end : {line.from, line.to}) out.put(end.value);
       if (isSecondOrder) out.put(line.middle.value);
@@ -144,16 +145,19 @@ void writeXmlCells(const ModelMesh& mesh, Lines lines, XmlOutput& file) {
   });
   dataArray(file, {"Int64", "offsets"}, cells * 8, [&](auto& out) {
     std::int64_t end = 0;
-    for (const Element& element : mesh.elements) out.put(end += perCorner * element.size());
+    forEachElement(mesh, [&](const MeshSlice& slice, std::size_t e) {
+      out.put(end += perCorner * slice.elements[e].size());
+    });
     for (std::size_t i = 0; i < lines.size(); ++i) out.put(end += perLine);
   });
   dataArray(file, {"UInt8", "types"}, cells, [&](auto& out) {
-    for (const Element& element : mesh.elements) {
+    forEachElement(mesh, [&](const MeshSlice& slice, std::size_t e) {
+      const bool isQuad = slice.elements[e].isQuad();
       if (isSecondOrder)
-        out.put(element.isQuad() ? kVtkQuad2 : kVtkTriangle2);
+        out.put(isQuad ? kVtkQuad2 : kVtkTriangle2);
       else
-        out.put(element.isQuad() ? kVtkQuad : kVtkTriangle);
-    }
+        out.put(isQuad ? kVtkQuad : kVtkTriangle);
+    });
     for (std::size_t i = 0; i < lines.size(); ++i) out.put(isSecondOrder ? kVtkLine2 : kVtkLine);
   });
   file.text("</Cells>\n");
@@ -162,8 +166,10 @@ void writeXmlCells(const ModelMesh& mesh, Lines lines, XmlOutput& file) {
 void writePointData(const ModelMesh& mesh, XmlOutput& file) {
   if (mesh.wantedSizes.empty()) return;
   file.text("<PointData>\n");
-  dataArray(file, {"Float64", "wanted_size"}, mesh.wantedSizes.size() * 8, [&](auto& out) {
-    for (const double size : mesh.wantedSizes) out.put(size);
+  dataArray(file, {"Float64", "wanted_size"}, vertexCount(mesh) * 8, [&](auto& out) {
+    forEachSlice(mesh, [&](const MeshSlice& slice) {
+      for (const double size : slice.wantedSizes) out.put(size);
+    });
   });
   file.text("</PointData>\n");
 }
@@ -180,13 +186,15 @@ std::map<std::int32_t, int> firstGroups(const ModelMesh& mesh, GroupKind kind) {
   return first;
 }
 
-/// One array with a value for each cell: those of elements by their index, then those of lines.
+/// One array with a value for each cell: those of elements by slice and index there, then those of
+/// lines.
 template <class OfElement, class OfLine>
 void cellArray(XmlOutput& file, const ArrayHead& head, const ModelMesh& mesh, Lines lines,
                OfElement ofElement, OfLine ofLine) {
-  const std::size_t bytes = sizeof(ofElement(std::size_t{}));
-  dataArray(file, head, (mesh.elements.size() + lines.size()) * bytes, [&](auto& out) {
-    for (std::size_t e = 0; e < mesh.elements.size(); ++e) out.put(ofElement(e));
+  const std::size_t bytes = sizeof(ofElement(MeshSlice{}, std::size_t{}));
+  dataArray(file, head, (elementCount(mesh) + lines.size()) * bytes, [&](auto& out) {
+    forEachElement(mesh,
+                   [&](const MeshSlice& slice, std::size_t e) { out.put(ofElement(slice, e)); });
     for (const LineElement& line : lines) out.put(ofLine(line));
   });
 }
@@ -194,15 +202,17 @@ void cellArray(XmlOutput& file, const ArrayHead& head, const ModelMesh& mesh, Li
 /// For looking at: the solid of each element, and its colour. A face between two solids is shown
 /// with the first one; the fields have it in both.
 void writeGroupsOfCells(const ModelMesh& mesh, Lines lines, XmlOutput& file) {
-  const auto groupAt = [&](const std::map<std::int32_t, int>& first, std::size_t element) {
-    const auto found = first.find(mesh.face[element]);
+  const auto groupAt = [](const std::map<std::int32_t, int>& first, std::int32_t face) {
+    const auto found = first.find(face);
     return found == first.end() ? 0 : found->second;
   };
   const std::map<std::int32_t, int> solids = firstGroups(mesh, GroupKind::Solid);
   if (!solids.empty())
     cellArray(
         file, {"Int32", "solid"}, mesh, lines,
-        [&](std::size_t e) { return std::int32_t{groupAt(solids, e)}; },
+        [&](const MeshSlice& slice, std::size_t e) {
+          return std::int32_t{groupAt(solids, slice.face(e))};
+        },
         [](const LineElement&) { return std::int32_t{0}; });
   const std::map<std::int32_t, int> colors = firstGroups(mesh, GroupKind::Color);
   if (colors.empty()) return;
@@ -216,33 +226,37 @@ void writeGroupsOfCells(const ModelMesh& mesh, Lines lines, XmlOutput& file) {
   }
   cellArray(
       file, {"UInt8", "color", 3}, mesh, lines,
-      [&](std::size_t e) { return values[static_cast<std::size_t>(groupAt(colors, e))]; },
+      [&](const MeshSlice& slice, std::size_t e) {
+        return values[static_cast<std::size_t>(groupAt(colors, slice.face(e)))];
+      },
       [&](const LineElement&) { return values.front(); });
 }
 
 void writeXmlCellData(const ModelMesh& mesh, Lines lines, XmlOutput& file) {
   file.text("<CellData Scalars=\"face\">\n");
   cellArray(
-      file, {"Int32", "face"}, mesh, lines, [&](std::size_t e) { return mesh.face[e]; },
+      file, {"Int32", "face"}, mesh, lines,
+      [&](const MeshSlice& slice, std::size_t e) { return slice.face(e); },
       [](const LineElement&) { return kFaceOfLine; });
   cellArray(
       file, {"Int32", "rule"}, mesh, lines,
-      [&](std::size_t e) { return ruleNumber(mesh.origins[e]); },
+      [&](const MeshSlice& slice, std::size_t e) { return ruleNumber(slice.origins[e]); },
       [](const LineElement&) { return kNoRule; });
   cellArray(
       file, {"UInt8", "level"}, mesh, lines,
-      [&](std::size_t e) { return levelNumber(mesh.origins[e]); },
+      [&](const MeshSlice& slice, std::size_t e) { return levelNumber(slice.origins[e]); },
       [](const LineElement&) { return kNoLevel; });
-  if (!mesh.scores.empty())
+  if (hasScores(mesh))
     cellArray(
-        file, {"Float32", "score"}, mesh, lines, [&](std::size_t e) { return mesh.scores[e]; },
+        file, {"Float32", "score"}, mesh, lines,
+        [&](const MeshSlice& slice, std::size_t e) { return slice.scores[e]; },
         [](const LineElement&) { return kScoreOfLine; });
   cellArray(
       file, {"Float64", "quality"}, mesh, lines,
-      [&](std::size_t e) { return shapeQuality(mesh.vertices, mesh.elements[e]); },
+      [&](const MeshSlice& slice, std::size_t e) { return shapeQuality(slice, slice.elements[e]); },
       [](const LineElement&) { return kQualityOfLine; });
   if (!lines.empty()) {
-    const auto ofNone = [](std::size_t) { return kOnNoEdge; };
+    const auto ofNone = [](const MeshSlice&, std::size_t) { return kOnNoEdge; };
     cellArray(file, {"Int32", "edge"}, mesh, lines, ofNone,
               [](const LineElement& line) { return std::int32_t{line.edge}; });
     cellArray(file, {"Int32", "boundary"}, mesh, lines, ofNone,
@@ -265,9 +279,9 @@ void writeVtu(const ModelMesh& mesh, const Extras& extras, OutputFile& output) {
   file.text(">\n<UnstructuredGrid>\n");
   writeNames(mesh, file);
   file.text("<Piece NumberOfPoints=\"");
-  file.number(mesh.vertices.size());
+  file.number(vertexCount(mesh));
   file.text("\" NumberOfCells=\"");
-  file.number(mesh.elements.size() + lines.size());
+  file.number(elementCount(mesh) + lines.size());
   file.text("\">\n");
   writePoints(mesh, file);
   writeXmlCells(mesh, lines, file);

@@ -29,7 +29,7 @@ class SidesOnLines {
       : mesh_(mesh), isOnLine_(mesh.vertices.size(), false) {
     for (const LineElement& line : lines)
       for (const VertexId v : {line.from, line.to}) isOnLine_[v.value] = true;
-    for (std::size_t e = 0; e < mesh.elements.size(); ++e) addSidesOf(e);
+    forEachElement(mesh, [&](const MeshSlice& slice, std::size_t i) { addSidesOf(slice, i); });
     std::ranges::sort(sides_);
   }
 
@@ -43,15 +43,18 @@ class SidesOnLines {
  private:
   using Side = std::pair<Ends, VertexId>;
 
-  void addSidesOf(std::size_t e) {
-    const auto corners = mesh_.elements[e].vertices();
+  void addSidesOf(const MeshSlice& slice, std::size_t e) {
+    const auto corners = slice.elements[e].vertices();
     for (std::size_t i = 0; i < corners.size(); ++i) {
       const VertexId from = corners[i], to = corners[(i + 1) % corners.size()];
-      if (isOnLine_[from.value] && isOnLine_[to.value])
-        sides_.push_back(
-            {std::minmax(from, to), mesh_.midsides.empty() ? VertexId() : mesh_.midsides[e][i]});
+      if (isOnLine(from) && isOnLine(to))
+        sides_.push_back({std::minmax(from, to), mesh_.midsides.empty()
+                                                     ? VertexId()
+                                                     : mesh_.midsides[slice.firstElement + e][i]});
     }
   }
+
+  bool isOnLine(VertexId v) const { return v.value < isOnLine_.size() && isOnLine_[v.value]; }
 
   const ModelMesh& mesh_;
   std::vector<bool> isOnLine_;  // by vertex

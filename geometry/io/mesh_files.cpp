@@ -55,6 +55,9 @@ const MeshFormat& meshFormatOf(const std::filesystem::path& file) {
 void writeMesh(const ModelMesh& mesh, const std::filesystem::path& file,
                const FileOptions& options) {
   const MeshFormat& format = meshFormatOf(file);
+  if (mesh.spooled && !format.holdsSpooled)
+    throw InputError("cannot write '" + file.string() + "': " + std::string(format.name) +
+                     " files need the whole mesh in memory, and it is on disk");
   OutputFile output(file);
   std::vector<LineElement> lines;
   if (format.holdsLines) lines = lineElements(mesh, options.lines);

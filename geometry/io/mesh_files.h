@@ -60,6 +60,7 @@ struct AF2_EXPORT MeshFormat {
   bool isCompressible = false;    ///< FileOptions::compress; if false, it does not matter
   /// The library of AF2 that writes it, which may be missing; empty: none is needed.
   std::string_view writer = {};
+  bool holdsSpooled = false;  ///< whether a mesh on disk can be written (ModelMesh::spooled)
 };
 
 /// In the order in which help texts name them.

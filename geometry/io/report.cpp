@@ -215,7 +215,7 @@ RunStatus statusOf(const ModelMesh& mesh) {
 }
 
 void writeReport(const RunReport& report, const ModelMesh& mesh, OutputFile& file) {
-  const auto quads = std::ranges::count_if(mesh.elements, &Element::isQuad);
+  const std::size_t quads = quadCount(mesh);
   Json json{{"status", toString(report.status)}};
   if (!report.reason.empty()) json["reason"] = report.reason;
   json["order"] = mesh.midsides.empty() ? 1 : 2;
@@ -227,8 +227,8 @@ void writeReport(const RunReport& report, const ModelMesh& mesh, OutputFile& fil
   }
   if (!mesh.unit.empty()) json["unit"] = mesh.unit;
   if (!mesh.fileUnit.empty()) json["file_unit"] = mesh.fileUnit;
-  json["vertices"] = mesh.vertices.size();
-  json["triangles"] = static_cast<std::ptrdiff_t>(mesh.elements.size()) - quads;
+  json["vertices"] = vertexCount(mesh);
+  json["triangles"] = elementCount(mesh) - quads;
   json["quads"] = quads;
   json["without_rule"] = toJson(elementsWithoutRule(mesh));
   json["faces"] = Json::array();

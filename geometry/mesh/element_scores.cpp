@@ -4,9 +4,12 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <memory>
+#include <utility>
 
 #include "geometry/base/parallel.h"
 #include "geometry/base/plane_axes.h"
+#include "geometry/spool/spooled_mesh.h"
 
 namespace af2::geometry {
 
@@ -17,10 +20,9 @@ constexpr float kNoScore = std::numeric_limits<float>::quiet_NaN();
 /// The corners of an element in its own plane, as seen from the side of its normal.
 class Layout {
  public:
-  Layout(const ModelMesh& mesh, const Element& element) : count_(element.size()) {
+  Layout(const MeshSlice& mesh, const Element& element) : count_(element.size()) {
     std::array<Point3, 4> corners;
-    for (int i = 0; i < count_; ++i)
-      corners[index(i)] = mesh.vertices[element.corners[index(i)].value];
+    for (int i = 0; i < count_; ++i) corners[index(i)] = mesh.position(element.corners[index(i)]);
     const Point3 normal = element.isQuad()
                               ? cross(corners[2] - corners[0], corners[3] - corners[1])
                               : cross(corners[1] - corners[0], corners[2] - corners[0]);
@@ -50,18 +52,22 @@ class Layout {
   bool isFlat_ = false;
 };
 
-double meanWantedSize(const ModelMesh& mesh, const Element& element) {
+double meanWantedSize(const MeshSlice& mesh, const Element& element) {
   double sum = 0;
-  for (const VertexId v : element.vertices()) sum += mesh.wantedSizes[v.value];
+  for (const VertexId v : element.vertices()) sum += mesh.wantedSize(v);
   return sum / element.size();
 }
 
-float scoreOf(const ModelMesh& mesh, std::size_t e, const RuleSetDefinition& rules) {
+bool hasSizes(const MeshSlice& mesh) {
+  return !mesh.wantedSizes.empty() || !mesh.sharedSizes.empty();
+}
+
+float scoreOf(const MeshSlice& mesh, std::size_t e, const RuleSetDefinition& rules) {
   const Element& element = mesh.elements[e];
   const ElementOrigin& origin = mesh.origins[e];
   const Layout layout(mesh, element);
   if (!layout.isFlat()) return kNoScore;
-  const bool isWanted = rules.unit == ChartUnit::WantedLength && !mesh.wantedSizes.empty();
+  const bool isWanted = rules.unit == ChartUnit::WantedLength && hasSizes(mesh);
   const double unit = isWanted ? meanWantedSize(mesh, element) : layout.firstSide();
   if (!(unit > 0)) return kNoScore;
   float best = kNoScore;
@@ -75,17 +81,45 @@ float scoreOf(const ModelMesh& mesh, std::size_t e, const RuleSetDefinition& rul
   return best;
 }
 
+std::vector<float> sliceScores(const MeshSlice& slice, const RuleSetDefinition& rules,
+                               int threads) {
+  constexpr std::size_t kAtOnce = 4096;
+  std::vector<float> scores(slice.elements.size());
+  forEachInParallel((scores.size() + kAtOnce - 1) / kAtOnce, threads, [&](std::size_t part) {
+    const std::size_t end = std::min(scores.size(), (part + 1) * kAtOnce);
+    for (std::size_t e = part * kAtOnce; e < end; ++e) scores[e] = scoreOf(slice, e, rules);
+  });
+  return scores;
+}
+
 }  // namespace
 
 std::vector<float> elementScores(const ModelMesh& mesh, const RuleSetDefinition& rules,
                                  int threads) {
-  constexpr std::size_t kAtOnce = 4096;
-  std::vector<float> scores(mesh.elements.size());
-  forEachInParallel((scores.size() + kAtOnce - 1) / kAtOnce, threads, [&](std::size_t part) {
-    const std::size_t end = std::min(scores.size(), (part + 1) * kAtOnce);
-    for (std::size_t e = part * kAtOnce; e < end; ++e) scores[e] = scoreOf(mesh, e, rules);
+  std::vector<float> scores;
+  forEachSlice(mesh, [&](const MeshSlice& slice) {
+    std::vector<float> own = sliceScores(slice, rules, threads);
+    if (scores.empty())
+      scores = std::move(own);
+    else
+      scores.insert(scores.end(), own.begin(), own.end());
   });
   return scores;
+}
+
+void scoreElements(ModelMesh& mesh, const RuleSetDefinition& rules, int threads) {
+  if (!mesh.spooled) {
+    mesh.scores = elementScores(mesh, rules, threads);
+    return;
+  }
+  std::vector<SpooledPart> parts = mesh.spooled->parts();
+  const SpooledMesh::Shared shared{mesh.vertices, mesh.wantedSizes};
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    mesh.spooled->visitPart(i, shared, [&](const MeshSlice& slice) {
+      parts[i].scores = std::make_shared<const SpooledFloats>(parts[i].bulk->file(),
+                                                              sliceScores(slice, rules, threads));
+    });
+  mesh.spooled = std::make_shared<const SpooledMesh>(std::move(parts), mesh.vertices.size());
 }
 
 }  // namespace af2::geometry

@@ -20,4 +20,7 @@ namespace af2::geometry {
 AF2_EXPORT std::vector<float> elementScores(const ModelMesh& mesh, const RuleSetDefinition& rules,
                                             int threads);
 
+/// Stores them in the mesh: on disk if that is where its elements are.
+AF2_EXPORT void scoreElements(ModelMesh& mesh, const RuleSetDefinition& rules, int threads);
+
 }  // namespace af2::geometry

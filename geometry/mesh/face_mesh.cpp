@@ -1,6 +1,7 @@
 #include "geometry/mesh/face_mesh.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace af2::geometry {
 
@@ -43,6 +44,17 @@ bool reachesTooFar(const FaceMesh& mesh, const DividedEdges& divided) {
   };
   const auto count = std::ranges::count_if(mesh.elements, isFar);
   return static_cast<double>(count) > kShare * static_cast<double>(mesh.elements.size());
+}
+
+void loadBulk(FaceMesh& mesh) {
+  if (!mesh.bulk) return;
+  FaceBulk bulk = mesh.bulk->load();
+  mesh.inside = std::move(bulk.inside);
+  mesh.elements = std::move(bulk.elements);
+  mesh.origins = std::move(bulk.origins);
+  mesh.wantedSizes.insert(mesh.wantedSizes.end(), bulk.wantedSizes.begin(), bulk.wantedSizes.end());
+  mesh.bulk.reset();
+  mesh.evidence.reset();
 }
 
 MiddlesByFace takeMiddles(std::vector<FaceMesh>& meshes) {

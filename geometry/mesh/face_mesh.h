@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <vector>
 
 #include "geometry/edges/divided_edges.h"
@@ -12,8 +13,11 @@
 #include "geometry/mesh/face_history.h"
 #include "geometry/mesh/model_mesh.h"
 #include "geometry/mesh/second_order.h"
+#include "geometry/spool/spooled_face.h"
 
 namespace af2::geometry {
+
+struct FaceEvidence;
 
 /// Corners of elements are numbered: first the vertices of the boundary, then those inside.
 struct FaceMesh {
@@ -30,7 +34,18 @@ struct FaceMesh {
   FaceDiagnosis diagnosis;
   FaceHistory history;         ///< `report.attempts` is made from it once all has been tried
   std::size_t searchCost = 0;  ///< candidates of the front, with those of failed attempts
+  /// Vertices inside and elements, if they are on disk: then `inside`, `elements` and `origins` are
+  /// empty, and `wantedSizes` has the vertices of the boundary only.
+  std::shared_ptr<const SpooledFace> bulk = {};
+  std::shared_ptr<const FaceEvidence> evidence = {};  ///< what the checks need to know of these
 };
+
+inline std::size_t elementCount(const FaceMesh& mesh) {
+  return mesh.bulk ? mesh.bulk->elementCount() : mesh.elements.size();
+}
+
+/// Brings the bulk back into memory, if it is on disk.
+void loadBulk(FaceMesh& mesh);
 
 /// Whether a face has no mesh, or a mesh that will not pass the checks.
 inline bool failed(const FaceMesh& mesh) {

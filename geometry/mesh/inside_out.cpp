@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -14,7 +15,7 @@ bool isWhole(const ModelMesh& mesh) {
     return face.status == FaceStatus::Complete;
   };
   const auto isShared = [](const EdgeSegment& segment) { return segment.uses == 2; };
-  return !mesh.elements.empty() && !mesh.segments.empty() && mesh.findings.empty() &&
+  return elementCount(mesh) > 0 && !mesh.segments.empty() && mesh.findings.empty() &&
          std::ranges::all_of(mesh.faces, isComplete) &&
          std::ranges::all_of(mesh.segments, isShared);
 }
@@ -26,17 +27,20 @@ bool isTurnedAlike(const ModelMesh& mesh) {
     isOnEdge[segment.from.value] = isOnEdge[segment.to.value] = 1;
   std::vector<std::pair<VertexId, VertexId>> sides, reversed;
   const auto add = [&](VertexId from, VertexId to) {
-    if (!isOnEdge[from.value] || !isOnEdge[to.value]) return;
+    for (const VertexId v : {from, to})
+      if (v.value >= isOnEdge.size() || !isOnEdge[v.value]) return;
     sides.emplace_back(from, to);
     reversed.emplace_back(to, from);
   };
-  for (const Element& element : mesh.elements) {
-    const auto& [a, b, c, d] = element.corners;
-    add(a, b);
-    add(b, c);
-    add(c, d.isNone() ? a : d);
-    if (!d.isNone()) add(d, a);
-  }
+  forEachSlice(mesh, [&](const MeshSlice& slice) {
+    for (const Element& element : slice.elements) {
+      const auto& [a, b, c, d] = element.corners;
+      add(a, b);
+      add(b, c);
+      add(c, d.isNone() ? a : d);
+      if (!d.isNone()) add(d, a);
+    }
+  });
   std::ranges::sort(sides);
   std::ranges::sort(reversed);
   return sides == reversed;
@@ -44,15 +48,18 @@ bool isTurnedAlike(const ModelMesh& mesh) {
 
 /// Positive if the elements are counter-clockwise seen from outside.
 double volumeOf(const ModelMesh& mesh) {
-  const Point3 origin = mesh.vertices[mesh.elements.front().corners[0].value];
-  const auto at = [&](VertexId v) { return mesh.vertices[v.value] - origin; };
+  std::optional<Point3> origin;  // a corner of the first element
   double sum = 0;
-  for (const Element& element : mesh.elements) {
-    const auto& [a, b, c, d] = element.corners;
-    const Point3 first = at(a), third = at(c);
-    sum += dot(first, cross(at(b), third));
-    if (!d.isNone()) sum += dot(first, cross(third, at(d)));
-  }
+  forEachSlice(mesh, [&](const MeshSlice& slice) {
+    for (const Element& element : slice.elements) {
+      const auto& [a, b, c, d] = element.corners;
+      if (!origin) origin = slice.position(a);
+      const auto at = [&](VertexId v) { return slice.position(v) - *origin; };
+      const Point3 first = at(a), third = at(c);
+      sum += dot(first, cross(at(b), third));
+      if (!d.isNone()) sum += dot(first, cross(third, at(d)));
+    }
+  });
   return sum / 6;
 }
 

@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <limits>
+#include <memory>
+#include <utility>
 
 #include "geometry/base/parallel.h"
+#include "geometry/spool/spooled_mesh.h"
 
 namespace af2::geometry {
 namespace {
@@ -15,8 +18,12 @@ class Assembly {
 
   ModelMesh join(const std::vector<FaceMesh>& faces) {
     numberBoundary(faces);
-    makeRoom(faces);
-    forEachInParallel(faces.size(), options_.threads, [&](std::size_t i) { place(faces[i], i); });
+    if (options_.isSpooled) {
+      takeSpooled(faces);
+    } else {
+      makeRoom(faces);
+      forEachInParallel(faces.size(), options_.threads, [&](std::size_t i) { place(faces[i], i); });
+    }
     for (const FaceMesh& face : faces) {
       takeSizesOfBoundary(face);
       mesh_.faces.push_back(face.report);
@@ -30,12 +37,16 @@ class Assembly {
   static constexpr std::uint32_t kUnused = 0xffffffffu;
 
   void numberBoundary(const std::vector<FaceMesh>& faces) {
-    std::vector<std::vector<std::uint8_t>> isUsed(faces.size());  // by vertex of the boundary
+    std::vector<std::vector<bool>> isUsed(faces.size());  // by vertex of the boundary
     forEachInParallel(faces.size(), options_.threads, [&](std::size_t i) {
-      isUsed[i].assign(faces[i].boundary.size(), 0);
+      if (faces[i].bulk) {
+        isUsed[i] = faces[i].bulk->isUsed();
+        return;
+      }
+      isUsed[i].assign(faces[i].boundary.size(), false);
       for (const Element& element : faces[i].elements)
         for (const VertexId v : element.vertices())
-          if (v.value < isUsed[i].size()) isUsed[i][v.value] = 1;
+          if (v.value < isUsed[i].size()) isUsed[i][v.value] = true;
     });
     ids_.assign(divided_.points.size(), kUnused);
     for (std::size_t i = 0; i < faces.size(); ++i)
@@ -68,6 +79,16 @@ class Assembly {
     mesh_.elements.resize(next.element);
     mesh_.face.resize(next.element);
     mesh_.origins.resize(next.element);
+  }
+
+  void takeSpooled(const std::vector<FaceMesh>& faces) {
+    std::vector<SpooledPart> parts;
+    for (const FaceMesh& face : faces) {
+      if (!face.bulk) continue;
+      SpooledPart& part = parts.emplace_back(SpooledPart{face.report.id, face.bulk, face.boundary});
+      for (std::uint32_t& point : part.boundary) point = ids_[point];
+    }
+    mesh_.spooled = std::make_shared<const SpooledMesh>(std::move(parts), mesh_.vertices.size());
   }
 
   std::uint32_t addVertex(const Point3& position) {

@@ -16,6 +16,7 @@ struct JoinOptions {
   /// The point of an edge at a parameter. Only for elements of second order; else empty.
   std::function<Point3(int edge, double parameter)> pointOnEdge;
   int threads = 0;
+  bool isSpooled = false;  ///< the vertices inside faces and the elements stay on disk
 };
 
 /// Vertices are numbered in this order: at model vertices, along edges, inside faces. Vertices that

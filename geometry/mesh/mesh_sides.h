@@ -34,15 +34,23 @@ class MeshSides {
   /// isThere   whether to store the sides from a vertex to a higher one
   template <class Elements, class IsThere>
   MeshSides(const ModelMesh& mesh, const Elements& elements, const IsThere& isThere)
-      : first_(mesh.vertices.size() + 2, 0) {
-    forEachSide(mesh, elements, [&](std::uint32_t from, const MeshSide& side) {
+      : MeshSides(mesh.vertices.size(), mesh.elements, elements, isThere) {}
+  /// The same for elements by themselves.
+  ///
+  /// vertices  one more than the highest number of a corner
+  /// of        all elements
+  template <class Elements, class IsThere>
+  MeshSides(std::size_t vertices, std::span<const Element> of, const Elements& elements,
+            const IsThere& isThere)
+      : first_(vertices + 2, 0) {
+    forEachSide(of, elements, [&](std::uint32_t from, const MeshSide& side) {
       if (isThere(from, side.to)) ++first_[from + 2];
     });
     for (std::size_t v = 2; v < first_.size(); ++v) first_[v] += first_[v - 1];
     sides_.resize(first_.back());
     // first_[v + 1] is the index of the next side of v; when all are placed, it is the end of v's
     // sides.
-    forEachSide(mesh, elements, [&](std::uint32_t from, const MeshSide& side) {
+    forEachSide(of, elements, [&](std::uint32_t from, const MeshSide& side) {
       if (isThere(from, side.to)) sides_[first_[from + 1]++] = side;
     });
     for (std::size_t v = 0; v + 2 < first_.size(); ++v) sort(first_[v], first_[v + 1]);
@@ -71,9 +79,10 @@ class MeshSides {
 
  private:
   template <class Elements, class Visit>
-  static void forEachSide(const ModelMesh& mesh, const Elements& elements, const Visit& visit) {
+  static void forEachSide(std::span<const Element> of, const Elements& elements,
+                          const Visit& visit) {
     for (const std::size_t i : elements) {
-      const auto corners = mesh.elements[i].vertices();
+      const auto corners = of[i].vertices();
       std::uint32_t last = corners.back().value;
       for (const VertexId corner : corners) {
         const std::uint32_t next = corner.value;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -19,8 +20,11 @@
 #include "geometry/mesh/contact.h"
 #include "geometry/mesh/layers_along_edge.h"
 #include "geometry/mesh/without_rule.h"
+#include "geometry/spool/mesh_slice.h"
 
 namespace af2::geometry {
+
+class SpooledMesh;
 
 enum class FaceStatus { Complete, Failed, Cancelled, Skipped };
 
@@ -229,7 +233,22 @@ struct ModelMesh {
   /// lost.
   std::vector<std::string> findings;
   StageSeconds seconds;
+  /// If it was asked for (MeshingOptions::spool): the elements, and the vertices inside faces, are
+  /// on disk. `vertices` and `wantedSizes` then end with the last vertex on an edge; `elements`,
+  /// `face`, `origins` and `scores` are empty. `forEachSlice` and the counts know about it.
+  std::shared_ptr<const SpooledMesh> spooled;
 };
+
+/// Wherever they are.
+AF2_EXPORT std::size_t vertexCount(const ModelMesh& mesh);
+AF2_EXPORT std::size_t elementCount(const ModelMesh& mesh);
+AF2_EXPORT std::size_t quadCount(const ModelMesh& mesh);
+AF2_EXPORT bool hasScores(const ModelMesh& mesh);
+/// Calls `visit` with all vertices and elements in their order: at once if they are in memory, else
+/// first with the vertices on edges, then face by face. A slice lives as long as the call.
+AF2_EXPORT void forEachSlice(const ModelMesh& mesh, const SliceVisit& visit);
+/// Calls `visit` with the slice that has an element, and perhaps others.
+AF2_EXPORT void visitSliceOf(const ModelMesh& mesh, std::size_t element, const SliceVisit& visit);
 
 inline std::size_t failedFaces(const ModelMesh& mesh) {
   return static_cast<std::size_t>(
@@ -243,10 +262,44 @@ inline WithoutRuleCounts elementsWithoutRule(const ModelMesh& mesh) {
   return counts;
 }
 
-/// The vertices at corners of elements: all except those at the middles of sides, which come last.
+/// The number of vertices at corners of elements: all except those at the middles of sides, which
+/// come last.
+inline std::size_t cornerCount(const ModelMesh& mesh) {
+  return mesh.midsides.empty() ? vertexCount(mesh) : mesh.midsides.front().front().value;
+}
+/// These vertices, of a mesh in memory.
 inline std::span<const Point3> cornerVertices(const ModelMesh& mesh) {
-  const std::span<const Point3> all = mesh.vertices;
-  return mesh.midsides.empty() ? all : all.first(mesh.midsides.front().front().value);
+  return std::span(mesh.vertices).first(cornerCount(mesh));
+}
+/// Calls visit(point) for each of these vertices, in their order.
+template <class Visit>
+void forEachCorner(const ModelMesh& mesh, const Visit& visit) {
+  const std::size_t count = cornerCount(mesh);
+  forEachSlice(mesh, [&](const MeshSlice& slice) {
+    for (const Point3& p : slice.vertices.first(std::min(slice.vertices.size(), count))) visit(p);
+  });
+}
+/// Consecutive elements of one face.
+struct FaceElements {
+  std::int32_t face = 0;
+  std::size_t first = 0, last = 0;  ///< the last is excluded
+};
+/// All elements, in their order.
+AF2_EXPORT std::vector<FaceElements> elementsByFace(const ModelMesh& mesh);
+
+/// Calls visit(slice, i) for each of some elements, which is number i of the slice.
+template <class Visit>
+void forEachElementOf(const ModelMesh& mesh, const FaceElements& some, const Visit& visit) {
+  visitSliceOf(mesh, some.first, [&](const MeshSlice& slice) {
+    for (std::size_t e = some.first; e < some.last; ++e) visit(slice, e - slice.firstElement);
+  });
+}
+/// Calls visit(slice, i) for each element i of each slice, in their order.
+template <class Visit>
+void forEachElement(const ModelMesh& mesh, const Visit& visit) {
+  forEachSlice(mesh, [&](const MeshSlice& slice) {
+    for (std::size_t i = 0; i < slice.elements.size(); ++i) visit(slice, i);
+  });
 }
 
 }  // namespace af2::geometry

@@ -4,14 +4,23 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <numeric>
 #include <optional>
+#include <ranges>
+#include <utility>
 
 #include "geometry/base/parallel.h"
 #include "geometry/mesh/mesh_sides.h"
+#include "geometry/spool/samples.h"
+#include "geometry/spool/spooled_mesh.h"
 
 namespace af2::geometry {
 namespace {
+
+/// Where numbers of all elements are kept: where these are themselves.
+std::shared_ptr<SpoolFile> spoolOf(const ModelMesh& mesh) {
+  if (!mesh.spooled || mesh.spooled->parts().empty()) return nullptr;
+  return mesh.spooled->parts().front().bulk->file();
+}
 
 double squared(const Point3& p) { return dot(p, p); }
 
@@ -51,112 +60,251 @@ struct Corner {
   }
 };
 
-void measureAngles(const ModelMesh& mesh, MeshQuality& result) {
-  std::optional<Corner> sharpest, bluntest;
-  for (const Element& element : mesh.elements) {
-    const std::size_t size = element.vertices().size();
-    const auto at = [&](std::size_t i) { return mesh.vertices[element.corners[i % size].value]; };
-    for (std::size_t i = 0; i < size; ++i) {
-      const Corner here(at(i + 1) - at(i), at(i + size - 1) - at(i));
-      if (!sharpest || here.isSharperThan(*sharpest)) sharpest = here;
-      if (!bluntest || bluntest->isSharperThan(here)) bluntest = here;
+class Angles {
+ public:
+  void add(const MeshSlice& slice) {
+    for (const Element& element : slice.elements) {
+      const std::size_t size = element.vertices().size();
+      const auto at = [&](std::size_t i) { return slice.position(element.corners[i % size]); };
+      for (std::size_t i = 0; i < size; ++i) {
+        const Corner here(at(i + 1) - at(i), at(i + size - 1) - at(i));
+        if (!sharpest_ || here.isSharperThan(*sharpest_)) sharpest_ = here;
+        if (!bluntest_ || bluntest_->isSharperThan(here)) bluntest_ = here;
+      }
     }
   }
-  result.minAngle = sharpest->degrees();
-  result.maxAngle = bluntest->degrees();
-}
-
-void measureShapes(const ModelMesh& mesh, MeshQuality& result) {
-  std::vector<double> values;
-  values.reserve(mesh.elements.size());
-  for (const Element& element : mesh.elements) {
-    values.push_back(shapeQuality(mesh.vertices, element));
+  void tell(MeshQuality& result) const {
+    result.minAngle = sharpest_->degrees();
+    result.maxAngle = bluntest_->degrees();
   }
-  const auto worst = std::ranges::min_element(values);
-  result.min = *worst;
-  const auto element = static_cast<std::size_t>(worst - values.begin());
-  if (element < mesh.face.size()) result.worstFace = mesh.face[element];
-  const auto corners = mesh.elements[element].vertices();
-  for (const VertexId v : corners)
-    result.worstPlace =
-        result.worstPlace + 1.0 / static_cast<double>(corners.size()) * mesh.vertices[v.value];
-  result.mean = std::reduce(values.begin(), values.end()) / static_cast<double>(values.size());
-  result.p1 = percentile(values, 0.01);
-}
 
-void countFreeEdges(const MeshSides& sides, MeshQuality& result) {
-  sides.forEachEdge([&](VertexId, std::span<const MeshSide> used) {
-    if (used.size() == 1) ++result.freeEdges;
+ private:
+  std::optional<Corner> sharpest_, bluntest_;
+};
+
+class Shapes {
+ public:
+  explicit Shapes(const ModelMesh& mesh) : values_(spoolOf(mesh)) {
+    values_.reserve(elementCount(mesh));
+  }
+
+  void add(const MeshSlice& slice) {
+    for (std::size_t i = 0; i < slice.elements.size(); ++i) {
+      const double value = shapeQuality(slice, slice.elements[i]);
+      values_.add(value);
+      if (hasWorst_ && !(value < worst_.min)) continue;
+      hasWorst_ = true;
+      worst_.min = value;
+      worst_.worstFace = slice.face(i);
+      worst_.worstPlace = {};
+      const auto corners = slice.elements[i].vertices();
+      for (const VertexId v : corners)
+        worst_.worstPlace =
+            worst_.worstPlace + 1.0 / static_cast<double>(corners.size()) * slice.position(v);
+    }
+  }
+  void tell(MeshQuality& result) {
+    result.min = worst_.min;
+    result.worstFace = worst_.worstFace;
+    result.worstPlace = worst_.worstPlace;
+    result.mean = values_.mean();
+    result.p1 = values_.percentile(0.01);
+  }
+
+ private:
+  Samples values_;
+  bool hasWorst_ = false;
+  MeshQuality worst_;  ///< of the first of the worst elements
+};
+
+/// An edge of a mesh.
+struct MeshEdge {
+  VertexId from, to;
+  double length = 0, wanted = 0;
+  std::size_t uses = 0;
+  bool isOfLayer = false;  ///< of no other elements
+};
+
+/// Counts edges and measures their lengths.
+class Edges {
+ public:
+  explicit Edges(const ModelMesh& mesh)
+      : mesh_(mesh),
+        hasLayers_(!mesh.ruleNames.empty() && mesh.ruleNames.back() == kLayerName),
+        hasSizes_(!mesh.wantedSizes.empty()),
+        ratios_(spoolOf(mesh)) {
+    result_.leastLength = result_.leastWanted = std::numeric_limits<double>::infinity();
+    // Each element has half of its sides.
+    if (hasSizes_)
+      ratios_.reserve((3 * elementCount(mesh) + quadCount(mesh)) / 2 + mesh.segments.size());
+  }
+
+  /// The whole mesh.
+  void add(const MeshSides& sides, const MeshSlice& slice) {
+    sides.forEachEdge([&](VertexId from, std::span<const MeshSide> used) {
+      add(edgeOf(from, VertexId(used.front().to), used, slice));
+    });
+  }
+
+  /// A face of a mesh on disk. Edges between shared vertices may be those of other faces, too.
+  void add(const MeshSlice& slice) {
+    std::vector<std::uint32_t> shared;
+    for (const Element& element : slice.elements)
+      for (const VertexId v : element.vertices())
+        if (v.value < slice.firstVertex) shared.push_back(v.value);
+    std::ranges::sort(shared);
+    shared.erase(std::ranges::unique(shared).begin(), shared.end());
+    const std::size_t count = shared.size();
+    std::vector<Element> elements(slice.elements.begin(), slice.elements.end());
+    for (Element& element : elements)
+      for (VertexId& v : element.corners)
+        if (!v.isNone())
+          v = v.value < slice.firstVertex
+                  ? VertexId(static_cast<std::size_t>(std::ranges::lower_bound(shared, v.value) -
+                                                      shared.begin()))
+                  : VertexId(count + v.value - slice.firstVertex);
+    const auto inMesh = [&](std::uint32_t v) {
+      return VertexId(v < count ? shared[v] : v - count + slice.firstVertex);
+    };
+    const MeshSides sides(count + slice.vertices.size(), elements,
+                          std::views::iota(std::size_t{0}, elements.size()),
+                          [](std::uint32_t, std::uint32_t) { return true; });
+    sides.forEachEdge([&](VertexId from, std::span<const MeshSide> used) {
+      const MeshEdge edge = edgeOf(inMesh(from.value), inMesh(used.front().to), used, slice);
+      if (used.front().to < count)
+        between_.push_back(edge);
+      else
+        add(edge);
+    });
+  }
+
+  void tell(MeshQuality& result) {
+    addBetween();
+    result.freeEdges = free_;
+    if (ratios_.count() == 0) return;
+    result_.mean = ratios_.mean();
+    result_.p5 = ratios_.percentile(0.05);
+    result_.p95 = ratios_.percentile(0.95);
+    result.edges = result_;
+  }
+
+ private:
+  MeshEdge edgeOf(VertexId from, VertexId to, std::span<const MeshSide> used,
+                  const MeshSlice& slice) const {
+    MeshEdge edge{from, to, distance(slice.position(from), slice.position(to))};
+    if (hasSizes_) edge.wanted = (slice.wantedSize(from) + slice.wantedSize(to)) / 2;
+    edge.uses = used.size();
+    edge.isOfLayer = hasLayers_ && std::ranges::all_of(used, [&](const MeshSide& side) {
+                       return isOfLayer(slice, side.element());
+                     });
+    return edge;
+  }
+
+  /// Layers have the heights that were asked for, not the sizes.
+  bool isOfLayer(const MeshSlice& slice, std::size_t element) const {
+    return element < slice.origins.size() &&
+           slice.origins[element].rule + std::size_t{1} == mesh_.ruleNames.size();
+  }
+
+  void add(const MeshEdge& edge) {
+    free_ += edge.uses == 1;
+    if (!hasSizes_ || edge.isOfLayer) return;
+    result_.leastLength = std::min(result_.leastLength, edge.length);
+    result_.mostLength = std::max(result_.mostLength, edge.length);
+    result_.leastWanted = std::min(result_.leastWanted, edge.wanted);
+    result_.mostWanted = std::max(result_.mostWanted, edge.wanted);
+    const double ratio = edge.length / edge.wanted;
+    ratios_.add(ratio);
+    const auto bin = std::ranges::upper_bound(LengthRatio::kBounds, ratio);
+    ++result_.histogram[static_cast<std::size_t>(bin - LengthRatio::kBounds.begin())];
+  }
+
+  void addBetween() {
+    const auto ends = [](const MeshEdge& edge) { return std::pair(edge.from, edge.to); };
+    std::ranges::stable_sort(between_, {}, ends);
+    for (std::size_t i = 0, next = 0; i < between_.size(); i = next) {
+      MeshEdge edge = between_[i];
+      for (next = i + 1; next < between_.size() && ends(between_[next]) == ends(edge); ++next) {
+        edge.uses += between_[next].uses;
+        edge.isOfLayer = edge.isOfLayer && between_[next].isOfLayer;
+      }
+      add(edge);
+    }
+    between_.clear();
+  }
+
+  const ModelMesh& mesh_;
+  bool hasLayers_, hasSizes_;
+  Samples ratios_;  ///< nothing else is kept for each edge: there are millions
+  LengthRatio result_;
+  std::size_t free_ = 0;
+  std::vector<MeshEdge> between_;  ///< between shared vertices, of one face each
+};
+
+void measureInMemory(const ModelMesh& mesh, int threads, MeshQuality& result) {
+  forEachSlice(mesh, [&](const MeshSlice& whole) {
+    forEachInParallel(3, threads, [&](std::size_t part) {
+      if (part == 0) {
+        Edges edges(mesh);
+        edges.add(MeshSides(mesh), whole);
+        edges.tell(result);
+      }
+      if (part == 1) {
+        Shapes shapes(mesh);
+        shapes.add(whole);
+        shapes.tell(result);
+      }
+      if (part == 2) {
+        Angles angles;
+        angles.add(whole);
+        angles.tell(result);
+      }
+    });
   });
 }
 
-/// Layers have the heights that were asked for, not the sizes.
-bool isOfLayer(const ModelMesh& mesh, std::size_t element) {
-  return element < mesh.origins.size() &&
-         mesh.origins[element].rule + std::size_t{1} == mesh.ruleNames.size();
+void measureOnDisk(const ModelMesh& mesh, MeshQuality& result) {
+  Edges edges(mesh);
+  Shapes shapes(mesh);
+  Angles angles;
+  forEachSlice(mesh, [&](const MeshSlice& slice) {
+    edges.add(slice);
+    shapes.add(slice);
+    angles.add(slice);
+  });
+  edges.tell(result);
+  shapes.tell(result);
+  angles.tell(result);
 }
 
-LengthRatio measureLengths(const ModelMesh& mesh, const MeshSides& sides) {
-  LengthRatio result;
-  if (mesh.wantedSizes.empty()) return result;
-  constexpr double kFar = std::numeric_limits<double>::infinity();
-  result.leastLength = result.leastWanted = kFar;
-  std::vector<double> ratios;  // nothing else is kept for each edge: there are millions
-  ratios.reserve(sides.count() / 2 + mesh.segments.size());
-  const auto isLayer = [&](const MeshSide& side) { return isOfLayer(mesh, side.element()); };
-  const bool hasLayers = !mesh.ruleNames.empty() && mesh.ruleNames.back() == kLayerName;
-  sides.forEachEdge([&](VertexId from, std::span<const MeshSide> used) {
-    if (hasLayers && std::ranges::all_of(used, isLayer)) return;
-    const std::uint32_t to = used.front().to;
-    const double length = distance(mesh.vertices[from.value], mesh.vertices[to]);
-    const double wanted = (mesh.wantedSizes[from.value] + mesh.wantedSizes[to]) / 2;
-    result.leastLength = std::min(result.leastLength, length);
-    result.mostLength = std::max(result.mostLength, length);
-    result.leastWanted = std::min(result.leastWanted, wanted);
-    result.mostWanted = std::max(result.mostWanted, wanted);
-    ratios.push_back(length / wanted);
-    const auto bin = std::ranges::upper_bound(LengthRatio::kBounds, ratios.back());
-    ++result.histogram[static_cast<std::size_t>(bin - LengthRatio::kBounds.begin())];
-  });
-  if (ratios.empty()) return {};
-  result.mean = std::reduce(ratios.begin(), ratios.end()) / static_cast<double>(ratios.size());
-  result.p5 = percentile(ratios, 0.05);
-  result.p95 = percentile(ratios, 0.95);
-  return result;
+/// The quality of a triangle or quadrilateral by its corners.
+template <class At>
+double qualityOf(const Element& element, const At& at) {
+  const auto& [a, b, c, d] = element.corners;
+  if (!element.isQuad()) return triangleQuality(at(a), at(b), at(c));
+  return quadQuality({at(a), at(b), at(c), at(d)});
 }
 
 }  // namespace
 
 double shapeQuality(const std::vector<Point3>& vertices, const Element& element) {
-  const auto corner = [&](std::size_t i) { return vertices[element.corners[i].value]; };
-  if (!element.isQuad()) return triangleQuality(corner(0), corner(1), corner(2));
-  return quadQuality({corner(0), corner(1), corner(2), corner(3)});
+  return qualityOf(element, [&](VertexId v) { return vertices[v.value]; });
+}
+
+double shapeQuality(const MeshSlice& slice, const Element& element) {
+  return qualityOf(element, [&](VertexId v) { return slice.position(v); });
 }
 
 MeshQuality measureQuality(const ModelMesh& mesh, int threads) {
   MeshQuality result;
-  if (mesh.elements.empty()) return result;
-  forEachInParallel(3, threads, [&](std::size_t part) {
-    if (part == 0) {
-      const MeshSides sides(mesh);
-      countFreeEdges(sides, result);
-      result.edges = measureLengths(mesh, sides);
-    }
-    if (part == 1) measureShapes(mesh, result);
-    if (part == 2) measureAngles(mesh, result);
-  });
+  if (elementCount(mesh) == 0) return result;
+  if (mesh.spooled)
+    measureOnDisk(mesh, result);
+  else
+    measureInMemory(mesh, threads, result);
   return result;
 }
 
-double percentile(std::span<double> values, double part) {
-  if (values.empty()) return 0;
-  const double place = part * static_cast<double>(values.size() - 1);
-  const auto below = static_cast<std::size_t>(place);
-  const auto at = values.begin() + static_cast<std::ptrdiff_t>(below);
-  std::nth_element(values.begin(), at, values.end());
-  if (below + 1 == values.size()) return *at;
-  const double next = *std::min_element(at + 1, values.end());
-  return *at + (place - static_cast<double>(below)) * (next - *at);
-}
+double percentile(std::span<double> values, double part) { return percentileOf(values, part); }
 
 }  // namespace af2::geometry

@@ -16,6 +16,7 @@ namespace af2::geometry {
 /// corners of 2 |p x q| / (p.p + q.q), with p and q the edges at the corner; negative at an
 /// inverted corner. A square has 1, a rectangle of 1 : 2 has 0.8, a rhombus the sine of its angle.
 AF2_EXPORT double shapeQuality(const std::vector<Point3>& vertices, const Element& element);
+AF2_EXPORT double shapeQuality(const MeshSlice& slice, const Element& element);
 
 /// Statistics of edge length over wanted length.
 struct LengthRatio {
@@ -39,7 +40,8 @@ struct MeshQuality {
 };
 
 /// The length of an edge is compared with the mean of the sizes wanted at its ends; the length
-/// statistics are all zero if the mesh does not contain these. Uses up to `threads` threads (0: as
+/// statistics are all zero if the mesh does not contain these. Sums over a mesh on disk are added
+/// in another order, which may change the last digits of means. Uses up to `threads` threads (0: as
 /// many as the caller's TBB arena has).
 AF2_EXPORT MeshQuality measureQuality(const ModelMesh& mesh, int threads = 1);
 

@@ -1,5 +1,9 @@
 #include "geometry/mesh/scaled_mesh.h"
 
+#include <memory>
+
+#include "geometry/spool/spooled_mesh.h"
+
 namespace af2::geometry {
 namespace {
 
@@ -30,6 +34,9 @@ ModelMesh scaledMesh(ModelMesh mesh, double factor) {
   for (double& size : mesh.wantedSizes) size *= factor;
   for (EdgeSegment& segment : mesh.segments) segment.middle = factor * segment.middle;
   for (FaceReport& face : mesh.faces) scaleFace(face, factor);
+  if (mesh.spooled)
+    mesh.spooled =
+        std::make_shared<const SpooledMesh>(mesh.spooled->parts(), mesh.vertices.size(), factor);
   return mesh;
 }
 

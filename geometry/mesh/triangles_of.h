@@ -9,14 +9,23 @@
 namespace af2::geometry {
 
 /// A quadrilateral is split along the shorter diagonal, the first one if both are equally long.
-inline std::vector<std::array<VertexId, 3>> trianglesOf(const ModelMesh& mesh,
-                                                        const Element& element) {
+///
+/// at  the position of a vertex
+template <class At>
+std::vector<std::array<VertexId, 3>> trianglesBetween(const Element& element, const At& at) {
   const auto& [a, b, c, d] = element.corners;
   if (!element.isQuad()) return {{a, b, c}};
-  const auto at = [&](VertexId v) { return mesh.vertices[v.value]; };
   const bool alongAc = distance(at(a), at(c)) <= distance(at(b), at(d));
   if (alongAc) return {{a, b, c}, {a, c, d}};
   return {{a, b, d}, {b, c, d}};
+}
+inline std::vector<std::array<VertexId, 3>> trianglesOf(const ModelMesh& mesh,
+                                                        const Element& element) {
+  return trianglesBetween(element, [&](VertexId v) { return mesh.vertices[v.value]; });
+}
+inline std::vector<std::array<VertexId, 3>> trianglesOf(const MeshSlice& slice,
+                                                        const Element& element) {
+  return trianglesBetween(element, [&](VertexId v) { return slice.position(v); });
 }
 
 }  // namespace af2::geometry

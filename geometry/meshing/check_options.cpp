@@ -8,10 +8,23 @@
 #include <utility>
 
 #include "engine/base/error.h"
+#include "geometry/base/parallel.h"
 #include "geometry/meshing/edge_names.h"
 #include "geometry/meshing/part_sizes.h"
 
 namespace af2::geometry {
+
+MemoryLimit memoryLimitOf(const MeshingOptions& options) {
+  return {options.maxMemory, options.spool.when == SpoolRequest::When::Always,
+          threadCount(options.threads)};
+}
+
+std::string whyNotSpooled(const MeshingOptions& options) {
+  if (options.order != 1) return "have elements of second order";
+  if (options.sizes.chords.areGiven()) return "keep to a distance from the model";
+  if (options.sizes.elementsAcross > 0) return "have elements across narrow places";
+  return "";
+}
 
 void checkOptions(const FaceSource& source, const MeshingOptions& options) {
   const auto check = [](const std::string& what, const std::string& kind, int id, int count) {
@@ -33,6 +46,9 @@ void checkOptions(const FaceSource& source, const MeshingOptions& options) {
   if (options.order != 1 && options.order != 2) throw InputError("elements can have order 1 or 2");
   for (const auto& [edge, points] : options.edgePoints)
     check("points for ", "edge", edge, source.edgeCount());
+  if (const std::string why = whyNotSpooled(options);
+      options.spool.when == SpoolRequest::When::Always && !why.empty())
+    throw InputError("a mesh that is put on disk face by face cannot " + why);
   for (const int face : options.faces) check("", "face", face, source.faceCount());
 }
 

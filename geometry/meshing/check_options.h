@@ -1,11 +1,19 @@
 // Checks the options of a mesh against the model. Not installed.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "geometry/meshing/face_source.h"
+#include "geometry/sizes/too_many.h"
 
 namespace af2::geometry {
+
+/// Of a run with these options.
+MemoryLimit memoryLimitOf(const MeshingOptions& options);
+
+/// What hinders a mesh from being put on disk, as the rest of a sentence; empty: nothing does.
+std::string whyNotSpooled(const MeshingOptions& options);
 
 /// Throws InputError for an invalid option, and for an id that the model does not have.
 void checkOptions(const FaceSource& source, const MeshingOptions& options);

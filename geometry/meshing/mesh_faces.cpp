@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <memory>
 #include <new>
 #include <numeric>
 #include <optional>
@@ -22,6 +23,7 @@
 #include "geometry/meshing/face_crew.h"
 #include "geometry/meshing/first_faces.h"
 #include "geometry/meshing/progress_sum.h"
+#include "geometry/meshing/spooled_faces.h"
 #include "geometry/sizes/coarser_sizes.h"
 #include "geometry/sizes/too_many.h"
 
@@ -45,6 +47,7 @@ class FaceRun final : public RetriedModel {
         algorithm_(algorithm),
         options_(options),
         faces_(facesAskedFor(source, options)),
+        spool_(spoolFor(options)),
         leader_(options.crew ? options.crew->leader() : nullptr) {}
 
   MeasuredMesh mesh() {
@@ -107,7 +110,10 @@ class FaceRun final : public RetriedModel {
     if (!leader_) {
       std::vector<FaceTry> sorted;
       for (const std::size_t k : largestFirst(work)) sorted.push_back(tries[k]);
-      return RetriedModel::meshAll(sorted, sizes, threads, into);
+      return forEachInParallel(sorted.size(), threads, [&](std::size_t k) {
+        mesh(sorted[k].face, sizes.sizes, sorted[k].limits, into);
+        putAway(into.meshes[sorted[k].face], into.divided);
+      });
     }
     leader_->meshAll(
         {into.divided, sizes.places}, tries, work,
@@ -115,7 +121,10 @@ class FaceRun final : public RetriedModel {
           return meshed(next.face, sizes.sizes, next.limits, into.divided, progressOf(next.face),
                         pieces);
         },
-        [&](std::size_t k, FaceMesh mesh) { take(tries[k].face, std::move(mesh), into); });
+        [&](std::size_t k, FaceMesh mesh) {
+          take(tries[k].face, std::move(mesh), into);
+          putAway(into.meshes[tries[k].face], into.divided);
+        });
   }
 
   void join(FaceMeshes& state) const override {
@@ -129,9 +138,13 @@ class FaceRun final : public RetriedModel {
       join.pointOnEdge = [&](int edge, double parameter) {
         return source_.pointOnEdge(edge, parameter);
       };
+    join.isSpooled = spool_ != nullptr;
+    for (FaceMesh& mesh : state.meshes) putAway(mesh, state.divided);  // what remedies have changed
     state.joined = joinFaces(state.divided, state.meshes, join);
-    state.faults = faultsOf(state.joined, source_.mayCross() && !options_.stop.stop_requested(),
-                            options_.threads);
+    const bool mayCross = source_.mayCross() && !options_.stop.stop_requested();
+    state.faults =
+        spool_ ? faultsOfSpooled(state.joined, evidenceOf(state.meshes), mayCross, options_.threads)
+               : faultsOf(state.joined, mayCross, options_.threads);
   }
 
   std::vector<SizeSource> sizesInside(std::size_t i) const override {
@@ -210,6 +223,16 @@ class FaceRun final : public RetriedModel {
     return mesh;
   }
 
+  static std::shared_ptr<SpoolFile> spoolFor(const MeshingOptions& options) {
+    if (options.spool.when != SpoolRequest::When::Always) return nullptr;
+    return std::make_shared<SpoolFile>(options.spool.folder);
+  }
+
+  /// A face that is done, if faces are put on disk.
+  void putAway(FaceMesh& mesh, const DividedEdges& divided) const {
+    if (spool_) spoolFace(mesh, divided, source_.mayCross(), spool_);
+  }
+
   MeasuredMesh finished(FaceMeshes& state) const {
     const MiddlesByFace middles = takeMiddles(state.meshes);
     std::vector<FaceMesh>().swap(state.meshes);  // two meshes need much memory
@@ -257,7 +280,8 @@ class FaceRun final : public RetriedModel {
   const AF2Algorithm& algorithm_;
   const MeshingOptions& options_;
   std::vector<int> faces_;
-  CrewLeader* leader_;  ///< null: no other process meshes faces for this one
+  std::shared_ptr<SpoolFile> spool_;  ///< null: faces stay in memory
+  CrewLeader* leader_;                ///< null: no other process meshes faces for this one
   std::vector<std::vector<int>> edgesOfFaces_;
   mutable std::optional<ProgressSum> progress_;  ///< of the first mesh of each face
 };
@@ -306,14 +330,25 @@ ModelMesh meshWithin(FaceSource& source, const AF2Algorithm& algorithm, MeshingO
 ModelMesh meshWithinMemory(FaceSource& source, const AF2Algorithm& algorithm,
                            MeshingOptions options) {
   constexpr double kMost = 1e6;  // then something else is wrong
+  bool isTooLarge = false;
   for (double factor = 1;;) {
     try {
       ModelMesh mesh = meshWithin(source, algorithm, options);
       if (factor > 1)
         mesh.notes.push_back("the sizes that were asked for need too much memory: all are " +
                              af2::textOf(factor, 4) + " times as large");
+      if (isTooLarge)
+        mesh.notes.emplace_back(
+            "the mesh needs more memory than there is: its faces were put on "
+            "disk one by one");
       return mesh;
     } catch (const TooManyElements& error) {
+      if (options.spool.when == SpoolRequest::When::IfNeeded && !options.crew &&
+          error.fitSpooled() && whyNotSpooled(options).empty()) {
+        options.spool.when = SpoolRequest::When::Always;
+        isTooLarge = true;
+        continue;
+      }
       if (!options.coarsen || options.crew || factor > kMost) throw;
       factor *= error.factor();
       options.sizes = timesAsLarge(std::move(options.sizes), error.factor());

@@ -1,6 +1,7 @@
 // The options for meshing a model: a planar domain, a surface of triangles or a CAD model.
 #pragma once
 
+#include <filesystem>
 #include <functional>
 #include <optional>
 #include <stop_token>
@@ -23,6 +24,20 @@ struct ModelProgress {
   double workDone = 0, workTotal = 0;
   int facesDone = 0, faces = 0;
   std::size_t elements = 0;
+};
+
+/// Whether the vertices inside faces and the elements of a mesh are put on disk, face by face, when
+/// these are done. The mesh has the same bits, and takes little more memory than the largest of its
+/// faces while they are meshed. Not for elements of second order, bounds on the distance from the
+/// model, elements across narrow places, and merged or periodic faces.
+struct SpoolRequest {
+  enum class When {
+    Never,
+    IfNeeded,  ///< if the mesh needs more memory than there is, but its faces one by one do not
+    Always,
+  };
+  When when = When::Never;
+  std::filesystem::path folder;  ///< for a file without a name; empty: the current one
 };
 
 struct MeshingOptions {
@@ -55,7 +70,8 @@ struct MeshingOptions {
   /// Larger sizes where those that are asked for need more memory: ModelMesh::notes says how much
   /// larger.
   bool coarsen = false;
-  int threads = 0;  ///< 0: as many as the machine has. The mesh does not depend on it.
+  SpoolRequest spool = {};  ///< the result is then ModelMesh::spooled
+  int threads = 0;          ///< 0: as many as the machine has. The mesh does not depend on it.
   /// Called from several threads, one at a time.
   std::function<void(const ModelProgress&)> progress;
   bool optimize = true;  ///< swaps and smoothing after the front has closed; false: the raw front

@@ -80,9 +80,9 @@ void measureLengths(const ModelMesh& mesh, double size, MeshMeasures& result) {
       ratios.push_back(2 * lengths.back() / (mesh.wantedSizes[from.value] + mesh.wantedSizes[to]));
   });
   result.medianLength = distributionOf(lengths).median;
-  result.lengthUnit = size > 0          ? LengthUnit::GivenSize
-                      : !ratios.empty() ? LengthUnit::WantedSizes
-                                        : LengthUnit::MedianLength;
+  result.lengthUnit = size > 0          ? LengthReference::GivenSize
+                      : !ratios.empty() ? LengthReference::WantedSizes
+                                        : LengthReference::MedianLength;
   if (ratios.empty()) {
     const double unit = size > 0 ? size : result.medianLength;
     for (const double length : lengths) ratios.push_back(unit > 0 ? length / unit : 0);

@@ -21,7 +21,7 @@ struct MeasureOptions {
 };
 
 /// What edge lengths are divided by.
-enum class LengthUnit { GivenSize, WantedSizes, MedianLength };
+enum class LengthReference { GivenSize, WantedSizes, MedianLength };
 
 /// Vertices, and those of them that are irregular.
 struct VertexCount {
@@ -81,7 +81,7 @@ struct MeshMeasures {
   Distribution triangleAngles, quadAngles;  ///< of all corners, in degrees
   Distribution quality;                     ///< as shapeQuality gives it
   Distribution aspect;
-  LengthUnit lengthUnit = LengthUnit::MedianLength;
+  LengthReference lengthUnit = LengthReference::MedianLength;
   double medianLength = 0;  ///< of edges
   Distribution lengths;     ///< of edges, divided by lengthUnit
   IrregularVertices irregular;

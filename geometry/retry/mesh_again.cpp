@@ -13,7 +13,7 @@ namespace {
 /// A face that failed and has no width without its short edges has failed still. One that has
 /// become a point is none of the mesh any more: its neighbours meet there.
 void refuseNothing(const FaceMesh& failure, FaceMesh& mesh) {
-  if (failed(mesh) || !mesh.elements.empty() || mesh.hasVanished) return;
+  if (failed(mesh) || elementCount(mesh) > 0 || mesh.hasVanished) return;
   const std::string& reason = failure.report.reason;
   mesh.report.status = FaceStatus::Failed;
   mesh.report.reason = reason.empty() ? "the elements did not have the area of the face" : reason;

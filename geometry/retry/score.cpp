@@ -12,7 +12,7 @@ Score scoreOf(const FaceMeshes& state) {
     else
       score.poorness += mesh.diagnosis.poorness;
     if (mesh.diagnosis.hasBadAngle) ++score.badAngles;
-    score.elements += mesh.elements.size();
+    score.elements += elementCount(mesh);
   }
   score.failedFaces += facesThatCross(state.faults.crossings, {}).size();
   return score;

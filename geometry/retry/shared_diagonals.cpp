@@ -62,7 +62,14 @@ class SharedDiagonals {
 
   void addSides(std::size_t face) {
     const FaceMesh& mesh = meshes_[face];
-    for (const Element& element : mesh.elements) {
+    if (!mesh.bulk) return addSides(face, mesh.elements);
+    const FaceBulk bulk = mesh.bulk->loadShape();
+    addSides(face, bulk.elements);
+  }
+
+  void addSides(std::size_t face, const std::vector<Element>& elements) {
+    const FaceMesh& mesh = meshes_[face];
+    for (const Element& element : elements) {
       const auto c = element.vertices();
       for (std::size_t i = 0; i < c.size(); ++i) {
         const VertexId from = c[i], to = c[(i + 1) % c.size()];
@@ -91,7 +98,7 @@ class SharedDiagonals {
     }
   }
 
-  std::optional<Swap> bestSwap(const std::vector<std::size_t>& faces, Ends ends) const {
+  std::optional<Swap> bestSwap(const std::vector<std::size_t>& faces, Ends ends) {
     std::optional<Swap> best;
     for (const std::size_t face : faces) {
       const std::optional<Swap> swap = swapIn(face, ends);
@@ -138,7 +145,8 @@ class SharedDiagonals {
   }
 
   /// Nothing if no other diagonal is possible.
-  std::optional<Swap> swapIn(std::size_t face, Ends ends) const {
+  std::optional<Swap> swapIn(std::size_t face, Ends ends) {
+    loadBulk(meshes_[face]);
     const FaceMesh& mesh = meshes_[face];
     if (!mesh.middles.empty()) return std::nullopt;
     const std::vector<Place> places = placesOf(mesh, ends);

@@ -24,13 +24,7 @@ std::vector<SizeSource> placesAtFault(const Retrial& retrial, const FaceMeshes& 
   for (const Crossing& crossing : state.faults.crossings)
     for (std::size_t k = 0; k < 2 && places.size() < most; ++k) {
       if (crossing.faces[k] != face) continue;
-      const auto corners = state.joined.elements[crossing.elements[k].value].vertices();
-      double longest = 0;
-      for (const VertexId a : corners)
-        for (const VertexId b : corners)
-          longest = std::max(
-              longest, distance(state.joined.vertices[a.value], state.joined.vertices[b.value]));
-      places.push_back({crossing.place, share * longest});
+      places.push_back({crossing.place, share * crossing.widths[k]});
     }
   return places;
 }

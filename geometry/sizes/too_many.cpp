@@ -1,7 +1,10 @@
 #include "geometry/sizes/too_many.h"
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
+#include <numeric>
 #include <sstream>
 #include <string>
 
@@ -13,37 +16,56 @@ namespace af2::geometry {
 
 namespace {
 
-/// At the peak of a run, per triangle: docs/performance.md.
+/// At the peak of a run, per triangle of the mesh or of the faces in work: docs/performance.md.
 constexpr double kBytesPerElement = 100;
+/// What is left of a face on disk: its boundary, and boxes for the checks.
+constexpr double kBytesPerSpooledElement = 4;
+
+double bytesFor(const std::vector<double>& elements, const MemoryLimit& limit) {
+  const double all = std::accumulate(elements.begin(), elements.end(), 0.0);
+  if (!limit.isSpooled) return kBytesPerElement * all;
+  std::vector<double> largest = elements;
+  std::ranges::sort(largest, std::greater());
+  largest.resize(std::min(largest.size(), static_cast<std::size_t>(std::max(limit.threads, 1))));
+  return kBytesPerElement * std::accumulate(largest.begin(), largest.end(), 0.0) +
+         kBytesPerSpooledElement * all;
+}
 
 std::string gigabytes(double bytes) { return textOf(bytes / 1e9, 3) + " GB"; }
 
 /// How many times larger the sizes must be for so many times fewer elements.
 double factorFor(double tooMany) { return std::ceil(10 * std::sqrt(tooMany)) / 10; }
 
-[[noreturn]] void refuse(const std::string& why, double tooMany) {
+/// A refusal and its way out.
+[[noreturn]] void refuse(const std::string& why, double tooMany, bool fitSpooled) {
   const double factor = factorFor(tooMany);
   throw TooManyElements(
-      why + "ask for sizes that are at least " + textOf(factor, 6) + " times as large", factor);
+      why + "ask for sizes that are at least " + textOf(factor, 6) + " times as large" +
+          (fitSpooled ? ", or for finished faces to be put on disk (--stream)" : ""),
+      factor, fitSpooled);
 }
 
 }  // namespace
 
-void refuseTooMany(double elements, double maxMemory) {
+void refuseTooMany(const std::vector<double>& byFace, const MemoryLimit& limit) {
   constexpr double kMaxElements = 2e9;  // vertices and elements have 32-bit numbers
+  const double elements = std::accumulate(byFace.begin(), byFace.end(), 0.0);
   if (!std::isfinite(elements))
     throw InputError("the sizes need more than 1e+300 elements; ask for larger ones");
   const std::string needs = "the sizes need about " + textOf(elements, 2) + " elements";
   if (elements > kMaxElements)
     refuse(needs + ", but a mesh can have " + textOf(kMaxElements, 2) + "; ",
-           elements / kMaxElements);
-  const double bytes = kBytesPerElement * elements;
-  if (maxMemory == 0 && bytes < 1e8) return;  // any machine has so much
-  const double most = maxMemory > 0 ? maxMemory : freeMemory();
+           elements / kMaxElements, false);
+  const double bytes = bytesFor(byFace, limit);
+  if (limit.bytes == 0 && bytes < 1e8) return;  // any machine has so much
+  const double most = limit.bytes > 0 ? limit.bytes : freeMemory();
   if (bytes <= most) return;
-  refuse(needs + ", which take about " + gigabytes(bytes) + " of memory, but " + gigabytes(most) +
-             (maxMemory > 0 ? " are allowed; " : " are free; "),
-         bytes / most);
+  MemoryLimit onDisk = limit;
+  onDisk.isSpooled = true;
+  refuse(needs + ", which take about " + gigabytes(bytes) + " of memory" +
+             (limit.isSpooled ? " with all but the largest faces on disk" : "") + ", but " +
+             gigabytes(most) + (limit.bytes > 0 ? " are allowed; " : " are free; "),
+         bytes / most, !limit.isSpooled && bytesFor(byFace, onDisk) <= most);
 }
 
 void refuseBlurred(double farthest, double extent, double size) {

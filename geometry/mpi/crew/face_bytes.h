@@ -44,9 +44,10 @@ void pass(auto& archive, mpi::Is<FaceDiagnosis> auto& diagnosis) {
   archive(places, poorness, isBad, hasBadAngle, hasWrongArea);
 }
 
+/// A face in memory: what is on the disk of a process is not sent.
 void pass(auto& archive, mpi::Is<FaceMesh> auto& mesh) {
   auto& [report, boundary, inside, wantedSizes, elements, origins, middles, uses, hasVanished,
-         optimizeSeconds, diagnosis, history, searchCost] = mesh;
+         optimizeSeconds, diagnosis, history, searchCost, bulk, evidence] = mesh;
   archive(report, boundary, inside, wantedSizes, elements, origins, middles, uses, hasVanished,
           optimizeSeconds, diagnosis, history, searchCost);
 }

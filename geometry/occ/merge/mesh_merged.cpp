@@ -20,15 +20,18 @@ void check(const Model& model, const MeshingOptions& options, const MergeRequest
       throw InputError("the model has no edge " + std::to_string(edge) + " that could be kept");
   if (options.fewest)
     throw InputError("merged faces cannot have as few triangles as a bound allows");
+  if (options.spool.when == SpoolRequest::When::Always)
+    throw InputError("a mesh that is put on disk face by face cannot have merged faces");
 }
 
 }  // namespace
 
-ModelMesh meshMerged(const Model& model, const AF2Algorithm& algorithm,
-                     const MeshingOptions& options, const MergeRequest& request,
-                     const TurnLimits& turns) {
-  check(model, options, request);
+ModelMesh meshMerged(const Model& model, const AF2Algorithm& algorithm, const MeshingOptions& asked,
+                     const MergeRequest& request, const TurnLimits& turns) {
+  check(model, asked, request);
   constexpr int kMostRounds = 12;
+  MeshingOptions options = asked;
+  options.spool = {};
   MergedFaces faces(model, request, turns);
   ModelMesh mesh = meshFaces(faces, algorithm, options);
   for (int round = 1; round < kMostRounds && faces.cutFailed(mesh); ++round)

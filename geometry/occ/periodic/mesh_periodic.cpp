@@ -161,8 +161,11 @@ ModelMesh meshPeriodic(const Model& model, const AF2Algorithm& algorithm,
                        const MeshingOptions& options, std::vector<PeriodicPair> pairs) {
   if (!options.faces.empty() || options.fewest)
     throw InputError("periodic faces need a mesh of all faces, with vertices where sizes ask for");
+  if (options.spool.when == SpoolRequest::When::Always)
+    throw InputError("a mesh that is put on disk face by face cannot have periodic faces");
   const std::vector<EdgeLink> links = linksOf(model, pairs);
   MeshingOptions own = options;
+  own.spool = {};
   own.observer = {};
   own.order = 1;
   for (auto& [edge, points] : alikeDivisions(links, meshModel(model, algorithm, own)))

@@ -12,6 +12,7 @@
 #include "geometry/layers/layer_ends.h"
 #include "geometry/mesh/inside_out.h"
 #include "geometry/mesh/volume_note.h"
+#include "geometry/meshing/check_options.h"
 #include "geometry/occ/base/points.h"
 #include "geometry/occ/edges/edge_division.h"
 #include "geometry/occ/edges/short_edges.h"
@@ -25,7 +26,6 @@
 #include "geometry/occ/sizes/sizing.h"
 #include "geometry/occ/surfaces/face_surface.h"
 #include "geometry/occ/surfaces/surface_distance.h"
-#include "geometry/sizes/too_many.h"
 
 namespace af2::geometry {
 
@@ -45,11 +45,13 @@ std::string textOfLost(const std::vector<std::string>& faces) {
 
 double areaOfElements(const ModelMesh& mesh) {
   double sum = 0;
-  for (const Element& element : mesh.elements) {
-    const auto at = [&](std::size_t i) { return mesh.vertices[element.corners[i].value]; };
-    sum += length(cross(at(1) - at(0), at(2) - at(0))) / 2;
-    if (element.isQuad()) sum += length(cross(at(2) - at(0), at(3) - at(0))) / 2;
-  }
+  forEachSlice(mesh, [&](const MeshSlice& slice) {
+    for (const Element& element : slice.elements) {
+      const auto at = [&](std::size_t i) { return slice.position(element.corners[i]); };
+      sum += length(cross(at(1) - at(0), at(2) - at(0))) / 2;
+      if (element.isQuad()) sum += length(cross(at(2) - at(0), at(3) - at(0))) / 2;
+    }
+  });
   return sum;
 }
 
@@ -233,7 +235,7 @@ double CadFaces::expectedOn(int face, int samples) const {
 void CadFaces::expectByFace() {
   work_.assign(static_cast<std::size_t>(faceCount()), 0);
   forEachFace([&](int face) { work_[indexOf(face)] = 1 + expectedOn(face, 0); });
-  refuseTooMany(std::accumulate(work_.begin(), work_.end(), 0.0), options_->maxMemory);
+  refuseTooMany(work_, memoryLimitOf(*options_));
 }
 
 /// Once it is known how sizes spread there.
@@ -243,7 +245,7 @@ void CadFaces::expectMoreOn(const std::vector<int>& uneven) {
     if (std::ranges::binary_search(uneven, face))
       work_[indexOf(face)] = 1 + expectedOn(face, kSamples);
   });
-  refuseTooMany(std::accumulate(work_.begin(), work_.end(), 0.0), options_->maxMemory);
+  refuseTooMany(work_, memoryLimitOf(*options_));
 }
 
 /// Points, boxes, functions and turns may want small sizes anywhere. What turns want is found by
@@ -257,7 +259,7 @@ void CadFaces::expectByPosition() {
     double& work = work_[indexOf(face)];
     if (!isFineInside_) work = std::max(work, 1 + elements[indexOf(face)]);
   });
-  refuseTooMany(std::accumulate(elements.begin(), elements.end(), 0.0), options_->maxMemory);
+  refuseTooMany(elements, memoryLimitOf(*options_));
 }
 
 template <class Work>

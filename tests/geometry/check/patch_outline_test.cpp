@@ -43,8 +43,8 @@ ModelMesh closed(int n, const Place& place) {
 
 bool isStarShaped(const ModelMesh& mesh) {
   const PatchOutlines outlines(mesh);
-  const Patch all = outlines.patch(0, mesh.elements.size());
-  const Patch* const patch = &all;
+  const OutlinedPatch all = outlines.patch(0, mesh.elements.size());
+  const OutlinedPatch* const patch = &all;
   return outlines.isStarShaped({&patch, 1});
 }
 

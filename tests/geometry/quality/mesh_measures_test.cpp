@@ -181,11 +181,11 @@ TEST(MeshMeasures, CountEdgesThatNoSurfaceHas) {
 
 TEST(MeshMeasures, DivideLengthsBySizes) {
   ModelMesh mesh = squareGrid(2);
-  EXPECT_EQ(measureMesh(mesh).lengthUnit, LengthUnit::MedianLength);
+  EXPECT_EQ(measureMesh(mesh).lengthUnit, LengthReference::MedianLength);
   EXPECT_NEAR(measureMesh(mesh, {2, 180}).lengths.median, 0.5, 1e-15);
   mesh.wantedSizes.assign(9, 4);
   EXPECT_NEAR(measureMesh(mesh).lengths.max, 0.25, 1e-15);
-  EXPECT_EQ(measureMesh(mesh).lengthUnit, LengthUnit::WantedSizes);
+  EXPECT_EQ(measureMesh(mesh).lengthUnit, LengthReference::WantedSizes);
 }
 
 TEST(MeshMeasures, OfAnEmptyMeshAreZero) {

@@ -112,9 +112,8 @@ class TouchingModel final : public RetriedModel {
       const Point3 place{static_cast<double>(k), 0, 0};
       const double size = sizes_ ? std::min(kLargest, sizes_.at(place)) : kLargest;
       if (size <= kWanted) continue;
-      state.joined.vertices = {place, {k + size, 0, 0}, {k + size / 2, size / 2, 0}};
-      state.joined.elements.push_back({{VertexId(0), VertexId(1), VertexId(2)}});
-      state.faults.crossings.push_back({{ElementId(0), ElementId(0)}, {1, 2}, false, place});
+      state.faults.crossings.push_back(
+          {{ElementId(0), ElementId(0)}, {1, 2}, false, place, {size, size}});
     }
   }
   std::vector<SizeSource> sizesInside(std::size_t) const override { return {}; }

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <string>
+#include <vector>
+
 #include "engine/base/error.h"
 #include "geometry/base/free_memory.h"
 
@@ -10,7 +13,7 @@ namespace {
 
 std::string refusal(double elements, double maxMemory) {
   try {
-    refuseTooMany(elements, maxMemory);
+    refuseTooMany({elements}, {maxMemory});
   } catch (const InputError& error) {
     return error.what();
   }
@@ -29,6 +32,30 @@ TEST(TooMany, IsWhatCannotBeNumbered) {
       refusal(8e9, 1e15),
       "the sizes need about 8e+09 elements, but a mesh can have 2e+09; ask for sizes that are "
       "at least 2 times as large");
+}
+
+TEST(TooMany, CountsOnlyTheLargestFacesIfTheOthersAreOnDisk) {
+  const std::vector<double> elements{1e7, 3e7, 2e7, 4e7};
+  EXPECT_NO_THROW(refuseTooMany(elements, {4.5e9, true, 1}));  // 4 GB, and 4 bytes of each
+  EXPECT_THROW(refuseTooMany(elements, {4.3e9, true, 1}), TooManyElements);
+  EXPECT_NO_THROW(refuseTooMany(elements, {7.5e9, true, 2}));  // the two largest are in work
+  EXPECT_THROW(refuseTooMany(elements, {7.3e9, true, 2}), TooManyElements);
+  EXPECT_THROW(refuseTooMany(elements, {7.5e9, false, 2}), TooManyElements);
+}
+
+TEST(TooMany, TellsIfItFitsWithFacesOnDisk) {
+  const auto fitSpooled = [](const std::vector<double>& elements, const MemoryLimit& limit) {
+    try {
+      refuseTooMany(elements, limit);
+    } catch (const TooManyElements& error) {
+      return std::string(error.what()).find("(--stream)") != std::string::npos &&
+             error.fitSpooled();
+    }
+    return false;
+  };
+  EXPECT_TRUE(fitSpooled({1e7, 1e7, 1e7}, {2e9, false, 1}));
+  EXPECT_FALSE(fitSpooled({1e7, 1e7, 1e7}, {2e9, false, 2}));
+  EXPECT_FALSE(fitSpooled({3e7}, {2e9, false, 1}));
 }
 
 TEST(TooMany, IsNothingSmallUnlessTheUserAllowsLess) {
