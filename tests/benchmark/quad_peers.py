@@ -9,6 +9,7 @@ import shutil
 import subprocess
 import sys
 
+LIMIT = 120  # seconds
 FRONTAL, PACKING = 6, 9  # 8, made for quadrilaterals, crashes together with full-quad in 4.8
 BLOSSOM, FULL_QUAD_BLOSSOM = 1, 3
 places = {"gmsh": "gmsh",  # any build of the program
@@ -64,7 +65,11 @@ class Gmsh:
         script, mesh = folder / "peer.geo", folder / "peer.msh"
         mesh.unlink(missing_ok=True)
         script.write_text("\n".join(lines) + "\n")
-        run = subprocess.run([places["gmsh"], "-2", str(script), "-o", str(mesh)], capture_output=True, text=True)
+        try:
+            run = subprocess.run([places["gmsh"], "-2", str(script), "-o", str(mesh)], capture_output=True, text=True,
+                                 timeout=LIMIT)
+        except subprocess.TimeoutExpired:
+            return None, f"longer than {LIMIT} s"
         return (mesh, None) if mesh.exists() else (None, f"exit code {run.returncode}")
 
 
