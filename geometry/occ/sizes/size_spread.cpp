@@ -56,8 +56,8 @@ class FaceSampler {
         surface_(model.surface(face)) {}
 
   std::vector<SizeSource> sources() {
-    if (!sizes_.function && surface_.isPlane()) return {};
-    trimming_.emplace(face_, Precision::PConfusion());
+    if (!sizes_.function && !mayBeSmall()) return {};
+    BRepTools::UVBounds(face_, box_.u1, box_.u2, box_.v1, box_.v2);
     std::vector<Cell> cells = firstCells();
     for (std::size_t samples = 0; !cells.empty() && samples < kMaxSamples;) {
       samples += cells.size();
@@ -85,12 +85,17 @@ class FaceSampler {
   /// Whether sizes inside faces were asked for.
   bool isAsked() const { return sizes_.function || sizes_.elementsPerTurn > 0; }
 
+  /// Where a surface is bent alike everywhere, one place tells.
+  bool mayBeSmall() const {
+    if (surface_.isPlane()) return false;
+    return !surface_.isBentAlike() || limitOn(wanted_, {}) < kSmall * wanted_;
+  }
+
   static constexpr int kPointsPerCell = 5;
   static constexpr std::size_t kMaxSamples = 20000;
 
   std::vector<Cell> firstCells() {
-    double u1, u2, v1, v2;
-    BRepTools::UVBounds(face_, u1, u2, v1, v2);
+    const double u1 = box_.u1, u2 = box_.u2, v1 = box_.v1, v2 = box_.v2;
     for (const double bound : {u1, u2, v1, v2})
       if (Precision::IsInfinite(bound)) return {};
     if (!(u2 > u1 && v2 > v1)) return {};
@@ -122,10 +127,9 @@ class FaceSampler {
 
   /// How much of the parameters the cells take up.
   double shareOf(const std::vector<Cell>& cells) const {
-    double u1, u2, v1, v2, sum = 0;
-    BRepTools::UVBounds(face_, u1, u2, v1, v2);
+    double sum = 0;
     for (const Cell& cell : cells) sum += 4 * cell.du * cell.dv;
-    return cells.empty() ? 0 : sum / ((u2 - u1) * (v2 - v1));
+    return cells.empty() ? 0 : sum / ((box_.u2 - box_.u1) * (box_.v2 - box_.v1));
   }
 
   int cellsFor(double length) const {
@@ -155,22 +159,25 @@ class FaceSampler {
       for (const SurfacePoint& p : points_) at.push_back(p.position);
       sizes_.function.at(at, limits_);
     }
-    for (std::size_t i = 0; i < points_.size(); ++i) {
-      double size = std::min(wanted_, limits_[i]);
-      double least = sizes_.minSize;
-      if (!surface_.isPlane()) {
-        const CurvedSize curved = curvedSizeAt(sizes_, id_, size, surface_, points_[i]);
-        size = curved.limit;
-        least = curved.least;
-      }
-      limits_[i] = std::clamp(size, least, sizes_.maxSize);
+    for (std::size_t i = 0; i < points_.size(); ++i)
+      limits_[i] = limitOn(std::min(wanted_, limits_[i]), points_[i]);
+  }
+
+  double limitOn(double size, const SurfacePoint& point) const {
+    double least = sizes_.minSize;
+    if (!surface_.isPlane()) {
+      const CurvedSize curved = curvedSizeAt(sizes_, id_, size, surface_, point);
+      size = curved.limit;
+      least = curved.least;
     }
+    return std::clamp(size, least, sizes_.maxSize);
   }
 
   /// Only samples on the face count.
   void addSources() {
     for (std::size_t i = 0; i < points_.size(); ++i) {
       if (limits_[i] >= kSmall * wanted_) continue;
+      if (!trimming_) trimming_.emplace(face_, Precision::PConfusion());
       if (trimming_->Perform({points_[i].u, points_[i].v}) == TopAbs_OUT) continue;
       sources_.push_back({points_[i].position, limits_[i]});
     }
@@ -203,7 +210,8 @@ class FaceSampler {
   const CadSizes& sizes_;
   double wanted_;
   FaceSurface surface_;
-  std::optional<BRepTopAdaptor_FClass2d> trimming_;
+  SplineSurface::Box box_;                           // of the parameters
+  std::optional<BRepTopAdaptor_FClass2d> trimming_;  // most faces do not need it
   std::vector<SurfacePoint> points_;
   std::vector<double> limits_;  // by point
   std::vector<SizeSource> sources_;
