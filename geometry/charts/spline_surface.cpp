@@ -264,6 +264,8 @@ SplineSurface::Sums<Order> SplineSurface::sumsAt(const Spans::Place& u,
                                                  const Spans::Place& v) const {
   const auto nu = static_cast<std::size_t>(u_.degree()) + 1;
   const auto nv = static_cast<std::size_t>(v_.degree()) + 1;
+  constexpr std::size_t kQuintic = 6;  // what many programs write for free forms
+  if (nu == kQuintic && nv == kQuintic) return sumsOf<Order, kQuintic, kQuintic>(u, v);
   return withConstant(nu, [&](auto inU) {
     return withConstant(nv, [&](auto inV) { return sumsOf<Order, inU, inV>(u, v); });
   });

@@ -69,10 +69,9 @@ std::vector<SizeSource> thinned(std::vector<SizeSource> sources, double growth, 
   return kept.take();
 }
 
-/// What was asked for, and less near some places.
-struct RefinedSizes {
+/// Sizes that grow from some places.
+struct NearPlaces {
   std::shared_ptr<const GrowingSize> near;
-  PositionSize asked;
 
   void operator()(std::span<const Point3> at, std::span<double> sizes) const {
     std::ranges::fill(sizes, std::numeric_limits<double>::infinity());
@@ -80,7 +79,6 @@ struct RefinedSizes {
   }
   void lower(std::span<const Point3> at, std::span<double> sizes) const {
     for (std::size_t i = 0; i < at.size(); ++i) sizes[i] = near->at(at[i], sizes[i]);
-    if (asked) asked.lower(at, sizes);
   }
 };
 
@@ -137,7 +135,7 @@ PositionSize refinedSizes(PositionSize asked, std::vector<SizeSource> places, do
                           double largest) {
   if (places.empty()) return asked;
   const auto near = std::make_shared<const GrowingSize>(std::move(places), growth, largest);
-  return RefinedSizes{near, std::move(asked)};
+  return PositionSize::smallerOf(std::move(asked), NearPlaces{near});
 }
 
 RequestedSizes Refinement::requested() const {

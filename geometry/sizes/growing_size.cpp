@@ -23,6 +23,17 @@ std::size_t treeSize(std::size_t count) {
   return size;
 }
 
+/// Most sources of a leaf are too far away, which the squares of the distances tell.
+void lowerTo(const SizeSource& s, double growth, const Point3& position, double& least) {
+  constexpr double kMoreThanRounding = 1 + 1e-9;
+  const double left = least - s.size;
+  if (!(left > 0)) return;
+  const Point3 way = position - s.position;
+  const double squared = dot(way, way), reach = left / growth + s.radius;
+  if (squared > kMoreThanRounding * (reach * reach)) return;
+  least = std::min(least, s.size + growth * std::max(0.0, std::sqrt(squared) - s.radius));
+}
+
 }  // namespace
 
 GrowingSize::GrowingSize(std::vector<SizeSource> sources, double growth, double largest)
@@ -87,11 +98,7 @@ Pair GrowingSize::leastIn(const Halves& h, const Point3& p) const {
 void GrowingSize::look(std::size_t node, std::size_t first, std::size_t last,
                        const Point3& position, double& least) const {
   if (last - first <= kLeaf) {
-    for (std::size_t i = first; i < last; ++i) {
-      const SizeSource& s = sources_[i];
-      const double outside = std::max(0.0, distance(s.position, position) - s.radius);
-      least = std::min(least, s.size + growth_ * outside);
-    }
+    for (std::size_t i = first; i < last; ++i) lowerTo(sources_[i], growth_, position, least);
     return;
   }
   const std::size_t half = middle(first, last), left = 2 * node + 1, right = left + 1;

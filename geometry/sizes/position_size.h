@@ -3,6 +3,7 @@
 
 #include <concepts>
 #include <functional>
+#include <memory>
 #include <span>
 #include <utility>
 
@@ -25,19 +26,27 @@ class AF2_EXPORT PositionSize {
   template <class F>
   requires std::invocable<const F&, std::span<const Point3>, std::span<double>> PositionSize(
       F sizes) {
+    Fill lower;
     if constexpr (requires(std::span<const Point3> at, std::span<double> s) { sizes.lower(at, s); })
-      lower_ = [sizes](std::span<const Point3> at, std::span<double> s) { sizes.lower(at, s); };
-    sizes_ = std::move(sizes);
+      lower = [sizes](std::span<const Point3> at, std::span<double> s) { sizes.lower(at, s); };
+    make(std::move(sizes), std::move(lower));
   }
 
   template <class F>
   requires std::is_invocable_r_v<double, const F&, const Point3&> PositionSize(F size)
-      : sizes_([size = std::move(size)](std::span<const Point3> at, std::span<double> sizes) {
+      : PositionSize([size = std::move(size)](std::span<const Point3> at, std::span<double> sizes) {
           for (std::size_t i = 0; i < at.size(); ++i) sizes[i] = size(at[i]);
         }) {}
 
   /// Whether there is a function.
-  explicit operator bool() const { return static_cast<bool>(sizes_); }
+  explicit operator bool() const { return made_ != nullptr; }
+  /// The smaller size of both, where `less` tells less than `asked`.
+  static PositionSize smallerOf(PositionSize asked, PositionSize less);
+  /// What `smallerOf` made of a copy of `asked` and `less` has sizes below `asked` only where
+  /// `less` has. Returns `less` of such a function, and this function itself if it is another one.
+  const PositionSize& below(const PositionSize& asked) const;
+  /// Whether both are copies of one function, or there is none.
+  bool isSameAs(const PositionSize& other) const { return made_ == other.made_; }
 
   /// Fills sizes[i] with the size at at[i]. Throws InputError, with the place, unless all of them
   /// are positive (infinity: no limit).
@@ -51,8 +60,10 @@ class AF2_EXPORT PositionSize {
 
  private:
   using Fill = std::function<void(std::span<const Point3>, std::span<double>)>;
-  Fill sizes_;
-  Fill lower_;  ///< may be empty
+  struct Made;
+  void make(Fill sizes, Fill lower);
+
+  std::shared_ptr<const Made> made_;  ///< null: there is no function
 };
 
 }  // namespace af2::geometry

@@ -34,10 +34,10 @@ namespace {
 
 class Division {
  public:
-  Division(const ModelShape& model, const std::vector<EdgeSamples>& sampled, const CadSizes& sizes,
-           int threads, const std::stop_token& stop, const EdgePoints& given,
-           const CollapsedEdges& asPoints, const SegmentChanges& changes, const MergedEdges& merged,
-           const LayerEnds& layers)
+  Division(const ModelShape& model, const SampledEdges& sampled, const CadSizes& sizes, int threads,
+           const std::stop_token& stop, const EdgePoints& given, const CollapsedEdges& asPoints,
+           const SegmentChanges& changes, const MergedEdges& merged, const LayerEnds& layers,
+           KnownStrips* strips)
       : model_(model),
         sizes_(sizes),
         given_(given),
@@ -45,14 +45,14 @@ class Division {
         changes_(changes),
         merged_(merged),
         layerEnds_(layers),
-        samples_(sampled.size()),
-        isMerged_(sampled.size(), false) {
+        samples_(sampled.byFaces.size()),
+        isMerged_(sampled.byFaces.size(), false) {
     limitAll(sampled, threads, stop);
     findEnds();
     leaveOutMerged();
     mergePoints();
     findTips();
-    limitInStrips(model_, sizes_, ends_, threads, samples_, merged_.narrowFaces);
+    limitInStrips(model_, sizes_, ends_, threads, samples_, merged_.narrowFaces, strips);
     takeChains();
     limitAtShortEdges(model_, sizes_, ends_, samples_);
     makeParts();
@@ -70,10 +70,16 @@ class Division {
   }
 
  private:
-  void limitAll(const std::vector<EdgeSamples>& sampled, int threads, const std::stop_token& stop) {
+  void limitAll(const SampledEdges& sampled, int threads, const std::stop_token& stop) {
+    const bool isSame = sizes_.function.isSameAs(sampled.function);
+    const PositionSize& less = sizes_.function.below(sampled.function);
     forEachInParallel(samples_.size(), threads, [&](std::size_t i) {
-      if (!stop.stop_requested())
-        samples_[i] = limitedByPosition(model_, static_cast<int>(i) + 1, sizes_, sampled[i]);
+      if (stop.stop_requested()) return;
+      const EdgeSamples& known = sampled.limited[i];
+      samples_[i] =
+          isSame || isWithinLimits(less, sizes_, known)
+              ? known
+              : limitedByPosition(model_, static_cast<int>(i) + 1, sizes_, sampled.byFaces[i]);
     });
   }
 
@@ -386,21 +392,27 @@ class Division {
 
 }  // namespace
 
-std::vector<EdgeSamples> sampleEdges(const ModelShape& model, const CadSizes& sizes, int threads,
-                                     const std::stop_token& stop) {
-  std::vector<EdgeSamples> sampled(static_cast<std::size_t>(model.edges.Extent()));
-  forEachInParallel(sampled.size(), threads, [&](std::size_t i) {
-    if (!stop.stop_requested()) sampled[i] = sampleEdge(model, static_cast<int>(i) + 1, sizes);
+SampledEdges sampleEdges(const ModelShape& model, const CadSizes& sizes, int threads,
+                         const std::stop_token& stop) {
+  const auto count = static_cast<std::size_t>(model.edges.Extent());
+  SampledEdges sampled{std::vector<EdgeSamples>(count), std::vector<EdgeSamples>(count),
+                       sizes.function};
+  forEachInParallel(count, threads, [&](std::size_t i) {
+    if (stop.stop_requested()) return;
+    const int edge = static_cast<int>(i) + 1;
+    sampled.byFaces[i] = sampleEdge(model, edge, sizes);
+    sampled.limited[i] = limitedByPosition(model, edge, sizes, sampled.byFaces[i]);
   });
   return sampled;
 }
 
-DividedEdges divideEdges(const ModelShape& model, const std::vector<EdgeSamples>& sampled,
+DividedEdges divideEdges(const ModelShape& model, const SampledEdges& sampled,
                          const CadSizes& sizes, int threads, const std::stop_token& stop,
                          const EdgePoints& given, const CollapsedEdges& asPoints,
                          const SegmentChanges& changes, const MergedEdges& merged,
-                         const LayerEnds& ends) {
-  return Division(model, sampled, sizes, threads, stop, given, asPoints, changes, merged, ends)
+                         const LayerEnds& ends, KnownStrips* strips) {
+  return Division(model, sampled, sizes, threads, stop, given, asPoints, changes, merged, ends,
+                  strips)
       .result();
 }
 

@@ -130,11 +130,15 @@ class IntervalSampler {
   double turn_, least_;
 };
 
+void clampSizes(EdgePiece& piece, const CadSizes& sizes) {
+  for (std::size_t i = 0; i < piece.sizes.size(); ++i)
+    piece.sizes[i] = std::clamp(piece.sizes[i], piece.least[i], sizes.maxSize);
+}
+
 /// Brings the sizes of a piece below those that are wanted by position, and between the bounds.
 void limitByPosition(EdgePiece& piece, const CadSizes& sizes) {
   if (sizes.function) sizes.function.lower(piece.positions, piece.sizes);
-  for (std::size_t i = 0; i < piece.sizes.size(); ++i)
-    piece.sizes[i] = std::clamp(piece.sizes[i], piece.least[i], sizes.maxSize);
+  clampSizes(piece, sizes);
 }
 
 std::vector<EdgePiece> sampleInCells(const BRepAdaptor_Curve& curve, const WantedAlongEdge& wanted,
@@ -338,6 +342,16 @@ EdgeSamples limitedByPosition(const ModelShape& model, int edge, const CadSizes&
   if (sizes.function || sizes.elementsPerTurn > 0)
     tryCurve(samples, [&] { resample(model, edge, sizes, samples); });
   return samples;
+}
+
+bool isWithinLimits(const PositionSize& function, const CadSizes& sizes,
+                    const EdgeSamples& samples) {
+  return std::ranges::all_of(samples.pieces, [&](const EdgePiece& piece) {
+    EdgePiece limited{{}, {}, {}, piece.sizes, piece.least};
+    if (function) function.lower(piece.positions, limited.sizes);
+    clampSizes(limited, sizes);
+    return limited.sizes == piece.sizes;
+  });
 }
 
 void gradeSizes(EdgeSamples& samples, double first, double last, double growth) {

@@ -36,6 +36,10 @@ EdgeSamples sampleEdge(const ModelShape& model, int edge, const CadSizes& sizes)
 EdgeSamples limitedByPosition(const ModelShape& model, int edge, const CadSizes& sizes,
                               EdgeSamples samples);
 
+/// Whether a function would leave samples as they are, which have had limits by position already.
+bool isWithinLimits(const PositionSize& function, const CadSizes& sizes,
+                    const EdgeSamples& samples);
+
 /// Limits the growth of sizes along the edge to `growth` per unit of length, from `first` and
 /// `last` at its ends.
 void gradeSizes(EdgeSamples& samples, double first, double last, double growth);

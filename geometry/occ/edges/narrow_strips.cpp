@@ -102,11 +102,6 @@ KnottedEdge knotted(const EdgeSamples& samples) {
   return edge;
 }
 
-struct Limit {
-  std::uint32_t edge, knot;
-  double size;
-};
-
 /// The edges of one face against each other.
 class FaceStrips {
  public:
@@ -124,7 +119,7 @@ class FaceStrips {
     }
   }
 
-  std::vector<Limit> limits() {
+  std::vector<StripLimit> limits() {
     std::vector<Box3> boxes;
     for (const Use& use : uses_) boxes.push_back(edges_[use.edge].box);
     const BoxTree tree(boxes);
@@ -173,7 +168,7 @@ class FaceStrips {
         if (side && isInside(use, knot, side->direction)) width = side->width;
       }
       if (width < most && kMaxOfWidth * width > leastShare_ * knot.size)
-        limits_.push_back({use.edge, k, kMaxOfWidth * width});
+        limits_.push_back({use.edge, knot.piece, knot.first, knot.last, kMaxOfWidth * width});
     }
   }
 
@@ -274,19 +269,64 @@ class FaceStrips {
   double leastShare_;  ///< of the size, that segments may have
   std::vector<Use> uses_;
   std::optional<FaceSurface> surface_;
-  std::vector<Limit> limits_;
+  std::vector<StripLimit> limits_;
 };
+
+bool isSame(const EdgeSamples& one, const EdgeSamples& other) {
+  return std::ranges::equal(one.pieces, other.pieces, [](const EdgePiece& a, const EdgePiece& b) {
+    return a.sizes == b.sizes && a.positions == b.positions;
+  });
+}
+
+/// By face: whether any of its edges differs from what is known.
+std::vector<bool> facesToLookAt(const ModelShape& model, const std::vector<EdgeSamples>& samples,
+                                const std::vector<Ends>& ends, const KnownStrips& known) {
+  const auto count = static_cast<std::size_t>(model.faces.Extent());
+  if (known.byFace.empty()) return std::vector<bool>(count, true);
+  std::vector<bool> isKnown;
+  for (std::size_t i = 0; i < samples.size(); ++i)
+    isKnown.push_back(ends[i].first == known.ends[i].first && ends[i].last == known.ends[i].last &&
+                      isSame(samples[i], known.samples[i]));
+  std::vector<bool> differs;
+  for (std::size_t i = 0; i < count; ++i)
+    differs.push_back(std::ranges::any_of(model.edgesOfFaces[i], [&](const EdgeUse& use) {
+      return !isKnown[static_cast<std::size_t>(use.id) - 1];
+    }));
+  return differs;
+}
+
+/// Of the edges of some faces.
+std::vector<KnottedEdge> knottedEdges(const ModelShape& model, const CadSizes& sizes,
+                                      const std::vector<EdgeSamples>& samples,
+                                      const std::vector<bool>& faces) {
+  std::vector<bool> isAsked(samples.size(), false);
+  for (std::size_t i = 0; i < faces.size(); ++i)
+    if (faces[i])
+      for (const EdgeUse& use : model.edgesOfFaces[i])
+        isAsked[static_cast<std::size_t>(use.id) - 1] = true;
+  std::vector<KnottedEdge> edges(samples.size());
+  for (std::size_t i = 0; i < samples.size(); ++i)
+    if (isAsked[i] && !sizes.edgeSizes.contains(static_cast<int>(i) + 1))
+      edges[i] = knotted(samples[i]);
+  return edges;
+}
 
 }  // namespace
 
 void limitInStrips(const ModelShape& model, const CadSizes& sizes, const std::vector<Ends>& ends,
-                   int threads, std::vector<EdgeSamples>& samples, const std::set<int>& without) {
-  std::vector<KnottedEdge> edges(samples.size());
-  for (std::size_t i = 0; i < samples.size(); ++i)
-    if (!sizes.edgeSizes.contains(static_cast<int>(i) + 1)) edges[i] = knotted(samples[i]);
+                   int threads, std::vector<EdgeSamples>& samples, const std::set<int>& without,
+                   KnownStrips* known) {
+  const KnownStrips nothing;
+  const std::vector<bool> isLookedAt =
+      facesToLookAt(model, samples, ends, known ? *known : nothing);
+  const std::vector<KnottedEdge> edges = knottedEdges(model, sizes, samples, isLookedAt);
   const double leastShare = sizes.elementsPerTurn > 0 ? kMinShareWithTurns : kMinShare;
-  std::vector<std::vector<Limit>> byFace(static_cast<std::size_t>(model.faces.Extent()));
+  std::vector<std::vector<StripLimit>> byFace(isLookedAt.size());
   forEachInParallel(byFace.size(), threads, [&](std::size_t i) {
+    if (!isLookedAt[i]) {
+      byFace[i] = known->byFace[i];
+      return;
+    }
     if (without.contains(static_cast<int>(i) + 1)) return;
     try {
       byFace[i] = FaceStrips(model, static_cast<int>(i) + 1, ends, edges, leastShare).limits();
@@ -294,11 +334,11 @@ void limitInStrips(const ModelShape& model, const CadSizes& sizes, const std::ve
     } catch (const Standard_Failure&) {
     }
   });
-  for (const std::vector<Limit>& limits : byFace)
-    for (const Limit& limit : limits) {
-      const Knot& knot = edges[limit.edge].knots[limit.knot];
-      std::vector<double>& along = samples[limit.edge].pieces[knot.piece].sizes;
-      for (std::size_t i = knot.first; i < knot.last; ++i)
+  if (known && known->byFace.empty()) *known = {samples, ends, byFace};
+  for (const std::vector<StripLimit>& limits : byFace)
+    for (const StripLimit& limit : limits) {
+      std::vector<double>& along = samples[limit.edge].pieces[limit.piece].sizes;
+      for (std::size_t i = limit.first; i < limit.last; ++i)
         along[i] = std::min(along[i], bounded(sizes, limit.size));
     }
 }

@@ -25,7 +25,7 @@ class OverlapFinder {
   OverlapFinder(const Model& model, double size) : shape_(model.shape()) { sizes_.size = size; }
 
   std::vector<Defect> find() {
-    const std::vector<EdgeSamples> sampled = sampleEdges(shape_, sizes_, kAllThreads, {});
+    const SampledEdges sampled = sampleEdges(shape_, sizes_, kAllThreads, {});
     divided_ = divideEdges(shape_, sampled, sizes_, kAllThreads, {});
     lying_ = facesOnFaces(shape_, kAllThreads);
     findTwins();

@@ -81,6 +81,7 @@ void CadFaces::prepare(const MeshingOptions& options, const std::vector<int>& fa
   expectMoreOn(uneven);
   expectByPosition();
   sampled_ = sampleEdges(*shape_, sizes_, options.threads, options.stop);
+  strips_ = {};
   findLayers();
 }
 
@@ -130,7 +131,7 @@ std::unique_ptr<FaceDistance> CadFaces::distanceFrom(int face) const {
 DividedEdges CadFaces::divide(const PositionSize& sizes, const CollapsedEdges& asPoints,
                               const SegmentChanges& changes) const {
   return divideEdges(*shape_, sampled_, withFunction(sizes), options_->threads, options_->stop,
-                     options_->edgePoints, asPoints, changes, merged_, layerEnds_);
+                     options_->edgePoints, asPoints, changes, merged_, layerEnds_, &strips_);
 }
 
 std::vector<CountedLoop> CadFaces::loopsOf(int face, const DividedEdges& divided) const {

@@ -10,7 +10,7 @@
 #include "geometry/layers/layer_heights.h"
 #include "geometry/layers/layers_of_face.h"
 #include "geometry/meshing/face_source.h"
-#include "geometry/occ/edges/edge_samples.h"
+#include "geometry/occ/edges/edge_division.h"
 #include "geometry/occ/edges/merged_edges.h"
 #include "geometry/occ/faces/faces_on_faces.h"
 #include "geometry/occ/model/model.h"
@@ -49,7 +49,10 @@ class CadFaces : public FaceSource {
  protected:
   static std::size_t indexOf(int face) { return static_cast<std::size_t>(face) - 1; }
   /// Which edges meshes do not follow from now on, or divide as one.
-  void merge(MergedEdges edges) { merged_ = std::move(edges); }
+  void merge(MergedEdges edges) {
+    merged_ = std::move(edges);
+    strips_ = {};
+  }
   const MergedEdges& merged() const { return merged_; }
 
   const MeshingOptions& options() const { return *options_; }
@@ -59,7 +62,7 @@ class CadFaces : public FaceSource {
   std::shared_ptr<const ModelShape> sharedShape() const { return shape_; }
   const std::vector<FaceOnFace>& lyingFaces() const { return onFaces_; }
   double areaOfFace(int face) const { return areas_[indexOf(face)]; }
-  const std::vector<EdgeSamples>& sampledEdges() const { return sampled_; }
+  const std::vector<EdgeSamples>& sampledEdges() const { return sampled_.byFaces; }
   bool isFineInside() const { return isFineInside_; }
   CadSizes withFunction(const PositionSize& function) const;
 
@@ -85,7 +88,8 @@ class CadFaces : public FaceSource {
   std::shared_ptr<const ModelShape> shape_;  // with edges along its creases
   std::vector<FaceOnFace> onFaces_;
   std::vector<double> areas_, work_;  // by face; 0 of those not asked for
-  std::vector<EdgeSamples> sampled_;  // by edge
+  SampledEdges sampled_;
+  mutable KnownStrips strips_;  // changes how long divisions take, not what they are
   MergedEdges merged_;
   std::map<int, EdgeLayers> layers_;  // by face
   LayerEnds layerEnds_;

@@ -19,6 +19,7 @@
 #include "geometry/occ/base/points.h"
 #include "geometry/occ/sizes/face_size.h"
 #include "geometry/occ/sizes/sizing.h"
+#include "geometry/sizes/uncovered_sources.h"
 
 namespace af2::geometry {
 namespace {
@@ -53,11 +54,14 @@ class FaceSampler {
         face_(TopoDS::Face(model.face(face).Oriented(TopAbs_FORWARD))),
         sizes_(sizes),
         wanted_(wantedOnFace(sizes, face)),
-        surface_(model.surface(face)) {}
+        surface_(model.surface(face)),
+        sources_(growthInside(sizes)) {}
 
-  std::vector<SizeSource> sources() {
-    if (!sizes_.function && surface_.isPlane()) return {};
-    trimming_.emplace(face_, Precision::PConfusion());
+  /// All sources, or those that matter to `uncovered`.
+  std::vector<SizeSource> sources(bool areAll) {
+    areAll_ = areAll;
+    if (!sizes_.function && !mayBeSmall()) return {};
+    BRepTools::UVBounds(face_, box_.u1, box_.u2, box_.v1, box_.v2);
     std::vector<Cell> cells = firstCells();
     for (std::size_t samples = 0; !cells.empty() && samples < kMaxSamples;) {
       samples += cells.size();
@@ -68,7 +72,7 @@ class FaceSampler {
     }
     roughShare_ = shareOf(cells);
     if (!cells.empty() && !isAsked()) return {};  // rougher than shorter edges could make good
-    return std::move(sources_);
+    return sources_.take();
   }
 
   /// Whether sizes changed faster than could be sampled, and not at some spot alone, such as a
@@ -85,12 +89,17 @@ class FaceSampler {
   /// Whether sizes inside faces were asked for.
   bool isAsked() const { return sizes_.function || sizes_.elementsPerTurn > 0; }
 
+  /// Where a surface is bent alike everywhere, one place tells.
+  bool mayBeSmall() const {
+    if (surface_.isPlane()) return false;
+    return !surface_.isBentAlike() || limitOn(wanted_, {}) < kSmall * wanted_;
+  }
+
   static constexpr int kPointsPerCell = 5;
   static constexpr std::size_t kMaxSamples = 20000;
 
   std::vector<Cell> firstCells() {
-    double u1, u2, v1, v2;
-    BRepTools::UVBounds(face_, u1, u2, v1, v2);
+    const double u1 = box_.u1, u2 = box_.u2, v1 = box_.v1, v2 = box_.v2;
     for (const double bound : {u1, u2, v1, v2})
       if (Precision::IsInfinite(bound)) return {};
     if (!(u2 > u1 && v2 > v1)) return {};
@@ -122,10 +131,9 @@ class FaceSampler {
 
   /// How much of the parameters the cells take up.
   double shareOf(const std::vector<Cell>& cells) const {
-    double u1, u2, v1, v2, sum = 0;
-    BRepTools::UVBounds(face_, u1, u2, v1, v2);
+    double sum = 0;
     for (const Cell& cell : cells) sum += 4 * cell.du * cell.dv;
-    return cells.empty() ? 0 : sum / ((u2 - u1) * (v2 - v1));
+    return cells.empty() ? 0 : sum / ((box_.u2 - box_.u1) * (box_.v2 - box_.v1));
   }
 
   int cellsFor(double length) const {
@@ -155,24 +163,30 @@ class FaceSampler {
       for (const SurfacePoint& p : points_) at.push_back(p.position);
       sizes_.function.at(at, limits_);
     }
-    for (std::size_t i = 0; i < points_.size(); ++i) {
-      double size = std::min(wanted_, limits_[i]);
-      double least = sizes_.minSize;
-      if (!surface_.isPlane()) {
-        const CurvedSize curved = curvedSizeAt(sizes_, id_, size, surface_, points_[i]);
-        size = curved.limit;
-        least = curved.least;
-      }
-      limits_[i] = std::clamp(size, least, sizes_.maxSize);
+    for (std::size_t i = 0; i < points_.size(); ++i)
+      limits_[i] = limitOn(std::min(wanted_, limits_[i]), points_[i]);
+  }
+
+  double limitOn(double size, const SurfacePoint& point) const {
+    double least = sizes_.minSize;
+    if (!surface_.isPlane()) {
+      const CurvedSize curved = curvedSizeAt(sizes_, id_, size, surface_, point);
+      size = curved.limit;
+      least = curved.least;
     }
+    return std::clamp(size, least, sizes_.maxSize);
   }
 
   /// Only samples on the face count.
   void addSources() {
+    sources_.sort();
     for (std::size_t i = 0; i < points_.size(); ++i) {
       if (limits_[i] >= kSmall * wanted_) continue;
+      const SizeSource source{points_[i].position, limits_[i]};
+      if (!areAll_ && sources_.cover(source)) continue;
+      if (!trimming_) trimming_.emplace(face_, Precision::PConfusion());
       if (trimming_->Perform({points_[i].u, points_[i].v}) == TopAbs_OUT) continue;
-      sources_.push_back({points_[i].position, limits_[i]});
+      sources_.add(source);
     }
   }
 
@@ -203,10 +217,12 @@ class FaceSampler {
   const CadSizes& sizes_;
   double wanted_;
   FaceSurface surface_;
-  std::optional<BRepTopAdaptor_FClass2d> trimming_;
+  SplineSurface::Box box_;                           // of the parameters
+  std::optional<BRepTopAdaptor_FClass2d> trimming_;  // most faces do not need it
   std::vector<SurfacePoint> points_;
   std::vector<double> limits_;  // by point
-  std::vector<SizeSource> sources_;
+  UncoveredSources sources_;
+  bool areAll_ = true;
   double roughShare_ = 0;
 };
 
@@ -270,12 +286,22 @@ class UnevennessProbe {
   int compared_ = 0, uneven_ = 0;
 };
 
+std::vector<SizeSource> sampled(const ModelShape& model, int face, const CadSizes& sizes,
+                                bool areAll) {
+  try {
+    return FaceSampler(model, face, sizes).sources(areAll);
+  } catch (const GeometryError&) {  // reported when the face is meshed
+  } catch (const Standard_Failure&) {
+  }
+  return {};
+}
+
 std::vector<SizeSource> sampleFaces(const ModelShape& model, const std::vector<int>& faces,
                                     const CadSizes& sizes, int threads,
                                     const std::stop_token& stop) {
   std::vector<std::vector<SizeSource>> byFace(faces.size());
   forEachInParallel(byFace.size(), threads, [&](std::size_t i) {
-    if (!stop.stop_requested()) byFace[i] = sizesInside(model, faces[i], sizes);
+    if (!stop.stop_requested()) byFace[i] = sampled(model, faces[i], sizes, false);
   });
   std::vector<SizeSource> all;
   for (const auto& sources : byFace) all.insert(all.end(), sources.begin(), sources.end());
@@ -290,7 +316,7 @@ std::set<int> roughFacesOf(const ModelShape& model, const std::vector<int>& face
     if (stop.stop_requested()) return;
     try {
       FaceSampler sampler(model, faces[i], sizes);
-      sampler.sources();
+      sampler.sources(false);
       isRough[i] = sampler.isTooRough();
     } catch (const GeometryError&) {  // reported when the face is meshed
     } catch (const Standard_Failure&) {
@@ -338,12 +364,7 @@ std::vector<int> allFaces(const ModelShape& model) {
 }  // namespace
 
 std::vector<SizeSource> sizesInside(const ModelShape& model, int face, const CadSizes& sizes) {
-  try {
-    return FaceSampler(model, face, sizes).sources();
-  } catch (const GeometryError&) {  // reported when the face is meshed
-  } catch (const Standard_Failure&) {
-  }
-  return {};
+  return sampled(model, face, sizes, true);
 }
 
 std::vector<int> unevenFaces(const ModelShape& model, const CadSizes& sizes, int threads,

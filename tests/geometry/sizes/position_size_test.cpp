@@ -52,5 +52,18 @@ TEST(PositionSize, RefusesSizesThatAreNotPositiveAlsoWhereTheyReduce) {
   EXPECT_THROW(size.lower(kPlaces, sizes), InputError);
 }
 
+TEST(PositionSize, IsSmallerOfTwoAndKnowsWhatWasAdded) {
+  const PositionSize asked([](const Point3& p) { return 1 + p.x; });
+  const PositionSize less([](const Point3&) { return 2.5; });
+  const PositionSize both = PositionSize::smallerOf(asked, less);
+  for (const Point3& place : kPlaces)
+    EXPECT_EQ(both.at(place), std::min(asked.at(place), less.at(place)));
+  EXPECT_TRUE(both.below(asked).isSameAs(less));
+  EXPECT_TRUE(both.below(less).isSameAs(both)) << "nothing is known about it";
+  EXPECT_TRUE(asked.below(asked).isSameAs(asked));
+  EXPECT_TRUE(PositionSize::smallerOf({}, less).isSameAs(less));
+  EXPECT_FALSE(PositionSize(asked).isSameAs(less));
+}
+
 }  // namespace
 }  // namespace af2::geometry

@@ -44,7 +44,7 @@ TEST(EdgeDivision, TellsAboutHowManySegmentsAreTooMany) {
                                    std::pair(1e-300, "needs more than 1e+300 segments")}) {
     CadSizes sizes = uniform(0.5);
     sizes.edgeSizes[1] = size;
-    const std::string problem = sampleEdges(box.shape(), sizes, 1, {})[0].problem;
+    const std::string problem = sampleEdges(box.shape(), sizes, 1, {}).byFaces[0].problem;
     EXPECT_NE(problem.find(told), std::string::npos) << problem;
   }
 }

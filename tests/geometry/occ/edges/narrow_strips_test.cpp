@@ -112,5 +112,25 @@ TEST(NarrowStrips, LeaveToAnEdgeTheSizeThatItIsGiven) {
     EXPECT_NEAR(length, 1, 0.1);
 }
 
+TEST(NarrowStrips, AreTheSameIfThoseOfAnEarlierDivisionAreKnown) {
+  const Model model = testing::box(10, 10, 0.3);
+  const SampledEdges sampled = sampleEdges(model.shape(), uniform(1), 1, {});
+  const auto divided = [&](const CadSizes& sizes, KnownStrips* known) {
+    std::vector<std::vector<double>> parameters;
+    for (const DividedEdge& edge :
+         divideEdges(model.shape(), sampled, sizes, 1, {}, {}, {}, {}, {}, {}, known).edges)
+      parameters.push_back(edge.parameters);
+    return parameters;
+  };
+  KnownStrips known;
+  const auto first = divided(uniform(1), &known);
+  EXPECT_EQ(first, divided(uniform(1), nullptr));
+  EXPECT_EQ(first, divided(uniform(1), &known));
+  CadSizes smaller = uniform(1);
+  smaller.function = PositionSize([](const Point3& p) { return 0.1 + 0.3 * length(p); });
+  EXPECT_EQ(divided(smaller, &known), divided(smaller, nullptr));
+  EXPECT_NE(divided(smaller, &known), first);
+}
+
 }  // namespace
 }  // namespace af2::geometry
