@@ -9,12 +9,14 @@
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 #include <limits>
 #include <stop_token>
 #include <thread>
 
 #include "cli/meshing/mesh_and_report.h"
 #include "cli/meshing/mesh_run.h"
+#include "cli/meshing/stream_request.h"
 #include "cli/mpi/model_file.h"
 #include "cli/program/command_faults.h"
 #include "cli/program/exit_code.h"
@@ -56,7 +58,9 @@ int usualThreads() {
   return std::max(1, some < all ? some : some / processes);
 }
 
-void refuseWhatNeedsOneProcess(const MeshOptions& options) {
+void refuseWhatNeedsOneProcess(const MeshOptions& options, const std::string& parts) {
+  if (options.stream && !parts.empty())
+    throw UsageError("--stream: parts are cut from a mesh in memory; leave out --parts");
   if (options.coarsen)
     throw UsageError("--coarsen: all processes must know the sizes beforehand; use af2 mesh");
   if (!options.trace.empty() || options.statistics)
@@ -99,7 +103,7 @@ void writeOwnPart(Crew& crew, const std::string& file) {
 
 int lead(Crew& crew, const Options& given, int threads) {
   const MeshOptions& options = given.mesh;
-  refuseWhatNeedsOneProcess(options);
+  refuseWhatNeedsOneProcess(options, given.parts);
   MeshRequest request = checkedRequest(options);
   if (!given.parts.empty()) checkPartsFile(given.parts);
   // Before the others do so, and say the same about errors.
@@ -107,6 +111,7 @@ int lead(Crew& crew, const Options& given, int threads) {
   sendModel(crew.process(), request.model);
   request.options.threads = threads;
   request.options.crew = crew.faces();
+  if (options.stream) request.options.spool = checkedStream(true, request);
   RunWatch watch;
   watch.meshed = [&](const ModelMesh& mesh) { writeParts(crew, mesh, request, given.parts); };
   try {
@@ -134,6 +139,10 @@ int follow(Crew& crew, const Options& given, int threads) {
   request.options.threads = threads;
   request.options.crew = crew.faces();
   request.options.maxMemory = std::numeric_limits<double>::infinity();  // the leader decides
+  // The folder of the output may be one of the machine of the leader.
+  if (options.stream)
+    request.options.spool = {geometry::SpoolRequest::When::Always,
+                             std::filesystem::temp_directory_path()};
   RunControl control;
   control.showProgress = false;
   control.names = [&](auto, auto) { model.remove(); };  // it has been read

@@ -8,6 +8,10 @@
 #include <limits>
 #include <string>
 
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
+
 namespace af2::geometry {
 namespace {
 
@@ -33,5 +37,11 @@ double leftOfLimit() {
 }  // namespace
 
 double freeMemory() { return std::min(availableOnMachine(), leftOfLimit()); }
+
+void returnFreedMemory() {
+#ifdef __GLIBC__
+  ::malloc_trim(0);
+#endif
+}
 
 }  // namespace af2::geometry

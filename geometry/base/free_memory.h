@@ -8,4 +8,7 @@ namespace af2::geometry {
 /// limited (`ulimit -v`). Infinite where the system does not say.
 double freeMemory();
 
+/// Gives the system back what is free among what was freed, where the library of C keeps it.
+void returnFreedMemory();
+
 }  // namespace af2::geometry

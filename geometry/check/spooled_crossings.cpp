@@ -145,7 +145,7 @@ class SpooledSearch {
     for (std::uint32_t i = 0; i < faces_.size(); ++i) {
       const SpooledPart& own = part(faces_[i]);
       for (std::size_t v = 0; v < own.boundary.size(); ++v) {
-        if (!own.bulk->isUsed()[v] || !isOnSegment[own.boundary[v]]) continue;
+        if (!own.bulk->counts().isUsed[v] || !isOnSegment[own.boundary[v]]) continue;
         std::uint32_t& other = faceAt[own.boundary[v]];
         if (other != kNone) shells.join(i, other);
         other = i;
@@ -172,7 +172,7 @@ class SpooledSearch {
     Point3 sum;
     std::size_t count = 0;
     for (const std::size_t i : shell) {
-      count += part(faces_[i]).bulk->elementCount();
+      count += part(faces_[i]).bulk->counts().elements;
       sum = sum + patch(faces_[i]).corners;
     }
     const Point3 centre = (1 / static_cast<double>(count)) * sum;

@@ -76,7 +76,7 @@ std::vector<MeshFinding> checkSpooled(const ModelMesh& mesh, const EvidenceOfPar
   for (std::size_t i = 0; i < evidence.size(); ++i) {
     findings.take(evidence[i]->findings);
     const SpooledPart& part = mesh.spooled->parts()[i];
-    if (part.bulk->elementCount() > 0) areas[part.face] += evidence[i]->area;
+    if (part.bulk->counts().elements > 0) areas[part.face] += evidence[i]->area;
   }
   const SuspectMesh suspect(mesh, evidence);
   const std::vector<WantedUses> wanted = wantedUses(mesh);

@@ -116,10 +116,11 @@ void scoreElements(ModelMesh& mesh, const RuleSetDefinition& rules, int threads)
   const SpooledMesh::Shared shared{mesh.vertices, mesh.wantedSizes};
   for (std::size_t i = 0; i < parts.size(); ++i)
     mesh.spooled->visitPart(i, shared, [&](const MeshSlice& slice) {
-      parts[i].scores = std::make_shared<const SpooledFloats>(parts[i].bulk->file(),
+      parts[i].scores = std::make_shared<const SpooledFloats>(mesh.spooled->file(),
                                                               sliceScores(slice, rules, threads));
     });
-  mesh.spooled = std::make_shared<const SpooledMesh>(std::move(parts), mesh.vertices.size());
+  mesh.spooled = std::make_shared<const SpooledMesh>(std::move(parts), mesh.vertices.size(),
+                                                     mesh.spooled->file());
 }
 
 }  // namespace af2::geometry

@@ -36,12 +36,12 @@ struct FaceMesh {
   std::size_t searchCost = 0;  ///< candidates of the front, with those of failed attempts
   /// Vertices inside and elements, if they are on disk: then `inside`, `elements` and `origins` are
   /// empty, and `wantedSizes` has the vertices of the boundary only.
-  std::shared_ptr<const SpooledFace> bulk = {};
+  std::shared_ptr<const StoredFace> bulk = {};
   std::shared_ptr<const FaceEvidence> evidence = {};  ///< what the checks need to know of these
 };
 
 inline std::size_t elementCount(const FaceMesh& mesh) {
-  return mesh.bulk ? mesh.bulk->elementCount() : mesh.elements.size();
+  return mesh.bulk ? mesh.bulk->counts().elements : mesh.elements.size();
 }
 
 /// Brings the bulk back into memory, if it is on disk.

@@ -18,7 +18,7 @@ class Assembly {
 
   ModelMesh join(const std::vector<FaceMesh>& faces) {
     numberBoundary(faces);
-    if (options_.isSpooled) {
+    if (options_.spool) {
       takeSpooled(faces);
     } else {
       makeRoom(faces);
@@ -40,7 +40,7 @@ class Assembly {
     std::vector<std::vector<bool>> isUsed(faces.size());  // by vertex of the boundary
     forEachInParallel(faces.size(), options_.threads, [&](std::size_t i) {
       if (faces[i].bulk) {
-        isUsed[i] = faces[i].bulk->isUsed();
+        isUsed[i] = faces[i].bulk->counts().isUsed;
         return;
       }
       isUsed[i].assign(faces[i].boundary.size(), false);
@@ -88,7 +88,8 @@ class Assembly {
       SpooledPart& part = parts.emplace_back(SpooledPart{face.report.id, face.bulk, face.boundary});
       for (std::uint32_t& point : part.boundary) point = ids_[point];
     }
-    mesh_.spooled = std::make_shared<const SpooledMesh>(std::move(parts), mesh_.vertices.size());
+    mesh_.spooled = std::make_shared<const SpooledMesh>(std::move(parts), mesh_.vertices.size(),
+                                                        options_.spool);
   }
 
   std::uint32_t addVertex(const Point3& position) {

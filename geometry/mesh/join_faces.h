@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <map>
+#include <memory>
 #include <vector>
 
 #include "geometry/edges/divided_edges.h"
@@ -16,7 +17,9 @@ struct JoinOptions {
   /// The point of an edge at a parameter. Only for elements of second order; else empty.
   std::function<Point3(int edge, double parameter)> pointOnEdge;
   int threads = 0;
-  bool isSpooled = false;  ///< the vertices inside faces and the elements stay on disk
+  /// If not null, the vertices inside faces and the elements stay where they are, not in memory;
+  /// numbers of elements go to this file.
+  std::shared_ptr<SpoolFile> spool = {};
 };
 
 /// Vertices are numbered in this order: at model vertices, along edges, inside faces. Vertices that

@@ -18,8 +18,7 @@ namespace {
 
 /// Where numbers of all elements are kept: where these are themselves.
 std::shared_ptr<SpoolFile> spoolOf(const ModelMesh& mesh) {
-  if (!mesh.spooled || mesh.spooled->parts().empty()) return nullptr;
-  return mesh.spooled->parts().front().bulk->file();
+  return mesh.spooled ? mesh.spooled->file() : nullptr;
 }
 
 double squared(const Point3& p) { return dot(p, p); }

@@ -35,8 +35,8 @@ ModelMesh scaledMesh(ModelMesh mesh, double factor) {
   for (EdgeSegment& segment : mesh.segments) segment.middle = factor * segment.middle;
   for (FaceReport& face : mesh.faces) scaleFace(face, factor);
   if (mesh.spooled)
-    mesh.spooled =
-        std::make_shared<const SpooledMesh>(mesh.spooled->parts(), mesh.vertices.size(), factor);
+    mesh.spooled = std::make_shared<const SpooledMesh>(mesh.spooled->parts(), mesh.vertices.size(),
+                                                       mesh.spooled->file(), factor);
   return mesh;
 }
 

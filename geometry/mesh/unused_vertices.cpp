@@ -61,12 +61,13 @@ void dropSpooledFaces(ModelMesh& mesh, const std::vector<int>& faces) {
   std::vector<bool> used(mesh.vertices.size(), false);
   for (const SpooledPart& part : parts)
     for (std::size_t v = 0; v < part.boundary.size(); ++v)
-      if (part.bulk->isUsed()[v]) used[part.boundary[v]] = true;
+      if (part.bulk->counts().isUsed[v]) used[part.boundary[v]] = true;
   const std::vector<VertexId> renumbered = keepVertices(mesh, used);
   for (SpooledPart& part : parts)
     for (std::uint32_t& v : part.boundary)
       if (v < renumbered.size()) v = renumbered[v].value;
-  mesh.spooled = std::make_shared<const SpooledMesh>(std::move(parts), mesh.vertices.size());
+  mesh.spooled = std::make_shared<const SpooledMesh>(std::move(parts), mesh.vertices.size(),
+                                                     mesh.spooled->file());
 }
 
 }  // namespace af2::geometry

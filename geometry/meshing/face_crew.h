@@ -43,6 +43,9 @@ using MeshTry = std::function<FaceMesh(const FaceTry&, RegionCrew* pieces)>;
 /// Takes the mesh of the k-th try. Called from several threads, also at once.
 using TakeMesh = std::function<void(std::size_t k, FaceMesh)>;
 
+/// Puts the bulk of a face on disk, if faces are kept there. Called from several threads at once.
+using KeepMesh = std::function<void(FaceMesh&)>;
+
 /// The process that divides the edges, decides which faces are meshed and tried again, and joins
 /// their meshes.
 class CrewLeader {
@@ -68,7 +71,10 @@ class CrewFollower {
   /// None: the run is over. The edges live until the next call.
   virtual std::optional<FaceRound> nextRound() = 0;
   /// Meshes faces until the round is over.
-  virtual void help(const MeshTry& mesh) = 0;
+  ///
+  /// keep  called with each face that this process has finished: what it puts on disk stays there,
+  ///       and the leader gets it when it asks for it
+  virtual void help(const MeshTry& mesh, const KeepMesh& keep) = 0;
   /// The mesh without vertices and elements.
   virtual ModelMesh reports() = 0;
 };

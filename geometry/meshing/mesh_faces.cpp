@@ -10,6 +10,7 @@
 
 #include "engine/base/place_text.h"
 #include "engine/base/stopwatch.h"
+#include "geometry/base/free_memory.h"
 #include "geometry/base/parallel.h"
 #include "geometry/check/sound_faces.h"
 #include "geometry/fill/face_filling.h"
@@ -78,9 +79,11 @@ class FaceRun final : public RetriedModel {
     while (const std::optional<FaceRound> round = crew.nextRound()) {
       const PositionSize sizes = refinedSizes(source_.sizesByPosition(), round->near,
                                               options_.sizes.growth, largestOf(options_.sizes));
-      crew.help([&](const FaceTry& next, RegionCrew* pieces) {
-        return meshed(next.face, sizes, next.limits, round->divided, {}, pieces);
-      });
+      crew.help(
+          [&](const FaceTry& next, RegionCrew* pieces) {
+            return meshed(next.face, sizes, next.limits, round->divided, {}, pieces);
+          },
+          [&](FaceMesh& mesh) { putAway(mesh, round->divided); });
     }
   }
 
@@ -138,7 +141,7 @@ class FaceRun final : public RetriedModel {
       join.pointOnEdge = [&](int edge, double parameter) {
         return source_.pointOnEdge(edge, parameter);
       };
-    join.isSpooled = spool_ != nullptr;
+    join.spool = spool_;
     for (FaceMesh& mesh : state.meshes) putAway(mesh, state.divided);  // what remedies have changed
     state.joined = joinFaces(state.divided, state.meshes, join);
     const bool mayCross = source_.mayCross() && !options_.stop.stop_requested();
@@ -230,7 +233,11 @@ class FaceRun final : public RetriedModel {
 
   /// A face that is done, if faces are put on disk.
   void putAway(FaceMesh& mesh, const DividedEdges& divided) const {
-    if (spool_) spoolFace(mesh, divided, source_.mayCross(), spool_);
+    constexpr std::size_t kMany = 100'000;
+    if (!spool_) return;
+    const bool isLarge = mesh.elements.size() > kMany;
+    spoolFace(mesh, divided, source_.mayCross(), spool_);
+    if (isLarge) returnFreedMemory();  // it is in pieces that do not fit the next face
   }
 
   MeasuredMesh finished(FaceMeshes& state) const {

@@ -10,20 +10,24 @@ namespace {
 static_assert(sizeof(Point3) == 24 && sizeof(Element) == 16 && sizeof(ElementOrigin) == 4,
               "padding would go to disk");
 
+StoredFace::Counts countsOf(const SpooledFace::Content& content, std::size_t boundary) {
+  StoredFace::Counts counts{content.inside.size(), content.elements.size(), 0,
+                            std::vector<bool>(boundary, false)};
+  for (const Element& element : content.elements) {
+    counts.quads += element.isQuad();
+    for (const VertexId v : element.vertices())
+      if (v.value < boundary) counts.isUsed[v.value] = true;
+  }
+  return counts;
+}
+
 }  // namespace
 
 SpooledFace::SpooledFace(std::shared_ptr<SpoolFile> file, const Content& content,
                          std::size_t boundary)
-    : file_(std::move(file)),
-      inside_(content.inside.size()),
-      sizes_(content.wantedSizes.size()),
-      elements_(content.elements.size()),
-      isUsed_(boundary, false) {
-  for (const Element& element : content.elements) {
-    quads_ += element.isQuad();
-    for (const VertexId v : element.vertices())
-      if (v.value < boundary) isUsed_[v.value] = true;
-  }
+    : StoredFace(countsOf(content, boundary)),
+      file_(std::move(file)),
+      sizes_(content.wantedSizes.size()) {
   place_ = file_->reserve(content.inside.size_bytes() + content.elements.size_bytes() +
                           content.wantedSizes.size_bytes() + content.origins.size_bytes());
   std::uint64_t at = place_.begin;
@@ -39,18 +43,19 @@ SpooledFace::SpooledFace(std::shared_ptr<SpoolFile> file, const Content& content
 
 FaceBulk SpooledFace::loadShape() const {
   FaceBulk bulk;
-  bulk.inside.resize(inside_);
-  bulk.elements.resize(elements_);
+  bulk.inside.resize(counts().inside);
+  bulk.elements.resize(counts().elements);
   file_->read(place_.begin, std::span(bulk.inside));
-  file_->read(place_.begin + inside_ * sizeof(Point3), std::span(bulk.elements));
+  file_->read(place_.begin + counts().inside * sizeof(Point3), std::span(bulk.elements));
   return bulk;
 }
 
 FaceBulk SpooledFace::load() const {
   FaceBulk bulk = loadShape();
   bulk.wantedSizes.resize(sizes_);
-  bulk.origins.resize(elements_);
-  const std::uint64_t sizes = place_.begin + inside_ * sizeof(Point3) + elements_ * sizeof(Element);
+  bulk.origins.resize(counts().elements);
+  const std::uint64_t sizes =
+      place_.begin + counts().inside * sizeof(Point3) + counts().elements * sizeof(Element);
   file_->read(sizes, std::span(bulk.wantedSizes));
   file_->read(sizes + sizes_ * sizeof(double), std::span(bulk.origins));
   return bulk;

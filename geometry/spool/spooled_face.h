@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "engine/base/point.h"
@@ -23,8 +24,33 @@ struct FaceBulk {
   std::vector<ElementOrigin> origins;  ///< by element
 };
 
+/// The bulk of a face that is not in memory.
+class StoredFace {
+ public:
+  /// What is known without loading it.
+  struct Counts {
+    std::size_t inside = 0, elements = 0, quads = 0;
+    /// By vertex of the boundary: whether an element has it.
+    std::vector<bool> isUsed = {};
+  };
+
+  explicit StoredFace(Counts counts) : counts_(std::move(counts)) {}
+  virtual ~StoredFace() = default;
+  StoredFace(const StoredFace&) = delete;
+  StoredFace& operator=(const StoredFace&) = delete;
+
+  const Counts& counts() const { return counts_; }
+  /// May be called from several threads at once. Throws InputError if it cannot be loaded.
+  virtual FaceBulk load() const = 0;
+  /// Only the vertices and the elements.
+  virtual FaceBulk loadShape() const = 0;
+
+ private:
+  Counts counts_;
+};
+
 /// The bulk of one face in a file. Its room is given back when the last owner is gone.
-class SpooledFace {
+class SpooledFace final : public StoredFace {
  public:
   struct Content {
     std::span<const Point3> inside;
@@ -35,25 +61,14 @@ class SpooledFace {
 
   /// boundary  number of vertices of the boundary
   SpooledFace(std::shared_ptr<SpoolFile> file, const Content& content, std::size_t boundary);
-  ~SpooledFace() { file_->release(place_); }
-  SpooledFace(const SpooledFace&) = delete;
-  SpooledFace& operator=(const SpooledFace&) = delete;
+  ~SpooledFace() override { file_->release(place_); }
 
-  std::size_t insideCount() const { return inside_; }
-  std::size_t elementCount() const { return elements_; }
-  std::size_t quadCount() const { return quads_; }
-  /// By vertex of the boundary: whether an element has it.
-  const std::vector<bool>& isUsed() const { return isUsed_; }
-  const std::shared_ptr<SpoolFile>& file() const { return file_; }
-
-  FaceBulk load() const;
-  /// Only the vertices and the elements.
-  FaceBulk loadShape() const;
+  FaceBulk load() const override;
+  FaceBulk loadShape() const override;
 
  private:
   std::shared_ptr<SpoolFile> file_;
-  std::size_t inside_, sizes_, elements_, quads_ = 0;
-  std::vector<bool> isUsed_;
+  std::size_t sizes_;
   SpoolFile::Place place_;
 };
 

@@ -5,17 +5,22 @@
 
 namespace af2::geometry {
 
-SpooledMesh::SpooledMesh(std::vector<SpooledPart> parts, std::size_t shared, double scale)
-    : parts_(std::move(parts)), scale_(scale), firstVertex_{shared}, firstElement_{0} {
+SpooledMesh::SpooledMesh(std::vector<SpooledPart> parts, std::size_t shared,
+                         std::shared_ptr<SpoolFile> file, double scale)
+    : parts_(std::move(parts)),
+      file_(std::move(file)),
+      scale_(scale),
+      firstVertex_{shared},
+      firstElement_{0} {
   for (const SpooledPart& part : parts_) {
-    firstVertex_.push_back(firstVertex_.back() + part.bulk->insideCount());
-    firstElement_.push_back(firstElement_.back() + part.bulk->elementCount());
+    firstVertex_.push_back(firstVertex_.back() + part.bulk->counts().inside);
+    firstElement_.push_back(firstElement_.back() + part.bulk->counts().elements);
   }
 }
 
 std::size_t SpooledMesh::quadCount() const {
   std::size_t quads = 0;
-  for (const SpooledPart& part : parts_) quads += part.bulk->quadCount();
+  for (const SpooledPart& part : parts_) quads += part.bulk->counts().quads;
   return quads;
 }
 

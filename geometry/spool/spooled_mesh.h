@@ -16,7 +16,7 @@ namespace af2::geometry {
 /// One face of such a mesh.
 struct SpooledPart {
   std::int32_t face = 0;  ///< id of the model face
-  std::shared_ptr<const SpooledFace> bulk;
+  std::shared_ptr<const StoredFace> bulk;
   /// By vertex of its boundary: the vertex of the mesh.
   std::vector<std::uint32_t> boundary;
   std::shared_ptr<const SpooledFloats> scores = {};  ///< may be null
@@ -26,10 +26,13 @@ struct SpooledPart {
 class SpooledMesh {
  public:
   /// shared  number of vertices of boundaries
+  /// file    for numbers of elements
   /// scale   factor for the positions of all vertices and for their sizes
-  SpooledMesh(std::vector<SpooledPart> parts, std::size_t shared, double scale = 1);
+  SpooledMesh(std::vector<SpooledPart> parts, std::size_t shared, std::shared_ptr<SpoolFile> file,
+              double scale = 1);
 
   const std::vector<SpooledPart>& parts() const { return parts_; }
+  const std::shared_ptr<SpoolFile>& file() const { return file_; }
   std::size_t vertexCount() const { return firstVertex_.back(); }
   std::size_t elementCount() const { return firstElement_.back(); }
   std::size_t quadCount() const;
@@ -51,6 +54,7 @@ class SpooledMesh {
 
  private:
   std::vector<SpooledPart> parts_;
+  std::shared_ptr<SpoolFile> file_;
   double scale_;
   std::vector<std::size_t> firstVertex_, firstElement_;  ///< by part, and the end
 };

@@ -90,7 +90,7 @@ inline BothMeshes joined(MeshOfFaces apart) {
   const auto file = std::make_shared<geometry::SpoolFile>(::testing::TempDir());
   for (geometry::FaceMesh& face : apart.faces) spoolFace(face, apart.divided, true, file);
   geometry::JoinOptions onDisk;
-  onDisk.isSpooled = true;
+  onDisk.spool = file;
   both.onDisk = named(joinFaces(apart.divided, apart.faces, onDisk));
   both.evidence = geometry::evidenceOf(apart.faces);
   return both;

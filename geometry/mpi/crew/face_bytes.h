@@ -2,7 +2,9 @@
 // not compile until it is named here.
 #pragma once
 
+#include "geometry/check/face_evidence.h"
 #include "geometry/meshing/face_crew.h"
+#include "geometry/mpi/crew/kept_faces.h"
 #include "geometry/mpi/messages/bytes.h"
 
 namespace af2 {
@@ -44,12 +46,28 @@ void pass(auto& archive, mpi::Is<FaceDiagnosis> auto& diagnosis) {
   archive(places, poorness, isBad, hasBadAngle, hasWrongArea);
 }
 
-/// A face in memory: what is on the disk of a process is not sent.
+/// What is on the disk of a process stays there: kept_faces.h.
 void pass(auto& archive, mpi::Is<FaceMesh> auto& mesh) {
   auto& [report, boundary, inside, wantedSizes, elements, origins, middles, uses, hasVanished,
          optimizeSeconds, diagnosis, history, searchCost, bulk, evidence] = mesh;
   archive(report, boundary, inside, wantedSizes, elements, origins, middles, uses, hasVanished,
           optimizeSeconds, diagnosis, history, searchCost);
+}
+
+void pass(auto& archive, mpi::Is<MeshFinding> auto& finding) {
+  auto& [face, what, place] = finding;
+  archive(face, what, place);
+}
+
+void pass(auto& archive, mpi::Is<OutlinedPatch> auto& patch) {
+  auto& [first, last, box, boxes, normal, corners, sides, onSegments] = patch;
+  archive(first, last, box, boxes, normal, corners, sides, onSegments);
+}
+
+void pass(auto& archive, mpi::Is<FaceEvidence> auto& evidence) {
+  auto& [findings, area, isSoundInside, atBoundary, patch, firstCorners, canBeDrawn, isStarShaped] =
+      evidence;
+  archive(findings, area, isSoundInside, atBoundary, patch, firstCorners, canBeDrawn, isStarShaped);
 }
 
 void pass(auto& archive, mpi::Is<DividedEdge> auto& edge) {
@@ -88,3 +106,12 @@ void pass(auto& archive, mpi::Is<RunChange> auto& change) {
 }
 
 }  // namespace af2::geometry
+
+namespace af2::mpi {
+
+void pass(auto& archive, Is<KeptFace> auto& face) {
+  auto& [number, inside, elements, quads, isUsed, evidence] = face;
+  archive(number, inside, elements, quads, isUsed, evidence);
+}
+
+}  // namespace af2::mpi

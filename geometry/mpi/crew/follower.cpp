@@ -20,7 +20,7 @@ Order orderIn(ByteReader& reader) {
 }  // namespace
 
 Process::Follower::Follower(Post& post, std::size_t threads)
-    : post_(post), workers_(post.rank(), threads) {
+    : post_(post), workers_(post.rank(), threads), kept_(post) {
   post_.handle(kPiece, [this](const Letter& letter) { workers_.takePiece(letter.bytes); });
   post_.handle(kAbandon, [this](const Letter&) { workers_.giveUp(); });
 }
@@ -42,7 +42,10 @@ std::optional<FaceRound> Process::Follower::nextRound() {
   return FaceRound{divided_, std::move(near)};
 }
 
-void Process::Follower::help(const MeshTry& mesh) { workers_.work(*this, round_, mesh); }
+void Process::Follower::help(const MeshTry& mesh, const KeepMesh& keep) {
+  keep_ = &keep;
+  workers_.work(*this, round_, mesh);
+}
 
 ModelMesh Process::Follower::reports() { return std::exchange(reports_, {}); }
 
@@ -76,7 +79,12 @@ void Process::Follower::giveUp(const std::string& reason) {
 }
 
 void Process::Follower::finish(std::vector<NumberedMesh> meshes) {
-  post_.send(0, kResults, bytesOf(round_, meshes));
+  std::vector<std::vector<KeptFace>> kept;
+  for (auto& [number, mesh] : meshes) {
+    (*keep_)(mesh);
+    kept.push_back(kept_.keep(mesh));
+  }
+  post_.send(0, kResults, bytesOf(round_, meshes, kept));
 }
 
 void Process::Follower::offer(const RegionKey& region, const std::vector<double>& work) {

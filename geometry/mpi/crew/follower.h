@@ -1,6 +1,7 @@
 // A process of a crew that does not lead.
 #pragma once
 
+#include "geometry/mpi/crew/kept_faces.h"
 #include "geometry/mpi/crew/process.h"
 #include "geometry/mpi/crew/topics.h"
 #include "geometry/mpi/crew/workers.h"
@@ -13,7 +14,7 @@ class Process::Follower final : public geometry::CrewFollower, private TaskSourc
 
   std::optional<geometry::RunChange> nextRun() override;
   std::optional<geometry::FaceRound> nextRound() override;
-  void help(const geometry::MeshTry& mesh) override;
+  void help(const geometry::MeshTry& mesh, const geometry::KeepMesh& keep) override;
   geometry::ModelMesh reports() override;
   Bytes waitFor(Order order);
   int waitForStop();
@@ -30,6 +31,8 @@ class Process::Follower final : public geometry::CrewFollower, private TaskSourc
 
   Post& post_;
   Workers workers_;
+  KeptFaces kept_;
+  const geometry::KeepMesh* keep_ = nullptr;  ///< during a round
   std::uint64_t round_ = 0;
   geometry::DividedEdges divided_;
   geometry::ModelMesh reports_;

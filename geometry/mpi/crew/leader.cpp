@@ -9,7 +9,8 @@ using namespace geometry;
 Process::Leader::Leader(Post& post, std::size_t threads)
     : post_(post),
       board_(threads * static_cast<std::size_t>(post.ranks())),
-      workers_(post.rank(), threads) {
+      workers_(post.rank(), threads),
+      fetcher_(post) {
   handleLetters();
 }
 
@@ -120,6 +121,9 @@ void Process::Leader::takeMeshes(const Letter& letter) {
   ByteReader reader(letter.bytes);
   const auto round = reader.take<std::uint64_t>();
   auto meshes = reader.take<std::vector<NumberedMesh>>();
+  auto kept = reader.take<std::vector<std::vector<KeptFace>>>();
+  for (std::size_t i = 0; i < meshes.size(); ++i)
+    fetcher_.attach(letter.from, std::move(kept.at(i)), meshes[i].second);
   {
     const std::lock_guard lock(mutex_);
     if (round != round_ || !take_) return;

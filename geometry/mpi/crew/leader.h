@@ -5,6 +5,7 @@
 #include <mutex>
 #include <string>
 
+#include "geometry/mpi/crew/kept_faces.h"
 #include "geometry/mpi/crew/process.h"
 #include "geometry/mpi/crew/task_board.h"
 #include "geometry/mpi/crew/topics.h"
@@ -52,6 +53,7 @@ class Process::Leader final : public geometry::CrewLeader, private TaskSource {
   Post& post_;
   TaskBoard board_;
   Workers workers_;
+  FaceFetcher fetcher_;
   std::mutex mutex_;
   std::deque<Waiting> waiting_;
   std::uint64_t round_ = 0;

@@ -14,9 +14,14 @@ enum CrewTopic : Topic {
   kPiece,       ///< to the owner of a region: a piece, with its mesh
   kDone,        ///< to the leader: a process has done what it was told
   kGivenUp,     ///< to the leader: why a process cannot go on
+  kFetch,       ///< to who keeps a face: its number, how much of it, and where to send that
+  kForget,      ///< to who keeps a face: its number; it is not needed any more
   kAbandon,     ///< from the leader to all: what others still owe will not come
   kReplies,     ///< and those after it, by slot: answers of the leader
 };
+
+/// Answers to kFetch, by what the process that asks has called it.
+inline Topic fetchedBy(std::uint64_t call) { return (1u << 30) + static_cast<Topic>(call); }
 
 inline Topic replyTo(std::uint64_t slot) { return kReplies + static_cast<Topic>(slot); }
 

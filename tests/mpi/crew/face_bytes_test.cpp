@@ -50,6 +50,35 @@ TEST(FaceBytes, GiveTheSameMeshBackBitForBit) {
   EXPECT_EQ(copy.searchCost, mesh.searchCost);
 }
 
+TEST(FaceBytes, GiveWhatTheChecksNeedBackBitForBit) {
+  KeptFace face;
+  face.number = 5;
+  face.inside = 1;
+  face.elements = 3;
+  face.quads = 2;
+  face.isUsed = {1, 0, 1};
+  face.evidence.findings = {{7, "an element has no area", {1, 2, 3}}};
+  face.evidence.area = 0.125;
+  face.evidence.isSoundInside = false;
+  face.evidence.atBoundary = {{{VertexId(0), VertexId(1), VertexId(2), VertexId()}}};
+  face.evidence.patch.last = 3;
+  face.evidence.patch.boxes.resize(2);
+  face.evidence.patch.boxes[1].add(Point3{1, -0.0, 2});
+  face.evidence.patch.sides = {{0, 1}, {1, 2}};
+  face.evidence.patch.onSegments = {2};
+  face.evidence.firstCorners[3] = {4, 5, 6};
+  face.evidence.isStarShaped = true;
+  const KeptFace copy = again(face);
+  EXPECT_EQ(bytesOf(copy), bytesOf(face));
+  EXPECT_EQ(copy.isUsed, face.isUsed);
+  EXPECT_EQ(copy.evidence.findings, face.evidence.findings);
+  EXPECT_EQ(copy.evidence.atBoundary, face.evidence.atBoundary);
+  EXPECT_EQ(copy.evidence.patch.sides, face.evidence.patch.sides);
+  EXPECT_EQ(copy.evidence.firstCorners, face.evidence.firstCorners);
+  EXPECT_TRUE(copy.evidence.isStarShaped);
+  EXPECT_FALSE(copy.evidence.isSoundInside);
+}
+
 TEST(FaceBytes, GivePiecesBackBitForBit) {
   RegionMesh piece;
   piece.result.outcome = Outcome::Stuck;

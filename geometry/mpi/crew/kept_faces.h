@@ -1,0 +1,61 @@
+// Faces that stay on the disk of the process that has meshed them.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <set>
+#include <vector>
+
+#include "geometry/check/face_evidence.h"
+#include "geometry/mesh/face_mesh.h"
+#include "geometry/mpi/messages/post.h"
+
+namespace af2::mpi {
+
+/// What the leader is told of such a face.
+struct KeptFace {
+  std::uint64_t number = 0;  ///< in the process that keeps it
+  std::uint64_t inside = 0, elements = 0, quads = 0;
+  std::vector<std::uint8_t> isUsed;  ///< by vertex of the boundary
+  geometry::FaceEvidence evidence;
+};
+
+/// Those that this process keeps for the leader, and how it hands them out.
+class KeptFaces {
+ public:
+  explicit KeptFaces(Post& post);
+
+  /// Keeps the bulk of a face if it is on disk. Returns what to tell the leader; nothing if it is
+  /// in memory.
+  std::vector<KeptFace> keep(geometry::FaceMesh& mesh);
+
+ private:
+  void answer(const Letter& letter);
+
+  Post& post_;
+  std::mutex mutex_;
+  std::uint64_t last_ = 0;
+  std::map<std::uint64_t, std::shared_ptr<const geometry::StoredFace>> faces_;
+};
+
+/// How the leader gets at faces of others.
+class FaceFetcher {
+ public:
+  explicit FaceFetcher(Post& post) : post_(post) {}
+
+  /// Gives a mesh the bulk that another process keeps for it, if it does.
+  void attach(int process, std::vector<KeptFace> kept, geometry::FaceMesh& mesh);
+
+ private:
+  class RemoteFace;
+  /// isShape  only the vertices and elements
+  geometry::FaceBulk fetch(int process, std::uint64_t number, bool isShape);
+
+  Post& post_;
+  std::mutex mutex_;
+  std::set<std::uint64_t> calls_;  ///< those whose answers have not come yet
+};
+
+}  // namespace af2::mpi
