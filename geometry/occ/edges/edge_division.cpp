@@ -72,12 +72,13 @@ class Division {
  private:
   void limitAll(const SampledEdges& sampled, int threads, const std::stop_token& stop) {
     const bool isSame = sizes_.function.isSameAs(sampled.function);
+    const bool areDense = sampled.function || sizes_.elementsPerTurn > 0;
     const PositionSize& less = sizes_.function.below(sampled.function);
     forEachInParallel(samples_.size(), threads, [&](std::size_t i) {
       if (stop.stop_requested()) return;
       const EdgeSamples& known = sampled.limited[i];
       samples_[i] =
-          isSame || isWithinLimits(less, sizes_, known)
+          isSame || isWithinLimits(less, sizes_, known, areDense)
               ? known
               : limitedByPosition(model_, static_cast<int>(i) + 1, sizes_, sampled.byFaces[i]);
     });

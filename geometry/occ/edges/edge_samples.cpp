@@ -344,8 +344,9 @@ EdgeSamples limitedByPosition(const ModelShape& model, int edge, const CadSizes&
   return samples;
 }
 
-bool isWithinLimits(const PositionSize& function, const CadSizes& sizes,
-                    const EdgeSamples& samples) {
+bool isWithinLimits(const PositionSize& function, const CadSizes& sizes, const EdgeSamples& samples,
+                    bool areDense) {
+  if (!areDense && coarseness(samples.pieces) > 1) return false;
   return std::ranges::all_of(samples.pieces, [&](const EdgePiece& piece) {
     EdgePiece limited{{}, {}, {}, piece.sizes, piece.least};
     if (function) function.lower(piece.positions, limited.sizes);

@@ -36,9 +36,11 @@ EdgeSamples sampleEdge(const ModelShape& model, int edge, const CadSizes& sizes)
 EdgeSamples limitedByPosition(const ModelShape& model, int edge, const CadSizes& sizes,
                               EdgeSamples samples);
 
-/// Whether a function would leave samples as they are, which have had limits by position already.
-bool isWithinLimits(const PositionSize& function, const CadSizes& sizes,
-                    const EdgeSamples& samples);
+/// Whether a function would leave samples as they are.
+///
+/// areDense  they have had limits by position already, and are as dense as these ask for
+bool isWithinLimits(const PositionSize& function, const CadSizes& sizes, const EdgeSamples& samples,
+                    bool areDense);
 
 /// Limits the growth of sizes along the edge to `growth` per unit of length, from `first` and
 /// `last` at its ends.
