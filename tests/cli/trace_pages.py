@@ -225,7 +225,7 @@ def main():
         check_quiet(page, path)
 
         # As many charts as a page has by default.
-        path, said = page_of(folder, "die", "die.step", "--size", "1")
+        path, said = page_of(folder, "die", "die.step", "--size", "0.6")
         assert "charts of 20000 of the" in said, said
         began = time.monotonic()
         page.open(path)

@@ -102,9 +102,9 @@ grep -q 'wrote plate.html' out || fail "trace view does not say what it wrote"
 cp plate.html once.html
 expect 0 "$af2" trace view plate.af2t -o plate.html
 cmp -s once.html plate.html || fail "the page of a trace changes"
-expect 0 "$af2" trace view one.af2t -o part.html --face 3 --charts 10
+expect 0 "$af2" trace view one.af2t -o part.html --face 12 --charts 10
 grep -q 'has charts of 10 of the' out || fail "trace view does not say that charts are missing"
-grep -q '^face 3: 2 fronts; kept: ' out || fail "trace view does not say which front was kept"
+grep -q '^face 12: 2 fronts; kept: ' out || fail "trace view does not say which front was kept"
 expect 0 "$af2" trace view one.af2t -o part.html --face 3 --from 2 --to 4
 expect 2 "$af2" trace view one.af2t -o part.html --from 2; told 'need --face'
 expect 2 "$af2" trace view one.af2t -o part.html --face 3 --from 4 --to 2; told 'comes after the last one'
