@@ -139,7 +139,10 @@ class Retries {
   }
 
   RetryState withAll(RetryState& state) {
+    const std::vector<bool> hasWaited = state.meshes.isWaiting;
     meshWaiting(retrial_, state.meshes);
+    for (std::size_t i = 0; i < hasWaited.size(); ++i)
+      if (hasWaited[i]) begin(state.meshes, i);
     retrial_.budget.allow(budgetFor(state.meshes.meshes, options_.share));
     joinWithRemedies(retrial_, state.meshes);
     return std::move(state);
