@@ -140,8 +140,6 @@ class PatchFiller {
   }
 
   bool fill(VertexId seed) {
-    /// Smoothing at the end can raise the mean by as much.
-    constexpr double kGoodJacobian = 0.8, kMeanMayFall = 0.005;
     const std::optional<RegionRing> ring = region_.ring();
     if (!ring || !isNew() || !editor_.take(seed, region_.elements())) return false;
     const std::optional<PatchJacobians> before = editor_.jacobians();
@@ -150,8 +148,7 @@ class PatchFiller {
     if (std::ranges::any_of(inside_, [&](VertexId v) { return topology_.isFixed(v); }))
       return false;
     const Ring outline = outlineOf(*ring);
-    const PatchJacobians wanted{std::min(kGoodJacobian, before->least),
-                                before->mean - kMeanMayFall};
+    const PatchJacobians wanted = acceptableAfter(*before);
     for (const FillingPlan& plan : fillingPlans(outline, mostIrregular(*ring), effort_.plans))
       if (putBack(*ring, fillRing(outline, plan), wanted)) {
         news_.noteChange(editor_.vertices(), topology_.mesh().vertices.size());

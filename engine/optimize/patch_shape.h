@@ -1,6 +1,7 @@
 // Places the inner vertices of a patch so that its elements get good shapes.
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "engine/base/point.h"
@@ -17,6 +18,13 @@ struct PatchJacobians {
     return least >= other.least && mean >= other.mean;
   }
 };
+
+/// What a more regular patch must have to replace one: smoothing at the end can raise the mean
+/// again.
+inline PatchJacobians acceptableAfter(const PatchJacobians& before) {
+  constexpr double kGoodJacobian = 0.8, kMeanMayFall = 0.005;
+  return {std::min(kGoodJacobian, before.least), before.mean - kMeanMayFall};
+}
 
 PatchJacobians jacobiansOf(const QuadPatch& patch, const std::vector<Point2>& points);
 

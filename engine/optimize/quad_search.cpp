@@ -175,8 +175,6 @@ std::size_t searchQuads(PatchEditor& editor, int depth, const std::stop_token& s
 }
 
 std::size_t moveInward(PatchEditor& editor, int depth, const std::stop_token& stop) {
-  /// Smoothing at the end can raise the mean by as much.
-  constexpr double kGoodJacobian = 0.8, kMeanMayFall = 0.005;
   std::size_t applied = 0;
   for (std::size_t v = 0; v < editor.topology().mesh().vertices.size(); ++v) {
     const VertexId seed(v);
@@ -186,8 +184,7 @@ std::size_t moveInward(PatchEditor& editor, int depth, const std::stop_token& st
     if (inward.empty()) continue;
     const std::optional<PatchJacobians> before = editor.jacobians();
     if (!before) continue;
-    const PatchJacobians wanted{std::min(kGoodJacobian, before->least),
-                                before->mean - kMeanMayFall};
+    const PatchJacobians wanted = acceptableAfter(*before);
     const auto putBack = [&](const QuadPatch& patch) {
       return editor.putBack(patch, wanted, FinishAct::Kind::Search);
     };

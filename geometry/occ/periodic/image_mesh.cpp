@@ -10,13 +10,6 @@
 namespace af2::geometry {
 namespace {
 
-std::vector<std::size_t> elementsOfFace(const ModelMesh& mesh, int face) {
-  std::vector<std::size_t> elements;
-  for (std::size_t e = 0; e < mesh.elements.size(); ++e)
-    if (mesh.face[e] == face) elements.push_back(e);
-  return elements;
-}
-
 std::set<VertexId> verticesOfElements(const ModelMesh& mesh,
                                       const std::vector<std::size_t>& elements) {
   std::set<VertexId> vertices;
@@ -46,6 +39,13 @@ Element turnedRound(const Element& element) {
 }
 
 }  // namespace
+
+std::vector<std::size_t> elementsOfFace(const ModelMesh& mesh, int face) {
+  std::vector<std::size_t> elements;
+  for (std::size_t e = 0; e < mesh.elements.size(); ++e)
+    if (mesh.face[e] == face) elements.push_back(e);
+  return elements;
+}
 
 std::string makeImage(ModelMesh& mesh, PeriodicPair& pair, double tolerance) {
   const std::vector<std::size_t> first = elementsOfFace(mesh, pair.first),

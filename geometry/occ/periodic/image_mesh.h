@@ -2,11 +2,16 @@
 // Not installed.
 #pragma once
 
+#include <cstddef>
 #include <string>
+#include <vector>
 
 #include "geometry/mesh/model_mesh.h"
 
 namespace af2::geometry {
+
+/// In ascending order.
+std::vector<std::size_t> elementsOfFace(const ModelMesh& mesh, int face);
 
 /// Makes the elements of pair.second images of those of pair.first. Vertices on edges of the second
 /// face move to the images, by no more than `tolerance`. Fills pair.vertices. Returns why that is

@@ -4,6 +4,7 @@
 #include <map>
 
 #include "geometry/occ/periodic/face_map.h"
+#include "geometry/occ/periodic/image_mesh.h"
 
 namespace af2::geometry {
 namespace {
@@ -25,13 +26,6 @@ class SideImages {
   std::map<VertexId, VertexId> images_;
 };
 
-std::vector<std::size_t> elementsOf(const ModelMesh& mesh, int face) {
-  std::vector<std::size_t> elements;
-  for (std::size_t e = 0; e < mesh.elements.size(); ++e)
-    if (mesh.face[e] == face) elements.push_back(e);
-  return elements;
-}
-
 /// The same element on both faces of a pair.
 struct ElementImage {
   std::size_t first, second;        ///< the elements
@@ -40,8 +34,8 @@ struct ElementImage {
 
 std::vector<ElementImage> elementImages(const ModelMesh& mesh, const PeriodicPair& pair) {
   const SideImages images(pair);
-  const std::vector<std::size_t> first = elementsOf(mesh, pair.first),
-                                 second = elementsOf(mesh, pair.second);
+  const std::vector<std::size_t> first = elementsOfFace(mesh, pair.first),
+                                 second = elementsOfFace(mesh, pair.second);
   std::vector<ElementImage> all;
   for (std::size_t k = 0; k < first.size(); ++k) {
     ElementImage& image = all.emplace_back(ElementImage{first[k], second[k], {}});
@@ -86,7 +80,7 @@ std::vector<std::pair<SideEnds, SideEnds>> imagesOfSides(const ModelMesh& mesh) 
   std::vector<std::pair<SideEnds, SideEnds>> sides;
   for (const PeriodicPair& pair : mesh.periodic) {
     const SideImages images(pair);
-    for (const std::size_t e : elementsOf(mesh, pair.first))
+    for (const std::size_t e : elementsOfFace(mesh, pair.first))
       for (const SideEnds& side : sidesOf(mesh.elements[e]))
         sides.emplace_back(side, images.of(side));
   }
