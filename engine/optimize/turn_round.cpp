@@ -14,9 +14,8 @@ namespace {
 /// Smoothing and the search go on from here; before that, an element need only be sound.
 constexpr double kSoundJacobian = 0.05;
 
-/// Of the changes at a vertex, the most regular ones are tried. Nearly always the first one helps
-/// if any does; none of 1,300 that helped on four CAD models was beyond the twelfth, and five
-/// beyond the eighth.
+/// Of the changes at a vertex, the most regular ones are tried: if any helps, it is nearly always
+/// the first of them.
 constexpr std::size_t kMostChanges = 8;
 
 std::vector<std::size_t> foldedQuads(const Mesh& mesh) {
