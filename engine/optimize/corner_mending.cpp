@@ -38,13 +38,13 @@ class CornerMender {
                ActRecorder* recorder)
       : topology_(topology), mesh_(mesh), maker_(maker), recorder_(recorder) {}
 
-  std::size_t run(const std::stop_token& stop) {
+  std::size_t run(const WorkWatch& watch) {
     std::vector<VertexId> visited = verticesOfPoorQuads();
     std::size_t moves = 0;
     for (int sweep = 0; sweep < kMaxSweeps && !visited.empty(); ++sweep) {
       std::vector<VertexId> next;
       for (const VertexId v : visited) {
-        if (stop.stop_requested()) return moves;
+        if (watch.mustStop()) return moves;
         if (!mend(v)) continue;
         ++moves;
         forEachCornerAt(topology_, v, [&](Corner c) { addInner(c.element(), next); });
@@ -204,8 +204,8 @@ class CornerMender {
 
 std::size_t mendCorners(const MeshTopology& topology, Mesh& mesh,
                         const AF2LocalTransformMaker& maker, ActRecorder* recorder,
-                        const std::stop_token& stop) {
-  return CornerMender(topology, mesh, maker, recorder).run(stop);
+                        const WorkWatch& watch) {
+  return CornerMender(topology, mesh, maker, recorder).run(watch);
 }
 
 }  // namespace af2

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <cstddef>
-#include <stop_token>
 
+#include "engine/base/work_watch.h"
 #include "engine/mesh/mesh_topology.h"
 #include "engine/optimize/act_recorder.h"
 #include "engine/surface/local_transform.h"
@@ -19,6 +19,6 @@ namespace af2 {
 /// of moves.
 std::size_t mendCorners(const MeshTopology& topology, Mesh& mesh,
                         const AF2LocalTransformMaker& maker, ActRecorder* recorder,
-                        const std::stop_token& stop);
+                        const WorkWatch& watch);
 
 }  // namespace af2

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "engine/base/work_watch.h"
 #include "engine/mesh/element_shape.h"
 #include "engine/mesh/mesh_check.h"
 #include "engine/mesh/mesh_topology.h"
@@ -96,12 +97,12 @@ std::size_t mendPoorElements(const MeshTopology& topology, VertexSmoother& smoot
 class QuadCleaner {
  public:
   QuadCleaner(MeshTopology& topology, const AF2LocalTransformMaker& maker,
-              const OptimizeOptions& options, ActRecorder* recorder)
+              const OptimizeOptions& options, ActRecorder* recorder, const WorkWatch& watch)
       : editor_(topology, maker, topology.anglesAtFixed(), recorder),
         depth_(options.quads.usedDepth()),
-        stop_(options.stop) {}
+        watch_(watch) {}
 
-  std::size_t joinTriangles() { return walkTriangles(editor_, stop_); }
+  std::size_t joinTriangles() { return walkTriangles(editor_, watch_); }
   std::size_t clean() { return clean(std::min(depth_, QuadCleanUp::kUsualDepth), kGoodFilling); }
   /// What takes much longer, from the result of what does not, so that it never does worse.
   std::size_t cleanThoroughly() {
@@ -111,22 +112,23 @@ class QuadCleaner {
  private:
   std::size_t clean(int depth, const FillingEffort& effort) {
     if (depth == 0) return 0;
-    const std::size_t found = searchQuads(editor_, depth, stop_);
-    const std::size_t moved = moveInward(editor_, depth, stop_);
-    const std::size_t filled = fillPatches(editor_, effort, stop_);
-    return found + filled + moved + divideFlatQuads(editor_, stop_);
+    const std::size_t found = searchQuads(editor_, depth, watch_);
+    const std::size_t moved = moveInward(editor_, depth, watch_);
+    const std::size_t filled = fillPatches(editor_, effort, watch_);
+    return found + filled + moved + divideFlatQuads(editor_, watch_);
   }
 
   PatchEditor editor_;
   int depth_;
-  const std::stop_token& stop_;
+  const WorkWatch& watch_;
 };
 
 /// Returns the number of changes.
 std::size_t cleanUp(MeshTopology& topology, const AF2LocalTransformMaker& maker,
-                    const OptimizeOptions& options, ActRecorder* recorder, bool isLastRound) {
+                    const OptimizeOptions& options, ActRecorder* recorder, const WorkWatch& watch,
+                    bool isLastRound) {
   if (options.quads.usedDepth() == 0 && !options.quads.onlyQuads) return 0;
-  QuadCleaner cleaner(topology, maker, options, recorder);
+  QuadCleaner cleaner(topology, maker, options, recorder, watch);
   std::size_t changes = options.quads.onlyQuads ? cleaner.joinTriangles() : 0;
   changes += cleaner.clean();
   if (isLastRound) changes += cleaner.cleanThoroughly();
@@ -137,6 +139,7 @@ std::size_t cleanUp(MeshTopology& topology, const AF2LocalTransformMaker& maker,
 OptimizeReport improve(Mesh& mesh, const MeshBoundary& boundary,
                        const AF2LocalTransformMaker& maker, const OptimizeOptions& options) {
   OptimizeReport report;
+  const WorkWatch watch(options.stop, options.goesOn);
   MeshTopology topology(mesh, boundary);
   std::optional<ActRecorder> observed;
   if (options.observer) observed.emplace(*options.observer, mesh, distortionIn(mesh));
@@ -155,15 +158,16 @@ OptimizeReport improve(Mesh& mesh, const MeshBoundary& boundary,
   const auto smooth = [&] {
     smoother.wake(topology.takeChanged());
     for (int sweep = 0; sweep < sweeps; ++sweep)
-      if (!options.stop.stop_requested()) report.moves += smoother.sweep(options.stop);
+      if (!watch.mustStop()) report.moves += smoother.sweep(watch);
   };
-  for (int round = 0; round < rounds && !options.stop.stop_requested(); ++round) {
+  for (int round = 0; round < rounds && !watch.mustStop(); ++round) {
     if (hasQuads && options.renumber) {
       smooth();
       report.replacements +=
           tidyQuads(topology, angles, options.closingRule, recorder,
                     options.quads.onlyQuads ? MayAddTriangles::No : MayAddTriangles::Yes);
-      report.replacements += cleanUp(topology, maker, options, recorder, round + 1 == rounds);
+      report.replacements +=
+          cleanUp(topology, maker, options, recorder, watch, round + 1 == rounds);
     }
     report.swaps += swapSides(topology, SwapGoal::Valence, wanted, recorder);
     if (options.renumber) report.collapses += collapseEdges(topology, recorder);
@@ -171,8 +175,8 @@ OptimizeReport improve(Mesh& mesh, const MeshBoundary& boundary,
     report.swaps += swapSides(topology, SwapGoal::Shape, wanted, recorder);
   }
   smooth();
-  if (!options.stop.stop_requested()) report.moves += mendPoorElements(topology, smoother);
-  if (hasQuads) report.moves += mendCorners(topology, mesh, maker, recorder, options.stop);
+  if (!watch.mustStop()) report.moves += mendPoorElements(topology, smoother);
+  if (hasQuads) report.moves += mendCorners(topology, mesh, maker, recorder, watch);
   topology.compact();
   return report;
 }
@@ -180,12 +184,13 @@ OptimizeReport improve(Mesh& mesh, const MeshBoundary& boundary,
 }  // namespace
 
 std::size_t joinTriangles(Mesh& mesh, const MeshBoundary& boundary,
-                          const AF2LocalTransformMaker& maker, const std::stop_token& stop) {
+                          const AF2LocalTransformMaker& maker, const std::stop_token& stop,
+                          const std::function<void()>& goesOn) {
   if (std::ranges::all_of(mesh.elements, &Element::isQuad)) return 0;
   const Mesh before = mesh;
   MeshTopology topology(mesh, boundary);
   PatchEditor editor(topology, maker, topology.anglesAtFixed());
-  const std::size_t pairs = walkTriangles(editor, stop);
+  const std::size_t pairs = walkTriangles(editor, WorkWatch(stop, goesOn));
   topology.compact();
   if (pairs > 0 && checkMesh(mesh, boundary).empty()) return pairs;
   mesh = before;

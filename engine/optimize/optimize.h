@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <stop_token>
 
@@ -37,6 +38,8 @@ struct OptimizeOptions {
   std::optional<std::uint16_t> closingRule;
   QuadCleanUp quads;
   std::stop_token stop;  ///< changes made so far are kept
+  /// Called again and again during the work, from its thread: a sign that it goes on.
+  std::function<void()> goesOn;
   FinishObserver* observer = nullptr;
 };
 
@@ -63,6 +66,7 @@ AF2_EXPORT OptimizeReport optimizeMesh(Mesh& mesh, const MeshBoundary& boundary,
 /// Returns the number of pairs.
 AF2_EXPORT std::size_t joinTriangles(Mesh& mesh, const MeshBoundary& boundary,
                                      const AF2LocalTransformMaker& maker,
-                                     const std::stop_token& stop = {});
+                                     const std::stop_token& stop = {},
+                                     const std::function<void()>& goesOn = {});
 
 }  // namespace af2

@@ -188,21 +188,26 @@ bool PatchEditor::putBack(const QuadPatch& changed, std::vector<Point2> points,
     moved[v] = chart_->lift(points[v]);
     if (!moved[v]) return false;
   }
-  if (!isSoundOnSurface(changed, moved) || joinsAgain(changed)) return false;
+  if (!staysSoundOnSurface(changed, moved) || joinsAgain(changed)) return false;
   apply(changed, moved, kind);
   return true;
 }
 
-bool PatchEditor::isSoundOnSurface(const QuadPatch& changed, const Moved& moved) const {
-  for (std::size_t e = 0; e < changed.elementCount(); ++e) {
-    if (!changed.isAlive(e)) continue;
-    std::array<const SurfacePoint*, 4> corners{};
-    std::size_t n = 0;
-    for (const Vertex v : changed.ringAt(e))
-      if (v != QuadPatch::kNone)
-        corners[n++] = moved[v] ? &*moved[v] : &mesh_.vertices[vertices_[v].value];
-    if (!std::isfinite(elementDistortion(std::span(corners).first(n)))) return false;
-  }
+bool PatchEditor::isSound(const QuadPatch& patch, std::size_t element, const Moved& moved) const {
+  std::array<const SurfacePoint*, 4> corners{};
+  std::size_t n = 0;
+  for (const Vertex v : patch.cornersAt(element))
+    corners[n++] = moved[v] ? &*moved[v] : &mesh_.vertices[vertices_[v].value];
+  return std::isfinite(elementDistortion(std::span(corners).first(n)));
+}
+
+/// Whether all elements are sound on the surface that were so, and all new ones.
+bool PatchEditor::staysSoundOnSurface(const QuadPatch& changed, const Moved& moved) const {
+  const Moved unmoved(vertices_.size());
+  for (std::size_t e = 0; e < changed.elementCount(); ++e)
+    if (changed.isAlive(e) && !isSound(changed, e, moved) &&
+        (isNew(changed, e) || isSound(patch_, e, unmoved)))
+      return false;
   return true;
 }
 

@@ -90,12 +90,12 @@ class PatchFiller {
         near_(topology_),
         news_(topology_.mesh().vertices.size()) {}
 
-  std::size_t pass(const std::stop_token& stop) {
+  std::size_t pass(const WorkWatch& watch) {
     std::size_t filled = 0;
     for (std::size_t v = 0; v < topology_.mesh().vertices.size(); ++v) {
       const VertexId seed(v);
       while (editor_.irregularity(seed) > 0 && news_.isNews(seed)) {
-        if (stop.stop_requested()) return filled;
+        if (watch.mustStop()) return filled;
         news_.look(seed);
         if (!improveTowards(seed) && !improveAround(seed)) break;
         ++filled;
@@ -227,13 +227,12 @@ class PatchFiller {
 
 }  // namespace
 
-std::size_t fillPatches(PatchEditor& editor, const FillingEffort& effort,
-                        const std::stop_token& stop) {
+std::size_t fillPatches(PatchEditor& editor, const FillingEffort& effort, const WorkWatch& watch) {
   constexpr int kMaxPasses = 3;
   PatchFiller filler(editor, effort);
   std::size_t filled = 0;
   for (int pass = 0; pass < kMaxPasses; ++pass) {
-    const std::size_t more = filler.pass(stop);
+    const std::size_t more = filler.pass(watch);
     filled += more;
     if (more == 0) break;
   }

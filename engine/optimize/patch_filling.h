@@ -1,8 +1,7 @@
 // Fills regions around irregular vertices anew, with the fewest irregular vertices.
 #pragma once
 
-#include <stop_token>
-
+#include "engine/base/work_watch.h"
 #include "engine/optimize/patch_editor.h"
 
 namespace af2 {
@@ -20,7 +19,6 @@ constexpr FillingEffort kGoodFilling{120, 3, 7, 6}, kBestFilling{160, 6, 12, 8};
 /// As in searchQuads, the result is smoothed and kept if it is well shaped and more regular.
 ///
 /// Returns the number of regions. The same mesh gives the same result.
-std::size_t fillPatches(PatchEditor& editor, const FillingEffort& effort,
-                        const std::stop_token& stop);
+std::size_t fillPatches(PatchEditor& editor, const FillingEffort& effort, const WorkWatch& watch);
 
 }  // namespace af2

@@ -204,6 +204,7 @@ class Smoother {
 
 PatchJacobians jacobiansOf(const QuadPatch& patch, const std::vector<Point2>& points) {
   double least = 1, sum = 0, elements = 0;
+  std::size_t turned = 0;
   for (std::size_t e = 0; e < patch.elementCount(); ++e) {
     if (!patch.isAlive(e)) continue;
     double here = 1;
@@ -211,10 +212,11 @@ PatchJacobians jacobiansOf(const QuadPatch& patch, const std::vector<Point2>& po
       here = std::min(here, c.shapeIn(points).scaledJacobian());
     });
     least = std::min(least, here);
+    turned += here < kSoundJacobian ? 1 : 0;
     sum += here;
     elements += 1;
   }
-  return {least, sum / elements};
+  return {least, sum / elements, turned};
 }
 
 void smoothPatch(const QuadPatch& patch, std::vector<Point2>& points) {

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
+#include <limits>
 #include <vector>
 
 #include "engine/base/point.h"
@@ -9,13 +11,18 @@
 
 namespace af2 {
 
+/// An element with a smaller scaled Jacobian is turned, or nearly so.
+inline constexpr double kSoundJacobian = 0.05;
+
 /// Scaled Jacobians of the elements of a patch, each the smallest of its corners. The smallest one
 /// is not positive if an element does not turn left everywhere.
 struct PatchJacobians {
   double least = -1, mean = -1;
+  /// The number of elements below kSoundJacobian.
+  std::size_t turned = std::numeric_limits<std::size_t>::max();
 
   bool areAtLeast(const PatchJacobians& other) const {
-    return least >= other.least && mean >= other.mean;
+    return least >= other.least && mean >= other.mean && turned <= other.turned;
   }
 };
 

@@ -55,10 +55,10 @@ class Division {
   void add(const QuadPatch::Ring& ring) { rings_.push_back(ring); }
 
   bool hasPatch() const { return before_.has_value(); }
-  double leastBefore() const { return before_->least; }
-  bool putBack(double leastJacobian, FinishAct::Kind kind) {
+  const PatchJacobians& before() const { return *before_; }
+  bool putBack(const PatchJacobians& wanted, FinishAct::Kind kind) {
     return isSound_ && patch_.refill(gone_, rings_) &&
-           editor_.putBack(patch_, std::move(points_), {leastJacobian}, kind);
+           editor_.putBack(patch_, std::move(points_), wanted, kind);
   }
 
  private:
@@ -72,9 +72,13 @@ class Division {
   bool isSound_ = true;
 };
 
+std::array<Corner, 4> outlineOf(std::size_t quad) {
+  return {Corner(quad, 0), Corner(quad, 1), Corner(quad, 2), Corner(quad, 3)};
+}
+
 /// Puts a quadrilateral with four others around it within an outline.
-bool divideOutline(Division& division, const std::array<Corner, 4>& outline, double leastJacobian,
-                   FinishAct::Kind kind) {
+bool divideOutline(Division& division, const std::array<Corner, 4>& outline,
+                   const PatchJacobians& wanted, FinishAct::Kind kind) {
   Point2 center;
   for (const Corner c : outline) center = center + 0.25 * division.pointAt(c);
   std::array<Vertex, 4> inner{};
@@ -85,7 +89,7 @@ bool divideOutline(Division& division, const std::array<Corner, 4>& outline, dou
     const std::size_t next = (i + 1) % 4;
     division.add({division.at(outline[i]), division.at(outline[next]), inner[next], inner[i]});
   }
-  return division.putBack(leastJacobian, kind);
+  return division.putBack(wanted, kind);
 }
 
 /// A side of an element, and the vertex in its middle.
@@ -187,7 +191,7 @@ bool divideAlong(PatchEditor& editor, std::span<const std::size_t> path,
     divideQuad(division, topology, {in, entry}, {out, exit});
   }
   if (!beyond) divideTriangle(topology.across(out), exit);
-  return division.putBack(std::min(leastJacobian, division.leastBefore()),
+  return division.putBack({std::min(leastJacobian, division.before().least)},
                           FinishAct::Kind::Pairing);
 }
 
@@ -202,25 +206,34 @@ bool divideInRing(PatchEditor& editor, std::size_t triangle, std::size_t beyond,
          divideOutline(division,
                        {topology.previous(side), side, topology.previous(topology.across(side)),
                         topology.next(side)},
-                       std::min(leastJacobian, division.leastBefore()), FinishAct::Kind::Pairing);
+                       {std::min(leastJacobian, division.before().least)},
+                       FinishAct::Kind::Pairing);
 }
 
-std::size_t divideFlatQuads(PatchEditor& editor, const std::stop_token& stop) {
+bool divideTurned(PatchEditor& editor, std::size_t quad) {
+  const std::array one{quad};
+  Division division(editor, one);
+  if (!division.hasPatch() || division.before().turned == 0) return false;
+  return divideOutline(division, outlineOf(quad), {.turned = division.before().turned - 1},
+                       FinishAct::Kind::Search);
+}
+
+std::size_t divideFlatQuads(PatchEditor& editor, const WorkWatch& watch) {
   constexpr double kFlat = 0.35, kGain = 0.1;
   const MeshTopology& topology = editor.topology();
   std::size_t divided = 0;
   for (std::size_t e = 0, n = topology.mesh().elements.size(); e < n; ++e) {
-    if (stop.stop_requested()) break;
+    if (watch.mustStop()) break;
     if (topology.isDead(e) || !topology.mesh().elements[e].isQuad()) continue;
     if (!hasFixedCorner(topology, e)) continue;
     const std::array one{e};
     Division division(editor, one);
     if (!division.hasPatch()) continue;
-    const std::array<Corner, 4> outline{Corner(e, 0), Corner(e, 1), Corner(e, 2), Corner(e, 3)};
+    const std::array<Corner, 4> outline = outlineOf(e);
     std::array<Point2, 4> points;
     std::ranges::transform(outline, points.begin(), [&](Corner c) { return division.pointAt(c); });
     const double here = scaledJacobian(points);
-    if (here < kFlat && divideOutline(division, outline, here + kGain, FinishAct::Kind::Search))
+    if (here < kFlat && divideOutline(division, outline, {here + kGain}, FinishAct::Kind::Search))
       ++divided;
   }
   return divided;

@@ -3,8 +3,8 @@
 
 #include <optional>
 #include <span>
-#include <stop_token>
 
+#include "engine/base/work_watch.h"
 #include "engine/optimize/patch_editor.h"
 
 namespace af2 {
@@ -31,9 +31,13 @@ bool divideAlong(PatchEditor& editor, std::span<const std::size_t> path,
 bool divideInRing(PatchEditor& editor, std::size_t triangle, std::size_t beyond,
                   double leastJacobian);
 
+/// Replaces a turned quadrilateral by another one with four around it, if that leaves fewer turned
+/// elements. Returns whether it did.
+bool divideTurned(PatchEditor& editor, std::size_t quad);
+
 /// Does the same with quadrilaterals that are flat at a corner of which both sides are fixed, such
 /// as those in tips: no vertex can move to make them better. Each must make its surroundings better
 /// shaped. Returns the number of quadrilaterals that were divided.
-std::size_t divideFlatQuads(PatchEditor& editor, const std::stop_token& stop);
+std::size_t divideFlatQuads(PatchEditor& editor, const WorkWatch& watch);
 
 }  // namespace af2

@@ -79,17 +79,17 @@ class QuadSearch {
 
   /// One look at each irregular vertex whose surroundings have changed since the last one; first at
   /// those that are far from regular: their neighbours could only make them a little better.
-  std::size_t pass(int depth, const std::stop_token& stop) {
-    return passOver(2 * kRightAngle, depth, stop) + passOver(1, depth, stop);
+  std::size_t pass(int depth, const WorkWatch& watch) {
+    return passOver(2 * kRightAngle, depth, watch) + passOver(1, depth, watch);
   }
 
  private:
-  std::size_t passOver(int leastIrregularity, int depth, const std::stop_token& stop) {
+  std::size_t passOver(int leastIrregularity, int depth, const WorkWatch& watch) {
     std::size_t applied = 0;
     for (std::size_t v = 0; v < editor_.topology().mesh().vertices.size(); ++v) {
       const VertexId seed(v);
       while (editor_.irregularity(seed) >= leastIrregularity && news_.isNews(seed)) {
-        if (stop.stop_requested()) return applied;
+        if (watch.mustStop()) return applied;
         news_.look(seed);
         if (!improve(seed, depth)) break;
         ++applied;
@@ -160,13 +160,13 @@ std::vector<QuadPatch> inwardPatches(const QuadPatch& start, int depth) {
   return results.take();
 }
 
-std::size_t searchQuads(PatchEditor& editor, int depth, const std::stop_token& stop) {
+std::size_t searchQuads(PatchEditor& editor, int depth, const WorkWatch& watch) {
   constexpr int kMaxPasses = 3;
   std::size_t applied = 0;
   for (int d = 1; d <= depth; ++d) {
     QuadSearch search(editor);
     for (int pass = 0; pass < kMaxPasses; ++pass) {
-      const std::size_t more = search.pass(d, stop);
+      const std::size_t more = search.pass(d, watch);
       applied += more;
       if (more == 0) break;
     }
@@ -174,11 +174,11 @@ std::size_t searchQuads(PatchEditor& editor, int depth, const std::stop_token& s
   return applied;
 }
 
-std::size_t moveInward(PatchEditor& editor, int depth, const std::stop_token& stop) {
+std::size_t moveInward(PatchEditor& editor, int depth, const WorkWatch& watch) {
   std::size_t applied = 0;
   for (std::size_t v = 0; v < editor.topology().mesh().vertices.size(); ++v) {
     const VertexId seed(v);
-    if (stop.stop_requested()) return applied;
+    if (watch.mustStop()) return applied;
     if (editor.irregularity(seed) == 0 || !editor.take(seed)) continue;
     const std::vector<QuadPatch> inward = inwardPatches(editor.patch(), depth);
     if (inward.empty()) continue;

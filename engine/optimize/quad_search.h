@@ -1,9 +1,9 @@
 // Removes irregular vertices from meshes with quadrilaterals by sequences of small changes.
 #pragma once
 
-#include <stop_token>
 #include <vector>
 
+#include "engine/base/work_watch.h"
 #include "engine/optimize/patch_editor.h"
 
 namespace af2 {
@@ -22,7 +22,7 @@ std::vector<QuadPatch> betterPatches(const QuadPatch& start, int depth);
 /// depth  largest number of acts in a sequence; shorter sequences are tried first everywhere
 ///
 /// Returns the number of sequences that were applied. The same mesh gives the same result.
-std::size_t searchQuads(PatchEditor& editor, int depth, const std::stop_token& stop);
+std::size_t searchQuads(PatchEditor& editor, int depth, const WorkWatch& watch);
 
 /// How many irregular vertices are next to the boundary, each counted three times, or two edges
 /// from it.
@@ -37,6 +37,6 @@ std::vector<QuadPatch> inwardPatches(const QuadPatch& start, int depth);
 /// does.
 ///
 /// Returns the number of sequences that were applied. The same mesh gives the same result.
-std::size_t moveInward(PatchEditor& editor, int depth, const std::stop_token& stop);
+std::size_t moveInward(PatchEditor& editor, int depth, const WorkWatch& watch);
 
 }  // namespace af2

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "engine/base/error.h"
+#include "engine/base/work_watch.h"
 #include "engine/mesh/mesh_check.h"
 #include "engine/mesh/mesh_topology.h"
 #include "engine/optimize/act_recorder.h"
@@ -83,11 +84,11 @@ class ScoreFinisher {
   }
 
   /// One sweep over all inner vertices in order. A vertex sleeps while its star does not change.
-  std::size_t moveVertices(const std::stop_token& stop) {
+  std::size_t moveVertices(const WorkWatch& watch) {
     constexpr std::size_t kLookInterval = 256;
     std::size_t moves = 0;
     for (std::size_t v = topology_.fixedCount(); v < mesh_.vertices.size(); ++v) {
-      if (v % kLookInterval == 0 && stop.stop_requested()) break;
+      if (v % kLookInterval == 0 && watch.mustStop()) break;
       if (!std::exchange(isAwake_[v], 0)) continue;
       if (!tryMove(VertexId(v))) continue;
       ++moves;
@@ -214,17 +215,18 @@ class ScoreFinisher {
 OptimizeReport improve(Mesh& mesh, const MeshBoundary& boundary, const FinishTask& task,
                        const OptimizeOptions& options) {
   OptimizeReport report;
+  const WorkWatch watch(options.stop, options.goesOn);
   ScoreFinisher finisher(mesh, boundary, task, options.observer);
-  for (int round = 0; round < options.rounds && !options.stop.stop_requested(); ++round) {
+  for (int round = 0; round < options.rounds && !watch.mustStop(); ++round) {
     const std::size_t swaps = finisher.swapSides();
     std::size_t moves = 0;
-    for (int sweep = 0; sweep < options.smoothingSweeps && !options.stop.stop_requested(); ++sweep)
-      moves += finisher.moveVertices(options.stop);
+    for (int sweep = 0; sweep < options.smoothingSweeps && !watch.mustStop(); ++sweep)
+      moves += finisher.moveVertices(watch);
     report.swaps += swaps;
     report.moves += moves;
     if (swaps + moves == 0) break;
   }
-  if (!options.stop.stop_requested()) report.swaps += finisher.swapSides();
+  if (!watch.mustStop()) report.swaps += finisher.swapSides();
   return report;
 }
 

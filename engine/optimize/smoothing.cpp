@@ -164,11 +164,11 @@ void VertexSmoother::wake(std::span<const VertexId> vertices) {
   for (const VertexId v : vertices) isAwake_[v.value] = 1;
 }
 
-std::size_t VertexSmoother::sweep(const std::stop_token& stop) {
+std::size_t VertexSmoother::sweep(const WorkWatch& watch) {
   constexpr std::size_t kLookInterval = 1024;
   std::size_t moved = 0;
   for (std::size_t v = topology_.fixedCount(); v < mesh_.vertices.size(); ++v) {
-    if (v % kLookInterval == 0 && stop.stop_requested()) break;
+    if (v % kLookInterval == 0 && watch.mustStop()) break;
     if (!isAwake_[v]) continue;
     isAwake_[v] = 0;
     const double move = smooth(VertexId(v), Goal::All);

@@ -2,9 +2,9 @@
 #pragma once
 
 #include <span>
-#include <stop_token>
 #include <vector>
 
+#include "engine/base/work_watch.h"
 #include "engine/mesh/mesh_topology.h"
 #include "engine/optimize/act_recorder.h"
 #include "engine/step/neighborhood.h"
@@ -31,7 +31,7 @@ class VertexSmoother {
 
   /// One sweep over all inner vertices in order; ends early if a stop is requested. Returns the
   /// number of moved vertices.
-  std::size_t sweep(const std::stop_token& stop = {});
+  std::size_t sweep(const WorkWatch& watch = {});
   /// One sweep over some inner vertices that improves the worst element at each.
   std::size_t mend(std::span<const VertexId> vertices);
   /// Wakes these vertices, after swaps and collapses.

@@ -217,7 +217,7 @@ class TriangleWalk {
 
 }  // namespace
 
-std::size_t walkTriangles(PatchEditor& editor, const std::stop_token& stop) {
+std::size_t walkTriangles(PatchEditor& editor, const WorkWatch& watch) {
   constexpr int kAnywhere = std::numeric_limits<int>::max();
   constexpr std::array kReaches{2, 8, 32, kAnywhere};
   constexpr std::array kLeastJacobians{0.3, 0.1, 0.02};
@@ -225,7 +225,7 @@ std::size_t walkTriangles(PatchEditor& editor, const std::stop_token& stop) {
   const MeshTopology& topology = editor.topology();
   const auto forEachTriangle = [&](const auto& pair) {
     for (std::size_t e = 0; e < topology.mesh().elements.size(); ++e) {
-      if (stop.stop_requested()) return;
+      if (watch.mustStop()) return;
       if (!topology.isDead(e) && !topology.mesh().elements[e].isQuad()) pairs += pair(e) ? 1 : 0;
     }
   };

@@ -1,8 +1,7 @@
 // Turns triangles into quadrilaterals in pairs, however far apart they are.
 #pragma once
 
-#include <stop_token>
-
+#include "engine/base/work_watch.h"
 #include "engine/optimize/patch_editor.h"
 
 namespace af2 {
@@ -13,6 +12,6 @@ namespace af2 {
 ///
 /// Nearby pairs come first. An odd number of triangles leaves one, and so does a region that is
 /// divided by lines, in each part. Returns the number of pairs.
-std::size_t walkTriangles(PatchEditor& editor, const std::stop_token& stop);
+std::size_t walkTriangles(PatchEditor& editor, const WorkWatch& watch);
 
 }  // namespace af2

@@ -1,18 +1,17 @@
 #include "engine/optimize/turn_round.h"
 
 #include <algorithm>
+#include <optional>
 #include <vector>
 
 #include "engine/mesh/element_shape.h"
 #include "engine/optimize/patch_editor.h"
+#include "engine/optimize/quad_division.h"
 #include "engine/optimize/quad_search.h"
 #include "engine/optimize/vertex_news.h"
 
 namespace af2 {
 namespace {
-
-/// Smoothing and the search go on from here; before that, an element need only be sound.
-constexpr double kSoundJacobian = 0.05;
 
 /// Of the changes at a vertex, the most regular ones are tried: if any helps, it is nearly always
 /// the first of them.
@@ -45,12 +44,17 @@ bool mend(PatchEditor& editor, std::size_t element) {
     if (!editor.take(seed)) continue;
     const auto inPatch = editor.find(element);
     if (!inPatch) continue;
+    const std::optional<PatchJacobians> before = editor.jacobians();
+    if (!before || before->turned == 0) continue;
     const QuadPatch patch = editor.patch();
-    if (editor.putBack(patch, {kSoundJacobian}, FinishAct::Kind::Search)) return true;
+    // Another turned element beside it can wait for its own turn.
+    const PatchJacobians wanted{.turned = before->turned - 1};
+    if (editor.putBack(patch, wanted, FinishAct::Kind::Search)) return true;
     for (const QuadPatch& changed : changesAt(patch, *inPatch))
-      if (editor.putBack(changed, {kSoundJacobian}, FinishAct::Kind::Search)) return true;
+      if (editor.putBack(changed, wanted, FinishAct::Kind::Search)) return true;
   }
-  return false;
+  // Where the boundary is straight at a corner, no vertex can move to make the element better.
+  return divideTurned(editor, element);
 }
 
 }  // namespace
@@ -58,7 +62,7 @@ bool mend(PatchEditor& editor, std::size_t element) {
 bool hasTurnedElements(const Mesh& mesh) { return !foldedQuads(mesh).empty(); }
 
 std::size_t turnElementsRound(Mesh& mesh, const MeshBoundary& boundary,
-                              const AF2LocalTransformMaker& maker, const std::stop_token& stop) {
+                              const AF2LocalTransformMaker& maker, const WorkWatch& watch) {
   constexpr int kMaxPasses = 4;
   MeshTopology topology(mesh, boundary);
   PatchEditor editor(topology, maker, topology.anglesAtFixed());
@@ -69,7 +73,7 @@ std::size_t turnElementsRound(Mesh& mesh, const MeshBoundary& boundary,
   for (int pass = 0; pass < kMaxPasses && !folded.empty() && folded.size() < before; ++pass) {
     before = folded.size();
     for (const std::size_t e : folded) {
-      if (stop.stop_requested()) break;
+      if (watch.mustStop()) break;
       if (topology.isDead(e) || !leans(mesh, mesh.elements[e])) continue;
       const Element element = mesh.elements[e];
       const auto isNews = [&](VertexId v) { return news.isNews(v); };

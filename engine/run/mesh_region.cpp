@@ -10,8 +10,8 @@
 #include "engine/base/stopwatch.h"
 #include "engine/mesh/mesh_check.h"
 #include "engine/optimize/finish_mesh.h"
-#include "engine/optimize/turn_round.h"
 #include "engine/run/cut_strips.h"
+#include "engine/run/mesh_piece.h"
 
 namespace af2 {
 namespace {
@@ -33,6 +33,14 @@ class SharedProgress {
       callback_(sum_);
     };
   }
+  /// Tells that the work goes on, from any thread.
+  std::function<void()> again() {
+    if (!callback_) return {};
+    return [this] {
+      const std::lock_guard lock(mutex_);
+      callback_(sum_);
+    };
+  }
 
  private:
   const ProgressCallback& callback_;
@@ -40,53 +48,6 @@ class SharedProgress {
   Progress sum_;
   std::vector<Progress> last_;
 };
-
-/// The observer and the progress callback must not receive the same steps twice.
-FrontOptions withoutListeners(FrontOptions options) {
-  options.observer = nullptr;
-  options.progress = {};
-  return options;
-}
-
-/// The front with its reflex elements turned round; without such elements where that is impossible,
-/// so that what they would have closed is left open.
-MeshingResult soundFront(const AF2Algorithm& algorithm, const PieceTools& tools,
-                         const FrontInput& input, const MeshBoundary& boundary,
-                         const FrontOptions& options) {
-  MeshingResult result = algorithm.execute(*tools.charts, input, *tools.size, options);
-  if (result.outcome == Outcome::Cancelled || !hasTurnedElements(result.mesh)) return result;
-  if (result.outcome == Outcome::Complete &&
-      turnElementsRound(result.mesh, boundary, *tools.charts, options.stop) == 0)
-    return result;
-  FrontOptions again = withoutListeners(options);
-  again.acceptReflex = false;
-  return algorithm.execute(*tools.charts, input, *tools.size, again);
-}
-
-RegionMesh meshPiece(const AF2Algorithm& algorithm, const RegionTask& task, const FrontInput& input,
-                     const FrontOptions& options) {
-  const Stopwatch watch;
-  RegionMesh piece;
-  const MeshBoundary boundary = boundaryOf(input);
-  const PieceTools tools = task.makeTools();
-  piece.result = soundFront(algorithm, tools, input, boundary, options);
-  if (piece.result.outcome == Outcome::Complete) piece.fault = faultOf(piece.result.mesh, boundary);
-  if (piece.result.outcome == Outcome::Complete && piece.fault.empty() && task.optimize) {
-    const Stopwatch optimizing;
-    OptimizeOptions how;
-    how.stop = options.stop;
-    how.keepOriginal = false;
-    how.quads = task.quads;
-    if (options.observer) how.observer = options.observer->finishing();
-    const FinishTask finish{algorithm.rules(), *tools.charts, *tools.size};
-    if (!finishMesh(piece.result.mesh, boundary, finish, how).isSound) {
-      piece.result = soundFront(algorithm, tools, input, boundary, withoutListeners(options));
-    }
-    piece.optimizeSeconds = optimizing.seconds();
-  }
-  piece.seconds = watch.seconds();
-  return piece;
-}
 
 /// Joins the meshes of the pieces, in the numbering of the whole region and in the order of the
 /// pieces. Each piece is copied and freed as soon as all pieces before it have been, so that few
@@ -188,13 +149,15 @@ void forEachInArena(const RegionTask& task, std::size_t count,
     all();
 }
 
+/// goesOn  must be callable from several threads
 StripTools stripToolsOf(const AF2Algorithm& algorithm, const RegionTask& task,
-                        const FrontOptions& options) {
+                        const FrontOptions& options, const std::function<void()>& goesOn) {
   FinishObserver* observer = options.observer ? options.observer->finishing() : nullptr;
-  const auto finish = [&algorithm, &task, observer](Mesh& mesh, const MeshBoundary& boundary,
-                                                    OptimizeOptions how) {
+  const auto finish = [&algorithm, &task, observer, goesOn](
+                          Mesh& mesh, const MeshBoundary& boundary, OptimizeOptions how) {
     const PieceTools tools = task.makeTools();
     how.observer = observer;
+    how.goesOn = goesOn;
     // Only with quadrilaterals is a mesh more regular where it may be numbered anew.
     how.renumber = algorithm.rules().makesQuads();
     how.quads = task.quads;
@@ -239,6 +202,7 @@ class PieceMesher {
 
   const std::vector<RegionMesh>& pieces() const { return pieces_; }
   PieceJoiner& joiner() { return joiner_; }
+  std::function<void()> goesOn() { return progress_.again(); }
 
  private:
   RegionMesh mesh(std::size_t p) {
@@ -321,7 +285,7 @@ RegionMesh meshRegion(const AF2Algorithm& algorithm, const RegionTask& given,
   const Stopwatch optimizing;
   if (task.optimize)
     optimizeAlongCuts(whole.result.mesh, task.input, split, mesher.joiner().alongCuts(),
-                      stripToolsOf(algorithm, task, options));
+                      stripToolsOf(algorithm, task, options, mesher.goesOn()));
   whole.optimizeSeconds += optimizing.seconds();
   whole.seconds += optimizing.seconds();
   return whole;

@@ -2,7 +2,9 @@
 
 #include <utility>
 
+#include "engine/base/work_watch.h"
 #include "engine/mesh/mesh_check.h"
+#include "engine/optimize/turn_round.h"
 #include "geometry/fill/close_front.h"
 #include "geometry/fill/stuck_front.h"
 #include "geometry/mesh/without_rule.h"
@@ -48,8 +50,11 @@ bool closeStuck(const FaceTask& task, FaceAttempt& attempt, std::size_t maxEdges
   const bool isClosed = inParameters
                             ? closeInParameters(task, attempt.result, origin, maxEdges, closed)
                             : closeFront(closed, origin, maxEdges);
-  if (!isClosed || !faultOf(closed.mesh, af2::boundaryOf(task.boundary.input)).empty())
-    return false;
+  if (!isClosed) return false;
+  const MeshBoundary boundary = af2::boundaryOf(task.boundary.input);
+  if (hasTurnedElements(closed.mesh))  // they waited until the mesh is complete
+    turnElementsRound(closed.mesh, boundary, *attempt.charts, WorkWatch(task.options.stop));
+  if (!faultOf(closed.mesh, boundary).empty()) return false;
   attempt.stuck = stuckPlaces(attempt.result);
   attempt.result = std::move(closed);
   attempt.fault = {};

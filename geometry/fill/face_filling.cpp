@@ -1,6 +1,7 @@
 #include "geometry/fill/face_filling.h"
 
 #include <algorithm>
+#include <functional>
 #include <utility>
 
 #include "engine/base/error.h"
@@ -48,6 +49,12 @@ void findMiddles(const ChartedSurface& surface, const Mesh& meshed, FaceMesh& me
   }
 }
 
+/// Tells while a mesh is finished that the work goes on; does nothing without a progress callback.
+std::function<void()> goesOn(const FaceTask& task, const Mesh& mesh) {
+  if (!task.progress) return {};
+  return [&task, &mesh] { task.progress({mesh.elements.size(), 0, 0}); };
+}
+
 void optimize(const FaceTask& task, FaceAttempt& attempt, FaceMesh& mesh) {
   const Stopwatch watch;
   const FrontInput& input = task.boundary.input;
@@ -57,6 +64,7 @@ void optimize(const FaceTask& task, FaceAttempt& attempt, FaceMesh& mesh) {
   const RuleSet& rules = task.algorithm.rules();
   if (rules.makesQuads()) options.closingRule = originOf(WithoutRule::Closing, rules).rule;
   options.stop = task.options.stop;
+  options.goesOn = goesOn(task, attempt.result.mesh);
   options.quads = task.options.quads;
   if (AF2MeshingObserver* observer = task.options.observer ? task.options.observer() : nullptr)
     options.observer = observer->finishing();
@@ -143,7 +151,7 @@ void fillAndJudge(const FaceFilling& filling, FaceBoundary& boundary, FaceMesh& 
   if (task.options.optimize && !attempt.isOptimized) optimize(task, attempt, mesh);
   if (task.options.quads.onlyQuads)
     joinTriangles(attempt.result.mesh, boundaryOf(task.boundary.input), *attempt.charts,
-                  task.options.stop);
+                  task.options.stop, goesOn(task, attempt.result.mesh));
   mesh.report.acts = attempt.result.acts;
   mesh.report.withoutRule = countWithoutRule(task, attempt, boundary);
   mesh.report.stuck = std::move(attempt.stuck);

@@ -302,7 +302,13 @@ void addNarrowPlaces(FaceSource& source, const AF2Algorithm& algorithm, MeshingO
   first.optimize = false;
   first.order = 1;
   first.evenLoops = false;  // narrow places are the same with the option and without
-  first.progress = {};
+  if (options.progress)
+    first.progress = [&options](const ModelProgress& now) {
+      ModelProgress none;  // of the mesh that is asked for
+      none.faces = now.faces;
+      none.workTotal = now.workTotal;
+      options.progress(none);
+    };
   first.observer = {};
   first.sizes.chords = {};
   first.layers.clear();  // they are not narrow places of the model

@@ -13,7 +13,7 @@
 namespace af2::geometry {
 
 /// Sums the progress of the faces and reports it, one caller at a time. Only the first mesh of each
-/// face counts.
+/// face counts; others report that the work goes on.
 class ProgressSum {
  public:
   /// report  is kept as a reference
@@ -27,8 +27,8 @@ class ProgressSum {
   const std::vector<double>& work() const { return work_; }
   void advance(std::size_t index, std::size_t elements) {
     const std::lock_guard lock(mutex_);
-    if (parts_[index].isFinished) return;
-    update(index, elements, std::min(static_cast<double>(elements), 0.99 * work_[index]));
+    if (!parts_[index].isFinished)
+      update(index, elements, std::min(static_cast<double>(elements), 0.99 * work_[index]));
     report();
   }
   void finish(std::size_t index, std::size_t elements) {

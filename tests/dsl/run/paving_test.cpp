@@ -152,6 +152,20 @@ TEST(Paving, GivesTheSameMeshAgain) {
   expectEqualResults(meshWith(paving(), input, 0.05), meshWith(paving(), input, 0.05));
 }
 
+// Rows with edges of 0.38 and of 1.6 meet along the whole length, and hundreds of elements have to
+// be turned round, many of them beside each other.
+TEST(Paving, FillsLongStripsWithAFineAndACoarseSide) {
+  std::vector<Point2> outline;
+  constexpr double kLength = 300, kWidth = 4.7;
+  for (int i = 0; i < 786; ++i) outline.push_back({i * kLength / 786, 0});
+  for (const double y : {0., .46, 1.08, 1.91, 3.01, 3.98}) outline.push_back({kLength, y});
+  for (int i = 186; i > 0; --i) outline.push_back({i * kLength / 186, kWidth});
+  for (const double y : {4.7, 3.98, 3.01, 1.91, 1.08, .46}) outline.push_back({0, y});
+  FrontInput input;
+  addLoop(input, outline);
+  expectQuads(meshWith(paving(), input, 1), input);
+}
+
 // A single odd loop cannot be filled with quadrilaterals: the front stops, and says so.
 TEST(Paving, LeavesAFewEdgesOfAnOddLoopAndSoundElements) {
   FrontInput input;
@@ -163,12 +177,21 @@ TEST(Paving, LeavesAFewEdgesOfAnOddLoopAndSoundElements) {
   for (const Element& element : result.mesh.elements) EXPECT_FALSE(leans(result.mesh, element));
 }
 
-// The last level closes with a quadrilateral that has a straight corner. Between given edges no
-// change mends it: the front must then be left open, not spoil the mesh.
-TEST(Paving, LeavesOpenWhatCannotBeTurnedRound) {
+// The last level closes with a quadrilateral that has a straight corner. Between given edges only
+// more elements mend it.
+TEST(Paving, DividesALastQuadrilateralWithAStraightCorner) {
   FrontInput input;
   addLoop(input, {{0, 0}, {0.5, 0}, {1, 0}, {0, 1}});
   const MeshingResult result = meshWith(paving(), input, 0.7);
+  expectQuads(result, input);
+  EXPECT_EQ(result.mesh.elements.size(), 5u);
+}
+
+// The tips are too sharp for that: the front must be left open, not spoil the mesh.
+TEST(Paving, LeavesOpenWhatCannotBeTurnedRound) {
+  FrontInput input;
+  addLoop(input, {{0, 0}, {1, 0.1}, {2, 0}, {1, 0.15}});
+  const MeshingResult result = meshWith(paving(), input, 1);
   EXPECT_EQ(result.outcome, Outcome::Stuck);
   EXPECT_FALSE(result.stuck.empty());
 }

@@ -356,5 +356,21 @@ TEST(MeshRegion, TellsItsProgressAndStopsWhenAsked) {
   EXPECT_GE(calls, 2u);
 }
 
+// So that who watches it can tell a long finish from a hang.
+TEST(MeshRegion, TellsThatItGoesOnWhileTheMeshIsFinished) {
+  const FrontInput input = square(.01);
+  const auto callsWith = [&](bool optimize) {
+    std::size_t calls = 0;
+    FrontOptions options;
+    options.progress = [&](const Progress&) { ++calls; };
+    const auto tools = [] {
+      return PieceTools{std::make_unique<FlatMaker>(), std::make_unique<UniformSize>(.01)};
+    };
+    meshRegion(AF2Algorithm(triangleSet()), {input, tools, nullptr, {}, optimize}, options);
+    return calls;
+  };
+  EXPECT_GT(callsWith(true), callsWith(false));
+}
+
 }  // namespace
 }  // namespace af2
