@@ -202,15 +202,22 @@ class Smoother {
 
 }  // namespace
 
+double jacobianOf(const QuadPatch& patch, std::size_t element, const std::vector<Point2>& points) {
+  double least = 1;
+  forEachCorner(patch, element, [&](const PatchCorner& c) {
+    const CornerShape shape = c.shapeIn(points);
+    // Nothing can give a tip a better corner.
+    if (!patch.isTip(c.at) || !(shape.area() > 0)) least = std::min(least, shape.scaledJacobian());
+  });
+  return least;
+}
+
 PatchJacobians jacobiansOf(const QuadPatch& patch, const std::vector<Point2>& points) {
   double least = 1, sum = 0, elements = 0;
   std::size_t turned = 0;
   for (std::size_t e = 0; e < patch.elementCount(); ++e) {
     if (!patch.isAlive(e)) continue;
-    double here = 1;
-    forEachCorner(patch, e, [&](const PatchCorner& c) {
-      here = std::min(here, c.shapeIn(points).scaledJacobian());
-    });
+    const double here = jacobianOf(patch, e, points);
     least = std::min(least, here);
     turned += here < kSoundJacobian ? 1 : 0;
     sum += here;

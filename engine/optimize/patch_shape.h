@@ -14,8 +14,8 @@ namespace af2 {
 /// An element with a smaller scaled Jacobian is turned, or nearly so.
 inline constexpr double kSoundJacobian = 0.05;
 
-/// Scaled Jacobians of the elements of a patch, each the smallest of its corners. The smallest one
-/// is not positive if an element does not turn left everywhere.
+/// Scaled Jacobians of the elements of a patch, each the smallest of its corners but for tips. The
+/// smallest one is not positive if an element does not turn left everywhere.
 struct PatchJacobians {
   double least = -1, mean = -1;
   /// The number of elements below kSoundJacobian.
@@ -33,6 +33,8 @@ inline PatchJacobians acceptableAfter(const PatchJacobians& before) {
   return {std::min(kGoodJacobian, before.least), before.mean - kMeanMayFall};
 }
 
+/// The least scaled Jacobian of an element at its corners but for tips.
+double jacobianOf(const QuadPatch& patch, std::size_t element, const std::vector<Point2>& points);
 PatchJacobians jacobiansOf(const QuadPatch& patch, const std::vector<Point2>& points);
 
 /// Moves the inner vertices that elements use, one after another in the order of their numbers, to

@@ -6,8 +6,6 @@
 #include <utility>
 #include <vector>
 
-#include "engine/mesh/element_measures.h"
-
 namespace af2 {
 namespace {
 
@@ -56,6 +54,8 @@ class Division {
 
   bool hasPatch() const { return before_.has_value(); }
   const PatchJacobians& before() const { return *before_; }
+  /// Of the first of the elements.
+  double jacobian() const { return jacobianOf(patch_, gone_.front(), points_); }
   bool putBack(const PatchJacobians& wanted, FinishAct::Kind kind) {
     return isSound_ && patch_.refill(gone_, rings_) &&
            editor_.putBack(patch_, std::move(points_), wanted, kind);
@@ -230,9 +230,7 @@ std::size_t divideFlatQuads(PatchEditor& editor, const WorkWatch& watch) {
     Division division(editor, one);
     if (!division.hasPatch()) continue;
     const std::array<Corner, 4> outline = outlineOf(e);
-    std::array<Point2, 4> points;
-    std::ranges::transform(outline, points.begin(), [&](Corner c) { return division.pointAt(c); });
-    const double here = scaledJacobian(points);
+    const double here = division.jacobian();
     if (here < kFlat && divideOutline(division, outline, {here + kGain}, FinishAct::Kind::Search))
       ++divided;
   }

@@ -72,6 +72,8 @@ class QuadPatch {
   bool isAlive(std::size_t element) const { return rings_[element][0] != kNone; }
   bool isInner(Vertex v) const { return isInner_[v]; }
   bool isFixed(Vertex v) const { return isFixed_[v]; }
+  /// Whether the boundary is sharp at a vertex: below 45 degrees.
+  bool isTip(Vertex v) const { return isFixed_[v] && wanted_[v] <= 1; }
   /// The vertex that a new vertex was split from; the vertex itself if it is not new.
   Vertex originOf(Vertex v) const { return origin_[v]; }
 

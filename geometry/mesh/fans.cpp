@@ -1,9 +1,12 @@
 #include "geometry/mesh/fans.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
 #include <span>
+#include <utility>
+#include <vector>
 
 #include "engine/mesh/element_shape.h"
 
@@ -37,6 +40,17 @@ std::vector<Element> elementsOf(const std::vector<VertexId>& rim, VertexId tip, 
   return elements;
 }
 
+/// The numbers of vertices when the tips have been inserted behind those of the boundary.
+struct WithTips {
+  std::uint32_t first, count;
+
+  explicit WithTips(const FaceBoundary& boundary, std::size_t points)
+      : first(static_cast<std::uint32_t>(points)),
+        count(static_cast<std::uint32_t>(boundary.fans.size())) {}
+  VertexId moved(VertexId v) const { return v.value < first ? v : VertexId(v.value + count); }
+  VertexId tip(std::size_t fan) const { return VertexId(first + fan); }
+};
+
 }  // namespace
 
 double areaOfFans(const FaceBoundary& boundary) {
@@ -55,27 +69,47 @@ double areaOfFans(const FaceBoundary& boundary) {
 
 void addFans(FaceBoundary& boundary, FanElements kind, ElementOrigin origin, Mesh& mesh) {
   if (boundary.fans.empty()) return;
-  const auto first = static_cast<std::uint32_t>(boundary.points.size());
-  const auto count = static_cast<std::uint32_t>(boundary.fans.size());
-  const auto moved = [&](VertexId v) { return v.value < first ? v : VertexId(v.value + count); };
+  const WithTips numbers(boundary, boundary.points.size());
   for (Element& element : mesh.elements)
     for (int i = 0; i < element.size(); ++i) {
       VertexId& v = element.corners[static_cast<std::size_t>(i)];
-      v = moved(v);
+      v = numbers.moved(v);
     }
   std::vector<SurfacePoint> tips;
   for (const FaceBoundary::Fan& fan : boundary.fans) tips.push_back(fan.place);
-  mesh.vertices.insert(mesh.vertices.begin() + first, tips.begin(), tips.end());
+  mesh.vertices.insert(mesh.vertices.begin() + numbers.first, tips.begin(), tips.end());
   for (const FaceBoundary::Fan& fan : boundary.fans) {
     const VertexId tip(boundary.points.size());
     boundary.points.push_back(fan.tip);
     std::vector<VertexId> rim;
-    for (const VertexId v : fan.rim) rim.push_back(moved(v));
+    for (const VertexId v : fan.rim) rim.push_back(numbers.moved(v));
     for (const Element& element : elementsOf(rim, tip, kind, mesh)) {
       mesh.elements.push_back(element);
       mesh.origins.push_back(origin);
     }
   }
+}
+
+MeshBoundary boundaryWithFans(const FaceBoundary& boundary) {
+  MeshBoundary result = boundaryOf(boundary.input);
+  const WithTips numbers(boundary, boundary.points.size() - boundary.fans.size());
+  for (std::size_t i = 0; i < boundary.fans.size(); ++i) {
+    const std::vector<VertexId>& rim = boundary.fans[i].rim;
+    for (std::size_t k = 1; k < rim.size(); ++k)
+      std::erase(result.edges, std::pair(rim[k - 1], rim[k]));
+  }
+  for (auto& [from, to] : result.edges) {
+    from = numbers.moved(from);
+    to = numbers.moved(to);
+  }
+  for (std::size_t i = 0; i < boundary.fans.size(); ++i) {
+    const std::vector<VertexId>& rim = boundary.fans[i].rim;
+    result.edges.emplace_back(numbers.moved(rim.front()), numbers.tip(i));
+    result.edges.emplace_back(numbers.tip(i), numbers.moved(rim.back()));
+  }
+  std::ranges::sort(result.edges);
+  result.fixedCount = boundary.points.size();
+  return result;
 }
 
 }  // namespace af2::geometry

@@ -20,4 +20,8 @@ enum class FanElements { Triangles, Quads };
 /// origin  of the elements of the fans
 void addFans(FaceBoundary& boundary, FanElements kind, ElementOrigin origin, Mesh& mesh);
 
+/// The boundary of a mesh to which addFans has added the fans: around these, and not along their
+/// rims.
+MeshBoundary boundaryWithFans(const FaceBoundary& boundary);
+
 }  // namespace af2::geometry

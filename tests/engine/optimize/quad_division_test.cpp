@@ -52,7 +52,7 @@ Outlined stripWithTips(std::size_t n, double width) {
 
 /// Joins the triangles; the mesh must be sound, with the same area and boundary, before and after.
 void expectOnlyQuads(Outlined& outlined, std::size_t pairs = 1) {
-  ASSERT_TRUE(checkMesh(outlined.mesh, outlined.input).empty());
+  ASSERT_EQ(faultOf(outlined.mesh, boundaryOf(outlined.input)), "");
   const double area = testing::areaOf(outlined.mesh);
   EXPECT_EQ(joinTriangles(outlined.mesh, boundaryOf(outlined.input), FlatMaker()), pairs);
   EXPECT_TRUE(checkMesh(outlined.mesh, outlined.input).empty());
@@ -96,9 +96,37 @@ TEST(QuadDivision, GoesAnyDistanceInStages) {
   expectOnlyQuads(strip);
 }
 
+// Tips are then sharper than any quadrilateral should be, which nothing can change.
 TEST(QuadDivision, StripsMayBeNarrow) {
-  Outlined strip = stripWithTips(6, 0.05);
-  expectOnlyQuads(strip);
+  for (const double width : {0.05, 0.01}) {
+    SCOPED_TRACE(width);
+    Outlined strip = stripWithTips(6, width);
+    expectOnlyQuads(strip);
+  }
+}
+
+// Two strips that touch with a tip.
+TEST(QuadDivision, TwoTipsMayHaveTheirVertexInCommon) {
+  const Outlined strip = stripWithTips(6, 0.02);
+  const auto& loop = strip.input.loops[0];
+  std::vector<Point2> outline;
+  for (const BoundaryCorner& c : loop) outline.push_back({c.point.position.x, c.point.position.y});
+  const std::size_t count = outline.size();
+  const Point2 tip = outline[0];
+  for (std::size_t v = 1; v < count; ++v)  // turned by half a turn around the tip
+    outline.push_back(2.0 * tip - outline[v]);
+  Outlined both(outline);
+  const BoundaryCorner touching = both.input.loops[0][0];
+  both.input.loops[0].insert(both.input.loops[0].begin() + static_cast<std::ptrdiff_t>(count),
+                             touching);
+  both.mesh.elements = strip.mesh.elements;
+  for (Element element : strip.mesh.elements) {
+    for (VertexId& v : element.corners)
+      if (!v.isNone() && v.value > 0) v = VertexId(v.value + count - 1);
+    both.mesh.elements.push_back(element);
+  }
+  both.mesh.origins.resize(both.mesh.elements.size());
+  expectOnlyQuads(both, 2);
 }
 
 /// Without a quadrilateral between them, and with an outline that is straight at a vertex.
@@ -191,7 +219,7 @@ TEST(QuadDivision, FlatQuadsAreDividedWhereTheBoundaryIsNearlyStraight) {
 
 /// Its sharp corner cannot become wider.
 TEST(QuadDivision, SharpOnesStay) {
-  Outlined sharp({{0, 0}, {1, -0.1}, {1.6, 0}, {1, 0.1}});
+  Outlined sharp({{0, 0}, {1, -0.1}, {1.1, 0}, {1, 0.1}});
   sharp.add({0, 1, 2, 3});
   EXPECT_EQ(countDividedFlatQuads(sharp), 0u);
   EXPECT_EQ(sharp.mesh.elements.size(), 1u);
