@@ -81,10 +81,11 @@ def look_at_all(site):
 
 
 def search(tab):
-    tab.run("(() => { const field = document.querySelector('input[name=query]'); field.focus();"
-            " field.value = 'free zone'; field.dispatchEvent(new Event('input', {bubbles: true}));"
-            " field.dispatchEvent(new KeyboardEvent('keyup', {bubbles: true})); return 0; })()")
-    tab.wait_for("document.querySelectorAll('.md-search-result__item').length > 0")
+    # Again and again: on a busy machine the page can be there before its search listens.
+    tab.wait_for("(() => { const field = document.querySelector('input[name=query]'); field.focus();"
+                 " field.value = 'free zone'; field.dispatchEvent(new Event('input', {bubbles: true}));"
+                 " field.dispatchEvent(new KeyboardEvent('keyup', {bubbles: true}));"
+                 " return document.querySelectorAll('.md-search-result__item').length > 0; })()")
 
 
 def main():
