@@ -52,7 +52,7 @@ bool closeStuck(const FaceTask& task, FaceAttempt& attempt, std::size_t maxEdges
                             : closeFront(closed, origin, maxEdges);
   if (!isClosed) return false;
   const MeshBoundary boundary = af2::boundaryOf(task.boundary.input);
-  if (hasTurnedElements(closed.mesh))  // they waited until the mesh is complete
+  if (attempt.charts && hasTurnedElements(closed.mesh))  // they waited until the mesh is complete
     turnElementsRound(closed.mesh, boundary, *attempt.charts, WorkWatch(task.options.stop));
   if (!faultOf(closed.mesh, boundary).empty()) return false;
   attempt.stuck = stuckPlaces(attempt.result);

@@ -149,7 +149,8 @@ void fillAndJudge(const FaceFilling& filling, FaceBoundary& boundary, FaceMesh& 
     return;
   }
   if (task.options.optimize && !attempt.isOptimized) optimize(task, attempt, mesh);
-  if (task.options.quads.onlyQuads)
+  // Without charts, normals mean nothing here, and nothing may move.
+  if (task.options.quads.onlyQuads && attempt.charts)
     joinTriangles(attempt.result.mesh, boundaryOf(task.boundary.input), *attempt.charts,
                   task.options.stop, goesOn(task, attempt.result.mesh));
   mesh.report.acts = attempt.result.acts;
@@ -164,7 +165,7 @@ void fillAndJudge(const FaceFilling& filling, FaceBoundary& boundary, FaceMesh& 
           originOf(WithoutRule::Fan, task.algorithm.rules()), attempt.result.mesh);
   // What could not become one quadrilateral where the fan was made can when its rim may move.
   const bool hasLayers = boundary.layers && !boundary.layers->elements.empty();
-  if (onlyQuads && !boundary.fans.empty() && !hasLayers)
+  if (onlyQuads && attempt.charts && !boundary.fans.empty() && !hasLayers)
     joinTriangles(attempt.result.mesh, boundaryWithFans(boundary), *attempt.charts,
                   task.options.stop, goesOn(task, attempt.result.mesh));
   mesh.wantedSizes.reserve(attempt.result.mesh.vertices.size());
