@@ -193,20 +193,20 @@ bool PatchEditor::putBack(const QuadPatch& changed, std::vector<Point2> points,
   return true;
 }
 
-bool PatchEditor::isSound(const QuadPatch& patch, std::size_t element, const Moved& moved) const {
+/// moved  null: the vertices are where they were
+bool PatchEditor::isSound(const QuadPatch& patch, std::size_t element, const Moved* moved) const {
   std::array<const SurfacePoint*, 4> corners{};
   std::size_t n = 0;
   for (const Vertex v : patch.cornersAt(element))
-    corners[n++] = moved[v] ? &*moved[v] : &mesh_.vertices[vertices_[v].value];
+    corners[n++] = moved && (*moved)[v] ? &*(*moved)[v] : &mesh_.vertices[vertices_[v].value];
   return std::isfinite(elementDistortion(std::span(corners).first(n)));
 }
 
 /// Whether all elements are sound on the surface that were so, and all new ones.
 bool PatchEditor::staysSoundOnSurface(const QuadPatch& changed, const Moved& moved) const {
-  const Moved unmoved(vertices_.size());
   for (std::size_t e = 0; e < changed.elementCount(); ++e)
-    if (changed.isAlive(e) && !isSound(changed, e, moved) &&
-        (isNew(changed, e) || isSound(patch_, e, unmoved)))
+    if (changed.isAlive(e) && !isSound(changed, e, &moved) &&
+        (isNew(changed, e) || isSound(patch_, e, nullptr)))
       return false;
   return true;
 }

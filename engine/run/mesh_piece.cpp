@@ -47,7 +47,7 @@ class PieceFronts {
         input_(input),
         boundary_(boundary),
         options_(options),
-        progress_(options.progress) {}
+        progress_(options_.progress) {}
 
   std::function<void()> goesOn() const { return progress_.again(); }
 
