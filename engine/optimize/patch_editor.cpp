@@ -89,19 +89,21 @@ bool PatchEditor::collect(VertexId seed, std::vector<std::size_t> elements, cons
   return !elements_.empty();
 }
 
-bool PatchEditor::take(VertexId seed) {
-  points_.clear();
-  if (!collect(seed, {}, {3, 88})) return false;
-  makePatch();
-  return true;
-}
+bool PatchEditor::take(VertexId seed) { return takeShown(seed, {}, {3, 88}); }
 
 bool PatchEditor::take(VertexId seed, std::span<const std::size_t> elements) {
-  points_.clear();
-  if (!collect(seed, {elements.begin(), elements.end()}, {2, QuadPatch::kMaxElements}))
-    return false;
-  makePatch();
-  return true;
+  return takeShown(seed, elements, {2, QuadPatch::kMaxElements});
+}
+
+/// With as many rings as one chart shows.
+bool PatchEditor::takeShown(VertexId seed, std::span<const std::size_t> elements, Extent extent) {
+  for (; extent.rings >= 0; --extent.rings) {
+    points_.clear();
+    if (!collect(seed, {elements.begin(), elements.end()}, extent)) continue;
+    makePatch();
+    if (openChart()) return true;
+  }
+  return false;
 }
 
 void PatchEditor::makePatch() {

@@ -29,9 +29,10 @@ class PatchEditor {
   /// The angle at a vertex, in units of 30 degrees.
   int wantedAt(VertexId v) const;
 
-  /// Takes the elements within some rings around a vertex. Returns false if there are too many.
+  /// Takes the elements within some rings around a vertex: fewer rings where the surface bends so
+  /// much that its chart hides some. Returns false if there are too many, or no chart shows them.
   bool take(VertexId seed);
-  /// Takes these elements, and some rings around them. Returns false if there are too many.
+  /// Takes these elements, and some rings around them, as above.
   ///
   /// seed  one of their vertices, in the middle: the chart is made there
   bool take(VertexId seed, std::span<const std::size_t> elements);
@@ -65,6 +66,7 @@ class PatchEditor {
     int rings;
     std::size_t mostElements;
   };
+  bool takeShown(VertexId seed, std::span<const std::size_t> elements, Extent extent);
   bool collect(VertexId seed, std::vector<std::size_t> elements, const Extent& extent);
   bool addRing(std::size_t firstVertex, std::size_t mostElements);
   bool number(std::size_t firstElement);

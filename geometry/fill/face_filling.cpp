@@ -161,13 +161,15 @@ void fillAndJudge(const FaceFilling& filling, FaceBoundary& boundary, FaceMesh& 
                                 filling.unseen);
   const bool onlyQuads = task.options.quads.onlyQuads;
   addLayers(boundary, originOf(WithoutRule::Layer, task.algorithm.rules()), attempt.result.mesh);
-  addFans(boundary, onlyQuads ? FanElements::Quads : FanElements::Triangles,
+  addFans(boundary, fanElementsFor(task.options.quads),
           originOf(WithoutRule::Fan, task.algorithm.rules()), attempt.result.mesh);
   // What could not become one quadrilateral where the fan was made can when its rim may move.
   const bool hasLayers = boundary.layers && !boundary.layers->elements.empty();
-  if (onlyQuads && attempt.charts && !boundary.fans.empty() && !hasLayers)
+  if (onlyQuads && attempt.charts && !boundary.fans.empty() && !hasLayers) {
+    joinAtTips(boundary, *attempt.charts, attempt.result.mesh);
     joinTriangles(attempt.result.mesh, boundaryWithFans(boundary), *attempt.charts,
                   task.options.stop, goesOn(task, attempt.result.mesh));
+  }
   mesh.wantedSizes.reserve(attempt.result.mesh.vertices.size());
   for (const SurfacePoint& vertex : attempt.result.mesh.vertices)
     mesh.wantedSizes.push_back(filling.wanted.sizeAt(vertex));

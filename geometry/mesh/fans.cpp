@@ -3,21 +3,27 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <functional>
+#include <limits>
 #include <map>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
 
+#include "engine/base/error.h"
 #include "engine/mesh/element_shape.h"
 
 namespace af2::geometry {
 
 namespace {
 
-bool isSound(const Mesh& mesh, const Element& quad) {
+double distortionOf(const Mesh& mesh, const Element& element) {
   std::array<const SurfacePoint*, 4> corners{};
-  for (std::size_t i = 0; i < 4; ++i) corners[i] = &mesh.vertices[quad.corners[i].value];
-  return std::isfinite(elementDistortion(corners));
+  std::size_t n = 0;
+  for (const VertexId v : element.vertices()) corners[n++] = &mesh.vertices[v.value];
+  return elementDistortion(std::span(corners).first(n));
 }
 
 /// The mesh has the vertices of the fan.
@@ -29,7 +35,7 @@ std::vector<Element> elementsOf(const std::vector<VertexId>& rim, VertexId tip, 
       // The first diagonal, which divides the quadrilateral for other purposes, is that at the tip:
       // two quadrilaterals all around it have the corners of the other one in common.
       const Element quad{{rim[i], rim[i - 1], tip, rim[i + 1]}};
-      if (isSound(mesh, quad)) {
+      if (std::isfinite(distortionOf(mesh, quad))) {
         elements.push_back(quad);
         ++i;
         continue;
@@ -49,6 +55,122 @@ struct WithTips {
         count(static_cast<std::uint32_t>(boundary.fans.size())) {}
   VertexId moved(VertexId v) const { return v.value < first ? v : VertexId(v.value + count); }
   VertexId tip(std::size_t fan) const { return VertexId(first + fan); }
+};
+
+/// Joins the two triangles on both sides of a side that ends at a tip.
+class TipJoining {
+ public:
+  /// fixed  the number of vertices, from the first one on, that must not move
+  TipJoining(Mesh& mesh, const AF2LocalTransformMaker& charts, std::size_t fixed)
+      : mesh_(mesh), charts_(charts), fixed_(fixed) {}
+
+  /// middle  the other end of the side, which moves
+  void tryAt(VertexId middle, VertexId tip) {
+    if (middle.value < fixed_) return;
+    collectStar(middle);
+    const std::optional<Pair> pair = pairAt(middle, tip);
+    if (!pair) return;
+    const SurfacePoint here = mesh_.vertices[middle.value];
+    std::optional<SurfacePoint> best;
+    double least = std::numeric_limits<double>::infinity();
+    for (const SurfacePoint& place : placesBelow(middle, tip)) {
+      mesh_.vertices[middle.value] = place;
+      const double worst = worstDistortion(*pair);
+      if (worst < least) {
+        least = worst;
+        best = place;
+      }
+    }
+    mesh_.vertices[middle.value] = best.value_or(here);
+    if (!best) return;
+    mesh_.elements[pair->before] = pair->joined;
+    gone_.push_back(pair->behind);
+  }
+
+  /// Removes the triangles that have become part of a quadrilateral. Returns their number.
+  std::size_t finish() {
+    std::ranges::sort(gone_, std::greater<>());
+    for (const std::size_t e : gone_) {
+      mesh_.elements.erase(mesh_.elements.begin() + static_cast<std::ptrdiff_t>(e));
+      mesh_.origins.erase(mesh_.origins.begin() + static_cast<std::ptrdiff_t>(e));
+    }
+    return gone_.size();
+  }
+
+ private:
+  struct Pair {
+    std::size_t before, behind;  ///< triangles, counter-clockwise around the tip
+    Element joined;
+  };
+
+  void collectStar(VertexId v) {
+    star_.clear();
+    for (std::size_t e = 0; e < mesh_.elements.size(); ++e)
+      if (std::ranges::count(mesh_.elements[e].vertices(), v) > 0 &&
+          std::ranges::count(gone_, e) == 0)
+        star_.push_back(e);
+  }
+
+  std::optional<Pair> pairAt(VertexId middle, VertexId tip) const {
+    std::optional<std::size_t> before, behind;
+    VertexId first, last;
+    for (const std::size_t e : star_) {
+      const Element& element = mesh_.elements[e];
+      for (std::size_t i = 0; i < 3 && !element.isQuad(); ++i) {
+        if (element.corners[i] != tip) continue;
+        const VertexId next = element.corners[(i + 1) % 3], after = element.corners[(i + 2) % 3];
+        if (after == middle) {
+          before = e;
+          first = next;
+        } else if (next == middle) {
+          behind = e;
+          last = after;
+        }
+      }
+    }
+    if (!before || !behind || first == last) return std::nullopt;
+    // The first diagonal is that at the tip, see elementsOf.
+    return Pair{*before, *behind, {{middle, last, tip, first}}};
+  }
+
+  /// On the ways from the middle to the vertices around it that are farther from the tip.
+  std::vector<SurfacePoint> placesBelow(VertexId middle, VertexId tip) const {
+    const Point3 top = mesh_.vertices[tip.value].position;
+    const SurfacePoint& here = mesh_.vertices[middle.value];
+    std::vector<SurfacePoint> places;
+    for (const std::size_t e : star_)
+      for (const VertexId v : mesh_.elements[e].vertices()) {
+        const SurfacePoint& there = mesh_.vertices[v.value];
+        if (distance(there.position, top) > distance(here.position, top))
+          addPlacesBetween(here, there, places);
+      }
+    return places;
+  }
+
+  void addPlacesBetween(const SurfacePoint& here, const SurfacePoint& there,
+                        std::vector<SurfacePoint>& places) const {
+    constexpr std::array kParts{0.125, 0.25, 0.375, 0.5, 0.625, 0.75};
+    try {
+      const auto chart =
+          charts_.makeLocalTransform(here, there, distance(here.position, there.position));
+      for (const double part : kParts)
+        if (const auto place = chart->transformToSurface({part, 0})) places.push_back(*place);
+    } catch (const GeometryError&) {  // there is no chart here
+    }
+  }
+
+  double worstDistortion(const Pair& pair) const {
+    double worst = distortionOf(mesh_, pair.joined);
+    for (const std::size_t e : star_)
+      if (e != pair.before && e != pair.behind)
+        worst = std::max(worst, distortionOf(mesh_, mesh_.elements[e]));
+    return worst;
+  }
+
+  Mesh& mesh_;
+  const AF2LocalTransformMaker& charts_;
+  std::size_t fixed_;
+  std::vector<std::size_t> star_, gone_;
 };
 
 }  // namespace
@@ -88,6 +210,15 @@ void addFans(FaceBoundary& boundary, FanElements kind, ElementOrigin origin, Mes
       mesh.origins.push_back(origin);
     }
   }
+}
+
+std::size_t joinAtTips(const FaceBoundary& boundary, const AF2LocalTransformMaker& charts,
+                       Mesh& mesh) {
+  const WithTips numbers(boundary, boundary.points.size() - boundary.fans.size());
+  TipJoining joining(mesh, charts, boundary.points.size());
+  for (std::size_t i = 0; i < boundary.fans.size(); ++i)
+    for (const VertexId v : boundary.fans[i].rim) joining.tryAt(numbers.moved(v), numbers.tip(i));
+  return joining.finish();
 }
 
 MeshBoundary boundaryWithFans(const FaceBoundary& boundary) {

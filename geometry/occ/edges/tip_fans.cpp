@@ -19,6 +19,8 @@ namespace {
 
 /// Three would lean by 60 degrees against the surface, and a front hardly goes on from their rim.
 constexpr double kFewestAround = 4;
+/// Two quadrilaterals around a tip have flat corners there: they need three pairs of triangles.
+constexpr double kFewestForQuads = 5;
 constexpr double kWidest = std::numbers::pi / 3;  // angle of an element at the tip
 
 /// Around a blunter tip a front has room.
@@ -45,19 +47,22 @@ void findTips(const ModelShape& model, int face, std::map<std::uint32_t, TipOfMo
   }
 }
 
+/// For quadrilaterals an even number.
 int elementsAround(const FaceSurface& surface, const SharpTip& tip, const SurfacePoint& from,
-                   const SurfacePoint& to) {
+                   const SurfacePoint& to, FanElements kind) {
   constexpr double kRounding = 0.01;
   const double angle = surface.angleAroundTip(from, to, tip.position);
-  const double around = kFewestAround * angle / tip.angle;
-  return static_cast<int>(
-      std::max({1.0, std::ceil(around - kRounding), std::round(angle / kWidest)}));
+  const bool areQuads = kind == FanElements::Quads;
+  const double around = (areQuads ? kFewestForQuads : kFewestAround) * angle / tip.angle;
+  const int count =
+      static_cast<int>(std::max({1.0, std::ceil(around - kRounding), std::round(angle / kWidest)}));
+  return areQuads ? count + count % 2 : count;
 }
 
 class FanCutter {
  public:
-  FanCutter(const FaceSurface& surface, FaceBoundary& boundary)
-      : surface_(surface), tips_(surface.sharpTips()), boundary_(boundary) {}
+  FanCutter(const FaceSurface& surface, FanElements kind, FaceBoundary& boundary)
+      : surface_(surface), kind_(kind), tips_(surface.sharpTips()), boundary_(boundary) {}
 
   void cut() {
     if (tips_.empty()) return;
@@ -90,6 +95,7 @@ class FanCutter {
       FaceBoundary::Fan& fan = boundary_.fans.emplace_back();
       fan.tip = boundary_.points[loop[i].vertex.value];
       fan.place = loop[i].point;
+      fan.place.normal = {};  // around a sharp tip, it differs from all nearby
       cut_.push_back(loop[i].vertex);
       fan.rim.push_back(loop[before].vertex);
       for (const BoundaryCorner& corner : rim) fan.rim.push_back(corner.vertex);
@@ -112,7 +118,7 @@ class FanCutter {
   /// Without the ends.
   Loop rimBetween(const BoundaryCorner& from, const BoundaryCorner& to, const SharpTip& tip) {
     Loop rim;
-    const int count = elementsAround(surface_, tip, from.point, to.point);
+    const int count = elementsAround(surface_, tip, from.point, to.point, kind_);
     for (int i = 1; i < count; ++i)
       rim.push_back({VertexId(boundary_.input.vertexCount++),
                      surface_.aroundTip(from.point, to.point, static_cast<double>(i) / count)});
@@ -140,6 +146,7 @@ class FanCutter {
   }
 
   const FaceSurface& surface_;
+  FanElements kind_;
   std::vector<SharpTip> tips_;
   FaceBoundary& boundary_;
   std::vector<VertexId> cut_;
@@ -201,8 +208,8 @@ std::vector<double> divideFromTips(const EdgePart& part,
   return parameters;
 }
 
-void leaveOutFans(const FaceSurface& surface, FaceBoundary& boundary) {
-  FanCutter(surface, boundary).cut();
+void leaveOutFans(const FaceSurface& surface, FanElements kind, FaceBoundary& boundary) {
+  FanCutter(surface, kind, boundary).cut();
 }
 
 }  // namespace af2::geometry

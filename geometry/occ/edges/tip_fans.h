@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "geometry/mesh/face_boundary.h"
+#include "geometry/mesh/fans.h"
 #include "geometry/occ/edges/edge_parts.h"
 #include "geometry/occ/edges/edge_samples.h"
 #include "geometry/occ/edges/open_ends.h"
@@ -35,6 +36,6 @@ std::vector<double> divideFromTips(const EdgePart& part,
                                    const CadSizes& sizes);
 
 /// Excludes fans around the tips from the loops, where the segments on both sides are equally long.
-void leaveOutFans(const FaceSurface& surface, FaceBoundary& boundary);
+void leaveOutFans(const FaceSurface& surface, FanElements kind, FaceBoundary& boundary);
 
 }  // namespace af2::geometry

@@ -52,7 +52,7 @@ CountedLoop countedLoop(const std::vector<BoundaryCorner>& loop, const FaceBound
 
 /// At sharp tips, the rims of fans take the place of segments of edges.
 void addLoops(const FaceSurface& surface, FaceBoundary boundary, const DividedEdges& divided,
-              std::vector<CountedLoop>& loops) {
+              FanElements fans, std::vector<CountedLoop>& loops) {
   const std::map<PointPair, std::size_t> counts = countsOf(boundary, divided);
   const auto first = loops.size();
   std::vector<std::size_t> sizes;
@@ -60,7 +60,7 @@ void addLoops(const FaceSurface& surface, FaceBoundary boundary, const DividedEd
     sizes.push_back(loop.size());
     loops.push_back(countedLoop(loop, boundary, counts, divided));
   }
-  leaveOutFans(surface, boundary);
+  leaveOutFans(surface, fans, boundary);
   for (std::size_t i = 0; i < sizes.size(); ++i)
     if ((boundary.input.loops[i].size() + sizes[i]) % 2 == 1)
       loops[first + i].hasOddRest = !loops[first + i].hasOddRest;
@@ -109,7 +109,7 @@ void addLayerEndsOfFace(const ModelShape& model, int face, const EdgeLayers& lay
 
 std::vector<CountedLoop> countedLoops(const ModelShape& model, int face,
                                       const DividedEdges& divided,
-                                      const std::vector<FaceOnFace>& onFaces) {
+                                      const std::vector<FaceOnFace>& onFaces, FanElements fans) {
   std::vector<CountedLoop> loops;
   if (std::ranges::count(onFaces, face, &FaceOnFace::face) > 0) return loops;
   try {
@@ -118,11 +118,11 @@ std::vector<CountedLoop> countedLoops(const ModelShape& model, int face,
       const FaceCells& stretches = model.cells.at(face);
       const FaceSurface surface =
           FaceSurface::ofCell(model.face(face), stretches.u[cell.id.u], stretches.v[cell.id.v]);
-      addLoops(surface, std::move(cell.boundary), divided, loops);
+      addLoops(surface, std::move(cell.boundary), divided, fans, loops);
     }
     if (!cells.empty()) return loops;
     const FaceSurface surface = model.surface(face);
-    addLoops(surface, findBoundary(model, face, divided, surface, onFaces), divided, loops);
+    addLoops(surface, findBoundary(model, face, divided, surface, onFaces), divided, fans, loops);
   } catch (const Standard_Failure& failure) {
     throw GeometryError(std::string("OpenCASCADE: ") + failure.DynamicType()->Name());
   }

@@ -6,6 +6,7 @@
 
 #include "geometry/edges/even_loops.h"
 #include "geometry/layers/layer_heights.h"
+#include "geometry/mesh/fans.h"
 #include "geometry/occ/faces/face_boundary.h"
 #include "geometry/occ/faces/faces_on_faces.h"
 
@@ -36,6 +37,6 @@ void addLayerEndsOfFace(const ModelShape& model, int face, const EdgeLayers& lay
 /// Throws GeometryError if the boundary is faulty.
 std::vector<CountedLoop> countedLoops(const ModelShape& model, int face,
                                       const DividedEdges& divided,
-                                      const std::vector<FaceOnFace>& onFaces);
+                                      const std::vector<FaceOnFace>& onFaces, FanElements fans);
 
 }  // namespace af2::geometry

@@ -138,7 +138,7 @@ class FaceMesher {
   }
 
   void fill(FaceBoundary boundary, FaceMesh& mesh) {
-    leaveOutFans(surface_, boundary);
+    leaveOutFans(surface_, fanElementsFor(context_.request.options.quads), boundary);
     addNotes(boundary.repairs, mesh.history);
     addNotes(boundary.notes, mesh.history);
     noteCollapsed(boundary.pointEdges, mesh.history);

@@ -135,7 +135,7 @@ DividedEdges CadFaces::divide(const PositionSize& sizes, const CollapsedEdges& a
 }
 
 std::vector<CountedLoop> CadFaces::loopsOf(int face, const DividedEdges& divided) const {
-  return countedLoops(*shape_, face, divided, onFaces_);
+  return countedLoops(*shape_, face, divided, onFaces_, fanElementsFor(options_->quads));
 }
 
 void CadFaces::fill(int face, const FillRequest& request, FaceMesh& mesh) const {

@@ -55,5 +55,27 @@ TEST(Fans, BecomeQuadrilateralsWhenTheirRimsMayMove) {
   EXPECT_NEAR(areaOf(mesh), 4, 1e-9);
 }
 
+TEST(Fans, BecomeQuadrilateralsWhenTheirRimsLeaveTheTip) {
+  FaceBoundary boundary;
+  addLoop(boundary.input, {{2, 0}, {2.2, 1}, {2, 2}, {1, 2.2}, {0, 2}, {0.9, 0.9}});
+  boundary.points = {0, 1, 2, 3, 4};  // (0.9, 0.9) lies inside
+  FaceBoundary::Fan& fan = boundary.fans.emplace_back();
+  fan.tip = 5;
+  fan.place = flatCorner(0, {0, 0}).point;
+  fan.rim = {VertexId(4), VertexId(5), VertexId(0)};
+  Mesh mesh;
+  for (const BoundaryCorner& c : boundary.input.loops[0]) mesh.vertices.push_back(c.point);
+  mesh.elements = {{{VertexId(0), VertexId(1), VertexId(2), VertexId(5)}},
+                   {{VertexId(5), VertexId(2), VertexId(3), VertexId(4)}}};
+  mesh.origins.resize(2);
+  addFans(boundary, FanElements::Quads, {}, mesh);
+  ASSERT_EQ(mesh.elements.size(), 4u) << "no quadrilateral fits";
+  EXPECT_EQ(joinAtTips(boundary, FlatMaker(), mesh), 1u);
+  EXPECT_TRUE(std::ranges::all_of(mesh.elements, &Element::isQuad));
+  EXPECT_EQ(mesh.origins.size(), mesh.elements.size());
+  EXPECT_EQ(faultOf(mesh, boundaryWithFans(boundary)), "");
+  EXPECT_NEAR(areaOf(mesh), 4.4, 1e-9);
+}
+
 }  // namespace
 }  // namespace af2::geometry

@@ -61,18 +61,19 @@ TEST(TipFans, CloseConesHoweverSharp) {
   }
 }
 
-TEST(TipFans, JoinTrianglesOnRequest) {
-  for (const auto& [radius, quads] : {std::pair{1.0, 0}, {3.0, 2}, {5.5, 2}}) {
+TEST(TipFans, HaveThreeQuadrilateralsOnRequestHoweverSharp) {
+  for (const double radius : {0.15, 0.3, 1.0, 3.0, 5.5}) {
     MeshingOptions options = testing::ofSize(0.5);
     options.quads.onlyQuads = true;
     const ModelMesh result = testing::mesh(testing::cone(radius, 0, kHeight), options);
     testing::expectComplete(result);
-    const Point3 tip{0, 0, kHeight};
-    int found = 0;
+    int quads = 0, triangles = 0;
     for (const Element& e : result.elements)
       for (const VertexId v : e.vertices())
-        found += e.isQuad() && distance(result.vertices[v.value], tip) < 1e-9 ? 1 : 0;
-    EXPECT_EQ(found, quads) << radius;
+        if (distance(result.vertices[v.value], {0, 0, kHeight}) < 1e-9)
+          ++(e.isQuad() ? quads : triangles);
+    EXPECT_EQ(quads, 3) << radius;
+    EXPECT_EQ(triangles, 0) << radius;
   }
 }
 
