@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "geometry/occ/edges/edge_parts.h"
-#include "geometry/occ/edges/edge_samples.h"
+#include "geometry/occ/edges/edge_segments.h"
 #include "geometry/occ/edges/open_ends.h"
 #include "geometry/occ/model/model_shape.h"
 

@@ -75,6 +75,16 @@ double roughLength(const BRepAdaptor_Curve& curve) {
   return sum;
 }
 
+/// The cells of an interval in which a curve is smooth.
+struct IntervalCells {
+  std::vector<double> parameters;  ///< of their ends
+  double step = 0;                 ///< of the parameter, if it is the same for all
+};
+using Cells = std::vector<IntervalCells>;
+
+/// At the ends of an interval the derivative may be that of the neighbour: it is taken just inside.
+double insetOf(double low, double high) { return 1e-7 * (high - low); }
+
 /// Samples one interval in which the curve is smooth.
 class IntervalSampler {
  public:
@@ -86,18 +96,17 @@ class IntervalSampler {
         least_(std::min(sizes.edgeLeast * wanted.largest(), length / kSegmentsForTurns)) {}
 
   /// Appends the interval to a piece. `atStart` and `atEnd` become the unit tangents at its ends.
-  void append(EdgePiece& piece, double low, double high, int cells, Point3& atStart,
-              Point3& atEnd) {
-    // Just inside the interval: at its ends the derivative may be that of the neighbour.
-    const double inset = 1e-7 * (high - low);
-    CurvePoint before = pointAt(curve_, low + inset);
+  void append(EdgePiece& piece, const IntervalCells& cells, Point3& atStart, Point3& atEnd) {
+    const std::vector<double>& parameters = cells.parameters;
+    const double low = parameters.front(), high = parameters.back();
+    CurvePoint before = pointAt(curve_, low + insetOf(low, high));
     atStart = unit(before.tangent);
     if (piece.parameters.empty()) addPoint(piece, low, 0, before.position);
-    const double step = (high - low) / cells;
-    for (int i = 1; i <= cells; ++i) {
-      const bool isLast = i == cells;
-      const double parameter = isLast ? high : low + i * step;
-      const CurvePoint here = pointAt(curve_, isLast ? high - inset : parameter);
+    for (std::size_t i = 1; i < parameters.size(); ++i) {
+      const bool isLast = i + 1 == parameters.size();
+      const double parameter = parameters[i];
+      const double step = cells.step > 0 ? cells.step : parameter - parameters[i - 1];
+      const CurvePoint here = pointAt(curve_, isLast ? high - insetOf(low, high) : parameter);
       const double ds = (length(before.tangent) + length(here.tangent)) / 2 * step;
       addPoint(piece, parameter, piece.arcLength.back() + ds, here.position);
       limitByTurn(piece, distance(unit(before.tangent), unit(here.tangent)), ds);
@@ -141,38 +150,86 @@ void limitByPosition(EdgePiece& piece, const CadSizes& sizes) {
   clampSizes(piece, sizes);
 }
 
-std::vector<EdgePiece> sampleInCells(const BRepAdaptor_Curve& curve, const WantedAlongEdge& wanted,
-                                     const CadSizes& sizes, Extent extent, double length,
-                                     double total) {
-  const std::vector<double> breaks = breaksOf(curve, extent);
+double countOf(const Cells& cells) {
+  double count = 0;
+  for (const IntervalCells& interval : cells)
+    count += static_cast<double>(interval.parameters.size());
+  return count;
+}
+
+/// About `total` cells, of equal lengths within an interval.
+Cells equalCells(const std::vector<double>& breaks, double total) {
   const std::size_t intervals = breaks.size() - 1;
-  const int cells = std::max(kMinSamples, static_cast<int>(total / static_cast<double>(intervals)));
+  const int count = std::max(kMinSamples, static_cast<int>(total / static_cast<double>(intervals)));
+  Cells cells(intervals);
+  for (std::size_t i = 0; i < intervals; ++i) {
+    cells[i].step = (breaks[i + 1] - breaks[i]) / count;
+    for (int k = 0; k < count; ++k) cells[i].parameters.push_back(breaks[i] + k * cells[i].step);
+    cells[i].parameters.push_back(breaks[i + 1]);
+  }
+  return cells;
+}
+
+std::vector<EdgePiece> sampleInCells(const BRepAdaptor_Curve& curve, const WantedAlongEdge& wanted,
+                                     const CadSizes& sizes, double length, const Cells& cells) {
   IntervalSampler sampler(curve, wanted, sizes, length);
   std::vector<EdgePiece> pieces;
   Point3 previousEnd;
-  for (std::size_t i = 0; i < intervals; ++i) {
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    const double low = cells[i].parameters.front(), high = cells[i].parameters.back();
     Point3 atStart, atEnd;
     const bool smooth =
         i > 0 &&
-        distance(previousEnd,
-                 unit(pointAt(curve, breaks[i] + 1e-7 * (breaks[i + 1] - breaks[i])).tangent)) <
-            kKink;
+        distance(previousEnd, unit(pointAt(curve, low + insetOf(low, high)).tangent)) < kKink;
     if (!smooth) pieces.push_back({});
-    sampler.append(pieces.back(), breaks[i], breaks[i + 1], cells, atStart, atEnd);
+    sampler.append(pieces.back(), cells[i], atStart, atEnd);
     previousEnd = atEnd;
   }
   return pieces;
 }
 
-/// How many times too long the cells are. Sizes that were asked for may be far below the largest,
-/// and small in a few places only: samples are to be dense there as well.
-double coarseness(const std::vector<EdgePiece>& pieces) {
+/// How many times too long a cell is, which ends at sample i. Sizes that were asked for may be far
+/// below the largest, and small in a few places only: samples are to be dense there as well.
+double coarsenessAt(const EdgePiece& piece, std::size_t i) {
   constexpr double kMaxOfCell = 0.25;  // length of a cell
+  return (piece.arcLength[i] - piece.arcLength[i - 1]) / piece.sizes[i] / kMaxOfCell;
+}
+
+double coarseness(const std::vector<EdgePiece>& pieces) {
   double worst = 0;
   for (const EdgePiece& piece : pieces)
     for (std::size_t i = 1; i < piece.sizes.size(); ++i)
-      worst = std::max(worst, (piece.arcLength[i] - piece.arcLength[i - 1]) / piece.sizes[i]);
-  return worst / kMaxOfCell;
+      worst = std::max(worst, coarsenessAt(piece, i));
+  return worst;
+}
+
+/// Into how many cells one is to be divided.
+double partsFor(double coarseness) {
+  constexpr double kMargin = 1.25, kMaxAtOnce = 16;
+  return std::min(kMargin * coarseness, kMaxAtOnce);
+}
+
+/// Divides the cells that are too long for the sizes at their samples.
+Cells finer(const Cells& cells, const std::vector<EdgePiece>& pieces) {
+  Cells result;
+  std::size_t piece = 0, sample = 0;
+  for (const IntervalCells& divided : cells) {
+    const std::vector<double>& interval = divided.parameters;
+    std::vector<double>& parameters = result.emplace_back().parameters;
+    parameters.push_back(interval.front());
+    if (sample + 1 == pieces[piece].parameters.size()) {
+      ++piece;
+      sample = 0;
+    }
+    for (std::size_t i = 1; i < interval.size(); ++i) {
+      const double coarseness = coarsenessAt(pieces[piece], ++sample);
+      const double parts = coarseness > 1 ? std::ceil(partsFor(coarseness)) : 1;
+      for (double k = 1; k < parts; ++k)
+        parameters.push_back(interval[i - 1] + k / parts * (interval[i] - interval[i - 1]));
+      parameters.push_back(interval[i]);
+    }
+  }
+  return result;
 }
 
 /// The parameter at which an edge begins, as seen from one of its ends. A curve may end next to its
@@ -215,8 +272,11 @@ class EdgeSampler {
   /// How many samples the wanted size alone takes.
   double fewest() const { return kSamplesPerSegment * length_ / wanted(); }
 
-  std::vector<EdgePiece> pieces(double total) const {
-    return sampleInCells(curve_, wanted_, sizes_, extent_, length_, total);
+  Cells equalCells(double total) const {
+    return geometry::equalCells(breaksOf(curve_, extent_), total);
+  }
+  std::vector<EdgePiece> pieces(const Cells& cells) const {
+    return sampleInCells(curve_, wanted_, sizes_, length_, cells);
   }
 
  private:
@@ -246,22 +306,25 @@ void samplePlain(const ModelShape& model, int edge, const CadSizes& sizes, EdgeS
     samples.problem = "needs more than " + textOf(total / kSamplesPerSegment, 3) +
                       " segments; ask for a larger size";
   else
-    samples.pieces = sampler.pieces(total);
+    samples.pieces = sampler.pieces(sampler.equalCells(total));
 }
 
-/// Samples more densely until the cells are short against the sizes that are wanted by position.
+/// Samples more densely where cells are long against the sizes that are wanted by position.
 void resample(const ModelShape& model, int edge, const CadSizes& sizes, EdgeSamples& samples) {
   constexpr int kMaxRounds = 4;
-  constexpr double kMargin = 1.25, kMaxAtOnce = 16;
+  // All cells become shorter first, so that no place between samples is missed that wants less.
+  constexpr double kMaxEqual = 1e4;
   double tooCoarse = coarseness(samples.pieces);
   if (tooCoarse <= 1) return;
   const BRepAdaptor_Curve curve(model.edge(edge));
   const EdgeSampler sampler(curve, model, edge, sizes);
   double total = sampler.fewest();
+  Cells cells = sampler.equalCells(total);
   for (int round = 0; round < kMaxRounds && tooCoarse > 1; ++round) {
-    total = std::min(kMargin * tooCoarse, kMaxAtOnce) * std::max(total, double(kMinSamples));
-    if (total > kMaxSamples) return;
-    samples.pieces = sampler.pieces(total);
+    total = partsFor(tooCoarse) * std::max(total, double(kMinSamples));
+    cells = total < kMaxEqual ? sampler.equalCells(total) : finer(cells, samples.pieces);
+    if (countOf(cells) > kMaxSamples) return;
+    samples.pieces = sampler.pieces(cells);
     for (EdgePiece& piece : samples.pieces) limitByPosition(piece, sizes);
     tooCoarse = coarseness(samples.pieces);
   }
@@ -279,52 +342,6 @@ void tryCurve(EdgeSamples& samples, Use&& use) {
   for (const EdgePiece& piece : samples.pieces) samples.length += piece.arcLength.back();
   if (samples.problem.empty() && !std::isfinite(samples.length)) samples.problem = kNoNumbers;
   if (!samples.problem.empty()) samples.pieces.clear();
-}
-
-/// A smooth piece of an edge, to be divided into equal shares.
-struct SharedPiece {
-  std::vector<double> count;  ///< segmentsAlong
-  std::size_t segments = 1, fewest = 1;
-
-  SharedPiece(const EdgePiece& piece, const CadSizes& sizes)
-      : count(segmentsAlong(piece.arcLength, piece.sizes)) {
-    double byTurn = turnAlong(piece.positions) / sizes.edgeTurn;
-    if (byTurn > 0.01 && sizes.chords.areGiven()) byTurn = count.back();  // none is too long
-    const bool isAsked = sizes.elementsPerTurn > 0 || sizes.chords.areGiven();
-    segments = wholeSegments(count.back(), isAsked ? byTurn : 0, sizes.curvedShare);
-    fewest = std::min(segments, fewestSegments(count.back(), byTurn, sizes.curvedShare));
-  }
-
-  /// Of one segment, in wanted sizes, if there are so many.
-  double load(std::size_t ofSegments) const {
-    return count.back() / static_cast<double>(ofSegments);
-  }
-};
-
-void addSegment(std::vector<SharedPiece>& pieces) {
-  std::size_t coarsest = 0;
-  const auto load = [&](std::size_t i) { return pieces[i].load(pieces[i].segments); };
-  for (std::size_t i = 1; i < pieces.size(); ++i)
-    if (load(i) > load(coarsest)) coarsest = i;
-  ++pieces[coarsest].segments;
-}
-
-/// Where segments grow least by it, if there may be one fewer anywhere.
-void dropSegment(std::vector<SharedPiece>& pieces) {
-  SharedPiece* best = nullptr;
-  for (SharedPiece& piece : pieces) {
-    if (piece.segments <= piece.fewest) continue;
-    if (!best || piece.load(piece.segments - 1) < best->load(best->segments - 1)) best = &piece;
-  }
-  if (best) --best->segments;
-}
-
-/// Appends the ends of `segments` equal shares of the count, without the start of the piece.
-void place(const EdgePiece& piece, const std::vector<double>& count, std::size_t segments,
-           std::vector<double>& parameters) {
-  for (const CurvePlace& at : equalShares(count, segments))
-    parameters.push_back(at.between(piece.parameters));
-  parameters.push_back(piece.parameters.back());
 }
 
 }  // namespace
@@ -371,32 +388,6 @@ void gradeSizes(EdgeSamples& samples, double first, double last, double growth) 
     sizes.back() = std::min(sizes.back(), samples.pieces[i + 1].sizes.front());
     gradeAlong(samples.pieces[i].arcLength, sizes, growth);
   }
-}
-
-std::vector<double> divide(const EdgeSamples& samples, AskedSegments asked, const CadSizes& sizes) {
-  std::vector<SharedPiece> pieces;
-  std::size_t total = 0;
-  for (const EdgePiece& piece : samples.pieces) total += pieces.emplace_back(piece, sizes).segments;
-  for (; total < asked.least; ++total) addSegment(pieces);
-  if (asked.change > 0) addSegment(pieces);
-  if (asked.change < 0 && total > asked.least) dropSegment(pieces);
-  std::vector<double> parameters{samples.pieces.front().parameters.front()};
-  for (std::size_t i = 0; i < samples.pieces.size(); ++i)
-    place(samples.pieces[i], pieces[i].count, pieces[i].segments, parameters);
-  return parameters;
-}
-
-double wantedSegments(const EdgeSamples& samples) {
-  double wanted = 0;
-  for (const EdgePiece& piece : samples.pieces)
-    wanted += segmentsAlong(piece.arcLength, piece.sizes).back();
-  return wanted;
-}
-
-std::size_t fewestSegmentsOf(const EdgeSamples& samples, const CadSizes& sizes) {
-  std::size_t fewest = 0;
-  for (const EdgePiece& piece : samples.pieces) fewest += SharedPiece(piece, sizes).fewest;
-  return fewest;
 }
 
 }  // namespace af2::geometry

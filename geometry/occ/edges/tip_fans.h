@@ -9,7 +9,7 @@
 #include "geometry/mesh/face_boundary.h"
 #include "geometry/mesh/fans.h"
 #include "geometry/occ/edges/edge_parts.h"
-#include "geometry/occ/edges/edge_samples.h"
+#include "geometry/occ/edges/edge_segments.h"
 #include "geometry/occ/edges/open_ends.h"
 #include "geometry/occ/model/model_shape.h"
 #include "geometry/occ/surfaces/face_surface.h"

@@ -49,6 +49,22 @@ TEST(EdgeDivision, TellsAboutHowManySegmentsAreTooMany) {
   }
 }
 
+TEST(EdgeDivision, SamplesDenselyOnlyWhereSizesAreTiny) {
+  const Model box = testing::box(1, 2, 3);
+  CadSizes sizes = uniform(1);
+  sizes.function = [](const Point3& p) { return std::max(1e-6, 0.3 * length(p)); };
+  const SampledEdges sampled = sampleEdges(box.shape(), sizes, 1, {});
+  std::size_t most = 0;
+  double shortest = 1;
+  for (const EdgeSamples& samples : sampled.limited)
+    for (const EdgePiece& piece : samples.pieces) {
+      most = std::max(most, piece.parameters.size());
+      shortest = std::min(shortest, piece.arcLength[1]);
+    }
+  EXPECT_LT(shortest, 2e-6);
+  EXPECT_LT(most, 20000u) << "even spacing takes more than a million";
+}
+
 TEST(EdgeDivision, SharesTheVerticesOfTheModel) {
   const DividedEdges divided = divide(testing::box(1, 2, 3), uniform(100));
   std::set<std::uint32_t> used;
