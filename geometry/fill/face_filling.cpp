@@ -13,6 +13,7 @@
 #include "geometry/fill/odd_loops.h"
 #include "geometry/fill/stuck_front.h"
 #include "geometry/mesh/fans.h"
+#include "geometry/mesh/first_diagonals.h"
 #include "geometry/mesh/layer_elements.h"
 
 namespace af2::geometry {
@@ -170,6 +171,8 @@ void fillAndJudge(const FaceFilling& filling, FaceBoundary& boundary, FaceMesh& 
     joinTriangles(attempt.result.mesh, boundaryWithFans(boundary), *attempt.charts,
                   task.options.stop, goesOn(task, attempt.result.mesh));
   }
+  if (makesQuads || onlyQuads)
+    beginAtBoundaryCorners(boundaryWithFans(boundary), attempt.result.mesh);
   mesh.wantedSizes.reserve(attempt.result.mesh.vertices.size());
   for (const SurfacePoint& vertex : attempt.result.mesh.vertices)
     mesh.wantedSizes.push_back(filling.wanted.sizeAt(vertex));
