@@ -167,6 +167,35 @@ TEST(Paving, FillsLongStripsWithAFineAndACoarseSide) {
 }
 
 // A single odd loop cannot be filled with quadrilaterals: the front stops, and says so.
+/// Rows from the straight sides meet those around the arc at a slant, along a line of a hundred
+/// edges.
+TEST(Paving, MeetsAtASlantWithoutLongEdges) {
+  constexpr double kSize = 0.001, kRadius = 0.2;
+  std::vector<Point2> outline =
+      divided({{0.3, 0.5}, {0.25, 0.5}, {0.25, 0.25}, {0.5, 0.25}, {0.5, 0.3}}, kSize);
+  // Without what closed the polygon, which becomes an arc.
+  std::erase_if(outline, [](Point2 p) { return p.x > 0.3 && p.y > 0.3; });
+  const int parts = static_cast<int>(std::lround(M_PI / 2 * kRadius / kSize));
+  for (int i = 1; i < parts; ++i) {
+    const double t = M_PI / 2 * (3 - static_cast<double>(i) / parts);
+    outline.push_back(Point2{0.5, 0.5} + kRadius * Point2{std::cos(t), std::sin(t)});
+  }
+  FrontInput input;
+  addLoop(input, outline);
+  ASSERT_EQ(input.vertexCount % 2, 0u);
+  const MeshingResult result = meshWith(paving(), input, kSize);
+  expectQuads(result, input);
+  double longest = 0;
+  for (const Element& element : result.mesh.elements) {
+    const auto corners = element.vertices();
+    for (std::size_t i = 0; i < 4; ++i)
+      longest =
+          std::max(longest, distance(result.mesh.vertices[corners[i].value].position,
+                                     result.mesh.vertices[corners[(i + 1) % 4].value].position));
+  }
+  EXPECT_LT(longest, 3 * kSize);
+}
+
 TEST(Paving, LeavesAFewEdgesOfAnOddLoopAndSoundElements) {
   FrontInput input;
   addLoop(input, circle({0, 0}, 1, 31, false));
