@@ -10,10 +10,10 @@
 #include "engine/optimize/finish_mesh.h"
 #include "geometry/fill/crossed_boundary.h"
 #include "geometry/fill/diagnose_face.h"
+#include "geometry/fill/first_diagonals.h"
 #include "geometry/fill/odd_loops.h"
 #include "geometry/fill/stuck_front.h"
 #include "geometry/mesh/fans.h"
-#include "geometry/mesh/first_diagonals.h"
 #include "geometry/mesh/layer_elements.h"
 
 namespace af2::geometry {

@@ -1,4 +1,4 @@
-#include "geometry/mesh/first_diagonals.h"
+#include "geometry/fill/first_diagonals.h"
 
 #include <algorithm>
 #include <cstddef>
