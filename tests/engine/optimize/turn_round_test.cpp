@@ -65,42 +65,6 @@ TEST(TurnRound, MovesAVertexThatFoldsTheElementsAroundIt) {
   EXPECT_TRUE(checkMesh(grid.mesh, grid.input).empty());
 }
 
-/// Charts as on a surface that bends sharply: they show a few elements only.
-class ShortSightedChart final : public AF2LocalTransform {
- public:
-  ShortSightedChart(const SurfacePoint& from, const SurfacePoint& to, double unit)
-      : chart_(flatChart(from.position, to.position, unit)) {}
-  ChartPoint transformFromSurface(const SurfacePoint& p) const override {
-    constexpr double kSight = 2.5;
-    ChartPoint point = chart_.transformFromSurface(p);
-    if (length(point.position) > kSight) point.view = ChartView::Hidden;
-    return point;
-  }
-  std::optional<SurfacePoint> transformToSurface(Point2 p) const override {
-    return chart_.transformToSurface(p);
-  }
-
- private:
-  PlaneChart chart_;
-};
-
-class ShortSightedMaker final : public AF2LocalTransformMaker {
- public:
-  std::unique_ptr<AF2LocalTransform> makeLocalTransform(const SurfacePoint& from,
-                                                        const SurfacePoint& to,
-                                                        double unit) const override {
-    return std::make_unique<ShortSightedChart>(from, to, unit);
-  }
-};
-
-TEST(TurnRound, ChangesFewerElementsWhereChartsHideSome) {
-  Grid grid(8);
-  grid.mesh.vertices[grid.at(4, 4).value].position = {5.1, 5.2, 0};
-  ASSERT_TRUE(hasTurnedElements(grid.mesh));
-  EXPECT_EQ(turnElementsRound(grid.mesh, boundaryOf(grid.input), ShortSightedMaker(), {}), 0u);
-  EXPECT_TRUE(checkMesh(grid.mesh, grid.input).empty());
-}
-
 // The boundary has a tip of one degree: nothing can mend the element there.
 TEST(TurnRound, MendsElementsBesideOneThatCannotBeMended) {
   Grid grid(4);
