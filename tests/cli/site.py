@@ -81,11 +81,13 @@ def look_at_all(site):
 
 
 def search(tab):
-    # Again and again: on a busy machine the page can be there before its search listens.
-    tab.wait_for("(() => { const field = document.querySelector('input[name=query]'); field.focus();"
+    # Again every two seconds: on a busy machine the page can be there before its search listens, and each
+    # change of the field makes the search start anew.
+    tab.wait_for("(() => { if (document.querySelectorAll('.md-search-result__item').length > 0) return true;"
+                 " const now = performance.now(); if (now - (window.typedAt ?? -2000) < 2000) return false;"
+                 " window.typedAt = now; const field = document.querySelector('input[name=query]'); field.focus();"
                  " field.value = 'free zone'; field.dispatchEvent(new Event('input', {bubbles: true}));"
-                 " field.dispatchEvent(new KeyboardEvent('keyup', {bubbles: true}));"
-                 " return document.querySelectorAll('.md-search-result__item').length > 0; })()")
+                 " field.dispatchEvent(new KeyboardEvent('keyup', {bubbles: true})); return false; })()")
 
 
 def main():
