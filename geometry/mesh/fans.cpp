@@ -137,13 +137,19 @@ class TipJoining {
   std::vector<SurfacePoint> placesBelow(VertexId middle, VertexId tip) const {
     const Point3 top = mesh_.vertices[tip.value].position;
     const SurfacePoint& here = mesh_.vertices[middle.value];
+    std::vector<VertexId> around;
+    for (const std::size_t e : star_) {
+      const auto corners = mesh_.elements[e].vertices();
+      around.insert(around.end(), corners.begin(), corners.end());
+    }
+    std::ranges::sort(around);
+    around.erase(std::ranges::unique(around).begin(), around.end());
     std::vector<SurfacePoint> places;
-    for (const std::size_t e : star_)
-      for (const VertexId v : mesh_.elements[e].vertices()) {
-        const SurfacePoint& there = mesh_.vertices[v.value];
-        if (distance(there.position, top) > distance(here.position, top))
-          addPlacesBetween(here, there, places);
-      }
+    for (const VertexId v : around) {
+      const SurfacePoint& there = mesh_.vertices[v.value];
+      if (distance(there.position, top) > distance(here.position, top))
+        addPlacesBetween(here, there, places);
+    }
     return places;
   }
 

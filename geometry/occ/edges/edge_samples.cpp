@@ -313,7 +313,7 @@ void samplePlain(const ModelShape& model, int edge, const CadSizes& sizes, EdgeS
 void resample(const ModelShape& model, int edge, const CadSizes& sizes, EdgeSamples& samples) {
   constexpr int kMaxRounds = 4;
   // All cells become shorter first, so that no place between samples is missed that wants less.
-  constexpr double kMaxEqual = 1e4;
+  constexpr double kMaxEqual = 4e4;
   double tooCoarse = coarseness(samples.pieces);
   if (tooCoarse <= 1) return;
   const BRepAdaptor_Curve curve(model.edge(edge));

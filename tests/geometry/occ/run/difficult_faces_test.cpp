@@ -131,7 +131,7 @@ TEST(DifficultFaces, AFrontThatRunsAwayIsStoppedEarlyWhereTurnsAreAskedFor) {
   options.observer = [&](int) { return &counter; };
   const ModelMesh result = mesh(testing::modelOf(eightOnCylinder()), options);
   EXPECT_EQ(result.faces[0].status, FaceStatus::Failed);
-  EXPECT_LT(counter.most, 12'000u);
+  EXPECT_LT(counter.most, 10'000u);
 }
 
 /// Ten times shorter edges are not enough, though better.
