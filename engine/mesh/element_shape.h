@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <span>
 
@@ -30,15 +31,24 @@ inline bool facesNormal(const Point3& corner, const Point3& ahead, const Point3&
   return facesNormal(cross(ahead - corner, behind - corner), normal);
 }
 
+/// Whether a quadrilateral turns back at a corner, against its own area. Where normals are unknown
+/// or turn by much within the element, it can do so and face all of them.
+inline bool turnsBackAt(std::span<const SurfacePoint* const> quad, std::size_t i) {
+  const auto at = [&](std::size_t k) -> const Point3& { return quad[(i + k) % 4]->position; };
+  return dot(cross(at(1) - at(0), at(3) - at(0)), cross(at(2) - at(0), at(3) - at(1))) < 0;
+}
+
 /// Whether some corner of an element does not face the way the surface does there.
 inline bool leans(const Mesh& mesh, const Element& element) {
-  const auto c = element.vertices();
-  for (std::size_t i = 0; i < c.size(); ++i) {
-    const SurfacePoint& corner = mesh.vertices[c[i].value];
-    const Point3& ahead = mesh.vertices[c[(i + 1) % c.size()].value].position;
-    const Point3& behind = mesh.vertices[c[(i + c.size() - 1) % c.size()].value].position;
-    if (!facesNormal(corner.position, ahead, behind, corner.normal)) return true;
-  }
+  const auto vertices = element.vertices();
+  const std::size_t n = vertices.size();
+  std::array<const SurfacePoint*, 4> corners{};
+  for (std::size_t i = 0; i < n; ++i) corners[i] = &mesh.vertices[vertices[i].value];
+  for (std::size_t i = 0; i < n; ++i)
+    if (!facesNormal(corners[i]->position, corners[(i + 1) % n]->position,
+                     corners[(i + n - 1) % n]->position, corners[i]->normal) ||
+        (n == 4 && turnsBackAt(corners, i)))
+      return true;
   return false;
 }
 
@@ -118,7 +128,8 @@ inline double elementDistortion(std::span<const SurfacePoint* const> corners) {
     const Point3& corner = corners[i]->position;
     const Point3& ahead = corners[i + 1 == n ? 0 : i + 1]->position;
     const Point3& behind = corners[i == 0 ? n - 1 : i - 1]->position;
-    if (!facesNormal(corner, ahead, behind, corners[i]->normal)) return INFINITY;
+    if (!facesNormal(corner, ahead, behind, corners[i]->normal) || turnsBackAt(corners, i))
+      return INFINITY;
     worst = std::max(worst, cornerDistortion(corner, ahead, behind, false));
   }
   return worst;

@@ -137,11 +137,22 @@ std::optional<std::size_t> PatchEditor::find(std::size_t element) const {
   return static_cast<std::size_t>(place - elements_.begin());
 }
 
+/// Along one of the sides at the seed: where the surface bends sharply beside it, charts of some
+/// sides hide what those of others show.
 bool PatchEditor::openChart() {
   if (!points_.empty()) return true;
-  const Corner corner = topology_.cornerOf(vertices_[0]);
+  const Corner first = topology_.cornerOf(vertices_[0]);
+  for (Corner c = first; !c.isNone();) {
+    if (openChartTo(topology_.vertexAt(topology_.next(c)))) return true;
+    c = topology_.aroundVertex(c);
+    if (c == first) break;
+  }
+  return false;
+}
+
+bool PatchEditor::openChartTo(VertexId end) {
   const SurfacePoint& here = mesh_.vertices[vertices_[0].value];
-  const SurfacePoint& neighbor = mesh_.vertices[topology_.vertexAt(topology_.next(corner)).value];
+  const SurfacePoint& neighbor = mesh_.vertices[end.value];
   const double unit = distance(here.position, neighbor.position);
   if (!(unit > 0)) return false;
   try {
@@ -183,13 +194,19 @@ bool PatchEditor::putBack(const QuadPatch& changed, const PatchJacobians& wanted
 bool PatchEditor::putBack(const QuadPatch& changed, std::vector<Point2> points,
                           const PatchJacobians& wanted, FinishAct::Kind kind) {
   smoothPatch(changed, points);
-  if (!jacobiansOf(changed, points).areAtLeast(wanted)) return false;
+  const auto isWanted = [&] { return jacobiansOf(changed, points).areAtLeast(wanted); };
+  if (!isWanted()) return false;
+  bool allMoved = true;
   Moved moved(points.size());
   for (std::size_t v = 0; v < points.size(); ++v) {
     if (v < points_.size() && points[v] == points_[v]) continue;
     moved[v] = chart_->lift(points[v]);
-    if (!moved[v]) return false;
+    if (moved[v]) continue;
+    if (v >= points_.size()) return false;
+    points[v] = points_[v];  // the surface cannot be found there: it stays where it was
+    allMoved = false;
   }
+  if (!allMoved && !isWanted()) return false;
   if (!staysSoundOnSurface(changed, moved) || joinsAgain(changed)) return false;
   apply(changed, moved, kind);
   return true;
@@ -204,13 +221,20 @@ bool PatchEditor::isSound(const QuadPatch& patch, std::size_t element, const Mov
   return std::isfinite(elementDistortion(std::span(corners).first(n)));
 }
 
-/// Whether all elements are sound on the surface that were so, and all new ones.
+/// Whether all elements are sound on the surface that were so, and no more new ones are unsound
+/// than were replaced: where the surface bends sharply within an element, none may be sound.
 bool PatchEditor::staysSoundOnSurface(const QuadPatch& changed, const Moved& moved) const {
-  for (std::size_t e = 0; e < changed.elementCount(); ++e)
-    if (changed.isAlive(e) && !isSound(changed, e, &moved) &&
-        (isNew(changed, e) || isSound(patch_, e, nullptr)))
-      return false;
-  return true;
+  std::ptrdiff_t mayBeUnsound = 0;
+  for (std::size_t e = 0; e < changed.elementCount(); ++e) {
+    const bool isOld = e < elements_.size(),
+               isKept = isOld && changed.ringAt(e) == patch_.ringAt(e);
+    const bool wasSound = !isOld || isSound(patch_, e, nullptr);
+    if (!isKept && !wasSound) ++mayBeUnsound;
+    if (!changed.isAlive(e) || isSound(changed, e, &moved)) continue;
+    if (isKept && wasSound) return false;
+    if (!isKept) --mayBeUnsound;
+  }
+  return mayBeUnsound >= 0;
 }
 
 bool PatchEditor::isNew(const QuadPatch& changed, std::size_t element) const {

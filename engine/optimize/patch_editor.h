@@ -72,6 +72,7 @@ class PatchEditor {
   bool number(std::size_t firstElement);
   void makePatch();
   bool openChart();
+  bool openChartTo(VertexId end);
   bool isSound(const QuadPatch& patch, std::size_t element, const Moved* moved) const;
   bool staysSoundOnSurface(const QuadPatch& changed, const Moved& moved) const;
   bool joinsAgain(const QuadPatch& changed) const;

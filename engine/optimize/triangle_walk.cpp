@@ -220,7 +220,7 @@ class TriangleWalk {
 std::size_t walkTriangles(PatchEditor& editor, const WorkWatch& watch) {
   constexpr int kAnywhere = std::numeric_limits<int>::max();
   constexpr std::array kReaches{2, 8, 32, kAnywhere};
-  constexpr std::array kLeastJacobians{0.3, 0.1, 0.02};
+  constexpr std::array kLeastJacobians{0.3, 0.1, 0.02, 0.002};  // the last one for slivers
   std::size_t pairs = 0;
   const MeshTopology& topology = editor.topology();
   const auto forEachTriangle = [&](const auto& pair) {

@@ -218,10 +218,19 @@ void GeneralSurface::refine(const Point3& position, double& u, double& v) const 
 }
 
 std::optional<SurfacePoint> GeneralSurface::hit(const SurfaceLine& line) const {
+  if (const auto found = hit(line, Steps::Full)) return found;
+  return hit(line, Steps::Halved);
+}
+
+/// Newton's method. Full steps give up when they run away. Near singular parameters, only steps
+/// that are halved until they come nearer find the surface.
+std::optional<SurfacePoint> GeneralSurface::hit(const SurfaceLine& line, Steps steps) const {
+  constexpr double kRunsAway = 4;
   double u = u_.bring((line.from.u + u_.near(line.to.u, line.from.u)) / 2);
   double v = v_.bring((line.from.v + v_.near(line.to.v, line.from.v)) / 2);
   const double tolerance = kPlaceTolerance * line.edgeLength;
   double last = std::numeric_limits<double>::infinity();
+  double fromU = u, fromV = v, stepU = 0, stepV = 0;  // the last step
   for (int step = 0; step < kMaxSteps; ++step) {
     const Frame s = frameAt(u, v);
     const Point3 r = line.start - s.position;
@@ -231,15 +240,25 @@ std::optional<SurfacePoint> GeneralSurface::hit(const SurfaceLine& line) const {
       const auto normal = unitNormal(s);
       return SurfacePoint{s.position, normal ? *normal : normalAt(u, v), u, v};
     }
-    if (gap > 4 * last) return std::nullopt;  // running away
-    last = gap;
-    const double a = dot(s.du, line.xAxis), b = dot(s.dv, line.xAxis);
-    const double c = dot(s.du, line.yAxis), d = dot(s.dv, line.yAxis);
-    const double det = a * d - b * c;
-    if (!(std::abs(det) > kDegenerate * (std::abs(a) + std::abs(c)) * (std::abs(b) + std::abs(d))))
-      return std::nullopt;
-    u = u_.bring(u + (d * rx - b * ry) / det);
-    v = v_.bring(v + (a * ry - c * rx) / det);
+    if (steps == Steps::Full && gap > kRunsAway * last) return std::nullopt;
+    if (steps == Steps::Halved && gap > last) {
+      stepU /= 2;
+      stepV /= 2;
+    } else {
+      last = gap;
+      const double a = dot(s.du, line.xAxis), b = dot(s.dv, line.xAxis);
+      const double c = dot(s.du, line.yAxis), d = dot(s.dv, line.yAxis);
+      const double det = a * d - b * c;
+      if (!(std::abs(det) >
+            kDegenerate * (std::abs(a) + std::abs(c)) * (std::abs(b) + std::abs(d))))
+        return std::nullopt;
+      fromU = u;
+      fromV = v;
+      stepU = (d * rx - b * ry) / det;
+      stepV = (a * ry - c * rx) / det;
+    }
+    u = u_.bring(fromU + stepU);
+    v = v_.bring(fromV + stepV);
   }
   return std::nullopt;
 }

@@ -62,6 +62,8 @@ class GeneralSurface final : public ParametricSurface {
   void endAtBox();
 
  private:
+  enum class Steps { Full, Halved };
+  std::optional<SurfacePoint> hit(const SurfaceLine& line, Steps steps) const;
   std::optional<Point3> unitNormal(const Frame& frame) const;
   /// Treats the surface as open where it meets itself at an angle.
   void openSharpEnds(const Handle(Geom_Surface) & surface);
