@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <random>
 
 namespace af2 {
@@ -33,6 +34,26 @@ TEST(ElementShape, AFoldIsNotPlainlyBelowAnything) {
   const SurfacePoint a{{0, 0, 0}, up}, b{{1, 0, 0}, up}, c{{0.5, 0.866, 0}, up};
   EXPECT_TRUE(isPlainlyBelow(1.1, a, b, c));
   EXPECT_FALSE(isPlainlyBelow(1e9, b, a, c));
+}
+
+/// A reflex corner where normals are unknown, as beside singular parameters.
+TEST(ElementShape, SeesReflexCornersWithoutNormals) {
+  Mesh mesh;
+  mesh.vertices.resize(4);
+  mesh.vertices[1].position = {2, 0, 0};
+  mesh.vertices[2].position = {0.5, 0.5, 0};
+  mesh.vertices[3].position = {0, 2, 0};
+  const Element element{{VertexId(0), VertexId(1), VertexId(2), VertexId(3)}};
+  const auto distortion = [&] {
+    std::array<const SurfacePoint*, 4> corners{};
+    for (std::size_t i = 0; i < 4; ++i) corners[i] = &mesh.vertices[i];
+    return elementDistortion(corners);
+  };
+  EXPECT_TRUE(leans(mesh, element));
+  EXPECT_EQ(distortion(), INFINITY);
+  mesh.vertices[2].position = {2, 2, 0};
+  EXPECT_FALSE(leans(mesh, element));
+  EXPECT_NEAR(distortion(), 1, 1e-12);
 }
 
 }  // namespace

@@ -75,6 +75,11 @@ std::vector<Element> divided(const Divide& divide) {
   return strip.mesh.elements;
 }
 
+TEST(QuadDivision, DividesSlivers) {
+  Outlined strip = stripWithTips(5, 0.016);
+  expectOnlyQuads(strip);
+}
+
 TEST(QuadDivision, DividesAStripLengthwise) {
   const std::vector<std::size_t> path{0, 1, 2, 3, 4, 5};
   const std::vector<Element> elements =

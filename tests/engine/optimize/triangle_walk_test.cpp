@@ -1,13 +1,13 @@
-// Joining triangles where charts show a few elements only.
+// Joining triangles where charts show little, or surfaces have no useful normals.
 #include "engine/optimize/triangle_walk.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <memory>
 
 #include "engine/mesh/mesh_check.h"
 #include "engine/optimize/optimize.h"
+#include "tests/support/limited_charts.h"
 #include "tests/support/quad_grid.h"
 
 namespace af2 {
@@ -15,40 +15,51 @@ namespace {
 
 using namespace af2::testing;
 
-/// As on a surface that bends sharply.
-class ShortSightedChart final : public AF2LocalTransform {
- public:
-  ShortSightedChart(const SurfacePoint& from, const SurfacePoint& to, double unit)
-      : chart_(flatChart(from.position, to.position, unit)) {}
-  ChartPoint transformFromSurface(const SurfacePoint& p) const override {
-    constexpr double kSight = 2.5;
-    ChartPoint point = chart_.transformFromSurface(p);
-    if (length(point.position) > kSight) point.view = ChartView::Hidden;
-    return point;
-  }
-  std::optional<SurfacePoint> transformToSurface(Point2 p) const override {
-    return chart_.transformToSurface(p);
-  }
-
- private:
-  PlaneChart chart_;
-};
-
-class ShortSightedMaker final : public AF2LocalTransformMaker {
- public:
-  std::unique_ptr<AF2LocalTransform> makeLocalTransform(const SurfacePoint& from,
-                                                        const SurfacePoint& to,
-                                                        double unit) const override {
-    return std::make_unique<ShortSightedChart>(from, to, unit);
-  }
-};
-
 TEST(TriangleWalk, TakesFewerElementsWhereChartsHideSome) {
   QuadGrid grid(8);
   grid.split(4, 4);
-  EXPECT_EQ(joinTriangles(grid.mesh, boundaryOf(grid.input), ShortSightedMaker()), 1u);
+  const LimitedMaker shortSighted(
+      {.shows = [](Point3, Point3, Point2 place) { return length(place) <= 2.5; }, .finds = {}});
+  EXPECT_EQ(joinTriangles(grid.mesh, boundaryOf(grid.input), shortSighted), 1u);
   EXPECT_TRUE(std::ranges::all_of(grid.mesh.elements, &Element::isQuad));
   EXPECT_TRUE(checkMesh(grid.mesh, grid.input).empty());
+}
+
+/// As beside a sharp bend, across which only the charts of some sides look.
+TEST(TriangleWalk, TriesTheChartsOfAllSides) {
+  for (const bool isAlongX : {false, true}) {
+    QuadGrid grid(6);
+    grid.split(2, 2);
+    const LimitedMaker oneWay(
+        {.shows = [&](Point3 from, Point3 to,
+                      Point2) { return (std::abs(to.x - from.x) > 0.5) == isAlongX; },
+         .finds = {}});
+    EXPECT_EQ(joinTriangles(grid.mesh, boundaryOf(grid.input), oneWay), 1u);
+    EXPECT_TRUE(checkMesh(grid.mesh, grid.input).empty());
+  }
+}
+
+TEST(TriangleWalk, LeavesVerticesThatAreNotFoundElsewhere) {
+  QuadGrid grid(6);
+  grid.split(2, 2);
+  Point3& moved = grid.mesh.vertices[grid.id(3, 3).value].position;
+  moved = {3.2, 3.2, 0};  // smoothing would move it back
+  const LimitedMaker maker({.shows = {}, .finds = [](const Point3& p) {
+                              return distance(p, Point3{3, 3, 0}) > 0.5;
+                            }});
+  EXPECT_EQ(joinTriangles(grid.mesh, boundaryOf(grid.input), maker), 1u);
+  EXPECT_EQ(moved, (Point3{3.2, 3.2, 0}));
+  EXPECT_TRUE(checkMesh(grid.mesh, grid.input).empty());
+}
+
+/// As where a surface bends sharply within an element: a quadrilateral is no worse than the
+/// triangles that it replaces.
+TEST(TriangleWalk, JoinsTrianglesThatLean) {
+  QuadGrid grid(6);
+  grid.split(2, 2);
+  grid.mesh.vertices[grid.id(3, 2).value].normal = {0.99, 0, 0.14};
+  EXPECT_EQ(joinTriangles(grid.mesh, boundaryOf(grid.input), FlatMaker()), 1u);
+  EXPECT_TRUE(std::ranges::all_of(grid.mesh.elements, &Element::isQuad));
 }
 
 }  // namespace

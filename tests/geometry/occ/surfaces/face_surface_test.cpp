@@ -69,6 +69,21 @@ TEST(FaceSurface, TakesNeitherTipsNorTubesForCreases) {
   EXPECT_GT(tip.creaseRadius(), 0.02);
 }
 
+/// x = u^3: full steps from near u = 0 run away.
+TEST(FaceSurface, IsFoundBesideSingularParameters) {
+  TColgp_Array2OfPnt poles(1, 4, 1, 2);
+  for (int j = 1; j <= 2; ++j)
+    for (int i = 1; i <= 4; ++i) poles(i, j) = gp_Pnt(i == 4 ? 1 : 0, j - 1, 0);
+  const FaceSurface surface(BRepBuilderAPI_MakeFace(new Geom_BezierSurface(poles), 1e-7).Face());
+  const auto& general = surface.inOccParameters();
+  const SurfacePoint from = general.pointAt(0.05, 0.5), to = general.pointAt(0.06, 0.5);
+  for (const double x : {0.001, 0.01, 0.1, 0.9}) {
+    const auto found = general.hit({{x, 0.4, 1}, {0, 0, 1}, {1, 0, 0}, {0, 1, 0}, from, to, 0.1});
+    ASSERT_TRUE(found) << x;
+    EXPECT_LT(distance(found->position, {x, 0.4, 0}), 1e-3);
+  }
+}
+
 TEST(FaceSurface, AgreesWithOpenCascade) {
   expectClosedFormsAgree(testing::box(1, 2, 3));
   expectClosedFormsAgree(testing::cylinder(2, 3));
