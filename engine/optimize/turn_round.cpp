@@ -16,6 +16,9 @@ namespace {
 /// Of the changes at a vertex, the most regular ones are tried: if any helps, it is nearly always
 /// the first of them.
 constexpr std::size_t kMostChanges = 8;
+/// After so many elements in a row that nothing helps, as in a strip with hardly any width, the
+/// others are taken for hopeless, too.
+constexpr std::size_t kMostInVain = 64;
 
 std::vector<std::size_t> foldedQuads(const Mesh& mesh) {
   std::vector<std::size_t> folded;
@@ -72,16 +75,20 @@ std::size_t turnElementsRound(Mesh& mesh, const MeshBoundary& boundary,
   // What is mended beside an element can be what it was waiting for.
   for (int pass = 0; pass < kMaxPasses && !folded.empty() && folded.size() < before; ++pass) {
     before = folded.size();
+    std::size_t inVain = 0;
     for (const std::size_t e : folded) {
-      if (watch.mustStop()) break;
+      if (watch.mustStop() || inVain == kMostInVain) break;
       if (topology.isDead(e) || !leans(mesh, mesh.elements[e])) continue;
       const Element element = mesh.elements[e];
       const auto isNews = [&](VertexId v) { return news.isNews(v); };
       if (pass > 0 && std::ranges::none_of(element.vertices(), isNews)) continue;
-      if (mend(editor, e))
+      if (mend(editor, e)) {
         news.noteChange(editor.vertices(), mesh.vertices.size());
-      else
+        inVain = 0;
+      } else {
         for (const VertexId v : element.vertices()) news.look(v);
+        ++inVain;
+      }
     }
     folded = foldedQuads(mesh);
     std::erase_if(folded, [&](std::size_t e) { return topology.isDead(e); });

@@ -76,7 +76,7 @@ std::vector<Element> divided(const Divide& divide) {
 }
 
 TEST(QuadDivision, DividesSlivers) {
-  Outlined strip = stripWithTips(5, 0.016);
+  Outlined strip = stripWithTips(5, 0.0005);
   expectOnlyQuads(strip);
 }
 
