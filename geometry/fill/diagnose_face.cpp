@@ -29,22 +29,24 @@ void addStuck(const MeshingResult& result, std::vector<SizeSource>& places) {
             result.mesh.vertices[edge.to.value].position, kFinerAtFaults);
 }
 
+void addSides(std::vector<SizeSource>& places, const Mesh& mesh, const Element& element) {
+  const auto c = element.vertices();
+  for (std::size_t i = 0; i < c.size(); ++i)
+    addEdge(places, mesh.vertices[c[i].value].position,
+            mesh.vertices[c[(i + 1) % c.size()].value].position, kFinerAtFaults);
+}
+
 void addFaults(const MeshingResult& result, const MeshBoundary& boundary,
                std::vector<SizeSource>& places) {
   if (result.outcome != Outcome::Complete || result.mesh.vertices.empty()) return;
   const auto at = [&](VertexId v) -> const Point3& {
     return result.mesh.vertices[v.value].position;
   };
-  const auto addElement = [&](const Element& element) {
-    const auto c = element.vertices();
-    for (std::size_t i = 0; i < c.size(); ++i)
-      addEdge(places, at(c[i]), at(c[(i + 1) % c.size()]), kFinerAtFaults);
-  };
   for (const Element& element : result.mesh.elements)
-    if (leans(result.mesh, element)) addElement(element);
+    if (leans(result.mesh, element)) addSides(places, result.mesh, element);
   for (const MeshFault& fault : checkMesh(result.mesh, boundary)) {
     if (!fault.element.isNone()) {
-      addElement(result.mesh.elements[fault.element.value]);
+      addSides(places, result.mesh, result.mesh.elements[fault.element.value]);
     } else if (!fault.from.isNone() && !fault.to.isNone()) {
       addEdge(places, at(fault.from), at(fault.to), kFinerAtFaults);
     }
@@ -294,6 +296,15 @@ FaceDiagnosis diagnoseMesh(const Mesh& mesh, const FaceBoundary& boundary, bool 
   addBoundary(boundary.input, share, diagnosis.places);
   if (!isPlane) addElements(mesh, share, diagnosis.places);
   return diagnosis;
+}
+
+void askForRoom(const Mesh& mesh, FaceDiagnosis& diagnosis) {
+  constexpr double kPoornessOfTriangle = 100;  // more than that of any angles
+  for (const Element& element : mesh.elements) {
+    if (element.isQuad()) continue;
+    diagnosis.poorness += kPoornessOfTriangle;
+    addSides(diagnosis.places, mesh, element);
+  }
 }
 
 double areaOfElements(const Mesh& mesh) {

@@ -26,6 +26,9 @@ FaceDiagnosis diagnoseFailure(const ChartedSurface& surface, const FaceBoundary&
 FaceDiagnosis diagnoseMesh(const Mesh& mesh, const FaceBoundary& boundary, bool isPlane,
                            double area, double unseen);
 
+/// Adds the triangles of a mesh that should have none: shorter edges could give room to join them.
+void askForRoom(const Mesh& mesh, FaceDiagnosis& diagnosis);
+
 /// The area of the elements of a mesh.
 double areaOfElements(const Mesh& mesh);
 

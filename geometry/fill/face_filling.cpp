@@ -176,7 +176,10 @@ void fillAndJudge(const FaceFilling& filling, FaceBoundary& boundary, FaceMesh& 
   mesh.wantedSizes.reserve(attempt.result.mesh.vertices.size());
   for (const SurfacePoint& vertex : attempt.result.mesh.vertices)
     mesh.wantedSizes.push_back(filling.wanted.sizeAt(vertex));
-  if (onlyQuads) reportTriangles(attempt.result.mesh, mesh.report);
+  if (onlyQuads) {
+    reportTriangles(attempt.result.mesh, mesh.report);
+    if (mesh.report.oddLoops.empty()) askForRoom(attempt.result.mesh, mesh.diagnosis);
+  }
   if (filling.findMiddles) findMiddles(task.surface, attempt.result.mesh, mesh);
   take(attempt.result, boundary, mesh);
 }

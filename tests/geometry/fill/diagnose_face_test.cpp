@@ -52,5 +52,24 @@ TEST(FaceDiagnosis, KnowsMeshesThatWillNotPass) {
   EXPECT_FALSE(diagnosisOf(pleated(10, 1.5), 10).hasWrongArea);  // a few elements may be far off
 }
 
+TEST(FaceDiagnosis, AsksForShorterEdgesAroundTriangles) {
+  Mesh mesh = pleated(3, 0);
+  mesh.elements = {{{VertexId(0), VertexId(2), VertexId(3), VertexId(1)}}};
+  FaceDiagnosis diagnosis;
+  askForRoom(mesh, diagnosis);
+  EXPECT_TRUE(diagnosis.places.empty());
+  EXPECT_EQ(diagnosis.poorness, 0);
+  mesh.elements.push_back({{VertexId(2), VertexId(4), VertexId(5)}});
+  mesh.elements.push_back({{VertexId(2), VertexId(5), VertexId(3)}});
+  askForRoom(mesh, diagnosis);
+  ASSERT_EQ(diagnosis.places.size(), 6u);
+  for (const SizeSource& place : diagnosis.places) {
+    EXPECT_GE(place.position.x, 1);
+    EXPECT_LT(place.size, 1);
+  }
+  EXPECT_GT(diagnosis.poorness, 0);
+  EXPECT_FALSE(diagnosis.isBad) << "the mesh is fit for use: it is tried once";
+}
+
 }  // namespace
 }  // namespace af2::geometry
