@@ -52,7 +52,7 @@ expect 0 "$af2" mesh corner.poly --size 2 --elements quad --quiet
 # An even boundary, but no room.
 sed 's/^3 0 1$/3 0.5 0.0001/' corner.poly >needle.poly
 expect 3 "$af2" mesh needle.poly --size 2 --elements quad --quiet
-told 'face 1 (2 triangles, one of them at (0.00748, 7.48e-07, 0); elements cannot change enough to join them)'
+told 'face 1 (2 triangles, one of them at (0.333, 3.33e-05, 0); elements cannot change enough to join them)'
 
 # What the front did beside adding elements is told.
 expect 0 "$af2" mesh "$plate" --size 0.05 --elements quad -r quad/paving --report acts.json --quiet
