@@ -226,13 +226,13 @@ bool PatchEditor::isSound(const QuadPatch& patch, std::size_t element, const Mov
 bool PatchEditor::staysSoundOnSurface(const QuadPatch& changed, const Moved& moved) const {
   std::ptrdiff_t mayBeUnsound = 0;
   for (std::size_t e = 0; e < changed.elementCount(); ++e) {
-    const bool isOld = e < elements_.size(),
-               isKept = isOld && changed.ringAt(e) == patch_.ringAt(e);
-    const bool wasSound = !isOld || isSound(patch_, e, nullptr);
-    if (!isKept && !wasSound) ++mayBeUnsound;
+    const bool isReplaced = e < elements_.size() && changed.ringAt(e) != patch_.ringAt(e);
+    if (isReplaced && !isSound(patch_, e, nullptr)) ++mayBeUnsound;
     if (!changed.isAlive(e) || isSound(changed, e, &moved)) continue;
-    if (isKept && wasSound) return false;
-    if (!isKept) --mayBeUnsound;
+    if (isNew(changed, e))
+      --mayBeUnsound;
+    else if (isSound(patch_, e, nullptr))
+      return false;
   }
   return mayBeUnsound >= 0;
 }
