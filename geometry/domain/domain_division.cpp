@@ -181,7 +181,7 @@ class Division {
     std::size_t segments = std::max(least, wholeSegments(rest, isAsked ? byTurn : 0));
     const std::size_t fewest = std::min(segments, std::max(least, fewestSegments(rest, byTurn)));
     const int change = changeAt(changes_, c);
-    if (change > 0) ++segments;
+    if (change > 0) segments += static_cast<std::size_t>(change);
     if (change < 0 && segments > fewest) --segments;
     const auto fixedCount = static_cast<double>(fixed);
     result_.counts.push_back({rest + fixedCount, segments + fixed, fewest + fixed, false});

@@ -28,19 +28,29 @@ struct Change {
   double cost = 0;
 };
 
-/// The cheaper one of a segment more and a segment less; none if the division is given.
-std::optional<Change> changeOf(const SegmentCount& count) {
+/// Of one segment more or one fewer; none if it is not possible.
+std::optional<double> costOf(const SegmentCount& count, int change) {
   if (count.isFixed) return std::nullopt;
+  if (change < 0 && count.segments <= std::max<std::size_t>(1, count.least)) return std::nullopt;
   constexpr double kShortest = 1e-6;  // keeps costs finite
   const auto now = static_cast<double>(count.segments);
-  const auto cost = [&](double segments) {
-    const double change = std::log(segments / std::max(count.wanted, kShortest));
-    return now * change * change;
-  };
-  const Change more{1, cost(now + 1)};
-  if (count.segments <= std::max<std::size_t>(1, count.least)) return more;
-  const Change less{-1, cost(now - 1)};
-  return less.cost < more.cost ? less : more;
+  const double distortion = std::log((now + change) / std::max(count.wanted, kShortest));
+  return now * distortion * distortion;
+}
+
+/// The cheaper one of a segment more and a segment less on all of these edges; none if neither is
+/// possible.
+std::optional<Change> changeOf(const Indices& edges, const std::vector<SegmentCount>& counts) {
+  std::optional<Change> cheaper;
+  for (const int by : {1, -1}) {
+    std::optional<double> cost = 0;
+    for (const std::size_t i : edges) {
+      const std::optional<double> ofOne = costOf(counts[i], by);
+      cost = cost && ofOne ? std::optional(*cost + *ofOne) : std::nullopt;
+    }
+    if (cost && (!cheaper || *cost < cheaper->cost)) cheaper = {by, *cost};
+  }
+  return cheaper;
 }
 
 /// Sets of parts, by which the parity of some parts is to be changed: Gaussian elimination over the
@@ -92,12 +102,17 @@ class PartSets {
 /// loops that use it, or the only one with the outside.
 class Evening {
  public:
-  Evening(const std::vector<SegmentCount>& counts, const std::vector<CountedLoop>& loops)
-      : outside_(loops.size()), loopsOf_(counts.size()), isOdd_(loops.size() + 1, false) {
+  Evening(const std::vector<SegmentCount>& counts, const std::vector<CountedLoop>& loops,
+          const std::vector<FacingCounts>& facing)
+      : outside_(loops.size()),
+        facing_(facing),
+        loopsOf_(counts.size()),
+        isOdd_(loops.size() + 1, false) {
     for (std::size_t loop = 0; loop < loops.size(); ++loop) add(counts, loop, loops[loop]);
-    for (const SegmentCount& count : counts) changes_.push_back(changeOf(count));
+    for (std::size_t i = 0; i < counts.size(); ++i) changes_.push_back(changeOf({i}, counts));
     result_.changes.assign(counts.size(), 0);
-    makeLinks();
+    linkFacing(counts);
+    linkSingle();
   }
 
   EvenLoops result() {
@@ -107,8 +122,10 @@ class Evening {
     const std::vector<bool> isChosen = joinOddNodes(isOdd_, outside_, links_);
     for (std::size_t i = 0; i < links_.size(); ++i) {
       if (!isChosen[i]) continue;
-      if (i < countOf_.size())
-        take(countOf_[i]);
+      if (i < together_.size())
+        takeTogether(together_[i]);
+      else if (i < together_.size() + countOf_.size())
+        take(countOf_[i - together_.size()]);
       else
         result_.odd.push_back(links_[i].from);
     }
@@ -128,7 +145,21 @@ class Evening {
     }
   }
 
-  void makeLinks() {
+  void linkFacing(const std::vector<SegmentCount>& counts) {
+    for (const FacingCounts& facing : facing_) {
+      Indices users;
+      for (const std::size_t count : facing) {
+        users = symmetricDifference(users, loopsOf_[count]);
+        if (changes_[count]) changes_[count]->cost += kAlone;
+      }
+      const std::optional<Change> change = changeOf(facing, counts);
+      if (!change || users.empty() || users.size() > 2) continue;
+      addLink(users, change->cost);
+      together_.push_back({&facing, change->by});
+    }
+  }
+
+  void linkSingle() {
     for (std::size_t count = 0; count < loopsOf_.size(); ++count) {
       const Indices& users = loopsOf_[count];
       if (!changes_[count] || users.empty()) continue;
@@ -136,10 +167,14 @@ class Evening {
         shared_.push_back(count);
         continue;
       }
-      links_.push_back({users[0], users.size() == 2 ? users[1] : outside_, changes_[count]->cost});
+      addLink(users, changes_[count]->cost);
       countOf_.push_back(count);
     }
     std::ranges::stable_sort(shared_, {}, [&](std::size_t count) { return changes_[count]->cost; });
+  }
+
+  void addLink(const Indices& users, double cost) {
+    links_.push_back({users[0], users.size() == 2 ? users[1] : outside_, cost});
   }
 
   void findParts() {
@@ -191,24 +226,44 @@ class Evening {
       if (std::ranges::binary_search(odd, partOf_[loop])) links_.push_back({loop, outside_, all});
   }
 
-  void take(std::size_t count) { result_.changes[count] = changes_[count]->by; }
+  struct Together {
+    const FacingCounts* facing;
+    int change;
+  };
+
+  void takeTogether(const Together& together) {
+    for (const std::size_t count : *together.facing) result_.changes[count] = together.change;
+  }
+
+  /// A change by itself and one together are none.
+  void take(std::size_t count) {
+    int& change = result_.changes[count];
+    change = change == 0 ? changes_[count]->by : 0;
+  }
+
+  /// The cost of changing only one side of a strip, which leaves irregular vertices in the strip:
+  /// about that of dividing a single segment.
+  static constexpr double kAlone = 0.5;
 
   const std::size_t outside_;
+  const std::vector<FacingCounts>& facing_;
   std::vector<Indices> loopsOf_;                // by count: that use it an odd number of times
   std::vector<std::optional<Change>> changes_;  // by count
   std::vector<bool> isOdd_;                     // by node
   std::vector<NodeLink> links_;
-  Indices countOf_;  // by link
-  Indices shared_;   // counts that three and more loops use, the cheapest first
-  Indices partOf_;   // by node: connected by links
+  std::vector<Together> together_;  // by link, of the first ones
+  Indices countOf_;                 // by link, of those after them
+  Indices shared_;                  // counts that three and more loops use, the cheapest first
+  Indices partOf_;                  // by node: connected by links
   EvenLoops result_;
 };
 
 }  // namespace
 
 EvenLoops makeLoopsEven(const std::vector<SegmentCount>& counts,
-                        const std::vector<CountedLoop>& loops) {
-  return Evening(counts, loops).result();
+                        const std::vector<CountedLoop>& loops,
+                        const std::vector<FacingCounts>& facing) {
+  return Evening(counts, loops, facing).result();
 }
 
 }  // namespace af2::geometry

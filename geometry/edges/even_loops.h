@@ -17,6 +17,9 @@ struct CountedLoop {
   bool hasOddRest = false;
 };
 
+/// Indices of counts of edges that face each other across a strip, ascending.
+using FacingCounts = std::vector<std::size_t>;
+
 struct EvenLoops {
   SegmentChanges changes;
   std::vector<std::size_t> odd;  ///< loops that cannot be made even, ascending
@@ -28,7 +31,10 @@ struct EvenLoops {
 /// or shorter, times the square of how much. Long edges change first, because one segment more or
 /// less hardly shows there. The total is not always the least possible (joinOddNodes). Edges that
 /// three or more loops use are changed only where loops cannot be made even without them.
+///
+/// facing  disjoint sets; the counts of each change together if possible
 EvenLoops makeLoopsEven(const std::vector<SegmentCount>& counts,
-                        const std::vector<CountedLoop>& loops);
+                        const std::vector<CountedLoop>& loops,
+                        const std::vector<FacingCounts>& facing = {});
 
 }  // namespace af2::geometry

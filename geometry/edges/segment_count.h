@@ -15,7 +15,7 @@ struct SegmentCount {
   bool isFixed = false;      ///< its division is given
 };
 
-/// By count: by how much the number of segments differs from the one by sizes alone: -1, 0 or 1.
+/// By count: by how much the number of segments differs from the one by sizes alone.
 /// Empty: no number differs.
 using SegmentChanges = std::vector<int>;
 

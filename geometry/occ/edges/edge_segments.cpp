@@ -62,7 +62,7 @@ std::vector<double> divide(const EdgeSamples& samples, AskedSegments asked, cons
   std::size_t total = 0;
   for (const EdgePiece& piece : samples.pieces) total += pieces.emplace_back(piece, sizes).segments;
   for (; total < asked.least; ++total) addSegment(pieces);
-  if (asked.change > 0) addSegment(pieces);
+  for (int i = 0; i < asked.change; ++i) addSegment(pieces);
   if (asked.change < 0 && total > asked.least) dropSegment(pieces);
   std::vector<double> parameters{samples.pieces.front().parameters.front()};
   for (std::size_t i = 0; i < samples.pieces.size(); ++i)

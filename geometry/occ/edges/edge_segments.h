@@ -12,7 +12,7 @@ namespace af2::geometry {
 /// What is asked of the number of segments besides the sizes.
 struct AskedSegments {
   std::size_t least = 1;
-  int change = 0;  ///< from the number by sizes: -1, 0 or 1
+  int change = 0;  ///< from the number by sizes: -1 or more
 };
 
 /// Parameters that divide the edge into segments of the wanted sizes, ends included. The number of

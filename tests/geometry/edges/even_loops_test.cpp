@@ -30,8 +30,9 @@ bool isOdd(const CountedLoop& loop, const std::vector<SegmentCount>& counts,
 }
 
 /// The result, after checks of everything that holds for all results.
-EvenLoops solved(const std::vector<SegmentCount>& counts, const std::vector<CountedLoop>& loops) {
-  const EvenLoops result = makeLoopsEven(counts, loops);
+EvenLoops solved(const std::vector<SegmentCount>& counts, const std::vector<CountedLoop>& loops,
+                 const std::vector<FacingCounts>& facing = {}) {
+  const EvenLoops result = makeLoopsEven(counts, loops, facing);
   EXPECT_EQ(result.changes.size(), counts.size());
   for (std::size_t i = 0; i < counts.size(); ++i) {
     EXPECT_LE(std::abs(result.changes[i]), counts[i].isFixed ? 0 : 1) << i;
@@ -160,6 +161,26 @@ struct RandomCase {
     return fewest;
   }
 };
+
+/// The sides of a strip, between two faces.
+TEST(EvenLoops, ChangesBothSidesOfAStripAlike) {
+  const std::vector<CountedLoop> loops{{{0}}, {{0, 1}}, {{1}}};
+  const std::vector<SegmentCount> counts{wanting(7.3), wanting(6.8)};
+  EXPECT_EQ(solved(counts, loops).changes, (SegmentChanges{1, -1}));
+  EXPECT_EQ(solved(counts, loops, {{0, 1}}).changes, (SegmentChanges{1, 1}));
+}
+
+TEST(EvenLoops, ChangesOtherEdgesRatherThanOneSideOfAStrip) {
+  const std::vector<SegmentCount> counts{wanting(30), wanting(30), wanting(9)};
+  EXPECT_EQ(solved(counts, {{{0, 1, 2}}}).changes, (SegmentChanges{1, 0, 0}));
+  EXPECT_EQ(solved(counts, {{{0, 1, 2}}}, {{0, 1}}).changes, (SegmentChanges{0, 0, 1}));
+}
+
+TEST(EvenLoops, ChangesOneSideOfAStripWhereItMust) {
+  const std::vector<SegmentCount> counts{wanting(30), wanting(30), given(9)};
+  EXPECT_EQ(solved(counts, {{{0, 1, 2}}}, {{0, 1}}).changes, (SegmentChanges{1, 0, 0}));
+  EXPECT_EQ(solved({given(30), wanting(31)}, {{{0, 1}}}, {{0, 1}}).changes, (SegmentChanges{0, 1}));
+}
 
 TEST(EvenLoops, FindsASolutionWheneverThereIsOne) {
   std::mt19937 random(20240501);
