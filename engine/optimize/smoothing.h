@@ -44,6 +44,7 @@ class VertexSmoother {
   double smooth(VertexId v, Goal goal);
   bool collectStar(Corner first);
   double moveInChart(VertexId v, const StepChart& chart, Goal goal);
+  double cornerScale(Corner c) const;
   bool makeTerms(const StepChart& chart);
   bool areAllPlainlyGood() const;
   double worstDistortion() const;

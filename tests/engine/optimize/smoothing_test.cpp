@@ -1,4 +1,4 @@
-// That vertices which sleep would not have moved.
+// That vertices which sleep would not have moved, and the shape of rows.
 #include "engine/optimize/smoothing.h"
 
 #include <gtest/gtest.h>
@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "tests/support/meshing.h"
+#include "tests/support/quad_grid.h"
 
 namespace af2 {
 namespace {
@@ -99,6 +100,25 @@ TEST(Smoothing, AThinElementIsMendedAtOnce) {
   const std::vector<VertexId> inside{VertexId(4)};
   EXPECT_EQ(smoother.mend(inside), 1u);
   EXPECT_GT(square.mesh.vertices[4].position.y, 0.1);
+}
+
+/// The upper side is shifted, so that columns lean. In the first row they lean less than in the
+/// middle.
+TEST(Smoothing, ColumnsStandMoreUprightOnTheBoundary) {
+  constexpr int kSquares = 8;
+  QuadGrid grid(kSquares);
+  for (SurfacePoint& vertex : grid.mesh.vertices) vertex.position.x += 0.4 * vertex.position.y;
+  MeshTopology topology(grid.mesh, boundaryOf(grid.input));
+  const FlatMaker maker;
+  VertexSmoother smoother(topology, grid.mesh, maker);
+  for (int i = 0; i < 300; ++i) smoother.sweep();
+  const auto lean = [&](int row) {
+    const Point3 low = grid.mesh.vertices[grid.id(kSquares / 2, row).value].position;
+    const Point3 high = grid.mesh.vertices[grid.id(kSquares / 2, row + 1).value].position;
+    return (high.x - low.x) / (high.y - low.y);
+  };
+  EXPECT_GT(lean(0), 0);
+  EXPECT_LT(lean(0), 0.8 * lean(kSquares / 2));
 }
 
 }  // namespace
