@@ -16,6 +16,8 @@ template <class... Cases>
 struct Overloaded : Cases... {
   using Cases::operator()...;
 };
+template <class... Cases>
+Overloaded(Cases...) -> Overloaded<Cases...>;  // Clang 16 does not deduce it from the aggregate
 
 /// One of these types: for a case that handles several alternatives, or ignores them. Do not use
 /// `const auto&`: it would also accept alternatives that are added later.

@@ -250,6 +250,7 @@ std::optional<QuadPatch::Vertex> QuadPatch::addInner(Vertex origin) {
 bool QuadPatch::refill(std::span<const std::size_t> gone, std::span<const Ring> rings) {
   if (elementCount_ + rings.size() > kMaxElements + gone.size()) return false;
   for (const std::size_t e : gone) {
+    if (!isAlive(e)) return false;  // it was among them before
     addAngles(e, -1);
     rings_[e] = {kNone, kNone, kNone, kNone};
   }

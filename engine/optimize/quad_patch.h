@@ -97,7 +97,7 @@ class QuadPatch {
   /// Adds an inner vertex that no element uses yet; none if there is no room for it.
   std::optional<Vertex> addInner(Vertex origin);
   /// Replaces elements by quadrilaterals with the same outline. Returns false, and leaves the patch
-  /// unusable, if sides would be repeated or there are too many elements.
+  /// unusable, if sides would be repeated, there are too many elements, or one is to go twice.
   bool refill(std::span<const std::size_t> gone, std::span<const Ring> rings);
 
  private:

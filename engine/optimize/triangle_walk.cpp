@@ -134,12 +134,14 @@ class TriangleWalk {
     return false;
   }
 
-  /// rest  begins at the element beyond the triangle
+  /// rest  begins at the element beyond the triangle, and ends with the other triangle, which may
+  ///       also be beside that element
   bool divideTheRest(std::span<const std::size_t> rest) {
     const auto sides = static_cast<std::size_t>(topology_.mesh().elements[rest[0]].size());
     for (std::size_t k = 0; k < sides; ++k) {
       const Corner across = topology_.across(Corner(rest[0], k));
-      if (across.isNone() || !isTriangle(across.element())) continue;
+      if (across.isNone() || !isTriangle(across.element()) || across.element() == rest.back())
+        continue;
       std::vector<std::size_t> path(rest.begin(), rest.end());
       path.insert(path.begin(), across.element());
       return divideInStages(path);

@@ -97,8 +97,22 @@ TEST(QuadDivision, MovesTheTriangleToTheEndOfThePart) {
 }
 
 TEST(QuadDivision, GoesAnyDistanceInStages) {
-  Outlined strip = stripWithTips(90, 0.8);
-  expectOnlyQuads(strip);
+  for (const int quads : {23, 24, 25, 90}) {  // of 24, the last stage begins beside the other end
+    SCOPED_TRACE(quads);
+    Outlined strip = stripWithTips(quads, 0.8);
+    expectOnlyQuads(strip);
+    Outlined reversed = stripWithTips(quads, 0.8);
+    std::ranges::reverse(reversed.mesh.elements);
+    expectOnlyQuads(reversed);
+  }
+}
+
+TEST(QuadDivision, RefusesWaysThatReturn) {
+  Outlined strip = stripWithTips(4, 0.8);
+  MeshTopology topology(strip.mesh, boundaryOf(strip.input));
+  const FlatMaker maker;
+  PatchEditor editor(topology, maker, topology.anglesAtFixed());
+  EXPECT_FALSE(divideAlong(editor, std::vector<std::size_t>{0, 1, 0}, std::nullopt, 0.1));
 }
 
 // Tips are then sharper than any quadrilateral should be, which nothing can change.
