@@ -12,9 +12,9 @@ namespace {
 
 constexpr double kTriangleScale = 0.28867513459481287;  // 1 / (2 sqrt(3))
 constexpr double kQuadScale = 0.5;
-/// The same for corners at vertices that do not move: these count more, so that rows along a
-/// boundary have upright sides there.
-constexpr double kFixedCornerScale = 1.5 * kQuadScale;
+/// Of the cotangents of corners at vertices that do not move, so that rows along a boundary have
+/// upright sides there. Lengths of sides do not matter for these, so that rows keep their heights.
+constexpr double kUprightScale = 5;
 
 DistortionTerm triangleTerm(Point2 p, Point2 q) {
   return {kTriangleScale,         2,          p + q, dot(p, p) + dot(q, q) + dot(p - q, p - q),
@@ -27,15 +27,23 @@ DistortionTerm ownCornerTerm(Point2 p, Point2 q) {
 }
 
 /// The corner at the next vertex n, between o ahead and the moving point behind.
-DistortionTerm nextCornerTerm(Point2 n, Point2 o, double scale) {
+DistortionTerm nextCornerTerm(Point2 n, Point2 o) {
   const Point2 u = o - n;
-  return {scale, 1, n, dot(n, n) + dot(u, u), {-u.y, u.x}, -cross(u, n)};
+  return {kQuadScale, 1, n, dot(n, n) + dot(u, u), {-u.y, u.x}, -cross(u, n)};
 }
 
 /// The corner at the previous vertex p, between the moving point ahead and o behind.
-DistortionTerm previousCornerTerm(Point2 p, Point2 o, double scale) {
+DistortionTerm previousCornerTerm(Point2 p, Point2 o) {
   const Point2 u = o - p;
-  return {scale, 1, p, dot(p, p) + dot(u, u), {u.y, -u.x}, -cross(p, u)};
+  return {kQuadScale, 1, p, dot(p, p) + dot(u, u), {u.y, -u.x}, -cross(p, u)};
+}
+
+/// The cotangent of the angle of a corner, from the term of its distortion.
+///
+/// n, o  the corner is at n, between the moving point and o
+DistortionTerm cotangentTerm(const DistortionTerm& corner, Point2 n, Point2 o) {
+  const Point2 u = o - n;
+  return {kUprightScale, 0, -0.5 * u, -dot(u, n), corner.a, corner.a0};
 }
 
 /// No vertex moves by more than this fraction of its shortest edge at once.
@@ -242,9 +250,8 @@ double VertexSmoother::moveInChart(VertexId v, const StepChart& chart, Goal goal
   return move;
 }
 
-double VertexSmoother::cornerScale(Corner c) const {
-  const bool isFixed = topology_.vertexAt(c).value < topology_.fixedCount();
-  return isFixed ? kFixedCornerScale : kQuadScale;
+bool VertexSmoother::isFixed(Corner c) const {
+  return topology_.vertexAt(c).value < topology_.fixedCount();
 }
 
 bool VertexSmoother::makeTerms(const StepChart& chart) {
@@ -261,9 +268,12 @@ bool VertexSmoother::makeTerms(const StepChart& chart) {
     } else {
       const Point2 opposite = chart.project(at(topology_.next(topology_.next(c)))).position;
       terms_.push_back(ownCornerTerm(ahead.position, behind.position));
-      terms_.push_back(nextCornerTerm(ahead.position, opposite, cornerScale(topology_.next(c))));
-      terms_.push_back(
-          previousCornerTerm(behind.position, opposite, cornerScale(topology_.previous(c))));
+      terms_.push_back(nextCornerTerm(ahead.position, opposite));
+      if (isFixed(topology_.next(c)))
+        terms_.push_back(cotangentTerm(terms_.back(), ahead.position, opposite));
+      terms_.push_back(previousCornerTerm(behind.position, opposite));
+      if (isFixed(topology_.previous(c)))
+        terms_.push_back(cotangentTerm(terms_.back(), behind.position, opposite));
     }
     ahead = behind;
   }

@@ -14,6 +14,7 @@ namespace af2 {
 
 /// The distortion of one corner as a function of a moving point x of the plane:
 /// scale * (count |x|^2 - 2 sum.x + fixed) / (a.x + a0); the denominator is twice the area.
+/// The cotangent of an angle has the same form.
 struct DistortionTerm {
   double scale, count;
   Point2 sum;
@@ -44,7 +45,7 @@ class VertexSmoother {
   double smooth(VertexId v, Goal goal);
   bool collectStar(Corner first);
   double moveInChart(VertexId v, const StepChart& chart, Goal goal);
-  double cornerScale(Corner c) const;
+  bool isFixed(Corner c) const;
   bool makeTerms(const StepChart& chart);
   bool areAllPlainlyGood() const;
   double worstDistortion() const;

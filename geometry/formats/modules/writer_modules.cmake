@@ -23,7 +23,10 @@ function(af2_writer_module format function header library)
   target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O2>)
   target_include_directories(${target} SYSTEM PRIVATE ${ARGN})
   target_link_libraries(${target} PRIVATE af2_build ${AF2_${library}_LIBRARY})
-  target_link_options(${target} PRIVATE LINKER:-z,defs LINKER:--as-needed)
+  target_link_options(${target} PRIVATE LINKER:--as-needed)
+  if(NOT AF2_BUILD_FUZZERS)  # Clang's sanitizers are defined in the program alone
+    target_link_options(${target} PRIVATE LINKER:-z,defs)
+  endif()
   set_target_properties(${target} PROPERTIES PREFIX "" OUTPUT_NAME af2-${format}
     LIBRARY_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/${CMAKE_INSTALL_LIBDIR}/af2)
   add_dependencies(af2_geometry ${target})

@@ -118,7 +118,7 @@ TEST(Smoothing, ColumnsStandMoreUprightOnTheBoundary) {
     return (high.x - low.x) / (high.y - low.y);
   };
   EXPECT_GT(lean(0), 0);
-  EXPECT_LT(lean(0), 0.8 * lean(kSquares / 2));
+  EXPECT_LT(lean(0), 0.5 * lean(kSquares / 2));
 }
 
 }  // namespace
