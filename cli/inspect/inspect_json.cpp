@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "geometry/io/merging_json.h"
 #include "geometry/occ/inspect/edge_list.h"
 #include "geometry/occ/inspect/measures.h"
 
@@ -75,15 +76,24 @@ Json groupsJson(const geometry::Model& model) {
   return groups;
 }
 
+/// There are no elements yet whose distance from the faces could be told.
+Json mergingJson(const MergingAtSize& found) {
+  Json json = geometry::toJson(found.merging);
+  for (Json& group : json["groups"]) group.erase("deviation");
+  json["size"] = found.size;
+  return json;
+}
+
 }  // namespace
 
-std::string inspectJson(const geometry::Model& model) {
+std::string inspectJson(const geometry::Model& model, const std::optional<MergingAtSize>& merging) {
   const std::vector<geometry::SolidMeasures> solids = geometry::measuresOfSolids(model);
-  const Json json{{"unit", model.unit()},         {"file_unit", model.fileUnit()},
-                  {"diagonal", model.diagonal()}, {"faces", facesJson(model, solids)},
-                  {"edges", edgesJson(model)},    {"solids", solidsJson(solids)},
-                  {"groups", groupsJson(model)},  {"lost_faces", model.lostFaces()},
-                  {"notes", model.notes()}};
+  Json json{{"unit", model.unit()},         {"file_unit", model.fileUnit()},
+            {"diagonal", model.diagonal()}, {"faces", facesJson(model, solids)},
+            {"edges", edgesJson(model)},    {"solids", solidsJson(solids)},
+            {"groups", groupsJson(model)},  {"lost_faces", model.lostFaces()},
+            {"notes", model.notes()}};
+  if (merging) json["merging"] = mergingJson(*merging);
   // Names that are no UTF-8 must not end the program.
   return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <optional>
 
 #include "cli/inspect/inspect_domain.h"
 #include "cli/inspect/inspect_tables.h"
@@ -108,11 +109,11 @@ InspectRequest checkedRequest(const InspectOptions& options) {
   request.healTolerance = checkedHealTolerance(options.heal, options.healTolerance);
   request.imprint = checkedImprint(options.imprint, ModelKind::Cad);
   request.merge = checkedMerge(options.merge, ModelKind::Cad);
-  if (options.json && request.merge.isAsked)
-    throw UsageError("--json does not list what --merge would do; leave out one of the two");
-  if (options.json && (options.brief || options.all || options.edges || !options.size.empty()))
+  if (options.json && (options.brief || options.all || options.edges))
+    throw UsageError("--json lists everything but defects; leave out --brief, --all, --edges");
+  if (options.json && !options.size.empty() && !request.merge.isAsked)
     throw UsageError(
-        "--json lists everything but defects; leave out --brief, --all, --edges, --size");
+        "--json lists no defects, to which --size applies; leave it out, or add --merge");
   if (options.labels && options.picture.empty()) throw UsageError("--labels needs --picture");
   if (!options.picture.empty()) request.format = pictureFormatOf(options.picture, "--picture");
   return request;
@@ -130,37 +131,51 @@ std::vector<PictureLabel> labelsOf(const geometry::Model& model, const InspectOp
   return labels;
 }
 
-/// What a mesh would merge, instead of defects.
-int inspectMerging(const InspectOptions& options, const InspectRequest& request,
-                   const geometry::Model& model) {
+MergingAtSize mergingOf(const InspectRequest& request, const geometry::Model& model) {
   geometry::MeshingOptions sizes;
   sizes.sizes.size = request.size > 0 ? request.size : model.diagonal() / kSizesPerDiagonal;
-  const geometry::Merging merging = geometry::mergingOf(model, sizes, request.merge.request);
-  printMerging(merging, sizes.sizes.size);
-  if (!options.picture.empty()) {
-    writeText(options.picture,
-              drawMerging(model, merging, request.format, labelsOf(model, options)));
-    fmt::print("drew {} groups -> {}\n", merging.groups.size(), options.picture);
-  }
-  return imprintFault(model.imprinting()).empty() ? kComplete : kPartial;
+  return {sizes.sizes.size, geometry::mergingOf(model, sizes, request.merge.request)};
+}
+
+/// What a mesh would merge, instead of defects.
+void showMerging(const InspectOptions& options, const InspectRequest& request,
+                 const geometry::Model& model) {
+  const auto [size, merging] = mergingOf(request, model);
+  printMerging(merging, size);
+  if (options.picture.empty()) return;
+  writeText(options.picture, drawMerging(model, merging, request.format, labelsOf(model, options)));
+  fmt::print("drew {} groups -> {}\n", merging.groups.size(), options.picture);
+}
+
+void showJson(const InspectOptions& options, const InspectRequest& request,
+              const geometry::Model& model) {
+  std::optional<MergingAtSize> found;
+  if (request.merge.isAsked) found = mergingOf(request, model);
+  fmt::print("{}", inspectJson(model, found));
+  if (options.picture.empty()) return;
+  const std::vector<PictureLabel> labels = labelsOf(model, options);
+  writeText(options.picture, found ? drawMerging(model, found->merging, request.format, labels)
+                                   : drawDefects(model, {}, request.format, labels));
 }
 
 int inspect(const InspectOptions& options, const InspectRequest& request) {
   geometry::Model model = geometry::readModel(request.model);
   if (request.heal) model = geometry::healModel(model, {request.healTolerance});
   model = imprintedModel(model, request.imprint, {});
+  const int code = imprintFault(model.imprinting()).empty() ? kComplete : kPartial;
   if (options.json) {
-    fmt::print("{}", inspectJson(model));
-    if (!options.picture.empty())
-      writeText(options.picture, drawDefects(model, {}, request.format, labelsOf(model, options)));
-    return imprintFault(model.imprinting()).empty() ? kComplete : kPartial;
+    showJson(options, request, model);
+    return code;
   }
   printOverview(model);
   options.brief ? printSurfaceTypes(model) : printFaces(model);
   if (options.edges) printEdges(geometry::edgesOf(model));
   printGroups(model.groups());
   if (options.brief && options.picture.empty() && !request.merge.isAsked) return kComplete;
-  if (request.merge.isAsked) return inspectMerging(options, request, model);
+  if (request.merge.isAsked) {
+    showMerging(options, request, model);
+    return code;
+  }
   if (!options.brief) fmt::print("{}", contactTable(geometry::findContacts(model), options.all));
   const double size = request.size > 0 ? request.size : model.diagonal() / kSizesPerDiagonal;
   const std::vector<Defect> defects = geometry::findDefects(model, size);
@@ -170,7 +185,7 @@ int inspect(const InspectOptions& options, const InspectRequest& request) {
               drawDefects(model, defects, request.format, labelsOf(model, options)));
     fmt::print("drew {} defects -> {}\n", defects.size(), options.picture);
   }
-  return imprintFault(model.imprinting()).empty() ? kComplete : kPartial;
+  return code;
 }
 
 /// In a supervised process, because OpenCASCADE may crash or hang while it reads or checks a model.
@@ -208,7 +223,7 @@ Action declareInspect(CLI::App& command) {
                    "with --picture: write the number and the name of each face on it");
   command.add_flag("--json", options->json,
                    "print faces, edges, solids and groups with their measures as JSON, instead of "
-                   "tables");
+                   "tables; with --merge, also what would be merged");
   declareHealing(command, options->heal, options->healTolerance);
   declareImprint(command, options->imprint);
   declareMerge(command, options->merge);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "geometry/io/merging_json.h"
 #include "geometry/io/output_file.h"
 #include "geometry/mesh/fingerprint.h"
 
@@ -88,19 +89,6 @@ Json toJson(const Imprinting& imprinting) {
             {"changes", imprinting.changes}};
   if (!imprinting.undone.empty()) json["undone"] = imprinting.undone;
   return json;
-}
-
-Json toJson(const Merging& merging) {
-  Json groups = Json::array(), kept = Json::array();
-  for (const MergedGroup& group : merging.groups)
-    groups.push_back({{"faces", group.faces},
-                      {"smooth_edges", group.smoothEdges},
-                      {"narrow_edges", group.narrowEdges},
-                      {"deviation", group.deviation}});
-  for (const Merging::Kept& face : merging.kept)
-    kept.push_back({{"face", face.face}, {"reason", face.reason}});
-  return {{"angle", merging.angle},       {"narrow", merging.narrow}, {"groups", groups},
-          {"vertices", merging.vertices}, {"chains", merging.chains}, {"kept", kept}};
 }
 
 Json toJson(const PartContacts& contacts) {

@@ -34,6 +34,21 @@ for edge in model["edges"]:
     assert all(edge["id"] in faces[face]["edges"] for face in edge["faces"]), edge
 PYTHON
 
+expect 0 "$af2" inspect "$models/die.step" --json --merge --size 2 --picture merged.svg
+cp out merging.json
+[ -s merged.svg ] || fail "there is no picture of what is merged"
+expect 0 "$af2" mesh "$models/die.step" --merge --size 2 -o die.vtu --report report.json
+python3 - <<'PYTHON' || fail "what would be merged is not what is merged"
+import json
+merging = json.load(open("merging.json"))["merging"]
+assert merging.pop("size") == 2 and merging["groups"], merging
+merged = json.load(open("report.json"))["merging"]
+for group in merged["groups"]:
+    assert group.pop("deviation") >= 0, group
+assert merging == merged, (merging, merged)
+PYTHON
+expect 2 "$af2" inspect "$models/die.step" --json --size 2; told 'add --merge'
+
 expect 0 "$af2" inspect "$models/cylinder.step" --picture plain.svg
 expect 0 "$af2" inspect "$models/cylinder.step" --picture labelled.svg --labels
 [ "$(wc -c <labelled.svg)" -gt "$(wc -c <plain.svg)" ] || fail "there are no labels on the picture"
