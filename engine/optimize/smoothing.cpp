@@ -156,6 +156,8 @@ Point2 improvedPosition(std::span<const DistortionTerm> terms, double reach) {
 
 /// Elements below this are good, and may get worse in favour of their neighbours.
 constexpr double kGoodDistortion = 1.2;
+/// Above this, shape matters more than sides that stand upright on a boundary.
+constexpr double kFair = 2;
 /// Moves below this fraction of an edge are not worth evaluating the surface.
 constexpr double kMinMove = 1e-3;
 /// Triangles need not follow smaller moves than this: the vertex then sleeps, and its neighbours
@@ -256,6 +258,7 @@ bool VertexSmoother::isFixed(Corner c) const {
 
 bool VertexSmoother::makeTerms(const StepChart& chart) {
   terms_.clear();
+  upright_.clear();
   double shortest = INFINITY;  // squared
   // Around the vertex, the edge behind one element is the edge ahead of the next.
   ChartPoint ahead = chart.project(at(topology_.next(star_.front())));
@@ -270,14 +273,18 @@ bool VertexSmoother::makeTerms(const StepChart& chart) {
       terms_.push_back(ownCornerTerm(ahead.position, behind.position));
       terms_.push_back(nextCornerTerm(ahead.position, opposite));
       if (isFixed(topology_.next(c)))
-        terms_.push_back(cotangentTerm(terms_.back(), ahead.position, opposite));
+        upright_.push_back(cotangentTerm(terms_.back(), ahead.position, opposite));
       terms_.push_back(previousCornerTerm(behind.position, opposite));
       if (isFixed(topology_.previous(c)))
-        terms_.push_back(cotangentTerm(terms_.back(), behind.position, opposite));
+        upright_.push_back(cotangentTerm(terms_.back(), behind.position, opposite));
     }
     ahead = behind;
   }
   reach_ = std::sqrt(shortest);
+  // In slivers, any angle at the boundary is better than worse ones elsewhere.
+  const auto isFair = [](const DistortionTerm& t) { return t.scale * t.fixed < kFair * t.a0; };
+  if (std::ranges::all_of(terms_, isFair))
+    terms_.insert(terms_.end(), upright_.begin(), upright_.end());
   return true;
 }
 

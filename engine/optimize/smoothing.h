@@ -59,6 +59,7 @@ class VertexSmoother {
   std::vector<std::uint8_t> isAwake_;
   std::vector<Corner> star_;
   std::vector<DistortionTerm> terms_;
+  std::vector<DistortionTerm> upright_;  ///< for corners on the boundary
   double reach_ = 0;  ///< length of the shortest edge at the vertex
 };
 
