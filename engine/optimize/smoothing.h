@@ -60,7 +60,7 @@ class VertexSmoother {
   std::vector<Corner> star_;
   std::vector<DistortionTerm> terms_;
   std::vector<DistortionTerm> upright_;  ///< for corners on the boundary
-  double reach_ = 0;  ///< length of the shortest edge at the vertex
+  double reach_ = 0;                     ///< length of the shortest edge at the vertex
 };
 
 }  // namespace af2
