@@ -131,9 +131,13 @@ std::vector<PictureLabel> labelsOf(const geometry::Model& model, const InspectOp
   return labels;
 }
 
+double sizeOf(const InspectRequest& request, const geometry::Model& model) {
+  return request.size > 0 ? request.size : model.diagonal() / kSizesPerDiagonal;
+}
+
 MergingAtSize mergingOf(const InspectRequest& request, const geometry::Model& model) {
   geometry::MeshingOptions sizes;
-  sizes.sizes.size = request.size > 0 ? request.size : model.diagonal() / kSizesPerDiagonal;
+  sizes.sizes.size = sizeOf(request, model);
   return {sizes.sizes.size, geometry::mergingOf(model, sizes, request.merge.request)};
 }
 
@@ -177,7 +181,7 @@ int inspect(const InspectOptions& options, const InspectRequest& request) {
     return code;
   }
   if (!options.brief) fmt::print("{}", contactTable(geometry::findContacts(model), options.all));
-  const double size = request.size > 0 ? request.size : model.diagonal() / kSizesPerDiagonal;
+  const double size = sizeOf(request, model);
   const std::vector<Defect> defects = geometry::findDefects(model, size);
   if (!options.brief) printDefects(defects, size, options.all);
   if (!options.picture.empty()) {

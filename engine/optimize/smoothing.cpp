@@ -283,7 +283,7 @@ bool VertexSmoother::makeTerms(const StepChart& chart) {
   reach_ = std::sqrt(shortest);
   // In slivers, any angle at the boundary is better than worse ones elsewhere.
   const auto isFair = [](const DistortionTerm& t) { return t.scale * t.fixed < kFair * t.a0; };
-  if (std::ranges::all_of(terms_, isFair))
+  if (!upright_.empty() && std::ranges::all_of(terms_, isFair))
     terms_.insert(terms_.end(), upright_.begin(), upright_.end());
   return true;
 }

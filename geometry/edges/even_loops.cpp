@@ -123,7 +123,7 @@ class Evening {
     for (std::size_t i = 0; i < links_.size(); ++i) {
       if (!isChosen[i]) continue;
       if (i < together_.size())
-        takeTogether(together_[i]);
+        take(together_[i]);
       else if (i < together_.size() + countOf_.size())
         take(countOf_[i - together_.size()]);
       else
@@ -231,14 +231,14 @@ class Evening {
     int change;
   };
 
-  void takeTogether(const Together& together) {
-    for (const std::size_t count : *together.facing) result_.changes[count] = together.change;
-  }
-
-  /// A change by itself and one together are none.
-  void take(std::size_t count) {
+  /// A count may be taken by itself and together with others: then it does not change.
+  void take(std::size_t count, int by) {
     int& change = result_.changes[count];
-    change = change == 0 ? changes_[count]->by : 0;
+    change = change == 0 ? by : 0;
+  }
+  void take(std::size_t count) { take(count, changes_[count]->by); }
+  void take(const Together& together) {
+    for (const std::size_t count : *together.facing) take(count, together.change);
   }
 
   /// The cost of changing only one side of a strip, which leaves irregular vertices in the strip:

@@ -182,6 +182,13 @@ TEST(EvenLoops, ChangesOneSideOfAStripWhereItMust) {
   EXPECT_EQ(solved({given(30), wanting(31)}, {{{0, 1}}}, {{0, 1}}).changes, (SegmentChanges{0, 1}));
 }
 
+/// Edge 0 changes by itself, because three loops use it, then back with edge 1.
+TEST(EvenLoops, ChangesWhatIsTakenTwiceNotAtAll) {
+  const std::vector<SegmentCount> counts{wanting(30), wanting(11), wanting(4)};
+  const std::vector<CountedLoop> loops{{{0, 2}}, {{0, 1}}, {{0, 1}}, {{1}}};
+  EXPECT_EQ(solved(counts, loops, {{0, 1}}).changes, (SegmentChanges{0, 1, 0}));
+}
+
 TEST(EvenLoops, FindsASolutionWheneverThereIsOne) {
   std::mt19937 random(20240501);
   int solvable = 0;
@@ -191,6 +198,8 @@ TEST(EvenLoops, FindsASolutionWheneverThereIsOne) {
     solvable += fewest == 0;
     const EvenLoops result = solved(drawn.counts, drawn.loops);
     EXPECT_EQ(result.odd.empty(), fewest == 0) << "case " << i;
+    const EvenLoops withStrip = solved(drawn.counts, drawn.loops, {{0, 1}});
+    EXPECT_EQ(withStrip.odd.empty(), fewest == 0) << "case " << i << " with a strip";
   }
   EXPECT_GT(solvable, 50);
   EXPECT_LT(solvable, 350);
