@@ -2,6 +2,7 @@
 // Not installed.
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <stop_token>
 #include <utility>
@@ -20,6 +21,11 @@ class WorkWatch {
     constexpr unsigned kTurns = 64;  // a turn takes a millisecond at most
     if (++turns_ % kTurns == 0 && goesOn_) goesOn_();
     return stop_.stop_requested();
+  }
+  /// The same for loops whose turns are short, numbered from 0.
+  bool mustStopAt(std::size_t turn) const {
+    constexpr std::size_t kShortTurns = 256;
+    return turn % kShortTurns == 0 && mustStop();
   }
 
  private:

@@ -119,11 +119,14 @@ class Collapser {
 
 }  // namespace
 
-std::size_t collapseEdges(MeshTopology& topology, ActRecorder* recorder) {
+std::size_t collapseEdges(MeshTopology& topology, ActRecorder* recorder, const WorkWatch& watch) {
   Collapser collapser(topology, recorder);
   std::size_t collapses = 0;
-  for (std::size_t v = topology.fixedCount(); v < topology.mesh().vertices.size(); ++v)
+  const std::size_t first = topology.fixedCount();
+  for (std::size_t v = first; v < topology.mesh().vertices.size(); ++v) {
+    if (watch.mustStopAt(v - first)) break;
     collapses += collapser.tryCollapse(VertexId(v));
+  }
   return collapses;
 }
 

@@ -20,8 +20,12 @@ constexpr double kFairAfterSwap = 2.5;
 class Swapper {
  public:
   Swapper(MeshTopology& topology, SwapGoal goal, const std::vector<std::uint8_t>& wantedAtFixed,
-          ActRecorder* recorder)
-      : topology_(topology), goal_(goal), wantedAtFixed_(wantedAtFixed), recorder_(recorder) {
+          ActRecorder* recorder, const WorkWatch& watch)
+      : topology_(topology),
+        goal_(goal),
+        wantedAtFixed_(wantedAtFixed),
+        recorder_(recorder),
+        watch_(watch) {
     const std::size_t elements = goal == SwapGoal::Shape ? topology.mesh().elements.size() : 0;
     isGood_.resize(elements);
     for (std::size_t e = 0; e < elements; ++e) look(e);
@@ -32,6 +36,7 @@ class Swapper {
     leastGain_ = leastGain;
     std::size_t swaps = 0;
     for (std::size_t e = 0; e < topology_.mesh().elements.size(); ++e) {
+      if (watch_.mustStopAt(e)) break;
       for (std::size_t i = 0; i < 3 && !topology_.isDead(e); ++i) {
         const Corner side(e, i);
         // Each side is visited from one of its two elements only.
@@ -110,6 +115,7 @@ class Swapper {
   int leastGain_ = 1;
   const std::vector<std::uint8_t>& wantedAtFixed_;
   ActRecorder* recorder_;
+  const WorkWatch& watch_;
   std::vector<std::uint8_t> isGood_;  ///< by element, for the Shape goal only
 };
 
@@ -123,8 +129,9 @@ std::vector<std::uint8_t> wantedValences(const std::vector<double>& angles) {
 }
 
 std::size_t swapSides(MeshTopology& topology, SwapGoal goal,
-                      const std::vector<std::uint8_t>& wantedAtFixed, ActRecorder* recorder) {
-  Swapper swapper(topology, goal, wantedAtFixed, recorder);
+                      const std::vector<std::uint8_t>& wantedAtFixed, ActRecorder* recorder,
+                      const WorkWatch& watch) {
+  Swapper swapper(topology, goal, wantedAtFixed, recorder, watch);
   if (goal == SwapGoal::Shape) return swapper.sweep(0);
   std::size_t swaps = 0;
   for (const int gain : kMinGains) swaps += swapper.sweep(gain);

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "engine/base/work_watch.h"
 #include "engine/mesh/mesh_topology.h"
 #include "engine/optimize/act_recorder.h"
 
@@ -19,9 +20,9 @@ enum class SwapGoal {
 std::vector<std::uint8_t> wantedValences(const std::vector<double>& angles);
 
 /// Sweeps over all sides in order; for the Valence goal twice, with the most useful swaps first.
-/// Returns the number of swapped sides.
+/// Ends early if a stop is requested. Returns the number of swapped sides.
 std::size_t swapSides(MeshTopology& topology, SwapGoal goal,
                       const std::vector<std::uint8_t>& wantedAtFixed,
-                      ActRecorder* recorder = nullptr);
+                      ActRecorder* recorder = nullptr, const WorkWatch& watch = {});
 
 }  // namespace af2

@@ -79,11 +79,12 @@ class PoorElements {
 };
 
 /// Smooths the poor elements that remain after the general smoothing, each individually.
-std::size_t mendPoorElements(const MeshTopology& topology, VertexSmoother& smoother) {
+std::size_t mendPoorElements(const MeshTopology& topology, VertexSmoother& smoother,
+                             const WorkWatch& watch) {
   constexpr int kRounds = 3, kSweeps = 2;
   PoorElements poor(topology);
   std::size_t moves = 0;
-  for (int round = 0; round < kRounds; ++round) {
+  for (int round = 0; round < kRounds && !watch.mustStop(); ++round) {
     std::size_t moved = 0;
     for (int sweep = 0; sweep < kSweeps; ++sweep) moved += smoother.mend(poor.vertices());
     if (moved == 0) break;
@@ -165,17 +166,17 @@ OptimizeReport improve(Mesh& mesh, const MeshBoundary& boundary,
       smooth();
       report.replacements +=
           tidyQuads(topology, angles, options.closingRule, recorder,
-                    options.quads.onlyQuads ? MayAddTriangles::No : MayAddTriangles::Yes);
+                    options.quads.onlyQuads ? MayAddTriangles::No : MayAddTriangles::Yes, watch);
       report.replacements +=
           cleanUp(topology, maker, options, recorder, watch, round + 1 == rounds);
     }
-    report.swaps += swapSides(topology, SwapGoal::Valence, wanted, recorder);
-    if (options.renumber) report.collapses += collapseEdges(topology, recorder);
+    report.swaps += swapSides(topology, SwapGoal::Valence, wanted, recorder, watch);
+    if (options.renumber) report.collapses += collapseEdges(topology, recorder, watch);
     smooth();
-    report.swaps += swapSides(topology, SwapGoal::Shape, wanted, recorder);
+    report.swaps += swapSides(topology, SwapGoal::Shape, wanted, recorder, watch);
   }
   smooth();
-  if (!watch.mustStop()) report.moves += mendPoorElements(topology, smoother);
+  report.moves += mendPoorElements(topology, smoother, watch);
   if (hasQuads) report.moves += mendCorners(topology, mesh, maker, recorder, watch);
   topology.compact();
   return report;

@@ -18,12 +18,15 @@ constexpr double kBadQuad = 3;
 /// Offers changes at one element and its neighbours.
 class Tidier {
  public:
-  explicit Tidier(QuadChanges& changes) : changes_(changes), topology_(changes.topology()) {}
+  Tidier(QuadChanges& changes, const WorkWatch& watch)
+      : changes_(changes), topology_(changes.topology()), watch_(watch) {}
 
   std::size_t pass() {
     std::size_t changes = 0;
-    for (std::size_t e = 0; e < changes_.elementCount(); ++e)
+    for (std::size_t e = 0; e < changes_.elementCount(); ++e) {
+      if (watch_.mustStopAt(e)) break;
       while (isWorthALook(e) && tryBest(e)) ++changes;
+    }
     return changes;
   }
 
@@ -139,24 +142,25 @@ class Tidier {
 
   QuadChanges& changes_;
   const MeshTopology& topology_;
+  const WorkWatch& watch_;
 };
 
 }  // namespace
 
 std::size_t tidyQuads(MeshTopology& topology, const std::vector<double>& anglesAtFixed,
                       std::optional<std::uint16_t> closingRule, ActRecorder* recorder,
-                      MayAddTriangles triangles) {
+                      MayAddTriangles triangles, const WorkWatch& watch) {
   constexpr int kMaxPasses = 3;
   QuadChanges changes(topology, anglesAtFixed, closingRule, recorder);
   if (triangles == MayAddTriangles::No) changes.keepQuads();
-  Tidier tidier(changes);
+  Tidier tidier(changes, watch);
   std::size_t count = 0;
   for (int i = 0; i < kMaxPasses; ++i) {
     const std::size_t more = tidier.pass();
     count += more;
     if (more == 0) break;
   }
-  return count + pairTriangles(changes);
+  return count + pairTriangles(changes, watch);
 }
 
 }  // namespace af2

@@ -70,9 +70,10 @@ class ScoreFinisher {
       recorder_.emplace(*observer, mesh, [this](const Element& e) { return badness_.of(e); });
   }
 
-  std::size_t swapSides() {
+  std::size_t swapSides(const WorkWatch& watch) {
     std::size_t swaps = 0;
     for (std::size_t e = 0; e < mesh_.elements.size(); ++e) {
+      if (watch.mustStopAt(e)) break;
       for (std::size_t i = 0; i < 3; ++i) {
         const Corner side(e, i);
         // Each side is visited from one of its two elements only.
@@ -85,10 +86,9 @@ class ScoreFinisher {
 
   /// One sweep over all inner vertices in order. A vertex sleeps while its star does not change.
   std::size_t moveVertices(const WorkWatch& watch) {
-    constexpr std::size_t kLookInterval = 256;
     std::size_t moves = 0;
     for (std::size_t v = topology_.fixedCount(); v < mesh_.vertices.size(); ++v) {
-      if (v % kLookInterval == 0 && watch.mustStop()) break;
+      if (watch.mustStopAt(v)) break;
       if (!std::exchange(isAwake_[v], 0)) continue;
       if (!tryMove(VertexId(v))) continue;
       ++moves;
@@ -218,7 +218,7 @@ OptimizeReport improve(Mesh& mesh, const MeshBoundary& boundary, const FinishTas
   const WorkWatch watch(options.stop, options.goesOn);
   ScoreFinisher finisher(mesh, boundary, task, options.observer);
   for (int round = 0; round < options.rounds && !watch.mustStop(); ++round) {
-    const std::size_t swaps = finisher.swapSides();
+    const std::size_t swaps = finisher.swapSides(watch);
     std::size_t moves = 0;
     for (int sweep = 0; sweep < options.smoothingSweeps && !watch.mustStop(); ++sweep)
       moves += finisher.moveVertices(watch);
@@ -226,7 +226,7 @@ OptimizeReport improve(Mesh& mesh, const MeshBoundary& boundary, const FinishTas
     report.moves += moves;
     if (swaps + moves == 0) break;
   }
-  if (!watch.mustStop()) report.swaps += finisher.swapSides();
+  report.swaps += finisher.swapSides(watch);
   return report;
 }
 

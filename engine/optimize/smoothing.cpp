@@ -178,10 +178,9 @@ void VertexSmoother::wake(std::span<const VertexId> vertices) {
 }
 
 std::size_t VertexSmoother::sweep(const WorkWatch& watch) {
-  constexpr std::size_t kLookInterval = 1024;
   std::size_t moved = 0;
   for (std::size_t v = topology_.fixedCount(); v < mesh_.vertices.size(); ++v) {
-    if (v % kLookInterval == 0 && watch.mustStop()) break;
+    if (watch.mustStopAt(v)) break;
     if (!isAwake_[v]) continue;
     isAwake_[v] = 0;
     const double move = smooth(VertexId(v), Goal::All);

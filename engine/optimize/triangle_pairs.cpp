@@ -136,12 +136,13 @@ class Pairing {
 
 }  // namespace
 
-std::size_t pairTriangles(QuadChanges& changes) {
+std::size_t pairTriangles(QuadChanges& changes, const WorkWatch& watch) {
   Pairing pairing(changes);
   std::size_t pairs = 0;
   for (std::size_t e = 0; e < changes.elementCount(); ++e) {
     if (changes.topology().isDead(e) || !changes.isOpen(e) || changes.elementAt(e).isQuad())
       continue;
+    if (watch.mustStop()) break;
     if (pairing.pair(e)) ++pairs;
   }
   return pairs;

@@ -6,6 +6,8 @@
 #include <array>
 #include <map>
 
+#include "engine/optimize/edge_collapse.h"
+#include "engine/optimize/edge_swap.h"
 #include "tests/support/meshing.h"
 #include "tests/support/quad_grid.h"
 
@@ -23,6 +25,19 @@ Case meshed(FrontInput input, double size) {
   Case c{std::move(input), {}};
   c.result = AF2Algorithm(triangleSet()).execute(FlatMaker(), c.input, UniformSize(size));
   EXPECT_EQ(c.result.outcome, Outcome::Complete);
+  return c;
+}
+
+/// A triangle divided into three, with the inner vertex near one of its sides.
+Case starOfThree() {
+  Case c;
+  addLoop(c.input, {{0, 0}, {1, 0}, {.5, .9}});
+  Mesh& mesh = c.result.mesh;
+  for (const BoundaryCorner& corner : c.input.loops[0]) mesh.vertices.push_back(corner.point);
+  mesh.vertices.push_back({{.5, .05, 0}, {0, 0, 1}, .5, .05});
+  for (std::size_t i = 0; i < 3; ++i)
+    mesh.elements.push_back({{VertexId(3), VertexId(i), VertexId((i + 1) % 3), VertexId()}});
+  mesh.origins.resize(3);
   return c;
 }
 
@@ -58,15 +73,31 @@ TEST(Optimize, GivesTheSameMeshTwice) {
   EXPECT_EQ(c.result.mesh, d.result.mesh);
 }
 
+TEST(Optimize, StopsAmongSwapsAndCollapsesOnRequest) {
+  std::stop_source stop;
+  stop.request_stop();
+  const WorkWatch stopped(stop.get_token());
+  const auto swapped = [](const WorkWatch& watch, SwapGoal goal) {
+    Case c = meshed(discWithHole(.03), .03);
+    MeshTopology topology(c.result.mesh, boundaryOf(c.input));
+    return swapSides(topology, goal, wantedValences(topology.anglesAtFixed()), nullptr, watch);
+  };
+  for (const SwapGoal goal : {SwapGoal::Valence, SwapGoal::Shape}) {
+    EXPECT_GT(swapped({}, goal), 0u);
+    EXPECT_EQ(swapped(stopped, goal), 0u);
+  }
+  const auto collapsed = [](const WorkWatch& watch) {
+    Case c = starOfThree();
+    MeshTopology topology(c.result.mesh, boundaryOf(c.input));
+    return collapseEdges(topology, nullptr, watch);
+  };
+  EXPECT_EQ(collapsed({}), 1u);
+  EXPECT_EQ(collapsed(stopped), 0u);
+}
+
 TEST(Optimize, TakesOutAVertexAmongThreeTriangles) {
-  Mesh mesh;
-  FrontInput input;
-  addLoop(input, {{0, 0}, {1, 0}, {.5, .9}});
-  for (const BoundaryCorner& c : input.loops[0]) mesh.vertices.push_back(c.point);
-  mesh.vertices.push_back({{.5, .05, 0}, {0, 0, 1}, .5, .05});
-  for (std::size_t i = 0; i < 3; ++i)
-    mesh.elements.push_back({{VertexId(3), VertexId(i), VertexId((i + 1) % 3), VertexId()}});
-  mesh.origins.resize(3);
+  auto [input, result] = starOfThree();
+  Mesh& mesh = result.mesh;
   const OptimizeReport report = optimizeMesh(mesh, boundaryOf(input), FlatMaker());
   EXPECT_EQ(report.collapses, 1u);
   EXPECT_EQ(mesh.elements.size(), 1u);

@@ -13,10 +13,12 @@ namespace {
 
 using namespace af2::testing;
 
-std::size_t tidied(QuadGrid& grid, std::optional<std::uint16_t> closingRule = {}) {
+std::size_t tidied(QuadGrid& grid, std::optional<std::uint16_t> closingRule = {},
+                   const WorkWatch& watch = {}) {
   EXPECT_TRUE(checkMesh(grid.mesh, grid.input).empty());
   MeshTopology topology(grid.mesh, boundaryOf(grid.input));
-  const std::size_t changes = tidyQuads(topology, topology.anglesAtFixed(), closingRule);
+  const std::size_t changes = tidyQuads(topology, topology.anglesAtFixed(), closingRule, nullptr,
+                                        MayAddTriangles::Yes, watch);
   topology.compact();
   EXPECT_TRUE(checkMesh(grid.mesh, grid.input).empty());
   EXPECT_NEAR(areaOf(grid.mesh), grid.n * grid.n, 1e-12);
@@ -68,6 +70,13 @@ TEST(QuadTidying, PairsTrianglesThatAreFarApart) {
   QuadGrid grid = gridWithLeaningRow(12, 5, 2, 9);
   EXPECT_GE(tidied(grid), 1u);
   expectQuadsOnly(grid.mesh, 144, 169);
+}
+
+TEST(QuadTidying, StopsOnRequest) {
+  QuadGrid grid = gridWithLeaningRow(12, 5, 2, 9);
+  std::stop_source stop;
+  stop.request_stop();
+  EXPECT_EQ(tidied(grid, {}, stop.get_token()), 0u);
 }
 
 TEST(QuadTidying, MakesQuadrilateralsOfTrianglesThatClosedAFront) {
