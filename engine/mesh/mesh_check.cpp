@@ -1,10 +1,12 @@
 #include "engine/mesh/mesh_check.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 
 #include "engine/base/place_text.h"
+#include "engine/mesh/element_shape.h"
 #include "engine/mesh/vertex_stars.h"
 
 namespace af2 {
@@ -70,15 +72,15 @@ class Checker {
   bool facesTheNormals(std::span<const VertexId> corners) const {
     const std::size_t n = corners.size();
     if (n == 3 && facesAllNormals(corners)) return true;
+    std::array<const SurfacePoint*, 4> at{};
+    for (std::size_t i = 0; i < n; ++i) at[i] = &mesh_.vertices[corners[i].value];
     for (std::size_t i = 0; i < n; ++i) {
-      const auto at = [&](std::size_t k) -> const SurfacePoint& {
-        return mesh_.vertices[corners[k].value];
-      };
-      const SurfacePoint& corner = at(i);
-      const Point3 ahead = at(i + 1 == n ? 0 : i + 1).position - corner.position;
-      const Point3 behind = at(i == 0 ? n - 1 : i - 1).position - corner.position;
+      const SurfacePoint& corner = *at[i];
+      const Point3 ahead = at[i + 1 == n ? 0 : i + 1]->position - corner.position;
+      const Point3 behind = at[i == 0 ? n - 1 : i - 1]->position - corner.position;
       if (corner.normal != Point3{} && !(dot(cross(ahead, behind), corner.normal) > 0))
         return false;
+      if (n == 4 && turnsBackAt(at, i)) return false;
     }
     return true;
   }

@@ -17,7 +17,7 @@ struct MeshFault {
     OverlappingEdge,  ///< two elements use an edge in the same direction
     OpenEdge,         ///< an inner edge has an element on one side only
     BoundaryNotKept,  ///< a boundary edge has no element on its left, or one on its right
-    Inverted,         ///< an element's corner turns against the surface normal
+    Inverted,         ///< an element's corner turns against the surface normal, or its own area
     UnusedVertex,     ///< a vertex is used by no element
   };
   Kind kind;
