@@ -54,7 +54,8 @@ class RowSmoother {
       const bool isAlone = (i == 0 || all[i - 1].first != all[i].first) &&
                            (i + 1 == all.size() || all[i + 1].first != all[i].first);
       isOnFront_[all[i].first.value] = true;
-      if (isAlone && !advance_.isFixed(all[i].first)) onFront_.push_back(all[i]);
+      if (isAlone && !advance_.isFixed(all[i].first) && !isInTriangle(all[i].second))
+        onFront_.push_back(all[i]);
     }
     for (const auto& [vertex, place] : onFront_)
       advance_.elements.forEachAt(vertex, [&](std::size_t e, std::size_t) {
@@ -64,6 +65,13 @@ class RowSmoother {
     std::ranges::sort(behind_);
     const auto same = [](const auto& p, const auto& q) { return p.first == q.first; };
     behind_.erase(std::unique(behind_.begin(), behind_.end(), same), behind_.end());
+  }
+
+  /// All edges of such a loop are neighbours, so nothing would keep one of its vertices from
+  /// passing over the opposite edge.
+  bool isInTriangle(PlaceId place) const {
+    const Front& front = advance_.front;
+    return front.next(front.next(front.next(place))) == place;
   }
 
   bool smooth(VertexId v, PlaceId place, bool isOnFront) {

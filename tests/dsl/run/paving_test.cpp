@@ -166,7 +166,6 @@ TEST(Paving, FillsLongStripsWithAFineAndACoarseSide) {
   expectQuads(meshWith(paving(), input, 1), input);
 }
 
-// A single odd loop cannot be filled with quadrilaterals: the front stops, and says so.
 /// Rows from the straight sides meet those around the arc at a slant, along a line of a hundred
 /// edges.
 TEST(Paving, MeetsAtASlantWithoutLongEdges) {
@@ -196,6 +195,7 @@ TEST(Paving, MeetsAtASlantWithoutLongEdges) {
   EXPECT_LT(longest, 3 * kSize);
 }
 
+// A single odd loop cannot be filled with quadrilaterals: the front stops, and says so.
 TEST(Paving, LeavesAFewEdgesOfAnOddLoopAndSoundElements) {
   FrontInput input;
   addLoop(input, circle({0, 0}, 1, 31, false));
@@ -204,6 +204,23 @@ TEST(Paving, LeavesAFewEdgesOfAnOddLoopAndSoundElements) {
   EXPECT_LE(result.stuck.size(), 7u);
   EXPECT_EQ(result.stuck.size() % 2, 1u);
   for (const Element& element : result.mesh.elements) EXPECT_FALSE(leans(result.mesh, element));
+}
+
+// Loops of three edges remain, which must not be turned inside out while rows are smoothed: the
+// front would go on outside the region.
+TEST(Paving, LeavesAFewEdgesOfTwoOddLoops) {
+  constexpr double kSize = 0.05;
+  for (int i = 0; i < 20; ++i) {
+    SCOPED_TRACE(i);
+    const double outer = 0.6 + 0.03 * i, inner = outer * (0.1 + 0.006 * i);
+    const auto odd = [](double radius) { return static_cast<int>(2 * M_PI * radius / kSize) | 1; };
+    FrontInput input;
+    addLoop(input, circle({0, 0}, outer, odd(outer), false));
+    addLoop(input, circle({0.02 * i, 0}, inner, odd(inner), true));
+    const MeshingResult result = meshWith(paving(), input, kSize);
+    EXPECT_LE(result.stuck.size(), 16u);
+    EXPECT_LT(areaOf(result.mesh), areaOf(input) + 1e-9);
+  }
 }
 
 // The last level closes with a quadrilateral that has a straight corner. Between given edges only
