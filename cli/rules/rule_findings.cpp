@@ -120,15 +120,15 @@ void addCoverageFindings(const std::string& stem, const dsl::LoadedRules& loaded
 void countAnswers(const dsl::SampledResult& result, RuleFindings& findings) {
   for (const dsl::RuleAnswers& answer : result.answers) {
     const auto is = [&](dsl::Answer what) {
-      return (answer.positive == what ? 1 : 0) + (answer.covered == what ? 1 : 0);
+      return answer.positive == what || answer.covered == what;
     };
     if (!answer.isTried) continue;
-    if (is(dsl::Answer::Refuted) > 0)
+    if (is(dsl::Answer::Refuted))
       ++findings.refuted;
-    else if (is(dsl::Answer::Proven) == 2)
-      ++findings.proven;
-    else
+    else if (is(dsl::Answer::Sampled))
       ++findings.sampled;
+    else
+      ++findings.proven;
   }
 }
 

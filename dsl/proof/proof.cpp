@@ -1,6 +1,8 @@
 #include "dsl/proof/proof.h"
 
+#include <algorithm>
 #include <array>
+#include <utility>
 #include <vector>
 
 #include "dsl/proof/branch_and_bound.h"
@@ -61,9 +63,35 @@ bool isPositiveIn(RuleGraph& graph, const AF2Rule& rule, const GraphZone& zone,
   return true;
 }
 
+/// Whether the elements have the outline of the zone, apart from sides between two of them. Then
+/// they fill it: its outline goes round each place inside once, and so does the sum of theirs,
+/// since positive elements go round places only forwards.
+bool fillsZone(const RuleGraph& graph, const AF2Rule& rule, const GraphShape& zone) {
+  if (zone.kind != ShapeKind::Poly && zone.kind != ShapeKind::Convex) return false;
+  if (std::ranges::count(zone.arcs, true) > 0) return false;
+  std::vector<std::pair<NodePair, NodePair>> open;
+  const auto addSides = [&](const std::vector<NodePair>& corners, bool isForwards) {
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      std::pair side(corners[i], corners[(i + 1) % corners.size()]);
+      if (!isForwards) std::swap(side.first, side.second);
+      const auto opposite = std::ranges::find(open, std::pair(side.second, side.first));
+      if (opposite == open.end())
+        open.push_back(side);
+      else
+        open.erase(opposite);
+    }
+  };
+  for (const RuleElement& element : rule.definition().elements)
+    addSides(cornersOf(graph, element), true);
+  addSides(zone.points, false);
+  return open.empty();
+}
+
 bool isCoveredIn(RuleGraph& graph, const AF2Rule& rule, const GraphZone& zone,
                  ProofEffort& effort) {
+  if (rule.definition().elements.empty()) return true;
   if (!zone.shape) return false;
+  if (fillsZone(graph, rule, *zone.shape)) return true;
   Circumstances given = circumstancesOf(graph, zone);
   for (const RuleElement& element : rule.definition().elements)
     for (const auto& [p, q, r] : turnsOf(cornersOf(graph, element)))

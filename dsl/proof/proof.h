@@ -20,8 +20,9 @@ inline constexpr ProofEffort kUsualEffort{2000, 1e-3};
 inline constexpr ProofEffort kGreatEffort{400'000, 1e-5};
 
 /// Considers these matches: the base edge has 0.7 to 1.4 times the target size; every other vertex
-/// is within its tolerance, or within 2.5 lengths of its reference if it has none; the size field
-/// is uniform (h is 1); all other properties of the front may have any value.
+/// is within its tolerance, or within 2.5 lengths of its reference if it has none; one that is
+/// sought by `near` is within reach of its place, and at most 10 lengths from that of its usual
+/// match; the size field is uniform (h is 1); all other properties of the front may have any value.
 ///
 /// False means "not proven", not "disproven". Each box reduces `effort`. Bounds are rounded
 /// outwards; a value of at least -1e-7 counts as non-negative.

@@ -145,7 +145,15 @@ Node RuleGraph::importStep(const Step& step, const std::vector<Node>& imported) 
     return imported[static_cast<std::size_t>(step.arguments[i])];
   };
   const auto point = [&](std::size_t i) { return NodePair{argument(2 * i), argument(2 * i + 1)}; };
-  const auto unknown = [&] { return make(Op::Unknown, {}, unknowns_++); };
+  // The same function of the same nodes has the same value, whatever it is.
+  const auto unknown = [&] {
+    Step of = step;
+    for (Node& node : of.arguments)
+      if (node >= 0) node = imported[static_cast<std::size_t>(node)];
+    const auto [at, isNew] = unknowns_.try_emplace(of.key());
+    if (isNew) at->second = make(Op::Unknown, {}, static_cast<int>(unknowns_.size()));
+    return at->second;
+  };
   switch (step.op) {
     case Op::Constant:
       return constant(step.constant);
@@ -216,7 +224,9 @@ Interval RuleGraph::rangeOf(const PatternVertex& vertex, char axis) const {
   const double reference =
       axis == 'x' ? vertex.reference.at(level_).x : vertex.reference.at(level_).y;
   double reach = domain_.farthestVertex;
-  if (vertex.tolerance) {
+  if (vertex.near) {
+    reach = 4 * domain_.farthestVertex;  // its place sets a bound as a fact
+  } else if (vertex.tolerance) {
     const ToleranceForm& w = vertex.tolerance->at(level_);
     const double det = w.xx * w.yy - 0.25 * w.xy * w.xy;
     const double own = axis == 'x' ? w.xx : w.yy, other = axis == 'x' ? w.yy : w.xx;
@@ -240,6 +250,16 @@ void RuleGraph::addTolerance(const ToleranceForm& form, NodePair d) {
   facts_.push_back(sum);
 }
 
+/// reach^2 - |at - place|^2 >= 0; nothing about a place that the graph cannot represent.
+void RuleGraph::addNear(const NearPlace& near, NodePair at) {
+  try {
+    const NodePair d = difference(at, import(*near.place));
+    const double reach = near.reach.at(level_);
+    facts_.push_back(subtract(constant(reach * reach), dot(d, d)));
+  } catch (const Unknown&) {
+  }
+}
+
 void RuleGraph::addVertices() {
   const bool isScaled = rules_.definition().unit == ChartUnit::BaseLength;
   const Node zero = constant(0);
@@ -255,7 +275,10 @@ void RuleGraph::addVertices() {
     variables_.push_back({Op::CoordinateY, index, rangeOf(vertex, 'y')});
     const Point2 place = vertex.reference.at(level_);
     const NodePair reference{constant(place.x), constant(place.y)};
-    if (vertex.tolerance) addTolerance(vertex.tolerance->at(level_), difference(at, reference));
+    if (vertex.near)
+      addNear(*vertex.near, at);
+    else if (vertex.tolerance)
+      addTolerance(vertex.tolerance->at(level_), difference(at, reference));
   }
   for (const PatternEdge& edge : rule_.edges) {
     if (!edge.slope) continue;

@@ -1,6 +1,7 @@
 // A graph of all expressions of a rule at one level, in which equal expressions share a node.
 #pragma once
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -85,6 +86,7 @@ class RuleGraph {
   NodePair import(const AF2PointTransform& transform);
   void addVertices();
   void addTolerance(const ToleranceForm& form, NodePair deviation);
+  void addNear(const NearPlace& near, NodePair at);
   Interval rangeOf(const PatternVertex& vertex, char axis) const;
   void addZones();
   GraphShape shapeOf(const ShapeValue& shape, const std::vector<Node>& numbers, std::size_t& next);
@@ -105,7 +107,7 @@ class RuleGraph {
   std::vector<GraphZone> zones_;
   std::vector<BoxVariable> variables_;
   std::vector<Node> facts_, truths_;
-  int unknowns_ = 0;
+  std::map<decltype(Step().key()), Node> unknowns_;  // by the step that makes the value
 };
 
 }  // namespace af2::dsl

@@ -20,12 +20,6 @@ bool provesAtAllLevels(const RuleSet& rules, const AF2Rule& rule, const std::vec
   return true;
 }
 
-/// Proofs know the positions of vertices by their tolerances alone.
-bool hasComputedPlaces(const AF2Rule& rule) {
-  return std::ranges::any_of(rule.definition().vertices,
-                             [](const PatternVertex& v) { return v.near.has_value(); });
-}
-
 /// All checks of one rule.
 class RuleChecks {
  public:
@@ -43,22 +37,24 @@ class RuleChecks {
     if (levels_.empty() || options_.unknown.contains(index_)) return answers;
     answers.isTried = true;
     const RuleDefinition& rule = rules_.rules()[index_].definition();
-    if (rule.path) return answers;  // it is not tried at a base edge
+    if (rule.path) {  // it makes no elements, and is not tried at a base edge
+      answers.positive = answers.covered = Answer::NotAsked;
+      return answers;
+    }
     if (options_.onlyErrors) levels_.erase(levels_.begin() + 1, levels_.end());
     if (!options_.onlyErrors)
       for (SampledFinding& finding : findIdleConditions(rules_, index_, options_))
         findings_.push_back(std::move(finding));
     const RuleSample sample =
         sampleRule(rules_, index_, levels_.front(), options_.samples, options_.seed);
-    if (sample.matches.empty()) return answers;
-
-    if (!options_.onlyErrors) keep(findNeverChosen(sample, stepper_, options_));
-    // A set that accepts elements by their shape looks at each of them itself.
+    const bool hasMatches = !sample.matches.empty();
+    if (!options_.onlyErrors && hasMatches) keep(findNeverChosen(sample, stepper_, options_));
     const auto& acceptance = rules_.definition().acceptance;
-    if (!acceptance || !acceptance->needsMeasures())
-      answers.positive = answer(sample, {findInverted, searchInverted}, provesPositive);
+    answers.positive = acceptance && acceptance->needsMeasures()
+                           ? Answer::NotAsked
+                           : answer(sample, {findInverted, searchInverted}, provesPositive);
     answers.covered = answer(sample, {findUncovered}, provesCovered);
-    if (options_.onlyErrors) return answers;
+    if (options_.onlyErrors || !hasMatches) return answers;
     keep(findLost(sample));
     keep(findGrowing(sample));
     answers.lostMatches = shareOfLost(sample);
@@ -75,8 +71,7 @@ class RuleChecks {
   /// search, and samples at other levels.
   Answer answer(const RuleSample& sample, std::vector<Find> finds, Proves proves) {
     if (keep(finds.front()(sample))) return Answer::Refuted;
-    if (!hasComputedPlaces(sample.rule) &&
-        provesAtAllLevels(rules_, sample.rule, levels_, options_.effort, proves))
+    if (provesAtAllLevels(rules_, sample.rule, levels_, options_.effort, proves))
       return Answer::Proven;
     for (std::size_t i = 1; i < finds.size(); ++i)
       if (keep(finds[i](sample))) return Answer::Refuted;

@@ -56,15 +56,17 @@ inline constexpr int kLevelsLookedAt = 20;
 
 /// The certainty of an answer about all matches of a rule.
 enum class Answer {
-  Proven,   ///< holds for every match
-  Sampled,  ///< no counter-example among the samples
-  Refuted,  ///< there is a counter-example
+  Proven,    ///< holds for every match
+  Sampled,   ///< no counter-example among the samples
+  Refuted,   ///< there is a counter-example
+  NotAsked,  ///< the rule need not have the property
 };
 
 struct RuleAnswers {
-  Answer positive = Answer::Sampled;  ///< G2: all elements are positive
-  Answer covered = Answer::Sampled;   ///< Z1: all elements lie in the free zone
-  bool isTried = false;               ///< whether the levels of the rule set reach the rule
+  /// G2: all elements are positive. Not asked where `accept` looks at the shape of each element.
+  Answer positive = Answer::Sampled;
+  Answer covered = Answer::Sampled;  ///< Z1: all elements lie in the free zone
+  bool isTried = false;              ///< whether the levels of the rule set reach the rule
   double lostMatches =
       0;  ///< Z2: share of matches that are refused because the zone has no valid shape
 };

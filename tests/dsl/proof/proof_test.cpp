@@ -138,6 +138,29 @@ TEST(Proof, FollowsZonesOfManyShapes) {
     EXPECT_FALSE(isProven(free + zone, provesCovered)) << zone;
 }
 
+// Wherever the vertices and their neighbours are.
+TEST(Proof, KnowsThatElementsWithTheOutlineOfTheZoneFillIt) {
+  const std::string corners =
+      "new c = after(b) + (0, 1), d = before(a) + (0, 1); quad a b c d; zone ";
+  EXPECT_TRUE(isProven(corners + "poly(a, b, c, d);", provesCovered));
+  EXPECT_TRUE(isProven(corners + "a, b, c, d;", provesCovered));
+  EXPECT_FALSE(isProven(corners + "poly(a, b, c);", provesCovered));
+  EXPECT_FALSE(isProven(corners + "poly(a, b, arc(c + (0.1, 0.2), d));", provesCovered));
+  const std::string loop =
+      "front a -> b -> c -> d -> e; at c (1.5, 1) ~ any, d (1, 2) ~ any, e (0, 2) ~ any;";
+  EXPECT_TRUE(isProven(loop + "tri a b c, a d e, a c d; zone poly(a, b, c, d, e);", provesCovered));
+  EXPECT_TRUE(isProven(loop + "tri a b c; quad a c d e; zone poly(a, b, c, d, e);", provesCovered));
+}
+
+TEST(Proof, KnowsHowFarAVertexIsFromItsPlace) {
+  const std::string near = "near c of b + (0, 1) within 0.4; new d = a + (0, 1); quad a b c d;";
+  EXPECT_TRUE(isProven(near + "zone (hull(a, b, c, d));", provesPositive));
+  EXPECT_TRUE(isProven(near + "zone (disc(b + (-0.5, 0.5), 1.4));", provesCovered));
+  EXPECT_FALSE(isProven(near + "zone (disc(b + (-0.5, 0.5), 1));", provesCovered));
+  const std::string far = "near c of b + (0, 1) within 2; new d = a + (0, 1); quad a b c d;";
+  EXPECT_FALSE(isProven(far + "zone (hull(a, b, c, d));", provesPositive));
+}
+
 TEST(Proof, IsDoneSoonForUnionsOfManyShapes) {
   std::string zone = "hull(a, b, c)";
   for (int i = 0; i < 12; ++i) zone += " | disc(b + (" + std::to_string(0.1 * i) + ", 0), 0.1)";

@@ -86,6 +86,19 @@ TEST(ClassicTriangles, AreProvenButForLostMatches) {
   EXPECT_EQ(diagnostics[0].notes[0].message.rfind("test \"2 h vis a vis", 0), 0u);
 }
 
+TEST(PavingQuads, LieInTheirZones) {
+  const LoadedRules loaded = loadRules(AF2_SOURCE_DIR "/rules/quad/paving.af2");
+  ASSERT_TRUE(loaded.rules) << toPretty(loaded.diagnostics);
+  const SampledResult result = runSampledChecks(*loaded.rules);
+  EXPECT_TRUE(result.findings.empty());
+  for (std::size_t i = 0; i < result.answers.size(); ++i) {
+    const AF2Rule& rule = loaded.rules->rules()[i];
+    EXPECT_EQ(result.answers[i].positive, Answer::NotAsked) << rule.name();
+    EXPECT_EQ(result.answers[i].covered, rule.definition().path ? Answer::NotAsked : Answer::Proven)
+        << rule.name();
+  }
+}
+
 /// What the checks write, put into the rule file, is read, and fails there: it shows the fault.
 void expectTestsThatFail(const LoadedRules& loaded, std::vector<SampledFinding> findings) {
   std::string text(loaded.file->main().source.text());
