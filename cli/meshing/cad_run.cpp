@@ -83,8 +83,9 @@ geometry::ModelMesh meshAll(const MeshRequest& request, const geometry::Model& m
   const geometry::PeriodicRequest periodic{request.periodic.directions,
                                            pairsByNumber(request.periodic, model)};
   if (periodic.isAsked() && givenUp.empty())
-    return geometry::meshPeriodic(model, algorithm, options,
-                                  geometry::findPeriodic(model, periodic));
+    return geometry::meshPeriodic(
+        model, algorithm, options, geometry::findPeriodic(model, periodic),
+        request.merge.isAsked ? std::optional(request.merge.request) : std::nullopt);
   options.faces = withoutGivenUp(std::move(options.faces), model, givenUp);
   geometry::ModelMesh mesh;
   if (!options.faces.empty() || givenUp.empty())

@@ -58,8 +58,7 @@ void declareMerge(CLI::App& command, MergeOptions& options) {
       ->expected(1);
 }
 
-MergeAsked checkedMerge(const MergeOptions& options, ModelKind kind,
-                        bool hasOptionsForSingleFaces) {
+MergeAsked checkedMerge(const MergeOptions& options, ModelKind kind, bool hasFewest) {
   MergeAsked asked;
   asked.isAsked = !options.angle.empty();
   if (!asked.isAsked) {
@@ -69,8 +68,7 @@ MergeAsked checkedMerge(const MergeOptions& options, ModelKind kind,
   }
   if (kind != ModelKind::Cad)
     throw UsageError("--merge is for " + formatNames(ModelKind::Cad, "and") + " files");
-  if (hasOptionsForSingleFaces)
-    throw UsageError("--merge cannot be combined with --periodic, --fewest and --layers");
+  if (hasFewest) throw UsageError("--merge cannot be combined with --fewest");
   if (!options.angle.front().empty()) asked.request.angle = parseAngle(options.angle.front());
   if (!options.narrow.empty()) asked.request.narrow = parseShare(options.narrow);
   for (const std::string& text : options.kept) {

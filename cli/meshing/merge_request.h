@@ -26,7 +26,6 @@ struct MergeAsked {
 void declareMerge(CLI::App& command, MergeOptions& options);
 /// Throws UsageError for values that are no angle, share, edge or name, for these options without
 /// --merge, for models that are no CAD models, and together with what cannot be combined with it.
-MergeAsked checkedMerge(const MergeOptions& options, ModelKind kind,
-                        bool hasOptionsForSingleFaces = false);
+MergeAsked checkedMerge(const MergeOptions& options, ModelKind kind, bool hasFewest = false);
 
 }  // namespace af2::cli

@@ -355,9 +355,7 @@ MeshRequest checkedRequest(const MeshOptions& options) {
   request.periodic = checkedPeriodic(options.periodic, request.kind());
   if (request.periodic.areAsked() && (options.sizes.fewest || !options.faces.empty()))
     throw UsageError("--periodic cannot be combined with --fewest and --faces");
-  request.merge =
-      checkedMerge(options.merge, request.kind(),
-                   request.periodic.areAsked() || options.sizes.fewest || !options.layers.empty());
+  request.merge = checkedMerge(options.merge, request.kind(), options.sizes.fewest);
   checkOutputs(request);
   checkReadable(request.model);
   if (!options.boundary.empty())

@@ -32,20 +32,6 @@ double worstDistortion(const FaceAttempt& attempt) {
   return worst;
 }
 
-/// Whether a plane face is a strip, far narrower than its segments are long: vertices inside make
-/// its elements only thinner.
-bool isNarrow(const FaceTask& task) {
-  if (!task.surface.isPlane() || !(task.area > 0)) return false;
-  double perimeter = 0, segments = 0;
-  for (const auto& loop : task.boundary.input.loops) {
-    for (std::size_t i = 0; i < loop.size(); ++i)
-      perimeter += distance(loop[i].point.position, loop[(i + 1) % loop.size()].point.position);
-    segments += static_cast<double>(loop.size());
-  }
-  const double width = 2 * task.area / perimeter;
-  return width < kNarrowStrip * perimeter / segments;
-}
-
 /// A place in a strip may be wider than the rest: edges across it are longer than those of the
 /// boundary.
 bool hasLongEdges(const FrontInput& boundary, const Mesh& mesh) {
@@ -70,6 +56,18 @@ bool hasLongEdges(const FrontInput& boundary, const Mesh& mesh) {
 }
 
 }  // namespace
+
+bool isNarrow(const FaceTask& task) {
+  if (!task.surface.isPlane() || !(task.area > 0)) return false;
+  double perimeter = 0, segments = 0;
+  for (const auto& loop : task.boundary.input.loops) {
+    for (std::size_t i = 0; i < loop.size(); ++i)
+      perimeter += distance(loop[i].point.position, loop[(i + 1) % loop.size()].point.position);
+    segments += static_cast<double>(loop.size());
+  }
+  const double width = 2 * task.area / perimeter;
+  return width < kNarrowStrip * perimeter / segments;
+}
 
 bool isNearArea(const FaceTask& task, const FaceAttempt& attempt) {
   return task.surface.isPlane() || !(task.area > 0) || areaError(task, attempt) < kNearArea;

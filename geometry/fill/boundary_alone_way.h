@@ -6,9 +6,11 @@
 
 namespace af2::geometry {
 
-/// Whether the face is a plane strip far narrower than its segments are long, and is to have
-/// triangles. A front would try in vain to put vertices there, at a cost of hundreds of candidates
-/// for each element.
+/// Whether a plane face is a strip, far narrower than its segments are long: vertices inside make
+/// its elements only thinner.
+bool isNarrow(const FaceTask& task);
+/// Whether the face is such a strip that is to have triangles. A front would try in vain to put
+/// vertices there, at a cost of hundreds of candidates for each element.
 bool needsNoVertices(const FillState& state);
 /// Whether the face is such a strip that is to have quadrilaterals, or a curved face whose mesh
 /// differs much from it in area.

@@ -7,12 +7,14 @@
 
 #include "engine/base/place_text.h"
 #include "geometry/check/boundary_crossings.h"
+#include "geometry/fill/boundary_alone_way.h"
 #include "geometry/fill/diagnose_face.h"
 
 namespace af2::geometry {
 
 bool mayHaveCrossedBoundary(const FillState& state) {
-  return state.task.limits.failedBefore && state.task.surface.isPlane();
+  // The sides of a narrow strip cross where their segments are long: a front finds that out late.
+  return state.task.surface.isPlane() && (state.task.limits.failedBefore || isNarrow(state.task));
 }
 
 FaceAttempt findCrossedBoundary(FillState& state) {

@@ -191,6 +191,7 @@ class Retries {
     const FaceMesh &before = state.meshes[i], &after = next.meshes[i];
     FaceRecord& record = retrial_.faces[i];
     if (failed(after)) {
+      if (!failed(before)) return false;  // it had a mesh, which must not be lost
       // If no front was tried, the next try is as cheap.
       if (after.searchCost > 0) ++record.failures;
       return record.failures < kMaxFailures || !record.shortEdges.empty();

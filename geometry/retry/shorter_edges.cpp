@@ -59,7 +59,7 @@ std::optional<std::size_t> shortenEdges(Retrial& retrial, FaceMeshes& state, std
 void unshortenEdges(Retrial& retrial, FaceMeshes& state, const FaceMeshes& next, std::size_t face) {
   if (failed(state.meshes[face]))
     retrial.requests.dropAll(face);
-  else if (failed(next.meshes[face]) || crossingsAt(next, face) > 0)
+  else if (!failed(next.meshes[face]) && crossingsAt(next, face) > 0)
     retrial.requests.dropPlaces(face);
   else
     retrial.requests.dropLast(face);

@@ -306,8 +306,8 @@ def check_combinations(asked: Dict[str, Any]) -> None:
     has_faces = bool(asked.get("faces") or asked.get("face_names"))
     if is_periodic and (asked["fewest"] or has_faces):
         raise _af2.InputError("periodic cannot be combined with fewest and faces")
-    if "merge" in asked and (is_periodic or asked["fewest"] or "layers" in asked):
-        raise _af2.InputError("merge cannot be combined with periodic, fewest and layers")
+    if "merge" in asked and asked["fewest"]:
+        raise _af2.InputError("merge cannot be combined with fewest")
     if asked["fewest"] and (asked["order"] != 1 or asked["quads"]):
         raise _af2.InputError("fewest is for triangles of order 1")
     if asked["fewest"] and "layers" in asked:

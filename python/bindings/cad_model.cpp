@@ -97,7 +97,7 @@ geometry::ModelMesh meshed(const geometry::Model& model, const Request& request,
     periodic.pairs.emplace_back(idOf(first, model), idOf(second, model));
   if (periodic.isAsked())
     return geometry::meshPeriodic(model, algorithm, options,
-                                  geometry::findPeriodic(model, periodic));
+                                  geometry::findPeriodic(model, periodic), request.merge);
   return request.merge ? geometry::meshMerged(model, algorithm, options, *request.merge)
                        : geometry::meshModel(model, algorithm, options);
 }

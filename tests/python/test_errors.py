@@ -46,7 +46,7 @@ class Arguments(Case):
         self.refused("leave out strict_rules", elements="quad", strict_rules=True)
         self.refused("make no quadrilaterals", elements="quad", rules="tri/even")
         self.refused("merge_narrow needs merge", merge_narrow=0.1)
-        self.refused("cannot be combined", merge=True, periodic="z")
+        self.refused("cannot be combined", merge=True, fewest=True, chord=0.1)
         self.refused("fewest: give chord", fewest=True)
         self.refused("fewest is for triangles of order 1", fewest=True, chord=0.1, order=2)
         self.refused("heal is for CAD models", MODELS / "plate.poly", heal=True)

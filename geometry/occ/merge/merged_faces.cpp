@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "engine/base/error.h"
+#include "geometry/layers/layers_of_face.h"
 #include "geometry/meshing/part_sizes.h"
 #include "geometry/occ/edges/edge_chains.h"
 #include "geometry/occ/merge/quilt_filling.h"
@@ -89,6 +90,9 @@ void MergedFaces::prepare(const MeshingOptions& options, const std::vector<int>&
   std::set<int> kept;
   for (const auto& [edge, size] : options.sizes.edgeSizes) kept.insert(edge);
   for (const auto& [edge, points] : options.edgePoints) kept.insert(edge);
+  for (const int face : faces)
+    if (!layersOfFace(options_.layers, face, edgesOf(face)).empty())
+      for (const int edge : edgesOf(face)) kept.insert(edge);
   keepAround(shape(), request_.keptAround, kept);
   joints_ = jointsOf(shape(), options.threads);
   plan_ = planMerging({sharedShape(), request_, options.sizes, joints_, lengths, std::move(areas),

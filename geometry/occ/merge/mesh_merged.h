@@ -9,8 +9,8 @@ namespace af2::geometry {
 
 /// As meshModel, but faces that meet smoothly are meshed together, without edges and vertices of
 /// the model inside. Vertices are on the CAD surfaces, and each element is of the face under its
-/// middle. ModelMesh::merging lists what was merged. Faces whose common mesh fails are meshed one
-/// by one, with the reason in that list.
+/// middle. ModelMesh::merging lists what was merged. Faces with layers are meshed one by one, and
+/// so are those whose common mesh fails, with the reason in that list.
 ///
 /// Throws InputError also for an angle that is not between 0 and 60 degrees, a share that is not
 /// between 0 and 0.5, an edge that the model does not have, a name that no face has, and for

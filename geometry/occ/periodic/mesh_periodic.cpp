@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <limits>
 #include <map>
+#include <optional>
 #include <set>
 
 #include "engine/base/error.h"
@@ -11,6 +12,7 @@
 #include "geometry/check/sound_faces.h"
 #include "geometry/mesh/unused_vertices.h"
 #include "geometry/occ/base/points.h"
+#include "geometry/occ/merge/mesh_merged.h"
 #include "geometry/occ/model/model_shape.h"
 #include "geometry/occ/periodic/face_map.h"
 #include "geometry/occ/periodic/image_mesh.h"
@@ -158,21 +160,28 @@ EdgePoints alikeDivisions(const std::vector<EdgeLink>& links, const ModelMesh& m
 }  // namespace
 
 ModelMesh meshPeriodic(const Model& model, const AF2Algorithm& algorithm,
-                       const MeshingOptions& options, std::vector<PeriodicPair> pairs) {
+                       const MeshingOptions& options, std::vector<PeriodicPair> pairs,
+                       const std::optional<MergeRequest>& merge) {
   if (!options.faces.empty() || options.fewest)
     throw InputError("periodic faces need a mesh of all faces, with vertices where sizes ask for");
   if (options.spool.when == SpoolRequest::When::Always)
     throw InputError("a mesh that is put on disk face by face cannot have periodic faces");
   const std::vector<EdgeLink> links = linksOf(model, pairs);
+  std::optional<MergeRequest> keeping = merge;
+  if (keeping)
+    for (const EdgeLink& link : links) keeping->keptEdges.insert({link.from, link.to});
+  const auto meshAll = [&](const MeshingOptions& some) {
+    return keeping ? meshMerged(model, algorithm, some, *keeping)
+                   : meshModel(model, algorithm, some);
+  };
   MeshingOptions own = options;
   own.spool = {};
   own.observer = {};
   own.order = 1;
-  for (auto& [edge, points] : alikeDivisions(links, meshModel(model, algorithm, own)))
-    own.edgePoints[edge] = points;
+  for (auto& [edge, points] : alikeDivisions(links, meshAll(own))) own.edgePoints[edge] = points;
   own.observer = options.observer;
   own.order = options.order;
-  ModelMesh mesh = meshModel(model, algorithm, own);
+  ModelMesh mesh = meshAll(own);
   const bool isSecondOrder = options.order == 2 && !mesh.midsides.empty();
   MiddlesByFace middles;
   if (isSecondOrder) middles = groupedByFace(mesh, takeSecondOrder(mesh));

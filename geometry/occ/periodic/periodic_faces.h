@@ -1,11 +1,13 @@
 // Meshes of CAD models in which faces are images of others.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "engine/base/export.h"
+#include "geometry/occ/merge/merge_request.h"
 #include "geometry/occ/run/mesh_model.h"
 
 namespace af2::geometry {
@@ -31,8 +33,11 @@ AF2_EXPORT std::vector<PeriodicPair> findPeriodic(const Model& model,
 /// As meshModel. The mesh of the second face of each pair is the image of that of the first one, to
 /// the last bits of the coordinates; ModelMesh::periodic lists the pairs with their vertices.
 ///
+/// merge  other faces are meshed together as by meshMerged; the edges of periodic ones are kept
+///
 /// Throws InputError also for a choice of faces and for the fewest elements.
 AF2_EXPORT ModelMesh meshPeriodic(const Model& model, const AF2Algorithm& algorithm,
-                                  const MeshingOptions& options, std::vector<PeriodicPair> pairs);
+                                  const MeshingOptions& options, std::vector<PeriodicPair> pairs,
+                                  const std::optional<MergeRequest>& merge = {});
 
 }  // namespace af2::geometry

@@ -140,5 +140,59 @@ TEST(Retries, GoOnAlongALineWhereFacesAllButTouch) {
   EXPECT_TRUE(state.faults.crossings.empty());
 }
 
+/// A face that has a mesh, though a poor one, only if its edges are short, and not too short.
+class ParticularModel final : public RetriedModel {
+ public:
+  static constexpr double kLargest = 1;
+
+  const std::vector<std::vector<int>>& edgesOfFaces() const override { return edges_; }
+  DividedEdges divide(const PositionSize& sizes, const CollapsedEdges&) const override {
+    sizes_ = sizes;
+    return {};
+  }
+  std::vector<CollapsedEdges> shortEdges(std::size_t, const DividedEdges&,
+                                         const std::vector<SizeSource>&) const override {
+    return {};
+  }
+  void mesh(std::size_t, const PositionSize&, const TryLimits&, FaceMeshes& into) const override {
+    into.meshes[0] = face(sizes_ ? std::min(kLargest, sizes_.at({0, 0, 0})) : kLargest);
+  }
+  void join(FaceMeshes& state) const override {
+    state.joined = {};
+    state.faults = {};
+  }
+  std::vector<SizeSource> sizesInside(std::size_t) const override { return {}; }
+
+  static FaceMesh face(double size) {
+    FaceMesh mesh;
+    mesh.report.id = 1;
+    mesh.diagnosis.isBad = true;
+    mesh.diagnosis.places = {{{0, 0, 0}, 0.4 * size}};
+    if (size > 0.5 || size < 0.2) {
+      mesh.report.status = FaceStatus::Failed;
+      mesh.report.reason = "edges too long or too short";
+    } else {
+      mesh.elements.resize(10);
+      mesh.diagnosis.poorness = 0.5;
+    }
+    return mesh;
+  }
+
+ private:
+  mutable PositionSize sizes_;
+  std::vector<std::vector<int>> edges_{{}};
+};
+
+TEST(Retries, DoNotLoseAMeshToWhatShouldMakeItBetter) {
+  const ParticularModel model;
+  FaceMeshes state;
+  state.meshes.push_back(ParticularModel::face(ParticularModel::kLargest));
+  RetryOptions options;
+  options.largest = ParticularModel::kLargest;
+  retryPoorFaces(model, options, state);
+  EXPECT_EQ(state.meshes[0].report.status, FaceStatus::Complete);
+  EXPECT_EQ(state.meshes[0].elements.size(), 10u);
+}
+
 }  // namespace
 }  // namespace af2::geometry

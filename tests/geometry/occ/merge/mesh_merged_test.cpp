@@ -261,6 +261,26 @@ TEST(MeshMerged, KeepsABoundOnTheDistance) {
   EXPECT_LE(mesh.deviation->largest, 0.02);
 }
 
+// They stand in faces of their own; the other three pairs of faces are merged as ever.
+TEST(MeshMerged, KeepsTheEdgesOfFacesWithLayers) {
+  const Model model = boxes({0, 5, 10}, {2, 2});
+  const ModelMesh plain = merged(model, 1);
+  ASSERT_EQ(plain.merging->groups.size(), 4u);
+  const int face = plain.merging->groups.front().faces.front();
+  MeshingOptions options = testing::ofSize(1);
+  options.layers = {{.faces = {face}, .first = 0.1, .count = 3}};
+  const ModelMesh mesh = merged(model, options);
+  EXPECT_EQ(mesh.merging->groups.size(), 3u);
+  std::size_t quads = 0;
+  for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
+    quads += mesh.elements[e].isQuad();
+    EXPECT_TRUE(!mesh.elements[e].isQuad() || mesh.face[e] == face);
+  }
+  EXPECT_GE(quads, 30u);
+  EXPECT_EQ(measureQuality(mesh).freeEdges, 0u);
+  EXPECT_NEAR(testing::volumeOf(mesh), 120, 1e-9);
+}
+
 TEST(MeshMerged, SaysBeforehandWhatItMerges) {
   const Model model = boxes({0, 5, 5.01, 10}, {2, 2, 2});
   Merging planned = mergingOf(model, testing::ofSize(1), {});

@@ -23,11 +23,12 @@
 namespace af2::geometry {
 namespace {
 
-ModelMesh meshed(const Model& model, const PeriodicRequest& request, double size, int order = 1) {
+ModelMesh meshed(const Model& model, const PeriodicRequest& request, double size, int order = 1,
+                 const std::optional<MergeRequest>& merge = {}) {
   const AF2Algorithm algorithm(testing::triangleSet());
   MeshingOptions options = testing::ofSize(size);
   options.order = order;
-  ModelMesh mesh = meshPeriodic(model, algorithm, options, findPeriodic(model, request));
+  ModelMesh mesh = meshPeriodic(model, algorithm, options, findPeriodic(model, request), merge);
   testing::expectComplete(mesh);
   EXPECT_TRUE(mesh.findings.empty());
   EXPECT_EQ(measureQuality(mesh).freeEdges, 0u);
@@ -63,6 +64,21 @@ void expectImages(const ModelMesh& mesh, std::size_t pairs) {
     EXPECT_FALSE(back.empty());
     EXPECT_EQ(back, elementsOf(mesh, pair.first));
   }
+}
+
+// Two boxes side by side, made one solid: the four sides along x have two faces each.
+TEST(PeriodicFaces, MayBeBesideMergedOnes) {
+  const Model model = testing::modelOf(
+      BRepAlgoAPI_Fuse(BRepPrimAPI_MakeBox(gp_Pnt(0, 0, 0), gp_Pnt(5, 6, 4)).Shape(),
+                       BRepPrimAPI_MakeBox(gp_Pnt(5, 0, 0), gp_Pnt(10, 6, 4)).Shape())
+          .Shape());
+  const ModelMesh along = meshed(model, {{"x"}, {}}, 0.9, 1, MergeRequest());
+  expectImages(along, 1);
+  EXPECT_EQ(along.merging->groups.size(), 4u);
+  EXPECT_NEAR(testing::volumeOf(along), 240, 1e-9);
+  const ModelMesh both = meshed(model, {{"x", "y"}, {}}, 0.9, 1, MergeRequest());
+  expectImages(both, 3);
+  EXPECT_EQ(both.merging->groups.size(), 2u);
 }
 
 TEST(PeriodicFaces, MatchInAllDirectionsOfACell) {
