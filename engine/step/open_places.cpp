@@ -28,6 +28,22 @@ struct Sector {
     }
     return leftOfNext || dot(next - center, previous - center) > 0;
   }
+
+  /// Whether a new edge may go there: into the free directions, and not along a front edge to its
+  /// own end or beyond. What lies between the two would have no area, and rounding would decide
+  /// which side of it is free.
+  bool isOpenTo(Point2 d) const {
+    return contains(d) && !runsAlong(next, d) && !runsAlong(previous, d);
+  }
+
+ private:
+  bool runsAlong(Point2 end, Point2 d) const {
+    constexpr double kMinSine = 1e-9;
+    const Point2 one = end - center, other = d - center;
+    const double turned = cross(one, other);
+    return d != end && dot(one, other) > 0 &&
+           turned * turned <= kMinSine * kMinSine * dot(one, one) * dot(other, other);
+  }
 };
 
 Point2 positionOf(const StepView& view, PlaceId id) {
@@ -41,7 +57,7 @@ bool placeIsOpenTo(const StepView& view, PlaceId id, Point2 center, Point2 d1, P
   // At an isolated vertex and at the end of an open chain all directions are free.
   if (place.level <= 0 || !view.front.hasEdge(place.previous)) return true;
   const Sector sector{center, positionOf(view, place.next), positionOf(view, place.previous)};
-  return sector.contains(d1) && sector.contains(d2);
+  return sector.isOpenTo(d1) && sector.isOpenTo(d2);
 }
 
 /// The same for the ends a and b of the base, whose chart positions are already known.
@@ -49,9 +65,9 @@ bool baseIsOpenTo(const StepView& view, const Match& match, Point2 first, Point2
   const Point2 a = match.points[0], b = match.points[1];
   const DrawnBase::Corner &before = view.drawn.before, &after = view.drawn.after;
   return (!view.front.hasEdge(before.place) ||
-          Sector{a, b, before.point.position}.contains(first)) &&
+          Sector{a, b, before.point.position}.isOpenTo(first)) &&
          (!view.front.hasEdge(match.places[1]) ||
-          Sector{b, after.point.position, a}.contains(last));
+          Sector{b, after.point.position, a}.isOpenTo(last));
 }
 
 /// A vertex may have several places on the front. Returns the one whose free sector holds the new

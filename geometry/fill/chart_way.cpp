@@ -227,12 +227,14 @@ std::string elementsOfStoppedFront(const FaceTask& task, const Mesh& mesh) {
 ///
 /// stallLimit  FrontOptions::stallSteps
 template <class Run>
-FaceAttempt guarded(const FaceTask& task, const ChartTraits& chart, int stallLimit, Run&& run) {
+FaceAttempt guarded(const FaceTask& task, const ChartTraits& chart, int stallLimit,
+                    bool acceptReflex, Run&& run) {
   RunawayGuard guard(elementLimit(task), marginOf(task), task.limits.maxCandidates,
                      task.options.stop);
   FrontOptions options;
   options.stallSteps = stallLimit;
   options.stallCandidates = kStallCandidates;
+  options.acceptReflex = acceptReflex;
   options.stop = guard.token();
   if (task.options.observer) options.observer = task.options.observer();
   options.progress = [&](const Progress& progress) {
@@ -260,16 +262,17 @@ const ChartTraits& traitsOf(ChartKind kind) {
 
 }  // namespace
 
-FaceAttempt attemptWith(const FaceTask& task, const ChartTraits& chart, int stallLimit) {
+FaceAttempt attemptWith(const FaceTask& task, const ChartTraits& chart, int stallLimit,
+                        bool acceptReflex) {
   switch (chart.drawing) {
     case ChartDrawing::InParameters:
-      return guarded(task, chart, stallLimit, inParameters);
+      return guarded(task, chart, stallLimit, acceptReflex, inParameters);
     case ChartDrawing::WholeFace:
-      return guarded(task, chart, stallLimit, laidOut);
+      return guarded(task, chart, stallLimit, acceptReflex, laidOut);
     case ChartDrawing::EachStep:
       break;
   }
-  return guarded(task, chart, stallLimit, inPieces);
+  return guarded(task, chart, stallLimit, acceptReflex, inPieces);
 }
 
 FaceAttempt fillThroughCharts(FillState& state) {
@@ -288,7 +291,7 @@ FaceAttempt fillThroughCharts(FillState& state) {
 FaceAttempt attemptIgnoringNormals(const FaceTask& task) {
   for (const ChartKind kind : {ChartKind::Developed, ChartKind::Conformal})
     if (task.surface.has(kind)) return attemptWith(task, traitsOf(kind), 0);
-  return guarded(task, traitsOf(ChartKind::Affine), 0, inParametersWithoutNormals);
+  return guarded(task, traitsOf(ChartKind::Affine), 0, true, inParametersWithoutNormals);
 }
 
 }  // namespace af2::geometry

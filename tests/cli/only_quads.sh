@@ -45,6 +45,10 @@ told 'odd.poly: triangles remain, which --elements quad does not accept: face 1 
 [ "$(json odd.json faces 0 odd_loops 0 longest sizes)" = 2.0 ] || fail "the report names no edge to be divided"
 [ -s odd.vtu ] || fail "the mesh was not written"
 
+# An odd boundary whose front ends at elements that turn round nowhere: it is advanced without them.
+expect 3 "$af2" mesh "$2/tests/cli/models/thin_odd.poly" --size 0.08 --keep-boundary --elements quad -r quad/paving -o thin.vtu --report thin.json
+[ "$(json thin.json triangles)" = 1 ] || fail "an odd loop takes more than one triangle"
+
 # An even boundary with a straight corner: one quadrilateral would be flat, so it gets more.
 printf '3 2 0 0\n1 0 0\n2 1 0\n3 0 1\n3 0\n1 1 2\n2 2 3\n3 3 1\n0\n' >corner.poly
 expect 0 "$af2" mesh corner.poly --size 2 --elements quad --quiet

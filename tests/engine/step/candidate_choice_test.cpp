@@ -107,6 +107,20 @@ TEST(Refusal, IsToldForEachFault) {
   }
 }
 
+// The vertex between p and a is off the edge from a to p by rounding alone.
+TEST(Refusal, IsForNewEdgesAlongTheFront) {
+  for (const double p : {0.0, 1e-17, -1e-17}) {
+    Spoilt s;
+    s.rule = ruleWith("to a vertex", 1, {{"c", {0, 1}, ToleranceForm{1, 0, 1}}}, {{0, 1}});
+    s.rule.zone = zone({at(0), at(1), at(2)});
+    s.rule.elements = {{{0, 1, 2, -1}}};
+    s.piece = {{{p, 1}, {0, 0.5}, {0, 0}, {1, 0}, {2, 0}}, {{0, 1, 2, 3, 4}}, {}, {2, 3}};
+    EXPECT_NE(s.refusal().reason, Refusal::None) << p;
+    s.piece.vertices[1].x = -0.1;  // now there is room between
+    EXPECT_EQ(s.refusal().reason, Refusal::None) << p;
+  }
+}
+
 TEST(Refusal, NamesTheFirstOfTwoFaultsInTheStatedOrder) {
   const std::vector<Fault> all = faults();
   for (std::size_t i = 0; i < all.size(); ++i) {
