@@ -227,14 +227,13 @@ std::string elementsOfStoppedFront(const FaceTask& task, const Mesh& mesh) {
 ///
 /// stallLimit  FrontOptions::stallSteps
 template <class Run>
-FaceAttempt guarded(const FaceTask& task, const ChartTraits& chart, int stallLimit,
-                    bool acceptReflex, Run&& run) {
+FaceAttempt guarded(const FaceTask& task, const ChartTraits& chart, int stallLimit, Run&& run) {
   RunawayGuard guard(elementLimit(task), marginOf(task), task.limits.maxCandidates,
                      task.options.stop);
   FrontOptions options;
   options.stallSteps = stallLimit;
   options.stallCandidates = kStallCandidates;
-  options.acceptReflex = acceptReflex;
+  options.acceptReflex = !task.limits.refusesReflex;
   options.stop = guard.token();
   if (task.options.observer) options.observer = task.options.observer();
   options.progress = [&](const Progress& progress) {
@@ -262,17 +261,16 @@ const ChartTraits& traitsOf(ChartKind kind) {
 
 }  // namespace
 
-FaceAttempt attemptWith(const FaceTask& task, const ChartTraits& chart, int stallLimit,
-                        bool acceptReflex) {
+FaceAttempt attemptWith(const FaceTask& task, const ChartTraits& chart, int stallLimit) {
   switch (chart.drawing) {
     case ChartDrawing::InParameters:
-      return guarded(task, chart, stallLimit, acceptReflex, inParameters);
+      return guarded(task, chart, stallLimit, inParameters);
     case ChartDrawing::WholeFace:
-      return guarded(task, chart, stallLimit, acceptReflex, laidOut);
+      return guarded(task, chart, stallLimit, laidOut);
     case ChartDrawing::EachStep:
       break;
   }
-  return guarded(task, chart, stallLimit, acceptReflex, inPieces);
+  return guarded(task, chart, stallLimit, inPieces);
 }
 
 FaceAttempt fillThroughCharts(FillState& state) {
@@ -291,7 +289,7 @@ FaceAttempt fillThroughCharts(FillState& state) {
 FaceAttempt attemptIgnoringNormals(const FaceTask& task) {
   for (const ChartKind kind : {ChartKind::Developed, ChartKind::Conformal})
     if (task.surface.has(kind)) return attemptWith(task, traitsOf(kind), 0);
-  return guarded(task, traitsOf(ChartKind::Affine), 0, true, inParametersWithoutNormals);
+  return guarded(task, traitsOf(ChartKind::Affine), 0, inParametersWithoutNormals);
 }
 
 }  // namespace af2::geometry

@@ -12,10 +12,8 @@ FaceAttempt fillThroughCharts(FillState& state);
 /// Fills the face through charts of one kind: runs the front, and the optimiser if the charts are
 /// suitable, and checks the result.
 ///
-/// stallLimit    FrontOptions::stallSteps
-/// acceptReflex  FrontOptions::acceptReflex
-FaceAttempt attemptWith(const FaceTask& task, const ChartTraits& chart, int stallLimit,
-                        bool acceptReflex = true);
+/// stallLimit  FrontOptions::stallSteps
+FaceAttempt attemptWith(const FaceTask& task, const ChartTraits& chart, int stallLimit);
 
 /// For a curved face whose loops are closed in the parameters: fills it in a plane layout or with
 /// affine charts. Elements may tilt against the surface by any angle. The vertices of the mesh may

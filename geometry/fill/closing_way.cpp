@@ -5,9 +5,7 @@
 #include "engine/base/work_watch.h"
 #include "engine/mesh/mesh_check.h"
 #include "engine/optimize/turn_round.h"
-#include "geometry/fill/chart_way.h"
 #include "geometry/fill/close_front.h"
-#include "geometry/fill/fill_limits.h"
 #include "geometry/fill/stuck_front.h"
 #include "geometry/mesh/without_rule.h"
 
@@ -64,21 +62,12 @@ bool closeStuck(const FaceTask& task, FaceAttempt& attempt, std::size_t maxEdges
 }
 
 FaceAttempt fillByClosing(FillState& state) {
-  bool haveTurned = false;
   for (FaceAttempt& attempt : state.failed) {
-    haveTurned = haveTurned || hasTurnedElements(attempt.result.mesh);
     if (!closeStuck(state.task, attempt, kMaxStuckEdges)) continue;
     attempt.searchCost = 0;  // it is counted already
     return std::move(attempt);
   }
   FaceAttempt none;
-  // Elements that turn round nowhere are the fault: a front without them leaves more to be closed.
-  for (const ChartTraits* chart : state.charts) {
-    if (!haveTurned) break;
-    FaceAttempt attempt = attemptWith(state.task, *chart, kStallLimit, false);
-    if (attempt.fault.isNone() || closeStuck(state.task, attempt, kMaxStuckEdges)) return attempt;
-    none.searchCost += attempt.searchCost;
-  }
   none.fault.kind = FillFaultKind::NotFilled;
   return none;
 }

@@ -13,6 +13,9 @@ struct TryLimits {
   std::size_t maxCandidates = std::numeric_limits<std::size_t>::max();
   /// Elements may tilt against the surface by any angle, because everything else has failed.
   bool ignoresNormals = false;
+  /// Rule sets that accept quadrilaterals with a reflex corner do not get them: those of earlier
+  /// tries could not be turned round.
+  bool refusesReflex = false;
   /// All earlier tries at the face have failed.
   bool failedBefore = false;
   /// The sizes are those of the user, without the requests of remedies.

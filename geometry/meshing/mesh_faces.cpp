@@ -10,6 +10,7 @@
 
 #include "engine/base/place_text.h"
 #include "engine/base/stopwatch.h"
+#include "engine/step/rule_scoring.h"
 #include "geometry/base/free_memory.h"
 #include "geometry/base/parallel.h"
 #include "geometry/check/sound_faces.h"
@@ -195,6 +196,8 @@ class FaceRun final : public RetriedModel {
                          options_.sizes.growth, options_.threads, options_.stop};
     retries.share = source_.retryShare();
     retries.mostRounds = mostRetries();
+    const RuleSet& rules = algorithm_.rules();
+    retries.mayMakeReflex = RuleScoring(rules.definition()).allowsReflexAt(rules.maxLevel());
     retryPoorFaces(*this, retries, state);
   }
 

@@ -1,5 +1,5 @@
 #include "geometry/retry/collapsed_edges.h"
-#include "geometry/retry/ignoring_normals.h"
+#include "geometry/retry/last_tries.h"
 #include "geometry/retry/protected_neighbors.h"
 #include "geometry/retry/remedy.h"
 #include "geometry/retry/shared_diagonals.h"
@@ -18,6 +18,8 @@ constexpr FaceRemedy kFaceRemedies[] = {
      rememberBadFace, false},
     {"original edges", RemedyTime::LastRound, hasVainRequests, withdrawRequests, nullptr, nullptr,
      false},
+    {"no reflex quadrilaterals", RemedyTime::InPlace, mayRefuseReflex, meshWithoutReflex,
+     restoreFailedFace},
     {"elements that tilt against the surface", RemedyTime::InPlace, mayIgnoreNormals,
      meshIgnoringNormals, restoreFailedFace}};
 

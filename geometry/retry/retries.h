@@ -65,6 +65,8 @@ struct RetryOptions {
   std::stop_token stop;
   int mostRounds = 20;
   double share = 1;  ///< factor for the budget of candidates
+  /// Whether the rules may make quadrilaterals with a reflex corner, to be turned round later.
+  bool mayMakeReflex = false;
 };
 
 /// Where faces failed, came out poor or cross each other, tries the remedies of the table

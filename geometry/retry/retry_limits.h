@@ -25,8 +25,8 @@ inline constexpr double kBudgetOfFailed = 2;
 /// longer than five.
 inline constexpr double kMinBudgetOfFailed = 100'000, kMinBudgetOfAllFailed = 2'000'000;
 
-/// The same for a face that is tried ignoring normals.
-inline constexpr double kMinBudgetIgnoringNormals = 300'000;
+/// The same for the last tries at a face, within its edges.
+inline constexpr double kMinBudgetForLastTry = 300'000;
 
 // --- when a face is given up --------------------------------------------------------------------
 

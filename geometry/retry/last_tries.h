@@ -1,4 +1,4 @@
-// The last remedy for faces that failed: elements may tilt against the surface by any angle.
+// The last remedies for faces that failed, within their edges.
 // Not installed.
 #pragma once
 
@@ -6,6 +6,10 @@
 
 namespace af2::geometry {
 
+/// No quadrilaterals with a reflex corner, which could not be turned round.
+bool mayRefuseReflex(const Retrial& retrial, const FaceMeshes& state, std::size_t face);
+std::optional<std::size_t> meshWithoutReflex(Retrial& retrial, FaceMeshes& state, std::size_t face);
+/// Elements may tilt against the surface by any angle.
 bool mayIgnoreNormals(const Retrial& retrial, const FaceMeshes& state, std::size_t face);
 /// Rejects a mesh whose elements reach too far.
 std::optional<std::size_t> meshIgnoringNormals(Retrial& retrial, FaceMeshes& state,

@@ -1,4 +1,4 @@
-#include "geometry/retry/ignoring_normals.h"
+#include "geometry/retry/last_tries.h"
 
 #include <gtest/gtest.h>
 
@@ -20,6 +20,26 @@ FaceMeshes twoFailedFaces() {
   state.divided.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
   state.meshes = {testing::failedFace(1), testing::failedFace(2)};
   return state;
+}
+
+TEST(RefusingReflex, IsForFacesThatFailedWithRulesThatMakeReflexCorners) {
+  bool hasRefused = false;
+  const testing::RetriedFaces model({{1}, {2}}, [&](std::size_t i, const TryLimits& limits) {
+    hasRefused = limits.refusesReflex && limits.failedBefore && !limits.ignoresNormals;
+    FaceMesh mesh = testing::goodFace(static_cast<int>(i) + 1);
+    mesh.boundary = {0, 1, 2};
+    mesh.wantedSizes = {1, 1, 1};
+    return mesh;
+  });
+  testing::RetrialOf of(model);
+  FaceMeshes state = twoFailedFaces();
+  EXPECT_FALSE(mayRefuseReflex(of.retrial, state, 0));
+  of.options.mayMakeReflex = true;
+  EXPECT_TRUE(mayRefuseReflex(of.retrial, state, 0));
+  EXPECT_TRUE(meshWithoutReflex(of.retrial, state, 0));
+  EXPECT_TRUE(hasRefused);
+  EXPECT_FALSE(failed(state.meshes[0]));
+  EXPECT_FALSE(mayRefuseReflex(of.retrial, state, 0));
 }
 
 TEST(IgnoringNormals, IsForFacesThatFailed) {
