@@ -18,10 +18,11 @@ from ._errors import MeshError, RuleError
 from ._groups import Group
 from ._mesh import Mesh, Snapped
 from ._meshing import mesh
+from ._parts import Part
 from ._models import Model, Planar, Surface, Triangles, read
 from ._rules import Rules, load_rules, rule_names
 
 __all__ = [
-    "GeometryError", "Group", "InputError", "InternalError", "Layers", "Mesh", "MeshError", "Model", "Planar", "Progress",
+    "GeometryError", "Group", "InputError", "InternalError", "Layers", "Mesh", "MeshError", "Model", "Part", "Planar", "Progress",
     "RuleError", "Rules", "Snapped", "Step", "Surface", "Triangles", "__version__", "load_rules", "mesh", "read", "rule_names",
 ]

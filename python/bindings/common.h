@@ -53,5 +53,6 @@ void bindModels(py::module_& module);
 void bindRules(py::module_& module);
 void bindMesh(py::module_& module);
 void bindReports(py::module_& module);
+void bindMeshParts(py::module_& module);
 
 }  // namespace af2::python

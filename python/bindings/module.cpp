@@ -16,4 +16,5 @@ PYBIND11_MODULE(_af2, module) {
   python::bindModels(module);
   python::bindRules(module);
   python::bindMesh(module);
+  python::bindMeshParts(module);
 }

@@ -6,8 +6,6 @@
 #include <set>
 #include <utility>
 
-#include "geometry/formats/msh_groups.h"
-
 namespace af2::mpi {
 
 namespace {
@@ -144,19 +142,6 @@ std::vector<std::int32_t> ownersOfLines(const DividedMesh& divided,
 OwnedPart cutPart(const DividedMesh& divided, std::span<const LineElement> lines,
                   std::span<const std::int32_t> owners, int part) {
   return PartCutter(divided, part).cut(lines, owners);
-}
-
-PartLabels labelsOf(const ModelMesh& mesh, std::span<const LineElement> lines) {
-  const geometry::MshGroups groups(mesh, {lines, {}, false}, {});
-  PartLabels labels;
-  for (const geometry::FaceReport& face : mesh.faces)
-    labels.faces.push_back({face.id, groups.ofFace(face.id)});
-  std::map<std::int32_t, std::int32_t> ofEdges;
-  for (const LineElement& line : lines) ofEdges[line.edge] = groups.of(line);
-  for (const auto& [edge, group] : ofEdges) labels.edges.push_back({edge, {group}});
-  for (const auto& [group, name] : groups.names())
-    labels.names.push_back({group.dimension, group.number, name});
-  return labels;
 }
 
 }  // namespace af2::mpi

@@ -21,6 +21,4 @@ std::vector<std::int32_t> ownersOfLines(const DividedMesh& divided,
 OwnedPart cutPart(const DividedMesh& divided, std::span<const geometry::LineElement> lines,
                   std::span<const std::int32_t> owners, int part);
 
-PartLabels labelsOf(const geometry::ModelMesh& mesh, std::span<const geometry::LineElement> lines);
-
 }  // namespace af2::mpi

@@ -4,6 +4,7 @@
 #include "geometry/mpi/crew/topics.h"
 #include "geometry/mpi/partition/cut_part.h"
 #include "geometry/mpi/partition/part_bytes.h"
+#include "geometry/mpi/partition/part_labels.h"
 
 namespace af2::mpi {
 
