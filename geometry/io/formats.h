@@ -26,6 +26,9 @@ void writeMsh2(const ModelMesh& mesh, const Extras& extras, OutputFile& file);
 void writeStl(const ModelMesh& mesh, const Extras& extras, OutputFile& file);
 /// TetGen's .smesh, text; quadrilaterals are split, each model face is a boundary marker.
 void writeSmesh(const ModelMesh& mesh, const Extras& extras, OutputFile& file);
+/// Netgen's .vol, text; quadrilaterals are split, each model face is a boundary condition between
+/// two domains.
+void writeVol(const ModelMesh& mesh, const Extras& extras, OutputFile& file);
 /// Wavefront OBJ, text: each model face, name or group is a group.
 void writeObj(const ModelMesh& mesh, const Extras& extras, OutputFile& file);
 /// Abaqus and CalculiX, text: shell elements, sets of elements and nodes for all groups.
@@ -95,6 +98,7 @@ inline constexpr std::array kMeshFormats{
                .holdsSpooled = true},
     MeshFormat{.extension = ".ply", .name = "PLY", .write = &writePly, .holdsSpooled = true},
     MeshFormat{.extension = ".smesh", .name = "TetGen", .write = &writeSmesh},
+    MeshFormat{.extension = ".vol", .name = "Netgen", .write = &writeVol},
     MeshFormat{.extension = ".inp",
                .name = "Abaqus and CalculiX",
                .write = &writeInp,

@@ -1,9 +1,10 @@
 #!/usr/bin/env bash
-# TetGen and Gmsh fill the material of each solid and leave cavities empty. Without them only the
+# TetGen, Gmsh and Netgen fill the material of each solid and leave cavities empty. Without them only the
 # points in solids and cavities are counted.
 . "$(dirname "$0")/support.sh"
 parts=$2/tests/cli/models
 volumes_geo=$2/examples/volume/volumes.geo
+fill_with_netgen=$2/tests/cli/fill_with_netgen.py
 
 # tail_of FILE: holes and regions of a .smesh file, after its triangles.
 tail_of() {
@@ -59,6 +60,12 @@ fills() {
     found=$(gmsh_tetrahedra filled.msh | volumes_of)
     same_volumes "$found" "$volumes" || fail "$model: volumes by Gmsh are $found"
     grep -qE '^3 1 "solid 1 \(volume\)"' filled.msh || fail "$model: the volume has no name"
+  fi
+  if /usr/bin/python3 -c 'import netgen' 2>/dev/null; then
+    expect 0 "$af2" mesh "$parts/$model.brep" -s 1 "$@" -o "$model.vol"
+    expect 0 timeout 100 /usr/bin/python3 "$fill_with_netgen" "$model.vol" netgen.txt
+    found=$(volumes_of <netgen.txt)
+    same_volumes "$found" "$volumes" || fail "$model: volumes by Netgen are $found"
   fi
 }
 

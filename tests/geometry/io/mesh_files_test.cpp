@@ -26,7 +26,7 @@ TEST(MeshFiles, RefuseAnUnknownExtensionAndNameTheKnownOnes) {
     EXPECT_STREQ(error.what(),
                  "cannot write 'mesh.xyz': its extension is not that of a mesh format; use .vtu "
                  ".vtk .msh .msh2 .stl "
-                 ".obj .ply .smesh .inp .bdf .nas .med .exo .cgns .glb .html .png .svg");
+                 ".obj .ply .smesh .vol .inp .bdf .nas .med .exo .cgns .glb .html .png .svg");
   }
   EXPECT_THROW(meshFormatOf("mesh"), InputError);
 }
