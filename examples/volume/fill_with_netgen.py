@@ -1,36 +1,30 @@
 #!/usr/bin/python3
-"""Fills a closed mesh of triangles with tetrahedra by Netgen: fill_with_netgen.py MESH.vtu [OUTPUT.vtu]
+"""Fills the solids of a mesh of `af2 mesh` with tetrahedra by Netgen: fill_with_netgen.py MESH.vol [OUTPUT.vtu]
 
-Debian's packages python3-netgen and python3-meshio are needed. The triangles stay as they are."""
+Debian's package python3-netgen is needed, and python3-meshio for the output. The triangles stay as they are."""
 import sys
 
-import meshio
 import numpy as np
-from netgen.meshing import Element2D, FaceDescriptor, Mesh, MeshPoint, Pnt
-
-
-def surface_of(mesh):
-    """The same mesh as Netgen has it, each model face with a boundary condition of its own."""
-    surface = Mesh()
-    points = [surface.Add(MeshPoint(Pnt(*p))) for p in mesh.points]
-    faces = mesh.cell_data_dict["face"]["triangle"]
-    index = {face: surface.Add(FaceDescriptor(surfnr=int(face), domin=1, bc=int(face))) for face in sorted(set(faces))}
-    for face, corners in zip(faces, mesh.cells_dict["triangle"]):
-        surface.Add(Element2D(index[face], [points[c] for c in corners]))
-    return surface
+from netgen.meshing import Mesh
 
 
 def main(source, output=None):
-    volume = surface_of(meshio.read(source))
-    volume.GenerateVolumeMesh()
-    points = np.array([p.p for p in volume.Points()])
+    mesh = Mesh()
+    mesh.Load(source)
+    mesh.GenerateVolumeMesh()
+    points = np.array([p.p for p in mesh.Points()])
+    elements = list(mesh.Elements3D())
+    domains = np.array([e.index for e in elements], dtype=int)
     # Netgen counts from 1, and its tetrahedra have the other orientation.
-    tetrahedra = np.array([[v.nr - 1 for v in e.vertices] for e in volume.Elements3D()], dtype=int)[:, [0, 1, 3, 2]]
+    tetrahedra = np.array([[v.nr - 1 for v in e.vertices] for e in elements], dtype=int).reshape(-1, 4)[:, [0, 1, 3, 2]]
     a, b, c, d = (points[tetrahedra[:, i]] for i in range(4))
     volumes = np.einsum("ij,ij->i", np.cross(b - a, c - a), d - a) / 6
-    print(f"{len(tetrahedra)} tetrahedra, volume {volumes.sum():.9g}")
+    for domain in np.unique(domains):
+        own = volumes[domains == domain]
+        print(f"domain {domain}, {mesh.GetMaterial(int(domain))}: {len(own)} tetrahedra, volume {own.sum():.9g}")
     if output:
-        meshio.write(output, meshio.Mesh(points, [("tetra", tetrahedra)]))
+        import meshio
+        meshio.write(output, meshio.Mesh(points, [("tetra", tetrahedra)], cell_data={"domain": [domains]}))
     return 0 if len(tetrahedra) > 0 and volumes.min() > 0 else 1
 
 

@@ -50,8 +50,8 @@ if command -v tetgen >/dev/null; then
 fi
 if /usr/bin/python3 -c 'import netgen.meshing, meshio' 2>/dev/null; then
   for model in "$models/brickhole.step" "$folder/brickhole.obj"; do
-    "$af2" mesh "$model" --size 2 -o "$folder/brick.vtu" --quiet
-    /usr/bin/python3 "$examples/fill_with_netgen.py" "$folder/brick.vtu" "$folder/filled.vtu" >"$folder/log" ||
+    "$af2" mesh "$model" --size 2 -o "$folder/brick.vol" --quiet
+    /usr/bin/python3 "$examples/fill_with_netgen.py" "$folder/brick.vol" "$folder/filled.vtu" >"$folder/log" ||
       { cat "$folder/log"; fail "Netgen on $model"; }
     grep -q 'volume 840' "$folder/log" || fail "Netgen filled something else: $(tail -1 "$folder/log")"
   done
