@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Part:
     """What one process of a parallel program needs of a mesh: its own elements, and those beside them.
 
@@ -38,3 +38,7 @@ class Part:
     lines: np.ndarray  #: (k, 3) int32: ends and middle of the own segments along edges; [2] is -1 unless order=2
     line_ids: np.ndarray  #: (k,) int64: among the lines of the whole mesh
     line_edges: np.ndarray  #: (k,) int32: ids of the edges of the model
+
+    def __repr__(self) -> str:
+        ghosts = len(self.elements) - self.owned_elements
+        return f"<af2.Part {self.part} of {self.parts}: {self.owned_elements} elements, {ghosts} ghosts>"

@@ -80,6 +80,7 @@ class Parts(Case):
 
     def test_one_part_is_the_mesh(self):
         part, = self.mesh.parts(1)
+        self.assertEqual(repr(part), f"<af2.Part 0 of 1: {len(self.mesh.elements)} elements, 0 ghosts>")
         np.testing.assert_array_equal(part.points, self.mesh.points)
         np.testing.assert_array_equal(part.elements, self.mesh.elements)
 
