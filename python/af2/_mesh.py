@@ -3,16 +3,15 @@
 from __future__ import annotations
 
 import html
-import operator
 import os
 import tempfile
 from typing import Any, Dict, List, NamedTuple, Optional, Sequence, Union
 
 import numpy as np
 
-from . import _af2, _arguments, _other_packages
+from . import _arguments, _other_packages
 from ._groups import Group
-from ._parts import Part
+from ._parts import Part, divided
 
 
 class Snapped(NamedTuple):
@@ -320,26 +319,19 @@ class Mesh:
         """
         return Snapped(*self._data.evaluate(int(face), np.asarray(uv, dtype=float).reshape(-1, 2)))
 
-    # Parts
+    # Files, parts and other packages
 
     def parts(self, count: int, *, edges: bool = False) -> List[Part]:
-        """Divides the mesh into parts of about the same number of elements, with short borders, by METIS.
-
-        The same mesh is divided in the same way each time. Parts can be pickled: with mpi4py, rank 0 makes them, and
-        `comm.scatter(mesh.parts(comm.size) if comm.rank == 0 else None)` gives each process its own.
+        """Divides the mesh into parts of about the same number of elements, with short borders, by METIS; in the same
+        way each time. With mpi4py, `comm.scatter(mesh.parts(comm.size) if comm.rank == 0 else None)` sends them.
 
         Args:
-            count: how many parts, at least 1.
             edges: line elements along all edges of the model, not only along those with boundary names.
 
         Raises:
-            InputError: the count is not positive, METIS cannot divide so many elements, or AF2 was built without it.
+            InputError: the count is below 1, there are too many elements for METIS, or AF2 was built without it.
         """
-        if operator.index(count) < 1:
-            raise _af2.InputError(f"count must be at least 1, not {count}")
-        return [Part(**fields) for fields in _af2.parts(self._report, operator.index(count), bool(edges))]
-
-    # Files and other packages
+        return divided(self._report, count, edges)
 
     def write(self, path: Union[str, "os.PathLike[str]"], *, edges: bool = False, groups: Sequence[str] = (),
               compress: bool = False, scale: Optional[float] = None, unit: Optional[str] = None) -> None:

@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
+import operator
 from dataclasses import dataclass
+from typing import Any, List
 
 import numpy as np
+
+from . import _af2
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -42,3 +46,10 @@ class Part:
     def __repr__(self) -> str:
         ghosts = len(self.elements) - self.owned_elements
         return f"<af2.Part {self.part} of {self.parts}: {self.owned_elements} elements, {ghosts} ghosts>"
+
+
+def divided(mesh: Any, count: int, edges: bool) -> List[Part]:
+    """See Mesh.parts."""
+    if operator.index(count) < 1:
+        raise _af2.InputError(f"count must be at least 1, not {count}")
+    return [Part(**fields) for fields in _af2.parts(mesh, operator.index(count), bool(edges))]

@@ -9,7 +9,6 @@
 #include <optional>
 
 #include "engine/base/error.h"
-#include "geometry/base/parallel.h"
 #include "geometry/edges/curve_division.h"
 #include "geometry/occ/base/merged_points.h"
 #include "geometry/occ/base/points.h"
@@ -45,9 +44,8 @@ class Division {
         changes_(changes),
         merged_(merged),
         layerEnds_(layers),
-        samples_(sampled.byFaces.size()),
-        isMerged_(sampled.byFaces.size(), false) {
-    limitAll(sampled, threads, stop);
+        samples_(limitedSamples(model, sampled, sizes, threads, stop)),
+        isMerged_(samples_.size(), false) {
     findEnds();
     leaveOutMerged();
     mergePoints();
@@ -70,20 +68,6 @@ class Division {
   }
 
  private:
-  void limitAll(const SampledEdges& sampled, int threads, const std::stop_token& stop) {
-    const bool isSame = sizes_.function.isSameAs(sampled.function);
-    const bool areDense = sampled.function || sizes_.elementsPerTurn > 0;
-    const PositionSize& less = sizes_.function.below(sampled.function);
-    forEachInParallel(samples_.size(), threads, [&](std::size_t i) {
-      if (stop.stop_requested()) return;
-      const EdgeSamples& known = sampled.limited[i];
-      samples_[i] =
-          isSame || isWithinLimits(less, sizes_, known, areDense)
-              ? known
-              : limitedByPosition(model_, static_cast<int>(i) + 1, sizes_, sampled.byFaces[i]);
-    });
-  }
-
   void findEnds() {
     for (int id = 1; id <= model_.vertices.Extent(); ++id)
       result_.points.push_back(toPoint(BRep_Tool::Pnt(model_.vertex(id))));
@@ -392,20 +376,6 @@ class Division {
 };
 
 }  // namespace
-
-SampledEdges sampleEdges(const ModelShape& model, const CadSizes& sizes, int threads,
-                         const std::stop_token& stop) {
-  const auto count = static_cast<std::size_t>(model.edges.Extent());
-  SampledEdges sampled{std::vector<EdgeSamples>(count), std::vector<EdgeSamples>(count),
-                       sizes.function};
-  forEachInParallel(count, threads, [&](std::size_t i) {
-    if (stop.stop_requested()) return;
-    const int edge = static_cast<int>(i) + 1;
-    sampled.byFaces[i] = sampleEdge(model, edge, sizes);
-    sampled.limited[i] = limitedByPosition(model, edge, sizes, sampled.byFaces[i]);
-  });
-  return sampled;
-}
 
 DividedEdges divideEdges(const ModelShape& model, const SampledEdges& sampled,
                          const CadSizes& sizes, int threads, const std::stop_token& stop,

@@ -8,24 +8,13 @@
 #include "geometry/edges/divided_edges.h"
 #include "geometry/edges/edge_points.h"
 #include "geometry/layers/layer_heights.h"
-#include "geometry/occ/edges/edge_samples.h"
 #include "geometry/occ/edges/merged_edges.h"
 #include "geometry/occ/edges/narrow_strips.h"
+#include "geometry/occ/edges/sampled_edges.h"
 #include "geometry/occ/model/model_shape.h"
 #include "geometry/occ/sizes/cad_sizes.h"
 
 namespace af2::geometry {
-
-/// The samples of all edges, by edge. They are made once and serve all divisions of a model by
-/// sizes that differ only in their function.
-struct SampledEdges {
-  std::vector<EdgeSamples> byFaces;  ///< sampleEdge
-  std::vector<EdgeSamples> limited;  ///< the same with the limits of `function`
-  PositionSize function;
-};
-
-SampledEdges sampleEdges(const ModelShape& model, const CadSizes& sizes, int threads,
-                         const std::stop_token& stop);
 
 /// Divides all edges, whichever faces are requested, so that a face gets the same mesh alone or
 /// together with others.
@@ -41,8 +30,7 @@ SampledEdges sampleEdges(const ModelShape& model, const CadSizes& sizes, int thr
 ///          divided as one edge
 /// ends     of layers: there edges without given points have vertices
 /// strips   of an earlier division of the same samples, with the same given points and merged
-/// edges;
-///          may be null
+///          edges; may be null
 ///
 /// Throws InputError if the points given for an edge are not on it, in order and distinct.
 DividedEdges divideEdges(const ModelShape& model, const SampledEdges& sampled,

@@ -86,12 +86,12 @@ TEST(Retries, LeaveSomethingForTheLastWayOfEachOfAFewFaces) {
   EXPECT_EQ(model.ignoring, 5u);
 }
 
-/// Two faces all but touch along a line: they cross at the first place of it where elements are too
-/// large, and when these are smaller, at the next one.
-class TouchingModel final : public RetriedModel {
+/// Faces without edges, whose meshes depend on the sizes that are asked for.
+class ModelOfSizes : public RetriedModel {
  public:
-  static constexpr int kPlaces = 7;
-  static constexpr double kLargest = 1, kWanted = 0.3;
+  static constexpr double kLargest = 1;
+
+  explicit ModelOfSizes(std::size_t faces) : edges_(faces) {}
 
   const std::vector<std::vector<int>>& edgesOfFaces() const override { return edges_; }
   DividedEdges divide(const PositionSize& sizes, const CollapsedEdges&) const override {
@@ -102,6 +102,27 @@ class TouchingModel final : public RetriedModel {
                                          const std::vector<SizeSource>&) const override {
     return {};
   }
+  std::vector<SizeSource> sizesInside(std::size_t) const override { return {}; }
+
+ protected:
+  double sizeAt(const Point3& place) const {
+    return sizes_ ? std::min(kLargest, sizes_.at(place)) : kLargest;
+  }
+
+ private:
+  mutable PositionSize sizes_;
+  std::vector<std::vector<int>> edges_;
+};
+
+/// Two faces all but touch along a line: they cross at the first place of it where elements are too
+/// large, and when these are smaller, at the next one.
+class TouchingModel final : public ModelOfSizes {
+ public:
+  static constexpr int kPlaces = 7;
+  static constexpr double kWanted = 0.3;
+
+  TouchingModel() : ModelOfSizes(2) {}
+
   void mesh(std::size_t i, const PositionSize&, const TryLimits&, FaceMeshes& into) const override {
     into.meshes[i] = face(i);
   }
@@ -110,13 +131,12 @@ class TouchingModel final : public RetriedModel {
     state.faults = {};
     for (int k = 0; k < kPlaces && state.faults.crossings.empty(); ++k) {
       const Point3 place{static_cast<double>(k), 0, 0};
-      const double size = sizes_ ? std::min(kLargest, sizes_.at(place)) : kLargest;
+      const double size = sizeAt(place);
       if (size <= kWanted) continue;
       state.faults.crossings.push_back(
           {{ElementId(0), ElementId(0)}, {1, 2}, false, place, {size, size}});
     }
   }
-  std::vector<SizeSource> sizesInside(std::size_t) const override { return {}; }
 
   static FaceMesh face(std::size_t i) {
     FaceMesh mesh;
@@ -124,10 +144,6 @@ class TouchingModel final : public RetriedModel {
     mesh.searchCost = 1000;
     return mesh;
   }
-
- private:
-  mutable PositionSize sizes_;
-  std::vector<std::vector<int>> edges_{{}, {}};
 };
 
 TEST(Retries, GoOnAlongALineWhereFacesAllButTouch) {
@@ -141,27 +157,17 @@ TEST(Retries, GoOnAlongALineWhereFacesAllButTouch) {
 }
 
 /// A face that has a mesh, though a poor one, only if its edges are short, and not too short.
-class ParticularModel final : public RetriedModel {
+class ParticularModel final : public ModelOfSizes {
  public:
-  static constexpr double kLargest = 1;
+  ParticularModel() : ModelOfSizes(1) {}
 
-  const std::vector<std::vector<int>>& edgesOfFaces() const override { return edges_; }
-  DividedEdges divide(const PositionSize& sizes, const CollapsedEdges&) const override {
-    sizes_ = sizes;
-    return {};
-  }
-  std::vector<CollapsedEdges> shortEdges(std::size_t, const DividedEdges&,
-                                         const std::vector<SizeSource>&) const override {
-    return {};
-  }
   void mesh(std::size_t, const PositionSize&, const TryLimits&, FaceMeshes& into) const override {
-    into.meshes[0] = face(sizes_ ? std::min(kLargest, sizes_.at({0, 0, 0})) : kLargest);
+    into.meshes[0] = face(sizeAt({0, 0, 0}));
   }
   void join(FaceMeshes& state) const override {
     state.joined = {};
     state.faults = {};
   }
-  std::vector<SizeSource> sizesInside(std::size_t) const override { return {}; }
 
   static FaceMesh face(double size) {
     FaceMesh mesh;
@@ -177,10 +183,6 @@ class ParticularModel final : public RetriedModel {
     }
     return mesh;
   }
-
- private:
-  mutable PositionSize sizes_;
-  std::vector<std::vector<int>> edges_{{}};
 };
 
 TEST(Retries, DoNotLoseAMeshToWhatShouldMakeItBetter) {
