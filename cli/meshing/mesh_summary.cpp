@@ -9,6 +9,7 @@
 #include <functional>
 #include <numeric>
 #include <span>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -238,7 +239,7 @@ struct LayersPlace {
   const geometry::LayersAlongEdge* along;
 };
 
-std::string layersPlaceText(const LayersPlace& place) {
+std::string fewerText(const LayersPlace& place) {
   const geometry::LayersAlongEdge& along = *place.along;
   const std::string range = along.fewest == along.most
                                 ? std::to_string(along.fewest)
@@ -248,28 +249,45 @@ std::string layersPlaceText(const LayersPlace& place) {
                      textOf(along.place, 3));
 }
 
+std::string thinnerText(const LayersPlace& place) {
+  const geometry::LayersAlongEdge& along = *place.along;
+  return fmt::format("edge {} of face {} (down to {:.0f} % of the heights, on {} of {} segments)",
+                     along.edge, place.face, 100 * along.thinnest, along.thinner, along.segments);
+}
+
+/// "; fewer than asked along 2 of them: ..., ..."; empty if there are no places.
+std::string placesText(const std::vector<LayersPlace>& places, std::string_view what,
+                       std::string (*textOf)(const LayersPlace&)) {
+  constexpr std::size_t kShown = 5;
+  if (places.empty()) return "";
+  std::string text = fmt::format("; {} than asked along {} of them: ", what, places.size());
+  for (std::size_t i = 0; i < std::min(places.size(), kShown); ++i)
+    text += (i > 0 ? ", " : "") + textOf(places[i]);
+  if (places.size() > kShown) text += fmt::format(" and {} more", places.size() - kShown);
+  return text;
+}
+
 }  // namespace
 
 std::string layersText(const geometry::ModelMesh& mesh) {
-  constexpr std::size_t kShown = 5;
   std::size_t edges = 0, elements = 0;
-  std::vector<LayersPlace> fewer;
+  std::vector<LayersPlace> fewer, thinner;
   for (const geometry::FaceReport& face : mesh.faces) {
     elements += face.layerElements;
     edges += face.layers.size();
-    for (const geometry::LayersAlongEdge& along : face.layers)
+    for (const geometry::LayersAlongEdge& along : face.layers) {
       if (along.fewer > 0) fewer.push_back({face.id, &along});
+      if (along.thinner > 0) thinner.push_back({face.id, &along});
+    }
   }
   if (edges == 0) return "";
   std::string text = fmt::format("layers: {} elements along {} edge{} of faces", grouped(elements),
                                  edges, edges == 1 ? "" : "s");
-  if (fewer.empty()) return text + ", everywhere as many layers as asked\n";
+  if (fewer.empty() && thinner.empty()) return text + ", everywhere as asked\n";
   std::ranges::stable_sort(fewer, {}, [](const LayersPlace& place) { return place.along->fewest; });
-  text += fmt::format("; fewer than asked along {} of them: ", fewer.size());
-  for (std::size_t i = 0; i < std::min(fewer.size(), kShown); ++i)
-    text += (i > 0 ? ", " : "") + layersPlaceText(fewer[i]);
-  if (fewer.size() > kShown) text += fmt::format(" and {} more", fewer.size() - kShown);
-  return text + "\n";
+  std::ranges::stable_sort(thinner, {}, [](const LayersPlace& at) { return at.along->thinnest; });
+  return text + placesText(fewer, "fewer", fewerText) +
+         placesText(thinner, "thinner", thinnerText) + "\n";
 }
 
 }  // namespace af2::cli

@@ -43,9 +43,10 @@ Json toJson(const FrontActCounts& acts) {
 }
 
 Json toJson(const LayersAlongEdge& along) {
-  return {{"edge", along.edge},          {"asked", along.asked},       {"fewest", along.fewest},
-          {"most", along.most},          {"segments", along.segments}, {"fewer", along.fewer},
-          {"place", toJson(along.place)}};
+  return {
+      {"edge", along.edge},           {"asked", along.asked},       {"fewest", along.fewest},
+      {"most", along.most},           {"segments", along.segments}, {"fewer", along.fewer},
+      {"place", toJson(along.place)}, {"thinner", along.thinner},   {"thinnest", along.thinnest}};
 }
 
 Json toJson(const FaceReport& face, const std::vector<std::string>& ruleNames) {

@@ -63,6 +63,11 @@ class RunMaker {
     double lean = 0;   ///< of its column along the run, for each unit of height
     bool endsOnBoundary = false;
   };
+  /// What the boundary has beyond an end of the run.
+  struct LevelsOnBoundary {
+    std::size_t levels = 0;
+    double share = 1;  ///< of the heights asked for
+  };
 
   LoopView view() const { return LoopView(boundary_.input.loops[run_.loop]); }
   std::size_t inLoop(std::size_t c) const { return (run_.first + c) % view().size(); }
@@ -75,7 +80,8 @@ class RunMaker {
     corner.turn = loop.turnAt(inLoop(c));
     if (isEnd(c)) {
       corner.kind = Kind::End;
-      corner.endsOnBoundary = mayEndOnBoundary(corner.turn) && levelsOnBoundary(c, corner.turn) > 0;
+      corner.endsOnBoundary =
+          mayEndOnBoundary(corner.turn) && levelsOnBoundary(c, corner.turn).levels > 0;
       if (corner.endsOnBoundary) corner.lean = -1 / std::tan(corner.turn);
     } else if (corner.turn > kSharpest || blocked_.contains(loop.at(inLoop(c)).vertex)) {
       corner.kind = Kind::End;
@@ -106,24 +112,26 @@ class RunMaker {
     return (c == 0 ? inLoop(0) + size - steps % size : inLoop(c) + steps) % size;
   }
 
-  /// How many corners beyond an end are at the heights of layers.
-  std::size_t levelsOnBoundary(std::size_t c, double turn) const {
+  /// How many corners beyond an end are at the heights of layers, or at the same share of them.
+  LevelsOnBoundary levelsOnBoundary(std::size_t c, double turn) const {
     constexpr double kNear = 0.1;  // of the height of a layer
     constexpr double kStraight = 20 * kDegree;
     const LoopView loop = view();
     const std::size_t most = std::max<std::size_t>(freeSegments(c), 1) - 1;
     double away = 0;
-    std::size_t levels = 0;
-    while (levels < most && levels + 1 < tops_.size()) {
+    LevelsOnBoundary found;
+    for (std::size_t& levels = found.levels; levels < most && levels + 1 < tops_.size(); ++levels) {
       const std::size_t next = beyond(c, levels + 1);
       if (blocked_.contains(loop.at(next).vertex)) break;
       if (levels > 0 && std::abs(loop.turnAt(beyond(c, levels))) > kStraight) break;
       away += distance(loop.at(beyond(c, levels)).point.position, loop.at(next).point.position);
-      const double height = tops_[levels + 1] - tops_[levels];
-      if (std::abs(away * std::sin(turn) - tops_[levels + 1]) > kNear * height) break;
-      ++levels;
+      const double height = away * std::sin(turn);
+      if (levels == 0) found.share = std::clamp(height / tops_[1], kThinnest, 1.0);
+      const double layer = tops_[levels + 1] - tops_[levels];
+      if (std::abs(height - found.share * tops_[levels + 1]) > kNear * found.share * layer) break;
     }
-    return levels;
+    if (found.share > 1 - kNear) found.share = 1;
+    return found;
   }
 
   /// How far columns lean along the run, away from the leaning corners before and behind.
@@ -190,7 +198,9 @@ class RunMaker {
     LayerColumn column = begun(c);
     const LoopView loop = view();
     column.corners.push_back(inLoop(c));
-    column.levels = levelsOnBoundary(c, corners_[c].turn);
+    const LevelsOnBoundary found = levelsOnBoundary(c, corners_[c].turn);
+    column.levels = found.levels;
+    column.share = found.share;
     for (std::size_t k = 1; k <= column.levels; ++k) {
       column.corners.push_back(beyond(c, k));
       column.points.push_back(loop.at(beyond(c, k)).point);
@@ -210,12 +220,12 @@ class RunMaker {
 
   void addColumn(std::size_t c, const Point3& ray, int fan = -1) {
     LayerColumn column = begun(c);
-    std::vector<double> distances;
-    for (std::size_t k = 1; k < tops_.size(); ++k) distances.push_back(length(ray) * tops_[k]);
-    for (const SurfacePoint& p : walk_.along(column.points[0], unit(ray), distances))
-      column.points.push_back(p);
-    column.levels = column.points.size() - 1;
+    column.direction = unit(ray);
+    for (std::size_t k = 1; k < tops_.size(); ++k)
+      column.distances.push_back(length(ray) * tops_[k]);
+    column.levels = column.distances.size();
     column.fan = fan;
+    placePoints(column, walk_);
     grid_.columns.push_back(std::move(column));
   }
 
@@ -274,6 +284,15 @@ void partEnds(const FaceBoundary& boundary, LayerGrid& grid) {
 }
 
 }  // namespace
+
+void placePoints(LayerColumn& column, const SurfaceWalk& walk) {
+  std::vector<double> distances = column.distances;
+  for (double& d : distances) d *= column.share;
+  column.points.resize(1);
+  for (const SurfacePoint& p : walk.along(column.points[0], column.direction, distances))
+    column.points.push_back(p);
+  column.levels = std::min(column.levels, column.points.size() - 1);
+}
 
 LayerGrid layerGrid(const FaceBoundary& boundary, const EdgeLayers& layers,
                     const std::vector<std::vector<int>>& edges, const std::set<VertexId>& blocked,

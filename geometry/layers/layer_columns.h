@@ -14,8 +14,11 @@ namespace af2::geometry {
 /// The corners of the layers above one corner of the boundary.
 struct LayerColumn {
   std::size_t loop = 0, corner = 0;
-  std::vector<SurfacePoint> points;  ///< [0] on the boundary, [k] on top of layer k
-  std::size_t levels = 0;            ///< layers that it has, less than the number of points
+  std::vector<SurfacePoint> points;    ///< [0] on the boundary, [k] on top of layer k
+  std::size_t levels = 0;              ///< layers that it has, less than the number of points
+  double share = 1;                    ///< of the heights asked for, from kThinnest to 1
+  Point3 direction = {};               ///< unit vector along which it leaves the boundary
+  std::vector<double> distances = {};  ///< of points [1], [2], ... along it, if `share` is 1
   /// Not empty: the layers end here, on the boundary, and these are its corners at the points.
   std::vector<std::size_t> corners = {};
   int fan = -1;  ///< columns above the same corner have the same number, >= 0
@@ -38,6 +41,10 @@ struct LayerGrid {
   std::vector<LayerCell> cells;
   std::vector<RunColumns> runs;
 };
+
+/// Places the points of a column that does not end on the boundary. It gets fewer levels where the
+/// surface cannot be reached any more.
+void placePoints(LayerColumn& column, const SurfaceWalk& walk);
 
 /// Places the columns, as if there was room for all of them. At a convex corner there is one, in
 /// the middle, and those beside it lean away from the corner, so that they share the room. Around a

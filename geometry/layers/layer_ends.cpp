@@ -53,6 +53,8 @@ void fitLayerEnds(const DividedEdges& divided, LayerEnds& ends) {
     const DividedEdge& edge = divided.edges[static_cast<std::size_t>(end.first) - 1];
     const bool hasOther = ends.contains({end.first, !end.second});
     const double room = kShare * lengthOf(edge, divided) * (hasOther ? 0.5 : 1);
+    const double share = std::clamp(room / lengths.back(), kThinnest, 1.0);
+    for (double& length : lengths) length *= share;
     std::erase_if(lengths, [&](double length) { return length > room; });
   }
   std::erase_if(ends, [](const auto& end) { return end.second.empty(); });

@@ -8,6 +8,10 @@
 
 namespace af2::geometry {
 
+/// Where there is no room, layers become thinner, down to this share of the heights asked for.
+/// Below that, there are fewer of them.
+inline constexpr double kThinnest = 0.4;
+
 /// Layers along an edge, seen from a face: heights grow away from the edge.
 struct LayerHeights {
   double first = 0;   ///< height of the first layer, > 0

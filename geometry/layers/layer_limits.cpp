@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <initializer_list>
 #include <map>
 #include <utility>
 
@@ -10,6 +11,10 @@
 
 namespace af2::geometry {
 namespace {
+
+/// By which a column becomes lower at a time, and how steep the tops of layers may become where
+/// columns differ.
+constexpr double kStep = 0.9, kSlope = 0.25;
 
 /// Share of its height by which a stack of layers stays away from others and from the boundary.
 constexpr double kGap = 0.25;
@@ -46,21 +51,50 @@ bool doCross(const Line& a, const Line& b) {
 
 class Limiter {
  public:
-  Limiter(const FaceBoundary& boundary, LayerGrid& grid) : boundary_(boundary), grid_(grid) {}
+  Limiter(const FaceBoundary& boundary, const SurfaceWalk& walk, LayerGrid& grid)
+      : boundary_(boundary), walk_(walk), grid_(grid) {}
 
   void limit() {
-    for (const LayerCell& cell : grid_.cells) limitByShape(cell);
-    smooth();
+    isChanged_.assign(grid_.columns.size(), false);
+    settle();
     if (crowding() > kMostCrowding) {
       giveUp();
       return;
     }
     isChanged_.assign(grid_.columns.size(), true);
-    while (limitByCrossings()) smooth();
+    while (limitByCrossings()) settle();
   }
 
  private:
   const LayerColumn& column(std::size_t i) const { return grid_.columns[i]; }
+
+  bool isFixed(std::size_t i) const { return column(i).distances.empty(); }
+  bool mayBeThinner(std::size_t i) const {
+    return !isFixed(i) && column(i).share * kStep >= kThinnest;
+  }
+  void makeThinner(std::size_t i, double share) {
+    grid_.columns[i].share = share;
+    placePoints(grid_.columns[i], walk_);
+    isChanged_[i] = true;
+  }
+  void makeFewer(std::size_t i, std::size_t levels) {
+    if (column(i).levels <= levels) return;
+    grid_.columns[i].levels = levels;
+    isChanged_[i] = true;
+  }
+  bool isFan(const LayerCell& cell) const {
+    const LayerColumn &left = column(cell.left), &right = column(cell.right);
+    return left.fan >= 0 && left.fan == right.fan && left.corner == right.corner;
+  }
+
+  /// Until nothing becomes lower any more.
+  void settle() {
+    for (bool isLower = true; isLower;) {
+      isLower = false;
+      for (const LayerCell& cell : grid_.cells) isLower |= limitByShape(cell);
+      isLower |= smooth();
+    }
+  }
 
   /// About how many segments of the boundary are as near to a column as it is high, for all
   /// columns.
@@ -77,25 +111,34 @@ class Limiter {
 
   /// No quadrilateral of a cell has an angle far from that of a rectangle, or is far narrower on
   /// top than the segment below.
-  void limitByShape(const LayerCell& cell) {
-    LayerColumn &left = grid_.columns[cell.left], &right = grid_.columns[cell.right];
-    const std::size_t most = std::min(left.levels, right.levels);
-    for (std::size_t k = 1; k <= most; ++k) {
-      if (isSound(left, right, k)) continue;
-      left.levels = std::min(left.levels, k - 1);
-      right.levels = std::min(right.levels, k - 1);
-      return;
+  bool limitByShape(const LayerCell& cell) {
+    const LayerColumn &left = column(cell.left), &right = column(cell.right);
+    for (std::size_t k = 1; k <= std::min(left.levels, right.levels); ++k) {
+      if (isSound(cell, k)) continue;
+      lower({cell.left, cell.right}, k - 1);
+      return true;
+    }
+    return false;
+  }
+
+  /// Makes those columns thinner that may be, or else all of them end below a level.
+  void lower(std::initializer_list<std::size_t> columns, std::size_t levels) {
+    if (std::ranges::any_of(columns, [&](std::size_t i) { return mayBeThinner(i); })) {
+      for (const std::size_t i : columns)
+        if (mayBeThinner(i)) makeThinner(i, kStep * column(i).share);
+    } else {
+      for (const std::size_t i : columns) makeFewer(i, levels);
     }
   }
 
-  static bool isSound(const LayerColumn& left, const LayerColumn& right, std::size_t k) {
+  bool isSound(const LayerCell& cell, std::size_t k) const {
+    const LayerColumn &left = column(cell.left), &right = column(cell.right);
     constexpr double kLeastSine = 0.2, kLeastOnTop = 0.25;
     const Point3 &a = left.points[k - 1].position, &b = right.points[k - 1].position,
                  &c = right.points[k].position, &d = left.points[k].position;
     const Point3 normal = unit(left.points[k].normal + right.points[k].normal);
-    const bool isFan = left.fan >= 0 && left.fan == right.fan;
     const double base = distance(left.points[0].position, right.points[0].position);
-    if (!isFan && distance(c, d) < kLeastOnTop * base) return false;
+    if (!isFan(cell) && distance(c, d) < kLeastOnTop * base) return false;
     const auto isOpen = [&](const Point3& p, const Point3& q, const Point3& r) {
       return dot(cross(unit(q - p), unit(r - p)), normal) > kLeastSine;
     };
@@ -103,26 +146,37 @@ class Limiter {
     return isOpen(a, b, d) && isOpen(b, c, a) && isOpen(c, d, b) && isOpen(d, a, c);
   }
 
-  void smooth() {
-    for (bool isChanged = true; isChanged;) {
-      isChanged = false;
-      const auto lower = [&](std::size_t i, std::size_t most) {
-        if (column(i).levels <= most) return;
-        grid_.columns[i].levels = most;
-        isChanged = true;
-        if (!isChanged_.empty()) isChanged_[i] = true;
-      };
-      const auto fit = [&](const LayerCell& cell) {
-        const bool isFan = column(cell.left).fan >= 0 &&
-                           column(cell.left).fan == column(cell.right).fan &&
-                           column(cell.left).corner == column(cell.right).corner;
-        const std::size_t step = isFan ? 0 : 1;
-        lower(cell.left, column(cell.right).levels + step);
-        lower(cell.right, column(cell.left).levels + step);
-      };
-      for (const LayerCell& cell : grid_.cells) fit(cell);
-      for (auto cell = grid_.cells.rbegin(); cell != grid_.cells.rend(); ++cell) fit(*cell);
+  /// Whether a column became lower.
+  bool smooth() {
+    bool isAny = false;
+    for (bool isLower = true; isLower; isAny |= isLower) {
+      isLower = false;
+      for (const LayerCell& cell : grid_.cells) isLower |= fit(cell);
+      for (auto cell = grid_.cells.rbegin(); cell != grid_.cells.rend(); ++cell)
+        isLower |= fit(*cell);
     }
+    return isAny;
+  }
+
+  bool fit(const LayerCell& cell) {
+    const std::size_t step = isFan(cell) ? 0 : 1;
+    const bool isLower = fitTo(cell.left, cell.right, step);
+    return fitTo(cell.right, cell.left, step) || isLower;
+  }
+
+  /// Makes a column at most so high that it fits to the next one.
+  bool fitTo(std::size_t i, std::size_t next, std::size_t step) {
+    constexpr double kLeastChange = 1e-3;
+    const LayerColumn &own = column(i), &other = column(next);
+    const std::size_t levels = own.levels;
+    makeFewer(i, other.levels + step);
+    const std::size_t common = std::min(own.levels, other.levels);
+    if (common == 0 || isFixed(i)) return own.levels < levels;
+    const double width = distance(own.points[0].position, other.points[0].position);
+    const double most = other.share + kSlope * width / own.distances[common - 1];
+    if (own.share <= most + kLeastChange) return own.levels < levels;
+    makeThinner(i, most);
+    return true;
   }
 
   /// The top of a column, a little higher than it is.
@@ -144,19 +198,28 @@ class Limiter {
       tree.forEachIn(boxes[i], [&](std::uint32_t k) {
         ++compared_;
         if (areBeside(lines[i], lines[k]) || !doCross(lines[i], lines[k])) return;
-        for (const Line* line : {&lines[i], &lines[k]})
-          for (const std::size_t c : line->columns)
-            if (c != Line::kNone) isAny = isHit[c] = true;
+        markThoseToLower(lines[i], lines[k], isHit);
+        isAny = true;
       });
     }
     bool isLower = false;
     isChanged_.assign(isHit.size(), false);
     for (std::size_t c = 0; c < isHit.size(); ++c) {
       if (!isHit[c] || column(c).levels == 0) continue;
-      --grid_.columns[c].levels;
-      isChanged_[c] = isLower = true;
+      lower({c}, column(c).levels - 1);
+      isLower = true;
     }
     return isAny && isLower;
+  }
+
+  /// Of the columns of two lines that cross, those that may be thinner, or else all.
+  void markThoseToLower(const Line& a, const Line& b, std::vector<bool>& isHit) const {
+    std::array<std::size_t, 4> columns{a.columns[0], a.columns[1], b.columns[0], b.columns[1]};
+    const auto end = std::remove(columns.begin(), columns.end(), Line::kNone);
+    const bool isAnyThinner =
+        std::any_of(columns.begin(), end, [&](std::size_t c) { return mayBeThinner(c); });
+    for (auto c = columns.begin(); c != end; ++c)
+      if (!isAnyThinner || mayBeThinner(*c)) isHit[*c] = true;
   }
 
   /// Layers are far higher than segments are long, and cross everywhere, as where retries divide a
@@ -236,15 +299,18 @@ class Limiter {
   }
 
   const FaceBoundary& boundary_;
+  const SurfaceWalk& walk_;
   LayerGrid& grid_;
   static constexpr double kMostCrowding = 2e6;
   static constexpr std::size_t kMostCompared = 100'000'000;  // pairs of lines
   std::size_t compared_ = 0;
-  std::vector<bool> isChanged_;  // by column: since the last comparison; empty: before the first
+  std::vector<bool> isChanged_;  // by column: since the last comparison
 };
 
 }  // namespace
 
-void limitLayers(const FaceBoundary& boundary, LayerGrid& grid) { Limiter(boundary, grid).limit(); }
+void limitLayers(const FaceBoundary& boundary, const SurfaceWalk& walk, LayerGrid& grid) {
+  Limiter(boundary, walk, grid).limit();
+}
 
 }  // namespace af2::geometry

@@ -5,9 +5,9 @@
 
 namespace af2::geometry {
 
-/// Takes layers away from columns until no element is inverted or too narrow, and until layers,
-/// made a quarter higher, cross neither each other nor the boundary. Then neighbouring columns
-/// differ by at most one layer.
-void limitLayers(const FaceBoundary& boundary, LayerGrid& grid);
+/// Makes columns lower until no element is inverted or too narrow, and until layers, made a quarter
+/// higher, cross neither each other nor the boundary: first thinner, then with fewer layers. The
+/// heights of neighbouring columns differ little, and by at most one layer.
+void limitLayers(const FaceBoundary& boundary, const SurfaceWalk& walk, LayerGrid& grid);
 
 }  // namespace af2::geometry

@@ -9,8 +9,9 @@ namespace af2::geometry {
 /// Layers along edges, on the faces beside them: for boundary layers of flows.
 ///
 /// The heights are measured from the edge along the surface of the face. Where there is no room,
-/// there are fewer layers. On edges without layers, at which layers end at an angle of 25 to 135
-/// degrees, vertices are placed at the heights of the layers.
+/// layers become thinner, down to 40 % of their heights, and then fewer. On edges without layers,
+/// at which layers end at an angle of 25 to 135 degrees, vertices are placed at the heights of the
+/// layers.
 struct LayerRequest {
   /// Edges by id and by name: names of boundaries, and of faces and groups, which stand for the
   /// edges that these faces use once. As in Sizes::partSizes, `*` matches any text and `?` any

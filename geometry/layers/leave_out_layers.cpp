@@ -225,7 +225,11 @@ std::vector<LayersAlongEdge> layersAlongEdges(const LayerGrid& grid, const FaceB
     }
     own.most = std::max(own.most, levels);
     if (levels < count) ++own.fewer;
-    if (levels >= own.fewest) continue;
+    const double share = levels > 0 ? std::min(left.share, right.share) : 1;
+    if (share < 1) ++own.thinner;
+    const bool isLowest = levels < own.fewest || (levels == own.fewest && share < own.thinnest);
+    own.thinnest = std::min(own.thinnest, share);
+    if (!isLowest) continue;
     own.fewest = levels;
     own.place =
         0.5 * (left.points[0].position + loop[(left.corner + 1) % loop.size()].point.position);
@@ -244,7 +248,7 @@ void leaveOutLayers(const ChartedSurface& surface, const PlaceInParameters& plac
   const SurfaceWalk walk(surface, place);
   LayerGrid grid = layerGrid(boundary, layers, edges, referredTo(boundary), walk);
   if (grid.runs.empty()) return;
-  limitLayers(boundary, grid);
+  limitLayers(boundary, walk, grid);
   std::vector<LayersAlongEdge> along = layersAlongEdges(grid, boundary, layers, edges);
   LayerMaker(grid, steps, boundary).make();
   boundary.layers->along = std::move(along);

@@ -32,6 +32,8 @@ class LayersAlongEdge:
     most: int
     segments: int
     fewer: int
+    thinner: int
+    thinnest: float
     place: Place
 
 

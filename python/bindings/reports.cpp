@@ -42,6 +42,8 @@ void bindPlaces(py::module_& module) {
       .def_readonly("most", &LayersAlongEdge::most)
       .def_readonly("segments", &LayersAlongEdge::segments)
       .def_readonly("fewer", &LayersAlongEdge::fewer)
+      .def_readonly("thinner", &LayersAlongEdge::thinner)
+      .def_readonly("thinnest", &LayersAlongEdge::thinnest)
       .def_property_readonly("place", place(&LayersAlongEdge::place));
   py::class_<FaceReport::OddLoop>(module, "OddLoop")
       .def_readonly("loop", &FaceReport::OddLoop::loop)

@@ -18,7 +18,7 @@ END
 square() { expect "$1" "$af2" mesh square.poly --size 0.7 "${@:2}"; }
 
 square 0 --layers 1=0.05,1.3,6 --report r.json -o one.vtu -o one.png
-grep -q '^layers: 84 elements along 1 edge of faces, everywhere as many layers as asked$' out ||
+grep -q '^layers: 84 elements along 1 edge of faces, everywhere as asked$' out ||
   fail "no line about layers"
 [ "$(json r.json faces 0 layers 0 fewest)" = 6 ] || fail "report without layers"
 [ "$(json r.json faces 0 layer_elements)" = 84 ] || fail "report without elements of layers"
@@ -26,6 +26,10 @@ grep -q 'Name="rule: layer"' one.vtu || fail "elements of layers have no name in
 square 0 --layers "boundary 7=0.05,1.3,6" -o named.vtu
 same one.vtu named.vtu
 square 0 --layers @1=0.4,1.5,4 --report r.json
+grep -q 'thinner than asked along 4 of them: edge 2 of face 1 (down to' out ||
+  fail "nothing about thinner layers"
+[ "$(json r.json faces 0 layers 1 thinner)" -gt 0 ] || fail "report without thinner layers"
+square 0 --layers @1=3,1.5,2 --report r.json
 grep -q 'fewer than asked along 4 of them: edge' out || fail "nothing about fewer layers"
 
 square 2 --layers 9=0.05,1.3,6
@@ -41,13 +45,13 @@ square 1 --layers inlet=0.05,1.3,6
 told "'inlet'"
 square 1 --layers 1=0.1,3,9
 told "high together"
-square 3 --layers @1=4,1,1 -o none.vtu
+square 3 --layers @1=8,1,1 -o none.vtu
 told "no room"
 square 2 --layers 1=0.1,1,1 --fewest --chord 0.1
 told "--fewest cannot be combined with --layers"
 
 # All of quadrilaterals, also where there is room for fewer layers.
-expect 0 "$af2" mesh "$models/plate.poly" --size 1 --layers @1=0.05,1.3,6 --elements quad
+expect 0 "$af2" mesh "$models/plate.poly" --size 1 --layers @1=0.2,1.3,6 --elements quad
 grep -q ' 0 triangles' out || fail "layers left triangles"
 grep -q 'fewer than asked' out || fail "there was room for all layers"
 

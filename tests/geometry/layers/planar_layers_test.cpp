@@ -5,6 +5,7 @@
 #include <random>
 
 #include "engine/base/error.h"
+#include "geometry/layers/layer_heights.h"
 #include "geometry/mesh/fingerprint.h"
 #include "geometry/planar/mesh_planar.h"
 #include "tests/geometry/layers/layers.h"
@@ -86,6 +87,19 @@ class PlanarLayers : public ::testing::Test {
     }
   }
 
+  /// All corners of layers are at some share of the heights of tops of layers, at least `least`.
+  static void expectSharesOfHeights(const ModelMesh& result, const PlanarDomain& domain,
+                                    const LayerRequest& request, double least) {
+    const std::vector<double> tops = testing::topsOf(request);
+    for (const VertexId v : testing::layerVertices(result)) {
+      const Point3& p = result.vertices[v.value];
+      const double away = distanceToBoundary(p, domain);
+      EXPECT_TRUE(std::ranges::any_of(
+          tops, [&](double top) { return away <= top + 1e-9 && away >= least * top - 1e-9; }))
+          << "(" << p.x << ", " << p.y << "): " << away;
+    }
+  }
+
   LayerRequest wall(double first, double growth, int count) {
     LayerRequest request = testing::layersAlong({}, first, growth, count);
     request.faces = {1};
@@ -158,12 +172,79 @@ TEST_F(PlanarLayers, BecomeFewerBetweenOppositeSides) {
   options.layers = {request};
   const PlanarDomain domain = domainOf({{{0, 0}, {10, 0}, {10, 0.4}, {0, 0.4}}});
   const ModelMesh result = sound(domain, 4);
-  expectHeights(result, domain, request);
+  expectSharesOfHeights(result, domain, request, kThinnest);
   for (const LayersAlongEdge& along : result.faces[0].layers) {
     EXPECT_LT(along.most, 8u);
     EXPECT_GT(along.most, 2u);
     EXPECT_EQ(along.fewer, along.segments);
+    EXPECT_EQ(along.thinner, along.segments);
+    EXPECT_GE(along.thinnest, kThinnest);
+    EXPECT_LE(along.thinnest, kThinnest / 0.9);
   }
+}
+
+TEST_F(PlanarLayers, BecomeThinnerBetweenOppositeSidesBeforeTheyBecomeFewer) {
+  options.sizes.size = 0.3;
+  const LayerRequest request = wall(0.02, 1.3, 8);
+  options.layers = {request};
+  const double width = 0.8;
+  const PlanarDomain domain = domainOf({{{0, 0}, {10, 0}, {10, width}, {0, width}}});
+  const ModelMesh result = sound(domain, 10 * width);
+  const double most = width / 2 / 1.25 / testing::topsOf(request).back();  // there is a gap
+  expectSharesOfHeights(result, domain, request, 0.75 * most);
+  EXPECT_EQ(testing::segmentsWithFewer(result), 0u);
+  EXPECT_EQ(testing::layerTriangles(result), 0u);
+  for (const LayersAlongEdge& along : result.faces[0].layers) {
+    EXPECT_EQ(along.thinner, along.segments);
+    EXPECT_LE(along.thinnest, most);
+    EXPECT_GE(along.thinnest, 0.75 * most);
+  }
+}
+
+TEST_F(PlanarLayers, AreThinnerOnlyNearNarrowPlaces) {
+  options.sizes.size = 0.3;
+  const LayerRequest request = testing::layersAlong({1}, 0.1, 1.2, 5);
+  options.layers = {request};
+  const PlanarDomain domain =
+      domainOf({{{0, 0}, {12, 0}, {12, 4}, {7, 4}, {6, 0.6}, {5, 4}, {0, 4}}});
+  const ModelMesh result = mesh(domain);
+  testing::expectComplete(result);
+  EXPECT_EQ(testing::invertedIn(result), 0u);
+  const std::vector<double> tops = testing::topsOf(request);
+  std::size_t far = 0;
+  for (const VertexId v : testing::layerVertices(result)) {
+    const Point3& p = result.vertices[v.value];
+    EXPECT_LT(p.y, tops.back() + 1e-9);
+    if (std::abs(p.x - 6) < 4) continue;
+    EXPECT_TRUE(testing::isTop(p.y, tops, 1e-9)) << p.x << " " << p.y;
+    ++far;
+  }
+  EXPECT_GE(far, 40u);
+  const LayersAlongEdge& along = result.faces[0].layers.at(0);
+  EXPECT_EQ(along.fewer, 0u);
+  EXPECT_GT(along.thinner, 0u);
+  EXPECT_LT(along.thinnest, 0.7);
+  EXPECT_NEAR(along.place.x, 6, 1);
+}
+
+TEST_F(PlanarLayers, ThatEndOnShortSidesAreThinnerThere) {
+  options.sizes.size = 0.5;
+  const LayerRequest request = testing::layersAlong({1, 3}, 0.1, 1.3, 5);
+  options.layers = {request};
+  const double width = 1.5;
+  const PlanarDomain domain = domainOf({{{0, 0}, {10, 0}, {10, width}, {0, width}}});
+  const ModelMesh result = sound(domain, 10 * width);
+  EXPECT_EQ(testing::segmentsWithFewer(result), 0u);
+  EXPECT_EQ(testing::layerTriangles(result), 0u);
+  std::vector<double> tops = testing::topsOf(request);
+  const double share = 0.4 * width / tops.back();  // layers take up 40 % of the side each
+  std::size_t onSide = 0;
+  for (double& top : tops) top *= share;
+  for (const VertexId v : testing::layerVertices(result)) {
+    const Point3& p = result.vertices[v.value];
+    if (p.x == 0 && p.y < width / 2) onSide += testing::isTop(p.y, tops, 1e-9) ? 1 : 0;
+  }
+  EXPECT_EQ(onSide, tops.size());
 }
 
 TEST_F(PlanarLayers, BecomeFewerTowardsASharpCorner) {
@@ -172,7 +253,7 @@ TEST_F(PlanarLayers, BecomeFewerTowardsASharpCorner) {
   options.layers = {request};
   const PlanarDomain domain = domainOf({{{0, 0}, {10, 0}, {10, 2}}});
   const ModelMesh result = sound(domain, 10);
-  expectHeights(result, domain, request);
+  expectSharesOfHeights(result, domain, request, kThinnest);
   EXPECT_EQ(result.faces[0].layers[0].fewest, 0u);
   EXPECT_EQ(result.faces[0].layers[0].most, 8u);
 }
@@ -301,7 +382,7 @@ TEST_F(PlanarLayers, RefuseWhatIsNotPossible) {
 
 TEST_F(PlanarLayers, ThatHaveNoRoomAreReported) {
   options.sizes.size = 0.5;
-  options.layers = {wall(4, 1, 1)};
+  options.layers = {wall(8, 1, 1)};
   const ModelMesh result = mesh(domainOf({kRectangle}));
   EXPECT_EQ(testing::layerElements(result), 0u);
   ASSERT_EQ(result.findings.size(), 1u);
