@@ -1,5 +1,6 @@
 #include "geometry/occ/faces/meeting_faces.h"
 
+#include <BRepAdaptor_Curve.hxx>
 #include <BRepBuilderAPI_MakeVertex.hxx>
 #include <BRepExtrema_DistShapeShape.hxx>
 #include <BRepTopAdaptor_FClass2d.hxx>
@@ -12,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numbers>
 
 #include "engine/base/place_text.h"
 #include "geometry/occ/base/points.h"
@@ -80,6 +82,48 @@ bool isParallel(const MeetingFace& one, const MeetingFace& other) {
   return a && b && a->IsParallel(*b, kSame);
 }
 
+/// The direction from the middle of an edge into a face, at right angles to the edge.
+std::optional<gp_Dir> wayInto(MeetingFace& face, const EdgeUse& use) {
+  const BRepAdaptor_Curve curve(use.edge);
+  gp_Pnt place;
+  gp_Vec along;
+  curve.D1((curve.FirstParameter() + curve.LastParameter()) / 2, place, along);
+  if (use.edge.Orientation() == TopAbs_REVERSED) along.Reverse();
+  face.drop(place);
+  const std::optional<gp_Dir> normal = face.normal();
+  if (!normal) return std::nullopt;
+  const gp_Vec way = gp_Vec(*normal).Crossed(along);
+  return way.Magnitude() > 0 ? std::optional(gp_Dir(way)) : std::nullopt;
+}
+
+/// Words for an edge at which a face is so near to another one that their elements cannot be told
+/// from such that overlap; empty if there is none.
+std::string narrowAngleOf(const ModelShape& model, int face) {
+  constexpr double kNarrow = 0.005;  // radians
+  try {
+    for (const EdgeUse& use : model.edgesOfFaces[static_cast<std::size_t>(face) - 1]) {
+      if (BRep_Tool::Degenerated(use.edge)) continue;
+      MeetingFace own(model.face(face));
+      const std::optional<gp_Dir> way = wayInto(own, use);
+      for (const int other : model.facesOfEdges[static_cast<std::size_t>(use.id) - 1]) {
+        if (!way || other == face) continue;
+        MeetingFace another(model.face(other));
+        for (const EdgeUse& its : model.edgesOfFaces[static_cast<std::size_t>(other) - 1]) {
+          if (its.id != use.id) continue;
+          const std::optional<gp_Dir> itsWay = wayInto(another, its);
+          if (!itsWay || way->Angle(*itsWay) >= kNarrow) continue;
+          return "in the model itself it encloses an angle of " +
+                 af2::textOf(way->Angle(*itsWay) * 180 / std::numbers::pi, 2) +
+                 " degrees with face " + std::to_string(other) + " at edge " +
+                 std::to_string(use.id) + ": fill this gap, or make it wider";
+        }
+      }
+    }
+  } catch (const Standard_Failure&) {
+  }
+  return "";
+}
+
 /// The places at which the elements of a face cross those of each other face.
 std::map<int, std::vector<Point3>> placesByFace(const std::vector<Crossing>& crossings, int face) {
   std::map<int, std::vector<Point3>> places;
@@ -132,11 +176,11 @@ void tellOfMeetingFaces(const ModelShape& model, const std::vector<Crossing>& cr
                         double size, std::vector<FaceReport>& faces) {
   constexpr double kAway = 0.02;    // of the size
   constexpr int kMaxReported = 20;  // where many cross, the first ones are enough
-  if (crossings.empty()) return;
   int reported = 0;
   for (FaceReport& face : faces) {
     if (face.status != FaceStatus::Failed || reported == kMaxReported) continue;
-    const std::string meeting = meetingOf(model, face.id, crossings, kAway * size);
+    std::string meeting = narrowAngleOf(model, face.id);
+    if (meeting.empty()) meeting = meetingOf(model, face.id, crossings, kAway * size);
     if (meeting.empty()) continue;
     face.reason += "; " + meeting;
     ++reported;

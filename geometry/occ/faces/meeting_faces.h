@@ -1,4 +1,4 @@
-// Finds faces whose elements cross because the faces themselves cross in the model.
+// Finds faces whose elements cross because the faces themselves cross in the model, or almost do.
 // Not installed: includers need OpenCASCADE's headers.
 #pragma once
 
@@ -23,7 +23,8 @@ std::optional<CommonPoint> commonPoint(const ModelShape& model, int one, int oth
                                        const Point3& nearby, double away);
 
 /// Where faces failed because their elements cross those of other faces, and the faces themselves
-/// cross, adds this to the reasons: no mesh can be valid there.
+/// cross, adds this to the reasons: no mesh can be valid there. So it does where faces that failed
+/// enclose an angle below 0.3 degrees with another face at an edge.
 ///
 /// size  edge length of the mesh
 void tellOfMeetingFaces(const ModelShape& model, const std::vector<Crossing>& crossings,

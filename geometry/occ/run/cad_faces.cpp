@@ -21,6 +21,7 @@
 #include "geometry/occ/faces/face_mesher.h"
 #include "geometry/occ/faces/faces_on_faces.h"
 #include "geometry/occ/faces/meeting_faces.h"
+#include "geometry/occ/faces/surface_faults.h"
 #include "geometry/occ/model/solid_volume.h"
 #include "geometry/occ/run/creased_shape.h"
 #include "geometry/occ/sizes/sizing.h"
@@ -164,6 +165,7 @@ void CadFaces::complete(const MeshFaults& faults, ModelMesh& mesh) const {
   mesh.healing = model_.healing();
   mesh.imprinting = model_.imprinting();
   tellOfMeetingFaces(*shape_, faults.crossings, sizes_.size, mesh.faces);
+  tellOfSurfaceFaults(*shape_, sizes_.size, mesh);
   const bool areAll = faces_.size() == static_cast<std::size_t>(faceCount());
   if (areAll && !model_.lostFaces().empty())
     mesh.findings.push_back(textOfLost(model_.lostFaces()));

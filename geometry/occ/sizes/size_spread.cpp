@@ -71,7 +71,7 @@ class FaceSampler {
       cells = partsOfUneven(cells);
     }
     roughShare_ = shareOf(cells);
-    if (!cells.empty() && !isAsked()) return {};  // rougher than shorter edges could make good
+    if (isTooRough()) return {};  // rougher than shorter edges could make good
     return sources_.take();
   }
 

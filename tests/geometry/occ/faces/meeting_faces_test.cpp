@@ -2,12 +2,15 @@
 
 #include <gtest/gtest.h>
 #include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakePolygon.hxx>
+#include <BRepPrimAPI_MakePrism.hxx>
 #include <BRep_Builder.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Compound.hxx>
 #include <gp_Cylinder.hxx>
 #include <gp_Pln.hxx>
 
+#include <algorithm>
 #include <cmath>
 
 #include "tests/geometry/occ/meshing.h"
@@ -79,6 +82,31 @@ TEST(MeetingFaces, AreToldOfFacesThatFailed) {
   EXPECT_TRUE(faces[0].reason.empty());
   EXPECT_TRUE(faces[1].reason.starts_with("elements cross; in the model itself it meets face 1"))
       << faces[1].reason;
+}
+
+TEST(MeetingFaces, AreToldOfANarrowAngleAtACommonEdge) {
+  BRepBuilderAPI_MakePolygon outline;
+  for (const gp_Pnt& p : {gp_Pnt(0, 0, 0), gp_Pnt(10, 0, 0), gp_Pnt(10, 6, 0), gp_Pnt(0, 6, 0),
+                          gp_Pnt(0, 3.005, 0), gp_Pnt(5, 3, 0), gp_Pnt(0, 2.995, 0)})
+    outline.Add(p);
+  outline.Close();
+  const Model model = testing::modelOf(
+      BRepPrimAPI_MakePrism(BRepBuilderAPI_MakeFace(outline.Wire()).Face(), gp_Vec(0, 0, 2))
+          .Shape());
+  std::vector<FaceReport> faces(static_cast<std::size_t>(model.faceCount()));
+  for (std::size_t i = 0; i < faces.size(); ++i) {
+    faces[i].id = static_cast<int>(i) + 1;
+    faces[i].status = FaceStatus::Failed;
+    faces[i].reason = "stuck";
+  }
+  tellOfMeetingFaces(model.shape(), {}, 0.5, faces);
+  const auto told = std::ranges::count_if(faces, [](const FaceReport& face) {
+    return face.reason.starts_with(
+        "stuck; in the model itself it encloses an angle of 0.11 degrees");
+  });
+  EXPECT_EQ(told, 2);  // both sides of the slit
+  EXPECT_EQ(std::ranges::count(faces, "stuck", &FaceReport::reason),
+            static_cast<std::ptrdiff_t>(faces.size()) - 2);
 }
 
 }  // namespace

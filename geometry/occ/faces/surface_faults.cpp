@@ -1,0 +1,312 @@
+#include "geometry/occ/faces/surface_faults.h"
+
+#include <BRepTools.hxx>
+#include <BRepTopAdaptor_FClass2d.hxx>
+#include <BRep_Tool.hxx>
+#include <GeomAdaptor_Surface.hxx>
+#include <Standard_Failure.hxx>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <utility>
+#include <vector>
+
+#include "engine/base/place_text.h"
+#include "geometry/check/element_crossings.h"
+#include "geometry/occ/surfaces/general_surface.h"
+#include "geometry/occ/surfaces/parameter_line.h"
+#include "geometry/occ/surfaces/surface_breaks.h"
+
+namespace af2::geometry {
+namespace {
+
+using Uv = std::array<double, 2>;
+
+class FaultSearch {
+ public:
+  FaultSearch(const TopoDS_Face& face, double size)
+      : face_(face), inside_(face, BRep_Tool::Tolerance(face)), size_(size) {
+    BRepTools::UVBounds(face, box_.u1, box_.u2, box_.v1, box_.v2);
+    const Handle(Geom_Surface) definition = BRep_Tool::Surface(face);
+    surface_.emplace(definition, face.Orientation() == TopAbs_REVERSED, box_);
+    const GeomAdaptor_Surface adaptor(definition);
+    breaks_ = {breaksOf(adaptor, true, box_.u1, box_.u2),
+               breaksOf(adaptor, false, box_.v1, box_.v2)};
+  }
+
+  std::optional<SurfaceFault> find() {
+    if (!(box_.u1 < box_.u2 && box_.v1 < box_.v2)) return std::nullopt;
+    for (const bool isInU : {true, false})
+      for (const double share : {0.5, 0.25, 0.75, 0.06, 0.94})
+        if (const auto fold = foldOn(isInU, share)) return fold;
+    return crossing();
+  }
+
+ private:
+  double low(bool isInU) const { return isInU ? box_.u1 : box_.v1; }
+  double high(bool isInU) const { return isInU ? box_.u2 : box_.v2; }
+  bool isInside(const Uv& at) { return inside_.Perform({at[0], at[1]}) != TopAbs_OUT; }
+
+  /// Parameters at which to look, ascending: pieces between breaks may be tiny.
+  std::vector<double> samples(bool isInU, int steps) const {
+    std::vector<double> at = breaks_[isInU ? 0 : 1];
+    const double from = low(isInU), to = high(isInU);
+    for (int i = 0; i <= steps; ++i) at.push_back(from + (to - from) * i / steps);
+    std::erase_if(at, [&](double p) { return p < from || p > to; });
+    std::ranges::sort(at);
+    const auto same = std::ranges::unique(at);
+    at.erase(same.begin(), same.end());
+    return at;
+  }
+
+  /// Places along a line, so dense that it is known where it turns.
+  std::vector<ParameterLine::Place> followed(const ParameterLine& line, bool isInU) const {
+    std::vector<ParameterLine::Place> places;
+    for (const double at : samples(isInU, 64)) {
+      if (places.empty())
+        places.push_back(line.at(at));
+      else
+        follow(line, line.at(at), 0, places);
+    }
+    return places;
+  }
+
+  void follow(const ParameterLine& line, const ParameterLine::Place& to, int depth,
+              std::vector<ParameterLine::Place>& places) const {
+    constexpr int kDeepest = 12;
+    constexpr double kKnown = 0.25;     // turn
+    constexpr double kShortest = 2e-3;  // of the size
+    const ParameterLine::Place from = places.back();
+    if (depth < kDeepest && turnBetween(from, to) > kKnown &&
+        distance(from.position, to.position) > kShortest * size_) {
+      const ParameterLine::Place middle = line.at((from.parameter + to.parameter) / 2);
+      follow(line, middle, depth + 1, places);
+      follow(line, to, depth + 1, places);
+    } else {
+      places.push_back(to);
+    }
+  }
+
+  struct Turn {
+    Point3 place, axis;
+    double along;  ///< its distance from the start of the line
+  };
+
+  /// The places at which a line turns back within a short distance.
+  std::vector<Turn> turnsOn(const ParameterLine& line, bool isInU, double fixed) {
+    constexpr double kShort = 0.1;  // of the size
+    constexpr double kBack = -0.5;  // cosine
+    const std::vector<ParameterLine::Place> places = followed(line, isInU);
+    std::vector<Point3> ways;  // from each place to the next
+    std::vector<double> along{0};
+    for (std::size_t i = 0; i + 1 < places.size(); ++i) {
+      ways.push_back(places[i + 1].position - places[i].position);
+      along.push_back(along.back() + length(ways.back()));
+    }
+    std::vector<Turn> turns;
+    for (std::size_t i = 0; i + 1 < ways.size(); ++i) {
+      Point3 axis{};
+      for (std::size_t k = i; k + 1 < ways.size() && along[k + 1] - along[i + 1] <= kShort * size_;
+           ++k) {
+        if (!(length(ways[i]) > 0 && length(ways[k]) > 0 && length(ways[k + 1]) > 0)) break;
+        axis = axis + cross(unit(ways[k]), unit(ways[k + 1]));
+        if (dot(unit(ways[i]), unit(ways[k + 1])) > kBack || !(length(axis) > 0)) continue;
+        const double at = places[k + 1].parameter;
+        if (isInside(isInU ? Uv{at, fixed} : Uv{fixed, at}))
+          turns.push_back({places[k + 1].position, unit(axis), along[k + 1]});
+        i = k;
+        break;
+      }
+    }
+    return turns;
+  }
+
+  std::optional<SurfaceFault> foldOn(bool isInU, double share) {
+    constexpr double kNear = 4;         // sizes
+    constexpr double kOpposite = -0.5;  // cosine
+    const double fixed = low(!isInU) + share * (high(!isInU) - low(!isInU));
+    const ParameterLine line(*surface_, isInU, fixed);
+    const std::vector<Turn> turns = turnsOn(line, isInU, fixed);
+    for (std::size_t i = 0; i + 1 < turns.size(); ++i)
+      if (turns[i + 1].along - turns[i].along <= kNear * size_ &&
+          dot(turns[i].axis, turns[i + 1].axis) < kOpposite)
+        return SurfaceFault{SurfaceFault::Kind::Fold, turns[i].place, turns[i + 1].place};
+    return std::nullopt;
+  }
+
+  /// A coarse mesh of the surface inside the face, and the parameters of its vertices.
+  ModelMesh coarseMesh() {
+    constexpr int kSteps = 64;
+    constexpr std::size_t kMost = 400;  // in each direction
+    std::vector<double> us = samples(true, kSteps), vs = samples(false, kSteps);
+    if (us.size() > kMost) us = samples(true, static_cast<int>(kMost / 4));
+    us.resize(std::min(us.size(), kMost));
+    vs.resize(std::min(vs.size(), kMost));
+    ModelMesh mesh;
+    for (const double u : us)
+      for (const double v : vs) {
+        mesh.vertices.push_back(surface_->frameAt(u, v).position);
+        parameters_.push_back({u, v});
+      }
+    const auto id = [&](std::size_t i, std::size_t k) { return VertexId(i * vs.size() + k); };
+    const auto add = [&](VertexId a, VertexId b, VertexId c) {
+      const auto at = [&](VertexId v) { return mesh.vertices[v.value]; };
+      if (!(length(cross(at(b) - at(a), at(c) - at(a))) > 0)) return;
+      Element element;
+      element.corners = {a, b, c, VertexId()};
+      mesh.elements.push_back(element);
+      mesh.face.push_back(1);
+    };
+    for (std::size_t i = 0; i + 1 < us.size(); ++i)
+      for (std::size_t k = 0; k + 1 < vs.size(); ++k) {
+        if (!isInside({(us[i] + us[i + 1]) / 2, (vs[k] + vs[k + 1]) / 2})) continue;
+        add(id(i, k), id(i + 1, k), id(i + 1, k + 1));
+        add(id(i, k), id(i + 1, k + 1), id(i, k + 1));
+      }
+    return mesh;
+  }
+
+  Uv middleOf(const Element& element) const {
+    Uv middle{};
+    for (const VertexId v : element.vertices())
+      for (std::size_t i = 0; i < 2; ++i) middle[i] += parameters_[v.value][i] / element.size();
+    return middle;
+  }
+
+  std::optional<SurfaceFault> crossing() {
+    constexpr std::size_t kTried = 40;
+    const ModelMesh mesh = coarseMesh();
+    const auto found = elementCrossings(mesh, [](std::size_t count, const auto& work) {
+      for (std::size_t i = 0; i < count; ++i) work(i);
+    });
+    const std::size_t step = std::max<std::size_t>(found.size() / kTried, 1);
+    for (std::size_t i = 0; i < found.size(); i += step) {
+      if (found[i].isFold) continue;
+      const auto middle = [&](int k) {
+        return middleOf(mesh.elements[found[i].elements[static_cast<std::size_t>(k)].value]);
+      };
+      if (const auto place = commonPoint(middle(0), middle(1)))
+        return SurfaceFault{SurfaceFault::Kind::Crossing, *place, {}};
+    }
+    return std::nullopt;
+  }
+
+  /// The point at which two sheets of the surface meet: Newton's method, each step as short as
+  /// possible, from two places that are not to come together.
+  std::optional<Point3> commonPoint(Uv a, Uv b) {
+    constexpr int kSteps = 30;
+    constexpr double kApart = 0.5;   // of the distance in parameters at the start
+    constexpr double kExact = 1e-9;  // of the size
+    const auto apart = [&] {
+      return std::hypot((a[0] - b[0]) / (box_.u2 - box_.u1), (a[1] - b[1]) / (box_.v2 - box_.v1));
+    };
+    const double atStart = apart();
+    for (int step = 0; step < kSteps; ++step) {
+      if (apart() < kApart * atStart || !surface_->has(a[0], a[1]) || !surface_->has(b[0], b[1]))
+        return std::nullopt;
+      const SurfaceFrame one = surface_->frameAt(a[0], a[1]), other = surface_->frameAt(b[0], b[1]);
+      const Point3 gap = other.position - one.position;
+      if (length(gap) <= kExact * size_)
+        return isInside(a) && isInside(b) && doCross(one, other) ? std::optional(one.position)
+                                                                 : std::nullopt;
+      // J J^T x = gap, where J has the columns du, dv of one and -du, -dv of the other.
+      const std::array columns{one.du, one.dv, -1 * other.du, -1 * other.dv};
+      const auto row = [&](auto member) {
+        Point3 sum{};
+        for (const Point3& c : columns) sum = sum + c.*member * c;
+        return sum;
+      };
+      const Point3 x = row(&Point3::x), y = row(&Point3::y), z = row(&Point3::z);
+      const double determinant = dot(x, cross(y, z));
+      if (determinant == 0) return std::nullopt;
+      const Point3 solved =
+          (1 / determinant) * (gap.x * cross(y, z) + gap.y * cross(z, x) + gap.z * cross(x, y));
+      a = {a[0] + dot(columns[0], solved), a[1] + dot(columns[1], solved)};
+      b = {b[0] + dot(columns[2], solved), b[1] + dot(columns[3], solved)};
+    }
+    return std::nullopt;
+  }
+
+  static bool doCross(const SurfaceFrame& one, const SurfaceFrame& other) {
+    constexpr double kLeastSine = 1e-3;
+    const Point3 a = cross(one.du, one.dv), b = cross(other.du, other.dv);
+    return length(cross(a, b)) > kLeastSine * length(a) * length(b);
+  }
+
+  TopoDS_Face face_;
+  BRepTopAdaptor_FClass2d inside_;
+  double size_;
+  SplineSurface::Box box_;
+  std::optional<GeneralSurface> surface_;
+  std::array<std::vector<double>, 2> breaks_;  // of u and v
+  std::vector<Uv> parameters_;                 // by vertex of the coarse mesh
+};
+
+double leastAngleOf(const ModelMesh& mesh, const Element& element) {
+  const auto corners = element.vertices();
+  const std::size_t count = corners.size();
+  const auto at = [&](std::size_t i) { return mesh.vertices[corners[i % count].value]; };
+  double least = std::numbers::pi;
+  for (std::size_t i = 0; i < count; ++i) {
+    const Point3 out = at(i + 1) - at(i), in = at(i + count - 1) - at(i);
+    least = std::min(least, std::atan2(length(cross(out, in)), dot(out, in)));
+  }
+  return least;
+}
+
+/// Which faces have elements with an angle below half a degree, by id.
+std::vector<bool> facesWithNeedles(const ModelMesh& mesh, std::size_t count) {
+  constexpr double kNeedle = 0.5 * std::numbers::pi / 180;
+  std::vector<bool> isAsked(count + 1, false), has(count + 1, false);
+  for (const FaceReport& face : mesh.faces)
+    isAsked[static_cast<std::size_t>(face.id)] = !face.attempts.empty();
+  for (std::size_t i = 0; i < mesh.elements.size(); ++i) {
+    const auto face = static_cast<std::size_t>(mesh.face[i]);
+    if (isAsked[face] && !has[face] && leastAngleOf(mesh, mesh.elements[i]) < kNeedle)
+      has[face] = true;
+  }
+  return has;
+}
+
+}  // namespace
+
+std::optional<SurfaceFault> surfaceFault(const TopoDS_Face& face, double size) {
+  try {
+    return FaultSearch(face, size).find();
+  } catch (const Standard_Failure&) {
+    return std::nullopt;
+  }
+}
+
+std::string textOf(const SurfaceFault& fault) {
+  if (fault.kind == SurfaceFault::Kind::Crossing)
+    return "in the model itself its surface crosses itself at " + textOf(fault.place) +
+           ": make the face anew";
+  return "in the model itself its surface turns back at " + textOf(fault.place) +
+         ", and back again at " + textOf(fault.other) + ": make the face anew without this fold";
+}
+
+void tellOfSurfaceFaults(const ModelShape& model, double size, ModelMesh& mesh) {
+  constexpr int kMaxReported = 20;  // where many have faults, the first ones are enough
+  const std::vector<bool> hasNeedles =
+      facesWithNeedles(mesh, static_cast<std::size_t>(model.faces.Extent()));
+  int examined = 0;
+  for (FaceReport& face : mesh.faces) {
+    const bool isFailed = face.status == FaceStatus::Failed &&
+                          face.reason.find("in the model itself") == std::string::npos;
+    const bool isPoor =
+        face.status == FaceStatus::Complete && hasNeedles[static_cast<std::size_t>(face.id)];
+    if (face.surfaceType == "plane" || !(isFailed || isPoor)) continue;
+    if (++examined > kMaxReported) break;
+    const auto fault = surfaceFault(model.face(face.id), size);
+    if (!fault) continue;
+    if (isFailed)
+      face.reason += "; " + textOf(*fault);
+    else
+      mesh.notes.push_back("face " + std::to_string(face.id) + " has angles below half a degree; " +
+                           textOf(*fault));
+  }
+}
+
+}  // namespace af2::geometry

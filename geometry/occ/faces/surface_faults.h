@@ -1,0 +1,36 @@
+// Finds what makes the surface of a face impossible to mesh well, in the model itself.
+// Not installed: includers need OpenCASCADE's headers.
+#pragma once
+
+#include <TopoDS_Face.hxx>
+#include <optional>
+#include <string>
+
+#include "geometry/mesh/model_mesh.h"
+#include "geometry/occ/model/model_shape.h"
+
+namespace af2::geometry {
+
+/// A place where a surface crosses itself, or two places near each other at which it turns back.
+struct SurfaceFault {
+  enum class Kind { Crossing, Fold };
+  Kind kind = Kind::Crossing;
+  Point3 place;
+  Point3 other;  ///< of a fold: where the surface turns back again
+};
+
+/// Samples the surface inside the face. A crossing is confirmed by Newton's method. A fold is found
+/// on lines of constant u or v that turn by more than 120 degrees within a tenth of the size, and
+/// by as much in the other direction within four sizes.
+std::optional<SurfaceFault> surfaceFault(const TopoDS_Face& face, double size);
+
+/// "in the model itself, ..."
+std::string textOf(const SurfaceFault& fault);
+
+/// Says of faces that failed, and of those with needles that took more than one attempt, what is
+/// wrong with their surface, if that is known: in their reasons, and in the notes of the mesh.
+///
+/// size  edge length of the mesh
+void tellOfSurfaceFaults(const ModelShape& model, double size, ModelMesh& mesh);
+
+}  // namespace af2::geometry

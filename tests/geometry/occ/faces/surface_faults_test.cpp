@@ -1,0 +1,142 @@
+#include "geometry/occ/faces/surface_faults.h"
+
+#include <gtest/gtest.h>
+#include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepPrimAPI_MakePrism.hxx>
+#include <GeomAPI_Interpolate.hxx>
+#include <Geom_BSplineCurve.hxx>
+#include <Geom_SurfaceOfLinearExtrusion.hxx>
+#include <TColStd_Array1OfInteger.hxx>
+#include <TColStd_Array1OfReal.hxx>
+#include <TColgp_Array1OfPnt.hxx>
+#include <TColgp_HArray1OfPnt.hxx>
+#include <TopoDS.hxx>
+
+#include <cmath>
+
+#include "tests/geometry/occ/meshing.h"
+
+namespace af2::geometry {
+namespace {
+
+constexpr double kHeight = 2;
+
+TopoDS_Face extrusion(const Handle(Geom_BSplineCurve) & curve) {
+  return BRepBuilderAPI_MakeFace(new Geom_SurfaceOfLinearExtrusion(curve, gp::DZ()),
+                                 curve->FirstParameter(), curve->LastParameter(), 0, kHeight, 1e-6);
+}
+
+Handle(Geom_BSplineCurve) through(const std::vector<gp_Pnt>& points) {
+  const Handle(TColgp_HArray1OfPnt) array =
+      new TColgp_HArray1OfPnt(1, static_cast<int>(points.size()));
+  for (std::size_t i = 0; i < points.size(); ++i)
+    array->SetValue(static_cast<int>(i) + 1, points[i]);
+  GeomAPI_Interpolate spline(array, false, 1e-9);
+  spline.Perform();
+  return spline.Curve();
+}
+
+Handle(Geom_BSplineCurve) polyline(const std::vector<gp_Pnt>& points) {
+  const int count = static_cast<int>(points.size());
+  TColgp_Array1OfPnt poles(1, count);
+  TColStd_Array1OfReal knots(1, count);
+  TColStd_Array1OfInteger multiplicities(1, count);
+  for (int i = 1; i <= count; ++i) {
+    poles(i) = points[static_cast<std::size_t>(i) - 1];
+    knots(i) = i;
+    multiplicities(i) = i == 1 || i == count ? 2 : 1;
+  }
+  return new Geom_BSplineCurve(poles, knots, multiplicities, 1);
+}
+
+/// Above the curve (t^3 - 3 t, t^2), which crosses itself at (0, 3).
+TopoDS_Face loop() {
+  std::vector<gp_Pnt> points;
+  for (int i = -11; i <= 11; ++i) {
+    const double t = 0.2 * i;
+    points.emplace_back(t * t * t - 3 * t, t * t, 0);
+  }
+  return extrusion(through(points));
+}
+
+/// Turns back at x = 2 and again at x = 1.5.
+TopoDS_Face fold() {
+  return extrusion(polyline({{0, 0, 0}, {2, 0, 0}, {1.5, 0.05, 0}, {4, 0.1, 0}}));
+}
+
+TEST(SurfaceFault, IsACrossingWhereASurfaceCrossesItself) {
+  const auto fault = surfaceFault(loop(), 0.5);
+  ASSERT_TRUE(fault);
+  EXPECT_EQ(fault->kind, SurfaceFault::Kind::Crossing);
+  EXPECT_NEAR(fault->place.x, 0, 1e-9);
+  EXPECT_NEAR(fault->place.y, 3, 1e-3);
+  EXPECT_TRUE(textOf(*fault).starts_with("in the model itself its surface crosses itself at ("));
+}
+
+TEST(SurfaceFault, IsAFoldWhereASurfaceTurnsBackAndForth) {
+  const auto fault = surfaceFault(fold(), 0.5);
+  ASSERT_TRUE(fault);
+  EXPECT_EQ(fault->kind, SurfaceFault::Kind::Fold);
+  EXPECT_NEAR(fault->place.x, 2, 0.05);
+  EXPECT_NEAR(fault->other.x, 1.5, 0.05);
+  EXPECT_NE(textOf(*fault).find("and back again at ("), std::string::npos);
+}
+
+TEST(SurfaceFault, IsNoneOnSoundSurfaces) {
+  EXPECT_FALSE(surfaceFault(extrusion(through({{-3, 0, 0}, {-1, 1, 0}, {1, -1, 0}, {3, 0, 0}})),
+                            0.5));  // a wave
+  EXPECT_FALSE(
+      surfaceFault(extrusion(polyline({{0, 0, 0}, {3, 0, 0}, {0, 0.1, 0}})), 0.5));  // a tip
+  for (const Model& model : {testing::sphere(1), testing::torus(2, 0.5), testing::cylinder(1, 2)})
+    EXPECT_FALSE(surfaceFault(model.shape().face(1), 0.2));
+}
+
+TEST(SurfaceFault, IsNoneOutsideTheFace) {
+  const TopoDS_Face whole = loop();
+  double u1 = 0, u2 = 0, v1 = 0, v2 = 0;
+  BRep_Tool::Surface(whole)->Bounds(u1, u2, v1, v2);
+  const TopoDS_Face half =
+      BRepBuilderAPI_MakeFace(BRep_Tool::Surface(whole), u1, (u1 + u2) / 2, 0, kHeight, 1e-6);
+  EXPECT_FALSE(surfaceFault(half, 0.5));
+}
+
+/// A triangle with a tiny angle on face 1.
+ModelMesh needle() {
+  ModelMesh mesh;
+  mesh.vertices = {{0, 0, 0}, {1, 0, 0}, {1, 0.001, 0}};
+  Element element;
+  element.corners = {VertexId(0), VertexId(1), VertexId(2), VertexId()};
+  mesh.elements = {element};
+  mesh.face = {1};
+  mesh.faces.resize(1);
+  mesh.faces[0].id = 1;
+  mesh.faces[0].surfaceType = "extrusion";
+  return mesh;
+}
+
+TEST(SurfaceFault, IsToldOfFacesThatFailed) {
+  const Model model = testing::modelOf(loop());
+  ModelMesh mesh = needle();
+  mesh.faces[0].status = FaceStatus::Failed;
+  mesh.faces[0].reason = "stuck";
+  tellOfSurfaceFaults(model.shape(), 0.5, mesh);
+  EXPECT_TRUE(mesh.faces[0].reason.starts_with("stuck; in the model itself its surface crosses"))
+      << mesh.faces[0].reason;
+  EXPECT_TRUE(mesh.notes.empty());
+}
+
+TEST(SurfaceFault, IsToldOfCompleteFacesWithNeedlesThatWereHardToMesh) {
+  const Model model = testing::modelOf(loop());
+  ModelMesh mesh = needle();
+  tellOfSurfaceFaults(model.shape(), 0.5, mesh);
+  EXPECT_TRUE(mesh.notes.empty());
+  mesh.faces[0].attempts = {"shorter edges"};
+  tellOfSurfaceFaults(model.shape(), 0.5, mesh);
+  ASSERT_EQ(mesh.notes.size(), 1u);
+  EXPECT_TRUE(mesh.notes[0].starts_with(
+      "face 1 has angles below half a degree; in the model itself its surface crosses itself"))
+      << mesh.notes[0];
+}
+
+}  // namespace
+}  // namespace af2::geometry
