@@ -14,6 +14,7 @@
 
 #include "engine/base/place_text.h"
 #include "geometry/check/element_crossings.h"
+#include "geometry/occ/surfaces/face_surface.h"
 #include "geometry/occ/surfaces/general_surface.h"
 #include "geometry/occ/surfaces/parameter_line.h"
 #include "geometry/occ/surfaces/surface_breaks.h"
@@ -269,6 +270,18 @@ std::vector<bool> facesWithNeedles(const ModelMesh& mesh, std::size_t count) {
   return has;
 }
 
+/// Words for a tip so sharp that the elements around it are needles; empty if there is none.
+std::string needleTipOf(const FaceSurface& surface) {
+  constexpr double kNeedle = 2 * std::numbers::pi / 180;  // a fan has at least four elements
+  for (const SharpTip& tip : surface.sharpTips()) {
+    if (tip.angle >= kNeedle) continue;
+    const double opening = 2 * std::asin(tip.angle / (2 * std::numbers::pi));
+    return "it ends in a tip of " + af2::textOf(opening * 180 / std::numbers::pi, 2) +
+           " degrees at " + af2::textOf(tip.position);
+  }
+  return "";
+}
+
 }  // namespace
 
 std::optional<SurfaceFault> surfaceFault(const TopoDS_Face& face, double size) {
@@ -300,12 +313,14 @@ void tellOfSurfaceFaults(const ModelShape& model, double size, ModelMesh& mesh) 
     if (face.surfaceType == "plane" || !(isFailed || isPoor)) continue;
     if (++examined > kMaxReported) break;
     const auto fault = surfaceFault(model.face(face.id), size);
-    if (!fault) continue;
+    std::string cause = fault ? textOf(*fault) : "";
+    if (isPoor && !fault) cause = needleTipOf(model.surface(face.id));
+    if (cause.empty()) continue;
     if (isFailed)
-      face.reason += "; " + textOf(*fault);
+      face.reason += "; " + cause;
     else
-      mesh.notes.push_back("face " + std::to_string(face.id) + " has angles below half a degree; " +
-                           textOf(*fault));
+      mesh.notes.push_back("face " + std::to_string(face.id) +
+                           " has angles below half a degree: " + cause);
   }
 }
 

@@ -28,7 +28,8 @@ std::optional<SurfaceFault> surfaceFault(const TopoDS_Face& face, double size);
 std::string textOf(const SurfaceFault& fault);
 
 /// Says of faces that failed, and of those with needles that took more than one attempt, what is
-/// wrong with their surface, if that is known: in their reasons, and in the notes of the mesh.
+/// wrong with their surface, if that is known: in their reasons, and in the notes of the mesh. A
+/// sharp tip, around which all elements are needles, is named, too.
 ///
 /// size  edge length of the mesh
 void tellOfSurfaceFaults(const ModelShape& model, double size, ModelMesh& mesh);

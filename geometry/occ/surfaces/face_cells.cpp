@@ -5,7 +5,9 @@ namespace af2::geometry {
 bool isIn(const FaceCell& cell, const FaceCells& cells, double u, double v, double share) {
   const auto has = [&](const std::vector<Stretch>& stretches, std::size_t i, double at) {
     const double slack = share * (stretches.back().high - stretches.front().low);
-    return at >= stretches[i].low - slack && at <= stretches[i].high + slack;
+    const bool isFirst = i == 0, isLast = i + 1 == stretches.size();
+    return (isFirst || at >= stretches[i].low - slack) &&
+           (isLast || at <= stretches[i].high + slack);
   };
   return has(cells.u, cell.u, u) && has(cells.v, cell.v, v);
 }

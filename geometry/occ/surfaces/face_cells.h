@@ -39,7 +39,9 @@ struct FaceCell {
   std::size_t u = 0, v = 0;
 };
 
-/// Whether a place is in a cell, or outside it by at most a share of the parameters.
+/// Whether a place of the face is in a cell, or outside it by at most a share of the parameters.
+/// Rounding may put places of the boundary outside the parameters of the face: they are in the
+/// cells at that end.
 bool isIn(const FaceCell& cell, const FaceCells& cells, double u, double v, double share = 0);
 
 /// The parameter, moved out of the creases into the nearest calm part.

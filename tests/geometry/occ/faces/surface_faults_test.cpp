@@ -134,8 +134,16 @@ TEST(SurfaceFault, IsToldOfCompleteFacesWithNeedlesThatWereHardToMesh) {
   tellOfSurfaceFaults(model.shape(), 0.5, mesh);
   ASSERT_EQ(mesh.notes.size(), 1u);
   EXPECT_TRUE(mesh.notes[0].starts_with(
-      "face 1 has angles below half a degree; in the model itself its surface crosses itself"))
+      "face 1 has angles below half a degree: in the model itself its surface crosses itself"))
       << mesh.notes[0];
+}
+
+TEST(SurfaceFault, IsNoneWhereATipIsToldOfInstead) {
+  const ModelMesh mesh = testing::mesh(testing::cone(0.005, 0, 3), 0.4);
+  testing::expectComplete(mesh);
+  ASSERT_FALSE(mesh.notes.empty());
+  EXPECT_EQ(mesh.notes[0],
+            "face 1 has angles below half a degree: it ends in a tip of 0.19 degrees at (0, 0, 3)");
 }
 
 }  // namespace
